@@ -1,0 +1,45 @@
+#pragma once
+#include <memory>
+#include <optional>
+
+#include "scene/desc/scene_desc.h"
+#include "scene/endpoint.h"
+
+namespace ajar {
+
+class Medium;
+
+/// A camera is an endpoint that emits importance. Raster coordinates are in pixels of the full image,
+/// x to the right, y down, (0,0) the top left corner of the top left pixel.
+///
+/// `EmissionUniforms::direction` times the full resolution IS the raster position (so callers choose the
+/// pixel by choosing these two numbers); `position` samples the lens.
+///
+/// Importance is normalised so that the measurement of a pixel with filter h is
+/// I = ∫ h(raster) · L · W_e · cos, with W_e such that uniform raster positions have weight 1:
+/// `sample_emission(...).weight` = 1 (a pixel value is the plain mean of the radiance of its rays when
+/// ∫h = 1 over pixels). Hence W_e · cos dA dω = (raster area element) / (number of pixels): connection
+/// weights of light tracing must be multiplied by the number of pixels of the full image when they are
+/// divided by the count of light paths per image.
+/// Source: pbrt-v3, section 16.1.1 (there normalised per film area).
+class Camera : public Endpoint {
+ public:
+  /// Raster position of the ray that leaves `point` in direction `w` (away from the camera); empty if outside of
+  /// the full image.
+  virtual std::optional<Vec2> raster(const EndpointPoint& point, const Vec3& w) const = 0;
+  Vec2i resolution() const { return resolution_; }
+
+  const Medium* medium = nullptr;
+
+ protected:
+  explicit Camera(Vec2i resolution) : resolution_(resolution) {}
+
+ private:
+  Vec2i resolution_;
+};
+
+/// `bounds_radius`, `bounds_center`: sphere around the scene (orthographic cameras are at infinity as endpoints).
+std::unique_ptr<Camera> make_camera(const desc::Camera& camera, Vec2i resolution, const Vec3& bounds_center,
+                                    float bounds_radius);
+
+}  // namespace ajar

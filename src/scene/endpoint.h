@@ -1,0 +1,83 @@
+#pragma once
+#include <cstdint>
+#include <limits>
+#include <optional>
+
+#include "core/pdf.h"
+#include "core/spectrum.h"
+#include "core/vector.h"
+#include "scene/surface_point.h"
+
+namespace ajar {
+
+/// Where a path starts or ends: a point on a light or on the lens. For endpoints at infinity
+/// (environment, distant light, orthographic pinhole) `surface.p` is meaningless and `toward` is the
+/// unit direction from the scene to the endpoint.
+struct EndpointPoint {
+  SurfacePoint surface;  ///< p, ng, uv; ng is zero for points without a surface (pinhole, point light)
+  Vec3 toward;
+};
+
+/// Uniform numbers an endpoint consumes when it emits a ray.
+struct EmissionUniforms {
+  float primitive;
+  Vec2 position;
+  Vec2 direction;
+};
+
+/// Uniform numbers an endpoint consumes when it is chosen from a point of the scene.
+struct ConnectionUniforms {
+  float primitive;
+  Vec2 position;
+};
+
+/// A ray leaving an endpoint (light: photon; camera: camera ray).
+struct EmissionSample {
+  EndpointPoint point;
+  Vec3 origin;  ///< where to start tracing: the point itself, or outside the scene's bounding sphere
+  Vec3 w;       ///< unit direction of travel, away from the endpoint
+  /// Emitted radiance (or importance) · |cos θ at a surface endpoint| / (position pdf · departure pdf).
+  Spectrum weight;
+  Pdf<VertexMeasure> position_pdf;
+  Pdf<Departure> departure_pdf;
+};
+
+struct EmissionPdf {
+  Pdf<VertexMeasure> position;
+  Pdf<Departure> departure;
+};
+
+/// An endpoint seen from a point of the scene (light: next event; camera: light tracing).
+struct ConnectionSample {
+  EndpointPoint point;
+  Vec3 w;          ///< unit, from the reference to the endpoint
+  float distance;  ///< infinity for endpoints at infinity
+  /// Emitted radiance (importance) toward the reference · G / pdf without the cosine at the reference:
+  /// G = |cos θ at the endpoint| / d² for surfaces, 1/d² for points, 1 at infinity.
+  Spectrum weight;
+  Pdf<VertexMeasure> pdf;  ///< of the endpoint, given the reference
+};
+
+/// Common interface of lights and cameras, so that subpaths from either end are the same code.
+/// Immutable, thread-safe; nothing random in it.
+class Endpoint {
+ public:
+  virtual ~Endpoint() = default;
+
+  /// True for environment and distant lights and pinhole-free orthographic cameras: the endpoint vertex is
+  /// a direction, and its VertexMeasure is solid angle (or discrete).
+  virtual bool at_infinity() const = 0;
+  /// True if its vertex has a counting measure (point light, pinhole, distant light): rays never run into it.
+  virtual bool discrete_position() const = 0;
+  /// A ray from the endpoint. Empty if the sampled ray carries nothing.
+  virtual std::optional<EmissionSample> sample_emission(const EmissionUniforms& u) const = 0;
+  /// Densities with which `sample_emission` gives this vertex and this direction of travel.
+  virtual EmissionPdf emission_pdf(const EndpointPoint& point, const Vec3& w) const = 0;
+  /// Emitted radiance (importance) at `point` in direction `w` away from it; no cosine.
+  virtual Spectrum emitted(const EndpointPoint& point, const Vec3& w) const = 0;
+  /// Samples the endpoint as seen from `reference`. Empty if it cannot reach there.
+  virtual std::optional<ConnectionSample> sample_connection(const Vec3& reference, const ConnectionUniforms& u) const = 0;
+  virtual Pdf<VertexMeasure> connection_pdf(const Vec3& reference, const EndpointPoint& point) const = 0;
+};
+
+}  // namespace ajar

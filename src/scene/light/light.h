@@ -1,0 +1,43 @@
+#pragma once
+#include <memory>
+#include <vector>
+
+#include "scene/desc/scene_desc.h"
+#include "scene/endpoint.h"
+#include "scene/shape/surface_sampler.h"
+#include "scene/texture/texture.h"
+
+namespace ajar {
+
+class Medium;
+
+/// A light source. `emitted` is its radiance; a light on a surface is hit by rays through the shape it is on,
+/// a light at infinity by rays that leave the scene.
+class Light : public Endpoint {
+ public:
+  /// Emitted power, approximately, W (luminance-like average over lanes kept per lane). Used to
+  /// choose among lights: must be > 0 for every light that emits at all.
+  virtual Spectrum power() const = 0;
+  /// For lights at infinity: the vertex that a ray leaving the scene along `w` runs into.
+  virtual EndpointPoint at_direction(const Vec3& w) const;
+
+  std::uint32_t index = 0;          ///< position in the scene's list
+  const Medium* medium = nullptr;   ///< medium that rays leaving the light start in (points, infinity)
+};
+
+using LightList = std::vector<std::unique_ptr<Light>>;
+
+/// Sphere around everything that is finite in a scene: lights at infinity emit through it.
+struct BoundingSphere {
+  Vec3 center{0.F, 0.F, 0.F};
+  float radius = 1.F;
+};
+
+/// A light on a surface. The sampler must outlive it.
+std::unique_ptr<Light> make_area_light(const desc::AreaLight& light, const SurfaceSampler& surface,
+                                       const TextureList& textures);
+/// The lights that are not on surfaces. Maps that cannot be read become magenta and a warning.
+std::unique_ptr<Light> make_light(const desc::Light& light, const BoundingSphere& bounds,
+                                  Warnings& warnings);
+
+}  // namespace ajar

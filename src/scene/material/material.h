@@ -1,0 +1,34 @@
+#pragma once
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "scene/bsdf/bsdf.h"
+#include "scene/desc/scene_desc.h"
+#include "scene/texture/texture.h"
+
+namespace ajar {
+
+/// Turns textures into a BSDF at a point. Immutable, thread-safe.
+class Material {
+ public:
+  virtual ~Material() = default;
+  /// Appends this material's lobes, each scaled by `scale`, to `bsdf` (mixes call this recursively).
+  virtual void add_lobes(const SurfacePoint& at, const Spectrum& scale, Bsdf& bsdf) const = 0;
+  /// The BSDF at `at`, bump mapping applied.
+  Bsdf bsdf(const SurfacePoint& at) const;
+  /// No surface: rays pass straight through and only the medium changes.
+  virtual bool is_interface() const { return false; }
+
+  std::string name;
+  TextureSlot bump;
+  bool has_bump = false;
+};
+
+using MaterialList = std::vector<std::unique_ptr<const Material>>;
+
+/// Builds all materials; entry i is material id i.
+MaterialList build_materials(const desc::SceneDesc& scene, const TextureList& textures,
+                             Warnings& warnings);
+
+}  // namespace ajar

@@ -1,0 +1,118 @@
+#pragma once
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/error.h"
+#include "core/spectrum.h"
+#include "scene/camera/camera.h"
+#include "scene/desc/scene_desc.h"
+#include "scene/light/light.h"
+#include "scene/light/light_sampler.h"
+#include "scene/material/material.h"
+#include "scene/medium/medium.h"
+#include "scene/surface_point.h"
+
+namespace ajar {
+
+struct Ray {
+  Vec3 origin;
+  Vec3 direction;  ///< unit
+  float t_max = std::numeric_limits<float>::infinity();
+};
+
+/// Media on the two sides of a surface; `changes` is false if a ray keeps the medium it is in.
+struct MediumInterface {
+  const Medium* inside = nullptr;   ///< on the side that −ng points to
+  const Medium* outside = nullptr;  ///< on the side that +ng points to
+  bool changes = false;
+};
+
+/// What a ray hit.
+struct Hit {
+  float t;
+  SurfacePoint point;
+  const Material* material;  ///< never null
+  const Light* light;        ///< null if the surface does not emit
+  const MediumInterface* media;  ///< never null
+  std::uint32_t object_id;    ///< index of the shape in the description (instanced: of the shape in its object)
+  std::uint32_t instance_id;  ///< 0: not an instance; else index of the instance + 1
+  std::uint32_t material_id;
+};
+
+/// Counts of what is in a scene, for `ajar info` and the statistics.
+struct SceneCounts {
+  std::size_t triangles = 0;           ///< stored
+  std::size_t instanced_triangles = 0; ///< with every instance counted
+  std::size_t quadrics = 0;
+  std::size_t curves = 0;
+  std::size_t instances = 0;
+  std::size_t lights = 0;
+  std::size_t textures = 0;
+  std::size_t materials = 0;
+  std::size_t embree_bytes = 0;
+};
+
+/// Settings that change how a scene is built.
+struct BuildOptions {
+  std::optional<Vec2i> resolution;  ///< of the full image, instead of the file's
+};
+
+/// An immutable scene, committed to Embree and shared by all threads. Nothing random in it.
+class Scene {
+ public:
+  /// Takes the description (geometry is moved or shared, not copied, where possible). Raises SceneError if the
+  /// scene cannot be used (for example indices out of range); lesser faults become warnings.
+  Scene(desc::SceneDesc&& description, const BuildOptions& options, Warnings& warnings);
+  ~Scene();
+  Scene(const Scene&) = delete;
+  Scene& operator=(const Scene&) = delete;
+
+  /// Nearest surface along `ray`, alpha textures applied. Interface materials are reported like any other.
+  std::optional<Hit> intersect(const Ray& ray) const;
+  /// True if anything at all lies between (interfaces too; see `transmittance` of transport for those).
+  bool occluded(const Ray& ray) const;
+  /// True if some material is an interface: then `occluded` alone does not decide about visibility.
+  bool has_interfaces() const { return has_interfaces_; }
+
+  const Camera& camera() const { return *camera_; }
+  const LightSampler& light_sampler() const { return *light_sampler_; }
+  std::span<const std::unique_ptr<Light>> lights() const { return lights_; }
+  /// The lights that rays leaving the scene run into.
+  std::span<const Light* const> infinite_lights() const { return infinite_lights_; }
+  const Medium* medium(desc::MediumId id) const { return id < 0 ? nullptr : media_[static_cast<std::size_t>(id)].get(); }
+  const Material& material(desc::MaterialId id) const { return *materials_[static_cast<std::size_t>(id)]; }
+
+  const Box3& bounds() const { return bounds_; }
+  const BoundingSphere& bounding_sphere() const { return bounding_sphere_; }
+  const SceneCounts& counts() const { return counts_; }
+  /// Hash of the description it was built from.
+  std::uint64_t hash() const { return hash_; }
+  /// Film settings of the description, resolution as built.
+  const desc::Film& film() const { return film_; }
+  const std::string& source() const { return source_; }
+
+ private:
+  struct Geometry;  // Embree handles and per-shape records
+  std::unique_ptr<Geometry> geometry_;
+  TextureList textures_;
+  MaterialList materials_;
+  std::vector<std::unique_ptr<const Medium>> media_;
+  LightList lights_;
+  std::vector<const Light*> infinite_lights_;
+  std::unique_ptr<LightSampler> light_sampler_;
+  std::unique_ptr<Camera> camera_;
+  Box3 bounds_;
+  BoundingSphere bounding_sphere_;
+  SceneCounts counts_;
+  std::uint64_t hash_ = 0;
+  desc::Film film_;
+  std::string source_;
+  bool has_interfaces_ = false;
+};
+
+}  // namespace ajar

@@ -1,0 +1,55 @@
+#pragma once
+#include <memory>
+#include <vector>
+
+#include "core/error.h"
+#include "core/spectrum.h"
+#include "scene/desc/scene_desc.h"
+#include "scene/surface_point.h"
+
+namespace ajar {
+
+/// A function over surfaces. Immutable and safe to call from any thread.
+class Texture {
+ public:
+  virtual ~Texture() = default;
+  virtual Spectrum eval(const SurfacePoint& at) const = 0;
+  /// First lane only; equals eval(at)[0].
+  virtual float eval_float(const SurfacePoint& at) const { return eval(at)[0]; }
+  /// The value, if it is the same everywhere.
+  virtual const Spectrum* constant() const { return nullptr; }
+};
+
+/// A texture or a constant, without a virtual call in the common case. Copyable, does not own.
+class TextureSlot {
+ public:
+  TextureSlot() = default;
+  explicit TextureSlot(const Spectrum& value) : value_(value) {}
+  explicit TextureSlot(const Texture* texture) {
+    if (texture == nullptr) return;
+    if (const Spectrum* value = texture->constant()) {
+      value_ = *value;
+    } else {
+      texture_ = texture;
+    }
+  }
+  Spectrum eval(const SurfacePoint& at) const { return texture_ ? texture_->eval(at) : value_; }
+  float eval_float(const SurfacePoint& at) const {
+    return texture_ ? texture_->eval_float(at) : value_[0];
+  }
+  /// True if it is the constant zero.
+  bool is_black() const { return texture_ == nullptr && value_.is_black(); }
+  bool is_constant() const { return texture_ == nullptr; }
+
+ private:
+  const Texture* texture_ = nullptr;
+  Spectrum value_;
+};
+
+using TextureList = std::vector<std::unique_ptr<const Texture>>;
+
+/// Builds all textures of a scene; entry i is texture id i. Image files are read here, each once. An
+/// image that cannot be read becomes magenta and a warning.
+TextureList build_textures(const desc::SceneDesc& scene, Warnings& warnings);
+
+}  // namespace ajar

@@ -1,0 +1,45 @@
+#pragma once
+#include <cstdint>
+
+#include "core/vector.h"
+
+namespace ajar {
+
+/// The part of a path a random number belongs to.
+enum class Stream : std::uint8_t { Camera, Light, Connection };
+
+/// The uses of random numbers at one vertex of a path. Each slot is one number; a pair `X, Y` is two.
+enum class Slot : std::uint8_t {
+  BsdfDirectionX,
+  BsdfDirectionY,
+  BsdfLobe,
+  Roulette,
+  LightChoice,
+  LightPositionX,
+  LightPositionY,
+  LightPrimitive,
+  kCount
+};
+/// Endpoints (vertex 0) use the same slots under other names.
+inline constexpr Slot kEmissionDirection = Slot::BsdfDirectionX;
+inline constexpr Slot kEmissionPosition = Slot::LightPositionX;
+inline constexpr Slot kEmissionPrimitive = Slot::LightPrimitive;
+inline constexpr Slot kEmitterChoice = Slot::LightChoice;
+
+/// Name of one uniform number of the primary vector. Addresses never shift when one end of a path changes.
+struct SampleAddress {
+  Stream stream;
+  std::uint16_t vertex;
+  Slot slot;
+};
+
+/// The primary vector of METHODS, section 3: all randomness of a path comes from here. Numbers are in [0, 1).
+class SampleSource {
+ public:
+  virtual ~SampleSource() = default;
+  virtual float get(SampleAddress address) = 0;
+  /// Two numbers that are stratified together: the slot and the one after it.
+  virtual Vec2 get_pair(SampleAddress address) = 0;
+};
+
+}  // namespace ajar
