@@ -14,6 +14,8 @@ namespace ajar {
 
 /// What every integrator is told.
 struct RenderSettings {
+  Vec2i resolution{0, 0};  ///< of the full image
+  Box2i crop;              ///< pixels to render, min and max inclusive
   int min_depth = 1;   ///< path edges (METHODS, section 1)
   int max_depth = 100;
   std::uint64_t seed = 0;
@@ -58,6 +60,14 @@ struct IntegratorInfo {
   std::vector<ParameterSpec> parameters;
   std::function<std::unique_ptr<Integrator>(const Scene&, const RenderSettings&, const Parameters&)> make;
 };
+
+/// A layer that users can ask for with `--aov`.
+struct AovInfo {
+  std::string name;
+  std::string summary;  ///< one line
+};
+/// Every layer there is, those that need no asking for ("direct", "indirect") included.
+const std::vector<AovInfo>& aovs();
 
 /// All integrators, sorted by name.
 const std::vector<IntegratorInfo>& integrators();

@@ -85,6 +85,7 @@ class Scene {
   /// The lights that rays leaving the scene run into.
   std::span<const Light* const> infinite_lights() const { return infinite_lights_; }
   const Medium* medium(desc::MediumId id) const { return id < 0 ? nullptr : media_[static_cast<std::size_t>(id)].get(); }
+  std::span<const std::unique_ptr<const Medium>> media() const { return media_; }
   const Material& material(desc::MaterialId id) const { return *materials_[static_cast<std::size_t>(id)]; }
 
   const Box3& bounds() const { return bounds_; }

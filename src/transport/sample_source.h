@@ -18,6 +18,8 @@ enum class Slot : std::uint8_t {
   LightPositionX,
   LightPositionY,
   LightPrimitive,
+  MediumChannel,
+  MediumDistance,
   kCount
 };
 /// Endpoints (vertex 0) use the same slots under other names.

@@ -1,0 +1,282 @@
+#include "integrator/path_family.h"
+
+#include <algorithm>
+
+#include "integrator/g_buffer.h"
+#include "transport/sources.h"
+
+namespace ajar {
+
+namespace {
+
+constexpr int kTileSize = 16;
+constexpr int kMaxPathEdges = 60000;  // vertex numbers are 16 bits wide
+
+/// Gathers the paths of one camera sample and splats those of its light subpath.
+class SampleSink final : public PathSink {
+ public:
+  struct Layers {
+    int direct;
+    int indirect;
+  };
+  SampleSink(Film& film, Layers layers, const GBuffer& g_buffer, Counters& counters)
+      : film_(film), layers_(layers), g_buffer_(g_buffer), counters_(counters) {}
+
+  void begin(Vec2i pixel, int replicate, float filter_weight, std::uint64_t sample) {
+    pixel_ = pixel;
+    replicate_ = replicate;
+    filter_weight_ = filter_weight;
+    sample_ = sample;
+    direct_ = Spectrum();
+    indirect_ = Spectrum();
+  }
+
+  void add(const Contribution& contribution) override {
+    const Spectrum& value = contribution.value;
+    if (!value.is_finite() || value.min() < 0.F) {
+      discard(contribution);
+      return;
+    }
+    const bool direct = contribution.technique.depth() <= 2;
+    if (contribution.technique.t == 1) {
+      if (!film_.splat(direct ? layers_.direct : layers_.indirect, replicate_, contribution.raster,
+                       value)) {
+        discard(contribution);
+      }
+    } else {
+      (direct ? direct_ : indirect_) += value;
+    }
+  }
+
+  bool reaches(const Vec2& raster) const override {
+    const Vec2 radius = film_.filter().radius();
+    const Box2i& crop = film_.crop();
+    return raster.x + radius.x > static_cast<float>(crop.min.x) &&
+           raster.y + radius.y > static_cast<float>(crop.min.y) &&
+           raster.x - radius.x < static_cast<float>(crop.max.x + 1) &&
+           raster.y - radius.y < static_cast<float>(crop.max.y + 1);
+  }
+
+  void first_vertex(const PathVertex& vertex, const Hit* hit) override {
+    if (g_buffer_.empty()) return;
+    g_buffer_.add(film_, pixel_, filter_weight_, sample_ == 0, camera_position, vertex, hit);
+  }
+
+  void end() {
+    put(layers_.direct, direct_);
+    put(layers_.indirect, indirect_);
+  }
+
+  Vec3 camera_position;
+
+ private:
+  void put(int layer, const Spectrum& value) {
+    if (value.is_black()) return;
+    if (!film_.add(layer, replicate_, pixel_, value * filter_weight_)) ++counters_.discarded_infinite;
+  }
+
+  void discard(const Contribution& contribution) {
+    const Spectrum& value = contribution.value;
+    bool nan = false;
+    bool infinite = false;
+    for (int lane = 0; lane < 3; ++lane) {
+      nan = nan || std::isnan(value[lane]);
+      infinite = infinite || std::isinf(value[lane]);
+    }
+    ++(nan ? counters_.discarded_nan : infinite ? counters_.discarded_infinite
+                                                : counters_.discarded_negative);
+    if (!counters_.first_discarded.empty()) return;
+    counters_.first_discarded =
+        std::string(nan ? "NaN" : infinite ? "infinite" : "negative") + " contribution at pixel (" +
+        std::to_string(pixel_.x) + ", " + std::to_string(pixel_.y) + "), sample " +
+        std::to_string(sample_) + ", technique (" + std::to_string(contribution.technique.s) + ", " +
+        std::to_string(contribution.technique.t) + ")";
+  }
+
+  Film& film_;
+  Layers layers_;
+  const GBuffer& g_buffer_;
+  Counters& counters_;
+  Vec2i pixel_{0, 0};
+  int replicate_ = 0;
+  float filter_weight_ = 1.F;
+  std::uint64_t sample_ = 0;
+  Spectrum direct_;
+  Spectrum indirect_;
+};
+
+class PathIntegrator final : public Integrator {
+ public:
+  PathIntegrator(TechniqueSet techniques, const Scene& scene, const RenderSettings& settings,
+                 const Parameters& parameters)
+      : scene_(scene), settings_(settings), sobol_(parameters.get_text("sampler") == "sobol") {
+    const Vec2i size = settings.crop.size() + Vec2i(1, 1);
+    const double pixels = static_cast<double>(settings.resolution.x) * settings.resolution.y;
+    sampler_settings_.techniques = techniques;
+    sampler_settings_.heuristic = parameters.get_text("heuristic") == "power" ? Heuristic::Power
+                                                                              : Heuristic::Balance;
+    sampler_settings_.min_depth = settings.min_depth;
+    sampler_settings_.max_depth = std::min(settings.max_depth, kMaxPathEdges);
+    sampler_settings_.roulette_start = parameters.get_int("roulette-start");
+    sampler_settings_.light_paths_per_pixel = static_cast<double>(size.x) * size.y / pixels;
+    tiles_ = {(size.x + kTileSize - 1) / kTileSize, (size.y + kTileSize - 1) / kTileSize};
+  }
+
+  std::vector<LayerSpec> layers() const override {
+    const double magnitude = pilot_magnitude();
+    std::vector<LayerSpec> specs = {{.name = "direct", .magnitude = magnitude},
+                                    {.name = "indirect", .magnitude = magnitude}};
+    for (LayerSpec& spec :
+         GBuffer::layers(settings_.aovs, 2.F * scene_.bounding_sphere().radius)) {
+      specs.push_back(std::move(spec));
+    }
+    return specs;
+  }
+
+  std::uint64_t items_in_pass() const override {
+    return static_cast<std::uint64_t>(tiles_.x) * static_cast<std::uint64_t>(tiles_.y);
+  }
+
+  void run_item(std::uint64_t item, std::uint64_t first_sample, std::uint64_t samples, Film& film,
+                Counters& counters) const override {
+    const auto columns = static_cast<std::uint64_t>(tiles_.x);
+    const Vec2i tile(static_cast<int>(item % columns), static_cast<int>(item / columns));
+    const Vec2i low = settings_.crop.min + tile * kTileSize;
+    const Vec2i high(std::min(low.x + kTileSize - 1, settings_.crop.max.x),
+                     std::min(low.y + kTileSize - 1, settings_.crop.max.y));
+    const GBuffer g_buffer(film);
+    SampleSink sink(film, {film.layer("direct"), film.layer("indirect")}, g_buffer, counters);
+    PathSampler sampler(scene_, sampler_settings_);
+    for (int y = low.y; y <= high.y; ++y) {
+      for (int x = low.x; x <= high.x; ++x) {
+        for (std::uint64_t i = first_sample; i < first_sample + samples; ++i) {
+          sample_pixel({x, y}, i, film, sampler, sink);
+        }
+      }
+    }
+    counters.rays += sampler.rays();
+    counters.samples += samples * static_cast<std::uint64_t>(high.x - low.x + 1) *
+                        static_cast<std::uint64_t>(high.y - low.y + 1);
+  }
+
+  double develop_scale(std::uint64_t samples, std::optional<int> replicate) const override {
+    if (samples == 0) return 0.0;
+    if (!replicate) return 1.0 / static_cast<double>(samples);
+    const auto count = static_cast<std::uint64_t>(settings_.replicates);
+    const auto index = static_cast<std::uint64_t>(*replicate);
+    const std::uint64_t own = samples / count + (samples % count > index ? 1 : 0);
+    return own == 0 ? 0.0 : 1.0 / static_cast<double>(own);
+  }
+
+ private:
+  /// Sample `i` belongs to replicate i mod R and is number i / R of that replicate's own sequence.
+  SampleIdentity identity(Vec2i pixel, std::uint64_t i) const {
+    const auto count = static_cast<std::uint64_t>(settings_.replicates);
+    const std::uint64_t replicate = i % count;
+    const auto index = static_cast<std::uint32_t>(i / count);
+    const Vec2i size = settings_.crop.size() + Vec2i(1, 1);
+    const auto pixel_number = static_cast<std::uint64_t>(pixel.y - settings_.crop.min.y) *
+                                  static_cast<std::uint64_t>(size.x) +
+                              static_cast<std::uint64_t>(pixel.x - settings_.crop.min.x);
+    const auto pixels = static_cast<std::uint64_t>(size.x) * static_cast<std::uint64_t>(size.y);
+    // The light's sequence is cut where its 32-bit index would overflow; each stretch has its own scrambling.
+    const std::uint64_t light_number = index * pixels + pixel_number;
+    return {.camera_seed = hash_numbers(settings_.seed, replicate, pixel.x, pixel.y),
+            .camera_index = index,
+            .light_seed = hash_numbers(settings_.seed, replicate, 0x11987ULL, light_number >> 32U),
+            .light_index = static_cast<std::uint32_t>(light_number)};
+  }
+
+  void sample_pixel(Vec2i pixel, std::uint64_t i, const Film& film, PathSampler& sampler,
+                    SampleSink& sink) const {
+    const SampleIdentity id = identity(pixel, i);
+    const int replicate = static_cast<int>(i % static_cast<std::uint64_t>(settings_.replicates));
+    if (sobol_) {
+      SobolSource source(id);
+      sample_pixel(pixel, replicate, i, film, source, sampler, sink);
+    } else {
+      IndependentSource source(id);
+      sample_pixel(pixel, replicate, i, film, source, sampler, sink);
+    }
+  }
+
+  void sample_pixel(Vec2i pixel, int replicate, std::uint64_t i, const Film& film,
+                    SampleSource& source, PathSampler& sampler, SampleSink& sink) const {
+    const FilterSample filtered =
+        film.filter().sample(source.get_pair({Stream::Camera, 0, kEmissionDirection}));
+    const Vec2 raster = Vec2(pixel) + Vec2(0.5F, 0.5F) + filtered.offset;
+    sink.begin(pixel, replicate, filtered.weight, i);
+    const TechniqueSet::Classes& classes = sampler_settings_.techniques.classes();
+    if (classes.light && !classes.inner) sampler.sample_light(source, sink);
+    sampler.sample(source, raster, sink);
+    sink.end();
+  }
+
+  /// Mean of the picture to within a small factor: what the fixed-point sums are scaled by.
+  double pilot_magnitude() const;
+
+  const Scene& scene_;
+  RenderSettings settings_;
+  PathSamplerSettings sampler_settings_;
+  bool sobol_;
+  Vec2i tiles_;
+};
+
+class MeanSink final : public PathSink {
+ public:
+  void add(const Contribution& contribution) override {
+    if (contribution.value.is_finite()) sum += static_cast<double>(contribution.value.max());
+  }
+  double sum = 0.0;
+};
+
+double PathIntegrator::pilot_magnitude() const {
+  constexpr int kSamples = 4096;
+  MeanSink sink;
+  PathSampler sampler(scene_, sampler_settings_);
+  const Vec2 low(settings_.crop.min);
+  const Vec2 size(settings_.crop.size() + Vec2i(1, 1));
+  const std::uint64_t seed = hash_numbers(settings_.seed, 0x9170ULL);
+  for (std::uint32_t i = 0; i < kSamples; ++i) {
+    SobolSource source({seed, i, seed, i});
+    const Vec2 u = source.get_pair({Stream::Camera, 0, kEmissionDirection});
+    const TechniqueSet::Classes& classes = sampler_settings_.techniques.classes();
+    if (classes.light && !classes.inner) sampler.sample_light(source, sink);
+    sampler.sample(source, low + u * size, sink);
+  }
+  const double mean = sink.sum / kSamples;
+  return mean > 0.0 && std::isfinite(mean) ? mean : 1.0;
+}
+
+}  // namespace
+
+std::vector<ParameterSpec> path_family_parameters() {
+  return {{.name = "sampler",
+           .type = ParameterType::Choice,
+           .default_value = "sobol",
+           .unit = "",
+           .help = "where the random numbers come from: Owen-scrambled Sobol' points, or independent ones",
+           .choices = {"sobol", "independent"}},
+          {.name = "heuristic",
+           .type = ParameterType::Choice,
+           .default_value = "power",
+           .unit = "",
+           .help = "how techniques that find the same path share it (Veach & Guibas 1995)",
+           .choices = {"power", "balance"}},
+          {.name = "roulette-start",
+           .type = ParameterType::Int,
+           .default_value = "5",
+           .unit = "edges",
+           .help = "path length from which Russian roulette may end a dim path",
+           .choices = {},
+           .minimum = 1,
+           .maximum = 60000}};
+}
+
+std::unique_ptr<Integrator> make_path_integrator(TechniqueSet techniques, const Scene& scene,
+                                                 const RenderSettings& settings,
+                                                 const Parameters& parameters) {
+  return std::make_unique<PathIntegrator>(techniques, scene, settings, parameters);
+}
+
+}  // namespace ajar

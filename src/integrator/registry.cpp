@@ -1,0 +1,66 @@
+#include <algorithm>
+
+#include "integrator/g_buffer.h"
+#include "integrator/path_family.h"
+
+namespace ajar {
+
+namespace {
+IntegratorInfo path_family_member(std::string name, std::string summary, std::string source,
+                                  TechniqueSet techniques) {
+  return {.name = std::move(name),
+          .summary = std::move(summary),
+          .source = std::move(source),
+          .parameters = path_family_parameters(),
+          .make = [techniques](const Scene& scene, const RenderSettings& settings,
+                               const Parameters& parameters) {
+            return make_path_integrator(techniques, scene, settings, parameters);
+          }};
+}
+}  // namespace
+
+Counters& Counters::operator+=(const Counters& other) {
+  rays += other.rays;
+  samples += other.samples;
+  discarded_nan += other.discarded_nan;
+  discarded_infinite += other.discarded_infinite;
+  discarded_negative += other.discarded_negative;
+  if (first_discarded.empty()) first_discarded = other.first_discarded;
+  return *this;
+}
+
+const std::vector<IntegratorInfo>& integrators() {
+  static const std::vector<IntegratorInfo> kIntegrators = {
+      path_family_member("pt", "path tracing: camera paths that run into lights or are lit by sampled ones",
+                         "Kajiya 1986; Veach & Guibas 1995", TechniqueSet::pt()),
+  };
+  return kIntegrators;
+}
+
+const IntegratorInfo& find_integrator(const std::string& name) {
+  std::vector<std::string> names;
+  for (const IntegratorInfo& info : integrators()) {
+    if (info.name == name) return info;
+    names.push_back(info.name);
+  }
+  throw UsageError(unknown_name_message("integrator", name, names));
+}
+
+const std::vector<AovInfo>& aovs() {
+  static const std::vector<AovInfo> kAovs = {
+      {"direct", "light of paths with at most two edges (always written)"},
+      {"indirect", "light of longer paths (always written)"},
+      {"albedo", "reflectance of the first surface"},
+      {"normal", "shading normal of the first surface, world space, facing the camera"},
+      {"geometric-normal", "geometric normal of the first surface, world space, facing the camera"},
+      {"depth", "distance from the camera to the first surface, scene units"},
+      {"position", "place of the first surface, world space"},
+      {"object-id", "number of the first shape, from 1; 0 where there is none"},
+      {"material-id", "number of the first material, from 1; 0 where there is none"},
+      {"samples", "samples per pixel"},
+      {"standard-error", "standard error of each pixel, from replicates"},
+  };
+  return kAovs;
+}
+
+}  // namespace ajar

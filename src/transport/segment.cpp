@@ -1,0 +1,97 @@
+#include "transport/segment.h"
+
+namespace ajar {
+
+namespace {
+/// Rays that graze stacked interfaces could go on for ever through rounding; no real scene has this many.
+constexpr int kMaxInterfaces = 1000;
+
+const Medium* medium_beyond(const Hit& hit, const Vec3& direction, const Medium* medium) {
+  if (!hit.media->changes) return medium;
+  return dot(direction, hit.point.ng) > 0.F ? hit.media->outside : hit.media->inside;
+}
+
+void cross_medium(const Medium* medium, float distance, Segment& segment) {
+  if (medium == nullptr) return;
+  // Infinite distances would make 0 · ∞ of lanes without extinction.
+  distance = std::min(distance, std::numeric_limits<float>::max());
+  segment.transmittance *= medium->transmittance(distance);
+  if (medium->scatters()) segment.scattering_depth += medium->sigma_t() * distance;
+}
+}  // namespace
+
+float Segment::distance_pdf(const Medium* medium) const {
+  if (medium == nullptr && scattering_depth.is_black()) return 1.F;
+  const Spectrum survival = exp(scattering_depth * -1.F);
+  return medium == nullptr ? survival.average() : (survival * medium->sigma_t()).average();
+}
+
+SegmentEnd trace_segment(const Scene& scene, Ray ray, const Medium* medium,
+                         const DistanceUniforms& u, std::uint64_t& rays) {
+  SegmentEnd end;
+  const int lane = std::min(static_cast<int>(u.channel * 3.F), 2);
+  float depth_left = -std::log(1.F - u.distance);  // optical depth in `lane` until the next event
+  float travelled = 0.F;
+  for (int i = 0; i < kMaxInterfaces; ++i) {
+    ++rays;
+    std::optional<Hit> hit = scene.intersect(ray);
+    const float distance = hit ? hit->t : std::numeric_limits<float>::infinity();
+    if (medium != nullptr && medium->scatters()) {
+      const float sigma_t = medium->sigma_t()[lane];
+      const float scatter_distance =
+          sigma_t > 0.F ? depth_left / sigma_t : std::numeric_limits<float>::infinity();
+      if (scatter_distance < distance) {
+        cross_medium(medium, scatter_distance, end.segment);
+        end.medium = medium;
+        end.distance = travelled + scatter_distance;
+        end.scattered = true;
+        end.weight = end.segment.transmittance * medium->sigma_s() /
+                     end.segment.distance_pdf(medium);
+        return end;
+      }
+      depth_left -= sigma_t * distance;
+    }
+    cross_medium(medium, distance, end.segment);
+    travelled += distance;
+    if (hit && hit->material->is_interface()) {
+      medium = medium_beyond(*hit, ray.direction, medium);
+      ray.origin = offset_ray_origin(hit->point.p, hit->point.ng, ray.direction);
+      continue;
+    }
+    end.hit = hit;
+    break;
+  }
+  end.medium = medium;
+  end.distance = end.hit ? travelled : std::numeric_limits<float>::infinity();
+  end.weight = end.segment.transmittance / end.segment.distance_pdf(nullptr);
+  return end;
+}
+
+std::optional<Segment> connect(const Scene& scene, Ray ray, const Medium* medium,
+                               std::uint64_t& rays) {
+  Segment segment;
+  if (!scene.has_interfaces()) {
+    ++rays;
+    if (scene.occluded(ray)) return std::nullopt;
+    cross_medium(medium, ray.t_max, segment);
+    return segment;
+  }
+  for (int i = 0; i < kMaxInterfaces; ++i) {
+    ++rays;
+    const std::optional<Hit> hit = scene.intersect(ray);
+    if (!hit) {
+      cross_medium(medium, ray.t_max, segment);
+      return segment;
+    }
+    if (!hit->material->is_interface()) return std::nullopt;
+    cross_medium(medium, hit->t, segment);
+    medium = medium_beyond(*hit, ray.direction, medium);
+    const Vec3 next = offset_ray_origin(hit->point.p, hit->point.ng, ray.direction);
+    ray.t_max -= dot(next - ray.origin, ray.direction);
+    ray.origin = next;
+    if (ray.t_max <= 0.F) return segment;
+  }
+  return std::nullopt;
+}
+
+}  // namespace ajar

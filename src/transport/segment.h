@@ -1,0 +1,44 @@
+#pragma once
+#include <optional>
+
+#include "scene/scene.h"
+
+namespace ajar {
+
+/// What lies along a straight piece of a path between two vertices.
+struct Segment {
+  Spectrum transmittance{1.F};
+  /// Optical depth per lane of the scattering media only: distances are sampled from these, while media that
+  /// merely absorb just attenuate.
+  Spectrum scattering_depth;
+
+  /// Density of `sample_distance` ending at a vertex in `medium` (null: on a surface) at the end of this segment,
+  /// 1/(scene unit) or a probability.
+  float distance_pdf(const Medium* medium) const;
+};
+
+/// Where a traced segment ended.
+struct SegmentEnd {
+  std::optional<Hit> hit;  ///< empty: scattered in `medium`, or left the scene
+  const Medium* medium;    ///< at the end
+  float distance;          ///< from the ray's origin; infinity if it left the scene
+  bool scattered = false;  ///< in `medium`, at origin + distance · direction
+  Spectrum weight{1.F};    ///< transmittance (· σ_s) / distance pdf
+  Segment segment;
+};
+
+struct DistanceUniforms {
+  float channel;
+  float distance;
+};
+
+/// Follows a ray that starts in `medium`, straight through interface materials, to the next scattering event: a surface, or a
+/// point in a scattering medium whose distance is sampled. The lane to sample by is chosen uniformly and all lanes count in
+/// the density (single-sample MIS). `rays` is increased by the number of rays traced.
+SegmentEnd trace_segment(const Scene& scene, Ray ray, const Medium* medium, const DistanceUniforms& u,
+                         std::uint64_t& rays);
+
+/// The segment between two mutually visible points; empty if a surface that is not an interface lies between.
+std::optional<Segment> connect(const Scene& scene, Ray ray, const Medium* medium, std::uint64_t& rays);
+
+}  // namespace ajar

@@ -1,0 +1,91 @@
+#include "transport/subpath.h"
+
+#include <algorithm>
+
+namespace ajar {
+
+namespace {
+SampleAddress address(const WalkSettings& settings, int vertex, Slot slot) {
+  return {settings.stream, static_cast<std::uint16_t>(vertex), slot};
+}
+}  // namespace
+
+MisStep mis_step(const Flight& flight, const Segment& segment, float distance, float cosine_at_end,
+                 const Medium* end_medium, bool at_infinity, double class_coefficient) {
+  const double inverse_square =
+      at_infinity ? 1.0 : 1.0 / (static_cast<double>(distance) * static_cast<double>(distance));
+  // A ray from infinity is spread over area, not over solid angle: no inverse square on arrival, and a
+  // vertex at infinity measures directions, so none on the way back either.
+  const double forward_geometry =
+      flight.from_infinity || at_infinity ? 1.0 : inverse_square;
+  MisStep step{};
+  step.specular = flight.specular;
+  step.reverse_previous = flight.reverse_previous;
+  step.forward = static_cast<double>(flight.departure) * forward_geometry *
+                 (at_infinity ? 1.0 : static_cast<double>(cosine_at_end)) *
+                 static_cast<double>(segment.distance_pdf(end_medium));
+  step.backward_geometry = flight.from_infinity
+                               ? static_cast<double>(segment.distance_pdf(nullptr))
+                               : static_cast<double>(flight.cosine) * inverse_square *
+                                     static_cast<double>(segment.distance_pdf(flight.scattered_in));
+  step.class_coefficient = class_coefficient;
+  return step;
+}
+
+PathVertex arrive(const WalkSettings& settings, const Flight& flight, const SegmentEnd& end,
+                  double class_coefficient) {
+  PathVertex vertex;
+  vertex.wo = -flight.ray.direction;
+  vertex.throughput = flight.throughput * end.weight;
+  vertex.medium = end.medium;
+  vertex.edges = flight.edges + 1;
+  vertex.in_medium = end.scattered;
+  if (end.scattered) {
+    vertex.p = flight.ray.origin + flight.ray.direction * end.distance;
+    vertex.media = nullptr;
+  } else {
+    vertex.p = end.hit->point.p;
+    vertex.media = end.hit->media;
+    vertex.bsdf = end.hit->material->bsdf(end.hit->point);
+  }
+  const MisStep step =
+      mis_step(flight, end.segment, end.distance, vertex.cosine(vertex.wo),
+               end.scattered ? end.medium : nullptr, false, class_coefficient);
+  vertex.mis = mis_extend(settings.heuristic, flight.mis, step);
+  return vertex;
+}
+
+bool scatter(const WalkSettings& settings, const PathVertex& vertex, SampleSource& source,
+             Flight& flight) {
+  BsdfUniforms u{};
+  u.lobe = source.get(address(settings, vertex.edges, Slot::BsdfLobe));
+  u.direction = source.get_pair(address(settings, vertex.edges, Slot::BsdfDirectionX));
+  const std::optional<BsdfSample> sample = vertex.sample(u, settings.mode);
+  if (!sample) return false;
+  flight.throughput = vertex.throughput * sample->weight;
+  if (settings.mode == TransportMode::Radiance) flight.eta_scale *= sample->eta * sample->eta;
+  if (vertex.edges >= settings.roulette_start) {
+    const float survival = std::min(0.95F, flight.throughput.max() * flight.eta_scale);
+    if (!(source.get(address(settings, vertex.edges, Slot::Roulette)) < survival)) return false;
+    flight.throughput /= survival;
+  }
+  if (flight.throughput.is_black()) return false;
+  flight.ray = {vertex.ray_origin(sample->wi), sample->wi};
+  flight.medium = vertex.medium_toward(sample->wi);
+  flight.edges = vertex.edges;
+  flight.mis = vertex.mis;
+  flight.departure = sample->pdf.value();
+  flight.from_infinity = false;
+  flight.specular = sample->pdf.discrete();
+  flight.reverse_previous = sample->reverse_pdf.value();
+  flight.cosine = vertex.cosine(sample->wi);
+  flight.scattered_in = vertex.in_medium ? vertex.medium : nullptr;
+  return true;
+}
+
+DistanceUniforms distance_uniforms(const WalkSettings& settings, int edges, SampleSource& source) {
+  return {source.get(address(settings, edges, Slot::MediumChannel)),
+          source.get(address(settings, edges, Slot::MediumDistance))};
+}
+
+}  // namespace ajar
