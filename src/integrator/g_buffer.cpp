@@ -37,12 +37,12 @@ GBuffer::GBuffer(const Film& film) {
 }
 
 void GBuffer::add(Film& film, Vec2i pixel, float weight, bool first_sample,
-                  const Vec3& camera_position, const PathVertex& vertex, const Hit* hit) const {
+                  float distance, const PathVertex& vertex, const Hit* hit) const {
   const auto put = [&](Layer layer, const Spectrum& value) {
     const int index = index_[layer];
     if (index >= 0) film.add(index, 0, pixel, value);
   };
-  put(kDepth, Spectrum(weight * length(vertex.p - camera_position)));
+  put(kDepth, Spectrum(weight * distance));
   put(kPosition, weight * to_spectrum(vertex.p));
   if (hit == nullptr) return;
   if (index_[kAlbedo] >= 0) put(kAlbedo, weight * vertex.bsdf.albedo(vertex.wo));

@@ -22,7 +22,7 @@ class GBuffer {
   bool empty() const { return empty_; }
   /// Adds the vertex at the end of a camera ray. Identifiers cannot be averaged: they are those of the first sample only
   /// (`first_sample`). `weight` is the sample's filter weight.
-  void add(Film& film, Vec2i pixel, float weight, bool first_sample, const Vec3& camera_position,
+  void add(Film& film, Vec2i pixel, float weight, bool first_sample, float distance,
            const PathVertex& vertex, const Hit* hit) const;
 
  private:

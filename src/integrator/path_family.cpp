@@ -57,17 +57,15 @@ class SampleSink final : public PathSink {
            raster.y - radius.y < static_cast<float>(crop.max.y + 1);
   }
 
-  void first_vertex(const PathVertex& vertex, const Hit* hit) override {
+  void first_vertex(const PathVertex& vertex, const Hit* hit, float distance) override {
     if (g_buffer_.empty()) return;
-    g_buffer_.add(film_, pixel_, filter_weight_, sample_ == 0, camera_position, vertex, hit);
+    g_buffer_.add(film_, pixel_, filter_weight_, sample_ == 0, distance, vertex, hit);
   }
 
   void end() {
     put(layers_.direct, direct_);
     put(layers_.indirect, indirect_);
   }
-
-  Vec3 camera_position;
 
  private:
   void put(int layer, const Spectrum& value) {

@@ -90,6 +90,7 @@ void PathSampler::trace_light(SampleSource& source, PathSink& sink) {
   const std::optional<EmissionSample> emission = light.sample_emission(u);
   if (!emission) return;
 
+  sink.started(Stream::Light, light, emission->point);
   const float emitter_probability = chosen.probability.value();
   const double position_density =
       static_cast<double>(emission->position_pdf.value()) * static_cast<double>(emitter_probability);
@@ -128,6 +129,7 @@ void PathSampler::trace_light(SampleSource& source, PathSink& sink) {
       if (classes.inner) light_vertices_[light_vertex_count_++] = vertex;
     }
     if (!scatter(light_walk_, vertex, source, flight)) return;
+    sink.scattered(Stream::Light, vertex, flight);
   }
 }
 
@@ -140,6 +142,7 @@ void PathSampler::trace_camera(SampleSource& source, const Vec2& raster, PathSin
   const std::optional<EmissionSample> emission = camera.sample_emission(u);
   if (!emission) return;
 
+  sink.started(Stream::Camera, camera, emission->point);
   const TechniqueSet::Classes& classes = settings_.techniques.classes();
   // Light tracing reaches the full image only, while wide filters draw camera rays from beyond its border.
   const bool inside = raster.x >= 0.F && raster.y >= 0.F && raster.x < size.x && raster.y < size.y;
@@ -173,7 +176,7 @@ void PathSampler::trace_camera(SampleSource& source, const Vec2& raster, PathSin
     }
     const PathVertex vertex = arrive(camera_walk_, flight, end, camera_side_coefficient(edges));
     sink.vertex(Stream::Camera, vertex);
-    if (edges == 1) sink.first_vertex(vertex, end.hit ? &*end.hit : nullptr);
+    if (edges == 1) sink.first_vertex(vertex, end.hit ? &*end.hit : nullptr, end.distance);
     if (end.hit && end.hit->light != nullptr && sees_light) {
       hit_light(flight, end, vertex.mis, *end.hit->light, {end.hit->point, vertex.wo * -1.F}, sink);
     }
@@ -187,6 +190,7 @@ void PathSampler::trace_camera(SampleSource& source, const Vec2& raster, PathSin
       }
     }
     if (!scatter(camera_walk_, vertex, source, flight)) return;
+    sink.scattered(Stream::Camera, vertex, flight);
   }
 }
 

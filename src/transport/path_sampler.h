@@ -28,10 +28,12 @@ class PathSink {
   virtual void add(const Contribution& contribution) = 0;
   /// Whether light traced to this raster position would count at all.
   virtual bool reaches(const Vec2& /*raster*/) const { return true; }
-  /// The first surface or medium vertex the camera sees; `hit` is null for a medium vertex.
-  virtual void first_vertex(const PathVertex& /*vertex*/, const Hit* /*hit*/) {}
-  /// Every vertex of both subpaths, for verification and replay.
+  /// The first surface or medium vertex the camera sees, at `distance` from it; `hit` is null for a medium vertex.
+  virtual void first_vertex(const PathVertex& /*vertex*/, const Hit* /*hit*/, float /*distance*/) {}
+  /// Where a subpath starts, every vertex of it, and how it went on from there: for verification.
+  virtual void started(Stream /*stream*/, const Endpoint& /*endpoint*/, const EndpointPoint& /*point*/) {}
   virtual void vertex(Stream /*stream*/, const PathVertex& /*vertex*/) {}
+  virtual void scattered(Stream /*stream*/, const PathVertex& /*vertex*/, const Flight& /*flight*/) {}
 };
 
 struct PathSamplerSettings {

@@ -1,0 +1,255 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <deque>
+
+#include "core/random.h"
+#include "support/oracle_path.h"
+#include "support/render.h"
+#include "transport/sources.h"
+
+namespace ajar {
+namespace {
+
+using test::OraclePath;
+
+/// Rebuilds each sampled path from what the sampler reports, vertex by vertex, and compares its MIS weight with the
+/// definition.
+class CheckingSink final : public PathSink {
+ public:
+  CheckingSink(const Scene& scene, const PathSamplerSettings& settings)
+      : scene_(scene), settings_(settings) {}
+
+  void begin(const Vec2& raster) {
+    raster_ = raster;
+    subpaths_[0] = {};
+    subpaths_[1] = {};
+  }
+
+  void started(Stream stream, const Endpoint& endpoint, const EndpointPoint& point) override {
+    Subpath& subpath = subpaths_[stream == Stream::Light ? 1 : 0];
+    subpath = {};
+    subpath.endpoint = &endpoint;
+    subpath.point = point;
+  }
+  void vertex(Stream stream, const PathVertex& vertex) override {
+    subpaths_[stream == Stream::Light ? 1 : 0].vertices.push_back(vertex);
+  }
+  void scattered(Stream stream, const PathVertex&, const Flight& flight) override {
+    subpaths_[stream == Stream::Light ? 1 : 0].flights.push_back(flight);
+  }
+
+  void add(const Contribution& contribution) override {
+    ASSERT_TRUE(contribution.value.is_finite());
+    const auto [s, t] = contribution.technique;
+    if (contribution.technique.depth() == 1) {
+      EXPECT_EQ(contribution.mis_weight, 1.0);
+      return;
+    }
+    const OraclePath path = rebuild(contribution, s, t);
+    const double expected = test::mis_weight(scene_, settings_, path, contribution.technique);
+    // Positions are floats: what is left are roundings of distances and cosines.
+    EXPECT_NEAR(contribution.mis_weight, expected, 2e-3 + 2e-3 * expected)
+        << "technique (" << s << ", " << t << ")";
+    ++checked[{s, t}];
+  }
+
+  std::map<std::pair<int, int>, int> checked;
+
+ private:
+  struct Subpath {
+    const Endpoint* endpoint = nullptr;
+    EndpointPoint point;
+    std::vector<PathVertex> vertices;
+    std::vector<Flight> flights;
+  };
+
+  OraclePath rebuild(const Contribution& contribution, int s, int t) const {
+    OraclePath path;
+    const Subpath& camera = subpaths_[0];
+    const Subpath& light = subpaths_[1];
+    path.light = s >= 2 ? static_cast<const Light*>(light.endpoint) : contribution.light;
+    path.light_point = s >= 2 ? light.point : *contribution.light_point;
+    path.camera_point = t >= 2 ? camera.point : *contribution.camera_point;
+    path.raster = t >= 2 ? raster_ : contribution.raster;
+
+    std::vector<const PathVertex*> vertices;
+    std::vector<const Flight*> flights;  // null where the connection is
+    const auto add_vertices = [&](const Subpath& subpath, int count) {
+      for (int i = 0; i < count; ++i) {
+        const auto index = static_cast<std::size_t>(i);
+        vertices.push_back(&subpath.vertices[index]);
+        flights.push_back(i + 1 < count ? &subpath.flights[index] : nullptr);
+      }
+    };
+    add_vertices(light, std::max(0, s - 1));
+    const std::size_t from_light = vertices.size();
+    // Technique (0, t): the last camera vertex is on the light; the one before it scattered freely.
+    const int camera_count = s == 0 ? t - 2 : t - 1;
+    add_vertices(camera, std::max(0, camera_count));
+    std::reverse(vertices.begin() + static_cast<std::ptrdiff_t>(from_light), vertices.end());
+    std::reverse(flights.begin() + static_cast<std::ptrdiff_t>(from_light), flights.end());
+    if (s == 0) flights[from_light] = &camera.flights[static_cast<std::size_t>(t - 3)];
+
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+      const PathVertex& v = *vertices[i];
+      const Vec3 to_light =
+          i > 0 ? normalize(vertices[i - 1]->p - v.p) : toward(*path.light, path.light_point, v.p);
+      const Vec3 to_camera = i + 1 < vertices.size()
+                                 ? normalize(vertices[i + 1]->p - v.p)
+                                 : toward(scene_.camera(), path.camera_point, v.p);
+      OraclePath::Node node;
+      node.p = v.p;
+      node.ng = v.in_medium ? Vec3(0.F, 0.F, 0.F) : v.bsdf.ng();
+      node.medium = v.in_medium ? v.medium : nullptr;
+      const bool of_light = i < from_light;
+      if (flights[i] != nullptr && flights[i]->specular) {
+        node.specular = true;
+        node.toward_camera = of_light ? flights[i]->departure : flights[i]->reverse_previous;
+        node.toward_light = of_light ? flights[i]->reverse_previous : flights[i]->departure;
+      } else {
+        node.toward_camera = v.pdf(to_light, to_camera).value();
+        node.toward_light = v.pdf(to_camera, to_light).value();
+      }
+      path.nodes.push_back(node);
+    }
+    std::uint64_t rays = 0;
+    for (std::size_t i = 0; i <= vertices.size(); ++i) {
+      path.segments.push_back(segment(path, vertices, i, rays));
+    }
+    return path;
+  }
+
+  static Vec3 toward(const Endpoint& endpoint, const EndpointPoint& point, const Vec3& from) {
+    return endpoint.at_infinity() ? point.toward : normalize(point.surface.p - from);
+  }
+
+  /// Segment i leaves node i - 1 (the light for i = 0); traced from the side that is inside the scene.
+  Segment segment(const OraclePath& path, const std::vector<const PathVertex*>& vertices,
+                  std::size_t i, std::uint64_t& rays) const {
+    const bool at_light = i == 0;
+    const PathVertex& from = *vertices[at_light ? 0 : i - 1];
+    Vec3 w;
+    float distance = std::numeric_limits<float>::infinity();
+    if (at_light && path.light->at_infinity()) {
+      w = path.light_point.toward;
+    } else if (i == vertices.size() && scene_.camera().at_infinity()) {
+      w = path.camera_point.toward;
+    } else {
+      const Vec3 target = at_light                  ? path.light_point.surface.p
+                          : i == vertices.size() ? path.camera_point.surface.p
+                                                 : vertices[i]->p;
+      distance = length(target - from.p);
+      w = (target - from.p) / distance;
+      distance *= 0.999F;
+    }
+    const std::optional<Segment> found =
+        connect(scene_, {from.ray_origin(w), w, distance}, from.medium_toward(w), rays);
+    return found.value_or(Segment{});
+  }
+
+  const Scene& scene_;
+  const PathSamplerSettings& settings_;
+  Vec2 raster_;
+  Subpath subpaths_[2];
+};
+
+struct Case {
+  const char* name;
+  std::string text;
+};
+
+const char* const kRoom = R"(
+AttributeBegin
+  AreaLightSource "diffuse" "rgb L" [8 7 6]
+  Shape "trianglemesh" "point P" [-0.4 1.9 -0.4  0.4 1.9 -0.4  0.4 1.9 0.4  -0.4 1.9 0.4] "integer indices" [0 1 2 0 2 3]
+    "normal N" [0 -1 0  0 -1 0  0 -1 0  0 -1 0]
+AttributeEnd
+Material "matte" "rgb Kd" [0.7 0.6 0.5]
+Shape "trianglemesh" "point P" [-2 0 -2  2 0 -2  2 0 2  -2 0 2] "integer indices" [0 1 2 0 2 3]
+Shape "trianglemesh" "point P" [-2 0 2  2 0 2  2 4 2  -2 4 2] "integer indices" [0 1 2 0 2 3]
+)";
+
+const char* const kPinhole = "LookAt 0 1 -4  0 0.8 0  0 1 0\nCamera \"perspective\" \"float fov\" [45]";
+
+std::vector<Case> cases() {
+  const std::string room = kRoom;
+  const std::string glass =
+      "AttributeBegin Material \"glass\" Translate -0.5 0.5 0 Shape \"sphere\" \"float radius\" [0.5] AttributeEnd\n";
+  const std::string metal =
+      "AttributeBegin Material \"metal\" \"float roughness\" [0.1] \"bool remaproughness\" \"false\" Translate 0.6 0.4 0.2 "
+      "Shape \"sphere\" \"float radius\" [0.4] AttributeEnd\n";
+  const std::string smooth_mesh =
+      "AttributeBegin Material \"matte\" Shape \"trianglemesh\" \"point P\" [-1 0 0  1 0 0  0 1.5 0.4] \"normal N\" [-0.5 0.3 -1 "
+      "0.5 0.3 -1  0 0.8 -1] \"integer indices\" [0 1 2] AttributeEnd\n";
+  return {
+      {"Room", test::pbrt_scene(kPinhole, 40, 24, room)},
+      {"GlassAndMetal", test::pbrt_scene(kPinhole, 40, 24, room + glass + metal)},
+      {"Mirror", test::pbrt_scene(kPinhole, 24, 24,
+                                  room + "AttributeBegin Material \"mirror\" Translate 0 0.6 0.5 Shape \"sphere\" "
+                                         "\"float radius\" [0.6] AttributeEnd")},
+      {"RoughGlass",
+       test::pbrt_scene(kPinhole, 24, 24,
+                        room + "AttributeBegin Material \"glass\" \"float uroughness\" [0.2] \"float vroughness\" [0.2] "
+                               "\"bool remaproughness\" \"false\" Translate 0 0.5 0 Shape \"sphere\" \"float radius\" [0.5] "
+                               "AttributeEnd")},
+      {"ThinLens", test::pbrt_scene("LookAt 0 1 -4  0 0.8 0  0 1 0\nCamera \"perspective\" \"float fov\" [45] \"float "
+                                    "lensradius\" [0.1] \"float focaldistance\" [4]",
+                                    40, 24, room + metal)},
+      {"Environment", test::pbrt_scene(kPinhole, 40, 24, "LightSource \"infinite\" \"rgb L\" [1 1.2 1.5]\n" + room + glass)},
+      {"Distant", test::pbrt_scene(kPinhole, 40, 24,
+                                   "LightSource \"distant\" \"point from\" [1 3 -1] \"point to\" [0 0 0]\n" + room + metal)},
+      {"PointAndSpot",
+       test::pbrt_scene(kPinhole, 40, 24,
+                        "LightSource \"point\" \"point from\" [1 1.5 -1]\nLightSource \"spot\" \"point from\" [-1 3 -1] \"point to\" "
+                        "[0 0 0]\n" + room + metal)},
+      {"ShadingNormals", test::pbrt_scene(kPinhole, 40, 24, room + smooth_mesh)},
+      {"Orthographic", test::pbrt_scene("LookAt 0 1 -4  0 0.8 0  0 1 0\nCamera \"orthographic\"", 40, 24, room + metal)},
+      {"EnvironmentCamera", test::pbrt_scene("LookAt 0 1 -1  0 0.8 0  0 1 0\nCamera \"environment\"", 40, 24, room + metal)},
+      {"Fog", test::pbrt_scene("MakeNamedMedium \"fog\" \"string type\" \"homogeneous\" \"rgb sigma_a\" [0.05 0.1 0.1] \"rgb "
+                               "sigma_s\" [0.3 0.2 0.4] \"float g\" [0.4]\nMediumInterface \"\" \"fog\"\n" + std::string(kPinhole),
+                               24, 24, "MediumInterface \"\" \"fog\"\n" + room)},
+      {"MilkBall",
+       test::pbrt_scene(std::string("MakeNamedMedium \"milk\" \"string type\" \"homogeneous\" \"rgb sigma_a\" [0.1 0.2 0.3] "
+                                    "\"rgb sigma_s\" [3 2 1]\n") + kPinhole,
+                        24, 24,
+                        room + "AttributeBegin MediumInterface \"milk\" \"\" Material \"\" Translate 0 0.6 0 Shape \"sphere\" "
+                               "\"float radius\" [0.6] AttributeEnd")},
+  };
+}
+
+class MisWeights : public ::testing::TestWithParam<Case> {};
+
+TEST_P(MisWeights, EqualTheSlowOracleOnRandomPaths) {
+  const auto scene = test::scene_from(GetParam().text);
+  for (const TechniqueSet set :
+       {TechniqueSet::pt(), TechniqueSet::lt(), TechniqueSet::ibpt(), TechniqueSet::bdpt(),
+        TechniqueSet({true, false, true, false})}) {
+    for (const Heuristic heuristic : {Heuristic::Balance, Heuristic::Power}) {
+      PathSamplerSettings settings;
+      settings.techniques = set;
+      settings.heuristic = heuristic;
+      settings.max_depth = 7;
+      settings.light_paths_per_pixel = set.classes().inner ? 1.0 : 0.5;
+      PathSampler sampler(*scene, settings);
+      CheckingSink sink(*scene, settings);
+      const Vec2 size(scene->camera().resolution());
+      for (std::uint32_t i = 0; i < 600; ++i) {
+        IndependentSource source({1, i, 2, i});
+        const Vec2 raster = source.get_pair({Stream::Camera, 0, kEmissionDirection}) * size;
+        sink.begin(raster);
+        const TechniqueSet::Classes& classes = set.classes();
+        if (classes.light && !classes.inner) sampler.sample_light(source, sink);
+        sampler.sample(source, raster, sink);
+        if (HasFailure()) return;
+      }
+      EXPECT_FALSE(sink.checked.empty()) << "no path was checked";
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, MisWeights, ::testing::ValuesIn(cases()),
+                         [](const auto& test) { return std::string(test.param.name); });
+
+}  // namespace
+}  // namespace ajar

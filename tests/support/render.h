@@ -1,0 +1,42 @@
+#pragma once
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "image/film.h"
+#include "scene/scene.h"
+#include "transport/path_sampler.h"
+
+namespace ajar::test {
+
+/// Builds a scene from pbrt-v3 text; fails the test on a warning.
+std::unique_ptr<Scene> scene_from(const std::string& pbrt_text);
+
+/// Full text of a small scene: camera and film of `width` × `height` pixels, then `world`.
+std::string pbrt_scene(const std::string& camera, int width, int height, const std::string& world,
+                       const std::string& filter = "PixelFilter \"box\"");
+
+/// Renders with an integrator of the registry on the calling thread; `samples` per pixel.
+struct Render {
+  std::unique_ptr<Film> film;
+  double scale;                       ///< of sums over all replicates
+  std::vector<double> replicate_scale;
+  /// direct + indirect, 3 floats per pixel.
+  std::vector<float> image() const;
+  std::vector<float> replicate(int index) const;
+  double mean() const;  ///< over pixels and channels
+};
+struct RenderOptions {
+  std::string integrator = "pt";
+  int samples = 16;
+  int replicates = 8;
+  std::uint64_t seed = 1;
+  int min_depth = 1;
+  int max_depth = 100;
+  std::map<std::string, std::string> parameters;
+  std::optional<Box2i> crop;
+  std::vector<std::string> aovs;
+};
+Render render(const Scene& scene, const RenderOptions& options);
+
+}  // namespace ajar::test
