@@ -1,7 +1,9 @@
 #include "support/render.h"
 
 #include <gtest/gtest.h>
+#include <tbb/parallel_for.h>
 
+#include <mutex>
 #include <numeric>
 
 #include "image/make_filter.h"
@@ -63,10 +65,14 @@ Render render(const Scene& scene, const RenderOptions& options) {
                                        make_filter(scene.film().filter), options.replicates,
                                        integrator->layers());
   Counters counters;
+  std::mutex mutex;
   const auto samples = static_cast<std::uint64_t>(options.samples);
-  for (std::uint64_t item = 0; item < integrator->items_in_pass(); ++item) {
-    integrator->run_item(item, 0, samples, *result.film, counters);
-  }
+  tbb::parallel_for(std::uint64_t{0}, integrator->items_in_pass(), [&](std::uint64_t item) {
+    Counters own;
+    integrator->run_item(item, 0, samples, *result.film, own);
+    const std::lock_guard lock(mutex);
+    counters += own;
+  });
   EXPECT_EQ(counters.discarded_nan + counters.discarded_infinite + counters.discarded_negative, 0U)
       << counters.first_discarded;
   result.scale = integrator->develop_scale(samples, std::nullopt);

@@ -1,5 +1,7 @@
 #pragma once
+#include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,7 +18,7 @@ std::unique_ptr<Scene> scene_from(const std::string& pbrt_text);
 std::string pbrt_scene(const std::string& camera, int width, int height, const std::string& world,
                        const std::string& filter = "PixelFilter \"box\"");
 
-/// Renders with an integrator of the registry on the calling thread; `samples` per pixel.
+/// Renders with an integrator of the registry; `samples` per pixel.
 struct Render {
   std::unique_ptr<Film> film;
   double scale;                       ///< of sums over all replicates
