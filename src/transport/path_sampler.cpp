@@ -178,7 +178,7 @@ void PathSampler::trace_camera(SampleSource& source, const Vec2& raster, PathSin
     sink.vertex(Stream::Camera, vertex);
     if (edges == 1) sink.first_vertex(vertex, end.hit ? &*end.hit : nullptr, end.distance);
     if (end.hit && end.hit->light != nullptr && sees_light) {
-      hit_light(flight, end, vertex.mis, *end.hit->light, {end.hit->point, vertex.wo * -1.F}, sink);
+      hit_light(flight, end, vertex.mis, *end.hit->light, {end.hit->point, Vec3(0.F)}, sink);
     }
     if (edges >= last_edge || vertex.throughput.is_black()) return;
     if (vertex.connectible()) {

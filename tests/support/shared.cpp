@@ -1,0 +1,16 @@
+#include "support/shared.h"
+
+#include <cstdlib>
+
+namespace ajar::test {
+
+std::optional<std::filesystem::path> shared_folder() {
+  const char* given = std::getenv("AJAR_SHARED");
+  const std::filesystem::path folder =
+      given != nullptr ? std::filesystem::path(given)
+                       : std::filesystem::path(AJAR_SOURCE_DIR) / ".." / "shared";
+  if (!std::filesystem::is_directory(folder / "scenes")) return std::nullopt;
+  return folder;
+}
+
+}  // namespace ajar::test
