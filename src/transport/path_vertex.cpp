@@ -6,7 +6,7 @@
 
 namespace ajar {
 
-static_assert(std::is_trivially_copyable_v<PathVertex>);
+static_assert(std::is_trivially_destructible_v<PathVertex>, "no heap in the sampling loop");
 
 Spectrum PathVertex::eval(const Vec3& wi, TransportMode mode) const {
   if (!in_medium) return bsdf.eval(wo, wi, mode);

@@ -8,7 +8,7 @@
 namespace ajar {
 
 /// A vertex of a subpath inside the scene, on a surface or in a medium. Endpoints are not stored: a path's
-/// light or camera vertex is sampled together with the connection to it. Trivially copyable.
+/// light or camera vertex is sampled together with the connection to it. Holds no heap memory.
 struct PathVertex {
   Vec3 p;
   Vec3 wo;              ///< unit, toward the previous vertex
