@@ -1,8 +1,9 @@
 #pragma once
-#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/spectrum.h"
@@ -11,7 +12,8 @@
 
 namespace ajar {
 
-/// A layer accumulated by a film: a name ("direct", "indirect", "albedo", …) and how its sums are made.
+/// A layer accumulated by a film: a name ("direct", "indirect", "albedo", …) and how its sums are
+/// made.
 struct LayerSpec {
   std::string name;
   bool has_replicates = true;  ///< AOVs that need no error bars keep one sum
@@ -19,43 +21,72 @@ struct LayerSpec {
   double magnitude = 1.0;
 };
 
-/// An image in the making: layers × replicates × pixels × 3 channels, each a 64-bit fixed-point sum. Integer
-/// addition is associative, so the sums are the same bits in whatever order threads, passes or machines add.
-/// The quantum of a layer is 2^(floor(log2 magnitude) − 24): rounding is 2^-25 of a typical
-/// contribution, and a sum can reach 2^38 times the magnitude before a contribution is refused.
+/// An image in the making: layers × replicates × pixels × 3 channels, each a 64-bit fixed-point
+/// sum. Integer addition is associative, so the sums are the same bits in whatever order threads,
+/// passes or machines add. The quantum of a layer is 2^(floor(log2 magnitude) − 24): rounding is
+/// 2^-25 of a typical contribution. A single contribution may be 2^30 times the magnitude, and a
+/// sum can reach 2^38 times the magnitude before contributions to its pixel are refused.
 ///
 /// Pixel values are unbiased estimates of ∫ h_j(x) L(x) dx with ∫ h_j = 1 (METHODS, section 1).
 class Film {
  public:
-  /// `crop`: the pixels that exist (max exclusive is crop.max; see Box2i use below: min inclusive, max inclusive).
-  Film(Vec2i resolution, Box2i crop, const Filter& filter, int replicates, std::vector<LayerSpec> layers);
+  /// `crop`: the pixels that exist, min and max inclusive, within the resolution; `replicates` ≥ 1.
+  Film(Vec2i resolution, Box2i crop, const Filter& filter, int replicates,
+       std::vector<LayerSpec> layers);
 
-  Vec2i resolution() const;   ///< full image
-  const Box2i& crop() const;  ///< min and max inclusive (Imath convention)
-  int width() const;          ///< of the crop
-  int height() const;
-  int replicates() const;
-  std::span<const LayerSpec> layers() const;
+  Vec2i resolution() const { return resolution_; }  ///< full image
+  const Box2i& crop() const { return crop_; }       ///< min and max inclusive (Imath convention)
+  int width() const { return width_; }              ///< of the crop
+  int height() const { return height_; }
+  int replicates() const { return replicates_; }
+  std::span<const LayerSpec> layers() const { return layers_; }
   /// Index of the layer with that name; -1 if there is none.
   int layer(std::string_view name) const;
-  const Filter& filter() const;
+  const Filter& filter() const { return filter_; }
 
-  /// Adds to one pixel (full-image pixel coordinates, inside the crop). For camera samples, whose raster position
-  /// was drawn from the pixel's filter (`Filter::sample`). Thread-safe.
-  /// Returns false and adds nothing if the value is not finite or too large to represent.
+  /// Adds to one pixel (full-image pixel coordinates, inside the crop). For camera samples, whose
+  /// raster position was drawn from the pixel's filter (`Filter::sample`); the sample's weight
+  /// belongs into `value`. Layers without replicates ignore `replicate`. Thread-safe. Returns false
+  /// and adds nothing if the value is not finite or too large to represent.
   bool add(int layer, int replicate, Vec2i pixel, const Spectrum& value);
-  /// Adds value · h_j(raster) to every pixel j whose filter reaches `raster`. Thread-safe.
+  /// Adds value · h_j(raster) to every pixel j of the crop whose filter reaches `raster`.
+  /// Thread-safe. Returns false if the value or the position is not finite, or a share is too large
+  /// for its pixel, which then does not get it.
   bool splat(int layer, int replicate, const Vec2& raster, const Spectrum& value);
 
   /// Sum over replicates of a layer, times `scale`, row by row, 3 floats per pixel (crop size).
   std::vector<float> develop(int layer, double scale) const;
+  /// One replicate; the layer must have replicates.
   std::vector<float> develop_replicate(int layer, int replicate, double scale) const;
 
   void clear();
-  /// The raw sums, for checkpoints, MPI reduction and tests: layer-major, then replicate, pixel, channel.
-  std::span<std::int64_t> raw();
-  std::span<const std::int64_t> raw() const;
-  std::size_t bytes() const;
+  /// The raw sums, for checkpoints, MPI reduction and tests: layer-major, then replicate, pixel,
+  /// channel.
+  std::span<std::int64_t> raw() { return sums_; }
+  std::span<const std::int64_t> raw() const { return sums_; }
+  std::size_t bytes() const { return sums_.size() * sizeof(std::int64_t); }
+
+ private:
+  struct Storage {
+    std::size_t first;   ///< index of the layer's first sum
+    std::size_t stride;  ///< sums from one replicate to the next; 0 without replicates
+    double per_quantum;  ///< 1 / quantum
+    double quantum;
+  };
+  std::size_t index(const Storage& storage, int replicate, int x, int y) const;
+  bool add_at(std::size_t first_channel, double per_quantum, const Spectrum& value);
+  std::vector<float> develop_range(const Storage& storage, int first, int count,
+                                   double scale) const;
+
+  Vec2i resolution_;
+  Box2i crop_;
+  int width_;
+  int height_;
+  int replicates_;
+  Filter filter_;
+  std::vector<LayerSpec> layers_;
+  std::vector<Storage> storage_;
+  std::vector<std::int64_t> sums_;
 };
 
 }  // namespace ajar

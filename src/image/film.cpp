@@ -1,0 +1,157 @@
+#include "image/film.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cassert>
+#include <cmath>
+#include <stdexcept>
+
+namespace ajar {
+
+namespace {
+constexpr int kFractionBits = 24;
+/// Largest single contribution, in quanta.
+constexpr double kContributionLimit = 0x1p54;
+/// Sums at or beyond this take no more: 2^8 threads can be past the check at once without overflow.
+constexpr std::int64_t kSumLimit = std::int64_t{1} << 62;
+}  // namespace
+
+Film::Film(Vec2i resolution, Box2i crop, const Filter& filter, int replicates,
+           std::vector<LayerSpec> layers)
+    : resolution_(resolution),
+      crop_(crop),
+      width_(crop.max.x - crop.min.x + 1),
+      height_(crop.max.y - crop.min.y + 1),
+      replicates_(replicates),
+      filter_(filter),
+      layers_(std::move(layers)) {
+  if (width_ <= 0 || height_ <= 0 || crop.min.x < 0 || crop.min.y < 0 ||
+      crop.max.x >= resolution.x || crop.max.y >= resolution.y) {
+    throw std::invalid_argument("Film: the crop is empty or not inside the image");
+  }
+  if (replicates < 1) throw std::invalid_argument("Film: needs at least one replicate");
+  const std::size_t plane =
+      static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_) * 3;
+  std::size_t size = 0;
+  for (const LayerSpec& spec : layers_) {
+    if (!(spec.magnitude > 0.0) || !std::isfinite(spec.magnitude)) {
+      throw std::invalid_argument("Film: layer " + spec.name + " needs a positive magnitude");
+    }
+    const int exponent = std::ilogb(spec.magnitude) - kFractionBits;
+    storage_.push_back({size, spec.has_replicates ? plane : 0, std::ldexp(1.0, -exponent),
+                        std::ldexp(1.0, exponent)});
+    size += plane * static_cast<std::size_t>(spec.has_replicates ? replicates : 1);
+  }
+  sums_.assign(size, 0);
+}
+
+int Film::layer(std::string_view name) const {
+  const auto found = std::find_if(layers_.begin(), layers_.end(),
+                                  [&](const LayerSpec& spec) { return spec.name == name; });
+  return found == layers_.end() ? -1 : static_cast<int>(found - layers_.begin());
+}
+
+std::size_t Film::index(const Storage& storage, int replicate, int x, int y) const {
+  const auto column = static_cast<std::size_t>(x - crop_.min.x);
+  const auto row = static_cast<std::size_t>(y - crop_.min.y);
+  return storage.first + storage.stride * static_cast<std::size_t>(replicate) +
+         (row * static_cast<std::size_t>(width_) + column) * 3;
+}
+
+bool Film::add_at(std::size_t first_channel, double per_quantum, const Spectrum& value) {
+  const std::array<double, 3> quanta = {static_cast<double>(value[0]) * per_quantum,
+                                        static_cast<double>(value[1]) * per_quantum,
+                                        static_cast<double>(value[2]) * per_quantum};
+  std::int64_t* sums = sums_.data() + first_channel;
+  for (int c = 0; c < 3; ++c) {
+    // Written so that NaN fails. The load may be out of date by a few contributions, which the
+    // distance between the limits allows for.
+    if (!(std::abs(quanta[c]) <= kContributionLimit)) return false;
+    const std::int64_t sum = std::atomic_ref(sums[c]).load(std::memory_order_relaxed);
+    if (sum >= kSumLimit || sum <= -kSumLimit) return false;
+  }
+  for (int c = 0; c < 3; ++c) {
+    std::atomic_ref(sums[c]).fetch_add(std::llrint(quanta[c]), std::memory_order_relaxed);
+  }
+  return true;
+}
+
+bool Film::add(int layer, int replicate, Vec2i pixel, const Spectrum& value) {
+  assert(crop_.intersects(pixel));
+  if (value.is_black()) return true;
+  const Storage& storage = storage_[static_cast<std::size_t>(layer)];
+  return add_at(index(storage, replicate, pixel.x, pixel.y), storage.per_quantum, value);
+}
+
+bool Film::splat(int layer, int replicate, const Vec2& raster, const Spectrum& value) {
+  if (value.is_black()) return true;
+  if (!value.is_finite() || !std::isfinite(raster.x) || !std::isfinite(raster.y)) return false;
+  const Storage& storage = storage_[static_cast<std::size_t>(layer)];
+
+  // Pixel j is reached if raster − (j + 0.5) is in [−r, r). In double precision these bounds are
+  // exact for box filters, so that each position belongs to exactly one pixel of a 1 px box.
+  struct Span {
+    int first, last;
+  };
+  const auto reach = [&](double x, double r, int low, int high) -> Span {
+    const double first = std::floor(x - 0.5 - r) + 1.0;
+    const double last = std::floor(x - 0.5 + r);
+    return {static_cast<int>(std::clamp(first, static_cast<double>(low), high + 1.0)),
+            static_cast<int>(std::clamp(last, low - 1.0, static_cast<double>(high)))};
+  };
+  const Vec2 radius = filter_.radius();
+  const Span xs = reach(raster.x, radius.x, crop_.min.x, crop_.max.x);
+  const Span ys = reach(raster.y, radius.y, crop_.min.y, crop_.max.y);
+
+  std::array<float, 2 * static_cast<int>(Filter::kMaxRadius) + 2> columns;
+  for (int x = xs.first; x <= xs.last; ++x) {
+    columns[static_cast<std::size_t>(x - xs.first)] =
+        filter_.eval_axis(0, raster.x - (static_cast<float>(x) + 0.5F));
+  }
+  bool complete = true;
+  for (int y = ys.first; y <= ys.last; ++y) {
+    const Spectrum row = value * filter_.eval_axis(1, raster.y - (static_cast<float>(y) + 0.5F));
+    std::size_t place = index(storage, replicate, xs.first, y);
+    for (int x = xs.first; x <= xs.last; ++x, place += 3) {
+      complete &=
+          add_at(place, storage.per_quantum, row * columns[static_cast<std::size_t>(x - xs.first)]);
+    }
+  }
+  return complete;
+}
+
+std::vector<float> Film::develop_range(const Storage& storage, int first, int count,
+                                       double scale) const {
+  const std::size_t plane =
+      static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_) * 3;
+  std::vector<float> image(plane);
+  for (std::size_t i = 0; i < plane; ++i) {
+    double total = 0.0;
+    for (int r = first; r < first + count; ++r) {
+      const std::int64_t sum =
+          sums_[storage.first + storage.stride * static_cast<std::size_t>(r) + i];
+      // What came after saturation depends on the order of the contributions: not shown.
+      total += static_cast<double>(std::clamp(sum, -kSumLimit, kSumLimit));
+    }
+    image[i] = static_cast<float>(total * storage.quantum * scale);
+  }
+  return image;
+}
+
+std::vector<float> Film::develop(int layer, double scale) const {
+  const auto i = static_cast<std::size_t>(layer);
+  return develop_range(storage_.at(i), 0, layers_[i].has_replicates ? replicates_ : 1, scale);
+}
+
+std::vector<float> Film::develop_replicate(int layer, int replicate, double scale) const {
+  const auto i = static_cast<std::size_t>(layer);
+  if (!layers_.at(i).has_replicates || replicate < 0 || replicate >= replicates_) {
+    throw std::invalid_argument("Film: layer " + layers_[i].name + " has no such replicate");
+  }
+  return develop_range(storage_[i], replicate, 1, scale);
+}
+
+void Film::clear() { std::fill(sums_.begin(), sums_.end(), 0); }
+
+}  // namespace ajar

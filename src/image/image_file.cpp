@@ -1,0 +1,257 @@
+#include "image/image_file.h"
+
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imageio.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <new>
+#include <stdexcept>
+
+#include "core/atomic_file.h"
+#include "core/error.h"
+#include "image/pfm.h"
+
+namespace ajar {
+
+namespace {
+constexpr std::array<const char*, 6> kExtensions = {".exr",  ".png", ".jpg",
+                                                    ".jpeg", ".pfm", ".hdr"};
+/// Largest finite value of the RGBE encoding is near 2^127.
+constexpr float kLargestHdr = 1e38F;
+
+std::string extension_of(const std::string& path) {
+  std::string extension = std::filesystem::path(path).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
+}
+
+bool is_display_format(const std::string& extension) {
+  return extension == ".png" || extension == ".jpg" || extension == ".jpeg";
+}
+
+void check_layers(const LayeredImage& image) {
+  const std::size_t pixels = static_cast<std::size_t>(image.crop.max.x - image.crop.min.x + 1) *
+                             static_cast<std::size_t>(image.crop.max.y - image.crop.min.y + 1);
+  if (image.crop.isEmpty() || image.layers.empty())
+    throw std::invalid_argument("write_image: nothing to write");
+  for (const ImageLayer& layer : image.layers) {
+    if ((layer.channels != 1 && layer.channels != 3) ||
+        layer.pixels.size() != pixels * static_cast<std::size_t>(layer.channels)) {
+      throw std::invalid_argument("write_image: layer \"" + layer.name +
+                                  "\" does not fit the crop");
+    }
+  }
+}
+
+OIIO::ImageSpec make_spec(const LayeredImage& image, std::span<const ImageLayer> layers,
+                          OIIO::TypeDesc type) {
+  OIIO::ImageSpec spec(image.crop.max.x - image.crop.min.x + 1,
+                       image.crop.max.y - image.crop.min.y + 1, 0, type);
+  spec.channelnames.clear();
+  for (const ImageLayer& layer : layers) {
+    const std::string prefix = layer.name.empty() ? "" : layer.name + ".";
+    if (layer.channels == 1) spec.channelnames.push_back(layer.name.empty() ? "Y" : layer.name);
+    if (layer.channels == 3) {
+      for (const char* channel : {"R", "G", "B"}) spec.channelnames.push_back(prefix + channel);
+    }
+    const OIIO::TypeDesc stored = layer.half ? OIIO::TypeDesc::HALF : OIIO::TypeDesc::FLOAT;
+    spec.channelformats.insert(spec.channelformats.end(), static_cast<std::size_t>(layer.channels),
+                               stored);
+  }
+  spec.nchannels = static_cast<int>(spec.channelnames.size());
+  for (const auto& [name, value] : image.metadata) {
+    std::visit([&spec, &key = name](const auto& v) { spec.attribute(key, v); }, value);
+  }
+  return spec;
+}
+
+/// Encodes in memory, so that every failure of the disk is ours to see: most format libraries
+/// ignore errors of the last flush. `row(y, out)` fills one interleaved row of floats.
+template <typename T, typename Row>
+std::vector<unsigned char> encode(const std::string& path, const OIIO::ImageSpec& spec, Row row) {
+  std::vector<unsigned char> bytes;
+  OIIO::Filesystem::IOVecOutput memory(bytes);
+  const auto output = OIIO::ImageOutput::create("memory" + extension_of(path));
+  const auto fail = [&]() {
+    return IoError("cannot write \"" + path +
+                   "\": " + (output ? output->geterror() : OIIO::geterror()));
+  };
+  if (!output || !output->supports("ioproxy") || !output->set_ioproxy(&memory)) throw fail();
+  if (!output->open("memory" + extension_of(path), spec)) throw fail();
+  constexpr int kRows = 64;
+  const std::size_t stride =
+      static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.nchannels);
+  std::vector<T> strip(stride * kRows);
+  const OIIO::TypeDesc type(OIIO::BaseTypeFromC<T>::value);
+  for (int first = 0; first < spec.height; first += kRows) {
+    const int count = std::min(kRows, spec.height - first);
+    for (int i = 0; i < count; ++i)
+      row(first + i, strip.data() + stride * static_cast<std::size_t>(i));
+    if (!output->write_scanlines(spec.y + first, spec.y + first + count, 0, type, strip.data()))
+      throw fail();
+  }
+  if (!output->close()) throw fail();
+  return bytes;
+}
+
+std::vector<unsigned char> encode_exr(const std::string& path, const LayeredImage& image) {
+  OIIO::ImageSpec spec = make_spec(image, image.layers, OIIO::TypeDesc::FLOAT);
+  spec.x = image.crop.min.x;
+  spec.y = image.crop.min.y;
+  spec.full_x = 0;
+  spec.full_y = 0;
+  spec.full_width = image.resolution.x;
+  spec.full_height = image.resolution.y;
+  spec.attribute("compression", "zip");
+  const bool one_type =
+      std::all_of(image.layers.begin(), image.layers.end(),
+                  [&](const ImageLayer& layer) { return layer.half == image.layers.front().half; });
+  if (one_type) {
+    spec.set_format(spec.channelformats.front());
+    spec.channelformats.clear();
+  }
+  const auto width = static_cast<std::size_t>(spec.width);
+  return encode<float>(path, spec, [&](int y, float* out) {
+    std::size_t channel = 0;
+    for (const ImageLayer& layer : image.layers) {
+      const auto channels = static_cast<std::size_t>(layer.channels);
+      const float* in = layer.pixels.data() + static_cast<std::size_t>(y) * width * channels;
+      for (std::size_t x = 0; x < width; ++x) {
+        std::copy_n(in + x * channels, channels,
+                    out + x * static_cast<std::size_t>(spec.nchannels) + channel);
+      }
+      channel += channels;
+    }
+  });
+}
+
+std::vector<unsigned char> encode_hdr(const std::string& path, const LayeredImage& image) {
+  OIIO::ImageSpec spec = make_spec(image, std::span(image.layers).first(1), OIIO::TypeDesc::FLOAT);
+  spec.channelformats.clear();
+  const std::size_t row = static_cast<std::size_t>(spec.width) * 3;
+  return encode<float>(path, spec, [&](int y, float* out) {
+    const float* in = image.layers[0].pixels.data() + static_cast<std::size_t>(y) * row;
+    // Written so that NaN becomes zero.
+    std::transform(in, in + row, out,
+                   [](float v) { return v > 0.F ? std::min(v, kLargestHdr) : 0.F; });
+  });
+}
+
+std::vector<unsigned char> encode_display(const std::string& path, const LayeredImage& image,
+                                          const DisplayOptions& display) {
+  OIIO::ImageSpec spec = make_spec(image, std::span(image.layers).first(1), OIIO::TypeDesc::UINT8);
+  spec.channelformats.clear();
+  spec.attribute("oiio:ColorSpace", "sRGB");
+  spec.attribute("CompressionQuality", 95);
+  const std::size_t row = static_cast<std::size_t>(spec.width) * 3;
+  return encode<unsigned char>(path, spec, [&](int y, unsigned char* out) {
+    const float* in = image.layers[0].pixels.data() + static_cast<std::size_t>(y) * row;
+    std::transform(in, in + row, out, [&](float v) {
+      return static_cast<unsigned char>(tone_map(v, display.tone_map, display.exposure) * 255.F +
+                                        0.5F);
+    });
+  });
+}
+
+std::vector<float> gather(const Image& image, const std::array<std::ptrdiff_t, 3>& channels) {
+  std::vector<float> rgb;
+  const std::size_t pixels =
+      static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
+  rgb.reserve(pixels * 3);
+  for (std::size_t i = 0; i < pixels; ++i) {
+    for (const std::ptrdiff_t c : channels) {
+      rgb.push_back(
+          image.data[i * static_cast<std::size_t>(image.channels) + static_cast<std::size_t>(c)]);
+    }
+  }
+  return rgb;
+}
+}  // namespace
+
+float Image::at(int x, int y, int channel) const {
+  return data[(static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+               static_cast<std::size_t>(x)) *
+                  static_cast<std::size_t>(channels) +
+              static_cast<std::size_t>(channel)];
+}
+
+std::vector<float> Image::rgb(const std::string& layer) const {
+  const auto find = [&](const std::string& name) -> std::ptrdiff_t {
+    const auto found = std::find(names.begin(), names.end(), name);
+    return found == names.end() ? -1 : found - names.begin();
+  };
+  const std::string prefix = layer.empty() ? "" : layer + ".";
+  const std::array<std::ptrdiff_t, 3> colour = {find(prefix + "R"), find(prefix + "G"),
+                                                find(prefix + "B")};
+  if (colour[0] >= 0 && colour[1] >= 0 && colour[2] >= 0) return gather(*this, colour);
+  for (const std::string& name : {layer, prefix + "Y", prefix + "Z"}) {
+    if (const std::ptrdiff_t grey = find(name); grey >= 0) return gather(*this, {grey, grey, grey});
+  }
+  if (layer.empty() && channels == 1) return gather(*this, {0, 0, 0});
+  return {};
+}
+
+Image read_image(const std::string& path) {
+  if (extension_of(path) == ".pfm") return read_pfm(path);
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored))
+    throw IoError("cannot read \"" + path + "\": it is a folder");
+  try {
+    const auto input = OIIO::ImageInput::open(path);
+    if (!input) throw IoError("cannot read \"" + path + "\": " + OIIO::geterror());
+    const OIIO::ImageSpec spec = input->spec();
+    Image image;
+    image.width = spec.width;
+    image.height = spec.height;
+    image.channels = spec.nchannels;
+    image.names = spec.channelnames;
+    image.origin = Vec2i(spec.x, spec.y) - Vec2i(spec.full_x, spec.full_y);
+    image.resolution = {spec.full_width, spec.full_height};
+    image.is_display_encoded = !spec.format.is_floating_point();
+    image.data.resize(static_cast<std::size_t>(spec.image_pixels()) *
+                      static_cast<std::size_t>(spec.nchannels));
+    if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, image.data.data())) {
+      throw IoError("cannot read \"" + path + "\": " + input->geterror());
+    }
+    return image;
+  } catch (const std::bad_alloc&) {
+    throw IoError("cannot read \"" + path + "\": the image does not fit into memory");
+  }
+}
+
+void check_image_extension(const std::string& path) {
+  const std::string extension = extension_of(path);
+  if (std::find(kExtensions.begin(), kExtensions.end(), extension) != kExtensions.end()) return;
+  throw UsageError(
+      "\"" + path + "\": " +
+      unknown_name_message("image format", extension,
+                           std::vector<std::string>(kExtensions.begin(), kExtensions.end())));
+}
+
+void write_image(const std::string& path, const LayeredImage& image,
+                 const DisplayOptions& display) {
+  check_image_extension(path);
+  check_layers(image);
+  const std::string extension = extension_of(path);
+  if (extension != ".exr" && image.layers.front().channels != 3) {
+    throw std::invalid_argument("write_image: only EXR holds layers of one channel");
+  }
+  if (extension == ".pfm") {
+    const Vec2i size = image.crop.max - image.crop.min + Vec2i(1, 1);
+    write_file_atomically(path, encode_pfm(size.x, size.y, image.layers.front().pixels));
+    return;
+  }
+  const std::vector<unsigned char> bytes = extension == ".exr" ? encode_exr(path, image)
+                                           : is_display_format(extension)
+                                               ? encode_display(path, image, display)
+                                               : encode_hdr(path, image);
+  write_file_atomically(path, std::as_bytes(std::span(bytes)));
+}
+
+}  // namespace ajar

@@ -1,0 +1,72 @@
+#pragma once
+#include <map>
+#include <span>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "core/vector.h"
+#include "image/tone_map.h"
+
+namespace ajar {
+
+/// Pixels read from a file: row by row from the top, channels interleaved.
+struct Image {
+  int width = 0;
+  int height = 0;
+  int channels = 0;
+  std::vector<std::string> names;  ///< of the channels, e.g. "R", "G", "B", "albedo.R"
+  std::vector<float> data;
+  Vec2i origin{0, 0};      ///< full-image coordinates of the first pixel (EXR data window)
+  Vec2i resolution{0, 0};  ///< of the full image (EXR display window)
+  /// 8- or 16-bit files: values are display-encoded (integer / maximum), not linear.
+  bool is_display_encoded = false;
+
+  float at(int x, int y, int channel) const;
+  /// The channels `R, G, B` (layer "") or `layer.R, layer.G, layer.B`, interleaved; or the only
+  /// channel `layer` (or `layer.Y`, `layer.Z`), three times. A grey image gives its grey. Empty if
+  /// there is no such layer.
+  std::vector<float> rgb(const std::string& layer = "") const;
+};
+
+/// Reads any image that OpenImageIO knows, and PFM. Raises IoError.
+Image read_image(const std::string& path);
+
+/// One layer to be written. 3 channels become `name.R, name.G, name.B` (just R, G, B for the layer
+/// named ""), one channel becomes `name`.
+struct ImageLayer {
+  std::string name;
+  int channels = 3;
+  std::span<const float> pixels;  ///< of the crop, interleaved
+  bool half = false;              ///< store as 16-bit floats (EXR only)
+};
+
+using ImageMetadata = std::map<std::string, std::variant<std::string, int, float>>;
+
+/// What is to be written. Formats other than EXR hold the first layer only, which must have 3
+/// channels.
+struct LayeredImage {
+  Vec2i resolution;  ///< of the full image
+  Box2i crop;        ///< the pixels that exist, min and max inclusive
+  std::vector<ImageLayer> layers;
+  ImageMetadata metadata;
+};
+
+/// Display settings for 8-bit formats.
+struct DisplayOptions {
+  ToneMap tone_map = ToneMap::Srgb;
+  float exposure = 0.F;  ///< stops
+};
+
+/// Raises UsageError, listing the formats we write, if the extension is not one of them. To be
+/// called before a long render.
+void check_image_extension(const std::string& path);
+
+/// Writes `.exr` (scene-linear, all layers), `.pfm`, `.hdr` (scene-linear, first layer), `.png`,
+/// `.jpg`, `.jpeg` (tone-mapped, 8-bit sRGB), atomically (`write_file_atomically`). Metadata goes
+/// where the format has room for it. Values that are not numbers are kept in EXR and PFM and become
+/// zero elsewhere. Raises UsageError for the extension and IoError for the file.
+void write_image(const std::string& path, const LayeredImage& image,
+                 const DisplayOptions& display = {});
+
+}  // namespace ajar

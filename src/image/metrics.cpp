@@ -1,0 +1,70 @@
+#include "image/metrics.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <stdexcept>
+#include <vector>
+
+namespace ajar {
+
+namespace {
+void check_sizes(std::span<const float> image, std::span<const float> reference) {
+  if (image.size() != reference.size() || image.empty()) {
+    throw std::invalid_argument("metrics: images differ in size or are empty");
+  }
+}
+
+/// Mean of term(a, r) over all values.
+template <typename Term>
+double mean_of(std::span<const float> image, std::span<const float> reference, Term term) {
+  check_sizes(image, reference);
+  double sum = 0.0;
+  for (std::size_t i = 0; i < image.size(); ++i)
+    sum += term(double{image[i]}, double{reference[i]});
+  return sum / static_cast<double>(image.size());
+}
+
+double squared_error(double a, double r) { return (a - r) * (a - r); }
+double relative_squared_error(double a, double r) {
+  return (a - r) * (a - r) / (r * r + kRelativeMseEpsilon);
+}
+}  // namespace
+
+double mse(std::span<const float> image, std::span<const float> reference) {
+  return mean_of(image, reference, squared_error);
+}
+
+double rmse(std::span<const float> image, std::span<const float> reference) {
+  return std::sqrt(mse(image, reference));
+}
+
+double psnr(std::span<const float> image, std::span<const float> reference, double peak) {
+  return 10.0 * std::log10(peak * peak / mse(image, reference));
+}
+
+double mae(std::span<const float> image, std::span<const float> reference) {
+  return mean_of(image, reference, [](double a, double r) { return std::abs(a - r); });
+}
+
+double relative_mse(std::span<const float> image, std::span<const float> reference) {
+  return mean_of(image, reference, relative_squared_error);
+}
+
+double relative_mse_trimmed(std::span<const float> image, std::span<const float> reference,
+                            double trim) {
+  check_sizes(image, reference);
+  std::vector<double> terms(image.size());
+  for (std::size_t i = 0; i < image.size(); ++i) {
+    const double term = relative_squared_error(image[i], reference[i]);
+    terms[i] = std::isnan(term) ? std::numeric_limits<double>::infinity() : term;
+  }
+  const auto cut = static_cast<std::size_t>(trim * static_cast<double>(terms.size()));
+  const std::size_t kept = terms.size() - std::min(cut, terms.size() - 1);
+  const auto end = terms.begin() + static_cast<std::ptrdiff_t>(kept);
+  std::nth_element(terms.begin(), end - 1, terms.end());
+  return std::accumulate(terms.begin(), end, 0.0) / static_cast<double>(kept);
+}
+
+}  // namespace ajar

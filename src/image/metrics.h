@@ -1,0 +1,27 @@
+#pragma once
+#include <span>
+
+/// Distances between an image and a reference, over all values of all pixels and channels (METHODS,
+/// section 8). Both images have the same, non-zero number of values, else std::invalid_argument. A
+/// value that is not finite makes a metric NaN or infinite: errors are not hidden.
+namespace ajar {
+
+/// Mean of (a − r)².
+double mse(std::span<const float> image, std::span<const float> reference);
+double rmse(std::span<const float> image, std::span<const float> reference);
+/// 10·log10(peak² / MSE), dB; infinite for equal images. For display values in [0, 1] the peak
+/// is 1.
+double psnr(std::span<const float> image, std::span<const float> reference, double peak = 1.0);
+/// Mean of |a − r|.
+double mae(std::span<const float> image, std::span<const float> reference);
+
+/// The constant that keeps dark pixels from dominating relMSE.
+inline constexpr double kRelativeMseEpsilon = 0.01;
+/// Mean of (a − r)²/(r² + 0.01).
+double relative_mse(std::span<const float> image, std::span<const float> reference);
+/// The same without the `trim` (fraction, rounded down to whole values) largest terms, so that a
+/// few fireflies do not decide. Terms that are not numbers count as largest.
+double relative_mse_trimmed(std::span<const float> image, std::span<const float> reference,
+                            double trim = 0.001);
+
+}  // namespace ajar

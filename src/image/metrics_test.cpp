@@ -1,0 +1,56 @@
+#include "image/metrics.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <vector>
+
+namespace ajar {
+namespace {
+
+const std::vector<float> kImage = {1.F, 2.F, 0.F, 4.F};
+const std::vector<float> kReference = {1.F, 1.F, 0.5F, 2.F};
+
+TEST(Metrics, MatchValuesByHand) {
+  // Differences 0, 1, −0.5, 2.
+  EXPECT_DOUBLE_EQ(mse(kImage, kReference), 5.25 / 4);
+  EXPECT_DOUBLE_EQ(rmse(kImage, kReference), std::sqrt(5.25 / 4));
+  EXPECT_DOUBLE_EQ(mae(kImage, kReference), 3.5 / 4);
+  EXPECT_DOUBLE_EQ(psnr(kImage, kReference), -10.0 * std::log10(5.25 / 4));
+  EXPECT_DOUBLE_EQ(psnr(kImage, kReference, 10.0), 20.0 - 10.0 * std::log10(5.25 / 4));
+  EXPECT_NEAR(relative_mse(kImage, kReference), (1.0 / 1.01 + 0.25 / 0.26 + 4.0 / 4.01) / 4, 1e-12);
+}
+
+TEST(Metrics, EqualImagesHaveNoError) {
+  EXPECT_EQ(mse(kImage, kImage), 0.0);
+  EXPECT_EQ(relative_mse(kImage, kImage), 0.0);
+  EXPECT_EQ(psnr(kImage, kImage), std::numeric_limits<double>::infinity());
+}
+
+TEST(Metrics, TrimmingDropsTheLargestTerms) {
+  // 2000 values: 0.1 % are two. Terms 0.01/1.01 but for three outliers.
+  std::vector<float> image(2000, 1.1F);
+  const std::vector<float> reference(2000, 1.F);
+  image[3] = 1e6F;
+  image[700] = std::nanf("");
+  image[1999] = 2.F;
+  const double expected = (1997 * (double{1.1F} - 1.0) * (double{1.1F} - 1.0) + 1.0) / 1.01 / 1998;
+  EXPECT_NEAR(relative_mse_trimmed(image, reference), expected, 1e-12);
+  EXPECT_NEAR(relative_mse_trimmed(kImage, kReference), relative_mse(kImage, kReference), 1e-12)
+      << "too small an image to trim";
+}
+
+TEST(Metrics, DoNotHideWhatIsNoNumber) {
+  EXPECT_TRUE(
+      std::isnan(mse(std::vector<float>{std::nanf(""), 1.F}, std::vector<float>{1.F, 1.F})));
+}
+
+TEST(Metrics, RefuseDifferentSizes) {
+  EXPECT_THROW(mse(kImage, std::vector<float>{1.F}), std::invalid_argument);
+  EXPECT_THROW(relative_mse_trimmed({}, {}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace ajar

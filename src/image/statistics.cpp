@@ -1,0 +1,119 @@
+#include "image/statistics.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+
+namespace ajar {
+
+namespace {
+void check(const Replicates& replicates, std::size_t at_least) {
+  if (replicates.size() < at_least) throw std::invalid_argument("statistics: too few replicates");
+  for (const auto& image : replicates) {
+    if (image.size() != replicates.front().size()) {
+      throw std::invalid_argument("statistics: replicates differ in size");
+    }
+  }
+}
+
+double mean_at(const Replicates& replicates, std::size_t i) {
+  double sum = 0.0;
+  for (const auto& image : replicates) sum += image[i];
+  return sum / static_cast<double>(replicates.size());
+}
+
+/// Median of |value| over the values that are not zero; 0 if there are none.
+double median_lit(std::span<const float> values) {
+  std::vector<float> lit;
+  for (const float v : values) {
+    if (v != 0.F && std::isfinite(v)) lit.push_back(std::abs(v));
+  }
+  if (lit.empty()) return 0.0;
+  const auto middle = lit.begin() + static_cast<std::ptrdiff_t>(lit.size() / 2);
+  std::nth_element(lit.begin(), middle, lit.end());
+  return *middle;
+}
+}  // namespace
+
+Replicates develop_replicates(const Film& film, std::span<const int> layers,
+                              std::span<const double> scales) {
+  if (scales.size() != static_cast<std::size_t>(film.replicates()) || layers.empty()) {
+    throw std::invalid_argument("statistics: needs layers and one scale per replicate");
+  }
+  Replicates replicates;
+  for (int r = 0; r < film.replicates(); ++r) {
+    const double scale = scales[static_cast<std::size_t>(r)];
+    std::vector<float> sum = film.develop_replicate(layers[0], r, scale);
+    for (const int layer : layers.subspan(1)) {
+      const std::vector<float> image = film.develop_replicate(layer, r, scale);
+      std::transform(sum.begin(), sum.end(), image.begin(), sum.begin(), std::plus<>());
+    }
+    replicates.push_back(std::move(sum));
+  }
+  return replicates;
+}
+
+std::vector<float> replicate_mean(const Replicates& replicates) {
+  check(replicates, 1);
+  std::vector<float> mean(replicates.front().size());
+  for (std::size_t i = 0; i < mean.size(); ++i)
+    mean[i] = static_cast<float>(mean_at(replicates, i));
+  return mean;
+}
+
+std::vector<float> standard_error(const Replicates& replicates) {
+  check(replicates, 2);
+  const auto count = static_cast<double>(replicates.size());
+  std::vector<float> error(replicates.front().size());
+  for (std::size_t i = 0; i < error.size(); ++i) {
+    const double mean = mean_at(replicates, i);
+    double squares = 0.0;
+    for (const auto& image : replicates) squares += (image[i] - mean) * (image[i] - mean);
+    error[i] = static_cast<float>(std::sqrt(squares / (count * (count - 1.0))));
+  }
+  return error;
+}
+
+Estimate image_mean(const Replicates& replicates) {
+  check(replicates, 2);
+  const auto count = static_cast<double>(replicates.size());
+  std::vector<double> means;
+  for (const auto& image : replicates) {
+    means.push_back(std::accumulate(image.begin(), image.end(), 0.0) /
+                    static_cast<double>(image.size()));
+  }
+  const double mean = std::accumulate(means.begin(), means.end(), 0.0) / count;
+  double squares = 0.0;
+  for (const double m : means) squares += (m - mean) * (m - mean);
+  return {mean, std::sqrt(squares / (count * (count - 1.0))),
+          static_cast<int>(replicates.size()) - 1};
+}
+
+double estimated_relative_error(std::span<const float> mean,
+                                std::span<const float> standard_error) {
+  if (mean.size() != standard_error.size() || mean.empty()) {
+    throw std::invalid_argument("statistics: mean and error differ in size or are empty");
+  }
+  const double level = median_lit(mean);
+  if (level == 0.0) return 0.0;
+  const double floor = 0.01 * level * level;
+  double sum = 0.0;
+  for (std::size_t i = 0; i < mean.size(); ++i) {
+    const double m = mean[i];
+    const double e = standard_error[i];
+    sum += e * e / (m * m + floor);
+  }
+  return std::sqrt(sum / static_cast<double>(mean.size()));
+}
+
+double estimated_relative_error(const Replicates& replicates) {
+  return estimated_relative_error(replicate_mean(replicates), standard_error(replicates));
+}
+
+double estimated_relative_error(const Film& film, std::span<const int> layers,
+                                std::span<const double> scales) {
+  return estimated_relative_error(develop_replicates(film, layers, scales));
+}
+
+}  // namespace ajar

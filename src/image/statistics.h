@@ -1,0 +1,54 @@
+#pragma once
+#include <span>
+#include <vector>
+
+#include "image/film.h"
+
+/// Error bars from replicates: independent estimates of the same image (METHODS, section 8).
+/// Nothing here assumes that the samples within a replicate are independent.
+namespace ajar {
+
+/// A set of replicates: images of equal size, each an unbiased estimate of the same values.
+using Replicates = std::vector<std::vector<float>>;
+
+/// The replicates of the sum of some layers of a film. `scales[r]` turns the sums of replicate r
+/// alone into pixel values (`Integrator::develop_scale`). The layers must have replicates.
+Replicates develop_replicates(const Film& film, std::span<const int> layers,
+                              std::span<const double> scales);
+
+/// Mean over replicates, value by value.
+std::vector<float> replicate_mean(const Replicates& replicates);
+
+/// Standard error of that mean: sqrt(Σ (x_r − mean)² / (R(R − 1))), value by value. Its square is
+/// an unbiased estimate of the variance of the mean. Needs R ≥ 2.
+std::vector<float> standard_error(const Replicates& replicates);
+
+/// An estimated number with its error bar.
+struct Estimate {
+  double value;
+  double standard_error;
+  int degrees_of_freedom;  ///< of the error bar
+};
+/// Mean of all values of the image. Its error comes from the replicates' own means, so that
+/// correlation between pixels (splats, chains) is accounted for.
+Estimate image_mean(const Replicates& replicates);
+
+/// What is still wrong with an image, as one number: the estimate, without a reference, of
+///
+///     sqrt( mean over values of  (x − truth)² / (truth² + 0.01 μ²) ),   μ = median of the lit
+///     values,
+///
+/// i.e. the square root of relMSE (METHODS, section 8) of the image exposed so that μ is 1. 0.01 is
+/// "1 %". Relative per pixel, because ‖error‖/‖image‖ is decided by a few visible lamps; floored,
+/// because dark pixels would have infinite relative error; the floor hangs on the median, because
+/// it must neither depend on the units of the scene nor on the lamps. A firefly counts at most
+/// about 1 for its pixel, so it cannot take over the estimate. For noise of 10 % per pixel the
+/// estimate is high by about 1.5 %, since the truth in the denominator is replaced by the mean. It
+/// cannot know of light that no sample has found.
+double estimated_relative_error(std::span<const float> mean, std::span<const float> standard_error);
+double estimated_relative_error(const Replicates& replicates);
+/// Of the sum of some layers of a film; see `develop_replicates`.
+double estimated_relative_error(const Film& film, std::span<const int> layers,
+                                std::span<const double> scales);
+
+}  // namespace ajar
