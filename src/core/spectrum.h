@@ -16,8 +16,8 @@ class Spectrum {
   constexpr Spectrum(float r, float g, float b) : lanes_{r, g, b, 0.F} {}
   constexpr explicit Spectrum(Lanes lanes) : lanes_(lanes) {}
 
-  constexpr float operator[](int lane) const { return lanes_[lane]; }
-  constexpr void set(int lane, float value) { lanes_[lane] = value; }
+  float operator[](int lane) const { return lanes_[lane]; }
+  void set(int lane, float value) { lanes_[lane] = value; }
   constexpr Lanes lanes() const { return lanes_; }
 
   Spectrum& operator+=(const Spectrum& o) { lanes_ += o.lanes_; return *this; }

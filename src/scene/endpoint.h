@@ -52,9 +52,10 @@ struct ConnectionUniforms {
 /// A ray leaving an endpoint (light: photon; camera: camera ray).
 struct EmissionSample {
   EndpointPoint point;
-  Vec3
-      origin;  ///< where to start tracing: the point itself, or outside the scene's bounding sphere
-  Vec3 w;      ///< unit direction of travel, away from the endpoint
+  /// Where to start tracing: the point itself; for lights at infinity outside of the scene's
+  /// bounding sphere.
+  Vec3 origin;
+  Vec3 w;  ///< unit direction of travel, away from the endpoint
   /// Emitted radiance (or importance) · |cos θ at a surface endpoint| / (position pdf · departure
   /// pdf).
   Spectrum weight;

@@ -24,8 +24,8 @@ class Light : public Endpoint {
   virtual EndpointPoint at_direction(const Vec3& w) const;
 
   std::uint32_t index = 0;  ///< position in the scene's list
-  const Medium* medium =
-      nullptr;  ///< medium that rays leaving the light start in (points, infinity)
+  /// Medium that rays leaving the light start in (points, infinity).
+  const Medium* medium = nullptr;
 };
 
 using LightList = std::vector<std::unique_ptr<Light>>;
