@@ -1,6 +1,7 @@
 #include "core/distribution.h"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 namespace ajar {
@@ -8,12 +9,18 @@ namespace ajar {
 Distribution1D::Distribution1D(std::span<const float> weights) {
   if (weights.empty()) return;
   for (const float w : weights) total_ += w;
-  const auto n = static_cast<double>(weights.size());
+  const double least = total_ * 0x1p-22;
+  const auto raised = [&](float w) {
+    if (!(total_ > 0.0)) return 1.0;
+    return w > 0.F ? std::max(static_cast<double>(w), least) : 0.0;
+  };
+  double raised_total = 0.0;
+  for (const float w : weights) raised_total += raised(w);
   cdf_.resize(weights.size() + 1);
   double sum = 0.0;
   for (std::size_t i = 0; i < weights.size(); ++i) {
-    cdf_[i] = static_cast<float>(total_ > 0.0 ? sum / total_ : static_cast<double>(i) / n);
-    sum += weights[i];
+    cdf_[i] = static_cast<float>(sum / raised_total);
+    sum += raised(weights[i]);
   }
   cdf_.back() = 1.F;
 }
@@ -26,9 +33,7 @@ Distribution1D::Choice Distribution1D::choose(float u) const {
   return {index, width, std::min((u - cdf_[index]) / width, kOneMinusEpsilon)};
 }
 
-float Distribution1D::probability(std::size_t index) const {
-  return cdf_[index + 1] - cdf_[index];
-}
+float Distribution1D::probability(std::size_t index) const { return cdf_[index + 1] - cdf_[index]; }
 
 Distribution2D::Distribution2D(std::span<const float> weights, int width, int height)
     : width_(width), height_(height) {
@@ -44,19 +49,33 @@ Distribution2D::Distribution2D(std::span<const float> weights, int width, int he
   marginal_ = Distribution1D(totals);
 }
 
+namespace {
+/// Cell of x among `cells` of [0, 1).
+int cell_of(float x, int cells) {
+  return std::clamp(static_cast<int>(x * static_cast<float>(cells)), 0, cells - 1);
+}
+}  // namespace
+
+float Distribution2D::place(const Distribution1D::Choice& choice, int cells) {
+  const int cell = static_cast<int>(choice.index);
+  float x = (static_cast<float>(choice.index) + choice.u) / static_cast<float>(cells);
+  // Rounding may carry x over the border of its cell, where the density is another.
+  while (cell_of(x, cells) < cell) x = std::nextafter(x, 1.F);
+  while (cell_of(x, cells) > cell) x = std::nextafter(x, 0.F);
+  return std::min(x, kOneMinusEpsilon);
+}
+
 Distribution2D::Sample Distribution2D::sample(const Vec2& u) const {
   const auto row = marginal_.choose(u.y);
   const auto column = rows_[row.index].choose(u.x);
-  const auto w = static_cast<float>(width_);
-  const auto h = static_cast<float>(height_);
-  return {{std::min((static_cast<float>(column.index) + column.u) / w, kOneMinusEpsilon),
-           std::min((static_cast<float>(row.index) + row.u) / h, kOneMinusEpsilon)},
-          row.probability * column.probability * w * h};
+  return {{place(column, width_), place(row, height_)},
+          row.probability * column.probability * static_cast<float>(width_) *
+              static_cast<float>(height_)};
 }
 
 float Distribution2D::pdf(const Vec2& uv) const {
-  const int x = std::clamp(static_cast<int>(uv.x * static_cast<float>(width_)), 0, width_ - 1);
-  const int y = std::clamp(static_cast<int>(uv.y * static_cast<float>(height_)), 0, height_ - 1);
+  const int x = cell_of(uv.x, width_);
+  const int y = cell_of(uv.y, height_);
   return marginal_.probability(static_cast<std::size_t>(y)) *
          rows_[static_cast<std::size_t>(y)].probability(static_cast<std::size_t>(x)) *
          static_cast<float>(width_) * static_cast<float>(height_);

@@ -7,8 +7,10 @@
 
 namespace ajar {
 
-/// Piecewise-constant distribution over n cells of [0, 1), from weights ≥ 0 (all zero: uniform). Built in
-/// double precision; choosing is a binary search, O(log n).
+/// Piecewise-constant distribution over n cells of [0, 1), from finite weights ≥ 0 (all zero:
+/// uniform). Every cell with a weight > 0 has a probability > 0: weights too small for the
+/// resolution of uniform numbers are raised to 2⁻²² of the total. Choosing is a binary search,
+/// O(log n).
 class Distribution1D {
  public:
   struct Choice {
@@ -21,7 +23,7 @@ class Distribution1D {
   Choice choose(float u) const;
   float probability(std::size_t index) const;
   std::size_t size() const { return cdf_.empty() ? 0 : cdf_.size() - 1; }
-  /// Sum of the weights.
+  /// Sum of the weights as given.
   double total() const { return total_; }
 
  private:
@@ -39,10 +41,13 @@ class Distribution2D {
   Distribution2D() = default;
   /// `weights` row by row, row 0 at v = 0.
   Distribution2D(std::span<const float> weights, int width, int height);
+  /// `pdf(sample.uv)` is exactly `sample.pdf`.
   Sample sample(const Vec2& u) const;
   float pdf(const Vec2& uv) const;
 
  private:
+  static float place(const Distribution1D::Choice& choice, int cells);
+
   int width_ = 0;
   int height_ = 0;
   std::vector<Distribution1D> rows_;

@@ -202,7 +202,8 @@ struct Light {
 
 // ---------------------------------------------------------------- camera, film
 
-/// Screen window in the units of the camera plane at z = 1 (perspective) or of the scene (orthographic).
+/// Screen window as in pbrt-v3: in units of tan(fov/2) on the camera plane at z = 1 (perspective) or in
+/// units of camera space (orthographic). Without one the shorter side of the image spans [-1, 1].
 struct ScreenWindow { float x_min = -1, x_max = 1, y_min = -1, y_max = 1; };
 struct PerspectiveCamera { float fov = 90; float lens_radius = 0, focal_distance = 1e6F; std::optional<ScreenWindow> window; std::optional<float> aspect; };
 struct OrthographicCamera { float lens_radius = 0, focal_distance = 1e6F; std::optional<ScreenWindow> window; std::optional<float> aspect; };

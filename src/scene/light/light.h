@@ -11,18 +11,21 @@ namespace ajar {
 
 class Medium;
 
-/// A light source. `emitted` is its radiance; a light on a surface is hit by rays through the shape it is on,
-/// a light at infinity by rays that leave the scene.
+/// A light source. `emitted` is its radiance; a light on a surface is hit by rays through the shape
+/// it is on, a light at infinity by rays that leave the scene.
 class Light : public Endpoint {
  public:
-  /// Emitted power, approximately, W (luminance-like average over lanes kept per lane). Used to
-  /// choose among lights: must be > 0 for every light that emits at all.
+  /// Emitted power per lane, W, approximately; of lights at infinity what crosses the scene's
+  /// bounding sphere. Used to choose among lights: > 0 in some lane for every light that emits at
+  /// all.
   virtual Spectrum power() const = 0;
-  /// For lights at infinity: the vertex that a ray leaving the scene along `w` runs into.
+  /// For lights at infinity that are not discrete: the vertex that a ray leaving the scene along
+  /// unit `w` runs into.
   virtual EndpointPoint at_direction(const Vec3& w) const;
 
-  std::uint32_t index = 0;          ///< position in the scene's list
-  const Medium* medium = nullptr;   ///< medium that rays leaving the light start in (points, infinity)
+  std::uint32_t index = 0;  ///< position in the scene's list
+  /// Medium that rays leaving the light start in (points, infinity).
+  const Medium* medium = nullptr;
 };
 
 using LightList = std::vector<std::unique_ptr<Light>>;
@@ -36,7 +39,9 @@ struct BoundingSphere {
 /// A light on a surface. The sampler must outlive it.
 std::unique_ptr<Light> make_area_light(const desc::AreaLight& light, const SurfaceSampler& surface,
                                        const TextureList& textures);
-/// The lights that are not on surfaces. Maps that cannot be read become magenta and a warning.
+/// The lights that are not on surfaces. Maps that cannot be read become magenta and a warning; a
+/// transform that cannot be inverted counts as no rotation and is a warning. `index` and `medium`
+/// are for the caller to fill in.
 std::unique_ptr<Light> make_light(const desc::Light& light, const BoundingSphere& bounds,
                                   Warnings& warnings);
 

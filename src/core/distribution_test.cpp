@@ -1,0 +1,120 @@
+#include "core/distribution.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "core/random.h"
+
+namespace ajar {
+namespace {
+
+TEST(Distribution1D, ChoosesInProportionToWeights) {
+  const std::vector<float> weights{1.F, 0.F, 3.F, 0.5F, 0.F};
+  const Distribution1D distribution(weights);
+  EXPECT_DOUBLE_EQ(distribution.total(), 4.5);
+  std::vector<int> counts(weights.size());
+  constexpr int kSamples = 200000;
+  Rng rng(1);
+  for (int i = 0; i < kSamples; ++i) {
+    const auto choice = distribution.choose(rng.next());
+    ASSERT_LT(choice.index, weights.size());
+    ASSERT_GT(choice.probability, 0.F);
+    ASSERT_EQ(choice.probability, distribution.probability(choice.index));
+    ASSERT_GE(choice.u, 0.F);
+    ASSERT_LT(choice.u, 1.F);
+    ++counts[choice.index];
+  }
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    const double p = weights[i] / 4.5;
+    EXPECT_NEAR(distribution.probability(i), p, 1e-6);
+    EXPECT_NEAR(counts[i], kSamples * p, 5.0 * std::sqrt(kSamples * p) + 1e-9);
+  }
+}
+
+TEST(Distribution1D, NeverChoosesZeroWeightsAtTheEndsOfTheUnitInterval) {
+  const std::vector<float> weights{0.F, 0.F, 2.F, 0.F, 1.F, 0.F};
+  const Distribution1D distribution(weights);
+  EXPECT_EQ(distribution.choose(0.F).index, 2U);
+  EXPECT_EQ(distribution.choose(kOneMinusEpsilon).index, 4U);
+  EXPECT_EQ(distribution.choose(1.F).index, 4U);
+  EXPECT_LT(distribution.choose(1.F).u, 1.F);
+}
+
+TEST(Distribution1D, StretchesTheUniformNumber) {
+  const Distribution1D distribution(std::vector<float>{1.F, 1.F, 2.F});
+  EXPECT_FLOAT_EQ(distribution.choose(0.125F).u, 0.5F);
+  EXPECT_FLOAT_EQ(distribution.choose(0.75F).u, 0.5F);
+}
+
+TEST(Distribution1D, AllZeroIsUniform) {
+  const Distribution1D distribution(std::vector<float>(5, 0.F));
+  for (std::size_t i = 0; i < 5; ++i) EXPECT_NEAR(distribution.probability(i), 0.2F, 1e-6F);
+  EXPECT_EQ(distribution.total(), 0.0);
+}
+
+TEST(Distribution1D, CanChooseEveryPositiveWeight) {
+  std::vector<float> weights(4096, 1e-12F);
+  weights[7] = 1e12F;
+  weights[4000] = 0.F;
+  const Distribution1D distribution(weights);
+  double sum = 0.0;
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    if (i == 4000) {
+      EXPECT_EQ(distribution.probability(i), 0.F);
+    } else {
+      EXPECT_GT(distribution.probability(i), 0.F) << i;
+    }
+    sum += distribution.probability(i);
+  }
+  EXPECT_NEAR(sum, 1.0, 1e-6);
+  EXPECT_GT(distribution.probability(7), 0.99F);
+}
+
+TEST(Distribution2D, PdfOfASampleIsItsOwn) {
+  // Odd sizes and strong contrast: rounding must not carry samples into the next cell.
+  constexpr int kWidth = 1237;
+  constexpr int kHeight = 611;
+  std::vector<float> weights;
+  Rng rng(2);
+  for (int i = 0; i < kWidth * kHeight; ++i) weights.push_back(std::exp(20.F * rng.next()));
+  const Distribution2D distribution(weights, kWidth, kHeight);
+  for (int i = 0; i < 500000; ++i) {
+    const float x = rng.next();
+    const auto sample = distribution.sample({x, rng.next()});
+    ASSERT_GT(sample.pdf, 0.F);
+    ASSERT_EQ(distribution.pdf(sample.uv), sample.pdf);
+    ASSERT_LT(sample.uv.x, 1.F);
+    ASSERT_LT(sample.uv.y, 1.F);
+  }
+}
+
+TEST(Distribution2D, SamplesInProportionToWeights) {
+  const std::vector<float> weights{1, 2, 0, 4, 0, 0, 0, 0, 3, 1, 5, 2};
+  const Distribution2D distribution(weights, 4, 3);
+  std::vector<int> counts(12);
+  Rng rng(3);
+  constexpr int kSamples = 200000;
+  for (int i = 0; i < kSamples; ++i) {
+    const float x = rng.next();
+    const auto sample = distribution.sample({x, rng.next()});
+    ++counts[static_cast<std::size_t>(sample.uv.y * 3.F) * 4 +
+             static_cast<std::size_t>(sample.uv.x * 4.F)];
+  }
+  for (std::size_t i = 0; i < 12; ++i) {
+    const double p = weights[i] / 18.0;
+    EXPECT_NEAR(counts[i], kSamples * p, 5.0 * std::sqrt(kSamples * p) + 1e-9);
+    EXPECT_NEAR(distribution.pdf({(static_cast<float>(i % 4) + 0.5F) / 4.F,
+                                  (static_cast<float>(i / 4) + 0.5F) / 3.F}),
+                p * 12.0, 1e-4);
+  }
+}
+
+TEST(Distribution2D, RefusesWeightsThatDoNotFit) {
+  EXPECT_THROW(Distribution2D(std::vector<float>(5), 2, 3), std::invalid_argument);
+  EXPECT_THROW(Distribution2D(std::vector<float>{}, 0, 0), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace ajar

@@ -1,0 +1,54 @@
+#include "scene/camera/camera.h"
+
+#include <cmath>
+
+#include "scene/camera/models.h"
+
+namespace ajar {
+
+namespace {
+
+void check_lens(const desc::Camera& camera, float radius, float focal_distance) {
+  if (!(radius >= 0.F) || !std::isfinite(radius)) {
+    throw SceneError(camera.where, "the camera's lens radius must be 0 or more");
+  }
+  if (radius > 0.F && !(focal_distance > 0.F && std::isfinite(focal_distance))) {
+    throw SceneError(camera.where, "the camera's focal distance must be more than 0");
+  }
+}
+
+struct MakeCamera {
+  const desc::Camera& camera;
+  Vec2i resolution;
+
+  std::unique_ptr<Camera> operator()(const desc::PerspectiveCamera& node) const {
+    if (!(node.fov > 0.F && node.fov < 180.F)) {
+      throw SceneError(camera.where,
+                       "the camera's field of view must be between 0 and 180 degrees");
+    }
+    check_lens(camera, node.lens_radius, node.focal_distance);
+    return make_perspective_camera(camera, node, resolution);
+  }
+  std::unique_ptr<Camera> operator()(const desc::OrthographicCamera& node) const {
+    check_lens(camera, node.lens_radius, node.focal_distance);
+    return make_orthographic_camera(camera, node, resolution);
+  }
+  std::unique_ptr<Camera> operator()(const desc::EnvironmentCamera& /*node*/) const {
+    return make_environment_camera(camera, resolution);
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<Camera> make_camera(const desc::Camera& camera, Vec2i resolution,
+                                    const Vec3& /*bounds_center*/, float /*bounds_radius*/) {
+  if (resolution.x <= 0 || resolution.y <= 0) {
+    throw SceneError(camera.where, "the image has no pixels");
+  }
+  if (!DirectionMap::invertible(camera.to_world)) {
+    throw SceneError(camera.where, "the transform of the camera cannot be inverted");
+  }
+  return std::visit(MakeCamera{camera, resolution}, camera.node);
+}
+
+}  // namespace ajar

@@ -1,0 +1,67 @@
+#pragma once
+#include <cmath>
+
+#include "core/vector.h"
+
+namespace ajar {
+
+/// Maps directions between the space of a light or camera and the world, with the change of solid
+/// angle. Scenes do scale and mirror such spaces, so nothing is assumed but that the map can be
+/// inverted.
+class DirectionMap {
+ public:
+  struct Local {
+    Vec3 w;         ///< unit
+    float stretch;  ///< dω_local / dω_world: what turns a local density into one in the world
+  };
+
+  /// Identity.
+  DirectionMap() = default;
+  /// Only the linear part of `to_world` counts; requires invertible(to_world).
+  explicit DirectionMap(const Mat4& to_world)
+      : to_world_(linear_part(to_world)),
+        to_local_(linear_part(to_world.inverse())),
+        local_volume_(static_cast<float>(std::abs(1.0 / determinant(to_world)))) {}
+
+  /// True if the linear part of `m` is finite and far enough from singular to compute with.
+  static bool invertible(const Mat4& m) {
+    const auto row = [&](int i) { return Vec3d(m[i][0], m[i][1], m[i][2]).length(); };
+    const double size = row(0) * row(1) * row(2);
+    return std::isfinite(size) && std::abs(determinant(m)) > 1e-12 * size;
+  }
+
+  /// Images of vectors of any length; lengths are stretched.
+  Vec3 vector_to_world(const Vec3& local) const { return local * to_world_; }
+  Vec3 vector_to_local(const Vec3& world) const { return world * to_local_; }
+  /// Unit image of a direction.
+  Vec3 to_world(const Vec3& local) const { return normalize(vector_to_world(local)); }
+  /// Of a unit direction. A linear map with determinant D takes the solid angle at unit w to
+  /// |D| / |image of w|³ times itself.
+  Local to_local(const Vec3& w) const {
+    const Vec3 v = vector_to_local(w);
+    const float squared = length_squared(v);
+    const float inverse_length = 1.F / std::sqrt(squared);
+    return {v * inverse_length, local_volume_ * inverse_length / squared};
+  }
+
+ private:
+  static double determinant(const Mat4& m) {
+    const Vec3d x(m[0][0], m[0][1], m[0][2]);
+    const Vec3d y(m[1][0], m[1][1], m[1][2]);
+    const Vec3d z(m[2][0], m[2][1], m[2][2]);
+    return x.cross(y).dot(z);
+  }
+  static Imath::M33f linear_part(const Mat4& m) {
+    Imath::M33f result;
+    for (int i = 0; i < 3; ++i) {
+      for (int j = 0; j < 3; ++j) result[i][j] = static_cast<float>(m[i][j]);
+    }
+    return result;
+  }
+
+  Imath::M33f to_world_;
+  Imath::M33f to_local_;
+  float local_volume_ = 1.F;  ///< |det to_local_|
+};
+
+}  // namespace ajar

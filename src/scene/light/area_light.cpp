@@ -1,0 +1,135 @@
+#include <cmath>
+
+#include "core/frame.h"
+#include "core/warp.h"
+#include "scene/light/models.h"
+
+namespace ajar {
+
+namespace {
+
+/// Diffuse emission from a surface on the side of its geometric normal, or from both.
+class AreaLight final : public Light {
+ public:
+  AreaLight(const Spectrum& radiance, TextureSlot texture, bool two_sided,
+            const SurfaceSampler& surface)
+      : radiance_(radiance),
+        texture_(texture),
+        two_sided_(two_sided),
+        surface_(surface),
+        power_(mean_radiance() * (kPi * surface.area() * (two_sided ? 2.F : 1.F))) {}
+
+  bool at_infinity() const override { return false; }
+  bool discrete_position() const override { return false; }
+  Spectrum power() const override { return power_; }
+
+  std::optional<EmissionSample> sample_emission(const EmissionUniforms& u) const override {
+    const SurfaceSample at = surface_.sample({u.primitive, u.position});
+    Vec2 square = u.direction;
+    float side = 1.F;
+    if (two_sided_) {
+      const bool back = square.x >= 0.5F;
+      square.x = std::min(2.F * square.x - (back ? 1.F : 0.F), kOneMinusEpsilon);
+      side = back ? -1.F : 1.F;
+    }
+    const Vec3 local = warp::cosine_hemisphere(square);
+    const Vec3 w = Frame::around(at.point.ng).to_world({local.x, local.y, side * local.z});
+    const Pdf<Departure> departure = departure_pdf(at.point, w);
+    const Spectrum radiance = radiance_at(at.point);
+    if (departure.value() == 0.F || at.pdf.value() == 0.F || radiance.is_black()) {
+      return std::nullopt;
+    }
+    // |cos θ| / departure pdf is π, or 2π for two sides.
+    const Spectrum weight = radiance * ((two_sided_ ? 2.F : 1.F) * kPi / at.pdf.value());
+    return EmissionSample{{at.point, Vec3(0.F)},
+                          at.point.p,
+                          w,
+                          weight,
+                          Pdf<VertexMeasure>(at.pdf.value()),
+                          departure};
+  }
+
+  EmissionPdf emission_pdf(const EndpointPoint& point, const Vec3& w) const override {
+    return {Pdf<VertexMeasure>(surface_.pdf(point.surface).value()),
+            departure_pdf(point.surface, w)};
+  }
+
+  Spectrum emitted(const EndpointPoint& point, const Vec3& w) const override {
+    if (!two_sided_ && !(dot(point.surface.ng, w) > 0.F)) return Spectrum();
+    return radiance_at(point.surface);
+  }
+
+  std::optional<ConnectionSample> sample_connection(const Vec3& reference,
+                                                    const ConnectionUniforms& u) const override {
+    const std::optional<SurfaceSample> at =
+        surface_.sample_toward(reference, {u.primitive, u.position});
+    if (!at || !(at->pdf.value() > 0.F)) return std::nullopt;
+    const Vec3 d = at->point.p - reference;
+    const float squared = length_squared(d);
+    if (!(squared > 0.F)) return std::nullopt;
+    const float distance = std::sqrt(squared);
+    const Vec3 w = d / distance;
+    const float cosine = -dot(at->point.ng, w);
+    if (!(two_sided_ ? cosine != 0.F : cosine > 0.F)) return std::nullopt;
+    const Spectrum weight =
+        radiance_at(at->point) * (std::abs(cosine) / (squared * at->pdf.value()));
+    if (weight.is_black() || !weight.is_finite()) return std::nullopt;
+    return ConnectionSample{
+        {at->point, Vec3(0.F)}, w, distance, weight, Pdf<VertexMeasure>(at->pdf.value())};
+  }
+
+  Pdf<VertexMeasure> connection_pdf(const Vec3& reference,
+                                    const EndpointPoint& point) const override {
+    return Pdf<VertexMeasure>(surface_.pdf_toward(reference, point.surface).value());
+  }
+
+ private:
+  Spectrum radiance_at(const SurfacePoint& at) const { return radiance_ * texture_.eval(at); }
+
+  Pdf<Departure> departure_pdf(const SurfacePoint& at, const Vec3& w) const {
+    const float cosine = dot(at.ng, w);
+    if (two_sided_) return Pdf<Departure>(std::abs(cosine) * (0.5F * kInvPi));
+    return Pdf<Departure>(warp::cosine_hemisphere_pdf(cosine));
+  }
+
+  /// Average of a texture over points spread evenly on the surface. A texture may be bright only
+  /// between them, so a little is left of the untextured radiance in any case.
+  Spectrum mean_radiance() const {
+    if (texture_.is_constant()) return radiance_ * texture_.eval(SurfacePoint{});
+    constexpr int kPoints = 64;
+    Spectrum sum;
+    for (int i = 0; i < kPoints; ++i) {
+      // Kronecker sequence of the plastic number's powers, in three dimensions (M. Roberts 2018).
+      const auto fraction = [i](double step) {
+        const double x = (i + 0.5) * step;
+        return std::min(static_cast<float>(x - std::floor(x)), kOneMinusEpsilon);
+      };
+      sum += radiance_at(surface_
+                             .sample({fraction(0.8191725133961645),
+                                      {fraction(0.6710436067037893), fraction(0.5497004779019703)}})
+                             .point);
+    }
+    constexpr float kLeast = 1e-3F;
+    return sum / static_cast<float>(kPoints) + radiance_ * kLeast;
+  }
+
+  Spectrum radiance_;
+  TextureSlot texture_;
+  bool two_sided_;
+  const SurfaceSampler& surface_;
+  Spectrum power_;
+};
+
+}  // namespace
+
+std::unique_ptr<Light> make_area_light(const desc::AreaLight& light, const SurfaceSampler& surface,
+                                       const TextureList& textures) {
+  const TextureSlot texture =
+      light.texture == desc::kNone
+          ? TextureSlot(Spectrum(1.F))
+          : TextureSlot(textures[static_cast<std::size_t>(light.texture)].get());
+  return std::make_unique<AreaLight>(to_spectrum(light.radiance), texture, light.two_sided,
+                                     surface);
+}
+
+}  // namespace ajar

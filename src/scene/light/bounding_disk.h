@@ -1,0 +1,30 @@
+#pragma once
+#include "core/frame.h"
+#include "core/pdf.h"
+#include "core/warp.h"
+#include "scene/light/light.h"
+
+namespace ajar {
+
+/// The disk through which a light at infinity shines on the scene: perpendicular to the rays, as
+/// wide as the bounding sphere and just outside of it.
+class BoundingDisk {
+ public:
+  explicit BoundingDisk(const BoundingSphere& sphere) : sphere_(sphere) {
+    // A scene of one point still needs a finite density.
+    if (!(sphere_.radius > 0.F)) sphere_.radius = 1.F;
+  }
+  /// Uniform point of the disk in unit direction `toward` from the scene.
+  Vec3 sample(const Vec3& toward, const Vec2& u) const {
+    const Vec2 disk = warp::uniform_disk(u) * sphere_.radius;
+    return sphere_.center +
+           Frame::around(toward).to_world({disk.x, disk.y, 1.001F * sphere_.radius});
+  }
+  float area() const { return kPi * sphere_.radius * sphere_.radius; }
+  Pdf<Departure> pdf() const { return Pdf<Departure>(1.F / area()); }
+
+ private:
+  BoundingSphere sphere_;
+};
+
+}  // namespace ajar

@@ -1,0 +1,58 @@
+#include <limits>
+
+#include "scene/light/bounding_disk.h"
+#include "scene/light/models.h"
+
+namespace ajar {
+
+namespace {
+
+/// Parallel light from one direction.
+class DistantLight final : public Light {
+ public:
+  DistantLight(const Spectrum& irradiance, const Vec3& toward, const BoundingSphere& bounds)
+      : irradiance_(irradiance), toward_(toward), disk_(bounds) {}
+
+  bool at_infinity() const override { return true; }
+  bool discrete_position() const override { return true; }
+  Spectrum power() const override { return irradiance_ * disk_.area(); }
+
+  std::optional<EmissionSample> sample_emission(const EmissionUniforms& u) const override {
+    if (irradiance_.is_black()) return std::nullopt;
+    return EmissionSample{
+        EndpointPoint::at_infinity(toward_), disk_.sample(toward_, u.position), -toward_,
+        irradiance_ * disk_.area(),          Pdf<VertexMeasure>(1.F),           disk_.pdf()};
+  }
+  EmissionPdf emission_pdf(const EndpointPoint& /*point*/, const Vec3& /*w*/) const override {
+    return {Pdf<VertexMeasure>(1.F), disk_.pdf()};
+  }
+  Spectrum emitted(const EndpointPoint& /*point*/, const Vec3& /*w*/) const override {
+    return irradiance_;
+  }
+  std::optional<ConnectionSample> sample_connection(
+      const Vec3& /*reference*/, const ConnectionUniforms& /*u*/) const override {
+    if (irradiance_.is_black()) return std::nullopt;
+    return ConnectionSample{EndpointPoint::at_infinity(toward_), toward_,
+                            std::numeric_limits<float>::infinity(), irradiance_,
+                            Pdf<VertexMeasure>(1.F)};
+  }
+  Pdf<VertexMeasure> connection_pdf(const Vec3& /*reference*/,
+                                    const EndpointPoint& /*point*/) const override {
+    return Pdf<VertexMeasure>(1.F);
+  }
+
+ private:
+  Spectrum irradiance_;
+  Vec3 toward_;  ///< unit, to the light
+  BoundingDisk disk_;
+};
+
+}  // namespace
+
+std::unique_ptr<Light> make_distant_light(const desc::DistantLight& light, const Placement& at,
+                                          const BoundingSphere& bounds) {
+  return std::make_unique<DistantLight>(to_spectrum(light.irradiance),
+                                        at.directions.to_world({0.F, 0.F, 1.F}), bounds);
+}
+
+}  // namespace ajar

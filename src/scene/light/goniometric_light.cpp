@@ -1,0 +1,67 @@
+#include <utility>
+
+#include "scene/light/lat_long_map.h"
+#include "scene/light/models.h"
+#include "scene/light/point_connection.h"
+
+namespace ajar {
+
+namespace {
+
+/// A point light whose intensity is given by a map over directions, with θ from +y and φ from +x
+/// toward +z. Source: pbrt-v3, section 12.3.3. Emission is sampled by the map.
+class GoniometricLight final : public Light {
+ public:
+  GoniometricLight(const Spectrum& intensity, Map map, const Placement& at)
+      : intensity_(intensity), map_(std::move(map)), at_(at) {}
+
+  bool at_infinity() const override { return false; }
+  bool discrete_position() const override { return true; }
+  Spectrum power() const override { return intensity_ * map_.integral(); }
+
+  std::optional<EmissionSample> sample_emission(const EmissionUniforms& u) const override {
+    const LatLongMap::Sample chosen = map_.sample(u.direction);
+    const Spectrum intensity = intensity_ * map_.lookup(chosen.uv);
+    if (intensity.is_black()) return std::nullopt;
+    const Vec3 w = at_.directions.to_world(swap_axes(chosen.w));
+    const float pdf = chosen.pdf.value() * at_.directions.to_local(w).stretch;
+    if (!(pdf > 0.F)) return std::nullopt;
+    return EmissionSample{EndpointPoint::at(at_.position), at_.position,       w, intensity / pdf,
+                          Pdf<VertexMeasure>(1.F),         Pdf<Departure>(pdf)};
+  }
+  EmissionPdf emission_pdf(const EndpointPoint& /*point*/, const Vec3& w) const override {
+    const DirectionMap::Local local = at_.directions.to_local(w);
+    return {Pdf<VertexMeasure>(1.F),
+            Pdf<Departure>(map_.pdf(map_uv(local.w)).value() * local.stretch)};
+  }
+  Spectrum emitted(const EndpointPoint& /*point*/, const Vec3& w) const override {
+    return intensity_ * map_.lookup(map_uv(at_.directions.vector_to_local(w)));
+  }
+  std::optional<ConnectionSample> sample_connection(
+      const Vec3& reference, const ConnectionUniforms& /*u*/) const override {
+    return connect_to_point(at_.position, reference, [&](const Vec3& w) {
+      return intensity_ * map_.lookup(map_uv(at_.directions.vector_to_local(w)));
+    });
+  }
+  Pdf<VertexMeasure> connection_pdf(const Vec3& /*reference*/,
+                                    const EndpointPoint& /*point*/) const override {
+    return Pdf<VertexMeasure>(1.F);
+  }
+
+ private:
+  static Vec3 swap_axes(const Vec3& w) { return {w.x, w.z, w.y}; }
+  static Vec2 map_uv(const Vec3& local) { return LatLongMap::to_uv(swap_axes(local)); }
+
+  Spectrum intensity_;
+  LatLongMap map_;
+  Placement at_;
+};
+
+}  // namespace
+
+std::unique_ptr<Light> make_goniometric_light(const desc::GoniometricLight& light, Map map,
+                                              const Placement& at) {
+  return std::make_unique<GoniometricLight>(to_spectrum(light.intensity), std::move(map), at);
+}
+
+}  // namespace ajar

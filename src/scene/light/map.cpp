@@ -1,0 +1,81 @@
+#include "scene/light/map.h"
+
+#include <OpenImageIO/imageio.h>
+
+#include <cmath>
+#include <new>
+#include <stdexcept>
+#include <utility>
+
+namespace ajar {
+
+namespace {
+/// IEC 61966-2-1.
+float decode_srgb(float v) {
+  return v <= 0.04045F ? v / 12.92F : std::pow((v + 0.055F) / 1.055F, 2.4F);
+}
+
+bool is_integer(const OIIO::TypeDesc& format) {
+  return format.basetype != OIIO::TypeDesc::HALF && format.basetype != OIIO::TypeDesc::FLOAT &&
+         format.basetype != OIIO::TypeDesc::DOUBLE;
+}
+
+/// Raises std::exception with the reason if the file cannot be read.
+Map read_map(const std::string& path, MapEdge edge) {
+  OIIO::ImageSpec hints;
+  hints["oiio:UnassociatedAlpha"] = 1;
+  const auto input = OIIO::ImageInput::open(path, &hints);
+  if (!input) throw std::runtime_error(OIIO::geterror());
+  const OIIO::ImageSpec spec = input->spec();
+  constexpr int kMaxSide = 1 << 16;
+  if (spec.width <= 0 || spec.height <= 0 || spec.nchannels <= 0 || spec.depth > 1 ||
+      spec.width > kMaxSide || spec.height > kMaxSide) {
+    throw std::runtime_error("not a flat image of a usable size");
+  }
+  const int channels = std::min(spec.nchannels, 3);
+  const auto count = static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height);
+  std::vector<float> values(count * static_cast<std::size_t>(channels));
+  if (!input->read_image(0, 0, 0, channels, OIIO::TypeDesc::FLOAT, values.data())) {
+    throw std::runtime_error(input->geterror());
+  }
+  if (is_integer(spec.format)) {
+    for (float& v : values) v = decode_srgb(v);
+  }
+  std::vector<Spectrum> texels;
+  texels.reserve(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const float* v = values.data() + i * static_cast<std::size_t>(channels);
+    texels.push_back(channels == 3 ? Spectrum(v[0], v[1], v[2]) : Spectrum(v[0]));
+  }
+  return {spec.width, spec.height, std::move(texels), edge};
+}
+}  // namespace
+
+Map::Map(int width, int height, std::vector<Spectrum> texels, MapEdge edge)
+    : width_(width), height_(height), edge_(edge), texels_(std::move(texels)) {
+  if (width <= 0 || height <= 0 ||
+      texels_.size() != static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {
+    throw std::invalid_argument("Map: texels do not fit the size");
+  }
+  constexpr float kLargest = 1e30F;  // sums over a whole map stay finite
+  for (Spectrum& texel : texels_) {
+    texel = map_lanes(
+        texel, [=](float v) { return std::isfinite(v) ? std::clamp(v, 0.F, kLargest) : 0.F; });
+  }
+}
+
+Map load_map(const std::string& path, MapEdge edge, const SourceLocation& where,
+             Warnings& warnings) {
+  std::string reason;
+  try {
+    return read_map(path, edge);
+  } catch (const std::bad_alloc&) {
+    reason = "not enough memory";
+  } catch (const std::exception& error) {
+    reason = error.what();
+  }
+  warnings.add(where, "cannot read light map \"" + path + "\": " + reason + "; using magenta");
+  return {1, 1, {Spectrum(1.F, 0.F, 1.F)}, edge};
+}
+
+}  // namespace ajar

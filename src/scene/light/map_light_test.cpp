@@ -1,0 +1,333 @@
+#include <OpenImageIO/imageio.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <fstream>
+
+#include "scene/light/lat_long_map.h"
+#include "scene/light/light_test_support.h"
+#include "scene/light/map.h"
+
+/// Lights that are shaped by an image: environment, goniometric, projection.
+namespace ajar {
+namespace {
+
+using namespace testing;
+
+/// An image file that lasts as long as the object.
+class ImageFile {
+ public:
+  ImageFile(int width, int height, const std::vector<float>& rgb,
+            const std::string& extension = ".exr", OIIO::TypeDesc format = OIIO::TypeDesc::FLOAT,
+            int channels = 3) {
+    static int count = 0;
+    path_ =
+        (std::filesystem::temp_directory_path() / ("ajar_light_test_" + std::to_string(getpid()) +
+                                                   "_" + std::to_string(count++) + extension))
+            .string();
+    const auto output = OIIO::ImageOutput::create(path_);
+    const OIIO::ImageSpec spec(width, height, channels, format);
+    if (!output || !output->open(path_, spec) ||
+        !output->write_image(OIIO::TypeDesc::FLOAT, rgb.data()) || !output->close()) {
+      throw std::runtime_error("cannot write " + path_);
+    }
+  }
+  ~ImageFile() { std::filesystem::remove(path_); }
+  ImageFile(const ImageFile&) = delete;
+  ImageFile& operator=(const ImageFile&) = delete;
+  const std::string& path() const { return path_; }
+
+ private:
+  std::string path_;
+};
+
+std::vector<float> random_pixels(int count, std::uint64_t seed) {
+  Rng rng(seed);
+  std::vector<float> rgb;
+  for (int i = 0; i < 3 * count; ++i)
+    rgb.push_back(rng.next() < 0.3F ? 0.F : std::exp(4.F * rng.next()));
+  return rgb;
+}
+
+std::vector<float> one_bright(int width, int height, int x, int y, float value) {
+  std::vector<float> rgb(static_cast<std::size_t>(3 * width * height), 0.F);
+  for (int c = 0; c < 3; ++c) rgb[static_cast<std::size_t>(3 * (y * width + x) + c)] = value;
+  return rgb;
+}
+
+/// World directions of a lat-long map, so that bins fall on its cells.
+Chart<Vec3> lat_long_chart(const Mat4& to_world) {
+  const Mat4 inverse = to_world.inverse();
+  return {[=](const Vec2& s) { return transform_vector(to_world, LatLongMap::to_direction(s)); },
+          [](const Vec2& s) { return 2.0 * M_PI * M_PI * std::sin(M_PI * s.y); },
+          [=](const Vec3& w) { return LatLongMap::to_uv(transform_vector(inverse, w)); }};
+}
+
+TEST(Map, ReadsFloatImagesAsTheyAre) {
+  const ImageFile file(2, 1, {0.25F, 0.5F, 3.F, 1.F, -2.F, 7.F});
+  Warnings warnings;
+  const Map map = load_map(file.path(), MapEdge::Clamp, {}, warnings);
+  EXPECT_EQ(warnings.count(), 0U);
+  EXPECT_EQ(map.lookup({0.25F, 0.5F}), Spectrum(0.25F, 0.5F, 3.F));
+  EXPECT_EQ(map.lookup({0.75F, 0.5F}), Spectrum(1.F, 0.F, 7.F)) << "negative values become zero";
+  EXPECT_NEAR(map.lookup({0.5F, 0.5F})[0], 0.625F, 1e-6F);
+}
+
+TEST(Map, DecodesIntegersFromSrgb) {
+  const ImageFile file(1, 1, {0.5F, 0.F, 1.F}, ".png", OIIO::TypeDesc::UINT8);
+  Warnings warnings;
+  const Spectrum value = load_map(file.path(), MapEdge::Clamp, {}, warnings).lookup({0.5F, 0.5F});
+  EXPECT_NEAR(value[0], 0.2140F, 0.003F);
+  EXPECT_EQ(value[1], 0.F);
+  EXPECT_FLOAT_EQ(value[2], 1.F);
+}
+
+TEST(Map, SpreadsOneChannelOverAllLanes) {
+  const ImageFile file(2, 1, {0.25F, 0.5F}, ".exr", OIIO::TypeDesc::FLOAT, 1);
+  Warnings warnings;
+  EXPECT_EQ(load_map(file.path(), MapEdge::Clamp, {}, warnings).lookup({0.25F, 0.5F}),
+            Spectrum(0.25F));
+}
+
+TEST(Map, UnreadableFilesAreMagentaAndNamedInAWarning) {
+  Warnings warnings;
+  const SourceLocation where{std::make_shared<std::string>("scene.pbrt"), 3, 1};
+  const std::string missing = "/nonexistent/sky.exr";
+  EXPECT_EQ(load_map(missing, MapEdge::Repeat, where, warnings).lookup({0.1F, 0.9F}),
+            Spectrum(1, 0, 1));
+  ASSERT_EQ(warnings.count(), 1U);
+  EXPECT_NE(warnings.messages()[0].find(missing), std::string::npos);
+  EXPECT_EQ(warnings.messages()[0].find("scene.pbrt:3:1"), 0U);
+  const ImageFile file(2, 1, {1, 1, 1, 1, 1, 1});
+  std::filesystem::resize_file(file.path(), 20);
+  EXPECT_EQ(load_map(file.path(), MapEdge::Repeat, where, warnings).lookup({0.1F, 0.9F}),
+            Spectrum(1, 0, 1));
+  EXPECT_EQ(warnings.count(), 2U);
+}
+
+TEST(LatLongMap, DirectionsAndCoordinatesAreInverse) {
+  Rng rng(1);
+  for (int i = 0; i < 10000; ++i) {
+    const Vec3 w = warp::uniform_sphere(next_pair(rng));
+    EXPECT_LT(length(LatLongMap::to_direction(LatLongMap::to_uv(w)) - w), 2e-6F);
+  }
+  EXPECT_LT(length(LatLongMap::to_direction({0.F, 0.5F}) - Vec3(1, 0, 0)), 1e-6F);
+  EXPECT_LT(length(LatLongMap::to_direction({0.25F, 0.5F}) - Vec3(0, 1, 0)), 1e-6F);
+  EXPECT_LT(length(LatLongMap::to_direction({0.F, 0.F}) - Vec3(0, 0, 1)), 1e-6F);
+}
+
+TEST(LatLongMap, DensityIsPositiveWhereverTheMapIs) {
+  const ImageFile file(32, 16, one_bright(32, 16, 0, 5, 1e6F));
+  Warnings warnings;
+  const LatLongMap map(load_map(file.path(), MapEdge::Repeat, {}, warnings));
+  Rng rng(2);
+  int bright = 0;
+  for (int i = 0; i < 200000; ++i) {
+    const Vec2 uv = next_pair(rng);
+    if (map.lookup(uv).is_black()) continue;
+    ++bright;
+    EXPECT_GT(map.pdf(uv).value(), 0.F);
+  }
+  EXPECT_GT(bright, 500);
+}
+
+TEST(EnvironmentMap, BrightTexelShinesFromPbrtsDirection) {
+  const ImageFile file(16, 8, one_bright(16, 8, 3, 2, 100.F));
+  const Mat4 to_world = rotation({1, 0, 0}, -M_PI / 2) * rotation({0, 0, 1}, 0.3);
+  const auto light = light_of(desc::InfiniteLight{{1, 1, 1}, file.path()}, to_world);
+  const double theta = M_PI * 2.5 / 8;
+  const double phi = 2 * M_PI * 3.5 / 16;
+  const Vec3 local(static_cast<float>(std::sin(theta) * std::cos(phi)),
+                   static_cast<float>(std::sin(theta) * std::sin(phi)),
+                   static_cast<float>(std::cos(theta)));
+  const Vec3 world = transform_vector(to_world, local);
+  const EndpointPoint bright = light->at_direction(world);
+  EXPECT_NEAR(light->emitted(bright, -world)[0], 100.F, 1e-2F);
+  EXPECT_TRUE(light->emitted(light->at_direction(-world), world).is_black());
+  Rng rng(3);
+  for (int i = 0; i < 1000; ++i) {
+    const auto sample = light->sample_connection({0, 0, 0}, connection_uniforms(rng));
+    ASSERT_TRUE(sample);
+    EXPECT_GT(dot(sample->w, world), std::cos(0.8F));
+  }
+}
+
+TEST(EnvironmentMap, WeightsDensitiesAndIntegrals) {
+  const ImageFile file(12, 6, random_pixels(72, 1));
+  const Mat4 to_world = rotation({1, 2, 3}, 0.9);
+  const auto light = light_of(desc::InfiniteLight{{1, 0.5F, 2}, file.path()}, to_world);
+  check_emission(*light);
+  check_connection(*light, {{0, 0, 0}});
+  expect_disk_is_uniform(*light);
+  Rng rng(4);
+  const auto pdf = [&](const Vec3& w) {
+    return static_cast<double>(light->connection_pdf({0, 0, 0}, light->at_direction(w)).value());
+  };
+  check_density<Vec3>(
+      lat_long_chart(to_world),
+      [&]() -> std::optional<Vec3> {
+        const auto sample = light->sample_connection({0, 0, 0}, connection_uniforms(rng));
+        if (!sample) return std::nullopt;
+        return sample->w;
+      },
+      pdf, 200000, 24, 12, 12);
+  check_density<Vec3>(
+      lat_long_chart(to_world),
+      [&]() -> std::optional<Vec3> {
+        const auto sample = light->sample_emission(emission_uniforms(rng));
+        if (!sample) return std::nullopt;
+        return -sample->w;
+      },
+      pdf, 200000, 24, 12, 12);
+  // Quadrature of the radiance as rays that leave the scene see it.
+  double power = 0.0;
+  double irradiance = 0.0;
+  const Vec3 normal = normalize(Vec3(1, -1, 0.5F));
+  const Chart<Vec3> sphere = cone_chart({0, 1, 0});
+  constexpr int kSide = 512;
+  for (int i = 0; i < kSide * kSide; ++i) {
+    const Vec2 s((static_cast<float>(i % kSide) + 0.5F) / kSide,
+                 (static_cast<float>(i / kSide) + 0.5F) / kSide);
+    const Vec3 w = sphere.point(s);
+    const double value = light->emitted(light->at_direction(w), -w).average();
+    power += value * sphere.measure(s) / (kSide * kSide);
+    irradiance += value * std::max(0.F, dot(w, normal)) * sphere.measure(s) / (kSide * kSide);
+  }
+  expect_mean(emitted_power(*light), power * M_PI * 16.0, 0.02, 1e-3);
+  EXPECT_NEAR(light->power().average(), power * M_PI * 16.0, 0.03 * power * M_PI * 16.0);
+  expect_mean(connected_irradiance(*light, {0, 0, 0}, normal), irradiance, 0.02, 1e-3);
+  expect_mean(emitted_irradiance(*light, small_patch({0.2F, 0, 0}, normal, 1.5F), 2000000),
+              irradiance, 0.05, 1e-3);
+}
+
+TEST(EnvironmentMap, TinySunIsIntegratedWithLittleNoise) {
+  std::vector<float> sky = one_bright(256, 128, 40, 30, 1e6F);
+  for (float& v : sky) v += 0.1F;
+  const ImageFile file(256, 128, sky);
+  const auto light = light_of(desc::InfiniteLight{{1, 1, 1}, file.path()}, Mat4());
+  // A bilinear hat has the volume of one texel.
+  const double theta = M_PI * 30.5 / 128;
+  const double expected = 0.4 * M_PI + 1e6 * 2 * M_PI * M_PI / (256 * 128) * std::sin(theta);
+  Rng rng(5);
+  Mean mean;
+  for (int i = 0; i < 20000; ++i) {
+    const auto sample = light->sample_connection({0, 0, 0}, connection_uniforms(rng));
+    mean.add(sample ? sample->weight.average() : 0.0);
+  }
+  expect_mean(mean, expected, 0.03, 1e-3);
+}
+
+TEST(EnvironmentMap, ScaledAndMirroredSpacesIntegrateTheSame) {
+  const ImageFile file(12, 6, random_pixels(72, 2));
+  const Mat4 mirrored = scaling(-2, 2, 2) * rotation({1, 2, 3}, 0.9);
+  const Mat4 stretched = scaling(1, 2, 0.5) * rotation({1, 2, 3}, 0.9);
+  for (const Mat4& to_world : {mirrored, stretched}) {
+    const auto light = light_of(desc::InfiniteLight{{1, 1, 1}, file.path()}, to_world);
+    check_emission(*light);
+    check_connection(*light, {{0, 0, 0}});
+    double integral = 0.0;
+    const Chart<Vec3> sphere = cone_chart({0, 1, 0});
+    constexpr int kSide = 512;
+    for (int i = 0; i < kSide * kSide; ++i) {
+      const Vec2 s((static_cast<float>(i % kSide) + 0.5F) / kSide,
+                   (static_cast<float>(i / kSide) + 0.5F) / kSide);
+      const Vec3 w = sphere.point(s);
+      integral += light->emitted(light->at_direction(w), -w).average() * sphere.measure(s) /
+                  (kSide * kSide);
+    }
+    expect_mean(emitted_power(*light), integral * M_PI * 16.0, 0.02, 2e-3);
+  }
+}
+
+TEST(EnvironmentMap, BlackMapEmitsNothing) {
+  const ImageFile file(4, 2, std::vector<float>(24, 0.F));
+  const auto light = light_of(desc::InfiniteLight{{1, 1, 1}, file.path()}, Mat4());
+  EXPECT_TRUE(light->power().is_black());
+  EXPECT_FALSE(light->sample_emission({0.5F, {0.5F, 0.5F}, {0.5F, 0.5F}}));
+  EXPECT_FALSE(light->sample_connection({0, 0, 0}, {0.5F, {0.5F, 0.5F}}));
+}
+
+TEST(GoniometricLight, WeightsDensitiesAndFlux) {
+  const ImageFile file(12, 6, random_pixels(72, 3));
+  const Mat4 to_world = rotation({1, 2, 3}, 0.9) * translation({0.2F, 0.1F, 1.F});
+  const auto light = light_of(desc::GoniometricLight{{1, 2, 3}, file.path()}, to_world);
+  // The direction alone does not say on which side of a cell border it was sampled.
+  check_emission(*light, 20000, 20);
+  check_connection(*light, {{0, 0, 0}, {1, 0, 2}, {-1, 1, 1}});
+  // pbrt-v3 swaps y and z before it looks into the map.
+  const Mat4 swap(1, 0, 0, 0, 0, 0, 1, 0, 0, 1, 0, 0, 0, 0, 0, 1);
+  check_departures(*light, lat_long_chart(swap * rotation({1, 2, 3}, 0.9)), 24, 12, 12);
+  expect_mean(emitted_power(*light), light->power().average(), 0.02, 0.02);
+  expect_patch_agrees(*light, Quad({-0.6F, -0.5F, 0}, {1.2F, 0, 0.1F}, {0, 1, 0}));
+}
+
+TEST(GoniometricLight, YIsThePole) {
+  std::vector<float> rgb(3 * 8 * 4, 0.F);
+  for (int i = 0; i < 3 * 8; ++i) rgb[static_cast<std::size_t>(i)] = 1.F;  // top row
+  const ImageFile file(8, 4, rgb);
+  const auto light = light_of(desc::GoniometricLight{{1, 1, 1}, file.path()}, Mat4());
+  const EndpointPoint point = EndpointPoint::at(Vec3(0.F));
+  EXPECT_NEAR(light->emitted(point, {0, 1, 0})[0], 1.F, 1e-5F);
+  EXPECT_TRUE(light->emitted(point, {0, 0, 1}).is_black());
+  EXPECT_TRUE(light->emitted(point, {0, -1, 0}).is_black());
+}
+
+TEST(GoniometricLight, WithoutImageIsAPointLight) {
+  const auto light = light_of(desc::GoniometricLight{{2, 2, 2}, ""}, Mat4());
+  EXPECT_NEAR(light->power().average(), 8.0 * M_PI, 1e-4);
+}
+
+TEST(ProjectionLight, WeightsDensitiesAndFlux) {
+  const ImageFile file(12, 6, random_pixels(72, 4));
+  const Mat4 place = aimed({0.2F, 0.1F, 2.F}, {0, 0, 0});
+  for (const Mat4& shape : {Mat4(), scaling(-1, 1, 1), scaling(1, 2, 0.5)}) {
+    const auto light = light_of(desc::ProjectionLight{{1, 2, 3}, 60, file.path()}, shape * place);
+    check_emission(*light, 20000, 20);
+    check_connection(*light, {{0, 0, 0}, {0.4F, 0.2F, 0.5F}, {-0.3F, 0, 0}});
+    // Flux by quadrature of the intensity over all directions.
+    double flux = 0.0;
+    const Chart<Vec3> sphere = cone_chart({0, 0, -1});
+    constexpr int kSide = 1024;
+    for (int i = 0; i < kSide * kSide; ++i) {
+      const Vec2 s((static_cast<float>(i % kSide) + 0.5F) / kSide,
+                   (static_cast<float>(i / kSide) + 0.5F) / kSide);
+      flux += light->emitted(EndpointPoint::at({0.2F, 0.1F, 2.F}), sphere.point(s)).average() *
+              sphere.measure(s) / (kSide * kSide);
+    }
+    expect_mean(emitted_power(*light), flux, 0.02, 3e-3);
+    expect_patch_agrees(*light, Quad({-0.6F, -0.5F, 0}, {1.2F, 0, 0.1F}, {0, 1, 0}));
+  }
+  const auto light = light_of(desc::ProjectionLight{{1, 2, 3}, 60, file.path()}, Mat4());
+  expect_mean(emitted_power(*light), light->power().average(), 0.02, 0.01);
+  // A chart that fits the cells: the window at z = 1 is 4 × 2 half sides of tan 30°.
+  const double tangent = std::tan(M_PI / 6);
+  const Chart<Vec3> window{
+      [=](const Vec2& s) {
+        return normalize(Vec3(static_cast<float>((4 * s.x - 2) * tangent),
+                              static_cast<float>((2 * s.y - 1) * tangent), 1.F));
+      },
+      [=](const Vec2& s) {
+        const double x = (4 * s.x - 2) * tangent;
+        const double y = (2 * s.y - 1) * tangent;
+        return 8 * tangent * tangent / std::pow(1 + x * x + y * y, 1.5);
+      },
+      [=](const Vec3& w) {
+        return Vec2(static_cast<float>((w.x / w.z / tangent + 2) / 4),
+                    static_cast<float>((w.y / w.z / tangent + 1) / 2));
+      }};
+  check_departures(*light, window, 24, 12, 12);
+}
+
+TEST(ProjectionLight, RowZeroIsAtMinusYAndColumnZeroAtMinusX) {
+  const ImageFile file(4, 4, one_bright(4, 4, 3, 0, 8.F));
+  const auto light = light_of(desc::ProjectionLight{{1, 1, 1}, 90, file.path()}, Mat4());
+  const EndpointPoint point = EndpointPoint::at(Vec3(0.F));
+  EXPECT_NEAR(light->emitted(point, normalize(Vec3(0.75F, -0.75F, 1)))[0], 8.F, 1e-4F);
+  EXPECT_TRUE(light->emitted(point, normalize(Vec3(-0.75F, 0.75F, 1))).is_black());
+  EXPECT_TRUE(light->emitted(point, normalize(Vec3(1.01F, -0.75F, 1))).is_black());
+  EXPECT_TRUE(light->emitted(point, normalize(Vec3(0.75F, -0.75F, -1))).is_black());
+}
+
+}  // namespace
+}  // namespace ajar

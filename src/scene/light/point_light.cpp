@@ -1,0 +1,52 @@
+#include "core/warp.h"
+#include "scene/light/models.h"
+#include "scene/light/point_connection.h"
+
+namespace ajar {
+
+namespace {
+
+/// The same intensity in all directions from one point.
+class PointLight final : public Light {
+ public:
+  PointLight(const Spectrum& intensity, const Vec3& position)
+      : intensity_(intensity), position_(position) {}
+
+  bool at_infinity() const override { return false; }
+  bool discrete_position() const override { return true; }
+  Spectrum power() const override { return intensity_ * (4.F * kPi); }
+
+  std::optional<EmissionSample> sample_emission(const EmissionUniforms& u) const override {
+    if (intensity_.is_black()) return std::nullopt;
+    return EmissionSample{
+        EndpointPoint::at(position_),      position_,
+        warp::uniform_sphere(u.direction), intensity_ * (4.F * kPi),
+        Pdf<VertexMeasure>(1.F),           Pdf<Departure>(warp::kUniformSpherePdf)};
+  }
+  EmissionPdf emission_pdf(const EndpointPoint& /*point*/, const Vec3& /*w*/) const override {
+    return {Pdf<VertexMeasure>(1.F), Pdf<Departure>(warp::kUniformSpherePdf)};
+  }
+  Spectrum emitted(const EndpointPoint& /*point*/, const Vec3& /*w*/) const override {
+    return intensity_;
+  }
+  std::optional<ConnectionSample> sample_connection(
+      const Vec3& reference, const ConnectionUniforms& /*u*/) const override {
+    return connect_to_point(position_, reference, [&](const Vec3&) { return intensity_; });
+  }
+  Pdf<VertexMeasure> connection_pdf(const Vec3& /*reference*/,
+                                    const EndpointPoint& /*point*/) const override {
+    return Pdf<VertexMeasure>(1.F);
+  }
+
+ private:
+  Spectrum intensity_;
+  Vec3 position_;
+};
+
+}  // namespace
+
+std::unique_ptr<Light> make_point_light(const desc::PointLight& light, const Placement& at) {
+  return std::make_unique<PointLight>(to_spectrum(light.intensity), at.position);
+}
+
+}  // namespace ajar

@@ -1,0 +1,104 @@
+#include <algorithm>
+#include <cmath>
+
+#include "scene/light/models.h"
+#include "scene/light/point_connection.h"
+
+namespace ajar {
+
+namespace {
+
+/// 1 − cos of an angle in degrees, exact for small angles too.
+float one_minus_cos(float degrees) {
+  const double sine = std::sin(std::clamp(static_cast<double>(degrees), 0.0, 180.0) * M_PI / 360.0);
+  return static_cast<float>(2.0 * sine * sine);
+}
+float one_minus_cos(const Vec3& unit) {
+  const float sin_squared = unit.x * unit.x + unit.y * unit.y;
+  return unit.z > 0.F ? sin_squared / (1.F + unit.z) : 1.F - unit.z;
+}
+
+/// A cone of light around +z that fades with the fourth power of the cosine between `falloff_start`
+/// and `cone_angle`. Source: pbrt-v3, section 12.3.1. Emission is sampled in proportion to the
+/// intensity.
+class SpotLight final : public Light {
+ public:
+  SpotLight(const desc::SpotLight& light, const Placement& at)
+      : intensity_(to_spectrum(light.intensity)),
+        at_(at),
+        edge_(one_minus_cos(light.cone_angle)),
+        inner_(std::min(one_minus_cos(light.falloff_start), edge_)),
+        // ∫ δ⁴ dδ = 1/5 over the fading ring.
+        solid_angle_(2.F * kPi * (inner_ + (edge_ - inner_) / 5.F)) {}
+
+  bool at_infinity() const override { return false; }
+  bool discrete_position() const override { return true; }
+  Spectrum power() const override { return intensity_ * solid_angle_; }
+
+  std::optional<EmissionSample> sample_emission(const EmissionUniforms& u) const override {
+    if (intensity_.is_black() || !(solid_angle_ > 0.F)) return std::nullopt;
+    const float chance_inner = 2.F * kPi * inner_ / solid_angle_;
+    float away = 0.F;  // 1 − cos θ
+    if (u.direction.x < chance_inner) {
+      away = inner_ * (u.direction.x / chance_inner);
+    } else {
+      const float v = std::min((u.direction.x - chance_inner) / (1.F - chance_inner), 1.F);
+      away = edge_ - (edge_ - inner_) * std::pow(1.F - v, 0.2F);
+    }
+    const float sine = std::sqrt(std::max(0.F, away * (2.F - away)));
+    const float phi = 2.F * kPi * u.direction.y;
+    const Vec3 w =
+        at_.directions.to_world({sine * std::cos(phi), sine * std::sin(phi), 1.F - away});
+    const DirectionMap::Local local = at_.directions.to_local(w);
+    const float fade = falloff(local.w);
+    if (!(fade > 0.F)) return std::nullopt;
+    return EmissionSample{EndpointPoint::at(at_.position),
+                          at_.position,
+                          w,
+                          intensity_ * (solid_angle_ / local.stretch),
+                          Pdf<VertexMeasure>(1.F),
+                          Pdf<Departure>(fade * local.stretch / solid_angle_)};
+  }
+  EmissionPdf emission_pdf(const EndpointPoint& /*point*/, const Vec3& w) const override {
+    const DirectionMap::Local local = at_.directions.to_local(w);
+    const float fade = falloff(local.w);
+    const float density = fade > 0.F ? fade * local.stretch / solid_angle_ : 0.F;
+    return {Pdf<VertexMeasure>(1.F), Pdf<Departure>(density)};
+  }
+  Spectrum emitted(const EndpointPoint& /*point*/, const Vec3& w) const override {
+    return intensity_ * falloff(at_.directions.to_local(w).w);
+  }
+  std::optional<ConnectionSample> sample_connection(
+      const Vec3& reference, const ConnectionUniforms& /*u*/) const override {
+    return connect_to_point(at_.position, reference, [&](const Vec3& w) {
+      return intensity_ * falloff(at_.directions.to_local(w).w);
+    });
+  }
+  Pdf<VertexMeasure> connection_pdf(const Vec3& /*reference*/,
+                                    const EndpointPoint& /*point*/) const override {
+    return Pdf<VertexMeasure>(1.F);
+  }
+
+ private:
+  float falloff(const Vec3& local) const {
+    const float away = one_minus_cos(local);
+    if (!(away < edge_)) return 0.F;
+    if (away <= inner_) return 1.F;
+    const float delta = (edge_ - away) / (edge_ - inner_);
+    return (delta * delta) * (delta * delta);
+  }
+
+  Spectrum intensity_;
+  Placement at_;
+  float edge_;         ///< 1 − cos of the cone's half angle
+  float inner_;        ///< 1 − cos where fading starts
+  float solid_angle_;  ///< ∫ falloff dω, local
+};
+
+}  // namespace
+
+std::unique_ptr<Light> make_spot_light(const desc::SpotLight& light, const Placement& at) {
+  return std::make_unique<SpotLight>(light, at);
+}
+
+}  // namespace ajar
