@@ -10,45 +10,49 @@
 
 namespace ajar {
 
-/// What travels along the path that is being sampled: radiance (paths from the camera) or importance
-/// (paths from lights). They differ where light is refracted and where shading normals are used.
-enum class TransportMode : std::uint8_t { Radiance, Importance };
-
-/// Uniform numbers one scattering event consumes.
-struct BsdfUniforms {
-  float lobe;
-  Vec2 direction;
-};
-
 struct BsdfSample {
   Vec3 wi;          ///< unit, world space, points away from the surface
   Spectrum weight;  ///< f · |cos θ| / pdf, adjoint corrections included
-  DirectionPdf pdf; ///< of wi given wo, over all lobes that can produce it
+  DirectionPdf
+      pdf;  ///< of wi given wo: of all lobes that are not specular, or of the one specular lobe
   DirectionPdf reverse_pdf;  ///< of wo given wi, same lobes
   bool transmission = false;
   float eta = 1.F;  ///< index of refraction on wi's side over that on wo's; 1 unless refracted
 };
 
-/// Scattering at one point: a few lobes by value in one shading frame. Trivially copyable. Directions
-/// are unit vectors in world space pointing away from the surface; `wo` is where the sampled path came
-/// from, `wi` where it goes.
+/// Scattering at one point: a few lobes by value in one shading frame. Trivially copyable.
+/// Directions are unit vectors in world space pointing away from the surface; `wo` is where the
+/// sampled path came from, `wi` where it goes.
 ///
 /// Values are products f(wo, wi) · |cos θ|, including the adjoint factors of Veach 1997, chapter 5:
 /// in mode Radiance refraction scales by (η_wo/η_wi)², in mode Importance it does not, and there
-/// the shading-normal factor |wo·ns||wi·ng| / (|wo·ng||wi·ns|) appears instead. Hence for any pair and
-/// ignoring specular lobes
-///   eval(a, b, Radiance) · |a·ng| · η_b² ... = eval(b, a, Importance) · |b·ng| ...
-/// (tested in bsdf_test.cpp). Which lobes count as reflection or transmission is decided by the
-/// geometric normal, so that light never leaks through a surface.
+/// the shading-normal factor |wo·ns||wi·ng| / (|wo·ng||wi·ns|) appears instead. Hence, for lobes
+/// that are not specular and any two directions a, b,
+///
+///     eval(a, b, Importance) · |a·ng| = eval(b, a, Radiance) · |b·ng|
+///
+/// (both are f_s(a → b) |a·ns| |b·ng|, with f_s the scattering of radiance from a to b), which is
+/// what makes paths built from the light and from the camera agree; no η is left in it. Specular
+/// lobes have instead, with w the product of weight and probability of going from one to the other,
+///
+///     w(a, b, Importance) · η_b² |a·ng| |b·ns| = w(b, a, Radiance) · η_a² |b·ng| |a·ns|
+///
+/// Diffuse lobes fill the whole hemisphere of ng. Lobes that depend on a half-vector scatter only
+/// pairs that ns sees on the same sides as ng does.
+///
+/// Which lobes count as reflection or transmission is decided by the geometric normal, so that
+/// light never leaks through a surface. Directions within `kGrazing` of either normal's plane
+/// scatter nothing.
 class Bsdf {
  public:
   static constexpr int kMaxLobes = 8;
 
   Bsdf() = default;
   /// `ng` geometric, `frame.z` the shading normal, both on the outside of the surface.
-  Bsdf(const Frame& frame, const Vec3& ng) : frame_(frame), ng_(ng) {}
+  Bsdf(const Frame& frame, const Vec3& ng) : x_(frame.x), y_(frame.y), z_(frame.z), ng_(ng) {}
 
-  /// Adds a lobe whose value is scaled by `scale`; ignored if the scale is black.
+  /// Adds a lobe whose value is scaled by `scale`; ignored if the scale is black, or if there are
+  /// `kMaxLobes` already (materials are checked for that when they are built).
   void add(const Lobe& lobe, const Spectrum& scale = Spectrum(1.F));
 
   /// f · |cos θ| of the lobes that are not specular.
@@ -64,20 +68,48 @@ class Bsdf {
   /// Approximate directional albedo for direction `wo`: what the albedo AOV shows.
   Spectrum albedo(const Vec3& wo) const;
 
-  const Vec3& ng() const { return ng_; }
-  const Vec3& ns() const { return frame_.z; }
-  const Frame& frame() const { return frame_; }
+  Vec3 ng() const { return ng_.unpack(); }
+  Vec3 ns() const { return z_.unpack(); }
+  Frame frame() const { return {x_.unpack(), y_.unpack(), z_.unpack()}; }
 
  private:
   struct Entry {
     Lobe lobe;
     Spectrum scale;
   };
-  Frame frame_;
-  Vec3 ng_{0.F, 0.F, 1.F};
+  /// A vector that can be copied as bytes, which Imath's cannot.
+  struct PackedVector {
+    float x, y, z;
+    explicit PackedVector(const Vec3& v) : x(v.x), y(v.y), z(v.z) {}
+    Vec3 unpack() const { return {x, y, z}; }
+  };
+  /// Storage that costs nothing until it is used: a BSDF is made for every hit.
+  union Slot {
+    Slot() {}  // NOLINT(modernize-use-equals-default): must not touch the entry
+    Entry entry;
+  };
+  struct Weights;
+  struct Pair;
+
+  const Entry& entry(int index) const { return slots_[index].entry; }
+  Pair classify(const Vec3& wo, const Vec3& wi) const;
+  /// How the choice among the lobes is made when light comes from `local_wo`.
+  Weights weights(const Vec3& local_wo) const;
+  Spectrum value(int index, const Pair& pair, TransportMode mode) const;
+  LobeValue evaluate(int index, const Pair& pair, TransportMode mode) const;
+  void add_other_lobes(int chosen, const Vec3& wo, const Weights& forward, const Weights& reverse,
+                       TransportMode mode, LobeSample& s) const;
+
+  PackedVector x_{Vec3(1.F, 0.F, 0.F)};  ///< axes of the shading frame
+  PackedVector y_{Vec3(0.F, 1.F, 0.F)};
+  PackedVector z_{Vec3(0.F, 0.F, 1.F)};
+  PackedVector ng_{Vec3(0.F, 0.F, 1.F)};
   std::int8_t count_ = 0;
   bool connectible_ = false;
-  std::array<Entry, kMaxLobes> entries_;
+  std::array<Slot, kMaxLobes> slots_;
 };
+
+static_assert(std::is_trivially_copyable_v<Bsdf>);
+static_assert(sizeof(Bsdf) <= 640);
 
 }  // namespace ajar

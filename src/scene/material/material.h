@@ -13,8 +13,11 @@ namespace ajar {
 class Material {
  public:
   virtual ~Material() = default;
-  /// Appends this material's lobes, each scaled by `scale`, to `bsdf` (mixes call this recursively).
+  /// Appends this material's lobes, each scaled by `scale`, to `bsdf` (mixes call this
+  /// recursively).
   virtual void add_lobes(const SurfacePoint& at, const Spectrum& scale, Bsdf& bsdf) const = 0;
+  /// The most lobes that `add_lobes` can append, anywhere.
+  virtual int max_lobes() const = 0;
   /// The BSDF at `at`, bump mapping applied.
   Bsdf bsdf(const SurfacePoint& at) const;
   /// No surface: rays pass straight through and only the medium changes.
@@ -23,11 +26,14 @@ class Material {
   std::string name;
   TextureSlot bump;
   bool has_bump = false;
+  /// True if the x axis of the shading frame must follow dp/du (anisotropic roughness).
+  bool needs_tangent = false;
 };
 
 using MaterialList = std::vector<std::unique_ptr<const Material>>;
 
-/// Builds all materials; entry i is material id i.
+/// Builds all materials; entry i is material id i. Parameters without a texture have pbrt-v3's
+/// default. Reflectances are clamped to [0, 1] wherever they are evaluated.
 MaterialList build_materials(const desc::SceneDesc& scene, const TextureList& textures,
                              Warnings& warnings);
 

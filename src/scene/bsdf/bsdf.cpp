@@ -1,0 +1,207 @@
+#include "scene/bsdf/bsdf.h"
+
+#include <algorithm>
+#include <memory>
+#include <type_traits>
+
+namespace ajar {
+namespace {
+template <typename L>
+constexpr bool kIsSpecular = std::remove_cvref_t<L>::kSpecular;
+
+bool is_specular(const Lobe& lobe) {
+  return visit_lobe(lobe, [](const auto& l) { return kIsSpecular<decltype(l)>; });
+}
+}  // namespace
+
+/// Probabilities of the lobes.
+struct Bsdf::Weights {
+  std::array<float, kMaxLobes> probability;
+};
+
+/// Two directions in the shading frame, and how the geometric normal sees them.
+struct Bsdf::Pair {
+  Vec3 wo;
+  Vec3 wi;
+  float wo_side;  ///< wo · ng
+  float wi_side;
+  bool transmission;
+  bool valid;  ///< no direction is grazing
+};
+
+void Bsdf::add(const Lobe& lobe, const Spectrum& scale) {
+  if (scale.is_black() || count_ == kMaxLobes) return;
+  std::construct_at(&slots_[count_].entry, Entry{lobe, scale});
+  ++count_;
+  connectible_ = connectible_ || !is_specular(lobe);
+}
+
+Bsdf::Pair Bsdf::classify(const Vec3& wo, const Vec3& wi) const {
+  const Frame shading = frame();
+  const float wo_side = dot(wo, ng());
+  const float wi_side = dot(wi, ng());
+  const Vec3 o = shading.to_local(wo);
+  const Vec3 i = shading.to_local(wi);
+  const float least = std::min(std::min(std::abs(wo_side), std::abs(wi_side)),
+                               std::min(std::abs(o.z), std::abs(i.z)));
+  return {o, i, wo_side, wi_side, wo_side * wi_side < 0.F, least >= kGrazing};
+}
+
+Bsdf::Weights Bsdf::weights(const Vec3& local_wo) const {
+  Weights result;
+  float sum = 0.F;
+  for (int k = 0; k < count_; ++k) {
+    const Entry& e = entry(k);
+    const Spectrum albedo = visit_lobe(e.lobe, [&](const auto& l) { return l.albedo(local_wo); });
+    const float weight = (e.scale * albedo).average();
+    result.probability[k] = weight;
+    sum += weight;
+  }
+  const float scale = sum > 0.F ? 1.F / sum : 0.F;
+  for (int k = 0; k < count_; ++k) result.probability[k] *= scale;
+  return result;
+}
+
+Spectrum Bsdf::value(int index, const Pair& pair, TransportMode mode) const {
+  const Entry& e = entry(index);
+  return e.scale * visit_lobe(e.lobe, [&](const auto& l) {
+           if constexpr (kIsSpecular<decltype(l)>) {
+             return Spectrum();
+           } else {
+             return l.evaluate(pair.wo, pair.wi, pair.transmission, mode).value;
+           }
+         });
+}
+
+LobeValue Bsdf::evaluate(int index, const Pair& pair, TransportMode mode) const {
+  return visit_lobe(entry(index).lobe, [&](const auto& l) {
+    if constexpr (kIsSpecular<decltype(l)>) {
+      return LobeValue();
+    } else {
+      return l.evaluate(pair.wo, pair.wi, pair.transmission, mode);
+    }
+  });
+}
+
+Spectrum Bsdf::eval(const Vec3& wo, const Vec3& wi, TransportMode mode) const {
+  const Pair pair = classify(wo, wi);
+  if (!pair.valid) return {};
+  Spectrum sum;
+  for (int k = 0; k < count_; ++k) sum += value(k, pair, mode);
+  if (mode == TransportMode::Importance) {
+    sum *= std::abs(pair.wo.z * pair.wi_side / (pair.wo_side * pair.wi.z));
+  }
+  return sum;
+}
+
+Pdf<SolidAngle> Bsdf::pdf(const Vec3& wo, const Vec3& wi) const {
+  const Pair pair = classify(wo, wi);
+  if (!pair.valid || !connectible_) return {};
+  const auto lobe_pdf = [&](int index) {
+    return visit_lobe(entry(index).lobe, [&](const auto& l) {
+      if constexpr (kIsSpecular<decltype(l)>) {
+        return 0.F;
+      } else {
+        return l.evaluate(pair.wo, pair.wi, pair.transmission, TransportMode::Radiance).pdf;
+      }
+    });
+  };
+  if (count_ == 1) return Pdf<SolidAngle>(lobe_pdf(0));
+  const Weights choice = weights(pair.wo);
+  float sum = 0.F;
+  for (int k = 0; k < count_; ++k) {
+    if (choice.probability[k] > 0.F) sum += choice.probability[k] * lobe_pdf(k);
+  }
+  return Pdf<SolidAngle>(sum);
+}
+
+void Bsdf::add_other_lobes(int chosen, const Vec3& wo, const Weights& forward,
+                           const Weights& reverse, TransportMode mode, LobeSample& s) const {
+  const Pair pair{wo, s.wi, 1.F, 1.F, s.transmission, true};
+  Spectrum total = s.weight * s.pdf;
+  s.pdf *= forward.probability[chosen];
+  s.reverse_pdf *= reverse.probability[chosen];
+  for (int k = 0; k < count_; ++k) {
+    if (k == chosen) continue;
+    const LobeValue v = evaluate(k, pair, mode);
+    total += entry(k).scale * v.value;
+    s.pdf += forward.probability[k] * v.pdf;
+    s.reverse_pdf += reverse.probability[k] * v.reverse_pdf;
+  }
+  s.weight = total / s.pdf;
+}
+
+std::optional<BsdfSample> Bsdf::sample(const Vec3& wo, const BsdfUniforms& u,
+                                       TransportMode mode) const {
+  const Frame shading = frame();
+  const float wo_side = dot(wo, ng());
+  const Vec3 o = shading.to_local(wo);
+  if (count_ == 0 || std::abs(wo_side) < kGrazing || std::abs(o.z) < kGrazing) return std::nullopt;
+  const Vec3 local_ng = shading.to_local(wo_side > 0.F ? ng() : -ng());
+
+  int chosen = 0;
+  BsdfUniforms v = u;
+  Weights forward;
+  if (count_ > 1) {
+    forward = weights(o);
+    // The last lobe with any probability takes what rounding leaves of the unit interval.
+    int last = count_ - 1;
+    while (last > 0 && !(forward.probability[last] > 0.F)) --last;
+    while (chosen < last && v.lobe >= forward.probability[chosen]) {
+      v.lobe -= forward.probability[chosen];
+      ++chosen;
+    }
+    if (!(forward.probability[chosen] > 0.F)) return std::nullopt;
+    v.lobe = std::min(v.lobe / forward.probability[chosen], kOneMinusEpsilon);
+  }
+
+  const Entry& e = entry(chosen);
+  std::optional<LobeSample> s =
+      visit_lobe(e.lobe, [&](const auto& l) { return l.sample(o, v, local_ng, mode); });
+  if (!s || std::abs(s->wi.z) < kGrazing) return std::nullopt;
+  BsdfSample result;
+  result.wi = shading.to_world(s->wi);
+  const float wi_side = dot(result.wi, ng());
+  if (std::abs(wi_side) < kGrazing || (wo_side * wi_side < 0.F) != s->transmission) {
+    return std::nullopt;
+  }
+
+  const bool specular = is_specular(e.lobe);
+  s->weight *= e.scale;
+  if (count_ > 1) {
+    const Weights reverse = weights(s->wi);
+    if (specular) {
+      s->weight /= forward.probability[chosen];
+      s->pdf *= forward.probability[chosen];
+      s->reverse_pdf *= reverse.probability[chosen];
+    } else {
+      add_other_lobes(chosen, o, forward, reverse, mode, *s);
+    }
+  }
+  if (mode == TransportMode::Importance) {
+    s->weight *= std::abs(o.z * wi_side / (wo_side * s->wi.z));
+  }
+  result.weight = s->weight;
+  if (specular) {
+    result.pdf = DirectionPdf(Pdf<Discrete>(s->pdf));
+    result.reverse_pdf = DirectionPdf(Pdf<Discrete>(s->reverse_pdf));
+  } else {
+    result.pdf = DirectionPdf(Pdf<SolidAngle>(s->pdf));
+    result.reverse_pdf = DirectionPdf(Pdf<SolidAngle>(s->reverse_pdf));
+  }
+  result.transmission = s->transmission;
+  result.eta = s->eta;
+  return result;
+}
+
+Spectrum Bsdf::albedo(const Vec3& wo) const {
+  const Vec3 o = frame().to_local(wo);
+  Spectrum sum;
+  for (int k = 0; k < count_; ++k) {
+    const Entry& e = entry(k);
+    sum += e.scale * visit_lobe(e.lobe, [&](const auto& l) { return l.albedo(o); });
+  }
+  return sum;
+}
+
+}  // namespace ajar

@@ -1,0 +1,62 @@
+#pragma once
+#include "scene/bsdf/lobe.h"
+
+namespace ajar {
+
+/// Thin glossy coat of Disney's model: distribution GTR1, Schlick's Fresnel term with R0 = 0.04,
+/// masking with the fixed α = 0.25, a quarter of the strength. Source: Burley 2012, appendix B;
+/// 2015.
+struct DisneyClearcoat {
+  static constexpr bool kSpecular = false;
+  float alpha = 0.1F;  ///< in (0, 1)
+
+  LobeValue evaluate(const Vec3& wo, const Vec3& wi, bool transmission, TransportMode) const {
+    if (transmission || !same_hemisphere(wo, wi)) return {};
+    const Vec3 h = normalize(wo + wi);
+    return value(wo, wi, h, dot(wo, h));
+  }
+
+  std::optional<LobeSample> sample(const Vec3& wo, const BsdfUniforms& u, const Vec3&,
+                                   TransportMode) const {
+    const bool front = wo.z > 0.F;
+    const Vec3 o = front ? wo : -wo;
+    const float alpha2 = alpha * alpha;
+    // 1 − cos² θ_h, written so that it keeps its digits for narrow lobes.
+    const float sin2 = std::clamp(
+        alpha2 * std::expm1(-std::log(alpha2) * u.direction.x) / (1.F - alpha2), 0.F, 1.F);
+    const float sin_h = std::sqrt(sin2);
+    const float phi = 2.F * kPi * u.direction.y;
+    const Vec3 h(sin_h * std::cos(phi), sin_h * std::sin(phi), std::sqrt(1.F - sin2));
+    const float cos_d = dot(o, h);
+    const Vec3 i = h * (2.F * cos_d) - o;
+    if (i.z < kGrazing || !(cos_d > 0.F)) return std::nullopt;
+    const LobeValue v = value(o, i, h, cos_d);
+    if (!(v.pdf > 0.F)) return std::nullopt;
+    return LobeSample{front ? i : -i, v.value / v.pdf, v.pdf, v.reverse_pdf};
+  }
+
+  Spectrum albedo(const Vec3& wo) const {
+    return Spectrum(0.25F * (0.04F + 0.96F * schlick_weight(std::abs(wo.z))));
+  }
+
+ private:
+  /// Smith's G1 for GGX over 2 |cos θ|.
+  static float masking(float cosine) {
+    constexpr float kAlpha2 = 0.25F * 0.25F;
+    return 1.F / (cosine + std::sqrt(kAlpha2 + (1.F - kAlpha2) * cosine * cosine));
+  }
+  LobeValue value(const Vec3& wo, const Vec3& wi, const Vec3& h, float cos_d) const {
+    const float alpha2 = alpha * alpha;
+    const float cos_h = std::abs(h.z);
+    // 1 + (α² − 1) cos² θ_h, without its cancellation.
+    const float spread = alpha2 * cos_h * cos_h + h.x * h.x + h.y * h.y;
+    const float density = (alpha2 - 1.F) / (kPi * std::log(alpha2) * spread);
+    const float fresnel = 0.04F + 0.96F * schlick_weight(cos_d);
+    const float pdf = cos_d > 0.F ? density * cos_h / (4.F * cos_d) : 0.F;
+    const float cos_i = std::abs(wi.z);
+    return {Spectrum(0.25F * density * fresnel * masking(std::abs(wo.z)) * masking(cos_i) * cos_i),
+            pdf, pdf};
+  }
+};
+
+}  // namespace ajar

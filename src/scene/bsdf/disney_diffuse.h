@@ -1,0 +1,55 @@
+#pragma once
+#include "scene/bsdf/lobe.h"
+
+namespace ajar {
+
+/// All reflecting diffuse-like parts of Disney's model in one lobe: diffuse with Fresnel falloff,
+/// flattened "fake subsurface", retro-reflection of rough surfaces, and sheen.
+/// Sources: Burley 2012, 2015; combined as pbrt-v3 does.
+struct DisneyDiffuse {
+  static constexpr bool kSpecular = false;
+  PackedSpectrum color;
+  PackedSpectrum sheen;
+  float diffuse = 1.F;          ///< share of the plain diffuse part
+  float fake_subsurface = 0.F;  ///< share of the flattened part
+  float roughness = 0.5F;
+
+  LobeValue evaluate(const Vec3& wo, const Vec3& wi, bool transmission, TransportMode) const {
+    if (transmission) return {};
+    return {times_pi(wo, wi) * cosine_pdf(wi), cosine_pdf(wi), cosine_pdf(wo)};
+  }
+  std::optional<LobeSample> sample(const Vec3& wo, const BsdfUniforms& u, const Vec3& ng,
+                                   TransportMode) const {
+    const Vec3 wi = cosine_around(u.direction, ng);
+    return LobeSample{wi, times_pi(wo, wi), cosine_pdf(wi), cosine_pdf(wo)};
+  }
+  Spectrum albedo(const Vec3& wo) const {
+    const float grazing = schlick_weight(std::abs(wo.z));
+    const float base = (diffuse + fake_subsurface) * (1.F - 0.5F * grazing) + roughness * grazing;
+    // ∫ (1 − cos θ_d)⁵ cos θ_i dω_i is about 0.04 for a view along the normal, 0.8 at grazing.
+    return color.unpack() * base + sheen.unpack() * (0.04F + 0.76F * grazing);
+  }
+
+ private:
+  /// π f(wo, wi).
+  Spectrum times_pi(const Vec3& wo, const Vec3& wi) const {
+    const float cos_o = std::abs(wo.z);
+    const float cos_i = std::abs(wi.z);
+    const float fo = schlick_weight(cos_o);
+    const float fi = schlick_weight(cos_i);
+    // θ_d is half the angle between the two directions.
+    const float cos2_d = std::clamp(0.5F * (1.F + dot(wo, wi)), 0.F, 1.F);
+    const float plain = (1.F - 0.5F * fo) * (1.F - 0.5F * fi);
+    const float rr = 2.F * roughness * cos2_d;
+    const float retro = rr * (fo + fi + fo * fi * (rr - 1.F));
+    float base = diffuse * plain + retro;
+    if (fake_subsurface > 0.F) {
+      const float fss90 = cos2_d * roughness;
+      const float fss = (1.F + fo * (fss90 - 1.F)) * (1.F + fi * (fss90 - 1.F));
+      base += fake_subsurface * 1.25F * (fss * (1.F / (cos_o + cos_i) - 0.5F) + 0.5F);
+    }
+    return color.unpack() * base + sheen.unpack() * (kPi * schlick_weight(std::sqrt(cos2_d)));
+  }
+};
+
+}  // namespace ajar

@@ -1,0 +1,72 @@
+#pragma once
+#include <array>
+
+#include "scene/bsdf/lobe.h"
+
+/// Reflectance of smooth boundaries, unpolarised light.
+namespace ajar {
+
+struct DielectricBoundary {
+  float reflectance;  ///< in [0, 1]; 1 under total internal reflection
+  float cos_t;        ///< cosine of the refracted angle, ≥ 0; 0 under total internal reflection
+};
+
+/// Exact Fresnel equations. `cos_i` in [0, 1]; `eta` is the index of refraction behind the boundary
+/// over that in front of it, > 0.
+inline DielectricBoundary fresnel_dielectric(float cos_i, float eta) {
+  if (eta == 1.F) return {0.F, cos_i};
+  const float sin2_t = std::max(0.F, 1.F - cos_i * cos_i) / (eta * eta);
+  if (sin2_t >= 1.F) return {1.F, 0.F};
+  const float cos_t = std::sqrt(1.F - sin2_t);
+  const float parallel = (eta * cos_i - cos_t) / (eta * cos_i + cos_t);
+  const float perpendicular = (cos_i - eta * cos_t) / (cos_i + eta * cos_t);
+  return {0.5F * (parallel * parallel + perpendicular * perpendicular), cos_t};
+}
+
+/// Exact Fresnel equations for a metal seen from vacuum, lane by lane: index of refraction `eta` >
+/// 0, absorption `k` ≥ 0, `cos_i` in [0, 1]. Source: Lagarde 2013, "Memo on Fresnel equations".
+inline Spectrum fresnel_conductor(float cos_i, const PackedSpectrum& eta, const PackedSpectrum& k) {
+  const float c2 = cos_i * cos_i;
+  const float s2 = 1.F - c2;
+  std::array<float, 3> r{};
+  for (int lane = 0; lane < 3; ++lane) {
+    const float eta2 = eta.lanes[lane] * eta.lanes[lane];
+    const float k2 = k.lanes[lane] * k.lanes[lane];
+    const float t0 = eta2 - k2 - s2;
+    const float a2_plus_b2 = std::sqrt(t0 * t0 + 4.F * eta2 * k2);
+    const float t1 = a2_plus_b2 + c2;
+    const float a = std::sqrt(std::max(0.F, 0.5F * (a2_plus_b2 + t0)));
+    const float t2 = 2.F * cos_i * a;
+    const float perpendicular = (t1 - t2) / (t1 + t2);
+    const float t3 = c2 * a2_plus_b2 + s2 * s2;
+    const float t4 = t2 * s2;
+    const float parallel = perpendicular * (t3 - t4) / (t3 + t4);
+    r[lane] = 0.5F * (parallel + perpendicular);
+  }
+  return {r[0], r[1], r[2]};
+}
+
+/// Fresnel term of a dielectric. `eta` is the index behind the surface (−z) over that in front of
+/// it.
+struct DielectricFresnel {
+  float eta = 1.5F;
+  /// `front`: seen from +z.
+  Spectrum operator()(float cos_i, bool front) const {
+    return Spectrum(fresnel_dielectric(cos_i, front ? eta : 1.F / eta).reflectance);
+  }
+};
+
+/// Fresnel term of a metal, the same from both sides.
+struct ConductorFresnel {
+  PackedSpectrum eta;
+  PackedSpectrum k;
+  ConductorFresnel() = default;
+  /// Clamped to eta ≥ 1e-4 and both ≤ 1e4, where the equations are safe in single precision.
+  ConductorFresnel(const Spectrum& index, const Spectrum& absorption)
+      : eta(clamp(index, 1e-4F, 1e4F)), k(clamp(absorption, 0.F, 1e4F)) {}
+  Spectrum operator()(float cos_i, bool /*front*/) const {
+    return fresnel_conductor(cos_i, eta, k);
+  }
+};
+
+}  // namespace ajar

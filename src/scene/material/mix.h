@@ -1,0 +1,35 @@
+#pragma once
+#include "scene/material/inputs.h"
+#include "scene/material/material.h"
+
+namespace ajar {
+
+/// `amount` of one material and the rest of another, lane by lane.
+class Mix final : public Material {
+ public:
+  /// The materials outlive the mix. As in pbrt-v3, bumps are those of `a` unless the mix has its
+  /// own.
+  Mix(const TextureSlot& amount, const Material& a, const Material& b)
+      : amount_(amount), a_(a), b_(b) {
+    bump = a.bump;
+    has_bump = a.has_bump;
+    needs_tangent = a.needs_tangent || b.needs_tangent;
+  }
+  void add_lobes(const SurfacePoint& at, const Spectrum& scale, Bsdf& bsdf) const override {
+    const Spectrum amount = reflectance(amount_, at);
+    const Spectrum rest = Spectrum(1.F) - amount;
+    if (!amount.is_black()) a_.add_lobes(at, scale * amount, bsdf);
+    if (!rest.is_black()) b_.add_lobes(at, scale * rest, bsdf);
+  }
+  /// A part counts as one lobe at least: so the limit on lobes also limits how mixes can nest.
+  int max_lobes() const override {
+    return std::max(1, a_.max_lobes()) + std::max(1, b_.max_lobes());
+  }
+
+ private:
+  TextureSlot amount_;
+  const Material& a_;
+  const Material& b_;
+};
+
+}  // namespace ajar
