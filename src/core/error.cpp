@@ -8,8 +8,8 @@ namespace ajar {
 std::string SourceLocation::to_string() const {
   if (!file) return {};
   std::string text = *file;
-  if (line > 0) text += ":" + std::to_string(line);
-  if (line > 0 && column > 0) text += ":" + std::to_string(column);
+  if (line > 0) text.append(":").append(std::to_string(line));
+  if (line > 0 && column > 0) text.append(":").append(std::to_string(column));
   return text;
 }
 

@@ -1,0 +1,214 @@
+#include "apps/cli/command_line.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "apps/cli/commands.h"
+#include "core/error.h"
+#include "session/catalog.h"
+#include "session/version.h"
+
+namespace ajar::cli {
+
+namespace {
+
+constexpr const char* kSceneHelp = "Scene file, or builtin:NAME (see: ajar list scenes)";
+
+/// What the program was asked to do.
+struct Request {
+  RenderArguments render;
+  InfoArguments info;
+  ConvertArguments convert;
+  ListArguments list;
+};
+
+void add_render(CLI::App& app, RenderArguments& a) {
+  CLI::App* command = app.add_subcommand("render", "Render a scene to pictures");
+  command->add_option("SCENE", a.scene, kSceneHelp)->required();
+
+  command
+      ->add_option(
+          "-o,--output", a.outputs,
+          "Picture to write; may be given several times. The extension decides: .exr "
+          "(scene-linear, all "
+          "layers), .png .jpg (tone-mapped), .pfm .hdr. Default: SCENE.exr and SCENE.png here")
+      ->allow_extra_args(false)
+      ->type_name("FILE")
+      ->group("Pictures");
+  command
+      ->add_option("--resolution", a.resolution, "Size of the picture in pixels, such as 640x480")
+      ->type_name("WxH")
+      ->group("Pictures");
+  command->add_option("--scale", a.scale, "Multiply the scene's own resolution, such as 0.5")
+      ->type_name("F")
+      ->excludes("--resolution")
+      ->group("Pictures");
+  command
+      ->add_option(
+          "--crop", a.crop,
+          "Render only this window, from the top left: fractions if all are at most 1, else pixels")
+      ->type_name("X0,Y0,X1,Y1")
+      ->group("Pictures");
+  command->add_option("--aov", a.aovs, "Extra layers for .exr files, or all (see: ajar list aovs)")
+      ->type_name("LIST")
+      ->group("Pictures");
+  command->add_option("--tone-map", a.tone_map, "Curve of .png and .jpg: srgb or filmic")
+      ->type_name("NAME")
+      ->capture_default_str()
+      ->group("Pictures");
+  command->add_option("--exposure", a.exposure, "Brighten .png and .jpg by this many stops")
+      ->type_name("STOPS")
+      ->capture_default_str()
+      ->group("Pictures");
+
+  command->add_option("--integrator", a.integrator, "Rendering method (see: ajar list integrators)")
+      ->type_name("NAME")
+      ->group("Method");
+  command
+      ->add_option("--set", a.assignments,
+                   "Set a parameter of the method; may be given several times")
+      ->allow_extra_args(false)
+      ->type_name("KEY=VALUE")
+      ->group("Method");
+  command
+      ->add_option(
+          "--depth", a.depth,
+          "Path lengths in edges: 1 is light seen directly, 2 direct lighting, such as 1:8")
+      ->type_name("MIN:MAX")
+      ->group("Method");
+  command->add_option("--seed", a.seed, "Seed of the random numbers")
+      ->type_name("N")
+      ->capture_default_str()
+      ->group("Method");
+
+  command->add_option("--spp", a.spp, "Samples per pixel (rounded up to equal replicates)")
+      ->type_name("N")
+      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 31))
+      ->group("When to stop (whichever comes first; default: the scene's samples per pixel)");
+  command->add_option("--time", a.time, "Time to render, such as 60s, 2m or 1h30m")
+      ->type_name("TIME")
+      ->group("When to stop (whichever comes first; default: the scene's samples per pixel)");
+  command
+      ->add_option("--target-error", a.target_error,
+                   "Estimated relative error of the picture, such as 0.01")
+      ->type_name("X")
+      ->group("When to stop (whichever comes first; default: the scene's samples per pixel)");
+
+  command->add_option("--threads", a.threads, "Threads to use; 0: all processors")
+      ->type_name("N")
+      ->check(CLI::Range(0, 4096))
+      ->capture_default_str()
+      ->group("Program");
+  command->add_option("--stats", a.stats, "Write statistics as JSON")
+      ->type_name("FILE.json")
+      ->group("Program");
+  command->add_option("--progress", a.progress, "auto, plain (lines), json (lines) or none")
+      ->type_name("HOW")
+      ->capture_default_str()
+      ->group("Program");
+  command->footer(
+      "Ctrl-C ends the render after the current pass and writes the pictures.\n"
+      "Example: ajar render scene.pbrt --time 2m --scale 0.5 -o scene.exr -o scene.png");
+}
+
+void add_others(CLI::App& app, Request& request) {
+  CLI::App* info = app.add_subcommand("info", "Print what is in a scene");
+  info->add_option("SCENE", request.info.scene, kSceneHelp)->required();
+  info->add_flag("--json", request.info.json, "Print JSON");
+
+  CLI::App* convert =
+      app.add_subcommand("convert", "Write a scene as one pbrt file with binary PLY meshes");
+  convert->add_option("SCENE", request.convert.scene, kSceneHelp)->required();
+  convert->add_option("OUT", request.convert.output, "File to write, such as room.pbrt")
+      ->required();
+
+  CLI::App* list = app.add_subcommand("list", "List what there is to choose from");
+  list->add_option("KIND", request.list.kind,
+                   "integrators, materials, aovs or scenes; default: all");
+  list->add_flag("--json", request.list.json, "Print JSON");
+}
+
+std::vector<std::string> option_names(const CLI::App& command) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : command.get_options()) {
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+    for (const std::string& name : option->get_snames()) names.push_back("-" + name);
+  }
+  return names;
+}
+
+std::vector<std::string> command_names(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
+  return names;
+}
+
+/// Raises UsageError if the first argument is neither a command nor an option.
+void check_command(const CLI::App& app, int argc, const char* const* argv) {
+  if (argc < 2) throw UsageError("a command is missing; try: ajar --help");
+  const std::string first = argv[1];
+  const std::vector<std::string> names = command_names(app);
+  if (first.starts_with('-') || std::find(names.begin(), names.end(), first) != names.end()) return;
+  std::error_code error;
+  if (std::filesystem::exists(first, error) || first.starts_with("builtin:")) {
+    throw UsageError("a command is missing before " + first + "; try: ajar render " + first);
+  }
+  throw UsageError(unknown_name_message("command", first, names));
+}
+
+/// Raises UsageError for arguments that no option took.
+void check_leftovers(const CLI::App& app) {
+  const std::vector<std::string> leftovers = app.remaining(true);
+  if (leftovers.empty()) return;
+  const std::vector<CLI::App*> commands = app.get_subcommands();
+  const CLI::App& command = commands.empty() ? app : *commands.front();
+  const auto option = std::find_if(leftovers.begin(), leftovers.end(), [](const std::string& text) {
+    return text.size() > 1 && text.front() == '-';
+  });
+  if (option == leftovers.end()) {
+    throw UsageError("unexpected argument \"" + leftovers.front() + "\"");
+  }
+  throw UsageError(
+      unknown_name_message("option", option->substr(0, option->find('=')), option_names(command)));
+}
+
+}  // namespace
+
+int run(int argc, const char* const* argv) {
+  Request request;
+  CLI::App app("Ajar renders the light that other renderers miss.", "ajar");
+  app.set_version_flag("--version", "ajar " + version(), "Print the version");
+  app.set_help_flag("-h,--help", "Print this help");
+  app.get_formatter()->column_width(34);
+  app.require_subcommand(1);
+  app.footer(
+      "Try: ajar render builtin:cornell\n"
+      "Exit codes: 0 done, 2 wrong usage, 3 unusable scene, 4 cannot read or write, 130 "
+      "interrupted.");
+  add_render(app, request.render);
+  add_others(app, request);
+  for (CLI::App* command : app.get_subcommands({})) command->allow_extras();
+  check_command(app, argc, argv);
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& help) {
+    return app.exit(help);
+  } catch (const CLI::ParseError& error) {
+    check_leftovers(app);
+    throw UsageError(error.what());
+  }
+  check_leftovers(app);
+
+  if (app.got_subcommand("render")) return render(request.render);
+  if (app.got_subcommand("info")) return info(request.info);
+  if (app.got_subcommand("convert")) return convert(request.convert);
+  return list(request.list);
+}
+
+}  // namespace ajar::cli

@@ -1,0 +1,220 @@
+#include <fmt/format.h>
+
+#include <map>
+#include <nlohmann/json.hpp>
+#include <type_traits>
+#include <variant>
+
+#include "apps/cli/commands.h"
+#include "apps/cli/messages.h"
+#include "core/error.h"
+#include "scene/scene.h"
+#include "session/progress.h"
+#include "session/render_setup.h"
+#include "session/resources.h"
+#include "session/scene_file.h"
+
+namespace ajar::cli {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+template <typename... Functions>
+struct Overloaded : Functions... {
+  using Functions::operator()...;
+};
+template <typename... Functions>
+Overloaded(Functions...) -> Overloaded<Functions...>;
+
+const char* kind_of(const desc::Light& light) {
+  return std::visit(Overloaded{[](const desc::PointLight&) { return "point"; },
+                               [](const desc::SpotLight&) { return "spot"; },
+                               [](const desc::DistantLight&) { return "distant"; },
+                               [](const desc::InfiniteLight&) { return "infinite"; },
+                               [](const desc::GoniometricLight&) { return "goniometric"; },
+                               [](const desc::ProjectionLight&) { return "projection"; }},
+                    light.node);
+}
+
+const char* kind_of(const desc::Material& material) {
+  return std::visit(Overloaded{[](const desc::MatteMaterial&) { return "matte"; },
+                               [](const desc::MirrorMaterial&) { return "mirror"; },
+                               [](const desc::GlassMaterial&) { return "glass"; },
+                               [](const desc::MetalMaterial&) { return "metal"; },
+                               [](const desc::PlasticMaterial&) { return "plastic"; },
+                               [](const desc::SubstrateMaterial&) { return "substrate"; },
+                               [](const desc::UberMaterial&) { return "uber"; },
+                               [](const desc::TranslucentMaterial&) { return "translucent"; },
+                               [](const desc::DisneyMaterial&) { return "disney"; },
+                               [](const desc::MixMaterial&) { return "mix"; },
+                               [](const desc::InterfaceMaterial&) { return "none"; }},
+                    material.node);
+}
+
+const char* kind_of(const desc::Camera& camera) {
+  return std::visit(Overloaded{[](const desc::PerspectiveCamera&) { return "perspective"; },
+                               [](const desc::OrthographicCamera&) { return "orthographic"; },
+                               [](const desc::EnvironmentCamera&) { return "environment"; }},
+                    camera.node);
+}
+
+const char* kind_of(const desc::Filter& filter) {
+  return std::visit(Overloaded{[](const desc::BoxFilter&) { return "box"; },
+                               [](const desc::TriangleFilter&) { return "triangle"; },
+                               [](const desc::GaussianFilter&) { return "gaussian"; },
+                               [](const desc::MitchellFilter&) { return "mitchell"; },
+                               [](const desc::SincFilter&) { return "sinc"; }},
+                    filter.node);
+}
+
+std::map<std::string, std::size_t> light_counts(const desc::SceneDesc& scene) {
+  std::map<std::string, std::size_t> counts;
+  for (const desc::Light& light : scene.lights) ++counts[kind_of(light)];
+  for (const desc::Shape& shape : scene.shapes) {
+    if (shape.light) ++counts["area"];
+  }
+  return counts;
+}
+
+std::map<std::string, std::size_t> material_counts(const desc::SceneDesc& scene) {
+  std::map<std::string, std::size_t> counts;
+  for (const desc::Material& material : scene.materials) ++counts[kind_of(material)];
+  return counts;
+}
+
+Json camera_json(const desc::Camera& camera) {
+  Json json{{"type", kind_of(camera)}};
+  const Vec3 position = transform_point(camera.to_world, Vec3(0, 0, 0));
+  const Vec3 direction = normalize(transform_vector(camera.to_world, Vec3(0, 0, 1)));
+  json["position"] = {position.x, position.y, position.z};
+  json["direction"] = {direction.x, direction.y, direction.z};
+  if (const auto* perspective = std::get_if<desc::PerspectiveCamera>(&camera.node)) {
+    json["fov_degrees"] = perspective->fov;
+    json["lens_radius"] = perspective->lens_radius;
+    json["focal_distance"] = perspective->focal_distance;
+  }
+  return json;
+}
+
+Json hints_json(const desc::RenderHints& hints) {
+  const auto value_or_null = [](const auto& value) { return value ? Json(*value) : Json(); };
+  return {{"integrator", hints.integrator.empty() ? Json() : Json(hints.integrator)},
+          {"max_depth", value_or_null(hints.max_depth)},
+          {"samples_per_pixel", value_or_null(hints.samples_per_pixel)},
+          {"sampler", value_or_null(hints.sampler)}};
+}
+
+/// What only the description knows, before the scene takes it.
+Json describe(const desc::SceneDesc& description, const std::string& name) {
+  Json json;
+  json["scene"] = name;
+  json["counts"] = Json::object();
+  json["lights"] = light_counts(description);
+  json["materials"] = material_counts(description);
+  json["media"] = Json::array();
+  for (const desc::Medium& medium : description.media) json["media"].push_back(medium.name);
+  json["camera"] = camera_json(description.camera);
+  const desc::Film& film = description.film;
+  json["film"] = {{"resolution", {film.resolution.x, film.resolution.y}},
+                  {"crop", {film.crop[0], film.crop[2], film.crop[1], film.crop[3]}},
+                  {"filter", kind_of(film.filter)},
+                  {"filter_radius", {film.filter.radius.x, film.filter.radius.y}},
+                  {"scale", film.scale},
+                  {"filename", film.filename}};
+  json["hints"] = hints_json(description.hints);
+  return json;
+}
+
+void add_built(const Scene& scene, Json& json) {
+  const SceneCounts& c = scene.counts();
+  json["counts"] = {{"triangles", c.triangles},     {"instanced_triangles", c.instanced_triangles},
+                    {"quadrics", c.quadrics},       {"curves", c.curves},
+                    {"instances", c.instances},     {"lights", c.lights},
+                    {"textures", c.textures},       {"materials", c.materials},
+                    {"media", json["media"].size()}};
+  const Box3& b = scene.bounds();
+  json["bounds"] = {{"min", {b.min.x, b.min.y, b.min.z}}, {"max", {b.max.x, b.max.y, b.max.z}}};
+  const Vec2i resolution = scene.film().resolution;
+  const Box2i whole(Vec2i(0, 0), resolution - Vec2i(1, 1));
+  json["memory"] = {
+      {"embree_bytes", c.embree_bytes},
+      {"film_bytes", film_bytes(whole, RenderSetup::kReplicates,
+                                {LayerSpec{.name = "direct"}, LayerSpec{.name = "indirect"}})},
+      {"peak_bytes", peak_memory_bytes()}};
+  json["hash"] = fmt::format("{:016x}", scene.hash());
+}
+
+std::string counts_text(const Json& counts) {
+  std::string text;
+  for (const auto& [name, count] : counts.items()) {
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count.get<std::size_t>(), name);
+  }
+  return text.empty() ? "none" : text;
+}
+
+std::string vector_text(const Json& v) {
+  return fmt::format("({:.6g}, {:.6g}, {:.6g})", v[0].get<double>(), v[1].get<double>(),
+                     v[2].get<double>());
+}
+
+void print_text(const Json& j) {
+  const auto line = [](const char* label, const std::string& text) {
+    fmt::print("{:<12}{}\n", label, text);
+  };
+  const Json& c = j["counts"];
+  const Json& film = j["film"];
+  const Json& hints = j["hints"];
+  const auto megabytes = [](const Json& bytes) {
+    return fmt::format("{:.1f} MB", 1e-6 * bytes.get<double>());
+  };
+  line("scene", j["scene"].get<std::string>());
+  line("triangles",
+       fmt::format("{} stored, {} with instances ({} instances)", c["triangles"].get<std::size_t>(),
+                   c["instanced_triangles"].get<std::size_t>(), c["instances"].get<std::size_t>()));
+  line("shapes", fmt::format("{} quadrics, {} curves", c["quadrics"].get<std::size_t>(),
+                             c["curves"].get<std::size_t>()));
+  line("lights", counts_text(j["lights"]));
+  line("materials", counts_text(j["materials"]));
+  line("textures", std::to_string(c["textures"].get<std::size_t>()));
+  line("media", std::to_string(j["media"].size()));
+  line("bounds", vector_text(j["bounds"]["min"]) + " to " + vector_text(j["bounds"]["max"]));
+  line("camera", j["camera"]["type"].get<std::string>() + " at " +
+                     vector_text(j["camera"]["position"]) + " towards " +
+                     vector_text(j["camera"]["direction"]));
+  line("film", fmt::format("{}x{}, {} filter", film["resolution"][0].get<int>(),
+                           film["resolution"][1].get<int>(), film["filter"].get<std::string>()));
+  line("asks for", fmt::format("integrator {}, depth {}, spp {}", hints["integrator"].dump(),
+                               hints["max_depth"].dump(), hints["samples_per_pixel"].dump()));
+  line("memory",
+       fmt::format("{} in Embree, {} film, {} peak so far", megabytes(j["memory"]["embree_bytes"]),
+                   megabytes(j["memory"]["film_bytes"]), megabytes(j["memory"]["peak_bytes"])));
+  line("loaded in", fmt::format("{:.2f} s, built in {:.2f} s", j["seconds"]["load"].get<double>(),
+                                j["seconds"]["build"].get<double>()));
+  line("warnings", std::to_string(j["warnings"].get<std::size_t>()));
+}
+
+}  // namespace
+
+int info(const InfoArguments& arguments) {
+  Warnings warnings;
+  const Stopwatch load_clock;
+  desc::SceneDesc description = load_scene(arguments.scene, warnings);
+  const double load_seconds = load_clock.seconds();
+  Json json = describe(description, arguments.scene);
+  const Stopwatch build_clock;
+  const Scene scene(std::move(description), BuildOptions{}, warnings);
+  json["seconds"] = {{"load", load_seconds}, {"build", build_clock.seconds()}};
+  add_built(scene, json);
+  json["warnings"] = warnings.count();
+  json["warning_messages"] = warnings.messages();
+  if (arguments.json) {
+    fmt::print("{}\n", json.dump(2, ' ', false, Json::error_handler_t::replace));
+  } else {
+    print_warnings(warnings, "all with --json");
+    print_text(json);
+  }
+  return 0;
+}
+
+}  // namespace ajar::cli

@@ -1,0 +1,33 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "apps/cli/commands.h"
+#include "core/error.h"
+#include "session/catalog.h"
+
+namespace ajar::cli {
+
+int list(const ListArguments& arguments) {
+  std::vector<std::string> kinds = catalog_kinds();
+  if (!arguments.kind.empty()) {
+    if (std::find(kinds.begin(), kinds.end(), arguments.kind) == kinds.end()) {
+      throw UsageError(unknown_name_message("kind of list", arguments.kind, kinds));
+    }
+    kinds = {arguments.kind};
+  }
+  nlohmann::ordered_json json = nlohmann::ordered_json::object();
+  std::string text;
+  for (const std::string& kind : kinds) {
+    if (arguments.json) {
+      json[kind] = catalog_json(kind);
+    } else {
+      text += (text.empty() ? "" : "\n") + catalog_text(kind);
+    }
+  }
+  fmt::print("{}", arguments.json ? json.dump(2) + "\n" : text);
+  return 0;
+}
+
+}  // namespace ajar::cli

@@ -1,0 +1,35 @@
+#include "apps/cli/messages.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+
+namespace ajar::cli {
+
+namespace {
+
+constexpr std::size_t kMaxPrinted = 20;
+
+void print(const char* kind, const std::string& text) {
+  fmt::print(stderr, "ajar: {}{}\n", kind, text);
+  std::fflush(stderr);
+}
+
+}  // namespace
+
+void print_error(const std::string& text) { print("error: ", text); }
+void print_warning(const std::string& text) { print("warning: ", text); }
+void print_note(const std::string& text) { print("", text); }
+
+void print_warnings(const Warnings& warnings, const std::string& where_more) {
+  const std::vector<std::string> messages = warnings.messages();
+  const std::size_t printed = std::min(kMaxPrinted, messages.size());
+  for (std::size_t i = 0; i < printed; ++i) print_warning(messages[i]);
+  if (warnings.count() > printed) {
+    print_warning(fmt::format("and {} more{}", warnings.count() - printed,
+                              where_more.empty() ? "" : " (" + where_more + ")"));
+  }
+}
+
+}  // namespace ajar::cli

@@ -1,0 +1,16 @@
+#pragma once
+#include <string>
+
+#include "core/error.h"
+
+/// Messages for people, on stderr; results go to stdout.
+namespace ajar::cli {
+
+void print_error(const std::string& text);
+void print_warning(const std::string& text);
+void print_note(const std::string& text);
+/// The first twenty, then how many there are besides. `where_more`: where the others can be found;
+/// may be empty.
+void print_warnings(const Warnings& warnings, const std::string& where_more);
+
+}  // namespace ajar::cli

@@ -1,0 +1,68 @@
+#include "core/error.h"
+
+#include <gtest/gtest.h>
+
+#include <thread>
+
+namespace ajar {
+namespace {
+
+TEST(SourceLocation, PrintsOnlyWhatIsKnown) {
+  const auto file = std::make_shared<const std::string>("room.pbrt");
+  EXPECT_EQ((SourceLocation{file, 12, 3}).to_string(), "room.pbrt:12:3");
+  EXPECT_EQ((SourceLocation{file, 12, 0}).to_string(), "room.pbrt:12");
+  EXPECT_EQ((SourceLocation{file, 0, 5}).to_string(), "room.pbrt");
+  EXPECT_EQ(SourceLocation{}.to_string(), "");
+}
+
+TEST(Errors, HaveTheExitCodesOfTheManual) {
+  EXPECT_EQ(UsageError("x").exit_code(), 2);
+  EXPECT_EQ(SceneError("x").exit_code(), 3);
+  EXPECT_EQ(IoError("x").exit_code(), 4);
+}
+
+TEST(Errors, SceneErrorStartsWithItsPlace) {
+  const SourceLocation where{std::make_shared<const std::string>("a.pbrt"), 2, 7};
+  EXPECT_STREQ(SceneError(where, "no camera").what(), "a.pbrt:2:7: no camera");
+}
+
+TEST(NearestName, FindsSmallSlips) {
+  const std::vector<std::string> names{"bdpt", "ibpt", "lt", "pt", "selective"};
+  EXPECT_EQ(nearest_name("bpdt", names), "bdpt");
+  EXPECT_EQ(nearest_name("selctive", names), "selective");
+  EXPECT_EQ(nearest_name("pt", names), "pt");
+}
+
+TEST(NearestName, SaysNothingWhenNothingIsNear) {
+  const std::vector<std::string> names{"selective", "path-space"};
+  EXPECT_EQ(nearest_name("zzzzzzz", names), "");
+}
+
+TEST(UnknownName, ListsTheValidOnes) {
+  const std::vector<std::string> names{"bdpt", "pt"};
+  EXPECT_EQ(unknown_name_message("integrator", "bpdt", names),
+            "unknown integrator \"bpdt\"; did you mean \"bdpt\"? Valid: bdpt, pt");
+}
+
+TEST(Warnings, CountsAllAndKeepsSome) {
+  Warnings warnings;
+  std::vector<std::thread> threads;
+  for (int t = 0; t < 4; ++t) {
+    threads.emplace_back([&warnings] {
+      for (int i = 0; i < 100; ++i) warnings.add("same text");
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  EXPECT_EQ(warnings.count(), 400U);
+  EXPECT_EQ(warnings.messages().size(), Warnings::kMaxKept);
+}
+
+TEST(Warnings, KeepsThePlace) {
+  Warnings warnings;
+  warnings.add({std::make_shared<const std::string>("a.pbrt"), 4, 1}, "unused parameter");
+  ASSERT_EQ(warnings.messages().size(), 1U);
+  EXPECT_EQ(warnings.messages()[0], "a.pbrt:4:1: unused parameter");
+}
+
+}  // namespace
+}  // namespace ajar

@@ -1,0 +1,134 @@
+#include "core/parameters.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <optional>
+#include <sstream>
+#include <stdexcept>
+
+#include "core/error.h"
+
+namespace ajar {
+
+namespace {
+
+template <typename Number>
+std::optional<Number> parse_number(std::string_view text) {
+  Number value{};
+  const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (status != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+std::optional<bool> parse_bool(std::string_view text) {
+  if (text == "true" || text == "on" || text == "yes" || text == "1") return true;
+  if (text == "false" || text == "off" || text == "no" || text == "0") return false;
+  return std::nullopt;
+}
+
+/// Short form of a bound for messages: 5 rather than 5.000000.
+std::string number_text(double value) {
+  std::ostringstream stream;
+  stream << value;
+  return stream.str();
+}
+
+std::string range_text(const ParameterSpec& spec) {
+  const bool has_minimum = spec.minimum > -1e300;
+  const bool has_maximum = spec.maximum < 1e300;
+  if (has_minimum && has_maximum) {
+    return "between " + number_text(spec.minimum) + " and " + number_text(spec.maximum);
+  }
+  return has_minimum ? "at least " + number_text(spec.minimum)
+                     : "at most " + number_text(spec.maximum);
+}
+
+[[noreturn]] void reject(const ParameterSpec& spec, const std::string& given,
+                         const std::string& expected) {
+  throw UsageError("parameter \"" + spec.name + "\" must be " + expected + ", not \"" + given +
+                   "\" (" + spec.help + ")");
+}
+
+void check_range(const ParameterSpec& spec, const std::string& given, double value) {
+  if (value < spec.minimum || value > spec.maximum) reject(spec, given, range_text(spec));
+}
+
+/// The value in the one spelling that the getters and the statistics use.
+std::string checked_value(const ParameterSpec& spec, const std::string& given) {
+  switch (spec.type) {
+    case ParameterType::Bool: {
+      const auto value = parse_bool(given);
+      if (!value) reject(spec, given, "true or false");
+      return *value ? "true" : "false";
+    }
+    case ParameterType::Int: {
+      const auto value = parse_number<int>(given);
+      if (!value) reject(spec, given, "a whole number");
+      check_range(spec, given, *value);
+      return std::to_string(*value);
+    }
+    case ParameterType::Float: {
+      const auto value = parse_number<double>(given);
+      if (!value || !std::isfinite(*value)) reject(spec, given, "a number");
+      check_range(spec, given, *value);
+      return given;
+    }
+    case ParameterType::Choice:
+      if (std::find(spec.choices.begin(), spec.choices.end(), given) == spec.choices.end()) {
+        throw UsageError(
+            unknown_name_message("value of parameter " + spec.name, given, spec.choices));
+      }
+      return given;
+    case ParameterType::Text:
+      return given;
+  }
+  return given;
+}
+
+const std::string& value_of(const std::map<std::string, std::string, std::less<>>& values,
+                            std::string_view name) {
+  const auto found = values.find(name);
+  if (found == values.end()) {
+    throw std::logic_error("parameter \"" + std::string(name) + "\" is not declared");
+  }
+  return found->second;
+}
+
+}  // namespace
+
+Parameters::Parameters(std::span<const ParameterSpec> specs,
+                       const std::map<std::string, std::string>& given) {
+  std::vector<std::string> names;
+  names.reserve(specs.size());
+  for (const ParameterSpec& spec : specs) names.push_back(spec.name);
+  for (const auto& [name, value] : given) {
+    if (std::find(names.begin(), names.end(), name) == names.end()) {
+      throw UsageError(names.empty() ? "unknown parameter \"" + name + "\": there are none to set"
+                                     : unknown_name_message("parameter", name, names));
+    }
+  }
+  for (const ParameterSpec& spec : specs) {
+    const auto found = given.find(spec.name);
+    values_[spec.name] =
+        checked_value(spec, found == given.end() ? spec.default_value : found->second);
+  }
+}
+
+bool Parameters::get_bool(std::string_view name) const {
+  return parse_bool(value_of(values_, name)).value();
+}
+
+int Parameters::get_int(std::string_view name) const {
+  return parse_number<int>(value_of(values_, name)).value();
+}
+
+double Parameters::get_float(std::string_view name) const {
+  return parse_number<double>(value_of(values_, name)).value();
+}
+
+const std::string& Parameters::get_text(std::string_view name) const {
+  return value_of(values_, name);
+}
+
+}  // namespace ajar

@@ -1,0 +1,83 @@
+#include "core/parameters.h"
+
+#include <gtest/gtest.h>
+
+#include "core/error.h"
+
+namespace ajar {
+namespace {
+
+std::vector<ParameterSpec> specs() {
+  return {
+      {"roulette", ParameterType::Bool, "true", "", "end dark paths early", {}},
+      {"chains", ParameterType::Int, "8", "", "number of chains", {}, 1, 64},
+      {"sigma", ParameterType::Float, "0.5", "px", "size of small steps", {}, 0.0, 1.0},
+      {"heuristic", ParameterType::Choice, "power", "", "MIS", {"balance", "power"}},
+      {"label", ParameterType::Text, "", "", "free text", {}},
+  };
+}
+
+std::string message_of(const std::map<std::string, std::string>& given) {
+  try {
+    const auto declared = specs();
+    const Parameters parameters(declared, given);
+  } catch (const UsageError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Parameters, DefaultsFillWhatIsNotGiven) {
+  const auto declared = specs();
+  const Parameters parameters(declared, {{"chains", "12"}});
+  EXPECT_TRUE(parameters.get_bool("roulette"));
+  EXPECT_EQ(parameters.get_int("chains"), 12);
+  EXPECT_EQ(parameters.get_float("sigma"), 0.5);
+  EXPECT_EQ(parameters.get_text("heuristic"), "power");
+  EXPECT_EQ(parameters.get_text("label"), "");
+  EXPECT_EQ(parameters.values().size(), declared.size());
+}
+
+TEST(Parameters, BooleansHaveOneSpellingInside) {
+  const auto declared = specs();
+  for (const char* no : {"false", "off", "no", "0"}) {
+    const Parameters parameters(declared, {{"roulette", no}});
+    EXPECT_FALSE(parameters.get_bool("roulette")) << no;
+    EXPECT_EQ(parameters.values().at("roulette"), "false") << no;
+  }
+}
+
+TEST(Parameters, UnknownNameSuggestsTheNearestAndListsAll) {
+  const std::string message = message_of({{"chain", "1"}});
+  EXPECT_NE(message.find("did you mean \"chains\""), std::string::npos) << message;
+  for (const auto& spec : specs()) {
+    EXPECT_NE(message.find(spec.name), std::string::npos) << message;
+  }
+}
+
+TEST(Parameters, WrongTypesAreUsageErrors) {
+  EXPECT_NE(message_of({{"chains", "many"}}).find("whole number"), std::string::npos);
+  EXPECT_NE(message_of({{"chains", "1.5"}}).find("whole number"), std::string::npos);
+  EXPECT_NE(message_of({{"chains", ""}}).find("whole number"), std::string::npos);
+  EXPECT_NE(message_of({{"sigma", "nan"}}).find("a number"), std::string::npos);
+  EXPECT_NE(message_of({{"sigma", "0.5x"}}).find("a number"), std::string::npos);
+  EXPECT_NE(message_of({{"roulette", "maybe"}}).find("true or false"), std::string::npos);
+  EXPECT_NE(message_of({{"heuristic", "powr"}}).find("did you mean \"power\""), std::string::npos);
+}
+
+TEST(Parameters, RangeIsInclusiveAndChecked) {
+  EXPECT_EQ(message_of({{"chains", "1"}}), "");
+  EXPECT_EQ(message_of({{"chains", "64"}}), "");
+  EXPECT_NE(message_of({{"chains", "0"}}).find("between 1 and 64"), std::string::npos);
+  EXPECT_NE(message_of({{"chains", "65"}}).find("between 1 and 64"), std::string::npos);
+  EXPECT_NE(message_of({{"sigma", "-0.1"}}).find("between 0 and 1"), std::string::npos);
+}
+
+TEST(Parameters, AskingForAnUndeclaredNameIsAProgrammingError) {
+  const auto declared = specs();
+  const Parameters parameters(declared, {});
+  EXPECT_THROW(parameters.get_int("absent"), std::logic_error);
+}
+
+}  // namespace
+}  // namespace ajar

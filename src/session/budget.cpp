@@ -1,0 +1,58 @@
+#include "session/budget.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace ajar {
+
+namespace {
+
+std::uint64_t round_up(std::uint64_t value, std::uint64_t multiple) {
+  return (value + multiple - 1) / multiple * multiple;
+}
+
+}  // namespace
+
+PassSchedule::PassSchedule(const Budget& budget, int replicates, double pass_seconds)
+    : budget_(budget),
+      replicates_(static_cast<std::uint64_t>(std::max(1, replicates))),
+      pass_seconds_(pass_seconds) {
+  const std::uint64_t wanted = budget.samples_per_pixel.value_or(kMaxSamples);
+  total_ = round_up(std::min(wanted, kMaxSamples), replicates_);
+}
+
+std::uint64_t PassSchedule::milestone_after(std::uint64_t samples) const {
+  for (std::uint64_t base = replicates_;; base *= 2) {
+    if (base > samples) return base;
+    // Half-way marks start at 3 = 1.5 · 2 samples per replicate, the first that is whole.
+    const std::uint64_t half_way = base + base / 2;
+    if (base > replicates_ && half_way > samples) return half_way;
+  }
+}
+
+bool PassSchedule::is_milestone(std::uint64_t samples) const {
+  return samples == total_ || (samples > 0 && milestone_after(samples - 1) == samples);
+}
+
+std::uint64_t PassSchedule::next_pass(const PassHistory& history) const {
+  if (history.samples_done >= total_) return 0;
+  const std::uint64_t most =
+      std::min(milestone_after(history.samples_done), total_) - history.samples_done;
+  if (history.samples_done == 0) return most;
+
+  double affordable_seconds = pass_seconds_;
+  if (budget_.seconds) {
+    const double left = *budget_.seconds - history.seconds;
+    const double shortest_pass = static_cast<double>(replicates_) * history.seconds_per_sample;
+    // Ends nearest to the limit: a pass that would mostly lie beyond it is not begun.
+    if (left <= 0.0 || left < 0.5 * shortest_pass) return 0;
+    affordable_seconds = std::min(affordable_seconds, left);
+  }
+  if (history.seconds_per_sample * static_cast<double>(most) <= affordable_seconds) return most;
+  const double affordable = std::floor(affordable_seconds / history.seconds_per_sample);
+  const auto whole = static_cast<std::uint64_t>(affordable) / replicates_ * replicates_;
+  return std::clamp(whole, replicates_, most);
+}
+
+}  // namespace ajar

@@ -1,0 +1,54 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+
+namespace ajar {
+
+/// When a render ends: at whichever limit is reached first. With none, it ends only when
+/// interrupted.
+struct Budget {
+  std::optional<std::uint64_t> samples_per_pixel;  ///< rounded up to whole samples per replicate
+  std::optional<double> seconds;                   ///< of rendering, wall clock
+  std::optional<double> target_error;              ///< relative error of the whole picture
+};
+
+/// What is known when the next pass is planned.
+struct PassHistory {
+  std::uint64_t samples_done = 0;   ///< per pixel
+  double seconds = 0.0;             ///< since the render began
+  double seconds_per_sample = 0.0;  ///< of the latest pass, per sample per pixel
+};
+
+/// Cuts a render into passes. Every pass adds the same number of samples to each replicate, so that
+/// replicates stay equally good. *Milestones* (1, 2, 3, 4, 6, 8, 12, 16, … samples per replicate)
+/// depend on nothing but the replicate count; decisions that look at the picture are taken only
+/// there, so that they are the same on any machine. Between milestones the clock decides how the
+/// samples are cut into passes: short passes keep the program responsive, and cutting does not
+/// change the sums.
+class PassSchedule {
+ public:
+  /// Largest number of samples per pixel: sample indices have 32 bits.
+  static constexpr std::uint64_t kMaxSamples = std::uint64_t{1} << 31;
+
+  /// `pass_seconds`: how long a pass should take at most; the smallest possible pass may take
+  /// longer.
+  PassSchedule(const Budget& budget, int replicates, double pass_seconds);
+
+  /// Samples per pixel of the next pass; 0 if the samples or the seconds are used up.
+  std::uint64_t next_pass(const PassHistory& history) const;
+  /// Samples per pixel at which the render ends: the budget, rounded up to a multiple of the
+  /// replicates.
+  std::uint64_t total() const { return total_; }
+  /// True if samples per pixel `samples` is a milestone or the end.
+  bool is_milestone(std::uint64_t samples) const;
+
+ private:
+  std::uint64_t milestone_after(std::uint64_t samples) const;
+
+  Budget budget_;
+  std::uint64_t replicates_;
+  double pass_seconds_;
+  std::uint64_t total_;
+};
+
+}  // namespace ajar

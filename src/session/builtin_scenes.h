@@ -1,0 +1,32 @@
+#pragma once
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ajar {
+
+/// A file that is part of a built-in scene. The bytes live as long as the program.
+struct EmbeddedFile {
+  std::string_view scene;  ///< name of the scene, e.g. "cornell"
+  std::string_view path;   ///< inside the folder of the scene, e.g. "scene.pbrt"
+  std::string_view bytes;
+};
+
+/// All files embedded in the program (see cmake/embed_scenes.cmake), sorted by scene, then path.
+std::span<const EmbeddedFile> embedded_files();
+
+/// Names of the built-in scenes, sorted.
+std::vector<std::string> builtin_scene_names();
+
+/// What follows "# about:" in the first lines of a scene's file: one line for lists.
+std::string builtin_scene_summary(std::string_view scene);
+
+/// A file of a built-in scene; empty if there is none. `path` may begin with "./" or with the
+/// scene's base folder
+/// ("builtin:NAME/").
+std::optional<std::string_view> builtin_file(std::string_view scene, std::string_view path);
+
+}  // namespace ajar

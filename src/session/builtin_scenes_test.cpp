@@ -1,0 +1,56 @@
+#include "session/builtin_scenes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+
+#include "session/scene_file.h"
+
+namespace ajar {
+namespace {
+
+TEST(BuiltinScenes, AreByteForByteTheFilesOfTheRepository) {
+  ASSERT_FALSE(embedded_files().empty());
+  for (const EmbeddedFile& file : embedded_files()) {
+    const std::string path = std::string(AJAR_SOURCE_DIR) + "/scenes/" + std::string(file.scene) +
+                             "/" + std::string(file.path);
+    std::ifstream stream(path, std::ios::binary);
+    std::ostringstream content;
+    content << stream.rdbuf();
+    EXPECT_TRUE(content.str() == file.bytes) << path;
+  }
+}
+
+TEST(BuiltinScenes, HaveASummary) {
+  const std::vector<std::string> names = builtin_scene_names();
+  EXPECT_TRUE(std::find(names.begin(), names.end(), "cornell") != names.end());
+  for (const std::string& name : names) EXPECT_NE(builtin_scene_summary(name), "") << name;
+}
+
+TEST(BuiltinScenes, FilesAreFoundByAnySpellingOfTheirPath) {
+  const auto bytes = builtin_file("cornell", "scene.pbrt");
+  ASSERT_TRUE(bytes.has_value());
+  EXPECT_EQ(builtin_file("cornell", "./scene.pbrt"), bytes);
+  EXPECT_EQ(builtin_file("cornell", "meshes/../scene.pbrt"), bytes);
+  EXPECT_EQ(builtin_file("cornell", "builtin:cornell/scene.pbrt"), bytes);
+  EXPECT_FALSE(builtin_file("cornell", "absent.ply").has_value());
+  EXPECT_FALSE(builtin_file("absent", "scene.pbrt").has_value());
+}
+
+TEST(SceneStem, NamesPicturesAfterTheScene) {
+  EXPECT_EQ(scene_stem("builtin:cornell"), "cornell");
+  EXPECT_EQ(scene_stem("/scenes/room.pbrt"), "room");
+  EXPECT_EQ(scene_stem("/scenes/kitchen/scene.pbrt"), "kitchen");
+}
+
+TEST(LoadScene, SaysWhatIsWrongWithTheName) {
+  Warnings warnings;
+  EXPECT_THROW(load_scene("builtin:cornel", warnings), UsageError);
+  EXPECT_THROW(load_scene("/no/such/file.pbrt", warnings), IoError);
+  EXPECT_THROW(load_scene("/", warnings), IoError);
+}
+
+}  // namespace
+}  // namespace ajar

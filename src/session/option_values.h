@@ -1,0 +1,48 @@
+#pragma once
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/vector.h"
+
+/// Values of command-line options. Each function raises UsageError that names the option and shows
+/// how to write it.
+namespace ajar {
+
+/// `60`, `60s`, `2m`, `1.5h`, `1h30m` → seconds, > 0.
+double parse_duration(const std::string& option, std::string_view text);
+
+/// `640x480` → width and height, each 1…65536.
+Vec2i parse_resolution(const std::string& option, std::string_view text);
+
+/// `MIN:MAX`, `MIN:`, `:MAX` or `MAX`: path edges, 1 ≤ MIN ≤ MAX ≤ 1000; what is left out is empty.
+struct DepthRange {
+  std::optional<int> minimum;
+  std::optional<int> maximum;
+};
+DepthRange parse_depth(const std::string& option, std::string_view text);
+
+/// `x0,y0,x1,y1`, from the top left corner, x1 and y1 exclusive. Fractions of the picture if all
+/// four numbers are at most 1, else whole pixels.
+struct CropWindow {
+  std::array<double, 4> values{};
+  bool fractions = true;
+};
+CropWindow parse_crop(const std::string& option, std::string_view text);
+/// Pixels of a picture of that resolution, max inclusive. A pixel belongs to a fractional window if
+/// pbrt-v3 would give it to it: from ceil(resolution · min) to ceil(resolution · max) − 1. Raises
+/// UsageError if none is inside.
+Box2i crop_pixels(const std::string& option, const CropWindow& crop, Vec2i resolution);
+
+/// `KEY=VALUE` pairs; a key that is given twice keeps the last value.
+std::map<std::string, std::string> parse_assignments(const std::string& option,
+                                                     const std::vector<std::string>& texts);
+
+/// `a,b,c` → the names, without empty ones and repetitions.
+std::vector<std::string> parse_list(std::string_view text);
+
+}  // namespace ajar

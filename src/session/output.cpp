@@ -1,0 +1,189 @@
+#include "session/output.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <exception>
+#include <filesystem>
+#include <functional>
+#include <system_error>
+#include <utility>
+
+#include "core/error.h"
+#include "image/statistics.h"
+
+namespace ajar {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+int require_layer(const Film& film, const std::string& name) {
+  const int layer = film.layer(name);
+  if (layer < 0) throw UsageError("this integrator does not make the AOV \"" + name + "\"");
+  return layer;
+}
+
+/// The layers that add up to the picture.
+std::vector<int> light_layers(const Film& film) {
+  return {require_layer(film, "direct"), require_layer(film, "indirect")};
+}
+
+bool is_light(const std::string& name) { return name == "direct" || name == "indirect"; }
+
+std::vector<double> replicate_scales(const Film& film, const Integrator& integrator,
+                                     std::uint64_t samples, double film_scale) {
+  std::vector<double> scales;
+  for (int r = 0; r < film.replicates(); ++r) {
+    scales.push_back(film_scale * integrator.develop_scale(samples, r));
+  }
+  return scales;
+}
+
+/// Layers whose three channels are one number.
+bool is_single_number(const std::string& name) {
+  return name == "depth" || name == "object-id" || name == "material-id";
+}
+
+Picture::Layer one_channel(const Picture::Layer& layer) {
+  Picture::Layer single{layer.name, 1, std::vector<float>(layer.pixels.size() / 3)};
+  for (std::size_t i = 0; i < single.pixels.size(); ++i) single.pixels[i] = layer.pixels[3 * i];
+  return single;
+}
+
+LayeredImage layered_image(const Picture& picture) {
+  LayeredImage image{picture.resolution, picture.crop, {}, {}};
+  for (const Picture::Layer& layer : picture.layers) {
+    image.layers.push_back({layer.name, layer.channels, layer.pixels});
+  }
+  for (const auto& [name, value] : picture.metadata) image.metadata[name] = value;
+  return image;
+}
+
+/// Where a file goes if it cannot go to `path`: never onto a file that exists.
+std::vector<std::string> rescue_paths(const std::string& path) {
+  const fs::path wanted(path);
+  const std::string name =
+      fmt::format("{}-rescued-{}{}", wanted.stem().string(), getpid(), wanted.extension().string());
+  std::error_code error;
+  return {name, (fs::temp_directory_path(error) / name).string()};
+}
+
+WrittenFile write_or_rescue(const LayeredImage& picture, const std::string& path,
+                            const DisplayOptions& display) {
+  WrittenFile result{path, path, {}};
+  try {
+    write_image(path, picture, display);
+    return result;
+  } catch (const std::exception& error) {
+    result.error = error.what();
+  }
+  for (const std::string& rescue : rescue_paths(path)) {
+    try {
+      write_image(rescue, picture, display);
+      result.path = rescue;
+      return result;
+    } catch (const std::exception&) {
+      // The first reason is the one to tell; the next place may still work.
+      continue;
+    }
+  }
+  result.path.clear();
+  return result;
+}
+
+}  // namespace
+
+Picture develop(const Film& film, const Integrator& integrator, std::uint64_t samples,
+                double film_scale, const std::vector<std::string>& aovs) {
+  Picture picture;
+  picture.resolution = film.resolution();
+  picture.crop = film.crop();
+  const double scale = integrator.develop_scale(samples, std::nullopt);
+  picture.layers.push_back({"", 3, {}});
+  std::vector<float> sum;
+  for (std::size_t i = 0; i < film.layers().size(); ++i) {
+    const LayerSpec& spec = film.layers()[i];
+    const bool light = is_light(spec.name);
+    const double layer_scale = spec.per_sample ? (light ? film_scale : 1.0) * scale : 1.0;
+    Picture::Layer layer{spec.name, 3, film.develop(static_cast<int>(i), layer_scale)};
+    if (light) {
+      sum.resize(layer.pixels.size());
+      std::transform(sum.begin(), sum.end(), layer.pixels.begin(), sum.begin(), std::plus<>());
+    }
+    picture.layers.push_back(is_single_number(spec.name) ? one_channel(layer) : layer);
+  }
+  for (const std::string& name : aovs) {
+    if (name == "samples") {
+      picture.layers.push_back(
+          {name, 1, std::vector<float>(sum.size() / 3, static_cast<float>(samples))});
+    } else if (name == "standard-error" && film.replicates() > 1) {
+      const std::vector<double> scales = replicate_scales(film, integrator, samples, film_scale);
+      picture.layers.push_back(
+          {name, 3, standard_error(develop_replicates(film, light_layers(film), scales))});
+    }
+  }
+  picture.layers.front().pixels = std::move(sum);
+  return picture;
+}
+
+std::optional<double> estimate_error(const Film& film, const Integrator& integrator,
+                                     std::uint64_t samples) {
+  if (film.replicates() < 2 || samples < static_cast<std::uint64_t>(film.replicates())) {
+    return std::nullopt;
+  }
+  const std::vector<int> layers = light_layers(film);
+  const std::vector<double> scales = replicate_scales(film, integrator, samples, 1.0);
+  const double error = estimated_relative_error(film, layers, scales);
+  return std::isfinite(error) ? std::optional(error) : std::nullopt;
+}
+
+std::vector<std::string> default_outputs(const std::string& film_filename,
+                                         const std::string& scene) {
+  // Only the name: a scene of somebody else may name folders that do not exist here.
+  std::string stem = fs::path(film_filename).stem().string();
+  if (stem.empty()) stem = scene;
+  return {stem + ".exr", stem + ".png"};
+}
+
+void check_writable(const std::string& path) {
+  std::error_code error;
+  if (path.empty()) throw UsageError("a file name is empty");
+  if (fs::is_directory(path, error)) throw IoError(path + ": is a folder");
+  fs::path folder = fs::path(path).parent_path();
+  if (folder.empty()) folder = ".";
+  if (!fs::is_directory(folder, error)) {
+    throw IoError(path + ": the folder " + folder.string() + " does not exist");
+  }
+  // Only an attempt tells: rights, read-only file systems and quotas all count.
+  const std::string probe = (folder / fmt::format(".ajar-probe-{}", getpid())).string();
+  const int file = open(probe.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0600);
+  if (file < 0) {
+    throw IoError(path + ": cannot write into the folder " + folder.string() + ": " +
+                  std::strerror(errno));
+  }
+  close(file);
+  unlink(probe.c_str());
+}
+
+void check_picture_paths(const std::vector<std::string>& paths) {
+  for (const std::string& path : paths) check_image_extension(path);
+  for (const std::string& path : paths) check_writable(path);
+}
+
+std::vector<WrittenFile> write_pictures(const Picture& picture,
+                                        const std::vector<std::string>& paths,
+                                        const DisplayOptions& display) {
+  std::vector<WrittenFile> files;
+  files.reserve(paths.size());
+  const LayeredImage image = layered_image(picture);
+  for (const std::string& path : paths) files.push_back(write_or_rescue(image, path, display));
+  return files;
+}
+
+}  // namespace ajar

@@ -1,0 +1,61 @@
+#pragma once
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/vector.h"
+#include "image/film.h"
+#include "image/image_file.h"
+#include "integrator/integrator.h"
+
+namespace ajar {
+
+/// A developed picture: what goes into files.
+struct Picture {
+  struct Layer {
+    std::string name;  ///< "" for the picture itself
+    int channels = 3;
+    std::vector<float> pixels;  ///< scene-linear, row by row, crop only, channels interleaved
+  };
+  Vec2i resolution{0, 0};     ///< of the full image
+  Box2i crop;                 ///< inclusive; the pixels that exist
+  std::vector<Layer> layers;  ///< the first is the picture
+  std::map<std::string, std::string> metadata;
+};
+
+/// Develops the film after `samples` samples per pixel: the picture (direct + indirect) times
+/// `film_scale`, then every layer of the film, then those of `aovs` that are made here: "samples"
+/// and "standard-error".
+Picture develop(const Film& film, const Integrator& integrator, std::uint64_t samples,
+                double film_scale, const std::vector<std::string>& aovs);
+
+/// Relative error of the whole picture after `samples` samples per pixel, from the spread of the
+/// film's replicates (METHODS, section 8); empty with a single replicate.
+std::optional<double> estimate_error(const Film& film, const Integrator& integrator,
+                                     std::uint64_t samples);
+
+/// The pictures to write when none is named: an EXR and a PNG in the current folder, called like
+/// the film's file name or, if it has none, like the scene.
+std::vector<std::string> default_outputs(const std::string& film_filename,
+                                         const std::string& scene);
+
+/// To be called before rendering. Raises UsageError for an extension that cannot be written and
+/// IoError if a file cannot be made in its folder.
+void check_picture_paths(const std::vector<std::string>& paths);
+/// Raises IoError if no file can be made at `path`.
+void check_writable(const std::string& path);
+
+/// What became of one file.
+struct WrittenFile {
+  std::string path;    ///< where it is now; empty if it is nowhere
+  std::string wanted;  ///< where it should be
+  std::string error;   ///< why it is not there; empty if it is
+};
+/// Writes each file (kind by extension, see `write_image`); one that cannot be written at its place
+/// is written as `NAME-rescued.EXT` into the current or the temporary folder. Raises nothing.
+std::vector<WrittenFile> write_pictures(const Picture& picture,
+                                        const std::vector<std::string>& paths,
+                                        const DisplayOptions& display);
+
+}  // namespace ajar

@@ -1,0 +1,114 @@
+#include "session/output.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "core/error.h"
+#include "session/test_integrator.h"
+
+namespace ajar {
+namespace {
+
+namespace fs = std::filesystem;
+
+const Vec2i kSize(4, 3);
+
+/// A folder of its own that is gone after the test; the current folder meanwhile.
+class OutputTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    previous_ = fs::current_path();
+    folder_ = fs::temp_directory_path() / ("ajar-output-test-" + std::to_string(getpid()));
+    fs::create_directories(folder_);
+    fs::current_path(folder_);
+  }
+  void TearDown() override {
+    fs::current_path(previous_);
+    fs::remove_all(folder_);
+  }
+  fs::path previous_, folder_;
+};
+
+Film rendered_film(const TestIntegrator& integrator, std::uint64_t samples) {
+  Film film(kSize, Box2i(Vec2i(0, 0), kSize - Vec2i(1, 1)), Filter::box(), 4, integrator.layers());
+  Counters counters;
+  for (std::uint64_t i = 0; i < integrator.items_in_pass(); ++i) {
+    integrator.run_item(i, 0, samples, film, counters);
+  }
+  return film;
+}
+
+TEST_F(OutputTest, PictureIsTheMeanOfSamplesTimesTheFilmScale) {
+  const TestIntegrator integrator(kSize, 4);
+  const Film film = rendered_film(integrator, 8);
+  const Picture picture = develop(film, integrator, 8, 3.0, {"samples", "standard-error"});
+  double mean = 0.25;
+  for (std::uint64_t i = 0; i < 8; ++i) mean += TestIntegrator::value(5, i) / 8.0;
+  ASSERT_EQ(picture.layers.size(), 5U);
+  EXPECT_EQ(picture.layers[0].name, "");
+  EXPECT_NEAR(picture.layers[0].pixels.at(15), 3.0 * mean, 1e-5);
+  EXPECT_EQ(picture.layers[1].name, "direct");
+  EXPECT_NEAR(picture.layers[1].pixels.at(15), 3.0 * (mean - 0.25), 1e-5);
+  EXPECT_EQ(picture.layers[3].name, "samples");
+  EXPECT_EQ(picture.layers[3].pixels, std::vector<float>(12, 8.F));
+}
+
+TEST_F(OutputTest, StandardErrorComesFromTheReplicates) {
+  const TestIntegrator integrator(kSize, 4);
+  const Film film = rendered_film(integrator, 4);
+  const Picture picture = develop(film, integrator, 4, 1.0, {"standard-error"});
+  double mean = 0.0;
+  double squares = 0.0;
+  for (std::uint64_t i = 0; i < 4; ++i) mean += TestIntegrator::value(2, i) / 4.0;
+  for (std::uint64_t i = 0; i < 4; ++i) squares += std::pow(TestIntegrator::value(2, i) - mean, 2);
+  ASSERT_EQ(picture.layers.back().name, "standard-error");
+  EXPECT_NEAR(picture.layers.back().pixels.at(6), std::sqrt(squares / 12.0), 1e-5);
+  EXPECT_GT(estimate_error(film, integrator, 4).value(), 0.0);
+}
+
+TEST_F(OutputTest, DefaultsAreInTheCurrentFolder) {
+  EXPECT_EQ(default_outputs("renders/far/away.png", "room"),
+            (std::vector<std::string>{"away.exr", "away.png"}));
+  EXPECT_EQ(default_outputs("", "room"), (std::vector<std::string>{"room.exr", "room.png"}));
+}
+
+TEST_F(OutputTest, ImpossiblePathsAreFoundBeforeRendering) {
+  EXPECT_NO_THROW(check_picture_paths({"a.exr", "b.png", "c.pfm", "d.hdr", "e.jpg"}));
+  EXPECT_TRUE(fs::is_empty(folder_)) << "the check leaves nothing behind";
+  EXPECT_THROW(check_picture_paths({"a.exe"}), UsageError);
+  EXPECT_THROW(check_picture_paths({"no/such/folder/a.exr"}), IoError);
+  fs::create_directory("folder.exr");
+  EXPECT_THROW(check_picture_paths({"folder.exr"}), IoError);
+}
+
+TEST_F(OutputTest, WritesWhatWasAskedFor) {
+  const TestIntegrator integrator(kSize, 4);
+  const Picture picture = develop(rendered_film(integrator, 4), integrator, 4, 1.0, {});
+  const auto files = write_pictures(picture, {"a.exr", "a.png"}, {});
+  ASSERT_EQ(files.size(), 2U);
+  for (const WrittenFile& file : files) {
+    EXPECT_EQ(file.error, "");
+    EXPECT_TRUE(fs::exists(file.path));
+  }
+  const Image image = read_image("a.exr");
+  EXPECT_EQ(image.width, 4);
+  EXPECT_EQ(image.rgb(), picture.layers[0].pixels);
+}
+
+TEST_F(OutputTest, APictureThatCannotBeWrittenIsRescued) {
+  const TestIntegrator integrator(kSize, 4);
+  const Picture picture = develop(rendered_film(integrator, 4), integrator, 4, 1.0, {});
+  // The folder vanishes while the render runs.
+  const auto files = write_pictures(picture, {"gone/a.exr"}, {});
+  ASSERT_EQ(files.size(), 1U);
+  EXPECT_NE(files[0].error, "");
+  EXPECT_NE(files[0].path, "gone/a.exr");
+  ASSERT_FALSE(files[0].path.empty());
+  EXPECT_EQ(read_image(files[0].path).rgb(), picture.layers[0].pixels);
+}
+
+}  // namespace
+}  // namespace ajar

@@ -1,0 +1,232 @@
+#include "session/progress.h"
+
+#include <fmt/format.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <utility>
+#include <vector>
+
+#include "core/error.h"
+
+namespace ajar {
+
+namespace {
+
+using namespace std::chrono_literals;
+
+double samples_per_second(const RenderSnapshot& s) {
+  return s.seconds > 0.0 ? s.samples_done / s.seconds : 0.0;
+}
+
+double rays_per_second(const RenderSnapshot& s) {
+  return s.seconds > 0.0 ? static_cast<double>(s.rays) / s.seconds : 0.0;
+}
+
+/// Seconds the whole render will have taken when `limit` (a part of the budget) is reached.
+std::vector<double> expected_totals(const RenderSnapshot& s) {
+  std::vector<double> totals;
+  if (s.budget.seconds) totals.push_back(*s.budget.seconds);
+  const double rate = samples_per_second(s);
+  if (rate <= 0.0) return totals;
+  if (s.total_samples > 0) totals.push_back(static_cast<double>(s.total_samples) / rate);
+  if (s.budget.target_error && s.relative_error && *s.budget.target_error > 0.0) {
+    const double ratio = *s.relative_error / *s.budget.target_error;
+    totals.push_back(static_cast<double>(s.error_samples) * ratio * ratio / rate);
+  }
+  return totals;
+}
+
+std::string samples_text(const RenderSnapshot& s) {
+  const auto done = static_cast<std::uint64_t>(s.samples_done);
+  return s.total_samples > 0 ? fmt::format("{}/{} spp", done, s.total_samples)
+                             : fmt::format("{} spp", done);
+}
+
+std::string error_text(const RenderSnapshot& s) {
+  return s.relative_error ? fmt::format("error {:.2g} %", 100.0 * *s.relative_error)
+                          : std::string();
+}
+
+std::string left_text(const RenderSnapshot& s) {
+  if (s.finishing) return "finishing the pass";
+  const std::optional<double> left = seconds_left(s);
+  return left ? clock_text(*left) + " left" : std::string();
+}
+
+std::string joined(const std::vector<std::string>& parts, const char* separator) {
+  std::string text;
+  for (const std::string& part : parts) {
+    if (part.empty()) continue;
+    if (!text.empty()) text += separator;
+    text += part;
+  }
+  return text;
+}
+
+nlohmann::ordered_json optional_json(const std::optional<double>& value) {
+  return value && std::isfinite(*value) ? nlohmann::ordered_json(*value) : nlohmann::ordered_json();
+}
+
+int terminal_columns() {
+  winsize size{};
+  if (ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0) return size.ws_col;
+  return 80;
+}
+
+void write_line(const std::string& text) {
+  std::fwrite(text.data(), 1, text.size(), stderr);
+  std::fflush(stderr);
+}
+
+std::chrono::milliseconds interval(ProgressStyle style) {
+  switch (style) {
+    case ProgressStyle::Bar:
+      return 150ms;
+    case ProgressStyle::Plain:
+      return 5s;
+    default:
+      return 1s;
+  }
+}
+
+}  // namespace
+
+ProgressStyle progress_style(const std::string& name, bool is_terminal) {
+  if (name == "auto") return is_terminal ? ProgressStyle::Bar : ProgressStyle::Plain;
+  if (name == "plain") return ProgressStyle::Plain;
+  if (name == "json") return ProgressStyle::Json;
+  if (name == "none") return ProgressStyle::None;
+  const std::vector<std::string> valid{"auto", "plain", "json", "none"};
+  throw UsageError(unknown_name_message("kind of progress", name, valid));
+}
+
+std::optional<double> seconds_left(const RenderSnapshot& snapshot) {
+  const std::vector<double> totals = expected_totals(snapshot);
+  if (totals.empty()) return std::nullopt;
+  return std::max(0.0, *std::min_element(totals.begin(), totals.end()) - snapshot.seconds);
+}
+
+std::optional<double> fraction_done(const RenderSnapshot& snapshot) {
+  const std::optional<double> left = seconds_left(snapshot);
+  if (!left) return std::nullopt;
+  const double total = snapshot.seconds + *left;
+  return total > 0.0 ? snapshot.seconds / total : 1.0;
+}
+
+std::string clock_text(double seconds) {
+  const auto whole = static_cast<long long>(std::clamp(seconds, 0.0, 1e12) + 0.5);
+  const long long hours = whole / 3600;
+  const long long minutes = whole / 60 % 60;
+  return hours > 0 ? fmt::format("{}:{:02}:{:02}", hours, minutes, whole % 60)
+                   : fmt::format("{}:{:02}", minutes, whole % 60);
+}
+
+std::string short_number(double value) {
+  const std::pair<double, const char*> units[] = {
+      {1e12, " T"}, {1e9, " G"}, {1e6, " M"}, {1e3, " k"}};
+  for (const auto& [size, name] : units) {
+    if (value >= size) return fmt::format("{:.3g}{}", value / size, name);
+  }
+  return fmt::format("{:.3g}", value);
+}
+
+std::string bar_line(const RenderSnapshot& snapshot, int columns) {
+  const std::optional<double> fraction = fraction_done(snapshot);
+  const std::string percent =
+      fraction ? fmt::format("{:3.0f} %", std::floor(100.0 * *fraction)) : std::string();
+  const std::string numbers =
+      joined({percent, samples_text(snapshot), short_number(rays_per_second(snapshot)) + " rays/s",
+              error_text(snapshot), clock_text(snapshot.seconds), left_text(snapshot)},
+             " · ");
+  // "·" is one column but two bytes.
+  const auto dots = std::count(numbers.begin(), numbers.end(), '\xC2');
+  const int width = static_cast<int>(numbers.size()) - static_cast<int>(dots);
+  const int room = columns - width - 4;
+  if (!fraction || room < 8) {
+    return width < columns ? numbers
+                           : joined({percent, samples_text(snapshot)}, " ")
+                                 .substr(0, static_cast<std::size_t>(std::max(0, columns)));
+  }
+  const int length = std::min(room, 40);
+  const int filled = std::clamp(static_cast<int>(*fraction * length), 0, length);
+  return fmt::format("[{}{}]  {}", std::string(static_cast<std::size_t>(filled), '#'),
+                     std::string(static_cast<std::size_t>(length - filled), '-'), numbers);
+}
+
+std::string plain_line(const RenderSnapshot& snapshot) {
+  return joined({clock_text(snapshot.seconds), samples_text(snapshot),
+                 short_number(rays_per_second(snapshot)) + " rays/s", error_text(snapshot),
+                 left_text(snapshot)},
+                ", ");
+}
+
+std::string json_line(const RenderSnapshot& snapshot, const std::string& event) {
+  nlohmann::ordered_json line;
+  line["event"] = event;
+  line["seconds"] = snapshot.seconds;
+  line["samples_per_pixel"] = snapshot.samples_done;
+  line["total_samples_per_pixel"] = snapshot.total_samples > 0
+                                        ? nlohmann::ordered_json(snapshot.total_samples)
+                                        : nlohmann::ordered_json();
+  line["rays"] = snapshot.rays;
+  line["rays_per_second"] = rays_per_second(snapshot);
+  line["estimated_relative_error"] = optional_json(snapshot.relative_error);
+  line["fraction"] = optional_json(fraction_done(snapshot));
+  line["seconds_left"] = optional_json(seconds_left(snapshot));
+  line["finishing"] = snapshot.finishing;
+  return line.dump();
+}
+
+ProgressReporter::ProgressReporter(ProgressStyle style, std::function<RenderSnapshot()> snapshot)
+    : style_(style), snapshot_(std::move(snapshot)) {
+  if (style_ != ProgressStyle::None) {
+    thread_ = std::thread([this] { report_until_stopped(); });
+  }
+}
+
+ProgressReporter::~ProgressReporter() {
+  if (!thread_.joinable()) return;
+  {
+    const std::lock_guard lock(mutex_);
+    stop_ = true;
+  }
+  wake_.notify_one();
+  thread_.join();
+  show(true);
+}
+
+void ProgressReporter::report_until_stopped() {
+  std::unique_lock lock(mutex_);
+  while (!wake_.wait_for(lock, interval(style_), [this] { return stop_; })) show(false);
+}
+
+void ProgressReporter::show(bool last) const {
+  const RenderSnapshot snapshot = snapshot_();
+  switch (style_) {
+    case ProgressStyle::Bar:
+      // Carriage return, text, "erase to the end of the line".
+      write_line("\r" + bar_line(snapshot, terminal_columns()) + "\x1b[K" + (last ? "\n" : ""));
+      break;
+    case ProgressStyle::Plain:
+      write_line("ajar: " + plain_line(snapshot) + "\n");
+      break;
+    case ProgressStyle::Json:
+      write_line(json_line(snapshot, last ? "done" : "progress") + "\n");
+      break;
+    case ProgressStyle::None:
+      break;
+  }
+}
+
+void report_phase(ProgressStyle style, const std::string& phase) {
+  if (style != ProgressStyle::Json) return;
+  write_line(nlohmann::ordered_json{{"event", "phase"}, {"phase", phase}}.dump() + "\n");
+}
+
+}  // namespace ajar

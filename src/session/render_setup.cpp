@@ -1,0 +1,165 @@
+#include "session/render_setup.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.h"
+#include "session/catalog.h"
+
+namespace ajar {
+
+namespace {
+
+constexpr int kMaxResolution = 65536;
+constexpr const char* kDefaultIntegrator = "pt";
+
+bool is_integrator(const std::string& name) {
+  const auto& all = integrators();
+  return std::any_of(all.begin(), all.end(),
+                     [&](const IntegratorInfo& info) { return info.name == name; });
+}
+
+bool declares(const IntegratorInfo& info, const std::string& parameter) {
+  return std::any_of(info.parameters.begin(), info.parameters.end(),
+                     [&](const ParameterSpec& spec) { return spec.name == parameter; });
+}
+
+void choose_integrator(const RenderRequest& request, const desc::RenderHints& hints,
+                       RenderSetup& setup) {
+  if (!request.integrator.empty()) {
+    setup.integrator = &find_integrator(request.integrator);
+  } else if (is_integrator(hints.integrator)) {
+    setup.integrator = &find_integrator(hints.integrator);
+  } else {
+    setup.integrator = &find_integrator(kDefaultIntegrator);
+    setup.notes.push_back(
+        hints.integrator.empty()
+            ? fmt::format("integrator {} (the scene asks for none)", kDefaultIntegrator)
+            : fmt::format("integrator {} (the scene asks for {}, which does not "
+                          "exist here)",
+                          kDefaultIntegrator, hints.integrator));
+  }
+}
+
+void choose_parameters(const RenderRequest& request, const desc::RenderHints& hints,
+                       RenderSetup& setup) {
+  const IntegratorInfo& info = *setup.integrator;
+  if (hints.integrator == info.name) {
+    for (const auto& [name, value] : hints.parameters) {
+      if (declares(info, name)) setup.parameters[name] = value;
+    }
+  }
+  if (hints.sampler && declares(info, "sampler")) setup.parameters["sampler"] = *hints.sampler;
+  for (const auto& [name, value] : request.parameters) setup.parameters[name] = value;
+}
+
+void choose_budget(const RenderRequest& request, const desc::RenderHints& hints,
+                   RenderSetup& setup) {
+  setup.budget = request.budget;
+  Budget& budget = setup.budget;
+  if (budget.target_error && !(*budget.target_error > 0.0)) {
+    throw UsageError("--target-error must be above zero");
+  }
+  if (!budget.samples_per_pixel && !budget.seconds && !budget.target_error) {
+    const int samples = hints.samples_per_pixel.value_or(RenderSetup::kDefaultSamples);
+    budget.samples_per_pixel = static_cast<std::uint64_t>(std::max(1, samples));
+  }
+  setup.settings.replicates = RenderSetup::kReplicates;
+  if (budget.samples_per_pixel && *budget.samples_per_pixel < RenderSetup::kReplicates) {
+    setup.settings.replicates = static_cast<int>(*budget.samples_per_pixel);
+  }
+  if (budget.target_error && setup.settings.replicates < 2) {
+    throw UsageError("--target-error needs at least --spp 2: one sample has no spread");
+  }
+}
+
+void choose_depth(const RenderRequest& request, const desc::RenderHints& hints,
+                  RenderSetup& setup) {
+  RenderSettings& settings = setup.settings;
+  settings.min_depth = request.depth.minimum.value_or(1);
+  settings.max_depth =
+      request.depth.maximum.value_or(hints.max_depth.value_or(RenderSetup::kDefaultMaxDepth));
+  if (settings.min_depth > settings.max_depth) {
+    throw UsageError(fmt::format("--depth: the minimum {} is above the maximum {}{}",
+                                 settings.min_depth, settings.max_depth,
+                                 request.depth.maximum ? "" : " of the scene; give both, MIN:MAX"));
+  }
+}
+
+void choose_pixels(const RenderRequest& request, const desc::Film& film, RenderSetup& setup) {
+  Vec2i& resolution = setup.resolution;
+  resolution = request.resolution.value_or(film.resolution);
+  if (request.scale) {
+    if (!(*request.scale > 0.0) || !std::isfinite(*request.scale)) {
+      throw UsageError("--scale must be above zero");
+    }
+    const auto scaled = [&](int size) {
+      return static_cast<int>(
+          std::clamp(std::round(size * *request.scale), 1.0, 2.0 * kMaxResolution));
+    };
+    resolution = {scaled(film.resolution.x), scaled(film.resolution.y)};
+  }
+  if (resolution.x < 1 || resolution.y < 1 || resolution.x > kMaxResolution ||
+      resolution.y > kMaxResolution) {
+    const std::string message =
+        fmt::format("a picture of {}x{} pixels is not possible (1 to {} each)", resolution.x,
+                    resolution.y, kMaxResolution);
+    if (request.scale) throw UsageError("--scale: " + message);
+    throw SceneError(film.where, message);
+  }
+  if (request.crop) {
+    setup.crop = crop_pixels("--crop", *request.crop, resolution);
+  } else {
+    const CropWindow window{{film.crop[0], film.crop[2], film.crop[1], film.crop[3]}, true};
+    try {
+      setup.crop = crop_pixels("crop window", window, resolution);
+    } catch (const UsageError& error) {
+      throw SceneError(film.where, error.what());
+    }
+  }
+}
+
+}  // namespace
+
+RenderSetup make_setup(const RenderRequest& request, const desc::RenderHints& hints,
+                       const desc::Film& film) {
+  RenderSetup setup;
+  choose_integrator(request, hints, setup);
+  choose_parameters(request, hints, setup);
+  choose_budget(request, hints, setup);
+  choose_depth(request, hints, setup);
+  choose_pixels(request, film, setup);
+  setup.settings.seed = request.seed;
+  setup.settings.resolution = setup.resolution;
+  setup.settings.crop = setup.crop;
+  setup.aovs = checked_aovs(request.aovs);
+  for (const std::string& name : setup.aovs) {
+    const bool made_elsewhere =
+        name == "direct" || name == "indirect" || name == "samples" || name == "standard-error";
+    if (!made_elsewhere) setup.settings.aovs.push_back(name);
+  }
+  return setup;
+}
+
+void check_layers(const RenderSettings& settings, const std::vector<LayerSpec>& layers) {
+  for (const std::string& name : settings.aovs) {
+    const bool made = std::any_of(layers.begin(), layers.end(),
+                                  [&](const LayerSpec& layer) { return layer.name == name; });
+    if (!made) throw UsageError("this integrator does not make the AOV \"" + name + "\"");
+  }
+}
+
+std::uint64_t film_bytes(const Box2i& crop, int replicates, const std::vector<LayerSpec>& layers) {
+  const Vec2i size = crop.max - crop.min + Vec2i(1, 1);
+  const std::uint64_t per_sum = static_cast<std::uint64_t>(size.x) *
+                                static_cast<std::uint64_t>(size.y) * 3U * sizeof(std::int64_t);
+  std::uint64_t bytes = 0;
+  for (const LayerSpec& layer : layers) {
+    bytes += per_sum * (layer.has_replicates ? static_cast<std::uint64_t>(replicates) : 1U);
+  }
+  return bytes;
+}
+
+}  // namespace ajar

@@ -1,0 +1,56 @@
+#pragma once
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/parameters.h"
+#include "integrator/integrator.h"
+#include "scene/desc/scene_desc.h"
+#include "session/budget.h"
+#include "session/option_values.h"
+
+namespace ajar {
+
+/// What a user asks for; what is empty comes from the scene file, and what that does not say has a
+/// default.
+struct RenderRequest {
+  std::string integrator;
+  std::map<std::string, std::string> parameters;
+  Budget budget;
+  DepthRange depth;
+  std::optional<Vec2i> resolution;
+  std::optional<double> scale;  ///< of the file's resolution
+  std::optional<CropWindow> crop;
+  std::vector<std::string> aovs;
+  std::uint64_t seed = 0;
+};
+
+/// A request and a scene's wishes put together, complete and checked.
+struct RenderSetup {
+  static constexpr int kDefaultSamples = 64;
+  static constexpr int kDefaultMaxDepth = 100;
+  static constexpr int kReplicates = 4;
+
+  const IntegratorInfo* integrator = nullptr;
+  std::map<std::string, std::string> parameters;  ///< given ones
+  Budget budget;
+  RenderSettings settings;
+  std::vector<std::string>
+      aovs;  ///< all asked for; `settings.aovs` has those that the integrator gathers
+  Vec2i resolution{0, 0};
+  Box2i crop;
+  std::vector<std::string> notes;  ///< choices made for the user, one sentence each
+};
+
+/// Raises UsageError for what cannot be.
+RenderSetup make_setup(const RenderRequest& request, const desc::RenderHints& hints,
+                       const desc::Film& film);
+
+/// Raises UsageError if a layer that was asked for is not among those the integrator makes.
+void check_layers(const RenderSettings& settings, const std::vector<LayerSpec>& layers);
+
+/// Memory of a film with these layers, bytes (8 per channel and replicate).
+std::uint64_t film_bytes(const Box2i& crop, int replicates, const std::vector<LayerSpec>& layers);
+
+}  // namespace ajar

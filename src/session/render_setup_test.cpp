@@ -1,0 +1,128 @@
+#include "session/render_setup.h"
+
+#include <gtest/gtest.h>
+
+#include "core/error.h"
+
+namespace ajar {
+namespace {
+
+desc::Film film_of(int width, int height) {
+  desc::Film film;
+  film.resolution = {width, height};
+  return film;
+}
+
+TEST(RenderSetup, TheSceneSaysWhatTheUserDoesNot) {
+  desc::RenderHints hints;
+  hints.integrator = "pt";
+  hints.samples_per_pixel = 12;
+  hints.max_depth = 7;
+  const RenderSetup setup = make_setup({}, hints, film_of(30, 20));
+  EXPECT_EQ(setup.integrator->name, "pt");
+  EXPECT_EQ(setup.budget.samples_per_pixel, 12U);
+  EXPECT_EQ(setup.settings.max_depth, 7);
+  EXPECT_EQ(setup.resolution, Vec2i(30, 20));
+  EXPECT_EQ(setup.crop.max, Vec2i(29, 19));
+  EXPECT_TRUE(setup.notes.empty());
+}
+
+TEST(RenderSetup, DefaultsAreTold) {
+  const RenderSetup setup = make_setup({}, {}, film_of(30, 20));
+  EXPECT_EQ(setup.integrator->name, "pt");
+  EXPECT_EQ(setup.budget.samples_per_pixel, 64U);
+  EXPECT_EQ(setup.settings.max_depth, 100);
+  ASSERT_EQ(setup.notes.size(), 1U);
+  EXPECT_NE(setup.notes[0].find("pt"), std::string::npos);
+}
+
+TEST(RenderSetup, AnUnknownIntegratorOfTheSceneIsReplacedOneOfTheUserIsRefused) {
+  desc::RenderHints hints;
+  hints.integrator = "future";
+  EXPECT_NE(make_setup({}, hints, film_of(3, 2)).notes.at(0).find("future"), std::string::npos);
+  RenderRequest request;
+  request.integrator = "future";
+  EXPECT_THROW(make_setup(request, {}, film_of(3, 2)), UsageError);
+}
+
+TEST(RenderSetup, AnyLimitOfTheUserReplacesTheSamplesOfTheScene) {
+  desc::RenderHints hints;
+  hints.samples_per_pixel = 12;
+  RenderRequest request;
+  request.budget.seconds = 5.0;
+  const RenderSetup setup = make_setup(request, hints, film_of(3, 2));
+  EXPECT_FALSE(setup.budget.samples_per_pixel.has_value());
+  EXPECT_EQ(setup.budget.seconds, 5.0);
+}
+
+TEST(RenderSetup, FewSamplesMeanFewReplicates) {
+  for (const auto& [samples, replicates] : {std::pair{1, 1}, {2, 2}, {3, 3}, {4, 4}, {64, 4}}) {
+    RenderRequest request;
+    request.budget.samples_per_pixel = samples;
+    EXPECT_EQ(make_setup(request, {}, film_of(3, 2)).settings.replicates, replicates);
+  }
+}
+
+TEST(RenderSetup, ParametersOfTheUserComeLast) {
+  desc::RenderHints hints;
+  hints.sampler = "independent";
+  EXPECT_EQ(make_setup({}, hints, film_of(3, 2)).parameters.at("sampler"), "independent");
+  RenderRequest request;
+  request.parameters["sampler"] = "sobol";
+  EXPECT_EQ(make_setup(request, hints, film_of(3, 2)).parameters.at("sampler"), "sobol");
+}
+
+TEST(RenderSetup, ScaleMultipliesTheResolutionOfTheScene) {
+  RenderRequest request;
+  request.scale = 0.5;
+  EXPECT_EQ(make_setup(request, {}, film_of(31, 20)).resolution, Vec2i(16, 10));
+  request.scale = 1e-6;
+  EXPECT_EQ(make_setup(request, {}, film_of(31, 20)).resolution, Vec2i(1, 1));
+  request.scale = 1e6;
+  EXPECT_THROW(make_setup(request, {}, film_of(31, 20)), UsageError);
+  request.scale = 0.0;
+  EXPECT_THROW(make_setup(request, {}, film_of(31, 20)), UsageError);
+}
+
+TEST(RenderSetup, CropWindowOfTheSceneIsKeptUnlessTheUserGivesOne) {
+  desc::Film film = film_of(40, 20);
+  film.crop[0] = 0.5F;
+  film.crop[3] = 0.25F;
+  const RenderSetup from_scene = make_setup({}, {}, film);
+  EXPECT_EQ(from_scene.crop.min, Vec2i(20, 0));
+  EXPECT_EQ(from_scene.crop.max, Vec2i(39, 4));
+  RenderRequest request;
+  request.crop = parse_crop("--crop", "0,0,1,1");
+  EXPECT_EQ(make_setup(request, {}, film).crop.min, Vec2i(0, 0));
+  film.crop[1] = 0.5F;
+  EXPECT_THROW(make_setup({}, {}, film), SceneError);
+}
+
+TEST(RenderSetup, DepthAboveTheSceneIsExplained) {
+  desc::RenderHints hints;
+  hints.max_depth = 5;
+  RenderRequest request;
+  request.depth.minimum = 6;
+  EXPECT_THROW(make_setup(request, hints, film_of(3, 2)), UsageError);
+  request.depth.maximum = 9;
+  EXPECT_EQ(make_setup(request, hints, film_of(3, 2)).settings.max_depth, 9);
+}
+
+TEST(RenderSetup, OnlyGatheredLayersAreAskedOfTheIntegrator) {
+  RenderRequest request;
+  request.aovs = {"direct", "albedo", "samples", "standard-error"};
+  const RenderSetup setup = make_setup(request, {}, film_of(3, 2));
+  EXPECT_EQ(setup.settings.aovs, (std::vector<std::string>{"albedo"}));
+  EXPECT_EQ(setup.aovs.size(), 4U);
+  EXPECT_THROW(check_layers(setup.settings, {LayerSpec{.name = "direct"}}), UsageError);
+}
+
+TEST(FilmBytes, CountsReplicatesOnlyWhereThereAreSome) {
+  const Box2i crop(Vec2i(0, 0), Vec2i(9, 4));
+  LayerSpec single{.name = "albedo"};
+  single.has_replicates = false;
+  EXPECT_EQ(film_bytes(crop, 4, {LayerSpec{.name = "direct"}, single}), 50U * 24U * 5U);
+}
+
+}  // namespace
+}  // namespace ajar

@@ -1,0 +1,39 @@
+#include "session/resources.h"
+
+#include <sys/resource.h>
+#include <unistd.h>
+
+namespace ajar {
+
+namespace {
+
+double to_seconds(const timeval& time) {
+  return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+}
+
+rusage usage_of_process() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return usage;
+}
+
+}  // namespace
+
+double cpu_seconds() {
+  const rusage usage = usage_of_process();
+  return to_seconds(usage.ru_utime) + to_seconds(usage.ru_stime);
+}
+
+std::uint64_t peak_memory_bytes() {
+  // Linux counts in KiB.
+  return static_cast<std::uint64_t>(usage_of_process().ru_maxrss) * 1024U;
+}
+
+std::uint64_t physical_memory_bytes() {
+  const long pages = sysconf(_SC_PHYS_PAGES);
+  const long page_size = sysconf(_SC_PAGESIZE);
+  if (pages <= 0 || page_size <= 0) return 0;
+  return static_cast<std::uint64_t>(pages) * static_cast<std::uint64_t>(page_size);
+}
+
+}  // namespace ajar

@@ -1,0 +1,25 @@
+#pragma once
+#include <chrono>
+#include <cstdint>
+
+namespace ajar {
+
+/// Processor time of this process so far, all threads, user and system, seconds.
+double cpu_seconds();
+/// Largest resident memory of this process so far, bytes.
+std::uint64_t peak_memory_bytes();
+/// Memory of the machine, bytes; 0 if unknown.
+std::uint64_t physical_memory_bytes();
+
+/// Wall clock that started when it was made.
+class Stopwatch {
+ public:
+  double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace ajar

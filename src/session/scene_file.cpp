@@ -1,0 +1,53 @@
+#include "session/scene_file.h"
+
+#include <filesystem>
+#include <optional>
+#include <string_view>
+
+#include "import/import.h"
+#include "import/pbrt/pbrt_import.h"
+#include "session/builtin_scenes.h"
+
+namespace ajar {
+
+namespace {
+
+constexpr std::string_view kBuiltin = "builtin:";
+
+desc::SceneDesc load_builtin(const std::string& name, Warnings& warnings) {
+  const std::optional<std::string_view> text = builtin_file(name, "scene.pbrt");
+  if (!text) {
+    throw UsageError(unknown_name_message("built-in scene", name, builtin_scene_names()));
+  }
+  const std::string base = std::string(kBuiltin) + name;
+  return import_pbrt_text(*text, base + "/scene.pbrt", base, warnings,
+                          [name](const std::string& path) { return builtin_file(name, path); });
+}
+
+void check_readable(const std::string& path) {
+  std::error_code error;
+  const std::filesystem::file_status status = std::filesystem::status(path, error);
+  if (!std::filesystem::exists(status)) throw IoError(path + ": no such file");
+  if (std::filesystem::is_directory(status)) {
+    throw IoError(path + ": is a folder, not a scene file");
+  }
+}
+
+}  // namespace
+
+desc::SceneDesc load_scene(const std::string& scene, Warnings& warnings) {
+  if (scene.starts_with(kBuiltin)) return load_builtin(scene.substr(kBuiltin.size()), warnings);
+  check_readable(scene);
+  return import_scene(scene, warnings);
+}
+
+std::string scene_stem(const std::string& scene) {
+  if (scene.starts_with(kBuiltin)) return scene.substr(kBuiltin.size());
+  const std::filesystem::path path = std::filesystem::absolute(scene).lexically_normal();
+  const std::string stem = path.stem().string();
+  const std::string folder = path.parent_path().filename().string();
+  if (stem == "scene" && !folder.empty()) return folder;
+  return stem.empty() ? "picture" : stem;
+}
+
+}  // namespace ajar

@@ -1,0 +1,18 @@
+#pragma once
+#include <string>
+
+#include "core/error.h"
+#include "scene/desc/scene_desc.h"
+
+namespace ajar {
+
+/// Reads a scene: a file in any format that can be imported, or `builtin:NAME`. Raises UsageError
+/// for an unknown built-in scene, IoError if the file cannot be read, SceneError if it cannot be
+/// used.
+desc::SceneDesc load_scene(const std::string& scene, Warnings& warnings);
+
+/// Name for pictures of a scene, without folder and extension: `room` for `/scenes/room.pbrt`,
+/// `cornell` for `builtin:cornell`; the folder's name if the file is just called `scene`.
+std::string scene_stem(const std::string& scene);
+
+}  // namespace ajar

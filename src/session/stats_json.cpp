@@ -1,0 +1,111 @@
+#include "session/stats_json.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <span>
+
+#include "core/atomic_file.h"
+#include "session/version.h"
+
+namespace ajar {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json number_or_null(const std::optional<double>& value) {
+  return value && std::isfinite(*value) ? Json(*value) : Json();
+}
+
+double per_second(std::uint64_t count, double seconds) {
+  return seconds > 0.0 ? static_cast<double>(count) / seconds : 0.0;
+}
+
+Json parameters_json(const RenderStatistics& s) {
+  Json parameters = Json::object();
+  for (const auto& [name, value] : s.parameters) parameters[name] = value;
+  return parameters;
+}
+
+Json discarded_json(const Counters& counters) {
+  return {{"nan", counters.discarded_nan},
+          {"infinite", counters.discarded_infinite},
+          {"negative", counters.discarded_negative},
+          {"first", counters.first_discarded.empty() ? Json() : Json(counters.first_discarded)}};
+}
+
+}  // namespace
+
+Json to_json(const RenderStatistics& s) {
+  const RenderResult& r = s.result;
+  Json json;
+  json["program"] = "ajar";
+  json["version"] = version();
+  json["scene"] = s.scene;
+  json["scene_hash"] = fmt::format("{:016x}", s.scene_hash);
+  json["integrator"] = s.integrator;
+  json["parameters"] = parameters_json(s);
+  json["depth"] = {{"min", s.min_depth}, {"max", s.max_depth}};
+  json["seed"] = s.seed;
+  json["threads"] = r.threads;
+  json["resolution"] = {s.resolution.x, s.resolution.y};
+  json["crop"] = {s.crop.min.x, s.crop.min.y, s.crop.max.x + 1, s.crop.max.y + 1};
+  json["seconds"] = {{"load", s.times.load},
+                     {"build", s.times.build},
+                     {"prepare", s.times.prepare},
+                     {"render", r.seconds}};
+  json["cpu_seconds"] = r.cpu_seconds;
+  json["rays"] = r.counters.rays;
+  json["rays_per_second"] = per_second(r.counters.rays, r.seconds);
+  json["samples"] = r.counters.samples;
+  json["samples_per_pixel"] = r.samples_per_pixel;
+  json["replicates"] = s.replicates;
+  json["passes"] = r.passes;
+  json["mutations"] = nullptr;
+  json["mutations_per_second"] = nullptr;
+  json["acceptance"] = nullptr;
+  json["b"] = nullptr;
+  json["estimated_relative_error"] = number_or_null(r.relative_error);
+  json["peak_memory_bytes"] = s.peak_memory_bytes;
+  json["warnings"] = s.warning_count;
+  json["warning_messages"] = s.warnings;
+  json["discarded"] = discarded_json(r.counters);
+  json["stopped_by"] = to_string(r.stopped_by);
+  json["interrupted"] = r.stopped_by == StopReason::Interrupted;
+  json["complete"] = r.complete;
+  json["outputs"] = s.outputs;
+  return json;
+}
+
+std::map<std::string, std::string> to_metadata(const RenderStatistics& s) {
+  const RenderResult& r = s.result;
+  std::map<std::string, std::string> metadata{
+      {"ajar:version", version()},
+      {"ajar:scene", s.scene},
+      {"ajar:scene_hash", fmt::format("{:016x}", s.scene_hash)},
+      {"ajar:integrator", s.integrator},
+      {"ajar:depth", fmt::format("{}:{}", s.min_depth, s.max_depth)},
+      {"ajar:seed", std::to_string(s.seed)},
+      {"ajar:samples_per_pixel", std::to_string(r.samples_per_pixel)},
+      {"ajar:replicates", std::to_string(s.replicates)},
+      {"ajar:rays", std::to_string(r.counters.rays)},
+      {"ajar:render_seconds", fmt::format("{:.3f}", r.seconds)},
+      {"ajar:threads", std::to_string(r.threads)},
+      {"ajar:stopped_by", to_string(r.stopped_by)},
+      {"ajar:complete", r.complete ? "true" : "false"},
+  };
+  if (r.relative_error) {
+    metadata["ajar:estimated_relative_error"] = fmt::format("{:.6g}", *r.relative_error);
+  }
+  for (const auto& [name, value] : s.parameters) metadata["ajar:parameter:" + name] = value;
+  return metadata;
+}
+
+void write_json(const Json& json, const std::string& path) {
+  const std::string text = json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  write_file_atomically(path, std::as_bytes(std::span(text)));
+}
+
+}  // namespace ajar

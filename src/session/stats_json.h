@@ -1,0 +1,53 @@
+#pragma once
+#include <cstdint>
+#include <map>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/error.h"
+#include "core/vector.h"
+#include "session/render_job.h"
+
+namespace ajar {
+
+/// Wall clock of the steps before rendering, seconds.
+struct StepTimes {
+  double load = 0.0;     ///< files → description
+  double build = 0.0;    ///< description → scene, acceleration structures
+  double prepare = 0.0;  ///< integrator, film
+};
+
+/// Everything that `--stats` says about a render.
+struct RenderStatistics {
+  std::string scene;
+  std::uint64_t scene_hash = 0;
+  std::string integrator;
+  std::map<std::string, std::string, std::less<>> parameters;
+  std::uint64_t seed = 0;
+  int replicates = 0;
+  int min_depth = 0;
+  int max_depth = 0;
+  Vec2i resolution{0, 0};
+  Box2i crop;  ///< inclusive
+  StepTimes times;
+  RenderResult result;
+  std::uint64_t peak_memory_bytes = 0;
+  std::size_t warning_count = 0;
+  std::vector<std::string> warnings;  ///< texts, at most `Warnings::kMaxKept`
+  std::vector<std::string> outputs;
+};
+
+/// Statistics as JSON with the keys of the manual (docs/command-line.md). What Markov chains alone
+/// have (`mutations`, `acceptance`, `b`) and what is not known is null.
+nlohmann::ordered_json to_json(const RenderStatistics& statistics);
+
+/// The same as text for the metadata of images: flat, one entry per parameter and number, keys
+/// begin with "ajar:".
+std::map<std::string, std::string> to_metadata(const RenderStatistics& statistics);
+
+/// Writes a file in one step (`write_file_atomically`). Raises IoError.
+void write_json(const nlohmann::ordered_json& json, const std::string& path);
+
+}  // namespace ajar

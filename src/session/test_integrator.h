@@ -1,0 +1,62 @@
+#pragma once
+#include <atomic>
+#include <chrono>
+#include <functional>
+#include <thread>
+
+#include "integrator/integrator.h"
+
+namespace ajar {
+
+/// For tests of the session: every pixel is an item; a sample's value is a hash of (pixel, sample),
+/// so that the sums are known and depend on every sample that was taken.
+class TestIntegrator final : public Integrator {
+ public:
+  TestIntegrator(Vec2i size, int replicates) : size_(size), replicates_(replicates) {}
+
+  std::vector<LayerSpec> layers() const override {
+    return {LayerSpec{.name = "direct"}, LayerSpec{.name = "indirect"}};
+  }
+  std::uint64_t items_in_pass() const override {
+    return static_cast<std::uint64_t>(size_.x) * static_cast<std::uint64_t>(size_.y);
+  }
+  void run_item(std::uint64_t item, std::uint64_t first_sample, std::uint64_t samples, Film& film,
+                Counters& counters) const override {
+    if (on_item) on_item(item, first_sample, samples);
+    const auto width = static_cast<std::uint64_t>(size_.x);
+    const Vec2i pixel(static_cast<int>(item % width), static_cast<int>(item / width));
+    for (std::uint64_t i = first_sample; i < first_sample + samples; ++i) {
+      const int replicate = static_cast<int>(i % static_cast<std::uint64_t>(replicates_));
+      film.add(0, replicate, pixel, Spectrum(value(item, i)));
+      film.add(1, replicate, pixel, Spectrum(0.25F));
+      ++counters.samples;
+      counters.rays += 2;
+      if (item % 5 == 3 && i == 1) {
+        ++counters.discarded_nan;
+        if (counters.first_discarded.empty()) {
+          counters.first_discarded = "item " + std::to_string(item);
+        }
+      }
+    }
+  }
+  double develop_scale(std::uint64_t samples, std::optional<int> replicate) const override {
+    return (replicate ? replicates_ : 1) / static_cast<double>(samples);
+  }
+
+  /// In [0, 1), different for every item and sample.
+  static float value(std::uint64_t item, std::uint64_t sample) {
+    std::uint64_t x = (item * 1000003U + sample + 1U) * 0x9E3779B97F4A7C15ULL;
+    x = (x ^ (x >> 29U)) * 0xBF58476D1CE4E5B9ULL;
+    return static_cast<float>(x >> 40U) * 0x1p-24F;
+  }
+
+  /// Called at the beginning of every item, on its thread; may be empty.
+  std::function<void(std::uint64_t item, std::uint64_t first_sample, std::uint64_t samples)>
+      on_item;
+
+ private:
+  Vec2i size_;
+  int replicates_;
+};
+
+}  // namespace ajar

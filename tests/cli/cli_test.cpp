@@ -1,0 +1,447 @@
+// The program as a user runs it.
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "image/image_file.h"
+
+namespace ajar {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace std::chrono_literals;
+using nlohmann::json;
+
+std::string read_text(const fs::path& path) {
+  std::ifstream file(path);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+struct Outcome {
+  int exit_code = -1;  ///< negative: ended by that signal
+  std::string out, err;
+};
+
+/// Runs the program in a folder of its own that is gone after the test.
+class Cli : public testing::Test {
+ protected:
+  void SetUp() override {
+    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = fs::temp_directory_path() /
+              ("ajar-cli-" + std::string(test->name()) + "-" + std::to_string(getpid()));
+    fs::create_directories(folder_);
+  }
+  void TearDown() override {
+    fs::permissions(folder_, fs::perms::owner_all);
+    fs::remove_all(folder_);
+  }
+
+  pid_t start(const std::vector<std::string>& arguments) const {
+    const pid_t child = fork();
+    if (child != 0) return child;
+    const auto redirect = [&](const char* name, int target) {
+      const std::string path = (folder_ / name).string();
+      dup2(open(path.c_str(), O_CREAT | O_TRUNC | O_WRONLY, 0600), target);
+    };
+    if (chdir(folder_.c_str()) != 0) _exit(99);
+    redirect(".stdout", STDOUT_FILENO);
+    redirect(".stderr", STDERR_FILENO);
+    std::vector<char*> argv{const_cast<char*>(AJAR_PROGRAM)};
+    for (const std::string& argument : arguments) {
+      argv.push_back(const_cast<char*>(argument.c_str()));
+    }
+    argv.push_back(nullptr);
+    execv(AJAR_PROGRAM, argv.data());
+    _exit(98);
+  }
+
+  Outcome finish(pid_t child) const {
+    int status = 0;
+    waitpid(child, &status, 0);
+    Outcome outcome;
+    outcome.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
+    outcome.out = read_text(folder_ / ".stdout");
+    outcome.err = read_text(folder_ / ".stderr");
+    return outcome;
+  }
+
+  Outcome run(const std::vector<std::string>& arguments) const { return finish(start(arguments)); }
+
+  /// `ajar render builtin:cornell` as small as it can be, with more arguments.
+  Outcome render(std::vector<std::string> more) const {
+    std::vector<std::string> arguments{"render", "builtin:cornell", "--resolution",
+                                       "24x16",  "--progress",      "none"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run(arguments);
+  }
+
+  fs::path file(const std::string& name, const std::string& text = {}) const {
+    if (!text.empty()) std::ofstream(folder_ / name) << text;
+    return folder_ / name;
+  }
+
+  json statistics(const std::string& name = "stats.json") const {
+    return json::parse(read_text(folder_ / name));
+  }
+
+  fs::path folder_;
+};
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+/// Waits until the program has written `part` to stderr; false after ten seconds.
+bool wait_for(const fs::path& log, const std::string& part) {
+  for (int i = 0; i < 500; ++i) {
+    if (contains(read_text(log), part)) return true;
+    std::this_thread::sleep_for(20ms);
+  }
+  return false;
+}
+
+TEST_F(Cli, HelpAndVersionSucceed) {
+  EXPECT_EQ(run({"--help"}).exit_code, 0);
+  EXPECT_TRUE(contains(run({"--help"}).out, "render"));
+  EXPECT_EQ(run({"--version"}).out.substr(0, 5), "ajar ");
+  const Outcome help = run({"render", "--help"});
+  EXPECT_EQ(help.exit_code, 0);
+  for (const char* option :
+       {"--output", "--integrator", "--set", "--time", "--spp", "--target-error", "--resolution",
+        "--scale", "--crop", "--depth", "--aov", "--threads", "--seed", "--stats", "--progress",
+        "--tone-map", "--exposure"}) {
+    EXPECT_TRUE(contains(help.out, option)) << option;
+  }
+}
+
+TEST_F(Cli, WrongUsageEndsWithTwoAndHelps) {
+  struct Case {
+    std::vector<std::string> arguments;
+    const char* message;
+  };
+  const std::vector<Case> cases{
+      {{}, "--help"},
+      {{"rendr", "x"}, "did you mean \"render\""},
+      {{"render"}, "SCENE"},
+      {{"render", "builtin:cornel"}, "did you mean \"cornell\""},
+      {{"render", "builtin:cornell", "--integratr", "pt"}, "did you mean \"--integrator\""},
+      {{"render", "builtin:cornell", "--checkpoint", "x"}, "unknown option"},
+      {{"render", "builtin:cornell", "--integrator", "ptt"}, "did you mean \"pt\""},
+      {{"render", "builtin:cornell", "--set", "no-such=1"}, "unknown parameter"},
+      {{"render", "builtin:cornell", "--set", "alone"}, "KEY=VALUE"},
+      {{"render", "builtin:cornell", "--time", "soon"}, "--time"},
+      {{"render", "builtin:cornell", "--spp", "0"}, "--spp"},
+      {{"render", "builtin:cornell", "--spp", "many"}, "--spp"},
+      {{"render", "builtin:cornell", "--target-error", "-1"}, "--target-error"},
+      {{"render", "builtin:cornell", "--resolution", "0x5"}, "--resolution"},
+      {{"render", "builtin:cornell", "--scale", "-1"}, "--scale"},
+      {{"render", "builtin:cornell", "--crop", "0,0,0,0"}, "--crop"},
+      {{"render", "builtin:cornell", "--depth", "5:2"}, "--depth"},
+      {{"render", "builtin:cornell", "--aov", "albdo"}, "did you mean \"albedo\""},
+      {{"render", "builtin:cornell", "--threads", "-1"}, "--threads"},
+      {{"render", "builtin:cornell", "--progress", "loud"}, "progress"},
+      {{"render", "builtin:cornell", "--tone-map", "film"}, "filmic"},
+      {{"render", "builtin:cornell", "-o", "a.bmp2"}, ".exr"},
+      {{"render", "builtin:cornell", "another"}, "another"},
+      {{"list", "integratos"}, "did you mean \"integrators\""},
+  };
+  for (const Case& c : cases) {
+    const Outcome outcome = run(c.arguments);
+    std::string line;
+    for (const std::string& argument : c.arguments) line += argument + " ";
+    EXPECT_EQ(outcome.exit_code, 2) << line << outcome.err;
+    EXPECT_TRUE(contains(outcome.err, c.message)) << line << "says: " << outcome.err;
+    EXPECT_EQ(outcome.out, "") << line;
+  }
+}
+
+TEST_F(Cli, UnusableScenesEndWithThreeAndSayWhere) {
+  const fs::path nonsense = file("nonsense.pbrt", "this is not a scene\n");
+  const fs::path broken =
+      file("broken.pbrt", "Camera \"perspective\"\nWorldBegin\n  Shape \"sphere\n");
+  for (const fs::path& scene : {nonsense, broken}) {
+    const Outcome outcome = run({"render", scene.string(), "--spp", "1"});
+    EXPECT_EQ(outcome.exit_code, 3) << outcome.err;
+    EXPECT_TRUE(contains(outcome.err, scene.filename().string() + ":")) << outcome.err;
+  }
+  EXPECT_EQ(run({"info", nonsense.string()}).exit_code, 3);
+  EXPECT_EQ(run({"convert", nonsense.string(), "out.pbrt"}).exit_code, 3);
+}
+
+TEST_F(Cli, FilesThatCannotBeReadOrWrittenEndWithFour) {
+  EXPECT_EQ(run({"render", "absent.pbrt"}).exit_code, 4);
+  EXPECT_EQ(run({"render", folder_.string()}).exit_code, 4);
+  EXPECT_EQ(run({"info", "absent.pbrt"}).exit_code, 4);
+  EXPECT_EQ(render({"-o", "no/such/folder/a.exr"}).exit_code, 4);
+  EXPECT_EQ(render({"--stats", "no/such/folder/s.json"}).exit_code, 4);
+  EXPECT_EQ(run({"convert", "builtin:cornell", "no/such/folder/a.pbrt"}).exit_code, 4);
+}
+
+TEST_F(Cli, ImpossibleOutputIsNoticedBeforeRendering) {
+  const auto before = std::chrono::steady_clock::now();
+  EXPECT_EQ(run({"render", "builtin:cornell", "--time", "60s", "-o", "no/such/a.exr"}).exit_code,
+            4);
+  EXPECT_LT(std::chrono::steady_clock::now() - before, 10s);
+}
+
+TEST_F(Cli, WritesAnExrAndAPngByDefault) {
+  const Outcome outcome = render({"--spp", "4"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(outcome.out, "cornell.exr\ncornell.png\n");
+  const Image exr = read_image(file("cornell.exr").string());
+  EXPECT_EQ(exr.width, 24);
+  EXPECT_EQ(exr.height, 16);
+  const std::vector<float> pixels = exr.rgb();
+  double sum = 0.0;
+  for (const float value : pixels) {
+    ASSERT_TRUE(std::isfinite(value));
+    ASSERT_GE(value, 0.F);
+    sum += value;
+  }
+  EXPECT_GT(sum / static_cast<double>(pixels.size()), 0.01);
+  EXPECT_EQ(read_image(file("cornell.png").string()).width, 24);
+}
+
+TEST_F(Cli, WritesEveryFormatAndAllLayers) {
+  const Outcome outcome = render({"--spp", "4", "-o", "a.exr", "-o", "a.png", "-o", "a.pfm", "-o",
+                                  "a.hdr", "-o", "a.jpg", "--aov", "all"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  for (const char* name : {"a.exr", "a.png", "a.pfm", "a.hdr", "a.jpg"}) {
+    EXPECT_EQ(read_image(file(name).string()).width, 24) << name;
+  }
+  const Image exr = read_image(file("a.exr").string());
+  const json list = json::parse(run({"list", "aovs", "--json"}).out);
+  for (const json& aov : list.at("aovs")) {
+    EXPECT_FALSE(exr.rgb(aov.at("name").get<std::string>()).empty()) << aov;
+  }
+  const std::vector<float> direct = exr.rgb("direct");
+  const std::vector<float> indirect = exr.rgb("indirect");
+  const std::vector<float> whole = exr.rgb();
+  ASSERT_EQ(direct.size(), whole.size());
+  for (std::size_t i = 0; i < whole.size(); ++i) {
+    EXPECT_NEAR(whole[i], direct[i] + indirect[i], 1e-4F * (1.F + whole[i]));
+  }
+}
+
+TEST_F(Cli, CropIsAPartOfTheWholePicture) {
+  ASSERT_EQ(render({"--spp", "4", "-o", "whole.pfm"}).exit_code, 0);
+  ASSERT_EQ(render({"--spp", "4", "-o", "part.pfm", "--crop", "4,2,20,10"}).exit_code, 0);
+  const Image whole = read_image(file("whole.pfm").string());
+  const Image part = read_image(file("part.pfm").string());
+  EXPECT_EQ(part.width, 16);
+  EXPECT_EQ(part.height, 8);
+  // Other random numbers perhaps, but the same place: the means agree roughly.
+  double a = 0.0;
+  double b = 0.0;
+  for (int y = 0; y < 8; ++y) {
+    for (int x = 0; x < 16; ++x) {
+      a += whole.at(x + 4, y + 2, 0);
+      b += part.at(x, y, 0);
+    }
+  }
+  EXPECT_NEAR(a, b, 0.25 * a);
+}
+
+TEST_F(Cli, SameSeedGivesTheSameBitsOnAnyNumberOfThreads) {
+  ASSERT_EQ(render({"--spp", "8", "--threads", "1", "-o", "one.pfm"}).exit_code, 0);
+  ASSERT_EQ(render({"--spp", "8", "--threads", "2", "-o", "two.pfm"}).exit_code, 0);
+  ASSERT_EQ(render({"--spp", "8", "--threads", "5", "-o", "five.pfm"}).exit_code, 0);
+  ASSERT_EQ(render({"--spp", "8", "--seed", "1", "-o", "other.pfm"}).exit_code, 0);
+  EXPECT_EQ(read_text(file("one.pfm")), read_text(file("two.pfm")));
+  EXPECT_EQ(read_text(file("one.pfm")), read_text(file("five.pfm")));
+  EXPECT_NE(read_text(file("one.pfm")), read_text(file("other.pfm")));
+}
+
+TEST_F(Cli, StatisticsHaveTheKeysOfTheManual) {
+  ASSERT_EQ(
+      render({"--spp", "8", "--seed", "3", "--stats", "stats.json", "--threads", "2"}).exit_code,
+      0);
+  const json stats = statistics();
+  for (const char* key : {"integrator", "parameters", "seed", "threads", "resolution", "seconds",
+                          "cpu_seconds", "rays", "rays_per_second", "samples", "mutations",
+                          "mutations_per_second", "acceptance", "b", "estimated_relative_error",
+                          "peak_memory_bytes", "warnings", "discarded", "interrupted"}) {
+    EXPECT_TRUE(stats.contains(key)) << key;
+  }
+  EXPECT_EQ(stats.at("integrator"), "pt");
+  EXPECT_EQ(stats.at("seed"), 3);
+  EXPECT_EQ(stats.at("threads"), 2);
+  EXPECT_EQ(stats.at("samples"), 8 * 24 * 16);
+  EXPECT_EQ(stats.at("resolution"), (json{24, 16}));
+  EXPECT_EQ(stats.at("interrupted"), false);
+  EXPECT_EQ(stats.at("warnings"), 0);
+  EXPECT_GT(stats.at("rays").get<double>(), 8 * 24 * 16);
+  EXPECT_GT(stats.at("estimated_relative_error").get<double>(), 0.0);
+  EXPECT_GT(stats.at("peak_memory_bytes").get<double>(), 1e6);
+}
+
+TEST_F(Cli, OneSamplePerPixelWorks) {
+  ASSERT_EQ(render({"--spp", "1", "--stats", "stats.json"}).exit_code, 0);
+  EXPECT_EQ(statistics().at("samples"), 24 * 16);
+  EXPECT_TRUE(statistics().at("estimated_relative_error").is_null());
+}
+
+TEST_F(Cli, TimeBudgetIsKept) {
+  ASSERT_EQ(render({"--time", "1s", "--stats", "stats.json"}).exit_code, 0);
+  EXPECT_EQ(statistics().at("stopped_by"), "time");
+  EXPECT_LT(statistics().at("seconds").at("render").get<double>(), 3.0);
+}
+
+TEST_F(Cli, TargetErrorEndsTheRender) {
+  ASSERT_EQ(render({"--target-error", "0.2", "--time", "60s", "--stats", "stats.json"}).exit_code,
+            0);
+  EXPECT_EQ(statistics().at("stopped_by"), "target error");
+  EXPECT_LE(statistics().at("estimated_relative_error").get<double>(), 0.2);
+}
+
+TEST_F(Cli, DepthRangesAddUp) {
+  ASSERT_EQ(render({"--spp", "16", "--depth", "1:2", "-o", "direct.exr"}).exit_code, 0);
+  const Image image = read_image(file("direct.exr").string());
+  for (const float value : image.rgb("indirect")) EXPECT_EQ(value, 0.F);
+}
+
+TEST_F(Cli, ControlCWritesAWholePictureAndEndsWith130) {
+  for (const int signal : {SIGINT, SIGTERM}) {
+    const pid_t child = start({"render", "builtin:cornell", "--resolution", "64x48", "--time", "1h",
+                               "--progress", "json", "--stats", "stats.json", "-o", "stopped.exr"});
+    ASSERT_TRUE(wait_for(folder_ / ".stderr", "\"progress\"")) << read_text(folder_ / ".stderr");
+    const auto before = std::chrono::steady_clock::now();
+    kill(child, signal);
+    const Outcome outcome = finish(child);
+    EXPECT_EQ(outcome.exit_code, 130) << outcome.err;
+    EXPECT_LT(std::chrono::steady_clock::now() - before, 10s);
+    EXPECT_EQ(statistics().at("interrupted"), true);
+    EXPECT_EQ(statistics().at("complete"), true);
+    const Image image = read_image(file("stopped.exr").string());
+    EXPECT_EQ(image.width, 64);
+    double sum = 0.0;
+    for (const float value : image.rgb()) sum += value;
+    EXPECT_GT(sum, 0.0);
+    fs::remove(folder_ / "stopped.exr");
+  }
+}
+
+TEST_F(Cli, ProgressComesInLinesOfJson) {
+  const Outcome outcome =
+      run({"render", "builtin:cornell", "--resolution", "8x8", "--spp", "4", "--progress", "json"});
+  ASSERT_EQ(outcome.exit_code, 0);
+  std::istringstream lines(outcome.err);
+  std::string line;
+  std::vector<std::string> events;
+  while (std::getline(lines, line)) {
+    if (line.starts_with('{')) events.push_back(json::parse(line).at("event"));
+  }
+  EXPECT_EQ(events.front(), "phase");
+  EXPECT_EQ(std::count(events.begin(), events.end(), "done"), 1);
+}
+
+TEST_F(Cli, NothingButResultsGoesToStdout) {
+  EXPECT_EQ(render({"--spp", "1", "-o", "a.pfm", "--progress", "plain"}).out, "a.pfm\n");
+}
+
+TEST_F(Cli, InfoSaysWhatIsInAScene) {
+  const Outcome text = run({"info", "builtin:cornell"});
+  ASSERT_EQ(text.exit_code, 0) << text.err;
+  EXPECT_TRUE(contains(text.out, "triangles"));
+  const Outcome outcome = run({"info", "builtin:cornell", "--json"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const json info = json::parse(outcome.out);
+  for (const char* key : {"scene", "counts", "lights", "materials", "media", "camera", "film",
+                          "bounds", "memory", "warnings", "seconds"}) {
+    EXPECT_TRUE(info.contains(key)) << key;
+  }
+  EXPECT_EQ(info.at("counts").at("instances"), 2);
+  EXPECT_EQ(info.at("lights").at("area"), 1);
+  EXPECT_EQ(info.at("camera").at("type"), "perspective");
+  EXPECT_EQ(info.at("warnings"), 0);
+}
+
+TEST_F(Cli, ListNamesWhatThereIs) {
+  const Outcome outcome = run({"list", "--json"});
+  ASSERT_EQ(outcome.exit_code, 0);
+  const json list = json::parse(outcome.out);
+  const auto has = [&](const char* kind, const char* name) {
+    return std::any_of(list.at(kind).begin(), list.at(kind).end(),
+                       [&](const json& entry) { return entry.at("name") == name; });
+  };
+  EXPECT_TRUE(has("integrators", "pt"));
+  EXPECT_TRUE(has("scenes", "builtin:cornell"));
+  EXPECT_TRUE(has("materials", "glass"));
+  EXPECT_TRUE(has("aovs", "albedo"));
+  for (const json& integrator : list.at("integrators")) {
+    for (const json& parameter : integrator.at("parameters")) {
+      EXPECT_TRUE(parameter.contains("default") && parameter.contains("help")) << parameter;
+    }
+  }
+  EXPECT_TRUE(contains(run({"list", "integrators"}).out, "pt"));
+}
+
+TEST_F(Cli, EveryBuiltInSceneRendersWithoutAWarning) {
+  const json list = json::parse(run({"list", "scenes", "--json"}).out);
+  ASSERT_FALSE(list.at("scenes").empty());
+  for (const json& scene : list.at("scenes")) {
+    EXPECT_NE(scene.at("summary"), "") << scene;
+    const Outcome outcome = run({"render", scene.at("name"), "--resolution", "16x12", "--spp", "4",
+                                 "--stats", "stats.json", "-o", "a.pfm"});
+    EXPECT_EQ(outcome.exit_code, 0) << scene << outcome.err;
+    EXPECT_EQ(statistics().at("warnings"), 0) << scene << outcome.err;
+  }
+}
+
+TEST_F(Cli, AConvertedSceneRendersToTheSamePicture) {
+  const Outcome converted = run({"convert", "builtin:cornell", "copy.pbrt"});
+  ASSERT_EQ(converted.exit_code, 0) << converted.err;
+  ASSERT_EQ(render({"--spp", "16", "-o", "original.pfm"}).exit_code, 0);
+  const Outcome outcome = run({"render", "copy.pbrt", "--resolution", "24x16", "--spp", "16",
+                               "--progress", "none", "-o", "copy.pfm"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const std::vector<float> original = read_image(file("original.pfm").string()).rgb();
+  const std::vector<float> copy = read_image(file("copy.pfm").string()).rgb();
+  ASSERT_EQ(original.size(), copy.size());
+  double difference = 0.0;
+  double sum = 0.0;
+  for (std::size_t i = 0; i < copy.size(); ++i) {
+    difference += std::abs(original[i] - copy[i]);
+    sum += original[i];
+  }
+  EXPECT_LT(difference, 0.01 * sum);
+}
+
+TEST_F(Cli, WarningsAreCountedAndRenderingGoesOn) {
+  const fs::path scene = file("odd.pbrt",
+                              "Camera \"perspective\" \"float fov\" [40] \"float no_such\" [1]\n"
+                              "WorldBegin\n"
+                              "LightSource \"point\" \"point from\" [0 1 0]\n"
+                              "Shape \"sphere\" \"float radius\" [1]\n"
+                              "WorldEnd\n");
+  const Outcome outcome = run({"render", scene.string(), "--resolution", "8x8", "--spp", "1",
+                               "--stats", "stats.json", "-o", "a.pfm"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_GE(statistics().at("warnings").get<int>(), 1);
+  EXPECT_TRUE(contains(outcome.err, "odd.pbrt:1:")) << outcome.err;
+}
+
+TEST_F(Cli, APictureLargerThanTheMachineIsRefused) {
+  const Outcome outcome = run(
+      {"render", "builtin:cornell", "--resolution", "65536x65536", "--spp", "4", "-o", "a.exr"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_TRUE(contains(outcome.err, "memory")) << outcome.err;
+}
+
+}  // namespace
+}  // namespace ajar
