@@ -3,7 +3,9 @@
 #include <cmath>
 
 #include "import/import.h"
+#include "import/pbrt/pbrt_import.h"
 #include "session/builtin_scenes.h"
+#include "session/scene_file.h"
 #include "support/shared.h"
 
 namespace ajar::bench {
@@ -61,7 +63,7 @@ std::vector<BenchScene> bench_scenes() {
       {"hills-4M", [](Warnings& warnings) { return hills_scene(1414, warnings); }},
   };
   for (const std::string& name : builtin_scene_names()) {
-    scenes.push_back({name, [name](Warnings& warnings) { return load_builtin_scene(name, warnings); }});
+    scenes.push_back({name, [name](Warnings& warnings) { return load_scene("builtin:" + name, warnings); }});
   }
   if (const auto shared = test::shared_folder()) {
     for (const char* path : {"cornell-box/pbrt/scene.pbrt", "veach-mis/pbrt/scene.pbrt", "veach-bidir/pbrt/scene.pbrt",
