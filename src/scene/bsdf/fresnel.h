@@ -11,6 +11,15 @@ struct DielectricBoundary {
   float cos_t;        ///< cosine of the refracted angle, ≥ 0; 0 under total internal reflection
 };
 
+/// Fresnel's equations with both angles known: `cos_i` in front of the boundary, `cos_t` behind it,
+/// both ≥ 0 and not both 0. Unlike `fresnel_dielectric` it keeps its digits close to total
+/// reflection, and gives the same seen from either side.
+inline float fresnel_reflectance(float cos_i, float cos_t, float eta) {
+  const float parallel = (eta * cos_i - cos_t) / (eta * cos_i + cos_t);
+  const float perpendicular = (cos_i - eta * cos_t) / (cos_i + eta * cos_t);
+  return 0.5F * (parallel * parallel + perpendicular * perpendicular);
+}
+
 /// Exact Fresnel equations. `cos_i` in [0, 1]; `eta` is the index of refraction behind the boundary
 /// over that in front of it, > 0.
 inline DielectricBoundary fresnel_dielectric(float cos_i, float eta) {
@@ -18,9 +27,7 @@ inline DielectricBoundary fresnel_dielectric(float cos_i, float eta) {
   const float sin2_t = std::max(0.F, 1.F - cos_i * cos_i) / (eta * eta);
   if (sin2_t >= 1.F) return {1.F, 0.F};
   const float cos_t = std::sqrt(1.F - sin2_t);
-  const float parallel = (eta * cos_i - cos_t) / (eta * cos_i + cos_t);
-  const float perpendicular = (cos_i - eta * cos_t) / (cos_i + eta * cos_t);
-  return {0.5F * (parallel * parallel + perpendicular * perpendicular), cos_t};
+  return {fresnel_reflectance(cos_i, cos_t, eta), cos_t};
 }
 
 /// Exact Fresnel equations for a metal seen from vacuum, lane by lane: index of refraction `eta` >
@@ -63,7 +70,8 @@ struct ConductorFresnel {
   ConductorFresnel() = default;
   /// Clamped to eta ≥ 1e-4 and both ≤ 1e4, where the equations are safe in single precision.
   ConductorFresnel(const Spectrum& index, const Spectrum& absorption)
-      : eta(clamp(index, 1e-4F, 1e4F)), k(clamp(absorption, 0.F, 1e4F)) {}
+      : eta(map_lanes(index, [](float x) { return x > 1e-4F ? std::min(x, 1e4F) : 1e-4F; })),
+        k(map_lanes(absorption, [](float x) { return x > 0.F ? std::min(x, 1e4F) : 0.F; })) {}
   Spectrum operator()(float cos_i, bool /*front*/) const {
     return fresnel_conductor(cos_i, eta, k);
   }
