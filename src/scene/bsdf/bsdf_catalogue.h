@@ -58,6 +58,8 @@ inline std::vector<NamedBsdf> catalogue(float tilt_degrees) {
       .add(FresnelBlend{ggx(0.2F, 0.5F), PackedSpectrum(tint), PackedSpectrum(Spectrum(0.5F))});
   begin("disney diffuse")
       .add(DisneyDiffuse{PackedSpectrum(tint), PackedSpectrum(Spectrum(0.3F)), 0.6F, 0.4F, 0.4F});
+  // Burley's diffuse lobe gains up to a tenth at grazing angles.
+  all.back().conserves_energy = false;
   begin("disney specular")
       .add(DisneySpecular{{FacetModel::GgxSeparable, 0.2F, 0.4F}, {PackedSpectrum(tint), 0.5F}});
   begin("disney clearcoat").add(DisneyClearcoat{0.1F});
@@ -73,10 +75,10 @@ inline std::vector<NamedBsdf> catalogue(float tilt_degrees) {
   plastic.add(Lambert{}, tint * 0.5F);
   plastic.add(DielectricReflection{ggx(0.15F, 0.15F), {1.F / 1.5F}}, Spectrum(0.5F));
   Bsdf& uber = begin("uber");
-  uber.add(PassThrough{}, Spectrum(0.3F, 0.2F, 0.1F));
-  uber.add(Lambert{}, tint * 0.4F);
-  uber.add(DielectricReflection{ggx(0.3F, 0.1F), {1.5F}}, Spectrum(0.3F));
-  uber.add(SpecularReflection{1.5F}, Spectrum(0.2F));
+  uber.add(PassThrough{}, Spectrum(0.2F, 0.1F, 0.05F));
+  uber.add(Lambert{}, tint * 0.3F);
+  uber.add(DielectricReflection{ggx(0.3F, 0.1F), {1.5F}}, Spectrum(0.2F));
+  uber.add(SpecularReflection{1.5F}, Spectrum(0.1F));
   uber.add(SpecularTransmission{1.5F}, Spectrum(0.2F));
   Bsdf& translucent = begin("translucent");
   translucent.add(Lambert{}, tint * 0.3F);

@@ -27,17 +27,26 @@ int bin_of(const Vec3& w) {
 /// ∫ pdf over each bin by the midpoint rule; one more entry: the probability of "no direction in
 /// any bin", i.e. of specular and empty samples.
 std::vector<double> expected_probabilities(const Bsdf& bsdf, const Vec3& wo) {
-  constexpr int kFine = 16;
+  constexpr int kFine = 10;
+  constexpr int kFinePole = 60;  // next to the poles a narrow lobe is narrower still in cos θ
   std::vector<double> p(kBins + 1, 0.0);
-  const double cell = 4.0 * kPi / (static_cast<double>(kBins) * kFine * kFine);
-  for (int c = 0; c < kCosines * kFine; ++c) {
-    const double z = -1.0 + 2.0 * (c + 0.5) / (kCosines * kFine);
-    const double r = std::sqrt(1.0 - z * z);
-    for (int a = 0; a < kAngles * kFine; ++a) {
-      const double phi = 2.0 * kPi * (a + 0.5) / (kAngles * kFine);
-      const Vec3 wi(static_cast<float>(r * std::cos(phi)), static_cast<float>(r * std::sin(phi)),
-                    static_cast<float>(z));
-      p[c / kFine * kAngles + a / kFine] += bsdf.pdf(wo, wi).value() * cell;
+  for (int c = 0; c < kCosines; ++c) {
+    const bool pole = c == 0 || c == kCosines - 1;
+    const int rows = pole ? kFinePole : kFine;
+    for (int row = 0; row < rows; ++row) {
+      const double t = (row + 0.5) / rows;
+      // Uniform in cos θ, or at the poles in θ.
+      const double step = pole ? t * t : t;
+      const double z =
+          c == kCosines - 1 ? 1.0 - 2.0 * step / kCosines : -1.0 + 2.0 * (c + step) / kCosines;
+      const double cell = (pole ? 2.0 * t : 1.0) * 4.0 * kPi / (1.0 * kBins * rows * kFine);
+      const double r = std::sqrt(1.0 - z * z);
+      for (int a = 0; a < kAngles * kFine; ++a) {
+        const double phi = 2.0 * kPi * (a + 0.5) / (kAngles * kFine);
+        const Vec3 wi(static_cast<float>(r * std::cos(phi)), static_cast<float>(r * std::sin(phi)),
+                      static_cast<float>(z));
+        p[c * kAngles + a / kFine] += bsdf.pdf(wo, wi).value() * cell;
+      }
     }
   }
   double sum = 0.0;

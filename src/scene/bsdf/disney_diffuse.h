@@ -25,7 +25,8 @@ struct DisneyDiffuse {
   }
   Spectrum albedo(const Vec3& wo) const {
     const float grazing = schlick_weight(std::abs(wo.z));
-    const float base = (diffuse + fake_subsurface) * (1.F - 0.5F * grazing) + roughness * grazing;
+    const float base = (diffuse + fake_subsurface) * (1.F - 0.5F * grazing) +
+                       roughness * (0.05F + 0.95F * grazing);
     // ∫ (1 − cos θ_d)⁵ cos θ_i dω_i is about 0.04 for a view along the normal, 0.8 at grazing.
     return color.unpack() * base + sheen.unpack() * (0.04F + 0.76F * grazing);
   }

@@ -23,9 +23,7 @@ struct FresnelBlend {
     LobeValue v{diffuse.unpack() * (Spectrum(1.F) - rs) * base, (1.F - p_o) * cosine_pdf(wi),
                 (1.F - p_i) * cosine_pdf(wo)};
     if (!same_hemisphere(wo, wi)) return v;
-    const Vec3 h = normalize(wo + wi);
-    const float cos_h = std::min(1.F, dot(wi, h));
-    if (!(cos_h > 0.F)) return v;
+    const auto [h, cos_h] = half_vector(wo, wi);
     const float density = 0.25F * facets.density(h);
     v.value += schlick(rs, cos_h) * (density * cos_i / (cos_h * std::max(cos_o, cos_i)));
     v.pdf += p_o * density / facets.projected_area(wo);
@@ -53,7 +51,7 @@ struct FresnelBlend {
 
   Spectrum albedo(const Vec3& wo) const {
     const Spectrum rs = specular.unpack();
-    return schlick(rs, std::abs(wo.z)) +
+    return schlick(rs, 0.95F * std::abs(wo.z)) +
            diffuse.unpack() * (Spectrum(1.F) - rs) * base_falloff(std::abs(wo.z));
   }
 

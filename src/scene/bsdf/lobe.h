@@ -69,6 +69,19 @@ inline float schlick_weight(float cosine) { return pow5(std::clamp(1.F - cosine,
 /// True if both directions are on the same side of the shading normal's plane.
 inline bool same_hemisphere(const Vec3& a, const Vec3& b) { return a.z * b.z > 0.F; }
 
+/// Normal of the facet that mirrors one direction into the other. Both must be in the same
+/// hemisphere.
+struct HalfVector {
+  Vec3 h;
+  float cosine;  ///< of the angle from h to either direction, > 0
+};
+inline HalfVector half_vector(const Vec3& wo, const Vec3& wi) {
+  const Vec3 sum = wo + wi;
+  const float size = length(sum);
+  // Half the length is the cosine, and stays positive where the dot product rounds to zero.
+  return {sum / size, std::min(1.F, 0.5F * size)};
+}
+
 /// Cosine-weighted direction in the hemisphere of the *geometric* normal `ng` (in local
 /// coordinates, pointing to the wanted side): density |cos θ| / π there, θ to the shading normal.
 /// The part of the shading hemisphere that lies behind `ng` is mirrored at the origin, which maps

@@ -14,15 +14,15 @@ struct MicrofacetReflection {
 
   LobeValue evaluate(const Vec3& wo, const Vec3& wi, bool transmission, TransportMode) const {
     if (transmission || !same_hemisphere(wo, wi)) return {};
-    const Vec3 h = normalize(wo + wi);
-    const float density = 0.25F * facets.density(h);
+    const HalfVector half = half_vector(wo, wi);
+    const float density = 0.25F * facets.density(half.h);
     const float cos_o = std::abs(wo.z);
     const float cos_i = std::abs(wi.z);
     const float area_o = facets.projected_area(wo);
     const float area_i = facets.projected_area(wi);
     const float shadowing = facets.shadowing_over_cosines(cos_o, area_o, cos_i, area_i);
-    return {fresnel(std::min(1.F, dot(wo, h)), wo.z > 0.F) * (density * shadowing * cos_i),
-            density / area_o, density / area_i};
+    return {fresnel(half.cosine, wo.z > 0.F) * (density * shadowing * cos_i), density / area_o,
+            density / area_i};
   }
 
   std::optional<LobeSample> sample(const Vec3& wo, const BsdfUniforms& u, const Vec3&,
@@ -44,7 +44,9 @@ struct MicrofacetReflection {
                       density / area_o, density / area_i};
   }
 
-  Spectrum albedo(const Vec3& wo) const { return fresnel(std::abs(wo.z), wo.z > 0.F); }
+  /// At a slightly more grazing angle, as facets have: so it is not 0 where only the normal's term
+  /// is.
+  Spectrum albedo(const Vec3& wo) const { return fresnel(0.95F * std::abs(wo.z), wo.z > 0.F); }
 };
 
 /// Rough coat of a dielectric: the highlight of plastic. What is refracted is lost.

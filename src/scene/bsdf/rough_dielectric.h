@@ -21,15 +21,20 @@ struct RoughDielectric {
     const float relative = front ? eta : 1.F / eta;
     const Vec3 o = front ? wo : -wo;
     const Vec3 i = front ? wi : -wi;
-    const Vec3 sum = transmission ? o + i * relative : o + i;
+    if (!transmission) {
+      const HalfVector half = half_vector(o, i);
+      const Choice choice = choose(fresnel_dielectric(half.cosine, relative));
+      return value(o, i, false, half.h, half.cosine, half.cosine, 0.F, relative, choice, mode);
+    }
+    const Vec3 sum = o + i * relative;
     const float squared = length_squared(sum);
     if (!(squared > 0.F)) return {};
-    Vec3 h = sum / std::sqrt(squared);
-    if (h.z < 0.F) h = -h;
+    const Vec3 h = sum / std::copysign(std::sqrt(squared), sum.z);
     const float o_h = std::min(1.F, dot(o, h));
-    const float i_h = dot(i, h);
-    if (o_h <= 0.F || (i_h < 0.F) != transmission) return {};
-    return value(o, i, transmission, h, o_h, i_h, squared, relative, choose(o_h, relative), mode);
+    const float t_h = -dot(i, h);
+    if (o_h <= 0.F || t_h <= 0.F) return {};
+    const Choice choice = choose({fresnel_reflectance(o_h, t_h, relative), t_h});
+    return value(o, i, true, h, o_h, -t_h, squared, relative, choice, mode);
   }
 
   std::optional<LobeSample> sample(const Vec3& wo, const BsdfUniforms& u, const Vec3&,
@@ -40,7 +45,7 @@ struct RoughDielectric {
     const Vec3 h = facets.sample_visible(o, u.direction);
     const float o_h = std::min(1.F, dot(o, h));
     if (o_h <= 0.F) return std::nullopt;
-    const Choice choice = choose(o_h, relative);
+    const Choice choice = choose(fresnel_dielectric(o_h, relative));
     const bool transmission = u.lobe >= choice.p_reflect;
     if (transmission && !(choice.p_transmit > 0.F)) return std::nullopt;
     const Vec3 i = transmission
@@ -57,7 +62,8 @@ struct RoughDielectric {
   }
 
   Spectrum albedo(const Vec3& wo) const {
-    const Spectrum f = DielectricFresnel{eta}(std::abs(wo.z), wo.z > 0.F);
+    // Where the mean surface reflects totally, some facets still transmit.
+    const Spectrum f = clamp(DielectricFresnel{eta}(std::abs(wo.z), wo.z > 0.F), 0.F, 0.95F);
     return reflect.unpack() * f + transmit.unpack() * (Spectrum(1.F) - f);
   }
 
@@ -67,8 +73,7 @@ struct RoughDielectric {
     float p_reflect;
     float p_transmit;
   };
-  Choice choose(float cosine, float relative) const {
-    const DielectricBoundary boundary = fresnel_dielectric(cosine, relative);
+  Choice choose(const DielectricBoundary& boundary) const {
     const float reflected = boundary.reflectance * reflect.average();
     const float transmitted = (1.F - boundary.reflectance) * transmit.average();
     const float sum = reflected + transmitted;

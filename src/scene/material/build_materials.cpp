@@ -1,5 +1,4 @@
 #include <cstddef>
-#include <string>
 #include <variant>
 
 #include "scene/material/disney.h"
@@ -61,8 +60,7 @@ class Builder {
     const Material& b = find(d.b);
     auto mix = std::make_unique<Mix>(slots_(d.amount, 0.5F), a, b);
     if (mix->max_lobes() <= Bsdf::kMaxLobes) return mix;
-    warnings_.add(*where_, "mix of more than " + std::to_string(Bsdf::kMaxLobes) +
-                               " lobes: only its first material is used");
+    warnings_.add(*where_, "mix of too many lobes: only its first material is used");
     return std::make_unique<Mix>(TextureSlot(Spectrum(1.F)), a, b);
   }
 
