@@ -27,7 +27,7 @@ std::unique_ptr<Camera> camera_of(const Node& node, const Mat4& to_world, Vec2i 
 const desc::PerspectiveCamera kPinhole{50, 0, 1e6F, {}, {}};
 const desc::PerspectiveCamera kThinLens{50, 0.3F, 3, {}, {}};
 const desc::OrthographicCamera kParallel{0, 1e6F, {}, {}};
-const desc::OrthographicCamera kTelecentric{0.3F, 3, {}, {}};
+const desc::OrthographicCamera kTelecentric{1.2F, 3, {}, {}};  // wide: its cosines matter
 
 struct Case {
   std::string name;
@@ -134,22 +134,22 @@ TEST(Camera, TelecentricDirectionsFollowTheirDensity) {
   const auto camera =
       camera_of(kTelecentric, scaling(1, 1.4, 0.8) * aimed({0, 0, -4}, {0, 0, 0}), {8, 8});
   Rng rng(3);
-  // The whole lens lies within a disk of 0.1 · 1.4 / 0.8 around the axis at distance one.
+  // Rays of the lens fill a disk of radius 0.4 at distance one, before the space is stretched.
   const auto lens_uv = [](const Vec3& w) {
-    return Vec2(w.x / w.z * 0.8F / 0.1F, w.y / w.z * 0.8F / (0.1F * 1.4F));
+    return Vec2(w.x / w.z * 0.8F / 0.4F, w.y / w.z * 0.8F / (0.4F * 1.4F));
   };
   const Chart<Vec3> chart{
       [](const Vec2& s) {
-        const float r = 0.1F * std::sqrt(s.x);
+        const float r = 0.4F * std::sqrt(s.x);
         const float phi = 2.F * kPi * s.y;
         return normalize(Vec3(r * std::cos(phi), 1.4F * r * std::sin(phi), 0.8F));
       },
       [](const Vec2& s) {
         // Area at z = 0.8, times cos³ / 0.8².
-        const double r = 0.1 * std::sqrt(s.x);
+        const double r = 0.4 * std::sqrt(s.x);
         const double px = r * std::cos(2 * M_PI * s.y) / 0.8;
         const double py = 1.4 * r * std::sin(2 * M_PI * s.y) / 0.8;
-        return M_PI * 0.01 * 1.4 / 0.64 / std::pow(1 + px * px + py * py, 1.5);
+        return M_PI * 0.16 * 1.4 / 0.64 / std::pow(1 + px * px + py * py, 1.5);
       },
       [&](const Vec3& w) {
         const Vec2 p = lens_uv(w);

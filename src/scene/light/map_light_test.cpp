@@ -106,6 +106,16 @@ TEST(Map, UnreadableFilesAreMagentaAndNamedInAWarning) {
   EXPECT_EQ(warnings.count(), 2U);
 }
 
+TEST(Map, RepeatsOrClampsAtItsSidesAndClampsAboveAndBelow) {
+  const std::vector<Spectrum> texels{Spectrum(0.F), Spectrum(1.F), Spectrum(2.F), Spectrum(5.F)};
+  const Map repeated(2, 2, texels, MapEdge::Repeat);
+  const Map clamped(2, 2, texels, MapEdge::Clamp);
+  EXPECT_NEAR(repeated.lookup({0.F, 0.F})[0], 0.5F, 1e-6F);
+  EXPECT_NEAR(repeated.lookup({kOneMinusEpsilon, 0.99F})[0], 3.5F, 1e-5F);
+  EXPECT_NEAR(clamped.lookup({0.F, 0.F})[0], 0.F, 1e-6F);
+  EXPECT_NEAR(clamped.lookup({1.F, 1.F})[0], 5.F, 1e-6F);
+}
+
 TEST(LatLongMap, DirectionsAndCoordinatesAreInverse) {
   Rng rng(1);
   for (int i = 0; i < 10000; ++i) {
@@ -216,6 +226,19 @@ TEST(EnvironmentMap, TinySunIsIntegratedWithLittleNoise) {
     mean.add(sample ? sample->weight.average() : 0.0);
   }
   expect_mean(mean, expected, 0.03, 1e-3);
+}
+
+TEST(EnvironmentMap, EvenMapIsSampledEvenly) {
+  const ImageFile file(32, 16, std::vector<float>(3 * 32 * 16, 2.F));
+  const auto light = light_of(desc::InfiniteLight{{1, 1, 1}, file.path()}, Mat4());
+  Rng rng(6);
+  Mean mean;
+  constexpr int kSamples = 10000;
+  for (int i = 0; i < kSamples; ++i) {
+    mean.add(light->sample_connection({0, 0, 0}, connection_uniforms(rng))->weight.average());
+  }
+  EXPECT_NEAR(mean.value(), 8.0 * M_PI, 0.1);
+  EXPECT_LT(mean.error() * std::sqrt(kSamples), 0.1 * mean.value());
 }
 
 TEST(EnvironmentMap, ScaledAndMirroredSpacesIntegrateTheSame) {
