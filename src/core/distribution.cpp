@@ -23,11 +23,24 @@ Distribution1D::Distribution1D(std::span<const float> weights) {
     sum += raised(weights[i]);
   }
   cdf_.back() = 1.F;
+  const std::size_t n = weights.size();
+  guide_.resize(n + 1);
+  std::size_t cell = 0;
+  for (std::size_t k = 0; k <= n; ++k) {
+    const double u = std::min(static_cast<double>(k) / static_cast<double>(n),
+                              static_cast<double>(kOneMinusEpsilon));
+    while (static_cast<double>(cdf_[cell + 1]) <= u) ++cell;
+    guide_[k] = static_cast<std::uint32_t>(cell);
+  }
 }
 
 Distribution1D::Choice Distribution1D::choose(float u) const {
+  u = std::min(u, kOneMinusEpsilon);
+  // Exact in double precision, so the guides on both sides do enclose the cell of u.
+  const auto k = static_cast<std::size_t>(static_cast<double>(u) * static_cast<double>(size()));
   // The first bound beyond u ends the cell; a cell of zero width is never the one before it.
-  const auto above = std::upper_bound(cdf_.begin(), cdf_.end() - 1, std::min(u, kOneMinusEpsilon));
+  const auto above =
+      std::upper_bound(cdf_.begin() + guide_[k] + 1, cdf_.begin() + guide_[k + 1] + 1, u);
   const auto index = static_cast<std::size_t>(above - cdf_.begin()) - 1;
   const float width = probability(index);
   return {index, width, std::min((u - cdf_[index]) / width, kOneMinusEpsilon)};

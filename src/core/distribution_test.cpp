@@ -42,6 +42,36 @@ TEST(Distribution1D, NeverChoosesZeroWeightsAtTheEndsOfTheUnitInterval) {
   EXPECT_LT(distribution.choose(1.F).u, 1.F);
 }
 
+TEST(Distribution1D, GuidesLeadToTheCellOfALinearSearch) {
+  Rng rng(4);
+  for (const std::size_t n : {1U, 2U, 3U, 7U, 100U, 1000U}) {
+    std::vector<float> weights;
+    for (std::size_t i = 0; i < n; ++i) {
+      weights.push_back(rng.next() < 0.4F ? 0.F : std::exp(30.F * rng.next()));
+    }
+    weights[n / 2] = 1.F;
+    const Distribution1D distribution(weights);
+    for (int i = 0; i < 20000; ++i) {
+      // Also the borders between guides, and the numbers next to them.
+      float u = rng.next();
+      if (i % 2 == 0) {
+        u = std::floor(u * static_cast<float>(n)) / static_cast<float>(n);
+        if (i % 4 == 0) u = std::nextafter(u, 0.F);
+      }
+      std::size_t cell = 0;
+      float end = distribution.probability(0);
+      double sum = end;
+      while (u >= end && cell + 1 < n) {
+        ++cell;
+        sum += distribution.probability(cell);
+        end = static_cast<float>(sum);
+      }
+      while (distribution.probability(cell) == 0.F) --cell;
+      ASSERT_EQ(distribution.choose(u).index, cell) << "u = " << u << ", n = " << n;
+    }
+  }
+}
+
 TEST(Distribution1D, StretchesTheUniformNumber) {
   const Distribution1D distribution(std::vector<float>{1.F, 1.F, 2.F});
   EXPECT_FLOAT_EQ(distribution.choose(0.125F).u, 0.5F);

@@ -63,17 +63,20 @@ class Map {
 Map load_map(const std::string& path, MapEdge edge, const SourceLocation& where,
              Warnings& warnings);
 
+/// Maps up to this size are sampled by half texels. They fit the bilinear interpolation four times
+/// better than whole ones but need four times the memory.
+inline constexpr std::size_t kMaxTexelsToHalve = std::size_t{1} << 19U;
+
 /// Distribution over the unit square proportional to luminance × `jacobian(uv)`, piecewise constant
-/// on half texels (whole ones for very large maps). Its density is > 0 wherever the interpolated
-/// map is not black: cells are weighted by the mean of the interpolated map, not by one of its
-/// texels.
+/// on half texels (whole ones above `max_texels_to_halve`). Its density is > 0 wherever the
+/// interpolated map is not black: cells are weighted by the mean of the interpolated map, not by
+/// one of its texels.
 template <typename Jacobian>
-Distribution2D make_map_distribution(const Map& map, const Jacobian& jacobian) {
-  // Half texels fit the bilinear interpolation four times better but need four times the memory.
-  constexpr std::size_t kMaxTexelsToHalve = std::size_t{1} << 22U;
+Distribution2D make_map_distribution(const Map& map, const Jacobian& jacobian,
+                                     std::size_t max_texels_to_halve = kMaxTexelsToHalve) {
   const auto texels =
       static_cast<std::size_t>(map.width()) * static_cast<std::size_t>(map.height());
-  const int parts = texels <= kMaxTexelsToHalve ? 2 : 1;
+  const int parts = texels <= max_texels_to_halve ? 2 : 1;
   const int columns = map.width() * parts;
   const int rows = map.height() * parts;
   const int points = 2 / parts;  // half texels per cell and axis

@@ -142,6 +142,25 @@ TEST(LatLongMap, DensityIsPositiveWhereverTheMapIs) {
   EXPECT_GT(bright, 500);
 }
 
+TEST(Map, DistributionByWholeTexelsIsPositiveWhereverTheMapIs) {
+  std::vector<Spectrum> texels(32 * 16, Spectrum(0.F));
+  texels[5 * 32] = Spectrum(1e6F);
+  const Map map(32, 16, texels, MapEdge::Repeat);
+  const Distribution2D distribution = make_map_distribution(
+      map, [](const Vec2& /*uv*/) { return 1.F; }, 0);
+  Rng rng(2);
+  Mean integral;
+  for (int i = 0; i < 200000; ++i) {
+    const Vec2 uv = next_pair(rng);
+    if (!map.lookup(uv).is_black()) {
+      EXPECT_GT(distribution.pdf(uv), 0.F);
+    }
+    const auto sample = distribution.sample(uv);
+    integral.add(map.lookup(sample.uv)[0] / sample.pdf);
+  }
+  expect_mean(integral, 1e6 / (32 * 16), 0.02, 1e-3);
+}
+
 TEST(EnvironmentMap, BrightTexelShinesFromPbrtsDirection) {
   const ImageFile file(16, 8, one_bright(16, 8, 3, 2, 100.F));
   const Mat4 to_world = rotation({1, 0, 0}, -M_PI / 2) * rotation({0, 0, 1}, 0.3);
