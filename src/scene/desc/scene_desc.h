@@ -41,6 +41,7 @@ struct ImageTexture {
   std::string path;  ///< resolved, ready to open
   Wrap wrap = Wrap::Repeat;
   bool decode_srgb = true;  ///< 8- and 16-bit images only; float formats are always linear
+  bool luminance = false;   ///< every lane is the luminance of the texel, before the sRGB decoding (pbrt-v3's float textures)
   float scale = 1;
   TextureFilter filter = TextureFilter::Bilinear;
   Mapping2D mapping;

@@ -1,0 +1,20 @@
+#pragma once
+#include <string>
+#include <string_view>
+
+#include "scene/desc/scene_desc.h"
+
+namespace ajar {
+
+/// Reads a mesh in Stanford PLY format: ascii or binary of either byte order, optionally compressed
+/// by gzip. Takes x y z, nx ny nz, and u v | s t | texture_u texture_v | texture_s texture_t of the
+/// element `vertex`, and the list `vertex_indices` or `vertex_index` of the element `face`;
+/// polygons are fanned into triangles. Everything else is skipped. Numbers are not judged: see
+/// `validate_mesh`. Raises SceneError, with `name` as its file, if the data is not a complete PLY
+/// file.
+desc::Mesh read_ply(std::string_view bytes, const std::string& name);
+
+/// Little-endian binary PLY of positions, normals, uvs and indices (tangents have no place in PLY).
+std::string write_ply(const desc::Mesh& mesh);
+
+}  // namespace ajar

@@ -1,0 +1,235 @@
+#include <gtest/gtest.h>
+
+#include "import/pbrt/import_test_support.h"
+
+namespace ajar {
+namespace {
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+TEST(PbrtDirectives, UnknownOnesNameTheNearestWithTheirPlace) {
+  const std::string error = error_of("WorldBegin\n  Shpae \"sphere\"");
+  EXPECT_TRUE(
+      contains(error, "test.pbrt:2:3: unknown directive \"Shpae\"; did you mean \"Shape\"?"))
+      << error;
+}
+
+TEST(PbrtDirectives, Pbrt4IsNamedAsSuch) {
+  for (const char* text : {"Film \"rgb\"", "Option \"x\" 1", "WorldBegin Material \"diffuse\"",
+                           "WorldBegin Shape \"bilinearmesh\""}) {
+    EXPECT_TRUE(contains(error_of(text), "pbrt-v4")) << text;
+  }
+}
+
+TEST(PbrtDirectives, WhatIsNoSceneIsAnError) {
+  EXPECT_TRUE(contains(error_of(""), "there is no WorldBegin"));
+  EXPECT_TRUE(contains(error_of("# nothing\n"), "test.pbrt:2:1"));
+  EXPECT_TRUE(contains(error_of(std::string("\x7f"
+                                            "ELF\0\0",
+                                            6)),
+                       "binary file"));
+  EXPECT_TRUE(contains(error_of("\"Shape\""), "expected a directive"));
+  EXPECT_TRUE(contains(error_of("{ \"json\": 1 }"), "test.pbrt:1:1: unknown directive"));
+}
+
+TEST(PbrtDirectives, WorldEndMayBeMissing) {
+  EXPECT_EQ(warnings_of("Camera \"perspective\" WorldBegin Shape \"sphere\""),
+            "test.pbrt:1:47: there is no WorldEnd\n");
+  EXPECT_TRUE(contains(warnings_of(world("") + " Shape \"sphere\""),
+                       "everything after WorldEnd is ignored"));
+}
+
+TEST(PbrtDirectives, ThingsOfTheWorldNeedAWorldAndOptionsNone) {
+  EXPECT_TRUE(
+      contains(error_of("Shape \"sphere\""), "1:1: Shape is only allowed after WorldBegin"));
+  EXPECT_TRUE(contains(error_of("AttributeBegin"), "only allowed after WorldBegin"));
+  EXPECT_TRUE(contains(warnings_of(world("Film \"image\"")),
+                       "test.pbrt:2:1: Film has no effect after WorldBegin"));
+  EXPECT_TRUE(contains(error_of("WorldBegin WorldBegin"), "1:12"));
+}
+
+TEST(PbrtDirectives, BlocksMustMatch) {
+  EXPECT_EQ(error_of("WorldBegin\nAttributeEnd"),
+            "test.pbrt:2:1: AttributeEnd without AttributeBegin");
+  EXPECT_EQ(error_of("WorldBegin\n AttributeBegin\nTransformEnd"),
+            "test.pbrt:3:1: TransformEnd, but the innermost open block is AttributeBegin at "
+            "test.pbrt:2:2");
+  EXPECT_TRUE(contains(warnings_of(world("  AttributeBegin")),
+                       "test.pbrt:2:3: AttributeBegin without an end"));
+  EXPECT_TRUE(contains(error_of("WorldBegin ObjectBegin \"a\" ObjectBegin \"b\""),
+                       "inside of another object"));
+}
+
+TEST(PbrtDirectives, DeepNestingIsNoProblemUpToALimit) {
+  std::string deep = "Camera \"perspective\" WorldBegin Shape \"sphere\" ";
+  for (int i = 0; i < 20000; ++i) deep += "AttributeBegin ";
+  std::string closed = deep;
+  for (int i = 0; i < 20000; ++i) closed += "AttributeEnd ";
+  EXPECT_EQ(warnings_of(closed + "WorldEnd"), "");
+  std::string absurd = "WorldBegin ";
+  for (int i = 0; i < 200000; ++i) absurd += "AttributeBegin ";
+  EXPECT_TRUE(contains(error_of(absurd), "nested too deeply"));
+}
+
+TEST(PbrtParameters, MayHaveBracketsOrNot) {
+  Warnings warnings;
+  const desc::SceneDesc scene = import_with(
+      "Camera \"perspective\" \"float fov\" 40 Film \"image\" \"integer xresolution\" [ 30 ] "
+      "\"integer yresolution\"[40]"
+      "\"string filename\" \"a.exr\" WorldBegin Shape \"sphere\" \" float  radius \" [ 3 ] "
+      "WorldEnd",
+      warnings);
+  EXPECT_EQ(warnings.count(), 0U);
+  EXPECT_EQ(std::get<desc::PerspectiveCamera>(scene.camera.node).fov, 40.F);
+  EXPECT_EQ(scene.film.resolution, Vec2i(30, 40));
+  EXPECT_EQ(scene.film.filename, "a.exr");
+  EXPECT_EQ(std::get<desc::Sphere>(scene.shapes[0].node).radius, 3.F);
+}
+
+TEST(PbrtParameters, BoolsMayBeQuotedOrNot) {
+  for (const char* value : {"\"false\"", "false", "[ \"false\" ]", "[ false ]"}) {
+    Warnings warnings;
+    const desc::SceneDesc scene = import_with(
+        world("Material \"plastic\" \"bool remaproughness\" " + std::string(value)), warnings);
+    EXPECT_FALSE(std::get<desc::PlasticMaterial>(scene.materials[0].node).remap_roughness) << value;
+    EXPECT_EQ(warnings.count(), 0U);
+  }
+  EXPECT_TRUE(contains(error_of(world("Material \"plastic\" \"bool remaproughness\" 1")),
+                       "test.pbrt:2:42: expected true or false"));
+}
+
+TEST(PbrtParameters, UnusedOnesAreReportedWithTheNearestName) {
+  EXPECT_EQ(warnings_of(world("Material \"glass\" \"float indx\" 1.3")),
+            "test.pbrt:2:18: unused parameter \"float indx\"; did you mean \"index\"?\n");
+  EXPECT_TRUE(contains(warnings_of(world("Shape \"sphere\" \"float raduis\" 1.3")),
+                       "did you mean \"radius\"?"));
+  EXPECT_TRUE(contains(
+      warnings_of("Camera \"perspective\" \"integer fov\" 3 WorldBegin Shape \"sphere\" WorldEnd"),
+      "\"integer fov\": it must be of another type here"));
+  EXPECT_TRUE(contains(
+      warnings_of(
+          "Camera \"perspective\" \"float fov\" [3 4] WorldBegin Shape \"sphere\" WorldEnd"),
+      "must have one value, not 2"));
+}
+
+TEST(PbrtParameters, MalformedOnesAreLocatedErrors) {
+  EXPECT_TRUE(contains(error_of("Camera \"perspective\" \"float fov\" \"wide\""),
+                       "test.pbrt:1:34: expected a number, found \"wide\""));
+  EXPECT_TRUE(
+      contains(error_of("Film \"image\" \"string filename\" 3"), "1:32: expected a quoted string"));
+  EXPECT_TRUE(
+      contains(error_of("Film \"image\" \"fov\" 3"), "expected a parameter as \"type name\""));
+  EXPECT_TRUE(contains(error_of("Film \"image\" \"flaot scale\" 3"),
+                       "unknown parameter type \"flaot\"; did you mean \"float\"?"));
+  EXPECT_TRUE(contains(error_of("Film \"image\" \"float scale\" [ 3"),
+                       "1:28: this bracket is never closed"));
+  EXPECT_TRUE(
+      contains(error_of("Film \"image\" \"float scale\" nan"), "expected a number, found \"nan\""));
+  EXPECT_TRUE(contains(error_of("Film \"image\" \"float scale\""),
+                       "the file ends where a number should be"));
+  EXPECT_TRUE(contains(error_of("Film"), "Film needs a quoted name here"));
+  EXPECT_TRUE(contains(error_of("Translate 1 2"), "the file ends where a number should be"));
+  EXPECT_TRUE(contains(error_of("Transform [1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17]"),
+                       "expected ] after 16 numbers"));
+}
+
+TEST(PbrtInclude, ReadsOtherFilesAndNamesThemInMessages) {
+  Warnings warnings;
+  const desc::SceneDesc scene = import_with(
+      world("Include \"geometry/a.pbrt\""), warnings,
+      {{"geometry/a.pbrt", "Shape \"disk\" Include \"b.pbrt\""}, {"b.pbrt", "Shape \"cone\""}});
+  EXPECT_EQ(scene.shapes.size(), 3U);
+  EXPECT_TRUE(std::holds_alternative<desc::Cone>(scene.shapes[1].node));
+  EXPECT_EQ(error_of(world("Include \"x.pbrt\""), {{"x.pbrt", "\n Nonsense"}}).substr(0, 12),
+            "x.pbrt:2:2: ");
+}
+
+TEST(PbrtInclude, CirclesAndMissingFilesAreErrors) {
+  EXPECT_EQ(error_of("Include \"a\"", {{"a", "Include \"b\""}, {"b", "\nInclude \"a\""}}),
+            "b:2:1: \"a\" includes itself");
+  EXPECT_TRUE(contains(error_of("Include \"test.pbrt\"", {{"test.pbrt", ""}}), "includes itself"));
+  EXPECT_TRUE(contains(error_of("Include \"missing-file\""), "test.pbrt:1:1: cannot open"));
+  EXPECT_TRUE(contains(error_of("Include \"/dev/zero\""), "not a regular file"));
+  std::map<std::string, std::string> chain;
+  for (int i = 0; i < 100; ++i)
+    chain["f" + std::to_string(i)] = "Include \"f" + std::to_string(i + 1) + "\"";
+  EXPECT_TRUE(contains(error_of("Include \"f0\"", chain), "too deeply"));
+}
+
+TEST(PbrtInclude, ExponentialInclusionIsStopped) {
+  std::map<std::string, std::string> bomb;
+  for (int i = 0; i < 40; ++i) {
+    const std::string next = "Include \"f" + std::to_string(i + 1) + "\" ";
+    bomb["f" + std::to_string(i)] = next + next;
+  }
+  bomb["f40"] = "";
+  EXPECT_TRUE(contains(error_of("Include \"f0\"", bomb), "too many files"));
+}
+
+TEST(PbrtObjects, ArePlacedByInstances) {
+  Warnings warnings;
+  const desc::SceneDesc scene =
+      import_with(world("ObjectBegin \"o\" Translate 1 0 0 Shape \"disk\" Shape \"cone\" ObjectEnd "
+                        "Translate 0 5 0 ObjectInstance \"o\""),
+                  warnings);
+  EXPECT_EQ(warnings.count(), 0U);
+  ASSERT_EQ(scene.objects.size(), 1U);
+  EXPECT_EQ(scene.objects[0].shapes.size(), 2U);
+  EXPECT_EQ(scene.objects[0].shapes[0].to_world[3][0], 1.0);
+  ASSERT_EQ(scene.instances.size(), 1U);
+  EXPECT_EQ(scene.instances[0].object, 0);
+  EXPECT_EQ(scene.instances[0].to_world[3][1], 5.0);
+  EXPECT_EQ(scene.shapes.size(), 1U);
+}
+
+TEST(PbrtObjects, CannotEmitAndMustExist) {
+  Warnings warnings;
+  const desc::SceneDesc scene = import_with(
+      world("ObjectBegin \"o\" AreaLightSource \"diffuse\" Shape \"disk\" ObjectEnd"), warnings);
+  EXPECT_FALSE(scene.objects[0].shapes[0].light);
+  EXPECT_EQ(warnings.count(), 1U);
+  EXPECT_TRUE(contains(error_of("WorldBegin ObjectInstance \"o\""), "unknown object \"o\""));
+}
+
+TEST(PbrtMedia, InterfacesFollowTheGraphicsState) {
+  Warnings warnings;
+  const desc::SceneDesc scene = import_with(
+      "MakeNamedMedium \"fog\" \"string type\" \"homogeneous\" \"rgb sigma_a\" [1 2 3] \"rgb "
+      "sigma_s\" [4 5 6] "
+      "\"float scale\" 2 \"float g\" 0.5 MediumInterface \"\" \"fog\" Camera \"perspective\" "
+      "WorldBegin "
+      "AttributeBegin MediumInterface \"fog\" \"\" Shape \"sphere\" AttributeEnd Shape \"disk\" "
+      "AttributeBegin MediumInterface \"fog\" Shape \"cone\" AttributeEnd "
+      "LightSource \"point\" WorldEnd",
+      warnings);
+  EXPECT_EQ(warnings.count(), 0U);
+  ASSERT_EQ(scene.media.size(), 1U);
+  EXPECT_EQ(scene.media[0].sigma_a, desc::Rgb(2.F, 4.F, 6.F));
+  EXPECT_EQ(scene.media[0].sigma_s, desc::Rgb(8.F, 10.F, 12.F));
+  EXPECT_EQ(scene.media[0].g, 0.5F);
+  EXPECT_EQ(scene.camera.medium, 0);
+  EXPECT_EQ(scene.lights[0].medium, 0);
+  EXPECT_TRUE(scene.shapes[0].has_medium_interface);
+  EXPECT_EQ(scene.shapes[0].inside, 0);
+  EXPECT_EQ(scene.shapes[0].outside, desc::kNone);
+  EXPECT_EQ(scene.shapes[1].inside, desc::kNone);
+  EXPECT_EQ(scene.shapes[1].outside, 0);
+  EXPECT_FALSE(scene.shapes[2].has_medium_interface);
+}
+
+TEST(PbrtMedia, UnknownOnesAndUnsupportedOnes) {
+  EXPECT_TRUE(contains(error_of(world("MediumInterface \"x\" \"\"")),
+                       "test.pbrt:2:1: unknown medium \"x\""));
+  Warnings warnings;
+  const desc::SceneDesc scene =
+      import_with(world("MakeNamedMedium \"m\" \"string type\" \"heterogeneous\" \"integer nx\" 2 "
+                        "\"float density\" [1 3] \"rgb sigma_a\" [1 1 1]"),
+                  warnings);
+  EXPECT_EQ(warnings.count(), 1U);
+  EXPECT_EQ(scene.media[0].sigma_a, desc::Rgb(2.F));
+}
+
+}  // namespace
+}  // namespace ajar

@@ -1,0 +1,33 @@
+#include "import/pbrt/file_access.h"
+
+#include <filesystem>
+
+#include "core/error.h"
+
+namespace ajar::pbrt {
+
+std::string FileAccess::resolve(const std::string& name) const {
+  // A zero byte would end the name early in every call to the system.
+  if (name.find('\0') != std::string::npos) throw IoError("a file name contains a zero byte");
+  const std::filesystem::path path =
+      (std::filesystem::path(base_folder_) / name).lexically_normal();
+  if (provider_ && provider_(path.string())) return path.string();
+  std::error_code error;
+  const std::filesystem::path absolute = std::filesystem::absolute(path, error);
+  return error ? path.string() : absolute.lexically_normal().string();
+}
+
+FileBytes FileAccess::load(const std::string& resolved) const {
+  if (provider_) {
+    if (const std::optional<std::string_view> bytes = provider_(resolved)) return FileBytes(*bytes);
+  }
+  return read_file(resolved);
+}
+
+bool FileAccess::exists(const std::string& resolved) const {
+  if (provider_ && provider_(resolved)) return true;
+  std::error_code error;
+  return std::filesystem::is_regular_file(resolved, error);
+}
+
+}  // namespace ajar::pbrt

@@ -1,0 +1,36 @@
+#pragma once
+#include <optional>
+#include <string>
+
+#include "import/pbrt/context.h"
+#include "import/pbrt/parameter_list.h"
+
+/// The directives before WorldBegin: camera, film, filter, sampler, integrator.
+namespace ajar::pbrt {
+
+/// A camera, and for a "realistic" one the focal length of the perspective that stands in for it;
+/// its field of view follows from the film.
+struct CameraOptions {
+  desc::Camera camera;
+  std::optional<double> focal_length;  ///< mm
+};
+/// Raises SceneError for unknown types and parameters that make no camera.
+CameraOptions make_camera(Context& context, const SourceLocation& where, const std::string& type,
+                          const ParameterList& parameters, const Mat4& ctm);
+
+struct FilmOptions {
+  desc::Film film;
+  float diagonal = 35.F;  ///< mm
+};
+/// Everything but the filter.
+FilmOptions make_film(Context& context, const SourceLocation& where, const std::string& type,
+                      const ParameterList& parameters);
+desc::Filter make_filter(Context& context, const SourceLocation& where, const std::string& type,
+                         const ParameterList& parameters);
+
+void apply_sampler(Context& context, const SourceLocation& where, const std::string& type,
+                   const ParameterList& parameters);
+void apply_integrator(Context& context, const SourceLocation& where, const std::string& type,
+                      const ParameterList& parameters);
+
+}  // namespace ajar::pbrt

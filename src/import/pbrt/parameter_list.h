@@ -1,0 +1,99 @@
+#pragma once
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/error.h"
+#include "core/vector.h"
+
+namespace ajar::pbrt {
+
+enum class ParameterKind {
+  Integer,
+  Float,
+  Point2,
+  Vector2,
+  Point3,
+  Vector3,
+  Normal3,
+  Bool,
+  String,
+  Texture,
+  Rgb,
+  Xyz,
+  Blackbody,
+  Spectrum
+};
+std::string_view kind_name(ParameterKind kind);
+std::optional<ParameterKind> kind_from_name(std::string_view name);
+/// Numbers per value: 3 for points, 2 for black bodies (temperature, scale) …
+int numbers_per_value(ParameterKind kind);
+
+/// `"float fov" [ 30 ]`: a typed, named array.
+struct Parameter {
+  ParameterKind kind = ParameterKind::Float;
+  std::string name;
+  SourceLocation where;
+  std::vector<int> integers;   ///< of Integer
+  std::vector<float> numbers;  ///< of everything else that consists of numbers
+  std::vector<std::string>
+      strings;  ///< of String, Texture, Bool ("true", "false"), and file names of Spectrum
+  std::size_t size() const;  ///< count of values
+};
+
+/// The parameters of one directive. Every lookup remembers its name: what was never asked for is
+/// reported by `report_unused`, with the nearest name that was.
+class ParameterList {
+ public:
+  void add(Parameter parameter, Warnings& warnings);
+
+  /// The parameter, if it was given with one of these kinds. A different kind is a warning and
+  /// counts as not given, as in pbrt-v3.
+  const Parameter* find(std::string_view name, std::span<const ParameterKind> kinds) const;
+  const Parameter* find(std::string_view name, ParameterKind kind) const {
+    return find(name, {&kind, 1});
+  }
+  /// The same, for parameters that must have exactly one value.
+  const Parameter* find_one(std::string_view name, std::span<const ParameterKind> kinds) const;
+  const Parameter* find_one(std::string_view name, ParameterKind kind) const {
+    return find_one(name, {&kind, 1});
+  }
+
+  bool get_bool(std::string_view name, bool fallback) const;
+  int get_int(std::string_view name, int fallback) const;
+  float get_float(std::string_view name, float fallback) const;
+  std::optional<float> get_float(std::string_view name) const;
+  std::string get_string(std::string_view name, const std::string& fallback) const;
+  std::optional<std::string> get_string(std::string_view name) const;
+  Vec3 get_point(std::string_view name, const Vec3& fallback) const;
+  Vec3 get_vector(std::string_view name, const Vec3& fallback) const;
+  std::vector<Vec3> get_points(std::string_view name) const;
+  std::vector<Vec3> get_vectors(std::string_view name) const;
+  std::vector<Vec3> get_normals(std::string_view name) const;
+  /// Accepts point2, vector2 and plain floats, as exporters write all of them.
+  std::vector<Vec2> get_point2s(std::string_view name) const;
+
+  /// Marks parameters that are known and have no meaning for us.
+  void accept(std::initializer_list<std::string_view> names) const;
+  /// Count of parameters that were found so far.
+  std::size_t used_count() const;
+  bool all_used() const { return used_count() == entries_.size(); }
+  void report_unused(Warnings& warnings) const;
+  bool empty() const { return entries_.empty(); }
+
+ private:
+  struct Entry {
+    Parameter parameter;
+    mutable bool used = false;
+  };
+  std::vector<Vec3> get_triples(std::string_view name, ParameterKind kind) const;
+
+  std::vector<Entry> entries_;
+  mutable std::vector<std::string> asked_;
+  Warnings* warnings_ = nullptr;
+};
+
+}  // namespace ajar::pbrt

@@ -1,0 +1,35 @@
+#include "import/pbrt/pbrt_import.h"
+
+#include <filesystem>
+
+#include "import/pbrt/parser.h"
+
+namespace ajar {
+namespace {
+
+desc::SceneDesc import_text(std::string_view text, const std::string& name, const std::string& path,
+                            const std::string& base_folder, Warnings& warnings,
+                            FileProvider provider) {
+  const pbrt::FileAccess files(base_folder, std::move(provider));
+  pbrt::SceneBuilder builder(files, name, warnings);
+  const SourceLocation end = pbrt::Parser(files, builder, warnings).parse(text, name, path);
+  return builder.finish(end);
+}
+
+}  // namespace
+
+desc::SceneDesc import_pbrt(const std::string& path, Warnings& warnings) {
+  const FileBytes bytes = read_file(path);
+  const std::filesystem::path absolute = std::filesystem::absolute(path).lexically_normal();
+  return import_text(bytes.view(), path, absolute.string(), absolute.parent_path().string(),
+                     warnings, {});
+}
+
+desc::SceneDesc import_pbrt_text(std::string_view text, const std::string& name,
+                                 const std::string& base_folder, Warnings& warnings,
+                                 FileProvider provider) {
+  const std::string path = (std::filesystem::path(base_folder) / name).lexically_normal().string();
+  return import_text(text, name, path, base_folder, warnings, std::move(provider));
+}
+
+}  // namespace ajar

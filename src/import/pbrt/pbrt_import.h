@@ -1,0 +1,23 @@
+#pragma once
+#include <string>
+#include <string_view>
+
+#include "core/error.h"
+#include "import/file_bytes.h"
+#include "scene/desc/scene_desc.h"
+
+namespace ajar {
+
+/// Reads a pbrt-v3 scene and the files it refers to, except images. Parameters have pbrt-v3's
+/// defaults and meaning; what we cannot do is a warning with its location. Raises SceneError (with
+/// file:line:column) if the scene cannot be used, IoError if `path` itself cannot be read. Source:
+/// pbrt-v3 file format, https://www.pbrt.org/fileformat-v3
+desc::SceneDesc import_pbrt(const std::string& path, Warnings& warnings);
+
+/// The same for text in memory. `name` stands in messages; other files are looked up relative to
+/// `base_folder`, at `provider` first, then on the disk.
+desc::SceneDesc import_pbrt_text(std::string_view text, const std::string& name,
+                                 const std::string& base_folder, Warnings& warnings,
+                                 FileProvider provider = {});
+
+}  // namespace ajar

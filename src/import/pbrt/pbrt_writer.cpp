@@ -1,0 +1,584 @@
+#include "import/pbrt/pbrt_writer.h"
+
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <map>
+
+#include "core/error.h"
+#include "import/file_bytes.h"
+#include "import/mesh/ply.h"
+#include "import/pbrt/text_writer.h"
+#include "import/pbrt/transforms.h"
+#include "import/pbrt/writer_names.h"
+
+namespace ajar {
+namespace {
+
+using pbrt::TextWriter;
+namespace fs = std::filesystem;
+
+/// Hash of a mesh alone, for the name of its file.
+std::uint64_t hash_of(const std::shared_ptr<const desc::Mesh>& mesh) {
+  desc::SceneDesc scene;
+  scene.shapes.emplace_back();
+  scene.shapes.back().node = mesh;
+  return desc::hash(scene);
+}
+
+/// The "conedeltaangle" that the importer turns into exactly this start of the falloff.
+float cone_delta(const desc::SpotLight& light) {
+  const auto falloff = [&](float d) {
+    return static_cast<float>(static_cast<double>(light.cone_angle) - static_cast<double>(d));
+  };
+  const auto delta = static_cast<float>(static_cast<double>(light.cone_angle) -
+                                        static_cast<double>(light.falloff_start));
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  for (const float d :
+       {delta, std::nextafter(delta, kInfinity), std::nextafter(delta, -kInfinity)}) {
+    if (falloff(d) == light.falloff_start) return d;
+  }
+  return delta;
+}
+
+class Writer {
+ public:
+  Writer(const desc::SceneDesc& scene, const std::string& out_path)
+      : scene_(scene),
+        path_(fs::absolute(out_path).lexically_normal()),
+        mesh_folder_(path_.stem().string() + "_meshes"),
+        uses_(pbrt::texture_uses(scene)),
+        texture_names_(pbrt::unique_names(scene.textures, "texture")),
+        material_names_(pbrt::unique_names(scene.materials, "material")),
+        medium_names_(pbrt::unique_names(scene.media, "medium")),
+        object_names_(pbrt::unique_names(scene.objects, "object")) {}
+
+  void run() {
+    write_options();
+    out_.line("WorldBegin");
+    write_media_interface(scene_.camera.medium);
+    for (std::size_t i = 0; i < scene_.textures.size(); ++i) write_texture(i);
+    for (std::size_t i = 0; i < scene_.materials.size(); ++i) write_material(i);
+    for (const desc::Light& light : scene_.lights) write_light(light);
+    for (std::size_t i = 0; i < scene_.objects.size(); ++i) {
+      out_.line("ObjectBegin").quoted(object_names_[i]);
+      for (const desc::Shape& shape : scene_.objects[i].shapes) write_shape(shape);
+      out_.line("ObjectEnd");
+    }
+    for (const desc::Instance& instance : scene_.instances) {
+      out_.line("TransformBegin").line("Transform").matrix(instance.to_world);
+      out_.line("ObjectInstance")
+          .quoted(object_names_.at(static_cast<std::size_t>(instance.object)));
+      out_.line("TransformEnd");
+    }
+    for (const desc::Shape& shape : scene_.shapes) write_shape(shape);
+    out_.line("WorldEnd").line("");
+    write_file_atomically(path_.string(), out_.text());
+  }
+
+ private:
+  // -------------------------------------------------------------- options
+
+  void write_options() {
+    write_integrator();
+    const desc::RenderHints& hints = scene_.hints;
+    if (hints.samples_per_pixel || hints.sampler) {
+      out_.line("Sampler").quoted(hints.sampler == "independent" ? "random" : "sobol");
+      out_.parameter("integer pixelsamples", hints.samples_per_pixel.value_or(16));
+    }
+    write_filter();
+    const desc::Film& film = scene_.film;
+    out_.line("Film").quoted("image");
+    out_.parameter("integer xresolution", film.resolution.x)
+        .parameter("integer yresolution", film.resolution.y);
+    out_.parameter("float cropwindow", film.crop[0], film.crop[1], film.crop[2], film.crop[3]);
+    out_.parameter("float scale", film.scale);
+    if (!film.filename.empty()) out_.parameter("string filename", film.filename);
+    write_camera();
+    for (std::size_t i = 0; i < scene_.media.size(); ++i) {
+      const desc::Medium& medium = scene_.media[i];
+      out_.line("MakeNamedMedium").quoted(medium_names_[i]).parameter("string type", "homogeneous");
+      out_.rgb("sigma_a", medium.sigma_a)
+          .rgb("sigma_s", medium.sigma_s)
+          .parameter("float g", medium.g);
+    }
+  }
+
+  void write_integrator() {
+    const desc::RenderHints& hints = scene_.hints;
+    static const std::map<std::string, std::string> kNames = {
+        {"", "path"}, {"pt", "path"}, {"bdpt", "bdpt"}, {"mmlt", "mlt"}, {"sppm", "sppm"}};
+    const auto name = kNames.find(hints.integrator);
+    if (hints.integrator.empty() && !hints.max_depth) return;
+    const bool has_media =
+        !scene_.media.empty() && (name == kNames.end() || name->second == "path");
+    out_.line("Integrator")
+        .quoted(has_media              ? "volpath"
+                : name == kNames.end() ? "path"
+                                       : name->second);
+    if (hints.max_depth) out_.parameter("integer maxdepth", *hints.max_depth - 1);
+    if (name == kNames.end()) return;
+    for (const auto& [parameter, value] : hints.parameters) {
+      const bool is_float =
+          parameter == "largestepprobability" || parameter == "sigma" || parameter == "radius";
+      out_.quoted((is_float ? "float " : "integer ") + parameter).line("  " + value);
+    }
+  }
+
+  void write_filter() {
+    const desc::Filter& filter = scene_.film.filter;
+    static constexpr const char* kNames[] = {"box", "triangle", "gaussian", "mitchell", "sinc"};
+    out_.line("PixelFilter").quoted(kNames[filter.node.index()]);
+    out_.parameter("float xwidth", filter.radius.x).parameter("float ywidth", filter.radius.y);
+    if (const auto* gaussian = std::get_if<desc::GaussianFilter>(&filter.node))
+      out_.parameter("float alpha", gaussian->alpha);
+    if (const auto* mitchell = std::get_if<desc::MitchellFilter>(&filter.node)) {
+      out_.parameter("float B", mitchell->b).parameter("float C", mitchell->c);
+    }
+    if (const auto* sinc = std::get_if<desc::SincFilter>(&filter.node))
+      out_.parameter("float tau", sinc->tau);
+  }
+
+  template <typename Camera>
+  void write_lens(const Camera& camera) {
+    out_.parameter("float lensradius", camera.lens_radius)
+        .parameter("float focaldistance", camera.focal_distance);
+    if (camera.aspect) out_.parameter("float frameaspectratio", *camera.aspect);
+    if (camera.window) {
+      const desc::ScreenWindow& w = *camera.window;
+      out_.parameter("float screenwindow", w.x_min, w.x_max, w.y_min, w.y_max);
+    }
+  }
+
+  void write_camera() {
+    const desc::Camera& camera = scene_.camera;
+    const std::optional<Mat4> from_world = pbrt::inverse(camera.to_world);
+    if (!from_world)
+      throw IoError("cannot write \"" + path_.string() +
+                    "\": the camera's transform cannot be inverted");
+    out_.line("Transform").matrix(*from_world);
+    if (const auto* perspective = std::get_if<desc::PerspectiveCamera>(&camera.node)) {
+      out_.line("Camera").quoted("perspective").parameter("float fov", perspective->fov);
+      write_lens(*perspective);
+    } else if (const auto* orthographic = std::get_if<desc::OrthographicCamera>(&camera.node)) {
+      out_.line("Camera").quoted("orthographic");
+      write_lens(*orthographic);
+    } else {
+      out_.line("Camera").quoted("environment");
+    }
+  }
+
+  // -------------------------------------------------------------- textures
+
+  /// `"texture name" "…"`, or nothing for none.
+  void reference(std::string_view name, desc::TextureId id) {
+    if (id >= 0)
+      out_.parameter("texture " + std::string(name),
+                     texture_names_.at(static_cast<std::size_t>(id)));
+  }
+
+  std::string image_path(const std::string& image) const {
+    const fs::path relative = fs::path(image).lexically_relative(path_.parent_path());
+    return relative.empty() ? image : relative.generic_string();
+  }
+
+  void write_mapping(const desc::Mapping2D& mapping) {
+    if (const auto* uv = std::get_if<desc::UvMapping>(&mapping)) {
+      out_.parameter("float uscale", uv->su).parameter("float vscale", uv->sv);
+      out_.parameter("float udelta", uv->du).parameter("float vdelta", uv->dv);
+    } else if (const auto* planar = std::get_if<desc::PlanarMapping>(&mapping)) {
+      out_.parameter("string mapping", "planar");
+      out_.parameter("vector v1", planar->vs.x, planar->vs.y, planar->vs.z);
+      out_.parameter("vector v2", planar->vt.x, planar->vt.y, planar->vt.z);
+      out_.parameter("float udelta", planar->ds).parameter("float vdelta", planar->dt);
+    } else {
+      out_.parameter("string mapping", std::holds_alternative<desc::SphericalMapping>(mapping)
+                                           ? "spherical"
+                                           : "cylindrical");
+    }
+  }
+
+  /// The current transform that gives a texture its place; null if it has none.
+  static std::optional<Mat4> texture_transform(const desc::Texture& texture) {
+    const auto of_mapping = [](const desc::Mapping2D& mapping) -> std::optional<Mat4> {
+      if (const auto* s = std::get_if<desc::SphericalMapping>(&mapping))
+        return pbrt::inverse(s->world_to_texture);
+      if (const auto* c = std::get_if<desc::CylindricalMapping>(&mapping))
+        return pbrt::inverse(c->world_to_texture);
+      return std::nullopt;
+    };
+    return std::visit(
+        [&](const auto& node) -> std::optional<Mat4> {
+          using Node = std::decay_t<decltype(node)>;
+          if constexpr (std::is_same_v<Node, desc::CheckerboardTexture>) {
+            if (node.dimension == 3) return node.world_to_texture;
+            return of_mapping(node.mapping);
+          } else if constexpr (requires { node.world_to_texture; }) {
+            return node.world_to_texture;
+          } else if constexpr (requires { node.mapping; }) {
+            return of_mapping(node.mapping);
+          } else {
+            return std::nullopt;
+          }
+        },
+        texture.node);
+  }
+
+  void write_texture(std::size_t i) {
+    const desc::Texture& texture = scene_.textures[i];
+    const std::optional<Mat4> place = texture_transform(texture);
+    if (place) out_.line("TransformBegin").line("Transform").matrix(*place);
+    for (const bool as_float : {true, false}) {
+      if (!(as_float ? uses_[i].as_float : uses_[i].as_spectrum)) continue;
+      out_.line("Texture").quoted(texture_names_[i]).quoted(as_float ? "float" : "spectrum");
+      std::visit([&](const auto& node) { write_node(node, as_float); }, texture.node);
+    }
+    if (place) out_.line("TransformEnd");
+  }
+
+  void value(const std::string& name, const desc::Rgb& rgb, bool as_float) {
+    if (as_float) {
+      out_.parameter("float " + name, rgb.x);
+    } else {
+      out_.rgb(name, rgb);
+    }
+  }
+  void write_node(const desc::ConstantTexture& t, bool as_float) {
+    out_.quoted("constant");
+    value("value", t.value, as_float);
+  }
+  void write_node(const desc::ScaleTexture& t, bool) {
+    out_.quoted("scale");
+    reference("tex1", t.a);
+    reference("tex2", t.b);
+  }
+  void write_node(const desc::MixTexture& t, bool) {
+    out_.quoted("mix");
+    reference("tex1", t.a);
+    reference("tex2", t.b);
+    reference("amount", t.amount);
+  }
+  void write_node(const desc::BilerpTexture& t, bool as_float) {
+    out_.quoted("bilerp");
+    value("v00", t.v00, as_float);
+    value("v01", t.v01, as_float);
+    value("v10", t.v10, as_float);
+    value("v11", t.v11, as_float);
+    write_mapping(t.mapping);
+  }
+  void write_node(const desc::ImageTexture& t, bool) {
+    static constexpr const char* kWraps[] = {"repeat", "black", "clamp"};
+    out_.quoted("imagemap");
+    if (!t.path.empty()) out_.parameter("string filename", image_path(t.path));
+    out_.parameter("string wrap", kWraps[static_cast<int>(t.wrap)]);
+    out_.flag("gamma", t.decode_srgb).parameter("float scale", t.scale);
+    write_mapping(t.mapping);
+  }
+  void write_node(const desc::CheckerboardTexture& t, bool) {
+    out_.quoted("checkerboard").parameter("integer dimension", t.dimension);
+    reference("tex1", t.a);
+    reference("tex2", t.b);
+    if (t.dimension == 2) write_mapping(t.mapping);
+  }
+  void write_node(const desc::DotsTexture& t, bool) {
+    out_.quoted("dots");
+    reference("inside", t.inside);
+    reference("outside", t.outside);
+    write_mapping(t.mapping);
+  }
+  void write_node(const desc::UvTexture& t, bool) {
+    out_.quoted("uv");
+    write_mapping(t.mapping);
+  }
+  void write_node(const desc::FbmTexture& t, bool) {
+    out_.quoted("fbm")
+        .parameter("integer octaves", t.octaves)
+        .parameter("float roughness", t.roughness);
+  }
+  void write_node(const desc::WrinkledTexture& t, bool) {
+    out_.quoted("wrinkled")
+        .parameter("integer octaves", t.octaves)
+        .parameter("float roughness", t.roughness);
+  }
+  void write_node(const desc::WindyTexture&, bool) { out_.quoted("windy"); }
+  void write_node(const desc::MarbleTexture& t, bool) {
+    out_.quoted("marble")
+        .parameter("integer octaves", t.octaves)
+        .parameter("float roughness", t.roughness);
+    out_.parameter("float scale", t.scale).parameter("float variation", t.variation);
+  }
+
+  // -------------------------------------------------------------- materials
+
+  void write_material(std::size_t i) {
+    const desc::Material& material = scene_.materials[i];
+    out_.line("MakeNamedMaterial").quoted(material_names_[i]);
+    std::visit([&](const auto& node) { write_node(node); }, material.node);
+    reference("bumpmap", material.bump);
+  }
+  void type(std::string_view name) { out_.parameter("string type", name); }
+  void remap(bool value) { out_.flag("remaproughness", value); }
+  void write_node(const desc::MatteMaterial& m) {
+    type("matte");
+    reference("Kd", m.kd);
+    reference("sigma", m.sigma);
+  }
+  void write_node(const desc::MirrorMaterial& m) {
+    type("mirror");
+    reference("Kr", m.kr);
+  }
+  void write_node(const desc::GlassMaterial& m) {
+    type("glass");
+    reference("Kr", m.kr);
+    reference("Kt", m.kt);
+    reference("eta", m.eta);
+    reference("uroughness", m.u_roughness);
+    reference("vroughness", m.v_roughness);
+    remap(m.remap_roughness);
+    if (m.thin) out_.flag("thin", true);
+  }
+  void write_node(const desc::MetalMaterial& m) {
+    type("metal");
+    reference("eta", m.eta);
+    reference("k", m.k);
+    reference("uroughness", m.u_roughness);
+    reference("vroughness", m.v_roughness);
+    remap(m.remap_roughness);
+    if (m.model == desc::MicrofacetModel::Beckmann)
+      out_.parameter("string distribution", "beckmann");
+  }
+  void write_node(const desc::PlasticMaterial& m) {
+    type("plastic");
+    reference("Kd", m.kd);
+    reference("Ks", m.ks);
+    reference("roughness", m.roughness);
+    remap(m.remap_roughness);
+  }
+  void write_node(const desc::SubstrateMaterial& m) {
+    type("substrate");
+    reference("Kd", m.kd);
+    reference("Ks", m.ks);
+    reference("uroughness", m.u_roughness);
+    reference("vroughness", m.v_roughness);
+    remap(m.remap_roughness);
+  }
+  void write_node(const desc::UberMaterial& m) {
+    type("uber");
+    reference("Kd", m.kd);
+    reference("Ks", m.ks);
+    reference("Kr", m.kr);
+    reference("Kt", m.kt);
+    reference("uroughness", m.u_roughness);
+    reference("vroughness", m.v_roughness);
+    reference("eta", m.eta);
+    reference("opacity", m.opacity);
+    remap(m.remap_roughness);
+  }
+  void write_node(const desc::TranslucentMaterial& m) {
+    type("translucent");
+    reference("Kd", m.kd);
+    reference("Ks", m.ks);
+    reference("roughness", m.roughness);
+    reference("reflect", m.reflect);
+    reference("transmit", m.transmit);
+    remap(m.remap_roughness);
+  }
+  void write_node(const desc::DisneyMaterial& m) {
+    type("disney");
+    reference("color", m.color);
+    reference("metallic", m.metallic);
+    reference("eta", m.eta);
+    reference("roughness", m.roughness);
+    reference("speculartint", m.specular_tint);
+    reference("anisotropic", m.anisotropic);
+    reference("sheen", m.sheen);
+    reference("sheentint", m.sheen_tint);
+    reference("clearcoat", m.clearcoat);
+    reference("clearcoatgloss", m.clearcoat_gloss);
+    reference("spectrans", m.spec_trans);
+    reference("flatness", m.flatness);
+    reference("difftrans", m.diff_trans);
+    out_.flag("thin", m.thin);
+  }
+  void write_node(const desc::MixMaterial& m) {
+    type("mix");
+    reference("amount", m.amount);
+    out_.parameter("string namedmaterial1", material_names_.at(static_cast<std::size_t>(m.a)));
+    out_.parameter("string namedmaterial2", material_names_.at(static_cast<std::size_t>(m.b)));
+  }
+  void write_node(const desc::InterfaceMaterial&) { type("none"); }
+
+  // -------------------------------------------------------------- lights
+
+  std::string medium_name(desc::MediumId id) const {
+    return id < 0 ? std::string() : medium_names_.at(static_cast<std::size_t>(id));
+  }
+  /// For lights and the camera, which know only the outside.
+  void write_media_interface(desc::MediumId outside) {
+    if (!scene_.media.empty()) out_.line("MediumInterface").quoted("").quoted(medium_name(outside));
+  }
+
+  void write_light(const desc::Light& light) {
+    out_.line("AttributeBegin").line("Transform").matrix(light.to_world);
+    write_media_interface(light.medium);
+    out_.line("LightSource");
+    std::visit([&](const auto& node) { write_node(node); }, light.node);
+    out_.line("AttributeEnd");
+  }
+  void write_map(const std::string& image) {
+    if (!image.empty()) out_.parameter("string mapname", image_path(image));
+  }
+  void write_node(const desc::PointLight& l) { out_.quoted("point").rgb("I", l.intensity); }
+  void write_node(const desc::SpotLight& l) {
+    out_.quoted("spot").rgb("I", l.intensity).parameter("float coneangle", l.cone_angle);
+    out_.parameter("float conedeltaangle", cone_delta(l));
+  }
+  void write_node(const desc::DistantLight& l) {
+    out_.quoted("distant")
+        .rgb("L", l.irradiance)
+        .point("from", {0.F, 0.F, 1.F})
+        .point("to", {0.F, 0.F, 0.F});
+  }
+  void write_node(const desc::InfiniteLight& l) {
+    out_.quoted("infinite").rgb("L", l.radiance);
+    write_map(l.image);
+  }
+  void write_node(const desc::GoniometricLight& l) {
+    out_.quoted("goniometric").rgb("I", l.intensity);
+    write_map(l.image);
+  }
+  void write_node(const desc::ProjectionLight& l) {
+    out_.quoted("projection").rgb("I", l.intensity).parameter("float fov", l.fov);
+    write_map(l.image);
+  }
+
+  // -------------------------------------------------------------- shapes
+
+  void write_shape(const desc::Shape& shape) {
+    out_.line("AttributeBegin").line("Transform").matrix(shape.to_world);
+    if (shape.reverse_orientation) out_.line("ReverseOrientation");
+    if (shape.material >= 0)
+      out_.line("NamedMaterial")
+          .quoted(material_names_.at(static_cast<std::size_t>(shape.material)));
+    if (shape.light) {
+      out_.line("AreaLightSource").quoted("diffuse");
+      if (shape.light->texture >= 0) reference("L", shape.light->texture);
+      out_.rgb(shape.light->texture >= 0 ? "scale" : "L", shape.light->radiance);
+      out_.flag("twosided", shape.light->two_sided);
+    }
+    if (!scene_.media.empty()) {
+      const desc::MediumId inside = shape.has_medium_interface ? shape.inside : desc::kNone;
+      const desc::MediumId outside = shape.has_medium_interface ? shape.outside : desc::kNone;
+      out_.line("MediumInterface").quoted(medium_name(inside)).quoted(medium_name(outside));
+    }
+    std::visit([&](const auto& node) { write_geometry(shape, node); }, shape.node);
+    out_.line("AttributeEnd");
+  }
+
+  TextWriter& begin_shape(const desc::Shape& shape, std::string_view shape_type) {
+    out_.line("Shape").quoted(shape_type);
+    reference("alpha", shape.alpha);
+    reference("shadowalpha", shape.shadow_alpha);
+    return out_;
+  }
+
+  void write_geometry(const desc::Shape& shape, const std::shared_ptr<const desc::Mesh>& mesh) {
+    if (mesh->tangents.empty()) {
+      begin_shape(shape, "plymesh").parameter("string filename", mesh_file(mesh));
+      return;
+    }
+    // PLY has no place for tangents.
+    begin_shape(shape, "trianglemesh")
+        .vectors("integer indices", mesh->indices)
+        .vectors("point P", mesh->positions);
+    out_.vectors("vector S", mesh->tangents);
+    if (!mesh->normals.empty()) out_.vectors("normal N", mesh->normals);
+    if (!mesh->uvs.empty()) out_.vectors("float uv", mesh->uvs);
+  }
+
+  std::string mesh_file(const std::shared_ptr<const desc::Mesh>& mesh) {
+    const auto known = mesh_files_.find(mesh.get());
+    if (known != mesh_files_.end()) return known->second;
+    const fs::path folder = path_.parent_path() / mesh_folder_;
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (error)
+      throw IoError("cannot make the folder \"" + folder.string() + "\": " + error.message());
+    char digits[17] = {};
+    const auto end = std::to_chars(digits, digits + 16, hash_of(mesh), 16).ptr;
+    const std::string name = "mesh_" + std::string(digits, end) + ".ply";
+    write_file_atomically((folder / name).string(), write_ply(*mesh));
+    return mesh_files_[mesh.get()] = mesh_folder_ + "/" + name;
+  }
+
+  void write_geometry(const desc::Shape& shape, const desc::Sphere& s) {
+    begin_shape(shape, "sphere")
+        .parameter("float radius", s.radius)
+        .parameter("float phimax", s.phi_max);
+    out_.parameter("float zmin", s.z_min).parameter("float zmax", s.z_max);
+  }
+  void write_geometry(const desc::Shape& shape, const desc::Disk& s) {
+    begin_shape(shape, "disk")
+        .parameter("float radius", s.radius)
+        .parameter("float phimax", s.phi_max);
+    out_.parameter("float height", s.height).parameter("float innerradius", s.inner_radius);
+  }
+  void write_geometry(const desc::Shape& shape, const desc::Cylinder& s) {
+    begin_shape(shape, "cylinder")
+        .parameter("float radius", s.radius)
+        .parameter("float phimax", s.phi_max);
+    out_.parameter("float zmin", s.z_min).parameter("float zmax", s.z_max);
+  }
+  void write_geometry(const desc::Shape& shape, const desc::Cone& s) {
+    begin_shape(shape, "cone")
+        .parameter("float radius", s.radius)
+        .parameter("float phimax", s.phi_max);
+    out_.parameter("float height", s.height);
+  }
+  void write_geometry(const desc::Shape& shape, const desc::Paraboloid& s) {
+    begin_shape(shape, "paraboloid")
+        .parameter("float radius", s.radius)
+        .parameter("float phimax", s.phi_max);
+    out_.parameter("float zmin", s.z_min).parameter("float zmax", s.z_max);
+  }
+  void write_geometry(const desc::Shape& shape, const desc::Hyperboloid& s) {
+    begin_shape(shape, "hyperboloid")
+        .point("p1", s.p1)
+        .point("p2", s.p2)
+        .parameter("float phimax", s.phi_max);
+  }
+  void write_geometry(const desc::Shape& shape,
+                      const std::shared_ptr<const desc::LoopSubdivision>& s) {
+    begin_shape(shape, "loopsubdiv").parameter("integer levels", s->levels);
+    out_.vectors("integer indices", s->control.indices).vectors("point P", s->control.positions);
+  }
+  void write_geometry(const desc::Shape& shape, const std::shared_ptr<const desc::Curve>& s) {
+    static constexpr const char* kTypes[] = {"flat", "cylinder", "ribbon"};
+    // Segments share their ends: each but the first is written without its first point.
+    std::vector<Vec3> points, normals;
+    for (std::size_t i = 0; i < s->control_points.size(); ++i) {
+      if (i % 4 != 0 || i == 0) points.push_back(s->control_points[i]);
+      if (!s->normals.empty() && (i == 0 || i % 4 == 3)) normals.push_back(s->normals[i]);
+    }
+    begin_shape(shape, "curve").parameter("string type", kTypes[static_cast<int>(s->type)]);
+    out_.parameter("float width0", s->widths.front()).parameter("float width1", s->widths.back());
+    out_.vectors("point P", points);
+    if (!normals.empty()) out_.vectors("normal N", normals);
+  }
+
+  const desc::SceneDesc& scene_;
+  fs::path path_;
+  std::string mesh_folder_;
+  std::vector<pbrt::TextureUse> uses_;
+  std::vector<std::string> texture_names_, material_names_, medium_names_, object_names_;
+  std::map<const desc::Mesh*, std::string> mesh_files_;
+  TextWriter out_;
+};
+
+}  // namespace
+
+void write_pbrt(const desc::SceneDesc& scene, const std::string& out_path) {
+  Writer(scene, out_path).run();
+}
+
+}  // namespace ajar

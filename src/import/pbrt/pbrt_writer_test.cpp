@@ -1,0 +1,160 @@
+#include "import/pbrt/pbrt_writer.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "import/pbrt/import_test_support.h"
+
+namespace ajar {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A folder that disappears at the end of the test.
+class TemporaryFolder {
+ public:
+  TemporaryFolder() {
+    std::string pattern = (fs::temp_directory_path() / "ajar_writer_XXXXXX").string();
+    path_ = mkdtemp(pattern.data());
+  }
+  ~TemporaryFolder() { fs::remove_all(path_); }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+const char* const kEverything = R"(
+Integrator "mlt" "integer maxdepth" 9 "integer chains" 7 "float sigma" .03
+Sampler "random" "integer pixelsamples" 5
+PixelFilter "mitchell" "float xwidth" 3 "float B" .2
+Film "image" "integer xresolution" 31 "integer yresolution" 17 "float cropwindow" [.1 .9 0 .7] "float scale" 1.7 "string filename" "a \"b\".exr"
+LookAt 1.1 2.2 3.3  0.4 -0.5 0.6  0.1 1 0.2
+Scale -1 1 1
+MakeNamedMedium "fog" "string type" "homogeneous" "rgb sigma_a" [.1 .2 .3] "rgb sigma_s" [.4 .5 .6] "float g" .3
+MediumInterface "" "fog"
+Camera "perspective" "float fov" 33.3 "float lensradius" .01 "float focaldistance" 7 "float screenwindow" [-1 1.5 -2 2.5] "float frameaspectratio" 1.1
+WorldBegin
+Rotate 33 1 2 3
+LightSource "point" "rgb I" [1 2 3] "point from" [4 5 6]
+LightSource "spot" "rgb I" [1 2 3] "point from" [4 5 6] "point to" [-1 .3 2] "float coneangle" 33.3 "float conedeltaangle" 4.7
+LightSource "distant" "blackbody L" [4000 2] "point from" [4 5 6]
+LightSource "infinite" "rgb L" [.1 .2 .3] "string mapname" "sky.exr"
+LightSource "goniometric" "string mapname" "/maps/lamp.exr"
+LightSource "projection" "string mapname" "sky.exr" "float fov" 12
+Texture "chk" "float" "checkerboard" "float tex1" .2 "float uscale" 3
+Texture "chk" "spectrum" "checkerboard" "rgb tex1" [1 0 0] "integer dimension" 3
+Texture "img" "spectrum" "imagemap" "string filename" "wood.png" "string wrap" "black" "bool gamma" "false" "float scale" 2 "string mapping" "spherical"
+Texture "bumps" "float" "imagemap" "string filename" "wood.png" "string mapping" "planar" "vector v1" [1 2 3]
+Texture "mixed" "spectrum" "mix" "texture tex1" "img" "texture tex2" "chk" "texture amount" "chk"
+Texture "scaled" "spectrum" "scale" "texture tex1" "mixed" "rgb tex2" [.5 .6 .7]
+Texture "dots" "spectrum" "dots" "texture inside" "scaled" "string mapping" "cylindrical"
+Texture "marble" "spectrum" "marble" "integer octaves" 4
+Texture "fbm" "float" "fbm" Texture "wrinkled" "float" "wrinkled" Texture "windy" "float" "windy"
+Texture "uv" "spectrum" "uv" Texture "bilerp" "spectrum" "bilerp" "rgb v00" [.1 .2 .3]
+MakeNamedMaterial "a" "string type" "matte" "texture Kd" "dots" "texture sigma" "chk" "texture bumpmap" "bumps"
+MakeNamedMaterial "b" "string type" "metal" "spectrum eta" "Au.eta.spd" "texture uroughness" "fbm"
+MakeNamedMaterial "mix" "string type" "mix" "string namedmaterial1" "a" "string namedmaterial2" "b" "texture amount" "marble"
+AttributeBegin MakeNamedMaterial "a" "string type" "glass" "float eta" 1.4 "bool thin" true NamedMaterial "a" Shape "disk" AttributeEnd
+NamedMaterial "mix"
+AttributeBegin AreaLightSource "diffuse" "rgb L" [5 6 7] "bool twosided" true ReverseOrientation Shape "cylinder" "float phimax" 77 AttributeEnd
+AttributeBegin AreaLightSource "diffuse" "texture L" "uv" "rgb scale" [3 3 3] Shape "cone" AttributeEnd
+AttributeBegin Material "none" MediumInterface "fog" "" Shape "sphere" "float zmax" .4 "texture alpha" "windy" AttributeEnd
+Material "uber" "texture Kr" "bilerp" Shape "paraboloid" "float shadowalpha" 0
+Material "disney" "texture color" "marble" "texture roughness" "wrinkled" Shape "hyperboloid"
+Material "plastic" Shape "trianglemesh" "integer indices" [0 1 2] "point P" [0 0 0 1 .1 0 0 1 .3] "rgb Kd" [.3 .2 .1]
+Material "substrate" Shape "trianglemesh" "integer indices" [0 1 2] "point P" [0 0 0 1 .1 0 0 1 .3] "vector S" [1 0 0 1 0 0 1 0 0] "normal N" [0 0 1 0 0 1 0 0 1] "float uv" [0 0 1 0 0 .3]
+Material "translucent" Shape "loopsubdiv" "integer levels" 2 "integer indices" [0 1 2] "point P" [0 0 0 1 .1 0 0 1 .3]
+Material "mirror" Shape "curve" "string basis" "bspline" "string type" "ribbon" "float width0" .1 "float width1" .7
+  "point P" [0 0 0 1 .1 0 0 1 .3 2 1 .7 3.3 1 1] "normal N" [0 1 0 0 .6 .8 1 0 0]
+ObjectBegin "thing" Translate .1 .2 .3 Shape "trianglemesh" "integer indices" [0 1 2] "point P" [0 0 0 1 .1 0 0 1 .4] ObjectEnd
+AttributeBegin Scale 1 2 3 ObjectInstance "thing" AttributeEnd ObjectInstance "thing"
+WorldEnd
+)";
+
+TEST(PbrtWriter, WhatItWritesReadsBackAsTheSameScene) {
+  const TemporaryFolder folder;
+  fs::create_directories(folder.path() / "scene");
+  { std::ofstream(folder.path() / "scene/in.pbrt") << kEverything; }
+  Warnings warnings;
+  const desc::SceneDesc scene = import_pbrt((folder.path() / "scene/in.pbrt").string(), warnings);
+  for (const std::string& message : warnings.messages()) ADD_FAILURE() << message;
+  const std::string out = (folder.path() / "out.pbrt").string();
+  write_pbrt(scene, out);
+  const desc::SceneDesc back = import_pbrt(out, warnings);
+  for (const std::string& message : warnings.messages()) ADD_FAILURE() << message;
+  EXPECT_EQ(desc::hash(back), desc::hash(scene));
+  EXPECT_EQ(back.shapes.size(), scene.shapes.size());
+  EXPECT_EQ(back.film.filename, "a \"b\".exr");
+  EXPECT_EQ(back.hints.integrator, "mmlt");
+  EXPECT_EQ(back.hints.max_depth, 10);
+  EXPECT_EQ(back.hints.samples_per_pixel, 5);
+  EXPECT_EQ(back.hints.parameters, scene.hints.parameters);
+  EXPECT_EQ(std::get<desc::InfiniteLight>(back.lights[3].node).image,
+            (folder.path() / "scene/sky.exr").string());
+}
+
+TEST(PbrtWriter, LeavesNoTemporaryFilesAndRefersToImagesRelatively) {
+  const TemporaryFolder folder;
+  Warnings warnings;
+  const desc::SceneDesc scene =
+      import_pbrt_text(kEverything, "x.pbrt", folder.path().string(), warnings);
+  write_pbrt(scene, (folder.path() / "sub.pbrt").string());
+  for (const auto& entry : fs::recursive_directory_iterator(folder.path())) {
+    EXPECT_EQ(entry.path().string().find(".tmp"), std::string::npos);
+  }
+  std::ifstream in(folder.path() / "sub.pbrt");
+  const std::string text((std::istreambuf_iterator<char>(in)), {});
+  EXPECT_NE(text.find("\"string filename\" \"wood.png\""), std::string::npos);
+}
+
+TEST(PbrtWriter, FoldersThatDoNotExistAreErrors) {
+  Warnings warnings;
+  const desc::SceneDesc scene = import_with(world(""), warnings);
+  EXPECT_THROW(write_pbrt(scene, "/nonexistent/folder/x.pbrt"), IoError);
+}
+
+TEST(SceneHash, ChangesWithThePictureAndNotWithNames) {
+  const auto hash_of = [](const std::string& text) {
+    Warnings warnings;
+    return desc::hash(import_with(text, warnings));
+  };
+  const std::string base = kEverything;
+  const std::uint64_t original = hash_of(base);
+  const auto changed = [&](const std::string& from, const std::string& to) {
+    std::string text = base;
+    text.replace(text.find(from), from.size(), to);
+    return hash_of(text);
+  };
+  for (const auto& [from, to] : std::vector<std::pair<std::string, std::string>>{
+           {"[.4 .5 .6]", "[.4 .5 .7]"},
+           {"\"float fov\" 33.3", "\"float fov\" 33.4"},
+           {"1.1 2.2 3.3", "1.1 2.2 3.4"},
+           {"\"float phimax\" 77", "\"float phimax\" 78"},
+           {"1 .1 0 0 1 .3", "1 .1 0 0 1 .31"},
+           {"[.5 .6 .7]", "[.5 .6 .71]"},
+           {"wood.png", "oak.png"},
+           {"\"integer xresolution\" 31", "\"integer xresolution\" 32"},
+           {"\"float B\" .2", "\"float B\" .3"},
+           {"ReverseOrientation", ""},
+           {"\"bool twosided\" true", ""},
+           {"\"float conedeltaangle\" 4.7", "\"float conedeltaangle\" 4.8"},
+           {"Scale 1 2 3 ObjectInstance", "Scale 1 2 4 ObjectInstance"},
+           {"\"integer octaves\" 4", "\"integer octaves\" 5"}}) {
+    EXPECT_NE(changed(from, to), original) << from;
+  }
+  for (const auto& [from, to] : std::vector<std::pair<std::string, std::string>>{
+           {"a \\\"b\\\".exr", "other.exr"},
+           {"\"integer maxdepth\" 9", "\"integer maxdepth\" 3"},
+           {"WorldBegin", "\n\nWorldBegin # comment"},
+           {"WorldBegin", "WorldBegin MakeNamedMaterial \"unused\" \"string type\" \"mirror\""}}) {
+    EXPECT_EQ(changed(from, to), original) << from;
+  }
+}
+
+}  // namespace
+}  // namespace ajar

@@ -1,0 +1,343 @@
+#include "import/pbrt/scene_builder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "import/pbrt/lights.h"
+#include "import/pbrt/media.h"
+
+namespace ajar::pbrt {
+namespace {
+
+constexpr std::size_t kDeepestNesting = 100000;
+
+const char* name_of_scope(int kind) {
+  static constexpr const char* kNames[] = {"Attribute", "Transform", "Object"};
+  return kNames[kind];
+}
+
+}  // namespace
+
+SceneBuilder::SceneBuilder(const FileAccess& files, std::string source, Warnings& warnings)
+    : warnings_(warnings),
+      spectra_(files, warnings),
+      context_{scene_, warnings, files, spectra_},
+      textures_(context_),
+      materials_(context_, textures_),
+      meshes_(context_) {
+  scene_.source = std::move(source);
+}
+
+// ---------------------------------------------------------------- options
+
+bool SceneBuilder::in_options(const SourceLocation& where, const char* directive) {
+  if (stage_ == Stage::Options) return true;
+  warnings_.add(where, std::string(directive) + " has no effect after WorldBegin: ignored");
+  return false;
+}
+
+void SceneBuilder::camera(const SourceLocation& where, const std::string& type,
+                          const ParameterList& parameters) {
+  if (!in_options(where, "Camera")) return;
+  camera_ = make_camera(context_, where, type, parameters, transforms_.get(where, warnings_));
+  transforms_.define_camera(camera_->camera.to_world);
+}
+
+void SceneBuilder::film(const SourceLocation& where, const std::string& type,
+                        const ParameterList& parameters) {
+  if (!in_options(where, "Film")) return;
+  FilmOptions options = make_film(context_, where, type, parameters);
+  options.film.filter = scene_.film.filter;
+  scene_.film = std::move(options.film);
+  film_diagonal_ = options.diagonal;
+}
+
+void SceneBuilder::pixel_filter(const SourceLocation& where, const std::string& type,
+                                const ParameterList& parameters) {
+  if (!in_options(where, "PixelFilter")) return;
+  scene_.film.filter = make_filter(context_, where, type, parameters);
+}
+
+void SceneBuilder::sampler(const SourceLocation& where, const std::string& type,
+                           const ParameterList& parameters) {
+  if (!in_options(where, "Sampler")) return;
+  // What an integrator says about its number of samples is more specific, whatever comes first.
+  const std::optional<int> of_integrator =
+      scene_.hints.integrator == "mmlt" || scene_.hints.integrator == "sppm"
+          ? scene_.hints.samples_per_pixel
+          : std::nullopt;
+  apply_sampler(context_, where, type, parameters);
+  if (of_integrator) scene_.hints.samples_per_pixel = of_integrator;
+}
+
+void SceneBuilder::integrator(const SourceLocation& where, const std::string& type,
+                              const ParameterList& parameters) {
+  if (in_options(where, "Integrator")) apply_integrator(context_, where, type, parameters);
+}
+
+// ---------------------------------------------------------------- scopes
+
+void SceneBuilder::require_world(const SourceLocation& where, const char* directive) const {
+  if (stage_ != Stage::World)
+    throw SceneError(where, std::string(directive) + " is only allowed after WorldBegin");
+}
+
+void SceneBuilder::world_begin(const SourceLocation& where) {
+  if (stage_ != Stage::Options) throw SceneError(where, "WorldBegin inside of the world");
+  stage_ = Stage::World;
+  transforms_.begin_world();
+}
+
+void SceneBuilder::world_end(const SourceLocation& where) {
+  require_world(where, "WorldEnd");
+  while (!scopes_.empty()) {
+    const OpenScope& scope = scopes_.back();
+    warnings_.add(scope.where, std::string(name_of_scope(static_cast<int>(scope.kind))) +
+                                   "Begin without an end");
+    restore_innermost();
+  }
+  stage_ = Stage::Done;
+}
+
+void SceneBuilder::open(Scope kind, const SourceLocation& where) {
+  if (scopes_.size() >= kDeepestNesting) throw SceneError(where, "blocks are nested too deeply");
+  transforms_.push();
+  if (kind == Scope::Transform) {
+    scopes_.push_back({kind, where, std::nullopt});
+    return;
+  }
+  scopes_.push_back({kind, where, state_});
+  textures_.begin_scope();
+  materials_.begin_scope();
+}
+
+void SceneBuilder::close(Scope kind, const SourceLocation& where) {
+  const std::string name = name_of_scope(static_cast<int>(kind));
+  if (scopes_.empty()) throw SceneError(where, name + "End without " + name + "Begin");
+  const OpenScope& scope = scopes_.back();
+  if (scope.kind != kind) {
+    throw SceneError(where, name + "End, but the innermost open block is " +
+                                name_of_scope(static_cast<int>(scope.kind)) + "Begin at " +
+                                scope.where.to_string());
+  }
+  restore_innermost();
+}
+
+void SceneBuilder::restore_innermost() {
+  OpenScope& scope = scopes_.back();
+  transforms_.pop();
+  if (scope.saved) {
+    state_ = std::move(*scope.saved);
+    textures_.end_scope();
+    materials_.end_scope();
+  }
+  if (scope.kind == Scope::Object) open_object_ = desc::kNone;
+  scopes_.pop_back();
+}
+
+void SceneBuilder::attribute_begin(const SourceLocation& where) {
+  require_world(where, "AttributeBegin");
+  open(Scope::Attribute, where);
+}
+void SceneBuilder::attribute_end(const SourceLocation& where) {
+  require_world(where, "AttributeEnd");
+  close(Scope::Attribute, where);
+}
+void SceneBuilder::transform_begin(const SourceLocation& where) { open(Scope::Transform, where); }
+void SceneBuilder::transform_end(const SourceLocation& where) { close(Scope::Transform, where); }
+
+void SceneBuilder::object_begin(const SourceLocation& where, const std::string& name) {
+  require_world(where, "ObjectBegin");
+  if (open_object_ != desc::kNone) throw SceneError(where, "ObjectBegin inside of another object");
+  open(Scope::Object, where);
+  open_object_ = static_cast<desc::ObjectId>(scene_.objects.size());
+  objects_[name] = open_object_;
+  scene_.objects.push_back({name, where, {}});
+}
+
+void SceneBuilder::object_end(const SourceLocation& where) {
+  require_world(where, "ObjectEnd");
+  close(Scope::Object, where);
+}
+
+void SceneBuilder::object_instance(const SourceLocation& where, const std::string& name) {
+  require_world(where, "ObjectInstance");
+  if (open_object_ != desc::kNone) throw SceneError(where, "ObjectInstance inside of an object");
+  const auto found = objects_.find(name);
+  if (found == objects_.end()) {
+    std::vector<std::string> valid;
+    for (const auto& entry : objects_) valid.push_back(entry.first);
+    throw SceneError(where, unknown_name_message("object", name, valid));
+  }
+  const Mat4& to_world = transforms_.get(where, warnings_);
+  if (!inverse(to_world)) {
+    warnings_.add(where, "the transform of this instance cannot be inverted: left out");
+    return;
+  }
+  scene_.instances.push_back({found->second, to_world, where});
+}
+
+void SceneBuilder::reverse_orientation(const SourceLocation& where) {
+  require_world(where, "ReverseOrientation");
+  state_.reverse_orientation = !state_.reverse_orientation;
+}
+
+// ---------------------------------------------------------------- named things
+
+void SceneBuilder::texture(const SourceLocation& where, const std::string& name,
+                           const std::string& texture_class, const std::string& type,
+                           const ParameterList& parameters) {
+  require_world(where, "Texture");
+  textures_.define(where, name, texture_class, type, parameters, transforms_.get(where, warnings_));
+}
+
+void SceneBuilder::material(const SourceLocation& where, const std::string& type,
+                            std::shared_ptr<const ParameterList> parameters) {
+  require_world(where, "Material");
+  state_.material = materials_.make(where, type, std::move(parameters));
+}
+
+void SceneBuilder::make_named_material(const SourceLocation& where, const std::string& name,
+                                       std::shared_ptr<const ParameterList> parameters) {
+  require_world(where, "MakeNamedMaterial");
+  materials_.make_named(where, name, std::move(parameters));
+}
+
+void SceneBuilder::named_material(const SourceLocation& where, const std::string& name) {
+  require_world(where, "NamedMaterial");
+  state_.material = materials_.named(where, name);
+}
+
+void SceneBuilder::make_named_medium(const SourceLocation& where, const std::string& name,
+                                     const ParameterList& parameters) {
+  scene_.media.push_back(make_medium(context_, where, name, parameters));
+  media_[name] = static_cast<desc::MediumId>(scene_.media.size()) - 1;
+}
+
+void SceneBuilder::medium_interface(const SourceLocation& where, const std::string& inside,
+                                    const std::string& outside) {
+  state_.inside = inside;
+  state_.outside = outside;
+  state_.media_where = where;
+}
+
+desc::MediumId SceneBuilder::medium_id(const std::string& name) const {
+  if (name.empty()) return desc::kNone;
+  const auto found = media_.find(name);
+  if (found != media_.end()) return found->second;
+  std::vector<std::string> valid;
+  for (const auto& entry : media_) valid.push_back(entry.first);
+  throw SceneError(state_.media_where, unknown_name_message("medium", name, valid));
+}
+
+// ---------------------------------------------------------------- lights and shapes
+
+void SceneBuilder::light_source(const SourceLocation& where, const std::string& type,
+                                const ParameterList& parameters) {
+  require_world(where, "LightSource");
+  std::optional<desc::Light> light =
+      make_light(context_, where, type, parameters, transforms_.get(where, warnings_));
+  if (!light) return;
+  light->medium = medium_id(state_.outside);
+  scene_.lights.push_back(std::move(*light));
+}
+
+void SceneBuilder::area_light_source(const SourceLocation& where, const std::string& type,
+                                     const ParameterList& parameters) {
+  require_world(where, "AreaLightSource");
+  state_.area_light = std::make_shared<const desc::AreaLight>(
+      make_area_light(context_, textures_, where, type, parameters));
+}
+
+desc::TextureId SceneBuilder::alpha(const ParameterList& parameters, std::string_view name) {
+  if (const Parameter* reference = parameters.find_one(name, ParameterKind::Texture)) {
+    return textures_.find(*reference, TextureClass::Float).value_or(desc::kNone);
+  }
+  // Only 0 cuts away.
+  return parameters.get_float(name, 1.F) == 0.F ? textures_.constant(0.F) : desc::kNone;
+}
+
+void SceneBuilder::shape(const SourceLocation& where, const std::string& type,
+                         const ParameterList& parameters) {
+  require_world(where, "Shape");
+  std::optional<ShapeNode> node = make_shape(context_, meshes_, where, type, parameters);
+  if (!node) return;
+  desc::Shape shape;
+  shape.where = where;
+  shape.node = std::move(*node);
+  if (type == "plymesh") {
+    shape.name = std::filesystem::path(parameters.get_string("filename", "")).stem().string();
+  }
+  shape.to_world = transforms_.get(where, warnings_);
+  shape.reverse_orientation = state_.reverse_orientation;
+  shape.alpha = alpha(parameters, "alpha");
+  shape.shadow_alpha = alpha(parameters, "shadowalpha");
+  shape.material = materials_.for_shape(where, state_.material, parameters);
+  shape.inside = medium_id(state_.inside);
+  shape.outside = medium_id(state_.outside);
+  shape.has_medium_interface = shape.inside != shape.outside;
+  if (state_.area_light) {
+    if (open_object_ == desc::kNone) {
+      shape.light = *state_.area_light;
+    } else {
+      warnings_.add(where, "shapes of objects cannot be lights: its emission is left out");
+    }
+  }
+  parameters.report_unused(warnings_);
+  if (!inverse(shape.to_world)) {
+    warnings_.add(where, "the transform of this shape cannot be inverted: shape left out");
+    return;
+  }
+  std::vector<desc::Shape>& shapes =
+      open_object_ == desc::kNone ? scene_.shapes
+                                  : scene_.objects[static_cast<std::size_t>(open_object_)].shapes;
+  shapes.push_back(std::move(shape));
+}
+
+// ---------------------------------------------------------------- end
+
+void SceneBuilder::remove_empty_meshes() {
+  const auto is_empty = [](const desc::Shape& shape) {
+    const auto* mesh = std::get_if<std::shared_ptr<const desc::Mesh>>(&shape.node);
+    return mesh != nullptr && (*mesh)->indices.empty();
+  };
+  std::erase_if(scene_.shapes, is_empty);
+  for (desc::Object& object : scene_.objects) std::erase_if(object.shapes, is_empty);
+}
+
+void SceneBuilder::finish_realistic_camera() {
+  // Half the angle of the shorter side of the film, which is what "fov" measures.
+  const double aspect = static_cast<double>(scene_.film.resolution.x) / scene_.film.resolution.y;
+  const double height = static_cast<double>(film_diagonal_) / std::sqrt(1.0 + aspect * aspect);
+  const double half = 0.5 * std::min(height, height * aspect);
+  const double degrees =
+      2.0 * std::atan(half / *camera_->focal_length) * 180.0 / 3.14159265358979323846;
+  std::get<desc::PerspectiveCamera>(scene_.camera.node).fov =
+      static_cast<float>(std::clamp(degrees, 1.0, 170.0));
+}
+
+desc::SceneDesc SceneBuilder::finish(const SourceLocation& end) {
+  if (stage_ == Stage::Options)
+    throw SceneError(end, "this is not a complete pbrt scene: there is no WorldBegin");
+  if (stage_ == Stage::World) {
+    warnings_.add(end, "there is no WorldEnd");
+    world_end(end);
+  }
+  if (camera_) {
+    scene_.camera = camera_->camera;
+    if (camera_->focal_length) finish_realistic_camera();
+  } else {
+    warnings_.add(end, "there is no Camera: a perspective one at the origin is used");
+  }
+  // pbrt-v3 makes the camera at WorldEnd: the medium around it is what is set outside at the top
+  // level there.
+  scene_.camera.medium = medium_id(state_.outside);
+  meshes_.load_all();
+  remove_empty_meshes();
+  if (scene_.shapes.empty() && scene_.instances.empty())
+    warnings_.add(end, "there are no shapes in this scene");
+  return std::move(scene_);
+}
+
+}  // namespace ajar::pbrt

@@ -1,0 +1,96 @@
+#include "import/pbrt/spectra.h"
+
+#include <vector>
+
+#include "core/color.h"
+#include "import/pbrt/lexer.h"
+#include "import/pbrt/metals.h"
+
+namespace ajar::pbrt {
+namespace {
+
+/// Wavelengths and values of an .spd file: pairs of numbers, # comments.
+desc::Rgb parse_spd(std::string_view text, const std::string& name) {
+  Lexer lexer(std::make_shared<const std::string>(name), text);
+  std::vector<double> wavelengths;
+  std::vector<double> values;
+  for (Token token = lexer.next(); token.kind != TokenKind::End; token = lexer.next()) {
+    wavelengths.push_back(lexer.double_value(token));
+    values.push_back(lexer.double_value(lexer.next()));
+  }
+  if (wavelengths.empty())
+    throw SceneError(lexer.where(lexer.peek()), "there is no spectrum in this file");
+  return desc::Rgb(sampled_to_rgb(wavelengths, values));
+}
+
+desc::Rgb from_samples(const std::vector<float>& pairs) {
+  std::vector<double> wavelengths;
+  std::vector<double> values;
+  for (std::size_t i = 0; i + 1 < pairs.size(); i += 2) {
+    wavelengths.push_back(pairs[i]);
+    values.push_back(pairs[i + 1]);
+  }
+  return desc::Rgb(sampled_to_rgb(wavelengths, values));
+}
+
+}  // namespace
+
+std::optional<desc::Rgb> SpectrumReader::value(const Parameter& parameter) {
+  const std::optional<desc::Rgb> rgb = unchecked_value(parameter);
+  if (rgb && !is_finite(*rgb))
+    throw SceneError(parameter.where, "\"" + parameter.name + "\" is too large");
+  return rgb;
+}
+
+std::optional<desc::Rgb> SpectrumReader::unchecked_value(const Parameter& parameter) {
+  const std::vector<float>& n = parameter.numbers;
+  switch (parameter.kind) {
+    case ParameterKind::Rgb:
+      return desc::Rgb(n[0], n[1], n[2]);
+    case ParameterKind::Xyz:
+      return desc::Rgb(xyz_to_rgb(Vec3d(n[0], n[1], n[2])));
+    case ParameterKind::Blackbody:
+      return desc::Rgb(blackbody_rgb(n[0]) * static_cast<double>(n[1]));
+    default:
+      return parameter.strings.empty() ? from_samples(n) : from_file(parameter);
+  }
+}
+
+std::optional<desc::Rgb> SpectrumReader::from_file(const Parameter& parameter) {
+  const std::string& name = parameter.strings.front();
+  try {
+    const std::string path = files_.resolve(name);
+    const auto known = files_read_.find(path);
+    if (known != files_read_.end()) return known->second;
+    if (!files_.exists(path)) {
+      if (const std::optional<Vec3d> metal = metal_rgb_by_file_name(name)) return desc::Rgb(*metal);
+    }
+    const FileBytes bytes = files_.load(path);
+    return files_read_.emplace(path, parse_spd(bytes.view(), path)).first->second;
+  } catch (const Error& error) {
+    warnings_.add(parameter.where, "spectrum \"" + printable(name) + "\" cannot be used (" +
+                                       error.what() + "): \"" + parameter.name +
+                                       "\" has its default");
+    return std::nullopt;
+  }
+}
+
+desc::Rgb SpectrumReader::get(const ParameterList& parameters, std::string_view name,
+                              const desc::Rgb& fallback) {
+  const Parameter* p = parameters.find_one(name, kSpectrumKinds);
+  return p == nullptr ? fallback : value(*p).value_or(fallback);
+}
+
+desc::Rgb SpectrumReader::get_positive(const ParameterList& parameters, std::string_view name,
+                                       const desc::Rgb& fallback) {
+  desc::Rgb rgb = get(parameters, name, fallback);
+  if (rgb.x >= 0.F && rgb.y >= 0.F && rgb.z >= 0.F) return rgb;
+  const Parameter* p = parameters.find_one(name, kSpectrumKinds);
+  if (p != nullptr && p->kind == ParameterKind::Rgb) {
+    warnings_.add(p->where, "\"" + p->name + "\" is negative: taken as 0");
+  }
+  for (int i = 0; i < 3; ++i) rgb[i] = std::max(rgb[i], 0.F);
+  return rgb;
+}
+
+}  // namespace ajar::pbrt

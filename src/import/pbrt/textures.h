@@ -1,0 +1,69 @@
+#pragma once
+#include <map>
+#include <optional>
+#include <string>
+#include <tuple>
+
+#include "import/pbrt/context.h"
+#include "import/pbrt/parameter_list.h"
+#include "import/pbrt/scoped_names.h"
+
+namespace ajar::pbrt {
+
+/// pbrt keeps textures of numbers and of colours apart, even under the same name.
+enum class TextureClass { Float, Spectrum };
+
+/// The textures of the scene: constants, each value once, and the named ones in the current scope.
+class TextureTable {
+ public:
+  explicit TextureTable(Context& context) : context_(context) {}
+
+  desc::TextureId constant(const desc::Rgb& value);
+  desc::TextureId constant(float value) { return constant(desc::Rgb(value)); }
+
+  /// `Texture "name" "class" "type" parameters`.
+  void define(const SourceLocation& where, const std::string& name,
+              const std::string& texture_class, const std::string& type,
+              const ParameterList& parameters, const Mat4& ctm);
+  /// The texture that a parameter names. Raises SceneError if there is none of this name; empty,
+  /// after a warning, if there is one of the other class only.
+  std::optional<desc::TextureId> find(const Parameter& reference, TextureClass texture_class) const;
+
+  void begin_scope();
+  void end_scope();
+
+ private:
+  Context& context_;
+  std::map<std::tuple<float, float, float>, desc::TextureId> constants_;
+  ScopedNames<desc::TextureId> floats_, spectra_;
+};
+
+/// Lookup of parameters that may be textures, in one list or, for materials whose parameters a
+/// shape overrides, in two.
+class TextureParameters {
+ public:
+  TextureParameters(Context& context, TextureTable& table, const ParameterList& first,
+                    const ParameterList* second = nullptr)
+      : context_(context), table_(table), lists_{&first, second} {}
+
+  std::optional<desc::TextureId> find_spectrum(std::string_view name) const;
+  std::optional<desc::TextureId> find_number(std::string_view name) const;
+  desc::TextureId spectrum(std::string_view name, const desc::Rgb& fallback) const;
+  desc::TextureId spectrum(std::string_view name, float fallback) const {
+    return spectrum(name, desc::Rgb(fallback));
+  }
+  desc::TextureId number(std::string_view name, float fallback) const;
+  bool flag(std::string_view name, bool fallback) const;
+  std::optional<std::string> text(std::string_view name) const;
+  void accept(std::initializer_list<std::string_view> names) const;
+
+  Context& context() const { return context_; }
+  TextureTable& table() const { return table_; }
+
+ private:
+  Context& context_;
+  TextureTable& table_;
+  const ParameterList* lists_[2];
+};
+
+}  // namespace ajar::pbrt

@@ -1,0 +1,331 @@
+#include "scene/desc/scene_desc.h"
+
+#include <bit>
+#include <cstdint>
+#include <cstring>
+#include <map>
+#include <type_traits>
+
+namespace ajar::desc {
+namespace {
+
+/// Accumulates a 64-bit hash of values, eight bytes at a time.
+class Hasher {
+ public:
+  void word(std::uint64_t value) {
+    // Multiply-xorshift in the manner of MurmurHash3's finaliser.
+    state_ = (state_ ^ value) * 0xff51afd7ed558ccdULL;
+    state_ ^= state_ >> 32U;
+  }
+  void bytes(const void* data, std::size_t size) {
+    word(size);
+    const char* place = static_cast<const char*>(data);
+    for (; size >= 8; place += 8, size -= 8) {
+      std::uint64_t value = 0;
+      std::memcpy(&value, place, 8);
+      word(value);
+    }
+    std::uint64_t rest = 0;
+    std::memcpy(&rest, place, size);
+    word(rest);
+  }
+
+  // -0 and 0 describe the same scene.
+  void add(float value) { word(std::bit_cast<std::uint32_t>(value + 0.F)); }
+  void add(double value) { word(std::bit_cast<std::uint64_t>(value + 0.0)); }
+  void add(int value) { word(static_cast<std::uint64_t>(value)); }
+  void add(bool value) { word(value ? 1 : 0); }
+  void add(const std::string& value) { bytes(value.data(), value.size()); }
+  template <typename Enum>
+  requires std::is_enum_v<Enum>
+  void add(Enum value) { add(static_cast<int>(value)); }
+  template <typename T>
+  void add(const Imath::Vec3<T>& v) {
+    add(v.x);
+    add(v.y);
+    add(v.z);
+  }
+  template <typename T>
+  void add(const Imath::Vec2<T>& v) {
+    add(v.x);
+    add(v.y);
+  }
+  void add(const Mat4& m) {
+    for (const auto& row : m.x) {
+      for (const double value : row) add(value);
+    }
+  }
+  template <typename T>
+  void add(const std::optional<T>& value) {
+    add(value.has_value());
+    if (value) add(*value);
+  }
+  /// Memory as it is, for large arrays.
+  template <typename T>
+  void array(const std::vector<T>& values) {
+    bytes(values.data(), values.size() * sizeof(T));
+  }
+  template <typename First, typename... Rest>
+  requires(sizeof...(Rest) > 0) void add(const First& first, const Rest&... rest) {
+    add(first);
+    add(rest...);
+  }
+
+  std::uint64_t result() const { return state_; }
+
+ private:
+  std::uint64_t state_ = 0x9e3779b97f4a7c15ULL;
+};
+
+/// Hashes a scene. Things that are referred to count by their contents, not by their index.
+class SceneHasher {
+ public:
+  explicit SceneHasher(const SceneDesc& scene) : scene_(scene) {
+    for (const Texture& texture : scene.textures) textures_.push_back(hash_texture(texture));
+    for (const Material& material : scene.materials) materials_.push_back(hash_material(material));
+    for (const Medium& medium : scene.media) {
+      Hasher h;
+      h.add(medium.sigma_a, medium.sigma_s, medium.g);
+      media_.push_back(h.result());
+    }
+  }
+
+  std::uint64_t run() {
+    Hasher h;
+    h.word(scene_.shapes.size());
+    for (const Shape& shape : scene_.shapes) hash_shape(h, shape);
+    h.word(scene_.objects.size());
+    for (const Object& object : scene_.objects) {
+      h.word(object.shapes.size());
+      for (const Shape& shape : object.shapes) hash_shape(h, shape);
+    }
+    h.word(scene_.instances.size());
+    for (const Instance& instance : scene_.instances) h.add(instance.object, instance.to_world);
+    h.word(scene_.lights.size());
+    for (const Light& light : scene_.lights) hash_light(h, light);
+    hash_camera(h);
+    hash_film(h);
+    return h.result();
+  }
+
+ private:
+  static std::uint64_t find(const std::vector<std::uint64_t>& hashes, int id) {
+    return id < 0 || static_cast<std::size_t>(id) >= hashes.size()
+               ? 0
+               : hashes[static_cast<std::size_t>(id)];
+  }
+  void texture(Hasher& h, TextureId id) const { h.word(find(textures_, id)); }
+  void material(Hasher& h, MaterialId id) const { h.word(find(materials_, id)); }
+  void medium(Hasher& h, MediumId id) const { h.word(find(media_, id)); }
+  template <typename... Ids>
+  void textures(Hasher& h, Ids... ids) const {
+    (texture(h, ids), ...);
+  }
+
+  static void mapping(Hasher& h, const Mapping2D& m) {
+    h.word(m.index());
+    if (const auto* uv = std::get_if<UvMapping>(&m)) h.add(uv->su, uv->sv, uv->du, uv->dv);
+    if (const auto* s = std::get_if<SphericalMapping>(&m)) h.add(s->world_to_texture);
+    if (const auto* c = std::get_if<CylindricalMapping>(&m)) h.add(c->world_to_texture);
+    if (const auto* p = std::get_if<PlanarMapping>(&m)) h.add(p->vs, p->vt, p->ds, p->dt);
+  }
+
+  void node(Hasher& h, const ConstantTexture& t) const { h.add(t.value); }
+  void node(Hasher& h, const ScaleTexture& t) const { textures(h, t.a, t.b); }
+  void node(Hasher& h, const MixTexture& t) const { textures(h, t.a, t.b, t.amount); }
+  void node(Hasher& h, const BilerpTexture& t) const {
+    h.add(t.v00, t.v01, t.v10, t.v11);
+    mapping(h, t.mapping);
+  }
+  void node(Hasher& h, const ImageTexture& t) const {
+    h.add(t.path, t.wrap, t.decode_srgb, t.luminance, t.scale, t.filter);
+    mapping(h, t.mapping);
+  }
+  void node(Hasher& h, const CheckerboardTexture& t) const {
+    h.add(t.dimension);
+    textures(h, t.a, t.b);
+    if (t.dimension == 2) {
+      mapping(h, t.mapping);
+    } else {
+      h.add(t.world_to_texture);
+    }
+  }
+  void node(Hasher& h, const DotsTexture& t) const {
+    textures(h, t.inside, t.outside);
+    mapping(h, t.mapping);
+  }
+  void node(Hasher& h, const UvTexture& t) const { mapping(h, t.mapping); }
+  void node(Hasher& h, const FbmTexture& t) const {
+    h.add(t.octaves, t.roughness, t.world_to_texture);
+  }
+  void node(Hasher& h, const WrinkledTexture& t) const {
+    h.add(t.octaves, t.roughness, t.world_to_texture);
+  }
+  void node(Hasher& h, const WindyTexture& t) const { h.add(t.world_to_texture); }
+  void node(Hasher& h, const MarbleTexture& t) const {
+    h.add(t.octaves, t.roughness, t.scale, t.variation, t.world_to_texture);
+  }
+
+  void node(Hasher& h, const MatteMaterial& m) const { textures(h, m.kd, m.sigma); }
+  void node(Hasher& h, const MirrorMaterial& m) const { texture(h, m.kr); }
+  void node(Hasher& h, const GlassMaterial& m) const {
+    textures(h, m.kr, m.kt, m.eta, m.u_roughness, m.v_roughness);
+    h.add(m.remap_roughness, m.thin);
+  }
+  void node(Hasher& h, const MetalMaterial& m) const {
+    textures(h, m.eta, m.k, m.u_roughness, m.v_roughness);
+    h.add(m.remap_roughness, m.model);
+  }
+  void node(Hasher& h, const PlasticMaterial& m) const {
+    textures(h, m.kd, m.ks, m.roughness);
+    h.add(m.remap_roughness);
+  }
+  void node(Hasher& h, const SubstrateMaterial& m) const {
+    textures(h, m.kd, m.ks, m.u_roughness, m.v_roughness);
+    h.add(m.remap_roughness);
+  }
+  void node(Hasher& h, const UberMaterial& m) const {
+    textures(h, m.kd, m.ks, m.kr, m.kt, m.u_roughness, m.v_roughness, m.eta, m.opacity);
+    h.add(m.remap_roughness);
+  }
+  void node(Hasher& h, const TranslucentMaterial& m) const {
+    textures(h, m.kd, m.ks, m.roughness, m.reflect, m.transmit);
+    h.add(m.remap_roughness);
+  }
+  void node(Hasher& h, const DisneyMaterial& m) const {
+    textures(h, m.color, m.metallic, m.eta, m.roughness, m.specular_tint, m.anisotropic, m.sheen,
+             m.sheen_tint, m.clearcoat, m.clearcoat_gloss, m.spec_trans, m.flatness, m.diff_trans);
+    h.add(m.thin);
+  }
+  void node(Hasher& h, const MixMaterial& m) const {
+    texture(h, m.amount);
+    material(h, m.a);
+    material(h, m.b);
+  }
+  void node(Hasher&, const InterfaceMaterial&) const {}
+
+  void node(Hasher& h, const std::shared_ptr<const Mesh>& mesh) {
+    h.word(mesh ? hash_mesh(*mesh) : 0);
+  }
+  void node(Hasher& h, const Sphere& s) const { h.add(s.radius, s.z_min, s.z_max, s.phi_max); }
+  void node(Hasher& h, const Disk& s) const {
+    h.add(s.height, s.radius, s.inner_radius, s.phi_max);
+  }
+  void node(Hasher& h, const Cylinder& s) const { h.add(s.radius, s.z_min, s.z_max, s.phi_max); }
+  void node(Hasher& h, const Cone& s) const { h.add(s.radius, s.height, s.phi_max); }
+  void node(Hasher& h, const Paraboloid& s) const { h.add(s.radius, s.z_min, s.z_max, s.phi_max); }
+  void node(Hasher& h, const Hyperboloid& s) const { h.add(s.p1, s.p2, s.phi_max); }
+  void node(Hasher& h, const std::shared_ptr<const LoopSubdivision>& s) {
+    if (!s) return;
+    h.add(s->levels);
+    h.word(hash_mesh(s->control));
+  }
+  void node(Hasher& h, const std::shared_ptr<const Curve>& s) const {
+    if (!s) return;
+    h.add(s->type);
+    h.array(s->control_points);
+    h.array(s->widths);
+    h.array(s->normals);
+  }
+
+  void node(Hasher& h, const PointLight& l) const { h.add(l.intensity); }
+  void node(Hasher& h, const SpotLight& l) const {
+    h.add(l.intensity, l.cone_angle, l.falloff_start);
+  }
+  void node(Hasher& h, const DistantLight& l) const { h.add(l.irradiance); }
+  void node(Hasher& h, const InfiniteLight& l) const { h.add(l.radiance, l.image); }
+  void node(Hasher& h, const GoniometricLight& l) const { h.add(l.intensity, l.image); }
+  void node(Hasher& h, const ProjectionLight& l) const { h.add(l.intensity, l.fov, l.image); }
+
+  static void window(Hasher& h, const std::optional<ScreenWindow>& w) {
+    h.add(w.has_value());
+    if (w) h.add(w->x_min, w->x_max, w->y_min, w->y_max);
+  }
+  void node(Hasher& h, const PerspectiveCamera& c) const {
+    h.add(c.fov, c.lens_radius, c.focal_distance, c.aspect);
+    window(h, c.window);
+  }
+  void node(Hasher& h, const OrthographicCamera& c) const {
+    h.add(c.lens_radius, c.focal_distance, c.aspect);
+    window(h, c.window);
+  }
+  void node(Hasher&, const EnvironmentCamera&) const {}
+
+  void node(Hasher&, const BoxFilter&) const {}
+  void node(Hasher&, const TriangleFilter&) const {}
+  void node(Hasher& h, const GaussianFilter& f) const { h.add(f.alpha); }
+  void node(Hasher& h, const MitchellFilter& f) const { h.add(f.b, f.c); }
+  void node(Hasher& h, const SincFilter& f) const { h.add(f.tau); }
+
+  template <typename Variant>
+  void variant(Hasher& h, const Variant& v) {
+    h.word(v.index());
+    std::visit([&](const auto& alternative) { node(h, alternative); }, v);
+  }
+
+  std::uint64_t hash_texture(const Texture& t) {
+    Hasher h;
+    variant(h, t.node);
+    return h.result();
+  }
+  std::uint64_t hash_material(const Material& m) {
+    Hasher h;
+    variant(h, m.node);
+    texture(h, m.bump);
+    return h.result();
+  }
+  std::uint64_t hash_mesh(const Mesh& mesh) {
+    const auto known = meshes_.find(&mesh);
+    if (known != meshes_.end()) return known->second;
+    Hasher h;
+    h.array(mesh.positions);
+    h.array(mesh.normals);
+    h.array(mesh.tangents);
+    h.array(mesh.uvs);
+    h.array(mesh.indices);
+    return meshes_[&mesh] = h.result();
+  }
+
+  void hash_shape(Hasher& h, const Shape& shape) {
+    variant(h, shape.node);
+    h.add(shape.to_world, shape.reverse_orientation);
+    material(h, shape.material);
+    textures(h, shape.alpha, shape.shadow_alpha);
+    h.add(shape.light.has_value());
+    if (shape.light) {
+      h.add(shape.light->radiance, shape.light->two_sided);
+      texture(h, shape.light->texture);
+    }
+    h.add(shape.has_medium_interface);
+    if (shape.has_medium_interface) {
+      medium(h, shape.inside);
+      medium(h, shape.outside);
+    }
+  }
+  void hash_light(Hasher& h, const Light& light) {
+    h.add(light.to_world);
+    variant(h, light.node);
+    medium(h, light.medium);
+  }
+  void hash_camera(Hasher& h) {
+    h.add(scene_.camera.to_world);
+    variant(h, scene_.camera.node);
+    medium(h, scene_.camera.medium);
+  }
+  void hash_film(Hasher& h) {
+    const Film& film = scene_.film;
+    h.add(film.resolution, film.scale, film.filter.radius);
+    for (const float edge : film.crop) h.add(edge);
+    variant(h, film.filter.node);
+  }
+
+  const SceneDesc& scene_;
+  std::vector<std::uint64_t> textures_, materials_, media_;
+  std::map<const Mesh*, std::uint64_t> meshes_;
+};
+
+}  // namespace
+
+std::uint64_t hash(const SceneDesc& scene) { return SceneHasher(scene).run(); }
+
+}  // namespace ajar::desc
