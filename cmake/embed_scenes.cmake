@@ -1,10 +1,15 @@
-# Embeds every file under scenes/<name>/ into a library: an assembler file that includes the bytes, and a table that
+# Embeds the files of every scenes/<name>/ that has a scene.pbrt into a library: an assembler file that includes the bytes, and a table that
 # src/session/builtin_scenes.h offers.
 function(ajar_embed_scenes target)
   set(folder ${CMAKE_SOURCE_DIR}/scenes)
-  file(GLOB_RECURSE files CONFIGURE_DEPENDS RELATIVE ${folder} ${folder}/*)
-  list(FILTER files EXCLUDE REGEX "(^|/)\\.|\\.md$")
-  list(FILTER files INCLUDE REGEX "/")
+  file(GLOB scenes CONFIGURE_DEPENDS RELATIVE ${folder} ${folder}/*/scene.pbrt)
+  set(files "")
+  foreach(scene IN LISTS scenes)
+    string(REPLACE "/scene.pbrt" "" scene "${scene}")
+    file(GLOB_RECURSE scene_files CONFIGURE_DEPENDS RELATIVE ${folder} ${folder}/${scene}/*)
+    list(APPEND files ${scene_files})
+  endforeach()
+  list(FILTER files EXCLUDE REGEX "(^|/)\\.|\\.md$|\\.py$")
   list(SORT files)
 
   set(data "    .section .rodata\n")

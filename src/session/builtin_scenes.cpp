@@ -1,5 +1,6 @@
 #include "session/builtin_scenes.h"
 
+#include <algorithm>
 #include <filesystem>
 
 namespace ajar {
@@ -23,14 +24,18 @@ std::vector<std::string> builtin_scene_names() {
 }
 
 std::string builtin_scene_summary(std::string_view scene) {
-  constexpr std::string_view kMark = "# about:";
-  const std::string_view text = builtin_file(scene, "scene.pbrt").value_or("").substr(0, 2000);
-  const std::size_t at = text.find(kMark);
-  if (at == std::string_view::npos) return {};
-  std::string_view line = text.substr(at + kMark.size());
-  line = line.substr(0, line.find('\n'));
-  while (!line.empty() && line.front() == ' ') line.remove_prefix(1);
-  return std::string(line);
+  std::string_view text = builtin_file(scene, "scene.pbrt").value_or("");
+  std::string comment;
+  while (text.starts_with('#')) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    comment.append(text.substr(1, end - 1));
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  const std::string name = " " + std::string(scene) + ":";
+  std::string_view sentence = comment;
+  if (sentence.starts_with(name)) sentence.remove_prefix(name.size());
+  while (sentence.starts_with(' ')) sentence.remove_prefix(1);
+  return std::string(sentence.substr(0, sentence.find(". ")));
 }
 
 std::optional<std::string_view> builtin_file(std::string_view scene, std::string_view path) {

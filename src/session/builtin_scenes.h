@@ -21,7 +21,8 @@ std::span<const EmbeddedFile> embedded_files();
 /// Names of the built-in scenes, sorted.
 std::vector<std::string> builtin_scene_names();
 
-/// What follows "# about:" in the first lines of a scene's file: one line for lists.
+/// First sentence of the comment at the top of a scene's file, without the scene's name that it may
+/// begin with: one line for lists.
 std::string builtin_scene_summary(std::string_view scene);
 
 /// A file of a built-in scene; empty if there is none. `path` may begin with "./" or with the

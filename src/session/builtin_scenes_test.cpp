@@ -26,7 +26,12 @@ TEST(BuiltinScenes, AreByteForByteTheFilesOfTheRepository) {
 TEST(BuiltinScenes, HaveASummary) {
   const std::vector<std::string> names = builtin_scene_names();
   EXPECT_TRUE(std::find(names.begin(), names.end(), "cornell") != names.end());
-  for (const std::string& name : names) EXPECT_NE(builtin_scene_summary(name), "") << name;
+  for (const std::string& name : names) {
+    const std::string summary = builtin_scene_summary(name);
+    EXPECT_GT(summary.size(), 10U) << name;
+    EXPECT_LT(summary.size(), 160U) << summary;
+    EXPECT_EQ(summary.find(name + ":"), std::string::npos) << summary;
+  }
 }
 
 TEST(BuiltinScenes, FilesAreFoundByAnySpellingOfTheirPath) {

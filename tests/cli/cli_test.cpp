@@ -365,8 +365,8 @@ TEST_F(Cli, InfoSaysWhatIsInAScene) {
                           "bounds", "memory", "warnings", "seconds"}) {
     EXPECT_TRUE(info.contains(key)) << key;
   }
-  EXPECT_EQ(info.at("counts").at("instances"), 2);
-  EXPECT_EQ(info.at("lights").at("area"), 1);
+  EXPECT_GT(info.at("counts").at("triangles").get<int>(), 10);
+  EXPECT_GE(info.at("lights").at("area").get<int>(), 1);
   EXPECT_EQ(info.at("camera").at("type"), "perspective");
   EXPECT_EQ(info.at("warnings"), 0);
 }
