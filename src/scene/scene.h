@@ -15,15 +15,13 @@
 #include "scene/light/light_sampler.h"
 #include "scene/material/material.h"
 #include "scene/medium/medium.h"
+#include "scene/ray.h"
+#include "scene/scene_counts.h"
 #include "scene/surface_point.h"
 
 namespace ajar {
 
-struct Ray {
-  Vec3 origin;
-  Vec3 direction;  ///< unit
-  float t_max = std::numeric_limits<float>::infinity();
-};
+class Geometry;
 
 /// Media on the two sides of a surface; `changes` is false if a ray keeps the medium it is in.
 struct MediumInterface {
@@ -42,19 +40,6 @@ struct Hit {
   std::uint32_t object_id;    ///< index of the shape in the description (instanced: of the shape in its object)
   std::uint32_t instance_id;  ///< 0: not an instance; else index of the instance + 1
   std::uint32_t material_id;
-};
-
-/// Counts of what is in a scene, for `ajar info` and the statistics.
-struct SceneCounts {
-  std::size_t triangles = 0;           ///< stored
-  std::size_t instanced_triangles = 0; ///< with every instance counted
-  std::size_t quadrics = 0;
-  std::size_t curves = 0;
-  std::size_t instances = 0;
-  std::size_t lights = 0;
-  std::size_t textures = 0;
-  std::size_t materials = 0;
-  std::size_t embree_bytes = 0;
 };
 
 /// Settings that change how a scene is built.
@@ -98,9 +83,22 @@ class Scene {
   const std::string& source() const { return source_; }
 
  private:
-  struct Geometry;  // Embree handles and per-shape records
-  std::unique_ptr<Geometry> geometry_;
+  /// What a hit looks up by the index of its shape.
+  struct Surface {
+    const Material* material;
+    const Light* light;
+    const MediumInterface* media;
+    std::uint32_t object_id;
+    std::uint32_t material_id;
+  };
+  void build_lights(const desc::SceneDesc& description, Warnings& warnings);
+  void build_surfaces(const desc::SceneDesc& description, Warnings& warnings);
+
   TextureList textures_;
+  std::unique_ptr<Geometry> geometry_;
+  std::vector<Surface> surfaces_;
+  std::vector<std::unique_ptr<const MediumInterface>> media_interfaces_;
+  std::vector<std::unique_ptr<const SurfaceSampler>> emitters_;
   MaterialList materials_;
   std::vector<std::unique_ptr<const Medium>> media_;
   LightList lights_;

@@ -1,0 +1,67 @@
+#include "scene/build/validate.h"
+
+#include <algorithm>
+#include <functional>
+
+namespace ajar {
+
+namespace {
+
+void check(int id, std::size_t count, const char* kind, const SourceLocation& where) {
+  if (id >= static_cast<int>(count) || id < desc::kNone) {
+    throw SceneError(where, std::string("this refers to a ") + kind + " that does not exist");
+  }
+}
+
+void check_shape(const desc::SceneDesc& scene, const desc::Shape& shape) {
+  check(shape.material, scene.materials.size(), "material", shape.where);
+  check(shape.alpha, scene.textures.size(), "texture", shape.where);
+  check(shape.shadow_alpha, scene.textures.size(), "texture", shape.where);
+  check(shape.inside, scene.media.size(), "medium", shape.where);
+  check(shape.outside, scene.media.size(), "medium", shape.where);
+  if (shape.light) check(shape.light->texture, scene.textures.size(), "texture", shape.light->where);
+}
+
+void for_each_shape(desc::SceneDesc& scene, const std::function<void(desc::Shape&)>& visit) {
+  for (desc::Shape& shape : scene.shapes) visit(shape);
+  for (desc::Object& object : scene.objects) {
+    for (desc::Shape& shape : object.shapes) visit(shape);
+  }
+}
+
+}  // namespace
+
+void validate_references(const desc::SceneDesc& scene) {
+  for (const desc::Shape& shape : scene.shapes) check_shape(scene, shape);
+  for (const desc::Object& object : scene.objects) {
+    for (const desc::Shape& shape : object.shapes) check_shape(scene, shape);
+  }
+  for (const desc::Light& light : scene.lights) {
+    check(light.medium, scene.media.size(), "medium", light.where);
+  }
+  for (const desc::Instance& instance : scene.instances) {
+    check(std::max(instance.object, 0), scene.objects.size(), "object", instance.where);
+  }
+  check(scene.camera.medium, scene.media.size(), "medium", scene.camera.where);
+}
+
+void add_default_material(desc::SceneDesc& scene) {
+  desc::MaterialId added = desc::kNone;
+  for_each_shape(scene, [&](desc::Shape& shape) {
+    if (shape.material != desc::kNone) return;
+    if (added == desc::kNone) {
+      desc::Texture gray;
+      gray.node = desc::ConstantTexture{{0.5F, 0.5F, 0.5F}};
+      scene.textures.push_back(gray);
+      desc::MatteMaterial matte;
+      matte.kd = static_cast<desc::TextureId>(scene.textures.size()) - 1;
+      desc::Material material;
+      material.node = matte;
+      scene.materials.push_back(material);
+      added = static_cast<desc::MaterialId>(scene.materials.size()) - 1;
+    }
+    shape.material = added;
+  });
+}
+
+}  // namespace ajar

@@ -1,0 +1,113 @@
+#include "scene/geometry.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "scene/geometry_records.h"
+#include "scene/shape/make_surface_sampler.h"
+
+namespace ajar {
+
+namespace {
+
+RTCRay embree_ray(const Ray& ray) {
+  RTCRay result;
+  result.org_x = ray.origin.x;
+  result.org_y = ray.origin.y;
+  result.org_z = ray.origin.z;
+  result.tnear = 0.F;
+  result.dir_x = ray.direction.x;
+  result.dir_y = ray.direction.y;
+  result.dir_z = ray.direction.z;
+  result.time = 0.F;
+  result.tfar = ray.t_max;
+  result.mask = 0xffffffffU;
+  result.id = 0;
+  result.flags = 0;
+  return result;
+}
+
+/// Embree reported only that and roughly where the quadric is met; this repeats it in double precision.
+void quadric_hit_point(const ShapeRecord& record, const LocalRay& world, float t, SurfacePoint& point) {
+  const LocalRay ray = to_shape(world, *record.placement);
+  const Quadric::Roots roots = record.quadric->intersect(ray.origin, ray.direction);
+  double exact = t;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < roots.count; ++i) {
+    const double difference = std::abs(roots.t[i] - double{t});
+    if (difference < nearest) {
+      nearest = difference;
+      exact = roots.t[i];
+    }
+  }
+  const Vec3d p = record.quadric->project(ray.origin + ray.direction * exact);
+  point = quadric_surface_point(*record.quadric, *record.placement, record.reversed,
+                                record.quadric->parameters(p));
+}
+
+}  // namespace
+
+Geometry::~Geometry() = default;
+
+bool Geometry::intersect(const Ray& ray, GeometryHit& hit) const {
+  if (!(ray.t_max > 0.F)) return false;
+  QueryContext context;
+  rtcInitIntersectContext(&context.embree);
+  context.ray = &ray;
+  context.instances = instances_.data();
+  context.first_instance = static_cast<unsigned>(object_base_.front());
+  RTCRayHit rayhit;
+  rayhit.ray = embree_ray(ray);
+  rayhit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  rayhit.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+  rtcIntersect1(top_.get(), &context.embree, &rayhit);
+  if (rayhit.hit.geomID == RTC_INVALID_GEOMETRY_ID) return false;
+
+  hit.t = rayhit.ray.tfar;
+  hit.shape = rayhit.hit.geomID;
+  hit.instance_id = 0;
+  const Placement* instance = nullptr;
+  if (rayhit.hit.instID[0] != RTC_INVALID_GEOMETRY_ID) {
+    const unsigned index = rayhit.hit.instID[0] - context.first_instance;
+    instance = &*instances_[index].placement;
+    hit.instance_id = index + 1;
+    hit.shape += static_cast<std::uint32_t>(object_base_[instances_[index].object]);
+  }
+  const ShapeRecord& record = shapes_[hit.shape];
+  if (record.mesh) {
+    record.mesh->surface_point(rayhit.hit.primID, rayhit.hit.u, rayhit.hit.v, hit.point);
+  } else if (record.quadric) {
+    quadric_hit_point(record, to_instance(ray, instance), hit.t, hit.point);
+  } else {
+    const LocalRay local = to_instance(ray, instance);
+    hit.point = record.curve->surface_point(
+        rayhit.hit.primID, rayhit.hit.u, Vec3(local.origin), Vec3(local.direction), hit.t,
+        {rayhit.hit.Ng_x, rayhit.hit.Ng_y, rayhit.hit.Ng_z});
+  }
+  if (instance != nullptr) place_point(*instance, hit.point);
+  return true;
+}
+
+bool Geometry::occluded(const Ray& ray) const {
+  if (!(ray.t_max > 0.F)) return false;
+  QueryContext context;
+  rtcInitIntersectContext(&context.embree);
+  context.ray = &ray;
+  context.instances = instances_.data();
+  context.first_instance = static_cast<unsigned>(object_base_.front());
+  RTCRay query = embree_ray(ray);
+  rtcOccluded1(top_.get(), &context.embree, &query);
+  return query.tfar < 0.F;
+}
+
+std::size_t Geometry::shape_count() const { return shapes_.size(); }
+bool Geometry::has_shape(std::size_t shape) const { return shapes_[shape].present(); }
+
+std::unique_ptr<SurfaceSampler> Geometry::make_sampler(std::size_t shape) const {
+  const ShapeRecord& record = shapes_[shape];
+  if (record.mesh) return make_surface_sampler(*record.mesh);
+  if (record.quadric) return make_surface_sampler(*record.quadric, *record.placement, record.reversed);
+  return nullptr;
+}
+
+}  // namespace ajar

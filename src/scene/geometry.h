@@ -1,0 +1,86 @@
+#pragma once
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "core/error.h"
+#include "scene/desc/scene_desc.h"
+#include "scene/ray.h"
+#include "scene/scene_counts.h"
+#include "scene/shape/surface_sampler.h"
+#include "scene/surface_point.h"
+#include "scene/texture/texture.h"
+
+struct RTCDeviceTy;
+struct RTCSceneTy;
+
+namespace ajar {
+
+struct InstanceRecord;
+struct ShapeRecord;
+
+/// Where a ray meets the geometry.
+struct GeometryHit {
+  float t;
+  std::uint32_t shape;        ///< flat index of the shape, see Geometry
+  std::uint32_t instance_id;  ///< 0: not an instance; else index of the instance + 1
+  SurfacePoint point;
+};
+
+/// Everything rays can hit, committed to Embree; knows shapes and alpha textures but neither materials nor
+/// lights. Immutable, shared by all threads.
+///
+/// Shapes have a flat index: those of the description first, then those of object 0, object 1, …
+class Geometry {
+ public:
+  /// Takes the shapes out of `description` (their other members stay); the textures must outlive this. Raises
+  /// SceneError for meshes that cannot be used; shapes that cannot be seen are dropped with a warning.
+  Geometry(desc::SceneDesc& description, const TextureList& textures, Warnings& warnings);
+  ~Geometry();
+  Geometry(const Geometry&) = delete;
+  Geometry& operator=(const Geometry&) = delete;
+
+  /// Nearest surface along `ray`, alpha textures applied; false if there is none.
+  bool intersect(const Ray& ray, GeometryHit& hit) const;
+  /// True if anything lies on `ray`, alpha and shadow alpha textures applied.
+  bool occluded(const Ray& ray) const;
+
+  /// Flat index of the first shape of an object.
+  std::size_t object_base(std::size_t object) const { return object_base_[object]; }
+  std::size_t shape_count() const;
+  /// False if the shape was dropped (or belongs to an object that nothing places).
+  bool has_shape(std::size_t shape) const;
+  /// Null if the shape cannot emit: it has no area, was dropped, or is a curve.
+  std::unique_ptr<SurfaceSampler> make_sampler(std::size_t shape) const;
+
+  /// Empty box if there is nothing.
+  const Box3& bounds() const { return bounds_; }
+  /// The geometric part of the counts.
+  const SceneCounts& counts() const { return counts_; }
+
+ private:
+  struct Release {
+    void operator()(RTCDeviceTy* device) const;
+    void operator()(RTCSceneTy* scene) const;
+  };
+  using SceneHandle = std::unique_ptr<RTCSceneTy, Release>;
+
+  void prepare_shapes(desc::SceneDesc& description, const TextureList& textures, Warnings& warnings);
+  void prepare_instances(const desc::SceneDesc& description, Warnings& warnings);
+  SceneHandle commit(std::size_t first, std::size_t count, bool with_instances) const;
+  void count(std::size_t object_count);
+
+  /// Outlives the device, whose memory it counts.
+  std::unique_ptr<std::atomic<std::int64_t>> embree_bytes_;
+  std::vector<ShapeRecord> shapes_;
+  std::vector<InstanceRecord> instances_;
+  std::vector<std::size_t> object_base_;  ///< one more than there are objects
+  std::unique_ptr<RTCDeviceTy, Release> device_;
+  std::vector<SceneHandle> objects_;
+  SceneHandle top_;
+  Box3 bounds_;
+  SceneCounts counts_;
+};
+
+}  // namespace ajar

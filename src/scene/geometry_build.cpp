@@ -1,0 +1,273 @@
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "scene/geometry.h"
+#include "scene/geometry_records.h"
+#include "scene/shape/loop_subdivision.h"
+
+namespace ajar {
+
+namespace {
+
+/// Above this, spatial splits take too long to build for what they save.
+constexpr std::size_t kHighQualityTriangles = 1'000'000;
+
+bool count_memory(void* counter, ssize_t bytes, bool /*post*/) {
+  static_cast<std::atomic<std::int64_t>*>(counter)->fetch_add(bytes, std::memory_order_relaxed);
+  return true;
+}
+
+void check(RTCDevice device) {
+  switch (rtcGetDeviceError(device)) {
+    case RTC_ERROR_NONE:
+      return;
+    case RTC_ERROR_OUT_OF_MEMORY:
+      throw SceneError("there is not enough memory for the geometry of the scene");
+    default:
+      throw SceneError("Embree cannot build the geometry of the scene");
+  }
+}
+
+/// Turns one described shape into its record.
+class ShapePreparation {
+ public:
+  ShapePreparation(desc::Shape& shape, const Placement& placement, Warnings& warnings,
+                   ShapeRecord& record)
+      : shape_(shape), placement_(placement), warnings_(warnings), record_(record) {}
+
+  void operator()(std::shared_ptr<const desc::Mesh>& mesh) {
+    if (mesh) make_mesh(std::move(mesh));
+  }
+  void operator()(std::shared_ptr<const desc::LoopSubdivision>& surface) {
+    if (surface) make_mesh(subdivide(*surface, shape_.where, warnings_));
+    surface.reset();
+  }
+  void operator()(std::shared_ptr<const desc::Curve>& curve) {
+    if (!curve || curve->control_points.empty()) return;
+    record_.curve = std::make_unique<const CurveShape>(*curve, placement_, shape_.reverse_orientation,
+                                                       shape_.where);
+    curve.reset();
+  }
+  template <typename Node>
+  void operator()(const Node& node) {
+    record_.quadric = Quadric::make(node);
+    if (!record_.quadric) warnings_.add(shape_.where, "the shape has no area; it is left out");
+  }
+
+ private:
+  void make_mesh(std::shared_ptr<const desc::Mesh> mesh) {
+    record_.mesh = std::make_unique<const TriangleMesh>(
+        std::move(mesh), placement_, shape_.reverse_orientation, shape_.where, warnings_);
+    record_.check_plane = record_.mesh->needs_plane_check();
+    if (record_.mesh->triangle_count() == 0) record_.mesh.reset();
+  }
+
+  desc::Shape& shape_;
+  const Placement& placement_;
+  Warnings& warnings_;
+  ShapeRecord& record_;
+};
+
+TextureSlot alpha_slot(desc::TextureId id, const TextureList& textures) {
+  if (id < 0) return TextureSlot(Spectrum(1.F));
+  return TextureSlot(textures.at(static_cast<std::size_t>(id)).get());
+}
+
+void prepare(desc::Shape& shape, const TextureList& textures, Warnings& warnings, ShapeRecord& record) {
+  record.alpha = alpha_slot(shape.alpha, textures);
+  record.shadow_alpha = alpha_slot(shape.shadow_alpha, textures);
+  record.reversed = shape.reverse_orientation;
+  if (record.alpha.is_constant() && record.alpha.eval_float(SurfacePoint{}) == 0.F) {
+    warnings.add(shape.where, "alpha is zero everywhere; the shape is left out");
+    return;
+  }
+  record.placement = Placement::make(shape.to_world);
+  if (!record.placement) {
+    warnings.add(shape.where, "the transform of the shape is singular; it is left out");
+    return;
+  }
+  std::visit(ShapePreparation(shape, *record.placement, warnings, record), shape.node);
+}
+
+/// Instances are placed by Embree in single precision, so the same rounded matrix is used everywhere.
+Mat4 rounded(const Mat4& m) {
+  Mat4 result;
+  for (int i = 0; i < 4; ++i) {
+    for (int j = 0; j < 4; ++j) result[i][j] = static_cast<float>(m[i][j]);
+  }
+  return result;
+}
+
+/// Embree brings rays into an instance in single precision. The error is some half ulps of the translation,
+/// which the offset of ray origins covers only where the instance is near the origin.
+bool placed_far_away(const Placement& placement) {
+  const Mat4& m = placement.to_world();
+  const double away = std::max({std::abs(m[3][0]), std::abs(m[3][1]), std::abs(m[3][2])});
+  return away * 8.0 * 0x1p-24 > 0x1p-20;
+}
+
+RTCGeometry make_triangles(RTCDevice device, const TriangleMesh& mesh) {
+  RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+  rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, mesh.positions(), 0,
+                             sizeof(Vec3), mesh.vertex_count());
+  rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, mesh.triangles(), 0,
+                             sizeof(TriangleMesh::Triangle), mesh.triangle_count());
+  return geometry;
+}
+
+RTCGeometry make_curves(RTCDevice device, const CurveShape& curve) {
+  RTCGeometryType type = RTC_GEOMETRY_TYPE_FLAT_BEZIER_CURVE;
+  if (curve.type() == CurveShape::Type::Cylinder) type = RTC_GEOMETRY_TYPE_ROUND_BEZIER_CURVE;
+  if (curve.type() == CurveShape::Type::Ribbon) type = RTC_GEOMETRY_TYPE_NORMAL_ORIENTED_BEZIER_CURVE;
+  RTCGeometry geometry = rtcNewGeometry(device, type);
+  rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4, curve.vertices(), 0,
+                             4 * sizeof(float), curve.vertex_count());
+  if (curve.type() == CurveShape::Type::Ribbon) {
+    rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_NORMAL, 0, RTC_FORMAT_FLOAT3, curve.normals(),
+                               0, sizeof(Vec3), curve.vertex_count());
+  }
+  rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT, curve.first_vertices(),
+                             0, sizeof(unsigned), curve.segment_count());
+  return geometry;
+}
+
+void attach(RTCScene scene, RTCGeometry geometry, std::size_t id) {
+  rtcCommitGeometry(geometry);
+  rtcAttachGeometryByID(scene, geometry, static_cast<unsigned>(id));
+  rtcReleaseGeometry(geometry);
+}
+
+}  // namespace
+
+void Geometry::Release::operator()(RTCDeviceTy* device) const { rtcReleaseDevice(device); }
+void Geometry::Release::operator()(RTCSceneTy* scene) const { rtcReleaseScene(scene); }
+
+Geometry::Geometry(desc::SceneDesc& description, const TextureList& textures, Warnings& warnings)
+    : embree_bytes_(std::make_unique<std::atomic<std::int64_t>>(0)), device_(rtcNewDevice(nullptr)) {
+  if (!device_) throw SceneError("Embree cannot be started");
+  rtcSetDeviceMemoryMonitorFunction(device_.get(), count_memory, embree_bytes_.get());
+  prepare_instances(description, warnings);
+  prepare_shapes(description, textures, warnings);
+  for (std::size_t object = 0; object + 1 < object_base_.size(); ++object) {
+    const std::size_t first = object_base_[object];
+    const bool used = std::any_of(instances_.begin(), instances_.end(), [&](const InstanceRecord& i) {
+      return i.placement && i.object == object;
+    });
+    objects_.push_back(used ? commit(first, object_base_[object + 1] - first, false) : nullptr);
+  }
+  top_ = commit(0, object_base_.front(), true);
+  count(description.objects.size());
+}
+
+void Geometry::prepare_instances(const desc::SceneDesc& description, Warnings& warnings) {
+  object_base_.push_back(description.shapes.size());
+  for (const desc::Object& object : description.objects) {
+    object_base_.push_back(object_base_.back() + object.shapes.size());
+  }
+  for (const desc::Instance& instance : description.instances) {
+    if (instance.object < 0 || instance.object >= static_cast<int>(description.objects.size())) {
+      throw SceneError(instance.where, "an instance refers to an object that does not exist");
+    }
+    InstanceRecord& record = instances_.emplace_back();
+    record.object = static_cast<std::size_t>(instance.object);
+    record.placement = Placement::make(rounded(instance.to_world));
+    if (!record.placement) {
+      warnings.add(instance.where, "the transform of the instance is singular; it is left out");
+    }
+  }
+}
+
+void Geometry::prepare_shapes(desc::SceneDesc& description, const TextureList& textures,
+                              Warnings& warnings) {
+  std::vector<char> is_used(description.objects.size(), 0);
+  std::vector<char> is_far(description.objects.size(), 0);
+  for (const InstanceRecord& instance : instances_) {
+    if (!instance.placement) continue;
+    is_used[instance.object] = 1;
+    if (placed_far_away(*instance.placement)) is_far[instance.object] = 1;
+  }
+  std::vector<desc::Shape*> todo;
+  for (desc::Shape& shape : description.shapes) todo.push_back(&shape);
+  for (std::size_t i = 0; i < description.objects.size(); ++i) {
+    for (desc::Shape& shape : description.objects[i].shapes) {
+      todo.push_back(is_used[i] != 0 ? &shape : nullptr);
+    }
+  }
+  shapes_ = std::vector<ShapeRecord>(todo.size());
+  tbb::parallel_for(std::size_t{0}, todo.size(), [&](std::size_t i) {
+    if (todo[i] != nullptr) prepare(*todo[i], textures, warnings, shapes_[i]);
+  });
+  for (std::size_t i = 0; i < description.objects.size(); ++i) {
+    for (std::size_t k = object_base_[i]; k < object_base_[i + 1]; ++k) {
+      shapes_[k].check_plane = shapes_[k].mesh && (shapes_[k].check_plane || is_far[i] != 0);
+    }
+  }
+}
+
+Geometry::SceneHandle Geometry::commit(std::size_t first, std::size_t shape_count,
+                                       bool with_instances) const {
+  SceneHandle scene(rtcNewScene(device_.get()));
+  std::size_t triangles = 0;
+  for (std::size_t i = 0; i < shape_count; ++i) {
+    // Embree keeps the address for its callbacks, which only read.
+    auto& record = const_cast<ShapeRecord&>(shapes_[first + i]);
+    if (!record.present()) continue;
+    RTCGeometry geometry = nullptr;
+    if (record.mesh) {
+      geometry = make_triangles(device_.get(), *record.mesh);
+      triangles += record.mesh->triangle_count();
+    } else if (record.curve) {
+      geometry = make_curves(device_.get(), *record.curve);
+    } else {
+      geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_USER);
+    }
+    set_callbacks(geometry, record);
+    attach(scene.get(), geometry, i);
+  }
+  for (std::size_t i = 0; with_instances && i < instances_.size(); ++i) {
+    if (!instances_[i].placement) continue;
+    RTCGeometry geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_INSTANCE);
+    rtcSetGeometryInstancedScene(geometry, objects_[instances_[i].object].get());
+    const Mat4& m = instances_[i].placement->to_world();
+    float columns[12];
+    for (int row = 0; row < 4; ++row) {
+      for (int k = 0; k < 3; ++k) columns[3 * row + k] = static_cast<float>(m[row][k]);
+    }
+    rtcSetGeometryTransform(geometry, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, columns);
+    attach(scene.get(), geometry, shape_count + i);
+  }
+  rtcSetSceneFlags(scene.get(), RTC_SCENE_FLAG_ROBUST);
+  rtcSetSceneBuildQuality(scene.get(), triangles <= kHighQualityTriangles ? RTC_BUILD_QUALITY_HIGH
+                                                                          : RTC_BUILD_QUALITY_MEDIUM);
+  rtcCommitScene(scene.get());
+  check(device_.get());
+  return scene;
+}
+
+void Geometry::count(std::size_t object_count) {
+  std::vector<std::size_t> triangles(object_count + 1, 0);
+  for (std::size_t i = 0; i < shapes_.size(); ++i) {
+    const auto above = std::upper_bound(object_base_.begin(), object_base_.end(), i);
+    const auto group = static_cast<std::size_t>(above - object_base_.begin());
+    if (shapes_[i].mesh) triangles[group] += shapes_[i].mesh->triangle_count();
+    if (shapes_[i].quadric) ++counts_.quadrics;
+    if (shapes_[i].curve) counts_.curves += shapes_[i].curve->segment_count();
+  }
+  for (const std::size_t n : triangles) counts_.triangles += n;
+  counts_.instanced_triangles = triangles[0];
+  for (const InstanceRecord& instance : instances_) {
+    if (!instance.placement) continue;
+    ++counts_.instances;
+    counts_.instanced_triangles += triangles[instance.object + 1];
+  }
+  counts_.embree_bytes = static_cast<std::size_t>(std::max<std::int64_t>(0, embree_bytes_->load()));
+  RTCBounds box;
+  rtcGetSceneBounds(top_.get(), &box);
+  const Vec3 low(box.lower_x, box.lower_y, box.lower_z);
+  const Vec3 high(box.upper_x, box.upper_y, box.upper_z);
+  if (is_finite(low) && is_finite(high) && low.x <= high.x) bounds_ = Box3(low, high);
+}
+
+}  // namespace ajar

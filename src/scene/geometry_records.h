@@ -1,0 +1,68 @@
+#pragma once
+#include <embree3/rtcore.h>
+
+#include <memory>
+#include <optional>
+
+#include "scene/ray.h"
+#include "scene/shape/curve_shape.h"
+#include "scene/shape/quadric.h"
+#include "scene/shape/triangle_mesh.h"
+#include "scene/texture/texture.h"
+
+/// What lies behind `Geometry`: shared by its building, its queries and Embree's callbacks.
+namespace ajar {
+
+/// One shape in its final place; exactly one of mesh, curve and quadric is set unless it was dropped.
+struct ShapeRecord {
+  std::unique_ptr<const TriangleMesh> mesh;
+  std::unique_ptr<const CurveShape> curve;
+  std::optional<Quadric> quadric;
+  std::optional<Placement> placement;
+  TextureSlot alpha{Spectrum(1.F)};
+  TextureSlot shadow_alpha{Spectrum(1.F)};
+  bool reversed = false;
+  bool check_plane = false;  ///< hits of the triangle that a ray leaves must be told from real ones
+
+  bool present() const { return mesh || curve || quadric; }
+  bool has_alpha() const { return !alpha.is_constant(); }
+  bool has_shadow_alpha() const { return !shadow_alpha.is_constant() || shadow_alpha.is_black(); }
+};
+
+struct InstanceRecord {
+  std::optional<Placement> placement;  ///< empty: dropped
+  std::size_t object = 0;
+};
+
+/// Embree's context with what callbacks need in addition. The first member must stay first: Embree hands
+/// back its address.
+struct QueryContext {
+  RTCIntersectContext embree;
+  const Ray* ray;
+  const InstanceRecord* instances;
+  unsigned first_instance;  ///< Embree's id of instance 0
+};
+
+/// A ray in the space of a shape or of an instanced object, double precision.
+struct LocalRay {
+  Vec3d origin;
+  Vec3d direction;
+};
+/// In the space in which an instanced object is defined; the world's if `instance` is null.
+inline LocalRay to_instance(const Ray& ray, const Placement* instance) {
+  const Vec3d o(ray.origin);
+  const Vec3d d(ray.direction);
+  if (instance == nullptr) return {o, d};
+  return {instance->point_to_object(o), instance->vector_to_object(d)};
+}
+inline LocalRay to_shape(const LocalRay& ray, const Placement& shape) {
+  return {shape.point_to_object(ray.origin), shape.vector_to_object(ray.direction)};
+}
+/// Brings a point of an instanced object into the world.
+void place_point(const Placement& instance, SurfacePoint& point);
+
+/// Registers filters or user callbacks with Embree as far as the shape needs them. The record must stay
+/// where it is.
+void set_callbacks(RTCGeometry geometry, ShapeRecord& record);
+
+}  // namespace ajar

@@ -1,0 +1,461 @@
+#include "scene/geometry.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
+
+#include "core/random.h"
+#include "core/warp.h"
+#include "scene/shape/quadric.h"
+
+namespace ajar {
+namespace {
+
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+
+template <typename Node>
+desc::Shape shape(Node node, const Mat4& to_world = Mat4()) {
+  desc::Shape result;
+  result.node = std::move(node);
+  result.to_world = to_world;
+  return result;
+}
+desc::Shape mesh_shape(desc::Mesh mesh, const Mat4& to_world = Mat4()) {
+  return shape(std::shared_ptr<const desc::Mesh>(std::make_shared<desc::Mesh>(std::move(mesh))), to_world);
+}
+
+/// The cube [−1, 1]³, normals outward.
+desc::Mesh cube() {
+  desc::Mesh mesh;
+  for (int i = 0; i < 8; ++i) {
+    mesh.positions.emplace_back((i & 1) != 0 ? 1.F : -1.F, (i & 2) != 0 ? 1.F : -1.F,
+                                (i & 4) != 0 ? 1.F : -1.F);
+  }
+  const unsigned quads[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
+                                {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+  for (const auto& q : quads) {
+    mesh.indices.emplace_back(q[0], q[1], q[2]);
+    mesh.indices.emplace_back(q[0], q[2], q[3]);
+  }
+  return mesh;
+}
+/// The square [−size, size]² at z = 0 with texture coordinates from 0 to 1.
+desc::Mesh square(float size) {
+  desc::Mesh mesh;
+  mesh.positions = {{-size, -size, 0}, {size, -size, 0}, {size, size, 0}, {-size, size, 0}};
+  mesh.uvs = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  mesh.indices = {{0, 1, 2}, {0, 2, 3}};
+  return mesh;
+}
+
+Mat4 translation(double x, double y, double z) {
+  Mat4 m;
+  m.setTranslation(Vec3d(x, y, z));
+  return m;
+}
+Mat4 rotation(const Vec3d& axis, double radians) {
+  Mat4 m;
+  m.setAxisAngle(axis.normalized(), radians);
+  return m;
+}
+Mat4 scaling(double x, double y, double z) {
+  Mat4 m;
+  m.setScale(Vec3d(x, y, z));
+  return m;
+}
+
+struct World {
+  explicit World(desc::SceneDesc description) : scene(std::move(description)) {
+    textures = build_textures(scene, warnings);
+    geometry = std::make_unique<Geometry>(scene, textures, warnings);
+  }
+  std::optional<GeometryHit> hit(const Vec3& o, const Vec3& d, float t_max = kInfinity) const {
+    GeometryHit found;
+    if (!geometry->intersect({o, normalize(d), t_max}, found)) return std::nullopt;
+    return found;
+  }
+  bool occluded(const Vec3& o, const Vec3& d, float t_max = kInfinity) const {
+    return geometry->occluded({o, normalize(d), t_max});
+  }
+  desc::SceneDesc scene;
+  Warnings warnings;
+  TextureList textures;
+  std::unique_ptr<Geometry> geometry;
+};
+
+World world_of(std::vector<desc::Shape> shapes) {
+  desc::SceneDesc scene;
+  scene.shapes = std::move(shapes);
+  return World(std::move(scene));
+}
+
+TEST(Geometry, EmptySceneIsHitNowhere) {
+  const World world = world_of({});
+  EXPECT_FALSE(world.hit({0, 0, 0}, {0, 0, 1}));
+  EXPECT_FALSE(world.occluded({0, 0, 0}, {0, 0, 1}));
+  EXPECT_TRUE(world.geometry->bounds().isEmpty());
+}
+
+TEST(Geometry, ReportsDistanceShapeAndPoint) {
+  const World world = world_of({shape(desc::Sphere{}, translation(0, 0, 5)), mesh_shape(cube())});
+  const auto box = world.hit({0.25F, 0.5F, -4}, {0, 0, 1});
+  ASSERT_TRUE(box);
+  EXPECT_EQ(box->shape, 1U);
+  EXPECT_EQ(box->instance_id, 0U);
+  EXPECT_NEAR(box->t, 3.F, 1e-6F);
+  EXPECT_LT(length(box->point.p - Vec3(0.25F, 0.5F, -1)), 1e-6F);
+  EXPECT_LT(length(box->point.ng - Vec3(0, 0, -1)), 1e-6F);
+  const auto ball = world.hit({0, 0, 9}, {0, 0, -1});
+  ASSERT_TRUE(ball);
+  EXPECT_EQ(ball->shape, 0U);
+  EXPECT_NEAR(ball->t, 3.F, 1e-6F);
+  EXPECT_LT(length(ball->point.ng - Vec3(0, 0, 1)), 1e-6F);
+  EXPECT_LE((world.geometry->bounds().min - Vec3(-1, -1, -1)).length(), 1e-5F);
+  EXPECT_LE((world.geometry->bounds().max - Vec3(1, 1, 6)).length(), 1e-4F);
+}
+
+TEST(Geometry, OcclusionRespectsTheEndOfTheRay) {
+  const World world = world_of({shape(desc::Disk{0, 1, 0, 360})});
+  EXPECT_TRUE(world.occluded({0, 0, -1}, {0, 0, 1}));
+  EXPECT_FALSE(world.occluded({0, 0, -1}, {0, 0, 1}, 0.999F));
+  EXPECT_FALSE(world.occluded({0, 0, -1}, {0, 0, 1}, -1.F));
+  EXPECT_FALSE(world.occluded({0, 0, -1}, {0, 0, 1}, 0.F));
+}
+
+/// Random rays between points well away; the nearest of all roots in object space is the oracle.
+TEST(Geometry, QuadricsAgreeWithTheirRootsUnderAnyTransform) {
+  const Mat4 m = scaling(1.5, 0.5, -2) * rotation({1, 2, 3}, 0.7) * translation(3, 1, -2);
+  const desc::Sphere sphere{1, -0.5F, 1, 300};
+  const Quadric quadric = *Quadric::make(sphere);
+  const Placement placement = *Placement::make(m);
+  const World world = world_of({shape(sphere, m)});
+  Rng rng(1);
+  int hits = 0;
+  for (int i = 0; i < 5000; ++i) {
+    const Vec3 o = warp::uniform_sphere({rng.next(), rng.next()}) * 6.F + Vec3(3, 1, -2);
+    const Vec3 d = normalize(warp::uniform_sphere({rng.next(), rng.next()}) * 1.5F + Vec3(3, 1, -2) - o);
+    const Quadric::Roots roots =
+        quadric.intersect(placement.point_to_object(Vec3d(o)), placement.vector_to_object(Vec3d(d)));
+    const auto found = world.hit(o, d);
+    const double* end = roots.t + roots.count;
+    const double* first = std::find_if(roots.t, end, [](double t) { return t > 0.0; });
+    ASSERT_EQ(found.has_value(), first != end);
+    EXPECT_EQ(world.occluded(o, d), found.has_value());
+    if (!found) continue;
+    ++hits;
+    EXPECT_NEAR(found->t, *first, 1e-5);
+    EXPECT_LT((Vec3d(found->point.p) - (Vec3d(o) + Vec3d(d) * *first)).length(), 1e-5);
+    EXPECT_NEAR(abs_dot(found->point.ng, normalize(cross(found->point.dpdu, found->point.dpdv))), 1.F, 1e-4F);
+  }
+  EXPECT_GT(hits, 1000);
+}
+
+// ---------------------------------------------------------------- leaving surfaces
+
+/// Directions on the outer (or inner) side of hit points; grazing ones included.
+Vec3 direction_on_side(Rng& rng, const Vec3& n) {
+  Vec3 d = face_forward(warp::uniform_sphere({rng.next(), rng.next()}), n);
+  if (rng.next() < 0.3F) d = normalize(d - n * (dot(d, n) * 0.9999F));
+  return d;
+}
+
+/// From every point of a convex shape, rays that leave it never meet it again.
+void expect_no_self_hits(const World& world, const Vec3& center, float radius, int count = 20000) {
+  Rng rng(5);
+  int tested = 0;
+  for (int i = 0; i < count; ++i) {
+    const Vec3 o = center + warp::uniform_sphere({rng.next(), rng.next()}) * (3.F * radius);
+    const Vec3 target = center + warp::uniform_sphere({rng.next(), rng.next()}) * (radius * rng.next());
+    const auto found = world.hit(o, target - o);
+    if (!found) continue;
+    ++tested;
+    const Vec3 d = direction_on_side(rng, found->point.ng);
+    const Vec3 start = offset_ray_origin(found->point.p, found->point.ng, d);
+    ASSERT_FALSE(world.hit(start, d)) << "at " << found->point.p << " towards " << d;
+    ASSERT_FALSE(world.occluded(start, d));
+  }
+  EXPECT_GT(tested, count / 10);
+}
+
+TEST(SelfIntersection, SpheresOfAllScales) {
+  for (const double size : {1e-2, 1.0, 1e4}) {
+    for (const double away : {0.0, 3.0, 1e3}) {
+      const Mat4 m = scaling(size, size, size) * translation(away * size, -2 * away * size, 0.5 * away * size);
+      expect_no_self_hits(world_of({shape(desc::Sphere{}, m)}), Vec3(Placement::make(m)->point(Vec3d(0.0))),
+                          static_cast<float>(size));
+    }
+  }
+}
+
+TEST(SelfIntersection, StretchedSphere) {
+  const Mat4 m = scaling(10, 0.1, 1) * rotation({1, 1, 0}, 1.0) * translation(100, 20, 3);
+  expect_no_self_hits(world_of({shape(desc::Sphere{}, m)}), {100, 20, 3}, 1.F);
+}
+
+TEST(SelfIntersection, TiltedSquaresOfAllSizesAndPlaces) {
+  for (const float size : {0.1F, 10.F, 1e5F}) {
+    for (const float away : {0.F, 2.F, 1e5F}) {
+      const Mat4 m = rotation({0.3, 1, 0.2}, 0.9) * translation(away, -0.3 * away, 0.7 * away);
+      expect_no_self_hits(world_of({mesh_shape(square(size), m)}), {away, -0.3F * away, 0.7F * away}, size);
+    }
+  }
+}
+
+TEST(SelfIntersection, HugeFloorNearTheOrigin) {
+  const World world = world_of({mesh_shape(square(1e6F))});
+  expect_no_self_hits(world, {0, 0, 0}, 10.F);
+}
+
+TEST(SelfIntersection, InstancesFarAway) {
+  desc::SceneDesc scene;
+  scene.objects.push_back({"box", {}, {}});
+  scene.objects[0].shapes.push_back(mesh_shape(cube()));
+  scene.objects.push_back({"ball", {}, {}});
+  scene.objects[1].shapes.push_back(shape(desc::Sphere{}));
+  scene.instances.push_back({0, rotation({1, 2, 3}, 0.7) * translation(2000, 0.5, -1000), {}});
+  scene.instances.push_back({1, rotation({1, 2, 3}, 0.7) * translation(-2000, 0.5, -1000), {}});
+  const World world(std::move(scene));
+  expect_no_self_hits(world, {2000, 0.5F, -1000}, 1.F);
+  expect_no_self_hits(world, {-2000, 0.5F, -1000}, 1.F);
+}
+
+/// Light bouncing inside a closed box never gets out.
+void expect_no_leaks(const Mat4& m) {
+  const World world = world_of({mesh_shape(cube(), m)});
+  const Placement placement = *Placement::make(m);
+  Rng rng(8);
+  Vec3 o(placement.point(Vec3d(0.1, 0.2, 0.3)));
+  Vec3 d = normalize(Vec3(1, 2, 3));
+  for (int i = 0; i < 100000; ++i) {
+    const auto found = world.hit(o, d);
+    ASSERT_TRUE(found) << "bounce " << i << " from " << o << " towards " << d;
+    d = direction_on_side(rng, -found->point.ng);
+    o = offset_ray_origin(found->point.p, found->point.ng, d);
+  }
+}
+
+TEST(ClosedBox, NeverLeaks) { expect_no_leaks(Mat4()); }
+TEST(ClosedBox, NeverLeaksWhenTurnedAndFar) {
+  expect_no_leaks(scaling(7, 3, 5) * rotation({1, 2, 3}, 0.7) * translation(300, -20, 100));
+}
+TEST(ClosedBox, NeverLeaksWhenHuge) {
+  expect_no_leaks(scaling(1e5, 2e5, 1e5) * rotation({3, 2, 1}, 0.4));
+}
+
+// ---------------------------------------------------------------- instances
+
+TEST(Instances, PlacePointsAndNormalsAsBakedShapesDo) {
+  const Mat4 placed = scaling(-1.5, 0.7, 2) * rotation({1, 0.2, 0.4}, 1.1) * translation(4, -3, 2);
+  desc::Mesh mesh = cube();
+  for (const Vec3& p : mesh.positions) {
+    mesh.normals.push_back(normalize(p));
+    mesh.uvs.emplace_back(0.3F * p.x + 0.1F * p.z, p.y);
+  }
+  desc::SceneDesc instanced;
+  instanced.objects.push_back({"thing", {}, {}});
+  instanced.objects[0].shapes.push_back(shape(desc::Sphere{0.5F, -0.5F, 0.5F, 360}, translation(0, 0, 4)));
+  instanced.objects[0].shapes.push_back(mesh_shape(mesh));
+  instanced.shapes.push_back(shape(desc::Sphere{}, translation(100, 0, 0)));
+  instanced.instances.push_back({0, Mat4() * translation(0, 50, 0), {}});
+  instanced.instances.push_back({0, placed, {}});
+  const World world(std::move(instanced));
+  const World baked = world_of({shape(desc::Sphere{0.5F, -0.5F, 0.5F, 360}, translation(0, 0, 4) * placed),
+                                mesh_shape(mesh, placed)});
+  EXPECT_EQ(world.geometry->counts().triangles, 12U);
+  EXPECT_EQ(world.geometry->counts().instanced_triangles, 24U);
+  EXPECT_EQ(world.geometry->counts().instances, 2U);
+  EXPECT_EQ(world.geometry->counts().quadrics, 2U);
+  EXPECT_EQ(world.geometry->object_base(0), 1U);
+  Rng rng(4);
+  int hits = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const Vec3 o = warp::uniform_sphere({rng.next(), rng.next()}) * 15.F + Vec3(4, -3, 2);
+    const Vec3 d = warp::uniform_sphere({rng.next(), rng.next()}) * 3.F + Vec3(4, -3, 2) - o;
+    const auto a = world.hit(o, d);
+    const auto b = baked.hit(o, d);
+    if (!a || !b) continue;
+    ++hits;
+    ASSERT_EQ(a->instance_id, 2U);
+    ASSERT_EQ(a->shape - 1, b->shape);
+    ASSERT_LT(length(a->point.p - b->point.p), 2e-5F);
+    ASSERT_GT(dot(a->point.ng, b->point.ng), 0.9999F);
+    ASSERT_GT(dot(a->point.ns, b->point.ns), 0.9999F);
+    ASSERT_LT(length(a->point.dpdu - b->point.dpdu), 1e-3F * length(b->point.dpdu));
+    ASSERT_LT(length(a->point.dndu - b->point.dndu), 1e-2F * length(b->point.dndu) + 1e-3F);
+    ASSERT_LT((a->point.uv - b->point.uv).length(), 1e-4F);
+  }
+  EXPECT_GT(hits, 500);
+}
+
+TEST(Instances, ObjectsThatNothingPlacesAreNotBuilt) {
+  desc::SceneDesc scene;
+  scene.objects.push_back({"unused", {}, {}});
+  scene.objects[0].shapes.push_back(mesh_shape(cube()));
+  const World world(std::move(scene));
+  EXPECT_FALSE(world.geometry->has_shape(0));
+  EXPECT_EQ(world.geometry->counts().triangles, 0U);
+}
+
+// ---------------------------------------------------------------- alpha
+
+class AlphaTest : public testing::Test {
+ protected:
+  /// A texture that is 0 for u < ½ and 1 beyond.
+  static desc::TextureId add_half(desc::SceneDesc& scene) {
+    desc::Texture texture;
+    desc::CheckerboardTexture node;
+    node.mapping = desc::UvMapping{2.F, 0.F, 1.F, 0.F};
+    texture.node = node;
+    scene.textures.push_back(texture);
+    return static_cast<desc::TextureId>(scene.textures.size()) - 1;
+  }
+};
+
+TEST_F(AlphaTest, CutsTrianglesForAllRays) {
+  desc::SceneDesc scene;
+  scene.shapes.push_back(mesh_shape(square(1)));
+  scene.shapes.back().alpha = add_half(scene);
+  const World world(std::move(scene));
+  EXPECT_FALSE(world.hit({-0.5F, 0.1F, 2}, {0, 0, -1}));
+  EXPECT_FALSE(world.occluded({-0.5F, 0.1F, 2}, {0, 0, -1}));
+  EXPECT_TRUE(world.hit({0.5F, 0.1F, 2}, {0, 0, -1}));
+  EXPECT_TRUE(world.occluded({0.5F, 0.1F, 2}, {0, 0, -1}));
+}
+
+TEST_F(AlphaTest, ShadowAlphaOnlyLetsShadowRaysPass) {
+  desc::SceneDesc scene;
+  scene.shapes.push_back(mesh_shape(square(1)));
+  scene.shapes.back().shadow_alpha = add_half(scene);
+  const World world(std::move(scene));
+  EXPECT_TRUE(world.hit({-0.5F, 0.1F, 2}, {0, 0, -1}));
+  EXPECT_FALSE(world.occluded({-0.5F, 0.1F, 2}, {0, 0, -1}));
+  EXPECT_TRUE(world.occluded({0.5F, 0.1F, 2}, {0, 0, -1}));
+}
+
+TEST_F(AlphaTest, RaysGoOnToTheFarSideOfQuadrics) {
+  desc::SceneDesc scene;
+  scene.shapes.push_back(shape(desc::Sphere{}));
+  // u < ½ is y > 0: the half that a ray coming from +y meets first.
+  scene.shapes.back().alpha = add_half(scene);
+  const World world(std::move(scene));
+  const auto found = world.hit({0.2F, 3, 0.1F}, {0, -1, 0});
+  ASSERT_TRUE(found);
+  EXPECT_LT(found->point.p.y, 0.F);
+  EXPECT_TRUE(world.occluded({0.2F, 3, 0.1F}, {0, -1, 0}));
+  EXPECT_FALSE(world.occluded({0.2F, 3, 0.1F}, {0, -1, 0}, 3.F));
+}
+
+TEST_F(AlphaTest, SolidTexturesSeeInstancesInTheWorld) {
+  desc::SceneDesc scene;
+  desc::Texture texture;
+  desc::CheckerboardTexture node;
+  node.dimension = 3;
+  node.world_to_texture = scaling(0.1, 0.1, 0.1);
+  texture.node = node;
+  scene.textures.push_back(texture);
+  scene.objects.push_back({"square", {}, {}});
+  scene.objects[0].shapes.push_back(mesh_shape(square(1)));
+  scene.objects[0].shapes[0].alpha = 0;
+  scene.instances.push_back({0, translation(5, 5, 5), {}});
+  scene.instances.push_back({0, translation(15, 5, 5), {}});
+  const World world(std::move(scene));
+  EXPECT_TRUE(world.hit({5, 5, 9}, {0, 0, -1}));
+  EXPECT_FALSE(world.hit({15, 5, 9}, {0, 0, -1}));
+}
+
+TEST_F(AlphaTest, ShapeThatIsCutAwayEverywhereIsDropped) {
+  desc::SceneDesc scene;
+  desc::Texture zero;
+  zero.node = desc::ConstantTexture{};
+  scene.textures.push_back(zero);
+  scene.shapes.push_back(mesh_shape(square(1)));
+  scene.shapes.back().alpha = 0;
+  const World world(std::move(scene));
+  EXPECT_FALSE(world.geometry->has_shape(0));
+  EXPECT_EQ(world.warnings.count(), 1U);
+}
+
+// ---------------------------------------------------------------- curves
+
+desc::Shape curve_shape(desc::Curve::Type type) {
+  auto curve = std::make_shared<desc::Curve>();
+  curve->type = type;
+  curve->control_points = {{-1, 0, 0}, {-0.3F, 0, 0}, {0.3F, 0, 0}, {1, 0, 0}};
+  curve->widths = {0.2F, 0.2F, 0.2F, 0.2F};
+  if (type == desc::Curve::Type::Ribbon) curve->normals.assign(4, {0, 0.6F, 0.8F});
+  return shape(std::shared_ptr<const desc::Curve>(std::move(curve)));
+}
+
+TEST(Curves, AreMetAtTheirWidthWithNormalsAndCoordinates) {
+  for (const auto type :
+       {desc::Curve::Type::Flat, desc::Curve::Type::Cylinder, desc::Curve::Type::Ribbon}) {
+    const World world = world_of({curve_shape(type)});
+    const auto middle = world.hit({0, 0.05F, 3}, {0, 0, -1});
+    ASSERT_TRUE(middle) << static_cast<int>(type);
+    EXPECT_FALSE(world.hit({0, 0.12F, 3}, {0, 0, -1}));
+    EXPECT_NEAR(middle->point.uv.x, 0.5F, 1e-2F);
+    EXPECT_NEAR(std::abs(middle->point.uv.y - 0.5F), type == desc::Curve::Type::Ribbon ? 0.3125F : 0.25F, 0.02F);
+    EXPECT_NEAR(length(middle->point.ng), 1.F, 1e-5F);
+    EXPECT_NEAR(dot(middle->point.ng, Vec3(1, 0, 0)), 0.F, 1e-2F);
+    EXPECT_GT(middle->point.ng.z, 0.5F);
+    EXPECT_GT(length(middle->point.dpdu), 0.5F);
+    EXPECT_NEAR(length(middle->point.dpdv), 0.2F, 1e-3F);
+    // Rays that leave to the viewer's side are free.
+    const Vec3 start = offset_ray_origin(middle->point.p, middle->point.ng, {0, 0, 1});
+    EXPECT_FALSE(world.hit(start, {0.1F, 0.2F, 1}));
+  }
+}
+
+TEST(Curves, CannotEmit) {
+  const World world = world_of({curve_shape(desc::Curve::Type::Flat)});
+  EXPECT_TRUE(world.geometry->has_shape(0));
+  EXPECT_EQ(world.geometry->make_sampler(0), nullptr);
+  EXPECT_EQ(world.geometry->counts().curves, 1U);
+}
+
+TEST(Curves, CountsThatDoNotFitAreAnError) {
+  auto curve = std::make_shared<desc::Curve>();
+  curve->control_points.assign(5, {0, 0, 0});
+  curve->widths.assign(5, 1.F);
+  EXPECT_THROW(world_of({shape(std::shared_ptr<const desc::Curve>(curve))}), SceneError);
+}
+
+// ---------------------------------------------------------------- faulty input
+
+TEST(FaultyShapes, SingularTransformsAreDroppedWithAWarning) {
+  const World world = world_of({mesh_shape(cube(), scaling(1, 0, 1)), shape(desc::Sphere{0, 0, 0, 360})});
+  EXPECT_FALSE(world.geometry->has_shape(0));
+  EXPECT_FALSE(world.geometry->has_shape(1));
+  EXPECT_EQ(world.warnings.count(), 2U);
+  EXPECT_FALSE(world.hit({0, 0, 5}, {0, 0, -1}));
+}
+
+TEST(FaultyShapes, TrianglesWithoutAreaAreHarmless) {
+  desc::Mesh mesh = square(1);
+  mesh.indices = {{0, 0, 0}, {0, 1, 1}, {0, 1, 2}};
+  mesh.positions.push_back({0, 0, 0});
+  const World world = world_of({mesh_shape(mesh)});
+  Rng rng(2);
+  for (int i = 0; i < 2000; ++i) {
+    const auto found = world.hit({2.F * rng.next() - 1.F, 2.F * rng.next() - 1.F, 1}, {0, 0, -1});
+    ASSERT_TRUE(!found || (is_finite(found->point.ng) && is_finite(found->point.p)));
+  }
+  ASSERT_TRUE(world.hit({0.5F, -0.5F, 1}, {0, 0, -1}));
+}
+
+TEST(FaultyShapes, InstanceOfNothingIsAnError) {
+  desc::SceneDesc scene;
+  scene.instances.push_back({3, Mat4(), {}});
+  EXPECT_THROW(World{std::move(scene)}, SceneError);
+}
+
+TEST(FaultyShapes, HugeCoordinatesDoNotBreakTheRest) {
+  const World world = world_of({mesh_shape(cube()), mesh_shape(cube(), scaling(1e30, 1e30, 1e30))});
+  const auto found = world.hit({0.2F, 0.1F, -5}, {0, 0, 1});
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->shape, 0U);
+}
+
+}  // namespace
+}  // namespace ajar

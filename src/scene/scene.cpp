@@ -1,0 +1,141 @@
+#include "scene/scene.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "scene/build/validate.h"
+#include "scene/geometry.h"
+
+namespace ajar {
+
+namespace {
+
+BoundingSphere sphere_around(const Box3& box) {
+  if (box.isEmpty()) return {};
+  const Vec3d low(box.min);
+  const Vec3d high(box.max);
+  // Slightly larger, so that rays that start on it start outside of everything.
+  const double radius = (high - low).length() * 0.5 * 1.0001;
+  const auto limit = static_cast<double>(std::numeric_limits<float>::max());
+  const auto rounded = static_cast<float>(std::min(radius, 0.5 * limit));
+  return {Vec3((low + high) * 0.5), rounded > 0.F ? rounded : 1.F};
+}
+
+std::vector<std::unique_ptr<const Medium>> build_media(const desc::SceneDesc& description) {
+  std::vector<std::unique_ptr<const Medium>> media;
+  for (const desc::Medium& m : description.media) {
+    media.push_back(std::make_unique<const Medium>(
+        m.name, Spectrum(m.sigma_a.x, m.sigma_a.y, m.sigma_a.z),
+        Spectrum(m.sigma_s.x, m.sigma_s.y, m.sigma_s.z), m.g));
+  }
+  return media;
+}
+
+}  // namespace
+
+Scene::Scene(desc::SceneDesc&& given, const BuildOptions& options, Warnings& warnings)
+    : hash_(desc::hash(given)), film_(given.film), source_(given.source) {
+  desc::SceneDesc description = std::move(given);
+  if (options.resolution) film_.resolution = *options.resolution;
+  validate_references(description);
+  counts_.textures = description.textures.size();
+  counts_.materials = description.materials.size();
+  add_default_material(description);
+
+  textures_ = build_textures(description, warnings);
+  materials_ = build_materials(description, textures_, warnings);
+  media_ = build_media(description);
+  geometry_ = std::make_unique<Geometry>(description, textures_, warnings);
+  bounds_ = geometry_->bounds();
+  bounding_sphere_ = sphere_around(bounds_);
+  build_surfaces(description, warnings);
+  build_lights(description, warnings);
+  light_sampler_ = std::make_unique<LightSampler>(lights_);
+  camera_ = make_camera(description.camera, film_.resolution, bounding_sphere_.center,
+                        bounding_sphere_.radius);
+  camera_->medium = medium(description.camera.medium);
+
+  SceneCounts counted = geometry_->counts();
+  counted.textures = counts_.textures;
+  counted.materials = counts_.materials;
+  counted.lights = lights_.size();
+  counts_ = counted;
+}
+
+Scene::~Scene() = default;
+
+void Scene::build_surfaces(const desc::SceneDesc& description, Warnings& warnings) {
+  // Most shapes share one of very few interfaces.
+  const auto shared_interface = [this](const MediumInterface& wanted) {
+    const auto same = [&](const auto& known) {
+      return known->inside == wanted.inside && known->outside == wanted.outside &&
+             known->changes == wanted.changes;
+    };
+    const auto found = std::find_if(media_interfaces_.begin(), media_interfaces_.end(), same);
+    if (found != media_interfaces_.end()) return found->get();
+    media_interfaces_.push_back(std::make_unique<const MediumInterface>(wanted));
+    return static_cast<const MediumInterface*>(media_interfaces_.back().get());
+  };
+  const auto add = [&](const desc::Shape& shape, std::size_t index) {
+    const MediumInterface media{medium(shape.inside), medium(shape.outside),
+                                shape.has_medium_interface};
+    const Material& material = *materials_[static_cast<std::size_t>(shape.material)];
+    has_interfaces_ = has_interfaces_ || (material.is_interface() && geometry_->has_shape(surfaces_.size()));
+    surfaces_.push_back({&material, nullptr, shared_interface(media), static_cast<std::uint32_t>(index),
+                         static_cast<std::uint32_t>(shape.material)});
+  };
+  surfaces_.reserve(geometry_->shape_count());
+  for (std::size_t i = 0; i < description.shapes.size(); ++i) add(description.shapes[i], i);
+  for (const desc::Object& object : description.objects) {
+    for (std::size_t i = 0; i < object.shapes.size(); ++i) {
+      const desc::Shape& shape = object.shapes[i];
+      if (shape.light && geometry_->has_shape(surfaces_.size())) {
+        warnings.add(shape.light->where, "instanced surfaces do not emit light");
+      }
+      add(shape, i);
+    }
+  }
+}
+
+void Scene::build_lights(const desc::SceneDesc& description, Warnings& warnings) {
+  const auto add = [this](std::unique_ptr<Light> light) {
+    light->index = static_cast<std::uint32_t>(lights_.size());
+    lights_.push_back(std::move(light));
+    return lights_.back().get();
+  };
+  for (const desc::Light& described : description.lights) {
+    auto made = make_light(described, bounding_sphere_, warnings);
+    if (!made) continue;
+    Light* light = add(std::move(made));
+    light->medium = medium(described.medium);
+    if (light->at_infinity() && !light->discrete_position()) infinite_lights_.push_back(light);
+  }
+  for (std::size_t i = 0; i < description.shapes.size(); ++i) {
+    const desc::Shape& shape = description.shapes[i];
+    if (!shape.light || !geometry_->has_shape(i)) continue;
+    auto sampler = geometry_->make_sampler(i);
+    if (!sampler) {
+      const bool is_curve = std::holds_alternative<std::shared_ptr<const desc::Curve>>(shape.node);
+      warnings.add(shape.light->where, is_curve ? "curves cannot emit light"
+                                                : "the surface has no area and emits no light");
+      continue;
+    }
+    auto light = make_area_light(*shape.light, *sampler, textures_);
+    emitters_.push_back(std::move(sampler));
+    if (light) surfaces_[i].light = add(std::move(light));
+  }
+}
+
+std::optional<Hit> Scene::intersect(const Ray& ray) const {
+  std::optional<Hit> result;
+  GeometryHit found;
+  if (!geometry_->intersect(ray, found)) return result;
+  const Surface& surface = surfaces_[found.shape];
+  result.emplace(Hit{found.t, found.point, surface.material, surface.light, surface.media,
+                     surface.object_id, found.instance_id, surface.material_id});
+  return result;
+}
+
+bool Scene::occluded(const Ray& ray) const { return geometry_->occluded(ray); }
+
+}  // namespace ajar

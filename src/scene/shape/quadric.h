@@ -1,0 +1,83 @@
+#pragma once
+#include <optional>
+
+#include "core/vector.h"
+#include "scene/desc/scene_desc.h"
+#include "scene/shape/placement.h"
+#include "scene/surface_point.h"
+
+namespace ajar {
+
+/// A piece of a surface of revolution about z, in object space and double precision. Every point is
+/// P(u, v) = R_z(u · φ_max) c(v) with a profile curve c; parameters as in pbrt-v3, chapter 3.
+class Quadric {
+ public:
+  /// Point and derivatives at some (u, v).
+  struct Point {
+    Vec3d p;
+    Vec3d n;  ///< unit, on the side of ∂P/∂u × ∂P/∂v
+    Vec3d dpdu, dpdv;
+    Vec3d dndu, dndv;
+  };
+  /// Ray parameters at which a ray meets the surface, ascending.
+  struct Roots {
+    int count = 0;
+    double t[2] = {0.0, 0.0};
+  };
+
+  /// Empty if the shape has no area (radius or height or angle of zero) or is not finite.
+  static std::optional<Quadric> make(const desc::Sphere& sphere);
+  static std::optional<Quadric> make(const desc::Disk& disk);
+  static std::optional<Quadric> make(const desc::Cylinder& cylinder);
+  static std::optional<Quadric> make(const desc::Cone& cone);
+  static std::optional<Quadric> make(const desc::Paraboloid& paraboloid);
+  static std::optional<Quadric> make(const desc::Hyperboloid& hyperboloid);
+
+  /// `direction` need not be a unit vector; roots of either sign, on the existing part only.
+  Roots intersect(const Vec3d& origin, const Vec3d& direction) const;
+  /// The nearest point on the surface to a point close to it (moved along the radius or axis), and its (u, v).
+  Vec3d project(const Vec3d& p) const;
+  /// Parameters of a point on the surface; u may exceed 1 where a part is cut away.
+  Imath::V2d parameters(const Vec3d& p) const;
+  Point at(const Imath::V2d& uv) const;
+
+  /// Exact area in object space.
+  double area() const;
+  /// v such that uniform `x` in [0, 1) gives uniform area.
+  double uniform_v(double x) const;
+  /// Box that contains the surface, in object space.
+  void bounds(Vec3d& low, Vec3d& high) const;
+
+  /// Set if the surface is a whole sphere.
+  std::optional<double> full_sphere_radius() const;
+  bool is_disk() const { return kind_ == Kind::Disk; }
+
+ private:
+  enum class Kind { Sphere, Disk, Ruled, Paraboloid };
+
+  static std::optional<Quadric> make_ruled(const Vec3& p1, const Vec3& p2, float phi_max);
+  bool in_range(const Vec3d& p) const;
+  /// Cumulative area from v = 0, per radian (ruled surfaces).
+  double ruled_area(double v) const;
+  Vec3d profile(double v) const;
+  Vec3d profile_derivative(double v) const;
+  double clamped_v(double v) const;
+
+  Kind kind_ = Kind::Sphere;
+  double phi_max_ = 0.0;
+  bool full_turn_ = true;
+  double radius_ = 0.0;        ///< sphere, paraboloid (at z_max): radius; disk: outer radius
+  double inner_radius_ = 0.0;  ///< disk
+  double z_min_ = 0.0;         ///< disk: its height
+  double z_max_ = 0.0;
+  double theta_min_ = 0.0;  ///< sphere: polar angle at v = 0
+  double theta_max_ = 0.0;
+  Vec3d p1_{0.0};    ///< ruled: end of the generating line at v = 0
+  Vec3d edge_{0.0};  ///< ruled: from there to the end at v = 1
+};
+
+/// The point with parameters `uv` of a quadric in the world. `reversed` turns the normal around.
+SurfacePoint quadric_surface_point(const Quadric& quadric, const Placement& placement, bool reversed,
+                                   const Imath::V2d& uv);
+
+}  // namespace ajar

@@ -1,0 +1,310 @@
+#include "scene/shape/triangle_mesh.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_reduce.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "core/frame.h"
+
+namespace ajar {
+
+namespace {
+
+constexpr std::size_t kGrain = 16384;
+constexpr std::size_t kNowhere = std::numeric_limits<std::size_t>::max();
+
+template <typename Body>
+void for_each_index(std::size_t count, const Body& body) {
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, kGrain),
+                    [&](const tbb::blocked_range<std::size_t>& range) {
+                      for (std::size_t i = range.begin(); i < range.end(); ++i) body(i);
+                    });
+}
+
+/// Smallest index for which `is_bad`, or kNowhere.
+template <typename Predicate>
+std::size_t first_bad(std::size_t count, const Predicate& is_bad) {
+  return tbb::parallel_reduce(
+      tbb::blocked_range<std::size_t>(0, count, kGrain), kNowhere,
+      [&](const tbb::blocked_range<std::size_t>& range, std::size_t found) {
+        for (std::size_t i = range.begin(); i < range.end() && found == kNowhere; ++i) {
+          if (is_bad(i)) found = i;
+        }
+        return found;
+      },
+      [](std::size_t a, std::size_t b) { return std::min(a, b); });
+}
+
+/// Transform in double precision with the rows at hand, as millions of vertices pass through here.
+struct Affine {
+  explicit Affine(const Mat4& m) {
+    for (int i = 0; i < 4; ++i) rows[i] = Vec3d(m[i][0], m[i][1], m[i][2]);
+  }
+  Vec3 point(const Vec3& p) const {
+    return Vec3(rows[0] * double{p.x} + rows[1] * double{p.y} + rows[2] * double{p.z} + rows[3]);
+  }
+  Vec3 vector(const Vec3& p) const {
+    return Vec3(rows[0] * double{p.x} + rows[1] * double{p.y} + rows[2] * double{p.z});
+  }
+  Vec3d rows[4];
+};
+
+Vec3 interpolate(const Vec3& a, const Vec3& b, const Vec3& c, float b0, float b1, float b2) {
+  return a * b0 + b * b1 + c * b2;
+}
+
+/// The point in double precision, rounded once: then its distance to the plane of the triangle is known to be
+/// half an ulp of the point itself, however large the triangle is.
+Vec3 exact_point(const Vec3& p0, const Vec3& p1, const Vec3& p2, float b1, float b2) {
+  const double u = b1;
+  const double v = b2;
+  const double w = 1.0 - u - v;
+  return {static_cast<float>(w * p0.x + u * p1.x + v * p2.x),
+          static_cast<float>(w * p0.y + u * p1.y + v * p2.y),
+          static_cast<float>(w * p0.z + u * p1.z + v * p2.z)};
+}
+
+/// Unit normal by the winding; triangles without area (or with edges whose product leaves the range of
+/// floats) are worked out in double precision, and any direction serves if nothing is left.
+Vec3 careful_normal(const Vec3& p0, const Vec3& p1, const Vec3& p2) {
+  const Vec3d e1 = Vec3d(p1) - Vec3d(p0);
+  const Vec3d e2 = Vec3d(p2) - Vec3d(p0);
+  const Vec3d n = e1.cross(e2);
+  const double size = n.length();
+  if (size > 0.0 && std::isfinite(size)) return Vec3(n / size);
+  const double along = std::max(e1.length(), e2.length());
+  if (!(along > 0.0) || !std::isfinite(along)) return {0.F, 0.F, 1.F};
+  return Frame::around(Vec3((e1.length() >= e2.length() ? e1 : e2) / along)).x;
+}
+
+/// How far Embree's plane test can be off for a triangle, compared with how far offset_ray_origin moves.
+bool plane_test_is_too_rough(const Vec3& p0, const Vec3& p1, const Vec3& p2) {
+  constexpr float kHalfUlp = 0x1p-24F;
+  constexpr float kFloor = 0x1p-20F;
+  const Vec3 e1 = p1 - p0;
+  const Vec3 e2 = p2 - p0;
+  float extent[3];
+  float nearest[3];
+  float largest = 0.F;
+  for (int i = 0; i < 3; ++i) {
+    const float low = std::min({p0[i], p1[i], p2[i]});
+    const float high = std::max({p0[i], p1[i], p2[i]});
+    extent[i] = high - low;
+    nearest[i] = low > 0.F ? low : (high < 0.F ? -high : 0.F);
+    largest = std::max(largest, extent[i]);
+  }
+  if (largest * (32.F * kHalfUlp) < kFloor) return false;
+  const Vec3 n = cross(e1, e2);
+  const float size = length(n);
+  if (!(size > 0.F)) return false;
+  float error = 0.F;
+  float offset = kFloor;
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3;
+    const int k = (i + 2) % 3;
+    const float cancelled = (std::abs(e1[j] * e2[k]) + std::abs(e1[k] * e2[j])) / size;
+    error += kHalfUlp * extent[i] * (3.F * std::abs(n[i]) / size + 2.F * cancelled);
+    offset += 16.F * kHalfUlp * std::abs(n[i]) / size * nearest[i];
+  }
+  return 2.F * error > offset;
+}
+
+}  // namespace
+
+TriangleMesh::TriangleMesh(std::shared_ptr<const desc::Mesh> source, const Placement& placement,
+                           bool reversed, const SourceLocation& where, Warnings& warnings)
+    : source_(std::move(source)),
+      triangle_count_(source_->indices.size()),
+      flip_winding_(reversed != placement.mirrors()),
+      reversed_(reversed) {
+  const std::size_t vertices = source_->positions.size();
+  const auto usable = [&](const auto& attribute, const char* name) {
+    if (attribute.empty() || attribute.size() == vertices) return !attribute.empty();
+    warnings.add(where, std::string("the mesh has ") + std::to_string(attribute.size()) + " " + name +
+                            " for " + std::to_string(vertices) + " vertices; they are ignored");
+    return false;
+  };
+  const bool has_normals = usable(source_->normals, "normals");
+  const bool has_tangents = usable(source_->tangents, "tangents");
+  const bool has_uvs = usable(source_->uvs, "texture coordinates");
+  vertex_count_ = vertices;
+  place(placement, source_.use_count() == 1);
+  if (!has_normals) normals_ = nullptr;
+  if (!has_tangents) tangents_ = nullptr;
+  uvs_ = has_uvs ? source_->uvs.data() : nullptr;
+  triangles_ = source_->indices.data();
+  validate(where);
+}
+
+void TriangleMesh::place(const Placement& placement, bool unique) {
+  const desc::Mesh& mesh = *source_;
+  const bool has_spare = mesh.positions.capacity() > mesh.positions.size();
+  positions_ = mesh.positions.data();
+  normals_ = mesh.normals.data();
+  tangents_ = mesh.tangents.data();
+  if (placement.is_identity() && has_spare) return;
+
+  if (unique) {
+    // Nobody else looks at the mesh, and it was not created const (see the header).
+    auto& mine = const_cast<desc::Mesh&>(mesh);
+    own_positions_ = std::move(mine.positions);
+    own_normals_ = std::move(mine.normals);
+    own_tangents_ = std::move(mine.tangents);
+    own_positions_.reserve(vertex_count_ + 1);
+  } else {
+    own_positions_.reserve(vertex_count_ + 1);
+    own_positions_.assign(mesh.positions.begin(), mesh.positions.end());
+    if (!placement.is_identity()) {
+      own_normals_ = mesh.normals;
+      own_tangents_ = mesh.tangents;
+    }
+  }
+  if (!placement.is_identity()) {
+    const Affine to_world(placement.to_world());
+    const Affine for_normals(placement.to_object().transposed());
+    for_each_index(own_positions_.size(),
+                   [&](std::size_t i) { own_positions_[i] = to_world.point(own_positions_[i]); });
+    for_each_index(own_normals_.size(), [&](std::size_t i) {
+      // Scaled here, so that vertices of one triangle keep equal weight in the interpolation.
+      const Vec3 n = for_normals.vector(own_normals_[i]);
+      const float size = length(n);
+      own_normals_[i] = size > 0.F && std::isfinite(size) ? n * (length(own_normals_[i]) / size) : n;
+    });
+    for_each_index(own_tangents_.size(),
+                   [&](std::size_t i) { own_tangents_[i] = to_world.vector(own_tangents_[i]); });
+  }
+  positions_ = own_positions_.data();
+  if (!own_normals_.empty()) normals_ = own_normals_.data();
+  if (!own_tangents_.empty()) tangents_ = own_tangents_.data();
+}
+
+void TriangleMesh::validate(const SourceLocation& where) {
+  const std::size_t bad_vertex =
+      first_bad(vertex_count_, [this](std::size_t i) { return !is_finite(positions_[i]); });
+  if (bad_vertex != kNowhere) {
+    throw SceneError(where, "vertex " + std::to_string(bad_vertex) + " of the mesh is not finite");
+  }
+  const auto out_of_range = [this](std::size_t i) {
+    const Triangle& t = triangles_[i];
+    return std::max({t.x, t.y, t.z}) >= vertex_count_;
+  };
+  const std::size_t bad_triangle = first_bad(triangle_count_, out_of_range);
+  if (bad_triangle != kNowhere) {
+    const Triangle& t = triangles_[bad_triangle];
+    throw SceneError(where, "triangle " + std::to_string(bad_triangle) + " uses vertex " +
+                                std::to_string(std::max({t.x, t.y, t.z})) + " of a mesh with " +
+                                std::to_string(vertex_count_) + " vertices");
+  }
+  needs_plane_check_ = first_bad(triangle_count_, [this](std::size_t i) {
+                         const Triangle& t = triangles_[i];
+                         return plane_test_is_too_rough(positions_[t.x], positions_[t.y],
+                                                        positions_[t.z]);
+                       }) != kNowhere;
+}
+
+void TriangleMesh::texture_point(std::uint32_t triangle, float b1, float b2,
+                                 SurfacePoint& point) const {
+  const Triangle& t = triangles_[triangle];
+  point.p = exact_point(positions_[t.x], positions_[t.y], positions_[t.z], b1, b2);
+  const float b0 = 1.F - b1 - b2;
+  point.uv = uvs_ ? uvs_[t.x] * b0 + uvs_[t.y] * b1 + uvs_[t.z] * b2 : Vec2(b1 + b2, b2);
+  point.primitive = triangle;
+}
+
+void TriangleMesh::surface_point(std::uint32_t triangle, float b1, float b2,
+                                 SurfacePoint& point) const {
+  const Triangle& t = triangles_[triangle];
+  const Vec3& p0 = positions_[t.x];
+  const Vec3& p1 = positions_[t.y];
+  const Vec3& p2 = positions_[t.z];
+  const float b0 = 1.F - b1 - b2;
+  const Vec3 e1 = p1 - p0;
+  const Vec3 e2 = p2 - p0;
+  point.p = exact_point(p0, p1, p2, b1, b2);
+  point.primitive = triangle;
+
+  Vec3 ng = cross(e1, e2);
+  const float area_squared = length_squared(ng);
+  // Outside of this range squares have lost digits or overflowed.
+  const bool plain = area_squared > 1e-30F && area_squared < 1e30F;
+  ng = plain ? ng * (1.F / std::sqrt(area_squared)) : careful_normal(p0, p1, p2);
+  if (flip_winding_) ng = -ng;
+
+  // Without coordinates pbrt takes (0,0), (1,0), (1,1).
+  Vec2 d1(1.F, 0.F);
+  Vec2 d2(1.F, 1.F);
+  point.uv = Vec2(b1 + b2, b2);
+  if (uvs_ != nullptr) {
+    const Vec2& uv0 = uvs_[t.x];
+    d1 = uvs_[t.y] - uv0;
+    d2 = uvs_[t.z] - uv0;
+    point.uv = uv0 * b0 + uvs_[t.y] * b1 + uvs_[t.z] * b2;
+  }
+  const float determinant = d1.x * d2.y - d1.y * d2.x;
+  const float scale = 1.F / determinant;
+  point.dpdu = (e1 * d2.y - e2 * d1.y) * scale;
+  point.dpdv = (e2 * d1.x - e1 * d2.x) * scale;
+  const float size = length_squared(cross(point.dpdu, point.dpdv));
+  const bool has_derivatives = size > 0.F && size < std::numeric_limits<float>::infinity();
+  if (!has_derivatives) {
+    const Frame frame = Frame::around(ng);
+    point.dpdu = frame.x;
+    point.dpdv = frame.y;
+  }
+
+  point.ns = ng;
+  point.dndu = point.dndv = Vec3(0.F);
+  if (normals_ != nullptr) {
+    const Vec3& n0 = normals_[t.x];
+    const Vec3& n1 = normals_[t.y];
+    const Vec3& n2 = normals_[t.z];
+    const Vec3 n = interpolate(n0, n1, n2, b0, b1, b2);
+    const float n_squared = length_squared(n);
+    if (n_squared > 1e-30F && n_squared < 1e30F) {
+      const float inverse = (reversed_ ? -1.F : 1.F) / std::sqrt(n_squared);
+      point.ns = n * inverse;
+      ng = face_forward(ng, point.ns);
+      if (has_derivatives) {
+        const Vec3 a = (n1 - n0) * inverse;
+        const Vec3 b = (n2 - n0) * inverse;
+        const Vec3 du = (a * d2.y - b * d1.y) * scale;
+        const Vec3 dv = (b * d1.x - a * d2.x) * scale;
+        point.dndu = du - point.ns * dot(point.ns, du);
+        point.dndv = dv - point.ns * dot(point.ns, dv);
+      }
+    }
+  }
+  point.ng = ng;
+  if (tangents_ != nullptr) {
+    // The authored tangent gives the direction, the texture coordinates keep the lengths.
+    const Vec3 tangent =
+        interpolate(tangents_[t.x], tangents_[t.y], tangents_[t.z], b0, b1, b2);
+    const Vec3 along = tangent - point.ns * dot(tangent, point.ns);
+    const float along_squared = length_squared(along);
+    if (along_squared > 1e-12F * length_squared(tangent) && std::isfinite(along_squared)) {
+      const Vec3 x = along / std::sqrt(along_squared);
+      const Vec3 y = face_forward(cross(point.ns, x), point.dpdv);
+      point.dpdu = x * length(point.dpdu);
+      point.dpdv = y * length(point.dpdv);
+    }
+  }
+}
+
+double TriangleMesh::triangle_area(std::uint32_t triangle) const {
+  const Triangle& t = triangles_[triangle];
+  const Vec3d p0(positions_[t.x]);
+  return 0.5 * (Vec3d(positions_[t.y]) - p0).cross(Vec3d(positions_[t.z]) - p0).length();
+}
+
+double TriangleMesh::plane_distance(std::uint32_t triangle, const Vec3d& origin,
+                                    const Vec3d& direction) const {
+  const Triangle& t = triangles_[triangle];
+  const Vec3d p0(positions_[t.x]);
+  const Vec3d n = (Vec3d(positions_[t.y]) - p0).cross(Vec3d(positions_[t.z]) - p0);
+  return n.dot(p0 - origin) / n.dot(direction);
+}
+
+}  // namespace ajar

@@ -1,0 +1,63 @@
+#pragma once
+#include <memory>
+#include <vector>
+
+#include "core/error.h"
+#include "core/spectrum.h"
+#include "scene/desc/scene_desc.h"
+#include "scene/shape/placement.h"
+#include "scene/surface_point.h"
+
+namespace ajar {
+
+/// Triangles in their final place, laid out so that Embree can share the buffers. Immutable.
+class TriangleMesh {
+ public:
+  using Triangle = Imath::Vec3<unsigned>;
+
+  /// Takes over `source` if nobody else holds it (the mesh must not have been created const); otherwise
+  /// only what the transform changes is copied. Raises SceneError, located at `where`, for indices out of
+  /// range and vertices that are not finite; attributes of the wrong number are dropped with a warning.
+  TriangleMesh(std::shared_ptr<const desc::Mesh> source, const Placement& placement, bool reversed,
+               const SourceLocation& where, Warnings& warnings);
+
+  std::size_t triangle_count() const { return triangle_count_; }
+  std::size_t vertex_count() const { return vertex_count_; }
+  /// 12-byte elements; one more element than `vertex_count` may be read.
+  const Vec3* positions() const { return positions_; }
+  const Triangle* triangles() const { return triangles_; }
+
+  /// Point with barycentric coordinates (1 − b1 − b2, b1, b2). Normals as in pbrt-v3: authored normals
+  /// decide on which side `ng` lies, the winding only where there are none.
+  void surface_point(std::uint32_t triangle, float b1, float b2, SurfacePoint& point) const;
+  /// Only position and texture coordinates.
+  void texture_point(std::uint32_t triangle, float b1, float b2, SurfacePoint& point) const;
+  double triangle_area(std::uint32_t triangle) const;
+  /// True if a single-precision plane test of some triangle can err by more than `offset_ray_origin`
+  /// moves points: large triangles that are not parallel to an axis, reaching near the origin.
+  bool needs_plane_check() const { return needs_plane_check_; }
+  /// Ray parameter of the plane of a triangle in double precision; infinite if parallel.
+  double plane_distance(std::uint32_t triangle, const Vec3d& origin, const Vec3d& direction) const;
+
+ private:
+  /// Brings vertices into place, in the source's own memory if that is `unique`.
+  void place(const Placement& placement, bool unique);
+  void validate(const SourceLocation& where);
+
+  std::shared_ptr<const desc::Mesh> source_;
+  std::vector<Vec3> own_positions_;
+  std::vector<Vec3> own_normals_;
+  std::vector<Vec3> own_tangents_;
+  const Vec3* positions_ = nullptr;
+  const Vec3* normals_ = nullptr;
+  const Vec3* tangents_ = nullptr;
+  const Vec2* uvs_ = nullptr;
+  const Triangle* triangles_ = nullptr;
+  std::size_t vertex_count_ = 0;
+  std::size_t triangle_count_ = 0;
+  bool flip_winding_ = false;  ///< the geometric normal is against the winding
+  bool reversed_ = false;
+  bool needs_plane_check_ = false;
+};
+
+}  // namespace ajar

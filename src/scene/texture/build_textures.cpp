@@ -1,0 +1,81 @@
+#include "scene/texture/texture_builders.h"
+
+namespace ajar {
+
+namespace {
+
+std::vector<std::string> image_paths(const desc::SceneDesc& scene) {
+  std::vector<std::string> paths;
+  for (const desc::Texture& texture : scene.textures) {
+    if (const auto* image = std::get_if<desc::ImageTexture>(&texture.node)) paths.push_back(image->path);
+  }
+  return paths;
+}
+
+class Builder {
+ public:
+  Builder(const desc::SceneDesc& scene, Warnings& warnings)
+      : scene_(scene), warnings_(warnings), images_(read_images(image_paths(scene))) {}
+
+  TextureList build() {
+    textures_.reserve(scene_.textures.size());
+    for (const desc::Texture& texture : scene_.textures) {
+      where_ = &texture.where;
+      textures_.push_back(
+          std::visit([this](const auto& node) { return this->make(node); }, texture.node));
+    }
+    return std::move(textures_);
+  }
+
+ private:
+  template <typename Node>
+  std::unique_ptr<const Texture> make(const Node& node) {
+    return make_texture(node);
+  }
+  std::unique_ptr<const Texture> make(const desc::ScaleTexture& node) {
+    check({node.a, node.b});
+    return make_texture(node, textures_);
+  }
+  std::unique_ptr<const Texture> make(const desc::MixTexture& node) {
+    check({node.a, node.b, node.amount});
+    return make_texture(node, textures_);
+  }
+  std::unique_ptr<const Texture> make(const desc::CheckerboardTexture& node) {
+    check({node.a, node.b});
+    return make_texture(node, textures_);
+  }
+  std::unique_ptr<const Texture> make(const desc::DotsTexture& node) {
+    check({node.inside, node.outside});
+    return make_texture(node, textures_);
+  }
+  std::unique_ptr<const Texture> make(const desc::ImageTexture& node) {
+    const CachedImage& cached = images_.at(node.path);
+    if (!cached.image) {
+      warnings_.add(*where_, "cannot read image \"" + node.path + "\" (" + cached.error +
+                                 "); it is replaced by magenta");
+    }
+    return make_texture(node, cached.image);
+  }
+
+  void check(std::initializer_list<desc::TextureId> ids) const {
+    for (const desc::TextureId id : ids) {
+      if (id >= static_cast<desc::TextureId>(textures_.size())) {
+        throw SceneError(*where_, "a texture refers to one that is not yet defined");
+      }
+    }
+  }
+
+  const desc::SceneDesc& scene_;
+  Warnings& warnings_;
+  std::map<std::string, CachedImage> images_;
+  TextureList textures_;
+  const SourceLocation* where_ = nullptr;
+};
+
+}  // namespace
+
+TextureList build_textures(const desc::SceneDesc& scene, Warnings& warnings) {
+  return Builder(scene, warnings).build();
+}
+
+}  // namespace ajar

@@ -1,0 +1,150 @@
+// Image textures. Source: pbrt-v3, section 10.4; t = 0 is the bottom row. Pixels are filtered by
+// supersampling, so there is no pyramid.
+#include <algorithm>
+#include <array>
+
+#include "scene/texture/constant_texture.h"
+#include "scene/texture/mapping.h"
+#include "scene/texture/texture_builders.h"
+
+namespace ajar {
+
+namespace {
+
+/// IEC 61966-2-1.
+float srgb_to_linear(float v) {
+  return v <= 0.04045F ? v / 12.92F : std::pow((v + 0.055F) / 1.055F, 2.4F);
+}
+
+/// Linear values of all codes of an unsigned integer type.
+template <typename T>
+const float* decoding_table(bool srgb) {
+  constexpr std::size_t kCodes = std::size_t{1} << (8 * sizeof(T));
+  static const auto tables = [] {
+    std::array<std::vector<float>, 2> made;
+    for (std::size_t i = 0; i < kCodes; ++i) {
+      const float v = static_cast<float>(i) / static_cast<float>(kCodes - 1);
+      made[0].push_back(v);
+      made[1].push_back(srgb_to_linear(v));
+    }
+    return made;
+  }();
+  return tables[srgb ? 1 : 0].data();
+}
+
+float sane(float v) { return std::isfinite(v) ? v : 0.F; }
+
+template <typename T>
+struct Decoder {
+  explicit Decoder(bool /*srgb*/) {}
+  float operator()(T v) const { return sane(static_cast<float>(v)); }
+  float gray(T r, T g, T b) const {
+    return luminance(Spectrum((*this)(r), (*this)(g), (*this)(b)));
+  }
+};
+
+template <std::unsigned_integral T>
+struct Decoder<T> {
+  explicit Decoder(bool srgb) : table(decoding_table<T>(srgb)) {}
+  float operator()(T v) const { return table[v]; }
+  /// pbrt takes the luminance of the encoded colour and decodes that.
+  float gray(T r, T g, T b) const {
+    const float y = luminance(Spectrum(r, g, b));
+    return table[static_cast<std::size_t>(
+        std::min(y + 0.5F, static_cast<float>(std::numeric_limits<T>::max())))];
+  }
+  const float* table;
+};
+
+template <typename T>
+class ImageTexture final : public Texture {
+ public:
+  ImageTexture(const desc::ImageTexture& node, std::shared_ptr<const TexelImage> image)
+      : mapping_(node.mapping),
+        wrap_(node.wrap),
+        nearest_(node.filter == desc::TextureFilter::Nearest),
+        scale_(node.scale),
+        image_(std::move(image)),
+        texels_(std::get<std::vector<T>>(image_->texels).data()),
+        decode_(node.decode_srgb) {}
+
+  Spectrum eval(const SurfacePoint& at) const override {
+    if (image_->channels == 1) return Spectrum(eval_float(at));
+    return filtered<Spectrum>(at, [this](const T* texel) {
+      return Spectrum(decode_(texel[0]), decode_(texel[1]), decode_(texel[2]));
+    });
+  }
+  /// Of a colour image: luminance, as pbrt does.
+  float eval_float(const SurfacePoint& at) const override {
+    if (image_->channels == 1) {
+      return filtered<float>(at, [this](const T* texel) { return decode_(*texel); });
+    }
+    return filtered<float>(
+        at, [this](const T* texel) { return decode_.gray(texel[0], texel[1], texel[2]); });
+  }
+
+ private:
+  /// Index into a row or column, or −1 outside of a black border.
+  int wrapped(int i, int size) const {
+    if (i >= 0 && i < size) return i;
+    switch (wrap_) {
+      case desc::Wrap::Repeat: {
+        const int m = i % size;
+        return m < 0 ? m + size : m;
+      }
+      case desc::Wrap::Clamp:
+        return i < 0 ? 0 : size - 1;
+      case desc::Wrap::Black:
+        break;
+    }
+    return -1;
+  }
+
+  template <typename Value, typename Decode>
+  Value texel(int x, int y, const Decode& decode) const {
+    x = wrapped(x, image_->width);
+    y = wrapped(y, image_->height);
+    if (x < 0 || y < 0) return Value(0.F);
+    const auto row = static_cast<std::size_t>(image_->height - 1 - y);
+    const std::size_t index = row * static_cast<std::size_t>(image_->width) + static_cast<std::size_t>(x);
+    return decode(texels_ + index * static_cast<std::size_t>(image_->channels));
+  }
+
+  template <typename Value, typename Decode>
+  Value filtered(const SurfacePoint& at, const Decode& decode) const {
+    const Vec2 st = mapping_.map(at);
+    const float x = st.x * static_cast<float>(image_->width);
+    const float y = st.y * static_cast<float>(image_->height);
+    if (nearest_) return texel<Value>(floor_to_int(x), floor_to_int(y), decode) * scale_;
+    const int x0 = floor_to_int(x - 0.5F);
+    const int y0 = floor_to_int(y - 0.5F);
+    const float dx = std::clamp(x - 0.5F - static_cast<float>(x0), 0.F, 1.F);
+    const float dy = std::clamp(y - 0.5F - static_cast<float>(y0), 0.F, 1.F);
+    const Value low = texel<Value>(x0, y0, decode) * (1.F - dx) + texel<Value>(x0 + 1, y0, decode) * dx;
+    const Value high =
+        texel<Value>(x0, y0 + 1, decode) * (1.F - dx) + texel<Value>(x0 + 1, y0 + 1, decode) * dx;
+    return (low * (1.F - dy) + high * dy) * scale_;
+  }
+
+  TextureMapping mapping_;
+  desc::Wrap wrap_;
+  bool nearest_;
+  float scale_;
+  std::shared_ptr<const TexelImage> image_;
+  const T* texels_;
+  Decoder<T> decode_;
+};
+
+}  // namespace
+
+std::unique_ptr<const Texture> make_texture(const desc::ImageTexture& node,
+                                            std::shared_ptr<const TexelImage> image) {
+  if (!image) return std::make_unique<ConstantTexture>(Spectrum(1.F, 0.F, 1.F));
+  return std::visit(
+      [&]<typename T>(const std::vector<T>&) -> std::unique_ptr<const Texture> {
+        return std::make_unique<ImageTexture<T>>(node, image);
+      },
+      image->texels);
+}
+
+}  // namespace ajar

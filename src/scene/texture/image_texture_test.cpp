@@ -1,0 +1,174 @@
+#include <OpenImageIO/imageio.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "scene/texture/image_cache.h"
+#include "scene/texture/texture.h"
+#include "scene/texture/texture_builders.h"
+
+namespace ajar {
+namespace {
+
+namespace fs = std::filesystem;
+
+SurfacePoint at_uv(float u, float v) {
+  SurfacePoint point{};
+  point.uv = {u, v};
+  return point;
+}
+
+class ImageTextureTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = fs::temp_directory_path() / (std::string("ajar_image_texture_") + test->name());
+    fs::create_directories(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  template <typename T>
+  std::string write(const std::string& name, int width, int height, int channels, std::vector<T> texels) {
+    const std::string path = (folder_ / name).string();
+    const auto output = OIIO::ImageOutput::create(path);
+    OIIO::ImageSpec spec(width, height, channels, OIIO::BaseTypeFromC<T>::value);
+    spec.attribute("oiio:UnassociatedAlpha", 1);
+    EXPECT_TRUE(output->open(path, spec));
+    EXPECT_TRUE(output->write_image(OIIO::BaseTypeFromC<T>::value, texels.data()));
+    output->close();
+    return path;
+  }
+  std::unique_ptr<const Texture> make(const desc::ImageTexture& node) {
+    return make_texture(node, std::make_shared<const TexelImage>(read_texel_image(node.path)));
+  }
+  fs::path folder_;
+};
+
+/// Rows from the top: 10 20 30 / 40 50 60 (of 255), linear.
+std::vector<std::uint8_t> six() { return {10, 20, 30, 40, 50, 60}; }
+
+TEST_F(ImageTextureTest, BottomRowIsAtTZero) {
+  desc::ImageTexture node;
+  node.path = write<std::uint8_t>("a.png", 3, 2, 1, six());
+  node.decode_srgb = false;
+  node.filter = desc::TextureFilter::Nearest;
+  const auto texture = make(node);
+  EXPECT_NEAR(texture->eval_float(at_uv(0.1F, 0.1F)) * 255.F, 40.F, 1e-3F);
+  EXPECT_NEAR(texture->eval_float(at_uv(0.9F, 0.9F)) * 255.F, 30.F, 1e-3F);
+}
+
+TEST_F(ImageTextureTest, BilinearInterpolatesBetweenTexelCentres) {
+  desc::ImageTexture node;
+  node.path = write<std::uint8_t>("a.png", 3, 2, 1, six());
+  node.decode_srgb = false;
+  node.scale = 2.F;
+  const auto texture = make(node);
+  EXPECT_NEAR(texture->eval_float(at_uv(0.5F, 0.25F)) * 255.F, 100.F, 1e-3F);
+  EXPECT_NEAR(texture->eval_float(at_uv(1.F / 3.F, 0.5F)) * 255.F, 60.F, 1e-3F);
+}
+
+TEST_F(ImageTextureTest, WrapModesDifferOutside) {
+  desc::ImageTexture node;
+  node.path = write<std::uint8_t>("a.png", 3, 2, 1, six());
+  node.decode_srgb = false;
+  node.filter = desc::TextureFilter::Nearest;
+  const auto value = [&](desc::Wrap wrap, float u, float v) {
+    node.wrap = wrap;
+    return make(node)->eval_float(at_uv(u, v)) * 255.F;
+  };
+  EXPECT_NEAR(value(desc::Wrap::Repeat, 1.1F, 0.1F), 40.F, 1e-3F);
+  EXPECT_NEAR(value(desc::Wrap::Repeat, -0.1F, -0.1F), 30.F, 1e-3F);
+  EXPECT_NEAR(value(desc::Wrap::Clamp, 1.1F, 0.1F), 60.F, 1e-3F);
+  EXPECT_NEAR(value(desc::Wrap::Clamp, -5.F, 7.F), 10.F, 1e-3F);
+  EXPECT_EQ(value(desc::Wrap::Black, 1.1F, 0.1F), 0.F);
+  EXPECT_NEAR(value(desc::Wrap::Black, 0.9F, 0.1F), 60.F, 1e-3F);
+  // A bilinear black border fades over half a texel; repetition joins the opposite edges.
+  node.filter = desc::TextureFilter::Bilinear;
+  EXPECT_NEAR(value(desc::Wrap::Black, 0.F, 0.25F), 20.F, 1e-3F);
+  EXPECT_NEAR(value(desc::Wrap::Repeat, 0.F, 0.25F), 50.F, 1e-3F);
+  EXPECT_NEAR(value(desc::Wrap::Clamp, 0.F, 0.25F), 40.F, 1e-3F);
+}
+
+TEST_F(ImageTextureTest, IntegersAreDecodedAndFloatsAreNot) {
+  desc::ImageTexture node;
+  node.path = write<std::uint8_t>("b.png", 1, 1, 3, {128, 255, 0});
+  const Spectrum eight = make(node)->eval(at_uv(0.5F, 0.5F));
+  EXPECT_NEAR(eight[0], 0.2158605F, 1e-6F);
+  EXPECT_EQ(eight[1], 1.F);
+  EXPECT_EQ(eight[2], 0.F);
+  node.path = write<std::uint16_t>("b16.png", 1, 1, 3, {128 * 257, 65535, 0});
+  EXPECT_NEAR(make(node)->eval(at_uv(0.5F, 0.5F))[0], 0.2158605F, 1e-6F);
+  node.path = write<float>("b.exr", 1, 1, 3, {0.5F, 7.F, 0.25F});
+  const Spectrum linear = make(node)->eval(at_uv(0.5F, 0.5F));
+  EXPECT_EQ(linear[0], 0.5F);
+  EXPECT_EQ(linear[1], 7.F);
+}
+
+TEST_F(ImageTextureTest, GrayImagesAreGrayAndAlphaIsIgnored) {
+  desc::ImageTexture node;
+  node.decode_srgb = false;
+  node.path = write<std::uint8_t>("gray.png", 1, 1, 1, {51});
+  const Spectrum gray = make(node)->eval(at_uv(0.5F, 0.5F));
+  EXPECT_NEAR(gray[0], 0.2F, 1e-6F);
+  EXPECT_EQ(gray[0], gray[2]);
+  node.path = write<std::uint8_t>("rgba.png", 1, 1, 4, {51, 102, 153, 10});
+  const Spectrum rgba = make(node)->eval(at_uv(0.5F, 0.5F));
+  EXPECT_NEAR(rgba[0], 0.2F, 1e-6F);
+  EXPECT_NEAR(rgba[2], 0.6F, 1e-6F);
+}
+
+TEST_F(ImageTextureTest, ColourImagesUsedAsFloatsGiveLuminance) {
+  desc::ImageTexture node;
+  node.decode_srgb = false;
+  node.path = write<std::uint8_t>("c.png", 1, 1, 3, {0, 255, 0});
+  EXPECT_NEAR(make(node)->eval_float(at_uv(0.5F, 0.5F)), 0.71516F, 3e-3F);
+}
+
+TEST_F(ImageTextureTest, InvalidTexelsBecomeBlack) {
+  desc::ImageTexture node;
+  node.path = write<float>("nan.exr", 1, 1, 3, {NAN, INFINITY, 2.F});
+  const Spectrum s = make(node)->eval(at_uv(0.5F, 0.5F));
+  EXPECT_EQ(s[0], 0.F);
+  EXPECT_EQ(s[1], 0.F);
+  EXPECT_EQ(s[2], 2.F);
+}
+
+TEST_F(ImageTextureTest, FilesAreReadOnceForAllTextures) {
+  const std::string path = write<std::uint8_t>("a.png", 3, 2, 1, six());
+  const std::string missing = (folder_ / "missing.png").string();
+  const std::string paths[] = {path, missing, path, path};
+  const auto images = read_images(paths);
+  ASSERT_EQ(images.size(), 2U);
+  ASSERT_TRUE(images.at(path).image);
+  EXPECT_TRUE(std::holds_alternative<std::vector<std::uint8_t>>(images.at(path).image->texels));
+  EXPECT_FALSE(images.at(missing).image);
+  EXPECT_FALSE(images.at(missing).error.empty());
+}
+
+TEST_F(ImageTextureTest, UnreadableImagesAreMagentaWithALocatedWarning) {
+  const std::string broken = (folder_ / "broken.png").string();
+  std::ofstream(broken) << "this is not a picture";
+  desc::SceneDesc scene;
+  for (const std::string& path : {broken, (folder_ / "missing.exr").string()}) {
+    desc::Texture texture;
+    texture.where = {std::make_shared<const std::string>("scene.pbrt"), 12, 3};
+    desc::ImageTexture node;
+    node.path = path;
+    texture.node = node;
+    scene.textures.push_back(texture);
+  }
+  Warnings warnings;
+  const TextureList textures = build_textures(scene, warnings);
+  for (const auto& texture : textures) {
+    const Spectrum s = texture->eval(at_uv(0.3F, 0.3F));
+    EXPECT_EQ(s[0], 1.F);
+    EXPECT_EQ(s[1], 0.F);
+    EXPECT_EQ(s[2], 1.F);
+  }
+  ASSERT_EQ(warnings.count(), 2U);
+  EXPECT_EQ(warnings.messages().front().rfind("scene.pbrt:12:3: ", 0), 0U);
+}
+
+}  // namespace
+}  // namespace ajar

@@ -1,0 +1,177 @@
+#include "scene/texture/texture.h"
+
+#include <gtest/gtest.h>
+
+#include "scene/desc/scene_desc.h"
+
+namespace ajar {
+namespace {
+
+SurfacePoint at_uv(float u, float v) {
+  SurfacePoint point{};
+  point.uv = {u, v};
+  return point;
+}
+SurfacePoint at_position(const Vec3& p) {
+  SurfacePoint point{};
+  point.p = p;
+  return point;
+}
+
+/// Builds a description's textures and evaluates the last.
+class TextureTest : public testing::Test {
+ protected:
+  template <typename Node>
+  desc::TextureId add(Node node) {
+    desc::Texture texture;
+    texture.node = std::move(node);
+    scene_.textures.push_back(std::move(texture));
+    return static_cast<desc::TextureId>(scene_.textures.size()) - 1;
+  }
+  desc::TextureId add_constant(float r, float g, float b) {
+    return add(desc::ConstantTexture{{r, g, b}});
+  }
+  const Texture& built() {
+    textures_ = build_textures(scene_, warnings_);
+    return *textures_.back();
+  }
+  desc::SceneDesc scene_;
+  Warnings warnings_;
+  TextureList textures_;
+};
+
+void expect_rgb(const Spectrum& s, float r, float g, float b) {
+  EXPECT_NEAR(s[0], r, 1e-5F);
+  EXPECT_NEAR(s[1], g, 1e-5F);
+  EXPECT_NEAR(s[2], b, 1e-5F);
+}
+
+TEST_F(TextureTest, ScaleMultipliesAndFoldsConstants) {
+  const auto a = add_constant(0.5F, 1.F, 2.F);
+  const auto b = add_constant(0.5F, 0.25F, 3.F);
+  add(desc::ScaleTexture{a, b});
+  const Texture& texture = built();
+  ASSERT_NE(texture.constant(), nullptr);
+  expect_rgb(*texture.constant(), 0.25F, 0.25F, 6.F);
+}
+
+TEST_F(TextureTest, MixWeighsWithItsAmount) {
+  const auto a = add_constant(1.F, 0.F, 0.F);
+  const auto b = add_constant(0.F, 0.F, 1.F);
+  desc::BilerpTexture ramp;
+  ramp.v00 = ramp.v01 = {0, 0, 0};
+  ramp.v10 = ramp.v11 = {1, 1, 1};
+  const auto amount = add(ramp);
+  add(desc::MixTexture{a, b, amount});
+  const Texture& texture = built();
+  EXPECT_EQ(texture.constant(), nullptr);
+  expect_rgb(texture.eval(at_uv(0.25F, 0.9F)), 0.75F, 0.F, 0.25F);
+  EXPECT_NEAR(texture.eval_float(at_uv(0.25F, 0.9F)), 0.75F, 1e-6F);
+}
+
+TEST_F(TextureTest, BilerpInterpolatesItsCorners) {
+  desc::BilerpTexture node;
+  node.v00 = {0, 0, 0};
+  node.v01 = {1, 0, 0};
+  node.v10 = {0, 1, 0};
+  node.v11 = {0, 0, 1};
+  add(node);
+  const Texture& texture = built();
+  expect_rgb(texture.eval(at_uv(0.F, 1.F)), 1.F, 0.F, 0.F);
+  expect_rgb(texture.eval(at_uv(1.F, 0.F)), 0.F, 1.F, 0.F);
+  expect_rgb(texture.eval(at_uv(0.25F, 0.5F)), 0.375F, 0.125F, 0.125F);
+}
+
+TEST_F(TextureTest, CheckerboardAlternatesAlsoBelowZero) {
+  const auto a = add_constant(1.F, 1.F, 1.F);
+  const auto b = add_constant(0.F, 0.F, 0.F);
+  desc::CheckerboardTexture node;
+  node.a = a;
+  node.b = b;
+  node.mapping = desc::UvMapping{4.F, 4.F, 0.F, 0.F};
+  add(node);
+  const Texture& texture = built();
+  EXPECT_EQ(texture.eval_float(at_uv(0.1F, 0.1F)), 1.F);
+  EXPECT_EQ(texture.eval_float(at_uv(0.3F, 0.1F)), 0.F);
+  EXPECT_EQ(texture.eval_float(at_uv(0.3F, 0.3F)), 1.F);
+  EXPECT_EQ(texture.eval_float(at_uv(-0.1F, 0.1F)), 0.F);
+  EXPECT_EQ(texture.eval_float(at_uv(-0.1F, -0.1F)), 1.F);
+  EXPECT_EQ(texture.eval_float(at_uv(1e30F, NAN)), texture.eval_float(at_uv(1e30F, NAN)));
+}
+
+TEST_F(TextureTest, SolidCheckerboardUsesItsOwnSpace) {
+  desc::CheckerboardTexture node;
+  node.dimension = 3;
+  node.world_to_texture.setScale(0.5);
+  add(node);
+  const Texture& texture = built();
+  EXPECT_EQ(texture.eval_float(at_position({1.F, 1.F, 1.F})), 1.F);
+  EXPECT_EQ(texture.eval_float(at_position({3.F, 1.F, 1.F})), 0.F);
+  EXPECT_EQ(texture.eval_float(at_position({3.F, 1.F, -1.F})), 1.F);
+}
+
+TEST_F(TextureTest, UvShowsFractionsOfItsMapping) {
+  desc::UvTexture node;
+  node.mapping = desc::UvMapping{2.F, 1.F, 0.1F, -0.25F};
+  add(node);
+  expect_rgb(built().eval(at_uv(0.7F, 0.F)), 0.5F, 0.75F, 0.F);
+}
+
+TEST_F(TextureTest, MappingsFollowTheirDefinitions) {
+  desc::UvTexture node;
+  Mat4 move;
+  move.setTranslation(Vec3d(-1.0, 0.0, 0.0));
+  node.mapping = desc::SphericalMapping{move};
+  add(node);
+  // From (1,0,0): straight along +y is θ = π/2, φ = π/2.
+  expect_rgb(built().eval(at_position({1.F, 5.F, 0.F})), 0.5F, 0.25F, 0.F);
+  expect_rgb(built().eval(at_position({1.F, -5.F, 0.F})), 0.5F, 0.75F, 0.F);
+
+  node.mapping = desc::CylindricalMapping{};
+  add(node);
+  expect_rgb(built().eval(at_position({0.F, 3.F, 4.F})), 0.75F, 0.8F, 0.F);
+
+  node.mapping = desc::PlanarMapping{{0.5F, 0, 0}, {0, 0, 1}, 0.25F, 0.F};
+  add(node);
+  expect_rgb(built().eval(at_position({0.5F, 9.F, 0.125F})), 0.5F, 0.125F, 0.F);
+}
+
+TEST_F(TextureTest, DotsAreRoundAndHaveTwoValues) {
+  add(desc::DotsTexture{});
+  const Texture& texture = built();
+  int inside = 0;
+  constexpr int kSteps = 400;
+  for (int i = 0; i < kSteps * kSteps; ++i) {
+    const float v = texture.eval_float(
+        at_uv(static_cast<float>(i % kSteps) * 0.1F, static_cast<float>(i / kSteps) * 0.1F));
+    ASSERT_TRUE(v == 0.F || v == 1.F);
+    inside += v == 1.F ? 1 : 0;
+  }
+  // About half of the cells have a dot of area 0.35² π.
+  EXPECT_NEAR(inside / static_cast<double>(kSteps * kSteps), 0.5 * 0.385, 0.08);
+}
+
+TEST_F(TextureTest, MarbleHasPlausibleColours) {
+  add(desc::MarbleTexture{});
+  const Texture& texture = built();
+  for (int i = 0; i < 5000; ++i) {
+    const float t = static_cast<float>(i) * 0.01F;
+    const Spectrum s = texture.eval(at_position({t, 0.7F * t, -0.3F * t}));
+    ASSERT_GT(s.min(), 0.2F);
+    ASSERT_LT(s.max(), 0.95F);
+  }
+}
+
+TEST_F(TextureTest, MissingReferencesTakeTheirDefaults) {
+  add(desc::MixTexture{});
+  EXPECT_EQ(built().eval_float(at_uv(0.F, 0.F)), 0.5F);
+}
+
+TEST_F(TextureTest, ForwardReferencesAreRefused) {
+  add(desc::ScaleTexture{1, desc::kNone});
+  add_constant(1.F, 1.F, 1.F);
+  EXPECT_THROW(build_textures(scene_, warnings_), SceneError);
+}
+
+}  // namespace
+}  // namespace ajar
