@@ -1,7 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
-#include <deque>
+#include <map>
 
 #include "core/random.h"
 #include "support/oracle_path.h"
@@ -129,23 +130,25 @@ class CheckingSink final : public PathSink {
                   std::size_t i, std::uint64_t& rays) const {
     const bool at_light = i == 0;
     const PathVertex& from = *vertices[at_light ? 0 : i - 1];
-    Vec3 w;
-    float distance = std::numeric_limits<float>::infinity();
+    Ray ray;
     if (at_light && path.light->at_infinity()) {
-      w = path.light_point.toward;
+      ray.direction = path.light_point.toward;
+      ray.origin = from.ray_origin(ray.direction);
     } else if (i == vertices.size() && scene_.camera().at_infinity()) {
-      w = path.camera_point.toward;
+      ray.direction = path.camera_point.toward;
+      ray.origin = from.ray_origin(ray.direction);
     } else {
-      const Vec3 target = at_light                  ? path.light_point.surface.p
-                          : i == vertices.size() ? path.camera_point.surface.p
-                                                 : vertices[i]->p;
-      distance = length(target - from.p);
-      w = (target - from.p) / distance;
-      distance *= 0.999F;
+      const EndpointPoint& endpoint = at_light ? path.light_point : path.camera_point;
+      const bool to_endpoint = at_light || i == vertices.size();
+      const Vec3 w = normalize((to_endpoint ? endpoint.surface.p : vertices[i]->p) - from.p);
+      const Vec3 target = to_endpoint ? offset_ray_origin(endpoint.surface.p, endpoint.surface.ng, -w)
+                                      : vertices[i]->ray_origin(-w);
+      ray.origin = from.ray_origin(w);
+      ray.t_max = length(target - ray.origin);
+      ray.direction = (target - ray.origin) / ray.t_max;
+      ray.t_max *= 0.999999F;
     }
-    const std::optional<Segment> found =
-        connect(scene_, {from.ray_origin(w), w, distance}, from.medium_toward(w), rays);
-    return found.value_or(Segment{});
+    return connect(scene_, ray, from.medium_toward(ray.direction), rays).value();
   }
 
   const Scene& scene_;

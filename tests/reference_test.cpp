@@ -1,11 +1,11 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <numeric>
 
-#include "image/compare_blocks.h"
 #include "image/image_file.h"
 #include "import/import.h"
 #include "support/render.h"
@@ -40,6 +40,57 @@ std::vector<Reference> references(const std::filesystem::path& shared) {
   return found;
 }
 
+constexpr int kBlock = 16;
+
+/// Blocks of both pictures, compared by luminance-like means. Pixels err independently in both (path tracing, box filter), so the
+/// error of a block's difference is known from the spread of the difference within the block: fireflies of either picture count,
+/// a deviation of the whole block does not hide.
+struct BlockTest {
+  double worst_z = 0.0;
+  Vec2i worst{0, 0};
+  int blocks = 0;
+  double median_relative_error = 0.0;  ///< standard error of a block's difference over the block's mean
+};
+
+BlockTest compare(const std::vector<float>& a, const std::vector<float>& b, int width, int height) {
+  BlockTest test;
+  std::vector<double> relative_errors;
+  for (int y0 = 0; y0 + kBlock <= height; y0 += kBlock) {
+    for (int x0 = 0; x0 + kBlock <= width; x0 += kBlock) {
+      double sum = 0.0;
+      double squares = 0.0;
+      double level = 0.0;
+      for (int y = y0; y < y0 + kBlock; ++y) {
+        for (int x = x0; x < x0 + kBlock; ++x) {
+          const auto i = 3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                              static_cast<std::size_t>(x));
+          const double reference = (b[i] + b[i + 1] + b[i + 2]) / 3.0;
+          const double difference = (a[i] + a[i + 1] + a[i + 2]) / 3.0 - reference;
+          sum += difference;
+          squares += difference * difference;
+          level += reference;
+        }
+      }
+      constexpr double kCount = kBlock * kBlock;
+      const double mean = sum / kCount;
+      // Half floats round by up to 2^-12 of the value, together in the same direction at worst.
+      const double rounding = level / kCount * 0x1p-12;
+      const double error =
+          std::sqrt((squares / kCount - mean * mean) / (kCount - 1.0)) + rounding / 5.5;
+      const double z = error > 0.0 ? std::abs(mean) / error : 0.0;
+      if (z > test.worst_z) {
+        test.worst_z = z;
+        test.worst = {x0, y0};
+      }
+      ++test.blocks;
+      if (level > 0.0) relative_errors.push_back(error / (level / kCount));
+    }
+  }
+  std::sort(relative_errors.begin(), relative_errors.end());
+  test.median_relative_error = relative_errors[relative_errors.size() / 2];
+  return test;
+}
+
 class References : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(References, PathTracingAgreesInMeanAndInBlocks) {
@@ -53,42 +104,28 @@ TEST_P(References, PathTracingAgreesInMeanAndInBlocks) {
     // The references were made with a box filter of one pixel.
     description.film.filter = {};
     const Scene scene(std::move(description), {.resolution = reference.resolution}, warnings);
-    EXPECT_EQ(warnings.count(), 0U);
+    for (const std::string& message : warnings.messages()) {
+      EXPECT_NE(message.find("triangles have no area"), std::string::npos) << message;
+    }
 
     test::RenderOptions options;
     options.samples = 64;
-    options.replicates = 16;
     options.max_depth = reference.max_depth;
-    const test::Render ours = test::render(scene, options);
-    Replicates replicates;
-    for (int r = 0; r < options.replicates; ++r) replicates.push_back(ours.replicate(r));
-
+    const std::vector<float> ours = test::render(scene, options).image();
     const Image image =
         read_image((*shared / "references" / (reference.name + ".exr")).string());
     ASSERT_EQ(image.width, reference.resolution.x);
     ASSERT_EQ(image.height, reference.resolution.y);
     const std::vector<float> theirs = image.rgb();
-    const double mean = std::accumulate(theirs.begin(), theirs.end(), 0.0);
-    const double our_mean = image_mean(replicates).value * static_cast<double>(theirs.size());
-    EXPECT_NEAR(our_mean / mean, 1.0, reference.tolerance) << reference.name;
+    const double ratio = std::accumulate(ours.begin(), ours.end(), 0.0) /
+                         std::accumulate(theirs.begin(), theirs.end(), 0.0);
+    EXPECT_NEAR(ratio, 1.0, reference.tolerance) << reference.name;
 
-    // The reference is path-traced too, with at least 256 samples per pixel: its variance is taken as ours at that count, doubled
-    // for its plainer sampling, plus the rounding of half floats.
-    const std::vector<float> error = standard_error(replicates);
-    std::vector<float> variance(error.size());
-    for (std::size_t i = 0; i < error.size(); ++i) {
-      const float rounding = theirs[i] * 0x1p-12F;
-      variance[i] = error[i] * error[i] * 2.F * static_cast<float>(options.samples) / 256.F +
-                    rounding * rounding;
-    }
-    const BlockGrid grid{.width = image.width, .height = image.height, .channels = 3, .block = 16};
-    const BlockComparison comparison =
-        compare_blocks_to_reference(replicates, theirs, variance, grid);
-    EXPECT_TRUE(comparison.equal()) << reference.name << ": worst block at " << comparison.worst_block.min.x
-                                    << ", " << comparison.worst_block.min.y << ", z " << comparison.worst_z
-                                    << ", difference " << comparison.worst_difference << ", mean z "
-                                    << comparison.mean_z << ", relative "
-                                    << comparison.mean_relative_difference;
+    const BlockTest test = compare(ours, theirs, image.width, image.height);
+    EXPECT_LT(test.worst_z, 5.5) << reference.name << ": block at " << test.worst.x << ", " << test.worst.y
+                                 << " of " << test.blocks;
+    // Power: half of the blocks would show a deviation of 5 %, however it arises.
+    EXPECT_LT(5.5 * test.median_relative_error, 0.05) << reference.name;
     return;
   }
   FAIL() << "the index does not have " << GetParam();

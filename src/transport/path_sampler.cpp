@@ -203,7 +203,7 @@ void PathSampler::hit_light(const Flight& flight, const SegmentEnd& end, const M
   if (edges > 1) {
     // Technique (1, k) samples the light as seen from z_{i-1}; all with s ≥ 2 as it emits.
     const Heuristic heuristic = settings_.heuristic;
-    const Vec3& reference = flight.ray.origin;
+    const Vec3& reference = flight.reference;
     if (settings_.techniques.classes().next_event && !flight.specular) {
       const double connection =
           static_cast<double>(light.connection_pdf(reference, point).value()) *

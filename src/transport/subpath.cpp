@@ -72,6 +72,7 @@ bool scatter(const WalkSettings& settings, const PathVertex& vertex, SampleSourc
   if (flight.throughput.is_black()) return false;
   flight.ray = {vertex.ray_origin(sample->wi), sample->wi};
   flight.medium = vertex.medium_toward(sample->wi);
+  flight.reference = vertex.p;
   flight.edges = vertex.edges;
   flight.mis = vertex.mis;
   flight.departure = sample->pdf.value();

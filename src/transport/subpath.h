@@ -11,6 +11,7 @@ struct Flight {
   Ray ray;
   const Medium* medium = nullptr;
   Spectrum throughput{1.F};
+  Vec3 reference{0.F, 0.F, 0.F};  ///< z_i itself; the ray starts a little off it
   int edges = 0;            ///< index i of the vertex it left
   float eta_scale = 1.F;    ///< product of squared index ratios, so that Russian roulette ignores radiance scaling
   // For the MIS recursion:

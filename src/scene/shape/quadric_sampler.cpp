@@ -62,7 +62,8 @@ class SphereSampler final : public SurfaceSampler {
         placement_(placement),
         reversed_(reversed),
         center_(placement.point(Vec3d(0.0))),
-        radius_(radius) {}
+        radius_(radius),
+        rounding_(0x1p-22 * (std::max({std::abs(center_.x), std::abs(center_.y), std::abs(center_.z)}) + radius)) {}
 
   float area() const override {
     return static_cast<float>(4.0 * double{kPi} * radius_ * radius_);
@@ -77,7 +78,7 @@ class SphereSampler final : public SurfaceSampler {
                                              const SurfaceUniforms& u) const override {
     const Vec3d to_reference = Vec3d(reference) - center_;
     const double distance = to_reference.length();
-    if (!(distance > radius_)) return sample(u);
+    if (!outside(distance)) return sample(u);
     // Angles are measured at the reference (θ) and at the centre of the sphere (α).
     const double one_minus_cos = u.position.x * one_minus_cos_max(distance);
     const double cos_theta = 1.0 - one_minus_cos;
@@ -102,7 +103,7 @@ class SphereSampler final : public SurfaceSampler {
   Pdf<Area> pdf_toward(const Vec3& reference, const SurfacePoint& point) const override {
     const Vec3d to_reference = Vec3d(reference) - center_;
     const double distance = to_reference.length();
-    if (!(distance > radius_)) return uniform_pdf();
+    if (!outside(distance)) return uniform_pdf();
     // Only the cap that the reference sees; the tolerance covers the rounding of points on its rim.
     const double height = (Vec3d(point.p) - center_).dot(to_reference);
     const double tolerance = 1e-5 * radius_ * distance;
@@ -111,6 +112,9 @@ class SphereSampler final : public SurfaceSampler {
   }
 
  private:
+  /// Points of the sphere itself count as inside: rounding puts them on either side, and light that the inner side
+  /// sends to the inner side must not be lost for half of them.
+  bool outside(double distance) const { return distance > radius_ * (1.0 + 1e-5) + rounding_; }
   /// 1 − cos of half the angle under which the sphere is seen, without cancellation.
   double one_minus_cos_max(double distance) const {
     const double sine = radius_ / distance;
@@ -140,6 +144,7 @@ class SphereSampler final : public SurfaceSampler {
   bool reversed_;
   Vec3d center_;
   double radius_;
+  double rounding_;  ///< of the coordinates of a point of the sphere
 };
 
 }  // namespace
