@@ -15,7 +15,8 @@ namespace ajar {
 desc::SceneDesc import_pbrt(const std::string& path, Warnings& warnings);
 
 /// The same for text in memory. `name` stands in messages; other files are looked up relative to
-/// `base_folder`, at `provider` first, then on the disk.
+/// `base_folder`, at `provider` first, then on the disk. The provider is asked for
+/// "base_folder/file" in normal form (without "." and "..").
 desc::SceneDesc import_pbrt_text(std::string_view text, const std::string& name,
                                  const std::string& base_folder, Warnings& warnings,
                                  FileProvider provider = {});

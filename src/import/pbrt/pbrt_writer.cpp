@@ -8,9 +8,8 @@
 #include "core/error.h"
 #include "import/file_bytes.h"
 #include "import/mesh/ply.h"
-#include "import/pbrt/text_writer.h"
 #include "import/pbrt/transforms.h"
-#include "import/pbrt/writer_names.h"
+#include "import/pbrt/writer_context.h"
 
 namespace ajar {
 namespace {
@@ -44,31 +43,28 @@ float cone_delta(const desc::SpotLight& light) {
 class Writer {
  public:
   Writer(const desc::SceneDesc& scene, const std::string& out_path)
-      : scene_(scene),
-        path_(fs::absolute(out_path).lexically_normal()),
+      : context_(scene, out_path),
+        scene_(scene),
+        path_(context_.path),
         mesh_folder_(path_.stem().string() + "_meshes"),
-        uses_(pbrt::texture_uses(scene)),
-        texture_names_(pbrt::unique_names(scene.textures, "texture")),
-        material_names_(pbrt::unique_names(scene.materials, "material")),
-        medium_names_(pbrt::unique_names(scene.media, "medium")),
-        object_names_(pbrt::unique_names(scene.objects, "object")) {}
+        out_(context_.out) {}
 
   void run() {
     write_options();
     out_.line("WorldBegin");
     write_media_interface(scene_.camera.medium);
-    for (std::size_t i = 0; i < scene_.textures.size(); ++i) write_texture(i);
-    for (std::size_t i = 0; i < scene_.materials.size(); ++i) write_material(i);
+    pbrt::write_textures(context_);
+    pbrt::write_materials(context_);
     for (const desc::Light& light : scene_.lights) write_light(light);
     for (std::size_t i = 0; i < scene_.objects.size(); ++i) {
-      out_.line("ObjectBegin").quoted(object_names_[i]);
+      out_.line("ObjectBegin").quoted(context_.object_names[i]);
       for (const desc::Shape& shape : scene_.objects[i].shapes) write_shape(shape);
       out_.line("ObjectEnd");
     }
     for (const desc::Instance& instance : scene_.instances) {
       out_.line("TransformBegin").line("Transform").matrix(instance.to_world);
       out_.line("ObjectInstance")
-          .quoted(object_names_.at(static_cast<std::size_t>(instance.object)));
+          .quoted(context_.object_names.at(static_cast<std::size_t>(instance.object)));
       out_.line("TransformEnd");
     }
     for (const desc::Shape& shape : scene_.shapes) write_shape(shape);
@@ -97,7 +93,9 @@ class Writer {
     write_camera();
     for (std::size_t i = 0; i < scene_.media.size(); ++i) {
       const desc::Medium& medium = scene_.media[i];
-      out_.line("MakeNamedMedium").quoted(medium_names_[i]).parameter("string type", "homogeneous");
+      out_.line("MakeNamedMedium")
+          .quoted(context_.medium_names[i])
+          .parameter("string type", "homogeneous");
       out_.rgb("sigma_a", medium.sigma_a)
           .rgb("sigma_s", medium.sigma_s)
           .parameter("float g", medium.g);
@@ -168,250 +166,10 @@ class Writer {
     }
   }
 
-  // -------------------------------------------------------------- textures
-
-  /// `"texture name" "…"`, or nothing for none.
-  void reference(std::string_view name, desc::TextureId id) {
-    if (id >= 0)
-      out_.parameter("texture " + std::string(name),
-                     texture_names_.at(static_cast<std::size_t>(id)));
-  }
-
-  std::string image_path(const std::string& image) const {
-    const fs::path relative = fs::path(image).lexically_relative(path_.parent_path());
-    return relative.empty() ? image : relative.generic_string();
-  }
-
-  void write_mapping(const desc::Mapping2D& mapping) {
-    if (const auto* uv = std::get_if<desc::UvMapping>(&mapping)) {
-      out_.parameter("float uscale", uv->su).parameter("float vscale", uv->sv);
-      out_.parameter("float udelta", uv->du).parameter("float vdelta", uv->dv);
-    } else if (const auto* planar = std::get_if<desc::PlanarMapping>(&mapping)) {
-      out_.parameter("string mapping", "planar");
-      out_.parameter("vector v1", planar->vs.x, planar->vs.y, planar->vs.z);
-      out_.parameter("vector v2", planar->vt.x, planar->vt.y, planar->vt.z);
-      out_.parameter("float udelta", planar->ds).parameter("float vdelta", planar->dt);
-    } else {
-      out_.parameter("string mapping", std::holds_alternative<desc::SphericalMapping>(mapping)
-                                           ? "spherical"
-                                           : "cylindrical");
-    }
-  }
-
-  /// The current transform that gives a texture its place; null if it has none.
-  static std::optional<Mat4> texture_transform(const desc::Texture& texture) {
-    const auto of_mapping = [](const desc::Mapping2D& mapping) -> std::optional<Mat4> {
-      if (const auto* s = std::get_if<desc::SphericalMapping>(&mapping))
-        return pbrt::inverse(s->world_to_texture);
-      if (const auto* c = std::get_if<desc::CylindricalMapping>(&mapping))
-        return pbrt::inverse(c->world_to_texture);
-      return std::nullopt;
-    };
-    return std::visit(
-        [&](const auto& node) -> std::optional<Mat4> {
-          using Node = std::decay_t<decltype(node)>;
-          if constexpr (std::is_same_v<Node, desc::CheckerboardTexture>) {
-            if (node.dimension == 3) return node.world_to_texture;
-            return of_mapping(node.mapping);
-          } else if constexpr (requires { node.world_to_texture; }) {
-            return node.world_to_texture;
-          } else if constexpr (requires { node.mapping; }) {
-            return of_mapping(node.mapping);
-          } else {
-            return std::nullopt;
-          }
-        },
-        texture.node);
-  }
-
-  void write_texture(std::size_t i) {
-    const desc::Texture& texture = scene_.textures[i];
-    const std::optional<Mat4> place = texture_transform(texture);
-    if (place) out_.line("TransformBegin").line("Transform").matrix(*place);
-    for (const bool as_float : {true, false}) {
-      if (!(as_float ? uses_[i].as_float : uses_[i].as_spectrum)) continue;
-      out_.line("Texture").quoted(texture_names_[i]).quoted(as_float ? "float" : "spectrum");
-      std::visit([&](const auto& node) { write_node(node, as_float); }, texture.node);
-    }
-    if (place) out_.line("TransformEnd");
-  }
-
-  void value(const std::string& name, const desc::Rgb& rgb, bool as_float) {
-    if (as_float) {
-      out_.parameter("float " + name, rgb.x);
-    } else {
-      out_.rgb(name, rgb);
-    }
-  }
-  void write_node(const desc::ConstantTexture& t, bool as_float) {
-    out_.quoted("constant");
-    value("value", t.value, as_float);
-  }
-  void write_node(const desc::ScaleTexture& t, bool) {
-    out_.quoted("scale");
-    reference("tex1", t.a);
-    reference("tex2", t.b);
-  }
-  void write_node(const desc::MixTexture& t, bool) {
-    out_.quoted("mix");
-    reference("tex1", t.a);
-    reference("tex2", t.b);
-    reference("amount", t.amount);
-  }
-  void write_node(const desc::BilerpTexture& t, bool as_float) {
-    out_.quoted("bilerp");
-    value("v00", t.v00, as_float);
-    value("v01", t.v01, as_float);
-    value("v10", t.v10, as_float);
-    value("v11", t.v11, as_float);
-    write_mapping(t.mapping);
-  }
-  void write_node(const desc::ImageTexture& t, bool) {
-    static constexpr const char* kWraps[] = {"repeat", "black", "clamp"};
-    out_.quoted("imagemap");
-    if (!t.path.empty()) out_.parameter("string filename", image_path(t.path));
-    out_.parameter("string wrap", kWraps[static_cast<int>(t.wrap)]);
-    out_.flag("gamma", t.decode_srgb).parameter("float scale", t.scale);
-    write_mapping(t.mapping);
-  }
-  void write_node(const desc::CheckerboardTexture& t, bool) {
-    out_.quoted("checkerboard").parameter("integer dimension", t.dimension);
-    reference("tex1", t.a);
-    reference("tex2", t.b);
-    if (t.dimension == 2) write_mapping(t.mapping);
-  }
-  void write_node(const desc::DotsTexture& t, bool) {
-    out_.quoted("dots");
-    reference("inside", t.inside);
-    reference("outside", t.outside);
-    write_mapping(t.mapping);
-  }
-  void write_node(const desc::UvTexture& t, bool) {
-    out_.quoted("uv");
-    write_mapping(t.mapping);
-  }
-  void write_node(const desc::FbmTexture& t, bool) {
-    out_.quoted("fbm")
-        .parameter("integer octaves", t.octaves)
-        .parameter("float roughness", t.roughness);
-  }
-  void write_node(const desc::WrinkledTexture& t, bool) {
-    out_.quoted("wrinkled")
-        .parameter("integer octaves", t.octaves)
-        .parameter("float roughness", t.roughness);
-  }
-  void write_node(const desc::WindyTexture&, bool) { out_.quoted("windy"); }
-  void write_node(const desc::MarbleTexture& t, bool) {
-    out_.quoted("marble")
-        .parameter("integer octaves", t.octaves)
-        .parameter("float roughness", t.roughness);
-    out_.parameter("float scale", t.scale).parameter("float variation", t.variation);
-  }
-
-  // -------------------------------------------------------------- materials
-
-  void write_material(std::size_t i) {
-    const desc::Material& material = scene_.materials[i];
-    out_.line("MakeNamedMaterial").quoted(material_names_[i]);
-    std::visit([&](const auto& node) { write_node(node); }, material.node);
-    reference("bumpmap", material.bump);
-  }
-  void type(std::string_view name) { out_.parameter("string type", name); }
-  void remap(bool value) { out_.flag("remaproughness", value); }
-  void write_node(const desc::MatteMaterial& m) {
-    type("matte");
-    reference("Kd", m.kd);
-    reference("sigma", m.sigma);
-  }
-  void write_node(const desc::MirrorMaterial& m) {
-    type("mirror");
-    reference("Kr", m.kr);
-  }
-  void write_node(const desc::GlassMaterial& m) {
-    type("glass");
-    reference("Kr", m.kr);
-    reference("Kt", m.kt);
-    reference("eta", m.eta);
-    reference("uroughness", m.u_roughness);
-    reference("vroughness", m.v_roughness);
-    remap(m.remap_roughness);
-    if (m.thin) out_.flag("thin", true);
-  }
-  void write_node(const desc::MetalMaterial& m) {
-    type("metal");
-    reference("eta", m.eta);
-    reference("k", m.k);
-    reference("uroughness", m.u_roughness);
-    reference("vroughness", m.v_roughness);
-    remap(m.remap_roughness);
-    if (m.model == desc::MicrofacetModel::Beckmann)
-      out_.parameter("string distribution", "beckmann");
-  }
-  void write_node(const desc::PlasticMaterial& m) {
-    type("plastic");
-    reference("Kd", m.kd);
-    reference("Ks", m.ks);
-    reference("roughness", m.roughness);
-    remap(m.remap_roughness);
-  }
-  void write_node(const desc::SubstrateMaterial& m) {
-    type("substrate");
-    reference("Kd", m.kd);
-    reference("Ks", m.ks);
-    reference("uroughness", m.u_roughness);
-    reference("vroughness", m.v_roughness);
-    remap(m.remap_roughness);
-  }
-  void write_node(const desc::UberMaterial& m) {
-    type("uber");
-    reference("Kd", m.kd);
-    reference("Ks", m.ks);
-    reference("Kr", m.kr);
-    reference("Kt", m.kt);
-    reference("uroughness", m.u_roughness);
-    reference("vroughness", m.v_roughness);
-    reference("eta", m.eta);
-    reference("opacity", m.opacity);
-    remap(m.remap_roughness);
-  }
-  void write_node(const desc::TranslucentMaterial& m) {
-    type("translucent");
-    reference("Kd", m.kd);
-    reference("Ks", m.ks);
-    reference("roughness", m.roughness);
-    reference("reflect", m.reflect);
-    reference("transmit", m.transmit);
-    remap(m.remap_roughness);
-  }
-  void write_node(const desc::DisneyMaterial& m) {
-    type("disney");
-    reference("color", m.color);
-    reference("metallic", m.metallic);
-    reference("eta", m.eta);
-    reference("roughness", m.roughness);
-    reference("speculartint", m.specular_tint);
-    reference("anisotropic", m.anisotropic);
-    reference("sheen", m.sheen);
-    reference("sheentint", m.sheen_tint);
-    reference("clearcoat", m.clearcoat);
-    reference("clearcoatgloss", m.clearcoat_gloss);
-    reference("spectrans", m.spec_trans);
-    reference("flatness", m.flatness);
-    reference("difftrans", m.diff_trans);
-    out_.flag("thin", m.thin);
-  }
-  void write_node(const desc::MixMaterial& m) {
-    type("mix");
-    reference("amount", m.amount);
-    out_.parameter("string namedmaterial1", material_names_.at(static_cast<std::size_t>(m.a)));
-    out_.parameter("string namedmaterial2", material_names_.at(static_cast<std::size_t>(m.b)));
-  }
-  void write_node(const desc::InterfaceMaterial&) { type("none"); }
-
   // -------------------------------------------------------------- lights
 
   std::string medium_name(desc::MediumId id) const {
-    return id < 0 ? std::string() : medium_names_.at(static_cast<std::size_t>(id));
+    return id < 0 ? std::string() : context_.medium_names.at(static_cast<std::size_t>(id));
   }
   /// For lights and the camera, which know only the outside.
   void write_media_interface(desc::MediumId outside) {
@@ -426,7 +184,7 @@ class Writer {
     out_.line("AttributeEnd");
   }
   void write_map(const std::string& image) {
-    if (!image.empty()) out_.parameter("string mapname", image_path(image));
+    if (!image.empty()) out_.parameter("string mapname", context_.image_path(image));
   }
   void write_node(const desc::PointLight& l) { out_.quoted("point").rgb("I", l.intensity); }
   void write_node(const desc::SpotLight& l) {
@@ -459,10 +217,10 @@ class Writer {
     if (shape.reverse_orientation) out_.line("ReverseOrientation");
     if (shape.material >= 0)
       out_.line("NamedMaterial")
-          .quoted(material_names_.at(static_cast<std::size_t>(shape.material)));
+          .quoted(context_.material_names.at(static_cast<std::size_t>(shape.material)));
     if (shape.light) {
       out_.line("AreaLightSource").quoted("diffuse");
-      if (shape.light->texture >= 0) reference("L", shape.light->texture);
+      if (shape.light->texture >= 0) context_.reference("L", shape.light->texture);
       out_.rgb(shape.light->texture >= 0 ? "scale" : "L", shape.light->radiance);
       out_.flag("twosided", shape.light->two_sided);
     }
@@ -477,8 +235,8 @@ class Writer {
 
   TextWriter& begin_shape(const desc::Shape& shape, std::string_view shape_type) {
     out_.line("Shape").quoted(shape_type);
-    reference("alpha", shape.alpha);
-    reference("shadowalpha", shape.shadow_alpha);
+    context_.reference("alpha", shape.alpha);
+    context_.reference("shadowalpha", shape.shadow_alpha);
     return out_;
   }
 
@@ -552,27 +310,46 @@ class Writer {
     begin_shape(shape, "loopsubdiv").parameter("integer levels", s->levels);
     out_.vectors("integer indices", s->control.indices).vectors("point P", s->control.positions);
   }
+  /// True if every segment begins where the one before ends, which is what one pbrt curve can say.
+  static bool is_chain(const desc::Curve& curve) {
+    for (std::size_t i = 4; i < curve.control_points.size(); i += 4) {
+      if (curve.control_points[i] != curve.control_points[i - 1]) return false;
+      if (!curve.normals.empty() && curve.normals[i] != curve.normals[i - 1]) return false;
+    }
+    return true;
+  }
+
   void write_geometry(const desc::Shape& shape, const std::shared_ptr<const desc::Curve>& s) {
+    const std::size_t segments = s->control_points.size() / 4;
+    if (is_chain(*s)) {
+      write_segments(shape, *s, 0, segments);
+    } else {
+      for (std::size_t i = 0; i < segments; ++i) write_segments(shape, *s, i, i + 1);
+    }
+  }
+  void write_segments(const desc::Shape& shape, const desc::Curve& curve, std::size_t begin,
+                      std::size_t end) {
     static constexpr const char* kTypes[] = {"flat", "cylinder", "ribbon"};
     // Segments share their ends: each but the first is written without its first point.
     std::vector<Vec3> points, normals;
-    for (std::size_t i = 0; i < s->control_points.size(); ++i) {
-      if (i % 4 != 0 || i == 0) points.push_back(s->control_points[i]);
-      if (!s->normals.empty() && (i == 0 || i % 4 == 3)) normals.push_back(s->normals[i]);
+    for (std::size_t i = 4 * begin; i < 4 * end; ++i) {
+      if (i % 4 != 0 || i == 4 * begin) points.push_back(curve.control_points[i]);
+      if (!curve.normals.empty() && (i == 4 * begin || i % 4 == 3))
+        normals.push_back(curve.normals[i]);
     }
-    begin_shape(shape, "curve").parameter("string type", kTypes[static_cast<int>(s->type)]);
-    out_.parameter("float width0", s->widths.front()).parameter("float width1", s->widths.back());
+    begin_shape(shape, "curve").parameter("string type", kTypes[static_cast<int>(curve.type)]);
+    out_.parameter("float width0", curve.widths[4 * begin])
+        .parameter("float width1", curve.widths[4 * end - 1]);
     out_.vectors("point P", points);
     if (!normals.empty()) out_.vectors("normal N", normals);
   }
 
+  pbrt::WriterContext context_;
   const desc::SceneDesc& scene_;
-  fs::path path_;
+  const fs::path& path_;
   std::string mesh_folder_;
-  std::vector<pbrt::TextureUse> uses_;
-  std::vector<std::string> texture_names_, material_names_, medium_names_, object_names_;
+  TextWriter& out_;
   std::map<const desc::Mesh*, std::string> mesh_files_;
-  TextWriter out_;
 };
 
 }  // namespace

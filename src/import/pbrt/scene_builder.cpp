@@ -246,6 +246,10 @@ void SceneBuilder::light_source(const SourceLocation& where, const std::string& 
 void SceneBuilder::area_light_source(const SourceLocation& where, const std::string& type,
                                      const ParameterList& parameters) {
   require_world(where, "AreaLightSource");
+  if (type.empty()) {
+    state_.area_light = nullptr;
+    return;
+  }
   state_.area_light = std::make_shared<const desc::AreaLight>(
       make_area_light(context_, textures_, where, type, parameters));
 }

@@ -26,7 +26,7 @@ class Hasher {
       word(value);
     }
     std::uint64_t rest = 0;
-    std::memcpy(&rest, place, size);
+    if (size > 0) std::memcpy(&rest, place, size);
     word(rest);
   }
 

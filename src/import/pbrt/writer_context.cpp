@@ -1,0 +1,25 @@
+#include "import/pbrt/writer_context.h"
+
+namespace ajar::pbrt {
+
+WriterContext::WriterContext(const desc::SceneDesc& described, const std::string& out_path)
+    : scene(described),
+      path(std::filesystem::absolute(out_path).lexically_normal()),
+      texture_uses(pbrt::texture_uses(scene)),
+      texture_names(unique_names(scene.textures, "texture")),
+      material_names(unique_names(scene.materials, "material")),
+      medium_names(unique_names(scene.media, "medium")),
+      object_names(unique_names(scene.objects, "object")) {}
+
+void WriterContext::reference(std::string_view name, desc::TextureId id) {
+  if (id >= 0)
+    out.parameter("texture " + std::string(name), texture_names.at(static_cast<std::size_t>(id)));
+}
+
+std::string WriterContext::image_path(const std::string& image) const {
+  const std::filesystem::path relative =
+      std::filesystem::path(image).lexically_relative(path.parent_path());
+  return relative.empty() ? image : relative.generic_string();
+}
+
+}  // namespace ajar::pbrt

@@ -1,0 +1,33 @@
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "import/pbrt/text_writer.h"
+#include "import/pbrt/writer_names.h"
+#include "scene/desc/scene_desc.h"
+
+namespace ajar::pbrt {
+
+/// What every part of the writer works with.
+struct WriterContext {
+  const desc::SceneDesc& scene;
+  std::filesystem::path path;  ///< of the pbrt file
+  std::vector<TextureUse> texture_uses;
+  std::vector<std::string> texture_names, material_names, medium_names, object_names;
+  TextWriter out;
+
+  WriterContext(const desc::SceneDesc& described, const std::string& out_path);
+
+  /// `"texture name" "…"`, or nothing for none.
+  void reference(std::string_view name, desc::TextureId id);
+  /// Relative to the pbrt file where possible.
+  std::string image_path(const std::string& image) const;
+};
+
+/// Every texture, as float, as spectrum, as both or not at all, as it is used.
+void write_textures(WriterContext& context);
+/// Every material, as a named one.
+void write_materials(WriterContext& context);
+
+}  // namespace ajar::pbrt
