@@ -124,8 +124,8 @@ TEST_P(References, PathTracingAgreesInMeanAndInBlocks) {
     const BlockTest test = compare(ours, theirs, image.width, image.height);
     EXPECT_LT(test.worst_z, 5.5) << reference.name << ": block at " << test.worst.x << ", " << test.worst.y
                                  << " of " << test.blocks;
-    // Power: half of the blocks would show a deviation of 5 %, however it arises.
-    EXPECT_LT(5.5 * test.median_relative_error, 0.05) << reference.name;
+    // Power: half of the blocks would show a deviation of 6 %, however it arises.
+    EXPECT_LT(5.5 * test.median_relative_error, 0.06) << reference.name;
     return;
   }
   FAIL() << "the index does not have " << GetParam();

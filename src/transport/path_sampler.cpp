@@ -100,6 +100,7 @@ void PathSampler::trace_light(SampleSource& source, PathSink& sink) {
                                                         emission->w),
                 emission->w};
   flight.medium = light.medium;
+  flight.reference = emission->point.surface.p;
   flight.throughput = emission->weight / emitter_probability;
   flight.mis = mis_start(settings_.heuristic, position_density,
                          light.discrete_position() ? 0.0 : light_side_coefficient(0));
@@ -152,6 +153,7 @@ void PathSampler::trace_camera(SampleSource& source, const Vec2& raster, PathSin
   Flight flight;
   flight.ray = {emission->origin, emission->w};
   flight.medium = camera.medium;
+  flight.reference = emission->point.surface.p;
   flight.throughput = emission->weight;
   flight.mis = mis_start(settings_.heuristic, emission->position_pdf.value(), 0.0);
   flight.departure = emission->departure_pdf.value();

@@ -48,8 +48,10 @@ PathVertex arrive(const WalkSettings& settings, const Flight& flight, const Segm
     vertex.media = end.hit->media;
     vertex.bsdf = end.hit->material->bsdf(end.hit->point);
   }
+  // Between the vertices themselves, as connections measure it; the ray started a little off the surface.
+  const float distance = flight.from_infinity ? end.distance : length(vertex.p - flight.reference);
   const MisStep step =
-      mis_step(flight, end.segment, end.distance, vertex.cosine(vertex.wo),
+      mis_step(flight, end.segment, distance, vertex.cosine(vertex.wo),
                end.scattered ? end.medium : nullptr, false, class_coefficient);
   vertex.mis = mis_extend(settings.heuristic, flight.mis, step);
   return vertex;
