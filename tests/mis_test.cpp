@@ -169,8 +169,8 @@ AttributeBegin
     "normal N" [0 -1 0  0 -1 0  0 -1 0  0 -1 0]
 AttributeEnd
 Material "matte" "rgb Kd" [0.7 0.6 0.5]
-Shape "trianglemesh" "point P" [-2 0 -2  2 0 -2  2 0 2  -2 0 2] "integer indices" [0 1 2 0 2 3]
-Shape "trianglemesh" "point P" [-2 0 2  2 0 2  2 4 2  -2 4 2] "integer indices" [0 1 2 0 2 3]
+Shape "trianglemesh" "point P" [-2 0 -2  2 0 -2  2 0 2  -2 0 2] "integer indices" [0 2 1 0 3 2]
+Shape "trianglemesh" "point P" [-2 0 2  2 0 2  2 4 2  -2 4 2] "integer indices" [0 2 1 0 3 2]
 )";
 
 const char* const kPinhole = "LookAt 0 1 -4  0 0.8 0  0 1 0\nCamera \"perspective\" \"float fov\" [45]";

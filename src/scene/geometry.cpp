@@ -51,11 +51,8 @@ Geometry::~Geometry() = default;
 
 bool Geometry::intersect(const Ray& ray, GeometryHit& hit) const {
   if (!(ray.t_max > 0.F)) return false;
-  QueryContext context;
-  rtcInitIntersectContext(&context.embree);
-  context.ray = &ray;
-  context.instances = instances_.data();
-  context.first_instance = static_cast<unsigned>(object_base_.front());
+  if (ray_log_ != nullptr) ray_log_->entries.push_back({ray, false});
+  QueryContext context = make_context(ray);
   RTCRayHit rayhit;
   rayhit.ray = embree_ray(ray);
   rayhit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
@@ -90,14 +87,36 @@ bool Geometry::intersect(const Ray& ray, GeometryHit& hit) const {
 
 bool Geometry::occluded(const Ray& ray) const {
   if (!(ray.t_max > 0.F)) return false;
+  if (ray_log_ != nullptr) ray_log_->entries.push_back({ray, true});
+  QueryContext context = make_context(ray);
+  RTCRay query = embree_ray(ray);
+  rtcOccluded1(top_.get(), &context.embree, &query);
+  return query.tfar < 0.F;
+}
+
+void Geometry::replay(const RayLog& log) const {
+  for (const RayLog::Entry& entry : log.entries) {
+    QueryContext context = make_context(entry.ray);
+    if (entry.occlusion) {
+      RTCRay query = embree_ray(entry.ray);
+      rtcOccluded1(top_.get(), &context.embree, &query);
+    } else {
+      RTCRayHit rayhit;
+      rayhit.ray = embree_ray(entry.ray);
+      rayhit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+      rayhit.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+      rtcIntersect1(top_.get(), &context.embree, &rayhit);
+    }
+  }
+}
+
+QueryContext Geometry::make_context(const Ray& ray) const {
   QueryContext context;
   rtcInitIntersectContext(&context.embree);
   context.ray = &ray;
   context.instances = instances_.data();
   context.first_instance = static_cast<unsigned>(object_base_.front());
-  RTCRay query = embree_ray(ray);
-  rtcOccluded1(top_.get(), &context.embree, &query);
-  return query.tfar < 0.F;
+  return context;
 }
 
 std::size_t Geometry::shape_count() const { return shapes_.size(); }

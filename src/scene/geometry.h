@@ -7,6 +7,7 @@
 #include "core/error.h"
 #include "scene/desc/scene_desc.h"
 #include "scene/ray.h"
+#include "scene/ray_log.h"
 #include "scene/scene_counts.h"
 #include "scene/shape/surface_sampler.h"
 #include "scene/surface_point.h"
@@ -18,6 +19,7 @@ struct RTCSceneTy;
 namespace ajar {
 
 struct InstanceRecord;
+struct QueryContext;
 struct ShapeRecord;
 
 /// Where a ray meets the geometry.
@@ -46,6 +48,11 @@ class Geometry {
   /// True if anything lies on `ray`, alpha and shadow alpha textures applied.
   bool occluded(const Ray& ray) const;
 
+  /// From now on every ray is written to `log`, until it is null again. For benchmarks: one thread only.
+  void log_rays(RayLog* log) { ray_log_ = log; }
+  /// Traces the rays of a log again and does nothing with what they hit.
+  void replay(const RayLog& log) const;
+
   /// Flat index of the first shape of an object.
   std::size_t object_base(std::size_t object) const { return object_base_[object]; }
   std::size_t shape_count() const;
@@ -66,6 +73,7 @@ class Geometry {
   };
   using SceneHandle = std::unique_ptr<RTCSceneTy, Release>;
 
+  QueryContext make_context(const Ray& ray) const;
   void prepare_shapes(desc::SceneDesc& description, const TextureList& textures, Warnings& warnings);
   void prepare_instances(const desc::SceneDesc& description, Warnings& warnings);
   SceneHandle commit(std::size_t first, std::size_t count, bool with_instances) const;
@@ -81,6 +89,7 @@ class Geometry {
   SceneHandle top_;
   Box3 bounds_;
   SceneCounts counts_;
+  RayLog* ray_log_ = nullptr;
 };
 
 }  // namespace ajar

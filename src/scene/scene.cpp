@@ -113,6 +113,10 @@ void Scene::build_lights(const desc::SceneDesc& description, Warnings& warnings)
   for (std::size_t i = 0; i < description.shapes.size(); ++i) {
     const desc::Shape& shape = description.shapes[i];
     if (!shape.light || !geometry_->has_shape(i)) continue;
+    if (surfaces_[i].material->is_interface()) {
+      warnings.add(shape.light->where, "a surface without material cannot emit: give it a black matte one");
+      continue;
+    }
     auto sampler = geometry_->make_sampler(i);
     if (!sampler) {
       const bool is_curve = std::holds_alternative<std::shared_ptr<const desc::Curve>>(shape.node);
@@ -122,7 +126,9 @@ void Scene::build_lights(const desc::SceneDesc& description, Warnings& warnings)
     }
     auto light = make_area_light(*shape.light, *sampler, textures_);
     emitters_.push_back(std::move(sampler));
-    if (light) surfaces_[i].light = add(std::move(light));
+    if (!light) continue;
+    light->medium = medium(shape.outside);
+    surfaces_[i].light = add(std::move(light));
   }
 }
 
@@ -137,5 +143,7 @@ std::optional<Hit> Scene::intersect(const Ray& ray) const {
 }
 
 bool Scene::occluded(const Ray& ray) const { return geometry_->occluded(ray); }
+void Scene::log_rays(RayLog* log) { geometry_->log_rays(log); }
+void Scene::replay(const RayLog& log) const { geometry_->replay(log); }
 
 }  // namespace ajar

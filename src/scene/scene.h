@@ -16,6 +16,7 @@
 #include "scene/material/material.h"
 #include "scene/medium/medium.h"
 #include "scene/ray.h"
+#include "scene/ray_log.h"
 #include "scene/scene_counts.h"
 #include "scene/surface_point.h"
 
@@ -61,6 +62,9 @@ class Scene {
   std::optional<Hit> intersect(const Ray& ray) const;
   /// True if anything at all lies between (interfaces too; see `transmittance` of transport for those).
   bool occluded(const Ray& ray) const;
+  /// See Geometry. Not for renders.
+  void log_rays(RayLog* log);
+  void replay(const RayLog& log) const;
   /// True if some material is an interface: then `occluded` alone does not decide about visibility.
   bool has_interfaces() const { return has_interfaces_; }
 
