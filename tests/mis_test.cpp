@@ -211,7 +211,7 @@ std::vector<Case> cases() {
       {"EnvironmentCamera", test::pbrt_scene("LookAt 0 1 -1  0 0.8 0  0 1 0\nCamera \"environment\"", 40, 24, room + metal)},
       {"Fog", test::pbrt_scene("MakeNamedMedium \"fog\" \"string type\" \"homogeneous\" \"rgb sigma_a\" [0.05 0.1 0.1] \"rgb "
                                "sigma_s\" [0.3 0.2 0.4] \"float g\" [0.4]\nMediumInterface \"\" \"fog\"\n" + std::string(kPinhole),
-                               24, 24, "MediumInterface \"\" \"fog\"\n" + room)},
+                               24, 24, "MediumInterface \"fog\" \"fog\"\n" + room)},
       {"MilkBall",
        test::pbrt_scene(std::string("MakeNamedMedium \"milk\" \"string type\" \"homogeneous\" \"rgb sigma_a\" [0.1 0.2 0.3] "
                                     "\"rgb sigma_s\" [3 2 1]\n") + kPinhole,
