@@ -45,7 +45,6 @@ PathSampler::PathSampler(const Scene& scene, const PathSamplerSettings& settings
                    settings.roulette_start},
       light_walk_{TransportMode::Importance, Stream::Light, settings.heuristic,
                   settings.roulette_start} {
-  for (const auto& medium : scene.media()) scattering_media_ |= medium->scatters();
   if (settings.techniques.classes().inner) {
     light_vertices_.resize(static_cast<std::size_t>(std::max(0, settings.max_depth)));
   }
@@ -65,9 +64,7 @@ double PathSampler::camera_side_coefficient(int vertices) const {
 }
 
 SegmentEnd PathSampler::trace(const WalkSettings& walk, const Flight& flight, SampleSource& source) {
-  DistanceUniforms u{0.F, 0.F};
-  if (scattering_media_) u = distance_uniforms(walk, flight.edges, source);
-  return trace_segment(scene_, flight.ray, flight.medium, u, rays_);
+  return trace_segment(scene_, flight.ray, flight.medium, {source, walk.stream, flight.edges}, rays_);
 }
 
 void PathSampler::sample(SampleSource& source, const Vec2& raster, PathSink& sink) {

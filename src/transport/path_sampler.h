@@ -77,7 +77,6 @@ class PathSampler {
   PathSamplerSettings settings_;
   WalkSettings camera_walk_;
   WalkSettings light_walk_;
-  bool scattering_media_ = false;
   double light_tracing_coefficient_ = 0.0;  ///< of technique (s, 1) for the current camera path
   std::vector<PathVertex> light_vertices_;
   std::size_t light_vertex_count_ = 0;

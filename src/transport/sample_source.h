@@ -8,16 +8,16 @@ namespace ajar {
 /// The part of a path a random number belongs to.
 enum class Stream : std::uint8_t { Camera, Light, Connection };
 
-/// The uses of random numbers at one vertex of a path. Each slot is one number; a pair `X, Y` is two.
+/// The uses of random numbers at one vertex of a path. Each slot is one number; a pair `X, Y` is two, the first of them even.
 enum class Slot : std::uint8_t {
   BsdfDirectionX,
   BsdfDirectionY,
-  BsdfLobe,
-  Roulette,
-  LightChoice,
   LightPositionX,
   LightPositionY,
+  BsdfLobe,
+  LightChoice,
   LightPrimitive,
+  Roulette,
   MediumChannel,
   MediumDistance,
   kCount
@@ -40,7 +40,7 @@ class SampleSource {
  public:
   virtual ~SampleSource() = default;
   virtual float get(SampleAddress address) = 0;
-  /// Two numbers that are stratified together: the slot and the one after it.
+  /// Two numbers that are stratified together: an even slot and the one after it.
   virtual Vec2 get_pair(SampleAddress address) = 0;
 };
 

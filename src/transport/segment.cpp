@@ -27,16 +27,21 @@ float Segment::distance_pdf(const Medium* medium) const {
 }
 
 SegmentEnd trace_segment(const Scene& scene, Ray ray, const Medium* medium,
-                         const DistanceUniforms& u, std::uint64_t& rays) {
+                         const DistanceSource& numbers, std::uint64_t& rays) {
   SegmentEnd end;
-  const int lane = std::min(static_cast<int>(u.channel * 3.F), 2);
-  float depth_left = -std::log(1.F - u.distance);  // optical depth in `lane` until the next event
+  int lane = -1;           // to sample distances by; chosen when the first scattering medium is met
+  float depth_left = 0.F;  // optical depth in `lane` until the next event
   float travelled = 0.F;
   for (int i = 0; i < kMaxInterfaces; ++i) {
     ++rays;
     std::optional<Hit> hit = scene.intersect(ray);
     const float distance = hit ? hit->t : std::numeric_limits<float>::infinity();
     if (medium != nullptr && medium->scatters()) {
+      if (lane < 0) {
+        const DistanceUniforms u = numbers.get();
+        lane = std::min(static_cast<int>(u.channel * 3.F), 2);
+        depth_left = -std::log(1.F - u.distance);
+      }
       const float sigma_t = medium->sigma_t()[lane];
       const float scatter_distance =
           sigma_t > 0.F ? depth_left / sigma_t : std::numeric_limits<float>::infinity();

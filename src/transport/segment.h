@@ -2,6 +2,7 @@
 #include <optional>
 
 #include "scene/scene.h"
+#include "transport/sample_source.h"
 
 namespace ajar {
 
@@ -31,11 +32,26 @@ struct DistanceUniforms {
   float channel;
   float distance;
 };
+/// Where a segment gets its numbers if it crosses a scattering medium; most do not.
+class DistanceSource {
+ public:
+  DistanceSource(SampleSource& source, Stream stream, int vertex)
+      : source_(source), stream_(stream), vertex_(static_cast<std::uint16_t>(vertex)) {}
+  DistanceUniforms get() const {
+    return {source_.get({stream_, vertex_, Slot::MediumChannel}),
+            source_.get({stream_, vertex_, Slot::MediumDistance})};
+  }
+
+ private:
+  SampleSource& source_;
+  Stream stream_;
+  std::uint16_t vertex_;
+};
 
 /// Follows a ray that starts in `medium`, straight through interface materials, to the next scattering event: a surface, or a
 /// point in a scattering medium whose distance is sampled. The lane to sample by is chosen uniformly and all lanes count in
 /// the density (single-sample MIS). `rays` is increased by the number of rays traced.
-SegmentEnd trace_segment(const Scene& scene, Ray ray, const Medium* medium, const DistanceUniforms& u,
+SegmentEnd trace_segment(const Scene& scene, Ray ray, const Medium* medium, const DistanceSource& numbers,
                          std::uint64_t& rays);
 
 /// The segment between two mutually visible points; empty if a surface that is not an interface lies between.

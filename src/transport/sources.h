@@ -1,4 +1,6 @@
 #pragma once
+#include <array>
+
 #include "core/random.h"
 #include "core/sobol.h"
 #include "transport/sample_source.h"
@@ -14,31 +16,51 @@ struct SampleIdentity {
   std::uint32_t light_index;   ///< within the image
 };
 
-inline std::uint64_t address_key(SampleAddress address) {
+inline std::uint64_t vertex_key(SampleAddress address) {
   return static_cast<std::uint64_t>(address.stream) << 32U |
-         static_cast<std::uint64_t>(address.vertex) << 8U | static_cast<std::uint64_t>(address.slot);
+         static_cast<std::uint64_t>(address.vertex) << 8U;
 }
 
-/// Owen-scrambled Sobol' points, one independently scrambled and shuffled set per address ("padding").
+/// Owen-scrambled Sobol' points: each pair of slots of each vertex has its own scrambled and shuffled two-dimensional set
+/// ("padding"). All numbers of a vertex are made at once when the first of them is asked for.
 /// Source: Kollig & Keller 2002; Burley 2020.
 class SobolSource final : public SampleSource {
  public:
   explicit SobolSource(const SampleIdentity& identity) : identity_(identity) {}
+
   float get(SampleAddress address) override {
-    const bool light = address.stream == Stream::Light;
-    return sobol_1d(light ? identity_.light_index : identity_.camera_index, seed(address, light));
+    const Vec2& pair = fetch(address);
+    return (static_cast<unsigned>(address.slot) & 1U) == 0 ? pair.x : pair.y;
   }
-  Vec2 get_pair(SampleAddress address) override {
-    const bool light = address.stream == Stream::Light;
-    return sobol_2d(light ? identity_.light_index : identity_.camera_index, seed(address, light));
-  }
+  Vec2 get_pair(SampleAddress address) override { return fetch(address); }
 
  private:
-  std::uint32_t seed(SampleAddress address, bool light) const {
-    const std::uint64_t base = light ? identity_.light_seed : identity_.camera_seed;
-    return static_cast<std::uint32_t>(mix_bits(base + address_key(address) * 0x9e3779b97f4a7c15ULL));
+  /// Slots 2k and 2k + 1 share pad k; the batch makes eight pads in the time of a few single ones.
+  static constexpr std::size_t kPads = 8;
+  static_assert(static_cast<std::size_t>(Slot::kCount) <= 2 * kPads);
+  struct Block {
+    std::uint64_t key = ~std::uint64_t{0};
+    std::array<Vec2, kPads> pads;
+  };
+
+  const Vec2& fetch(SampleAddress address) {
+    const bool light = address.stream == Stream::Light;
+    Block& block = blocks_[light ? 1 : 0];
+    const std::uint64_t key = vertex_key(address);
+    if (block.key != key) {
+      const std::uint64_t base = light ? identity_.light_seed : identity_.camera_seed;
+      std::array<std::uint64_t, kPads> seeds;
+      for (std::size_t k = 0; k < kPads; ++k) {
+        seeds[k] = base + (key + k + 1) * 0x9e3779b97f4a7c15ULL;
+      }
+      sobol_2d(light ? identity_.light_index : identity_.camera_index, seeds, block.pads);
+      block.key = key;
+    }
+    return block.pads[static_cast<std::size_t>(address.slot) / 2];
   }
+
   SampleIdentity identity_;
+  std::array<Block, 2> blocks_;
 };
 
 /// Independent uniform numbers: a hash of identity and address.
@@ -59,7 +81,8 @@ class IndependentSource final : public SampleSource {
  private:
   std::uint64_t bits(SampleAddress address) const {
     const std::uint64_t base = address.stream == Stream::Light ? light_ : camera_;
-    return mix_bits(base + address_key(address) * 0x9e3779b97f4a7c15ULL);
+    const std::uint64_t key = vertex_key(address) | static_cast<std::uint64_t>(address.slot);
+    return mix_bits(base + key * 0x9e3779b97f4a7c15ULL);
   }
   std::uint64_t camera_;
   std::uint64_t light_;

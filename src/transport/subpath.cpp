@@ -46,7 +46,7 @@ PathVertex arrive(const WalkSettings& settings, const Flight& flight, const Segm
   } else {
     vertex.p = end.hit->point.p;
     vertex.media = end.hit->media;
-    vertex.bsdf = end.hit->material->bsdf(end.hit->point);
+    end.hit->material->bsdf(end.hit->point, vertex.bsdf);
   }
   // Between the vertices themselves, as connections measure it; the ray started a little off the surface.
   const float distance = flight.from_infinity ? end.distance : length(vertex.p - flight.reference);
@@ -84,11 +84,6 @@ bool scatter(const WalkSettings& settings, const PathVertex& vertex, SampleSourc
   flight.cosine = vertex.cosine(sample->wi);
   flight.scattered_in = vertex.in_medium ? vertex.medium : nullptr;
   return true;
-}
-
-DistanceUniforms distance_uniforms(const WalkSettings& settings, int edges, SampleSource& source) {
-  return {source.get(address(settings, edges, Slot::MediumChannel)),
-          source.get(address(settings, edges, Slot::MediumDistance))};
 }
 
 }  // namespace ajar

@@ -45,7 +45,4 @@ MisStep mis_step(const Flight& flight, const Segment& segment, float distance, f
 /// expectation unchanged: survivors are divided by the probability to survive).
 bool scatter(const WalkSettings& settings, const PathVertex& vertex, SampleSource& source, Flight& flight);
 
-/// Distance numbers of the flight that leaves vertex `edges`.
-DistanceUniforms distance_uniforms(const WalkSettings& settings, int edges, SampleSource& source);
-
 }  // namespace ajar

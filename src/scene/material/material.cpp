@@ -1,10 +1,12 @@
 #include "scene/material/material.h"
 
+#include <memory>
+
 #include "scene/material/bump.h"
 
 namespace ajar {
 
-Bsdf Material::bsdf(const SurfacePoint& at) const {
+void Material::bsdf(const SurfacePoint& at, Bsdf& result) const {
   Vec3 ns = at.ns;
   Vec3 tangent = at.dpdu;
   if (has_bump) {
@@ -12,9 +14,9 @@ Bsdf Material::bsdf(const SurfacePoint& at) const {
     ns = bumped.ns;
     tangent = bumped.dpdu;
   }
-  Bsdf result(needs_tangent ? Frame::around(ns, tangent) : Frame::around(ns), at.ng);
+  // In place: most of a Bsdf is room for lobes that few materials use.
+  std::construct_at(&result, needs_tangent ? Frame::around(ns, tangent) : Frame::around(ns), at.ng);
   add_lobes(at, Spectrum(1.F), result);
-  return result;
 }
 
 }  // namespace ajar

@@ -19,7 +19,12 @@ class Material {
   /// The most lobes that `add_lobes` can append, anywhere.
   virtual int max_lobes() const = 0;
   /// The BSDF at `at`, bump mapping applied.
-  Bsdf bsdf(const SurfacePoint& at) const;
+  void bsdf(const SurfacePoint& at, Bsdf& result) const;
+  Bsdf bsdf(const SurfacePoint& at) const {
+    Bsdf result;
+    bsdf(at, result);
+    return result;
+  }
   /// No surface: rays pass straight through and only the medium changes.
   virtual bool is_interface() const { return false; }
 
