@@ -17,10 +17,10 @@ namespace ajar {
 struct LayerSpec {
   std::string name;
   bool has_replicates = true;  ///< AOVs that need no error bars keep one sum
-  /// Whether sums grow with the number of samples; false for what is added once per pixel (identifiers).
-  bool per_sample = true;
   /// Typical magnitude of a contribution; sets the fixed-point quantum (rounded to a power of two).
   double magnitude = 1.0;
+  /// Whether sums grow with the number of samples; false for what is added once per pixel (identifiers).
+  bool per_sample = true;
 };
 
 /// An image in the making: layers × replicates × pixels × 3 channels, each a 64-bit fixed-point

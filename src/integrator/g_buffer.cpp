@@ -23,8 +23,8 @@ std::vector<LayerSpec> GBuffer::layers(std::span<const std::string> asked_for, f
     const bool identifier = i == kObjectId || i == kMaterialId;
     specs.push_back({.name = name,
                      .has_replicates = false,
-                     .per_sample = !identifier,
-                     .magnitude = metric ? static_cast<double>(scene_size) : 1.0});
+                     .magnitude = metric ? static_cast<double>(scene_size) : 1.0,
+                     .per_sample = !identifier});
   }
   return specs;
 }
