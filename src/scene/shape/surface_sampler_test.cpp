@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include <functional>
+#include <array>
 #include <map>
 #include <string>
 
@@ -184,17 +184,22 @@ TEST(SphereSampler, FarSideHasNoDensity) {
   EXPECT_GT(sampler->pdf_toward({-3.F, 0.F, 0.F}, back).value(), 0.F);
 }
 
-std::shared_ptr<desc::Mesh> fan() {
+using Corners = std::vector<std::array<unsigned, 3>>;
+
+std::shared_ptr<desc::Mesh> mesh_of(const Corners& triangles) {
   auto mesh = std::make_shared<desc::Mesh>();
   mesh->positions = {{0, 0, 0}, {1, 0, 0}, {0, 2, 0}, {0, 0, 3}, {1, 0, 0}, {2, 0, 0}};
-  // The second triangle has no area, nor has the last, whose corners are on one line.
-  mesh->indices = {{0, 1, 2}, {1, 1, 2}, {0, 2, 3}, {0, 4, 5}};
+  for (const auto& t : triangles) mesh->indices.emplace_back(t[0], t[1], t[2]);
   return mesh;
 }
+// Without area: one with two equal corners, and one with all corners on a line.
+constexpr std::array<unsigned, 3> kEqualCorners = {1, 1, 2};
+constexpr std::array<unsigned, 3> kOnALine = {0, 4, 5};
 
 TEST(MeshSampler, ChoosesTrianglesByAreaAndNeverEmptyOnes) {
   Warnings warnings;
-  const TriangleMesh mesh(fan(), *Placement::make(Mat4()), false, {}, warnings);
+  const TriangleMesh mesh(mesh_of({{0, 1, 2}, kEqualCorners, {0, 2, 3}, kOnALine}),
+                          *Placement::make(Mat4()), false, {}, warnings);
   const auto sampler = make_surface_sampler(mesh);
   ASSERT_TRUE(sampler);
   EXPECT_NEAR(sampler->area(), 4.F, 1e-6F);
@@ -213,10 +218,9 @@ TEST(MeshSampler, ChoosesTrianglesByAreaAndNeverEmptyOnes) {
 }
 
 TEST(MeshSampler, MeshWithoutAreaCannotEmit) {
-  auto mesh = fan();
-  mesh->indices = {{1, 1, 2}, {0, 4, 5}};
   Warnings warnings;
-  const TriangleMesh flat(mesh, *Placement::make(Mat4()), false, {}, warnings);
+  const TriangleMesh flat(mesh_of({kEqualCorners, kOnALine}), *Placement::make(Mat4()), false, {},
+                          warnings);
   EXPECT_EQ(make_surface_sampler(flat), nullptr);
 }
 
