@@ -27,8 +27,10 @@ RTCRay embree_ray(const Ray& ray) {
   return result;
 }
 
-/// Embree reported only that and roughly where the quadric is met; this repeats it in double precision.
-void quadric_hit_point(const ShapeRecord& record, const LocalRay& world, float t, SurfacePoint& point) {
+/// Embree reported only that and roughly where the quadric is met; this repeats it in double
+/// precision.
+void quadric_hit_point(const ShapeRecord& record, const LocalRay& world, float t,
+                       SurfacePoint& point) {
   const LocalRay ray = to_shape(world, *record.placement);
   const Quadric::Roots roots = record.quadric->intersect(ray.origin, ray.direction);
   double exact = t;
@@ -77,9 +79,9 @@ bool Geometry::intersect(const Ray& ray, GeometryHit& hit) const {
     quadric_hit_point(record, to_instance(ray, instance), hit.t, hit.point);
   } else {
     const LocalRay local = to_instance(ray, instance);
-    hit.point = record.curve->surface_point(
-        rayhit.hit.primID, rayhit.hit.u, Vec3(local.origin), Vec3(local.direction), hit.t,
-        {rayhit.hit.Ng_x, rayhit.hit.Ng_y, rayhit.hit.Ng_z});
+    hit.point = record.curve->surface_point(rayhit.hit.primID, rayhit.hit.u, Vec3(local.origin),
+                                            Vec3(local.direction), hit.t,
+                                            {rayhit.hit.Ng_x, rayhit.hit.Ng_y, rayhit.hit.Ng_z});
   }
   if (instance != nullptr) place_point(*instance, hit.point);
   return true;
@@ -125,7 +127,8 @@ bool Geometry::has_shape(std::size_t shape) const { return shapes_[shape].presen
 std::unique_ptr<SurfaceSampler> Geometry::make_sampler(std::size_t shape) const {
   const ShapeRecord& record = shapes_[shape];
   if (record.mesh) return make_surface_sampler(*record.mesh);
-  if (record.quadric) return make_surface_sampler(*record.quadric, *record.placement, record.reversed);
+  if (record.quadric)
+    return make_surface_sampler(*record.quadric, *record.placement, record.reversed);
   return nullptr;
 }
 

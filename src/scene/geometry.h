@@ -30,14 +30,15 @@ struct GeometryHit {
   SurfacePoint point;
 };
 
-/// Everything rays can hit, committed to Embree; knows shapes and alpha textures but neither materials nor
-/// lights. Immutable, shared by all threads.
+/// Everything rays can hit, committed to Embree; knows shapes and alpha textures but neither
+/// materials nor lights. Immutable, shared by all threads.
 ///
 /// Shapes have a flat index: those of the description first, then those of object 0, object 1, …
 class Geometry {
  public:
-  /// Takes the shapes out of `description` (their other members stay); the textures must outlive this. Raises
-  /// SceneError for meshes that cannot be used; shapes that cannot be seen are dropped with a warning.
+  /// Takes the shapes out of `description` (their other members stay); the textures must outlive
+  /// this. Raises SceneError for meshes that cannot be used; shapes that cannot be seen are dropped
+  /// with a warning.
   Geometry(desc::SceneDesc& description, const TextureList& textures, Warnings& warnings);
   ~Geometry();
   Geometry(const Geometry&) = delete;
@@ -74,7 +75,8 @@ class Geometry {
   using SceneHandle = std::unique_ptr<RTCSceneTy, Release>;
 
   QueryContext make_context(const Ray& ray) const;
-  void prepare_shapes(desc::SceneDesc& description, const TextureList& textures, Warnings& warnings);
+  void prepare_shapes(desc::SceneDesc& description, const TextureList& textures,
+                      Warnings& warnings);
   void prepare_instances(const desc::SceneDesc& description, Warnings& warnings);
   SceneHandle commit(std::size_t first, std::size_t count, bool with_instances) const;
   void count(std::size_t object_count);

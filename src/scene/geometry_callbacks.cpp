@@ -60,8 +60,9 @@ void filter_curve(const RTCFilterFunctionNArguments* args) {
     return;
   }
   if (!has_cutouts(record, kPurpose)) return;
-  SurfacePoint point = record.curve->surface_point(hit.primID, hit.u, {ray.org_x, ray.org_y, ray.org_z},
-                                                   direction, ray.tfar, {hit.Ng_x, hit.Ng_y, hit.Ng_z});
+  SurfacePoint point =
+      record.curve->surface_point(hit.primID, hit.u, {ray.org_x, ray.org_y, ray.org_z}, direction,
+                                  ray.tfar, {hit.Ng_x, hit.Ng_y, hit.Ng_z});
   const Placement* instance = instance_of(query(args->context), hit.instID[0]);
   if (instance != nullptr) place_point(*instance, point);
   if (is_cut_away(record, point, kPurpose)) args->valid[0] = 0;
@@ -76,9 +77,9 @@ void quadric_bounds(const RTCBoundsFunctionArguments* args) {
   Vec3d world_low(std::numeric_limits<double>::infinity());
   Vec3d world_high(-world_low);
   for (int corner = 0; corner < 8; ++corner) {
-    const Vec3d p = placement.point({(corner & 1) != 0 ? high.x : low.x,
-                                     (corner & 2) != 0 ? high.y : low.y,
-                                     (corner & 4) != 0 ? high.z : low.z});
+    const Vec3d p =
+        placement.point({(corner & 1) != 0 ? high.x : low.x, (corner & 2) != 0 ? high.y : low.y,
+                         (corner & 4) != 0 ? high.z : low.z});
     for (int i = 0; i < 3; ++i) {
       world_low[i] = std::min(world_low[i], p[i]);
       world_high[i] = std::max(world_high[i], p[i]);
@@ -89,7 +90,8 @@ void quadric_bounds(const RTCBoundsFunctionArguments* args) {
     const Vec3d center = placement.point(Vec3d(0.0));
     const Mat4& m = placement.to_world();
     for (int i = 0; i < 3; ++i) {
-      const double half = *radius * std::sqrt(m[0][i] * m[0][i] + m[1][i] * m[1][i] + m[2][i] * m[2][i]);
+      const double half =
+          *radius * std::sqrt(m[0][i] * m[0][i] + m[1][i] * m[1][i] + m[2][i] * m[2][i]);
       world_low[i] = std::max(world_low[i], center[i] - half);
       world_high[i] = std::min(world_high[i], center[i] + half);
     }
@@ -106,8 +108,8 @@ void quadric_bounds(const RTCBoundsFunctionArguments* args) {
 
 /// First root in (near, far] that is not cut away; NaN if there is none.
 template <Purpose kPurpose>
-float first_root(const ShapeRecord& record, const QueryContext& context, unsigned instance_id, float near,
-                 float far) {
+float first_root(const ShapeRecord& record, const QueryContext& context, unsigned instance_id,
+                 float near, float far) {
   const Placement* instance = instance_of(context, instance_id);
   const LocalRay ray = to_shape(to_instance(*context.ray, instance), *record.placement);
   const Quadric::Roots roots = record.quadric->intersect(ray.origin, ray.direction);
@@ -116,8 +118,8 @@ float first_root(const ShapeRecord& record, const QueryContext& context, unsigne
     if (!(t > near && t <= far)) continue;
     if (has_cutouts(record, kPurpose)) {
       const Vec3d p = record.quadric->project(ray.origin + ray.direction * roots.t[i]);
-      SurfacePoint point = quadric_surface_point(*record.quadric, *record.placement, record.reversed,
-                                                 record.quadric->parameters(p));
+      SurfacePoint point = quadric_surface_point(*record.quadric, *record.placement,
+                                                 record.reversed, record.quadric->parameters(p));
       if (instance != nullptr) place_point(*instance, point);
       if (is_cut_away(record, point, kPurpose)) continue;
     }
@@ -145,8 +147,8 @@ void occlude_quadric(const RTCOccludedFunctionNArguments* args) {
   if (args->valid[0] == 0) return;
   const auto& record = *static_cast<const ShapeRecord*>(args->geometryUserPtr);
   auto& ray = *reinterpret_cast<RTCRay*>(args->ray);
-  const float t = first_root<Purpose::Occlude>(record, query(args->context), args->context->instID[0],
-                                               ray.tnear, ray.tfar);
+  const float t = first_root<Purpose::Occlude>(record, query(args->context),
+                                               args->context->instID[0], ray.tnear, ray.tfar);
   if (!std::isnan(t)) ray.tfar = -std::numeric_limits<float>::infinity();
 }
 

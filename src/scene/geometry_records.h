@@ -13,7 +13,8 @@
 /// What lies behind `Geometry`: shared by its building, its queries and Embree's callbacks.
 namespace ajar {
 
-/// One shape in its final place; exactly one of mesh, curve and quadric is set unless it was dropped.
+/// One shape in its final place; exactly one of mesh, curve and quadric is set unless it was
+/// dropped.
 struct ShapeRecord {
   std::unique_ptr<const TriangleMesh> mesh;
   std::unique_ptr<const CurveShape> curve;
@@ -34,8 +35,8 @@ struct InstanceRecord {
   std::size_t object = 0;
 };
 
-/// Embree's context with what callbacks need in addition. The first member must stay first: Embree hands
-/// back its address.
+/// Embree's context with what callbacks need in addition. The first member must stay first: Embree
+/// hands back its address.
 struct QueryContext {
   RTCIntersectContext embree;
   const Ray* ray;
@@ -61,8 +62,8 @@ inline LocalRay to_shape(const LocalRay& ray, const Placement& shape) {
 /// Brings a point of an instanced object into the world.
 void place_point(const Placement& instance, SurfacePoint& point);
 
-/// Registers filters or user callbacks with Embree as far as the shape needs them. The record must stay
-/// where it is.
+/// Registers filters or user callbacks with Embree as far as the shape needs them. The record must
+/// stay where it is.
 void set_callbacks(RTCGeometry geometry, ShapeRecord& record);
 
 }  // namespace ajar

@@ -22,7 +22,8 @@ desc::Shape shape(Node node, const Mat4& to_world = Mat4()) {
   return result;
 }
 desc::Shape mesh_shape(desc::Mesh mesh, const Mat4& to_world = Mat4()) {
-  return shape(std::shared_ptr<const desc::Mesh>(std::make_shared<desc::Mesh>(std::move(mesh))), to_world);
+  return shape(std::shared_ptr<const desc::Mesh>(std::make_shared<desc::Mesh>(std::move(mesh))),
+               to_world);
 }
 
 /// The cube [−1, 1]³, normals outward.
@@ -137,9 +138,10 @@ TEST(Geometry, QuadricsAgreeWithTheirRootsUnderAnyTransform) {
   int hits = 0;
   for (int i = 0; i < 5000; ++i) {
     const Vec3 o = warp::uniform_sphere({rng.next(), rng.next()}) * 6.F + Vec3(3, 1, -2);
-    const Vec3 d = normalize(warp::uniform_sphere({rng.next(), rng.next()}) * 1.5F + Vec3(3, 1, -2) - o);
-    const Quadric::Roots roots =
-        quadric.intersect(placement.point_to_object(Vec3d(o)), placement.vector_to_object(Vec3d(d)));
+    const Vec3 d =
+        normalize(warp::uniform_sphere({rng.next(), rng.next()}) * 1.5F + Vec3(3, 1, -2) - o);
+    const Quadric::Roots roots = quadric.intersect(placement.point_to_object(Vec3d(o)),
+                                                   placement.vector_to_object(Vec3d(d)));
     const auto found = world.hit(o, d);
     const double* end = roots.t + roots.count;
     const double* first = std::find_if(roots.t, end, [](double t) { return t > 0.0; });
@@ -149,14 +151,16 @@ TEST(Geometry, QuadricsAgreeWithTheirRootsUnderAnyTransform) {
     ++hits;
     EXPECT_NEAR(found->t, *first, 1e-5);
     EXPECT_LT((Vec3d(found->point.p) - (Vec3d(o) + Vec3d(d) * *first)).length(), 1e-5);
-    EXPECT_NEAR(abs_dot(found->point.ng, normalize(cross(found->point.dpdu, found->point.dpdv))), 1.F, 1e-4F);
+    EXPECT_NEAR(abs_dot(found->point.ng, normalize(cross(found->point.dpdu, found->point.dpdv))),
+                1.F, 1e-4F);
   }
   EXPECT_GT(hits, 1000);
 }
 
 // ---------------------------------------------------------------- leaving surfaces
 
-/// Directions on the side of `n`, by the same rounded product that decides about the offset; grazing ones included.
+/// Directions on the side of `n`, by the same rounded product that decides about the offset;
+/// grazing ones included.
 Vec3 direction_on_side(Rng& rng, const Vec3& n, float grazing_share) {
   while (true) {
     Vec3 d = face_forward(warp::uniform_sphere({rng.next(), rng.next()}), n);
@@ -171,7 +175,8 @@ void expect_no_self_hits(const World& world, const Vec3& center, float radius, i
   int tested = 0;
   for (int i = 0; i < count; ++i) {
     const Vec3 o = center + warp::uniform_sphere({rng.next(), rng.next()}) * (3.F * radius);
-    const Vec3 target = center + warp::uniform_sphere({rng.next(), rng.next()}) * (radius * rng.next());
+    const Vec3 target =
+        center + warp::uniform_sphere({rng.next(), rng.next()}) * (radius * rng.next());
     const auto found = world.hit(o, target - o);
     if (!found) continue;
     ++tested;
@@ -186,9 +191,10 @@ void expect_no_self_hits(const World& world, const Vec3& center, float radius, i
 TEST(SelfIntersection, SpheresOfAllScales) {
   for (const double size : {1e-2, 1.0, 1e4}) {
     for (const double away : {0.0, 3.0, 1e3}) {
-      const Mat4 m = scaling(size, size, size) * translation(away * size, -2 * away * size, 0.5 * away * size);
-      expect_no_self_hits(world_of({shape(desc::Sphere{}, m)}), Vec3(Placement::make(m)->point(Vec3d(0.0))),
-                          static_cast<float>(size));
+      const Mat4 m =
+          scaling(size, size, size) * translation(away * size, -2 * away * size, 0.5 * away * size);
+      expect_no_self_hits(world_of({shape(desc::Sphere{}, m)}),
+                          Vec3(Placement::make(m)->point(Vec3d(0.0))), static_cast<float>(size));
     }
   }
 }
@@ -202,7 +208,8 @@ TEST(SelfIntersection, TiltedSquaresOfAllSizesAndPlaces) {
   for (const float size : {0.1F, 10.F, 1e5F}) {
     for (const float away : {0.F, 2.F, 1e5F}) {
       const Mat4 m = rotation({0.3, 1, 0.2}, 0.9) * translation(away, -0.3 * away, 0.7 * away);
-      expect_no_self_hits(world_of({mesh_shape(square(size), m)}), {away, -0.3F * away, 0.7F * away}, size);
+      expect_no_self_hits(world_of({mesh_shape(square(size), m)}),
+                          {away, -0.3F * away, 0.7F * away}, size);
     }
   }
 }
@@ -225,8 +232,9 @@ TEST(SelfIntersection, InstancesFarAway) {
   expect_no_self_hits(world, {-2000, 0.5F, -1000}, 1.F);
 }
 
-/// Light bouncing inside a closed box never gets out. (Rays nearly parallel to an edge and within 10⁻⁶ of it can
-/// slip between Embree's roundings of its two faces; no offset prevents that, so they are not provoked here.)
+/// Light bouncing inside a closed box never gets out. (Rays nearly parallel to an edge and within
+/// 10⁻⁶ of it can slip between Embree's roundings of its two faces; no offset prevents that, so
+/// they are not provoked here.)
 void expect_no_leaks(const Mat4& m) {
   const World world = world_of({mesh_shape(cube(), m)});
   const Placement placement = *Placement::make(m);
@@ -260,14 +268,16 @@ TEST(Instances, PlacePointsAndNormalsAsBakedShapesDo) {
   }
   desc::SceneDesc instanced;
   instanced.objects.push_back({"thing", {}, {}});
-  instanced.objects[0].shapes.push_back(shape(desc::Sphere{0.5F, -0.5F, 0.5F, 360}, translation(0, 0, 4)));
+  instanced.objects[0].shapes.push_back(
+      shape(desc::Sphere{0.5F, -0.5F, 0.5F, 360}, translation(0, 0, 4)));
   instanced.objects[0].shapes.push_back(mesh_shape(mesh));
   instanced.shapes.push_back(shape(desc::Sphere{}, translation(100, 0, 0)));
   instanced.instances.push_back({0, Mat4() * translation(0, 50, 0), {}});
   instanced.instances.push_back({0, placed, {}});
   const World world(std::move(instanced));
-  const World baked = world_of({shape(desc::Sphere{0.5F, -0.5F, 0.5F, 360}, translation(0, 0, 4) * placed),
-                                mesh_shape(mesh, placed)});
+  const World baked =
+      world_of({shape(desc::Sphere{0.5F, -0.5F, 0.5F, 360}, translation(0, 0, 4) * placed),
+                mesh_shape(mesh, placed)});
   EXPECT_EQ(world.geometry->counts().triangles, 12U);
   EXPECT_EQ(world.geometry->counts().instanced_triangles, 24U);
   EXPECT_EQ(world.geometry->counts().instances, 2U);
@@ -401,7 +411,8 @@ TEST(Curves, AreMetAtTheirWidthWithNormalsAndCoordinates) {
     ASSERT_TRUE(middle) << static_cast<int>(type);
     EXPECT_FALSE(world.hit({0, 0.12F, 3}, {0, 0, -1}));
     EXPECT_NEAR(middle->point.uv.x, 0.5F, 1e-2F);
-    EXPECT_NEAR(std::abs(middle->point.uv.y - 0.5F), type == desc::Curve::Type::Ribbon ? 0.3125F : 0.25F, 0.02F);
+    EXPECT_NEAR(std::abs(middle->point.uv.y - 0.5F),
+                type == desc::Curve::Type::Ribbon ? 0.3125F : 0.25F, 0.02F);
     EXPECT_NEAR(length(middle->point.ng), 1.F, 1e-5F);
     EXPECT_NEAR(dot(middle->point.ng, Vec3(1, 0, 0)), 0.F, 1e-2F);
     EXPECT_GT(middle->point.ng.z, 0.5F);
@@ -430,7 +441,8 @@ TEST(Curves, CountsThatDoNotFitAreAnError) {
 // ---------------------------------------------------------------- faulty input
 
 TEST(FaultyShapes, SingularTransformsAreDroppedWithAWarning) {
-  const World world = world_of({mesh_shape(cube(), scaling(1, 0, 1)), shape(desc::Sphere{0, 0, 0, 360})});
+  const World world =
+      world_of({mesh_shape(cube(), scaling(1, 0, 1)), shape(desc::Sphere{0, 0, 0, 360})});
   EXPECT_FALSE(world.geometry->has_shape(0));
   EXPECT_FALSE(world.geometry->has_shape(1));
   EXPECT_EQ(world.warnings.count(), 2U);

@@ -24,9 +24,9 @@ BoundingSphere sphere_around(const Box3& box) {
 std::vector<std::unique_ptr<const Medium>> build_media(const desc::SceneDesc& description) {
   std::vector<std::unique_ptr<const Medium>> media;
   for (const desc::Medium& m : description.media) {
-    media.push_back(std::make_unique<const Medium>(
-        m.name, Spectrum(m.sigma_a.x, m.sigma_a.y, m.sigma_a.z),
-        Spectrum(m.sigma_s.x, m.sigma_s.y, m.sigma_s.z), m.g));
+    media.push_back(
+        std::make_unique<const Medium>(m.name, Spectrum(m.sigma_a.x, m.sigma_a.y, m.sigma_a.z),
+                                       Spectrum(m.sigma_s.x, m.sigma_s.y, m.sigma_s.z), m.g));
   }
   return media;
 }
@@ -80,8 +80,10 @@ void Scene::build_surfaces(const desc::SceneDesc& description, Warnings& warning
     const MediumInterface media{medium(shape.inside), medium(shape.outside),
                                 shape.has_medium_interface};
     const Material& material = *materials_[static_cast<std::size_t>(shape.material)];
-    has_interfaces_ = has_interfaces_ || (material.is_interface() && geometry_->has_shape(surfaces_.size()));
-    surfaces_.push_back({&material, nullptr, shared_interface(media), static_cast<std::uint32_t>(index),
+    has_interfaces_ =
+        has_interfaces_ || (material.is_interface() && geometry_->has_shape(surfaces_.size()));
+    surfaces_.push_back({&material, nullptr, shared_interface(media),
+                         static_cast<std::uint32_t>(index),
                          static_cast<std::uint32_t>(shape.material)});
   };
   surfaces_.reserve(geometry_->shape_count());

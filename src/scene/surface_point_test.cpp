@@ -8,7 +8,8 @@
 namespace ajar {
 namespace {
 
-/// Signed distance of a float point from the plane through `on` with normal `n`, in double precision.
+/// Signed distance of a float point from the plane through `on` with normal `n`, in double
+/// precision.
 double height(const Vec3& p, const Vec3d& on, const Vec3d& n) { return (Vec3d(p) - on).dot(n); }
 
 /// The exact plane passes within rounding of p; worst case over random planes through a true point.
@@ -16,7 +17,8 @@ void expect_offset_clears_plane(double scale) {
   Rng rng(7);
   for (int i = 0; i < 20000; ++i) {
     const Vec3 n = warp::uniform_sphere({rng.next(), rng.next()});
-    const Vec3d exact(scale * (2.0 * rng.next() - 1.0), scale * 1e-3 * rng.next(), scale * rng.next());
+    const Vec3d exact(scale * (2.0 * rng.next() - 1.0), scale * 1e-3 * rng.next(),
+                      scale * rng.next());
     const Vec3 p(exact);
     const Vec3 above = offset_ray_origin(p, n, n);
     const Vec3 below = offset_ray_origin(p, n, -n);

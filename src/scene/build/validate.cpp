@@ -19,7 +19,8 @@ void check_shape(const desc::SceneDesc& scene, const desc::Shape& shape) {
   check(shape.shadow_alpha, scene.textures.size(), "texture", shape.where);
   check(shape.inside, scene.media.size(), "medium", shape.where);
   check(shape.outside, scene.media.size(), "medium", shape.where);
-  if (shape.light) check(shape.light->texture, scene.textures.size(), "texture", shape.light->where);
+  if (shape.light)
+    check(shape.light->texture, scene.textures.size(), "texture", shape.light->where);
 }
 
 void for_each_shape(desc::SceneDesc& scene, const std::function<void(desc::Shape&)>& visit) {

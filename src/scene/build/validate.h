@@ -3,8 +3,8 @@
 
 namespace ajar {
 
-/// Raises SceneError, with its location, if something refers to a texture, material, medium or object that the
-/// description does not have.
+/// Raises SceneError, with its location, if something refers to a texture, material, medium or
+/// object that the description does not have.
 void validate_references(const desc::SceneDesc& description);
 
 /// Gives shapes without a material the matte gray that pbrt gives them.

@@ -29,14 +29,16 @@ CurveShape::CurveShape(const desc::Curve& curve, const Placement& placement, boo
   }
   if (type_ != Type::Ribbon) return;
   normals_.reserve(count + 1);
-  for (const Vec3& n : curve.normals) normals_.emplace_back(placement.normal(Vec3d(n)).normalized());
+  for (const Vec3& n : curve.normals)
+    normals_.emplace_back(placement.normal(Vec3d(n)).normalized());
 }
 
 CurveShape::Sample CurveShape::sample(std::uint32_t segment, double u) const {
   const std::array<float, 4>* c = vertices_.data() + first_vertex_[segment];
   const double w = 1.0 - u;
   const double weights[4] = {w * w * w, 3.0 * w * w * u, 3.0 * w * u * u, u * u * u};
-  const double slopes[4] = {-3.0 * w * w, 3.0 * w * (w - 2.0 * u), 3.0 * u * (2.0 * w - u), 3.0 * u * u};
+  const double slopes[4] = {-3.0 * w * w, 3.0 * w * (w - 2.0 * u), 3.0 * u * (2.0 * w - u),
+                            3.0 * u * u};
   Sample result{Vec3d(0.0), Vec3d(0.0), 0.0};
   for (std::size_t i = 0; i < 4; ++i) {
     const Vec3d p(c[i][0], c[i][1], c[i][2]);
@@ -57,7 +59,8 @@ SurfacePoint CurveShape::surface_point(std::uint32_t segment, float u, const Vec
   const Vec3d d(direction);
   Vec3d p = Vec3d(origin) + d * double{t};
   const double speed = at.tangent.length();
-  const Vec3d along = speed > 0.0 ? at.tangent / speed : Vec3d(Frame::around(direction.normalized()).x);
+  const Vec3d along =
+      speed > 0.0 ? at.tangent / speed : Vec3d(Frame::around(direction.normalized()).x);
   Vec3d side = d.cross(along);
   const double side_length = side.length();
   side = side_length > 0.0 ? side / side_length : Vec3d(Frame::around(Vec3(along)).x);

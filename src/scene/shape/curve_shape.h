@@ -14,8 +14,8 @@ namespace ajar {
 class CurveShape {
  public:
   using Type = desc::Curve::Type;
-  /// Raises SceneError for counts that do not fit and values that are not finite. Widths are scaled by the
-  /// mean scale of the transform.
+  /// Raises SceneError for counts that do not fit and values that are not finite. Widths are scaled
+  /// by the mean scale of the transform.
   CurveShape(const desc::Curve& curve, const Placement& placement, bool reversed,
              const SourceLocation& where);
 
@@ -28,12 +28,13 @@ class CurveShape {
   /// Ribbons only: one per vertex; one more may be read.
   const Vec3* normals() const { return normals_.data(); }
 
-  /// Where a ray meets a segment at curve parameter `u` and distance `t`; `ng` is Embree's normal. u runs along
-  /// the segment, v across it from 0 to 1. Flat curves face the ray.
-  SurfacePoint surface_point(std::uint32_t segment, float u, const Vec3& origin, const Vec3& direction,
-                             float t, const Vec3& ng) const;
-  /// Hits nearer than this are the curve itself: where a ray leaves a curve, that curve is not a surface with
-  /// two sides, but turns with the ray (flat) or is met with Newton's tolerance (others).
+  /// Where a ray meets a segment at curve parameter `u` and distance `t`; `ng` is Embree's normal.
+  /// u runs along the segment, v across it from 0 to 1. Flat curves face the ray.
+  SurfacePoint surface_point(std::uint32_t segment, float u, const Vec3& origin,
+                             const Vec3& direction, float t, const Vec3& ng) const;
+  /// Hits nearer than this are the curve itself: where a ray leaves a curve, that curve is not a
+  /// surface with two sides, but turns with the ray (flat) or is met with Newton's tolerance
+  /// (others).
   float self_distance(std::uint32_t segment, float u) const;
 
  private:

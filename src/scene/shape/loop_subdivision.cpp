@@ -35,7 +35,8 @@ class ControlMesh {
   int origin(int h) const { return corners_[at(h)]; }
   bool on_boundary(int vertex) const { return opposite_[at(outgoing_[at(vertex)])] == kNoEdge; }
 
-  /// The half edge that starts the fan around its origin: clockwise of it there is nothing (or all of it).
+  /// The half edge that starts the fan around its origin: clockwise of it there is nothing (or all
+  /// of it).
   int first_in_ring(int start) const {
     if (start == kNoEdge) return kNoEdge;
     int h = start;
@@ -61,7 +62,8 @@ class ControlMesh {
   Vec3d weighted(int vertex, const std::vector<int>& neighbours, double weight) const {
     Vec3d sum(0.0);
     for (const int i : neighbours) sum += points_[at(i)];
-    return points_[at(vertex)] * (1.0 - static_cast<double>(neighbours.size()) * weight) + sum * weight;
+    return points_[at(vertex)] * (1.0 - static_cast<double>(neighbours.size()) * weight) +
+           sum * weight;
   }
   Vec3d weighted_boundary(int vertex, const std::vector<int>& neighbours, double weight) const {
     return points_[at(vertex)] * (1.0 - 2.0 * weight) +
@@ -108,7 +110,8 @@ ControlMesh ControlMesh::refined() const {
                                                  points_[at(origin(previous_in_face(across)))]) *
                                                     (1.0 / 8.0));
   }
-  // Face f becomes the corner faces 4f + k = (v_k, m_k, m_{k+2}) and the centre 4f + 3 = (m_0, m_1, m_2).
+  // Face f becomes the corner faces 4f + k = (v_k, m_k, m_{k+2}) and the centre 4f + 3 = (m_0, m_1,
+  // m_2).
   std::vector<int> corners(4 * corners_.size());
   std::vector<int> opposite(4 * corners_.size());
   for (int f = 0; f < faces; ++f) {
@@ -183,7 +186,8 @@ desc::Mesh ControlMesh::limit() const {
     mesh.normals.emplace_back(limit_normal(v, neighbours).normalized());
   }
   for (std::size_t i = 0; i < corners_.size(); i += 3) {
-    mesh.indices.emplace_back(static_cast<unsigned>(corners_[i]), static_cast<unsigned>(corners_[i + 1]),
+    mesh.indices.emplace_back(static_cast<unsigned>(corners_[i]),
+                              static_cast<unsigned>(corners_[i + 1]),
                               static_cast<unsigned>(corners_[i + 2]));
   }
   return mesh;

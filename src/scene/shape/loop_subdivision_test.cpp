@@ -35,7 +35,8 @@ desc::LoopSubdivision square(int levels) {
 
 Vec3 face_normal(const desc::Mesh& mesh, std::size_t i) {
   const auto& t = mesh.indices[i];
-  return cross(mesh.positions[t.y] - mesh.positions[t.x], mesh.positions[t.z] - mesh.positions[t.x]);
+  return cross(mesh.positions[t.y] - mesh.positions[t.x],
+               mesh.positions[t.z] - mesh.positions[t.x]);
 }
 
 TEST(LoopSubdivision, KeepsTheEulerCharacteristic) {

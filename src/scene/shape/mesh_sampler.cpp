@@ -25,7 +25,8 @@ class MeshSampler final : public SurfaceSampler {
   Pdf<Area> pdf(const SurfacePoint& point) const override { return density(point.primitive); }
 
  private:
-  /// The probability is that of the table, rounded as it is, so that sampling and density agree exactly.
+  /// The probability is that of the table, rounded as it is, so that sampling and density agree
+  /// exactly.
   Pdf<Area> density(std::uint32_t triangle) const {
     const float probability = by_area_.probability(triangle);
     if (!(probability > 0.F)) return {};

@@ -9,7 +9,8 @@ namespace ajar {
 namespace {
 
 constexpr double kPiD = 3.14159265358979323846;
-/// Where the surface meets its axis derivatives vanish; they are taken at this fraction of its radius.
+/// Where the surface meets its axis derivatives vanish; they are taken at this fraction of its
+/// radius.
 constexpr double kPole = 1e-5;
 
 double radians(double degrees) { return degrees * (kPiD / 180.0); }
@@ -78,7 +79,8 @@ std::optional<Quadric> Quadric::make(const desc::Paraboloid& paraboloid) {
 
 std::optional<Quadric> Quadric::make(const desc::Hyperboloid& hyperboloid) {
   // pbrt swaps the ends in this case, which turns the normal around.
-  if (hyperboloid.p2.z == 0.F) return make_ruled(hyperboloid.p2, hyperboloid.p1, hyperboloid.phi_max);
+  if (hyperboloid.p2.z == 0.F)
+    return make_ruled(hyperboloid.p2, hyperboloid.p1, hyperboloid.phi_max);
   return make_ruled(hyperboloid.p1, hyperboloid.p2, hyperboloid.phi_max);
 }
 
@@ -152,8 +154,8 @@ bool Quadric::in_range(const Vec3d& p) const {
 }
 
 Quadric::Roots Quadric::intersect(const Vec3d& origin, const Vec3d& direction) const {
-  // Solved around the ray's closest approach to the origin of object space: from far away the squares below
-  // would cancel.
+  // Solved around the ray's closest approach to the origin of object space: from far away the
+  // squares below would cancel.
   const double shift = -origin.dot(direction) / direction.dot(direction);
   if (!std::isfinite(shift)) return {};
   const Vec3d o = origin + direction * shift;
@@ -354,7 +356,7 @@ double Quadric::uniform_v(double x) const {
 }
 
 void Quadric::bounds(Vec3d& low, Vec3d& high) const {
-    const double z1 = kind_ == Kind::Ruled ? std::min(p1_.z, p1_.z + edge_.z) : z_min_;
+  const double z1 = kind_ == Kind::Ruled ? std::min(p1_.z, p1_.z + edge_.z) : z_min_;
   const double z2 = kind_ == Kind::Ruled ? std::max(p1_.z, p1_.z + edge_.z) : z_max_;
   low = Vec3d(-radius_, -radius_, z1);
   high = Vec3d(radius_, radius_, z2);
@@ -365,8 +367,8 @@ std::optional<double> Quadric::full_sphere_radius() const {
   return full ? std::optional(radius_) : std::nullopt;
 }
 
-SurfacePoint quadric_surface_point(const Quadric& quadric, const Placement& placement, bool reversed,
-                                   const Imath::V2d& uv) {
+SurfacePoint quadric_surface_point(const Quadric& quadric, const Placement& placement,
+                                   bool reversed, const Imath::V2d& uv) {
   const Quadric::Point local = quadric.at(uv);
   const double sign = reversed ? -1.0 : 1.0;
   const Vec3d normal = placement.normal(local.n);

@@ -35,7 +35,8 @@ class Quadric {
 
   /// `direction` need not be a unit vector; roots of either sign, on the existing part only.
   Roots intersect(const Vec3d& origin, const Vec3d& direction) const;
-  /// The nearest point on the surface to a point close to it (moved along the radius or axis), and its (u, v).
+  /// The nearest point on the surface to a point close to it (moved along the radius or axis), and
+  /// its (u, v).
   Vec3d project(const Vec3d& p) const;
   /// Parameters of a point on the surface; u may exceed 1 where a part is cut away.
   Imath::V2d parameters(const Vec3d& p) const;
@@ -77,7 +78,7 @@ class Quadric {
 };
 
 /// The point with parameters `uv` of a quadric in the world. `reversed` turns the normal around.
-SurfacePoint quadric_surface_point(const Quadric& quadric, const Placement& placement, bool reversed,
-                                   const Imath::V2d& uv);
+SurfacePoint quadric_surface_point(const Quadric& quadric, const Placement& placement,
+                                   bool reversed, const Imath::V2d& uv);
 
 }  // namespace ajar

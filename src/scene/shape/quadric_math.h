@@ -7,7 +7,8 @@
 
 namespace ajar {
 
-/// Real roots of a t² + 2 b t + c = 0 in ascending order; their number is returned. Stable when b² ≫ ac.
+/// Real roots of a t² + 2 b t + c = 0 in ascending order; their number is returned. Stable when b²
+/// ≫ ac.
 inline int solve_quadratic(double a, double b, double c, double t[2]) {
   const double discriminant = b * b - a * c;
   if (!(discriminant >= 0.0)) return 0;
@@ -38,8 +39,8 @@ inline double integral_of_sqrt_quadratic(double a, double b, double c, double x)
   return primitive(x) - primitive(0.0);
 }
 
-/// Derivatives of the unit normal from first and second derivatives of the position (Weingarten equations).
-/// Zero where the parameterisation is singular. Source: pbrt-v3, section 3.2.6.
+/// Derivatives of the unit normal from first and second derivatives of the position (Weingarten
+/// equations). Zero where the parameterisation is singular. Source: pbrt-v3, section 3.2.6.
 inline void weingarten(const Vec3d& dpdu, const Vec3d& dpdv, const Vec3d& n, const Vec3d& d2uu,
                        const Vec3d& d2uv, const Vec3d& d2vv, Vec3d& dndu, Vec3d& dndv) {
   const double first_uu = dpdu.dot(dpdu);

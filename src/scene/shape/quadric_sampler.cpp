@@ -10,7 +10,10 @@ namespace {
 class QuadricSampler final : public SurfaceSampler {
  public:
   QuadricSampler(const Quadric& quadric, const Placement& placement, bool reversed)
-      : quadric_(quadric), placement_(placement), reversed_(reversed), object_area_(quadric.area()) {
+      : quadric_(quadric),
+        placement_(placement),
+        reversed_(reversed),
+        object_area_(quadric.area()) {
     if (const auto scale = placement.similarity_scale()) stretch_ = *scale * *scale;
     if (quadric.is_disk()) stretch_ = placement.area_stretch({0.0, 0.0, 1.0});
     area_ = stretch_ > 0.0 ? object_area_ * stretch_ : integrated_area();
@@ -65,9 +68,7 @@ class SphereSampler final : public SurfaceSampler {
         radius_(radius),
         rounding_(0x1p-22 * (std::max({std::abs(center_.x), std::abs(center_.y), std::abs(center_.z)}) + radius)) {}
 
-  float area() const override {
-    return static_cast<float>(4.0 * double{kPi} * radius_ * radius_);
-  }
+  float area() const override { return static_cast<float>(4.0 * double{kPi} * radius_ * radius_); }
   SurfaceSample sample(const SurfaceUniforms& u) const override {
     const Vec3d n(warp::uniform_sphere(u.position));
     return {point_at(n), uniform_pdf()};
@@ -94,8 +95,7 @@ class SphereSampler final : public SurfaceSampler {
     const Vec3d z = to_reference / distance;
     axes_around(z, x, y);
     SurfaceSample result;
-    result.point =
-        point_at((x * std::cos(phi) + y * std::sin(phi)) * sin_alpha + z * cos_alpha);
+    result.point = point_at((x * std::cos(phi) + y * std::sin(phi)) * sin_alpha + z * cos_alpha);
     result.pdf = cone_pdf(reference, distance, result.point);
     return result;
   }
@@ -124,7 +124,8 @@ class SphereSampler final : public SurfaceSampler {
   Pdf<Area> uniform_pdf() const {
     return Pdf<Area>(static_cast<float>(1.0 / (4.0 * double{kPi} * radius_ * radius_)));
   }
-  /// Converted with the same rounded point and normal as users convert back with, so that errors cancel at the rim.
+  /// Converted with the same rounded point and normal as users convert back with, so that errors
+  /// cancel at the rim.
   Pdf<Area> cone_pdf(const Vec3& reference, double distance, const SurfacePoint& point) const {
     const double density = 1.0 / (2.0 * double{kPi} * one_minus_cos_max(distance));
     return to_area(Pdf<SolidAngle>(static_cast<float>(density)), reference, point.p, point.ng);
@@ -149,8 +150,8 @@ class SphereSampler final : public SurfaceSampler {
 
 }  // namespace
 
-std::unique_ptr<SurfaceSampler> make_surface_sampler(const Quadric& quadric, const Placement& placement,
-                                                     bool reversed) {
+std::unique_ptr<SurfaceSampler> make_surface_sampler(const Quadric& quadric,
+                                                     const Placement& placement, bool reversed) {
   const auto radius = quadric.full_sphere_radius();
   const auto scale = placement.similarity_scale();
   if (radius && scale) {

@@ -51,7 +51,8 @@ std::vector<Case> cases() {
   all.push_back({"paraboloid", *Quadric::make(desc::Paraboloid{1.5F, 0.25F, 2, 270}),
                  [](const Vec3d& p) { return (p.x * p.x + p.y * p.y) * 2 / 2.25 - p.z; },
                  [](const Vec3d& p) { return p.z > 0.25 && p.z < 2 && angle(p) < 270; }});
-  all.push_back({"hyperboloid", *Quadric::make(desc::Hyperboloid{{1, -1, -1}, {0.5F, 1.5F, 1}, 360}),
+  all.push_back({"hyperboloid",
+                 *Quadric::make(desc::Hyperboloid{{1, -1, -1}, {0.5F, 1.5F, 1}, 360}),
                  [](const Vec3d& p) {
                    const double v = (p.z + 1) / 2;
                    const double x = 1 - 0.5 * v;
@@ -103,7 +104,8 @@ TEST(Quadric, RootsAgreeWithMarching) {
       // Grazing pairs closer than a marching step are invisible to the oracle.
       if (near.size() == 2 && near[1] - near[0] < 0.02) continue;
       ASSERT_EQ(near.size(), expected.size()) << c.name << " ray " << i;
-      for (std::size_t k = 0; k < near.size(); ++k) ASSERT_NEAR(near[k], expected[k], 1e-9) << c.name;
+      for (std::size_t k = 0; k < near.size(); ++k)
+        ASSERT_NEAR(near[k], expected[k], 1e-9) << c.name;
       with_roots += near.empty() ? 0 : 1;
     }
     EXPECT_GT(with_roots, 40) << c.name;
@@ -155,8 +157,9 @@ TEST(Quadric, DerivativesMatchDifferences) {
 }
 
 TEST(Quadric, PolesHaveNormalsAndTangents) {
-  const std::vector<Quadric> quadrics = {*Quadric::make(desc::Sphere{}), *Quadric::make(desc::Disk{}),
-                                         *Quadric::make(desc::Cone{}), *Quadric::make(desc::Paraboloid{})};
+  const std::vector<Quadric> quadrics = {*Quadric::make(desc::Sphere{}),
+                                         *Quadric::make(desc::Disk{}), *Quadric::make(desc::Cone{}),
+                                         *Quadric::make(desc::Paraboloid{})};
   for (const Quadric& q : quadrics) {
     for (const double v : {0.0, 1.0}) {
       const Quadric::Point at = q.at({0.3, v});

@@ -15,17 +15,20 @@ struct SurfaceSample {
   Pdf<Area> pdf;
 };
 
-/// Samples points on an emitting surface in world space (instanced surfaces do not emit). Immutable.
+/// Samples points on an emitting surface in world space (instanced surfaces do not emit).
+/// Immutable.
 class SurfaceSampler {
  public:
   virtual ~SurfaceSampler() = default;
   virtual float area() const = 0;  ///< m²
-  /// Uniform over the surface.
+  /// Uniform over the surface (of quadrics under transforms that are not similarities: over the
+  /// surface in object space).
   virtual SurfaceSample sample(const SurfaceUniforms& u) const = 0;
   virtual Pdf<Area> pdf(const SurfacePoint& point) const = 0;
-  /// Better suited for light arriving at `reference` (spheres: the visible cone). Empty if the reference
-  /// sees nothing. Default: as `sample`.
-  virtual std::optional<SurfaceSample> sample_toward(const Vec3& reference, const SurfaceUniforms& u) const;
+  /// Better suited for light arriving at `reference` (spheres: the visible cone). Empty if the
+  /// reference sees nothing. Default: as `sample`.
+  virtual std::optional<SurfaceSample> sample_toward(const Vec3& reference,
+                                                     const SurfaceUniforms& u) const;
   virtual Pdf<Area> pdf_toward(const Vec3& reference, const SurfacePoint& point) const;
 };
 

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include <functional>
+#include <array>
 #include <map>
 #include <string>
 
@@ -38,8 +38,9 @@ std::vector<std::pair<std::string, Quadric>> quadrics() {
           {"hyperboloid", *Quadric::make(desc::Hyperboloid{{1, -1, -1}, {0.5F, 1.5F, 1}, 360})}};
 }
 
-/// χ² of samples in cells of (u, v) against the integral of the density over each cell: passes only if the
-/// density is that of the samples and integrates to one. `mass(cell)` integrates numerically.
+/// χ² of samples in cells of (u, v) against the integral of the density over each cell: passes only
+/// if the density is that of the samples and integrates to one. `mass(cell)` integrates
+/// numerically.
 void expect_density_of_samples(const SurfaceSampler& sampler, const Quadric& quadric,
                                const Placement& placement, const std::string& name) {
   constexpr int kCells = 8;
@@ -93,7 +94,8 @@ TEST(QuadricSampler, AreaIsTheMeanOfInverseDensity) {
       Rng rng(5);
       double sum = 0.0;
       constexpr int kSamples = 20000;
-      for (int i = 0; i < kSamples; ++i) sum += 1.0 / double{sampler->sample(next(rng)).pdf.value()};
+      for (int i = 0; i < kSamples; ++i)
+        sum += 1.0 / double{sampler->sample(next(rng)).pdf.value()};
       EXPECT_NEAR(sum / kSamples, sampler->area(), 0.02 * sampler->area()) << name;
     }
   }
@@ -114,7 +116,8 @@ TEST(QuadricSampler, AreasEqualClosedForms) {
 
 class SphereFrom : public testing::TestWithParam<float> {};
 
-/// From outside the directions are uniform within the cone of the sphere: the cosine to the axis is uniform.
+/// From outside the directions are uniform within the cone of the sphere: the cosine to the axis is
+/// uniform.
 TEST_P(SphereFrom, OutsideIsUniformInSolidAngle) {
   const Placement placement = *Placement::make(similarity());
   const Quadric sphere = *Quadric::make(desc::Sphere{});
@@ -135,7 +138,8 @@ TEST_P(SphereFrom, OutsideIsUniformInSolidAngle) {
     ASSERT_TRUE(s);
     const Vec3d d = (Vec3d(s->point.p) - Vec3d(reference));
     const double squared_sine = d.normalized().cross(Vec3d(axis)).length2();
-    const double one_minus_cos = squared_sine / (1.0 + std::sqrt(std::max(0.0, 1.0 - squared_sine)));
+    const double one_minus_cos =
+        squared_sine / (1.0 + std::sqrt(std::max(0.0, 1.0 - squared_sine)));
     const auto bin = static_cast<int>(one_minus_cos / one_minus_cos_max * kBins);
     ++counts[static_cast<std::size_t>(std::clamp(bin, 0, kBins - 1))];
     ASSERT_NEAR((Vec3d(s->point.p) - Vec3d(center)).length(), radius, 2e-6 * radius);
@@ -174,23 +178,28 @@ TEST(SphereSampler, InsideSamplesTheWholeSphere) {
 TEST(SphereSampler, FarSideHasNoDensity) {
   const auto sampler =
       make_surface_sampler(*Quadric::make(desc::Sphere{}), *Placement::make(Mat4()), false);
-  SurfacePoint back = quadric_surface_point(*Quadric::make(desc::Sphere{}), *Placement::make(Mat4()),
-                                            false, {0.5, 0.5});
+  SurfacePoint back = quadric_surface_point(*Quadric::make(desc::Sphere{}),
+                                            *Placement::make(Mat4()), false, {0.5, 0.5});
   EXPECT_EQ(sampler->pdf_toward({3.F, 0.F, 0.F}, back).value(), 0.F);
   EXPECT_GT(sampler->pdf_toward({-3.F, 0.F, 0.F}, back).value(), 0.F);
 }
 
-std::shared_ptr<desc::Mesh> fan() {
+using Corners = std::vector<std::array<unsigned, 3>>;
+
+std::shared_ptr<desc::Mesh> mesh_of(const Corners& triangles) {
   auto mesh = std::make_shared<desc::Mesh>();
   mesh->positions = {{0, 0, 0}, {1, 0, 0}, {0, 2, 0}, {0, 0, 3}, {1, 0, 0}, {2, 0, 0}};
-  // The second triangle has no area, nor has the last, whose corners are on one line.
-  mesh->indices = {{0, 1, 2}, {1, 1, 2}, {0, 2, 3}, {0, 4, 5}};
+  for (const auto& t : triangles) mesh->indices.emplace_back(t[0], t[1], t[2]);
   return mesh;
 }
+// Without area: one with two equal corners, and one with all corners on a line.
+constexpr std::array<unsigned, 3> kEqualCorners = {1, 1, 2};
+constexpr std::array<unsigned, 3> kOnALine = {0, 4, 5};
 
 TEST(MeshSampler, ChoosesTrianglesByAreaAndNeverEmptyOnes) {
   Warnings warnings;
-  const TriangleMesh mesh(fan(), *Placement::make(Mat4()), false, {}, warnings);
+  const TriangleMesh mesh(mesh_of({{0, 1, 2}, kEqualCorners, {0, 2, 3}, kOnALine}),
+                          *Placement::make(Mat4()), false, {}, warnings);
   const auto sampler = make_surface_sampler(mesh);
   ASSERT_TRUE(sampler);
   EXPECT_NEAR(sampler->area(), 4.F, 1e-6F);
@@ -209,10 +218,9 @@ TEST(MeshSampler, ChoosesTrianglesByAreaAndNeverEmptyOnes) {
 }
 
 TEST(MeshSampler, MeshWithoutAreaCannotEmit) {
-  auto mesh = fan();
-  mesh->indices = {{1, 1, 2}, {0, 4, 5}};
   Warnings warnings;
-  const TriangleMesh flat(mesh, *Placement::make(Mat4()), false, {}, warnings);
+  const TriangleMesh flat(mesh_of({kEqualCorners, kOnALine}), *Placement::make(Mat4()), false, {},
+                          warnings);
   EXPECT_EQ(make_surface_sampler(flat), nullptr);
 }
 

@@ -56,8 +56,8 @@ Vec3 interpolate(const Vec3& a, const Vec3& b, const Vec3& c, float b0, float b1
   return a * b0 + b * b1 + c * b2;
 }
 
-/// The point in double precision, rounded once: then its distance to the plane of the triangle is known to be
-/// half an ulp of the point itself, however large the triangle is.
+/// The point in double precision, rounded once: then its distance to the plane of the triangle is
+/// known to be half an ulp of the point itself, however large the triangle is.
 Vec3 exact_point(const Vec3& p0, const Vec3& p1, const Vec3& p2, float b1, float b2) {
   const double u = b1;
   const double v = b2;
@@ -67,8 +67,8 @@ Vec3 exact_point(const Vec3& p0, const Vec3& p1, const Vec3& p2, float b1, float
           static_cast<float>(w * p0.z + u * p1.z + v * p2.z)};
 }
 
-/// Unit normal by the winding; triangles without area (or with edges whose product leaves the range of
-/// floats) are worked out in double precision, and any direction serves if nothing is left.
+/// Unit normal by the winding; triangles without area (or with edges whose product leaves the range
+/// of floats) are worked out in double precision, and any direction serves if nothing is left.
 Vec3 careful_normal(const Vec3& p0, const Vec3& p1, const Vec3& p2) {
   const Vec3d e1 = Vec3d(p1) - Vec3d(p0);
   const Vec3d e2 = Vec3d(p2) - Vec3d(p0);
@@ -80,7 +80,8 @@ Vec3 careful_normal(const Vec3& p0, const Vec3& p1, const Vec3& p2) {
   return Frame::around(Vec3((e1.length() >= e2.length() ? e1 : e2) / along)).x;
 }
 
-/// How far Embree's plane test can be off for a triangle, compared with how far offset_ray_origin moves.
+/// How far Embree's plane test can be off for a triangle, compared with how far offset_ray_origin
+/// moves.
 bool plane_test_is_too_rough(const Vec3& p0, const Vec3& p1, const Vec3& p2) {
   constexpr float kHalfUlp = 0x1p-24F;
   constexpr float kFloor = 0x1p-20F;
@@ -123,8 +124,9 @@ TriangleMesh::TriangleMesh(std::shared_ptr<const desc::Mesh> source, const Place
   const std::size_t vertices = source_->positions.size();
   const auto usable = [&](const auto& attribute, const char* name) {
     if (attribute.empty() || attribute.size() == vertices) return !attribute.empty();
-    warnings.add(where, std::string("the mesh has ") + std::to_string(attribute.size()) + " " + name +
-                            " for " + std::to_string(vertices) + " vertices; they are ignored");
+    warnings.add(where, std::string("the mesh has ") + std::to_string(attribute.size()) + " " +
+                            name + " for " + std::to_string(vertices) +
+                            " vertices; they are ignored");
     return false;
   };
   const bool has_normals = usable(source_->normals, "normals");
@@ -171,7 +173,8 @@ void TriangleMesh::place(const Placement& placement, bool unique) {
       // Scaled here, so that vertices of one triangle keep equal weight in the interpolation.
       const Vec3 n = for_normals.vector(own_normals_[i]);
       const float size = length(n);
-      own_normals_[i] = size > 0.F && std::isfinite(size) ? n * (length(own_normals_[i]) / size) : n;
+      own_normals_[i] =
+          size > 0.F && std::isfinite(size) ? n * (length(own_normals_[i]) / size) : n;
     });
     for_each_index(own_tangents_.size(),
                    [&](std::size_t i) { own_tangents_[i] = to_world.vector(own_tangents_[i]); });
@@ -198,11 +201,11 @@ void TriangleMesh::validate(const SourceLocation& where) {
                                 std::to_string(std::max({t.x, t.y, t.z})) + " of a mesh with " +
                                 std::to_string(vertex_count_) + " vertices");
   }
-  needs_plane_check_ = first_bad(triangle_count_, [this](std::size_t i) {
-                         const Triangle& t = triangles_[i];
-                         return plane_test_is_too_rough(positions_[t.x], positions_[t.y],
-                                                        positions_[t.z]);
-                       }) != kNowhere;
+  needs_plane_check_ =
+      first_bad(triangle_count_, [this](std::size_t i) {
+        const Triangle& t = triangles_[i];
+        return plane_test_is_too_rough(positions_[t.x], positions_[t.y], positions_[t.z]);
+      }) != kNowhere;
 }
 
 void TriangleMesh::texture_point(std::uint32_t triangle, float b1, float b2,
@@ -216,7 +219,14 @@ void TriangleMesh::texture_point(std::uint32_t triangle, float b1, float b2,
 
 void TriangleMesh::surface_point(std::uint32_t triangle, float b1, float b2,
                                  SurfacePoint& point) const {
-  const Triangle& t = triangles_[triangle];
+  const Triangle t = triangles_[triangle];
+  // Large meshes are not in the cache. All that is needed is asked for at once, because the
+  // processor does not look far enough ahead to overlap these misses by itself.
+  for (int k = 0; k < 3; ++k) {
+    __builtin_prefetch(positions_ + t[k]);
+    if (normals_ != nullptr) __builtin_prefetch(normals_ + t[k]);
+    if (uvs_ != nullptr) __builtin_prefetch(uvs_ + t[k]);
+  }
   const Vec3& p0 = positions_[t.x];
   const Vec3& p1 = positions_[t.y];
   const Vec3& p2 = positions_[t.z];
@@ -280,8 +290,7 @@ void TriangleMesh::surface_point(std::uint32_t triangle, float b1, float b2,
   point.ng = ng;
   if (tangents_ != nullptr) {
     // The authored tangent gives the direction, the texture coordinates keep the lengths.
-    const Vec3 tangent =
-        interpolate(tangents_[t.x], tangents_[t.y], tangents_[t.z], b0, b1, b2);
+    const Vec3 tangent = interpolate(tangents_[t.x], tangents_[t.y], tangents_[t.z], b0, b1, b2);
     const Vec3 along = tangent - point.ns * dot(tangent, point.ns);
     const float along_squared = length_squared(along);
     if (along_squared > 1e-12F * length_squared(tangent) && std::isfinite(along_squared)) {

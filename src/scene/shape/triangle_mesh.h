@@ -15,9 +15,10 @@ class TriangleMesh {
  public:
   using Triangle = Imath::Vec3<unsigned>;
 
-  /// Takes over `source` if nobody else holds it (the mesh must not have been created const); otherwise
-  /// only what the transform changes is copied. Raises SceneError, located at `where`, for indices out of
-  /// range and vertices that are not finite; attributes of the wrong number are dropped with a warning.
+  /// Takes over `source` if nobody else holds it (the mesh must not have been created const);
+  /// otherwise only what the transform changes is copied. Raises SceneError, located at `where`,
+  /// for indices out of range and vertices that are not finite; attributes of the wrong number are
+  /// dropped with a warning.
   TriangleMesh(std::shared_ptr<const desc::Mesh> source, const Placement& placement, bool reversed,
                const SourceLocation& where, Warnings& warnings);
 
@@ -27,14 +28,15 @@ class TriangleMesh {
   const Vec3* positions() const { return positions_; }
   const Triangle* triangles() const { return triangles_; }
 
-  /// Point with barycentric coordinates (1 − b1 − b2, b1, b2). Normals as in pbrt-v3: authored normals
-  /// decide on which side `ng` lies, the winding only where there are none.
+  /// Point with barycentric coordinates (1 − b1 − b2, b1, b2). Normals as in pbrt-v3: authored
+  /// normals decide on which side `ng` lies, the winding only where there are none.
   void surface_point(std::uint32_t triangle, float b1, float b2, SurfacePoint& point) const;
   /// Only position and texture coordinates.
   void texture_point(std::uint32_t triangle, float b1, float b2, SurfacePoint& point) const;
   double triangle_area(std::uint32_t triangle) const;
-  /// True if a single-precision plane test of some triangle can err by more than `offset_ray_origin`
-  /// moves points: large triangles that are not parallel to an axis, reaching near the origin.
+  /// True if a single-precision plane test of some triangle can err by more than
+  /// `offset_ray_origin` moves points: large triangles that are not parallel to an axis, reaching
+  /// near the origin.
   bool needs_plane_check() const { return needs_plane_check_; }
   /// Ray parameter of the plane of a triangle in double precision; infinite if parallel.
   double plane_distance(std::uint32_t triangle, const Vec3d& origin, const Vec3d& direction) const;

@@ -10,12 +10,14 @@ namespace {
 // From plain numbers: GCC 12 warns without reason about initialiser lists of Imath's vectors.
 std::vector<Vec3> points(std::initializer_list<float> numbers) {
   std::vector<Vec3> result;
-  for (const float* n = numbers.begin(); n != numbers.end(); n += 3) result.emplace_back(n[0], n[1], n[2]);
+  for (const float* n = numbers.begin(); n != numbers.end(); n += 3)
+    result.emplace_back(n[0], n[1], n[2]);
   return result;
 }
 std::vector<Vec2> coordinates(std::initializer_list<float> numbers) {
   std::vector<Vec2> result;
-  for (const float* n = numbers.begin(); n != numbers.end(); n += 2) result.emplace_back(n[0], n[1]);
+  for (const float* n = numbers.begin(); n != numbers.end(); n += 2)
+    result.emplace_back(n[0], n[1]);
   return result;
 }
 

@@ -7,7 +7,8 @@ namespace {
 std::vector<std::string> image_paths(const desc::SceneDesc& scene) {
   std::vector<std::string> paths;
   for (const desc::Texture& texture : scene.textures) {
-    if (const auto* image = std::get_if<desc::ImageTexture>(&texture.node)) paths.push_back(image->path);
+    if (const auto* image = std::get_if<desc::ImageTexture>(&texture.node))
+      paths.push_back(image->path);
   }
   return paths;
 }

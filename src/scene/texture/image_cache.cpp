@@ -18,8 +18,8 @@ constexpr std::int64_t kMaxTexels = std::int64_t{1} << 31;
 template <typename T>
 std::vector<T> read_channels(OIIO::ImageInput& input, int channels, OIIO::TypeDesc type) {
   const OIIO::ImageSpec& spec = input.spec();
-  std::vector<T> texels(static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height) *
-                        static_cast<std::size_t>(channels));
+  std::vector<T> texels(static_cast<std::size_t>(spec.width) *
+                        static_cast<std::size_t>(spec.height) * static_cast<std::size_t>(channels));
   if (!input.read_image(0, 0, 0, channels, type, texels.data())) throw IoError(input.geterror());
   return texels;
 }
@@ -33,7 +33,8 @@ TexelImage read_texel_image(const std::string& path) {
   if (!input) throw IoError(OIIO::geterror());
   const OIIO::ImageSpec& spec = input->spec();
   const std::int64_t texels = std::int64_t{spec.width} * spec.height;
-  if (spec.width <= 0 || spec.height <= 0 || spec.depth > 1 || spec.nchannels < 1 || texels > kMaxTexels) {
+  if (spec.width <= 0 || spec.height <= 0 || spec.depth > 1 || spec.nchannels < 1 ||
+      texels > kMaxTexels) {
     throw IoError("the image has an unusable size");
   }
   TexelImage image;

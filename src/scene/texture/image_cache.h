@@ -1,4 +1,6 @@
 #pragma once
+#include <half.h>
+
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -7,11 +9,10 @@
 #include <variant>
 #include <vector>
 
-#include <half.h>
-
 namespace ajar {
 
-/// Texels of an image file as stored there: integers stay encoded, floats are linear. Row 0 is the top row.
+/// Texels of an image file as stored there: integers stay encoded, floats are linear. Row 0 is the
+/// top row.
 struct TexelImage {
   int width = 0;
   int height = 0;

@@ -106,7 +106,8 @@ class ImageTexture final : public Texture {
     y = wrapped(y, image_->height);
     if (x < 0 || y < 0) return Value(0.F);
     const auto row = static_cast<std::size_t>(image_->height - 1 - y);
-    const std::size_t index = row * static_cast<std::size_t>(image_->width) + static_cast<std::size_t>(x);
+    const std::size_t index =
+        row * static_cast<std::size_t>(image_->width) + static_cast<std::size_t>(x);
     return decode(texels_ + index * static_cast<std::size_t>(image_->channels));
   }
 
@@ -120,7 +121,8 @@ class ImageTexture final : public Texture {
     const int y0 = floor_to_int(y - 0.5F);
     const float dx = std::clamp(x - 0.5F - static_cast<float>(x0), 0.F, 1.F);
     const float dy = std::clamp(y - 0.5F - static_cast<float>(y0), 0.F, 1.F);
-    const Value low = texel<Value>(x0, y0, decode) * (1.F - dx) + texel<Value>(x0 + 1, y0, decode) * dx;
+    const Value low =
+        texel<Value>(x0, y0, decode) * (1.F - dx) + texel<Value>(x0 + 1, y0, decode) * dx;
     const Value high =
         texel<Value>(x0, y0 + 1, decode) * (1.F - dx) + texel<Value>(x0 + 1, y0 + 1, decode) * dx;
     return (low * (1.F - dy) + high * dy) * scale_;

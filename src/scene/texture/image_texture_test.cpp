@@ -29,7 +29,8 @@ class ImageTextureTest : public testing::Test {
   void TearDown() override { fs::remove_all(folder_); }
 
   template <typename T>
-  std::string write(const std::string& name, int width, int height, int channels, std::vector<T> texels) {
+  std::string write(const std::string& name, int width, int height, int channels,
+                    std::vector<T> texels) {
     const std::string path = (folder_ / name).string();
     const auto output = OIIO::ImageOutput::create(path);
     OIIO::ImageSpec spec(width, height, channels, OIIO::BaseTypeFromC<T>::value);

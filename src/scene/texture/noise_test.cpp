@@ -46,8 +46,8 @@ TEST(Noise, AgreesWithAHandComputedPoint) {
   // Middle of cell 0: all corners weigh 1/8, and gradients are dot products with (±½, ±½, ±½).
   const float v = noise({0.5F, 0.5F, 0.5F});
   EXPECT_NEAR(v * 8.F, std::round(v * 8.F), 1e-5F);
-  // Near a corner only its gradient counts: the hash of cell (0,0,0) is p[p[p[0]]] = p[p[151]] = p[17] = 36, whose
-  // last four bits, 4, choose the direction (1, 0, 1).
+  // Near a corner only its gradient counts: the hash of cell (0,0,0) is p[p[p[0]]] = p[p[151]] =
+  // p[17] = 36, whose last four bits, 4, choose the direction (1, 0, 1).
   const float e = 1e-3F;
   EXPECT_NEAR(noise({e, 0.F, 0.F}) / e, 1.F, 0.02F);
   EXPECT_NEAR(noise({0.F, e, 0.F}) / e, 0.F, 0.02F);

@@ -1,5 +1,5 @@
-// Solid textures made of noise. Source: pbrt-v3, sections 10.6.3 – 10.6.6. Octaves are not reduced with
-// the footprint of a pixel: supersampling filters them.
+// Solid textures made of noise. Source: pbrt-v3, sections 10.6.3 – 10.6.6. Octaves are not reduced
+// with the footprint of a pixel: supersampling filters them.
 #include <algorithm>
 #include <array>
 
@@ -41,8 +41,9 @@ class MarbleTexture final : public Texture {
   }
 
  private:
-  /// Cubic Bézier segments over overlapping groups of four colours; `t` in [0, 1]. All segments are used
-  /// as pbrt's text says; the code of pbrt-v3 stays in the second and extrapolates it far beyond white.
+  /// Cubic Bézier segments over overlapping groups of four colours; `t` in [0, 1]. All segments are
+  /// used as pbrt's text says; the code of pbrt-v3 stays in the second and extrapolates it far
+  /// beyond white.
   static Spectrum vein_color(float t) {
     static const std::array<Spectrum, 9> kColors = {
         Spectrum(.58F, .58F, .6F), Spectrum(.58F, .58F, .6F), Spectrum(.58F, .58F, .6F),
@@ -54,8 +55,8 @@ class MarbleTexture final : public Texture {
     const float x = scaled - static_cast<float>(first);
     const float y = 1.F - x;
     const Spectrum* c = &kColors[static_cast<std::size_t>(first)];
-    const Spectrum bezier =
-        c[0] * (y * y * y) + c[1] * (3.F * y * y * x) + c[2] * (3.F * y * x * x) + c[3] * (x * x * x);
+    const Spectrum bezier = c[0] * (y * y * y) + c[1] * (3.F * y * y * x) +
+                            c[2] * (3.F * y * x * x) + c[3] * (x * x * x);
     return bezier * 1.5F;
   }
 
@@ -65,8 +66,10 @@ class MarbleTexture final : public Texture {
 }  // namespace
 
 std::unique_ptr<const Texture> make_texture(const desc::FbmTexture& node) {
-  return make_solid(node.world_to_texture, [roughness = node.roughness, octaves = node.octaves](
-                                               const Vec3& p) { return fbm(p, roughness, octaves); });
+  return make_solid(node.world_to_texture,
+                    [roughness = node.roughness, octaves = node.octaves](const Vec3& p) {
+                      return fbm(p, roughness, octaves);
+                    });
 }
 
 std::unique_ptr<const Texture> make_texture(const desc::WrinkledTexture& node) {

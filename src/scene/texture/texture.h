@@ -14,7 +14,8 @@ class Texture {
  public:
   virtual ~Texture() = default;
   virtual Spectrum eval(const SurfacePoint& at) const = 0;
-  /// First lane only; equals eval(at)[0].
+  /// As a single number: the first lane, eval(at)[0]; of colour images the luminance, as in
+  /// pbrt-v3.
   virtual float eval_float(const SurfacePoint& at) const { return eval(at)[0]; }
   /// The value, if it is the same everywhere.
   virtual const Spectrum* constant() const { return nullptr; }
@@ -48,8 +49,8 @@ class TextureSlot {
 
 using TextureList = std::vector<std::unique_ptr<const Texture>>;
 
-/// Builds all textures of a scene; entry i is texture id i. Image files are read here, each once. An
-/// image that cannot be read becomes magenta and a warning.
+/// Builds all textures of a scene; entry i is texture id i. Image files are read here, each once.
+/// An image that cannot be read becomes magenta and a warning.
 TextureList build_textures(const desc::SceneDesc& scene, Warnings& warnings);
 
 }  // namespace ajar
