@@ -7,6 +7,7 @@
 #include "core/random.h"
 #include "support/oracle_path.h"
 #include "support/render.h"
+#include "support/small_scenes.h"
 #include "transport/sources.h"
 
 namespace ajar {
@@ -157,71 +158,7 @@ class CheckingSink final : public PathSink {
   Subpath subpaths_[2];
 };
 
-struct Case {
-  const char* name;
-  std::string text;
-};
-
-const char* const kRoom = R"(
-AttributeBegin
-  AreaLightSource "diffuse" "rgb L" [8 7 6]
-  Shape "trianglemesh" "point P" [-0.4 1.9 -0.4  0.4 1.9 -0.4  0.4 1.9 0.4  -0.4 1.9 0.4] "integer indices" [0 1 2 0 2 3]
-    "normal N" [0 -1 0  0 -1 0  0 -1 0  0 -1 0]
-AttributeEnd
-Material "matte" "rgb Kd" [0.7 0.6 0.5]
-Shape "trianglemesh" "point P" [-2 0 -2  2 0 -2  2 0 2  -2 0 2] "integer indices" [0 2 1 0 3 2]
-Shape "trianglemesh" "point P" [-2 0 2  2 0 2  2 4 2  -2 4 2] "integer indices" [0 2 1 0 3 2]
-)";
-
-const char* const kPinhole = "LookAt 0 1 -4  0 0.8 0  0 1 0\nCamera \"perspective\" \"float fov\" [45]";
-
-std::vector<Case> cases() {
-  const std::string room = kRoom;
-  const std::string glass =
-      "AttributeBegin Material \"glass\" Translate -0.5 0.5 0 Shape \"sphere\" \"float radius\" [0.5] AttributeEnd\n";
-  const std::string metal =
-      "AttributeBegin Material \"metal\" \"float roughness\" [0.1] \"bool remaproughness\" \"false\" Translate 0.6 0.4 0.2 "
-      "Shape \"sphere\" \"float radius\" [0.4] AttributeEnd\n";
-  const std::string smooth_mesh =
-      "AttributeBegin Material \"matte\" Shape \"trianglemesh\" \"point P\" [-1 0 0  1 0 0  0 1.5 0.4] \"normal N\" [-0.5 0.3 -1 "
-      "0.5 0.3 -1  0 0.8 -1] \"integer indices\" [0 1 2] AttributeEnd\n";
-  return {
-      {"Room", test::pbrt_scene(kPinhole, 40, 24, room)},
-      {"GlassAndMetal", test::pbrt_scene(kPinhole, 40, 24, room + glass + metal)},
-      {"Mirror", test::pbrt_scene(kPinhole, 24, 24,
-                                  room + "AttributeBegin Material \"mirror\" Translate 0 0.6 0.5 Shape \"sphere\" "
-                                         "\"float radius\" [0.6] AttributeEnd")},
-      {"RoughGlass",
-       test::pbrt_scene(kPinhole, 24, 24,
-                        room + "AttributeBegin Material \"glass\" \"float uroughness\" [0.2] \"float vroughness\" [0.2] "
-                               "\"bool remaproughness\" \"false\" Translate 0 0.5 0 Shape \"sphere\" \"float radius\" [0.5] "
-                               "AttributeEnd")},
-      {"ThinLens", test::pbrt_scene("LookAt 0 1 -4  0 0.8 0  0 1 0\nCamera \"perspective\" \"float fov\" [45] \"float "
-                                    "lensradius\" [0.1] \"float focaldistance\" [4]",
-                                    40, 24, room + metal)},
-      {"Environment", test::pbrt_scene(kPinhole, 40, 24, "LightSource \"infinite\" \"rgb L\" [1 1.2 1.5]\n" + room + glass)},
-      {"Distant", test::pbrt_scene(kPinhole, 40, 24,
-                                   "LightSource \"distant\" \"point from\" [1 3 -1] \"point to\" [0 0 0]\n" + room + metal)},
-      {"PointAndSpot",
-       test::pbrt_scene(kPinhole, 40, 24,
-                        "LightSource \"point\" \"point from\" [1 1.5 -1]\nLightSource \"spot\" \"point from\" [-1 3 -1] \"point to\" "
-                        "[0 0 0]\n" + room + metal)},
-      {"ShadingNormals", test::pbrt_scene(kPinhole, 40, 24, room + smooth_mesh)},
-      {"Orthographic", test::pbrt_scene("LookAt 0 1 -4  0 0.8 0  0 1 0\nCamera \"orthographic\"", 40, 24, room + metal)},
-      {"EnvironmentCamera", test::pbrt_scene("LookAt 0 1 -1  0 0.8 0  0 1 0\nCamera \"environment\"", 40, 24, room + metal)},
-      {"Fog", test::pbrt_scene("MakeNamedMedium \"fog\" \"string type\" \"homogeneous\" \"rgb sigma_a\" [0.05 0.1 0.1] \"rgb "
-                               "sigma_s\" [0.3 0.2 0.4] \"float g\" [0.4]\nMediumInterface \"\" \"fog\"\n" + std::string(kPinhole),
-                               24, 24, "MediumInterface \"fog\" \"fog\"\n" + room)},
-      {"MilkBall",
-       test::pbrt_scene(std::string("MakeNamedMedium \"milk\" \"string type\" \"homogeneous\" \"rgb sigma_a\" [0.1 0.2 0.3] "
-                                    "\"rgb sigma_s\" [3 2 1]\n") + kPinhole,
-                        24, 24,
-                        room + "AttributeBegin MediumInterface \"milk\" \"\" Material \"\" Translate 0 0.6 0 Shape \"sphere\" "
-                               "\"float radius\" [0.6] AttributeEnd")},
-  };
-}
-
-class MisWeights : public ::testing::TestWithParam<Case> {};
+class MisWeights : public ::testing::TestWithParam<test::SmallScene> {};
 
 TEST_P(MisWeights, EqualTheSlowOracleOnRandomPaths) {
   const auto scene = test::scene_from(GetParam().text);
@@ -251,8 +188,8 @@ TEST_P(MisWeights, EqualTheSlowOracleOnRandomPaths) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, MisWeights, ::testing::ValuesIn(cases()),
-                         [](const auto& test) { return std::string(test.param.name); });
+INSTANTIATE_TEST_SUITE_P(Scenes, MisWeights, ::testing::ValuesIn(test::small_scenes()),
+                         [](const auto& test) { return test.param.name; });
 
 }  // namespace
 }  // namespace ajar

@@ -81,6 +81,8 @@ std::optional<Segment> connect(const Scene& scene, Ray ray, const Medium* medium
     cross_medium(medium, ray.t_max, segment);
     return segment;
   }
+  const bool bounded = std::isfinite(ray.t_max);
+  const Vec3 target = bounded ? ray.origin + ray.direction * ray.t_max : Vec3(0.F);
   for (int i = 0; i < kMaxInterfaces; ++i) {
     ++rays;
     const std::optional<Hit> hit = scene.intersect(ray);
@@ -92,9 +94,15 @@ std::optional<Segment> connect(const Scene& scene, Ray ray, const Medium* medium
     cross_medium(medium, hit->t, segment);
     medium = medium_beyond(*hit, ray.direction, medium);
     const Vec3 next = offset_ray_origin(hit->point.p, hit->point.ng, ray.direction);
-    ray.t_max -= dot(next - ray.origin, ray.direction);
-    ray.origin = next;
-    if (ray.t_max <= 0.F) return segment;
+    if (bounded) {
+      // Aimed anew, or roundings would add up and the ray could hit what it was to stop in front of.
+      const Vec3 left = target - next;
+      const float distance = length(left);
+      if (dot(left, ray.direction) <= 0.F || distance == 0.F) return segment;
+      ray = {next, left / distance, distance};
+    } else {
+      ray.origin = next;
+    }
   }
   return std::nullopt;
 }

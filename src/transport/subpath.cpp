@@ -12,8 +12,9 @@ SampleAddress address(const WalkSettings& settings, int vertex, Slot slot) {
 
 MisStep mis_step(const Flight& flight, const Segment& segment, float distance, float cosine_at_end,
                  const Medium* end_medium, bool at_infinity, double class_coefficient) {
-  const double inverse_square =
-      at_infinity ? 1.0 : 1.0 / (static_cast<double>(distance) * static_cast<double>(distance));
+  // Scattering events of a medium can fall on the very float coordinates of the vertex before.
+  const double apart = std::max(static_cast<double>(distance), 1e-18);
+  const double inverse_square = at_infinity ? 1.0 : 1.0 / (apart * apart);
   // A ray from infinity is spread over area, not over solid angle: no inverse square on arrival, and a
   // vertex at infinity measures directions, so none on the way back either.
   const double forward_geometry =

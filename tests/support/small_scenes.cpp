@@ -1,0 +1,111 @@
+#include "support/small_scenes.h"
+
+#include "support/render.h"
+
+namespace ajar::test {
+
+namespace {
+
+const std::string kRoom = R"(
+AttributeBegin
+  AreaLightSource "diffuse" "rgb L" [8 7 6]
+  Shape "trianglemesh" "point P" [-0.4 1.9 -0.4  0.4 1.9 -0.4  0.4 1.9 0.4  -0.4 1.9 0.4]
+    "integer indices" [0 1 2 0 2 3] "normal N" [0 -1 0  0 -1 0  0 -1 0  0 -1 0]
+AttributeEnd
+Material "matte" "rgb Kd" [0.7 0.6 0.5]
+Shape "trianglemesh" "point P" [-2 0 -2  2 0 -2  2 0 2  -2 0 2] "integer indices" [0 2 1 0 3 2]
+Shape "trianglemesh" "point P" [-2 0 2  2 0 2  2 4 2  -2 4 2] "integer indices" [0 2 1 0 3 2]
+)";
+
+const std::string kMetalBall = R"(
+AttributeBegin
+  Material "metal" "float roughness" [0.1] "bool remaproughness" "false"
+  Translate 0.6 0.4 0.2
+  Shape "sphere" "float radius" [0.4]
+AttributeEnd
+)";
+
+const std::string kTiltedNormals = R"(
+AttributeBegin
+  Material "matte"
+  Shape "trianglemesh" "point P" [-1 0 0  1 0 0  0 1.5 0.4] "normal N" [-0.5 0.3 -1  0.5 0.3 -1  0 0.8 -1]
+    "integer indices" [0 1 2]
+AttributeEnd
+)";
+
+const std::string kFog = R"(
+MakeNamedMedium "fog" "string type" "homogeneous" "rgb sigma_a" [0.05 0.1 0.1] "rgb sigma_s" [0.3 0.2 0.4] "float g" [0.4]
+MediumInterface "" "fog"
+)";
+
+const std::string kMilk = R"(
+MakeNamedMedium "milk" "string type" "homogeneous" "rgb sigma_a" [0.1 0.2 0.3] "rgb sigma_s" [3 2 1]
+)";
+
+const std::string kView = "LookAt 0 1 -4  0 0.8 0  0 1 0\n";
+const std::string kPinhole = kView + "Camera \"perspective\" \"float fov\" [45]";
+
+/// A sphere that stands on the floor, with the given material and more.
+std::string ball(const std::string& material, float radius, float x) {
+  return "AttributeBegin " + material + " Translate " + std::to_string(x) + " " + std::to_string(radius) +
+         " 0.3 Shape \"sphere\" \"float radius\" [" + std::to_string(radius) + "] AttributeEnd\n";
+}
+
+}  // namespace
+
+std::vector<SmallScene> small_scenes() {
+  const std::string glass = ball("Material \"glass\"", 0.5F, -0.5F);
+  const std::string gaussian = "PixelFilter \"gaussian\" \"float xwidth\" [1.5] \"float ywidth\" [2]";
+  const std::string mitchell = "PixelFilter \"mitchell\"";
+  return {
+      {.name = "Room", .text = pbrt_scene(kPinhole, 40, 24, kRoom, gaussian)},
+      {.name = "GlassAndMetal",
+       .text = pbrt_scene(kPinhole, 40, 24, kRoom + glass + kMetalBall),
+       .light_tracing_sees_all = false},
+      {.name = "Mirror",
+       .text = pbrt_scene(kPinhole, 24, 24, kRoom + ball("Material \"mirror\"", 0.6F, 0.F)),
+       .light_tracing_sees_all = false},
+      {.name = "NestedDielectrics",
+       .text = pbrt_scene(kPinhole, 24, 24,
+                          kRoom + ball("Material \"glass\" \"float index\" [1.5]", 0.6F, 0.F) +
+                              "AttributeBegin Material \"glass\" \"float index\" [0.9] Translate 0 0.6 0.3 Shape \"sphere\" "
+                              "\"float radius\" [0.4] AttributeEnd\n"),
+       .light_tracing_sees_all = false},
+      {.name = "RoughGlass",
+       .text = pbrt_scene(kPinhole, 24, 24,
+                          kRoom + ball("Material \"glass\" \"float uroughness\" [0.3] \"float vroughness\" [0.3] \"bool "
+                                       "remaproughness\" \"false\"",
+                                       0.5F, 0.F))},
+      {.name = "ThinLens",
+       .text = pbrt_scene(kView + "Camera \"perspective\" \"float fov\" [45] \"float lensradius\" [0.1] \"float "
+                                  "focaldistance\" [4]",
+                          40, 24, kRoom + kMetalBall)},
+      {.name = "Environment",
+       .text = pbrt_scene(kPinhole, 40, 24, "LightSource \"infinite\" \"rgb L\" [1 1.2 1.5]\n" + kRoom + glass),
+       .light_tracing_sees_all = false},
+      {.name = "Distant",
+       .text = pbrt_scene(kPinhole, 40, 24,
+                          "LightSource \"distant\" \"point from\" [1 3 -1] \"point to\" [0 0 0]\n" + kRoom + kMetalBall)},
+      {.name = "PointAndSpot",
+       .text = pbrt_scene(kPinhole, 40, 24,
+                          "LightSource \"point\" \"point from\" [1 1.5 -1]\n"
+                          "LightSource \"spot\" \"point from\" [-1 3 -1] \"point to\" [0 0 0]\n" +
+                              kRoom + kMetalBall)},
+      {.name = "ShadingNormals", .text = pbrt_scene(kPinhole, 40, 24, kRoom + kTiltedNormals)},
+      {.name = "Orthographic",
+       .text = pbrt_scene(kView + "Camera \"orthographic\"", 40, 24, kRoom + kMetalBall)},
+      {.name = "EnvironmentCamera",
+       .text = pbrt_scene("LookAt 0 1 -1  0 0.8 0  0 1 0\nCamera \"environment\"", 40, 24, kRoom + kMetalBall)},
+      {.name = "CroppedMitchell",
+       .text = pbrt_scene(kPinhole, 64, 40, kRoom + kMetalBall, mitchell),
+       .crop = Box2i(Vec2i(21, 9), Vec2i(52, 32))},
+      {.name = "Fog",
+       .text = pbrt_scene(kFog + kPinhole, 24, 24, "MediumInterface \"fog\" \"fog\"\n" + kRoom),
+       .samples = 1536},
+      {.name = "MilkBall",
+       .text = pbrt_scene(kMilk + kPinhole, 24, 24,
+                          kRoom + ball("MediumInterface \"milk\" \"\" Material \"\"", 0.6F, 0.F))},
+  };
+}
+
+}  // namespace ajar::test

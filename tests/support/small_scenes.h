@@ -1,0 +1,25 @@
+#pragma once
+#include <optional>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "core/vector.h"
+
+namespace ajar::test {
+
+/// A scene for tests of light transport: a lit room with something in it that is easy to get wrong.
+struct SmallScene {
+  std::string name;
+  std::string text;  ///< pbrt-v3
+  /// False if the lens sees things through mirrors or glass only: then technique (s, 1) alone misses light.
+  bool light_tracing_sees_all = true;
+  int samples = 512;  ///< per pixel, for comparisons of pictures
+  std::optional<Box2i> crop;
+
+  friend void PrintTo(const SmallScene& scene, std::ostream* out) { *out << scene.name; }
+};
+
+std::vector<SmallScene> small_scenes();
+
+}  // namespace ajar::test
