@@ -29,7 +29,7 @@ TEST_P(Agreement, AllIntegratorsHaveTheExpectationOfPathTracing) {
   options.crop = small.crop;
   const Replicates truth = replicates_of(test::render(*scene, options));
   for (const IntegratorInfo& info : integrators()) {
-    if (info.name == "pt" || (info.name == "lt" && !small.light_tracing_sees_all)) continue;
+    if (info.name == "pt" || (info.name == "lt" && !small.light_tracing_works)) continue;
     options.integrator = info.name;
     options.seed = 2;
     const test::Render other = test::render(*scene, options);
