@@ -88,7 +88,7 @@ void add_render(CLI::App& app, RenderArguments& a) {
 
   command->add_option("--spp", a.spp, "Samples per pixel (rounded up to equal replicates)")
       ->type_name("N")
-      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 31))
+      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 31).description(""))
       ->group("When to stop (whichever comes first; default: the scene's samples per pixel)");
   command->add_option("--time", a.time, "Time to render, such as 60s, 2m or 1h30m")
       ->type_name("TIME")
@@ -101,7 +101,7 @@ void add_render(CLI::App& app, RenderArguments& a) {
 
   command->add_option("--threads", a.threads, "Threads to use; 0: all processors")
       ->type_name("N")
-      ->check(CLI::Range(0, 4096))
+      ->check(CLI::Range(0, 4096).description(""))
       ->capture_default_str()
       ->group("Program");
   command->add_option("--stats", a.stats, "Write statistics as JSON")
