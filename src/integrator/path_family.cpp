@@ -19,8 +19,9 @@ class SampleSink final : public PathSink {
     int direct;
     int indirect;
   };
-  SampleSink(Film& film, Layers layers, const GBuffer& g_buffer, Counters& counters)
-      : film_(film), layers_(layers), g_buffer_(g_buffer), counters_(counters) {}
+  SampleSink(Film& film, Layers layers, const GBuffer& g_buffer, std::uint64_t seed,
+             Counters& counters)
+      : film_(film), layers_(layers), g_buffer_(g_buffer), seed_(seed), counters_(counters) {}
 
   void begin(Vec2i pixel, int replicate, float filter_weight, std::uint64_t sample) {
     pixel_ = pixel;
@@ -84,16 +85,25 @@ class SampleSink final : public PathSink {
     ++(nan ? counters_.discarded_nan : infinite ? counters_.discarded_infinite
                                                 : counters_.discarded_negative);
     if (!counters_.first_discarded.empty()) return;
+    const std::string x = std::to_string(pixel_.x);
+    const std::string y = std::to_string(pixel_.y);
     counters_.first_discarded =
-        std::string(nan ? "NaN" : infinite ? "infinite" : "negative") + " contribution at pixel (" +
-        std::to_string(pixel_.x) + ", " + std::to_string(pixel_.y) + "), sample " +
-        std::to_string(sample_) + ", technique (" + std::to_string(contribution.technique.s) + ", " +
-        std::to_string(contribution.technique.t) + ")";
+        std::string(nan ? "NaN" : infinite ? "infinite" : "negative") + " contribution at pixel (" + x +
+        ", " + y + "), sample " + std::to_string(sample_) + ", technique (" +
+        std::to_string(contribution.technique.s) + ", " + std::to_string(contribution.technique.t) +
+        "); to replay it: the same scene and resolution with --seed " + std::to_string(seed_) +
+        " --spp " + std::to_string(sample_ + 1);
+    // Light subpaths belong to the whole picture, so only what hangs on a camera path alone can be replayed in a crop.
+    if (contribution.technique.s <= 1) {
+      counters_.first_discarded += " --crop " + x + "," + y + "," + std::to_string(pixel_.x + 1) + "," +
+                                   std::to_string(pixel_.y + 1);
+    }
   }
 
   Film& film_;
   Layers layers_;
   const GBuffer& g_buffer_;
+  std::uint64_t seed_;
   Counters& counters_;
   Vec2i pixel_{0, 0};
   int replicate_ = 0;
@@ -143,7 +153,8 @@ class PathIntegrator final : public Integrator {
     const Vec2i high(std::min(low.x + kTileSize - 1, settings_.crop.max.x),
                      std::min(low.y + kTileSize - 1, settings_.crop.max.y));
     const GBuffer g_buffer(film);
-    SampleSink sink(film, {film.layer("direct"), film.layer("indirect")}, g_buffer, counters);
+    SampleSink sink(film, {film.layer("direct"), film.layer("indirect")}, g_buffer, settings_.seed,
+                    counters);
     PathSampler sampler(scene_, sampler_settings_);
     for (int y = low.y; y <= high.y; ++y) {
       for (int x = low.x; x <= high.x; ++x) {
