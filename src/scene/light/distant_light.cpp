@@ -49,7 +49,7 @@ class DistantLight final : public Light {
 
 }  // namespace
 
-std::unique_ptr<Light> make_distant_light(const desc::DistantLight& light, const Placement& at,
+std::unique_ptr<Light> make_distant_light(const desc::DistantLight& light, const LightPlacement& at,
                                           const BoundingSphere& bounds) {
   return std::make_unique<DistantLight>(to_spectrum(light.irradiance),
                                         at.directions.to_world({0.F, 0.F, 1.F}), bounds);

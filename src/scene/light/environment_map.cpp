@@ -75,7 +75,7 @@ class EnvironmentMap final : public Light {
 
 }  // namespace
 
-std::unique_ptr<Light> make_environment_map(const Spectrum& scale, Map map, const Placement& at,
+std::unique_ptr<Light> make_environment_map(const Spectrum& scale, Map map, const LightPlacement& at,
                                             const BoundingSphere& bounds) {
   return std::make_unique<EnvironmentMap>(scale, std::move(map), at.directions, bounds);
 }

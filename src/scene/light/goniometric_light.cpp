@@ -12,7 +12,7 @@ namespace {
 /// toward +z. Source: pbrt-v3, section 12.3.3. Emission is sampled by the map.
 class GoniometricLight final : public Light {
  public:
-  GoniometricLight(const Spectrum& intensity, Map map, const Placement& at)
+  GoniometricLight(const Spectrum& intensity, Map map, const LightPlacement& at)
       : intensity_(intensity), map_(std::move(map)), at_(at) {}
 
   bool at_infinity() const override { return false; }
@@ -54,13 +54,13 @@ class GoniometricLight final : public Light {
 
   Spectrum intensity_;
   LatLongMap map_;
-  Placement at_;
+  LightPlacement at_;
 };
 
 }  // namespace
 
 std::unique_ptr<Light> make_goniometric_light(const desc::GoniometricLight& light, Map map,
-                                              const Placement& at) {
+                                              const LightPlacement& at) {
   return std::make_unique<GoniometricLight>(to_spectrum(light.intensity), std::move(map), at);
 }
 

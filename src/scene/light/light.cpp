@@ -10,7 +10,7 @@ struct MakeLight {
   const desc::Light& light;
   const BoundingSphere& bounds;
   Warnings& warnings;
-  Placement at;
+  LightPlacement at;
 
   Map load(const std::string& path, MapEdge edge) const {
     return load_map(path, edge, light.where, warnings);
@@ -48,7 +48,7 @@ EndpointPoint Light::at_direction(const Vec3& w) const { return EndpointPoint::a
 
 std::unique_ptr<Light> make_light(const desc::Light& light, const BoundingSphere& bounds,
                                   Warnings& warnings) {
-  Placement at{transform_point(light.to_world, Vec3(0.F)), DirectionMap()};
+  LightPlacement at{transform_point(light.to_world, Vec3(0.F)), DirectionMap()};
   if (DirectionMap::invertible(light.to_world)) {
     at.directions = DirectionMap(light.to_world);
   } else {

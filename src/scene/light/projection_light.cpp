@@ -14,7 +14,7 @@ namespace {
 /// the map.
 class ProjectionLight final : public Light {
  public:
-  ProjectionLight(const desc::ProjectionLight& light, Map map, const Placement& at)
+  ProjectionLight(const desc::ProjectionLight& light, Map map, const LightPlacement& at)
       : intensity_(to_spectrum(light.intensity)),
         map_(std::move(map)),
         at_(at),
@@ -90,7 +90,7 @@ class ProjectionLight final : public Light {
 
   Spectrum intensity_;
   Map map_;
-  Placement at_;
+  LightPlacement at_;
   Vec2 half_size_;  ///< of the window at z = 1
   Distribution2D distribution_;
   Spectrum power_;
@@ -99,7 +99,7 @@ class ProjectionLight final : public Light {
 }  // namespace
 
 std::unique_ptr<Light> make_projection_light(const desc::ProjectionLight& light, Map map,
-                                             const Placement& at) {
+                                             const LightPlacement& at) {
   return std::make_unique<ProjectionLight>(light, std::move(map), at);
 }
 

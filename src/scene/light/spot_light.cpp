@@ -23,7 +23,7 @@ float one_minus_cos(const Vec3& unit) {
 /// intensity.
 class SpotLight final : public Light {
  public:
-  SpotLight(const desc::SpotLight& light, const Placement& at)
+  SpotLight(const desc::SpotLight& light, const LightPlacement& at)
       : intensity_(to_spectrum(light.intensity)),
         at_(at),
         edge_(one_minus_cos(light.cone_angle)),
@@ -89,7 +89,7 @@ class SpotLight final : public Light {
   }
 
   Spectrum intensity_;
-  Placement at_;
+  LightPlacement at_;
   float edge_;         ///< 1 − cos of the cone's half angle
   float inner_;        ///< 1 − cos where fading starts
   float solid_angle_;  ///< ∫ falloff dω, local
@@ -97,7 +97,7 @@ class SpotLight final : public Light {
 
 }  // namespace
 
-std::unique_ptr<Light> make_spot_light(const desc::SpotLight& light, const Placement& at) {
+std::unique_ptr<Light> make_spot_light(const desc::SpotLight& light, const LightPlacement& at) {
   return std::make_unique<SpotLight>(light, at);
 }
 
