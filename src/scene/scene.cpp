@@ -80,8 +80,11 @@ void Scene::build_surfaces(const desc::SceneDesc& description, Warnings& warning
     const MediumInterface media{medium(shape.inside), medium(shape.outside),
                                 shape.has_medium_interface};
     const Material& material = *materials_[static_cast<std::size_t>(shape.material)];
-    has_interfaces_ = has_interfaces_ || (material.is_interface() && geometry_->has_shape(surfaces_.size()));
-    surfaces_.push_back({&material, nullptr, shared_interface(media), static_cast<std::uint32_t>(index),
+    has_interfaces_ =
+        has_interfaces_ || (material.is_interface() && geometry_->has_shape(surfaces_.size()));
+    if (!material.needs_derivatives()) geometry_->leave_out_derivatives(surfaces_.size());
+    surfaces_.push_back({&material, nullptr, shared_interface(media),
+                         static_cast<std::uint32_t>(index),
                          static_cast<std::uint32_t>(shape.material)});
   };
   surfaces_.reserve(geometry_->shape_count());
@@ -132,14 +135,21 @@ void Scene::build_lights(const desc::SceneDesc& description, Warnings& warnings)
   }
 }
 
+bool Scene::intersect(const Ray& ray, Hit& hit) const {
+  if (!geometry_->intersect(ray, hit)) return false;
+  const Surface& surface = surfaces_[hit.shape];
+  hit.material = surface.material;
+  hit.light = surface.light;
+  hit.media = surface.media;
+  hit.object_id = surface.object_id;
+  hit.material_id = surface.material_id;
+  return true;
+}
+
 std::optional<Hit> Scene::intersect(const Ray& ray) const {
-  std::optional<Hit> result;
-  GeometryHit found;
-  if (!geometry_->intersect(ray, found)) return result;
-  const Surface& surface = surfaces_[found.shape];
-  result.emplace(Hit{found.t, found.point, surface.material, surface.light, surface.media,
-                     surface.object_id, found.instance_id, surface.material_id});
-  return result;
+  std::optional<Hit> hit(std::in_place);
+  if (!intersect(ray, *hit)) hit.reset();
+  return hit;
 }
 
 bool Scene::occluded(const Ray& ray) const { return geometry_->occluded(ray); }

@@ -11,6 +11,7 @@
 #include "core/spectrum.h"
 #include "scene/camera/camera.h"
 #include "scene/desc/scene_desc.h"
+#include "scene/hit.h"
 #include "scene/light/light.h"
 #include "scene/light/light_sampler.h"
 #include "scene/material/material.h"
@@ -23,25 +24,6 @@
 namespace ajar {
 
 class Geometry;
-
-/// Media on the two sides of a surface; `changes` is false if a ray keeps the medium it is in.
-struct MediumInterface {
-  const Medium* inside = nullptr;   ///< on the side that −ng points to
-  const Medium* outside = nullptr;  ///< on the side that +ng points to
-  bool changes = false;
-};
-
-/// What a ray hit.
-struct Hit {
-  float t;
-  SurfacePoint point;
-  const Material* material;  ///< never null
-  const Light* light;        ///< null if the surface does not emit
-  const MediumInterface* media;  ///< never null
-  std::uint32_t object_id;    ///< index of the shape in the description (instanced: of the shape in its object)
-  std::uint32_t instance_id;  ///< 0: not an instance; else index of the instance + 1
-  std::uint32_t material_id;
-};
 
 /// Settings that change how a scene is built.
 struct BuildOptions {
@@ -60,7 +42,10 @@ class Scene {
 
   /// Nearest surface along `ray`, alpha textures applied. Interface materials are reported like any other.
   std::optional<Hit> intersect(const Ray& ray) const;
-  /// True if anything at all lies between (interfaces too; see `transmittance` of transport for those).
+  /// The same, into `hit`, which is undefined if this returns false.
+  bool intersect(const Ray& ray, Hit& hit) const;
+  /// True if anything at all lies between (interfaces too; see `transmittance` of transport for
+  /// those).
   bool occluded(const Ray& ray) const;
   /// See Geometry. Not for renders.
   void log_rays(RayLog* log);

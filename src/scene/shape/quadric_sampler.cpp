@@ -130,8 +130,8 @@ class SphereSampler final : public SurfaceSampler {
     return to_area(Pdf<SolidAngle>(static_cast<float>(density)), reference, point.p, point.ng);
   }
   SurfacePoint point_at(const Vec3d& n) const {
-    const Imath::V2d uv = quadric_.parameters(quadric_.project(placement_.vector_to_object(n)));
-    return quadric_surface_point(quadric_, placement_, reversed_, uv);
+    return sphere_plain_point(quadric_, placement_, reversed_,
+                              quadric_.project(placement_.vector_to_object(n)));
   }
   static void axes_around(const Vec3d& z, Vec3d& x, Vec3d& y) {
     x = std::abs(z.x) < 0.6 ? Vec3d(1.0, 0.0, 0.0) : Vec3d(0.0, 1.0, 0.0);
