@@ -5,13 +5,10 @@
 namespace ajar {
 
 namespace {
-constexpr SampleAddress at(Stream stream, int vertex, Slot slot) {
-  return {stream, static_cast<std::uint16_t>(vertex), slot};
-}
-
-/// Density in the vertex measure with which a ray leaving an endpoint arrives at a vertex: the inverse of the
-/// conventions in `Departure`.
-double arrival_density(Pdf<Departure> departure, bool from_infinity, double distance, float cosine) {
+/// Density in the vertex measure with which a ray leaving an endpoint arrives at a vertex: the
+/// inverse of the conventions in `Departure`.
+double arrival_density(Pdf<Departure> departure, bool from_infinity, double distance,
+                       float cosine) {
   const double spread = from_infinity ? 1.0 : 1.0 / (distance * distance);
   return static_cast<double>(departure.value()) * static_cast<double>(cosine) * spread;
 }
@@ -42,9 +39,9 @@ PathSampler::PathSampler(const Scene& scene, const PathSamplerSettings& settings
     : scene_(scene),
       settings_(settings),
       camera_walk_{TransportMode::Radiance, Stream::Camera, settings.heuristic,
-                   settings.roulette_start},
+                   settings.roulette_start, settings.techniques.needs_light_subpath()},
       light_walk_{TransportMode::Importance, Stream::Light, settings.heuristic,
-                  settings.roulette_start} {
+                  settings.roulette_start, true} {
   if (settings.techniques.classes().inner) {
     light_vertices_.resize(static_cast<std::size_t>(std::max(0, settings.max_depth)));
   }
@@ -78,11 +75,11 @@ void PathSampler::sample_light(SampleSource& source, PathSink& sink) { trace_lig
 void PathSampler::trace_light(SampleSource& source, PathSink& sink) {
   if (scene_.light_sampler().empty()) return;
   const ChosenLight chosen =
-      scene_.light_sampler().choose_emitter(source.get(at(Stream::Light, 0, kEmitterChoice)));
+      scene_.light_sampler().choose_emitter(source.get({Stream::Light, 0, kEmitterChoice}));
   EmissionUniforms u{};
-  u.primitive = source.get(at(Stream::Light, 0, kEmissionPrimitive));
-  u.position = source.get_pair(at(Stream::Light, 0, kEmissionPosition));
-  u.direction = source.get_pair(at(Stream::Light, 0, kEmissionDirection));
+  u.primitive = source.get({Stream::Light, 0, kEmissionPrimitive});
+  u.position = source.get_pair({Stream::Light, 0, kEmissionPosition});
+  u.direction = source.get_pair({Stream::Light, 0, kEmissionDirection});
   const Light& light = *chosen.light;
   const std::optional<EmissionSample> emission = light.sample_emission(u);
   if (!emission) return;
@@ -135,7 +132,7 @@ void PathSampler::trace_camera(SampleSource& source, const Vec2& raster, PathSin
   const Camera& camera = scene_.camera();
   const Vec2 size(camera.resolution());
   EmissionUniforms u{};
-  u.position = source.get_pair(at(Stream::Camera, 0, kEmissionPosition));
+  u.position = source.get_pair({Stream::Camera, 0, kEmissionPosition});
   u.direction = {raster.x / size.x, raster.y / size.y};
   const std::optional<EmissionSample> emission = camera.sample_emission(u);
   if (!emission) return;
@@ -229,16 +226,16 @@ void PathSampler::connect_to_light(const PathVertex& vertex, SampleSource& sourc
   const LightSampler& lights = scene_.light_sampler();
   if (lights.empty()) return;
   const ChosenLight chosen =
-      lights.choose(vertex.p, source.get(at(Stream::Camera, vertex.edges, Slot::LightChoice)));
+      lights.choose(vertex.p, source.get({Stream::Camera, vertex.edges, Slot::LightChoice}));
   ConnectionUniforms u{};
-  u.primitive = source.get(at(Stream::Camera, vertex.edges, Slot::LightPrimitive));
-  u.position = source.get_pair(at(Stream::Camera, vertex.edges, Slot::LightPositionX));
+  u.primitive = source.get({Stream::Camera, vertex.edges, Slot::LightPrimitive});
+  u.position = source.get_pair({Stream::Camera, vertex.edges, Slot::LightPositionX});
   const Light& light = *chosen.light;
   const std::optional<ConnectionSample> sample = light.sample_connection(vertex.p, u);
   if (!sample) return;
   const float probability = chosen.probability.value();
-  const Spectrum unoccluded = vertex.throughput * vertex.eval(sample->w, TransportMode::Radiance) *
-                              sample->weight / probability;
+  const BsdfValue scattered = vertex.evaluate(sample->w, TransportMode::Radiance);
+  const Spectrum unoccluded = vertex.throughput * scattered.value * sample->weight / probability;
   if (unoccluded.is_black()) return;
 
   const std::optional<Segment> segment = connect(scene_, ray_to_endpoint(vertex, light, *sample),
@@ -251,7 +248,7 @@ void PathSampler::connect_to_light(const PathVertex& vertex, SampleSource& sourc
   const auto distance = static_cast<double>(sample->distance);
   double others = 0.0;
   if (!light.discrete_position() && settings_.techniques.classes().implicit) {
-    const double reverse = static_cast<double>(vertex.pdf(vertex.wo, sample->w).value()) *
+    const double reverse = static_cast<double>(scattered.pdf.value()) *
                            endpoint_geometry(light, sample->point, sample->w, distance) *
                            static_cast<double>(segment->distance_pdf(nullptr));
     others += h(heuristic, reverse / connection_density);
@@ -277,7 +274,7 @@ void PathSampler::connect_to_light(const PathVertex& vertex, SampleSource& sourc
 void PathSampler::connect_to_camera(const PathVertex& vertex, SampleSource& source, PathSink& sink) {
   const Camera& camera = scene_.camera();
   ConnectionUniforms u{};
-  u.position = source.get_pair(at(Stream::Light, vertex.edges, Slot::LightPositionX));
+  u.position = source.get_pair({Stream::Light, vertex.edges, Slot::LightPositionX});
   const std::optional<ConnectionSample> sample = camera.sample_connection(vertex.p, u);
   if (!sample) return;
   const std::optional<Vec2> raster = camera.raster(sample->point, -sample->w);

@@ -13,9 +13,14 @@ struct Segment {
   /// merely absorb just attenuate.
   Spectrum scattering_depth;
 
-  /// Density of `sample_distance` ending at a vertex in `medium` (null: on a surface) at the end of this segment,
-  /// 1/(scene unit) or a probability.
-  float distance_pdf(const Medium* medium) const;
+  /// Density of `sample_distance` ending at a vertex in `medium` (null: on a surface) at the end of
+  /// this segment, 1/(scene unit) or a probability.
+  float distance_pdf(const Medium* medium) const {
+    return medium == nullptr && scattering_depth.is_black() ? 1.F : distance_pdf_in_medium(medium);
+  }
+
+ private:
+  float distance_pdf_in_medium(const Medium* medium) const;
 };
 
 /// Where a traced segment ended.
@@ -36,7 +41,7 @@ struct DistanceUniforms {
 class DistanceSource {
  public:
   DistanceSource(SampleSource& source, Stream stream, int vertex)
-      : source_(source), stream_(stream), vertex_(static_cast<std::uint16_t>(vertex)) {}
+      : source_(source), stream_(stream), vertex_(vertex) {}
   DistanceUniforms get() const {
     return {source_.get({stream_, vertex_, Slot::MediumChannel}),
             source_.get({stream_, vertex_, Slot::MediumDistance})};
@@ -45,7 +50,7 @@ class DistanceSource {
  private:
   SampleSource& source_;
   Stream stream_;
-  std::uint16_t vertex_;
+  int vertex_;
 };
 
 /// Follows a ray that starts in `medium`, straight through interface materials, to the next scattering event: a surface, or a

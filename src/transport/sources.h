@@ -17,8 +17,8 @@ struct SampleIdentity {
 };
 
 inline std::uint64_t vertex_key(SampleAddress address) {
-  return static_cast<std::uint64_t>(address.stream) << 32U |
-         static_cast<std::uint64_t>(address.vertex) << 8U;
+  return static_cast<std::uint64_t>(address.stream()) << 32U |
+         static_cast<std::uint64_t>(address.vertex()) << 8U;
 }
 
 /// Owen-scrambled Sobol' points: each pair of slots of each vertex has its own scrambled and shuffled two-dimensional set
@@ -30,7 +30,7 @@ class SobolSource final : public SampleSource {
 
   float get(SampleAddress address) override {
     const Vec2& pair = fetch(address);
-    return (static_cast<unsigned>(address.slot) & 1U) == 0 ? pair.x : pair.y;
+    return (static_cast<unsigned>(address.slot()) & 1U) == 0 ? pair.x : pair.y;
   }
   Vec2 get_pair(SampleAddress address) override { return fetch(address); }
 
@@ -44,7 +44,7 @@ class SobolSource final : public SampleSource {
   };
 
   const Vec2& fetch(SampleAddress address) {
-    const bool light = address.stream == Stream::Light;
+    const bool light = address.stream() == Stream::Light;
     Block& block = blocks_[light ? 1 : 0];
     const std::uint64_t key = vertex_key(address);
     if (block.key != key) {
@@ -56,7 +56,7 @@ class SobolSource final : public SampleSource {
       sobol_2d(light ? identity_.light_index : identity_.camera_index, seeds, block.pads);
       block.key = key;
     }
-    return block.pads[static_cast<std::size_t>(address.slot) / 2];
+    return block.pads[static_cast<std::size_t>(address.slot()) / 2];
   }
 
   SampleIdentity identity_;
@@ -80,8 +80,8 @@ class IndependentSource final : public SampleSource {
 
  private:
   std::uint64_t bits(SampleAddress address) const {
-    const std::uint64_t base = address.stream == Stream::Light ? light_ : camera_;
-    const std::uint64_t key = vertex_key(address) | static_cast<std::uint64_t>(address.slot);
+    const std::uint64_t base = address.stream() == Stream::Light ? light_ : camera_;
+    const std::uint64_t key = vertex_key(address) | static_cast<std::uint64_t>(address.slot());
     return mix_bits(base + key * 0x9e3779b97f4a7c15ULL);
   }
   std::uint64_t camera_;

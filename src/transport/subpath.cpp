@@ -4,12 +4,6 @@
 
 namespace ajar {
 
-namespace {
-SampleAddress address(const WalkSettings& settings, int vertex, Slot slot) {
-  return {settings.stream, static_cast<std::uint16_t>(vertex), slot};
-}
-}  // namespace
-
 MisStep mis_step(const Flight& flight, const Segment& segment, float distance, float cosine_at_end,
                  const Medium* end_medium, bool at_infinity, double class_coefficient) {
   const double inverse_square =
@@ -48,7 +42,9 @@ PathVertex arrive(const WalkSettings& settings, const Flight& flight, const Segm
     vertex.media = end.hit->media;
     end.hit->material->bsdf(end.hit->point, vertex.bsdf);
   }
-  // Between the vertices themselves, as connections measure it; the ray started a little off the surface.
+  if (!settings.has_other_end && (end.scattered || end.hit->light == nullptr)) return vertex;
+  // Between the vertices themselves, as connections measure it; the ray started a little off the
+  // surface.
   const float distance = flight.from_infinity ? end.distance : length(vertex.p - flight.reference);
   const MisStep step =
       mis_step(flight, end.segment, distance, vertex.cosine(vertex.wo),
@@ -60,15 +56,16 @@ PathVertex arrive(const WalkSettings& settings, const Flight& flight, const Segm
 bool scatter(const WalkSettings& settings, const PathVertex& vertex, SampleSource& source,
              Flight& flight) {
   BsdfUniforms u{};
-  u.lobe = source.get(address(settings, vertex.edges, Slot::BsdfLobe));
-  u.direction = source.get_pair(address(settings, vertex.edges, Slot::BsdfDirectionX));
-  const std::optional<BsdfSample> sample = vertex.sample(u, settings.mode);
+  u.lobe = source.get({settings.stream, vertex.edges, Slot::BsdfLobe});
+  u.direction = source.get_pair({settings.stream, vertex.edges, Slot::BsdfDirectionX});
+  const std::optional<BsdfSample> sample =
+      vertex.sample(u, settings.mode, settings.has_other_end ? Reverse::Compute : Reverse::Skip);
   if (!sample) return false;
   flight.throughput = vertex.throughput * sample->weight;
   if (settings.mode == TransportMode::Radiance) flight.eta_scale *= sample->eta * sample->eta;
   if (vertex.edges >= settings.roulette_start) {
     const float survival = std::min(0.95F, flight.throughput.max() * flight.eta_scale);
-    if (!(source.get(address(settings, vertex.edges, Slot::Roulette)) < survival)) return false;
+    if (!(source.get({settings.stream, vertex.edges, Slot::Roulette}) < survival)) return false;
     flight.throughput /= survival;
   }
   if (flight.throughput.is_black()) return false;

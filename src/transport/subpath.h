@@ -30,6 +30,9 @@ struct WalkSettings {
   Stream stream;
   Heuristic heuristic;
   int roulette_start;  ///< edges from which Russian roulette may end the walk
+  /// False if no technique has a subpath from the other end: then only vertices on lights need
+  /// their MIS state, and reverse densities are not needed at all.
+  bool has_other_end;
 };
 
 /// The vertex at the end of a flight that ended in the scene. `class_coefficient`: see `MisStep`.
