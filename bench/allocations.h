@@ -3,7 +3,8 @@
 
 namespace ajar::bench {
 
-/// Heap allocations made by this program so far, on all threads (operator new is replaced in allocations.cpp).
+/// Heap allocations made by this program so far, on all threads (operator new is replaced in
+/// allocations.cpp).
 std::uint64_t allocations();
 
 }  // namespace ajar::bench

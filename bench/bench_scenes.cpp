@@ -12,7 +12,8 @@ namespace ajar::bench {
 
 namespace {
 
-/// A hilly grid of side × side cells, two triangles each, with smooth normals: sizes that no small scene file has.
+/// A hilly grid of side × side cells, two triangles each, with smooth normals: sizes that no small
+/// scene file has.
 std::shared_ptr<const desc::Mesh> hills(int side) {
   auto mesh = std::make_shared<desc::Mesh>();
   const auto row = static_cast<unsigned>(side + 1);
@@ -41,11 +42,15 @@ std::shared_ptr<const desc::Mesh> hills(int side) {
 
 desc::SceneDesc hills_scene(int side, Warnings& warnings) {
   desc::SceneDesc scene = import_pbrt_text(
-      "LookAt 0 2.2 -5  0 0 0  0 1 0\nCamera \"perspective\" \"float fov\" [50]\nIntegrator \"path\" \"integer maxdepth\" [15]\n"
+      "LookAt 0 2.2 -5  0 0 0  0 1 0\nCamera \"perspective\" \"float fov\" [50]\nIntegrator "
+      "\"path\" \"integer maxdepth\" [15]\n"
       "WorldBegin\nLightSource \"infinite\" \"rgb L\" [0.5 0.6 0.8]\n"
-      "AttributeBegin AreaLightSource \"diffuse\" \"rgb L\" [60 50 40] Translate 1 4 0 Shape \"sphere\" \"float radius\" [0.3] AttributeEnd\n"
-      "AttributeBegin Material \"glass\" Translate 0.6 0.9 -1 Shape \"sphere\" \"float radius\" [0.5] AttributeEnd\n"
-      "AttributeBegin Material \"metal\" Translate -0.8 0.9 -0.6 Shape \"sphere\" \"float radius\" [0.5] AttributeEnd\n"
+      "AttributeBegin AreaLightSource \"diffuse\" \"rgb L\" [60 50 40] Translate 1 4 0 Shape "
+      "\"sphere\" \"float radius\" [0.3] AttributeEnd\n"
+      "AttributeBegin Material \"glass\" Translate 0.6 0.9 -1 Shape \"sphere\" \"float radius\" "
+      "[0.5] AttributeEnd\n"
+      "AttributeBegin Material \"metal\" Translate -0.8 0.9 -0.6 Shape \"sphere\" \"float radius\" "
+      "[0.5] AttributeEnd\n"
       "Material \"matte\" \"rgb Kd\" [0.6 0.55 0.5]\nWorldEnd\n",
       "hills.pbrt", ".", warnings);
   desc::Shape shape;
@@ -63,11 +68,13 @@ std::vector<BenchScene> bench_scenes() {
       {"hills-4M", [](Warnings& warnings) { return hills_scene(1414, warnings); }},
   };
   for (const std::string& name : builtin_scene_names()) {
-    scenes.push_back({name, [name](Warnings& warnings) { return load_scene("builtin:" + name, warnings); }});
+    scenes.push_back(
+        {name, [name](Warnings& warnings) { return load_scene("builtin:" + name, warnings); }});
   }
   if (const auto shared = test::shared_folder()) {
-    for (const char* path : {"cornell-box/pbrt/scene.pbrt", "veach-mis/pbrt/scene.pbrt", "veach-bidir/pbrt/scene.pbrt",
-                             "staircase2/pbrt/scene.pbrt", "water-caustic/scene.pbrt", "teapot-full/scene.pbrt"}) {
+    for (const char* path :
+         {"cornell-box/pbrt/scene.pbrt", "veach-mis/pbrt/scene.pbrt", "veach-bidir/pbrt/scene.pbrt",
+          "staircase2/pbrt/scene.pbrt", "water-caustic/scene.pbrt", "teapot-full/scene.pbrt"}) {
       const std::filesystem::path file = *shared / "scenes" / path;
       const std::string text = path;
       scenes.push_back({text.substr(0, text.find('/')), [file](Warnings& warnings) {

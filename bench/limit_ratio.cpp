@@ -12,9 +12,10 @@
 #include "image/make_filter.h"
 #include "integrator/integrator.h"
 
-/// The limit ratio of DESIGN, section 6: time of a render over the time Embree alone needs for exactly the rays the render
-/// traced. Both are measured in turn, in one run on one thread, so that the machine's mood cancels; medians are printed. With
-/// them: heap allocations per sample, and how much faster two threads are than one.
+/// The limit ratio of DESIGN, section 6: time of a render over the time Embree alone needs for
+/// exactly the rays the render traced. Both are measured in turn, in one run on one thread, so that
+/// the machine's mood cancels; medians are printed. With them: heap allocations per sample, and how
+/// much faster two threads are than one.
 namespace ajar::bench {
 namespace {
 
@@ -57,9 +58,9 @@ Job make_job(const Scene& scene, const std::string& name, int max_depth) {
   settings.replicates = 4;
   Job job;
   job.integrator = info.make(scene, settings, Parameters(info.parameters, {}));
-  job.film = std::make_unique<Film>(settings.resolution, settings.crop,
-                                    make_filter(scene.film().filter), settings.replicates,
-                                    job.integrator->layers());
+  job.film =
+      std::make_unique<Film>(settings.resolution, settings.crop, make_filter(scene.film().filter),
+                             settings.replicates, job.integrator->layers());
   job.items = job.integrator->items_in_pass();
   job.samples = 4;
   return job;
@@ -108,12 +109,13 @@ void measure(const BenchScene& bench_scene, const std::string& integrator) {
     const double one = parallel_seconds(job, 1);
     speedups.push_back(one / parallel_seconds(job, 2));
   }
-  fmt::print("| {} | {} | {} | {:.1f} | {:.2f} ({:.2f}–{:.2f}) | {:.4f} | {:.2f} |\n", bench_scene.name,
-             integrator, scene.counts().instanced_triangles,
-             static_cast<double>(counters.rays) / static_cast<double>(counters.samples), median(ratios),
-             *std::min_element(ratios.begin(), ratios.end()),
+  fmt::print("| {} | {} | {} | {:.1f} | {:.2f} ({:.2f}–{:.2f}) | {:.4f} | {:.2f} |\n",
+             bench_scene.name, integrator, scene.counts().instanced_triangles,
+             static_cast<double>(counters.rays) / static_cast<double>(counters.samples),
+             median(ratios), *std::min_element(ratios.begin(), ratios.end()),
              *std::max_element(ratios.begin(), ratios.end()),
-             static_cast<double>(allocated) / static_cast<double>(counters.samples), median(speedups));
+             static_cast<double>(allocated) / static_cast<double>(counters.samples),
+             median(speedups));
   std::fflush(stdout);
 }
 
@@ -123,11 +125,16 @@ void measure(const BenchScene& bench_scene, const std::string& integrator) {
 int main(int argc, char** argv) {
   using namespace ajar::bench;
   const std::vector<std::string> wanted(argv + 1, argv + argc);
-  fmt::print("limit ratio = render time / time Embree alone needs for the same rays (median of 5 pairs, range)\n\n");
-  fmt::print("| scene | integrator | triangles | rays/sample | limit ratio | allocations/sample | 2 threads over 1 |\n");
+  fmt::print(
+      "limit ratio = render time / time Embree alone needs for the same rays (median of 5 pairs, "
+      "range)\n\n");
+  fmt::print(
+      "| scene | integrator | triangles | rays/sample | limit ratio | allocations/sample | 2 "
+      "threads over 1 |\n");
   fmt::print("|---|---|---|---|---|---|---|\n");
   for (const BenchScene& scene : bench_scenes()) {
-    if (!wanted.empty() && std::find(wanted.begin(), wanted.end(), scene.name) == wanted.end()) continue;
+    if (!wanted.empty() && std::find(wanted.begin(), wanted.end(), scene.name) == wanted.end())
+      continue;
     try {
       measure(scene, "pt");
     } catch (const ajar::Error& error) {

@@ -38,11 +38,12 @@ TEST_P(Agreement, AllIntegratorsHaveTheExpectationOfPathTracing) {
     // A right program fails this with a chance of 2e-6.
     EXPECT_TRUE(comparison.equal())
         << info.name << ": worst block at " << comparison.worst_block.min.x << ", "
-        << comparison.worst_block.min.y << ", z " << comparison.worst_z << ", mean z " << comparison.mean_z
-        << ", relative " << comparison.mean_relative_difference;
+        << comparison.worst_block.min.y << ", z " << comparison.worst_z << ", mean z "
+        << comparison.mean_z << ", relative " << comparison.mean_relative_difference;
     // Power: 5 standard errors of the mean are less than 6 %.
     const Estimate mean = image_mean(truth);
-    const double error = std::hypot(mean.standard_error, image_mean(replicates_of(other)).standard_error);
+    const double error =
+        std::hypot(mean.standard_error, image_mean(replicates_of(other)).standard_error);
     EXPECT_LT(5.0 * error, 0.06 * mean.value) << info.name;
   }
 }

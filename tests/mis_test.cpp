@@ -15,8 +15,8 @@ namespace {
 
 using test::OraclePath;
 
-/// Rebuilds each sampled path from what the sampler reports, vertex by vertex, and compares its MIS weight with the
-/// definition.
+/// Rebuilds each sampled path from what the sampler reports, vertex by vertex, and compares its MIS
+/// weight with the definition.
 class CheckingSink final : public PathSink {
  public:
   CheckingSink(const Scene& scene, const PathSamplerSettings& settings)
@@ -126,7 +126,8 @@ class CheckingSink final : public PathSink {
     return endpoint.at_infinity() ? point.toward : normalize(point.surface.p - from);
   }
 
-  /// Segment i leaves node i - 1 (the light for i = 0); traced from the side that is inside the scene.
+  /// Segment i leaves node i - 1 (the light for i = 0); traced from the side that is inside the
+  /// scene.
   Segment segment(const OraclePath& path, const std::vector<const PathVertex*>& vertices,
                   std::size_t i, std::uint64_t& rays) const {
     const bool at_light = i == 0;
@@ -142,8 +143,9 @@ class CheckingSink final : public PathSink {
       const EndpointPoint& endpoint = at_light ? path.light_point : path.camera_point;
       const bool to_endpoint = at_light || i == vertices.size();
       const Vec3 w = normalize((to_endpoint ? endpoint.surface.p : vertices[i]->p) - from.p);
-      const Vec3 target = to_endpoint ? offset_ray_origin(endpoint.surface.p, endpoint.surface.ng, -w)
-                                      : vertices[i]->ray_origin(-w);
+      const Vec3 target = to_endpoint
+                              ? offset_ray_origin(endpoint.surface.p, endpoint.surface.ng, -w)
+                              : vertices[i]->ray_origin(-w);
       ray.origin = from.ray_origin(w);
       ray.t_max = length(target - ray.origin);
       ray.direction = (target - ray.origin) / ray.t_max;
@@ -162,9 +164,8 @@ class MisWeights : public ::testing::TestWithParam<test::SmallScene> {};
 
 TEST_P(MisWeights, EqualTheSlowOracleOnRandomPaths) {
   const auto scene = test::scene_from(GetParam().text);
-  for (const TechniqueSet set :
-       {TechniqueSet::pt(), TechniqueSet::lt(), TechniqueSet::ibpt(), TechniqueSet::bdpt(),
-        TechniqueSet({true, false, true, false})}) {
+  for (const TechniqueSet set : {TechniqueSet::pt(), TechniqueSet::lt(), TechniqueSet::ibpt(),
+                                 TechniqueSet::bdpt(), TechniqueSet({true, false, true, false})}) {
     for (const Heuristic heuristic : {Heuristic::Balance, Heuristic::Power}) {
       PathSamplerSettings settings;
       settings.techniques = set;

@@ -42,14 +42,16 @@ std::vector<Reference> references(const std::filesystem::path& shared) {
 
 constexpr int kBlock = 16;
 
-/// Blocks of both pictures, compared by luminance-like means. Pixels err independently in both (path tracing, box filter), so the
-/// error of a block's difference is known from the spread of the difference within the block: fireflies of either picture count,
-/// a deviation of the whole block does not hide.
+/// Blocks of both pictures, compared by luminance-like means. Pixels err independently in both
+/// (path tracing, box filter), so the error of a block's difference is known from the spread of the
+/// difference within the block: fireflies of either picture count, a deviation of the whole block
+/// does not hide.
 struct BlockTest {
   double worst_z = 0.0;
   Vec2i worst{0, 0};
   int blocks = 0;
-  double median_relative_error = 0.0;  ///< standard error of a block's difference over the block's mean
+  double median_relative_error =
+      0.0;  ///< standard error of a block's difference over the block's mean
 };
 
 BlockTest compare(const std::vector<float>& a, const std::vector<float>& b, int width, int height) {
@@ -112,8 +114,7 @@ TEST_P(References, PathTracingAgreesInMeanAndInBlocks) {
     options.samples = 64;
     options.max_depth = reference.max_depth;
     const std::vector<float> ours = test::render(scene, options).image();
-    const Image image =
-        read_image((*shared / "references" / (reference.name + ".exr")).string());
+    const Image image = read_image((*shared / "references" / (reference.name + ".exr")).string());
     ASSERT_EQ(image.width, reference.resolution.x);
     ASSERT_EQ(image.height, reference.resolution.y);
     const std::vector<float> theirs = image.rgb();
@@ -122,8 +123,8 @@ TEST_P(References, PathTracingAgreesInMeanAndInBlocks) {
     EXPECT_NEAR(ratio, 1.0, reference.tolerance) << reference.name;
 
     const BlockTest test = compare(ours, theirs, image.width, image.height);
-    EXPECT_LT(test.worst_z, 5.5) << reference.name << ": block at " << test.worst.x << ", " << test.worst.y
-                                 << " of " << test.blocks;
+    EXPECT_LT(test.worst_z, 5.5) << reference.name << ": block at " << test.worst.x << ", "
+                                 << test.worst.y << " of " << test.blocks;
     // Power: half of the blocks would show a deviation of 6 %, however it arises.
     EXPECT_LT(5.5 * test.median_relative_error, 0.06) << reference.name;
     return;

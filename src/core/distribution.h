@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -11,8 +12,9 @@ namespace ajar {
 /// Piecewise-constant distribution over n cells of [0, 1), from finite weights ≥ 0 (all zero:
 /// uniform). Every cell with a weight > 0 has a probability > 0: weights too small for the
 /// resolution of uniform numbers are raised to 2⁻²² of the total. Choosing is monotone in u and
-/// takes O(1) on average, O(log n) at worst: a binary search between guides. Source: Chen & Asau
-/// 1974, "On generating random variates from an empirical distribution".
+/// takes O(1) on average, O(log n) at worst: a binary search between guides. There are few guides,
+/// so that they stay in the cache where the bounds do not fit. Source: Chen & Asau 1974, "On
+/// generating random variates from an empirical distribution".
 class Distribution1D {
  public:
   struct Choice {
@@ -22,15 +24,48 @@ class Distribution1D {
   };
   Distribution1D() = default;
   explicit Distribution1D(std::span<const float> weights);
-  Choice choose(float u) const;
-  float probability(std::size_t index) const;
+  Choice choose(float u) const { return table().choose(u); }
+  float probability(std::size_t index) const { return table().probability(index); }
   std::size_t size() const { return cdf_.empty() ? 0 : cdf_.size() - 1; }
   /// Sum of the weights as given.
   double total() const { return total_; }
 
  private:
-  std::vector<float> cdf_;  ///< size() + 1 values from 0 to 1
-  /// Cell of k / size() for k = 0 … size() (the last one for k = size()): where a search may start.
+  friend class Distribution2D;
+  static constexpr std::size_t kCellsPerGuide = 8;
+
+  /// The tables of one distribution, wherever they are stored.
+  struct Table {
+    const float* cdf;  ///< size + 1 values from 0 to 1
+    const std::uint32_t*
+        guide;  ///< cell of k / guides for k = 0 … guides (the last one for k = guides)
+    std::size_t guides;
+
+    Choice choose(float u) const {
+      u = std::min(u, kOneMinusEpsilon);
+      // Exact in double precision, so the guides on both sides do enclose the cell of u.
+      const auto k = static_cast<std::size_t>(static_cast<double>(u) * static_cast<double>(guides));
+      // The last bound that is not beyond u starts the cell; a cell of zero width is never the one.
+      std::size_t index = guide[k];
+      std::size_t count = guide[k + 1] - index + 1;
+      while (count > 1) {
+        const std::size_t half = count / 2;
+        index = cdf[index + half] <= u ? index + half : index;
+        count -= half;
+      }
+      const float width = probability(index);
+      return {index, width, std::min((u - cdf[index]) / width, kOneMinusEpsilon)};
+    }
+    float probability(std::size_t index) const { return cdf[index + 1] - cdf[index]; }
+  };
+  static std::size_t guides_for(std::size_t cells) {
+    return (cells + kCellsPerGuide - 1) / kCellsPerGuide;
+  }
+  /// Fills the tables of `weights` and returns their sum.
+  static double fill(std::span<const float> weights, float* cdf, std::uint32_t* guide);
+  Table table() const { return {cdf_.data(), guide_.data(), guides_for(size())}; }
+
+  std::vector<float> cdf_;
   std::vector<std::uint32_t> guide_;
   double total_ = 0.0;
 };
@@ -51,10 +86,16 @@ class Distribution2D {
 
  private:
   static float place(const Distribution1D::Choice& choice, int cells);
+  Distribution1D::Table row(std::size_t y) const {
+    return {cdfs_.data() + y * (static_cast<std::size_t>(width_) + 1),
+            guides_.data() + y * (row_guides_ + 1), row_guides_};
+  }
 
   int width_ = 0;
   int height_ = 0;
-  std::vector<Distribution1D> rows_;
+  std::size_t row_guides_ = 0;
+  std::vector<float> cdfs_;  ///< row by row
+  std::vector<std::uint32_t> guides_;
   Distribution1D marginal_;
 };
 

@@ -15,9 +15,8 @@ struct Frame {
     const float sign = std::copysign(1.F, n.z);
     const float a = -1.F / (sign + n.z);
     const float b = n.x * n.y * a;
-    return {{1.F + sign * n.x * n.x * a, sign * b, -sign * n.x},
-            {b, sign + n.y * n.y * a, -n.y},
-            n};
+    return {
+        {1.F + sign * n.x * n.x * a, sign * b, -sign * n.x}, {b, sign + n.y * n.y * a, -n.y}, n};
   }
   /// Frame around `n` whose x axis is the part of `tangent` perpendicular to n; falls back to
   /// `around` if there is none.

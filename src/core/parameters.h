@@ -10,14 +10,14 @@ namespace ajar {
 
 enum class ParameterType { Bool, Int, Float, Text, Choice };
 
-/// Declaration of a parameter that users can set with `--set name=value`. `ajar list`, error messages
-/// and the manual are made from it.
+/// Declaration of a parameter that users can set with `--set name=value`. `ajar list`, error
+/// messages and the manual are made from it.
 struct ParameterSpec {
   std::string name;
   ParameterType type;
   std::string default_value;
-  std::string unit;  ///< "" if none
-  std::string help;  ///< one line
+  std::string unit;                  ///< "" if none
+  std::string help;                  ///< one line
   std::vector<std::string> choices;  ///< for Choice
   double minimum = -1e300;
   double maximum = 1e300;
@@ -26,7 +26,8 @@ struct ParameterSpec {
 /// Values for a list of specs; every declared parameter has a value, checked for type and range.
 class Parameters {
  public:
-  /// Raises UsageError for unknown names (nearest name suggested), bad values and values out of range.
+  /// Raises UsageError for unknown names (nearest name suggested), bad values and values out of
+  /// range.
   Parameters(std::span<const ParameterSpec> specs, const std::map<std::string, std::string>& given);
   bool get_bool(std::string_view name) const;
   int get_int(std::string_view name) const;

@@ -10,8 +10,8 @@ namespace ajar {
 struct Area {};        ///< surface area, 1/m²
 struct SolidAngle {};  ///< solid angle, 1/sr
 struct Discrete {};    ///< counting measure: a probability
-/// The measure a path vertex lives in: area on surfaces and lenses, volume inside media, solid angle
-/// for vertices at infinity, counting measure for point lights and pinholes.
+/// The measure a path vertex lives in: area on surfaces and lenses, volume inside media, solid
+/// angle for vertices at infinity, counting measure for point lights and pinholes.
 struct VertexMeasure {};
 /// Second coordinate of a ray that leaves an endpoint: solid angle for endpoints at a finite place,
 /// area on the plane perpendicular to the ray for endpoints at infinity, counting measure if the

@@ -18,11 +18,14 @@ constexpr std::uint64_t mix_bits(std::uint64_t v) {
 constexpr std::uint64_t hash_numbers() { return 0x9e3779b97f4a7c15ULL; }
 template <typename... Rest>
 constexpr std::uint64_t hash_numbers(std::uint64_t first, Rest... rest) {
-  return mix_bits(first + 0x9e3779b97f4a7c15ULL * (1 + hash_numbers(static_cast<std::uint64_t>(rest)...)));
+  return mix_bits(first +
+                  0x9e3779b97f4a7c15ULL * (1 + hash_numbers(static_cast<std::uint64_t>(rest)...)));
 }
 
 /// Uniform float in [0, 1) from the upper 24 of 32 random bits.
-constexpr float to_unit_float(std::uint32_t bits) { return static_cast<float>(bits >> 8) * 0x1p-24F; }
+constexpr float to_unit_float(std::uint32_t bits) {
+  return static_cast<float>(bits >> 8) * 0x1p-24F;
+}
 
 /// Small sequential generator: PCG-XSH-RR 64/32. Source: O'Neill 2014.
 class Rng {

@@ -20,11 +20,26 @@ class Spectrum {
   void set(int lane, float value) { lanes_[lane] = value; }
   constexpr Lanes lanes() const { return lanes_; }
 
-  Spectrum& operator+=(const Spectrum& o) { lanes_ += o.lanes_; return *this; }
-  Spectrum& operator-=(const Spectrum& o) { lanes_ -= o.lanes_; return *this; }
-  Spectrum& operator*=(const Spectrum& o) { lanes_ *= o.lanes_; return *this; }
-  Spectrum& operator*=(float s) { lanes_ *= s; return *this; }
-  Spectrum& operator/=(float s) { lanes_ *= 1.F / s; return *this; }
+  Spectrum& operator+=(const Spectrum& o) {
+    lanes_ += o.lanes_;
+    return *this;
+  }
+  Spectrum& operator-=(const Spectrum& o) {
+    lanes_ -= o.lanes_;
+    return *this;
+  }
+  Spectrum& operator*=(const Spectrum& o) {
+    lanes_ *= o.lanes_;
+    return *this;
+  }
+  Spectrum& operator*=(float s) {
+    lanes_ *= s;
+    return *this;
+  }
+  Spectrum& operator/=(float s) {
+    lanes_ *= 1.F / s;
+    return *this;
+  }
 
   friend Spectrum operator+(Spectrum a, const Spectrum& b) { return a += b; }
   friend Spectrum operator-(Spectrum a, const Spectrum& b) { return a -= b; }
@@ -62,8 +77,12 @@ template <typename Function>
 Spectrum map_lanes(const Spectrum& s, Function f) {
   return {f(s[0]), f(s[1]), f(s[2])};
 }
-inline Spectrum exp(const Spectrum& s) { return map_lanes(s, [](float x) { return std::exp(x); }); }
-inline Spectrum sqrt(const Spectrum& s) { return map_lanes(s, [](float x) { return std::sqrt(x); }); }
+inline Spectrum exp(const Spectrum& s) {
+  return map_lanes(s, [](float x) { return std::exp(x); });
+}
+inline Spectrum sqrt(const Spectrum& s) {
+  return map_lanes(s, [](float x) { return std::sqrt(x); });
+}
 inline Spectrum clamp(const Spectrum& s, float low, float high) {
   return map_lanes(s, [=](float x) { return std::clamp(x, low, high); });
 }

@@ -36,8 +36,8 @@ GBuffer::GBuffer(const Film& film) {
   }
 }
 
-void GBuffer::add(Film& film, Vec2i pixel, float weight, bool first_sample,
-                  float distance, const PathVertex& vertex, const Hit* hit) const {
+void GBuffer::add(Film& film, Vec2i pixel, float weight, bool first_sample, float distance,
+                  const PathVertex& vertex, const Hit* hit) const {
   const auto put = [&](Layer layer, const Spectrum& value) {
     const int index = index_[layer];
     if (index >= 0) film.add(index, 0, pixel, value);

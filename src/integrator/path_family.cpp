@@ -71,7 +71,8 @@ class SampleSink final : public PathSink {
  private:
   void put(int layer, const Spectrum& value) {
     if (value.is_black()) return;
-    if (!film_.add(layer, replicate_, pixel_, value * filter_weight_)) ++counters_.discarded_infinite;
+    if (!film_.add(layer, replicate_, pixel_, value * filter_weight_))
+      ++counters_.discarded_infinite;
   }
 
   void discard(const Contribution& contribution) {
@@ -82,21 +83,26 @@ class SampleSink final : public PathSink {
       nan = nan || std::isnan(value[lane]);
       infinite = infinite || std::isinf(value[lane]);
     }
-    ++(nan ? counters_.discarded_nan : infinite ? counters_.discarded_infinite
-                                                : counters_.discarded_negative);
+    ++(nan        ? counters_.discarded_nan
+       : infinite ? counters_.discarded_infinite
+                  : counters_.discarded_negative);
     if (!counters_.first_discarded.empty()) return;
     const std::string x = std::to_string(pixel_.x);
     const std::string y = std::to_string(pixel_.y);
-    counters_.first_discarded =
-        std::string(nan ? "NaN" : infinite ? "infinite" : "negative") + " contribution at pixel (" + x +
-        ", " + y + "), sample " + std::to_string(sample_) + ", technique (" +
-        std::to_string(contribution.technique.s) + ", " + std::to_string(contribution.technique.t) +
-        "); to replay it: the same scene and resolution with --seed " + std::to_string(seed_) +
-        " --spp " + std::to_string(sample_ + 1);
-    // Light subpaths belong to the whole picture, so only what hangs on a camera path alone can be replayed in a crop.
+    counters_.first_discarded = std::string(nan        ? "NaN"
+                                            : infinite ? "infinite"
+                                                       : "negative") +
+                                " contribution at pixel (" + x + ", " + y + "), sample " +
+                                std::to_string(sample_) + ", technique (" +
+                                std::to_string(contribution.technique.s) + ", " +
+                                std::to_string(contribution.technique.t) +
+                                "); to replay it: the same scene and resolution with --seed " +
+                                std::to_string(seed_) + " --spp " + std::to_string(sample_ + 1);
+    // Light subpaths belong to the whole picture, so only what hangs on a camera path alone can be
+    // replayed in a crop.
     if (contribution.technique.s <= 1) {
-      counters_.first_discarded += " --crop " + x + "," + y + "," + std::to_string(pixel_.x + 1) + "," +
-                                   std::to_string(pixel_.y + 1);
+      counters_.first_discarded += " --crop " + x + "," + y + "," + std::to_string(pixel_.x + 1) +
+                                   "," + std::to_string(pixel_.y + 1);
     }
   }
 
@@ -121,8 +127,8 @@ class PathIntegrator final : public Integrator {
     const Vec2i size = settings.crop.size() + Vec2i(1, 1);
     const double pixels = static_cast<double>(settings.resolution.x) * settings.resolution.y;
     sampler_settings_.techniques = techniques;
-    sampler_settings_.heuristic = parameters.get_text("heuristic") == "power" ? Heuristic::Power
-                                                                              : Heuristic::Balance;
+    sampler_settings_.heuristic =
+        parameters.get_text("heuristic") == "power" ? Heuristic::Power : Heuristic::Balance;
     sampler_settings_.min_depth = settings.min_depth;
     sampler_settings_.max_depth = std::min(settings.max_depth, kMaxPathEdges);
     sampler_settings_.roulette_start = parameters.get_int("roulette-start");
@@ -134,8 +140,7 @@ class PathIntegrator final : public Integrator {
     const double magnitude = pilot_magnitude();
     std::vector<LayerSpec> specs = {{.name = "direct", .magnitude = magnitude},
                                     {.name = "indirect", .magnitude = magnitude}};
-    for (LayerSpec& spec :
-         GBuffer::layers(settings_.aovs, 2.F * scene_.bounding_sphere().radius)) {
+    for (LayerSpec& spec : GBuffer::layers(settings_.aovs, 2.F * scene_.bounding_sphere().radius)) {
       specs.push_back(std::move(spec));
     }
     return specs;
@@ -188,7 +193,8 @@ class PathIntegrator final : public Integrator {
                                   static_cast<std::uint64_t>(size.x) +
                               static_cast<std::uint64_t>(pixel.x - settings_.crop.min.x);
     const auto pixels = static_cast<std::uint64_t>(size.x) * static_cast<std::uint64_t>(size.y);
-    // The light's sequence is cut where its 32-bit index would overflow; each stretch has its own scrambling.
+    // The light's sequence is cut where its 32-bit index would overflow; each stretch has its own
+    // scrambling.
     const std::uint64_t light_number = index * pixels + pixel_number;
     return {.camera_seed = hash_numbers(settings_.seed, replicate, pixel.x, pixel.y),
             .camera_index = index,
@@ -260,26 +266,28 @@ double PathIntegrator::pilot_magnitude() const {
 }  // namespace
 
 std::vector<ParameterSpec> path_family_parameters() {
-  return {{.name = "sampler",
-           .type = ParameterType::Choice,
-           .default_value = "sobol",
-           .unit = "",
-           .help = "where the random numbers come from: Owen-scrambled Sobol' points, or independent ones",
-           .choices = {"sobol", "independent"}},
-          {.name = "heuristic",
-           .type = ParameterType::Choice,
-           .default_value = "power",
-           .unit = "",
-           .help = "how techniques that find the same path share it (Veach & Guibas 1995)",
-           .choices = {"power", "balance"}},
-          {.name = "roulette-start",
-           .type = ParameterType::Int,
-           .default_value = "5",
-           .unit = "edges",
-           .help = "path length from which Russian roulette may end a dim path",
-           .choices = {},
-           .minimum = 1,
-           .maximum = 60000}};
+  return {
+      {.name = "sampler",
+       .type = ParameterType::Choice,
+       .default_value = "sobol",
+       .unit = "",
+       .help =
+           "where the random numbers come from: Owen-scrambled Sobol' points, or independent ones",
+       .choices = {"sobol", "independent"}},
+      {.name = "heuristic",
+       .type = ParameterType::Choice,
+       .default_value = "power",
+       .unit = "",
+       .help = "how techniques that find the same path share it (Veach & Guibas 1995)",
+       .choices = {"power", "balance"}},
+      {.name = "roulette-start",
+       .type = ParameterType::Int,
+       .default_value = "5",
+       .unit = "edges",
+       .help = "path length from which Russian roulette may end a dim path",
+       .choices = {},
+       .minimum = 1,
+       .maximum = 60000}};
 }
 
 std::unique_ptr<Integrator> make_path_integrator(TechniqueSet techniques, const Scene& scene,

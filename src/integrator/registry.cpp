@@ -31,14 +31,19 @@ Counters& Counters::operator+=(const Counters& other) {
 
 const std::vector<IntegratorInfo>& integrators() {
   static const std::vector<IntegratorInfo> kIntegrators = {
-      path_family_member("bdpt", "bidirectional path tracing: every way to join a camera path and a light path",
-                         "Lafortune & Willems 1993; Veach & Guibas 1995", TechniqueSet::bdpt()),
-      path_family_member("ibpt", "path tracing and light tracing combined: most of bdpt's strength at little cost",
-                         "Bogolepov et al. 2013", TechniqueSet::ibpt()),
-      path_family_member("lt", "light tracing: paths from the lights, joined to the lens; blind to what only mirrors show",
+      path_family_member(
+          "bdpt", "bidirectional path tracing: every way to join a camera path and a light path",
+          "Lafortune & Willems 1993; Veach & Guibas 1995", TechniqueSet::bdpt()),
+      path_family_member(
+          "ibpt", "path tracing and light tracing combined: most of bdpt's strength at little cost",
+          "Bogolepov et al. 2013", TechniqueSet::ibpt()),
+      path_family_member("lt",
+                         "light tracing: paths from the lights, joined to the lens; blind to what "
+                         "only mirrors show",
                          "Dutré et al. 1993", TechniqueSet::lt()),
-      path_family_member("pt", "path tracing: camera paths that run into lights or are lit by sampled ones",
-                         "Kajiya 1986; Veach & Guibas 1995", TechniqueSet::pt()),
+      path_family_member(
+          "pt", "path tracing: camera paths that run into lights or are lit by sampled ones",
+          "Kajiya 1986; Veach & Guibas 1995", TechniqueSet::pt()),
   };
   return kIntegrators;
 }

@@ -43,6 +43,10 @@ void quadric_hit_point(const ShapeRecord& record, const LocalRay& world, float t
     }
   }
   const Vec3d p = record.quadric->project(ray.origin + ray.direction * exact);
+  if (!record.derivatives && record.quadric->is_sphere()) {
+    point = sphere_plain_point(*record.quadric, *record.placement, record.reversed, p);
+    return;
+  }
   point = quadric_surface_point(*record.quadric, *record.placement, record.reversed,
                                 record.quadric->parameters(p));
 }
@@ -74,7 +78,11 @@ bool Geometry::intersect(const Ray& ray, GeometryHit& hit) const {
   }
   const ShapeRecord& record = shapes_[hit.shape];
   if (record.mesh) {
-    record.mesh->surface_point(rayhit.hit.primID, rayhit.hit.u, rayhit.hit.v, hit.point);
+    if (record.derivatives) {
+      record.mesh->surface_point(rayhit.hit.primID, rayhit.hit.u, rayhit.hit.v, hit.point);
+    } else {
+      record.mesh->plain_point(rayhit.hit.primID, rayhit.hit.u, rayhit.hit.v, hit.point);
+    }
   } else if (record.quadric) {
     quadric_hit_point(record, to_instance(ray, instance), hit.t, hit.point);
   } else {
@@ -83,7 +91,7 @@ bool Geometry::intersect(const Ray& ray, GeometryHit& hit) const {
                                             Vec3(local.direction), hit.t,
                                             {rayhit.hit.Ng_x, rayhit.hit.Ng_y, rayhit.hit.Ng_z});
   }
-  if (instance != nullptr) place_point(*instance, hit.point);
+  if (instance != nullptr) place_point(*instance, record.derivatives, hit.point);
   return true;
 }
 
@@ -121,6 +129,7 @@ QueryContext Geometry::make_context(const Ray& ray) const {
   return context;
 }
 
+void Geometry::leave_out_derivatives(std::size_t shape) { shapes_[shape].derivatives = false; }
 std::size_t Geometry::shape_count() const { return shapes_.size(); }
 bool Geometry::has_shape(std::size_t shape) const { return shapes_[shape].present(); }
 

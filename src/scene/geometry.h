@@ -6,6 +6,7 @@
 
 #include "core/error.h"
 #include "scene/desc/scene_desc.h"
+#include "scene/hit.h"
 #include "scene/ray.h"
 #include "scene/ray_log.h"
 #include "scene/scene_counts.h"
@@ -21,14 +22,6 @@ namespace ajar {
 struct InstanceRecord;
 struct QueryContext;
 struct ShapeRecord;
-
-/// Where a ray meets the geometry.
-struct GeometryHit {
-  float t;
-  std::uint32_t shape;        ///< flat index of the shape, see Geometry
-  std::uint32_t instance_id;  ///< 0: not an instance; else index of the instance + 1
-  SurfacePoint point;
-};
 
 /// Everything rays can hit, committed to Embree; knows shapes and alpha textures but neither
 /// materials nor lights. Immutable, shared by all threads.
@@ -49,10 +42,14 @@ class Geometry {
   /// True if anything lies on `ray`, alpha and shadow alpha textures applied.
   bool occluded(const Ray& ray) const;
 
-  /// From now on every ray is written to `log`, until it is null again. For benchmarks: one thread only.
+  /// From now on every ray is written to `log`, until it is null again. For benchmarks: one thread
+  /// only.
   void log_rays(RayLog* log) { ray_log_ = log; }
   /// Traces the rays of a log again and does nothing with what they hit.
   void replay(const RayLog& log) const;
+
+  /// From now on hits of this shape have no derivatives.
+  void leave_out_derivatives(std::size_t shape);
 
   /// Flat index of the first shape of an object.
   std::size_t object_base(std::size_t object) const { return object_base_[object]; }

@@ -110,7 +110,7 @@ bool placed_far_away(const Placement& placement) {
 RTCGeometry make_triangles(RTCDevice device, const TriangleMesh& mesh) {
   RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
   rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                             mesh.positions(), 0, sizeof(Vec3), mesh.vertex_count());
+                             mesh.positions(), 0, mesh.position_stride(), mesh.vertex_count());
   rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, mesh.triangles(),
                              0, sizeof(TriangleMesh::Triangle), mesh.triangle_count());
   return geometry;

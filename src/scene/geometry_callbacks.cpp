@@ -64,7 +64,7 @@ void filter_curve(const RTCFilterFunctionNArguments* args) {
       record.curve->surface_point(hit.primID, hit.u, {ray.org_x, ray.org_y, ray.org_z}, direction,
                                   ray.tfar, {hit.Ng_x, hit.Ng_y, hit.Ng_z});
   const Placement* instance = instance_of(query(args->context), hit.instID[0]);
-  if (instance != nullptr) place_point(*instance, point);
+  if (instance != nullptr) place_point(*instance, true, point);
   if (is_cut_away(record, point, kPurpose)) args->valid[0] = 0;
 }
 
@@ -120,7 +120,7 @@ float first_root(const ShapeRecord& record, const QueryContext& context, unsigne
       const Vec3d p = record.quadric->project(ray.origin + ray.direction * roots.t[i]);
       SurfacePoint point = quadric_surface_point(*record.quadric, *record.placement,
                                                  record.reversed, record.quadric->parameters(p));
-      if (instance != nullptr) place_point(*instance, point);
+      if (instance != nullptr) place_point(*instance, true, point);
       if (is_cut_away(record, point, kPurpose)) continue;
     }
     return t;
@@ -154,19 +154,20 @@ void occlude_quadric(const RTCOccludedFunctionNArguments* args) {
 
 }  // namespace
 
-void place_point(const Placement& instance, SurfacePoint& point) {
+void place_point(const Placement& instance, bool derivatives, SurfacePoint& point) {
   const Vec3d n = instance.normal(Vec3d(point.ns));
   const double size = n.length();
   const Vec3d ns = n / size;
-  const auto derivative = [&](const Vec3& dn) {
+  point.p = Vec3(instance.point(Vec3d(point.p)));
+  point.ns = Vec3(ns);
+  point.ng = face_forward(Vec3(instance.normal(Vec3d(point.ng)).normalized()), point.ns);
+  if (!derivatives) return;
+  const auto normal_derivative = [&](const Vec3& dn) {
     const Vec3d moved = instance.normal(Vec3d(dn)) / size;
     return Vec3(moved - ns * ns.dot(moved));
   };
-  point.p = Vec3(instance.point(Vec3d(point.p)));
-  point.dndu = derivative(point.dndu);
-  point.dndv = derivative(point.dndv);
-  point.ns = Vec3(ns);
-  point.ng = face_forward(Vec3(instance.normal(Vec3d(point.ng)).normalized()), point.ns);
+  point.dndu = normal_derivative(point.dndu);
+  point.dndv = normal_derivative(point.dndv);
   point.dpdu = Vec3(instance.vector(Vec3d(point.dpdu)));
   point.dpdv = Vec3(instance.vector(Vec3d(point.dpdv)));
 }

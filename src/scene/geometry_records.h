@@ -23,6 +23,7 @@ struct ShapeRecord {
   TextureSlot alpha{Spectrum(1.F)};
   TextureSlot shadow_alpha{Spectrum(1.F)};
   bool reversed = false;
+  bool derivatives = true;   ///< of hits are wanted
   bool check_plane = false;  ///< hits of the triangle that a ray leaves must be told from real ones
 
   bool present() const { return mesh || curve || quadric; }
@@ -59,8 +60,8 @@ inline LocalRay to_instance(const Ray& ray, const Placement* instance) {
 inline LocalRay to_shape(const LocalRay& ray, const Placement& shape) {
   return {shape.point_to_object(ray.origin), shape.vector_to_object(ray.direction)};
 }
-/// Brings a point of an instanced object into the world.
-void place_point(const Placement& instance, SurfacePoint& point);
+/// Brings a point of an instanced object into the world, with its derivatives or without.
+void place_point(const Placement& instance, bool derivatives, SurfacePoint& point);
 
 /// Registers filters or user callbacks with Embree as far as the shape needs them. The record must
 /// stay where it is.

@@ -82,6 +82,7 @@ void Scene::build_surfaces(const desc::SceneDesc& description, Warnings& warning
     const Material& material = *materials_[static_cast<std::size_t>(shape.material)];
     has_interfaces_ =
         has_interfaces_ || (material.is_interface() && geometry_->has_shape(surfaces_.size()));
+    if (!material.needs_derivatives()) geometry_->leave_out_derivatives(surfaces_.size());
     surfaces_.push_back({&material, nullptr, shared_interface(media),
                          static_cast<std::uint32_t>(index),
                          static_cast<std::uint32_t>(shape.material)});
@@ -116,7 +117,8 @@ void Scene::build_lights(const desc::SceneDesc& description, Warnings& warnings)
     const desc::Shape& shape = description.shapes[i];
     if (!shape.light || !geometry_->has_shape(i)) continue;
     if (surfaces_[i].material->is_interface()) {
-      warnings.add(shape.light->where, "a surface without material cannot emit: give it a black matte one");
+      warnings.add(shape.light->where,
+                   "a surface without material cannot emit: give it a black matte one");
       continue;
     }
     auto sampler = geometry_->make_sampler(i);
@@ -134,14 +136,21 @@ void Scene::build_lights(const desc::SceneDesc& description, Warnings& warnings)
   }
 }
 
+bool Scene::intersect(const Ray& ray, Hit& hit) const {
+  if (!geometry_->intersect(ray, hit)) return false;
+  const Surface& surface = surfaces_[hit.shape];
+  hit.material = surface.material;
+  hit.light = surface.light;
+  hit.media = surface.media;
+  hit.object_id = surface.object_id;
+  hit.material_id = surface.material_id;
+  return true;
+}
+
 std::optional<Hit> Scene::intersect(const Ray& ray) const {
-  std::optional<Hit> result;
-  GeometryHit found;
-  if (!geometry_->intersect(ray, found)) return result;
-  const Surface& surface = surfaces_[found.shape];
-  result.emplace(Hit{found.t, found.point, surface.material, surface.light, surface.media,
-                     surface.object_id, found.instance_id, surface.material_id});
-  return result;
+  std::optional<Hit> hit(std::in_place);
+  if (!intersect(ray, *hit)) hit.reset();
+  return hit;
 }
 
 bool Scene::occluded(const Ray& ray) const { return geometry_->occluded(ray); }

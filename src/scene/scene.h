@@ -11,6 +11,7 @@
 #include "core/spectrum.h"
 #include "scene/camera/camera.h"
 #include "scene/desc/scene_desc.h"
+#include "scene/hit.h"
 #include "scene/light/light.h"
 #include "scene/light/light_sampler.h"
 #include "scene/material/material.h"
@@ -24,25 +25,6 @@ namespace ajar {
 
 class Geometry;
 
-/// Media on the two sides of a surface; `changes` is false if a ray keeps the medium it is in.
-struct MediumInterface {
-  const Medium* inside = nullptr;   ///< on the side that −ng points to
-  const Medium* outside = nullptr;  ///< on the side that +ng points to
-  bool changes = false;
-};
-
-/// What a ray hit.
-struct Hit {
-  float t;
-  SurfacePoint point;
-  const Material* material;  ///< never null
-  const Light* light;        ///< null if the surface does not emit
-  const MediumInterface* media;  ///< never null
-  std::uint32_t object_id;    ///< index of the shape in the description (instanced: of the shape in its object)
-  std::uint32_t instance_id;  ///< 0: not an instance; else index of the instance + 1
-  std::uint32_t material_id;
-};
-
 /// Settings that change how a scene is built.
 struct BuildOptions {
   std::optional<Vec2i> resolution;  ///< of the full image, instead of the file's
@@ -51,16 +33,21 @@ struct BuildOptions {
 /// An immutable scene, committed to Embree and shared by all threads. Nothing random in it.
 class Scene {
  public:
-  /// Takes the description (geometry is moved or shared, not copied, where possible). Raises SceneError if the
-  /// scene cannot be used (for example indices out of range); lesser faults become warnings.
+  /// Takes the description (geometry is moved or shared, not copied, where possible). Raises
+  /// SceneError if the scene cannot be used (for example indices out of range); lesser faults
+  /// become warnings.
   Scene(desc::SceneDesc&& description, const BuildOptions& options, Warnings& warnings);
   ~Scene();
   Scene(const Scene&) = delete;
   Scene& operator=(const Scene&) = delete;
 
-  /// Nearest surface along `ray`, alpha textures applied. Interface materials are reported like any other.
+  /// Nearest surface along `ray`, alpha textures applied. Interface materials are reported like any
+  /// other.
   std::optional<Hit> intersect(const Ray& ray) const;
-  /// True if anything at all lies between (interfaces too; see `transmittance` of transport for those).
+  /// The same, into `hit`, which is undefined if this returns false.
+  bool intersect(const Ray& ray, Hit& hit) const;
+  /// True if anything at all lies between (interfaces too; see `transmittance` of transport for
+  /// those).
   bool occluded(const Ray& ray) const;
   /// See Geometry. Not for renders.
   void log_rays(RayLog* log);
@@ -73,9 +60,13 @@ class Scene {
   std::span<const std::unique_ptr<Light>> lights() const { return lights_; }
   /// The lights that rays leaving the scene run into.
   std::span<const Light* const> infinite_lights() const { return infinite_lights_; }
-  const Medium* medium(desc::MediumId id) const { return id < 0 ? nullptr : media_[static_cast<std::size_t>(id)].get(); }
+  const Medium* medium(desc::MediumId id) const {
+    return id < 0 ? nullptr : media_[static_cast<std::size_t>(id)].get();
+  }
   std::span<const std::unique_ptr<const Medium>> media() const { return media_; }
-  const Material& material(desc::MaterialId id) const { return *materials_[static_cast<std::size_t>(id)]; }
+  const Material& material(desc::MaterialId id) const {
+    return *materials_[static_cast<std::size_t>(id)];
+  }
 
   const Box3& bounds() const { return bounds_; }
   const BoundingSphere& bounding_sphere() const { return bounding_sphere_; }

@@ -5,25 +5,24 @@
 namespace ajar {
 
 namespace {
-constexpr SampleAddress at(Stream stream, int vertex, Slot slot) {
-  return {stream, static_cast<std::uint16_t>(vertex), slot};
-}
-
-/// Density in the vertex measure with which a ray leaving an endpoint arrives at a vertex: the inverse of the
-/// conventions in `Departure`.
-double arrival_density(Pdf<Departure> departure, bool from_infinity, double distance, float cosine) {
+/// Density in the vertex measure with which a ray leaving an endpoint arrives at a vertex: the
+/// inverse of the conventions in `Departure`.
+double arrival_density(Pdf<Departure> departure, bool from_infinity, double distance,
+                       float cosine) {
   const double spread = from_infinity ? 1.0 : 1.0 / (distance * distance);
   return static_cast<double>(departure.value()) * static_cast<double>(cosine) * spread;
 }
 
-/// |cos θ| at an endpoint over d²: what turns a direction density at the other end into the endpoint's measure.
+/// |cos θ| at an endpoint over d²: what turns a direction density at the other end into the
+/// endpoint's measure.
 double endpoint_geometry(const Endpoint& endpoint, const EndpointPoint& point, const Vec3& w,
                          double distance) {
   if (endpoint.at_infinity()) return 1.0;
   return static_cast<double>(abs_dot(point.surface.ng, w)) / (distance * distance);
 }
 
-/// The ray between two points that were already moved off their surfaces; it stops a few roundings short.
+/// The ray between two points that were already moved off their surfaces; it stops a few roundings
+/// short.
 Ray ray_between(const Vec3& from, const Vec3& to) {
   const Vec3 difference = to - from;
   const float distance = length(difference);
@@ -31,10 +30,12 @@ Ray ray_between(const Vec3& from, const Vec3& to) {
 }
 
 /// From `vertex` to the endpoint that lies in direction `w`.
-Ray ray_to_endpoint(const PathVertex& vertex, const Endpoint& endpoint, const ConnectionSample& sample) {
+Ray ray_to_endpoint(const PathVertex& vertex, const Endpoint& endpoint,
+                    const ConnectionSample& sample) {
   const Vec3 origin = vertex.ray_origin(sample.w);
   if (endpoint.at_infinity()) return {origin, sample.w, sample.distance};
-  return ray_between(origin, offset_ray_origin(sample.point.surface.p, sample.point.surface.ng, -sample.w));
+  return ray_between(origin,
+                     offset_ray_origin(sample.point.surface.p, sample.point.surface.ng, -sample.w));
 }
 }  // namespace
 
@@ -42,9 +43,9 @@ PathSampler::PathSampler(const Scene& scene, const PathSamplerSettings& settings
     : scene_(scene),
       settings_(settings),
       camera_walk_{TransportMode::Radiance, Stream::Camera, settings.heuristic,
-                   settings.roulette_start},
+                   settings.roulette_start, settings.techniques.needs_light_subpath()},
       light_walk_{TransportMode::Importance, Stream::Light, settings.heuristic,
-                  settings.roulette_start} {
+                  settings.roulette_start, true} {
   if (settings.techniques.classes().inner) {
     light_vertices_.resize(static_cast<std::size_t>(std::max(0, settings.max_depth)));
   }
@@ -63,8 +64,10 @@ double PathSampler::camera_side_coefficient(int vertices) const {
   return settings_.techniques.classes().inner ? 1.0 : 0.0;
 }
 
-SegmentEnd PathSampler::trace(const WalkSettings& walk, const Flight& flight, SampleSource& source) {
-  return trace_segment(scene_, flight.ray, flight.medium, {source, walk.stream, flight.edges}, rays_);
+SegmentEnd PathSampler::trace(const WalkSettings& walk, const Flight& flight,
+                              SampleSource& source) {
+  return trace_segment(scene_, flight.ray, flight.medium, {source, walk.stream, flight.edges},
+                       rays_);
 }
 
 void PathSampler::sample(SampleSource& source, const Vec2& raster, PathSink& sink) {
@@ -78,23 +81,23 @@ void PathSampler::sample_light(SampleSource& source, PathSink& sink) { trace_lig
 void PathSampler::trace_light(SampleSource& source, PathSink& sink) {
   if (scene_.light_sampler().empty()) return;
   const ChosenLight chosen =
-      scene_.light_sampler().choose_emitter(source.get(at(Stream::Light, 0, kEmitterChoice)));
+      scene_.light_sampler().choose_emitter(source.get({Stream::Light, 0, kEmitterChoice}));
   EmissionUniforms u{};
-  u.primitive = source.get(at(Stream::Light, 0, kEmissionPrimitive));
-  u.position = source.get_pair(at(Stream::Light, 0, kEmissionPosition));
-  u.direction = source.get_pair(at(Stream::Light, 0, kEmissionDirection));
+  u.primitive = source.get({Stream::Light, 0, kEmissionPrimitive});
+  u.position = source.get_pair({Stream::Light, 0, kEmissionPosition});
+  u.direction = source.get_pair({Stream::Light, 0, kEmissionDirection});
   const Light& light = *chosen.light;
   const std::optional<EmissionSample> emission = light.sample_emission(u);
   if (!emission) return;
 
   sink.started(Stream::Light, light, emission->point);
   const float emitter_probability = chosen.probability.value();
-  const double position_density =
-      static_cast<double>(emission->position_pdf.value()) * static_cast<double>(emitter_probability);
+  const double position_density = static_cast<double>(emission->position_pdf.value()) *
+                                  static_cast<double>(emitter_probability);
   Flight flight;
-  flight.ray = {light.at_infinity() ? emission->origin
-                                    : offset_ray_origin(emission->origin, emission->point.surface.ng,
-                                                        emission->w),
+  flight.ray = {light.at_infinity()
+                    ? emission->origin
+                    : offset_ray_origin(emission->origin, emission->point.surface.ng, emission->w),
                 emission->w};
   flight.medium = light.medium;
   flight.reference = emission->point.surface.p;
@@ -135,14 +138,15 @@ void PathSampler::trace_camera(SampleSource& source, const Vec2& raster, PathSin
   const Camera& camera = scene_.camera();
   const Vec2 size(camera.resolution());
   EmissionUniforms u{};
-  u.position = source.get_pair(at(Stream::Camera, 0, kEmissionPosition));
+  u.position = source.get_pair({Stream::Camera, 0, kEmissionPosition});
   u.direction = {raster.x / size.x, raster.y / size.y};
   const std::optional<EmissionSample> emission = camera.sample_emission(u);
   if (!emission) return;
 
   sink.started(Stream::Camera, camera, emission->point);
   const TechniqueSet::Classes& classes = settings_.techniques.classes();
-  // Light tracing reaches the full image only, while wide filters draw camera rays from beyond its border.
+  // Light tracing reaches the full image only, while wide filters draw camera rays from beyond its
+  // border.
   const bool inside = raster.x >= 0.F && raster.y >= 0.F && raster.x < size.x && raster.y < size.y;
   light_tracing_coefficient_ =
       classes.light && inside ? h(settings_.heuristic, settings_.light_paths_per_pixel) : 0.0;
@@ -155,14 +159,16 @@ void PathSampler::trace_camera(SampleSource& source, const Vec2& raster, PathSin
   flight.mis = mis_start(settings_.heuristic, emission->position_pdf.value(), 0.0);
   flight.departure = emission->departure_pdf.value();
   flight.from_infinity = camera.at_infinity();
-  flight.cosine = camera.discrete_position() ? 1.F : abs_dot(emission->point.surface.ng, emission->w);
+  flight.cosine =
+      camera.discrete_position() ? 1.F : abs_dot(emission->point.surface.ng, emission->w);
 
   const bool walks_on = classes.implicit || classes.next_event || classes.inner;
   const int last_edge = walks_on ? settings_.max_depth : 1;
   while (flight.edges < settings_.max_depth) {
     const SegmentEnd end = trace(camera_walk_, flight, source);
     const int edges = flight.edges + 1;
-    const bool sees_light = settings_.techniques.enabled({0, edges + 1}) && edges >= settings_.min_depth;
+    const bool sees_light =
+        settings_.techniques.enabled({0, edges + 1}) && edges >= settings_.min_depth;
     if (!end.hit && !end.scattered) {
       if (!sees_light) return;
       const MisStep step = mis_step(flight, end.segment, end.distance, 1.F, nullptr, true,
@@ -211,8 +217,9 @@ void PathSampler::hit_light(const Flight& flight, const SegmentEnd& end, const M
     }
     if (mis.partial > 0.0) {
       const EmissionPdf emission = light.emission_pdf(point, -flight.ray.direction);
-      const double position = static_cast<double>(emission.position.value()) *
-                              static_cast<double>(scene_.light_sampler().emitter_probability(light).value());
+      const double position =
+          static_cast<double>(emission.position.value()) *
+          static_cast<double>(scene_.light_sampler().emitter_probability(light).value());
       others += h(heuristic, position) *
                 h(heuristic, static_cast<double>(emission.departure.value())) * mis.partial;
     }
@@ -229,16 +236,16 @@ void PathSampler::connect_to_light(const PathVertex& vertex, SampleSource& sourc
   const LightSampler& lights = scene_.light_sampler();
   if (lights.empty()) return;
   const ChosenLight chosen =
-      lights.choose(vertex.p, source.get(at(Stream::Camera, vertex.edges, Slot::LightChoice)));
+      lights.choose(vertex.p, source.get({Stream::Camera, vertex.edges, Slot::LightChoice}));
   ConnectionUniforms u{};
-  u.primitive = source.get(at(Stream::Camera, vertex.edges, Slot::LightPrimitive));
-  u.position = source.get_pair(at(Stream::Camera, vertex.edges, Slot::LightPositionX));
+  u.primitive = source.get({Stream::Camera, vertex.edges, Slot::LightPrimitive});
+  u.position = source.get_pair({Stream::Camera, vertex.edges, Slot::LightPositionX});
   const Light& light = *chosen.light;
   const std::optional<ConnectionSample> sample = light.sample_connection(vertex.p, u);
   if (!sample) return;
   const float probability = chosen.probability.value();
-  const Spectrum unoccluded = vertex.throughput * vertex.eval(sample->w, TransportMode::Radiance) *
-                              sample->weight / probability;
+  const BsdfValue scattered = vertex.evaluate(sample->w, TransportMode::Radiance);
+  const Spectrum unoccluded = vertex.throughput * scattered.value * sample->weight / probability;
   if (unoccluded.is_black()) return;
 
   const std::optional<Segment> segment = connect(scene_, ray_to_endpoint(vertex, light, *sample),
@@ -251,7 +258,7 @@ void PathSampler::connect_to_light(const PathVertex& vertex, SampleSource& sourc
   const auto distance = static_cast<double>(sample->distance);
   double others = 0.0;
   if (!light.discrete_position() && settings_.techniques.classes().implicit) {
-    const double reverse = static_cast<double>(vertex.pdf(vertex.wo, sample->w).value()) *
+    const double reverse = static_cast<double>(scattered.pdf.value()) *
                            endpoint_geometry(light, sample->point, sample->w, distance) *
                            static_cast<double>(segment->distance_pdf(nullptr));
     others += h(heuristic, reverse / connection_density);
@@ -261,7 +268,8 @@ void PathSampler::connect_to_light(const PathVertex& vertex, SampleSource& sourc
     const double position = static_cast<double>(emission.position.value()) *
                             static_cast<double>(lights.emitter_probability(light).value());
     const double arrival =
-        arrival_density(emission.departure, light.at_infinity(), distance, vertex.cosine(sample->w)) *
+        arrival_density(emission.departure, light.at_infinity(), distance,
+                        vertex.cosine(sample->w)) *
         static_cast<double>(segment->distance_pdf(vertex.in_medium ? vertex.medium : nullptr));
     others += h(heuristic, position / connection_density) *
               vertex.mis.sum(heuristic, arrival, vertex.pdf(sample->w, vertex.wo).value());
@@ -274,10 +282,11 @@ void PathSampler::connect_to_light(const PathVertex& vertex, SampleSource& sourc
             .light = &light});
 }
 
-void PathSampler::connect_to_camera(const PathVertex& vertex, SampleSource& source, PathSink& sink) {
+void PathSampler::connect_to_camera(const PathVertex& vertex, SampleSource& source,
+                                    PathSink& sink) {
   const Camera& camera = scene_.camera();
   ConnectionUniforms u{};
-  u.position = source.get_pair(at(Stream::Light, vertex.edges, Slot::LightPositionX));
+  u.position = source.get_pair({Stream::Light, vertex.edges, Slot::LightPositionX});
   const std::optional<ConnectionSample> sample = camera.sample_connection(vertex.p, u);
   if (!sample) return;
   const std::optional<Vec2> raster = camera.raster(sample->point, -sample->w);
@@ -285,14 +294,15 @@ void PathSampler::connect_to_camera(const PathVertex& vertex, SampleSource& sour
   const Spectrum unoccluded =
       vertex.throughput * vertex.eval(sample->w, TransportMode::Importance) * sample->weight;
   if (unoccluded.is_black()) return;
-  const std::optional<Segment> segment =
-      connect(scene_, ray_to_endpoint(vertex, camera, *sample), vertex.medium_toward(sample->w), rays_);
+  const std::optional<Segment> segment = connect(scene_, ray_to_endpoint(vertex, camera, *sample),
+                                                 vertex.medium_toward(sample->w), rays_);
   if (!segment) return;
 
   const auto distance = static_cast<double>(sample->distance);
   const EmissionPdf emission = camera.emission_pdf(sample->point, -sample->w);
   const double arrival =
-      arrival_density(emission.departure, camera.at_infinity(), distance, vertex.cosine(sample->w)) *
+      arrival_density(emission.departure, camera.at_infinity(), distance,
+                      vertex.cosine(sample->w)) *
       static_cast<double>(segment->distance_pdf(vertex.in_medium ? vertex.medium : nullptr));
   const double others =
       vertex.mis.sum(settings_.heuristic, arrival, vertex.pdf(sample->w, vertex.wo).value()) /
@@ -329,16 +339,17 @@ void PathSampler::connect_inner(const PathVertex& camera_vertex, const PathVerte
   const double to_camera_vertex =
       static_cast<double>(light_vertex.pdf(light_vertex.wo, -w).value()) *
       static_cast<double>(camera_vertex.cosine(w)) * inverse_square *
-      static_cast<double>(segment->distance_pdf(camera_vertex.in_medium ? camera_vertex.medium : nullptr));
+      static_cast<double>(
+          segment->distance_pdf(camera_vertex.in_medium ? camera_vertex.medium : nullptr));
   const double to_light_vertex =
       static_cast<double>(camera_vertex.pdf(camera_vertex.wo, w).value()) *
       static_cast<double>(light_vertex.cosine(w)) * inverse_square *
-      static_cast<double>(segment->distance_pdf(light_vertex.in_medium ? light_vertex.medium : nullptr));
-  const double others =
-      camera_vertex.mis.sum(heuristic, to_camera_vertex,
-                            camera_vertex.pdf(w, camera_vertex.wo).value()) +
-      light_vertex.mis.sum(heuristic, to_light_vertex,
-                           light_vertex.pdf(-w, light_vertex.wo).value());
+      static_cast<double>(
+          segment->distance_pdf(light_vertex.in_medium ? light_vertex.medium : nullptr));
+  const double others = camera_vertex.mis.sum(heuristic, to_camera_vertex,
+                                              camera_vertex.pdf(w, camera_vertex.wo).value()) +
+                        light_vertex.mis.sum(heuristic, to_light_vertex,
+                                             light_vertex.pdf(-w, light_vertex.wo).value());
   const double mis_weight = 1.0 / (1.0 + others);
   sink.add({.value = unoccluded * segment->transmittance * static_cast<float>(mis_weight),
             .technique = technique,

@@ -7,32 +7,42 @@
 
 namespace ajar {
 
-/// A vertex of a subpath inside the scene, on a surface or in a medium. Endpoints are not stored: a path's
-/// light or camera vertex is sampled together with the connection to it. Holds no heap memory.
+/// A vertex of a subpath inside the scene, on a surface or in a medium. Endpoints are not stored: a
+/// path's light or camera vertex is sampled together with the connection to it. Holds no heap
+/// memory.
 struct PathVertex {
   Vec3 p;
   Vec3 wo;              ///< unit, toward the previous vertex
   Spectrum throughput;  ///< f / p of the subpath up to here, scattering here not included
   MisState mis;
-  const Medium* medium;         ///< that the subpath arrived through
+  const Medium* medium;          ///< that the subpath arrived through
   const MediumInterface* media;  ///< of the surface; null inside a medium
-  int edges;                     ///< of the subpath: the endpoint is vertex 0, this one is vertex `edges`
-  bool in_medium;                ///< scatters in `medium` instead of at a surface
-  Bsdf bsdf;                     ///< undefined inside a medium
+  int edges;       ///< of the subpath: the endpoint is vertex 0, this one is vertex `edges`
+  bool in_medium;  ///< scatters in `medium` instead of at a surface
+  Bsdf bsdf;       ///< undefined inside a medium
 
-  /// f · |cos θ| (media: phase function · σ_s, the density of scattering events times the direction density).
+  /// f · |cos θ| (media: phase function · σ_s, the density of scattering events times the direction
+  /// density).
   Spectrum eval(const Vec3& wi, TransportMode mode) const;
   /// Density of `to` given that the path came from `from` (both unit, away from the vertex).
   Pdf<SolidAngle> pdf(const Vec3& from, const Vec3& to) const;
-  std::optional<BsdfSample> sample(const BsdfUniforms& u, TransportMode mode) const;
+  /// `eval`, and the density of `wi` given that the path came from `wo`.
+  BsdfValue evaluate(const Vec3& wi, TransportMode mode) const;
+  std::optional<BsdfSample> sample(const BsdfUniforms& u, TransportMode mode,
+                                   Reverse reverse) const;
   /// False if every scattering event here is specular.
   bool connectible() const { return in_medium || bsdf.connectible(); }
   /// |cos θ| of the geometric normal with `w`; 1 inside media, which have no orientation.
   float cosine(const Vec3& w) const { return in_medium ? 1.F : abs_dot(bsdf.ng(), w); }
   /// The medium that a ray leaving along `w` is in.
-  const Medium* medium_toward(const Vec3& w) const;
+  const Medium* medium_toward(const Vec3& w) const {
+    if (in_medium || !media->changes) return medium;
+    return dot(w, bsdf.ng()) > 0.F ? media->outside : media->inside;
+  }
   /// Where a ray leaving along `w` starts.
-  Vec3 ray_origin(const Vec3& w) const;
+  Vec3 ray_origin(const Vec3& w) const {
+    return in_medium ? p : offset_ray_origin(p, bsdf.ng(), w);
+  }
 };
 
 }  // namespace ajar

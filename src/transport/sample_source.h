@@ -8,7 +8,8 @@ namespace ajar {
 /// The part of a path a random number belongs to.
 enum class Stream : std::uint8_t { Camera, Light, Connection };
 
-/// The uses of random numbers at one vertex of a path. Each slot is one number; a pair `X, Y` is two, the first of them even.
+/// The uses of random numbers at one vertex of a path. Each slot is one number; a pair `X, Y` is
+/// two, the first of them even.
 enum class Slot : std::uint8_t {
   BsdfDirectionX,
   BsdfDirectionY,
@@ -28,14 +29,25 @@ inline constexpr Slot kEmissionPosition = Slot::LightPositionX;
 inline constexpr Slot kEmissionPrimitive = Slot::LightPrimitive;
 inline constexpr Slot kEmitterChoice = Slot::LightChoice;
 
-/// Name of one uniform number of the primary vector. Addresses never shift when one end of a path changes.
-struct SampleAddress {
-  Stream stream;
-  std::uint16_t vertex;
-  Slot slot;
+/// Name of one uniform number of the primary vector. Addresses never shift when one end of a path
+/// changes. Kept in one integer: small members would be written one by one and read as a whole, for
+/// which processors wait.
+class SampleAddress {
+ public:
+  constexpr SampleAddress(Stream stream, int vertex, Slot slot)
+      : bits_(static_cast<std::uint32_t>(stream) << 24U |
+              (static_cast<std::uint32_t>(vertex) & 0xffffU) << 8U |
+              static_cast<std::uint32_t>(slot)) {}
+  constexpr Stream stream() const { return static_cast<Stream>(bits_ >> 24U); }
+  constexpr int vertex() const { return static_cast<int>(bits_ >> 8U & 0xffffU); }
+  constexpr Slot slot() const { return static_cast<Slot>(bits_ & 0xffU); }
+
+ private:
+  std::uint32_t bits_;
 };
 
-/// The primary vector of METHODS, section 3: all randomness of a path comes from here. Numbers are in [0, 1).
+/// The primary vector of METHODS, section 3: all randomness of a path comes from here. Numbers are
+/// in [0, 1).
 class SampleSource {
  public:
   virtual ~SampleSource() = default;

@@ -3,7 +3,8 @@
 namespace ajar {
 
 namespace {
-/// Rays that graze stacked interfaces could go on for ever through rounding; no real scene has this many.
+/// Rays that graze stacked interfaces could go on for ever through rounding; no real scene has this
+/// many.
 constexpr int kMaxInterfaces = 1000;
 
 const Medium* medium_beyond(const Hit& hit, const Vec3& direction, const Medium* medium) {
@@ -20,8 +21,7 @@ void cross_medium(const Medium* medium, float distance, Segment& segment) {
 }
 }  // namespace
 
-float Segment::distance_pdf(const Medium* medium) const {
-  if (medium == nullptr && scattering_depth.is_black()) return 1.F;
+float Segment::distance_pdf_in_medium(const Medium* medium) const {
   const Spectrum survival = exp(scattering_depth * -1.F);
   return medium == nullptr ? survival.average() : (survival * medium->sigma_t()).average();
 }
@@ -29,13 +29,23 @@ float Segment::distance_pdf(const Medium* medium) const {
 SegmentEnd trace_segment(const Scene& scene, Ray ray, const Medium* medium,
                          const DistanceSource& numbers, std::uint64_t& rays) {
   SegmentEnd end;
+  Hit& hit = end.hit.emplace();
+  if (medium == nullptr && !scene.has_interfaces()) {
+    ++rays;
+    const bool found = scene.intersect(ray, hit);
+    end.medium = nullptr;
+    end.distance = found ? hit.t : std::numeric_limits<float>::infinity();
+    if (!found) end.hit.reset();
+    return end;
+  }
   int lane = -1;           // to sample distances by; chosen when the first scattering medium is met
   float depth_left = 0.F;  // optical depth in `lane` until the next event
   float travelled = 0.F;
+  bool found = false;
   for (int i = 0; i < kMaxInterfaces; ++i) {
     ++rays;
-    std::optional<Hit> hit = scene.intersect(ray);
-    const float distance = hit ? hit->t : std::numeric_limits<float>::infinity();
+    found = scene.intersect(ray, hit);
+    const float distance = found ? hit.t : std::numeric_limits<float>::infinity();
     if (medium != nullptr && medium->scatters()) {
       if (lane < 0) {
         const DistanceUniforms u = numbers.get();
@@ -50,24 +60,23 @@ SegmentEnd trace_segment(const Scene& scene, Ray ray, const Medium* medium,
         end.medium = medium;
         end.distance = travelled + scatter_distance;
         end.scattered = true;
-        end.weight = end.segment.transmittance * medium->sigma_s() /
-                     end.segment.distance_pdf(medium);
+        end.hit.reset();
+        end.weight =
+            end.segment.transmittance * medium->sigma_s() / end.segment.distance_pdf(medium);
         return end;
       }
       depth_left -= sigma_t * distance;
     }
     cross_medium(medium, distance, end.segment);
     travelled += distance;
-    if (hit && hit->material->is_interface()) {
-      medium = medium_beyond(*hit, ray.direction, medium);
-      ray.origin = offset_ray_origin(hit->point.p, hit->point.ng, ray.direction);
-      continue;
-    }
-    end.hit = hit;
-    break;
+    if (!found || !hit.material->is_interface()) break;
+    medium = medium_beyond(hit, ray.direction, medium);
+    ray.origin = offset_ray_origin(hit.point.p, hit.point.ng, ray.direction);
+    found = false;
   }
+  if (!found) end.hit.reset();
   end.medium = medium;
-  end.distance = end.hit ? travelled : std::numeric_limits<float>::infinity();
+  end.distance = found ? travelled : std::numeric_limits<float>::infinity();
   end.weight = end.segment.transmittance / end.segment.distance_pdf(nullptr);
   return end;
 }
@@ -95,7 +104,8 @@ std::optional<Segment> connect(const Scene& scene, Ray ray, const Medium* medium
     medium = medium_beyond(*hit, ray.direction, medium);
     const Vec3 next = offset_ray_origin(hit->point.p, hit->point.ng, ray.direction);
     if (bounded) {
-      // Aimed anew, or roundings would add up and the ray could hit what it was to stop in front of.
+      // Aimed anew, or roundings would add up and the ray could hit what it was to stop in front
+      // of.
       const Vec3 left = target - next;
       const float distance = length(left);
       if (dot(left, ray.direction) <= 0.F || distance == 0.F) return segment;

@@ -9,13 +9,18 @@ namespace ajar {
 /// What lies along a straight piece of a path between two vertices.
 struct Segment {
   Spectrum transmittance{1.F};
-  /// Optical depth per lane of the scattering media only: distances are sampled from these, while media that
-  /// merely absorb just attenuate.
+  /// Optical depth per lane of the scattering media only: distances are sampled from these, while
+  /// media that merely absorb just attenuate.
   Spectrum scattering_depth;
 
-  /// Density of `sample_distance` ending at a vertex in `medium` (null: on a surface) at the end of this segment,
-  /// 1/(scene unit) or a probability.
-  float distance_pdf(const Medium* medium) const;
+  /// Density of `sample_distance` ending at a vertex in `medium` (null: on a surface) at the end of
+  /// this segment, 1/(scene unit) or a probability.
+  float distance_pdf(const Medium* medium) const {
+    return medium == nullptr && scattering_depth.is_black() ? 1.F : distance_pdf_in_medium(medium);
+  }
+
+ private:
+  float distance_pdf_in_medium(const Medium* medium) const;
 };
 
 /// Where a traced segment ended.
@@ -36,7 +41,7 @@ struct DistanceUniforms {
 class DistanceSource {
  public:
   DistanceSource(SampleSource& source, Stream stream, int vertex)
-      : source_(source), stream_(stream), vertex_(static_cast<std::uint16_t>(vertex)) {}
+      : source_(source), stream_(stream), vertex_(vertex) {}
   DistanceUniforms get() const {
     return {source_.get({stream_, vertex_, Slot::MediumChannel}),
             source_.get({stream_, vertex_, Slot::MediumDistance})};
@@ -45,16 +50,19 @@ class DistanceSource {
  private:
   SampleSource& source_;
   Stream stream_;
-  std::uint16_t vertex_;
+  int vertex_;
 };
 
-/// Follows a ray that starts in `medium`, straight through interface materials, to the next scattering event: a surface, or a
-/// point in a scattering medium whose distance is sampled. The lane to sample by is chosen uniformly and all lanes count in
-/// the density (single-sample MIS). `rays` is increased by the number of rays traced.
-SegmentEnd trace_segment(const Scene& scene, Ray ray, const Medium* medium, const DistanceSource& numbers,
-                         std::uint64_t& rays);
+/// Follows a ray that starts in `medium`, straight through interface materials, to the next
+/// scattering event: a surface, or a point in a scattering medium whose distance is sampled. The
+/// lane to sample by is chosen uniformly and all lanes count in the density (single-sample MIS).
+/// `rays` is increased by the number of rays traced.
+SegmentEnd trace_segment(const Scene& scene, Ray ray, const Medium* medium,
+                         const DistanceSource& numbers, std::uint64_t& rays);
 
-/// The segment between two mutually visible points; empty if a surface that is not an interface lies between.
-std::optional<Segment> connect(const Scene& scene, Ray ray, const Medium* medium, std::uint64_t& rays);
+/// The segment between two mutually visible points; empty if a surface that is not an interface
+/// lies between.
+std::optional<Segment> connect(const Scene& scene, Ray ray, const Medium* medium,
+                               std::uint64_t& rays);
 
 }  // namespace ajar

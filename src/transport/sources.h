@@ -7,8 +7,9 @@
 
 namespace ajar {
 
-/// Identity of one sample of an ordinary Monte Carlo render. The camera's numbers come from a sequence per pixel; the light's
-/// from one sequence for the whole image, since light subpaths belong to no pixel.
+/// Identity of one sample of an ordinary Monte Carlo render. The camera's numbers come from a
+/// sequence per pixel; the light's from one sequence for the whole image, since light subpaths
+/// belong to no pixel.
 struct SampleIdentity {
   std::uint64_t camera_seed;   ///< of the pixel and replicate
   std::uint32_t camera_index;  ///< within the pixel
@@ -17,11 +18,12 @@ struct SampleIdentity {
 };
 
 inline std::uint64_t vertex_key(SampleAddress address) {
-  return static_cast<std::uint64_t>(address.stream) << 32U |
-         static_cast<std::uint64_t>(address.vertex) << 8U;
+  return static_cast<std::uint64_t>(address.stream()) << 32U |
+         static_cast<std::uint64_t>(address.vertex()) << 8U;
 }
 
-/// Owen-scrambled Sobol' points: each pair of slots of each vertex has its own scrambled and shuffled two-dimensional set
+/// Owen-scrambled Sobol' points: each pair of slots of each vertex has its own scrambled and
+/// shuffled two-dimensional set
 /// ("padding"). All numbers of a vertex are made at once when the first of them is asked for.
 /// Source: Kollig & Keller 2002; Burley 2020.
 class SobolSource final : public SampleSource {
@@ -30,7 +32,7 @@ class SobolSource final : public SampleSource {
 
   float get(SampleAddress address) override {
     const Vec2& pair = fetch(address);
-    return (static_cast<unsigned>(address.slot) & 1U) == 0 ? pair.x : pair.y;
+    return (static_cast<unsigned>(address.slot()) & 1U) == 0 ? pair.x : pair.y;
   }
   Vec2 get_pair(SampleAddress address) override { return fetch(address); }
 
@@ -44,7 +46,7 @@ class SobolSource final : public SampleSource {
   };
 
   const Vec2& fetch(SampleAddress address) {
-    const bool light = address.stream == Stream::Light;
+    const bool light = address.stream() == Stream::Light;
     Block& block = blocks_[light ? 1 : 0];
     const std::uint64_t key = vertex_key(address);
     if (block.key != key) {
@@ -56,7 +58,7 @@ class SobolSource final : public SampleSource {
       sobol_2d(light ? identity_.light_index : identity_.camera_index, seeds, block.pads);
       block.key = key;
     }
-    return block.pads[static_cast<std::size_t>(address.slot) / 2];
+    return block.pads[static_cast<std::size_t>(address.slot()) / 2];
   }
 
   SampleIdentity identity_;
@@ -80,8 +82,8 @@ class IndependentSource final : public SampleSource {
 
  private:
   std::uint64_t bits(SampleAddress address) const {
-    const std::uint64_t base = address.stream == Stream::Light ? light_ : camera_;
-    const std::uint64_t key = vertex_key(address) | static_cast<std::uint64_t>(address.slot);
+    const std::uint64_t base = address.stream() == Stream::Light ? light_ : camera_;
+    const std::uint64_t key = vertex_key(address) | static_cast<std::uint64_t>(address.slot());
     return mix_bits(base + key * 0x9e3779b97f4a7c15ULL);
   }
   std::uint64_t camera_;

@@ -4,21 +4,14 @@
 
 namespace ajar {
 
-namespace {
-SampleAddress address(const WalkSettings& settings, int vertex, Slot slot) {
-  return {settings.stream, static_cast<std::uint16_t>(vertex), slot};
-}
-}  // namespace
-
 MisStep mis_step(const Flight& flight, const Segment& segment, float distance, float cosine_at_end,
                  const Medium* end_medium, bool at_infinity, double class_coefficient) {
   // Scattering events of a medium can fall on the very float coordinates of the vertex before.
   const double apart = std::max(static_cast<double>(distance), 1e-18);
   const double inverse_square = at_infinity ? 1.0 : 1.0 / (apart * apart);
-  // A ray from infinity is spread over area, not over solid angle: no inverse square on arrival, and a
-  // vertex at infinity measures directions, so none on the way back either.
-  const double forward_geometry =
-      flight.from_infinity || at_infinity ? 1.0 : inverse_square;
+  // A ray from infinity is spread over area, not over solid angle: no inverse square on arrival,
+  // and a vertex at infinity measures directions, so none on the way back either.
+  const double forward_geometry = flight.from_infinity || at_infinity ? 1.0 : inverse_square;
   MisStep step{};
   step.specular = flight.specular;
   step.reverse_previous = flight.reverse_previous;
@@ -49,11 +42,12 @@ PathVertex arrive(const WalkSettings& settings, const Flight& flight, const Segm
     vertex.media = end.hit->media;
     end.hit->material->bsdf(end.hit->point, vertex.bsdf);
   }
-  // Between the vertices themselves, as connections measure it; the ray started a little off the surface.
+  if (!settings.has_other_end && (end.scattered || end.hit->light == nullptr)) return vertex;
+  // Between the vertices themselves, as connections measure it; the ray started a little off the
+  // surface.
   const float distance = flight.from_infinity ? end.distance : length(vertex.p - flight.reference);
-  const MisStep step =
-      mis_step(flight, end.segment, distance, vertex.cosine(vertex.wo),
-               end.scattered ? end.medium : nullptr, false, class_coefficient);
+  const MisStep step = mis_step(flight, end.segment, distance, vertex.cosine(vertex.wo),
+                                end.scattered ? end.medium : nullptr, false, class_coefficient);
   vertex.mis = mis_extend(settings.heuristic, flight.mis, step);
   return vertex;
 }
@@ -61,15 +55,16 @@ PathVertex arrive(const WalkSettings& settings, const Flight& flight, const Segm
 bool scatter(const WalkSettings& settings, const PathVertex& vertex, SampleSource& source,
              Flight& flight) {
   BsdfUniforms u{};
-  u.lobe = source.get(address(settings, vertex.edges, Slot::BsdfLobe));
-  u.direction = source.get_pair(address(settings, vertex.edges, Slot::BsdfDirectionX));
-  const std::optional<BsdfSample> sample = vertex.sample(u, settings.mode);
+  u.lobe = source.get({settings.stream, vertex.edges, Slot::BsdfLobe});
+  u.direction = source.get_pair({settings.stream, vertex.edges, Slot::BsdfDirectionX});
+  const std::optional<BsdfSample> sample =
+      vertex.sample(u, settings.mode, settings.has_other_end ? Reverse::Compute : Reverse::Skip);
   if (!sample) return false;
   flight.throughput = vertex.throughput * sample->weight;
   if (settings.mode == TransportMode::Radiance) flight.eta_scale *= sample->eta * sample->eta;
   if (vertex.edges >= settings.roulette_start) {
     const float survival = std::min(0.95F, flight.throughput.max() * flight.eta_scale);
-    if (!(source.get(address(settings, vertex.edges, Slot::Roulette)) < survival)) return false;
+    if (!(source.get({settings.stream, vertex.edges, Slot::Roulette}) < survival)) return false;
     flight.throughput /= survival;
   }
   if (flight.throughput.is_black()) return false;

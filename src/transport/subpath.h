@@ -12,15 +12,17 @@ struct Flight {
   const Medium* medium = nullptr;
   Spectrum throughput{1.F};
   Vec3 reference{0.F, 0.F, 0.F};  ///< z_i itself; the ray starts a little off it
-  int edges = 0;            ///< index i of the vertex it left
-  float eta_scale = 1.F;    ///< product of squared index ratios, so that Russian roulette ignores radiance scaling
+  int edges = 0;                  ///< index i of the vertex it left
+  float eta_scale =
+      1.F;  ///< product of squared index ratios, so that Russian roulette ignores radiance scaling
   // For the MIS recursion:
-  MisState mis;             ///< of z_i
-  float departure = 0.F;    ///< density (or probability) of the direction, for endpoints at infinity of the position
+  MisState mis;           ///< of z_i
+  float departure = 0.F;  ///< density (or probability) of the direction, for endpoints at infinity
+                          ///< of the position
   bool from_infinity = false;
-  bool specular = false;    ///< the scattering event at z_i
-  float reverse_previous = 0.F;      ///< r_{i-1}
-  float cosine = 1.F;                ///< |cos θ_i| at z_i; 1 where there is no surface
+  bool specular = false;                 ///< the scattering event at z_i
+  float reverse_previous = 0.F;          ///< r_{i-1}
+  float cosine = 1.F;                    ///< |cos θ_i| at z_i; 1 where there is no surface
   const Medium* scattered_in = nullptr;  ///< the medium that z_i lies in, if it is not on a surface
 };
 
@@ -30,19 +32,25 @@ struct WalkSettings {
   Stream stream;
   Heuristic heuristic;
   int roulette_start;  ///< edges from which Russian roulette may end the walk
+  /// False if no technique has a subpath from the other end: then only vertices on lights need
+  /// their MIS state, and reverse densities are not needed at all.
+  bool has_other_end;
 };
 
 /// The vertex at the end of a flight that ended in the scene. `class_coefficient`: see `MisStep`.
 PathVertex arrive(const WalkSettings& settings, const Flight& flight, const SegmentEnd& end,
                   double class_coefficient);
 
-/// h-recursion step of a flight over `distance` to a vertex where the direction of flight has cosine `cosine_at_end`;
-/// `end_medium` is the medium the vertex scatters in, null on a surface; pass `at_infinity` if it left the scene.
+/// h-recursion step of a flight over `distance` to a vertex where the direction of flight has
+/// cosine `cosine_at_end`; `end_medium` is the medium the vertex scatters in, null on a surface;
+/// pass `at_infinity` if it left the scene.
 MisStep mis_step(const Flight& flight, const Segment& segment, float distance, float cosine_at_end,
                  const Medium* end_medium, bool at_infinity, double class_coefficient);
 
-/// Scatters at `vertex` and sets off again; false if the subpath ends (absorbed, or Russian roulette, which leaves the
-/// expectation unchanged: survivors are divided by the probability to survive).
-bool scatter(const WalkSettings& settings, const PathVertex& vertex, SampleSource& source, Flight& flight);
+/// Scatters at `vertex` and sets off again; false if the subpath ends (absorbed, or Russian
+/// roulette, which leaves the expectation unchanged: survivors are divided by the probability to
+/// survive).
+bool scatter(const WalkSettings& settings, const PathVertex& vertex, SampleSource& source,
+             Flight& flight);
 
 }  // namespace ajar

@@ -13,16 +13,16 @@ struct Technique {
   constexpr bool operator==(const Technique&) const = default;
 };
 
-/// The techniques an integrator uses. MIS weights are over exactly this set, so any set that covers the
-/// light paths of a scene is unbiased. What the lens sees directly, technique (0, 2), always belongs to it;
-/// (1, 1) never does.
+/// The techniques an integrator uses. MIS weights are over exactly this set, so any set that covers
+/// the light paths of a scene is unbiased. What the lens sees directly, technique (0, 2), always
+/// belongs to it; (1, 1) never does.
 class TechniqueSet {
  public:
   struct Classes {
-    bool implicit = false;  ///< (0, k+1): camera path runs into an emitter
+    bool implicit = false;    ///< (0, k+1): camera path runs into an emitter
     bool next_event = false;  ///< (1, k), called "explicit" by users
-    bool light = false;     ///< (k, 1): light path connected to the lens
-    bool inner = false;     ///< (s ≥ 2, t ≥ 2)
+    bool light = false;       ///< (k, 1): light path connected to the lens
+    bool inner = false;       ///< (s ≥ 2, t ≥ 2)
   };
   constexpr explicit TechniqueSet(Classes classes) : classes_(classes) {}
 

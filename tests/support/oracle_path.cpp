@@ -85,7 +85,8 @@ double technique_pdf(const Scene& scene, const OraclePath& path, Technique techn
   const auto [s, t] = technique;
   const auto inner = static_cast<int>(path.nodes.size());
   if (s == 0 && path.light->discrete_position()) return 0.0;
-  // Nodes that the connection touches must scatter into more than single directions: x_{s-1} and x_s.
+  // Nodes that the connection touches must scatter into more than single directions: x_{s-1} and
+  // x_s.
   for (const int x : {s - 1, s}) {
     if (s > 0 && x >= 1 && x <= inner && path.nodes[static_cast<std::size_t>(x - 1)].specular) {
       return 0.0;

@@ -23,8 +23,8 @@ std::unique_ptr<Scene> scene_from(const std::string& pbrt_text) {
 std::string pbrt_scene(const std::string& camera, int width, int height, const std::string& world,
                        const std::string& filter) {
   return camera + "\nFilm \"image\" \"integer xresolution\" [" + std::to_string(width) +
-         "] \"integer yresolution\" [" + std::to_string(height) + "]\n" + filter + "\nWorldBegin\n" +
-         world + "\nWorldEnd\n";
+         "] \"integer yresolution\" [" + std::to_string(height) + "]\n" + filter +
+         "\nWorldBegin\n" + world + "\nWorldEnd\n";
 }
 
 std::vector<float> Render::image() const {
@@ -51,8 +51,7 @@ Render render(const Scene& scene, const RenderOptions& options) {
   const IntegratorInfo& info = find_integrator(options.integrator);
   RenderSettings settings;
   settings.resolution = scene.camera().resolution();
-  settings.crop =
-      options.crop.value_or(Box2i(Vec2i(0, 0), settings.resolution - Vec2i(1, 1)));
+  settings.crop = options.crop.value_or(Box2i(Vec2i(0, 0), settings.resolution - Vec2i(1, 1)));
   settings.min_depth = options.min_depth;
   settings.max_depth = options.max_depth;
   settings.seed = options.seed;
@@ -61,9 +60,9 @@ Render render(const Scene& scene, const RenderOptions& options) {
   const auto integrator =
       info.make(scene, settings, Parameters(info.parameters, options.parameters));
   Render result;
-  result.film = std::make_unique<Film>(settings.resolution, settings.crop,
-                                       make_filter(scene.film().filter), options.replicates,
-                                       integrator->layers());
+  result.film =
+      std::make_unique<Film>(settings.resolution, settings.crop, make_filter(scene.film().filter),
+                             options.replicates, integrator->layers());
   Counters counters;
   std::mutex mutex;
   const auto samples = static_cast<std::uint64_t>(options.samples);

@@ -21,7 +21,7 @@ std::string pbrt_scene(const std::string& camera, int width, int height, const s
 /// Renders with an integrator of the registry; `samples` per pixel.
 struct Render {
   std::unique_ptr<Film> film;
-  double scale;                       ///< of sums over all replicates
+  double scale;  ///< of sums over all replicates
   std::vector<double> replicate_scale;
   /// direct + indirect, 3 floats per pixel.
   std::vector<float> image() const;

@@ -47,15 +47,17 @@ const std::string kPinhole = kView + "Camera \"perspective\" \"float fov\" [45]"
 
 /// A sphere that stands on the floor, with the given material and more.
 std::string ball(const std::string& material, float radius, float x) {
-  return "AttributeBegin " + material + " Translate " + std::to_string(x) + " " + std::to_string(radius) +
-         " 0.3 Shape \"sphere\" \"float radius\" [" + std::to_string(radius) + "] AttributeEnd\n";
+  return "AttributeBegin " + material + " Translate " + std::to_string(x) + " " +
+         std::to_string(radius) + " 0.3 Shape \"sphere\" \"float radius\" [" +
+         std::to_string(radius) + "] AttributeEnd\n";
 }
 
 }  // namespace
 
 std::vector<SmallScene> small_scenes() {
   const std::string glass = ball("Material \"glass\"", 0.5F, -0.5F);
-  const std::string gaussian = "PixelFilter \"gaussian\" \"float xwidth\" [1.5] \"float ywidth\" [2]";
+  const std::string gaussian =
+      "PixelFilter \"gaussian\" \"float xwidth\" [1.5] \"float ywidth\" [2]";
   const std::string mitchell = "PixelFilter \"mitchell\"";
   return {
       {.name = "Room", .text = pbrt_scene(kPinhole, 40, 24, kRoom, gaussian)},
@@ -68,24 +70,29 @@ std::vector<SmallScene> small_scenes() {
       {.name = "NestedDielectrics",
        .text = pbrt_scene(kPinhole, 24, 24,
                           kRoom + ball("Material \"glass\" \"float index\" [1.5]", 0.6F, 0.F) +
-                              "AttributeBegin Material \"glass\" \"float index\" [0.9] Translate 0 0.6 0.3 Shape \"sphere\" "
+                              "AttributeBegin Material \"glass\" \"float index\" [0.9] Translate 0 "
+                              "0.6 0.3 Shape \"sphere\" "
                               "\"float radius\" [0.4] AttributeEnd\n"),
        .light_tracing_works = false},
       {.name = "RoughGlass",
        .text = pbrt_scene(kPinhole, 24, 24,
-                          kRoom + ball("Material \"glass\" \"float uroughness\" [0.3] \"float vroughness\" [0.3] \"bool "
+                          kRoom + ball("Material \"glass\" \"float uroughness\" [0.3] \"float "
+                                       "vroughness\" [0.3] \"bool "
                                        "remaproughness\" \"false\"",
                                        0.5F, 0.F))},
       {.name = "ThinLens",
-       .text = pbrt_scene(kView + "Camera \"perspective\" \"float fov\" [45] \"float lensradius\" [0.1] \"float "
-                                  "focaldistance\" [4]",
-                          40, 24, kRoom + kMetalBall)},
+       .text = pbrt_scene(
+           kView + "Camera \"perspective\" \"float fov\" [45] \"float lensradius\" [0.1] \"float "
+                   "focaldistance\" [4]",
+           40, 24, kRoom + kMetalBall)},
       {.name = "Environment",
-       .text = pbrt_scene(kPinhole, 40, 24, "LightSource \"infinite\" \"rgb L\" [1 1.2 1.5]\n" + kRoom + glass),
+       .text = pbrt_scene(kPinhole, 40, 24,
+                          "LightSource \"infinite\" \"rgb L\" [1 1.2 1.5]\n" + kRoom + glass),
        .light_tracing_works = false},
       {.name = "Distant",
        .text = pbrt_scene(kPinhole, 40, 24,
-                          "LightSource \"distant\" \"point from\" [1 3 -1] \"point to\" [0 0 0]\n" + kRoom + kMetalBall)},
+                          "LightSource \"distant\" \"point from\" [1 3 -1] \"point to\" [0 0 0]\n" +
+                              kRoom + kMetalBall)},
       {.name = "PointAndSpot",
        .text = pbrt_scene(kPinhole, 40, 24,
                           "LightSource \"point\" \"point from\" [1 1.5 -1]\n"
@@ -95,7 +102,8 @@ std::vector<SmallScene> small_scenes() {
       {.name = "Orthographic",
        .text = pbrt_scene(kView + "Camera \"orthographic\"", 40, 24, kRoom + kMetalBall)},
       {.name = "EnvironmentCamera",
-       .text = pbrt_scene("LookAt 0 1 -1  0 0.8 0  0 1 0\nCamera \"environment\"", 40, 24, kRoom + kMetalBall)},
+       .text = pbrt_scene("LookAt 0 1 -1  0 0.8 0  0 1 0\nCamera \"environment\"", 40, 24,
+                          kRoom + kMetalBall)},
       {.name = "CroppedMitchell",
        .text = pbrt_scene(kPinhole, 64, 40, kRoom + kMetalBall, mitchell),
        .crop = Box2i(Vec2i(21, 9), Vec2i(52, 32))},

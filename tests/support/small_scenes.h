@@ -12,8 +12,9 @@ namespace ajar::test {
 struct SmallScene {
   std::string name;
   std::string text;  ///< pbrt-v3
-  /// False if the lens sees things through mirrors or glass only, where technique (s, 1) alone misses light; or if a pinhole is in
-  /// fog, where its variance is infinite: events close to the pinhole are unboundedly bright.
+  /// False if the lens sees things through mirrors or glass only, where technique (s, 1) alone
+  /// misses light; or if a pinhole is in fog, where its variance is infinite: events close to the
+  /// pinhole are unboundedly bright.
   bool light_tracing_works = true;
   int samples = 512;  ///< per pixel, for comparisons of pictures
   std::optional<Box2i> crop;

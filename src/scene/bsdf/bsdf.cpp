@@ -1,7 +1,6 @@
 #include "scene/bsdf/bsdf.h"
 
 #include <algorithm>
-#include <memory>
 #include <type_traits>
 
 namespace ajar {
@@ -28,13 +27,6 @@ struct Bsdf::Pair {
   bool transmission;
   bool valid;  ///< no direction is grazing
 };
-
-void Bsdf::add(const Lobe& lobe, const Spectrum& scale) {
-  if (scale.is_black() || count_ == kMaxLobes) return;
-  std::construct_at(&slots_[count_].entry, Entry{lobe, scale});
-  ++count_;
-  connectible_ = connectible_ || !is_specular(lobe);
-}
 
 Bsdf::Pair Bsdf::classify(const Vec3& wo, const Vec3& wi) const {
   const Frame shading = frame();
@@ -94,6 +86,29 @@ Spectrum Bsdf::eval(const Vec3& wo, const Vec3& wi, TransportMode mode) const {
   return sum;
 }
 
+BsdfValue Bsdf::evaluate(const Vec3& wo, const Vec3& wi, TransportMode mode) const {
+  const Pair pair = classify(wo, wi);
+  if (!pair.valid || !connectible_) return {};
+  BsdfValue result;
+  if (count_ == 1) {
+    const LobeValue v = evaluate(0, pair, mode);
+    result = {entry(0).scale * v.value, Pdf<SolidAngle>(v.pdf)};
+  } else {
+    const Weights choice = weights(pair.wo);
+    float density = 0.F;
+    for (int k = 0; k < count_; ++k) {
+      const LobeValue v = evaluate(k, pair, mode);
+      result.value += entry(k).scale * v.value;
+      if (choice.probability[k] > 0.F) density += choice.probability[k] * v.pdf;
+    }
+    result.pdf = Pdf<SolidAngle>(density);
+  }
+  if (mode == TransportMode::Importance) {
+    result.value *= std::abs(pair.wo.z * pair.wi_side / (pair.wo_side * pair.wi.z));
+  }
+  return result;
+}
+
 Pdf<SolidAngle> Bsdf::pdf(const Vec3& wo, const Vec3& wi) const {
   const Pair pair = classify(wo, wi);
   if (!pair.valid || !connectible_) return {};
@@ -116,23 +131,23 @@ Pdf<SolidAngle> Bsdf::pdf(const Vec3& wo, const Vec3& wi) const {
 }
 
 void Bsdf::add_other_lobes(int chosen, const Vec3& wo, const Weights& forward,
-                           const Weights& reverse, TransportMode mode, LobeSample& s) const {
+                           const Weights* reverse, TransportMode mode, LobeSample& s) const {
   const Pair pair{wo, s.wi, 1.F, 1.F, s.transmission, true};
   Spectrum total = s.weight * s.pdf;
   s.pdf *= forward.probability[chosen];
-  s.reverse_pdf *= reverse.probability[chosen];
+  s.reverse_pdf = reverse != nullptr ? s.reverse_pdf * reverse->probability[chosen] : 0.F;
   for (int k = 0; k < count_; ++k) {
     if (k == chosen) continue;
     const LobeValue v = evaluate(k, pair, mode);
     total += entry(k).scale * v.value;
     s.pdf += forward.probability[k] * v.pdf;
-    s.reverse_pdf += reverse.probability[k] * v.reverse_pdf;
+    if (reverse != nullptr) s.reverse_pdf += reverse->probability[k] * v.reverse_pdf;
   }
   s.weight = total / s.pdf;
 }
 
-std::optional<BsdfSample> Bsdf::sample(const Vec3& wo, const BsdfUniforms& u,
-                                       TransportMode mode) const {
+std::optional<BsdfSample> Bsdf::sample(const Vec3& wo, const BsdfUniforms& u, TransportMode mode,
+                                       Reverse reverse) const {
   const Frame shading = frame();
   const float wo_side = dot(wo, ng());
   const Vec3 o = shading.to_local(wo);
@@ -159,9 +174,9 @@ std::optional<BsdfSample> Bsdf::sample(const Vec3& wo, const BsdfUniforms& u,
   std::optional<LobeSample> s =
       visit_lobe(e.lobe, [&](const auto& l) { return l.sample(o, v, local_ng, mode); });
   if (!s || std::abs(s->wi.z) < kGrazing) return std::nullopt;
-  BsdfSample result;
-  result.wi = shading.to_world(s->wi);
-  const float wi_side = dot(result.wi, ng());
+  std::optional<BsdfSample> result(std::in_place);
+  result->wi = shading.to_world(s->wi);
+  const float wi_side = dot(result->wi, ng());
   if (std::abs(wi_side) < kGrazing || (wo_side * wi_side < 0.F) != s->transmission) {
     return std::nullopt;
   }
@@ -169,28 +184,35 @@ std::optional<BsdfSample> Bsdf::sample(const Vec3& wo, const BsdfUniforms& u,
   const bool specular = is_specular(e.lobe);
   s->weight *= e.scale;
   if (count_ > 1) {
-    const Weights reverse = weights(s->wi);
+    Weights backward;
+    const Weights* wanted = nullptr;
+    if (reverse == Reverse::Compute) {
+      backward = weights(s->wi);
+      wanted = &backward;
+    }
     if (specular) {
       s->weight /= forward.probability[chosen];
       s->pdf *= forward.probability[chosen];
-      s->reverse_pdf *= reverse.probability[chosen];
+      s->reverse_pdf = wanted != nullptr ? s->reverse_pdf * backward.probability[chosen] : 0.F;
     } else {
-      add_other_lobes(chosen, o, forward, reverse, mode, *s);
+      add_other_lobes(chosen, o, forward, wanted, mode, *s);
     }
   }
   if (mode == TransportMode::Importance) {
     s->weight *= std::abs(o.z * wi_side / (wo_side * s->wi.z));
   }
-  result.weight = s->weight;
+  result->weight = s->weight;
+  // Where they belong at once: these are pairs of members that would be written one by one and
+  // copied as a whole.
   if (specular) {
-    result.pdf = DirectionPdf(Pdf<Discrete>(s->pdf));
-    result.reverse_pdf = DirectionPdf(Pdf<Discrete>(s->reverse_pdf));
+    std::construct_at(&result->pdf, Pdf<Discrete>(s->pdf));
+    std::construct_at(&result->reverse_pdf, Pdf<Discrete>(s->reverse_pdf));
   } else {
-    result.pdf = DirectionPdf(Pdf<SolidAngle>(s->pdf));
-    result.reverse_pdf = DirectionPdf(Pdf<SolidAngle>(s->reverse_pdf));
+    std::construct_at(&result->pdf, Pdf<SolidAngle>(s->pdf));
+    std::construct_at(&result->reverse_pdf, Pdf<SolidAngle>(s->reverse_pdf));
   }
-  result.transmission = s->transmission;
-  result.eta = s->eta;
+  result->transmission = s->transmission;
+  result->eta = s->eta;
   return result;
 }
 

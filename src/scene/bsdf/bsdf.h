@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 
 #include "core/frame.h"
@@ -9,6 +10,14 @@
 #include "scene/bsdf/lobes.h"
 
 namespace ajar {
+
+/// Whether the density of the opposite direction is wanted, too.
+enum class Reverse : std::uint8_t { Compute, Skip };
+
+struct BsdfValue {
+  Spectrum value;       ///< f · |cos θ| of the lobes that are not specular
+  Pdf<SolidAngle> pdf;  ///< of wi given wo
+};
 
 struct BsdfSample {
   Vec3 wi;          ///< unit, world space, points away from the surface
@@ -53,14 +62,24 @@ class Bsdf {
 
   /// Adds a lobe whose value is scaled by `scale`; ignored if the scale is black, or if there are
   /// `kMaxLobes` already (materials are checked for that when they are built).
-  void add(const Lobe& lobe, const Spectrum& scale = Spectrum(1.F));
+  template <typename L>
+  void add(const L& lobe, const Spectrum& scale = Spectrum(1.F)) {
+    if (scale.is_black() || count_ == kMaxLobes) return;
+    std::construct_at(&slots_[count_].entry, lobe, scale);
+    ++count_;
+    connectible_ = connectible_ || !L::kSpecular;
+  }
 
   /// f · |cos θ| of the lobes that are not specular.
   Spectrum eval(const Vec3& wo, const Vec3& wi, TransportMode mode) const;
+  /// `eval` and `pdf` of one pair of directions for the price of one.
+  BsdfValue evaluate(const Vec3& wo, const Vec3& wi, TransportMode mode) const;
   /// Density of `sample` (specular lobes take their share of probability but do not add to it).
   Pdf<SolidAngle> pdf(const Vec3& wo, const Vec3& wi) const;
-  /// Empty if the surface absorbs, or if the sampled direction is on the wrong side.
-  std::optional<BsdfSample> sample(const Vec3& wo, const BsdfUniforms& u, TransportMode mode) const;
+  /// Empty if the surface absorbs, or if the sampled direction is on the wrong side. The reverse
+  /// density costs time where there are several lobes; with Reverse::Skip it is of no use.
+  std::optional<BsdfSample> sample(const Vec3& wo, const BsdfUniforms& u, TransportMode mode,
+                                   Reverse reverse = Reverse::Compute) const;
 
   /// False if all lobes are specular (or there are none): connecting to this point is pointless.
   bool connectible() const { return connectible_; }
@@ -74,6 +93,8 @@ class Bsdf {
 
  private:
   struct Entry {
+    template <typename L>
+    Entry(const L& l, const Spectrum& s) : lobe(l), scale(s) {}
     Lobe lobe;
     Spectrum scale;
   };
@@ -97,7 +118,8 @@ class Bsdf {
   Weights weights(const Vec3& local_wo) const;
   Spectrum value(int index, const Pair& pair, TransportMode mode) const;
   LobeValue evaluate(int index, const Pair& pair, TransportMode mode) const;
-  void add_other_lobes(int chosen, const Vec3& wo, const Weights& forward, const Weights& reverse,
+  /// `reverse` is null if the reverse density is not wanted.
+  void add_other_lobes(int chosen, const Vec3& wo, const Weights& forward, const Weights* reverse,
                        TransportMode mode, LobeSample& s) const;
 
   PackedVector x_{Vec3(1.F, 0.F, 0.F)};  ///< axes of the shading frame

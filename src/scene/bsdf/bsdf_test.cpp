@@ -232,7 +232,8 @@ TEST(Bsdf, StaysFiniteForAnyParametersAndDirections) {
     Bsdf bsdf(Frame::around(ns), ng);
     const int lobes = 1 + static_cast<int>(rng.next() * 3.F);
     for (int l = 0; l < lobes; ++l) {
-      bsdf.add(random_lobe(rng), rng.next() < 0.3F ? Spectrum(1.F) : random_color(rng));
+      const Spectrum scale = rng.next() < 0.3F ? Spectrum(1.F) : random_color(rng);
+      visit_lobe(random_lobe(rng), [&](const auto& lobe) { bsdf.add(lobe, scale); });
     }
     const Vec3 wo = rng.next() < 0.5F ? random_hard_direction(rng)
                                       : Frame::around(ng).to_world(random_hard_direction(rng));

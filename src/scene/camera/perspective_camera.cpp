@@ -40,12 +40,14 @@ class PerspectiveCamera final : public Camera {
     const Vec2 plane = screen_.to_plane(u.direction);
     const Vec2 aim = plane - point.surface.uv * inverse_focal_distance_;
     const Vec3 w = directions_.to_world({aim.x, aim.y, 1.F});
-    return EmissionSample{point,
-                          point.surface.p,
-                          w,
-                          Spectrum(1.F),
-                          Pdf<VertexMeasure>(lens_pdf_),
-                          Pdf<Departure>(direction_pdf(directions_.to_local(w)))};
+    std::optional<EmissionSample> result(std::in_place);
+    result->point = point;
+    result->origin = point.surface.p;
+    result->w = w;
+    result->weight = Spectrum(1.F);
+    result->position_pdf = Pdf<VertexMeasure>(lens_pdf_);
+    result->departure_pdf = Pdf<Departure>(direction_pdf(directions_.to_local(w)));
+    return result;
   }
 
   EmissionPdf emission_pdf(const EndpointPoint& point, const Vec3& w) const override {

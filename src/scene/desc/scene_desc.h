@@ -24,24 +24,43 @@ inline constexpr int kNone = -1;
 // ---------------------------------------------------------------- textures
 
 /// How a surface point becomes texture coordinates (pbrt-v3, section 10.2).
-struct UvMapping { float su = 1, sv = 1, du = 0, dv = 0; };
-struct SphericalMapping { Mat4 world_to_texture; };
-struct CylindricalMapping { Mat4 world_to_texture; };
-struct PlanarMapping { Vec3 vs{1, 0, 0}, vt{0, 1, 0}; float ds = 0, dt = 0; };
+struct UvMapping {
+  float su = 1, sv = 1, du = 0, dv = 0;
+};
+struct SphericalMapping {
+  Mat4 world_to_texture;
+};
+struct CylindricalMapping {
+  Mat4 world_to_texture;
+};
+struct PlanarMapping {
+  Vec3 vs{1, 0, 0}, vt{0, 1, 0};
+  float ds = 0, dt = 0;
+};
 using Mapping2D = std::variant<UvMapping, SphericalMapping, CylindricalMapping, PlanarMapping>;
 
 enum class Wrap { Repeat, Black, Clamp };
 enum class TextureFilter { Nearest, Bilinear };
 
-struct ConstantTexture { Rgb value{0, 0, 0}; };
-struct ScaleTexture { TextureId a = kNone, b = kNone; };
-struct MixTexture { TextureId a = kNone, b = kNone, amount = kNone; };
-struct BilerpTexture { Rgb v00{0, 0, 0}, v01{1, 1, 1}, v10{0, 0, 0}, v11{1, 1, 1}; Mapping2D mapping; };
+struct ConstantTexture {
+  Rgb value{0, 0, 0};
+};
+struct ScaleTexture {
+  TextureId a = kNone, b = kNone;
+};
+struct MixTexture {
+  TextureId a = kNone, b = kNone, amount = kNone;
+};
+struct BilerpTexture {
+  Rgb v00{0, 0, 0}, v01{1, 1, 1}, v10{0, 0, 0}, v11{1, 1, 1};
+  Mapping2D mapping;
+};
 struct ImageTexture {
   std::string path;  ///< resolved, ready to open
   Wrap wrap = Wrap::Repeat;
   bool decode_srgb = true;  ///< 8- and 16-bit images only; float formats are always linear
-  bool luminance = false;   ///< every lane is the luminance of the texel, before the sRGB decoding (pbrt-v3's float textures)
+  bool luminance = false;   ///< every lane is the luminance of the texel, before the sRGB decoding
+                            ///< (pbrt-v3's float textures)
   float scale = 1;
   TextureFilter filter = TextureFilter::Bilinear;
   Mapping2D mapping;
@@ -52,12 +71,31 @@ struct CheckerboardTexture {
   Mapping2D mapping;      ///< used when dimension is 2
   Mat4 world_to_texture;  ///< used when dimension is 3
 };
-struct DotsTexture { TextureId inside = kNone, outside = kNone; Mapping2D mapping; };
-struct UvTexture { Mapping2D mapping; };
-struct FbmTexture { int octaves = 8; float roughness = 0.5F; Mat4 world_to_texture; };
-struct WrinkledTexture { int octaves = 8; float roughness = 0.5F; Mat4 world_to_texture; };
-struct WindyTexture { Mat4 world_to_texture; };
-struct MarbleTexture { int octaves = 8; float roughness = 0.5F, scale = 1, variation = 0.2F; Mat4 world_to_texture; };
+struct DotsTexture {
+  TextureId inside = kNone, outside = kNone;
+  Mapping2D mapping;
+};
+struct UvTexture {
+  Mapping2D mapping;
+};
+struct FbmTexture {
+  int octaves = 8;
+  float roughness = 0.5F;
+  Mat4 world_to_texture;
+};
+struct WrinkledTexture {
+  int octaves = 8;
+  float roughness = 0.5F;
+  Mat4 world_to_texture;
+};
+struct WindyTexture {
+  Mat4 world_to_texture;
+};
+struct MarbleTexture {
+  int octaves = 8;
+  float roughness = 0.5F, scale = 1, variation = 0.2F;
+  Mat4 world_to_texture;
+};
 
 struct Texture {
   std::string name;
@@ -73,8 +111,12 @@ struct Texture {
 // Parameters are textures; float parameters read the first lane. Models follow pbrt-v3, chapter 9.
 // Roughness is the microfacet α unless `remap_roughness` (then pbrt's artist-friendly mapping).
 
-struct MatteMaterial { TextureId kd = kNone, sigma = kNone; };
-struct MirrorMaterial { TextureId kr = kNone; };
+struct MatteMaterial {
+  TextureId kd = kNone, sigma = kNone;
+};
+struct MirrorMaterial {
+  TextureId kr = kNone;
+};
 struct GlassMaterial {
   TextureId kr = kNone, kt = kNone, eta = kNone, u_roughness = kNone, v_roughness = kNone;
   bool remap_roughness = true;
@@ -86,20 +128,33 @@ struct MetalMaterial {
   bool remap_roughness = true;
   MicrofacetModel model = MicrofacetModel::Ggx;
 };
-struct PlasticMaterial { TextureId kd = kNone, ks = kNone, roughness = kNone; bool remap_roughness = true; };
-struct SubstrateMaterial { TextureId kd = kNone, ks = kNone, u_roughness = kNone, v_roughness = kNone; bool remap_roughness = true; };
-struct UberMaterial {
-  TextureId kd = kNone, ks = kNone, kr = kNone, kt = kNone, u_roughness = kNone, v_roughness = kNone, eta = kNone, opacity = kNone;
+struct PlasticMaterial {
+  TextureId kd = kNone, ks = kNone, roughness = kNone;
   bool remap_roughness = true;
 };
-struct TranslucentMaterial { TextureId kd = kNone, ks = kNone, roughness = kNone, reflect = kNone, transmit = kNone; bool remap_roughness = true; };
+struct SubstrateMaterial {
+  TextureId kd = kNone, ks = kNone, u_roughness = kNone, v_roughness = kNone;
+  bool remap_roughness = true;
+};
+struct UberMaterial {
+  TextureId kd = kNone, ks = kNone, kr = kNone, kt = kNone, u_roughness = kNone,
+            v_roughness = kNone, eta = kNone, opacity = kNone;
+  bool remap_roughness = true;
+};
+struct TranslucentMaterial {
+  TextureId kd = kNone, ks = kNone, roughness = kNone, reflect = kNone, transmit = kNone;
+  bool remap_roughness = true;
+};
 struct DisneyMaterial {
-  TextureId color = kNone, metallic = kNone, eta = kNone, roughness = kNone, specular_tint = kNone, anisotropic = kNone,
-            sheen = kNone, sheen_tint = kNone, clearcoat = kNone, clearcoat_gloss = kNone, spec_trans = kNone,
-            flatness = kNone, diff_trans = kNone;
+  TextureId color = kNone, metallic = kNone, eta = kNone, roughness = kNone, specular_tint = kNone,
+            anisotropic = kNone, sheen = kNone, sheen_tint = kNone, clearcoat = kNone,
+            clearcoat_gloss = kNone, spec_trans = kNone, flatness = kNone, diff_trans = kNone;
   bool thin = false;
 };
-struct MixMaterial { TextureId amount = kNone; MaterialId a = kNone, b = kNone; };
+struct MixMaterial {
+  TextureId amount = kNone;
+  MaterialId a = kNone, b = kNone;
+};
 /// No surface at all: only separates media.
 struct InterfaceMaterial {};
 
@@ -116,7 +171,8 @@ struct Material {
 
 // ---------------------------------------------------------------- media
 
-/// Homogeneous medium: absorption and scattering coefficients in 1/(scene unit), Henyey–Greenstein g.
+/// Homogeneous medium: absorption and scattering coefficients in 1/(scene unit), Henyey–Greenstein
+/// g.
 struct Medium {
   std::string name;
   SourceLocation where;
@@ -128,20 +184,36 @@ struct Medium {
 
 struct Mesh {
   std::vector<Vec3> positions;
-  std::vector<Vec3> normals;    ///< per vertex, or empty
-  std::vector<Vec3> tangents;   ///< per vertex, or empty
-  std::vector<Vec2> uvs;        ///< per vertex, or empty
+  std::vector<Vec3> normals;                   ///< per vertex, or empty
+  std::vector<Vec3> tangents;                  ///< per vertex, or empty
+  std::vector<Vec2> uvs;                       ///< per vertex, or empty
   std::vector<Imath::Vec3<unsigned>> indices;  ///< one per triangle, each < positions.size()
 };
 /// Quadrics in their own space, as pbrt-v3 defines them (chapter 3); angles in degrees.
-struct Sphere { float radius = 1, z_min = -1, z_max = 1, phi_max = 360; };
-struct Disk { float height = 0, radius = 1, inner_radius = 0, phi_max = 360; };
-struct Cylinder { float radius = 1, z_min = -1, z_max = 1, phi_max = 360; };
-struct Cone { float radius = 1, height = 1, phi_max = 360; };
-struct Paraboloid { float radius = 1, z_min = 0, z_max = 1, phi_max = 360; };
-struct Hyperboloid { Vec3 p1{0, 0, 0}, p2{1, 1, 1}; float phi_max = 360; };
+struct Sphere {
+  float radius = 1, z_min = -1, z_max = 1, phi_max = 360;
+};
+struct Disk {
+  float height = 0, radius = 1, inner_radius = 0, phi_max = 360;
+};
+struct Cylinder {
+  float radius = 1, z_min = -1, z_max = 1, phi_max = 360;
+};
+struct Cone {
+  float radius = 1, height = 1, phi_max = 360;
+};
+struct Paraboloid {
+  float radius = 1, z_min = 0, z_max = 1, phi_max = 360;
+};
+struct Hyperboloid {
+  Vec3 p1{0, 0, 0}, p2{1, 1, 1};
+  float phi_max = 360;
+};
 /// Loop subdivision surface, refined `levels` times and pushed to its limit.
-struct LoopSubdivision { int levels = 3; Mesh control; };
+struct LoopSubdivision {
+  int levels = 3;
+  Mesh control;
+};
 /// One cubic Bézier segment per group of four control points.
 struct Curve {
   enum class Type { Flat, Cylinder, Ribbon };
@@ -177,37 +249,77 @@ struct Shape {
 };
 
 /// A group of shapes that is placed by instances.
-struct Object { std::string name; SourceLocation where; std::vector<Shape> shapes; };
-struct Instance { ObjectId object = kNone; Mat4 to_world; SourceLocation where; };
+struct Object {
+  std::string name;
+  SourceLocation where;
+  std::vector<Shape> shapes;
+};
+struct Instance {
+  ObjectId object = kNone;
+  Mat4 to_world;
+  SourceLocation where;
+};
 
 // ---------------------------------------------------------------- lights
 
-struct PointLight { Rgb intensity{1, 1, 1}; };  ///< at the origin of `to_world`, W·sr⁻¹
+struct PointLight {
+  Rgb intensity{1, 1, 1};
+};  ///< at the origin of `to_world`, W·sr⁻¹
 /// Along +z of `to_world`.
-struct SpotLight { Rgb intensity{1, 1, 1}; float cone_angle = 30, falloff_start = 25; };
-/// Light travels along −z of `to_world`, i.e. +z points to the light. Irradiance on a facing surface.
-struct DistantLight { Rgb irradiance{1, 1, 1}; };
+struct SpotLight {
+  Rgb intensity{1, 1, 1};
+  float cone_angle = 30, falloff_start = 25;
+};
+/// Light travels along −z of `to_world`, i.e. +z points to the light. Irradiance on a facing
+/// surface.
+struct DistantLight {
+  Rgb irradiance{1, 1, 1};
+};
 /// Latitude–longitude map as in pbrt-v3 (z up, θ from +z, u = φ/2π); radiance scale.
-struct InfiniteLight { Rgb radiance{1, 1, 1}; std::string image; };
+struct InfiniteLight {
+  Rgb radiance{1, 1, 1};
+  std::string image;
+};
 /// Intensity × an image over directions (pbrt-v3: y up, θ from +y).
-struct GoniometricLight { Rgb intensity{1, 1, 1}; std::string image; };
+struct GoniometricLight {
+  Rgb intensity{1, 1, 1};
+  std::string image;
+};
 /// Slide projector along +z.
-struct ProjectionLight { Rgb intensity{1, 1, 1}; float fov = 45; std::string image; };
+struct ProjectionLight {
+  Rgb intensity{1, 1, 1};
+  float fov = 45;
+  std::string image;
+};
 
 struct Light {
   SourceLocation where;
   Mat4 to_world;
-  std::variant<PointLight, SpotLight, DistantLight, InfiniteLight, GoniometricLight, ProjectionLight> node;
+  std::variant<PointLight, SpotLight, DistantLight, InfiniteLight, GoniometricLight,
+               ProjectionLight>
+      node;
   MediumId medium = kNone;  ///< the medium that a light at a point is in
 };
 
 // ---------------------------------------------------------------- camera, film
 
-/// Screen window as in pbrt-v3: in units of tan(fov/2) on the camera plane at z = 1 (perspective) or in
-/// units of camera space (orthographic). Without one the shorter side of the image spans [-1, 1].
-struct ScreenWindow { float x_min = -1, x_max = 1, y_min = -1, y_max = 1; };
-struct PerspectiveCamera { float fov = 90; float lens_radius = 0, focal_distance = 1e6F; std::optional<ScreenWindow> window; std::optional<float> aspect; };
-struct OrthographicCamera { float lens_radius = 0, focal_distance = 1e6F; std::optional<ScreenWindow> window; std::optional<float> aspect; };
+/// Screen window as in pbrt-v3: in units of tan(fov/2) on the camera plane at z = 1 (perspective)
+/// or in units of camera space (orthographic). Without one the shorter side of the image spans [-1,
+/// 1].
+struct ScreenWindow {
+  float x_min = -1, x_max = 1, y_min = -1, y_max = 1;
+};
+struct PerspectiveCamera {
+  float fov = 90;
+  float lens_radius = 0, focal_distance = 1e6F;
+  std::optional<ScreenWindow> window;
+  std::optional<float> aspect;
+};
+struct OrthographicCamera {
+  float lens_radius = 0, focal_distance = 1e6F;
+  std::optional<ScreenWindow> window;
+  std::optional<float> aspect;
+};
 struct EnvironmentCamera {};
 struct Camera {
   SourceLocation where;
@@ -216,11 +328,17 @@ struct Camera {
   MediumId medium = kNone;
 };
 
-struct BoxFilter { };
-struct TriangleFilter { };
-struct GaussianFilter { float alpha = 2; };
-struct MitchellFilter { float b = 1.F / 3, c = 1.F / 3; };
-struct SincFilter { float tau = 3; };
+struct BoxFilter {};
+struct TriangleFilter {};
+struct GaussianFilter {
+  float alpha = 2;
+};
+struct MitchellFilter {
+  float b = 1.F / 3, c = 1.F / 3;
+};
+struct SincFilter {
+  float tau = 3;
+};
 struct Filter {
   Vec2 radius{0.5F, 0.5F};  ///< pixels
   std::variant<BoxFilter, TriangleFilter, GaussianFilter, MitchellFilter, SincFilter> node;
@@ -238,10 +356,10 @@ struct Film {
 
 /// What the file asks of the renderer; the command line overrides it.
 struct RenderHints {
-  std::string integrator;  ///< one of ours, empty if the file says nothing
+  std::string integrator;        ///< one of ours, empty if the file says nothing
   std::optional<int> max_depth;  ///< edges of a path (METHODS, section 1)
   std::optional<int> samples_per_pixel;
-  std::optional<std::string> sampler;  ///< sobol | independent
+  std::optional<std::string> sampler;                           ///< sobol | independent
   std::vector<std::pair<std::string, std::string>> parameters;  ///< for our integrator
 };
 

@@ -74,8 +74,15 @@ class AreaLight final : public Light {
     const Spectrum weight =
         radiance_at(at->point) * (std::abs(cosine) / (squared * at->pdf.value()));
     if (weight.is_black() || !weight.is_finite()) return std::nullopt;
-    return ConnectionSample{
-        {at->point, Vec3(0.F)}, w, distance, weight, Pdf<VertexMeasure>(at->pdf.value())};
+    // Filled in place, like all big samples: copying what was just written makes processors wait.
+    std::optional<ConnectionSample> result(std::in_place);
+    result->point.surface = at->point;
+    result->point.toward = Vec3(0.F);
+    result->w = w;
+    result->distance = distance;
+    result->weight = weight;
+    result->pdf = Pdf<VertexMeasure>(at->pdf.value());
+    return result;
   }
 
   Pdf<VertexMeasure> connection_pdf(const Vec3& reference,

@@ -58,9 +58,13 @@ class EnvironmentMap final : public Light {
     const Vec3 toward = directions_.to_world(chosen.w);
     const float pdf = chosen.pdf.value() * directions_.to_local(toward).stretch;
     if (!(pdf > 0.F)) return std::nullopt;
-    return ConnectionSample{EndpointPoint::at_infinity(toward, chosen.uv), toward,
-                            std::numeric_limits<float>::infinity(), radiance / pdf,
-                            Pdf<VertexMeasure>(pdf)};
+    std::optional<ConnectionSample> result(std::in_place);
+    result->point = EndpointPoint::at_infinity(toward, chosen.uv);
+    result->w = toward;
+    result->distance = std::numeric_limits<float>::infinity();
+    result->weight = radiance / pdf;
+    result->pdf = Pdf<VertexMeasure>(pdf);
+    return result;
   }
   Pdf<VertexMeasure> direction_pdf(const EndpointPoint& point) const {
     return Pdf<VertexMeasure>(map_.pdf(point.surface.uv).value() *
@@ -75,7 +79,8 @@ class EnvironmentMap final : public Light {
 
 }  // namespace
 
-std::unique_ptr<Light> make_environment_map(const Spectrum& scale, Map map, const LightPlacement& at,
+std::unique_ptr<Light> make_environment_map(const Spectrum& scale, Map map,
+                                            const LightPlacement& at,
                                             const BoundingSphere& bounds) {
   return std::make_unique<EnvironmentMap>(scale, std::move(map), at.directions, bounds);
 }

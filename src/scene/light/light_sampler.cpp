@@ -32,6 +32,7 @@ Pdf<Discrete> LightSampler::probability(const Vec3& /*reference*/, const Light& 
 }
 
 ChosenLight LightSampler::choose_emitter(float u) const {
+  if (lights_.size() == 1) return {lights_.front().get(), Pdf<Discrete>(1.F), u};
   const Distribution1D::Choice choice = by_power_.choose(u);
   return {lights_[choice.index].get(), Pdf<Discrete>(choice.probability), choice.u};
 }

@@ -23,8 +23,8 @@ std::unique_ptr<Light> make_distant_light(const desc::DistantLight& light, const
 std::unique_ptr<Light> make_constant_environment(const Spectrum& radiance,
                                                  const BoundingSphere& bounds);
 /// `scale` multiplies the map.
-std::unique_ptr<Light> make_environment_map(const Spectrum& scale, Map map, const LightPlacement& at,
-                                            const BoundingSphere& bounds);
+std::unique_ptr<Light> make_environment_map(const Spectrum& scale, Map map,
+                                            const LightPlacement& at, const BoundingSphere& bounds);
 std::unique_ptr<Light> make_goniometric_light(const desc::GoniometricLight& light, Map map,
                                               const LightPlacement& at);
 std::unique_ptr<Light> make_projection_light(const desc::ProjectionLight& light, Map map,

@@ -28,6 +28,9 @@ class Material {
   /// No surface: rays pass straight through and only the medium changes.
   virtual bool is_interface() const { return false; }
 
+  /// True if `bsdf` reads the derivatives of a surface point.
+  bool needs_derivatives() const { return has_bump || needs_tangent; }
+
   std::string name;
   TextureSlot bump;
   bool has_bump = false;

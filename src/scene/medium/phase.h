@@ -3,8 +3,9 @@
 #include "core/pdf.h"
 #include "core/warp.h"
 
-/// Henyey–Greenstein phase function. `wo` and `wi` are unit vectors that point away from the scattering
-/// point; g > 0 scatters forward. It is its own density. Source: Henyey & Greenstein 1941.
+/// Henyey–Greenstein phase function. `wo` and `wi` are unit vectors that point away from the
+/// scattering point; g > 0 scatters forward. It is its own density. Source: Henyey & Greenstein
+/// 1941.
 namespace ajar::phase {
 
 inline float henyey_greenstein(float g, const Vec3& wo, const Vec3& wi) {

@@ -391,4 +391,17 @@ SurfacePoint quadric_surface_point(const Quadric& quadric, const Placement& plac
   return point;
 }
 
+SurfacePoint sphere_plain_point(const Quadric& sphere, const Placement& placement, bool reversed,
+                                const Vec3d& p) {
+  const Imath::V2d uv = sphere.parameters(p);
+  const Vec3d n = placement.normal(p).normalized();
+  SurfacePoint point;
+  point.p = Vec3(placement.point(p));
+  point.ng = Vec3(reversed ? -n : n);
+  point.ns = point.ng;
+  point.uv = Vec2(static_cast<float>(uv.x), static_cast<float>(uv.y));
+  point.dpdu = point.dpdv = point.dndu = point.dndv = Vec3(0.F);
+  return point;
+}
+
 }  // namespace ajar

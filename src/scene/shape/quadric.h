@@ -51,6 +51,7 @@ class Quadric {
 
   /// Set if the surface is a whole sphere.
   std::optional<double> full_sphere_radius() const;
+  bool is_sphere() const { return kind_ == Kind::Sphere; }
   bool is_disk() const { return kind_ == Kind::Disk; }
 
  private:
@@ -80,5 +81,8 @@ class Quadric {
 /// The point with parameters `uv` of a quadric in the world. `reversed` turns the normal around.
 SurfacePoint quadric_surface_point(const Quadric& quadric, const Placement& placement,
                                    bool reversed, const Imath::V2d& uv);
+/// The point `p` (in object space) of a sphere, all derivatives zero: much cheaper.
+SurfacePoint sphere_plain_point(const Quadric& sphere, const Placement& placement, bool reversed,
+                                const Vec3d& p);
 
 }  // namespace ajar

@@ -66,7 +66,9 @@ class SphereSampler final : public SurfaceSampler {
         reversed_(reversed),
         center_(placement.point(Vec3d(0.0))),
         radius_(radius),
-        rounding_(0x1p-22 * (std::max({std::abs(center_.x), std::abs(center_.y), std::abs(center_.z)}) + radius)) {}
+        rounding_(
+            0x1p-22 *
+            (std::max({std::abs(center_.x), std::abs(center_.y), std::abs(center_.z)}) + radius)) {}
 
   float area() const override { return static_cast<float>(4.0 * double{kPi} * radius_ * radius_); }
   SurfaceSample sample(const SurfaceUniforms& u) const override {
@@ -112,8 +114,8 @@ class SphereSampler final : public SurfaceSampler {
   }
 
  private:
-  /// Points of the sphere itself count as inside: rounding puts them on either side, and light that the inner side
-  /// sends to the inner side must not be lost for half of them.
+  /// Points of the sphere itself count as inside: rounding puts them on either side, and light that
+  /// the inner side sends to the inner side must not be lost for half of them.
   bool outside(double distance) const { return distance > radius_ * (1.0 + 1e-5) + rounding_; }
   /// 1 − cos of half the angle under which the sphere is seen, without cancellation.
   double one_minus_cos_max(double distance) const {
@@ -131,8 +133,8 @@ class SphereSampler final : public SurfaceSampler {
     return to_area(Pdf<SolidAngle>(static_cast<float>(density)), reference, point.p, point.ng);
   }
   SurfacePoint point_at(const Vec3d& n) const {
-    const Imath::V2d uv = quadric_.parameters(quadric_.project(placement_.vector_to_object(n)));
-    return quadric_surface_point(quadric_, placement_, reversed_, uv);
+    return sphere_plain_point(quadric_, placement_, reversed_,
+                              quadric_.project(placement_.vector_to_object(n)));
   }
   static void axes_around(const Vec3d& z, Vec3d& x, Vec3d& y) {
     x = std::abs(z.x) < 0.6 ? Vec3d(1.0, 0.0, 0.0) : Vec3d(0.0, 1.0, 0.0);

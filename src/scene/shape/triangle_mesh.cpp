@@ -129,64 +129,80 @@ TriangleMesh::TriangleMesh(std::shared_ptr<const desc::Mesh> source, const Place
                             " vertices; they are ignored");
     return false;
   };
-  const bool has_normals = usable(source_->normals, "normals");
+  has_normals_ = usable(source_->normals, "normals");
+  has_uvs_ = usable(source_->uvs, "texture coordinates");
   const bool has_tangents = usable(source_->tangents, "tangents");
-  const bool has_uvs = usable(source_->uvs, "texture coordinates");
   vertex_count_ = vertices;
   place(placement, source_.use_count() == 1);
-  if (!has_normals) normals_ = nullptr;
   if (!has_tangents) tangents_ = nullptr;
-  uvs_ = has_uvs ? source_->uvs.data() : nullptr;
   triangles_ = source_->indices.data();
   validate(where);
 }
 
 void TriangleMesh::place(const Placement& placement, bool unique) {
   const desc::Mesh& mesh = *source_;
-  const bool has_spare = mesh.positions.capacity() > mesh.positions.size();
-  positions_ = mesh.positions.data();
-  normals_ = mesh.normals.data();
+  const Affine to_world(placement.to_world());
   tangents_ = mesh.tangents.data();
-  if (placement.is_identity() && has_spare) return;
+  if (!placement.is_identity()) {
+    own_tangents_ = mesh.tangents;
+    for_each_index(own_tangents_.size(),
+                   [&](std::size_t i) { own_tangents_[i] = to_world.vector(own_tangents_[i]); });
+    tangents_ = own_tangents_.data();
+  }
 
+  if (has_normals_ || has_uvs_) {
+    place_with_attributes(placement);
+    if (unique) {
+      // Nobody else looks at the mesh, and it was not created const (see the header).
+      auto& mine = const_cast<desc::Mesh&>(mesh);
+      mine.positions = {};
+      mine.normals = {};
+      mine.uvs = {};
+    }
+    return;
+  }
+
+  positions_ = mesh.positions.data();
+  const bool has_spare = mesh.positions.capacity() > mesh.positions.size();
+  if (placement.is_identity() && has_spare) return;
   if (unique) {
-    // Nobody else looks at the mesh, and it was not created const (see the header).
-    auto& mine = const_cast<desc::Mesh&>(mesh);
-    own_positions_ = std::move(mine.positions);
-    own_normals_ = std::move(mine.normals);
-    own_tangents_ = std::move(mine.tangents);
+    own_positions_ = std::move(const_cast<desc::Mesh&>(mesh).positions);
     own_positions_.reserve(vertex_count_ + 1);
   } else {
     own_positions_.reserve(vertex_count_ + 1);
     own_positions_.assign(mesh.positions.begin(), mesh.positions.end());
-    if (!placement.is_identity()) {
-      own_normals_ = mesh.normals;
-      own_tangents_ = mesh.tangents;
-    }
   }
   if (!placement.is_identity()) {
-    const Affine to_world(placement.to_world());
-    const Affine for_normals(placement.to_object().transposed());
     for_each_index(own_positions_.size(),
                    [&](std::size_t i) { own_positions_[i] = to_world.point(own_positions_[i]); });
-    for_each_index(own_normals_.size(), [&](std::size_t i) {
-      // Scaled here, so that vertices of one triangle keep equal weight in the interpolation.
-      const Vec3 n = for_normals.vector(own_normals_[i]);
-      const float size = length(n);
-      own_normals_[i] =
-          size > 0.F && std::isfinite(size) ? n * (length(own_normals_[i]) / size) : n;
-    });
-    for_each_index(own_tangents_.size(),
-                   [&](std::size_t i) { own_tangents_[i] = to_world.vector(own_tangents_[i]); });
   }
   positions_ = own_positions_.data();
-  if (!own_normals_.empty()) normals_ = own_normals_.data();
-  if (!own_tangents_.empty()) tangents_ = own_tangents_.data();
+}
+
+void TriangleMesh::place_with_attributes(const Placement& placement) {
+  const desc::Mesh& mesh = *source_;
+  const bool moves = !placement.is_identity();
+  const Affine to_world(placement.to_world());
+  const Affine for_normals(placement.to_object().transposed());
+  vertices_.resize(vertex_count_);
+  for_each_index(vertex_count_, [&](std::size_t i) {
+    const Vec3& p = mesh.positions[i];
+    Vec3 n = has_normals_ ? mesh.normals[i] : Vec3(0.F);
+    if (moves && has_normals_) {
+      // Scaled here, so that vertices of one triangle keep equal weight in the interpolation.
+      const Vec3 moved = for_normals.vector(n);
+      const float size = length(moved);
+      n = size > 0.F && std::isfinite(size) ? moved * (length(n) / size) : moved;
+    }
+    vertices_[i] = {moves ? to_world.point(p) : p, n, has_uvs_ ? mesh.uvs[i] : Vec2(0.F)};
+  });
+  positions_ = &vertices_.data()->p;
+  stride_ = sizeof(Vertex);
 }
 
 void TriangleMesh::validate(const SourceLocation& where) {
   const std::size_t bad_vertex =
-      first_bad(vertex_count_, [this](std::size_t i) { return !is_finite(positions_[i]); });
+      first_bad(vertex_count_, [this](std::size_t i) { return !is_finite(position(i)); });
   if (bad_vertex != kNowhere) {
     throw SceneError(where, "vertex " + std::to_string(bad_vertex) + " of the mesh is not finite");
   }
@@ -204,32 +220,30 @@ void TriangleMesh::validate(const SourceLocation& where) {
   needs_plane_check_ =
       first_bad(triangle_count_, [this](std::size_t i) {
         const Triangle& t = triangles_[i];
-        return plane_test_is_too_rough(positions_[t.x], positions_[t.y], positions_[t.z]);
+        return plane_test_is_too_rough(position(t.x), position(t.y), position(t.z));
       }) != kNowhere;
 }
 
 void TriangleMesh::texture_point(std::uint32_t triangle, float b1, float b2,
                                  SurfacePoint& point) const {
   const Triangle& t = triangles_[triangle];
-  point.p = exact_point(positions_[t.x], positions_[t.y], positions_[t.z], b1, b2);
+  point.p = exact_point(position(t.x), position(t.y), position(t.z), b1, b2);
   const float b0 = 1.F - b1 - b2;
-  point.uv = uvs_ ? uvs_[t.x] * b0 + uvs_[t.y] * b1 + uvs_[t.z] * b2 : Vec2(b1 + b2, b2);
+  point.uv = has_uvs_ ? vertices_[t.x].uv * b0 + vertices_[t.y].uv * b1 + vertices_[t.z].uv * b2
+                      : Vec2(b1 + b2, b2);
   point.primitive = triangle;
 }
 
-void TriangleMesh::surface_point(std::uint32_t triangle, float b1, float b2,
-                                 SurfacePoint& point) const {
+template <bool kDerivatives>
+void TriangleMesh::find_point(std::uint32_t triangle, float b1, float b2,
+                              SurfacePoint& point) const {
   const Triangle t = triangles_[triangle];
   // Large meshes are not in the cache. All that is needed is asked for at once, because the
   // processor does not look far enough ahead to overlap these misses by itself.
-  for (int k = 0; k < 3; ++k) {
-    __builtin_prefetch(positions_ + t[k]);
-    if (normals_ != nullptr) __builtin_prefetch(normals_ + t[k]);
-    if (uvs_ != nullptr) __builtin_prefetch(uvs_ + t[k]);
-  }
-  const Vec3& p0 = positions_[t.x];
-  const Vec3& p1 = positions_[t.y];
-  const Vec3& p2 = positions_[t.z];
+  for (int k = 0; k < 3; ++k) __builtin_prefetch(&position(t[k]));
+  const Vec3& p0 = position(t.x);
+  const Vec3& p1 = position(t.y);
+  const Vec3& p2 = position(t.z);
   const float b0 = 1.F - b1 - b2;
   const Vec3 e1 = p1 - p0;
   const Vec3 e2 = p2 - p0;
@@ -247,37 +261,42 @@ void TriangleMesh::surface_point(std::uint32_t triangle, float b1, float b2,
   Vec2 d1(1.F, 0.F);
   Vec2 d2(1.F, 1.F);
   point.uv = Vec2(b1 + b2, b2);
-  if (uvs_ != nullptr) {
-    const Vec2& uv0 = uvs_[t.x];
-    d1 = uvs_[t.y] - uv0;
-    d2 = uvs_[t.z] - uv0;
-    point.uv = uv0 * b0 + uvs_[t.y] * b1 + uvs_[t.z] * b2;
+  if (has_uvs_) {
+    const Vec2& uv0 = vertices_[t.x].uv;
+    const Vec2& uv1 = vertices_[t.y].uv;
+    const Vec2& uv2 = vertices_[t.z].uv;
+    d1 = uv1 - uv0;
+    d2 = uv2 - uv0;
+    point.uv = uv0 * b0 + uv1 * b1 + uv2 * b2;
   }
-  const float determinant = d1.x * d2.y - d1.y * d2.x;
-  const float scale = 1.F / determinant;
-  point.dpdu = (e1 * d2.y - e2 * d1.y) * scale;
-  point.dpdv = (e2 * d1.x - e1 * d2.x) * scale;
-  const float size = length_squared(cross(point.dpdu, point.dpdv));
-  const bool has_derivatives = size > 0.F && size < std::numeric_limits<float>::infinity();
-  if (!has_derivatives) {
-    const Frame frame = Frame::around(ng);
-    point.dpdu = frame.x;
-    point.dpdv = frame.y;
+  point.dpdu = point.dpdv = point.dndu = point.dndv = Vec3(0.F);
+  bool has_derivatives = false;
+  float scale = 0.F;
+  if constexpr (kDerivatives) {
+    scale = 1.F / (d1.x * d2.y - d1.y * d2.x);
+    point.dpdu = (e1 * d2.y - e2 * d1.y) * scale;
+    point.dpdv = (e2 * d1.x - e1 * d2.x) * scale;
+    const float size = length_squared(cross(point.dpdu, point.dpdv));
+    has_derivatives = size > 0.F && size < std::numeric_limits<float>::infinity();
+    if (!has_derivatives) {
+      const Frame frame = Frame::around(ng);
+      point.dpdu = frame.x;
+      point.dpdv = frame.y;
+    }
   }
 
   point.ns = ng;
-  point.dndu = point.dndv = Vec3(0.F);
-  if (normals_ != nullptr) {
-    const Vec3& n0 = normals_[t.x];
-    const Vec3& n1 = normals_[t.y];
-    const Vec3& n2 = normals_[t.z];
+  if (has_normals_) {
+    const Vec3& n0 = vertices_[t.x].n;
+    const Vec3& n1 = vertices_[t.y].n;
+    const Vec3& n2 = vertices_[t.z].n;
     const Vec3 n = interpolate(n0, n1, n2, b0, b1, b2);
     const float n_squared = length_squared(n);
     if (n_squared > 1e-30F && n_squared < 1e30F) {
       const float inverse = (reversed_ ? -1.F : 1.F) / std::sqrt(n_squared);
       point.ns = n * inverse;
       ng = face_forward(ng, point.ns);
-      if (has_derivatives) {
+      if (kDerivatives && has_derivatives) {
         const Vec3 a = (n1 - n0) * inverse;
         const Vec3 b = (n2 - n0) * inverse;
         const Vec3 du = (a * d2.y - b * d1.y) * scale;
@@ -288,7 +307,7 @@ void TriangleMesh::surface_point(std::uint32_t triangle, float b1, float b2,
     }
   }
   point.ng = ng;
-  if (tangents_ != nullptr) {
+  if (kDerivatives && tangents_ != nullptr) {
     // The authored tangent gives the direction, the texture coordinates keep the lengths.
     const Vec3 tangent = interpolate(tangents_[t.x], tangents_[t.y], tangents_[t.z], b0, b1, b2);
     const Vec3 along = tangent - point.ns * dot(tangent, point.ns);
@@ -302,17 +321,20 @@ void TriangleMesh::surface_point(std::uint32_t triangle, float b1, float b2,
   }
 }
 
+template void TriangleMesh::find_point<true>(std::uint32_t, float, float, SurfacePoint&) const;
+template void TriangleMesh::find_point<false>(std::uint32_t, float, float, SurfacePoint&) const;
+
 double TriangleMesh::triangle_area(std::uint32_t triangle) const {
   const Triangle& t = triangles_[triangle];
-  const Vec3d p0(positions_[t.x]);
-  return 0.5 * (Vec3d(positions_[t.y]) - p0).cross(Vec3d(positions_[t.z]) - p0).length();
+  const Vec3d p0(position(t.x));
+  return 0.5 * (Vec3d(position(t.y)) - p0).cross(Vec3d(position(t.z)) - p0).length();
 }
 
 double TriangleMesh::plane_distance(std::uint32_t triangle, const Vec3d& origin,
                                     const Vec3d& direction) const {
   const Triangle& t = triangles_[triangle];
-  const Vec3d p0(positions_[t.x]);
-  const Vec3d n = (Vec3d(positions_[t.y]) - p0).cross(Vec3d(positions_[t.z]) - p0);
+  const Vec3d p0(position(t.x));
+  const Vec3d n = (Vec3d(position(t.y)) - p0).cross(Vec3d(position(t.z)) - p0);
   return n.dot(p0 - origin) / n.dot(direction);
 }
 

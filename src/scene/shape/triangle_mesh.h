@@ -24,13 +24,21 @@ class TriangleMesh {
 
   std::size_t triangle_count() const { return triangle_count_; }
   std::size_t vertex_count() const { return vertex_count_; }
-  /// 12-byte elements; one more element than `vertex_count` may be read.
+  /// Of vertex 0; the others follow every `position_stride` bytes, and 16 bytes may be read at each
+  /// of them.
   const Vec3* positions() const { return positions_; }
+  std::size_t position_stride() const { return stride_; }
   const Triangle* triangles() const { return triangles_; }
 
   /// Point with barycentric coordinates (1 − b1 − b2, b1, b2). Normals as in pbrt-v3: authored
   /// normals decide on which side `ng` lies, the winding only where there are none.
-  void surface_point(std::uint32_t triangle, float b1, float b2, SurfacePoint& point) const;
+  void surface_point(std::uint32_t triangle, float b1, float b2, SurfacePoint& point) const {
+    find_point<true>(triangle, b1, b2, point);
+  }
+  /// The same with all derivatives zero.
+  void plain_point(std::uint32_t triangle, float b1, float b2, SurfacePoint& point) const {
+    find_point<false>(triangle, b1, b2, point);
+  }
   /// Only position and texture coordinates.
   void texture_point(std::uint32_t triangle, float b1, float b2, SurfacePoint& point) const;
   double triangle_area(std::uint32_t triangle) const;
@@ -42,21 +50,37 @@ class TriangleMesh {
   double plane_distance(std::uint32_t triangle, const Vec3d& origin, const Vec3d& direction) const;
 
  private:
-  /// Brings vertices into place, in the source's own memory if that is `unique`.
+  /// What a hit reads of a vertex, in one cache line.
+  struct alignas(32) Vertex {
+    Vec3 p;
+    Vec3 n;
+    Vec2 uv;
+  };
+
+  /// Brings vertices into place. If the source is `unique`, in its own memory or instead of it.
   void place(const Placement& placement, bool unique);
+  void place_with_attributes(const Placement& placement);
+  const Vec3& position(std::size_t vertex) const {
+    return *reinterpret_cast<const Vec3*>(reinterpret_cast<const char*>(positions_) +
+                                          vertex * stride_);
+  }
+  template <bool kDerivatives>
+  void find_point(std::uint32_t triangle, float b1, float b2, SurfacePoint& point) const;
   void validate(const SourceLocation& where);
 
   std::shared_ptr<const desc::Mesh> source_;
+  std::vector<Vertex>
+      vertices_;  ///< empty if vertices have neither normals nor texture coordinates
   std::vector<Vec3> own_positions_;
-  std::vector<Vec3> own_normals_;
   std::vector<Vec3> own_tangents_;
   const Vec3* positions_ = nullptr;
-  const Vec3* normals_ = nullptr;
+  std::size_t stride_ = sizeof(Vec3);
   const Vec3* tangents_ = nullptr;
-  const Vec2* uvs_ = nullptr;
   const Triangle* triangles_ = nullptr;
   std::size_t vertex_count_ = 0;
   std::size_t triangle_count_ = 0;
+  bool has_normals_ = false;
+  bool has_uvs_ = false;
   bool flip_winding_ = false;  ///< the geometric normal is against the winding
   bool reversed_ = false;
   bool needs_plane_check_ = false;

@@ -1,0 +1,37 @@
+#pragma once
+#include <cstdint>
+
+#include "scene/surface_point.h"
+
+namespace ajar {
+
+class Light;
+class Material;
+class Medium;
+
+/// Media on the two sides of a surface; `changes` is false if a ray keeps the medium it is in.
+struct MediumInterface {
+  const Medium* inside = nullptr;   ///< on the side that −ng points to
+  const Medium* outside = nullptr;  ///< on the side that +ng points to
+  bool changes = false;
+};
+
+/// Where a ray meets the geometry.
+struct GeometryHit {
+  float t;
+  std::uint32_t shape;        ///< flat index of the shape, see Geometry
+  std::uint32_t instance_id;  ///< 0: not an instance; else index of the instance + 1
+  SurfacePoint point;
+};
+
+/// What a ray hit.
+struct Hit : GeometryHit {
+  const Material* material;      ///< never null
+  const Light* light;            ///< null if the surface does not emit
+  const MediumInterface* media;  ///< never null
+  std::uint32_t
+      object_id;  ///< index of the shape in the description (instanced: of the shape in its object)
+  std::uint32_t material_id;
+};
+
+}  // namespace ajar
