@@ -355,6 +355,26 @@ TEST_F(Cli, ProgressComesInLinesOfJson) {
   EXPECT_EQ(std::count(events.begin(), events.end(), "done"), 1);
 }
 
+TEST_F(Cli, RefusesWhatWouldSilentlyChangeOrLoseAPicture) {
+  for (const char* seed : {"18446744073709551616", "-1", "0x10", "", "7 "}) {
+    EXPECT_EQ(render({"--seed", seed}).exit_code, 2) << seed;
+  }
+  for (const char* stops : {"nan", "inf", "-1e30"}) {
+    EXPECT_EQ(render({"--exposure", stops}).exit_code, 2) << stops;
+  }
+  EXPECT_EQ(render({"--spp", "1", "-o", "a.exr", "--stats", "a.exr"}).exit_code, 2);
+  EXPECT_EQ(render({"--spp", "1", "-o", "a.exr", "-o", "./a.exr"}).exit_code, 2);
+  file("huge.pbrt",
+       "Film \"image\" \"integer xresolution\" 65536 \"integer yresolution\" 65536\nCamera "
+       "\"perspective\"\nWorldBegin\nShape \"sphere\"\nWorldEnd\n");
+  EXPECT_EQ(run({"render", "huge.pbrt"}).exit_code, 3);
+  EXPECT_EQ(render({"--time", ""}).exit_code, 2);
+  ASSERT_EQ(run({"convert", "builtin:cornell", "own.pbrt"}).exit_code, 0);
+  const std::string before = read_text(file("own.pbrt"));
+  EXPECT_EQ(run({"convert", "own.pbrt", "own.pbrt"}).exit_code, 2);
+  EXPECT_EQ(read_text(file("own.pbrt")), before);
+}
+
 TEST_F(Cli, NothingButResultsGoesToStdout) {
   EXPECT_EQ(run({"render", "builtin:cornell", "--resolution", "24x16", "--spp", "1", "-o", "a.pfm",
                  "--progress", "plain"})

@@ -27,6 +27,13 @@ struct Request {
   ListArguments list;
 };
 
+/// An empty value is most likely a variable of a script that was never set.
+const CLI::Validator kNotEmpty(
+    [](const std::string& text) {
+      return text.empty() ? std::string("needs a value") : text.substr(0, 0);
+    },
+    "");
+
 void add_render(CLI::App& app, RenderArguments& a) {
   CLI::App* command = app.add_subcommand("render", "Render a scene to pictures");
   command->add_option("SCENE", a.scene, kSceneHelp)->required();
@@ -68,6 +75,7 @@ void add_render(CLI::App& app, RenderArguments& a) {
 
   command->add_option("--integrator", a.integrator, "Rendering method (see: ajar list integrators)")
       ->type_name("NAME")
+      ->check(kNotEmpty)
       ->group("Method");
   command
       ->add_option("--set", a.assignments,
@@ -92,6 +100,7 @@ void add_render(CLI::App& app, RenderArguments& a) {
       ->group("When to stop (whichever comes first; default: the scene's samples per pixel)");
   command->add_option("--time", a.time, "Time to render, such as 60s, 2m or 1h30m")
       ->type_name("TIME")
+      ->check(kNotEmpty)
       ->group("When to stop (whichever comes first; default: the scene's samples per pixel)");
   command
       ->add_option("--target-error", a.target_error,
@@ -106,6 +115,7 @@ void add_render(CLI::App& app, RenderArguments& a) {
       ->group("Program");
   command->add_option("--stats", a.stats, "Write statistics as JSON")
       ->type_name("FILE.json")
+      ->check(kNotEmpty)
       ->group("Program");
   command->add_option("--progress", a.progress, "auto, plain (lines), json (lines) or none")
       ->type_name("HOW")

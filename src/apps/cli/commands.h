@@ -16,7 +16,7 @@ struct RenderArguments {
   std::optional<std::uint64_t> spp;
   std::optional<double> target_error, scale;
   int threads = 0;
-  std::uint64_t seed = 0;
+  std::string seed = "0";
   std::string stats;
   std::string progress = "auto";
   std::string tone_map = "srgb";

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <filesystem>
+
 #include "apps/cli/commands.h"
 #include "apps/cli/messages.h"
 #include "core/error.h"
@@ -12,6 +14,10 @@ namespace ajar::cli {
 int convert(const ConvertArguments& arguments) {
   if (!arguments.output.ends_with(".pbrt")) {
     throw UsageError(arguments.output + ": the file to write must end in .pbrt");
+  }
+  std::error_code unknown;
+  if (std::filesystem::equivalent(arguments.scene, arguments.output, unknown)) {
+    throw UsageError(arguments.output + ": this would overwrite the scene that is read");
   }
   check_writable(arguments.output);
   Warnings warnings;

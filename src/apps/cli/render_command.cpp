@@ -3,7 +3,10 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <charconv>
+#include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -30,6 +33,40 @@ namespace {
 constexpr int kExitFile = 4;
 constexpr int kExitInterrupted = 130;
 
+/// Decimal digits only: a seed that is silently changed would give a picture that another seed
+/// gives too.
+std::uint64_t parse_seed(const std::string& text) {
+  std::uint64_t seed = 0;
+  const char* end = text.data() + text.size();
+  const auto [stopped, error] = std::from_chars(text.data(), end, seed);
+  if (error != std::errc() || stopped != end) {
+    throw UsageError("--seed: \"" + text +
+                     "\" is not a whole number from 0 to 18446744073709551615");
+  }
+  return seed;
+}
+
+float checked_exposure(float stops) {
+  constexpr float kMostStops = 64.F;
+  if (!(std::abs(stops) <= kMostStops)) {
+    throw UsageError(fmt::format("--exposure: {} is not within -{} and {} stops", stops, kMostStops,
+                                 kMostStops));
+  }
+  return stops;
+}
+
+/// Files that a render writes over each other would be lost.
+void check_distinct(std::vector<std::string> files) {
+  std::vector<std::filesystem::path> paths;
+  for (const std::string& file : files) {
+    const std::filesystem::path path = std::filesystem::absolute(file).lexically_normal();
+    if (std::find(paths.begin(), paths.end(), path) != paths.end()) {
+      throw UsageError(file + ": this file would be written twice");
+    }
+    paths.push_back(path);
+  }
+}
+
 RenderRequest request_of(const RenderArguments& a) {
   RenderRequest request;
   request.integrator = a.integrator;
@@ -43,20 +80,24 @@ RenderRequest request_of(const RenderArguments& a) {
   request.scale = a.scale;
   if (!a.crop.empty()) request.crop = parse_crop("--crop", a.crop);
   request.aovs = checked_aovs(parse_list(a.aovs));
-  request.seed = a.seed;
+  request.seed = parse_seed(a.seed);
   return request;
 }
 
 /// Memory that the machine does not have would be promised and then end the program without a word.
-void check_memory(const RenderSetup& setup, const std::vector<LayerSpec>& layers) {
+/// Wrong usage if the user chose the size, the scene's fault if its film did.
+void check_memory(const RenderSetup& setup, const std::vector<LayerSpec>& layers,
+                  bool size_from_scene) {
   const std::uint64_t needed = film_bytes(setup.crop, setup.settings.replicates, layers);
   const std::uint64_t available = physical_memory_bytes();
   if (available == 0 || needed < available / 10 * 9) return;
-  throw UsageError(fmt::format(
+  const std::string message = fmt::format(
       "the film of {}x{} pixels needs {:.1f} GB of memory, this machine has {:.1f} GB; use a "
       "smaller --resolution or --crop, or fewer --aov",
       setup.resolution.x, setup.resolution.y, 1e-9 * static_cast<double>(needed),
-      1e-9 * static_cast<double>(available)));
+      1e-9 * static_cast<double>(available));
+  if (size_from_scene) throw SceneError({}, message);
+  throw UsageError(message);
 }
 
 /// Prints where the files are; true if each is where it should be.
@@ -111,7 +152,8 @@ void report_end(const RenderResult& result) {
   print_note(text);
   if (!result.complete) {
     print_warning(
-        "the last pass was cut short: parts of the picture have fewer samples than others");
+        "the last pass was cut short: parts of the picture have fewer samples than others, or "
+        "none");
   }
 }
 
@@ -119,10 +161,13 @@ void report_end(const RenderResult& result) {
 
 int render(const RenderArguments& a) {
   const ProgressStyle style = progress_style(a.progress, isatty(STDERR_FILENO) != 0);
-  const DisplayOptions display{tone_map_by_name(a.tone_map), a.exposure};
+  const DisplayOptions display{tone_map_by_name(a.tone_map), checked_exposure(a.exposure)};
   const RenderRequest request = request_of(a);
   check_picture_paths(a.outputs);
   if (!a.stats.empty()) check_writable(a.stats);
+  std::vector<std::string> written = a.outputs;
+  if (!a.stats.empty()) written.push_back(a.stats);
+  check_distinct(std::move(written));
   std::unique_ptr<tbb::global_control> thread_limit;
   if (a.threads > 0) {
     thread_limit = std::make_unique<tbb::global_control>(
@@ -159,7 +204,7 @@ int render(const RenderArguments& a) {
       setup.integrator->make(scene, setup.settings, parameters);
   const std::vector<LayerSpec> layers = integrator->layers();
   check_layers(setup.settings, layers);
-  check_memory(setup, layers);
+  check_memory(setup, layers, a.resolution.empty() && !a.scale);
   Film film(setup.resolution, setup.crop, filter, setup.settings.replicates, layers);
   statistics.times.prepare = prepare_clock.seconds();
 
