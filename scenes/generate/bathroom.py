@@ -99,19 +99,22 @@ def window():
     parts += [bar((x, y0, zm), (x, y1, zm), 0.034, 0.04, up=(1, 0, 0)),
               bar((x, ym, z0), (x, ym, z1), 0.04, 0.026)]
     sill = rounded_box((-REVEAL + 0.05, y0 - 0.004, z0 - 0.05), (0.05, y0 + 0.022, z1 + 0.05), 0.006)
-    sill_inner = Mesh(sill.P, sill.N, sill.F)
-    return join(parts, sill_inner)
+    return join(parts, sill)
 
 
 def outdoors():
-    """Sky panel, hedge panel with a leafy outline, and the disk of the sun; all shine to the room."""
-    sky = quad((-3.3, 2.9, -2.0), (-3.3, 2.9, 5.6), (-2.3, 5.6, 5.6), (-2.3, 5.6, -2.0), (1, -0.3, 0))
-    haze = quad((-3.3, -0.5, -6.0), (-3.3, -0.5, 6.5), (-3.3, 2.9, 6.5), (-3.3, 2.9, -6.0), (1, 0, 0))
+    """Sky panel, haze, hedge with a leafy outline, roof light, and the disk of the sun. All are just as
+    large as the room sees them: light that misses the window costs samples and shows nothing."""
+    sky = quad((-1.75, 2.45, 1.5), (-1.75, 2.45, 3.7), (-1.0, 3.6, 3.7), (-1.0, 3.6, 1.5), (1, -0.5, 0))
+    x, z0, z1 = -1.7, -2.4, 4.0
+    haze = quad((x, 0.5, z0), (x, 0.5, z1), (x, 2.45, z1), (x, 2.45, z0), (1, 0, 0))
+    roof = quad((0.8, HEIGHT - 0.004, 0.9), (2.0, HEIGHT - 0.004, 0.9), (2.0, HEIGHT - 0.004, 2.0),
+                (0.8, HEIGHT - 0.004, 2.0), (0, -1, 0))
     rng = np.random.default_rng(3)
-    z = np.linspace(-6.0, 6.5, 420)
-    top = 1.42 + sum(a * np.sin(k * z + rng.uniform(0, 6)) for a, k in
-                     ((0.16, 1.1), (0.10, 2.3), (0.07, 5.1), (0.04, 11.0), (0.025, 23.0), (0.02, 41.0)))
-    X = np.stack([np.stack([0 * z - 3.25, 0 * z - 0.5, z], -1), np.stack([0 * z - 3.25, top, z], -1)])
+    z = np.linspace(z0, z1, 300)
+    top = 1.45 + sum(a * np.sin(k * z + rng.uniform(0, 6)) for a, k in
+                     ((0.09, 2.1), (0.06, 4.3), (0.04, 9.1), (0.02, 19.0), (0.014, 41.0), (0.01, 77.0)))
+    X = np.stack([np.stack([0 * z + x + 0.03, 0 * z + 0.5, z], -1), np.stack([0 * z + x + 0.03, top, z], -1)])
     m = sheet(X)
     hedge = Mesh(m.P, np.tile((1.0, 0.0, 0.0), (len(m.P), 1)), m.F)
     q = np.arange(32) * (2 * np.pi / 32)
@@ -119,7 +122,7 @@ def outdoors():
     disk = Mesh(P, np.tile((0.0, 1.0, 0.0), (33, 1)), [(0, 1 + i, 1 + (i + 1) % 32) for i in range(32)])
     at = np.array([-2.7, 3.1, 0.0])
     sun = disk.pointing(np.array([0.0, 1.6, 1.9]) - at).moved(*at)
-    return sky, haze, hedge, sun
+    return sky, haze, hedge, roof, sun
 
 
 def mirror():
@@ -127,16 +130,16 @@ def mirror():
     r = 0.36
     glass = lathe([(0, 0.012), (r, 0.012)], segs=128).pointing((0, 0, -1)).moved(*centre)
     glass.N[:] = (0, 0, -1)
-    frame = join(torus(r, 0.011, 128, 20).scaled(1, 1.4, 1), lathe([(r, -0.01), (r, 0.012)], segs=128))
+    frame = join(torus(r, 0.011, 96, 12).scaled(1, 1.4, 1), lathe([(r, -0.01), (r, 0.012)], segs=128))
     return glass, frame.pointing((0, 0, -1)).moved(centre[0], centre[1], centre[2] - 0.01)
 
 
 def washbasin():
     outside = [(0, 0), (0.075, 0), (0.085, 0.004)]
-    wall = curve([(0.085, 0.004), (0.14, 0.022), (0.185, 0.065), (0.208, 0.132)], 20)
+    wall = curve([(0.085, 0.004), (0.14, 0.022), (0.185, 0.065), (0.208, 0.132)], 16)
     rim = arc_points((0.203, 0.132), 0.005, 0, 180, 9)
-    inside = curve([(0.198, 0.132), (0.175, 0.068), (0.13, 0.030), (0.06, 0.018), (0.022, 0.015)], 28)
-    bowl = lathe(outside, wall, rim, inside, segs=112).moved(0.80, COUNTER, 2.965)
+    inside = curve([(0.198, 0.132), (0.175, 0.068), (0.13, 0.030), (0.06, 0.018), (0.022, 0.015)], 20)
+    bowl = lathe(outside, wall, rim, inside, segs=72).moved(0.80, COUNTER, 2.965)
     drain = lathe([(0.024, 0.0155), (0.022, 0.019), (0.016, 0.0205), (0, 0.021)], segs=40)
     return bowl, drain.moved(0.80, COUNTER, 2.965)
 
@@ -145,12 +148,12 @@ def tap():
     x, z = 0.80, 3.19 - 0.02
     neck = curve([(x, COUNTER, z), (x, COUNTER + 0.14, z), (x, COUNTER + 0.225, z - 0.004),
                   (x, COUNTER + 0.285, z - 0.04), (x, COUNTER + 0.295, z - 0.09),
-                  (x, COUNTER + 0.265, z - 0.14), (x, COUNTER + 0.215, z - 0.155)], 60)
+                  (x, COUNTER + 0.265, z - 0.14), (x, COUNTER + 0.215, z - 0.155)], 48)
     base = lathe([(0.030, 0.0), (0.030, 0.004), (0.028, 0.007), (0.022, 0.008)],
                  [(0.022, 0.008), (0.021, 0.085), (0.019, 0.090), (0.012, 0.092)], segs=48).moved(x, COUNTER, z)
     lever = tube(curve([(x + 0.018, COUNTER + 0.055, z), (x + 0.045, COUNTER + 0.058, z),
                         (x + 0.075, COUNTER + 0.075, z - 0.004)], 20), 0.0065)
-    return join(tube(neck, 0.0125, 28, "spout"), base, lever)
+    return join(tube(neck, 0.0125, 22, "spout"), base, lever)
 
 
 def vanity():
@@ -181,7 +184,7 @@ def bottle(outer, inner):
     """A vessel with thickness: outer profile upwards, a round lip, inner profile downwards."""
     (ro, y), ri = outer[-1], inner[0][0]
     lip = arc_points(((ro + ri) / 2, y), (ro - ri) / 2, 0, 180, 7)
-    return lathe([(0, 0), (outer[0][0], 0)], curve(outer, 44), lip, curve(inner, 44), segs=56)
+    return lathe([(0, 0), (outer[0][0], 0)], curve(outer, 34), lip, curve(inner, 34), segs=44)
 
 
 def bottles():
@@ -219,20 +222,19 @@ def towel():
     """Cloth over the rail: down in front, a shorter part behind; folds grow with the way down."""
     r = 0.014
     over = np.radians(np.linspace(180, 0, 11))
-    front = np.linspace(0, 0.60, 58)[1:]
+    front = np.linspace(0, 0.60, 50)[1:]
     back = np.linspace(0.42, 0, 22)[:-1]
     s = np.concatenate([back, 0 * over, front])
     side = np.concatenate([0 * back + 1, np.cos(np.pi - over), 0 * front - 1])
-    z = RAIL_Z - r * np.concatenate([0 * back - 1, -np.cos(np.pi - over) * -1, 0 * front + 1]) * 1.0
     z = RAIL_Z + np.concatenate([0 * back + r, r * np.cos(np.pi - over) * -1, 0 * front - r])
     y = RAIL_Y + np.concatenate([-back, r * np.sin(over), -front])
-    u = np.linspace(0, 1, 64)
+    u = np.linspace(0, 1, 52)
     S, U = s[:, None], u[None, :]
     amount = 0.017 * (1 - np.exp(-S / 0.16)) * (0.6 + S)
     fold = np.sin(2 * np.pi * (2.6 * U + 0.25 * S)) + 0.45 * np.sin(2 * np.pi * (5.7 * U - 0.4 * S) + 1.0)
     is_front = (side < 0)[:, None]
     Z = z[:, None] + np.where(is_front, amount * (fold - 0.9), 0.25 * amount * fold)
-    X = 2.07 + 0.42 * (U + 0.016 * np.sin(7 * S + 4 * U) * np.sqrt(S)) * (1 - 0.05 * S * (U > -1)) + 0.012 * S
+    X = 1.99 + 0.42 * (U + 0.016 * np.sin(7 * S + 4 * U) * np.sqrt(S))  + 0.012 * S
     Y = y[:, None] + 0.006 * np.sin(2 * np.pi * 2.6 * U) * S
     cloth = sheet(np.stack([X + 0 * Z, Y + 0 * Z, Z], -1))
     # A band woven into the towel, as part of the same surface.
@@ -241,16 +243,16 @@ def towel():
     cols = len(u)
     row_of = cloth.F.min(1) // cols
     inside = (row_of >= rows[0]) & (row_of < rows[-1])
-    rail = join(tube([(1.99, RAIL_Y, RAIL_Z), (2.62, RAIL_Y, RAIL_Z)], 0.010, 24),
-                [tube([(x, RAIL_Y, RAIL_Z), (x, RAIL_Y, DEPTH)], 0.008, 20) for x in (2.01, 2.60)],
+    rail = join(tube([(1.92, RAIL_Y, RAIL_Z), (2.50, RAIL_Y, RAIL_Z)], 0.010, 24),
+                [tube([(x, RAIL_Y, RAIL_Z), (x, RAIL_Y, DEPTH)], 0.008, 20) for x in (1.935, 2.485)],
                 [lathe([(0.022, 0), (0.022, 0.006), (0.018, 0.010), (0.008, 0.011)], segs=36)
-                 .pointing((0, 0, -1)).moved(x, RAIL_Y, DEPTH - 0.006) for x in (2.01, 2.60)])
+                 .pointing((0, 0, -1)).moved(x, RAIL_Y, DEPTH - 0.006) for x in (1.935, 2.485)])
     return Mesh(cloth.P, cloth.N, cloth.F[~inside]), Mesh(cloth.P, cloth.N, cloth.F[inside]), rail
 
 
 def stool():
     """Three-legged stool with two rolled towels."""
-    x, z, h = 1.93, 2.90, 0.42
+    x, z, h = 1.89, 2.86, 0.42
     seat = lathe([(0, h - 0.03), (0.15, h - 0.03)], arc_points((0.15, h - 0.015), 0.015, -90, 90, 13),
                  [(0.15, h), (0, h - 0.003)], segs=64)
     legs = []
@@ -282,14 +284,14 @@ def plant():
 
 
 def mat():
-    m = rounded_box((-0.40, 0.0005, -0.26), (0.40, 0.018, 0.26), 0.008, segs=3, flat=10)
+    m = rounded_box((-0.40, 0.0005, -0.26), (0.40, 0.018, 0.26), 0.008, segs=2, flat=4)
     return m.turned("y", 7).moved(1.02, 0, 2.15)
 
 
 def meshes():
     sage, sage2, white, grout, plaster, trim = walls()
     floor1, floor2 = floor()
-    sky, haze, hedge, sun = outdoors()
+    sky, haze, hedge, roof, sun = outdoors()
     glass, frame = mirror()
     bowl, drain = washbasin()
     top, body, knobs = vanity()
@@ -302,7 +304,7 @@ def meshes():
     bed = quad((0, -0.0025, 0), (WIDTH, -0.0025, 0), (WIDTH, -0.0025, DEPTH), (0, -0.0025, DEPTH), (0, 1, 0))
     return {
         "tiles-sage": sage, "tiles-sage2": sage2, "tiles-white": white, "grout": join(grout, bed), "plaster": plaster,
-        "trim": trim, "floor1": floor1, "floor2": floor2, "window": window(), "sky": sky, "haze": haze, "hedge": hedge,
+        "trim": trim, "floor1": floor1, "floor2": floor2, "window": window(), "sky": sky, "haze": haze, "hedge": hedge, "roof-light": roof,
         "sun": sun, "mirror": glass, "mirror-frame": frame, "ceramic": join(bowl, dish), "chrome": join(tap(), drain,
         holders, rail), "brass": knobs, "counter": top, "cabinet": body, "shelf": shelf_glass, "bottle1": bottle1,
         "liquid": liquid, "cork": cork, "bottle2": bottle2, "soap": soap_bar, "towel": join(cloth, rolls),
