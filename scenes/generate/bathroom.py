@@ -2,7 +2,7 @@
 x = 0, mirror and washbasin are at the wall z = 3.24."""
 import numpy as np
 
-from meshlib import (Mesh, agave, arc_points, bar, curve, cushion, join, lathe, loft, quad, room,
+from meshlib import (Mesh, agave, arc_points, bar, curve, cushion, join, lathe, quad, room,
                      rounded_box, sheet, smooth_normals, tile, torus, tube, unit)
 
 WIDTH, HEIGHT, DEPTH = 2.88, 2.5, 3.24
@@ -103,9 +103,8 @@ def window():
 
 
 def outdoors():
-    """Sky panel, haze, hedge with a leafy outline, roof light, and the disk of the sun. All are just as
+    """Haze, hedge with a leafy outline, roof light, and the disk of the sun. All are just as
     large as the room sees them: light that misses the window costs samples and shows nothing."""
-    sky = quad((-1.75, 2.45, 1.5), (-1.75, 2.45, 3.7), (-1.0, 3.6, 3.7), (-1.0, 3.6, 1.5), (1, -0.5, 0))
     x, z0, z1 = -1.7, -2.4, 4.0
     haze = quad((x, 0.5, z0), (x, 0.5, z1), (x, 2.45, z1), (x, 2.45, z0), (1, 0, 0))
     roof = quad((0.8, HEIGHT - 0.004, 0.9), (2.0, HEIGHT - 0.004, 0.9), (2.0, HEIGHT - 0.004, 2.0),
@@ -122,7 +121,7 @@ def outdoors():
     disk = Mesh(P, np.tile((0.0, 1.0, 0.0), (33, 1)), [(0, 1 + i, 1 + (i + 1) % 32) for i in range(32)])
     at = np.array([-2.7, 3.1, 0.0])
     sun = disk.pointing(np.array([0.0, 1.6, 1.9]) - at).moved(*at)
-    return sky, haze, hedge, roof, sun
+    return haze, hedge, roof, sun
 
 
 def mirror():
@@ -283,15 +282,10 @@ def plant():
     return [m.moved(0.25, COUNTER, 2.99) for m in (pot, earth, leaves)]
 
 
-def mat():
-    m = rounded_box((-0.40, 0.0005, -0.26), (0.40, 0.018, 0.26), 0.008, segs=2, flat=4)
-    return m.turned("y", 7).moved(1.02, 0, 2.15)
-
-
 def meshes():
     sage, sage2, white, grout, plaster, trim = walls()
     floor1, floor2 = floor()
-    sky, haze, hedge, roof, sun = outdoors()
+    haze, hedge, roof, sun = outdoors()
     glass, frame = mirror()
     bowl, drain = washbasin()
     top, body, knobs = vanity()
@@ -304,9 +298,9 @@ def meshes():
     bed = quad((0, -0.0025, 0), (WIDTH, -0.0025, 0), (WIDTH, -0.0025, DEPTH), (0, -0.0025, DEPTH), (0, 1, 0))
     return {
         "tiles-sage": sage, "tiles-sage2": sage2, "tiles-white": white, "grout": join(grout, bed), "plaster": plaster,
-        "trim": trim, "floor1": floor1, "floor2": floor2, "window": window(), "sky": sky, "haze": haze, "hedge": hedge, "roof-light": roof,
+        "trim": trim, "floor1": floor1, "floor2": floor2, "window": window(), "haze": haze, "hedge": hedge, "roof-light": roof,
         "sun": sun, "mirror": glass, "mirror-frame": frame, "ceramic": join(bowl, dish), "chrome": join(tap(), drain,
         holders, rail), "brass": knobs, "counter": top, "cabinet": body, "shelf": shelf_glass, "bottle1": bottle1,
         "liquid": liquid, "cork": cork, "bottle2": bottle2, "soap": soap_bar, "towel": join(cloth, rolls),
-        "towel-band": band, "stool": seat, "pot": pot, "earth": earth, "leaves": leaves, "mat": mat(),
+        "towel-band": band, "stool": seat, "pot": pot, "earth": earth, "leaves": leaves,
     }
