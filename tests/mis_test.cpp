@@ -156,7 +156,7 @@ class CheckingSink final : public PathSink {
 
   const Scene& scene_;
   const PathSamplerSettings& settings_;
-  Vec2 raster_;
+  Vec2 raster_{0.F, 0.F};
   Subpath subpaths_[2];
 };
 

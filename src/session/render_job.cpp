@@ -8,6 +8,7 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -140,7 +141,8 @@ RenderResult RenderJob::run() {
     if (outcome.items < items) {
       // Keeps the brightness of the picture right on average.
       const double done = static_cast<double>(outcome.items) / static_cast<double>(items);
-      const auto partly = static_cast<std::uint64_t>(done * static_cast<double>(samples) + 0.5);
+      const auto partly =
+          static_cast<std::uint64_t>(std::llround(done * static_cast<double>(samples)));
       history.samples_done += history.samples_done == 0 ? samples : partly;
       result.complete = false;
       result.stopped_by = StopReason::Interrupted;

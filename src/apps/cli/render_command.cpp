@@ -56,7 +56,7 @@ float checked_exposure(float stops) {
 }
 
 /// Files that a render writes over each other would be lost.
-void check_distinct(std::vector<std::string> files) {
+void check_distinct(const std::vector<std::string>& files) {
   std::vector<std::filesystem::path> paths;
   for (const std::string& file : files) {
     const std::filesystem::path path = std::filesystem::absolute(file).lexically_normal();
@@ -167,7 +167,7 @@ int render(const RenderArguments& a) {
   if (!a.stats.empty()) check_writable(a.stats);
   std::vector<std::string> written = a.outputs;
   if (!a.stats.empty()) written.push_back(a.stats);
-  check_distinct(std::move(written));
+  check_distinct(written);
   std::unique_ptr<tbb::global_control> thread_limit;
   if (a.threads > 0) {
     thread_limit = std::make_unique<tbb::global_control>(
