@@ -47,7 +47,7 @@ def line(a, b, n=6):
 
 
 def plinth(r, h, edge=0.006):
-    """Round foot of a lamp, standing at y = 0."""
+    """Round foot of a lamp, standing on y = 0."""
     return lathe([(0, 0.0005), (r, 0.0005)], [(r, 0.0005), (r, h - edge)],
                  arc_points((r - edge, h - edge), edge, 0, 90, 6), [(r - edge, h), (0, h)], segs=64)
 
@@ -62,14 +62,13 @@ def cone_lamp():
     foot = np.array([-1.36, 0, 1.22])
     way = lambda t, height: (foot[0] + t * (x - foot[0]), height, foot[2] + t * (z - foot[2]))
     pole = tube(curve([way(0, 0.02), way(0, 0.8), way(0, 1.25), way(0.06, 1.6), way(0.30, 1.87),
-                       way(0.66, 1.96), way(0.93, 1.86), way(1, y + 0.30), way(1, y + 0.155)], 90), 0.009, 16)
+                       way(0.66, 1.96), way(0.93, 1.86), way(1, y + 0.30), way(1, y + 0.155)], 70), 0.009, 14)
     return {
         "cone-outside": join(outside, rim).moved(**where),
         "cone-inside": inside.moved(**where),
         "cone-pole": join(pole, plinth(0.15, 0.025).moved(*foot)),
         "cone-fittings": join(spokes(0.21, 0.005, 0.049).moved(**where),
                               socket().turned("x", 180).moved(**BULB_CONE)),
-        "cone-bulb": bulb().turned("x", 180).moved(**BULB_CONE),
     }
 
 
@@ -86,33 +85,30 @@ def cloth_lamp():
         "cloth-rims": rims.moved(**where),
         "cloth-pole": join(pole, knob, ring, plinth(0.16, 0.025)).moved(**where),
         "cloth-fittings": join(spokes(1.245, 0.018, 0.2415).moved(**where), socket().moved(**BULB_CLOTH)),
-        "cloth-bulb": bulb().moved(**BULB_CLOTH),
     }
 
 
 def table_lamp():
     where = TABLE
     body = curve([(0.028, 0.512), (0.055, 0.535), (0.080, 0.580), (0.074, 0.630), (0.046, 0.680),
-                  (0.024, 0.715), (0.021, 0.736)], 60)
+                  (0.024, 0.715), (0.021, 0.736)], 42)
     glass = lathe([(0, 0.512), (0.028, 0.512)], body, [(0.021, 0.736), (0, 0.736)], segs=80)
     cap = lathe([(0, 0.722), (0.029, 0.722)], [(0.029, 0.722), (0.029, 0.733)], [(0.029, 0.733), (0, 0.740)],
                 segs=40)
-    bell = curve([(0.175, 0.790), (0.165, 0.825), (0.135, 0.880), (0.090, 0.925), (0.055, 0.950)], 32)
+    bell = curve([(0.175, 0.790), (0.165, 0.825), (0.135, 0.880), (0.090, 0.925), (0.055, 0.950)], 18)
     shade = lathe(bell, [(0.055, 0.950), (0.051, 0.950)], (bell - (0.004, 0))[::-1],
                   [(0.171, 0.790), (0.175, 0.790)], segs=80)
     return {
         "table-lamp-glass": glass.moved(**where),
-        "table-lamp-brass": join(plinth(0.075, 0.017).moved(y=0.5), cap, spokes(0.786, 0.016, 0.172, 0.008),
-                                 ).moved(**where),
+        "table-lamp-brass": join(plinth(0.075, 0.017).moved(y=0.5), cap, spokes(0.786, 0.016, 0.172, 0.008)).moved(**where),
         "table-lamp-fittings": socket().moved(**BULB_TABLE),
         "table-lamp-shade": shade.moved(**where),
-        "table-lamp-bulb": bulb().moved(**BULB_TABLE),
     }
 
 
 def armchair():
-    arm = rounded_box((-0.48, 0.14, -0.40), (-0.31, 0.60, 0.40), 0.08, segs=6)
-    back = rounded_box((-0.46, 0.16, 0.20), (0.46, 0.92, 0.40), 0.085, segs=6).turned("x", 7)
+    arm = rounded_box((-0.48, 0.14, -0.40), (-0.31, 0.60, 0.40), 0.08, segs=5)
+    back = rounded_box((-0.46, 0.16, 0.20), (0.46, 0.92, 0.40), 0.085, segs=5).turned("x", 7)
     seat = rounded_box((-0.40, 0.14, -0.36), (0.40, 0.31, 0.36), 0.03, segs=3)
     soft = join(cushion(0.63, 0.16, 0.68, 0.22).moved(0, 0.385, -0.07),
                 cushion(0.61, 0.15, 0.50, 0.35).turned("x", 98).moved(0, 0.67, 0.19))
@@ -136,8 +132,9 @@ def furniture():
         a = 0.3 + k * 2 * np.pi / 3
         d = np.array([np.cos(a), 0, np.sin(a)])
         legs.append(tube([0.24 * d + (0, 0.012, 0), 0.13 * d + (0, 0.48, 0)], [0.011, 0.016], 20, ends="flat"))
-    tumbler = lathe([(0, 0.5003), (0.029, 0.5003)], curve([(0.029, 0.5003), (0.031, 0.504), (0.036, 0.59)], 20),
-                    arc_points((0.0352, 0.59), 0.0008, 0, 180, 7), curve([(0.0344, 0.59), (0.030, 0.52), (0.027, 0.512)], 20),
+    tumbler = lathe([(0, 0.5003), (0.029, 0.5003)], curve([(0.029, 0.5003), (0.031, 0.504), (0.036, 0.59)], 10),
+                    arc_points((0.0352, 0.59), 0.0008, 0, 180, 7),
+                    curve([(0.0344, 0.59), (0.030, 0.52), (0.027, 0.512)], 10),
                     [(0.027, 0.512), (0, 0.512)], segs=64)
     books = [rounded_box((-0.075, 0, -0.105), (0.075, 0.026, 0.105), 0.003).turned("y", 35),
              rounded_box((-0.065, 0.0265, -0.09), (0.065, 0.046, 0.09), 0.003).turned("y", 58)]
@@ -189,8 +186,9 @@ def meshes():
     def carpet(a, b, y):
         inner = [] if a == 0 else [arc_points((a + 0.004, y - 0.004), 0.004, 90, 180, 5)]
         rim = arc_points((b - 0.004, y - 0.004), 0.004, 0, 90, 5)
-        return lathe([(b, 0.0005), (b, y - 0.004)], rim, [(b - 0.004, y), (a + 0.004 * (a > 0), y)], *inner, segs=128)
+        return lathe([(b, 0.0005), (b, y - 0.004)], rim, [(b - 0.004, y), (a + 0.004 * (a > 0), y)], *inner, segs=96)
     return {
+        "bulb": bulb(),
         "walls": room(ROOM_LO, ROOM_HI, "xXzZ"),
         "ceiling": room(ROOM_LO, ROOM_HI, "Y"),
         "underfloor": room((x0, -0.004, z0), ROOM_HI, "y"),
