@@ -24,21 +24,21 @@ class CheckingSink final : public PathSink {
 
   void begin(const Vec2& raster) {
     raster_ = raster;
-    subpaths_[0] = {};
-    subpaths_[1] = {};
+    camera_ = {};
+    light_.clear();
   }
 
   void started(Stream stream, const Endpoint& endpoint, const EndpointPoint& point) override {
-    Subpath& subpath = subpaths_[stream == Stream::Light ? 1 : 0];
-    subpath = {};
+    if (stream == Stream::Light) light_.emplace_back();
+    Subpath& subpath = current(stream);
     subpath.endpoint = &endpoint;
     subpath.point = point;
   }
   void vertex(Stream stream, const PathVertex& vertex) override {
-    subpaths_[stream == Stream::Light ? 1 : 0].vertices.push_back(vertex);
+    current(stream).vertices.push_back(vertex);
   }
   void scattered(Stream stream, const PathVertex&, const Flight& flight) override {
-    subpaths_[stream == Stream::Light ? 1 : 0].flights.push_back(flight);
+    current(stream).flights.push_back(flight);
   }
 
   void add(const Contribution& contribution) override {
@@ -61,15 +61,18 @@ class CheckingSink final : public PathSink {
  private:
   struct Subpath {
     const Endpoint* endpoint = nullptr;
-    EndpointPoint point;
+    EndpointPoint point = EndpointPoint::at(Vec3(0.F));
     std::vector<PathVertex> vertices;
     std::vector<Flight> flights;
   };
+  Subpath& current(Stream stream) { return stream == Stream::Light ? light_.back() : camera_; }
 
   OraclePath rebuild(const Contribution& contribution, int s, int t) const {
     OraclePath path;
-    const Subpath& camera = subpaths_[0];
-    const Subpath& light = subpaths_[1];
+    static const Subpath kNone;
+    const Subpath& camera = camera_;
+    const Subpath& light =
+        s >= 2 ? light_[static_cast<std::size_t>(contribution.light_subpath)] : kNone;
     path.light = s >= 2 ? static_cast<const Light*>(light.endpoint) : contribution.light;
     path.light_point = s >= 2 ? light.point : *contribution.light_point;
     path.camera_point = t >= 2 ? camera.point : *contribution.camera_point;
@@ -157,21 +160,25 @@ class CheckingSink final : public PathSink {
   const Scene& scene_;
   const PathSamplerSettings& settings_;
   Vec2 raster_{0.F, 0.F};
-  Subpath subpaths_[2];
+  Subpath camera_;
+  std::vector<Subpath> light_;
 };
 
 class MisWeights : public ::testing::TestWithParam<test::SmallScene> {};
 
 TEST_P(MisWeights, EqualTheSlowOracleOnRandomPaths) {
   const auto scene = test::scene_from(GetParam().text);
-  for (const TechniqueSet set : {TechniqueSet::pt(), TechniqueSet::lt(), TechniqueSet::ibpt(),
-                                 TechniqueSet::bdpt(), TechniqueSet({true, false, true, false})}) {
+  for (const char* techniques :
+       {"pt", "lt", "ibpt", "bdpt", "implicit,light", "implicit,explicit*3,light*0.5,inner*0.25",
+        "(0,*),(1,3),(2,1)*0.5,(2,*),(3,2)*0.75,(*,1)"}) {
+    const TechniqueSet set = TechniqueSet::parse(techniques);
     for (const Heuristic heuristic : {Heuristic::Balance, Heuristic::Power}) {
       PathSamplerSettings settings;
       settings.techniques = set;
       settings.heuristic = heuristic;
       settings.max_depth = 7;
-      settings.light_paths_per_pixel = set.classes().inner ? 1.0 : 0.5;
+      settings.light_subpaths = 1.5;
+      settings.light_paths_per_pixel = 0.5;
       PathSampler sampler(*scene, settings);
       CheckingSink sink(*scene, settings);
       const Vec2 size(scene->camera().resolution());
@@ -179,8 +186,7 @@ TEST_P(MisWeights, EqualTheSlowOracleOnRandomPaths) {
         IndependentSource source({1, i, 2, i});
         const Vec2 raster = source.get_pair({Stream::Camera, 0, kEmissionDirection}) * size;
         sink.begin(raster);
-        const TechniqueSet::Classes& classes = set.classes();
-        if (classes.light && !classes.inner) sampler.sample_light(source, sink);
+        if (!set.any(TechniqueClass::Inner)) sampler.sample_light(source, sink);
         sampler.sample(source, raster, sink);
         if (HasFailure()) return;
       }

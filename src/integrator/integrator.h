@@ -8,6 +8,7 @@
 
 #include "core/parameters.h"
 #include "image/film.h"
+#include "integrator/technique_tally.h"
 #include "scene/scene.h"
 
 namespace ajar {
@@ -25,8 +26,9 @@ struct RenderSettings {
 
 /// Numbers every integrator counts; summed over threads by the job.
 struct Counters {
-  std::uint64_t rays = 0;     ///< nearest-hit and shadow rays
-  std::uint64_t samples = 0;  ///< camera samples or mutations
+  std::uint64_t rays = 0;      ///< nearest-hit and shadow rays
+  std::uint64_t samples = 0;   ///< camera samples or mutations
+  TechniqueShares techniques;  ///< what each technique brought
   std::uint64_t discarded_nan = 0;
   std::uint64_t discarded_infinite = 0;
   std::uint64_t discarded_negative = 0;

@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "integrator/g_buffer.h"
+#include "integrator/technique_layers.h"
+#include "integrator/technique_tally.h"
 #include "transport/sources.h"
 
 namespace ajar {
@@ -15,13 +17,14 @@ constexpr int kMaxPathEdges = 60000;  // vertex numbers are 16 bits wide
 /// Gathers the paths of one camera sample and splats those of its light subpath.
 class SampleSink final : public PathSink {
  public:
-  struct Layers {
-    int direct;
-    int indirect;
-  };
-  SampleSink(Film& film, Layers layers, const GBuffer& g_buffer, std::uint64_t seed,
-             Counters& counters)
-      : film_(film), layers_(layers), g_buffer_(g_buffer), seed_(seed), counters_(counters) {}
+  SampleSink(Film& film, const GBuffer& g_buffer, const TechniqueLayers& techniques,
+             std::uint64_t seed, Counters& counters)
+      : film_(film),
+        layers_{film.layer("direct"), film.layer("indirect")},
+        g_buffer_(g_buffer),
+        techniques_(techniques),
+        seed_(seed),
+        counters_(counters) {}
 
   void begin(Vec2i pixel, int replicate, float filter_weight, std::uint64_t sample) {
     pixel_ = pixel;
@@ -39,12 +42,17 @@ class SampleSink final : public PathSink {
       return;
     }
     const bool direct = contribution.technique.depth() <= 2;
+    if (!techniques_.empty() && !techniques_.add(film_, pixel_, filter_weight_, contribution)) {
+      ++counters_.discarded_infinite;
+    }
     if (contribution.technique.t == 1) {
+      tally_.add_splat(contribution.technique, luminance(value));
       if (!film_.splat(direct ? layers_.direct : layers_.indirect, replicate_, contribution.raster,
                        value)) {
         discard(contribution);
       }
     } else {
+      tally_.add_camera_contribution(contribution.technique, luminance(value) * filter_weight_);
       (direct ? direct_ : indirect_) += value;
     }
   }
@@ -63,10 +71,13 @@ class SampleSink final : public PathSink {
     g_buffer_.add(film_, pixel_, filter_weight_, sample_ == 0, distance, vertex, hit);
   }
 
-  void end() {
+  void end_sample() {
     put(layers_.direct, direct_);
     put(layers_.indirect, indirect_);
+    tally_.end_sample();
   }
+  void end_pixel(std::uint64_t samples) { tally_.end_pixel(static_cast<double>(samples)); }
+  void end() { counters_.techniques += tally_.shares(); }
 
  private:
   void put(int layer, const Spectrum& value) {
@@ -106,9 +117,16 @@ class SampleSink final : public PathSink {
     }
   }
 
+  struct Layers {
+    int direct;
+    int indirect;
+  };
+
   Film& film_;
   Layers layers_;
   const GBuffer& g_buffer_;
+  const TechniqueLayers& techniques_;
+  TechniqueTally tally_;
   std::uint64_t seed_;
   Counters& counters_;
   Vec2i pixel_{0, 0};
@@ -121,27 +139,39 @@ class SampleSink final : public PathSink {
 
 class PathIntegrator final : public Integrator {
  public:
-  PathIntegrator(TechniqueSet techniques, const Scene& scene, const RenderSettings& settings,
-                 const Parameters& parameters)
+  PathIntegrator(const Scene& scene, const RenderSettings& settings, const Parameters& parameters)
       : scene_(scene), settings_(settings), sobol_(parameters.get_text("sampler") == "sobol") {
     const Vec2i size = settings.crop.size() + Vec2i(1, 1);
     const double pixels = static_cast<double>(settings.resolution.x) * settings.resolution.y;
-    sampler_settings_.techniques = techniques;
+    sampler_settings_.techniques = TechniqueSet::parse(parameters.get_text("techniques"));
     sampler_settings_.heuristic =
         parameters.get_text("heuristic") == "power" ? Heuristic::Power : Heuristic::Balance;
     sampler_settings_.min_depth = settings.min_depth;
     sampler_settings_.max_depth = std::min(settings.max_depth, kMaxPathEdges);
     sampler_settings_.roulette_start = parameters.get_int("roulette-start");
-    sampler_settings_.light_paths_per_pixel = static_cast<double>(size.x) * size.y / pixels;
+    sampler_settings_.light_subpaths = parameters.get_float("light-paths-per-pixel");
+    sampler_settings_.light_paths_per_pixel =
+        sampler_settings_.light_subpaths * static_cast<double>(size.x) * size.y / pixels;
+    light_alone_ = sampler_settings_.techniques.any(TechniqueClass::Light) &&
+                   !sampler_settings_.techniques.any(TechniqueClass::Inner);
     tiles_ = {(size.x + kTileSize - 1) / kTileSize, (size.y + kTileSize - 1) / kTileSize};
+    const Pilot pilot = run_pilot();
+    magnitude_ = pilot.mean;
+    sampler_settings_.cull_below =
+        static_cast<float>(parameters.get_float("cull") * pilot.median_of_means);
   }
 
   std::vector<LayerSpec> layers() const override {
-    const double magnitude = pilot_magnitude();
-    std::vector<LayerSpec> specs = {{.name = "direct", .magnitude = magnitude},
-                                    {.name = "indirect", .magnitude = magnitude}};
+    std::vector<LayerSpec> specs = {{.name = "direct", .magnitude = magnitude_},
+                                    {.name = "indirect", .magnitude = magnitude_}};
     for (LayerSpec& spec : GBuffer::layers(settings_.aovs, 2.F * scene_.bounding_sphere().radius)) {
       specs.push_back(std::move(spec));
+    }
+    const std::vector<std::string>& wanted = settings_.aovs;
+    if (std::find(wanted.begin(), wanted.end(), TechniqueLayers::aov_name()) != wanted.end()) {
+      for (LayerSpec& spec : TechniqueLayers::specs(sampler_settings_, magnitude_)) {
+        specs.push_back(std::move(spec));
+      }
     }
     return specs;
   }
@@ -158,16 +188,18 @@ class PathIntegrator final : public Integrator {
     const Vec2i high(std::min(low.x + kTileSize - 1, settings_.crop.max.x),
                      std::min(low.y + kTileSize - 1, settings_.crop.max.y));
     const GBuffer g_buffer(film);
-    SampleSink sink(film, {film.layer("direct"), film.layer("indirect")}, g_buffer, settings_.seed,
-                    counters);
+    const TechniqueLayers techniques(film);
+    SampleSink sink(film, g_buffer, techniques, settings_.seed, counters);
     PathSampler sampler(scene_, sampler_settings_);
     for (int y = low.y; y <= high.y; ++y) {
       for (int x = low.x; x <= high.x; ++x) {
         for (std::uint64_t i = first_sample; i < first_sample + samples; ++i) {
           sample_pixel({x, y}, i, film, sampler, sink);
         }
+        sink.end_pixel(samples);
       }
     }
+    sink.end();
     counters.rays += sampler.rays();
     counters.samples += samples * static_cast<std::uint64_t>(high.x - low.x + 1) *
                         static_cast<std::uint64_t>(high.y - low.y + 1);
@@ -183,57 +215,96 @@ class PathIntegrator final : public Integrator {
   }
 
  private:
-  /// Sample `i` belongs to replicate i mod R and is number i / R of that replicate's own sequence.
-  SampleIdentity identity(Vec2i pixel, std::uint64_t i) const {
+  /// Place of sample `i` of a pixel among all samples of its replicate. Sample i belongs to
+  /// replicate i mod R and is number i / R of the pixel's own sequence there.
+  struct Place {
+    std::uint64_t replicate;
+    std::uint64_t index;   ///< within the pixel
+    std::uint64_t number;  ///< within the image
+  };
+  Place place(Vec2i pixel, std::uint64_t i) const {
     const auto count = static_cast<std::uint64_t>(settings_.replicates);
-    const std::uint64_t replicate = i % count;
-    const auto index = static_cast<std::uint32_t>(i / count);
     const Vec2i size = settings_.crop.size() + Vec2i(1, 1);
     const auto pixel_number = static_cast<std::uint64_t>(pixel.y - settings_.crop.min.y) *
                                   static_cast<std::uint64_t>(size.x) +
                               static_cast<std::uint64_t>(pixel.x - settings_.crop.min.x);
     const auto pixels = static_cast<std::uint64_t>(size.x) * static_cast<std::uint64_t>(size.y);
-    // The light's sequence is cut where its 32-bit index would overflow; each stretch has its own
-    // scrambling.
-    const std::uint64_t light_number = index * pixels + pixel_number;
-    return {.camera_seed = hash_numbers(settings_.seed, replicate, pixel.x, pixel.y),
-            .camera_index = index,
-            .light_seed = hash_numbers(settings_.seed, replicate, 0x11987ULL, light_number >> 32U),
-            .light_index = static_cast<std::uint32_t>(light_number)};
+    return {i % count, i / count, i / count * pixels + pixel_number};
+  }
+
+  /// The light's sequence is cut where its 32-bit index would overflow; each stretch has its own
+  /// scrambling.
+  std::uint64_t light_seed(const Place& place, std::uint64_t light_number) const {
+    return hash_numbers(settings_.seed, place.replicate, 0x11987ULL, light_number >> 32U);
+  }
+
+  SampleIdentity camera_identity(Vec2i pixel, const Place& place) const {
+    return {.camera_seed = hash_numbers(settings_.seed, place.replicate, pixel.x, pixel.y),
+            .camera_index = static_cast<std::uint32_t>(place.index),
+            .light_seed = light_seed(place, place.number),
+            .light_index = static_cast<std::uint32_t>(place.number)};
+  }
+
+  /// Of a light subpath that belongs to no camera path; it makes its connections by numbers of its
+  /// own, too.
+  SampleIdentity light_identity(const Place& place, std::uint64_t light_number) const {
+    const std::uint64_t seed = light_seed(place, light_number);
+    const auto index = static_cast<std::uint32_t>(light_number);
+    return {hash_numbers(seed, 0x1e45ULL), index, seed, index};
+  }
+
+  template <typename Use>
+  void with_source(const SampleIdentity& identity, const Use& use) const {
+    if (sobol_) {
+      SobolSource source(identity);
+      use(source);
+    } else {
+      IndependentSource source(identity);
+      use(source);
+    }
   }
 
   void sample_pixel(Vec2i pixel, std::uint64_t i, const Film& film, PathSampler& sampler,
                     SampleSink& sink) const {
-    const SampleIdentity id = identity(pixel, i);
-    const int replicate = static_cast<int>(i % static_cast<std::uint64_t>(settings_.replicates));
-    if (sobol_) {
-      SobolSource source(id);
-      sample_pixel(pixel, replicate, i, film, source, sampler, sink);
-    } else {
-      IndependentSource source(id);
-      sample_pixel(pixel, replicate, i, film, source, sampler, sink);
+    const Place at = place(pixel, i);
+    const auto replicate = static_cast<int>(at.replicate);
+    with_source(camera_identity(pixel, at), [&](SampleSource& source) {
+      const FilterSample filtered =
+          film.filter().sample(source.get_pair({Stream::Camera, 0, kEmissionDirection}));
+      sink.begin(pixel, replicate, filtered.weight, i);
+      sampler.sample(source, Vec2(pixel) + Vec2(0.5F, 0.5F) + filtered.offset, sink);
+    });
+    if (light_alone_) {
+      const auto [first, last] = light_numbers(at.number);
+      for (std::uint64_t n = first; n < last; ++n) {
+        with_source(light_identity(at, n),
+                    [&](SampleSource& source) { sampler.sample_light(source, sink); });
+      }
     }
+    sink.end_sample();
   }
 
-  void sample_pixel(Vec2i pixel, int replicate, std::uint64_t i, const Film& film,
-                    SampleSource& source, PathSampler& sampler, SampleSink& sink) const {
-    const FilterSample filtered =
-        film.filter().sample(source.get_pair({Stream::Camera, 0, kEmissionDirection}));
-    const Vec2 raster = Vec2(pixel) + Vec2(0.5F, 0.5F) + filtered.offset;
-    sink.begin(pixel, replicate, filtered.weight, i);
-    const TechniqueSet::Classes& classes = sampler_settings_.techniques.classes();
-    if (classes.light && !classes.inner) sampler.sample_light(source, sink);
-    sampler.sample(source, raster, sink);
-    sink.end();
+  /// The light subpaths that are traced along with camera sample `number`: evenly spread, and one
+  /// gapless sequence.
+  std::pair<std::uint64_t, std::uint64_t> light_numbers(std::uint64_t number) const {
+    const auto upto = [&](std::uint64_t n) {
+      return static_cast<std::uint64_t>(static_cast<double>(n) * sampler_settings_.light_subpaths);
+    };
+    return {upto(number), upto(number + 1)};
   }
 
-  /// Mean of the picture to within a small factor: what the fixed-point sums are scaled by.
-  double pilot_magnitude() const;
+  struct Pilot {
+    double mean;             ///< of the picture, largest lane, to within a small factor; above 0
+    double median_of_means;  ///< the same without its fireflies; may be 0
+  };
+  Pilot run_pilot() const;
 
   const Scene& scene_;
   RenderSettings settings_;
   PathSamplerSettings sampler_settings_;
   bool sobol_;
+  bool light_alone_;  ///< light subpaths are connected to the lens only
+  double magnitude_;  ///< what the fixed-point sums are scaled by
   Vec2i tiles_;
 };
 
@@ -245,28 +316,61 @@ class MeanSink final : public PathSink {
   double sum = 0.0;
 };
 
-double PathIntegrator::pilot_magnitude() const {
-  constexpr int kSamples = 4096;
-  MeanSink sink;
+PathIntegrator::Pilot PathIntegrator::run_pilot() const {
+  constexpr std::size_t kGroups = 16;
+  constexpr std::uint32_t kGroupSize = 256;
   PathSampler sampler(scene_, sampler_settings_);
   const Vec2 low(settings_.crop.min);
   const Vec2 size(settings_.crop.size() + Vec2i(1, 1));
   const std::uint64_t seed = hash_numbers(settings_.seed, 0x9170ULL);
-  for (std::uint32_t i = 0; i < kSamples; ++i) {
-    SobolSource source({seed, i, seed, i});
-    const Vec2 u = source.get_pair({Stream::Camera, 0, kEmissionDirection});
-    const TechniqueSet::Classes& classes = sampler_settings_.techniques.classes();
-    if (classes.light && !classes.inner) sampler.sample_light(source, sink);
-    sampler.sample(source, low + u * size, sink);
+  std::array<double, kGroups> means{};
+  double mean = 0.0;
+  for (std::uint32_t group = 0; group < kGroups; ++group) {
+    MeanSink camera;
+    MeanSink light;
+    for (std::uint32_t i = group * kGroupSize; i < (group + 1) * kGroupSize; ++i) {
+      SobolSource source({seed, i, seed, i});
+      const Vec2 u = source.get_pair({Stream::Camera, 0, kEmissionDirection});
+      if (light_alone_) sampler.sample_light(source, light);
+      sampler.sample(source, low + u * size, camera);
+    }
+    means[group] = (camera.sum + light.sum * sampler_settings_.light_subpaths) / kGroupSize;
+    mean += means[group] / kGroups;
   }
-  const double mean = sink.sum / kSamples;
-  return mean > 0.0 && std::isfinite(mean) ? mean : 1.0;
+  std::nth_element(means.begin(), means.begin() + kGroups / 2, means.end());
+  return {mean > 0.0 && std::isfinite(mean) ? mean : 1.0, means[kGroups / 2]};
 }
 
 }  // namespace
 
-std::vector<ParameterSpec> path_family_parameters() {
+std::vector<ParameterSpec> path_family_parameters(const std::string& techniques) {
   return {
+      {.name = "techniques",
+       .type = ParameterType::Text,
+       .default_value = techniques,
+       .unit = "",
+       .help =
+           "how paths are built: a list of pt, lt, ibpt, bdpt, implicit, explicit, light, inner "
+           "and (s,t) pairs, each with an optional count (explicit*4)",
+       .choices = {}},
+      {.name = "light-paths-per-pixel",
+       .type = ParameterType::Float,
+       .default_value = "1",
+       .unit = "",
+       .help = "light subpaths per camera sample, where the techniques have any",
+       .choices = {},
+       .minimum = 0.001,
+       .maximum = PathSampler::kMaxLightSubpaths},
+      {.name = "cull",
+       .type = ParameterType::Float,
+       .default_value = "0.01",
+       .unit = "",
+       .help =
+           "connections weaker than this share of the picture's mean are traced by chance only, "
+           "in proportion to their strength (unbiased); 0 traces all",
+       .choices = {},
+       .minimum = 0.0,
+       .maximum = 1.0},
       {.name = "sampler",
        .type = ParameterType::Choice,
        .default_value = "sobol",
@@ -290,10 +394,9 @@ std::vector<ParameterSpec> path_family_parameters() {
        .maximum = 60000}};
 }
 
-std::unique_ptr<Integrator> make_path_integrator(TechniqueSet techniques, const Scene& scene,
-                                                 const RenderSettings& settings,
+std::unique_ptr<Integrator> make_path_integrator(const Scene& scene, const RenderSettings& settings,
                                                  const Parameters& parameters) {
-  return std::make_unique<PathIntegrator>(techniques, scene, settings, parameters);
+  return std::make_unique<PathIntegrator>(scene, settings, parameters);
 }
 
 }  // namespace ajar

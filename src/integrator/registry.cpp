@@ -6,22 +6,20 @@
 namespace ajar {
 
 namespace {
-IntegratorInfo path_family_member(std::string name, std::string summary, std::string source,
-                                  TechniqueSet techniques) {
-  return {.name = std::move(name),
+IntegratorInfo path_family_member(const std::string& name, std::string summary,
+                                  std::string source) {
+  return {.name = name,
           .summary = std::move(summary),
           .source = std::move(source),
-          .parameters = path_family_parameters(),
-          .make = [techniques](const Scene& scene, const RenderSettings& settings,
-                               const Parameters& parameters) {
-            return make_path_integrator(techniques, scene, settings, parameters);
-          }};
+          .parameters = path_family_parameters(name),
+          .make = make_path_integrator};
 }
 }  // namespace
 
 Counters& Counters::operator+=(const Counters& other) {
   rays += other.rays;
   samples += other.samples;
+  techniques += other.techniques;
   discarded_nan += other.discarded_nan;
   discarded_infinite += other.discarded_infinite;
   discarded_negative += other.discarded_negative;
@@ -33,17 +31,17 @@ const std::vector<IntegratorInfo>& integrators() {
   static const std::vector<IntegratorInfo> kIntegrators = {
       path_family_member(
           "bdpt", "bidirectional path tracing: every way to join a camera path and a light path",
-          "Lafortune & Willems 1993; Veach & Guibas 1995", TechniqueSet::bdpt()),
+          "Lafortune & Willems 1993; Veach & Guibas 1995"),
       path_family_member(
           "ibpt", "path tracing and light tracing combined: most of bdpt's strength at little cost",
-          "Bogolepov et al. 2013", TechniqueSet::ibpt()),
+          "Bogolepov et al. 2013"),
       path_family_member("lt",
                          "light tracing: paths from the lights, joined to the lens; blind to what "
                          "only mirrors show",
-                         "Dutré et al. 1993", TechniqueSet::lt()),
+                         "Dutré et al. 1993"),
       path_family_member(
           "pt", "path tracing: camera paths that run into lights or are lit by sampled ones",
-          "Kajiya 1986; Veach & Guibas 1995", TechniqueSet::pt()),
+          "Kajiya 1986; Veach & Guibas 1995"),
   };
   return kIntegrators;
 }
@@ -69,6 +67,9 @@ const std::vector<AovInfo>& aovs() {
       {"object-id", "number of the first shape, from 1; 0 where there is none"},
       {"material-id", "number of the first material, from 1; 0 where there is none"},
       {"samples", "samples per pixel"},
+      {"techniques",
+       "what each technique contributes, weighted and alone, for paths of up to six edges (many "
+       "layers; not part of \"all\")"},
       {"standard-error", "standard error of each pixel, from replicates"},
   };
   return kAovs;

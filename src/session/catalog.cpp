@@ -113,7 +113,10 @@ std::vector<CatalogEntry> scene_catalog() {
 std::vector<std::string> checked_aovs(const std::vector<std::string>& names) {
   std::vector<std::string> valid;
   for (const AovInfo& aov : aovs()) valid.push_back(aov.name);
-  if (names == std::vector<std::string>{"all"}) return valid;
+  if (names == std::vector<std::string>{"all"}) {
+    std::erase(valid, "techniques");  // dozens of layers
+    return valid;
+  }
   for (const std::string& name : names) {
     if (std::find(valid.begin(), valid.end(), name) == valid.end()) {
       throw UsageError(unknown_name_message("AOV", name, valid));

@@ -145,8 +145,10 @@ RenderSetup make_setup(const RenderRequest& request, const desc::RenderHints& hi
 
 void check_layers(const RenderSettings& settings, const std::vector<LayerSpec>& layers) {
   for (const std::string& name : settings.aovs) {
-    const bool made = std::any_of(layers.begin(), layers.end(),
-                                  [&](const LayerSpec& layer) { return layer.name == name; });
+    // An AOV is a layer, or a group of layers whose names begin with it.
+    const bool made = std::any_of(layers.begin(), layers.end(), [&](const LayerSpec& layer) {
+      return layer.name == name || layer.name.starts_with(name + ".");
+    });
     if (!made) throw UsageError("this integrator does not make the AOV \"" + name + "\"");
   }
 }

@@ -36,6 +36,17 @@ Json discarded_json(const Counters& counters) {
           {"first", counters.first_discarded.empty() ? Json() : Json(counters.first_discarded)}};
 }
 
+Json techniques_json(const TechniqueShares& shares) {
+  Json list = Json::array();
+  for (const TechniqueShares::Share& share : shares.list()) {
+    list.push_back({{"s", share.technique.s},
+                    {"t", share.technique.t},
+                    {"light_share", share.light},
+                    {"variance_share", share.variance}});
+  }
+  return list;
+}
+
 }  // namespace
 
 Json to_json(const RenderStatistics& s) {
@@ -71,6 +82,7 @@ Json to_json(const RenderStatistics& s) {
   json["peak_memory_bytes"] = s.peak_memory_bytes;
   json["warnings"] = s.warning_count;
   json["warning_messages"] = s.warnings;
+  json["techniques"] = techniques_json(r.counters.techniques);
   json["discarded"] = discarded_json(r.counters);
   json["stopped_by"] = to_string(r.stopped_by);
   json["interrupted"] = r.stopped_by == StopReason::Interrupted;

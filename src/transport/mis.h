@@ -66,4 +66,37 @@ inline double MisState::sum(Heuristic heuristic, double reverse, double reverse_
          (coefficient * inverse_forward + h(heuristic, reverse_previous) * partial);
 }
 
+/// What the recursion did at one vertex, kept where c_i depends on the depth of the whole path:
+/// sets that name single techniques. V_i is then only known at a connection, by walking the
+/// subpath.
+struct MisTrailEntry {
+  double inverse_forward = 0.0;   ///< M_i
+  double coefficient = 0.0;       ///< c_i without h(count of the technique)
+  double transfer = 0.0;          ///< h(g_{i-1} / F_i)
+  double reverse_previous = 0.0;  ///< h(r_{i-2})
+  bool after_specular = false;    ///< z_{i-1} is specular
+};
+
+/// `at`: the state after `step`.
+inline MisTrailEntry mis_trail_entry(Heuristic heuristic, const MisState& at, const MisStep& step) {
+  return {at.inverse_forward, at.coefficient, h(heuristic, step.backward_geometry / step.forward),
+          h(heuristic, step.reverse_previous), step.specular};
+}
+
+/// State at vertex `i` of a recorded subpath, given h(count) of the technique that leaves this side
+/// j vertices.
+template <typename CountOf>
+MisState mis_along(const MisTrailEntry* trail, int i, const CountOf& h_count) {
+  MisState state{trail[0].inverse_forward, 0.0, trail[0].coefficient * h_count(0)};
+  for (int j = 1; j <= i; ++j) {
+    const MisTrailEntry& entry = trail[j];
+    const double coefficient = entry.after_specular ? 0.0 : state.coefficient;
+    state.partial = entry.transfer *
+                    (coefficient * state.inverse_forward + entry.reverse_previous * state.partial);
+    state.inverse_forward = entry.inverse_forward;
+    state.coefficient = entry.coefficient * h_count(j);
+  }
+  return state;
+}
+
 }  // namespace ajar

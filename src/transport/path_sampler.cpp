@@ -5,38 +5,7 @@
 namespace ajar {
 
 namespace {
-/// Density in the vertex measure with which a ray leaving an endpoint arrives at a vertex: the
-/// inverse of the conventions in `Departure`.
-double arrival_density(Pdf<Departure> departure, bool from_infinity, double distance,
-                       float cosine) {
-  const double spread = from_infinity ? 1.0 : 1.0 / (distance * distance);
-  return static_cast<double>(departure.value()) * static_cast<double>(cosine) * spread;
-}
-
-/// |cos θ| at an endpoint over d²: what turns a direction density at the other end into the
-/// endpoint's measure.
-double endpoint_geometry(const Endpoint& endpoint, const EndpointPoint& point, const Vec3& w,
-                         double distance) {
-  if (endpoint.at_infinity()) return 1.0;
-  return static_cast<double>(abs_dot(point.surface.ng, w)) / (distance * distance);
-}
-
-/// The ray between two points that were already moved off their surfaces; it stops a few roundings
-/// short.
-Ray ray_between(const Vec3& from, const Vec3& to) {
-  const Vec3 difference = to - from;
-  const float distance = length(difference);
-  return {from, difference / distance, distance * (1.F - 0x1p-20F)};
-}
-
-/// From `vertex` to the endpoint that lies in direction `w`.
-Ray ray_to_endpoint(const PathVertex& vertex, const Endpoint& endpoint,
-                    const ConnectionSample& sample) {
-  const Vec3 origin = vertex.ray_origin(sample.w);
-  if (endpoint.at_infinity()) return {origin, sample.w, sample.distance};
-  return ray_between(origin,
-                     offset_ray_origin(sample.point.surface.p, sample.point.surface.ng, -sample.w));
-}
+constexpr std::size_t index_of(TechniqueClass kind) { return static_cast<std::size_t>(kind); }
 }  // namespace
 
 PathSampler::PathSampler(const Scene& scene, const PathSamplerSettings& settings)
@@ -46,46 +15,93 @@ PathSampler::PathSampler(const Scene& scene, const PathSamplerSettings& settings
                    settings.roulette_start, settings.techniques.needs_light_subpath()},
       light_walk_{TransportMode::Importance, Stream::Light, settings.heuristic,
                   settings.roulette_start, true} {
-  if (settings.techniques.classes().inner) {
-    light_vertices_.resize(static_cast<std::size_t>(std::max(0, settings.max_depth)));
+  const TechniqueSet& set = settings_.techniques;
+  const auto depth = static_cast<std::size_t>(std::max(0, settings.max_depth));
+  const auto subpaths = static_cast<std::size_t>(std::ceil(settings.light_subpaths));
+  if (has(TechniqueClass::Inner)) light_vertices_.resize(subpaths * depth);
+  if (!set.uniform()) {
+    camera_trail_.resize(depth + 1);
+    light_trails_.resize(subpaths * (depth + 1));
+    if (camera_walk_.has_other_end) camera_walk_.trail = camera_trail_.data();
   }
+  const auto h_of = [&](TechniqueClass kind, double factor) {
+    class_h_count_[index_of(kind)] = h(settings.heuristic, set.count(kind) * factor);
+  };
+  h_of(TechniqueClass::Implicit, 1.0);
+  h_of(TechniqueClass::NextEvent, 1.0);
+  h_of(TechniqueClass::Light, settings.light_paths_per_pixel);
+  h_of(TechniqueClass::Inner, settings.light_subpaths);
+}
+
+double PathSampler::count(Technique technique) const {
+  const double own = settings_.techniques.count(technique);
+  if (technique.t == 1) return own * settings_.light_paths_per_pixel;
+  return technique.s >= 2 ? own * settings_.light_subpaths : own;
+}
+
+double PathSampler::h_count(Technique technique) const {
+  if (technique.t == 1 && !light_tracing_reaches_) return 0.0;
+  return h(settings_.heuristic, count(technique));
 }
 
 double PathSampler::light_side_coefficient(int vertices) const {
-  const TechniqueSet::Classes& classes = settings_.techniques.classes();
-  if (vertices == 0) return classes.implicit ? 1.0 : 0.0;
-  if (vertices == 1) return classes.next_event ? 1.0 : 0.0;
-  return classes.inner ? 1.0 : 0.0;
+  if (!settings_.techniques.uniform()) return 1.0;
+  constexpr std::array<TechniqueClass, 3> kClasses = {
+      TechniqueClass::Implicit, TechniqueClass::NextEvent, TechniqueClass::Inner};
+  return class_h_count_[index_of(kClasses[static_cast<std::size_t>(std::min(vertices, 2))])];
 }
 
 double PathSampler::camera_side_coefficient(int vertices) const {
   if (vertices == 0) return 0.0;
-  if (vertices == 1) return light_tracing_coefficient_;
-  return settings_.techniques.classes().inner ? 1.0 : 0.0;
+  if (!settings_.techniques.uniform()) return 1.0;
+  if (vertices >= 2) return class_h_count_[index_of(TechniqueClass::Inner)];
+  return light_tracing_reaches_ ? class_h_count_[index_of(TechniqueClass::Light)] : 0.0;
+}
+
+MisState PathSampler::light_mis(const PathVertex& vertex, int depth) const {
+  if (vertex.trail == nullptr) return vertex.mis;
+  return mis_along(vertex.trail, vertex.edges, [&](int s) { return h_count({s, depth + 1 - s}); });
+}
+
+MisState PathSampler::camera_mis(const PathVertex& vertex, int depth) const {
+  if (vertex.trail == nullptr) return vertex.mis;
+  return mis_along(vertex.trail, vertex.edges, [&](int t) { return h_count({depth + 1 - t, t}); });
 }
 
 SegmentEnd PathSampler::trace(const WalkSettings& walk, const Flight& flight,
                               SampleSource& source) {
-  return trace_segment(scene_, flight.ray, flight.medium, {source, walk.stream, flight.edges},
-                       rays_);
+  return trace_segment(scene_, flight.ray, flight.medium,
+                       {source, walk.stream, flight.edges, walk.repeat}, rays_);
 }
 
 void PathSampler::sample(SampleSource& source, const Vec2& raster, PathSink& sink) {
   light_vertex_count_ = 0;
-  if (settings_.techniques.classes().inner) trace_light(source, sink);
+  if (has(TechniqueClass::Inner)) {
+    const double whole = std::floor(settings_.light_subpaths);
+    const double rest = settings_.light_subpaths - whole;
+    int subpaths = static_cast<int>(whole);
+    if (rest > 0.0 &&
+        static_cast<double>(source.get({Stream::Connection, 0, kConnectionTry})) < rest) {
+      ++subpaths;
+    }
+    for (int i = 0; i < subpaths; ++i) trace_light(source, sink, i);
+  }
   trace_camera(source, raster, sink);
 }
 
-void PathSampler::sample_light(SampleSource& source, PathSink& sink) { trace_light(source, sink); }
+void PathSampler::sample_light(SampleSource& source, PathSink& sink) {
+  trace_light(source, sink, 0);
+}
 
-void PathSampler::trace_light(SampleSource& source, PathSink& sink) {
+void PathSampler::trace_light(SampleSource& source, PathSink& sink, int repeat) {
   if (scene_.light_sampler().empty()) return;
+  const auto address = [&](Slot slot) { return SampleAddress(Stream::Light, 0, slot, repeat); };
   const ChosenLight chosen =
-      scene_.light_sampler().choose_emitter(source.get({Stream::Light, 0, kEmitterChoice}));
+      scene_.light_sampler().choose_emitter(source.get(address(kEmitterChoice)));
   EmissionUniforms u{};
-  u.primitive = source.get({Stream::Light, 0, kEmissionPrimitive});
-  u.position = source.get_pair({Stream::Light, 0, kEmissionPosition});
-  u.direction = source.get_pair({Stream::Light, 0, kEmissionDirection});
+  u.primitive = source.get(address(kEmissionPrimitive));
+  u.position = source.get_pair(address(kEmissionPosition));
+  u.direction = source.get_pair(address(kEmissionDirection));
   const Light& light = *chosen.light;
   const std::optional<EmissionSample> emission = light.sample_emission(u);
   if (!emission) return;
@@ -108,7 +124,14 @@ void PathSampler::trace_light(SampleSource& source, PathSink& sink) {
   flight.from_infinity = light.at_infinity();
   flight.cosine = light.at_infinity() ? 1.F : abs_dot(emission->point.surface.ng, emission->w);
 
-  const TechniqueSet::Classes& classes = settings_.techniques.classes();
+  light_walk_.repeat = repeat;
+  if (!light_trails_.empty()) {
+    light_walk_.trail = &light_trails_[static_cast<std::size_t>(repeat) *
+                                       static_cast<std::size_t>(settings_.max_depth + 1)];
+    light_walk_.trail[0] = {flight.mis.inverse_forward, flight.mis.coefficient};
+  }
+  // Connections to the lens from here on always end on the film.
+  light_tracing_reaches_ = true;
   // A light subpath of n edges takes part in paths of at least n + 1 edges.
   while (flight.edges + 2 <= settings_.max_depth) {
     const SegmentEnd end = trace(light_walk_, flight, source);
@@ -121,13 +144,12 @@ void PathSampler::trace_light(SampleSource& source, PathSink& sink) {
           static_cast<double>(light.connection_pdf(vertex.p, emission->point).value()) *
           static_cast<double>(scene_.light_sampler().probability(vertex.p, light).value());
       vertex.mis.coefficient *= h(settings_.heuristic, connection / position_density);
+      if (vertex.trail != nullptr) light_walk_.trail[1].coefficient = vertex.mis.coefficient;
     }
     sink.vertex(Stream::Light, vertex);
     if (vertex.connectible()) {
-      if (classes.light && vertex.edges + 1 >= settings_.min_depth) {
-        connect_to_camera(vertex, source, sink);
-      }
-      if (classes.inner) light_vertices_[light_vertex_count_++] = vertex;
+      if (wants({vertex.edges + 1, 1})) connect_to_camera(vertex, source, sink);
+      if (has(TechniqueClass::Inner)) light_vertices_[light_vertex_count_++] = vertex;
     }
     if (!scatter(light_walk_, vertex, source, flight)) return;
     sink.scattered(Stream::Light, vertex, flight);
@@ -144,12 +166,10 @@ void PathSampler::trace_camera(SampleSource& source, const Vec2& raster, PathSin
   if (!emission) return;
 
   sink.started(Stream::Camera, camera, emission->point);
-  const TechniqueSet::Classes& classes = settings_.techniques.classes();
   // Light tracing reaches the full image only, while wide filters draw camera rays from beyond its
   // border.
   const bool inside = raster.x >= 0.F && raster.y >= 0.F && raster.x < size.x && raster.y < size.y;
-  light_tracing_coefficient_ =
-      classes.light && inside ? h(settings_.heuristic, settings_.light_paths_per_pixel) : 0.0;
+  light_tracing_reaches_ = inside;
 
   Flight flight;
   flight.ray = {emission->origin, emission->w};
@@ -162,18 +182,25 @@ void PathSampler::trace_camera(SampleSource& source, const Vec2& raster, PathSin
   flight.cosine =
       camera.discrete_position() ? 1.F : abs_dot(emission->point.surface.ng, emission->w);
 
-  const bool walks_on = classes.implicit || classes.next_event || classes.inner;
+  if (!camera_trail_.empty()) camera_trail_[0] = {flight.mis.inverse_forward, 0.0};
+  const bool walks_on =
+      has(TechniqueClass::Implicit) || has(TechniqueClass::NextEvent) || has(TechniqueClass::Inner);
   const int last_edge = walks_on ? settings_.max_depth : 1;
   while (flight.edges < settings_.max_depth) {
     const SegmentEnd end = trace(camera_walk_, flight, source);
     const int edges = flight.edges + 1;
-    const bool sees_light =
-        settings_.techniques.enabled({0, edges + 1}) && edges >= settings_.min_depth;
+    const bool sees_light = wants({0, edges + 1});
     if (!end.hit && !end.scattered) {
       if (!sees_light) return;
       const MisStep step = mis_step(flight, end.segment, end.distance, 1.F, nullptr, true,
                                     camera_side_coefficient(edges));
-      const MisState mis = mis_extend(settings_.heuristic, flight.mis, step);
+      MisState mis = mis_extend(settings_.heuristic, flight.mis, step);
+      if (camera_walk_.trail != nullptr) {
+        camera_walk_.trail[edges] = mis_trail_entry(settings_.heuristic, mis, step);
+        mis = mis_along(camera_walk_.trail, edges, [&](int t) {
+          return h_count({edges + 1 - t, t});
+        });
+      }
       for (const Light* light : scene_.infinite_lights()) {
         hit_light(flight, end, mis, *light, light->at_direction(flight.ray.direction), sink);
       }
@@ -183,177 +210,19 @@ void PathSampler::trace_camera(SampleSource& source, const Vec2& raster, PathSin
     sink.vertex(Stream::Camera, vertex);
     if (edges == 1) sink.first_vertex(vertex, end.hit ? &*end.hit : nullptr, end.distance);
     if (end.hit && end.hit->light != nullptr && sees_light) {
-      hit_light(flight, end, vertex.mis, *end.hit->light, {end.hit->point, Vec3(0.F)}, sink);
+      hit_light(flight, end, camera_mis(vertex, edges), *end.hit->light,
+                {end.hit->point, Vec3(0.F)}, sink);
     }
     if (edges >= last_edge || vertex.throughput.is_black()) return;
     if (vertex.connectible()) {
-      if (classes.next_event && edges + 1 >= settings_.min_depth) {
-        connect_to_light(vertex, source, sink);
-      }
+      if (wants({1, edges + 1})) connect_to_lights(vertex, source, sink);
       for (std::size_t i = 0; i < light_vertex_count_; ++i) {
-        connect_inner(vertex, light_vertices_[i], sink);
+        connect_inner(vertex, light_vertices_[i], source, sink);
       }
     }
     if (!scatter(camera_walk_, vertex, source, flight)) return;
     sink.scattered(Stream::Camera, vertex, flight);
   }
-}
-
-void PathSampler::hit_light(const Flight& flight, const SegmentEnd& end, const MisState& mis,
-                            const Light& light, const EndpointPoint& point, PathSink& sink) const {
-  const Spectrum emitted = light.emitted(point, -flight.ray.direction);
-  if (emitted.is_black()) return;
-  const int edges = flight.edges + 1;
-  double others = 0.0;
-  if (edges > 1) {
-    // Technique (1, k) samples the light as seen from z_{i-1}; all with s ≥ 2 as it emits.
-    const Heuristic heuristic = settings_.heuristic;
-    const Vec3& reference = flight.reference;
-    if (settings_.techniques.classes().next_event && !flight.specular) {
-      const double connection =
-          static_cast<double>(light.connection_pdf(reference, point).value()) *
-          static_cast<double>(scene_.light_sampler().probability(reference, light).value());
-      others += h(heuristic, connection) * mis.inverse_forward;
-    }
-    if (mis.partial > 0.0) {
-      const EmissionPdf emission = light.emission_pdf(point, -flight.ray.direction);
-      const double position =
-          static_cast<double>(emission.position.value()) *
-          static_cast<double>(scene_.light_sampler().emitter_probability(light).value());
-      others += h(heuristic, position) *
-                h(heuristic, static_cast<double>(emission.departure.value())) * mis.partial;
-    }
-  }
-  const double mis_weight = 1.0 / (1.0 + others);
-  sink.add({.value = flight.throughput * end.weight * emitted * static_cast<float>(mis_weight),
-            .technique = {0, edges + 1},
-            .mis_weight = mis_weight,
-            .light_point = &point,
-            .light = &light});
-}
-
-void PathSampler::connect_to_light(const PathVertex& vertex, SampleSource& source, PathSink& sink) {
-  const LightSampler& lights = scene_.light_sampler();
-  if (lights.empty()) return;
-  const ChosenLight chosen =
-      lights.choose(vertex.p, source.get({Stream::Camera, vertex.edges, Slot::LightChoice}));
-  ConnectionUniforms u{};
-  u.primitive = source.get({Stream::Camera, vertex.edges, Slot::LightPrimitive});
-  u.position = source.get_pair({Stream::Camera, vertex.edges, Slot::LightPositionX});
-  const Light& light = *chosen.light;
-  const std::optional<ConnectionSample> sample = light.sample_connection(vertex.p, u);
-  if (!sample) return;
-  const float probability = chosen.probability.value();
-  const BsdfValue scattered = vertex.evaluate(sample->w, TransportMode::Radiance);
-  const Spectrum unoccluded = vertex.throughput * scattered.value * sample->weight / probability;
-  if (unoccluded.is_black()) return;
-
-  const std::optional<Segment> segment = connect(scene_, ray_to_endpoint(vertex, light, *sample),
-                                                 vertex.medium_toward(sample->w), rays_);
-  if (!segment) return;
-
-  const Heuristic heuristic = settings_.heuristic;
-  const double connection_density =
-      static_cast<double>(sample->pdf.value()) * static_cast<double>(probability);
-  const auto distance = static_cast<double>(sample->distance);
-  double others = 0.0;
-  if (!light.discrete_position() && settings_.techniques.classes().implicit) {
-    const double reverse = static_cast<double>(scattered.pdf.value()) *
-                           endpoint_geometry(light, sample->point, sample->w, distance) *
-                           static_cast<double>(segment->distance_pdf(nullptr));
-    others += h(heuristic, reverse / connection_density);
-  }
-  if (settings_.techniques.needs_light_subpath()) {
-    const EmissionPdf emission = light.emission_pdf(sample->point, -sample->w);
-    const double position = static_cast<double>(emission.position.value()) *
-                            static_cast<double>(lights.emitter_probability(light).value());
-    const double arrival =
-        arrival_density(emission.departure, light.at_infinity(), distance,
-                        vertex.cosine(sample->w)) *
-        static_cast<double>(segment->distance_pdf(vertex.in_medium ? vertex.medium : nullptr));
-    others += h(heuristic, position / connection_density) *
-              vertex.mis.sum(heuristic, arrival, vertex.pdf(sample->w, vertex.wo).value());
-  }
-  const double mis_weight = 1.0 / (1.0 + others);
-  sink.add({.value = unoccluded * segment->transmittance * static_cast<float>(mis_weight),
-            .technique = {1, vertex.edges + 1},
-            .mis_weight = mis_weight,
-            .light_point = &sample->point,
-            .light = &light});
-}
-
-void PathSampler::connect_to_camera(const PathVertex& vertex, SampleSource& source,
-                                    PathSink& sink) {
-  const Camera& camera = scene_.camera();
-  ConnectionUniforms u{};
-  u.position = source.get_pair({Stream::Light, vertex.edges, Slot::LightPositionX});
-  const std::optional<ConnectionSample> sample = camera.sample_connection(vertex.p, u);
-  if (!sample) return;
-  const std::optional<Vec2> raster = camera.raster(sample->point, -sample->w);
-  if (!raster || !sink.reaches(*raster)) return;
-  const Spectrum unoccluded =
-      vertex.throughput * vertex.eval(sample->w, TransportMode::Importance) * sample->weight;
-  if (unoccluded.is_black()) return;
-  const std::optional<Segment> segment = connect(scene_, ray_to_endpoint(vertex, camera, *sample),
-                                                 vertex.medium_toward(sample->w), rays_);
-  if (!segment) return;
-
-  const auto distance = static_cast<double>(sample->distance);
-  const EmissionPdf emission = camera.emission_pdf(sample->point, -sample->w);
-  const double arrival =
-      arrival_density(emission.departure, camera.at_infinity(), distance,
-                      vertex.cosine(sample->w)) *
-      static_cast<double>(segment->distance_pdf(vertex.in_medium ? vertex.medium : nullptr));
-  const double others =
-      vertex.mis.sum(settings_.heuristic, arrival, vertex.pdf(sample->w, vertex.wo).value()) /
-      h(settings_.heuristic, settings_.light_paths_per_pixel);
-  const double mis_weight = 1.0 / (1.0 + others);
-  const double scale = mis_weight / settings_.light_paths_per_pixel;
-  sink.add({.value = unoccluded * segment->transmittance * static_cast<float>(scale),
-            .technique = {vertex.edges + 1, 1},
-            .mis_weight = mis_weight,
-            .raster = *raster,
-            .camera_point = &sample->point});
-}
-
-void PathSampler::connect_inner(const PathVertex& camera_vertex, const PathVertex& light_vertex,
-                                PathSink& sink) {
-  const Technique technique{light_vertex.edges + 1, camera_vertex.edges + 1};
-  if (technique.depth() < settings_.min_depth || technique.depth() > settings_.max_depth) return;
-  const Vec3 difference = light_vertex.p - camera_vertex.p;
-  const float distance_squared = length_squared(difference);
-  if (distance_squared == 0.F) return;
-  const float distance = std::sqrt(distance_squared);
-  const Vec3 w = difference / distance;  // camera vertex → light vertex
-  const Spectrum unoccluded = camera_vertex.throughput * light_vertex.throughput *
-                              camera_vertex.eval(w, TransportMode::Radiance) *
-                              light_vertex.eval(-w, TransportMode::Importance) / distance_squared;
-  if (unoccluded.is_black()) return;
-  const std::optional<Segment> segment =
-      connect(scene_, ray_between(camera_vertex.ray_origin(w), light_vertex.ray_origin(-w)),
-              camera_vertex.medium_toward(w), rays_);
-  if (!segment) return;
-
-  const Heuristic heuristic = settings_.heuristic;
-  const double inverse_square = 1.0 / static_cast<double>(distance_squared);
-  const double to_camera_vertex =
-      static_cast<double>(light_vertex.pdf(light_vertex.wo, -w).value()) *
-      static_cast<double>(camera_vertex.cosine(w)) * inverse_square *
-      static_cast<double>(
-          segment->distance_pdf(camera_vertex.in_medium ? camera_vertex.medium : nullptr));
-  const double to_light_vertex =
-      static_cast<double>(camera_vertex.pdf(camera_vertex.wo, w).value()) *
-      static_cast<double>(light_vertex.cosine(w)) * inverse_square *
-      static_cast<double>(
-          segment->distance_pdf(light_vertex.in_medium ? light_vertex.medium : nullptr));
-  const double others = camera_vertex.mis.sum(heuristic, to_camera_vertex,
-                                              camera_vertex.pdf(w, camera_vertex.wo).value()) +
-                        light_vertex.mis.sum(heuristic, to_light_vertex,
-                                             light_vertex.pdf(-w, light_vertex.wo).value());
-  const double mis_weight = 1.0 / (1.0 + others);
-  sink.add({.value = unoccluded * segment->transmittance * static_cast<float>(mis_weight),
-            .technique = technique,
-            .mis_weight = mis_weight});
 }
 
 }  // namespace ajar

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -13,6 +14,7 @@ struct Contribution {
   Spectrum value;  ///< f / p · MIS weight
   Technique technique;
   double mis_weight;
+  int light_subpath = 0;  ///< which of the sample's, if s ≥ 2
   /// Technique (s, 1) only: where on the film it lands. All others belong to the camera ray's own
   /// place.
   Vec2 raster{0.F, 0.F};
@@ -47,19 +49,32 @@ struct PathSamplerSettings {
   int min_depth = 1;
   int max_depth = 100;     ///< edges
   int roulette_start = 5;  ///< edges from which Russian roulette may end a subpath
-  /// Light subpaths per sample index, divided by the pixels of the full image.
+  /// Light subpaths that `sample` traces and connects, on average; no more than
+  /// `kMaxLightSubpaths`.
+  double light_subpaths = 1.0;
+  /// Light subpaths connected to the lens per call of `sample`, divided by the share of the full
+  /// image's pixels that these calls cover. If `sample` traces them itself: `light_subpaths` times
+  /// that share.
   double light_paths_per_pixel = 1.0;
+  /// Connections whose unoccluded contribution is below this (largest lane) are traced with
+  /// proportional probability only; 0 traces all.
+  float cull_below = 0.F;
 };
 
 /// Samples paths by any set of techniques (METHODS, section 2) as a deterministic function of a
 /// primary vector. Holds the scratch memory of one thread; nothing is allocated after construction.
+///
+/// Random decisions of a connection between the camera vertex of e edges and the light vertex of l
+/// edges are addressed by `Stream::Connection`, vertex 256 (l mod 256) + (e mod 256).
 class PathSampler {
  public:
+  static constexpr int kMaxLightSubpaths = 32;
+
   PathSampler(const Scene& scene, const PathSamplerSettings& settings);
 
   /// One camera subpath through `raster` (pixels of the full image) with everything that hangs on
-  /// it: implicit and next-event techniques and, if the set has inner techniques, a light subpath
-  /// with all its connections.
+  /// it: implicit and next-event techniques and, if the set has inner techniques, light subpaths
+  /// with all their connections.
   void sample(SampleSource& source, const Vec2& raster, PathSink& sink);
   /// One light subpath alone, connected to the lens: technique (s, 1).
   void sample_light(SampleSource& source, PathSink& sink);
@@ -68,25 +83,66 @@ class PathSampler {
   std::uint64_t rays() const { return rays_; }
 
  private:
-  void trace_light(SampleSource& source, PathSink& sink);
+  void trace_light(SampleSource& source, PathSink& sink, int repeat);
   void trace_camera(SampleSource& source, const Vec2& raster, PathSink& sink);
   SegmentEnd trace(const WalkSettings& walk, const Flight& flight, SampleSource& source);
+
+  // Connections, in path_connections.cpp.
   void hit_light(const Flight& flight, const SegmentEnd& end, const MisState& mis,
                  const Light& light, const EndpointPoint& point, PathSink& sink) const;
-  void connect_to_light(const PathVertex& vertex, SampleSource& source, PathSink& sink);
+  void connect_to_lights(const PathVertex& vertex, SampleSource& source, PathSink& sink);
+  void connect_to_light(const PathVertex& vertex, SampleSource& source, int repeat, PathSink& sink);
   void connect_to_camera(const PathVertex& vertex, SampleSource& source, PathSink& sink);
   void connect_inner(const PathVertex& camera_vertex, const PathVertex& light_vertex,
-                     PathSink& sink);
+                     SampleSource& source, PathSink& sink);
+  /// Who a connection is between, as its random numbers' address knows it.
+  struct Pair {
+    int light_edges;
+    int camera_edges;
+    int repeat;
+    SampleAddress address(Slot slot) const {
+      return {Stream::Connection, light_edges % 256 * 256 + camera_edges % 256, slot, repeat};
+    }
+  };
+  struct Joined {
+    Spectrum value;  ///< MIS weight, transmittance and culling included
+    double mis_weight;
+  };
+  /// Traces a connection that carries `unoccluded`; `weight_of(segment)` is its MIS weight. Empty
+  /// if nothing arrives. Where no interfaces can lie between, visibility is tested last of all.
+  template <typename WeightOf>
+  std::optional<Joined> join(const Ray& ray, const Medium* medium, const Spectrum& unoccluded,
+                             const Pair& pair, SampleSource& source, const WeightOf& weight_of);
+  /// Decides about a connection that is made less than once on average.
+  static bool is_tried(double count, const Pair& pair, SampleSource& source);
+  /// Russian roulette of weak connections: what to multiply the survivors by, 0 for the others.
+  float cull(const Spectrum& contribution, const Pair& pair, SampleSource& source) const;
+
+  /// Samples of a technique per call of `sample`, or per pixel if they are light tracing's.
+  double count(Technique technique) const;
   double light_side_coefficient(int vertices) const;
   double camera_side_coefficient(int vertices) const;
+  double h_count(Technique technique) const;
+  MisState light_mis(const PathVertex& vertex, int depth) const;
+  MisState camera_mis(const PathVertex& vertex, int depth) const;
+  bool wants(Technique technique) const {
+    const int depth = technique.depth();
+    return depth >= settings_.min_depth && depth <= settings_.max_depth &&
+           settings_.techniques.enabled(technique);
+  }
+  bool has(TechniqueClass kind) const { return settings_.techniques.any(kind); }
 
   const Scene& scene_;
   PathSamplerSettings settings_;
   WalkSettings camera_walk_;
   WalkSettings light_walk_;
-  double light_tracing_coefficient_ = 0.0;  ///< of technique (s, 1) for the current camera path
+  /// h(count) of the techniques of each class, if they are all alike.
+  std::array<double, 4> class_h_count_;
+  bool light_tracing_reaches_ = false;  ///< the current camera path's place on the film
   std::vector<PathVertex> light_vertices_;
   std::size_t light_vertex_count_ = 0;
+  std::vector<MisTrailEntry> camera_trail_;  // these two only for sets that name single techniques
+  std::vector<MisTrailEntry> light_trails_;
   std::uint64_t rays_ = 0;
 };
 

@@ -15,9 +15,12 @@ struct PathVertex {
   Vec3 wo;              ///< unit, toward the previous vertex
   Spectrum throughput;  ///< f / p of the subpath up to here, scattering here not included
   MisState mis;
+  /// Of the whole subpath, indexed by `edges`; null unless the set names single techniques.
+  const MisTrailEntry* trail = nullptr;
   const Medium* medium;          ///< that the subpath arrived through
   const MediumInterface* media;  ///< of the surface; null inside a medium
   int edges;       ///< of the subpath: the endpoint is vertex 0, this one is vertex `edges`
+  int repeat = 0;  ///< which light subpath of the sample this one belongs to
   bool in_medium;  ///< scatters in `medium` instead of at a surface
   Bsdf bsdf;       ///< undefined inside a medium
 

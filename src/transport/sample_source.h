@@ -28,17 +28,23 @@ inline constexpr Slot kEmissionDirection = Slot::BsdfDirectionX;
 inline constexpr Slot kEmissionPosition = Slot::LightPositionX;
 inline constexpr Slot kEmissionPrimitive = Slot::LightPrimitive;
 inline constexpr Slot kEmitterChoice = Slot::LightChoice;
+/// Connections (`Stream::Connection`, vertex: see `PathSampler`) decide by these whether they are
+/// tried at all, and whether weak ones are traced.
+inline constexpr Slot kConnectionTry = Slot::BsdfLobe;
+inline constexpr Slot kConnectionCull = Slot::Roulette;
 
 /// Name of one uniform number of the primary vector. Addresses never shift when one end of a path
 /// changes. Kept in one integer: small members would be written one by one and read as a whole, for
 /// which processors wait.
 class SampleAddress {
  public:
-  constexpr SampleAddress(Stream stream, int vertex, Slot slot)
-      : bits_(static_cast<std::uint32_t>(stream) << 24U |
+  constexpr SampleAddress(Stream stream, int vertex, Slot slot, int repeat = 0)
+      : bits_(static_cast<std::uint32_t>(stream) << 30U |
+              (static_cast<std::uint32_t>(repeat) & 0x3fU) << 24U |
               (static_cast<std::uint32_t>(vertex) & 0xffffU) << 8U |
               static_cast<std::uint32_t>(slot)) {}
-  constexpr Stream stream() const { return static_cast<Stream>(bits_ >> 24U); }
+  constexpr Stream stream() const { return static_cast<Stream>(bits_ >> 30U); }
+  constexpr int repeat() const { return static_cast<int>(bits_ >> 24U & 0x3fU); }
   constexpr int vertex() const { return static_cast<int>(bits_ >> 8U & 0xffffU); }
   constexpr Slot slot() const { return static_cast<Slot>(bits_ & 0xffU); }
 

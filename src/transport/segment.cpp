@@ -81,15 +81,21 @@ SegmentEnd trace_segment(const Scene& scene, Ray ray, const Medium* medium,
   return end;
 }
 
+std::optional<Segment> unobstructed(const Scene& scene, const Ray& ray, const Medium* medium) {
+  if (scene.has_interfaces()) return std::nullopt;
+  Segment segment;
+  cross_medium(medium, ray.t_max, segment);
+  return segment;
+}
+
 std::optional<Segment> connect(const Scene& scene, Ray ray, const Medium* medium,
                                std::uint64_t& rays) {
-  Segment segment;
   if (!scene.has_interfaces()) {
     ++rays;
     if (scene.occluded(ray)) return std::nullopt;
-    cross_medium(medium, ray.t_max, segment);
-    return segment;
+    return unobstructed(scene, ray, medium);
   }
+  Segment segment;
   const bool bounded = std::isfinite(ray.t_max);
   const Vec3 target = bounded ? ray.origin + ray.direction * ray.t_max : Vec3(0.F);
   for (int i = 0; i < kMaxInterfaces; ++i) {

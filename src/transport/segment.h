@@ -40,17 +40,18 @@ struct DistanceUniforms {
 /// Where a segment gets its numbers if it crosses a scattering medium; most do not.
 class DistanceSource {
  public:
-  DistanceSource(SampleSource& source, Stream stream, int vertex)
-      : source_(source), stream_(stream), vertex_(vertex) {}
+  DistanceSource(SampleSource& source, Stream stream, int vertex, int repeat)
+      : source_(source), stream_(stream), vertex_(vertex), repeat_(repeat) {}
   DistanceUniforms get() const {
-    return {source_.get({stream_, vertex_, Slot::MediumChannel}),
-            source_.get({stream_, vertex_, Slot::MediumDistance})};
+    return {source_.get({stream_, vertex_, Slot::MediumChannel, repeat_}),
+            source_.get({stream_, vertex_, Slot::MediumDistance, repeat_})};
   }
 
  private:
   SampleSource& source_;
   Stream stream_;
   int vertex_;
+  int repeat_;
 };
 
 /// Follows a ray that starts in `medium`, straight through interface materials, to the next
@@ -59,6 +60,10 @@ class DistanceSource {
 /// `rays` is increased by the number of rays traced.
 SegmentEnd trace_segment(const Scene& scene, Ray ray, const Medium* medium,
                          const DistanceSource& numbers, std::uint64_t& rays);
+
+/// The segment between two points if nothing opaque lies between them; empty if interfaces may,
+/// which only tracing tells.
+std::optional<Segment> unobstructed(const Scene& scene, const Ray& ray, const Medium* medium);
 
 /// The segment between two mutually visible points; empty if a surface that is not an interface
 /// lies between.

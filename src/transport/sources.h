@@ -18,7 +18,8 @@ struct SampleIdentity {
 };
 
 inline std::uint64_t vertex_key(SampleAddress address) {
-  return static_cast<std::uint64_t>(address.stream()) << 32U |
+  return static_cast<std::uint64_t>(address.repeat()) << 40U |
+         static_cast<std::uint64_t>(address.stream()) << 32U |
          static_cast<std::uint64_t>(address.vertex()) << 8U;
 }
 
@@ -47,7 +48,7 @@ class SobolSource final : public SampleSource {
 
   const Vec2& fetch(SampleAddress address) {
     const bool light = address.stream() == Stream::Light;
-    Block& block = blocks_[light ? 1 : 0];
+    Block& block = blocks_[static_cast<std::size_t>(address.stream())];
     const std::uint64_t key = vertex_key(address);
     if (block.key != key) {
       const std::uint64_t base = light ? identity_.light_seed : identity_.camera_seed;
@@ -62,7 +63,7 @@ class SobolSource final : public SampleSource {
   }
 
   SampleIdentity identity_;
-  std::array<Block, 2> blocks_;
+  std::array<Block, 3> blocks_;  // one per stream
 };
 
 /// Independent uniform numbers: a hash of identity and address.

@@ -33,6 +33,7 @@ PathVertex arrive(const WalkSettings& settings, const Flight& flight, const Segm
   vertex.throughput = flight.throughput * end.weight;
   vertex.medium = end.medium;
   vertex.edges = flight.edges + 1;
+  vertex.repeat = settings.repeat;
   vertex.in_medium = end.scattered;
   if (end.scattered) {
     vertex.p = flight.ray.origin + flight.ray.direction * end.distance;
@@ -49,14 +50,21 @@ PathVertex arrive(const WalkSettings& settings, const Flight& flight, const Segm
   const MisStep step = mis_step(flight, end.segment, distance, vertex.cosine(vertex.wo),
                                 end.scattered ? end.medium : nullptr, false, class_coefficient);
   vertex.mis = mis_extend(settings.heuristic, flight.mis, step);
+  if (settings.trail != nullptr) {
+    settings.trail[vertex.edges] = mis_trail_entry(settings.heuristic, vertex.mis, step);
+    vertex.trail = settings.trail;
+  }
   return vertex;
 }
 
 bool scatter(const WalkSettings& settings, const PathVertex& vertex, SampleSource& source,
              Flight& flight) {
   BsdfUniforms u{};
-  u.lobe = source.get({settings.stream, vertex.edges, Slot::BsdfLobe});
-  u.direction = source.get_pair({settings.stream, vertex.edges, Slot::BsdfDirectionX});
+  const auto address = [&](Slot slot) {
+    return SampleAddress(settings.stream, vertex.edges, slot, settings.repeat);
+  };
+  u.lobe = source.get(address(Slot::BsdfLobe));
+  u.direction = source.get_pair(address(Slot::BsdfDirectionX));
   const std::optional<BsdfSample> sample =
       vertex.sample(u, settings.mode, settings.has_other_end ? Reverse::Compute : Reverse::Skip);
   if (!sample) return false;
@@ -64,7 +72,7 @@ bool scatter(const WalkSettings& settings, const PathVertex& vertex, SampleSourc
   if (settings.mode == TransportMode::Radiance) flight.eta_scale *= sample->eta * sample->eta;
   if (vertex.edges >= settings.roulette_start) {
     const float survival = std::min(0.95F, flight.throughput.max() * flight.eta_scale);
-    if (!(source.get({settings.stream, vertex.edges, Slot::Roulette}) < survival)) return false;
+    if (!(source.get(address(Slot::Roulette)) < survival)) return false;
     flight.throughput /= survival;
   }
   if (flight.throughput.is_black()) return false;

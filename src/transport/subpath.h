@@ -35,6 +35,9 @@ struct WalkSettings {
   /// False if no technique has a subpath from the other end: then only vertices on lights need
   /// their MIS state, and reverse densities are not needed at all.
   bool has_other_end;
+  int repeat = 0;  ///< which light subpath of the sample this is
+  /// Where the recursion is recorded, if the set names single techniques; room for every vertex.
+  MisTrailEntry* trail = nullptr;
 };
 
 /// The vertex at the end of a flight that ended in the scene. `class_coefficient`: see `MisStep`.

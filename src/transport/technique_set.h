@@ -1,6 +1,8 @@
 #pragma once
+#include <array>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace ajar {
 
@@ -13,36 +15,84 @@ struct Technique {
   constexpr bool operator==(const Technique&) const = default;
 };
 
-/// The techniques an integrator uses. MIS weights are over exactly this set, so any set that covers
-/// the light paths of a scene is unbiased. What the lens sees directly, technique (0, 2), always
-/// belongs to it; (1, 1) never does.
+/// The four kinds of techniques.
+enum class TechniqueClass {
+  Implicit,   ///< (0, k+1): camera path runs into an emitter
+  NextEvent,  ///< (1, k), called "explicit" by users
+  Light,      ///< (k, 1): light path connected to the lens
+  Inner       ///< (s ≥ 2, t ≥ 2)
+};
+/// Of a technique that exists.
+constexpr TechniqueClass class_of(Technique technique) {
+  if (technique.s == 0) return TechniqueClass::Implicit;
+  if (technique.t == 1) return TechniqueClass::Light;
+  return technique.s == 1 ? TechniqueClass::NextEvent : TechniqueClass::Inner;
+}
+/// "implicit", "explicit", "light" or "inner".
+std::string_view name_of(TechniqueClass kind);
+
+/// The techniques an integrator uses, and how often. MIS weights are over exactly this set, so any
+/// set that covers the light paths of a scene is unbiased. What the lens sees directly, technique
+/// (0, 2), always belongs to it; (1, 1) and (k+1, 0) never do.
+///
+/// A count is the number of tries at each opportunity (a camera vertex for next event estimation, a
+/// light vertex for light tracing, a pair of vertices for inner connections), on average: 0.5
+/// tries at every other one, at random; 0 leaves the technique out.
 class TechniqueSet {
  public:
-  struct Classes {
-    bool implicit = false;    ///< (0, k+1): camera path runs into an emitter
-    bool next_event = false;  ///< (1, k), called "explicit" by users
-    bool light = false;       ///< (k, 1): light path connected to the lens
-    bool inner = false;       ///< (s ≥ 2, t ≥ 2)
+  struct Counts {
+    double implicit = 0.0;
+    double next_event = 0.0;
+    double light = 0.0;
+    double inner = 0.0;
   };
-  constexpr explicit TechniqueSet(Classes classes) : classes_(classes) {}
+  static constexpr int kAny = -1;
+  /// Count of the single technique (s, t); either may be `kAny`.
+  struct Rule {
+    int s;
+    int t;
+    double count;
+  };
+  static constexpr double kMaxNextEventCount = 32.0;
 
-  static constexpr TechniqueSet pt() { return TechniqueSet({true, true, false, false}); }
-  static constexpr TechniqueSet lt() { return TechniqueSet({false, false, true, false}); }
-  static constexpr TechniqueSet ibpt() { return TechniqueSet({true, true, true, false}); }
-  static constexpr TechniqueSet bdpt() { return TechniqueSet({true, true, true, true}); }
+  explicit TechniqueSet(const Counts& counts, std::vector<Rule> rules = {});
+  /// Reads what users write: names of sets (pt, lt, ibpt, bdpt) and of classes (implicit, explicit,
+  /// light, inner) and pairs `(s,t)` or `(s,*)`, separated by commas, each with an optional count
+  /// `*n`. Raises UsageError.
+  static TechniqueSet parse(const std::string& text);
 
-  constexpr bool enabled(Technique technique) const {
-    const auto [s, t] = technique;
-    if (s == 0) return t == 2 || (t > 2 && classes_.implicit);
-    if (t == 1) return s > 1 && classes_.light;
-    if (t == 0) return false;
-    return s == 1 ? classes_.next_event : classes_.inner;
+  static TechniqueSet pt() { return TechniqueSet({.implicit = 1, .next_event = 1}); }
+  static TechniqueSet lt() { return TechniqueSet({.light = 1}); }
+  static TechniqueSet ibpt() { return TechniqueSet({.implicit = 1, .next_event = 1, .light = 1}); }
+  static TechniqueSet bdpt() {
+    return TechniqueSet({.implicit = 1, .next_event = 1, .light = 1, .inner = 1});
   }
-  constexpr const Classes& classes() const { return classes_; }
-  constexpr bool needs_light_subpath() const { return classes_.light || classes_.inner; }
+
+  /// 0 if the technique does not belong to the set.
+  double count(Technique technique) const {
+    const auto [s, t] = technique;
+    if (s == 0 && t == 2) return 1.0;
+    if (s < 0 || t < 1 || s + t < 3) return 0.0;
+    for (const Rule& rule : rules_) {
+      if ((rule.s == kAny || rule.s == s) && (rule.t == kAny || rule.t == t)) return rule.count;
+    }
+    return count(class_of(technique));
+  }
+  bool enabled(Technique technique) const { return count(technique) > 0.0; }
+  /// Count of those techniques of a class that no rule names.
+  double count(TechniqueClass kind) const { return counts_[static_cast<std::size_t>(kind)]; }
+  /// True if all techniques of a class have the same count.
+  bool uniform() const { return rules_.empty(); }
+  /// Whether any technique of the class belongs to the set ((0, 2) aside).
+  bool any(TechniqueClass kind) const { return any_[static_cast<std::size_t>(kind)]; }
+  bool needs_light_subpath() const {
+    return any(TechniqueClass::Light) || any(TechniqueClass::Inner);
+  }
 
  private:
-  Classes classes_;
+  std::array<double, 4> counts_;
+  std::vector<Rule> rules_;
+  std::array<bool, 4> any_;
 };
 
 }  // namespace ajar

@@ -102,7 +102,10 @@ double mis_weight(const Scene& scene, const PathSamplerSettings& settings, const
                       path.raster.y < size.y;
   const auto share = [&](Technique other) {
     if (!settings.techniques.enabled(other) || (other.t == 1 && !inside)) return 0.0;
-    const double count = other.t == 1 ? settings.light_paths_per_pixel : 1.0;
+    const double subpaths = other.t == 1   ? settings.light_paths_per_pixel
+                            : other.s >= 2 ? settings.light_subpaths
+                                           : 1.0;
+    const double count = settings.techniques.count(other) * subpaths;
     return h(settings.heuristic, count * technique_pdf(scene, path, other));
   };
   double sum = 0.0;

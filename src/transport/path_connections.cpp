@@ -1,0 +1,276 @@
+#include <algorithm>
+
+#include "transport/path_sampler.h"
+
+namespace ajar {
+
+namespace {
+/// Density in the vertex measure with which a ray leaving an endpoint arrives at a vertex: the
+/// inverse of the conventions in `Departure`.
+double arrival_density(Pdf<Departure> departure, bool from_infinity, double distance,
+                       float cosine) {
+  const double spread = from_infinity ? 1.0 : 1.0 / (distance * distance);
+  return static_cast<double>(departure.value()) * static_cast<double>(cosine) * spread;
+}
+
+/// |cos θ| at an endpoint over d²: what turns a direction density at the other end into the
+/// endpoint's measure.
+double endpoint_geometry(const Endpoint& endpoint, const EndpointPoint& point, const Vec3& w,
+                         double distance) {
+  if (endpoint.at_infinity()) return 1.0;
+  return static_cast<double>(abs_dot(point.surface.ng, w)) / (distance * distance);
+}
+
+/// The ray between two points that were already moved off their surfaces; it stops a few roundings
+/// short.
+Ray ray_between(const Vec3& from, const Vec3& to) {
+  const Vec3 difference = to - from;
+  const float distance = length(difference);
+  return {from, difference / distance, distance * (1.F - 0x1p-20F)};
+}
+
+/// From `vertex` to the endpoint that lies in direction `w`.
+Ray ray_to_endpoint(const PathVertex& vertex, const Endpoint& endpoint,
+                    const ConnectionSample& sample) {
+  const Vec3 origin = vertex.ray_origin(sample.w);
+  if (endpoint.at_infinity()) return {origin, sample.w, sample.distance};
+  return ray_between(origin,
+                     offset_ray_origin(sample.point.surface.p, sample.point.surface.ng, -sample.w));
+}
+}  // namespace
+
+bool PathSampler::is_tried(double count, const Pair& pair, SampleSource& source) {
+  return count >= 1.0 || static_cast<double>(source.get(pair.address(kConnectionTry))) < count;
+}
+
+float PathSampler::cull(const Spectrum& contribution, const Pair& pair,
+                        SampleSource& source) const {
+  const float strength = contribution.max();
+  if (!(strength < settings_.cull_below)) return 1.F;  // what is not a number is not swept away
+  const float survival = strength / settings_.cull_below;
+  return source.get(pair.address(kConnectionCull)) < survival ? 1.F / survival : 0.F;
+}
+
+template <typename WeightOf>
+std::optional<PathSampler::Joined> PathSampler::join(const Ray& ray, const Medium* medium,
+                                                     const Spectrum& unoccluded, const Pair& pair,
+                                                     SampleSource& source,
+                                                     const WeightOf& weight_of) {
+  if (const std::optional<Segment> segment = unobstructed(scene_, ray, medium)) {
+    const double mis_weight = weight_of(*segment);
+    const Spectrum value = unoccluded * segment->transmittance * static_cast<float>(mis_weight);
+    if (value.is_black()) return std::nullopt;
+    const float survivor = cull(value, pair, source);
+    if (survivor == 0.F) return std::nullopt;
+    ++rays_;
+    if (scene_.occluded(ray)) return std::nullopt;
+    return Joined{value * survivor, mis_weight};
+  }
+  const float survivor = cull(unoccluded, pair, source);
+  if (survivor == 0.F) return std::nullopt;
+  const std::optional<Segment> segment = connect(scene_, ray, medium, rays_);
+  if (!segment) return std::nullopt;
+  const double mis_weight = weight_of(*segment);
+  return Joined{unoccluded * segment->transmittance * (survivor * static_cast<float>(mis_weight)),
+                mis_weight};
+}
+
+void PathSampler::hit_light(const Flight& flight, const SegmentEnd& end, const MisState& mis,
+                            const Light& light, const EndpointPoint& point, PathSink& sink) const {
+  const Spectrum emitted = light.emitted(point, -flight.ray.direction);
+  if (emitted.is_black()) return;
+  const int edges = flight.edges + 1;
+  double others = 0.0;
+  if (edges > 1) {
+    // Technique (1, k) samples the light as seen from z_{i-1}; all with s ≥ 2 as it emits.
+    const Heuristic heuristic = settings_.heuristic;
+    const Vec3& reference = flight.reference;
+    const double next_event = h_count({1, edges});
+    if (next_event > 0.0 && !flight.specular) {
+      const double connection =
+          static_cast<double>(light.connection_pdf(reference, point).value()) *
+          static_cast<double>(scene_.light_sampler().probability(reference, light).value());
+      others += next_event * h(heuristic, connection) * mis.inverse_forward;
+    }
+    if (mis.partial > 0.0) {
+      const EmissionPdf emission = light.emission_pdf(point, -flight.ray.direction);
+      const double position =
+          static_cast<double>(emission.position.value()) *
+          static_cast<double>(scene_.light_sampler().emitter_probability(light).value());
+      others += h(heuristic, position) *
+                h(heuristic, static_cast<double>(emission.departure.value())) * mis.partial;
+    }
+  }
+  const double mis_weight = 1.0 / (1.0 + others);
+  sink.add({.value = flight.throughput * end.weight * emitted * static_cast<float>(mis_weight),
+            .technique = {0, edges + 1},
+            .mis_weight = mis_weight,
+            .light_point = &point,
+            .light = &light});
+}
+
+void PathSampler::connect_to_lights(const PathVertex& vertex, SampleSource& source,
+                                    PathSink& sink) {
+  if (scene_.light_sampler().empty()) return;
+  const double count = settings_.techniques.count({1, vertex.edges + 1});
+  const double whole = std::floor(count);
+  int tries = static_cast<int>(whole);
+  if (count > whole) {
+    const Pair pair{0, vertex.edges, 0};
+    const auto u = static_cast<double>(source.get(pair.address(kConnectionTry)));
+    if (u < count - whole) ++tries;
+  }
+  for (int i = 0; i < tries; ++i) connect_to_light(vertex, source, i, sink);
+}
+
+void PathSampler::connect_to_light(const PathVertex& vertex, SampleSource& source, int repeat,
+                                   PathSink& sink) {
+  const Pair pair{0, vertex.edges, repeat};
+  const auto address = [&](Slot slot) {
+    return repeat == 0 ? SampleAddress(Stream::Camera, vertex.edges, slot) : pair.address(slot);
+  };
+  const LightSampler& lights = scene_.light_sampler();
+  const ChosenLight chosen = lights.choose(vertex.p, source.get(address(Slot::LightChoice)));
+  ConnectionUniforms u{};
+  u.primitive = source.get(address(Slot::LightPrimitive));
+  u.position = source.get_pair(address(Slot::LightPositionX));
+  const Light& light = *chosen.light;
+  const std::optional<ConnectionSample> sample = light.sample_connection(vertex.p, u);
+  if (!sample) return;
+  const Technique technique{1, vertex.edges + 1};
+  const double own_count = count(technique);
+  const float probability = chosen.probability.value();
+  const BsdfValue scattered = vertex.evaluate(sample->w, TransportMode::Radiance);
+  const Spectrum unoccluded = vertex.throughput * scattered.value * sample->weight /
+                              (probability * static_cast<float>(own_count));
+  if (unoccluded.is_black()) return;
+
+  const auto weight_of = [&](const Segment& segment) {
+    const Heuristic heuristic = settings_.heuristic;
+    const double connection_density =
+        static_cast<double>(sample->pdf.value()) * static_cast<double>(probability);
+    const auto distance = static_cast<double>(sample->distance);
+    double others = 0.0;
+    const double implicit = h_count({0, technique.t + 1});
+    if (implicit > 0.0 && !light.discrete_position()) {
+      const double reverse = static_cast<double>(scattered.pdf.value()) *
+                             endpoint_geometry(light, sample->point, sample->w, distance) *
+                             static_cast<double>(segment.distance_pdf(nullptr));
+      others += implicit * h(heuristic, reverse / connection_density);
+    }
+    if (settings_.techniques.needs_light_subpath()) {
+      const EmissionPdf emission = light.emission_pdf(sample->point, -sample->w);
+      const double position = static_cast<double>(emission.position.value()) *
+                              static_cast<double>(lights.emitter_probability(light).value());
+      const double arrival =
+          arrival_density(emission.departure, light.at_infinity(), distance,
+                          vertex.cosine(sample->w)) *
+          static_cast<double>(segment.distance_pdf(vertex.in_medium ? vertex.medium : nullptr));
+      others += h(heuristic, position / connection_density) *
+                camera_mis(vertex, technique.depth())
+                    .sum(heuristic, arrival, vertex.pdf(sample->w, vertex.wo).value());
+    }
+    return 1.0 / (1.0 + others / h(heuristic, own_count));
+  };
+  const std::optional<Joined> joined =
+      join(ray_to_endpoint(vertex, light, *sample), vertex.medium_toward(sample->w), unoccluded,
+           pair, source, weight_of);
+  if (!joined) return;
+  sink.add({.value = joined->value,
+            .technique = technique,
+            .mis_weight = joined->mis_weight,
+            .light_point = &sample->point,
+            .light = &light});
+}
+
+void PathSampler::connect_to_camera(const PathVertex& vertex, SampleSource& source,
+                                    PathSink& sink) {
+  const Pair pair{vertex.edges, 0, vertex.repeat};
+  const Technique technique{vertex.edges + 1, 1};
+  if (!is_tried(settings_.techniques.count(technique), pair, source)) return;
+  const Camera& camera = scene_.camera();
+  ConnectionUniforms u{};
+  u.position = source.get_pair({Stream::Light, vertex.edges, Slot::LightPositionX, vertex.repeat});
+  const std::optional<ConnectionSample> sample = camera.sample_connection(vertex.p, u);
+  if (!sample) return;
+  const std::optional<Vec2> raster = camera.raster(sample->point, -sample->w);
+  if (!raster || !sink.reaches(*raster)) return;
+  const BsdfValue scattered = vertex.evaluate(sample->w, TransportMode::Importance);
+  const double own_count = count(technique);
+  const Spectrum unoccluded =
+      vertex.throughput * scattered.value * sample->weight / static_cast<float>(own_count);
+  if (unoccluded.is_black()) return;
+
+  const auto weight_of = [&](const Segment& segment) {
+    const EmissionPdf emission = camera.emission_pdf(sample->point, -sample->w);
+    const double arrival =
+        arrival_density(emission.departure, camera.at_infinity(),
+                        static_cast<double>(sample->distance), vertex.cosine(sample->w)) *
+        static_cast<double>(segment.distance_pdf(vertex.in_medium ? vertex.medium : nullptr));
+    const double others =
+        light_mis(vertex, technique.depth())
+            .sum(settings_.heuristic, arrival, vertex.pdf(sample->w, vertex.wo).value());
+    return 1.0 / (1.0 + others / h(settings_.heuristic, own_count));
+  };
+  const std::optional<Joined> joined =
+      join(ray_to_endpoint(vertex, camera, *sample), vertex.medium_toward(sample->w), unoccluded,
+           pair, source, weight_of);
+  if (!joined) return;
+  sink.add({.value = joined->value,
+            .technique = technique,
+            .mis_weight = joined->mis_weight,
+            .light_subpath = vertex.repeat,
+            .raster = *raster,
+            .camera_point = &sample->point});
+}
+
+void PathSampler::connect_inner(const PathVertex& camera_vertex, const PathVertex& light_vertex,
+                                SampleSource& source, PathSink& sink) {
+  const Technique technique{light_vertex.edges + 1, camera_vertex.edges + 1};
+  if (!wants(technique)) return;
+  const Pair pair{light_vertex.edges, camera_vertex.edges, light_vertex.repeat};
+  if (!is_tried(settings_.techniques.count(technique), pair, source)) return;
+  const Vec3 difference = light_vertex.p - camera_vertex.p;
+  const float distance_squared = length_squared(difference);
+  if (distance_squared == 0.F) return;
+  const float distance = std::sqrt(distance_squared);
+  const Vec3 w = difference / distance;  // camera vertex → light vertex
+  const BsdfValue at_camera_vertex = camera_vertex.evaluate(w, TransportMode::Radiance);
+  if (at_camera_vertex.value.is_black()) return;
+  const BsdfValue at_light_vertex = light_vertex.evaluate(-w, TransportMode::Importance);
+  const double own_count = count(technique);
+  const Spectrum unoccluded = camera_vertex.throughput * light_vertex.throughput *
+                              at_camera_vertex.value * at_light_vertex.value /
+                              (distance_squared * static_cast<float>(own_count));
+  if (unoccluded.is_black()) return;
+
+  const auto weight_of = [&](const Segment& segment) {
+    const Heuristic heuristic = settings_.heuristic;
+    const double inverse_square = 1.0 / static_cast<double>(distance_squared);
+    const double to_camera_vertex = static_cast<double>(at_light_vertex.pdf.value()) *
+                                    static_cast<double>(camera_vertex.cosine(w)) * inverse_square *
+                                    static_cast<double>(segment.distance_pdf(
+                                        camera_vertex.in_medium ? camera_vertex.medium : nullptr));
+    const double to_light_vertex = static_cast<double>(at_camera_vertex.pdf.value()) *
+                                   static_cast<double>(light_vertex.cosine(w)) * inverse_square *
+                                   static_cast<double>(segment.distance_pdf(
+                                       light_vertex.in_medium ? light_vertex.medium : nullptr));
+    const int depth = technique.depth();
+    const double others =
+        camera_mis(camera_vertex, depth)
+            .sum(heuristic, to_camera_vertex, camera_vertex.pdf(w, camera_vertex.wo).value()) +
+        light_mis(light_vertex, depth)
+            .sum(heuristic, to_light_vertex, light_vertex.pdf(-w, light_vertex.wo).value());
+    return 1.0 / (1.0 + others / h(heuristic, own_count));
+  };
+  const std::optional<Joined> joined =
+      join(ray_between(camera_vertex.ray_origin(w), light_vertex.ray_origin(-w)),
+           camera_vertex.medium_toward(w), unoccluded, pair, source, weight_of);
+  if (!joined) return;
+  sink.add({.value = joined->value,
+            .technique = technique,
+            .mis_weight = joined->mis_weight,
+            .light_subpath = light_vertex.repeat});
+}
+
+}  // namespace ajar
