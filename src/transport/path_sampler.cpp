@@ -118,6 +118,7 @@ void PathSampler::trace_light(SampleSource& source, PathSink& sink, int repeat) 
   flight.medium = light.medium;
   flight.reference = emission->point.surface.p;
   flight.throughput = emission->weight / emitter_probability;
+  flight.roulette_scale = 1.F / flight.throughput.max();
   flight.mis = mis_start(settings_.heuristic, position_density,
                          light.discrete_position() ? 0.0 : light_side_coefficient(0));
   flight.departure = emission->departure_pdf.value();

@@ -69,9 +69,9 @@ bool scatter(const WalkSettings& settings, const PathVertex& vertex, SampleSourc
       vertex.sample(u, settings.mode, settings.has_other_end ? Reverse::Compute : Reverse::Skip);
   if (!sample) return false;
   flight.throughput = vertex.throughput * sample->weight;
-  if (settings.mode == TransportMode::Radiance) flight.eta_scale *= sample->eta * sample->eta;
+  if (settings.mode == TransportMode::Radiance) flight.roulette_scale *= sample->eta * sample->eta;
   if (vertex.edges >= settings.roulette_start) {
-    const float survival = std::min(0.95F, flight.throughput.max() * flight.eta_scale);
+    const float survival = std::min(0.95F, flight.throughput.max() * flight.roulette_scale);
     if (!(source.get(address(Slot::Roulette)) < survival)) return false;
     flight.throughput /= survival;
   }

@@ -13,8 +13,9 @@ struct Flight {
   Spectrum throughput{1.F};
   Vec3 reference{0.F, 0.F, 0.F};  ///< z_i itself; the ray starts a little off it
   int edges = 0;                  ///< index i of the vertex it left
-  float eta_scale =
-      1.F;  ///< product of squared index ratios, so that Russian roulette ignores radiance scaling
+  /// What Russian roulette multiplies the throughput by: squared index ratios undo the scaling of
+  /// radiance, and the throughput that light starts with says nothing of how much is left of it.
+  float roulette_scale = 1.F;
   // For the MIS recursion:
   MisState mis;           ///< of z_i
   float departure = 0.F;  ///< density (or probability) of the direction, for endpoints at infinity
