@@ -102,7 +102,7 @@ TEST(TechniqueLayers, EachTechniqueAloneShowsAllLightItReaches) {
   for (int run = 0; run < kRuns; ++run) {
     test::RenderOptions options;
     options.integrator = "bdpt";
-    options.samples = 256;
+    options.samples = 320;
     options.seed = static_cast<std::uint64_t>(run);
     options.max_depth = 4;
     options.aovs = {"techniques"};

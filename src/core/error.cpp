@@ -76,7 +76,10 @@ std::string unknown_name_message(std::string_view kind, std::string_view name,
   std::string text = "unknown " + std::string(kind) + " \"" + std::string(name) + "\"";
   if (const std::string near = nearest_name(name, valid); !near.empty()) {
     text += "; did you mean \"" + near + "\"?";
+  } else {
+    text += ".";
   }
+  if (valid.empty()) return text + " There are none.";
   text += " Valid: ";
   for (std::size_t i = 0; i < valid.size(); ++i) text += (i > 0 ? ", " : "") + valid[i];
   return text;

@@ -158,7 +158,8 @@ TechniqueSet TechniqueSet::parse(const std::string& text) {
     if (found == named.end()) {
       std::vector<std::string> names;
       for (const Named& set : named) names.push_back(set.name);
-      throw UsageError(unknown_name_message("technique", name, names) + " Or (s,t) pairs.");
+      throw UsageError(unknown_name_message("technique", name, names) +
+                       ", and pairs such as (2,3) or (2,*)");
     }
     for (const TechniqueClass kind : found->classes) {
       check_count(item, kind, count);
