@@ -158,6 +158,7 @@ void measure_scene(const BenchScene& bench_scene, const std::vector<Variant>& va
       results[i].runs.push_back(run);
     }
   }
+  if (results.front().runs.empty()) return;
   print_results(stage, reference, about, results, arguments);
 }
 

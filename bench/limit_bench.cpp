@@ -168,6 +168,7 @@ void run(const std::vector<std::string>& arguments) {
       "| scene | integrator | triangles | rays/sample | limit ratio | allocations/sample | 2 "
       "threads over 1 | cost per sample over {} |\n|---|---|---|---|---|---|---|---|\n",
       kRepeats, variants.front().text);
+  std::fflush(stdout);
   for (const BenchScene& scene : scenes) measure_scene(scene, variants);
 }
 

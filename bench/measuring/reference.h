@@ -28,7 +28,9 @@ struct Reference {
   std::size_t parts = 0;
 };
 
-/// relMSE that errors of that size have on average.
+/// relMSE that errors of that size have on average. A firefly of the picture counts at most about 1
+/// for its pixel, being measured against its own brightness, so that the plain floor is rather low;
+/// the trimmed one does not depend on it.
 NoiseFloor noise_floor(std::span<const float> picture, std::span<const float> standard_error);
 
 /// Mean of independent renders by one method, weighted by samples. There must be at least one.
