@@ -53,18 +53,24 @@ double relative_mse(std::span<const float> image, std::span<const float> referen
 }
 
 double relative_mse_trimmed(std::span<const float> image, std::span<const float> reference,
-                            double trim) {
+                            int channels, double trim) {
   check_sizes(image, reference);
-  std::vector<double> terms(image.size());
-  for (std::size_t i = 0; i < image.size(); ++i) {
-    const double term = relative_squared_error(image[i], reference[i]);
-    terms[i] = std::isnan(term) ? std::numeric_limits<double>::infinity() : term;
+  const auto per_pixel = static_cast<std::size_t>(channels);
+  if (channels < 1 || image.size() % per_pixel != 0) {
+    throw std::invalid_argument("metrics: the values are not whole pixels");
   }
-  const auto cut = static_cast<std::size_t>(trim * static_cast<double>(terms.size()));
-  const std::size_t kept = terms.size() - std::min(cut, terms.size() - 1);
-  const auto end = terms.begin() + static_cast<std::ptrdiff_t>(kept);
-  std::nth_element(terms.begin(), end - 1, terms.end());
-  return std::accumulate(terms.begin(), end, 0.0) / static_cast<double>(kept);
+  std::vector<double> errors(image.size() / per_pixel);
+  for (std::size_t pixel = 0; pixel < errors.size(); ++pixel) {
+    const std::size_t first = pixel * per_pixel;
+    const double error =
+        relative_mse(image.subspan(first, per_pixel), reference.subspan(first, per_pixel));
+    errors[pixel] = std::isnan(error) ? std::numeric_limits<double>::infinity() : error;
+  }
+  const auto cut = static_cast<std::size_t>(trim * static_cast<double>(errors.size()));
+  const std::size_t kept = errors.size() - std::min(cut, errors.size() - 1);
+  const auto end = errors.begin() + static_cast<std::ptrdiff_t>(kept);
+  std::nth_element(errors.begin(), end - 1, errors.end());
+  return std::accumulate(errors.begin(), end, 0.0) / static_cast<double>(kept);
 }
 
 }  // namespace ajar

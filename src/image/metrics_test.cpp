@@ -29,17 +29,32 @@ TEST(Metrics, EqualImagesHaveNoError) {
   EXPECT_EQ(psnr(kImage, kImage), std::numeric_limits<double>::infinity());
 }
 
-TEST(Metrics, TrimmingDropsTheLargestTerms) {
-  // 2000 values: 0.1 % are two. Terms 0.01/1.01 but for three outliers.
+TEST(Metrics, TrimmingDropsTheWorstPixels) {
+  // 2000 pixels: 0.1 % are two. The error of a pixel is 0.01/1.01 but for three outliers, one of
+  // which is spread over its channels so that no single value of it is among the largest.
+  std::vector<float> image(3 * 2000, 1.1F);
+  const std::vector<float> reference(image.size(), 1.F);
+  image[3 * 3 + 1] = std::nanf("");
+  for (const std::size_t channel : {0U, 1U, 2U}) image[3 * 700 + channel] = 1.8F;
+  image[3 * 1999] = 2.F;
+  const double squared = (double{1.1F} - 1.0) * (double{1.1F} - 1.0);
+  EXPECT_NEAR(relative_mse_trimmed(image, reference),
+              (1997 * squared + (1.0 + 2 * squared) / 3) / 1.01 / 1998, 1e-12);
+}
+
+TEST(Metrics, TrimmingWithOneChannelDropsValues) {
   std::vector<float> image(2000, 1.1F);
-  const std::vector<float> reference(2000, 1.F);
+  const std::vector<float> reference(image.size(), 1.F);
   image[3] = 1e6F;
   image[700] = std::nanf("");
   image[1999] = 2.F;
-  const double expected = (1997 * (double{1.1F} - 1.0) * (double{1.1F} - 1.0) + 1.0) / 1.01 / 1998;
-  EXPECT_NEAR(relative_mse_trimmed(image, reference), expected, 1e-12);
-  EXPECT_NEAR(relative_mse_trimmed(kImage, kReference), relative_mse(kImage, kReference), 1e-12)
-      << "too small an image to trim";
+  const double squared = (double{1.1F} - 1.0) * (double{1.1F} - 1.0);
+  EXPECT_NEAR(relative_mse_trimmed(image, reference, 1), (1997 * squared + 1.0) / 1.01 / 1998,
+              1e-12);
+}
+
+TEST(Metrics, TrimmingLeavesFewPixelsAsTheyAre) {
+  EXPECT_NEAR(relative_mse_trimmed(kImage, kReference, 2), relative_mse(kImage, kReference), 1e-12);
 }
 
 TEST(Metrics, DoNotHideWhatIsNoNumber) {
@@ -50,6 +65,8 @@ TEST(Metrics, DoNotHideWhatIsNoNumber) {
 TEST(Metrics, RefuseDifferentSizes) {
   EXPECT_THROW(mse(kImage, std::vector<float>{1.F}), std::invalid_argument);
   EXPECT_THROW(relative_mse_trimmed({}, {}), std::invalid_argument);
+  EXPECT_THROW(relative_mse_trimmed(kImage, kReference, 3), std::invalid_argument)
+      << "four values are no pixels of three";
 }
 
 }  // namespace

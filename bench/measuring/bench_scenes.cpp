@@ -1,5 +1,6 @@
-#include "bench_scenes.h"
+#include "measuring/bench_scenes.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "import/import.h"
@@ -83,6 +84,35 @@ std::vector<BenchScene> bench_scenes() {
     }
   }
   return scenes;
+}
+
+std::vector<BenchScene> choose_scenes(const std::vector<BenchScene>& scenes,
+                                      const std::vector<std::string>& names) {
+  std::vector<BenchScene> chosen;
+  for (const std::string& name : names) {
+    const auto found = std::find_if(scenes.begin(), scenes.end(), [&name](const BenchScene& scene) {
+      return scene.name == name;
+    });
+    if (found == scenes.end()) {
+      std::vector<std::string> valid;
+      for (const BenchScene& scene : scenes) valid.push_back(scene.name);
+      throw UsageError(unknown_name_message("scene", name, valid));
+    }
+    chosen.push_back(*found);
+  }
+  return chosen;
+}
+
+Vec2i scaled_resolution(Vec2i resolution, double factor) {
+  const auto scaled = [factor](int size) {
+    return static_cast<int>(std::max(1.0, std::round(size * factor)));
+  };
+  return {scaled(resolution.x), scaled(resolution.y)};
+}
+
+Vec2i fitted_resolution(Vec2i resolution, int long_side) {
+  return scaled_resolution(resolution,
+                           static_cast<double>(long_side) / std::max(resolution.x, resolution.y));
 }
 
 }  // namespace ajar::bench

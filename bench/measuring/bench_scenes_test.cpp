@@ -1,0 +1,31 @@
+#include "measuring/bench_scenes.h"
+
+#include <gtest/gtest.h>
+
+#include "core/error.h"
+
+namespace ajar::bench {
+namespace {
+
+const std::vector<BenchScene> kScenes = {{"first", {}}, {"second", {}}, {"third", {}}};
+
+TEST(BenchScenes, AreChosenByNameInTheOrderAsked) {
+  const std::vector<BenchScene> chosen = choose_scenes(kScenes, {"third", "first"});
+  ASSERT_EQ(chosen.size(), 2U);
+  EXPECT_EQ(chosen[0].name, "third");
+  EXPECT_EQ(chosen[1].name, "first");
+}
+
+TEST(BenchScenes, UnknownNamesAreRefused) {
+  EXPECT_THROW(choose_scenes(kScenes, {"first", "secnd"}), UsageError);
+}
+
+TEST(BenchScenes, FitIntoTheLongerSide) {
+  EXPECT_EQ(fitted_resolution({1280, 720}, 320), Vec2i(320, 180));
+  EXPECT_EQ(fitted_resolution({500, 1000}, 256), Vec2i(128, 256));
+  EXPECT_EQ(fitted_resolution({10000, 3}, 256), Vec2i(256, 1));
+  EXPECT_EQ(scaled_resolution({640, 480}, 0.5), Vec2i(320, 240));
+}
+
+}  // namespace
+}  // namespace ajar::bench

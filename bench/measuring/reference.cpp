@@ -1,0 +1,75 @@
+#include "measuring/reference.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "image/metrics.h"
+
+namespace ajar::bench {
+
+namespace {
+
+/// A difference is never taken to be all the reference's fault: weights stay between 0 and 1.
+double unexplained(double difference, double explained) {
+  constexpr double kLeastShare = 0.01;
+  return std::max(difference - explained, kLeastShare * difference);
+}
+
+/// Floor of (1 − weight)·a + weight·b.
+double mixed_floor(double a, double b, double weight) {
+  return (1.0 - weight) * (1.0 - weight) * a + weight * weight * b;
+}
+
+}  // namespace
+
+NoiseFloor noise_floor(std::span<const float> picture, std::span<const float> standard_error) {
+  std::vector<float> off_by_one_error(picture.begin(), picture.end());
+  for (std::size_t i = 0; i < picture.size(); ++i) off_by_one_error[i] += standard_error[i];
+  return {relative_mse(off_by_one_error, picture), relative_mse_trimmed(off_by_one_error, picture)};
+}
+
+Reference average(std::span<const ReferencePart> parts) {
+  Reference reference;
+  for (const ReferencePart& part : parts) {
+    reference.samples += part.samples;
+    reference.cpu_seconds += part.cpu_seconds;
+  }
+  reference.parts = parts.size();
+  const std::size_t values = parts.front().picture.size();
+  std::vector<double> sum(values);
+  std::vector<double> variance(values);
+  for (const ReferencePart& part : parts) {
+    const double weight =
+        static_cast<double>(part.samples) / static_cast<double>(reference.samples);
+    for (std::size_t i = 0; i < values; ++i) {
+      sum[i] += weight * part.picture[i];
+      const double error = weight * part.standard_error[i];
+      variance[i] += error * error;
+    }
+  }
+  reference.picture.assign(sum.begin(), sum.end());
+  std::vector<float> standard_error(values);
+  std::transform(variance.begin(), variance.end(), standard_error.begin(),
+                 [](double v) { return static_cast<float>(std::sqrt(v)); });
+  reference.floor = noise_floor(reference.picture, standard_error);
+  return reference;
+}
+
+Reference average_with(const Reference& reference, std::span<const float> independent) {
+  const NoiseFloor& ours = reference.floor;
+  const NoiseFloor theirs{
+      unexplained(relative_mse(independent, reference.picture), ours.plain),
+      unexplained(relative_mse_trimmed(independent, reference.picture), ours.trimmed)};
+  const double total = ours.trimmed + theirs.trimmed;
+  const double weight = total > 0.0 ? ours.trimmed / total : 0.5;
+  Reference mixed = reference;
+  for (std::size_t i = 0; i < mixed.picture.size(); ++i) {
+    mixed.picture[i] =
+        static_cast<float>((1.0 - weight) * mixed.picture[i] + weight * independent[i]);
+  }
+  mixed.floor = {mixed_floor(ours.plain, theirs.plain, weight),
+                 mixed_floor(ours.trimmed, theirs.trimmed, weight)};
+  return mixed;
+}
+
+}  // namespace ajar::bench

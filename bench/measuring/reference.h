@@ -1,0 +1,43 @@
+#pragma once
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace ajar::bench {
+
+/// What noise in a reference alone would add to the relMSE of a picture that is compared with it.
+struct NoiseFloor {
+  double plain = 0.0;
+  double trimmed = 0.0;  ///< without the worst 0.1 % of pixels
+};
+
+/// One long render. Values are scene-linear RGB, row by row.
+struct ReferencePart {
+  std::vector<float> picture;
+  std::vector<float> standard_error;  ///< of each value, from replicates
+  std::uint64_t samples = 0;          ///< per pixel
+  double cpu_seconds = 0.0;
+};
+
+/// What pictures are compared with.
+struct Reference {
+  std::vector<float> picture;
+  NoiseFloor floor;
+  std::uint64_t samples = 0;  ///< per pixel, of our parts
+  double cpu_seconds = 0.0;   ///< of our parts
+  std::size_t parts = 0;
+};
+
+/// relMSE that errors of that size have on average. A firefly of the picture counts at most about 1
+/// for its pixel, being measured against its own brightness, so that the plain floor is rather low;
+/// the trimmed one does not depend on it.
+NoiseFloor noise_floor(std::span<const float> picture, std::span<const float> standard_error);
+
+/// Mean of independent renders by one method, weighted by samples. There must be at least one.
+Reference average(std::span<const ReferencePart> parts);
+
+/// Weighs `reference` with an independent picture of unknown noise. That noise is what the two
+/// differ by beyond the reference's own; weights are inverse to the trimmed floors.
+Reference average_with(const Reference& reference, std::span<const float> independent);
+
+}  // namespace ajar::bench

@@ -1,0 +1,71 @@
+#include "measuring/reference.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "image/metrics.h"
+
+namespace ajar::bench {
+namespace {
+
+/// A picture of ones with Gaussian noise.
+std::vector<float> noisy(std::size_t values, double sigma, unsigned seed) {
+  std::mt19937 generator(seed);
+  std::normal_distribution<double> normal(1.0, sigma);
+  std::vector<float> picture(values);
+  for (float& value : picture) value = static_cast<float>(normal(generator));
+  return picture;
+}
+
+constexpr std::size_t kValues = 3 * 20000;
+
+TEST(Reference, PartsAreWeightedBySamples) {
+  const std::vector<ReferencePart> parts = {
+      {{1.F, 2.F, 3.F}, {0.1F, 0.F, 0.F}, 300, 10.0},
+      {{5.F, 2.F, 1.F}, {0.3F, 0.F, 0.F}, 100, 4.0},
+  };
+  const Reference reference = average(parts);
+  EXPECT_EQ(reference.picture, (std::vector<float>{2.F, 2.F, 2.5F}));
+  EXPECT_EQ(reference.samples, 400U);
+  EXPECT_EQ(reference.cpu_seconds, 14.0);
+  EXPECT_EQ(reference.parts, 2U);
+  // Variance of the first value: (3/4·0.1)² + (1/4·0.3)².
+  EXPECT_NEAR(reference.floor.plain, 2 * 0.075 * 0.075 / 4.01 / 3, 1e-7);
+}
+
+TEST(Reference, FloorIsTheErrorThatItsNoiseCauses) {
+  constexpr double kSigma = 0.05;
+  const std::vector<float> truth(kValues, 1.F);
+  const std::vector<float> error(kValues, static_cast<float>(kSigma));
+  const NoiseFloor floor = noise_floor(truth, error);
+  // 60 000 squares of normal numbers: their mean is known to 0.6 %; five of these are allowed.
+  EXPECT_NEAR(relative_mse(noisy(kValues, kSigma, 1), truth) / floor.plain, 1.0, 0.03);
+  EXPECT_NEAR(floor.trimmed, floor.plain, 1e-9) << "equal noise everywhere leaves nothing to trim";
+}
+
+TEST(Reference, IndependentPictureIsWeighedByItsNoise) {
+  constexpr double kOurs = 0.02;
+  constexpr double kTheirs = 0.04;
+  const std::vector<ReferencePart> parts = {
+      {noisy(kValues, kOurs, 1), std::vector<float>(kValues, static_cast<float>(kOurs)), 8, 1.0}};
+  const Reference ours = average(parts);
+  const Reference mixed = average_with(ours, noisy(kValues, kTheirs, 2));
+  // Best weights are 4/5 and 1/5, and the floor is then 4/5 of ours. Trimming takes the tail of
+  // the noise from the difference but not from our floor: about 1 %.
+  EXPECT_NEAR(mixed.floor.trimmed / ours.floor.trimmed, 0.8, 0.02);
+  EXPECT_NEAR(mixed.floor.plain / ours.floor.plain, 0.8, 0.02);
+  const std::vector<float> truth(kValues, 1.F);
+  EXPECT_NEAR(relative_mse(mixed.picture, truth) / mixed.floor.plain, 1.0, 0.05);
+}
+
+TEST(Reference, EqualPicturesStayAsTheyAre) {
+  const std::vector<ReferencePart> parts = {{{1.F, 2.F, 3.F}, {0.F, 0.F, 0.F}, 4, 1.0}};
+  const Reference mixed = average_with(average(parts), parts[0].picture);
+  EXPECT_EQ(mixed.picture, parts[0].picture);
+  EXPECT_EQ(mixed.floor.plain, 0.0);
+}
+
+}  // namespace
+}  // namespace ajar::bench

@@ -1,0 +1,50 @@
+#include "measuring/timed_render.h"
+
+#include <tbb/info.h>
+
+#include <algorithm>
+
+#include "image/make_filter.h"
+#include "measuring/cpu_alarm.h"
+#include "session/output.h"
+#include "session/render_job.h"
+#include "session/resources.h"
+
+namespace ajar::bench {
+
+namespace {
+
+/// A render overshoots its time by half a pass on average; passes too short waste time between
+/// them.
+double pass_seconds(const TimeLimit& limit, int threads) {
+  constexpr double kPasses = 40.0;
+  return std::clamp(limit.cpu_seconds / threads / kPasses, 0.02, 0.5);
+}
+
+}  // namespace
+
+TimedRender render_for(const TimeLimit& limit, const Scene& scene, const Variant& variant,
+                       const RenderSettings& settings, const InterruptCount& user_interrupts) {
+  const double before = cpu_seconds();
+  const CpuAlarm alarm(limit.cpu_seconds, user_interrupts);
+  const std::unique_ptr<Integrator> integrator = variant.make(scene, settings);
+  Film film(settings.resolution, settings.crop, make_filter(scene.film().filter),
+            settings.replicates, integrator->layers());
+  RenderJobOptions options;
+  options.threads = limit.threads > 0 ? limit.threads : tbb::info::default_concurrency();
+  options.pass_seconds = pass_seconds(limit, options.threads);
+  options.interrupts = &alarm.interrupts();
+  const RenderResult result = RenderJob(*integrator, film, options).run();
+
+  TimedRender render;
+  render.cpu_seconds = cpu_seconds() - before;
+  render.samples = result.samples_per_pixel;
+  render.complete = result.complete;
+  Picture picture =
+      develop(film, *integrator, render.samples, scene.film().scale, {"standard-error"});
+  render.picture = std::move(picture.layers.front().pixels);
+  render.standard_error = std::move(picture.layers.back().pixels);
+  return render;
+}
+
+}  // namespace ajar::bench

@@ -1,0 +1,49 @@
+#include "measuring/timed_render.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/render.h"
+#include "support/small_scenes.h"
+
+namespace ajar::bench {
+namespace {
+
+class TimedRenderTest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    scene_ = test::scene_from(test::small_scenes().front().text);
+    settings_.resolution = scene_->camera().resolution();
+    settings_.crop = Box2i(Vec2i(0, 0), settings_.resolution - Vec2i(1, 1));
+    settings_.max_depth = 4;
+  }
+
+  std::unique_ptr<Scene> scene_;
+  RenderSettings settings_;
+  const Variant variant_ = parse_variant("pt");
+};
+
+TEST_F(TimedRenderTest, UsesTheTimeItIsGiven) {
+  const InterruptCount nobody{0};
+  const TimedRender render = render_for({0.4, 2}, *scene_, variant_, settings_, nobody);
+  EXPECT_GE(render.cpu_seconds, 0.4);
+  // How long a pass takes is up to the machine and to sanitizers; this is about ending at all.
+  EXPECT_LT(render.cpu_seconds, 30.0);
+  EXPECT_GE(render.samples, 4U);
+  EXPECT_EQ(render.samples % 4U, 0U) << "whole passes over all replicates";
+  EXPECT_TRUE(render.complete);
+  const auto values = 3U * static_cast<std::size_t>(settings_.resolution.x) *
+                      static_cast<std::size_t>(settings_.resolution.y);
+  EXPECT_EQ(render.picture.size(), values);
+  EXPECT_EQ(render.standard_error.size(), values);
+}
+
+TEST_F(TimedRenderTest, ObeysTheUser) {
+  const InterruptCount user{1};
+  const TimedRender render = render_for({1e6, 1}, *scene_, variant_, settings_, user);
+  EXPECT_LT(render.cpu_seconds, 60.0);
+}
+
+}  // namespace
+}  // namespace ajar::bench
