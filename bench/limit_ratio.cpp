@@ -3,14 +3,12 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
-#include <chrono>
 #include <filesystem>
-#include <numeric>
 
 #include "allocations.h"
 #include "bench_scenes.h"
-#include "image/make_filter.h"
-#include "integrator/integrator.h"
+#include "job.h"
+#include "many_lights.h"
 
 /// The limit ratio of DESIGN, section 6: time of a render over the time Embree alone needs for
 /// exactly the rays the render traced. Both are measured in turn, in one run on one thread, so that
@@ -22,49 +20,6 @@ namespace {
 constexpr int kRepeats = 5;
 constexpr int kLongSide = 256;
 constexpr std::uint64_t kMaxRays = 3'000'000;
-
-double seconds(const auto& work) {
-  const auto start = std::chrono::steady_clock::now();
-  work();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
-}
-
-struct Job {
-  std::unique_ptr<Integrator> integrator;
-  std::unique_ptr<Film> film;
-  std::uint64_t items;
-  std::uint64_t samples;  ///< per pixel
-
-  Counters run(std::uint64_t first_item, std::uint64_t last_item) const {
-    Counters counters;
-    for (std::uint64_t i = first_item; i < last_item; ++i) {
-      integrator->run_item(i, 0, samples, *film, counters);
-    }
-    return counters;
-  }
-};
-
-Job make_job(const Scene& scene, const std::string& name, int max_depth) {
-  const IntegratorInfo& info = find_integrator(name);
-  RenderSettings settings;
-  settings.resolution = scene.camera().resolution();
-  settings.crop = Box2i(Vec2i(0, 0), settings.resolution - Vec2i(1, 1));
-  settings.max_depth = max_depth;
-  settings.replicates = 4;
-  Job job;
-  job.integrator = info.make(scene, settings, Parameters(info.parameters, {}));
-  job.film =
-      std::make_unique<Film>(settings.resolution, settings.crop, make_filter(scene.film().filter),
-                             settings.replicates, job.integrator->layers());
-  job.items = job.integrator->items_in_pass();
-  job.samples = 4;
-  return job;
-}
 
 double parallel_seconds(const Job& job, int threads) {
   tbb::task_arena arena(threads);
@@ -125,6 +80,11 @@ void measure(const BenchScene& bench_scene, const std::string& integrator) {
 int main(int argc, char** argv) {
   using namespace ajar::bench;
   const std::vector<std::string> wanted(argv + 1, argv + argc);
+  const auto is_wanted = [&](const std::string& name) {
+    return wanted.empty() || std::find(wanted.begin(), wanted.end(), name) != wanted.end();
+  };
+  if (is_wanted("many-lights")) measure_many_lights();
+  if (wanted.size() == 1 && wanted.front() == "many-lights") return 0;
   fmt::print(
       "limit ratio = render time / time Embree alone needs for the same rays (median of 5 pairs, "
       "range)\n\n");
@@ -133,8 +93,7 @@ int main(int argc, char** argv) {
       "threads over 1 |\n");
   fmt::print("|---|---|---|---|---|---|---|\n");
   for (const BenchScene& scene : bench_scenes()) {
-    if (!wanted.empty() && std::find(wanted.begin(), wanted.end(), scene.name) == wanted.end())
-      continue;
+    if (!is_wanted(scene.name)) continue;
     try {
       measure(scene, "pt");
     } catch (const ajar::Error& error) {
