@@ -3,12 +3,11 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 
 #include "allocations.h"
-#include "image/make_filter.h"
 #include "measuring/bench_scenes.h"
+#include "measuring/job.h"
 #include "measuring/split_arguments.h"
 #include "measuring/variant.h"
 
@@ -23,48 +22,6 @@ namespace {
 constexpr int kRepeats = 5;
 constexpr int kLongSide = 256;
 constexpr std::uint64_t kMaxRays = 3'000'000;
-
-double seconds(const auto& work) {
-  const auto start = std::chrono::steady_clock::now();
-  work();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
-}
-
-struct Job {
-  std::unique_ptr<Integrator> integrator;
-  std::unique_ptr<Film> film;
-  std::uint64_t items;
-  std::uint64_t samples;  ///< per pixel
-
-  Counters run(std::uint64_t first_item, std::uint64_t last_item) const {
-    Counters counters;
-    for (std::uint64_t i = first_item; i < last_item; ++i) {
-      integrator->run_item(i, 0, samples, *film, counters);
-    }
-    return counters;
-  }
-};
-
-Job make_job(const Scene& scene, const Variant& variant, int max_depth) {
-  RenderSettings settings;
-  settings.resolution = scene.camera().resolution();
-  settings.crop = Box2i(Vec2i(0, 0), settings.resolution - Vec2i(1, 1));
-  settings.max_depth = max_depth;
-  settings.replicates = 4;
-  Job job;
-  job.integrator = variant.make(scene, settings);
-  job.film =
-      std::make_unique<Film>(settings.resolution, settings.crop, make_filter(scene.film().filter),
-                             settings.replicates, job.integrator->layers());
-  job.items = job.integrator->items_in_pass();
-  job.samples = 4;
-  return job;
-}
 
 double parallel_seconds(const Job& job, int threads) {
   tbb::task_arena arena(threads);

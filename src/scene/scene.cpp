@@ -50,7 +50,7 @@ Scene::Scene(desc::SceneDesc&& given, const BuildOptions& options, Warnings& war
   bounding_sphere_ = sphere_around(bounds_);
   build_surfaces(description, warnings);
   build_lights(description, warnings);
-  light_sampler_ = std::make_unique<LightSampler>(lights_);
+  light_sampler_ = std::make_unique<LightSampler>(lights_, bounding_sphere_);
   camera_ = make_camera(description.camera, film_.resolution, bounding_sphere_.center,
                         bounding_sphere_.radius);
   camera_->medium = medium(description.camera.medium);

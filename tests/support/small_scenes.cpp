@@ -1,5 +1,7 @@
 #include "support/small_scenes.h"
 
+#include <cmath>
+
 #include "support/render.h"
 
 namespace ajar::test {
@@ -42,6 +44,10 @@ const std::string kMilk = R"(
 MakeNamedMedium "milk" "string type" "homogeneous" "rgb sigma_a" [0.1 0.2 0.3] "rgb sigma_s" [3 2 1]
 )";
 
+const std::string kSun =
+    "LightSource \"distant\" \"rgb L\" [0.4 0.4 0.5] \"point from\" [1 3 -1] \"point to\" [0 0 "
+    "0]\n";
+
 const std::string kView = "LookAt 0 1 -4  0 0.8 0  0 1 0\n";
 const std::string kPinhole = kView + "Camera \"perspective\" \"float fov\" [45]";
 
@@ -50,6 +56,32 @@ std::string ball(const std::string& material, float radius, float x) {
   return "AttributeBegin " + material + " Translate " + std::to_string(x) + " " +
          std::to_string(radius) + " 0.3 Shape \"sphere\" \"float radius\" [" +
          std::to_string(radius) + "] AttributeEnd\n";
+}
+
+/// Lamps of many colours and sizes all over the room, and a spot. Balls and disks by turns, disks
+/// shine to one side, down or up.
+std::string many_lamps() {
+  std::string text =
+      "LightSource \"spot\" \"rgb I\" [4 3 2] \"point from\" [-1 3 -1] \"point to\" [0 0 0]\n";
+  for (int i = 0; i < 40; ++i) {
+    // Kronecker sequences: evenly spread without a table.
+    const auto spread = [i](double step, double low, double high) {
+      const double x = (i + 0.5) * step;
+      return std::to_string(low + (high - low) * (x - std::floor(x)));
+    };
+    const std::string radius = spread(0.37, 0.03, 0.1);
+    text += "AttributeBegin AreaLightSource \"diffuse\" \"rgb L\" [" + spread(0.29, 1.0, 9.0) +
+            " " + spread(0.53, 1.0, 7.0) + " " + spread(0.71, 1.0, 8.0) + "]\nTranslate " +
+            spread(0.8192, -1.8, 1.8) + " " + spread(0.6710, 0.2, 1.8) + " " +
+            spread(0.5497, -1.5, 1.8) + "\n";
+    if (i % 2 == 0) {
+      text += "Shape \"sphere\" \"float radius\" [" + radius + "] AttributeEnd\n";
+    } else {
+      text += std::string("Rotate ") + (i % 4 == 1 ? "90" : "-90") +
+              " 1 0 0 Shape \"disk\" \"float radius\" [" + radius + "] AttributeEnd\n";
+    }
+  }
+  return text;
 }
 
 }  // namespace
@@ -98,6 +130,12 @@ std::vector<SmallScene> small_scenes() {
                           "LightSource \"point\" \"point from\" [1 1.5 -1]\n"
                           "LightSource \"spot\" \"point from\" [-1 3 -1] \"point to\" [0 0 0]\n" +
                               kRoom + kMetalBall)},
+      {.name = "ManyLamps",
+       .text = pbrt_scene(kPinhole, 40, 24, kSun + many_lamps() + kRoom + kMetalBall)},
+      {.name = "ManyLampsInFog",
+       .text = pbrt_scene(kFog + kPinhole, 24, 24,
+                          "MediumInterface \"fog\" \"fog\"\n" + many_lamps() + kRoom),
+       .light_tracing_works = false},
       {.name = "ShadingNormals", .text = pbrt_scene(kPinhole, 40, 24, kRoom + kTiltedNormals)},
       {.name = "Orthographic",
        .text = pbrt_scene(kView + "Camera \"orthographic\"", 40, 24, kRoom + kMetalBall)},

@@ -22,6 +22,16 @@ class AreaLight final : public Light {
   bool at_infinity() const override { return false; }
   bool discrete_position() const override { return false; }
   Spectrum power() const override { return power_; }
+  std::optional<LightBounds> bounds() const override {
+    const SurfaceExtent extent = surface_.extent();
+    // Projected area over area, along the axis, if normals are spread evenly over their cone: 1 for
+    // a plane, 1/4 for a sphere.
+    const float cosine = std::cos(extent.normals.angle);
+    const float projected = cosine > 0.F ? 0.5F * (1.F + cosine) : 0.5F / (1.F - cosine);
+    const float sides = two_sided_ ? 2.F : 1.F;
+    return LightBounds{extent.box, extent.normals, 0.5F * kPi,
+                       luminance(power_) * (projected * kInvPi / sides), two_sided_};
+  }
 
   std::optional<EmissionSample> sample_emission(const EmissionUniforms& u) const override {
     const SurfaceSample at = surface_.sample({u.primitive, u.position});

@@ -18,6 +18,9 @@ class GoniometricLight final : public Light {
   bool at_infinity() const override { return false; }
   bool discrete_position() const override { return true; }
   Spectrum power() const override { return intensity_ * map_.integral(); }
+  std::optional<LightBounds> bounds() const override {
+    return point_bounds(at_.position, luminance(power()) * (0.25F * kInvPi));
+  }
 
   std::optional<EmissionSample> sample_emission(const EmissionUniforms& u) const override {
     const LatLongMap::Sample chosen = map_.sample(u.direction);

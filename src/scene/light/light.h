@@ -4,6 +4,7 @@
 
 #include "scene/desc/scene_desc.h"
 #include "scene/endpoint.h"
+#include "scene/light/light_bounds.h"
 #include "scene/shape/surface_sampler.h"
 #include "scene/texture/texture.h"
 
@@ -19,6 +20,8 @@ class Light : public Endpoint {
   /// bounding sphere. Used to choose among lights: > 0 in some lane for every light that emits at
   /// all.
   virtual Spectrum power() const = 0;
+  /// Where it is and where it shines; empty for lights at infinity.
+  virtual std::optional<LightBounds> bounds() const { return std::nullopt; }
   /// For lights at infinity that are not discrete: the vertex that a ray leaving the scene along
   /// unit `w` runs into.
   virtual EndpointPoint at_direction(const Vec3& w) const;

@@ -15,6 +15,9 @@ class PointLight final : public Light {
   bool at_infinity() const override { return false; }
   bool discrete_position() const override { return true; }
   Spectrum power() const override { return intensity_ * (4.F * kPi); }
+  std::optional<LightBounds> bounds() const override {
+    return point_bounds(position_, luminance(intensity_));
+  }
 
   std::optional<EmissionSample> sample_emission(const EmissionUniforms& u) const override {
     if (intensity_.is_black()) return std::nullopt;

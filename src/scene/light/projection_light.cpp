@@ -31,6 +31,22 @@ class ProjectionLight final : public Light {
   bool at_infinity() const override { return false; }
   bool discrete_position() const override { return true; }
   Spectrum power() const override { return power_; }
+  std::optional<LightBounds> bounds() const override {
+    const Vec3 axis = at_.directions.to_world({0.F, 0.F, 1.F});
+    float widest = 0.F;
+    for (const Vec2& corner : {Vec2(0.F, 0.F), Vec2(1.F, 0.F), Vec2(0.F, 1.F), Vec2(1.F, 1.F)}) {
+      widest = std::max(widest, angle_between(axis, at_.directions.to_world(to_local(corner))));
+    }
+    const Vec2& half = half_size_;
+    const float solid_angle =
+        4.F *
+        std::asin(half.x * half.y / std::sqrt((1.F + half.x * half.x) * (1.F + half.y * half.y)));
+    return LightBounds{Box3(at_.position),
+                       {axis, std::min(widest + 1e-3F, kPi)},
+                       0.F,
+                       luminance(power_) / solid_angle,
+                       false};
+  }
 
   std::optional<EmissionSample> sample_emission(const EmissionUniforms& u) const override {
     const Distribution2D::Sample chosen = distribution_.sample(u.direction);

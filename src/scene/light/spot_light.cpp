@@ -34,6 +34,13 @@ class SpotLight final : public Light {
   bool at_infinity() const override { return false; }
   bool discrete_position() const override { return true; }
   Spectrum power() const override { return intensity_ * solid_angle_; }
+  std::optional<LightBounds> bounds() const override {
+    const Vec3 axis = at_.directions.to_world({0.F, 0.F, 1.F});
+    const float edge = widest_angle(axis, edge_);
+    const float inner = std::max(std::min(widest_angle(axis, inner_), edge), edge - 0.5F * kPi);
+    return LightBounds{
+        Box3(at_.position), {axis, inner}, edge - inner, luminance(intensity_), false};
+  }
 
   std::optional<EmissionSample> sample_emission(const EmissionUniforms& u) const override {
     if (intensity_.is_black() || !(solid_angle_ > 0.F)) return std::nullopt;
@@ -80,6 +87,21 @@ class SpotLight final : public Light {
   }
 
  private:
+  /// Largest angle in the world between `axis` and directions `away` = 1 − cos θ from +z, which are
+  /// a circle there or, if the light's space is stretched, an ellipse.
+  float widest_angle(const Vec3& axis, float away) const {
+    const float sine = std::sqrt(std::max(0.F, away * (2.F - away)));
+    constexpr int kSteps = 64;
+    float widest = 0.F;
+    for (int i = 0; i < kSteps; ++i) {
+      const float phi = 2.F * kPi * static_cast<float>(i) / kSteps;
+      const Vec3 w =
+          at_.directions.to_world({sine * std::cos(phi), sine * std::sin(phi), 1.F - away});
+      widest = std::max(widest, angle_between(axis, w));
+    }
+    // For what lies between the steps.
+    return std::min(widest + 2e-3F, kPi);
+  }
   float falloff(const Vec3& local) const {
     const float away = one_minus_cos(local);
     if (!(away < edge_)) return 0.F;

@@ -1,5 +1,7 @@
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
+
 #include "core/distribution.h"
 #include "core/warp.h"
 #include "scene/shape/make_surface_sampler.h"
@@ -22,6 +24,24 @@ class MeshSampler final : public SurfaceSampler {
     });
   }
   float area() const override { return static_cast<float>(by_area_.total()); }
+  SurfaceExtent extent() const override {
+    SurfaceExtent extent;
+    Vec3d mean(0.0);
+    for_each_corner([&](const SurfacePoint& corner, float probability) {
+      extent.box.extendBy(corner.p);
+      mean += Vec3d(corner.ng) * static_cast<double>(probability);
+    });
+    extent.normals = DirectionCone::whole_sphere();
+    const double size = mean.length();
+    if (!(size > 1e-3)) return extent;
+    const Vec3 axis(mean / size);
+    float angle = 0.F;
+    for_each_corner([&](const SurfacePoint& corner, float) {
+      angle = std::max(angle, angle_between(axis, corner.ng));
+    });
+    extent.normals = {axis, std::min(angle, kPi)};
+    return extent;
+  }
   SurfaceSample sample(const SurfaceUniforms& u) const override {
     SurfaceSample result;
     sample(u, result);
@@ -38,6 +58,20 @@ class MeshSampler final : public SurfaceSampler {
   }
 
  private:
+  /// `visit(point, probability)` for the corners of all triangles that can be sampled. Authored
+  /// normals may put `ng` on different sides at different corners.
+  template <typename Visit>
+  void for_each_corner(const Visit& visit) const {
+    for (std::uint32_t i = 0; i < densities_.size(); ++i) {
+      const float probability = by_area_.probability(i);
+      if (!(probability > 0.F)) continue;
+      for (int corner = 0; corner < 3; ++corner) {
+        SurfacePoint point;
+        mesh_.plain_point(i, corner == 1 ? 1.F : 0.F, corner == 2 ? 1.F : 0.F, point);
+        visit(point, probability);
+      }
+    }
+  }
   void sample(const SurfaceUniforms& u, SurfaceSample& result) const {
     const Distribution1D::Choice choice = by_area_.choose(u.primitive);
     const Vec2 b = warp::uniform_triangle(u.position);

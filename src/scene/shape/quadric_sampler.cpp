@@ -19,6 +19,23 @@ class QuadricSampler final : public SurfaceSampler {
     area_ = stretch_ > 0.0 ? object_area_ * stretch_ : integrated_area();
   }
   float area() const override { return static_cast<float>(area_); }
+  SurfaceExtent extent() const override {
+    Vec3d low;
+    Vec3d high;
+    quadric_.bounds(low, high);
+    SurfaceExtent extent;
+    for (int corner = 0; corner < 8; ++corner) {
+      const Vec3d p((corner & 1) != 0 ? high.x : low.x, (corner & 2) != 0 ? high.y : low.y,
+                    (corner & 4) != 0 ? high.z : low.z);
+      extent.box.extendBy(Vec3(placement_.point(p)));
+    }
+    extent.normals = DirectionCone::whole_sphere();
+    if (quadric_.is_disk()) {
+      const Imath::V2d anywhere(0.5, 0.5);
+      extent.normals = {quadric_surface_point(quadric_, placement_, reversed_, anywhere).ng, 0.F};
+    }
+    return extent;
+  }
   SurfaceSample sample(const SurfaceUniforms& u) const override {
     const Imath::V2d uv(u.position.x, quadric_.uniform_v(u.position.y));
     SurfaceSample result;
@@ -71,6 +88,10 @@ class SphereSampler final : public SurfaceSampler {
             (std::max({std::abs(center_.x), std::abs(center_.y), std::abs(center_.z)}) + radius)) {}
 
   float area() const override { return static_cast<float>(4.0 * double{kPi} * radius_ * radius_); }
+  SurfaceExtent extent() const override {
+    const Vec3d half(radius_);
+    return {Box3(Vec3(center_ - half), Vec3(center_ + half)), DirectionCone::whole_sphere()};
+  }
   SurfaceSample sample(const SurfaceUniforms& u) const override {
     const Vec3d n(warp::uniform_sphere(u.position));
     return {point_at(n), uniform_pdf()};

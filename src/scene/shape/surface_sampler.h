@@ -2,6 +2,7 @@
 #include <optional>
 
 #include "core/pdf.h"
+#include "scene/direction_cone.h"
 #include "scene/surface_point.h"
 
 namespace ajar {
@@ -15,12 +16,19 @@ struct SurfaceSample {
   Pdf<Area> pdf;
 };
 
+/// Where a surface is and how it is turned.
+struct SurfaceExtent {
+  Box3 box;
+  DirectionCone normals;  ///< contains `ng` of every point
+};
+
 /// Samples points on an emitting surface in world space (instanced surfaces do not emit).
 /// Immutable.
 class SurfaceSampler {
  public:
   virtual ~SurfaceSampler() = default;
   virtual float area() const = 0;  ///< m²
+  virtual SurfaceExtent extent() const = 0;
   /// Uniform over the surface (of quadrics under transforms that are not similarities: over the
   /// surface in object space).
   virtual SurfaceSample sample(const SurfaceUniforms& u) const = 0;

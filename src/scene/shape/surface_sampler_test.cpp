@@ -217,6 +217,45 @@ TEST(MeshSampler, ChoosesTrianglesByAreaAndNeverEmptyOnes) {
   EXPECT_NEAR(counts[0], 0.25 * kSamples, 5.0 * std::sqrt(kSamples * 0.25 * 0.75));
 }
 
+void expect_within_extent(const SurfaceSampler& sampler, const std::string& name) {
+  const SurfaceExtent extent = sampler.extent();
+  const float slack = 1e-5F * extent.box.size().length();
+  Rng rng(8);
+  for (int i = 0; i < 5000; ++i) {
+    const SurfacePoint at = sampler.sample(next(rng)).point;
+    ASSERT_TRUE(Box3(extent.box.min - Vec3(slack), extent.box.max + Vec3(slack)).intersects(at.p))
+        << name;
+    ASSERT_LE(angle_between(extent.normals.axis, at.ng), extent.normals.angle + 1e-3F) << name;
+  }
+}
+
+TEST(SurfaceExtent, ContainsEveryPointAndNormalOfQuadrics) {
+  for (const Mat4& to_world : {Mat4(), similarity(), stretched()}) {
+    const Placement placement = *Placement::make(to_world);
+    for (const auto& [name, quadric] : quadrics()) {
+      for (const bool reversed : {false, true}) {
+        expect_within_extent(*make_surface_sampler(quadric, placement, reversed), name);
+      }
+    }
+  }
+}
+
+// A tent: its two sides are 90° apart, so their cone has half of that.
+TEST(SurfaceExtent, IsTightForMeshes) {
+  auto mesh = std::make_shared<desc::Mesh>();
+  mesh->positions = {{-1, 0, 0}, {0, 1, 0}, {1, 0, 0}, {-1, 0, 2}, {0, 1, 2}, {1, 0, 2}};
+  mesh->indices = {{0, 3, 1}, {1, 3, 4}, {1, 4, 2}, {2, 4, 5}};
+  Warnings warnings;
+  const TriangleMesh tent(mesh, *Placement::make(Mat4()), false, {}, warnings);
+  const auto sampler = make_surface_sampler(tent);
+  expect_within_extent(*sampler, "tent");
+  const SurfaceExtent extent = sampler->extent();
+  EXPECT_EQ(extent.box.min, Vec3(-1, 0, 0));
+  EXPECT_EQ(extent.box.max, Vec3(1, 1, 2));
+  EXPECT_NEAR(extent.normals.angle, kPi / 4.F, 1e-4F);
+  EXPECT_NEAR(std::abs(extent.normals.axis.y), 1.F, 1e-4F);
+}
+
 TEST(MeshSampler, MeshWithoutAreaCannotEmit) {
   Warnings warnings;
   const TriangleMesh flat(mesh_of({kEqualCorners, kOnALine}), *Placement::make(Mat4()), false, {},

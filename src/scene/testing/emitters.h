@@ -24,6 +24,11 @@ class Quad final : public SurfaceSampler {
     normal_ /= area_;
   }
   float area() const override { return area_; }
+  SurfaceExtent extent() const override {
+    Box3 box(corner_);
+    for (const Vec3& edge : {u_, v_, u_ + v_}) box.extendBy(corner_ + edge);
+    return {box, {normal_, 0.F}};
+  }
   SurfaceSample sample(const SurfaceUniforms& u) const override {
     return {at(u.position), Pdf<Area>(1.F / area_)};
   }
@@ -52,6 +57,9 @@ class Ball final : public SurfaceSampler {
  public:
   Ball(const Vec3& center, float radius) : center_(center), radius_(radius) {}
   float area() const override { return 4.F * kPi * radius_ * radius_; }
+  SurfaceExtent extent() const override {
+    return {Box3(center_ - Vec3(radius_), center_ + Vec3(radius_)), DirectionCone::whole_sphere()};
+  }
   SurfaceSample sample(const SurfaceUniforms& u) const override {
     return {at(warp::uniform_sphere(u.position)), Pdf<Area>(1.F / area())};
   }
