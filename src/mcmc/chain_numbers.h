@@ -1,0 +1,108 @@
+#pragma once
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "mcmc/mutation.h"
+#include "mcmc/step_kind.h"
+#include "mcmc/step_sizes.h"
+#include "transport/sample_source.h"
+
+namespace ajar {
+
+/// How many vertices of each stream have numbers; `Stream::Connection` has one.
+struct PrimaryShape {
+  int camera_vertices = 1;
+  int light_vertices = 1;
+};
+
+/// The primary vector of one chain's current state: blocks of `kBlockSize` numbers, one per vertex
+/// of each stream, kept lazily (Kelemen et al. 2002, section 5). A block holds the numbers it had
+/// when it was last asked for, and a stamp of that time; what has happened to it since is made up
+/// for when it is asked for again.
+///
+/// Each stream has a clock that counts the accepted steps that moved it. (Rejected steps moved
+/// nothing; 32 bits are enough for 4·10⁹ accepted steps of one chain.)
+///
+/// Exactness: the vector behaves as if all its numbers moved in every step. Two things are needed
+/// for that.
+///
+/// 1. What was made up for is part of the current state and stays when the step that asked for it
+///    is rejected. Whether it was rejected depends on it; drawn anew each time, values that get
+///    accepted would be preferred.
+/// 2. However long a block was unused, it may not be replaced by fresh numbers. A number that the
+///    state does not use is uniform and independent of the others as long as nothing else is known,
+///    but not given how long it has been unused: where it was likely to get unused, it has got
+///    unused more often lately. (To make it fresh always would be right, to make it fresh after n
+///    steps is not.)
+///
+/// Computed from the transition matrix of a small chain whose states use a number or not, with I
+/// stepping 20 : 1 in that number, the worst relative error of a state's probability was 83 %
+/// without the first, 3.6 % without the second (n = 8), and 2·10⁻¹⁴ with both.
+class ChainNumbers {
+ public:
+  /// All numbers fresh, as `key` names them (`bootstrap_key` for a bootstrap sample).
+  ChainNumbers(const PrimaryShape& shape, std::uint64_t key);
+
+  /// Raises std::logic_error for a vertex beyond the shape.
+  std::size_t block_of(SampleAddress address) const {
+    const auto stream = static_cast<std::size_t>(address.stream());
+    const auto vertex = static_cast<std::uint32_t>(address.vertex());
+    if (vertex >= first_block_[stream + 1] - first_block_[stream]) refuse(address);
+    return first_block_[stream] + vertex;
+  }
+  std::size_t blocks() const { return stamps_.size(); }
+  std::span<float, kBlockSize> block(std::size_t index) {
+    return std::span<float, kBlockSize>(numbers_.data() + index * kBlockSize, kBlockSize);
+  }
+  std::span<const float, kBlockSize> block(std::size_t index) const {
+    return std::span<const float, kBlockSize>(numbers_.data() + index * kBlockSize, kBlockSize);
+  }
+  /// When a block was last brought up to date, on the clock of its stream.
+  std::uint32_t stamp(std::size_t index) const { return stamps_[index]; }
+  void set_stamp(std::size_t index, std::uint32_t time) { stamps_[index] = time; }
+  std::uint32_t now(Stream stream) const { return clocks_[static_cast<std::size_t>(stream)].now; }
+
+  /// Brings the block of `address` to the present of its stream; `key` names the randomness for the
+  /// small steps it has missed.
+  void catch_up(SampleAddress address, const Mutation& mutation, const StepSizes& sizes,
+                std::uint64_t key);
+  /// True if a block has small steps to make up for: no state since has used it.
+  bool misses_small_steps(SampleAddress address) const;
+  /// True if the block's numbers are those of the last fresh vector, which it does not hold yet.
+  bool awaits_fresh(SampleAddress address) const;
+  /// Fills one block from the fresh vector named by `key`.
+  static void fill_fresh(std::span<float, kBlockSize> block, SampleAddress address,
+                         std::uint64_t key);
+
+  /// A small step that moved the streams in `change` was accepted.
+  void advance(const Change& change);
+  /// A large step to the fresh vector named by `key` was accepted.
+  void advance_to_fresh(std::uint64_t key);
+  std::uint64_t fresh_key() const { return fresh_key_; }
+
+  /// Everything this object occupies, the heap included.
+  std::size_t memory_bytes() const;
+
+ private:
+  struct Clock {
+    std::uint32_t now = 1;
+    std::uint32_t fresh = 1;  ///< when all numbers of the stream were last made fresh
+  };
+  static constexpr std::size_t kStreams = 3;
+
+  [[noreturn]] static void refuse(SampleAddress address);
+  const Clock& clock_of(SampleAddress address) const {
+    return clocks_[static_cast<std::size_t>(address.stream())];
+  }
+
+  std::array<std::uint32_t, kStreams + 1> first_block_{};
+  std::array<Clock, kStreams> clocks_;
+  std::uint64_t fresh_key_;
+  std::vector<float> numbers_;
+  std::vector<std::uint32_t> stamps_;
+};
+
+}  // namespace ajar

@@ -1,0 +1,335 @@
+#include "mcmc/chain_runner.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "mcmc/bootstrap.h"
+#include "mcmc/gaussian_mutation.h"
+#include "mcmc/kelemen_mutation.h"
+#include "mcmc/testing/toy_target.h"
+#include "scene/testing/statistics.h"
+
+namespace ajar {
+namespace {
+
+using testing::Histogram;
+using testing::kToyShape;
+using testing::Toy;
+using testing::ToyTarget;
+using testing::ToyValue;
+
+double sum(const std::vector<double>& values) {
+  return std::accumulate(values.begin(), values.end(), 0.0);
+}
+
+/// Each chain's deposits are one independent estimate of every bin, unbiased since the chain starts
+/// in its target's distribution. `power`: how well each bin is known, relative to it.
+void expect_unbiased(const Toy& toy, const ChainSettings& settings, std::uint64_t chains,
+                     std::uint64_t steps, bool combined, double power) {
+  const GaussianMutation mutation(0.03);
+  ToyTarget target(toy.function);
+  ChainRunner runner(settings, mutation, kToyShape, target);
+  std::vector<testing::Mean> means(toy.fractions.size());
+  for (std::uint64_t i = 0; i < chains; ++i) {
+    Chain chain = testing::exact_start(toy, 21, i);
+    Histogram histogram(toy.fractions.size());
+    runner.run(chain, steps, histogram, combined ? std::optional(toy.mean) : std::nullopt);
+    for (std::size_t k = 0; k < means.size(); ++k) {
+      means[k].add(histogram.sums()[k] / static_cast<double>(steps));
+    }
+  }
+  for (std::size_t k = 0; k < means.size(); ++k) {
+    SCOPED_TRACE(std::string(toy.name) + ", bin " + std::to_string(k));
+    testing::expect_mean(means[k], toy.fractions[k], power);
+  }
+}
+
+TEST(ChainRunner, ExpectedValuesAreUnbiased) {
+  ChainSettings settings;
+  settings.probabilities = {0.3, 0.2, 0.2};
+  for (const Toy& toy : {testing::step(), testing::product(), testing::variable_dimension()}) {
+    expect_unbiased(toy, settings, 20000, 40, false, 0.25);
+  }
+}
+
+TEST(ChainRunner, CombinationWithLargeStepsIsUnbiased) {
+  ChainSettings settings;
+  for (const double large : {0.1, 0.5}) {
+    settings.probabilities.large = large;
+    for (const Toy& toy : {testing::step(), testing::product(), testing::variable_dimension()}) {
+      expect_unbiased(toy, settings, 20000, 40, true, 0.25);
+    }
+  }
+}
+
+TEST(ChainRunner, CombinationWithLargeStepsHelpsDimBins) {
+  const GaussianMutation mutation(0.03);
+  const Toy toy = testing::step();
+  ToyTarget target(toy.function);
+  ChainSettings settings;
+  settings.probabilities.large = 0.5;
+  ChainRunner runner(settings, mutation, kToyShape, target);
+  testing::Mean dimmest[2];
+  for (const bool combined : {false, true}) {
+    for (std::uint64_t i = 0; i < 5000; ++i) {
+      Chain chain = testing::exact_start(toy, 22, i);
+      Histogram histogram(toy.fractions.size());
+      runner.run(chain, 40, histogram, combined ? std::optional(toy.mean) : std::nullopt);
+      dimmest[combined ? 1 : 0].add(histogram.sums().back());
+    }
+  }
+  EXPECT_LT(dimmest[1].error(), 0.8 * dimmest[0].error());
+}
+
+TEST(ChainRunner, SeedsFromABootstrapMakeShortChainsUnbiased) {
+  // The whole way: few bootstrap samples, resampled, chains much too short to forget their start.
+  // 3000 replicates; the mean of each bin is known to about 1 %.
+  const KelemenMutation mutation;
+  const Toy toy = testing::product();
+  ToyTarget target(toy.function);
+  ChainRunner runner({}, mutation, kToyShape, target);
+  std::vector<testing::Mean> means(toy.fractions.size());
+  testing::Mean refined;
+  for (std::uint64_t replicate = 0; replicate < 3000; ++replicate) {
+    std::vector<double> weights;
+    for (std::uint64_t i = 0; i < 50; ++i) {
+      BootstrapSource source(replicate, i);
+      weights.push_back(toy.function(source).scalar);
+    }
+    const double b = bootstrap_moments(weights).mean();
+    const std::vector<std::size_t> seeds =
+        choose_seeds(weights, 10, to_unit_double(hash_numbers(replicate, 1, 1)));
+    Histogram histogram(toy.fractions.size());
+    ChainStatistics statistics;
+    for (std::size_t i = 0; i < seeds.size(); ++i) {
+      Chain chain(kToyShape, hash_numbers(replicate, i, 2), bootstrap_key(replicate, seeds[i]),
+                  weights[seeds[i]]);
+      statistics += runner.run(chain, 5, histogram);
+    }
+    refined.add(statistics.large_steps.mean());
+    for (std::size_t k = 0; k < means.size(); ++k) means[k].add(b * histogram.sums()[k] / 50.0);
+  }
+  for (std::size_t k = 0; k < means.size(); ++k) {
+    SCOPED_TRACE(k);
+    testing::expect_mean(means[k], toy.mean * toy.fractions[k], 0.5);
+  }
+  testing::expect_mean(refined, toy.mean, 0.1);
+}
+
+TEST(ChainRunner, WeightsAddUpToTheNumberOfSteps) {
+  const KelemenMutation mutation;
+  for (const Toy& toy : testing::toys()) {
+    ToyTarget target(toy.function);
+    ChainRunner runner({}, mutation, kToyShape, target);
+    Chain chain = testing::exact_start(toy, 3, 1);
+    Histogram histogram(toy.fractions.size());
+    const ChainStatistics statistics = runner.run(chain, 1000, histogram);
+    EXPECT_NEAR(sum(histogram.sums()), 1000.0, 1e-3);
+    EXPECT_EQ(statistics.steps, 1000U);
+    EXPECT_EQ(chain.step, 1000U);
+    EXPECT_EQ(statistics.large_steps.count, statistics.of(StepKind::Large).proposals);
+    EXPECT_NEAR(static_cast<double>(statistics.large_steps.count), 300.0, 5.0 * 14.5);
+  }
+}
+
+TEST(ChainRunner, ARunCutInPiecesIsTheSameChain) {
+  const KelemenMutation mutation;
+  ChainSettings settings;
+  settings.probabilities = {0.2, 0.3, 0.3};
+  for (const Toy& toy : testing::toys()) {
+    ToyTarget target(toy.function);
+    ChainRunner runner(settings, mutation, kToyShape, target);
+    ChainRunner other_runner(settings, mutation, kToyShape, target);
+    Chain whole = testing::exact_start(toy, 3, 2);
+    Chain pieces = whole;
+    Histogram histogram(toy.fractions.size());
+    Histogram of_pieces(toy.fractions.size());
+    const ChainStatistics statistics = runner.run(whole, 600, histogram);
+    ChainStatistics added;
+    for (const std::uint64_t steps : {0U, 1U, 99U, 500U}) {
+      added += (steps % 2 == 0 ? runner : other_runner).run(pieces, steps, of_pieces);
+    }
+    EXPECT_EQ(pieces.scalar, whole.scalar);
+    EXPECT_EQ(pieces.streak, whole.streak);
+    EXPECT_EQ(added.longest_streak, statistics.longest_streak);
+    EXPECT_EQ(added.zero, statistics.zero);
+    EXPECT_EQ(added.large_steps.count, statistics.large_steps.count);
+    for (std::size_t k = 0; k < toy.fractions.size(); ++k) {
+      EXPECT_NEAR(of_pieces.sums()[k], histogram.sums()[k], 1e-4 * (1.0 + histogram.sums()[k]));
+    }
+  }
+}
+
+TEST(ChainRunner, LongestStreakGoesOnFromRunToRun) {
+  // A state that nothing can leave.
+  ToyTarget target([](SampleSource& numbers) {
+    BootstrapSource start(1, 1);
+    const bool same = numbers.get(testing::kCameraX) == start.get(testing::kCameraX);
+    return ToyValue{same ? 1.0 : 0.0, 0};
+  });
+  const KelemenMutation mutation;
+  ChainRunner runner({}, mutation, kToyShape, target);
+  Chain chain(kToyShape, 5, bootstrap_key(1, 1), 1.0);
+  Histogram histogram(1);
+  ChainStatistics statistics = runner.run(chain, 30, histogram);
+  statistics += runner.run(chain, 20, histogram);
+  EXPECT_EQ(statistics.longest_streak, 50U);
+  EXPECT_EQ(statistics.zero, 50U);
+  EXPECT_EQ(histogram.sums()[0], 50.0);
+}
+
+TEST(ChainRunner, RefusesATargetThatIsNoFunctionOfItsNumbers) {
+  int calls = 0;
+  ToyTarget target([&calls](SampleSource& numbers) {
+    return ToyValue{1.0 + double{numbers.get(testing::kCameraX)} + 1e-15 * ++calls, 0};
+  });
+  const KelemenMutation mutation;
+  ChainRunner runner({}, mutation, kToyShape, target);
+  BootstrapSource start(1, 1);
+  SplatBuffer splats;
+  Chain chain(kToyShape, 123, bootstrap_key(1, 1), target.evaluate(start, {}, splats));
+  Histogram histogram(1);
+  try {
+    runner.run(chain, 10, histogram);
+    FAIL() << "no exception";
+  } catch (const std::logic_error& error) {
+    const std::string message = error.what();
+    EXPECT_EQ(message.rfind("bug: ", 0), 0U) << message;
+    EXPECT_NE(message.find("seed 123"), std::string::npos) << message;
+    EXPECT_NE(message.find("0 steps"), std::string::npos) << message;
+  }
+}
+
+TEST(ChainRunner, RefusesAStartWithoutLight) {
+  const KelemenMutation mutation;
+  Histogram histogram(1);
+  for (const double bad : {0.0, -1.0, std::nan(""), std::numeric_limits<double>::infinity()}) {
+    ToyTarget target([bad](SampleSource&) { return ToyValue{bad, 0}; });
+    ChainRunner runner({}, mutation, kToyShape, target);
+    Chain chain(kToyShape, 1, 1, bad);
+    EXPECT_THROW(runner.run(chain, 1, histogram), std::logic_error);
+  }
+}
+
+TEST(ChainRunner, CountsDiscardedProposalsAndNeverAcceptsThem) {
+  const double values[] = {std::nan(""), std::numeric_limits<double>::infinity(), -1.0, 0.0,
+                           1e-310};
+  ToyTarget target([&values](SampleSource& numbers) {
+    const float u = numbers.get(testing::kCameraX);
+    if (u < 0.5F) return ToyValue{1.0, 0};
+    return ToyValue{values[testing::bin_of(2.F * u - 1.F, 5)], 1};
+  });
+  std::uint64_t index = 0;
+  while (BootstrapSource(1, index).get(testing::kCameraX) >= 0.5F) ++index;
+  const KelemenMutation mutation;
+  ChainSettings settings;
+  settings.probabilities.large = 1.0;
+  ChainRunner runner(settings, mutation, kToyShape, target);
+  for (const bool combined : {false, true}) {
+    Chain chain(kToyShape, 17, bootstrap_key(1, index), 1.0);
+    Histogram histogram(2);
+    const ChainStatistics statistics =
+        runner.run(chain, 10000, histogram, combined ? std::optional(0.5) : std::nullopt);
+    // Each a tenth of the proposals: 1000 ± 5 · 30.
+    EXPECT_NEAR(static_cast<double>(statistics.discarded_nan), 1000.0, 150.0);
+    EXPECT_NEAR(static_cast<double>(statistics.discarded_infinite), 1000.0, 150.0);
+    EXPECT_NEAR(static_cast<double>(statistics.discarded_negative), 1000.0, 150.0);
+    EXPECT_NEAR(static_cast<double>(statistics.zero), 2000.0, 5.0 * 40.0);
+    ASSERT_TRUE(statistics.first_discarded);
+    EXPECT_EQ(statistics.first_discarded->seed, 17U);
+    EXPECT_LT(statistics.first_discarded->step, 100U);
+    EXPECT_EQ(histogram.sums()[1], 0.0);
+    EXPECT_NEAR(statistics.large_steps.mean(), 0.5, 5.0 * 0.005);
+  }
+}
+
+TEST(ChainRunner, RefusesACombinationWithoutB) {
+  const KelemenMutation mutation;
+  const Toy toy = testing::step();
+  ToyTarget target(toy.function);
+  ChainRunner runner({}, mutation, kToyShape, target);
+  Chain chain = testing::exact_start(toy, 3, 1);
+  Histogram histogram(36);
+  for (const double bad : {0.0, -1.0, std::nan("")}) {
+    EXPECT_THROW(runner.run(chain, 1, histogram, bad), std::invalid_argument);
+  }
+}
+
+TEST(ChainRunner, RefusesSettingsThatMakeNoSteps) {
+  const KelemenMutation mutation;
+  ToyTarget target(testing::step().function);
+  ChainSettings settings;
+  settings.probabilities.large = 1.5;
+  EXPECT_THROW(ChainRunner(settings, mutation, kToyShape, target), std::invalid_argument);
+  settings = {};
+  for (const float bad : {-1.F, 65.F, std::nanf("")}) {
+    settings.sizes.connection[2] = bad;
+    EXPECT_THROW(ChainRunner(settings, mutation, kToyShape, target), std::invalid_argument);
+  }
+}
+
+/// A product of two halves that keeps each half's factor as long as the half has not changed.
+class CachingTarget final : public Target {
+ public:
+  explicit CachingTarget(bool caching) : caching_(caching) {}
+  double evaluate(SampleSource& numbers, const Change& change, SplatBuffer& splats) override {
+    proposed_ = current_;
+    if (change.camera || !caching_) {
+      proposed_[0] = factor(numbers.get(testing::kCameraX)) * factor(numbers.get(testing::kInner));
+      ++computed_;
+    }
+    if (change.light || !caching_) {
+      proposed_[1] =
+          factor(numbers.get(testing::kLight)) * factor(numbers.get(testing::kInnerLight));
+      ++computed_;
+    }
+    const double scalar = proposed_[0] * proposed_[1] * factor(numbers.get(testing::kChoice));
+    splats.push_back({Vec2(0.F, 0.F), scalar > 1.0 ? 1 : 0, Spectrum(static_cast<float>(scalar))});
+    return scalar;
+  }
+  void accepted() override { current_ = proposed_; }
+  int computed() const { return computed_; }
+
+ private:
+  static double factor(float u) { return 1.0 + 0.9 * std::cos(2.0 * double{kPi} * double{u}); }
+  bool caching_;
+  int computed_ = 0;
+  std::array<double, 2> current_{};
+  std::array<double, 2> proposed_{};
+};
+
+TEST(ChainRunner, ATargetMayKeepTheHalfThatDidNotChange) {
+  const KelemenMutation mutation;
+  ChainSettings settings;
+  settings.probabilities = {0.1, 0.45, 0.45};
+  CachingTarget caching(true);
+  CachingTarget plain(false);
+  ChainRunner with_cache(settings, mutation, kToyShape, caching);
+  ChainRunner without(settings, mutation, kToyShape, plain);
+  // Two chains take turns: a run must not see what the other chain left in the cache.
+  for (const std::uint64_t index : {1U, 2U, 1U, 2U}) {
+    SplatBuffer splats;
+    BootstrapSource start(4, index);
+    const double scalar = CachingTarget(false).evaluate(start, {}, splats);
+    Chain a(kToyShape, index, bootstrap_key(4, index), scalar);
+    Chain b = a;
+    Histogram of_a(2);
+    Histogram of_b(2);
+    with_cache.run(a, 2000, of_a);
+    without.run(b, 2000, of_b);
+    EXPECT_EQ(a.scalar, b.scalar);
+    EXPECT_EQ(of_a.sums(), of_b.sums());
+  }
+  EXPECT_LT(caching.computed(), 0.65 * plain.computed());
+}
+
+}  // namespace
+}  // namespace ajar

@@ -1,0 +1,89 @@
+#include "mcmc/chain_source.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "mcmc/counter_random.h"
+
+namespace ajar {
+
+ChainSource::ChainSource(const Mutation& mutation, const StepSizes& sizes,
+                         const PrimaryShape& shape)
+    : mutation_(mutation), sizes_(sizes) {
+  undo_.reserve(static_cast<std::size_t>(shape.camera_vertices) +
+                static_cast<std::size_t>(shape.light_vertices) + 1);
+}
+
+void ChainSource::propose(ChainNumbers& numbers, StepKind kind, const Change& change,
+                          std::uint64_t key) {
+  numbers_ = &numbers;
+  undo_.clear();
+  large_ = kind == StepKind::Large;
+  change_ = large_ ? Change{} : change;
+  fresh_key_ = counter_bits(key, 0);
+  move_key_ = counter_bits(key, 1);
+  catch_up_key_ = counter_bits(key, 2);
+  ready_ = {numbers.now(Stream::Camera) + (change_.camera ? 1U : 0U),
+            numbers.now(Stream::Light) + (change_.light ? 1U : 0U),
+            numbers.now(Stream::Connection) + (change_.connection ? 1U : 0U)};
+}
+
+void ChainSource::prepare(SampleAddress address, std::size_t block) {
+  const std::uint32_t ready = ready_[static_cast<std::size_t>(address.stream())];
+  const bool moves = ready != numbers_->now(address.stream());
+  // A large step does not depend on where it starts, so there is no need to know.
+  if (!large_) numbers_->catch_up(address, mutation_, sizes_, catch_up_key_);
+  if (!moves) return;
+
+  const auto numbers = numbers_->block(block);
+  const StepSizes::Scales& scales = sizes_.scales(address.stream(), address.vertex());
+  Undo& undo = undo_.emplace_back();
+  undo.block = static_cast<std::uint32_t>(block);
+  undo.stamp = numbers_->stamp(block);
+  undo.scales = &scales;
+  std::copy(numbers.begin(), numbers.end(), undo.numbers.begin());
+  if (large_) {
+    ChainNumbers::fill_fresh(numbers, address, fresh_key_);
+  } else {
+    mutation_.perturb(numbers, scales, 1, block_key(move_key_, address.stream(), address.vertex()));
+  }
+  numbers_->set_stamp(block, ready);
+}
+
+void ChainSource::accept() {
+  if (large_) {
+    numbers_->advance_to_fresh(fresh_key_);
+  } else {
+    numbers_->advance(change_);
+  }
+}
+
+void ChainSource::reject() {
+  for (const Undo& undo : undo_) {
+    std::copy(undo.numbers.begin(), undo.numbers.end(), numbers_->block(undo.block).begin());
+    numbers_->set_stamp(undo.block, undo.stamp);
+  }
+}
+
+double ChainSource::log_ratio() const {
+  if (large_) return 0.0;
+  double sum = 0.0;
+  for (const Undo& undo : undo_) {
+    sum += mutation_.log_ratio(undo.numbers, numbers_->block(undo.block), *undo.scales);
+  }
+  return sum;
+}
+
+Vec2 ReplaySource::get_pair(SampleAddress address) {
+  if (numbers_.misses_small_steps(address)) {
+    throw std::logic_error(
+        "bug: the replay of a state asks for numbers that the state did not use: the target is not "
+        "a function of its primary numbers");
+  }
+  if (numbers_.awaits_fresh(address)) return fresh_pair(numbers_.fresh_key(), address);
+  const std::size_t even = static_cast<std::size_t>(address.slot()) / 2 * 2;
+  const auto block = numbers_.block(numbers_.block_of(address));
+  return {block[even], block[even + 1]};
+}
+
+}  // namespace ajar

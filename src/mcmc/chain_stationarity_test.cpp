@@ -1,0 +1,141 @@
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "mcmc/chain_runner.h"
+#include "mcmc/gaussian_mutation.h"
+#include "mcmc/kelemen_mutation.h"
+#include "mcmc/testing/toy_target.h"
+#include "scene/testing/statistics.h"
+
+/// A chain that starts in its target's distribution must stay there, whatever steps it makes: many
+/// short independent chains, counted at their last state. No autocorrelation has to be estimated.
+namespace ajar {
+namespace {
+
+using testing::Toy;
+using testing::ToyTarget;
+
+struct Nowhere final : DepositSink {
+  void deposit(std::span<const Splat>, double) override {}
+};
+
+/// Chi-square of the last states. With 40,000 chains, a bin of 5 % that gains or loses 10 % of its
+/// share alone adds 20 to the statistic, one of 20 %, 80.
+void expect_stationary(const Toy& toy, const Mutation& mutation, const ChainSettings& settings,
+                       std::uint64_t steps, std::uint64_t chains = 40000) {
+  ToyTarget target(toy.function);
+  ChainRunner runner(settings, mutation, testing::kToyShape, target);
+  Nowhere nowhere;
+  std::vector<double> counts(toy.fractions.size(), 0.0);
+  std::vector<double> expected;
+  for (const double fraction : toy.fractions) {
+    expected.push_back(fraction * static_cast<double>(chains));
+  }
+  ChainStatistics statistics;
+  for (std::uint64_t i = 0; i < chains; ++i) {
+    Chain chain = testing::exact_start(toy, 11, i);
+    statistics += runner.run(chain, steps, nowhere);
+    ReplaySource replay(chain.numbers);
+    ++counts[static_cast<std::size_t>(toy.function(replay).bin)];
+  }
+  testing::expect_fits(counts, expected);
+  // The chains did move.
+  double acceptances = 0.0;
+  for (const auto& kind : statistics.kinds) acceptances += kind.acceptances;
+  EXPECT_GT(acceptances, 0.2 * static_cast<double>(statistics.steps));
+}
+
+std::vector<std::unique_ptr<Mutation>> mutations() {
+  std::vector<std::unique_ptr<Mutation>> result;
+  result.push_back(std::make_unique<GaussianMutation>(0.02));
+  result.push_back(std::make_unique<KelemenMutation>());
+  return result;
+}
+
+TEST(ChainStationarity, HoldsWithDefaultSteps) {
+  for (const auto& mutation : mutations()) {
+    for (const Toy& toy : testing::toys()) {
+      SCOPED_TRACE(std::string(mutation->name()) + ", " + toy.name);
+      expect_stationary(toy, *mutation, {}, 12);
+    }
+  }
+}
+
+TEST(ChainStationarity, HoldsWithSmallStepsAlone) {
+  ChainSettings settings;
+  settings.probabilities.large = 0.0;
+  settings.sizes.camera_endpoint.fill(4.F);
+  settings.sizes.inner_vertex.fill(3.F);
+  settings.sizes.light_endpoint.fill(2.F);
+  for (const auto& mutation : mutations()) {
+    for (const Toy& toy : testing::toys()) {
+      SCOPED_TRACE(std::string(mutation->name()) + ", " + toy.name);
+      expect_stationary(toy, *mutation, settings, 12);
+    }
+  }
+}
+
+TEST(ChainStationarity, HoldsWithMovesOfOneHalf) {
+  ChainSettings settings;
+  settings.probabilities = {0.1, 0.4, 0.4};
+  settings.sizes.camera_endpoint.fill(5.F);
+  for (const bool with_light : {false, true}) {
+    settings.connection = {!with_light, with_light};
+    for (const auto& mutation : mutations()) {
+      for (const Toy& toy : {testing::product(), testing::variable_dimension()}) {
+        SCOPED_TRACE(std::string(mutation->name()) + ", " + toy.name);
+        expect_stationary(toy, *mutation, settings, 12);
+      }
+    }
+  }
+}
+
+TEST(ChainStationarity, HoldsForNumbersThatAreSeldomUsed) {
+  // Long enough for the errors of lazy numbers to build up: drawn anew after each rejection, they
+  // give a statistic of about 2000.
+  ChainSettings settings;
+  settings.probabilities.large = 0.0;
+  settings.sizes.camera_endpoint.fill(15.F);
+  settings.sizes.inner_vertex.fill(5.F);
+  for (const auto& mutation : mutations()) {
+    SCOPED_TRACE(mutation->name());
+    expect_stationary(testing::variable_dimension(), *mutation, settings, 100);
+  }
+}
+
+/// Normal steps with a drift: T(to → from) ≠ T(from → to). Moves the first number of a block only.
+class Drift final : public Mutation {
+ public:
+  std::string_view name() const override { return "drift"; }
+  void perturb(std::span<float> numbers, std::span<const float> scales, std::uint32_t steps,
+               std::uint64_t key) const override {
+    for (std::uint32_t step = 0; step < steps; ++step) {
+      const float drifted = numbers[0] + 0.03F;
+      numbers[0] = drifted - std::floor(drifted);
+      normal_.perturb(numbers.first(2), scales, 1, counter_bits(key, step));
+    }
+  }
+  double density(float from, float to, float scale) const override {
+    const float drifted = from + 0.03F;
+    return normal_.density(drifted - std::floor(drifted), to, scale);
+  }
+  double log_ratio(std::span<const float> from, std::span<const float> to,
+                   std::span<const float> scales) const override {
+    return std::log(density(to[0], from[0], scales[0]) / density(from[0], to[0], scales[0]));
+  }
+
+ private:
+  GaussianMutation normal_{0.03};
+};
+
+TEST(ChainStationarity, HoldsForAMutationThatIsNotSymmetric) {
+  ChainSettings settings;
+  settings.probabilities.large = 0.1;
+  expect_stationary(testing::peak(), Drift(), settings, 12);
+}
+
+}  // namespace
+}  // namespace ajar

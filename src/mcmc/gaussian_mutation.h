@@ -1,0 +1,20 @@
+#pragma once
+#include "mcmc/mutation.h"
+
+namespace ajar {
+
+/// u' = u + N(0, σ²) modulo 1. Any number of steps in a row is one step with σ·√n.
+/// Source: as in pbrt's `mlt`; wrapped normal distribution: Mardia & Jupp 2000, section 3.5.7.
+class GaussianMutation final : public Mutation {
+ public:
+  explicit GaussianMutation(double sigma = 0.01);
+  std::string_view name() const override { return "gaussian"; }
+  void perturb(std::span<float> numbers, std::span<const float> scales, std::uint32_t steps,
+               std::uint64_t key) const override;
+  double density(float from, float to, float scale) const override;
+
+ private:
+  double sigma_;
+};
+
+}  // namespace ajar

@@ -1,0 +1,35 @@
+#include "mcmc/step_kind.h"
+
+#include <stdexcept>
+
+namespace ajar {
+
+void StepProbabilities::check() const {
+  if (!(large >= 0.0 && large <= 1.0 && camera_half >= 0.0 && light_half >= 0.0 &&
+        camera_half + light_half <= 1.0)) {
+    throw std::invalid_argument("shares of the kinds of steps must be probabilities");
+  }
+}
+
+StepKind StepProbabilities::choose(double u) const {
+  if (u < large) return StepKind::Large;
+  const double among_small = (u - large) / (1.0 - large);
+  if (among_small < camera_half) return StepKind::SmallCamera;
+  if (among_small < camera_half + light_half) return StepKind::SmallLight;
+  return StepKind::SmallBoth;
+}
+
+Change change_of(StepKind kind, ConnectionMoves connection) {
+  switch (kind) {
+    case StepKind::SmallCamera:
+      return {true, false, connection.with_camera};
+    case StepKind::SmallLight:
+      return {false, true, connection.with_light};
+    case StepKind::Large:
+    case StepKind::SmallBoth:
+      break;
+  }
+  return {};
+}
+
+}  // namespace ajar

@@ -1,0 +1,55 @@
+#include "mcmc/step_kind.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <stdexcept>
+
+namespace ajar {
+namespace {
+
+TEST(StepKind, IsChosenWithItsProbability) {
+  const StepProbabilities probabilities{0.3, 0.5, 0.25};
+  constexpr int kSamples = 100000;
+  std::array<int, kStepKinds> counts{};
+  for (int i = 0; i < kSamples; ++i) {
+    ++counts[static_cast<std::size_t>(probabilities.choose((i + 0.5) / kSamples))];
+  }
+  // Evenly spaced u: exact up to the cells at the borders.
+  EXPECT_NEAR(counts[0], 0.3 * kSamples, 2);
+  EXPECT_NEAR(counts[1], 0.7 * 0.25 * kSamples, 2);
+  EXPECT_NEAR(counts[2], 0.7 * 0.5 * kSamples, 2);
+  EXPECT_NEAR(counts[3], 0.7 * 0.25 * kSamples, 2);
+}
+
+TEST(StepKind, CanBeAllOfOneKind) {
+  const double nearly_one = std::nextafter(1.0, 0.0);
+  for (const double u : {0.0, 0.5, nearly_one}) {
+    EXPECT_EQ((StepProbabilities{1.0, 0.0, 0.0}.choose(u)), StepKind::Large);
+    EXPECT_EQ((StepProbabilities{0.0, 0.0, 0.0}.choose(u)), StepKind::SmallBoth);
+    EXPECT_EQ((StepProbabilities{0.0, 1.0, 0.0}.choose(u)), StepKind::SmallCamera);
+    EXPECT_EQ((StepProbabilities{0.0, 0.0, 1.0}.choose(u)), StepKind::SmallLight);
+  }
+}
+
+TEST(StepKind, RefusesWhatIsNoProbability) {
+  EXPECT_THROW((StepProbabilities{1.1, 0.0, 0.0}.check()), std::invalid_argument);
+  EXPECT_THROW((StepProbabilities{0.3, 0.6, 0.6}.check()), std::invalid_argument);
+  EXPECT_THROW((StepProbabilities{0.3, -0.1, 0.0}.check()), std::invalid_argument);
+  EXPECT_THROW((StepProbabilities{std::nan(""), 0.0, 0.0}.check()), std::invalid_argument);
+  EXPECT_NO_THROW((StepProbabilities{0.3, 0.5, 0.5}.check()));
+}
+
+TEST(StepKind, ConnectionMovesWithTheHalvesItIsToldTo) {
+  EXPECT_TRUE(change_of(StepKind::SmallCamera, {}).connection);
+  EXPECT_FALSE(change_of(StepKind::SmallLight, {}).connection);
+  EXPECT_FALSE(change_of(StepKind::SmallCamera, {false, true}).connection);
+  EXPECT_TRUE(change_of(StepKind::SmallLight, {false, true}).connection);
+  EXPECT_TRUE(change_of(StepKind::SmallBoth, {false, false}).connection);
+  EXPECT_FALSE(change_of(StepKind::SmallCamera, {}).light);
+  EXPECT_FALSE(change_of(StepKind::SmallLight, {}).camera);
+}
+
+}  // namespace
+}  // namespace ajar

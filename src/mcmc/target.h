@@ -1,0 +1,35 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "core/spectrum.h"
+#include "core/vector.h"
+#include "mcmc/step_kind.h"
+#include "transport/sample_source.h"
+
+namespace ajar {
+
+/// Light on one place of the film: f / p of a state, MIS weight included.
+struct Splat {
+  Vec2 raster;         ///< pixels of the full image
+  std::int32_t layer;  ///< of the film
+  Spectrum value;
+};
+using SplatBuffer = std::vector<Splat>;
+
+/// What a chain samples from: a function of the primary vector. Used by one thread.
+class Target {
+ public:
+  virtual ~Target() = default;
+  /// The contribution function I ≥ 0 of the state `numbers`; appends its splats. It must be a
+  /// function of `numbers` alone. `change` says which streams may differ from the state that was
+  /// last accepted: what came of the others alone need not be computed again, nor their numbers be
+  /// asked for.
+  virtual double evaluate(SampleSource& numbers, const Change& change, SplatBuffer& splats) = 0;
+  /// The state evaluated last is the current one from now on, or is forgotten. Exactly one of the
+  /// two follows each `evaluate`.
+  virtual void accepted() {}
+  virtual void rejected() {}
+};
+
+}  // namespace ajar
