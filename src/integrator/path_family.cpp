@@ -343,11 +343,11 @@ PathIntegrator::Pilot PathIntegrator::run_pilot() const {
 
 }  // namespace
 
-std::vector<ParameterSpec> path_family_parameters(const std::string& techniques) {
+std::vector<ParameterSpec> path_family_parameters(const PathFamilyDefaults& defaults) {
   return {
       {.name = "techniques",
        .type = ParameterType::Text,
-       .default_value = techniques,
+       .default_value = defaults.techniques,
        .unit = "",
        .help =
            "how paths are built: a list of pt, lt, ibpt, bdpt, implicit, explicit, light, inner "
@@ -355,7 +355,7 @@ std::vector<ParameterSpec> path_family_parameters(const std::string& techniques)
        .choices = {}},
       {.name = "light-paths-per-pixel",
        .type = ParameterType::Float,
-       .default_value = "1",
+       .default_value = defaults.light_paths_per_pixel,
        .unit = "",
        .help = "light subpaths per camera sample, where the techniques have any",
        .choices = {},
@@ -386,7 +386,7 @@ std::vector<ParameterSpec> path_family_parameters(const std::string& techniques)
        .choices = {"power", "balance"}},
       {.name = "roulette-start",
        .type = ParameterType::Int,
-       .default_value = "5",
+       .default_value = defaults.roulette_start,
        .unit = "edges",
        .help = "path length from which Russian roulette may end a dim path",
        .choices = {},

@@ -4,8 +4,13 @@
 
 namespace ajar {
 
-/// Parameters that all members of the family share; they differ in the default of `techniques`.
-std::vector<ParameterSpec> path_family_parameters(const std::string& techniques);
+/// What the members of the family differ in: the defaults of their parameters.
+struct PathFamilyDefaults {
+  std::string techniques;
+  std::string light_paths_per_pixel = "1";
+  std::string roulette_start = "5";
+};
+std::vector<ParameterSpec> path_family_parameters(const PathFamilyDefaults& defaults);
 
 /// Ordinary Monte Carlo with one set of techniques (METHODS, section 2): `pt`, `lt`, `ibpt`, `bdpt`
 /// are four names of it. Raises UsageError if the parameter `techniques` cannot be read.

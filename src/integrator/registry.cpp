@@ -6,12 +6,13 @@
 namespace ajar {
 
 namespace {
-IntegratorInfo path_family_member(const std::string& name, std::string summary,
+/// Defaults named like the member where it does not say otherwise.
+IntegratorInfo path_family_member(PathFamilyDefaults defaults, std::string summary,
                                   std::string source) {
-  return {.name = name,
+  return {.name = defaults.techniques,
           .summary = std::move(summary),
           .source = std::move(source),
-          .parameters = path_family_parameters(name),
+          .parameters = path_family_parameters(defaults),
           .make = make_path_integrator};
 }
 }  // namespace
@@ -30,17 +31,22 @@ Counters& Counters::operator+=(const Counters& other) {
 const std::vector<IntegratorInfo>& integrators() {
   static const std::vector<IntegratorInfo> kIntegrators = {
       path_family_member(
-          "bdpt", "bidirectional path tracing: every way to join a camera path and a light path",
+          // Its light subpaths end anyway in techniques that share the path with others.
+          {.techniques = "bdpt", .roulette_start = "3"},
+          "bidirectional path tracing: every way to join a camera path and a light path",
           "Lafortune & Willems 1993; Veach & Guibas 1995"),
       path_family_member(
-          "ibpt", "path tracing and light tracing combined: most of bdpt's strength at little cost",
+          // As many as keep the cost of a sample within 1.6 times that of path tracing.
+          {.techniques = "ibpt", .light_paths_per_pixel = "0.33"},
+          "path tracing and light tracing combined: most of bdpt's strength at little cost",
           "Bogolepov et al. 2013"),
-      path_family_member("lt",
+      path_family_member({.techniques = "lt"},
                          "light tracing: paths from the lights, joined to the lens; blind to what "
                          "only mirrors show",
                          "Dutré et al. 1993"),
       path_family_member(
-          "pt", "path tracing: camera paths that run into lights or are lit by sampled ones",
+          {.techniques = "pt"},
+          "path tracing: camera paths that run into lights or are lit by sampled ones",
           "Kajiya 1986; Veach & Guibas 1995"),
   };
   return kIntegrators;

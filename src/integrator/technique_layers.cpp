@@ -1,5 +1,7 @@
 #include "integrator/technique_layers.h"
 
+#include <algorithm>
+
 namespace ajar {
 
 namespace {
@@ -43,6 +45,11 @@ std::size_t TechniqueLayers::slot(Technique technique) {
 }
 
 TechniqueLayers::TechniqueLayers(const Film& film) {
+  const auto layers = film.layers();
+  const bool wanted = std::any_of(layers.begin(), layers.end(), [](const LayerSpec& layer) {
+    return layer.name.starts_with(aov_name());
+  });
+  if (!wanted) return;
   for_each_technique([&](Technique technique) {
     const Pair pair{film.layer(layer_name("weighted", technique)),
                     film.layer(layer_name("unweighted", technique))};
