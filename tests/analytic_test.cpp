@@ -185,6 +185,7 @@ class FromTheLight : public ::testing::TestWithParam<const char*> {
   test::RenderOptions options(int count) const {
     test::RenderOptions result = samples(count);
     result.integrator = GetParam();
+    result.parameters = {{"light-paths-per-pixel", "1"}};
     return result;
   }
 };

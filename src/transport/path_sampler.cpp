@@ -14,12 +14,13 @@ PathSampler::PathSampler(const Scene& scene, const PathSamplerSettings& settings
       camera_walk_{TransportMode::Radiance, Stream::Camera, settings.heuristic,
                    settings.roulette_start, settings.techniques.needs_light_subpath()},
       light_walk_{TransportMode::Importance, Stream::Light, settings.heuristic,
-                  settings.roulette_start, true} {
+                  settings.roulette_start, true},
+      only_depth_(settings.min_depth == settings.max_depth ? settings.max_depth : 0) {
   const TechniqueSet& set = settings_.techniques;
   const auto depth = static_cast<std::size_t>(std::max(0, settings.max_depth));
   const auto subpaths = static_cast<std::size_t>(std::ceil(settings.light_subpaths));
   if (has(TechniqueClass::Inner)) light_vertices_.resize(subpaths * depth);
-  if (!set.uniform()) {
+  if (!set.uniform() && only_depth_ == 0) {
     camera_trail_.resize(depth + 1);
     light_trails_.resize(subpaths * (depth + 1));
     if (camera_walk_.has_other_end) camera_walk_.trail = camera_trail_.data();
@@ -45,6 +46,7 @@ double PathSampler::h_count(Technique technique) const {
 }
 
 double PathSampler::light_side_coefficient(int vertices) const {
+  if (only_depth_ > 0) return h_count({vertices, only_depth_ + 1 - vertices});
   if (!settings_.techniques.uniform()) return 1.0;
   constexpr std::array<TechniqueClass, 3> kClasses = {
       TechniqueClass::Implicit, TechniqueClass::NextEvent, TechniqueClass::Inner};
@@ -53,6 +55,7 @@ double PathSampler::light_side_coefficient(int vertices) const {
 
 double PathSampler::camera_side_coefficient(int vertices) const {
   if (vertices == 0) return 0.0;
+  if (only_depth_ > 0) return h_count({only_depth_ + 1 - vertices, vertices});
   if (!settings_.techniques.uniform()) return 1.0;
   if (vertices >= 2) return class_h_count_[index_of(TechniqueClass::Inner)];
   return light_tracing_reaches_ ? class_h_count_[index_of(TechniqueClass::Light)] : 0.0;
@@ -93,8 +96,8 @@ void PathSampler::sample_light(SampleSource& source, PathSink& sink) {
   trace_light(source, sink, 0);
 }
 
-void PathSampler::trace_light(SampleSource& source, PathSink& sink, int repeat) {
-  if (scene_.light_sampler().empty()) return;
+bool PathSampler::start_light(SampleSource& source, int repeat, PathSink& sink, LightStart& start) {
+  if (scene_.light_sampler().empty()) return false;
   const auto address = [&](Slot slot) { return SampleAddress(Stream::Light, 0, slot, repeat); };
   const ChosenLight chosen =
       scene_.light_sampler().choose_emitter(source.get(address(kEmitterChoice)));
@@ -104,13 +107,16 @@ void PathSampler::trace_light(SampleSource& source, PathSink& sink, int repeat) 
   u.direction = source.get_pair(address(kEmissionDirection));
   const Light& light = *chosen.light;
   const std::optional<EmissionSample> emission = light.sample_emission(u);
-  if (!emission) return;
+  if (!emission) return false;
 
   sink.started(Stream::Light, light, emission->point);
   const float emitter_probability = chosen.probability.value();
   const double position_density = static_cast<double>(emission->position_pdf.value()) *
                                   static_cast<double>(emitter_probability);
-  Flight flight;
+  start.light = &light;
+  start.point = emission->point;
+  start.position_density = position_density;
+  Flight& flight = start.flight;
   flight.ray = {light.at_infinity()
                     ? emission->origin
                     : offset_ray_origin(emission->origin, emission->point.surface.ng, emission->w),
@@ -133,20 +139,35 @@ void PathSampler::trace_light(SampleSource& source, PathSink& sink, int repeat) 
   }
   // Connections to the lens from here on always end on the film.
   light_tracing_reaches_ = true;
+  return true;
+}
+
+bool PathSampler::next_light_vertex(LightStart& start, SampleSource& source, PathVertex& vertex) {
+  const Flight& flight = start.flight;
+  const SegmentEnd end = trace(light_walk_, flight, source);
+  if (!end.hit && !end.scattered) return false;
+  arrive(light_walk_, flight, end, light_side_coefficient(flight.edges + 1), vertex);
+  if (vertex.throughput.is_black()) return false;
+  if (vertex.edges == 1) {
+    // Technique (1, k) samples the light as seen from z_1, which may differ from how it emits.
+    const Light& light = *start.light;
+    const double connection =
+        static_cast<double>(light.connection_pdf(vertex.p, start.point).value()) *
+        static_cast<double>(scene_.light_sampler().probability(vertex.p, light).value());
+    vertex.mis.coefficient *= h(settings_.heuristic, connection / start.position_density);
+    if (vertex.trail != nullptr) light_walk_.trail[1].coefficient = vertex.mis.coefficient;
+  }
+  return true;
+}
+
+void PathSampler::trace_light(SampleSource& source, PathSink& sink, int repeat) {
+  LightStart start;
+  if (!start_light(source, repeat, sink, start)) return;
+  Flight& flight = start.flight;
   // A light subpath of n edges takes part in paths of at least n + 1 edges.
   while (flight.edges + 2 <= settings_.max_depth) {
-    const SegmentEnd end = trace(light_walk_, flight, source);
-    if (!end.hit && !end.scattered) return;
-    PathVertex vertex = arrive(light_walk_, flight, end, light_side_coefficient(flight.edges + 1));
-    if (vertex.throughput.is_black()) return;
-    if (vertex.edges == 1) {
-      // Technique (1, k) samples the light as seen from z_1, which may differ from how it emits.
-      const double connection =
-          static_cast<double>(light.connection_pdf(vertex.p, emission->point).value()) *
-          static_cast<double>(scene_.light_sampler().probability(vertex.p, light).value());
-      vertex.mis.coefficient *= h(settings_.heuristic, connection / position_density);
-      if (vertex.trail != nullptr) light_walk_.trail[1].coefficient = vertex.mis.coefficient;
-    }
+    PathVertex vertex;
+    if (!next_light_vertex(start, source, vertex)) return;
     sink.vertex(Stream::Light, vertex);
     if (vertex.connectible()) {
       if (wants({vertex.edges + 1, 1})) connect_to_camera(vertex, source, sink);
@@ -157,14 +178,15 @@ void PathSampler::trace_light(SampleSource& source, PathSink& sink, int repeat) 
   }
 }
 
-void PathSampler::trace_camera(SampleSource& source, const Vec2& raster, PathSink& sink) {
+bool PathSampler::start_camera(SampleSource& source, const Vec2& raster, PathSink& sink,
+                               Flight& flight) {
   const Camera& camera = scene_.camera();
   const Vec2 size(camera.resolution());
   EmissionUniforms u{};
   u.position = source.get_pair({Stream::Camera, 0, kEmissionPosition});
   u.direction = {raster.x / size.x, raster.y / size.y};
   const std::optional<EmissionSample> emission = camera.sample_emission(u);
-  if (!emission) return;
+  if (!emission) return false;
 
   sink.started(Stream::Camera, camera, emission->point);
   // Light tracing reaches the full image only, while wide filters draw camera rays from beyond its
@@ -172,7 +194,6 @@ void PathSampler::trace_camera(SampleSource& source, const Vec2& raster, PathSin
   const bool inside = raster.x >= 0.F && raster.y >= 0.F && raster.x < size.x && raster.y < size.y;
   light_tracing_reaches_ = inside;
 
-  Flight flight;
   flight.ray = {emission->origin, emission->w};
   flight.medium = camera.medium;
   flight.reference = emission->point.surface.p;
@@ -184,6 +205,26 @@ void PathSampler::trace_camera(SampleSource& source, const Vec2& raster, PathSin
       camera.discrete_position() ? 1.F : abs_dot(emission->point.surface.ng, emission->w);
 
   if (!camera_trail_.empty()) camera_trail_[0] = {flight.mis.inverse_forward, 0.0};
+  return true;
+}
+
+void PathSampler::leave_scene(const Flight& flight, const SegmentEnd& end, PathSink& sink) const {
+  const int edges = flight.edges + 1;
+  const MisStep step = mis_step(flight, end.segment, end.distance, 1.F, nullptr, true,
+                                camera_side_coefficient(edges));
+  MisState mis = mis_extend(settings_.heuristic, flight.mis, step);
+  if (camera_walk_.trail != nullptr) {
+    camera_walk_.trail[edges] = mis_trail_entry(settings_.heuristic, mis, step);
+    mis = mis_along(camera_walk_.trail, edges, [&](int t) { return h_count({edges + 1 - t, t}); });
+  }
+  for (const Light* light : scene_.infinite_lights()) {
+    hit_light(flight, end, mis, *light, light->at_direction(flight.ray.direction), sink);
+  }
+}
+
+void PathSampler::trace_camera(SampleSource& source, const Vec2& raster, PathSink& sink) {
+  Flight flight;
+  if (!start_camera(source, raster, sink, flight)) return;
   const bool walks_on =
       has(TechniqueClass::Implicit) || has(TechniqueClass::NextEvent) || has(TechniqueClass::Inner);
   const int last_edge = walks_on ? settings_.max_depth : 1;
@@ -192,22 +233,11 @@ void PathSampler::trace_camera(SampleSource& source, const Vec2& raster, PathSin
     const int edges = flight.edges + 1;
     const bool sees_light = wants({0, edges + 1});
     if (!end.hit && !end.scattered) {
-      if (!sees_light) return;
-      const MisStep step = mis_step(flight, end.segment, end.distance, 1.F, nullptr, true,
-                                    camera_side_coefficient(edges));
-      MisState mis = mis_extend(settings_.heuristic, flight.mis, step);
-      if (camera_walk_.trail != nullptr) {
-        camera_walk_.trail[edges] = mis_trail_entry(settings_.heuristic, mis, step);
-        mis = mis_along(camera_walk_.trail, edges, [&](int t) {
-          return h_count({edges + 1 - t, t});
-        });
-      }
-      for (const Light* light : scene_.infinite_lights()) {
-        hit_light(flight, end, mis, *light, light->at_direction(flight.ray.direction), sink);
-      }
+      if (sees_light) leave_scene(flight, end, sink);
       return;
     }
-    const PathVertex vertex = arrive(camera_walk_, flight, end, camera_side_coefficient(edges));
+    PathVertex vertex;
+    arrive(camera_walk_, flight, end, camera_side_coefficient(edges), vertex);
     sink.vertex(Stream::Camera, vertex);
     if (edges == 1) sink.first_vertex(vertex, end.hit ? &*end.hit : nullptr, end.distance);
     if (end.hit && end.hit->light != nullptr && sees_light) {

@@ -79,10 +79,35 @@ class PathSampler {
   /// One light subpath alone, connected to the lens: technique (s, 1).
   void sample_light(SampleSource& source, PathSink& sink);
 
+  // One technique at a time, half by half, for chains that move one half and keep the other. All
+  // paths must have the same depth (`min_depth` = `max_depth`).
+
+  /// The last of the `vertices` − 1 ≥ 1 vertices that a light subpath has in the scene; false if it
+  /// does not get there, or cannot be connected.
+  bool trace_light_half(SampleSource& source, int vertices, PathVertex& end);
+  /// The same for a camera subpath.
+  bool trace_camera_half(SampleSource& source, const Vec2& raster, int vertices, PathVertex& end);
+  /// Technique (s ≥ 1, t ≥ 1): a half of a single vertex is the endpoint alone, its `end` unused.
+  void connect_halves(Technique technique, const PathVertex& light_end,
+                      const PathVertex& camera_end, SampleSource& source, PathSink& sink);
+  /// Technique (0, t).
+  void sample_implicit(SampleSource& source, const Vec2& raster, int vertices, PathSink& sink);
+
   /// Rays traced so far.
   std::uint64_t rays() const { return rays_; }
 
  private:
+  struct LightStart {
+    const Light* light = nullptr;
+    EndpointPoint point = EndpointPoint::at(Vec3(0.F));
+    double position_density = 0.0;
+    Flight flight;
+  };
+  bool start_light(SampleSource& source, int repeat, PathSink& sink, LightStart& start);
+  bool next_light_vertex(LightStart& start, SampleSource& source, PathVertex& vertex);
+  bool start_camera(SampleSource& source, const Vec2& raster, PathSink& sink, Flight& flight);
+  /// A camera path that runs into the lights at infinity.
+  void leave_scene(const Flight& flight, const SegmentEnd& end, PathSink& sink) const;
   void trace_light(SampleSource& source, PathSink& sink, int repeat);
   void trace_camera(SampleSource& source, const Vec2& raster, PathSink& sink);
   SegmentEnd trace(const WalkSettings& walk, const Flight& flight, SampleSource& source);
@@ -136,6 +161,8 @@ class PathSampler {
   PathSamplerSettings settings_;
   WalkSettings camera_walk_;
   WalkSettings light_walk_;
+  /// Depth of all paths, if it is one: coefficients of single techniques are then known at once.
+  int only_depth_;
   /// h(count) of the techniques of each class, if they are all alike.
   std::array<double, 4> class_h_count_;
   bool light_tracing_reaches_ = false;  ///< the current camera path's place on the film

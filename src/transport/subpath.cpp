@@ -26,9 +26,8 @@ MisStep mis_step(const Flight& flight, const Segment& segment, float distance, f
   return step;
 }
 
-PathVertex arrive(const WalkSettings& settings, const Flight& flight, const SegmentEnd& end,
-                  double class_coefficient) {
-  PathVertex vertex;
+void arrive(const WalkSettings& settings, const Flight& flight, const SegmentEnd& end,
+            double class_coefficient, PathVertex& vertex) {
   vertex.wo = -flight.ray.direction;
   vertex.throughput = flight.throughput * end.weight;
   vertex.medium = end.medium;
@@ -43,7 +42,7 @@ PathVertex arrive(const WalkSettings& settings, const Flight& flight, const Segm
     vertex.media = end.hit->media;
     end.hit->material->bsdf(end.hit->point, vertex.bsdf);
   }
-  if (!settings.has_other_end && (end.scattered || end.hit->light == nullptr)) return vertex;
+  if (!settings.has_other_end && (end.scattered || end.hit->light == nullptr)) return;
   // Between the vertices themselves, as connections measure it; the ray started a little off the
   // surface.
   const float distance = flight.from_infinity ? end.distance : length(vertex.p - flight.reference);
@@ -54,7 +53,6 @@ PathVertex arrive(const WalkSettings& settings, const Flight& flight, const Segm
     settings.trail[vertex.edges] = mis_trail_entry(settings.heuristic, vertex.mis, step);
     vertex.trail = settings.trail;
   }
-  return vertex;
 }
 
 bool scatter(const WalkSettings& settings, const PathVertex& vertex, SampleSource& source,

@@ -41,9 +41,10 @@ struct WalkSettings {
   MisTrailEntry* trail = nullptr;
 };
 
-/// The vertex at the end of a flight that ended in the scene. `class_coefficient`: see `MisStep`.
-PathVertex arrive(const WalkSettings& settings, const Flight& flight, const SegmentEnd& end,
-                  double class_coefficient);
+/// Fills in the vertex at the end of a flight that ended in the scene. `class_coefficient`: see
+/// `MisStep`.
+void arrive(const WalkSettings& settings, const Flight& flight, const SegmentEnd& end,
+            double class_coefficient, PathVertex& vertex);
 
 /// h-recursion step of a flight over `distance` to a vertex where the direction of flight has
 /// cosine `cosine_at_end`; `end_medium` is the medium the vertex scatters in, null on a surface;
