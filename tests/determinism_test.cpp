@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "image/make_filter.h"
+#include "session/preparation.h"
 #include "session/render_job.h"
 #include "support/render.h"
 #include "support/small_scenes.h"
@@ -19,6 +20,7 @@ std::vector<std::int64_t> sums(const Scene& scene, const IntegratorInfo& info, i
   settings.seed = 7;
   settings.aovs = {"albedo", "depth", "object-id"};
   const auto integrator = info.make(scene, settings, Parameters(info.parameters, {}));
+  prepare(*integrator);
   Film film(settings.resolution, settings.crop, make_filter(scene.film().filter),
             settings.replicates, integrator->layers());
   RenderJobOptions options;

@@ -46,7 +46,7 @@ TEST(Layers, DirectHoldsThePathsOfUpToTwoEdges) {
     options.integrator = info.name;
     options.samples = 256;
     const auto picture = render(*scene, options);
-    const double direct = mean(picture.film->develop(picture.film->layer("direct"), picture.scale));
+    const double direct = mean(picture.layer("direct"));
     EXPECT_NEAR(direct, 1.5, 0.03) << info.name;
   }
 }
@@ -54,16 +54,12 @@ TEST(Layers, DirectHoldsThePathsOfUpToTwoEdges) {
 TEST(Layers, DirectPlusIndirectIsThePictureToTheBit) {
   const auto scene = closed_room();
   for (const IntegratorInfo& info : integrators()) {
-    RenderSettings settings;
-    settings.resolution = scene->camera().resolution();
-    settings.crop = Box2i(Vec2i(0, 0), settings.resolution - Vec2i(1, 1));
-    const auto integrator = info.make(*scene, settings, Parameters(info.parameters, {}));
     test::RenderOptions options;
     options.integrator = info.name;
     options.samples = 32;
-    options.replicates = settings.replicates;
+    options.replicates = 4;
     const auto rendered = render(*scene, options);
-    const Picture picture = develop(*rendered.film, *integrator, 32, 1.0, {});
+    const Picture picture = develop(*rendered.film, *rendered.integrator, 32, 1.0, {});
     const auto& whole = layer(picture, "").pixels;
     const auto& direct = layer(picture, "direct").pixels;
     const auto& indirect = layer(picture, "indirect").pixels;
@@ -84,8 +80,9 @@ TEST(TechniqueLayers, WeightedOnesAddUpToThePicture) {
     const auto picture = render(*scene, options);
     std::vector<float> sum(picture.image().size());
     for (std::size_t i = 0; i < picture.film->layers().size(); ++i) {
-      if (!picture.film->layers()[i].name.starts_with("techniques.weighted.")) continue;
-      const std::vector<float> part = picture.film->develop(static_cast<int>(i), picture.scale);
+      const std::string& name = picture.film->layers()[i].name;
+      if (!name.starts_with("techniques.weighted.")) continue;
+      const std::vector<float> part = picture.layer(name);
       for (std::size_t p = 0; p < part.size(); ++p) sum[p] += part[p];
     }
     const std::vector<float> image = picture.image();
@@ -111,11 +108,8 @@ TEST(TechniqueLayers, EachTechniqueAloneShowsAllLightItReaches) {
       for (int s = 0; s <= depth; ++s) {
         const std::string name =
             "techniques.unweighted.s" + std::to_string(s) + "t" + std::to_string(depth + 1 - s);
-        const int index = picture.film->layer(name);
-        if (s == depth + 1) continue;
-        ASSERT_GE(index, 0) << name;
-        means[name + " " + std::to_string(depth)].push_back(
-            mean(picture.film->develop(index, picture.scale)));
+        ASSERT_GE(picture.film->layer(name), 0) << name;
+        means[name + " " + std::to_string(depth)].push_back(mean(picture.layer(name)));
       }
     }
   }

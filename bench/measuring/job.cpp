@@ -1,6 +1,7 @@
 #include "measuring/job.h"
 
 #include "image/make_filter.h"
+#include "session/preparation.h"
 
 namespace ajar::bench {
 
@@ -12,11 +13,13 @@ Job make_job(const Scene& scene, const Variant& variant, int max_depth) {
   settings.replicates = 4;
   Job job;
   job.integrator = variant.make(scene, settings);
+  prepare(*job.integrator);
   job.film =
       std::make_unique<Film>(settings.resolution, settings.crop, make_filter(scene.film().filter),
                              settings.replicates, job.integrator->layers());
   job.items = job.integrator->items_in_pass();
   job.samples = 4;
+  job.integrator->begin_pass(0, job.samples);
   return job;
 }
 

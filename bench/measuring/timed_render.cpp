@@ -7,6 +7,7 @@
 #include "image/make_filter.h"
 #include "measuring/cpu_alarm.h"
 #include "session/output.h"
+#include "session/preparation.h"
 #include "session/render_job.h"
 #include "session/resources.h"
 
@@ -28,6 +29,7 @@ TimedRender render_for(const TimeLimit& limit, const Scene& scene, const Variant
   const double before = cpu_seconds();
   const CpuAlarm alarm(limit.cpu_seconds, user_interrupts);
   const std::unique_ptr<Integrator> integrator = variant.make(scene, settings);
+  prepare(*integrator);
   Film film(settings.resolution, settings.crop, make_filter(scene.film().filter),
             settings.replicates, integrator->layers());
   RenderJobOptions options;

@@ -36,17 +36,21 @@ double median_lit(std::span<const float> values) {
 }
 }  // namespace
 
-Replicates develop_replicates(const Film& film, std::span<const int> layers,
-                              std::span<const double> scales) {
-  if (scales.size() != static_cast<std::size_t>(film.replicates()) || layers.empty()) {
+Replicates develop_replicates(const Film& film, std::span<const ScaledLayer> layers) {
+  const auto complete = [&](const ScaledLayer& layer) {
+    return layer.scales.size() == static_cast<std::size_t>(film.replicates());
+  };
+  if (layers.empty() || !std::all_of(layers.begin(), layers.end(), complete)) {
     throw std::invalid_argument("statistics: needs layers and one scale per replicate");
   }
+  const auto develop = [&](const ScaledLayer& layer, int r) {
+    return film.develop_replicate(layer.layer, r, layer.scales[static_cast<std::size_t>(r)]);
+  };
   Replicates replicates;
   for (int r = 0; r < film.replicates(); ++r) {
-    const double scale = scales[static_cast<std::size_t>(r)];
-    std::vector<float> sum = film.develop_replicate(layers[0], r, scale);
-    for (const int layer : layers.subspan(1)) {
-      const std::vector<float> image = film.develop_replicate(layer, r, scale);
+    std::vector<float> sum = develop(layers[0], r);
+    for (const ScaledLayer& layer : layers.subspan(1)) {
+      const std::vector<float> image = develop(layer, r);
       std::transform(sum.begin(), sum.end(), image.begin(), sum.begin(), std::plus<>());
     }
     replicates.push_back(std::move(sum));
@@ -111,9 +115,8 @@ double estimated_relative_error(const Replicates& replicates) {
   return estimated_relative_error(replicate_mean(replicates), standard_error(replicates));
 }
 
-double estimated_relative_error(const Film& film, std::span<const int> layers,
-                                std::span<const double> scales) {
-  return estimated_relative_error(develop_replicates(film, layers, scales));
+double estimated_relative_error(const Film& film, std::span<const ScaledLayer> layers) {
+  return estimated_relative_error(develop_replicates(film, layers));
 }
 
 }  // namespace ajar

@@ -11,10 +11,14 @@ namespace ajar {
 /// A set of replicates: images of equal size, each an unbiased estimate of the same values.
 using Replicates = std::vector<std::vector<float>>;
 
-/// The replicates of the sum of some layers of a film. `scales[r]` turns the sums of replicate r
-/// alone into pixel values (`Integrator::develop_scale`). The layers must have replicates.
-Replicates develop_replicates(const Film& film, std::span<const int> layers,
-                              std::span<const double> scales);
+/// A layer of a film that has replicates; `scales[r]` turns the sums of replicate r alone into pixel
+/// values (`Integrator::develop_scale`).
+struct ScaledLayer {
+  int layer;
+  std::vector<double> scales;
+};
+/// The replicates of the sum of some layers of a film.
+Replicates develop_replicates(const Film& film, std::span<const ScaledLayer> layers);
 
 /// Mean over replicates, value by value.
 std::vector<float> replicate_mean(const Replicates& replicates);
@@ -48,7 +52,6 @@ Estimate image_mean(const Replicates& replicates);
 double estimated_relative_error(std::span<const float> mean, std::span<const float> standard_error);
 double estimated_relative_error(const Replicates& replicates);
 /// Of the sum of some layers of a film; see `develop_replicates`.
-double estimated_relative_error(const Film& film, std::span<const int> layers,
-                                std::span<const double> scales);
+double estimated_relative_error(const Film& film, std::span<const ScaledLayer> layers);
 
 }  // namespace ajar

@@ -115,12 +115,11 @@ TEST(RelativeError, OfAFilmSumsItsLayers) {
   film.add(0, 0, {0, 0}, Spectrum(3.F));
   film.add(2, 0, {0, 0}, Spectrum(1.F));
   film.add(0, 1, {0, 0}, Spectrum(1.F));
-  const std::array<int, 2> layers = {0, 2};
-  const std::array<double, 2> scales = {1.0, 2.0};
-  EXPECT_EQ(develop_replicates(film, layers, scales),
+  const std::vector<ScaledLayer> layers = {{0, {1.0, 2.0}}, {2, {1.0, 2.0}}};
+  EXPECT_EQ(develop_replicates(film, layers),
             (Replicates{{4.F, 4.F, 4.F}, {2.F, 2.F, 2.F}}));
   // Mean 3, standard error 1, floor 0.01 · 9.
-  EXPECT_NEAR(estimated_relative_error(film, layers, scales), 1.0 / std::sqrt(9.09), 1e-6);
+  EXPECT_NEAR(estimated_relative_error(film, layers), 1.0 / std::sqrt(9.09), 1e-6);
 }
 
 }  // namespace

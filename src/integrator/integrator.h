@@ -26,8 +26,9 @@ struct RenderSettings {
 
 /// Numbers every integrator counts; summed over threads by the job.
 struct Counters {
-  std::uint64_t rays = 0;      ///< nearest-hit and shadow rays
-  std::uint64_t samples = 0;   ///< camera samples or mutations
+  std::uint64_t rays = 0;     ///< nearest-hit and shadow rays
+  std::uint64_t samples = 0;  ///< camera samples
+  std::uint64_t mutations = 0;
   TechniqueShares techniques;  ///< what each technique brought
   std::uint64_t discarded_nan = 0;
   std::uint64_t discarded_infinite = 0;
@@ -37,24 +38,61 @@ struct Counters {
   Counters& operator+=(const Counters& other);
 };
 
+/// What Markov chains tell of themselves (METHODS, section 3).
+struct ChainReport {
+  struct Depth {
+    int depth;  ///< path edges; 0 if chains are not bound to a depth
+    std::uint64_t chains;
+    std::uint64_t mutations;
+    double acceptance;  ///< mean acceptance probability
+    double b;           ///< mean of the contribution function
+    double b_standard_error;
+  };
+  struct OfTechnique {
+    Technique technique;
+    std::uint64_t proposals;
+    double acceptance;
+  };
+  double small_acceptance = 0.0;
+  double large_acceptance = 0.0;
+  std::uint64_t longest_rejection_streak = 0;
+  std::uint64_t bootstrap_samples = 0;
+  std::vector<Depth> depths;
+  std::vector<OfTechnique> techniques;  ///< empty if a state is not of one technique
+};
+
 /// A rendering method, cut into work items. It knows nothing of threads, files and clocks: the job
-/// calls `run_item` for every item of a pass, in any order and on any thread, and each item is a
-/// pure function of its index.
+/// first runs the rounds of its preparation, then calls `run_item` for every item of a pass, in any
+/// order and on any thread. Each item is a pure function of its index and, for methods with a
+/// memory (chains), of what the same item left behind in the passes before.
 class Integrator {
  public:
   virtual ~Integrator() = default;
-  /// Layers of the film; includes "direct" and "indirect".
+  /// Number of items in a round (counted from 0) of what comes before everything else; 0 ends the
+  /// preparation. Called once per round, after all items of the round before.
+  virtual std::uint64_t begin_preparation(int /*round*/) { return 0; }
+  virtual void prepare_item(int /*round*/, std::uint64_t /*item*/, Counters& /*counters*/) {}
+  /// What the user should know after the preparation: one warning each.
+  virtual std::vector<std::string> concerns() const { return {}; }
+
+  /// Layers of the film, known after the preparation; includes "direct" and "indirect".
   virtual std::vector<LayerSpec> layers() const = 0;
   /// Number of items in pass `pass` (counted from 0) when `samples` samples per pixel (mutations
   /// per pixel) are wanted in it.
   virtual std::uint64_t items_in_pass() const = 0;
+  /// Called between passes, on one thread.
+  virtual void begin_pass(std::uint64_t /*first_sample*/, std::uint64_t /*samples*/) {}
+  virtual void end_pass() {}
   /// Adds the contribution of one item of one pass, `first_sample`..`first_sample + samples` per
   /// pixel, to the film.
   virtual void run_item(std::uint64_t item, std::uint64_t first_sample, std::uint64_t samples,
-                        Film& film, Counters& counters) const = 0;
-  /// Factor that turns sums into pixel values after `samples` samples per pixel over all
-  /// replicates, for one replicate or all; the same for each pixel.
-  virtual double develop_scale(std::uint64_t samples, std::optional<int> replicate) const = 0;
+                        Film& film, Counters& counters) = 0;
+  /// Factor that turns the sums of a layer into pixel values after `samples` samples per pixel over
+  /// all replicates, for one replicate or all; the same for each pixel.
+  virtual double develop_scale(const LayerSpec& layer, std::uint64_t samples,
+                               std::optional<int> replicate) const = 0;
+  /// How the chains fared, for methods that have any.
+  virtual std::optional<ChainReport> chain_report() const { return std::nullopt; }
 };
 
 /// An entry of the registry.

@@ -181,7 +181,7 @@ class PathIntegrator final : public Integrator {
   }
 
   void run_item(std::uint64_t item, std::uint64_t first_sample, std::uint64_t samples, Film& film,
-                Counters& counters) const override {
+                Counters& counters) override {
     const auto columns = static_cast<std::uint64_t>(tiles_.x);
     const Vec2i tile(static_cast<int>(item % columns), static_cast<int>(item / columns));
     const Vec2i low = settings_.crop.min + tile * kTileSize;
@@ -205,7 +205,8 @@ class PathIntegrator final : public Integrator {
                         static_cast<std::uint64_t>(high.y - low.y + 1);
   }
 
-  double develop_scale(std::uint64_t samples, std::optional<int> replicate) const override {
+  double develop_scale(const LayerSpec& /*layer*/, std::uint64_t samples,
+                       std::optional<int> replicate) const override {
     if (samples == 0) return 0.0;
     if (!replicate) return 1.0 / static_cast<double>(samples);
     const auto count = static_cast<std::uint64_t>(settings_.replicates);

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "integrator/chain_family.h"
 #include "integrator/g_buffer.h"
 #include "integrator/path_family.h"
 
@@ -15,11 +16,24 @@ IntegratorInfo path_family_member(PathFamilyDefaults defaults, std::string summa
           .parameters = path_family_parameters(defaults),
           .make = make_path_integrator};
 }
+
+IntegratorInfo chain_family_member(ChainKind kind, std::string name, std::string summary,
+                                   std::string source) {
+  return {.name = std::move(name),
+          .summary = std::move(summary),
+          .source = std::move(source),
+          .parameters = chain_parameters(kind),
+          .make = [kind](const Scene& scene, const RenderSettings& settings,
+                         const Parameters& parameters) {
+            return make_chain_integrator(kind, scene, settings, parameters);
+          }};
+}
 }  // namespace
 
 Counters& Counters::operator+=(const Counters& other) {
   rays += other.rays;
   samples += other.samples;
+  mutations += other.mutations;
   techniques += other.techniques;
   discarded_nan += other.discarded_nan;
   discarded_infinite += other.discarded_infinite;
@@ -44,6 +58,16 @@ const std::vector<IntegratorInfo>& integrators() {
                          "light tracing: paths from the lights, joined to the lens; blind to what "
                          "only mirrors show",
                          "Dutré et al. 1993"),
+      chain_family_member(
+          ChainKind::OnePath, "mmlt",
+          "multiplexed Metropolis light transport: chains of paths of one depth that choose the "
+          "technique as they go",
+          "Hachisuka, Kaplanyan & Dachsbacher 2014"),
+      chain_family_member(
+          ChainKind::WholePath, "pssmlt",
+          "primary sample space Metropolis light transport: chains whose states are all "
+          "connections of two subpaths",
+          "Kelemen et al. 2002"),
       path_family_member(
           {.techniques = "pt"},
           "path tracing: camera paths that run into lights or are lit by sampled ones",
@@ -76,6 +100,12 @@ const std::vector<AovInfo>& aovs() {
       {"techniques",
        "what each technique contributes, weighted and alone, for paths of up to six edges (many "
        "layers; not part of \"all\")"},
+      {"density",
+       "visits of the chains per pixel and mutation per pixel: where they spend their "
+       "time (mmlt, pssmlt; not part of \"all\")"},
+      {"acceptance",
+       "mean acceptance probability of steps that begin in a pixel (mmlt, pssmlt; not "
+       "part of \"all\")"},
       {"standard-error", "standard error of each pixel, from replicates"},
   };
   return kAovs;

@@ -99,6 +99,7 @@ ChainStatistics ChainRunner::run(Chain& chain, std::uint64_t steps, DepositSink&
     ++statistics.steps;
     ++statistics.of(kind).proposals;
     statistics.of(kind).acceptances += a;
+    sink.proposed(current_, a);
     if (large) statistics.large_steps.add(scalar);
 
     const double proposal_weight = large && combined_b ? a + 1.0 : a;

@@ -19,6 +19,9 @@ class DepositSink {
  public:
   virtual ~DepositSink() = default;
   virtual void deposit(std::span<const Splat> splats, double factor) = 0;
+  /// A step from `current` whose proposal, the target's last state, is accepted with this
+  /// probability: for statistics.
+  virtual void proposed(std::span<const Splat> /*current*/, double /*acceptance*/) {}
 };
 
 struct ChainSettings {

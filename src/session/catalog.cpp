@@ -114,7 +114,10 @@ std::vector<std::string> checked_aovs(const std::vector<std::string>& names) {
   std::vector<std::string> valid;
   for (const AovInfo& aov : aovs()) valid.push_back(aov.name);
   if (names == std::vector<std::string>{"all"}) {
-    std::erase(valid, "techniques");  // dozens of layers
+    // Dozens of layers, and layers that only some integrators make.
+    std::erase_if(valid, [](const std::string& name) {
+      return name == "techniques" || name == "density" || name == "acceptance";
+    });
     return valid;
   }
   for (const std::string& name : names) {

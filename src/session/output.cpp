@@ -36,23 +36,34 @@ std::vector<int> light_layers(const Film& film) {
 
 bool is_light(const std::string& name) { return name == "direct" || name == "indirect"; }
 
-std::vector<double> replicate_scales(const Film& film, const Integrator& integrator,
-                                     std::uint64_t samples, double film_scale) {
-  std::vector<double> scales;
-  for (int r = 0; r < film.replicates(); ++r) {
-    scales.push_back(film_scale * integrator.develop_scale(samples, r));
+std::vector<ScaledLayer> scaled_light_layers(const Film& film, const Integrator& integrator,
+                                             std::uint64_t samples, double film_scale) {
+  std::vector<ScaledLayer> layers;
+  for (const int layer : light_layers(film)) {
+    const LayerSpec& spec = film.layers()[static_cast<std::size_t>(layer)];
+    ScaledLayer scaled{layer, {}};
+    for (int r = 0; r < film.replicates(); ++r) {
+      scaled.scales.push_back(film_scale * integrator.develop_scale(spec, samples, r));
+    }
+    layers.push_back(std::move(scaled));
   }
-  return scales;
+  return layers;
 }
 
 /// Layers whose three channels are one number.
 bool is_single_number(const std::string& name) {
-  return name == "depth" || name == "object-id" || name == "material-id";
+  return name == "depth" || name == "object-id" || name == "material-id" || name == "density" ||
+         name == "acceptance";
 }
 
 Picture::Layer one_channel(const Picture::Layer& layer) {
   Picture::Layer single{layer.name, 1, std::vector<float>(layer.pixels.size() / 3)};
-  for (std::size_t i = 0; i < single.pixels.size(); ++i) single.pixels[i] = layer.pixels[3 * i];
+  for (std::size_t i = 0; i < single.pixels.size(); ++i) {
+    single.pixels[i] = layer.pixels[3 * i];
+    // A mean over events, with their number beside it.
+    const float events = layer.pixels[3 * i + 1];
+    if (layer.name == "acceptance") single.pixels[i] /= events > 0.F ? events : 1.F;
+  }
   return single;
 }
 
@@ -104,12 +115,12 @@ Picture develop(const Film& film, const Integrator& integrator, std::uint64_t sa
   Picture picture;
   picture.resolution = film.resolution();
   picture.crop = film.crop();
-  const double scale = integrator.develop_scale(samples, std::nullopt);
   picture.layers.push_back({"", 3, {}});
   std::vector<float> sum;
   for (std::size_t i = 0; i < film.layers().size(); ++i) {
     const LayerSpec& spec = film.layers()[i];
     const bool light = is_light(spec.name);
+    const double scale = integrator.develop_scale(spec, samples, std::nullopt);
     const double layer_scale = spec.per_sample ? (light ? film_scale : 1.0) * scale : 1.0;
     Picture::Layer layer{spec.name, 3, film.develop(static_cast<int>(i), layer_scale)};
     if (light) {
@@ -123,9 +134,8 @@ Picture develop(const Film& film, const Integrator& integrator, std::uint64_t sa
       picture.layers.push_back(
           {name, 1, std::vector<float>(sum.size() / 3, static_cast<float>(samples))});
     } else if (name == "standard-error" && film.replicates() > 1) {
-      const std::vector<double> scales = replicate_scales(film, integrator, samples, film_scale);
-      picture.layers.push_back(
-          {name, 3, standard_error(develop_replicates(film, light_layers(film), scales))});
+      const auto layers = scaled_light_layers(film, integrator, samples, film_scale);
+      picture.layers.push_back({name, 3, standard_error(develop_replicates(film, layers))});
     }
   }
   picture.layers.front().pixels = std::move(sum);
@@ -137,9 +147,8 @@ std::optional<double> estimate_error(const Film& film, const Integrator& integra
   if (film.replicates() < 2 || samples < static_cast<std::uint64_t>(film.replicates())) {
     return std::nullopt;
   }
-  const std::vector<int> layers = light_layers(film);
-  const std::vector<double> scales = replicate_scales(film, integrator, samples, 1.0);
-  const double error = estimated_relative_error(film, layers, scales);
+  const auto layers = scaled_light_layers(film, integrator, samples, 1.0);
+  const double error = estimated_relative_error(film, layers);
   return std::isfinite(error) ? std::optional(error) : std::nullopt;
 }
 

@@ -48,7 +48,7 @@ struct RenderJob::PassOutcome {
   std::uint64_t items = 0;  ///< that were run
 };
 
-RenderJob::RenderJob(const Integrator& integrator, Film& film, RenderJobOptions options)
+RenderJob::RenderJob(Integrator& integrator, Film& film, RenderJobOptions options)
     : integrator_(integrator),
       film_(film),
       options_(std::move(options)),
@@ -85,8 +85,10 @@ RenderJob::PassOutcome RenderJob::run_pass(std::uint64_t first_sample, std::uint
       ++tally.items;
     }
   };
+  integrator_.begin_pass(first_sample, samples);
   tbb::parallel_for(tbb::blocked_range<std::uint64_t>(0, items), run_items,
                     tbb::simple_partitioner());
+  integrator_.end_pass();
 
   PassOutcome outcome;
   std::uint64_t first_item = std::numeric_limits<std::uint64_t>::max();

@@ -61,7 +61,7 @@ class RenderJob {
  public:
   /// `film.replicates()` samples per pixel are the smallest pass. The clock of the render starts
   /// here.
-  RenderJob(const Integrator& integrator, Film& film, RenderJobOptions options);
+  RenderJob(Integrator& integrator, Film& film, RenderJobOptions options);
   /// Renders until the budget is used up. To be called once.
   RenderResult run();
   RenderSnapshot snapshot() const;
@@ -73,7 +73,7 @@ class RenderJob {
   /// Updates the estimate; true if the target error is reached.
   bool reached_target(std::uint64_t samples);
 
-  const Integrator& integrator_;
+  Integrator& integrator_;
   Film& film_;
   RenderJobOptions options_;
   PassSchedule schedule_;

@@ -47,6 +47,47 @@ Json techniques_json(const TechniqueShares& shares) {
   return list;
 }
 
+/// Keys that mean nothing to methods without chains are null there.
+void add_chains(const RenderStatistics& s, Json& json) {
+  for (const char* key : {"mutations", "mutations_per_second", "acceptance", "b", "chains"}) {
+    json[key] = nullptr;
+  }
+  if (!s.chains) return;
+  const ChainReport& report = *s.chains;
+  const std::uint64_t mutations = s.result.counters.mutations;
+  json["mutations"] = mutations;
+  json["mutations_per_second"] = per_second(mutations, s.result.seconds);
+  Json by_depth = Json::array();
+  Json by_technique = Json::array();
+  Json b = Json::array();
+  std::uint64_t chains = 0;
+  for (const ChainReport::Depth& depth : report.depths) {
+    const Json number = depth.depth > 0 ? Json(depth.depth) : Json();
+    by_depth.push_back({{"depth", number},
+                        {"chains", depth.chains},
+                        {"mutations", depth.mutations},
+                        {"acceptance", depth.acceptance}});
+    b.push_back({{"depth", number},
+                 {"b", depth.b},
+                 {"standard_error", number_or_null(depth.b_standard_error)}});
+    chains += depth.chains;
+  }
+  for (const ChainReport::OfTechnique& technique : report.techniques) {
+    by_technique.push_back({{"s", technique.technique.s},
+                            {"t", technique.technique.t},
+                            {"proposals", technique.proposals},
+                            {"acceptance", technique.acceptance}});
+  }
+  json["acceptance"] = {{"small", report.small_acceptance},
+                        {"large", report.large_acceptance},
+                        {"by_depth", by_depth},
+                        {"by_technique", by_technique},
+                        {"longest_rejection_streak", report.longest_rejection_streak}};
+  json["b"] = b;
+  json["chains"] = chains;
+  json["bootstrap_samples"] = report.bootstrap_samples;
+}
+
 }  // namespace
 
 Json to_json(const RenderStatistics& s) {
@@ -68,16 +109,13 @@ Json to_json(const RenderStatistics& s) {
                      {"prepare", s.times.prepare},
                      {"render", r.seconds}};
   json["cpu_seconds"] = r.cpu_seconds;
-  json["rays"] = r.counters.rays;
+  json["rays"] = r.counters.rays + s.preparation.rays;
   json["rays_per_second"] = per_second(r.counters.rays, r.seconds);
   json["samples"] = r.counters.samples;
   json["samples_per_pixel"] = r.samples_per_pixel;
   json["replicates"] = s.replicates;
   json["passes"] = r.passes;
-  json["mutations"] = nullptr;
-  json["mutations_per_second"] = nullptr;
-  json["acceptance"] = nullptr;
-  json["b"] = nullptr;
+  add_chains(s, json);
   json["estimated_relative_error"] = number_or_null(r.relative_error);
   json["peak_memory_bytes"] = s.peak_memory_bytes;
   json["warnings"] = s.warning_count;

@@ -33,6 +33,8 @@ struct RenderStatistics {
   Box2i crop;  ///< inclusive
   StepTimes times;
   RenderResult result;
+  Counters preparation;               ///< what was spent before the first pass
+  std::optional<ChainReport> chains;  ///< of methods that have any
   std::uint64_t peak_memory_bytes = 0;
   std::size_t warning_count = 0;
   std::vector<std::string> warnings;  ///< texts, at most `Warnings::kMaxKept`

@@ -21,7 +21,7 @@ class TestIntegrator final : public Integrator {
     return static_cast<std::uint64_t>(size_.x) * static_cast<std::uint64_t>(size_.y);
   }
   void run_item(std::uint64_t item, std::uint64_t first_sample, std::uint64_t samples, Film& film,
-                Counters& counters) const override {
+                Counters& counters) override {
     if (on_item) on_item(item, first_sample, samples);
     const auto width = static_cast<std::uint64_t>(size_.x);
     const Vec2i pixel(static_cast<int>(item % width), static_cast<int>(item / width));
@@ -39,7 +39,8 @@ class TestIntegrator final : public Integrator {
       }
     }
   }
-  double develop_scale(std::uint64_t samples, std::optional<int> replicate) const override {
+  double develop_scale(const LayerSpec& /*layer*/, std::uint64_t samples,
+                       std::optional<int> replicate) const override {
     return (replicate ? replicates_ : 1) / static_cast<double>(samples);
   }
 

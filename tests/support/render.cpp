@@ -9,6 +9,7 @@
 #include "image/make_filter.h"
 #include "import/pbrt/pbrt_import.h"
 #include "integrator/integrator.h"
+#include "session/preparation.h"
 
 namespace ajar::test {
 
@@ -27,20 +28,25 @@ std::string pbrt_scene(const std::string& camera, int width, int height, const s
          "\nWorldBegin\n" + world + "\nWorldEnd\n";
 }
 
-std::vector<float> Render::image() const {
-  std::vector<float> sum = film->develop(film->layer("direct"), scale);
-  const std::vector<float> indirect = film->develop(film->layer("indirect"), scale);
-  for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += indirect[i];
-  return sum;
+std::vector<float> Render::layer(const std::string& name, std::optional<int> replicate) const {
+  const int index = film->layer(name);
+  const LayerSpec& spec = film->layers()[static_cast<std::size_t>(index)];
+  const double scale = spec.per_sample ? integrator->develop_scale(spec, samples, replicate) : 1.0;
+  return replicate ? film->develop_replicate(index, *replicate, scale)
+                   : film->develop(index, scale);
 }
 
-std::vector<float> Render::replicate(int index) const {
-  const double own = replicate_scale[static_cast<std::size_t>(index)];
-  std::vector<float> sum = film->develop_replicate(film->layer("direct"), index, own);
-  const std::vector<float> indirect = film->develop_replicate(film->layer("indirect"), index, own);
+namespace {
+std::vector<float> light(const Render& render, std::optional<int> replicate) {
+  std::vector<float> sum = render.layer("direct", replicate);
+  const std::vector<float> indirect = render.layer("indirect", replicate);
   for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += indirect[i];
   return sum;
 }
+}  // namespace
+
+std::vector<float> Render::image() const { return light(*this, std::nullopt); }
+std::vector<float> Render::replicate(int index) const { return light(*this, index); }
 
 double Render::mean() const {
   const std::vector<float> pixels = image();
@@ -57,27 +63,32 @@ Render render(const Scene& scene, const RenderOptions& options) {
   settings.seed = options.seed;
   settings.replicates = options.replicates;
   settings.aovs = options.aovs;
-  const auto integrator =
-      info.make(scene, settings, Parameters(info.parameters, options.parameters));
   Render result;
+  result.integrator = info.make(scene, settings, Parameters(info.parameters, options.parameters));
+  Integrator& integrator = *result.integrator;
+  result.counters = prepare(integrator);
   result.film =
       std::make_unique<Film>(settings.resolution, settings.crop, make_filter(scene.film().filter),
-                             options.replicates, integrator->layers());
-  Counters counters;
+                             options.replicates, integrator.layers());
+  result.samples = static_cast<std::uint64_t>(options.samples);
+  // Several passes where there is enough to share, since some methods learn between them.
+  const std::uint64_t passes =
+      result.samples % (4 * static_cast<std::uint64_t>(options.replicates)) == 0 ? 4 : 1;
+  const std::uint64_t samples = result.samples / passes;
   std::mutex mutex;
-  const auto samples = static_cast<std::uint64_t>(options.samples);
-  tbb::parallel_for(std::uint64_t{0}, integrator->items_in_pass(), [&](std::uint64_t item) {
-    Counters own;
-    integrator->run_item(item, 0, samples, *result.film, own);
-    const std::lock_guard lock(mutex);
-    counters += own;
-  });
+  for (std::uint64_t pass = 0; pass < passes; ++pass) {
+    integrator.begin_pass(pass * samples, samples);
+    tbb::parallel_for(std::uint64_t{0}, integrator.items_in_pass(), [&](std::uint64_t item) {
+      Counters own;
+      integrator.run_item(item, pass * samples, samples, *result.film, own);
+      const std::lock_guard lock(mutex);
+      result.counters += own;
+    });
+    integrator.end_pass();
+  }
+  const Counters& counters = result.counters;
   EXPECT_EQ(counters.discarded_nan + counters.discarded_infinite + counters.discarded_negative, 0U)
       << counters.first_discarded;
-  result.scale = integrator->develop_scale(samples, std::nullopt);
-  for (int i = 0; i < options.replicates; ++i) {
-    result.replicate_scale.push_back(integrator->develop_scale(samples, i));
-  }
   return result;
 }
 

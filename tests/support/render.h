@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "image/film.h"
+#include "integrator/integrator.h"
 #include "scene/scene.h"
 #include "transport/path_sampler.h"
 
@@ -21,9 +22,13 @@ std::string pbrt_scene(const std::string& camera, int width, int height, const s
 /// Renders with an integrator of the registry; `samples` per pixel.
 struct Render {
   std::unique_ptr<Film> film;
-  double scale;  ///< of sums over all replicates
-  std::vector<double> replicate_scale;
-  /// direct + indirect, 3 floats per pixel.
+  std::unique_ptr<Integrator> integrator;
+  std::uint64_t samples;
+  Counters counters;
+  /// One layer, 3 floats per pixel.
+  std::vector<float> layer(const std::string& name,
+                           std::optional<int> replicate = std::nullopt) const;
+  /// direct + indirect.
   std::vector<float> image() const;
   std::vector<float> replicate(int index) const;
   double mean() const;  ///< over pixels and channels

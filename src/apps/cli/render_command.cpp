@@ -19,6 +19,7 @@
 #include "session/interrupts.h"
 #include "session/option_values.h"
 #include "session/output.h"
+#include "session/preparation.h"
 #include "session/progress.h"
 #include "session/render_job.h"
 #include "session/render_setup.h"
@@ -202,6 +203,11 @@ int render(const RenderArguments& a) {
   const Stopwatch prepare_clock;
   const std::unique_ptr<Integrator> integrator =
       setup.integrator->make(scene, setup.settings, parameters);
+  statistics.preparation = prepare(*integrator);
+  for (const std::string& concern : integrator->concerns()) {
+    warnings.add(concern);
+    print_warning(concern);
+  }
   const std::vector<LayerSpec> layers = integrator->layers();
   check_layers(setup.settings, layers);
   check_memory(setup, layers, a.resolution.empty() && !a.scale);
@@ -212,6 +218,10 @@ int render(const RenderArguments& a) {
   report_phase(style, "render");
   RenderJobOptions options;
   options.budget = setup.budget;
+  // A time limit covers everything after loading.
+  if (options.budget.seconds) {
+    *options.budget.seconds -= statistics.times.build + statistics.times.prepare;
+  }
   options.threads = a.threads;
   options.estimate_error = [&](const Film& f, std::uint64_t samples) {
     return estimate_error(f, *integrator, samples);
@@ -224,6 +234,7 @@ int render(const RenderArguments& a) {
   }
   const RenderResult& result = statistics.result;
 
+  statistics.chains = integrator->chain_report();
   statistics.scene_hash = scene.hash();
   statistics.integrator = setup.integrator->name;
   statistics.parameters = parameters.values();

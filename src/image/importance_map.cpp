@@ -1,0 +1,92 @@
+#include "image/importance_map.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+
+namespace ajar {
+
+namespace {
+
+/// Share of the mean luminance that is added before the inverse is taken.
+constexpr double kDelta = 0.05;
+constexpr int kBlurRadius = 3;
+
+double mean_of(const std::vector<float>& values) {
+  double sum = 0.0;
+  for (const float value : values) {
+    if (std::isfinite(value) && value > 0.F) sum += static_cast<double>(value);
+  }
+  return sum / static_cast<double>(values.size());
+}
+
+/// Mean of a window along one axis; called for both axes, twice, it comes close to a Gaussian.
+std::vector<float> blur_axis(const std::vector<float>& in, int width, int height, bool horizontal) {
+  std::vector<float> out(in.size());
+  const int length = horizontal ? width : height;
+  const int lines = horizontal ? height : width;
+  for (int line = 0; line < lines; ++line) {
+    const auto at = [&](int i) {
+      const int x = horizontal ? i : line;
+      const int y = horizontal ? line : i;
+      return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+             static_cast<std::size_t>(x);
+    };
+    for (int i = 0; i < length; ++i) {
+      const int first = std::max(0, i - kBlurRadius);
+      const int last = std::min(length - 1, i + kBlurRadius);
+      double sum = 0.0;
+      for (int j = first; j <= last; ++j) sum += static_cast<double>(in[at(j)]);
+      out[at(i)] = static_cast<float>(sum / (last - first + 1));
+    }
+  }
+  return out;
+}
+
+}  // namespace
+
+ImportanceMap::ImportanceMap(const Box2i& pixels, std::vector<float> weights, float floor)
+    : pixels_(pixels), width_(pixels.max.x - pixels.min.x + 1), weights_(std::move(weights)) {
+  const int height = pixels.max.y - pixels.min.y + 1;
+  if (weights_.size() != static_cast<std::size_t>(width_) * static_cast<std::size_t>(height)) {
+    throw std::invalid_argument("importance map: the number of weights is not that of the pixels");
+  }
+  const double mean = mean_of(weights_);
+  if (!(mean > 0.0) || !std::isfinite(mean)) {
+    throw std::invalid_argument("importance map: no weight is above zero");
+  }
+  for (float& weight : weights_) {
+    const double scaled = std::isfinite(weight) ? static_cast<double>(weight) / mean : 0.0;
+    weight = std::max(floor, static_cast<float>(scaled));
+  }
+}
+
+float ImportanceMap::lookup(const Vec2& raster) const {
+  const int x = std::clamp(static_cast<int>(std::floor(raster.x)), pixels_.min.x, pixels_.max.x);
+  const int y = std::clamp(static_cast<int>(std::floor(raster.y)), pixels_.min.y, pixels_.max.y);
+  return weights_[static_cast<std::size_t>(y - pixels_.min.y) * static_cast<std::size_t>(width_) +
+                  static_cast<std::size_t>(x - pixels_.min.x)];
+}
+
+ImportanceMap ImportanceMap::relative(const Box2i& pixels, std::vector<float> luminances) {
+  const int width = pixels.max.x - pixels.min.x + 1;
+  const int height = pixels.max.y - pixels.min.y + 1;
+  // A firefly says little about its neighbours.
+  const double mean = mean_of(luminances);
+  if (!(mean > 0.0)) return {};
+  for (float& value : luminances) {
+    value = std::isfinite(value) ? std::clamp(value, 0.F, static_cast<float>(20.0 * mean)) : 0.F;
+  }
+  for (int pass = 0; pass < 2; ++pass) {
+    luminances = blur_axis(luminances, width, height, true);
+    luminances = blur_axis(luminances, width, height, false);
+  }
+  const double delta = kDelta * mean_of(luminances);
+  for (float& value : luminances) {
+    value = static_cast<float>(1.0 / (static_cast<double>(value) + delta));
+  }
+  return {pixels, std::move(luminances)};
+}
+
+}  // namespace ajar

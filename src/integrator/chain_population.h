@@ -1,0 +1,47 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "mcmc/chain.h"
+#include "mcmc/chain_statistics.h"
+#include "mcmc/moments.h"
+#include "transport/path_sampler.h"
+
+namespace ajar {
+
+/// What all chains of one kind of path share: the depth, or all depths.
+struct PathGroup {
+  int depth;  ///< edges; 0: all
+  PathSamplerSettings sampler;
+  PrimaryShape shape;
+};
+
+/// A chain with all it has done.
+struct MemberChain {
+  Chain chain;
+  ChainStatistics statistics;
+  std::vector<ChainStatistics::Kind> by_technique;  ///< indexed by s; empty if there is no one
+};
+
+/// The chains of one group in one replicate, with a bootstrap of their own.
+struct ChainPopulation {
+  std::size_t group;
+  int replicate;
+  std::uint64_t seed;           ///< of its bootstrap
+  std::vector<double> weights;  ///< I of the bootstrap samples; emptied once chains are seeded
+  Moments bootstrap;
+  std::vector<MemberChain> chains;
+  /// Of samples taken where no seed was found, which are deposited as they are.
+  std::uint64_t plain_samples = 0;
+  ChainStatistics plain_statistics;
+
+  /// Bootstrap and large steps together: all are independent samples of I.
+  Moments moments() const {
+    Moments all = bootstrap;
+    for (const MemberChain& member : chains) all += member.statistics.large_steps;
+    all += plain_statistics.large_steps;
+    return all;
+  }
+};
+
+}  // namespace ajar

@@ -1,0 +1,149 @@
+#include "integrator/path_target.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace ajar {
+
+namespace {
+
+/// Turns contributions into splats: those of the camera ray's own place into one per layer.
+class SplatSink final : public PathSink {
+ public:
+  SplatSink(const ChainView& view, const Vec2& raster, SplatBuffer& splats)
+      : view_(view), raster_(raster), splats_(splats), first_(splats.size()) {}
+
+  void add(const Contribution& contribution) override {
+    const std::int32_t layer = splat_layer(contribution.technique.depth());
+    if (contribution.technique.t == 1) {
+      splats_.push_back({contribution.raster, layer, contribution.value});
+      return;
+    }
+    for (std::size_t i = first_; i < splats_.size(); ++i) {
+      Splat& splat = splats_[i];
+      if (splat.layer == layer && splat.raster == raster_) {
+        splat.value += contribution.value;
+        return;
+      }
+    }
+    splats_.push_back({raster_, layer, contribution.value});
+  }
+  bool reaches(const Vec2& raster) const override { return view_.contains(raster); }
+
+ private:
+  const ChainView& view_;
+  Vec2 raster_;
+  SplatBuffer& splats_;
+  std::size_t first_;
+};
+
+Vec2 raster_of(SampleSource& numbers, const ChainView& view) {
+  return view.raster(numbers.get_pair({Stream::Camera, 0, kEmissionDirection}));
+}
+
+constexpr Slot kTechniqueChoice = Slot::BsdfDirectionX;
+
+}  // namespace
+
+double contribution(std::span<const Splat> splats, const ImportanceMap& importance) {
+  double sum = 0.0;
+  for (const Splat& splat : splats) {
+    // One lane below zero must not hide behind the others.
+    if (splat.value.min() < 0.F) return -1.0;
+    sum +=
+        static_cast<double>(luminance(splat.value)) * static_cast<double>(importance(splat.raster));
+  }
+  return sum;
+}
+
+WholePathTarget::WholePathTarget(const Scene& scene, const PathSamplerSettings& settings,
+                                 const ChainView& view)
+    : view_(view),
+      light_alone_(settings.techniques.any(TechniqueClass::Light) &&
+                   !settings.techniques.any(TechniqueClass::Inner)),
+      sampler_(scene, settings) {}
+
+double WholePathTarget::evaluate(SampleSource& numbers, const Change& /*change*/,
+                                 SplatBuffer& splats) {
+  const Vec2 raster = raster_of(numbers, view_);
+  SplatSink sink(view_, raster, splats);
+  if (light_alone_) sampler_.sample_light(numbers, sink);
+  sampler_.sample(numbers, raster, sink);
+  return contribution(splats, view_.importance);
+}
+
+std::vector<Technique> OnePathTarget::techniques_of(const TechniqueSet& set, int depth) {
+  std::vector<Technique> result;
+  for (int s = 0; s <= depth; ++s) {
+    if (set.enabled({s, depth + 1 - s})) result.push_back({s, depth + 1 - s});
+  }
+  return result;
+}
+
+OnePathTarget::OnePathTarget(const Scene& scene, const PathSamplerSettings& settings,
+                             const ChainView& view)
+    : view_(view),
+      sampler_(scene, settings),
+      techniques_(techniques_of(settings.techniques, settings.max_depth)) {}
+
+template <typename Trace>
+const PathVertex* OnePathTarget::half(Half& current, Half& proposal, int vertices, bool moved,
+                                      const Trace& trace) {
+  if (!moved && current.vertices == vertices) {
+    return current.complete ? &current.end : nullptr;
+  }
+  proposal.vertices = vertices;
+  proposal.complete = trace(proposal.end);
+  return proposal.complete ? &proposal.end : nullptr;
+}
+
+double OnePathTarget::evaluate(SampleSource& numbers, const Change& change, SplatBuffer& splats) {
+  change_ = change;
+  light_proposal_.vertices = 0;
+  camera_proposal_.vertices = 0;
+  const auto count = static_cast<float>(techniques_.size());
+  const float u = numbers.get({Stream::Connection, 0, kTechniqueChoice});
+  technique_ = techniques_[std::min(static_cast<std::size_t>(u * count), techniques_.size() - 1)];
+  const auto [s, t] = technique_;
+  const Vec2 raster = t >= 2 ? raster_of(numbers, view_) : Vec2(0.F, 0.F);
+  SplatSink sink(view_, raster, splats);
+  if (s == 0) {
+    sampler_.sample_implicit(numbers, raster, t, sink);
+  } else {
+    static const PathVertex kEndpointAlone{};
+    const PathVertex* camera_end = &kEndpointAlone;
+    const PathVertex* light_end = &kEndpointAlone;
+    if (t >= 2) {
+      camera_end = half(camera_, camera_proposal_, t, change.camera, [&](PathVertex& end) {
+        return sampler_.trace_camera_half(numbers, raster, t, end);
+      });
+      if (camera_end == nullptr) return 0.0;
+    }
+    if (s >= 2) {
+      light_end = half(light_, light_proposal_, s, change.light,
+                       [&](PathVertex& end) { return sampler_.trace_light_half(numbers, s, end); });
+      if (light_end == nullptr) return 0.0;
+    }
+    sampler_.connect_halves(technique_, *light_end, *camera_end, numbers, sink);
+  }
+  for (Splat& splat : splats) splat.value *= count;
+  return contribution(splats, view_.importance);
+}
+
+void OnePathTarget::keep(Half& current, Half& proposal, bool moved) {
+  if (proposal.vertices > 0) {
+    std::swap(current, proposal);
+  } else if (moved) {
+    current.vertices = 0;  // its numbers have changed, unseen
+  }
+}
+
+void OnePathTarget::accepted() {
+  keep(light_, light_proposal_, change_.light);
+  keep(camera_, camera_proposal_, change_.camera);
+}
+
+void OnePathTarget::rejected() {}
+
+}  // namespace ajar
