@@ -71,9 +71,9 @@ TEST(Layers, DirectPlusIndirectIsThePictureToTheBit) {
 
 TEST(TechniqueLayers, WeightedOnesAddUpToThePicture) {
   const auto scene = closed_room();
-  for (const IntegratorInfo& info : integrators()) {
+  for (const char* integrator : {"pt", "lt", "ibpt", "bdpt"}) {
     test::RenderOptions options;
-    options.integrator = info.name;
+    options.integrator = integrator;
     options.samples = 16;
     options.max_depth = 5;
     options.aovs = {"techniques"};
@@ -87,7 +87,7 @@ TEST(TechniqueLayers, WeightedOnesAddUpToThePicture) {
     }
     const std::vector<float> image = picture.image();
     for (std::size_t p = 0; p < image.size(); ++p) {
-      ASSERT_NEAR(sum[p], image[p], 1e-5F + 1e-5F * image[p]) << info.name;
+      ASSERT_NEAR(sum[p], image[p], 1e-5F + 1e-5F * image[p]) << integrator;
     }
   }
 }

@@ -22,7 +22,7 @@ namespace {
 
 constexpr int kDirectDepth = 2;
 constexpr int kPilotSamples = 2;
-constexpr std::uint64_t kBootstrapBlock = 512;
+constexpr std::uint64_t kSamplesPerBlock = 512;
 constexpr int kMaxChainEdges = 1000;
 const std::string kDensity = "density";
 const std::string kAcceptance = "acceptance";
@@ -75,7 +75,7 @@ class FilmSink final : public DepositSink {
 
   void proposed(std::span<const Splat> current, double acceptance) override {
     if (by_technique_ != nullptr && target_.technique() != nullptr) {
-      auto& kind = (*by_technique_)[static_cast<std::size_t>(target_.technique()->s)];
+      auto& kind = (*by_technique_)[target_.technique()->number];
       ++kind.proposals;
       kind.acceptances += acceptance;
     }
@@ -117,9 +117,15 @@ class ChainIntegrator final : public Integrator {
   std::optional<ChainReport> chain_report() const override;
 
  private:
-  /// One block of one population's bootstrap samples.
-  struct BootstrapItem {
-    std::size_t population;
+  /// The rounds of the preparation.
+  enum class Stage {
+    Pilot,     ///< a picture for the importance map
+    Trial,     ///< which techniques carry the light of a depth
+    Bootstrap  ///< seeds for the chains
+  };
+  /// One block of samples of one group (trial) or population (bootstrap).
+  struct SampleBlock {
+    std::size_t owner;
     std::uint64_t first;
     std::uint64_t last;
   };
@@ -132,7 +138,16 @@ class ChainIntegrator final : public Integrator {
   void make_groups(const Parameters& parameters);
   void begin_pilot(const Parameters& parameters);
   void end_pilot();
+  std::uint64_t begin(Stage stage);
+  void end(Stage stage);
+  void add_blocks(std::size_t owner, std::uint64_t samples);
+  /// The share of all bootstrap samples that a group gets: long paths carry little light and cost
+  /// much.
+  double bootstrap_share(const PathGroup& group) const;
+  void run_trial(std::uint64_t item, Counters& counters);
+  void end_trial();
   void begin_bootstrap();
+  void run_bootstrap(std::uint64_t item, Counters& counters);
   void end_bootstrap();
   void seed_replicate(int replicate);
   void add_concerns();
@@ -167,7 +182,9 @@ class ChainIntegrator final : public Integrator {
   std::vector<PathGroup> groups_;
   std::vector<ChainPopulation> populations_;
   std::vector<std::size_t> chain_counts_;  ///< per replicate
-  std::vector<BootstrapItem> bootstrap_items_;
+  std::vector<Stage> stages_;
+  std::vector<SampleBlock> blocks_;               ///< of the current stage
+  std::vector<std::vector<double>> trial_light_;  ///< per block, by technique
   std::vector<ChainItem> chain_items_;
   std::vector<double> b_;  ///< of each population, during the current pass
   std::vector<std::string> concerns_;
@@ -215,6 +232,9 @@ ChainIntegrator::ChainIntegrator(ChainKind kind, const Scene& scene, const Rende
         scene, direct, Parameters(specs, {{"heuristic", parameters.get_text("heuristic")}}));
   }
   begin_pilot(parameters);
+  if (pilot_) stages_.push_back(Stage::Pilot);
+  if (kind_ == ChainKind::OnePath) stages_.push_back(Stage::Trial);
+  stages_.push_back(Stage::Bootstrap);
 }
 
 void ChainIntegrator::make_groups(const Parameters& parameters) {
@@ -230,17 +250,21 @@ void ChainIntegrator::make_groups(const Parameters& parameters) {
   if (sampler.min_depth > sampler.max_depth) return;
   if (kind_ == ChainKind::WholePath) {
     sampler.roulette_start = parameters.get_int("roulette-start");
-    groups_.push_back({0, sampler, {sampler.max_depth + 1, sampler.max_depth + 1}});
+    groups_.push_back({0,
+                       sampler,
+                       TechniqueChoice(techniques_, 0),
+                       {sampler.max_depth + 1, sampler.max_depth + 1}});
     return;
   }
   // A path of given depth gains nothing from ending early.
   sampler.roulette_start = kMaxChainEdges + 1;
   for (int depth = sampler.min_depth; depth <= settings_.max_depth; ++depth) {
-    if (OnePathTarget::techniques_of(techniques_, depth).empty()) continue;
+    const TechniqueChoice choice(techniques_, depth);
+    if (choice.empty()) continue;
     PathSamplerSettings own = sampler;
     own.min_depth = depth;
     own.max_depth = depth;
-    groups_.push_back({depth, own, {depth + 1, depth + 1}});
+    groups_.push_back({depth, own, choice, {depth + 1, depth + 1}});
   }
 }
 
@@ -294,29 +318,122 @@ void ChainIntegrator::end_pilot() {
 }
 
 std::uint64_t ChainIntegrator::begin_preparation(int round) {
-  if (pilot_ && round == 0) {
-    pilot_film_ = std::make_unique<Film>(settings_.resolution, settings_.crop, Filter::box(), 1,
-                                         pilot_->layers());
-    return pilot_->items_in_pass();
+  if (groups_.empty()) return 0;
+  const auto index = static_cast<std::size_t>(round);
+  if (index > 0) end(stages_[index - 1]);
+  return index < stages_.size() ? begin(stages_[index]) : 0;
+}
+
+std::uint64_t ChainIntegrator::begin(Stage stage) {
+  blocks_.clear();
+  switch (stage) {
+    case Stage::Pilot:
+      pilot_film_ = std::make_unique<Film>(settings_.resolution, settings_.crop, Filter::box(), 1,
+                                           pilot_->layers());
+      return pilot_->items_in_pass();
+    case Stage::Trial: {
+      constexpr double kTrialShare = 0.1;  // on top of the bootstrap
+      for (std::size_t g = 0; g < groups_.size(); ++g) {
+        add_blocks(g, static_cast<std::uint64_t>(kTrialShare * static_cast<double>(bootstrap_) *
+                                                 bootstrap_share(groups_[g])));
+      }
+      trial_light_.resize(blocks_.size());
+      break;
+    }
+    case Stage::Bootstrap:
+      begin_bootstrap();
+      break;
   }
-  if (pilot_) end_pilot();
-  if (populations_.empty()) {
-    begin_bootstrap();
-    if (!bootstrap_items_.empty()) return bootstrap_items_.size();
+  return blocks_.size();
+}
+
+void ChainIntegrator::end(Stage stage) {
+  switch (stage) {
+    case Stage::Pilot:
+      return end_pilot();
+    case Stage::Trial:
+      return end_trial();
+    case Stage::Bootstrap:
+      return end_bootstrap();
   }
-  if (!bootstrap_items_.empty()) end_bootstrap();
-  return 0;
 }
 
 void ChainIntegrator::prepare_item(int round, std::uint64_t item, Counters& counters) {
-  if (pilot_ && round == 0) {
-    Counters own;
-    pilot_->run_item(item, 0, kPilotSamples, *pilot_film_, own);
-    counters.rays += own.rays;
-    return;
+  switch (stages_[static_cast<std::size_t>(round)]) {
+    case Stage::Pilot: {
+      Counters own;
+      pilot_->run_item(item, 0, kPilotSamples, *pilot_film_, own);
+      counters.rays += own.rays;
+      return;
+    }
+    case Stage::Trial:
+      return run_trial(item, counters);
+    case Stage::Bootstrap:
+      return run_bootstrap(item, counters);
   }
-  const BootstrapItem& block = bootstrap_items_[item];
-  ChainPopulation& population = populations_[block.population];
+}
+
+void ChainIntegrator::add_blocks(std::size_t owner, std::uint64_t samples) {
+  for (std::uint64_t first = 0; first < samples; first += kSamplesPerBlock) {
+    blocks_.push_back({owner, first, std::min(samples, first + kSamplesPerBlock)});
+  }
+}
+
+double ChainIntegrator::bootstrap_share(const PathGroup& group) const {
+  const auto weight = [](const PathGroup& g) { return 1.0 / std::max(1, g.depth); };
+  double whole = 0.0;
+  for (const PathGroup& other : groups_) whole += weight(other);
+  return weight(group) / whole;
+}
+
+void ChainIntegrator::run_trial(std::uint64_t item, Counters& counters) {
+  const SampleBlock& block = blocks_[item];
+  const PathGroup& group = groups_[block.owner];
+  const std::uint64_t seed = hash_numbers(settings_.seed, 0x7e1a1ULL, group.depth);
+  const auto target = make_target(group);
+  std::vector<double>& light = trial_light_[item];
+  light.assign(group.choice.size(), 0.0);
+  SplatBuffer splats;
+  for (std::uint64_t i = block.first; i < block.last; ++i) {
+    BootstrapSource source(seed, i);
+    splats.clear();
+    const double scalar = target->evaluate(source, Change{}, splats);
+    target->rejected();
+    if (scalar > 0.0 && std::isfinite(scalar)) light[target->technique()->number] += scalar;
+  }
+  counters.rays += target->rays();
+}
+
+void ChainIntegrator::end_trial() {
+  for (std::size_t g = 0; g < groups_.size(); ++g) {
+    std::vector<double> light(groups_[g].choice.size());
+    for (std::size_t i = 0; i < blocks_.size(); ++i) {
+      if (blocks_[i].owner != g) continue;
+      for (std::size_t t = 0; t < light.size(); ++t) light[t] += trial_light_[i][t];
+    }
+    groups_[g].choice.adapt(light);
+  }
+  trial_light_.clear();
+}
+
+void ChainIntegrator::begin_bootstrap() {
+  constexpr double kFewest = 64.0;
+  const double per_replicate = static_cast<double>(bootstrap_) / settings_.replicates;
+  for (int replicate = 0; replicate < settings_.replicates; ++replicate) {
+    for (std::size_t g = 0; g < groups_.size(); ++g) {
+      ChainPopulation population{.group = g, .replicate = replicate};
+      population.seed = hash_numbers(settings_.seed, 0xb0075ULL, replicate, groups_[g].depth);
+      const double samples = std::max(kFewest, per_replicate * bootstrap_share(groups_[g]));
+      population.weights.resize(static_cast<std::size_t>(samples));
+      add_blocks(populations_.size(), population.weights.size());
+      populations_.push_back(std::move(population));
+    }
+  }
+}
+
+void ChainIntegrator::run_bootstrap(std::uint64_t item, Counters& counters) {
+  const SampleBlock& block = blocks_[item];
+  ChainPopulation& population = populations_[block.owner];
   const auto target = make_target(groups_[population.group]);
   SplatBuffer splats;
   for (std::uint64_t i = block.first; i < block.last; ++i) {
@@ -330,29 +447,7 @@ void ChainIntegrator::prepare_item(int round, std::uint64_t item, Counters& coun
   counters.rays += target->rays();
 }
 
-void ChainIntegrator::begin_bootstrap() {
-  // Long paths carry little light and cost much, so they get fewer samples.
-  double whole = 0.0;
-  for (const PathGroup& group : groups_) whole += 1.0 / std::max(1, group.depth);
-  const double per_replicate = static_cast<double>(bootstrap_) / settings_.replicates;
-  for (int replicate = 0; replicate < settings_.replicates; ++replicate) {
-    for (std::size_t g = 0; g < groups_.size(); ++g) {
-      const double share = 1.0 / std::max(1, groups_[g].depth) / whole;
-      const auto count = static_cast<std::uint64_t>(std::max(64.0, per_replicate * share));
-      ChainPopulation population{.group = g, .replicate = replicate};
-      population.seed = hash_numbers(settings_.seed, 0xb0075ULL, replicate, groups_[g].depth);
-      population.weights.resize(count);
-      for (std::uint64_t first = 0; first < count; first += kBootstrapBlock) {
-        bootstrap_items_.push_back(
-            {populations_.size(), first, std::min(count, first + kBootstrapBlock)});
-      }
-      populations_.push_back(std::move(population));
-    }
-  }
-}
-
 void ChainIntegrator::end_bootstrap() {
-  bootstrap_items_.clear();
   chain_counts_.assign(static_cast<std::size_t>(settings_.replicates), 0);
   for (ChainPopulation& population : populations_) {
     population.bootstrap = bootstrap_moments(population.weights);
@@ -387,8 +482,7 @@ void ChainIntegrator::seed_replicate(int replicate) {
     const PathGroup& group = groups_[population.group];
     const double u =
         to_unit_float(static_cast<std::uint32_t>(hash_numbers(population.seed, 0x5eedULL) >> 32U));
-    const std::size_t by_technique =
-        kind_ == ChainKind::OnePath ? static_cast<std::size_t>(group.depth) + 1 : 0;
+    const std::size_t by_technique = kind_ == ChainKind::OnePath ? group.choice.size() : 0;
     for (const std::size_t index : choose_seeds(population.weights, shares[i], u)) {
       const std::uint64_t chain_seed =
           hash_numbers(population.seed, 0xc4a15ULL, population.chains.size());
@@ -421,7 +515,7 @@ std::unique_ptr<PathTarget> ChainIntegrator::make_target(const PathGroup& group)
   if (kind_ == ChainKind::WholePath) {
     return std::make_unique<WholePathTarget>(scene_, group.sampler, view_);
   }
-  return std::make_unique<OnePathTarget>(scene_, group.sampler, view_);
+  return std::make_unique<OnePathTarget>(scene_, group.sampler, group.choice, view_);
 }
 
 std::vector<LayerSpec> ChainIntegrator::layers() const {
@@ -579,7 +673,8 @@ std::optional<ChainReport> ChainIntegrator::chain_report() const {
     ChainReport::Depth depth{groups_[g].depth, 0, 0, 0.0, 0.0, 0.0};
     ChainStatistics own;
     double variance = 0.0;
-    std::vector<ChainStatistics::Kind> by_technique(static_cast<std::size_t>(groups_[g].depth) + 1);
+    const TechniqueChoice& choice = groups_[g].choice;
+    std::vector<ChainStatistics::Kind> by_technique(choice.size());
     for (const ChainPopulation& population : populations_) {
       if (population.group != g) continue;
       report.bootstrap_samples += population.bootstrap.count;
@@ -605,9 +700,7 @@ std::optional<ChainReport> ChainIntegrator::chain_report() const {
       const ChainStatistics::Kind& kind = by_technique[s];
       if (kind.proposals == 0) continue;
       report.techniques.push_back(
-          {{static_cast<int>(s), groups_[g].depth + 1 - static_cast<int>(s)},
-           kind.proposals,
-           kind.acceptances / static_cast<double>(kind.proposals)});
+          {choice[s], kind.proposals, kind.acceptances / static_cast<double>(kind.proposals)});
     }
     report.depths.push_back(depth);
     whole += own;

@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "integrator/path_target.h"
 #include "mcmc/chain.h"
 #include "mcmc/chain_statistics.h"
 #include "mcmc/moments.h"
@@ -13,6 +14,7 @@ namespace ajar {
 struct PathGroup {
   int depth;  ///< edges; 0: all
   PathSamplerSettings sampler;
+  TechniqueChoice choice;  ///< if there is one depth
   PrimaryShape shape;
 };
 
@@ -20,7 +22,7 @@ struct PathGroup {
 struct MemberChain {
   Chain chain;
   ChainStatistics statistics;
-  std::vector<ChainStatistics::Kind> by_technique;  ///< indexed by s; empty if there is no one
+  std::vector<ChainStatistics::Kind> by_technique;  ///< numbered as in the group's choice
 };
 
 /// The chains of one group in one replicate, with a bootstrap of their own.

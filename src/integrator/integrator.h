@@ -108,7 +108,8 @@ struct IntegratorInfo {
 /// A layer that users can ask for with `--aov`.
 struct AovInfo {
   std::string name;
-  std::string summary;  ///< one line
+  std::string summary;      ///< one line
+  bool part_of_all = true;  ///< false for what is large, or made by some integrators only
 };
 /// Every layer there is, those that need no asking for ("direct", "indirect") included.
 const std::vector<AovInfo>& aovs();

@@ -73,19 +73,33 @@ double WholePathTarget::evaluate(SampleSource& numbers, const Change& /*change*/
   return contribution(splats, view_.importance);
 }
 
-std::vector<Technique> OnePathTarget::techniques_of(const TechniqueSet& set, int depth) {
-  std::vector<Technique> result;
+TechniqueChoice::TechniqueChoice(const TechniqueSet& set, int depth) {
   for (int s = 0; s <= depth; ++s) {
-    if (set.enabled({s, depth + 1 - s})) result.push_back({s, depth + 1 - s});
+    if (set.enabled({s, depth + 1 - s})) techniques_.push_back({s, depth + 1 - s});
   }
-  return result;
+  probabilities_.assign(techniques_.size(), 1.F / static_cast<float>(techniques_.size()));
+}
+
+void TechniqueChoice::adapt(std::span<const double> light) {
+  constexpr double kEven = 0.2;  // the share that stays evenly spread
+  double whole = 0.0;
+  for (const double value : light) whole += value;
+  if (!(whole > 0.0) || !std::isfinite(whole)) return;
+  const double even = kEven / static_cast<double>(light.size());
+  for (std::size_t i = 0; i < light.size(); ++i) {
+    probabilities_[i] = static_cast<float>(even + (1.0 - kEven) * light[i] / whole);
+  }
+}
+
+TechniqueChoice::Chosen TechniqueChoice::choose(float u) const {
+  std::size_t i = 0;
+  while (i + 1 < techniques_.size() && u >= probabilities_[i]) u -= probabilities_[i++];
+  return {i, techniques_[i], probabilities_[i]};
 }
 
 OnePathTarget::OnePathTarget(const Scene& scene, const PathSamplerSettings& settings,
-                             const ChainView& view)
-    : view_(view),
-      sampler_(scene, settings),
-      techniques_(techniques_of(settings.techniques, settings.max_depth)) {}
+                             const TechniqueChoice& choice, const ChainView& view)
+    : view_(view), sampler_(scene, settings), choice_(choice) {}
 
 template <typename Trace>
 const PathVertex* OnePathTarget::half(Half& current, Half& proposal, int vertices, bool moved,
@@ -102,10 +116,8 @@ double OnePathTarget::evaluate(SampleSource& numbers, const Change& change, Spla
   change_ = change;
   light_proposal_.vertices = 0;
   camera_proposal_.vertices = 0;
-  const auto count = static_cast<float>(techniques_.size());
-  const float u = numbers.get({Stream::Connection, 0, kTechniqueChoice});
-  technique_ = techniques_[std::min(static_cast<std::size_t>(u * count), techniques_.size() - 1)];
-  const auto [s, t] = technique_;
+  chosen_ = choice_.choose(numbers.get({Stream::Connection, 0, kTechniqueChoice}));
+  const auto [s, t] = chosen_.technique;
   const Vec2 raster = t >= 2 ? raster_of(numbers, view_) : Vec2(0.F, 0.F);
   SplatSink sink(view_, raster, splats);
   if (s == 0) {
@@ -125,9 +137,9 @@ double OnePathTarget::evaluate(SampleSource& numbers, const Change& change, Spla
                        [&](PathVertex& end) { return sampler_.trace_light_half(numbers, s, end); });
       if (light_end == nullptr) return 0.0;
     }
-    sampler_.connect_halves(technique_, *light_end, *camera_end, numbers, sink);
+    sampler_.connect_halves(chosen_.technique, *light_end, *camera_end, numbers, sink);
   }
-  for (Splat& splat : splats) splat.value *= count;
+  for (Splat& splat : splats) splat.value /= chosen_.probability;
   return contribution(splats, view_.importance);
 }
 

@@ -32,12 +32,36 @@ constexpr std::int32_t splat_layer(int depth) { return depth <= 2 ? kDirectSplat
 /// Σ luminance · importance over splats: the contribution function I.
 double contribution(std::span<const Splat> splats, const ImportanceMap& importance);
 
+/// Among which techniques of one depth a state chooses, and how likely each is.
+class TechniqueChoice {
+ public:
+  /// All techniques of the set, equally likely; there must be one.
+  TechniqueChoice(const TechniqueSet& set, int depth);
+  bool empty() const { return techniques_.empty(); }
+  std::size_t size() const { return techniques_.size(); }
+  Technique operator[](std::size_t number) const { return techniques_[number]; }
+  /// Makes techniques likely in proportion to the light they were found to carry, by number, though
+  /// none unlikely beyond measure: large steps then propose what the chain wants.
+  void adapt(std::span<const double> light);
+
+  struct Chosen {
+    std::size_t number;
+    Technique technique;
+    float probability;
+  };
+  Chosen choose(float u) const;
+
+ private:
+  std::vector<Technique> techniques_;
+  std::vector<float> probabilities_;
+};
+
 /// A target over paths.
 class PathTarget : public Target {
  public:
   virtual std::uint64_t rays() const = 0;
   /// The technique of the state evaluated last, for targets whose states are of one.
-  virtual const Technique* technique() const { return nullptr; }
+  virtual const TechniqueChoice::Chosen* technique() const { return nullptr; }
 };
 
 /// A state is a camera subpath and a light subpath with all their connections (`pssmlt`).
@@ -55,20 +79,19 @@ class WholePathTarget final : public PathTarget {
 };
 
 /// A state is one path of one depth and technique (`mmlt`). The technique is chosen by one more
-/// number, uniformly among those of the set. A half of the path that a step does not move is not
+/// number. A half of the path that a step does not move is not
 /// traced again. Source: Hachisuka, Kaplanyan, Dachsbacher 2014.
 class OnePathTarget final : public PathTarget {
  public:
-  /// All paths have `settings.max_depth` edges, which must equal `settings.min_depth`, and some
-  /// technique of that depth must belong to the set.
-  OnePathTarget(const Scene& scene, const PathSamplerSettings& settings, const ChainView& view);
+  /// All paths have `settings.max_depth` edges, which must equal `settings.min_depth`; the choice
+  /// is among techniques of that depth.
+  OnePathTarget(const Scene& scene, const PathSamplerSettings& settings,
+                const TechniqueChoice& choice, const ChainView& view);
   double evaluate(SampleSource& numbers, const Change& change, SplatBuffer& splats) override;
   void accepted() override;
   void rejected() override;
   std::uint64_t rays() const override { return sampler_.rays(); }
-  const Technique* technique() const override { return &technique_; }
-
-  static std::vector<Technique> techniques_of(const TechniqueSet& set, int depth);
+  const TechniqueChoice::Chosen* technique() const override { return &chosen_; }
 
  private:
   /// One half of a path: the vertex it ends with, if it gets there.
@@ -85,8 +108,8 @@ class OnePathTarget final : public PathTarget {
 
   const ChainView& view_;
   PathSampler sampler_;
-  std::vector<Technique> techniques_;
-  Technique technique_{0, 2};
+  const TechniqueChoice& choice_;
+  TechniqueChoice::Chosen chosen_{0, {0, 2}, 1.F};
   Change change_;
   Half light_;
   Half light_proposal_;

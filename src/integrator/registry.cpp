@@ -99,13 +99,14 @@ const std::vector<AovInfo>& aovs() {
       {"samples", "samples per pixel"},
       {"techniques",
        "what each technique contributes, weighted and alone, for paths of up to six edges (many "
-       "layers; not part of \"all\")"},
+       "layers)",
+       false},
       {"density",
        "visits of the chains per pixel and mutation per pixel: where they spend their "
-       "time (mmlt, pssmlt; not part of \"all\")"},
-      {"acceptance",
-       "mean acceptance probability of steps that begin in a pixel (mmlt, pssmlt; not "
-       "part of \"all\")"},
+       "time (mmlt, pssmlt)",
+       false},
+      {"acceptance", "mean acceptance probability of steps that begin in a pixel (mmlt, pssmlt)",
+       false},
       {"standard-error", "standard error of each pixel, from replicates"},
   };
   return kAovs;

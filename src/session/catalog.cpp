@@ -66,7 +66,9 @@ std::vector<CatalogEntry> entries(const std::string& kind) {
   if (kind == "materials") return material_catalog();
   if (kind == "scenes") return scene_catalog();
   std::vector<CatalogEntry> layers;
-  for (const AovInfo& aov : aovs()) layers.push_back({aov.name, aov.summary});
+  for (const AovInfo& aov : aovs()) {
+    layers.push_back({aov.name, aov.summary + (aov.part_of_all ? "" : "; not part of \"all\"")});
+  }
   return layers;
 }
 
@@ -112,14 +114,12 @@ std::vector<CatalogEntry> scene_catalog() {
 
 std::vector<std::string> checked_aovs(const std::vector<std::string>& names) {
   std::vector<std::string> valid;
-  for (const AovInfo& aov : aovs()) valid.push_back(aov.name);
-  if (names == std::vector<std::string>{"all"}) {
-    // Dozens of layers, and layers that only some integrators make.
-    std::erase_if(valid, [](const std::string& name) {
-      return name == "techniques" || name == "density" || name == "acceptance";
-    });
-    return valid;
+  std::vector<std::string> all;
+  for (const AovInfo& aov : aovs()) {
+    valid.push_back(aov.name);
+    if (aov.part_of_all) all.push_back(aov.name);
   }
+  if (names == std::vector<std::string>{"all"}) return all;
   for (const std::string& name : names) {
     if (std::find(valid.begin(), valid.end(), name) == valid.end()) {
       throw UsageError(unknown_name_message("AOV", name, valid));

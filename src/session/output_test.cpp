@@ -32,7 +32,7 @@ class OutputTest : public testing::Test {
   fs::path previous_, folder_;
 };
 
-Film rendered_film(const TestIntegrator& integrator, std::uint64_t samples) {
+Film rendered_film(TestIntegrator& integrator, std::uint64_t samples) {
   Film film(kSize, Box2i(Vec2i(0, 0), kSize - Vec2i(1, 1)), Filter::box(), 4, integrator.layers());
   Counters counters;
   for (std::uint64_t i = 0; i < integrator.items_in_pass(); ++i) {
@@ -42,7 +42,7 @@ Film rendered_film(const TestIntegrator& integrator, std::uint64_t samples) {
 }
 
 TEST_F(OutputTest, PictureIsTheMeanOfSamplesTimesTheFilmScale) {
-  const TestIntegrator integrator(kSize, 4);
+  TestIntegrator integrator(kSize, 4);
   const Film film = rendered_film(integrator, 8);
   const Picture picture = develop(film, integrator, 8, 3.0, {"samples", "standard-error"});
   double mean = 0.25;
@@ -57,7 +57,7 @@ TEST_F(OutputTest, PictureIsTheMeanOfSamplesTimesTheFilmScale) {
 }
 
 TEST_F(OutputTest, StandardErrorComesFromTheReplicates) {
-  const TestIntegrator integrator(kSize, 4);
+  TestIntegrator integrator(kSize, 4);
   const Film film = rendered_film(integrator, 4);
   const Picture picture = develop(film, integrator, 4, 1.0, {"standard-error"});
   double mean = 0.0;
@@ -85,7 +85,7 @@ TEST_F(OutputTest, ImpossiblePathsAreFoundBeforeRendering) {
 }
 
 TEST_F(OutputTest, WritesWhatWasAskedFor) {
-  const TestIntegrator integrator(kSize, 4);
+  TestIntegrator integrator(kSize, 4);
   const Picture picture = develop(rendered_film(integrator, 4), integrator, 4, 1.0, {});
   const auto files = write_pictures(picture, {"a.exr", "a.png"}, {});
   ASSERT_EQ(files.size(), 2U);
@@ -99,7 +99,7 @@ TEST_F(OutputTest, WritesWhatWasAskedFor) {
 }
 
 TEST_F(OutputTest, APictureThatCannotBeWrittenIsRescued) {
-  const TestIntegrator integrator(kSize, 4);
+  TestIntegrator integrator(kSize, 4);
   const Picture picture = develop(rendered_film(integrator, 4), integrator, 4, 1.0, {});
   // The folder vanishes while the render runs.
   const auto files = write_pictures(picture, {"gone/a.exr"}, {});

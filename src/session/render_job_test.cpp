@@ -20,7 +20,7 @@ Film make_film(const TestIntegrator& integrator, int replicates) {
 
 std::vector<std::int64_t> render(RenderJobOptions options, int replicates = 4,
                                  RenderResult* result = nullptr) {
-  const TestIntegrator integrator(kSize, replicates);
+  TestIntegrator integrator(kSize, replicates);
   Film film = make_film(integrator, replicates);
   RenderJob job(integrator, film, std::move(options));
   const RenderResult r = job.run();
@@ -197,7 +197,7 @@ TEST(RenderJob, KeepsTheFirstDiscardedContribution) {
 }
 
 TEST(RenderJob, SnapshotSaysWhereTheRenderStands) {
-  const TestIntegrator integrator(kSize, 4);
+  TestIntegrator integrator(kSize, 4);
   Film film = make_film(integrator, 4);
   RenderJob job(integrator, film, with_samples(16, 2));
   EXPECT_EQ(job.snapshot().samples_done, 0.0);
