@@ -43,12 +43,34 @@ void choose_integrator(const RenderRequest& request, const desc::RenderHints& hi
   }
 }
 
+/// What other renderers call the parameters of chains.
+std::string our_name(const std::string& name) {
+  if (name == "bootstrapsamples") return "bootstrap";
+  if (name == "largestepprobability") return "large-step";
+  return name;
+}
+
+/// Takes a parameter from the scene if it is of use here; a scene made for another renderer is no
+/// reason to refuse.
+void take_hint(const std::string& name, const std::string& value, RenderSetup& setup) {
+  const IntegratorInfo& info = *setup.integrator;
+  if (!declares(info, name)) return;
+  try {
+    Parameters(info.parameters, {{name, value}});
+    setup.parameters[name] = value;
+  } catch (const UsageError& error) {
+    setup.notes.push_back(fmt::format("ignored what the scene asks for: {}", error.what()));
+  }
+}
+
 void choose_parameters(const RenderRequest& request, const desc::RenderHints& hints,
                        RenderSetup& setup) {
   const IntegratorInfo& info = *setup.integrator;
   if (hints.integrator == info.name) {
     for (const auto& [name, value] : hints.parameters) {
-      if (declares(info, name)) setup.parameters[name] = value;
+      take_hint(our_name(name), value, setup);
+      // Only Gaussian steps have a width.
+      if (name == "sigma") take_hint("mutation", "gaussian", setup);
     }
   }
   if (hints.sampler && declares(info, "sampler")) setup.parameters["sampler"] = *hints.sampler;

@@ -124,5 +124,23 @@ TEST(FilmBytes, CountsReplicatesOnlyWhereThereAreSome) {
   EXPECT_EQ(film_bytes(crop, 4, {LayerSpec{.name = "direct"}, single}), 50U * 24U * 5U);
 }
 
+TEST(RenderSetup, TakesTheParametersOfChainsThatScenesOfOtherRenderersHave) {
+  desc::RenderHints hints;
+  hints.integrator = "mmlt";
+  hints.parameters = {{"bootstrapsamples", "5000"},
+                      {"largestepprobability", "0.4"},
+                      {"sigma", "0.02"},
+                      {"chains", "-3"},
+                      {"mutationsperpixel", "64"}};
+  const RenderSetup setup = make_setup({}, hints, {});
+  EXPECT_EQ(setup.parameters.at("bootstrap"), "5000");
+  EXPECT_EQ(setup.parameters.at("large-step"), "0.4");
+  EXPECT_EQ(setup.parameters.at("sigma"), "0.02");
+  EXPECT_EQ(setup.parameters.at("mutation"), "gaussian");
+  EXPECT_FALSE(setup.parameters.contains("chains"));
+  ASSERT_EQ(setup.notes.size(), 1U);
+  EXPECT_NE(setup.notes[0].find("chains"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace ajar

@@ -141,9 +141,11 @@ void report_discarded(const Counters& counters) {
                   counters.discarded_negative, counters.first_discarded));
 }
 
-void report_end(const RenderResult& result) {
+void report_end(const RenderResult& result, bool chains) {
   std::string text = fmt::format(
-      "{} samples per pixel in {}, {} rays/s", result.samples_per_pixel, clock_text(result.seconds),
+      "{} {}{} per pixel in {}, {} rays/s", result.samples_per_pixel,
+      chains ? "mutation" : "sample", result.samples_per_pixel == 1 ? "" : "s",
+      clock_text(result.seconds),
       short_number(result.seconds > 0.0 ? static_cast<double>(result.counters.rays) / result.seconds
                                         : 0.0));
   if (result.relative_error) {
@@ -257,7 +259,7 @@ int render(const RenderArguments& a) {
   statistics.peak_memory_bytes = peak_memory_bytes();
   const bool stats_written = write_statistics(statistics, a.stats);
   report_discarded(result.counters);
-  report_end(result);
+  report_end(result, statistics.chains.has_value());
   const bool files_written = report_files(files);
   if (!files_written || !stats_written) return kExitFile;
   return result.stopped_by == StopReason::Interrupted ? kExitInterrupted : 0;
