@@ -40,9 +40,10 @@ std::string with_range(const std::vector<double>& values) {
 
 /// What a render costs beyond its rays.
 struct LimitResult {
-  std::vector<double> ratios;  ///< render over replay
-  double rays_per_sample = 0.0;
+  std::vector<double> ratios;    ///< render over replay
+  double rays_per_sample = 0.0;  ///< or mutation
   double allocations_per_sample = 0.0;
+  double samples_per_second = 0.0;  ///< or mutations, on one thread
 };
 
 LimitResult measure_limit(Scene& scene, const Job& job) {
@@ -59,13 +60,17 @@ LimitResult measure_limit(Scene& scene, const Job& job) {
 
   LimitResult result;
   std::uint64_t allocated = 0;
+  std::vector<double> render_seconds;
   for (int i = 0; i < kRepeats; ++i) {
     const std::uint64_t before = allocations();
     const double render = seconds([&] { job.run(0, items); });
     allocated = allocations() - before;
+    render_seconds.push_back(render);
     result.ratios.push_back(render / seconds([&] { scene.replay(log); }));
   }
-  const auto samples = static_cast<double>(counters.samples);
+  const auto samples =
+      static_cast<double>(counters.mutations > 0 ? counters.mutations : counters.samples);
+  result.samples_per_second = samples / median(render_seconds);
   result.rays_per_sample = static_cast<double>(counters.rays) / samples;
   result.allocations_per_sample = static_cast<double>(allocated) / samples;
   return result;
@@ -103,9 +108,10 @@ void measure_scene(const BenchScene& bench_scene, const std::vector<Variant>& va
   const std::vector<PictureTimes> times = measure_pictures(jobs);
   for (std::size_t i = 0; i < jobs.size(); ++i) {
     const LimitResult limit = measure_limit(scene, jobs[i]);
-    fmt::print("| {} | {} | {} | {:.1f} | {} | {:.4f} | {:.2f} | {} |\n", bench_scene.name,
+    fmt::print("| {} | {} | {} | {:.1f} | {:.2f} | {} | {:.4f} | {:.2f} | {} |\n", bench_scene.name,
                variants[i].text, scene.counts().instanced_triangles, limit.rays_per_sample,
-               with_range(limit.ratios), limit.allocations_per_sample, median(times[i].speedups),
+               1e-6 * limit.samples_per_second, with_range(limit.ratios),
+               limit.allocations_per_sample, median(times[i].speedups),
                with_range(times[i].over_first));
     std::fflush(stdout);
   }
@@ -122,8 +128,9 @@ void run(const std::vector<std::string>& arguments) {
   fmt::print(
       "limit ratio = render time / time Embree alone needs for the same rays (median of {} pairs, "
       "range)\n\n"
-      "| scene | integrator | triangles | rays/sample | limit ratio | allocations/sample | 2 "
-      "threads over 1 | cost per sample over {} |\n|---|---|---|---|---|---|---|---|\n",
+      "| scene | integrator | triangles | rays per sample or mutation | M of them per second | "
+      "limit ratio | allocations/sample | 2 "
+      "threads over 1 | cost per sample over {} |\n|---|---|---|---|---|---|---|---|---|\n",
       kRepeats, variants.front().text);
   std::fflush(stdout);
   for (const BenchScene& scene : scenes) measure_scene(scene, variants);
