@@ -141,6 +141,7 @@ void measure_scene(const BenchScene& bench_scene, const std::vector<Variant>& va
   const Reference reference = make_reference(stage, parts, arguments, about);
 
   std::vector<VariantMeasurements> results;
+  results.reserve(variants.size());
   for (const Variant& variant : variants) results.push_back({variant.text, {}});
   // Variants in turn for each seed, so that slow changes of the machine fall on all alike.
   for (int repeat = 0; repeat < arguments.repeats && !interrupted(); ++repeat) {

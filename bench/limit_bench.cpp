@@ -103,6 +103,7 @@ void measure_scene(const BenchScene& bench_scene, const std::vector<Variant>& va
   const Vec2i resolution = fitted_resolution(description.film.resolution, kLongSide);
   Scene scene(std::move(description), {.resolution = resolution}, warnings);
   std::vector<Job> jobs;
+  jobs.reserve(variants.size());
   for (const Variant& variant : variants) jobs.push_back(make_job(scene, variant, max_depth));
 
   const std::vector<PictureTimes> times = measure_pictures(jobs);

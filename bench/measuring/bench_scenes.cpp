@@ -95,6 +95,7 @@ std::vector<BenchScene> choose_scenes(const std::vector<BenchScene>& scenes,
     });
     if (found == scenes.end()) {
       std::vector<std::string> valid;
+      valid.reserve(scenes.size());
       for (const BenchScene& scene : scenes) valid.push_back(scene.name);
       throw UsageError(unknown_name_message("scene", name, valid));
     }

@@ -6,8 +6,8 @@
 
 #include <atomic>
 #include <cerrno>
-#include <cstring>
 #include <string>
+#include <system_error>
 #include <utility>
 
 #include "core/error.h"
@@ -19,7 +19,8 @@ namespace fs = std::filesystem;
 
 /// `reason` is an errno.
 [[noreturn]] void fail(const fs::path& path, int reason) {
-  std::string text = "cannot write \"" + path.string() + "\": " + std::strerror(reason);
+  std::string text =
+      "cannot write \"" + path.string() + "\": " + std::system_category().message(reason);
   const fs::path folder = path.parent_path();
   std::error_code ignored;
   if (reason == ENOENT && !folder.empty() && !fs::exists(folder, ignored)) {

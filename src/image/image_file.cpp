@@ -50,7 +50,7 @@ void check_layers(const LayeredImage& image) {
 }
 
 OIIO::ImageSpec make_spec(const LayeredImage& image, std::span<const ImageLayer> layers,
-                          OIIO::TypeDesc type) {
+                          const OIIO::TypeDesc& type) {
   OIIO::ImageSpec spec(image.crop.max.x - image.crop.min.x + 1,
                        image.crop.max.y - image.crop.min.y + 1, 0, type);
   spec.channelnames.clear();
@@ -153,8 +153,8 @@ std::vector<unsigned char> encode_display(const std::string& path, const Layered
   return encode<unsigned char>(path, spec, [&](int y, unsigned char* out) {
     const float* in = image.layers[0].pixels.data() + static_cast<std::size_t>(y) * row;
     std::transform(in, in + row, out, [&](float v) {
-      return static_cast<unsigned char>(tone_map(v, display.tone_map, display.exposure) * 255.F +
-                                        0.5F);
+      return static_cast<unsigned char>(
+          std::lround(tone_map(v, display.tone_map, display.exposure) * 255.F));
     });
   });
 }

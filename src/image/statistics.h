@@ -11,8 +11,8 @@ namespace ajar {
 /// A set of replicates: images of equal size, each an unbiased estimate of the same values.
 using Replicates = std::vector<std::vector<float>>;
 
-/// A layer of a film that has replicates; `scales[r]` turns the sums of replicate r alone into pixel
-/// values (`Integrator::develop_scale`).
+/// A layer of a film that has replicates; `scales[r]` turns the sums of replicate r alone into
+/// pixel values (`Integrator::develop_scale`).
 struct ScaledLayer {
   int layer;
   std::vector<double> scales;

@@ -116,8 +116,7 @@ TEST(RelativeError, OfAFilmSumsItsLayers) {
   film.add(2, 0, {0, 0}, Spectrum(1.F));
   film.add(0, 1, {0, 0}, Spectrum(1.F));
   const std::vector<ScaledLayer> layers = {{0, {1.0, 2.0}}, {2, {1.0, 2.0}}};
-  EXPECT_EQ(develop_replicates(film, layers),
-            (Replicates{{4.F, 4.F, 4.F}, {2.F, 2.F, 2.F}}));
+  EXPECT_EQ(develop_replicates(film, layers), (Replicates{{4.F, 4.F, 4.F}, {2.F, 2.F, 2.F}}));
   // Mean 3, standard error 1, floor 0.01 · 9.
   EXPECT_NEAR(estimated_relative_error(film, layers), 1.0 / std::sqrt(9.09), 1e-6);
 }

@@ -5,7 +5,7 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstring>
+#include <system_error>
 
 #include "core/error.h"
 
@@ -33,7 +33,7 @@ class Descriptor {
 };
 
 [[noreturn]] void fail(const std::string& what, const std::string& path) {
-  throw IoError("cannot " + what + " \"" + path + "\": " + std::strerror(errno));
+  throw IoError("cannot " + what + " \"" + path + "\": " + std::system_category().message(errno));
 }
 
 }  // namespace

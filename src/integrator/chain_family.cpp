@@ -668,7 +668,6 @@ double ChainIntegrator::develop_scale(const LayerSpec& layer, std::uint64_t samp
 std::optional<ChainReport> ChainIntegrator::chain_report() const {
   ChainReport report;
   ChainStatistics whole;
-  std::vector<ChainReport::OfTechnique> techniques;
   for (std::size_t g = 0; g < groups_.size(); ++g) {
     ChainReport::Depth depth{groups_[g].depth, 0, 0, 0.0, 0.0, 0.0};
     ChainStatistics own;

@@ -117,7 +117,8 @@ double OnePathTarget::evaluate(SampleSource& numbers, const Change& change, Spla
   light_proposal_.vertices = 0;
   camera_proposal_.vertices = 0;
   chosen_ = choice_.choose(numbers.get({Stream::Connection, 0, kTechniqueChoice}));
-  const auto [s, t] = chosen_.technique;
+  const int s = chosen_.technique.s;
+  const int t = chosen_.technique.t;
   const Vec2 raster = t >= 2 ? raster_of(numbers, view_) : Vec2(0.F, 0.F);
   SplatSink sink(view_, raster, splats);
   if (s == 0) {

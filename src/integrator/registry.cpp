@@ -8,7 +8,7 @@ namespace ajar {
 
 namespace {
 /// Defaults named like the member where it does not say otherwise.
-IntegratorInfo path_family_member(PathFamilyDefaults defaults, std::string summary,
+IntegratorInfo path_family_member(const PathFamilyDefaults& defaults, std::string summary,
                                   std::string source) {
   return {.name = defaults.techniques,
           .summary = std::move(summary),

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
-#include <cstring>
 #include <exception>
 #include <filesystem>
 #include <functional>
@@ -174,7 +173,7 @@ void check_writable(const std::string& path) {
   const int file = open(probe.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0600);
   if (file < 0) {
     throw IoError(path + ": cannot write into the folder " + folder.string() + ": " +
-                  std::strerror(errno));
+                  std::system_category().message(errno));
   }
   close(file);
   unlink(probe.c_str());

@@ -120,7 +120,7 @@ std::optional<double> fraction_done(const RenderSnapshot& snapshot) {
 }
 
 std::string clock_text(double seconds) {
-  const auto whole = static_cast<long long>(std::clamp(seconds, 0.0, 1e12) + 0.5);
+  const auto whole = std::llround(std::clamp(seconds, 0.0, 1e12));
   const long long hours = whole / 3600;
   const long long minutes = whole / 60 % 60;
   return hours > 0 ? fmt::format("{}:{:02}:{:02}", hours, minutes, whole % 60)

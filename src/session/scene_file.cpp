@@ -45,7 +45,7 @@ std::string scene_stem(const std::string& scene) {
   if (scene.starts_with(kBuiltin)) return scene.substr(kBuiltin.size());
   const std::filesystem::path path = std::filesystem::absolute(scene).lexically_normal();
   const std::string stem = path.stem().string();
-  const std::string folder = path.parent_path().filename().string();
+  std::string folder = path.parent_path().filename().string();
   if (stem == "scene" && !folder.empty()) return folder;
   return stem.empty() ? "picture" : stem;
 }

@@ -157,6 +157,7 @@ TechniqueSet TechniqueSet::parse(const std::string& text) {
                                     [&](const Named& set) { return set.name == name; });
     if (found == named.end()) {
       std::vector<std::string> names;
+      names.reserve(named.size());
       for (const Named& set : named) names.push_back(set.name);
       throw UsageError(unknown_name_message("technique", name, names) +
                        ", and pairs such as (2,3) or (2,*)");
