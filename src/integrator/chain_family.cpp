@@ -186,7 +186,9 @@ class ChainIntegrator final : public Integrator {
   std::vector<SampleBlock> blocks_;               ///< of the current stage
   std::vector<std::vector<double>> trial_light_;  ///< per block, by technique
   std::vector<ChainItem> chain_items_;
-  std::vector<double> b_;  ///< of each population, during the current pass
+  // During the current pass:
+  std::vector<double> b_;      ///< of each population
+  double later_weight_ = 0.0;  ///< of samples after the bootstrap, in all estimates of b
   std::vector<std::string> concerns_;
 
   std::unique_ptr<Integrator> direct_light_;  ///< null if chains do it or nobody
@@ -556,11 +558,24 @@ std::uint64_t ChainIntegrator::steps_until(std::uint64_t samples, std::size_t ch
   return static_cast<std::uint64_t>(std::ceil(per_replicate / static_cast<double>(chains)));
 }
 
+/// b of a population is on average right only over all that its bootstrap can bring, finding no
+/// light included. So where it found none, later samples may count neither more nor less than they
+/// do where it found some: they have one weight w for all, which must not depend on what was found.
+/// E[(1 − w)·bootstrap; light found] + w·E[later samples] is then b.
 void ChainIntegrator::begin_pass(std::uint64_t first_sample, std::uint64_t /*samples*/) {
   first_sample_ = first_sample;
+  double bootstrap = 0.0;
+  for (const ChainPopulation& population : populations_) {
+    bootstrap += static_cast<double>(population.bootstrap.count);
+  }
+  const double large_steps = chain_settings_.probabilities.large *
+                             static_cast<double>(first_sample) * static_cast<double>(pixels());
+  later_weight_ = large_steps / (bootstrap + large_steps);
   b_.clear();
   for (const ChainPopulation& population : populations_) {
-    b_.push_back(population.moments().mean());
+    const Moments later = population.later_moments();
+    const double weight = later.count > 0 ? later_weight_ : 0.0;
+    b_.push_back((1.0 - weight) * population.bootstrap.mean() + weight * later.mean());
   }
 }
 
@@ -615,9 +630,11 @@ void ChainIntegrator::run_chain(const ChainItem& item, std::uint64_t samples, Fi
 }
 
 /// A population whose bootstrap found no light has no chain to run. Its paths are sampled
-/// independently instead: rarely bright, but right on average, where leaving them out would not be.
+/// independently instead. They stand for the large steps that its chains would have made, and have
+/// their weight: see `begin_pass`.
 void ChainIntegrator::run_plain(ChainPopulation& population, std::uint64_t samples, Film& film,
                                 Counters& counters) {
+  if (later_weight_ == 0.0) return;
   constexpr double kShare = 0.125;  // of the replicate's mutations, if it has chains
   std::size_t seedless = 0;
   for (const ChainPopulation& other : populations_) {
@@ -629,8 +646,8 @@ void ChainIntegrator::run_plain(ChainPopulation& population, std::uint64_t sampl
   const auto count = static_cast<std::uint64_t>(std::max(1.0, share * mutations));
   const auto target = make_target(groups_[population.group]);
   FilmSink sink(film, population.replicate, view_.importance, *target, counters);
-  sink.begin(view_.area() / static_cast<double>(count) * static_cast<double>(samples) /
-                 settings_.replicates,
+  sink.begin(later_weight_ * view_.area() / static_cast<double>(count) *
+                 static_cast<double>(samples) / settings_.replicates,
              nullptr);
   SplatBuffer splats;
   const std::uint64_t seed = hash_numbers(population.seed, 0x91a17ULL);

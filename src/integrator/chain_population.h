@@ -33,15 +33,20 @@ struct ChainPopulation {
   std::vector<double> weights;  ///< I of the bootstrap samples; emptied once chains are seeded
   Moments bootstrap;
   std::vector<MemberChain> chains;
-  /// Of samples taken where no seed was found, which are deposited as they are.
+  /// Of samples taken where no seed was found.
   std::uint64_t plain_samples = 0;
   ChainStatistics plain_statistics;
 
-  /// Bootstrap and large steps together: all are independent samples of I.
+  /// Of I over large steps, or over the samples taken instead: independent, too.
+  Moments later_moments() const {
+    Moments all = plain_statistics.large_steps;
+    for (const MemberChain& member : chains) all += member.statistics.large_steps;
+    return all;
+  }
+  /// Bootstrap and later samples together.
   Moments moments() const {
     Moments all = bootstrap;
-    for (const MemberChain& member : chains) all += member.statistics.large_steps;
-    all += plain_statistics.large_steps;
+    all += later_moments();
     return all;
   }
 };

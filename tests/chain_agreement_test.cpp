@@ -1,0 +1,136 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "support/render.h"
+#include "support/same_picture.h"
+#include "support/small_scenes.h"
+
+/// Markov chains against ordinary Monte Carlo, block by block. Chains of different replicates share
+/// nothing, so replicates are independent whatever happens within each.
+namespace ajar {
+namespace {
+
+using test::expect_same;
+using test::replicates_of;
+
+constexpr int kReplicates = 16;
+
+struct Variant {
+  std::string name;
+  std::string integrator;
+  std::map<std::string, std::string> parameters;
+  std::vector<std::string> scenes = {};  ///< empty: all
+};
+
+const std::vector<Variant>& variants() {
+  static const std::vector<Variant> kVariants = {
+      {"mmlt", "mmlt", {}},
+      {"pssmlt", "pssmlt", {}},
+      {"mmlt, ibpt",
+       "mmlt",
+       {{"techniques", "ibpt"}},
+       {"GlassAndMetal", "Environment", "ThinLens"}},
+      {"mmlt, single techniques",
+       "mmlt",
+       {{"techniques", "(0,*),(1,2),(1,3),(3,*),(*,1)"}, {"heuristic", "balance"}},
+       {"Room", "PointAndSpot", "CroppedMitchell"}},
+      {"mmlt, half moves, gaussian",
+       "mmlt",
+       {{"camera-steps", "0.3"}, {"light-steps", "0.3"}, {"mutation", "gaussian"}},
+       {"Room", "ThinLens", "Fog", "NestedDielectrics", "CroppedMitchell"}},
+      {"mmlt, half moves only",
+       "mmlt",
+       {{"camera-steps", "0.5"}, {"light-steps", "0.5"}, {"large-step", "0.1"}},
+       {"GlassAndMetal", "Distant", "Orthographic"}},
+      {"mmlt, relative",
+       "mmlt",
+       {{"importance", "relative"}},
+       {"Room", "GlassAndMetal", "CroppedMitchell", "MilkBall"}},
+      {"mmlt, MIS of large steps",
+       "mmlt",
+       {{"mis-large-steps", "true"}},
+       {"Mirror", "RoughGlass", "ManyLamps"}},
+      {"mmlt, direct light too",
+       "mmlt",
+       {{"direct", "chain"}},
+       {"GlassAndMetal", "Environment", "CroppedMitchell", "ShadingNormals"}},
+      {"pssmlt, pt, relative",
+       "pssmlt",
+       {{"techniques", "pt"}, {"importance", "relative"}},
+       {"Room", "Fog", "Environment", "CroppedMitchell"}},
+      {"pssmlt, ibpt", "pssmlt", {{"techniques", "ibpt"}}, {"Mirror", "ThinLens", "Orthographic"}},
+      {"pssmlt, MIS of large steps, half moves, gaussian",
+       "pssmlt",
+       {{"mis-large-steps", "true"},
+        {"camera-steps", "0.2"},
+        {"light-steps", "0.2"},
+        {"mutation", "gaussian"}},
+       {"GlassAndMetal", "EnvironmentCamera", "MilkBall"}},
+      {"pssmlt, direct light too",
+       "pssmlt",
+       {{"direct", "chain"}},
+       {"Room", "Environment", "CroppedMitchell"}},
+  };
+  return kVariants;
+}
+
+class ChainAgreement : public ::testing::TestWithParam<test::SmallScene> {};
+
+TEST_P(ChainAgreement, ChainsHaveTheExpectationOfBidirectionalPathTracing) {
+  const test::SmallScene& small = GetParam();
+  const auto scene = test::scene_from(small.text);
+  test::RenderOptions options;
+  options.replicates = kReplicates;
+  options.max_depth = 6;
+  options.crop = small.crop;
+  options.samples = 128;
+  options.integrator = "bdpt";
+  const test::Render truth = test::render(*scene, options);
+  options.seed = 2;
+  options.samples = 320;
+  for (const Variant& variant : variants()) {
+    const auto& scenes = variant.scenes;
+    if (!scenes.empty() && std::find(scenes.begin(), scenes.end(), small.name) == scenes.end()) {
+      continue;
+    }
+    options.integrator = variant.integrator;
+    options.parameters = variant.parameters;
+    options.parameters["bootstrap"] = "60000";
+    options.parameters["direct-samples"] = "1";
+    const test::Render render = test::render(*scene, options);
+    expect_same(replicates_of(render, "indirect"), replicates_of(truth, "indirect"), *render.film,
+                0.2, variant.name + ", indirect");
+    expect_same(replicates_of(render), replicates_of(truth), *render.film, 0.2, variant.name);
+  }
+}
+
+TEST(ChainAgreementInARangeOfDepths, HoldsForPathsOfFourAndFiveEdges) {
+  for (const test::SmallScene& small : test::small_scenes()) {
+    if (small.name != "GlassAndMetal" && small.name != "Room") continue;
+    const auto scene = test::scene_from(small.text);
+    test::RenderOptions options;
+    options.replicates = kReplicates;
+    options.min_depth = 4;
+    options.max_depth = 5;
+    options.samples = 192;
+    options.integrator = "bdpt";
+    const Replicates truth = replicates_of(test::render(*scene, options));
+    options.seed = 2;
+    options.parameters["bootstrap"] = "60000";
+    for (const char* integrator : {"mmlt", "pssmlt"}) {
+      options.integrator = integrator;
+      const test::Render render = test::render(*scene, options);
+      expect_same(replicates_of(render), truth, *render.film, 0.25, small.name + ", " + integrator);
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, ChainAgreement, ::testing::ValuesIn(test::small_scenes()),
+                         [](const auto& test) { return test.param.name; });
+
+}  // namespace
+}  // namespace ajar
