@@ -757,7 +757,7 @@ std::vector<ParameterSpec> chain_parameters(ChainKind kind) {
        .choices = {"power", "balance"}},
       {.name = "mutation",
        .type = ParameterType::Choice,
-       .default_value = "kelemen",
+       .default_value = "gaussian",
        .unit = "",
        .help =
            "how small steps move a number: by kelemen's exponential distribution of lengths, or "
@@ -827,7 +827,7 @@ std::vector<ParameterSpec> chain_parameters(ChainKind kind) {
        .maximum = 16.0},
       {.name = "importance",
        .type = ParameterType::Text,
-       .default_value = "uniform",
+       .default_value = "relative",
        .unit = "",
        .help = "where chains spend their time: uniform (in proportion to brightness), relative "
                "(equal relative error everywhere), or an image file whose brightness is the weight",
