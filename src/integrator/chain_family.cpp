@@ -646,9 +646,8 @@ void ChainIntegrator::run_plain(ChainPopulation& population, std::uint64_t sampl
   const auto count = static_cast<std::uint64_t>(std::max(1.0, share * mutations));
   const auto target = make_target(groups_[population.group]);
   FilmSink sink(film, population.replicate, view_.importance, *target, counters);
-  sink.begin(later_weight_ * view_.area() / static_cast<double>(count) *
-                 static_cast<double>(samples) / settings_.replicates,
-             nullptr);
+  const double scale = later_weight_ * view_.area() / static_cast<double>(count) *
+                       static_cast<double>(samples) / settings_.replicates;
   SplatBuffer splats;
   const std::uint64_t seed = hash_numbers(population.seed, 0x91a17ULL);
   for (std::uint64_t i = 0; i < count; ++i) {
@@ -665,7 +664,9 @@ void ChainIntegrator::run_plain(ChainPopulation& population, std::uint64_t sampl
     } else if (scalar < 0.0) {
       ++counters.discarded_negative;
     } else if (scalar > 0.0) {
-      sink.deposit(splats, 1.0);
+      // Over I, as chains deposit their states: one visit for the density.
+      sink.begin(scale * scalar, nullptr);
+      sink.deposit(splats, 1.0 / scalar);
     }
   }
   counters.mutations += count;
