@@ -215,6 +215,11 @@ ChainIntegrator::ChainIntegrator(ChainKind kind, const Scene& scene, const Rende
                                    parameters.get_float("light-steps")};
   // Half moves keep the technique, so that the other half need not be traced again.
   chain_settings_.connection = {false, false};
+  // Chains have no numbers for further tries, and would gain nothing from fewer.
+  if (!techniques_.tries_once()) {
+    throw UsageError("techniques: Markov chains try each technique once, so leave out counts: " +
+                     parameters.get_text("techniques"));
+  }
   if (chain_settings_.probabilities.camera_half + chain_settings_.probabilities.light_half > 1.0) {
     throw UsageError(
         "camera-steps and light-steps are shares of the small steps: together at most 1");
