@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <map>
+#include <string>
 #include <vector>
 
 #include "image/make_filter.h"
@@ -11,22 +13,25 @@
 namespace ajar {
 namespace {
 
-/// Raw sums of a render on so many threads.
-std::vector<std::int64_t> sums(const Scene& scene, const IntegratorInfo& info, int threads) {
+/// Raw sums of a render on so many threads: three passes of four samples per pixel.
+std::vector<std::int64_t> sums(const Scene& scene, const IntegratorInfo& info, int threads,
+                               const std::vector<std::string>& aovs,
+                               const std::map<std::string, std::string>& parameters) {
   RenderSettings settings;
   settings.resolution = scene.camera().resolution();
   settings.crop = Box2i(Vec2i(0, 0), settings.resolution - Vec2i(1, 1));
   settings.max_depth = 6;
   settings.seed = 7;
-  settings.aovs = {"albedo", "depth", "object-id"};
-  const auto integrator = info.make(scene, settings, Parameters(info.parameters, {}));
+  settings.aovs = aovs;
+  const auto integrator = info.make(scene, settings, Parameters(info.parameters, parameters));
   prepare(*integrator);
   Film film(settings.resolution, settings.crop, make_filter(scene.film().filter),
             settings.replicates, integrator->layers());
   RenderJobOptions options;
   options.budget.samples_per_pixel = 12;
   options.threads = threads;
-  RenderJob(*integrator, film, options).run();
+  const RenderResult result = RenderJob(*integrator, film, options).run();
+  EXPECT_GE(result.passes, 3U) << "chains carry something from pass to pass";
   return {film.raw().begin(), film.raw().end()};
 }
 
@@ -35,9 +40,28 @@ class SameBits : public ::testing::TestWithParam<test::SmallScene> {};
 TEST_P(SameBits, OnAnyNumberOfThreads) {
   const auto scene = test::scene_from(GetParam().text);
   for (const IntegratorInfo& info : integrators()) {
-    const std::vector<std::int64_t> one = sums(*scene, info, 1);
+    const std::vector<std::string> aovs = {"albedo", "depth", "object-id"};
+    const std::vector<std::int64_t> one = sums(*scene, info, 1, aovs, {});
     for (const int threads : {2, 5}) {
-      EXPECT_EQ(sums(*scene, info, threads), one) << info.name << ", " << threads << " threads";
+      EXPECT_EQ(sums(*scene, info, threads, aovs, {}), one)
+          << info.name << ", " << threads << " threads";
+    }
+  }
+}
+
+TEST_P(SameBits, OfChainsWithAllTheirOptionsOnAnyNumberOfThreads) {
+  const auto scene = test::scene_from(GetParam().text);
+  for (const char* name : {"mmlt", "pssmlt"}) {
+    const IntegratorInfo& info = find_integrator(name);
+    const std::vector<std::string> aovs = {"density", "acceptance", "albedo"};
+    // So few bootstrap samples that some populations have no chains.
+    const std::map<std::string, std::string> parameters = {
+        {"importance", "relative"}, {"mis-large-steps", "true"}, {"camera-steps", "0.2"},
+        {"light-steps", "0.2"},     {"mutation", "gaussian"},    {"bootstrap", "1500"}};
+    const std::vector<std::int64_t> one = sums(*scene, info, 1, aovs, parameters);
+    for (const int threads : {2, 5}) {
+      EXPECT_EQ(sums(*scene, info, threads, aovs, parameters), one)
+          << name << ", " << threads << " threads";
     }
   }
 }

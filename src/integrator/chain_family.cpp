@@ -215,6 +215,11 @@ ChainIntegrator::ChainIntegrator(ChainKind kind, const Scene& scene, const Rende
                                    parameters.get_float("light-steps")};
   // Half moves keep the technique, so that the other half need not be traced again.
   chain_settings_.connection = {false, false};
+  // Chains have no numbers for further tries, and would gain nothing from fewer.
+  if (!techniques_.tries_once()) {
+    throw UsageError("techniques: Markov chains try each technique once, so leave out counts: " +
+                     parameters.get_text("techniques"));
+  }
   if (chain_settings_.probabilities.camera_half + chain_settings_.probabilities.light_half > 1.0) {
     throw UsageError(
         "camera-steps and light-steps are shares of the small steps: together at most 1");
@@ -646,9 +651,8 @@ void ChainIntegrator::run_plain(ChainPopulation& population, std::uint64_t sampl
   const auto count = static_cast<std::uint64_t>(std::max(1.0, share * mutations));
   const auto target = make_target(groups_[population.group]);
   FilmSink sink(film, population.replicate, view_.importance, *target, counters);
-  sink.begin(later_weight_ * view_.area() / static_cast<double>(count) *
-                 static_cast<double>(samples) / settings_.replicates,
-             nullptr);
+  const double scale = later_weight_ * view_.area() / static_cast<double>(count) *
+                       static_cast<double>(samples) / settings_.replicates;
   SplatBuffer splats;
   const std::uint64_t seed = hash_numbers(population.seed, 0x91a17ULL);
   for (std::uint64_t i = 0; i < count; ++i) {
@@ -665,7 +669,9 @@ void ChainIntegrator::run_plain(ChainPopulation& population, std::uint64_t sampl
     } else if (scalar < 0.0) {
       ++counters.discarded_negative;
     } else if (scalar > 0.0) {
-      sink.deposit(splats, 1.0);
+      // Over I, as chains deposit their states: one visit for the density.
+      sink.begin(scale * scalar, nullptr);
+      sink.deposit(splats, 1.0 / scalar);
     }
   }
   counters.mutations += count;

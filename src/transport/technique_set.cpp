@@ -141,6 +141,13 @@ TechniqueSet::TechniqueSet(const Counts& counts, std::vector<Rule> rules)
   }
 }
 
+bool TechniqueSet::tries_once() const {
+  const auto once = [](double count) { return count == 0.0 || count == 1.0; };
+  return std::all_of(counts_.begin(), counts_.end(), once) &&
+         std::all_of(rules_.begin(), rules_.end(),
+                     [&](const Rule& rule) { return once(rule.count); });
+}
+
 TechniqueSet TechniqueSet::parse(const std::string& text) {
   std::array<double, 4> counts{};
   std::vector<Rule> rules;

@@ -81,6 +81,8 @@ class TechniqueSet {
   bool enabled(Technique technique) const { return count(technique) > 0.0; }
   /// Count of those techniques of a class that no rule names.
   double count(TechniqueClass kind) const { return counts_[static_cast<std::size_t>(kind)]; }
+  /// True if every technique is tried once at each opportunity, or not at all.
+  bool tries_once() const;
   /// True if all techniques of a class have the same count.
   bool uniform() const { return rules_.empty(); }
   /// Whether any technique of the class belongs to the set ((0, 2) aside).

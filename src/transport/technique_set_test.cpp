@@ -83,5 +83,14 @@ TEST(TechniqueSet, ErrorsSayWhatIsAllowed) {
   }
 }
 
+TEST(TechniqueSet, KnowsWhetherEachTechniqueIsTriedOnce) {
+  for (const char* text : {"pt", "bdpt", "implicit,light", "(0,*),(1,2),(*,1)"}) {
+    EXPECT_TRUE(TechniqueSet::parse(text).tries_once()) << text;
+  }
+  for (const char* text : {"explicit*2", "pt,light*0.5", "bdpt,(2,2)*0.3"}) {
+    EXPECT_FALSE(TechniqueSet::parse(text).tries_once()) << text;
+  }
+}
+
 }  // namespace
 }  // namespace ajar

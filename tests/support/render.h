@@ -12,8 +12,8 @@
 
 namespace ajar::test {
 
-/// Builds a scene from pbrt-v3 text; fails the test on a warning.
-std::unique_ptr<Scene> scene_from(const std::string& pbrt_text);
+/// Builds a scene from pbrt-v3 text; a warning fails the test unless it `may_warn`.
+std::unique_ptr<Scene> scene_from(const std::string& pbrt_text, bool may_warn = false);
 
 /// Full text of a small scene: camera and film of `width` × `height` pixels, then `world`.
 std::string pbrt_scene(const std::string& camera, int width, int height, const std::string& world,

@@ -1,0 +1,378 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "core/error.h"
+#include "integrator/integrator.h"
+#include "mcmc/moments.h"
+#include "session/output.h"
+#include "support/render.h"
+#include "support/same_picture.h"
+#include "support/small_scenes.h"
+
+/// Chains where there is little for them to find, and what they say of themselves.
+namespace ajar {
+namespace {
+
+using test::expect_same;
+using test::pbrt_scene;
+using test::replicates_of;
+using test::scene_from;
+
+constexpr const char* kChains[] = {"mmlt", "pssmlt"};
+const std::string kCamera =
+    "LookAt 0 1 -4  0 0.8 0  0 1 0\nCamera \"perspective\" \"float fov\" [45]";
+const std::string kFloor =
+    "Material \"matte\" \"rgb Kd\" [0.7 0.6 0.5]\n"
+    "Shape \"trianglemesh\" \"point P\" [-2 0 -2  2 0 -2  2 0 2  -2 0 2] \"integer indices\" [0 2 "
+    "1 0 3 2]\n"
+    "Shape \"trianglemesh\" \"point P\" [-2 0 2  2 0 2  2 4 2  -2 4 2] \"integer indices\" [0 2 1 "
+    "0 3 2]\n";
+
+test::RenderOptions options_of(const std::string& integrator) {
+  test::RenderOptions options;
+  options.integrator = integrator;
+  options.samples = 32;
+  options.max_depth = 8;
+  options.parameters = {{"bootstrap", "4000"}};
+  return options;
+}
+
+double brightest(const std::vector<float>& pixels) {
+  return *std::max_element(pixels.begin(), pixels.end());
+}
+
+struct DarkCase {
+  const char* name;
+  std::string world;
+  friend void PrintTo(const DarkCase& c, std::ostream* out) { *out << c.name; }
+};
+class Dark : public ::testing::TestWithParam<DarkCase> {};
+
+TEST_P(Dark, IsBlackWithAWarning) {
+  const auto scene = scene_from(pbrt_scene(kCamera, 12, 8, GetParam().world), true);
+  for (const char* integrator : kChains) {
+    const test::Render render = test::render(*scene, options_of(integrator));
+    EXPECT_EQ(brightest(render.layer("indirect")), 0.0) << integrator;
+    const std::vector<std::string> concerns = render.integrator->concerns();
+    ASSERT_EQ(concerns.size(), 1U) << integrator;
+    EXPECT_NE(concerns[0].find("bootstrap paths carries light"), std::string::npos) << concerns[0];
+    const ChainReport report = *render.integrator->chain_report();
+    for (const ChainReport::Depth& depth : report.depths) {
+      EXPECT_EQ(depth.b, 0.0);
+      EXPECT_EQ(depth.chains, 0U);
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Scenes, Dark,
+    ::testing::Values(
+        DarkCase{"Empty", ""}, DarkCase{"NoLights", kFloor},
+        // One bounce off the sky is all there can be without surfaces.
+        DarkCase{"SkyAlone", "LightSource \"infinite\" \"rgb L\" [1 1 1]\n"},
+        DarkCase{"LightInABox",
+                 kFloor + "AttributeBegin Material \"matte\" Translate 0 1 0\n"
+                          "Shape \"sphere\" \"float radius\" [0.3]\n"
+                          "AreaLightSource \"diffuse\" \"rgb L\" [9 9 9] Shape \"sphere\" \"float "
+                          "radius\" [0.1] AttributeEnd\n"},
+        DarkCase{"BlackSurfaces",
+                 "LightSource \"point\" \"point from\" [1 1.5 -1]\nMaterial \"matte\" \"rgb Kd\" "
+                 "[0 0 0]\nShape \"sphere\" \"float radius\" [1]\n"}),
+    [](const auto& test) { return test.param.name; });
+
+struct LitCase {
+  const char* name;
+  std::string world;
+  int min_depth = 1;
+  int max_depth = 8;
+  int samples = 512;
+  double power = 0.2;  ///< five errors of the mean, relative
+  friend void PrintTo(const LitCase& c, std::ostream* out) { *out << c.name; }
+};
+class Lit : public ::testing::TestWithParam<LitCase> {};
+
+TEST_P(Lit, IsAsBrightAsMonteCarloSays) {
+  const LitCase& lit = GetParam();
+  const auto scene = scene_from(pbrt_scene(kCamera, 16, 16, lit.world));
+  test::RenderOptions options;
+  options.min_depth = lit.min_depth;
+  options.max_depth = lit.max_depth;
+  options.replicates = 16;
+  options.samples = lit.samples;
+  options.integrator = "bdpt";
+  const Replicates truth = replicates_of(test::render(*scene, options), "indirect");
+  options.parameters = {{"bootstrap", "30000"}};
+  options.seed = 2;
+  for (const char* integrator : kChains) {
+    options.integrator = integrator;
+    const test::Render render = test::render(*scene, options);
+    expect_same(replicates_of(render, "indirect"), truth, *render.film, lit.power, integrator);
+    EXPECT_TRUE(render.integrator->concerns().empty()) << integrator;
+  }
+}
+
+const std::string kPoints =
+    "LightSource \"point\" \"point from\" [1 1.5 -1]\nLightSource \"point\" \"point from\" [-1 0.5 "
+    "0] \"rgb I\" [0.3 0.1 0.6]\n";
+const std::string kTinyLight =
+    "AttributeBegin AreaLightSource \"diffuse\" \"rgb L\" [900 800 700] Translate 0 1.5 0\n"
+    "Shape \"sphere\" \"float radius\" [0.02] AttributeEnd\n";
+
+INSTANTIATE_TEST_SUITE_P(
+    Scenes, Lit,
+    ::testing::Values(
+        LitCase{"PointLightsOnly", kPoints + kFloor},
+        LitCase{"EnvironmentOnly", "LightSource \"infinite\" \"rgb L\" [1 1.2 1.5]\n" + kFloor},
+        // Nothing but mirrors around the camera and the lamp.
+        LitCase{"MirrorBox",
+                "AttributeBegin Material \"mirror\" \"rgb Kr\" [0.6 0.6 0.6] ReverseOrientation\n"
+                "Shape \"sphere\" \"float radius\" [6] AttributeEnd\n"
+                "AttributeBegin AreaLightSource \"diffuse\" \"rgb L\" [9 8 7] Translate 0 1 2\n"
+                "Shape \"sphere\" \"float radius\" [1] AttributeEnd\n"},
+        LitCase{"TinyLightBehindGlass",
+                kFloor + kTinyLight +
+                    "AttributeBegin Material \"glass\" Translate 0 1.5 0\n"
+                    "Shape \"sphere\" \"float radius\" [0.2] AttributeEnd\n",
+                1, 8, 512, 0.5},
+        LitCase{"SixtyFourEdges",
+                "AttributeBegin Material \"matte\" \"rgb Kd\" [0.9 0.9 0.9] ReverseOrientation\n"
+                "Shape \"sphere\" \"float radius\" [6] AttributeEnd\n"
+                "AttributeBegin AreaLightSource \"diffuse\" \"rgb L\" [9 8 7] Translate 0 1 2\n"
+                "Shape \"sphere\" \"float radius\" [1] AttributeEnd\n",
+                1, 64, 64, 0.5},
+        // The lamp lies in two panes of glass, each seen through twice: no light before k = 5.
+        LitCase{"NothingBelowFiveEdges",
+                "Material \"glass\" \"float index\" [1.2]\n"
+                "AttributeBegin Translate 0 0.8 0 Shape \"sphere\" \"float radius\" [1.6] "
+                "AttributeEnd\nAttributeBegin Translate 0 0.8 0 Material \"glass\" \"float index\" "
+                "[1.1] Shape \"sphere\" \"float radius\" [1.2] AttributeEnd\n"
+                "AttributeBegin Translate 0 0.8 0 Material \"mirror\" Shape \"sphere\" \"float "
+                "radius\" [0.4] AttributeEnd\n"
+                "LightSource \"infinite\" \"rgb L\" [1 1.2 1.5]\n",
+                4, 5}),
+    [](const auto& test) { return test.param.name; });
+
+TEST(Depths, WithoutTechniquesOrLightAreLeftOutOrReportedAsDark) {
+  // A ball of glass under a sky, seen from outside: without a surface that scatters, light comes
+  // straight, by one reflection (2 edges), or through the ball (3, 4 with a reflection inside, …).
+  const auto scene = scene_from(pbrt_scene(
+      kCamera, 12, 8,
+      "LightSource \"infinite\" \"rgb L\" [1 1 1]\nMaterial \"glass\"\nTranslate 0 0.8 0\n"
+      "Shape \"sphere\" \"float radius\" [1]\n"));
+  test::RenderOptions options = options_of("mmlt");
+  // No next event estimation reaches the sky from glass.
+  options.parameters["techniques"] = "(0,4),(1,5),(0,7)";
+  const test::Render render = test::render(*scene, options);
+  const ChainReport report = *render.integrator->chain_report();
+  ASSERT_EQ(report.depths.size(), 3U);
+  EXPECT_EQ(report.depths[0].depth, 3);
+  EXPECT_GT(report.depths[0].b, 0.0);
+  EXPECT_EQ(report.depths[1].depth, 5);
+  EXPECT_EQ(report.depths[1].b, 0.0);
+  EXPECT_EQ(report.depths[1].chains, 0U);
+  EXPECT_EQ(report.depths[2].depth, 6);
+  options.integrator = "pt";
+  options.parameters = {{"techniques", "(0,4),(1,5),(0,7)"}};
+  options.samples = 256;
+  options.replicates = 16;
+  const Replicates truth = replicates_of(test::render(*scene, options), "indirect");
+  options.integrator = "mmlt";
+  options.parameters["bootstrap"] = "30000";
+  const test::Render chains = test::render(*scene, options);
+  expect_same(replicates_of(chains, "indirect"), truth, *chains.film, 0.1, "mmlt");
+}
+
+TEST(Sizes, FromASinglePixelOnKeepTheBrightness) {
+  for (const char* integrator : kChains) {
+    for (const Vec2i size : {Vec2i(1, 1), Vec2i(3, 2)}) {
+      const auto scene = scene_from(pbrt_scene(kCamera, size.x, size.y, kPoints + kFloor));
+      test::RenderOptions options;
+      options.max_depth = 8;
+      options.samples = 16384;
+      options.replicates = 16;
+      const Replicates truth = replicates_of(test::render(*scene, options), "indirect");
+      options.integrator = integrator;
+      options.seed = 2;
+      for (const char* chains : {"0", "1000"}) {
+        options.parameters = {{"bootstrap", "30000"}, {"chains", chains}};
+        const test::Render render = test::render(*scene, options);
+        expect_same(replicates_of(render, "indirect"), truth, *render.film, 0.35,
+                    std::string(integrator) + ", chains " + chains);
+      }
+    }
+  }
+}
+
+TEST(OneSample, OfOneReplicateIsRightOnAverage) {
+  const auto scene = scene_from(pbrt_scene(kCamera, 3, 2, kPoints + kFloor));
+  test::RenderOptions truth_options;
+  truth_options.max_depth = 8;
+  truth_options.samples = 16384;
+  truth_options.replicates = 16;
+  const Estimate truth = image_mean(replicates_of(test::render(*scene, truth_options), "indirect"));
+  for (const char* integrator : kChains) {
+    for (const char* chains : {"0", "64"}) {
+      Moments means;
+      for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+        test::RenderOptions options = options_of(integrator);
+        options.samples = 1;
+        options.replicates = 1;
+        options.seed = seed;
+        options.parameters = {{"bootstrap", "1000"}, {"chains", chains}};
+        const std::vector<float> pixels = test::render(*scene, options).layer("indirect");
+        double sum = 0.0;
+        for (const float value : pixels) sum += value;
+        means.add(sum / static_cast<double>(pixels.size()));
+      }
+      const double error = std::hypot(means.standard_error(), truth.standard_error);
+      EXPECT_NEAR(means.mean(), truth.value, 5.0 * error) << integrator << ", chains " << chains;
+      EXPECT_LT(5.0 * error, 0.2 * truth.value) << "too noisy to notice what it should";
+    }
+  }
+}
+
+TEST(DirectLight, IsNobodysMonteCarlosOrTheChains) {
+  const auto scenes = test::small_scenes();
+  const auto scene = scene_from(scenes.front().text);
+  for (const char* integrator : kChains) {
+    test::RenderOptions options = options_of(integrator);
+    options.replicates = 16;
+    options.samples = 320;
+    options.max_depth = 4;
+    options.parameters["direct"] = "none";
+    EXPECT_EQ(brightest(test::render(*scene, options).layer("direct")), 0.0) << integrator;
+    options.parameters["bootstrap"] = "30000";
+    options.parameters["direct"] = "omc";
+    const Replicates truth = replicates_of(test::render(*scene, options), "direct");
+    options.parameters["direct"] = "chain";
+    options.seed = 2;
+    const test::Render chain = test::render(*scene, options);
+    expect_same(replicates_of(chain, "direct"), truth, *chain.film, 0.25, integrator);
+  }
+}
+
+const Picture::Layer& layer(const Picture& picture, const std::string& name) {
+  return *std::find_if(picture.layers.begin(), picture.layers.end(),
+                       [&](const Picture::Layer& candidate) { return candidate.name == name; });
+}
+
+TEST(ChainLayers, DensityCountsVisitsAndAcceptanceIsAProbability) {
+  const auto scene = scene_from(pbrt_scene(kCamera, 24, 16, kPoints + kFloor));
+  for (const char* integrator : kChains) {
+    test::RenderOptions options = options_of(integrator);
+    options.samples = 64;
+    options.replicates = 4;
+    options.aovs = {"density", "acceptance"};
+    for (const char* importance : {"uniform", "relative"}) {
+      options.parameters["importance"] = importance;
+      const test::Render render = test::render(*scene, options);
+      const std::vector<float> density = render.layer("density");
+      double sum = 0.0;
+      for (const float value : density) {
+        EXPECT_GE(value, 0.F);
+        sum += value;
+      }
+      // Each of a pass's mutations brings one visit; rounding makes them a few more than wanted.
+      const double mean = sum / static_cast<double>(density.size());
+      EXPECT_NEAR(mean, 1.0, 0.02) << integrator << ", " << importance;
+      const std::vector<float> acceptance = render.layer("acceptance");
+      for (std::size_t i = 0; i < acceptance.size(); i += 3) {
+        EXPECT_GE(acceptance[i], 0.F);
+        EXPECT_LE(acceptance[i], acceptance[i + 1] * 1.00001F + 1e-6F);
+      }
+    }
+  }
+}
+
+TEST(ChainLayers, DensityCountsPlainSamplesAsVisitsWhateverTheyWeigh) {
+  // So bright that a visit mistaken for its light shows; so rare that chains hardly get seeds.
+  const auto scene = scene_from(
+      pbrt_scene(kCamera, 12, 8,
+                 "AttributeBegin AreaLightSource \"diffuse\" \"rgb L\" [1e8 1e8 1e8] Translate 0 1 "
+                 "0.2 Shape \"sphere\" \"float radius\" [0.02] AttributeEnd\n" +
+                     kFloor));
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+    test::RenderOptions options = options_of("pssmlt");
+    options.samples = 64;
+    options.replicates = 4;
+    options.seed = seed;
+    options.max_depth = 3;
+    options.aovs = {"density"};
+    options.parameters = {{"bootstrap", "1000"}, {"techniques", "implicit"}};
+    const test::Render render = test::render(*scene, options);
+    const std::vector<float> density = render.layer("density");
+    double sum = 0.0;
+    for (const float value : density) sum += value;
+    EXPECT_LE(sum / static_cast<double>(density.size()), 1.1) << "seed " << seed;
+  }
+}
+
+TEST(ChainReports, SayWhatChainsDid) {
+  const auto scene = scene_from(pbrt_scene(kCamera, 24, 16, kPoints + kFloor));
+  test::RenderOptions options = options_of("mmlt");
+  options.max_depth = 5;
+  options.parameters["bootstrap"] = "40000";
+  options.samples = 64;
+  const test::Render render = test::render(*scene, options);
+  const ChainReport report = *render.integrator->chain_report();
+  ASSERT_EQ(report.depths.size(), 3U);  // 3, 4 and 5 edges
+  std::uint64_t mutations = 0;
+  std::uint64_t proposals = 0;
+  for (const ChainReport::Depth& depth : report.depths) {
+    mutations += depth.mutations;
+    EXPECT_GT(depth.b, 0.0);
+    EXPECT_GT(depth.b_standard_error, 0.0);
+    EXPECT_GT(depth.chains, 0U);
+    EXPECT_GT(depth.acceptance, 0.0);
+    EXPECT_LT(depth.acceptance, 1.0);
+  }
+  for (const ChainReport::OfTechnique& technique : report.techniques) {
+    proposals += technique.proposals;
+    EXPECT_GE(technique.acceptance, 0.0);
+    EXPECT_LE(technique.acceptance, 1.0);
+  }
+  EXPECT_EQ(mutations, render.counters.mutations);
+  EXPECT_EQ(proposals, mutations);
+  EXPECT_GT(report.small_acceptance, report.large_acceptance);
+  EXPECT_GE(static_cast<double>(mutations), 64.0 * 24 * 16);
+}
+
+TEST(ChainReports, GiveBAnErrorBarThatCoversIt) {
+  const auto scene = scene_from(pbrt_scene(kCamera, 12, 8, kPoints + kFloor));
+  for (const char* integrator : kChains) {
+    constexpr int kSeeds = 100;
+    Moments b;
+    double error_variance = 0.0;
+    for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+      test::RenderOptions options = options_of(integrator);
+      options.max_depth = 4;
+      options.seed = seed;
+      const ChainReport report = *test::render(*scene, options).integrator->chain_report();
+      b.add(report.depths[0].b);
+      error_variance += std::pow(report.depths[0].b_standard_error, 2) / kSeeds;
+    }
+    // Five standard deviations of Fisher's z with 99 degrees of freedom on one side and very many
+    // on the other: an error bar wrong by half is noticed.
+    const double ratio = std::pow(b.standard_error(), 2) * kSeeds / error_variance;
+    EXPECT_LT(std::abs(0.5 * std::log(ratio)), 5.0 * std::sqrt(0.5 / (kSeeds - 1)))
+        << integrator << ": variance ratio " << ratio;
+  }
+}
+
+TEST(Techniques, WithCountsAreRefusedByChains) {
+  const auto scene = scene_from(pbrt_scene(kCamera, 4, 4, kPoints + kFloor));
+  for (const char* integrator : kChains) {
+    for (const char* techniques : {"implicit,explicit*2", "pt,light*0.5", "bdpt,(2,2)*0.3"}) {
+      test::RenderOptions options = options_of(integrator);
+      options.parameters["techniques"] = techniques;
+      EXPECT_THROW(test::render(*scene, options), UsageError) << integrator << ", " << techniques;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace ajar

@@ -1,0 +1,149 @@
+#include "integrator/path_target.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "mcmc/bootstrap_source.h"
+#include "mcmc/chain.h"
+#include "mcmc/chain_source.h"
+#include "mcmc/make_mutation.h"
+#include "support/render.h"
+#include "support/small_scenes.h"
+
+/// Targets over paths, on random sequences of moves.
+namespace ajar {
+namespace {
+
+struct Case {
+  const char* scene;
+  int depth;
+  friend void PrintTo(const Case& c, std::ostream* out) { *out << c.scene << ", " << c.depth; }
+};
+class HalfReuse : public ::testing::TestWithParam<Case> {
+ protected:
+  HalfReuse() {
+    for (const test::SmallScene& small : test::small_scenes()) {
+      if (small.name == GetParam().scene) scene_ = test::scene_from(small.text);
+    }
+    settings_.techniques = TechniqueSet::bdpt();
+    settings_.min_depth = GetParam().depth;
+    settings_.max_depth = GetParam().depth;
+    settings_.roulette_start = 1000;
+    // A pixel beyond the film on each side, as wide filters have it.
+    view_.low = Vec2(-1.F, -1.F);
+    view_.size = Vec2(scene_->camera().resolution()) + Vec2(2.F, 2.F);
+  }
+  PrimaryShape shape() const { return {GetParam().depth + 1, GetParam().depth + 1}; }
+
+  /// A chain that starts at the first bootstrap sample with light.
+  Chain lit_chain(OnePathTarget& target) const {
+    for (std::uint64_t i = 0;; ++i) {
+      BootstrapSource source(5, i);
+      SplatBuffer splats;
+      const double scalar = target.evaluate(source, Change{}, splats);
+      target.rejected();
+      if (scalar > 0.0) return Chain(shape(), 6, bootstrap_key(5, i), scalar);
+    }
+  }
+
+  std::unique_ptr<Scene> scene_;
+  PathSamplerSettings settings_;
+  ChainView view_;
+};
+
+void expect_same_bits(const SplatBuffer& a, const SplatBuffer& b) {
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    EXPECT_EQ(a[i].layer, b[i].layer);
+    EXPECT_EQ(a[i].raster.x, b[i].raster.x);
+    EXPECT_EQ(a[i].raster.y, b[i].raster.y);
+    for (int lane = 0; lane < 3; ++lane) EXPECT_EQ(a[i].value[lane], b[i].value[lane]);
+  }
+}
+
+TEST_P(HalfReuse, GivesTheBitsOfATargetThatTracesEverything) {
+  const TechniqueChoice choice(settings_.techniques, GetParam().depth);
+  OnePathTarget target(*scene_, settings_, choice, view_);
+  Chain chain = lit_chain(target);
+  const auto mutation = make_mutation("kelemen", 0.01);
+  ChainSource source(*mutation, StepSizes{}, shape());
+  SplatBuffer splats;
+  {
+    ReplaySource replay(chain.numbers);
+    ASSERT_EQ(target.evaluate(replay, Change{}, splats), chain.scalar);
+    target.accepted();
+  }
+  // Half moves mostly, since they are what is to be tested, in any order and with any outcome.
+  const StepProbabilities probabilities{.large = 0.1, .camera_half = 0.45, .light_half = 0.45};
+  std::uint64_t fewer_rays = 0;
+  int lit = 0;
+  constexpr int kSteps = 4000;
+  for (int step = 0; step < kSteps && !HasFailure(); ++step) {
+    SCOPED_TRACE(step);
+    const std::uint64_t key = hash_numbers(7, step);
+    const StepKind kind = probabilities.choose(to_unit_double(counter_bits(key, 0)));
+    const Change change = change_of(kind, {false, false});
+    source.propose(chain.numbers, kind, change, counter_bits(key, 1));
+    splats.clear();
+    const std::uint64_t rays_before = target.rays();
+    const double scalar = target.evaluate(source, change, splats);
+
+    OnePathTarget fresh(*scene_, settings_, choice, view_);
+    SplatBuffer expected;
+    const double expected_scalar = fresh.evaluate(source, Change{}, expected);
+    EXPECT_EQ(scalar, expected_scalar);
+    EXPECT_EQ(target.technique()->number, fresh.technique()->number);
+    expect_same_bits(splats, expected);
+    EXPECT_LE(target.rays() - rays_before, fresh.rays());
+    if (target.rays() - rays_before < fresh.rays()) ++fewer_rays;
+
+    if (scalar > 0.0) ++lit;
+    if (scalar > 0.0 && to_unit_double(counter_bits(key, 2)) < 0.5) {
+      source.accept();
+      target.accepted();
+    } else {
+      source.reject();
+      target.rejected();
+    }
+  }
+  EXPECT_GT(lit, kSteps / 20) << "too little light to say much";
+  EXPECT_GT(fewer_rays, kSteps / 10U) << "halves are hardly ever reused";
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, HalfReuse,
+                         ::testing::Values(Case{"Room", 3}, Case{"Room", 6},
+                                           Case{"GlassAndMetal", 5}, Case{"ThinLens", 4},
+                                           Case{"Environment", 4}, Case{"Fog", 4},
+                                           Case{"MilkBall", 6}, Case{"EnvironmentCamera", 3}));
+
+TEST(ChainOfPaths, OfSixteenEdgesFitsInFourKibibytes) {
+  constexpr int kDepth = 16;
+  const auto scene = test::scene_from(test::small_scenes().front().text);
+  PathSamplerSettings settings;
+  settings.techniques = TechniqueSet::bdpt();
+  settings.min_depth = kDepth;
+  settings.max_depth = kDepth;
+  const TechniqueChoice choice(settings.techniques, kDepth);
+  ChainView view;
+  view.size = Vec2(scene->camera().resolution());
+  OnePathTarget target(*scene, settings, choice, view);
+  const PrimaryShape shape{kDepth + 1, kDepth + 1};
+  Chain chain(shape, 1, bootstrap_key(5, 0), 1.0);
+  const auto mutation = make_mutation("kelemen", 0.01);
+  ChainSource source(*mutation, StepSizes{}, shape);
+  for (int step = 0; step < 500; ++step) {
+    SplatBuffer splats;
+    source.propose(chain.numbers, step % 3 == 0 ? StepKind::Large : StepKind::SmallBoth, Change{},
+                   hash_numbers(9, step));
+    target.evaluate(source, Change{}, splats);
+    source.accept();
+    target.accepted();
+  }
+  EXPECT_LE(chain.memory_bytes(), 4096U);
+}
+
+}  // namespace
+}  // namespace ajar
