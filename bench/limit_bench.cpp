@@ -1,11 +1,11 @@
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <cstdio>
 
 #include "allocations.h"
+#include "core/parallel_for.h"
 #include "measuring/bench_scenes.h"
 #include "measuring/job.h"
 #include "measuring/split_arguments.h"
@@ -26,9 +26,7 @@ constexpr std::uint64_t kMaxRays = 3'000'000;
 double parallel_seconds(const Job& job, int threads) {
   tbb::task_arena arena(threads);
   return seconds([&] {
-    arena.execute([&] {
-      tbb::parallel_for(std::uint64_t{0}, job.items, [&](std::uint64_t i) { job.run(i, i + 1); });
-    });
+    arena.execute([&] { parallel_for(job.items, [&](std::uint64_t i) { job.run(i, i + 1); }); });
   });
 }
 

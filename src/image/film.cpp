@@ -17,7 +17,7 @@ constexpr double kContributionLimit = 0x1p54;
 constexpr std::int64_t kSumLimit = std::int64_t{1} << 62;
 }  // namespace
 
-Film::Film(Vec2i resolution, Box2i crop, const Filter& filter, int replicates,
+Film::Film(Vec2i resolution, const Box2i& crop, const Filter& filter, int replicates,
            std::vector<LayerSpec> layers)
     : resolution_(resolution),
       crop_(crop),

@@ -34,7 +34,7 @@ struct LayerSpec {
 class Film {
  public:
   /// `crop`: the pixels that exist, min and max inclusive, within the resolution; `replicates` ≥ 1.
-  Film(Vec2i resolution, Box2i crop, const Filter& filter, int replicates,
+  Film(Vec2i resolution, const Box2i& crop, const Filter& filter, int replicates,
        std::vector<LayerSpec> layers);
 
   Vec2i resolution() const { return resolution_; }  ///< full image

@@ -110,8 +110,10 @@ TEST(Film, ConstantLightGivesAConstantImageThroughEveryFilter) {
     for (int y = 0; y <= 3; y += 3) {
       for (int x = 5; x <= 10; x += 5) {
         for (int i = 0; i < kGrid * kGrid; ++i) {
-          const FilterSample s = filter.sample({(static_cast<float>(i % kGrid) + 0.5F) / kGrid,
-                                                (static_cast<float>(i / kGrid) + 0.5F) / kGrid});
+          const int column = i % kGrid;
+          const int row = i / kGrid;
+          const FilterSample s = filter.sample({(static_cast<float>(column) + 0.5F) / kGrid,
+                                                (static_cast<float>(row) + 0.5F) / kGrid});
           ASSERT_TRUE(film.add(0, 0, {x, y}, Spectrum(2.F) * s.weight));
         }
       }
@@ -255,7 +257,7 @@ TEST(Film, QuantumFollowsTheMagnitude) {
 }
 
 TEST(Film, RefusesImpossibleShapes) {
-  const auto film = [](Box2i crop, int replicates, double magnitude) {
+  const auto film = [](const Box2i& crop, int replicates, double magnitude) {
     return Film({4, 4}, crop, Filter::box(), replicates, {{"direct", true, magnitude}});
   };
   EXPECT_THROW(film(Box2i({0, 0}, {4, 3}), 1, 1.0), std::invalid_argument);

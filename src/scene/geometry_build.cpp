@@ -1,8 +1,7 @@
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 
+#include "core/parallel_for.h"
 #include "scene/geometry.h"
 #include "scene/geometry_records.h"
 #include "scene/shape/loop_subdivision.h"
@@ -197,7 +196,7 @@ void Geometry::prepare_shapes(desc::SceneDesc& description, const TextureList& t
     }
   }
   shapes_ = std::vector<ShapeRecord>(todo.size());
-  tbb::parallel_for(std::size_t{0}, todo.size(), [&](std::size_t i) {
+  parallel_for(todo.size(), [&](std::size_t i) {
     if (todo[i] != nullptr) prepare(*todo[i], textures, warnings, shapes_[i]);
   });
   for (std::size_t i = 0; i < description.objects.size(); ++i) {

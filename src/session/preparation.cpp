@@ -1,7 +1,8 @@
 #include "session/preparation.h"
 
 #include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_for.h>
+
+#include "core/parallel_for.h"
 
 namespace ajar {
 
@@ -11,9 +12,8 @@ Counters prepare(Integrator& integrator) {
     const std::uint64_t items = integrator.begin_preparation(round);
     if (items == 0) return whole;
     tbb::enumerable_thread_specific<Counters> counters;
-    tbb::parallel_for(std::uint64_t{0}, items, [&](std::uint64_t item) {
-      integrator.prepare_item(round, item, counters.local());
-    });
+    parallel_for(
+        items, [&](std::uint64_t item) { integrator.prepare_item(round, item, counters.local()); });
     for (const Counters& own : counters) whole += own;
   }
 }

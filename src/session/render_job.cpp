@@ -4,13 +4,14 @@
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/global_control.h>
 #include <tbb/info.h>
-#include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
+
+#include "core/parallel_for.h"
 
 namespace ajar {
 
@@ -86,8 +87,7 @@ RenderJob::PassOutcome RenderJob::run_pass(std::uint64_t first_sample, std::uint
     }
   };
   integrator_.begin_pass(first_sample, samples);
-  tbb::parallel_for(tbb::blocked_range<std::uint64_t>(0, items), run_items,
-                    tbb::simple_partitioner());
+  parallel_for_ranges(items, std::uint64_t{1}, run_items, tbb::simple_partitioner());
   integrator_.end_pass();
 
   PassOutcome outcome;

@@ -51,8 +51,8 @@ TEST(Statistics, SayWhatHappened) {
   EXPECT_EQ(json.at("discarded").at("nan"), 3);
   EXPECT_EQ(json.at("discarded").at("first"), "pixel (3, 4), sample 5");
   EXPECT_EQ(json.at("interrupted"), true);
-  EXPECT_EQ(json.at("resolution"), (nlohmann::json{640, 480}));
-  EXPECT_EQ(json.at("crop"), (nlohmann::json{0, 0, 640, 480}));
+  EXPECT_EQ(json.at("resolution"), (nlohmann::ordered_json{640, 480}));
+  EXPECT_EQ(json.at("crop"), (nlohmann::ordered_json{0, 0, 640, 480}));
   EXPECT_TRUE(json.at("acceptance").is_null());
 }
 

@@ -1,11 +1,11 @@
 #include "support/render.h"
 
 #include <gtest/gtest.h>
-#include <tbb/parallel_for.h>
 
 #include <mutex>
 #include <numeric>
 
+#include "core/parallel_for.h"
 #include "image/make_filter.h"
 #include "import/pbrt/pbrt_import.h"
 #include "integrator/integrator.h"
@@ -80,7 +80,7 @@ Render render(const Scene& scene, const RenderOptions& options) {
   std::mutex mutex;
   for (std::uint64_t pass = 0; pass < passes; ++pass) {
     integrator.begin_pass(pass * samples, samples);
-    tbb::parallel_for(std::uint64_t{0}, integrator.items_in_pass(), [&](std::uint64_t item) {
+    parallel_for(integrator.items_in_pass(), [&](std::uint64_t item) {
       Counters own;
       integrator.run_item(item, pass * samples, samples, *result.film, own);
       const std::lock_guard lock(mutex);

@@ -1,9 +1,8 @@
 #include "import/pbrt/mesh_loader.h"
 
-#include <tbb/parallel_for.h>
-
 #include <new>
 
+#include "core/parallel_for.h"
 #include "import/mesh/ply.h"
 #include "import/mesh/validate_mesh.h"
 #include "import/pbrt/lexer.h"
@@ -36,7 +35,7 @@ void MeshLoader::load(Job& job) const {
 }
 
 void MeshLoader::load_all() {
-  tbb::parallel_for(std::size_t{0}, jobs_.size(), [&](std::size_t i) { load(jobs_[i]); });
+  parallel_for(jobs_.size(), [&](std::size_t i) { load(jobs_[i]); });
   for (const Job& job : jobs_) {
     if (!job.error.empty()) throw SceneError(job.where, "cannot use this mesh: " + job.error);
     for (const std::string& remark : job.remarks) {

@@ -30,7 +30,7 @@ inline Vec3 random_point(Rng& rng, float half_side) {
   const float z = rng.next();
   return (Vec3(x, y, z) * 2.F - Vec3(1.F)) * half_side;
 }
-inline Vec3 random_direction(Rng& rng) { return warp::uniform_sphere(next_pair(rng)); }
+inline Vec3 random_axis(Rng& rng) { return warp::uniform_sphere(next_pair(rng)); }
 
 /// `count` lights at finite places in a cube of the given half side: point lights, spots of any
 /// angle in stretched spaces, projectors, quads with one or two sides, balls. Sizes and powers
@@ -45,10 +45,10 @@ inline Lamps random_lamps(Rng& rng, int count, float half_side) {
     const float fov = 10.F + 150.F * rng.next();
     const float edge = 1.F + 179.F * rng.next();
     const float inner = edge * rng.next();
-    const Vec3 edge_u = random_direction(rng) * size;
-    const Vec3 edge_v = random_direction(rng) * size;
+    const Vec3 edge_u = random_axis(rng) * size;
+    const Vec3 edge_v = random_axis(rng) * size;
     Mat4 place;
-    place.rotate(Vec3d(random_direction(rng) * 3.F));
+    place.rotate(Vec3d(random_axis(rng) * 3.F));
     place.scale(Vec3d(1.0, 0.4 + rng.next(), 0.4 + rng.next()));
     place[3][0] = static_cast<double>(p.x);
     place[3][1] = static_cast<double>(p.y);

@@ -1,8 +1,7 @@
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 
 #include "core/distribution.h"
+#include "core/parallel_for.h"
 #include "core/warp.h"
 #include "scene/shape/make_surface_sampler.h"
 
@@ -16,7 +15,7 @@ class MeshSampler final : public SurfaceSampler {
       : mesh_(mesh), by_area_(areas), densities_(areas.size()) {
     // The probability is that of the table, rounded as it is, so that sampling and density agree
     // exactly.
-    tbb::parallel_for(std::size_t{0}, areas.size(), [&](std::size_t i) {
+    parallel_for(areas.size(), [&](std::size_t i) {
       const float probability = by_area_.probability(i);
       if (!(probability > 0.F)) return;
       densities_[i] = static_cast<float>(double{probability} /
@@ -89,7 +88,7 @@ class MeshSampler final : public SurfaceSampler {
 
 std::unique_ptr<SurfaceSampler> make_surface_sampler(const TriangleMesh& mesh) {
   std::vector<float> areas(mesh.triangle_count());
-  tbb::parallel_for(std::size_t{0}, areas.size(), [&](std::size_t i) {
+  parallel_for(areas.size(), [&](std::size_t i) {
     areas[i] = static_cast<float>(mesh.triangle_area(static_cast<std::uint32_t>(i)));
   });
   auto sampler = std::make_unique<MeshSampler>(mesh, areas);

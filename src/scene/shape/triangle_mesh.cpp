@@ -1,13 +1,13 @@
 #include "scene/shape/triangle_mesh.h"
 
 #include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 #include <tbb/parallel_reduce.h>
 
 #include <algorithm>
 #include <limits>
 
 #include "core/frame.h"
+#include "core/parallel_for.h"
 
 namespace ajar {
 
@@ -18,18 +18,19 @@ constexpr std::size_t kNowhere = std::numeric_limits<std::size_t>::max();
 
 template <typename Body>
 void for_each_index(std::size_t count, const Body& body) {
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, kGrain),
-                    [&](const tbb::blocked_range<std::size_t>& range) {
-                      for (std::size_t i = range.begin(); i < range.end(); ++i) body(i);
-                    });
+  parallel_for_ranges(count, kGrain, [&](const tbb::blocked_range<std::size_t>& range) {
+    for (std::size_t i = range.begin(); i < range.end(); ++i) body(i);
+  });
 }
 
 /// Smallest index for which `is_bad`, or kNowhere.
 template <typename Predicate>
 std::size_t first_bad(std::size_t count, const Predicate& is_bad) {
+  ForkJoin loop;
   return tbb::parallel_reduce(
       tbb::blocked_range<std::size_t>(0, count, kGrain), kNowhere,
       [&](const tbb::blocked_range<std::size_t>& range, std::size_t found) {
+        const ForkJoin::Task task(loop);
         for (std::size_t i = range.begin(); i < range.end() && found == kNowhere; ++i) {
           if (is_bad(i)) found = i;
         }

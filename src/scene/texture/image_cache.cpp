@@ -1,12 +1,12 @@
 #include "scene/texture/image_cache.h"
 
 #include <OpenImageIO/imageio.h>
-#include <tbb/parallel_for.h>
 
 #include <cmath>
 #include <set>
 
 #include "core/error.h"
+#include "core/parallel_for.h"
 
 namespace ajar {
 
@@ -61,7 +61,7 @@ std::map<std::string, CachedImage> read_images(std::span<const std::string> path
   const std::set<std::string> unique(paths.begin(), paths.end());
   const std::vector<std::string> todo(unique.begin(), unique.end());
   std::vector<CachedImage> images(todo.size());
-  tbb::parallel_for(std::size_t{0}, todo.size(), [&](std::size_t i) {
+  parallel_for(todo.size(), [&](std::size_t i) {
     try {
       images[i].image = std::make_shared<const TexelImage>(read_texel_image(todo[i]));
     } catch (const std::exception& error) {
