@@ -78,7 +78,7 @@ TEST_P(Importance, LeavesTheExpectationAsItIs) {
     for (const std::string& map : {std::string("relative"), noise.path()}) {
       options.parameters = {{"importance", map}, {"bootstrap", "120000"}};
       const test::Render render = test::render(*scene, options);
-      expect_same(replicates_of(render, "indirect"), truth, *render.film, 0.35,
+      expect_same(replicates_of(render, "indirect"), truth, *render.film, 0.4,
                   std::string(integrator) + ", importance " + map);
     }
   }
@@ -102,7 +102,7 @@ TEST(Importance, MapOfTheFullPictureServesACropOfIt) {
   options.parameters["importance"] = noise.path();
   options.seed = 2;
   const test::Render render = test::render(*scene, options);
-  expect_same(replicates_of(render, "indirect"), truth, *render.film, 0.35, "full map");
+  expect_same(replicates_of(render, "indirect"), truth, *render.film, 0.4, "full map");
 }
 
 /// Mean of a picture over pixels and channels, by seeds 1, 2, …

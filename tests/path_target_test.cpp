@@ -85,7 +85,9 @@ TEST_P(HalfReuse, GivesTheBitsOfATargetThatTracesEverything) {
     SCOPED_TRACE(step);
     const std::uint64_t key = hash_numbers(7, step);
     const StepKind kind = probabilities.choose(to_unit_double(counter_bits(key, 0)));
-    const Change change = change_of(kind, {false, false});
+    // Where the technique moves along with a half, the other half may be wanted in another length.
+    const bool technique_moves = step % 2 == 1;
+    const Change change = change_of(kind, {technique_moves, technique_moves});
     source.propose(chain.numbers, kind, change, counter_bits(key, 1));
     splats.clear();
     const std::uint64_t rays_before = target.rays();
@@ -110,7 +112,7 @@ TEST_P(HalfReuse, GivesTheBitsOfATargetThatTracesEverything) {
     }
   }
   EXPECT_GT(lit, kSteps / 20) << "too little light to say much";
-  EXPECT_GT(fewer_rays, kSteps / 10U) << "halves are hardly ever reused";
+  EXPECT_GT(fewer_rays, kSteps / 20U) << "halves are hardly ever reused";
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, HalfReuse,
