@@ -19,7 +19,7 @@ class AtomicFile : public testing::Test {
       : folder_(fs::temp_directory_path() / ("ajar_atomic_" + std::to_string(::getpid()))) {
     fs::create_directories(folder_);
   }
-  ~AtomicFile() override { fs::remove_all(folder_); }
+  void TearDown() override { fs::remove_all(folder_); }
   fs::path path(const std::string& name) const { return folder_ / name; }
   std::size_t files() const {
     return static_cast<std::size_t>(

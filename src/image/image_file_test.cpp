@@ -26,7 +26,7 @@ class ImageFile : public testing::Test {
   ImageFile() : folder_(fs::temp_directory_path() / ("ajar_image_" + std::to_string(::getpid()))) {
     fs::create_directories(folder_);
   }
-  ~ImageFile() override { fs::remove_all(folder_); }
+  void TearDown() override { fs::remove_all(folder_); }
   std::string path(const std::string& name) const { return (folder_ / name).string(); }
   std::size_t files() const {
     return static_cast<std::size_t>(

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace ajar {
 
@@ -102,11 +101,13 @@ OnePathTarget::OnePathTarget(const Scene& scene, const PathSamplerSettings& sett
     : view_(view), sampler_(scene, settings), choice_(choice) {}
 
 template <typename Trace>
-const PathVertex* OnePathTarget::half(Half& current, Half& proposal, int vertices, bool moved,
+const PathVertex* OnePathTarget::half(Halves& halves, int vertices, bool moved,
                                       const Trace& trace) {
+  const Half& current = halves.current();
   if (!moved && current.vertices == vertices) {
     return current.complete ? &current.end : nullptr;
   }
+  Half& proposal = halves.proposal();
   proposal.vertices = vertices;
   proposal.complete = trace(proposal.end);
   return proposal.complete ? &proposal.end : nullptr;
@@ -114,8 +115,8 @@ const PathVertex* OnePathTarget::half(Half& current, Half& proposal, int vertice
 
 double OnePathTarget::evaluate(SampleSource& numbers, const Change& change, SplatBuffer& splats) {
   change_ = change;
-  light_proposal_.vertices = 0;
-  camera_proposal_.vertices = 0;
+  light_.proposal().vertices = 0;
+  camera_.proposal().vertices = 0;
   chosen_ = choice_.choose(numbers.get({Stream::Connection, 0, kTechniqueChoice}));
   const int s = chosen_.technique.s;
   const int t = chosen_.technique.t;
@@ -128,13 +129,13 @@ double OnePathTarget::evaluate(SampleSource& numbers, const Change& change, Spla
     const PathVertex* camera_end = &kEndpointAlone;
     const PathVertex* light_end = &kEndpointAlone;
     if (t >= 2) {
-      camera_end = half(camera_, camera_proposal_, t, change.camera, [&](PathVertex& end) {
+      camera_end = half(camera_, t, change.camera, [&](PathVertex& end) {
         return sampler_.trace_camera_half(numbers, raster, t, end);
       });
       if (camera_end == nullptr) return 0.0;
     }
     if (s >= 2) {
-      light_end = half(light_, light_proposal_, s, change.light,
+      light_end = half(light_, s, change.light,
                        [&](PathVertex& end) { return sampler_.trace_light_half(numbers, s, end); });
       if (light_end == nullptr) return 0.0;
     }
@@ -144,17 +145,17 @@ double OnePathTarget::evaluate(SampleSource& numbers, const Change& change, Spla
   return contribution(splats, view_.importance);
 }
 
-void OnePathTarget::keep(Half& current, Half& proposal, bool moved) {
-  if (proposal.vertices > 0) {
-    std::swap(current, proposal);
+void OnePathTarget::keep(Halves& halves, bool moved) {
+  if (halves.proposal().vertices > 0) {
+    halves.now = 1 - halves.now;
   } else if (moved) {
-    current.vertices = 0;  // its numbers have changed, unseen
+    halves.current().vertices = 0;  // its numbers have changed, unseen
   }
 }
 
 void OnePathTarget::accepted() {
-  keep(light_, light_proposal_, change_.light);
-  keep(camera_, camera_proposal_, change_.camera);
+  keep(light_, change_.light);
+  keep(camera_, change_.camera);
 }
 
 void OnePathTarget::rejected() {}

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -100,21 +101,26 @@ class OnePathTarget final : public PathTarget {
     bool complete = false;
     PathVertex end;
   };
+  /// What is current and what is proposed change places without a copy: ends are large, and those
+  /// never reached hold nothing that may be read.
+  struct Halves {
+    Half& current() { return both[now]; }
+    Half& proposal() { return both[1 - now]; }
+    std::array<Half, 2> both;
+    std::size_t now = 0;
+  };
   /// Traces a half for the proposal, or takes the current one; null if it is not complete.
   template <typename Trace>
-  const PathVertex* half(Half& current, Half& proposal, int vertices, bool moved,
-                         const Trace& trace);
-  static void keep(Half& current, Half& proposal, bool moved);
+  const PathVertex* half(Halves& halves, int vertices, bool moved, const Trace& trace);
+  static void keep(Halves& halves, bool moved);
 
   const ChainView& view_;
   PathSampler sampler_;
   const TechniqueChoice& choice_;
   TechniqueChoice::Chosen chosen_{0, {0, 2}, 1.F};
   Change change_;
-  Half light_;
-  Half light_proposal_;
-  Half camera_;
-  Half camera_proposal_;
+  Halves light_;
+  Halves camera_;
 };
 
 }  // namespace ajar

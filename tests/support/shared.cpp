@@ -5,7 +5,8 @@
 namespace ajar::test {
 
 std::optional<std::filesystem::path> shared_folder() {
-  const char* given = std::getenv("AJAR_SHARED");
+  // Nothing in the tests changes the environment.
+  const char* given = std::getenv("AJAR_SHARED");  // NOLINT(concurrency-mt-unsafe)
   const std::filesystem::path folder =
       given != nullptr ? std::filesystem::path(given)
                        : std::filesystem::path(AJAR_SOURCE_DIR) / ".." / "shared";
