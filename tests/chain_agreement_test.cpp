@@ -36,7 +36,9 @@ const std::vector<Variant>& variants() {
        {"GlassAndMetal", "Environment", "ThinLens"}},
       {"mmlt, single techniques",
        "mmlt",
-       {{"techniques", "(0,*),(1,2),(1,3),(3,*),(*,1)"}, {"heuristic", "balance"}},
+       {{"techniques", "(0,*),(1,2),(1,3),(3,*),(*,1)"},
+        {"heuristic", "balance"},
+        {"importance", "uniform"}},
        {"Room", "PointAndSpot", "CroppedMitchell"}},
       {"mmlt, half moves, gaussian",
        "mmlt",
@@ -116,7 +118,7 @@ TEST(ChainAgreementInARangeOfDepths, HoldsForPathsOfFourAndFiveEdges) {
     options.replicates = kReplicates;
     options.min_depth = 4;
     options.max_depth = 5;
-    options.samples = 192;
+    options.samples = 640;
     options.integrator = "bdpt";
     const Replicates truth = replicates_of(test::render(*scene, options));
     options.seed = 2;

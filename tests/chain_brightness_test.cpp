@@ -72,7 +72,7 @@ TEST_P(Importance, LeavesTheExpectationAsItIs) {
   const Vec2i size = small.crop ? small.crop->max - small.crop->min + Vec2i(1, 1) : resolution;
   const NoiseMap noise(size.x, size.y);
   options.seed = 2;
-  options.samples = 512;
+  options.samples = 896;
   for (const char* integrator : {"mmlt", "pssmlt"}) {
     options.integrator = integrator;
     for (const std::string& map : {std::string("relative"), noise.path()}) {
@@ -129,7 +129,7 @@ TEST_P(OverSeeds, BrightnessScattersAsErrorBarsSay) {
   test::RenderOptions options;
   options.replicates = 8;
   options.max_depth = 6;
-  options.samples = 32;
+  options.samples = 64;
   options.integrator = GetParam();
   options.parameters = {{"bootstrap", "8000"}};
   const Scatter chains = scatter(*scene, options, kSeeds);
