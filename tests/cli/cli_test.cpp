@@ -262,6 +262,18 @@ TEST_F(Cli, RendersAnySetOfTechniquesAndShowsEach) {
   EXPECT_NE(wrong.err.find("did you mean \"implicit\"?"), std::string::npos) << wrong.err;
 }
 
+TEST_F(Cli, AllLayersAreThoseThatTheMethodCanMake) {
+  const std::vector<std::string> chains = {
+      "--spp", "4",     "-o",           "a.exr", "--integrator",
+      "mmlt",  "--set", "direct=chain", "--set", "bootstrap=2000"};
+  std::vector<std::string> all = chains;
+  all.insert(all.end(), {"--aov", "all"});
+  EXPECT_EQ(render(all).exit_code, 0);
+  std::vector<std::string> albedo = chains;
+  albedo.insert(albedo.end(), {"--aov", "albedo"});
+  EXPECT_EQ(render(albedo).exit_code, 2) << "chains alone do not see surfaces";
+}
+
 TEST_F(Cli, CropIsAPartOfTheWholePicture) {
   ASSERT_EQ(render({"--spp", "4", "-o", "whole.pfm"}).exit_code, 0);
   ASSERT_EQ(render({"--spp", "4", "-o", "part.pfm", "--crop", "4,2,20,10"}).exit_code, 0);

@@ -211,7 +211,8 @@ int render(const RenderArguments& a) {
     print_warning(concern);
   }
   const std::vector<LayerSpec> layers = integrator->layers();
-  check_layers(setup.settings, layers);
+  // "all" means what the method can make.
+  if (parse_list(a.aovs) != std::vector<std::string>{"all"}) check_layers(setup.settings, layers);
   check_memory(setup, layers, a.resolution.empty() && !a.scale);
   Film film(setup.resolution, setup.crop, filter, setup.settings.replicates, layers);
   statistics.times.prepare = prepare_clock.seconds();
