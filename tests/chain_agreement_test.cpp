@@ -30,6 +30,15 @@ const std::vector<Variant>& variants() {
   static const std::vector<Variant> kVariants = {
       {"mmlt", "mmlt", {}},
       {"pssmlt", "pssmlt", {}},
+      {"mmlt, chains alone", "mmlt", {{"split", "0"}}},
+      {"pssmlt, chains alone", "pssmlt", {{"split", "0"}}},
+      // So low that most of the light is divided about evenly: what one side forgets or counts
+      // twice would show.
+      {"mmlt, low split", "mmlt", {{"split", "0.5"}}},
+      {"pssmlt, low split",
+       "pssmlt",
+       {{"split", "0.5"}, {"importance", "uniform"}},
+       {"Room", "GlassAndMetal", "CroppedMitchell", "Fog", "ThinLens"}},
       {"mmlt, ibpt",
        "mmlt",
        {{"techniques", "ibpt"}},
@@ -102,7 +111,7 @@ TEST_P(ChainAgreement, ChainsHaveTheExpectationOfBidirectionalPathTracing) {
     options.integrator = variant.integrator;
     options.parameters = variant.parameters;
     options.parameters["bootstrap"] = "60000";
-    options.parameters["direct-samples"] = "1";
+    options.parameters["omc-samples"] = "1";
     const test::Render render = test::render(*scene, options);
     expect_same(replicates_of(render, "indirect"), replicates_of(truth, "indirect"), *render.film,
                 0.3, variant.name + ", indirect");

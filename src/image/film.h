@@ -22,6 +22,8 @@ struct LayerSpec {
   /// Whether sums grow with the number of samples; false for what is added once per pixel
   /// (identifiers).
   bool per_sample = true;
+  /// Name of the layer that this one is a part of: shown as part of it, not by itself.
+  std::string part_of{};
 };
 
 /// An image in the making: layers × replicates × pixels × 3 channels, each a 64-bit fixed-point

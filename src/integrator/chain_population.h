@@ -2,21 +2,11 @@
 #include <cstdint>
 #include <vector>
 
-#include "integrator/path_target.h"
 #include "mcmc/chain.h"
 #include "mcmc/chain_statistics.h"
 #include "mcmc/moments.h"
-#include "transport/path_sampler.h"
 
 namespace ajar {
-
-/// What all chains of one kind of path share: the depth, or all depths.
-struct PathGroup {
-  int depth;  ///< edges; 0: all
-  PathSamplerSettings sampler;
-  TechniqueChoice choice;  ///< if there is one depth
-  PrimaryShape shape;
-};
 
 /// A chain with all it has done.
 struct MemberChain {
@@ -27,9 +17,9 @@ struct MemberChain {
 
 /// The chains of one group in one replicate, with a bootstrap of their own.
 struct ChainPopulation {
-  std::size_t group;
-  int replicate;
-  std::uint64_t seed;           ///< of its bootstrap
+  std::size_t group = 0;
+  int replicate = 0;
+  std::uint64_t seed = 0;       ///< of its bootstrap
   std::vector<double> weights;  ///< I of the bootstrap samples; emptied once chains are seeded
   Moments bootstrap;
   std::vector<MemberChain> chains;

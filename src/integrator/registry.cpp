@@ -10,11 +10,14 @@ namespace {
 /// Defaults named like the member where it does not say otherwise.
 IntegratorInfo path_family_member(const PathFamilyDefaults& defaults, std::string summary,
                                   std::string source) {
-  return {.name = defaults.techniques,
-          .summary = std::move(summary),
-          .source = std::move(source),
-          .parameters = path_family_parameters(defaults),
-          .make = make_path_integrator};
+  return {
+      .name = defaults.techniques,
+      .summary = std::move(summary),
+      .source = std::move(source),
+      .parameters = path_family_parameters(defaults),
+      .make = [](const Scene& scene, const RenderSettings& settings, const Parameters& parameters) {
+        return make_path_integrator(scene, settings, parameters);
+      }};
 }
 
 IntegratorInfo chain_family_member(ChainKind kind, std::string name, std::string summary,

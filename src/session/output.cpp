@@ -28,12 +28,22 @@ int require_layer(const Film& film, const std::string& name) {
   return layer;
 }
 
-/// The layers that add up to the picture.
-std::vector<int> light_layers(const Film& film) {
-  return {require_layer(film, "direct"), require_layer(film, "indirect")};
+/// Whether a layer is one of those that add up to the picture.
+bool is_light(const LayerSpec& spec) {
+  const std::string& name = spec.part_of.empty() ? spec.name : spec.part_of;
+  return name == "direct" || name == "indirect";
 }
 
-bool is_light(const std::string& name) { return name == "direct" || name == "indirect"; }
+std::vector<int> light_layers(const Film& film) {
+  std::vector<int> layers = {require_layer(film, "direct"), require_layer(film, "indirect")};
+  for (std::size_t i = 0; i < film.layers().size(); ++i) {
+    const auto layer = static_cast<int>(i);
+    if (is_light(film.layers()[i]) && layer != layers[0] && layer != layers[1]) {
+      layers.push_back(layer);
+    }
+  }
+  return layers;
+}
 
 std::vector<ScaledLayer> scaled_light_layers(const Film& film, const Integrator& integrator,
                                              std::uint64_t samples, double film_scale) {
@@ -64,6 +74,15 @@ Picture::Layer one_channel(const Picture::Layer& layer) {
     if (layer.name == "acceptance") single.pixels[i] /= events > 0.F ? events : 1.F;
   }
   return single;
+}
+
+/// Adds the pixels of a part to the layer it belongs to, which comes first.
+void add_to_part(Picture& picture, const std::string& whole, const std::vector<float>& pixels) {
+  const auto layer =
+      std::find_if(picture.layers.begin(), picture.layers.end(),
+                   [&](const Picture::Layer& candidate) { return candidate.name == whole; });
+  std::transform(layer->pixels.begin(), layer->pixels.end(), pixels.begin(), layer->pixels.begin(),
+                 std::plus<>());
 }
 
 LayeredImage layered_image(const Picture& picture) {
@@ -118,7 +137,7 @@ Picture develop(const Film& film, const Integrator& integrator, std::uint64_t sa
   std::vector<float> sum;
   for (std::size_t i = 0; i < film.layers().size(); ++i) {
     const LayerSpec& spec = film.layers()[i];
-    const bool light = is_light(spec.name);
+    const bool light = is_light(spec);
     const double scale = integrator.develop_scale(spec, samples, std::nullopt);
     const double layer_scale = spec.per_sample ? (light ? film_scale : 1.0) * scale : 1.0;
     Picture::Layer layer{spec.name, 3, film.develop(static_cast<int>(i), layer_scale)};
@@ -126,7 +145,11 @@ Picture develop(const Film& film, const Integrator& integrator, std::uint64_t sa
       sum.resize(layer.pixels.size());
       std::transform(sum.begin(), sum.end(), layer.pixels.begin(), sum.begin(), std::plus<>());
     }
-    picture.layers.push_back(is_single_number(spec.name) ? one_channel(layer) : layer);
+    if (!spec.part_of.empty()) {
+      add_to_part(picture, spec.part_of, layer.pixels);
+    } else {
+      picture.layers.push_back(is_single_number(spec.name) ? one_channel(layer) : layer);
+    }
   }
   for (const std::string& name : aovs) {
     if (name == "samples") {

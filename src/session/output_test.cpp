@@ -56,6 +56,17 @@ TEST_F(OutputTest, PictureIsTheMeanOfSamplesTimesTheFilmScale) {
   EXPECT_EQ(picture.layers[3].pixels, std::vector<float>(12, 8.F));
 }
 
+TEST_F(OutputTest, PartsOfALayerAreShownInItAndInThePicture) {
+  TestIntegrator integrator(kSize, 4);
+  integrator.has_part = true;
+  const Film film = rendered_film(integrator, 8);
+  const Picture picture = develop(film, integrator, 8, 1.0, {"standard-error"});
+  ASSERT_EQ(picture.layers.size(), 4U);
+  EXPECT_EQ(picture.layers[2].name, "indirect");
+  EXPECT_NEAR(picture.layers[2].pixels.at(15), 0.75F, 1e-5);
+  EXPECT_NEAR(picture.layers[0].pixels.at(15), picture.layers[1].pixels.at(15) + 0.75F, 1e-5);
+}
+
 TEST_F(OutputTest, StandardErrorComesFromTheReplicates) {
   TestIntegrator integrator(kSize, 4);
   const Film film = rendered_film(integrator, 4);

@@ -1,0 +1,68 @@
+#pragma once
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/parameters.h"
+#include "integrator/chain_family.h"
+#include "integrator/light_split.h"
+#include "integrator/path_target.h"
+#include "mcmc/chain_runner.h"
+
+namespace ajar {
+
+/// What all chains of one kind of path share: the depth, or all depths.
+struct PathGroup {
+  int depth;  ///< edges; 0: all
+  PathSamplerSettings sampler;
+  TechniqueChoice choice;  ///< if there is one depth
+  PrimaryShape shape;
+};
+
+/// What a render with chains is to do: its parameters, read and checked, and what the preparation
+/// finds out before the first chain moves. Constant from then on.
+struct ChainPlan {
+  enum class Direct { Omc, Chain, None };
+
+  /// Raises UsageError.
+  ChainPlan(ChainKind kind, const Scene& scene, const RenderSettings& settings,
+            const Parameters& parameters);
+
+  /// A target of one thread; the plan must outlive it.
+  std::unique_ptr<PathTarget> make_target(const PathGroup& group) const;
+  /// Of the crop.
+  std::uint64_t pixels() const;
+  /// Depths that ordinary Monte Carlo renders; empty (min > max) if there are none.
+  std::pair<int, int> omc_depths() const;
+  /// Ordinary Monte Carlo with the chains' techniques over some depths. With `split`, it leaves the
+  /// chains their share. `split` must outlive it.
+  std::unique_ptr<Integrator> make_omc(const RenderSettings& settings, std::pair<int, int> depths,
+                                       const LightSplit* split) const;
+
+  ChainKind kind;
+  const Scene& scene;
+  RenderSettings settings;
+  Parameters parameters;
+  TechniqueSet techniques;
+  Direct direct;
+  bool mis_large_steps;
+  /// Where the light of long paths is divided, relative to the brightness of its pixel; empty if
+  /// chains make all of it.
+  std::optional<double> split_at;
+  /// Camera samples of ordinary Monte Carlo per mutation.
+  double omc_samples;
+  std::uint64_t bootstrap;      ///< samples, over all depths and replicates
+  std::uint64_t wanted_chains;  ///< 0: as many as suit the picture
+  ChainSettings chain_settings;
+  std::unique_ptr<Mutation> mutation;
+  ChainView view;
+  std::vector<PathGroup> groups;
+  bool needs_pilot = false;
+  std::optional<LightSplit> split;  ///< found by the pilot
+
+ private:
+  void make_groups();
+  void read_importance();
+};
+
+}  // namespace ajar
