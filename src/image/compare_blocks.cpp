@@ -70,23 +70,33 @@ BlockMean replicated_mean(const Replicates& replicates, const BlockGrid& grid,
   return result;
 }
 
-/// `freedom`: degrees of freedom of each value's variance, infinite if that is known. Empty
-/// variances are zero.
+/// Of an image whose pixels have independent errors; the channels of a pixel are taken as fully
+/// correlated, for they see the same paths. `freedom`: degrees of freedom of each value's variance,
+/// infinite if that is known. Empty variances are zero.
 BlockMean reference_mean(std::span<const float> reference, std::span<const float> variance,
                          double freedom, const BlockGrid& grid, const Region& region) {
   BlockMean result;
   result.mean = region_mean(reference, grid, region);
   if (variance.empty()) return result;
+  const int channels = region.channel < 0 ? grid.channels : 1;
   double count = 0.0;
   double squares = 0.0;
+  double pixel_error = 0.0;
+  int channels_seen = 0;
   for_each_value(grid, region, [&](std::size_t i) {
-    result.variance += variance[i];
-    squares += double{variance[i]} * variance[i];
     count += 1.0;
+    pixel_error += std::sqrt(variance[i]);
+    if (++channels_seen < channels) return;
+    const double pixel_variance = pixel_error * pixel_error;
+    result.variance += pixel_variance;
+    squares += pixel_variance * pixel_variance;
+    pixel_error = 0.0;
+    channels_seen = 0;
   });
   // Welch and Satterthwaite: of a sum of estimated variances.
-  if (squares > 0.0)
+  if (squares > 0.0) {
     result.degrees_of_freedom = freedom * result.variance * result.variance / squares;
+  }
   result.variance /= count * count;
   return result;
 }

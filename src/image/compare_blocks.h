@@ -48,8 +48,9 @@ struct BlockComparison {
 /// freedom a corrected t-test needs huge differences) against each other. Source: Welch 1947.
 BlockComparison compare_blocks(const Replicates& a, const Replicates& b, const BlockGrid& grid);
 
-/// Tests replicates against a fixed reference whose values have independent errors of the given
-/// variance (one per value, or empty if the reference is exact).
+/// Tests replicates against a fixed reference whose pixels have independent errors of the given
+/// variance (one per value, or empty if the reference is exact). Errors of the channels of a pixel
+/// may be correlated.
 BlockComparison compare_blocks_to_reference(const Replicates& a, std::span<const float> reference,
                                             std::span<const float> reference_variance,
                                             const BlockGrid& grid);

@@ -12,6 +12,7 @@
 #include "core/error.h"
 #include "session/catalog.h"
 #include "session/version.h"
+#include "study/metric.h"
 
 namespace ajar::cli {
 
@@ -25,6 +26,7 @@ struct Request {
   InfoArguments info;
   ConvertArguments convert;
   ListArguments list;
+  CompareArguments compare;
 };
 
 /// An empty value is most likely a variable of a script that was never set.
@@ -143,6 +145,25 @@ void add_others(CLI::App& app, Request& request) {
   list->add_flag("--json", request.list.json, "Print JSON");
 }
 
+void add_compare(CLI::App& app, CompareArguments& a) {
+  CLI::App* command = app.add_subcommand("compare", "Measure pictures against a reference");
+  command->add_option("REFERENCE", a.reference, "Picture that is taken as right")->required();
+  command->add_option("PICTURE", a.pictures, "Pictures to measure: .exr .pfm .hdr .png .jpg")
+      ->required();
+  std::string names;
+  for (const study::Metric& metric : study::metrics()) {
+    names += (names.empty() ? "" : ", ") + metric.name;
+  }
+  command->add_option("--metrics", a.metrics, "Which, separated by commas: " + names)
+      ->type_name("LIST")
+      ->check(kNotEmpty);
+  command->add_option("--ppd", a.pixels_per_degree, "Pixels per degree of sight, for FLIP")
+      ->type_name("X")
+      ->capture_default_str();
+  command->add_flag("--json", a.json, "Print JSON");
+  command->footer("Pictures rendered with --aov replicates are also tested for bias.");
+}
+
 std::vector<std::string> option_names(const CLI::App& command) {
   std::vector<std::string> names;
   for (const CLI::Option* option : command.get_options()) {
@@ -202,6 +223,7 @@ int run(int argc, const char* const* argv) {
       "interrupted.");
   add_render(app, request.render);
   add_others(app, request);
+  add_compare(app, request.compare);
   for (CLI::App* command : app.get_subcommands({})) command->allow_extras();
   check_command(app, argc, argv);
 
@@ -218,6 +240,7 @@ int run(int argc, const char* const* argv) {
   if (app.got_subcommand("render")) return render(request.render);
   if (app.got_subcommand("info")) return info(request.info);
   if (app.got_subcommand("convert")) return convert(request.convert);
+  if (app.got_subcommand("compare")) return compare(request.compare);
   return list(request.list);
 }
 
