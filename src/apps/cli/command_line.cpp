@@ -27,6 +27,7 @@ struct Request {
   ConvertArguments convert;
   ListArguments list;
   CompareArguments compare;
+  StudyArguments study;
 };
 
 /// An empty value is most likely a variable of a script that was never set.
@@ -164,6 +165,16 @@ void add_compare(CLI::App& app, CompareArguments& a) {
   command->footer("Pictures rendered with --aov replicates are also tested for bias.");
 }
 
+void add_study(CLI::App& app, StudyArguments& a) {
+  CLI::App* command = app.add_subcommand("study", "Compare methods at equal time or equal samples");
+  command->add_option("FILE", a.file, "Study to carry out, JSON (see docs/studies.md)")->required();
+  command->add_option("--out", a.out, "Folder for pictures and tables; default: STUDY-results here")
+      ->type_name("DIR")
+      ->check(kNotEmpty);
+  command->footer(
+      "Ctrl-C stops after the render that runs; the same command goes on where it stopped.");
+}
+
 std::vector<std::string> option_names(const CLI::App& command) {
   std::vector<std::string> names;
   for (const CLI::Option* option : command.get_options()) {
@@ -224,6 +235,7 @@ int run(int argc, const char* const* argv) {
   add_render(app, request.render);
   add_others(app, request);
   add_compare(app, request.compare);
+  add_study(app, request.study);
   for (CLI::App* command : app.get_subcommands({})) command->allow_extras();
   check_command(app, argc, argv);
 
@@ -241,6 +253,7 @@ int run(int argc, const char* const* argv) {
   if (app.got_subcommand("info")) return info(request.info);
   if (app.got_subcommand("convert")) return convert(request.convert);
   if (app.got_subcommand("compare")) return compare(request.compare);
+  if (app.got_subcommand("study")) return study(request.study);
   return list(request.list);
 }
 

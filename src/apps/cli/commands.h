@@ -53,4 +53,10 @@ struct CompareArguments {
 };
 int compare(const CompareArguments& arguments);
 
+struct StudyArguments {
+  std::string file;
+  std::string out;  ///< empty: a folder here, called like the study
+};
+int study(const StudyArguments& arguments);
+
 }  // namespace ajar::cli
