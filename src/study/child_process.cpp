@@ -8,7 +8,6 @@
 #include <cerrno>
 #include <chrono>
 #include <csignal>
-#include <filesystem>
 #include <system_error>
 #include <thread>
 
@@ -24,7 +23,8 @@ constexpr int kNotStarted = 127;
 /// In the child, after fork: only what is safe there. Never returns.
 [[noreturn]] void become(const ChildCommand& command, char* const* argv, pid_t parent) {
   setpgid(0, 0);
-  prctl(PR_SET_PDEATHSIG, SIGTERM);
+  // Killed and not asked: it must not write files that a later run of the same name has written.
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent) _exit(kNotStarted);
   const int log = open(command.log.c_str(), O_CREAT | O_TRUNC | O_WRONLY, 0666);
   if (log < 0 || chdir(command.folder.c_str()) != 0) _exit(kNotStarted);
@@ -62,7 +62,5 @@ ChildResult run_child(const ChildCommand& command, const InterruptCount& interru
   }
   return result;
 }
-
-std::string own_program() { return std::filesystem::read_symlink("/proc/self/exe").string(); }
 
 }  // namespace ajar::study

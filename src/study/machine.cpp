@@ -43,7 +43,7 @@ nlohmann::ordered_json machine_json() {
           {"cores", std::thread::hardware_concurrency()},
           {"memory_bytes", physical_memory_bytes()},
           {"version", version()},
-          {"program_hash", hash_text(read_whole(own_program()))}};
+          {"program_hash", hash_text(read_whole(kOwnProgram))}};
 }
 
 std::string hash_text(const std::string& text) {

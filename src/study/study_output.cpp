@@ -62,9 +62,9 @@ std::string table_row(const StudyPlan& plan, const StudyResult& result, const Su
   std::string text =
       fmt::format("| {} | {} | {} | {} | {} |", plan.methods[row.method].name, row.seconds.count,
                   with_error(row.seconds), with_error(row.samples), acceptance_text(row));
-  for (const Mean& metric : row.metrics) text += " " + with_error(metric) + " |";
-  return text + " " + ratio_text(row.efficiency) + (is_loud(plan, result, row) ? " \\*" : "") +
-         " |\n";
+  for (const Mean& metric : row.metrics) text += fmt::format(" {} |", with_error(metric));
+  return text + fmt::format(" {}{} |\n", ratio_text(row.efficiency),
+                            is_loud(plan, result, row) ? " \\*" : "");
 }
 
 std::string explanation(const StudyPlan& plan) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <fstream>
 #include <map>
+#include <set>
 
 #include "core/error.h"
 #include "image/metrics.h"
@@ -64,8 +65,11 @@ class Runner {
     warn_of_other_builds();
     for (std::size_t i = 0; i < runs_.size() && !result_.interrupted; ++i) {
       if (interrupt_count() > 0) result_.interrupted = true;
-      if (!records_[i] && !result_.interrupted) render(i);
-      if (records_[i]) keep(i);
+      const bool is_new = !records_[i];
+      if (is_new && !result_.interrupted) render(i);
+      if (!records_[i]) continue;
+      keep(i);
+      if (is_new && !runs_[i].is_reference) report_quality(*records_[i]);
     }
     for (const std::string& reference : result_.references) {
       result_.noise.push_back(reference_noise(reference));
@@ -138,8 +142,25 @@ class Runner {
       return;
     }
     const std::string& reference = result_.references[run.scene];
-    if (!reference.empty()) measure(run, reference, *records_[i]);
+    try {
+      if (!reference.empty()) measure(run, reference, *records_[i]);
+    } catch (const UsageError& error) {
+      // If no picture of the scene can be compared, it is the reference that does not fit.
+      if (!measured_.contains(run.scene)) throw;
+      result_.failures.emplace_back(error.what());
+      return;
+    }
+    measured_.insert(run.scene);
     result_.runs.push_back({run, *records_[i]});
+  }
+
+  /// One number of a finished run, for people that watch.
+  void report_quality(const RunRecord& record) {
+    const std::string& metric = plan_.metrics.front()->name;
+    const std::optional<double> value = record.metric(metric);
+    if (value) {
+      options_.report(fmt::format("    {:.3g} s, {} {:.4g}", record.seconds(), metric, *value));
+    }
   }
 
   /// What noise of the reference itself adds to the metric of efficiency, from its standard error.
@@ -203,6 +224,7 @@ class Runner {
   Json machine_;
   std::vector<StudyRun> runs_;
   std::vector<std::optional<RunRecord>> records_;
+  std::set<std::size_t> measured_;  ///< scenes of which a picture could be compared
   StudyResult result_;
 };
 }  // namespace

@@ -7,6 +7,7 @@
 #include "core/error.h"
 #include "session/interrupts.h"
 #include "study/child_process.h"
+#include "study/folder_lock.h"
 #include "study/study_output.h"
 #include "study/study_runner.h"
 
@@ -35,7 +36,8 @@ int study(const StudyArguments& arguments) {
   options.out =
       make_folder(arguments.out.empty() ? fs::path(arguments.file).stem().string() + "-results"
                                         : arguments.out);
-  options.program = study::own_program();
+  const study::FolderLock lock(options.out);
+  options.program = study::kOwnProgram;
   options.report = print_note;
   // From here on a signal ends the render that runs, and what is finished is kept.
   begin_render();
