@@ -230,8 +230,8 @@ int run(int argc, const char* const* argv) {
   app.require_subcommand(1);
   app.footer(
       "Try: ajar render builtin:cornell\n"
-      "Exit codes: 0 done, 2 wrong usage, 3 unusable scene, 4 cannot read or write, 130 "
-      "interrupted.");
+      "Exit codes: 0 done, 1 renders of a study failed, 2 wrong usage, 3 unusable scene, 4 cannot "
+      "read or write, 130 interrupted.");
   add_render(app, request.render);
   add_others(app, request);
   add_compare(app, request.compare);
