@@ -77,7 +77,7 @@ Vec3d hunt_lab(const Vec3d& rgb) {
 
 /// Distance for large colour differences. Source: Abasi et al. 2020, eq. 4.
 double hyab(const Vec3d& a, const Vec3d& b) {
-  return std::abs(a.x - b.x) + std::hypot(a.y - b.y, a.z - b.z);
+  return std::abs(a.x - b.x) + std::sqrt((a.y - b.y) * (a.y - b.y) + (a.z - b.z) * (a.z - b.z));
 }
 
 using Planes = std::array<Plane, 3>;
@@ -160,6 +160,7 @@ std::vector<float> balanced(const std::vector<double>& weights) {
   double negative = 0.0;
   for (const double w : weights) (w > 0 ? positive : negative) += std::abs(w);
   std::vector<float> result;
+  result.reserve(weights.size());
   for (const double w : weights)
     result.push_back(static_cast<float>(w / (w > 0 ? positive : negative)));
   return result;
@@ -172,16 +173,19 @@ std::vector<float> feature_strength(const Plane& luminance, Feature feature, dou
   const int radius = static_cast<int>(std::ceil(3 * sigma));
   const std::vector<double> gaussian = gaussian_weights(radius, sigma);
   std::vector<double> derivative = gaussian;
-  for (int x = -radius; x <= radius; ++x) {
-    derivative[static_cast<std::size_t>(x + radius)] *=
-        feature == Feature::Edge ? -x : x * x / (sigma * sigma) - 1;
+  for (std::size_t i = 0; i < derivative.size(); ++i) {
+    const double x = static_cast<double>(i) - radius;
+    derivative[i] *= feature == Feature::Edge ? -x : x * x / (sigma * sigma) - 1;
   }
   const SeparableKernel across{balanced(derivative), normalised(gaussian, 1.0).y};
   const Plane along_x = filter_plane(luminance, across);
   const Plane along_y = filter_plane(luminance, SeparableKernel{across.y, across.x});
   std::vector<float> strength(luminance.values.size());
-  std::transform(along_x.values.begin(), along_x.values.end(), along_y.values.begin(),
-                 strength.begin(), [](float x, float y) { return std::hypot(x, y); });
+  parallel_for(strength.size(), [&](std::size_t i) {
+    const float x = along_x.values[i];
+    const float y = along_y.values[i];
+    strength[i] = std::sqrt(x * x + y * y);
+  });
   return strength;
 }
 

@@ -22,8 +22,8 @@ using testing_images::pattern;
 /// Of single precision: the power 0.7 makes much of the rounding of small colour differences.
 constexpr double kTolerance = 5e-5;
 
-float at(const std::vector<float>& map, int x, int y) {
-  return map[static_cast<std::size_t>(y * kPatternSize.x + x)];
+float at(const std::vector<float>& map, std::size_t x, std::size_t y) {
+  return map[y * static_cast<std::size_t>(kPatternSize.x) + x];
 }
 
 std::vector<float> uniform(Vec2i size, const std::vector<float>& color) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/parallel_for.h"
 #include "image/tone_map.h"
 
 namespace ajar {
@@ -32,8 +33,8 @@ double median(std::vector<double> values) {
 
 std::vector<float> tone_mapped(std::span<const float> linear, double exposure) {
   std::vector<float> display(linear.size());
-  std::transform(linear.begin(), linear.end(), display.begin(), [&](float value) {
-    return tone_map(value, ToneMap::Filmic, static_cast<float>(exposure));
+  parallel_for(display.size(), [&](std::size_t i) {
+    display[i] = tone_map(linear[i], ToneMap::Filmic, static_cast<float>(exposure));
   });
   return display;
 }

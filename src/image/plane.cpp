@@ -8,19 +8,19 @@
 namespace ajar {
 
 namespace {
-/// Correlation of one row or column: `read(i)` gives the value at i of `count`, `write(i, v)` takes
-/// the result.
-template <typename Read, typename Write>
-void filter_line(int count, std::span<const float> weights, Read read, Write write) {
-  const int radius = static_cast<int>(weights.size() / 2);
-  for (int i = 0; i < count; ++i) {
-    float sum = 0.F;
-    for (int offset = -radius; offset <= radius; ++offset) {
-      sum += weights[static_cast<std::size_t>(offset + radius)] *
-             read(std::clamp(i + offset, 0, count - 1));
-    }
-    write(i, sum);
+/// The row `y`, with `radius` copies of its ends on either side.
+std::vector<float> padded_row(const Plane& plane, int y, int radius) {
+  std::vector<float> row;
+  row.reserve(static_cast<std::size_t>(plane.size.x + 2 * radius));
+  for (int x = -radius; x < plane.size.x + radius; ++x) {
+    row.push_back(plane.at(std::clamp(x, 0, plane.size.x - 1), y));
   }
+  return row;
+}
+
+/// result[x] += weight · values[x] for x in [0, count).
+void add_scaled(float* result, const float* values, float weight, int count) {
+  for (int x = 0; x < count; ++x) result[x] += weight * values[x];
 }
 }  // namespace
 
@@ -29,20 +29,23 @@ Plane::Plane(Vec2i plane_size)
       values(static_cast<std::size_t>(plane_size.x) * static_cast<std::size_t>(plane_size.y)) {}
 
 Plane filter_plane(const Plane& plane, const SeparableKernel& kernel) {
+  // Weight by weight, and row by row in both directions: the compiler makes vectors of the loops.
+  const int count = plane.size.x;
+  const int x_radius = static_cast<int>(kernel.x.size() / 2);
   Plane rows(plane.size);
   parallel_for(plane.size.y, [&](int y) {
-    filter_line(
-        plane.size.x, kernel.x, [&](int x) { return plane.at(x, y); },
-        [&](int x, float value) { rows.at(x, y) = value; });
+    const std::vector<float> row = padded_row(plane, y, x_radius);
+    for (std::size_t i = 0; i < kernel.x.size(); ++i) {
+      add_scaled(&rows.at(0, y), row.data() + i, kernel.x[i], count);
+    }
   });
+  const int y_radius = static_cast<int>(kernel.y.size() / 2);
   Plane result(plane.size);
-  // Row by row again, so that memory is read in order.
-  const int radius = static_cast<int>(kernel.y.size() / 2);
   parallel_for(plane.size.y, [&](int y) {
-    for (int offset = -radius; offset <= radius; ++offset) {
-      const float weight = kernel.y[static_cast<std::size_t>(offset + radius)];
+    for (int offset = -y_radius; offset <= y_radius; ++offset) {
       const int source = std::clamp(y + offset, 0, plane.size.y - 1);
-      for (int x = 0; x < plane.size.x; ++x) result.at(x, y) += weight * rows.at(x, source);
+      add_scaled(&result.at(0, y), &rows.at(0, source),
+                 kernel.y[static_cast<std::size_t>(offset + y_radius)], count);
     }
   });
   return result;

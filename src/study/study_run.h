@@ -34,7 +34,7 @@ std::vector<StudyRun> expand(const StudyPlan& plan, const std::vector<std::strin
                              const std::filesystem::path& out);
 
 /// What is known of a finished run: the JSON file beside its picture.
-struct RunRecord {
+struct RunRecord {  // NOLINT(bugprone-exception-escape): moving JSON throws nothing
   nlohmann::ordered_json json;
 
   /// Wall clock of `prepare` and `render`, seconds: what a method needs once a scene is loaded.

@@ -9,7 +9,7 @@
 namespace ajar::study {
 
 /// A run and what became of it.
-struct FinishedRun {
+struct FinishedRun {  // NOLINT(bugprone-exception-escape): moving JSON throws nothing
   StudyRun run;
   RunRecord record;
 };

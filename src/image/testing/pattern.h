@@ -25,12 +25,10 @@ inline std::vector<float> pattern(int phase) {
 
 /// The same with 0.2 more (at most 1) in rows 10 to 19 of columns 10 to 29.
 inline std::vector<float> brighter_patch(std::vector<float> values) {
-  for (int y = 10; y < 20; ++y) {
-    for (int x = 10; x < 30; ++x) {
-      for (int c = 0; c < 3; ++c) {
-        float& value = values[static_cast<std::size_t>((y * kPatternSize.x + x) * 3 + c)];
-        value = std::min(value + 0.2F, 1.F);
-      }
+  constexpr auto kWidth = static_cast<std::size_t>(kPatternSize.x);
+  for (std::size_t y = 10; y < 20; ++y) {
+    for (std::size_t i = 3 * (y * kWidth + 10); i < 3 * (y * kWidth + 30); ++i) {
+      values[i] = std::min(values[i] + 0.2F, 1.F);
     }
   }
   return values;
