@@ -11,7 +11,7 @@ namespace {
 /// The row `y`, with `radius` copies of its ends on either side.
 std::vector<float> padded_row(const Plane& plane, int y, int radius) {
   std::vector<float> row;
-  row.reserve(static_cast<std::size_t>(plane.size.x + 2 * radius));
+  row.reserve(static_cast<std::size_t>(plane.size.x) + 2 * static_cast<std::size_t>(radius));
   for (int x = -radius; x < plane.size.x + radius; ++x) {
     row.push_back(plane.at(std::clamp(x, 0, plane.size.x - 1), y));
   }
@@ -42,10 +42,9 @@ Plane filter_plane(const Plane& plane, const SeparableKernel& kernel) {
   const int y_radius = static_cast<int>(kernel.y.size() / 2);
   Plane result(plane.size);
   parallel_for(plane.size.y, [&](int y) {
-    for (int offset = -y_radius; offset <= y_radius; ++offset) {
-      const int source = std::clamp(y + offset, 0, plane.size.y - 1);
-      add_scaled(&result.at(0, y), &rows.at(0, source),
-                 kernel.y[static_cast<std::size_t>(offset + y_radius)], count);
+    for (std::size_t i = 0; i < kernel.y.size(); ++i) {
+      const int source = std::clamp(y + static_cast<int>(i) - y_radius, 0, plane.size.y - 1);
+      add_scaled(&result.at(0, y), &rows.at(0, source), kernel.y[i], count);
     }
   });
   return result;

@@ -110,7 +110,7 @@ class Files : public testing::Test {
   void TearDown() override { fs::remove_all(folder_); }
   std::string write(const std::string& name, const Box2i& crop) const {
     const std::vector<float> pixels(3 * 16, 0.5F);
-    const std::string path = (folder_ / name).string();
+    std::string path = (folder_ / name).string();
     write_image(path, {{16, 16}, crop, {{"", 3, pixels}, {"replicates.0", 3, pixels}}, {}});
     return path;
   }

@@ -39,8 +39,9 @@ class Axis {
   /// Powers of ten with 2 and 5 between them if there are few.
   std::vector<double> ticks() const {
     const bool few = std::log10(high_ / low_) < 3.0;
+    const int last = static_cast<int>(std::floor(std::log10(high_)));
     std::vector<double> values;
-    for (double power = std::floor(std::log10(low_)); power <= std::log10(high_); ++power) {
+    for (int power = static_cast<int>(std::floor(std::log10(low_))); power <= last; ++power) {
       for (const double step : {1.0, 2.0, 5.0}) {
         const double value = step * std::pow(10.0, power);
         if ((step == 1.0 || few) && value >= low_ && value <= high_) values.push_back(value);

@@ -113,7 +113,7 @@ std::string from_folder(const fs::path& folder, const std::string& path) {
 std::string choose_scene(const JsonNode& node, const fs::path& folder) {
   std::string tried;
   for (const JsonNode& candidate : alternatives(node)) {
-    const std::string text = candidate.text();
+    std::string text = candidate.text();
     constexpr std::string_view kBuiltin = "builtin:";
     if (text.starts_with(kBuiltin)) {
       const std::vector<std::string> names = builtin_scene_names();
@@ -123,7 +123,7 @@ std::string choose_scene(const JsonNode& node, const fs::path& folder) {
       }
       return text;
     }
-    const std::string path = from_folder(folder, text);
+    std::string path = from_folder(folder, text);
     std::error_code ignored;
     if (fs::is_regular_file(path, ignored)) return path;
     tried += (tried.empty() ? "" : ", ") + path;

@@ -17,7 +17,7 @@ using Json = nlohmann::ordered_json;
 void add_method(const Method& method, std::vector<std::string>& arguments) {
   arguments.insert(arguments.end(), {"--integrator", method.integrator});
   for (const auto& [name, value] : method.parameters) {
-    arguments.insert(arguments.end(), {"--set", name + "=" + value});
+    arguments.insert(arguments.end(), {"--set", fmt::format("{}={}", name, value)});
   }
 }
 
