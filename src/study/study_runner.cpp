@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <map>
@@ -63,7 +64,8 @@ class Runner {
       options_.report(fmt::format("{} of {} renders are there already", done, runs_.size()));
     }
     warn_of_other_builds();
-    for (std::size_t i = 0; i < runs_.size() && !result_.interrupted; ++i) {
+    // After a signal nothing more is rendered, but what is finished belongs into the results.
+    for (std::size_t i = 0; i < runs_.size(); ++i) {
       if (interrupt_count() > 0) result_.interrupted = true;
       const bool is_new = !records_[i];
       if (is_new && !result_.interrupted) render(i);
@@ -143,7 +145,11 @@ class Runner {
     }
     const std::string& reference = result_.references[run.scene];
     try {
-      if (!reference.empty()) measure(run, reference, *records_[i]);
+      if (reference.empty()) {
+        records_[i]->json.erase("metrics");  // of an older reference
+      } else {
+        measure(run, reference, *records_[i]);
+      }
     } catch (const UsageError& error) {
       // If no picture of the scene can be compared, it is the reference that does not fit.
       if (!measured_.contains(run.scene)) throw;

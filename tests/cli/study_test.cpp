@@ -113,6 +113,14 @@ TEST_F(StudyCli, ControlCKeepsWhatIsFinished) {
   EXPECT_EQ(result.at("interrupted"), true);
   EXPECT_EQ(result.at("runs").size(), 6U) << "the interrupted render is none of them";
   EXPECT_FALSE(fs::exists(run_file("pt", "3600s", 1, ".record.json")));
+  // Also those that come after the one that was interrupted.
+  write_study(R"([{"time": "1h"}, {"spp": 4}])");
+  fs::remove(endless);
+  const pid_t second = start({"study", "study.json", "--out", "out"});
+  for (int i = 0; i < 1500 && !fs::exists(endless); ++i) std::this_thread::sleep_for(20ms);
+  kill(second, SIGTERM);
+  EXPECT_EQ(finish(second).exit_code, 130);
+  EXPECT_EQ(results().at("runs").size(), 6U);
   write_study(R"([{"spp": 4}, {"spp": 8}])");
   const Outcome again = study();
   EXPECT_EQ(again.exit_code, 0) << again.err;
@@ -150,6 +158,16 @@ TEST_F(StudyCli, AFailingRenderDoesNotStopTheOthers) {
                                                           << std::string(16 * 12 * 4, '\x3f');
   EXPECT_EQ(study().exit_code, 0);
   EXPECT_EQ(results().at("runs").size(), 4U);
+  // Without its reference a scene has no errors: not those against an older one.
+  EXPECT_TRUE(results().at("summary").at(0).at("metrics").at("relmse").is_object());
+  std::string text = read_text(file("study.json"));
+  const std::string made = R"({"integrator": "pt", "spp": 16})";
+  text.replace(text.find(made), made.size(), R"({"integrator": "mmlt", "spp": 16,
+      "parameters": {"importance": "nowhere.pfm"}})");
+  std::ofstream(file("study.json"), std::ios::trunc) << text;
+  EXPECT_EQ(study().exit_code, 1);
+  EXPECT_EQ(results().at("runs").size(), 4U);
+  EXPECT_TRUE(results().at("summary").at(0).at("metrics").at("relmse").is_null());
 }
 
 TEST_F(StudyCli, SaysWhatIsWrong) {
