@@ -9,9 +9,9 @@
 #include "image/testing/pattern.h"
 #include "image/tone_map.h"
 
-// The numbers were computed in NumPy, in double precision, with two-dimensional kernels made from
-// the papers' formulas and applied directly to planes with repeated borders (here: products of
-// one-dimensional kernels, in single precision).
+// The numbers were computed by a program of ours in NumPy: in double precision, with
+// two-dimensional kernels made from the formulas and applied directly to planes with repeated
+// borders (here: products of one-dimensional kernels, in single precision).
 namespace ajar {
 namespace {
 
