@@ -111,6 +111,9 @@ const std::vector<AovInfo>& aovs() {
       {"acceptance", "mean acceptance probability of steps that begin in a pixel (mmlt, pssmlt)",
        false},
       {"standard-error", "standard error of each pixel, from replicates"},
+      {"replicates",
+       "the independent estimates whose mean is the picture: lets ajar compare test for bias",
+       false},
   };
   return kAovs;
 }

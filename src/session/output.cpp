@@ -158,6 +158,12 @@ Picture develop(const Film& film, const Integrator& integrator, std::uint64_t sa
     } else if (name == "standard-error" && film.replicates() > 1) {
       const auto layers = scaled_light_layers(film, integrator, samples, film_scale);
       picture.layers.push_back({name, 3, standard_error(develop_replicates(film, layers))});
+    } else if (name == "replicates") {
+      const auto layers = scaled_light_layers(film, integrator, samples, film_scale);
+      int number = 0;
+      for (std::vector<float>& replicate : develop_replicates(film, layers)) {
+        picture.layers.push_back({fmt::format("{}.{}", name, number++), 3, std::move(replicate)});
+      }
     }
   }
   picture.layers.front().pixels = std::move(sum);

@@ -25,8 +25,8 @@ struct Picture {
 };
 
 /// Develops the film after `samples` samples per pixel: the picture (direct + indirect) times
-/// `film_scale`, then every layer of the film, then those of `aovs` that are made here: "samples"
-/// and "standard-error".
+/// `film_scale`, then every layer of the film, then those of `aovs` that are made here: "samples",
+/// "standard-error" and "replicates" (as "replicates.0", "replicates.1", …).
 Picture develop(const Film& film, const Integrator& integrator, std::uint64_t samples,
                 double film_scale, const std::vector<std::string>& aovs);
 

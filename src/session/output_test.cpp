@@ -80,6 +80,19 @@ TEST_F(OutputTest, StandardErrorComesFromTheReplicates) {
   EXPECT_GT(estimate_error(film, integrator, 4).value(), 0.0);
 }
 
+TEST_F(OutputTest, ReplicatesAverageToThePicture) {
+  TestIntegrator integrator(kSize, 4);
+  const Film film = rendered_film(integrator, 8);
+  const Picture picture = develop(film, integrator, 8, 3.0, {"replicates"});
+  ASSERT_EQ(picture.layers.size(), 3U + 4U);
+  EXPECT_EQ(picture.layers[6].name, "replicates.3");
+  for (std::size_t i = 0; i < 36; ++i) {
+    double mean = 0.0;
+    for (std::size_t r = 3; r < 7; ++r) mean += picture.layers[r].pixels.at(i) / 4.0;
+    EXPECT_NEAR(mean, picture.layers[0].pixels.at(i), 1e-5);
+  }
+}
+
 TEST_F(OutputTest, DefaultsAreInTheCurrentFolder) {
   EXPECT_EQ(default_outputs("renders/far/away.png", "room"),
             (std::vector<std::string>{"away.exr", "away.png"}));
