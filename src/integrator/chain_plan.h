@@ -64,7 +64,6 @@ struct ChainPlan {
   std::unique_ptr<Mutation> mutation;
   ChainView view;
   std::vector<PathGroup> groups;
-  bool needs_pilot = false;
   std::optional<LightSplit> split;  ///< found by the pilot
 
  private:

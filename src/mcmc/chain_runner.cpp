@@ -98,7 +98,7 @@ ChainStatistics ChainRunner::go_on(Chain& chain, std::uint64_t steps, DepositSin
     ++statistics.of(kind).proposals;
     statistics.of(kind).acceptances += a;
     sink.proposed(current_, a);
-    if (large) statistics.large_steps.add(scalar);
+    if (large) statistics.large_steps.add(std::min(scalar, settings_.large_step_cap));
 
     const double proposal_weight = large && combined_b ? a + 1.0 : a;
     current_weight += 1.0 - a;

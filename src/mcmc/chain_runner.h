@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 
@@ -28,6 +29,8 @@ struct ChainSettings {
   StepProbabilities probabilities;
   StepSizes sizes;
   ConnectionMoves connection;
+  /// What more than this a large step brings does not count in the statistics of b.
+  double large_step_cap = std::numeric_limits<double>::infinity();
 };
 
 /// Runs Metropolis–Hastings chains: the only place where proposals are accepted and rejected. Holds
