@@ -19,7 +19,7 @@ std::vector<float> constant(Vec2i size, float value) {
 
 TEST(ImpulseNoise, OfAnEvenPictureIsZero) {
   for (const float value : {0.F, 1.F, -3.F, 1e38F}) {
-    for (const Vec2i size : {Vec2i(1, 1), Vec2i(1, 9), Vec2i(9, 1), Vec2i(7, 4)}) {
+    for (const Vec2i& size : {Vec2i(1, 1), Vec2i(1, 9), Vec2i(9, 1), Vec2i(7, 4)}) {
       for (const float noise : impulse_noise(size, constant(size, value), 5).values) {
         EXPECT_EQ(noise, 0.F) << value;
       }
