@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace ajar {
@@ -104,6 +105,37 @@ TEST(MatchesPattern, FillsStarsWithAnything) {
   EXPECT_TRUE(matches_pattern("*aab", "aaaab"));
   EXPECT_FALSE(matches_pattern("", "a"));
   EXPECT_TRUE(matches_pattern("", ""));
+}
+
+/// By trying every length of every star.
+bool matches_by_trial(std::string_view pattern, std::string_view name) {
+  if (pattern.empty()) return name.empty();
+  if (pattern[0] != '*') {
+    return !name.empty() && name[0] == pattern[0] &&
+           matches_by_trial(pattern.substr(1), name.substr(1));
+  }
+  for (std::size_t length = 0; length <= name.size(); ++length) {
+    if (matches_by_trial(pattern.substr(1), name.substr(length))) return true;
+  }
+  return false;
+}
+
+TEST(MatchesPattern, EqualsTryingEveryLengthOfEveryStar) {
+  // All patterns of up to five and all names of up to six characters.
+  const auto words = [](const std::string& letters, std::size_t longest) {
+    std::vector<std::string> result = {""};
+    for (std::size_t i = 0; i < result.size() && result[i].size() < longest; ++i) {
+      for (const char letter : letters) result.push_back(result[i] + letter);
+    }
+    return result;
+  };
+  const auto names = words("ab", 6);
+  for (const std::string& pattern : words("ab*", 5)) {
+    for (const std::string& name : names) {
+      ASSERT_EQ(matches_pattern(pattern, name), matches_by_trial(pattern, name))
+          << pattern << ", " << name;
+    }
+  }
 }
 
 TEST(MatchesPattern, NeedsNoExponentialTime) {
