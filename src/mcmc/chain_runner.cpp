@@ -36,8 +36,8 @@ double acceptance(double current, double proposal, double log_ratio) {
 }  // namespace
 
 ChainRunner::ChainRunner(const ChainSettings& settings, const Mutation& mutation,
-                         const PrimaryShape& shape, Target& target)
-    : settings_(settings), target_(target), source_(mutation, settings.sizes, shape) {
+                         const PrimaryShape& shape, Target& target, const PlaneMoves* plane)
+    : settings_(settings), target_(target), source_(mutation, settings.sizes, shape, plane) {
   settings_.probabilities.check();
   settings_.sizes.check();
 }
@@ -50,6 +50,7 @@ void ChainRunner::replay(const Chain& chain) {
     refuse(chain, scalar);
   }
   target_.accepted();
+  source_.start(source.uses_raster(), chain.step_scale);
 }
 
 double ChainRunner::evaluate(const Chain& chain, const Change& change,
@@ -107,6 +108,7 @@ ChainStatistics ChainRunner::run(Chain& chain, std::uint64_t steps, DepositSink&
     if (to_unit_double(counter_bits(key, 2)) < a) {
       deposit(current_, current_weight, chain.scalar);
       source_.accept();
+      chain.step_scale = source_.step_scale();
       target_.accepted();
       std::swap(current_, proposal_);
       current_weight = proposal_weight;

@@ -34,8 +34,9 @@ struct ChainSettings {
 /// the scratch memory of one thread; the target and the mutation must outlive it.
 class ChainRunner {
  public:
+  /// `plane`, which may be null, must outlive it, too.
   ChainRunner(const ChainSettings& settings, const Mutation& mutation, const PrimaryShape& shape,
-              Target& target);
+              Target& target, const PlaneMoves* plane = nullptr);
 
   /// Makes `steps` steps. A step deposits its proposal with weight a, the probability to accept it,
   /// and the current state with 1 − a, each over its I ("expected values", Veach 1997, section
