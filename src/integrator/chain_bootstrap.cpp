@@ -9,6 +9,17 @@
 
 namespace ajar {
 
+namespace {
+/// Of a replicate with so many mutations per mutation per pixel. So many that a chain makes about a
+/// hundred steps in a short pass: many chains are well spread, but each begins a pass by looking up
+/// its state. Small pictures have more, down to one step, because few chains depend on luck.
+std::uint64_t default_chains(std::uint64_t mutations) {
+  constexpr std::uint64_t kSteps = 32;
+  constexpr std::uint64_t kFewest = 32;
+  return std::max<std::uint64_t>({1, mutations / kSteps, std::min(mutations, kFewest)});
+}
+}  // namespace
+
 double bootstrap_share(const ChainPlan& plan, std::size_t group) {
   const auto weight = [](const PathGroup& g) { return 1.0 / std::max(1, g.depth); };
   double whole = 0.0;
@@ -74,14 +85,11 @@ void ChainBootstrap::seed_replicate(int replicate) {
     own.push_back(&population);
     b.push_back(population.bootstrap.mean());
   }
-  // By default so many that a chain makes about a hundred steps in a short pass: many chains are
-  // well spread, but each begins a pass by looking up its state.
-  constexpr std::uint64_t kPixelsPerChain = 32;
-  const std::uint64_t wanted =
-      plan_.wanted_chains > 0 ? plan_.wanted_chains : plan_.pixels() / kPixelsPerChain;
   const auto replicates = static_cast<std::uint64_t>(plan_.settings.replicates);
-  const auto count = static_cast<std::size_t>(std::max<std::uint64_t>(1, wanted / replicates));
-  const std::vector<std::size_t> shares = apportion(b, count);
+  const std::uint64_t count = plan_.wanted_chains > 0
+                                  ? std::max<std::uint64_t>(1, plan_.wanted_chains / replicates)
+                                  : default_chains(plan_.pixels() / replicates);
+  const std::vector<std::size_t> shares = apportion(b, static_cast<std::size_t>(count));
   for (std::size_t i = 0; i < own.size(); ++i) {
     ChainPopulation& population = *own[i];
     const PathGroup& group = plan_.groups[population.group];

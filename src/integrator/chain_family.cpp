@@ -50,12 +50,14 @@ class ChainIntegrator final : public Integrator {
   void end_preparation();
   void make_omc();
   void add_concerns();
-  void run_chain(const ChainItem& item, std::uint64_t samples, Film& film, Counters& counters);
-  void run_plain(ChainPopulation& population, std::uint64_t samples, Film& film,
-                 Counters& counters);
+  void run_chain(const ChainItem& item, std::uint64_t first_sample, std::uint64_t samples,
+                 Film& film, Counters& counters);
+  /// One mutation per pixel's worth.
+  void run_plain(ChainPopulation& population, Film& film, Counters& counters);
   /// Camera samples of ordinary Monte Carlo per pixel that belong to the first `mutations`
   /// mutations per pixel.
   std::uint64_t omc_samples(std::uint64_t mutations) const;
+  void refine_b(std::uint64_t mutations);
   /// Mutations of each chain of a replicate up to `samples` mutations per pixel.
   std::uint64_t steps_until(std::uint64_t samples, std::size_t chains) const;
   std::size_t chains_in(int replicate) const {
@@ -69,10 +71,9 @@ class ChainIntegrator final : public Integrator {
   std::vector<ChainItem> chain_items_;
   std::unique_ptr<Integrator> omc_;  ///< null if it has nothing to render
   std::vector<std::string> concerns_;
-  // During the current pass:
-  std::uint64_t first_sample_ = 0;
-  std::vector<double> b_;      ///< of each population
-  double later_weight_ = 0.0;  ///< of samples after the bootstrap, in all estimates of b
+  std::vector<double> b_;         ///< of each population
+  double later_weight_ = 0.0;     ///< of samples after the bootstrap, in all estimates of b
+  std::uint64_t refined_at_ = 0;  ///< mutations per pixel behind them
 };
 
 ChainIntegrator::ChainIntegrator(ChainKind kind, const Scene& scene, const RenderSettings& settings,
@@ -163,10 +164,7 @@ std::uint64_t ChainIntegrator::items_in_pass() const {
 }
 
 std::uint64_t ChainIntegrator::omc_samples(std::uint64_t mutations) const {
-  const auto replicates = static_cast<std::uint64_t>(plan_.settings.replicates);
-  const double per_replicate =
-      static_cast<double>(mutations) * plan_.omc_samples / static_cast<double>(replicates);
-  return replicates * static_cast<std::uint64_t>(std::ceil(per_replicate));
+  return static_cast<std::uint64_t>(std::ceil(static_cast<double>(mutations) * plan_.omc_samples));
 }
 
 std::uint64_t ChainIntegrator::steps_until(std::uint64_t samples, std::size_t chains) const {
@@ -175,19 +173,30 @@ std::uint64_t ChainIntegrator::steps_until(std::uint64_t samples, std::size_t ch
   return static_cast<std::uint64_t>(std::ceil(per_replicate / static_cast<double>(chains)));
 }
 
+/// b is refined at counts fixed in advance, which passes do not cross (see `PassSchedule`): where
+/// passes end otherwise is up to the clock, and must not change the picture.
+void ChainIntegrator::begin_pass(std::uint64_t first_sample, std::uint64_t /*samples*/) {
+  auto milestone = static_cast<std::uint64_t>(plan_.settings.replicates);
+  if (first_sample < milestone) {
+    if (b_.empty()) refine_b(0);
+    return;
+  }
+  while (2 * milestone <= first_sample) milestone *= 2;
+  if (milestone > refined_at_ || b_.empty()) refine_b(milestone);
+}
+
 /// b of a population is on average right only over all that its bootstrap can bring, finding no
 /// light included. So where it found none, later samples may count neither more nor less than they
 /// do where it found some: they have one weight w for all, which must not depend on what was found.
 /// E[(1 − w)·bootstrap; light found] + w·E[later samples] is then b.
-void ChainIntegrator::begin_pass(std::uint64_t first_sample, std::uint64_t /*samples*/) {
-  first_sample_ = first_sample;
+void ChainIntegrator::refine_b(std::uint64_t mutations) {
+  refined_at_ = mutations;
   double bootstrap = 0.0;
   for (const ChainPopulation& population : populations_) {
     bootstrap += static_cast<double>(population.bootstrap.count);
   }
   const double large_steps = plan_.chain_settings.probabilities.large *
-                             static_cast<double>(first_sample) *
-                             static_cast<double>(plan_.pixels());
+                             static_cast<double>(mutations) * static_cast<double>(plan_.pixels());
   later_weight_ = large_steps / (bootstrap + large_steps);
   b_.clear();
   for (const ChainPopulation& population : populations_) {
@@ -209,33 +218,38 @@ void ChainIntegrator::run_item(std::uint64_t item, std::uint64_t first_sample,
   const ChainItem& chain = chain_items_[item - tiles];
   ChainPopulation& population = populations_[chain.population];
   if (population.chains.empty()) {
-    run_plain(population, samples, film, counters);
+    for (std::uint64_t i = 0; i < samples; ++i) run_plain(population, film, counters);
   } else {
-    run_chain(chain, samples, film, counters);
+    run_chain(chain, first_sample, samples, film, counters);
   }
 }
 
-void ChainIntegrator::run_chain(const ChainItem& item, std::uint64_t samples, Film& film,
-                                Counters& counters) {
+/// Steps are made in blocks of one mutation per pixel, each deposited by itself, so that the film's
+/// bits do not depend on how many blocks a pass has.
+void ChainIntegrator::run_chain(const ChainItem& item, std::uint64_t first_sample,
+                                std::uint64_t samples, Film& film, Counters& counters) {
   ChainPopulation& population = populations_[item.population];
   MemberChain& member = population.chains[item.chain];
   const PathGroup& group = plan_.groups[population.group];
   const std::size_t chains = chains_in(population.replicate);
-  const std::uint64_t steps = std::max<std::uint64_t>(
-      1, steps_until(first_sample_ + samples, chains) - steps_until(first_sample_, chains));
   const auto target = plan_.make_target(group);
   ChainRunner runner(plan_.chain_settings, *plan_.mutation, group.shape, *target);
   ChainFilmSink sink(film, population.replicate, plan_.view.importance, *target, counters);
   const double b = b_[item.population];
-  const double per_step =
-      1.0 / (static_cast<double>(steps) * static_cast<double>(population.chains.size()));
-  sink.begin(
-      b * plan_.view.area() * per_step * static_cast<double>(samples) / plan_.settings.replicates,
-      member.by_technique.empty() ? nullptr : &member.by_technique);
-  const ChainStatistics statistics = runner.run(
-      member.chain, steps, sink, plan_.mis_large_steps ? std::optional(b) : std::nullopt);
+  runner.start(member.chain);
+  ChainStatistics statistics;
+  for (std::uint64_t block = first_sample; block < first_sample + samples; ++block) {
+    const std::uint64_t steps =
+        std::max<std::uint64_t>(1, steps_until(block + 1, chains) - steps_until(block, chains));
+    const double per_step =
+        1.0 / (static_cast<double>(steps) * static_cast<double>(population.chains.size()));
+    sink.begin(b * plan_.view.area() * per_step / plan_.settings.replicates,
+               member.by_technique.empty() ? nullptr : &member.by_technique);
+    statistics += runner.go_on(member.chain, steps, sink,
+                               plan_.mis_large_steps ? std::optional(b) : std::nullopt);
+  }
   member.statistics += statistics;
-  counters.mutations += steps;
+  counters.mutations += statistics.steps;
   counters.rays += target->rays();
   counters.discarded_nan += statistics.discarded_nan;
   counters.discarded_infinite += statistics.discarded_infinite;
@@ -254,8 +268,7 @@ void ChainIntegrator::run_chain(const ChainItem& item, std::uint64_t samples, Fi
 /// starts from it (Cline et al. 2005), since light so hard to find would be a firefly: the chain
 /// leaves the distribution of its start as it is, so each of its states stands for the sample as
 /// well.
-void ChainIntegrator::run_plain(ChainPopulation& population, std::uint64_t samples, Film& film,
-                                Counters& counters) {
+void ChainIntegrator::run_plain(ChainPopulation& population, Film& film, Counters& counters) {
   if (later_weight_ == 0.0) return;
   constexpr double kShare = 0.125;  // of the replicate's mutations, if it has chains
   constexpr std::uint64_t kSteps = 64;
@@ -263,16 +276,16 @@ void ChainIntegrator::run_plain(ChainPopulation& population, std::uint64_t sampl
   for (const ChainPopulation& other : populations_) {
     if (other.replicate == population.replicate && other.chains.empty()) ++seedless;
   }
-  const double mutations = static_cast<double>(samples) * static_cast<double>(plan_.pixels()) /
-                           plan_.settings.replicates / static_cast<double>(seedless);
+  const double mutations = static_cast<double>(plan_.pixels()) / plan_.settings.replicates /
+                           static_cast<double>(seedless);
   const double share = chains_in(population.replicate) > 0 ? kShare : 1.0;
   const auto count = static_cast<std::uint64_t>(std::max(1.0, share * mutations));
   const PathGroup& group = plan_.groups[population.group];
   const auto target = plan_.make_target(group);
   ChainRunner runner(plan_.chain_settings, *plan_.mutation, group.shape, *target);
   ChainFilmSink sink(film, population.replicate, plan_.view.importance, *target, counters);
-  const double scale = later_weight_ * plan_.view.area() / static_cast<double>(count) *
-                       static_cast<double>(samples) / plan_.settings.replicates;
+  const double scale =
+      later_weight_ * plan_.view.area() / static_cast<double>(count) / plan_.settings.replicates;
   SplatBuffer splats;
   const std::uint64_t seed = hash_numbers(population.seed, 0x91a17ULL);
   counters.mutations += count;
@@ -303,8 +316,9 @@ void ChainIntegrator::run_plain(ChainPopulation& population, std::uint64_t sampl
 
 double ChainIntegrator::develop_scale(const LayerSpec& layer, std::uint64_t samples,
                                       std::optional<int> replicate) const {
-  const bool of_chains = layer.name == "indirect" || layer.name == kDensityLayer ||
-                         layer.name == kAcceptanceLayer || !omc_;
+  const bool of_chains =
+      layer.name == "indirect" || layer.name == kDensityLayer || layer.name == kAcceptanceLayer ||
+      (layer.name == "direct" && plan_.direct == ChainPlan::Direct::Chain) || !omc_;
   if (!of_chains) return omc_->develop_scale(layer, omc_samples(samples), replicate);
   if (samples == 0) return 0.0;
   const double scale = 1.0 / static_cast<double>(samples);

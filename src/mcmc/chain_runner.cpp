@@ -42,7 +42,7 @@ ChainRunner::ChainRunner(const ChainSettings& settings, const Mutation& mutation
   settings_.sizes.check();
 }
 
-void ChainRunner::replay(const Chain& chain) {
+void ChainRunner::start(const Chain& chain) {
   ReplaySource source(chain.numbers);
   current_.clear();
   const double scalar = target_.evaluate(source, Change{}, current_);
@@ -75,14 +75,12 @@ double ChainRunner::evaluate(const Chain& chain, const Change& change,
   return 0.0;
 }
 
-ChainStatistics ChainRunner::run(Chain& chain, std::uint64_t steps, DepositSink& sink,
-                                 std::optional<double> combined_b) {
+ChainStatistics ChainRunner::go_on(Chain& chain, std::uint64_t steps, DepositSink& sink,
+                                   std::optional<double> combined_b) {
   if (combined_b && !(*combined_b > 0.0 && std::isfinite(*combined_b))) {
     throw std::invalid_argument("large steps can be combined with the chain only for a b > 0");
   }
   ChainStatistics statistics;
-  replay(chain);
-
   const double large_density = combined_b ? *combined_b * settings_.probabilities.large : 0.0;
   const auto deposit = [&](const SplatBuffer& splats, double weight, double scalar) {
     if (weight > 0.0) sink.deposit(splats, weight / (scalar + large_density));

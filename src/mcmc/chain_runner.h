@@ -56,10 +56,17 @@ class ChainRunner {
   ///
   /// Raises std::logic_error if the target does not give the current state its I again.
   ChainStatistics run(Chain& chain, std::uint64_t steps, DepositSink& sink,
-                      std::optional<double> combined_b = std::nullopt);
+                      std::optional<double> combined_b = std::nullopt) {
+    start(chain);
+    return go_on(chain, steps, sink, combined_b);
+  }
+  /// The two parts of `run`: looks up the chain's current state, then makes steps. A chain that
+  /// was started may go on several times as long as no other has been started.
+  void start(const Chain& chain);
+  ChainStatistics go_on(Chain& chain, std::uint64_t steps, DepositSink& sink,
+                        std::optional<double> combined_b = std::nullopt);
 
  private:
-  void replay(const Chain& chain);
   double evaluate(const Chain& chain, const Change& change, ChainStatistics& statistics);
 
   ChainSettings settings_;

@@ -155,7 +155,8 @@ Picture develop(const Film& film, const Integrator& integrator, std::uint64_t sa
     if (name == "samples") {
       picture.layers.push_back(
           {name, 1, std::vector<float>(sum.size() / 3, static_cast<float>(samples))});
-    } else if (name == "standard-error" && film.replicates() > 1) {
+    } else if (name == "standard-error" && film.replicates() > 1 &&
+               samples >= static_cast<std::uint64_t>(film.replicates())) {
       const auto layers = scaled_light_layers(film, integrator, samples, film_scale);
       picture.layers.push_back({name, 3, standard_error(develop_replicates(film, layers))});
     } else if (name == "replicates") {
