@@ -8,6 +8,7 @@
 #include "integrator/light_split.h"
 #include "integrator/path_target.h"
 #include "mcmc/chain_runner.h"
+#include "mcmc/plane_moves.h"
 
 namespace ajar {
 
@@ -55,6 +56,7 @@ struct ChainPlan {
   std::uint64_t wanted_chains;  ///< 0: as many as suit the picture
   ChainSettings chain_settings;
   std::unique_ptr<Mutation> mutation;
+  PlaneRule plane;
   ChainView view;
   std::vector<PathGroup> groups;
   bool needs_pilot = false;
@@ -63,6 +65,7 @@ struct ChainPlan {
  private:
   void make_groups();
   void read_importance();
+  void read_plane();
 };
 
 }  // namespace ajar
