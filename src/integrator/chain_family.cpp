@@ -214,7 +214,7 @@ void ChainIntegrator::refine_b(std::uint64_t mutations) {
   for (const ChainPopulation& population : populations_) {
     bootstrap += static_cast<double>(population.bootstrap.count);
   }
-  const double large_steps = plan_.chain_settings.probabilities.large *
+  const double large_steps = plan_.chain_settings.probabilities.large * plan_.chain_settings.tries *
                              static_cast<double>(mutations) * static_cast<double>(plan_.pixels());
   later_weight_ = large_steps / (bootstrap + large_steps);
   b_.clear();

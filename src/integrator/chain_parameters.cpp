@@ -156,6 +156,15 @@ std::vector<ParameterSpec> chain_parameters(ChainKind kind) {
        .help = "where chains spend their time: uniform (in proportion to brightness), relative "
                "(equal relative error everywhere), or an image file whose brightness is the weight",
        .choices = {}},
+      {.name = "multi-try",
+       .type = ParameterType::Int,
+       .default_value = "1",
+       .unit = "paths",
+       .help = "proposals per mutation, of which one is chosen; all of them are counted (multiple-"
+               "try Metropolis)",
+       .choices = {},
+       .minimum = 1,
+       .maximum = 64},
       {.name = "mis-large-steps",
        .type = ParameterType::Bool,
        .default_value = "false",

@@ -47,6 +47,7 @@ ChainPlan::ChainPlan(ChainKind chain_kind, const Scene& the_scene,
   chain_settings.probabilities = {parameters.get_float("large-step"),
                                   parameters.get_float("camera-steps"),
                                   parameters.get_float("light-steps")};
+  chain_settings.tries = parameters.get_int("multi-try");
   // Half moves keep the technique, so that the other half need not be traced again.
   chain_settings.connection = {false, false};
   // Chains have no numbers for further tries, and would gain nothing from fewer.
@@ -80,6 +81,11 @@ void ChainPlan::read_plane() {
   plane.shorten = parameters.get_float("lambda1");
   plane.lengthen = parameters.get_float("lambda2");
   plane.neighbour_visits = parameters.get_float("w");
+  if (plane.active() && chain_settings.tries > 1) {
+    throw UsageError(
+        "multi-try: several proposals per mutation need steps that are the same everywhere, so not "
+        "step=adaptive, mutation=slemmlt or mutation=fusion");
+  }
 }
 
 std::uint64_t ChainPlan::pixels() const {

@@ -70,6 +70,36 @@ TEST(ChainRunner, CombinationWithLargeStepsIsUnbiased) {
   }
 }
 
+TEST(ChainRunner, SeveralTriesAreUnbiased) {
+  ChainSettings settings;
+  settings.probabilities = {0.3, 0.2, 0.2};
+  settings.tries = 4;
+  for (const bool combined : {false, true}) {
+    for (const Toy& toy : {testing::step(), testing::product(), testing::variable_dimension()}) {
+      expect_unbiased(toy, settings, 20000, 20, combined, 0.25);
+    }
+  }
+}
+
+TEST(ChainRunner, SeveralTriesMoveTheChainMoreOften) {
+  const GaussianMutation mutation(0.2);
+  const Toy toy = testing::peak();
+  ToyTarget target(toy.function);
+  double acceptance[2] = {0.0, 0.0};
+  for (const int tries : {1, 8}) {
+    ChainSettings settings;
+    settings.tries = tries;
+    ChainRunner runner(settings, mutation, kToyShape, target);
+    Chain chain = testing::exact_start(toy, 23, 0);
+    Histogram histogram(toy.fractions.size());
+    const ChainStatistics statistics = runner.run(chain, 20000, histogram);
+    for (const auto& kind : statistics.kinds) acceptance[tries > 1 ? 1 : 0] += kind.acceptances;
+    EXPECT_EQ(statistics.large_steps.count,
+              statistics.of(StepKind::Large).proposals * static_cast<std::uint64_t>(tries));
+  }
+  EXPECT_GT(acceptance[1], 2.0 * acceptance[0]);
+}
+
 TEST(ChainRunner, CombinationWithLargeStepsHelpsDimBins) {
   const GaussianMutation mutation(0.03);
   const Toy toy = testing::step();

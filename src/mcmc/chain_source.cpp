@@ -56,10 +56,8 @@ void ChainSource::prepare(SampleAddress address, std::size_t block) {
 
   const auto numbers = numbers_->block(block);
   const StepSizes::Scales& scales = sizes_.scales(address.stream(), address.vertex());
-  Undo& undo = undo_.emplace_back();
-  undo.block = static_cast<std::uint32_t>(block);
-  undo.stamp = numbers_->stamp(block);
-  undo.scales = &scales;
+  Undo& undo = undo_.emplace_back(
+      Undo{address, static_cast<std::uint32_t>(block), numbers_->stamp(block), &scales, {}});
   std::copy(numbers.begin(), numbers.end(), undo.numbers.begin());
   if (large_) {
     ChainNumbers::fill_fresh(numbers, address, fresh_key_);
@@ -95,6 +93,21 @@ void ChainSource::accept() {
     const auto block = numbers_->block(kRasterBlock);
     set_step_scale(current_uses_raster_ ? plane_->factor(Vec2(block[kRasterX], block[kRasterX + 1]))
                                         : 1.F);
+  }
+}
+
+void ChainSource::perturb(std::span<float> block, SampleAddress address, std::uint64_t key) const {
+  mutation_.perturb(block, sizes_.scales(address.stream(), address.vertex()), 1,
+                    block_key(key, address.stream(), address.vertex()));
+}
+
+void ChainSource::accept_moved(std::uint64_t key) {
+  // What nobody has asked for has two steps to make up for.
+  numbers_->advance(change_);
+  numbers_->advance(change_);
+  for (const Undo& undo : undo_) {
+    perturb(numbers_->block(undo.block), undo.address, key);
+    numbers_->set_stamp(undo.block, numbers_->now(undo.address.stream()));
   }
 }
 

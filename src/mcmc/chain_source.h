@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "mcmc/chain_numbers.h"
@@ -58,6 +59,15 @@ class ChainSource final : public SampleSource {
   /// Restores every number that this step has moved, but keeps what was made up for (see
   /// `ChainNumbers`).
   void reject();
+  /// Accepts a state one small step away from the proposal instead, as `perturb` makes it.
+  void accept_moved(std::uint64_t key);
+  std::size_t block_of(SampleAddress address) const { return numbers_->block_of(address); }
+  /// The proposal's block that holds `address`.
+  std::span<const float, kBlockSize> moved_block(SampleAddress address) {
+    return numbers_->block(fetch(address));
+  }
+  /// One small step of the block of `address`.
+  void perturb(std::span<float> block, SampleAddress address, std::uint64_t key) const;
   /// log T(proposal → current) − log T(current → proposal).
   double log_ratio() const;
 
@@ -74,6 +84,7 @@ class ChainSource final : public SampleSource {
   static constexpr std::size_t kRasterBlock = 0;
 
   struct Undo {
+    SampleAddress address;  ///< any in the block
     std::uint32_t block;
     std::uint32_t stamp;
     const StepSizes::Scales* scales;
