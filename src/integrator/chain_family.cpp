@@ -264,7 +264,7 @@ void ChainIntegrator::run_chain(const ChainItem& item, std::uint64_t first_sampl
         std::max<std::uint64_t>(1, steps_until(block + 1, chains) - steps_until(block, chains));
     const double per_step =
         1.0 / (static_cast<double>(steps) * static_cast<double>(population.chains.size()));
-    sink.begin(b * plan_.view.area() * per_step / plan_.settings.replicates,
+    sink.begin(member.weight * b * plan_.view.area() * per_step / plan_.settings.replicates,
                member.by_technique.empty() ? nullptr : &member.by_technique);
     statistics += runner.go_on(member.chain, steps, sink,
                                plan_.mis_large_steps ? std::optional(b) : std::nullopt);

@@ -19,6 +19,11 @@ ChainPlan::Direct direct_of(const std::string& text) {
   return text == "chain" ? ChainPlan::Direct::Chain : ChainPlan::Direct::None;
 }
 
+SeedFilter seed_filter_of(std::string_view text) {
+  if (text == "filtered") return SeedFilter::Weighted;
+  return text == "filtered-published" ? SeedFilter::Dropped : SeedFilter::None;
+}
+
 bool leaves_for_neighbours(std::string_view name) { return name == "slemmlt" || name == "fusion"; }
 /// What moves numbers where the image plane does not.
 std::string_view base_mutation(std::string_view name) {
@@ -41,6 +46,8 @@ ChainPlan::ChainPlan(ChainKind chain_kind, const Scene& the_scene,
       omc_samples(parameters.get_float("omc-samples")),
       bootstrap(static_cast<std::uint64_t>(parameters.get_int("bootstrap"))),
       wanted_chains(static_cast<std::uint64_t>(parameters.get_int("chains"))),
+      seed_filter(seed_filter_of(parameters.get_text("seeds"))),
+      seed_spread(parameters.get_float("seed-spread")),
       mutation(make_mutation(base_mutation(parameters.get_text("mutation")),
                              parameters.get_float("sigma"))) {
   settings.max_depth = std::min(settings.max_depth, kMaxChainEdges);

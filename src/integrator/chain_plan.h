@@ -7,6 +7,7 @@
 #include "integrator/chain_family.h"
 #include "integrator/light_split.h"
 #include "integrator/path_target.h"
+#include "mcmc/bootstrap.h"
 #include "mcmc/chain_runner.h"
 #include "mcmc/plane_moves.h"
 
@@ -54,6 +55,8 @@ struct ChainPlan {
   double omc_samples;
   std::uint64_t bootstrap;      ///< samples, over all depths and replicates
   std::uint64_t wanted_chains;  ///< 0: as many as suit the picture
+  SeedFilter seed_filter;
+  double seed_spread;  ///< standard deviations above which a seed is an outlier
   ChainSettings chain_settings;
   std::unique_ptr<Mutation> mutation;
   PlaneRule plane;

@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "core/error.h"
+#include "image/density_map.h"
 #include "image/statistics.h"
 
 namespace ajar {
@@ -126,6 +127,20 @@ WrittenFile write_or_rescue(const LayeredImage& picture, const std::string& path
   return result;
 }
 
+/// Beside a picture for the eye, the layer "density" in false colours; empty without that layer.
+std::optional<WrittenFile> write_density_map(const Picture& picture, const std::string& path) {
+  const auto layer =
+      std::find_if(picture.layers.begin(), picture.layers.end(),
+                   [](const Picture::Layer& candidate) { return candidate.name == "density"; });
+  fs::path name(path);
+  if (layer == picture.layers.end() || !is_display_file(path)) return std::nullopt;
+  name.replace_extension(".density.png");
+  const DensityMap map = draw_density_map(layer->pixels, picture.crop.size() + Vec2i(1, 1));
+  const LayeredImage image{
+      map.size, Box2i(Vec2i(0, 0), map.size - Vec2i(1, 1)), {{"", 3, map.rgb}}, {}};
+  return write_or_rescue(image, name.string(), {});
+}
+
 }  // namespace
 
 Picture develop(const Film& film, const Integrator& integrator, std::uint64_t samples,
@@ -220,7 +235,11 @@ std::vector<WrittenFile> write_pictures(const Picture& picture,
   std::vector<WrittenFile> files;
   files.reserve(paths.size());
   const LayeredImage image = layered_image(picture);
-  for (const std::string& path : paths) files.push_back(write_or_rescue(image, path, display));
+  for (const std::string& path : paths) {
+    files.push_back(write_or_rescue(image, path, display));
+    std::optional<WrittenFile> map = write_density_map(picture, path);
+    if (map) files.push_back(std::move(*map));
+  }
   return files;
 }
 

@@ -475,9 +475,14 @@ TEST_F(Cli, StatisticsTellWhatChainsDid) {
 }
 
 TEST_F(Cli, LayersOfChainsAreWritten) {
-  const Outcome outcome = render({"--integrator", "pssmlt", "--spp", "32", "--set",
-                                  "bootstrap=20000", "--aov", "density,acceptance", "-o", "a.exr"});
+  const Outcome outcome =
+      render({"--integrator", "pssmlt", "--spp", "32", "--set", "bootstrap=20000", "--aov",
+              "density,acceptance", "-o", "a.exr", "-o", "b.png"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  // In false colours, with a legend.
+  const Image map = read_image(file("b.density.png").string());
+  EXPECT_GT(map.width, 24);
+  EXPECT_GE(map.height, 16);
   const Image image = read_image(file("a.exr").string());
   double visits = 0.0;
   for (const float value : image.rgb("density")) visits += value;
