@@ -178,9 +178,9 @@ TEST_F(Cli, RendersAnySetOfTechniquesAndShowsEach) {
 }
 
 TEST_F(Cli, AllLayersAreThoseThatTheMethodCanMake) {
-  const std::vector<std::string> chains = {
-      "--spp", "4",     "-o",           "a.exr", "--integrator",
-      "mmlt",  "--set", "direct=chain", "--set", "bootstrap=2000"};
+  const std::vector<std::string> chains = {"--spp",        "4",       "-o",    "a.exr",
+                                           "--integrator", "mmlt",    "--set", "direct=chain",
+                                           "--set",        "split=0", "--set", "bootstrap=2000"};
   std::vector<std::string> all = chains;
   all.insert(all.end(), {"--aov", "all"});
   EXPECT_EQ(render(all).exit_code, 0);
@@ -446,8 +446,9 @@ TEST_F(Cli, ChainsWithoutLightSayWhatToDoAndRenderBlack) {
 }
 
 TEST_F(Cli, StatisticsTellWhatChainsDid) {
-  const Outcome outcome = render({"--integrator", "mmlt", "--spp", "32", "--depth", "6", "--set",
-                                  "bootstrap=20000", "--stats", "stats.json", "-o", "a.pfm"});
+  const Outcome outcome =
+      render({"--integrator", "mmlt", "--spp", "32", "--depth", "6", "--set", "bootstrap=20000",
+              "--set", "split=0", "--stats", "stats.json", "-o", "a.pfm"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const json chains = statistics();
   EXPECT_GE(chains.at("mutations").get<int>(), 32 * 24 * 16);
