@@ -509,6 +509,8 @@ TEST_F(Cli, UnusableOptionsOfChainsAreWrongUsage) {
       {{"importance=black.pfm"}, "is black everywhere"},
       {{"bootstrap=10"}, "bootstrap"},
       {{"mutation=gausian"}, "gaussian"},
+      {{"mutation=fusion", "multi-try=2"}, "multi-try"},
+      {{"rule=exakt"}, "exact"},
   };
   for (const Case& c : cases) {
     std::vector<std::string> arguments{"--integrator", "mmlt", "--spp", "1", "-o", "a.pfm"};
