@@ -163,6 +163,59 @@ TEST(PlaneMoves, PublishedRulesDoNot) {
   }
 }
 
+/// Largest relative error of a state's probability for a chain whose states use the raster numbers
+/// or do not (a second number says which, drawn anew in every step), by its transition matrix.
+/// `by_both`: they move by the map if both states use them; otherwise, if the proposal does.
+double error_of_use(const PlaneRule& rule, bool by_both) {
+  constexpr std::size_t n = TwoRooms::kPixels;
+  const TwoRooms rooms;
+  const PlaneMoves moves = rooms.moves(rule);
+  const auto brightness = [&](std::size_t state) { return state < n ? rooms.target[state] : 0.7; };
+  std::vector<std::vector<double>> matrix(2 * n, std::vector<double>(2 * n, 0.0));
+  for (std::size_t from = 0; from < 2 * n; ++from) {
+    double away = 0.0;
+    for (std::size_t to = 0; to < 2 * n; ++to) {
+      if (to == from) continue;
+      const Vec2 x = TwoRooms::center(from % n);
+      const Vec2 y = TwoRooms::center(to % n);
+      const bool both = from < n && to < n;
+      const double density =
+          both || (!by_both && to < n)
+              ? moves.density(x, y)
+              : rooms.mutation.density(x.x, y.x, 1.F) * rooms.mutation.density(x.y, y.y, 1.F);
+      const double ratio = both ? moves.log_ratio(x, y) : 0.0;
+      const double a = std::min(1.0, brightness(to) / brightness(from) * std::exp(ratio));
+      matrix[from][to] = 0.5 * density / n * a;
+      away += matrix[from][to];
+    }
+    matrix[from][from] = 1.0 - away;
+  }
+  std::vector<double> now(2 * n, 0.5 / n);
+  for (int step = 0; step < 3000; ++step) {
+    std::vector<double> next(2 * n, 0.0);
+    for (std::size_t from = 0; from < 2 * n; ++from) {
+      for (std::size_t to = 0; to < 2 * n; ++to) next[to] += now[from] * matrix[from][to];
+    }
+    now = std::move(next);
+  }
+  double worst = 0.0;
+  for (std::size_t i = 0; i < 2 * n; ++i) {
+    const double error = now[i] * (rooms.sum + 0.7 * n) / brightness(i) - 1.0;
+    EXPECT_TRUE(std::isfinite(error));
+    worst = std::max(worst, std::abs(error));
+  }
+  return worst;
+}
+
+TEST(PlaneMoves, RasterNumbersMoveByTheMapOnlyIfBothStatesUseThem) {
+  for (RuleCase c : exact_rules()) {
+    // Points are too coarse for steps much shorter than a pixel.
+    c.rule.shorten = 1e9;
+    EXPECT_LT(error_of_use(c.rule, true), 1e-10) << c.name;
+    EXPECT_GT(error_of_use(c.rule, false), 0.04) << c.name;
+  }
+}
+
 /// Half of the states are placed by the raster numbers, the others do not use them. Bins are
 /// squares of 6 × 6, and the rest.
 Toy placed_or_not() {
