@@ -46,7 +46,7 @@ void add_plane_parameters(std::vector<ParameterSpec>& specs) {
   specs.push_back(
       constant("lambda2", "0.7", "adaptive: longer steps are lambda2 · variance as long (λ2)"));
   specs.push_back(
-      constant("w", "50", "slemmlt: visits from which on steps leave for a neighbour (W)"));
+      constant("w", "100", "slemmlt: visits from which on steps leave for a neighbour (W)"));
 }
 
 }  // namespace

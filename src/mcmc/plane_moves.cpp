@@ -29,7 +29,8 @@ float factor_of(const PlaneRule& rule, double variance) {
 }  // namespace
 
 double PlaneRule::visits_needed() const {
-  return std::max(adaptive ? adaptive_visits : 0.0, neighbours ? neighbour_visits : 0.0);
+  if (adaptive && neighbours) return std::min(adaptive_visits, neighbour_visits);
+  return adaptive ? adaptive_visits : neighbour_visits;
 }
 
 PlaneMoves::PlaneMoves(const RasterGrid& grid, const PlaneRule& rule,

@@ -20,15 +20,15 @@ struct PlaneRule {
   /// As published, the distribution of the chain is not that of its target. Otherwise steps are
   /// accepted with the ratio of their densities there and back.
   bool published = false;
-  double adaptive_visits = 50.0;   ///< M1: a pixel with fewer visits keeps the step size
-  double uneven = 50.0;            ///< k1: from this variance of visits on, steps are shorter
-  double even = 10.0;              ///< k2: up to this variance, steps are longer
-  double shorten = 23.0;           ///< λ1: by λ1 / variance
-  double lengthen = 0.7;           ///< λ2: by λ2 · variance
-  double neighbour_visits = 50.0;  ///< W: a pixel with fewer visits is not dense
+  double adaptive_visits = 50.0;    ///< M1: a pixel with fewer visits keeps the step size
+  double uneven = 50.0;             ///< k1: from this variance of visits on, steps are shorter
+  double even = 10.0;               ///< k2: up to this variance, steps are longer
+  double shorten = 23.0;            ///< λ1: by λ1 / variance
+  double lengthen = 0.7;            ///< λ2: by λ2 · variance
+  double neighbour_visits = 100.0;  ///< W: a pixel with fewer visits is not dense
 
   bool active() const { return adaptive || neighbours; }
-  /// Visits per pixel from which on there is anything to do on average.
+  /// Visits per pixel from which on there is anything to do in a pixel that has as many as others.
   double visits_needed() const;
 };
 

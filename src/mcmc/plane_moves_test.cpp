@@ -33,6 +33,7 @@ std::vector<RuleCase> exact_rules() {
   adaptive.adaptive = true;
   PlaneRule neighbours;
   neighbours.neighbours = true;
+  neighbours.neighbour_visits = 50.0;
   PlaneRule fusion = adaptive;
   fusion.neighbours = true;
   // So that all three kinds of step meet.
