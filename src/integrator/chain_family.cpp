@@ -9,6 +9,7 @@
 #include "integrator/chain_pilot.h"
 #include "integrator/chain_plan.h"
 #include "integrator/chain_report.h"
+#include "integrator/chain_survey.h"
 #include "integrator/plane_maps.h"
 #include "mcmc/bootstrap_source.h"
 #include "mcmc/chain_runner.h"
@@ -24,10 +25,11 @@ bool asks_for(const std::vector<std::string>& aovs, const std::string& name) {
 class ChainIntegrator final : public Integrator {
  public:
   ChainIntegrator(ChainKind kind, const Scene& scene, const RenderSettings& settings,
-                  const Parameters& parameters);
+                  const Parameters& parameters, std::optional<Selection> selection);
 
   std::uint64_t begin_preparation(int round) override;
   void prepare_item(int round, std::uint64_t item, Counters& counters) override;
+  std::vector<std::string> notes() const override { return notes_; }
   std::vector<std::string> concerns() const override { return concerns_; }
 
   std::vector<LayerSpec> layers() const override;
@@ -55,16 +57,16 @@ class ChainIntegrator final : public Integrator {
                  Film& film, Counters& counters);
   /// One mutation per pixel's worth.
   void run_plain(ChainPopulation& population, Film& film, Counters& counters);
-  /// Camera samples of ordinary Monte Carlo per pixel that belong to the first `mutations`
-  /// mutations per pixel.
-  std::uint64_t omc_samples(std::uint64_t mutations) const;
-  void refine_b(std::uint64_t mutations);
+  /// Camera samples of ordinary Monte Carlo per pixel that belong to the first `samples` samples
+  /// per pixel of the whole.
+  std::uint64_t omc_samples(std::uint64_t samples) const;
+  void refine_b(std::uint64_t samples);
   /// b as the bootstrap has it, over all replicates; 1 if it found no light.
   double bootstrap_b() const;
   const PlaneMoves* plane_moves(const ChainPopulation& population) const {
     return maps_ ? maps_->moves(population.replicate) : nullptr;
   }
-  /// Mutations of each chain of a replicate up to `samples` mutations per pixel.
+  /// Mutations of each chain of a replicate up to `samples` samples per pixel.
   std::uint64_t steps_until(std::uint64_t samples, std::size_t chains) const;
   std::size_t chains_in(int replicate) const {
     return chain_counts_[static_cast<std::size_t>(replicate)];
@@ -72,43 +74,49 @@ class ChainIntegrator final : public Integrator {
 
   ChainPlan plan_;
   std::vector<std::unique_ptr<PreparationStage>> stages_;
+  std::size_t stage_ = 0;  ///< that is running
   std::vector<ChainPopulation> populations_;
   std::vector<std::size_t> chain_counts_;  ///< per replicate
   std::vector<ChainItem> chain_items_;
   std::unique_ptr<Integrator> omc_;  ///< null if it has nothing to render
+  std::vector<std::string> notes_;
   std::vector<std::string> concerns_;
   std::unique_ptr<PlaneMaps> maps_;  ///< null if steps do not follow the image plane
   std::vector<double> b_;            ///< of each population
   double later_weight_ = 0.0;        ///< of samples after the bootstrap, in all estimates of b
-  std::uint64_t refined_at_ = 0;     ///< mutations per pixel behind them
+  std::uint64_t refined_at_ = 0;     ///< samples per pixel behind them
 };
 
 ChainIntegrator::ChainIntegrator(ChainKind kind, const Scene& scene, const RenderSettings& settings,
-                                 const Parameters& parameters)
-    : plan_(kind, scene, settings, parameters),
+                                 const Parameters& parameters, std::optional<Selection> selection)
+    : plan_(kind, scene, settings, parameters, selection),
       chain_counts_(static_cast<std::size_t>(settings.replicates), 0) {
   if (plan_.groups.empty()) {
     make_omc();
     return;
   }
   if (plan_.needs_pilot) stages_.push_back(std::make_unique<ChainPilot>(plan_));
+  if (plan_.selection) stages_.push_back(std::make_unique<ChainSurvey>(plan_));
   stages_.push_back(std::make_unique<ChainBootstrap>(plan_, populations_));
 }
 
 std::uint64_t ChainIntegrator::begin_preparation(int round) {
   if (stages_.empty()) return 0;
-  const auto index = static_cast<std::size_t>(round);
-  if (index > 0) stages_[index - 1]->end();
-  if (index < stages_.size()) return stages_[index]->begin();
+  if (round > 0) stages_[stage_++]->end();
+  while (stage_ < stages_.size()) {
+    if (const std::uint64_t items = stages_[stage_]->begin(); items > 0) return items;
+    stages_[stage_++]->end();
+  }
   end_preparation();
   return 0;
 }
 
-void ChainIntegrator::prepare_item(int round, std::uint64_t item, Counters& counters) {
-  stages_[static_cast<std::size_t>(round)]->run(item, counters);
+void ChainIntegrator::prepare_item(int /*round*/, std::uint64_t item, Counters& counters) {
+  stages_[stage_]->run(item, counters);
 }
 
 void ChainIntegrator::end_preparation() {
+  if (plan_.without_chains) plan_.groups.clear();
   for (std::size_t p = 0; p < populations_.size(); ++p) {
     const ChainPopulation& population = populations_[p];
     chain_counts_[static_cast<std::size_t>(population.replicate)] += population.chains.size();
@@ -130,7 +138,8 @@ void ChainIntegrator::make_omc() {
   std::erase_if(settings.aovs, [](const std::string& name) {
     return name == kDensityLayer || name == kAcceptanceLayer || name == "techniques";
   });
-  omc_ = plan_.make_omc(settings, depths, plan_.split ? &*plan_.split : nullptr);
+  omc_ = plan_.make_omc(settings, depths,
+                        plan_.split && !plan_.without_chains ? &*plan_.split : nullptr);
 }
 
 void ChainIntegrator::add_concerns() {
@@ -139,6 +148,11 @@ void ChainIntegrator::add_concerns() {
   for (const ChainPopulation& population : populations_) {
     samples += population.bootstrap.count;
     lit += population.chains.size();
+  }
+  if (plan_.without_chains) {
+    notes_.emplace_back(
+        "nothing in this picture is hard for ordinary Monte Carlo, so it renders without chains");
+    return;
   }
   if (lit > 0 || populations_.empty()) return;
   concerns_.push_back("none of " + std::to_string(samples) +
@@ -178,12 +192,13 @@ std::uint64_t ChainIntegrator::items_in_pass() const {
   return (omc_ ? omc_->items_in_pass() : 0) + chain_items_.size();
 }
 
-std::uint64_t ChainIntegrator::omc_samples(std::uint64_t mutations) const {
-  return static_cast<std::uint64_t>(std::ceil(static_cast<double>(mutations) * plan_.omc_samples));
+std::uint64_t ChainIntegrator::omc_samples(std::uint64_t samples) const {
+  return static_cast<std::uint64_t>(std::ceil(static_cast<double>(samples) * plan_.omc_samples));
 }
 
 std::uint64_t ChainIntegrator::steps_until(std::uint64_t samples, std::size_t chains) const {
-  const double per_replicate = static_cast<double>(samples) * static_cast<double>(plan_.pixels()) /
+  const double per_replicate = static_cast<double>(samples) * plan_.mutations *
+                               static_cast<double>(plan_.pixels()) /
                                static_cast<double>(plan_.settings.replicates);
   return static_cast<std::uint64_t>(std::ceil(per_replicate / static_cast<double>(chains)));
 }
@@ -200,7 +215,7 @@ void ChainIntegrator::begin_pass(std::uint64_t first_sample, std::uint64_t /*sam
   while (2 * milestone <= first_sample) milestone *= 2;
   if (milestone > refined_at_ || b_.empty()) {
     refine_b(milestone);
-    if (maps_) maps_->end_epoch(milestone);
+    if (maps_) maps_->end_epoch(static_cast<double>(milestone) * plan_.mutations);
   }
 }
 
@@ -208,14 +223,15 @@ void ChainIntegrator::begin_pass(std::uint64_t first_sample, std::uint64_t /*sam
 /// light included. So where it found none, later samples may count neither more nor less than they
 /// do where it found some: they have one weight w for all, which must not depend on what was found.
 /// E[(1 − w)·bootstrap; light found] + w·E[later samples] is then b.
-void ChainIntegrator::refine_b(std::uint64_t mutations) {
-  refined_at_ = mutations;
+void ChainIntegrator::refine_b(std::uint64_t samples) {
+  refined_at_ = samples;
   double bootstrap = 0.0;
   for (const ChainPopulation& population : populations_) {
     bootstrap += static_cast<double>(population.bootstrap.count);
   }
   const double large_steps = plan_.chain_settings.probabilities.large * plan_.chain_settings.tries *
-                             static_cast<double>(mutations) * static_cast<double>(plan_.pixels());
+                             plan_.mutations * static_cast<double>(samples) *
+                             static_cast<double>(plan_.pixels());
   later_weight_ = large_steps / (bootstrap + large_steps);
   b_.clear();
   for (const ChainPopulation& population : populations_) {
@@ -297,8 +313,8 @@ void ChainIntegrator::run_plain(ChainPopulation& population, Film& film, Counter
   for (const ChainPopulation& other : populations_) {
     if (other.replicate == population.replicate && other.chains.empty()) ++seedless;
   }
-  const double mutations = static_cast<double>(plan_.pixels()) / plan_.settings.replicates /
-                           static_cast<double>(seedless);
+  const double mutations = plan_.mutations * static_cast<double>(plan_.pixels()) /
+                           plan_.settings.replicates / static_cast<double>(seedless);
   const double share = chains_in(population.replicate) > 0 ? kShare : 1.0;
   const auto count = static_cast<std::uint64_t>(std::max(1.0, share * mutations));
   const PathGroup& group = plan_.groups[population.group];
@@ -339,6 +355,7 @@ void ChainIntegrator::run_plain(ChainPopulation& population, Film& film, Counter
 
 double ChainIntegrator::develop_scale(const LayerSpec& layer, std::uint64_t samples,
                                       std::optional<int> replicate) const {
+  if (plan_.without_chains) return omc_->develop_scale(layer, omc_samples(samples), replicate);
   const bool of_chains =
       layer.name == "indirect" || layer.name == kDensityLayer || layer.name == kAcceptanceLayer ||
       (layer.name == "direct" && plan_.direct == ChainPlan::Direct::Chain) || !omc_;
@@ -352,8 +369,9 @@ double ChainIntegrator::develop_scale(const LayerSpec& layer, std::uint64_t samp
 
 std::unique_ptr<Integrator> make_chain_integrator(ChainKind kind, const Scene& scene,
                                                   const RenderSettings& settings,
-                                                  const Parameters& parameters) {
-  return std::make_unique<ChainIntegrator>(kind, scene, settings, parameters);
+                                                  const Parameters& parameters,
+                                                  std::optional<Selection> selection) {
+  return std::make_unique<ChainIntegrator>(kind, scene, settings, parameters, selection);
 }
 
 }  // namespace ajar

@@ -159,7 +159,7 @@ std::vector<ParameterSpec> chain_parameters(ChainKind kind) {
        .maximum = 1e6},
       {.name = "omc-samples",
        .type = ParameterType::Float,
-       .default_value = "2",
+       .default_value = kind == ChainKind::OnePath ? "2" : "0.5",
        .unit = "",
        .help = "camera samples of ordinary Monte Carlo per mutation",
        .choices = {},
@@ -191,7 +191,7 @@ std::vector<ParameterSpec> chain_parameters(ChainKind kind) {
   if (kind == ChainKind::WholePath) {
     specs.push_back({.name = "roulette-start",
                      .type = ParameterType::Int,
-                     .default_value = "5",
+                     .default_value = "3",
                      .unit = "edges",
                      .help = "path length from which Russian roulette may end a dim path",
                      .choices = {},

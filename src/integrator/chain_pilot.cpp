@@ -61,9 +61,9 @@ void ChainPilot::end() {
   if (plan_.parameters.get_text("importance") == "relative") {
     plan_.view.importance = ImportanceMap::relative(crop, picture);
   }
-  const double brightness = mean_strength(picture, crop, plan_.view.importance);
-  if (plan_.split_at && brightness > 0.0) {
-    plan_.split.emplace(*plan_.split_at * brightness, plan_.view.importance);
+  plan_.brightness = mean_strength(picture, crop, plan_.view.importance);
+  if (plan_.split_at && plan_.brightness > 0.0) {
+    plan_.split.emplace(*plan_.split_at * plan_.brightness, plan_.view.importance);
   }
   film_.reset();
   omc_.reset();

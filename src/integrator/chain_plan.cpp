@@ -35,8 +35,10 @@ Vec2i crop_size(const RenderSettings& settings) { return settings.crop.size() + 
 }  // namespace
 
 ChainPlan::ChainPlan(ChainKind chain_kind, const Scene& the_scene,
-                     const RenderSettings& render_settings, const Parameters& the_parameters)
+                     const RenderSettings& render_settings, const Parameters& the_parameters,
+                     std::optional<Selection> the_selection)
     : kind(chain_kind),
+      selection(the_selection),
       scene(the_scene),
       settings(render_settings),
       parameters(the_parameters),
@@ -174,7 +176,8 @@ std::unique_ptr<PathTarget> ChainPlan::make_target(const PathGroup& group) const
 std::pair<int, int> ChainPlan::omc_depths() const {
   return {direct == Direct::Omc ? settings.min_depth
                                 : std::max(settings.min_depth, LightSplit::kDirectDepth + 1),
-          split ? settings.max_depth : std::min(settings.max_depth, LightSplit::kDirectDepth)};
+          split || without_chains ? settings.max_depth
+                                  : std::min(settings.max_depth, LightSplit::kDirectDepth)};
 }
 
 std::unique_ptr<Integrator> ChainPlan::make_omc(const RenderSettings& omc_settings,

@@ -28,7 +28,7 @@ struct ChainPlan {
 
   /// Raises UsageError.
   ChainPlan(ChainKind kind, const Scene& scene, const RenderSettings& settings,
-            const Parameters& parameters);
+            const Parameters& parameters, std::optional<Selection> selection);
 
   /// A target of one thread; the plan must outlive it.
   std::unique_ptr<PathTarget> make_target(const PathGroup& group) const;
@@ -42,6 +42,7 @@ struct ChainPlan {
                                        const LightSplit* split) const;
 
   ChainKind kind;
+  std::optional<Selection> selection;
   const Scene& scene;
   RenderSettings settings;
   Parameters parameters;
@@ -51,8 +52,14 @@ struct ChainPlan {
   /// Where the light of long paths is divided, relative to the brightness of its pixel; empty if
   /// chains make all of it.
   std::optional<double> split_at;
-  /// Camera samples of ordinary Monte Carlo per mutation.
+  /// Of a pass's samples per pixel: how many camera samples of ordinary Monte Carlo each stands
+  /// for, and how many mutations.
   double omc_samples;
+  double mutations = 1.0;
+  /// Of the pilot: mean luminance · importance of its pixels.
+  double brightness = 0.0;
+  /// True if the survey found so little light for chains that ordinary Monte Carlo makes it all.
+  bool without_chains = false;
   std::uint64_t bootstrap;      ///< samples, over all depths and replicates
   std::uint64_t wanted_chains;  ///< 0: as many as suit the picture
   SeedFilter seed_filter;

@@ -37,6 +37,7 @@ class LightSplit {
   float omc_share(const Contribution& contribution, const Vec2& raster) const {
     return 1.F - chain_share(contribution, raster);
   }
+  float importance(const Vec2& raster) const { return (*importance_)(raster); }
   /// g.
   float strength(const Contribution& contribution, const Vec2& raster) const {
     return luminance(contribution.value) / contribution.chance * (*importance_)(raster);

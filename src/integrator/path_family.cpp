@@ -41,10 +41,7 @@ class SampleSink final : public PathSink {
 
   void add(const Contribution& whole) override {
     Contribution contribution = whole;
-    if (split_ != nullptr && split_->divides(whole.technique)) {
-      contribution.value *=
-          split_->omc_share(whole, whole.technique.t == 1 ? whole.raster : raster_);
-    }
+    if (split_ != nullptr && split_->divides(whole.technique)) divide(contribution);
     const Spectrum& value = contribution.value;
     if (!value.is_finite() || value.min() < 0.F) {
       discard(contribution);
@@ -93,6 +90,19 @@ class SampleSink final : public PathSink {
     if (value.is_black()) return;
     if (!film_.add(layer, replicate_, pixel_, value * filter_weight_))
       ++counters_.discarded_infinite;
+  }
+
+  /// Leaves chains their share.
+  void divide(Contribution& contribution) {
+    const Vec2& raster = contribution.technique.t == 1 ? contribution.raster : raster_;
+    const double light =
+        static_cast<double>(luminance(contribution.value) * split_->importance(raster));
+    const float share = split_->omc_share(contribution, raster);
+    if (std::isfinite(light)) {
+      counters_.weak_light += light * static_cast<double>(share);
+      counters_.strong_light += light * (1.0 - static_cast<double>(share));
+    }
+    contribution.value *= share;
   }
 
   void discard(const Contribution& contribution) {

@@ -47,8 +47,8 @@ std::vector<PixelVisits> PlaneMaps::visits_without(int replicate) const {
   return result;
 }
 
-void PlaneMaps::end_epoch(std::uint64_t mutations) {
-  if (!gathers_ || static_cast<double>(mutations) < rule_.visits_needed()) return;
+void PlaneMaps::end_epoch(double mutations) {
+  if (!gathers_ || mutations < rule_.visits_needed()) return;
   if (rule_.published) {
     const auto shared =
         std::make_shared<const PlaneMoves>(grid_, rule_, visits_without(-1), mutation_);

@@ -31,7 +31,7 @@ class PlaneMaps {
   /// Counts a visit of this weight to the pixel of a raster position. Thread-safe.
   void add(int replicate, const Vec2& raster, double visits, double light);
   /// After so many mutations per pixel over all replicates. On one thread.
-  void end_epoch(std::uint64_t mutations);
+  void end_epoch(double mutations);
   /// Null as long as steps are ordinary.
   const PlaneMoves* moves(int replicate) const {
     return moves_[static_cast<std::size_t>(replicate)].get();

@@ -3,6 +3,7 @@
 #include "integrator/chain_family.h"
 #include "integrator/g_buffer.h"
 #include "integrator/path_family.h"
+#include "integrator/selective.h"
 
 namespace ajar {
 
@@ -38,6 +39,8 @@ Counters& Counters::operator+=(const Counters& other) {
   samples += other.samples;
   mutations += other.mutations;
   techniques += other.techniques;
+  weak_light += other.weak_light;
+  strong_light += other.strong_light;
   discarded_nan += other.discarded_nan;
   discarded_infinite += other.discarded_infinite;
   discarded_negative += other.discarded_negative;
@@ -75,6 +78,13 @@ const std::vector<IntegratorInfo>& integrators() {
           {.techniques = "pt"},
           "path tracing: camera paths that run into lights or are lit by sampled ones",
           "Kajiya 1986; Veach & Guibas 1995"),
+      {.name = "selective",
+       .summary =
+           "ordinary Monte Carlo where it works, Markov chains where it fails: divides the light "
+           "path by path",
+       .source = "after Frolov; Bitterli & Jarosz 2019; Kelemen et al. 2002",
+       .parameters = selective_parameters(),
+       .make = make_selective_integrator},
   };
   return kIntegrators;
 }
