@@ -103,14 +103,17 @@ void ChainBootstrap::seed_replicate(int replicate) {
     const double u =
         to_unit_float(static_cast<std::uint32_t>(hash_numbers(population.seed, 0x5eedULL) >> 32U));
     const std::size_t by_technique = plan_.kind == ChainKind::OnePath ? group.choice.size() : 0;
-    for (const std::size_t index : choose_seeds(population.weights, shares[i], u)) {
+    const std::vector<double>& weights = population.weights;
+    const std::vector<double> filtered =
+        filter_weights(weights, plan_.seed_filter, plan_.seed_spread);
+    for (const std::size_t index : choose_seeds(filtered, shares[i], u)) {
       const std::uint64_t chain_seed =
           hash_numbers(population.seed, 0xc4a15ULL, population.chains.size());
       population.chains.push_back(
-          {Chain(group.shape, chain_seed, bootstrap_key(population.seed, index),
-                 population.weights[index]),
+          {Chain(group.shape, chain_seed, bootstrap_key(population.seed, index), weights[index]),
            {},
-           std::vector<ChainStatistics::Kind>(by_technique)});
+           std::vector<ChainStatistics::Kind>(by_technique),
+           seed_weight(weights, filtered, plan_.seed_filter, index)});
     }
   }
 }

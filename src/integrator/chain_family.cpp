@@ -10,6 +10,7 @@
 #include "integrator/chain_plan.h"
 #include "integrator/chain_report.h"
 #include "integrator/chain_survey.h"
+#include "integrator/plane_maps.h"
 #include "mcmc/bootstrap_source.h"
 #include "mcmc/chain_runner.h"
 
@@ -60,6 +61,11 @@ class ChainIntegrator final : public Integrator {
   /// per pixel of the whole.
   std::uint64_t omc_samples(std::uint64_t samples) const;
   void refine_b(std::uint64_t samples);
+  /// b as the bootstrap has it, over all replicates; 1 if it found no light.
+  double bootstrap_b() const;
+  const PlaneMoves* plane_moves(const ChainPopulation& population) const {
+    return maps_ ? maps_->moves(population.replicate) : nullptr;
+  }
   /// Mutations of each chain of a replicate up to `samples` samples per pixel.
   std::uint64_t steps_until(std::uint64_t samples, std::size_t chains) const;
   std::size_t chains_in(int replicate) const {
@@ -75,9 +81,10 @@ class ChainIntegrator final : public Integrator {
   std::unique_ptr<Integrator> omc_;  ///< null if it has nothing to render
   std::vector<std::string> notes_;
   std::vector<std::string> concerns_;
-  std::vector<double> b_;         ///< of each population
-  double later_weight_ = 0.0;     ///< of samples after the bootstrap, in all estimates of b
-  std::uint64_t refined_at_ = 0;  ///< samples per pixel behind them
+  std::unique_ptr<PlaneMaps> maps_;  ///< null if steps do not follow the image plane
+  std::vector<double> b_;            ///< of each population
+  double later_weight_ = 0.0;        ///< of samples after the bootstrap, in all estimates of b
+  std::uint64_t refined_at_ = 0;     ///< samples per pixel behind them
 };
 
 ChainIntegrator::ChainIntegrator(ChainKind kind, const Scene& scene, const RenderSettings& settings,
@@ -118,6 +125,10 @@ void ChainIntegrator::end_preparation() {
   }
   make_omc();
   add_concerns();
+  if (plan_.plane.active()) {
+    maps_ = std::make_unique<PlaneMaps>(plan_.plane, plan_.view, plan_.settings.replicates,
+                                        bootstrap_b(), *plan_.mutation);
+  }
 }
 
 void ChainIntegrator::make_omc() {
@@ -151,11 +162,15 @@ void ChainIntegrator::add_concerns() {
                       "whether the scene has lights that reach what the camera sees");
 }
 
-std::vector<LayerSpec> ChainIntegrator::layers() const {
+double ChainIntegrator::bootstrap_b() const {
   double b = 0.0;
   for (const ChainPopulation& population : populations_) b += population.b(0.0);
   b /= plan_.settings.replicates;
-  const double magnitude = b > 0.0 && std::isfinite(b) ? b : 1.0;
+  return b > 0.0 && std::isfinite(b) ? b : 1.0;
+}
+
+std::vector<LayerSpec> ChainIntegrator::layers() const {
+  const double magnitude = bootstrap_b();
   std::vector<LayerSpec> specs;
   if (omc_) {
     specs = omc_->layers();
@@ -188,8 +203,9 @@ std::uint64_t ChainIntegrator::steps_until(std::uint64_t samples, std::size_t ch
   return static_cast<std::uint64_t>(std::ceil(per_replicate / static_cast<double>(chains)));
 }
 
-/// b is refined at counts fixed in advance, which passes do not cross (see `PassSchedule`): where
-/// passes end otherwise is up to the clock, and must not change the picture.
+/// b is refined, and the maps of the image plane end an epoch, at counts fixed in advance, which
+/// passes do not cross (see `PassSchedule`): where passes end otherwise is up to the clock, and
+/// must not change the picture.
 void ChainIntegrator::begin_pass(std::uint64_t first_sample, std::uint64_t /*samples*/) {
   auto milestone = static_cast<std::uint64_t>(plan_.settings.replicates);
   if (first_sample < milestone) {
@@ -197,7 +213,10 @@ void ChainIntegrator::begin_pass(std::uint64_t first_sample, std::uint64_t /*sam
     return;
   }
   while (2 * milestone <= first_sample) milestone *= 2;
-  if (milestone > refined_at_ || b_.empty()) refine_b(milestone);
+  if (milestone > refined_at_ || b_.empty()) {
+    refine_b(milestone);
+    if (maps_) maps_->end_epoch(static_cast<double>(milestone) * plan_.mutations);
+  }
 }
 
 /// b of a population is on average right only over all that its bootstrap can bring, finding no
@@ -211,8 +230,9 @@ void ChainIntegrator::refine_b(std::uint64_t samples) {
   for (const ChainPopulation& population : populations_) {
     bootstrap += static_cast<double>(population.capped.count);
   }
-  const double large_steps = plan_.chain_settings.probabilities.large * plan_.mutations *
-                             static_cast<double>(samples) * static_cast<double>(plan_.pixels());
+  const double large_steps = plan_.chain_settings.probabilities.large * plan_.chain_settings.tries *
+                             plan_.mutations * static_cast<double>(samples) *
+                             static_cast<double>(plan_.pixels());
   later_weight_ = large_steps / (bootstrap + large_steps);
   b_.clear();
   for (const ChainPopulation& population : populations_) {
@@ -247,8 +267,10 @@ void ChainIntegrator::run_chain(const ChainItem& item, std::uint64_t first_sampl
   const PathGroup& group = plan_.groups[population.group];
   const std::size_t chains = chains_in(population.replicate);
   const auto target = plan_.make_target(group);
-  ChainRunner runner(plan_.chain_settings, *plan_.mutation, group.shape, *target);
-  ChainFilmSink sink(film, population.replicate, plan_.view.importance, *target, counters);
+  ChainRunner runner(plan_.chain_settings, *plan_.mutation, group.shape, *target,
+                     plane_moves(population));
+  ChainFilmSink sink(film, population.replicate, plan_.view.importance, *target, counters,
+                     maps_.get());
   const double b = b_[item.population];
   runner.start(member.chain);
   ChainStatistics statistics;
@@ -257,7 +279,7 @@ void ChainIntegrator::run_chain(const ChainItem& item, std::uint64_t first_sampl
         std::max<std::uint64_t>(1, steps_until(block + 1, chains) - steps_until(block, chains));
     const double per_step =
         1.0 / (static_cast<double>(steps) * static_cast<double>(population.chains.size()));
-    sink.begin(b * plan_.view.area() * per_step / plan_.settings.replicates,
+    sink.begin(member.weight * b * plan_.view.area() * per_step / plan_.settings.replicates,
                member.by_technique.empty() ? nullptr : &member.by_technique);
     statistics += runner.go_on(member.chain, steps, sink,
                                plan_.mis_large_steps ? std::optional(b) : std::nullopt);
@@ -296,8 +318,10 @@ void ChainIntegrator::run_plain(ChainPopulation& population, Film& film, Counter
   const auto count = static_cast<std::uint64_t>(std::max(1.0, share * mutations));
   const PathGroup& group = plan_.groups[population.group];
   const auto target = plan_.make_target(group);
-  ChainRunner runner(plan_.chain_settings, *plan_.mutation, group.shape, *target);
-  ChainFilmSink sink(film, population.replicate, plan_.view.importance, *target, counters);
+  ChainRunner runner(plan_.chain_settings, *plan_.mutation, group.shape, *target,
+                     plane_moves(population));
+  ChainFilmSink sink(film, population.replicate, plan_.view.importance, *target, counters,
+                     maps_.get());
   const double scale =
       later_weight_ * plan_.view.area() / static_cast<double>(count) / plan_.settings.replicates;
   SplatBuffer splats;

@@ -6,6 +6,7 @@
 #include "image/importance_map.h"
 #include "integrator/integrator.h"
 #include "integrator/path_target.h"
+#include "integrator/plane_maps.h"
 #include "mcmc/chain_runner.h"
 
 namespace ajar {
@@ -13,11 +14,11 @@ namespace ajar {
 inline const std::string kDensityLayer = "density";
 inline const std::string kAcceptanceLayer = "acceptance";
 
-/// Puts what chains deposit on the film.
+/// Puts what chains deposit on the film, and into `maps` if they are there and gather.
 class ChainFilmSink final : public DepositSink {
  public:
   ChainFilmSink(Film& film, int replicate, const ImportanceMap& importance,
-                const PathTarget& target, Counters& counters);
+                const PathTarget& target, Counters& counters, PlaneMaps* maps = nullptr);
 
   /// `scale` multiplies what is deposited; what is `proposed` is counted in `by_technique`.
   void begin(double scale, std::vector<ChainStatistics::Kind>* by_technique) {
@@ -36,6 +37,7 @@ class ChainFilmSink final : public DepositSink {
   const ImportanceMap& importance_;
   const PathTarget& target_;
   Counters& counters_;
+  PlaneMaps* maps_;
   double scale_ = 1.0;
   std::vector<ChainStatistics::Kind>* by_technique_ = nullptr;
 };

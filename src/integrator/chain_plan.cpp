@@ -1,6 +1,7 @@
 #include "integrator/chain_plan.h"
 
 #include <algorithm>
+#include <string_view>
 
 #include "image/image_file.h"
 #include "image/make_filter.h"
@@ -16,6 +17,17 @@ constexpr int kMaxChainEdges = 1000;
 ChainPlan::Direct direct_of(const std::string& text) {
   if (text == "omc") return ChainPlan::Direct::Omc;
   return text == "chain" ? ChainPlan::Direct::Chain : ChainPlan::Direct::None;
+}
+
+SeedFilter seed_filter_of(std::string_view text) {
+  if (text == "filtered") return SeedFilter::Weighted;
+  return text == "filtered-published" ? SeedFilter::Dropped : SeedFilter::None;
+}
+
+bool leaves_for_neighbours(std::string_view name) { return name == "slemmlt" || name == "fusion"; }
+/// What moves numbers where the image plane does not.
+std::string_view base_mutation(std::string_view name) {
+  return leaves_for_neighbours(name) ? "gaussian" : name;
 }
 
 Vec2i crop_size(const RenderSettings& settings) { return settings.crop.size() + Vec2i(1, 1); }
@@ -36,11 +48,15 @@ ChainPlan::ChainPlan(ChainKind chain_kind, const Scene& the_scene,
       omc_samples(parameters.get_float("omc-samples")),
       bootstrap(static_cast<std::uint64_t>(parameters.get_int("bootstrap"))),
       wanted_chains(static_cast<std::uint64_t>(parameters.get_int("chains"))),
-      mutation(make_mutation(parameters.get_text("mutation"), parameters.get_float("sigma"))) {
+      seed_filter(seed_filter_of(parameters.get_text("seeds"))),
+      seed_spread(parameters.get_float("seed-spread")),
+      mutation(make_mutation(base_mutation(parameters.get_text("mutation")),
+                             parameters.get_float("sigma"))) {
   settings.max_depth = std::min(settings.max_depth, kMaxChainEdges);
   chain_settings.probabilities = {parameters.get_float("large-step"),
                                   parameters.get_float("camera-steps"),
                                   parameters.get_float("light-steps")};
+  chain_settings.tries = parameters.get_int("multi-try");
   // Half moves keep the technique, so that the other half need not be traced again.
   chain_settings.connection = {false, false};
   // Chains have no numbers for further tries, and would gain nothing from fewer.
@@ -59,6 +75,25 @@ ChainPlan::ChainPlan(ChainKind chain_kind, const Scene& the_scene,
   view.pixels = static_cast<double>(pixels());
   make_groups();
   read_importance();
+  read_plane();
+}
+
+void ChainPlan::read_plane() {
+  const std::string& name = parameters.get_text("mutation");
+  plane.adaptive = parameters.get_text("step") == "adaptive" || name == "fusion";
+  plane.neighbours = leaves_for_neighbours(name);
+  plane.published = parameters.get_text("rule") == "published";
+  plane.adaptive_visits = parameters.get_float("m1");
+  plane.uneven = parameters.get_float("k1");
+  plane.even = parameters.get_float("k2");
+  plane.shorten = parameters.get_float("lambda1");
+  plane.lengthen = parameters.get_float("lambda2");
+  plane.neighbour_visits = parameters.get_float("w");
+  if (plane.active() && chain_settings.tries > 1) {
+    throw UsageError(
+        "multi-try: several proposals per mutation need steps that are the same everywhere, so not "
+        "step=adaptive, mutation=slemmlt or mutation=fusion");
+  }
 }
 
 std::uint64_t ChainPlan::pixels() const {

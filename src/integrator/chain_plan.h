@@ -7,7 +7,9 @@
 #include "integrator/chain_family.h"
 #include "integrator/light_split.h"
 #include "integrator/path_target.h"
+#include "mcmc/bootstrap.h"
 #include "mcmc/chain_runner.h"
+#include "mcmc/plane_moves.h"
 
 namespace ajar {
 
@@ -60,8 +62,11 @@ struct ChainPlan {
   bool without_chains = false;
   std::uint64_t bootstrap;      ///< samples, over all depths and replicates
   std::uint64_t wanted_chains;  ///< 0: as many as suit the picture
+  SeedFilter seed_filter;
+  double seed_spread;  ///< standard deviations above which a seed is an outlier
   ChainSettings chain_settings;
   std::unique_ptr<Mutation> mutation;
+  PlaneRule plane;
   ChainView view;
   std::vector<PathGroup> groups;
   std::optional<LightSplit> split;  ///< found by the pilot
@@ -69,6 +74,7 @@ struct ChainPlan {
  private:
   void make_groups();
   void read_importance();
+  void read_plane();
 };
 
 }  // namespace ajar

@@ -14,6 +14,7 @@ struct MemberChain {
   Chain chain;
   ChainStatistics statistics;
   std::vector<ChainStatistics::Kind> by_technique;  ///< numbered as in the group's choice
+  double weight = 1.0;  ///< of what it deposits, relative to other chains (`seed_weight`)
 };
 
 /// The chains of one group in one replicate, with a bootstrap of their own.

@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "core/error.h"
+#include "image/density_map.h"
 #include "image/identities.h"
 #include "image/statistics.h"
 
@@ -126,6 +127,20 @@ WrittenFile write_or_rescue(const LayeredImage& picture, const std::string& path
   return result;
 }
 
+/// Beside a picture for the eye, the layer "density" in false colours; empty without that layer.
+std::optional<WrittenFile> write_density_map(const Picture& picture, const std::string& path) {
+  const auto layer =
+      std::find_if(picture.layers.begin(), picture.layers.end(),
+                   [](const Picture::Layer& candidate) { return candidate.name == "density"; });
+  fs::path name(path);
+  if (layer == picture.layers.end() || !is_display_file(path)) return std::nullopt;
+  name.replace_extension(".density.png");
+  const DensityMap map = draw_density_map(layer->pixels, picture.crop.size() + Vec2i(1, 1));
+  const LayeredImage image{
+      map.size, Box2i(Vec2i(0, 0), map.size - Vec2i(1, 1)), {{"", 3, map.rgb}}, {}};
+  return write_or_rescue(image, name.string(), {});
+}
+
 }  // namespace
 
 Picture develop(const Film& film, const Integrator& integrator, std::uint64_t samples,
@@ -134,7 +149,6 @@ Picture develop(const Film& film, const Integrator& integrator, std::uint64_t sa
   picture.resolution = film.resolution();
   picture.crop = film.crop();
   picture.layers.push_back({"", 3, {}});
-  std::vector<float> sum;
   for (std::size_t i = 0; i < film.layers().size(); ++i) {
     const LayerSpec& spec = film.layers()[i];
     if (spec.holds_identities) {
@@ -147,15 +161,18 @@ Picture develop(const Film& film, const Integrator& integrator, std::uint64_t sa
     const double scale = integrator.develop_scale(spec, samples, std::nullopt);
     Picture::Layer layer{spec.name, 3,
                          film.develop(static_cast<int>(i), (light ? film_scale : 1.0) * scale)};
-    if (light) {
-      sum.resize(layer.pixels.size());
-      std::transform(sum.begin(), sum.end(), layer.pixels.begin(), sum.begin(), std::plus<>());
-    }
     if (!spec.part_of.empty()) {
       add_to_part(picture, spec.part_of, layer.pixels);
     } else {
       picture.layers.push_back(is_single_number(spec.name) ? one_channel(layer) : layer);
     }
+  }
+  // Of the layers as they are shown, so that they add up to the picture to the bit.
+  std::vector<float> sum;
+  for (const Picture::Layer& layer : picture.layers) {
+    if (layer.name != "direct" && layer.name != "indirect") continue;
+    sum.resize(layer.pixels.size());
+    std::transform(sum.begin(), sum.end(), layer.pixels.begin(), sum.begin(), std::plus<>());
   }
   for (const std::string& name : aovs) {
     if (name == "samples") {
@@ -226,7 +243,11 @@ std::vector<WrittenFile> write_pictures(const Picture& picture,
   std::vector<WrittenFile> files;
   files.reserve(paths.size());
   const LayeredImage image = layered_image(picture);
-  for (const std::string& path : paths) files.push_back(write_or_rescue(image, path, display));
+  for (const std::string& path : paths) {
+    files.push_back(write_or_rescue(image, path, display));
+    std::optional<WrittenFile> map = write_density_map(picture, path);
+    if (map) files.push_back(std::move(*map));
+  }
   return files;
 }
 

@@ -476,9 +476,14 @@ TEST_F(Cli, StatisticsTellWhatChainsDid) {
 }
 
 TEST_F(Cli, LayersOfChainsAreWritten) {
-  const Outcome outcome = render({"--integrator", "pssmlt", "--spp", "32", "--set",
-                                  "bootstrap=20000", "--aov", "density,acceptance", "-o", "a.exr"});
+  const Outcome outcome =
+      render({"--integrator", "pssmlt", "--spp", "32", "--set", "bootstrap=20000", "--aov",
+              "density,acceptance", "-o", "a.exr", "-o", "b.png"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  // In false colours, with a legend.
+  const Image map = read_image(file("b.density.png").string());
+  EXPECT_GT(map.width, 24);
+  EXPECT_GE(map.height, 16);
   const Image image = read_image(file("a.exr").string());
   double visits = 0.0;
   for (const float value : image.rgb("density")) visits += value;
@@ -504,6 +509,8 @@ TEST_F(Cli, UnusableOptionsOfChainsAreWrongUsage) {
       {{"importance=black.pfm"}, "is black everywhere"},
       {{"bootstrap=10"}, "bootstrap"},
       {{"mutation=gausian"}, "gaussian"},
+      {{"mutation=fusion", "multi-try=2"}, "multi-try"},
+      {{"rule=exakt"}, "exact"},
   };
   for (const Case& c : cases) {
     std::vector<std::string> arguments{"--integrator", "mmlt", "--spp", "1", "-o", "a.pfm"};
