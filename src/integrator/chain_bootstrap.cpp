@@ -72,7 +72,11 @@ void ChainBootstrap::run(std::uint64_t item, Counters& counters) {
 
 void ChainBootstrap::end() {
   for (ChainPopulation& population : populations_) {
-    population.bootstrap = bootstrap_moments(population.weights);
+    for (const double weight : population.weights) {
+      const double capped = std::min(weight, plan_.chain_settings.large_step_cap);
+      population.capped.add(capped);
+      population.excess.add(weight - capped);
+    }
   }
   for (int r = 0; r < plan_.settings.replicates; ++r) seed_replicate(r);
   for (ChainPopulation& population : populations_) population.weights = {};
@@ -84,7 +88,7 @@ void ChainBootstrap::seed_replicate(int replicate) {
   for (ChainPopulation& population : populations_) {
     if (population.replicate != replicate) continue;
     own.push_back(&population);
-    b.push_back(population.bootstrap.mean());
+    b.push_back(population.b(0.0));
   }
   const auto replicates = static_cast<std::uint64_t>(plan_.settings.replicates);
   const std::uint64_t count =

@@ -40,7 +40,7 @@ class ChainIntegrator final : public Integrator {
   double develop_scale(const LayerSpec& layer, std::uint64_t samples,
                        std::optional<int> replicate) const override;
   std::optional<ChainReport> chain_report() const override {
-    return report_chains(plan_, populations_);
+    return report_chains(plan_, populations_, later_weight_);
   }
 
  private:
@@ -95,7 +95,7 @@ ChainIntegrator::ChainIntegrator(ChainKind kind, const Scene& scene, const Rende
     make_omc();
     return;
   }
-  if (plan_.needs_pilot) stages_.push_back(std::make_unique<ChainPilot>(plan_));
+  stages_.push_back(std::make_unique<ChainPilot>(plan_));
   if (plan_.selection) stages_.push_back(std::make_unique<ChainSurvey>(plan_));
   stages_.push_back(std::make_unique<ChainBootstrap>(plan_, populations_));
 }
@@ -146,7 +146,7 @@ void ChainIntegrator::add_concerns() {
   std::uint64_t lit = 0;
   std::uint64_t samples = 0;
   for (const ChainPopulation& population : populations_) {
-    samples += population.bootstrap.count;
+    samples += population.capped.count;
     lit += population.chains.size();
   }
   if (plan_.without_chains) {
@@ -164,7 +164,7 @@ void ChainIntegrator::add_concerns() {
 
 double ChainIntegrator::bootstrap_b() const {
   double b = 0.0;
-  for (const ChainPopulation& population : populations_) b += population.bootstrap.mean();
+  for (const ChainPopulation& population : populations_) b += population.b(0.0);
   b /= plan_.settings.replicates;
   return b > 0.0 && std::isfinite(b) ? b : 1.0;
 }
@@ -222,12 +222,13 @@ void ChainIntegrator::begin_pass(std::uint64_t first_sample, std::uint64_t /*sam
 /// b of a population is on average right only over all that its bootstrap can bring, finding no
 /// light included. So where it found none, later samples may count neither more nor less than they
 /// do where it found some: they have one weight w for all, which must not depend on what was found.
-/// E[(1 − w)·bootstrap; light found] + w·E[later samples] is then b.
+/// E[(1 − w)·bootstrap; light found] + w·E[later samples] is then b. Of I beyond the cap only the
+/// bootstrap knows (see `ChainPopulation::b`), so later samples bring no more than it.
 void ChainIntegrator::refine_b(std::uint64_t samples) {
   refined_at_ = samples;
   double bootstrap = 0.0;
   for (const ChainPopulation& population : populations_) {
-    bootstrap += static_cast<double>(population.bootstrap.count);
+    bootstrap += static_cast<double>(population.capped.count);
   }
   const double large_steps = plan_.chain_settings.probabilities.large * plan_.chain_settings.tries *
                              plan_.mutations * static_cast<double>(samples) *
@@ -235,9 +236,7 @@ void ChainIntegrator::refine_b(std::uint64_t samples) {
   later_weight_ = large_steps / (bootstrap + large_steps);
   b_.clear();
   for (const ChainPopulation& population : populations_) {
-    const Moments later = population.later_moments();
-    const double weight = later.count > 0 ? later_weight_ : 0.0;
-    b_.push_back((1.0 - weight) * population.bootstrap.mean() + weight * later.mean());
+    b_.push_back(population.b(later_weight_));
   }
 }
 
@@ -334,7 +333,8 @@ void ChainIntegrator::run_plain(ChainPopulation& population, Film& film, Counter
     splats.clear();
     const double scalar = target->evaluate(source, Change{}, splats);
     target->rejected();
-    population.plain_statistics.large_steps.add(std::isfinite(scalar) ? std::max(0.0, scalar)
+    const double capped = std::min(scalar, plan_.chain_settings.large_step_cap);
+    population.plain_statistics.large_steps.add(std::isfinite(scalar) ? std::max(0.0, capped)
                                                                       : 0.0);
     if (std::isnan(scalar)) {
       ++counters.discarded_nan;
@@ -345,7 +345,7 @@ void ChainIntegrator::run_plain(ChainPopulation& population, Film& film, Counter
     } else if (scalar > 0.0) {
       Chain chain(group.shape, hash_numbers(seed, 0xc4a15ULL, index), bootstrap_key(seed, index),
                   scalar);
-      sink.begin(scale * scalar / static_cast<double>(kSteps), nullptr);
+      sink.begin(scale * capped / static_cast<double>(kSteps), nullptr);
       runner.run(chain, kSteps, sink);
       counters.mutations += kSteps;
     }

@@ -62,6 +62,8 @@ void ChainPilot::end() {
     plan_.view.importance = ImportanceMap::relative(crop, picture);
   }
   plan_.brightness = mean_strength(picture, crop, plan_.view.importance);
+  constexpr double kCap = 100.0;
+  if (plan_.brightness > 0.0) plan_.chain_settings.large_step_cap = kCap * plan_.brightness;
   if (plan_.split_at && plan_.brightness > 0.0) {
     plan_.split.emplace(*plan_.split_at * plan_.brightness, plan_.view.importance);
   }

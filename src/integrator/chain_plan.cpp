@@ -76,7 +76,6 @@ ChainPlan::ChainPlan(ChainKind chain_kind, const Scene& the_scene,
   make_groups();
   read_importance();
   read_plane();
-  needs_pilot = needs_pilot || split_at.has_value();
 }
 
 void ChainPlan::read_plane() {
@@ -138,11 +137,7 @@ void ChainPlan::make_groups() {
 
 void ChainPlan::read_importance() {
   const std::string& text = parameters.get_text("importance");
-  if (text == "uniform") return;
-  if (text == "relative") {
-    needs_pilot = true;
-    return;
-  }
+  if (text == "uniform" || text == "relative") return;  // the pilot finds the latter
   const Image image = read_image(text);
   const Vec2i size = crop_size(settings);
   const bool whole = image.width == settings.resolution.x && image.height == settings.resolution.y;

@@ -69,7 +69,6 @@ struct ChainPlan {
   PlaneRule plane;
   ChainView view;
   std::vector<PathGroup> groups;
-  bool needs_pilot = false;
   std::optional<LightSplit> split;  ///< found by the pilot
 
  private:

@@ -4,7 +4,8 @@
 
 namespace ajar {
 
-ChainReport report_chains(const ChainPlan& plan, std::span<const ChainPopulation> populations) {
+ChainReport report_chains(const ChainPlan& plan, std::span<const ChainPopulation> populations,
+                          double later_weight) {
   ChainReport report;
   ChainStatistics whole;
   for (std::size_t g = 0; g < plan.groups.size(); ++g) {
@@ -15,10 +16,10 @@ ChainReport report_chains(const ChainPlan& plan, std::span<const ChainPopulation
     std::vector<ChainStatistics::Kind> by_technique(choice.size());
     for (const ChainPopulation& population : populations) {
       if (population.group != g) continue;
-      report.bootstrap_samples += population.bootstrap.count;
-      const Moments moments = population.moments();
-      depth.b += moments.mean() / plan.settings.replicates;
-      variance += moments.standard_error() * moments.standard_error();
+      report.bootstrap_samples += population.capped.count;
+      depth.b += population.b(later_weight) / plan.settings.replicates;
+      const double error = population.b_standard_error();
+      variance += error * error;
       depth.chains += population.chains.size();
       depth.mutations += population.plain_samples;
       for (const MemberChain& member : population.chains) {

@@ -7,7 +7,8 @@
 
 namespace ajar {
 
-/// How the chains fared so far.
-ChainReport report_chains(const ChainPlan& plan, std::span<const ChainPopulation> populations);
+/// How the chains fared so far; `later_weight`: see `ChainPopulation::b`.
+ChainReport report_chains(const ChainPlan& plan, std::span<const ChainPopulation> populations,
+                          double later_weight);
 
 }  // namespace ajar

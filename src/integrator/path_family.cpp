@@ -35,6 +35,7 @@ class SampleSink final : public PathSink {
     replicate_ = replicate;
     filter_weight_ = filter_weight;
     sample_ = sample;
+    sees_something_ = false;
     direct_ = Spectrum();
     indirect_ = Spectrum();
   }
@@ -73,13 +74,15 @@ class SampleSink final : public PathSink {
   }
 
   void first_vertex(const PathVertex& vertex, const Hit* hit, float distance) override {
+    sees_something_ = true;
     if (g_buffer_.empty()) return;
-    g_buffer_.add(film_, pixel_, filter_weight_, sample_ == 0, distance, vertex, hit);
+    g_buffer_.add(film_, pixel_, filter_weight_, sample_, distance, vertex, hit);
   }
 
   void end_sample() {
     put(layers_.direct, direct_);
     put(layers_.indirect, indirect_);
+    if (!sees_something_) g_buffer_.add_nothing(film_, pixel_, sample_);
     tally_.end_sample();
   }
   void end_pixel(std::uint64_t samples) { tally_.end_pixel(static_cast<double>(samples)); }
@@ -154,6 +157,7 @@ class SampleSink final : public PathSink {
   int replicate_ = 0;
   float filter_weight_ = 1.F;
   std::uint64_t sample_ = 0;
+  bool sees_something_ = false;  ///< whether the camera ray of this sample has met anything
   Spectrum direct_;
   Spectrum indirect_;
 };

@@ -107,8 +107,11 @@ const std::vector<AovInfo>& aovs() {
       {"geometric-normal", "geometric normal of the first surface, world space, facing the camera"},
       {"depth", "distance from the camera to the first surface, scene units"},
       {"position", "place of the first surface, world space"},
-      {"object-id", "number of the first shape, from 1; 0 where there is none"},
-      {"material-id", "number of the first material, from 1; 0 where there is none"},
+      {"coverage", "share of the pixel's samples that hit a surface"},
+      {"object-id",
+       "number of the shape that most of the first nine samples hit, from 1; 0 for none"},
+      {"material-id",
+       "number of the material that most of the first nine samples hit, from 1; 0 for none"},
       {"samples", "samples per pixel"},
       {"techniques",
        "what each technique contributes, weighted and alone, for paths of up to six edges (many "

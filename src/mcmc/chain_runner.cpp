@@ -91,7 +91,7 @@ void ChainRunner::make_step(Run& run, const Step& step) {
 
   run.statistics.of(step.kind).acceptances += a;
   run.sink.proposed(current_, a);
-  if (step.large()) run.statistics.large_steps.add(scalar);
+  if (step.large()) run.statistics.large_steps.add(std::min(scalar, settings_.large_step_cap));
 
   const double proposal_weight = step.large() && run.combined ? a + 1.0 : a;
   run.current_weight += 1.0 - a;
@@ -125,7 +125,9 @@ void ChainRunner::evaluate_tries(Run& run, const Step& step) {
   for (std::size_t i = 0; i < tries_.size(); ++i) {
     begin_try(step, i);
     tries_[i].scalar = evaluate(run, try_source_, step.change, tries_[i].splats);
-    if (step.large()) run.statistics.large_steps.add(tries_[i].scalar);
+    if (step.large()) {
+      run.statistics.large_steps.add(std::min(tries_[i].scalar, settings_.large_step_cap));
+    }
     // Tries are alike, so it does not matter which of them speaks for the step.
     if (i + 1 == tries_.size()) run.sink.proposed(current_, find_probabilities(run.chain.scalar));
     target_.rejected();

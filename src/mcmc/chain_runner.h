@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -31,6 +32,8 @@ struct ChainSettings {
   StepSizes sizes;
   ConnectionMoves connection;
   int tries = 1;  ///< proposals per step
+  /// What more than this a large step brings does not count in the statistics of b.
+  double large_step_cap = std::numeric_limits<double>::infinity();
 };
 
 /// Runs Metropolis–Hastings chains: the only place where proposals are accepted and rejected. Holds

@@ -15,6 +15,7 @@
 
 #include "core/error.h"
 #include "image/density_map.h"
+#include "image/identities.h"
 #include "image/statistics.h"
 
 namespace ajar {
@@ -62,8 +63,7 @@ std::vector<ScaledLayer> scaled_light_layers(const Film& film, const Integrator&
 
 /// Layers whose three channels are one number.
 bool is_single_number(const std::string& name) {
-  return name == "depth" || name == "object-id" || name == "material-id" || name == "density" ||
-         name == "acceptance";
+  return name == "depth" || name == "coverage" || name == "density" || name == "acceptance";
 }
 
 Picture::Layer one_channel(const Picture::Layer& layer) {
@@ -152,10 +152,16 @@ Picture develop(const Film& film, const Integrator& integrator, std::uint64_t sa
   std::vector<float> sum;
   for (std::size_t i = 0; i < film.layers().size(); ++i) {
     const LayerSpec& spec = film.layers()[i];
+    if (spec.holds_identities) {
+      if (spec.part_of.empty()) {
+        picture.layers.push_back({spec.name, 1, majority_numbers(film, spec.name)});
+      }
+      continue;
+    }
     const bool light = is_light(spec);
     const double scale = integrator.develop_scale(spec, samples, std::nullopt);
-    const double layer_scale = spec.per_sample ? (light ? film_scale : 1.0) * scale : 1.0;
-    Picture::Layer layer{spec.name, 3, film.develop(static_cast<int>(i), layer_scale)};
+    Picture::Layer layer{spec.name, 3,
+                         film.develop(static_cast<int>(i), (light ? film_scale : 1.0) * scale)};
     if (light) {
       sum.resize(layer.pixels.size());
       std::transform(sum.begin(), sum.end(), layer.pixels.begin(), sum.begin(), std::plus<>());

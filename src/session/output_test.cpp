@@ -3,10 +3,12 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <array>
 #include <cmath>
 #include <filesystem>
 
 #include "core/error.h"
+#include "image/identities.h"
 #include "session/test_integrator.h"
 
 namespace ajar {
@@ -65,6 +67,23 @@ TEST_F(OutputTest, PartsOfALayerAreShownInItAndInThePicture) {
   EXPECT_EQ(picture.layers[2].name, "indirect");
   EXPECT_NEAR(picture.layers[2].pixels.at(15), 0.75F, 1e-5);
   EXPECT_NEAR(picture.layers[0].pixels.at(15), picture.layers[1].pixels.at(15) + 0.75F, 1e-5);
+}
+
+TEST_F(OutputTest, IdentifiersAreMajoritiesAndOneLayerWhateverTheFilmKeeps) {
+  TestIntegrator integrator(kSize, 4);
+  std::vector<LayerSpec> specs = integrator.layers();
+  for (LayerSpec& spec : IdentityLayers::specs("object-id")) specs.push_back(std::move(spec));
+  Film film(kSize, Box2i(Vec2i(0, 0), kSize - Vec2i(1, 1)), Filter::box(), 4, specs);
+  const IdentityLayers identities(film, "object-id");
+  const std::array<std::uint32_t, 4> seen = {7, 3, 0, 3};
+  for (std::uint64_t i = 0; i < seen.size(); ++i) identities.add(film, {1, 2}, i, seen[i]);
+  const Picture picture = develop(film, integrator, 4, 5.0, {});
+  ASSERT_EQ(picture.layers.size(), 4U);
+  EXPECT_EQ(picture.layers[3].name, "object-id");
+  EXPECT_EQ(picture.layers[3].channels, 1);
+  std::vector<float> expected(12, 0.F);
+  expected[9] = 3.F;
+  EXPECT_EQ(picture.layers[3].pixels, expected) << "neither film scale nor samples count";
 }
 
 TEST_F(OutputTest, StandardErrorComesFromTheReplicates) {
