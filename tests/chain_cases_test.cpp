@@ -222,7 +222,7 @@ TEST(OneSample, OfOneReplicateIsRightOnAverage) {
         options.samples = 1;
         options.replicates = 1;
         options.seed = seed;
-        options.parameters = {{"bootstrap", "1000"}, {"chains", chains}};
+        options.parameters = {{"bootstrap", "1000"}, {"chains", chains}, {"split", "0"}};
         const std::vector<float> pixels = test::render(*scene, options).layer("indirect");
         double sum = 0.0;
         for (const float value : pixels) sum += value;

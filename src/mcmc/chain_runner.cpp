@@ -125,8 +125,9 @@ void ChainRunner::evaluate_tries(Run& run, const Step& step) {
   for (std::size_t i = 0; i < tries_.size(); ++i) {
     begin_try(step, i);
     tries_[i].scalar = evaluate(run, try_source_, step.change, tries_[i].splats);
-    if (step.large())
+    if (step.large()) {
       run.statistics.large_steps.add(std::min(tries_[i].scalar, settings_.large_step_cap));
+    }
     // Tries are alike, so it does not matter which of them speaks for the step.
     if (i + 1 == tries_.size()) run.sink.proposed(current_, find_probabilities(run.chain.scalar));
     target_.rejected();

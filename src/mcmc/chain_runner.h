@@ -31,9 +31,9 @@ struct ChainSettings {
   StepProbabilities probabilities;
   StepSizes sizes;
   ConnectionMoves connection;
+  int tries = 1;  ///< proposals per step
   /// What more than this a large step brings does not count in the statistics of b.
   double large_step_cap = std::numeric_limits<double>::infinity();
-  int tries = 1;  ///< proposals per step
 };
 
 /// Runs Metropolis–Hastings chains: the only place where proposals are accepted and rejected. Holds

@@ -53,8 +53,8 @@ struct WrittenFile {
   std::string error;   ///< why it is not there; empty if it is
 };
 /// Writes each file (kind by extension, see `write_image`), and the layer "density" in false
-/// colours as NAME.density.png beside each `.png` and `.jpg`; one that cannot be written at its place
-/// is written as `NAME-rescued.EXT` into the current or the temporary folder. Raises nothing.
+/// colours as NAME.density.png beside each `.png` and `.jpg`; one that cannot be written at its
+/// place is written as `NAME-rescued.EXT` into the current or the temporary folder. Raises nothing.
 std::vector<WrittenFile> write_pictures(const Picture& picture,
                                         const std::vector<std::string>& paths,
                                         const DisplayOptions& display);
