@@ -76,7 +76,7 @@ TEST_P(Importance, LeavesTheExpectationAsItIs) {
   for (const char* integrator : {"mmlt", "pssmlt"}) {
     options.integrator = integrator;
     for (const std::string& map : {std::string("relative"), noise.path()}) {
-      options.parameters = {{"importance", map}, {"bootstrap", "120000"}};
+      options.parameters = {{"importance", map}, {"bootstrap", "400000"}};
       const test::Render render = test::render(*scene, options);
       expect_same(replicates_of(render, "indirect"), truth, *render.film, 0.4,
                   std::string(integrator) + ", importance " + map);

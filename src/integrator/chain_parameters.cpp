@@ -112,11 +112,13 @@ std::vector<ParameterSpec> chain_parameters(ChainKind kind) {
        .maximum = 1.0},
       {.name = "bootstrap",
        .type = ParameterType::Int,
-       .default_value = "200000",
+       .default_value = "0",
        .unit = "samples",
-       .help = "independent paths from which chains are seeded, over all depths and replicates",
+       .help = "independent paths from which chains are seeded, over all depths and replicates; 0: "
+               "four "
+               "per pixel, and at least 200000",
        .choices = {},
-       .minimum = 1000,
+       .minimum = 0,
        .maximum = 100000000},
       {.name = "seeds",
        .type = ParameterType::Choice,
