@@ -30,6 +30,16 @@ const std::vector<Variant>& variants() {
   static const std::vector<Variant> kVariants = {
       {"mmlt", "mmlt", {}},
       {"pssmlt", "pssmlt", {}},
+      {"selective", "selective", {}},
+      // So low that most of the light starts chains.
+      {"selective, low split",
+       "selective",
+       {{"split", "0.5"}},
+       {"Room", "GlassAndMetal", "Fog", "ThinLens", "CroppedMitchell", "NestedDielectrics"}},
+      {"selective, ibpt",
+       "selective",
+       {{"techniques", "ibpt"}, {"split", "1"}},
+       {"Environment", "PointAndSpot", "ThinLens"}},
       {"mmlt, chains alone", "mmlt", {{"split", "0"}}},
       {"pssmlt, chains alone",
        "pssmlt",
@@ -140,8 +150,10 @@ TEST_P(ChainAgreement, ChainsHaveTheExpectationOfBidirectionalPathTracing) {
     }
     options.integrator = variant.integrator;
     options.parameters = variant.parameters;
-    options.parameters["bootstrap"] = "60000";
-    options.parameters["omc-samples"] = "1";
+    if (variant.integrator != "selective") {
+      options.parameters["bootstrap"] = "60000";
+      options.parameters["omc-samples"] = "1";
+    }
     // Divided light needs fewer for the same power. Multiples of 64 are rendered in four passes,
     // between which b is refined and maps are made.
     options.samples = variant.parameters.count("split") > 0 ? 384 : 192;

@@ -121,6 +121,22 @@ bool Film::splat(int layer, int replicate, const Vec2& raster, const Spectrum& v
   return complete;
 }
 
+float Film::coverage(const Vec2& raster) const {
+  const Vec2 radius = filter_.radius();
+  const auto along = [&](int axis, float at, float reach, int low, int high) {
+    const int first = std::max(low, static_cast<int>(std::floor(at - 0.5F - reach)));
+    const int last = std::min(high, static_cast<int>(std::floor(at - 0.5F + reach)) + 1);
+    float sum = 0.F;
+    for (int j = first; j <= last; ++j) {
+      const float offset = at - (static_cast<float>(j) + 0.5F);
+      if (offset >= -reach && offset < reach) sum += filter_.eval_axis(axis, offset);
+    }
+    return sum;
+  };
+  return along(0, raster.x, radius.x, crop_.min.x, crop_.max.x) *
+         along(1, raster.y, radius.y, crop_.min.y, crop_.max.y);
+}
+
 std::vector<float> Film::develop_range(const Storage& storage, int first, int count,
                                        double scale) const {
   const std::size_t plane =

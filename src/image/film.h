@@ -58,6 +58,10 @@ class Film {
   /// for its pixel, which then does not get it.
   bool splat(int layer, int replicate, const Vec2& raster, const Spectrum& value);
 
+  /// Σ_j h_j(raster) over the pixels of the crop: how densely camera samples, drawn from the
+  /// pixels' filters, lie there; 1 well inside for most filters.
+  float coverage(const Vec2& raster) const;
+
   /// Sum over replicates of a layer, times `scale`, row by row, 3 floats per pixel (crop size).
   std::vector<float> develop(int layer, double scale) const;
   /// One replicate; the layer must have replicates.

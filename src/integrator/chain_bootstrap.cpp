@@ -35,7 +35,6 @@ void add_blocks(std::vector<SampleBlock>& blocks, std::size_t owner, std::uint64
 }
 
 std::uint64_t ChainBootstrap::begin() {
-  if (plan_.without_chains) return 0;
   constexpr double kFewest = 64.0;
   const double per_replicate = static_cast<double>(plan_.bootstrap) / plan_.settings.replicates;
   for (int replicate = 0; replicate < plan_.settings.replicates; ++replicate) {
@@ -91,11 +90,9 @@ void ChainBootstrap::seed_replicate(int replicate) {
     b.push_back(population.b(0.0));
   }
   const auto replicates = static_cast<std::uint64_t>(plan_.settings.replicates);
-  const std::uint64_t count =
-      plan_.wanted_chains > 0
-          ? std::max<std::uint64_t>(1, plan_.wanted_chains / replicates)
-          : default_chains(static_cast<std::uint64_t>(
-                plan_.mutations * static_cast<double>(plan_.pixels()) / plan_.settings.replicates));
+  const std::uint64_t count = plan_.wanted_chains > 0
+                                  ? std::max<std::uint64_t>(1, plan_.wanted_chains / replicates)
+                                  : default_chains(plan_.pixels() / replicates);
   const std::vector<std::size_t> shares = apportion(b, static_cast<std::size_t>(count));
   for (std::size_t i = 0; i < own.size(); ++i) {
     ChainPopulation& population = *own[i];

@@ -9,7 +9,6 @@
 #include "integrator/chain_pilot.h"
 #include "integrator/chain_plan.h"
 #include "integrator/chain_report.h"
-#include "integrator/chain_survey.h"
 #include "integrator/plane_maps.h"
 #include "mcmc/bootstrap_source.h"
 #include "mcmc/chain_runner.h"
@@ -25,11 +24,10 @@ bool asks_for(const std::vector<std::string>& aovs, const std::string& name) {
 class ChainIntegrator final : public Integrator {
  public:
   ChainIntegrator(ChainKind kind, const Scene& scene, const RenderSettings& settings,
-                  const Parameters& parameters, std::optional<Selection> selection);
+                  const Parameters& parameters);
 
   std::uint64_t begin_preparation(int round) override;
   void prepare_item(int round, std::uint64_t item, Counters& counters) override;
-  std::vector<std::string> notes() const override { return notes_; }
   std::vector<std::string> concerns() const override { return concerns_; }
 
   std::vector<LayerSpec> layers() const override;
@@ -79,7 +77,6 @@ class ChainIntegrator final : public Integrator {
   std::vector<std::size_t> chain_counts_;  ///< per replicate
   std::vector<ChainItem> chain_items_;
   std::unique_ptr<Integrator> omc_;  ///< null if it has nothing to render
-  std::vector<std::string> notes_;
   std::vector<std::string> concerns_;
   std::unique_ptr<PlaneMaps> maps_;  ///< null if steps do not follow the image plane
   std::vector<double> b_;            ///< of each population
@@ -88,15 +85,14 @@ class ChainIntegrator final : public Integrator {
 };
 
 ChainIntegrator::ChainIntegrator(ChainKind kind, const Scene& scene, const RenderSettings& settings,
-                                 const Parameters& parameters, std::optional<Selection> selection)
-    : plan_(kind, scene, settings, parameters, selection),
+                                 const Parameters& parameters)
+    : plan_(kind, scene, settings, parameters),
       chain_counts_(static_cast<std::size_t>(settings.replicates), 0) {
   if (plan_.groups.empty()) {
     make_omc();
     return;
   }
   stages_.push_back(std::make_unique<ChainPilot>(plan_));
-  if (plan_.selection) stages_.push_back(std::make_unique<ChainSurvey>(plan_));
   stages_.push_back(std::make_unique<ChainBootstrap>(plan_, populations_));
 }
 
@@ -116,7 +112,6 @@ void ChainIntegrator::prepare_item(int /*round*/, std::uint64_t item, Counters& 
 }
 
 void ChainIntegrator::end_preparation() {
-  if (plan_.without_chains) plan_.groups.clear();
   for (std::size_t p = 0; p < populations_.size(); ++p) {
     const ChainPopulation& population = populations_[p];
     chain_counts_[static_cast<std::size_t>(population.replicate)] += population.chains.size();
@@ -138,8 +133,7 @@ void ChainIntegrator::make_omc() {
   std::erase_if(settings.aovs, [](const std::string& name) {
     return name == kDensityLayer || name == kAcceptanceLayer || name == "techniques";
   });
-  omc_ = plan_.make_omc(settings, depths,
-                        plan_.split && !plan_.without_chains ? &*plan_.split : nullptr);
+  omc_ = plan_.make_omc(settings, depths, plan_.split ? &*plan_.split : nullptr);
 }
 
 void ChainIntegrator::add_concerns() {
@@ -148,11 +142,6 @@ void ChainIntegrator::add_concerns() {
   for (const ChainPopulation& population : populations_) {
     samples += population.capped.count;
     lit += population.chains.size();
-  }
-  if (plan_.without_chains) {
-    notes_.emplace_back(
-        "nothing in this picture is hard for ordinary Monte Carlo, so it renders without chains");
-    return;
   }
   if (lit > 0 || populations_.empty()) return;
   concerns_.push_back("none of " + std::to_string(samples) +
@@ -197,8 +186,7 @@ std::uint64_t ChainIntegrator::omc_samples(std::uint64_t samples) const {
 }
 
 std::uint64_t ChainIntegrator::steps_until(std::uint64_t samples, std::size_t chains) const {
-  const double per_replicate = static_cast<double>(samples) * plan_.mutations *
-                               static_cast<double>(plan_.pixels()) /
+  const double per_replicate = static_cast<double>(samples) * static_cast<double>(plan_.pixels()) /
                                static_cast<double>(plan_.settings.replicates);
   return static_cast<std::uint64_t>(std::ceil(per_replicate / static_cast<double>(chains)));
 }
@@ -215,7 +203,7 @@ void ChainIntegrator::begin_pass(std::uint64_t first_sample, std::uint64_t /*sam
   while (2 * milestone <= first_sample) milestone *= 2;
   if (milestone > refined_at_ || b_.empty()) {
     refine_b(milestone);
-    if (maps_) maps_->end_epoch(static_cast<double>(milestone) * plan_.mutations);
+    if (maps_) maps_->end_epoch(static_cast<double>(milestone));
   }
 }
 
@@ -231,8 +219,7 @@ void ChainIntegrator::refine_b(std::uint64_t samples) {
     bootstrap += static_cast<double>(population.capped.count);
   }
   const double large_steps = plan_.chain_settings.probabilities.large * plan_.chain_settings.tries *
-                             plan_.mutations * static_cast<double>(samples) *
-                             static_cast<double>(plan_.pixels());
+                             static_cast<double>(samples) * static_cast<double>(plan_.pixels());
   later_weight_ = large_steps / (bootstrap + large_steps);
   b_.clear();
   for (const ChainPopulation& population : populations_) {
@@ -312,8 +299,8 @@ void ChainIntegrator::run_plain(ChainPopulation& population, Film& film, Counter
   for (const ChainPopulation& other : populations_) {
     if (other.replicate == population.replicate && other.chains.empty()) ++seedless;
   }
-  const double mutations = plan_.mutations * static_cast<double>(plan_.pixels()) /
-                           plan_.settings.replicates / static_cast<double>(seedless);
+  const double mutations = static_cast<double>(plan_.pixels()) / plan_.settings.replicates /
+                           static_cast<double>(seedless);
   const double share = chains_in(population.replicate) > 0 ? kShare : 1.0;
   const auto count = static_cast<std::uint64_t>(std::max(1.0, share * mutations));
   const PathGroup& group = plan_.groups[population.group];
@@ -355,7 +342,6 @@ void ChainIntegrator::run_plain(ChainPopulation& population, Film& film, Counter
 
 double ChainIntegrator::develop_scale(const LayerSpec& layer, std::uint64_t samples,
                                       std::optional<int> replicate) const {
-  if (plan_.without_chains) return omc_->develop_scale(layer, omc_samples(samples), replicate);
   const bool of_chains =
       layer.name == "indirect" || layer.name == kDensityLayer || layer.name == kAcceptanceLayer ||
       (layer.name == "direct" && plan_.direct == ChainPlan::Direct::Chain) || !omc_;
@@ -369,9 +355,8 @@ double ChainIntegrator::develop_scale(const LayerSpec& layer, std::uint64_t samp
 
 std::unique_ptr<Integrator> make_chain_integrator(ChainKind kind, const Scene& scene,
                                                   const RenderSettings& settings,
-                                                  const Parameters& parameters,
-                                                  std::optional<Selection> selection) {
-  return std::make_unique<ChainIntegrator>(kind, scene, settings, parameters, selection);
+                                                  const Parameters& parameters) {
+  return std::make_unique<ChainIntegrator>(kind, scene, settings, parameters);
 }
 
 }  // namespace ajar

@@ -35,10 +35,8 @@ Vec2i crop_size(const RenderSettings& settings) { return settings.crop.size() + 
 }  // namespace
 
 ChainPlan::ChainPlan(ChainKind chain_kind, const Scene& the_scene,
-                     const RenderSettings& render_settings, const Parameters& the_parameters,
-                     std::optional<Selection> the_selection)
+                     const RenderSettings& render_settings, const Parameters& the_parameters)
     : kind(chain_kind),
-      selection(the_selection),
       scene(the_scene),
       settings(render_settings),
       parameters(the_parameters),
@@ -172,20 +170,21 @@ std::unique_ptr<PathTarget> ChainPlan::make_target(const PathGroup& group) const
 std::pair<int, int> ChainPlan::omc_depths() const {
   return {direct == Direct::Omc ? settings.min_depth
                                 : std::max(settings.min_depth, LightSplit::kDirectDepth + 1),
-          split || without_chains ? settings.max_depth
-                                  : std::min(settings.max_depth, LightSplit::kDirectDepth)};
+          split ? settings.max_depth : std::min(settings.max_depth, LightSplit::kDirectDepth)};
 }
 
 std::unique_ptr<Integrator> ChainPlan::make_omc(const RenderSettings& omc_settings,
                                                 std::pair<int, int> depths,
-                                                const LightSplit* divide) const {
+                                                const LightSplit* divide,
+                                                const StrongPathSinks* strong) const {
   RenderSettings own = omc_settings;
   own.min_depth = depths.first;
   own.max_depth = depths.second;
   const std::string& set = parameters.get_text("techniques");
   const auto specs = path_family_parameters({.techniques = set, .roulette_start = "3"});
-  return make_path_integrator(
-      scene, own, Parameters(specs, {{"heuristic", parameters.get_text("heuristic")}}), divide);
+  return make_path_integrator(scene, own,
+                              Parameters(specs, {{"heuristic", parameters.get_text("heuristic")}}),
+                              divide, strong);
 }
 
 }  // namespace ajar

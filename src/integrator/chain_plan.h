@@ -7,6 +7,7 @@
 #include "integrator/chain_family.h"
 #include "integrator/light_split.h"
 #include "integrator/path_target.h"
+#include "integrator/strong_paths.h"
 #include "mcmc/bootstrap.h"
 #include "mcmc/chain_runner.h"
 #include "mcmc/plane_moves.h"
@@ -28,7 +29,7 @@ struct ChainPlan {
 
   /// Raises UsageError.
   ChainPlan(ChainKind kind, const Scene& scene, const RenderSettings& settings,
-            const Parameters& parameters, std::optional<Selection> selection);
+            const Parameters& parameters);
 
   /// A target of one thread; the plan must outlive it.
   std::unique_ptr<PathTarget> make_target(const PathGroup& group) const;
@@ -39,10 +40,10 @@ struct ChainPlan {
   /// Ordinary Monte Carlo with the chains' techniques over some depths. With `split`, it leaves the
   /// chains their share. `split` must outlive it.
   std::unique_ptr<Integrator> make_omc(const RenderSettings& settings, std::pair<int, int> depths,
-                                       const LightSplit* split) const;
+                                       const LightSplit* split,
+                                       const StrongPathSinks* strong = nullptr) const;
 
   ChainKind kind;
-  std::optional<Selection> selection;
   const Scene& scene;
   RenderSettings settings;
   Parameters parameters;
@@ -52,14 +53,10 @@ struct ChainPlan {
   /// Where the light of long paths is divided, relative to the brightness of its pixel; empty if
   /// chains make all of it.
   std::optional<double> split_at;
-  /// Of a pass's samples per pixel: how many camera samples of ordinary Monte Carlo each stands
-  /// for, and how many mutations.
+  /// Camera samples of ordinary Monte Carlo per mutation.
   double omc_samples;
-  double mutations = 1.0;
   /// Of the pilot: mean luminance · importance of its pixels.
   double brightness = 0.0;
-  /// True if the survey found so little light for chains that ordinary Monte Carlo makes it all.
-  bool without_chains = false;
   std::uint64_t bootstrap;      ///< samples, over all depths and replicates
   std::uint64_t wanted_chains;  ///< 0: as many as suit the picture
   SeedFilter seed_filter;

@@ -76,8 +76,6 @@ class Integrator {
   /// preparation. Called once per round, after all items of the round before.
   virtual std::uint64_t begin_preparation(int /*round*/) { return 0; }
   virtual void prepare_item(int /*round*/, std::uint64_t /*item*/, Counters& /*counters*/) {}
-  /// What the preparation decided and the user may like to know.
-  virtual std::vector<std::string> notes() const { return {}; }
   /// What the user should know after the preparation: one warning each.
   virtual std::vector<std::string> concerns() const { return {}; }
 

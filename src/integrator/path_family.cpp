@@ -21,7 +21,7 @@ class SampleSink final : public PathSink {
              const TechniqueLayers& techniques, std::uint64_t seed, Counters& counters)
       : film_(film),
         split_(split),
-        layers_{film.layer("direct"), film.layer(split == nullptr ? "indirect" : kWeakLayer)},
+        layers_{film.layer("direct"), std::max(film.layer(kWeakLayer), film.layer("indirect"))},
         g_buffer_(g_buffer),
         techniques_(techniques),
         seed_(seed),
@@ -79,6 +79,23 @@ class SampleSink final : public PathSink {
     g_buffer_.add(film_, pixel_, filter_weight_, sample_, distance, vertex, hit);
   }
 
+  /// Lets a sink have the strong paths found since the last call. Those seen by a camera ray are
+  /// worth its filter weight, and as much more as there are fewer rays near the film's border.
+  void hand_over(StrongPathSink& sink, SampleSource& numbers, std::uint64_t seed) {
+    for (StrongPath& path : strong_) {
+      if (path.technique.t > 1) {
+        const float weight = filter_weight_ / film_.coverage(path.raster);
+        path.value *= weight;
+        path.energy *= static_cast<double>(weight);
+      }
+      path.key = hash_numbers(seed, static_cast<std::uint64_t>(path.technique.s),
+                              static_cast<std::uint64_t>(path.technique.t));
+      sink.spread(numbers, path);
+    }
+    strong_.clear();
+  }
+  void keep_strong() { keeps_strong_ = true; }
+
   void end_sample() {
     put(layers_.direct, direct_);
     put(layers_.indirect, indirect_);
@@ -101,6 +118,11 @@ class SampleSink final : public PathSink {
     const double light =
         static_cast<double>(luminance(contribution.value) * split_->importance(raster));
     const float share = split_->omc_share(contribution, raster);
+    const Spectrum strong = contribution.value * (1.F - share);
+    if (keeps_strong_ && std::isfinite(light) && !strong.is_black()) {
+      strong_.push_back({contribution.technique, raster, replicate_, strong,
+                         light * (1.0 - static_cast<double>(share)), 0});
+    }
     if (std::isfinite(light)) {
       counters_.weak_light += light * static_cast<double>(share);
       counters_.strong_light += light * (1.0 - static_cast<double>(share));
@@ -160,15 +182,18 @@ class SampleSink final : public PathSink {
   bool sees_something_ = false;  ///< whether the camera ray of this sample has met anything
   Spectrum direct_;
   Spectrum indirect_;
+  bool keeps_strong_ = false;
+  std::vector<StrongPath> strong_;
 };
 
 class PathIntegrator final : public Integrator {
  public:
   PathIntegrator(const Scene& scene, const RenderSettings& settings, const Parameters& parameters,
-                 const LightSplit* split)
+                 const LightSplit* split, const StrongPathSinks* strong)
       : scene_(scene),
         settings_(settings),
         split_(split),
+        strong_(strong),
         sobol_(parameters.get_text("sampler") == "sobol") {
     const Vec2i size = settings.crop.size() + Vec2i(1, 1);
     const double pixels = static_cast<double>(settings.resolution.x) * settings.resolution.y;
@@ -193,7 +218,7 @@ class PathIntegrator final : public Integrator {
   std::vector<LayerSpec> layers() const override {
     std::vector<LayerSpec> specs = {{.name = "direct", .magnitude = magnitude_},
                                     {.name = "indirect", .magnitude = magnitude_}};
-    if (split_ != nullptr) {
+    if (split_ != nullptr && strong_ == nullptr) {
       specs.push_back({.name = kWeakLayer, .magnitude = magnitude_, .part_of = "indirect"});
     }
     for (LayerSpec& spec : GBuffer::layers(settings_.aovs, 2.F * scene_.bounding_sphere().radius)) {
@@ -223,10 +248,12 @@ class PathIntegrator final : public Integrator {
     const TechniqueLayers techniques(film);
     SampleSink sink(film, split_, g_buffer, techniques, settings_.seed, counters);
     PathSampler sampler(scene_, sampler_settings_);
+    const auto strong = strong_ != nullptr ? strong_->make(film, counters) : nullptr;
+    if (strong) sink.keep_strong();
     for (int y = low.y; y <= high.y; ++y) {
       for (int x = low.x; x <= high.x; ++x) {
         for (std::uint64_t i = first_sample; i < first_sample + samples; ++i) {
-          sample_pixel({x, y}, i, film, sampler, sink);
+          sample_pixel({x, y}, i, film, sampler, sink, strong.get());
         }
         sink.end_pixel(samples);
       }
@@ -298,7 +325,7 @@ class PathIntegrator final : public Integrator {
   }
 
   void sample_pixel(Vec2i pixel, std::uint64_t i, const Film& film, PathSampler& sampler,
-                    SampleSink& sink) const {
+                    SampleSink& sink, StrongPathSink* strong) const {
     const Place at = place(pixel, i);
     const auto replicate = static_cast<int>(at.replicate);
     with_source(camera_identity(pixel, at), [&](SampleSource& source) {
@@ -307,12 +334,19 @@ class PathIntegrator final : public Integrator {
       const Vec2 raster = Vec2(pixel) + Vec2(0.5F, 0.5F) + filtered.offset;
       sink.begin(pixel, raster, replicate, filtered.weight, i);
       sampler.sample(source, raster, sink);
+      if (strong != nullptr) {
+        sink.hand_over(*strong, source,
+                       hash_numbers(settings_.seed, 0x57706ULL, pixel.x, pixel.y, i));
+      }
     });
     if (light_alone_) {
       const auto [first, last] = light_numbers(at.number);
       for (std::uint64_t n = first; n < last; ++n) {
-        with_source(light_identity(at, n),
-                    [&](SampleSource& source) { sampler.sample_light(source, sink); });
+        with_source(light_identity(at, n), [&](SampleSource& source) {
+          sampler.sample_light(source, sink);
+          if (strong == nullptr) return;
+          sink.hand_over(*strong, source, hash_numbers(light_seed(at, n), 0x57707ULL, n));
+        });
       }
     }
     sink.end_sample();
@@ -336,6 +370,7 @@ class PathIntegrator final : public Integrator {
   const Scene& scene_;
   RenderSettings settings_;
   const LightSplit* split_;
+  const StrongPathSinks* strong_;
   PathSamplerSettings sampler_settings_;
   bool sobol_;
   bool light_alone_;  ///< light subpaths are connected to the lens only
@@ -431,8 +466,9 @@ std::vector<ParameterSpec> path_family_parameters(const PathFamilyDefaults& defa
 
 std::unique_ptr<Integrator> make_path_integrator(const Scene& scene, const RenderSettings& settings,
                                                  const Parameters& parameters,
-                                                 const LightSplit* split) {
-  return std::make_unique<PathIntegrator>(scene, settings, parameters, split);
+                                                 const LightSplit* split,
+                                                 const StrongPathSinks* strong) {
+  return std::make_unique<PathIntegrator>(scene, settings, parameters, split, strong);
 }
 
 }  // namespace ajar

@@ -1,6 +1,7 @@
 #pragma once
 #include "integrator/integrator.h"
 #include "integrator/light_split.h"
+#include "integrator/strong_paths.h"
 #include "transport/path_sampler.h"
 
 namespace ajar {
@@ -15,11 +16,13 @@ std::vector<ParameterSpec> path_family_parameters(const PathFamilyDefaults& defa
 
 /// Ordinary Monte Carlo with one set of techniques (METHODS, section 2): `pt`, `lt`, `ibpt`, `bdpt`
 /// are four names of it. With a `split`, which must outlive it, it leaves Markov chains their share
-/// of long paths, and puts its own into the layer `kWeakLayer`. Raises UsageError if the parameter
+/// of long paths: hands it to a sink of `strong` path by path or, without, leaves it to others and
+/// puts its own share into the layer `kWeakLayer`. Raises UsageError if the parameter
 /// `techniques` cannot be read.
 std::unique_ptr<Integrator> make_path_integrator(const Scene& scene, const RenderSettings& settings,
                                                  const Parameters& parameters,
-                                                 const LightSplit* split = nullptr);
+                                                 const LightSplit* split = nullptr,
+                                                 const StrongPathSinks* strong = nullptr);
 
 inline const std::string kWeakLayer = "indirect-weak";
 

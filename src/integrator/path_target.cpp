@@ -49,9 +49,19 @@ Vec2 raster_of(SampleSource& numbers, const ChainView& view) {
   return view.raster(numbers.get_pair({Stream::Camera, 0, kEmissionDirection}));
 }
 
-constexpr Slot kTechniqueChoice = Slot::BsdfDirectionX;
-
 }  // namespace
+
+Vec2 ChainView::place(const Vec2& at) const {
+  const auto within = [](float u) { return std::clamp(u, 0.F, 1.F - 0x1p-24F); };
+  const Vec2 offset = at - low;
+  return {within(offset.x / size.x), within(offset.y / size.y)};
+}
+
+float TechniqueChoice::number_of(Technique technique) const {
+  const auto place = std::find(techniques_.begin(), techniques_.end(), technique);
+  return (static_cast<float>(place - techniques_.begin()) + 0.5F) /
+         static_cast<float>(techniques_.size());
+}
 
 double contribution(std::span<const Splat> splats, const ImportanceMap& importance) {
   double sum = 0.0;

@@ -22,6 +22,8 @@ struct ChainView {
   double pixels = 1.0;
 
   Vec2 raster(const Vec2& u) const { return low + u * size; }
+  /// The inverse, within [0, 1).
+  Vec2 place(const Vec2& raster) const;
   bool contains(const Vec2& raster) const {
     return raster.x >= low.x && raster.y >= low.y && raster.x < low.x + size.x &&
            raster.y < low.y + size.y;
@@ -36,6 +38,9 @@ constexpr std::int32_t splat_layer(int depth) { return depth <= 2 ? kDirectSplat
 
 /// Σ luminance · importance over splats: the contribution function I.
 double contribution(std::span<const Splat> splats, const ImportanceMap& importance);
+
+/// The number of `Stream::Connection`, vertex 0, that chooses the technique of a state.
+inline constexpr Slot kTechniqueChoice = Slot::BsdfDirectionX;
 
 /// Among which techniques of one depth a state chooses, all equally likely. (Likelihoods in
 /// proportion to the light a technique carries on the whole make large steps better, but a chain
@@ -53,6 +58,8 @@ class TechniqueChoice {
     float probability;
   };
   Chosen choose(float u) const;
+  /// A number by which `technique`, which must be one of them, is chosen.
+  float number_of(Technique technique) const;
 
  private:
   std::vector<Technique> techniques_;
