@@ -27,8 +27,11 @@ ajar.format = (value, digits = 4) => {
   if (!Number.isFinite(value)) return value > 0 ? "∞" : "−∞";
   if (value === 0) return "0";
   const size = Math.abs(value);
-  const text = size >= 1e5 || size < 1e-3 ? value.toExponential(digits - 1).replace("e+", "e") : value.toPrecision(digits);
-  return text.replace(/-/g, "−");
+  const text = () => {
+    if (size >= 1e5 || size < 1e-3) return value.toExponential(digits - 1).replace("e+", "e");
+    return size >= 10 ** (digits - 1) ? value.toFixed(0) : value.toPrecision(digits);
+  };
+  return text().replace(/-/g, "−");
 };
 
 ajar.formatBytes = (bytes) =>

@@ -46,7 +46,7 @@
     srgb: { title: "sRGB", apply: (x) => Math.min(x, 1) },
     // As `filmic_curve` in image/tone_map.h (Narkowicz 2016, "ACES filmic tone mapping curve").
     filmic: {
-      title: "Filmic (ACES-like)",
+      title: "Filmic",
       apply: (linear) => {
         const x = Math.min(0.6 * linear, 1e6);
         return Math.min((x * (2.51 * x + 0.03)) / (x * (2.43 * x + 0.59) + 0.14), 1);
@@ -54,14 +54,14 @@
     },
     // Reinhard et al. 2002, eq. 3, per channel.
     reinhard: { title: "Reinhard", apply: (x) => (x === Infinity ? 1 : x / (1 + x)) },
-    zones: { title: "False colour (stops)", apply: null },
+    zones: { title: "False colour", apply: null },
   };
 
   /// Errors of a value a against the reference r; a pixel has the mean over its channels.
   ajar.errors = {
     absolute: { title: "Absolute error", formula: "|a − r|", low: -3, high: 1, of: (a, r) => Math.abs(a - r) },
     relative: {
-      title: "Relative squared error",
+      title: "Relative squared",
       formula: "(a − r)² / (r² + 0.01)",
       low: -4,
       high: 1,

@@ -1,9 +1,9 @@
 // Convergence: error over time, log-log, one chart per metric, with error bands and values under the cursor.
 "use strict";
 {
-  const kWidth = 860;
-  const kHeight = 460;
-  const kMargin = { left: 70, right: 170, top: 16, bottom: 46 };
+  const kWidth = 720;
+  const kHeight = 420;
+  const kMargin = { left: 66, right: 124, top: 16, bottom: 46 };
   const kDashes = ["", "7 4", "2 3", "9 3 2 3"];
   const superscript = (n) => String(n).replace(/./g, (c) => "⁰¹²³⁴⁵⁶⁷⁸⁹"[c] ?? "⁻");
 
@@ -117,7 +117,7 @@
       labels[i].place = Math.min(labels[i].place, i === labels.length - 1 ? bottom : labels[i + 1].place - 15);
     }
     const right = kWidth - kMargin.right;
-    const short = (name) => (name.length > 20 ? `${name.slice(0, 19)}…` : name);
+    const short = (name) => (name.length > 15 ? `${name.slice(0, 14)}…` : name);
     return labels.map(({ name, x, y, place }) =>
       ajar.element("g", { class: `series series-${style.get(name).series}`, "data-name": name },
         ajar.element("path", { class: "leader", d: `M${x + 4} ${y}L${right + 10} ${place}` }),

@@ -22,7 +22,7 @@
     for (let n = low; n <= high; ++n) marks.push([n, decade(n)]);
     const shift = (by) => () => ajar.set({ shift: ajar.clamp(ajar.state.shift + by, -12, 12) });
     return [
-      ajar.element("p", {}, ajar.element("strong", {}, title), ` ${formula}, a: image, r: reference`),
+      ajar.element("p", {}, ajar.element("strong", {}, title), ` ${formula}`),
       ...bar(`linear-gradient(90deg, ${stops.join(", ")})`, ticks(marks, low, high)),
       ajar.element("p", { class: "legend-buttons" },
         ajar.element("button", { onclick: shift(-1), title: "Show smaller errors (,)" }, "÷10"),

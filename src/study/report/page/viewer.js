@@ -243,6 +243,7 @@
       setCursor(ajar.cursor);
     });
     showLabels();
+    ajar.showLegend();
     resize();
   };
 }
