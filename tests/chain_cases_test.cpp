@@ -181,7 +181,7 @@ TEST(Depths, WithoutTechniquesOrLightAreLeftOutOrReportedAsDark) {
   options.replicates = 16;
   const Replicates truth = replicates_of(test::render(*scene, options), "indirect");
   options.integrator = "mmlt";
-  options.parameters["bootstrap"] = "30000";
+  options.parameters["bootstrap"] = "120000";
   const test::Render chains = test::render(*scene, options);
   expect_same(replicates_of(chains, "indirect"), truth, *chains.film, 0.1, "mmlt");
 }
@@ -245,7 +245,7 @@ TEST(DirectLight, IsNobodysMonteCarlosOrTheChains) {
     options.max_depth = 4;
     options.parameters["direct"] = "none";
     EXPECT_EQ(brightest(test::render(*scene, options).layer("direct")), 0.0) << integrator;
-    options.parameters["bootstrap"] = "30000";
+    options.parameters["bootstrap"] = "120000";
     options.parameters["direct"] = "omc";
     const Replicates truth = replicates_of(test::render(*scene, options), "direct");
     options.parameters["direct"] = "chain";

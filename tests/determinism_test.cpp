@@ -69,6 +69,28 @@ TEST_P(SameBits, OfChainsWithAllTheirOptionsOnAnyNumberOfThreads) {
   }
 }
 
+TEST_P(SameBits, OfChainsThatFollowTheImagePlaneOnAnyNumberOfThreads) {
+  const std::string& name = GetParam().name;
+  if (name != "Room" && name != "CroppedMitchell" && name != "Fog") return;
+  const auto scene = test::scene_from(GetParam().text);
+  const IntegratorInfo& info = find_integrator("mmlt");
+  // Thresholds that are passed after the first of three passes.
+  const std::map<std::string, std::string> common = {
+      {"bootstrap", "3000"}, {"m1", "2"}, {"w", "4"}, {"k1", "20"}, {"split", "0"}};
+  std::vector<std::map<std::string, std::string>> variants = {
+      {{"mutation", "fusion"}},
+      {{"mutation", "fusion"}, {"rule", "published"}},
+      {{"multi-try", "3"}, {"seeds", "filtered"}}};
+  for (auto& parameters : variants) {
+    parameters.insert(common.begin(), common.end());
+    const std::vector<std::int64_t> one = sums(*scene, info, 1, {"density"}, parameters);
+    for (const int threads : {2, 5}) {
+      EXPECT_EQ(sums(*scene, info, threads, {"density"}, parameters), one)
+          << parameters.begin()->second << ", " << threads << " threads";
+    }
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Scenes, SameBits, ::testing::ValuesIn(test::small_scenes()),
                          [](const auto& test) { return test.param.name; });
 

@@ -5,6 +5,7 @@
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 namespace ajar {
 
@@ -20,7 +21,7 @@ struct BlockMean {
 };
 
 struct Difference {
-  double value, error, z;
+  double value, error, freedom, z;
 };
 
 /// Part of an image: pixels of a block, one channel or (channel < 0) all.
@@ -69,16 +70,33 @@ BlockMean replicated_mean(const Replicates& replicates, const BlockGrid& grid,
   return result;
 }
 
+/// Of an image whose pixels have independent errors; the channels of a pixel are taken as fully
+/// correlated, for they see the same paths. `freedom`: degrees of freedom of each value's variance,
+/// infinite if that is known. Empty variances are zero.
 BlockMean reference_mean(std::span<const float> reference, std::span<const float> variance,
-                         const BlockGrid& grid, const Region& region) {
+                         double freedom, const BlockGrid& grid, const Region& region) {
   BlockMean result;
   result.mean = region_mean(reference, grid, region);
   if (variance.empty()) return result;
+  const int channels = region.channel < 0 ? grid.channels : 1;
   double count = 0.0;
+  double squares = 0.0;
+  double pixel_error = 0.0;
+  int channels_seen = 0;
   for_each_value(grid, region, [&](std::size_t i) {
-    result.variance += variance[i];
     count += 1.0;
+    pixel_error += std::sqrt(variance[i]);
+    if (++channels_seen < channels) return;
+    const double pixel_variance = pixel_error * pixel_error;
+    result.variance += pixel_variance;
+    squares += pixel_variance * pixel_variance;
+    pixel_error = 0.0;
+    channels_seen = 0;
   });
+  // Welch and Satterthwaite: of a sum of estimated variances.
+  if (squares > 0.0) {
+    result.degrees_of_freedom = freedom * result.variance * result.variance / squares;
+  }
   result.variance /= count * count;
   return result;
 }
@@ -89,14 +107,16 @@ Difference welch(const BlockMean& a, const BlockMean& b) {
   const double rounding = 1e-6 * std::max(std::abs(a.mean), std::abs(b.mean));
   const double noise = a.variance + b.variance;
   const double error = std::sqrt(noise + rounding * rounding);
-  if (std::isnan(difference) || std::isnan(error)) return {difference, error, kLargestZ};
-  if (error == 0.0) return {difference, error, 0.0};
+  if (std::isnan(difference) || std::isnan(error)) {
+    return {difference, error, HUGE_VAL, kLargestZ};
+  }
+  if (error == 0.0) return {difference, error, HUGE_VAL, 0.0};
   const double freedom = noise > rounding * rounding
                              ? noise * noise /
                                    (a.variance * a.variance / a.degrees_of_freedom +
                                     b.variance * b.variance / b.degrees_of_freedom)
                              : HUGE_VAL;
-  return {difference, error, normal_from_t(difference / error, freedom)};
+  return {difference, error, freedom, normal_from_t(difference / error, freedom)};
 }
 
 double two_sided_p(double z) {
@@ -107,6 +127,7 @@ double two_sided_p(double z) {
 template <typename MeanA, typename MeanB>
 BlockComparison compare(const BlockGrid& grid, MeanA mean_a, MeanB mean_b) {
   BlockComparison result;
+  std::vector<std::pair<double, double>> errors;  // with their degrees of freedom
   for (int y = 0; y < grid.height; y += grid.block) {
     for (int x = 0; x < grid.width; x += grid.block) {
       const Box2i block({x, y}, {std::min(x + grid.block, grid.width) - 1,
@@ -114,6 +135,7 @@ BlockComparison compare(const BlockGrid& grid, MeanA mean_a, MeanB mean_b) {
       for (int c = 0; c < grid.channels; ++c) {
         const Region region{block, c};
         const Difference d = welch(mean_a(region), mean_b(region));
+        if (!std::isnan(d.error)) errors.emplace_back(d.error, d.freedom);
         if (++result.tests > 1 && std::abs(d.z) <= std::abs(result.worst_z)) continue;
         result.worst_block = block;
         result.worst_channel = c;
@@ -131,8 +153,15 @@ BlockComparison compare(const BlockGrid& grid, MeanA mean_a, MeanB mean_b) {
   const BlockMean whole_b = mean_b(all);
   const Difference d = welch(mean_a(all), whole_b);
   result.mean_difference = d.value;
+  result.mean_error = d.error;
+  result.mean_freedom = d.freedom;
   result.mean_z = d.z;
   result.mean_relative_difference = d.value / whole_b.mean;
+  if (errors.empty()) return result;
+  const auto middle = errors.begin() + static_cast<std::ptrdiff_t>(errors.size() / 2);
+  std::nth_element(errors.begin(), middle, errors.end());
+  result.typical_error = middle->first;
+  result.typical_freedom = middle->second;
   return result;
 }
 
@@ -185,8 +214,30 @@ BlockComparison compare_blocks_to_reference(const Replicates& a, std::span<const
   return compare(
       grid, [&](const Region& region) { return replicated_mean(a, grid, region); },
       [&](const Region& region) {
-        return reference_mean(reference, reference_variance, grid, region);
+        return reference_mean(reference, reference_variance, HUGE_VAL, grid, region);
       });
+}
+
+BlockComparison compare_blocks_by_variance(std::span<const float> a,
+                                           std::span<const float> a_variance,
+                                           std::span<const float> b,
+                                           std::span<const float> b_variance,
+                                           const BlockGrid& grid) {
+  for (const std::span<const float> image : {a, a_variance, b}) check_size(image, grid);
+  if (!b_variance.empty()) check_size(b_variance, grid);
+  return compare(
+      grid, [&](const Region& region) { return reference_mean(a, a_variance, 1.0, grid, region); },
+      [&](const Region& region) { return reference_mean(b, b_variance, 1.0, grid, region); });
+}
+
+double detectable_difference(double error, double freedom, double alpha, double power) {
+  const auto quantile = [&](double upper_tail) {
+    using boost::math::complement;
+    return freedom < 1e8
+               ? boost::math::quantile(complement(boost::math::students_t(freedom), upper_tail))
+               : boost::math::quantile(complement(boost::math::normal(), upper_tail));
+  };
+  return (quantile(alpha / 2) + quantile(1 - power)) * error;
 }
 
 }  // namespace ajar

@@ -32,8 +32,12 @@ struct BlockComparison {
   double worst_p = 1;   ///< two-sided, of the worst block alone
   double family_p = 1;  ///< chance that any block looks this bad if the images are equal (Šidák)
   double mean_difference = 0;           ///< of the whole image, all channels
-  double mean_z = 0;                    ///< the same in standard normal units
+  double mean_error = 0;                ///< standard error of that
+  double mean_freedom = 0;              ///< degrees of freedom of that error
+  double mean_z = 0;                    ///< the difference in standard normal units
   double mean_relative_difference = 0;  ///< mean_difference / mean of b
+  double typical_error = 0;    ///< of the difference of a block's means: median over the tests
+  double typical_freedom = 0;  ///< degrees of freedom of that error
 
   /// True unless a block or the whole image differs more than chance allows: an equal pair is
   /// called different with probability ≤ 2·alpha.
@@ -44,11 +48,26 @@ struct BlockComparison {
 /// freedom a corrected t-test needs huge differences) against each other. Source: Welch 1947.
 BlockComparison compare_blocks(const Replicates& a, const Replicates& b, const BlockGrid& grid);
 
-/// Tests replicates against a fixed reference whose values have independent errors of the given
-/// variance (one per value, or empty if the reference is exact).
+/// Tests replicates against a fixed reference whose pixels have independent errors of the given
+/// variance (one per value, or empty if the reference is exact). Errors of the channels of a pixel
+/// may be correlated.
 BlockComparison compare_blocks_to_reference(const Replicates& a, std::span<const float> reference,
                                             std::span<const float> reference_variance,
                                             const BlockGrid& grid);
+
+/// Tests two images against each other by the variance of each of their values alone (one per
+/// value; `b_variance` empty if b is exact). Sound only where the errors of pixels are independent,
+/// that is without splats and chains, whose errors spread over many pixels. Variances are taken as
+/// estimated with a single degree of freedom each, the least there can be.
+BlockComparison compare_blocks_by_variance(std::span<const float> a,
+                                           std::span<const float> a_variance,
+                                           std::span<const float> b,
+                                           std::span<const float> b_variance,
+                                           const BlockGrid& grid);
+
+/// The difference that a two-sided test at level `alpha` finds with probability `power`: (t_{1−α/2}
+/// + t_{power}) · error, Student's quantiles with `freedom` degrees of freedom (infinite: normal).
+double detectable_difference(double error, double freedom, double alpha, double power);
 
 /// Standard normal quantile of the same two-sided probability as `t` with `degrees_of_freedom`;
 /// keeps the sign. Clamped to ±37, where probabilities leave the range of double.

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <random>
 #include <stdexcept>
+#include <utility>
 
 namespace ajar {
 namespace {
@@ -153,6 +154,46 @@ TEST(CompareBlocksToReference, FindsOnePercentWithEnoughReplicates) {
   const auto result = compare_blocks_to_reference(render(dark, 0.3, 64, 5), truth, {}, kGrid);
   EXPECT_LT(result.mean_z, -10.0);
   EXPECT_FALSE(result.equal());
+}
+
+TEST(CompareBlocksByVariance, KeepsItsRateAndFindsAWrongBlock) {
+  // Each image is the mean of 4 replicates of 30 %, with the variance that these give.
+  const std::vector<float> truth = picture();
+  const auto rendered = [&](const std::vector<float>& mean, unsigned seed) {
+    const Replicates replicates = render(mean, 0.3, 4, seed);
+    std::pair image(replicate_mean(replicates), standard_error(replicates));
+    for (float& v : image.second) v *= v;
+    return image;
+  };
+  int below = 0;
+  for (unsigned trial = 0; trial < 100; ++trial) {
+    const auto a = rendered(truth, 2 * trial);
+    const auto b = rendered(truth, 2 * trial + 1);
+    const auto result = compare_blocks_by_variance(a.first, a.second, b.first, b.second, kGrid);
+    below += result.family_p < 0.1 ? 1 : 0;
+  }
+  // Binomial(100, 0.1): mean 10, σ 3; small variances go with small values, which costs a little.
+  EXPECT_LT(below, 10 + 6 * 3);
+  // 10 % in one block of 256 pixels: the error of its difference is 0.15·√(2/256) = 1.3 %: 7.5 σ.
+  std::vector<float> wrong = truth;
+  for (std::size_t y = 16; y < 32; ++y) {
+    for (std::size_t x = 32; x < 48; ++x) wrong[(y * 60 + x) * 3 + 1] *= 1.1F;
+  }
+  const auto a = rendered(wrong, 500);
+  const auto b = rendered(truth, 501);
+  const auto result = compare_blocks_by_variance(a.first, a.second, b.first, b.second, kGrid);
+  EXPECT_FALSE(result.equal(1e-3));
+  EXPECT_EQ(result.worst_block, Box2i({32, 16}, {47, 31}));
+  EXPECT_NEAR(result.typical_error, 0.013, 0.006);
+  // Channels count as correlated: 2400 pixels, not 7200 values.
+  EXPECT_NEAR(result.mean_error, 0.15 * std::sqrt(2.0 / 2400), 0.001);
+  EXPECT_FALSE(compare_blocks_by_variance(a.first, a.second, truth, {}, kGrid).equal(1e-3));
+}
+
+TEST(DetectableDifference, MatchesTables) {
+  // Normal: 1.95996 + 1.28155; Student with 10 degrees of freedom: 2.22814 + 1.37218.
+  EXPECT_NEAR(detectable_difference(2.0, HUGE_VAL, 0.05, 0.9), 2 * 3.24151, 1e-4);
+  EXPECT_NEAR(detectable_difference(1.0, 10.0, 0.05, 0.9), 3.60032, 1e-4);
 }
 
 TEST(CompareBlocks, RefusesImagesThatDoNotFit) {

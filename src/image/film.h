@@ -19,9 +19,10 @@ struct LayerSpec {
   bool has_replicates = true;  ///< AOVs that need no error bars keep one sum
   /// Typical magnitude of a contribution; sets the fixed-point quantum (rounded to a power of two).
   double magnitude = 1.0;
-  /// Whether sums grow with the number of samples; false for what is added once per pixel
-  /// (identifiers).
-  bool per_sample = true;
+  /// Whether the channels keep what single samples saw (identities.h) instead of sums of them.
+  bool holds_identities = false;
+  /// Name of the layer that this one is a part of: shown as part of it, not by itself.
+  std::string part_of{};
 };
 
 /// An image in the making: layers × replicates × pixels × 3 channels, each a 64-bit fixed-point

@@ -234,6 +234,8 @@ void check_image_extension(const std::string& path) {
                            std::vector<std::string>(kExtensions.begin(), kExtensions.end())));
 }
 
+bool is_display_file(const std::string& path) { return is_display_format(extension_of(path)); }
+
 void write_image(const std::string& path, const LayeredImage& image,
                  const DisplayOptions& display) {
   check_image_extension(path);

@@ -62,6 +62,9 @@ struct DisplayOptions {
 /// called before a long render.
 void check_image_extension(const std::string& path);
 
+/// Whether a file of this name holds display values: `.png`, `.jpg`, `.jpeg`.
+bool is_display_file(const std::string& path);
+
 /// Writes `.exr` (scene-linear, all layers), `.pfm`, `.hdr` (scene-linear, first layer), `.png`,
 /// `.jpg`, `.jpeg` (tone-mapped, 8-bit sRGB), atomically (`write_file_atomically`). Metadata goes
 /// where the format has room for it. Values that are not numbers are kept in EXR and PFM and become

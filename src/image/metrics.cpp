@@ -48,6 +48,12 @@ double mae(std::span<const float> image, std::span<const float> reference) {
   return mean_of(image, reference, [](double a, double r) { return std::abs(a - r); });
 }
 
+double smape(std::span<const float> image, std::span<const float> reference) {
+  return mean_of(image, reference, [](double a, double r) {
+    return std::abs(a - r) / (std::abs(a) + std::abs(r) + kSmapeEpsilon);
+  });
+}
+
 double relative_mse(std::span<const float> image, std::span<const float> reference) {
   return mean_of(image, reference, relative_squared_error);
 }

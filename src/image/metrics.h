@@ -15,6 +15,12 @@ double psnr(std::span<const float> image, std::span<const float> reference, doub
 /// Mean of |a − r|.
 double mae(std::span<const float> image, std::span<const float> reference);
 
+/// The constant that keeps black from deciding the symmetric error.
+inline constexpr double kSmapeEpsilon = 0.01;
+/// Mean of |a − r| / (|a| + |r| + 0.01): symmetric in image and reference, in [0, 1). (SMAPE
+/// without the factor 2 or 100 that some give it.) Source: Vogels et al. 2018, eq. 4, with its ε.
+double smape(std::span<const float> image, std::span<const float> reference);
+
 /// The constant that keeps dark pixels from dominating relMSE.
 inline constexpr double kRelativeMseEpsilon = 0.01;
 /// Mean of (a − r)²/(r² + 0.01).

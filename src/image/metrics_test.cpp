@@ -18,6 +18,7 @@ TEST(Metrics, MatchValuesByHand) {
   EXPECT_DOUBLE_EQ(mse(kImage, kReference), 5.25 / 4);
   EXPECT_DOUBLE_EQ(rmse(kImage, kReference), std::sqrt(5.25 / 4));
   EXPECT_DOUBLE_EQ(mae(kImage, kReference), 3.5 / 4);
+  EXPECT_NEAR(smape(kImage, kReference), (1.0 / 3.01 + 0.5 / 0.51 + 2.0 / 6.01) / 4, 1e-12);
   EXPECT_DOUBLE_EQ(psnr(kImage, kReference), -10.0 * std::log10(5.25 / 4));
   EXPECT_DOUBLE_EQ(psnr(kImage, kReference, 10.0), 20.0 - 10.0 * std::log10(5.25 / 4));
   EXPECT_NEAR(relative_mse(kImage, kReference), (1.0 / 1.01 + 0.25 / 0.26 + 4.0 / 4.01) / 4, 1e-12);

@@ -3,6 +3,10 @@
 
 namespace ajar {
 
+/// How `selective` differs from `mmlt`: a sample is a camera sample, and the number of mutations
+/// that go with it follows from a survey of the scene.
+struct Selection {};
+
 /// How the states of a chain are made of paths.
 enum class ChainKind {
   WholePath,  ///< `pssmlt`: a camera and a light subpath with all their connections
@@ -16,6 +20,7 @@ std::vector<ParameterSpec> chain_parameters(ChainKind kind);
 /// replicate's own bootstrap. Raises UsageError for parameters that cannot be used.
 std::unique_ptr<Integrator> make_chain_integrator(ChainKind kind, const Scene& scene,
                                                   const RenderSettings& settings,
-                                                  const Parameters& parameters);
+                                                  const Parameters& parameters,
+                                                  std::optional<Selection> selection = {});
 
 }  // namespace ajar

@@ -1,10 +1,59 @@
+#include <utility>
+
 #include "integrator/chain_family.h"
 #include "mcmc/make_mutation.h"
 
 namespace ajar {
 
+namespace {
+
+/// A constant of He et al. 2020.
+ParameterSpec constant(std::string name, std::string value, std::string help) {
+  return {.name = std::move(name),
+          .type = ParameterType::Float,
+          .default_value = std::move(value),
+          .unit = "",
+          .help = std::move(help),
+          .choices = {},
+          .minimum = 0.0,
+          .maximum = 1e9};
+}
+
+void add_plane_parameters(std::vector<ParameterSpec>& specs) {
+  specs.push_back(
+      {.name = "step",
+       .type = ParameterType::Choice,
+       .default_value = "fixed",
+       .unit = "",
+       .help = "length of small steps: fixed, or adaptive to how evenly chains visit the pixels "
+               "around (He et al. 2020)",
+       .choices = {"fixed", "adaptive"}});
+  specs.push_back(
+      {.name = "rule",
+       .type = ParameterType::Choice,
+       .default_value = "exact",
+       .unit = "",
+       .help = "for step=adaptive, slemmlt and fusion: exact keeps the picture's expectation; "
+               "published is biased, for comparison only",
+       .choices = {"exact", "published"}});
+  specs.push_back(constant("m1", "50", "adaptive: visits before a pixel's steps may change (M1)"));
+  specs.push_back(
+      constant("k1", "50", "adaptive: variance of visits above which steps are shorter (k1)"));
+  specs.push_back(
+      constant("k2", "10", "adaptive: variance of visits below which steps are longer (k2)"));
+  specs.push_back(
+      constant("lambda1", "23", "adaptive: shorter steps are lambda1 / variance as long (λ1)"));
+  specs.push_back(
+      constant("lambda2", "0.7", "adaptive: longer steps are lambda2 · variance as long (λ2)"));
+  specs.push_back(
+      constant("w", "100", "slemmlt: visits from which on steps leave for a neighbour (W)"));
+}
+
+}  // namespace
+
 std::vector<ParameterSpec> chain_parameters(ChainKind kind) {
-  const std::vector<std::string> mutations(mutation_names().begin(), mutation_names().end());
+  std::vector<std::string> mutations(mutation_names().begin(), mutation_names().end());
+  mutations.insert(mutations.end(), {"slemmlt", "fusion"});
   std::vector<ParameterSpec> specs = {
       {.name = "techniques",
        .type = ParameterType::Text,
@@ -26,7 +75,8 @@ std::vector<ParameterSpec> chain_parameters(ChainKind kind) {
        .unit = "",
        .help =
            "how small steps move a number: by kelemen's exponential distribution of lengths, or "
-           "a gaussian of width sigma",
+           "a gaussian of width sigma; slemmlt: from much visited pixels to their neighbours (He "
+           "et al. 2019); fusion: slemmlt with step=adaptive",
        .choices = mutations},
       {.name = "sigma",
        .type = ParameterType::Float,
@@ -38,7 +88,7 @@ std::vector<ParameterSpec> chain_parameters(ChainKind kind) {
        .maximum = 0.5},
       {.name = "large-step",
        .type = ParameterType::Float,
-       .default_value = "0.3",
+       .default_value = "0.1",
        .unit = "",
        .help = "probability of a step that makes the whole path afresh",
        .choices = {},
@@ -68,6 +118,22 @@ std::vector<ParameterSpec> chain_parameters(ChainKind kind) {
        .choices = {},
        .minimum = 1000,
        .maximum = 100000000},
+      {.name = "seeds",
+       .type = ParameterType::Choice,
+       .default_value = "all",
+       .unit = "",
+       .help = "bootstrap paths that chains start from: all, in proportion to what they carry; "
+               "filtered: outliers less often, but with more weight; filtered-published: outliers "
+               "never, which is biased while chains are short (after He 2018)",
+       .choices = {"all", "filtered", "filtered-published"}},
+      {.name = "seed-spread",
+       .type = ParameterType::Float,
+       .default_value = "3",
+       .unit = "standard deviations",
+       .help = "how far above the mean an outlier among the seeds lies",
+       .choices = {},
+       .minimum = 0.0,
+       .maximum = 1e6},
       {.name = "chains",
        .type = ParameterType::Int,
        .default_value = "0",
@@ -82,11 +148,20 @@ std::vector<ParameterSpec> chain_parameters(ChainKind kind) {
        .unit = "",
        .help = "who makes paths of up to two edges: ordinary Monte Carlo, the chains, or nobody",
        .choices = {"omc", "chain", "none"}},
-      {.name = "direct-samples",
+      {.name = "split",
        .type = ParameterType::Float,
-       .default_value = "0.25",
+       .default_value = "10",
        .unit = "",
-       .help = "camera samples for direct light per mutation, where ordinary Monte Carlo makes it",
+       .help = "ordinary Monte Carlo makes what long paths bring up to about so many times the "
+               "brightness of their pixel, chains what is beyond; 0: chains make all of it",
+       .choices = {},
+       .minimum = 0.0,
+       .maximum = 1e6},
+      {.name = "omc-samples",
+       .type = ParameterType::Float,
+       .default_value = kind == ChainKind::OnePath ? "2" : "0.5",
+       .unit = "",
+       .help = "camera samples of ordinary Monte Carlo per mutation",
        .choices = {},
        .minimum = 0.001,
        .maximum = 16.0},
@@ -97,16 +172,26 @@ std::vector<ParameterSpec> chain_parameters(ChainKind kind) {
        .help = "where chains spend their time: uniform (in proportion to brightness), relative "
                "(equal relative error everywhere), or an image file whose brightness is the weight",
        .choices = {}},
+      {.name = "multi-try",
+       .type = ParameterType::Int,
+       .default_value = "1",
+       .unit = "paths",
+       .help = "proposals per mutation, of which one is chosen; all of them are counted (multiple-"
+               "try Metropolis)",
+       .choices = {},
+       .minimum = 1,
+       .maximum = 64},
       {.name = "mis-large-steps",
        .type = ParameterType::Bool,
        .default_value = "false",
        .unit = "",
        .help = "large steps count as ordinary Monte Carlo samples, too (Kelemen et al. 2002)",
        .choices = {}}};
+  add_plane_parameters(specs);
   if (kind == ChainKind::WholePath) {
     specs.push_back({.name = "roulette-start",
                      .type = ParameterType::Int,
-                     .default_value = "5",
+                     .default_value = "3",
                      .unit = "edges",
                      .help = "path length from which Russian roulette may end a dim path",
                      .choices = {},

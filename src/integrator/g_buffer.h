@@ -1,10 +1,12 @@
 #pragma once
 #include <array>
+#include <cstdint>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "image/film.h"
+#include "image/identities.h"
 #include "transport/path_vertex.h"
 
 namespace ajar {
@@ -21,24 +23,18 @@ class GBuffer {
   explicit GBuffer(const Film& film);
   /// True if the film has none of the layers.
   bool empty() const { return empty_; }
-  /// Adds the vertex at the end of a camera ray. Identifiers cannot be averaged: they are those of
-  /// the first sample only
-  /// (`first_sample`). `weight` is the sample's filter weight.
-  void add(Film& film, Vec2i pixel, float weight, bool first_sample, float distance,
+  /// Adds the vertex at the end of the camera ray of sample `sample`; `hit` is null inside a
+  /// medium. `weight` is the sample's filter weight.
+  void add(Film& film, Vec2i pixel, float weight, std::uint64_t sample, float distance,
            const PathVertex& vertex, const Hit* hit) const;
+  /// Adds a camera ray that meets nothing.
+  void add_nothing(Film& film, Vec2i pixel, std::uint64_t sample) const;
 
  private:
-  enum Layer {
-    kAlbedo,
-    kNormal,
-    kGeometricNormal,
-    kDepth,
-    kPosition,
-    kObjectId,
-    kMaterialId,
-    kCount
-  };
+  enum Layer { kAlbedo, kNormal, kGeometricNormal, kDepth, kPosition, kCoverage, kCount };
   std::array<int, kCount> index_;
+  IdentityLayers object_ids_;
+  IdentityLayers material_ids_;
   bool empty_ = true;
 };
 

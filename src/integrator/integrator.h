@@ -30,6 +30,10 @@ struct Counters {
   std::uint64_t samples = 0;  ///< camera samples
   std::uint64_t mutations = 0;
   TechniqueShares techniques;  ///< what each technique brought
+  /// Luminance · importance of paths that are divided: what ordinary Monte Carlo added, and what it
+  /// left to chains. Sums of an item; over items they depend on the order.
+  double weak_light = 0.0;
+  double strong_light = 0.0;
   std::uint64_t discarded_nan = 0;
   std::uint64_t discarded_infinite = 0;
   std::uint64_t discarded_negative = 0;
@@ -72,6 +76,8 @@ class Integrator {
   /// preparation. Called once per round, after all items of the round before.
   virtual std::uint64_t begin_preparation(int /*round*/) { return 0; }
   virtual void prepare_item(int /*round*/, std::uint64_t /*item*/, Counters& /*counters*/) {}
+  /// What the preparation decided and the user may like to know.
+  virtual std::vector<std::string> notes() const { return {}; }
   /// What the user should know after the preparation: one warning each.
   virtual std::vector<std::string> concerns() const { return {}; }
 

@@ -17,25 +17,32 @@ constexpr int kMaxPathEdges = 60000;  // vertex numbers are 16 bits wide
 /// Gathers the paths of one camera sample and splats those of its light subpath.
 class SampleSink final : public PathSink {
  public:
-  SampleSink(Film& film, const GBuffer& g_buffer, const TechniqueLayers& techniques,
-             std::uint64_t seed, Counters& counters)
+  SampleSink(Film& film, const LightSplit* split, const GBuffer& g_buffer,
+             const TechniqueLayers& techniques, std::uint64_t seed, Counters& counters)
       : film_(film),
-        layers_{film.layer("direct"), film.layer("indirect")},
+        split_(split),
+        layers_{film.layer("direct"), film.layer(split == nullptr ? "indirect" : kWeakLayer)},
         g_buffer_(g_buffer),
         techniques_(techniques),
         seed_(seed),
         counters_(counters) {}
 
-  void begin(Vec2i pixel, int replicate, float filter_weight, std::uint64_t sample) {
+  /// `raster`: where the camera ray goes through the film.
+  void begin(Vec2i pixel, const Vec2& raster, int replicate, float filter_weight,
+             std::uint64_t sample) {
     pixel_ = pixel;
+    raster_ = raster;
     replicate_ = replicate;
     filter_weight_ = filter_weight;
     sample_ = sample;
+    sees_something_ = false;
     direct_ = Spectrum();
     indirect_ = Spectrum();
   }
 
-  void add(const Contribution& contribution) override {
+  void add(const Contribution& whole) override {
+    Contribution contribution = whole;
+    if (split_ != nullptr && split_->divides(whole.technique)) divide(contribution);
     const Spectrum& value = contribution.value;
     if (!value.is_finite() || value.min() < 0.F) {
       discard(contribution);
@@ -67,13 +74,15 @@ class SampleSink final : public PathSink {
   }
 
   void first_vertex(const PathVertex& vertex, const Hit* hit, float distance) override {
+    sees_something_ = true;
     if (g_buffer_.empty()) return;
-    g_buffer_.add(film_, pixel_, filter_weight_, sample_ == 0, distance, vertex, hit);
+    g_buffer_.add(film_, pixel_, filter_weight_, sample_, distance, vertex, hit);
   }
 
   void end_sample() {
     put(layers_.direct, direct_);
     put(layers_.indirect, indirect_);
+    if (!sees_something_) g_buffer_.add_nothing(film_, pixel_, sample_);
     tally_.end_sample();
   }
   void end_pixel(std::uint64_t samples) { tally_.end_pixel(static_cast<double>(samples)); }
@@ -84,6 +93,19 @@ class SampleSink final : public PathSink {
     if (value.is_black()) return;
     if (!film_.add(layer, replicate_, pixel_, value * filter_weight_))
       ++counters_.discarded_infinite;
+  }
+
+  /// Leaves chains their share.
+  void divide(Contribution& contribution) {
+    const Vec2& raster = contribution.technique.t == 1 ? contribution.raster : raster_;
+    const double light =
+        static_cast<double>(luminance(contribution.value) * split_->importance(raster));
+    const float share = split_->omc_share(contribution, raster);
+    if (std::isfinite(light)) {
+      counters_.weak_light += light * static_cast<double>(share);
+      counters_.strong_light += light * (1.0 - static_cast<double>(share));
+    }
+    contribution.value *= share;
   }
 
   void discard(const Contribution& contribution) {
@@ -123,6 +145,7 @@ class SampleSink final : public PathSink {
   };
 
   Film& film_;
+  const LightSplit* split_;
   Layers layers_;
   const GBuffer& g_buffer_;
   const TechniqueLayers& techniques_;
@@ -130,17 +153,23 @@ class SampleSink final : public PathSink {
   std::uint64_t seed_;
   Counters& counters_;
   Vec2i pixel_{0, 0};
+  Vec2 raster_{0.F, 0.F};
   int replicate_ = 0;
   float filter_weight_ = 1.F;
   std::uint64_t sample_ = 0;
+  bool sees_something_ = false;  ///< whether the camera ray of this sample has met anything
   Spectrum direct_;
   Spectrum indirect_;
 };
 
 class PathIntegrator final : public Integrator {
  public:
-  PathIntegrator(const Scene& scene, const RenderSettings& settings, const Parameters& parameters)
-      : scene_(scene), settings_(settings), sobol_(parameters.get_text("sampler") == "sobol") {
+  PathIntegrator(const Scene& scene, const RenderSettings& settings, const Parameters& parameters,
+                 const LightSplit* split)
+      : scene_(scene),
+        settings_(settings),
+        split_(split),
+        sobol_(parameters.get_text("sampler") == "sobol") {
     const Vec2i size = settings.crop.size() + Vec2i(1, 1);
     const double pixels = static_cast<double>(settings.resolution.x) * settings.resolution.y;
     sampler_settings_.techniques = TechniqueSet::parse(parameters.get_text("techniques"));
@@ -164,6 +193,9 @@ class PathIntegrator final : public Integrator {
   std::vector<LayerSpec> layers() const override {
     std::vector<LayerSpec> specs = {{.name = "direct", .magnitude = magnitude_},
                                     {.name = "indirect", .magnitude = magnitude_}};
+    if (split_ != nullptr) {
+      specs.push_back({.name = kWeakLayer, .magnitude = magnitude_, .part_of = "indirect"});
+    }
     for (LayerSpec& spec : GBuffer::layers(settings_.aovs, 2.F * scene_.bounding_sphere().radius)) {
       specs.push_back(std::move(spec));
     }
@@ -189,7 +221,7 @@ class PathIntegrator final : public Integrator {
                      std::min(low.y + kTileSize - 1, settings_.crop.max.y));
     const GBuffer g_buffer(film);
     const TechniqueLayers techniques(film);
-    SampleSink sink(film, g_buffer, techniques, settings_.seed, counters);
+    SampleSink sink(film, split_, g_buffer, techniques, settings_.seed, counters);
     PathSampler sampler(scene_, sampler_settings_);
     for (int y = low.y; y <= high.y; ++y) {
       for (int x = low.x; x <= high.x; ++x) {
@@ -272,8 +304,9 @@ class PathIntegrator final : public Integrator {
     with_source(camera_identity(pixel, at), [&](SampleSource& source) {
       const FilterSample filtered =
           film.filter().sample(source.get_pair({Stream::Camera, 0, kEmissionDirection}));
-      sink.begin(pixel, replicate, filtered.weight, i);
-      sampler.sample(source, Vec2(pixel) + Vec2(0.5F, 0.5F) + filtered.offset, sink);
+      const Vec2 raster = Vec2(pixel) + Vec2(0.5F, 0.5F) + filtered.offset;
+      sink.begin(pixel, raster, replicate, filtered.weight, i);
+      sampler.sample(source, raster, sink);
     });
     if (light_alone_) {
       const auto [first, last] = light_numbers(at.number);
@@ -302,6 +335,7 @@ class PathIntegrator final : public Integrator {
 
   const Scene& scene_;
   RenderSettings settings_;
+  const LightSplit* split_;
   PathSamplerSettings sampler_settings_;
   bool sobol_;
   bool light_alone_;  ///< light subpaths are connected to the lens only
@@ -396,8 +430,9 @@ std::vector<ParameterSpec> path_family_parameters(const PathFamilyDefaults& defa
 }
 
 std::unique_ptr<Integrator> make_path_integrator(const Scene& scene, const RenderSettings& settings,
-                                                 const Parameters& parameters) {
-  return std::make_unique<PathIntegrator>(scene, settings, parameters);
+                                                 const Parameters& parameters,
+                                                 const LightSplit* split) {
+  return std::make_unique<PathIntegrator>(scene, settings, parameters, split);
 }
 
 }  // namespace ajar

@@ -1,5 +1,6 @@
 #pragma once
 #include "integrator/integrator.h"
+#include "integrator/light_split.h"
 #include "transport/path_sampler.h"
 
 namespace ajar {
@@ -13,8 +14,13 @@ struct PathFamilyDefaults {
 std::vector<ParameterSpec> path_family_parameters(const PathFamilyDefaults& defaults);
 
 /// Ordinary Monte Carlo with one set of techniques (METHODS, section 2): `pt`, `lt`, `ibpt`, `bdpt`
-/// are four names of it. Raises UsageError if the parameter `techniques` cannot be read.
+/// are four names of it. With a `split`, which must outlive it, it leaves Markov chains their share
+/// of long paths, and puts its own into the layer `kWeakLayer`. Raises UsageError if the parameter
+/// `techniques` cannot be read.
 std::unique_ptr<Integrator> make_path_integrator(const Scene& scene, const RenderSettings& settings,
-                                                 const Parameters& parameters);
+                                                 const Parameters& parameters,
+                                                 const LightSplit* split = nullptr);
+
+inline const std::string kWeakLayer = "indirect-weak";
 
 }  // namespace ajar

@@ -10,28 +10,36 @@ namespace {
 /// Turns contributions into splats: those of the camera ray's own place into one per layer.
 class SplatSink final : public PathSink {
  public:
-  SplatSink(const ChainView& view, const Vec2& raster, SplatBuffer& splats)
-      : view_(view), raster_(raster), splats_(splats), first_(splats.size()) {}
+  SplatSink(const ChainView& view, const LightSplit* split, const Vec2& raster, SplatBuffer& splats)
+      : view_(view), split_(split), raster_(raster), splats_(splats), first_(splats.size()) {}
 
   void add(const Contribution& contribution) override {
     const std::int32_t layer = splat_layer(contribution.technique.depth());
-    if (contribution.technique.t == 1) {
-      splats_.push_back({contribution.raster, layer, contribution.value});
+    const bool from_light = contribution.technique.t == 1;
+    const Vec2& raster = from_light ? contribution.raster : raster_;
+    Spectrum value = contribution.value;
+    if (split_ != nullptr && split_->divides(contribution.technique)) {
+      value *= split_->chain_share(contribution, raster);
+    }
+    if (from_light) {
+      value *= static_cast<float>(view_.pixels / view_.area());
+      splats_.push_back({raster, layer, value});
       return;
     }
     for (std::size_t i = first_; i < splats_.size(); ++i) {
       Splat& splat = splats_[i];
       if (splat.layer == layer && splat.raster == raster_) {
-        splat.value += contribution.value;
+        splat.value += value;
         return;
       }
     }
-    splats_.push_back({raster_, layer, contribution.value});
+    splats_.push_back({raster_, layer, value});
   }
   bool reaches(const Vec2& raster) const override { return view_.contains(raster); }
 
  private:
   const ChainView& view_;
+  const LightSplit* split_;
   Vec2 raster_;
   SplatBuffer& splats_;
   std::size_t first_;
@@ -57,8 +65,9 @@ double contribution(std::span<const Splat> splats, const ImportanceMap& importan
 }
 
 WholePathTarget::WholePathTarget(const Scene& scene, const PathSamplerSettings& settings,
-                                 const ChainView& view)
+                                 const ChainView& view, const LightSplit* split)
     : view_(view),
+      split_(split),
       light_alone_(settings.techniques.any(TechniqueClass::Light) &&
                    !settings.techniques.any(TechniqueClass::Inner)),
       sampler_(scene, settings) {}
@@ -66,7 +75,7 @@ WholePathTarget::WholePathTarget(const Scene& scene, const PathSamplerSettings& 
 double WholePathTarget::evaluate(SampleSource& numbers, const Change& /*change*/,
                                  SplatBuffer& splats) {
   const Vec2 raster = raster_of(numbers, view_);
-  SplatSink sink(view_, raster, splats);
+  SplatSink sink(view_, split_, raster, splats);
   if (light_alone_) sampler_.sample_light(numbers, sink);
   sampler_.sample(numbers, raster, sink);
   return contribution(splats, view_.importance);
@@ -76,29 +85,18 @@ TechniqueChoice::TechniqueChoice(const TechniqueSet& set, int depth) {
   for (int s = 0; s <= depth; ++s) {
     if (set.enabled({s, depth + 1 - s})) techniques_.push_back({s, depth + 1 - s});
   }
-  probabilities_.assign(techniques_.size(), 1.F / static_cast<float>(techniques_.size()));
-}
-
-void TechniqueChoice::adapt(std::span<const double> light) {
-  constexpr double kEven = 0.2;  // the share that stays evenly spread
-  double whole = 0.0;
-  for (const double value : light) whole += value;
-  if (!(whole > 0.0) || !std::isfinite(whole)) return;
-  const double even = kEven / static_cast<double>(light.size());
-  for (std::size_t i = 0; i < light.size(); ++i) {
-    probabilities_[i] = static_cast<float>(even + (1.0 - kEven) * light[i] / whole);
-  }
 }
 
 TechniqueChoice::Chosen TechniqueChoice::choose(float u) const {
-  std::size_t i = 0;
-  while (i + 1 < techniques_.size() && u >= probabilities_[i]) u -= probabilities_[i++];
-  return {i, techniques_[i], probabilities_[i]};
+  const auto count = static_cast<float>(techniques_.size());
+  const auto i = std::min(static_cast<std::size_t>(u * count), techniques_.size() - 1);
+  return {i, techniques_[i], 1.F / count};
 }
 
 OnePathTarget::OnePathTarget(const Scene& scene, const PathSamplerSettings& settings,
-                             const TechniqueChoice& choice, const ChainView& view)
-    : view_(view), sampler_(scene, settings), choice_(choice) {}
+                             const TechniqueChoice& choice, const ChainView& view,
+                             const LightSplit* split)
+    : view_(view), split_(split), sampler_(scene, settings), choice_(choice) {}
 
 template <typename Trace>
 const PathVertex* OnePathTarget::half(Halves& halves, int vertices, bool moved,
@@ -121,7 +119,7 @@ double OnePathTarget::evaluate(SampleSource& numbers, const Change& change, Spla
   const int s = chosen_.technique.s;
   const int t = chosen_.technique.t;
   const Vec2 raster = t >= 2 ? raster_of(numbers, view_) : Vec2(0.F, 0.F);
-  SplatSink sink(view_, raster, splats);
+  SplatSink sink(view_, split_, raster, splats);
   if (s == 0) {
     sampler_.sample_implicit(numbers, raster, t, sink);
   } else {

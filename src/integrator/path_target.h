@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "image/importance_map.h"
+#include "integrator/light_split.h"
 #include "mcmc/target.h"
 #include "transport/path_sampler.h"
 
@@ -16,6 +17,9 @@ struct ChainView {
   Vec2 low{0.F, 0.F};
   Vec2 size{1.F, 1.F};
   ImportanceMap importance;
+  /// Number of the film's pixels: ordinary Monte Carlo traces one light subpath for each (and only
+  /// those count), chains look over the whole area.
+  double pixels = 1.0;
 
   Vec2 raster(const Vec2& u) const { return low + u * size; }
   bool contains(const Vec2& raster) const {
@@ -33,18 +37,16 @@ constexpr std::int32_t splat_layer(int depth) { return depth <= 2 ? kDirectSplat
 /// Σ luminance · importance over splats: the contribution function I.
 double contribution(std::span<const Splat> splats, const ImportanceMap& importance);
 
-/// Among which techniques of one depth a state chooses, and how likely each is.
+/// Among which techniques of one depth a state chooses, all equally likely. (Likelihoods in
+/// proportion to the light a technique carries on the whole make large steps better, but a chain
+/// gets stuck, for as many times longer, on paths of a technique that is rare elsewhere.)
 class TechniqueChoice {
  public:
-  /// All techniques of the set, equally likely; there must be one.
+  /// All techniques of the set.
   TechniqueChoice(const TechniqueSet& set, int depth);
   bool empty() const { return techniques_.empty(); }
   std::size_t size() const { return techniques_.size(); }
   Technique operator[](std::size_t number) const { return techniques_[number]; }
-  /// Makes techniques likely in proportion to the light they were found to carry, by number, though
-  /// none unlikely beyond measure: large steps then propose what the chain wants.
-  void adapt(std::span<const double> light);
-
   struct Chosen {
     std::size_t number;
     Technique technique;
@@ -54,10 +56,9 @@ class TechniqueChoice {
 
  private:
   std::vector<Technique> techniques_;
-  std::vector<float> probabilities_;
 };
 
-/// A target over paths.
+/// A target over paths. With a `split`, over the chains' share of their light.
 class PathTarget : public Target {
  public:
   virtual std::uint64_t rays() const = 0;
@@ -69,12 +70,15 @@ class PathTarget : public Target {
 /// Source: Kelemen et al. 2002.
 class WholePathTarget final : public PathTarget {
  public:
-  WholePathTarget(const Scene& scene, const PathSamplerSettings& settings, const ChainView& view);
+  /// `view`, and `split` if it is not null, must outlive the target.
+  WholePathTarget(const Scene& scene, const PathSamplerSettings& settings, const ChainView& view,
+                  const LightSplit* split = nullptr);
   double evaluate(SampleSource& numbers, const Change& change, SplatBuffer& splats) override;
   std::uint64_t rays() const override { return sampler_.rays(); }
 
  private:
   const ChainView& view_;
+  const LightSplit* split_;
   bool light_alone_;
   PathSampler sampler_;
 };
@@ -87,7 +91,8 @@ class OnePathTarget final : public PathTarget {
   /// All paths have `settings.max_depth` edges, which must equal `settings.min_depth`; the choice
   /// is among techniques of that depth.
   OnePathTarget(const Scene& scene, const PathSamplerSettings& settings,
-                const TechniqueChoice& choice, const ChainView& view);
+                const TechniqueChoice& choice, const ChainView& view,
+                const LightSplit* split = nullptr);
   double evaluate(SampleSource& numbers, const Change& change, SplatBuffer& splats) override;
   void accepted() override;
   void rejected() override;
@@ -115,6 +120,7 @@ class OnePathTarget final : public PathTarget {
   static void keep(Halves& halves, bool moved);
 
   const ChainView& view_;
+  const LightSplit* split_;
   PathSampler sampler_;
   const TechniqueChoice& choice_;
   TechniqueChoice::Chosen chosen_{0, {0, 2}, 1.F};

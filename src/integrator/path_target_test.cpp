@@ -47,45 +47,23 @@ TEST(TechniqueChoice, HoldsTheTechniquesOfOneDepth) {
 }
 
 TEST(TechniqueChoice, ChoosesEachTechniqueAsOftenAsItSays) {
-  TechniqueChoice choice(TechniqueSet::bdpt(), 5);
-  for (const bool adapted : {false, true}) {
-    if (adapted) choice.adapt(std::vector<double>{0.0, 10.0, 1.0, 3.0, 0.5, 0.0});
-    const std::vector<double> expected = probabilities(choice);
-    EXPECT_NEAR(sum(expected), 1.0, 1e-6);
-    constexpr int kTries = 200000;
-    const std::vector<int> counts = frequencies(choice, kTries);
-    double chi_squared = 0.0;
-    for (std::size_t i = 0; i < counts.size(); ++i) {
-      const double mean = kTries * expected[i];
-      ASSERT_GT(mean, 100.0);
-      chi_squared += (counts[i] - mean) * (counts[i] - mean) / mean;
-    }
-    // 5 degrees of freedom: above 37 with a chance of 6e-7. A probability wrong by 5 % of a fifth
-    // of all tries adds 100.
-    EXPECT_LT(chi_squared, 37.0) << "adapted: " << adapted;
+  const TechniqueChoice choice(TechniqueSet::bdpt(), 5);
+  const std::vector<double> expected = probabilities(choice);
+  EXPECT_NEAR(sum(expected), 1.0, 1e-6);
+  constexpr int kTries = 200000;
+  const std::vector<int> counts = frequencies(choice, kTries);
+  double chi_squared = 0.0;
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    const double mean = kTries * expected[i];
+    chi_squared += (counts[i] - mean) * (counts[i] - mean) / mean;
   }
-}
-
-TEST(TechniqueChoice, AdaptsToTheLightAndKeepsAShareForAll) {
-  TechniqueChoice choice(TechniqueSet::bdpt(), 4);
-  choice.adapt(std::vector<double>{0.0, 30.0, 10.0, 0.0, 0.0});
-  const std::vector<double> p = probabilities(choice);
-  EXPECT_NEAR(p[0], 0.04, 1e-6);
-  EXPECT_NEAR(p[1], 0.04 + 0.8 * 0.75, 1e-6);
-  EXPECT_NEAR(p[2], 0.04 + 0.8 * 0.25, 1e-6);
-  EXPECT_NEAR(p[4], 0.04, 1e-6);
-}
-
-TEST(TechniqueChoice, StaysEvenIfThereIsNothingToAdaptTo) {
-  TechniqueChoice choice(TechniqueSet::bdpt(), 4);
-  choice.adapt(std::vector<double>(5, 0.0));
-  choice.adapt(std::vector<double>{1.0, std::numeric_limits<double>::infinity(), 0.0, 0.0, 0.0});
-  for (const double p : probabilities(choice)) EXPECT_NEAR(p, 0.2, 1e-6);
+  // 5 degrees of freedom: above 37 with a chance of 6e-7. A probability wrong by 5 % of a fifth
+  // of all tries adds 100.
+  EXPECT_LT(chi_squared, 37.0);
 }
 
 TEST(TechniqueChoice, ChoosesSomethingForEveryNumber) {
-  TechniqueChoice choice(TechniqueSet::bdpt(), 9);
-  choice.adapt(std::vector<double>{1.0, 1e-9, 3.0, 0.0, 0.7, 0.1, 0.3, 1e9, 2.0, 0.0});
+  const TechniqueChoice choice(TechniqueSet::bdpt(), 9);
   const float largest = 1.F - std::numeric_limits<float>::epsilon() / 2.F;
   for (const float u : {0.F, 0.5F, largest}) {
     const TechniqueChoice::Chosen chosen = choice.choose(u);

@@ -3,6 +3,7 @@
 #include "integrator/chain_family.h"
 #include "integrator/g_buffer.h"
 #include "integrator/path_family.h"
+#include "integrator/selective.h"
 
 namespace ajar {
 
@@ -10,11 +11,14 @@ namespace {
 /// Defaults named like the member where it does not say otherwise.
 IntegratorInfo path_family_member(const PathFamilyDefaults& defaults, std::string summary,
                                   std::string source) {
-  return {.name = defaults.techniques,
-          .summary = std::move(summary),
-          .source = std::move(source),
-          .parameters = path_family_parameters(defaults),
-          .make = make_path_integrator};
+  return {
+      .name = defaults.techniques,
+      .summary = std::move(summary),
+      .source = std::move(source),
+      .parameters = path_family_parameters(defaults),
+      .make = [](const Scene& scene, const RenderSettings& settings, const Parameters& parameters) {
+        return make_path_integrator(scene, settings, parameters);
+      }};
 }
 
 IntegratorInfo chain_family_member(ChainKind kind, std::string name, std::string summary,
@@ -35,6 +39,8 @@ Counters& Counters::operator+=(const Counters& other) {
   samples += other.samples;
   mutations += other.mutations;
   techniques += other.techniques;
+  weak_light += other.weak_light;
+  strong_light += other.strong_light;
   discarded_nan += other.discarded_nan;
   discarded_infinite += other.discarded_infinite;
   discarded_negative += other.discarded_negative;
@@ -72,6 +78,13 @@ const std::vector<IntegratorInfo>& integrators() {
           {.techniques = "pt"},
           "path tracing: camera paths that run into lights or are lit by sampled ones",
           "Kajiya 1986; Veach & Guibas 1995"),
+      {.name = "selective",
+       .summary =
+           "ordinary Monte Carlo where it works, Markov chains where it fails: divides the light "
+           "path by path",
+       .source = "after Frolov; Bitterli & Jarosz 2019; Kelemen et al. 2002",
+       .parameters = selective_parameters(),
+       .make = make_selective_integrator},
   };
   return kIntegrators;
 }
@@ -94,8 +107,11 @@ const std::vector<AovInfo>& aovs() {
       {"geometric-normal", "geometric normal of the first surface, world space, facing the camera"},
       {"depth", "distance from the camera to the first surface, scene units"},
       {"position", "place of the first surface, world space"},
-      {"object-id", "number of the first shape, from 1; 0 where there is none"},
-      {"material-id", "number of the first material, from 1; 0 where there is none"},
+      {"coverage", "share of the pixel's samples that hit a surface"},
+      {"object-id",
+       "number of the shape that most of the first nine samples hit, from 1; 0 for none"},
+      {"material-id",
+       "number of the material that most of the first nine samples hit, from 1; 0 for none"},
       {"samples", "samples per pixel"},
       {"techniques",
        "what each technique contributes, weighted and alone, for paths of up to six edges (many "
@@ -108,6 +124,9 @@ const std::vector<AovInfo>& aovs() {
       {"acceptance", "mean acceptance probability of steps that begin in a pixel (mmlt, pssmlt)",
        false},
       {"standard-error", "standard error of each pixel, from replicates"},
+      {"replicates",
+       "the independent estimates whose mean is the picture: lets ajar compare test for bias",
+       false},
   };
   return kAovs;
 }

@@ -62,6 +62,30 @@ std::vector<std::size_t> choose_seeds(std::span<const double> weights, std::size
   return seeds;
 }
 
+std::vector<double> filter_weights(std::span<const double> weights, SeedFilter filter,
+                                   double spread) {
+  std::vector<double> result(weights.begin(), weights.end());
+  if (filter == SeedFilter::None) return result;
+  const Moments moments = bootstrap_moments(weights);
+  const double deviation = moments.standard_error() * std::sqrt(static_cast<double>(moments.count));
+  const double limit = moments.mean() + spread * deviation;
+  double left = 0.0;
+  for (double& weight : result) {
+    if (weight > limit) weight = filter == SeedFilter::Dropped ? 0.0 : limit;
+    left += weight;
+  }
+  if (left == 0.0) result.assign(weights.begin(), weights.end());
+  return result;
+}
+
+double seed_weight(std::span<const double> weights, std::span<const double> filtered,
+                   SeedFilter filter, std::size_t index) {
+  if (filter != SeedFilter::Weighted) return 1.0;
+  const double all = std::accumulate(weights.begin(), weights.end(), 0.0);
+  const double all_filtered = std::accumulate(filtered.begin(), filtered.end(), 0.0);
+  return weights[index] / all / (filtered[index] / all_filtered);
+}
+
 std::vector<std::size_t> apportion(std::span<const double> b, std::size_t count) {
   std::vector<std::size_t> result(b.size(), 0);
   const std::vector<double> shares = normalised(b);

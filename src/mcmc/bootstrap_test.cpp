@@ -94,6 +94,29 @@ TEST(ChooseSeeds, RefusesWhatIsNoWeight) {
   EXPECT_THROW(choose_seeds(std::vector<double>{1.0}, 1, kNan), std::invalid_argument);
 }
 
+TEST(SeedFilter, LimitsOrDropsOutliersAndMakesUpByWeight) {
+  // 99 samples of 1 and one of 101: mean 2, standard deviation 10.
+  std::vector<double> weights(99, 1.0);
+  weights.push_back(101.0);
+  EXPECT_EQ(filter_weights(weights, SeedFilter::None, 3.0), weights);
+  EXPECT_EQ(filter_weights(weights, SeedFilter::Weighted, 20.0), weights);
+  const std::vector<double> limited = filter_weights(weights, SeedFilter::Weighted, 3.0);
+  EXPECT_NEAR(limited[99], 32.0, 1e-9);
+  EXPECT_EQ(limited[0], 1.0);
+  EXPECT_EQ(filter_weights(weights, SeedFilter::Dropped, 3.0)[99], 0.0);
+  EXPECT_EQ(seed_weight(weights, limited, SeedFilter::None, 99), 1.0);
+  EXPECT_NEAR(seed_weight(weights, limited, SeedFilter::Weighted, 99), 101.0 / 32.0 * 131.0 / 200.0,
+              1e-9);
+  // On average over what is chosen, the weight is 1.
+  double mean = 0.0;
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    mean += limited[i] / 131.0 * seed_weight(weights, limited, SeedFilter::Weighted, i);
+  }
+  EXPECT_NEAR(mean, 1.0, 1e-12);
+  const std::vector<double> alike = {2.0, 2.0};
+  EXPECT_EQ(filter_weights(alike, SeedFilter::Dropped, 0.0), alike);
+}
+
 TEST(Apportion, GivesQuotasRoundedAndAnExactTotal) {
   using Counts = std::vector<std::size_t>;
   EXPECT_EQ(apportion(std::vector<double>{1.0, 2.0, 1.0}, 8), (Counts{2, 4, 2}));

@@ -18,6 +18,7 @@ struct Chain {
   std::uint64_t origin;
   std::uint64_t step = 0;    ///< made so far
   std::uint64_t streak = 0;  ///< rejections since the last acceptance
+  float step_scale = 1.F;    ///< of small steps, since the last large one (`PlaneMoves`)
   double scalar;             ///< I of the current state
   ChainNumbers numbers;
 

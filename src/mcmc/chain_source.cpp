@@ -1,23 +1,42 @@
 #include "mcmc/chain_source.h"
 
 #include <algorithm>
+#include <optional>
 #include <stdexcept>
 
 #include "mcmc/counter_random.h"
 
 namespace ajar {
 
+namespace {
+constexpr auto kRasterX = static_cast<std::size_t>(kEmissionDirection);
+constexpr std::uint64_t kRasterKey = 0x7a57e7ULL;  // far beyond what a mutation draws for a block
+}  // namespace
+
 ChainSource::ChainSource(const Mutation& mutation, const StepSizes& sizes,
-                         const PrimaryShape& shape)
-    : mutation_(mutation), sizes_(sizes) {
+                         const PrimaryShape& shape, const PlaneMoves* plane)
+    : mutation_(mutation), default_sizes_(sizes), sizes_(sizes), plane_(plane) {
   undo_.reserve(static_cast<std::size_t>(shape.camera_vertices) +
                 static_cast<std::size_t>(shape.light_vertices) + 1);
+}
+
+void ChainSource::start(bool uses_raster, float step_scale) {
+  current_uses_raster_ = uses_raster;
+  set_step_scale(step_scale);
+}
+
+void ChainSource::set_step_scale(float scale) {
+  if (scale == step_scale_) return;
+  step_scale_ = scale;
+  sizes_ = default_sizes_.times(scale);
 }
 
 void ChainSource::propose(ChainNumbers& numbers, StepKind kind, const Change& change,
                           std::uint64_t key) {
   numbers_ = &numbers;
   undo_.clear();
+  raster_use_.forget();
+  raster_log_ratio_ = 0.0;
   large_ = kind == StepKind::Large;
   change_ = large_ ? Change{} : change;
   fresh_key_ = counter_bits(key, 0);
@@ -37,17 +56,30 @@ void ChainSource::prepare(SampleAddress address, std::size_t block) {
 
   const auto numbers = numbers_->block(block);
   const StepSizes::Scales& scales = sizes_.scales(address.stream(), address.vertex());
-  Undo& undo = undo_.emplace_back();
-  undo.block = static_cast<std::uint32_t>(block);
-  undo.stamp = numbers_->stamp(block);
-  undo.scales = &scales;
+  Undo& undo = undo_.emplace_back(
+      Undo{address, static_cast<std::uint32_t>(block), numbers_->stamp(block), &scales, {}});
   std::copy(numbers.begin(), numbers.end(), undo.numbers.begin());
   if (large_) {
     ChainNumbers::fill_fresh(numbers, address, fresh_key_);
   } else {
-    mutation_.perturb(numbers, scales, 1, block_key(move_key_, address.stream(), address.vertex()));
+    const std::uint64_t key = block_key(move_key_, address.stream(), address.vertex());
+    mutation_.perturb(numbers, scales, 1, key);
+    if (plane_ != nullptr && block == kRasterBlock && current_uses_raster_ && raster_use_.used()) {
+      move_raster(numbers, undo, key);
+    }
   }
   numbers_->set_stamp(block, ready);
+}
+
+void ChainSource::move_raster(std::span<float, kBlockSize> numbers, const Undo& undo,
+                              std::uint64_t key) {
+  const Vec2 from(undo.numbers[kRasterX], undo.numbers[kRasterX + 1]);
+  // The other numbers of the block must not know where these go.
+  if (const std::optional<Vec2> to = plane_->move(from, counter_bits(key, kRasterKey))) {
+    numbers[kRasterX] = to->x;
+    numbers[kRasterX + 1] = to->y;
+  }
+  raster_log_ratio_ = plane_->log_ratio(from, Vec2(numbers[kRasterX], numbers[kRasterX + 1]));
 }
 
 void ChainSource::accept() {
@@ -55,6 +87,27 @@ void ChainSource::accept() {
     numbers_->advance_to_fresh(fresh_key_);
   } else {
     numbers_->advance(change_);
+  }
+  current_uses_raster_ = raster_use_.used();
+  if (large_ && plane_ != nullptr && plane_->published()) {
+    const auto block = numbers_->block(kRasterBlock);
+    set_step_scale(current_uses_raster_ ? plane_->factor(Vec2(block[kRasterX], block[kRasterX + 1]))
+                                        : 1.F);
+  }
+}
+
+void ChainSource::perturb(std::span<float> block, SampleAddress address, std::uint64_t key) const {
+  mutation_.perturb(block, sizes_.scales(address.stream(), address.vertex()), 1,
+                    block_key(key, address.stream(), address.vertex()));
+}
+
+void ChainSource::accept_moved(std::uint64_t key) {
+  // What nobody has asked for has two steps to make up for.
+  numbers_->advance(change_);
+  numbers_->advance(change_);
+  for (const Undo& undo : undo_) {
+    perturb(numbers_->block(undo.block), undo.address, key);
+    numbers_->set_stamp(undo.block, numbers_->now(undo.address.stream()));
   }
 }
 
@@ -67,7 +120,7 @@ void ChainSource::reject() {
 
 double ChainSource::log_ratio() const {
   if (large_) return 0.0;
-  double sum = 0.0;
+  double sum = raster_log_ratio_;
   for (const Undo& undo : undo_) {
     sum += mutation_.log_ratio(undo.numbers, numbers_->block(undo.block), *undo.scales);
   }
@@ -75,6 +128,7 @@ double ChainSource::log_ratio() const {
 }
 
 Vec2 ReplaySource::get_pair(SampleAddress address) {
+  raster_use_.note(address);
   if (numbers_.misses_small_steps(address)) {
     throw std::logic_error(
         "bug: the replay of a state asks for numbers that the state did not use: the target is not "

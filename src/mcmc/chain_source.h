@@ -1,22 +1,55 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "mcmc/chain_numbers.h"
 #include "mcmc/mutation.h"
+#include "mcmc/plane_moves.h"
 #include "mcmc/step_kind.h"
 #include "mcmc/step_sizes.h"
 #include "transport/sample_source.h"
 
 namespace ajar {
 
+/// The block whose first pair are the raster numbers, vertex 0 of the camera's stream, and whether
+/// a state places itself by them: it does if that pair is the first of its block to be asked for.
+class RasterUse {
+ public:
+  void forget() { seen_ = false, used_ = false; }
+  void note(SampleAddress address) {
+    if (seen_ || address.stream() != Stream::Camera || address.vertex() != 0) return;
+    seen_ = true;
+    used_ = static_cast<int>(address.slot()) / 2 == static_cast<int>(kEmissionDirection) / 2;
+  }
+  bool used() const { return used_; }
+
+ private:
+  bool seen_ = false;
+  bool used_ = false;
+};
+
 /// Serves the numbers of a proposal, moving each block of a chain when it is first asked for, and
 /// takes the move back if the proposal is rejected. Scratch memory of one thread: only one chain
 /// steps at a time. The mutation must outlive it.
+///
+/// With `PlaneMoves`, the raster numbers of a small step move by them if both the current state and
+/// the proposal use them (`RasterUse`), and by the mutation otherwise. Which of both it is can be
+/// told before the numbers are drawn, since a state's use of them depends on numbers that it asks
+/// for earlier; and it is the same for the step back. So the densities of both directions are
+/// known, and numbers that were not used for a while have missed ordinary steps only.
 class ChainSource final : public SampleSource {
  public:
-  ChainSource(const Mutation& mutation, const StepSizes& sizes, const PrimaryShape& shape);
+  /// `plane` may be null.
+  ChainSource(const Mutation& mutation, const StepSizes& sizes, const PrimaryShape& shape,
+              const PlaneMoves* plane = nullptr);
+
+  /// Where a run goes on: whether the current state uses the raster numbers, and what multiplies
+  /// the length of its small steps.
+  void start(bool uses_raster, float step_scale);
+  /// After a step was accepted; 1 unless a published `PlaneMoves` adapts it.
+  float step_scale() const { return step_scale_; }
 
   /// Starts a step of `numbers`, which must stay where it is until the step is accepted or
   /// rejected. `key` names the randomness of the step; `change` is ignored for a large step, which
@@ -26,6 +59,15 @@ class ChainSource final : public SampleSource {
   /// Restores every number that this step has moved, but keeps what was made up for (see
   /// `ChainNumbers`).
   void reject();
+  /// Accepts a state one small step away from the proposal instead, as `perturb` makes it.
+  void accept_moved(std::uint64_t key);
+  std::size_t block_of(SampleAddress address) const { return numbers_->block_of(address); }
+  /// The proposal's block that holds `address`.
+  std::span<const float, kBlockSize> moved_block(SampleAddress address) {
+    return numbers_->block(fetch(address));
+  }
+  /// One small step of the block of `address`.
+  void perturb(std::span<float> block, SampleAddress address, std::uint64_t key) const;
   /// log T(proposal → current) − log T(current → proposal).
   double log_ratio() const;
 
@@ -39,7 +81,10 @@ class ChainSource final : public SampleSource {
   }
 
  private:
+  static constexpr std::size_t kRasterBlock = 0;
+
   struct Undo {
+    SampleAddress address;  ///< any in the block
     std::uint32_t block;
     std::uint32_t stamp;
     const StepSizes::Scales* scales;
@@ -47,15 +92,24 @@ class ChainSource final : public SampleSource {
   };
   std::size_t fetch(SampleAddress address) {
     const std::size_t block = numbers_->block_of(address);
+    if (block == kRasterBlock) raster_use_.note(address);
     if (numbers_->stamp(block) != ready_[static_cast<std::size_t>(address.stream())]) {
       prepare(address, block);
     }
     return block;
   }
   void prepare(SampleAddress address, std::size_t block);
+  void move_raster(std::span<float, kBlockSize> numbers, const Undo& undo, std::uint64_t key);
+  void set_step_scale(float scale);
 
   const Mutation& mutation_;
-  StepSizes sizes_;
+  StepSizes default_sizes_;
+  StepSizes sizes_;  ///< times the step scale
+  float step_scale_ = 1.F;
+  const PlaneMoves* plane_;
+  bool current_uses_raster_ = false;
+  RasterUse raster_use_;  ///< of the proposal
+  double raster_log_ratio_ = 0.0;
   std::vector<Undo> undo_;
   ChainNumbers* numbers_ = nullptr;
   bool large_ = false;
@@ -72,6 +126,8 @@ class ChainSource final : public SampleSource {
 class ReplaySource final : public SampleSource {
  public:
   explicit ReplaySource(const ChainNumbers& numbers) : numbers_(numbers) {}
+  /// Whether the state places itself by the raster numbers.
+  bool uses_raster() const { return raster_use_.used(); }
   float get(SampleAddress address) override {
     const Vec2 pair = get_pair(address);
     return (static_cast<unsigned>(address.slot()) & 1U) == 0 ? pair.x : pair.y;
@@ -80,6 +136,7 @@ class ReplaySource final : public SampleSource {
 
  private:
   const ChainNumbers& numbers_;
+  RasterUse raster_use_;
 };
 
 }  // namespace ajar

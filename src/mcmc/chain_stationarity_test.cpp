@@ -106,6 +106,27 @@ TEST(ChainStationarity, HoldsForNumbersThatAreSeldomUsed) {
   }
 }
 
+TEST(ChainStationarity, HoldsWithSeveralTries) {
+  ChainSettings settings;
+  settings.probabilities = {0.1, 0.3, 0.3};
+  settings.connection = {true, false};
+  settings.sizes.camera_endpoint.fill(4.F);
+  settings.sizes.inner_vertex.fill(4.F);
+  for (const int tries : {2, 5}) {
+    settings.tries = tries;
+    for (const auto& mutation : mutations()) {
+      for (const Toy& toy : testing::toys()) {
+        SCOPED_TRACE(std::string(mutation->name()) + ", " + toy.name);
+        expect_stationary(toy, *mutation, settings, 8, 20000);
+      }
+    }
+  }
+  // Numbers that some tries use and others do not, without large steps to set them right.
+  settings.probabilities = {0.0, 0.0, 0.0};
+  settings.sizes.camera_endpoint.fill(15.F);
+  expect_stationary(testing::variable_dimension(), GaussianMutation(0.02), settings, 60);
+}
+
 /// Normal steps with a drift: T(to → from) ≠ T(from → to). Moves the first number of a block only.
 class Drift final : public Mutation {
  public:

@@ -28,7 +28,7 @@ struct ChainStatistics {
   std::uint64_t discarded_negative = 0;
   std::optional<Place> first_discarded;
   std::uint64_t longest_streak = 0;  ///< of rejections
-  /// I of all large steps: independent samples, with which b can be refined.
+  /// I of all large steps, up to a cap: independent samples, with which b can be refined.
   Moments large_steps;
 
   const Kind& of(StepKind kind) const { return kinds[static_cast<std::size_t>(kind)]; }

@@ -2,6 +2,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "transport/sample_source.h"
+
 namespace ajar {
 
 /// What one step of a chain moves: everything afresh, or by a small step both subpaths or one.
@@ -13,6 +15,10 @@ struct Change {
   bool camera = true;
   bool light = true;
   bool connection = true;
+  bool moves(Stream stream) const {
+    if (stream == Stream::Camera) return camera;
+    return stream == Stream::Light ? light : connection;
+  }
 };
 
 /// Which half moves take the numbers of `Stream::Connection` along; moves of both always do.

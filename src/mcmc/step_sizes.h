@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <stdexcept>
@@ -37,6 +38,15 @@ struct StepSizes {
         }
       }
     }
+  }
+  /// All of them times `factor`, as far as they may go.
+  StepSizes times(float factor) const {
+    StepSizes result = *this;
+    for (Scales* kind : {&result.camera_endpoint, &result.light_endpoint, &result.inner_vertex,
+                         &result.connection}) {
+      for (float& scale : *kind) scale = std::min(scale * factor, kLargest);
+    }
+    return result;
   }
   const Scales& scales(Stream stream, int vertex) const {
     if (stream == Stream::Connection) return connection;

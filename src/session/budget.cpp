@@ -39,20 +39,19 @@ std::uint64_t PassSchedule::next_pass(const PassHistory& history) const {
   if (history.samples_done >= total_) return 0;
   const std::uint64_t most =
       std::min(milestone_after(history.samples_done), total_) - history.samples_done;
-  if (history.samples_done == 0) return most;
+  // The shortest pass there is: how long it takes is not known yet.
+  if (history.samples_done == 0) return 1;
 
   double affordable_seconds = pass_seconds_;
   if (budget_.seconds) {
     const double left = *budget_.seconds - history.seconds;
-    const double shortest_pass = static_cast<double>(replicates_) * history.seconds_per_sample;
     // Ends nearest to the limit: a pass that would mostly lie beyond it is not begun.
-    if (left <= 0.0 || left < 0.5 * shortest_pass) return 0;
+    if (left <= 0.0 || left < 0.5 * history.seconds_per_sample) return 0;
     affordable_seconds = std::min(affordable_seconds, left);
   }
   if (history.seconds_per_sample * static_cast<double>(most) <= affordable_seconds) return most;
   const double affordable = std::floor(affordable_seconds / history.seconds_per_sample);
-  const auto whole = static_cast<std::uint64_t>(affordable) / replicates_ * replicates_;
-  return std::clamp(whole, replicates_, most);
+  return std::clamp<std::uint64_t>(static_cast<std::uint64_t>(affordable), 1, most);
 }
 
 }  // namespace ajar

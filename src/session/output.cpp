@@ -14,6 +14,8 @@
 #include <utility>
 
 #include "core/error.h"
+#include "image/density_map.h"
+#include "image/identities.h"
 #include "image/statistics.h"
 
 namespace ajar {
@@ -28,12 +30,22 @@ int require_layer(const Film& film, const std::string& name) {
   return layer;
 }
 
-/// The layers that add up to the picture.
-std::vector<int> light_layers(const Film& film) {
-  return {require_layer(film, "direct"), require_layer(film, "indirect")};
+/// Whether a layer is one of those that add up to the picture.
+bool is_light(const LayerSpec& spec) {
+  const std::string& name = spec.part_of.empty() ? spec.name : spec.part_of;
+  return name == "direct" || name == "indirect";
 }
 
-bool is_light(const std::string& name) { return name == "direct" || name == "indirect"; }
+std::vector<int> light_layers(const Film& film) {
+  std::vector<int> layers = {require_layer(film, "direct"), require_layer(film, "indirect")};
+  for (std::size_t i = 0; i < film.layers().size(); ++i) {
+    const auto layer = static_cast<int>(i);
+    if (is_light(film.layers()[i]) && layer != layers[0] && layer != layers[1]) {
+      layers.push_back(layer);
+    }
+  }
+  return layers;
+}
 
 std::vector<ScaledLayer> scaled_light_layers(const Film& film, const Integrator& integrator,
                                              std::uint64_t samples, double film_scale) {
@@ -51,8 +63,7 @@ std::vector<ScaledLayer> scaled_light_layers(const Film& film, const Integrator&
 
 /// Layers whose three channels are one number.
 bool is_single_number(const std::string& name) {
-  return name == "depth" || name == "object-id" || name == "material-id" || name == "density" ||
-         name == "acceptance";
+  return name == "depth" || name == "coverage" || name == "density" || name == "acceptance";
 }
 
 Picture::Layer one_channel(const Picture::Layer& layer) {
@@ -64,6 +75,15 @@ Picture::Layer one_channel(const Picture::Layer& layer) {
     if (layer.name == "acceptance") single.pixels[i] /= events > 0.F ? events : 1.F;
   }
   return single;
+}
+
+/// Adds the pixels of a part to the layer it belongs to, which comes first.
+void add_to_part(Picture& picture, const std::string& whole, const std::vector<float>& pixels) {
+  const auto layer =
+      std::find_if(picture.layers.begin(), picture.layers.end(),
+                   [&](const Picture::Layer& candidate) { return candidate.name == whole; });
+  std::transform(layer->pixels.begin(), layer->pixels.end(), pixels.begin(), layer->pixels.begin(),
+                 std::plus<>());
 }
 
 LayeredImage layered_image(const Picture& picture) {
@@ -107,6 +127,20 @@ WrittenFile write_or_rescue(const LayeredImage& picture, const std::string& path
   return result;
 }
 
+/// Beside a picture for the eye, the layer "density" in false colours; empty without that layer.
+std::optional<WrittenFile> write_density_map(const Picture& picture, const std::string& path) {
+  const auto layer =
+      std::find_if(picture.layers.begin(), picture.layers.end(),
+                   [](const Picture::Layer& candidate) { return candidate.name == "density"; });
+  fs::path name(path);
+  if (layer == picture.layers.end() || !is_display_file(path)) return std::nullopt;
+  name.replace_extension(".density.png");
+  const DensityMap map = draw_density_map(layer->pixels, picture.crop.size() + Vec2i(1, 1));
+  const LayeredImage image{
+      map.size, Box2i(Vec2i(0, 0), map.size - Vec2i(1, 1)), {{"", 3, map.rgb}}, {}};
+  return write_or_rescue(image, name.string(), {});
+}
+
 }  // namespace
 
 Picture develop(const Film& film, const Integrator& integrator, std::uint64_t samples,
@@ -115,26 +149,45 @@ Picture develop(const Film& film, const Integrator& integrator, std::uint64_t sa
   picture.resolution = film.resolution();
   picture.crop = film.crop();
   picture.layers.push_back({"", 3, {}});
-  std::vector<float> sum;
   for (std::size_t i = 0; i < film.layers().size(); ++i) {
     const LayerSpec& spec = film.layers()[i];
-    const bool light = is_light(spec.name);
-    const double scale = integrator.develop_scale(spec, samples, std::nullopt);
-    const double layer_scale = spec.per_sample ? (light ? film_scale : 1.0) * scale : 1.0;
-    Picture::Layer layer{spec.name, 3, film.develop(static_cast<int>(i), layer_scale)};
-    if (light) {
-      sum.resize(layer.pixels.size());
-      std::transform(sum.begin(), sum.end(), layer.pixels.begin(), sum.begin(), std::plus<>());
+    if (spec.holds_identities) {
+      if (spec.part_of.empty()) {
+        picture.layers.push_back({spec.name, 1, majority_numbers(film, spec.name)});
+      }
+      continue;
     }
-    picture.layers.push_back(is_single_number(spec.name) ? one_channel(layer) : layer);
+    const bool light = is_light(spec);
+    const double scale = integrator.develop_scale(spec, samples, std::nullopt);
+    Picture::Layer layer{spec.name, 3,
+                         film.develop(static_cast<int>(i), (light ? film_scale : 1.0) * scale)};
+    if (!spec.part_of.empty()) {
+      add_to_part(picture, spec.part_of, layer.pixels);
+    } else {
+      picture.layers.push_back(is_single_number(spec.name) ? one_channel(layer) : layer);
+    }
+  }
+  // Of the layers as they are shown, so that they add up to the picture to the bit.
+  std::vector<float> sum;
+  for (const Picture::Layer& layer : picture.layers) {
+    if (layer.name != "direct" && layer.name != "indirect") continue;
+    sum.resize(layer.pixels.size());
+    std::transform(sum.begin(), sum.end(), layer.pixels.begin(), sum.begin(), std::plus<>());
   }
   for (const std::string& name : aovs) {
     if (name == "samples") {
       picture.layers.push_back(
           {name, 1, std::vector<float>(sum.size() / 3, static_cast<float>(samples))});
-    } else if (name == "standard-error" && film.replicates() > 1) {
+    } else if (name == "standard-error" && film.replicates() > 1 &&
+               samples >= static_cast<std::uint64_t>(film.replicates())) {
       const auto layers = scaled_light_layers(film, integrator, samples, film_scale);
       picture.layers.push_back({name, 3, standard_error(develop_replicates(film, layers))});
+    } else if (name == "replicates") {
+      const auto layers = scaled_light_layers(film, integrator, samples, film_scale);
+      int number = 0;
+      for (std::vector<float>& replicate : develop_replicates(film, layers)) {
+        picture.layers.push_back({fmt::format("{}.{}", name, number++), 3, std::move(replicate)});
+      }
     }
   }
   picture.layers.front().pixels = std::move(sum);
@@ -190,7 +243,11 @@ std::vector<WrittenFile> write_pictures(const Picture& picture,
   std::vector<WrittenFile> files;
   files.reserve(paths.size());
   const LayeredImage image = layered_image(picture);
-  for (const std::string& path : paths) files.push_back(write_or_rescue(image, path, display));
+  for (const std::string& path : paths) {
+    files.push_back(write_or_rescue(image, path, display));
+    std::optional<WrittenFile> map = write_density_map(picture, path);
+    if (map) files.push_back(std::move(*map));
+  }
   return files;
 }
 

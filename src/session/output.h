@@ -25,8 +25,8 @@ struct Picture {
 };
 
 /// Develops the film after `samples` samples per pixel: the picture (direct + indirect) times
-/// `film_scale`, then every layer of the film, then those of `aovs` that are made here: "samples"
-/// and "standard-error".
+/// `film_scale`, then every layer of the film, then those of `aovs` that are made here: "samples",
+/// "standard-error" and "replicates" (as "replicates.0", "replicates.1", …).
 Picture develop(const Film& film, const Integrator& integrator, std::uint64_t samples,
                 double film_scale, const std::vector<std::string>& aovs);
 
@@ -52,7 +52,8 @@ struct WrittenFile {
   std::string wanted;  ///< where it should be
   std::string error;   ///< why it is not there; empty if it is
 };
-/// Writes each file (kind by extension, see `write_image`); one that cannot be written at its place
+/// Writes each file (kind by extension, see `write_image`), and the layer "density" in false
+/// colours as NAME.density.png beside each `.png` and `.jpg`; one that cannot be written at its place
 /// is written as `NAME-rescued.EXT` into the current or the temporary folder. Raises nothing.
 std::vector<WrittenFile> write_pictures(const Picture& picture,
                                         const std::vector<std::string>& paths,

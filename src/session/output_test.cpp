@@ -3,10 +3,12 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <array>
 #include <cmath>
 #include <filesystem>
 
 #include "core/error.h"
+#include "image/identities.h"
 #include "session/test_integrator.h"
 
 namespace ajar {
@@ -56,6 +58,34 @@ TEST_F(OutputTest, PictureIsTheMeanOfSamplesTimesTheFilmScale) {
   EXPECT_EQ(picture.layers[3].pixels, std::vector<float>(12, 8.F));
 }
 
+TEST_F(OutputTest, PartsOfALayerAreShownInItAndInThePicture) {
+  TestIntegrator integrator(kSize, 4);
+  integrator.has_part = true;
+  const Film film = rendered_film(integrator, 8);
+  const Picture picture = develop(film, integrator, 8, 1.0, {"standard-error"});
+  ASSERT_EQ(picture.layers.size(), 4U);
+  EXPECT_EQ(picture.layers[2].name, "indirect");
+  EXPECT_NEAR(picture.layers[2].pixels.at(15), 0.75F, 1e-5);
+  EXPECT_NEAR(picture.layers[0].pixels.at(15), picture.layers[1].pixels.at(15) + 0.75F, 1e-5);
+}
+
+TEST_F(OutputTest, IdentifiersAreMajoritiesAndOneLayerWhateverTheFilmKeeps) {
+  TestIntegrator integrator(kSize, 4);
+  std::vector<LayerSpec> specs = integrator.layers();
+  for (LayerSpec& spec : IdentityLayers::specs("object-id")) specs.push_back(std::move(spec));
+  Film film(kSize, Box2i(Vec2i(0, 0), kSize - Vec2i(1, 1)), Filter::box(), 4, specs);
+  const IdentityLayers identities(film, "object-id");
+  const std::array<std::uint32_t, 4> seen = {7, 3, 0, 3};
+  for (std::uint64_t i = 0; i < seen.size(); ++i) identities.add(film, {1, 2}, i, seen[i]);
+  const Picture picture = develop(film, integrator, 4, 5.0, {});
+  ASSERT_EQ(picture.layers.size(), 4U);
+  EXPECT_EQ(picture.layers[3].name, "object-id");
+  EXPECT_EQ(picture.layers[3].channels, 1);
+  std::vector<float> expected(12, 0.F);
+  expected[9] = 3.F;
+  EXPECT_EQ(picture.layers[3].pixels, expected) << "neither film scale nor samples count";
+}
+
 TEST_F(OutputTest, StandardErrorComesFromTheReplicates) {
   TestIntegrator integrator(kSize, 4);
   const Film film = rendered_film(integrator, 4);
@@ -67,6 +97,19 @@ TEST_F(OutputTest, StandardErrorComesFromTheReplicates) {
   ASSERT_EQ(picture.layers.back().name, "standard-error");
   EXPECT_NEAR(picture.layers.back().pixels.at(6), std::sqrt(squares / 12.0), 1e-5);
   EXPECT_GT(estimate_error(film, integrator, 4).value(), 0.0);
+}
+
+TEST_F(OutputTest, ReplicatesAverageToThePicture) {
+  TestIntegrator integrator(kSize, 4);
+  const Film film = rendered_film(integrator, 8);
+  const Picture picture = develop(film, integrator, 8, 3.0, {"replicates"});
+  ASSERT_EQ(picture.layers.size(), 3U + 4U);
+  EXPECT_EQ(picture.layers[6].name, "replicates.3");
+  for (std::size_t i = 0; i < 36; ++i) {
+    double mean = 0.0;
+    for (std::size_t r = 3; r < 7; ++r) mean += picture.layers[r].pixels.at(i) / 4.0;
+    EXPECT_NEAR(mean, picture.layers[0].pixels.at(i), 1e-5);
+  }
 }
 
 TEST_F(OutputTest, DefaultsAreInTheCurrentFolder) {

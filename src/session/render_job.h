@@ -59,7 +59,7 @@ struct RenderResult {
 /// taken at sample counts fixed in advance.
 class RenderJob {
  public:
-  /// `film.replicates()` samples per pixel are the smallest pass. The clock of the render starts
+  /// One sample per pixel is the smallest pass. The clock of the render starts
   /// here.
   RenderJob(Integrator& integrator, Film& film, RenderJobOptions options);
   /// Renders until the budget is used up. To be called once.

@@ -53,7 +53,7 @@ TEST(RenderJob, DoesNotDependOnHowSamplesAreCutIntoPasses) {
   RenderResult in_short_passes;
   RenderResult in_long_passes;
   EXPECT_EQ(render(hasty, 4, &in_short_passes), render(with_samples(64, 2), 4, &in_long_passes));
-  EXPECT_EQ(in_short_passes.passes, 16U);
+  EXPECT_EQ(in_short_passes.passes, 64U);
   EXPECT_LT(in_long_passes.passes, 16U);
 }
 
@@ -101,8 +101,7 @@ TEST(RenderJob, StopsWhenTimeIsUp) {
   RenderResult result;
   render(options, 4, &result);
   EXPECT_EQ(result.stopped_by, StopReason::Time);
-  EXPECT_GE(result.samples_per_pixel, 4U);
-  EXPECT_EQ(result.samples_per_pixel % 4U, 0U);
+  EXPECT_GE(result.samples_per_pixel, 1U);
   EXPECT_GT(result.seconds, 0.1);
   EXPECT_LT(result.seconds, 3.0);
 }
@@ -112,7 +111,7 @@ TEST(RenderJob, RendersOnePassHoweverLittleTimeThereIs) {
   options.budget.seconds = 1e-9;
   RenderResult result;
   render(options, 4, &result);
-  EXPECT_EQ(result.samples_per_pixel, 4U);
+  EXPECT_EQ(result.samples_per_pixel, 1U);
   EXPECT_TRUE(result.complete);
 }
 
@@ -156,9 +155,16 @@ TEST(RenderJob, FinishesThePassAtTheFirstInterrupt) {
   const RenderResult result = job.run();
   EXPECT_EQ(result.stopped_by, StopReason::Interrupted);
   EXPECT_TRUE(result.complete);
-  EXPECT_EQ(result.samples_per_pixel, 12U);
+  EXPECT_EQ(result.samples_per_pixel, 9U);
   const std::vector<std::int64_t> interrupted(film.raw().begin(), film.raw().end());
-  EXPECT_EQ(interrupted, render(with_samples(12, 2)));
+  // Replicate 0 has a sample more than the others.
+  Film whole = make_film(integrator, 4);
+  integrator.on_item = nullptr;
+  for (std::uint64_t i = 0; i < integrator.items_in_pass(); ++i) {
+    Counters counters;
+    integrator.run_item(i, 0, 9, whole, counters);
+  }
+  EXPECT_EQ(interrupted, std::vector<std::int64_t>(whole.raw().begin(), whole.raw().end()));
 }
 
 TEST(RenderJob, SkipsWhatHasNotBegunAtTheSecondInterrupt) {

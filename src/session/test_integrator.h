@@ -15,7 +15,9 @@ class TestIntegrator final : public Integrator {
   TestIntegrator(Vec2i size, int replicates) : size_(size), replicates_(replicates) {}
 
   std::vector<LayerSpec> layers() const override {
-    return {LayerSpec{.name = "direct"}, LayerSpec{.name = "indirect"}};
+    std::vector<LayerSpec> specs = {LayerSpec{.name = "direct"}, LayerSpec{.name = "indirect"}};
+    if (has_part) specs.push_back({.name = "weak", .part_of = "indirect"});
+    return specs;
   }
   std::uint64_t items_in_pass() const override {
     return static_cast<std::uint64_t>(size_.x) * static_cast<std::uint64_t>(size_.y);
@@ -29,6 +31,7 @@ class TestIntegrator final : public Integrator {
       const int replicate = static_cast<int>(i % static_cast<std::uint64_t>(replicates_));
       film.add(0, replicate, pixel, Spectrum(value(item, i)));
       film.add(1, replicate, pixel, Spectrum(0.25F));
+      if (has_part) film.add(2, replicate, pixel, Spectrum(0.5F));
       ++counters.samples;
       counters.rays += 2;
       if (item % 5 == 3 && i == 1) {
@@ -54,6 +57,8 @@ class TestIntegrator final : public Integrator {
   /// Called at the beginning of every item, on its thread; may be empty.
   std::function<void(std::uint64_t item, std::uint64_t first_sample, std::uint64_t samples)>
       on_item;
+  /// Adds a layer of 0.5 that is a part of the indirect light.
+  bool has_part = false;
 
  private:
   Vec2i size_;

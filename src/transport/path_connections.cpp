@@ -64,7 +64,7 @@ std::optional<PathSampler::Joined> PathSampler::join(const Ray& ray, const Mediu
     if (survivor == 0.F) return std::nullopt;
     ++rays_;
     if (scene_.occluded(ray)) return std::nullopt;
-    return Joined{value * survivor, mis_weight};
+    return Joined{value * survivor, mis_weight, survivor};
   }
   const float survivor = cull(unoccluded, pair, source);
   if (survivor == 0.F) return std::nullopt;
@@ -72,7 +72,7 @@ std::optional<PathSampler::Joined> PathSampler::join(const Ray& ray, const Mediu
   if (!segment) return std::nullopt;
   const double mis_weight = weight_of(*segment);
   return Joined{unoccluded * segment->transmittance * (survivor * static_cast<float>(mis_weight)),
-                mis_weight};
+                mis_weight, survivor};
 }
 
 void PathSampler::hit_light(const Flight& flight, const SegmentEnd& end, const MisState& mis,
@@ -105,6 +105,7 @@ void PathSampler::hit_light(const Flight& flight, const SegmentEnd& end, const M
   sink.add({.value = flight.throughput * end.weight * emitted * static_cast<float>(mis_weight),
             .technique = {0, edges + 1},
             .mis_weight = mis_weight,
+            .chance = flight.roulette,
             .light_point = &point,
             .light = &light});
 }
@@ -179,6 +180,7 @@ void PathSampler::connect_to_light(const PathVertex& vertex, SampleSource& sourc
   sink.add({.value = joined->value,
             .technique = technique,
             .mis_weight = joined->mis_weight,
+            .chance = vertex.roulette * joined->culling,
             .light_point = &sample->point,
             .light = &light});
 }
@@ -219,6 +221,7 @@ void PathSampler::connect_to_camera(const PathVertex& vertex, SampleSource& sour
   sink.add({.value = joined->value,
             .technique = technique,
             .mis_weight = joined->mis_weight,
+            .chance = vertex.roulette * joined->culling,
             .light_subpath = vertex.repeat,
             .raster = *raster,
             .camera_point = &sample->point});
@@ -270,6 +273,7 @@ void PathSampler::connect_inner(const PathVertex& camera_vertex, const PathVerte
   sink.add({.value = joined->value,
             .technique = technique,
             .mis_weight = joined->mis_weight,
+            .chance = camera_vertex.roulette * light_vertex.roulette * joined->culling,
             .light_subpath = light_vertex.repeat});
 }
 

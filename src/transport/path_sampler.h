@@ -14,6 +14,10 @@ struct Contribution {
   Spectrum value;  ///< f / p · MIS weight
   Technique technique;
   double mis_weight;
+  /// The factor in `value` that is owed to chance alone: what Russian roulette and the culling of
+  /// weak connections multiply survivors by. Without it, `value` is a function of the path and its
+  /// technique.
+  float chance = 1.F;
   int light_subpath = 0;  ///< which of the sample's, if s ≥ 2
   /// Technique (s, 1) only: where on the film it lands. All others belong to the camera ray's own
   /// place.
@@ -132,6 +136,7 @@ class PathSampler {
   struct Joined {
     Spectrum value;  ///< MIS weight, transmittance and culling included
     double mis_weight;
+    float culling;  ///< its share of `value`
   };
   /// Traces a connection that carries `unoccluded`; `weight_of(segment)` is its MIS weight. Empty
   /// if nothing arrives. Where no interfaces can lie between, visibility is tested last of all.

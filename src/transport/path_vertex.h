@@ -14,6 +14,7 @@ struct PathVertex {
   Vec3 p;
   Vec3 wo;              ///< unit, toward the previous vertex
   Spectrum throughput;  ///< f / p of the subpath up to here, scattering here not included
+  float roulette;       ///< the factor in it that comes from Russian roulette
   MisState mis;
   /// Of the whole subpath, indexed by `edges`; null unless the set names single techniques.
   const MisTrailEntry* trail = nullptr;

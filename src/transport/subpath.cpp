@@ -30,6 +30,7 @@ void arrive(const WalkSettings& settings, const Flight& flight, const SegmentEnd
             double class_coefficient, PathVertex& vertex) {
   vertex.wo = -flight.ray.direction;
   vertex.throughput = flight.throughput * end.weight;
+  vertex.roulette = flight.roulette;
   vertex.medium = end.medium;
   vertex.edges = flight.edges + 1;
   vertex.repeat = settings.repeat;
@@ -72,6 +73,7 @@ bool scatter(const WalkSettings& settings, const PathVertex& vertex, SampleSourc
     const float survival = std::min(0.95F, flight.throughput.max() * flight.roulette_scale);
     if (!(source.get(address(Slot::Roulette)) < survival)) return false;
     flight.throughput /= survival;
+    flight.roulette /= survival;
   }
   if (flight.throughput.is_black()) return false;
   flight.ray = {vertex.ray_origin(sample->wi), sample->wi};

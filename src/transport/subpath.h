@@ -16,6 +16,7 @@ struct Flight {
   /// What Russian roulette multiplies the throughput by: squared index ratios undo the scaling of
   /// radiance, and the throughput that light starts with says nothing of how much is left of it.
   float roulette_scale = 1.F;
+  float roulette = 1.F;  ///< what roulette has multiplied the throughput by so far
   // For the MIS recursion:
   MisState mis;           ///< of z_i
   float departure = 0.F;  ///< density (or probability) of the direction, for endpoints at infinity

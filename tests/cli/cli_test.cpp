@@ -1,9 +1,6 @@
 // The program as a user runs it.
-#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <signal.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
@@ -16,95 +13,13 @@
 #include <thread>
 #include <vector>
 
+#include "cli/cli_fixture.h"
 #include "image/image_file.h"
 
 namespace ajar {
 namespace {
 
-namespace fs = std::filesystem;
 using namespace std::chrono_literals;
-using nlohmann::json;
-
-std::string read_text(const fs::path& path) {
-  std::ifstream file(path);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
-
-struct Outcome {
-  int exit_code = -1;  ///< negative: ended by that signal
-  std::string out, err;
-};
-
-/// Runs the program in a folder of its own that is gone after the test.
-class Cli : public testing::Test {
- protected:
-  void SetUp() override {
-    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = fs::temp_directory_path() /
-              ("ajar-cli-" + std::string(test->name()) + "-" + std::to_string(getpid()));
-    fs::create_directories(folder_);
-  }
-  void TearDown() override {
-    fs::permissions(folder_, fs::perms::owner_all);
-    fs::remove_all(folder_);
-  }
-
-  pid_t start(const std::vector<std::string>& arguments) const {
-    const pid_t child = fork();
-    if (child != 0) return child;
-    const auto redirect = [&](const char* name, int target) {
-      const std::string path = (folder_ / name).string();
-      dup2(open(path.c_str(), O_CREAT | O_TRUNC | O_WRONLY, 0600), target);
-    };
-    if (chdir(folder_.c_str()) != 0) _exit(99);
-    redirect(".stdout", STDOUT_FILENO);
-    redirect(".stderr", STDERR_FILENO);
-    std::vector<char*> argv{const_cast<char*>(AJAR_PROGRAM)};
-    for (const std::string& argument : arguments) {
-      argv.push_back(const_cast<char*>(argument.c_str()));
-    }
-    argv.push_back(nullptr);
-    execv(AJAR_PROGRAM, argv.data());
-    _exit(98);
-  }
-
-  Outcome finish(pid_t child) const {
-    int status = 0;
-    waitpid(child, &status, 0);
-    Outcome outcome;
-    outcome.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
-    outcome.out = read_text(folder_ / ".stdout");
-    outcome.err = read_text(folder_ / ".stderr");
-    return outcome;
-  }
-
-  Outcome run(const std::vector<std::string>& arguments) const { return finish(start(arguments)); }
-
-  /// `ajar render builtin:cornell` as small as it can be, with more arguments.
-  Outcome render(std::vector<std::string> more) const {
-    std::vector<std::string> arguments{"render", "builtin:cornell", "--resolution",
-                                       "24x16",  "--progress",      "none"};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    return run(arguments);
-  }
-
-  fs::path file(const std::string& name, const std::string& text = {}) const {
-    if (!text.empty()) std::ofstream(folder_ / name) << text;
-    return folder_ / name;
-  }
-
-  json statistics(const std::string& name = "stats.json") const {
-    return json::parse(read_text(folder_ / name));
-  }
-
-  fs::path folder_;
-};
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 /// Waits until the program has written `part` to stderr; false after ten seconds.
 bool wait_for(const fs::path& log, const std::string& part) {
@@ -263,9 +178,9 @@ TEST_F(Cli, RendersAnySetOfTechniquesAndShowsEach) {
 }
 
 TEST_F(Cli, AllLayersAreThoseThatTheMethodCanMake) {
-  const std::vector<std::string> chains = {
-      "--spp", "4",     "-o",           "a.exr", "--integrator",
-      "mmlt",  "--set", "direct=chain", "--set", "bootstrap=2000"};
+  const std::vector<std::string> chains = {"--spp",        "4",       "-o",    "a.exr",
+                                           "--integrator", "mmlt",    "--set", "direct=chain",
+                                           "--set",        "split=0", "--set", "bootstrap=2000"};
   std::vector<std::string> all = chains;
   all.insert(all.end(), {"--aov", "all"});
   EXPECT_EQ(render(all).exit_code, 0);
@@ -531,8 +446,9 @@ TEST_F(Cli, ChainsWithoutLightSayWhatToDoAndRenderBlack) {
 }
 
 TEST_F(Cli, StatisticsTellWhatChainsDid) {
-  const Outcome outcome = render({"--integrator", "mmlt", "--spp", "32", "--depth", "6", "--set",
-                                  "bootstrap=20000", "--stats", "stats.json", "-o", "a.pfm"});
+  const Outcome outcome =
+      render({"--integrator", "mmlt", "--spp", "32", "--depth", "6", "--set", "bootstrap=20000",
+              "--set", "split=0", "--stats", "stats.json", "-o", "a.pfm"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const json chains = statistics();
   EXPECT_GE(chains.at("mutations").get<int>(), 32 * 24 * 16);
@@ -560,9 +476,14 @@ TEST_F(Cli, StatisticsTellWhatChainsDid) {
 }
 
 TEST_F(Cli, LayersOfChainsAreWritten) {
-  const Outcome outcome = render({"--integrator", "pssmlt", "--spp", "32", "--set",
-                                  "bootstrap=20000", "--aov", "density,acceptance", "-o", "a.exr"});
+  const Outcome outcome =
+      render({"--integrator", "pssmlt", "--spp", "32", "--set", "bootstrap=20000", "--aov",
+              "density,acceptance", "-o", "a.exr", "-o", "b.png"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  // In false colours, with a legend.
+  const Image map = read_image(file("b.density.png").string());
+  EXPECT_GT(map.width, 24);
+  EXPECT_GE(map.height, 16);
   const Image image = read_image(file("a.exr").string());
   double visits = 0.0;
   for (const float value : image.rgb("density")) visits += value;
@@ -588,6 +509,8 @@ TEST_F(Cli, UnusableOptionsOfChainsAreWrongUsage) {
       {{"importance=black.pfm"}, "is black everywhere"},
       {{"bootstrap=10"}, "bootstrap"},
       {{"mutation=gausian"}, "gaussian"},
+      {{"mutation=fusion", "multi-try=2"}, "multi-try"},
+      {{"rule=exakt"}, "exact"},
   };
   for (const Case& c : cases) {
     std::vector<std::string> arguments{"--integrator", "mmlt", "--spp", "1", "-o", "a.pfm"};

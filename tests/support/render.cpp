@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <functional>
 #include <mutex>
 #include <numeric>
 
@@ -31,11 +33,18 @@ std::string pbrt_scene(const std::string& camera, int width, int height, const s
 }
 
 std::vector<float> Render::layer(const std::string& name, std::optional<int> replicate) const {
-  const int index = film->layer(name);
-  const LayerSpec& spec = film->layers()[static_cast<std::size_t>(index)];
-  const double scale = spec.per_sample ? integrator->develop_scale(spec, samples, replicate) : 1.0;
-  return replicate ? film->develop_replicate(index, *replicate, scale)
-                   : film->develop(index, scale);
+  std::vector<float> sum;
+  for (std::size_t i = 0; i < film->layers().size(); ++i) {
+    const LayerSpec& spec = film->layers()[i];
+    if (spec.name != name && spec.part_of != name) continue;
+    const auto index = static_cast<int>(i);
+    const double scale = integrator->develop_scale(spec, samples, replicate);
+    const std::vector<float> pixels =
+        replicate ? film->develop_replicate(index, *replicate, scale) : film->develop(index, scale);
+    sum.resize(pixels.size());
+    std::transform(sum.begin(), sum.end(), pixels.begin(), sum.begin(), std::plus<>());
+  }
+  return sum;
 }
 
 namespace {

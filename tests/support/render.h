@@ -25,7 +25,7 @@ struct Render {
   std::unique_ptr<Integrator> integrator;
   std::uint64_t samples;
   Counters counters;
-  /// One layer, 3 floats per pixel.
+  /// One layer with its parts, 3 floats per pixel.
   std::vector<float> layer(const std::string& name,
                            std::optional<int> replicate = std::nullopt) const;
   /// direct + indirect.

@@ -12,6 +12,7 @@
 #include "core/error.h"
 #include "session/catalog.h"
 #include "session/version.h"
+#include "study/metric.h"
 
 namespace ajar::cli {
 
@@ -25,6 +26,8 @@ struct Request {
   InfoArguments info;
   ConvertArguments convert;
   ListArguments list;
+  CompareArguments compare;
+  StudyArguments study;
 };
 
 /// An empty value is most likely a variable of a script that was never set.
@@ -143,6 +146,35 @@ void add_others(CLI::App& app, Request& request) {
   list->add_flag("--json", request.list.json, "Print JSON");
 }
 
+void add_compare(CLI::App& app, CompareArguments& a) {
+  CLI::App* command = app.add_subcommand("compare", "Measure pictures against a reference");
+  command->add_option("REFERENCE", a.reference, "Picture that is taken as right")->required();
+  command->add_option("PICTURE", a.pictures, "Pictures to measure: .exr .pfm .hdr .png .jpg")
+      ->required();
+  std::string names;
+  for (const study::Metric& metric : study::metrics()) {
+    names += (names.empty() ? "" : ", ") + metric.name;
+  }
+  command->add_option("--metrics", a.metrics, "Which, separated by commas: " + names)
+      ->type_name("LIST")
+      ->check(kNotEmpty);
+  command->add_option("--ppd", a.pixels_per_degree, "Pixels per degree of sight, for FLIP")
+      ->type_name("X")
+      ->capture_default_str();
+  command->add_flag("--json", a.json, "Print JSON");
+  command->footer("Pictures rendered with --aov replicates are also tested for bias.");
+}
+
+void add_study(CLI::App& app, StudyArguments& a) {
+  CLI::App* command = app.add_subcommand("study", "Compare methods at equal time or equal samples");
+  command->add_option("FILE", a.file, "Study to carry out, JSON (see docs/studies.md)")->required();
+  command->add_option("--out", a.out, "Folder for pictures and tables; default: STUDY-results here")
+      ->type_name("DIR")
+      ->check(kNotEmpty);
+  command->footer(
+      "Ctrl-C stops after the render that runs; the same command goes on where it stopped.");
+}
+
 std::vector<std::string> option_names(const CLI::App& command) {
   std::vector<std::string> names;
   for (const CLI::Option* option : command.get_options()) {
@@ -198,10 +230,12 @@ int run(int argc, const char* const* argv) {
   app.require_subcommand(1);
   app.footer(
       "Try: ajar render builtin:cornell\n"
-      "Exit codes: 0 done, 2 wrong usage, 3 unusable scene, 4 cannot read or write, 130 "
-      "interrupted.");
+      "Exit codes: 0 done, 1 renders of a study failed, 2 wrong usage, 3 unusable scene, 4 cannot "
+      "read or write, 130 interrupted.");
   add_render(app, request.render);
   add_others(app, request);
+  add_compare(app, request.compare);
+  add_study(app, request.study);
   for (CLI::App* command : app.get_subcommands({})) command->allow_extras();
   check_command(app, argc, argv);
 
@@ -218,6 +252,8 @@ int run(int argc, const char* const* argv) {
   if (app.got_subcommand("render")) return render(request.render);
   if (app.got_subcommand("info")) return info(request.info);
   if (app.got_subcommand("convert")) return convert(request.convert);
+  if (app.got_subcommand("compare")) return compare(request.compare);
+  if (app.got_subcommand("study")) return study(request.study);
   return list(request.list);
 }
 

@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "image/flip.h"
+
 /// What the commands of the program are told, as written on the command line. Each command returns
 /// an exit code or raises an `Error`.
 namespace ajar::cli {
@@ -41,5 +43,20 @@ struct ListArguments {
   bool json = false;
 };
 int list(const ListArguments& arguments);
+
+struct CompareArguments {
+  std::string reference;
+  std::vector<std::string> pictures;
+  std::string metrics;  ///< empty: all
+  double pixels_per_degree = kFlipPixelsPerDegree;
+  bool json = false;
+};
+int compare(const CompareArguments& arguments);
+
+struct StudyArguments {
+  std::string file;
+  std::string out;  ///< empty: a folder here, called like the study
+};
+int study(const StudyArguments& arguments);
 
 }  // namespace ajar::cli

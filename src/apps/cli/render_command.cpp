@@ -206,6 +206,7 @@ int render(const RenderArguments& a) {
   const std::unique_ptr<Integrator> integrator =
       setup.integrator->make(scene, setup.settings, parameters);
   statistics.preparation = prepare(*integrator);
+  for (const std::string& note : integrator->notes()) print_note(note);
   for (const std::string& concern : integrator->concerns()) {
     warnings.add(concern);
     print_warning(concern);

@@ -1,0 +1,28 @@
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "apps/cli/commands.h"
+#include "apps/cli/messages.h"
+#include "core/error.h"
+#include "session/option_values.h"
+#include "study/comparison.h"
+#include "study/comparison_output.h"
+
+namespace ajar::cli {
+
+int compare(const CompareArguments& arguments) {
+  const auto metrics = study::metrics_by_name(parse_list(arguments.metrics));
+  if (!(arguments.pixels_per_degree >= 1.0 && arguments.pixels_per_degree <= 1000.0)) {
+    throw UsageError("--ppd expects pixels per degree from 1 to 1000");
+  }
+  const study::Comparison comparison = study::compare_files(arguments.reference, arguments.pictures,
+                                                            metrics, arguments.pixels_per_degree);
+  for (const std::string& warning : comparison.warnings) print_warning(warning);
+  fmt::print("{}", arguments.json ? study::to_json(comparison).dump(2) + "\n"
+                                  : study::to_text(comparison));
+  // A report of the comparison (--report DIR) belongs here: everything it shows is in `comparison`.
+  return 0;
+}
+
+}  // namespace ajar::cli

@@ -1,0 +1,50 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "image/film.h"
+#include "image/regions.h"
+
+namespace ajar {
+
+/// Identifiers cannot be averaged over the samples of a pixel. So a film keeps what its first nine
+/// samples saw, one in each channel of three layers, and the majority is taken when it is shown.
+/// Every channel is written by one sample, and once: nothing depends on the order of samples, and
+/// later samples change nothing.
+class IdentityLayers {
+ public:
+  static constexpr std::uint64_t kSamples = 9;
+  /// The layer called `name` and its two parts.
+  static std::vector<LayerSpec> specs(const std::string& name);
+
+  IdentityLayers(const Film& film, const std::string& name);
+  bool empty() const { return layers_[0] < 0; }
+  /// What sample `sample` of a pixel saw: a number from 1, 0 for nothing; exact up to 2^24 − 2.
+  /// Samples after the first nine are not kept.
+  void add(Film& film, Vec2i pixel, std::uint64_t sample, std::uint32_t number) const;
+
+  /// What a pixel's samples saw; only those of them that were taken are `known`.
+  struct Votes {
+    std::array<std::uint32_t, kSamples> numbers{};
+    std::array<bool, kSamples> known{};
+  };
+  /// Of all pixels, row by row.
+  std::vector<Votes> votes(const Film& film) const;
+
+ private:
+  static constexpr std::size_t kLayers = kSamples / 3;
+  std::array<int, kLayers> layers_{};  // −1 if the film does not have them
+};
+
+/// Number that most samples of a pixel saw, row by row, of the layer called `name`; of several,
+/// that of the earliest sample. 0 where nothing is what most saw, and before the first sample.
+std::vector<float> majority_numbers(const Film& film, const std::string& name);
+
+/// Pair of object and material that most samples of a pixel saw, from the layers "object-id" and
+/// "material-id", so that no pixel shows one object with the material of another; of several, that
+/// of the earliest sample. Raises std::invalid_argument if the film does not have both.
+std::vector<PixelIdentity> majority_identities(const Film& film);
+
+}  // namespace ajar

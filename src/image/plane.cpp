@@ -1,0 +1,59 @@
+#include "image/plane.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/parallel_for.h"
+
+namespace ajar {
+
+namespace {
+/// The row `y`, with `radius` copies of its ends on either side.
+std::vector<float> padded_row(const Plane& plane, int y, int radius) {
+  std::vector<float> row;
+  row.reserve(static_cast<std::size_t>(plane.size.x) + 2 * static_cast<std::size_t>(radius));
+  for (int x = -radius; x < plane.size.x + radius; ++x) {
+    row.push_back(plane.at(std::clamp(x, 0, plane.size.x - 1), y));
+  }
+  return row;
+}
+
+/// result[x] += weight · values[x] for x in [0, count).
+void add_scaled(float* result, const float* values, float weight, int count) {
+  for (int x = 0; x < count; ++x) result[x] += weight * values[x];
+}
+}  // namespace
+
+Plane::Plane(Vec2i plane_size)
+    : size(plane_size),
+      values(static_cast<std::size_t>(plane_size.x) * static_cast<std::size_t>(plane_size.y)) {}
+
+Plane filter_plane(const Plane& plane, const SeparableKernel& kernel) {
+  // Weight by weight, and row by row in both directions: the compiler makes vectors of the loops.
+  const int count = plane.size.x;
+  const int x_radius = static_cast<int>(kernel.x.size() / 2);
+  Plane rows(plane.size);
+  parallel_for(plane.size.y, [&](int y) {
+    const std::vector<float> row = padded_row(plane, y, x_radius);
+    for (std::size_t i = 0; i < kernel.x.size(); ++i) {
+      add_scaled(&rows.at(0, y), row.data() + i, kernel.x[i], count);
+    }
+  });
+  const int y_radius = static_cast<int>(kernel.y.size() / 2);
+  Plane result(plane.size);
+  parallel_for(plane.size.y, [&](int y) {
+    for (std::size_t i = 0; i < kernel.y.size(); ++i) {
+      const int source = std::clamp(y + static_cast<int>(i) - y_radius, 0, plane.size.y - 1);
+      add_scaled(&result.at(0, y), &rows.at(0, source), kernel.y[i], count);
+    }
+  });
+  return result;
+}
+
+std::vector<double> gaussian_weights(int radius, double sigma) {
+  std::vector<double> weights;
+  for (int x = -radius; x <= radius; ++x) weights.push_back(std::exp(-x * x / (2 * sigma * sigma)));
+  return weights;
+}
+
+}  // namespace ajar

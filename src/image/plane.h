@@ -1,0 +1,39 @@
+#pragma once
+#include <span>
+#include <vector>
+
+#include "core/vector.h"
+
+/// One channel of an image, as filters take it.
+namespace ajar {
+
+struct Plane {
+  Vec2i size{0, 0};
+  std::vector<float> values;  ///< row by row
+
+  explicit Plane(Vec2i plane_size);
+  float& at(int x, int y) { return values[index(x, y)]; }
+  float at(int x, int y) const { return values[index(x, y)]; }
+
+ private:
+  std::size_t index(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(size.x) +
+           static_cast<std::size_t>(x);
+  }
+};
+
+/// Weights of a filter that is a product of one function of x and one of y; an odd number of each,
+/// the middle one at the pixel itself. They are applied as a correlation: weight i belongs to the
+/// pixel at offset i − radius.
+struct SeparableKernel {
+  std::vector<float> x;
+  std::vector<float> y;
+};
+
+/// Filters a plane; beyond the border the pixels of the border repeat. On all threads.
+Plane filter_plane(const Plane& plane, const SeparableKernel& kernel);
+
+/// exp(−x²/(2σ²)) for x = −radius … radius, not normalised. σ in pixels.
+std::vector<double> gaussian_weights(int radius, double sigma);
+
+}  // namespace ajar

@@ -1,0 +1,190 @@
+#include "integrator/chain_plan.h"
+
+#include <algorithm>
+#include <string_view>
+
+#include "image/image_file.h"
+#include "image/make_filter.h"
+#include "integrator/path_family.h"
+#include "mcmc/make_mutation.h"
+
+namespace ajar {
+
+namespace {
+
+constexpr int kMaxChainEdges = 1000;
+
+ChainPlan::Direct direct_of(const std::string& text) {
+  if (text == "omc") return ChainPlan::Direct::Omc;
+  return text == "chain" ? ChainPlan::Direct::Chain : ChainPlan::Direct::None;
+}
+
+SeedFilter seed_filter_of(std::string_view text) {
+  if (text == "filtered") return SeedFilter::Weighted;
+  return text == "filtered-published" ? SeedFilter::Dropped : SeedFilter::None;
+}
+
+bool leaves_for_neighbours(std::string_view name) { return name == "slemmlt" || name == "fusion"; }
+/// What moves numbers where the image plane does not.
+std::string_view base_mutation(std::string_view name) {
+  return leaves_for_neighbours(name) ? "gaussian" : name;
+}
+
+Vec2i crop_size(const RenderSettings& settings) { return settings.crop.size() + Vec2i(1, 1); }
+
+}  // namespace
+
+ChainPlan::ChainPlan(ChainKind chain_kind, const Scene& the_scene,
+                     const RenderSettings& render_settings, const Parameters& the_parameters,
+                     std::optional<Selection> the_selection)
+    : kind(chain_kind),
+      selection(the_selection),
+      scene(the_scene),
+      settings(render_settings),
+      parameters(the_parameters),
+      techniques(TechniqueSet::parse(parameters.get_text("techniques"))),
+      direct(direct_of(parameters.get_text("direct"))),
+      mis_large_steps(parameters.get_bool("mis-large-steps")),
+      omc_samples(parameters.get_float("omc-samples")),
+      bootstrap(static_cast<std::uint64_t>(parameters.get_int("bootstrap"))),
+      wanted_chains(static_cast<std::uint64_t>(parameters.get_int("chains"))),
+      seed_filter(seed_filter_of(parameters.get_text("seeds"))),
+      seed_spread(parameters.get_float("seed-spread")),
+      mutation(make_mutation(base_mutation(parameters.get_text("mutation")),
+                             parameters.get_float("sigma"))) {
+  settings.max_depth = std::min(settings.max_depth, kMaxChainEdges);
+  chain_settings.probabilities = {parameters.get_float("large-step"),
+                                  parameters.get_float("camera-steps"),
+                                  parameters.get_float("light-steps")};
+  chain_settings.tries = parameters.get_int("multi-try");
+  // Half moves keep the technique, so that the other half need not be traced again.
+  chain_settings.connection = {false, false};
+  // Chains have no numbers for further tries, and would gain nothing from fewer.
+  if (!techniques.tries_once()) {
+    throw UsageError("techniques: Markov chains try each technique once, so leave out counts: " +
+                     parameters.get_text("techniques"));
+  }
+  if (chain_settings.probabilities.camera_half + chain_settings.probabilities.light_half > 1.0) {
+    throw UsageError(
+        "camera-steps and light-steps are shares of the small steps: together at most 1");
+  }
+  if (parameters.get_float("split") > 0.0) split_at = parameters.get_float("split");
+  const Vec2 beyond = make_filter(scene.film().filter).radius() - Vec2(0.5F, 0.5F);
+  view.low = Vec2(settings.crop.min) - beyond;
+  view.size = Vec2(crop_size(settings)) + beyond * 2.F;
+  view.pixels = static_cast<double>(pixels());
+  make_groups();
+  read_importance();
+  read_plane();
+}
+
+void ChainPlan::read_plane() {
+  const std::string& name = parameters.get_text("mutation");
+  plane.adaptive = parameters.get_text("step") == "adaptive" || name == "fusion";
+  plane.neighbours = leaves_for_neighbours(name);
+  plane.published = parameters.get_text("rule") == "published";
+  plane.adaptive_visits = parameters.get_float("m1");
+  plane.uneven = parameters.get_float("k1");
+  plane.even = parameters.get_float("k2");
+  plane.shorten = parameters.get_float("lambda1");
+  plane.lengthen = parameters.get_float("lambda2");
+  plane.neighbour_visits = parameters.get_float("w");
+  if (plane.active() && chain_settings.tries > 1) {
+    throw UsageError(
+        "multi-try: several proposals per mutation need steps that are the same everywhere, so not "
+        "step=adaptive, mutation=slemmlt or mutation=fusion");
+  }
+}
+
+std::uint64_t ChainPlan::pixels() const {
+  const Vec2i size = crop_size(settings);
+  return static_cast<std::uint64_t>(size.x) * static_cast<std::uint64_t>(size.y);
+}
+
+void ChainPlan::make_groups() {
+  PathSamplerSettings sampler;
+  sampler.techniques = techniques;
+  sampler.heuristic =
+      parameters.get_text("heuristic") == "power" ? Heuristic::Power : Heuristic::Balance;
+  sampler.min_depth = direct == Direct::Chain
+                          ? settings.min_depth
+                          : std::max(settings.min_depth, LightSplit::kDirectDepth + 1);
+  sampler.max_depth = settings.max_depth;
+  // As ordinary Monte Carlo counts them, so that both agree about what a path brings.
+  sampler.light_paths_per_pixel =
+      static_cast<double>(pixels()) /
+      (static_cast<double>(settings.resolution.x) * settings.resolution.y);
+  if (sampler.min_depth > sampler.max_depth) return;
+  if (kind == ChainKind::WholePath) {
+    sampler.roulette_start = parameters.get_int("roulette-start");
+    groups.push_back({0,
+                      sampler,
+                      TechniqueChoice(techniques, 0),
+                      {sampler.max_depth + 1, sampler.max_depth + 1}});
+    return;
+  }
+  // A path of given depth gains nothing from ending early.
+  sampler.roulette_start = kMaxChainEdges + 1;
+  for (int depth = sampler.min_depth; depth <= settings.max_depth; ++depth) {
+    const TechniqueChoice choice(techniques, depth);
+    if (choice.empty()) continue;
+    PathSamplerSettings own = sampler;
+    own.min_depth = depth;
+    own.max_depth = depth;
+    groups.push_back({depth, own, choice, {depth + 1, depth + 1}});
+  }
+}
+
+void ChainPlan::read_importance() {
+  const std::string& text = parameters.get_text("importance");
+  if (text == "uniform" || text == "relative") return;  // the pilot finds the latter
+  const Image image = read_image(text);
+  const Vec2i size = crop_size(settings);
+  const bool whole = image.width == settings.resolution.x && image.height == settings.resolution.y;
+  if (!whole && (image.width != size.x || image.height != size.y)) {
+    throw UsageError("importance: " + text + " has " + std::to_string(image.width) + "x" +
+                     std::to_string(image.height) + " pixels, the picture " +
+                     std::to_string(settings.resolution.x) + "x" +
+                     std::to_string(settings.resolution.y));
+  }
+  const std::vector<float> colors = image.rgb();
+  std::vector<float> weights(colors.size() / 3);
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    weights[i] = luminance(Spectrum(colors[3 * i], colors[3 * i + 1], colors[3 * i + 2]));
+  }
+  const Box2i all(Vec2i(0, 0), settings.resolution - Vec2i(1, 1));
+  try {
+    view.importance = ImportanceMap(whole ? all : settings.crop, std::move(weights));
+  } catch (const std::invalid_argument&) {
+    throw UsageError("importance: " + text + " is black everywhere");
+  }
+}
+
+std::unique_ptr<PathTarget> ChainPlan::make_target(const PathGroup& group) const {
+  const LightSplit* divide = split ? &*split : nullptr;
+  if (kind == ChainKind::WholePath) {
+    return std::make_unique<WholePathTarget>(scene, group.sampler, view, divide);
+  }
+  return std::make_unique<OnePathTarget>(scene, group.sampler, group.choice, view, divide);
+}
+
+std::pair<int, int> ChainPlan::omc_depths() const {
+  return {direct == Direct::Omc ? settings.min_depth
+                                : std::max(settings.min_depth, LightSplit::kDirectDepth + 1),
+          split || without_chains ? settings.max_depth
+                                  : std::min(settings.max_depth, LightSplit::kDirectDepth)};
+}
+
+std::unique_ptr<Integrator> ChainPlan::make_omc(const RenderSettings& omc_settings,
+                                                std::pair<int, int> depths,
+                                                const LightSplit* divide) const {
+  RenderSettings own = omc_settings;
+  own.min_depth = depths.first;
+  own.max_depth = depths.second;
+  const std::string& set = parameters.get_text("techniques");
+  const auto specs = path_family_parameters({.techniques = set, .roulette_start = "3"});
+  return make_path_integrator(
+      scene, own, Parameters(specs, {{"heuristic", parameters.get_text("heuristic")}}), divide);
+}
+
+}  // namespace ajar

@@ -1,0 +1,62 @@
+#include "integrator/chain_report.h"
+
+#include <cmath>
+
+namespace ajar {
+
+ChainReport report_chains(const ChainPlan& plan, std::span<const ChainPopulation> populations,
+                          double later_weight) {
+  ChainReport report;
+  ChainStatistics whole;
+  for (std::size_t g = 0; g < plan.groups.size(); ++g) {
+    ChainReport::Depth depth{plan.groups[g].depth, 0, 0, 0.0, 0.0, 0.0};
+    ChainStatistics own;
+    double variance = 0.0;
+    const TechniqueChoice& choice = plan.groups[g].choice;
+    std::vector<ChainStatistics::Kind> by_technique(choice.size());
+    for (const ChainPopulation& population : populations) {
+      if (population.group != g) continue;
+      report.bootstrap_samples += population.capped.count;
+      depth.b += population.b(later_weight) / plan.settings.replicates;
+      const double error = population.b_standard_error();
+      variance += error * error;
+      depth.chains += population.chains.size();
+      depth.mutations += population.plain_samples;
+      for (const MemberChain& member : population.chains) {
+        own += member.statistics;
+        for (std::size_t s = 0; s < member.by_technique.size(); ++s) {
+          by_technique[s].proposals += member.by_technique[s].proposals;
+          by_technique[s].acceptances += member.by_technique[s].acceptances;
+        }
+      }
+    }
+    depth.b_standard_error = std::sqrt(variance) / plan.settings.replicates;
+    depth.mutations += own.steps;
+    double accepted = 0.0;
+    for (const ChainStatistics::Kind& kind : own.kinds) accepted += kind.acceptances;
+    if (own.steps > 0) depth.acceptance = accepted / static_cast<double>(own.steps);
+    for (std::size_t s = 0; s < by_technique.size(); ++s) {
+      const ChainStatistics::Kind& kind = by_technique[s];
+      if (kind.proposals == 0) continue;
+      report.techniques.push_back(
+          {choice[s], kind.proposals, kind.acceptances / static_cast<double>(kind.proposals)});
+    }
+    report.depths.push_back(depth);
+    whole += own;
+  }
+  const auto mean = [](std::initializer_list<ChainStatistics::Kind> kinds) {
+    ChainStatistics::Kind sum;
+    for (const ChainStatistics::Kind& kind : kinds) {
+      sum.proposals += kind.proposals;
+      sum.acceptances += kind.acceptances;
+    }
+    return sum.proposals > 0 ? sum.acceptances / static_cast<double>(sum.proposals) : 0.0;
+  };
+  report.large_acceptance = mean({whole.of(StepKind::Large)});
+  report.small_acceptance = mean({whole.of(StepKind::SmallBoth), whole.of(StepKind::SmallCamera),
+                                  whole.of(StepKind::SmallLight)});
+  report.longest_rejection_streak = whole.longest_streak;
+  return report;
+}
+
+}  // namespace ajar

@@ -1,0 +1,66 @@
+#include "integrator/light_split.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace ajar {
+namespace {
+
+Contribution contribution(float value, Technique technique, float chance = 1.F) {
+  return {.value = Spectrum(value), .technique = technique, .mis_weight = 1.0, .chance = chance};
+}
+
+TEST(LightSplit, LeavesDirectLightToOrdinaryMonteCarlo) {
+  const ImportanceMap importance;
+  const LightSplit split(1.0, importance);
+  for (const Technique technique :
+       {Technique{0, 2}, Technique{0, 3}, Technique{1, 2}, Technique{2, 1}}) {
+    EXPECT_FALSE(LightSplit::divides(technique));
+    EXPECT_EQ(split.chain_share(contribution(1e6F, technique), {}), 0.F);
+  }
+  EXPECT_TRUE(LightSplit::divides({2, 2}));
+}
+
+TEST(LightSplit, DividesEvenlyAtTheThreshold) {
+  const ImportanceMap importance;
+  const LightSplit split(3.0, importance);
+  EXPECT_NEAR(split.chain_share(contribution(3.F, {2, 2}), {}), 0.5F, 1e-6);
+  EXPECT_NEAR(split.chain_share(contribution(27.F, {2, 2}), {}), 0.9F, 1e-6);
+  EXPECT_EQ(split.chain_share(contribution(0.F, {2, 2}), {}), 0.F);
+}
+
+TEST(LightSplit, SharesAddUpToOneAndOrdinaryMonteCarloStaysBelowTheThreshold) {
+  const ImportanceMap importance(Box2i(Vec2i(0, 0), Vec2i(1, 0)), {1.F, 3.F});
+  const LightSplit split(2.0, importance);
+  for (const float value : {1e-20F, 1e-3F, 1.F, 50.F, 1e4F}) {
+    for (const float x : {0.5F, 1.5F}) {
+      const Contribution path = contribution(value, {0, 5});
+      const Vec2 raster(x, 0.5F);
+      const float chain = split.chain_share(path, raster);
+      const float omc = split.omc_share(path, raster);
+      EXPECT_NEAR(chain + omc, 1.F, 1e-6);
+      EXPECT_LE(omc * split.strength(path, raster), 2.F * 1.001F);
+    }
+  }
+}
+
+TEST(LightSplit, DoesNotLookAtWhatChanceHasMadeOfThePath) {
+  const ImportanceMap importance;
+  const LightSplit split(5.0, importance);
+  const float sure = split.chain_share(contribution(2.F, {3, 2}), {});
+  EXPECT_FLOAT_EQ(split.chain_share(contribution(16.F, {3, 2}, 8.F), {}), sure)
+      << "a survivor of Russian roulette is the same path";
+}
+
+TEST(LightSplit, KeepsWhatCannotBeAddedForTheOneWhoCounts) {
+  const ImportanceMap importance;
+  const LightSplit split(5.0, importance);
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_EQ(split.chain_share(contribution(nan, {3, 2}), {}), 0.F);
+  const float infinity = std::numeric_limits<float>::infinity();
+  EXPECT_EQ(split.chain_share(contribution(infinity, {3, 2}), {}), 1.F);
+}
+
+}  // namespace
+}  // namespace ajar

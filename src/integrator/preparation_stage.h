@@ -1,0 +1,27 @@
+#pragma once
+#include <cstdint>
+
+#include "integrator/integrator.h"
+
+namespace ajar {
+
+/// One round of an integrator's preparation (see `Integrator::begin_preparation`).
+class PreparationStage {
+ public:
+  virtual ~PreparationStage() = default;
+  /// Number of items; called once.
+  virtual std::uint64_t begin() = 0;
+  /// On any thread, in any order.
+  virtual void run(std::uint64_t item, Counters& counters) = 0;
+  /// Called once, after all items.
+  virtual void end() = 0;
+};
+
+/// A range of independent samples of one of several owners.
+struct SampleBlock {
+  std::size_t owner;
+  std::uint64_t first;
+  std::uint64_t last;
+};
+
+}  // namespace ajar

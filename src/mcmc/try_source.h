@@ -1,0 +1,39 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "mcmc/chain_source.h"
+
+namespace ajar {
+
+/// Serves the numbers of one of several proposals of a step (`ChainSettings::tries`). Scratch
+/// memory of one thread.
+class TrySource final : public SampleSource {
+ public:
+  /// `centre` must outlive this.
+  TrySource(ChainSource& centre, const PrimaryShape& shape);
+
+  /// The next try is the fresh vector named by `key`.
+  void make_fresh(std::uint64_t key);
+  /// The next try is one small step away from what `centre` proposes, which it shares with other
+  /// tries; `key` names the randomness of this step.
+  void move_from_centre(const Change& change, std::uint64_t key);
+
+  float get(SampleAddress address) override {
+    const Vec2 pair = get_pair(address);
+    return (static_cast<unsigned>(address.slot()) & 1U) == 0 ? pair.x : pair.y;
+  }
+  Vec2 get_pair(SampleAddress address) override;
+
+ private:
+  ChainSource& centre_;
+  bool fresh_ = true;
+  Change change_;
+  std::uint64_t key_ = 0;
+  std::uint64_t try_ = 0;            ///< number of the try
+  std::vector<std::uint64_t> made_;  ///< for which try each block holds numbers
+  std::vector<std::array<float, kBlockSize>> blocks_;
+};
+
+}  // namespace ajar

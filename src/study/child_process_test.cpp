@@ -1,0 +1,79 @@
+#include "study/child_process.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <thread>
+
+#include "core/error.h"
+#include "study/folder_lock.h"
+
+namespace ajar::study {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Child : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = fs::temp_directory_path() / ("ajar-child-" + std::to_string(getpid()));
+    fs::create_directories(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+  ChildCommand shell(const std::string& script) const {
+    return {"/bin/sh", {"-c", script}, folder_.string(), (folder_ / "log").string()};
+  }
+  std::string log() const {
+    std::ifstream file(folder_ / "log");
+    std::string text;
+    std::getline(file, text, '\0');
+    return text;
+  }
+  fs::path folder_;
+  InterruptCount interrupts_{0};
+};
+
+TEST_F(Child, RunsInItsFolderAndLogs) {
+  const ChildResult result = run_child(shell("pwd; echo wrong >&2; exit 3"), interrupts_);
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_FALSE(result.interrupted);
+  EXPECT_EQ(log(), fs::canonical(folder_).string() + "\nwrong\n");
+}
+
+TEST_F(Child, TellsOfACrash) {
+  EXPECT_EQ(run_child(shell("kill -SEGV $$"), interrupts_).exit_code, -SIGSEGV);
+}
+
+TEST_F(Child, IsToldOfASignal) {
+  std::thread user([&] {
+    for (int i = 0; i < 500 && log().empty(); ++i) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
+    interrupts_ = 1;
+  });
+  const ChildResult result =
+      run_child(shell("trap 'echo told; exit 130' INT; echo ready; while :; do sleep 0.05; done"),
+                interrupts_);
+  user.join();
+  EXPECT_EQ(result.exit_code, 130);
+  EXPECT_TRUE(result.interrupted);
+  EXPECT_EQ(log(), "ready\ntold\n");
+}
+
+TEST_F(Child, ThatCannotBeStartedIsAnError) {
+  EXPECT_THROW(run_child({"/no/such/program", {}, folder_.string(), (folder_ / "log").string()},
+                         interrupts_),
+               IoError);
+}
+
+TEST_F(Child, AFolderIsLockedOnce) {
+  const FolderLock lock(folder_);
+  EXPECT_THROW(FolderLock{folder_}, IoError);
+}
+
+}  // namespace
+}  // namespace ajar::study

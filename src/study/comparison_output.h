@@ -1,0 +1,23 @@
+#pragma once
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "study/comparison.h"
+
+namespace ajar::study {
+
+/// The table that `ajar compare` prints, what its columns mean, and the tests for bias.
+std::string to_text(const Comparison& comparison);
+
+/// The same as one object, keys as in docs/compare.md. What has no value is null; so is the
+/// infinite PSNR of equal pictures.
+nlohmann::ordered_json to_json(const Comparison& comparison);
+
+/// Columns as wide as their longest cell, the first to the left, the others to the right, two
+/// spaces between them. All rows have the same number of cells.
+std::string aligned_table(const std::vector<std::vector<std::string>>& rows);
+
+/// Four digits, "inf", or "-" without a value.
+std::string value_text(std::optional<double> value);
+
+}  // namespace ajar::study

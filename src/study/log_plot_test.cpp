@@ -1,0 +1,54 @@
+#include "study/log_plot.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <regex>
+
+namespace ajar::study {
+namespace {
+
+/// Numbers that follow `attribute="` in the marks of a plot.
+std::vector<double> circles(const std::string& svg, const std::string& attribute) {
+  std::vector<double> values;
+  const std::regex pattern("<circle[^>]*" + attribute + "=\"([-0-9.]+)\"");
+  for (std::sregex_iterator i(svg.begin(), svg.end(), pattern), end; i != end; ++i) {
+    values.push_back(std::stod((*i)[1]));
+  }
+  return values;
+}
+
+TEST(LogPlot, EqualFactorsAreEqualDistances) {
+  LogPlot plot{"room", "seconds", "error", {{"pt", {{1, 8, 7, 9}, {4, 2, 1, 3}, {2, 4, 3, 5}}}}};
+  const std::string svg = to_svg(plot);
+  const std::vector<double> x = circles(svg, "cx");
+  const std::vector<double> y = circles(svg, "cy");
+  ASSERT_EQ(x.size(), 4U) << "three points, in order, and the legend";
+  EXPECT_NEAR(x[1] - x[0], x[2] - x[1], 0.2);
+  EXPECT_NEAR(y[1] - y[0], y[2] - y[1], 0.2);
+  EXPECT_LT(x[0], x[1]);
+  EXPECT_LT(y[0], y[1]) << "downwards";
+}
+
+TEST(LogPlot, LeavesOutWhatHasNoLogarithm) {
+  const LogPlot plot{
+      "", "", "", {{"a", {{1, 0, 0, 0}, {0, 1, 1, 1}, {1, NAN, 1, 1}, {1, 1, -1, 3}}}}};
+  const std::string svg = to_svg(plot);
+  EXPECT_EQ(circles(svg, "cx").size(), 2U) << "one point and the legend";
+  EXPECT_EQ(svg.find("nan"), std::string::npos);
+  EXPECT_EQ(svg.find("inf"), std::string::npos);
+}
+
+TEST(LogPlot, OfNothingIsAFrame) {
+  const std::string svg = to_svg({"", "", "", {{"a", {}}}});
+  EXPECT_EQ(svg.find("nan"), std::string::npos);
+  EXPECT_NE(svg.find("</svg>"), std::string::npos);
+}
+
+TEST(LogPlot, EscapesNames) {
+  const std::string svg = to_svg({"a<b & \"c\"", "", "", {}});
+  EXPECT_NE(svg.find("a&lt;b &amp; &quot;c&quot;"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace ajar::study

@@ -1,0 +1,90 @@
+#include "study/metric.h"
+
+#include <algorithm>
+
+#include "core/error.h"
+#include "image/flip.h"
+#include "image/metrics.h"
+#include "image/ssim.h"
+
+namespace ajar::study {
+
+namespace {
+using Measure = decltype(Metric::measure);
+using LinearMetric = double (*)(std::span<const float>, std::span<const float>);
+
+Measure of_linear(LinearMetric metric) {
+  return [metric](const LoadedPicture& a, const LoadedPicture& r, const MetricConditions&) {
+    return std::optional(metric(a.linear, r.linear));
+  };
+}
+
+std::optional<double> measure_trimmed(const LoadedPicture& a, const LoadedPicture& r,
+                                      const MetricConditions&) {
+  return relative_mse_trimmed(a.linear, r.linear);
+}
+
+std::optional<double> measure_psnr(const LoadedPicture& a, const LoadedPicture& r,
+                                   const MetricConditions&) {
+  return psnr(a.display, r.display);
+}
+
+std::optional<double> measure_ssim(const LoadedPicture& a, const LoadedPicture& r,
+                                   const MetricConditions&) {
+  return ssim(a.display, r.display, r.size);
+}
+
+std::optional<double> measure_flip(const LoadedPicture& a, const LoadedPicture& r,
+                                   const MetricConditions& conditions) {
+  return map_mean(flip_map(a.display, r.display, r.size, conditions.pixels_per_degree));
+}
+
+std::optional<double> measure_hdr_flip(const LoadedPicture& a, const LoadedPicture& r,
+                                       const MetricConditions& conditions) {
+  if (!conditions.exposures) return std::nullopt;
+  return map_mean(hdr_flip_map(a.linear, r.linear, r.size, *conditions.exposures,
+                               conditions.pixels_per_degree));
+}
+}  // namespace
+
+const std::vector<Metric>& metrics() {
+  static const std::vector<Metric> list{
+      {"mse", "radiance^2", false, "mean of (a - r)^2", of_linear(mse)},
+      {"rmse", "radiance", false, "square root of mse", of_linear(rmse)},
+      {"mae", "radiance", false, "mean of |a - r|", of_linear(mae)},
+      {"relmse", "", false, "mean of (a - r)^2 / (r^2 + 0.01)", of_linear(relative_mse)},
+      {"relmse-trimmed", "", false, "relmse without the 0.1 % of the pixels that are worst",
+       measure_trimmed},
+      {"smape", "", false, "mean of |a - r| / (|a| + |r| + 0.01)", of_linear(smape)},
+      {"psnr", "dB", true, "-10 log10 of the mse of display values; inf if they are equal",
+       measure_psnr},
+      {"ssim", "", true,
+       "structural similarity of display values (Wang 2004: 11x11 Gaussian windows, sigma 1.5); "
+       "none below 11x11 pixels",
+       measure_ssim},
+      {"flip", "", false, "mean FLIP of display values (Andersson 2020)", measure_flip},
+      {"hdr-flip", "", false,
+       "mean HDR-FLIP (Andersson 2021) over exposures chosen from the reference; none if that is "
+       "black",
+       measure_hdr_flip},
+  };
+  return list;
+}
+
+std::vector<const Metric*> metrics_by_name(const std::vector<std::string>& names) {
+  std::vector<std::string> valid;
+  for (const Metric& metric : metrics()) valid.push_back(metric.name);
+  for (const std::string& name : names) {
+    if (std::find(valid.begin(), valid.end(), name) == valid.end()) {
+      throw UsageError(unknown_name_message("metric", name, valid));
+    }
+  }
+  std::vector<const Metric*> chosen;
+  for (const Metric& metric : metrics()) {
+    const bool named = std::find(names.begin(), names.end(), metric.name) != names.end();
+    if (names.empty() || named) chosen.push_back(&metric);
+  }
+  return chosen;
+}
+
+}  // namespace ajar::study

@@ -1,0 +1,292 @@
+#include "study/study_output.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+#include <span>
+
+#include "core/atomic_file.h"
+#include "session/stats_json.h"
+#include "study/log_plot.h"
+#include "study/machine.h"
+
+namespace ajar::study {
+
+namespace {
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+/// Noise of the reference that decides more than this part of an error is worth a mark.
+constexpr double kLoudReference = 0.1;
+
+std::string with_error(const Mean& mean) {
+  if (mean.count == 0) return "-";
+  if (mean.count == 1) return fmt::format("{:.4g}", mean.mean);
+  return fmt::format("{:.4g} ± {:.2g}", mean.mean, mean.standard_error);
+}
+
+std::string ratio_text(const std::optional<Ratio>& ratio) {
+  if (!ratio) return "-";
+  if (!ratio->low) return fmt::format("{:.3g}", ratio->value);
+  return fmt::format("{:.3g} [{:.3g}, {:.3g}]", ratio->value, *ratio->low, *ratio->high);
+}
+
+std::string acceptance_text(const SummaryRow& row) {
+  const auto number = [](std::optional<double> v) { return v ? fmt::format("{:.2f}", *v) : "-"; };
+  if (!row.small_acceptance && !row.large_acceptance) return "-";
+  return number(row.small_acceptance) + " / " + number(row.large_acceptance);
+}
+
+/// Whether a large part of a row's error is the reference's.
+bool is_loud(const StudyPlan& plan, const StudyResult& result, const SummaryRow& row) {
+  const std::optional<double>& noise = result.noise.at(row.scene);
+  if (!noise) return false;
+  for (std::size_t i = 0; i < plan.metrics.size(); ++i) {
+    const bool decides = plan.metrics[i]->name == plan.efficiency_metric;
+    if (decides && row.metrics[i].count > 0) return *noise > kLoudReference * row.metrics[i].mean;
+  }
+  return false;
+}
+
+std::string table_head(const StudyPlan& plan) {
+  std::string head = "| method | runs | seconds | samples per pixel | acceptance small / large |";
+  std::string rule = "|---|---|---|---|---|";
+  for (const Metric* metric : plan.metrics) {
+    head += " " + metric->name + (metric->unit.empty() ? "" : " [" + metric->unit + "]") + " |";
+    rule += "---|";
+  }
+  return head + " efficiency |\n" + rule + "---|\n";
+}
+
+std::string table_row(const StudyPlan& plan, const StudyResult& result, const SummaryRow& row) {
+  std::string text =
+      fmt::format("| {} | {} | {} | {} | {} |", plan.methods[row.method].name, row.seconds.count,
+                  with_error(row.seconds), with_error(row.samples), acceptance_text(row));
+  for (const Mean& metric : row.metrics) text += fmt::format(" {} |", with_error(metric));
+  return text + fmt::format(" {}{} |\n", ratio_text(row.efficiency),
+                            is_loud(plan, result, row) ? " \\*" : "");
+}
+
+std::string explanation(const StudyPlan& plan) {
+  std::string text =
+      "Means over seeds ± their standard error. *seconds*: preparing and rendering, wall clock. "
+      "*samples per pixel*: of Markov chains, mutations.";
+  if (!plan.efficiency_metric.empty()) {
+    text += fmt::format(
+        " *efficiency*: 1/({0} · seconds) relative to {1}, with its 95 % interval (log-normal, "
+        "Student's t with Welch's degrees of freedom, over seeds); {0} is variance where the "
+        "method "
+        "is unbiased and the reference exact. \\*: more than 10 % of the {0} may be noise of the "
+        "reference.",
+        plan.efficiency_metric, plan.baseline);
+  }
+  return text + "\n";
+}
+
+std::string csv_cell(const std::string& text) {
+  if (text.find_first_of(",\"\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
+  return quoted + "\"";
+}
+
+std::string csv_mean(const Mean& mean) {
+  if (mean.count == 0) return ",,";
+  return fmt::format(",{:.9g},{:.9g}", mean.mean, mean.standard_error);
+}
+
+std::string csv_number(std::optional<double> value) {
+  return value ? fmt::format(",{:.9g}", *value) : ",";
+}
+
+Json mean_json(const Mean& mean) {
+  if (mean.count == 0) return {};
+  Json json{{"count", mean.count}, {"mean", mean.mean}};
+  json["standard_error"] = mean.count > 1 ? Json(mean.standard_error) : Json();
+  json["standard_deviation"] = mean.count > 1 ? Json(mean.deviation) : Json();
+  return json;
+}
+
+Json optional_json(std::optional<double> value) { return value ? Json(*value) : Json(); }
+
+Json row_json(const StudyPlan& plan, const SummaryRow& row) {
+  Json metrics = Json::object();
+  for (std::size_t i = 0; i < plan.metrics.size(); ++i) {
+    metrics[plan.metrics[i]->name] = mean_json(row.metrics[i]);
+  }
+  Json json{{"scene", plan.scenes[row.scene].name},
+            {"method", plan.methods[row.method].name},
+            {"budget", plan.budgets[row.budget].name()},
+            {"seconds", mean_json(row.seconds)},
+            {"samples_per_pixel", mean_json(row.samples)},
+            {"acceptance",
+             {{"small", optional_json(row.small_acceptance)},
+              {"large", optional_json(row.large_acceptance)}}},
+            {"metrics", metrics},
+            {"efficiency", nullptr}};
+  if (row.efficiency) {
+    json["efficiency"] = {{"ratio", row.efficiency->value},
+                          {"low", optional_json(row.efficiency->low)},
+                          {"high", optional_json(row.efficiency->high)}};
+  }
+  return json;
+}
+
+Json run_json(const StudyPlan& plan, const FinishedRun& finished) {
+  const StudyRun& run = finished.run;
+  const Json& record = finished.record.json;
+  return {{"scene", plan.scenes[run.scene].name},
+          {"method", plan.methods[run.method].name},
+          {"budget", plan.budgets[run.budget].name()},
+          {"seed", run.seed},
+          {"picture", run.stem.string() + ".exr"},
+          {"seconds", finished.record.seconds()},
+          {"metrics", record.value("metrics", Json::object())},
+          {"load_average", record.value("load_average", Json())},
+          {"machine", record.value("machine", Json())},
+          {"statistics", record.at("statistics")}};
+}
+
+LogPlot plot_of(const StudyPlan& plan, const std::vector<SummaryRow>& rows, std::size_t scene,
+                std::size_t metric) {
+  const Metric& error = *plan.metrics[metric];
+  LogPlot plot{plan.scenes[scene].name,
+               "seconds",
+               error.name + (error.unit.empty() ? "" : " [" + error.unit + "]"),
+               {}};
+  for (std::size_t method = 0; method < plan.methods.size(); ++method) {
+    PlotCurve curve{plan.methods[method].name, {}};
+    for (const SummaryRow& row : rows) {
+      const Mean& value = row.metrics[metric];
+      if (row.scene != scene || row.method != method || value.count == 0) continue;
+      curve.points.push_back({row.seconds.mean, value.mean, value.mean - value.deviation,
+                              value.mean + value.deviation});
+    }
+    plot.curves.push_back(std::move(curve));
+  }
+  return plot;
+}
+
+std::string curves_csv(const StudyPlan& plan, const std::vector<SummaryRow>& rows) {
+  std::string text = "scene,method,budget,metric,seconds,mean,standard_deviation,runs\n";
+  for (const SummaryRow& row : rows) {
+    for (std::size_t i = 0; i < plan.metrics.size(); ++i) {
+      const Mean& value = row.metrics[i];
+      if (value.count == 0) continue;
+      text += fmt::format(
+          "{},{},{},{},{:.9g},{:.9g},{:.9g},{}\n", csv_cell(plan.scenes[row.scene].name),
+          csv_cell(plan.methods[row.method].name), plan.budgets[row.budget].name(),
+          plan.metrics[i]->name, row.seconds.mean, value.mean, value.deviation, value.count);
+    }
+  }
+  return text;
+}
+
+void write_text(const fs::path& path, const std::string& text) {
+  write_file_atomically(path, std::as_bytes(std::span(text)));
+}
+}  // namespace
+
+std::string to_markdown(const StudyPlan& plan, const StudyResult& result,
+                        const std::vector<SummaryRow>& rows) {
+  const Json machine = machine_json();
+  std::string text = fmt::format(
+      "# {}\n\n{} of {} renders. {}, {} cores; ajar {}.\n\n{}", plan.name, result.runs.size(),
+      result.planned, machine.at("processor").get<std::string>(), machine.at("cores").get<int>(),
+      machine.at("version").get<std::string>(), explanation(plan));
+  for (const std::string& warning : result.warnings) text += "\nWarning: " + warning + "\n";
+  for (const std::string& failure : result.failures) text += "\nFailed: " + failure + "\n";
+  const SummaryRow* previous = nullptr;
+  for (const SummaryRow& row : rows) {
+    const bool new_scene = previous == nullptr || previous->scene != row.scene;
+    if (new_scene) text += "\n## " + plan.scenes[row.scene].name + "\n";
+    if (new_scene || previous->budget != row.budget) {
+      text += "\n### " + plan.budgets[row.budget].name() + "\n\n" + table_head(plan);
+    }
+    text += table_row(plan, result, row);
+    previous = &row;
+  }
+  return text;
+}
+
+std::string to_csv(const StudyPlan& plan, const std::vector<SummaryRow>& rows) {
+  std::string text =
+      "scene,method,budget,runs,seconds,seconds_error,samples_per_pixel,samples_per_pixel_error,"
+      "acceptance_small,acceptance_large";
+  for (const Metric* metric : plan.metrics) {
+    text += fmt::format(",{0},{0}_error", metric->name);
+  }
+  text += ",efficiency,efficiency_low,efficiency_high\n";
+  for (const SummaryRow& row : rows) {
+    text += fmt::format("{},{},{},{}", csv_cell(plan.scenes[row.scene].name),
+                        csv_cell(plan.methods[row.method].name), plan.budgets[row.budget].name(),
+                        row.seconds.count);
+    text += csv_mean(row.seconds) + csv_mean(row.samples);
+    text += csv_number(row.small_acceptance) + csv_number(row.large_acceptance);
+    for (const Mean& metric : row.metrics) text += csv_mean(metric);
+    const std::optional<Ratio>& ratio = row.efficiency;
+    text += csv_number(ratio ? std::optional(ratio->value) : std::nullopt);
+    text += csv_number(ratio ? ratio->low : std::nullopt);
+    text += csv_number(ratio ? ratio->high : std::nullopt) + "\n";
+  }
+  return text;
+}
+
+Json to_json(const StudyPlan& plan, const StudyResult& result,
+             const std::vector<SummaryRow>& rows) {
+  Json scenes = Json::array();
+  for (std::size_t i = 0; i < plan.scenes.size(); ++i) {
+    scenes.push_back({{"name", plan.scenes[i].name},
+                      {"scene", plan.scenes[i].scene},
+                      {"options", plan.scenes[i].options},
+                      {"reference", result.references[i]},
+                      {"reference_noise", optional_json(result.noise[i])}});
+  }
+  Json methods = Json::array();
+  for (const Method& method : plan.methods) {
+    methods.push_back({{"name", method.name},
+                       {"integrator", method.integrator},
+                       {"parameters", method.parameters}});
+  }
+  Json summary = Json::array();
+  for (const SummaryRow& row : rows) summary.push_back(row_json(plan, row));
+  Json runs = Json::array();
+  for (const FinishedRun& run : result.runs) runs.push_back(run_json(plan, run));
+  return {{"name", plan.name},
+          {"machine", machine_json()},
+          {"scenes", scenes},
+          {"methods", methods},
+          {"seeds", plan.seeds},
+          {"baseline", plan.baseline},
+          {"efficiency_metric", plan.efficiency_metric},
+          {"planned", result.planned},
+          {"interrupted", result.interrupted},
+          {"failures", result.failures},
+          {"warnings", result.warnings},
+          {"summary", summary},
+          {"runs", runs}};
+}
+
+std::vector<std::string> write_study(const StudyPlan& plan, const StudyResult& result,
+                                     const fs::path& out) {
+  const std::vector<SummaryRow> rows = summarise(plan, result);
+  fs::create_directories(out / "curves");
+  std::string markdown = to_markdown(plan, result, rows);
+  for (std::size_t scene = 0; scene < plan.scenes.size(); ++scene) {
+    for (std::size_t metric = 0; metric < plan.metrics.size(); ++metric) {
+      if (plan.metrics[metric]->larger_is_better) continue;
+      const std::string name =
+          file_name(plan.scenes[scene].name) + "-" + plan.metrics[metric]->name + ".svg";
+      write_text(out / "curves" / name, to_svg(plot_of(plan, rows, scene, metric)));
+      markdown += fmt::format("\n![{} of {}](curves/{})\n", plan.metrics[metric]->name,
+                              plan.scenes[scene].name, name);
+    }
+  }
+  write_text(out / "study.md", markdown);
+  write_text(out / "study.csv", to_csv(plan, rows));
+  write_text(out / "curves.csv", curves_csv(plan, rows));
+  write_json(to_json(plan, result, rows), (out / "study.json").string());
+  return {(out / "study.md").string(), (out / "study.csv").string(), (out / "study.json").string()};
+}
+
+}  // namespace ajar::study

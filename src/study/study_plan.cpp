@@ -1,0 +1,314 @@
+#include "study/study_plan.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <functional>
+#include <set>
+
+#include "core/error.h"
+#include "session/builtin_scenes.h"
+#include "session/option_values.h"
+#include "session/render_setup.h"
+#include "session/scene_file.h"
+#include "study/json_reader.h"
+
+namespace ajar::study {
+
+namespace {
+namespace fs = std::filesystem;
+
+constexpr std::int64_t kMostSeeds = 10000;
+constexpr std::int64_t kMostSamples = std::int64_t{1} << 31;
+/// A seed of its own, so that no run of the study repeats the reference's random numbers.
+constexpr std::uint64_t kReferenceSeed = 1'000'003;
+
+/// Raises UsageError unless there is such a method with such parameters.
+void check_method(const Method& method) {
+  RenderRequest request;
+  request.integrator = method.integrator;
+  request.parameters = method.parameters;
+  desc::Film film;
+  const RenderSetup setup = make_setup(request, {}, film);
+  const Parameters checked(setup.integrator->parameters, setup.parameters);
+}
+
+Method read_method(const JsonNode& node) {
+  Method method;
+  method.integrator = node.is_text() ? node.text() : node.at("integrator").text();
+  method.name = node.has("name") ? node.at("name").text() : method.integrator;
+  if (node.has("parameters")) {
+    for (const auto& [name, value] : node.at("parameters").members()) {
+      method.parameters[name] = value.parameter_text();
+    }
+  }
+  return method;
+}
+
+/// A method, or all that its sweep expands to: the product of the values of its parameters.
+std::vector<Method> read_methods(const JsonNode& node) {
+  if (!node.is_text()) node.check_members({"integrator", "name", "parameters", "sweep"});
+  std::vector<Method> methods{read_method(node)};
+  if (node.has("sweep")) {
+    for (const auto& [parameter, values] : node.at("sweep").members()) {
+      std::vector<Method> expanded;
+      for (const Method& method : methods) {
+        for (const JsonNode& value : values.elements()) {
+          Method next = method;
+          next.parameters[parameter] = value.parameter_text();
+          next.name += " " + parameter + "=" + value.parameter_text();
+          expanded.push_back(std::move(next));
+        }
+      }
+      methods = std::move(expanded);
+    }
+  }
+  for (const Method& method : methods) node.check([&] { check_method(method); });
+  return methods;
+}
+
+double read_seconds(const JsonNode& node) {
+  if (!node.is_text()) return node.positive();
+  double seconds = 0.0;
+  node.check([&] { seconds = parse_duration("time", node.text()); });
+  return seconds;
+}
+
+RunBudget read_samples(const JsonNode& node) {
+  return {std::nullopt, static_cast<std::uint64_t>(node.whole(1, kMostSamples))};
+}
+
+RunBudget read_budget(const JsonNode& node) {
+  node.check_members({"time", "spp"});
+  if (node.has("time") == node.has("spp")) node.fail("expects either \"time\" or \"spp\"");
+  if (node.has("spp")) return read_samples(node.at("spp"));
+  return {read_seconds(node.at("time")), std::nullopt};
+}
+
+MadeReference read_made_reference(const JsonNode& node) {
+  node.check_members({"integrator", "parameters", "spp", "time", "seed"});
+  MadeReference made;
+  made.method = read_method(node);
+  node.check([&] { check_method(made.method); });
+  made.seed = kReferenceSeed;
+  if (node.has("seed")) {
+    made.seed = static_cast<std::uint64_t>(node.at("seed").whole(0, kMostSamples));
+  }
+  if (node.has("spp")) made.limits.push_back(read_samples(node.at("spp")));
+  if (node.has("time")) made.limits.push_back({read_seconds(node.at("time")), std::nullopt});
+  if (made.limits.empty()) node.fail("expects \"spp\" or \"time\", or both");
+  return made;
+}
+
+/// An element, or the elements of an array: alternatives, of which the first that exists wins.
+std::vector<JsonNode> alternatives(const JsonNode& node) {
+  return node.is_array() ? node.elements() : std::vector<JsonNode>{node};
+}
+
+std::string from_folder(const fs::path& folder, const std::string& path) {
+  return (folder / path).lexically_normal().string();
+}
+
+std::string choose_scene(const JsonNode& node, const fs::path& folder) {
+  std::string tried;
+  for (const JsonNode& candidate : alternatives(node)) {
+    std::string text = candidate.text();
+    constexpr std::string_view kBuiltin = "builtin:";
+    if (text.starts_with(kBuiltin)) {
+      const std::vector<std::string> names = builtin_scene_names();
+      const std::string name = text.substr(kBuiltin.size());
+      if (std::find(names.begin(), names.end(), name) == names.end()) {
+        candidate.fail(unknown_name_message("built-in scene", name, names));
+      }
+      return text;
+    }
+    std::string path = from_folder(folder, text);
+    std::error_code ignored;
+    if (fs::is_regular_file(path, ignored)) return path;
+    tried += (tried.empty() ? "" : ", ") + path;
+  }
+  node.fail("no such scene file: " + tried);
+}
+
+void choose_reference(const JsonNode& node, const fs::path& folder, StudyScene& scene) {
+  std::string tried;
+  for (const JsonNode& candidate : alternatives(node)) {
+    if (candidate.is_object()) {
+      scene.made_reference = read_made_reference(candidate);
+      return;
+    }
+    const std::string path = from_folder(folder, candidate.text());
+    std::error_code ignored;
+    if (fs::is_regular_file(path, ignored)) {
+      scene.reference_file = path;
+      return;
+    }
+    tried += (tried.empty() ? "" : ", ") + path;
+  }
+  node.fail("no such reference picture: " + tried);
+}
+
+/// `--resolution` and so on, from the scene or else from the whole study.
+std::vector<std::string> read_options(const JsonNode& study, const JsonNode& scene) {
+  std::vector<std::string> options;
+  // A scene that says one of these is not meant to get the other from the study.
+  const bool has_size = scene.has("resolution") || scene.has("scale");
+  const JsonNode& size = has_size ? scene : study;
+  if (size.has("resolution") && size.has("scale")) {
+    size.fail("expects \"resolution\" or \"scale\", not both");
+  }
+  const auto add = [&](const std::string& name, const std::function<void(const JsonNode&)>& test) {
+    const bool from_scene =
+        scene.has(name) || (has_size && (name == "resolution" || name == "scale"));
+    const JsonNode& source = from_scene ? scene : study;
+    if (!source.has(name)) return;
+    const JsonNode node = source.at(name);
+    node.check([&] { test(node); });
+    options.push_back("--" + name);
+    options.push_back(node.parameter_text());
+  };
+  add("resolution", [](const JsonNode& n) { parse_resolution("resolution", n.text()); });
+  add("scale", [](const JsonNode& n) { n.positive(); });
+  add("crop", [](const JsonNode& n) { parse_crop("crop", n.text()); });
+  add("depth", [](const JsonNode& n) { parse_depth("depth", n.parameter_text()); });
+  return options;
+}
+
+StudyScene read_scene(const JsonNode& study, const JsonNode& node, const fs::path& folder) {
+  StudyScene scene;
+  if (!node.is_text()) {
+    node.check_members({"scene", "name", "reference", "resolution", "scale", "crop", "depth"});
+  }
+  scene.scene = choose_scene(node.is_text() ? node : node.at("scene"), folder);
+  scene.name = node.has("name") ? node.at("name").text() : scene_stem(scene.scene);
+  scene.options = read_options(study, node);
+  if (!node.has("reference") && !study.has("reference")) {
+    node.fail("there is no \"reference\", neither here nor for the whole study");
+  }
+  choose_reference((node.has("reference") ? node : study).at("reference"), folder, scene);
+  return scene;
+}
+
+std::vector<std::uint64_t> read_seeds(const JsonNode& study) {
+  std::vector<std::uint64_t> seeds;
+  if (!study.has("seeds")) return {1};
+  const JsonNode node = study.at("seeds");
+  if (!node.is_array()) {
+    const std::int64_t count = node.whole(1, kMostSeeds);
+    for (std::int64_t seed = 1; seed <= count; ++seed) {
+      seeds.push_back(static_cast<std::uint64_t>(seed));
+    }
+    return seeds;
+  }
+  for (const JsonNode& element : node.elements()) {
+    const auto seed = static_cast<std::uint64_t>(element.whole(0, kMostSamples));
+    if (std::find(seeds.begin(), seeds.end(), seed) != seeds.end()) {
+      element.fail("this seed is there twice: the same random numbers prove nothing twice");
+    }
+    seeds.push_back(seed);
+  }
+  return seeds;
+}
+
+/// Names become folders; what looks the same there would mix up files.
+void check_unique(const JsonNode& node, const std::vector<std::string>& names) {
+  std::set<std::string> seen;
+  for (const std::string& name : names) {
+    if (!seen.insert(file_name(name)).second) {
+      node.fail("the name \"" + name + "\" is there twice; set \"name\"");
+    }
+  }
+}
+
+void read_metrics(const JsonNode& study, StudyPlan& plan) {
+  std::vector<std::string> names;
+  if (study.has("metrics")) {
+    for (const JsonNode& node : study.at("metrics").elements()) {
+      node.check([&] { metrics_by_name({node.text()}); });
+      names.push_back(node.text());
+    }
+  }
+  plan.metrics = metrics_by_name(names);
+  std::vector<std::string> squared;
+  for (const Metric* metric : plan.metrics) {
+    for (const char* name : {"relmse", "relmse-trimmed", "mse"}) {
+      if (metric->name == name) squared.emplace_back(name);
+    }
+  }
+  if (!study.has("efficiency")) {
+    const bool has_relative = std::find(squared.begin(), squared.end(), "relmse") != squared.end();
+    plan.efficiency_metric = has_relative || squared.empty() ? "relmse" : squared.front();
+    if (squared.empty()) plan.efficiency_metric.clear();
+    return;
+  }
+  const JsonNode node = study.at("efficiency");
+  plan.efficiency_metric = node.text();
+  if (std::find(squared.begin(), squared.end(), plan.efficiency_metric) == squared.end()) {
+    node.fail(unknown_name_message("metric of efficiency", plan.efficiency_metric, squared));
+  }
+}
+
+void read_baseline(const JsonNode& study, StudyPlan& plan) {
+  plan.baseline = plan.methods.front().name;
+  if (!study.has("baseline")) return;
+  plan.baseline = study.at("baseline").text();
+  std::vector<std::string> names;
+  for (const Method& method : plan.methods) names.push_back(method.name);
+  if (std::find(names.begin(), names.end(), plan.baseline) == names.end()) {
+    study.at("baseline").fail(unknown_name_message("method", plan.baseline, names));
+  }
+}
+}  // namespace
+
+std::string RunBudget::name() const {
+  return seconds ? fmt::format("{:g}s", *seconds) : fmt::format("{}spp", *samples_per_pixel);
+}
+
+std::string file_name(const std::string& name) {
+  std::string result = name;
+  for (char& c : result) {
+    const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+                       c == '-' || c == '=' || c == '.';
+    if (!plain) c = '_';
+  }
+  if (result.starts_with('.')) result.front() = '_';
+  return result;
+}
+
+StudyPlan read_study(const std::string& path) {
+  const JsonNode study = JsonNode::read_file(path);
+  study.check_members({"name", "scenes", "integrators", "seeds", "budgets", "reference", "metrics",
+                       "efficiency", "baseline", "threads", "resolution", "scale", "crop",
+                       "depth"});
+  const fs::path folder = fs::path(path).parent_path();
+  StudyPlan plan;
+  plan.name = study.has("name") ? study.at("name").text() : fs::path(path).stem().string();
+  std::vector<std::string> names;
+  for (const JsonNode& node : study.at("scenes").elements()) {
+    plan.scenes.push_back(read_scene(study, node, folder));
+    names.push_back(plan.scenes.back().name);
+  }
+  check_unique(study.at("scenes"), names);
+  names.clear();
+  for (const JsonNode& node : study.at("integrators").elements()) {
+    for (Method& method : read_methods(node)) {
+      names.push_back(method.name);
+      plan.methods.push_back(std::move(method));
+    }
+  }
+  check_unique(study.at("integrators"), names);
+  plan.seeds = read_seeds(study);
+  names.clear();
+  for (const JsonNode& node : study.at("budgets").elements()) {
+    plan.budgets.push_back(read_budget(node));
+    names.push_back(plan.budgets.back().name());
+  }
+  check_unique(study.at("budgets"), names);
+  read_metrics(study, plan);
+  read_baseline(study, plan);
+  if (study.has("threads")) plan.threads = static_cast<int>(study.at("threads").whole(0, 4096));
+  return plan;
+}
+
+}  // namespace ajar::study

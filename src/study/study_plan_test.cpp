@@ -1,0 +1,160 @@
+#include "study/study_plan.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "core/error.h"
+
+namespace ajar::study {
+namespace {
+
+namespace fs = std::filesystem;
+
+class StudyFile : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = fs::temp_directory_path() / ("ajar-study-plan-" + std::to_string(getpid()));
+    fs::create_directories(folder_ / "scenes");
+    std::ofstream(folder_ / "scenes" / "mine.pbrt") << "WorldBegin\nWorldEnd\n";
+    std::ofstream(folder_ / "reference.pfm") << "not read here";
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  StudyPlan read(const std::string& text) const {
+    const fs::path path = folder_ / "study.json";
+    std::ofstream(path) << text;
+    return read_study(path.string());
+  }
+  /// The message of the error without the folder.
+  std::string error_of(const std::string& text) const {
+    try {
+      read(text);
+    } catch (const UsageError& error) {
+      const std::string message = error.what();
+      const std::string prefix = (folder_ / "study.json").string();
+      EXPECT_TRUE(message.starts_with(prefix)) << message;
+      return message.substr(std::min(prefix.size(), message.size()));
+    }
+    return "no error";
+  }
+  /// A study that is right, with more members or others.
+  static std::string study(const std::string& more,
+                           const std::string& scenes = R"(["builtin:cornell"])",
+                           const std::string& integrators = R"(["pt", "bdpt"])") {
+    return R"({"scenes": )" + scenes + R"(, "integrators": )" + integrators +
+           (more.empty() ? "" : ", " + more) + "}";
+  }
+  static constexpr const char* kRest =
+      R"("budgets": [{"spp": 4}], "reference": {"integrator": "pt", "spp": 16})";
+
+  fs::path folder_;
+};
+
+TEST_F(StudyFile, FillsInWhatIsNotSaid) {
+  const StudyPlan plan = read(study(kRest));
+  EXPECT_EQ(plan.name, "study");
+  EXPECT_EQ(plan.seeds, std::vector<std::uint64_t>{1});
+  EXPECT_EQ(plan.baseline, "pt");
+  EXPECT_EQ(plan.efficiency_metric, "relmse");
+  EXPECT_EQ(plan.metrics.size(), metrics().size());
+  ASSERT_EQ(plan.scenes.size(), 1U);
+  EXPECT_EQ(plan.scenes[0].name, "cornell");
+  EXPECT_TRUE(plan.scenes[0].options.empty());
+  EXPECT_EQ(plan.scenes[0].made_reference.value().limits.at(0).name(), "16spp");
+}
+
+TEST_F(StudyFile, TheFirstSceneAndReferenceThatExistWin) {
+  const StudyPlan plan =
+      read(study(R"("budgets": [{"time": "90s"}], "reference": ["absent.exr", "reference.pfm"])",
+                 R"([{"scene": ["absent.pbrt", "scenes/mine.pbrt", "builtin:cornell"], "name": "a"},
+          {"scene": ["absent.pbrt", "builtin:cornell"], "reference": {"integrator": "pt", "time": 5}}])"));
+  EXPECT_EQ(plan.scenes.at(0).scene, (folder_ / "scenes" / "mine.pbrt").string());
+  EXPECT_EQ(plan.scenes.at(0).reference_file, (folder_ / "reference.pfm").string());
+  EXPECT_EQ(plan.scenes.at(1).scene, "builtin:cornell");
+  EXPECT_EQ(plan.scenes.at(1).made_reference.value().limits.at(0).seconds, 5.0);
+  EXPECT_EQ(plan.budgets.at(0).name(), "90s");
+}
+
+TEST_F(StudyFile, ASweepIsTheProductOfItsValues) {
+  const StudyPlan plan = read(study(kRest, R"(["builtin:cornell"])", R"([
+      {"integrator": "mmlt", "name": "m", "parameters": {"bootstrap": 1000},
+       "sweep": {"sigma": [0.01, 0.1], "mutation": ["gaussian", "kelemen"]}}])"));
+  ASSERT_EQ(plan.methods.size(), 4U);
+  EXPECT_EQ(plan.methods[1].name, "m sigma=0.01 mutation=kelemen");
+  EXPECT_EQ(plan.methods[2].parameters.at("sigma"), "0.1");
+  EXPECT_EQ(plan.methods[2].parameters.at("bootstrap"), "1000");
+}
+
+TEST_F(StudyFile, ASceneMayHaveItsOwnSize) {
+  const StudyPlan plan = read(
+      study(std::string(kRest) + R"(, "resolution": "64x48", "depth": 5)",
+            R"(["builtin:cornell", {"scene": "builtin:pool", "scale": 0.5, "depth": "2:3"}])"));
+  EXPECT_EQ(plan.scenes.at(0).options,
+            (std::vector<std::string>{"--resolution", "64x48", "--depth", "5"}));
+  EXPECT_EQ(plan.scenes.at(1).options,
+            (std::vector<std::string>{"--scale", "0.5", "--depth", "2:3"}));
+}
+
+TEST_F(StudyFile, ErrorsSayWhereAndWhatWouldBeRight) {
+  struct Case {
+    std::string text;
+    std::vector<std::string> parts;
+  };
+  const std::string rest = kRest;
+  const std::string cornell = R"(["builtin:cornell"])";
+  const std::vector<Case> cases{
+      {"{\n  \"scenes\": [,\n", {":2:14: "}},
+      {"{\"scenes\": [\"a\"", {":1:"}},
+      {"[]", {": expects an object"}},
+      {study(rest + R"(, "budgetts": 1)"), {"unknown member \"budgetts\"", "\"budgets\"?"}},
+      {study(R"("budgets": [{"spp": 4}])"), {": scenes[0]: ", "no \"reference\""}},
+      {study(rest, R"(["builtin:cornel"])"), {": scenes[0]: ", "did you mean \"cornell\"?"}},
+      {study(rest, R"([{"scene": ["a.pbrt", "b.pbrt"]}])"), {": scenes[0].scene: ", "b.pbrt"}},
+      {study(rest, R"([{"scen": "builtin:cornell"}])"), {": scenes[0]: ", "\"scene\"?"}},
+      {study(rest, R"(["builtin:cornell", "builtin:cornell"])"), {": scenes: ", "twice"}},
+      {study(rest, "[]"), {": scenes: ", "at least one"}},
+      {study(rest, cornell, R"(["ptt"])"), {": integrators[0]: ", "did you mean \"pt\"?"}},
+      {study(rest, cornell, R"(["pt", {"integrator": "mmlt", "parameters": {"sigmma": 1}}])"),
+       {": integrators[1]: ", "\"sigma\"?"}},
+      {study(rest, cornell, R"([{"integrator": "mmlt", "sweep": {"sigma": [0.1, "x"]}}])"),
+       {": integrators[0]: ", "sigma"}},
+      {study(rest, cornell, R"([{"integrator": "mmlt", "sweep": {"sigma": 0.1}}])"),
+       {": integrators[0].sweep.sigma: ", "array"}},
+      {study(rest, cornell, R"([{"integrator": "pt"}, "pt"])"), {": integrators: ", "twice"}},
+      {study(R"("reference": {"integrator": "pt", "spp": 1}, "budgets": [{"spp": 4, "time": 1}])"),
+       {": budgets[0]: ", "either"}},
+      {study(R"("reference": {"integrator": "pt", "spp": 1}, "budgets": [{"spp": 1.5}])"),
+       {": budgets[0].spp: ", "whole number"}},
+      {study(R"("reference": {"integrator": "pt", "spp": 1}, "budgets": [{"time": "soon"}])"),
+       {": budgets[0].time: ", "2m"}},
+      {study(R"("reference": {"integrator": "pt"}, "budgets": [{"spp": 4}])"),
+       {": reference: ", "\"spp\" or \"time\""}},
+      {study(R"("reference": "absent.exr", "budgets": [{"spp": 4}])"),
+       {": reference: ", "absent.exr"}},
+      {study(rest + R"(, "metrics": ["relmse", "flop"])"), {": metrics[1]: ", "\"flip\"?"}},
+      {study(rest + R"(, "metrics": ["relmse"], "efficiency": "mse")"), {": efficiency: "}},
+      {study(rest + R"(, "baseline": "bdp")"), {": baseline: ", "\"bdpt\"?"}},
+      {study(rest + R"(, "seeds": 0)"), {": seeds: "}},
+      {study(rest + R"(, "seeds": [1, 2, 1])"), {": seeds[2]: ", "twice"}},
+      {study(rest + R"(, "resolution": "64")"), {": resolution: ", "WIDTHxHEIGHT"}},
+      {study(rest + R"(, "threads": -1)"), {": threads: "}},
+  };
+  for (const Case& c : cases) {
+    const std::string message = error_of(c.text);
+    for (const std::string& part : c.parts) {
+      EXPECT_NE(message.find(part), std::string::npos) << c.text << "\nsays " << message;
+    }
+  }
+  EXPECT_THROW(read_study((folder_ / "absent.json").string()), IoError);
+}
+
+TEST(FileName, KeepsWhatIsSafeInPaths) {
+  EXPECT_EQ(file_name("mmlt sigma=0.01"), "mmlt_sigma=0.01");
+  EXPECT_EQ(file_name("../é"), "_._" + std::string("__"));
+}
+
+}  // namespace
+}  // namespace ajar::study

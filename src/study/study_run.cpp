@@ -1,0 +1,140 @@
+#include "study/study_run.h"
+
+#include <fmt/format.h>
+
+#include <fstream>
+
+#include "session/stats_json.h"
+#include "session/version.h"
+#include "study/machine.h"
+
+namespace ajar::study {
+
+namespace {
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+void add_method(const Method& method, std::vector<std::string>& arguments) {
+  arguments.insert(arguments.end(), {"--integrator", method.integrator});
+  for (const auto& [name, value] : method.parameters) {
+    arguments.insert(arguments.end(), {"--set", fmt::format("{}={}", name, value)});
+  }
+}
+
+void add_budget(const RunBudget& budget, StudyRun& run) {
+  if (budget.seconds) {
+    run.arguments.insert(run.arguments.end(), {"--time", fmt::format("{}", *budget.seconds)});
+    run.seconds = budget.seconds;
+  } else {
+    run.arguments.insert(run.arguments.end(), {"--spp", std::to_string(*budget.samples_per_pixel)});
+  }
+}
+
+std::string key_of(const std::string& scene_hash, const std::vector<std::string>& arguments) {
+  std::string text = version() + '\n' + scene_hash;
+  for (const std::string& argument : arguments) text += '\n' + argument;
+  return hash_text(text);
+}
+
+StudyRun reference_run(const StudyPlan& plan, std::size_t scene, const std::string& scene_hash,
+                       const fs::path& out) {
+  const StudyScene& place = plan.scenes[scene];
+  const MadeReference& made = *place.made_reference;
+  StudyRun run;
+  run.scene = scene;
+  run.is_reference = true;
+  run.seed = made.seed;
+  run.title = place.name + ", reference";
+  run.arguments = place.options;
+  add_method(made.method, run.arguments);
+  for (const RunBudget& limit : made.limits) add_budget(limit, run);
+  run.arguments.insert(run.arguments.end(),
+                       {"--seed", std::to_string(made.seed), "--aov", "standard-error,replicates"});
+  run.key = key_of(scene_hash, run.arguments);
+  // Under its hash, so that going back to older settings finds the older reference again.
+  run.stem = out / "references" / (file_name(place.name) + "-" + run.key);
+  return run;
+}
+
+StudyRun method_run(const StudyPlan& plan, const StudyRun& indices, const std::string& scene_hash,
+                    const fs::path& out) {
+  const StudyScene& scene = plan.scenes[indices.scene];
+  const Method& method = plan.methods[indices.method];
+  const RunBudget& budget = plan.budgets[indices.budget];
+  StudyRun run = indices;
+  run.title = fmt::format("{}, {}, {}, seed {}", scene.name, method.name, budget.name(), run.seed);
+  run.arguments = scene.options;
+  add_method(method, run.arguments);
+  add_budget(budget, run);
+  run.arguments.insert(run.arguments.end(), {"--seed", std::to_string(run.seed), "--threads",
+                                             std::to_string(plan.threads)});
+  run.key = key_of(scene_hash, run.arguments);
+  run.stem = out / "runs" / file_name(scene.name) / file_name(method.name) / budget.name() /
+             fmt::format("seed-{}", run.seed);
+  return run;
+}
+
+fs::path with_suffix(const fs::path& stem, const char* suffix) { return stem.string() + suffix; }
+}  // namespace
+
+std::vector<StudyRun> expand(const StudyPlan& plan, const std::vector<std::string>& scene_hashes,
+                             const fs::path& out) {
+  std::vector<StudyRun> runs;
+  for (std::size_t scene = 0; scene < plan.scenes.size(); ++scene) {
+    if (!plan.scenes[scene].made_reference) continue;
+    runs.push_back(reference_run(plan, scene, scene_hashes[scene], out));
+  }
+  for (std::size_t scene = 0; scene < plan.scenes.size(); ++scene) {
+    for (std::size_t budget = 0; budget < plan.budgets.size(); ++budget) {
+      for (const std::uint64_t seed : plan.seeds) {
+        for (std::size_t method = 0; method < plan.methods.size(); ++method) {
+          StudyRun indices;
+          indices.scene = scene;
+          indices.method = method;
+          indices.budget = budget;
+          indices.seed = seed;
+          runs.push_back(method_run(plan, indices, scene_hashes[scene], out));
+        }
+      }
+    }
+  }
+  return runs;
+}
+
+double RunRecord::seconds() const {
+  const Json& seconds = json.at("statistics").at("seconds");
+  return seconds.at("prepare").get<double>() + seconds.at("render").get<double>();
+}
+
+std::optional<double> RunRecord::metric(const std::string& name) const {
+  const auto metrics = json.find("metrics");
+  if (metrics == json.end() || !metrics->contains(name) || !metrics->at(name).is_number()) {
+    return std::nullopt;
+  }
+  return metrics->at(name).get<double>();
+}
+
+std::optional<double> RunRecord::number(const std::string& statistic) const {
+  const Json& statistics = json.at("statistics");
+  if (!statistics.contains(statistic) || !statistics.at(statistic).is_number()) return std::nullopt;
+  return statistics.at(statistic).get<double>();
+}
+
+std::optional<RunRecord> finished_record(const StudyRun& run) {
+  std::error_code ignored;
+  if (!fs::exists(with_suffix(run.stem, ".exr"), ignored)) return std::nullopt;
+  std::ifstream file(with_suffix(run.stem, ".record.json"));
+  // Whatever is wrong with the file, the run is made again.
+  Json json = Json::parse(file, nullptr, false);
+  if (!json.is_object() || !json.contains("key") || !json.contains("statistics")) {
+    return std::nullopt;
+  }
+  if (json.at("key") != run.key) return std::nullopt;
+  return RunRecord{std::move(json)};
+}
+
+void write_record(const StudyRun& run, const RunRecord& record) {
+  write_json(record.json, with_suffix(run.stem, ".record.json").string());
+}
+
+}  // namespace ajar::study
