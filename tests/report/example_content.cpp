@@ -22,7 +22,8 @@ std::vector<float> clean_pixels(int width, int height) {
     for (int x = 0; x < width; ++x) {
       const float u = static_cast<float>(x) / static_cast<float>(width);
       const float v = static_cast<float>(y) / static_cast<float>(height);
-      const float spot = 20.F * std::exp(-200.F * ((u - 0.7F) * (u - 0.7F) + (v - 0.3F) * (v - 0.3F)));
+      const float spot =
+          20.F * std::exp(-200.F * ((u - 0.7F) * (u - 0.7F) + (v - 0.3F) * (v - 0.3F)));
       pixels.push_back(0.5F * u + spot);
       pixels.push_back(0.3F + 0.2F * std::sin(12.F * u) * std::cos(9.F * v) + spot);
       pixels.push_back(0.5F * v + 0.8F * spot);
@@ -34,7 +35,8 @@ std::vector<float> clean_pixels(int width, int height) {
 /// Multiplies by gamma-distributed factors of mean one: noise as of `samples` samples.
 std::vector<float> noisy(std::vector<float> pixels, double samples, unsigned seed) {
   std::mt19937 random(seed);
-  std::gamma_distribution<float> factor(static_cast<float>(samples), static_cast<float>(1 / samples));
+  std::gamma_distribution<float> factor(static_cast<float>(samples),
+                                        static_cast<float>(1 / samples));
   for (float& value : pixels) value *= factor(random);
   return pixels;
 }
@@ -93,8 +95,9 @@ Report example_report_of(std::vector<ReportImage> images) {
                     {{"pt", "412", "5.2", "loses the caustics"},
                      {"ibpt", "230", "4.9", ""},
                      {"bdpt", "96", "4.1", "slowest per sample, best per second here"}}}};
-  report.notes = {"Five runs of each method with different seeds; bands are the lowest and highest of them.",
-                  "All methods had the same two threads."};
+  report.notes = {
+      "Five runs of each method with different seeds; bands are the lowest and highest of them.",
+      "All methods had the same two threads."};
   return report;
 }
 
@@ -110,11 +113,13 @@ Report example_report() {
   images.push_back(computed("path tracing", noisy(clean, 4, 1)));
   images.push_back(computed("bidirectional", noisy(clean, 20, 2)));
   images.push_back(computed("faulty", std::move(faulty)));
-  images.push_back(computed("<img src=x onerror=\"throw 1\">\\ '\"` </script> \xe2\x80\xa8 Größe 日本", clean));
+  images.push_back(
+      computed("<img src=x onerror=\"throw 1\">\\ '\"` </script> \xe2\x80\xa8 Größe 日本", clean));
   images.push_back({"smaller", 100, 80, {{"", 3, clean_pixels(100, 80)}}, {}, {}});
   Report report = example_report_of(std::move(images));
   report.title = "Example & <b>test</b>";
-  report.images[1].metadata = {{"integrator", "pt"}, {"samples", "4"}, {"<i>key</i>", "<script>throw 2</script>"}};
+  report.images[1].metadata = {
+      {"integrator", "pt"}, {"samples", "4"}, {"<i>key</i>", "<script>throw 2</script>"}};
   report.curves.push_back({"<svg onload=throw(3)>", "relMSE", convergence(0.4, -0.8, 1.2)});
   return report;
 }

@@ -1,5 +1,6 @@
-// Writes a report to look at: `ajar_report_example FOLDER [IMAGE.exr…]`. The first image is the reference; without images it
-// makes some. `--count N` repeats the last image until there are N, for measuring.
+// Writes a report to look at: `ajar_report_example FOLDER [IMAGE.exr…]`. The first image is the
+// reference; without images it makes some. `--count N` repeats the last image until there are N,
+// for measuring.
 #include <fmt/format.h>
 
 #include <chrono>
@@ -19,7 +20,8 @@ namespace {
 
 ReportImage read(const std::string& path) {
   const Image file = read_image(path);
-  ReportImage image{std::filesystem::path(path).stem().string(), file.width, file.height, {}, {}, {}};
+  ReportImage image{
+      std::filesystem::path(path).stem().string(), file.width, file.height, {}, {}, {}};
   image.metadata = {{"file", path}};
   for (const char* layer : {"", "direct", "indirect", "albedo", "normal", "depth"}) {
     std::vector<float> pixels = file.rgb(layer);
@@ -50,8 +52,8 @@ int run(const std::vector<std::string>& arguments) {
   const auto begin = std::chrono::steady_clock::now();
   const ReportSize size = write_report(report, arguments[0]);
   const std::chrono::duration<double> time = std::chrono::steady_clock::now() - begin;
-  fmt::print("{} images, page {} bytes, data {} bytes, written in {:.2f} s\n",
-             report.images.size(), size.page, size.data, time.count());
+  fmt::print("{} images, page {} bytes, data {} bytes, written in {:.2f} s\n", report.images.size(),
+             size.page, size.data, time.count());
   return 0;
 }
 

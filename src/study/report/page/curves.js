@@ -117,7 +117,7 @@
       labels[i].place = Math.min(labels[i].place, i === labels.length - 1 ? bottom : labels[i + 1].place - 15);
     }
     const right = kWidth - kMargin.right;
-    const short = (name) => (name.length > 15 ? `${name.slice(0, 14)}…` : name);
+    const short = (name) => (name.length > 14 ? `${name.slice(0, 13)}…` : name);
     return labels.map(({ name, x, y, place }) =>
       ajar.element("g", { class: `series series-${style.get(name).series}`, "data-name": name },
         ajar.element("path", { class: "leader", d: `M${x + 4} ${y}L${right + 10} ${place}` }),
