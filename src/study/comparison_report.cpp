@@ -61,7 +61,7 @@ Report to_report(const Comparison& comparison) {
   report.metrics = report_metrics(comparison.metrics);
   ReportTable bias{
       "Tests for bias",
-      {"picture", "verdict", "mean difference", "z", "family p", "found in 90 % of cases"},
+      {"picture", "verdict", "mean difference", "z", "family p", "detectable mean difference"},
       {}};
   for (std::size_t i = 0; i < comparison.pictures.size(); ++i) {
     const ComparedPicture& compared = comparison.pictures[i];

@@ -46,6 +46,14 @@ void add_layers(const Image& file, ReportImage& image) {
     image.layers.push_back({name, 1, one_channel(file, i)});
   }
 }
+
+/// "parameter:sampler" → "sampler", "render_seconds" → "render seconds".
+std::string readable(std::string key) {
+  constexpr std::string_view kParameter = "parameter:";
+  if (key.starts_with(kParameter)) key.erase(0, kParameter.size());
+  std::replace(key.begin(), key.end(), '_', ' ');
+  return key;
+}
 }  // namespace
 
 ReportImage report_image(const std::string& name, const LoadedPicture& picture) {
@@ -56,7 +64,7 @@ ReportImage report_image(const std::string& name, const LoadedPicture& picture) 
   // Somebody may have replaced the file meanwhile.
   const bool is_same = file.width == image.width && file.height == image.height;
   if (is_same && !picture.is_display_encoded) add_layers(file, image);
-  for (const auto& [key, value] : file.metadata) image.metadata.emplace_back(key, value);
+  for (const auto& [key, value] : file.metadata) image.metadata.emplace_back(readable(key), value);
   return image;
 }
 
@@ -64,7 +72,7 @@ std::vector<ReportMetric> report_metrics(const std::vector<const Metric*>& metri
   std::vector<ReportMetric> result;
   for (const Metric* metric : metrics) {
     const std::string unit = metric->unit.empty() ? "" : " [" + metric->unit + "]";
-    result.push_back({metric->name, metric->summary + unit, metric->larger_is_better});
+    result.push_back({metric->name, metric->summary + unit + ".", metric->larger_is_better});
   }
   return result;
 }

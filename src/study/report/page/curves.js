@@ -52,7 +52,7 @@
 
   /// 1, 2, 5 of each decade; the fewer the more decades.
   const tickValues = ({ low, high }) => {
-    const factors = high - low > 3 ? [1] : [1, 2, 5];
+    const factors = high - low > 3 ? [1] : high - low > 0.8 ? [1, 2, 5] : [1, 1.5, 2, 3, 4, 5, 6, 7, 8, 9];
     const values = [];
     for (let decade = Math.floor(low); decade <= high; ++decade) {
       for (const factor of factors) {

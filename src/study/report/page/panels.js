@@ -49,10 +49,11 @@
 
   const showMetadata = () => {
     const image = ajar.data.images[ajar.state.a];
-    const facts = [["Name", image.name], ["Size", `${image.width} × ${image.height}`], ...image.metadata];
+    const facts = [["Name", image.name], ["Size", `${image.width} × ${image.height}`]];
     for (const name of ajar.metricNames()) {
       if (image.metrics[name] !== undefined) facts.push([name, ajar.format(ajar.number(image.metrics[name]))]);
     }
+    facts.push(...image.metadata);
     ajar.find("metadata").replaceChildren(
       ajar.element("dl", {}, ...facts.flatMap(([key, value]) => [ajar.element("dt", {}, key), ajar.element("dd", {}, value)])),
     );
