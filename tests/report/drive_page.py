@@ -100,12 +100,15 @@ def main():
         return 77
     url = (pathlib.Path(sys.argv[1]).resolve() / "index.html").as_uri()
     with Browser(program) as browser:
-        browser.open(url)
+        # A machine without graphics card would choose the other renderer.
+        browser.open(url + "?renderer=webgl")
+        expect(browser.evaluate("ajar.renderer.name") != "2D canvas", "WebGL is not used")
         for part in (flips, zooms, shows_errors, shows_insets, shows_help, shows_texts_literally, shows_results):
             part(browser)
         # What a link says is what its reader sees; without WebGL too.
         browser.open(url + "?renderer=canvas#a=3&map=smape")
         wait_for_image(browser, 2)
+        expect(browser.evaluate("ajar.renderer.name") == "2D canvas", "the link's renderer is not used")
         expect(browser.evaluate("ajar.state.map") == "smape", "the link's error map is not shown")
         failures.extend("the page reports: " + error for error in browser.errors)
     print("\n".join(failures))

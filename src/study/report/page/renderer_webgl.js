@@ -139,10 +139,19 @@
   const kErrors = ["colour", "absolute", "relative", "smape"];
   const kTones = ["srgb", "filmic", "reinhard", "zones"];
 
-  /// A renderer on the canvas, or null where WebGL 2 is missing or too small for the images.
-  ajar.makeWebGlRenderer = (canvas, largestSide) => {
+  /// Whether the processor does it, by the names that such drivers give themselves.
+  const isSoftware = (gl) => {
+    const names = gl.getExtension("WEBGL_debug_renderer_info");
+    const name = gl.getParameter(names ? names.UNMASKED_RENDERER_WEBGL : gl.RENDERER);
+    return /swiftshader|llvmpipe|softpipe|software|basic render/i.test(name);
+  };
+
+  /// A renderer on the canvas, or null where WebGL 2 is missing, too small for the images, or, unless it is `forced`, done
+  /// by the processor: the other renderer is faster then.
+  ajar.makeWebGlRenderer = (canvas, largestSide, forced) => {
     const gl = canvas.getContext("webgl2", { alpha: true, antialias: false, depth: false, premultipliedAlpha: true });
     if (!gl || gl.getParameter(gl.MAX_TEXTURE_SIZE) < largestSide) return null;
+    if (!forced && isSoftware(gl)) return null;
 
     let program, uniforms, maps, textures, bytes;
     const start = () => {

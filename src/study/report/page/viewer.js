@@ -211,10 +211,10 @@
 
   ajar.startViewer = () => {
     const largestSide = Math.max(...ajar.data.images.flatMap(({ width, height }) => [width, height]));
-    const wantsCanvas = new URLSearchParams(location.search).get("renderer") === "canvas";
-    if (!wantsCanvas) {
+    const wanted = new URLSearchParams(location.search).get("renderer");
+    if (wanted !== "canvas") {
       try {
-        renderer = ajar.makeWebGlRenderer(picture, largestSide);
+        renderer = ajar.makeWebGlRenderer(picture, largestSide, wanted === "webgl");
       } catch (error) {
         console.warn(`WebGL cannot be used: ${error.message}`);
       }
