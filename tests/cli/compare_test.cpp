@@ -168,7 +168,7 @@ TEST_F(CompareCli, SaysWhereAReportCannotBeWritten) {
   };
   const Outcome absent = compare_to("absent/report");
   EXPECT_EQ(absent.exit_code, 4);
-  EXPECT_TRUE(contains(absent.err, "there is no folder \"absent\"")) << absent.err;
+  EXPECT_TRUE(contains(absent.err, "there is no folder")) << absent.err;
   const Outcome others = compare_to(".");
   EXPECT_EQ(others.exit_code, 4);
   EXPECT_TRUE(contains(others.err, "no part of a report")) << others.err;
