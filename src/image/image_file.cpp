@@ -11,6 +11,7 @@
 #include <memory>
 #include <new>
 #include <stdexcept>
+#include <string_view>
 
 #include "core/atomic_file.h"
 #include "core/error.h"
@@ -214,6 +215,12 @@ Image read_image(const std::string& path) {
     image.origin = Vec2i(spec.x, spec.y) - Vec2i(spec.full_x, spec.full_y);
     image.resolution = {spec.full_width, spec.full_height};
     image.is_display_encoded = !spec.format.is_floating_point();
+    constexpr std::string_view kOurs = "ajar:";
+    for (const auto& attribute : spec.extra_attribs) {
+      const std::string name = attribute.name().string();
+      if (name.starts_with(kOurs))
+        image.metadata[name.substr(kOurs.size())] = attribute.get_string();
+    }
     image.data.resize(static_cast<std::size_t>(spec.image_pixels()) *
                       static_cast<std::size_t>(spec.nchannels));
     if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, image.data.data())) {

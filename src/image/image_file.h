@@ -21,6 +21,8 @@ struct Image {
   Vec2i resolution{0, 0};  ///< of the full image (EXR display window)
   /// 8- or 16-bit files: values are display-encoded (integer / maximum), not linear.
   bool is_display_encoded = false;
+  /// What Ajar wrote of the render (`to_metadata`), names without their "ajar:".
+  std::map<std::string, std::string> metadata;
 
   float at(int x, int y, int channel) const;
   /// The channels `R, G, B` (layer "") or `layer.R, layer.G, layer.B`, interleaved; or the only

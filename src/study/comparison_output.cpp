@@ -39,22 +39,6 @@ bool measures(const Comparison& comparison, const std::string& name) {
                      [&](const Metric* metric) { return metric->name == name; });
 }
 
-std::string conditions_text(const Comparison& comparison) {
-  std::string text =
-      "a: picture, r: reference; scene-linear RGB, or display values (exposure 0, sRGB, clamped to "
-      "0…1) where said\n";
-  if (measures(comparison, "flip") || measures(comparison, "hdr-flip")) {
-    text += fmt::format("FLIP is seen at {:.2f} pixels per degree\n",
-                        comparison.conditions.pixels_per_degree);
-  }
-  if (measures(comparison, "hdr-flip") && comparison.conditions.exposures) {
-    const ExposureRange& exposures = *comparison.conditions.exposures;
-    text += fmt::format("HDR-FLIP uses {} exposures from {:+.3f} to {:+.3f} stops (ACES)\n",
-                        exposures.count, exposures.start, exposures.stop);
-  }
-  return text;
-}
-
 std::string bias_text(const ComparedPicture& compared) {
   if (!compared.bias) {
     return fmt::format(
@@ -129,6 +113,22 @@ Json conditions_json(const Comparison& comparison) {
   return json;
 }
 }  // namespace
+
+std::string conditions_text(const Comparison& comparison) {
+  std::string text =
+      "a: picture, r: reference; scene-linear RGB, or display values (exposure 0, sRGB, clamped to "
+      "0…1) where said\n";
+  if (measures(comparison, "flip") || measures(comparison, "hdr-flip")) {
+    text += fmt::format("FLIP is seen at {:.2f} pixels per degree\n",
+                        comparison.conditions.pixels_per_degree);
+  }
+  if (measures(comparison, "hdr-flip") && comparison.conditions.exposures) {
+    const ExposureRange& exposures = *comparison.conditions.exposures;
+    text += fmt::format("HDR-FLIP uses {} exposures from {:+.3f} to {:+.3f} stops (ACES)\n",
+                        exposures.count, exposures.start, exposures.stop);
+  }
+  return text;
+}
 
 std::string aligned_table(const std::vector<std::vector<std::string>>& rows) {
   std::vector<std::size_t> widths;

@@ -13,6 +13,9 @@ std::string to_text(const Comparison& comparison);
 /// infinite PSNR of equal pictures.
 nlohmann::ordered_json to_json(const Comparison& comparison);
 
+/// What the letters mean and what metrics were measured with; lines that end in a newline.
+std::string conditions_text(const Comparison& comparison);
+
 /// Columns as wide as their longest cell, the first to the left, the others to the right, two
 /// spaces between them. All rows have the same number of cells.
 std::string aligned_table(const std::vector<std::vector<std::string>>& rows);

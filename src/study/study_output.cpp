@@ -9,6 +9,8 @@
 #include "session/stats_json.h"
 #include "study/log_plot.h"
 #include "study/machine.h"
+#include "study/study_report.h"
+#include "study/study_table.h"
 
 namespace ajar::study {
 
@@ -16,71 +18,23 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-/// Noise of the reference that decides more than this part of an error is worth a mark.
-constexpr double kLoudReference = 0.1;
-
-std::string with_error(const Mean& mean) {
-  if (mean.count == 0) return "-";
-  if (mean.count == 1) return fmt::format("{:.4g}", mean.mean);
-  return fmt::format("{:.4g} ± {:.2g}", mean.mean, mean.standard_error);
-}
-
-std::string ratio_text(const std::optional<Ratio>& ratio) {
-  if (!ratio) return "-";
-  if (!ratio->low) return fmt::format("{:.3g}", ratio->value);
-  return fmt::format("{:.3g} [{:.3g}, {:.3g}]", ratio->value, *ratio->low, *ratio->high);
-}
-
-std::string acceptance_text(const SummaryRow& row) {
-  const auto number = [](std::optional<double> v) { return v ? fmt::format("{:.2f}", *v) : "-"; };
-  if (!row.small_acceptance && !row.large_acceptance) return "-";
-  return number(row.small_acceptance) + " / " + number(row.large_acceptance);
-}
-
-/// Whether a large part of a row's error is the reference's.
-bool is_loud(const StudyPlan& plan, const StudyResult& result, const SummaryRow& row) {
-  const std::optional<double>& noise = result.noise.at(row.scene);
-  if (!noise) return false;
-  for (std::size_t i = 0; i < plan.metrics.size(); ++i) {
-    const bool decides = plan.metrics[i]->name == plan.efficiency_metric;
-    if (decides && row.metrics[i].count > 0) return *noise > kLoudReference * row.metrics[i].mean;
+/// A row of a Markdown table; no cell is read as markup.
+std::string markdown_row(const std::vector<std::string>& cells) {
+  std::string text = "|";
+  for (const std::string& cell : cells) {
+    text += ' ';
+    for (const char c : cell)
+      text += c == '*' || c == '|' ? fmt::format("\\{}", c) : std::string(1, c);
+    text += " |";
   }
-  return false;
+  return text + "\n";
 }
 
 std::string table_head(const StudyPlan& plan) {
-  std::string head = "| method | runs | seconds | samples per pixel | acceptance small / large |";
-  std::string rule = "|---|---|---|---|---|";
-  for (const Metric* metric : plan.metrics) {
-    head += " " + metric->name + (metric->unit.empty() ? "" : " [" + metric->unit + "]") + " |";
-    rule += "---|";
-  }
-  return head + " efficiency |\n" + rule + "---|\n";
-}
-
-std::string table_row(const StudyPlan& plan, const StudyResult& result, const SummaryRow& row) {
-  std::string text =
-      fmt::format("| {} | {} | {} | {} | {} |", plan.methods[row.method].name, row.seconds.count,
-                  with_error(row.seconds), with_error(row.samples), acceptance_text(row));
-  for (const Mean& metric : row.metrics) text += fmt::format(" {} |", with_error(metric));
-  return text + fmt::format(" {}{} |\n", ratio_text(row.efficiency),
-                            is_loud(plan, result, row) ? " \\*" : "");
-}
-
-std::string explanation(const StudyPlan& plan) {
-  std::string text =
-      "Means over seeds ± their standard error. *seconds*: preparing and rendering, wall clock. "
-      "*samples per pixel*: of Markov chains, mutations.";
-  if (!plan.efficiency_metric.empty()) {
-    text += fmt::format(
-        " *efficiency*: 1/({0} · seconds) relative to {1}, with its 95 % interval (log-normal, "
-        "Student's t with Welch's degrees of freedom, over seeds); {0} is variance where the "
-        "method "
-        "is unbiased and the reference exact. \\*: more than 10 % of the {0} may be noise of the "
-        "reference.",
-        plan.efficiency_metric, plan.baseline);
-  }
-  return text + "\n";
+  const std::vector<std::string> header = table_header(plan);
+  std::string rule = "|";
+  for (std::size_t i = 0; i < header.size(); ++i) rule += "---|";
+  return markdown_row(header) + rule + "\n";
 }
 
 std::string csv_cell(const std::string& text) {
@@ -193,7 +147,7 @@ std::string to_markdown(const StudyPlan& plan, const StudyResult& result,
   std::string text = fmt::format(
       "# {}\n\n{} of {} renders. {}, {} cores; ajar {}.\n\n{}", plan.name, result.runs.size(),
       result.planned, machine.at("processor").get<std::string>(), machine.at("cores").get<int>(),
-      machine.at("version").get<std::string>(), explanation(plan));
+      machine.at("version").get<std::string>(), table_explanation(plan) + "\n");
   for (const std::string& warning : result.warnings) text += "\nWarning: " + warning + "\n";
   for (const std::string& failure : result.failures) text += "\nFailed: " + failure + "\n";
   const SummaryRow* previous = nullptr;
@@ -203,7 +157,7 @@ std::string to_markdown(const StudyPlan& plan, const StudyResult& result,
     if (new_scene || previous->budget != row.budget) {
       text += "\n### " + plan.budgets[row.budget].name() + "\n\n" + table_head(plan);
     }
-    text += table_row(plan, result, row);
+    text += markdown_row(table_cells(plan, result, row));
     previous = &row;
   }
   return text;
@@ -267,6 +221,21 @@ Json to_json(const StudyPlan& plan, const StudyResult& result,
           {"runs", runs}};
 }
 
+namespace {
+/// A report per scene, as each has a reference of its own. Returns their pages.
+std::vector<std::string> write_reports(const StudyPlan& plan, const StudyResult& result,
+                                       const std::vector<SummaryRow>& rows, const fs::path& out) {
+  fs::create_directories(out / "report");
+  std::vector<std::string> pages;
+  for (std::size_t scene = 0; scene < plan.scenes.size(); ++scene) {
+    const fs::path folder = out / "report" / file_name(plan.scenes[scene].name);
+    write_report(scene_report(plan, result, rows, scene), folder);
+    pages.push_back((folder / "index.html").string());
+  }
+  return pages;
+}
+}  // namespace
+
 std::vector<std::string> write_study(const StudyPlan& plan, const StudyResult& result,
                                      const fs::path& out) {
   const std::vector<SummaryRow> rows = summarise(plan, result);
@@ -286,7 +255,12 @@ std::vector<std::string> write_study(const StudyPlan& plan, const StudyResult& r
   write_text(out / "study.csv", to_csv(plan, rows));
   write_text(out / "curves.csv", curves_csv(plan, rows));
   write_json(to_json(plan, result, rows), (out / "study.json").string());
-  return {(out / "study.md").string(), (out / "study.csv").string(), (out / "study.json").string()};
+  std::vector<std::string> written{(out / "study.md").string(), (out / "study.csv").string(),
+                                   (out / "study.json").string()};
+  for (std::string& page : write_reports(plan, result, rows, out)) {
+    written.push_back(std::move(page));
+  }
+  return written;
 }
 
 }  // namespace ajar::study

@@ -144,5 +144,37 @@ TEST_F(CompareCli, TestsRendersForBias) {
   EXPECT_LT(found.at("mean").at("relative_difference"), 0.0);
 }
 
+TEST_F(CompareCli, WritesAReport) {
+  ASSERT_EQ(render({"--spp", "1", "--aov", "albedo,replicates", "-o", "render.exr"}).exit_code, 0);
+  const Outcome outcome =
+      run({"compare", "render.exr", "render.exr", "--json", "--report", "report"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_TRUE(contains(outcome.err, "report/index.html")) << outcome.err;
+  EXPECT_TRUE(json::accept(outcome.out)) << "the report's place is no part of the result";
+  EXPECT_TRUE(fs::exists(file("report/index.html")));
+  const std::string data = read_text(file("report/data/report.js"));
+  for (const char* part : {"\"albedo\"", "\"integrator\"", "relmse-trimmed", "Tests for bias"}) {
+    EXPECT_TRUE(contains(data, part)) << part;
+  }
+  EXPECT_FALSE(contains(data, "replicates.0"));
+  // Again: an earlier report is replaced.
+  EXPECT_EQ(run({"compare", "reference.exr", "brighter.exr", "--report", "report"}).exit_code, 0);
+  EXPECT_FALSE(contains(read_text(file("report/data/report.js")), "albedo"));
+}
+
+TEST_F(CompareCli, SaysWhereAReportCannotBeWritten) {
+  const auto compare_to = [&](const std::string& folder) {
+    return run({"compare", "reference.exr", "brighter.exr", "--report", folder});
+  };
+  const Outcome absent = compare_to("absent/report");
+  EXPECT_EQ(absent.exit_code, 4);
+  EXPECT_TRUE(contains(absent.err, "there is no folder")) << absent.err;
+  const Outcome others = compare_to(".");
+  EXPECT_EQ(others.exit_code, 4);
+  EXPECT_TRUE(contains(others.err, "no part of a report")) << others.err;
+  EXPECT_EQ(compare_to("reference.exr").exit_code, 4);
+  EXPECT_TRUE(fs::is_regular_file(file("reference.exr"))) << "nothing else was touched";
+}
+
 }  // namespace
 }  // namespace ajar

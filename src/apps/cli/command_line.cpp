@@ -162,6 +162,11 @@ void add_compare(CLI::App& app, CompareArguments& a) {
       ->type_name("X")
       ->capture_default_str();
   command->add_flag("--json", a.json, "Print JSON");
+  command
+      ->add_option("--report", a.report,
+                   "Also write a page to look at the pictures, in this folder")
+      ->type_name("DIR")
+      ->check(kNotEmpty);
   command->footer("Pictures rendered with --aov replicates are also tested for bias.");
 }
 

@@ -50,6 +50,7 @@ struct CompareArguments {
   std::string metrics;  ///< empty: all
   double pixels_per_degree = kFlipPixelsPerDegree;
   bool json = false;
+  std::string report;  ///< folder; empty: none
 };
 int compare(const CompareArguments& arguments);
 

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "apps/cli/commands.h"
@@ -8,6 +9,7 @@
 #include "session/option_values.h"
 #include "study/comparison.h"
 #include "study/comparison_output.h"
+#include "study/comparison_report.h"
 
 namespace ajar::cli {
 
@@ -21,7 +23,11 @@ int compare(const CompareArguments& arguments) {
   for (const std::string& warning : comparison.warnings) print_warning(warning);
   fmt::print("{}", arguments.json ? study::to_json(comparison).dump(2) + "\n"
                                   : study::to_text(comparison));
-  // A report of the comparison (--report DIR) belongs here: everything it shows is in `comparison`.
+  if (!arguments.report.empty()) {
+    write_report(study::to_report(comparison), arguments.report);
+    print_note("the report is " +
+               (std::filesystem::path(arguments.report) / "index.html").string());
+  }
   return 0;
 }
 

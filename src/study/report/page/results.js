@@ -1,0 +1,41 @@
+// The second tab: metrics, convergence, tables, notes.
+"use strict";
+{
+  const section = (title, ...content) => ajar.element("section", {}, ajar.element("h2", {}, title), ...content);
+  const scrolled = (table) => ajar.element("div", { class: "scroll" }, table);
+
+  // A column whose cells are all numbers is set to the right.
+  const isNumber = (text) => /^\s*[+−-]?[\d.,]+([eE][+−-]?\d+)?\s*(%|×|s|ms|dB|GB|MB)?\s*$/.test(text) || /^\s*(–|-|nan|inf)?\s*$/i.test(text);
+
+  const makeTable = ({ title, header, rows }) => {
+    const numeric = header.map((_, column) => rows.some((row) => row[column].trim()) && rows.every((row) => isNumber(row[column])));
+    const side = (column) => (numeric[column] ? "number" : undefined);
+    return section(title, scrolled(ajar.element("table", { class: "data" },
+      ajar.element("thead", {}, ajar.element("tr", {}, ...header.map((text, i) => ajar.element("th", { scope: "col", class: side(i) }, text)))),
+      ajar.element("tbody", {}, ...rows.map((row) => ajar.element("tr", {}, ...row.map((text, i) =>
+        ajar.element(i === 0 ? "th" : "td", { class: side(i), scope: i === 0 ? "row" : undefined }, text))))))));
+  };
+
+  const descriptions = () =>
+    ajar.metricNames()
+      .map(ajar.describeMetric)
+      .filter(({ description }) => description)
+      .flatMap(({ name, description, moreIsBetter }) => [
+        ajar.element("dt", {}, name),
+        ajar.element("dd", {}, `${description} ${moreIsBetter ? "More" : "Less"} is better.`),
+      ]);
+
+  /// The sections that the report has content for.
+  ajar.makeResults = () => {
+    const { curves, tables, notes } = ajar.data;
+    const sections = [];
+    if (notes.length > 0) sections.push(section("Notes", ...notes.map((note) => ajar.element("p", { class: "note" }, note))));
+    if (ajar.metricNames().length > 0) {
+      const explained = descriptions();
+      sections.push(section("Metrics", scrolled(ajar.makeMetricsTable()), explained.length > 0 ? ajar.element("dl", { class: "explained" }, ...explained) : undefined));
+    }
+    if (curves.length > 0) sections.push(section("Convergence", ajar.element("div", { class: "charts" }, ...ajar.makeCharts())));
+    sections.push(...tables.map(makeTable));
+    return sections;
+  };
+}

@@ -1,0 +1,85 @@
+#include "study/report/replaced_folder.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <cstdio>
+#include <string>
+#include <system_error>
+#include <utility>
+
+#include "core/error.h"
+
+namespace ajar {
+
+namespace {
+namespace fs = std::filesystem;
+
+[[noreturn]] void fail(const fs::path& folder, const std::string& reason) {
+  throw IoError("cannot write the folder \"" + folder.string() + "\": " + reason);
+}
+
+/// `folder/` and `folder` name the same; links are replaced at the place they point to.
+fs::path normal(const fs::path& folder) {
+  std::error_code error;
+  fs::path path = fs::weakly_canonical(fs::absolute(folder, error), error);
+  if (error || path.empty()) fail(folder, error ? error.message() : "its name is empty");
+  return path.has_filename() ? path : path.parent_path();
+}
+
+fs::path beside(const fs::path& target) {
+  static std::atomic<unsigned> counter{0};
+  return target.parent_path() /
+         fmt::format(".{}.{}.{}.partial", target.filename().string(), ::getpid(), counter++);
+}
+
+int rename_at(const fs::path& from, const fs::path& to, unsigned flags) {
+  return ::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), flags) == 0 ? 0 : errno;
+}
+
+/// For file systems that cannot exchange: for a moment there is no target.
+int exchange_in_steps(const fs::path& temporary, const fs::path& target) {
+  const fs::path old = beside(target);
+  if (const int reason = rename_at(target, old, 0); reason != 0) return reason;
+  if (const int reason = rename_at(temporary, target, 0); reason != 0) {
+    rename_at(old, target, 0);
+    return reason;
+  }
+  return rename_at(old, temporary, 0);
+}
+
+}  // namespace
+
+ReplacedFolder::ReplacedFolder(fs::path target)
+    : target_(normal(target)), temporary_(beside(target_)) {
+  std::error_code error;
+  if (!fs::create_directory(temporary_, error)) {
+    if (!fs::is_directory(target_.parent_path())) {
+      fail(target, "there is no folder \"" + target_.parent_path().string() + "\"");
+    }
+    fail(target, error.message());
+  }
+}
+
+ReplacedFolder::~ReplacedFolder() {
+  std::error_code ignored;
+  fs::remove_all(temporary_, ignored);
+}
+
+void ReplacedFolder::commit() {
+  std::error_code error;
+  int reason = 0;
+  if (fs::exists(target_, error)) {
+    reason = rename_at(temporary_, target_, RENAME_EXCHANGE);
+    if (reason == EINVAL || reason == ENOSYS) reason = exchange_in_steps(temporary_, target_);
+  } else {
+    reason = rename_at(temporary_, target_, RENAME_NOREPLACE);
+    if (reason == EINVAL || reason == ENOSYS) reason = rename_at(temporary_, target_, 0);
+  }
+  if (reason != 0) fail(target_, std::system_category().message(reason));
+}
+
+}  // namespace ajar

@@ -1,0 +1,106 @@
+#include "study/study_report.h"
+
+#include <fmt/format.h>
+
+#include "core/error.h"
+#include "study/report_image.h"
+#include "study/study_table.h"
+
+namespace ajar::study {
+
+namespace {
+/// Adds the picture and returns whether it is there.
+bool add_image(Report& report, const std::string& name, const std::string& path) {
+  try {
+    report.images.push_back(report_image(name, load_picture(path)));
+    return true;
+  } catch (const IoError& error) {
+    report.notes.push_back(fmt::format("{} is not shown: {}", name, error.what()));
+    return false;
+  }
+}
+
+/// One seed of one budget, so that the pictures can be compared with each other.
+void add_pictures(Report& report, const StudyPlan& plan, const StudyResult& result,
+                  std::size_t scene) {
+  for (const FinishedRun& finished : result.runs) {
+    const StudyRun& run = finished.run;
+    if (run.scene != scene || run.budget + 1 != plan.budgets.size() ||
+        run.seed != plan.seeds.front()) {
+      continue;
+    }
+    const std::string& method = plan.methods[run.method].name;
+    if (!add_image(report, method, run.stem.string() + ".exr")) continue;
+    for (const Metric* metric : plan.metrics) {
+      const std::optional<double> value = finished.record.metric(metric->name);
+      if (value) report.images.back().metrics[metric->name] = *value;
+    }
+  }
+}
+
+void add_tables(Report& report, const StudyPlan& plan, const StudyResult& result,
+                const std::vector<SummaryRow>& rows, std::size_t scene) {
+  for (std::size_t budget = 0; budget < plan.budgets.size(); ++budget) {
+    ReportTable table{plan.budgets[budget].name(), table_header(plan), {}};
+    for (const SummaryRow& row : rows) {
+      if (row.scene != scene || row.budget != budget) continue;
+      table.rows.push_back(table_cells(plan, result, row));
+    }
+    if (!table.rows.empty()) report.tables.push_back(std::move(table));
+  }
+}
+
+/// The same points and bars as the plots beside study.md.
+void add_curves(Report& report, const StudyPlan& plan, const std::vector<SummaryRow>& rows,
+                std::size_t scene) {
+  for (std::size_t metric = 0; metric < plan.metrics.size(); ++metric) {
+    // The axes are logarithmic: for errors, not for decibels.
+    if (plan.metrics[metric]->larger_is_better) continue;
+    for (std::size_t method = 0; method < plan.methods.size(); ++method) {
+      ReportCurve curve{plan.methods[method].name, plan.metrics[metric]->name, {}};
+      for (const SummaryRow& row : rows) {
+        const Mean& value = row.metrics[metric];
+        if (row.scene != scene || row.method != method || value.count == 0) continue;
+        curve.points.push_back({row.seconds.mean, value.mean, value.mean - value.deviation,
+                                value.mean + value.deviation});
+      }
+      if (!curve.points.empty()) report.curves.push_back(std::move(curve));
+    }
+  }
+}
+
+/// Emphasis in Markdown is nothing to a report.
+std::string plain(const std::string& markdown) {
+  std::string text;
+  for (std::size_t i = 0; i < markdown.size(); ++i) {
+    const bool is_escape = markdown[i] == '\\' && i + 1 < markdown.size();
+    if (is_escape) ++i;
+    if (is_escape || markdown[i] != '*') text += markdown[i];
+  }
+  return text;
+}
+}  // namespace
+
+Report scene_report(const StudyPlan& plan, const StudyResult& result,
+                    const std::vector<SummaryRow>& rows, std::size_t scene) {
+  Report report;
+  report.title = plan.name + ": " + plan.scenes[scene].name;
+  report.metrics = report_metrics(plan.metrics);
+  const std::string& reference = result.references[scene];
+  if (!reference.empty() && add_image(report, "reference", reference)) report.reference = 0;
+  add_pictures(report, plan, result, scene);
+  add_tables(report, plan, result, rows, scene);
+  add_curves(report, plan, rows, scene);
+  report.notes.push_back(fmt::format("{} of {} renders of the study are finished.",
+                                     result.runs.size(), result.planned));
+  report.notes.push_back(fmt::format(
+      "Pictures, and the metrics of each, are those of {} with seed {}; tables and curves are of "
+      "all seeds, bands one standard deviation of a run to either side.",
+      plan.budgets.back().name(), plan.seeds.front()));
+  report.notes.push_back(plain(table_explanation(plan)));
+  for (const std::string& warning : result.warnings) report.notes.push_back("Warning: " + warning);
+  for (const std::string& failure : result.failures) report.notes.push_back("Failed: " + failure);
+  return report;
+}
+
+}  // namespace ajar::study

@@ -1,0 +1,77 @@
+#include "study/study_table.h"
+
+#include <fmt/format.h>
+
+namespace ajar::study {
+
+namespace {
+/// Noise of the reference that decides more than this part of an error is worth a mark.
+constexpr double kLoudReference = 0.1;
+
+std::string with_error(const Mean& mean) {
+  if (mean.count == 0) return "-";
+  if (mean.count == 1) return fmt::format("{:.4g}", mean.mean);
+  return fmt::format("{:.4g} ± {:.2g}", mean.mean, mean.standard_error);
+}
+
+std::string ratio_text(const std::optional<Ratio>& ratio) {
+  if (!ratio) return "-";
+  if (!ratio->low) return fmt::format("{:.3g}", ratio->value);
+  return fmt::format("{:.3g} [{:.3g}, {:.3g}]", ratio->value, *ratio->low, *ratio->high);
+}
+
+std::string acceptance_text(const SummaryRow& row) {
+  const auto number = [](std::optional<double> v) { return v ? fmt::format("{:.2f}", *v) : "-"; };
+  if (!row.small_acceptance && !row.large_acceptance) return "-";
+  return number(row.small_acceptance) + " / " + number(row.large_acceptance);
+}
+
+/// Whether a large part of a row's error is the reference's.
+bool is_loud(const StudyPlan& plan, const StudyResult& result, const SummaryRow& row) {
+  const std::optional<double>& noise = result.noise.at(row.scene);
+  if (!noise) return false;
+  for (std::size_t i = 0; i < plan.metrics.size(); ++i) {
+    const bool decides = plan.metrics[i]->name == plan.efficiency_metric;
+    if (decides && row.metrics[i].count > 0) return *noise > kLoudReference * row.metrics[i].mean;
+  }
+  return false;
+}
+}  // namespace
+
+std::vector<std::string> table_header(const StudyPlan& plan) {
+  std::vector<std::string> header{"method", "runs", "seconds", "samples per pixel",
+                                  "acceptance small / large"};
+  for (const Metric* metric : plan.metrics) {
+    header.push_back(metric->name + (metric->unit.empty() ? "" : " [" + metric->unit + "]"));
+  }
+  header.emplace_back("efficiency");
+  return header;
+}
+
+std::vector<std::string> table_cells(const StudyPlan& plan, const StudyResult& result,
+                                     const SummaryRow& row) {
+  std::vector<std::string> cells{plan.methods[row.method].name,
+                                 fmt::format("{}", row.seconds.count), with_error(row.seconds),
+                                 with_error(row.samples), acceptance_text(row)};
+  for (const Mean& metric : row.metrics) cells.push_back(with_error(metric));
+  cells.push_back(ratio_text(row.efficiency) + (is_loud(plan, result, row) ? " *" : ""));
+  return cells;
+}
+
+std::string table_explanation(const StudyPlan& plan) {
+  std::string text =
+      "Means over seeds ± their standard error. *seconds*: preparing and rendering, wall clock. "
+      "*samples per pixel*: of Markov chains, mutations.";
+  if (!plan.efficiency_metric.empty()) {
+    text += fmt::format(
+        " *efficiency*: 1/({0} · seconds) relative to {1}, with its 95 % interval (log-normal, "
+        "Student's t with Welch's degrees of freedom, over seeds); {0} is variance where the "
+        "method "
+        "is unbiased and the reference exact. \\*: more than 10 % of the {0} may be noise of the "
+        "reference.",
+        plan.efficiency_metric, plan.baseline);
+  }
+  return text;
+}
+
+}  // namespace ajar::study

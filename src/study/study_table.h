@@ -1,0 +1,17 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "study/study_summary.h"
+
+/// The table of a study's methods, as texts: for Markdown and for reports.
+namespace ajar::study {
+
+std::vector<std::string> table_header(const StudyPlan& plan);
+/// As many cells as the header has.
+std::vector<std::string> table_cells(const StudyPlan& plan, const StudyResult& result,
+                                     const SummaryRow& row);
+/// What the columns mean: Markdown, one paragraph.
+std::string table_explanation(const StudyPlan& plan);
+
+}  // namespace ajar::study

@@ -1,0 +1,118 @@
+"""Uses an example report as a reader would: drive_page.py FOLDER. Exit code 1 with the reasons if something is wrong, 77 if
+there is no browser."""
+import pathlib
+import sys
+
+from browser import Browser, find_chromium
+
+failures = []
+
+
+def expect(holds, claim):
+    if not holds:
+        failures.append(claim)
+
+
+def wait_for_image(browser, index):
+    browser.wait(f"document.getElementById('viewer').dataset.drawn === '{index}'", 10)
+
+
+def picture(browser):
+    """The viewer's picture, as text that differs where pixels do."""
+    return browser.evaluate("(ajar.drawNow(), document.getElementById('picture').toDataURL())")
+
+
+def flips(browser):
+    wait_for_image(browser, 1)
+    noisy = picture(browser)
+    browser.key("1", "Digit1")
+    wait_for_image(browser, 0)
+    expect(picture(browser) != noisy, "the reference looks like another image")
+    browser.key("ArrowRight", "ArrowRight")
+    wait_for_image(browser, 1)
+    expect(picture(browser) == noisy, "an image looks different after flipping there and back")
+    browser.key(" ", "Space")
+    wait_for_image(browser, 0)
+    browser.key(" ", "Space")
+    wait_for_image(browser, 1)
+
+
+def zooms(browser):
+    before = browser.evaluate("ajar.view().zoom")
+    x, y = browser.middle("#viewer")
+    browser.wheel(x, y, -240)
+    expect(abs(browser.evaluate("ajar.view().zoom") / before - 2) < 0.01, "a step of the wheel does not zoom by 2")
+    browser.drag((x, y), (x + 60, y))
+    expect(browser.evaluate("ajar.state.x") < 160, "dragging to the right does not show what is left")
+    browser.key("f")
+    expect(browser.evaluate("ajar.view().zoom") == before, "f does not fit the picture")
+
+
+def shows_errors(browser):
+    colour = picture(browser)
+    browser.key("m")
+    wait_for_image(browser, 1)
+    expect(browser.evaluate("ajar.state.map") == "absolute", "m shows no error map")
+    expect(picture(browser) != colour, "the error map looks like the picture")
+    expect(not browser.evaluate("document.getElementById('legend').hidden"), "the error map has no legend")
+    # An image equal to the reference has no error: one colour everywhere.
+    colours = browser.evaluate(
+        "(() => { const {images} = ajar.data; const [a, r] = [images[4], images[0]].map((one) => ajar.pixels.get(one, ''));"
+        "return a && r ? ajar.errorAt(a, r, 5000, 'absolute') : 'not loaded'; })()")
+    expect(colours in (0, "not loaded"), f"an image equal to the reference has the error {colours}")
+    browser.key("r")
+    expect(browser.evaluate("ajar.state.map") == "colour", "r does not leave the error map")
+
+
+def shows_insets(browser):
+    browser.key("i")
+    browser.wait("document.querySelectorAll('#insets canvas').length > 0", 5)
+    browser.wait("![...document.querySelectorAll('.inset-caption')].some((one) => one.textContent.startsWith('loading'))", 10)
+    count = browser.evaluate("document.querySelectorAll('#insets .inset-column').length")
+    expect(count == browser.evaluate("ajar.data.images.length"), f"{count} images have insets")
+    caption = browser.evaluate("document.querySelector('[data-image=\"1\"] .inset-caption').textContent")
+    expect(caption.startswith("relMSE "), f"an inset's caption is {caption!r}")
+    browser.key("i")
+
+
+def shows_texts_literally(browser):
+    for hostile in ("img[src='x']", "#metadata script", "svg[onload]", "#title b"):
+        expect(browser.evaluate(f"document.querySelector(\"{hostile}\") === null"), f"{hostile} became an element")
+
+
+def shows_results(browser):
+    browser.click("#tab-results")
+    expect(browser.evaluate("document.querySelectorAll('#results svg .curve').length") == 7, "not every curve is drawn")
+    expect(browser.evaluate("document.querySelectorAll('#results table').length") >= 2, "tables are missing")
+
+
+def shows_help(browser):
+    browser.key("?")
+    expect(browser.evaluate("document.getElementById('help').open"), "? opens no help")
+    browser.key("Escape", "Escape")
+    expect(not browser.evaluate("document.getElementById('help').open"), "Escape does not close the help")
+
+
+def main():
+    program = find_chromium()
+    if program is None:
+        print("there is no Chromium (AJAR_CHROMIUM names another)")
+        return 77
+    url = (pathlib.Path(sys.argv[1]).resolve() / "index.html").as_uri()
+    with Browser(program) as browser:
+        # A machine without graphics card would choose the other renderer.
+        browser.open(url + "?renderer=webgl")
+        expect(browser.evaluate("ajar.renderer.name") != "2D canvas", "WebGL is not used")
+        for part in (flips, zooms, shows_errors, shows_insets, shows_help, shows_texts_literally, shows_results):
+            part(browser)
+        # What a link says is what its reader sees; without WebGL too.
+        browser.open(url + "?renderer=canvas#a=3&map=smape")
+        wait_for_image(browser, 2)
+        expect(browser.evaluate("ajar.renderer.name") == "2D canvas", "the link's renderer is not used")
+        expect(browser.evaluate("ajar.state.map") == "smape", "the link's error map is not shown")
+        failures.extend("the page reports: " + error for error in browser.errors)
+    print("\n".join(failures))
+    return 1 if failures else 0
+
+
+sys.exit(main())
