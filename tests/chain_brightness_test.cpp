@@ -203,10 +203,10 @@ TEST_P(RareLight, IsRightOnAverageThoughTheBootstrapMostlyMissesIt) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Cases, RareLight,
-                         ::testing::Values(RareCase{"pssmlt", 0.03, 32, 1000},
-                                           RareCase{"pssmlt", 0.03, 10, 1500},
-                                           RareCase{"mmlt", 0.03, 32, 1000},
-                                           RareCase{"mmlt", 0.02, 32, 3000}));
+                         ::testing::Values(RareCase{"pssmlt", 0.03, 32, 1600},
+                                           RareCase{"pssmlt", 0.03, 10, 2400},
+                                           RareCase{"mmlt", 0.03, 32, 1600},
+                                           RareCase{"mmlt", 0.02, 32, 5000}));
 
 }  // namespace
 }  // namespace ajar

@@ -270,5 +270,18 @@ TEST(Film, RefusesImpossibleShapes) {
                std::invalid_argument);
 }
 
+TEST(Film, CoverageIsOneInsideAndFallsTowardTheBorder) {
+  const Vec2i size(6, 5);
+  const Box2i crop(Vec2i(1, 1), Vec2i(4, 4));
+  const Film boxes(size, crop, Filter::box(), 1, {{.name = "light"}});
+  EXPECT_FLOAT_EQ(boxes.coverage(Vec2(1.F, 1.F)), 1.F);
+  EXPECT_FLOAT_EQ(boxes.coverage(Vec2(4.99F, 3.2F)), 1.F);
+  EXPECT_FLOAT_EQ(boxes.coverage(Vec2(0.99F, 2.F)), 0.F);
+  const Film triangles(size, crop, Filter::triangle(Vec2(1.F, 1.F)), 1, {{.name = "light"}});
+  EXPECT_NEAR(triangles.coverage(Vec2(2.7F, 3.1F)), 1.F, 1e-5);
+  EXPECT_NEAR(triangles.coverage(Vec2(1.F, 3.F)), 0.5F, 1e-5);
+  EXPECT_NEAR(triangles.coverage(Vec2(1.F, 1.F)), 0.25F, 1e-5);
+}
+
 }  // namespace
 }  // namespace ajar

@@ -73,6 +73,13 @@ TEST(TechniqueChoice, ChoosesSomethingForEveryNumber) {
   }
 }
 
+TEST(TechniqueChoice, IsMadeByTheNumberOfATechnique) {
+  const TechniqueChoice choice(TechniqueSet::bdpt(), 7);
+  for (std::size_t i = 0; i < choice.size(); ++i) {
+    EXPECT_EQ(choice.choose(choice.number_of(choice[i])).technique, choice[i]);
+  }
+}
+
 TEST(Contribution, IsTheLuminanceTimesTheImportanceOfEachPlace) {
   const ImportanceMap map(Box2i(Vec2i(0, 0), Vec2i(1, 0)), {1.F, 3.F});
   const std::vector<Splat> splats = {{Vec2(0.5F, 0.5F), 0, Spectrum(2.F)},
@@ -84,6 +91,18 @@ TEST(Contribution, IsTheLuminanceTimesTheImportanceOfEachPlace) {
 TEST(Contribution, OfALaneBelowZeroIsBelowZero) {
   const std::vector<Splat> splats = {{Vec2(0.F, 0.F), 0, Spectrum(9.F, 9.F, -0.1F)}};
   EXPECT_LT(contribution(splats, ImportanceMap()), 0.0);
+}
+
+TEST(ChainView, FindsTheNumbersOfAPlaceAgain) {
+  ChainView view;
+  view.low = Vec2(3.F, -1.F);
+  view.size = Vec2(40.F, 20.F);
+  for (const Vec2 at : {Vec2(3.F, -1.F), Vec2(17.3F, 5.5F), Vec2(42.9F, 18.99F)}) {
+    const Vec2 again = view.raster(view.place(at));
+    EXPECT_NEAR(again.x, at.x, 1e-5);
+    EXPECT_NEAR(again.y, at.y, 1e-5);
+  }
+  EXPECT_LT(view.place(Vec2(43.F, 19.F)).x, 1.F) << "the border belongs to the last number";
 }
 
 TEST(ChainView, CoversItsRectangleAndNothingElse) {
