@@ -17,7 +17,7 @@ namespace {
 /// measured of variances and costs.
 constexpr double kMutationsPerBrightness = 3.0;
 /// A chain begins by tracing its path again, so weak paths start one now and then only.
-constexpr double kFewestSteps = 8.0;
+constexpr double kFewestSteps = 256.0;
 constexpr double kMostSteps = 65536.0;
 
 /// The numbers of a path that ordinary Monte Carlo has made, as a chain of its technique asks for

@@ -19,12 +19,12 @@ struct PassHistory {
   double seconds_per_sample = 0.0;  ///< of the latest pass, per sample per pixel
 };
 
-/// Cuts a render into passes of one or more samples per pixel. *Milestones* (1, 2, 3, 4, 6, 8, 12, 16, … samples per replicate)
-/// depend on nothing but the replicate count; decisions that look at the picture are taken only
-/// there, so that they are the same on any machine. Between milestones the clock decides how the
-/// samples are cut into passes: short passes keep the program responsive, and cutting does not
-/// change the sums. At milestones all replicates have the same number of samples; a render that runs
-/// out of time elsewhere leaves some with one sample more than others.
+/// Cuts a render into passes of one or more samples per pixel. *Milestones* (1, 2, 3, 4, 6, 8, 12,
+/// 16, … samples per replicate) depend on nothing but the replicate count; decisions that look at
+/// the picture are taken only there, so that they are the same on any machine. Between milestones
+/// the clock decides how the samples are cut into passes: short passes keep the program responsive,
+/// and cutting does not change the sums. At milestones all replicates have the same number of
+/// samples; a render that runs out of time elsewhere leaves some with one sample more than others.
 class PassSchedule {
  public:
   /// Largest number of samples per pixel: sample indices have 32 bits.

@@ -20,7 +20,7 @@ struct ReportImage {
   std::string name;
   int width = 0;
   int height = 0;
-  std::vector<ReportLayer> layers;                             ///< at least one; the first is shown
+  std::vector<ReportLayer> layers;                            ///< at least one; the first is shown
   std::vector<std::pair<std::string, std::string>> metadata;  ///< in the order to be shown
   std::map<std::string, double> metrics;                      ///< by name; any value, also NaN
 };
@@ -72,8 +72,8 @@ struct ReportSize {
 /// Writes a page that opens from disk in any current browser: `folder/index.html`, `folder/page/`,
 /// `folder/data/`. Pixels are stored as half floats (finite values beyond ±65504 become ±65504).
 ///
-/// `folder` may be absent, empty, or an earlier report, which is replaced; the folder around it must
-/// exist. It changes in one step, when everything is on disk; after an error it is as it was.
+/// `folder` may be absent, empty, or an earlier report, which is replaced; the folder around it
+/// must exist. It changes in one step, when everything is on disk; after an error it is as it was.
 /// Raises IoError with the reason: files cannot be made, or `folder` holds something else. Raises
 /// std::invalid_argument for a report that contradicts itself (sizes, indices).
 ReportSize write_report(const Report& report, const std::filesystem::path& folder);
