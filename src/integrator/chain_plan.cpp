@@ -71,6 +71,11 @@ ChainPlan::ChainPlan(ChainKind chain_kind, const Scene& the_scene,
   view.low = Vec2(settings.crop.min) - beyond;
   view.size = Vec2(crop_size(settings)) + beyond * 2.F;
   view.pixels = static_cast<double>(pixels());
+  if (bootstrap > 0 && bootstrap < 1000) {
+    throw UsageError(
+        "bootstrap: at least 1000 samples, or 0 for as many as suit the picture, not " +
+        std::to_string(bootstrap));
+  }
   if (bootstrap == 0) bootstrap = std::max<std::uint64_t>(200000, 4 * pixels());
   make_groups();
   read_importance();
