@@ -6,6 +6,7 @@
 #include <cassert>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 namespace ajar {
 
@@ -166,6 +167,11 @@ std::vector<float> Film::develop_replicate(int layer, int replicate, double scal
     throw std::invalid_argument("Film: layer " + layers_[i].name + " has no such replicate");
   }
   return develop_range(storage_[i], replicate, 1, scale);
+}
+
+void Film::take_raw(std::vector<std::int64_t> sums) {
+  if (sums.size() != sums_.size()) throw std::invalid_argument("Film: another number of sums");
+  sums_ = std::move(sums);
 }
 
 void Film::clear() { std::fill(sums_.begin(), sums_.end(), 0); }

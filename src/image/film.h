@@ -72,6 +72,8 @@ class Film {
   /// channel.
   std::span<std::int64_t> raw() { return sums_; }
   std::span<const std::int64_t> raw() const { return sums_; }
+  /// Puts these in the place of all sums; there must be as many.
+  void take_raw(std::vector<std::int64_t> sums);
   std::size_t bytes() const { return sums_.size() * sizeof(std::int64_t); }
 
  private:

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/archive_forward.h"
 #include "core/parameters.h"
 #include "image/film.h"
 #include "integrator/technique_tally.h"
@@ -95,6 +96,19 @@ class Integrator {
   /// all replicates, for one replicate or all; the same for each pixel.
   virtual double develop_scale(const LayerSpec& layer, std::uint64_t samples,
                                std::optional<int> replicate) const = 0;
+
+  /// Whether `save_state` writes all that the items have left behind for later passes. Methods
+  /// whose items leave nothing behind say yes and write nothing; only they can be cut into shares
+  /// for several machines (`keeps_state`).
+  virtual bool can_save_state() const { return false; }
+  /// Whether items leave anything behind for later passes.
+  virtual bool keeps_state() const { return !can_save_state(); }
+  /// Between passes, after the preparation: writes what the items have left behind; and takes it
+  /// back, in an integrator that was made and prepared in the same way. Then rendering goes on with
+  /// the same bits. `load_state` may raise any std::exception if the bytes make no sense.
+  virtual void save_state(OutputArchive& /*archive*/) const {}
+  virtual void load_state(InputArchive& /*archive*/) {}
+
   /// How the chains fared, for methods that have any.
   virtual std::optional<ChainReport> chain_report() const { return std::nullopt; }
 };

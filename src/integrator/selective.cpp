@@ -55,6 +55,9 @@ class SelectiveIntegrator final : public Integrator {
                        std::optional<int> replicate) const override {
     return omc_->develop_scale(layer, samples, replicate);
   }
+  // Its chains live for one path only.
+  bool can_save_state() const override { return true; }
+  bool keeps_state() const override { return false; }
 
  private:
   ChainPlan plan_;

@@ -32,7 +32,11 @@ std::uint64_t PassSchedule::milestone_after(std::uint64_t samples) const {
 }
 
 bool PassSchedule::is_milestone(std::uint64_t samples) const {
-  return samples == total_ || (samples > 0 && milestone_after(samples - 1) == samples);
+  return samples == total_ || is_natural_milestone(samples);
+}
+
+bool PassSchedule::is_natural_milestone(std::uint64_t samples) const {
+  return samples > 0 && milestone_after(samples - 1) == samples;
 }
 
 std::uint64_t PassSchedule::next_pass(const PassHistory& history) const {

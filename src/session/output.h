@@ -24,15 +24,29 @@ struct Picture {
   std::map<std::string, std::string> metadata;
 };
 
+/// What turns a film's sums into pixel values (`Integrator::develop_scale`).
+struct FilmScales {
+  std::vector<double> whole;                    ///< per layer, for the sum over replicates
+  std::vector<std::vector<double>> replicates;  ///< per layer and replicate; none if it has none
+};
+/// After `samples` samples per pixel.
+FilmScales film_scales(const Film& film, const Integrator& integrator, std::uint64_t samples);
+/// For the sum of two films.
+FilmScales scales_of_sum(const FilmScales& a, const FilmScales& b);
+
 /// Develops the film after `samples` samples per pixel: the picture (direct + indirect) times
 /// `film_scale`, then every layer of the film, then those of `aovs` that are made here: "samples",
 /// "standard-error" and "replicates" (as "replicates.0", "replicates.1", …).
 Picture develop(const Film& film, const Integrator& integrator, std::uint64_t samples,
                 double film_scale, const std::vector<std::string>& aovs);
+Picture develop(const Film& film, const FilmScales& scales, std::uint64_t samples,
+                double film_scale, const std::vector<std::string>& aovs);
 
 /// Relative error of the whole picture after `samples` samples per pixel, from the spread of the
 /// film's replicates (METHODS, section 8); empty with a single replicate.
 std::optional<double> estimate_error(const Film& film, const Integrator& integrator,
+                                     std::uint64_t samples);
+std::optional<double> estimate_error(const Film& film, const FilmScales& scales,
                                      std::uint64_t samples);
 
 /// The pictures to write when none is named: an EXR and a PNG in the current folder, called like
@@ -45,6 +59,13 @@ std::vector<std::string> default_outputs(const std::string& film_filename,
 void check_picture_paths(const std::vector<std::string>& paths);
 /// Raises IoError if no file can be made at `path`.
 void check_writable(const std::string& path);
+
+/// The picture as files have it.
+LayeredImage layered_image(const Picture& picture);
+
+/// Where a file goes if it cannot go to `path`: `NAME-rescued-N.EXT`, never onto a file that
+/// exists, in the current folder or in the one for temporary files.
+std::vector<std::string> rescue_paths(const std::string& path);
 
 /// What became of one file.
 struct WrittenFile {

@@ -7,6 +7,7 @@
 
 #include "core/error.h"
 #include "session/catalog.h"
+#include "session/scene_file.h"
 
 namespace ajar {
 
@@ -81,9 +82,6 @@ void choose_budget(const RenderRequest& request, const desc::RenderHints& hints,
                    RenderSetup& setup) {
   setup.budget = request.budget;
   Budget& budget = setup.budget;
-  if (budget.target_error && !(*budget.target_error > 0.0)) {
-    throw UsageError("--target-error must be above zero");
-  }
   if (!budget.samples_per_pixel && !budget.seconds && !budget.target_error) {
     const int samples = hints.samples_per_pixel.value_or(RenderSetup::kDefaultSamples);
     budget.samples_per_pixel = static_cast<std::uint64_t>(std::max(1, samples));
@@ -92,9 +90,7 @@ void choose_budget(const RenderRequest& request, const desc::RenderHints& hints,
   if (budget.samples_per_pixel && *budget.samples_per_pixel < RenderSetup::kReplicates) {
     setup.settings.replicates = static_cast<int>(*budget.samples_per_pixel);
   }
-  if (budget.target_error && setup.settings.replicates < 2) {
-    throw UsageError("--target-error needs at least --spp 2: one sample has no spread");
-  }
+  check_budget(budget, setup.settings.replicates);
 }
 
 void choose_depth(const RenderRequest& request, const desc::RenderHints& hints,
@@ -163,6 +159,39 @@ RenderSetup make_setup(const RenderRequest& request, const desc::RenderHints& hi
     if (!made_elsewhere) setup.settings.aovs.push_back(name);
   }
   return setup;
+}
+
+void check_budget(const Budget& budget, int replicates) {
+  if (!budget.target_error) return;
+  if (!(*budget.target_error > 0.0)) throw UsageError("--target-error must be above zero");
+  if (replicates < 2) {
+    throw UsageError("--target-error needs at least --spp 2: one sample has no spread");
+  }
+}
+
+RenderSetup setup_of(const RenderRecord& record, const Budget& budget) {
+  RenderSetup setup;
+  setup.integrator = &find_integrator(record.integrator);
+  setup.parameters = record.parameters;
+  setup.budget = budget;
+  setup.settings = record.settings;
+  setup.aovs = record.aovs;
+  setup.resolution = record.settings.resolution;
+  setup.crop = record.settings.crop;
+  check_budget(budget, setup.settings.replicates);
+  return setup;
+}
+
+RenderRecord record_of(const RenderSetup& setup, const Parameters& parameters,
+                       const std::string& scene, const WorkShare& share) {
+  RenderRecord record;
+  record.scene = absolute_scene(scene);
+  record.integrator = setup.integrator->name;
+  record.parameters = {parameters.values().begin(), parameters.values().end()};
+  record.settings = setup.settings;
+  record.aovs = setup.aovs;
+  record.share = share;
+  return record;
 }
 
 void check_layers(const RenderSettings& settings, const std::vector<LayerSpec>& layers) {

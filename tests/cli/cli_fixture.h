@@ -4,11 +4,13 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
+#include <thread>
 #include <vector>
 
 /// What tests of the program as a user runs it share.
@@ -96,6 +98,15 @@ class Cli : public testing::Test {
 
 inline bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
+}
+
+/// Waits until the program has written `part` to stderr; false after ten seconds.
+inline bool wait_for(const fs::path& log, const std::string& part) {
+  for (int i = 0; i < 500; ++i) {
+    if (contains(read_text(log), part)) return true;
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  return false;
 }
 
 }  // namespace ajar
