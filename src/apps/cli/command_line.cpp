@@ -24,6 +24,7 @@ constexpr const char* kSceneHelp = "Scene file, or builtin:NAME (see: ajar list 
 struct Request {
   RenderArguments render;
   ResumeArguments resume;
+  MergeArguments merge;
   InfoArguments info;
   ConvertArguments convert;
   ListArguments list;
@@ -192,6 +193,29 @@ void add_resume(CLI::App& app, ResumeArguments& a) {
       "Example: ajar resume room.checkpoint --spp 4096");
 }
 
+void add_merge(CLI::App& app, MergeArguments& a) {
+  CLI::App* command = app.add_subcommand("merge", "Put checkpoints together to one better picture");
+  command->add_option("CHECKPOINT", a.checkpoints, "Renders of one picture: seeds, or all shares")
+      ->required();
+  command->add_option("-o,--output", a.outputs, "Picture to write; may be given several times")
+      ->allow_extra_args(false)
+      ->type_name("FILE");
+  command->add_option("--checkpoint", a.checkpoint, "Write the whole as a checkpoint, too")
+      ->type_name("FILE")
+      ->check(kNotEmpty);
+  command->add_option("--stats", a.stats, "Write statistics as JSON")
+      ->type_name("FILE.json")
+      ->check(kNotEmpty);
+  command->add_option("--tone-map", a.tone_map, "Curve of .png and .jpg: srgb or filmic")
+      ->type_name("NAME")
+      ->capture_default_str();
+  command->add_option("--exposure", a.exposure, "Brighten .png and .jpg by this many stops")
+      ->type_name("STOPS")
+      ->capture_default_str();
+  command->add_flag("--force", a.force, "Merge what other versions of ajar have written, too");
+  command->footer("Example: ajar merge seed-1.checkpoint seed-2.checkpoint -o room.exr");
+}
+
 void add_others(CLI::App& app, Request& request) {
   CLI::App* info = app.add_subcommand("info", "Print what is in a scene");
   info->add_option("SCENE", request.info.scene, kSceneHelp)->required();
@@ -304,6 +328,7 @@ int run(int argc, const char* const* argv, Ranks* ranks) {
   request.resume.run.ranks = ranks;
   add_render(app, request.render);
   add_resume(app, request.resume);
+  add_merge(app, request.merge);
   add_others(app, request);
   add_compare(app, request.compare);
   add_study(app, request.study);
@@ -322,6 +347,7 @@ int run(int argc, const char* const* argv, Ranks* ranks) {
 
   if (app.got_subcommand("render")) return render(request.render);
   if (app.got_subcommand("resume")) return resume(request.resume);
+  if (app.got_subcommand("merge")) return merge(request.merge);
   if (app.got_subcommand("info")) return info(request.info);
   if (app.got_subcommand("convert")) return convert(request.convert);
   if (app.got_subcommand("compare")) return compare(request.compare);

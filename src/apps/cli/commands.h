@@ -48,6 +48,17 @@ struct ResumeArguments {
 };
 int resume(const ResumeArguments& arguments);
 
+struct MergeArguments {
+  std::vector<std::string> checkpoints;
+  std::vector<std::string> outputs;
+  std::string checkpoint;  ///< empty: none
+  std::string stats;
+  std::string tone_map = "srgb";
+  float exposure = 0.F;
+  bool force = false;
+};
+int merge(const MergeArguments& arguments);
+
 struct InfoArguments {
   std::string scene;
   bool json = false;

@@ -53,18 +53,6 @@ std::string absolute_path(const std::string& path) {
   return error ? path : absolute.lexically_normal().string();
 }
 
-/// Files that a render writes over each other would be lost.
-void check_distinct(const std::vector<std::string>& files) {
-  std::vector<std::string> paths;
-  for (const std::string& file : files) {
-    const std::string path = absolute_path(file);
-    if (std::find(paths.begin(), paths.end(), path) != paths.end()) {
-      throw UsageError(file + ": this file would be written twice");
-    }
-    paths.push_back(path);
-  }
-}
-
 /// Memory that the machine does not have would be promised and then end the program without a word.
 /// Wrong usage if the user chose the size, the scene's fault if its film did.
 void check_memory(const RenderSetup& setup, const std::vector<LayerSpec>& layers,
@@ -130,8 +118,7 @@ class Run {
 Run::Run(RunOrder order) : order_(std::move(order)) {
   const RunArguments& a = run();
   style_ = is_root() ? progress_style(a.progress, isatty(STDERR_FILENO) != 0) : ProgressStyle::None;
-  display_ = {tone_map_by_name(a.tone_map.empty() ? "srgb" : a.tone_map),
-              checked_exposure(a.exposure.value_or(0.F))};
+  display_ = display_of(a.tone_map.empty() ? "srgb" : a.tone_map, a.exposure.value_or(0.F));
   checkpoint_every_ = parse_duration("--checkpoint-every", a.checkpoint_every);
   if (!a.output_every.empty()) output_every_ = parse_duration("--output-every", a.output_every);
   if (is_root()) {
@@ -390,6 +377,21 @@ int Run::carry_out() {
 }
 
 }  // namespace
+
+DisplayOptions display_of(const std::string& tone_map, float exposure) {
+  return {tone_map_by_name(tone_map), checked_exposure(exposure)};
+}
+
+void check_distinct(const std::vector<std::string>& files) {
+  std::vector<std::string> paths;
+  for (const std::string& file : files) {
+    const std::string path = absolute_path(file);
+    if (std::find(paths.begin(), paths.end(), path) != paths.end()) {
+      throw UsageError(file + ": this file would be written twice");
+    }
+    paths.push_back(path);
+  }
+}
 
 Budget budget_of(const RunArguments& a) {
   Budget budget;

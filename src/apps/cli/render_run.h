@@ -26,6 +26,11 @@ struct RunOrder {
 /// The limits that the command line gives. Raises UsageError.
 Budget budget_of(const RunArguments& arguments);
 
+/// Raises UsageError for a curve or an exposure that cannot be.
+DisplayOptions display_of(const std::string& tone_map, float exposure);
+/// Raises UsageError if two of these are the same file: one would be lost.
+void check_distinct(const std::vector<std::string>& files);
+
 /// Renders; returns the exit code or raises an `Error`.
 int carry_out(RunOrder order);
 
