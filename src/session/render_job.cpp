@@ -62,6 +62,7 @@ bool RenderJob::interrupted(int level) const {
 }
 
 RenderJob::PassOutcome RenderJob::run_pass(std::uint64_t first_sample, std::uint64_t samples) {
+  integrator_.begin_pass(first_sample, samples);
   const std::uint64_t items = integrator_.items_in_pass();
   items_done_ = 0;
   items_in_pass_ = std::max<std::uint64_t>(1, items);
@@ -86,7 +87,6 @@ RenderJob::PassOutcome RenderJob::run_pass(std::uint64_t first_sample, std::uint
       ++tally.items;
     }
   };
-  integrator_.begin_pass(first_sample, samples);
   parallel_for_ranges(items, std::uint64_t{1}, run_items, tbb::simple_partitioner());
   integrator_.end_pass();
 
