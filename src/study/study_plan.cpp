@@ -46,28 +46,6 @@ Method read_method(const JsonNode& node) {
   return method;
 }
 
-/// A method, or all that its sweep expands to: the product of the values of its parameters.
-std::vector<Method> read_methods(const JsonNode& node) {
-  if (!node.is_text()) node.check_members({"integrator", "name", "parameters", "sweep"});
-  std::vector<Method> methods{read_method(node)};
-  if (node.has("sweep")) {
-    for (const auto& [parameter, values] : node.at("sweep").members()) {
-      std::vector<Method> expanded;
-      for (const Method& method : methods) {
-        for (const JsonNode& value : values.elements()) {
-          Method next = method;
-          next.parameters[parameter] = value.parameter_text();
-          next.name += " " + parameter + "=" + value.parameter_text();
-          expanded.push_back(std::move(next));
-        }
-      }
-      methods = std::move(expanded);
-    }
-  }
-  for (const Method& method : methods) node.check([&] { check_method(method); });
-  return methods;
-}
-
 double read_seconds(const JsonNode& node) {
   if (!node.is_text()) return node.positive();
   double seconds = 0.0;
@@ -84,6 +62,48 @@ RunBudget read_budget(const JsonNode& node) {
   if (node.has("time") == node.has("spp")) node.fail("expects either \"time\" or \"spp\"");
   if (node.has("spp")) return read_samples(node.at("spp"));
   return {read_seconds(node.at("time")), std::nullopt};
+}
+
+/// The names of some of the study's budgets.
+std::vector<std::string> read_method_budgets(const JsonNode& node,
+                                             const std::vector<std::string>& all) {
+  std::vector<std::string> chosen;
+  for (const JsonNode& element : node.elements()) {
+    chosen.push_back(read_budget(element).name());
+    if (std::find(all.begin(), all.end(), chosen.back()) == all.end()) {
+      element.fail("this is none of the study's budgets");
+    }
+  }
+  return chosen;
+}
+
+/// A method, or all that its sweep expands to: the product of the values of its parameters.
+std::vector<Method> read_methods(const JsonNode& node, const std::vector<std::string>& budgets) {
+  if (!node.is_text()) {
+    node.check_members({"integrator", "name", "parameters", "sweep", "budgets"});
+  }
+  std::vector<Method> methods{read_method(node)};
+  methods.front().family = methods.front().name;
+  if (node.has("budgets")) {
+    methods.front().budgets = read_method_budgets(node.at("budgets"), budgets);
+  }
+  if (node.has("sweep")) {
+    for (const auto& [parameter, values] : node.at("sweep").members()) {
+      std::vector<Method> expanded;
+      for (const Method& method : methods) {
+        for (const JsonNode& value : values.elements()) {
+          Method next = method;
+          next.parameters[parameter] = value.parameter_text();
+          next.swept[parameter] = value.parameter_text();
+          next.name += " " + parameter + "=" + value.parameter_text();
+          expanded.push_back(std::move(next));
+        }
+      }
+      methods = std::move(expanded);
+    }
+  }
+  for (const Method& method : methods) node.check([&] { check_method(method); });
+  return methods;
 }
 
 MadeReference read_made_reference(const JsonNode& node) {
@@ -211,13 +231,34 @@ std::vector<std::uint64_t> read_seeds(const JsonNode& study) {
   return seeds;
 }
 
+/// What names have in common if they share a folder: some file systems take "Pool" for "pool".
+std::string folder_of(const std::string& name) {
+  std::string folder = file_name(name);
+  for (char& c : folder) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return folder;
+}
+
 /// Names become folders; what looks the same there would mix up files.
 void check_unique(const JsonNode& node, const std::vector<std::string>& names) {
   std::set<std::string> seen;
   for (const std::string& name : names) {
-    if (!seen.insert(file_name(name)).second) {
+    if (!seen.insert(folder_of(name)).second) {
       node.fail("the name \"" + name + "\" is there twice; set \"name\"");
     }
+  }
+}
+
+/// Scenes that are named after their files, but not the only ones of that name, are named after
+/// folder and file.
+void tell_apart(const std::vector<JsonNode>& nodes, std::vector<StudyScene>& scenes) {
+  std::map<std::string, int> count;
+  for (const StudyScene& scene : scenes) ++count[folder_of(scene.name)];
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    const bool is_chosen = !nodes[i].is_text() && nodes[i].has("name");
+    const fs::path path(scenes[i].scene);
+    if (is_chosen || count[folder_of(scenes[i].name)] == 1 || !path.has_parent_path()) continue;
+    const fs::path folder = fs::absolute(path).lexically_normal().parent_path();
+    scenes[i].name = (folder.filename() / scenes[i].name).string();
   }
 }
 
@@ -265,6 +306,11 @@ std::string RunBudget::name() const {
   return seconds ? fmt::format("{:g}s", *seconds) : fmt::format("{}spp", *samples_per_pixel);
 }
 
+bool Method::is_for(const RunBudget& budget) const {
+  return budgets.empty() ||
+         std::find(budgets.begin(), budgets.end(), budget.name()) != budgets.end();
+}
+
 std::string file_name(const std::string& name) {
   std::string result = name;
   for (char& c : result) {
@@ -284,27 +330,27 @@ StudyPlan read_study(const std::string& path) {
   const fs::path folder = fs::path(path).parent_path();
   StudyPlan plan;
   plan.name = study.has("name") ? study.at("name").text() : fs::path(path).stem().string();
+  const std::vector<JsonNode> scenes = study.at("scenes").elements();
+  for (const JsonNode& node : scenes) plan.scenes.push_back(read_scene(study, node, folder));
+  tell_apart(scenes, plan.scenes);
   std::vector<std::string> names;
-  for (const JsonNode& node : study.at("scenes").elements()) {
-    plan.scenes.push_back(read_scene(study, node, folder));
-    names.push_back(plan.scenes.back().name);
-  }
+  for (const StudyScene& scene : plan.scenes) names.push_back(scene.name);
   check_unique(study.at("scenes"), names);
+  std::vector<std::string> budgets;
+  for (const JsonNode& node : study.at("budgets").elements()) {
+    plan.budgets.push_back(read_budget(node));
+    budgets.push_back(plan.budgets.back().name());
+  }
+  check_unique(study.at("budgets"), budgets);
   names.clear();
   for (const JsonNode& node : study.at("integrators").elements()) {
-    for (Method& method : read_methods(node)) {
+    for (Method& method : read_methods(node, budgets)) {
       names.push_back(method.name);
       plan.methods.push_back(std::move(method));
     }
   }
   check_unique(study.at("integrators"), names);
   plan.seeds = read_seeds(study);
-  names.clear();
-  for (const JsonNode& node : study.at("budgets").elements()) {
-    plan.budgets.push_back(read_budget(node));
-    names.push_back(plan.budgets.back().name());
-  }
-  check_unique(study.at("budgets"), names);
   read_metrics(study, plan);
   read_baseline(study, plan);
   if (study.has("threads")) plan.threads = static_cast<int>(study.at("threads").whole(0, 4096));

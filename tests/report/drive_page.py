@@ -82,7 +82,11 @@ def shows_texts_literally(browser):
 
 def shows_results(browser):
     browser.click("#tab-results")
-    expect(browser.evaluate("document.querySelectorAll('#results svg .curve').length") == 7, "not every curve is drawn")
+    expect(browser.evaluate("document.querySelectorAll('#results svg .curve').length") == 9, "not every curve is drawn")
+    titles = browser.evaluate("[...document.querySelectorAll('#results svg')].map((one) => [...one.querySelectorAll('.axis-title')].map((text) => text.textContent).join(' ')).join(', ')")
+    expect(titles == "seconds relMSE, seconds MAE, sigma PSNR", f"the axes of the charts are {titles}")
+    ticks = browser.evaluate("Math.min(...[...document.querySelectorAll('#results svg')].map((one) => one.querySelectorAll('.grid').length))")
+    expect(ticks >= 6, f"a chart has {ticks} grid lines")
     expect(browser.evaluate("document.querySelectorAll('#results table').length") >= 2, "tables are missing")
 
 

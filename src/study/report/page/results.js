@@ -1,4 +1,4 @@
-// The second tab: metrics, convergence, tables, notes.
+// The second tab: metrics, convergence, sweeps, tables, notes.
 "use strict";
 {
   const section = (title, ...content) => ajar.element("section", {}, ajar.element("h2", {}, title), ...content);
@@ -27,14 +27,16 @@
 
   /// The sections that the report has content for.
   ajar.makeResults = () => {
-    const { curves, tables, notes } = ajar.data;
+    const { tables, notes } = ajar.data;
     const sections = [];
     if (notes.length > 0) sections.push(section("Notes", ...notes.map((note) => ajar.element("p", { class: "note" }, note))));
     if (ajar.metricNames().length > 0) {
       const explained = descriptions();
       sections.push(section("Metrics", scrolled(ajar.makeMetricsTable()), explained.length > 0 ? ajar.element("dl", { class: "explained" }, ...explained) : undefined));
     }
-    if (curves.length > 0) sections.push(section("Convergence", ajar.element("div", { class: "charts" }, ...ajar.makeCharts())));
+    for (const [title, figures] of [["Convergence", ajar.makeCharts(true)], ["Sweeps", ajar.makeCharts(false)]]) {
+      if (figures.length > 0) sections.push(section(title, ajar.element("div", { class: "charts" }, ...figures)));
+    }
     sections.push(...tables.map(makeTable));
     return sections;
   };
