@@ -42,7 +42,10 @@ void add_pictures(Report& report, const StudyPlan& plan, const StudyResult& resu
 void add_tables(Report& report, const StudyPlan& plan, const StudyResult& result,
                 const std::vector<SummaryRow>& rows, std::size_t scene) {
   for (std::size_t budget = 0; budget < plan.budgets.size(); ++budget) {
-    ReportTable table{plan.budgets[budget].name(), table_header(plan), {}};
+    const RunBudget& given = plan.budgets[budget];
+    ReportTable table{(given.seconds ? "Equal time: " : "Equal samples: ") + given.name(),
+                      table_header(plan),
+                      {}};
     for (const SummaryRow& row : rows) {
       if (row.scene != scene || row.budget != budget) continue;
       table.rows.push_back(table_cells(plan, result, row));

@@ -3,7 +3,7 @@
 {
   const kWidth = 720;
   const kHeight = 420;
-  const kMargin = { left: 66, right: 124, top: 16, bottom: 46 };
+  const kMargin = { left: 66, right: 178, top: 16, bottom: 46 };
   const kDashes = ["", "7 4", "2 3", "9 3 2 3"];
   const superscript = (n) => String(n).replace(/./g, (c) => "⁰¹²³⁴⁵⁶⁷⁸⁹"[c] ?? "⁻");
 
@@ -13,6 +13,11 @@
     const count = 6; // of the palette: those that both backgrounds carry
     return new Map(names.map((name, i) => [name, { series: i % count, dash: kDashes[Math.floor(i / count) % kDashes.length] }]));
   };
+
+  /// A piece of the curve, as it looks on the charts.
+  const key = ({ series, dash }) =>
+    ajar.element("svg", { class: `key series-${series}`, viewBox: "0 0 28 8", "aria-hidden": "true" },
+      ajar.element("path", { class: "curve", d: "M0 4H28", "stroke-dasharray": dash || undefined }));
 
   const usable = ([at, mean]) => at > 0 && mean > 0 && Number.isFinite(at) && Number.isFinite(mean);
 
@@ -127,7 +132,7 @@
       labels[i].place = Math.min(labels[i].place, i === labels.length - 1 ? bottom : labels[i + 1].place - 15);
     }
     const right = kWidth - kMargin.right;
-    const short = (name) => (name.length > 14 ? `${name.slice(0, 13)}…` : name);
+    const short = (name) => (name.length > 22 ? `${name.slice(0, 21)}…` : name);
     return labels.map(({ name, x, y, place }) =>
       ajar.element("g", { class: `series series-${style.get(name).series}`, "data-name": name },
         ajar.element("path", { class: "leader", d: `M${x + 4} ${y}L${right + 10} ${place}` }),
@@ -150,7 +155,7 @@
       const values = shown.map(({ name, points }) => ({ name, point: nearest(points, at) })).sort((a, b) => a.point.mean - b.point.mean);
       readout.replaceChildren(...values.map(({ name, point }) =>
         ajar.element("tr", {},
-          ajar.element("th", { scope: "row" }, ajar.element("span", { class: `key series-${style.get(name).series}` }), name),
+          ajar.element("th", { scope: "row" }, key(style.get(name)), name),
           ajar.element("td", { class: "number" }, `${ajar.format(point.at, 3)}${unit}`),
           ajar.element("td", { class: "number" }, ajar.format(point.mean)),
           ajar.element("td", { class: "number" }, `${ajar.format(point.low, 3)} … ${ajar.format(point.high, 3)}`))));
@@ -176,7 +181,7 @@
       };
       return ajar.element("label", { class: "switch" },
         ajar.element("input", { type: "checkbox", checked: true, onchange: toggle }),
-        ajar.element("span", { class: `key series-${style.get(name).series}` }), name);
+        key(style.get(name)), name);
     });
 
   const makeChart = ({ metric, over }, curves, style) => {
