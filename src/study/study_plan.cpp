@@ -64,28 +64,17 @@ RunBudget read_budget(const JsonNode& node) {
   return {read_seconds(node.at("time")), std::nullopt};
 }
 
-/// The names of some of the study's budgets.
-std::vector<std::string> read_method_budgets(const JsonNode& node,
-                                             const std::vector<std::string>& all) {
-  std::vector<std::string> chosen;
-  for (const JsonNode& element : node.elements()) {
-    chosen.push_back(read_budget(element).name());
-    if (std::find(all.begin(), all.end(), chosen.back()) == all.end()) {
-      element.fail("this is none of the study's budgets");
-    }
-  }
-  return chosen;
-}
-
 /// A method, or all that its sweep expands to: the product of the values of its parameters.
-std::vector<Method> read_methods(const JsonNode& node, const std::vector<std::string>& budgets) {
+std::vector<Method> read_methods(const JsonNode& node) {
   if (!node.is_text()) {
     node.check_members({"integrator", "name", "parameters", "sweep", "budgets"});
   }
   std::vector<Method> methods{read_method(node)};
   methods.front().family = methods.front().name;
   if (node.has("budgets")) {
-    methods.front().budgets = read_method_budgets(node.at("budgets"), budgets);
+    for (const JsonNode& budget : node.at("budgets").elements()) {
+      methods.front().budgets.push_back(read_budget(budget).name());
+    }
   }
   if (node.has("sweep")) {
     for (const auto& [parameter, values] : node.at("sweep").members()) {
@@ -262,6 +251,18 @@ void tell_apart(const std::vector<JsonNode>& nodes, std::vector<StudyScene>& sce
   }
 }
 
+/// Methods can only be for budgets of the study.
+void check_method_budgets(const JsonNode& integrators, const std::vector<std::string>& budgets) {
+  for (const JsonNode& node : integrators.elements()) {
+    if (node.is_text() || !node.has("budgets")) continue;
+    for (const JsonNode& budget : node.at("budgets").elements()) {
+      if (std::find(budgets.begin(), budgets.end(), read_budget(budget).name()) == budgets.end()) {
+        budget.fail("this is none of the study's budgets");
+      }
+    }
+  }
+}
+
 void read_metrics(const JsonNode& study, StudyPlan& plan) {
   std::vector<std::string> names;
   if (study.has("metrics")) {
@@ -336,21 +337,22 @@ StudyPlan read_study(const std::string& path) {
   std::vector<std::string> names;
   for (const StudyScene& scene : plan.scenes) names.push_back(scene.name);
   check_unique(study.at("scenes"), names);
-  std::vector<std::string> budgets;
-  for (const JsonNode& node : study.at("budgets").elements()) {
-    plan.budgets.push_back(read_budget(node));
-    budgets.push_back(plan.budgets.back().name());
-  }
-  check_unique(study.at("budgets"), budgets);
   names.clear();
   for (const JsonNode& node : study.at("integrators").elements()) {
-    for (Method& method : read_methods(node, budgets)) {
+    for (Method& method : read_methods(node)) {
       names.push_back(method.name);
       plan.methods.push_back(std::move(method));
     }
   }
   check_unique(study.at("integrators"), names);
   plan.seeds = read_seeds(study);
+  names.clear();
+  for (const JsonNode& node : study.at("budgets").elements()) {
+    plan.budgets.push_back(read_budget(node));
+    names.push_back(plan.budgets.back().name());
+  }
+  check_unique(study.at("budgets"), names);
+  check_method_budgets(study.at("integrators"), names);
   read_metrics(study, plan);
   read_baseline(study, plan);
   if (study.has("threads")) plan.threads = static_cast<int>(study.at("threads").whole(0, 4096));
