@@ -95,7 +95,8 @@ def fits_narrow_windows(browser):
         browser.resize(width, 800)
         for tab in ("images", "results"):
             browser.click(f"#tab-{tab}")
-            overflow = browser.evaluate("document.documentElement.scrollWidth - innerWidth")
+            overflow = browser.evaluate(
+                f"Math.max(...[document.documentElement, document.getElementById('{tab}')].map((one) => one.scrollWidth - one.clientWidth))")
             expect(overflow <= 0, f"{tab} are {overflow} pixels too wide for a window of {width}")
     browser.resize(1440, 900)
 

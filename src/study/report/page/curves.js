@@ -201,9 +201,9 @@
     const showEnd = makeHover(svg, curves, scales, style, readout, isTime ? " s" : "");
     figure.append(svg,
       ajar.element("div", { class: "switches" }, ...makeSwitches(svg, curves, style, showEnd)),
-      ajar.element("table", { class: "data readout" },
+      ajar.element("div", { class: "scroll" }, ajar.element("table", { class: "data readout" },
         ajar.element("thead", {}, ajar.element("tr", {}, ...["Method", isTime ? "Time" : over, metric, "Band"].map((text, i) => ajar.element("th", { scope: "col", class: i > 0 ? "number" : undefined }, text)))),
-        readout));
+        readout)));
     if (dropped > 0) figure.append(ajar.element("p", { class: "quiet" }, `${dropped} point${dropped === 1 ? " is" : "s are"} not drawn: zero, negative or not finite.`));
     showEnd();
     return figure;
