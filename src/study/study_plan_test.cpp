@@ -197,6 +197,15 @@ TEST_F(StudyFile, ErrorsSayWhereAndWhatWouldBeRight) {
   EXPECT_THROW(read_study((folder_ / "absent.json").string()), IoError);
 }
 
+TEST(ShippedStudies, CanBeRead) {
+  int count = 0;
+  for (const auto& entry : fs::directory_iterator(AJAR_SOURCE_DIR "/studies")) {
+    EXPECT_NO_THROW(read_study(entry.path().string())) << entry.path();
+    ++count;
+  }
+  EXPECT_GE(count, 2);
+}
+
 TEST(FileName, KeepsWhatIsSafeInPaths) {
   EXPECT_EQ(file_name("mmlt sigma=0.01"), "mmlt_sigma=0.01");
   EXPECT_EQ(file_name("../é"), "_._" + std::string("__"));
