@@ -237,17 +237,29 @@ void check_unique(const JsonNode& node, const std::vector<std::string>& names) {
   }
 }
 
-/// Scenes that are named after their files, but not the only ones of that name, are named after
-/// folder and file.
+/// Scenes that are named after their files, but not the only ones of that name, get as many folders
+/// before it as it takes to tell them apart.
 void tell_apart(const std::vector<JsonNode>& nodes, std::vector<StudyScene>& scenes) {
-  std::map<std::string, int> count;
-  for (const StudyScene& scene : scenes) ++count[folder_of(scene.name)];
+  std::vector<fs::path> above;  // folders that the names do not have yet
   for (std::size_t i = 0; i < scenes.size(); ++i) {
     const bool is_chosen = !nodes[i].is_text() && nodes[i].has("name");
-    const fs::path path(scenes[i].scene);
-    if (is_chosen || count[folder_of(scenes[i].name)] == 1 || !path.has_parent_path()) continue;
-    const fs::path folder = fs::absolute(path).lexically_normal().parent_path();
-    scenes[i].name = (folder.filename() / scenes[i].name).string();
+    const bool is_file = fs::path(scenes[i].scene).has_parent_path();
+    above.push_back(is_chosen || !is_file
+                        ? fs::path()
+                        : fs::absolute(scenes[i].scene).lexically_normal().parent_path());
+    // The stem of a file "scene" is its folder.
+    if (above[i].filename() == scenes[i].name) above[i] = above[i].parent_path();
+  }
+  for (bool is_changed = true; is_changed;) {
+    is_changed = false;
+    std::map<std::string, int> count;
+    for (const StudyScene& scene : scenes) ++count[folder_of(scene.name)];
+    for (std::size_t i = 0; i < scenes.size(); ++i) {
+      if (count[folder_of(scenes[i].name)] == 1 || !above[i].has_filename()) continue;
+      scenes[i].name = (above[i].filename() / scenes[i].name).string();
+      above[i] = above[i].parent_path();
+      is_changed = true;
+    }
   }
 }
 

@@ -122,6 +122,17 @@ TEST_F(StudyFile, ScenesOfEqualFileNamesAreToldApartByTheirFolders) {
     if (!run.is_reference) folders.insert(run.stem.parent_path());
   }
   EXPECT_EQ(folders.size(), 6U) << "two methods, three scenes";
+  // A file "scene" is named after its folder, which may not be enough either.
+  for (const char* place : {"pool", "stairs"}) {
+    fs::create_directories(folder_ / place / "pbrt");
+    fs::copy_file(folder_ / "scenes" / "mine.pbrt", folder_ / place / "pbrt" / "scene.pbrt");
+  }
+  const StudyPlan deep =
+      read(study(kRest, R"(["pool/pbrt/scene.pbrt", "stairs/pbrt/scene.pbrt"])"));
+  EXPECT_EQ(deep.scenes.at(0).name, "pool/pbrt");
+  EXPECT_EQ(deep.scenes.at(1).name, "stairs/pbrt");
+  EXPECT_NE(error_of(study(kRest, R"(["scenes/mine.pbrt", "scenes/mine.pbrt"])")).find("twice"),
+            std::string::npos);
   // A name that was chosen stays.
   const StudyPlan named =
       read(study(kRest, R"([{"scene": "scenes/mine.pbrt", "name": "mine"}, "other/Mine.pbrt"])"));
