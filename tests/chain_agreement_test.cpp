@@ -83,7 +83,7 @@ const std::vector<Variant>& variants() {
        {"Mirror", "RoughGlass", "ManyLamps"}},
       {"mmlt, direct light too",
        "mmlt",
-       {{"direct", "chain"}},
+       {{"direct", "chain"}, {"split", "0"}, {"bootstrap", "240000"}},
        {"GlassAndMetal", "Environment", "CroppedMitchell", "ShadingNormals"}},
       {"pssmlt, pt, relative",
        "pssmlt",
@@ -151,11 +151,10 @@ TEST_P(ChainAgreement, ChainsHaveTheExpectationOfBidirectionalPathTracing) {
     options.integrator = variant.integrator;
     options.parameters = variant.parameters;
     if (variant.integrator != "selective") {
-      options.parameters["bootstrap"] = "60000";
+      options.parameters.emplace("bootstrap", "60000");
       options.parameters["omc-samples"] = "1";
     }
-    // Divided light needs fewer for the same power. Multiples of 64 are rendered in four passes,
-    // between which b is refined and maps are made.
+    // Divided light needs fewer for the same power.
     options.samples = variant.parameters.count("split") > 0 ? 384 : 192;
     const test::Render render = test::render(*scene, options);
     expect_same(replicates_of(render, "indirect"), replicates_of(truth, "indirect"), *render.film,

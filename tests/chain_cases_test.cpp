@@ -267,6 +267,8 @@ TEST(ChainLayers, DensityCountsVisitsAndAcceptanceIsAProbability) {
     options.samples = 64;
     options.replicates = 4;
     options.aovs = {"density", "acceptance"};
+    // Enough for seeds in each replicate.
+    options.parameters["bootstrap"] = "100000";
     for (const char* importance : {"uniform", "relative"}) {
       options.parameters["importance"] = importance;
       const test::Render render = test::render(*scene, options);

@@ -9,17 +9,6 @@
 
 namespace ajar {
 
-namespace {
-/// Of a replicate with so many mutations per mutation per pixel. So many that a chain makes about a
-/// hundred steps in a short pass: many chains are well spread, but each begins a pass by looking up
-/// its state. Small pictures have more, down to one step, because few chains depend on luck.
-std::uint64_t default_chains(std::uint64_t mutations) {
-  constexpr std::uint64_t kSteps = 32;
-  constexpr std::uint64_t kFewest = 32;
-  return std::max<std::uint64_t>({1, mutations / kSteps, std::min(mutations, kFewest)});
-}
-}  // namespace
-
 double bootstrap_share(const ChainPlan& plan, std::size_t group) {
   const auto weight = [](const PathGroup& g) { return 1.0 / std::max(1, g.depth); };
   double whole = 0.0;
@@ -34,21 +23,32 @@ void add_blocks(std::vector<SampleBlock>& blocks, std::size_t owner, std::uint64
   }
 }
 
-std::uint64_t ChainBootstrap::begin() {
-  constexpr double kFewest = 64.0;
-  const double per_replicate = static_cast<double>(plan_.bootstrap) / plan_.settings.replicates;
-  for (int replicate = 0; replicate < plan_.settings.replicates; ++replicate) {
-    for (std::size_t g = 0; g < plan_.groups.size(); ++g) {
+std::vector<ChainPopulation> make_populations(const ChainPlan& plan) {
+  std::vector<ChainPopulation> populations;
+  for (int replicate = 0; replicate < plan.settings.replicates; ++replicate) {
+    for (std::size_t g = 0; g < plan.groups.size(); ++g) {
       ChainPopulation population;
       population.group = g;
       population.replicate = replicate;
       population.seed =
-          hash_numbers(plan_.settings.seed, 0xb0075ULL, replicate, plan_.groups[g].depth);
-      const double samples = std::max(kFewest, per_replicate * bootstrap_share(plan_, g));
-      population.weights.resize(static_cast<std::size_t>(samples));
-      add_blocks(blocks_, populations_.size(), population.weights.size());
-      populations_.push_back(std::move(population));
+          hash_numbers(plan.settings.seed, 0xb0075ULL, replicate, plan.groups[g].depth);
+      populations.push_back(std::move(population));
     }
+  }
+  return populations;
+}
+
+std::uint64_t ChainBootstrap::begin() {
+  // The scout may have found seeds already.
+  if (!populations_.empty()) return 0;
+  constexpr double kFewest = 64.0;
+  const double per_replicate = static_cast<double>(plan_.bootstrap) / plan_.settings.replicates;
+  populations_ = make_populations(plan_);
+  for (std::size_t p = 0; p < populations_.size(); ++p) {
+    const double samples =
+        std::max(kFewest, per_replicate * bootstrap_share(plan_, populations_[p].group));
+    populations_[p].weights.resize(static_cast<std::size_t>(samples));
+    add_blocks(blocks_, p, populations_[p].weights.size());
   }
   return blocks_.size();
 }
@@ -70,6 +70,7 @@ void ChainBootstrap::run(std::uint64_t item, Counters& counters) {
 }
 
 void ChainBootstrap::end() {
+  if (blocks_.empty()) return;
   for (ChainPopulation& population : populations_) {
     for (const double weight : population.weights) {
       const double capped = std::min(weight, plan_.chain_settings.large_step_cap);
@@ -89,28 +90,29 @@ void ChainBootstrap::seed_replicate(int replicate) {
     own.push_back(&population);
     b.push_back(population.b(0.0));
   }
-  const auto replicates = static_cast<std::uint64_t>(plan_.settings.replicates);
-  const std::uint64_t count = plan_.wanted_chains > 0
-                                  ? std::max<std::uint64_t>(1, plan_.wanted_chains / replicates)
-                                  : default_chains(plan_.pixels() / replicates);
-  const std::vector<std::size_t> shares = apportion(b, static_cast<std::size_t>(count));
+  const std::vector<std::size_t> shares = apportion(b, plan_.chains_per_replicate());
   for (std::size_t i = 0; i < own.size(); ++i) {
     ChainPopulation& population = *own[i];
     const PathGroup& group = plan_.groups[population.group];
     const double u =
         to_unit_float(static_cast<std::uint32_t>(hash_numbers(population.seed, 0x5eedULL) >> 32U));
-    const std::size_t by_technique = plan_.kind == ChainKind::OnePath ? group.choice.size() : 0;
+    ChainRecord empty;
+    if (plan_.kind == ChainKind::OnePath) empty.by_technique.resize(group.choice.size());
     const std::vector<double>& weights = population.weights;
     const std::vector<double> filtered =
         filter_weights(weights, plan_.seed_filter, plan_.seed_spread);
+    std::size_t last = weights.size();
     for (const std::size_t index : choose_seeds(filtered, shares[i], u)) {
+      if (index == last) {
+        ++population.chains.back().multiplicity;
+        continue;
+      }
+      last = index;
       const std::uint64_t chain_seed =
           hash_numbers(population.seed, 0xc4a15ULL, population.chains.size());
       population.chains.push_back(
           {Chain(group.shape, chain_seed, bootstrap_key(population.seed, index), weights[index]),
-           {},
-           std::vector<ChainStatistics::Kind>(by_technique),
-           seed_weight(weights, filtered, plan_.seed_filter, index)});
+           empty, seed_weight(weights, filtered, plan_.seed_filter, index), 1});
     }
   }
 }

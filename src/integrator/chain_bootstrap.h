@@ -11,10 +11,13 @@ double bootstrap_share(const ChainPlan& plan, std::size_t group);
 /// Cuts `samples` of one owner into blocks.
 void add_blocks(std::vector<SampleBlock>& blocks, std::size_t owner, std::uint64_t samples);
 
+/// One for each replicate and group, without chains yet.
+std::vector<ChainPopulation> make_populations(const ChainPlan& plan);
+
 /// Finds b and seeds for the chains of every depth and replicate (METHODS, section 3).
 class ChainBootstrap final : public PreparationStage {
  public:
-  /// Fills `populations`.
+  /// Fills `populations`, unless they are there already.
   ChainBootstrap(const ChainPlan& plan, std::vector<ChainPopulation>& populations)
       : plan_(plan), populations_(populations) {}
   std::uint64_t begin() override;

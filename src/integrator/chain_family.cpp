@@ -2,13 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
+#include "core/milestones.h"
 #include "core/random.h"
 #include "integrator/chain_bootstrap.h"
 #include "integrator/chain_film_sink.h"
 #include "integrator/chain_pilot.h"
 #include "integrator/chain_plan.h"
+#include "integrator/chain_recruits.h"
 #include "integrator/chain_report.h"
+#include "integrator/chain_scout.h"
 #include "integrator/plane_maps.h"
 #include "mcmc/bootstrap_source.h"
 #include "mcmc/chain_runner.h"
@@ -49,7 +53,11 @@ class ChainIntegrator final : public Integrator {
   };
 
   void end_preparation();
+  void list_chains();
   void make_omc();
+  /// Lets what ordinary Monte Carlo has found since `joined_at_` join the chains.
+  void join_recruits();
+  void expect_recruits(std::uint64_t samples);
   void add_concerns();
   void run_chain(const ChainItem& item, std::uint64_t first_sample, std::uint64_t samples,
                  Film& film, Counters& counters);
@@ -81,7 +89,10 @@ class ChainIntegrator final : public Integrator {
   std::unique_ptr<PlaneMaps> maps_;  ///< null if steps do not follow the image plane
   std::vector<double> b_;            ///< of each population
   double later_weight_ = 0.0;        ///< of samples after the bootstrap, in all estimates of b
-  std::uint64_t refined_at_ = 0;     ///< samples per pixel behind them
+  std::uint64_t doubled_at_ = 0;     ///< samples per pixel
+  std::unique_ptr<ChainRecruits> recruits_;  ///< null unless ordinary Monte Carlo finds seeds
+  std::uint64_t joined_at_ = 0;              ///< samples per pixel, when recruits joined last
+  std::uint64_t next_join_ = 0;              ///< and when they will next
 };
 
 ChainIntegrator::ChainIntegrator(ChainKind kind, const Scene& scene, const RenderSettings& settings,
@@ -93,6 +104,10 @@ ChainIntegrator::ChainIntegrator(ChainKind kind, const Scene& scene, const Rende
     return;
   }
   stages_.push_back(std::make_unique<ChainPilot>(plan_));
+  if (plan_.split_at && kind == ChainKind::OnePath) {
+    recruits_ = std::make_unique<ChainRecruits>(plan_);
+    stages_.push_back(std::make_unique<ChainScout>(plan_, populations_, *recruits_));
+  }
   stages_.push_back(std::make_unique<ChainBootstrap>(plan_, populations_));
 }
 
@@ -111,14 +126,23 @@ void ChainIntegrator::prepare_item(int /*round*/, std::uint64_t item, Counters& 
   stages_[stage_]->run(item, counters);
 }
 
-void ChainIntegrator::end_preparation() {
+void ChainIntegrator::list_chains() {
+  chain_items_.clear();
+  std::fill(chain_counts_.begin(), chain_counts_.end(), 0);
   for (std::size_t p = 0; p < populations_.size(); ++p) {
     const ChainPopulation& population = populations_[p];
-    chain_counts_[static_cast<std::size_t>(population.replicate)] += population.chains.size();
+    chain_counts_[static_cast<std::size_t>(population.replicate)] += population.chain_count();
     for (std::size_t c = 0; c < population.chains.size(); ++c) chain_items_.push_back({p, c});
-    if (population.chains.empty()) chain_items_.push_back({p, 0});
+    if (population.chains.empty() && !recruits_) chain_items_.push_back({p, 0});
   }
+}
+
+void ChainIntegrator::end_preparation() {
+  // With a black pilot there is nothing to divide by.
+  if (!plan_.split) recruits_.reset();
   make_omc();
+  list_chains();
+  if (recruits_) expect_recruits(0);
   add_concerns();
   if (plan_.plane.active()) {
     maps_ = std::make_unique<PlaneMaps>(plan_.plane, plan_.view, plan_.settings.replicates,
@@ -133,12 +157,12 @@ void ChainIntegrator::make_omc() {
   std::erase_if(settings.aovs, [](const std::string& name) {
     return name == kDensityLayer || name == kAcceptanceLayer || name == "techniques";
   });
-  omc_ = plan_.make_omc(settings, depths, plan_.split ? &*plan_.split : nullptr);
+  omc_ = plan_.make_omc(settings, depths, plan_.split ? &*plan_.split : nullptr, recruits_.get());
 }
 
 void ChainIntegrator::add_concerns() {
   std::uint64_t lit = 0;
-  std::uint64_t samples = 0;
+  std::uint64_t samples = plan_.scouted;
   for (const ChainPopulation& population : populations_) {
     samples += population.capped.count;
     lit += population.chains.size();
@@ -191,20 +215,36 @@ std::uint64_t ChainIntegrator::steps_until(std::uint64_t samples, std::size_t ch
   return static_cast<std::uint64_t>(std::ceil(per_replicate / static_cast<double>(chains)));
 }
 
-/// b is refined, and the maps of the image plane end an epoch, at counts fixed in advance, which
-/// passes do not cross (see `PassSchedule`): where passes end otherwise is up to the clock, and
-/// must not change the picture.
-void ChainIntegrator::begin_pass(std::uint64_t first_sample, std::uint64_t /*samples*/) {
+/// b is refined, recruits join, and the maps of the image plane end an epoch, at counts fixed in
+/// advance, which passes do not cross (see `PassSchedule`): where passes end otherwise is up to the
+/// clock, and must not change the picture.
+void ChainIntegrator::begin_pass(std::uint64_t first_sample, std::uint64_t samples) {
+  if (b_.empty()) refine_b(0);
+  if (recruits_ && first_sample >= next_join_) join_recruits();
+  if (recruits_ && first_sample + samples > next_join_) {
+    throw std::logic_error("bug: a pass crosses a milestone");
+  }
   auto milestone = static_cast<std::uint64_t>(plan_.settings.replicates);
-  if (first_sample < milestone) {
-    if (b_.empty()) refine_b(0);
-    return;
-  }
+  if (first_sample < milestone) return;
   while (2 * milestone <= first_sample) milestone *= 2;
-  if (milestone > refined_at_ || b_.empty()) {
-    refine_b(milestone);
-    if (maps_) maps_->end_epoch(static_cast<double>(milestone));
-  }
+  if (milestone <= doubled_at_) return;
+  doubled_at_ = milestone;
+  if (!recruits_) refine_b(milestone);
+  if (maps_) maps_->end_epoch(static_cast<double>(milestone));
+}
+
+void ChainIntegrator::join_recruits() {
+  recruits_->join(populations_, omc_samples(joined_at_), omc_samples(next_join_));
+  list_chains();
+  refine_b(next_join_);
+  expect_recruits(next_join_);
+}
+
+void ChainIntegrator::expect_recruits(std::uint64_t samples) {
+  joined_at_ = samples;
+  next_join_ = milestone_after(samples, static_cast<std::uint64_t>(plan_.settings.replicates));
+  recruits_->expect(populations_,
+                    static_cast<double>(omc_samples(next_join_) - omc_samples(samples)));
 }
 
 /// b of a population is on average right only over all that its bootstrap can bring, finding no
@@ -213,7 +253,6 @@ void ChainIntegrator::begin_pass(std::uint64_t first_sample, std::uint64_t /*sam
 /// E[(1 − w)·bootstrap; light found] + w·E[later samples] is then b. Of I beyond the cap only the
 /// bootstrap knows (see `ChainPopulation::b`), so later samples bring no more than it.
 void ChainIntegrator::refine_b(std::uint64_t samples) {
-  refined_at_ = samples;
   double bootstrap = 0.0;
   for (const ChainPopulation& population : populations_) {
     bootstrap += static_cast<double>(population.capped.count);
@@ -259,19 +298,19 @@ void ChainIntegrator::run_chain(const ChainItem& item, std::uint64_t first_sampl
   ChainFilmSink sink(film, population.replicate, plan_.view.importance, *target, counters,
                      maps_.get());
   const double b = b_[item.population];
+  const auto in_population = static_cast<double>(population.chain_count());
   runner.start(member.chain);
   ChainStatistics statistics;
   for (std::uint64_t block = first_sample; block < first_sample + samples; ++block) {
     const std::uint64_t steps =
         std::max<std::uint64_t>(1, steps_until(block + 1, chains) - steps_until(block, chains));
-    const double per_step =
-        1.0 / (static_cast<double>(steps) * static_cast<double>(population.chains.size()));
+    const double per_step = 1.0 / (static_cast<double>(steps) * in_population);
     sink.begin(member.weight * b * plan_.view.area() * per_step / plan_.settings.replicates,
-               member.by_technique.empty() ? nullptr : &member.by_technique);
-    statistics += runner.go_on(member.chain, steps, sink,
+               member.record.by_technique.empty() ? nullptr : &member.record.by_technique);
+    statistics += runner.go_on(member.chain, steps * member.multiplicity, sink,
                                plan_.mis_large_steps ? std::optional(b) : std::nullopt);
   }
-  member.statistics += statistics;
+  member.record.statistics += statistics;
   counters.mutations += statistics.steps;
   counters.rays += target->rays();
   counters.discarded_nan += statistics.discarded_nan;

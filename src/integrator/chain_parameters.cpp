@@ -114,9 +114,10 @@ std::vector<ParameterSpec> chain_parameters(ChainKind kind) {
        .type = ParameterType::Int,
        .default_value = "0",
        .unit = "samples",
-       .help = "independent paths from which chains are seeded, over all depths and replicates; 0: "
-               "four "
-               "per pixel, and at least 200000",
+       .help =
+           "independent samples from which chains are seeded: of ordinary Monte Carlo, where it "
+           "shares the light with mmlt (split), else paths over all depths and replicates; 0: as "
+           "many as suit the picture",
        .choices = {},
        .minimum = 0,
        .maximum = 100000000},
@@ -148,7 +149,8 @@ std::vector<ParameterSpec> chain_parameters(ChainKind kind) {
        .type = ParameterType::Choice,
        .default_value = "omc",
        .unit = "",
-       .help = "who makes paths of up to two edges: ordinary Monte Carlo, the chains, or nobody",
+       .help = "who makes paths of up to two edges: omc (ordinary Monte Carlo), chain (the chains, "
+               "which then make all light, as with split=0), or nobody (none)",
        .choices = {"omc", "chain", "none"}},
       {.name = "split",
        .type = ParameterType::Float,
@@ -161,11 +163,13 @@ std::vector<ParameterSpec> chain_parameters(ChainKind kind) {
        .maximum = 1e6},
       {.name = "omc-samples",
        .type = ParameterType::Float,
-       .default_value = kind == ChainKind::OnePath ? "2" : "0.5",
+       .default_value = kind == ChainKind::OnePath ? "0" : "0.5",
        .unit = "",
-       .help = "camera samples of ordinary Monte Carlo per mutation",
+       .help =
+           "camera samples of ordinary Monte Carlo per mutation; 0: as many as suit the share of "
+           "the light that is left to chains",
        .choices = {},
-       .minimum = 0.001,
+       .minimum = 0.0,
        .maximum = 16.0},
       {.name = "importance",
        .type = ParameterType::Text,

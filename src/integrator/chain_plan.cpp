@@ -1,6 +1,7 @@
 #include "integrator/chain_plan.h"
 
 #include <algorithm>
+#include <stdexcept>
 #include <string_view>
 
 #include "image/image_file.h"
@@ -66,7 +67,9 @@ ChainPlan::ChainPlan(ChainKind chain_kind, const Scene& the_scene,
     throw UsageError(
         "camera-steps and light-steps are shares of the small steps: together at most 1");
   }
-  if (parameters.get_float("split") > 0.0) split_at = parameters.get_float("split");
+  if (parameters.get_float("split") > 0.0 && direct != Direct::Chain) {
+    split_at = parameters.get_float("split");
+  }
   const Vec2 beyond = make_filter(scene.film().filter).radius() - Vec2(0.5F, 0.5F);
   view.low = Vec2(settings.crop.min) - beyond;
   view.size = Vec2(crop_size(settings)) + beyond * 2.F;
@@ -76,8 +79,13 @@ ChainPlan::ChainPlan(ChainKind chain_kind, const Scene& the_scene,
         "bootstrap: at least 1000 samples, or 0 for as many as suit the picture, not " +
         std::to_string(bootstrap));
   }
-  if (bootstrap == 0) bootstrap = std::max<std::uint64_t>(200000, 4 * pixels());
+  if (bootstrap == 0) {
+    const bool scouts = kind == ChainKind::OnePath && split_at;
+    bootstrap = scouts ? std::max<std::uint64_t>(65536, pixels())
+                       : std::max<std::uint64_t>(200000, 4 * pixels());
+  }
   make_groups();
+  if (omc_samples == 0.0 && (!split_at || groups.empty())) omc_samples = 1.0;
   read_importance();
   read_plane();
 }
@@ -103,6 +111,25 @@ void ChainPlan::read_plane() {
 std::uint64_t ChainPlan::pixels() const {
   const Vec2i size = crop_size(settings);
   return static_cast<std::uint64_t>(size.x) * static_cast<std::uint64_t>(size.y);
+}
+
+std::size_t ChainPlan::chains_per_replicate() const {
+  // So many that a chain makes about this many steps in a short pass: many chains are well spread,
+  // but each begins a pass by looking up its state. Small pictures have more, down to one step,
+  // because few chains depend on luck.
+  constexpr std::uint64_t kSteps = 16;
+  constexpr std::uint64_t kFewest = 32;
+  const auto replicates = static_cast<std::uint64_t>(settings.replicates);
+  if (wanted_chains > 0) return std::max<std::uint64_t>(1, wanted_chains / replicates);
+  const std::uint64_t mutations = pixels() / replicates;
+  return std::max<std::uint64_t>({1, mutations / kSteps, std::min(mutations, kFewest)});
+}
+
+const PathGroup& ChainPlan::group_of(int depth) const {
+  const auto group = std::find_if(groups.begin(), groups.end(),
+                                  [&](const PathGroup& one) { return one.depth == depth; });
+  if (group == groups.end()) throw std::logic_error("bug: no chains for paths of this depth");
+  return *group;
 }
 
 void ChainPlan::make_groups() {

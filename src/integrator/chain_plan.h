@@ -33,8 +33,11 @@ struct ChainPlan {
 
   /// A target of one thread; the plan must outlive it.
   std::unique_ptr<PathTarget> make_target(const PathGroup& group) const;
+  const PathGroup& group_of(int depth) const;
   /// Of the crop.
   std::uint64_t pixels() const;
+  /// How many chains a replicate should have.
+  std::size_t chains_per_replicate() const;
   /// Depths that ordinary Monte Carlo renders; empty (min > max) if there are none.
   std::pair<int, int> omc_depths() const;
   /// Ordinary Monte Carlo with the chains' techniques over some depths. With `split`, it leaves the
@@ -53,11 +56,14 @@ struct ChainPlan {
   /// Where the light of long paths is divided, relative to the brightness of its pixel; empty if
   /// chains make all of it.
   std::optional<double> split_at;
-  /// Camera samples of ordinary Monte Carlo per mutation.
+  /// Camera samples of ordinary Monte Carlo per mutation; 0 until the preparation has decided.
   double omc_samples;
   /// Of the pilot: mean luminance · importance of its pixels.
   double brightness = 0.0;
-  std::uint64_t bootstrap;      ///< samples, over all depths and replicates
+  /// Samples from which chains are seeded: camera samples where the light is divided, else paths
+  /// over all depths and replicates.
+  std::uint64_t bootstrap;
+  std::uint64_t scouted = 0;    ///< camera samples that were
   std::uint64_t wanted_chains;  ///< 0: as many as suit the picture
   SeedFilter seed_filter;
   double seed_spread;  ///< standard deviations above which a seed is an outlier

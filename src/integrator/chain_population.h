@@ -1,6 +1,8 @@
 #pragma once
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "mcmc/chain.h"
@@ -9,12 +11,28 @@
 
 namespace ajar {
 
-/// A chain with all it has done.
-struct MemberChain {
-  Chain chain;
+/// What chains have done.
+struct ChainRecord {
   ChainStatistics statistics;
   std::vector<ChainStatistics::Kind> by_technique;  ///< numbered as in the group's choice
+
+  void add(const ChainRecord& other) {
+    statistics += other.statistics;
+    by_technique.resize(std::max(by_technique.size(), other.by_technique.size()));
+    for (std::size_t i = 0; i < other.by_technique.size(); ++i) {
+      by_technique[i].proposals += other.by_technique[i].proposals;
+      by_technique[i].acceptances += other.by_technique[i].acceptances;
+    }
+  }
+};
+
+struct MemberChain {
+  Chain chain;
+  ChainRecord record;
   double weight = 1.0;  ///< of what it deposits, relative to other chains (`seed_weight`)
+  /// How often its seed was chosen. It makes the steps of so many chains: one long chain gets
+  /// farther than many short ones from the same place.
+  std::uint64_t multiplicity = 1;
 };
 
 /// The chains of one group in one replicate, with a bootstrap of their own.
@@ -27,6 +45,22 @@ struct ChainPopulation {
   Moments capped;
   Moments excess;
   std::vector<MemberChain> chains;
+  /// With multiplicities.
+  std::uint64_t chain_count() const {
+    std::uint64_t count = 0;
+    for (const MemberChain& member : chains) count += member.multiplicity;
+    return count;
+  }
+  ChainRecord retired;          ///< of chains that others have replaced
+  double samples_behind = 0.0;  ///< camera samples that recruits were found with
+  /// What is known of b if chains are recruits (`ChainRecruits`).
+  struct Joined {
+    double b;
+    double variance;     ///< of b
+    double of_recruits;  ///< what of b is due to a recruit, per luminance · importance
+    double of_chains;    ///< to the chains that were there before
+  };
+  std::optional<Joined> joined;
   /// Of samples taken where no seed was found.
   std::uint64_t plain_samples = 0;
   ChainStatistics plain_statistics;
@@ -34,18 +68,20 @@ struct ChainPopulation {
   /// Of min(I, cap) over large steps, or over the samples taken instead: independent, too.
   Moments later_moments() const {
     Moments all = plain_statistics.large_steps;
-    for (const MemberChain& member : chains) all += member.statistics.large_steps;
+    for (const MemberChain& member : chains) all += member.record.statistics.large_steps;
     return all;
   }
   /// b, if later samples have the weight `later_weight` in what is capped. The rest is the
   /// bootstrap's alone: a chain that was not seeded with a path of huge I does not render it, and
   /// if such a path, found later, raised b, its light would go to all others.
   double b(double later_weight) const {
+    if (joined) return joined->b;
     const Moments later = later_moments();
     const double weight = later.count > 0 ? later_weight : 0.0;
     return excess.mean() + (1.0 - weight) * capped.mean() + weight * later.mean();
   }
   double b_standard_error() const {
+    if (joined) return std::sqrt(joined->variance);
     Moments all = capped;
     all += later_moments();
     return std::hypot(all.standard_error(), excess.standard_error());

@@ -7,13 +7,13 @@ namespace ajar {
 ChainReport report_chains(const ChainPlan& plan, std::span<const ChainPopulation> populations,
                           double later_weight) {
   ChainReport report;
+  report.bootstrap_samples = plan.scouted;
   ChainStatistics whole;
   for (std::size_t g = 0; g < plan.groups.size(); ++g) {
     ChainReport::Depth depth{plan.groups[g].depth, 0, 0, 0.0, 0.0, 0.0};
-    ChainStatistics own;
+    ChainRecord record;
     double variance = 0.0;
     const TechniqueChoice& choice = plan.groups[g].choice;
-    std::vector<ChainStatistics::Kind> by_technique(choice.size());
     for (const ChainPopulation& population : populations) {
       if (population.group != g) continue;
       report.bootstrap_samples += population.capped.count;
@@ -22,21 +22,17 @@ ChainReport report_chains(const ChainPlan& plan, std::span<const ChainPopulation
       variance += error * error;
       depth.chains += population.chains.size();
       depth.mutations += population.plain_samples;
-      for (const MemberChain& member : population.chains) {
-        own += member.statistics;
-        for (std::size_t s = 0; s < member.by_technique.size(); ++s) {
-          by_technique[s].proposals += member.by_technique[s].proposals;
-          by_technique[s].acceptances += member.by_technique[s].acceptances;
-        }
-      }
+      record.add(population.retired);
+      for (const MemberChain& member : population.chains) record.add(member.record);
     }
     depth.b_standard_error = std::sqrt(variance) / plan.settings.replicates;
+    const ChainStatistics& own = record.statistics;
     depth.mutations += own.steps;
     double accepted = 0.0;
     for (const ChainStatistics::Kind& kind : own.kinds) accepted += kind.acceptances;
     if (own.steps > 0) depth.acceptance = accepted / static_cast<double>(own.steps);
-    for (std::size_t s = 0; s < by_technique.size(); ++s) {
-      const ChainStatistics::Kind& kind = by_technique[s];
+    for (std::size_t s = 0; s < record.by_technique.size(); ++s) {
+      const ChainStatistics::Kind& kind = record.by_technique[s];
       if (kind.proposals == 0) continue;
       report.techniques.push_back(
           {choice[s], kind.proposals, kind.acceptances / static_cast<double>(kind.proposals)});

@@ -6,6 +6,7 @@
 
 #include "core/random.h"
 #include "integrator/chain_film_sink.h"
+#include "integrator/path_numbers.h"
 #include "mcmc/chain_runner.h"
 
 namespace ajar {
@@ -19,36 +20,6 @@ constexpr double kMutationsPerBrightness = 3.0;
 /// A chain begins by tracing its path again, so weak paths start one now and then only.
 constexpr double kFewestSteps = 256.0;
 constexpr double kMostSteps = 65536.0;
-
-/// The numbers of a path that ordinary Monte Carlo has made, as a chain of its technique asks for
-/// them.
-void copy_numbers(SampleSource& from, const ChainView& view, const PathGroup& group,
-                  const StrongPath& path, ChainNumbers& to) {
-  const auto copy = [&](Stream stream, int vertices) {
-    for (int vertex = 0; vertex < vertices; ++vertex) {
-      const std::size_t index = to.block_of({stream, vertex, Slot::BsdfDirectionX});
-      const auto block = to.block(index);
-      for (std::size_t slot = 0; slot < static_cast<std::size_t>(Slot::kCount); ++slot) {
-        block[slot] = from.get({stream, vertex, static_cast<Slot>(slot)});
-      }
-      to.set_stamp(index, to.now(stream));
-    }
-  };
-  copy(Stream::Camera, path.technique.t);
-  copy(Stream::Light, path.technique.s);
-  if (path.technique.t > 1) {
-    const auto camera = to.block(to.block_of({Stream::Camera, 0, kEmissionDirection}));
-    const Vec2 u = view.place(path.raster);
-    camera[static_cast<std::size_t>(kEmissionDirection)] = u.x;
-    camera[static_cast<std::size_t>(kEmissionDirection) + 1] = u.y;
-  }
-  const SampleAddress choice(Stream::Connection, 0, kTechniqueChoice);
-  const std::size_t index = to.block_of(choice);
-  ChainNumbers::fill_fresh(to.block(index), choice, path.key);
-  to.block(index)[static_cast<std::size_t>(kTechniqueChoice)] =
-      group.choice.number_of(path.technique);
-  to.set_stamp(index, to.now(Stream::Connection));
-}
 
 class ChainSpreader final : public StrongPathSink {
  public:
@@ -67,8 +38,7 @@ class ChainSpreader final : public StrongPathSink {
       steps = kFewestSteps;
     }
     Worker& worker = worker_of(path.technique.depth());
-    Chain chain(worker.group->shape, hash_numbers(path.key, 0xc4a15ULL), path.key, 0.0);
-    copy_numbers(numbers, plan_.view, *worker.group, path, chain.numbers);
+    Chain chain = PathNumbers(numbers, path).start_chain(plan_, *worker.group, path);
     ReplaySource replay(chain.numbers);
     splats_.clear();
     chain.scalar = worker.target->evaluate(replay, Change{}, splats_);
@@ -104,8 +74,7 @@ class ChainSpreader final : public StrongPathSink {
   Worker& worker_of(int depth) {
     Worker& worker = workers_[depth];
     if (!worker.target) {
-      worker.group = &*std::find_if(plan_.groups.begin(), plan_.groups.end(),
-                                    [&](const PathGroup& group) { return group.depth == depth; });
+      worker.group = &plan_.group_of(depth);
       worker.target = plan_.make_target(*worker.group);
       worker.runner = std::make_unique<ChainRunner>(plan_.chain_settings, *plan_.mutation,
                                                     worker.group->shape, *worker.target);

@@ -12,6 +12,7 @@ namespace ajar {
 class ChainSpreaders final : public StrongPathSinks {
  public:
   explicit ChainSpreaders(const ChainPlan& plan) : plan_(plan) {}
+  bool apart() const override { return false; }
   std::unique_ptr<StrongPathSink> make(Film& film, Counters& counters) const override;
 
  private:

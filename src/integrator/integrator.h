@@ -82,10 +82,9 @@ class Integrator {
 
   /// Layers of the film, known after the preparation; includes "direct" and "indirect".
   virtual std::vector<LayerSpec> layers() const = 0;
-  /// Number of items in pass `pass` (counted from 0) when `samples` samples per pixel (mutations
-  /// per pixel) are wanted in it.
+  /// Number of items in the pass that has begun; a sample is a mutation per pixel where chains run.
   virtual std::uint64_t items_in_pass() const = 0;
-  /// Called between passes, on one thread.
+  /// Called between passes, on one thread. A pass does not cross a milestone (`milestone_after`).
   virtual void begin_pass(std::uint64_t /*first_sample*/, std::uint64_t /*samples*/) {}
   virtual void end_pass() {}
   /// Adds the contribution of one item of one pass, `first_sample`..`first_sample + samples` per

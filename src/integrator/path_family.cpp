@@ -218,7 +218,7 @@ class PathIntegrator final : public Integrator {
   std::vector<LayerSpec> layers() const override {
     std::vector<LayerSpec> specs = {{.name = "direct", .magnitude = magnitude_},
                                     {.name = "indirect", .magnitude = magnitude_}};
-    if (split_ != nullptr && strong_ == nullptr) {
+    if (split_ != nullptr && (strong_ == nullptr || strong_->apart())) {
       specs.push_back({.name = kWeakLayer, .magnitude = magnitude_, .part_of = "indirect"});
     }
     for (LayerSpec& spec : GBuffer::layers(settings_.aovs, 2.F * scene_.bounding_sphere().radius)) {

@@ -57,9 +57,11 @@ Vec2 ChainView::place(const Vec2& at) const {
   return {within(offset.x / size.x), within(offset.y / size.y)};
 }
 
-float TechniqueChoice::number_of(Technique technique) const {
+float TechniqueChoice::number_of(Technique technique, float u) const {
+  // Off the ends, where rounding would choose a neighbour.
+  constexpr float kEnd = 0x1p-12F;
   const auto place = std::find(techniques_.begin(), techniques_.end(), technique);
-  return (static_cast<float>(place - techniques_.begin()) + 0.5F) /
+  return (static_cast<float>(place - techniques_.begin()) + std::clamp(u, kEnd, 1.F - kEnd)) /
          static_cast<float>(techniques_.size());
 }
 

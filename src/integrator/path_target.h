@@ -30,6 +30,8 @@ struct ChainView {
   }
   /// Pixels².
   double area() const { return static_cast<double>(size.x) * static_cast<double>(size.y); }
+  /// By which a mean over the film's pixels is larger than b, a mean over all the area.
+  double area_per_pixel() const { return area() / pixels; }
 };
 
 /// Layers of splats as targets number them.
@@ -58,8 +60,9 @@ class TechniqueChoice {
     float probability;
   };
   Chosen choose(float u) const;
-  /// A number by which `technique`, which must be one of them, is chosen.
-  float number_of(Technique technique) const;
+  /// A number by which `technique`, which must be one of them, is chosen; uniform among those if
+  /// `u` in [0, 1) is uniform.
+  float number_of(Technique technique, float u) const;
 
  private:
   std::vector<Technique> techniques_;

@@ -76,7 +76,9 @@ TEST(TechniqueChoice, ChoosesSomethingForEveryNumber) {
 TEST(TechniqueChoice, IsMadeByTheNumberOfATechnique) {
   const TechniqueChoice choice(TechniqueSet::bdpt(), 7);
   for (std::size_t i = 0; i < choice.size(); ++i) {
-    EXPECT_EQ(choice.choose(choice.number_of(choice[i])).technique, choice[i]);
+    for (const float u : {0.F, 0.3F, 0x1.fffffep-1F}) {
+      EXPECT_EQ(choice.choose(choice.number_of(choice[i], u)).technique, choice[i]);
+    }
   }
 }
 

@@ -30,6 +30,9 @@ class StrongPathSink {
 class StrongPathSinks {
  public:
   virtual ~StrongPathSinks() = default;
+  /// Whether what becomes of the paths is put into the layer "indirect" at a scale of its own,
+  /// apart from what ordinary Monte Carlo makes.
+  virtual bool apart() const = 0;
   /// For a film; film and counters must outlive the sink.
   virtual std::unique_ptr<StrongPathSink> make(Film& film, Counters& counters) const = 0;
 };

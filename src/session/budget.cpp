@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/milestones.h"
+
 namespace ajar {
 
 namespace {
@@ -22,27 +24,18 @@ PassSchedule::PassSchedule(const Budget& budget, int replicates, double pass_sec
   total_ = round_up(std::min(wanted, kMaxSamples), replicates_);
 }
 
-std::uint64_t PassSchedule::milestone_after(std::uint64_t samples) const {
-  for (std::uint64_t base = replicates_;; base *= 2) {
-    if (base > samples) return base;
-    // Half-way marks start at 3 = 1.5 · 2 samples per replicate, the first that is whole.
-    const std::uint64_t half_way = base + base / 2;
-    if (base > replicates_ && half_way > samples) return half_way;
-  }
-}
-
 bool PassSchedule::is_milestone(std::uint64_t samples) const {
   return samples == total_ || is_natural_milestone(samples);
 }
 
 bool PassSchedule::is_natural_milestone(std::uint64_t samples) const {
-  return samples > 0 && milestone_after(samples - 1) == samples;
+  return samples > 0 && milestone_after(samples - 1, replicates_) == samples;
 }
 
 std::uint64_t PassSchedule::next_pass(const PassHistory& history) const {
   if (history.samples_done >= total_) return 0;
   const std::uint64_t most =
-      std::min(milestone_after(history.samples_done), total_) - history.samples_done;
+      std::min(milestone_after(history.samples_done, replicates_), total_) - history.samples_done;
   // The shortest pass there is: how long it takes is not known yet.
   if (history.samples_done == 0) return 1;
 

@@ -20,9 +20,8 @@ struct PassHistory {
   double seconds_per_sample = 0.0;  ///< of the latest pass, per sample per pixel
 };
 
-/// Cuts a render into passes of one or more samples per pixel. *Milestones* (1, 2, 3, 4, 6, 8, 12,
-/// 16, … samples per replicate) depend on nothing but the replicate count; decisions that look at
-/// the picture are taken only there, so that they are the same on any machine. Between milestones
+/// Cuts a render into passes of one or more samples per pixel. Decisions that look
+/// at the picture are taken at milestones (`milestone_after`) only. Between milestones
 /// the clock decides how the samples are cut into passes: short passes keep the program responsive,
 /// and cutting does not change the sums. At milestones all replicates have the same number of
 /// samples; a render that runs out of time elsewhere leaves some with one sample more than others.
@@ -45,8 +44,6 @@ class PassSchedule {
   bool is_natural_milestone(std::uint64_t samples) const;
 
  private:
-  std::uint64_t milestone_after(std::uint64_t samples) const;
-
   Budget budget_;
   std::uint64_t replicates_;
   double pass_seconds_;

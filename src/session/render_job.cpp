@@ -164,6 +164,8 @@ RenderJob::Decision RenderJob::agree() {
 }
 
 void RenderJob::run_pass(const Decision& decision) {
+  // A pass that was cut short has begun already, before the checkpoint.
+  if (!decision.resumes_pass) integrator_.begin_pass(decision.first_sample, decision.samples);
   const std::uint64_t items = integrator_.items_in_pass();
   WorkShare share = options_.share;
   if (options_.ranks != nullptr) {
@@ -174,7 +176,6 @@ void RenderJob::run_pass(const Decision& decision) {
   if (!decision.resumes_pass) {
     state_.partial =
         PartialPass{decision.first_sample, decision.samples, std::vector<std::uint8_t>(items)};
-    integrator_.begin_pass(decision.first_sample, decision.samples);
   }
   PartialPass& pass = *state_.partial;
   items_done_ = 0;

@@ -26,18 +26,20 @@ class Axis {
     low_ = std::min(low_, value);
     high_ = std::max(high_, value);
   }
-  /// Some air at both ends; at least a factor of two in all.
-  void widen() {
+  /// Some air at both ends; at least a factor of `least` in all.
+  void widen(double least) {
     if (!(low_ <= high_)) low_ = high_ = 1.0;
-    const double air = std::max(1.2, std::sqrt(2.0 * low_ / high_));
+    const double range = high_ / low_;
+    const double air = std::max(std::pow(range, 0.06), std::sqrt(least / range));
     low_ /= air;
     high_ *= air;
   }
   double position(double value) const {
     return std::log(std::max(value, low_) / low_) / std::log(high_ / low_);
   }
-  /// Powers of ten with 2 and 5 between them if there are few.
+  /// Powers of ten, with 2 and 5 between them if there are few; equal steps if even those are few.
   std::vector<double> ticks() const {
+    if (high_ / low_ < 5.0) return even_ticks();
     const bool few = std::log10(high_ / low_) < 3.0;
     const int last = static_cast<int>(std::floor(std::log10(high_)));
     std::vector<double> values;
@@ -51,6 +53,16 @@ class Axis {
   }
 
  private:
+  /// Four to ten multiples of 1, 2 or 5 times a power of ten.
+  std::vector<double> even_ticks() const {
+    const double rough = (high_ - low_) / 4.0;
+    const double power = std::pow(10.0, std::floor(std::log10(rough)));
+    const double step = (rough / power >= 5.0 ? 5.0 : rough / power >= 2.0 ? 2.0 : 1.0) * power;
+    std::vector<double> values;
+    for (double i = std::ceil(low_ / step); i * step <= high_; ++i) values.push_back(i * step);
+    return values;
+  }
+
   double low_ = HUGE_VAL;
   double high_ = 0.0;
 };
@@ -108,8 +120,9 @@ class Drawing {
         }
       }
     }
-    x_.widen();
-    y_.widen();
+    x_.widen(2.0);
+    // Methods that are equal but for a few per cent are worth a look, but not noise of less.
+    y_.widen(1.1);
   }
 
   std::string svg() const {

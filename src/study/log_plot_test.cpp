@@ -39,6 +39,17 @@ TEST(LogPlot, LeavesOutWhatHasNoLogarithm) {
   EXPECT_EQ(svg.find("inf"), std::string::npos);
 }
 
+TEST(LogPlot, AxesOfAFewPerCentHaveTicksToo) {
+  for (const double high : {1.03, 1.3, 4.0, 30.0}) {
+    const LogPlot plot{"", "", "", {{"a", {{1, 2, 2, 2}, {100, 2 * high, 2, 2}}}}};
+    const std::string svg = to_svg(plot);
+    const std::regex label("text-anchor=\"end\"");
+    const auto ticks = std::distance(std::sregex_iterator(svg.begin(), svg.end(), label), {});
+    EXPECT_GE(ticks, 3) << high;
+    EXPECT_LE(ticks, 10) << high;
+  }
+}
+
 TEST(LogPlot, OfNothingIsAFrame) {
   const std::string svg = to_svg({"", "", "", {{"a", {}}}});
   EXPECT_EQ(svg.find("nan"), std::string::npos);

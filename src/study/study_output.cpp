@@ -10,6 +10,7 @@
 #include "study/log_plot.h"
 #include "study/machine.h"
 #include "study/study_report.h"
+#include "study/study_sweep.h"
 #include "study/study_table.h"
 
 namespace ajar::study {
@@ -74,7 +75,8 @@ Json row_json(const StudyPlan& plan, const SummaryRow& row) {
             {"seconds", mean_json(row.seconds)},
             {"samples_per_pixel", mean_json(row.samples)},
             {"acceptance",
-             {{"small", optional_json(row.small_acceptance)},
+             {{"all", optional_json(row.acceptance)},
+              {"small", optional_json(row.small_acceptance)},
               {"large", optional_json(row.large_acceptance)}}},
             {"metrics", metrics},
             {"efficiency", nullptr}};
@@ -101,20 +103,39 @@ Json run_json(const StudyPlan& plan, const FinishedRun& finished) {
           {"statistics", record.at("statistics")}};
 }
 
+std::string axis_title(const Metric& metric) {
+  return metric.name + (metric.unit.empty() ? "" : " [" + metric.unit + "]");
+}
+
 LogPlot plot_of(const StudyPlan& plan, const std::vector<SummaryRow>& rows, std::size_t scene,
                 std::size_t metric) {
-  const Metric& error = *plan.metrics[metric];
-  LogPlot plot{plan.scenes[scene].name,
-               "seconds",
-               error.name + (error.unit.empty() ? "" : " [" + error.unit + "]"),
-               {}};
+  LogPlot plot{plan.scenes[scene].name, "seconds", axis_title(*plan.metrics[metric]), {}};
   for (std::size_t method = 0; method < plan.methods.size(); ++method) {
+    if (!is_in_time_curves(plan, plan.methods[method])) continue;
     PlotCurve curve{plan.methods[method].name, {}};
     for (const SummaryRow& row : rows) {
       const Mean& value = row.metrics[metric];
       if (row.scene != scene || row.method != method || value.count == 0) continue;
       curve.points.push_back({row.seconds.mean, value.mean, value.mean - value.deviation,
                               value.mean + value.deviation});
+    }
+    plot.curves.push_back(std::move(curve));
+  }
+  return plot;
+}
+
+LogPlot plot_of(const StudyPlan& plan, const SweepPlot& sweep) {
+  const std::string budget = sweep.budget.empty() ? "" : ", " + sweep.budget;
+  LogPlot plot{plan.scenes[sweep.scene].name + budget,
+               sweep.parameter,
+               axis_title(*plan.metrics[sweep.metric]),
+               {}};
+  for (const SweepCurve& from : sweep.curves) {
+    PlotCurve curve{from.name, {}};
+    for (const SweepPoint& point : from.points) {
+      const Mean& value = point.metric;
+      curve.points.push_back(
+          {point.value, value.mean, value.mean - value.deviation, value.mean + value.deviation});
     }
     plot.curves.push_back(std::move(curve));
   }
@@ -166,7 +187,7 @@ std::string to_markdown(const StudyPlan& plan, const StudyResult& result,
 std::string to_csv(const StudyPlan& plan, const std::vector<SummaryRow>& rows) {
   std::string text =
       "scene,method,budget,runs,seconds,seconds_error,samples_per_pixel,samples_per_pixel_error,"
-      "acceptance_small,acceptance_large";
+      "acceptance,acceptance_small,acceptance_large";
   for (const Metric* metric : plan.metrics) {
     text += fmt::format(",{0},{0}_error", metric->name);
   }
@@ -176,7 +197,8 @@ std::string to_csv(const StudyPlan& plan, const std::vector<SummaryRow>& rows) {
                         csv_cell(plan.methods[row.method].name), plan.budgets[row.budget].name(),
                         row.seconds.count);
     text += csv_mean(row.seconds) + csv_mean(row.samples);
-    text += csv_number(row.small_acceptance) + csv_number(row.large_acceptance);
+    text += csv_number(row.acceptance) + csv_number(row.small_acceptance) +
+            csv_number(row.large_acceptance);
     for (const Mean& metric : row.metrics) text += csv_mean(metric);
     const std::optional<Ratio>& ratio = row.efficiency;
     text += csv_number(ratio ? std::optional(ratio->value) : std::nullopt);
@@ -222,6 +244,32 @@ Json to_json(const StudyPlan& plan, const StudyResult& result,
 }
 
 namespace {
+/// Writes the plots; returns the Markdown that shows them.
+std::string write_plots(const StudyPlan& plan, const std::vector<SummaryRow>& rows,
+                        const fs::path& out) {
+  std::string markdown;
+  const auto write = [&](const std::string& path, const std::string& title, const LogPlot& plot) {
+    fs::create_directories((out / path).parent_path());
+    write_text(out / path, to_svg(plot));
+    markdown += fmt::format("\n![{}]({})\n", title, path);
+  };
+  for (std::size_t scene = 0; scene < plan.scenes.size(); ++scene) {
+    for (std::size_t metric = 0; metric < plan.metrics.size(); ++metric) {
+      if (plan.metrics[metric]->larger_is_better) continue;
+      const std::string& name = plan.metrics[metric]->name;
+      write(fmt::format("curves/{}-{}.svg", file_name(plan.scenes[scene].name), name),
+            name + " of " + plan.scenes[scene].name, plot_of(plan, rows, scene, metric));
+    }
+  }
+  for (const SweepPlot& sweep : sweep_plots(plan, rows)) {
+    const std::string& scene = plan.scenes[sweep.scene].name;
+    const std::string& name = plan.metrics[sweep.metric]->name;
+    write(fmt::format("sweeps/{}-{}-{}.svg", file_name(scene), sweep.parameter, name),
+          fmt::format("{} of {} against {}", name, scene, sweep.parameter), plot_of(plan, sweep));
+  }
+  return markdown;
+}
+
 /// A report per scene, as each has a reference of its own. Returns their pages.
 std::vector<std::string> write_reports(const StudyPlan& plan, const StudyResult& result,
                                        const std::vector<SummaryRow>& rows, const fs::path& out) {
@@ -239,19 +287,8 @@ std::vector<std::string> write_reports(const StudyPlan& plan, const StudyResult&
 std::vector<std::string> write_study(const StudyPlan& plan, const StudyResult& result,
                                      const fs::path& out) {
   const std::vector<SummaryRow> rows = summarise(plan, result);
-  fs::create_directories(out / "curves");
-  std::string markdown = to_markdown(plan, result, rows);
-  for (std::size_t scene = 0; scene < plan.scenes.size(); ++scene) {
-    for (std::size_t metric = 0; metric < plan.metrics.size(); ++metric) {
-      if (plan.metrics[metric]->larger_is_better) continue;
-      const std::string name =
-          file_name(plan.scenes[scene].name) + "-" + plan.metrics[metric]->name + ".svg";
-      write_text(out / "curves" / name, to_svg(plot_of(plan, rows, scene, metric)));
-      markdown += fmt::format("\n![{} of {}](curves/{})\n", plan.metrics[metric]->name,
-                              plan.scenes[scene].name, name);
-    }
-  }
-  write_text(out / "study.md", markdown);
+  const std::string plots = write_plots(plan, rows, out);
+  write_text(out / "study.md", to_markdown(plan, result, rows) + plots);
   write_text(out / "study.csv", to_csv(plan, rows));
   write_text(out / "curves.csv", curves_csv(plan, rows));
   write_json(to_json(plan, result, rows), (out / "study.json").string());

@@ -17,9 +17,10 @@ std::string to_csv(const StudyPlan& plan, const std::vector<SummaryRow>& rows);
 nlohmann::ordered_json to_json(const StudyPlan& plan, const StudyResult& result,
                                const std::vector<SummaryRow>& rows);
 
-/// Writes `study.md`, `study.csv`, `study.json`, `curves.csv` and a plot per scene and error,
-/// `curves/SCENE-METRIC.svg`, and a report per scene, `report/SCENE/index.html`. Returns the paths
-/// of the first three and of the reports. Raises IoError.
+/// Writes `study.md`, `study.csv`, `study.json`, `curves.csv`, a plot per scene and error,
+/// `curves/SCENE-METRIC.svg`, one per sweep, `sweeps/SCENE-PARAMETER-METRIC.svg`, and a report per
+/// scene, `report/SCENE/index.html`. Returns the paths of the first three and of the reports.
+/// Raises IoError.
 std::vector<std::string> write_study(const StudyPlan& plan, const StudyResult& result,
                                      const std::filesystem::path& out);
 

@@ -46,28 +46,6 @@ Method read_method(const JsonNode& node) {
   return method;
 }
 
-/// A method, or all that its sweep expands to: the product of the values of its parameters.
-std::vector<Method> read_methods(const JsonNode& node) {
-  if (!node.is_text()) node.check_members({"integrator", "name", "parameters", "sweep"});
-  std::vector<Method> methods{read_method(node)};
-  if (node.has("sweep")) {
-    for (const auto& [parameter, values] : node.at("sweep").members()) {
-      std::vector<Method> expanded;
-      for (const Method& method : methods) {
-        for (const JsonNode& value : values.elements()) {
-          Method next = method;
-          next.parameters[parameter] = value.parameter_text();
-          next.name += " " + parameter + "=" + value.parameter_text();
-          expanded.push_back(std::move(next));
-        }
-      }
-      methods = std::move(expanded);
-    }
-  }
-  for (const Method& method : methods) node.check([&] { check_method(method); });
-  return methods;
-}
-
 double read_seconds(const JsonNode& node) {
   if (!node.is_text()) return node.positive();
   double seconds = 0.0;
@@ -84,6 +62,37 @@ RunBudget read_budget(const JsonNode& node) {
   if (node.has("time") == node.has("spp")) node.fail("expects either \"time\" or \"spp\"");
   if (node.has("spp")) return read_samples(node.at("spp"));
   return {read_seconds(node.at("time")), std::nullopt};
+}
+
+/// A method, or all that its sweep expands to: the product of the values of its parameters.
+std::vector<Method> read_methods(const JsonNode& node) {
+  if (!node.is_text()) {
+    node.check_members({"integrator", "name", "parameters", "sweep", "budgets"});
+  }
+  std::vector<Method> methods{read_method(node)};
+  methods.front().family = methods.front().name;
+  if (node.has("budgets")) {
+    for (const JsonNode& budget : node.at("budgets").elements()) {
+      methods.front().budgets.push_back(read_budget(budget).name());
+    }
+  }
+  if (node.has("sweep")) {
+    for (const auto& [parameter, values] : node.at("sweep").members()) {
+      std::vector<Method> expanded;
+      for (const Method& method : methods) {
+        for (const JsonNode& value : values.elements()) {
+          Method next = method;
+          next.parameters[parameter] = value.parameter_text();
+          next.swept[parameter] = value.parameter_text();
+          next.name += " " + parameter + "=" + value.parameter_text();
+          expanded.push_back(std::move(next));
+        }
+      }
+      methods = std::move(expanded);
+    }
+  }
+  for (const Method& method : methods) node.check([&] { check_method(method); });
+  return methods;
 }
 
 MadeReference read_made_reference(const JsonNode& node) {
@@ -211,12 +220,57 @@ std::vector<std::uint64_t> read_seeds(const JsonNode& study) {
   return seeds;
 }
 
+/// What names have in common if they share a folder: some file systems take "Pool" for "pool".
+std::string folder_of(const std::string& name) {
+  std::string folder = file_name(name);
+  for (char& c : folder) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return folder;
+}
+
 /// Names become folders; what looks the same there would mix up files.
 void check_unique(const JsonNode& node, const std::vector<std::string>& names) {
   std::set<std::string> seen;
   for (const std::string& name : names) {
-    if (!seen.insert(file_name(name)).second) {
+    if (!seen.insert(folder_of(name)).second) {
       node.fail("the name \"" + name + "\" is there twice; set \"name\"");
+    }
+  }
+}
+
+/// Scenes that are named after their files, but not the only ones of that name, get as many folders
+/// before it as it takes to tell them apart.
+void tell_apart(const std::vector<JsonNode>& nodes, std::vector<StudyScene>& scenes) {
+  std::vector<fs::path> above;  // folders that the names do not have yet
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    const bool is_chosen = !nodes[i].is_text() && nodes[i].has("name");
+    const bool is_file = fs::path(scenes[i].scene).has_parent_path();
+    above.push_back(is_chosen || !is_file
+                        ? fs::path()
+                        : fs::absolute(scenes[i].scene).lexically_normal().parent_path());
+    // The stem of a file "scene" is its folder.
+    if (above[i].filename() == scenes[i].name) above[i] = above[i].parent_path();
+  }
+  for (bool is_changed = true; is_changed;) {
+    is_changed = false;
+    std::map<std::string, int> count;
+    for (const StudyScene& scene : scenes) ++count[folder_of(scene.name)];
+    for (std::size_t i = 0; i < scenes.size(); ++i) {
+      if (count[folder_of(scenes[i].name)] == 1 || !above[i].has_filename()) continue;
+      scenes[i].name = (above[i].filename() / scenes[i].name).string();
+      above[i] = above[i].parent_path();
+      is_changed = true;
+    }
+  }
+}
+
+/// Methods can only be for budgets of the study.
+void check_method_budgets(const JsonNode& integrators, const std::vector<std::string>& budgets) {
+  for (const JsonNode& node : integrators.elements()) {
+    if (node.is_text() || !node.has("budgets")) continue;
+    for (const JsonNode& budget : node.at("budgets").elements()) {
+      if (std::find(budgets.begin(), budgets.end(), read_budget(budget).name()) == budgets.end()) {
+        budget.fail("this is none of the study's budgets");
+      }
     }
   }
 }
@@ -265,6 +319,11 @@ std::string RunBudget::name() const {
   return seconds ? fmt::format("{:g}s", *seconds) : fmt::format("{}spp", *samples_per_pixel);
 }
 
+bool Method::is_for(const RunBudget& budget) const {
+  return budgets.empty() ||
+         std::find(budgets.begin(), budgets.end(), budget.name()) != budgets.end();
+}
+
 std::string file_name(const std::string& name) {
   std::string result = name;
   for (char& c : result) {
@@ -284,11 +343,11 @@ StudyPlan read_study(const std::string& path) {
   const fs::path folder = fs::path(path).parent_path();
   StudyPlan plan;
   plan.name = study.has("name") ? study.at("name").text() : fs::path(path).stem().string();
+  const std::vector<JsonNode> scenes = study.at("scenes").elements();
+  for (const JsonNode& node : scenes) plan.scenes.push_back(read_scene(study, node, folder));
+  tell_apart(scenes, plan.scenes);
   std::vector<std::string> names;
-  for (const JsonNode& node : study.at("scenes").elements()) {
-    plan.scenes.push_back(read_scene(study, node, folder));
-    names.push_back(plan.scenes.back().name);
-  }
+  for (const StudyScene& scene : plan.scenes) names.push_back(scene.name);
   check_unique(study.at("scenes"), names);
   names.clear();
   for (const JsonNode& node : study.at("integrators").elements()) {
@@ -305,6 +364,7 @@ StudyPlan read_study(const std::string& path) {
     names.push_back(plan.budgets.back().name());
   }
   check_unique(study.at("budgets"), names);
+  check_method_budgets(study.at("integrators"), names);
   read_metrics(study, plan);
   read_baseline(study, plan);
   if (study.has("threads")) plan.threads = static_cast<int>(study.at("threads").whole(0, 4096));

@@ -10,19 +10,24 @@
 /// An experiment: every scene with every method, seed and budget (docs/studies.md).
 namespace ajar::study {
 
-/// A rendering method with its parameters; one of a sweep has its own.
-struct Method {
-  std::string name;  ///< in tables; unique in a study
-  std::string integrator;
-  std::map<std::string, std::string> parameters;
-};
-
 /// When a render of the study ends; exactly one is given.
 struct RunBudget {
   std::optional<double> seconds;
   std::optional<std::uint64_t> samples_per_pixel;
   /// "10s" or "64spp": in tables and file names.
   std::string name() const;
+};
+
+/// A rendering method with its parameters; one of a sweep has its own.
+struct Method {
+  std::string name;  ///< in tables; unique in a study
+  std::string integrator;
+  std::map<std::string, std::string> parameters;
+  std::string family;                        ///< the name without the values of a sweep
+  std::map<std::string, std::string> swept;  ///< those values; empty without a sweep
+  std::vector<std::string> budgets;          ///< names of those it is for; empty: all
+
+  bool is_for(const RunBudget& budget) const;
 };
 
 /// A reference that the study renders itself.

@@ -5,8 +5,10 @@
 
 #include <filesystem>
 #include <fstream>
+#include <set>
 
 #include "core/error.h"
+#include "study/study_run.h"
 
 namespace ajar::study {
 namespace {
@@ -88,6 +90,56 @@ TEST_F(StudyFile, ASweepIsTheProductOfItsValues) {
   EXPECT_EQ(plan.methods[2].parameters.at("bootstrap"), "1000");
 }
 
+TEST_F(StudyFile, AMethodMayBeForSomeBudgetsOnly) {
+  const StudyPlan plan = read(study(
+      R"("budgets": [{"spp": 4}, {"time": 2}], "reference": {"integrator": "pt", "spp": 16})",
+      R"(["builtin:cornell"])",
+      R"(["pt", {"integrator": "bdpt", "budgets": [{"time": "2s"}], "sweep": {"cull": [0, 1]}}])"));
+  ASSERT_EQ(plan.methods.size(), 3U);
+  EXPECT_TRUE(plan.methods[0].is_for(plan.budgets[0]));
+  EXPECT_FALSE(plan.methods[2].is_for(plan.budgets[0]));
+  EXPECT_TRUE(plan.methods[2].is_for(plan.budgets[1]));
+  EXPECT_EQ(plan.methods[2].family, "bdpt");
+  EXPECT_EQ(plan.methods[2].swept.at("cull"), "1");
+  std::vector<std::string> titles;
+  for (const StudyRun& run : expand(plan, {"hash"}, "out")) titles.push_back(run.title);
+  EXPECT_EQ(titles,
+            (std::vector<std::string>{"cornell, reference", "cornell, pt, 4spp, seed 1",
+                                      "cornell, pt, 2s, seed 1", "cornell, bdpt cull=0, 2s, seed 1",
+                                      "cornell, bdpt cull=1, 2s, seed 1"}));
+}
+
+TEST_F(StudyFile, ScenesOfEqualFileNamesAreToldApartByTheirFolders) {
+  fs::create_directories(folder_ / "other");
+  fs::copy_file(folder_ / "scenes" / "mine.pbrt", folder_ / "other" / "Mine.pbrt");
+  const StudyPlan plan =
+      read(study(kRest, R"(["scenes/mine.pbrt", "other/Mine.pbrt", "builtin:cornell"])"));
+  EXPECT_EQ(plan.scenes.at(0).name, "scenes/mine");
+  EXPECT_EQ(plan.scenes.at(1).name, "other/Mine") << "also where file systems ignore the case";
+  EXPECT_EQ(plan.scenes.at(2).name, "cornell");
+  std::set<fs::path> folders;
+  for (const StudyRun& run : expand(plan, {"1", "2", "3"}, "out")) {
+    if (!run.is_reference) folders.insert(run.stem.parent_path());
+  }
+  EXPECT_EQ(folders.size(), 6U) << "two methods, three scenes";
+  // A file "scene" is named after its folder, which may not be enough either.
+  for (const char* place : {"pool", "stairs"}) {
+    fs::create_directories(folder_ / place / "pbrt");
+    fs::copy_file(folder_ / "scenes" / "mine.pbrt", folder_ / place / "pbrt" / "scene.pbrt");
+  }
+  const StudyPlan deep =
+      read(study(kRest, R"(["pool/pbrt/scene.pbrt", "stairs/pbrt/scene.pbrt"])"));
+  EXPECT_EQ(deep.scenes.at(0).name, "pool/pbrt");
+  EXPECT_EQ(deep.scenes.at(1).name, "stairs/pbrt");
+  EXPECT_NE(error_of(study(kRest, R"(["scenes/mine.pbrt", "scenes/mine.pbrt"])")).find("twice"),
+            std::string::npos);
+  // A name that was chosen stays.
+  const StudyPlan named =
+      read(study(kRest, R"([{"scene": "scenes/mine.pbrt", "name": "mine"}, "other/Mine.pbrt"])"));
+  EXPECT_EQ(named.scenes.at(0).name, "mine");
+  EXPECT_EQ(named.scenes.at(1).name, "other/Mine");
+}
+
 TEST_F(StudyFile, ASceneMayHaveItsOwnSize) {
   const StudyPlan plan = read(
       study(std::string(kRest) + R"(, "resolution": "64x48", "depth": 5)",
@@ -115,7 +167,12 @@ TEST_F(StudyFile, ErrorsSayWhereAndWhatWouldBeRight) {
       {study(rest, R"([{"scene": ["a.pbrt", "b.pbrt"]}])"), {": scenes[0].scene: ", "b.pbrt"}},
       {study(rest, R"([{"scen": "builtin:cornell"}])"), {": scenes[0]: ", "\"scene\"?"}},
       {study(rest, R"(["builtin:cornell", "builtin:cornell"])"), {": scenes: ", "twice"}},
+      {study(rest, R"([{"scene": "builtin:pool", "name": "a"},
+                       {"scene": "builtin:cornell", "name": "A"}])"),
+       {": scenes: ", "twice"}},
       {study(rest, "[]"), {": scenes: ", "at least one"}},
+      {study(rest, cornell, R"(["pt", {"integrator": "bdpt", "budgets": [{"spp": 5}]}])"),
+       {": integrators[1].budgets[0]: ", "none of the study's budgets"}},
       {study(rest, cornell, R"(["ptt"])"), {": integrators[0]: ", "did you mean \"pt\"?"}},
       {study(rest, cornell, R"(["pt", {"integrator": "mmlt", "parameters": {"sigmma": 1}}])"),
        {": integrators[1]: ", "\"sigma\"?"}},
@@ -149,6 +206,15 @@ TEST_F(StudyFile, ErrorsSayWhereAndWhatWouldBeRight) {
     }
   }
   EXPECT_THROW(read_study((folder_ / "absent.json").string()), IoError);
+}
+
+TEST(ShippedStudies, CanBeRead) {
+  int count = 0;
+  for (const auto& entry : fs::directory_iterator(AJAR_SOURCE_DIR "/studies")) {
+    EXPECT_NO_THROW(read_study(entry.path().string())) << entry.path();
+    ++count;
+  }
+  EXPECT_GE(count, 2);
 }
 
 TEST(FileName, KeepsWhatIsSafeInPaths) {

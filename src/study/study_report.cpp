@@ -4,6 +4,7 @@
 
 #include "core/error.h"
 #include "study/report_image.h"
+#include "study/study_sweep.h"
 #include "study/study_table.h"
 
 namespace ajar::study {
@@ -41,7 +42,10 @@ void add_pictures(Report& report, const StudyPlan& plan, const StudyResult& resu
 void add_tables(Report& report, const StudyPlan& plan, const StudyResult& result,
                 const std::vector<SummaryRow>& rows, std::size_t scene) {
   for (std::size_t budget = 0; budget < plan.budgets.size(); ++budget) {
-    ReportTable table{plan.budgets[budget].name(), table_header(plan), {}};
+    const RunBudget& given = plan.budgets[budget];
+    ReportTable table{(given.seconds ? "Equal time: " : "Equal samples: ") + given.name(),
+                      table_header(plan),
+                      {}};
     for (const SummaryRow& row : rows) {
       if (row.scene != scene || row.budget != budget) continue;
       table.rows.push_back(table_cells(plan, result, row));
@@ -57,7 +61,8 @@ void add_curves(Report& report, const StudyPlan& plan, const std::vector<Summary
     // The axes are logarithmic: for errors, not for decibels.
     if (plan.metrics[metric]->larger_is_better) continue;
     for (std::size_t method = 0; method < plan.methods.size(); ++method) {
-      ReportCurve curve{plan.methods[method].name, plan.metrics[metric]->name, {}};
+      if (!is_in_time_curves(plan, plan.methods[method])) continue;
+      ReportCurve curve{plan.methods[method].name, plan.metrics[metric]->name, "seconds", {}};
       for (const SummaryRow& row : rows) {
         const Mean& value = row.metrics[metric];
         if (row.scene != scene || row.method != method || value.count == 0) continue;
@@ -65,6 +70,22 @@ void add_curves(Report& report, const StudyPlan& plan, const std::vector<Summary
                                 value.mean + value.deviation});
       }
       if (!curve.points.empty()) report.curves.push_back(std::move(curve));
+    }
+  }
+}
+
+void add_sweeps(Report& report, const StudyPlan& plan, const std::vector<SummaryRow>& rows,
+                std::size_t scene) {
+  for (const SweepPlot& sweep : sweep_plots(plan, rows)) {
+    if (sweep.scene != scene) continue;
+    for (const SweepCurve& from : sweep.curves) {
+      ReportCurve curve{from.name, plan.metrics[sweep.metric]->name, sweep.parameter, {}};
+      for (const SweepPoint& point : from.points) {
+        const Mean& value = point.metric;
+        curve.points.push_back(
+            {point.value, value.mean, value.mean - value.deviation, value.mean + value.deviation});
+      }
+      report.curves.push_back(std::move(curve));
     }
   }
 }
@@ -91,6 +112,7 @@ Report scene_report(const StudyPlan& plan, const StudyResult& result,
   add_pictures(report, plan, result, scene);
   add_tables(report, plan, result, rows, scene);
   add_curves(report, plan, rows, scene);
+  add_sweeps(report, plan, rows, scene);
   report.notes.push_back(fmt::format("{} of {} renders of the study are finished.",
                                      result.runs.size(), result.planned));
   report.notes.push_back(fmt::format(

@@ -88,6 +88,7 @@ std::vector<StudyRun> expand(const StudyPlan& plan, const std::vector<std::strin
     for (std::size_t budget = 0; budget < plan.budgets.size(); ++budget) {
       for (const std::uint64_t seed : plan.seeds) {
         for (std::size_t method = 0; method < plan.methods.size(); ++method) {
+          if (!plan.methods[method].is_for(plan.budgets[budget])) continue;
           StudyRun indices;
           indices.scene = scene;
           indices.method = method;

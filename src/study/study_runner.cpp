@@ -50,10 +50,8 @@ class Runner {
     std::vector<std::string> hashes;
     for (const StudyScene& scene : plan.scenes) hashes.push_back(hash_of_scene(scene.scene));
     runs_ = expand(plan, hashes, options.out);
-    for (const StudyScene& scene : plan.scenes) {
-      result_.references.push_back(scene.reference_file);
-      result_.planned += plan.methods.size() * plan.seeds.size() * plan.budgets.size();
-    }
+    for (const StudyScene& scene : plan.scenes) result_.references.push_back(scene.reference_file);
+    for (const StudyRun& run : runs_) result_.planned += run.is_reference ? 0U : 1U;
   }
 
   StudyResult run() {

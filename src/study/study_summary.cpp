@@ -42,6 +42,25 @@ std::optional<double> acceptance(const Runs& runs, const char* kind) {
   return values.empty() ? std::nullopt : std::optional(mean_of(values).mean);
 }
 
+/// Of all mutations, whatever their kind.
+std::optional<double> whole_acceptance(const Runs& runs) {
+  const std::vector<double> values = values_of(runs, [](const RunRecord& record) {
+    const auto& statistics = record.json.at("statistics");
+    const auto all = statistics.value("acceptance", nlohmann::ordered_json());
+    std::optional<double> share;
+    if (!all.is_object() || !all.contains("by_depth")) return share;
+    double mutations = 0.0;
+    double accepted = 0.0;
+    for (const auto& depth : all.at("by_depth")) {
+      mutations += depth.at("mutations").get<double>();
+      accepted += depth.at("mutations").get<double>() * depth.at("acceptance").get<double>();
+    }
+    if (mutations > 0.0) share = accepted / mutations;
+    return share;
+  });
+  return values.empty() ? std::nullopt : std::optional(mean_of(values).mean);
+}
+
 /// Error · seconds of each run.
 std::vector<double> work(const Runs& runs, const std::string& metric) {
   return values_of(runs, [&](const RunRecord& record) -> std::optional<double> {
@@ -60,6 +79,7 @@ SummaryRow row_of(const StudyPlan& plan, const Runs& runs) {
       values_of(runs, [](const RunRecord& record) { return std::optional(record.seconds()); }));
   row.samples = mean_of(
       values_of(runs, [](const RunRecord& record) { return record.number("samples_per_pixel"); }));
+  row.acceptance = whole_acceptance(runs);
   row.small_acceptance = acceptance(runs, "small");
   row.large_acceptance = acceptance(runs, "large");
   for (const Metric* metric : plan.metrics) {

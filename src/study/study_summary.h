@@ -35,9 +35,10 @@ struct SummaryRow {
   std::size_t scene = 0;
   std::size_t method = 0;
   std::size_t budget = 0;
-  Mean seconds;                            ///< preparing and rendering
-  Mean samples;                            ///< per pixel; of chains, mutations per pixel
-  std::optional<double> small_acceptance;  ///< mean over seeds
+  Mean seconds;                      ///< preparing and rendering
+  Mean samples;                      ///< per pixel; of chains, mutations per pixel
+  std::optional<double> acceptance;  ///< of all mutations; mean over seeds, as the next two
+  std::optional<double> small_acceptance;
   std::optional<double> large_acceptance;
   std::vector<Mean> metrics;        ///< in the plan's order; count 0 where there is no value
   std::optional<Ratio> efficiency;  ///< against the baseline with the same scene and budget

@@ -66,7 +66,7 @@ class Summary : public testing::Test {
   Summary() {
     plan_.name = "numbers";
     plan_.scenes.push_back({"room", "builtin:cornell", {}, "r.exr", std::nullopt});
-    plan_.methods = {{"a", "pt", {}}, {"b, c", "mmlt", {}}};
+    plan_.methods = {{"a", "pt", {}, "a", {}, {}}, {"b, c", "mmlt", {}, "b, c", {}, {}}};
     plan_.budgets = {{std::nullopt, 4}};
     plan_.seeds = {1, 2, 3};
     plan_.metrics = metrics_by_name({"relmse", "psnr"});
@@ -78,7 +78,11 @@ class Summary : public testing::Test {
     const std::vector<double> errors{0.1, 0.2, 0.6};
     for (std::size_t seed = 0; seed < 3; ++seed) {
       add(0, seed, 4 * errors[seed], nullptr);
-      add(1, seed, errors[seed], {{"small", 0.25}, {"large", 0.5}});
+      add(1, seed, errors[seed],
+          {{"small", 0.25},
+           {"large", 0.5},
+           {"by_depth",
+            {{{"mutations", 30}, {"acceptance", 0.2}}, {{"mutations", 10}, {"acceptance", 0.6}}}}});
     }
   }
   /// Half a second each, a tenth of it preparing; loading and building do not count.
@@ -109,6 +113,8 @@ TEST_F(Summary, MatchesValuesByHand) {
   EXPECT_NEAR(rows[1].seconds.mean, 0.5, 1e-12);
   EXPECT_FALSE(rows[0].small_acceptance);
   EXPECT_EQ(rows[1].small_acceptance, 0.25);
+  EXPECT_FALSE(rows[0].acceptance);
+  EXPECT_NEAR(rows[1].acceptance.value(), 0.3, 1e-12) << "each mutation counts, not each depth";
   EXPECT_EQ(rows[0].efficiency->value, 1.0);
   EXPECT_FALSE(rows[0].efficiency->low);
   EXPECT_NEAR(rows[1].efficiency->value, 4.0, 1e-12);
@@ -126,14 +132,15 @@ TEST_F(Summary, LeavesOutWhatHasNoRuns) {
 TEST_F(Summary, TablesHaveTheNumbers) {
   const std::vector<SummaryRow> rows = summarise(plan_, result_);
   const std::string markdown = to_markdown(plan_, result_, rows);
-  EXPECT_NE(markdown.find("| b, c | 3 | 0.5 ± 0 | 4 ± 0 | 0.25 / 0.50 | 0.3 ± 0.15 | - | 4 ["),
-            std::string::npos)
+  EXPECT_NE(
+      markdown.find("| b, c | 3 | 0.5 ± 0 | 4 ± 0 | 0.30 (0.25 / 0.50) | 0.3 ± 0.15 | - | 4 ["),
+      std::string::npos)
       << markdown;
   // 0.05 is more than a tenth of 0.3, but not of 1.2.
   EXPECT_NE(markdown.find("] \\* |"), std::string::npos) << markdown;
   EXPECT_NE(markdown.find("| 1.2 ± 0.61 | - | 1 |"), std::string::npos) << markdown;
   const std::string csv = to_csv(plan_, rows);
-  EXPECT_NE(csv.find("\nroom,\"b, c\",4spp,3,0.5,0,4,0,0.25,0.5,0.3,0.152752523,,,4,"),
+  EXPECT_NE(csv.find("\nroom,\"b, c\",4spp,3,0.5,0,4,0,0.3,0.25,0.5,0.3,0.152752523,,,4,"),
             std::string::npos)
       << csv;
   const Json json = to_json(plan_, result_, rows);
@@ -144,7 +151,7 @@ TEST_F(Summary, TablesHaveTheNumbers) {
   std::istringstream lines(csv);
   for (std::string line; std::getline(lines, line);) {
     const auto commas = std::count(line.begin(), line.end(), ',');
-    EXPECT_EQ(commas - (line.find('"') != std::string::npos ? 1 : 0), 16) << line;
+    EXPECT_EQ(commas - (line.find('"') != std::string::npos ? 1 : 0), 17) << line;
   }
 }
 

@@ -22,8 +22,9 @@ std::string ratio_text(const std::optional<Ratio>& ratio) {
 
 std::string acceptance_text(const SummaryRow& row) {
   const auto number = [](std::optional<double> v) { return v ? fmt::format("{:.2f}", *v) : "-"; };
-  if (!row.small_acceptance && !row.large_acceptance) return "-";
-  return number(row.small_acceptance) + " / " + number(row.large_acceptance);
+  if (!row.acceptance && !row.small_acceptance && !row.large_acceptance) return "-";
+  return fmt::format("{} ({} / {})", number(row.acceptance), number(row.small_acceptance),
+                     number(row.large_acceptance));
 }
 
 /// Whether a large part of a row's error is the reference's.
@@ -40,7 +41,7 @@ bool is_loud(const StudyPlan& plan, const StudyResult& result, const SummaryRow&
 
 std::vector<std::string> table_header(const StudyPlan& plan) {
   std::vector<std::string> header{"method", "runs", "seconds", "samples per pixel",
-                                  "acceptance small / large"};
+                                  "acceptance (small / large steps)"};
   for (const Metric* metric : plan.metrics) {
     header.push_back(metric->name + (metric->unit.empty() ? "" : " [" + metric->unit + "]"));
   }
@@ -61,7 +62,8 @@ std::vector<std::string> table_cells(const StudyPlan& plan, const StudyResult& r
 std::string table_explanation(const StudyPlan& plan) {
   std::string text =
       "Means over seeds ± their standard error. *seconds*: preparing and rendering, wall clock. "
-      "*samples per pixel*: of Markov chains, mutations.";
+      "*samples per pixel*: of Markov chains, mutations. *acceptance*: of all mutations, and of "
+      "small and large steps; a proposal counts with its probability.";
   if (!plan.efficiency_metric.empty()) {
     text += fmt::format(
         " *efficiency*: 1/({0} · seconds) relative to {1}, with its 95 % interval (log-normal, "

@@ -70,6 +70,30 @@ TEST_F(StudyCli, RendersMeasuresAndSummarises) {
   EXPECT_NEAR(measured.at("standard_error"), std::abs(errors[0] - errors[1]) / 2, 1e-9);
 }
 
+TEST_F(StudyCli, ScenesOfEqualFileNamesHaveReportsOfTheirOwn) {
+  const std::string scene = "WorldBegin\nLightSource \"point\"\nShape \"sphere\"\nWorldEnd\n";
+  for (const char* name : {"one", "two"}) {
+    fs::create_directories(folder_ / name);
+    std::ofstream(folder_ / name / "room.pbrt") << scene;
+  }
+  std::ofstream(file("study.json"), std::ios::trunc)
+      << R"({"scenes": ["one/room.pbrt", "two/room.pbrt"], "resolution": "8x8", "threads": 1,
+             "integrators": [{"integrator": "pt", "sweep": {"roulette-start": [3, 5]}}],
+             "metrics": ["psnr"],
+             "budgets": [{"spp": 1}], "reference": {"integrator": "pt", "spp": 4}})";
+  const Outcome outcome = study();
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  for (const char* name : {"one_room", "two_room"}) {
+    const fs::path report = folder_ / "out" / "report" / name;
+    EXPECT_TRUE(fs::exists(report / "index.html")) << report;
+    const std::string script = read_text(report / "data" / "report.js");
+    EXPECT_TRUE(contains(script, std::string(name).replace(3, 1, "/"))) << "the scene's name";
+    EXPECT_TRUE(contains(script, "\"over\":\"roulette-start\"")) << "the sweep";
+    const std::string plot = std::string(name) + "-roulette-start-psnr.svg";
+    EXPECT_TRUE(fs::exists(folder_ / "out" / "sweeps" / plot)) << plot;
+  }
+}
+
 TEST_F(StudyCli, GoesOnWithWhatIsMissingOrChanged) {
   write_study(R"([{"spp": 4}])");
   ASSERT_EQ(study().exit_code, 0);

@@ -82,8 +82,23 @@ def shows_texts_literally(browser):
 
 def shows_results(browser):
     browser.click("#tab-results")
-    expect(browser.evaluate("document.querySelectorAll('#results svg .curve').length") == 7, "not every curve is drawn")
+    expect(browser.evaluate("document.querySelectorAll('#results .chart > svg .curve').length") == 9, "not every curve is drawn")
+    titles = browser.evaluate("[...document.querySelectorAll('#results .chart > svg')].map((one) => [...one.querySelectorAll('.axis-title')].map((text) => text.textContent).join(' ')).join(', ')")
+    expect(titles == "seconds relMSE, seconds MAE, sigma PSNR", f"the axes of the charts are {titles}")
+    ticks = browser.evaluate("Math.min(...[...document.querySelectorAll('#results .chart > svg')].map((one) => one.querySelectorAll('.grid').length))")
+    expect(ticks >= 6, f"a chart has {ticks} grid lines")
     expect(browser.evaluate("document.querySelectorAll('#results table').length") >= 2, "tables are missing")
+
+
+def fits_narrow_windows(browser):
+    for width in (420, 1024, 1440):
+        browser.resize(width, 800)
+        for tab in ("images", "results"):
+            browser.click(f"#tab-{tab}")
+            overflow = browser.evaluate(
+                f"Math.max(...[document.documentElement, document.getElementById('{tab}')].map((one) => one.scrollWidth - one.clientWidth))")
+            expect(overflow <= 0, f"{tab} are {overflow} pixels too wide for a window of {width}")
+    browser.resize(1440, 900)
 
 
 def shows_help(browser):
@@ -103,7 +118,7 @@ def main():
         # A machine without graphics card would choose the other renderer.
         browser.open(url + "?renderer=webgl")
         expect(browser.evaluate("ajar.renderer.name") != "2D canvas", "WebGL is not used")
-        for part in (flips, zooms, shows_errors, shows_insets, shows_help, shows_texts_literally, shows_results):
+        for part in (flips, zooms, shows_errors, shows_insets, shows_help, shows_texts_literally, shows_results, fits_narrow_windows):
             part(browser)
         # What a link says is what its reader sees; without WebGL too.
         browser.open(url + "?renderer=canvas#a=3&map=smape")

@@ -1,4 +1,4 @@
-// Writes the example report and lets tests/report/drive_page.py use it in a headless Chromium.
+// Writes the example report and lets scripts use it in headless browsers.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -37,15 +37,21 @@ Outcome run(const std::string& command) {
   return outcome;
 }
 
-TEST(ReportPage, WorksInABrowser) {
+/// Skips without the browser or Python.
+void drive(const char* script) {
   if (run("python3 --version").exit_code != 0) GTEST_SKIP() << "python3 is not installed";
   const fs::path folder = fs::temp_directory_path() / ("ajar-page-" + std::to_string(getpid()));
   write_report(example_report(), folder);
-  const Outcome outcome = run("python3 \"" AJAR_PAGE_DRIVER "\" \"" + folder.string() + "\"");
+  const Outcome outcome = run(std::string("python3 \"" AJAR_PAGE_DRIVERS "/") + script + "\" \"" +
+                              folder.string() + "\"");
   fs::remove_all(folder);
   if (outcome.exit_code == kNoBrowser) GTEST_SKIP() << outcome.output;
   EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
 }
+
+TEST(ReportPage, WorksInChromium) { drive("drive_page.py"); }
+
+TEST(ReportPage, WorksInFirefox) { drive("drive_firefox.py"); }
 
 }  // namespace
 }  // namespace ajar

@@ -7,6 +7,7 @@
 #include <mutex>
 #include <numeric>
 
+#include "core/milestones.h"
 #include "core/parallel_for.h"
 #include "image/make_filter.h"
 #include "import/pbrt/pbrt_import.h"
@@ -82,20 +83,20 @@ Render render(const Scene& scene, const RenderOptions& options) {
       std::make_unique<Film>(settings.resolution, settings.crop, make_filter(scene.film().filter),
                              options.replicates, integrator.layers());
   result.samples = static_cast<std::uint64_t>(options.samples);
-  // Several passes where there is enough to share, since some methods learn between them.
-  const std::uint64_t passes =
-      result.samples % (4 * static_cast<std::uint64_t>(options.replicates)) == 0 ? 4 : 1;
-  const std::uint64_t samples = result.samples / passes;
+  const auto replicates = static_cast<std::uint64_t>(options.replicates);
   std::mutex mutex;
-  for (std::uint64_t pass = 0; pass < passes; ++pass) {
-    integrator.begin_pass(pass * samples, samples);
+  for (std::uint64_t first = 0; first < result.samples;) {
+    const std::uint64_t samples =
+        std::min(result.samples, milestone_after(first, replicates)) - first;
+    integrator.begin_pass(first, samples);
     parallel_for(integrator.items_in_pass(), [&](std::uint64_t item) {
       Counters own;
-      integrator.run_item(item, pass * samples, samples, *result.film, own);
+      integrator.run_item(item, first, samples, *result.film, own);
       const std::lock_guard lock(mutex);
       result.counters += own;
     });
     integrator.end_pass();
+    first += samples;
   }
   const Counters& counters = result.counters;
   EXPECT_EQ(counters.discarded_nan + counters.discarded_infinite + counters.discarded_negative, 0U)

@@ -32,16 +32,17 @@ struct ReportMetric {
   bool more_is_better = false;
 };
 
-/// A method's error over time.
+/// A method's metric over time, or over the values of a parameter.
 struct ReportCurve {
   struct Point {
-    double seconds = 0;
+    double x = 0;
     double mean = 0;
     double low = 0;  ///< error band; equal to `mean` where there is none
     double high = 0;
   };
-  std::string name;    ///< of the method; a name keeps its colour on all charts
-  std::string metric;  ///< curves of the same metric share a chart
+  std::string name;              ///< of the method; a name keeps its colour on all charts
+  std::string metric;            ///< curves of the same metric and `over` share a chart
+  std::string over = "seconds";  ///< what x is: "seconds", or the name of a parameter
   std::vector<Point> points;
 };
 

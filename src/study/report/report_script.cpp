@@ -38,10 +38,10 @@ Json image_json(const ReportImage& image, std::size_t index) {
 Json curve_json(const ReportCurve& curve) {
   Json points = Json::array();
   for (const ReportCurve::Point& point : curve.points) {
-    points.push_back(Json::array(
-        {number(point.seconds), number(point.mean), number(point.low), number(point.high)}));
+    points.push_back(
+        Json::array({number(point.x), number(point.mean), number(point.low), number(point.high)}));
   }
-  return {{"name", curve.name}, {"metric", curve.metric}, {"points", points}};
+  return {{"name", curve.name}, {"metric", curve.metric}, {"over", curve.over}, {"points", points}};
 }
 
 std::string ascii(const Json& json) {

@@ -1,9 +1,9 @@
-// Convergence: error over time, log-log, one chart per metric, with error bands and values under the cursor.
+// Metrics over time or over the values of a parameter, log-log, with error bands and values under the cursor.
 "use strict";
 {
   const kWidth = 720;
   const kHeight = 420;
-  const kMargin = { left: 66, right: 124, top: 16, bottom: 46 };
+  const kMargin = { left: 66, right: 178, top: 16, bottom: 46 };
   const kDashes = ["", "7 4", "2 3", "9 3 2 3"];
   const superscript = (n) => String(n).replace(/./g, (c) => "⁰¹²³⁴⁵⁶⁷⁸⁹"[c] ?? "⁻");
 
@@ -14,15 +14,20 @@
     return new Map(names.map((name, i) => [name, { series: i % count, dash: kDashes[Math.floor(i / count) % kDashes.length] }]));
   };
 
-  const usable = ([seconds, mean]) => seconds > 0 && mean > 0 && Number.isFinite(seconds) && Number.isFinite(mean);
+  /// A piece of the curve, as it looks on the charts.
+  const key = ({ series, dash }) =>
+    ajar.element("svg", { class: `key series-${series}`, viewBox: "0 0 28 8", "aria-hidden": "true" },
+      ajar.element("path", { class: "curve", d: "M0 4H28", "stroke-dasharray": dash || undefined }));
 
-  /// {name, points: [{seconds, mean, low, high}]}, sorted, without what a logarithm cannot show.
+  const usable = ([at, mean]) => at > 0 && mean > 0 && Number.isFinite(at) && Number.isFinite(mean);
+
+  /// {name, points: [{at, mean, low, high}]}, sorted, without what a logarithm cannot show.
   const prepare = (curve) => {
     const all = curve.points.map((point) => point.map(ajar.number));
     const points = all
       .filter(usable)
       .sort((a, b) => a[0] - b[0])
-      .map(([seconds, mean, low, high]) => ({ seconds, mean, low, high: Number.isFinite(high) ? high : mean }));
+      .map(([at, mean, low, high]) => ({ at, mean, low, high: Number.isFinite(high) ? high : mean }));
     return { name: curve.name, points, dropped: all.length - points.length };
   };
 
@@ -36,7 +41,7 @@
 
   const makeScales = (curves) => {
     const points = curves.flatMap((curve) => curve.points);
-    const x = range(points.map(({ seconds }) => seconds));
+    const x = range(points.map(({ at }) => at));
     // A band may reach down to zero; it is then cut, a decade under the lowest mean.
     const floor = Math.min(...points.map(({ mean }) => mean)) / 10;
     const y = range(points.flatMap(({ mean, low, high }) => [mean, Math.max(high, mean), Math.max(low, floor) || mean]));
@@ -50,9 +55,19 @@
     };
   };
 
-  /// 1, 2, 5 of each decade; the fewer the more decades.
+  /// Four to ten multiples of 1, 2 or 5 times a power of ten.
+  const evenTicks = (low, high) => {
+    const rough = (high - low) / 4;
+    const power = 10 ** Math.floor(Math.log10(rough));
+    const step = [5, 2, 1].find((factor) => rough / power >= factor) * power;
+    const first = Math.ceil(low / step);
+    return Array.from({ length: Math.max(0, Math.floor(high / step) - first + 1) }, (_, i) => (first + i) * step);
+  };
+
+  /// 1, 2, 5 of each decade; the fewer the more decades. Equal steps where even those would be few.
   const tickValues = ({ low, high }) => {
-    const factors = high - low > 3 ? [1] : high - low > 0.8 ? [1, 2, 5] : [1, 1.5, 2, 3, 4, 5, 6, 7, 8, 9];
+    if (high - low < 0.7) return evenTicks(10 ** low, 10 ** high);
+    const factors = high - low > 3 ? [1] : [1, 2, 5];
     const values = [];
     for (let decade = Math.floor(low); decade <= high; ++decade) {
       for (const factor of factors) {
@@ -64,12 +79,12 @@
   };
   const tickText = (value) => {
     const decade = Math.floor(Math.log10(value) + 1e-9);
-    if (decade >= -3 && decade <= 4) return String(Number(value.toPrecision(2)));
-    const factor = Math.round(value / 10 ** decade);
+    if (decade >= -3 && decade <= 4) return String(Number(value.toPrecision(4)));
+    const factor = Number((value / 10 ** decade).toPrecision(4));
     return `${factor === 1 ? "" : `${factor}·`}10${superscript(decade)}`;
   };
 
-  const axes = (scales, metric) => {
+  const axes = (scales, metric, over) => {
     const right = kWidth - kMargin.right;
     const bottom = kHeight - kMargin.bottom;
     const nodes = [];
@@ -85,7 +100,7 @@
     }
     nodes.push(
       ajar.element("path", { class: "axis", d: `M${kMargin.left} ${kMargin.top}V${bottom}H${right}` }),
-      ajar.element("text", { class: "axis-title", x: (kMargin.left + right) / 2, y: kHeight - 6, "text-anchor": "middle" }, "seconds"),
+      ajar.element("text", { class: "axis-title", x: (kMargin.left + right) / 2, y: kHeight - 6, "text-anchor": "middle" }, over),
       ajar.element("text", { class: "axis-title", x: 16, y: (kMargin.top + bottom) / 2, "text-anchor": "middle", transform: `rotate(-90 16 ${(kMargin.top + bottom) / 2})` }, metric));
     return nodes;
   };
@@ -93,7 +108,7 @@
   const line = (points, x, y) => points.map((point, i) => `${i === 0 ? "M" : "L"}${x(point).toFixed(1)} ${y(point).toFixed(1)}`).join("");
 
   const drawCurve = ({ name, points }, scales, style) => {
-    const x = ({ seconds }) => scales.x(seconds);
+    const x = ({ at }) => scales.x(at);
     const upper = line(points, x, ({ high, mean }) => scales.y(Math.max(high, mean)));
     const lower = line([...points].reverse(), x, ({ low, mean }) => scales.y(Math.min(low || 1e-300, mean))).replace(/^M/, "L");
     return ajar.element("g", { class: `series series-${style.series}`, "data-name": name },
@@ -107,7 +122,7 @@
     const labels = curves
       .filter(({ points }) => points.length > 0)
       .map((curve) => ({ curve, last: curve.points.at(-1) }))
-      .map(({ curve, last }) => ({ name: curve.name, x: scales.x(last.seconds), y: scales.y(last.mean), place: scales.y(last.mean) }))
+      .map(({ curve, last }) => ({ name: curve.name, x: scales.x(last.at), y: scales.y(last.mean), place: scales.y(last.mean) }))
       .sort((a, b) => a.place - b.place);
     const bottom = kHeight - kMargin.bottom;
     labels.forEach((label, i) => {
@@ -117,31 +132,31 @@
       labels[i].place = Math.min(labels[i].place, i === labels.length - 1 ? bottom : labels[i + 1].place - 15);
     }
     const right = kWidth - kMargin.right;
-    const short = (name) => (name.length > 14 ? `${name.slice(0, 13)}…` : name);
+    const short = (name) => (name.length > 22 ? `${name.slice(0, 21)}…` : name);
     return labels.map(({ name, x, y, place }) =>
       ajar.element("g", { class: `series series-${style.get(name).series}`, "data-name": name },
         ajar.element("path", { class: "leader", d: `M${x + 4} ${y}L${right + 10} ${place}` }),
         ajar.element("text", { class: "end-label", x: right + 14, y: place + 4 }, short(name))));
   };
 
-  const nearest = (points, seconds) =>
-    points.reduce((best, point) => (Math.abs(Math.log(point.seconds / seconds)) < Math.abs(Math.log(best.seconds / seconds)) ? point : best), points[0]);
+  const nearest = (points, at) =>
+    points.reduce((best, point) => (Math.abs(Math.log(point.at / at)) < Math.abs(Math.log(best.at / at)) ? point : best), points[0]);
 
-  const makeHover = (svg, curves, scales, style, readout) => {
+  const makeHover = (svg, curves, scales, style, readout, unit) => {
     const rule = ajar.element("line", { class: "rule", y1: kMargin.top, y2: kHeight - kMargin.bottom, visibility: "hidden" });
     svg.append(rule);
     const right = kWidth - kMargin.right;
     /// At a horizontal place of the chart.
-    const show = (at) => {
-      const share = (at - kMargin.left) / (right - kMargin.left);
-      const seconds = 10 ** (scales.xRange.low + share * (scales.xRange.high - scales.xRange.low));
-      for (const end of ["x1", "x2"]) rule.setAttribute(end, at);
+    const show = (place) => {
+      const share = (place - kMargin.left) / (right - kMargin.left);
+      const at = 10 ** (scales.xRange.low + share * (scales.xRange.high - scales.xRange.low));
+      for (const end of ["x1", "x2"]) rule.setAttribute(end, place);
       const shown = curves.filter(({ name, points }) => points.length > 0 && !svg.querySelector(`.off[data-name="${CSS.escape(name)}"]`));
-      const values = shown.map(({ name, points }) => ({ name, point: nearest(points, seconds) })).sort((a, b) => a.point.mean - b.point.mean);
+      const values = shown.map(({ name, points }) => ({ name, point: nearest(points, at) })).sort((a, b) => a.point.mean - b.point.mean);
       readout.replaceChildren(...values.map(({ name, point }) =>
         ajar.element("tr", {},
-          ajar.element("th", { scope: "row" }, ajar.element("span", { class: `key series-${style.get(name).series}` }), name),
-          ajar.element("td", { class: "number" }, `${ajar.format(point.seconds, 3)} s`),
+          ajar.element("th", { scope: "row" }, key(style.get(name)), name),
+          ajar.element("td", { class: "number" }, `${ajar.format(point.at, 3)}${unit}`),
           ajar.element("td", { class: "number" }, ajar.format(point.mean)),
           ajar.element("td", { class: "number" }, `${ajar.format(point.low, 3)} … ${ajar.format(point.high, 3)}`))));
     };
@@ -166,10 +181,11 @@
       };
       return ajar.element("label", { class: "switch" },
         ajar.element("input", { type: "checkbox", checked: true, onchange: toggle }),
-        ajar.element("span", { class: `key series-${style.get(name).series}` }), name);
+        key(style.get(name)), name);
     });
 
-  const makeChart = (metric, curves, style) => {
+  const makeChart = ({ metric, over }, curves, style) => {
+    const isTime = over === "seconds";
     const dropped = curves.reduce((sum, curve) => sum + curve.dropped, 0);
     const { description } = ajar.describeMetric(metric);
     const figure = ajar.element("figure", { class: "chart" },
@@ -179,25 +195,29 @@
       return figure;
     }
     const scales = makeScales(curves);
-    const svg = ajar.element("svg", { viewBox: `0 0 ${kWidth} ${kHeight}`, role: "img", "aria-label": `${metric} over seconds, both logarithmic; values in the table below` });
-    svg.append(...axes(scales, metric), ...curves.map((curve) => drawCurve(curve, scales, style.get(curve.name))), ...endLabels(curves, scales, style));
+    const svg = ajar.element("svg", { viewBox: `0 0 ${kWidth} ${kHeight}`, role: "img", "aria-label": `${metric} over ${over}, both logarithmic; values in the table below` });
+    svg.append(...axes(scales, metric, over), ...curves.map((curve) => drawCurve(curve, scales, style.get(curve.name))), ...endLabels(curves, scales, style));
     const readout = ajar.element("tbody");
-    const showEnd = makeHover(svg, curves, scales, style, readout);
+    const showEnd = makeHover(svg, curves, scales, style, readout, isTime ? " s" : "");
     figure.append(svg,
       ajar.element("div", { class: "switches" }, ...makeSwitches(svg, curves, style, showEnd)),
-      ajar.element("table", { class: "data readout" },
-        ajar.element("thead", {}, ajar.element("tr", {}, ...["Method", "Time", metric, "Band"].map((text, i) => ajar.element("th", { scope: "col", class: i > 0 ? "number" : undefined }, text)))),
-        readout));
+      ajar.element("div", { class: "scroll" }, ajar.element("table", { class: "data readout" },
+        ajar.element("thead", {}, ajar.element("tr", {}, ...["Method", isTime ? "Time" : over, metric, "Band"].map((text, i) => ajar.element("th", { scope: "col", class: i > 0 ? "number" : undefined }, text)))),
+        readout)));
     if (dropped > 0) figure.append(ajar.element("p", { class: "quiet" }, `${dropped} point${dropped === 1 ? " is" : "s are"} not drawn: zero, negative or not finite.`));
     showEnd();
     return figure;
   };
 
-  /// One figure per metric.
-  ajar.makeCharts = () => {
+  /// One figure per parameter and metric; `ofTime` chooses those over time or the others.
+  ajar.makeCharts = (ofTime) => {
     const style = styles();
-    const metrics = [...new Set(ajar.data.curves.map(({ metric }) => metric))];
-    return metrics.map((metric) =>
-      makeChart(metric, ajar.data.curves.filter((curve) => curve.metric === metric).map(prepare), style));
+    const charts = new Map();
+    for (const curve of ajar.data.curves) {
+      if ((curve.over === "seconds") !== ofTime) continue;
+      const key = JSON.stringify([curve.over, curve.metric]);
+      charts.set(key, [...(charts.get(key) ?? []), curve]);
+    }
+    return [...charts.values()].map((curves) => makeChart(curves[0], curves.map(prepare), style));
   };
 }

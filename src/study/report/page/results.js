@@ -1,11 +1,11 @@
-// The second tab: metrics, convergence, tables, notes.
+// The second tab: metrics, convergence, sweeps, tables, notes.
 "use strict";
 {
   const section = (title, ...content) => ajar.element("section", {}, ajar.element("h2", {}, title), ...content);
   const scrolled = (table) => ajar.element("div", { class: "scroll" }, table);
 
-  // A column whose cells are all numbers is set to the right.
-  const isNumber = (text) => /^\s*[+−-]?[\d.,]+([eE][+−-]?\d+)?\s*(%|×|s|ms|dB|GB|MB)?\s*$/.test(text) || /^\s*(–|-|nan|inf)?\s*$/i.test(text);
+  // A column whose cells are all numbers is set to the right: 12, 3.4 ± 0.1, 0.46 (0.67 / 0.15), 1.2 [0.9, 1.6] *.
+  const isNumber = (text) => /^[\d\s.,eE+−\-±–()[\]/%×*]*(s|ms|dB|GB|MB)?\s*$/.test(text) || /^\s*(nan|inf)?\s*$/i.test(text);
 
   const makeTable = ({ title, header, rows }) => {
     const numeric = header.map((_, column) => rows.some((row) => row[column].trim()) && rows.every((row) => isNumber(row[column])));
@@ -27,15 +27,22 @@
 
   /// The sections that the report has content for.
   ajar.makeResults = () => {
-    const { curves, tables, notes } = ajar.data;
+    const { tables, notes } = ajar.data;
+    // Of several runs, tables and curves say more than the metrics of the pictures that are shown.
+    const isStudy = ajar.data.curves.length > 0;
     const sections = [];
     if (notes.length > 0) sections.push(section("Notes", ...notes.map((note) => ajar.element("p", { class: "note" }, note))));
+    const metrics = [];
     if (ajar.metricNames().length > 0) {
       const explained = descriptions();
-      sections.push(section("Metrics", scrolled(ajar.makeMetricsTable()), explained.length > 0 ? ajar.element("dl", { class: "explained" }, ...explained) : undefined));
+      metrics.push(section(isStudy ? "Metrics of the pictures shown" : "Metrics", scrolled(ajar.makeMetricsTable()), explained.length > 0 ? ajar.element("dl", { class: "explained" }, ...explained) : undefined));
     }
-    if (curves.length > 0) sections.push(section("Convergence", ajar.element("div", { class: "charts" }, ...ajar.makeCharts())));
-    sections.push(...tables.map(makeTable));
+    if (isStudy) sections.push(...tables.map(makeTable));
+    else sections.push(...metrics, ...tables.map(makeTable));
+    for (const [title, figures] of [["Convergence", ajar.makeCharts(true)], ["Sweeps", ajar.makeCharts(false)]]) {
+      if (figures.length > 0) sections.push(section(title, ajar.element("div", { class: "charts" }, ...figures)));
+    }
+    if (isStudy) sections.push(...metrics);
     return sections;
   };
 }

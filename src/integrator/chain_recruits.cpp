@@ -1,0 +1,239 @@
+#include "integrator/chain_recruits.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <tuple>
+
+#include "core/random.h"
+#include "integrator/path_family.h"
+#include "mcmc/bootstrap.h"
+#include "mcmc/chain_source.h"
+#include "mcmc/counter_random.h"
+
+namespace ajar {
+
+namespace {
+
+/// Recruits kept per chain, on average. They are drawn at random one by one, and then chosen from
+/// systematically: with few of them the total would be noisy, with many they take memory.
+constexpr double kRecruitsPerChain = 4.0;
+
+/// Paths that are alike in technique and place lie side by side, so that systematic resampling
+/// spreads chains evenly over them. The key makes the order unique.
+auto order_of(const StrongPath& path) {
+  constexpr float kTile = 8.F;
+  return std::tuple(path.technique.depth(), std::floor(path.raster.y / kTile),
+                    std::floor(path.raster.x / kTile), path.technique.s, path.key);
+}
+
+/// Samples of one replicate among the samples `first` to `last` of a pixel.
+std::uint64_t samples_of(std::uint64_t replicate, std::uint64_t replicates, std::uint64_t first,
+                         std::uint64_t last) {
+  const auto upto = [&](std::uint64_t n) {
+    return n / replicates + (n % replicates > replicate ? 1 : 0);
+  };
+  return upto(last) - upto(first);
+}
+
+}  // namespace
+
+class ChainRecruits::Sink final : public StrongPathSink {
+ public:
+  Sink(const ChainRecruits& recruits, Film& film, Counters& counters)
+      : recruits_(recruits), film_(film), counters_(counters), layer_(film.layer(kWeakLayer)) {}
+
+  void spread(SampleSource& numbers, const StrongPath& found) override {
+    StrongPath path = found;
+    const double carried = std::abs(path.energy);
+    if (carried < recruits_.grain_) {
+      const auto u = static_cast<double>(
+          to_unit_float(static_cast<std::uint32_t>(hash_numbers(path.key, 0x6a1eULL) >> 32U)));
+      if (!(u * recruits_.grain_ < carried)) return;
+      path.value *= static_cast<float>(recruits_.grain_ / carried);
+      path.energy *= recruits_.grain_ / carried;
+    }
+    const ChainPlan& plan = recruits_.plan_;
+    const PathGroup& group = plan.group_of(path.technique.depth());
+    Recruit recruit{path, PathNumbers(numbers, path), 0.0};
+    const Chain chain = recruit.numbers.start_chain(plan, group, path);
+    const auto target = plan.make_target(group);
+    ReplaySource replay(chain.numbers);
+    SplatBuffer splats;
+    recruit.scalar = target->evaluate(replay, Change{}, splats);
+    counters_.rays += target->rays();
+    if (recruit.scalar > 0.0 && std::isfinite(recruit.scalar)) {
+      recruits_.keep(std::move(recruit));
+    } else if (!film_.splat(layer_, path.replicate, path.raster, path.value)) {
+      // Rounding has moved the path off an edge: it is splatted as it was found.
+      ++counters_.discarded_infinite;
+    }
+  }
+
+ private:
+  const ChainRecruits& recruits_;
+  Film& film_;
+  Counters& counters_;
+  int layer_;
+};
+
+std::unique_ptr<StrongPathSink> ChainRecruits::make(Film& film, Counters& counters) const {
+  return std::make_unique<Sink>(*this, film, counters);
+}
+
+void ChainRecruits::keep(Recruit recruit) const {
+  const std::lock_guard lock(mutex_);
+  recruits_.push_back(std::move(recruit));
+}
+
+void ChainRecruits::set_grain(double per_sample, double camera_samples) {
+  const double whole =
+      per_sample * camera_samples * static_cast<double>(plan_.pixels()) / plan_.settings.replicates;
+  grain_ = whole / (kRecruitsPerChain * static_cast<double>(plan_.chains_per_replicate()));
+}
+
+void ChainRecruits::expect_unknown(double camera_samples) {
+  constexpr double kTypicalShare = 0.25;
+  set_grain(kTypicalShare * plan_.brightness, camera_samples);
+}
+
+void ChainRecruits::expect(const std::vector<ChainPopulation>& populations, double camera_samples) {
+  // What chains make of a picture is at least this share of it, as far as memory is concerned.
+  constexpr double kLeastShare = 0.02;
+  double b = 0.0;
+  for (const ChainPopulation& population : populations) b += population.b(0.0);
+  set_grain(std::max(b / plan_.settings.replicates * plan_.view.area_per_pixel(),
+                     kLeastShare * plan_.brightness),
+            camera_samples);
+}
+
+std::vector<std::vector<const ChainRecruits::Recruit*>> ChainRecruits::sorted_recruits(
+    const std::vector<ChainPopulation>& populations) {
+  std::sort(recruits_.begin(), recruits_.end(),
+            [](const Recruit& a, const Recruit& b) { return order_of(a.path) < order_of(b.path); });
+  std::map<std::pair<int, int>, std::size_t> by_replicate_and_depth;
+  for (std::size_t p = 0; p < populations.size(); ++p) {
+    by_replicate_and_depth[{populations[p].replicate, plan_.groups[populations[p].group].depth}] =
+        p;
+  }
+  std::vector<std::vector<const Recruit*>> found(populations.size());
+  for (const Recruit& recruit : recruits_) {
+    const StrongPath& path = recruit.path;
+    found[by_replicate_and_depth.at({path.replicate, path.technique.depth()})].push_back(&recruit);
+  }
+  return found;
+}
+
+void ChainRecruits::join(std::vector<ChainPopulation>& populations, std::uint64_t first,
+                         std::uint64_t last) {
+  const auto found = sorted_recruits(populations);
+  const auto replicates = static_cast<std::uint64_t>(plan_.settings.replicates);
+  for (std::uint64_t replicate = 0; replicate < replicates; ++replicate) {
+    const std::uint64_t samples = samples_of(replicate, replicates, first, last) * plan_.pixels();
+    join_replicate(populations, found, static_cast<int>(replicate), static_cast<double>(samples));
+  }
+  recruits_.clear();
+}
+
+void ChainRecruits::join_scattered(std::vector<ChainPopulation>& populations,
+                                   double camera_samples) {
+  const int replicates = plan_.settings.replicates;
+  for (Recruit& recruit : recruits_) {
+    recruit.path.replicate = static_cast<int>(hash_numbers(recruit.path.key, 0x5ca77ULL) %
+                                              static_cast<std::uint64_t>(replicates));
+  }
+  const auto found = sorted_recruits(populations);
+  for (int replicate = 0; replicate < replicates; ++replicate) {
+    join_replicate(populations, found, replicate, camera_samples / replicates);
+  }
+  recruits_.clear();
+}
+
+void ChainRecruits::join_replicate(std::vector<ChainPopulation>& populations,
+                                   const std::vector<std::vector<const Recruit*>>& found,
+                                   int replicate, double samples) const {
+  if (samples == 0.0) return;
+  std::vector<std::size_t> own;
+  std::vector<double> b;
+  for (std::size_t p = 0; p < populations.size(); ++p) {
+    if (populations[p].replicate != replicate) continue;
+    own.push_back(p);
+    merge(populations[p], found[p], samples);
+    b.push_back(populations[p].joined->b);
+  }
+  const std::vector<std::size_t> shares = apportion(b, plan_.chains_per_replicate());
+  for (std::size_t i = 0; i < own.size(); ++i) {
+    resample(populations[own[i]], found[own[i]], shares[i]);
+  }
+}
+
+void ChainRecruits::merge(ChainPopulation& population, const std::vector<const Recruit*>& recruits,
+                          double samples) const {
+  const double before = population.samples_behind;
+  const double share = samples / (before + samples);
+  const double scale = share / samples / plan_.view.area_per_pixel();
+  ChainPopulation::Joined joined{0.0, 0.0, scale, 0.0};
+  for (const Recruit* recruit : recruits) {
+    const double mass = std::abs(recruit->path.energy) * scale;
+    joined.b += mass;
+    joined.variance += mass * mass;
+  }
+  if (population.joined) {
+    joined.of_chains = (1.0 - share) * population.joined->b;
+    joined.b += joined.of_chains;
+    joined.variance += (1.0 - share) * (1.0 - share) * population.joined->variance;
+  }
+  population.joined = joined;
+  population.samples_behind = before + samples;
+}
+
+void ChainRecruits::resample(ChainPopulation& population,
+                             const std::vector<const Recruit*>& recruits,
+                             std::size_t chains) const {
+  const ChainPopulation::Joined& joined = *population.joined;
+  std::vector<MemberChain> old = std::move(population.chains);
+  population.chains.clear();
+  std::vector<double> masses;
+  double of_old = 0.0;
+  const auto mass_of = [](const MemberChain& member) {
+    return std::abs(member.weight) * static_cast<double>(member.multiplicity);
+  };
+  for (const MemberChain& member : old) of_old += mass_of(member);
+  for (const MemberChain& member : old) {
+    masses.push_back(joined.of_chains * mass_of(member) / of_old);
+  }
+  for (const Recruit* recruit : recruits) {
+    masses.push_back(std::abs(recruit->path.energy) * joined.of_recruits);
+  }
+  const std::uint64_t seed = hash_numbers(population.seed, 0x10e5ULL,
+                                          static_cast<std::uint64_t>(population.samples_behind));
+  const double u = to_unit_double(hash_numbers(seed, 0x5eedULL));
+  const PathGroup& group = plan_.groups[population.group];
+  ChainRecord empty;
+  empty.by_technique.resize(group.choice.size());
+  std::size_t last = masses.size();
+  std::vector<bool> stays(old.size(), false);
+  for (const std::size_t index : choose_seeds(masses, chains, u)) {
+    const bool again = index == last;
+    last = index;
+    if (again) {
+      ++population.chains.back().multiplicity;
+    } else if (index < old.size()) {
+      stays[index] = true;
+      MemberChain& member = population.chains.emplace_back(std::move(old[index]));
+      member.weight = std::copysign(1.0, member.weight);
+      member.multiplicity = 1;
+    } else {
+      const Recruit& recruit = *recruits[index - old.size()];
+      Chain chain = recruit.numbers.start_chain(plan_, group, recruit.path);
+      chain.scalar = recruit.scalar;
+      population.chains.push_back(
+          {std::move(chain), empty, std::copysign(1.0, recruit.path.energy), 1});
+    }
+  }
+  for (std::size_t i = 0; i < old.size(); ++i) {
+    if (!stays[i]) population.retired.add(old[i].record);
+  }
+}
+
+}  // namespace ajar
