@@ -201,8 +201,7 @@ void Film::add(const Film& other) {
   }
   for (std::size_t layer = 0; layer < layers_.size(); ++layer) {
     const std::size_t first = storage_[layer].first;
-    const std::size_t last =
-        layer + 1 < layers_.size() ? storage_[layer + 1].first : sums_.size();
+    const std::size_t last = layer + 1 < layers_.size() ? storage_[layer + 1].first : sums_.size();
     // A power of two.
     const double ratio = other.storage_[layer].quantum * storage_[layer].per_quantum;
     for (std::size_t i = first; i < last; ++i) {

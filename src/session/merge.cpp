@@ -25,9 +25,9 @@ std::uint64_t seed_of(const NamedCheckpoint& part) { return part.checkpoint.rend
 /// Whether two are of one picture, but for seed and share.
 void check_fits(const NamedCheckpoint& first, const NamedCheckpoint& part, bool force) {
   if (part.checkpoint.version != version() && !force) {
-    throw UsageError(fmt::format(
-        "{}: was written by ajar {}, this is ajar {}; --force merges it nevertheless", part.path,
-        part.checkpoint.version, version()));
+    throw UsageError(
+        fmt::format("{}: was written by ajar {}, this is ajar {}; --force merges it nevertheless",
+                    part.path, part.checkpoint.version, version()));
   }
   if (part.checkpoint.job.partial) {
     throw UsageError(part.path +
@@ -80,8 +80,8 @@ NamedCheckpoint join_shares(std::vector<NamedCheckpoint> shares) {
                                          own.index + 1, own.count, seed_of(part)));
     }
     if (own.index > next) {
-      throw UsageError(fmt::format("share {}/{} of seed {} is missing", next + 1, share.count,
-                                   seed_of(part)));
+      throw UsageError(
+          fmt::format("share {}/{} of seed {} is missing", next + 1, share.count, seed_of(part)));
     }
     if (part.checkpoint.job.samples_per_pixel != samples) {
       throw UsageError(fmt::format(
@@ -107,8 +107,8 @@ NamedCheckpoint join_shares(std::vector<NamedCheckpoint> shares) {
     job.seconds_per_sample = std::max(job.seconds_per_sample, part.job.seconds_per_sample);
   }
   if (next != share.count) {
-    throw UsageError(fmt::format("share {}/{} of seed {} is missing", next + 1, share.count,
-                                 seed_of(whole)));
+    throw UsageError(
+        fmt::format("share {}/{} of seed {} is missing", next + 1, share.count, seed_of(whole)));
   }
   whole.checkpoint.render.share = {};
   return whole;
@@ -148,8 +148,8 @@ void check_seeds(const NamedCheckpoint& sum, const NamedCheckpoint& part) {
   for (const MergedRun& there : runs_of(sum.checkpoint)) {
     for (const MergedRun& run : runs_of(part.checkpoint)) {
       if (there.seed != run.seed) continue;
-      throw UsageError(fmt::format("{}: seed {} is in it, and in another one, too", part.path,
-                                   run.seed));
+      throw UsageError(
+          fmt::format("{}: seed {} is in it, and in another one, too", part.path, run.seed));
     }
   }
 }

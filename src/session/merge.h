@@ -18,8 +18,8 @@ struct NamedCheckpoint {
 /// cannot go on, but be merged with more.
 ///
 /// Raises UsageError, which names the file, for what would be wrong: other scenes, methods or
-/// settings; the same samples twice; shares that are missing, or have different samples; a pass that
-/// was cut short. `force` allows checkpoints of other versions of the program.
+/// settings; the same samples twice; shares that are missing, or have different samples; a pass
+/// that was cut short. `force` allows checkpoints of other versions of the program.
 Checkpoint merge(std::vector<NamedCheckpoint> parts, bool force);
 
 }  // namespace ajar

@@ -239,6 +239,53 @@ TEST_F(CheckpointCli, SharesNeedACheckpointAndEqualSamples) {
   EXPECT_EQ(render({"--share", "1/2", "--target-error", "0.1", "--checkpoint", "c"}).exit_code, 2);
 }
 
+TEST_F(CheckpointCli, MergedSharesHaveTheBitsOfTheWhole) {
+  ASSERT_EQ(render({"--spp", "12", "-o", "alone.pfm"}).exit_code, 0);
+  for (const char* share : {"1/3", "2/3", "3/3"}) {
+    const std::string name = std::string("share-") + share[0];
+    const Outcome part =
+        render({"--spp", "8", "--share", share, "--checkpoint", name, "-o", name + ".pfm"});
+    ASSERT_EQ(part.exit_code, 0) << part.err;
+    // A share can be extended like a whole.
+    ASSERT_EQ(run({"resume", name, "--spp", "12"}).exit_code, 0);
+  }
+  const Outcome missing = run({"merge", "share-1", "share-3", "-o", "b.pfm"});
+  EXPECT_EQ(missing.exit_code, 2);
+  EXPECT_TRUE(contains(missing.err, "share 2/3 of seed 0 is missing")) << missing.err;
+  const Outcome merged =
+      run({"merge", "share-2", "share-1", "share-3", "-o", "b.pfm", "--checkpoint", "whole"});
+  ASSERT_EQ(merged.exit_code, 0) << merged.err;
+  EXPECT_EQ(bytes("b.pfm"), bytes("alone.pfm"));
+  ASSERT_EQ(render({"--spp", "20", "-o", "alone.pfm"}).exit_code, 0);
+  ASSERT_EQ(run({"resume", "whole", "--spp", "20", "-o", "b.pfm"}).exit_code, 0);
+  EXPECT_EQ(bytes("b.pfm"), bytes("alone.pfm")) << "the whole goes on";
+}
+
+TEST_F(CheckpointCli, MergedSeedsMakeABetterPicture) {
+  for (const char* seed : {"1", "2", "3", "4"}) {
+    const Outcome part =
+        render({"--spp", "256", "--seed", seed, "--checkpoint", std::string("seed-") + seed,
+                "--stats", "one.json", "-o", "a.pfm"});
+    ASSERT_EQ(part.exit_code, 0) << part.err;
+  }
+  const Outcome merged = run({"merge", "seed-1", "seed-2", "seed-3", "seed-4", "-o", "all.exr",
+                              "--stats", "stats.json", "--checkpoint", "all"});
+  ASSERT_EQ(merged.exit_code, 0) << merged.err;
+  EXPECT_EQ(statistics().at("samples_per_pixel"), 1024);
+  EXPECT_EQ(statistics().at("samples"), 1024 * 24 * 16);
+  const auto error = [](const json& s) { return s.at("estimated_relative_error").get<double>(); };
+  // 1152 values with 3 degrees of freedom: the quotient's standard error is about 2 %. Pixels that
+  // are still mostly noise count less than they should in the larger of the two.
+  const double quotient = error(statistics()) / error(statistics("one.json"));
+  EXPECT_GT(quotient, 0.45);
+  EXPECT_LT(quotient, 0.6);
+  const Outcome on = run({"resume", "all", "--spp", "2048"});
+  EXPECT_EQ(on.exit_code, 2);
+  EXPECT_TRUE(contains(on.err, "merge of several seeds")) << on.err;
+  EXPECT_EQ(run({"merge", "all", "seed-2", "-o", "b.pfm"}).exit_code, 2) << "seed 2 twice";
+  EXPECT_EQ(run({"merge", "seed-1", "seed-2"}).exit_code, 2) << "where to?";
+}
+
 /// A few kills of the whole program; a hundred of a render without it are in soak_test.cpp.
 TEST_F(CheckpointCli, KilledAgainAndAgainItEndsWithTheSameBits) {
   constexpr int kKills = 8;

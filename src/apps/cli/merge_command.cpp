@@ -47,8 +47,7 @@ RenderStatistics statistics_of(const Checkpoint& merged) {
 std::string seeds_text(const Checkpoint& merged) {
   std::string text;
   for (const MergedRun& run : merged.merged) {
-    text += fmt::format("{}{} ({} spp)", text.empty() ? "" : ", ", run.seed,
-                        run.samples_per_pixel);
+    text += fmt::format("{}{} ({} spp)", text.empty() ? "" : ", ", run.seed, run.samples_per_pixel);
   }
   return text;
 }
@@ -79,8 +78,8 @@ int merge(const MergeArguments& a) {
   const std::vector<std::string> aovs = merged.render.aovs;
   const Film film = film_of(merged, Filter::box(), first);
   if (!a.checkpoint.empty()) write_checkpoint(a.checkpoint, merged, film.raw());
-  Picture picture = develop(film, merged.scales, merged.job.samples_per_pixel,
-                            merged.render.film_scale, aovs);
+  Picture picture =
+      develop(film, merged.scales, merged.job.samples_per_pixel, merged.render.film_scale, aovs);
   picture.metadata = to_metadata(statistics);
   if (merged.merged.size() > 1) picture.metadata["ajar:merged_seeds"] = seeds_text(merged);
   const std::vector<WrittenFile> files = write_pictures(picture, a.outputs, display);
