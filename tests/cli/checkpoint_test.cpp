@@ -4,6 +4,7 @@
 #include <sys/resource.h>
 
 #include <chrono>
+#include <cstdlib>
 #include <random>
 #include <thread>
 
@@ -233,6 +234,19 @@ TEST_F(CheckpointCli, FullDiskLeavesThePreviousCheckpoint) {
   EXPECT_EQ(again.exit_code, 0) << again.err;
 }
 
+TEST_F(CheckpointCli, FullDiskIsReportedAndTheRenderGoesOn) {
+  // What is written there fails as on a full disk.
+  fs::create_symlink("/dev/full", folder_ / "b.pfm");
+  const pid_t child = start_endless({"-o", "b.pfm", "--output-every", "0.1s"});
+  EXPECT_TRUE(wait_for(folder_ / ".stderr", "the picture will be tried again, the render goes on"));
+  EXPECT_TRUE(wait_for(folder_ / ".stderr", "No space left on device"));
+  fs::remove(folder_ / "b.pfm");
+  EXPECT_TRUE(wait_for(folder_ / ".stderr", "the picture could be written again"));
+  EXPECT_TRUE(fs::exists(folder_ / "b.pfm"));
+  kill(child, SIGINT);
+  EXPECT_EQ(finish(child).exit_code, 130);
+}
+
 TEST_F(CheckpointCli, SharesNeedACheckpointAndEqualSamples) {
   EXPECT_EQ(render({"--share", "1/2", "--spp", "4"}).exit_code, 2);
   EXPECT_EQ(render({"--share", "3/2", "--spp", "4", "--checkpoint", "c"}).exit_code, 2);
@@ -286,9 +300,11 @@ TEST_F(CheckpointCli, MergedSeedsMakeABetterPicture) {
   EXPECT_EQ(run({"merge", "seed-1", "seed-2"}).exit_code, 2) << "where to?";
 }
 
-/// A few kills of the whole program; a hundred of a render without it are in soak_test.cpp.
+/// A few kills of the whole program, or as many as the environment's AJAR_KILLS says; a hundred of
+/// a render without it are in soak_test.cpp.
 TEST_F(CheckpointCli, KilledAgainAndAgainItEndsWithTheSameBits) {
-  constexpr int kKills = 8;
+  const char* const asked = std::getenv("AJAR_KILLS");
+  const int kills = asked == nullptr ? 8 : std::atoi(asked);
   const std::vector<std::string> arguments = {"render",
                                               "builtin:cornell",
                                               "--resolution",
@@ -310,7 +326,7 @@ TEST_F(CheckpointCli, KilledAgainAndAgainItEndsWithTheSameBits) {
                                               "--checkpoint-every",
                                               "0.01s"};
   std::mt19937 random(11);
-  for (int i = 0; i < kKills; ++i) {
+  for (int i = 0; i < kills; ++i) {
     const pid_t child = start(arguments);
     std::this_thread::sleep_for(std::chrono::milliseconds(200 + random() % 500));
     kill(child, SIGKILL);
