@@ -108,6 +108,10 @@ class Integrator {
   virtual void save_state(OutputArchive& /*archive*/) const {}
   virtual void load_state(InputArchive& /*archive*/) {}
 
+  /// Memory that it keeps while it renders, beside the scene and the film, bytes; known after the
+  /// preparation. An estimate.
+  virtual std::uint64_t memory_bytes() const { return 0; }
+
   /// How the chains fared, for methods that have any.
   virtual std::optional<ChainReport> chain_report() const { return std::nullopt; }
 };

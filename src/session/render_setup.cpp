@@ -204,15 +204,4 @@ void check_layers(const RenderSettings& settings, const std::vector<LayerSpec>& 
   }
 }
 
-std::uint64_t film_bytes(const Box2i& crop, int replicates, const std::vector<LayerSpec>& layers) {
-  const Vec2i size = crop.max - crop.min + Vec2i(1, 1);
-  const std::uint64_t per_sum = static_cast<std::uint64_t>(size.x) *
-                                static_cast<std::uint64_t>(size.y) * 3U * sizeof(std::int64_t);
-  std::uint64_t bytes = 0;
-  for (const LayerSpec& layer : layers) {
-    bytes += per_sum * (layer.has_replicates ? static_cast<std::uint64_t>(replicates) : 1U);
-  }
-  return bytes;
-}
-
 }  // namespace ajar

@@ -59,7 +59,4 @@ RenderRecord record_of(const RenderSetup& setup, const Parameters& parameters,
 /// Raises UsageError if a layer that was asked for is not among those the integrator makes.
 void check_layers(const RenderSettings& settings, const std::vector<LayerSpec>& layers);
 
-/// Memory of a film with these layers, bytes (8 per channel and replicate).
-std::uint64_t film_bytes(const Box2i& crop, int replicates, const std::vector<LayerSpec>& layers);
-
 }  // namespace ajar

@@ -19,6 +19,7 @@
 #include "scene/scene.h"
 #include "session/checkpoint_writer.h"
 #include "session/interrupts.h"
+#include "session/memory_estimate.h"
 #include "session/option_values.h"
 #include "session/picture_writer.h"
 #include "session/preparation.h"
@@ -53,20 +54,12 @@ std::string absolute_path(const std::string& path) {
   return error ? path : absolute.lexically_normal().string();
 }
 
-/// Memory that the machine does not have would be promised and then end the program without a word.
 /// Wrong usage if the user chose the size, the scene's fault if its film did.
-void check_memory(const RenderSetup& setup, const std::vector<LayerSpec>& layers,
-                  bool size_from_scene) {
-  const std::uint64_t needed = film_bytes(setup.crop, setup.settings.replicates, layers);
-  const std::uint64_t available = physical_memory_bytes();
-  if (available == 0 || needed < available / 10 * 9) return;
-  const std::string message = fmt::format(
-      "the film of {}x{} pixels needs {:.1f} GB of memory, this machine has {:.1f} GB; use a "
-      "smaller --resolution or --crop, or fewer --aov",
-      setup.resolution.x, setup.resolution.y, 1e-9 * static_cast<double>(needed),
-      1e-9 * static_cast<double>(available));
-  if (size_from_scene) throw SceneError({}, message);
-  throw UsageError(message);
+void check_memory(const MemoryEstimate& estimate, bool size_from_scene) {
+  const std::string complaint = memory_complaint(estimate, available_memory_bytes());
+  if (complaint.empty()) return;
+  if (size_from_scene) throw SceneError({}, complaint);
+  throw UsageError(complaint);
 }
 
 /// One render from beginning to end.
@@ -78,6 +71,8 @@ class Run {
  private:
   desc::SceneDesc load();
   void choose(const desc::SceneDesc& description);
+  /// Of the film and what hangs on it.
+  MemoryEstimate memory_of(const std::vector<LayerSpec>& layers) const;
   void build(desc::SceneDesc description);
   void prepare_integrator();
   void make_film();
@@ -174,7 +169,21 @@ void Run::choose(const desc::SceneDesc& description) {
   filter_ = make_filter(description.film.filter, description.film.where);
 }
 
+MemoryEstimate Run::memory_of(const std::vector<LayerSpec>& layers) const {
+  MemoryEstimate estimate;
+  const int replicates = setup_.settings.replicates;
+  estimate.film = film_bytes(setup_.crop, replicates, layers);
+  // The root of several ranks has the sum beside its own part.
+  if (run().ranks != nullptr) estimate.film *= 2;
+  estimate.pictures = picture_bytes(setup_.crop, replicates, layers, setup_.aovs);
+  return estimate;
+}
+
 void Run::build(desc::SceneDesc description) {
+  // What the method makes of it is known later; it makes these at least.
+  MemoryEstimate least = memory_of({LayerSpec{.name = "direct"}, LayerSpec{.name = "indirect"}});
+  least.scene = scene_bytes(description);
+  check_memory(least, order_.size_from_scene);
   report_phase(style_, "build");
   const Stopwatch clock;
   scene_ = std::make_unique<const Scene>(std::move(description), BuildOptions{setup_.resolution},
@@ -220,7 +229,9 @@ void Run::check_resumed() {
 void Run::make_film() {
   const std::vector<LayerSpec> layers = integrator_->layers();
   if (order_.request && !order_.all_aovs) check_layers(setup_.settings, layers);
-  check_memory(setup_, layers, order_.size_from_scene);
+  MemoryEstimate memory = memory_of(layers);
+  memory.method = integrator_->memory_bytes();
+  check_memory(memory, order_.size_from_scene);
   if (order_.resumed) check_resumed();
   if (order_.resumed && is_root()) {
     film_.emplace(film_of(*order_.resumed, *filter_, order_.resumed_from));
