@@ -10,6 +10,7 @@
 
 #include "cli/cli_fixture.h"
 #include "image/image_file.h"
+#include "session/testing/fake_viewer.h"
 
 namespace ajar {
 namespace {
@@ -245,6 +246,30 @@ TEST_F(CheckpointCli, FullDiskIsReportedAndTheRenderGoesOn) {
   EXPECT_TRUE(fs::exists(folder_ / "b.pfm"));
   kill(child, SIGINT);
   EXPECT_EQ(finish(child).exit_code, 130);
+}
+
+TEST_F(CheckpointCli, PreviewShowsThePictureInAViewer) {
+  FakeViewer viewer(FakeViewer::Manners::Good);
+  const std::string where = "127.0.0.1:" + std::to_string(viewer.port());
+  const Outcome outcome =
+      render({"--spp", "16", "-o", "a.pfm", "--aov", "albedo", "--preview", where});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  ASSERT_EQ(render({"--spp", "16", "-o", "b.pfm"}).exit_code, 0);
+  EXPECT_EQ(bytes("a.pfm"), bytes("b.pfm"));
+  EXPECT_EQ(viewer.fault(), "");
+  // The connection may be younger than the render, which then has nobody to show its picture to.
+  const pid_t child = start_endless({"--preview", where, "--aov", "albedo"});
+  for (int i = 0; i < 500 && viewer.picture("ajar: cornell").updates == 0; ++i) {
+    std::this_thread::sleep_for(20ms);
+  }
+  kill(child, SIGINT);
+  EXPECT_EQ(finish(child).exit_code, 130);
+  const FakeViewer::Picture shown = viewer.picture("ajar: cornell");
+  EXPECT_EQ(shown.width, 32);
+  EXPECT_EQ(shown.channels.count("albedo.G"), 1U);
+  for (const char* nonsense : {"host:port", "no such host:1"}) {
+    EXPECT_EQ(render({"--spp", "1", "--preview", nonsense}).exit_code, 2) << nonsense;
+  }
 }
 
 TEST_F(CheckpointCli, SharesNeedACheckpointAndEqualSamples) {

@@ -70,6 +70,14 @@ void add_run(CLI::App* command, RunArguments& a, const std::string& output_defau
       ->check(kNotEmpty)
       ->group(kPictures);
 
+  command
+      ->add_option("--preview", a.preview,
+                   "Show the picture while it is rendered in a viewer that speaks tev's protocol, "
+                   "such as localhost:14158")
+      ->type_name("HOST:PORT")
+      ->check(kNotEmpty)
+      ->group(kPictures);
+
   const std::string stop = "When to stop (whichever comes first; default: " + budget_default + ")";
   command->add_option("--spp", a.spp, "Samples per pixel (rounded up to equal replicates)")
       ->type_name("N")

@@ -24,6 +24,7 @@ struct RunArguments {
   std::string checkpoint;         ///< empty: none, or the one that is resumed
   std::string checkpoint_every = "60s";
   std::string output_every;
+  std::string preview;  ///< HOST:PORT of a viewer; empty: none
   bool force = false;
   Ranks* ranks = nullptr;  ///< who render together; null: this process alone
 };

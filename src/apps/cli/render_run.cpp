@@ -23,6 +23,7 @@
 #include "session/option_values.h"
 #include "session/picture_writer.h"
 #include "session/preparation.h"
+#include "session/preview/preview.h"
 #include "session/progress.h"
 #include "session/render_job.h"
 #include "session/resources.h"
@@ -108,6 +109,7 @@ class Run {
   std::uint64_t passes_before_ = 0;
   std::unique_ptr<CheckpointWriter> checkpoint_writer_;
   std::unique_ptr<PictureWriter> picture_writer_;
+  std::unique_ptr<Preview> preview_;
 };
 
 Run::Run(RunOrder order) : order_(std::move(order)) {
@@ -115,6 +117,8 @@ Run::Run(RunOrder order) : order_(std::move(order)) {
   style_ = is_root() ? progress_style(a.progress, isatty(STDERR_FILENO) != 0) : ProgressStyle::None;
   display_ = display_of(a.tone_map.empty() ? "srgb" : a.tone_map, a.exposure.value_or(0.F));
   checkpoint_every_ = parse_duration("--checkpoint-every", a.checkpoint_every);
+  // Told before anything is loaded.
+  if (!a.preview.empty()) find_addresses("--preview", parse_viewer("--preview", a.preview));
   if (!a.output_every.empty()) output_every_ = parse_duration("--output-every", a.output_every);
   if (is_root()) {
     // An interrupted render that goes on where its folder is gone is told so in the end.
@@ -172,9 +176,10 @@ void Run::choose(const desc::SceneDesc& description) {
 MemoryEstimate Run::memory_of(const std::vector<LayerSpec>& layers) const {
   MemoryEstimate estimate;
   const int replicates = setup_.settings.replicates;
-  estimate.film = film_bytes(setup_.crop, replicates, layers);
-  // The root of several ranks has the sum beside its own part.
-  if (run().ranks != nullptr) estimate.film *= 2;
+  // The root of several ranks has the sum beside its own part, a preview develops a copy.
+  const std::uint64_t films =
+      1U + (run().ranks != nullptr ? 1U : 0U) + (run().preview.empty() ? 0U : 1U);
+  estimate.film = films * film_bytes(setup_.crop, replicates, layers);
   estimate.pictures = picture_bytes(setup_.crop, replicates, layers, setup_.aovs);
   return estimate;
 }
@@ -269,6 +274,14 @@ void Run::add_observers() {
         return picture_of(film, state, StopReason::NotYet);
       },
       print_warning, print_note);
+  if (run().preview.empty()) return;
+  PreviewOptions options;
+  options.viewer = parse_viewer("--preview", run().preview);
+  options.name = "ajar: " + scene_stem(order_.scene);
+  options.film_scale = record_.film_scale;
+  options.aovs = setup_.aovs;
+  options.note = print_note;
+  preview_ = std::make_unique<Preview>(std::move(options), *integrator_);
 }
 
 RenderJobOptions Run::job_options() {
@@ -286,6 +299,7 @@ RenderJobOptions Run::job_options() {
   if (order_.resumed) options.resumed = std::move(order_.resumed->job);
   if (checkpoint_writer_) options.observers.push_back(checkpoint_writer_.get());
   if (picture_writer_) options.observers.push_back(picture_writer_.get());
+  if (preview_) options.observers.push_back(preview_.get());
   return options;
 }
 
@@ -330,6 +344,7 @@ int Run::finish(const RenderJob& job) {
   const bool interrupted = result.stopped_by == StopReason::Interrupted;
   if (interrupted) ++statistics_.interruptions;
   report_phase(style_, "write");
+  if (preview_) preview_->show_last(job.film(), job.state());
   bool all_written = true;
   // The picture of a finished render may be wanted where the checkpoint cannot be written.
   const bool nothing_new = order_.resumed && job.state().passes == passes_before_ &&
