@@ -45,7 +45,8 @@ class Cli : public testing::Test {
     fs::remove_all(folder_);
   }
 
-  pid_t start(const std::vector<std::string>& arguments) const {
+  pid_t start(const std::vector<std::string>& arguments,
+              const std::string& program = AJAR_PROGRAM) const {
     const pid_t child = fork();
     if (child != 0) return child;
     const auto redirect = [&](const char* name, int target) {
@@ -55,12 +56,12 @@ class Cli : public testing::Test {
     if (chdir(folder_.c_str()) != 0) _exit(99);
     redirect(".stdout", STDOUT_FILENO);
     redirect(".stderr", STDERR_FILENO);
-    std::vector<char*> argv{const_cast<char*>(AJAR_PROGRAM)};
+    std::vector<char*> argv{const_cast<char*>(program.c_str())};
     for (const std::string& argument : arguments) {
       argv.push_back(const_cast<char*>(argument.c_str()));
     }
     argv.push_back(nullptr);
-    execv(AJAR_PROGRAM, argv.data());
+    execv(program.c_str(), argv.data());
     _exit(98);
   }
 
