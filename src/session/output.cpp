@@ -88,6 +88,7 @@ void add_to_part(Picture& picture, const std::string& whole, const std::vector<f
 
 LayeredImage layered_image(const Picture& picture) {
   LayeredImage image{picture.resolution, picture.crop, {}, {}};
+  if (picture.antialias_mask) image.antialias_mask = &*picture.antialias_mask;
   for (const Picture::Layer& layer : picture.layers) {
     image.layers.push_back({layer.name, layer.channels, layer.pixels});
   }
@@ -167,6 +168,10 @@ Picture develop(const Film& film, const Integrator& integrator, std::uint64_t sa
       picture.layers.push_back(is_single_number(spec.name) ? one_channel(layer) : layer);
     }
   }
+  for (auto& [name, plane] : integrator.maps()) {
+    picture.layers.push_back({name, 1, std::move(plane.values)});
+  }
+  picture.antialias_mask = integrator.antialias_mask();
   // Of the layers as they are shown, so that they add up to the picture to the bit.
   std::vector<float> sum;
   for (const Picture::Layer& layer : picture.layers) {

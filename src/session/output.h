@@ -22,6 +22,7 @@ struct Picture {
   Box2i crop;                 ///< inclusive; the pixels that exist
   std::vector<Layer> layers;  ///< the first is the picture
   std::map<std::string, std::string> metadata;
+  std::optional<Plane> antialias_mask;  ///< for pictures for the eye (antialias.h)
 };
 
 /// Develops the film after `samples` samples per pixel: the picture (direct + indirect) times

@@ -62,7 +62,7 @@ bool RenderJob::interrupted(int level) const {
 }
 
 RenderJob::PassOutcome RenderJob::run_pass(std::uint64_t first_sample, std::uint64_t samples) {
-  integrator_.begin_pass(first_sample, samples);
+  integrator_.begin_pass(first_sample, samples, film_);
   const std::uint64_t items = integrator_.items_in_pass();
   items_done_ = 0;
   items_in_pass_ = std::max<std::uint64_t>(1, items);

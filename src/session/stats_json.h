@@ -35,6 +35,7 @@ struct RenderStatistics {
   RenderResult result;
   Counters preparation;               ///< what was spent before the first pass
   std::optional<ChainReport> chains;  ///< of methods that have any
+  std::optional<SelectiveReport> selective;
   std::uint64_t peak_memory_bytes = 0;
   std::size_t warning_count = 0;
   std::vector<std::string> warnings;  ///< texts, at most `Warnings::kMaxKept`

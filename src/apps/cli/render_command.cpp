@@ -210,9 +210,14 @@ int render(const RenderArguments& a) {
     warnings.add(concern);
     print_warning(concern);
   }
+  for (const std::string& note : integrator->notes()) print_note(note);
   const std::vector<LayerSpec> layers = integrator->layers();
   // "all" means what the method can make.
-  if (parse_list(a.aovs) != std::vector<std::string>{"all"}) check_layers(setup.settings, layers);
+  if (parse_list(a.aovs) != std::vector<std::string>{"all"}) {
+    std::vector<LayerSpec> made = layers;
+    for (const auto& [name, plane] : integrator->maps()) made.push_back({.name = name});
+    check_layers(setup.settings, made);
+  }
   check_memory(setup, layers, a.resolution.empty() && !a.scale);
   Film film(setup.resolution, setup.crop, filter, setup.settings.replicates, layers);
   statistics.times.prepare = prepare_clock.seconds();
@@ -238,6 +243,7 @@ int render(const RenderArguments& a) {
   const RenderResult& result = statistics.result;
 
   statistics.chains = integrator->chain_report();
+  statistics.selective = integrator->selective_report();
   statistics.scene_hash = scene.hash();
   statistics.integrator = setup.integrator->name;
   statistics.parameters = parameters.values();
@@ -260,7 +266,7 @@ int render(const RenderArguments& a) {
   statistics.peak_memory_bytes = peak_memory_bytes();
   const bool stats_written = write_statistics(statistics, a.stats);
   report_discarded(result.counters);
-  report_end(result, statistics.chains.has_value());
+  report_end(result, statistics.chains && !statistics.selective);
   const bool files_written = report_files(files);
   if (!files_written || !stats_written) return kExitFile;
   return result.stopped_by == StopReason::Interrupted ? kExitInterrupted : 0;
