@@ -40,7 +40,7 @@ NamedCheckpoint checkpoint_of(const test::Render& render, const test::RenderOpti
   checkpoint.render.integrator = options.integrator;
   checkpoint.job.samples_per_pixel = render.samples;
   checkpoint.layers.assign(film.layers().begin(), film.layers().end());
-  checkpoint.scales = film_scales(film, *render.integrator, render.samples);
+  checkpoint.scales = development_of(film, *render.integrator, render.samples);
   checkpoint.sums.assign(film.raw().begin(), film.raw().end());
   return named;
 }
@@ -57,7 +57,7 @@ Checkpoint merge_seeds(test::RenderOptions options, std::uint64_t first_seed,
 }
 
 Replicates replicates_of(Checkpoint merged) {
-  const FilmScales scales = merged.scales;
+  const Development scales = merged.scales;
   const Film film = film_of(merged, Filter::box(), "");
   std::vector<ScaledLayer> layers;
   for (std::size_t i = 0; i < film.layers().size(); ++i) {

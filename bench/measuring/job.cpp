@@ -17,9 +17,9 @@ Job make_job(const Scene& scene, const Variant& variant, int max_depth) {
   job.film =
       std::make_unique<Film>(settings.resolution, settings.crop, make_filter(scene.film().filter),
                              settings.replicates, job.integrator->layers());
-  job.items = job.integrator->items_in_pass();
   job.samples = 4;
-  job.integrator->begin_pass(0, job.samples);
+  job.integrator->begin_pass(0, job.samples, *job.film);
+  job.items = job.integrator->items_in_pass();
   return job;
 }
 

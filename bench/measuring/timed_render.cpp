@@ -3,6 +3,7 @@
 #include <tbb/info.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "image/make_filter.h"
 #include "measuring/cpu_alarm.h"
@@ -45,7 +46,12 @@ TimedRender render_for(const TimeLimit& limit, const Scene& scene, const Variant
   Picture picture =
       develop(film, *integrator, render.samples, scene.film().scale, {"standard-error"});
   render.picture = std::move(picture.layers.front().pixels);
-  render.standard_error = std::move(picture.layers.back().pixels);
+  if (picture.layers.back().name == "standard-error") {
+    render.standard_error = std::move(picture.layers.back().pixels);
+  } else {
+    // Too short a render to know.
+    render.standard_error.assign(render.picture.size(), std::numeric_limits<float>::infinity());
+  }
   return render;
 }
 

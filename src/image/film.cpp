@@ -175,6 +175,27 @@ std::vector<float> Film::develop_range(const Storage& storage, int first, int co
   return image;
 }
 
+void Film::add_layers(const Film& other, std::span<const std::string> except) {
+  if (other.crop_.min != crop_.min || other.crop_.max != crop_.max ||
+      other.replicates_ != replicates_) {
+    throw std::invalid_argument("film: films of different sizes cannot be added");
+  }
+  for (std::size_t i = 0; i < layers_.size(); ++i) {
+    const std::string& name = layers_[i].name;
+    const int theirs = other.layer(name);
+    if (theirs < 0 || std::find(except.begin(), except.end(), name) != except.end()) continue;
+    const Storage& to = storage_[i];
+    const Storage& from = other.storage_[static_cast<std::size_t>(theirs)];
+    if (from.quantum != to.quantum || from.stride != to.stride) {
+      throw std::invalid_argument("film: layers of one name do not fit");
+    }
+    const std::size_t pixels = static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
+    const std::size_t count =
+        3 * pixels * (layers_[i].has_replicates ? static_cast<std::size_t>(replicates_) : 1);
+    for (std::size_t k = 0; k < count; ++k) sums_[to.first + k] += other.sums_[from.first + k];
+  }
+}
+
 std::vector<float> Film::develop(int layer, double scale) const {
   const auto i = static_cast<std::size_t>(layer);
   return develop_range(storage_.at(i), 0, layers_[i].has_replicates ? replicates_ : 1, scale);

@@ -62,6 +62,11 @@ class Film {
   /// pixels' filters, lie there; 1 well inside for most filters.
   float coverage(const Vec2& raster) const;
 
+  /// Adds the sums of another film of the same size and number of replicates to the layers that
+  /// both have, those named in `except` left out. Raises std::invalid_argument if films or layers
+  /// of one name do not fit.
+  void add_layers(const Film& other, std::span<const std::string> except);
+
   /// Sum over replicates of a layer, times `scale`, row by row, 3 floats per pixel (crop size).
   std::vector<float> develop(int layer, double scale) const;
   /// One replicate; the layer must have replicates.

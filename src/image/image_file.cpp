@@ -15,6 +15,7 @@
 
 #include "core/atomic_file.h"
 #include "core/error.h"
+#include "image/antialias.h"
 #include "image/pfm.h"
 
 namespace ajar {
@@ -150,13 +151,19 @@ std::vector<unsigned char> encode_display(const std::string& path, const Layered
   spec.channelformats.clear();
   spec.attribute("oiio:ColorSpace", "sRGB");
   spec.attribute("CompressionQuality", 95);
+  std::vector<float> shown;
+  shown.reserve(image.layers[0].pixels.size());
+  for (const float v : image.layers[0].pixels) {
+    shown.push_back(tone_map(v, display.tone_map, display.exposure));
+  }
+  if (image.antialias_mask != nullptr) {
+    shown = antialias({spec.width, spec.height}, shown, *image.antialias_mask);
+  }
   const std::size_t row = static_cast<std::size_t>(spec.width) * 3;
   return encode<unsigned char>(path, spec, [&](int y, unsigned char* out) {
-    const float* in = image.layers[0].pixels.data() + static_cast<std::size_t>(y) * row;
-    std::transform(in, in + row, out, [&](float v) {
-      return static_cast<unsigned char>(
-          std::lround(tone_map(v, display.tone_map, display.exposure) * 255.F));
-    });
+    const float* in = shown.data() + static_cast<std::size_t>(y) * row;
+    std::transform(in, in + row, out,
+                   [](float v) { return static_cast<unsigned char>(std::lround(v * 255.F)); });
   });
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/vector.h"
+#include "image/plane.h"
 #include "image/tone_map.h"
 
 namespace ajar {
@@ -52,6 +53,8 @@ struct LayeredImage {
   Box2i crop;        ///< the pixels that exist, min and max inclusive
   std::vector<ImageLayer> layers;
   ImageMetadata metadata;
+  /// Where formats for the eye smooth the stairs of edges (antialias.h); null if nowhere.
+  const Plane* antialias_mask = nullptr;
 };
 
 /// Display settings for 8-bit formats.

@@ -47,9 +47,10 @@ std::vector<float> blur_axis(const std::vector<float>& in, int width, int height
 }  // namespace
 
 ImportanceMap::ImportanceMap(const Box2i& pixels, std::vector<float> weights, float floor)
-    : pixels_(pixels), width_(pixels.max.x - pixels.min.x + 1), weights_(std::move(weights)) {
+    : pixels_(pixels), weights_(std::move(weights)) {
+  const int width = pixels.max.x - pixels.min.x + 1;
   const int height = pixels.max.y - pixels.min.y + 1;
-  if (weights_.size() != static_cast<std::size_t>(width_) * static_cast<std::size_t>(height)) {
+  if (weights_.size() != static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {
     throw std::invalid_argument("importance map: the number of weights is not that of the pixels");
   }
   const double mean = mean_of(weights_);
@@ -60,13 +61,6 @@ ImportanceMap::ImportanceMap(const Box2i& pixels, std::vector<float> weights, fl
     const double scaled = std::isfinite(weight) ? static_cast<double>(weight) / mean : 0.0;
     weight = std::max(floor, static_cast<float>(scaled));
   }
-}
-
-float ImportanceMap::lookup(const Vec2& raster) const {
-  const int x = std::clamp(static_cast<int>(std::floor(raster.x)), pixels_.min.x, pixels_.max.x);
-  const int y = std::clamp(static_cast<int>(std::floor(raster.y)), pixels_.min.y, pixels_.max.y);
-  return weights_[static_cast<std::size_t>(y - pixels_.min.y) * static_cast<std::size_t>(width_) +
-                  static_cast<std::size_t>(x - pixels_.min.x)];
 }
 
 ImportanceMap ImportanceMap::relative(const Box2i& pixels, std::vector<float> luminances) {

@@ -2,6 +2,7 @@
 #include <vector>
 
 #include "core/vector.h"
+#include "image/pixel_at.h"
 
 namespace ajar {
 
@@ -20,7 +21,9 @@ class ImportanceMap {
   ImportanceMap(const Box2i& pixels, std::vector<float> weights, float floor = kFloor);
 
   /// Weight of the pixel that a raster position lies in.
-  float operator()(const Vec2& raster) const { return weights_.empty() ? 1.F : lookup(raster); }
+  float operator()(const Vec2& raster) const {
+    return weights_.empty() ? 1.F : weights_[pixel_at(pixels_, raster)];
+  }
 
   /// Equalises relative error: weight ∝ 1 / (luminance + δ), δ a share of the mean luminance
   /// (Veach 1997, section 11.3.2, "two-stage Metropolis"). `luminances` may be noisy: they are
@@ -30,10 +33,7 @@ class ImportanceMap {
   static constexpr float kFloor = 1.F / 64.F;
 
  private:
-  float lookup(const Vec2& raster) const;
-
   Box2i pixels_;
-  int width_ = 0;
   std::vector<float> weights_;
 };
 

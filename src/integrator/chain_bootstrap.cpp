@@ -40,7 +40,7 @@ std::vector<ChainPopulation> make_populations(const ChainPlan& plan) {
 
 std::uint64_t ChainBootstrap::begin() {
   // The scout may have found seeds already.
-  if (!populations_.empty()) return 0;
+  if (!populations_.empty() || plan_.mutations == 0.0) return 0;
   constexpr double kFewest = 64.0;
   const double per_replicate = static_cast<double>(plan_.bootstrap) / plan_.settings.replicates;
   populations_ = make_populations(plan_);
@@ -56,7 +56,7 @@ std::uint64_t ChainBootstrap::begin() {
 void ChainBootstrap::run(std::uint64_t item, Counters& counters) {
   const SampleBlock& block = blocks_[item];
   ChainPopulation& population = populations_[block.owner];
-  const auto target = plan_.make_target(plan_.groups[population.group]);
+  const auto target = plan_.make_target(plan_.groups[population.group], population.replicate);
   SplatBuffer splats;
   for (std::uint64_t i = block.first; i < block.last; ++i) {
     BootstrapSource source(population.seed, i);

@@ -7,6 +7,7 @@
 #include "core/milestones.h"
 #include "core/random.h"
 #include "integrator/chain_bootstrap.h"
+#include "integrator/chain_effort.h"
 #include "integrator/chain_film_sink.h"
 #include "integrator/chain_pilot.h"
 #include "integrator/chain_plan.h"
@@ -14,6 +15,7 @@
 #include "integrator/chain_report.h"
 #include "integrator/chain_scout.h"
 #include "integrator/plane_maps.h"
+#include "integrator/region_pilot.h"
 #include "mcmc/bootstrap_source.h"
 #include "mcmc/chain_runner.h"
 
@@ -28,21 +30,29 @@ bool asks_for(const std::vector<std::string>& aovs, const std::string& name) {
 class ChainIntegrator final : public Integrator {
  public:
   ChainIntegrator(ChainKind kind, const Scene& scene, const RenderSettings& settings,
-                  const Parameters& parameters);
+                  const Parameters& parameters, std::optional<SelectiveSettings> selective);
 
   std::uint64_t begin_preparation(int round) override;
   void prepare_item(int round, std::uint64_t item, Counters& counters) override;
   std::vector<std::string> concerns() const override { return concerns_; }
+  std::vector<std::string> notes() const override;
 
   std::vector<LayerSpec> layers() const override;
   std::uint64_t items_in_pass() const override;
-  void begin_pass(std::uint64_t first_sample, std::uint64_t samples) override;
+  void begin_pass(std::uint64_t first_sample, std::uint64_t samples, Film& film) override;
   void run_item(std::uint64_t item, std::uint64_t first_sample, std::uint64_t samples, Film& film,
                 Counters& counters) override;
   double develop_scale(const LayerSpec& layer, std::uint64_t samples,
                        std::optional<int> replicate) const override;
   std::optional<ChainReport> chain_report() const override {
     return report_chains(plan_, populations_, later_weight_);
+  }
+  std::optional<SelectiveReport> selective_report() const override;
+  std::vector<std::pair<std::string, Plane>> maps() const override {
+    return regions_ != nullptr ? regions_->maps() : Integrator::maps();
+  }
+  std::optional<Plane> antialias_mask() const override {
+    return regions_ != nullptr ? regions_->antialias_mask() : std::nullopt;
   }
 
  private:
@@ -63,24 +73,27 @@ class ChainIntegrator final : public Integrator {
                  Film& film, Counters& counters);
   /// One mutation per pixel's worth.
   void run_plain(ChainPopulation& population, Film& film, Counters& counters);
-  /// Camera samples of ordinary Monte Carlo per pixel that belong to the first `samples` samples
-  /// per pixel of the whole.
-  std::uint64_t omc_samples(std::uint64_t samples) const;
   void refine_b(std::uint64_t samples);
   /// b as the bootstrap has it, over all replicates; 1 if it found no light.
   double bootstrap_b() const;
   const PlaneMoves* plane_moves(const ChainPopulation& population) const {
     return maps_ ? maps_->moves(population.replicate) : nullptr;
   }
-  /// Mutations of each chain of a replicate up to `samples` samples per pixel.
-  std::uint64_t steps_until(std::uint64_t samples, std::size_t chains) const;
+  /// What of a chain's deposits the picture takes, if that is not all.
+  const LightSplit* kept_by(int replicate) const {
+    return plan_.selective && plan_.selective->exclusive && plan_.splits
+               ? &plan_.splits->of(replicate)
+               : nullptr;
+  }
   std::size_t chains_in(int replicate) const {
     return chain_counts_[static_cast<std::size_t>(replicate)];
   }
 
   ChainPlan plan_;
+  ChainEffort effort_{plan_};
   std::vector<std::unique_ptr<PreparationStage>> stages_;
-  std::size_t stage_ = 0;  ///< that is running
+  RegionPilot* regions_ = nullptr;  ///< one of the stages; null unless regions are divided
+  std::size_t stage_ = 0;           ///< that is running
   std::vector<ChainPopulation> populations_;
   std::vector<std::size_t> chain_counts_;  ///< per replicate
   std::vector<ChainItem> chain_items_;
@@ -96,16 +109,21 @@ class ChainIntegrator final : public Integrator {
 };
 
 ChainIntegrator::ChainIntegrator(ChainKind kind, const Scene& scene, const RenderSettings& settings,
-                                 const Parameters& parameters)
-    : plan_(kind, scene, settings, parameters),
+                                 const Parameters& parameters,
+                                 std::optional<SelectiveSettings> selective)
+    : plan_(kind, scene, settings, parameters, std::move(selective)),
       chain_counts_(static_cast<std::size_t>(settings.replicates), 0) {
   if (plan_.groups.empty()) {
     make_omc();
     return;
   }
   stages_.push_back(std::make_unique<ChainPilot>(plan_));
-  if (plan_.split_at && kind == ChainKind::OnePath) {
-    recruits_ = std::make_unique<ChainRecruits>(plan_);
+  if (plan_.has_recruits()) recruits_ = std::make_unique<ChainRecruits>(plan_);
+  if (plan_.selective) {
+    auto pilot = std::make_unique<RegionPilot>(plan_, populations_, recruits_.get());
+    regions_ = pilot.get();
+    stages_.push_back(std::move(pilot));
+  } else if (recruits_) {
     stages_.push_back(std::make_unique<ChainScout>(plan_, populations_, *recruits_));
   }
   stages_.push_back(std::make_unique<ChainBootstrap>(plan_, populations_));
@@ -139,7 +157,8 @@ void ChainIntegrator::list_chains() {
 
 void ChainIntegrator::end_preparation() {
   // With a black pilot there is nothing to divide by.
-  if (!plan_.split) recruits_.reset();
+  if (!plan_.splits || plan_.mutations == 0.0) recruits_.reset();
+  if (plan_.mutations == 0.0) populations_.clear();
   make_omc();
   list_chains();
   if (recruits_) expect_recruits(0);
@@ -157,7 +176,7 @@ void ChainIntegrator::make_omc() {
   std::erase_if(settings.aovs, [](const std::string& name) {
     return name == kDensityLayer || name == kAcceptanceLayer || name == "techniques";
   });
-  omc_ = plan_.make_omc(settings, depths, plan_.split ? &*plan_.split : nullptr, recruits_.get());
+  omc_ = plan_.make_omc(settings, depths, plan_.splits ? &*plan_.splits : nullptr, recruits_.get());
 }
 
 void ChainIntegrator::add_concerns() {
@@ -173,6 +192,23 @@ void ChainIntegrator::add_concerns() {
                       "from: indirect light is sampled without them and may stay black; try a "
                       "larger bootstrap (--set bootstrap=10000000), a larger --depth, or see "
                       "whether the scene has lights that reach what the camera sees");
+}
+
+std::vector<std::string> ChainIntegrator::notes() const {
+  if (plan_.mutations > 0.0) return {};
+  return {
+      "nothing in this picture is so hard that Markov chains would pay: ordinary Monte Carlo (" +
+      plan_.selective->omc + ") renders alone"};
+}
+
+std::optional<SelectiveReport> ChainIntegrator::selective_report() const {
+  if (regions_ == nullptr) return std::nullopt;
+  SelectiveReport report;
+  report.pilot_samples = regions_->samples();
+  report.pilot_stays = plan_.pilot_kept > 0;
+  report.regions = regions_->report();
+  effort_.fill(report);
+  return report;
 }
 
 double ChainIntegrator::bootstrap_b() const {
@@ -205,21 +241,14 @@ std::uint64_t ChainIntegrator::items_in_pass() const {
   return (omc_ ? omc_->items_in_pass() : 0) + chain_items_.size();
 }
 
-std::uint64_t ChainIntegrator::omc_samples(std::uint64_t samples) const {
-  return static_cast<std::uint64_t>(std::ceil(static_cast<double>(samples) * plan_.omc_samples));
-}
-
-std::uint64_t ChainIntegrator::steps_until(std::uint64_t samples, std::size_t chains) const {
-  const double per_replicate = static_cast<double>(samples) * static_cast<double>(plan_.pixels()) /
-                               static_cast<double>(plan_.settings.replicates);
-  return static_cast<std::uint64_t>(std::ceil(per_replicate / static_cast<double>(chains)));
-}
-
 /// b is refined, recruits join, and the maps of the image plane end an epoch, at counts fixed in
 /// advance, which passes do not cross (see `PassSchedule`): where passes end otherwise is up to the
 /// clock, and must not change the picture.
-void ChainIntegrator::begin_pass(std::uint64_t first_sample, std::uint64_t samples) {
-  if (b_.empty()) refine_b(0);
+void ChainIntegrator::begin_pass(std::uint64_t first_sample, std::uint64_t samples, Film& film) {
+  if (first_sample == 0) {
+    refine_b(0);
+    if (regions_ != nullptr) regions_->hand_over(film);
+  }
   if (recruits_ && first_sample >= next_join_) join_recruits();
   if (recruits_ && first_sample + samples > next_join_) {
     throw std::logic_error("bug: a pass crosses a milestone");
@@ -229,12 +258,13 @@ void ChainIntegrator::begin_pass(std::uint64_t first_sample, std::uint64_t sampl
   while (2 * milestone <= first_sample) milestone *= 2;
   if (milestone <= doubled_at_) return;
   doubled_at_ = milestone;
+  effort_.adjust(first_sample, film, *this);
   if (!recruits_) refine_b(milestone);
   if (maps_) maps_->end_epoch(static_cast<double>(milestone));
 }
 
 void ChainIntegrator::join_recruits() {
-  recruits_->join(populations_, omc_samples(joined_at_), omc_samples(next_join_));
+  recruits_->join(populations_, effort_.omc_samples(joined_at_), effort_.omc_samples(next_join_));
   list_chains();
   refine_b(next_join_);
   expect_recruits(next_join_);
@@ -243,8 +273,8 @@ void ChainIntegrator::join_recruits() {
 void ChainIntegrator::expect_recruits(std::uint64_t samples) {
   joined_at_ = samples;
   next_join_ = milestone_after(samples, static_cast<std::uint64_t>(plan_.settings.replicates));
-  recruits_->expect(populations_,
-                    static_cast<double>(omc_samples(next_join_) - omc_samples(samples)));
+  recruits_->expect(populations_, static_cast<double>(effort_.omc_samples(next_join_) -
+                                                      effort_.omc_samples(samples)));
 }
 
 /// b of a population is on average right only over all that its bootstrap can bring, finding no
@@ -258,7 +288,7 @@ void ChainIntegrator::refine_b(std::uint64_t samples) {
     bootstrap += static_cast<double>(population.capped.count);
   }
   const double large_steps = plan_.chain_settings.probabilities.large * plan_.chain_settings.tries *
-                             static_cast<double>(samples) * static_cast<double>(plan_.pixels());
+                             effort_.mutations(samples) * static_cast<double>(plan_.pixels());
   later_weight_ = large_steps / (bootstrap + large_steps);
   b_.clear();
   for (const ChainPopulation& population : populations_) {
@@ -270,9 +300,11 @@ void ChainIntegrator::run_item(std::uint64_t item, std::uint64_t first_sample,
                                std::uint64_t samples, Film& film, Counters& counters) {
   const std::uint64_t tiles = omc_ ? omc_->items_in_pass() : 0;
   if (item < tiles) {
-    const std::uint64_t first = omc_samples(first_sample);
-    const std::uint64_t last = omc_samples(first_sample + samples);
-    if (first < last) omc_->run_item(item, first, last - first, film, counters);
+    const std::uint64_t first = effort_.omc_samples(first_sample);
+    const std::uint64_t last = effort_.omc_samples(first_sample + samples);
+    if (first == last) return;
+    omc_->run_item(item, first, last - first, film, counters);
+    effort_.count_omc(counters.rays, counters.samples);
     return;
   }
   const ChainItem& chain = chain_items_[item - tiles];
@@ -282,6 +314,7 @@ void ChainIntegrator::run_item(std::uint64_t item, std::uint64_t first_sample,
   } else {
     run_chain(chain, first_sample, samples, film, counters);
   }
+  effort_.count_chains(counters.rays, counters.mutations);
 }
 
 /// Steps are made in blocks of one mutation per pixel, each deposited by itself, so that the film's
@@ -292,18 +325,17 @@ void ChainIntegrator::run_chain(const ChainItem& item, std::uint64_t first_sampl
   MemberChain& member = population.chains[item.chain];
   const PathGroup& group = plan_.groups[population.group];
   const std::size_t chains = chains_in(population.replicate);
-  const auto target = plan_.make_target(group);
+  const auto target = plan_.make_target(group, population.replicate);
   ChainRunner runner(plan_.chain_settings, *plan_.mutation, group.shape, *target,
                      plane_moves(population));
   ChainFilmSink sink(film, population.replicate, plan_.view.importance, *target, counters,
-                     maps_.get());
+                     maps_.get(), kept_by(population.replicate));
   const double b = b_[item.population];
   const auto in_population = static_cast<double>(population.chain_count());
   runner.start(member.chain);
   ChainStatistics statistics;
   for (std::uint64_t block = first_sample; block < first_sample + samples; ++block) {
-    const std::uint64_t steps =
-        std::max<std::uint64_t>(1, steps_until(block + 1, chains) - steps_until(block, chains));
+    const std::uint64_t steps = effort_.steps(block, chains);
     const double per_step = 1.0 / (static_cast<double>(steps) * in_population);
     sink.begin(member.weight * b * plan_.view.area() * per_step / plan_.settings.replicates,
                member.record.by_technique.empty() ? nullptr : &member.record.by_technique);
@@ -338,16 +370,16 @@ void ChainIntegrator::run_plain(ChainPopulation& population, Film& film, Counter
   for (const ChainPopulation& other : populations_) {
     if (other.replicate == population.replicate && other.chains.empty()) ++seedless;
   }
-  const double mutations = static_cast<double>(plan_.pixels()) / plan_.settings.replicates /
-                           static_cast<double>(seedless);
+  const double mutations = plan_.mutations * static_cast<double>(plan_.pixels()) /
+                           plan_.settings.replicates / static_cast<double>(seedless);
   const double share = chains_in(population.replicate) > 0 ? kShare : 1.0;
   const auto count = static_cast<std::uint64_t>(std::max(1.0, share * mutations));
   const PathGroup& group = plan_.groups[population.group];
-  const auto target = plan_.make_target(group);
+  const auto target = plan_.make_target(group, population.replicate);
   ChainRunner runner(plan_.chain_settings, *plan_.mutation, group.shape, *target,
                      plane_moves(population));
   ChainFilmSink sink(film, population.replicate, plan_.view.importance, *target, counters,
-                     maps_.get());
+                     maps_.get(), kept_by(population.replicate));
   const double scale =
       later_weight_ * plan_.view.area() / static_cast<double>(count) / plan_.settings.replicates;
   SplatBuffer splats;
@@ -384,8 +416,9 @@ double ChainIntegrator::develop_scale(const LayerSpec& layer, std::uint64_t samp
   const bool of_chains =
       layer.name == "indirect" || layer.name == kDensityLayer || layer.name == kAcceptanceLayer ||
       (layer.name == "direct" && plan_.direct == ChainPlan::Direct::Chain) || !omc_;
-  if (!of_chains) return omc_->develop_scale(layer, omc_samples(samples), replicate);
+  if (!of_chains) return omc_->develop_scale(layer, effort_.omc_samples(samples), replicate);
   if (samples == 0) return 0.0;
+  if (layer.name == kDensityLayer) return 1.0 / effort_.mutations(samples);
   const double scale = 1.0 / static_cast<double>(samples);
   return replicate ? scale * plan_.settings.replicates : scale;
 }
@@ -394,8 +427,9 @@ double ChainIntegrator::develop_scale(const LayerSpec& layer, std::uint64_t samp
 
 std::unique_ptr<Integrator> make_chain_integrator(ChainKind kind, const Scene& scene,
                                                   const RenderSettings& settings,
-                                                  const Parameters& parameters) {
-  return std::make_unique<ChainIntegrator>(kind, scene, settings, parameters);
+                                                  const Parameters& parameters,
+                                                  std::optional<SelectiveSettings> selective) {
+  return std::make_unique<ChainIntegrator>(kind, scene, settings, parameters, std::move(selective));
 }
 
 }  // namespace ajar

@@ -3,7 +3,8 @@
 namespace ajar {
 
 ChainFilmSink::ChainFilmSink(Film& film, int replicate, const ImportanceMap& importance,
-                             const PathTarget& target, Counters& counters, PlaneMaps* maps)
+                             const PathTarget& target, Counters& counters, PlaneMaps* maps,
+                             const LightSplit* split)
     : film_(film),
       light_{film.layer("direct"), film.layer("indirect")},
       density_(film.layer(kDensityLayer)),
@@ -12,12 +13,14 @@ ChainFilmSink::ChainFilmSink(Film& film, int replicate, const ImportanceMap& imp
       importance_(importance),
       target_(target),
       counters_(counters),
-      maps_(maps != nullptr && maps->gathers() ? maps : nullptr) {}
+      maps_(maps != nullptr && maps->gathers() ? maps : nullptr),
+      split_(split) {}
 
 void ChainFilmSink::deposit(std::span<const Splat> splats, double factor) {
   for (const Splat& splat : splats) {
-    const Spectrum value = splat.value * static_cast<float>(factor * scale_);
     const int layer = light_[static_cast<std::size_t>(splat.layer)];
+    Spectrum value = splat.value * static_cast<float>(factor * scale_);
+    if (split_ != nullptr && splat.layer == kIndirectSplat) value *= split_->kept(splat.raster);
     if (!film_.splat(layer, replicate_, splat.raster, value)) ++counters_.discarded_infinite;
     if (density_ < 0 && maps_ == nullptr) continue;
     const double share = factor * static_cast<double>(luminance(splat.value)) *

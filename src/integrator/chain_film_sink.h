@@ -14,11 +14,13 @@ namespace ajar {
 inline const std::string kDensityLayer = "density";
 inline const std::string kAcceptanceLayer = "acceptance";
 
-/// Puts what chains deposit on the film, and into `maps` if they are there and gather.
+/// Puts what chains deposit on the film, as far as `split` keeps it, and into `maps` if they are
+/// there and gather.
 class ChainFilmSink final : public DepositSink {
  public:
   ChainFilmSink(Film& film, int replicate, const ImportanceMap& importance,
-                const PathTarget& target, Counters& counters, PlaneMaps* maps = nullptr);
+                const PathTarget& target, Counters& counters, PlaneMaps* maps = nullptr,
+                const LightSplit* split = nullptr);
 
   /// `scale` multiplies what is deposited; what is `proposed` is counted in `by_technique`.
   void begin(double scale, std::vector<ChainStatistics::Kind>* by_technique) {
@@ -38,6 +40,7 @@ class ChainFilmSink final : public DepositSink {
   const PathTarget& target_;
   Counters& counters_;
   PlaneMaps* maps_;
+  const LightSplit* split_;
   double scale_ = 1.0;
   std::vector<ChainStatistics::Kind>* by_technique_ = nullptr;
 };

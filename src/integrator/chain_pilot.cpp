@@ -65,7 +65,7 @@ void ChainPilot::end() {
   constexpr double kCap = 100.0;
   if (plan_.brightness > 0.0) plan_.chain_settings.large_step_cap = kCap * plan_.brightness;
   if (plan_.split_at && plan_.brightness > 0.0) {
-    plan_.split.emplace(*plan_.split_at * plan_.brightness, plan_.view.importance);
+    plan_.splits.emplace(LightSplit(*plan_.split_at * plan_.brightness, plan_.view.importance));
   }
   film_.reset();
   omc_.reset();

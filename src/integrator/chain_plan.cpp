@@ -4,8 +4,8 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "image/image_file.h"
 #include "image/make_filter.h"
+#include "integrator/crop_weights.h"
 #include "integrator/path_family.h"
 #include "mcmc/make_mutation.h"
 
@@ -36,7 +36,8 @@ Vec2i crop_size(const RenderSettings& settings) { return settings.crop.size() + 
 }  // namespace
 
 ChainPlan::ChainPlan(ChainKind chain_kind, const Scene& the_scene,
-                     const RenderSettings& render_settings, const Parameters& the_parameters)
+                     const RenderSettings& render_settings, const Parameters& the_parameters,
+                     std::optional<SelectiveSettings> selective_settings)
     : kind(chain_kind),
       scene(the_scene),
       settings(render_settings),
@@ -44,6 +45,7 @@ ChainPlan::ChainPlan(ChainKind chain_kind, const Scene& the_scene,
       techniques(TechniqueSet::parse(parameters.get_text("techniques"))),
       direct(direct_of(parameters.get_text("direct"))),
       mis_large_steps(parameters.get_bool("mis-large-steps")),
+      selective(std::move(selective_settings)),
       omc_samples(parameters.get_float("omc-samples")),
       bootstrap(static_cast<std::uint64_t>(parameters.get_int("bootstrap"))),
       wanted_chains(static_cast<std::uint64_t>(parameters.get_int("chains"))),
@@ -67,7 +69,8 @@ ChainPlan::ChainPlan(ChainKind chain_kind, const Scene& the_scene,
     throw UsageError(
         "camera-steps and light-steps are shares of the small steps: together at most 1");
   }
-  if (parameters.get_float("split") > 0.0 && direct != Direct::Chain) {
+  const bool by_regions_alone = selective && (!selective->omc_shares || selective->exclusive);
+  if (parameters.get_float("split") > 0.0 && direct != Direct::Chain && !by_regions_alone) {
     split_at = parameters.get_float("split");
   }
   const Vec2 beyond = make_filter(scene.film().filter).radius() - Vec2(0.5F, 0.5F);
@@ -80,9 +83,8 @@ ChainPlan::ChainPlan(ChainKind chain_kind, const Scene& the_scene,
         std::to_string(bootstrap));
   }
   if (bootstrap == 0) {
-    const bool scouts = kind == ChainKind::OnePath && split_at;
-    bootstrap = scouts ? std::max<std::uint64_t>(65536, pixels())
-                       : std::max<std::uint64_t>(200000, 4 * pixels());
+    bootstrap = has_recruits() ? std::max<std::uint64_t>(65536, pixels())
+                               : std::max<std::uint64_t>(200000, 4 * pixels());
   }
   make_groups();
   if (omc_samples == 0.0 && (!split_at || groups.empty())) omc_samples = 1.0;
@@ -121,8 +123,9 @@ std::size_t ChainPlan::chains_per_replicate() const {
   constexpr std::uint64_t kFewest = 32;
   const auto replicates = static_cast<std::uint64_t>(settings.replicates);
   if (wanted_chains > 0) return std::max<std::uint64_t>(1, wanted_chains / replicates);
-  const std::uint64_t mutations = pixels() / replicates;
-  return std::max<std::uint64_t>({1, mutations / kSteps, std::min(mutations, kFewest)});
+  const auto steps =
+      static_cast<std::uint64_t>(mutations * static_cast<double>(pixels())) / replicates;
+  return std::max<std::uint64_t>({1, steps / kSteps, std::min(steps, kFewest)});
 }
 
 const PathGroup& ChainPlan::group_of(int depth) const {
@@ -169,30 +172,16 @@ void ChainPlan::make_groups() {
 void ChainPlan::read_importance() {
   const std::string& text = parameters.get_text("importance");
   if (text == "uniform" || text == "relative") return;  // the pilot finds the latter
-  const Image image = read_image(text);
-  const Vec2i size = crop_size(settings);
-  const bool whole = image.width == settings.resolution.x && image.height == settings.resolution.y;
-  if (!whole && (image.width != size.x || image.height != size.y)) {
-    throw UsageError("importance: " + text + " has " + std::to_string(image.width) + "x" +
-                     std::to_string(image.height) + " pixels, the picture " +
-                     std::to_string(settings.resolution.x) + "x" +
-                     std::to_string(settings.resolution.y));
-  }
-  const std::vector<float> colors = image.rgb();
-  std::vector<float> weights(colors.size() / 3);
-  for (std::size_t i = 0; i < weights.size(); ++i) {
-    weights[i] = luminance(Spectrum(colors[3 * i], colors[3 * i + 1], colors[3 * i + 2]));
-  }
-  const Box2i all(Vec2i(0, 0), settings.resolution - Vec2i(1, 1));
+  std::vector<float> weights = read_crop_weights("importance", text, settings);
   try {
-    view.importance = ImportanceMap(whole ? all : settings.crop, std::move(weights));
+    view.importance = ImportanceMap(settings.crop, std::move(weights));
   } catch (const std::invalid_argument&) {
     throw UsageError("importance: " + text + " is black everywhere");
   }
 }
 
-std::unique_ptr<PathTarget> ChainPlan::make_target(const PathGroup& group) const {
-  const LightSplit* divide = split ? &*split : nullptr;
+std::unique_ptr<PathTarget> ChainPlan::make_target(const PathGroup& group, int replicate) const {
+  const LightSplit* divide = splits ? &splits->of(replicate) : nullptr;
   if (kind == ChainKind::WholePath) {
     return std::make_unique<WholePathTarget>(scene, group.sampler, view, divide);
   }
@@ -202,18 +191,21 @@ std::unique_ptr<PathTarget> ChainPlan::make_target(const PathGroup& group) const
 std::pair<int, int> ChainPlan::omc_depths() const {
   return {direct == Direct::Omc ? settings.min_depth
                                 : std::max(settings.min_depth, LightSplit::kDirectDepth + 1),
-          split ? settings.max_depth : std::min(settings.max_depth, LightSplit::kDirectDepth)};
+          splits ? settings.max_depth : std::min(settings.max_depth, LightSplit::kDirectDepth)};
 }
 
 std::unique_ptr<Integrator> ChainPlan::make_omc(const RenderSettings& omc_settings,
                                                 std::pair<int, int> depths,
-                                                const LightSplit* divide,
+                                                const LightSplits* divide,
                                                 const StrongPathSinks* strong) const {
   RenderSettings own = omc_settings;
   own.min_depth = depths.first;
   own.max_depth = depths.second;
-  const std::string& set = parameters.get_text("techniques");
-  const auto specs = path_family_parameters({.techniques = set, .roulette_start = "3"});
+  // Where light is divided path by path, a light subpath must bring the same to both sides.
+  PathFamilyDefaults defaults{.techniques = parameters.get_text("techniques"),
+                              .roulette_start = "3"};
+  if (selective && !split_at) defaults = path_family_defaults(selective->omc);
+  const auto specs = path_family_parameters(defaults);
   return make_path_integrator(scene, own,
                               Parameters(specs, {{"heuristic", parameters.get_text("heuristic")}}),
                               divide, strong);

@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -7,6 +8,7 @@
 #include "integrator/chain_family.h"
 #include "integrator/light_split.h"
 #include "integrator/path_target.h"
+#include "integrator/selective_settings.h"
 #include "integrator/strong_paths.h"
 #include "mcmc/bootstrap.h"
 #include "mcmc/chain_runner.h"
@@ -29,21 +31,26 @@ struct ChainPlan {
 
   /// Raises UsageError.
   ChainPlan(ChainKind kind, const Scene& scene, const RenderSettings& settings,
-            const Parameters& parameters);
+            const Parameters& parameters, std::optional<SelectiveSettings> selective = {});
 
-  /// A target of one thread; the plan must outlive it.
-  std::unique_ptr<PathTarget> make_target(const PathGroup& group) const;
+  /// A target of one thread, for chains of a replicate; the plan must outlive it.
+  std::unique_ptr<PathTarget> make_target(const PathGroup& group, int replicate) const;
   const PathGroup& group_of(int depth) const;
   /// Of the crop.
   std::uint64_t pixels() const;
+  /// Whether chains start from what ordinary Monte Carlo finds: it divides light path by path and
+  /// makes the same paths.
+  bool has_recruits() const { return split_at && kind == ChainKind::OnePath; }
+  /// So many mutations per pixel and camera sample that neither half is forgotten.
+  static double clamp_mutations(double mutations) { return std::clamp(mutations, 1.0 / 32, 16.0); }
   /// How many chains a replicate should have.
   std::size_t chains_per_replicate() const;
   /// Depths that ordinary Monte Carlo renders; empty (min > max) if there are none.
   std::pair<int, int> omc_depths() const;
-  /// Ordinary Monte Carlo with the chains' techniques over some depths. With `split`, it leaves the
-  /// chains their share. `split` must outlive it.
+  /// Ordinary Monte Carlo over some depths. With `splits`, which must outlive it, it leaves the
+  /// chains their share.
   std::unique_ptr<Integrator> make_omc(const RenderSettings& settings, std::pair<int, int> depths,
-                                       const LightSplit* split,
+                                       const LightSplits* splits,
                                        const StrongPathSinks* strong = nullptr) const;
 
   ChainKind kind;
@@ -53,11 +60,16 @@ struct ChainPlan {
   TechniqueSet techniques;
   Direct direct;
   bool mis_large_steps;
-  /// Where the light of long paths is divided, relative to the brightness of its pixel; empty if
-  /// chains make all of it.
+  /// Where the light of long paths is divided path by path, relative to the brightness of its
+  /// pixel; empty if it is not.
   std::optional<double> split_at;
+  /// If regions of the picture are divided, too. Samples are then camera samples, not mutations.
+  std::optional<SelectiveSettings> selective;
   /// Camera samples of ordinary Monte Carlo per mutation; 0 until the preparation has decided.
   double omc_samples;
+  /// Mutations per camera sample, if `selective`; 0: ordinary Monte Carlo alone renders.
+  double mutations = 1.0;
+  std::uint64_t pilot_kept = 0;  ///< camera samples per pixel that the preparation has rendered
   /// Of the pilot: mean luminance · importance of its pixels.
   double brightness = 0.0;
   /// Samples from which chains are seeded: camera samples where the light is divided, else paths
@@ -72,7 +84,7 @@ struct ChainPlan {
   PlaneRule plane;
   ChainView view;
   std::vector<PathGroup> groups;
-  std::optional<LightSplit> split;  ///< found by the pilot
+  std::optional<LightSplits> splits;  ///< found by the pilot
 
  private:
   void make_groups();

@@ -40,45 +40,46 @@ std::uint64_t samples_of(std::uint64_t replicate, std::uint64_t replicates, std:
 
 class ChainRecruits::Sink final : public StrongPathSink {
  public:
-  Sink(const ChainRecruits& recruits, Film& film, Counters& counters)
-      : recruits_(recruits), film_(film), counters_(counters), layer_(film.layer(kWeakLayer)) {}
+  Sink(const ChainRecruits& recruits, Counters& counters)
+      : recruits_(recruits), counters_(counters) {}
 
-  void spread(SampleSource& numbers, const StrongPath& found) override {
-    StrongPath path = found;
+  bool spread(SampleSource& numbers, StrongPath& path) override {
     const double carried = std::abs(path.energy);
     if (carried < recruits_.grain_) {
       const auto u = static_cast<double>(
           to_unit_float(static_cast<std::uint32_t>(hash_numbers(path.key, 0x6a1eULL) >> 32U)));
-      if (!(u * recruits_.grain_ < carried)) return;
+      if (!(u * recruits_.grain_ < carried)) return true;
       path.value *= static_cast<float>(recruits_.grain_ / carried);
       path.energy *= recruits_.grain_ / carried;
     }
-    const ChainPlan& plan = recruits_.plan_;
-    const PathGroup& group = plan.group_of(path.technique.depth());
-    Recruit recruit{path, PathNumbers(numbers, path), 0.0};
-    const Chain chain = recruit.numbers.start_chain(plan, group, path);
-    const auto target = plan.make_target(group);
-    ReplaySource replay(chain.numbers);
-    SplatBuffer splats;
-    recruit.scalar = target->evaluate(replay, Change{}, splats);
-    counters_.rays += target->rays();
-    if (recruit.scalar > 0.0 && std::isfinite(recruit.scalar)) {
-      recruits_.keep(std::move(recruit));
-    } else if (!film_.splat(layer_, path.replicate, path.raster, path.value)) {
-      // Rounding has moved the path off an edge: it is splatted as it was found.
-      ++counters_.discarded_infinite;
-    }
+    Recruit recruit{path, PathNumbers(numbers, path), {}};
+    splats_.clear();
+    recruit.scalar = recruits_.evaluate(recruit, splats_, counters_.rays);
+    // Rounding may have moved the path off an edge.
+    if (!(*recruit.scalar > 0.0 && std::isfinite(*recruit.scalar))) return false;
+    recruits_.keep(std::move(recruit));
+    return true;
   }
 
  private:
   const ChainRecruits& recruits_;
-  Film& film_;
   Counters& counters_;
-  int layer_;
+  SplatBuffer splats_;
 };
 
-std::unique_ptr<StrongPathSink> ChainRecruits::make(Film& film, Counters& counters) const {
-  return std::make_unique<Sink>(*this, film, counters);
+double ChainRecruits::evaluate(const Recruit& recruit, SplatBuffer& splats,
+                               std::uint64_t& rays) const {
+  const PathGroup& group = plan_.group_of(recruit.path.technique.depth());
+  const Chain chain = recruit.numbers.start_chain(plan_, group, recruit.path);
+  const auto target = plan_.make_target(group, recruit.path.replicate);
+  ReplaySource replay(chain.numbers);
+  const double scalar = target->evaluate(replay, Change{}, splats);
+  rays += target->rays();
+  return scalar;
+}
+
+std::unique_ptr<StrongPathSink> ChainRecruits::make(Film& /*film*/, Counters& counters) const {
+  return std::make_unique<Sink>(*this, counters);
 }
 
 void ChainRecruits::keep(Recruit recruit) const {
@@ -105,6 +106,20 @@ void ChainRecruits::expect(const std::vector<ChainPopulation>& populations, doub
   set_grain(std::max(b / plan_.settings.replicates * plan_.view.area_per_pixel(),
                      kLeastShare * plan_.brightness),
             camera_samples);
+}
+
+void ChainRecruits::divide_anew(const LightSplits& before) {
+  for (Recruit& recruit : recruits_) {
+    StrongPath& path = recruit.path;
+    const auto share_of = [&](const LightSplits& splits) {
+      return splits.of(path.replicate).chain_share(path.strength, path.raster);
+    };
+    const float change = share_of(*plan_.splits) / share_of(before);
+    path.value *= change;
+    path.energy *= static_cast<double>(change);
+    if (change != 1.F) recruit.scalar.reset();
+  }
+  std::erase_if(recruits_, [](const Recruit& recruit) { return recruit.path.energy == 0.0; });
 }
 
 std::vector<std::vector<const ChainRecruits::Recruit*>> ChainRecruits::sorted_recruits(
@@ -213,6 +228,7 @@ void ChainRecruits::resample(ChainPopulation& population,
   empty.by_technique.resize(group.choice.size());
   std::size_t last = masses.size();
   std::vector<bool> stays(old.size(), false);
+  SplatBuffer splats;
   for (const std::size_t index : choose_seeds(masses, chains, u)) {
     const bool again = index == last;
     last = index;
@@ -226,7 +242,9 @@ void ChainRecruits::resample(ChainPopulation& population,
     } else {
       const Recruit& recruit = *recruits[index - old.size()];
       Chain chain = recruit.numbers.start_chain(plan_, group, recruit.path);
-      chain.scalar = recruit.scalar;
+      std::uint64_t rays = 0;
+      splats.clear();
+      chain.scalar = recruit.scalar ? *recruit.scalar : evaluate(recruit, splats, rays);
       population.chains.push_back(
           {std::move(chain), empty, std::copysign(1.0, recruit.path.energy), 1});
     }

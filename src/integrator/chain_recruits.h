@@ -1,5 +1,6 @@
 #pragma once
 #include <mutex>
+#include <optional>
 #include <vector>
 
 #include "integrator/chain_plan.h"
@@ -29,12 +30,13 @@ class ChainRecruits final : public StrongPathSinks {
   void expect(const std::vector<ChainPopulation>& populations, double camera_samples);
   /// The same before anything is known of the chains' light.
   void expect_unknown(double camera_samples);
+  /// After the division has changed, from `before` to that of the plan.
+  void divide_anew(const LightSplits& before);
   /// Merges what was found in camera samples `first` to `last` per pixel into the populations.
   void join(std::vector<ChainPopulation>& populations, std::uint64_t first, std::uint64_t last);
   /// The same for so many camera samples of no replicate, which are scattered over all.
   void join_scattered(std::vector<ChainPopulation>& populations, double camera_samples);
 
-  bool apart() const override { return true; }
   std::unique_ptr<StrongPathSink> make(Film& film, Counters& counters) const override;
 
  private:
@@ -42,9 +44,10 @@ class ChainRecruits final : public StrongPathSinks {
   struct Recruit {
     StrongPath path;
     PathNumbers numbers;
-    double scalar;  ///< I of the path as a chain's state
+    std::optional<double> scalar;  ///< I of the path as a chain's state; unknown once divided anew
   };
 
+  double evaluate(const Recruit& recruit, SplatBuffer& splats, std::uint64_t& rays) const;
   void set_grain(double per_sample, double camera_samples);
   void join_replicate(std::vector<ChainPopulation>& populations,
                       const std::vector<std::vector<const Recruit*>>& found, int replicate,

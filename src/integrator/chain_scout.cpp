@@ -9,7 +9,7 @@
 namespace ajar {
 
 std::uint64_t ChainScout::begin() {
-  if (!plan_.split) return 0;
+  if (!plan_.splits) return 0;
   populations_ = make_populations(plan_);
   samples_ = (plan_.bootstrap + plan_.pixels() - 1) / plan_.pixels();
   recruits_.expect_unknown(static_cast<double>(samples_));
@@ -17,8 +17,8 @@ std::uint64_t ChainScout::begin() {
   settings.replicates = 1;
   settings.aovs.clear();
   settings.seed = hash_numbers(settings.seed, 0x5c007ULL);
-  omc_ =
-      plan_.make_omc(settings, {settings.min_depth, settings.max_depth}, &*plan_.split, &recruits_);
+  omc_ = plan_.make_omc(settings, {settings.min_depth, settings.max_depth}, &*plan_.splits,
+                        &recruits_);
   film_ =
       std::make_unique<Film>(settings.resolution, settings.crop, Filter::box(), 1, omc_->layers());
   strong_light_.resize(omc_->items_in_pass());
@@ -33,7 +33,7 @@ void ChainScout::run(std::uint64_t item, Counters& counters) {
 }
 
 void ChainScout::end() {
-  if (!plan_.split) {
+  if (!plan_.splits) {
     if (plan_.omc_samples == 0.0) plan_.omc_samples = 1.0;
     return;
   }

@@ -8,14 +8,15 @@ namespace {
 Spectrum to_spectrum(const Vec3& v) { return {v.x, v.y, v.z}; }
 
 constexpr const char* kObjectIds = "object-id";
+constexpr const char* kInstanceIds = "instance-id";
 constexpr const char* kMaterialIds = "material-id";
 }  // namespace
 
 std::span<const std::string> GBuffer::names() {
   // The first ones in the order of `Layer`.
-  static const std::vector<std::string> kNames = {"albedo",   "normal",    "geometric-normal",
-                                                  "depth",    "position",  "coverage",
-                                                  kObjectIds, kMaterialIds};
+  static const std::vector<std::string> kNames = {"albedo",   "normal",     "geometric-normal",
+                                                  "depth",    "position",   "coverage",
+                                                  kObjectIds, kInstanceIds, kMaterialIds};
   return kNames;
 }
 
@@ -37,10 +38,12 @@ std::vector<LayerSpec> GBuffer::layers(std::span<const std::string> asked_for, f
 }
 
 GBuffer::GBuffer(const Film& film)
-    : object_ids_(film, kObjectIds), material_ids_(film, kMaterialIds) {
+    : object_ids_(film, kObjectIds),
+      instance_ids_(film, kInstanceIds),
+      material_ids_(film, kMaterialIds) {
   std::transform(names().begin(), names().begin() + kCount, index_.begin(),
                  [&](const std::string& name) { return film.layer(name); });
-  empty_ = object_ids_.empty() && material_ids_.empty() &&
+  empty_ = object_ids_.empty() && instance_ids_.empty() && material_ids_.empty() &&
            std::all_of(index_.begin(), index_.end(), [](int index) { return index < 0; });
 }
 
@@ -54,6 +57,7 @@ void GBuffer::add(Film& film, Vec2i pixel, float weight, std::uint64_t sample, f
   put(kPosition, weight * to_spectrum(vertex.p));
   // 0 is "nothing there".
   object_ids_.add(film, pixel, sample, hit == nullptr ? 0 : hit->object_id + 1);
+  instance_ids_.add(film, pixel, sample, hit == nullptr ? 0 : hit->instance_id);
   material_ids_.add(film, pixel, sample, hit == nullptr ? 0 : hit->material_id + 1);
   if (hit == nullptr) return;
   put(kCoverage, Spectrum(weight));
@@ -64,6 +68,7 @@ void GBuffer::add(Film& film, Vec2i pixel, float weight, std::uint64_t sample, f
 
 void GBuffer::add_nothing(Film& film, Vec2i pixel, std::uint64_t sample) const {
   object_ids_.add(film, pixel, sample, 0);
+  instance_ids_.add(film, pixel, sample, 0);
   material_ids_.add(film, pixel, sample, 0);
 }
 

@@ -34,6 +34,7 @@ class GBuffer {
   enum Layer { kAlbedo, kNormal, kGeometricNormal, kDepth, kPosition, kCoverage, kCount };
   std::array<int, kCount> index_;
   IdentityLayers object_ids_;
+  IdentityLayers instance_ids_;
   IdentityLayers material_ids_;
   bool empty_ = true;
 };

@@ -4,11 +4,13 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/archive_forward.h"
 #include "core/parameters.h"
 #include "image/film.h"
+#include "image/plane.h"
 #include "integrator/technique_tally.h"
 #include "scene/scene.h"
 
@@ -31,9 +33,8 @@ struct Counters {
   std::uint64_t samples = 0;  ///< camera samples
   std::uint64_t mutations = 0;
   TechniqueShares techniques;  ///< what each technique brought
-  /// Luminance · importance of paths that are divided: what ordinary Monte Carlo added, and what it
-  /// left to chains. Sums of an item; over items they depend on the order.
-  double weak_light = 0.0;
+  /// Luminance · importance of what was left to chains. Over several items it depends on their
+  /// order.
   double strong_light = 0.0;
   std::uint64_t discarded_nan = 0;
   std::uint64_t discarded_infinite = 0;
@@ -66,6 +67,25 @@ struct ChainReport {
   std::vector<OfTechnique> techniques;  ///< empty if a state is not of one technique
 };
 
+/// What `selective` tells of itself.
+struct SelectiveReport {
+  struct Region {
+    std::size_t number;  ///< in the layer "regions"
+    std::size_t pixels;
+    std::string object;  ///< empty if nothing is there
+    std::string material;
+    double noise = 0.0;       ///< of the pilot's indirect light: ½(mean + largest) above T
+    double importance = 0.0;  ///< as in the layer of that name
+  };
+  std::uint64_t pilot_samples = 0;  ///< per pixel
+  bool pilot_stays = false;
+  double mutations_per_sample = 0.0;  ///< 0: no chains
+  double correlation = 0.0;     ///< variance of chains over that of as many independent samples
+  double chain_rays = 0.0;      ///< share of the rays
+  double chain_error = 0.0;     ///< share of the squared error, luminance · importance
+  std::vector<Region> regions;  ///< the largest first
+};
+
 /// A rendering method, cut into work items. It knows nothing of threads, files and clocks: the job
 /// first runs the rounds of its preparation, then calls `run_item` for every item of a pass, in any
 /// order and on any thread. Each item is a pure function of its index and, for methods with a
@@ -85,7 +105,9 @@ class Integrator {
   /// Number of items in the pass that has begun; a sample is a mutation per pixel where chains run.
   virtual std::uint64_t items_in_pass() const = 0;
   /// Called between passes, on one thread. A pass does not cross a milestone (`milestone_after`).
-  virtual void begin_pass(std::uint64_t /*first_sample*/, std::uint64_t /*samples*/) {}
+  /// `film`: what was rendered so far.
+  virtual void begin_pass(std::uint64_t /*first_sample*/, std::uint64_t /*samples*/,
+                          Film& /*film*/) {}
   virtual void end_pass() {}
   /// Adds the contribution of one item of one pass, `first_sample`..`first_sample + samples` per
   /// pixel, to the film.
@@ -112,8 +134,16 @@ class Integrator {
   /// preparation. An estimate.
   virtual std::uint64_t memory_bytes() const { return 0; }
 
+  /// Pictures about the render that are known since the preparation, of one channel over the crop:
+  /// those AOVs that are not sums of samples.
+  virtual std::vector<std::pair<std::string, Plane>> maps() const { return {}; }
+  /// Where pictures for the eye need smoothing along edges (antialias.h); empty if nowhere.
+  virtual std::optional<Plane> antialias_mask() const { return std::nullopt; }
+  /// What the user may like to know after the preparation, beside `concerns`.
+  virtual std::vector<std::string> notes() const { return {}; }
   /// How the chains fared, for methods that have any.
   virtual std::optional<ChainReport> chain_report() const { return std::nullopt; }
+  virtual std::optional<SelectiveReport> selective_report() const { return std::nullopt; }
 };
 
 /// An entry of the registry.

@@ -1,8 +1,24 @@
 #pragma once
+#include <utility>
+#include <vector>
+
 #include "image/importance_map.h"
+#include "image/pixel_at.h"
 #include "transport/path_sampler.h"
 
 namespace ajar {
+
+/// How the long paths of a pixel are divided.
+struct PixelShare {
+  /// T: of what a technique brings, chains make the part above, in the units of radiance ·
+  /// importance. 0: all of it.
+  float threshold = 0.F;
+  /// σ, by which the chains' target is multiplied. 0 leaves everything to ordinary Monte Carlo.
+  float target = 1.F;
+  /// What the picture takes from chains instead of σ: the same, unless one method alone makes a
+  /// pixel. 0 where σ is 0.
+  float kept = 1.F;
+};
 
 /// How ordinary Monte Carlo and Markov chains share the light of long paths, path by path.
 ///
@@ -10,32 +26,60 @@ namespace ajar {
 /// g = luminance(C) · importance. Ordinary Monte Carlo deals well with many paths of small g, and
 /// makes fireflies of few with a large one; chains follow large g. So the path's light is divided:
 ///
-///     by ordinary Monte Carlo   C · T / (T + g),   never more than T for its pixel,
-///     by chains                 C · g / (T + g).
+///     by chains                 C · σ · g / (T + g),
+///     by ordinary Monte Carlo   the rest; where σ is 1, C · T / (T + g), never more than T.
 ///
-/// Both sides compute g from the path and its technique alone, so the parts add up to C. It is the
-/// balance heuristic between independent samples and a chain of density g/b (Kelemen et al. 2002,
-/// section 5.2), but over what bidirectional path tracing samples anyway, and put into the chain's
-/// target, so that the chain spends no time on what it does not make. The idea to divide in path
-/// space is Bitterli & Jarosz 2019's.
+/// Both sides compute g from the path and its technique alone, and σ and T from its place on the
+/// film, so the parts add up to C. With σ = 1 it is the balance heuristic between independent
+/// samples and a chain of density g/b (Kelemen et al. 2002, section 5.2), but over what
+/// bidirectional path tracing samples anyway, and put into the chain's target, so that the chain
+/// spends no time on what it does not make. The idea to divide in path space is Bitterli & Jarosz
+/// 2019's. With T = 0 it is the division by an image σ of Frolov (METHODS, section 4, formula 3),
+/// and both sides may have different techniques.
 class LightSplit {
  public:
   /// Edges of the longest paths that are direct light.
   static constexpr int kDirectDepth = 2;
 
-  /// Divides indirect light at g = `threshold` (T), in the units of radiance · importance.
-  /// `importance` must outlive this.
+  /// Divides indirect light at g = `threshold` everywhere. `importance` must outlive this.
   LightSplit(double threshold, const ImportanceMap& importance)
-      : threshold_(static_cast<float>(threshold)), importance_(&importance) {}
+      : shares_(1), importance_(&importance) {
+    shares_.front().threshold = static_cast<float>(threshold);
+  }
+  /// `shares`: one per pixel of `crop`, row by row.
+  LightSplit(const Box2i& crop, std::vector<PixelShare> shares, const ImportanceMap& importance)
+      : crop_(crop), shares_(std::move(shares)), importance_(&importance) {}
 
   static bool divides(Technique technique) { return technique.depth() > kDirectDepth; }
-  /// What chains make of a contribution that lands on `raster`.
+  const PixelShare& at(const Vec2& raster) const {
+    return shares_.size() == 1 ? shares_.front() : shares_[pixel_at(crop_, raster)];
+  }
+  /// g / (T + g).
+  static float above(float strength, float threshold) {
+    // What is infinite or not a number is for whoever adds it up to discard.
+    return strength > 0.F ? 1.F / (1.F + threshold / strength) : 0.F;
+  }
+  /// What chains sample of a contribution that lands on `raster`.
   float chain_share(const Contribution& contribution, const Vec2& raster) const {
-    if (!divides(contribution.technique)) return 0.F;
-    return share_of(strength(contribution, raster));
+    return divides(contribution.technique) ? chain_share(strength(contribution, raster), raster)
+                                           : 0.F;
+  }
+  float chain_share(float strength, const Vec2& raster) const {
+    const PixelShare& share = at(raster);
+    return share.target * above(strength, share.threshold);
   }
   float omc_share(const Contribution& contribution, const Vec2& raster) const {
-    return 1.F - chain_share(contribution, raster);
+    return divides(contribution.technique) ? omc_share(strength(contribution, raster), raster)
+                                           : 1.F;
+  }
+  float omc_share(float strength, const Vec2& raster) const {
+    const PixelShare& share = at(raster);
+    return 1.F - share.kept * above(strength, share.threshold);
+  }
+  /// What becomes of a chain's deposit.
+  float kept(const Vec2& raster) const {
+    const PixelShare& share = at(raster);
+    return share.target > 0.F ? share.kept / share.target : 0.F;
   }
   float importance(const Vec2& raster) const { return (*importance_)(raster); }
   /// g.
@@ -44,13 +88,23 @@ class LightSplit {
   }
 
  private:
-  float share_of(float strength) const {
-    // What is infinite or not a number is for whoever adds it up to discard.
-    return strength > 0.F ? 1.F / (1.F + threshold_ / strength) : 0.F;
+  Box2i crop_;
+  std::vector<PixelShare> shares_;
+  const ImportanceMap* importance_;
+};
+
+/// The division of each replicate: one for all, or one for the even and one for the odd ones, each
+/// found out from the samples of the others.
+class LightSplits {
+ public:
+  explicit LightSplits(LightSplit all) : splits_{std::move(all)} {}
+  LightSplits(LightSplit even, LightSplit odd) : splits_{std::move(even), std::move(odd)} {}
+  const LightSplit& of(int replicate) const {
+    return splits_[static_cast<std::size_t>(replicate) % splits_.size()];
   }
 
-  float threshold_;
-  const ImportanceMap* importance_;
+ private:
+  std::vector<LightSplit> splits_;
 };
 
 }  // namespace ajar

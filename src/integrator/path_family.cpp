@@ -17,10 +17,10 @@ constexpr int kMaxPathEdges = 60000;  // vertex numbers are 16 bits wide
 /// Gathers the paths of one camera sample and splats those of its light subpath.
 class SampleSink final : public PathSink {
  public:
-  SampleSink(Film& film, const LightSplit* split, const GBuffer& g_buffer,
+  SampleSink(Film& film, const LightSplits* splits, const GBuffer& g_buffer,
              const TechniqueLayers& techniques, std::uint64_t seed, Counters& counters)
       : film_(film),
-        split_(split),
+        splits_(splits),
         layers_{film.layer("direct"), std::max(film.layer(kWeakLayer), film.layer("indirect"))},
         g_buffer_(g_buffer),
         techniques_(techniques),
@@ -33,6 +33,7 @@ class SampleSink final : public PathSink {
     pixel_ = pixel;
     raster_ = raster;
     replicate_ = replicate;
+    split_ = splits_ != nullptr ? &splits_->of(replicate) : nullptr;
     filter_weight_ = filter_weight;
     sample_ = sample;
     sees_something_ = false;
@@ -90,7 +91,10 @@ class SampleSink final : public PathSink {
       }
       path.key = hash_numbers(seed, static_cast<std::uint64_t>(path.technique.s),
                               static_cast<std::uint64_t>(path.technique.t));
-      sink.spread(numbers, path);
+      if (sink.spread(numbers, path)) continue;
+      if (!film_.splat(layers_.indirect, path.replicate, path.raster, path.value)) {
+        ++counters_.discarded_infinite;
+      }
     }
     strong_.clear();
   }
@@ -117,17 +121,15 @@ class SampleSink final : public PathSink {
     const Vec2& raster = contribution.technique.t == 1 ? contribution.raster : raster_;
     const double light =
         static_cast<double>(luminance(contribution.value) * split_->importance(raster));
-    const float share = split_->omc_share(contribution, raster);
-    const Spectrum strong = contribution.value * (1.F - share);
-    if (keeps_strong_ && std::isfinite(light) && !strong.is_black()) {
-      strong_.push_back({contribution.technique, raster, replicate_, strong,
-                         light * (1.0 - static_cast<double>(share)), 0});
+    const float strength = split_->strength(contribution, raster);
+    const float chains = split_->chain_share(strength, raster);
+    const float own = split_->omc_share(strength, raster);
+    if (keeps_strong_ && std::isfinite(light) && chains > 0.F) {
+      strong_.push_back({contribution.technique, raster, replicate_, strength,
+                         contribution.value * chains, light * static_cast<double>(chains), 0});
     }
-    if (std::isfinite(light)) {
-      counters_.weak_light += light * static_cast<double>(share);
-      counters_.strong_light += light * (1.0 - static_cast<double>(share));
-    }
-    contribution.value *= share;
+    if (std::isfinite(light)) counters_.strong_light += light * static_cast<double>(chains);
+    contribution.value *= own;
   }
 
   void discard(const Contribution& contribution) {
@@ -167,7 +169,8 @@ class SampleSink final : public PathSink {
   };
 
   Film& film_;
-  const LightSplit* split_;
+  const LightSplits* splits_;
+  const LightSplit* split_ = nullptr;  ///< of the replicate
   Layers layers_;
   const GBuffer& g_buffer_;
   const TechniqueLayers& techniques_;
@@ -189,10 +192,10 @@ class SampleSink final : public PathSink {
 class PathIntegrator final : public Integrator {
  public:
   PathIntegrator(const Scene& scene, const RenderSettings& settings, const Parameters& parameters,
-                 const LightSplit* split, const StrongPathSinks* strong)
+                 const LightSplits* splits, const StrongPathSinks* strong)
       : scene_(scene),
         settings_(settings),
-        split_(split),
+        splits_(splits),
         strong_(strong),
         sobol_(parameters.get_text("sampler") == "sobol") {
     const Vec2i size = settings.crop.size() + Vec2i(1, 1);
@@ -218,7 +221,7 @@ class PathIntegrator final : public Integrator {
   std::vector<LayerSpec> layers() const override {
     std::vector<LayerSpec> specs = {{.name = "direct", .magnitude = magnitude_},
                                     {.name = "indirect", .magnitude = magnitude_}};
-    if (split_ != nullptr && (strong_ == nullptr || strong_->apart())) {
+    if (splits_ != nullptr) {
       specs.push_back({.name = kWeakLayer, .magnitude = magnitude_, .part_of = "indirect"});
     }
     for (LayerSpec& spec : GBuffer::layers(settings_.aovs, 2.F * scene_.bounding_sphere().radius)) {
@@ -246,7 +249,7 @@ class PathIntegrator final : public Integrator {
                      std::min(low.y + kTileSize - 1, settings_.crop.max.y));
     const GBuffer g_buffer(film);
     const TechniqueLayers techniques(film);
-    SampleSink sink(film, split_, g_buffer, techniques, settings_.seed, counters);
+    SampleSink sink(film, splits_, g_buffer, techniques, settings_.seed, counters);
     PathSampler sampler(scene_, sampler_settings_);
     const auto strong = strong_ != nullptr ? strong_->make(film, counters) : nullptr;
     if (strong) sink.keep_strong();
@@ -372,7 +375,7 @@ class PathIntegrator final : public Integrator {
 
   const Scene& scene_;
   RenderSettings settings_;
-  const LightSplit* split_;
+  const LightSplits* splits_;
   const StrongPathSinks* strong_;
   PathSamplerSettings sampler_settings_;
   bool sobol_;
@@ -415,6 +418,15 @@ PathIntegrator::Pilot PathIntegrator::run_pilot() const {
 }
 
 }  // namespace
+
+PathFamilyDefaults path_family_defaults(const std::string& techniques) {
+  PathFamilyDefaults defaults{.techniques = techniques};
+  // As many as keep the cost of a sample within 1.6 times that of path tracing.
+  if (techniques == "ibpt") defaults.light_paths_per_pixel = "0.33";
+  // Its light subpaths end anyway in techniques that share the path with others.
+  if (techniques == "bdpt") defaults.roulette_start = "3";
+  return defaults;
+}
 
 std::vector<ParameterSpec> path_family_parameters(const PathFamilyDefaults& defaults) {
   return {
@@ -469,9 +481,9 @@ std::vector<ParameterSpec> path_family_parameters(const PathFamilyDefaults& defa
 
 std::unique_ptr<Integrator> make_path_integrator(const Scene& scene, const RenderSettings& settings,
                                                  const Parameters& parameters,
-                                                 const LightSplit* split,
+                                                 const LightSplits* splits,
                                                  const StrongPathSinks* strong) {
-  return std::make_unique<PathIntegrator>(scene, settings, parameters, split, strong);
+  return std::make_unique<PathIntegrator>(scene, settings, parameters, splits, strong);
 }
 
 }  // namespace ajar

@@ -12,16 +12,17 @@ struct PathFamilyDefaults {
   std::string light_paths_per_pixel = "1";
   std::string roulette_start = "5";
 };
+/// Those of the member with these techniques, or suitable ones if none has them.
+PathFamilyDefaults path_family_defaults(const std::string& techniques);
 std::vector<ParameterSpec> path_family_parameters(const PathFamilyDefaults& defaults);
 
 /// Ordinary Monte Carlo with one set of techniques (METHODS, section 2): `pt`, `lt`, `ibpt`, `bdpt`
-/// are four names of it. With a `split`, which must outlive it, it leaves Markov chains their share
-/// of long paths: hands it to a sink of `strong` path by path or, without, leaves it to others and
-/// puts its own share into the layer `kWeakLayer`. Raises UsageError if the parameter
-/// `techniques` cannot be read.
+/// are four names of it. With `splits`, which must outlive it, it leaves Markov chains their share
+/// of long paths and puts its own into the layer `kWeakLayer`; sinks of `strong` see what is left.
+/// Raises UsageError if the parameter `techniques` cannot be read.
 std::unique_ptr<Integrator> make_path_integrator(const Scene& scene, const RenderSettings& settings,
                                                  const Parameters& parameters,
-                                                 const LightSplit* split = nullptr,
+                                                 const LightSplits* splits = nullptr,
                                                  const StrongPathSinks* strong = nullptr);
 
 inline const std::string kWeakLayer = "indirect-weak";

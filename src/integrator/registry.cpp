@@ -39,7 +39,6 @@ Counters& Counters::operator+=(const Counters& other) {
   samples += other.samples;
   mutations += other.mutations;
   techniques += other.techniques;
-  weak_light += other.weak_light;
   strong_light += other.strong_light;
   discarded_nan += other.discarded_nan;
   discarded_infinite += other.discarded_infinite;
@@ -51,16 +50,14 @@ Counters& Counters::operator+=(const Counters& other) {
 const std::vector<IntegratorInfo>& integrators() {
   static const std::vector<IntegratorInfo> kIntegrators = {
       path_family_member(
-          // Its light subpaths end anyway in techniques that share the path with others.
-          {.techniques = "bdpt", .roulette_start = "3"},
+          path_family_defaults("bdpt"),
           "bidirectional path tracing: every way to join a camera path and a light path",
           "Lafortune & Willems 1993; Veach & Guibas 1995"),
       path_family_member(
-          // As many as keep the cost of a sample within 1.6 times that of path tracing.
-          {.techniques = "ibpt", .light_paths_per_pixel = "0.33"},
+          path_family_defaults("ibpt"),
           "path tracing and light tracing combined: most of bdpt's strength at little cost",
           "Bogolepov et al. 2013"),
-      path_family_member({.techniques = "lt"},
+      path_family_member(path_family_defaults("lt"),
                          "light tracing: paths from the lights, joined to the lens; blind to what "
                          "only mirrors show",
                          "Dutré et al. 1993"),
@@ -110,6 +107,8 @@ const std::vector<AovInfo>& aovs() {
       {"coverage", "share of the pixel's samples that hit a surface"},
       {"object-id",
        "number of the shape that most of the first nine samples hit, from 1; 0 for none"},
+      {"instance-id",
+       "number of the instance that most of the first nine samples hit, from 1; 0 for none"},
       {"material-id",
        "number of the material that most of the first nine samples hit, from 1; 0 for none"},
       {"samples", "samples per pixel"},
@@ -123,6 +122,13 @@ const std::vector<AovInfo>& aovs() {
        false},
       {"acceptance", "mean acceptance probability of steps that begin in a pixel (mmlt, pssmlt)",
        false},
+      {"noise", "impulse noise of the pilot's indirect light (selective)", false},
+      {"regions", "number of the region of a pixel, from 1 (selective)", false},
+      {"importance",
+       "what chains make of a pixel's indirect light: of all, or of what is above the lowest "
+       "threshold (selective)",
+       false},
+      {"edges", "edges between surfaces, as the pilot saw them (selective)", false},
       {"standard-error", "standard error of each pixel, from replicates"},
       {"replicates",
        "the independent estimates whose mean is the picture: lets ajar compare test for bias",

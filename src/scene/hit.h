@@ -29,8 +29,7 @@ struct Hit : GeometryHit {
   const Material* material;      ///< never null
   const Light* light;            ///< null if the surface does not emit
   const MediumInterface* media;  ///< never null
-  std::uint32_t
-      object_id;  ///< index of the shape in the description (instanced: of the shape in its object)
+  std::uint32_t object_id;       ///< number of the shape in the description, objects' shapes last
   std::uint32_t material_id;
 };
 

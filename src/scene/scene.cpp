@@ -49,6 +49,7 @@ Scene::Scene(desc::SceneDesc&& given, const BuildOptions& options, Warnings& war
   bounds_ = geometry_->bounds();
   bounding_sphere_ = sphere_around(bounds_);
   build_surfaces(description, warnings);
+  name_things(description);
   build_lights(description, warnings);
   light_sampler_ = std::make_unique<LightSampler>(lights_, bounding_sphere_);
   camera_ = make_camera(description.camera, film_.resolution, bounding_sphere_.center,
@@ -76,7 +77,7 @@ void Scene::build_surfaces(const desc::SceneDesc& description, Warnings& warning
     media_interfaces_.push_back(std::make_unique<const MediumInterface>(wanted));
     return static_cast<const MediumInterface*>(media_interfaces_.back().get());
   };
-  const auto add = [&](const desc::Shape& shape, std::size_t index) {
+  const auto add = [&](const desc::Shape& shape) {
     const MediumInterface media{medium(shape.inside), medium(shape.outside),
                                 shape.has_medium_interface};
     const Material& material = *materials_[static_cast<std::size_t>(shape.material)];
@@ -84,19 +85,37 @@ void Scene::build_surfaces(const desc::SceneDesc& description, Warnings& warning
         has_interfaces_ || (material.is_interface() && geometry_->has_shape(surfaces_.size()));
     if (!material.needs_derivatives()) geometry_->leave_out_derivatives(surfaces_.size());
     surfaces_.push_back({&material, nullptr, shared_interface(media),
-                         static_cast<std::uint32_t>(index),
+                         static_cast<std::uint32_t>(surfaces_.size()),
                          static_cast<std::uint32_t>(shape.material)});
   };
   surfaces_.reserve(geometry_->shape_count());
-  for (std::size_t i = 0; i < description.shapes.size(); ++i) add(description.shapes[i], i);
+  for (const desc::Shape& shape : description.shapes) add(shape);
   for (const desc::Object& object : description.objects) {
-    for (std::size_t i = 0; i < object.shapes.size(); ++i) {
-      const desc::Shape& shape = object.shapes[i];
+    for (const desc::Shape& shape : object.shapes) {
       if (shape.light && geometry_->has_shape(surfaces_.size())) {
         warnings.add(shape.light->where, "instanced surfaces do not emit light");
       }
-      add(shape, i);
+      add(shape);
     }
+  }
+}
+
+void Scene::name_things(const desc::SceneDesc& description) {
+  const auto name_object = [&](const std::string& name) {
+    object_names_.push_back(name.empty() ? "shape-" + std::to_string(object_names_.size() + 1)
+                                         : name);
+  };
+  for (const desc::Shape& shape : description.shapes) name_object(shape.name);
+  for (const desc::Object& object : description.objects) {
+    for (const desc::Shape& shape : object.shapes) {
+      name_object(shape.name.empty() ? object.name : shape.name);
+    }
+  }
+  for (const desc::Material& material : description.materials) {
+    material_names_.push_back(material.name.empty()
+                                  ? "material-" + std::to_string(material_names_.size() + 1)
+                                  : material.name);
+    diffuse_.push_back(std::holds_alternative<desc::MatteMaterial>(material.node));
   }
 }
 

@@ -68,6 +68,13 @@ class Scene {
     return *materials_[static_cast<std::size_t>(id)];
   }
 
+  /// By `Hit::object_id` and `Hit::material_id`. What has no name in the description is called
+  /// shape-N or material-N, N its number in the layers "object-id" and "material-id" (from 1).
+  std::span<const std::string> object_names() const { return object_names_; }
+  std::span<const std::string> material_names() const { return material_names_; }
+  /// Whether a material is purely diffuse.
+  bool is_diffuse(std::size_t material_id) const { return diffuse_[material_id]; }
+
   const Box3& bounds() const { return bounds_; }
   const BoundingSphere& bounding_sphere() const { return bounding_sphere_; }
   const SceneCounts& counts() const { return counts_; }
@@ -88,6 +95,7 @@ class Scene {
   };
   void build_lights(const desc::SceneDesc& description, Warnings& warnings);
   void build_surfaces(const desc::SceneDesc& description, Warnings& warnings);
+  void name_things(const desc::SceneDesc& description);
 
   TextureList textures_;
   std::unique_ptr<Geometry> geometry_;
@@ -95,6 +103,9 @@ class Scene {
   std::vector<std::unique_ptr<const MediumInterface>> media_interfaces_;
   std::vector<std::unique_ptr<const SurfaceSampler>> emitters_;
   MaterialList materials_;
+  std::vector<std::string> object_names_;
+  std::vector<std::string> material_names_;
+  std::vector<bool> diffuse_;
   std::vector<std::unique_ptr<const Medium>> media_;
   LightList lights_;
   std::vector<const Light*> infinite_lights_;

@@ -42,7 +42,7 @@ struct Checkpoint {
   float exposure = 0.F;
 
   std::vector<LayerSpec> layers;
-  FilmScales scales;  ///< of the film as it is
+  Development scales;  ///< of the film as it is
   JobState job;
   std::string integrator_state;  ///< what `Integrator::save_state` wrote
   Counters preparation;          ///< of the first run

@@ -40,15 +40,33 @@ void serialize(A& archive, LayerSpec& spec) {
 }
 
 template <Archive A>
-void serialize(A& archive, FilmScales& scales) {
-  archive(scales.whole, scales.replicates);
+void serialize(A& archive, std::pair<std::string, Plane>& map) {
+  archive(map.first, map.second.size.x, map.second.size.y, map.second.values);
+}
+
+template <Archive A>
+void serialize(A& archive, Development& development) {
+  archive(development.whole, development.replicates);
+  // Planes have no value without a size, so that containers cannot make them.
+  auto maps = static_cast<std::uint32_t>(development.maps.size());
+  auto masks = static_cast<std::uint32_t>(development.antialias_mask ? 1 : 0);
+  archive(maps, masks);
+  if constexpr (A::is_loading::value) {
+    development.maps.assign(maps, {std::string(), Plane(Vec2i(0, 0))});
+    if (masks > 0) development.antialias_mask.emplace(Vec2i(0, 0));
+  }
+  for (auto& map : development.maps) serialize(archive, map);
+  if (development.antialias_mask) {
+    Plane& mask = *development.antialias_mask;
+    archive(mask.size.x, mask.size.y, mask.values);
+  }
 }
 
 template <Archive A>
 void serialize(A& archive, Counters& counters) {
-  archive(counters.rays, counters.samples, counters.mutations, counters.weak_light,
-          counters.strong_light, counters.discarded_nan, counters.discarded_infinite,
-          counters.discarded_negative, counters.first_discarded);
+  archive(counters.rays, counters.samples, counters.mutations, counters.strong_light,
+          counters.discarded_nan, counters.discarded_infinite, counters.discarded_negative,
+          counters.first_discarded);
   std::vector<double> sums = counters.techniques.sums();
   archive(sums);
   if constexpr (A::is_loading::value) {

@@ -22,7 +22,7 @@ bool CheckpointWriter::wants_picture(const JobState& /*state*/) { return writing
 
 void CheckpointWriter::fill(const Film& film, const JobState& state) {
   checkpoint_.job = state;
-  checkpoint_.scales = film_scales(film, integrator_, state.mean_samples());
+  checkpoint_.scales = development_of(film, integrator_, state.mean_samples());
   checkpoint_.integrator_state =
       archived([&](OutputArchive& archive) { integrator_.save_state(archive); });
 }

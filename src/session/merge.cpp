@@ -136,7 +136,7 @@ void add_seed(NamedCheckpoint& sum, NamedCheckpoint part) {
   for (const MergedRun& run : runs_of(part.checkpoint)) whole.merged.push_back(run);
   whole.sums.assign(film.raw().begin(), film.raw().end());
   whole.layers = std::move(layers);
-  whole.scales = scales_of_sum(whole.scales, part.checkpoint.scales);
+  whole.scales = development_of_sum(whole.scales, part.checkpoint.scales);
   whole.integrator_state.clear();
   add_counters(whole, part.checkpoint);
   whole.job.samples_per_pixel += part.checkpoint.job.samples_per_pixel;

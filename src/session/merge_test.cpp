@@ -39,7 +39,7 @@ NamedCheckpoint part(std::uint64_t seed, std::uint64_t samples, WorkShare share 
   job.run();
   checkpoint.job = job.state();
   checkpoint.layers = layers;
-  checkpoint.scales = film_scales(film, integrator, samples);
+  checkpoint.scales = development_of(film, integrator, samples);
   checkpoint.sums.assign(film.raw().begin(), film.raw().end());
   return named;
 }
@@ -53,7 +53,7 @@ Checkpoint merged(Parts&&... parts) {
 
 std::vector<float> picture(Checkpoint checkpoint) {
   const std::uint64_t samples = checkpoint.job.samples_per_pixel;
-  const FilmScales scales = checkpoint.scales;
+  const Development scales = checkpoint.scales;
   const Film film = film_of(checkpoint, Filter::box(), "");
   return develop(film, scales, samples, 1.0, {}).layers.front().pixels;
 }
@@ -102,7 +102,7 @@ TEST(Merge, UnequalReplicatesAreScaledEachByTheirOwnSamples) {
   const Checkpoint sum = merged(part(1, 8), part(2, 8));
   Checkpoint a = part(1, 8).checkpoint;
   a.scales.replicates[0] = {0.5, 1.0, 1.0, 1.0};
-  const FilmScales both = scales_of_sum(a.scales, a.scales);
+  const Development both = development_of_sum(a.scales, a.scales);
   EXPECT_DOUBLE_EQ(both.replicates[0][0], 0.25);
   EXPECT_DOUBLE_EQ(both.replicates[0][1], 0.5);
   EXPECT_DOUBLE_EQ(sum.scales.whole[0], 1.0 / 16.0);

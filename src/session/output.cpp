@@ -47,7 +47,7 @@ std::vector<int> light_layers(const Film& film) {
   return layers;
 }
 
-std::vector<ScaledLayer> scaled_light_layers(const Film& film, const FilmScales& scales,
+std::vector<ScaledLayer> scaled_light_layers(const Film& film, const Development& scales,
                                              double film_scale) {
   std::vector<ScaledLayer> layers;
   for (const int layer : light_layers(film)) {
@@ -124,8 +124,8 @@ std::optional<WrittenFile> write_density_map(const Picture& picture, const std::
 
 }  // namespace
 
-FilmScales film_scales(const Film& film, const Integrator& integrator, std::uint64_t samples) {
-  FilmScales scales;
+Development development_of(const Film& film, const Integrator& integrator, std::uint64_t samples) {
+  Development scales;
   for (const LayerSpec& spec : film.layers()) {
     scales.whole.push_back(integrator.develop_scale(spec, samples, std::nullopt));
     std::vector<double>& each = scales.replicates.emplace_back();
@@ -133,16 +133,18 @@ FilmScales film_scales(const Film& film, const Integrator& integrator, std::uint
       each.push_back(integrator.develop_scale(spec, samples, r));
     }
   }
+  scales.maps = integrator.maps();
+  scales.antialias_mask = integrator.antialias_mask();
   return scales;
 }
 
-FilmScales scales_of_sum(const FilmScales& a, const FilmScales& b) {
+Development development_of_sum(const Development& a, const Development& b) {
   // A scale is one over a number of samples, and those add up.
   const auto both = [](double x, double y) {
     const double samples = (x > 0.0 ? 1.0 / x : 0.0) + (y > 0.0 ? 1.0 / y : 0.0);
     return samples > 0.0 ? 1.0 / samples : 0.0;
   };
-  FilmScales sum = a;
+  Development sum = a;
   for (std::size_t layer = 0; layer < sum.whole.size(); ++layer) {
     sum.whole[layer] = both(a.whole[layer], b.whole.at(layer));
     for (std::size_t r = 0; r < sum.replicates[layer].size(); ++r) {
@@ -154,10 +156,10 @@ FilmScales scales_of_sum(const FilmScales& a, const FilmScales& b) {
 
 Picture develop(const Film& film, const Integrator& integrator, std::uint64_t samples,
                 double film_scale, const std::vector<std::string>& aovs) {
-  return develop(film, film_scales(film, integrator, samples), samples, film_scale, aovs);
+  return develop(film, development_of(film, integrator, samples), samples, film_scale, aovs);
 }
 
-Picture develop(const Film& film, const FilmScales& scales, std::uint64_t samples,
+Picture develop(const Film& film, const Development& scales, std::uint64_t samples,
                 double film_scale, const std::vector<std::string>& aovs) {
   Picture picture;
   picture.resolution = film.resolution();
@@ -181,6 +183,8 @@ Picture develop(const Film& film, const FilmScales& scales, std::uint64_t sample
       picture.layers.push_back(is_single_number(spec.name) ? one_channel(layer) : layer);
     }
   }
+  for (const auto& [name, plane] : scales.maps) picture.layers.push_back({name, 1, plane.values});
+  picture.antialias_mask = scales.antialias_mask;
   // Of the layers as they are shown, so that they add up to the picture to the bit.
   std::vector<float> sum;
   for (const Picture::Layer& layer : picture.layers) {
@@ -210,10 +214,10 @@ Picture develop(const Film& film, const FilmScales& scales, std::uint64_t sample
 
 std::optional<double> estimate_error(const Film& film, const Integrator& integrator,
                                      std::uint64_t samples) {
-  return estimate_error(film, film_scales(film, integrator, samples), samples);
+  return estimate_error(film, development_of(film, integrator, samples), samples);
 }
 
-std::optional<double> estimate_error(const Film& film, const FilmScales& scales,
+std::optional<double> estimate_error(const Film& film, const Development& scales,
                                      std::uint64_t samples) {
   if (film.replicates() < 2 || samples < static_cast<std::uint64_t>(film.replicates())) {
     return std::nullopt;
@@ -258,6 +262,7 @@ void check_picture_paths(const std::vector<std::string>& paths) {
 
 LayeredImage layered_image(const Picture& picture) {
   LayeredImage image{picture.resolution, picture.crop, {}, {}};
+  if (picture.antialias_mask) image.antialias_mask = &*picture.antialias_mask;
   for (const Picture::Layer& layer : picture.layers) {
     image.layers.push_back({layer.name, layer.channels, layer.pixels});
   }

@@ -2,6 +2,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/vector.h"
@@ -22,31 +23,35 @@ struct Picture {
   Box2i crop;                 ///< inclusive; the pixels that exist
   std::vector<Layer> layers;  ///< the first is the picture
   std::map<std::string, std::string> metadata;
+  std::optional<Plane> antialias_mask;  ///< for pictures for the eye (antialias.h)
 };
 
-/// What turns a film's sums into pixel values (`Integrator::develop_scale`).
-struct FilmScales {
+/// What an integrator says of its film: all that is needed to show it without the integrator.
+struct Development {
+  // What turns sums into pixel values (`Integrator::develop_scale`).
   std::vector<double> whole;                    ///< per layer, for the sum over replicates
   std::vector<std::vector<double>> replicates;  ///< per layer and replicate; none if it has none
+  std::vector<std::pair<std::string, Plane>> maps;  ///< `Integrator::maps`
+  std::optional<Plane> antialias_mask;
 };
 /// After `samples` samples per pixel.
-FilmScales film_scales(const Film& film, const Integrator& integrator, std::uint64_t samples);
-/// For the sum of two films.
-FilmScales scales_of_sum(const FilmScales& a, const FilmScales& b);
+Development development_of(const Film& film, const Integrator& integrator, std::uint64_t samples);
+/// For the sum of two films. Maps are of the first: each render looks at its scene by itself.
+Development development_of_sum(const Development& a, const Development& b);
 
 /// Develops the film after `samples` samples per pixel: the picture (direct + indirect) times
 /// `film_scale`, then every layer of the film, then those of `aovs` that are made here: "samples",
 /// "standard-error" and "replicates" (as "replicates.0", "replicates.1", …).
 Picture develop(const Film& film, const Integrator& integrator, std::uint64_t samples,
                 double film_scale, const std::vector<std::string>& aovs);
-Picture develop(const Film& film, const FilmScales& scales, std::uint64_t samples,
+Picture develop(const Film& film, const Development& scales, std::uint64_t samples,
                 double film_scale, const std::vector<std::string>& aovs);
 
 /// Relative error of the whole picture after `samples` samples per pixel, from the spread of the
 /// film's replicates (METHODS, section 8); empty with a single replicate.
 std::optional<double> estimate_error(const Film& film, const Integrator& integrator,
                                      std::uint64_t samples);
-std::optional<double> estimate_error(const Film& film, const FilmScales& scales,
+std::optional<double> estimate_error(const Film& film, const Development& scales,
                                      std::uint64_t samples);
 
 /// The pictures to write when none is named: an EXR and a PNG in the current folder, called like

@@ -44,7 +44,7 @@ void sum_counters(Ranks& ranks, JobState& state) {
   }
   std::vector<double> sums = counters.techniques.sums();
   sums.resize(2 * TechniqueShares::kSlots);
-  sums.insert(sums.end(), {counters.weak_light, counters.strong_light, state.cpu_seconds});
+  sums.insert(sums.end(), {counters.strong_light, state.cpu_seconds});
   std::array<std::int64_t, 6> whole = numbers;
   std::vector<double> whole_sums = sums;
   ranks.sum_to_root(std::span<const std::int64_t>(numbers), whole);
@@ -53,7 +53,6 @@ void sum_counters(Ranks& ranks, JobState& state) {
   for (std::size_t i = 0; i < places.size(); ++i) *places[i] = static_cast<std::uint64_t>(whole[i]);
   state.cpu_seconds = whole_sums.back();
   counters.strong_light = whole_sums[whole_sums.size() - 2];
-  counters.weak_light = whole_sums[whole_sums.size() - 3];
   counters.techniques = {};
   counters.techniques.add_sums(std::span(whole_sums).first(2 * TechniqueShares::kSlots));
 }
@@ -165,7 +164,8 @@ RenderJob::Decision RenderJob::agree() {
 
 void RenderJob::run_pass(const Decision& decision) {
   // A pass that was cut short has begun already, before the checkpoint.
-  if (!decision.resumes_pass) integrator_.begin_pass(decision.first_sample, decision.samples);
+  if (!decision.resumes_pass)
+    integrator_.begin_pass(decision.first_sample, decision.samples, film_);
   const std::uint64_t items = integrator_.items_in_pass();
   WorkShare share = options_.share;
   if (options_.ranks != nullptr) {

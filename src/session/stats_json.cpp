@@ -106,6 +106,32 @@ void add_chains(const RenderStatistics& s, Json& json) {
   json["bootstrap_samples"] = report.bootstrap_samples;
 }
 
+/// At most so many regions are listed, the largest ones.
+constexpr std::size_t kMostRegions = 200;
+
+Json selective_json(const SelectiveReport& report) {
+  Json regions = Json::array();
+  for (const SelectiveReport::Region& region : report.regions) {
+    if (regions.size() == kMostRegions) break;
+    regions.push_back({{"region", region.number},
+                       {"pixels", region.pixels},
+                       {"object", region.object},
+                       {"material", region.material},
+                       {"noise", region.noise},
+                       {"importance", region.importance}});
+  }
+  return {
+      {"pilot_samples_per_pixel", report.pilot_samples},
+      {"pilot_stays", report.pilot_stays},
+      {"mutations_per_sample", report.mutations_per_sample},
+      {"correlation", report.correlation},
+      {"chains", {{"ray_share", report.chain_rays}, {"squared_error_share", report.chain_error}}},
+      {"omc",
+       {{"ray_share", 1.0 - report.chain_rays}, {"squared_error_share", 1.0 - report.chain_error}}},
+      {"region_count", report.regions.size()},
+      {"regions", regions}};
+}
+
 }  // namespace
 
 Json to_json(const RenderStatistics& s) {
@@ -134,6 +160,7 @@ Json to_json(const RenderStatistics& s) {
   json["replicates"] = s.replicates;
   json["passes"] = r.passes;
   add_chains(s, json);
+  json["selective"] = s.selective ? selective_json(*s.selective) : Json();
   json["estimated_relative_error"] = number_or_null(r.relative_error);
   json["peak_memory_bytes"] = s.peak_memory_bytes;
   json["warnings"] = s.warning_count;

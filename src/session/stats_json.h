@@ -42,6 +42,7 @@ struct RenderStatistics {
   std::uint32_t interruptions = 0;    ///< by signals
   int ranks = 1;                      ///< processes that rendered together
   std::optional<ChainReport> chains;  ///< of methods that have any
+  std::optional<SelectiveReport> selective;
   std::uint64_t peak_memory_bytes = 0;
   std::size_t warning_count = 0;
   std::vector<std::string> warnings;  ///< texts, at most `Warnings::kMaxKept`

@@ -52,6 +52,7 @@ class TechniqueSet {
     int s;
     int t;
     double count;
+    bool operator==(const Rule&) const = default;
   };
   static constexpr double kMaxNextEventCount = 32.0;
 
@@ -60,6 +61,9 @@ class TechniqueSet {
   /// light, inner) and pairs `(s,t)` or `(s,*)`, separated by commas, each with an optional count
   /// `*n`. Raises UsageError.
   static TechniqueSet parse(const std::string& text);
+
+  /// Whether both are written alike; sets written differently may still be the same.
+  bool operator==(const TechniqueSet&) const = default;
 
   static TechniqueSet pt() { return TechniqueSet({.implicit = 1, .next_event = 1}); }
   static TechniqueSet lt() { return TechniqueSet({.light = 1}); }

@@ -88,7 +88,7 @@ Render render(const Scene& scene, const RenderOptions& options) {
   for (std::uint64_t first = 0; first < result.samples;) {
     const std::uint64_t samples =
         std::min(result.samples, milestone_after(first, replicates)) - first;
-    integrator.begin_pass(first, samples);
+    integrator.begin_pass(first, samples, *result.film);
     parallel_for(integrator.items_in_pass(), [&](std::uint64_t item) {
       Counters own;
       integrator.run_item(item, first, samples, *result.film, own);

@@ -217,6 +217,7 @@ void Run::prepare_integrator() {
     warnings_.add(concern);
     print_warning(concern);
   }
+  for (const std::string& note : integrator_->notes()) print_note(note);
 }
 
 void Run::check_resumed() {
@@ -233,7 +234,11 @@ void Run::check_resumed() {
 
 void Run::make_film() {
   const std::vector<LayerSpec> layers = integrator_->layers();
-  if (order_.request && !order_.all_aovs) check_layers(setup_.settings, layers);
+  if (order_.request && !order_.all_aovs) {
+    std::vector<LayerSpec> made = layers;
+    for (const auto& [name, plane] : integrator_->maps()) made.push_back({.name = name});
+    check_layers(setup_.settings, made);
+  }
   MemoryEstimate memory = memory_of(layers);
   memory.method = integrator_->memory_bytes();
   check_memory(memory, order_.size_from_scene);
@@ -306,6 +311,7 @@ RenderJobOptions Run::job_options() {
 void Run::complete_statistics(const RenderResult& result) {
   statistics_.result = result;
   statistics_.chains = integrator_->chain_report();
+  statistics_.selective = integrator_->selective_report();
   statistics_.scene_hash = scene_->hash();
   statistics_.integrator = setup_.integrator->name;
   statistics_.parameters = parameters_->values();
@@ -364,7 +370,7 @@ int Run::finish(const RenderJob& job) {
   statistics_.peak_memory_bytes = peak_memory_bytes();
   all_written = write_statistics(statistics_, run().stats) && all_written;
   report_discarded(result.counters);
-  report_end(result, statistics_.chains.has_value());
+  report_end(result, statistics_.chains && !statistics_.selective);
   all_written = report_files(files) && all_written;
   if (!all_written) return kExitFile;
   return interrupted ? kExitInterrupted : 0;

@@ -54,7 +54,7 @@ void Preview::hand_over(const Film& film, const JobState& state) {
     if (!ready_) return;
     film_ = film;
     samples_ = state.mean_samples();
-    scales_ = film_scales(film, integrator_, samples_);
+    scales_ = development_of(film, integrator_, samples_);
     has_picture_ = true;
     ready_ = false;
   } catch (const std::bad_alloc&) {

@@ -66,7 +66,7 @@ class Preview final : public PassObserver {
   bool has_picture_ =
       false;  ///< guarded: `film_` and what follows are the thread's until it is not
   std::optional<Film> film_;
-  FilmScales scales_;
+  Development scales_;
   std::uint64_t samples_ = 0;
 
   TcpStream stream_;                  ///< the thread's, as all below

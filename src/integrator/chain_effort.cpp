@@ -1,0 +1,88 @@
+#include "integrator/chain_effort.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "image/optimal_thresholds.h"
+#include "integrator/path_family.h"
+#include "integrator/weighted_errors.h"
+
+namespace ajar {
+
+namespace {
+
+double sum_of(const std::vector<double>& values) {
+  return std::accumulate(values.begin(), values.end(), 0.0);
+}
+
+}  // namespace
+
+std::uint64_t ChainEffort::omc_samples(std::uint64_t samples) const {
+  if (plan_.selective) return plan_.pilot_kept + samples;
+  return static_cast<std::uint64_t>(std::ceil(static_cast<double>(samples) * plan_.omc_samples));
+}
+
+double ChainEffort::mutations(std::uint64_t samples) const {
+  const double rate = mutations_per_sample_ > 0.0 ? mutations_per_sample_ : plan_.mutations;
+  return before_ + rate * static_cast<double>(samples - since_);
+}
+
+std::uint64_t ChainEffort::steps(std::uint64_t sample, std::size_t chains) const {
+  const double scale = static_cast<double>(plan_.pixels()) /
+                       static_cast<double>(plan_.settings.replicates) / static_cast<double>(chains);
+  const auto upto = [&](std::uint64_t samples) {
+    return static_cast<std::uint64_t>(std::ceil(mutations(samples) * scale));
+  };
+  return std::max<std::uint64_t>(1, upto(sample + 1) - upto(sample));
+}
+
+void ChainEffort::count_omc(std::uint64_t rays, std::uint64_t samples) {
+  omc_rays_ += rays;
+  omc_samples_ += samples;
+}
+
+void ChainEffort::count_chains(std::uint64_t rays, std::uint64_t mutations) {
+  chain_rays_ += rays;
+  mutations_ += mutations;
+}
+
+void ChainEffort::adjust(std::uint64_t samples, const Film& film, const Integrator& integrator) {
+  const int replicates = film.replicates();
+  if (!plan_.selective || replicates < 2 || mutations_ == 0 || omc_samples_ == 0) return;
+  const auto errors = [&](std::initializer_list<std::string> names) {
+    return weighted_errors(develop_layers(film, integrator, samples, names), plan_.settings.crop,
+                           plan_.view.importance);
+  };
+  const WeightedErrors of_chains = errors({"indirect"});
+  const double error = sum_of(of_chains.variance);
+  const double light = sum_of(of_chains.light);
+  const double omc_error = sum_of(errors({"direct", kWeakLayer}).variance);
+  const double pixels = static_cast<double>(plan_.pixels());
+  if (!(light > 0.0 && error > 0.0 && omc_error > 0.0)) return;
+  correlation_ = error * mutations(samples) * pixels / (light * light);
+  chain_error_ = error / (error + omc_error);
+  const ThresholdCosts costs{
+      static_cast<double>(omc_rays_) / static_cast<double>(omc_samples_) * pixels,
+      static_cast<double>(chain_rays_) / static_cast<double>(mutations_), correlation_, 0.0};
+  const double best =
+      best_mutations(omc_error * static_cast<double>(omc_samples(samples)), light, costs) / pixels;
+  // Few replicates tell an error to within a factor.
+  constexpr double kMostChange = 3.0;
+  before_ = mutations(samples);
+  const double now = mutations_per_sample_ > 0.0 ? mutations_per_sample_ : plan_.mutations;
+  mutations_per_sample_ =
+      ChainPlan::clamp_mutations(std::clamp(best, now / kMostChange, now * kMostChange));
+  since_ = samples;
+}
+
+void ChainEffort::fill(SelectiveReport& report) const {
+  const double all = static_cast<double>(omc_rays_ + chain_rays_);
+  report.mutations_per_sample =
+      mutations_per_sample_ > 0.0 ? mutations_per_sample_ : plan_.mutations;
+  report.correlation = correlation_;
+  report.chain_rays = all > 0.0 ? static_cast<double>(chain_rays_) / all : 0.0;
+  report.chain_error = chain_error_;
+}
+
+}  // namespace ajar

@@ -1,0 +1,48 @@
+#pragma once
+#include <atomic>
+#include <cstdint>
+
+#include "image/film.h"
+#include "integrator/chain_plan.h"
+
+namespace ajar {
+
+/// How the effort of a render is shared between its halves: how many camera samples and how many
+/// mutations its "samples per pixel" are.
+class ChainEffort {
+ public:
+  /// The plan must outlive it; to be asked after the preparation.
+  explicit ChainEffort(const ChainPlan& plan) : plan_(plan) {}
+
+  /// Camera samples of ordinary Monte Carlo per pixel that belong to the first `samples`; those of
+  /// a pilot that stays come before.
+  std::uint64_t omc_samples(std::uint64_t samples) const;
+  /// Mutations per pixel that do.
+  double mutations(std::uint64_t samples) const;
+  /// Mutations of each of so many chains of a replicate in sample number `sample`; at least one.
+  std::uint64_t steps(std::uint64_t sample, std::size_t chains) const;
+
+  /// To be told what was spent; from any thread.
+  void count_omc(std::uint64_t rays, std::uint64_t samples);
+  void count_chains(std::uint64_t rays, std::uint64_t mutations);
+
+  /// Shares the effort anew for least error, by the errors that replicates show after `samples`
+  /// samples, if the plan leaves that open. What is on the film stays as it is: each sample stands
+  /// for the whole picture, however many mutations it has, so nothing is biased.
+  void adjust(std::uint64_t samples, const Film& film, const Integrator& integrator);
+  void fill(SelectiveReport& report) const;
+
+ private:
+  const ChainPlan& plan_;
+  double mutations_per_sample_ = 0.0;  ///< per pixel; 0 until it has been adjusted
+  std::uint64_t since_ = 0;            ///< samples
+  double before_ = 0.0;                ///< mutations per pixel until then
+  std::atomic<std::uint64_t> omc_rays_{0};
+  std::atomic<std::uint64_t> omc_samples_{0};
+  std::atomic<std::uint64_t> chain_rays_{0};
+  std::atomic<std::uint64_t> mutations_{0};
+  double correlation_ = 0.0;
+  double chain_error_ = 0.0;  ///< share of the squared error
+};
+
+}  // namespace ajar

@@ -1,0 +1,54 @@
+#pragma once
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "image/film.h"
+#include "image/regions.h"
+#include "integrator/chain_plan.h"
+
+namespace ajar {
+
+/// A path of the pilot with light that chains may make.
+struct FoundLight {
+  Vec2 raster;
+  int replicate;
+  float strength;  ///< g of `LightSplit`
+  Spectrum value;  ///< what the pilot has left to chains, as it would be splatted
+  double energy;   ///< luminance · importance of all that the path brings
+  double weight;   ///< paths like it that were found and not kept stand behind it; `value` has it
+  std::uint64_t key;
+  bool whole = false;  ///< chains cannot make any of it
+};
+
+/// What some replicates of the pilot say.
+struct PilotView {
+  const ChainPlan& plan;
+  const Regions& regions;
+  const Film& film;
+  const Integrator& omc;  ///< that rendered it
+  std::uint64_t samples;  ///< per pixel, of all replicates
+  double rays;            ///< per camera sample
+  std::span<const FoundLight> found;
+  std::vector<int> replicates;  ///< that are seen; the others are as if they were not there
+  double correlation;           ///< C of optimal_weights.h
+};
+
+/// How the regions of a picture are divided.
+struct RegionChoice {
+  std::vector<PixelShare> shares;  ///< of each region
+  std::vector<float> noise;        ///< of each region: ½(mean + largest) of that at or above T
+  double mutations = 0.0;          ///< per camera sample, for least predicted error
+  bool off = false;                ///< chains would only cost
+};
+
+/// Decides by `SelectiveSettings`: by the published rule (region_map.h), or so that the predicted
+/// error is smallest (optimal_weights.h for regions, optimal_thresholds.h where light is divided
+/// path by path); rules and presets have the last word.
+RegionChoice choose_regions(const PilotView& view);
+
+/// Noise of the indirect light that the replicates show (noise.h).
+Plane pilot_noise(const PilotView& view);
+
+}  // namespace ajar

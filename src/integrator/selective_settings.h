@@ -1,0 +1,46 @@
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/parameters.h"
+#include "image/region_map.h"
+#include "image/region_rules.h"
+#include "integrator/integrator.h"
+
+namespace ajar {
+
+/// What `selective` is told beyond the parameters of its chains (METHODS, section 4).
+struct SelectiveSettings {
+  enum class Map {
+    Optimal,  ///< of least predicted error
+    Binary    ///< as published
+  };
+  /// What becomes of the samples that the map is made from.
+  enum class Pilot {
+    Cross,    ///< they stay, and each half of the replicates has the map of the other half's
+    Discard,  ///< they do not stay
+    Keep      ///< they stay; biased, as published
+  };
+
+  Map map = Map::Optimal;
+  Pilot pilot = Pilot::Cross;
+  std::uint64_t pilot_samples = 0;  ///< per pixel; 0: as many as suit the map
+  RegionMapSettings binary;
+  bool exclusive = false;    ///< each pixel's light is of one method alone
+  bool diffuse_out = false;  ///< no chains where a pixel shows a diffuse material
+  bool antialias = false;    ///< along edges where the map has a step
+  std::string omc;           ///< techniques of ordinary Monte Carlo
+  bool omc_shares = true;    ///< they are the chains', so that light can be divided path by path
+  std::vector<RegionRule> rules;
+  std::vector<float> painted;  ///< σ of each pixel of the crop, given by the user; or empty
+
+  /// Parameters other than those of chains.
+  static std::vector<ParameterSpec> parameters();
+  /// `given` with what a preset sets and the user has not.
+  static std::map<std::string, std::string> apply_preset(std::map<std::string, std::string> given);
+  /// Raises UsageError, SceneError (rules) or IoError (files).
+  static SelectiveSettings read(const Parameters& parameters, const RenderSettings& settings);
+};
+
+}  // namespace ajar
