@@ -277,9 +277,6 @@ class PathIntegrator final : public Integrator {
     return own == 0 ? 0.0 : 1.0 / static_cast<double>(own);
   }
 
-  bool can_save_state() const override { return true; }
-  bool keeps_state() const override { return false; }
-
  private:
   /// Place of sample `i` of a pixel among all samples of its replicate. Sample i belongs to
   /// replicate i mod R and is number i / R of the pixel's own sequence there.

@@ -14,8 +14,8 @@ class Ranks {
   virtual int count() const = 0;
   bool is_root() const { return rank() == 0; }
 
-  /// The root's bytes, to all.
-  virtual void broadcast(std::span<std::byte> bytes) = 0;
+  /// The bytes of one of them, to all.
+  virtual void broadcast(int from, std::span<std::byte> bytes) = 0;
   /// Sums of what all ranks have in the same place, to the root; `whole` is untouched elsewhere.
   /// Whole numbers end at the largest and smallest there are, instead of going round.
   virtual void sum_to_root(std::span<const std::int64_t> own, std::span<std::int64_t> whole) = 0;

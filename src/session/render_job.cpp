@@ -11,8 +11,10 @@
 #include <cmath>
 #include <limits>
 #include <span>
+#include <string>
 #include <utility>
 
+#include "core/archive.h"
 #include "core/parallel_for.h"
 
 namespace ajar {
@@ -101,7 +103,7 @@ RenderJob::RenderJob(Integrator& integrator, Film& film, RenderJobOptions option
       cpu_seconds_before_ = 0.0;
     }
   }
-  if (options_.ranks != nullptr && is_root()) {
+  if (options_.ranks != nullptr && (is_root() || integrator.keeps_state())) {
     whole_film_.emplace(film.resolution(), film.crop(), film.filter(), film.replicates(),
                         std::vector<LayerSpec>(film.layers().begin(), film.layers().end()));
   }
@@ -158,20 +160,53 @@ RenderJob::Decision RenderJob::agree() {
   interrupt_level_ = static_cast<int>(options_.ranks->maximum(static_cast<std::uint64_t>(own)));
   Decision next;
   if (is_root()) next = decide();
-  options_.ranks->broadcast(std::as_writable_bytes(std::span(&next, 1)));
+  options_.ranks->broadcast(0, std::as_writable_bytes(std::span(&next, 1)));
   return next;
 }
 
-void RenderJob::run_pass(const Decision& decision) {
-  // A pass that was cut short has begun already, before the checkpoint.
-  if (!decision.resumes_pass)
-    integrator_.begin_pass(decision.first_sample, decision.samples, film_);
-  const std::uint64_t items = integrator_.items_in_pass();
+WorkShare RenderJob::own_share() const {
   WorkShare share = options_.share;
   if (options_.ranks != nullptr) {
     share.index += share.count * static_cast<std::uint64_t>(options_.ranks->rank());
     share.count *= static_cast<std::uint64_t>(options_.ranks->count());
   }
+  return share;
+}
+
+Film& RenderJob::film_before(const Decision& decision) {
+  const bool alone = options_.ranks == nullptr || !integrator_.keeps_state();
+  if (alone || !schedule_.is_natural_milestone(decision.first_sample)) return film_;
+  gather();
+  options_.ranks->broadcast(0, std::as_writable_bytes(whole_film_->raw()));
+  return *whole_film_;
+}
+
+void RenderJob::share_news() {
+  if (options_.ranks == nullptr || !integrator_.keeps_state() || !has_news_) return;
+  has_news_ = false;
+  const WorkShare own = own_share();
+  const std::string given =
+      archived([&](OutputArchive& archive) { integrator_.give_news(archive, own); });
+  for (int rank = 0; rank < options_.ranks->count(); ++rank) {
+    std::uint64_t size = given.size();
+    options_.ranks->broadcast(rank, std::as_writable_bytes(std::span(&size, 1)));
+    std::string news = rank == options_.ranks->rank() ? given : std::string(size, '\0');
+    options_.ranks->broadcast(rank, std::as_writable_bytes(std::span(news)));
+    unarchive(news, [&](InputArchive& archive) {
+      integrator_.take_news(archive, {static_cast<std::uint64_t>(rank), own.count});
+    });
+  }
+}
+
+void RenderJob::run_pass(const Decision& decision, Film& before) {
+  // A pass that was cut short has begun already, before the checkpoint.
+  if (!decision.resumes_pass) {
+    integrator_.begin_pass(decision.first_sample, decision.samples, before);
+    // What it has put on the film comes once, from the root.
+    if (decision.first_sample == 0 && !is_root()) film_.clear();
+  }
+  const std::uint64_t items = integrator_.items_in_pass();
+  const WorkShare share = own_share();
   const std::uint64_t own_items = share.size(items);
   if (!decision.resumes_pass) {
     state_.partial =
@@ -217,6 +252,7 @@ void RenderJob::run_pass(const Decision& decision) {
     }
   }
   state_.counters += counters;
+  has_news_ = true;
   if (items_done_ == own_items) state_.partial.reset();
 }
 
@@ -230,6 +266,8 @@ void RenderJob::end_pass(const Decision& decision, double seconds) {
   }
   samples_in_pass_ = 0;
   samples_before_pass_ = state_.samples_per_pixel;
+  // There the integrator may look at what all have done.
+  if (schedule_.is_natural_milestone(state_.samples_per_pixel)) share_news();
   if (schedule_.is_milestone(state_.samples_per_pixel)) {
     estimate(state_.samples_per_pixel, schedule_.is_natural_milestone(state_.samples_per_pixel));
   }
@@ -260,6 +298,7 @@ void RenderJob::estimate(std::uint64_t samples, bool milestone) {
 
 void RenderJob::gather() {
   if (options_.ranks == nullptr) return;
+  share_news();
   options_.ranks->sum_to_root(std::as_const(film_).raw(),
                               whole_film_ ? whole_film_->raw() : std::span<std::int64_t>());
 }
@@ -310,7 +349,9 @@ RenderResult RenderJob::run() {
     if (next.shows_picture) show_picture();
     if (next.stops) return result_of(next.reason);
     const Stopwatch pass_clock;
-    arena.execute([&] { run_pass(next); });
+    // Ranks talk to each other on this thread only.
+    Film& before = film_before(next);
+    arena.execute([&] { run_pass(next, before); });
     if (state_.partial) return result_of(StopReason::Interrupted);
     end_pass(next, pass_clock.seconds());
   }

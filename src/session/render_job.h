@@ -93,7 +93,14 @@ class RenderJob {
   Decision decide();
   /// Decides what comes next, the same on all ranks.
   Decision agree();
-  void run_pass(const Decision& decision);
+  /// `before`: see `film_before`.
+  void run_pass(const Decision& decision, Film& before);
+  /// Items of this rank.
+  WorkShare own_share() const;
+  /// What was rendered so far, as the integrator is to see it before a pass.
+  Film& film_before(const Decision& decision);
+  /// After a pass: lets all ranks know what the items of each have left behind.
+  void share_news();
   /// After a pass that was not cut short.
   void end_pass(const Decision& decision, double seconds);
   void estimate(std::uint64_t samples, bool milestone);
@@ -117,9 +124,11 @@ class RenderJob {
   double cpu_seconds_before_ = 0.0;  ///< the same
   JobState state_;                   ///< of this rank
   JobState whole_state_;             ///< of all ranks, at the root; when last gathered
-  std::optional<Film> whole_film_;   ///< the same; empty without other ranks
-  bool speed_is_known_ = false;      ///< `state_.seconds_per_sample` is of this run
-  int interrupt_level_ = 0;          ///< the highest of all ranks
+  /// The same; empty without other ranks. If the integrator keeps state, all ranks have one.
+  std::optional<Film> whole_film_;
+  bool has_news_ = false;        ///< since all ranks knew the same
+  bool speed_is_known_ = false;  ///< `state_.seconds_per_sample` is of this run
+  int interrupt_level_ = 0;      ///< the highest of all ranks
 
   std::atomic<std::uint64_t> samples_before_pass_{0};
   std::atomic<std::uint64_t> samples_in_pass_{0};

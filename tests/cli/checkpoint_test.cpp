@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <random>
 #include <thread>
+#include <tuple>
 
 #include "cli/cli_fixture.h"
 #include "image/image_file.h"
@@ -129,8 +130,12 @@ TEST_F(CheckpointCli, MovedSceneNeedsForce) {
 }
 
 TEST_F(CheckpointCli, InterruptsWriteThePictureAndTheCheckpoint) {
-  for (const int count : {1, 2}) {
-    const pid_t child = start_endless({"--checkpoint", "c"}, "160x100");
+  // The second of them in the middle of a pass, of ordinary Monte Carlo and of chains.
+  for (const auto& [count, integrator, setting] :
+       {std::tuple(1, "pt", "heuristic=power"), std::tuple(2, "pt", "heuristic=power"),
+        std::tuple(2, "mmlt", "bootstrap=10000")}) {
+    const pid_t child = start_endless(
+        {"--checkpoint", "c", "--integrator", integrator, "--set", setting}, "160x100");
     for (int i = 0; i < count; ++i) kill(child, i == 0 ? SIGINT : SIGTERM);
     const Outcome outcome = finish(child);
     EXPECT_EQ(outcome.exit_code, 130) << outcome.err;
@@ -145,7 +150,7 @@ TEST_F(CheckpointCli, InterruptsWriteThePictureAndTheCheckpoint) {
     EXPECT_EQ(statistics().at("complete"), true);
     EXPECT_EQ(statistics().at("interruptions"), 1);
     ASSERT_EQ(run({"render", "builtin:cornell", "--resolution", "160x100", "--spp", more, "-o",
-                   "alone.pfm"})
+                   "alone.pfm", "--integrator", integrator, "--set", setting})
                   .exit_code,
               0);
     EXPECT_EQ(bytes("b.pfm"), bytes("alone.pfm"));

@@ -201,18 +201,12 @@ void Run::build(desc::SceneDesc description) {
 
 void Run::prepare_integrator() {
   integrator_ = setup_.integrator->make(*scene_, setup_.settings, *parameters_);
-  const std::string& name = setup_.integrator->name;
-  if (!run().checkpoint.empty() && !integrator_->can_save_state()) {
-    throw UsageError("--checkpoint: renders with " + name + " cannot be kept in a checkpoint yet");
-  }
-  const bool divided =
-      order_.share.count > 1 || (run().ranks != nullptr && run().ranks->count() > 1);
-  if (divided && integrator_->keeps_state()) {
-    throw UsageError("renders with " + name +
-                     " cannot be divided into shares yet: its chains learn "
-                     "from each other");
-  }
   statistics_.preparation = prepare(*integrator_);
+  if (order_.share.count > 1 && integrator_->keeps_state()) {
+    throw UsageError("renders with " + setup_.integrator->name +
+                     " cannot be divided into shares: its chains learn from each other; render "
+                     "several seeds, and merge them");
+  }
   for (const std::string& concern : integrator_->concerns()) {
     warnings_.add(concern);
     print_warning(concern);

@@ -40,10 +40,10 @@ MpiRanks::MpiRanks() {
 
 MpiRanks::~MpiRanks() { MPI_Op_free(&saturating_sum_); }
 
-void MpiRanks::broadcast(std::span<std::byte> bytes) {
+void MpiRanks::broadcast(int from, std::span<std::byte> bytes) {
   while (!bytes.empty()) {
     const std::size_t count = std::min(kMostElements, bytes.size());
-    MPI_Bcast(bytes.data(), static_cast<int>(count), MPI_BYTE, 0, MPI_COMM_WORLD);
+    MPI_Bcast(bytes.data(), static_cast<int>(count), MPI_BYTE, from, MPI_COMM_WORLD);
     bytes = bytes.subspan(count);
   }
 }

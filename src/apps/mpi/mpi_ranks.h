@@ -16,7 +16,7 @@ class MpiRanks final : public Ranks {
 
   int rank() const override { return rank_; }
   int count() const override { return count_; }
-  void broadcast(std::span<std::byte> bytes) override;
+  void broadcast(int from, std::span<std::byte> bytes) override;
   void sum_to_root(std::span<const std::int64_t> own, std::span<std::int64_t> whole) override;
   void sum_to_root(std::span<const double> own, std::span<double> whole) override;
   std::uint64_t maximum(std::uint64_t own) override;

@@ -23,10 +23,10 @@ class ThreadRanks {
     Member(ThreadRanks& all, int rank) : all_(&all), rank_(rank) {}
     int rank() const override { return rank_; }
     int count() const override { return all_->count_; }
-    void broadcast(std::span<std::byte> bytes) override {
-      if (rank_ == 0) all_->shared_ = bytes.data();
+    void broadcast(int from, std::span<std::byte> bytes) override {
+      if (rank_ == from) all_->shared_ = bytes.data();
       all_->barrier_.arrive_and_wait();
-      if (rank_ != 0) std::memcpy(bytes.data(), all_->shared_, bytes.size());
+      if (rank_ != from && !bytes.empty()) std::memcpy(bytes.data(), all_->shared_, bytes.size());
       all_->barrier_.arrive_and_wait();
     }
     void sum_to_root(std::span<const std::int64_t> own, std::span<std::int64_t> whole) override {
