@@ -443,7 +443,14 @@ void ChainIntegrator::load_state(InputArchive& archive) {
     throw std::runtime_error("other chains are prepared than there were");
   }
   for (ChainPopulation& population : populations_) {
-    serialize_population(archive, population, plan_.groups[population.group].shape);
+    const PathGroup& group = plan_.groups[population.group];
+    serialize_population(archive, population, group.shape);
+    for (const MemberChain& member : population.chains) {
+      const std::size_t counted = member.record.by_technique.size();
+      if ((counted > 0 && counted != group.choice.size()) || member.multiplicity == 0) {
+        throw std::runtime_error("a chain does not fit its population");
+      }
+    }
   }
   effort_.load_state(archive);
   if (recruits_) recruits_->load_state(archive);
