@@ -333,8 +333,9 @@ TEST_F(CheckpointCli, MergedSeedsMakeABetterPicture) {
 /// A few kills of the whole program, or as many as the environment's AJAR_KILLS says; a hundred of
 /// a render without it are in soak_test.cpp.
 TEST_F(CheckpointCli, KilledAgainAndAgainItEndsWithTheSameBits) {
+  // Tests run one after the other. NOLINTNEXTLINE(concurrency-mt-unsafe)
   const char* const asked = std::getenv("AJAR_KILLS");
-  const int kills = asked == nullptr ? 8 : std::atoi(asked);
+  const int kills = asked == nullptr ? 8 : std::stoi(asked);
   const std::vector<std::string> arguments = {"render",
                                               "builtin:cornell",
                                               "--resolution",

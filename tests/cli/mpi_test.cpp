@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstdlib>
+#include <string>
 #include <thread>
 
 #include "cli/cli_fixture.h"
@@ -18,17 +18,17 @@ class MpiCli : public Cli {
  protected:
   std::string bytes(const std::string& name) const { return read_text(folder_ / name); }
 #ifdef AJAR_MPIRUN
-  void SetUp() override {
-    Cli::SetUp();
-    // Tests may be run by root in a container with fewer processors than ranks.
-    setenv("OMPI_ALLOW_RUN_AS_ROOT", "1", 1);
-    setenv("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1", 1);
-    setenv("OMPI_MCA_rmaps_base_oversubscribe", "1", 1);
-  }
   pid_t start_ranks(int count, const std::vector<std::string>& arguments) const {
-    std::vector<std::string> all{"-n", std::to_string(count), AJAR_PROGRAM};
+    // Tests may be run by root in a container with fewer processors than ranks.
+    std::vector<std::string> all{"OMPI_ALLOW_RUN_AS_ROOT=1",
+                                 "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1",
+                                 "OMPI_MCA_rmaps_base_oversubscribe=1",
+                                 AJAR_MPIRUN,
+                                 "-n",
+                                 std::to_string(count),
+                                 AJAR_PROGRAM};
     all.insert(all.end(), arguments.begin(), arguments.end());
-    return start(all, AJAR_MPIRUN);
+    return start(all, "/usr/bin/env");
   }
   Outcome run_ranks(int count, const std::vector<std::string>& arguments) const {
     return finish(start_ranks(count, arguments));
@@ -45,9 +45,9 @@ TEST_F(MpiCli, TheProgramItselfHasNothingOfMpi) {
 
 TEST_F(MpiCli, WithoutItsOtherHalfTheProgramRefusesToBeARank) {
   fs::copy_file(AJAR_PROGRAM, folder_ / "ajar");
-  setenv("OMPI_COMM_WORLD_SIZE", "2", 1);
-  const Outcome outcome = finish(start({"render", "builtin:cornell"}, (folder_ / "ajar").string()));
-  unsetenv("OMPI_COMM_WORLD_SIZE");
+  const std::string copy = (folder_ / "ajar").string();
+  const Outcome outcome =
+      finish(start({"OMPI_COMM_WORLD_SIZE=2", copy, "render", "builtin:cornell"}, "/usr/bin/env"));
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_TRUE(contains(outcome.err, "built without MPI")) << outcome.err;
 }
@@ -109,7 +109,7 @@ TEST_F(MpiCli, ARankThatDiesEndsTheJobAndLeavesTheCheckpoint) {
   // One of mpirun's children.
   const std::string children =
       read_text("/proc/" + std::to_string(job) + "/task/" + std::to_string(job) + "/children");
-  const pid_t rank = std::atoi(children.c_str());
+  const pid_t rank = std::stoi(children);
   ASSERT_GT(rank, 0);
   kill(rank, SIGKILL);
   EXPECT_NE(finish(job).exit_code, 0);
@@ -124,7 +124,7 @@ TEST_F(MpiCli, OneRankThatIsInterruptedEndsAllWithThePicture) {
   EXPECT_TRUE(wait_for(folder_ / ".stderr", "\"progress\""));
   const std::string children =
       read_text("/proc/" + std::to_string(job) + "/task/" + std::to_string(job) + "/children");
-  kill(std::atoi(children.c_str()), SIGTERM);
+  kill(std::stoi(children), SIGTERM);
   EXPECT_EQ(finish(job).exit_code, 130);
   EXPECT_TRUE(fs::exists(folder_ / "a.pfm"));
   EXPECT_EQ(statistics().at("interrupted"), true);

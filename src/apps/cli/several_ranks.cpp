@@ -15,8 +15,9 @@ namespace {
 /// How many processes the starter says there are: Open MPI, or a process manager of MPICH's family.
 int started_processes() {
   for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"}) {
+    // Nothing else runs yet. NOLINTNEXTLINE(concurrency-mt-unsafe)
     const char* const text = std::getenv(name);
-    if (text != nullptr) return std::atoi(text);
+    if (text != nullptr) return static_cast<int>(std::strtol(text, nullptr, 10));
   }
   return 1;
 }

@@ -24,18 +24,18 @@ int run(int argc, char** argv) {
   const bool together = renders(argc, argv);
   if (!together && !ranks.is_root()) return 0;
   if (!ranks.is_root()) ajar::cli::print_errors_only();
-  // After an error the others would wait for this process forever.
+  // After an error the others would wait for this process forever. What is wrong for all is told by
+  // the root, which ends the others meanwhile; what is wrong for one of them is told a little
+  // later.
   const auto end_all = [&](int code) {
-    if (!together) return;
-    // What is wrong for all is told by the root, which ends the others meanwhile.
-    MPI_Abort(MPI_COMM_WORLD, code);
+    if (together) MPI_Abort(MPI_COMM_WORLD, code);
   };
   return ajar::cli::guard(
       [&] {
         try {
           return ajar::cli::run(argc, argv, together ? &ranks : nullptr);
         } catch (...) {
-          if (!ranks.is_root()) std::this_thread::sleep_for(std::chrono::seconds(1));
+          if (!ranks.is_root()) std::this_thread::sleep_for(std::chrono::seconds(10));
           throw;
         }
       },

@@ -1,5 +1,7 @@
 #include "session/preview/preview.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <exception>
@@ -100,7 +102,7 @@ void Preview::serve() {
       }
       stream_.close();
     } else {
-      tell("no viewer at " + where + ": " + reason + "; it will be tried again");
+      tell(fmt::format("no viewer at {}: {}; it will be tried again", where, reason));
     }
     std::unique_lock lock(mutex_);
     ready_ = false;

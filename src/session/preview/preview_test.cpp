@@ -99,8 +99,7 @@ TEST_F(PreviewTest, TheViewerHasEveryLayerOfThePicture) {
           const int at = (y - kCrop.min.y) * (kCrop.size().x + 1) + x - kCrop.min.x;
           const float value =
               inside ? layer.pixels[static_cast<std::size_t>(at * layer.channels + channel)] : 0.F;
-          ASSERT_EQ(pixels[static_cast<std::size_t>(y * kSize.x + x)], value)
-              << names[number] << " at " << x << ", " << y;
+          ASSERT_EQ(pixels[shown.at(x, y)], value) << names[number] << " at " << x << ", " << y;
         }
       }
     }

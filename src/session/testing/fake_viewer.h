@@ -32,6 +32,13 @@ class FakeViewer {
     int creations = 0;
     int updates = 0;
     std::map<std::string, std::vector<float>> channels;
+    std::size_t pixels() const {
+      return static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+    }
+    std::size_t at(int x, int y) const {
+      return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+             static_cast<std::size_t>(x);
+    }
   };
 
   explicit FakeViewer(Manners manners, int port = 0) : manners_(manners) {
@@ -166,7 +173,7 @@ class FakeViewer {
       picture.channels.clear();
       ++picture.creations;
       for (const std::string& channel : reader.texts()) {
-        picture.channels[channel].resize(static_cast<std::size_t>(picture.width * picture.height));
+        picture.channels[channel].resize(picture.pixels());
       }
     } else if (type == 6) {
       update(picture, reader);
@@ -195,7 +202,7 @@ class FakeViewer {
         const int x = x0 + i % width;
         const int y = y0 + i / width;
         const auto from = static_cast<std::size_t>(offsets[c] + i * strides[c]);
-        pixels.at(static_cast<std::size_t>(y * picture.width + x)) = values.at(from);
+        pixels.at(picture.at(x, y)) = values.at(from);
       }
     }
   }
