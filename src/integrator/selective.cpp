@@ -27,10 +27,6 @@ std::vector<ParameterSpec> selective_parameters() {
       specs.push_back(std::move(spec));
     }
   }
-  for (ParameterSpec& spec : specs) {
-    // Regions choose among this and higher ones.
-    if (spec.name == "split") spec.default_value = "3";
-  }
   return specs;
 }
 
