@@ -20,8 +20,10 @@ namespace {
 
 constexpr double kRaysPerMutation = 4.5;
 
-/// Thresholds to choose from, relative to the lowest.
-constexpr std::array kThresholds = {1.0, 3.0, 10.0, 30.0, 100.0};
+/// Thresholds to choose from, relative to the lowest; and one for chains on standby. None in
+/// between: what is left to ordinary Monte Carlo would show as fireflies.
+constexpr std::array kThresholds = {1.0, 3.0, 10.0, 100.0};
+constexpr std::size_t kOffered = 3;
 
 bool is_seen(const PilotView& view, int replicate) {
   return std::find(view.replicates.begin(), view.replicates.end(), replicate) !=
@@ -156,12 +158,9 @@ RegionChoice choose_thresholds(const PilotView& view) {
   for (std::size_t r = 0; r < regions.size(); ++r) {
     const auto [place, is_new] = order.emplace(groups[r], offered.size());
     if (is_new) {
-      offered.push_back(
-          {std::vector<double>(kThresholds.size()), std::vector<double>(kThresholds.size())});
+      offered.push_back({std::vector<double>(kOffered), std::vector<double>(kOffered)});
     }
-    // Without any chains a firefly can be as bright as it likes: the highest threshold costs
-    // little, so that "none" is not offered.
-    for (std::size_t i = 0; i < kThresholds.size(); ++i) {
+    for (std::size_t i = 0; i < kOffered; ++i) {
       offered[place->second].variance[i] += regions[r].variance[i];
       offered[place->second].light[i] += regions[r].light[i];
     }
