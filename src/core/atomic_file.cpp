@@ -6,6 +6,8 @@
 
 #include <atomic>
 #include <cerrno>
+#include <charconv>
+#include <csignal>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -59,26 +61,71 @@ class File {
   int descriptor_;
 };
 
+std::string temporary_start(const fs::path& path) {
+  return std::string(".").append(path.stem().string()).append(".");
+}
+std::string temporary_end(const fs::path& path) {
+  return std::string(".partial").append(path.extension().string());
+}
+
 /// In the folder of the target, hidden, and not shared by two processes or threads that write the
 /// same file.
 fs::path temporary_path(const fs::path& path) {
   static std::atomic<unsigned> counter{0};
   const std::string mark = std::to_string(::getpid()) + "." + std::to_string(counter++);
-  return path.parent_path() /
-         ("." + path.stem().string() + "." + mark + ".partial" + path.extension().string());
+  return path.parent_path() / (temporary_start(path) + mark + temporary_end(path));
 }
 
-int write_and_sync(File& file, std::span<const std::byte> content) {
-  int reason = file.write(content);
+/// The process that writes, or wrote, the temporary file `name` for `path`; 0 if it is none of its.
+pid_t writer_of(const fs::path& path, const std::string& name) {
+  const std::string start = temporary_start(path);
+  if (!name.starts_with(start) || !name.ends_with(temporary_end(path))) return 0;
+  pid_t process = 0;
+  const char* digits = name.data() + start.size();
+  const auto [stopped, error] = std::from_chars(digits, name.data() + name.size(), process);
+  return error == std::errc() && *stopped == '.' && process > 0 ? process : 0;
+}
+
+fs::path behind_link(const fs::path& path) {
+  std::error_code error;
+  return fs::is_symlink(path, error) ? fs::weakly_canonical(path, error) : path;
+}
+
+int write_all(File& file, std::span<const std::span<const std::byte>> pieces) {
+  for (const std::span<const std::byte> piece : pieces) {
+    if (const int reason = file.write(piece); reason != 0) return reason;
+  }
+  return 0;
+}
+
+int write_and_sync(File& file, std::span<const std::span<const std::byte>> pieces) {
+  int reason = write_all(file, pieces);
   if (reason == 0) reason = file.sync();
   return reason == 0 ? file.close() : reason;
 }
 }  // namespace
 
 void write_file_atomically(const fs::path& path, std::span<const std::byte> content) {
-  // Through a symbolic link the file it points to is replaced, not the link.
+  write_file_atomically(path, std::span(&content, 1));
+}
+
+void remove_abandoned_parts(const fs::path& path) {
+  const fs::path target = behind_link(path);
+  const fs::path folder = target.parent_path();
   std::error_code error;
-  const fs::path target = fs::is_symlink(path, error) ? fs::weakly_canonical(path, error) : path;
+  for (const fs::directory_entry& entry :
+       fs::directory_iterator(folder.empty() ? fs::path(".") : folder, error)) {
+    const pid_t process = writer_of(target, entry.path().filename().string());
+    // Signal 0 is not sent: it only asks whether the process exists.
+    if (process == 0 || ::kill(process, 0) == 0 || errno != ESRCH) continue;
+    ::unlink(entry.path().c_str());
+  }
+}
+
+void write_file_atomically(const fs::path& path,
+                           std::span<const std::span<const std::byte>> pieces) {
+  // Through a symbolic link the file it points to is replaced, not the link.
+  const fs::path target = behind_link(path);
   if (target.filename().empty()) fail(path, EISDIR);
 
   struct stat old {};
@@ -87,7 +134,7 @@ void write_file_atomically(const fs::path& path, std::span<const std::byte> cont
   if (exists && !S_ISREG(old.st_mode)) {
     File device(target, O_WRONLY);
     if (!device.is_open()) fail(path, errno);
-    if (const int reason = device.write(content); reason != 0) fail(path, reason);
+    if (const int reason = write_all(device, pieces); reason != 0) fail(path, reason);
     return;
   }
   // Renaming would replace a file that its owner has protected.
@@ -97,7 +144,7 @@ void write_file_atomically(const fs::path& path, std::span<const std::byte> cont
   File file(temporary, O_WRONLY | O_CREAT | O_EXCL);
   if (!file.is_open()) fail(path, errno);
   int reason = exists ? file.take_mode_of(old) : 0;
-  if (reason == 0) reason = write_and_sync(file, content);
+  if (reason == 0) reason = write_and_sync(file, pieces);
   if (reason == 0 && ::rename(temporary.c_str(), target.c_str()) != 0) reason = errno;
   if (reason != 0) {
     ::unlink(temporary.c_str());

@@ -6,6 +6,7 @@
 #include <cassert>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 namespace ajar {
 
@@ -15,6 +16,25 @@ constexpr int kFractionBits = 24;
 constexpr double kContributionLimit = 0x1p54;
 /// Sums at or beyond this take no more: 2^8 threads can be past the check at once without overflow.
 constexpr std::int64_t kSumLimit = std::int64_t{1} << 62;
+
+/// `sum` · `ratio`, a power of two: exactly, if that is a whole number within the limit.
+std::int64_t scaled_sum(std::int64_t sum, double ratio) {
+  if (ratio == 1.0) return sum;
+  if (ratio < 1.0) {
+    const int shift = std::min(-std::ilogb(ratio), 62);
+    // Rounded to nearest, the same for both signs.
+    const std::int64_t half = std::int64_t{1} << (shift - 1);
+    return sum < 0 ? -((-sum + half) >> shift) : (sum + half) >> shift;
+  }
+  const int shift = std::min(std::ilogb(ratio), 62);
+  const std::int64_t most = kSumLimit >> shift;
+  return std::clamp(sum, -most, most) * (std::int64_t{1} << shift);
+}
+
+std::int64_t saturated_sum(std::int64_t a, std::int64_t b) {
+  return std::clamp(std::clamp(a, -kSumLimit, kSumLimit) + std::clamp(b, -kSumLimit, kSumLimit - 1),
+                    -kSumLimit, kSumLimit);
+}
 }  // namespace
 
 Film::Film(Vec2i resolution, const Box2i& crop, const Filter& filter, int replicates,
@@ -187,6 +207,34 @@ std::vector<float> Film::develop_replicate(int layer, int replicate, double scal
     throw std::invalid_argument("Film: layer " + layers_[i].name + " has no such replicate");
   }
   return develop_range(storage_[i], replicate, 1, scale);
+}
+
+void Film::add(const Film& other) {
+  const auto fits = [](const LayerSpec& a, const LayerSpec& b) {
+    return a.name == b.name && a.has_replicates == b.has_replicates &&
+           a.holds_identities == b.holds_identities;
+  };
+  if (resolution_ != other.resolution_ || crop_ != other.crop_ ||
+      sums_.size() != other.sums_.size() ||
+      !std::equal(layers_.begin(), layers_.end(), other.layers_.begin(), other.layers_.end(),
+                  fits)) {
+    throw std::invalid_argument("Film: another size, or other layers");
+  }
+  for (std::size_t layer = 0; layer < layers_.size(); ++layer) {
+    const std::size_t first = storage_[layer].first;
+    const std::size_t last = layer + 1 < layers_.size() ? storage_[layer + 1].first : sums_.size();
+    // A power of two.
+    const double ratio = other.storage_[layer].quantum * storage_[layer].per_quantum;
+    for (std::size_t i = first; i < last; ++i) {
+      if (layers_[layer].holds_identities && sums_[i] != 0) continue;
+      sums_[i] = saturated_sum(sums_[i], scaled_sum(other.sums_[i], ratio));
+    }
+  }
+}
+
+void Film::take_raw(std::vector<std::int64_t> sums) {
+  if (sums.size() != sums_.size()) throw std::invalid_argument("Film: another number of sums");
+  sums_ = std::move(sums);
 }
 
 void Film::clear() { std::fill(sums_.begin(), sums_.end(), 0); }

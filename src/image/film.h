@@ -72,11 +72,19 @@ class Film {
   /// One replicate; the layer must have replicates.
   std::vector<float> develop_replicate(int layer, int replicate, double scale) const;
 
+  /// Adds the sums of a film of the same size, replicates and layers, whose magnitudes may differ.
+  /// Exact if they do not, or if the other's are larger; else rounded to a quantum of this film.
+  /// What a sum cannot hold is cut off. Of identities, each is kept that this film does not have.
+  /// Raises std::invalid_argument if the films do not fit.
+  void add(const Film& other);
+
   void clear();
   /// The raw sums, for checkpoints, MPI reduction and tests: layer-major, then replicate, pixel,
   /// channel.
   std::span<std::int64_t> raw() { return sums_; }
   std::span<const std::int64_t> raw() const { return sums_; }
+  /// Puts these in the place of all sums; there must be as many.
+  void take_raw(std::vector<std::int64_t> sums);
   std::size_t bytes() const { return sums_.size() * sizeof(std::int64_t); }
 
  private:

@@ -256,6 +256,25 @@ TEST(Film, QuantumFollowsTheMagnitude) {
   EXPECT_EQ(film.raw()[6], 3 << 23) << "the quantum is 2^(1 − 24)";
 }
 
+TEST(Film, AddsAnotherFilmWhoseMagnitudeDiffers) {
+  const Vec2i size(3, 2);
+  const Box2i crop(Vec2i(0, 0), Vec2i(2, 1));
+  const auto film_of = [&](double magnitude, float value) {
+    Film film(size, crop, Filter::box(), 2, {LayerSpec{.name = "a", .magnitude = magnitude}});
+    film.add(0, 1, Vec2i(2, 1), Spectrum(value));
+    return film;
+  };
+  Film fine = film_of(0.25, 0.5F);
+  fine.add(film_of(64.0, -3.0F));
+  EXPECT_EQ(fine.develop_replicate(0, 1, 1.0).back(), -2.5F) << "a coarser one: exactly";
+  Film coarse = film_of(64.0, 0.5F);
+  coarse.add(film_of(0.25, 0.3F));
+  EXPECT_NEAR(coarse.develop_replicate(0, 1, 1.0).back(), 0.8F, 64.0 * 0x1p-24);
+  EXPECT_EQ(coarse.develop_replicate(0, 0, 1.0).back(), 0.F);
+  Film other(size, crop, Filter::box(), 2, {LayerSpec{.name = "b"}});
+  EXPECT_THROW(fine.add(other), std::invalid_argument);
+}
+
 TEST(Film, RefusesImpossibleShapes) {
   const auto film = [](const Box2i& crop, int replicates, double magnitude) {
     return Film({4, 4}, crop, Filter::box(), replicates, {{"direct", true, magnitude}});

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/archive.h"
 #include "image/optimal_thresholds.h"
 #include "integrator/path_family.h"
 #include "integrator/weighted_errors.h"
@@ -88,6 +89,36 @@ void ChainEffort::fill(SelectiveReport& report) const {
   report.correlation = correlation_;
   report.chain_rays = all > 0.0 ? static_cast<double>(chain_rays_) / all : 0.0;
   report.chain_error = chain_error_;
+}
+
+void ChainEffort::set_counts(const std::array<std::uint64_t, 4>& counts) {
+  omc_rays_ = counts[0];
+  omc_samples_ = counts[1];
+  chain_rays_ = counts[2];
+  mutations_ = counts[3];
+}
+
+void ChainEffort::save_state(OutputArchive& archive) const {
+  archive(mutations_per_sample_, since_, before_, correlation_, chain_error_, counts());
+}
+
+void ChainEffort::load_state(InputArchive& archive) {
+  archive(mutations_per_sample_, since_, before_, correlation_, chain_error_, known_);
+  set_counts(known_);
+}
+
+void ChainEffort::give_news(OutputArchive& archive) {
+  std::array<std::uint64_t, 4> news = counts();
+  for (std::size_t i = 0; i < news.size(); ++i) news[i] -= known_[i];
+  set_counts(known_);
+  archive(news);
+}
+
+void ChainEffort::take_news(InputArchive& archive) {
+  std::array<std::uint64_t, 4> news{};
+  archive(news);
+  for (std::size_t i = 0; i < news.size(); ++i) known_[i] += news[i];
+  set_counts(known_);
 }
 
 }  // namespace ajar

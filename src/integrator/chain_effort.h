@@ -1,7 +1,9 @@
 #pragma once
+#include <array>
 #include <atomic>
 #include <cstdint>
 
+#include "core/archive_forward.h"
 #include "image/film.h"
 #include "integrator/chain_plan.h"
 
@@ -32,7 +34,20 @@ class ChainEffort {
   void adjust(std::uint64_t samples, const Film& film, const Integrator& integrator);
   void fill(SelectiveReport& report) const;
 
+  /// Between passes.
+  void save_state(OutputArchive& archive) const;
+  void load_state(InputArchive& archive);
+  /// Gives away what this process was told since it did so last; and takes what one of the
+  /// processes has given, which may have been this one.
+  void give_news(OutputArchive& archive);
+  void take_news(InputArchive& archive);
+
  private:
+  std::array<std::uint64_t, 4> counts() const {
+    return {omc_rays_, omc_samples_, chain_rays_, mutations_};
+  }
+  void set_counts(const std::array<std::uint64_t, 4>& counts);
+
   const ChainPlan& plan_;
   double mutations_per_sample_ = 0.0;  ///< per pixel; 0 until it has been adjusted
   std::uint64_t since_ = 0;            ///< samples
@@ -41,6 +56,7 @@ class ChainEffort {
   std::atomic<std::uint64_t> omc_samples_{0};
   std::atomic<std::uint64_t> chain_rays_{0};
   std::atomic<std::uint64_t> mutations_{0};
+  std::array<std::uint64_t, 4> known_{};  ///< of these four, what all processes have
   double correlation_ = 0.0;
   double chain_error_ = 0.0;  ///< share of the squared error
 };

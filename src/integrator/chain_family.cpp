@@ -6,6 +6,7 @@
 
 #include "core/milestones.h"
 #include "core/random.h"
+#include "integrator/chain_archive.h"
 #include "integrator/chain_bootstrap.h"
 #include "integrator/chain_effort.h"
 #include "integrator/chain_film_sink.h"
@@ -48,6 +49,13 @@ class ChainIntegrator final : public Integrator {
     return report_chains(plan_, populations_, later_weight_);
   }
   std::optional<SelectiveReport> selective_report() const override;
+
+  bool keeps_state() const override { return !populations_.empty(); }
+  void save_state(OutputArchive& archive) const override;
+  void load_state(InputArchive& archive) override;
+  void give_news(OutputArchive& archive, const WorkShare& share) override;
+  void take_news(InputArchive& archive, const WorkShare& share) override;
+  std::uint64_t memory_bytes() const override;
   std::vector<std::pair<std::string, Plane>> maps() const override {
     return regions_ != nullptr ? regions_->maps() : Integrator::maps();
   }
@@ -64,6 +72,9 @@ class ChainIntegrator final : public Integrator {
 
   void end_preparation();
   void list_chains();
+  /// Writes or reads what the items of a share have left behind in their own chains.
+  template <Archive A>
+  void serialize_items(A& archive, const WorkShare& share);
   void make_omc();
   /// Lets what ordinary Monte Carlo has found since `joined_at_` join the chains.
   void join_recruits();
@@ -328,10 +339,10 @@ void ChainIntegrator::run_item(std::uint64_t item, std::uint64_t first_sample,
   ChainPopulation& population = populations_[chain.population];
   if (population.chains.empty()) {
     for (std::uint64_t i = 0; i < samples; ++i) run_plain(population, film, counters);
+    effort_.count_chains(counters.rays, counters.mutations);
   } else {
     run_chain(chain, first_sample, samples, film, counters);
   }
-  effort_.count_chains(counters.rays, counters.mutations);
 }
 
 /// Steps are made in blocks of one mutation per pixel, each deposited by itself, so that the film's
@@ -350,6 +361,8 @@ void ChainIntegrator::run_chain(const ChainItem& item, std::uint64_t first_sampl
   const double b = b_[item.population];
   const auto in_population = static_cast<double>(population.chain_count());
   runner.start(member.chain);
+  // How often chains are started is up to the clock, which must not share the effort.
+  const std::uint64_t rays_to_start = target->rays();
   ChainStatistics statistics;
   for (std::uint64_t block = first_sample; block < first_sample + samples; ++block) {
     const std::uint64_t steps = effort_.steps(block, chains);
@@ -360,6 +373,7 @@ void ChainIntegrator::run_chain(const ChainItem& item, std::uint64_t first_sampl
     statistics += runner.go_on(member.chain, steps * member.multiplicity, sink,
                                plan_.mis_large_steps ? std::optional(b) : std::nullopt);
   }
+  effort_.count_chains(target->rays() - rays_to_start, statistics.steps);
   member.record.statistics += statistics;
   counters.mutations += statistics.steps;
   counters.rays += target->rays();
@@ -427,6 +441,79 @@ void ChainIntegrator::run_plain(ChainPopulation& population, Film& film, Counter
     }
   }
   counters.rays += target->rays();
+}
+
+void ChainIntegrator::save_state(OutputArchive& archive) const {
+  archive(static_cast<std::uint64_t>(populations_.size()), b_, later_weight_, doubled_at_,
+          joined_at_, next_join_);
+  for (const ChainPopulation& population : populations_) {
+    serialize_population(archive, population, plan_.groups[population.group].shape);
+  }
+  effort_.save_state(archive);
+  if (recruits_) recruits_->save_state(archive);
+  if (maps_) maps_->save_state(archive);
+}
+
+void ChainIntegrator::load_state(InputArchive& archive) {
+  std::uint64_t populations = 0;
+  archive(populations, b_, later_weight_, doubled_at_, joined_at_, next_join_);
+  if (populations != populations_.size() || (!b_.empty() && b_.size() != populations)) {
+    throw std::runtime_error("other chains are prepared than there were");
+  }
+  for (ChainPopulation& population : populations_) {
+    const PathGroup& group = plan_.groups[population.group];
+    serialize_population(archive, population, group.shape);
+    for (const MemberChain& member : population.chains) {
+      const std::size_t counted = member.record.by_technique.size();
+      if ((counted > 0 && counted != group.choice.size()) || member.multiplicity == 0) {
+        throw std::runtime_error("a chain does not fit its population");
+      }
+    }
+  }
+  effort_.load_state(archive);
+  if (recruits_) recruits_->load_state(archive);
+  if (maps_) maps_->load_state(archive);
+  list_chains();
+}
+
+template <Archive A>
+void ChainIntegrator::serialize_items(A& archive, const WorkShare& share) {
+  const std::uint64_t tiles = omc_ ? omc_->items_in_pass() : 0;
+  for (std::size_t i = 0; i < chain_items_.size(); ++i) {
+    if (!share.has(tiles + i)) continue;
+    ChainPopulation& population = populations_[chain_items_[i].population];
+    if (population.chains.empty()) {
+      serialize_plain(archive, population);
+    } else {
+      archive(population.chains[chain_items_[i].chain]);
+    }
+  }
+}
+
+void ChainIntegrator::give_news(OutputArchive& archive, const WorkShare& share) {
+  serialize_items(archive, share);
+  effort_.give_news(archive);
+  if (recruits_) recruits_->give_news(archive);
+  if (maps_) maps_->give_news(archive);
+}
+
+void ChainIntegrator::take_news(InputArchive& archive, const WorkShare& share) {
+  serialize_items(archive, share);
+  effort_.take_news(archive);
+  if (recruits_) recruits_->take_news(archive);
+  if (maps_) maps_->take_news(archive);
+}
+
+std::uint64_t ChainIntegrator::memory_bytes() const {
+  std::uint64_t bytes = maps_ ? maps_->memory_bytes() : 0;
+  for (const ChainPopulation& population : populations_) {
+    for (const MemberChain& member : population.chains) {
+      // Of recruits there are a few per chain, which are as large.
+      bytes += (recruits_ ? 1 + ChainRecruits::kPerChain : 1) * member.chain.memory_bytes();
+      bytes += sizeof(MemberChain) - sizeof(Chain);
+    }
+  }
+  return bytes;
 }
 
 double ChainIntegrator::develop_scale(const LayerSpec& layer, std::uint64_t samples,

@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
+#include <stdexcept>
 #include <tuple>
 
 #include "core/random.h"
+#include "integrator/chain_archive.h"
 #include "integrator/path_family.h"
 #include "mcmc/bootstrap.h"
 #include "mcmc/chain_source.h"
@@ -14,10 +17,6 @@
 namespace ajar {
 
 namespace {
-
-/// Recruits kept per chain, on average. They are drawn at random one by one, and then chosen from
-/// systematically: with few of them the total would be noisy, with many they take memory.
-constexpr double kRecruitsPerChain = 4.0;
 
 /// Paths that are alike in technique and place lie side by side, so that systematic resampling
 /// spreads chains evenly over them. The key makes the order unique.
@@ -87,10 +86,45 @@ void ChainRecruits::keep(Recruit recruit) const {
   recruits_.push_back(std::move(recruit));
 }
 
+void ChainRecruits::load_recruits(InputArchive& archive, std::vector<Recruit>& recruits) const {
+  std::uint64_t count = 0;
+  archive(count);
+  for (std::uint64_t i = 0; i < count; ++i) {
+    Recruit& recruit = recruits.emplace_back();
+    archive(recruit);
+    const int replicate = recruit.path.replicate;
+    if (!recruit.numbers.fit(recruit.path) || replicate < 0 ||
+        replicate >= plan_.settings.replicates) {
+      throw std::runtime_error("a path that was found does not fit the render");
+    }
+  }
+}
+
+void ChainRecruits::save_state(OutputArchive& archive) const {
+  archive(grain_, static_cast<std::uint64_t>(recruits_.size() + shared_.size()));
+  for (const Recruit& recruit : shared_) archive(recruit);
+  for (const Recruit& recruit : recruits_) archive(recruit);
+}
+
+void ChainRecruits::load_state(InputArchive& archive) {
+  recruits_.clear();
+  shared_.clear();
+  archive(grain_);
+  load_recruits(archive, shared_);
+}
+
+void ChainRecruits::give_news(OutputArchive& archive) {
+  archive(static_cast<std::uint64_t>(recruits_.size()));
+  for (const Recruit& recruit : recruits_) archive(recruit);
+  recruits_.clear();
+}
+
+void ChainRecruits::take_news(InputArchive& archive) { load_recruits(archive, shared_); }
+
 void ChainRecruits::set_grain(double per_sample, double camera_samples) {
   const double whole =
       per_sample * camera_samples * static_cast<double>(plan_.pixels()) / plan_.settings.replicates;
-  grain_ = whole / (kRecruitsPerChain * static_cast<double>(plan_.chains_per_replicate()));
+  grain_ = whole / static_cast<double>(kPerChain * plan_.chains_per_replicate());
 }
 
 void ChainRecruits::expect_unknown(double camera_samples) {
@@ -124,6 +158,8 @@ void ChainRecruits::divide_anew(const LightSplits& before) {
 
 std::vector<std::vector<const ChainRecruits::Recruit*>> ChainRecruits::sorted_recruits(
     const std::vector<ChainPopulation>& populations) {
+  std::move(shared_.begin(), shared_.end(), std::back_inserter(recruits_));
+  shared_.clear();
   std::sort(recruits_.begin(), recruits_.end(),
             [](const Recruit& a, const Recruit& b) { return order_of(a.path) < order_of(b.path); });
   std::map<std::pair<int, int>, std::size_t> by_replicate_and_depth;

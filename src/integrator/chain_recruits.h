@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/archive_forward.h"
 #include "integrator/chain_plan.h"
 #include "integrator/chain_population.h"
 #include "integrator/path_numbers.h"
@@ -23,6 +24,10 @@ namespace ajar {
 /// total: exact on average, not only in the limit.
 class ChainRecruits final : public StrongPathSinks {
  public:
+  /// Recruits kept per chain, on average. They are drawn at random one by one, and then chosen from
+  /// systematically: with few of them the total would be noisy, with many they take memory.
+  static constexpr std::uint64_t kPerChain = 4;
+
   explicit ChainRecruits(const ChainPlan& plan) : plan_(plan) {}
 
   /// Prepares for a stretch of the render: of the paths found in so many camera samples per pixel,
@@ -39,12 +44,24 @@ class ChainRecruits final : public StrongPathSinks {
 
   std::unique_ptr<StrongPathSink> make(Film& film, Counters& counters) const override;
 
+  /// Between passes: all that was found since chains were last joined, and what else is kept.
+  void save_state(OutputArchive& archive) const;
+  void load_state(InputArchive& archive);
+  /// Gives away what this process has found since it did so last; and takes what one of the
+  /// processes has given, which may have been this one.
+  void give_news(OutputArchive& archive);
+  void take_news(InputArchive& archive);
+
  private:
   class Sink;
   struct Recruit {
     StrongPath path;
     PathNumbers numbers;
     std::optional<double> scalar;  ///< I of the path as a chain's state; unknown once divided anew
+    template <typename Archive>
+    void serialize(Archive& archive) {
+      archive(path, numbers, scalar);
+    }
   };
 
   double evaluate(const Recruit& recruit, SplatBuffer& splats, std::uint64_t& rays) const;
@@ -60,11 +77,14 @@ class ChainRecruits final : public StrongPathSinks {
   void resample(ChainPopulation& population, const std::vector<const Recruit*>& recruits,
                 std::size_t chains) const;
   void keep(Recruit recruit) const;
+  /// Appends the recruits of an archive to `recruits`.
+  void load_recruits(InputArchive& archive, std::vector<Recruit>& recruits) const;
 
   const ChainPlan& plan_;
   double grain_ = 0.0;  ///< luminance · importance; paths that carry less are kept now and then
   mutable std::mutex mutex_;
   mutable std::vector<Recruit> recruits_;  ///< in the order in which threads found them
+  std::vector<Recruit> shared_;            ///< those that were news of some process
 };
 
 }  // namespace ajar

@@ -7,7 +7,9 @@
 #include <utility>
 #include <vector>
 
+#include "core/archive_forward.h"
 #include "core/parameters.h"
+#include "core/work_share.h"
 #include "image/film.h"
 #include "image/plane.h"
 #include "integrator/technique_tally.h"
@@ -104,7 +106,8 @@ class Integrator {
   /// Number of items in the pass that has begun; a sample is a mutation per pixel where chains run.
   virtual std::uint64_t items_in_pass() const = 0;
   /// Called between passes, on one thread. A pass does not cross a milestone (`milestone_after`).
-  /// `film`: what was rendered so far.
+  /// `film`: what was rendered so far, by all processes if it is at a milestone. What is added to
+  /// it before the first pass becomes part of the picture.
   virtual void begin_pass(std::uint64_t /*first_sample*/, std::uint64_t /*samples*/,
                           Film& /*film*/) {}
   virtual void end_pass() {}
@@ -116,6 +119,26 @@ class Integrator {
   /// all replicates, for one replicate or all; the same for each pixel.
   virtual double develop_scale(const LayerSpec& layer, std::uint64_t samples,
                                std::optional<int> replicate) const = 0;
+
+  /// Whether items leave anything behind for later passes. Only methods whose items do not can be
+  /// cut into shares that are rendered each by itself.
+  virtual bool keeps_state() const { return false; }
+  /// Between passes, after the preparation: writes what the items have left behind; and takes it
+  /// back, in an integrator that was made and prepared in the same way. Then rendering goes on with
+  /// the same bits. `load_state` may raise any std::exception if the bytes make no sense.
+  virtual void save_state(OutputArchive& /*archive*/) const {}
+  virtual void load_state(InputArchive& /*archive*/) {}
+  /// Between passes of a render whose items are shared by several processes: gives away what the
+  /// items of `share`, which is this process's, have left behind since it did so last; and takes
+  /// what the process of `share` gave. When all have taken the news of all, in the order of their
+  /// shares and their own among them, they know the same again, as if they had rendered all items.
+  virtual void give_news(OutputArchive& /*archive*/, const WorkShare& /*share*/) {}
+  virtual void take_news(InputArchive& /*archive*/, const WorkShare& /*share*/) {}
+
+  /// Memory that it keeps while it renders, beside the scene and the film, bytes; known after the
+  /// preparation. An estimate.
+  virtual std::uint64_t memory_bytes() const { return 0; }
+
   /// Pictures about the render that are known since the preparation, of one channel over the crop:
   /// those AOVs that are not sums of samples.
   virtual std::vector<std::pair<std::string, Plane>> maps() const { return {}; }

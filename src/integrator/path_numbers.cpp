@@ -19,6 +19,11 @@ PathNumbers::PathNumbers(SampleSource& source, const StrongPath& path) {
   record(Stream::Light, path.technique.s);
 }
 
+bool PathNumbers::fit(const StrongPath& path) const {
+  const int vertices = path.technique.s + path.technique.t;
+  return vertices > 0 && numbers_.size() == static_cast<std::size_t>(vertices) * kBlockSize;
+}
+
 Chain PathNumbers::start_chain(const ChainPlan& plan, const PathGroup& group,
                                const StrongPath& path) const {
   Chain chain(group.shape, hash_numbers(path.key, 0xc4a15ULL), path.key, 0.0);

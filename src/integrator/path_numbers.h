@@ -12,6 +12,14 @@ class PathNumbers {
  public:
   /// Of both subpaths, for as many vertices as the path's technique has.
   PathNumbers(SampleSource& source, const StrongPath& path);
+  /// None, to be read from an archive.
+  PathNumbers() = default;
+  template <typename Archive>
+  void serialize(Archive& archive) {
+    archive(numbers_);
+  }
+  /// Whether there are as many as the path needs.
+  bool fit(const StrongPath& path) const;
 
   /// A chain at the path, with I = 0: its target has yet to be asked. Numbers that the path does
   /// not use, and the place within the technique's share of the choice among techniques, are fresh.

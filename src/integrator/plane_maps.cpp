@@ -1,6 +1,11 @@
 #include "integrator/plane_maps.h"
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
+#include <utility>
+
+#include "core/archive.h"
 
 namespace ajar {
 
@@ -49,18 +54,59 @@ std::vector<PixelVisits> PlaneMaps::visits_without(int replicate) const {
 
 void PlaneMaps::end_epoch(double mutations) {
   if (!gathers_ || mutations < rule_.visits_needed()) return;
+  gathers_ = rule_.published;
+  learned_.assign(film_.raw().begin(), film_.raw().end());
+  make_moves();
+}
+
+void PlaneMaps::make_moves() {
   if (rule_.published) {
     const auto shared =
         std::make_shared<const PlaneMoves>(grid_, rule_, visits_without(-1), mutation_);
     moves_.assign(moves_.size(), shared);
     return;
   }
-  gathers_ = false;
   if (film_.replicates() < 2) return;
   for (int r = 0; r < film_.replicates(); ++r) {
     moves_[static_cast<std::size_t>(r)] =
         std::make_shared<const PlaneMoves>(grid_, rule_, visits_without(r), mutation_);
   }
+}
+
+void PlaneMaps::save_state(OutputArchive& archive) const {
+  archive(gathers_, learned_, std::vector<std::int64_t>(film_.raw().begin(), film_.raw().end()));
+}
+
+void PlaneMaps::load_state(InputArchive& archive) {
+  std::vector<std::int64_t> sums;
+  archive(gathers_, learned_, sums);
+  if (!learned_.empty()) {
+    film_.take_raw(learned_);
+    make_moves();
+  }
+  film_.take_raw(std::move(sums));
+  known_.assign(film_.raw().begin(), film_.raw().end());
+}
+
+void PlaneMaps::give_news(OutputArchive& archive) {
+  known_.resize(film_.raw().size());
+  std::vector<std::int64_t> news;
+  // Once nothing is gathered there are none.
+  if (gathers_) {
+    news.resize(known_.size());
+    std::transform(film_.raw().begin(), film_.raw().end(), known_.begin(), news.begin(),
+                   std::minus<>());
+    std::copy(known_.begin(), known_.end(), film_.raw().begin());
+  }
+  archive(news);
+}
+
+void PlaneMaps::take_news(InputArchive& archive) {
+  std::vector<std::int64_t> news;
+  archive(news);
+  if (news.empty()) return;
+  std::transform(news.begin(), news.end(), known_.begin(), known_.begin(), std::plus<>());
+  std::copy(known_.begin(), known_.end(), film_.raw().begin());
 }
 
 }  // namespace ajar

@@ -3,6 +3,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/archive_forward.h"
 #include "image/film.h"
 #include "integrator/path_target.h"
 #include "mcmc/plane_moves.h"
@@ -32,12 +33,22 @@ class PlaneMaps {
   void add(int replicate, const Vec2& raster, double visits, double light);
   /// After so many mutations per pixel over all replicates. On one thread.
   void end_epoch(double mutations);
+  /// All that it has learned, between passes.
+  void save_state(OutputArchive& archive) const;
+  void load_state(InputArchive& archive);
+  /// Gives away what this process has counted since it did so last; and takes what one of the
+  /// processes has given, which may have been this one.
+  void give_news(OutputArchive& archive);
+  void take_news(InputArchive& archive);
+  std::uint64_t memory_bytes() const { return film_.bytes(); }
   /// Null as long as steps are ordinary.
   const PlaneMoves* moves(int replicate) const {
     return moves_[static_cast<std::size_t>(replicate)].get();
   }
 
  private:
+  /// The moves that follow from the film as it is.
+  void make_moves();
   /// Of all replicates but one (-1: of all), scaled to the number of all.
   std::vector<PixelVisits> visits_without(int replicate) const;
 
@@ -48,6 +59,8 @@ class PlaneMaps {
   RasterGrid grid_;
   Film film_;  ///< visits and light in two channels
   bool gathers_ = true;
+  std::vector<std::int64_t> learned_;  ///< the film's sums that moves were made of; may be empty
+  std::vector<std::int64_t> known_;    ///< sums that all processes have; empty: none
   std::vector<std::shared_ptr<const PlaneMoves>> moves_;  ///< of each replicate
 };
 

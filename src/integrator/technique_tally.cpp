@@ -1,6 +1,7 @@
 #include "integrator/technique_tally.h"
 
 #include <algorithm>
+#include <stdexcept>
 
 namespace ajar {
 
@@ -26,6 +27,20 @@ TechniqueShares& TechniqueShares::operator+=(const TechniqueShares& other) {
     add(i, other.sums_[i].light, other.sums_[i].variance);
   }
   return *this;
+}
+
+std::vector<double> TechniqueShares::sums() const {
+  std::vector<double> sums;
+  for (const Sums& slot : sums_) {
+    sums.push_back(slot.light);
+    sums.push_back(slot.variance);
+  }
+  return sums;
+}
+
+void TechniqueShares::add_sums(std::span<const double> sums) {
+  if (sums.size() > 2 * kSlots) throw std::invalid_argument("technique shares: too many");
+  for (std::size_t i = 0; 2 * i + 1 < sums.size(); ++i) add(i, sums[2 * i], sums[2 * i + 1]);
 }
 
 std::vector<TechniqueShares::Share> TechniqueShares::list() const {

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "transport/technique_set.h"
@@ -22,6 +23,10 @@ class TechniqueShares {
   /// the number of samples.
   void add(std::size_t slot, double light, double variance);
   TechniqueShares& operator+=(const TechniqueShares& other);
+  /// Everything there is, for checkpoints and other machines: light and variance of each slot, or
+  /// nothing at all; and adding that.
+  std::vector<double> sums() const;
+  void add_sums(std::span<const double> sums);
   /// Sorted by s, then t; techniques that brought nothing are left out.
   std::vector<Share> list() const;
 

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <stdexcept>
 #include <vector>
 
 #include "mcmc/mutation.h"
@@ -82,6 +83,18 @@ class ChainNumbers {
   /// A large step to the fresh vector named by `key` was accepted.
   void advance_to_fresh(std::uint64_t key);
   std::uint64_t fresh_key() const { return fresh_key_; }
+
+  /// Writes or reads all of it, see core/archive.h. Raises std::runtime_error if what is read
+  /// belongs to another shape.
+  template <typename Archive>
+  void serialize(Archive& archive) {
+    for (Clock& clock : clocks_) archive(clock.now, clock.fresh);
+    const std::size_t vertices = stamps_.size();
+    archive(fresh_key_, numbers_, stamps_);
+    if (stamps_.size() != vertices || numbers_.size() != vertices * kBlockSize) {
+      throw std::runtime_error("a chain has numbers of another shape");
+    }
+  }
 
   /// Everything this object occupies, the heap included.
   std::size_t memory_bytes() const;

@@ -25,7 +25,11 @@ PassSchedule::PassSchedule(const Budget& budget, int replicates, double pass_sec
 }
 
 bool PassSchedule::is_milestone(std::uint64_t samples) const {
-  return samples == total_ || (samples > 0 && milestone_after(samples - 1, replicates_) == samples);
+  return samples == total_ || is_natural_milestone(samples);
+}
+
+bool PassSchedule::is_natural_milestone(std::uint64_t samples) const {
+  return samples > 0 && milestone_after(samples - 1, replicates_) == samples;
 }
 
 std::uint64_t PassSchedule::next_pass(const PassHistory& history) const {

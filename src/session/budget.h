@@ -10,6 +10,7 @@ struct Budget {
   std::optional<std::uint64_t> samples_per_pixel;  ///< rounded up to whole samples per replicate
   std::optional<double> seconds;                   ///< of rendering, wall clock
   std::optional<double> target_error;              ///< relative error of the whole picture
+  bool is_empty() const { return !samples_per_pixel && !seconds && !target_error; }
 };
 
 /// What is known when the next pass is planned.
@@ -39,6 +40,8 @@ class PassSchedule {
   std::uint64_t total() const { return total_; }
   /// True if samples per pixel `samples` is a milestone or the end.
   bool is_milestone(std::uint64_t samples) const;
+  /// True if it is one whatever the budget.
+  bool is_natural_milestone(std::uint64_t samples) const;
 
  private:
   Budget budget_;

@@ -3,18 +3,21 @@
 
 namespace ajar {
 
-/// How often the user asked to stop (Ctrl-C, SIGTERM, SIGHUP): 0 go on; 1 finish the pass; 2 skip
-/// what has not begun.
+/// How often the user asked to stop (Ctrl-C, SIGTERM): 0 go on; 1 finish the pass; 2 skip what has
+/// not begun.
 using InterruptCount = std::atomic<int>;
 
-/// Routes SIGINT, SIGTERM and SIGHUP (unless ignored, as under nohup) to a counter. Before
-/// `begin_render` there is nothing to save and a signal ends the program at once with exit code
-/// 130; afterwards the first signal counts 1, the second 2, and the third ends the program at once.
-/// SIGPIPE is ignored, so that a closed terminal does not end a render.
+/// Routes signals to counters. SIGINT and SIGTERM ask to stop. Before `begin_render` there is
+/// nothing to save and they end the program at once with exit code 130; afterwards the first counts
+/// 1, the second 2, and the third ends the program at once. SIGHUP (unless ignored, as under nohup)
+/// and SIGUSR1 ask for the picture as it is. SIGPIPE and SIGXFSZ are ignored, so that neither a
+/// closed terminal nor a limit on the size of files ends a render.
 void install_interrupt_handlers();
 /// From here on signals are counted.
 void begin_render();
 /// The counter; zero until a signal arrives during a render.
 const InterruptCount& interrupt_count();
+/// How often the picture was asked for.
+const InterruptCount& picture_requests();
 
 }  // namespace ajar

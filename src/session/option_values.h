@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/vector.h"
+#include "session/job_state.h"
 
 /// Values of command-line options. Each function raises UsageError that names the option and shows
 /// how to write it.
@@ -37,6 +38,9 @@ CropWindow parse_crop(const std::string& option, std::string_view text);
 /// pbrt-v3 would give it to it: from ceil(resolution · min) to ceil(resolution · max) − 1. Raises
 /// UsageError if none is inside.
 Box2i crop_pixels(const std::string& option, const CropWindow& crop, Vec2i resolution);
+
+/// `K/N`: the K-th of N shares, 1 ≤ K ≤ N ≤ 1000000.
+WorkShare parse_share(const std::string& option, std::string_view text);
 
 /// `KEY=VALUE` pairs; a key that is given twice keeps the last value.
 std::map<std::string, std::string> parse_assignments(const std::string& option,

@@ -47,14 +47,13 @@ std::vector<int> light_layers(const Film& film) {
   return layers;
 }
 
-std::vector<ScaledLayer> scaled_light_layers(const Film& film, const Integrator& integrator,
-                                             std::uint64_t samples, double film_scale) {
+std::vector<ScaledLayer> scaled_light_layers(const Film& film, const Development& scales,
+                                             double film_scale) {
   std::vector<ScaledLayer> layers;
   for (const int layer : light_layers(film)) {
-    const LayerSpec& spec = film.layers()[static_cast<std::size_t>(layer)];
     ScaledLayer scaled{layer, {}};
-    for (int r = 0; r < film.replicates(); ++r) {
-      scaled.scales.push_back(film_scale * integrator.develop_scale(spec, samples, r));
+    for (const double scale : scales.replicates[static_cast<std::size_t>(layer)]) {
+      scaled.scales.push_back(film_scale * scale);
     }
     layers.push_back(std::move(scaled));
   }
@@ -84,25 +83,6 @@ void add_to_part(Picture& picture, const std::string& whole, const std::vector<f
                    [&](const Picture::Layer& candidate) { return candidate.name == whole; });
   std::transform(layer->pixels.begin(), layer->pixels.end(), pixels.begin(), layer->pixels.begin(),
                  std::plus<>());
-}
-
-LayeredImage layered_image(const Picture& picture) {
-  LayeredImage image{picture.resolution, picture.crop, {}, {}};
-  if (picture.antialias_mask) image.antialias_mask = &*picture.antialias_mask;
-  for (const Picture::Layer& layer : picture.layers) {
-    image.layers.push_back({layer.name, layer.channels, layer.pixels});
-  }
-  for (const auto& [name, value] : picture.metadata) image.metadata[name] = value;
-  return image;
-}
-
-/// Where a file goes if it cannot go to `path`: never onto a file that exists.
-std::vector<std::string> rescue_paths(const std::string& path) {
-  const fs::path wanted(path);
-  const std::string name =
-      fmt::format("{}-rescued-{}{}", wanted.stem().string(), getpid(), wanted.extension().string());
-  std::error_code error;
-  return {name, (fs::temp_directory_path(error) / name).string()};
 }
 
 WrittenFile write_or_rescue(const LayeredImage& picture, const std::string& path,
@@ -144,7 +124,42 @@ std::optional<WrittenFile> write_density_map(const Picture& picture, const std::
 
 }  // namespace
 
+Development development_of(const Film& film, const Integrator& integrator, std::uint64_t samples) {
+  Development scales;
+  for (const LayerSpec& spec : film.layers()) {
+    scales.whole.push_back(integrator.develop_scale(spec, samples, std::nullopt));
+    std::vector<double>& each = scales.replicates.emplace_back();
+    for (int r = 0; spec.has_replicates && r < film.replicates(); ++r) {
+      each.push_back(integrator.develop_scale(spec, samples, r));
+    }
+  }
+  scales.maps = integrator.maps();
+  scales.antialias_mask = integrator.antialias_mask();
+  return scales;
+}
+
+Development development_of_sum(const Development& a, const Development& b) {
+  // A scale is one over a number of samples, and those add up.
+  const auto both = [](double x, double y) {
+    const double samples = (x > 0.0 ? 1.0 / x : 0.0) + (y > 0.0 ? 1.0 / y : 0.0);
+    return samples > 0.0 ? 1.0 / samples : 0.0;
+  };
+  Development sum = a;
+  for (std::size_t layer = 0; layer < sum.whole.size(); ++layer) {
+    sum.whole[layer] = both(a.whole[layer], b.whole.at(layer));
+    for (std::size_t r = 0; r < sum.replicates[layer].size(); ++r) {
+      sum.replicates[layer][r] = both(a.replicates[layer][r], b.replicates.at(layer).at(r));
+    }
+  }
+  return sum;
+}
+
 Picture develop(const Film& film, const Integrator& integrator, std::uint64_t samples,
+                double film_scale, const std::vector<std::string>& aovs) {
+  return develop(film, development_of(film, integrator, samples), samples, film_scale, aovs);
+}
+
+Picture develop(const Film& film, const Development& scales, std::uint64_t samples,
                 double film_scale, const std::vector<std::string>& aovs) {
   Picture picture;
   picture.resolution = film.resolution();
@@ -159,7 +174,7 @@ Picture develop(const Film& film, const Integrator& integrator, std::uint64_t sa
       continue;
     }
     const bool light = is_light(spec);
-    const double scale = integrator.develop_scale(spec, samples, std::nullopt);
+    const double scale = scales.whole[i];
     Picture::Layer layer{spec.name, 3,
                          film.develop(static_cast<int>(i), (light ? film_scale : 1.0) * scale)};
     if (!spec.part_of.empty()) {
@@ -168,10 +183,8 @@ Picture develop(const Film& film, const Integrator& integrator, std::uint64_t sa
       picture.layers.push_back(is_single_number(spec.name) ? one_channel(layer) : layer);
     }
   }
-  for (auto& [name, plane] : integrator.maps()) {
-    picture.layers.push_back({name, 1, std::move(plane.values)});
-  }
-  picture.antialias_mask = integrator.antialias_mask();
+  for (const auto& [name, plane] : scales.maps) picture.layers.push_back({name, 1, plane.values});
+  picture.antialias_mask = scales.antialias_mask;
   // Of the layers as they are shown, so that they add up to the picture to the bit.
   std::vector<float> sum;
   for (const Picture::Layer& layer : picture.layers) {
@@ -185,10 +198,10 @@ Picture develop(const Film& film, const Integrator& integrator, std::uint64_t sa
           {name, 1, std::vector<float>(sum.size() / 3, static_cast<float>(samples))});
     } else if (name == "standard-error" && film.replicates() > 1 &&
                samples >= static_cast<std::uint64_t>(film.replicates())) {
-      const auto layers = scaled_light_layers(film, integrator, samples, film_scale);
+      const auto layers = scaled_light_layers(film, scales, film_scale);
       picture.layers.push_back({name, 3, standard_error(develop_replicates(film, layers))});
     } else if (name == "replicates") {
-      const auto layers = scaled_light_layers(film, integrator, samples, film_scale);
+      const auto layers = scaled_light_layers(film, scales, film_scale);
       int number = 0;
       for (std::vector<float>& replicate : develop_replicates(film, layers)) {
         picture.layers.push_back({fmt::format("{}.{}", name, number++), 3, std::move(replicate)});
@@ -201,10 +214,15 @@ Picture develop(const Film& film, const Integrator& integrator, std::uint64_t sa
 
 std::optional<double> estimate_error(const Film& film, const Integrator& integrator,
                                      std::uint64_t samples) {
+  return estimate_error(film, development_of(film, integrator, samples), samples);
+}
+
+std::optional<double> estimate_error(const Film& film, const Development& scales,
+                                     std::uint64_t samples) {
   if (film.replicates() < 2 || samples < static_cast<std::uint64_t>(film.replicates())) {
     return std::nullopt;
   }
-  const auto layers = scaled_light_layers(film, integrator, samples, 1.0);
+  const auto layers = scaled_light_layers(film, scales, 1.0);
   const double error = estimated_relative_error(film, layers);
   return std::isfinite(error) ? std::optional(error) : std::nullopt;
 }
@@ -240,6 +258,24 @@ void check_writable(const std::string& path) {
 void check_picture_paths(const std::vector<std::string>& paths) {
   for (const std::string& path : paths) check_image_extension(path);
   for (const std::string& path : paths) check_writable(path);
+}
+
+LayeredImage layered_image(const Picture& picture) {
+  LayeredImage image{picture.resolution, picture.crop, {}, {}};
+  if (picture.antialias_mask) image.antialias_mask = &*picture.antialias_mask;
+  for (const Picture::Layer& layer : picture.layers) {
+    image.layers.push_back({layer.name, layer.channels, layer.pixels});
+  }
+  for (const auto& [name, value] : picture.metadata) image.metadata[name] = value;
+  return image;
+}
+
+std::vector<std::string> rescue_paths(const std::string& path) {
+  const fs::path wanted(path);
+  const std::string name =
+      fmt::format("{}-rescued-{}{}", wanted.stem().string(), getpid(), wanted.extension().string());
+  std::error_code error;
+  return {name, (fs::temp_directory_path(error) / name).string()};
 }
 
 std::vector<WrittenFile> write_pictures(const Picture& picture,

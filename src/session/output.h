@@ -2,6 +2,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/vector.h"
@@ -25,15 +26,32 @@ struct Picture {
   std::optional<Plane> antialias_mask;  ///< for pictures for the eye (antialias.h)
 };
 
+/// What an integrator says of its film: all that is needed to show it without the integrator.
+struct Development {
+  // What turns sums into pixel values (`Integrator::develop_scale`).
+  std::vector<double> whole;                    ///< per layer, for the sum over replicates
+  std::vector<std::vector<double>> replicates;  ///< per layer and replicate; none if it has none
+  std::vector<std::pair<std::string, Plane>> maps;  ///< `Integrator::maps`
+  std::optional<Plane> antialias_mask;
+};
+/// After `samples` samples per pixel.
+Development development_of(const Film& film, const Integrator& integrator, std::uint64_t samples);
+/// For the sum of two films. Maps are of the first: each render looks at its scene by itself.
+Development development_of_sum(const Development& a, const Development& b);
+
 /// Develops the film after `samples` samples per pixel: the picture (direct + indirect) times
 /// `film_scale`, then every layer of the film, then those of `aovs` that are made here: "samples",
 /// "standard-error" and "replicates" (as "replicates.0", "replicates.1", …).
 Picture develop(const Film& film, const Integrator& integrator, std::uint64_t samples,
                 double film_scale, const std::vector<std::string>& aovs);
+Picture develop(const Film& film, const Development& scales, std::uint64_t samples,
+                double film_scale, const std::vector<std::string>& aovs);
 
 /// Relative error of the whole picture after `samples` samples per pixel, from the spread of the
 /// film's replicates (METHODS, section 8); empty with a single replicate.
 std::optional<double> estimate_error(const Film& film, const Integrator& integrator,
+                                     std::uint64_t samples);
+std::optional<double> estimate_error(const Film& film, const Development& scales,
                                      std::uint64_t samples);
 
 /// The pictures to write when none is named: an EXR and a PNG in the current folder, called like
@@ -46,6 +64,13 @@ std::vector<std::string> default_outputs(const std::string& film_filename,
 void check_picture_paths(const std::vector<std::string>& paths);
 /// Raises IoError if no file can be made at `path`.
 void check_writable(const std::string& path);
+
+/// The picture as files have it.
+LayeredImage layered_image(const Picture& picture);
+
+/// Where a file goes if it cannot go to `path`: `NAME-rescued-N.EXT`, never onto a file that
+/// exists, in the current folder or in the one for temporary files.
+std::vector<std::string> rescue_paths(const std::string& path);
 
 /// What became of one file.
 struct WrittenFile {

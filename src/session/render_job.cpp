@@ -7,10 +7,14 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <span>
+#include <string>
 #include <utility>
 
+#include "core/archive.h"
 #include "core/parallel_for.h"
 
 namespace ajar {
@@ -23,10 +27,37 @@ constexpr std::uint64_t kSamplesPerReplicateBeforeTarget = 4;
 /// What one thread counted in one pass.
 struct ThreadTally {
   Counters counters;
-  std::uint64_t items = 0;
   std::uint64_t first_item = std::numeric_limits<std::uint64_t>::max();
   std::string first_discarded;
 };
+
+/// Puts at the root what all ranks counted. Of the discarded the root's own is the one described.
+void sum_counters(Ranks& ranks, JobState& state) {
+  Counters& counters = state.counters;
+  std::array<std::int64_t, 6> numbers{};
+  const std::array<std::uint64_t*, 6> places = {&counters.rays,
+                                                &counters.samples,
+                                                &counters.mutations,
+                                                &counters.discarded_nan,
+                                                &counters.discarded_infinite,
+                                                &counters.discarded_negative};
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    numbers[i] = static_cast<std::int64_t>(*places[i]);
+  }
+  std::vector<double> sums = counters.techniques.sums();
+  sums.resize(2 * TechniqueShares::kSlots);
+  sums.insert(sums.end(), {counters.strong_light, state.cpu_seconds});
+  std::array<std::int64_t, 6> whole = numbers;
+  std::vector<double> whole_sums = sums;
+  ranks.sum_to_root(std::span<const std::int64_t>(numbers), whole);
+  ranks.sum_to_root(std::span<const double>(sums), whole_sums);
+  if (!ranks.is_root()) return;
+  for (std::size_t i = 0; i < places.size(); ++i) *places[i] = static_cast<std::uint64_t>(whole[i]);
+  state.cpu_seconds = whole_sums.back();
+  counters.strong_light = whole_sums[whole_sums.size() - 2];
+  counters.techniques = {};
+  counters.techniques.add_sums(std::span(whole_sums).first(2 * TechniqueShares::kSlots));
+}
 
 }  // namespace
 
@@ -40,137 +71,290 @@ const char* to_string(StopReason reason) {
       return "target error";
     case StopReason::Interrupted:
       return "interrupted";
+    case StopReason::NotYet:
+      return "not yet";
   }
   return "";
 }
-
-struct RenderJob::PassOutcome {
-  Counters counters;
-  std::uint64_t items = 0;  ///< that were run
-};
 
 RenderJob::RenderJob(Integrator& integrator, Film& film, RenderJobOptions options)
     : integrator_(integrator),
       film_(film),
       options_(std::move(options)),
       schedule_(options_.budget, film.replicates(), options_.pass_seconds),
-      threads_(options_.threads > 0 ? options_.threads : tbb::info::default_concurrency()) {}
+      threads_(options_.threads > 0 ? options_.threads : tbb::info::default_concurrency()),
+      cpu_before_(cpu_seconds()) {
+  if (options_.resumed) {
+    state_ = std::move(*options_.resumed);
+    seconds_before_ = state_.seconds;
+    cpu_seconds_before_ = state_.cpu_seconds;
+    relative_error_ = state_.relative_error;
+    error_samples_ = state_.error_samples;
+    samples_before_pass_ = state_.samples_per_pixel;
+    // The end of another budget is no place to take decisions at.
+    std::erase_if(state_.recent_errors, [&](const JobState::ErrorMark& mark) {
+      return !schedule_.is_natural_milestone(mark.samples);
+    });
+    // The root alone has what was counted before.
+    if (is_root()) {
+      rays_ = state_.counters.rays;
+    } else {
+      state_.counters = {};
+      cpu_seconds_before_ = 0.0;
+    }
+  }
+  if (options_.ranks != nullptr && (is_root() || integrator.keeps_state())) {
+    whole_film_.emplace(film.resolution(), film.crop(), film.filter(), film.replicates(),
+                        std::vector<LayerSpec>(film.layers().begin(), film.layers().end()));
+  }
+}
 
 bool RenderJob::interrupted(int level) const {
   return options_.interrupts != nullptr &&
          options_.interrupts->load(std::memory_order_relaxed) >= level;
 }
 
-RenderJob::PassOutcome RenderJob::run_pass(std::uint64_t first_sample, std::uint64_t samples) {
-  integrator_.begin_pass(first_sample, samples, film_);
+RenderJob::Decision RenderJob::decide() {
+  Decision next;
+  const auto stop = [&](StopReason reason) {
+    next.stops = true;
+    next.shows_picture = false;  // it will be seen in the end
+    next.reason = reason;
+    return next;
+  };
+  const std::uint64_t done = state_.samples_per_pixel;
+  next.first_sample = done;
+  for (PassObserver* observer : options_.observers) {
+    next.shows_picture = observer->wants_picture(state_) || next.shows_picture;
+  }
+  next.shows_picture = next.shows_picture && state_.passes > 0;
+  if (interrupt_level_ >= 1 && (done > 0 || state_.partial)) return stop(StopReason::Interrupted);
+  if (state_.partial) {
+    next.resumes_pass = true;
+    next.first_sample = state_.partial->first_sample;
+    next.samples = state_.partial->samples;
+    return next;
+  }
+  const auto replicates = static_cast<std::uint64_t>(film_.replicates());
+  const auto& recent = state_.recent_errors;
+  if (options_.budget.target_error && !recent.empty() && recent.back().samples == done &&
+      done >= kSamplesPerReplicateBeforeTarget * replicates &&
+      target_is_reached(recent, *options_.budget.target_error)) {
+    return stop(StopReason::TargetError);
+  }
+  next.samples = schedule_.next_pass({done, total_seconds(), state_.seconds_per_sample});
+  if (next.samples == 0) {
+    return stop(done >= schedule_.total() ? StopReason::Samples : StopReason::Time);
+  }
+  // An earlier run's speed says little: it may have been on another machine.
+  if (!speed_is_known_) next.samples = 1;
+  return next;
+}
+
+RenderJob::Decision RenderJob::agree() {
+  const int own = options_.interrupts != nullptr ? options_.interrupts->load() : 0;
+  if (options_.ranks == nullptr) {
+    interrupt_level_ = own;
+    return decide();
+  }
+  interrupt_level_ = static_cast<int>(options_.ranks->maximum(static_cast<std::uint64_t>(own)));
+  Decision next;
+  if (is_root()) next = decide();
+  options_.ranks->broadcast(0, std::as_writable_bytes(std::span(&next, 1)));
+  return next;
+}
+
+WorkShare RenderJob::own_share() const {
+  WorkShare share = options_.share;
+  if (options_.ranks != nullptr) {
+    share.index += share.count * static_cast<std::uint64_t>(options_.ranks->rank());
+    share.count *= static_cast<std::uint64_t>(options_.ranks->count());
+  }
+  return share;
+}
+
+Film& RenderJob::film_before(const Decision& decision) {
+  const bool alone = options_.ranks == nullptr || !integrator_.keeps_state();
+  if (alone || !schedule_.is_natural_milestone(decision.first_sample)) return film_;
+  gather();
+  options_.ranks->broadcast(0, std::as_writable_bytes(whole_film_->raw()));
+  return *whole_film_;
+}
+
+void RenderJob::share_news() {
+  if (options_.ranks == nullptr || !integrator_.keeps_state() || !has_news_) return;
+  has_news_ = false;
+  const WorkShare own = own_share();
+  const std::string given =
+      archived([&](OutputArchive& archive) { integrator_.give_news(archive, own); });
+  for (int rank = 0; rank < options_.ranks->count(); ++rank) {
+    std::uint64_t size = given.size();
+    options_.ranks->broadcast(rank, std::as_writable_bytes(std::span(&size, 1)));
+    std::string news = rank == options_.ranks->rank() ? given : std::string(size, '\0');
+    options_.ranks->broadcast(rank, std::as_writable_bytes(std::span(news)));
+    unarchive(news, [&](InputArchive& archive) {
+      integrator_.take_news(archive, {static_cast<std::uint64_t>(rank), own.count});
+    });
+  }
+}
+
+void RenderJob::run_pass(const Decision& decision, Film& before) {
+  // A pass that was cut short has begun already, before the checkpoint.
+  if (!decision.resumes_pass) {
+    integrator_.begin_pass(decision.first_sample, decision.samples, before);
+    // What it has put on the film comes once, from the root.
+    if (decision.first_sample == 0 && !is_root()) film_.clear();
+  }
   const std::uint64_t items = integrator_.items_in_pass();
+  const WorkShare share = own_share();
+  const std::uint64_t own_items = share.size(items);
+  if (!decision.resumes_pass) {
+    state_.partial =
+        PartialPass{decision.first_sample, decision.samples, std::vector<std::uint8_t>(items)};
+  }
+  PartialPass& pass = *state_.partial;
   items_done_ = 0;
-  items_in_pass_ = std::max<std::uint64_t>(1, items);
-  samples_in_pass_ = samples;
+  items_in_pass_ = std::max<std::uint64_t>(1, own_items);
+  samples_in_pass_ = decision.samples;
 
   tbb::enumerable_thread_specific<ThreadTally> tallies;
   const auto run_items = [&](const tbb::blocked_range<std::uint64_t>& range) {
     ThreadTally& tally = tallies.local();
-    for (std::uint64_t item = range.begin(); item != range.end(); ++item) {
-      if (interrupted(2)) return;
-      Counters counters;
-      integrator_.run_item(item, first_sample, samples, film_, counters);
-      rays_.fetch_add(counters.rays, std::memory_order_relaxed);
-      items_done_.fetch_add(1, std::memory_order_relaxed);
-      // Which message is kept must not depend on the threads: the one of the smallest item.
-      if (!counters.first_discarded.empty() && item < tally.first_item) {
-        tally.first_item = item;
-        tally.first_discarded = std::exchange(counters.first_discarded, {});
+    for (std::uint64_t i = range.begin(); i != range.end(); ++i) {
+      const std::uint64_t item = share.index + i * share.count;
+      if (pass.done[item] == 0) {
+        // Ranks cannot leave a pass each at another item: they finish it.
+        if (options_.ranks == nullptr && interrupted(2)) return;
+        Counters counters;
+        integrator_.run_item(item, pass.first_sample, pass.samples, film_, counters);
+        rays_.fetch_add(counters.rays, std::memory_order_relaxed);
+        // Which message is kept must not depend on the threads: the one of the smallest item.
+        if (!counters.first_discarded.empty() && item < tally.first_item) {
+          tally.first_item = item;
+          tally.first_discarded = std::exchange(counters.first_discarded, {});
+        }
+        counters.first_discarded.clear();
+        tally.counters += counters;
+        pass.done[item] = 1;
       }
-      counters.first_discarded.clear();
-      tally.counters += counters;
-      ++tally.items;
+      items_done_.fetch_add(1, std::memory_order_relaxed);
     }
   };
-  parallel_for_ranges(items, std::uint64_t{1}, run_items, tbb::simple_partitioner());
-  integrator_.end_pass();
+  parallel_for_ranges(own_items, std::uint64_t{1}, run_items, tbb::simple_partitioner());
 
-  PassOutcome outcome;
+  Counters counters;
   std::uint64_t first_item = std::numeric_limits<std::uint64_t>::max();
   for (const ThreadTally& tally : tallies) {
-    outcome.counters += tally.counters;
-    outcome.items += tally.items;
+    counters += tally.counters;
     if (tally.first_item < first_item) {
       first_item = tally.first_item;
-      outcome.counters.first_discarded = tally.first_discarded;
+      counters.first_discarded = tally.first_discarded;
     }
   }
-  return outcome;
+  state_.counters += counters;
+  has_news_ = true;
+  if (items_done_ == own_items) state_.partial.reset();
 }
 
-bool RenderJob::reached_target(std::uint64_t samples) {
-  if (!options_.estimate_error || film_.replicates() < 2) return false;
-  const std::optional<double> error = options_.estimate_error(film_, samples);
+void RenderJob::end_pass(const Decision& decision, double seconds) {
+  integrator_.end_pass();
+  ++state_.passes;
+  state_.samples_per_pixel = decision.first_sample + decision.samples;
+  if (!decision.resumes_pass) {
+    state_.seconds_per_sample = seconds / static_cast<double>(decision.samples);
+    speed_is_known_ = true;
+  }
+  samples_in_pass_ = 0;
+  samples_before_pass_ = state_.samples_per_pixel;
+  // There the integrator may look at what all have done.
+  if (schedule_.is_natural_milestone(state_.samples_per_pixel)) share_news();
+  if (schedule_.is_milestone(state_.samples_per_pixel)) {
+    estimate(state_.samples_per_pixel, schedule_.is_natural_milestone(state_.samples_per_pixel));
+  }
+}
+
+void RenderJob::estimate(std::uint64_t samples, bool milestone) {
+  if (!options_.estimate_error || film_.replicates() < 2) return;
+  gather();
+  state_.error_samples = samples;
+  if (!is_root()) {
+    error_samples_ = samples;
+    return;
+  }
+  const std::optional<double> error = options_.estimate_error(film(), samples);
+  state_.relative_error = error;
+  if (milestone) {
+    if (error) {
+      state_.recent_errors.push_back({samples, *error});
+      forget_old_errors(state_.recent_errors);
+    } else {
+      state_.recent_errors.clear();
+    }
+  }
   const std::lock_guard lock(error_mutex_);
   relative_error_ = error;
   error_samples_ = samples;
-  const auto replicates = static_cast<std::uint64_t>(film_.replicates());
-  return error && options_.budget.target_error && *error <= *options_.budget.target_error &&
-         samples >= kSamplesPerReplicateBeforeTarget * replicates;
+}
+
+void RenderJob::gather() {
+  if (options_.ranks == nullptr) return;
+  share_news();
+  options_.ranks->sum_to_root(std::as_const(film_).raw(),
+                              whole_film_ ? whole_film_->raw() : std::span<std::int64_t>());
+}
+
+JobState RenderJob::gathered_state() {
+  JobState whole = state_;
+  whole.seconds = total_seconds();
+  whole.cpu_seconds = cpu_seconds_before_ + cpu_seconds() - cpu_before_;
+  if (options_.ranks != nullptr) sum_counters(*options_.ranks, whole);
+  return whole;
+}
+
+void RenderJob::show_picture() {
+  gather();
+  whole_state_ = gathered_state();
+  if (!is_root()) return;
+  for (PassObserver* observer : options_.observers) observer->see_picture(film(), whole_state_);
+}
+
+RenderResult RenderJob::result_of(StopReason reason) {
+  const std::uint64_t samples = state_.mean_samples();
+  if (!state_.partial && error_samples_ != samples) estimate(samples, false);
+  gather();
+  whole_state_ = gathered_state();
+  samples_in_pass_ = 0;
+  samples_before_pass_ = samples;
+
+  RenderResult result;
+  result.counters = whole_state_.counters;
+  result.samples_per_pixel = samples;
+  result.seconds = whole_state_.seconds;
+  result.own_seconds = clock_.seconds();
+  result.cpu_seconds = whole_state_.cpu_seconds;
+  result.threads = threads_;
+  result.passes = state_.passes;
+  result.relative_error = state_.relative_error;
+  result.stopped_by = reason;
+  result.complete = !state_.partial;
+  return result;
 }
 
 RenderResult RenderJob::run() {
-  const double cpu_before = cpu_seconds();
   const tbb::global_control control(tbb::global_control::max_allowed_parallelism,
                                     static_cast<std::size_t>(threads_));
   tbb::task_arena arena(threads_);
-
-  RenderResult result;
-  result.threads = threads_;
-  PassHistory history;
   while (true) {
-    if (interrupted(1) && history.samples_done > 0) {
-      result.stopped_by = StopReason::Interrupted;
-      break;
-    }
-    const std::uint64_t samples = schedule_.next_pass(history);
-    if (samples == 0) {
-      result.stopped_by =
-          history.samples_done >= schedule_.total() ? StopReason::Samples : StopReason::Time;
-      break;
-    }
+    const Decision next = agree();
+    if (next.shows_picture) show_picture();
+    if (next.stops) return result_of(next.reason);
     const Stopwatch pass_clock;
-    const PassOutcome outcome =
-        arena.execute([&] { return run_pass(history.samples_done, samples); });
-    result.counters += outcome.counters;
-    ++result.passes;
-    const std::uint64_t items = integrator_.items_in_pass();
-    if (outcome.items < items) {
-      // Keeps the brightness of the picture right on average.
-      const double done = static_cast<double>(outcome.items) / static_cast<double>(items);
-      const auto partly =
-          static_cast<std::uint64_t>(std::llround(done * static_cast<double>(samples)));
-      history.samples_done += history.samples_done == 0 ? samples : partly;
-      result.complete = false;
-      result.stopped_by = StopReason::Interrupted;
-      break;
-    }
-    history.samples_done += samples;
-    history.seconds_per_sample = pass_clock.seconds() / static_cast<double>(samples);
-    samples_in_pass_ = 0;
-    samples_before_pass_ = history.samples_done;
-    if (schedule_.is_milestone(history.samples_done) && reached_target(history.samples_done)) {
-      result.stopped_by = StopReason::TargetError;
-      break;
-    }
-    history.seconds = clock_.seconds();
+    // Ranks talk to each other on this thread only.
+    Film& before = film_before(next);
+    arena.execute([&] { run_pass(next, before); });
+    if (state_.partial) return result_of(StopReason::Interrupted);
+    end_pass(next, pass_clock.seconds());
   }
-
-  result.samples_per_pixel = history.samples_done;
-  samples_in_pass_ = 0;
-  samples_before_pass_ = history.samples_done;
-  result.seconds = clock_.seconds();
-  result.cpu_seconds = cpu_seconds() - cpu_before;
-  if (result.complete && error_samples_ != history.samples_done) {
-    reached_target(history.samples_done);
-  }
-  result.relative_error = relative_error_;
-  return result;
 }
 
 RenderSnapshot RenderJob::snapshot() const {
@@ -183,7 +367,7 @@ RenderSnapshot RenderJob::snapshot() const {
       static_cast<double>(samples_before_pass_.load()) +
       std::min(1.0, pass_fraction) * static_cast<double>(samples_in_pass_.load());
   snapshot.rays = rays_;
-  snapshot.seconds = clock_.seconds();
+  snapshot.seconds = total_seconds();
   const std::lock_guard lock(error_mutex_);
   snapshot.relative_error = relative_error_;
   snapshot.error_samples = error_samples_;

@@ -4,17 +4,22 @@
 #include <functional>
 #include <mutex>
 #include <optional>
+#include <vector>
 
 #include "image/film.h"
 #include "integrator/integrator.h"
 #include "session/budget.h"
 #include "session/interrupts.h"
+#include "session/job_state.h"
+#include "session/pass_observer.h"
+#include "session/ranks.h"
 #include "session/resources.h"
 
 namespace ajar {
 
-enum class StopReason { Samples, Time, TargetError, Interrupted };
-/// "samples", "time", "target error" or "interrupted".
+/// `NotYet`: the render goes on.
+enum class StopReason { Samples, Time, TargetError, Interrupted, NotYet };
+/// "samples", "time", "target error", "interrupted" or "not yet".
 const char* to_string(StopReason reason);
 
 struct RenderJobOptions {
@@ -25,6 +30,11 @@ struct RenderJobOptions {
   /// be known.
   std::function<std::optional<double>(const Film& film, std::uint64_t samples)> estimate_error;
   const InterruptCount* interrupts = nullptr;  ///< may be null
+  /// Where to go on; the film has the sums, the integrator its state.
+  std::optional<JobState> resumed;
+  WorkShare share;         ///< of this job, all its ranks together
+  Ranks* ranks = nullptr;  ///< who render together; null: this process alone
+  std::vector<PassObserver*> observers;
 };
 
 /// Where a render stands; may be taken at any time from any thread.
@@ -42,8 +52,9 @@ struct RenderSnapshot {
 struct RenderResult {
   Counters counters;
   std::uint64_t samples_per_pixel = 0;  ///< in the film
-  double seconds = 0.0;
-  double cpu_seconds = 0.0;  ///< of all threads, while rendering
+  double seconds = 0.0;                 ///< of all runs, if the render was resumed
+  double own_seconds = 0.0;             ///< of this run
+  double cpu_seconds = 0.0;             ///< of all threads, while rendering
   int threads = 0;
   std::uint64_t passes = 0;
   std::optional<double> relative_error;
@@ -65,13 +76,42 @@ class RenderJob {
   /// Renders until the budget is used up. To be called once.
   RenderResult run();
   RenderSnapshot snapshot() const;
+  /// After the run, at the root: the whole picture, and where the render stands.
+  const Film& film() const { return whole_film_ ? *whole_film_ : film_; }
+  const JobState& state() const { return whole_state_; }
 
  private:
-  struct PassOutcome;
-  PassOutcome run_pass(std::uint64_t first_sample, std::uint64_t samples);
+  /// What all ranks do next.
+  struct Decision {
+    std::uint64_t samples = 0;  ///< per pixel of the next pass
+    std::uint64_t first_sample = 0;
+    bool resumes_pass = false;  ///< the pass that was cut short
+    bool stops = false;
+    StopReason reason = StopReason::Samples;
+    bool shows_picture = false;  ///< the picture is wanted before
+  };
+  Decision decide();
+  /// Decides what comes next, the same on all ranks.
+  Decision agree();
+  /// `before`: see `film_before`.
+  void run_pass(const Decision& decision, Film& before);
+  /// Items of this rank.
+  WorkShare own_share() const;
+  /// What was rendered so far, as the integrator is to see it before a pass.
+  Film& film_before(const Decision& decision);
+  /// After a pass: lets all ranks know what the items of each have left behind.
+  void share_news();
+  /// After a pass that was not cut short.
+  void end_pass(const Decision& decision, double seconds);
+  void estimate(std::uint64_t samples, bool milestone);
   bool interrupted(int level) const;
-  /// Updates the estimate; true if the target error is reached.
-  bool reached_target(std::uint64_t samples);
+  bool is_root() const { return options_.ranks == nullptr || options_.ranks->is_root(); }
+  /// Brings what the ranks have together at the root.
+  void gather();
+  JobState gathered_state();
+  void show_picture();
+  RenderResult result_of(StopReason reason);
+  double total_seconds() const { return seconds_before_ + clock_.seconds(); }
 
   Integrator& integrator_;
   Film& film_;
@@ -79,6 +119,16 @@ class RenderJob {
   PassSchedule schedule_;
   int threads_;
   const Stopwatch clock_;
+  const double cpu_before_;
+  double seconds_before_ = 0.0;      ///< of earlier runs
+  double cpu_seconds_before_ = 0.0;  ///< the same
+  JobState state_;                   ///< of this rank
+  JobState whole_state_;             ///< of all ranks, at the root; when last gathered
+  /// The same; empty without other ranks. If the integrator keeps state, all ranks have one.
+  std::optional<Film> whole_film_;
+  bool has_news_ = false;        ///< since all ranks knew the same
+  bool speed_is_known_ = false;  ///< `state_.seconds_per_sample` is of this run
+  int interrupt_level_ = 0;      ///< the highest of all ranks
 
   std::atomic<std::uint64_t> samples_before_pass_{0};
   std::atomic<std::uint64_t> samples_in_pass_{0};

@@ -2,11 +2,16 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <functional>
 #include <mutex>
 #include <set>
+#include <thread>
 #include <vector>
 
 #include "session/test_integrator.h"
+#include "session/testing/thread_ranks.h"
 
 namespace ajar {
 namespace {
@@ -200,6 +205,205 @@ TEST(RenderJob, KeepsTheFirstDiscardedContribution) {
   render(with_samples(8, 5), 4, &result);
   EXPECT_EQ(result.counters.first_discarded, "item 3");
   EXPECT_EQ(result.counters.discarded_nan, 18U);  // items 3, 8, … 88
+}
+
+/// Renders to `total` samples in pieces: from pass to pass, each time as a new job.
+std::vector<std::int64_t> render_in_pieces(std::uint64_t total, int replicates, int* pieces) {
+  Film film = make_film(TestIntegrator(kSize, replicates), replicates);
+  JobState state;
+  for (*pieces = 0; state.samples_per_pixel < total; ++*pieces) {
+    TestIntegrator integrator(kSize, replicates);
+    Film next = make_film(integrator, replicates);
+    next.take_raw({film.raw().begin(), film.raw().end()});
+    RenderJobOptions options = with_samples(total, 1 + *pieces % 3);
+    InterruptCount interrupts{0};
+    options.interrupts = &interrupts;
+    options.pass_seconds = 0.0;
+    options.resumed = state;
+    integrator.on_item = [&](std::uint64_t, std::uint64_t, std::uint64_t) { interrupts = 1; };
+    RenderJob job(integrator, next, options);
+    job.run();
+    EXPECT_GT(job.state().samples_per_pixel, state.samples_per_pixel);
+    state = job.state();
+    film.take_raw({next.raw().begin(), next.raw().end()});
+  }
+  EXPECT_EQ(state.counters.samples, total * 13 * 7);
+  EXPECT_EQ(state.counters.first_discarded, "item 3");
+  EXPECT_EQ(state.passes, total);
+  return {film.raw().begin(), film.raw().end()};
+}
+
+TEST(RenderJob, ResumedAfterEveryPassGivesTheSameBits) {
+  int pieces = 0;
+  EXPECT_EQ(render_in_pieces(40, 4, &pieces), render(with_samples(40, 2)));
+  EXPECT_EQ(pieces, 40);
+}
+
+TEST(RenderJob, ResumedInTheMiddleOfAPassGivesTheSameBits) {
+  for (const int threads : {1, 4}) {
+    TestIntegrator integrator(kSize, 4);
+    InterruptCount interrupts{0};
+    integrator.on_item = [&](std::uint64_t item, std::uint64_t first, std::uint64_t) {
+      if (item == 20 && first >= 8) interrupts = 2;
+    };
+    Film film = make_film(integrator, 4);
+    RenderJobOptions options = with_samples(40, threads);
+    options.interrupts = &interrupts;
+    RenderJob cut(integrator, film, options);
+    EXPECT_FALSE(cut.run().complete);
+    ASSERT_TRUE(cut.state().partial.has_value());
+    EXPECT_EQ(cut.state().samples_per_pixel, 8U);
+    options.interrupts = nullptr;
+    options.resumed = cut.state();
+    RenderJob rest(integrator, film, options);
+    const RenderResult result = rest.run();
+    EXPECT_TRUE(result.complete);
+    EXPECT_EQ(result.counters.samples, 40U * 13U * 7U);
+    EXPECT_EQ(std::vector<std::int64_t>(film.raw().begin(), film.raw().end()),
+              render(with_samples(40, 2)));
+  }
+}
+
+TEST(RenderJob, SecondsAndSpeedOfEarlierRunsAreKeptApart) {
+  TestIntegrator integrator(kSize, 4);
+  Film film = make_film(integrator, 4);
+  RenderJobOptions options;
+  options.budget.seconds = 100.0;
+  options.resumed.emplace();
+  options.resumed->samples_per_pixel = 8;
+  options.resumed->passes = 3;
+  options.resumed->seconds = 99.999999;
+  options.resumed->seconds_per_sample = 1e-9;
+  options.pass_seconds = 50.0;
+  const RenderResult result = RenderJob(integrator, film, options).run();
+  EXPECT_EQ(result.stopped_by, StopReason::Time);
+  EXPECT_LE(result.samples_per_pixel, 9U) << "the speed of another machine is not trusted";
+  EXPECT_GE(result.seconds, 99.999999);
+  EXPECT_LT(result.own_seconds, 50.0);
+}
+
+TEST(RenderJob, StopsAtTheSameSampleWhenResumed) {
+  const auto options_to = [](std::optional<JobState> state, std::uint64_t most) {
+    RenderJobOptions options = with_samples(most, 2);
+    options.budget.target_error = 0.1;
+    options.estimate_error = [](const Film&, std::uint64_t samples) {
+      // A lucky estimate at 48 samples, which must not end the render.
+      return std::optional(samples == 48 ? 0.01 : 1.0 / std::sqrt(static_cast<double>(samples)));
+    };
+    options.resumed = std::move(state);
+    return options;
+  };
+  TestIntegrator integrator(kSize, 4);
+  for (const std::uint64_t stop : {4U, 44U, 48U, 56U, 64U, 100U, 128U}) {
+    Film film = make_film(integrator, 4);
+    RenderJob first(integrator, film, options_to(std::nullopt, stop));
+    first.run();
+    RenderJob second(integrator, film, options_to(first.state(), 100000));
+    const RenderResult result = second.run();
+    EXPECT_EQ(result.samples_per_pixel, 128U) << "resumed at " << stop;
+    EXPECT_EQ(result.stopped_by, StopReason::TargetError);
+  }
+}
+
+/// All ranks render on threads of their own; returns the root's film.
+std::vector<std::int64_t> render_on_ranks(int count, const RenderJobOptions& options,
+                                          RenderResult* root_result) {
+  ThreadRanks ranks(count);
+  std::vector<std::int64_t> sums;
+  std::vector<std::thread> threads;
+  for (int rank = 0; rank < count; ++rank) {
+    threads.emplace_back([&, rank] {
+      TestIntegrator integrator(kSize, 4);
+      Film film = make_film(integrator, 4);
+      RenderJobOptions own = options;
+      own.ranks = &ranks.member(rank);
+      RenderJob job(integrator, film, own);
+      const RenderResult result = job.run();
+      if (rank != 0) return;
+      sums.assign(job.film().raw().begin(), job.film().raw().end());
+      *root_result = result;
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  return sums;
+}
+
+TEST(RenderJob, GivesTheSameBitsOnAnyNumberOfRanks) {
+  const auto reference = render(with_samples(40, 1));
+  for (const int count : {1, 2, 3}) {
+    RenderJobOptions options = with_samples(40, 2);
+    options.pass_seconds = 0.0;
+    options.estimate_error = [](const Film&, std::uint64_t) { return std::optional(0.5); };
+    RenderResult result;
+    EXPECT_EQ(render_on_ranks(count, options, &result), reference) << count << " ranks";
+    EXPECT_EQ(result.counters.samples, 40U * 13U * 7U);
+    EXPECT_EQ(result.counters.discarded_nan, 18U);
+    EXPECT_EQ(result.relative_error, 0.5);
+  }
+}
+
+TEST(RenderJob, RanksStopTogether) {
+  RenderJobOptions by_error = with_samples(100000, 1);
+  by_error.budget.target_error = 0.1;
+  by_error.estimate_error = [](const Film&, std::uint64_t samples) {
+    return std::optional(1.0 / std::sqrt(static_cast<double>(samples)));
+  };
+  RenderResult result;
+  render_on_ranks(3, by_error, &result);
+  EXPECT_EQ(result.stopped_by, StopReason::TargetError);
+  EXPECT_EQ(result.samples_per_pixel, 128U);
+  RenderJobOptions by_signal = with_samples(1U << 30U, 1);
+  const InterruptCount interrupts{2};
+  by_signal.interrupts = &interrupts;
+  render_on_ranks(2, by_signal, &result);
+  EXPECT_EQ(result.stopped_by, StopReason::Interrupted);
+  EXPECT_TRUE(result.complete) << "ranks finish the pass";
+}
+
+TEST(RenderJob, SharesAddUpToTheWholeBitByBit) {
+  const auto reference = render(with_samples(24, 2));
+  std::vector<std::int64_t> sum(reference.size());
+  std::uint64_t samples = 0;
+  for (std::uint64_t i = 0; i < 3; ++i) {
+    RenderJobOptions options = with_samples(24, 2);
+    options.share = {i, 3};
+    RenderResult result;
+    const auto part = render(options, 4, &result);
+    std::transform(sum.begin(), sum.end(), part.begin(), sum.begin(), std::plus<>());
+    samples += result.counters.samples;
+    EXPECT_TRUE(result.complete);
+    EXPECT_EQ(result.samples_per_pixel, 24U);
+  }
+  EXPECT_EQ(sum, reference);
+  EXPECT_EQ(samples, 24U * 13U * 7U);
+}
+
+class CountingObserver final : public PassObserver {
+ public:
+  bool wants_picture(const JobState& /*state*/) override { return ++asked % 3 == 0; }
+  void see_picture(const Film& film, const JobState& state) override {
+    ++seen;
+    samples = state.samples_per_pixel;
+    sum = film.raw()[0];
+  }
+  int asked = 0;
+  int seen = 0;
+  std::uint64_t samples = 0;
+  std::int64_t sum = 0;
+};
+
+TEST(RenderJob, ShowsThePictureToThoseWhoWantIt) {
+  TestIntegrator integrator(kSize, 4);
+  Film film = make_film(integrator, 4);
+  RenderJobOptions options = with_samples(16, 2);
+  options.pass_seconds = 0.0;
+  CountingObserver observer;
+  options.observers = {&observer};
+  RenderJob(integrator, film, options).run();
+  EXPECT_EQ(observer.asked, 17) << "before every pass and at the end";
+  EXPECT_EQ(observer.seen, 5);
+  EXPECT_EQ(observer.samples, 14U);
+  EXPECT_NE(observer.sum, 0);
 }
 
 TEST(RenderJob, SnapshotSaysWhereTheRenderStands) {

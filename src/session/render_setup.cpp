@@ -7,6 +7,7 @@
 
 #include "core/error.h"
 #include "session/catalog.h"
+#include "session/scene_file.h"
 
 namespace ajar {
 
@@ -81,9 +82,6 @@ void choose_budget(const RenderRequest& request, const desc::RenderHints& hints,
                    RenderSetup& setup) {
   setup.budget = request.budget;
   Budget& budget = setup.budget;
-  if (budget.target_error && !(*budget.target_error > 0.0)) {
-    throw UsageError("--target-error must be above zero");
-  }
   if (!budget.samples_per_pixel && !budget.seconds && !budget.target_error) {
     const int samples = hints.samples_per_pixel.value_or(RenderSetup::kDefaultSamples);
     budget.samples_per_pixel = static_cast<std::uint64_t>(std::max(1, samples));
@@ -92,9 +90,7 @@ void choose_budget(const RenderRequest& request, const desc::RenderHints& hints,
   if (budget.samples_per_pixel && *budget.samples_per_pixel < RenderSetup::kReplicates) {
     setup.settings.replicates = static_cast<int>(*budget.samples_per_pixel);
   }
-  if (budget.target_error && setup.settings.replicates < 2) {
-    throw UsageError("--target-error needs at least --spp 2: one sample has no spread");
-  }
+  check_budget(budget, setup.settings.replicates);
 }
 
 void choose_depth(const RenderRequest& request, const desc::RenderHints& hints,
@@ -165,6 +161,39 @@ RenderSetup make_setup(const RenderRequest& request, const desc::RenderHints& hi
   return setup;
 }
 
+void check_budget(const Budget& budget, int replicates) {
+  if (!budget.target_error) return;
+  if (!(*budget.target_error > 0.0)) throw UsageError("--target-error must be above zero");
+  if (replicates < 2) {
+    throw UsageError("--target-error needs at least --spp 2: one sample has no spread");
+  }
+}
+
+RenderSetup setup_of(const RenderRecord& record, const Budget& budget) {
+  RenderSetup setup;
+  setup.integrator = &find_integrator(record.integrator);
+  setup.parameters = record.parameters;
+  setup.budget = budget;
+  setup.settings = record.settings;
+  setup.aovs = record.aovs;
+  setup.resolution = record.settings.resolution;
+  setup.crop = record.settings.crop;
+  check_budget(budget, setup.settings.replicates);
+  return setup;
+}
+
+RenderRecord record_of(const RenderSetup& setup, const Parameters& parameters,
+                       const std::string& scene, const WorkShare& share) {
+  RenderRecord record;
+  record.scene = absolute_scene(scene);
+  record.integrator = setup.integrator->name;
+  record.parameters = {parameters.values().begin(), parameters.values().end()};
+  record.settings = setup.settings;
+  record.aovs = setup.aovs;
+  record.share = share;
+  return record;
+}
+
 void check_layers(const RenderSettings& settings, const std::vector<LayerSpec>& layers) {
   for (const std::string& name : settings.aovs) {
     // An AOV is a layer, or a group of layers whose names begin with it.
@@ -173,17 +202,6 @@ void check_layers(const RenderSettings& settings, const std::vector<LayerSpec>& 
     });
     if (!made) throw UsageError("this integrator does not make the AOV \"" + name + "\"");
   }
-}
-
-std::uint64_t film_bytes(const Box2i& crop, int replicates, const std::vector<LayerSpec>& layers) {
-  const Vec2i size = crop.max - crop.min + Vec2i(1, 1);
-  const std::uint64_t per_sum = static_cast<std::uint64_t>(size.x) *
-                                static_cast<std::uint64_t>(size.y) * 3U * sizeof(std::int64_t);
-  std::uint64_t bytes = 0;
-  for (const LayerSpec& layer : layers) {
-    bytes += per_sum * (layer.has_replicates ? static_cast<std::uint64_t>(replicates) : 1U);
-  }
-  return bytes;
 }
 
 }  // namespace ajar

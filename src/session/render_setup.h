@@ -8,6 +8,7 @@
 #include "integrator/integrator.h"
 #include "scene/desc/scene_desc.h"
 #include "session/budget.h"
+#include "session/checkpoint.h"
 #include "session/option_values.h"
 
 namespace ajar {
@@ -47,10 +48,15 @@ struct RenderSetup {
 RenderSetup make_setup(const RenderRequest& request, const desc::RenderHints& hints,
                        const desc::Film& film);
 
+/// Raises UsageError for limits that cannot be, or cannot be with so many replicates.
+void check_budget(const Budget& budget, int replicates);
+/// The setup of a render that goes on. Raises UsageError if this program has no such integrator.
+RenderSetup setup_of(const RenderRecord& record, const Budget& budget);
+/// What a setup makes of a scene, for checkpoints; `parameters` are all of the integrator's.
+RenderRecord record_of(const RenderSetup& setup, const Parameters& parameters,
+                       const std::string& scene, const WorkShare& share);
+
 /// Raises UsageError if a layer that was asked for is not among those the integrator makes.
 void check_layers(const RenderSettings& settings, const std::vector<LayerSpec>& layers);
-
-/// Memory of a film with these layers, bytes (8 per channel and replicate).
-std::uint64_t film_bytes(const Box2i& crop, int replicates, const std::vector<LayerSpec>& layers);
 
 }  // namespace ajar

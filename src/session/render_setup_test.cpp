@@ -118,13 +118,6 @@ TEST(RenderSetup, OnlyGatheredLayersAreAskedOfTheIntegrator) {
   EXPECT_THROW(check_layers(setup.settings, {LayerSpec{.name = "direct"}}), UsageError);
 }
 
-TEST(FilmBytes, CountsReplicatesOnlyWhereThereAreSome) {
-  const Box2i crop(Vec2i(0, 0), Vec2i(9, 4));
-  LayerSpec single{.name = "albedo"};
-  single.has_replicates = false;
-  EXPECT_EQ(film_bytes(crop, 4, {LayerSpec{.name = "direct"}, single}), 50U * 24U * 5U);
-}
-
 TEST(RenderSetup, TakesTheParametersOfChainsThatScenesOfOtherRenderersHave) {
   desc::RenderHints hints;
   hints.integrator = "mmlt";

@@ -41,6 +41,13 @@ desc::SceneDesc load_scene(const std::string& scene, Warnings& warnings) {
   return import_scene(scene, warnings);
 }
 
+std::string absolute_scene(const std::string& scene) {
+  if (scene.starts_with(kBuiltin)) return scene;
+  std::error_code error;
+  const std::filesystem::path path = std::filesystem::absolute(scene, error);
+  return error ? scene : path.lexically_normal().string();
+}
+
 std::string scene_stem(const std::string& scene) {
   if (scene.starts_with(kBuiltin)) return scene.substr(kBuiltin.size());
   const std::filesystem::path path = std::filesystem::absolute(scene).lexically_normal();

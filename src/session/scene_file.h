@@ -11,6 +11,9 @@ namespace ajar {
 /// used.
 desc::SceneDesc load_scene(const std::string& scene, Warnings& warnings);
 
+/// The same scene, named so that it is found from any folder.
+std::string absolute_scene(const std::string& scene);
+
 /// Name for pictures of a scene, without folder and extension: `room` for `/scenes/room.pbrt`,
 /// `cornell` for `builtin:cornell`; the folder's name if the file is just called `scene`.
 std::string scene_stem(const std::string& scene);

@@ -23,6 +23,24 @@ double per_second(std::uint64_t count, double seconds) {
   return seconds > 0.0 ? static_cast<double>(count) / seconds : 0.0;
 }
 
+Json text_or_null(const std::string& text) { return text.empty() ? Json() : Json(text); }
+
+Json budget_json(const Budget& budget) {
+  const auto value_or_null = [](const auto& value) { return value ? Json(*value) : Json(); };
+  return {{"samples_per_pixel", value_or_null(budget.samples_per_pixel)},
+          {"seconds", value_or_null(budget.seconds)},
+          {"target_error", value_or_null(budget.target_error)}};
+}
+
+std::string budget_text(const Budget& budget) {
+  std::string text;
+  const auto add = [&](const std::string& limit) { text += (text.empty() ? "" : ", ") + limit; };
+  if (budget.samples_per_pixel) add(fmt::format("{} spp", *budget.samples_per_pixel));
+  if (budget.seconds) add(fmt::format("{} s", *budget.seconds));
+  if (budget.target_error) add(fmt::format("error {}", *budget.target_error));
+  return text.empty() ? "none" : text;
+}
+
 Json parameters_json(const RenderStatistics& s) {
   Json parameters = Json::object();
   for (const auto& [name, value] : s.parameters) parameters[name] = value;
@@ -102,17 +120,16 @@ Json selective_json(const SelectiveReport& report) {
                        {"noise", region.noise},
                        {"importance", region.importance}});
   }
-  return {{"pilot_samples_per_pixel", report.pilot_samples},
-          {"pilot_stays", report.pilot_stays},
-          {"mutations_per_sample", report.mutations_per_sample},
-          {"correlation", report.correlation},
-          {"chains",
-           {{"ray_share", report.chain_rays}, {"squared_error_share", report.chain_error}}},
-          {"omc",
-           {{"ray_share", 1.0 - report.chain_rays},
-            {"squared_error_share", 1.0 - report.chain_error}}},
-          {"region_count", report.regions.size()},
-          {"regions", regions}};
+  return {
+      {"pilot_samples_per_pixel", report.pilot_samples},
+      {"pilot_stays", report.pilot_stays},
+      {"mutations_per_sample", report.mutations_per_sample},
+      {"correlation", report.correlation},
+      {"chains", {{"ray_share", report.chain_rays}, {"squared_error_share", report.chain_error}}},
+      {"omc",
+       {{"ray_share", 1.0 - report.chain_rays}, {"squared_error_share", 1.0 - report.chain_error}}},
+      {"region_count", report.regions.size()},
+      {"regions", regions}};
 }
 
 }  // namespace
@@ -134,7 +151,7 @@ Json to_json(const RenderStatistics& s) {
   json["seconds"] = {{"load", s.times.load},
                      {"build", s.times.build},
                      {"prepare", s.times.prepare},
-                     {"render", r.seconds}};
+                     {"render", r.seconds}};  // the last of all runs, the others of this one
   json["cpu_seconds"] = r.cpu_seconds;
   json["rays"] = r.counters.rays + s.preparation.rays;
   json["rays_per_second"] = per_second(r.counters.rays, r.seconds);
@@ -150,6 +167,13 @@ Json to_json(const RenderStatistics& s) {
   json["warning_messages"] = s.warnings;
   json["techniques"] = techniques_json(r.counters.techniques);
   json["discarded"] = discarded_json(r.counters);
+  json["budget"] = budget_json(s.budget);
+  json["share"] = {s.share.index + 1, s.share.count};
+  json["ranks"] = s.ranks;
+  json["checkpoint"] = text_or_null(s.checkpoint);
+  json["resumed_from"] = text_or_null(s.resumed_from);
+  json["resumptions"] = s.resumptions;
+  json["interruptions"] = s.interruptions;
   json["stopped_by"] = to_string(r.stopped_by);
   json["interrupted"] = r.stopped_by == StopReason::Interrupted;
   json["complete"] = r.complete;
@@ -171,9 +195,16 @@ std::map<std::string, std::string> to_metadata(const RenderStatistics& s) {
       {"ajar:rays", std::to_string(r.counters.rays)},
       {"ajar:render_seconds", fmt::format("{:.3f}", r.seconds)},
       {"ajar:threads", std::to_string(r.threads)},
+      {"ajar:budget", budget_text(s.budget)},
+      {"ajar:resumptions", std::to_string(s.resumptions)},
+      {"ajar:interruptions", std::to_string(s.interruptions)},
       {"ajar:stopped_by", to_string(r.stopped_by)},
       {"ajar:complete", r.complete ? "true" : "false"},
   };
+  if (!s.resumed_from.empty()) metadata["ajar:resumed_from"] = s.resumed_from;
+  if (s.share.count > 1) {
+    metadata["ajar:share"] = fmt::format("{}/{}", s.share.index + 1, s.share.count);
+  }
   if (r.relative_error) {
     metadata["ajar:estimated_relative_error"] = fmt::format("{:.6g}", *r.relative_error);
   }

@@ -33,7 +33,14 @@ struct RenderStatistics {
   Box2i crop;  ///< inclusive
   StepTimes times;
   RenderResult result;
-  Counters preparation;               ///< what was spent before the first pass
+  Counters preparation;  ///< what was spent before the first pass
+  Budget budget;
+  WorkShare share;
+  std::string checkpoint;             ///< file; empty: none
+  std::string resumed_from;           ///< file; empty: this run began anew
+  std::uint32_t resumptions = 0;      ///< of the whole render
+  std::uint32_t interruptions = 0;    ///< by signals
+  int ranks = 1;                      ///< processes that rendered together
   std::optional<ChainReport> chains;  ///< of methods that have any
   std::optional<SelectiveReport> selective;
   std::uint64_t peak_memory_bytes = 0;

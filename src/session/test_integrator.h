@@ -29,7 +29,7 @@ class TestIntegrator final : public Integrator {
     const Vec2i pixel(static_cast<int>(item % width), static_cast<int>(item / width));
     for (std::uint64_t i = first_sample; i < first_sample + samples; ++i) {
       const int replicate = static_cast<int>(i % static_cast<std::uint64_t>(replicates_));
-      film.add(0, replicate, pixel, Spectrum(value(item, i)));
+      film.add(0, replicate, pixel, Spectrum(value(first_number + item, i)));
       film.add(1, replicate, pixel, Spectrum(0.25F));
       if (has_part) film.add(2, replicate, pixel, Spectrum(0.5F));
       ++counters.samples;
@@ -57,6 +57,8 @@ class TestIntegrator final : public Integrator {
   /// Called at the beginning of every item, on its thread; may be empty.
   std::function<void(std::uint64_t item, std::uint64_t first_sample, std::uint64_t samples)>
       on_item;
+  /// Stands for a seed: that of item 0 in `value`.
+  std::uint64_t first_number = 0;
   /// Adds a layer of 0.5 that is a part of the indirect light.
   bool has_part = false;
 

@@ -4,11 +4,13 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
+#include <thread>
 #include <vector>
 
 /// What tests of the program as a user runs it share.
@@ -43,7 +45,8 @@ class Cli : public testing::Test {
     fs::remove_all(folder_);
   }
 
-  pid_t start(const std::vector<std::string>& arguments) const {
+  pid_t start(const std::vector<std::string>& arguments,
+              const std::string& program = AJAR_PROGRAM) const {
     const pid_t child = fork();
     if (child != 0) return child;
     const auto redirect = [&](const char* name, int target) {
@@ -53,12 +56,12 @@ class Cli : public testing::Test {
     if (chdir(folder_.c_str()) != 0) _exit(99);
     redirect(".stdout", STDOUT_FILENO);
     redirect(".stderr", STDERR_FILENO);
-    std::vector<char*> argv{const_cast<char*>(AJAR_PROGRAM)};
+    std::vector<char*> argv{const_cast<char*>(program.c_str())};
     for (const std::string& argument : arguments) {
       argv.push_back(const_cast<char*>(argument.c_str()));
     }
     argv.push_back(nullptr);
-    execv(AJAR_PROGRAM, argv.data());
+    execv(program.c_str(), argv.data());
     _exit(98);
   }
 
@@ -96,6 +99,15 @@ class Cli : public testing::Test {
 
 inline bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
+}
+
+/// Waits until the program has written `part` to stderr; false after ten seconds.
+inline bool wait_for(const fs::path& log, const std::string& part) {
+  for (int i = 0; i < 500; ++i) {
+    if (contains(read_text(log), part)) return true;
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  return false;
 }
 
 }  // namespace ajar

@@ -1,6 +1,7 @@
 // The program as a user runs it.
 #include <gtest/gtest.h>
 #include <signal.h>
+#include <sys/resource.h>
 
 #include <algorithm>
 #include <chrono>
@@ -21,25 +22,34 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// Waits until the program has written `part` to stderr; false after ten seconds.
-bool wait_for(const fs::path& log, const std::string& part) {
-  for (int i = 0; i < 500; ++i) {
-    if (contains(read_text(log), part)) return true;
-    std::this_thread::sleep_for(20ms);
-  }
-  return false;
-}
-
 TEST_F(Cli, HelpAndVersionSucceed) {
   EXPECT_EQ(run({"--help"}).exit_code, 0);
   EXPECT_TRUE(contains(run({"--help"}).out, "render"));
   EXPECT_EQ(run({"--version"}).out.substr(0, 5), "ajar ");
   const Outcome help = run({"render", "--help"});
   EXPECT_EQ(help.exit_code, 0);
-  for (const char* option :
-       {"--output", "--integrator", "--set", "--time", "--spp", "--target-error", "--resolution",
-        "--scale", "--crop", "--depth", "--aov", "--threads", "--seed", "--stats", "--progress",
-        "--tone-map", "--exposure"}) {
+  for (const char* option : {"--output",
+                             "--integrator",
+                             "--set",
+                             "--time",
+                             "--spp",
+                             "--target-error",
+                             "--resolution",
+                             "--scale",
+                             "--crop",
+                             "--depth",
+                             "--aov",
+                             "--threads",
+                             "--seed",
+                             "--stats",
+                             "--progress",
+                             "--tone-map",
+                             "--exposure",
+                             "--checkpoint",
+                             "--checkpoint-every",
+                             "--resume",
+                             "--output-every",
+                             "--share"}) {
     EXPECT_TRUE(contains(help.out, option)) << option;
   }
 }
@@ -55,7 +65,7 @@ TEST_F(Cli, WrongUsageEndsWithTwoAndHelps) {
       {{"render"}, "SCENE"},
       {{"render", "builtin:cornel"}, "did you mean \"cornell\""},
       {{"render", "builtin:cornell", "--integratr", "pt"}, "did you mean \"--integrator\""},
-      {{"render", "builtin:cornell", "--checkpoint", "x"}, "unknown option"},
+      {{"render", "builtin:cornell", "--chekpoint", "x"}, "did you mean \"--checkpoint\""},
       {{"render", "builtin:cornell", "--integrator", "ptt"}, "did you mean \"pt\""},
       {{"render", "builtin:cornell", "--set", "no-such=1"}, "unknown parameter"},
       {{"render", "builtin:cornell", "--set", "alone"}, "KEY=VALUE"},
@@ -345,6 +355,12 @@ TEST_F(Cli, InfoSaysWhatIsInAScene) {
     EXPECT_TRUE(info.contains(key)) << key;
   }
   EXPECT_GT(info.at("counts").at("triangles").get<int>(), 10);
+  const json& memory = info.at("memory");
+  EXPECT_GT(memory.at("available_bytes").get<double>(), 1e6);
+  EXPECT_EQ(memory.at("needed_bytes").get<std::uint64_t>(),
+            memory.at("scene_bytes").get<std::uint64_t>() +
+                memory.at("film_bytes").get<std::uint64_t>() +
+                memory.at("picture_bytes").get<std::uint64_t>());
   EXPECT_GE(info.at("lights").at("area").get<int>(), 1);
   EXPECT_EQ(info.at("camera").at("type"), "perspective");
   EXPECT_EQ(info.at("warnings"), 0);
@@ -420,6 +436,22 @@ TEST_F(Cli, APictureLargerThanTheMachineIsRefused) {
       {"render", "builtin:cornell", "--resolution", "65536x65536", "--spp", "4", "-o", "a.exr"});
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_TRUE(contains(outcome.err, "memory")) << outcome.err;
+}
+
+TEST_F(Cli, APictureLargerThanItsMemoryLimitIsRefusedBeforeTheSceneIsBuilt) {
+  rlimit before{};
+  getrlimit(RLIMIT_AS, &before);
+  rlimit small = before;
+  small.rlim_cur = 1'500'000'000;
+  setrlimit(RLIMIT_AS, &small);
+  const pid_t child = start({"render", "builtin:cornell", "--resolution", "3000x3000", "--spp", "4",
+                             "--progress", "json", "-o", "a.exr"});
+  setrlimit(RLIMIT_AS, &before);
+  const Outcome outcome = finish(child);
+  EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
+  EXPECT_TRUE(contains(outcome.err, "needs 2.7 GB (")) << outcome.err;
+  EXPECT_TRUE(contains(outcome.err, "free here")) << outcome.err;
+  EXPECT_FALSE(contains(outcome.err, "prepare")) << outcome.err;
 }
 
 TEST_F(Cli, ChainsWithoutLightSayWhatToDoAndRenderBlack) {

@@ -23,6 +23,8 @@ constexpr const char* kSceneHelp = "Scene file, or builtin:NAME (see: ajar list 
 /// What the program was asked to do.
 struct Request {
   RenderArguments render;
+  ResumeArguments resume;
+  MergeArguments merge;
   InfoArguments info;
   ConvertArguments convert;
   ListArguments list;
@@ -37,96 +39,189 @@ const CLI::Validator kNotEmpty(
     },
     "");
 
-void add_render(CLI::App& app, RenderArguments& a) {
-  CLI::App* command = app.add_subcommand("render", "Render a scene to pictures");
-  command->add_option("SCENE", a.scene, kSceneHelp)->required();
+constexpr const char* kPictures = "Pictures";
+constexpr const char* kMethod = "Method";
+constexpr const char* kSafety = "Never to lose a render";
+constexpr const char* kProgram = "Program";
 
+/// `budget_default`: what holds without a limit.
+void add_run(CLI::App* command, RunArguments& a, const std::string& output_default,
+             const std::string& budget_default) {
   command
-      ->add_option(
-          "-o,--output", a.outputs,
-          "Picture to write; may be given several times. The extension decides: .exr "
-          "(scene-linear, all "
-          "layers), .png .jpg (tone-mapped), .pfm .hdr. Default: SCENE.exr and SCENE.png here")
+      ->add_option("-o,--output", a.outputs,
+                   "Picture to write; may be given several times. The extension decides: .exr "
+                   "(scene-linear, all "
+                   "layers), .png .jpg (tone-mapped), .pfm .hdr. Default: " +
+                       output_default)
       ->allow_extra_args(false)
       ->type_name("FILE")
-      ->group("Pictures");
-  command
-      ->add_option("--resolution", a.resolution, "Size of the picture in pixels, such as 640x480")
-      ->type_name("WxH")
-      ->group("Pictures");
-  command->add_option("--scale", a.scale, "Multiply the scene's own resolution, such as 0.5")
-      ->type_name("F")
-      ->excludes("--resolution")
-      ->group("Pictures");
-  command
-      ->add_option(
-          "--crop", a.crop,
-          "Render only this window, from the top left: fractions if all are at most 1, else pixels")
-      ->type_name("X0,Y0,X1,Y1")
-      ->group("Pictures");
-  command->add_option("--aov", a.aovs, "Extra layers for .exr files, or all (see: ajar list aovs)")
-      ->type_name("LIST")
-      ->group("Pictures");
+      ->group(kPictures);
   command->add_option("--tone-map", a.tone_map, "Curve of .png and .jpg: srgb or filmic")
       ->type_name("NAME")
-      ->capture_default_str()
-      ->group("Pictures");
+      ->check(kNotEmpty)
+      ->group(kPictures);
   command->add_option("--exposure", a.exposure, "Brighten .png and .jpg by this many stops")
       ->type_name("STOPS")
-      ->capture_default_str()
-      ->group("Pictures");
-
-  command->add_option("--integrator", a.integrator, "Rendering method (see: ajar list integrators)")
-      ->type_name("NAME")
+      ->group(kPictures);
+  command
+      ->add_option("--output-every", a.output_every,
+                   "Also write the pictures while rendering, such as every 30s")
+      ->type_name("TIME")
       ->check(kNotEmpty)
-      ->group("Method");
-  command
-      ->add_option("--set", a.assignments,
-                   "Set a parameter of the method; may be given several times")
-      ->allow_extra_args(false)
-      ->type_name("KEY=VALUE")
-      ->group("Method");
-  command
-      ->add_option(
-          "--depth", a.depth,
-          "Path lengths in edges: 1 is light seen directly, 2 direct lighting, such as 1:8")
-      ->type_name("MIN:MAX")
-      ->group("Method");
-  command->add_option("--seed", a.seed, "Seed of the random numbers")
-      ->type_name("N")
-      ->capture_default_str()
-      ->group("Method");
+      ->group(kPictures);
 
+  command
+      ->add_option("--preview", a.preview,
+                   "Show the picture while it is rendered in a viewer that speaks tev's protocol, "
+                   "such as localhost:14158")
+      ->type_name("HOST:PORT")
+      ->check(kNotEmpty)
+      ->group(kPictures);
+
+  const std::string stop = "When to stop (whichever comes first; default: " + budget_default + ")";
   command->add_option("--spp", a.spp, "Samples per pixel (rounded up to equal replicates)")
       ->type_name("N")
       ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 31).description(""))
-      ->group("When to stop (whichever comes first; default: the scene's samples per pixel)");
+      ->group(stop);
   command->add_option("--time", a.time, "Time to render, such as 60s, 2m or 1h30m")
       ->type_name("TIME")
       ->check(kNotEmpty)
-      ->group("When to stop (whichever comes first; default: the scene's samples per pixel)");
+      ->group(stop);
   command
       ->add_option("--target-error", a.target_error,
                    "Estimated relative error of the picture, such as 0.01")
       ->type_name("X")
-      ->group("When to stop (whichever comes first; default: the scene's samples per pixel)");
+      ->group(stop);
+
+  command
+      ->add_option("--checkpoint", a.checkpoint,
+                   "Keep in this file all that is needed to go on (ajar resume FILE)")
+      ->type_name("FILE")
+      ->check(kNotEmpty)
+      ->group(kSafety);
+  command->add_option("--checkpoint-every", a.checkpoint_every, "How often to write it")
+      ->type_name("TIME")
+      ->check(kNotEmpty)
+      ->capture_default_str()
+      ->group(kSafety);
+  command
+      ->add_flag(
+          "--force", a.force,
+          "Go on even if another version of ajar wrote the checkpoint, or the scene has moved")
+      ->group(kSafety);
 
   command->add_option("--threads", a.threads, "Threads to use; 0: all processors")
       ->type_name("N")
       ->check(CLI::Range(0, 4096).description(""))
       ->capture_default_str()
-      ->group("Program");
+      ->group(kProgram);
   command->add_option("--stats", a.stats, "Write statistics as JSON")
       ->type_name("FILE.json")
       ->check(kNotEmpty)
-      ->group("Program");
+      ->group(kProgram);
   command->add_option("--progress", a.progress, "auto, plain (lines), json (lines) or none")
       ->type_name("HOW")
       ->capture_default_str()
-      ->group("Program");
+      ->group(kProgram);
+}
+
+void add_render(CLI::App& app, RenderArguments& a) {
+  CLI::App* command = app.add_subcommand("render", "Render a scene to pictures");
+  command->add_option("SCENE", a.scene, kSceneHelp)->required();
+  add_run(command, a.run, "SCENE.exr and SCENE.png here", "the scene's samples per pixel");
+  command
+      ->add_option("--resolution", a.resolution, "Size of the picture in pixels, such as 640x480")
+      ->type_name("WxH")
+      ->group(kPictures);
+  command->add_option("--scale", a.scale, "Multiply the scene's own resolution, such as 0.5")
+      ->type_name("F")
+      ->excludes("--resolution")
+      ->group(kPictures);
+  command
+      ->add_option(
+          "--crop", a.crop,
+          "Render only this window, from the top left: fractions if all are at most 1, else pixels")
+      ->type_name("X0,Y0,X1,Y1")
+      ->group(kPictures);
+  command->add_option("--aov", a.aovs, "Extra layers for .exr files, or all (see: ajar list aovs)")
+      ->type_name("LIST")
+      ->group(kPictures);
+
+  command->add_option("--integrator", a.integrator, "Rendering method (see: ajar list integrators)")
+      ->type_name("NAME")
+      ->check(kNotEmpty)
+      ->group(kMethod);
+  command
+      ->add_option("--set", a.assignments,
+                   "Set a parameter of the method; may be given several times")
+      ->allow_extra_args(false)
+      ->type_name("KEY=VALUE")
+      ->group(kMethod);
+  command
+      ->add_option(
+          "--depth", a.depth,
+          "Path lengths in edges: 1 is light seen directly, 2 direct lighting, such as 1:8")
+      ->type_name("MIN:MAX")
+      ->group(kMethod);
+  command->add_option("--seed", a.seed, "Seed of the random numbers")
+      ->type_name("N")
+      ->capture_default_str()
+      ->group(kMethod);
+  command
+      ->add_option("--resume", a.resume,
+                   "Go on with this checkpoint of the same render; begin anew if there is none")
+      ->type_name("FILE")
+      ->check(kNotEmpty)
+      ->group(kSafety);
+  command
+      ->add_option(
+          "--share", a.share,
+          "Render only the K-th of N parts of the work, for ajar merge; needs --checkpoint")
+      ->type_name("K/N")
+      ->check(kNotEmpty)
+      ->group(kProgram);
   command->footer(
-      "Ctrl-C ends the render after the current pass and writes the pictures.\n"
+      "Ctrl-C ends the render after the current pass and writes the pictures; SIGUSR1 writes them "
+      "and goes on.\n"
       "Example: ajar render scene.pbrt --time 2m --scale 0.5 -o scene.exr -o scene.png");
+}
+
+void add_resume(CLI::App& app, ResumeArguments& a) {
+  CLI::App* command = app.add_subcommand("resume", "Go on with a render from its checkpoint");
+  command->add_option("CHECKPOINT", a.checkpoint, "File that --checkpoint wrote")->required();
+  add_run(command, a.run, "as before", "as before; if any is given, it replaces all");
+  command->add_option("--scene", a.scene, "Where the scene is now, if it has moved")
+      ->type_name("SCENE")
+      ->check(kNotEmpty)
+      ->group(kProgram);
+  command->footer(
+      "Limits count from the beginning of the render. One that is finished can be extended, or "
+      "just "
+      "be written to other files.\n"
+      "Example: ajar resume room.checkpoint --spp 4096");
+}
+
+void add_merge(CLI::App& app, MergeArguments& a) {
+  CLI::App* command = app.add_subcommand("merge", "Put checkpoints together to one better picture");
+  command->add_option("CHECKPOINT", a.checkpoints, "Renders of one picture: seeds, or all shares")
+      ->required();
+  command->add_option("-o,--output", a.outputs, "Picture to write; may be given several times")
+      ->allow_extra_args(false)
+      ->type_name("FILE");
+  command->add_option("--checkpoint", a.checkpoint, "Write the whole as a checkpoint, too")
+      ->type_name("FILE")
+      ->check(kNotEmpty);
+  command->add_option("--stats", a.stats, "Write statistics as JSON")
+      ->type_name("FILE.json")
+      ->check(kNotEmpty);
+  command->add_option("--tone-map", a.tone_map, "Curve of .png and .jpg: srgb or filmic")
+      ->type_name("NAME")
+      ->capture_default_str();
+  command->add_option("--exposure", a.exposure, "Brighten .png and .jpg by this many stops")
+      ->type_name("STOPS")
+      ->capture_default_str();
+  command->add_flag("--force", a.force, "Merge what other versions of ajar have written, too");
+  command->footer("Example: ajar merge seed-1.checkpoint seed-2.checkpoint -o room.exr");
 }
 
 void add_others(CLI::App& app, Request& request) {
@@ -226,7 +321,7 @@ void check_leftovers(const CLI::App& app) {
 
 }  // namespace
 
-int run(int argc, const char* const* argv) {
+int run(int argc, const char* const* argv, Ranks* ranks) {
   Request request;
   CLI::App app("Ajar renders the light that other renderers miss.", "ajar");
   app.set_version_flag("--version", "ajar " + version(), "Print the version");
@@ -237,7 +332,11 @@ int run(int argc, const char* const* argv) {
       "Try: ajar render builtin:cornell\n"
       "Exit codes: 0 done, 1 renders of a study failed, 2 wrong usage, 3 unusable scene, 4 cannot "
       "read or write, 130 interrupted.");
+  request.render.run.ranks = ranks;
+  request.resume.run.ranks = ranks;
   add_render(app, request.render);
+  add_resume(app, request.resume);
+  add_merge(app, request.merge);
   add_others(app, request);
   add_compare(app, request.compare);
   add_study(app, request.study);
@@ -255,6 +354,8 @@ int run(int argc, const char* const* argv) {
   check_leftovers(app);
 
   if (app.got_subcommand("render")) return render(request.render);
+  if (app.got_subcommand("resume")) return resume(request.resume);
+  if (app.got_subcommand("merge")) return merge(request.merge);
   if (app.got_subcommand("info")) return info(request.info);
   if (app.got_subcommand("convert")) return convert(request.convert);
   if (app.got_subcommand("compare")) return compare(request.compare);

@@ -4,27 +4,61 @@
 #include <vector>
 
 #include "image/flip.h"
+#include "session/ranks.h"
 
 /// What the commands of the program are told, as written on the command line. Each command returns
 /// an exit code or raises an `Error`.
 namespace ajar::cli {
 
-struct RenderArguments {
-  std::string scene;
+/// What `render` and `resume` have in common: nothing of it decides the picture.
+struct RunArguments {
   std::vector<std::string> outputs;
-  std::string integrator;
-  std::vector<std::string> assignments;  ///< KEY=VALUE
-  std::string time, depth, resolution, crop, aovs;
+  std::string time;
   std::optional<std::uint64_t> spp;
-  std::optional<double> target_error, scale;
+  std::optional<double> target_error;
   int threads = 0;
-  std::string seed = "0";
   std::string stats;
   std::string progress = "auto";
-  std::string tone_map = "srgb";
-  float exposure = 0.F;
+  std::string tone_map;           ///< empty: srgb, or as before
+  std::optional<float> exposure;  ///< empty: 0, or as before
+  std::string checkpoint;         ///< empty: none, or the one that is resumed
+  std::string checkpoint_every = "60s";
+  std::string output_every;
+  std::string preview;  ///< HOST:PORT of a viewer; empty: none
+  bool force = false;
+  Ranks* ranks = nullptr;  ///< who render together; null: this process alone
+};
+
+struct RenderArguments {
+  std::string scene;
+  RunArguments run;
+  std::string integrator;
+  std::vector<std::string> assignments;  ///< KEY=VALUE
+  std::string depth, resolution, crop, aovs;
+  std::optional<double> scale;
+  std::string seed = "0";
+  std::string share;   ///< K/N; empty: all
+  std::string resume;  ///< empty: begin anew
 };
 int render(const RenderArguments& arguments);
+
+struct ResumeArguments {
+  std::string checkpoint;
+  RunArguments run;
+  std::string scene;  ///< empty: where it was
+};
+int resume(const ResumeArguments& arguments);
+
+struct MergeArguments {
+  std::vector<std::string> checkpoints;
+  std::vector<std::string> outputs;
+  std::string checkpoint;  ///< empty: none
+  std::string stats;
+  std::string tone_map = "srgb";
+  float exposure = 0.F;
+  bool force = false;
+};
+int merge(const MergeArguments& arguments);
 
 struct InfoArguments {
   std::string scene;

@@ -9,6 +9,7 @@
 #include "apps/cli/messages.h"
 #include "core/error.h"
 #include "scene/scene.h"
+#include "session/memory_estimate.h"
 #include "session/progress.h"
 #include "session/render_setup.h"
 #include "session/resources.h"
@@ -135,14 +136,22 @@ void add_built(const Scene& scene, Json& json) {
                     {"media", json["media"].size()}};
   const Box3& b = scene.bounds();
   json["bounds"] = {{"min", {b.min.x, b.min.y, b.min.z}}, {"max", {b.max.x, b.max.y, b.max.z}}};
-  const Vec2i resolution = scene.film().resolution;
-  const Box2i whole(Vec2i(0, 0), resolution - Vec2i(1, 1));
-  json["memory"] = {
-      {"embree_bytes", c.embree_bytes},
-      {"film_bytes", film_bytes(whole, RenderSetup::kReplicates,
-                                {LayerSpec{.name = "direct"}, LayerSpec{.name = "indirect"}})},
-      {"peak_bytes", peak_memory_bytes()}};
+  json["memory"]["embree_bytes"] = c.embree_bytes;
+  json["memory"]["peak_bytes"] = peak_memory_bytes();
   json["hash"] = fmt::format("{:016x}", scene.hash());
+}
+
+/// Of rendering the picture that the file asks for with the layers that every method makes.
+MemoryEstimate memory_of(const desc::SceneDesc& description) {
+  const Vec2i resolution = description.film.resolution;
+  const Box2i whole(Vec2i(0, 0), resolution - Vec2i(1, 1));
+  const std::vector<LayerSpec> layers = {LayerSpec{.name = "direct"},
+                                         LayerSpec{.name = "indirect"}};
+  MemoryEstimate estimate;
+  estimate.scene = scene_bytes(description);
+  estimate.film = film_bytes(whole, RenderSetup::kReplicates, layers);
+  estimate.pictures = picture_bytes(whole, RenderSetup::kReplicates, layers, {});
+  return estimate;
 }
 
 std::string counts_text(const Json& counts) {
@@ -158,7 +167,7 @@ std::string vector_text(const Json& v) {
                      v[2].get<double>());
 }
 
-void print_text(const Json& j) {
+void print_text(const Json& j, const MemoryEstimate& memory) {
   const auto line = [](const char* label, const std::string& text) {
     fmt::print("{:<12}{}\n", label, text);
   };
@@ -186,9 +195,11 @@ void print_text(const Json& j) {
                            film["resolution"][1].get<int>(), film["filter"].get<std::string>()));
   line("asks for", fmt::format("integrator {}, depth {}, spp {}", hints["integrator"].dump(),
                                hints["max_depth"].dump(), hints["samples_per_pixel"].dump()));
+  line("needs", memory_text(memory) + " to be rendered as it asks");
   line("memory",
-       fmt::format("{} in Embree, {} film, {} peak so far", megabytes(j["memory"]["embree_bytes"]),
-                   megabytes(j["memory"]["film_bytes"]), megabytes(j["memory"]["peak_bytes"])));
+       fmt::format("{} free before, {} in Embree, {} peak so far",
+                   megabytes(j["memory"]["available_bytes"]),
+                   megabytes(j["memory"]["embree_bytes"]), megabytes(j["memory"]["peak_bytes"])));
   line("loaded in", fmt::format("{:.2f} s, built in {:.2f} s", j["seconds"]["load"].get<double>(),
                                 j["seconds"]["build"].get<double>()));
   line("warnings", std::to_string(j["warnings"].get<std::size_t>()));
@@ -202,6 +213,13 @@ int info(const InfoArguments& arguments) {
   desc::SceneDesc description = load_scene(arguments.scene, warnings);
   const double load_seconds = load_clock.seconds();
   Json json = describe(description, arguments.scene);
+  const MemoryEstimate memory = memory_of(description);
+  const std::uint64_t available = available_memory_bytes();
+  json["memory"] = {{"scene_bytes", memory.scene},
+                    {"film_bytes", memory.film},
+                    {"picture_bytes", memory.pictures},
+                    {"needed_bytes", memory.total()},
+                    {"available_bytes", available}};
   const Stopwatch build_clock;
   const Scene scene(std::move(description), BuildOptions{}, warnings);
   json["seconds"] = {{"load", load_seconds}, {"build", build_clock.seconds()}};
@@ -212,7 +230,7 @@ int info(const InfoArguments& arguments) {
     fmt::print("{}\n", json.dump(2, ' ', false, Json::error_handler_t::replace));
   } else {
     print_warnings(warnings, "all with --json");
-    print_text(json);
+    print_text(json, memory);
   }
   return 0;
 }

@@ -11,6 +11,8 @@ namespace {
 
 constexpr std::size_t kMaxPrinted = 20;
 
+bool errors_only = false;
+
 void print(const char* kind, const std::string& text) {
   fmt::print(stderr, "ajar: {}{}\n", kind, text);
   std::fflush(stderr);
@@ -19,8 +21,13 @@ void print(const char* kind, const std::string& text) {
 }  // namespace
 
 void print_error(const std::string& text) { print("error: ", text); }
-void print_warning(const std::string& text) { print("warning: ", text); }
-void print_note(const std::string& text) { print("", text); }
+void print_warning(const std::string& text) {
+  if (!errors_only) print("warning: ", text);
+}
+void print_note(const std::string& text) {
+  if (!errors_only) print("", text);
+}
+void print_errors_only() { errors_only = true; }
 
 void print_warnings(const Warnings& warnings, const std::string& where_more) {
   const std::vector<std::string> messages = warnings.messages();

@@ -9,6 +9,8 @@ namespace ajar::cli {
 void print_error(const std::string& text);
 void print_warning(const std::string& text);
 void print_note(const std::string& text);
+/// From here on nothing but errors: for processes that render what another tells of.
+void print_errors_only();
 /// The first twenty, then how many there are besides. `where_more`: where the others can be found;
 /// may be empty.
 void print_warnings(const Warnings& warnings, const std::string& where_more);

@@ -15,6 +15,8 @@ namespace {
 /// A file that claims more texels than this is damaged or hostile.
 constexpr std::int64_t kMaxTexels = std::int64_t{1} << 31;
 
+int kept_channels(const OIIO::ImageSpec& spec) { return spec.nchannels >= 3 ? 3 : 1; }
+
 template <typename T>
 std::vector<T> read_channels(OIIO::ImageInput& input, int channels, OIIO::TypeDesc type) {
   const OIIO::ImageSpec& spec = input.spec();
@@ -40,7 +42,7 @@ TexelImage read_texel_image(const std::string& path) {
   TexelImage image;
   image.width = spec.width;
   image.height = spec.height;
-  image.channels = spec.nchannels >= 3 ? 3 : 1;
+  image.channels = kept_channels(spec);
   switch (spec.format.basetype) {
     case OIIO::TypeDesc::UINT8:
       image.texels = read_channels<std::uint8_t>(*input, image.channels, OIIO::TypeDesc::UINT8);
@@ -55,6 +57,24 @@ TexelImage read_texel_image(const std::string& path) {
       image.texels = read_channels<float>(*input, image.channels, OIIO::TypeDesc::FLOAT);
   }
   return image;
+}
+
+ImageSize image_size(const std::string& path) {
+  const auto input = OIIO::ImageInput::open(path);
+  if (!input) {
+    OIIO::geterror();  // else it would be told when the program ends
+    return {};
+  }
+  const OIIO::ImageSpec& spec = input->spec();
+  if (spec.width <= 0 || spec.height <= 0) return {};
+  ImageSize size;
+  size.texels = static_cast<std::uint64_t>(spec.width) * static_cast<std::uint64_t>(spec.height);
+  const bool is_small_type = spec.format == OIIO::TypeDesc::UINT8 ||
+                             spec.format == OIIO::TypeDesc::UINT16 ||
+                             spec.format == OIIO::TypeDesc::HALF;
+  const std::uint64_t channel_bytes = is_small_type ? spec.format.size() : sizeof(float);
+  size.bytes = size.texels * static_cast<std::uint64_t>(kept_channels(spec)) * channel_bytes;
+  return size;
 }
 
 std::map<std::string, CachedImage> read_images(std::span<const std::string> paths) {

@@ -25,6 +25,14 @@ struct TexelImage {
 /// Reads an image; alpha is ignored, not multiplied in. Throws IoError with the reason.
 TexelImage read_texel_image(const std::string& path);
 
+/// What an image will take in memory, as its file says.
+struct ImageSize {
+  std::uint64_t texels = 0;
+  std::uint64_t bytes = 0;
+};
+/// Without reading the texels; nothing if the file cannot be read.
+ImageSize image_size(const std::string& path);
+
 /// Result of reading a file: an image, or the reason why there is none.
 struct CachedImage {
   std::shared_ptr<const TexelImage> image;

@@ -1,0 +1,95 @@
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "apps/cli/commands.h"
+#include "apps/cli/messages.h"
+#include "apps/cli/render_report.h"
+#include "apps/cli/render_run.h"
+#include "core/error.h"
+#include "session/merge.h"
+#include "session/resources.h"
+
+namespace ajar::cli {
+
+namespace {
+
+constexpr int kExitFile = 4;
+
+RenderStatistics statistics_of(const Checkpoint& merged) {
+  RenderStatistics statistics;
+  const RenderRecord& render = merged.render;
+  statistics.scene = render.scene;
+  statistics.scene_hash = render.scene_hash;
+  statistics.integrator = render.integrator;
+  statistics.parameters = {render.parameters.begin(), render.parameters.end()};
+  statistics.seed = render.settings.seed;
+  statistics.replicates = render.settings.replicates;
+  statistics.min_depth = render.settings.min_depth;
+  statistics.max_depth = render.settings.max_depth;
+  statistics.resolution = render.settings.resolution;
+  statistics.crop = render.settings.crop;
+  statistics.preparation = merged.preparation;
+  statistics.budget = merged.budget;
+  statistics.resumptions = merged.resumptions;
+  statistics.interruptions = merged.interruptions;
+  RenderResult& result = statistics.result;
+  result.counters = merged.job.counters;
+  result.samples_per_pixel = merged.job.samples_per_pixel;
+  result.seconds = merged.job.seconds;
+  result.cpu_seconds = merged.job.cpu_seconds;
+  result.passes = merged.job.passes;
+  result.relative_error = merged.job.relative_error;
+  result.stopped_by = StopReason::Samples;
+  return statistics;
+}
+
+std::string seeds_text(const Checkpoint& merged) {
+  std::string text;
+  for (const MergedRun& run : merged.merged) {
+    text += fmt::format("{}{} ({} spp)", text.empty() ? "" : ", ", run.seed, run.samples_per_pixel);
+  }
+  return text;
+}
+
+}  // namespace
+
+int merge(const MergeArguments& a) {
+  if (a.outputs.empty() && a.checkpoint.empty()) {
+    throw UsageError("merge: say with -o or --checkpoint where the result goes");
+  }
+  const DisplayOptions display = display_of(a.tone_map, a.exposure);
+  check_picture_paths(a.outputs);
+  std::vector<std::string> written = a.outputs;
+  for (const std::string& path : {a.stats, a.checkpoint}) {
+    if (path.empty()) continue;
+    check_writable(path);
+    written.push_back(path);
+  }
+  check_distinct(written);
+
+  std::vector<NamedCheckpoint> parts;
+  for (const std::string& path : a.checkpoints) parts.push_back({path, read_checkpoint(path)});
+  Checkpoint merged = ajar::merge(std::move(parts), a.force);
+  RenderStatistics statistics = statistics_of(merged);
+  statistics.checkpoint = a.checkpoint;
+
+  const std::string& first = a.checkpoints.front();
+  const std::vector<std::string> aovs = merged.render.aovs;
+  const Film film = film_of(merged, Filter::box(), first);
+  if (!a.checkpoint.empty()) write_checkpoint(a.checkpoint, merged, film.raw());
+  Picture picture =
+      develop(film, merged.scales, merged.job.samples_per_pixel, merged.render.film_scale, aovs);
+  picture.metadata = to_metadata(statistics);
+  if (merged.merged.size() > 1) picture.metadata["ajar:merged_seeds"] = seeds_text(merged);
+  const std::vector<WrittenFile> files = write_pictures(picture, a.outputs, display);
+  for (const WrittenFile& file : files) {
+    if (!file.path.empty()) statistics.outputs.push_back(file.path);
+  }
+  statistics.peak_memory_bytes = peak_memory_bytes();
+  const bool stats_written = write_statistics(statistics, a.stats);
+  report_end(statistics.result, false);
+  return report_files(files) && stats_written ? 0 : kExitFile;
+}
+
+}  // namespace ajar::cli

@@ -1,0 +1,79 @@
+#include "apps/cli/render_report.h"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "apps/cli/messages.h"
+#include "core/error.h"
+#include "session/progress.h"
+
+namespace ajar::cli {
+
+bool report_files(const std::vector<WrittenFile>& files) {
+  bool all_written = true;
+  for (const WrittenFile& file : files) {
+    if (file.error.empty()) {
+      fmt::print("{}\n", file.path);
+      continue;
+    }
+    all_written = false;
+    print_error(file.error);
+    if (!file.path.empty()) {
+      print_note("the picture is in " + file.path + " instead");
+      fmt::print("{}\n", file.path);
+    }
+  }
+  std::fflush(stdout);
+  return all_written;
+}
+
+bool report_checkpoint(const WrittenFile& file) {
+  if (file.error.empty()) return true;
+  print_error(file.error);
+  if (!file.path.empty()) print_note("the checkpoint is in " + file.path + " instead");
+  return false;
+}
+
+bool write_statistics(const RenderStatistics& statistics, const std::string& path) {
+  if (path.empty()) return true;
+  try {
+    write_json(to_json(statistics), path);
+    return true;
+  } catch (const IoError& error) {
+    print_error(error.what());
+    return false;
+  }
+}
+
+void report_discarded(const Counters& counters) {
+  const std::uint64_t total =
+      counters.discarded_nan + counters.discarded_infinite + counters.discarded_negative;
+  if (total == 0) return;
+  print_warning(
+      fmt::format("{} contributions were dropped ({} NaN, {} infinite, {} negative); the first: {}",
+                  total, counters.discarded_nan, counters.discarded_infinite,
+                  counters.discarded_negative, counters.first_discarded));
+}
+
+void report_end(const RenderResult& result, bool chains) {
+  std::string text = fmt::format(
+      "{} {}{} per pixel in {}, {} rays/s", result.samples_per_pixel,
+      chains ? "mutation" : "sample", result.samples_per_pixel == 1 ? "" : "s",
+      clock_text(result.seconds),
+      short_number(result.seconds > 0.0 ? static_cast<double>(result.counters.rays) / result.seconds
+                                        : 0.0));
+  if (result.relative_error) {
+    text += fmt::format(", estimated error {:.2g} %", 100.0 * *result.relative_error);
+  }
+  if (result.stopped_by == StopReason::Interrupted) text += ", interrupted";
+  print_note(text);
+  if (!result.complete) {
+    print_warning(
+        "the last pass was cut short: parts of the picture have fewer samples than others, or "
+        "none");
+  }
+}
+
+}  // namespace ajar::cli

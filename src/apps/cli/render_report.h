@@ -1,0 +1,21 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "session/output.h"
+#include "session/render_job.h"
+#include "session/stats_json.h"
+
+/// What the program says at the end of a render.
+namespace ajar::cli {
+
+/// Prints where the files are; true if each is where it should be.
+bool report_files(const std::vector<WrittenFile>& files);
+/// Says where the checkpoint is; true if it is where it should be.
+bool report_checkpoint(const WrittenFile& file);
+/// True if they could be written, or `path` is empty.
+bool write_statistics(const RenderStatistics& statistics, const std::string& path);
+void report_discarded(const Counters& counters);
+void report_end(const RenderResult& result, bool chains);
+
+}  // namespace ajar::cli

@@ -1,0 +1,56 @@
+// `ajar` as one of several processes of mpirun. What they render together is written by the root;
+// of commands that render nothing the root does everything.
+#include <mpi.h>
+
+#include <chrono>
+#include <string_view>
+#include <thread>
+
+#include "apps/cli/command_line.h"
+#include "apps/cli/guard.h"
+#include "apps/cli/messages.h"
+#include "apps/mpi/mpi_ranks.h"
+#include "session/interrupts.h"
+
+namespace {
+
+bool renders(int argc, char** argv) {
+  const std::string_view command = argc > 1 ? argv[1] : "";
+  return command == "render" || command == "resume";
+}
+
+int run(int argc, char** argv) {
+  ajar::MpiRanks ranks;
+  const bool together = renders(argc, argv);
+  if (!together && !ranks.is_root()) return 0;
+  if (!ranks.is_root()) ajar::cli::print_errors_only();
+  // After an error the others would wait for this process forever.
+  const auto end_all = [&](int code) {
+    if (!together) return;
+    // What is wrong for all is told by the root, which ends the others meanwhile.
+    MPI_Abort(MPI_COMM_WORLD, code);
+  };
+  return ajar::cli::guard(
+      [&] {
+        try {
+          return ajar::cli::run(argc, argv, together ? &ranks : nullptr);
+        } catch (...) {
+          if (!ranks.is_root()) std::this_thread::sleep_for(std::chrono::seconds(1));
+          throw;
+        }
+      },
+      end_all);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  // Only the thread that calls RenderJob::run talks to the others.
+  int provided = 0;
+  MPI_Init_thread(&argc, &argv, MPI_THREAD_FUNNELED, &provided);
+  // After MPI, which has handlers of its own.
+  ajar::install_interrupt_handlers();
+  const int code = run(argc, argv);
+  MPI_Finalize();
+  return code;
+}

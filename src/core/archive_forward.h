@@ -1,0 +1,14 @@
+#pragma once
+
+namespace cereal {
+class PortableBinaryOutputArchive;
+class PortableBinaryInputArchive;
+}  // namespace cereal
+
+namespace ajar {
+
+/// See core/archive.h, which is much to read for those who only pass an archive on.
+using OutputArchive = cereal::PortableBinaryOutputArchive;
+using InputArchive = cereal::PortableBinaryInputArchive;
+
+}  // namespace ajar

@@ -1,0 +1,83 @@
+#include "scene/scene_memory.h"
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <variant>
+
+#include "scene/texture/image_cache.h"
+
+namespace ajar {
+
+namespace {
+
+// Measured: Embree 3.13 keeps 67 bytes per triangle in meshes of 25 000 to 130 000. While it builds
+// there are as many again.
+constexpr std::uint64_t kTreeBytesPerTriangle = 135;
+constexpr std::uint64_t kTreeBytesPerSegment = 300;  // of curves; a bound, not measured
+constexpr std::uint64_t kBytesPerVertex = 64;        // of a TriangleMesh with all attributes
+constexpr std::uint64_t kBytesPerTriangle = 12;      // its indices
+constexpr std::uint64_t kDensityBytesPerTexel = 16;  // of a light's map of directions
+
+std::uint64_t triangle_bytes(std::uint64_t triangles, std::uint64_t vertices) {
+  return triangles * (kTreeBytesPerTriangle + kBytesPerTriangle) + vertices * kBytesPerVertex;
+}
+
+struct ShapeMemory {
+  std::uint64_t operator()(const std::shared_ptr<const desc::Mesh>& mesh) const {
+    return triangle_bytes(mesh->indices.size(), mesh->positions.size());
+  }
+  std::uint64_t operator()(const std::shared_ptr<const desc::LoopSubdivision>& surface) const {
+    // Each level makes four triangles of one; large meshes have half as many vertices.
+    const auto doublings = 2U * static_cast<unsigned>(std::clamp(surface->levels, 0, 12));
+    const std::uint64_t triangles = std::uint64_t{surface->control.indices.size()} << doublings;
+    return triangle_bytes(triangles, triangles / 2);
+  }
+  std::uint64_t operator()(const std::shared_ptr<const desc::Curve>& curve) const {
+    return curve->control_points.size() / 4 * kTreeBytesPerSegment;
+  }
+  template <typename Quadric>
+  std::uint64_t operator()(const Quadric& /*quadric*/) const {
+    return 0;
+  }
+};
+
+std::uint64_t shape_bytes(const std::vector<desc::Shape>& shapes) {
+  std::uint64_t bytes = 0;
+  for (const desc::Shape& shape : shapes) bytes += std::visit(ShapeMemory{}, shape.node);
+  return bytes;
+}
+
+const std::string& image_of(const desc::Light& light) {
+  static const std::string kNoImage;
+  if (const auto* infinite = std::get_if<desc::InfiniteLight>(&light.node)) return infinite->image;
+  if (const auto* lamp = std::get_if<desc::GoniometricLight>(&light.node)) return lamp->image;
+  if (const auto* slide = std::get_if<desc::ProjectionLight>(&light.node)) return slide->image;
+  return kNoImage;
+}
+
+}  // namespace
+
+SceneMemory estimate_memory(const desc::SceneDesc& scene) {
+  SceneMemory memory;
+  memory.geometry = shape_bytes(scene.shapes);
+  for (const desc::Object& object : scene.objects) memory.geometry += shape_bytes(object.shapes);
+
+  std::map<std::string, ImageSize> images;
+  const auto size_of = [&](const std::string& path) {
+    const auto [entry, is_new] = images.try_emplace(path);
+    if (is_new) entry->second = image_size(path);
+    memory.images += is_new ? entry->second.bytes : 0;
+    return entry->second;
+  };
+  for (const desc::Texture& texture : scene.textures) {
+    if (const auto* image = std::get_if<desc::ImageTexture>(&texture.node)) size_of(image->path);
+  }
+  for (const desc::Light& light : scene.lights) {
+    const std::string& path = image_of(light);
+    if (!path.empty()) memory.images += size_of(path).texels * kDensityBytesPerTexel;
+  }
+  return memory;
+}
+
+}  // namespace ajar

@@ -1,0 +1,105 @@
+#pragma once
+#include "core/archive.h"
+#include "session/checkpoint.h"
+
+/// How the parts of a checkpoint are written and read. Whoever changes this must raise
+/// `kCheckpointFormat`.
+namespace ajar {
+
+template <Archive A>
+void serialize(A& archive, WorkShare& share) {
+  archive(share.index, share.count);
+}
+
+template <Archive A>
+void serialize(A& archive, RenderSettings& settings) {
+  archive(settings.resolution.x, settings.resolution.y, settings.crop.min.x, settings.crop.min.y,
+          settings.crop.max.x, settings.crop.max.y, settings.min_depth, settings.max_depth,
+          settings.seed, settings.replicates, settings.aovs);
+}
+
+template <Archive A>
+void serialize(A& archive, RenderRecord& record) {
+  archive(record.scene, record.scene_hash, record.integrator, record.parameters, record.settings,
+          record.aovs, record.film_scale, record.share);
+}
+
+template <Archive A>
+void serialize(A& archive, MergedRun& run) {
+  archive(run.seed, run.samples_per_pixel);
+}
+
+template <Archive A>
+void serialize(A& archive, Budget& budget) {
+  archive(budget.samples_per_pixel, budget.seconds, budget.target_error);
+}
+
+template <Archive A>
+void serialize(A& archive, LayerSpec& spec) {
+  archive(spec.name, spec.has_replicates, spec.magnitude, spec.holds_identities, spec.part_of);
+}
+
+template <Archive A>
+void serialize(A& archive, std::pair<std::string, Plane>& map) {
+  archive(map.first, map.second.size.x, map.second.size.y, map.second.values);
+}
+
+template <Archive A>
+void serialize(A& archive, Development& development) {
+  archive(development.whole, development.replicates);
+  // Planes have no value without a size, so that containers cannot make them.
+  auto maps = static_cast<std::uint32_t>(development.maps.size());
+  auto masks = static_cast<std::uint32_t>(development.antialias_mask ? 1 : 0);
+  archive(maps, masks);
+  if constexpr (A::is_loading::value) {
+    development.maps.assign(maps, {std::string(), Plane(Vec2i(0, 0))});
+    if (masks > 0) development.antialias_mask.emplace(Vec2i(0, 0));
+  }
+  for (auto& map : development.maps) serialize(archive, map);
+  if (development.antialias_mask) {
+    Plane& mask = *development.antialias_mask;
+    archive(mask.size.x, mask.size.y, mask.values);
+  }
+}
+
+template <Archive A>
+void serialize(A& archive, Counters& counters) {
+  archive(counters.rays, counters.samples, counters.mutations, counters.strong_light,
+          counters.discarded_nan, counters.discarded_infinite, counters.discarded_negative,
+          counters.first_discarded);
+  std::vector<double> sums = counters.techniques.sums();
+  archive(sums);
+  if constexpr (A::is_loading::value) {
+    counters.techniques = {};
+    counters.techniques.add_sums(sums);
+  }
+}
+
+template <Archive A>
+void serialize(A& archive, PartialPass& pass) {
+  archive(pass.first_sample, pass.samples, pass.done);
+}
+
+template <Archive A>
+void serialize(A& archive, JobState::ErrorMark& mark) {
+  archive(mark.samples, mark.error);
+}
+
+template <Archive A>
+void serialize(A& archive, JobState& job) {
+  archive(job.samples_per_pixel, job.partial, job.counters, job.passes, job.seconds,
+          job.cpu_seconds, job.seconds_per_sample, job.relative_error, job.error_samples,
+          job.recent_errors);
+}
+
+/// All but the film's sums.
+template <Archive A>
+void serialize(A& archive, Checkpoint& checkpoint) {
+  archive(checkpoint.version, checkpoint.render, checkpoint.budget, checkpoint.outputs,
+          checkpoint.tone_map, checkpoint.exposure, checkpoint.layers, checkpoint.scales,
+          checkpoint.job, checkpoint.integrator_state, checkpoint.preparation,
+          checkpoint.other_seconds, checkpoint.resumptions, checkpoint.interruptions,
+          checkpoint.merged);
+}
+
+}  // namespace ajar

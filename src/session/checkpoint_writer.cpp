@@ -1,0 +1,63 @@
+#include "session/checkpoint_writer.h"
+
+#include <exception>
+#include <utility>
+
+#include "core/archive.h"
+#include "core/atomic_file.h"
+
+namespace ajar {
+
+CheckpointWriter::CheckpointWriter(std::string path, double every, Checkpoint base,
+                                   const Integrator& integrator, RepeatedWriting::Say warn,
+                                   RepeatedWriting::Say note)
+    : path_(std::move(path)),
+      checkpoint_(std::move(base)),
+      integrator_(integrator),
+      writing_("the checkpoint", every, std::move(warn), std::move(note)) {
+  remove_abandoned_parts(path_);
+}
+
+bool CheckpointWriter::wants_picture(const JobState& /*state*/) { return writing_.is_due(); }
+
+void CheckpointWriter::fill(const Film& film, const JobState& state) {
+  checkpoint_.job = state;
+  checkpoint_.scales = development_of(film, integrator_, state.mean_samples());
+  checkpoint_.integrator_state =
+      archived([&](OutputArchive& archive) { integrator_.save_state(archive); });
+}
+
+void CheckpointWriter::see_picture(const Film& film, const JobState& state) {
+  if (!writing_.is_due()) return;
+  writing_.attempt([&] {
+    fill(film, state);
+    write_checkpoint(path_, checkpoint_, film.raw());
+  });
+}
+
+WrittenFile CheckpointWriter::write_last(const Film& film, const JobState& state,
+                                         bool interrupted) {
+  WrittenFile result{path_, path_, {}};
+  try {
+    fill(film, state);
+    if (interrupted) ++checkpoint_.interruptions;
+    write_checkpoint(path_, checkpoint_, film.raw());
+    return result;
+  } catch (const std::exception& error) {
+    result.error = error.what();
+  }
+  for (const std::string& rescue : rescue_paths(path_)) {
+    try {
+      write_checkpoint(rescue, checkpoint_, film.raw());
+      result.path = rescue;
+      return result;
+    } catch (const std::exception&) {
+      // The first reason is the one to tell; the next place may still work.
+      continue;
+    }
+  }
+  result.path.clear();
+  return result;
+}
+
+}  // namespace ajar

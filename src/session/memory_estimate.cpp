@@ -1,0 +1,82 @@
+#include "session/memory_estimate.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "scene/scene_memory.h"
+
+namespace ajar {
+
+namespace {
+
+constexpr std::uint64_t kChannels = 3;
+/// A layer as it is developed, gathered with the others for the file, and in the file's bytes.
+constexpr std::uint64_t kPictureCopies = 3;
+/// Not to be used up: the rest of the program, and what estimates leave out.
+constexpr double kUsableShare = 0.95;
+
+std::uint64_t pixels_of(const Box2i& crop) {
+  const Vec2i size = crop.max - crop.min + Vec2i(1, 1);
+  return static_cast<std::uint64_t>(size.x) * static_cast<std::uint64_t>(size.y);
+}
+
+std::string bytes_text(std::uint64_t bytes) {
+  const auto number = static_cast<double>(bytes);
+  return number < 1e9 ? fmt::format("{:.0f} MB", 1e-6 * number)
+                      : fmt::format("{:.1f} GB", 1e-9 * number);
+}
+
+}  // namespace
+
+std::uint64_t film_bytes(const Box2i& crop, int replicates, const std::vector<LayerSpec>& layers) {
+  const std::uint64_t per_sum = pixels_of(crop) * kChannels * sizeof(std::int64_t);
+  std::uint64_t bytes = 0;
+  for (const LayerSpec& layer : layers) {
+    bytes += per_sum * (layer.has_replicates ? static_cast<std::uint64_t>(replicates) : 1U);
+  }
+  return bytes;
+}
+
+std::uint64_t picture_bytes(const Box2i& crop, int replicates, const std::vector<LayerSpec>& layers,
+                            const std::vector<std::string>& aovs) {
+  std::uint64_t shown = 1;  // their sum
+  for (const LayerSpec& layer : layers) shown += layer.part_of.empty() ? 1U : 0U;
+  for (const std::string& name : aovs) {
+    if (name == "replicates") shown += static_cast<std::uint64_t>(replicates);
+    if (name == "samples" || name == "standard-error") ++shown;
+  }
+  return pixels_of(crop) * kChannels * sizeof(float) * kPictureCopies * shown;
+}
+
+std::uint64_t scene_bytes(const desc::SceneDesc& scene) {
+  const SceneMemory memory = estimate_memory(scene);
+  return memory.geometry + memory.images;
+}
+
+std::string memory_text(const MemoryEstimate& estimate) {
+  const std::array<std::pair<const char*, std::uint64_t>, 4> parts = {
+      {{"scene", estimate.scene},
+       {"film", estimate.film},
+       {"writing pictures", estimate.pictures},
+       {"method", estimate.method}}};
+  std::string text;
+  for (const auto& [name, bytes] : parts) {
+    if (bytes == 0) continue;
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", name, bytes_text(bytes));
+  }
+  return fmt::format("{} ({})", bytes_text(estimate.total()), text);
+}
+
+std::string memory_complaint(const MemoryEstimate& estimate, std::uint64_t available) {
+  const double usable = kUsableShare * static_cast<double>(available);
+  if (available == 0 || static_cast<double>(estimate.total()) <= usable) return {};
+  return fmt::format(
+      "this needs {} of memory, and {} are free here; use a smaller --resolution or --crop, or "
+      "fewer --aov",
+      memory_text(estimate), bytes_text(available));
+}
+
+}  // namespace ajar

@@ -1,0 +1,36 @@
+#include "session/picture_writer.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+namespace ajar {
+
+PictureWriter::PictureWriter(std::vector<std::string> paths, double every,
+                             const InterruptCount* requests, DisplayOptions display,
+                             Develop develop, RepeatedWriting::Say warn, RepeatedWriting::Say note)
+    : paths_(std::move(paths)),
+      requests_(requests),
+      display_(display),
+      develop_(std::move(develop)),
+      writing_("the picture", every, std::move(warn), note),
+      note_(std::move(note)) {}
+
+bool PictureWriter::wants_picture(const JobState& /*state*/) {
+  return writing_.is_due() || requested() > answered_;
+}
+
+void PictureWriter::see_picture(const Film& film, const JobState& state) {
+  const bool asked = requested() > answered_;
+  if (!asked && !writing_.is_due()) return;
+  answered_ = requested();
+  const bool written = writing_.attempt([&] {
+    const LayeredImage image = layered_image(develop_(film, state));
+    for (const std::string& path : paths_) write_image(path, image, display_);
+  });
+  if (asked && written) {
+    note_(fmt::format("wrote the picture with {} samples per pixel", state.samples_per_pixel));
+  }
+}
+
+}  // namespace ajar

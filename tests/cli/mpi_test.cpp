@@ -1,0 +1,136 @@
+// Several processes of mpirun that render one picture, as a user meets them.
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <thread>
+
+#include "cli/cli_fixture.h"
+
+namespace ajar {
+namespace {
+
+using namespace std::chrono_literals;
+
+class MpiCli : public Cli {
+ protected:
+  std::string bytes(const std::string& name) const { return read_text(folder_ / name); }
+#ifdef AJAR_MPIRUN
+  void SetUp() override {
+    Cli::SetUp();
+    // Tests may be run by root in a container with fewer processors than ranks.
+    setenv("OMPI_ALLOW_RUN_AS_ROOT", "1", 1);
+    setenv("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1", 1);
+    setenv("OMPI_MCA_rmaps_base_oversubscribe", "1", 1);
+  }
+  pid_t start_ranks(int count, const std::vector<std::string>& arguments) const {
+    std::vector<std::string> all{"-n", std::to_string(count), AJAR_PROGRAM};
+    all.insert(all.end(), arguments.begin(), arguments.end());
+    return start(all, AJAR_MPIRUN);
+  }
+  Outcome run_ranks(int count, const std::vector<std::string>& arguments) const {
+    return finish(start_ranks(count, arguments));
+  }
+#endif
+};
+
+TEST_F(MpiCli, TheProgramItselfHasNothingOfMpi) {
+  const std::string program = read_text(AJAR_PROGRAM);
+  ASSERT_GT(program.size(), 1000U);
+  EXPECT_FALSE(contains(program, "libmpi"));
+  EXPECT_FALSE(contains(program, "MPI_Init"));
+}
+
+TEST_F(MpiCli, WithoutItsOtherHalfTheProgramRefusesToBeARank) {
+  fs::copy_file(AJAR_PROGRAM, folder_ / "ajar");
+  setenv("OMPI_COMM_WORLD_SIZE", "2", 1);
+  const Outcome outcome = finish(start({"render", "builtin:cornell"}, (folder_ / "ajar").string()));
+  unsetenv("OMPI_COMM_WORLD_SIZE");
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_TRUE(contains(outcome.err, "built without MPI")) << outcome.err;
+}
+
+#ifdef AJAR_MPIRUN
+
+std::vector<std::string> small_render(const std::string& integrator, const std::string& output) {
+  // The default bootstrap takes longer than all the rest.
+  const std::string setting = integrator == "bdpt" ? "cull=0" : "bootstrap=5000";
+  return {"render",  "builtin:cornell", "--resolution", "24x16",     "--spp", "24", "--progress",
+          "none",    "--integrator",    integrator,     "--threads", "1",     "-o", output,
+          "--stats", "stats.json",      "--set",        setting};
+}
+
+TEST_F(MpiCli, AnyNumberOfRanksGivesTheSameFile) {
+  for (const std::string integrator : {"bdpt", "pssmlt", "mmlt", "selective"}) {
+    ASSERT_EQ(run(small_render(integrator, "one.pfm")).exit_code, 0);
+    const json alone = statistics();
+    for (const int count : {2, 3}) {
+      const Outcome outcome = run_ranks(count, small_render(integrator, "several.pfm"));
+      ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+      EXPECT_EQ(bytes("several.pfm"), bytes("one.pfm")) << integrator << " on " << count;
+      const json together = statistics();
+      EXPECT_EQ(together.at("ranks"), count);
+      // Not the rays: chains that are started more often trace more.
+      for (const char* key :
+           {"mutations", "samples", "samples_per_pixel", "estimated_relative_error"}) {
+        EXPECT_EQ(together.at(key), alone.at(key)) << key;
+      }
+    }
+  }
+}
+
+TEST_F(MpiCli, CheckpointsGoFromRanksToOneProcessAndBack) {
+  std::vector<std::string> arguments = small_render("mmlt", "a.pfm");
+  arguments.insert(arguments.end(), {"--checkpoint", "c"});
+  ASSERT_EQ(run_ranks(2, arguments).exit_code, 0);
+  ASSERT_EQ(run({"resume", "c", "--spp", "40"}).exit_code, 0);
+  const Outcome outcome = run_ranks(3, {"resume", "c", "--spp", "64", "--threads", "1"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  arguments = small_render("mmlt", "alone.pfm");
+  std::replace(arguments.begin(), arguments.end(), std::string("24"), std::string("64"));
+  ASSERT_EQ(run(arguments).exit_code, 0);
+  EXPECT_EQ(bytes("a.pfm"), bytes("alone.pfm"));
+}
+
+TEST_F(MpiCli, WhatIsWrongIsToldOnceAndEndsAllRanks) {
+  const Outcome outcome = run_ranks(2, {"render", "builtin:nowhere"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_EQ(outcome.err.find("ajar: error:"), outcome.err.rfind("ajar: error:")) << outcome.err;
+}
+
+TEST_F(MpiCli, ARankThatDiesEndsTheJobAndLeavesTheCheckpoint) {
+  const pid_t job = start_ranks(2, {"render", "builtin:cornell", "--resolution", "24x16", "--time",
+                                    "1h", "--progress", "json", "-o", "a.pfm", "--threads", "1",
+                                    "--checkpoint", "c", "--checkpoint-every", "0.05s"});
+  for (int i = 0; i < 500 && !fs::exists(folder_ / "c"); ++i) std::this_thread::sleep_for(20ms);
+  ASSERT_TRUE(fs::exists(folder_ / "c")) << read_text(folder_ / ".stderr");
+  // One of mpirun's children.
+  const std::string children =
+      read_text("/proc/" + std::to_string(job) + "/task/" + std::to_string(job) + "/children");
+  const pid_t rank = std::atoi(children.c_str());
+  ASSERT_GT(rank, 0);
+  kill(rank, SIGKILL);
+  EXPECT_NE(finish(job).exit_code, 0);
+  const Outcome resumed = run({"resume", "c", "--time", "0.001s", "-o", "b.pfm"});
+  EXPECT_EQ(resumed.exit_code, 0) << resumed.err;
+}
+
+TEST_F(MpiCli, OneRankThatIsInterruptedEndsAllWithThePicture) {
+  const pid_t job = start_ranks(
+      2, {"render", "builtin:cornell", "--resolution", "24x16", "--time", "1h", "--progress",
+          "json", "-o", "a.pfm", "--threads", "1", "--stats", "stats.json"});
+  EXPECT_TRUE(wait_for(folder_ / ".stderr", "\"progress\""));
+  const std::string children =
+      read_text("/proc/" + std::to_string(job) + "/task/" + std::to_string(job) + "/children");
+  kill(std::atoi(children.c_str()), SIGTERM);
+  EXPECT_EQ(finish(job).exit_code, 130);
+  EXPECT_TRUE(fs::exists(folder_ / "a.pfm"));
+  EXPECT_EQ(statistics().at("interrupted"), true);
+}
+
+#endif
+
+}  // namespace
+}  // namespace ajar

@@ -1,0 +1,216 @@
+// Renders that are stopped and go on, or are shared by several processes, end with the same bits.
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "core/archive.h"
+#include "image/make_filter.h"
+#include "session/checkpoint.h"
+#include "session/preparation.h"
+#include "session/render_job.h"
+#include "session/testing/thread_ranks.h"
+#include "session/version.h"
+#include "support/render.h"
+#include "support/small_scenes.h"
+
+namespace ajar {
+namespace {
+
+constexpr std::uint64_t kSamples =
+    16;  // b is refined, recruits join and maps end epochs at 4, 8, …
+
+using Sums = std::vector<std::int64_t>;
+
+/// An integrator and what of its parameters is not by default.
+struct Method {
+  std::string integrator;
+  std::map<std::string, std::string> parameters;
+};
+
+/// Every integrator, and what else chains can remember.
+std::vector<Method> methods() {
+  std::vector<Method> methods;
+  for (const IntegratorInfo& info : integrators()) methods.push_back({info.name, {}});
+  methods.push_back({"mmlt", {{"split", "0"}, {"multi-try", "2"}}});
+  methods.push_back({"mmlt", {{"step", "adaptive"}, {"m1", "1"}}});
+  methods.push_back({"pssmlt", {{"mutation", "fusion"}, {"rule", "published"}, {"m1", "1"}}});
+  methods.push_back({"selective", {{"map", "binary"}, {"chain", "pssmlt"}}});
+  return methods;
+}
+
+std::string text_of(const Method& method) {
+  std::string text = method.integrator;
+  for (const auto& [name, value] : method.parameters) text += " " + name + "=" + value;
+  return text;
+}
+
+/// A method on a scene, as `ajar render` would make it.
+class Case {
+ public:
+  Case(const Scene& scene, const Method& method)
+      : scene_(scene),
+        info_(find_integrator(method.integrator)),
+        name_(text_of(method)),
+        parameters_(method.parameters) {
+    settings_.resolution = scene.camera().resolution();
+    settings_.crop = Box2i(Vec2i(0, 0), settings_.resolution - Vec2i(1, 1));
+    settings_.max_depth = 6;
+    settings_.seed = 7;
+    settings_.aovs = {"albedo", "object-id"};
+    // The default bootstrap and pilot take longer than all the rest.
+    for (const ParameterSpec& spec : info_.parameters) {
+      if (spec.name == "bootstrap") parameters_["bootstrap"] = "3000";
+      if (spec.name == "pilot-samples") parameters_["pilot-samples"] = "8";
+    }
+  }
+
+  std::unique_ptr<Integrator> make() const {
+    auto integrator = info_.make(scene_, settings_, Parameters(info_.parameters, parameters_));
+    prepare(*integrator);
+    return integrator;
+  }
+  Film film(const Integrator& integrator) const {
+    return {settings_.resolution, settings_.crop, make_filter(scene_.film().filter),
+            settings_.replicates, integrator.layers()};
+  }
+  static RenderJobOptions options(int threads) {
+    RenderJobOptions options;
+    options.budget.samples_per_pixel = kSamples;
+    options.threads = threads;
+    return options;
+  }
+  Sums left_alone() const {
+    const auto integrator = make();
+    Film whole = film(*integrator);
+    RenderJob(*integrator, whole, options(2)).run();
+    return {whole.raw().begin(), whole.raw().end()};
+  }
+
+  const Scene& scene_;
+  const IntegratorInfo& info_;
+  std::string name_;
+  RenderSettings settings_;
+  std::map<std::string, std::string> parameters_;
+};
+
+class Resume : public ::testing::TestWithParam<test::SmallScene> {
+ protected:
+  Resume() : scene_(test::scene_from(GetParam().text)) {}
+  std::vector<Case> cases() const {
+    std::vector<Case> cases;
+    for (const Method& method : methods()) cases.emplace_back(*scene_, method);
+    return cases;
+  }
+  std::unique_ptr<Scene> scene_;
+};
+
+/// One pass, from the checkpoint in a file to the next; on the first pass there is none. Or only
+/// its beginning (`cut`), as if the user could not wait.
+void run_one_pass(const Case& one, const std::string& path, bool first, int threads, bool cut) {
+  const auto integrator = one.make();
+  Film film = one.film(*integrator);
+  RenderJobOptions options = Case::options(threads);
+  if (!first) {
+    Checkpoint read = read_checkpoint(path);
+    check_scene(read, one.scene_.hash(), integrator->layers(), path, false);
+    unarchive(read.integrator_state,
+              [&](InputArchive& archive) { integrator->load_state(archive); });
+    options.resumed = read.job;
+    film = film_of(read, film.filter(), path);
+  }
+  options.pass_seconds = 0.0;
+  class StopAfterPass final : public PassObserver {
+   public:
+    StopAfterPass(std::uint64_t passes, bool cut) : passes_(passes), cut_(cut) {}
+    bool wants_picture(const JobState& state) override {
+      if (state.passes > passes_) interrupts = 1;
+      // The job has looked whether to stop already, and begins its pass.
+      if (cut_) interrupts = 2;
+      return false;
+    }
+    void see_picture(const Film& /*film*/, const JobState& /*state*/) override {}
+    InterruptCount interrupts{0};
+
+   private:
+    std::uint64_t passes_;
+    bool cut_;
+  };
+  StopAfterPass stop(options.resumed ? options.resumed->passes : 0, cut);
+  options.interrupts = &stop.interrupts;
+  options.observers = {&stop};
+  RenderJob job(*integrator, film, options);
+  job.run();
+  Checkpoint next;
+  next.version = version();
+  next.render.scene_hash = one.scene_.hash();
+  next.render.settings = one.settings_;
+  next.layers.assign(film.layers().begin(), film.layers().end());
+  next.job = job.state();
+  next.integrator_state =
+      archived([&](OutputArchive& archive) { integrator->save_state(archive); });
+  write_checkpoint(path, next, film.raw());
+}
+
+TEST_P(Resume, AtEveryPassGivesTheSameBits) {
+  const std::string path = (std::filesystem::temp_directory_path() /
+                            ("ajar-resume-" + GetParam().name + std::to_string(getpid())))
+                               .string();
+  for (const Case& one : cases()) {
+    int runs = 0;
+    Checkpoint last;
+    do {
+      constexpr int kThreads[] = {1, 2, 5};
+      run_one_pass(one, path, runs == 0, kThreads[runs % 3], runs % 4 == 2);
+      ++runs;
+      last = read_checkpoint(path);
+    } while ((last.job.partial || last.job.samples_per_pixel < kSamples) && runs < 100);
+    EXPECT_GE(runs, 3) << one.name_;
+    EXPECT_EQ(last.sums, one.left_alone()) << one.name_;
+  }
+  std::filesystem::remove(path);
+}
+
+TEST_P(Resume, OnSeveralRanksGivesTheSameBits) {
+  for (const Case& one : cases()) {
+    const Sums alone = one.left_alone();
+    for (const int count : {1, 2, 3}) {
+      ThreadRanks ranks(count);
+      Sums together;
+      std::vector<std::thread> threads;
+      for (int rank = 0; rank < count; ++rank) {
+        threads.emplace_back([&, rank] {
+          const auto integrator = one.make();
+          Film film = one.film(*integrator);
+          RenderJobOptions options = Case::options(1);
+          options.ranks = &ranks.member(rank);
+          RenderJob job(*integrator, film, options);
+          job.run();
+          if (rank == 0) together.assign(job.film().raw().begin(), job.film().raw().end());
+        });
+      }
+      for (std::thread& thread : threads) thread.join();
+      EXPECT_EQ(together, alone) << one.name_ << ", " << count << " ranks";
+    }
+  }
+}
+
+/// Those that differ in what the film or the sampler does.
+std::vector<test::SmallScene> different_scenes() {
+  std::vector<test::SmallScene> scenes = test::small_scenes();
+  std::erase_if(scenes, [](const test::SmallScene& scene) {
+    return scene.name != "Room" && scene.name != "RoughGlass" && scene.name != "Environment" &&
+           scene.name != "CroppedMitchell" && scene.name != "Fog";
+  });
+  return scenes;
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, Resume, ::testing::ValuesIn(different_scenes()),
+                         [](const auto& test) { return test.param.name; });
+
+}  // namespace
+}  // namespace ajar
