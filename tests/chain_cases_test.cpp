@@ -177,7 +177,7 @@ TEST(Depths, WithoutTechniquesOrLightAreLeftOutOrReportedAsDark) {
   EXPECT_EQ(report.depths[2].depth, 6);
   options.integrator = "pt";
   options.parameters = {{"techniques", "(0,4),(1,5),(0,7)"}};
-  options.samples = 256;
+  options.samples = 512;
   options.replicates = 16;
   const Replicates truth = replicates_of(test::render(*scene, options), "indirect");
   options.integrator = "mmlt";

@@ -86,5 +86,55 @@ TEST(RegionMap, OfAPictureWithoutNoiseIsEpsilon) {
   EXPECT_EQ(region_map(std::vector<float>(12, 0.F), regions, {}), (std::vector<float>{0.1F, 0.1F}));
 }
 
+/// A toy: one region of nine pixels, each black or, with a small chance p, of value h; Markov
+/// chains that know the truth μ = p·h. What the picture is on average, over all pilots.
+struct Toy {
+  static constexpr int kPixels = 9;
+  double p = 0.05;
+  double h = 3.0;
+  RegionMapSettings settings;
+
+  static std::vector<float> pilot(unsigned outcome, double h) {
+    std::vector<float> values(kPixels);
+    for (unsigned i = 0; i < kPixels; ++i) {
+      if ((outcome >> i & 1U) != 0) values[i] = static_cast<float>(h);
+    }
+    return values;
+  }
+  double chance(unsigned outcome) const {
+    double product = 1.0;
+    for (unsigned i = 0; i < kPixels; ++i) product *= (outcome >> i & 1U) != 0 ? p : 1.0 - p;
+    return product;
+  }
+  /// σ after a pilot; with pictures of one channel.
+  double weight(unsigned outcome) const {
+    const std::vector<PixelIdentity> same(kPixels, PixelIdentity{1, 1});
+    const Regions regions = connected_regions(Vec2i(3, 3), same);
+    return static_cast<double>(region_map(pilot(outcome, h), regions, settings).front());
+  }
+};
+
+TEST(RegionMap, BiasesAPictureThatKeepsThePilotByThePredictedAmount) {
+  const Toy toy;
+  const double truth = toy.p * toy.h;
+  double kept = 0.0;
+  double fresh = 0.0;
+  for (unsigned outcome = 0; outcome < 1U << Toy::kPixels; ++outcome) {
+    const std::vector<float> pilot = Toy::pilot(outcome, toy.h);
+    const double weight = toy.weight(outcome);
+    double mean = 0.0;
+    for (const float value : pilot) mean += static_cast<double>(value) / Toy::kPixels;
+    kept += toy.chance(outcome) * (mean * (1.0 - weight) + truth * weight);
+    // Samples that know nothing of the map: those of another half, or rendered after the pilot.
+    fresh += toy.chance(outcome) * (truth * (1.0 - weight) + truth * weight);
+  }
+  // A pilot that has seen nothing keeps its black with the weight 1 − ε; one that has seen a
+  // spike leaves everything to the chains.
+  const double missed = std::pow(1.0 - toy.p, Toy::kPixels);
+  const double epsilon = static_cast<double>(toy.settings.epsilon);
+  EXPECT_NEAR(kept, truth * (1.0 - (1.0 - epsilon) * missed), 1e-6);
+  EXPECT_NEAR(fresh, truth, 1e-12);
+}
+
 }  // namespace
 }  // namespace ajar

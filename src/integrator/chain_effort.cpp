@@ -13,8 +13,13 @@ namespace ajar {
 
 namespace {
 
-double sum_of(const std::vector<double>& values) {
-  return std::accumulate(values.begin(), values.end(), 0.0);
+/// Without the pixels where it is largest: a few fireflies on one side, or a chain that was stuck
+/// for long on the other, would decide for the whole picture.
+double trimmed_sum(std::vector<double> values) {
+  constexpr std::size_t kOneOf = 100;
+  const auto kept = values.end() - static_cast<std::ptrdiff_t>(values.size() / kOneOf);
+  std::nth_element(values.begin(), kept, values.end());
+  return std::accumulate(values.begin(), kept, 0.0);
 }
 
 }  // namespace
@@ -56,9 +61,9 @@ void ChainEffort::adjust(std::uint64_t samples, const Film& film, const Integrat
                            plan_.view.importance);
   };
   const WeightedErrors of_chains = errors({"indirect"});
-  const double error = sum_of(of_chains.variance);
-  const double light = sum_of(of_chains.light);
-  const double omc_error = sum_of(errors({"direct", kWeakLayer}).variance);
+  const double error = trimmed_sum(of_chains.variance);
+  const double light = std::accumulate(of_chains.light.begin(), of_chains.light.end(), 0.0);
+  const double omc_error = trimmed_sum(errors({"direct", kWeakLayer}).variance);
   const double pixels = static_cast<double>(plan_.pixels());
   if (!(light > 0.0 && error > 0.0 && omc_error > 0.0)) return;
   correlation_ = error * mutations(samples) * pixels / (light * light);
@@ -69,7 +74,7 @@ void ChainEffort::adjust(std::uint64_t samples, const Film& film, const Integrat
   const double best =
       best_mutations(omc_error * static_cast<double>(omc_samples(samples)), light, costs) / pixels;
   // Few replicates tell an error to within a factor.
-  constexpr double kMostChange = 3.0;
+  constexpr double kMostChange = 5.0;
   before_ = mutations(samples);
   const double now = mutations_per_sample_ > 0.0 ? mutations_per_sample_ : plan_.mutations;
   mutations_per_sample_ =

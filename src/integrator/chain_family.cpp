@@ -85,6 +85,10 @@ class ChainIntegrator final : public Integrator {
   /// One mutation per pixel's worth.
   void run_plain(ChainPopulation& population, Film& film, Counters& counters);
   void refine_b(std::uint64_t samples);
+  /// Of the first `samples` samples, in the mean of what chains make.
+  double weight_until(std::uint64_t samples) const {
+    return weight_before_ + stretch_weight_ * static_cast<double>(samples - joined_at_);
+  }
   /// b as the bootstrap has it, over all replicates; 1 if it found no light.
   double bootstrap_b() const;
   const PlaneMoves* plane_moves(const ChainPopulation& population) const {
@@ -117,6 +121,8 @@ class ChainIntegrator final : public Integrator {
   std::unique_ptr<ChainRecruits> recruits_;  ///< null unless ordinary Monte Carlo finds seeds
   std::uint64_t joined_at_ = 0;              ///< samples per pixel, when recruits joined last
   std::uint64_t next_join_ = 0;              ///< and when they will next
+  double stretch_weight_ = 1.0;  ///< of a sample since then, in the mean of what chains make
+  double weight_before_ = 0.0;   ///< of all samples before
 };
 
 ChainIntegrator::ChainIntegrator(ChainKind kind, const Scene& scene, const RenderSettings& settings,
@@ -206,10 +212,11 @@ void ChainIntegrator::add_concerns() {
 }
 
 std::vector<std::string> ChainIntegrator::notes() const {
-  if (plan_.mutations > 0.0) return {};
+  if (!plan_.standby) return {};
   return {
       "nothing in this picture is so hard that Markov chains would pay: ordinary Monte Carlo (" +
-      plan_.selective->omc + ") renders alone"};
+      plan_.selective->omc + ") renders it" +
+      (recruits_ ? "; chains only stand by for fireflies" : " alone")};
 }
 
 std::optional<SelectiveReport> ChainIntegrator::selective_report() const {
@@ -260,7 +267,10 @@ void ChainIntegrator::begin_pass(std::uint64_t first_sample, std::uint64_t sampl
     refine_b(0);
     if (regions_ != nullptr) regions_->hand_over(film);
   }
-  if (recruits_ && first_sample >= next_join_) join_recruits();
+  if (recruits_ && first_sample >= next_join_) {
+    effort_.adjust(first_sample, film, *this);
+    join_recruits();
+  }
   if (recruits_ && first_sample + samples > next_join_) {
     throw std::logic_error("bug: a pass crosses a milestone");
   }
@@ -269,8 +279,10 @@ void ChainIntegrator::begin_pass(std::uint64_t first_sample, std::uint64_t sampl
   while (2 * milestone <= first_sample) milestone *= 2;
   if (milestone <= doubled_at_) return;
   doubled_at_ = milestone;
-  effort_.adjust(first_sample, film, *this);
-  if (!recruits_) refine_b(milestone);
+  if (!recruits_) {
+    effort_.adjust(first_sample, film, *this);
+    refine_b(milestone);
+  }
   if (maps_) maps_->end_epoch(static_cast<double>(milestone));
 }
 
@@ -281,7 +293,12 @@ void ChainIntegrator::join_recruits() {
   expect_recruits(next_join_);
 }
 
+/// Between joins, b and the seeds are as good as the samples behind them, whatever the chains do
+/// with them. So what a stretch adds to the mean weighs as much as these samples: a firefly found
+/// early would otherwise count as if it were found in every stretch.
 void ChainIntegrator::expect_recruits(std::uint64_t samples) {
+  weight_before_ = weight_until(samples);
+  stretch_weight_ = populations_.front().samples_behind / static_cast<double>(plan_.pixels());
   joined_at_ = samples;
   next_join_ = milestone_after(samples, static_cast<std::uint64_t>(plan_.settings.replicates));
   recruits_->expect(populations_, static_cast<double>(effort_.omc_samples(next_join_) -
@@ -350,7 +367,8 @@ void ChainIntegrator::run_chain(const ChainItem& item, std::uint64_t first_sampl
   for (std::uint64_t block = first_sample; block < first_sample + samples; ++block) {
     const std::uint64_t steps = effort_.steps(block, chains);
     const double per_step = 1.0 / (static_cast<double>(steps) * in_population);
-    sink.begin(member.weight * b * plan_.view.area() * per_step / plan_.settings.replicates,
+    sink.begin(stretch_weight_ * member.weight * b * plan_.view.area() * per_step /
+                   plan_.settings.replicates,
                member.record.by_technique.empty() ? nullptr : &member.record.by_technique);
     statistics += runner.go_on(member.chain, steps * member.multiplicity, sink,
                                plan_.mis_large_steps ? std::optional(b) : std::nullopt);
@@ -506,7 +524,8 @@ double ChainIntegrator::develop_scale(const LayerSpec& layer, std::uint64_t samp
   if (!of_chains) return omc_->develop_scale(layer, effort_.omc_samples(samples), replicate);
   if (samples == 0) return 0.0;
   if (layer.name == kDensityLayer) return 1.0 / effort_.mutations(samples);
-  const double scale = 1.0 / static_cast<double>(samples);
+  if (layer.name == kAcceptanceLayer) return 1.0 / static_cast<double>(samples);
+  const double scale = 1.0 / weight_until(samples);
   return replicate ? scale * plan_.settings.replicates : scale;
 }
 

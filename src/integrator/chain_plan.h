@@ -69,6 +69,7 @@ struct ChainPlan {
   double omc_samples;
   /// Mutations per camera sample, if `selective`; 0: ordinary Monte Carlo alone renders.
   double mutations = 1.0;
+  bool standby = false;          ///< nothing is so hard that chains would pay
   std::uint64_t pilot_kept = 0;  ///< camera samples per pixel that the preparation has rendered
   /// Of the pilot: mean luminance · importance of its pixels.
   double brightness = 0.0;

@@ -62,5 +62,35 @@ TEST(LightSplit, KeepsWhatCannotBeAddedForTheOneWhoCounts) {
   EXPECT_EQ(split.chain_share(contribution(infinity, {3, 2}), {}), 1.F);
 }
 
+TEST(LightSplit, SharesAddUpToOneWhateverTheMapAndWhereverThePath) {
+  const Box2i crop(Vec2i(2, 3), Vec2i(4, 4));
+  std::vector<PixelShare> shares = {{0.F, 1.F, 1.F},  {0.F, 0.F, 0.F},  {5.F, 0.3F, 0.3F},
+                                    {0.F, 0.1F, 0.F}, {2.F, 0.7F, 1.F}, {9.F, 1.F, 1.F}};
+  const ImportanceMap importance;
+  const LightSplit split(crop, shares, importance);
+  for (float y = 1.75F; y < 6.F; y += 0.25F) {
+    for (float x = 0.75F; x < 7.F; x += 0.25F) {
+      for (const float value : {1e-6F, 0.5F, 3.F, 1e5F}) {
+        const Contribution path = contribution(value, {2, 3});
+        const Vec2 raster(x, y);
+        EXPECT_NEAR(
+            split.chain_share(path, raster) * split.kept(raster) + split.omc_share(path, raster),
+            1.F, 1e-6F);
+      }
+    }
+  }
+  EXPECT_EQ(split.at({2.5F, 4.5F}).target, 0.1F);
+  EXPECT_EQ(split.at({100.F, -100.F}).target, 0.3F) << "beyond the border: the nearest pixel";
+}
+
+TEST(LightSplits, AreForAllReplicatesOrForEitherHalf) {
+  const ImportanceMap importance;
+  const LightSplits one(LightSplit(1.0, importance));
+  EXPECT_EQ(&one.of(0), &one.of(3));
+  const LightSplits two(LightSplit(1.0, importance), LightSplit(2.0, importance));
+  EXPECT_EQ(two.of(2).at({0.F, 0.F}).threshold, 1.F);
+  EXPECT_EQ(two.of(3).at({0.F, 0.F}).threshold, 2.F);
+}
+
 }  // namespace
 }  // namespace ajar

@@ -85,7 +85,13 @@ class SampleSink final : public PathSink {
   void hand_over(StrongPathSink& sink, SampleSource& numbers, std::uint64_t seed) {
     for (StrongPath& path : strong_) {
       if (path.technique.t > 1) {
-        const float weight = filter_weight_ / film_.coverage(path.raster);
+        const float coverage = film_.coverage(path.raster);
+        if (!(coverage > 0.F)) {
+          // Rounding has put the ray on the film's border, where splats do not reach any pixel.
+          put(layers_.indirect, path.value);
+          continue;
+        }
+        const float weight = filter_weight_ / coverage;
         path.value *= weight;
         path.energy *= static_cast<double>(weight);
       }

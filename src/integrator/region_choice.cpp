@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <optional>
 
@@ -19,8 +20,10 @@ namespace {
 
 constexpr double kRaysPerMutation = 4.5;
 
-/// Thresholds to choose from, relative to the lowest; then none at all.
-constexpr std::array kThresholds = {1.0, 3.0, 10.0, 30.0, 100.0};
+/// Thresholds to choose from, relative to the lowest; and one for chains on standby. None in
+/// between: what is left to ordinary Monte Carlo would show as fireflies.
+constexpr std::array kThresholds = {1.0, 3.0, 10.0, 100.0};
+constexpr std::size_t kOffered = 3;
 
 bool is_seen(const PilotView& view, int replicate) {
   return std::find(view.replicates.begin(), view.replicates.end(), replicate) !=
@@ -78,27 +81,64 @@ std::vector<std::optional<float>> fixed_weights(const PilotView& view) {
 
 /// Variance and light that each threshold would leave to either side.
 std::vector<ThresholdEstimate> estimate_thresholds(const PilotView& view) {
-  const std::size_t count = kThresholds.size() + 1;
+  const std::size_t count = kThresholds.size() + 1;  // the last: none
   std::vector<ThresholdEstimate> regions(view.regions.count(),
                                          {std::vector<double>(count), std::vector<double>(count)});
   const double samples = seen_samples(view);
+  // A firefly cannot look worse than white, so that a brighter one is no better reason for chains.
+  constexpr double kWhite = 100.0;
+  const double most = kWhite * view.plan.brightness;
   const double lowest = *view.plan.split_at * view.plan.brightness;
   for (const FoundLight& found : view.found) {
     if (!is_seen(view, found.replicate)) continue;
     ThresholdEstimate& region =
         regions[view.regions.labels[pixel_at(view.plan.settings.crop, found.raster)]];
+    const double energy = std::min(std::abs(found.energy), most);
     for (std::size_t i = 0; i < count; ++i) {
       const double above =
           i < kThresholds.size()
               ? static_cast<double>(LightSplit::above(
                     found.strength, static_cast<float>(kThresholds.at(i) * lowest)))
               : 0.0;
-      const double omc = found.energy * (1.0 - above);
+      const double omc = energy * (1.0 - above);
       region.variance[i] += found.weight * omc * omc / samples;
-      region.light[i] += found.weight * std::abs(found.energy) * above / samples;
+      region.light[i] += found.weight * energy * above / samples;
     }
   }
   return regions;
+}
+
+/// Puts regions of which the pilot has seen too little to tell them apart together with others of
+/// their material, and if that is still too little, with all such: the choice for a region would
+/// otherwise follow its noise.
+std::vector<std::size_t> group_regions(const PilotView& view) {
+  constexpr std::size_t kFewest = 50;
+  constexpr float kBright = 0.25F;
+  const float lowest = static_cast<float>(*view.plan.split_at * view.plan.brightness);
+  std::vector<std::size_t> seen(view.regions.count());
+  std::map<std::uint32_t, std::size_t> seen_of_material;
+  for (const FoundLight& found : view.found) {
+    if (!is_seen(view, found.replicate)) continue;
+    if (LightSplit::above(found.strength, lowest) < kBright) continue;
+    const std::uint32_t region =
+        view.regions.labels[pixel_at(view.plan.settings.crop, found.raster)];
+    ++seen[region];
+    ++seen_of_material[view.regions.identities[region].material];
+  }
+  // Groups: regions, then materials, then one for the rest.
+  std::vector<std::size_t> groups;
+  std::map<std::uint32_t, std::size_t> group_of_material;
+  for (std::size_t r = 0; r < seen.size(); ++r) {
+    const std::uint32_t material = view.regions.identities[r].material;
+    if (seen[r] >= kFewest) {
+      groups.push_back(r);
+    } else if (seen_of_material[material] >= kFewest) {
+      groups.push_back(seen.size() + 1 + material);
+    } else {
+      groups.push_back(seen.size());
+    }
+  }
+  return groups;
 }
 
 /// What ordinary Monte Carlo makes whatever the thresholds are.
@@ -110,35 +150,42 @@ double base_variance(const PilotView& view, const std::vector<ThresholdEstimate>
 
 RegionChoice choose_thresholds(const PilotView& view) {
   const std::vector<ThresholdEstimate> regions = estimate_thresholds(view);
-  const auto fixed = fixed_weights(view);
   const ThresholdCosts costs{omc_cost(view), kRaysPerMutation, view.correlation,
                              base_variance(view, regions)};
-  ThresholdChoice best = optimal_thresholds(regions, costs);
-  const std::size_t none = kThresholds.size();
-  const ThresholdChoice without =
-      predict_thresholds(regions, costs, std::vector<std::size_t>(regions.size(), none));
+  const std::vector<std::size_t> groups = group_regions(view);
+  std::map<std::size_t, std::size_t> order;
+  std::vector<ThresholdEstimate> offered;
+  for (std::size_t r = 0; r < regions.size(); ++r) {
+    const auto [place, is_new] = order.emplace(groups[r], offered.size());
+    if (is_new) {
+      offered.push_back({std::vector<double>(kOffered), std::vector<double>(kOffered)});
+    }
+    for (std::size_t i = 0; i < kOffered; ++i) {
+      offered[place->second].variance[i] += regions[r].variance[i];
+      offered[place->second].light[i] += regions[r].light[i];
+    }
+  }
+  const ThresholdChoice of_groups = optimal_thresholds(offered, costs);
+  std::vector<std::size_t> chosen;
+  for (const std::size_t group : groups) chosen.push_back(of_groups.chosen[order.at(group)]);
+  const ThresholdChoice without = predict_thresholds(
+      regions, costs, std::vector<std::size_t>(regions.size(), kThresholds.size()));
   RegionChoice choice;
   // They must bring more than it costs to have them. Where the pilot has found nothing for them,
   // they cost nothing, and stay ready.
   constexpr double kClearly = 0.98;
-  choice.off = best.chain_light > 0.0 && kClearly * without.error <= best.error;
+  choice.off = of_groups.chain_light > 0.0 && kClearly * without.error <= of_groups.error;
+  if (choice.off) chosen.assign(regions.size(), kThresholds.size() - 1);
   const auto lowest = static_cast<float>(*view.plan.split_at * view.plan.brightness);
+  const auto fixed = fixed_weights(view);
   for (std::size_t r = 0; r < regions.size(); ++r) {
-    PixelShare share{lowest, 1.F, 1.F};
-    if (choice.off || best.chosen[r] == none) {
-      share.target = 0.F;
-    } else {
-      share.threshold *= static_cast<float>(kThresholds.at(best.chosen[r]));
-    }
-    if (fixed[r]) {
-      share = {lowest, *fixed[r], *fixed[r]};
-      best.chosen[r] = 0;
-      choice.off = choice.off && *fixed[r] == 0.F;
-    }
-    share.kept = share.target;
-    choice.shares.push_back(share);
+    if (fixed[r]) chosen[r] = 0;
+    const float weight = fixed[r].value_or(1.F);
+    choice.shares.push_back(
+        {lowest * static_cast<float>(kThresholds.at(chosen[r])), weight, weight});
+    choice.off = choice.off && !fixed[r];
   }
-  const ThresholdChoice final = predict_thresholds(regions, costs, best.chosen);
+  const ThresholdChoice final = predict_thresholds(regions, costs, chosen);
   choice.mutations = best_mutations(final.variance, final.chain_light, costs) /
                      static_cast<double>(view.plan.pixels());
   return choice;

@@ -40,7 +40,9 @@ struct RegionChoice {
   std::vector<PixelShare> shares;  ///< of each region
   std::vector<float> noise;        ///< of each region: ½(mean + largest) of that at or above T
   double mutations = 0.0;          ///< per camera sample, for least predicted error
-  bool off = false;                ///< chains would only cost
+  /// Chains would only cost: they have the highest threshold everywhere, or nothing at all where
+  /// light is not divided path by path.
+  bool off = false;
 };
 
 /// Decides by `SelectiveSettings`: by the published rule (region_map.h), or so that the predicted

@@ -19,7 +19,7 @@ namespace {
 const std::vector<std::string> kSurfaceLayers = {"object-id", "material-id", "depth", "normal"};
 
 /// Before anything is measured: chains land in clusters.
-constexpr double kTypicalCorrelation = 8.0;
+constexpr double kTypicalCorrelation = 5.0;
 
 bool stays(const SelectiveSettings& settings) {
   return settings.pilot != SelectiveSettings::Pilot::Discard;
@@ -213,7 +213,8 @@ void RegionPilot::end() {
     off = off && choice.off;
     plan_.mutations += choice.mutations / static_cast<double>(choices_.size());
   }
-  plan_.mutations = off ? 0.0 : ChainPlan::clamp_mutations(plan_.mutations);
+  plan_.standby = off;
+  plan_.mutations = off && !plan_.split_at ? 0.0 : ChainPlan::clamp_mutations(plan_.mutations);
   join(before);
   if (stays(*plan_.selective)) {
     plan_.pilot_kept = samples_;

@@ -14,7 +14,7 @@ namespace ajar {
 namespace {
 
 constexpr int kMaxResolution = 65536;
-constexpr const char* kDefaultIntegrator = "pt";
+constexpr const char* kDefaultIntegrator = "selective";
 
 bool is_integrator(const std::string& name) {
   const auto& all = integrators();

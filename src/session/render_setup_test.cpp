@@ -29,11 +29,11 @@ TEST(RenderSetup, TheSceneSaysWhatTheUserDoesNot) {
 
 TEST(RenderSetup, DefaultsAreTold) {
   const RenderSetup setup = make_setup({}, {}, film_of(30, 20));
-  EXPECT_EQ(setup.integrator->name, "pt");
+  EXPECT_EQ(setup.integrator->name, "selective");
   EXPECT_EQ(setup.budget.samples_per_pixel, 64U);
   EXPECT_EQ(setup.settings.max_depth, 100);
   ASSERT_EQ(setup.notes.size(), 1U);
-  EXPECT_NE(setup.notes[0].find("pt"), std::string::npos);
+  EXPECT_NE(setup.notes[0].find("selective"), std::string::npos);
 }
 
 TEST(RenderSetup, AnUnknownIntegratorOfTheSceneIsReplacedOneOfTheUserIsRefused) {
@@ -66,8 +66,9 @@ TEST(RenderSetup, FewSamplesMeanFewReplicates) {
 TEST(RenderSetup, ParametersOfTheUserComeLast) {
   desc::RenderHints hints;
   hints.sampler = "independent";
-  EXPECT_EQ(make_setup({}, hints, film_of(3, 2)).parameters.at("sampler"), "independent");
   RenderRequest request;
+  request.integrator = "pt";
+  EXPECT_EQ(make_setup(request, hints, film_of(3, 2)).parameters.at("sampler"), "independent");
   request.parameters["sampler"] = "sobol";
   EXPECT_EQ(make_setup(request, hints, film_of(3, 2)).parameters.at("sampler"), "sobol");
 }

@@ -1,0 +1,222 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "core/error.h"
+#include "core/random.h"
+#include "image/image_file.h"
+#include "image/metrics.h"
+#include "support/render.h"
+#include "support/same_picture.h"
+#include "support/small_scenes.h"
+
+/// The maps of `selective`. That all of its modes have the expectation of bidirectional path
+/// tracing is tested with other chains (chain_agreement_test.cpp).
+namespace ajar {
+namespace {
+
+using test::expect_same;
+using test::replicates_of;
+
+std::unique_ptr<Scene> small_scene(const std::string& name) {
+  for (const test::SmallScene& small : test::small_scenes()) {
+    if (small.name == name) return test::scene_from(small.text);
+  }
+  throw std::logic_error("no small scene " + name);
+}
+
+class TemporaryFile {
+ public:
+  explicit TemporaryFile(const std::string& name)
+      : path_((std::filesystem::temp_directory_path() /
+               (std::to_string(::testing::UnitTest::GetInstance()->random_seed()) + "-" +
+                std::to_string(reinterpret_cast<std::uintptr_t>(this)) + "-" + name))
+                  .string()) {}
+  ~TemporaryFile() { std::filesystem::remove(path_); }
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
+  const std::string& path() const { return path_; }
+
+ private:
+  std::string path_;
+};
+
+void write_random_map(const std::string& path, Vec2i size, std::uint64_t seed) {
+  std::vector<float> pixels;
+  for (std::uint64_t i = 0;
+       i < static_cast<std::uint64_t>(size.x) * static_cast<std::uint64_t>(size.y); ++i) {
+    const float u = to_unit_float(static_cast<std::uint32_t>(hash_numbers(seed, i) >> 32U));
+    // A third of the pixels has no chains at all, a third nothing else.
+    const float weight = u < 0.33F ? 0.F : u > 0.67F ? 1.F : u;
+    pixels.insert(pixels.end(), {weight, weight, weight});
+  }
+  write_image(path, {size, Box2i(Vec2i(0, 0), size - Vec2i(1, 1)), {{"", 3, pixels}}, {}});
+}
+
+TEST(Selective, HasTheSameExpectationForAnyMap) {
+  for (const char* name : {"Room", "CroppedMitchell"}) {
+    const auto scene = small_scene(name);
+    test::RenderOptions options;
+    options.replicates = 16;
+    options.max_depth = 6;
+    options.samples = 256;
+    options.integrator = "bdpt";
+    const test::Render truth = test::render(*scene, options);
+    const TemporaryFile map("map.pfm");
+    write_random_map(map.path(), scene->camera().resolution(), 5);
+    options.integrator = "selective";
+    options.seed = 2;
+    for (const char* omc : {"bdpt", "ibpt"}) {
+      options.parameters = {
+          {"omc", omc}, {"regions", map.path()}, {"split", "0.5"}, {"bootstrap", "120000"}};
+      const test::Render render = test::render(*scene, options);
+      expect_same(replicates_of(render), replicates_of(truth), *render.film, 0.25,
+                  std::string(name) + ", " + omc);
+    }
+  }
+}
+
+/// Light that few samples find, on many things: a small lamp in a glass ball above a field of
+/// balls.
+std::unique_ptr<Scene> scene_of_fireflies() {
+  std::string world =
+      "AttributeBegin AreaLightSource \"diffuse\" \"rgb L\" [400 400 400] Translate 0 1.6 0 Shape "
+      "\"sphere\" \"float radius\" [0.05] AttributeEnd\n"
+      "AttributeBegin Material \"glass\" Translate 0 1.6 0 Shape \"sphere\" \"float radius\" "
+      "[0.3] AttributeEnd\nMaterial \"matte\" \"rgb Kd\" [0.7 0.7 0.7]\n";
+  for (int i = 0; i < 48; ++i) {
+    world += "AttributeBegin Translate " + std::to_string(0.5 * (i % 8) - 1.75) + " 0 " +
+             std::to_string(0.5 * (i / 8) - 1.25) +
+             " Shape \"sphere\" \"float radius\" [0.25] AttributeEnd\n";
+  }
+  return test::scene_from(test::pbrt_scene(
+      "LookAt 0 5 0  0 0 0  0 0 1 Camera \"perspective\" \"float fov\" [35]", 24, 18, world));
+}
+
+/// Means of the picture over independent renders.
+std::vector<double> means(const Scene& scene, test::RenderOptions options, int renders) {
+  std::vector<double> result;
+  for (int i = 0; i < renders; ++i) {
+    options.seed = static_cast<std::uint64_t>(100 + i);
+    result.push_back(test::render(scene, options).mean());
+  }
+  return result;
+}
+
+struct MeanAndError {
+  double mean;
+  double error;
+};
+MeanAndError summary(const std::vector<double>& values) {
+  const auto n = static_cast<double>(values.size());
+  double sum = 0.0;
+  double squares = 0.0;
+  for (const double value : values) {
+    sum += value;
+    squares += value * value;
+  }
+  return {sum / n, std::sqrt((squares - sum * sum / n) / (n * (n - 1.0)))};
+}
+
+TEST(Selective, IsBiasedByAPilotThatIsKeptOnly) {
+  const auto scene = scene_of_fireflies();
+  test::RenderOptions options;
+  options.replicates = 4;
+  options.max_depth = 5;
+  options.integrator = "bdpt";
+  options.samples = 512;
+  const MeanAndError truth = summary(means(*scene, options, 24));
+  options.samples = 4;
+  options.integrator = "selective";
+  const auto z_of = [&](const std::string& pilot) {
+    // Few techniques, so that it is mostly fireflies that tell the map anything.
+    options.parameters = {
+        {"omc", "pt"},           {"techniques", "bdpt"}, {"map", "binary"},        {"pilot", pilot},
+        {"pilot-samples", "16"}, {"bootstrap", "20000"}, {"importance", "uniform"}};
+    const MeanAndError own = summary(means(*scene, options, 120));
+    EXPECT_LT(5.0 * own.error, 0.25 * truth.mean) << pilot << ": too noisy to notice a bias";
+    return (own.mean - truth.mean) / std::hypot(own.error, truth.error);
+  };
+  EXPECT_LT(std::abs(z_of("cross")), 5.0);
+  EXPECT_LT(std::abs(z_of("discard")), 5.0);
+  EXPECT_LT(z_of("keep"), -5.0) << "where the pilot found no light, it stays dark";
+}
+
+TEST(Selective, ShowsItsMaps) {
+  const auto scene = small_scene("GlassAndMetal");
+  test::RenderOptions options;
+  options.integrator = "selective";
+  options.samples = 8;
+  options.replicates = 4;
+  options.aovs = {"noise", "regions", "importance", "edges", "object-id"};
+  const test::Render render = test::render(*scene, options);
+  std::map<std::string, std::vector<float>> maps;
+  for (auto& [name, plane] : render.integrator->maps()) {
+    EXPECT_EQ(plane.size, Vec2i(render.film->width(), render.film->height()));
+    maps[name] = plane.values;
+  }
+  ASSERT_EQ(maps.size(), 4U);
+  for (const char* name : {"noise", "importance", "edges"}) {
+    for (const float value : maps[name]) {
+      EXPECT_GE(value, 0.F) << name;
+      EXPECT_LE(value, 1.F) << name;
+    }
+  }
+  const auto report = *render.integrator->selective_report();
+  EXPECT_EQ(*std::max_element(maps["regions"].begin(), maps["regions"].end()),
+            static_cast<float>(report.regions.size()));
+  std::size_t pixels = 0;
+  for (const auto& region : report.regions) pixels += region.pixels;
+  EXPECT_EQ(pixels, maps["regions"].size());
+  EXPECT_TRUE(report.pilot_stays);
+}
+
+TEST(Selective, TakesTheUsersRules) {
+  const auto scene = small_scene("GlassAndMetal");
+  const TemporaryFile rules("rules.txt");
+  std::ofstream(rules.path()) << "object * omc\nmaterial material-2 0.25\n";
+  test::RenderOptions options;
+  options.integrator = "selective";
+  options.samples = 4;
+  options.replicates = 4;
+  options.parameters = {{"regions", rules.path()}, {"epsilon", "0.125"}};
+  const auto report = *test::render(*scene, options).integrator->selective_report();
+  std::size_t quarter = 0;
+  for (const auto& region : report.regions) {
+    if (region.object.empty()) continue;
+    const bool named = region.material == "material-2";
+    quarter += named ? 1 : 0;
+    EXPECT_EQ(region.importance, named ? 0.25 : 0.125) << region.material;
+  }
+  EXPECT_GT(quarter, 0U);
+  std::ofstream(rules.path()) << "material chrome chain\n";
+  try {
+    test::render(*scene, options);
+    FAIL() << "a rule that matches nothing must be refused";
+  } catch (const SceneError& error) {
+    EXPECT_NE(std::string(error.what()).find(":1:10"), std::string::npos) << error.what();
+  }
+}
+
+TEST(Selective, LeavesChainsOutWhereTheyWouldNotPay) {
+  const auto scene = test::scene_from(test::pbrt_scene(
+      "LookAt 0 0 -3  0 0 0  0 1 0 Camera \"perspective\" \"float fov\" [40]", 32, 32,
+      "LightSource \"infinite\" \"rgb L\" [1 1 1]\nMaterial \"matte\" \"rgb Kd\" [0.5 0.5 0.5]\n"
+      "Shape \"sphere\" \"float radius\" [1]\n"));
+  test::RenderOptions options;
+  options.integrator = "selective";
+  options.samples = 32;
+  options.replicates = 4;
+  const test::Render render = test::render(*scene, options);
+  EXPECT_LE(render.counters.mutations, render.counters.samples / 20);
+  EXPECT_LE(render.integrator->selective_report()->chain_rays, 0.05);
+}
+
+}  // namespace
+}  // namespace ajar
