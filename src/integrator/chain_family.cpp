@@ -445,7 +445,7 @@ void ChainIntegrator::run_plain(ChainPopulation& population, Film& film, Counter
 
 void ChainIntegrator::save_state(OutputArchive& archive) const {
   archive(static_cast<std::uint64_t>(populations_.size()), b_, later_weight_, doubled_at_,
-          joined_at_, next_join_);
+          joined_at_, next_join_, stretch_weight_, weight_before_);
   for (const ChainPopulation& population : populations_) {
     serialize_population(archive, population, plan_.groups[population.group].shape);
   }
@@ -456,7 +456,8 @@ void ChainIntegrator::save_state(OutputArchive& archive) const {
 
 void ChainIntegrator::load_state(InputArchive& archive) {
   std::uint64_t populations = 0;
-  archive(populations, b_, later_weight_, doubled_at_, joined_at_, next_join_);
+  archive(populations, b_, later_weight_, doubled_at_, joined_at_, next_join_, stretch_weight_,
+          weight_before_);
   if (populations != populations_.size() || (!b_.empty() && b_.size() != populations)) {
     throw std::runtime_error("other chains are prepared than there were");
   }
