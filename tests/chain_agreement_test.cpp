@@ -47,7 +47,7 @@ const std::vector<Variant>& variants() {
       {"selective, by regions alone",
        "selective",
        {{"omc", "ibpt"}, {"map", "binary"}, {"pilot-samples", "8"}, {"bootstrap", "120000"}},
-       {"GlassAndMetal", "CroppedMitchell", "Environment"}},
+       {"Mirror", "CroppedMitchell", "Environment"}},
       {"selective, light tracing and pssmlt",
        "selective",
        {{"omc", "lt"}, {"chain", "pssmlt"}, {"pilot", "discard"}, {"bootstrap", "120000"}},

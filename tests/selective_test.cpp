@@ -90,10 +90,12 @@ std::unique_ptr<Scene> scene_of_fireflies() {
       "\"sphere\" \"float radius\" [0.05] AttributeEnd\n"
       "AttributeBegin Material \"glass\" Translate 0 1.6 0 Shape \"sphere\" \"float radius\" "
       "[0.3] AttributeEnd\nMaterial \"matte\" \"rgb Kd\" [0.7 0.7 0.7]\n";
-  for (int i = 0; i < 48; ++i) {
-    world += "AttributeBegin Translate " + std::to_string(0.5 * (i % 8) - 1.75) + " 0 " +
-             std::to_string(0.5 * (i / 8) - 1.25) +
-             " Shape \"sphere\" \"float radius\" [0.25] AttributeEnd\n";
+  for (int row = 0; row < 6; ++row) {
+    for (int column = 0; column < 8; ++column) {
+      world += "AttributeBegin Translate " + std::to_string(0.5 * column - 1.75) + " 0 " +
+               std::to_string(0.5 * row - 1.25) +
+               " Shape \"sphere\" \"float radius\" [0.25] AttributeEnd\n";
+    }
   }
   return test::scene_from(test::pbrt_scene(
       "LookAt 0 5 0  0 0 0  0 0 1 Camera \"perspective\" \"float fov\" [35]", 24, 18, world));
@@ -103,7 +105,7 @@ std::unique_ptr<Scene> scene_of_fireflies() {
 std::vector<double> means(const Scene& scene, test::RenderOptions options, int renders) {
   std::vector<double> result;
   for (int i = 0; i < renders; ++i) {
-    options.seed = static_cast<std::uint64_t>(100 + i);
+    options.seed = 100 + static_cast<std::uint64_t>(i);
     result.push_back(test::render(scene, options).mean());
   }
   return result;

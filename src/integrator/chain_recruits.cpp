@@ -245,6 +245,7 @@ void ChainRecruits::resample(ChainPopulation& population,
   std::vector<MemberChain> old = std::move(population.chains);
   population.chains.clear();
   std::vector<double> masses;
+  masses.reserve(old.size() + recruits.size());
   double of_old = 0.0;
   const auto mass_of = [](const MemberChain& member) {
     return std::abs(member.weight) * static_cast<double>(member.multiplicity);

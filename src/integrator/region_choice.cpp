@@ -167,6 +167,7 @@ RegionChoice choose_thresholds(const PilotView& view) {
   }
   const ThresholdChoice of_groups = optimal_thresholds(offered, costs);
   std::vector<std::size_t> chosen;
+  chosen.reserve(groups.size());
   for (const std::size_t group : groups) chosen.push_back(of_groups.chosen[order.at(group)]);
   const ThresholdChoice without = predict_thresholds(
       regions, costs, std::vector<std::size_t>(regions.size(), kThresholds.size()));
