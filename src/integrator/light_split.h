@@ -88,7 +88,7 @@ class LightSplit {
   }
 
  private:
-  Box2i crop_;
+  Box2i crop_{Vec2i(0, 0), Vec2i(0, 0)};
   std::vector<PixelShare> shares_;
   const ImportanceMap* importance_;
 };

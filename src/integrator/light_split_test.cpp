@@ -68,11 +68,11 @@ TEST(LightSplit, SharesAddUpToOneWhateverTheMapAndWhereverThePath) {
                                     {0.F, 0.1F, 0.F}, {2.F, 0.7F, 1.F}, {9.F, 1.F, 1.F}};
   const ImportanceMap importance;
   const LightSplit split(crop, shares, importance);
-  for (float y = 1.75F; y < 6.F; y += 0.25F) {
-    for (float x = 0.75F; x < 7.F; x += 0.25F) {
+  for (int row = 7; row < 24; ++row) {
+    for (int column = 3; column < 28; ++column) {
       for (const float value : {1e-6F, 0.5F, 3.F, 1e5F}) {
         const Contribution path = contribution(value, {2, 3});
-        const Vec2 raster(x, y);
+        const Vec2 raster(0.25F * static_cast<float>(column), 0.25F * static_cast<float>(row));
         EXPECT_NEAR(
             split.chain_share(path, raster) * split.kept(raster) + split.omc_share(path, raster),
             1.F, 1e-6F);
