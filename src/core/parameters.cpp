@@ -6,6 +6,7 @@
 #include <optional>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 
 #include "core/error.h"
 
@@ -96,6 +97,29 @@ const std::string& value_of(const std::map<std::string, std::string, std::less<>
 }
 
 }  // namespace
+
+ParameterSpec number_parameter(std::string name, std::string value, std::string help,
+                               double maximum) {
+  return {.name = std::move(name),
+          .type = ParameterType::Float,
+          .default_value = std::move(value),
+          .unit = "",
+          .help = std::move(help),
+          .choices = {},
+          .minimum = 0.0,
+          .maximum = maximum};
+}
+
+ParameterSpec choice_parameter(std::string name, std::vector<std::string> choices,
+                               std::string help) {
+  std::string first = choices.front();
+  return {.name = std::move(name),
+          .type = ParameterType::Choice,
+          .default_value = std::move(first),
+          .unit = "",
+          .help = std::move(help),
+          .choices = std::move(choices)};
+}
 
 Parameters::Parameters(std::span<const ParameterSpec> specs,
                        const std::map<std::string, std::string>& given)

@@ -23,6 +23,13 @@ struct ParameterSpec {
   double maximum = 1e300;
 };
 
+/// A number from 0 on, without unit.
+ParameterSpec number_parameter(std::string name, std::string value, std::string help,
+                               double maximum = 1e9);
+/// One of `choices`; the first is the default.
+ParameterSpec choice_parameter(std::string name, std::vector<std::string> choices,
+                               std::string help);
+
 /// Values for a list of specs; every declared parameter has a value, checked for type and range.
 class Parameters {
  public:

@@ -7,46 +7,28 @@ namespace ajar {
 
 namespace {
 
-/// A constant of He et al. 2020.
-ParameterSpec constant(std::string name, std::string value, std::string help) {
-  return {.name = std::move(name),
-          .type = ParameterType::Float,
-          .default_value = std::move(value),
-          .unit = "",
-          .help = std::move(help),
-          .choices = {},
-          .minimum = 0.0,
-          .maximum = 1e9};
-}
-
+/// With the constants of He et al. 2020.
 void add_plane_parameters(std::vector<ParameterSpec>& specs) {
+  specs.push_back(choice_parameter(
+      "step", {"fixed", "adaptive"},
+      "length of small steps: fixed, or adaptive to how evenly chains visit the pixels around (He "
+      "et al. 2020)"));
+  specs.push_back(choice_parameter(
+      "rule", {"exact", "published"},
+      "for step=adaptive, slemmlt and fusion: exact keeps the picture's expectation; published is "
+      "biased, for comparison only"));
   specs.push_back(
-      {.name = "step",
-       .type = ParameterType::Choice,
-       .default_value = "fixed",
-       .unit = "",
-       .help = "length of small steps: fixed, or adaptive to how evenly chains visit the pixels "
-               "around (He et al. 2020)",
-       .choices = {"fixed", "adaptive"}});
-  specs.push_back(
-      {.name = "rule",
-       .type = ParameterType::Choice,
-       .default_value = "exact",
-       .unit = "",
-       .help = "for step=adaptive, slemmlt and fusion: exact keeps the picture's expectation; "
-               "published is biased, for comparison only",
-       .choices = {"exact", "published"}});
-  specs.push_back(constant("m1", "50", "adaptive: visits before a pixel's steps may change (M1)"));
-  specs.push_back(
-      constant("k1", "50", "adaptive: variance of visits above which steps are shorter (k1)"));
-  specs.push_back(
-      constant("k2", "10", "adaptive: variance of visits below which steps are longer (k2)"));
-  specs.push_back(
-      constant("lambda1", "23", "adaptive: shorter steps are lambda1 / variance as long (λ1)"));
-  specs.push_back(
-      constant("lambda2", "0.7", "adaptive: longer steps are lambda2 · variance as long (λ2)"));
-  specs.push_back(
-      constant("w", "100", "slemmlt: visits from which on steps leave for a neighbour (W)"));
+      number_parameter("m1", "50", "adaptive: visits before a pixel's steps may change (M1)"));
+  specs.push_back(number_parameter(
+      "k1", "50", "adaptive: variance of visits above which steps are shorter (k1)"));
+  specs.push_back(number_parameter(
+      "k2", "10", "adaptive: variance of visits below which steps are longer (k2)"));
+  specs.push_back(number_parameter("lambda1", "23",
+                                   "adaptive: shorter steps are lambda1 / variance as long (λ1)"));
+  specs.push_back(number_parameter("lambda2", "0.7",
+                                   "adaptive: longer steps are lambda2 · variance as long (λ2)"));
+  specs.push_back(number_parameter(
+      "w", "100", "slemmlt: visits from which on steps leave for a neighbour (W)"));
 }
 
 }  // namespace

@@ -13,26 +13,6 @@ namespace ajar {
 
 namespace {
 
-ParameterSpec choice(std::string name, std::vector<std::string> choices, std::string help) {
-  return {.name = std::move(name),
-          .type = ParameterType::Choice,
-          .default_value = choices.front(),
-          .unit = "",
-          .help = std::move(help),
-          .choices = choices};
-}
-
-ParameterSpec number(std::string name, std::string value, std::string help, double maximum) {
-  return {.name = std::move(name),
-          .type = ParameterType::Float,
-          .default_value = std::move(value),
-          .unit = "",
-          .help = std::move(help),
-          .choices = {},
-          .minimum = 0.0,
-          .maximum = maximum};
-}
-
 bool is_image(const std::string& path) {
   constexpr std::array kExtensions = {".exr", ".png", ".jpg", ".jpeg",
                                       ".pfm", ".hdr", ".tif", ".tiff"};
@@ -63,17 +43,20 @@ std::vector<ParameterSpec> SelectiveSettings::parameters() {
            "techniques of ordinary Monte Carlo. Like those of the chains (techniques): light is "
            "divided path by path; others: by regions alone",
        .choices = {}},
-      choice("chain", {"mmlt", "pssmlt"}, "the Markov chains"),
-      choice("map", {"optimal", "binary"},
-             "how the pilot decides about regions: for least predicted error, or as published "
-             "(Frolov)"),
-      choice("choice", {"mix", "exclusive"},
-             "whether chains share the light of a pixel with ordinary Monte Carlo or make all or "
-             "nothing of it"),
-      choice("pilot", {"cross", "discard", "keep"},
-             "samples that the map is made from: cross: they stay, and either half of the "
-             "replicates has the map of the other (needs 4 replicates, else discard); discard; "
-             "keep: biased, as published"),
+      choice_parameter("chain", {"mmlt", "pssmlt"}, "the Markov chains"),
+      choice_parameter(
+          "map", {"optimal", "binary"},
+          "how the pilot decides about regions: for least predicted error, or as published "
+          "(Frolov)"),
+      choice_parameter(
+          "choice", {"mix", "exclusive"},
+          "whether chains share the light of a pixel with ordinary Monte Carlo or make all or "
+          "nothing of it"),
+      choice_parameter(
+          "pilot", {"cross", "discard", "keep"},
+          "samples that the map is made from: cross: they stay, and either half of the "
+          "replicates has the map of the other (needs 4 replicates, else discard); discard; "
+          "keep: biased, as published"),
       {.name = "pilot-samples",
        .type = ParameterType::Int,
        .default_value = "0",
@@ -82,10 +65,10 @@ std::vector<ParameterSpec> SelectiveSettings::parameters() {
        .choices = {},
        .minimum = 0,
        .maximum = 4096}};
-  specs.push_back(
-      number("threshold", "0.5", "binary: noise from which on a region has chains (T)", 1.0));
-  specs.push_back(
-      number("epsilon", "0.1", "binary: what chains make of the other regions' light (ε)", 1.0));
+  specs.push_back(number_parameter("threshold", "0.5",
+                                   "binary: noise from which on a region has chains (T)", 1.0));
+  specs.push_back(number_parameter(
+      "epsilon", "0.1", "binary: what chains make of the other regions' light (ε)", 1.0));
   specs.push_back({.name = "window",
                    .type = ParameterType::Int,
                    .default_value = "3",
@@ -101,12 +84,14 @@ std::vector<ParameterSpec> SelectiveSettings::parameters() {
                    .help = "what the user decides: a text file of rules (object or material, name, "
                            "auto|omc|chain|weight), or an image of the chains' share of each pixel",
                    .choices = {}});
-  specs.push_back(choice("preset", {"none", "published", "lambertian-out"},
-                         "published: everything as in the paper; lambertian-out: no chains where "
-                         "the material is matte (for omc=lt)"));
-  specs.push_back(choice("edges", {"none", "antialias"},
-                         "smooth the stairs that the map leaves at the edges of objects, in .png "
-                         "and .jpg"));
+  specs.push_back(
+      choice_parameter("preset", {"none", "published", "lambertian-out"},
+                       "published: everything as in the paper; lambertian-out: no chains where "
+                       "the material is matte (for omc=lt)"));
+  specs.push_back(
+      choice_parameter("edges", {"none", "antialias"},
+                       "smooth the stairs that the map leaves at the edges of objects, in .png "
+                       "and .jpg"));
   return specs;
 }
 

@@ -1,6 +1,5 @@
 #include "session/checkpoint_writer.h"
 
-#include <exception>
 #include <utility>
 
 #include "core/archive.h"
@@ -37,27 +36,13 @@ void CheckpointWriter::see_picture(const Film& film, const JobState& state) {
 
 WrittenFile CheckpointWriter::write_last(const Film& film, const JobState& state,
                                          bool interrupted) {
-  WrittenFile result{path_, path_, {}};
-  try {
-    fill(film, state);
-    if (interrupted) ++checkpoint_.interruptions;
-    write_checkpoint(path_, checkpoint_, film.raw());
-    return result;
-  } catch (const std::exception& error) {
-    result.error = error.what();
-  }
-  for (const std::string& rescue : rescue_paths(path_)) {
-    try {
-      write_checkpoint(rescue, checkpoint_, film.raw());
-      result.path = rescue;
-      return result;
-    } catch (const std::exception&) {
-      // The first reason is the one to tell; the next place may still work.
-      continue;
-    }
-  }
-  result.path.clear();
-  return result;
+  bool filled = false;
+  return write_or_rescue(path_, [&](const std::string& path) {
+    if (!filled) fill(film, state);
+    if (!filled && interrupted) ++checkpoint_.interruptions;
+    filled = true;
+    write_checkpoint(path, checkpoint_, film.raw());
+  });
 }
 
 }  // namespace ajar

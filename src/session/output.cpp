@@ -85,27 +85,13 @@ void add_to_part(Picture& picture, const std::string& whole, const std::vector<f
                  std::plus<>());
 }
 
-WrittenFile write_or_rescue(const LayeredImage& picture, const std::string& path,
-                            const DisplayOptions& display) {
-  WrittenFile result{path, path, {}};
-  try {
-    write_image(path, picture, display);
-    return result;
-  } catch (const std::exception& error) {
-    result.error = error.what();
-  }
-  for (const std::string& rescue : rescue_paths(path)) {
-    try {
-      write_image(rescue, picture, display);
-      result.path = rescue;
-      return result;
-    } catch (const std::exception&) {
-      // The first reason is the one to tell; the next place may still work.
-      continue;
-    }
-  }
-  result.path.clear();
-  return result;
+/// Where a file goes if it cannot go to `path`: never onto a file that exists.
+std::vector<std::string> rescue_paths(const std::string& path) {
+  const fs::path wanted(path);
+  const std::string name =
+      fmt::format("{}-rescued-{}{}", wanted.stem().string(), getpid(), wanted.extension().string());
+  std::error_code error;
+  return {name, (fs::temp_directory_path(error) / name).string()};
 }
 
 /// Beside a picture for the eye, the layer "density" in false colours; empty without that layer.
@@ -119,7 +105,7 @@ std::optional<WrittenFile> write_density_map(const Picture& picture, const std::
   const DensityMap map = draw_density_map(layer->pixels, picture.crop.size() + Vec2i(1, 1));
   const LayeredImage image{
       map.size, Box2i(Vec2i(0, 0), map.size - Vec2i(1, 1)), {{"", 3, map.rgb}}, {}};
-  return write_or_rescue(image, name.string(), {});
+  return write_or_rescue(name.string(), [&](const std::string& to) { write_image(to, image); });
 }
 
 }  // namespace
@@ -270,12 +256,27 @@ LayeredImage layered_image(const Picture& picture) {
   return image;
 }
 
-std::vector<std::string> rescue_paths(const std::string& path) {
-  const fs::path wanted(path);
-  const std::string name =
-      fmt::format("{}-rescued-{}{}", wanted.stem().string(), getpid(), wanted.extension().string());
-  std::error_code error;
-  return {name, (fs::temp_directory_path(error) / name).string()};
+WrittenFile write_or_rescue(const std::string& path,
+                            const std::function<void(const std::string& path)>& write) {
+  WrittenFile result{path, path, {}};
+  try {
+    write(path);
+    return result;
+  } catch (const std::exception& error) {
+    result.error = error.what();
+  }
+  for (const std::string& rescue : rescue_paths(path)) {
+    try {
+      write(rescue);
+      result.path = rescue;
+      return result;
+    } catch (const std::exception&) {
+      // The first reason is the one to tell; the next place may still work.
+      continue;
+    }
+  }
+  result.path.clear();
+  return result;
 }
 
 std::vector<WrittenFile> write_pictures(const Picture& picture,
@@ -285,7 +286,8 @@ std::vector<WrittenFile> write_pictures(const Picture& picture,
   files.reserve(paths.size());
   const LayeredImage image = layered_image(picture);
   for (const std::string& path : paths) {
-    files.push_back(write_or_rescue(image, path, display));
+    files.push_back(
+        write_or_rescue(path, [&](const std::string& to) { write_image(to, image, display); }));
     std::optional<WrittenFile> map = write_density_map(picture, path);
     if (map) files.push_back(std::move(*map));
   }

@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -68,16 +69,16 @@ void check_writable(const std::string& path);
 /// The picture as files have it.
 LayeredImage layered_image(const Picture& picture);
 
-/// Where a file goes if it cannot go to `path`: `NAME-rescued-N.EXT`, never onto a file that
-/// exists, in the current folder or in the one for temporary files.
-std::vector<std::string> rescue_paths(const std::string& path);
-
 /// What became of one file.
 struct WrittenFile {
   std::string path;    ///< where it is now; empty if it is nowhere
   std::string wanted;  ///< where it should be
   std::string error;   ///< why it is not there; empty if it is
 };
+/// Calls `write` with `path` and, if that raises anything, with `NAME-rescued-N.EXT` in the current
+/// folder and then in the one for temporary files, until it succeeds. Raises nothing.
+WrittenFile write_or_rescue(const std::string& path,
+                            const std::function<void(const std::string& path)>& write);
 /// Writes each file (kind by extension, see `write_image`), and the layer "density" in false
 /// colours as NAME.density.png beside each `.png` and `.jpg`; one that cannot be written at its
 /// place is written as `NAME-rescued.EXT` into the current or the temporary folder. Raises nothing.
