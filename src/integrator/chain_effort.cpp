@@ -24,14 +24,18 @@ double trimmed_sum(std::vector<double> values) {
 
 }  // namespace
 
+ChainEffort::Rates ChainEffort::rates() const {
+  if (!adjusted_) return {plan_.selective ? 1.0 : plan_.omc_samples, plan_.mutations};
+  return rates_;
+}
+
 std::uint64_t ChainEffort::omc_samples(std::uint64_t samples) const {
-  if (plan_.selective) return plan_.pilot_kept + samples;
-  return static_cast<std::uint64_t>(std::ceil(static_cast<double>(samples) * plan_.omc_samples));
+  const double rendered = before_.omc + rates().omc * static_cast<double>(samples - since_);
+  return plan_.pilot_kept + static_cast<std::uint64_t>(std::ceil(rendered));
 }
 
 double ChainEffort::mutations(std::uint64_t samples) const {
-  const double rate = mutations_per_sample_ > 0.0 ? mutations_per_sample_ : plan_.mutations;
-  return before_ + rate * static_cast<double>(samples - since_);
+  return before_.mutations + rates().mutations * static_cast<double>(samples - since_);
 }
 
 std::uint64_t ChainEffort::steps(std::uint64_t sample, std::size_t chains) const {
@@ -55,7 +59,7 @@ void ChainEffort::count_chains(std::uint64_t rays, std::uint64_t mutations) {
 
 void ChainEffort::adjust(std::uint64_t samples, const Film& film, const Integrator& integrator) {
   const int replicates = film.replicates();
-  if (!plan_.selective || replicates < 2 || mutations_ == 0 || omc_samples_ == 0) return;
+  if (!plan_.shares_effort || replicates < 2 || mutations_ == 0 || omc_samples_ == 0) return;
   const auto errors = [&](std::initializer_list<std::string> names) {
     return weighted_errors(develop_layers(film, integrator, samples, names), plan_.settings.crop,
                            plan_.view.importance);
@@ -75,17 +79,19 @@ void ChainEffort::adjust(std::uint64_t samples, const Film& film, const Integrat
       best_mutations(omc_error * static_cast<double>(omc_samples(samples)), light, costs) / pixels;
   // Few replicates tell an error to within a factor.
   constexpr double kMostChange = 5.0;
-  before_ = mutations(samples);
-  const double now = mutations_per_sample_ > 0.0 ? mutations_per_sample_ : plan_.mutations;
-  mutations_per_sample_ =
+  const double now = rates().mutations / rates().omc;
+  const double mutations_per_sample =
       ChainPlan::clamp_mutations(std::clamp(best, now / kMostChange, now * kMostChange));
+  before_ = {static_cast<double>(omc_samples(samples) - plan_.pilot_kept), mutations(samples)};
+  rates_ =
+      plan_.selective ? Rates{1.0, mutations_per_sample} : Rates{1.0 / mutations_per_sample, 1.0};
+  adjusted_ = true;
   since_ = samples;
 }
 
 void ChainEffort::fill(SelectiveReport& report) const {
   const double all = static_cast<double>(omc_rays_ + chain_rays_);
-  report.mutations_per_sample =
-      mutations_per_sample_ > 0.0 ? mutations_per_sample_ : plan_.mutations;
+  report.mutations_per_sample = rates().mutations / rates().omc;
   report.correlation = correlation_;
   report.chain_rays = all > 0.0 ? static_cast<double>(chain_rays_) / all : 0.0;
   report.chain_error = chain_error_;
@@ -99,11 +105,13 @@ void ChainEffort::set_counts(const std::array<std::uint64_t, 4>& counts) {
 }
 
 void ChainEffort::save_state(OutputArchive& archive) const {
-  archive(mutations_per_sample_, since_, before_, correlation_, chain_error_, counts());
+  archive(adjusted_, rates_.omc, rates_.mutations, before_.omc, before_.mutations, since_,
+          correlation_, chain_error_, counts());
 }
 
 void ChainEffort::load_state(InputArchive& archive) {
-  archive(mutations_per_sample_, since_, before_, correlation_, chain_error_, known_);
+  archive(adjusted_, rates_.omc, rates_.mutations, before_.omc, before_.mutations, since_,
+          correlation_, chain_error_, known_);
   set_counts(known_);
 }
 

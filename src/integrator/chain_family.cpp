@@ -77,7 +77,7 @@ class ChainIntegrator final : public Integrator {
   void serialize_items(A& archive, const WorkShare& share);
   void make_omc();
   /// Lets what ordinary Monte Carlo has found since `joined_at_` join the chains.
-  void join_recruits();
+  void join_recruits(const Film& film);
   void expect_recruits(std::uint64_t samples);
   void add_concerns();
   void run_chain(const ChainItem& item, std::uint64_t first_sample, std::uint64_t samples,
@@ -267,10 +267,7 @@ void ChainIntegrator::begin_pass(std::uint64_t first_sample, std::uint64_t sampl
     refine_b(0);
     if (regions_ != nullptr) regions_->hand_over(film);
   }
-  if (recruits_ && first_sample >= next_join_) {
-    effort_.adjust(first_sample, film, *this);
-    join_recruits();
-  }
+  if (recruits_ && first_sample >= next_join_) join_recruits(film);
   if (recruits_ && first_sample + samples > next_join_) {
     throw std::logic_error("bug: a pass crosses a milestone");
   }
@@ -286,10 +283,11 @@ void ChainIntegrator::begin_pass(std::uint64_t first_sample, std::uint64_t sampl
   if (maps_) maps_->end_epoch(static_cast<double>(milestone));
 }
 
-void ChainIntegrator::join_recruits() {
+void ChainIntegrator::join_recruits(const Film& film) {
   recruits_->join(populations_, effort_.omc_samples(joined_at_), effort_.omc_samples(next_join_));
   list_chains();
   refine_b(next_join_);
+  effort_.adjust(next_join_, film, *this);
   expect_recruits(next_join_);
 }
 

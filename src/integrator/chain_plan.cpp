@@ -58,6 +58,7 @@ ChainPlan::ChainPlan(ChainKind chain_kind, const Scene& the_scene,
                                   parameters.get_float("camera-steps"),
                                   parameters.get_float("light-steps")};
   chain_settings.tries = parameters.get_int("multi-try");
+  read_fine_steps();
   // Half moves keep the technique, so that the other half need not be traced again.
   chain_settings.connection = {false, false};
   // Chains have no numbers for further tries, and would gain nothing from fewer.
@@ -88,8 +89,22 @@ ChainPlan::ChainPlan(ChainKind chain_kind, const Scene& the_scene,
   }
   make_groups();
   if (omc_samples == 0.0 && (!split_at || groups.empty())) omc_samples = 1.0;
+  shares_effort = selective || (omc_samples == 0.0 && has_recruits());
   read_importance();
   read_plane();
+}
+
+void ChainPlan::read_fine_steps() {
+  const std::string& name = parameters.get_text("mutation");
+  const bool can = mutation->divisible() && !leaves_for_neighbours(name) &&
+                   parameters.get_text("step") == "fixed";
+  const double share = parameters.get_float("fine-steps");
+  if (can) {
+    chain_settings.probabilities.fine = share;
+  } else if (share > 0.0 && parameters.given().contains("fine-steps")) {
+    throw UsageError("fine-steps: only with mutation=gaussian and step=fixed, not with mutation=" +
+                     name + " and step=" + parameters.get_text("step"));
+  }
 }
 
 void ChainPlan::read_plane() {

@@ -67,6 +67,8 @@ struct ChainPlan {
   std::optional<SelectiveSettings> selective;
   /// Camera samples of ordinary Monte Carlo per mutation; 0 until the preparation has decided.
   double omc_samples;
+  /// Whether the render shares its effort anew as it goes on.
+  bool shares_effort = false;
   /// Mutations per camera sample, if `selective`; 0: ordinary Monte Carlo alone renders.
   double mutations = 1.0;
   bool standby = false;          ///< nothing is so hard that chains would pay
@@ -90,6 +92,7 @@ struct ChainPlan {
  private:
   void make_groups();
   void read_importance();
+  void read_fine_steps();
   void read_plane();
 };
 

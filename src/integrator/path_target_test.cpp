@@ -99,7 +99,7 @@ TEST(ChainView, FindsTheNumbersOfAPlaceAgain) {
   ChainView view;
   view.low = Vec2(3.F, -1.F);
   view.size = Vec2(40.F, 20.F);
-  for (const Vec2 at : {Vec2(3.F, -1.F), Vec2(17.3F, 5.5F), Vec2(42.9F, 18.99F)}) {
+  for (const Vec2& at : {Vec2(3.F, -1.F), Vec2(17.3F, 5.5F), Vec2(42.9F, 18.99F)}) {
     const Vec2 again = view.raster(view.place(at));
     EXPECT_NEAR(again.x, at.x, 1e-5);
     EXPECT_NEAR(again.y, at.y, 1e-5);

@@ -56,16 +56,16 @@ void ChainNumbers::catch_up(SampleAddress address, const Mutation& mutation, con
   }
   if (stamps_[index] < clock.now) {
     mutation.perturb(block(index), sizes.scales(address.stream(), address.vertex()),
-                     clock.now - stamps_[index],
+                     static_cast<double>(clock.now - stamps_[index]) / kStepUnits,
                      block_key(key, address.stream(), address.vertex()));
     stamps_[index] = clock.now;
   }
 }
 
-void ChainNumbers::advance(const Change& change) {
-  if (change.camera) ++clocks_[static_cast<std::size_t>(Stream::Camera)].now;
-  if (change.light) ++clocks_[static_cast<std::size_t>(Stream::Light)].now;
-  if (change.connection) ++clocks_[static_cast<std::size_t>(Stream::Connection)].now;
+void ChainNumbers::advance(const Change& change, std::uint64_t units) {
+  for (const Stream stream : {Stream::Camera, Stream::Light, Stream::Connection}) {
+    if (change.moves(stream)) clocks_[static_cast<std::size_t>(stream)].now += units;
+  }
 }
 
 void ChainNumbers::advance_to_fresh(std::uint64_t key) {

@@ -24,8 +24,8 @@ struct PrimaryShape {
 /// when it was last asked for, and a stamp of that time; what has happened to it since is made up
 /// for when it is asked for again.
 ///
-/// Each stream has a clock that counts the accepted steps that moved it. (Rejected steps moved
-/// nothing; 32 bits are enough for 4·10⁹ accepted steps of one chain.)
+/// Each stream has a clock that counts the accepted steps that moved it, in units of the shortest
+/// (rejected steps moved nothing).
 ///
 /// Exactness: the vector behaves as if all its numbers moved in every step. Two things are needed
 /// for that.
@@ -62,9 +62,9 @@ class ChainNumbers {
     return std::span<const float, kBlockSize>(numbers_.data() + index * kBlockSize, kBlockSize);
   }
   /// When a block was last brought up to date, on the clock of its stream.
-  std::uint32_t stamp(std::size_t index) const { return stamps_[index]; }
-  void set_stamp(std::size_t index, std::uint32_t time) { stamps_[index] = time; }
-  std::uint32_t now(Stream stream) const { return clocks_[static_cast<std::size_t>(stream)].now; }
+  std::uint64_t stamp(std::size_t index) const { return stamps_[index]; }
+  void set_stamp(std::size_t index, std::uint64_t time) { stamps_[index] = time; }
+  std::uint64_t now(Stream stream) const { return clocks_[static_cast<std::size_t>(stream)].now; }
 
   /// Brings the block of `address` to the present of its stream; `key` names the randomness for the
   /// small steps it has missed.
@@ -78,8 +78,8 @@ class ChainNumbers {
   static void fill_fresh(std::span<float, kBlockSize> block, SampleAddress address,
                          std::uint64_t key);
 
-  /// A small step that moved the streams in `change` was accepted.
-  void advance(const Change& change);
+  /// A small step of this length that moved the streams in `change` was accepted.
+  void advance(const Change& change, std::uint64_t units = kStepUnits);
   /// A large step to the fresh vector named by `key` was accepted.
   void advance_to_fresh(std::uint64_t key);
   std::uint64_t fresh_key() const { return fresh_key_; }
@@ -101,8 +101,8 @@ class ChainNumbers {
 
  private:
   struct Clock {
-    std::uint32_t now = 1;
-    std::uint32_t fresh = 1;  ///< when all numbers of the stream were last made fresh
+    std::uint64_t now = 1;
+    std::uint64_t fresh = 1;  ///< when all numbers of the stream were last made fresh
   };
   static constexpr std::size_t kStreams = 3;
 
@@ -115,7 +115,7 @@ class ChainNumbers {
   std::array<Clock, kStreams> clocks_;
   std::uint64_t fresh_key_;
   std::vector<float> numbers_;
-  std::vector<std::uint32_t> stamps_;
+  std::vector<std::uint64_t> stamps_;
 };
 
 }  // namespace ajar

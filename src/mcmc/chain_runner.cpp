@@ -16,6 +16,8 @@ namespace {
 /// The smallest I that counts. The inverse of anything smaller may overflow.
 constexpr double kSmallest = std::numeric_limits<double>::min();
 
+constexpr std::uint64_t kLength = 0x1e46ULL;  // names randomness, beyond those of tries
+
 double acceptance(double current, double proposal, double log_ratio) {
   if (proposal == 0.0) return 0.0;
   const double ratio =
@@ -45,6 +47,10 @@ ChainRunner::ChainRunner(const ChainSettings& settings, const Mutation& mutation
   settings_.sizes.check();
   if (settings_.tries > 1 && plane != nullptr) {
     throw std::logic_error("bug: several tries are for symmetric small steps only");
+  }
+  if (settings_.probabilities.fine > 0.0 && (!mutation.divisible() || plane != nullptr)) {
+    throw std::logic_error(
+        "bug: fine steps are for mutations that divide, without moves of the plane");
   }
   if (settings_.tries > 1) tries_.resize(static_cast<std::size_t>(settings_.tries));
 }
@@ -85,7 +91,7 @@ double ChainRunner::evaluate(Run& run, SampleSource& source, const Change& chang
 
 void ChainRunner::make_step(Run& run, const Step& step) {
   Chain& chain = run.chain;
-  source_.propose(chain.numbers, step.kind, step.change, counter_bits(step.key, 1));
+  source_.propose(chain.numbers, step.kind, step.change, counter_bits(step.key, 1), step.units);
   const double scalar = evaluate(run, source_, step.change, proposal_);
   const double a = acceptance(chain.scalar, scalar, source_.log_ratio());
 
@@ -172,7 +178,7 @@ void ChainRunner::move_to(Run& run, const Step& step, std::size_t index) {
 void ChainRunner::make_step_of_tries(Run& run, const Step& step) {
   Chain& chain = run.chain;
   // The point in the middle; a large step has none, and leaves it untouched.
-  source_.propose(chain.numbers, step.kind, step.change, counter_bits(step.key, 1));
+  source_.propose(chain.numbers, step.kind, step.change, counter_bits(step.key, 1), step.units);
   evaluate_tries(run, step);
 
   double moves = 0.0;
@@ -211,7 +217,9 @@ ChainStatistics ChainRunner::go_on(Chain& chain, std::uint64_t steps, DepositSin
   for (std::uint64_t i = 0; i < steps; ++i) {
     const std::uint64_t key = hash_numbers(chain.seed, chain.step);
     const StepKind kind = settings_.probabilities.choose(to_unit_double(counter_bits(key, 0)));
-    const Step step{key, kind, change_of(kind, settings_.connection)};
+    const Step step{
+        key, kind, change_of(kind, settings_.connection),
+        settings_.probabilities.choose_length(to_unit_double(counter_bits(key, kLength)))};
     ++run.statistics.steps;
     ++run.statistics.of(kind).proposals;
     if (tries_.empty()) {

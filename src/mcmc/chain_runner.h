@@ -40,7 +40,8 @@ struct ChainSettings {
 /// the scratch memory of one thread; the target and the mutation must outlive it.
 class ChainRunner {
  public:
-  /// `plane`, which may be null, must outlive it, too; it cannot be had with several tries.
+  /// `plane`, which may be null, must outlive it, too; it cannot be had with several tries or fine
+  /// steps, nor the latter without a mutation that divides.
   ChainRunner(const ChainSettings& settings, const Mutation& mutation, const PrimaryShape& shape,
               Target& target, const PlaneMoves* plane = nullptr);
 
@@ -103,6 +104,7 @@ class ChainRunner {
     std::uint64_t key;
     StepKind kind;
     Change change;
+    std::uint64_t units;
     bool large() const { return kind == StepKind::Large; }
   };
   struct Try {

@@ -32,23 +32,24 @@ void ChainSource::set_step_scale(float scale) {
 }
 
 void ChainSource::propose(ChainNumbers& numbers, StepKind kind, const Change& change,
-                          std::uint64_t key) {
+                          std::uint64_t key, std::uint64_t units) {
   numbers_ = &numbers;
   undo_.clear();
   raster_use_.forget();
   raster_log_ratio_ = 0.0;
   large_ = kind == StepKind::Large;
   change_ = large_ ? Change{} : change;
+  units_ = large_ ? 1 : units;
   fresh_key_ = counter_bits(key, 0);
   move_key_ = counter_bits(key, 1);
   catch_up_key_ = counter_bits(key, 2);
-  ready_ = {numbers.now(Stream::Camera) + (change_.camera ? 1U : 0U),
-            numbers.now(Stream::Light) + (change_.light ? 1U : 0U),
-            numbers.now(Stream::Connection) + (change_.connection ? 1U : 0U)};
+  ready_ = {numbers.now(Stream::Camera) + (change_.camera ? units_ : 0),
+            numbers.now(Stream::Light) + (change_.light ? units_ : 0),
+            numbers.now(Stream::Connection) + (change_.connection ? units_ : 0)};
 }
 
 void ChainSource::prepare(SampleAddress address, std::size_t block) {
-  const std::uint32_t ready = ready_[static_cast<std::size_t>(address.stream())];
+  const std::uint64_t ready = ready_[static_cast<std::size_t>(address.stream())];
   const bool moves = ready != numbers_->now(address.stream());
   // A large step does not depend on where it starts, so there is no need to know.
   if (!large_) numbers_->catch_up(address, mutation_, sizes_, catch_up_key_);
@@ -63,7 +64,7 @@ void ChainSource::prepare(SampleAddress address, std::size_t block) {
     ChainNumbers::fill_fresh(numbers, address, fresh_key_);
   } else {
     const std::uint64_t key = block_key(move_key_, address.stream(), address.vertex());
-    mutation_.perturb(numbers, scales, 1, key);
+    mutation_.perturb(numbers, scales, length(), key);
     if (plane_ != nullptr && block == kRasterBlock && current_uses_raster_ && raster_use_.used()) {
       move_raster(numbers, undo, key);
     }
@@ -86,7 +87,7 @@ void ChainSource::accept() {
   if (large_) {
     numbers_->advance_to_fresh(fresh_key_);
   } else {
-    numbers_->advance(change_);
+    numbers_->advance(change_, units_);
   }
   current_uses_raster_ = raster_use_.used();
   if (large_ && plane_ != nullptr && plane_->published()) {
@@ -97,14 +98,13 @@ void ChainSource::accept() {
 }
 
 void ChainSource::perturb(std::span<float> block, SampleAddress address, std::uint64_t key) const {
-  mutation_.perturb(block, sizes_.scales(address.stream(), address.vertex()), 1,
+  mutation_.perturb(block, sizes_.scales(address.stream(), address.vertex()), length(),
                     block_key(key, address.stream(), address.vertex()));
 }
 
 void ChainSource::accept_moved(std::uint64_t key) {
   // What nobody has asked for has two steps to make up for.
-  numbers_->advance(change_);
-  numbers_->advance(change_);
+  numbers_->advance(change_, 2 * units_);
   for (const Undo& undo : undo_) {
     perturb(numbers_->block(undo.block), undo.address, key);
     numbers_->set_stamp(undo.block, numbers_->now(undo.address.stream()));

@@ -52,9 +52,10 @@ class ChainSource final : public SampleSource {
   float step_scale() const { return step_scale_; }
 
   /// Starts a step of `numbers`, which must stay where it is until the step is accepted or
-  /// rejected. `key` names the randomness of the step; `change` is ignored for a large step, which
-  /// moves all.
-  void propose(ChainNumbers& numbers, StepKind kind, const Change& change, std::uint64_t key);
+  /// rejected. `key` names the randomness of the step; `change` and `units`, its length, are
+  /// ignored for a large step, which moves all.
+  void propose(ChainNumbers& numbers, StepKind kind, const Change& change, std::uint64_t key,
+               std::uint64_t units = kStepUnits);
   void accept();
   /// Restores every number that this step has moved, but keeps what was made up for (see
   /// `ChainNumbers`).
@@ -66,7 +67,7 @@ class ChainSource final : public SampleSource {
   std::span<const float, kBlockSize> moved_block(SampleAddress address) {
     return numbers_->block(fetch(address));
   }
-  /// One small step of the block of `address`.
+  /// One small step of the block of `address`, as long as the proposal's.
   void perturb(std::span<float> block, SampleAddress address, std::uint64_t key) const;
   /// log T(proposal → current) − log T(current → proposal).
   double log_ratio() const;
@@ -86,7 +87,7 @@ class ChainSource final : public SampleSource {
   struct Undo {
     SampleAddress address;  ///< any in the block
     std::uint32_t block;
-    std::uint32_t stamp;
+    std::uint64_t stamp;
     const StepSizes::Scales* scales;
     std::array<float, kBlockSize> numbers;
   };
@@ -101,6 +102,8 @@ class ChainSource final : public SampleSource {
   void prepare(SampleAddress address, std::size_t block);
   void move_raster(std::span<float, kBlockSize> numbers, const Undo& undo, std::uint64_t key);
   void set_step_scale(float scale);
+  /// Of the step, in steps of the mutation.
+  double length() const { return static_cast<double>(units_) / kStepUnits; }
 
   const Mutation& mutation_;
   StepSizes default_sizes_;
@@ -113,12 +116,13 @@ class ChainSource final : public SampleSource {
   std::vector<Undo> undo_;
   ChainNumbers* numbers_ = nullptr;
   bool large_ = false;
+  std::uint64_t units_ = kStepUnits;
   Change change_;
   std::uint64_t fresh_key_ = 0;
   std::uint64_t move_key_ = 0;
   std::uint64_t catch_up_key_ = 0;
   /// The stamp of a block that the proposal can use, per stream: now, or one later if it moves.
-  std::array<std::uint32_t, 3> ready_{};
+  std::array<std::uint64_t, 3> ready_{};
 };
 
 /// Serves the current state of a chain, unchanged. Raises std::logic_error for numbers that the

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -127,13 +128,39 @@ TEST(ChainStationarity, HoldsWithSeveralTries) {
   expect_stationary(testing::variable_dimension(), GaussianMutation(0.02), settings, 60);
 }
 
+TEST(ChainStationarity, HoldsWithStepsOfSeveralLengths) {
+  const GaussianMutation mutation(0.08);
+  ChainSettings settings;
+  settings.probabilities = {0.1, 0.2, 0.2, 0.6};
+  for (const Toy& toy : testing::toys()) {
+    SCOPED_TRACE(toy.name);
+    expect_stationary(toy, mutation, settings, 12);
+  }
+  settings.tries = 3;
+  expect_stationary(testing::peak(), mutation, settings, 12);
+  // What lazy numbers have missed must be as long as what others have moved.
+  settings.tries = 1;
+  settings.probabilities = {0.0, 0.0, 0.0, 0.5};
+  settings.sizes.camera_endpoint.fill(3.F);
+  expect_stationary(testing::variable_dimension(), mutation, settings, 100);
+}
+
+TEST(ChainStationarity, FineStepsNeedAMutationThatDivides) {
+  ChainSettings settings;
+  settings.probabilities.fine = 0.1;
+  const KelemenMutation kelemen;
+  ToyTarget target(testing::peak().function);
+  EXPECT_THROW(ChainRunner(settings, kelemen, testing::kToyShape, target), std::logic_error);
+}
+
 /// Normal steps with a drift: T(to → from) ≠ T(from → to). Moves the first number of a block only.
 class Drift final : public Mutation {
  public:
   std::string_view name() const override { return "drift"; }
-  void perturb(std::span<float> numbers, std::span<const float> scales, std::uint32_t steps,
+  void perturb(std::span<float> numbers, std::span<const float> scales, double steps,
                std::uint64_t key) const override {
-    for (std::uint32_t step = 0; step < steps; ++step) {
+    const auto whole = static_cast<std::uint64_t>(steps);
+    for (std::uint64_t step = 0; step < whole; ++step) {
       const float drifted = numbers[0] + 0.03F;
       numbers[0] = drifted - std::floor(drifted);
       normal_.perturb(numbers.first(2), scales, 1, counter_bits(key, step));

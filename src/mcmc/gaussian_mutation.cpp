@@ -25,8 +25,8 @@ GaussianMutation::GaussianMutation(double sigma) : sigma_(sigma) {
 }
 
 void GaussianMutation::perturb(std::span<float> numbers, std::span<const float> scales,
-                               std::uint32_t steps, std::uint64_t key) const {
-  const auto sigma = static_cast<float>(sigma_ * std::sqrt(static_cast<double>(steps)));
+                               double steps, std::uint64_t key) const {
+  const auto sigma = static_cast<float>(sigma_ * std::sqrt(steps));
   // Box & Muller 1958, in batches that fill the lanes of a processor. The angle is uniform within a
   // quarter turn around the x axis; one bit swaps the axes and one picks a side.
   constexpr std::size_t kPairs = 8;

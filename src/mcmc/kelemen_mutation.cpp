@@ -21,15 +21,16 @@ KelemenMutation::KelemenMutation(double shortest, double longest)
   }
 }
 
-void KelemenMutation::perturb(std::span<float> numbers, std::span<const float> scales,
-                              std::uint32_t steps, std::uint64_t key) const {
+void KelemenMutation::perturb(std::span<float> numbers, std::span<const float> scales, double steps,
+                              std::uint64_t key) const {
   // Sums of these steps have no closed form, so pending steps are made one after another. All in
   // all that costs no more than mutating the block in every accepted step would have. In batches
   // that fill the lanes of a processor.
   constexpr std::size_t kLanes = 16;
   const auto longest = static_cast<float>(longest_);
   std::uint64_t counter = 0;
-  for (std::uint32_t step = 0; step < steps; ++step) {
+  const auto whole = static_cast<std::uint64_t>(steps);
+  for (std::uint64_t step = 0; step < whole; ++step) {
     for (std::size_t first = 0; first < numbers.size(); first += kLanes) {
       const std::size_t count = std::min(kLanes, numbers.size() - first);
       std::array<std::uint32_t, kLanes> bits{};

@@ -9,7 +9,7 @@ class KelemenMutation final : public Mutation {
  public:
   explicit KelemenMutation(double shortest = 1.0 / 1024.0, double longest = 1.0 / 64.0);
   std::string_view name() const override { return "kelemen"; }
-  void perturb(std::span<float> numbers, std::span<const float> scales, std::uint32_t steps,
+  void perturb(std::span<float> numbers, std::span<const float> scales, double steps,
                std::uint64_t key) const override;
   double density(float from, float to, float scale) const override;
 

@@ -13,10 +13,12 @@ class Mutation {
   /// As users type it.
   virtual std::string_view name() const = 0;
 
-  /// Moves every number of a block as `steps` ≥ 1 small steps in a row would. `scales` multiplies
+  /// Moves every number of a block as `steps` > 0 small steps in a row would. `scales` multiplies
   /// the length of the steps, number by number; `key` names the randomness to use.
-  virtual void perturb(std::span<float> numbers, std::span<const float> scales, std::uint32_t steps,
+  virtual void perturb(std::span<float> numbers, std::span<const float> scales, double steps,
                        std::uint64_t key) const = 0;
+  /// Whether `steps` may be a fraction: a step then is the sum of independent shorter ones.
+  virtual bool divisible() const { return false; }
 
   /// Transition density of one step of one number, with respect to length on the unit interval.
   virtual double density(float from, float to, float scale) const = 0;

@@ -52,7 +52,7 @@ constexpr int kBlocks = 40000;
 
 /// Counts where numbers of each slot go after `calls` calls for `steps` steps each. 400,000
 /// samples: 1 % of them in the wrong half of the distribution would be 6 standard errors.
-std::vector<double> sample(const Case& c, float from, std::uint32_t steps, int calls = 1) {
+std::vector<double> sample(const Case& c, float from, double steps, int calls = 1) {
   StepSizes::Scales scales;
   scales.fill(c.scale);
   std::vector<double> counts(kCells, 0.0);
@@ -62,7 +62,8 @@ std::vector<double> sample(const Case& c, float from, std::uint32_t steps, int c
     for (int call = 0; call < calls; ++call) {
       c.mutation->perturb(
           block, scales, steps,
-          hash_numbers(steps, static_cast<std::uint64_t>(call), static_cast<std::uint64_t>(i)));
+          hash_numbers(static_cast<std::uint64_t>(64.0 * steps), static_cast<std::uint64_t>(call),
+                       static_cast<std::uint64_t>(i)));
     }
     for (const float u : block) {
       EXPECT_GE(u, 0.F);
@@ -96,7 +97,7 @@ TEST(Mutation, PendingStepsAreThatManySingleSteps) {
       SCOPED_TRACE(std::string(c.mutation->name()) + " × " + std::to_string(c.scale) + ", " +
                    std::to_string(steps) + " steps");
       // Two samples of equal size: each cell's difference has the variance of its sum.
-      const auto at_once = sample(c, 0.25F, static_cast<std::uint32_t>(steps));
+      const auto at_once = sample(c, 0.25F, steps);
       const auto one_by_one = sample(c, 0.25F, 1, steps);
       std::vector<double> expected;
       std::vector<double> shifted;
@@ -119,6 +120,22 @@ TEST(Mutation, GaussianStepsAddUp) {
     testing::expect_fits(sample({std::make_unique<GaussianMutation>(0.01), 1.F}, 0.9F, steps),
                          expected);
   }
+}
+
+TEST(Mutation, GaussianStepsDivide) {
+  // A 1/64 of a step has the density of one with an eighth of σ, and 64 of them that of a whole
+  // one.
+  const Case whole{std::make_unique<GaussianMutation>(0.16), 1.F};
+  const Case eighth{std::make_unique<GaussianMutation>(0.02), 1.F};
+  const auto expected = [](const Case& c) {
+    std::vector<double> counts = cell_probabilities(c, 0.9F);
+    for (double& e : counts) e *= double{kBlocks} * kBlockSize;
+    return counts;
+  };
+  testing::expect_fits(sample(whole, 0.9F, 1.0 / 64), expected(eighth));
+  testing::expect_fits(sample(whole, 0.9F, 1.0 / 64, 64), expected(whole));
+  EXPECT_TRUE(whole.mutation->divisible());
+  EXPECT_FALSE(KelemenMutation().divisible());
 }
 
 TEST(Mutation, DensitiesAreSymmetric) {

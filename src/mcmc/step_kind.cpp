@@ -6,7 +6,7 @@ namespace ajar {
 
 void StepProbabilities::check() const {
   if (!(large >= 0.0 && large <= 1.0 && camera_half >= 0.0 && light_half >= 0.0 &&
-        camera_half + light_half <= 1.0)) {
+        camera_half + light_half <= 1.0 && fine >= 0.0 && fine <= 1.0)) {
     throw std::invalid_argument("shares of the kinds of steps must be probabilities");
   }
 }
@@ -17,6 +17,11 @@ StepKind StepProbabilities::choose(double u) const {
   if (among_small < camera_half) return StepKind::SmallCamera;
   if (among_small < camera_half + light_half) return StepKind::SmallLight;
   return StepKind::SmallBoth;
+}
+
+std::uint64_t StepProbabilities::choose_length(double u) const {
+  if (u >= fine) return kStepUnits;
+  return u < 0.5 * fine ? kStepUnits / 64 : kStepUnits / 4096;
 }
 
 Change change_of(StepKind kind, ConnectionMoves connection) {

@@ -27,17 +27,26 @@ struct ConnectionMoves {
   bool with_light = false;
 };
 
+/// Lengths of small steps are counted by their variance. A step of the mutation's own length has so
+/// many units, one of 1/8 of its length 1/64 of them.
+inline constexpr std::uint64_t kStepUnits = 4096;
+
 /// How often each kind of step is made, whatever the state is.
 struct StepProbabilities {
   double large = 0.3;
   /// Shares of the small steps; the rest moves both halves.
   double camera_half = 0.0;
   double light_half = 0.0;
+  /// Share of the small steps that have 1/8 or 1/64 of the length, one as often as the other: where
+  /// light is found in a narrow place only, steps of one length hardly ever end in it again.
+  double fine = 0.0;
 
   /// Raises std::invalid_argument unless all shares are probabilities.
   void check() const;
   /// `u` uniform in [0, 1).
   StepKind choose(double u) const;
+  /// Units of a small step.
+  std::uint64_t choose_length(double u) const;
 };
 
 Change change_of(StepKind kind, ConnectionMoves connection);

@@ -4,6 +4,8 @@
 
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <map>
 #include <stdexcept>
 
 namespace ajar {
@@ -23,6 +25,18 @@ TEST(StepKind, IsChosenWithItsProbability) {
   EXPECT_NEAR(counts[3], 0.7 * 0.25 * kSamples, 2);
 }
 
+TEST(StepKind, LengthsAreChosenWithTheirProbability) {
+  const StepProbabilities probabilities{.fine = 0.3};
+  constexpr int kSamples = 100000;
+  std::map<std::uint64_t, int> counts;
+  for (int i = 0; i < kSamples; ++i) ++counts[probabilities.choose_length((i + 0.5) / kSamples)];
+  ASSERT_EQ(counts.size(), 3U);
+  EXPECT_NEAR(counts[kStepUnits], 0.7 * kSamples, 2);
+  EXPECT_NEAR(counts[kStepUnits / 64], 0.15 * kSamples, 2);
+  EXPECT_NEAR(counts[kStepUnits / 4096], 0.15 * kSamples, 2);
+  EXPECT_EQ(StepProbabilities{}.choose_length(0.0), kStepUnits);
+}
+
 TEST(StepKind, CanBeAllOfOneKind) {
   const double nearly_one = std::nextafter(1.0, 0.0);
   for (const double u : {0.0, 0.5, nearly_one}) {
@@ -38,6 +52,7 @@ TEST(StepKind, RefusesWhatIsNoProbability) {
   EXPECT_THROW((StepProbabilities{0.3, 0.6, 0.6}.check()), std::invalid_argument);
   EXPECT_THROW((StepProbabilities{0.3, -0.1, 0.0}.check()), std::invalid_argument);
   EXPECT_THROW((StepProbabilities{std::nan(""), 0.0, 0.0}.check()), std::invalid_argument);
+  EXPECT_THROW((StepProbabilities{.fine = 1.1}.check()), std::invalid_argument);
   EXPECT_NO_THROW((StepProbabilities{0.3, 0.5, 0.5}.check()));
 }
 
