@@ -24,18 +24,14 @@ double trimmed_sum(std::vector<double> values) {
 
 }  // namespace
 
-ChainEffort::Rates ChainEffort::rates() const {
-  if (!adjusted_) return {plan_.selective ? 1.0 : plan_.omc_samples, plan_.mutations};
-  return rates_;
-}
-
 std::uint64_t ChainEffort::omc_samples(std::uint64_t samples) const {
-  const double rendered = before_.omc + rates().omc * static_cast<double>(samples - since_);
-  return plan_.pilot_kept + static_cast<std::uint64_t>(std::ceil(rendered));
+  if (plan_.selective) return plan_.pilot_kept + samples;
+  return static_cast<std::uint64_t>(std::ceil(static_cast<double>(samples) * plan_.omc_samples));
 }
 
 double ChainEffort::mutations(std::uint64_t samples) const {
-  return before_.mutations + rates().mutations * static_cast<double>(samples - since_);
+  const double rate = mutations_per_sample_ > 0.0 ? mutations_per_sample_ : plan_.mutations;
+  return before_ + rate * static_cast<double>(samples - since_);
 }
 
 std::uint64_t ChainEffort::steps(std::uint64_t sample, std::size_t chains) const {
@@ -79,19 +75,18 @@ void ChainEffort::adjust(std::uint64_t samples, const Film& film, const Integrat
       best_mutations(omc_error * static_cast<double>(omc_samples(samples)), light, costs) / pixels;
   // Few replicates tell an error to within a factor.
   constexpr double kMostChange = 5.0;
-  const double now = rates().mutations / rates().omc;
-  const double mutations_per_sample =
-      ChainPlan::clamp_mutations(std::clamp(best, now / kMostChange, now * kMostChange));
-  before_ = {static_cast<double>(omc_samples(samples) - plan_.pilot_kept), mutations(samples)};
-  rates_ =
-      plan_.selective ? Rates{1.0, mutations_per_sample} : Rates{1.0 / mutations_per_sample, 1.0};
-  adjusted_ = true;
+  before_ = mutations(samples);
+  const double now = mutations_per_sample_ > 0.0 ? mutations_per_sample_ : plan_.mutations;
+  const double omc_per_sample = plan_.selective ? 1.0 : plan_.omc_samples;
+  mutations_per_sample_ = ChainPlan::clamp_mutations(
+      std::clamp(best * omc_per_sample, now / kMostChange, now * kMostChange));
   since_ = samples;
 }
 
 void ChainEffort::fill(SelectiveReport& report) const {
   const double all = static_cast<double>(omc_rays_ + chain_rays_);
-  report.mutations_per_sample = rates().mutations / rates().omc;
+  report.mutations_per_sample =
+      mutations_per_sample_ > 0.0 ? mutations_per_sample_ : plan_.mutations;
   report.correlation = correlation_;
   report.chain_rays = all > 0.0 ? static_cast<double>(chain_rays_) / all : 0.0;
   report.chain_error = chain_error_;
@@ -105,13 +100,11 @@ void ChainEffort::set_counts(const std::array<std::uint64_t, 4>& counts) {
 }
 
 void ChainEffort::save_state(OutputArchive& archive) const {
-  archive(adjusted_, rates_.omc, rates_.mutations, before_.omc, before_.mutations, since_,
-          correlation_, chain_error_, counts());
+  archive(mutations_per_sample_, since_, before_, correlation_, chain_error_, counts());
 }
 
 void ChainEffort::load_state(InputArchive& archive) {
-  archive(adjusted_, rates_.omc, rates_.mutations, before_.omc, before_.mutations, since_,
-          correlation_, chain_error_, known_);
+  archive(mutations_per_sample_, since_, before_, correlation_, chain_error_, known_);
   set_counts(known_);
 }
 

@@ -29,9 +29,8 @@ class ChainEffort {
   void count_chains(std::uint64_t rays, std::uint64_t mutations);
 
   /// Shares the effort anew for least error, by the errors that replicates show after `samples`
-  /// samples, if the plan leaves that open; from then on, fewer samples can no longer be asked for.
-  /// What is on the film stays as it is: each sample stands for the whole picture, however many
-  /// mutations it has, so nothing is biased.
+  /// samples, if the plan leaves that open. What is on the film stays as it is: each sample stands
+  /// for the whole picture, however many mutations it has, so nothing is biased.
   void adjust(std::uint64_t samples, const Film& film, const Integrator& integrator);
   void fill(SelectiveReport& report) const;
 
@@ -44,23 +43,15 @@ class ChainEffort {
   void take_news(InputArchive& archive);
 
  private:
-  /// Camera samples of ordinary Monte Carlo and mutations, of each pixel.
-  struct Rates {
-    double omc;
-    double mutations;
-  };
-  /// Per sample, now.
-  Rates rates() const;
   std::array<std::uint64_t, 4> counts() const {
     return {omc_rays_, omc_samples_, chain_rays_, mutations_};
   }
   void set_counts(const std::array<std::uint64_t, 4>& counts);
 
   const ChainPlan& plan_;
-  bool adjusted_ = false;
-  Rates rates_{0.0, 0.0};   ///< since it was
-  Rates before_{0.0, 0.0};  ///< of all samples until then
-  std::uint64_t since_ = 0;
+  double mutations_per_sample_ = 0.0;  ///< per pixel; 0 until it has been adjusted
+  std::uint64_t since_ = 0;            ///< samples
+  double before_ = 0.0;                ///< mutations per pixel until then
   std::atomic<std::uint64_t> omc_rays_{0};
   std::atomic<std::uint64_t> omc_samples_{0};
   std::atomic<std::uint64_t> chain_rays_{0};

@@ -280,7 +280,7 @@ void ChainIntegrator::begin_pass(std::uint64_t first_sample, std::uint64_t sampl
     effort_.adjust(first_sample, film, *this);
     refine_b(milestone);
   }
-  if (maps_) maps_->end_epoch(static_cast<double>(milestone));
+  if (maps_) maps_->end_epoch(effort_.mutations(milestone));
 }
 
 void ChainIntegrator::join_recruits(const Film& film) {

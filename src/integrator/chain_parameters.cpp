@@ -145,7 +145,7 @@ std::vector<ParameterSpec> chain_parameters(ChainKind kind) {
        .choices = {"omc", "chain", "none"}},
       {.name = "split",
        .type = ParameterType::Float,
-       .default_value = "3",
+       .default_value = "10",
        .unit = "",
        .help = "ordinary Monte Carlo makes what long paths bring up to about so many times the "
                "brightness of their pixel, chains what is beyond; 0: chains make all of it",

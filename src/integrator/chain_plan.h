@@ -67,7 +67,8 @@ struct ChainPlan {
   std::optional<SelectiveSettings> selective;
   /// Camera samples of ordinary Monte Carlo per mutation; 0 until the preparation has decided.
   double omc_samples;
-  /// Whether the render shares its effort anew as it goes on.
+  /// Whether the render shares its effort anew as it goes on: a sample then has as many mutations
+  /// as its halves' errors deserve.
   bool shares_effort = false;
   /// Mutations per camera sample, if `selective`; 0: ordinary Monte Carlo alone renders.
   double mutations = 1.0;

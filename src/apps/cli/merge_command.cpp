@@ -88,7 +88,7 @@ int merge(const MergeArguments& a) {
   }
   statistics.peak_memory_bytes = peak_memory_bytes();
   const bool stats_written = write_statistics(statistics, a.stats);
-  report_end(statistics.result, false);
+  report_end(statistics.result);
   return report_files(files) && stats_written ? 0 : kExitFile;
 }
 

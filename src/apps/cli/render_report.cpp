@@ -57,11 +57,10 @@ void report_discarded(const Counters& counters) {
                   counters.discarded_negative, counters.first_discarded));
 }
 
-void report_end(const RenderResult& result, bool chains) {
+void report_end(const RenderResult& result) {
   std::string text = fmt::format(
-      "{} {}{} per pixel in {}, {} rays/s", result.samples_per_pixel,
-      chains ? "mutation" : "sample", result.samples_per_pixel == 1 ? "" : "s",
-      clock_text(result.seconds),
+      "{} sample{} per pixel in {}, {} rays/s", result.samples_per_pixel,
+      result.samples_per_pixel == 1 ? "" : "s", clock_text(result.seconds),
       short_number(result.seconds > 0.0 ? static_cast<double>(result.counters.rays) / result.seconds
                                         : 0.0));
   if (result.relative_error) {

@@ -16,6 +16,6 @@ bool report_checkpoint(const WrittenFile& file);
 /// True if they could be written, or `path` is empty.
 bool write_statistics(const RenderStatistics& statistics, const std::string& path);
 void report_discarded(const Counters& counters);
-void report_end(const RenderResult& result, bool chains);
+void report_end(const RenderResult& result);
 
 }  // namespace ajar::cli

@@ -364,7 +364,7 @@ int Run::finish(const RenderJob& job) {
   statistics_.peak_memory_bytes = peak_memory_bytes();
   all_written = write_statistics(statistics_, run().stats) && all_written;
   report_discarded(result.counters);
-  report_end(result, statistics_.chains && !statistics_.selective);
+  report_end(result);
   all_written = report_files(files) && all_written;
   if (!all_written) return kExitFile;
   return interrupted ? kExitInterrupted : 0;
