@@ -267,8 +267,9 @@ TEST(ChainLayers, DensityCountsVisitsAndAcceptanceIsAProbability) {
     options.samples = 64;
     options.replicates = 4;
     options.aovs = {"density", "acceptance"};
-    // Enough for seeds in each replicate.
+    // Enough for seeds in each replicate; and as many mutations in each sample.
     options.parameters["bootstrap"] = "100000";
+    options.parameters["omc-samples"] = "1";
     for (const char* importance : {"uniform", "relative"}) {
       options.parameters["importance"] = importance;
       const test::Render render = test::render(*scene, options);
@@ -318,6 +319,7 @@ TEST(ChainReports, SayWhatChainsDid) {
   test::RenderOptions options = options_of("mmlt");
   options.max_depth = 5;
   options.parameters["bootstrap"] = "40000";
+  options.parameters["omc-samples"] = "1";
   options.samples = 64;
   const test::Render render = test::render(*scene, options);
   const ChainReport report = *render.integrator->chain_report();
@@ -341,6 +343,22 @@ TEST(ChainReports, SayWhatChainsDid) {
   EXPECT_EQ(proposals, mutations);
   EXPECT_GT(report.small_acceptance, report.large_acceptance);
   EXPECT_GE(static_cast<double>(mutations), 64.0 * 24 * 16);
+}
+
+TEST(ChainReports, EffortIsSharedByErrorsUnlessItIsFixed) {
+  // Hardly any light is above the division, so mutations beyond the first guess would be wasted.
+  const auto scene = scene_from(pbrt_scene(kCamera, 24, 16, kPoints + kFloor));
+  const auto mutations = [&](const char* omc_samples) {
+    test::RenderOptions options = options_of("mmlt");
+    options.samples = 64;
+    options.replicates = 4;
+    options.parameters["split"] = "100";
+    options.parameters["chains"] = "64";
+    options.parameters["omc-samples"] = omc_samples;
+    return static_cast<double>(test::render(*scene, options).counters.mutations) / (24 * 16);
+  };
+  EXPECT_NEAR(mutations("1"), 64.0, 6.4);
+  EXPECT_LT(mutations("0"), 32.0);
 }
 
 TEST(ChainReports, GiveBAnErrorBarThatCoversIt) {
