@@ -29,6 +29,11 @@ struct Variant {
 const std::vector<Variant>& variants() {
   static const std::vector<Variant> kVariants = {
       {"mmlt", "mmlt", {}},
+      // Half of the light or so for chains, and mutations as they pay.
+      {"mmlt, effort shared anew",
+       "mmlt",
+       {{"split", "1"}, {"omc-samples", "0"}},
+       {"Room", "GlassAndMetal", "ThinLens"}},
       {"pssmlt", "pssmlt", {}},
       {"selective", "selective", {}},
       // So low that most of the light starts chains.
@@ -102,7 +107,7 @@ const std::vector<Variant>& variants() {
        {"Mirror", "RoughGlass", "ManyLamps"}},
       {"mmlt, direct light too",
        "mmlt",
-       {{"direct", "chain"}, {"split", "0"}, {"bootstrap", "240000"}},
+       {{"direct", "chain"}, {"split", "0"}, {"bootstrap", "240000"}, {"fine-steps", "0"}},
        {"GlassAndMetal", "Environment", "CroppedMitchell", "ShadingNormals"}},
       {"pssmlt, pt, relative",
        "pssmlt",
@@ -171,7 +176,7 @@ TEST_P(ChainAgreement, ChainsHaveTheExpectationOfBidirectionalPathTracing) {
     options.parameters = variant.parameters;
     if (variant.integrator != "selective") {
       options.parameters.emplace("bootstrap", "60000");
-      options.parameters["omc-samples"] = "1";
+      options.parameters.emplace("omc-samples", "1");
     }
     // Divided light needs fewer for the same power.
     options.samples = variant.parameters.count("split") > 0 ? 384 : 192;
