@@ -150,6 +150,30 @@ TEST(Selective, IsBiasedByAPilotThatIsKeptOnly) {
   EXPECT_LT(z_of("keep"), -5.0) << "where the pilot found no light, it stays dark";
 }
 
+TEST(Selective, TakesPresetsAndEveryMutation) {
+  const auto scene = small_scene("Room");
+  test::RenderOptions options;
+  options.replicates = 4;
+  options.max_depth = 4;
+  options.samples = 32;
+  options.integrator = "selective";
+  const std::vector<std::map<std::string, std::string>> settings = {
+      {{"preset", "published"}},
+      {{"preset", "published"}, {"omc", "lt"}},
+      {{"preset", "lambertian-out"}, {"omc", "lt"}},
+      {{"mutation", "kelemen"}},
+      {{"mutation", "fusion"}},
+      {{"step", "adaptive"}}};
+  for (const auto& one : settings) {
+    options.parameters = one;
+    const test::Render render = test::render(*scene, options);
+    EXPECT_GT(render.counters.mutations, 0U) << one.begin()->second;
+    EXPECT_TRUE(render.integrator->selective_report().has_value()) << one.begin()->second;
+  }
+  options.parameters = {{"mutation", "kelemen"}, {"fine-steps", "0.1"}};
+  EXPECT_THROW(test::render(*scene, options), UsageError);
+}
+
 TEST(Selective, ShowsItsMaps) {
   const auto scene = small_scene("GlassAndMetal");
   test::RenderOptions options;

@@ -38,8 +38,8 @@ std::unique_ptr<Integrator> make_selective_integrator(const Scene& scene,
   const std::vector<ParameterSpec> specs = chain_parameters(kind);
   std::map<std::string, std::string> chain;
   for (const ParameterSpec& spec : specs) {
-    const auto value = own.values().find(spec.name);
-    if (value != own.values().end()) chain[spec.name] = value->second;
+    const auto value = own.given().find(spec.name);
+    if (value != own.given().end()) chain[spec.name] = value->second;
   }
   return make_chain_integrator(kind, scene, settings, Parameters(specs, chain),
                                SelectiveSettings::read(own, settings));
