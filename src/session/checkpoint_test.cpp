@@ -124,24 +124,26 @@ TEST_F(CheckpointFile, IsRefusedWhereverABitHasFlipped) {
   }
 }
 
-TEST_F(CheckpointFile, OfALaterFormatNamesTheReason) {
-  std::string later = write();
-  const std::uint32_t format = 2;
-  std::memcpy(later.data() + 16, &format, sizeof(format));
-  put(later);
-  EXPECT_NE(refusal().find("damaged"), std::string::npos) << "the header has a checksum";
-  // With the checksum that a later Ajar would write: CRC-32 of the first 40 bytes.
-  std::uint32_t checksum = 0xFFFFFFFFU;
-  for (std::size_t i = 0; i < 40; ++i) {
-    checksum ^= static_cast<unsigned char>(later[i]);
-    for (int bit = 0; bit < 8; ++bit) {
-      checksum = (checksum >> 1U) ^ ((checksum & 1U) != 0 ? 0xEDB88320U : 0U);
+TEST_F(CheckpointFile, OfAnotherFormatNamesTheReason) {
+  const std::string whole = write();
+  for (const auto& [format, needed] : {std::pair{1000U, "newer version"}, {1U, "older version"}}) {
+    std::string other = whole;
+    std::memcpy(other.data() + 16, &format, sizeof(format));
+    put(other);
+    EXPECT_NE(refusal().find("damaged"), std::string::npos) << "the header has a checksum";
+    // With the checksum that such an Ajar would write: CRC-32 of the first 40 bytes.
+    std::uint32_t checksum = 0xFFFFFFFFU;
+    for (std::size_t i = 0; i < 40; ++i) {
+      checksum ^= static_cast<unsigned char>(other[i]);
+      for (int bit = 0; bit < 8; ++bit) {
+        checksum = (checksum >> 1U) ^ ((checksum & 1U) != 0 ? 0xEDB88320U : 0U);
+      }
     }
+    const std::uint64_t stored = checksum ^ 0xFFFFFFFFU;
+    std::memcpy(other.data() + 40, &stored, sizeof(stored));
+    put(other);
+    EXPECT_NE(refusal().find(needed), std::string::npos) << refusal();
   }
-  const std::uint64_t stored = checksum ^ 0xFFFFFFFFU;
-  std::memcpy(later.data() + 40, &stored, sizeof(stored));
-  put(later);
-  EXPECT_NE(refusal().find("newer version"), std::string::npos) << refusal();
 }
 
 TEST_F(CheckpointFile, OtherFilesAreNamedAsSuch) {

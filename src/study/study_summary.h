@@ -36,7 +36,7 @@ struct SummaryRow {
   std::size_t method = 0;
   std::size_t budget = 0;
   Mean seconds;                      ///< preparing and rendering
-  Mean samples;                      ///< per pixel; of chains, mutations per pixel
+  Mean samples;                      ///< per pixel, as `--spp` counts them
   std::optional<double> acceptance;  ///< of all mutations; mean over seeds, as the next two
   std::optional<double> small_acceptance;
   std::optional<double> large_acceptance;

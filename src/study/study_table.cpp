@@ -62,7 +62,7 @@ std::vector<std::string> table_cells(const StudyPlan& plan, const StudyResult& r
 std::string table_explanation(const StudyPlan& plan) {
   std::string text =
       "Means over seeds ± their standard error. *seconds*: preparing and rendering, wall clock. "
-      "*samples per pixel*: of Markov chains, mutations. *acceptance*: of all mutations, and of "
+      "*samples per pixel*: as `--spp` counts them. *acceptance*: of all mutations, and of "
       "small and large steps; a proposal counts with its probability.";
   if (!plan.efficiency_metric.empty()) {
     text += fmt::format(
