@@ -181,6 +181,7 @@ TEST(Depths, WithoutTechniquesOrLightAreLeftOutOrReportedAsDark) {
   options.replicates = 16;
   const Replicates truth = replicates_of(test::render(*scene, options), "indirect");
   options.integrator = "mmlt";
+  options.samples = 4096;
   options.parameters["bootstrap"] = "120000";
   const test::Render chains = test::render(*scene, options);
   expect_same(replicates_of(chains, "indirect"), truth, *chains.film, 0.1, "mmlt");

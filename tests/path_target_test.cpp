@@ -75,9 +75,11 @@ TEST_P(HalfReuse, GivesTheBitsOfATargetThatTracesEverything) {
     ReplaySource replay(chain.numbers);
     ASSERT_EQ(target.evaluate(replay, Change{}, splats), chain.scalar);
     target.accepted();
+    source.start(replay.uses_raster(), 1.F);
   }
   // Half moves mostly, since they are what is to be tested, in any order and with any outcome.
-  const StepProbabilities probabilities{.large = 0.1, .camera_half = 0.45, .light_half = 0.45};
+  const StepProbabilities probabilities{
+      .large = 0.1, .camera_half = 0.45, .light_half = 0.45, .raster = 0.3};
   std::uint64_t fewer_rays = 0;
   int lit = 0;
   constexpr int kSteps = 4000;
@@ -87,7 +89,7 @@ TEST_P(HalfReuse, GivesTheBitsOfATargetThatTracesEverything) {
     const StepKind kind = probabilities.choose(to_unit_double(counter_bits(key, 0)));
     // Where the technique moves along with a half, the other half may be wanted in another length.
     const bool technique_moves = step % 2 == 1;
-    const Change change = change_of(kind, {technique_moves, technique_moves});
+    const Change change = change_of(kind, {technique_moves, technique_moves}, source.uses_raster());
     source.propose(chain.numbers, kind, change, counter_bits(key, 1));
     splats.clear();
     const std::uint64_t rays_before = target.rays();

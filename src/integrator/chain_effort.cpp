@@ -25,8 +25,8 @@ double trimmed_sum(std::vector<double> values) {
 }  // namespace
 
 std::uint64_t ChainEffort::omc_samples(std::uint64_t samples) const {
-  if (plan_.selective) return plan_.pilot_kept + samples;
-  return static_cast<std::uint64_t>(std::ceil(static_cast<double>(samples) * plan_.omc_samples));
+  return plan_.pilot_kept +
+         static_cast<std::uint64_t>(std::ceil(static_cast<double>(samples) * plan_.omc_samples));
 }
 
 double ChainEffort::mutations(std::uint64_t samples) const {
@@ -77,9 +77,8 @@ void ChainEffort::adjust(std::uint64_t samples, const Film& film, const Integrat
   constexpr double kMostChange = 5.0;
   before_ = mutations(samples);
   const double now = mutations_per_sample_ > 0.0 ? mutations_per_sample_ : plan_.mutations;
-  const double omc_per_sample = plan_.selective ? 1.0 : plan_.omc_samples;
-  mutations_per_sample_ = ChainPlan::clamp_mutations(
-      std::clamp(best * omc_per_sample, now / kMostChange, now * kMostChange));
+  mutations_per_sample_ =
+      ChainPlan::clamp_mutations(std::clamp(best, now / kMostChange, now * kMostChange));
   since_ = samples;
 }
 

@@ -108,6 +108,7 @@ class ChainIntegrator final : public Integrator {
   ChainEffort effort_{plan_};
   std::vector<std::unique_ptr<PreparationStage>> stages_;
   RegionPilot* regions_ = nullptr;  ///< one of the stages; null unless regions are divided
+  ChainScout* scout_ = nullptr;     ///< one of the stages, if there is one
   std::size_t stage_ = 0;           ///< that is running
   std::vector<ChainPopulation> populations_;
   std::vector<std::size_t> chain_counts_;  ///< per replicate
@@ -141,7 +142,9 @@ ChainIntegrator::ChainIntegrator(ChainKind kind, const Scene& scene, const Rende
     regions_ = pilot.get();
     stages_.push_back(std::move(pilot));
   } else if (recruits_) {
-    stages_.push_back(std::make_unique<ChainScout>(plan_, populations_, *recruits_));
+    auto scout = std::make_unique<ChainScout>(plan_, populations_, *recruits_);
+    scout_ = scout.get();
+    stages_.push_back(std::move(scout));
   }
   stages_.push_back(std::make_unique<ChainBootstrap>(plan_, populations_));
 }
@@ -189,11 +192,8 @@ void ChainIntegrator::end_preparation() {
 void ChainIntegrator::make_omc() {
   const std::pair<int, int> depths = plan_.omc_depths();
   if (depths.first > depths.second) return;
-  RenderSettings settings = plan_.settings;
-  std::erase_if(settings.aovs, [](const std::string& name) {
-    return name == kDensityLayer || name == kAcceptanceLayer || name == "techniques";
-  });
-  omc_ = plan_.make_omc(settings, depths, plan_.splits ? &*plan_.splits : nullptr, recruits_.get());
+  omc_ = plan_.make_omc(plan_.omc_settings(), depths, plan_.splits ? &*plan_.splits : nullptr,
+                        recruits_.get());
 }
 
 void ChainIntegrator::add_concerns() {
@@ -266,6 +266,7 @@ void ChainIntegrator::begin_pass(std::uint64_t first_sample, std::uint64_t sampl
   if (first_sample == 0) {
     refine_b(0);
     if (regions_ != nullptr) regions_->hand_over(film);
+    if (scout_ != nullptr) scout_->hand_over(film);
   }
   if (recruits_ && first_sample >= next_join_) join_recruits(film);
   if (recruits_ && first_sample + samples > next_join_) {

@@ -10,7 +10,9 @@ enum class ChainKind {
   OnePath     ///< `mmlt`: one path of one depth and technique
 };
 
-std::vector<ParameterSpec> chain_parameters(ChainKind kind);
+/// Parameters of the chains alone, or of those that `selective` has: there, regions choose among
+/// multiples of `split`.
+std::vector<ParameterSpec> chain_parameters(ChainKind kind, bool selective = false);
 
 /// Metropolis light transport in primary sample space (METHODS, section 3): paths of up to two
 /// edges by ordinary Monte Carlo, longer ones by Markov chains, many and independent, on every

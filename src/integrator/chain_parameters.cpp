@@ -33,7 +33,7 @@ void add_plane_parameters(std::vector<ParameterSpec>& specs) {
 
 }  // namespace
 
-std::vector<ParameterSpec> chain_parameters(ChainKind kind) {
+std::vector<ParameterSpec> chain_parameters(ChainKind kind, bool selective) {
   std::vector<std::string> mutations(mutation_names().begin(), mutation_names().end());
   mutations.insert(mutations.end(), {"slemmlt", "fusion"});
   std::vector<ParameterSpec> specs = {
@@ -81,10 +81,17 @@ std::vector<ParameterSpec> chain_parameters(ChainKind kind) {
           "share of the small steps that have 1/8 or 1/64 of their length, for light that is "
           "found in narrow places (mutation=gaussian, step=fixed)",
           1.0),
+      number_parameter(
+          "raster-steps", "0.7",
+          "share of the small steps that move nothing but a path's place on the picture "
+          "(mutation=gaussian or kelemen, step=fixed, multi-try=1)",
+          1.0),
       number_parameter("camera-steps", "0",
-                       "share of the small steps that move the camera's half of a path only", 1.0),
+                       "share of the other small steps that move the camera's half of a path only",
+                       1.0),
       number_parameter("light-steps", "0",
-                       "share of the small steps that move the light's half of a path only", 1.0),
+                       "share of the other small steps that move the light's half of a path only",
+                       1.0),
       {.name = "bootstrap",
        .type = ParameterType::Int,
        .default_value = "0",
@@ -128,7 +135,7 @@ std::vector<ParameterSpec> chain_parameters(ChainKind kind) {
                "which then make all light, as with split=0), or nobody (none)",
        .choices = {"omc", "chain", "none"}},
       number_parameter(
-          "split", "10",
+          "split", selective ? "10" : "3",
           "ordinary Monte Carlo makes what long paths bring up to about so many times the "
           "brightness of their pixel, chains what is beyond; 0: chains make all of it",
           1e6),
@@ -137,8 +144,8 @@ std::vector<ParameterSpec> chain_parameters(ChainKind kind) {
        .default_value = kind == ChainKind::OnePath ? "0" : "0.5",
        .unit = "",
        .help =
-           "camera samples of ordinary Monte Carlo per mutation; 0: as many as suit the share of "
-           "the light that is left to chains, and then as many mutations as pay",
+           "camera samples of ordinary Monte Carlo per mutation; 0: a sample is one camera sample "
+           "and as many mutations as pay",
        .choices = {},
        .minimum = 0.0,
        .maximum = 16.0},

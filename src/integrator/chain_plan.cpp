@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "image/make_filter.h"
+#include "integrator/chain_film_sink.h"
 #include "integrator/crop_weights.h"
 #include "integrator/path_family.h"
 #include "mcmc/make_mutation.h"
@@ -58,7 +59,7 @@ ChainPlan::ChainPlan(ChainKind chain_kind, const Scene& the_scene,
                                   parameters.get_float("camera-steps"),
                                   parameters.get_float("light-steps")};
   chain_settings.tries = parameters.get_int("multi-try");
-  read_fine_steps();
+  read_small_steps();
   // Half moves keep the technique, so that the other half need not be traced again.
   chain_settings.connection = {false, false};
   // Chains have no numbers for further tries, and would gain nothing from fewer.
@@ -88,23 +89,32 @@ ChainPlan::ChainPlan(ChainKind chain_kind, const Scene& the_scene,
                                : std::max<std::uint64_t>(200000, 4 * pixels());
   }
   make_groups();
-  if (omc_samples == 0.0 && (!split_at || groups.empty())) omc_samples = 1.0;
   shares_effort = selective || (omc_samples == 0.0 && has_recruits());
+  if (shares_effort || omc_samples == 0.0) omc_samples = 1.0;
   read_importance();
   read_plane();
 }
 
-void ChainPlan::read_fine_steps() {
-  const std::string& name = parameters.get_text("mutation");
-  const bool can = mutation->divisible() && !leaves_for_neighbours(name) &&
-                   parameters.get_text("step") == "fixed";
-  const double share = parameters.get_float("fine-steps");
-  if (can) {
-    chain_settings.probabilities.fine = share;
-  } else if (share > 0.0 && parameters.given().contains("fine-steps")) {
-    throw UsageError("fine-steps: only with mutation=gaussian and step=fixed, not with mutation=" +
-                     name + " and step=" + parameters.get_text("step"));
+double ChainPlan::share_of_steps(const std::string& name, bool can,
+                                 const std::string& where) const {
+  const double share = parameters.get_float(name);
+  if (can || share == 0.0) return share;
+  if (parameters.given().contains(name)) {
+    throw UsageError(name + ": only with " + where + ", not with mutation=" +
+                     parameters.get_text("mutation") + ", step=" + parameters.get_text("step") +
+                     " and multi-try=" + std::to_string(chain_settings.tries));
   }
+  return 0.0;
+}
+
+void ChainPlan::read_small_steps() {
+  const bool follows_plane = leaves_for_neighbours(parameters.get_text("mutation")) ||
+                             parameters.get_text("step") != "fixed";
+  StepProbabilities& probabilities = chain_settings.probabilities;
+  probabilities.fine = share_of_steps("fine-steps", mutation->divisible() && !follows_plane,
+                                      "mutation=gaussian and step=fixed");
+  probabilities.raster = share_of_steps("raster-steps", chain_settings.tries == 1 && !follows_plane,
+                                        "mutation=gaussian or kelemen, step=fixed and multi-try=1");
 }
 
 void ChainPlan::read_plane() {
@@ -207,6 +217,14 @@ std::pair<int, int> ChainPlan::omc_depths() const {
   return {direct == Direct::Omc ? settings.min_depth
                                 : std::max(settings.min_depth, LightSplit::kDirectDepth + 1),
           splits ? settings.max_depth : std::min(settings.max_depth, LightSplit::kDirectDepth)};
+}
+
+RenderSettings ChainPlan::omc_settings() const {
+  RenderSettings own = settings;
+  std::erase_if(own.aovs, [](const std::string& name) {
+    return name == kDensityLayer || name == kAcceptanceLayer || name == "techniques";
+  });
+  return own;
 }
 
 std::unique_ptr<Integrator> ChainPlan::make_omc(const RenderSettings& omc_settings,

@@ -47,6 +47,8 @@ struct ChainPlan {
   std::size_t chains_per_replicate() const;
   /// Depths that ordinary Monte Carlo renders; empty (min > max) if there are none.
   std::pair<int, int> omc_depths() const;
+  /// As the render has it: without the layers that are made of chains.
+  RenderSettings omc_settings() const;
   /// Ordinary Monte Carlo over some depths. With `splits`, which must outlive it, it leaves the
   /// chains their share.
   std::unique_ptr<Integrator> make_omc(const RenderSettings& settings, std::pair<int, int> depths,
@@ -63,14 +65,15 @@ struct ChainPlan {
   /// Where the light of long paths is divided path by path, relative to the brightness of its
   /// pixel; empty if it is not.
   std::optional<double> split_at;
-  /// If regions of the picture are divided, too. Samples are then camera samples, not mutations.
+  /// If regions of the picture are divided, too.
   std::optional<SelectiveSettings> selective;
-  /// Camera samples of ordinary Monte Carlo per mutation; 0 until the preparation has decided.
+  /// Camera samples of ordinary Monte Carlo that a sample of the render has per pixel.
   double omc_samples;
   /// Whether the render shares its effort anew as it goes on: a sample then has as many mutations
   /// as its halves' errors deserve.
   bool shares_effort = false;
-  /// Mutations per camera sample, if `selective`; 0: ordinary Monte Carlo alone renders.
+  /// Mutations per pixel that a sample of the render has, at first if the effort is shared; 0:
+  /// ordinary Monte Carlo alone renders.
   double mutations = 1.0;
   bool standby = false;          ///< nothing is so hard that chains would pay
   std::uint64_t pilot_kept = 0;  ///< camera samples per pixel that the preparation has rendered
@@ -93,7 +96,10 @@ struct ChainPlan {
  private:
   void make_groups();
   void read_importance();
-  void read_fine_steps();
+  void read_small_steps();
+  /// A share of the small steps that this mutation may not be able to make (`where` says which
+  /// can): 0 then. Raises UsageError if the user wants it nevertheless.
+  double share_of_steps(const std::string& name, bool can, const std::string& where) const;
   void read_plane();
 };
 

@@ -50,7 +50,7 @@ ChainReport report_chains(const ChainPlan& plan, std::span<const ChainPopulation
   };
   report.large_acceptance = mean({whole.of(StepKind::Large)});
   report.small_acceptance = mean({whole.of(StepKind::SmallBoth), whole.of(StepKind::SmallCamera),
-                                  whole.of(StepKind::SmallLight)});
+                                  whole.of(StepKind::SmallLight), whole.of(StepKind::SmallRaster)});
   report.longest_rejection_streak = whole.longest_streak;
   return report;
 }

@@ -10,8 +10,9 @@
 namespace ajar {
 
 /// Runs ordinary Monte Carlo ahead of the render, where the light is divided: what it leaves to
-/// chains are their first seeds, and how much of the light that is decides how the time is shared
-/// out (`ChainPlan::omc_samples`), if the user has not. Nothing of it stays in the picture.
+/// chains are their first seeds, and how much of the light that is decides how many mutations the
+/// first samples have (`ChainPlan::mutations`), if the user has not. Its samples are the first of
+/// the render: how many they are depends on nothing that they find.
 class ChainScout final : public PreparationStage {
  public:
   ChainScout(ChainPlan& plan, std::vector<ChainPopulation>& populations, ChainRecruits& recruits)
@@ -19,6 +20,9 @@ class ChainScout final : public PreparationStage {
   std::uint64_t begin() override;
   void run(std::uint64_t item, Counters& counters) override;
   void end() override;
+
+  /// Puts what was rendered on the film of the render; to be called once.
+  void hand_over(Film& film);
 
  private:
   ChainPlan& plan_;

@@ -139,7 +139,7 @@ double OnePathTarget::evaluate(SampleSource& numbers, const Change& change, Spla
     const PathVertex* camera_end = &kEndpointAlone;
     const PathVertex* light_end = &kEndpointAlone;
     if (t >= 2) {
-      camera_end = half(camera_, t, change.camera, [&](PathVertex& end) {
+      camera_end = half(camera_, t, change.moves_camera_half(), [&](PathVertex& end) {
         return sampler_.trace_camera_half(numbers, raster, t, end);
       });
       if (camera_end == nullptr) return 0.0;
@@ -165,7 +165,7 @@ void OnePathTarget::keep(Halves& halves, bool moved) {
 
 void OnePathTarget::accepted() {
   keep(light_, change_.light);
-  keep(camera_, change_.camera);
+  keep(camera_, change_.moves_camera_half());
 }
 
 void OnePathTarget::rejected() {}

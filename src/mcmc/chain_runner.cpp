@@ -52,6 +52,10 @@ ChainRunner::ChainRunner(const ChainSettings& settings, const Mutation& mutation
     throw std::logic_error(
         "bug: fine steps are for mutations that divide, without moves of the plane");
   }
+  if (settings_.probabilities.raster > 0.0 && (settings_.tries > 1 || plane != nullptr)) {
+    throw std::logic_error(
+        "bug: steps of the raster numbers alone are for one try, without moves of the plane");
+  }
   if (settings_.tries > 1) tries_.resize(static_cast<std::size_t>(settings_.tries));
 }
 
@@ -218,7 +222,7 @@ ChainStatistics ChainRunner::go_on(Chain& chain, std::uint64_t steps, DepositSin
     const std::uint64_t key = hash_numbers(chain.seed, chain.step);
     const StepKind kind = settings_.probabilities.choose(to_unit_double(counter_bits(key, 0)));
     const Step step{
-        key, kind, change_of(kind, settings_.connection),
+        key, kind, change_of(kind, settings_.connection, source_.uses_raster()),
         settings_.probabilities.choose_length(to_unit_double(counter_bits(key, kLength)))};
     ++run.statistics.steps;
     ++run.statistics.of(kind).proposals;

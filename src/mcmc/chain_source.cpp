@@ -11,11 +11,26 @@ namespace ajar {
 namespace {
 constexpr auto kRasterX = static_cast<std::size_t>(kEmissionDirection);
 constexpr std::uint64_t kRasterKey = 0x7a57e7ULL;  // far beyond what a mutation draws for a block
+/// How many times as long as others steps of the raster numbers alone are: alone, they are accepted
+/// farther away.
+constexpr float kRasterLength = 2.F;
+
+StepSizes::Scales scales_of_raster_alone(const StepSizes& sizes) {
+  StepSizes::Scales scales{};
+  for (const std::size_t i : {kRasterX, kRasterX + 1}) {
+    scales[i] = std::min(sizes.camera_endpoint[i] * kRasterLength, StepSizes::kLargest);
+  }
+  return scales;
+}
 }  // namespace
 
 ChainSource::ChainSource(const Mutation& mutation, const StepSizes& sizes,
                          const PrimaryShape& shape, const PlaneMoves* plane)
-    : mutation_(mutation), default_sizes_(sizes), sizes_(sizes), plane_(plane) {
+    : mutation_(mutation),
+      default_sizes_(sizes),
+      sizes_(sizes),
+      raster_scales_(scales_of_raster_alone(sizes)),
+      plane_(plane) {
   undo_.reserve(static_cast<std::size_t>(shape.camera_vertices) +
                 static_cast<std::size_t>(shape.light_vertices) + 1);
 }
@@ -46,6 +61,24 @@ void ChainSource::propose(ChainNumbers& numbers, StepKind kind, const Change& ch
   ready_ = {numbers.now(Stream::Camera) + (change_.camera ? units_ : 0),
             numbers.now(Stream::Light) + (change_.light ? units_ : 0),
             numbers.now(Stream::Connection) + (change_.connection ? units_ : 0)};
+  if (change_.raster) move_raster_alone();
+}
+
+void ChainSource::move_raster_alone() {
+  // The state uses them, so they are up to date, and have no clock of their own to move.
+  remember(SampleAddress(Stream::Camera, 0, kEmissionDirection), kRasterBlock, raster_scales_);
+  mutation_.perturb(numbers_->block(kRasterBlock).subspan<kRasterX, 2>(),
+                    std::span(raster_scales_).subspan<kRasterX, 2>(), length(),
+                    counter_bits(move_key_, kRasterKey));
+}
+
+const ChainSource::Undo& ChainSource::remember(SampleAddress address, std::size_t block,
+                                               const StepSizes::Scales& scales) {
+  const auto numbers = numbers_->block(block);
+  Undo& undo = undo_.emplace_back(
+      Undo{address, static_cast<std::uint32_t>(block), numbers_->stamp(block), &scales, {}});
+  std::copy(numbers.begin(), numbers.end(), undo.numbers.begin());
+  return undo;
 }
 
 void ChainSource::prepare(SampleAddress address, std::size_t block) {
@@ -56,24 +89,21 @@ void ChainSource::prepare(SampleAddress address, std::size_t block) {
   if (!moves) return;
 
   const auto numbers = numbers_->block(block);
-  const StepSizes::Scales& scales = sizes_.scales(address.stream(), address.vertex());
-  Undo& undo = undo_.emplace_back(
-      Undo{address, static_cast<std::uint32_t>(block), numbers_->stamp(block), &scales, {}});
-  std::copy(numbers.begin(), numbers.end(), undo.numbers.begin());
+  const Undo& undo = remember(address, block, sizes_.scales(address.stream(), address.vertex()));
   if (large_) {
     ChainNumbers::fill_fresh(numbers, address, fresh_key_);
   } else {
     const std::uint64_t key = block_key(move_key_, address.stream(), address.vertex());
-    mutation_.perturb(numbers, scales, length(), key);
+    mutation_.perturb(numbers, *undo.scales, length(), key);
     if (plane_ != nullptr && block == kRasterBlock && current_uses_raster_ && raster_use_.used()) {
-      move_raster(numbers, undo, key);
+      follow_plane(numbers, undo, key);
     }
   }
   numbers_->set_stamp(block, ready);
 }
 
-void ChainSource::move_raster(std::span<float, kBlockSize> numbers, const Undo& undo,
-                              std::uint64_t key) {
+void ChainSource::follow_plane(std::span<float, kBlockSize> numbers, const Undo& undo,
+                               std::uint64_t key) {
   const Vec2 from(undo.numbers[kRasterX], undo.numbers[kRasterX + 1]);
   // The other numbers of the block must not know where these go.
   if (const std::optional<Vec2> to = plane_->move(from, counter_bits(key, kRasterKey))) {

@@ -50,6 +50,8 @@ class ChainSource final : public SampleSource {
   void start(bool uses_raster, float step_scale);
   /// After a step was accepted; 1 unless a published `PlaneMoves` adapts it.
   float step_scale() const { return step_scale_; }
+  /// Whether the current state places itself by the raster numbers.
+  bool uses_raster() const { return current_uses_raster_; }
 
   /// Starts a step of `numbers`, which must stay where it is until the step is accepted or
   /// rejected. `key` names the randomness of the step; `change` and `units`, its length, are
@@ -100,14 +102,18 @@ class ChainSource final : public SampleSource {
     return block;
   }
   void prepare(SampleAddress address, std::size_t block);
-  void move_raster(std::span<float, kBlockSize> numbers, const Undo& undo, std::uint64_t key);
+  /// Keeps what the block holds, to be restored if the step is rejected; `scales` are those of it.
+  const Undo& remember(SampleAddress address, std::size_t block, const StepSizes::Scales& scales);
+  void follow_plane(std::span<float, kBlockSize> numbers, const Undo& undo, std::uint64_t key);
+  void move_raster_alone();
   void set_step_scale(float scale);
   /// Of the step, in steps of the mutation.
   double length() const { return static_cast<double>(units_) / kStepUnits; }
 
   const Mutation& mutation_;
   StepSizes default_sizes_;
-  StepSizes sizes_;  ///< times the step scale
+  StepSizes sizes_;                  ///< times the step scale
+  StepSizes::Scales raster_scales_;  ///< of steps of the raster numbers alone
   float step_scale_ = 1.F;
   const PlaneMoves* plane_;
   bool current_uses_raster_ = false;

@@ -83,13 +83,14 @@ TEST(ChainSource, RejectionRestoresEveryNumber) {
   ChainSource source(mutation, {}, kShape);
   ChainNumbers numbers(kShape, 9);
   std::uint64_t key = 100;
-  for (const StepKind kind : {StepKind::SmallBoth, StepKind::Large, StepKind::SmallCamera}) {
+  for (const StepKind kind :
+       {StepKind::SmallBoth, StepKind::Large, StepKind::SmallCamera, StepKind::SmallRaster}) {
     // From a state in which all numbers have moved.
     source.propose(numbers, StepKind::SmallBoth, kBoth, ++key);
     all_numbers(source);
     source.accept();
     const std::vector<float> before = replayed(numbers);
-    source.propose(numbers, kind, change_of(kind, {}), ++key);
+    source.propose(numbers, kind, change_of(kind, {}, true), ++key);
     EXPECT_NE(all_numbers(source), before);
     source.reject();
     EXPECT_EQ(replayed(numbers), before);
@@ -100,8 +101,9 @@ TEST(ChainSource, AcceptedNumbersAreThoseThatWereServed) {
   const KelemenMutation mutation;
   ChainSource source(mutation, {}, kShape);
   ChainNumbers numbers(kShape, 9);
-  for (const StepKind kind : {StepKind::SmallBoth, StepKind::Large, StepKind::SmallLight}) {
-    source.propose(numbers, kind, change_of(kind, {}), 3);
+  for (const StepKind kind :
+       {StepKind::SmallBoth, StepKind::Large, StepKind::SmallLight, StepKind::SmallRaster}) {
+    source.propose(numbers, kind, change_of(kind, {}, true), 3);
     const std::vector<float> served = all_numbers(source);
     EXPECT_EQ(all_numbers(source), served) << "a second look";
     const SampleAddress odd(Stream::Light, 1, Slot::LightChoice);
@@ -117,7 +119,7 @@ TEST(ChainSource, HalfMovesLeaveTheOtherHalf) {
   for (const StepKind kind : {StepKind::SmallCamera, StepKind::SmallLight}) {
     ChainNumbers numbers(kShape, 9);
     const std::vector<float> before = replayed(numbers);
-    const Change change = change_of(kind, {});
+    const Change change = change_of(kind, {}, true);
     source.propose(numbers, kind, change, 4);
     const std::vector<float> after = all_numbers(source);
     const auto all = addresses();
@@ -128,6 +130,39 @@ TEST(ChainSource, HalfMovesLeaveTheOtherHalf) {
       EXPECT_EQ(after[i] != before[i], moves);
     }
   }
+}
+
+TEST(ChainSource, StepsOfTheRasterNumbersMoveNothingElseAndTwiceAsFar) {
+  const GaussianMutation mutation(0.01);
+  ChainSource source(mutation, {}, kShape);
+  const SampleAddress raster(Stream::Camera, 0, kEmissionDirection);
+  testing::Mean squares;
+  for (std::uint64_t i = 0; i < 80000; ++i) {
+    ChainNumbers numbers(kShape, i);
+    // From a state in which all numbers have moved.
+    source.propose(numbers, StepKind::SmallBoth, kBoth, 2 * i);
+    const std::vector<float> before = all_numbers(source);
+    source.accept();
+    source.propose(numbers, StepKind::SmallRaster, change_of(StepKind::SmallRaster, {}, true),
+                   2 * i + 1);
+    const Vec2 to = source.get_pair(raster);
+    const std::vector<float> after = all_numbers(source);
+    source.accept();
+    const auto all = addresses();
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      const bool is_raster =
+          all[k].stream() == Stream::Camera && all[k].vertex() == 0 &&
+          (all[k].slot() == Slot::BsdfDirectionX || all[k].slot() == Slot::BsdfDirectionY);
+      ASSERT_EQ(after[k] != before[k], is_raster);
+      if (!is_raster) continue;
+      const double shift = double{after[k]} - double{before[k]};
+      const double around = shift - std::round(shift);
+      squares.add(around * around);
+    }
+    ASSERT_EQ(ReplaySource(numbers).get_pair(raster), to);
+  }
+  // 160,000 shifts: the mean of their squares is known to 0.35 %.
+  testing::expect_mean(squares, 4.0 * 1e-4);
 }
 
 TEST(ChainSource, ALargeStepIsFreshForBlocksThatAreAskedForLater) {
@@ -183,7 +218,8 @@ TEST(ChainSource, LazyNumbersAreDistributedAsEagerOnes) {
         for (std::uint64_t step = 0; step < 12; ++step) {
           // Moves of the camera alone must not count.
           const StepKind kind = step % 3 == 0 ? StepKind::SmallCamera : StepKind::SmallBoth;
-          source.propose(numbers, kind, change_of(kind, {}), hash_numbers(eager ? 1 : 2, i, step));
+          source.propose(numbers, kind, change_of(kind, {}, true),
+                         hash_numbers(eager ? 1 : 2, i, step));
           if (eager || step == 11) source.get(address);
           source.accept();
         }

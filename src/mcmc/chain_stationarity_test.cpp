@@ -145,6 +145,71 @@ TEST(ChainStationarity, HoldsWithStepsOfSeveralLengths) {
   expect_stationary(testing::variable_dimension(), mutation, settings, 100);
 }
 
+/// States that place themselves by the raster numbers, and states that do not, in equal number;
+/// what is counted is 1 + 0.6·cos(2πu), in six bins, of a raster number or of one of the light.
+Toy two_techniques() {
+  constexpr int kBins = 6;
+  Toy toy{"two techniques",
+          [](SampleSource& numbers) {
+            const bool placed = numbers.get(testing::kChoice) < 0.5F;
+            float u = 0.F;
+            if (placed) {
+              u = numbers.get(testing::kCameraX);
+            } else {
+              numbers.get({Stream::Camera, 0, kEmissionPosition});
+              u = numbers.get(testing::kLight);
+            }
+            const double value = 1.0 + 0.6 * std::cos(2.0 * double{kPi} * double{u});
+            return testing::ToyValue{placed ? value : 0.5 * value,
+                                     testing::bin_of(u, kBins) + (placed ? 0 : kBins)};
+          },
+          1.6, 0.75, std::vector<double>(2 * kBins)};
+  const auto upto = [](double u) {
+    return u + 0.6 / (2.0 * double{kPi}) * std::sin(2.0 * double{kPi} * u);
+  };
+  for (std::size_t i = 0; i < kBins; ++i) {
+    const double share =
+        upto((static_cast<double>(i) + 1.0) / kBins) - upto(static_cast<double>(i) / kBins);
+    toy.fractions[i] = 0.5 * share / toy.mean;
+    toy.fractions[kBins + i] = 0.25 * share / toy.mean;
+  }
+  return toy;
+}
+
+TEST(ChainStationarity, HoldsWithStepsOfTheRasterNumbersAlone) {
+  ChainSettings settings;
+  settings.probabilities = {0.05, 0.2, 0.2, 0.0, 0.7};
+  settings.sizes.camera_endpoint.fill(3.F);
+  settings.sizes.connection.fill(8.F);
+  std::vector<Toy> toys = testing::toys();
+  toys.push_back(two_techniques());
+  for (const ConnectionMoves moves : {ConnectionMoves{true, false}, ConnectionMoves{false, true}}) {
+    settings.connection = moves;
+    for (const auto& mutation : mutations()) {
+      for (const Toy& toy : toys) {
+        SCOPED_TRACE(std::string(mutation->name()) + ", " + toy.name);
+        expect_stationary(toy, *mutation, settings, 12);
+      }
+    }
+  }
+  // Without large steps to set them right, and with fine steps among them.
+  settings.probabilities = {0.0, 0.0, 0.3, 0.2, 0.5};
+  settings.sizes.connection.fill(15.F);
+  for (const Toy& toy : {two_techniques(), testing::variable_dimension()}) {
+    SCOPED_TRACE(toy.name);
+    expect_stationary(toy, GaussianMutation(0.05), settings, 60);
+  }
+}
+
+TEST(ChainStationarity, StepsOfTheRasterNumbersAloneAreForOneTry) {
+  ChainSettings settings;
+  settings.probabilities.raster = 0.5;
+  settings.tries = 2;
+  ToyTarget target(testing::peak().function);
+  EXPECT_THROW(ChainRunner(settings, GaussianMutation(0.02), testing::kToyShape, target),
+               std::logic_error);
+}
+
 TEST(ChainStationarity, FineStepsNeedAMutationThatDivides) {
   ChainSettings settings;
   settings.probabilities.fine = 0.1;
@@ -182,6 +247,8 @@ class Drift final : public Mutation {
 TEST(ChainStationarity, HoldsForAMutationThatIsNotSymmetric) {
   ChainSettings settings;
   settings.probabilities.large = 0.1;
+  expect_stationary(testing::peak(), Drift(), settings, 12);
+  settings.probabilities.raster = 0.5;
   expect_stationary(testing::peak(), Drift(), settings, 12);
 }
 

@@ -6,7 +6,8 @@ namespace ajar {
 
 void StepProbabilities::check() const {
   if (!(large >= 0.0 && large <= 1.0 && camera_half >= 0.0 && light_half >= 0.0 &&
-        camera_half + light_half <= 1.0 && fine >= 0.0 && fine <= 1.0)) {
+        camera_half + light_half <= 1.0 && fine >= 0.0 && fine <= 1.0 && raster >= 0.0 &&
+        raster <= 1.0)) {
     throw std::invalid_argument("shares of the kinds of steps must be probabilities");
   }
 }
@@ -14,8 +15,10 @@ void StepProbabilities::check() const {
 StepKind StepProbabilities::choose(double u) const {
   if (u < large) return StepKind::Large;
   const double among_small = (u - large) / (1.0 - large);
-  if (among_small < camera_half) return StepKind::SmallCamera;
-  if (among_small < camera_half + light_half) return StepKind::SmallLight;
+  if (among_small < raster) return StepKind::SmallRaster;
+  const double among_others = (among_small - raster) / (1.0 - raster);
+  if (among_others < camera_half) return StepKind::SmallCamera;
+  if (among_others < camera_half + light_half) return StepKind::SmallLight;
   return StepKind::SmallBoth;
 }
 
@@ -24,12 +27,14 @@ std::uint64_t StepProbabilities::choose_length(double u) const {
   return u < 0.5 * fine ? kStepUnits / 64 : kStepUnits / 4096;
 }
 
-Change change_of(StepKind kind, ConnectionMoves connection) {
+Change change_of(StepKind kind, ConnectionMoves connection, bool uses_raster) {
   switch (kind) {
     case StepKind::SmallCamera:
       return {true, false, connection.with_camera};
     case StepKind::SmallLight:
       return {false, true, connection.with_light};
+    case StepKind::SmallRaster:
+      return {false, !uses_raster, false, uses_raster};
     case StepKind::Large:
     case StepKind::SmallBoth:
       break;

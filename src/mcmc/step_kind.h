@@ -6,19 +6,24 @@
 
 namespace ajar {
 
-/// What one step of a chain moves: everything afresh, or by a small step both subpaths or one.
-enum class StepKind : std::uint8_t { Large, SmallBoth, SmallCamera, SmallLight };
-inline constexpr std::size_t kStepKinds = 4;
+/// What one step of a chain moves: everything afresh, or by a small step both subpaths, one, or
+/// nothing but the place on the picture.
+enum class StepKind : std::uint8_t { Large, SmallBoth, SmallCamera, SmallLight, SmallRaster };
+inline constexpr std::size_t kStepKinds = 5;
 
-/// The streams whose numbers a step may change.
+/// The numbers that a step may change.
 struct Change {
   bool camera = true;
   bool light = true;
   bool connection = true;
+  bool raster = false;  ///< of the camera's numbers, the two raster numbers alone
+  /// Whether all numbers of a stream move.
   bool moves(Stream stream) const {
     if (stream == Stream::Camera) return camera;
     return stream == Stream::Light ? light : connection;
   }
+  /// Whether the camera's half of a path may be another one.
+  bool moves_camera_half() const { return camera || raster; }
 };
 
 /// Which half moves take the numbers of `Stream::Connection` along; moves of both always do.
@@ -34,12 +39,16 @@ inline constexpr std::uint64_t kStepUnits = 4096;
 /// How often each kind of step is made, whatever the state is.
 struct StepProbabilities {
   double large = 0.3;
-  /// Shares of the small steps; the rest moves both halves.
+  /// Shares of the small steps that do not move the raster numbers alone; the rest moves both
+  /// halves.
   double camera_half = 0.0;
   double light_half = 0.0;
   /// Share of the small steps that have 1/8 or 1/64 of the length, one as often as the other: where
   /// light is found in a narrow place only, steps of one length hardly ever end in it again.
   double fine = 0.0;
+  /// Share of the small steps that move the raster numbers alone. Directions stay, so that such a
+  /// step is accepted more often than others, and spreads light over the pixels around.
+  double raster = 0.0;
 
   /// Raises std::invalid_argument unless all shares are probabilities.
   void check() const;
@@ -49,6 +58,10 @@ struct StepProbabilities {
   std::uint64_t choose_length(double u) const;
 };
 
-Change change_of(StepKind kind, ConnectionMoves connection);
+/// What a step changes in a state that places itself by its raster numbers, or in one that does not
+/// (a light subpath that is connected to the lens). There, steps of the raster numbers move the
+/// light's half instead, and never the numbers that decide which of both a state is: so such a step
+/// is as probable as the one back.
+Change change_of(StepKind kind, ConnectionMoves connection, bool uses_raster);
 
 }  // namespace ajar

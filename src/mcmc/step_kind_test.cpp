@@ -12,7 +12,7 @@ namespace ajar {
 namespace {
 
 TEST(StepKind, IsChosenWithItsProbability) {
-  const StepProbabilities probabilities{0.3, 0.5, 0.25};
+  const StepProbabilities probabilities{0.3, 0.5, 0.25, 0.0, 0.6};
   constexpr int kSamples = 100000;
   std::array<int, kStepKinds> counts{};
   for (int i = 0; i < kSamples; ++i) {
@@ -20,9 +20,10 @@ TEST(StepKind, IsChosenWithItsProbability) {
   }
   // Evenly spaced u: exact up to the cells at the borders.
   EXPECT_NEAR(counts[0], 0.3 * kSamples, 2);
-  EXPECT_NEAR(counts[1], 0.7 * 0.25 * kSamples, 2);
-  EXPECT_NEAR(counts[2], 0.7 * 0.5 * kSamples, 2);
-  EXPECT_NEAR(counts[3], 0.7 * 0.25 * kSamples, 2);
+  EXPECT_NEAR(counts[1], 0.7 * 0.4 * 0.25 * kSamples, 2);
+  EXPECT_NEAR(counts[2], 0.7 * 0.4 * 0.5 * kSamples, 2);
+  EXPECT_NEAR(counts[3], 0.7 * 0.4 * 0.25 * kSamples, 2);
+  EXPECT_NEAR(counts[4], 0.7 * 0.6 * kSamples, 2);
 }
 
 TEST(StepKind, LengthsAreChosenWithTheirProbability) {
@@ -44,6 +45,7 @@ TEST(StepKind, CanBeAllOfOneKind) {
     EXPECT_EQ((StepProbabilities{0.0, 0.0, 0.0}.choose(u)), StepKind::SmallBoth);
     EXPECT_EQ((StepProbabilities{0.0, 1.0, 0.0}.choose(u)), StepKind::SmallCamera);
     EXPECT_EQ((StepProbabilities{0.0, 0.0, 1.0}.choose(u)), StepKind::SmallLight);
+    EXPECT_EQ((StepProbabilities{0.0, 0.5, 0.5, 0.0, 1.0}.choose(u)), StepKind::SmallRaster);
   }
 }
 
@@ -53,17 +55,31 @@ TEST(StepKind, RefusesWhatIsNoProbability) {
   EXPECT_THROW((StepProbabilities{0.3, -0.1, 0.0}.check()), std::invalid_argument);
   EXPECT_THROW((StepProbabilities{std::nan(""), 0.0, 0.0}.check()), std::invalid_argument);
   EXPECT_THROW((StepProbabilities{.fine = 1.1}.check()), std::invalid_argument);
+  EXPECT_THROW((StepProbabilities{.raster = -0.1}.check()), std::invalid_argument);
   EXPECT_NO_THROW((StepProbabilities{0.3, 0.5, 0.5}.check()));
 }
 
 TEST(StepKind, ConnectionMovesWithTheHalvesItIsToldTo) {
-  EXPECT_TRUE(change_of(StepKind::SmallCamera, {}).connection);
-  EXPECT_FALSE(change_of(StepKind::SmallLight, {}).connection);
-  EXPECT_FALSE(change_of(StepKind::SmallCamera, {false, true}).connection);
-  EXPECT_TRUE(change_of(StepKind::SmallLight, {false, true}).connection);
-  EXPECT_TRUE(change_of(StepKind::SmallBoth, {false, false}).connection);
-  EXPECT_FALSE(change_of(StepKind::SmallCamera, {}).light);
-  EXPECT_FALSE(change_of(StepKind::SmallLight, {}).camera);
+  EXPECT_TRUE(change_of(StepKind::SmallCamera, {}, true).connection);
+  EXPECT_FALSE(change_of(StepKind::SmallLight, {}, true).connection);
+  EXPECT_FALSE(change_of(StepKind::SmallCamera, {false, true}, true).connection);
+  EXPECT_TRUE(change_of(StepKind::SmallLight, {false, true}, true).connection);
+  EXPECT_TRUE(change_of(StepKind::SmallBoth, {false, false}, true).connection);
+  EXPECT_FALSE(change_of(StepKind::SmallCamera, {}, true).light);
+  EXPECT_FALSE(change_of(StepKind::SmallLight, {}, true).camera);
+}
+
+TEST(StepKind, StepsOfTheRasterNumbersNeverDecideWhetherAStateUsesThem) {
+  for (const ConnectionMoves moves : {ConnectionMoves{}, ConnectionMoves{true, true}}) {
+    const Change placed = change_of(StepKind::SmallRaster, moves, true);
+    EXPECT_TRUE(placed.raster && placed.moves_camera_half());
+    EXPECT_FALSE(placed.camera || placed.light || placed.connection);
+    const Change other = change_of(StepKind::SmallRaster, moves, false);
+    EXPECT_TRUE(other.light);
+    EXPECT_FALSE(other.raster || other.moves_camera_half() || other.connection);
+  }
+  EXPECT_FALSE(change_of(StepKind::SmallLight, {}, true).moves_camera_half());
+  EXPECT_TRUE(change_of(StepKind::SmallCamera, {}, true).moves_camera_half());
 }
 
 }  // namespace
