@@ -10,9 +10,7 @@ enum class ChainKind {
   OnePath     ///< `mmlt`: one path of one depth and technique
 };
 
-/// Parameters of the chains alone, or of those that `selective` has: there, regions choose among
-/// multiples of `split`.
-std::vector<ParameterSpec> chain_parameters(ChainKind kind, bool selective = false);
+std::vector<ParameterSpec> chain_parameters(ChainKind kind);
 
 /// Metropolis light transport in primary sample space (METHODS, section 3): paths of up to two
 /// edges by ordinary Monte Carlo, longer ones by Markov chains, many and independent, on every

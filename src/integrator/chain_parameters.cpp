@@ -33,7 +33,7 @@ void add_plane_parameters(std::vector<ParameterSpec>& specs) {
 
 }  // namespace
 
-std::vector<ParameterSpec> chain_parameters(ChainKind kind, bool selective) {
+std::vector<ParameterSpec> chain_parameters(ChainKind kind) {
   std::vector<std::string> mutations(mutation_names().begin(), mutation_names().end());
   mutations.insert(mutations.end(), {"slemmlt", "fusion"});
   std::vector<ParameterSpec> specs = {
@@ -135,7 +135,7 @@ std::vector<ParameterSpec> chain_parameters(ChainKind kind, bool selective) {
                "which then make all light, as with split=0), or nobody (none)",
        .choices = {"omc", "chain", "none"}},
       number_parameter(
-          "split", selective ? "10" : "3",
+          "split", "10",
           "ordinary Monte Carlo makes what long paths bring up to about so many times the "
           "brightness of their pixel, chains what is beyond; 0: chains make all of it",
           1e6),

@@ -22,7 +22,7 @@ ChainKind chain_kind(const Parameters& parameters) {
 std::vector<ParameterSpec> selective_parameters() {
   std::vector<ParameterSpec> specs = SelectiveSettings::parameters();
   // pssmlt has those of mmlt and more.
-  for (ParameterSpec& spec : chain_parameters(ChainKind::WholePath, true)) {
+  for (ParameterSpec& spec : chain_parameters(ChainKind::WholePath)) {
     if (std::find(kMeaningless.begin(), kMeaningless.end(), spec.name) == kMeaningless.end()) {
       specs.push_back(std::move(spec));
     }
@@ -35,7 +35,7 @@ std::unique_ptr<Integrator> make_selective_integrator(const Scene& scene,
                                                       const Parameters& parameters) {
   const Parameters own(selective_parameters(), SelectiveSettings::apply_preset(parameters.given()));
   const ChainKind kind = chain_kind(own);
-  const std::vector<ParameterSpec> specs = chain_parameters(kind, true);
+  const std::vector<ParameterSpec> specs = chain_parameters(kind);
   std::map<std::string, std::string> chain;
   for (const ParameterSpec& spec : specs) {
     const auto value = own.given().find(spec.name);
