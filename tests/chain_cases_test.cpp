@@ -189,7 +189,7 @@ TEST(Depths, WithoutTechniquesOrLightAreLeftOutOrReportedAsDark) {
 
 TEST(Sizes, FromASinglePixelOnKeepTheBrightness) {
   for (const char* integrator : kChains) {
-    for (const Vec2i size : {Vec2i(1, 1), Vec2i(3, 2)}) {
+    for (const Vec2i& size : {Vec2i(1, 1), Vec2i(3, 2)}) {
       const auto scene = scene_from(pbrt_scene(kCamera, size.x, size.y, kPoints + kFloor));
       test::RenderOptions options;
       options.max_depth = 8;
@@ -254,11 +254,6 @@ TEST(DirectLight, IsNobodysMonteCarlosOrTheChains) {
     const test::Render chain = test::render(*scene, options);
     expect_same(replicates_of(chain, "direct"), truth, *chain.film, 0.25, integrator);
   }
-}
-
-const Picture::Layer& layer(const Picture& picture, const std::string& name) {
-  return *std::find_if(picture.layers.begin(), picture.layers.end(),
-                       [&](const Picture::Layer& candidate) { return candidate.name == name; });
 }
 
 TEST(ChainLayers, DensityCountsVisitsAndAcceptanceIsAProbability) {
