@@ -81,8 +81,9 @@ std::vector<ParameterSpec> chain_parameters(ChainKind kind) {
           "share of the small steps that have 1/8 or 1/64 of their length, for light that is "
           "found in narrow places (mutation=gaussian, step=fixed)",
           1.0),
+      // What they leave as it is, pssmlt traces again.
       number_parameter(
-          "raster-steps", "0.7",
+          "raster-steps", kind == ChainKind::OnePath ? "0.7" : "0",
           "share of the small steps that move nothing but a path's place on the picture "
           "(mutation=gaussian or kelemen, step=fixed, multi-try=1)",
           1.0),

@@ -21,10 +21,15 @@ ChainKind chain_kind(const Parameters& parameters) {
 
 std::vector<ParameterSpec> selective_parameters() {
   std::vector<ParameterSpec> specs = SelectiveSettings::parameters();
-  // pssmlt has those of mmlt and more.
-  for (ParameterSpec& spec : chain_parameters(ChainKind::WholePath)) {
-    if (std::find(kMeaningless.begin(), kMeaningless.end(), spec.name) == kMeaningless.end()) {
-      specs.push_back(std::move(spec));
+  // pssmlt has those of mmlt and more. Defaults are shown as mmlt has them.
+  for (const ChainKind kind : {ChainKind::OnePath, ChainKind::WholePath}) {
+    for (ParameterSpec& spec : chain_parameters(kind)) {
+      const bool known = std::any_of(specs.begin(), specs.end(), [&](const ParameterSpec& other) {
+        return other.name == spec.name;
+      });
+      const bool means_something =
+          std::find(kMeaningless.begin(), kMeaningless.end(), spec.name) == kMeaningless.end();
+      if (!known && means_something) specs.push_back(std::move(spec));
     }
   }
   return specs;
