@@ -451,7 +451,7 @@ std::vector<ParameterSpec> path_family_parameters(const PathFamilyDefaults& defa
        .maximum = PathSampler::kMaxLightSubpaths},
       {.name = "cull",
        .type = ParameterType::Float,
-       .default_value = "0.01",
+       .default_value = "0.03",
        .unit = "",
        .help =
            "connections weaker than this share of the picture's mean are traced by chance only, "
