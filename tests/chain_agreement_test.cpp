@@ -167,7 +167,7 @@ TEST_P(ChainAgreement, ChainsHaveTheExpectationOfBidirectionalPathTracing) {
   options.replicates = kReplicates;
   options.max_depth = 6;
   options.crop = small.crop;
-  options.samples = 128;
+  options.samples = 160;
   options.integrator = "bdpt";
   const test::Render truth = test::render(*scene, options);
   options.seed = 2;
@@ -184,6 +184,7 @@ TEST_P(ChainAgreement, ChainsHaveTheExpectationOfBidirectionalPathTracing) {
     }
     // Divided light needs fewer for the same power.
     options.samples = variant.parameters.count("split") > 0 ? 384 : 192;
+    if (variant.parameters.count("direct") > 0) options.samples = 768;
     const test::Render render = test::render(*scene, options);
     expect_same(replicates_of(render, "indirect"), replicates_of(truth, "indirect"), *render.film,
                 0.3, variant.name + ", indirect");
