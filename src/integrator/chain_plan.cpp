@@ -69,9 +69,8 @@ ChainPlan::ChainPlan(ChainKind chain_kind, const Scene& the_scene,
   }
   if (chain_settings.probabilities.camera_half + chain_settings.probabilities.light_half > 1.0) {
     throw UsageError(
-        "camera-steps and light-steps are shares of the small steps besides raster-steps: together "
-        "at "
-        "most 1");
+        "camera-steps and light-steps are shares of the small steps besides raster-steps: "
+        "together at most 1");
   }
   const bool by_regions_alone = selective && (!selective->omc_shares || selective->exclusive);
   if (parameters.get_float("split") > 0.0 && direct != Direct::Chain && !by_regions_alone) {
