@@ -70,8 +70,15 @@ std::string checked_value(const ParameterSpec& spec, const std::string& given) {
       return std::to_string(*value);
     }
     case ParameterType::Float: {
+      if (std::find(spec.choices.begin(), spec.choices.end(), given) != spec.choices.end()) {
+        return given;
+      }
       const auto value = parse_number<double>(given);
-      if (!value || !std::isfinite(*value)) reject(spec, given, "a number");
+      if (!value || !std::isfinite(*value)) {
+        std::string expected = "a number";
+        for (const std::string& word : spec.choices) expected.append(" or ").append(word);
+        reject(spec, given, expected);
+      }
       check_range(spec, given, *value);
       return given;
     }
@@ -148,8 +155,10 @@ int Parameters::get_int(std::string_view name) const {
   return parse_number<int>(value_of(values_, name)).value();
 }
 
-double Parameters::get_float(std::string_view name) const {
-  return parse_number<double>(value_of(values_, name)).value();
+double Parameters::get_float(std::string_view name) const { return get_number(name).value(); }
+
+std::optional<double> Parameters::get_number(std::string_view name) const {
+  return parse_number<double>(value_of(values_, name));
 }
 
 const std::string& Parameters::get_text(std::string_view name) const {

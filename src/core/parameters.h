@@ -18,7 +18,7 @@ struct ParameterSpec {
   std::string default_value;
   std::string unit;                  ///< "" if none
   std::string help;                  ///< one line
-  std::vector<std::string> choices;  ///< for Choice
+  std::vector<std::string> choices;  ///< for Choice; for Float, words that may stand for a number
   double minimum = -1e300;
   double maximum = 1e300;
 };
@@ -39,6 +39,8 @@ class Parameters {
   bool get_bool(std::string_view name) const;
   int get_int(std::string_view name) const;
   double get_float(std::string_view name) const;
+  /// Empty if a word stands in place of the number.
+  std::optional<double> get_number(std::string_view name) const;
   const std::string& get_text(std::string_view name) const;
   const std::map<std::string, std::string, std::less<>>& values() const { return values_; }
   /// What was not left at its default.

@@ -14,6 +14,7 @@ std::vector<ParameterSpec> specs() {
       {"sigma", ParameterType::Float, "0.5", "px", "size of small steps", {}, 0.0, 1.0},
       {"heuristic", ParameterType::Choice, "power", "", "MIS", {"balance", "power"}},
       {"label", ParameterType::Text, "", "", "free text", {}},
+      {"limit", ParameterType::Float, "auto", "", "a bound", {"auto"}, 0.0, 8.0},
   };
 }
 
@@ -36,6 +37,14 @@ TEST(Parameters, DefaultsFillWhatIsNotGiven) {
   EXPECT_EQ(parameters.get_text("heuristic"), "power");
   EXPECT_EQ(parameters.get_text("label"), "");
   EXPECT_EQ(parameters.values().size(), declared.size());
+}
+
+TEST(Parameters, AWordMayStandInPlaceOfANumber) {
+  const auto declared = specs();
+  EXPECT_FALSE(Parameters(declared, {}).get_number("limit"));
+  EXPECT_EQ(Parameters(declared, {{"limit", "0.5"}}).get_number("limit"), 0.5);
+  EXPECT_NE(message_of({{"limit", "none"}}).find("a number or auto"), std::string::npos);
+  EXPECT_NE(message_of({{"limit", "9"}}).find("between 0 and 8"), std::string::npos);
 }
 
 TEST(Parameters, BooleansHaveOneSpellingInside) {

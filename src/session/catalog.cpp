@@ -21,8 +21,11 @@ std::string type_text(const ParameterSpec& spec) {
       return "true|false";
     case ParameterType::Int:
       return "whole number";
-    case ParameterType::Float:
-      return "number";
+    case ParameterType::Float: {
+      std::string text = "number";
+      for (const std::string& word : spec.choices) text.append("|").append(word);
+      return text;
+    }
     case ParameterType::Text:
       return "text";
     case ParameterType::Choice: {
