@@ -66,7 +66,7 @@ ThresholdChoice optimal_thresholds(std::span<const ThresholdEstimate> regions,
           "optimal thresholds: regions have different numbers of them");
   }
   ThresholdChoice best;
-  for (const std::size_t start : {std::size_t{0}, count - 1}) {
+  for (std::size_t start = 0; start < count; ++start) {
     auto choice =
         predict_thresholds(regions, costs, std::vector<std::size_t>(regions.size(), start));
     if (start == 0) best = choice;

@@ -37,8 +37,8 @@ struct ThresholdChoice {
   double error = 0.0;               ///< predicted error · time
 };
 
-/// A minimum of the error: no region could change its threshold alone and gain, found from the
-/// lowest and from the highest thresholds and taken from the better one. Of equal thresholds, the
+/// A minimum of the error: no region could change its threshold alone and gain, found from each
+/// threshold everywhere and taken from the best one. Of equal thresholds, the
 /// lowest. Raises std::invalid_argument if the regions' numbers of thresholds differ, or for costs
 /// that are not positive.
 ThresholdChoice optimal_thresholds(std::span<const ThresholdEstimate> regions,

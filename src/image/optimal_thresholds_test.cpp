@@ -42,6 +42,14 @@ TEST(OptimalThresholds, LeaveChainsOutIfTheyAreTooNoisyAndGiveThemMuchIfTheyAreN
   EXPECT_EQ(all.chain_light, 32.0);
 }
 
+TEST(OptimalThresholds, AreFoundBetweenTheEndsOfOneRegion) {
+  // Neither end's price of variance leads to the third threshold.
+  const std::vector<ThresholdEstimate> region = {
+      {{6.9, 18.8, 53.1, 117.8, 215.6}, {1718.0, 1424.0, 997.7, 597.9, 271.4}}};
+  const ThresholdCosts costs{15.1 * 27648.0, 4.35, 5.69, 0.0};
+  EXPECT_EQ(optimal_thresholds(region, costs).chosen, std::vector<std::size_t>{2});
+}
+
 TEST(OptimalThresholds, PredictTheErrorOfTheBestSplitOfTime) {
   const auto regions = three_regions();
   const ThresholdCosts costs{3.0, 0.2, 5.0, 2.0};
