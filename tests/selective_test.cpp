@@ -126,14 +126,19 @@ MeanAndError summary(const std::vector<double>& values) {
   return {sum / n, std::sqrt((squares - sum * sum / n) / (n * (n - 1.0)))};
 }
 
+MeanAndError truth_of(const Scene& scene, test::RenderOptions options) {
+  options.replicates = 4;
+  options.integrator = "bdpt";
+  options.samples = 512;
+  return summary(means(scene, options, 24));
+}
+
 TEST(Selective, IsBiasedByAPilotThatIsKeptOnly) {
   const auto scene = scene_of_fireflies();
   test::RenderOptions options;
-  options.replicates = 4;
   options.max_depth = 5;
-  options.integrator = "bdpt";
-  options.samples = 512;
-  const MeanAndError truth = summary(means(*scene, options, 24));
+  const MeanAndError truth = truth_of(*scene, options);
+  options.replicates = 4;
   options.samples = 4;
   options.integrator = "selective";
   const auto z_of = [&](const std::string& pilot) {
@@ -148,6 +153,25 @@ TEST(Selective, IsBiasedByAPilotThatIsKeptOnly) {
   EXPECT_LT(std::abs(z_of("cross")), 5.0);
   EXPECT_LT(std::abs(z_of("discard")), 5.0);
   EXPECT_LT(z_of("keep"), -5.0) << "where the pilot found no light, it stays dark";
+}
+
+TEST(Split, FoundOutByAPilotChangesNoExpectation) {
+  const auto scene = small_scene("Room");
+  test::RenderOptions options;
+  options.max_depth = 5;
+  const MeanAndError truth = truth_of(*scene, options);
+  // As many samples of the pilot as of the render.
+  options.samples = 4;
+  options.integrator = "mmlt";
+  options.parameters = {{"bootstrap", "2000"}};
+  // The pilot stays from four replicates on.
+  for (const int replicates : {1, 2, 4}) {
+    options.replicates = replicates;
+    const MeanAndError own = summary(means(*scene, options, 60));
+    EXPECT_LT(5.0 * own.error, 0.04 * truth.mean) << replicates << ": too noisy to notice a bias";
+    EXPECT_LT(std::abs(own.mean - truth.mean), 5.0 * std::hypot(own.error, truth.error))
+        << replicates << " replicates";
+  }
 }
 
 TEST(Selective, TakesPresetsAndEveryMutation) {

@@ -81,7 +81,7 @@ void serialize(A& archive, StrongPath& path) {
     archive(value);
     path.value.set(lane, value);
   }
-  archive(path.energy, path.key);
+  archive(path.energy, path.sample);
 }
 
 }  // namespace ajar

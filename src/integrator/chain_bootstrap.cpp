@@ -39,7 +39,7 @@ std::vector<ChainPopulation> make_populations(const ChainPlan& plan) {
 }
 
 std::uint64_t ChainBootstrap::begin() {
-  // The scout may have found seeds already.
+  // The pilot may have found seeds already.
   if (!populations_.empty() || plan_.mutations == 0.0) return 0;
   constexpr double kFewest = 64.0;
   const double per_replicate = static_cast<double>(plan_.bootstrap) / plan_.settings.replicates;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "core/archive.h"
 #include "image/optimal_thresholds.h"
@@ -11,27 +10,13 @@
 
 namespace ajar {
 
-namespace {
-
-/// Without the pixels where it is largest: a few fireflies on one side, or a chain that was stuck
-/// for long on the other, would decide for the whole picture.
-double trimmed_sum(std::vector<double> values) {
-  constexpr std::size_t kOneOf = 100;
-  const auto kept = values.end() - static_cast<std::ptrdiff_t>(values.size() / kOneOf);
-  std::nth_element(values.begin(), kept, values.end());
-  return std::accumulate(values.begin(), kept, 0.0);
-}
-
-}  // namespace
-
 std::uint64_t ChainEffort::omc_samples(std::uint64_t samples) const {
   return plan_.pilot_kept +
          static_cast<std::uint64_t>(std::ceil(static_cast<double>(samples) * plan_.omc_samples));
 }
 
 double ChainEffort::mutations(std::uint64_t samples) const {
-  const double rate = mutations_per_sample_ > 0.0 ? mutations_per_sample_ : plan_.mutations;
-  return before_ + rate * static_cast<double>(samples - since_);
+  return before_ + rate() * static_cast<double>(samples - since_);
 }
 
 std::uint64_t ChainEffort::steps(std::uint64_t sample, std::size_t chains) const {
@@ -61,9 +46,9 @@ void ChainEffort::adjust(std::uint64_t samples, const Film& film, const Integrat
                            plan_.view.importance);
   };
   const WeightedErrors of_chains = errors({"indirect"});
-  const double error = trimmed_sum(of_chains.variance);
-  const double light = std::accumulate(of_chains.light.begin(), of_chains.light.end(), 0.0);
-  const double omc_error = trimmed_sum(errors({"direct", kWeakLayer}).variance);
+  const double error = sum_of(trimmed(of_chains.variance));
+  const double light = sum_of(of_chains.light);
+  const double omc_error = sum_of(trimmed(errors({"direct", kWeakLayer}).variance));
   const double pixels = static_cast<double>(plan_.pixels());
   if (!(light > 0.0 && error > 0.0 && omc_error > 0.0)) return;
   correlation_ = error * mutations(samples) * pixels / (light * light);
@@ -76,16 +61,14 @@ void ChainEffort::adjust(std::uint64_t samples, const Film& film, const Integrat
   // Few replicates tell an error to within a factor.
   constexpr double kMostChange = 5.0;
   before_ = mutations(samples);
-  const double now = mutations_per_sample_ > 0.0 ? mutations_per_sample_ : plan_.mutations;
-  mutations_per_sample_ =
-      ChainPlan::clamp_mutations(std::clamp(best, now / kMostChange, now * kMostChange));
+  adjusted_ =
+      ChainPlan::clamp_mutations(std::clamp(best, rate() / kMostChange, rate() * kMostChange));
   since_ = samples;
 }
 
 void ChainEffort::fill(SelectiveReport& report) const {
   const double all = static_cast<double>(omc_rays_ + chain_rays_);
-  report.mutations_per_sample =
-      mutations_per_sample_ > 0.0 ? mutations_per_sample_ : plan_.mutations;
+  report.mutations_per_sample = rate();
   report.correlation = correlation_;
   report.chain_rays = all > 0.0 ? static_cast<double>(chain_rays_) / all : 0.0;
   report.chain_error = chain_error_;
@@ -99,11 +82,11 @@ void ChainEffort::set_counts(const std::array<std::uint64_t, 4>& counts) {
 }
 
 void ChainEffort::save_state(OutputArchive& archive) const {
-  archive(mutations_per_sample_, since_, before_, correlation_, chain_error_, counts());
+  archive(adjusted_, since_, before_, correlation_, chain_error_, counts());
 }
 
 void ChainEffort::load_state(InputArchive& archive) {
-  archive(mutations_per_sample_, since_, before_, correlation_, chain_error_, known_);
+  archive(adjusted_, since_, before_, correlation_, chain_error_, known_);
   set_counts(known_);
 }
 

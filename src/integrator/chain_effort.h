@@ -43,15 +43,17 @@ class ChainEffort {
   void take_news(InputArchive& archive);
 
  private:
+  /// Mutations per pixel of a sample, now.
+  double rate() const { return adjusted_ > 0.0 ? adjusted_ : plan_.mutations; }
   std::array<std::uint64_t, 4> counts() const {
     return {omc_rays_, omc_samples_, chain_rays_, mutations_};
   }
   void set_counts(const std::array<std::uint64_t, 4>& counts);
 
   const ChainPlan& plan_;
-  double mutations_per_sample_ = 0.0;  ///< per pixel; 0 until it has been adjusted
-  std::uint64_t since_ = 0;            ///< samples
-  double before_ = 0.0;                ///< mutations per pixel until then
+  double adjusted_ = 0.0;    ///< `rate` since it was; 0 until then
+  std::uint64_t since_ = 0;  ///< samples
+  double before_ = 0.0;      ///< mutations per pixel until then
   std::atomic<std::uint64_t> omc_rays_{0};
   std::atomic<std::uint64_t> omc_samples_{0};
   std::atomic<std::uint64_t> chain_rays_{0};

@@ -14,9 +14,9 @@
 #include "integrator/chain_plan.h"
 #include "integrator/chain_recruits.h"
 #include "integrator/chain_report.h"
-#include "integrator/chain_scout.h"
+#include "integrator/chain_trial.h"
 #include "integrator/plane_maps.h"
-#include "integrator/region_pilot.h"
+#include "integrator/split_pilot.h"
 #include "mcmc/bootstrap_source.h"
 #include "mcmc/chain_runner.h"
 
@@ -45,9 +45,7 @@ class ChainIntegrator final : public Integrator {
                 Counters& counters) override;
   double develop_scale(const LayerSpec& layer, std::uint64_t samples,
                        std::optional<int> replicate) const override;
-  std::optional<ChainReport> chain_report() const override {
-    return report_chains(plan_, populations_, later_weight_);
-  }
+  std::optional<ChainReport> chain_report() const override;
   std::optional<SelectiveReport> selective_report() const override;
 
   bool keeps_state() const override { return !populations_.empty(); }
@@ -57,10 +55,10 @@ class ChainIntegrator final : public Integrator {
   void take_news(InputArchive& archive, const WorkShare& share) override;
   std::uint64_t memory_bytes() const override;
   std::vector<std::pair<std::string, Plane>> maps() const override {
-    return regions_ != nullptr ? regions_->maps() : Integrator::maps();
+    return plan_.selective ? pilot_->maps() : Integrator::maps();
   }
   std::optional<Plane> antialias_mask() const override {
-    return regions_ != nullptr ? regions_->antialias_mask() : std::nullopt;
+    return plan_.selective ? pilot_->antialias_mask() : std::nullopt;
   }
 
  private:
@@ -107,9 +105,8 @@ class ChainIntegrator final : public Integrator {
   ChainPlan plan_;
   ChainEffort effort_{plan_};
   std::vector<std::unique_ptr<PreparationStage>> stages_;
-  RegionPilot* regions_ = nullptr;  ///< one of the stages; null unless regions are divided
-  ChainScout* scout_ = nullptr;     ///< one of the stages, if there is one
-  std::size_t stage_ = 0;           ///< that is running
+  SplitPilot* pilot_ = nullptr;  ///< one of the stages; null if there is nothing to decide
+  std::size_t stage_ = 0;        ///< that is running
   std::vector<ChainPopulation> populations_;
   std::vector<std::size_t> chain_counts_;  ///< per replicate
   std::vector<ChainItem> chain_items_;
@@ -137,14 +134,12 @@ ChainIntegrator::ChainIntegrator(ChainKind kind, const Scene& scene, const Rende
   }
   stages_.push_back(std::make_unique<ChainPilot>(plan_));
   if (plan_.has_recruits()) recruits_ = std::make_unique<ChainRecruits>(plan_);
-  if (plan_.selective) {
-    auto pilot = std::make_unique<RegionPilot>(plan_, populations_, recruits_.get());
-    regions_ = pilot.get();
+  if (plan_.selective || recruits_) {
+    auto pilot = std::make_unique<SplitPilot>(plan_, populations_, recruits_.get());
+    auto trial = std::make_unique<ChainTrial>(plan_, *pilot, recruits_.get());
+    pilot_ = pilot.get();
     stages_.push_back(std::move(pilot));
-  } else if (recruits_) {
-    auto scout = std::make_unique<ChainScout>(plan_, populations_, *recruits_);
-    scout_ = scout.get();
-    stages_.push_back(std::move(scout));
+    stages_.push_back(std::move(trial));
   }
   stages_.push_back(std::make_unique<ChainBootstrap>(plan_, populations_));
 }
@@ -219,12 +214,18 @@ std::vector<std::string> ChainIntegrator::notes() const {
       (recruits_ ? "; chains only stand by for fireflies" : " alone")};
 }
 
+std::optional<ChainReport> ChainIntegrator::chain_report() const {
+  ChainReport report = report_chains(plan_, populations_, later_weight_);
+  if (pilot_ != nullptr && !plan_.selective) report.split = pilot_->thresholds();
+  return report;
+}
+
 std::optional<SelectiveReport> ChainIntegrator::selective_report() const {
-  if (regions_ == nullptr) return std::nullopt;
+  if (!plan_.selective) return std::nullopt;
   SelectiveReport report;
-  report.pilot_samples = regions_->samples();
+  report.pilot_samples = pilot_->samples();
   report.pilot_stays = plan_.pilot_kept > 0;
-  report.regions = regions_->report();
+  report.regions = pilot_->report();
   effort_.fill(report);
   return report;
 }
@@ -265,8 +266,7 @@ std::uint64_t ChainIntegrator::items_in_pass() const {
 void ChainIntegrator::begin_pass(std::uint64_t first_sample, std::uint64_t samples, Film& film) {
   if (first_sample == 0) {
     refine_b(0);
-    if (regions_ != nullptr) regions_->hand_over(film);
-    if (scout_ != nullptr) scout_->hand_over(film);
+    for (const auto& stage : stages_) stage->hand_over(film);
   }
   if (recruits_ && first_sample >= next_join_) join_recruits(film);
   if (recruits_ && first_sample + samples > next_join_) {
@@ -353,8 +353,8 @@ void ChainIntegrator::run_chain(const ChainItem& item, std::uint64_t first_sampl
   const PathGroup& group = plan_.groups[population.group];
   const std::size_t chains = chains_in(population.replicate);
   const auto target = plan_.make_target(group, population.replicate);
-  ChainRunner runner(plan_.chain_settings, *plan_.mutation, group.shape, *target,
-                     plane_moves(population));
+  ChainRunner runner(plan_.chain_settings_of(population.replicate), *plan_.mutation, group.shape,
+                     *target, plane_moves(population));
   ChainFilmSink sink(film, population.replicate, plan_.view.importance, *target, counters,
                      maps_.get(), kept_by(population.replicate));
   const double b = b_[item.population];
@@ -407,8 +407,8 @@ void ChainIntegrator::run_plain(ChainPopulation& population, Film& film, Counter
   const auto count = static_cast<std::uint64_t>(std::max(1.0, share * mutations));
   const PathGroup& group = plan_.groups[population.group];
   const auto target = plan_.make_target(group, population.replicate);
-  ChainRunner runner(plan_.chain_settings, *plan_.mutation, group.shape, *target,
-                     plane_moves(population));
+  ChainRunner runner(plan_.chain_settings_of(population.replicate), *plan_.mutation, group.shape,
+                     *target, plane_moves(population));
   ChainFilmSink sink(film, population.replicate, plan_.view.importance, *target, counters,
                      maps_.get(), kept_by(population.replicate));
   const double scale =

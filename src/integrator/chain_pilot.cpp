@@ -64,8 +64,8 @@ void ChainPilot::end() {
   plan_.brightness = mean_strength(picture, crop, plan_.view.importance);
   constexpr double kCap = 100.0;
   if (plan_.brightness > 0.0) plan_.chain_settings.large_step_cap = kCap * plan_.brightness;
-  if (plan_.split_at && plan_.brightness > 0.0) {
-    plan_.splits.emplace(LightSplit(*plan_.split_at * plan_.brightness, plan_.view.importance));
+  if (!plan_.thresholds.empty() && plan_.brightness > 0.0) {
+    plan_.splits.emplace(LightSplit(plan_.lowest_threshold(), plan_.view.importance));
   }
   film_.reset();
   omc_.reset();

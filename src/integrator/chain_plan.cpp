@@ -72,10 +72,7 @@ ChainPlan::ChainPlan(ChainKind chain_kind, const Scene& the_scene,
         "camera-steps and light-steps are shares of the small steps besides raster-steps: "
         "together at most 1");
   }
-  const bool by_regions_alone = selective && (!selective->omc_shares || selective->exclusive);
-  if (parameters.get_float("split") > 0.0 && direct != Direct::Chain && !by_regions_alone) {
-    split_at = parameters.get_float("split");
-  }
+  read_split();
   const Vec2 beyond = make_filter(scene.film().filter).radius() - Vec2(0.5F, 0.5F);
   view.low = Vec2(settings.crop.min) - beyond;
   view.size = Vec2(crop_size(settings)) + beyond * 2.F;
@@ -90,10 +87,44 @@ ChainPlan::ChainPlan(ChainKind chain_kind, const Scene& the_scene,
                                : std::max<std::uint64_t>(200000, 4 * pixels());
   }
   make_groups();
+  read_pilot();
   shares_effort = selective || (omc_samples == 0.0 && has_recruits());
   if (shares_effort || omc_samples == 0.0) omc_samples = 1.0;
   read_importance();
   read_plane();
+}
+
+void ChainPlan::read_split() {
+  const std::optional<double> fixed = parameters.get_number("split");
+  const bool by_regions_alone = selective && (!selective->omc_shares || selective->exclusive);
+  if (direct == Direct::Chain || by_regions_alone || (fixed && *fixed == 0.0)) return;
+  constexpr double kStandby = 1000.0;
+  standby_threshold = kStandby;
+  if (fixed) {
+    thresholds = {*fixed};
+    if (selective) {
+      thresholds = {*fixed, 3.0 * *fixed, 10.0 * *fixed};
+      standby_threshold = 100.0 * *fixed;
+    }
+  } else if (kind == ChainKind::OnePath) {
+    thresholds = {0.1, 0.3, 1.0, 3.0, 10.0};
+  } else {
+    // Nothing is found out for chains that ordinary Monte Carlo cannot seed.
+    thresholds = {10.0};
+  }
+}
+
+void ChainPlan::read_pilot() {
+  if (selective) {
+    pilot_use = selective->pilot;
+    pilot_samples = selective->pilot_samples;
+    return;
+  }
+  const auto replicates = static_cast<std::uint64_t>(settings.replicates);
+  const std::uint64_t in_round = pixels() * replicates;
+  pilot_samples = (bootstrap + in_round - 1) / in_round * replicates;
+  if (thresholds.size() > 1 || settings.replicates < 2)
+    pilot_use = pilot_use_of(settings.replicates);
 }
 
 double ChainPlan::share_of_steps(const std::string& name, bool can,
@@ -114,8 +145,29 @@ void ChainPlan::read_small_steps() {
   StepProbabilities& probabilities = chain_settings.probabilities;
   probabilities.fine = share_of_steps("fine-steps", mutation->divisible() && !follows_plane,
                                       "mutation=gaussian and step=fixed");
-  probabilities.raster = share_of_steps("raster-steps", chain_settings.tries == 1 && !follows_plane,
-                                        "mutation=gaussian or kelemen, step=fixed and multi-try=1");
+  const bool can_raster = chain_settings.tries == 1 && !follows_plane;
+  if (parameters.get_number("raster-steps")) {
+    probabilities.raster = share_of_steps(
+        "raster-steps", can_raster, "mutation=gaussian or kelemen, step=fixed and multi-try=1");
+  } else if (can_raster) {
+    constexpr double kRasterSteps = 0.7;
+    probabilities.raster = kRasterSteps;
+    raster_steps_follow_split = true;
+  }
+}
+
+ChainSettings ChainPlan::chain_settings_of(int replicate) const {
+  // Below this threshold, what chains make has no islands that only other steps would lead to.
+  constexpr double kLow = 0.3;
+  constexpr double kRounding = 1.001;
+  constexpr double kRasterSteps = 0.9;
+  ChainSettings own = chain_settings;
+  if (raster_steps_follow_split && splits &&
+      static_cast<double>(splits->of(replicate).highest_threshold()) <=
+          kLow * kRounding * brightness) {
+    own.probabilities.raster = kRasterSteps;
+  }
+  return own;
 }
 
 void ChainPlan::read_plane() {
@@ -238,7 +290,7 @@ std::unique_ptr<Integrator> ChainPlan::make_omc(const RenderSettings& omc_settin
   // Where light is divided path by path, a light subpath must bring the same to both sides.
   PathFamilyDefaults defaults{.techniques = parameters.get_text("techniques"),
                               .roulette_start = "3"};
-  if (selective && !split_at) defaults = path_family_defaults(selective->omc);
+  if (selective && thresholds.empty()) defaults = path_family_defaults(selective->omc);
   const auto specs = path_family_parameters(defaults);
   return make_path_integrator(scene, own,
                               Parameters(specs, {{"heuristic", parameters.get_text("heuristic")}}),

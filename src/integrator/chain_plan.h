@@ -8,6 +8,7 @@
 #include "integrator/chain_family.h"
 #include "integrator/light_split.h"
 #include "integrator/path_target.h"
+#include "integrator/pilot_use.h"
 #include "integrator/selective_settings.h"
 #include "integrator/strong_paths.h"
 #include "mcmc/bootstrap.h"
@@ -38,9 +39,20 @@ struct ChainPlan {
   const PathGroup& group_of(int depth) const;
   /// Of the crop.
   std::uint64_t pixels() const;
+  /// In the units of `PixelShare`; 0 if light is not divided path by path.
+  double lowest_threshold() const {
+    return thresholds.empty() ? 0.0 : thresholds.front() * brightness;
+  }
   /// Whether chains start from what ordinary Monte Carlo finds: it divides light path by path and
   /// makes the same paths.
-  bool has_recruits() const { return split_at && kind == ChainKind::OnePath; }
+  bool has_recruits() const { return !thresholds.empty() && kind == ChainKind::OnePath; }
+  /// Whether a pilot decides between thresholds; else, if at all, it decides by regions alone.
+  bool chooses_thresholds() const {
+    return thresholds.size() > 1 &&
+           (!selective || selective->map == SelectiveSettings::Map::Optimal);
+  }
+  /// How its chains move: where they make nearly all light, steps on the raster pay more.
+  ChainSettings chain_settings_of(int replicate) const;
   /// So many mutations per pixel and camera sample that neither half is forgotten.
   static double clamp_mutations(double mutations) { return std::clamp(mutations, 1.0 / 32, 16.0); }
   /// How many chains a replicate should have.
@@ -61,12 +73,17 @@ struct ChainPlan {
   Parameters parameters;
   TechniqueSet techniques;
   Direct direct;
+  PilotUse pilot_use = PilotUse::Keep;
   bool mis_large_steps;
-  /// Where the light of long paths is divided path by path, relative to the brightness of its
-  /// pixel; empty if it is not.
-  std::optional<double> split_at;
+  bool raster_steps_follow_split = false;  ///< the user leaves that open
+  /// Where the light of long paths may be divided path by path, relative to the brightness of its
+  /// pixel, from the lowest on; empty if it is not. The pilot chooses.
+  std::vector<double> thresholds;
+  /// The same for chains that stand by.
+  double standby_threshold = 0.0;
   /// If regions of the picture are divided, too.
   std::optional<SelectiveSettings> selective;
+  std::uint64_t pilot_samples = 0;  ///< per pixel, at least
   /// Camera samples of ordinary Monte Carlo that a sample of the render has per pixel.
   double omc_samples;
   /// Whether the render shares its effort anew as it goes on: a sample then has as many mutations
@@ -95,6 +112,8 @@ struct ChainPlan {
 
  private:
   void make_groups();
+  void read_split();
+  void read_pilot();
   void read_importance();
   void read_small_steps();
   /// A share of the small steps that this mutation may not be able to make (`where` says which

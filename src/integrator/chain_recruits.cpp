@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 #include <map>
+#include <numeric>
 #include <stdexcept>
 #include <tuple>
 
@@ -23,7 +24,7 @@ namespace {
 auto order_of(const StrongPath& path) {
   constexpr float kTile = 8.F;
   return std::tuple(path.technique.depth(), std::floor(path.raster.y / kTile),
-                    std::floor(path.raster.x / kTile), path.technique.s, path.key);
+                    std::floor(path.raster.x / kTile), path.technique.s, path.key());
 }
 
 /// Samples of one replicate among the samples `first` to `last` of a pixel.
@@ -46,7 +47,7 @@ class ChainRecruits::Sink final : public StrongPathSink {
     const double carried = std::abs(path.energy);
     if (carried < recruits_.grain_) {
       const auto u = static_cast<double>(
-          to_unit_float(static_cast<std::uint32_t>(hash_numbers(path.key, 0x6a1eULL) >> 32U)));
+          to_unit_float(static_cast<std::uint32_t>(hash_numbers(path.key(), 0x6a1eULL) >> 32U)));
       if (!(u * recruits_.grain_ < carried)) return true;
       path.value *= static_cast<float>(recruits_.grain_ / carried);
       path.energy *= recruits_.grain_ / carried;
@@ -142,6 +143,18 @@ void ChainRecruits::expect(const std::vector<ChainPopulation>& populations, doub
             camera_samples);
 }
 
+double ChainRecruits::energy() const {
+  // In an order that does not depend on threads.
+  std::vector<double> energies;
+  const auto add = [&](const Recruit& recruit) {
+    energies.push_back(std::abs(recruit.path.energy));
+  };
+  std::for_each(recruits_.begin(), recruits_.end(), add);
+  std::for_each(shared_.begin(), shared_.end(), add);
+  std::sort(energies.begin(), energies.end());
+  return std::accumulate(energies.begin(), energies.end(), 0.0);
+}
+
 void ChainRecruits::divide_anew(const LightSplits& before) {
   for (Recruit& recruit : recruits_) {
     StrongPath& path = recruit.path;
@@ -177,20 +190,25 @@ std::vector<std::vector<const ChainRecruits::Recruit*>> ChainRecruits::sorted_re
 
 void ChainRecruits::join(std::vector<ChainPopulation>& populations, std::uint64_t first,
                          std::uint64_t last) {
+  join_for_trial(populations, first, last);
+  recruits_.clear();
+}
+
+void ChainRecruits::join_for_trial(std::vector<ChainPopulation>& populations, std::uint64_t first,
+                                   std::uint64_t last) {
   const auto found = sorted_recruits(populations);
   const auto replicates = static_cast<std::uint64_t>(plan_.settings.replicates);
   for (std::uint64_t replicate = 0; replicate < replicates; ++replicate) {
     const std::uint64_t samples = samples_of(replicate, replicates, first, last) * plan_.pixels();
     join_replicate(populations, found, static_cast<int>(replicate), static_cast<double>(samples));
   }
-  recruits_.clear();
 }
 
 void ChainRecruits::join_scattered(std::vector<ChainPopulation>& populations,
                                    double camera_samples) {
   const int replicates = plan_.settings.replicates;
   for (Recruit& recruit : recruits_) {
-    recruit.path.replicate = static_cast<int>(hash_numbers(recruit.path.key, 0x5ca77ULL) %
+    recruit.path.replicate = static_cast<int>(hash_numbers(recruit.path.key(), 0x5ca77ULL) %
                                               static_cast<std::uint64_t>(replicates));
   }
   const auto found = sorted_recruits(populations);

@@ -35,10 +35,15 @@ class ChainRecruits final : public StrongPathSinks {
   void expect(const std::vector<ChainPopulation>& populations, double camera_samples);
   /// The same before anything is known of the chains' light.
   void expect_unknown(double camera_samples);
+  /// Luminance · importance of all that was found since chains were last joined.
+  double energy() const;
   /// After the division has changed, from `before` to that of the plan.
   void divide_anew(const LightSplits& before);
   /// Merges what was found in camera samples `first` to `last` per pixel into the populations.
   void join(std::vector<ChainPopulation>& populations, std::uint64_t first, std::uint64_t last);
+  /// The same for a trial: what was found can still join others.
+  void join_for_trial(std::vector<ChainPopulation>& populations, std::uint64_t first,
+                      std::uint64_t last);
   /// The same for so many camera samples of no replicate, which are scattered over all.
   void join_scattered(std::vector<ChainPopulation>& populations, double camera_samples);
 

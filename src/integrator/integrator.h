@@ -34,9 +34,6 @@ struct Counters {
   std::uint64_t samples = 0;  ///< camera samples
   std::uint64_t mutations = 0;
   TechniqueShares techniques;  ///< what each technique brought
-  /// Luminance · importance of what was left to chains. Over several items it depends on their
-  /// order.
-  double strong_light = 0.0;
   std::uint64_t discarded_nan = 0;
   std::uint64_t discarded_infinite = 0;
   std::uint64_t discarded_negative = 0;
@@ -64,6 +61,9 @@ struct ChainReport {
   double large_acceptance = 0.0;
   std::uint64_t longest_rejection_streak = 0;
   std::uint64_t bootstrap_samples = 0;
+  /// Where the light is divided, relative to the brightness of its pixel, in all replicates, or in
+  /// the even and in the odd ones; empty if it is not, or by regions.
+  std::vector<double> split;
   std::vector<Depth> depths;
   std::vector<OfTechnique> techniques;  ///< empty if a state is not of one technique
 };

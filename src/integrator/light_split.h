@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -43,12 +44,14 @@ class LightSplit {
 
   /// Divides indirect light at g = `threshold` everywhere. `importance` must outlive this.
   LightSplit(double threshold, const ImportanceMap& importance)
-      : shares_(1), importance_(&importance) {
-    shares_.front().threshold = static_cast<float>(threshold);
+      : shares_(1), highest_(static_cast<float>(threshold)), importance_(&importance) {
+    shares_.front().threshold = highest_;
   }
   /// `shares`: one per pixel of `crop`, row by row.
   LightSplit(const Box2i& crop, std::vector<PixelShare> shares, const ImportanceMap& importance)
-      : crop_(crop), shares_(std::move(shares)), importance_(&importance) {}
+      : crop_(crop), shares_(std::move(shares)), importance_(&importance) {
+    for (const PixelShare& share : shares_) highest_ = std::max(highest_, share.threshold);
+  }
 
   static bool divides(Technique technique) { return technique.depth() > kDirectDepth; }
   const PixelShare& at(const Vec2& raster) const {
@@ -81,6 +84,8 @@ class LightSplit {
     const PixelShare& share = at(raster);
     return share.target > 0.F ? share.kept / share.target : 0.F;
   }
+  /// T of the pixel where it is highest.
+  float highest_threshold() const { return highest_; }
   float importance(const Vec2& raster) const { return (*importance_)(raster); }
   /// g.
   float strength(const Contribution& contribution, const Vec2& raster) const {
@@ -90,6 +95,7 @@ class LightSplit {
  private:
   Box2i crop_{Vec2i(0, 0), Vec2i(0, 0)};
   std::vector<PixelShare> shares_;
+  float highest_ = 0.F;
   const ImportanceMap* importance_;
 };
 

@@ -82,7 +82,7 @@ class SampleSink final : public PathSink {
 
   /// Lets a sink have the strong paths found since the last call. Those seen by a camera ray are
   /// worth its filter weight, and as much more as there are fewer rays near the film's border.
-  void hand_over(StrongPathSink& sink, SampleSource& numbers, std::uint64_t seed) {
+  void hand_over(StrongPathSink& sink, SampleSource& numbers, std::uint64_t sample) {
     for (StrongPath& path : strong_) {
       if (path.technique.t > 1) {
         const float coverage = film_.coverage(path.raster);
@@ -95,8 +95,7 @@ class SampleSink final : public PathSink {
         path.value *= weight;
         path.energy *= static_cast<double>(weight);
       }
-      path.key = hash_numbers(seed, static_cast<std::uint64_t>(path.technique.s),
-                              static_cast<std::uint64_t>(path.technique.t));
+      path.sample = sample;
       if (sink.spread(numbers, path)) continue;
       if (!film_.splat(layers_.indirect, path.replicate, path.raster, path.value)) {
         ++counters_.discarded_infinite;
@@ -125,16 +124,14 @@ class SampleSink final : public PathSink {
   /// Leaves chains their share.
   void divide(Contribution& contribution) {
     const Vec2& raster = contribution.technique.t == 1 ? contribution.raster : raster_;
-    const double light =
-        static_cast<double>(luminance(contribution.value) * split_->importance(raster));
+    const float light = luminance(contribution.value) * split_->importance(raster);
     const float strength = split_->strength(contribution, raster);
     const float chains = split_->chain_share(strength, raster);
     const float own = split_->omc_share(strength, raster);
     if (keeps_strong_ && std::isfinite(light) && chains > 0.F) {
       strong_.push_back({contribution.technique, raster, replicate_, strength,
-                         contribution.value * chains, light * static_cast<double>(chains), 0});
+                         contribution.value * chains, static_cast<double>(light * chains), 0});
     }
-    if (std::isfinite(light)) counters_.strong_light += light * static_cast<double>(chains);
     contribution.value *= own;
   }
 

@@ -26,7 +26,7 @@ bool PathNumbers::fit(const StrongPath& path) const {
 
 Chain PathNumbers::start_chain(const ChainPlan& plan, const PathGroup& group,
                                const StrongPath& path) const {
-  Chain chain(group.shape, hash_numbers(path.key, 0xc4a15ULL), path.key, 0.0);
+  Chain chain(group.shape, hash_numbers(path.key(), 0xc4a15ULL), path.key(), 0.0);
   ChainNumbers& to = chain.numbers;
   auto from = numbers_.begin();
   const auto copy = [&](Stream stream, int vertices) {
@@ -47,7 +47,7 @@ Chain PathNumbers::start_chain(const ChainPlan& plan, const PathGroup& group,
   }
   const SampleAddress choice(Stream::Connection, 0, kTechniqueChoice);
   const std::size_t index = to.block_of(choice);
-  ChainNumbers::fill_fresh(to.block(index), choice, path.key);
+  ChainNumbers::fill_fresh(to.block(index), choice, path.key());
   float& number = to.block(index)[static_cast<std::size_t>(kTechniqueChoice)];
   number = group.choice.number_of(path.technique, number);
   to.set_stamp(index, to.now(Stream::Connection));

@@ -15,6 +15,9 @@ class PreparationStage {
   virtual void run(std::uint64_t item, Counters& counters) = 0;
   /// Called once, after all items.
   virtual void end() = 0;
+  /// Puts what was rendered on the film of the render, if it is to stay; called once, before the
+  /// first pass.
+  virtual void hand_over(Film& /*film*/) {}
 };
 
 /// A range of independent samples of one of several owners.

@@ -1,10 +1,8 @@
 #include "integrator/region_choice.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <optional>
 
 #include "image/noise.h"
@@ -17,13 +15,6 @@
 namespace ajar {
 
 namespace {
-
-constexpr double kRaysPerMutation = 4.5;
-
-/// Thresholds to choose from, relative to the lowest; and one for chains on standby. None in
-/// between: what is left to ordinary Monte Carlo would show as fireflies.
-constexpr std::array kThresholds = {1.0, 3.0, 10.0, 100.0};
-constexpr std::size_t kOffered = 3;
 
 bool is_seen(const PilotView& view, int replicate) {
   return std::find(view.replicates.begin(), view.replicates.end(), replicate) !=
@@ -52,16 +43,13 @@ WeightedErrors sample_errors(const PilotView& view, std::initializer_list<std::s
   return errors;
 }
 
-double sum_of(const std::vector<double>& values) {
-  return std::accumulate(values.begin(), values.end(), 0.0);
-}
-
 double omc_cost(const PilotView& view) {
   return view.rays * static_cast<double>(view.plan.pixels());
 }
 
 /// What rules and presets fix.
 std::vector<std::optional<float>> fixed_weights(const PilotView& view) {
+  if (!view.plan.selective) return std::vector<std::optional<float>>(view.regions.count());
   const SelectiveSettings& settings = *view.plan.selective;
   const Scene& scene = view.plan.scene;
   std::vector<std::optional<float>> fixed;
@@ -79,30 +67,83 @@ std::vector<std::optional<float>> fixed_weights(const PilotView& view) {
   return fixed;
 }
 
-/// Variance and light that each threshold would leave to either side.
-std::vector<ThresholdEstimate> estimate_thresholds(const PilotView& view) {
-  const std::size_t count = kThresholds.size() + 1;  // the last: none
-  std::vector<ThresholdEstimate> regions(view.regions.count(),
-                                         {std::vector<double>(count), std::vector<double>(count)});
-  const double samples = seen_samples(view);
+/// Those of the plan, and that of chains on standby.
+std::vector<double> all_thresholds(const ChainPlan& plan) {
+  std::vector<double> thresholds = plan.thresholds;
+  thresholds.push_back(plan.standby_threshold);
+  return thresholds;
+}
+
+/// A path of the pilot, as chains and ordinary Monte Carlo may share it.
+struct SharedPath {
+  std::size_t replicate;  ///< among those that are seen
+  std::size_t pixel;
+  float strength;
+  float light;  ///< luminance · importance in a picture of its replicate
+  float lot;    ///< share of its square that is due to its being drawn by lot
+};
+
+std::vector<SharedPath> shared_paths(const PilotView& view) {
   // A firefly cannot look worse than white, so that a brighter one is no better reason for chains.
   constexpr double kWhite = 100.0;
-  const double most = kWhite * view.plan.brightness;
-  const double lowest = *view.plan.split_at * view.plan.brightness;
+  const auto most = static_cast<float>(kWhite * view.plan.brightness);
+  const auto scale =
+      static_cast<float>(static_cast<double>(view.replicates.size()) / seen_samples(view));
+  std::vector<SharedPath> paths;
   for (const FoundLight& found : view.found) {
-    if (!is_seen(view, found.replicate)) continue;
-    ThresholdEstimate& region =
-        regions[view.regions.labels[pixel_at(view.plan.settings.crop, found.raster)]];
-    const double energy = std::min(std::abs(found.energy), most);
-    for (std::size_t i = 0; i < count; ++i) {
-      const double above =
-          i < kThresholds.size()
-              ? static_cast<double>(LightSplit::above(
-                    found.strength, static_cast<float>(kThresholds.at(i) * lowest)))
-              : 0.0;
-      const double omc = energy * (1.0 - above);
-      region.variance[i] += found.weight * omc * omc / samples;
-      region.light[i] += found.weight * energy * above / samples;
+    const auto place = std::find(view.replicates.begin(), view.replicates.end(), found.replicate);
+    if (place == view.replicates.end()) continue;
+    paths.push_back({static_cast<std::size_t>(place - view.replicates.begin()),
+                     pixel_at(view.plan.settings.crop, found.raster), found.strength,
+                     std::clamp(found.energy, -most, most) * found.weight * scale,
+                     1.F - 1.F / found.weight});
+  }
+  return paths;
+}
+
+/// Variance and light that each of `thresholds`, and none, would leave to either side.
+std::vector<ThresholdEstimate> estimate_thresholds(const PilotView& view,
+                                                   const std::vector<double>& thresholds) {
+  const std::size_t count = thresholds.size() + 1;
+  std::vector<ThresholdEstimate> regions(view.regions.count(),
+                                         {std::vector<double>(count), std::vector<double>(count)});
+  const std::vector<std::vector<float>> weak =
+      weighted_light(seen_pictures(view, {"direct", kWeakLayer}), view.plan.settings.crop,
+                     view.plan.view.importance);
+  const std::vector<SharedPath> paths = shared_paths(view);
+  const auto lowest = static_cast<float>(view.plan.lowest_threshold());
+  // Fireflies that no threshold helps against, of direct light, say, must decide nothing.
+  const std::vector<double> least = trimmed(variance_of_mean(weak));
+  for (std::size_t i = 0; i < count; ++i) {
+    std::vector<std::vector<float>> light = weak;
+    std::vector<double> by_lot(light.front().size());
+    for (const SharedPath& path : paths) {
+      const float above =
+          i < thresholds.size()
+              ? LightSplit::above(path.strength,
+                                  static_cast<float>(thresholds[i] * view.plan.brightness))
+              : 0.F;
+      const float more = path.light * (LightSplit::above(path.strength, lowest) - above);
+      light[path.replicate][path.pixel] += more;
+      by_lot[path.pixel] += static_cast<double>(more * more * path.lot);
+      regions[view.regions.labels[path.pixel]].light[i] +=
+          static_cast<double>(std::abs(path.light) * above) /
+          static_cast<double>(view.replicates.size());
+    }
+    const std::vector<double> variance = variance_of_mean(light);
+    const auto pictures = static_cast<double>(light.size());
+    for (std::size_t p = 0; p < variance.size(); ++p) {
+      if (least[p] == 0.0) continue;
+      regions[view.regions.labels[p]].variance[i] +=
+          (variance[p] - by_lot[p] / (pictures * pictures)) * seen_samples(view);
+    }
+  }
+  // Chains that make less leave no smaller variance, whatever a few samples say.
+  for (ThresholdEstimate& region : regions) {
+    double most = 0.0;
+    for (double& variance : region.variance) {
+      most = std::max(most, variance);
+      variance = most;
     }
   }
   return regions;
@@ -113,13 +154,12 @@ std::vector<ThresholdEstimate> estimate_thresholds(const PilotView& view) {
 /// otherwise follow its noise.
 std::vector<std::size_t> group_regions(const PilotView& view) {
   constexpr std::size_t kFewest = 50;
-  constexpr float kBright = 0.25F;
-  const float lowest = static_cast<float>(*view.plan.split_at * view.plan.brightness);
+  constexpr double kBright = 3.0;
   std::vector<std::size_t> seen(view.regions.count());
   std::map<std::uint32_t, std::size_t> seen_of_material;
   for (const FoundLight& found : view.found) {
     if (!is_seen(view, found.replicate)) continue;
-    if (LightSplit::above(found.strength, lowest) < kBright) continue;
+    if (static_cast<double>(found.strength) < kBright * view.plan.brightness) continue;
     const std::uint32_t region =
         view.regions.labels[pixel_at(view.plan.settings.crop, found.raster)];
     ++seen[region];
@@ -141,26 +181,21 @@ std::vector<std::size_t> group_regions(const PilotView& view) {
   return groups;
 }
 
-/// What ordinary Monte Carlo makes whatever the thresholds are.
-double base_variance(const PilotView& view, const std::vector<ThresholdEstimate>& regions) {
-  double divided = 0.0;
-  for (const ThresholdEstimate& region : regions) divided += region.variance.front();
-  return std::max(0.0, sum_of(sample_errors(view, {"direct", kWeakLayer}).variance) - divided);
-}
-
 RegionChoice choose_thresholds(const PilotView& view) {
-  const std::vector<ThresholdEstimate> regions = estimate_thresholds(view);
-  const ThresholdCosts costs{omc_cost(view), kRaysPerMutation, view.correlation,
-                             base_variance(view, regions)};
+  const std::vector<double> thresholds = all_thresholds(view.plan);
+  const std::vector<ThresholdEstimate> regions = estimate_thresholds(view, thresholds);
+  const ThresholdCosts costs{omc_cost(view), view.costs.rays_per_mutation, view.costs.correlation,
+                             0.0};
+  const std::size_t offers = view.plan.thresholds.size();
   const std::vector<std::size_t> groups = group_regions(view);
   std::map<std::size_t, std::size_t> order;
   std::vector<ThresholdEstimate> offered;
   for (std::size_t r = 0; r < regions.size(); ++r) {
     const auto [place, is_new] = order.emplace(groups[r], offered.size());
     if (is_new) {
-      offered.push_back({std::vector<double>(kOffered), std::vector<double>(kOffered)});
+      offered.push_back({std::vector<double>(offers), std::vector<double>(offers)});
     }
-    for (std::size_t i = 0; i < kOffered; ++i) {
+    for (std::size_t i = 0; i < offers; ++i) {
       offered[place->second].variance[i] += regions[r].variance[i];
       offered[place->second].light[i] += regions[r].light[i];
     }
@@ -169,21 +204,22 @@ RegionChoice choose_thresholds(const PilotView& view) {
   std::vector<std::size_t> chosen;
   chosen.reserve(groups.size());
   for (const std::size_t group : groups) chosen.push_back(of_groups.chosen[order.at(group)]);
-  const ThresholdChoice without = predict_thresholds(
-      regions, costs, std::vector<std::size_t>(regions.size(), kThresholds.size()));
   RegionChoice choice;
-  // They must bring more than it costs to have them. Where the pilot has found nothing for them,
-  // they cost nothing, and stay ready.
-  constexpr double kClearly = 0.98;
-  choice.off = of_groups.chain_light > 0.0 && kClearly * without.error <= of_groups.error;
-  if (choice.off) chosen.assign(regions.size(), kThresholds.size() - 1);
-  const auto lowest = static_cast<float>(*view.plan.split_at * view.plan.brightness);
+  if (view.plan.selective) {
+    const ThresholdChoice without =
+        predict_thresholds(regions, costs, std::vector<std::size_t>(regions.size(), offers + 1));
+    // They must bring more than it costs to have them. Where the pilot has found nothing for them,
+    // they cost nothing, and stay ready.
+    constexpr double kClearly = 0.98;
+    choice.off = of_groups.chain_light > 0.0 && kClearly * without.error <= of_groups.error;
+  }
+  if (choice.off) chosen.assign(regions.size(), offers);
   const auto fixed = fixed_weights(view);
   for (std::size_t r = 0; r < regions.size(); ++r) {
     if (fixed[r]) chosen[r] = 0;
     const float weight = fixed[r].value_or(1.F);
     choice.shares.push_back(
-        {lowest * static_cast<float>(kThresholds.at(chosen[r])), weight, weight});
+        {static_cast<float>(thresholds[chosen[r]] * view.plan.brightness), weight, weight});
     choice.off = choice.off && !fixed[r];
   }
   const ThresholdChoice final = predict_thresholds(regions, costs, chosen);
@@ -213,9 +249,9 @@ RegionChoice choose_weights(const PilotView& view) {
     if (!weight && settings.map == SelectiveSettings::Map::Binary) weight = published[r];
     if (weight) estimates[r].minimum = estimates[r].maximum = static_cast<double>(*weight);
   }
-  const TimeSplit split =
-      optimal_split(estimates, {1.0, omc_cost(view), kRaysPerMutation, view.correlation,
-                                sum_of(sample_errors(view, {"direct"}).variance)});
+  const TimeSplit split = optimal_split(
+      estimates, {1.0, omc_cost(view), view.costs.rays_per_mutation, view.costs.correlation,
+                  sum_of(sample_errors(view, {"direct"}).variance)});
   RegionChoice choice;
   for (std::size_t r = 0; r < estimates.size(); ++r) {
     const auto weight = static_cast<float>(split.weights.weights[r]);
@@ -244,11 +280,12 @@ Plane pilot_noise(const PilotView& view) {
 }
 
 RegionChoice choose_regions(const PilotView& view) {
+  if (!view.plan.selective) return choose_thresholds(view);
   const SelectiveSettings& settings = *view.plan.selective;
-  const bool path_by_path = view.plan.split_at && settings.map == SelectiveSettings::Map::Optimal;
-  RegionChoice choice = path_by_path ? choose_thresholds(view) : choose_weights(view);
-  if (view.plan.split_at && !path_by_path) {
-    const auto lowest = static_cast<float>(*view.plan.split_at * view.plan.brightness);
+  const bool by_thresholds = view.plan.chooses_thresholds();
+  RegionChoice choice = by_thresholds ? choose_thresholds(view) : choose_weights(view);
+  if (!by_thresholds) {
+    const auto lowest = static_cast<float>(view.plan.lowest_threshold());
     for (PixelShare& share : choice.shares) share.threshold = lowest;
   }
   if (settings.exclusive) make_exclusive(settings, choice.shares);

@@ -12,14 +12,22 @@ namespace ajar {
 
 /// A path of the pilot with light that chains may make.
 struct FoundLight {
+  std::uint64_t sample;  ///< of `StrongPath`
   Vec2 raster;
-  int replicate;
-  float strength;  ///< g of `LightSplit`
   Spectrum value;  ///< what the pilot has left to chains, as it would be splatted
-  double energy;   ///< luminance · importance of all that the path brings
-  double weight;   ///< paths like it that were found and not kept stand behind it; `value` has it
-  std::uint64_t key;
+  float strength;  ///< g of `LightSplit`
+  float energy;    ///< luminance · importance of all that the path brings
+  float weight;    ///< paths like it that were found and not kept stand behind it; `value` has it
+  std::int16_t replicate;
+  std::int16_t s;  ///< of its technique
+  std::int16_t t;
   bool whole = false;  ///< chains cannot make any of it
+};
+
+/// What is expected of chains.
+struct ChainCosts {
+  double correlation = 10.0;  ///< C of optimal_weights.h: chains land in clusters
+  double rays_per_mutation = 4.5;
 };
 
 /// What some replicates of the pilot say.
@@ -32,7 +40,7 @@ struct PilotView {
   double rays;            ///< per camera sample
   std::span<const FoundLight> found;
   std::vector<int> replicates;  ///< that are seen; the others are as if they were not there
-  double correlation;           ///< C of optimal_weights.h
+  ChainCosts costs;
 };
 
 /// How the regions of a picture are divided.
@@ -45,9 +53,9 @@ struct RegionChoice {
   bool off = false;
 };
 
-/// Decides by `SelectiveSettings`: by the published rule (region_map.h), or so that the predicted
-/// error is smallest (optimal_weights.h for regions, optimal_thresholds.h where light is divided
-/// path by path); rules and presets have the last word.
+/// Decides so that the predicted error is smallest (optimal_weights.h for regions,
+/// optimal_thresholds.h where light is divided path by path), or as `SelectiveSettings` has it, if
+/// there are any: by the published rule (region_map.h); rules and presets have the last word.
 RegionChoice choose_regions(const PilotView& view);
 
 /// Noise of the indirect light that the replicates show (noise.h).

@@ -39,7 +39,6 @@ Counters& Counters::operator+=(const Counters& other) {
   samples += other.samples;
   mutations += other.mutations;
   techniques += other.techniques;
-  strong_light += other.strong_light;
   discarded_nan += other.discarded_nan;
   discarded_infinite += other.discarded_infinite;
   discarded_negative += other.discarded_negative;
@@ -125,8 +124,8 @@ const std::vector<AovInfo>& aovs() {
       {"noise", "impulse noise of the pilot's indirect light (selective)", false},
       {"regions", "number of the region of a pixel, from 1 (selective)", false},
       {"importance",
-       "what chains make of a pixel's indirect light: of all, or of what is above the lowest "
-       "threshold (selective)",
+       "what chains make of paths that bring as much as their whole pixel, of the most they might "
+       "(selective)",
        false},
       {"edges", "edges between surfaces, as the pilot saw them (selective)", false},
       {"standard-error", "standard error of each pixel, from replicates"},

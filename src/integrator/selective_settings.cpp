@@ -113,11 +113,9 @@ SelectiveSettings SelectiveSettings::read(const Parameters& parameters,
   SelectiveSettings result;
   if (parameters.get_text("map") == "binary") result.map = Map::Binary;
   const std::string& pilot = parameters.get_text("pilot");
-  if (pilot == "keep") result.pilot = Pilot::Keep;
-  constexpr int kReplicatesOfTwoHalves = 4;
-  if (pilot == "discard" || (pilot == "cross" && settings.replicates < kReplicatesOfTwoHalves)) {
-    result.pilot = Pilot::Discard;
-  }
+  result.pilot = pilot == "keep" && settings.replicates > 1 ? PilotUse::Keep
+                 : pilot == "discard"                       ? PilotUse::Discard
+                                                            : pilot_use_of(settings.replicates);
   result.pilot_samples = static_cast<std::uint64_t>(parameters.get_int("pilot-samples"));
   if (result.pilot_samples == 0) result.pilot_samples = result.map == Map::Binary ? 16 : 4;
   result.binary = {parameters.get_int("window"),

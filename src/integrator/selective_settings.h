@@ -7,6 +7,7 @@
 #include "image/region_map.h"
 #include "image/region_rules.h"
 #include "integrator/integrator.h"
+#include "integrator/pilot_use.h"
 
 namespace ajar {
 
@@ -16,15 +17,9 @@ struct SelectiveSettings {
     Optimal,  ///< of least predicted error
     Binary    ///< as published
   };
-  /// What becomes of the samples that the map is made from.
-  enum class Pilot {
-    Cross,    ///< they stay, and each half of the replicates has the map of the other half's
-    Discard,  ///< they do not stay
-    Keep      ///< they stay; biased, as published
-  };
 
   Map map = Map::Optimal;
-  Pilot pilot = Pilot::Cross;
+  PilotUse pilot = PilotUse::Cross;
   std::uint64_t pilot_samples = 0;  ///< per pixel; 0: as many as suit the map
   RegionMapSettings binary;
   bool exclusive = false;    ///< each pixel's light is of one method alone

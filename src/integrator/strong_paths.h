@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <memory>
 
+#include "core/random.h"
 #include "image/film.h"
 #include "integrator/integrator.h"
 #include "transport/path_sampler.h"
@@ -13,10 +14,15 @@ struct StrongPath {
   Technique technique;
   Vec2 raster;
   int replicate;
-  float strength;     ///< g of the division (`LightSplit`)
-  Spectrum value;     ///< the chains' share, as it would be splatted
-  double energy;      ///< luminance · importance of it; below 0 in negative lobes of a filter
-  std::uint64_t key;  ///< names the randomness of what is done with it
+  float strength;        ///< g of the division (`LightSplit`)
+  Spectrum value;        ///< the chains' share, as it would be splatted
+  double energy;         ///< luminance · importance of it; below 0 in negative lobes of a filter
+  std::uint64_t sample;  ///< names the camera sample that found it
+  /// Names the randomness of what is done with it.
+  std::uint64_t key() const {
+    return hash_numbers(sample, static_cast<std::uint64_t>(technique.s),
+                        static_cast<std::uint64_t>(technique.t));
+  }
 };
 
 /// Does something with such paths, on one thread.

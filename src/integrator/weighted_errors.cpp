@@ -21,28 +21,60 @@ Replicates develop_layers(const Film& film, const Integrator& integrator, std::u
   return develop_replicates(film, layers);
 }
 
-WeightedErrors weighted_errors(const Replicates& replicates, const Box2i& crop,
-                               const ImportanceMap& importance) {
-  const auto count = static_cast<double>(replicates.size());
+std::vector<std::vector<float>> weighted_light(const Replicates& replicates, const Box2i& crop,
+                                               const ImportanceMap& importance) {
   const int width = crop.max.x - crop.min.x + 1;
-  const std::size_t pixels = replicates.front().size() / 3;
-  WeightedErrors errors{std::vector<double>(pixels), std::vector<double>(pixels)};
-  for (std::size_t i = 0; i < pixels; ++i) {
-    const Vec2i pixel(crop.min.x + static_cast<int>(i) % width,
-                      crop.min.y + static_cast<int>(i) / width);
-    const auto weight = static_cast<double>(importance(Vec2(pixel) + Vec2(0.5F, 0.5F)));
+  std::vector<std::vector<float>> light;
+  for (const std::vector<float>& picture : replicates) {
+    std::vector<float>& values = light.emplace_back(picture.size() / 3);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const Vec2i pixel(crop.min.x + static_cast<int>(i) % width,
+                        crop.min.y + static_cast<int>(i) / width);
+      values[i] = importance(Vec2(pixel) + Vec2(0.5F, 0.5F)) *
+                  luminance(Spectrum(picture[3 * i], picture[3 * i + 1], picture[3 * i + 2]));
+    }
+  }
+  return light;
+}
+
+std::vector<double> variance_of_mean(std::span<const std::vector<float>> pictures) {
+  const auto count = static_cast<double>(pictures.size());
+  std::vector<double> variance(pictures.front().size());
+  for (std::size_t i = 0; i < variance.size(); ++i) {
     double sum = 0.0;
     double squares = 0.0;
-    for (const std::vector<float>& picture : replicates) {
-      const double value = weight * static_cast<double>(luminance(Spectrum(
-                                        picture[3 * i], picture[3 * i + 1], picture[3 * i + 2])));
+    for (const std::vector<float>& picture : pictures) {
+      const auto value = static_cast<double>(picture[i]);
       sum += value;
       squares += value * value;
     }
-    errors.light[i] = sum / count;
-    errors.variance[i] = std::max(0.0, squares - sum * sum / count) / (count * (count - 1.0));
+    variance[i] = std::max(0.0, squares - sum * sum / count) / (count * (count - 1.0));
+  }
+  return variance;
+}
+
+WeightedErrors weighted_errors(const Replicates& replicates, const Box2i& crop,
+                               const ImportanceMap& importance) {
+  const std::vector<std::vector<float>> light = weighted_light(replicates, crop, importance);
+  WeightedErrors errors{variance_of_mean(light), std::vector<double>(light.front().size())};
+  for (const std::vector<float>& picture : light) {
+    for (std::size_t i = 0; i < picture.size(); ++i) {
+      errors.light[i] += static_cast<double>(picture[i]) / static_cast<double>(light.size());
+    }
   }
   return errors;
+}
+
+std::vector<double> trimmed(std::vector<double> variance) {
+  constexpr std::size_t kOneOf = 100;
+  std::vector<double> sorted = variance;
+  const auto limit = sorted.end() - static_cast<std::ptrdiff_t>(sorted.size() / kOneOf);
+  if (limit == sorted.end()) return variance;
+  std::nth_element(sorted.begin(), limit, sorted.end());
+  for (double& value : variance) {
+    if (value >= *limit) value = 0.0;
+  }
+  return variance;
 }
 
 }  // namespace ajar

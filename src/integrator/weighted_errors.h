@@ -1,5 +1,7 @@
 #pragma once
 #include <initializer_list>
+#include <numeric>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -13,6 +15,10 @@ namespace ajar {
 Replicates develop_layers(const Film& film, const Integrator& integrator, std::uint64_t samples,
                           std::initializer_list<std::string> names);
 
+/// Luminance · importance of each pixel of `crop`, picture by picture.
+std::vector<std::vector<float>> weighted_light(const Replicates& replicates, const Box2i& crop,
+                                               const ImportanceMap& importance);
+
 /// What errors of pixels weigh: their luminance times the importance of the pixel.
 struct WeightedErrors {
   std::vector<double> variance;  ///< importance² · variance of the mean over replicates
@@ -22,5 +28,16 @@ struct WeightedErrors {
 /// Of each pixel of `crop`. `replicates`: at least two pictures of it, each unbiased.
 WeightedErrors weighted_errors(const Replicates& replicates, const Box2i& crop,
                                const ImportanceMap& importance);
+
+/// Variance of the mean over pictures, of which there must be two, value by value.
+std::vector<double> variance_of_mean(std::span<const std::vector<float>> pictures);
+
+/// With 0 in the pixels where it is largest: a few fireflies on one side, or a chain that was stuck
+/// for long on the other, would decide for the whole picture.
+std::vector<double> trimmed(std::vector<double> variance);
+
+inline double sum_of(const std::vector<double>& values) {
+  return std::accumulate(values.begin(), values.end(), 0.0);
+}
 
 }  // namespace ajar

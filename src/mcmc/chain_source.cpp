@@ -16,9 +16,9 @@ constexpr std::uint64_t kRasterKey = 0x7a57e7ULL;  // far beyond what a mutation
 constexpr float kRasterLength = 2.F;
 
 StepSizes::Scales scales_of_raster_alone(const StepSizes& sizes) {
-  StepSizes::Scales scales{};
+  StepSizes::Scales scales = sizes.camera_endpoint;
   for (const std::size_t i : {kRasterX, kRasterX + 1}) {
-    scales[i] = std::min(sizes.camera_endpoint[i] * kRasterLength, StepSizes::kLargest);
+    scales[i] = std::min(scales[i] * kRasterLength, StepSizes::kLargest);
   }
   return scales;
 }

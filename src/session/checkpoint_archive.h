@@ -64,9 +64,8 @@ void serialize(A& archive, Development& development) {
 
 template <Archive A>
 void serialize(A& archive, Counters& counters) {
-  archive(counters.rays, counters.samples, counters.mutations, counters.strong_light,
-          counters.discarded_nan, counters.discarded_infinite, counters.discarded_negative,
-          counters.first_discarded);
+  archive(counters.rays, counters.samples, counters.mutations, counters.discarded_nan,
+          counters.discarded_infinite, counters.discarded_negative, counters.first_discarded);
   std::vector<double> sums = counters.techniques.sums();
   archive(sums);
   if constexpr (A::is_loading::value) {

@@ -46,7 +46,7 @@ void sum_counters(Ranks& ranks, JobState& state) {
   }
   std::vector<double> sums = counters.techniques.sums();
   sums.resize(2 * TechniqueShares::kSlots);
-  sums.insert(sums.end(), {counters.strong_light, state.cpu_seconds});
+  sums.push_back(state.cpu_seconds);
   std::array<std::int64_t, 6> whole = numbers;
   std::vector<double> whole_sums = sums;
   ranks.sum_to_root(std::span<const std::int64_t>(numbers), whole);
@@ -54,7 +54,6 @@ void sum_counters(Ranks& ranks, JobState& state) {
   if (!ranks.is_root()) return;
   for (std::size_t i = 0; i < places.size(); ++i) *places[i] = static_cast<std::uint64_t>(whole[i]);
   state.cpu_seconds = whole_sums.back();
-  counters.strong_light = whole_sums[whole_sums.size() - 2];
   counters.techniques = {};
   counters.techniques.add_sums(std::span(whole_sums).first(2 * TechniqueShares::kSlots));
 }

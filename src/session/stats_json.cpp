@@ -67,7 +67,8 @@ Json techniques_json(const TechniqueShares& shares) {
 
 /// Keys that mean nothing to methods without chains are null there.
 void add_chains(const RenderStatistics& s, Json& json) {
-  for (const char* key : {"mutations", "mutations_per_second", "acceptance", "b", "chains"}) {
+  for (const char* key :
+       {"mutations", "mutations_per_second", "split", "acceptance", "b", "chains"}) {
     json[key] = nullptr;
   }
   if (!s.chains) return;
@@ -101,6 +102,7 @@ void add_chains(const RenderStatistics& s, Json& json) {
                         {"by_depth", by_depth},
                         {"by_technique", by_technique},
                         {"longest_rejection_streak", report.longest_rejection_streak}};
+  if (!report.split.empty()) json["split"] = report.split;
   json["b"] = b;
   json["chains"] = chains;
   json["bootstrap_samples"] = report.bootstrap_samples;

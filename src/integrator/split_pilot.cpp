@@ -1,9 +1,10 @@
-#include "integrator/region_pilot.h"
+#include "integrator/split_pilot.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <tuple>
 
 #include "core/random.h"
 #include "image/edges.h"
@@ -18,24 +19,33 @@ namespace {
 
 const std::vector<std::string> kSurfaceLayers = {"object-id", "material-id", "depth", "normal"};
 
-/// Before anything is measured: chains land in clusters.
-constexpr double kTypicalCorrelation = 5.0;
-
-bool stays(const SelectiveSettings& settings) {
-  return settings.pilot != SelectiveSettings::Pilot::Discard;
+/// What chains make of a path that brings as much as the whole of its pixel, relative to what they
+/// might at most.
+float chain_share(const PixelShare& share, const ChainPlan& plan) {
+  const auto whole = static_cast<float>(plan.brightness);
+  return share.kept * LightSplit::above(whole, share.threshold) /
+         LightSplit::above(whole, static_cast<float>(plan.lowest_threshold()));
 }
 
-float share_of_lowest(const PixelShare& share, float lowest) {
-  return share.threshold > 0.F ? share.kept * lowest / share.threshold : share.kept;
+FoundLight light_of(const StrongPath& path, float energy) {
+  return {.sample = path.sample,
+          .raster = path.raster,
+          .value = path.value,
+          .strength = path.strength,
+          .energy = energy,
+          .weight = 1.F,
+          .replicate = static_cast<std::int16_t>(path.replicate),
+          .s = static_cast<std::int16_t>(path.technique.s),
+          .t = static_cast<std::int16_t>(path.technique.t)};
 }
 
 }  // namespace
 
-/// Puts strong light on the pilot's film, where the noise is looked for, keeps it to be divided
-/// anew, and offers it to chains.
-class RegionPilot::Sink final : public StrongPathSink {
+/// Keeps strong light to be divided anew, and offers it to chains. For maps of regions, it also
+/// puts it on the pilot's film, where the noise is looked for.
+class SplitPilot::Sink final : public StrongPathSink {
  public:
-  Sink(const RegionPilot& pilot, Film& film, Counters& counters)
+  Sink(const SplitPilot& pilot, Film& film, Counters& counters)
       : pilot_(pilot),
         film_(film),
         counters_(counters),
@@ -49,45 +59,45 @@ class RegionPilot::Sink final : public StrongPathSink {
   Sink& operator=(const Sink&) = delete;
 
   bool spread(SampleSource& numbers, StrongPath& path) override {
-    if (!film_.splat(layer_, path.replicate, path.raster, path.value)) {
+    if (pilot_.plan_.selective && !film_.splat(layer_, path.replicate, path.raster, path.value)) {
       ++counters_.discarded_infinite;
       return true;
     }
     StrongPath offered = path;
     const bool taken =
         !recruits_ || !pilot_.offers(path.replicate) || recruits_->spread(numbers, offered);
-    if (taken) {
-      keep(path);
-    } else {
+    if (!taken) {
       keep_whole(offered);
+    } else if (pilot_.divides_anew()) {
+      keep(path);
     }
     return true;
   }
 
  private:
   void keep_whole(const StrongPath& path) {
-    found_.push_back(
-        {path.raster, path.replicate, path.strength, path.value, 0.0, 1.0, path.key, true});
+    found_.push_back(light_of(path, 0.F));
+    found_.back().whole = true;
   }
 
   /// Of paths that carry little, only some: the others stand behind them.
   void keep(const StrongPath& path) {
     const PixelShare& share = pilot_.plan_.splits->of(path.replicate).at(path.raster);
-    const auto above = static_cast<double>(LightSplit::above(path.strength, share.threshold));
-    FoundLight light{path.raster, path.replicate, path.strength, path.value, path.energy / above,
-                     1.0,         path.key};
-    const double carried = std::abs(path.energy);
+    const float above = LightSplit::above(path.strength, share.threshold);
+    const auto energy = static_cast<float>(path.energy);
+    FoundLight light = light_of(path, energy / above);
+    const float carried = std::abs(energy);
     if (carried < pilot_.grain_) {
-      const auto u = static_cast<double>(
-          to_unit_float(static_cast<std::uint32_t>(hash_numbers(path.key, 0xf09dULL) >> 32U)));
+      const float u =
+          to_unit_float(static_cast<std::uint32_t>(hash_numbers(path.key(), 0xf09dULL) >> 32U));
       if (!(u * pilot_.grain_ < carried)) return;
       light.weight = pilot_.grain_ / carried;
-      light.value *= static_cast<float>(light.weight);
+      light.value *= light.weight;
     }
     found_.push_back(light);
   }
 
-  const RegionPilot& pilot_;
+  const SplitPilot& pilot_;
   Film& film_;
   Counters& counters_;
   int layer_;
@@ -95,128 +105,128 @@ class RegionPilot::Sink final : public StrongPathSink {
   std::vector<FoundLight> found_;
 };
 
-std::uint64_t RegionPilot::begin() {
+std::uint64_t SplitPilot::begin() {
   if (!(plan_.brightness > 0.0)) return 0;
   if (!plan_.splits) plan_.splits.emplace(LightSplit(0.0, plan_.view.importance));
-  const SelectiveSettings& own = *plan_.selective;
-  RenderSettings settings = plan_.settings;
+  RenderSettings settings = plan_.omc_settings();
   constexpr int kReplicates = 4;
-  if (!stays(own)) {
+  if (!stays()) {
     settings.replicates = kReplicates;
     settings.seed = hash_numbers(settings.seed, 0x9e9107ULL);
     settings.aovs.clear();
   }
   const auto replicates = static_cast<std::uint64_t>(settings.replicates);
   samples_ =
-      std::max<std::uint64_t>(1, (own.pilot_samples + replicates - 1) / replicates) * replicates;
+      std::max<std::uint64_t>(1, (plan_.pilot_samples + replicates - 1) / replicates) * replicates;
   for (const std::string& name : kSurfaceLayers) {
-    if (std::find(settings.aovs.begin(), settings.aovs.end(), name) == settings.aovs.end()) {
+    if (plan_.selective &&
+        std::find(settings.aovs.begin(), settings.aovs.end(), name) == settings.aovs.end()) {
       settings.aovs.push_back(name);
     }
   }
-  // So little that what is drawn by lot adds no noise that could be seen.
-  constexpr double kGrain = 0.25;
-  grain_ = kGrain * plan_.brightness;
-  if (recruits_ != nullptr) {
-    populations_ = make_populations(plan_);
-    recruits_->expect_unknown(static_cast<double>(samples_));
-  }
-  omc_ = plan_.make_omc(settings, {settings.min_depth, settings.max_depth}, &*plan_.splits, this);
+  // What is drawn by lot has a noise of about the picture's brightness in these few samples, and
+  // takes a few numbers per pixel.
+  grain_ = static_cast<float>(plan_.brightness);
+  if (recruits_ != nullptr) recruits_->expect_unknown(static_cast<double>(samples_));
+  omc_ = plan_.make_omc(settings, plan_.omc_depths(), &*plan_.splits, this);
   film_ = std::make_unique<Film>(settings.resolution, settings.crop,
                                  make_filter(plan_.scene.film().filter), settings.replicates,
                                  omc_->layers());
   return omc_->items_in_pass();
 }
 
-void RegionPilot::run(std::uint64_t item, Counters& counters) {
+void SplitPilot::run(std::uint64_t item, Counters& counters) {
   Counters own;
   omc_->run_item(item, 0, samples_, *film_, own);
   rays_ += own.rays;
   counters.rays += own.rays;
 }
 
-std::unique_ptr<StrongPathSink> RegionPilot::make(Film& film, Counters& counters) const {
+std::unique_ptr<StrongPathSink> SplitPilot::make(Film& film, Counters& counters) const {
   return std::make_unique<Sink>(*this, film, counters);
 }
 
-bool RegionPilot::offers(int replicate) const {
+bool SplitPilot::divides_anew() const { return plan_.selective || plan_.chooses_thresholds(); }
+
+bool SplitPilot::offers(int replicate) const {
   // If the pilot does not stay, one half is for the map and the other for chains.
-  return stays(*plan_.selective) || replicate % 2 == 1;
+  return stays() || replicate % 2 == 1;
 }
 
-std::vector<int> RegionPilot::seen_by(std::size_t half) const {
-  const SelectiveSettings::Pilot pilot = plan_.selective->pilot;
+std::vector<int> SplitPilot::seen_by(std::size_t half) const {
+  const PilotUse use = plan_.pilot_use;
   std::vector<int> seen;
   for (int r = 0; r < film_->replicates(); ++r) {
     const bool is_odd = r % 2 == 1;
-    const bool sees = pilot == SelectiveSettings::Pilot::Keep ||
-                      (pilot == SelectiveSettings::Pilot::Cross && is_odd == (half == 0)) ||
-                      (pilot == SelectiveSettings::Pilot::Discard && !is_odd);
+    const bool sees = use == PilotUse::Keep || (use == PilotUse::Cross && is_odd == (half == 0)) ||
+                      (use == PilotUse::Discard && !is_odd);
     if (sees) seen.push_back(r);
   }
   return seen;
 }
 
-LightSplit RegionPilot::split_of(const RegionChoice& choice) const {
+LightSplit SplitPilot::split_of(const RegionChoice& choice) const {
   std::vector<PixelShare> shares;
   shares.reserve(regions_.labels.size());
   for (const std::uint32_t label : regions_.labels) shares.push_back(choice.shares[label]);
-  const std::vector<float>& painted = plan_.selective->painted;
-  for (std::size_t i = 0; i < painted.size(); ++i) {
-    shares[i].target = painted[i];
-    shares[i].kept = plan_.selective->exclusive ? std::round(painted[i]) : painted[i];
+  if (plan_.selective) {
+    const std::vector<float>& painted = plan_.selective->painted;
+    for (std::size_t i = 0; i < painted.size(); ++i) {
+      shares[i].target = painted[i];
+      shares[i].kept = plan_.selective->exclusive ? std::round(painted[i]) : painted[i];
+    }
   }
   return {plan_.settings.crop, std::move(shares), plan_.view.importance};
 }
 
-void RegionPilot::end() {
+void SplitPilot::end() {
   if (!film_) return;
   rays_per_sample_ =
       static_cast<double>(rays_.load()) / static_cast<double>(samples_ * plan_.pixels());
   // Threads have found them in any order.
-  std::sort(found_.begin(), found_.end(),
-            [](const FoundLight& a, const FoundLight& b) { return a.key < b.key; });
-  const std::vector<PixelIdentity> identities = majority_identities(*film_);
+  std::stable_sort(found_.begin(), found_.end(), [](const FoundLight& a, const FoundLight& b) {
+    return std::tie(a.sample, a.t, a.s) < std::tie(b.sample, b.t, b.s);
+  });
+  find_regions();
+}
+
+void SplitPilot::find_regions() {
   const Vec2i size(film_->width(), film_->height());
+  if (!plan_.selective) {
+    regions_ = connected_regions(size, std::vector<PixelIdentity>(plan_.pixels()));
+    return;
+  }
+  const std::vector<PixelIdentity> identities = majority_identities(*film_);
   regions_ = connected_regions(size, identities);
   check_region_rules(plan_.selective->rules, plan_.scene.object_names(),
                      plan_.scene.material_names());
-  const auto view = [&](std::vector<int> replicates) {
-    return PilotView{plan_,
-                     regions_,
-                     *film_,
-                     *omc_,
-                     samples_,
-                     rays_per_sample_,
-                     found_,
-                     std::move(replicates),
-                     kTypicalCorrelation};
-  };
-  const bool halves = plan_.selective->pilot == SelectiveSettings::Pilot::Cross;
-  for (std::size_t half = 0; half < (halves ? 2U : 1U); ++half) {
-    choices_.push_back(choose_regions(view(seen_by(half))));
-  }
-  std::vector<int> all(static_cast<std::size_t>(film_->replicates()));
-  std::iota(all.begin(), all.end(), 0);
-  noise_ = pilot_noise(view(all));
   find_edges(identities);
+}
 
+PilotView SplitPilot::view(std::vector<int> replicates, const ChainCosts& costs) const {
+  return {plan_, regions_, *film_, *omc_, samples_, rays_per_sample_, found_, std::move(replicates),
+          costs};
+}
+
+void SplitPilot::decide(std::span<const ChainCosts> costs) {
+  for (std::size_t half = 0; half < halves(); ++half) {
+    choices_.push_back(choose_regions(view(seen_by(half), costs[half])));
+  }
+  if (plan_.selective) {
+    std::vector<int> all(static_cast<std::size_t>(film_->replicates()));
+    std::iota(all.begin(), all.end(), 0);
+    noise_ = pilot_noise(view(std::move(all), {}));
+  }
   const LightSplits before = *plan_.splits;
-  if (halves) {
+  if (halves() > 1) {
     plan_.splits.emplace(split_of(choices_[0]), split_of(choices_[1]));
   } else {
     plan_.splits.emplace(split_of(choices_[0]));
   }
-  plan_.mutations = 0.0;
-  bool off = plan_.selective->painted.empty();
-  for (const RegionChoice& choice : choices_) {
-    off = off && choice.off;
-    plan_.mutations += choice.mutations / static_cast<double>(choices_.size());
-  }
-  plan_.standby = off;
-  plan_.mutations = off && !plan_.split_at ? 0.0 : ChainPlan::clamp_mutations(plan_.mutations);
-  join(before);
-  if (stays(*plan_.selective)) {
+  if (recruits_ != nullptr) recruits_->divide_anew(before);
+  share_effort();
+  if (recruits_ != nullptr) join();
+  if (stays()) {
     plan_.pilot_kept = samples_;
   } else {
     found_ = {};
@@ -225,20 +235,45 @@ void RegionPilot::end() {
   omc_.reset();
 }
 
-void RegionPilot::join(const LightSplits& before) {
-  if (recruits_ == nullptr) return;
-  recruits_->divide_anew(before);
-  const std::uint64_t camera_samples = samples_ * plan_.pixels();
-  plan_.scouted = camera_samples;
-  if (stays(*plan_.selective)) {
+void SplitPilot::share_effort() {
+  if (!plan_.shares_effort) return;
+  bool off = plan_.selective && plan_.selective->painted.empty();
+  double mutations = 0.0;
+  for (const RegionChoice& choice : choices_) {
+    off = off && choice.off;
+    mutations += choice.mutations / static_cast<double>(choices_.size());
+  }
+  plan_.standby = off;
+  if (recruits_ != nullptr) mutations = first_mutations();
+  const bool none = off && plan_.thresholds.empty();
+  plan_.mutations = none ? 0.0 : ChainPlan::clamp_mutations(mutations);
+}
+
+double SplitPilot::first_mutations() const {
+  // Until more is known of the strongest paths, more mutations than are worth their seeds would
+  // only repeat what the pilot happened to find.
+  constexpr double kMutationsPerShare = 3.0;
+  const double light = recruits_->energy() / recruiting_samples();
+  return kMutationsPerShare * std::min(1.0, light / plan_.brightness);
+}
+
+double SplitPilot::recruiting_samples() const {
+  const auto all = static_cast<double>(samples_ * plan_.pixels());
+  // Else half of them are for the map.
+  return stays() ? all : all / 2.0;
+}
+
+void SplitPilot::join() {
+  plan_.scouted = samples_ * plan_.pixels();
+  populations_ = make_populations(plan_);
+  if (stays()) {
     recruits_->join(populations_, 0, samples_);
   } else {
-    // Half of the samples were for the map.
-    recruits_->join_scattered(populations_, static_cast<double>(camera_samples) / 2.0);
+    recruits_->join_scattered(populations_, recruiting_samples());
   }
 }
 
-void RegionPilot::find_edges(const std::vector<PixelIdentity>& identities) {
+void SplitPilot::find_edges(const std::vector<PixelIdentity>& identities) {
   const auto layer = [&](const char* name) {
     return film_->develop(film_->layer(name), 1.0 / static_cast<double>(samples_));
   };
@@ -252,11 +287,11 @@ void RegionPilot::find_edges(const std::vector<PixelIdentity>& identities) {
                           .normals = layer("normal")});
 }
 
-void RegionPilot::hand_over(Film& film) {
+void SplitPilot::hand_over(Film& film) {
   if (!film_) return;
   film.add_layers(*film_, std::array<std::string, 1>{"indirect"});
   const int weak = film.layer(kWeakLayer);
-  const auto lowest = plan_.split_at ? static_cast<float>(*plan_.split_at * plan_.brightness) : 0.F;
+  const auto lowest = static_cast<float>(plan_.lowest_threshold());
   for (const FoundLight& found : found_) {
     const LightSplit& split = plan_.splits->of(found.replicate);
     // Beside the share below the lowest threshold, which is on the film already.
@@ -269,22 +304,21 @@ void RegionPilot::hand_over(Film& film) {
   film_.reset();
 }
 
-Plane RegionPilot::importance() const {
+Plane SplitPilot::importance() const {
   Plane plane(regions_.size);
-  const auto lowest = plan_.split_at ? static_cast<float>(*plan_.split_at * plan_.brightness) : 0.F;
   const int width = regions_.size.x;
   for (std::size_t i = 0; i < plane.values.size(); ++i) {
     const Vec2i pixel =
         plan_.settings.crop.min + Vec2i(static_cast<int>(i) % width, static_cast<int>(i) / width);
     const Vec2 middle = Vec2(pixel) + Vec2(0.5F, 0.5F);
-    const float even = share_of_lowest(plan_.splits->of(0).at(middle), lowest);
-    const float odd = share_of_lowest(plan_.splits->of(1).at(middle), lowest);
+    const float even = chain_share(plan_.splits->of(0).at(middle), plan_);
+    const float odd = chain_share(plan_.splits->of(1).at(middle), plan_);
     plane.values[i] = 0.5F * (even + odd);
   }
   return plane;
 }
 
-std::vector<std::pair<std::string, Plane>> RegionPilot::maps() const {
+std::vector<std::pair<std::string, Plane>> SplitPilot::maps() const {
   std::vector<std::pair<std::string, Plane>> planes;
   if (!noise_) return planes;
   const auto wanted = [&](const std::string& name) {
@@ -302,14 +336,23 @@ std::vector<std::pair<std::string, Plane>> RegionPilot::maps() const {
   return planes;
 }
 
-std::optional<Plane> RegionPilot::antialias_mask() const {
+std::optional<Plane> SplitPilot::antialias_mask() const {
   if (!plan_.selective->antialias || !edges_) return std::nullopt;
   return edges_of_map(*edges_, importance());
 }
 
-std::vector<SelectiveReport::Region> RegionPilot::report() const {
+std::vector<double> SplitPilot::thresholds() const {
+  std::vector<double> thresholds;
+  for (const RegionChoice& choice : choices_) {
+    const auto threshold = static_cast<double>(choice.shares.front().threshold);
+    // To as many digits as users write.
+    thresholds.push_back(std::round(threshold / plan_.brightness * 1e4) / 1e4);
+  }
+  return thresholds;
+}
+
+std::vector<SelectiveReport::Region> SplitPilot::report() const {
   std::vector<SelectiveReport::Region> rows;
-  const auto lowest = plan_.split_at ? static_cast<float>(*plan_.split_at * plan_.brightness) : 0.F;
   for (std::size_t r = 0; r < regions_.count(); ++r) {
     const PixelIdentity& shown = regions_.identities[r];
     SelectiveReport::Region row;
@@ -320,7 +363,8 @@ std::vector<SelectiveReport::Region> RegionPilot::report() const {
     for (const RegionChoice& choice : choices_) {
       const auto count = static_cast<double>(choices_.size());
       row.noise += static_cast<double>(choice.noise[r]) / count;
-      row.importance += static_cast<double>(share_of_lowest(choice.shares[r], lowest)) / count;
+      row.importance +=
+          static_cast<double>(chain_share(choice.shares[r], plan_)) / count;
     }
     rows.push_back(std::move(row));
   }
