@@ -22,12 +22,7 @@ namespace {
 
 using test::expect_same;
 using test::replicates_of;
-
-const test::SmallScene& small_scene(const std::string& name) {
-  static const std::vector<test::SmallScene> kScenes = test::small_scenes();
-  return *std::find_if(kScenes.begin(), kScenes.end(),
-                       [&](const test::SmallScene& scene) { return scene.name == name; });
-}
+using test::small_scene;
 
 /// A map that no sensible person would use: every pixel between 1/50 and 50, at random.
 class NoiseMap {
@@ -58,7 +53,7 @@ class NoiseMap {
 class Importance : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(Importance, LeavesTheExpectationAsItIs) {
-  const test::SmallScene& small = small_scene(GetParam());
+  const test::SmallScene small = small_scene(GetParam());
   const auto scene = test::scene_from(small.text);
   const Vec2i resolution = scene->camera().resolution();
   test::RenderOptions options;
@@ -88,7 +83,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, Importance,
                          ::testing::Values("Room", "GlassAndMetal", "CroppedMitchell"));
 
 TEST(Importance, MapOfTheFullPictureServesACropOfIt) {
-  const test::SmallScene& small = small_scene("CroppedMitchell");
+  const test::SmallScene small = small_scene("CroppedMitchell");
   const auto scene = test::scene_from(small.text);
   test::RenderOptions options;
   options.replicates = 16;

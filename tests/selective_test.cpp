@@ -25,10 +25,7 @@ using test::expect_same;
 using test::replicates_of;
 
 std::unique_ptr<Scene> small_scene(const std::string& name) {
-  for (const test::SmallScene& small : test::small_scenes()) {
-    if (small.name == name) return test::scene_from(small.text);
-  }
-  throw std::logic_error("no small scene " + name);
+  return test::scene_from(test::small_scene(name).text);
 }
 
 class TemporaryFile {

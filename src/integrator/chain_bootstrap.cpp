@@ -38,6 +38,14 @@ std::vector<ChainPopulation> make_populations(const ChainPlan& plan) {
   return populations;
 }
 
+double ChainBootstrap::effort() const {
+  if (plan_.has_recruits()) return 0.0;
+  // One technique of a path has about half the rays of all of them.
+  constexpr double kOfCameraSample = 0.5;
+  return kOfCameraSample * static_cast<double>(plan_.bootstrap) /
+         static_cast<double>(plan_.pixels());
+}
+
 std::uint64_t ChainBootstrap::begin() {
   // The pilot may have found seeds already.
   if (!populations_.empty() || plan_.mutations == 0.0) return 0;

@@ -20,6 +20,7 @@ class ChainBootstrap final : public PreparationStage {
   /// Fills `populations`, unless they are there already.
   ChainBootstrap(const ChainPlan& plan, std::vector<ChainPopulation>& populations)
       : plan_(plan), populations_(populations) {}
+  double effort() const override;
   std::uint64_t begin() override;
   void run(std::uint64_t item, Counters& counters) override;
   void end() override;

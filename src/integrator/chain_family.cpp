@@ -33,8 +33,9 @@ class ChainIntegrator final : public Integrator {
   ChainIntegrator(ChainKind kind, const Scene& scene, const RenderSettings& settings,
                   const Parameters& parameters, std::optional<SelectiveSettings> selective);
 
-  std::uint64_t begin_preparation(int round) override;
+  PreparationRound begin_preparation(int round) override;
   void prepare_item(int round, std::uint64_t item, Counters& counters) override;
+  void skip_preparation() override;
   std::vector<std::string> concerns() const override { return concerns_; }
   std::vector<std::string> notes() const override;
 
@@ -55,10 +56,10 @@ class ChainIntegrator final : public Integrator {
   void take_news(InputArchive& archive, const WorkShare& share) override;
   std::uint64_t memory_bytes() const override;
   std::vector<std::pair<std::string, Plane>> maps() const override {
-    return plan_.selective ? pilot_->maps() : Integrator::maps();
+    return plan_.selective && pilot_ != nullptr ? pilot_->maps() : Integrator::maps();
   }
   std::optional<Plane> antialias_mask() const override {
-    return plan_.selective ? pilot_->antialias_mask() : std::nullopt;
+    return plan_.selective && pilot_ != nullptr ? pilot_->antialias_mask() : std::nullopt;
   }
 
  private:
@@ -144,19 +145,35 @@ ChainIntegrator::ChainIntegrator(ChainKind kind, const Scene& scene, const Rende
   stages_.push_back(std::make_unique<ChainBootstrap>(plan_, populations_));
 }
 
-std::uint64_t ChainIntegrator::begin_preparation(int round) {
-  if (stages_.empty()) return 0;
+PreparationRound ChainIntegrator::begin_preparation(int round) {
+  if (stages_.empty()) return {};
   if (round > 0) stages_[stage_++]->end();
-  while (stage_ < stages_.size()) {
-    if (const std::uint64_t items = stages_[stage_]->begin(); items > 0) return items;
-    stages_[stage_++]->end();
+  for (; stage_ < stages_.size(); stages_[stage_++]->end()) {
+    PreparationStage& stage = *stages_[stage_];
+    const std::uint64_t items = stage.begin();
+    if (items == 0) continue;
+    PreparationRound next{items, stage.effort(), 0.0};
+    for (std::size_t i = stage_ + 1; i < stages_.size(); ++i) {
+      next.later_effort += stages_[i]->effort();
+    }
+    return next;
   }
   end_preparation();
-  return 0;
+  return {};
 }
 
 void ChainIntegrator::prepare_item(int /*round*/, std::uint64_t item, Counters& counters) {
   stages_[stage_]->run(item, counters);
+}
+
+void ChainIntegrator::skip_preparation() {
+  if (stages_.empty()) return;
+  stages_.clear();
+  pilot_ = nullptr;
+  recruits_.reset();
+  populations_.clear();
+  plan_.leave_to_omc();
+  make_omc();
 }
 
 void ChainIntegrator::list_chains() {
@@ -207,6 +224,9 @@ void ChainIntegrator::add_concerns() {
 }
 
 std::vector<std::string> ChainIntegrator::notes() const {
+  if (plan_.unprepared) {
+    return {"no time to prepare Markov chains: ordinary Monte Carlo alone renders this picture"};
+  }
   if (!plan_.standby) return {};
   return {
       "nothing in this picture is so hard that Markov chains would pay: ordinary Monte Carlo (" +
@@ -221,7 +241,7 @@ std::optional<ChainReport> ChainIntegrator::chain_report() const {
 }
 
 std::optional<SelectiveReport> ChainIntegrator::selective_report() const {
-  if (!plan_.selective) return std::nullopt;
+  if (!plan_.selective || pilot_ == nullptr) return std::nullopt;
   SelectiveReport report;
   report.pilot_samples = pilot_->samples();
   report.pilot_stays = plan_.pilot_kept > 0;
@@ -518,13 +538,18 @@ std::uint64_t ChainIntegrator::memory_bytes() const {
 
 double ChainIntegrator::develop_scale(const LayerSpec& layer, std::uint64_t samples,
                                       std::optional<int> replicate) const {
-  const bool of_chains =
-      layer.name == "indirect" || layer.name == kDensityLayer || layer.name == kAcceptanceLayer ||
-      (layer.name == "direct" && plan_.direct == ChainPlan::Direct::Chain) || !omc_;
-  if (!of_chains) return omc_->develop_scale(layer, effort_.omc_samples(samples), replicate);
+  if (layer.name == kDensityLayer) {
+    const double mutations = effort_.mutations(samples);
+    return mutations > 0.0 ? 1.0 / mutations : 0.0;
+  }
+  if (layer.name == kAcceptanceLayer) return samples > 0 ? 1.0 / static_cast<double>(samples) : 0.0;
+  const bool of_chains = layer.name == "indirect" ||
+                         (layer.name == "direct" && plan_.direct == ChainPlan::Direct::Chain) ||
+                         !omc_;
+  if (!of_chains || plan_.unprepared) {
+    return omc_->develop_scale(layer, effort_.omc_samples(samples), replicate);
+  }
   if (samples == 0) return 0.0;
-  if (layer.name == kDensityLayer) return 1.0 / effort_.mutations(samples);
-  if (layer.name == kAcceptanceLayer) return 1.0 / static_cast<double>(samples);
   const double scale = 1.0 / weight_until(samples);
   return replicate ? scale * plan_.settings.replicates : scale;
 }

@@ -27,6 +27,8 @@ double mean_strength(const std::vector<float>& luminances, const Box2i& crop,
 
 ChainPilot::ChainPilot(ChainPlan& plan) : plan_(plan) {}
 
+double ChainPilot::effort() const { return kSamples; }
+
 std::uint64_t ChainPilot::begin() {
   RenderSettings settings = plan_.settings;
   settings.replicates = 1;

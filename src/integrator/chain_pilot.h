@@ -11,6 +11,7 @@ namespace ajar {
 class ChainPilot final : public PreparationStage {
  public:
   explicit ChainPilot(ChainPlan& plan);
+  double effort() const override;
   std::uint64_t begin() override;
   void run(std::uint64_t item, Counters& counters) override;
   void end() override;

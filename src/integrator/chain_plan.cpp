@@ -266,7 +266,18 @@ std::unique_ptr<PathTarget> ChainPlan::make_target(const PathGroup& group, int r
   return std::make_unique<OnePathTarget>(scene, group.sampler, group.choice, view, divide);
 }
 
+void ChainPlan::leave_to_omc() {
+  unprepared = true;
+  shares_effort = false;
+  mutations = 0.0;
+  omc_samples = 1.0;
+  pilot_kept = 0;
+  splits.emplace(
+      LightSplit(settings.crop, {{.threshold = 0.F, .target = 0.F, .kept = 0.F}}, view.importance));
+}
+
 std::pair<int, int> ChainPlan::omc_depths() const {
+  if (unprepared && direct == Direct::Chain) return {settings.min_depth, settings.max_depth};
   return {direct == Direct::Omc ? settings.min_depth
                                 : std::max(settings.min_depth, LightSplit::kDirectDepth + 1),
           splits ? settings.max_depth : std::min(settings.max_depth, LightSplit::kDirectDepth)};

@@ -51,6 +51,8 @@ struct ChainPlan {
     return thresholds.size() > 1 &&
            (!selective || selective->map == SelectiveSettings::Map::Optimal);
   }
+  /// Does without chains, and without what a preparation would find out.
+  void leave_to_omc();
   /// How its chains move: where they make nearly all light, steps on the raster pay more.
   ChainSettings chain_settings_of(int replicate) const;
   /// So many mutations per pixel and camera sample that neither half is forgotten.
@@ -92,6 +94,7 @@ struct ChainPlan {
   /// Mutations per pixel that a sample of the render has, at first if the effort is shared; 0:
   /// ordinary Monte Carlo alone renders.
   double mutations = 1.0;
+  bool unprepared = false;       ///< ordinary Monte Carlo alone renders, for want of time
   bool standby = false;          ///< nothing is so hard that chains would pay
   std::uint64_t pilot_kept = 0;  ///< camera samples per pixel that the preparation has rendered
   /// Of the pilot: mean luminance · importance of its pixels.

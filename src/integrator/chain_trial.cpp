@@ -31,6 +31,12 @@ double share_of(const ChainPopulation& population, const MemberChain& member) {
 
 }  // namespace
 
+double ChainTrial::effort() const {
+  if (recruits_ == nullptr || !plan_.chooses_thresholds() || !pilot_.stays()) return 0.0;
+  // A mutation has about half the rays of a camera sample.
+  return kMutationsPerPixel / 2.0;
+}
+
 std::uint64_t ChainTrial::begin() {
   // Of a pilot that does not stay, all that it found for chains seeds those of the whole render,
   // and must decide nothing about them.

@@ -24,6 +24,7 @@ class ChainTrial final : public PreparationStage {
   /// are taken to be typical. All must outlive it.
   ChainTrial(const ChainPlan& plan, SplitPilot& pilot, ChainRecruits* recruits)
       : plan_(plan), pilot_(pilot), recruits_(recruits) {}
+  double effort() const override;
   std::uint64_t begin() override;
   void run(std::uint64_t item, Counters& counters) override;
   void end() override;

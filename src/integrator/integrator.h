@@ -87,6 +87,13 @@ struct SelectiveReport {
   std::vector<Region> regions;  ///< the largest first
 };
 
+/// Efforts are relative to each other.
+struct PreparationRound {
+  std::uint64_t items = 0;
+  double effort = 1.0;
+  double later_effort = 0.0;  ///< of the rounds after it
+};
+
 /// A rendering method, cut into work items. It knows nothing of threads, files and clocks: the job
 /// first runs the rounds of its preparation, then calls `run_item` for every item of a pass, in any
 /// order and on any thread. Each item is a pure function of its index and, for methods with a
@@ -94,10 +101,13 @@ struct SelectiveReport {
 class Integrator {
  public:
   virtual ~Integrator() = default;
-  /// Number of items in a round (counted from 0) of what comes before everything else; 0 ends the
+  /// A round (counted from 0) of what comes before everything else; one without items ends the
   /// preparation. Called once per round, after all items of the round before.
-  virtual std::uint64_t begin_preparation(int /*round*/) { return 0; }
+  virtual PreparationRound begin_preparation(int /*round*/) { return {}; }
   virtual void prepare_item(int /*round*/, std::uint64_t /*item*/, Counters& /*counters*/) {}
+  /// There is no time to prepare, or for the rest of it: the integrator renders as well as it can
+  /// without. Called before any round, or once a round has begun, of which any items may have run.
+  virtual void skip_preparation() {}
   /// What the user should know after the preparation: one warning each.
   virtual std::vector<std::string> concerns() const { return {}; }
 

@@ -9,6 +9,8 @@ namespace ajar {
 class PreparationStage {
  public:
   virtual ~PreparationStage() = default;
+  /// What it takes at most, in camera samples per pixel; an estimate.
+  virtual double effort() const = 0;
   /// Number of items; called once.
   virtual std::uint64_t begin() = 0;
   /// On any thread, in any order.

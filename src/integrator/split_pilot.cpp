@@ -105,6 +105,8 @@ class SplitPilot::Sink final : public StrongPathSink {
   std::vector<FoundLight> found_;
 };
 
+double SplitPilot::effort() const { return static_cast<double>(plan_.pilot_samples); }
+
 std::uint64_t SplitPilot::begin() {
   if (!(plan_.brightness > 0.0)) return 0;
   if (!plan_.splits) plan_.splits.emplace(LightSplit(0.0, plan_.view.importance));
@@ -363,8 +365,7 @@ std::vector<SelectiveReport::Region> SplitPilot::report() const {
     for (const RegionChoice& choice : choices_) {
       const auto count = static_cast<double>(choices_.size());
       row.noise += static_cast<double>(choice.noise[r]) / count;
-      row.importance +=
-          static_cast<double>(chain_share(choice.shares[r], plan_)) / count;
+      row.importance += static_cast<double>(chain_share(choice.shares[r], plan_)) / count;
     }
     rows.push_back(std::move(row));
   }

@@ -26,6 +26,7 @@ class SplitPilot final : public PreparationStage, public StrongPathSinks {
   /// `recruits` may be null. All must outlive it.
   SplitPilot(ChainPlan& plan, std::vector<ChainPopulation>& populations, ChainRecruits* recruits)
       : plan_(plan), populations_(populations), recruits_(recruits) {}
+  double effort() const override;
   std::uint64_t begin() override;
   void run(std::uint64_t item, Counters& counters) override;
   void end() override;

@@ -46,6 +46,7 @@ struct Checkpoint {
   JobState job;
   std::string integrator_state;  ///< what `Integrator::save_state` wrote
   Counters preparation;          ///< of the first run
+  bool prepared = true;          ///< false: it was skipped
   double other_seconds = 0.0;    ///< of building and preparing, all runs together
   std::uint32_t resumptions = 0;
   std::uint32_t interruptions = 0;  ///< by signals; kill −9 leaves no trace

@@ -2,20 +2,70 @@
 
 #include <tbb/enumerable_thread_specific.h>
 
+#include <algorithm>
+
 #include "core/parallel_for.h"
 
 namespace ajar {
 
-Counters prepare(Integrator& integrator) {
+namespace {
+/// Of the time for the render: what a preparation learns pays later.
+constexpr double kMostOfTime = 0.75;
+}  // namespace
+
+bool Preparation::must_stop() const {
+  if (limits_.interrupts != nullptr && limits_.interrupts->load(std::memory_order_relaxed) > 0) {
+    return true;
+  }
+  return limits_.seconds && clock_.seconds() > kMostOfTime * *limits_.seconds;
+}
+
+bool Preparation::must_skip() const {
+  bool skip = must_stop();
+  if (limits_.seconds && over_ > 0.0) {
+    const double expected = clock_.seconds() * all_ / over_;
+    skip = skip || expected > kMostOfTime * *limits_.seconds;
+  }
+  return limits_.ranks != nullptr ? limits_.ranks->maximum(skip ? 1 : 0) > 0 : skip;
+}
+
+bool Preparation::run_round(int round, Counters& whole) {
+  tbb::enumerable_thread_specific<Counters> counters;
+  parallel_for(items_.load(), [&](std::uint64_t item) {
+    if (limits_.ranks == nullptr && must_stop()) return;
+    integrator_.prepare_item(round, item, counters.local());
+    ++items_done_;
+  });
+  for (const Counters& own : counters) whole += own;
+  return items_done_ == items_;
+}
+
+Counters Preparation::run() {
   Counters whole;
   for (int round = 0;; ++round) {
-    const std::uint64_t items = integrator.begin_preparation(round);
-    if (items == 0) return whole;
-    tbb::enumerable_thread_specific<Counters> counters;
-    parallel_for(
-        items, [&](std::uint64_t item) { integrator.prepare_item(round, item, counters.local()); });
-    for (const Counters& own : counters) whole += own;
+    const PreparationRound next = integrator_.begin_preparation(round);
+    if (next.items == 0) return whole;
+    items_done_ = 0;
+    items_ = next.items;
+    running_ = next.effort;
+    all_ = over_ + next.effort + next.later_effort;
+    if (must_skip() || !run_round(round, whole)) {
+      was_skipped_ = true;
+      integrator_.skip_preparation();
+      return whole;
+    }
+    over_ = over_ + next.effort;
+    running_ = 0.0;
   }
 }
+
+double Preparation::fraction_done() const {
+  const double all = all_;
+  if (!(all > 0.0)) return 0.0;
+  const double of_round = static_cast<double>(items_done_) / static_cast<double>(items_);
+  return std::clamp((over_ + running_ * of_round) / all, 0.0, 1.0);
+}
+
+Counters prepare(Integrator& integrator) { return Preparation(integrator).run(); }
 
 }  // namespace ajar

@@ -1,9 +1,57 @@
 #pragma once
+#include <atomic>
+#include <cstdint>
+#include <optional>
+
 #include "integrator/integrator.h"
+#include "session/interrupts.h"
+#include "session/ranks.h"
+#include "session/resources.h"
 
 namespace ajar {
 
-/// Runs the rounds of an integrator's preparation on all threads that TBB may use.
+/// What may keep a preparation from its end.
+struct PreparationLimits {
+  std::optional<double> seconds = std::nullopt;  ///< for this and the render together
+  const InterruptCount* interrupts = nullptr;
+  Ranks* ranks = nullptr;  ///< who render together; they look at the limits between rounds only
+};
+
+/// Runs the rounds of an integrator's preparation on all threads that TBB may use. If the user asks
+/// to stop, or would wait for it through too much of the time for the render, the integrator has to
+/// do without (`Integrator::skip_preparation`), so that there is a picture.
+class Preparation {
+ public:
+  explicit Preparation(Integrator& integrator, PreparationLimits limits = {})
+      : integrator_(integrator), limits_(limits) {}
+  /// To be called once. What was spent.
+  Counters run();
+  bool was_skipped() const { return was_skipped_; }
+  /// At any time, from any thread: estimate, 0…1.
+  double fraction_done() const;
+  double seconds() const { return clock_.seconds(); }
+
+ private:
+  bool must_stop() const;
+  /// Whether to do without the round that is about to begin, and the later ones; the same on all
+  /// ranks.
+  bool must_skip() const;
+  /// False if it was cut short.
+  bool run_round(int round, Counters& whole);
+
+  Integrator& integrator_;
+  PreparationLimits limits_;
+  const Stopwatch clock_;
+  bool was_skipped_ = false;
+  // Efforts: of rounds that are over, of the one that runs, and of all.
+  std::atomic<double> over_{0.0};
+  std::atomic<double> running_{0.0};
+  std::atomic<double> all_{0.0};
+  std::atomic<std::uint64_t> items_{1};
+  std::atomic<std::uint64_t> items_done_{0};
+};
+
+/// The whole of it.
 Counters prepare(Integrator& integrator);
 
 }  // namespace ajar

@@ -43,6 +43,7 @@ std::vector<double> expected_totals(const RenderSnapshot& s) {
 }
 
 std::string samples_text(const RenderSnapshot& s) {
+  if (s.preparation) return "preparing";
   const auto done = static_cast<std::uint64_t>(s.samples_done);
   return s.total_samples > 0 ? fmt::format("{}/{} spp", done, s.total_samples)
                              : fmt::format("{} spp", done);
@@ -57,6 +58,10 @@ std::string left_text(const RenderSnapshot& s) {
   if (s.finishing) return "finishing the pass";
   const std::optional<double> left = seconds_left(s);
   return left ? clock_text(*left) + " left" : std::string();
+}
+
+std::string rays_text(const RenderSnapshot& s) {
+  return s.preparation ? std::string() : short_number(rays_per_second(s)) + " rays/s";
 }
 
 std::string joined(const std::vector<std::string>& parts, const char* separator) {
@@ -107,6 +112,12 @@ ProgressStyle progress_style(const std::string& name, bool is_terminal) {
 }
 
 std::optional<double> seconds_left(const RenderSnapshot& snapshot) {
+  if (const std::optional<double> done = snapshot.preparation) {
+    // From less it cannot be told.
+    constexpr double kLeast = 0.01;
+    if (*done < kLeast) return std::nullopt;
+    return snapshot.seconds * (1.0 - *done) / *done;
+  }
   const std::vector<double> totals = expected_totals(snapshot);
   if (totals.empty()) return std::nullopt;
   return std::max(0.0, *std::min_element(totals.begin(), totals.end()) - snapshot.seconds);
@@ -141,8 +152,8 @@ std::string bar_line(const RenderSnapshot& snapshot, int columns) {
   const std::string percent =
       fraction ? fmt::format("{:3.0f} %", std::floor(100.0 * *fraction)) : std::string();
   const std::string numbers =
-      joined({percent, samples_text(snapshot), short_number(rays_per_second(snapshot)) + " rays/s",
-              error_text(snapshot), clock_text(snapshot.seconds), left_text(snapshot)},
+      joined({percent, samples_text(snapshot), rays_text(snapshot), error_text(snapshot),
+              clock_text(snapshot.seconds), left_text(snapshot)},
              " · ");
   // "·" is one column but two bytes.
   const auto dots = std::count(numbers.begin(), numbers.end(), '\xC2');
@@ -160,15 +171,15 @@ std::string bar_line(const RenderSnapshot& snapshot, int columns) {
 }
 
 std::string plain_line(const RenderSnapshot& snapshot) {
-  return joined({clock_text(snapshot.seconds), samples_text(snapshot),
-                 short_number(rays_per_second(snapshot)) + " rays/s", error_text(snapshot),
-                 left_text(snapshot)},
+  return joined({clock_text(snapshot.seconds), samples_text(snapshot), rays_text(snapshot),
+                 error_text(snapshot), left_text(snapshot)},
                 ", ");
 }
 
 std::string json_line(const RenderSnapshot& snapshot, const std::string& event) {
   nlohmann::ordered_json line;
   line["event"] = event;
+  line["phase"] = snapshot.preparation ? "prepare" : "render";
   line["seconds"] = snapshot.seconds;
   line["samples_per_pixel"] = snapshot.samples_done;
   line["total_samples_per_pixel"] = snapshot.total_samples > 0
@@ -208,6 +219,10 @@ void ProgressReporter::report_until_stopped() {
 
 void ProgressReporter::show(bool last) const {
   const RenderSnapshot snapshot = snapshot_();
+  if (last && snapshot.preparation) {
+    if (style_ == ProgressStyle::Bar) write_line("\r\x1b[K");
+    return;
+  }
   switch (style_) {
     case ProgressStyle::Bar:
       // Carriage return, text, "erase to the end of the line".

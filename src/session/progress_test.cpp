@@ -39,6 +39,21 @@ TEST(Progress, TimeLeftUntilTheErrorGrowsWithItsSquare) {
   EXPECT_NEAR(seconds_left(s).value(), 30.0, 1e-9);  // 4 times the samples, 10 s are over
 }
 
+TEST(Progress, APreparationTellsTheTimeItStillTakes) {
+  RenderSnapshot s;
+  s.budget.seconds = 100.0;
+  s.seconds = 6.0;
+  s.preparation = 0.0;
+  EXPECT_FALSE(seconds_left(s).has_value());
+  s.preparation = 0.75;
+  EXPECT_DOUBLE_EQ(seconds_left(s).value(), 2.0);
+  EXPECT_DOUBLE_EQ(fraction_done(s).value(), 0.75);
+  EXPECT_EQ(plain_line(s), "0:06, preparing, 0:02 left");
+  EXPECT_NE(bar_line(s, 80).find("75 % · preparing · 0:06"), std::string::npos) << bar_line(s, 80);
+  EXPECT_EQ(nlohmann::json::parse(json_line(s, "progress")).at("phase"), "prepare");
+  EXPECT_EQ(nlohmann::json::parse(json_line(half_way(), "progress")).at("phase"), "render");
+}
+
 TEST(Progress, TimeLeftIsUnknownWithoutALimit) {
   RenderSnapshot s = half_way();
   s.budget = {};

@@ -47,6 +47,9 @@ struct RenderSnapshot {
   std::optional<double> relative_error;
   std::uint64_t error_samples = 0;  ///< per pixel, when `relative_error` was taken
   bool finishing = false;           ///< interrupted, waiting for the pass to end
+  /// While what comes before the render goes on: how much of it is done, 0…1. The other numbers
+  /// but `seconds` mean nothing then.
+  std::optional<double> preparation;
 };
 
 struct RenderResult {

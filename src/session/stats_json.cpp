@@ -162,6 +162,7 @@ Json to_json(const RenderStatistics& s) {
   json["replicates"] = s.replicates;
   json["passes"] = r.passes;
   add_chains(s, json);
+  json["prepared"] = s.prepared;
   json["selective"] = s.selective ? selective_json(*s.selective) : Json();
   json["estimated_relative_error"] = number_or_null(r.relative_error);
   json["peak_memory_bytes"] = s.peak_memory_bytes;

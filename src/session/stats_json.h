@@ -34,6 +34,7 @@ struct RenderStatistics {
   StepTimes times;
   RenderResult result;
   Counters preparation;  ///< what was spent before the first pass
+  bool prepared = true;  ///< false: there was no time for it
   Budget budget;
   WorkShare share;
   std::string checkpoint;             ///< file; empty: none

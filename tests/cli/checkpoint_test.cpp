@@ -30,7 +30,8 @@ class CheckpointCli : public Cli {
         "-o",     "a.exr",           "--threads",    "1"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     const pid_t child = start(arguments);
-    EXPECT_TRUE(wait_for(folder_ / ".stderr", "\"progress\"")) << read_text(folder_ / ".stderr");
+    EXPECT_TRUE(wait_for(folder_ / ".stderr", "\"progress\",\"phase\":\"render\""))
+        << read_text(folder_ / ".stderr");
     return child;
   }
 };
@@ -156,6 +157,44 @@ TEST_F(CheckpointCli, InterruptsWriteThePictureAndTheCheckpoint) {
     EXPECT_EQ(bytes("b.pfm"), bytes("alone.pfm"));
     fs::remove(folder_ / ".stderr");
   }
+}
+
+TEST_F(CheckpointCli, AnInterruptedPreparationLeavesAPictureThatGoesOn) {
+  const pid_t child = start({"render",       "builtin:cornell",
+                             "--integrator", "mmlt",
+                             "--resolution", "640x400",
+                             "--spp",        "1000",
+                             "--threads",    "1",
+                             "--progress",   "json",
+                             "--stats",      "stats.json",
+                             "-o",           "a.exr",
+                             "--aov",        "density",
+                             "--checkpoint", "c"});
+  EXPECT_TRUE(wait_for(folder_ / ".stderr", "\"progress\",\"phase\":\"prepare\""));
+  kill(child, SIGINT);
+  const Outcome outcome = finish(child);
+  EXPECT_EQ(outcome.exit_code, 130) << outcome.err;
+  EXPECT_EQ(statistics().at("prepared"), false);
+  EXPECT_EQ(statistics().at("samples_per_pixel"), 1);
+  const std::vector<float> rgb = read_image(file("a.exr").string()).rgb();
+  EXPECT_GT(*std::max_element(rgb.begin(), rgb.end()), 0.F);
+  const Outcome resumed =
+      run({"resume", "c", "--spp", "4", "-o", "b.pfm", "--stats", "stats.json"});
+  ASSERT_EQ(resumed.exit_code, 0) << resumed.err;
+  EXPECT_TRUE(contains(resumed.err, "ordinary Monte Carlo alone")) << resumed.err;
+  EXPECT_EQ(statistics().at("prepared"), false);
+  EXPECT_EQ(statistics().at("samples"), 4 * 640 * 400);
+}
+
+TEST_F(CheckpointCli, ARenderTooShortForItsPreparationDoesWithout) {
+  ASSERT_EQ(
+      run({"render", "builtin:cornell", "--integrator", "selective", "--resolution", "320x200",
+           "--time", "0.05s", "--stats", "stats.json", "-o", "a.exr", "--aov", "noise"})
+          .exit_code,
+      0);
+  EXPECT_EQ(statistics().at("prepared"), false);
+  EXPECT_GE(statistics().at("samples_per_pixel"), 1);
+  EXPECT_TRUE(statistics().at("selective").is_null());
 }
 
 TEST_F(CheckpointCli, HangUpAndUserSignalWriteThePictureAndGoOn) {

@@ -280,7 +280,7 @@ TEST_F(Cli, ControlCWritesAWholePictureAndEndsWith130) {
   for (const int signal : {SIGINT, SIGTERM}) {
     const pid_t child = start({"render", "builtin:cornell", "--resolution", "64x48", "--time", "1h",
                                "--progress", "json", "--stats", "stats.json", "-o", "stopped.exr"});
-    if (!wait_for(folder_ / ".stderr", "\"progress\"")) {
+    if (!wait_for(folder_ / ".stderr", "\"progress\",\"phase\":\"render\"")) {
       kill(child, SIGKILL);
       FAIL() << "no progress: " << finish(child).err;
     }

@@ -121,7 +121,7 @@ TEST_F(MpiCli, OneRankThatIsInterruptedEndsAllWithThePicture) {
   const pid_t job = start_ranks(
       2, {"render", "builtin:cornell", "--resolution", "24x16", "--time", "1h", "--progress",
           "json", "-o", "a.pfm", "--threads", "1", "--stats", "stats.json"});
-  EXPECT_TRUE(wait_for(folder_ / ".stderr", "\"progress\""));
+  EXPECT_TRUE(wait_for(folder_ / ".stderr", "\"progress\",\"phase\":\"render\""));
   const std::string children =
       read_text("/proc/" + std::to_string(job) + "/task/" + std::to_string(job) + "/children");
   kill(std::stoi(children), SIGTERM);

@@ -57,6 +57,20 @@ std::vector<float> light(const Render& render, std::optional<int> replicate) {
 }
 }  // namespace
 
+/// As if time were over in the middle of a round.
+void skip_preparation_after(int rounds, Integrator& integrator) {
+  Counters counters;
+  for (int round = 0; round <= rounds; ++round) {
+    const std::uint64_t items = integrator.begin_preparation(round).items;
+    EXPECT_GT(items, 0U) << "no round " << round;
+    const std::uint64_t run = round < rounds ? items : items / 2;
+    for (std::uint64_t item = 0; item < run; ++item) {
+      integrator.prepare_item(round, item, counters);
+    }
+  }
+  integrator.skip_preparation();
+}
+
 std::vector<float> Render::image() const { return light(*this, std::nullopt); }
 std::vector<float> Render::replicate(int index) const { return light(*this, index); }
 
@@ -78,7 +92,11 @@ Render render(const Scene& scene, const RenderOptions& options) {
   Render result;
   result.integrator = info.make(scene, settings, Parameters(info.parameters, options.parameters));
   Integrator& integrator = *result.integrator;
-  result.counters = prepare(integrator);
+  if (options.skip_after) {
+    skip_preparation_after(*options.skip_after, integrator);
+  } else {
+    result.counters = prepare(integrator);
+  }
   result.film =
       std::make_unique<Film>(settings.resolution, settings.crop, make_filter(scene.film().filter),
                              options.replicates, integrator.layers());

@@ -43,6 +43,7 @@ struct RenderOptions {
   std::map<std::string, std::string> parameters;
   std::optional<Box2i> crop;
   std::vector<std::string> aovs;
+  std::optional<int> skip_after;  ///< so many rounds of the preparation, the rest of it
 };
 Render render(const Scene& scene, const RenderOptions& options);
 

@@ -1,6 +1,8 @@
 #include "support/small_scenes.h"
 
 #include <cmath>
+#include <stdexcept>
+#include <utility>
 
 #include "support/render.h"
 
@@ -152,6 +154,14 @@ std::vector<SmallScene> small_scenes() {
        .text = pbrt_scene(kMilk + kPinhole, 24, 24,
                           kRoom + ball("MediumInterface \"milk\" \"\" Material \"\"", 0.6F, 0.F))},
   };
+}
+
+SmallScene small_scene(const std::string& name) {
+  std::vector<SmallScene> scenes = small_scenes();
+  for (SmallScene& scene : scenes) {
+    if (scene.name == name) return std::move(scene);
+  }
+  throw std::logic_error("no small scene " + name);
 }
 
 }  // namespace ajar::test

@@ -17,11 +17,13 @@ struct SmallScene {
   /// pinhole are unboundedly bright.
   bool light_tracing_works = true;
   int samples = 512;  ///< per pixel, for comparisons of pictures
-  std::optional<Box2i> crop;
+  std::optional<Box2i> crop = std::nullopt;
 
   friend void PrintTo(const SmallScene& scene, std::ostream* out) { *out << scene.name; }
 };
 
 std::vector<SmallScene> small_scenes();
+/// The one of that name. Raises std::logic_error.
+SmallScene small_scene(const std::string& name);
 
 }  // namespace ajar::test

@@ -63,6 +63,13 @@ void check_memory(const MemoryEstimate& estimate, bool size_from_scene) {
   throw UsageError(complaint);
 }
 
+RenderSnapshot snapshot_of(const Preparation& preparation) {
+  RenderSnapshot snapshot;
+  snapshot.preparation = preparation.fraction_done();
+  snapshot.seconds = preparation.seconds();
+  return snapshot;
+}
+
 /// One render from beginning to end.
 class Run {
  public:
@@ -77,6 +84,7 @@ class Run {
   void build(desc::SceneDesc description);
   void prepare_integrator();
   void make_film();
+  PreparationLimits preparation_limits() const;
   void check_resumed();
   void add_observers();
   RenderJobOptions job_options();
@@ -201,7 +209,20 @@ void Run::build(desc::SceneDesc description) {
 
 void Run::prepare_integrator() {
   integrator_ = setup_.integrator->make(*scene_, setup_.settings, *parameters_);
-  statistics_.preparation = prepare(*integrator_);
+  if (order_.resumed) {
+    // Once more as it was: the checkpoint holds what came after it.
+    statistics_.prepared = order_.resumed->prepared;
+    if (statistics_.prepared) {
+      statistics_.preparation = prepare(*integrator_);
+    } else {
+      integrator_->skip_preparation();
+    }
+  } else {
+    Preparation preparation(*integrator_, preparation_limits());
+    const ProgressReporter progress(style_, [&] { return snapshot_of(preparation); });
+    statistics_.preparation = preparation.run();
+    statistics_.prepared = !preparation.was_skipped();
+  }
   if (order_.share.count > 1 && integrator_->keeps_state()) {
     throw UsageError("renders with " + setup_.integrator->name +
                      " cannot be divided into shares: its chains learn from each other; render "
@@ -212,6 +233,17 @@ void Run::prepare_integrator() {
     print_warning(concern);
   }
   for (const std::string& note : integrator_->notes()) print_note(note);
+}
+
+PreparationLimits Run::preparation_limits() const {
+  PreparationLimits limits;
+  // A share of a render must be prepared like the others, or refused like them.
+  if (order_.share.count > 1) return limits;
+  limits.seconds = setup_.budget.seconds;
+  if (limits.seconds) *limits.seconds -= statistics_.times.build;
+  limits.interrupts = &interrupt_count();
+  limits.ranks = run().ranks;
+  return limits;
 }
 
 void Run::check_resumed() {
@@ -228,7 +260,7 @@ void Run::check_resumed() {
 
 void Run::make_film() {
   const std::vector<LayerSpec> layers = integrator_->layers();
-  if (order_.request && !order_.all_aovs) {
+  if (order_.request && !order_.all_aovs && statistics_.prepared) {
     std::vector<LayerSpec> made = layers;
     for (const auto& [name, plane] : integrator_->maps()) made.push_back({.name = name});
     check_layers(setup_.settings, made);
@@ -254,6 +286,7 @@ Checkpoint Run::checkpoint_base() const {
   base.exposure = run().exposure.value_or(0.F);
   base.layers.assign(film_->layers().begin(), film_->layers().end());
   base.preparation = order_.resumed ? order_.resumed->preparation : statistics_.preparation;
+  base.prepared = statistics_.prepared;
   base.other_seconds = other_seconds_;
   base.resumptions = statistics_.resumptions;
   base.interruptions = statistics_.interruptions;
@@ -374,9 +407,12 @@ int Run::carry_out() {
   desc::SceneDesc description = load();
   choose(description);
   build(std::move(description));
+  // When a render goes on, its checkpoint is all there is to lose until it does.
+  if (!order_.resumed) begin_render();
   report_phase(style_, "prepare");
   const Stopwatch clock;
   prepare_integrator();
+  if (interrupt_count() > 1 && run().ranks == nullptr) return kExitInterrupted;
   make_film();
   statistics_.times.prepare = clock.seconds();
   other_seconds_ = statistics_.times.build + statistics_.times.prepare;

@@ -1,0 +1,138 @@
+#include "session/preparation.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <functional>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+#include "session/testing/thread_ranks.h"
+
+namespace ajar {
+namespace {
+
+using namespace std::chrono_literals;
+
+/// Notes what is asked of it. Each round has ten items.
+class Prepared final : public Integrator {
+ public:
+  explicit Prepared(std::vector<double> efforts) : efforts_(std::move(efforts)) {}
+  PreparationRound begin_preparation(int round) override {
+    EXPECT_FALSE(skipped);
+    const auto i = static_cast<std::size_t>(round);
+    if (i == efforts_.size()) {
+      is_ready = true;
+      return {};
+    }
+    double later = 0.0;
+    for (std::size_t j = i + 1; j < efforts_.size(); ++j) later += efforts_[j];
+    return {10, efforts_[i], later};
+  }
+  void prepare_item(int round, std::uint64_t /*item*/, Counters& counters) override {
+    ++counters.rays;
+    if (on_item) on_item(round);
+  }
+  void skip_preparation() override { skipped = true; }
+
+  std::vector<LayerSpec> layers() const override { return {}; }
+  std::uint64_t items_in_pass() const override { return 0; }
+  void run_item(std::uint64_t /*item*/, std::uint64_t /*first_sample*/, std::uint64_t /*samples*/,
+                Film& /*film*/, Counters& /*counters*/) override {}
+  double develop_scale(const LayerSpec& /*layer*/, std::uint64_t /*samples*/,
+                       std::optional<int> /*replicate*/) const override {
+    return 0.0;
+  }
+
+  bool is_ready = false;
+  bool skipped = false;
+  std::function<void(int round)> on_item;
+
+ private:
+  std::vector<double> efforts_;
+};
+
+TEST(Preparation, RunsAllRounds) {
+  Prepared integrator({1.0, 2.0, 0.0});
+  Preparation preparation(integrator);
+  EXPECT_EQ(preparation.run().rays, 30U);
+  EXPECT_TRUE(integrator.is_ready);
+  EXPECT_FALSE(preparation.was_skipped());
+}
+
+TEST(Preparation, TellsHowMuchOfTheEffortIsOver) {
+  Prepared integrator({1.0, 3.0});
+  Preparation preparation(integrator);
+  EXPECT_EQ(preparation.fraction_done(), 0.0);
+  std::vector<double> least = {1.0, 1.0};
+  std::vector<double> most = {0.0, 0.0};
+  std::mutex mutex;
+  integrator.on_item = [&](int round) {
+    const std::lock_guard lock(mutex);
+    double& low = least[static_cast<std::size_t>(round)];
+    double& high = most[static_cast<std::size_t>(round)];
+    low = std::min(low, preparation.fraction_done());
+    high = std::max(high, preparation.fraction_done());
+  };
+  preparation.run();
+  EXPECT_EQ(least[0], 0.0);
+  EXPECT_EQ(least[1], 0.25);
+  EXPECT_LE(most[0], 0.25);
+  EXPECT_GT(most[1], 0.5);
+  EXPECT_EQ(preparation.fraction_done(), 1.0);
+}
+
+TEST(Preparation, IsSkippedWhenTheUserWantsToStop) {
+  for (const int round : {0, 1}) {
+    Prepared integrator({1.0, 1.0});
+    InterruptCount interrupts{0};
+    integrator.on_item = [&](int now) {
+      if (now == round) interrupts = 1;
+    };
+    Preparation preparation(integrator, {.interrupts = &interrupts});
+    const std::uint64_t rays = preparation.run().rays;
+    EXPECT_TRUE(integrator.skipped);
+    EXPECT_TRUE(preparation.was_skipped());
+    EXPECT_FALSE(integrator.is_ready);
+    EXPECT_GE(rays, static_cast<std::uint64_t>(10 * round + 1));
+  }
+}
+
+TEST(Preparation, IsSkippedWithoutTimeForIt) {
+  Prepared integrator({1.0});
+  Preparation preparation(integrator, {.seconds = 0.0});
+  EXPECT_EQ(preparation.run().rays, 0U);
+  EXPECT_TRUE(preparation.was_skipped());
+}
+
+TEST(Preparation, IsSkippedOnceItsFirstRoundShowsThatItTakesTooLong) {
+  for (const double later : {1e9, 0.0}) {
+    Prepared integrator({1.0, later});
+    integrator.on_item = [](int) { std::this_thread::sleep_for(1ms); };
+    Preparation preparation(integrator, {.seconds = 1000.0});
+    EXPECT_EQ(preparation.run().rays, later > 0.0 ? 10U : 20U);
+    EXPECT_EQ(preparation.was_skipped(), later > 0.0);
+  }
+}
+
+TEST(Preparation, IsSkippedByAllRanksIfByOne) {
+  ThreadRanks ranks(3);
+  std::vector<std::thread> threads;
+  for (int rank = 0; rank < 3; ++rank) {
+    threads.emplace_back([&ranks, rank] {
+      Prepared integrator({1.0, 1.0});
+      InterruptCount interrupts{0};
+      integrator.on_item = [&](int) { interrupts = rank == 1 ? 1 : 0; };
+      Preparation preparation(integrator,
+                              {.interrupts = &interrupts, .ranks = &ranks.member(rank)});
+      EXPECT_EQ(preparation.run().rays, 10U) << "ranks look between rounds only";
+      EXPECT_TRUE(preparation.was_skipped());
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+}
+
+}  // namespace
+}  // namespace ajar

@@ -1,0 +1,64 @@
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+#include "support/render.h"
+#include "support/small_scenes.h"
+
+namespace ajar {
+namespace {
+
+/// A method whose preparation is skipped.
+struct Case {
+  const char* integrator;
+  std::map<std::string, std::string> parameters;
+  int rounds;  ///< that are run before, of those there are
+};
+
+/// Chains that could not be prepared leave the whole picture to ordinary Monte Carlo, whatever
+/// they would have made.
+TEST(Unprepared, ChainsLeaveThePictureToBidirectionalPathTracing) {
+  const auto scene = test::scene_from(test::small_scene("GlassAndMetal").text);
+  test::RenderOptions options;
+  options.samples = 16;
+  options.replicates = 4;
+  options.max_depth = 8;
+  const std::vector<Case> cases = {
+      {"mmlt", {}, 0},
+      {"mmlt", {}, 1},
+      {"mmlt", {}, 2},
+      {"mmlt", {{"split", "0"}, {"omc-samples", "0.5"}}, 1},
+      {"mmlt", {{"direct", "chain"}}, 1},
+      {"mmlt", {{"direct", "none"}}, 0},
+      {"pssmlt", {}, 1},
+      {"selective", {}, 1},
+      {"selective", {{"pilot", "discard"}}, 1},
+  };
+  for (const Case& c : cases) {
+    SCOPED_TRACE(c.integrator + std::string(" after ") + std::to_string(c.rounds));
+    test::RenderOptions own = options;
+    own.integrator = c.integrator;
+    own.parameters = c.parameters;
+    own.skip_after = c.rounds;
+    own.aovs = {"density", "depth"};
+    const auto render = test::render(*scene, own);
+    test::RenderOptions plain = options;
+    plain.integrator = "bdpt";
+    if (c.parameters.contains("direct") && c.parameters.at("direct") == "none") plain.min_depth = 3;
+    const std::vector<float> expected = test::render(*scene, plain).image();
+    const std::vector<float> found = render.image();
+    const float mean = std::accumulate(expected.begin(), expected.end(), 0.F) /
+                       static_cast<float>(expected.size());
+    ASSERT_GT(mean, 0.F);
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      ASSERT_NEAR(found[i], expected[i], 1e-4F * (mean + expected[i])) << "pixel " << i / 3;
+    }
+    for (const float visits : render.layer("density")) ASSERT_EQ(visits, 0.F);
+    EXPECT_EQ(render.counters.mutations, 0U);
+    EXPECT_FALSE(render.integrator->keeps_state());
+    EXPECT_EQ(render.integrator->notes().size(), 1U);
+  }
+}
+
+}  // namespace
+}  // namespace ajar
