@@ -43,15 +43,8 @@ class ChainRecruits::Sink final : public StrongPathSink {
   Sink(const ChainRecruits& recruits, Counters& counters)
       : recruits_(recruits), counters_(counters) {}
 
+  double grain() const override { return recruits_.grain_; }
   bool spread(SampleSource& numbers, StrongPath& path) override {
-    const double carried = std::abs(path.energy);
-    if (carried < recruits_.grain_) {
-      const auto u = static_cast<double>(
-          to_unit_float(static_cast<std::uint32_t>(hash_numbers(path.key(), 0x6a1eULL) >> 32U)));
-      if (!(u * recruits_.grain_ < carried)) return true;
-      path.value *= static_cast<float>(recruits_.grain_ / carried);
-      path.energy *= recruits_.grain_ / carried;
-    }
     Recruit recruit{path, PathNumbers(numbers, path), {}};
     splats_.clear();
     recruit.scalar = recruits_.evaluate(recruit, splats_, counters_.rays);

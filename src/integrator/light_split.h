@@ -79,6 +79,20 @@ class LightSplit {
     const PixelShare& share = at(raster);
     return 1.F - share.kept * above(strength, share.threshold);
   }
+  /// Both at once, of a contribution whose technique is divided.
+  struct Parts {
+    float light;  ///< luminance · importance
+    float strength;
+    float chains;
+    float omc;
+  };
+  Parts parts(const Contribution& contribution, const Vec2& raster) const {
+    const float light = luminance(contribution.value) * (*importance_)(raster);
+    const float strength = light / contribution.chance;
+    const PixelShare& share = at(raster);
+    const float over = above(strength, share.threshold);
+    return {light, strength, share.target * over, 1.F - share.kept * over};
+  }
   /// What becomes of a chain's deposit.
   float kept(const Vec2& raster) const {
     const PixelShare& share = at(raster);
@@ -89,7 +103,7 @@ class LightSplit {
   float importance(const Vec2& raster) const { return (*importance_)(raster); }
   /// g.
   float strength(const Contribution& contribution, const Vec2& raster) const {
-    return luminance(contribution.value) / contribution.chance * (*importance_)(raster);
+    return luminance(contribution.value) * (*importance_)(raster) / contribution.chance;
   }
 
  private:

@@ -82,7 +82,7 @@ class SampleSink final : public PathSink {
 
   /// Lets a sink have the strong paths found since the last call. Those seen by a camera ray are
   /// worth its filter weight, and as much more as there are fewer rays near the film's border.
-  void hand_over(StrongPathSink& sink, SampleSource& numbers, std::uint64_t sample) {
+  void hand_over(StrongPathSink& sink, SampleSource& numbers) {
     for (StrongPath& path : strong_) {
       if (path.technique.t > 1) {
         const float coverage = film_.coverage(path.raster);
@@ -95,7 +95,6 @@ class SampleSink final : public PathSink {
         path.value *= weight;
         path.energy *= static_cast<double>(weight);
       }
-      path.sample = sample;
       if (sink.spread(numbers, path)) continue;
       if (!film_.splat(layers_.indirect, path.replicate, path.raster, path.value)) {
         ++counters_.discarded_infinite;
@@ -103,7 +102,12 @@ class SampleSink final : public PathSink {
     }
     strong_.clear();
   }
-  void keep_strong() { keeps_strong_ = true; }
+  void keep_strong_for(const StrongPathSink& sink) {
+    keeps_strong_ = true;
+    grain_ = sink.grain();
+  }
+  /// Before the paths of a camera sample or light subpath: its name.
+  void begin_paths(std::uint64_t sample) { origin_ = sample; }
 
   void end_sample() {
     put(layers_.direct, direct_);
@@ -124,15 +128,27 @@ class SampleSink final : public PathSink {
   /// Leaves chains their share.
   void divide(Contribution& contribution) {
     const Vec2& raster = contribution.technique.t == 1 ? contribution.raster : raster_;
-    const float light = luminance(contribution.value) * split_->importance(raster);
-    const float strength = split_->strength(contribution, raster);
-    const float chains = split_->chain_share(strength, raster);
-    const float own = split_->omc_share(strength, raster);
-    if (keeps_strong_ && std::isfinite(light) && chains > 0.F) {
-      strong_.push_back({contribution.technique, raster, replicate_, strength,
-                         contribution.value * chains, static_cast<double>(light * chains), 0});
+    const LightSplit::Parts parts = split_->parts(contribution, raster);
+    if (keeps_strong_ && std::isfinite(parts.light) && parts.chains > 0.F) {
+      keep_strong(contribution, raster, parts);
     }
-    contribution.value *= own;
+    contribution.value *= parts.omc;
+  }
+
+  void keep_strong(const Contribution& contribution, const Vec2& raster,
+                   const LightSplit::Parts& parts) {
+    StrongPath path{contribution.technique,
+                    raster,
+                    replicate_,
+                    parts.strength,
+                    Spectrum(),
+                    static_cast<double>(parts.light * parts.chains),
+                    origin_};
+    const double weight = draw_lot(path.energy, grain_, path.key());
+    if (weight == 0.0) return;
+    path.value = contribution.value * (parts.chains * static_cast<float>(weight));
+    path.energy *= weight;
+    strong_.push_back(path);
   }
 
   void discard(const Contribution& contribution) {
@@ -189,6 +205,8 @@ class SampleSink final : public PathSink {
   Spectrum direct_;
   Spectrum indirect_;
   bool keeps_strong_ = false;
+  double grain_ = 0.0;  ///< of the strong paths
+  std::uint64_t origin_ = 0;
   std::vector<StrongPath> strong_;
 };
 
@@ -255,7 +273,7 @@ class PathIntegrator final : public Integrator {
     SampleSink sink(film, splits_, g_buffer, techniques, settings_.seed, counters);
     PathSampler sampler(scene_, sampler_settings_);
     const auto strong = strong_ != nullptr ? strong_->make(film, counters) : nullptr;
-    if (strong) sink.keep_strong();
+    if (strong) sink.keep_strong_for(*strong);
     for (int y = low.y; y <= high.y; ++y) {
       for (int x = low.x; x <= high.x; ++x) {
         for (std::uint64_t i = first_sample; i < first_sample + samples; ++i) {
@@ -339,19 +357,21 @@ class PathIntegrator final : public Integrator {
           film.filter().sample(source.get_pair({Stream::Camera, 0, kEmissionDirection}));
       const Vec2 raster = Vec2(pixel) + Vec2(0.5F, 0.5F) + filtered.offset;
       sink.begin(pixel, raster, replicate, filtered.weight, i);
-      sampler.sample(source, raster, sink);
       if (strong != nullptr) {
-        sink.hand_over(*strong, source,
-                       hash_numbers(settings_.seed, 0x57706ULL, pixel.x, pixel.y, i));
+        sink.begin_paths(hash_numbers(settings_.seed, 0x57706ULL, pixel.x, pixel.y, i));
       }
+      sampler.sample(source, raster, sink);
+      if (strong != nullptr) sink.hand_over(*strong, source);
     });
     if (light_alone_) {
       const auto [first, last] = light_numbers(at.number);
       for (std::uint64_t n = first; n < last; ++n) {
         with_source(light_identity(at, n), [&](SampleSource& source) {
+          if (strong != nullptr) {
+            sink.begin_paths(hash_numbers(light_seed(at, n), 0x57707ULL, n));
+          }
           sampler.sample_light(source, sink);
-          if (strong == nullptr) return;
-          sink.hand_over(*strong, source, hash_numbers(light_seed(at, n), 0x57707ULL, n));
+          if (strong != nullptr) sink.hand_over(*strong, source);
         });
       }
     }

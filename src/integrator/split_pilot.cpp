@@ -64,17 +64,26 @@ class SplitPilot::Sink final : public StrongPathSink {
       return true;
     }
     StrongPath offered = path;
-    const bool taken =
-        !recruits_ || !pilot_.offers(path.replicate) || recruits_->spread(numbers, offered);
-    if (!taken) {
+    if (offer(numbers, offered)) {
+      if (pilot_.divides_anew()) keep(path);
+    } else {
       keep_whole(offered);
-    } else if (pilot_.divides_anew()) {
-      keep(path);
     }
     return true;
   }
 
  private:
+  /// False if chains cannot make it.
+  bool offer(SampleSource& numbers, StrongPath& path) const {
+    if (!recruits_ || !pilot_.offers(path.replicate)) return true;
+    const double weight =
+        draw_lot(path.energy, recruits_->grain(), hash_numbers(path.key(), 0x6a1eULL));
+    if (weight == 0.0) return true;
+    path.value *= static_cast<float>(weight);
+    path.energy *= weight;
+    return recruits_->spread(numbers, path);
+  }
+
   void keep_whole(const StrongPath& path) {
     found_.push_back(light_of(path, 0.F));
     found_.back().whole = true;
@@ -86,14 +95,11 @@ class SplitPilot::Sink final : public StrongPathSink {
     const float above = LightSplit::above(path.strength, share.threshold);
     const auto energy = static_cast<float>(path.energy);
     FoundLight light = light_of(path, energy / above);
-    const float carried = std::abs(energy);
-    if (carried < pilot_.grain_) {
-      const float u =
-          to_unit_float(static_cast<std::uint32_t>(hash_numbers(path.key(), 0xf09dULL) >> 32U));
-      if (!(u * pilot_.grain_ < carried)) return;
-      light.weight = pilot_.grain_ / carried;
-      light.value *= light.weight;
-    }
+    light.weight =
+        static_cast<float>(draw_lot(static_cast<double>(energy), static_cast<double>(pilot_.grain_),
+                                    hash_numbers(path.key(), 0xf09dULL)));
+    if (light.weight == 0.F) return;
+    light.value *= light.weight;
     found_.push_back(light);
   }
 

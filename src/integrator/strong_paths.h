@@ -1,4 +1,5 @@
 #pragma once
+#include <cmath>
 #include <cstdint>
 #include <memory>
 
@@ -25,10 +26,21 @@ struct StrongPath {
   }
 };
 
+/// Of what carries less than `grain`, some are drawn by lot, and stand for the others. Returns by
+/// what it is to be multiplied then: 0 if the lot is lost. `key` names the randomness.
+inline double draw_lot(double carried, double grain, std::uint64_t key) {
+  carried = std::abs(carried);
+  if (carried >= grain) return 1.0;
+  const auto u = static_cast<double>(to_unit_float(static_cast<std::uint32_t>(key >> 32U)));
+  return u * grain < carried ? grain / carried : 0.0;
+}
+
 /// Does something with such paths, on one thread.
 class StrongPathSink {
  public:
   virtual ~StrongPathSink() = default;
+  /// It wants only some of the paths that carry less energy (`draw_lot`); constant.
+  virtual double grain() const { return 0.0; }
   /// `numbers`: those that the path was made of. Returns false if chains cannot make the path; what
   /// `path` is then is to be splatted.
   virtual bool spread(SampleSource& numbers, StrongPath& path) = 0;

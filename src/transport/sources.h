@@ -23,19 +23,49 @@ inline std::uint64_t vertex_key(SampleAddress address) {
          static_cast<std::uint64_t>(address.vertex()) << 8U;
 }
 
+/// Independent uniform numbers: a hash of identity and address.
+class IndependentSource final : public SampleSource {
+ public:
+  explicit IndependentSource(const SampleIdentity& identity)
+      : camera_(hash_numbers(identity.camera_seed, identity.camera_index)),
+        light_(hash_numbers(identity.light_seed, identity.light_index)) {}
+  float get(SampleAddress address) override {
+    return to_unit_float(static_cast<std::uint32_t>(bits(address) >> 32U));
+  }
+  Vec2 get_pair(SampleAddress address) override {
+    const std::uint64_t v = bits(address);
+    return {to_unit_float(static_cast<std::uint32_t>(v >> 32U)),
+            to_unit_float(static_cast<std::uint32_t>(v))};
+  }
+
+ private:
+  std::uint64_t bits(SampleAddress address) const {
+    const std::uint64_t base = address.stream() == Stream::Light ? light_ : camera_;
+    const std::uint64_t key = vertex_key(address) | static_cast<std::uint64_t>(address.slot());
+    return mix_bits(base + key * 0x9e3779b97f4a7c15ULL);
+  }
+  std::uint64_t camera_;
+  std::uint64_t light_;
+};
+
 /// Owen-scrambled Sobol' points: each pair of slots of each vertex has its own scrambled and
-/// shuffled two-dimensional set
-/// ("padding"). All numbers of a vertex are made at once when the first of them is asked for.
+/// shuffled two-dimensional set ("padding"). All numbers of a vertex are made at once when the
+/// first of them is asked for. Whether connections are tried is decided by independent numbers:
+/// there are many of them, one at a time, and points so far from the first would be no better.
 /// Source: Kollig & Keller 2002; Burley 2020.
 class SobolSource final : public SampleSource {
  public:
-  explicit SobolSource(const SampleIdentity& identity) : identity_(identity) {}
+  explicit SobolSource(const SampleIdentity& identity)
+      : identity_(identity), independent_(identity) {}
 
   float get(SampleAddress address) override {
+    if (address.stream() == Stream::Connection) return independent_.get(address);
     const Vec2& pair = fetch(address);
     return (static_cast<unsigned>(address.slot()) & 1U) == 0 ? pair.x : pair.y;
   }
-  Vec2 get_pair(SampleAddress address) override { return fetch(address); }
+  Vec2 get_pair(SampleAddress address) override {
+    return address.stream() == Stream::Connection ? independent_.get_pair(address) : fetch(address);
+  }
 
  private:
   /// Slots 2k and 2k + 1 share pad k; the batch makes eight pads in the time of a few single ones.
@@ -63,32 +93,8 @@ class SobolSource final : public SampleSource {
   }
 
   SampleIdentity identity_;
-  std::array<Block, 3> blocks_;  // one per stream
-};
-
-/// Independent uniform numbers: a hash of identity and address.
-class IndependentSource final : public SampleSource {
- public:
-  explicit IndependentSource(const SampleIdentity& identity)
-      : camera_(hash_numbers(identity.camera_seed, identity.camera_index)),
-        light_(hash_numbers(identity.light_seed, identity.light_index)) {}
-  float get(SampleAddress address) override {
-    return to_unit_float(static_cast<std::uint32_t>(bits(address) >> 32U));
-  }
-  Vec2 get_pair(SampleAddress address) override {
-    const std::uint64_t v = bits(address);
-    return {to_unit_float(static_cast<std::uint32_t>(v >> 32U)),
-            to_unit_float(static_cast<std::uint32_t>(v))};
-  }
-
- private:
-  std::uint64_t bits(SampleAddress address) const {
-    const std::uint64_t base = address.stream() == Stream::Light ? light_ : camera_;
-    const std::uint64_t key = vertex_key(address) | static_cast<std::uint64_t>(address.slot());
-    return mix_bits(base + key * 0x9e3779b97f4a7c15ULL);
-  }
-  std::uint64_t camera_;
-  std::uint64_t light_;
+  IndependentSource independent_;
+  std::array<Block, 2> blocks_;  // of the camera, and of the light
 };
 
 }  // namespace ajar
