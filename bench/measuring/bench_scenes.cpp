@@ -75,7 +75,8 @@ std::vector<BenchScene> bench_scenes() {
   if (const auto shared = test::shared_folder()) {
     for (const char* path :
          {"cornell-box/pbrt/scene.pbrt", "veach-mis/pbrt/scene.pbrt", "veach-bidir/pbrt/scene.pbrt",
-          "staircase2/pbrt/scene.pbrt", "water-caustic/scene.pbrt", "teapot-full/scene.pbrt"}) {
+          "staircase2/pbrt/scene.pbrt", "water-caustic/scene.pbrt", "teapot-full/scene.pbrt",
+          "caustic-glass/glass.pbrt", "volume-caustic/caustic.pbrt"}) {
       const std::filesystem::path file = *shared / "scenes" / path;
       const std::string text = path;
       scenes.push_back({text.substr(0, text.find('/')), [file](Warnings& warnings) {
