@@ -14,13 +14,12 @@ namespace ajar {
 
 namespace {
 
-constexpr double kMutationsPerPixel = 4.0;
+constexpr double kMutationsPerPixel = 2.0;
 /// Only some of the chains run, which are longer then.
 constexpr std::uint64_t kOneOf = 2;
-/// Chains of a trial are too short to show all of C, and what they leave is more uneven than what
-/// ordinary Monte Carlo leaves. With this factor the thresholds chosen were those that were best in
-/// whole renders (docs/chains.md).
-constexpr double kBeyondTrial = 3.0;
+/// Chains of a trial are too short to show all of C. With this factor the thresholds chosen were
+/// those that were best in whole renders (docs/chains.md).
+constexpr double kBeyondTrial = 2.0;
 /// Of each half: few are enough, since the errors of all pixels are added up.
 constexpr int kPictures = 4;
 

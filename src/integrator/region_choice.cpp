@@ -181,6 +181,20 @@ std::vector<std::size_t> group_regions(const PilotView& view) {
   return groups;
 }
 
+/// Whether chains would bring clearly more than they cost, even if they turn out worse than a trial
+/// shows: on teapot-full they are ten times as bad, and where they are not needed, pilot and trial
+/// are lost already.
+bool would_pay(const std::vector<ThresholdEstimate>& regions,
+               const std::vector<ThresholdEstimate>& offered, ThresholdCosts costs) {
+  constexpr double kDoubt = 2.0;
+  constexpr double kClearly = 0.9;
+  costs.correlation *= kDoubt;
+  const std::size_t none = regions.front().light.size() - 1;
+  const ThresholdChoice without =
+      predict_thresholds(regions, costs, std::vector<std::size_t>(regions.size(), none));
+  return optimal_thresholds(offered, costs).error < kClearly * without.error;
+}
+
 RegionChoice choose_thresholds(const PilotView& view) {
   const std::vector<double> thresholds = all_thresholds(view.plan);
   const std::vector<ThresholdEstimate> regions = estimate_thresholds(view, thresholds);
@@ -206,12 +220,8 @@ RegionChoice choose_thresholds(const PilotView& view) {
   for (const std::size_t group : groups) chosen.push_back(of_groups.chosen[order.at(group)]);
   RegionChoice choice;
   if (view.plan.selective) {
-    const ThresholdChoice without =
-        predict_thresholds(regions, costs, std::vector<std::size_t>(regions.size(), offers + 1));
-    // They must bring more than it costs to have them. Where the pilot has found nothing for them,
-    // they cost nothing, and stay ready.
-    constexpr double kClearly = 0.98;
-    choice.off = of_groups.chain_light > 0.0 && kClearly * without.error <= of_groups.error;
+    // Where the pilot has found nothing for them, they cost nothing, and stay ready.
+    choice.off = of_groups.chain_light > 0.0 && !would_pay(regions, offered, costs);
   }
   if (choice.off) chosen.assign(regions.size(), offers);
   const auto fixed = fixed_weights(view);

@@ -132,9 +132,10 @@ std::uint64_t SplitPilot::begin() {
       settings.aovs.push_back(name);
     }
   }
-  // What is drawn by lot has a noise of about the picture's brightness in these few samples, and
-  // takes a few numbers per pixel.
-  grain_ = static_cast<float>(plan_.brightness);
+  // What is drawn by lot is noise in these few samples: at the brightness itself, it would be a
+  // third of their variance on cornell-box. So fine a grain keeps about one path per sample.
+  constexpr double kGrain = 0.25;
+  grain_ = static_cast<float>(kGrain * plan_.brightness);
   if (recruits_ != nullptr) recruits_->expect_unknown(static_cast<double>(samples_));
   omc_ = plan_.make_omc(settings, plan_.omc_depths(), &*plan_.splits, this);
   film_ = std::make_unique<Film>(settings.resolution, settings.crop,

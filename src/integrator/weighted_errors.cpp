@@ -66,7 +66,7 @@ WeightedErrors weighted_errors(const Replicates& replicates, const Box2i& crop,
 }
 
 std::vector<double> trimmed(std::vector<double> variance) {
-  constexpr std::size_t kOneOf = 100;
+  constexpr std::size_t kOneOf = 1000;
   std::vector<double> sorted = variance;
   const auto limit = sorted.end() - static_cast<std::ptrdiff_t>(sorted.size() / kOneOf);
   if (limit == sorted.end()) return variance;
