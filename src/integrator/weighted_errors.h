@@ -32,8 +32,8 @@ WeightedErrors weighted_errors(const Replicates& replicates, const Box2i& crop,
 /// Variance of the mean over pictures, of which there must be two, value by value.
 std::vector<double> variance_of_mean(std::span<const std::vector<float>> pictures);
 
-/// With 0 in the pixels where it is largest: a few fireflies on one side, or a chain that was stuck
-/// for long on the other, would decide for the whole picture.
+/// With 0 in the worst 0.1 % of pixels, as errors are measured (bench/): a few fireflies on one
+/// side, or a chain that was stuck for long on the other, would decide for the whole picture.
 std::vector<double> trimmed(std::vector<double> variance);
 
 inline double sum_of(const std::vector<double>& values) {
