@@ -120,6 +120,7 @@ TEST(Preparation, IsSkippedOnceItsFirstRoundShowsThatItTakesTooLong) {
 TEST(Preparation, IsSkippedByAllRanksIfByOne) {
   ThreadRanks ranks(3);
   std::vector<std::thread> threads;
+  threads.reserve(3);
   for (int rank = 0; rank < 3; ++rank) {
     threads.emplace_back([&ranks, rank] {
       Prepared integrator({1.0, 1.0});
