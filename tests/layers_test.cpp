@@ -99,7 +99,7 @@ TEST(TechniqueLayers, EachTechniqueAloneShowsAllLightItReaches) {
   for (int run = 0; run < kRuns; ++run) {
     test::RenderOptions options;
     options.integrator = "bdpt";
-    options.samples = 320;
+    options.samples = 512;
     options.seed = static_cast<std::uint64_t>(run);
     options.max_depth = 4;
     options.aovs = {"techniques"};

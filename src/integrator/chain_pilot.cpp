@@ -7,7 +7,7 @@
 namespace ajar {
 
 namespace {
-constexpr int kSamples = 1;
+constexpr int kSamples = 2;
 
 /// Mean of luminance · importance.
 double mean_strength(const std::vector<float>& luminances, const Box2i& crop,
