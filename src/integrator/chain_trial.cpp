@@ -4,7 +4,6 @@
 #include <numeric>
 
 #include "core/random.h"
-#include "image/make_filter.h"
 #include "integrator/chain_bootstrap.h"
 #include "integrator/chain_film_sink.h"
 #include "integrator/weighted_errors.h"
@@ -44,8 +43,9 @@ std::uint64_t ChainTrial::begin() {
   populations_ = make_populations(plan_);
   recruits_->join_for_trial(populations_, 0, pilot_.samples());
   list_items();
+  // A wide filter would only spread what chains leave over blotches.
   film_ = std::make_unique<Film>(
-      plan_.settings.resolution, plan_.settings.crop, make_filter(plan_.scene.film().filter),
+      plan_.settings.resolution, plan_.settings.crop, Filter::box(),
       kPictures * static_cast<int>(pilot_.halves()),
       std::vector<LayerSpec>{{.name = "indirect", .magnitude = plan_.brightness}});
   return items_.size();
