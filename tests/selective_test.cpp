@@ -12,6 +12,7 @@
 #include "core/random.h"
 #include "image/image_file.h"
 #include "image/metrics.h"
+#include "session/scene_file.h"
 #include "support/render.h"
 #include "support/same_picture.h"
 #include "support/small_scenes.h"
@@ -248,6 +249,23 @@ TEST(Selective, TakesTheUsersRules) {
     FAIL() << "a rule that matches nothing must be refused";
   } catch (const SceneError& error) {
     EXPECT_NE(std::string(error.what()).find(":1:10"), std::string::npos) << error.what();
+  }
+}
+
+/// What a few samples predict of chains there is too good by a tenth (docs/selective.md).
+TEST(Selective, LeavesChainsOutOfACornellBox) {
+  Warnings warnings;
+  const Scene scene(load_scene("builtin:cornell", warnings), BuildOptions{Vec2i(96, 72)}, warnings);
+  test::RenderOptions options;
+  options.integrator = "selective";
+  options.samples = 4;
+  options.replicates = 4;
+  options.max_depth = 8;
+  for (const std::uint64_t seed : {1, 2, 3}) {
+    options.seed = seed;
+    const test::Render render = test::render(scene, options);
+    EXPECT_EQ(render.integrator->notes().size(), 1U);
+    EXPECT_LE(render.counters.mutations, render.counters.samples / 20);
   }
 }
 

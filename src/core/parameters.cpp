@@ -106,13 +106,13 @@ const std::string& value_of(const std::map<std::string, std::string, std::less<>
 }  // namespace
 
 ParameterSpec number_parameter(std::string name, std::string value, std::string help,
-                               double maximum) {
+                               double maximum, std::vector<std::string> words) {
   return {.name = std::move(name),
           .type = ParameterType::Float,
           .default_value = std::move(value),
           .unit = "",
           .help = std::move(help),
-          .choices = {},
+          .choices = std::move(words),
           .minimum = 0.0,
           .maximum = maximum};
 }

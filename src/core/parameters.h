@@ -23,9 +23,9 @@ struct ParameterSpec {
   double maximum = 1e300;
 };
 
-/// A number from 0 on, without unit.
+/// A number from 0 on, without unit, or one of `words`.
 ParameterSpec number_parameter(std::string name, std::string value, std::string help,
-                               double maximum = 1e9);
+                               double maximum = 1e9, std::vector<std::string> words = {});
 /// One of `choices`; the first is the default.
 ParameterSpec choice_parameter(std::string name, std::vector<std::string> choices,
                                std::string help);

@@ -330,6 +330,7 @@ void ChainIntegrator::expect_recruits(std::uint64_t samples) {
 /// E[(1 − w)·bootstrap; light found] + w·E[later samples] is then b. Of I beyond the cap only the
 /// bootstrap knows (see `ChainPopulation::b`), so later samples bring no more than it.
 void ChainIntegrator::refine_b(std::uint64_t samples) {
+  if (populations_.empty()) return;
   double bootstrap = 0.0;
   for (const ChainPopulation& population : populations_) {
     bootstrap += static_cast<double>(population.capped.count);

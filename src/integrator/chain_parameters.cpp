@@ -82,17 +82,12 @@ std::vector<ParameterSpec> chain_parameters(ChainKind kind) {
           "found in narrow places (mutation=gaussian, step=fixed)",
           1.0),
       // What they leave as it is, pssmlt traces again.
-      {.name = "raster-steps",
-       .type = ParameterType::Float,
-       .default_value = kind == ChainKind::OnePath ? "auto" : "0",
-       .unit = "",
-       .help = "share of the small steps that move nothing but a path's place on the picture "
-               "(mutation=gaussian or kelemen, step=fixed, multi-try=1); auto: 0.7, or 0.9 where "
-               "chains "
-               "make nearly all light",
-       .choices = {"auto"},
-       .minimum = 0.0,
-       .maximum = 1.0},
+      number_parameter(
+          "raster-steps", kind == ChainKind::OnePath ? "auto" : "0",
+          "share of the small steps that move nothing but a path's place on the picture "
+          "(mutation=gaussian or kelemen, step=fixed, multi-try=1); auto: 0.7, or 0.9 where "
+          "chains make nearly all light",
+          1.0, {"auto"}),
       number_parameter("camera-steps", "0",
                        "share of the other small steps that move the camera's half of a path only",
                        1.0),
@@ -141,16 +136,12 @@ std::vector<ParameterSpec> chain_parameters(ChainKind kind) {
        .help = "who makes paths of up to two edges: omc (ordinary Monte Carlo), chain (the chains, "
                "which then make all light, as with split=0), or nobody (none)",
        .choices = {"omc", "chain", "none"}},
-      {.name = "split",
-       .type = ParameterType::Float,
-       .default_value = "auto",
-       .unit = "",
-       .help = "ordinary Monte Carlo makes what long paths bring up to about so many times the "
-               "brightness of their pixel, chains what is beyond; 0: chains make all of it; auto: "
-               "found out by a pilot (10 for pssmlt)",
-       .choices = {"auto"},
-       .minimum = 0.0,
-       .maximum = 1e6},
+      number_parameter(
+          "split", "auto",
+          "ordinary Monte Carlo makes what long paths bring up to about so many times the "
+          "brightness of their pixel, chains what is beyond; 0: chains make all of it; auto: "
+          "found out by a pilot (10 for pssmlt)",
+          1e6, {"auto"}),
       {.name = "omc-samples",
        .type = ParameterType::Float,
        .default_value = kind == ChainKind::OnePath ? "0" : "0.5",
