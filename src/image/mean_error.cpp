@@ -1,0 +1,32 @@
+#include "image/mean_error.h"
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+
+namespace ajar {
+
+double mutations_of_least_mean_error(std::span<const double> omc, std::span<const double> chains,
+                                     double sample_cost, double mutation_cost, double lowest,
+                                     double highest) {
+  // Written so that NaN fails.
+  if (omc.size() != chains.size() || !(sample_cost > 0.0 && mutation_cost > 0.0) ||
+      !(lowest > 0.0 && highest >= lowest)) {
+    throw std::invalid_argument("mean error: costs or bounds are not positive");
+  }
+  double best = lowest;
+  double least = std::numeric_limits<double>::infinity();
+  for (double ratio = lowest; ratio <= highest; ratio *= std::numbers::sqrt2) {
+    double sum = 0.0;
+    for (std::size_t j = 0; j < omc.size(); ++j) sum += std::sqrt(omc[j] + chains[j] / ratio);
+    // After one unit of time, n is 1 over the cost of a sample with its mutations.
+    const double error = sum * std::sqrt(sample_cost + ratio * mutation_cost);
+    if (error >= least) continue;
+    least = error;
+    best = ratio;
+  }
+  return best;
+}
+
+}  // namespace ajar
