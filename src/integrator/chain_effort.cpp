@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/archive.h"
+#include "image/mean_error.h"
 #include "image/optimal_thresholds.h"
 #include "integrator/path_family.h"
 #include "integrator/weighted_errors.h"
@@ -45,10 +46,11 @@ void ChainEffort::adjust(std::uint64_t samples, const Film& film, const Integrat
     return weighted_errors(develop_layers(film, integrator, samples, names), plan_.settings.crop,
                            plan_.view.importance);
   };
-  const WeightedErrors of_chains = errors({"indirect"});
+  WeightedErrors of_chains = errors({"indirect"});
+  WeightedErrors of_omc = errors({"direct", kWeakLayer});
   const double error = sum_of(trimmed(of_chains.variance));
   const double light = sum_of(of_chains.light);
-  const double omc_error = sum_of(trimmed(errors({"direct", kWeakLayer}).variance));
+  const double omc_error = sum_of(trimmed(of_omc.variance));
   const double pixels = static_cast<double>(plan_.pixels());
   if (!(light > 0.0 && error > 0.0 && omc_error > 0.0)) return;
   correlation_ = error * mutations(samples) * pixels / (light * light);
@@ -56,8 +58,18 @@ void ChainEffort::adjust(std::uint64_t samples, const Film& film, const Integrat
   const ThresholdCosts costs{
       static_cast<double>(omc_rays_) / static_cast<double>(omc_samples_) * pixels,
       static_cast<double>(chain_rays_) / static_cast<double>(mutations_), correlation_, 0.0};
-  const double best =
-      best_mutations(omc_error * static_cast<double>(omc_samples(samples)), light, costs) / pixels;
+  double best = 0.0;
+  if (plan_.selective) {
+    for (double& variance : of_omc.variance) variance *= static_cast<double>(omc_samples(samples));
+    for (double& variance : of_chains.variance) variance *= mutations(samples) * pixels;
+    best = mutations_of_least_mean_error(of_omc.variance, of_chains.variance, costs.omc_sample,
+                                         costs.mutation, ChainPlan::kFewestMutations * pixels,
+                                         ChainPlan::kMostMutations * pixels) /
+           pixels;
+  } else {
+    best = best_mutations(omc_error * static_cast<double>(omc_samples(samples)), light, costs) /
+           pixels;
+  }
   // Few replicates tell an error to within a factor.
   constexpr double kMostChange = 5.0;
   before_ = mutations(samples);

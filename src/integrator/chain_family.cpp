@@ -17,6 +17,7 @@
 #include "integrator/chain_trial.h"
 #include "integrator/plane_maps.h"
 #include "integrator/split_pilot.h"
+#include "integrator/technique_pilot.h"
 #include "mcmc/bootstrap_source.h"
 #include "mcmc/chain_runner.h"
 
@@ -136,6 +137,7 @@ ChainIntegrator::ChainIntegrator(ChainKind kind, const Scene& scene, const Rende
   stages_.push_back(std::make_unique<ChainPilot>(plan_));
   if (plan_.has_recruits()) recruits_ = std::make_unique<ChainRecruits>(plan_);
   if (plan_.selective || recruits_) {
+    stages_.push_back(std::make_unique<TechniquePilot>(plan_));
     auto pilot = std::make_unique<SplitPilot>(plan_, populations_, recruits_.get());
     auto trial = std::make_unique<ChainTrial>(plan_, *pilot, recruits_.get());
     pilot_ = pilot.get();
@@ -230,7 +232,7 @@ std::vector<std::string> ChainIntegrator::notes() const {
   if (!plan_.standby) return {};
   return {
       "nothing in this picture is so hard that Markov chains would pay: ordinary Monte Carlo (" +
-      plan_.selective->omc + ") renders it" +
+      plan_.omc.techniques + ") renders it" +
       (recruits_ ? "; chains only stand by for fireflies" : " alone")};
 }
 
@@ -245,6 +247,8 @@ std::optional<SelectiveReport> ChainIntegrator::selective_report() const {
   SelectiveReport report;
   report.pilot_samples = pilot_->samples();
   report.pilot_stays = plan_.pilot_kept > 0;
+  report.techniques = plan_.omc.techniques;
+  report.light_paths_per_sample = std::stod(plan_.omc.light_paths_per_pixel);
   report.regions = pilot_->report();
   effort_.fill(report);
   return report;

@@ -1,6 +1,7 @@
 #include <utility>
 
 #include "integrator/chain_family.h"
+#include "integrator/path_family.h"
 #include "mcmc/make_mutation.h"
 
 namespace ajar {
@@ -174,6 +175,18 @@ std::vector<ParameterSpec> chain_parameters(ChainKind kind) {
        .unit = "",
        .help = "large steps count as ordinary Monte Carlo samples, too (Kelemen et al. 2002)",
        .choices = {}}};
+  if (kind == ChainKind::OnePath) {
+    specs.push_back(
+        {.name = kLightPathsPerPixel,
+         .type = ParameterType::Float,
+         .default_value = "1",
+         .unit = "",
+         .help =
+             "light subpaths of ordinary Monte Carlo per camera sample, if the techniques have any",
+         .choices = {},
+         .minimum = 0.001,
+         .maximum = PathSampler::kMaxLightSubpaths});
+  }
   add_plane_parameters(specs);
   if (kind == ChainKind::WholePath) {
     specs.push_back({.name = "roulette-start",

@@ -86,6 +86,7 @@ ChainPlan::ChainPlan(ChainKind chain_kind, const Scene& the_scene,
     bootstrap = has_recruits() ? std::max<std::uint64_t>(65536, pixels())
                                : std::max<std::uint64_t>(200000, 4 * pixels());
   }
+  read_omc();
   make_groups();
   read_pilot();
   shares_effort = selective || (omc_samples == 0.0 && has_recruits());
@@ -112,6 +113,22 @@ void ChainPlan::read_split() {
     // Nothing is found out for chains that ordinary Monte Carlo cannot seed.
     thresholds = {10.0};
   }
+}
+
+void ChainPlan::read_omc() {
+  omc = {.techniques = parameters.get_text("techniques"), .roulette_start = "3"};
+  if (selective && thresholds.empty()) omc = path_family_defaults(selective->omc);
+  const bool tells_light_paths = parameters.given().contains(kLightPathsPerPixel);
+  if (tells_light_paths) omc.light_paths_per_pixel = parameters.get_text(kLightPathsPerPixel);
+  chooses_omc = selective && selective->chooses_omc && !thresholds.empty() &&
+                kind == ChainKind::OnePath && !tells_light_paths;
+}
+
+void ChainPlan::set_omc(const PathFamilyDefaults& choice) {
+  omc = choice;
+  techniques = TechniqueSet::parse(omc.techniques);
+  groups.clear();
+  make_groups();
 }
 
 void ChainPlan::read_pilot() {
@@ -199,10 +216,14 @@ std::size_t ChainPlan::chains_per_replicate() const {
   // because few chains depend on luck.
   constexpr std::uint64_t kSteps = 16;
   constexpr std::uint64_t kFewest = 32;
+  // Mutations per pixel and sample: the first guess is low, and few chains for what there is to
+  // explore leave islands of light to luck for the rest of the render.
+  constexpr double kExpected = 3.0;
   const auto replicates = static_cast<std::uint64_t>(settings.replicates);
   if (wanted_chains > 0) return std::max<std::uint64_t>(1, wanted_chains / replicates);
+  const double expected = standby ? mutations : std::max(mutations, kExpected);
   const auto steps =
-      static_cast<std::uint64_t>(mutations * static_cast<double>(pixels())) / replicates;
+      static_cast<std::uint64_t>(expected * static_cast<double>(pixels())) / replicates;
   return std::max<std::uint64_t>({1, steps / kSteps, std::min(steps, kFewest)});
 }
 
@@ -223,8 +244,10 @@ void ChainPlan::make_groups() {
                           : std::max(settings.min_depth, LightSplit::kDirectDepth + 1);
   sampler.max_depth = settings.max_depth;
   // As ordinary Monte Carlo counts them, so that both agree about what a path brings.
+  const bool is_divided = kind == ChainKind::OnePath && !thresholds.empty();
+  if (is_divided) sampler.light_subpaths = std::stod(omc.light_paths_per_pixel);
   sampler.light_paths_per_pixel =
-      static_cast<double>(pixels()) /
+      sampler.light_subpaths * static_cast<double>(pixels()) /
       (static_cast<double>(settings.resolution.x) * settings.resolution.y);
   if (sampler.min_depth > sampler.max_depth) return;
   if (kind == ChainKind::WholePath) {
@@ -298,11 +321,7 @@ std::unique_ptr<Integrator> ChainPlan::make_omc(const RenderSettings& omc_settin
   RenderSettings own = omc_settings;
   own.min_depth = depths.first;
   own.max_depth = depths.second;
-  // Where light is divided path by path, a light subpath must bring the same to both sides.
-  PathFamilyDefaults defaults{.techniques = parameters.get_text("techniques"),
-                              .roulette_start = "3"};
-  if (selective && thresholds.empty()) defaults = path_family_defaults(selective->omc);
-  const auto specs = path_family_parameters(defaults);
+  const auto specs = path_family_parameters(omc);
   return make_path_integrator(scene, own,
                               Parameters(specs, {{"heuristic", parameters.get_text("heuristic")}}),
                               divide, strong);

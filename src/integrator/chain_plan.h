@@ -7,6 +7,7 @@
 #include "core/parameters.h"
 #include "integrator/chain_family.h"
 #include "integrator/light_split.h"
+#include "integrator/path_family.h"
 #include "integrator/path_target.h"
 #include "integrator/pilot_use.h"
 #include "integrator/selective_settings.h"
@@ -51,12 +52,19 @@ struct ChainPlan {
     return thresholds.size() > 1 &&
            (!selective || selective->map == SelectiveSettings::Map::Optimal);
   }
+  /// Where light is divided path by path, both halves have the same techniques, each as often: that
+  /// is part of what a path brings.
+  void set_omc(const PathFamilyDefaults& choice);
   /// Does without chains, and without what a preparation would find out.
   void leave_to_omc();
   /// How its chains move: where they make nearly all light, steps on the raster pay more.
   ChainSettings chain_settings_of(int replicate) const;
   /// So many mutations per pixel and camera sample that neither half is forgotten.
-  static double clamp_mutations(double mutations) { return std::clamp(mutations, 1.0 / 32, 16.0); }
+  static constexpr double kFewestMutations = 1.0 / 32;
+  static constexpr double kMostMutations = 16.0;
+  static double clamp_mutations(double mutations) {
+    return std::clamp(mutations, kFewestMutations, kMostMutations);
+  }
   /// How many chains a replicate should have.
   std::size_t chains_per_replicate() const;
   /// Depths that ordinary Monte Carlo renders; empty (min > max) if there are none.
@@ -83,6 +91,8 @@ struct ChainPlan {
   std::vector<double> thresholds;
   /// The same for chains that stand by.
   double standby_threshold = 0.0;
+  /// Whether a pilot decides what techniques there are, and how many light subpaths.
+  bool chooses_omc = false;
   /// If regions of the picture are divided, too.
   std::optional<SelectiveSettings> selective;
   std::uint64_t pilot_samples = 0;  ///< per pixel, at least
@@ -111,11 +121,13 @@ struct ChainPlan {
   PlaneRule plane;
   ChainView view;
   std::vector<PathGroup> groups;
+  PathFamilyDefaults omc;             ///< of ordinary Monte Carlo
   std::optional<LightSplits> splits;  ///< found by the pilot
 
  private:
   void make_groups();
   void read_split();
+  void read_omc();
   void read_pilot();
   void read_importance();
   void read_small_steps();

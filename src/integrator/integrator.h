@@ -80,7 +80,9 @@ struct SelectiveReport {
   };
   std::uint64_t pilot_samples = 0;  ///< per pixel
   bool pilot_stays = false;
-  double mutations_per_sample = 0.0;  ///< 0: no chains
+  std::string techniques;               ///< of ordinary Monte Carlo
+  double light_paths_per_sample = 1.0;  ///< likewise
+  double mutations_per_sample = 0.0;    ///< 0: no chains
   double correlation = 0.0;     ///< variance of chains over that of as many independent samples
   double chain_rays = 0.0;      ///< share of the rays
   double chain_error = 0.0;     ///< share of the squared error, luminance · importance

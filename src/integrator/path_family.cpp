@@ -143,7 +143,8 @@ class SampleSink final : public PathSink {
                     parts.strength,
                     Spectrum(),
                     static_cast<double>(parts.light * parts.chains),
-                    origin_};
+                    origin_ + static_cast<std::uint64_t>(contribution.light_subpath),
+                    contribution.light_subpath};
     const double weight = draw_lot(path.energy, grain_, path.key());
     if (weight == 0.0) return;
     path.value = contribution.value * (parts.chains * static_cast<float>(weight));
@@ -227,7 +228,7 @@ class PathIntegrator final : public Integrator {
     sampler_settings_.min_depth = settings.min_depth;
     sampler_settings_.max_depth = std::min(settings.max_depth, kMaxPathEdges);
     sampler_settings_.roulette_start = parameters.get_int("roulette-start");
-    sampler_settings_.light_subpaths = parameters.get_float("light-paths-per-pixel");
+    sampler_settings_.light_subpaths = parameters.get_float(kLightPathsPerPixel);
     sampler_settings_.light_paths_per_pixel =
         sampler_settings_.light_subpaths * static_cast<double>(size.x) * size.y / pixels;
     light_alone_ = sampler_settings_.techniques.any(TechniqueClass::Light) &&
@@ -458,7 +459,7 @@ std::vector<ParameterSpec> path_family_parameters(const PathFamilyDefaults& defa
            "how paths are built: a list of pt, lt, ibpt, bdpt, implicit, explicit, light, inner "
            "and (s,t) pairs, each with an optional count (explicit*4)",
        .choices = {}},
-      {.name = "light-paths-per-pixel",
+      {.name = kLightPathsPerPixel,
        .type = ParameterType::Float,
        .default_value = defaults.light_paths_per_pixel,
        .unit = "",

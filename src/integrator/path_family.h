@@ -6,6 +6,9 @@
 
 namespace ajar {
 
+/// The parameter of that name.
+inline const std::string kLightPathsPerPixel = "light-paths-per-pixel";
+
 /// What the members of the family differ in: the defaults of their parameters.
 struct PathFamilyDefaults {
   std::string techniques;

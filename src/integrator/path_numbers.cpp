@@ -7,16 +7,16 @@
 namespace ajar {
 
 PathNumbers::PathNumbers(SampleSource& source, const StrongPath& path) {
-  const auto record = [&](Stream stream, int vertices) {
+  const auto record = [&](Stream stream, int vertices, int repeat) {
     for (int vertex = 0; vertex < vertices; ++vertex) {
       for (std::size_t slot = 0; slot < kBlockSize; ++slot) {
-        numbers_.push_back(source.get({stream, vertex, static_cast<Slot>(slot)}));
+        numbers_.push_back(source.get({stream, vertex, static_cast<Slot>(slot), repeat}));
       }
     }
   };
   numbers_.reserve(static_cast<std::size_t>(path.technique.s + path.technique.t) * kBlockSize);
-  record(Stream::Camera, path.technique.t);
-  record(Stream::Light, path.technique.s);
+  record(Stream::Camera, path.technique.t, 0);
+  record(Stream::Light, path.technique.s, path.light_subpath);
 }
 
 bool PathNumbers::fit(const StrongPath& path) const {

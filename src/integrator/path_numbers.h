@@ -10,7 +10,8 @@ namespace ajar {
 /// The numbers that ordinary Monte Carlo has made a path of, so that a chain can start there.
 class PathNumbers {
  public:
-  /// Of both subpaths, for as many vertices as the path's technique has.
+  /// Of both subpaths, of which `path` must know the light's number, for as many vertices as the
+  /// path's technique has.
   PathNumbers(SampleSource& source, const StrongPath& path);
   /// None, to be read from an archive.
   PathNumbers() = default;

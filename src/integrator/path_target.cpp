@@ -10,8 +10,15 @@ namespace {
 /// Turns contributions into splats: those of the camera ray's own place into one per layer.
 class SplatSink final : public PathSink {
  public:
-  SplatSink(const ChainView& view, const LightSplit* split, const Vec2& raster, SplatBuffer& splats)
-      : view_(view), split_(split), raster_(raster), splats_(splats), first_(splats.size()) {}
+  /// A light subpath stands for so many that ordinary Monte Carlo has per camera sample.
+  SplatSink(const ChainView& view, const LightSplit* split, double light_subpaths,
+            const Vec2& raster, SplatBuffer& splats)
+      : view_(view),
+        split_(split),
+        light_subpaths_(static_cast<float>(light_subpaths)),
+        raster_(raster),
+        splats_(splats),
+        first_(splats.size()) {}
 
   void add(const Contribution& contribution) override {
     const std::int32_t layer = splat_layer(contribution.technique.depth());
@@ -21,6 +28,7 @@ class SplatSink final : public PathSink {
     if (split_ != nullptr && split_->divides(contribution.technique)) {
       value *= split_->chain_share(contribution, raster);
     }
+    if (contribution.technique.s >= 2) value *= light_subpaths_;
     if (from_light) {
       value *= static_cast<float>(view_.pixels / view_.area());
       splats_.push_back({raster, layer, value});
@@ -40,6 +48,7 @@ class SplatSink final : public PathSink {
  private:
   const ChainView& view_;
   const LightSplit* split_;
+  float light_subpaths_;
   Vec2 raster_;
   SplatBuffer& splats_;
   std::size_t first_;
@@ -87,7 +96,7 @@ WholePathTarget::WholePathTarget(const Scene& scene, const PathSamplerSettings& 
 double WholePathTarget::evaluate(SampleSource& numbers, const Change& /*change*/,
                                  SplatBuffer& splats) {
   const Vec2 raster = raster_of(numbers, view_);
-  SplatSink sink(view_, split_, raster, splats);
+  SplatSink sink(view_, split_, 1.0, raster, splats);
   if (light_alone_) sampler_.sample_light(numbers, sink);
   sampler_.sample(numbers, raster, sink);
   return contribution(splats, view_.importance);
@@ -108,7 +117,11 @@ TechniqueChoice::Chosen TechniqueChoice::choose(float u) const {
 OnePathTarget::OnePathTarget(const Scene& scene, const PathSamplerSettings& settings,
                              const TechniqueChoice& choice, const ChainView& view,
                              const LightSplit* split)
-    : view_(view), split_(split), sampler_(scene, settings), choice_(choice) {}
+    : view_(view),
+      split_(split),
+      light_subpaths_(settings.light_subpaths),
+      sampler_(scene, settings),
+      choice_(choice) {}
 
 template <typename Trace>
 const PathVertex* OnePathTarget::half(Halves& halves, int vertices, bool moved,
@@ -131,7 +144,7 @@ double OnePathTarget::evaluate(SampleSource& numbers, const Change& change, Spla
   const int s = chosen_.technique.s;
   const int t = chosen_.technique.t;
   const Vec2 raster = t >= 2 ? raster_of(numbers, view_) : Vec2(0.F, 0.F);
-  SplatSink sink(view_, split_, raster, splats);
+  SplatSink sink(view_, split_, light_subpaths_, raster, splats);
   if (s == 0) {
     sampler_.sample_implicit(numbers, raster, t, sink);
   } else {

@@ -99,7 +99,8 @@ class WholePathTarget final : public PathTarget {
 class OnePathTarget final : public PathTarget {
  public:
   /// All paths have `settings.max_depth` edges, which must equal `settings.min_depth`; the choice
-  /// is among techniques of that depth.
+  /// is among techniques of that depth. A state has one light subpath, which stands for
+  /// `settings.light_subpaths` of ordinary Monte Carlo.
   OnePathTarget(const Scene& scene, const PathSamplerSettings& settings,
                 const TechniqueChoice& choice, const ChainView& view,
                 const LightSplit* split = nullptr);
@@ -131,6 +132,7 @@ class OnePathTarget final : public PathTarget {
 
   const ChainView& view_;
   const LightSplit* split_;
+  double light_subpaths_;
   PathSampler sampler_;
   const TechniqueChoice& choice_;
   TechniqueChoice::Chosen chosen_{0, {0, 2}, 1.F};

@@ -83,10 +83,14 @@ struct SharedPath {
   float lot;    ///< share of its square that is due to its being drawn by lot
 };
 
-std::vector<SharedPath> shared_paths(const PilotView& view) {
-  // A firefly cannot look worse than white, so that a brighter one is no better reason for chains.
-  constexpr double kWhite = 100.0;
-  const auto most = static_cast<float>(kWhite * view.plan.brightness);
+/// Which paths of the pilot count.
+struct PathsSeen {
+  double most;  ///< for no more than so many times the brightness of the picture
+  bool without_brightest;
+};
+
+std::vector<SharedPath> shared_paths(const PilotView& view, const PathsSeen& seen) {
+  const auto most = static_cast<float>(seen.most * view.plan.brightness);
   const auto scale =
       static_cast<float>(static_cast<double>(view.replicates.size()) / seen_samples(view));
   std::vector<SharedPath> paths;
@@ -98,19 +102,25 @@ std::vector<SharedPath> shared_paths(const PilotView& view) {
                      std::clamp(found.energy, -most, most) * found.weight * scale,
                      1.F - 1.F / found.weight});
   }
+  const auto brightest =
+      std::max_element(paths.begin(), paths.end(), [](const SharedPath& a, const SharedPath& b) {
+        return std::abs(a.light) < std::abs(b.light);
+      });
+  if (seen.without_brightest && brightest != paths.end()) paths.erase(brightest);
   return paths;
 }
 
 /// Variance and light that each of `thresholds`, and none, would leave to either side.
 std::vector<ThresholdEstimate> estimate_thresholds(const PilotView& view,
-                                                   const std::vector<double>& thresholds) {
+                                                   const std::vector<double>& thresholds,
+                                                   const PathsSeen& seen) {
   const std::size_t count = thresholds.size() + 1;
   std::vector<ThresholdEstimate> regions(view.regions.count(),
                                          {std::vector<double>(count), std::vector<double>(count)});
   const std::vector<std::vector<float>> weak =
       weighted_light(seen_pictures(view, {"direct", kWeakLayer}), view.plan.settings.crop,
                      view.plan.view.importance);
-  const std::vector<SharedPath> paths = shared_paths(view);
+  const std::vector<SharedPath> paths = shared_paths(view, seen);
   const auto lowest = static_cast<float>(view.plan.lowest_threshold());
   // Fireflies that no threshold helps against, of direct light, say, must decide nothing.
   const std::vector<double> least = trimmed(variance_of_mean(weak));
@@ -181,49 +191,82 @@ std::vector<std::size_t> group_regions(const PilotView& view) {
   return groups;
 }
 
+/// What a choice is made of: regions, put together as `group_regions` has it, and thresholds other
+/// than that of chains on standby.
+struct OfferedThresholds {
+  std::vector<std::size_t> group_of;  ///< of each region
+  std::vector<ThresholdEstimate> groups;
+};
+
+OfferedThresholds offer_thresholds(const PilotView& view,
+                                   const std::vector<ThresholdEstimate>& regions) {
+  const std::size_t offers = view.plan.thresholds.size();
+  std::map<std::size_t, std::size_t> order;
+  OfferedThresholds offered;
+  for (const std::size_t group : group_regions(view)) {
+    const auto [place, is_new] = order.emplace(group, offered.groups.size());
+    if (is_new) {
+      offered.groups.push_back({std::vector<double>(offers), std::vector<double>(offers)});
+    }
+    offered.group_of.push_back(place->second);
+  }
+  for (std::size_t r = 0; r < regions.size(); ++r) {
+    ThresholdEstimate& group = offered.groups[offered.group_of[r]];
+    for (std::size_t i = 0; i < offers; ++i) {
+      group.variance[i] += regions[r].variance[i];
+      group.light[i] += regions[r].light[i];
+    }
+  }
+  return offered;
+}
+
+/// Predicted error with chains over that without.
+double gain_of_chains(const PilotView& view, const std::vector<double>& thresholds,
+                      const ThresholdCosts& costs, const PathsSeen& seen) {
+  const std::vector<ThresholdEstimate> regions = estimate_thresholds(view, thresholds, seen);
+  const ThresholdChoice without = predict_thresholds(
+      regions, costs, std::vector<std::size_t>(regions.size(), thresholds.size()));
+  return optimal_thresholds(offer_thresholds(view, regions).groups, costs).error / without.error;
+}
+
 /// Whether chains would bring clearly more than they cost, even if they turn out worse than a trial
-/// shows: on teapot-full they are ten times as bad, and where they are not needed, pilot and trial
-/// are lost already.
-bool would_pay(const std::vector<ThresholdEstimate>& regions,
-               const std::vector<ThresholdEstimate>& offered, ThresholdCosts costs) {
-  constexpr double kDoubt = 2.0;
-  constexpr double kClearly = 0.9;
+/// shows: in the end they are, and what they leave are blotches, which the eye sees more easily
+/// than noise of the same variance.
+bool would_pay(const PilotView& view, const std::vector<double>& thresholds, ThresholdCosts costs) {
+  constexpr double kDoubt = 4.0;
+  constexpr double kClearly = 0.75;
+  // One path is no evidence, unless it is worth as much as the rest of the picture.
+  constexpr double kHardly = 0.9;
+  constexpr double kOverwhelmingly = 0.1;
+  // Of light that is found in one sample of ten thousand, a pilot sees one or two paths. They are
+  // far brighter than white, and what chains are for.
+  constexpr double kGlaring = 1000.0;
   costs.correlation *= kDoubt;
-  const std::size_t none = regions.front().light.size() - 1;
-  const ThresholdChoice without =
-      predict_thresholds(regions, costs, std::vector<std::size_t>(regions.size(), none));
-  return optimal_thresholds(offered, costs).error < kClearly * without.error;
+  const double gain = gain_of_chains(view, thresholds, costs, {kGlaring, false});
+  if (gain >= kClearly || gain < kOverwhelmingly) return gain < kClearly;
+  return gain_of_chains(view, thresholds, costs, {kGlaring, true}) < kHardly;
 }
 
 RegionChoice choose_thresholds(const PilotView& view) {
+  // A firefly cannot look worse than white, so that a brighter one is no better reason for a low
+  // threshold.
+  constexpr double kWhite = 100.0;
   const std::vector<double> thresholds = all_thresholds(view.plan);
-  const std::vector<ThresholdEstimate> regions = estimate_thresholds(view, thresholds);
+  const std::vector<ThresholdEstimate> regions =
+      estimate_thresholds(view, thresholds, {kWhite, false});
   const ThresholdCosts costs{omc_cost(view), view.costs.rays_per_mutation, view.costs.correlation,
                              0.0};
-  const std::size_t offers = view.plan.thresholds.size();
-  const std::vector<std::size_t> groups = group_regions(view);
-  std::map<std::size_t, std::size_t> order;
-  std::vector<ThresholdEstimate> offered;
-  for (std::size_t r = 0; r < regions.size(); ++r) {
-    const auto [place, is_new] = order.emplace(groups[r], offered.size());
-    if (is_new) {
-      offered.push_back({std::vector<double>(offers), std::vector<double>(offers)});
-    }
-    for (std::size_t i = 0; i < offers; ++i) {
-      offered[place->second].variance[i] += regions[r].variance[i];
-      offered[place->second].light[i] += regions[r].light[i];
-    }
-  }
-  const ThresholdChoice of_groups = optimal_thresholds(offered, costs);
+  const OfferedThresholds offered = offer_thresholds(view, regions);
+  const ThresholdChoice of_groups = optimal_thresholds(offered.groups, costs);
   std::vector<std::size_t> chosen;
-  chosen.reserve(groups.size());
-  for (const std::size_t group : groups) chosen.push_back(of_groups.chosen[order.at(group)]);
+  chosen.reserve(regions.size());
+  for (const std::size_t group : offered.group_of) chosen.push_back(of_groups.chosen[group]);
   RegionChoice choice;
   if (view.plan.selective) {
     // Where the pilot has found nothing for them, they cost nothing, and stay ready.
-    choice.off = of_groups.chain_light > 0.0 && !would_pay(regions, offered, costs);
+    choice.off = of_groups.chain_light > 0.0 && !would_pay(view, thresholds, costs);
   }
-  if (choice.off) chosen.assign(regions.size(), offers);
+  if (choice.off) chosen.assign(regions.size(), view.plan.thresholds.size());
   const auto fixed = fixed_weights(view);
   for (std::size_t r = 0; r < regions.size(); ++r) {
     if (fixed[r]) chosen[r] = 0;

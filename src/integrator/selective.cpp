@@ -4,6 +4,7 @@
 #include <array>
 
 #include "integrator/chain_family.h"
+#include "integrator/path_family.h"
 #include "integrator/selective_settings.h"
 
 namespace ajar {
@@ -12,6 +13,15 @@ namespace {
 
 /// Parameters of chains that mean nothing here.
 constexpr std::array<std::string_view, 2> kMeaningless = {"direct", "omc-samples"};
+
+const std::string kOpen = "auto";
+
+/// Lets a pilot decide about a number.
+void leave_open(ParameterSpec& spec) {
+  spec.default_value = kOpen;
+  spec.choices = {kOpen};
+  spec.help += "; auto: as omc has it";
+}
 
 ChainKind chain_kind(const Parameters& parameters) {
   return parameters.get_text("chain") == "mmlt" ? ChainKind::OnePath : ChainKind::WholePath;
@@ -29,6 +39,7 @@ std::vector<ParameterSpec> selective_parameters() {
       });
       const bool means_something =
           std::find(kMeaningless.begin(), kMeaningless.end(), spec.name) == kMeaningless.end();
+      if (spec.name == kLightPathsPerPixel) leave_open(spec);
       if (!known && means_something) specs.push_back(std::move(spec));
     }
   }
@@ -44,7 +55,9 @@ std::unique_ptr<Integrator> make_selective_integrator(const Scene& scene,
   std::map<std::string, std::string> chain;
   for (const ParameterSpec& spec : specs) {
     const auto value = own.given().find(spec.name);
-    if (value != own.given().end()) chain[spec.name] = value->second;
+    if (value == own.given().end()) continue;
+    const bool is_open = spec.name == kLightPathsPerPixel && value->second == kOpen;
+    if (!is_open) chain[spec.name] = value->second;
   }
   return make_chain_integrator(kind, scene, settings, Parameters(specs, chain),
                                SelectiveSettings::read(own, settings));

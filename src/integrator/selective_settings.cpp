@@ -37,11 +37,12 @@ std::vector<ParameterSpec> SelectiveSettings::parameters() {
   std::vector<ParameterSpec> specs = {
       {.name = "omc",
        .type = ParameterType::Text,
-       .default_value = "bdpt",
+       .default_value = "auto",
        .unit = "",
        .help =
            "techniques of ordinary Monte Carlo. Like those of the chains (techniques): light is "
-           "divided path by path; others: by regions alone",
+           "divided path by path; others: by regions alone. auto: those of the chains; if they are "
+           "not given either, ibpt or bdpt, as a pilot finds",
        .choices = {}},
       choice_parameter("chain", {"mmlt", "pssmlt"}, "the Markov chains"),
       choice_parameter(
@@ -125,9 +126,11 @@ SelectiveSettings SelectiveSettings::read(const Parameters& parameters,
   result.exclusive = parameters.get_text("choice") == "exclusive";
   result.diffuse_out = parameters.get_text("preset") == "lambertian-out";
   result.antialias = parameters.get_text("edges") == "antialias";
-  result.omc = parameters.get_text("omc");
-  result.omc_shares =
-      TechniqueSet::parse(result.omc) == TechniqueSet::parse(parameters.get_text("techniques"));
+  const std::string& techniques = parameters.get_text("techniques");
+  const bool is_open = parameters.get_text("omc") == "auto";
+  result.omc = is_open ? techniques : parameters.get_text("omc");
+  result.chooses_omc = is_open && !parameters.given().contains("techniques");
+  result.omc_shares = TechniqueSet::parse(result.omc) == TechniqueSet::parse(techniques);
   const std::string& regions = parameters.get_text("regions");
   if (is_image(regions)) {
     result.painted = read_crop_weights("regions", regions, settings);

@@ -26,6 +26,7 @@ struct SelectiveSettings {
   bool diffuse_out = false;  ///< no chains where a pixel shows a diffuse material
   bool antialias = false;    ///< along edges where the map has a step
   std::string omc;           ///< techniques of ordinary Monte Carlo
+  bool chooses_omc = false;  ///< they are for a pilot to find, and those of chains as well
   bool omc_shares = true;    ///< they are the chains', so that light can be divided path by path
   std::vector<RegionRule> rules;
   std::vector<float> painted;  ///< σ of each pixel of the crop, given by the user; or empty

@@ -18,7 +18,9 @@ struct StrongPath {
   float strength;        ///< g of the division (`LightSplit`)
   Spectrum value;        ///< the chains' share, as it would be splatted
   double energy;         ///< luminance · importance of it; below 0 in negative lobes of a filter
-  std::uint64_t sample;  ///< names the camera sample that found it
+  std::uint64_t sample;  ///< names the camera sample and the light subpath that found it
+  /// Which of the sample's light subpaths, if s ≥ 2. Not kept: the path's numbers are.
+  int light_subpath = 0;
   /// Names the randomness of what is done with it.
   std::uint64_t key() const {
     return hash_numbers(sample, static_cast<std::uint64_t>(technique.s),

@@ -129,7 +129,10 @@ Json selective_json(const SelectiveReport& report) {
       {"correlation", report.correlation},
       {"chains", {{"ray_share", report.chain_rays}, {"squared_error_share", report.chain_error}}},
       {"omc",
-       {{"ray_share", 1.0 - report.chain_rays}, {"squared_error_share", 1.0 - report.chain_error}}},
+       {{"techniques", report.techniques},
+        {"light_paths_per_sample", report.light_paths_per_sample},
+        {"ray_share", 1.0 - report.chain_rays},
+        {"squared_error_share", 1.0 - report.chain_error}}},
       {"region_count", report.regions.size()},
       {"regions", regions}};
 }

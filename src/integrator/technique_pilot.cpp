@@ -1,0 +1,170 @@
+#include "integrator/technique_pilot.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <vector>
+
+#include "core/random.h"
+#include "integrator/path_family.h"
+#include "integrator/weighted_errors.h"
+
+namespace ajar {
+
+namespace {
+
+/// The first makes do with few light subpaths; then in order of how many there are.
+std::vector<PathFamilyDefaults> offers() {
+  const PathFamilyDefaults usual = path_family_defaults("bdpt");
+  PathFamilyDefaults many = usual;
+  many.light_paths_per_pixel = "4";
+  return {path_family_defaults("ibpt"), usual, many};
+}
+constexpr std::size_t kUsual = 1;
+/// One sample per pixel of the tiles in each.
+constexpr int kReplicates = 4;
+/// Paths that bring more, relative to the brightness of the picture, are looked at one by one.
+constexpr double kThreshold = 1.0;
+/// What is brighter still counts for no more: it is rare, and for chains to deal with.
+constexpr double kMost = 30.0;
+
+/// Of the picture that is rendered with each number: enough to tell errors that differ by a tenth.
+double share_of_picture(const ChainPlan& plan) {
+  const auto pixels = static_cast<double>(plan.pixels());
+  return std::min(1.0, std::clamp(pixels / 8.0, 1024.0, 4096.0) / pixels);
+}
+
+}  // namespace
+
+/// Ordinary Monte Carlo with one of the offers.
+class TechniquePilot::Candidate final : public StrongPathSinks {
+ public:
+  /// `plan` has its techniques for now.
+  Candidate(const ChainPlan& plan, const RenderSettings& settings)
+      : plan_(plan),
+        choice_(plan.omc),
+        splits_(LightSplit(kThreshold * plan.brightness, plan.view.importance)),
+        omc_(plan.make_omc(settings, plan.omc_depths(), &splits_, this)),
+        film_(settings.resolution, settings.crop, Filter::box(), kReplicates, omc_->layers()) {}
+
+  const PathFamilyDefaults& choice() const { return choice_; }
+  std::uint64_t tiles() const { return omc_->items_in_pass(); }
+
+  void render(std::uint64_t tile, Counters& counters) {
+    Counters own;
+    omc_->run_item(tile, 0, kReplicates, film_, own);
+    rays_ += own.rays;
+    counters.rays += own.rays;
+  }
+
+  std::unique_ptr<StrongPathSink> make(Film& /*film*/, Counters& /*counters*/) const override {
+    return std::make_unique<Sink>(*this);
+  }
+
+  /// Sums of squares over the tiles that were rendered, in units of (luminance · importance)².
+  struct Errors {
+    double weak;        ///< variance of what ordinary Monte Carlo keeps
+    double strong;      ///< second moment of what is beyond the threshold
+    double from_light;  ///< of it, what light subpaths have found
+    double rays;
+    double after_equal_time() const { return (weak + strong) * rays; }
+  };
+  Errors errors() const {
+    const WeightedErrors of_pixels =
+        weighted_errors(develop_layers(film_, *omc_, kReplicates, {"direct", kWeakLayer}),
+                        plan_.settings.crop, plan_.view.importance);
+    const double unit = plan_.brightness * plan_.brightness / kUnit / kReplicates;
+    return {sum_of(trimmed(of_pixels.variance)) * kReplicates,
+            static_cast<double>(strong_.load()) * unit,
+            static_cast<double>(from_light_.load()) * unit, static_cast<double>(rays_.load())};
+  }
+
+ private:
+  /// Of sums of squares, which as whole numbers do not depend on the order of threads.
+  static constexpr double kUnit = 1 << 20;
+
+  class Sink final : public StrongPathSink {
+   public:
+    explicit Sink(const Candidate& candidate) : candidate_(candidate) {}
+    bool spread(SampleSource& /*numbers*/, StrongPath& path) override {
+      const double light = std::min(kMost, std::abs(path.energy) / candidate_.plan_.brightness);
+      const auto square = static_cast<std::uint64_t>(light * light * kUnit);
+      candidate_.strong_ += square;
+      if (path.technique.s >= 2) candidate_.from_light_ += square;
+      return true;
+    }
+
+   private:
+    const Candidate& candidate_;
+  };
+
+  const ChainPlan& plan_;
+  PathFamilyDefaults choice_;
+  LightSplits splits_;
+  std::unique_ptr<Integrator> omc_;
+  Film film_;
+  std::atomic<std::uint64_t> rays_{0};
+  mutable std::atomic<std::uint64_t> strong_{0};
+  mutable std::atomic<std::uint64_t> from_light_{0};
+};
+
+TechniquePilot::TechniquePilot(ChainPlan& plan) : plan_(plan) {}
+TechniquePilot::~TechniquePilot() = default;
+
+double TechniquePilot::effort() const {
+  if (!plan_.chooses_omc) return 0.0;
+  double per_sample = 0.0;
+  // With one light subpath, half of a sample's rays are due to it.
+  for (const PathFamilyDefaults& offer : offers()) {
+    per_sample += 0.5 + 0.5 * std::stod(offer.light_paths_per_pixel);
+  }
+  return kReplicates * per_sample * share_of_picture(plan_);
+}
+
+std::uint64_t TechniquePilot::begin() {
+  if (!plan_.chooses_omc || !(plan_.brightness > 0.0)) return 0;
+  RenderSettings settings = plan_.settings;
+  settings.replicates = kReplicates;
+  settings.aovs.clear();
+  settings.seed = hash_numbers(settings.seed, 0x11997ULL);
+  const PathFamilyDefaults before = plan_.omc;
+  for (const PathFamilyDefaults& offer : offers()) {
+    plan_.set_omc(offer);
+    candidates_.push_back(std::make_unique<Candidate>(plan_, settings));
+  }
+  plan_.set_omc(before);
+  const std::uint64_t all = candidates_.front()->tiles();
+  const auto count =
+      static_cast<std::uint64_t>(std::ceil(static_cast<double>(all) * share_of_picture(plan_)));
+  for (std::uint64_t i = 0; i < count; ++i) {
+    // One of each stretch, so that they lie all over the picture.
+    const std::uint64_t first = i * all / count;
+    const std::uint64_t last = (i + 1) * all / count;
+    tiles_.push_back(first + hash_numbers(settings.seed, i) % (last - first));
+  }
+  return tiles_.size() * candidates_.size();
+}
+
+void TechniquePilot::run(std::uint64_t item, Counters& counters) {
+  candidates_[item % candidates_.size()]->render(tiles_[item / candidates_.size()], counters);
+}
+
+void TechniquePilot::end() {
+  if (candidates_.empty()) return;
+  // What light subpaths alone find, fewer of them would seldom find: neither a pilot nor chains
+  // would know of it.
+  constexpr double kLittle = 0.2;
+  std::vector<Candidate::Errors> errors;
+  for (const auto& candidate : candidates_) errors.push_back(candidate->errors());
+  const bool may_have_fewer =
+      std::all_of(errors.begin() + kUsual, errors.end(),
+                  [](const Candidate::Errors& of) { return of.from_light <= kLittle * of.weak; });
+  const auto first = errors.begin() + (may_have_fewer ? 0 : kUsual);
+  const auto best = std::min_element(first, errors.end(), [](const auto& a, const auto& b) {
+    return a.after_equal_time() < b.after_equal_time();
+  });
+  plan_.set_omc(candidates_[static_cast<std::size_t>(best - errors.begin())]->choice());
+  candidates_.clear();
+}
+
+}  // namespace ajar

@@ -1,0 +1,106 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "integrator/chain_plan.h"
+#include "integrator/path_numbers.h"
+#include "mcmc/chain_source.h"
+#include "support/render.h"
+#include "support/small_scenes.h"
+
+/// What ordinary Monte Carlo finds must be, as the state of a chain, the path that it was, worth
+/// what the other half leaves of it: else both halves together are not the picture.
+namespace ajar {
+namespace {
+
+struct Setting {
+  std::string techniques;
+  std::string light_paths;
+};
+
+RenderSettings settings_of(const Scene& scene) {
+  RenderSettings settings;
+  settings.resolution = scene.camera().resolution();
+  settings.crop = Box2i(Vec2i(0, 0), settings.resolution - Vec2i(1, 1));
+  settings.max_depth = 6;
+  settings.replicates = 1;
+  return settings;
+}
+
+/// Starts a chain at each path that is found, and compares.
+class Comparison final : public StrongPathSinks {
+ public:
+  Comparison(const ChainPlan& plan, double light_paths) : plan_(plan), light_paths_(light_paths) {}
+  std::unique_ptr<StrongPathSink> make(Film& /*film*/, Counters& /*counters*/) const override {
+    return std::make_unique<Sink>(*this);
+  }
+  mutable int found = 0;
+  mutable int found_by_later_subpaths = 0;
+  mutable int different = 0;
+
+ private:
+  class Sink final : public StrongPathSink {
+   public:
+    explicit Sink(const Comparison& all) : all_(all) {}
+    bool spread(SampleSource& numbers, StrongPath& path) override {
+      ++all_.found;
+      if (path.light_subpath > 0) ++all_.found_by_later_subpaths;
+      const PathGroup& group = all_.plan_.group_of(path.technique.depth());
+      const Chain chain = PathNumbers(numbers, path).start_chain(all_.plan_, group, path);
+      const auto target = all_.plan_.make_target(group, path.replicate);
+      ReplaySource replay(chain.numbers);
+      SplatBuffer splats;
+      const double scalar = target->evaluate(replay, Change{}, splats);
+      EXPECT_EQ(target->technique()->technique, path.technique);
+      double expected = static_cast<double>(
+          path.strength *
+          LightSplit::above(path.strength, static_cast<float>(all_.plan_.lowest_threshold())));
+      if (path.technique.s >= 2) expected *= all_.light_paths_;
+      // Chains look over a larger area where filters reach beyond the film.
+      if (path.technique.t == 1) expected *= all_.plan_.view.pixels / all_.plan_.view.area();
+      expected /= static_cast<double>(target->technique()->probability);
+      if (!(std::abs(scalar - expected) <= 0.01 * expected)) ++all_.different;
+      return true;
+    }
+
+   private:
+    const Comparison& all_;
+  };
+  const ChainPlan& plan_;
+  double light_paths_;
+};
+
+TEST(Recruits, AreStatesOfChainsThatAreWorthWhatWasFound) {
+  for (const char* name : {"Room", "GlassAndMetal"}) {
+    const auto scene = test::scene_from(test::small_scene(name).text);
+    for (const Setting& setting : {Setting{"bdpt", "1"}, Setting{"bdpt", "0.3"},
+                                   Setting{"bdpt", "4"}, Setting{"ibpt", "0.33"}}) {
+      const Parameters parameters(chain_parameters(ChainKind::OnePath),
+                                  {{"techniques", setting.techniques},
+                                   {"light-paths-per-pixel", setting.light_paths},
+                                   {"importance", "uniform"},
+                                   {"split", "0.1"}});
+      ChainPlan plan(ChainKind::OnePath, *scene, settings_of(*scene), parameters);
+      plan.brightness = 1.0;
+      plan.splits.emplace(LightSplit(plan.lowest_threshold(), plan.view.importance));
+      const Comparison comparison(plan, std::stod(setting.light_paths));
+      const auto omc = plan.make_omc(plan.settings, plan.omc_depths(), &*plan.splits, &comparison);
+      Film film(plan.settings.resolution, plan.settings.crop, Filter::box(), 1, omc->layers());
+      Counters counters;
+      for (std::uint64_t item = 0; item < omc->items_in_pass(); ++item) {
+        omc->run_item(item, 0, 8, film, counters);
+      }
+      const std::string what = std::string(name) + ", " + setting.techniques + ", " +
+                               setting.light_paths + " light subpaths";
+      EXPECT_GT(comparison.found, 500) << what;
+      // Rounding moves a path off an edge now and then.
+      EXPECT_LT(comparison.different, comparison.found / 200) << what;
+      EXPECT_EQ(comparison.found_by_later_subpaths > 100, setting.light_paths == "4") << what;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace ajar
