@@ -17,7 +17,7 @@ namespace {
 std::vector<PathFamilyDefaults> offers() {
   const PathFamilyDefaults usual = path_family_defaults("bdpt");
   PathFamilyDefaults many = usual;
-  many.light_paths_per_pixel = "4";
+  many.light_paths_per_pixel = std::string("4");
   return {path_family_defaults("ibpt"), usual, many};
 }
 constexpr std::size_t kUsual = 1;
@@ -25,8 +25,11 @@ constexpr std::size_t kUsual = 1;
 constexpr int kReplicates = 4;
 /// Paths that bring more, relative to the brightness of the picture, are looked at one by one.
 constexpr double kThreshold = 1.0;
-/// What is brighter still counts for no more: it is rare, and for chains to deal with.
-constexpr double kMost = 30.0;
+/// For how much a path counts at most in the error of a picture: what is brighter is rare, and for
+/// chains to deal with.
+constexpr double kMostOfError = 3.0;
+/// And where it is asked what light subpaths find.
+constexpr double kMostOfFinds = 30.0;
 
 /// Of the picture that is rendered with each number: enough to tell errors that differ by a tenth.
 double share_of_picture(const ChainPlan& plan) {
@@ -65,7 +68,7 @@ class TechniquePilot::Candidate final : public StrongPathSinks {
   struct Errors {
     double weak;        ///< variance of what ordinary Monte Carlo keeps
     double strong;      ///< second moment of what is beyond the threshold
-    double from_light;  ///< of it, what light subpaths have found
+    double from_light;  ///< of what light subpaths have found there
     double rays;
     double after_equal_time() const { return (weak + strong) * rays; }
   };
@@ -87,14 +90,16 @@ class TechniquePilot::Candidate final : public StrongPathSinks {
    public:
     explicit Sink(const Candidate& candidate) : candidate_(candidate) {}
     bool spread(SampleSource& /*numbers*/, StrongPath& path) override {
-      const double light = std::min(kMost, std::abs(path.energy) / candidate_.plan_.brightness);
-      const auto square = static_cast<std::uint64_t>(light * light * kUnit);
-      candidate_.strong_ += square;
-      if (path.technique.s >= 2) candidate_.from_light_ += square;
+      const double light = std::abs(path.energy) / candidate_.plan_.brightness;
+      candidate_.strong_ += square(std::min(light, kMostOfError));
+      if (path.technique.s >= 2) candidate_.from_light_ += square(std::min(light, kMostOfFinds));
       return true;
     }
 
    private:
+    static std::uint64_t square(double light) {
+      return static_cast<std::uint64_t>(light * light * kUnit);
+    }
     const Candidate& candidate_;
   };
 
@@ -159,11 +164,13 @@ void TechniquePilot::end() {
   const bool may_have_fewer =
       std::all_of(errors.begin() + kUsual, errors.end(),
                   [](const Candidate::Errors& of) { return of.from_light <= kLittle * of.weak; });
-  const auto first = errors.begin() + (may_have_fewer ? 0 : kUsual);
-  const auto best = std::min_element(first, errors.end(), [](const auto& a, const auto& b) {
-    return a.after_equal_time() < b.after_equal_time();
-  });
-  plan_.set_omc(candidates_[static_cast<std::size_t>(best - errors.begin())]->choice());
+  // A tenth is the luck of a pilot: what has less to do is taken then.
+  constexpr double kClearly = 0.9;
+  std::size_t best = may_have_fewer ? 0 : kUsual;
+  for (std::size_t i = best + 1; i < errors.size(); ++i) {
+    if (errors[i].after_equal_time() < kClearly * errors[best].after_equal_time()) best = i;
+  }
+  plan_.set_omc(candidates_[best]->choice());
   candidates_.clear();
 }
 
