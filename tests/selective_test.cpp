@@ -252,10 +252,58 @@ TEST(Selective, TakesTheUsersRules) {
   }
 }
 
+Scene builtin_scene(const std::string& name) {
+  Warnings warnings;
+  return {load_scene("builtin:" + name, warnings), BuildOptions{Vec2i(96, 72)}, warnings};
+}
+
+/// The report of a render that is hardly more than its preparation.
+SelectiveReport report_of(const Scene& scene, std::uint64_t seed,
+                          const std::map<std::string, std::string>& parameters) {
+  test::RenderOptions options;
+  options.integrator = "selective";
+  options.samples = 4;
+  options.replicates = 4;
+  options.max_depth = 8;
+  options.seed = seed;
+  options.parameters = parameters;
+  return *test::render(scene, options).integrator->selective_report();
+}
+
+/// In how many of three renders a pilot has chosen this.
+int times_chosen(const std::string& scene_name, const std::string& techniques, double light_paths) {
+  const Scene scene = builtin_scene(scene_name);
+  int times = 0;
+  for (const std::uint64_t seed : {1, 2, 3}) {
+    const SelectiveReport report = report_of(scene, seed, {});
+    if (report.techniques == techniques && report.light_paths_per_sample == light_paths) ++times;
+  }
+  return times;
+}
+
+/// A pilot is small, and luck decides between what is nearly as good.
+TEST(Selective, MostlyChoosesTechniquesThatSuitTheScene) {
+  EXPECT_GE(times_chosen("cornell", "ibpt", 0.33), 2);
+  EXPECT_GE(times_chosen("floor-lamps", "bdpt", 4.0), 2) << "lamps in shades";
+  EXPECT_GE(times_chosen("pool", "bdpt", 1.0), 2)
+      << "light subpaths find what chains are to start from";
+}
+
+TEST(Selective, HasTheTechniquesThatTheUserWants) {
+  const Scene scene = builtin_scene("cornell");
+  for (const auto& [name, value] : std::map<std::string, std::string>{
+           {"techniques", "bdpt"}, {"light-paths-per-pixel", "1"}, {"omc", "bdpt"}}) {
+    const SelectiveReport report = report_of(scene, 1, {{name, value}});
+    EXPECT_EQ(report.techniques, "bdpt") << name;
+    EXPECT_EQ(report.light_paths_per_sample, 1.0) << name;
+  }
+  EXPECT_EQ(report_of(scene, 1, {{"techniques", "pt"}}).techniques, "pt");
+  EXPECT_EQ(report_of(scene, 1, {{"light-paths-per-pixel", "2"}}).light_paths_per_sample, 2.0);
+}
+
 /// What a few samples predict of chains there is too good by a tenth (docs/selective.md).
 TEST(Selective, LeavesChainsOutOfACornellBox) {
-  Warnings warnings;
-  const Scene scene(load_scene("builtin:cornell", warnings), BuildOptions{Vec2i(96, 72)}, warnings);
+  const Scene scene = builtin_scene("cornell");
   test::RenderOptions options;
   options.integrator = "selective";
   options.samples = 4;

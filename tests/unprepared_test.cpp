@@ -32,6 +32,7 @@ TEST(Unprepared, ChainsLeaveThePictureToBidirectionalPathTracing) {
       {"mmlt", {{"direct", "none"}}, 0},
       {"pssmlt", {}, 1},
       {"selective", {}, 1},
+      {"selective", {{"techniques", "bdpt"}}, 1},
       {"selective", {{"pilot", "discard"}}, 1},
   };
   for (const Case& c : cases) {

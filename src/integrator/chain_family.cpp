@@ -137,7 +137,7 @@ ChainIntegrator::ChainIntegrator(ChainKind kind, const Scene& scene, const Rende
   stages_.push_back(std::make_unique<ChainPilot>(plan_));
   if (plan_.has_recruits()) recruits_ = std::make_unique<ChainRecruits>(plan_);
   if (plan_.selective || recruits_) {
-    stages_.push_back(std::make_unique<TechniquePilot>(plan_));
+    for (auto& stage : TechniquePilot::make_all(plan_)) stages_.push_back(std::move(stage));
     auto pilot = std::make_unique<SplitPilot>(plan_, populations_, recruits_.get());
     auto trial = std::make_unique<ChainTrial>(plan_, *pilot, recruits_.get());
     pilot_ = pilot.get();

@@ -216,15 +216,19 @@ std::size_t ChainPlan::chains_per_replicate() const {
   // because few chains depend on luck.
   constexpr std::uint64_t kSteps = 16;
   constexpr std::uint64_t kFewest = 32;
-  // Mutations per pixel and sample: the first guess is low, and few chains for what there is to
-  // explore leave islands of light to luck for the rest of the render.
+  // The first guess of the mutations that pay is low, and few chains for what there is to explore
+  // leave islands of light to luck for the rest of the render: as many as if so many paid per pixel
+  // and sample, as long as they do not take much memory.
   constexpr double kExpected = 3.0;
+  constexpr std::uint64_t kEnough = 8192;
   const auto replicates = static_cast<std::uint64_t>(settings.replicates);
   if (wanted_chains > 0) return std::max<std::uint64_t>(1, wanted_chains / replicates);
-  const double expected = standby ? mutations : std::max(mutations, kExpected);
-  const auto steps =
-      static_cast<std::uint64_t>(expected * static_cast<double>(pixels())) / replicates;
-  return std::max<std::uint64_t>({1, steps / kSteps, std::min(steps, kFewest)});
+  const auto steps = [&](double of_pixel) {
+    return static_cast<std::uint64_t>(of_pixel * static_cast<double>(pixels())) / replicates;
+  };
+  const std::uint64_t expected = standby ? 0 : std::min(steps(kExpected) / kSteps, kEnough);
+  return std::max<std::uint64_t>(
+      {1, steps(mutations) / kSteps, expected, std::min(steps(mutations), kFewest)});
 }
 
 const PathGroup& ChainPlan::group_of(int depth) const {

@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <vector>
+#include <string>
+#include <utility>
 
 #include "core/random.h"
 #include "integrator/path_family.h"
@@ -16,12 +17,10 @@ namespace {
 /// The first makes do with few light subpaths; then in order of how many there are.
 std::vector<PathFamilyDefaults> offers() {
   const PathFamilyDefaults usual = path_family_defaults("bdpt");
-  PathFamilyDefaults many = usual;
-  many.light_paths_per_pixel = std::string("4");
-  return {path_family_defaults("ibpt"), usual, many};
+  return {path_family_defaults("ibpt"), usual, {usual.techniques, "4", usual.roulette_start}};
 }
 constexpr std::size_t kUsual = 1;
-/// One sample per pixel of the tiles in each.
+/// One sample per pixel of the tiles in each of them.
 constexpr int kReplicates = 4;
 /// Paths that bring more, relative to the brightness of the picture, are looked at one by one.
 constexpr double kThreshold = 1.0;
@@ -31,7 +30,7 @@ constexpr double kMostOfError = 3.0;
 /// And where it is asked what light subpaths find.
 constexpr double kMostOfFinds = 30.0;
 
-/// Of the picture that is rendered with each number: enough to tell errors that differ by a tenth.
+/// Of the picture that is rendered with each offer: enough to tell errors that differ by a tenth.
 double share_of_picture(const ChainPlan& plan) {
   const auto pixels = static_cast<double>(plan.pixels());
   return std::min(1.0, std::clamp(pixels / 8.0, 1024.0, 4096.0) / pixels);
@@ -42,15 +41,13 @@ double share_of_picture(const ChainPlan& plan) {
 /// Ordinary Monte Carlo with one of the offers.
 class TechniquePilot::Candidate final : public StrongPathSinks {
  public:
-  /// `plan` has its techniques for now.
+  /// `plan` has the techniques of the offer.
   Candidate(const ChainPlan& plan, const RenderSettings& settings)
       : plan_(plan),
-        choice_(plan.omc),
         splits_(LightSplit(kThreshold * plan.brightness, plan.view.importance)),
         omc_(plan.make_omc(settings, plan.omc_depths(), &splits_, this)),
         film_(settings.resolution, settings.crop, Filter::box(), kReplicates, omc_->layers()) {}
 
-  const PathFamilyDefaults& choice() const { return choice_; }
   std::uint64_t tiles() const { return omc_->items_in_pass(); }
 
   void render(std::uint64_t tile, Counters& counters) {
@@ -64,14 +61,6 @@ class TechniquePilot::Candidate final : public StrongPathSinks {
     return std::make_unique<Sink>(*this);
   }
 
-  /// Sums of squares over the tiles that were rendered, in units of (luminance · importance)².
-  struct Errors {
-    double weak;        ///< variance of what ordinary Monte Carlo keeps
-    double strong;      ///< second moment of what is beyond the threshold
-    double from_light;  ///< of what light subpaths have found there
-    double rays;
-    double after_equal_time() const { return (weak + strong) * rays; }
-  };
   Errors errors() const {
     const WeightedErrors of_pixels =
         weighted_errors(develop_layers(film_, *omc_, kReplicates, {"direct", kWeakLayer}),
@@ -104,7 +93,6 @@ class TechniquePilot::Candidate final : public StrongPathSinks {
   };
 
   const ChainPlan& plan_;
-  PathFamilyDefaults choice_;
   LightSplits splits_;
   std::unique_ptr<Integrator> omc_;
   Film film_;
@@ -113,16 +101,25 @@ class TechniquePilot::Candidate final : public StrongPathSinks {
   mutable std::atomic<std::uint64_t> from_light_{0};
 };
 
-TechniquePilot::TechniquePilot(ChainPlan& plan) : plan_(plan) {}
+TechniquePilot::TechniquePilot(ChainPlan& plan, PathFamilyDefaults offer,
+                               std::shared_ptr<Findings> findings)
+    : plan_(plan), offer_(std::move(offer)), findings_(std::move(findings)) {}
 TechniquePilot::~TechniquePilot() = default;
+
+std::vector<std::unique_ptr<TechniquePilot>> TechniquePilot::make_all(ChainPlan& plan) {
+  const auto findings = std::make_shared<Findings>();
+  std::vector<std::unique_ptr<TechniquePilot>> stages;
+  for (PathFamilyDefaults& offer : offers()) {
+    stages.push_back(
+        std::unique_ptr<TechniquePilot>(new TechniquePilot(plan, std::move(offer), findings)));
+  }
+  return stages;
+}
 
 double TechniquePilot::effort() const {
   if (!plan_.chooses_omc) return 0.0;
-  double per_sample = 0.0;
   // With one light subpath, half of a sample's rays are due to it.
-  for (const PathFamilyDefaults& offer : offers()) {
-    per_sample += 0.5 + 0.5 * std::stod(offer.light_paths_per_pixel);
-  }
+  const double per_sample = 0.5 + 0.5 * std::stod(offer_.light_paths_per_pixel);
   return kReplicates * per_sample * share_of_picture(plan_);
 }
 
@@ -133,12 +130,10 @@ std::uint64_t TechniquePilot::begin() {
   settings.aovs.clear();
   settings.seed = hash_numbers(settings.seed, 0x11997ULL);
   const PathFamilyDefaults before = plan_.omc;
-  for (const PathFamilyDefaults& offer : offers()) {
-    plan_.set_omc(offer);
-    candidates_.push_back(std::make_unique<Candidate>(plan_, settings));
-  }
+  plan_.set_omc(offer_);
+  candidate_ = std::make_unique<Candidate>(plan_, settings);
   plan_.set_omc(before);
-  const std::uint64_t all = candidates_.front()->tiles();
+  const std::uint64_t all = candidate_->tiles();
   const auto count =
       static_cast<std::uint64_t>(std::ceil(static_cast<double>(all) * share_of_picture(plan_)));
   for (std::uint64_t i = 0; i < count; ++i) {
@@ -147,31 +142,37 @@ std::uint64_t TechniquePilot::begin() {
     const std::uint64_t last = (i + 1) * all / count;
     tiles_.push_back(first + hash_numbers(settings.seed, i) % (last - first));
   }
-  return tiles_.size() * candidates_.size();
+  return tiles_.size();
 }
 
 void TechniquePilot::run(std::uint64_t item, Counters& counters) {
-  candidates_[item % candidates_.size()]->render(tiles_[item / candidates_.size()], counters);
+  candidate_->render(tiles_[item], counters);
 }
 
 void TechniquePilot::end() {
-  if (candidates_.empty()) return;
+  if (!candidate_) return;
+  findings_->push_back(candidate_->errors());
+  candidate_.reset();
+  if (findings_->size() == offers().size()) choose();
+}
+
+void TechniquePilot::choose() const {
+  const Findings& found = *findings_;
+  // Tiles without light tell nothing.
+  if (!(found[kUsual].after_equal_time() > 0.0)) return;
   // What light subpaths alone find, fewer of them would seldom find: neither a pilot nor chains
   // would know of it.
   constexpr double kLittle = 0.2;
-  std::vector<Candidate::Errors> errors;
-  for (const auto& candidate : candidates_) errors.push_back(candidate->errors());
   const bool may_have_fewer =
-      std::all_of(errors.begin() + kUsual, errors.end(),
-                  [](const Candidate::Errors& of) { return of.from_light <= kLittle * of.weak; });
+      std::all_of(found.begin() + kUsual, found.end(),
+                  [](const Errors& of) { return of.from_light <= kLittle * of.weak; });
   // A tenth is the luck of a pilot: what has less to do is taken then.
   constexpr double kClearly = 0.9;
   std::size_t best = may_have_fewer ? 0 : kUsual;
-  for (std::size_t i = best + 1; i < errors.size(); ++i) {
-    if (errors[i].after_equal_time() < kClearly * errors[best].after_equal_time()) best = i;
+  for (std::size_t i = best + 1; i < found.size(); ++i) {
+    if (found[i].after_equal_time() < kClearly * found[best].after_equal_time()) best = i;
   }
-  plan_.set_omc(candidates_[best]->choice());
-  candidates_.clear();
+  plan_.set_omc(offers()[best]);
 }
 
 }  // namespace ajar

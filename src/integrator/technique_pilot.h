@@ -10,11 +10,14 @@ namespace ajar {
 /// Finds out with which techniques, and how many light subpaths per camera sample, ordinary Monte
 /// Carlo has the least error in the same time: where next event estimation reaches nearly
 /// everything, inner connections cost more than they bring; where lamps hide in shades, several
-/// light subpaths are worth their rays. Renders some tiles of the picture with each. Nothing of it
-/// stays in the picture.
+/// light subpaths are worth their rays.
+///
+/// Each of a few offers has a stage of its own, which renders some tiles of the picture; so there
+/// is but one film at a time. The last stage chooses. Nothing that was rendered stays.
 class TechniquePilot final : public PreparationStage {
  public:
-  explicit TechniquePilot(ChainPlan& plan);
+  /// One for each offer.
+  static std::vector<std::unique_ptr<TechniquePilot>> make_all(ChainPlan& plan);
   ~TechniquePilot() override;
   TechniquePilot(const TechniquePilot&) = delete;
   TechniquePilot& operator=(const TechniquePilot&) = delete;
@@ -25,9 +28,23 @@ class TechniquePilot final : public PreparationStage {
 
  private:
   class Candidate;
+  /// Sums of squares over the tiles that were rendered, in units of (luminance · importance)².
+  struct Errors {
+    double weak = 0.0;        ///< variance of what ordinary Monte Carlo keeps
+    double strong = 0.0;      ///< second moment of what is beyond the threshold
+    double from_light = 0.0;  ///< of what light subpaths have found there
+    double rays = 0.0;
+    double after_equal_time() const { return (weak + strong) * rays; }
+  };
+  using Findings = std::vector<Errors>;  ///< of all offers up to now
+
+  TechniquePilot(ChainPlan& plan, PathFamilyDefaults offer, std::shared_ptr<Findings> findings);
+  void choose() const;
 
   ChainPlan& plan_;
-  std::vector<std::unique_ptr<Candidate>> candidates_;
+  PathFamilyDefaults offer_;
+  std::shared_ptr<Findings> findings_;
+  std::unique_ptr<Candidate> candidate_;
   std::vector<std::uint64_t> tiles_;
 };
 
