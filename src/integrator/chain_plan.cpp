@@ -295,6 +295,7 @@ std::unique_ptr<PathTarget> ChainPlan::make_target(const PathGroup& group, int r
 
 void ChainPlan::leave_to_omc() {
   unprepared = true;
+  scale_.reset();
   shares_effort = false;
   mutations = 0.0;
   omc_samples = 1.0;
@@ -325,10 +326,10 @@ std::unique_ptr<Integrator> ChainPlan::make_omc(const RenderSettings& omc_settin
   RenderSettings own = omc_settings;
   own.min_depth = depths.first;
   own.max_depth = depths.second;
-  const auto specs = path_family_parameters(omc);
-  return make_path_integrator(scene, own,
-                              Parameters(specs, {{"heuristic", parameters.get_text("heuristic")}}),
-                              divide, strong);
+  const Parameters of_omc(path_family_parameters(omc),
+                          {{"heuristic", parameters.get_text("heuristic")}});
+  if (!scale_) scale_ = measure_scale(scene, own, of_omc);
+  return make_path_integrator(scene, own, of_omc, divide, strong, scale_);
 }
 
 }  // namespace ajar

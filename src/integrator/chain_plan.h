@@ -60,7 +60,7 @@ struct ChainPlan {
   /// How its chains move: where they make nearly all light, steps on the raster pay more.
   ChainSettings chain_settings_of(int replicate) const;
   /// So many mutations per pixel and camera sample that neither half is forgotten.
-  static constexpr double kFewestMutations = 1.0 / 32;
+  static constexpr double kFewestMutations = 1.0 / 128;
   static constexpr double kMostMutations = 16.0;
   static double clamp_mutations(double mutations) {
     return std::clamp(mutations, kFewestMutations, kMostMutations);
@@ -125,6 +125,9 @@ struct ChainPlan {
   std::optional<LightSplits> splits;  ///< found by the pilot
 
  private:
+  /// Of the picture, from when ordinary Monte Carlo was made first.
+  mutable std::optional<PictureScale> scale_;
+
   void make_groups();
   void read_split();
   void read_omc();

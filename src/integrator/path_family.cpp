@@ -214,7 +214,8 @@ class SampleSink final : public PathSink {
 class PathIntegrator final : public Integrator {
  public:
   PathIntegrator(const Scene& scene, const RenderSettings& settings, const Parameters& parameters,
-                 const LightSplits* splits, const StrongPathSinks* strong)
+                 const LightSplits* splits, const StrongPathSinks* strong,
+                 std::optional<PictureScale> scale)
       : scene_(scene),
         settings_(settings),
         splits_(splits),
@@ -234,24 +235,24 @@ class PathIntegrator final : public Integrator {
     light_alone_ = sampler_settings_.techniques.any(TechniqueClass::Light) &&
                    !sampler_settings_.techniques.any(TechniqueClass::Inner);
     tiles_ = {(size.x + kTileSize - 1) / kTileSize, (size.y + kTileSize - 1) / kTileSize};
-    const Pilot pilot = run_pilot();
-    magnitude_ = pilot.mean;
+    scale_ = scale ? *scale : measure_scale();
     sampler_settings_.cull_below =
-        static_cast<float>(parameters.get_float("cull") * pilot.median_of_means);
+        static_cast<float>(parameters.get_float("cull") * scale_.median_of_means);
   }
+  const PictureScale& scale() const { return scale_; }
 
   std::vector<LayerSpec> layers() const override {
-    std::vector<LayerSpec> specs = {{.name = "direct", .magnitude = magnitude_},
-                                    {.name = "indirect", .magnitude = magnitude_}};
+    std::vector<LayerSpec> specs = {{.name = "direct", .magnitude = scale_.mean},
+                                    {.name = "indirect", .magnitude = scale_.mean}};
     if (splits_ != nullptr) {
-      specs.push_back({.name = kWeakLayer, .magnitude = magnitude_, .part_of = "indirect"});
+      specs.push_back({.name = kWeakLayer, .magnitude = scale_.mean, .part_of = "indirect"});
     }
     for (LayerSpec& spec : GBuffer::layers(settings_.aovs, 2.F * scene_.bounding_sphere().radius)) {
       specs.push_back(std::move(spec));
     }
     const std::vector<std::string>& wanted = settings_.aovs;
     if (std::find(wanted.begin(), wanted.end(), TechniqueLayers::aov_name()) != wanted.end()) {
-      for (LayerSpec& spec : TechniqueLayers::specs(sampler_settings_, magnitude_)) {
+      for (LayerSpec& spec : TechniqueLayers::specs(sampler_settings_, scale_.mean)) {
         specs.push_back(std::move(spec));
       }
     }
@@ -388,11 +389,7 @@ class PathIntegrator final : public Integrator {
     return {upto(number), upto(number + 1)};
   }
 
-  struct Pilot {
-    double mean;             ///< of the picture, largest lane, to within a small factor; above 0
-    double median_of_means;  ///< the same without its fireflies; may be 0
-  };
-  Pilot run_pilot() const;
+  PictureScale measure_scale() const;
 
   const Scene& scene_;
   RenderSettings settings_;
@@ -400,8 +397,8 @@ class PathIntegrator final : public Integrator {
   const StrongPathSinks* strong_;
   PathSamplerSettings sampler_settings_;
   bool sobol_;
-  bool light_alone_;  ///< light subpaths are connected to the lens only
-  double magnitude_;  ///< what the fixed-point sums are scaled by
+  bool light_alone_;    ///< light subpaths are connected to the lens only
+  PictureScale scale_;  ///< by its mean the fixed-point sums are scaled
   Vec2i tiles_;
 };
 
@@ -413,7 +410,7 @@ class MeanSink final : public PathSink {
   double sum = 0.0;
 };
 
-PathIntegrator::Pilot PathIntegrator::run_pilot() const {
+PictureScale PathIntegrator::measure_scale() const {
   constexpr std::size_t kGroups = 16;
   constexpr std::uint32_t kGroupSize = 256;
   PathSampler sampler(scene_, sampler_settings_);
@@ -503,8 +500,14 @@ std::vector<ParameterSpec> path_family_parameters(const PathFamilyDefaults& defa
 std::unique_ptr<Integrator> make_path_integrator(const Scene& scene, const RenderSettings& settings,
                                                  const Parameters& parameters,
                                                  const LightSplits* splits,
-                                                 const StrongPathSinks* strong) {
-  return std::make_unique<PathIntegrator>(scene, settings, parameters, splits, strong);
+                                                 const StrongPathSinks* strong,
+                                                 std::optional<PictureScale> scale) {
+  return std::make_unique<PathIntegrator>(scene, settings, parameters, splits, strong, scale);
+}
+
+PictureScale measure_scale(const Scene& scene, const RenderSettings& settings,
+                           const Parameters& parameters) {
+  return PathIntegrator(scene, settings, parameters, nullptr, nullptr, {}).scale();
 }
 
 }  // namespace ajar

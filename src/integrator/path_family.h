@@ -1,4 +1,6 @@
 #pragma once
+#include <optional>
+
 #include "integrator/integrator.h"
 #include "integrator/light_split.h"
 #include "integrator/strong_paths.h"
@@ -19,14 +21,25 @@ struct PathFamilyDefaults {
 PathFamilyDefaults path_family_defaults(const std::string& techniques);
 std::vector<ParameterSpec> path_family_parameters(const PathFamilyDefaults& defaults);
 
+/// How bright a picture is, roughly.
+struct PictureScale {
+  double mean;             ///< largest lane, to within a small factor; above 0
+  double median_of_means;  ///< the same without its fireflies; may be 0
+};
+/// From a few thousand samples of the integrator that the same arguments make.
+PictureScale measure_scale(const Scene& scene, const RenderSettings& settings,
+                           const Parameters& parameters);
+
 /// Ordinary Monte Carlo with one set of techniques (METHODS, section 2): `pt`, `lt`, `ibpt`, `bdpt`
 /// are four names of it. With `splits`, which must outlive it, it leaves Markov chains their share
 /// of long paths and puts its own into the layer `kWeakLayer`; sinks of `strong` see what is left.
+/// Unless the `scale` of the picture is known, it is measured.
 /// Raises UsageError if the parameter `techniques` cannot be read.
 std::unique_ptr<Integrator> make_path_integrator(const Scene& scene, const RenderSettings& settings,
                                                  const Parameters& parameters,
                                                  const LightSplits* splits = nullptr,
-                                                 const StrongPathSinks* strong = nullptr);
+                                                 const StrongPathSinks* strong = nullptr,
+                                                 std::optional<PictureScale> scale = {});
 
 inline const std::string kWeakLayer = "indirect-weak";
 

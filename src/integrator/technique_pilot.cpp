@@ -33,7 +33,7 @@ constexpr double kMostOfFinds = 30.0;
 /// Of the picture that is rendered with each offer: enough to tell errors that differ by a tenth.
 double share_of_picture(const ChainPlan& plan) {
   const auto pixels = static_cast<double>(plan.pixels());
-  return std::min(1.0, std::clamp(pixels / 8.0, 1024.0, 4096.0) / pixels);
+  return std::min(1.0, std::clamp(pixels / 16.0, 1024.0, 4096.0) / pixels);
 }
 
 }  // namespace
