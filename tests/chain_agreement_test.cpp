@@ -103,7 +103,7 @@ const std::vector<Variant>& variants() {
        {"Room", "GlassAndMetal", "CroppedMitchell", "MilkBall"}},
       {"mmlt, few light subpaths",
        "mmlt",
-       {{"light-paths-per-pixel", "0.3"}, {"split", "0.3"}},
+       {{"light-paths-per-pixel", "0.5"}, {"split", "0.3"}},
        {"Room", "GlassAndMetal", "CroppedMitchell", "Fog"}},
       {"mmlt, many light subpaths",
        "mmlt",
