@@ -14,12 +14,17 @@ namespace {
 /// Parameters of chains that mean nothing here.
 constexpr std::array<std::string_view, 2> kMeaningless = {"direct", "omc-samples"};
 
-const std::string kOpen = "auto";
+/// Parameters of chains that are left to a pilot unless the user knows better. That is a value of
+/// theirs, since a checkpoint keeps values and not who gave them.
+const std::array<std::string, 2> kOpen = {"techniques", kLightPathsPerPixel};
 
-/// Lets a pilot decide about a number.
+bool can_be_open(const std::string& name) {
+  return std::find(kOpen.begin(), kOpen.end(), name) != kOpen.end();
+}
+
 void leave_open(ParameterSpec& spec) {
-  spec.default_value = kOpen;
-  spec.choices = {kOpen};
+  spec.default_value = SelectiveSettings::kOpen;
+  if (spec.type != ParameterType::Text) spec.choices = {SelectiveSettings::kOpen};
   spec.help += "; auto: as omc has it";
 }
 
@@ -39,7 +44,7 @@ std::vector<ParameterSpec> selective_parameters() {
       });
       const bool means_something =
           std::find(kMeaningless.begin(), kMeaningless.end(), spec.name) == kMeaningless.end();
-      if (spec.name == kLightPathsPerPixel) leave_open(spec);
+      if (can_be_open(spec.name)) leave_open(spec);
       if (!known && means_something) specs.push_back(std::move(spec));
     }
   }
@@ -56,7 +61,7 @@ std::unique_ptr<Integrator> make_selective_integrator(const Scene& scene,
   for (const ParameterSpec& spec : specs) {
     const auto value = own.given().find(spec.name);
     if (value == own.given().end()) continue;
-    const bool is_open = spec.name == kLightPathsPerPixel && value->second == kOpen;
+    const bool is_open = can_be_open(spec.name) && value->second == SelectiveSettings::kOpen;
     if (!is_open) chain[spec.name] = value->second;
   }
   return make_chain_integrator(kind, scene, settings, Parameters(specs, chain),

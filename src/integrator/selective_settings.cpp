@@ -37,7 +37,7 @@ std::vector<ParameterSpec> SelectiveSettings::parameters() {
   std::vector<ParameterSpec> specs = {
       {.name = "omc",
        .type = ParameterType::Text,
-       .default_value = "auto",
+       .default_value = kOpen,
        .unit = "",
        .help =
            "techniques of ordinary Monte Carlo. Like those of the chains (techniques): light is "
@@ -126,10 +126,11 @@ SelectiveSettings SelectiveSettings::read(const Parameters& parameters,
   result.exclusive = parameters.get_text("choice") == "exclusive";
   result.diffuse_out = parameters.get_text("preset") == "lambertian-out";
   result.antialias = parameters.get_text("edges") == "antialias";
-  const std::string& techniques = parameters.get_text("techniques");
-  const bool is_open = parameters.get_text("omc") == "auto";
-  result.omc = is_open ? techniques : parameters.get_text("omc");
-  result.chooses_omc = is_open && !parameters.given().contains("techniques");
+  const bool chains_are_open = parameters.get_text("techniques") == kOpen;
+  const bool omc_is_open = parameters.get_text("omc") == kOpen;
+  const std::string techniques = chains_are_open ? "bdpt" : parameters.get_text("techniques");
+  result.omc = omc_is_open ? techniques : parameters.get_text("omc");
+  result.chooses_omc = omc_is_open && chains_are_open;
   result.omc_shares = TechniqueSet::parse(result.omc) == TechniqueSet::parse(techniques);
   const std::string& regions = parameters.get_text("regions");
   if (is_image(regions)) {

@@ -18,6 +18,9 @@ struct SelectiveSettings {
     Binary    ///< as published
   };
 
+  /// Of a parameter that is left to a pilot.
+  static constexpr const char* kOpen = "auto";
+
   Map map = Map::Optimal;
   PilotUse pilot = PilotUse::Cross;
   std::uint64_t pilot_samples = 0;  ///< per pixel; 0: as many as suit the map
