@@ -33,7 +33,7 @@ constexpr double kMostOfFinds = 30.0;
 /// Of the picture that is rendered with each offer: enough to tell errors that differ by a tenth.
 double share_of_picture(const ChainPlan& plan) {
   const auto pixels = static_cast<double>(plan.pixels());
-  return std::min(1.0, std::clamp(pixels / 16.0, 1024.0, 4096.0) / pixels);
+  return std::min(1.0, std::clamp(pixels / 8.0, 1536.0, 4096.0) / pixels);
 }
 
 }  // namespace
@@ -166,8 +166,8 @@ void TechniquePilot::choose() const {
   const bool may_have_fewer =
       std::all_of(found.begin() + kUsual, found.end(),
                   [](const Errors& of) { return of.from_light <= kLittle * of.weak; });
-  // A tenth is the luck of a pilot: what has less to do is taken then.
-  constexpr double kClearly = 0.9;
+  // A little is the luck of a pilot: what has less to do is taken then.
+  constexpr double kClearly = 0.95;
   std::size_t best = may_have_fewer ? 0 : kUsual;
   for (std::size_t i = best + 1; i < found.size(); ++i) {
     if (found[i].after_equal_time() < kClearly * found[best].after_equal_time()) best = i;
