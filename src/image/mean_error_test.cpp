@@ -42,7 +42,8 @@ TEST(MeanError, IsNotDecidedByTheWorstPixel) {
   EXPECT_LT(found, of_squares / 4.0);
   double least = std::numeric_limits<double>::infinity();
   double best = 0.0;
-  for (double ratio = kLowest; ratio < kHighest; ratio *= 1.01) {
+  for (int i = 0; i < 1600; ++i) {
+    const double ratio = kLowest * std::pow(1.01, i);
     const double error = (99.0 + std::sqrt(1.0 + 1e4 / ratio)) * std::sqrt(1.0 + ratio);
     if (error < least) {
       least = error;

@@ -86,26 +86,26 @@ struct ChainPlan {
   PilotUse pilot_use = PilotUse::Keep;
   bool mis_large_steps;
   bool raster_steps_follow_split = false;  ///< the user leaves that open
+  bool unprepared = false;                 ///< ordinary Monte Carlo alone renders, for want of time
+  bool standby = false;                    ///< nothing is so hard that chains would pay
+  /// Whether the render shares its effort anew as it goes on: a sample then has as many mutations
+  /// as its halves' errors deserve.
+  bool shares_effort = false;
+  /// Whether a pilot decides what techniques there are, and how many light subpaths.
+  bool chooses_omc = false;
   /// Where the light of long paths may be divided path by path, relative to the brightness of its
   /// pixel, from the lowest on; empty if it is not. The pilot chooses.
   std::vector<double> thresholds;
   /// The same for chains that stand by.
   double standby_threshold = 0.0;
-  /// Whether a pilot decides what techniques there are, and how many light subpaths.
-  bool chooses_omc = false;
   /// If regions of the picture are divided, too.
   std::optional<SelectiveSettings> selective;
   std::uint64_t pilot_samples = 0;  ///< per pixel, at least
   /// Camera samples of ordinary Monte Carlo that a sample of the render has per pixel.
   double omc_samples;
-  /// Whether the render shares its effort anew as it goes on: a sample then has as many mutations
-  /// as its halves' errors deserve.
-  bool shares_effort = false;
   /// Mutations per pixel that a sample of the render has, at first if the effort is shared; 0:
   /// ordinary Monte Carlo alone renders.
   double mutations = 1.0;
-  bool unprepared = false;       ///< ordinary Monte Carlo alone renders, for want of time
-  bool standby = false;          ///< nothing is so hard that chains would pay
   std::uint64_t pilot_kept = 0;  ///< camera samples per pixel that the preparation has rendered
   /// Of the pilot: mean luminance · importance of its pixels.
   double brightness = 0.0;
