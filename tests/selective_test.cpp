@@ -284,7 +284,8 @@ int times_chosen(const std::string& scene_name, const std::string& techniques, d
 /// A pilot is small, and luck decides between what is nearly as good.
 TEST(Selective, MostlyChoosesTechniquesThatSuitTheScene) {
   EXPECT_GE(times_chosen("cornell", "ibpt", 0.33), 2);
-  EXPECT_GE(times_chosen("floor-lamps", "bdpt", 4.0), 2) << "lamps in shades";
+  EXPECT_EQ(times_chosen("floor-lamps", "ibpt", 0.33), 0) << "lamps in shades";
+  EXPECT_GE(times_chosen("floor-lamps", "bdpt", 4.0), 1);
   EXPECT_GE(times_chosen("pool", "bdpt", 1.0), 2)
       << "light subpaths find what chains are to start from";
 }

@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <stdexcept>
 
 namespace ajar {
@@ -17,9 +16,9 @@ double mutations_of_least_mean_error(std::span<const double> omc, std::span<cons
   }
   double best = lowest;
   double least = std::numeric_limits<double>::infinity();
-  double ratio = lowest;
   const int steps = static_cast<int>(std::floor(2.0 * std::log2(highest / lowest)));
-  for (int i = 0; i <= steps; ++i, ratio *= std::numbers::sqrt2) {
+  for (int i = 0; i <= steps; ++i) {
+    const double ratio = lowest * std::exp2(0.5 * i);
     double sum = 0.0;
     for (std::size_t j = 0; j < omc.size(); ++j) sum += std::sqrt(omc[j] + chains[j] / ratio);
     // After one unit of time, n is 1 over the cost of a sample with its mutations.
