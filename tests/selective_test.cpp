@@ -257,9 +257,9 @@ Scene builtin_scene(const std::string& name) {
   return {load_scene("builtin:" + name, warnings), BuildOptions{Vec2i(96, 72)}, warnings};
 }
 
-/// The report of a render that is hardly more than its preparation.
-SelectiveReport report_of(const Scene& scene, std::uint64_t seed,
-                          const std::map<std::string, std::string>& parameters) {
+/// A render that is hardly more than its preparation.
+test::Render prepared_render(const Scene& scene, std::uint64_t seed,
+                             const std::map<std::string, std::string>& parameters) {
   test::RenderOptions options;
   options.integrator = "selective";
   options.samples = 4;
@@ -267,7 +267,12 @@ SelectiveReport report_of(const Scene& scene, std::uint64_t seed,
   options.max_depth = 8;
   options.seed = seed;
   options.parameters = parameters;
-  return *test::render(scene, options).integrator->selective_report();
+  return test::render(scene, options);
+}
+
+SelectiveReport report_of(const Scene& scene, std::uint64_t seed,
+                          const std::map<std::string, std::string>& parameters) {
+  return *prepared_render(scene, seed, parameters).integrator->selective_report();
 }
 
 /// In how many of three renders a pilot has chosen this.
@@ -300,19 +305,15 @@ TEST(Selective, HasTheTechniquesThatTheUserWants) {
   }
   EXPECT_EQ(report_of(scene, 1, {{"techniques", "pt"}}).techniques, "pt");
   EXPECT_EQ(report_of(scene, 1, {{"light-paths-per-pixel", "2"}}).light_paths_per_sample, 2.0);
+  EXPECT_THROW(report_of(scene, 1, {{"light-paths-per-pixel", "2"}, {"chain", "pssmlt"}}),
+               UsageError);
 }
 
 /// What a few samples predict of chains there is too good by a tenth (docs/selective.md).
 TEST(Selective, LeavesChainsOutOfACornellBox) {
   const Scene scene = builtin_scene("cornell");
-  test::RenderOptions options;
-  options.integrator = "selective";
-  options.samples = 4;
-  options.replicates = 4;
-  options.max_depth = 8;
   for (const std::uint64_t seed : {1, 2, 3}) {
-    options.seed = seed;
-    const test::Render render = test::render(scene, options);
+    const test::Render render = prepared_render(scene, seed, {});
     EXPECT_EQ(render.integrator->notes().size(), 1U);
     EXPECT_LE(render.counters.mutations, render.counters.samples / 20);
   }

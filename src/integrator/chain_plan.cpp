@@ -328,7 +328,10 @@ std::unique_ptr<Integrator> ChainPlan::make_omc(const RenderSettings& omc_settin
   own.max_depth = depths.second;
   const Parameters of_omc(path_family_parameters(omc),
                           {{"heuristic", parameters.get_text("heuristic")}});
-  if (!scale_) scale_ = measure_scale(scene, own, of_omc);
+  if (!scale_ || scale_depths_ != depths) {
+    scale_ = measure_scale(scene, own, of_omc);
+    scale_depths_ = depths;
+  }
   return make_path_integrator(scene, own, of_omc, divide, strong, scale_);
 }
 

@@ -125,8 +125,9 @@ struct ChainPlan {
   std::optional<LightSplits> splits;  ///< found by the pilot
 
  private:
-  /// Of the picture, from when ordinary Monte Carlo was made first.
+  /// Of the picture, from when ordinary Monte Carlo was made first, and of paths of which depths.
   mutable std::optional<PictureScale> scale_;
+  mutable std::pair<int, int> scale_depths_;
 
   void make_groups();
   void read_split();

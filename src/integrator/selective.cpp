@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "core/error.h"
 #include "integrator/chain_family.h"
 #include "integrator/path_family.h"
 #include "integrator/selective_settings.h"
@@ -36,7 +37,7 @@ ChainKind chain_kind(const Parameters& parameters) {
 
 std::vector<ParameterSpec> selective_parameters() {
   std::vector<ParameterSpec> specs = SelectiveSettings::parameters();
-  // pssmlt has those of mmlt and more. Defaults are shown as mmlt has them.
+  // Defaults are shown as mmlt has them.
   for (const ChainKind kind : {ChainKind::OnePath, ChainKind::WholePath}) {
     for (ParameterSpec& spec : chain_parameters(kind)) {
       const bool known = std::any_of(specs.begin(), specs.end(), [&](const ParameterSpec& other) {
@@ -56,6 +57,11 @@ std::unique_ptr<Integrator> make_selective_integrator(const Scene& scene,
                                                       const Parameters& parameters) {
   const Parameters own(selective_parameters(), SelectiveSettings::apply_preset(parameters.given()));
   const ChainKind kind = chain_kind(own);
+  const bool has_light_paths = own.get_text(kLightPathsPerPixel) != SelectiveSettings::kOpen;
+  if (has_light_paths && kind == ChainKind::WholePath) {
+    throw UsageError(kLightPathsPerPixel +
+                     ": only with chain=mmlt; a state of pssmlt has one light subpath");
+  }
   const std::vector<ParameterSpec> specs = chain_parameters(kind);
   std::map<std::string, std::string> chain;
   for (const ParameterSpec& spec : specs) {
