@@ -102,5 +102,25 @@ TEST(Recruits, AreStatesOfChainsThatAreWorthWhatWasFound) {
   }
 }
 
+/// Few chains leave what there is to explore to luck, whatever the first guess of their effort.
+TEST(Recruits, AreForManyChainsUnlessThoseStandBy) {
+  const auto scene = test::scene_from(test::small_scene("Room").text);
+  RenderSettings settings = settings_of(*scene);
+  settings.replicates = 4;
+  const auto chains_of = [&](Vec2i resolution, double mutations, bool standby) {
+    settings.resolution = resolution;
+    settings.crop = Box2i(Vec2i(0, 0), resolution - Vec2i(1, 1));
+    ChainPlan plan(ChainKind::OnePath, *scene, settings,
+                   Parameters(chain_parameters(ChainKind::OnePath), {}));
+    plan.mutations = mutations;
+    plan.standby = standby;
+    return plan.chains_per_replicate();
+  };
+  EXPECT_EQ(chains_of(Vec2i(128, 96), 0.1, false), 576U) << "16 steps each for 3 per pixel";
+  EXPECT_EQ(chains_of(Vec2i(128, 96), 16.0, false), 3072U);
+  EXPECT_EQ(chains_of(Vec2i(128, 96), 0.03, true), 32U);
+  EXPECT_EQ(chains_of(Vec2i(3840, 2160), 0.03, false), 8192U) << "memory";
+}
+
 }  // namespace
 }  // namespace ajar
