@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/archive.h"
-#include "image/mean_error.h"
+#include "image/visible_error.h"
 #include "image/optimal_thresholds.h"
 #include "integrator/path_family.h"
 #include "integrator/weighted_errors.h"
@@ -58,23 +58,23 @@ void ChainEffort::adjust(std::uint64_t samples, const Film& film, const Integrat
   const ThresholdCosts costs{
       static_cast<double>(omc_rays_) / static_cast<double>(omc_samples_) * pixels,
       static_cast<double>(chain_rays_) / static_cast<double>(mutations_), correlation_, 0.0};
+  // Few replicates tell an error to within a factor.
+  constexpr double kMostChange = 5.0;
+  const double lowest = ChainPlan::clamp_mutations(rate() / kMostChange);
+  const double highest = ChainPlan::clamp_mutations(rate() * kMostChange);
   double best = 0.0;
   if (plan_.selective) {
     for (double& variance : of_omc.variance) variance *= static_cast<double>(omc_samples(samples));
     for (double& variance : of_chains.variance) variance *= mutations(samples) * pixels;
-    best = mutations_of_least_mean_error(of_omc.variance, of_chains.variance, costs.omc_sample,
-                                         costs.mutation, ChainPlan::kFewestMutations * pixels,
-                                         ChainPlan::kMostMutations * pixels) /
+    best = mutations_of_least_visible_error(of_omc.variance, of_chains.variance, costs.omc_sample,
+                                            costs.mutation, lowest * pixels, highest * pixels) /
            pixels;
   } else {
     best = best_mutations(omc_error * static_cast<double>(omc_samples(samples)), light, costs) /
            pixels;
   }
-  // Few replicates tell an error to within a factor.
-  constexpr double kMostChange = 5.0;
   before_ = mutations(samples);
-  adjusted_ =
-      ChainPlan::clamp_mutations(std::clamp(best, rate() / kMostChange, rate() * kMostChange));
+  adjusted_ = std::clamp(best, lowest, highest);
   since_ = samples;
 }
 

@@ -1,4 +1,4 @@
-#include "image/mean_error.h"
+#include "image/visible_error.h"
 
 #include <gtest/gtest.h>
 
@@ -17,11 +17,11 @@ constexpr double kNear = 1.2;
 
 double best_ratio(const std::vector<double>& omc, const std::vector<double>& chains,
                   double sample_cost = 1.0, double mutation_cost = 1.0) {
-  return mutations_of_least_mean_error(omc, chains, sample_cost, mutation_cost, kLowest, kHighest);
+  return mutations_of_least_visible_error(omc, chains, sample_cost, mutation_cost, kLowest, kHighest);
 }
 
-TEST(MeanError, OfOnePixelIsThatOfTheBestSplitOfTime) {
-  // √(V/n + M/N) is smallest where its square is: N/n = √(M·c_s / (V·c_m)).
+TEST(VisibleError, OfOnePixelIsThatOfTheBestSplitOfTime) {
+  // It is smallest where V/n + M/N is: N/n = √(M·c_s / (V·c_m)).
   for (const double chains : {1e-2, 1.0, 50.0}) {
     for (const double cost : {0.1, 3.0}) {
       const double exact = std::sqrt(chains / (4.0 * cost));
@@ -32,7 +32,7 @@ TEST(MeanError, OfOnePixelIsThatOfTheBestSplitOfTime) {
   }
 }
 
-TEST(MeanError, IsNotDecidedByTheWorstPixel) {
+TEST(VisibleError, IsNotDecidedByTheWorstPixel) {
   // 99 pixels have noise of OMC alone, in one the chains are far off.
   std::vector<double> omc(100, 1.0);
   std::vector<double> chains(100, 0.0);
@@ -44,7 +44,7 @@ TEST(MeanError, IsNotDecidedByTheWorstPixel) {
   double best = 0.0;
   for (int i = 0; i < 1600; ++i) {
     const double ratio = kLowest * std::pow(1.01, i);
-    const double error = (99.0 + std::sqrt(1.0 + 1e4 / ratio)) * std::sqrt(1.0 + ratio);
+    const double error = (99.0 + std::pow(1.0 + 1e4 / ratio, 0.35)) * std::pow(1.0 + ratio, 0.35);
     if (error < least) {
       least = error;
       best = ratio;
@@ -54,19 +54,32 @@ TEST(MeanError, IsNotDecidedByTheWorstPixel) {
   EXPECT_GT(found, best / kNear);
 }
 
-TEST(MeanError, StaysWithinItsBounds) {
+TEST(VisibleError, OfTwoPartsIsLeastWithTheSamplesTheyDeserve) {
+  // The first has a third of the pixels.
+  const double first = 1.0;
+  const double second = 9.0;
+  const auto error = [&](double of_first) {
+    const double of_second = (1.0 - of_first / 3.0) * 1.5;
+    return visible_error(first / of_first) + 2.0 * visible_error(second / of_second);
+  };
+  const double ratio = samples_for(visible_error(first)) / samples_for(visible_error(second));
+  const double deserved = 3.0 * ratio / (ratio + 2.0);
+  for (const double other : {0.9, 1.1}) EXPECT_LT(error(deserved), error(deserved * other));
+}
+
+TEST(VisibleError, StaysWithinItsBounds) {
   EXPECT_EQ(best_ratio({1.0, 1.0}, {0.0, 0.0}), kLowest);
   EXPECT_GT(best_ratio({0.0, 0.0}, {1.0, 1.0}), kHighest / 2.0);
   EXPECT_LE(best_ratio({0.0, 0.0}, {1.0, 1.0}), kHighest);
 }
 
-TEST(MeanError, RefusesWhatMakesNoSense) {
+TEST(VisibleError, RefusesWhatMakesNoSense) {
   const std::vector<double> one = {1.0};
   const std::vector<double> two = {1.0, 1.0};
   EXPECT_THROW(best_ratio(one, two), std::invalid_argument);
   EXPECT_THROW(best_ratio(one, one, 0.0), std::invalid_argument);
   EXPECT_THROW(best_ratio(one, one, 1.0, std::nan("")), std::invalid_argument);
-  EXPECT_THROW(mutations_of_least_mean_error(one, one, 1.0, 1.0, 2.0, 1.0), std::invalid_argument);
+  EXPECT_THROW(mutations_of_least_visible_error(one, one, 1.0, 1.0, 2.0, 1.0), std::invalid_argument);
 }
 
 }  // namespace

@@ -1,0 +1,31 @@
+#pragma once
+#include <span>
+
+/// What an error in a pixel is to the eye, and how to spend time so that the mean of it over a
+/// picture's pixels is smallest.
+///
+/// A squared error is decided by the few worst pixels: those around a path that was found once.
+/// What it takes to make them a little better, all others pay for, with noise that can be seen
+/// everywhere. FLIP (Andersson et al. 2020) takes differences of colours to the power of 0.7, and
+/// so is σ^0.7 what an error σ counts for here.
+namespace ajar {
+
+/// σ^0.7 for σ².
+double visible_error(double variance);
+
+/// How many samples a part of the picture deserves in which one sample leaves `visible_error`s of
+/// this mean, but for a factor that all parts have: n samples leave (σ²/n)^0.35.
+double samples_for(double mean_visible_error);
+
+/// N/n, mutations per sample of the whole picture, among `lowest`, `lowest`·√2, … up to `highest`,
+/// that makes the sum of the visible errors of V_j/n + M_j/N smallest for n samples of ordinary
+/// Monte Carlo for each pixel and N mutations that together cost a given time. `omc`: V_j, variance
+/// of one sample of pixel j. `chains`: M_j, variance that chains leave there after N mutations in
+/// the whole picture, times N. `sample_cost`: of one sample of each pixel; `mutation_cost`: of one
+/// mutation, in the same unit. Raises std::invalid_argument if there are not as many of both, or
+/// for numbers that are not positive.
+double mutations_of_least_visible_error(std::span<const double> omc, std::span<const double> chains,
+                                        double sample_cost, double mutation_cost, double lowest,
+                                        double highest);
+
+}  // namespace ajar
