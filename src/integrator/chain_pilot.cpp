@@ -7,7 +7,11 @@
 namespace ajar {
 
 namespace {
-constexpr int kSamples = 2;
+/// Of each pixel: small pictures need more to show how bright they are.
+std::uint64_t pilot_samples(const ChainPlan& plan) {
+  constexpr std::uint64_t kEnough = 8192;
+  return plan.pixels() < kEnough ? 2 : 1;
+}
 
 /// Mean of luminance · importance.
 double mean_strength(const std::vector<float>& luminances, const Box2i& crop,
@@ -27,7 +31,7 @@ double mean_strength(const std::vector<float>& luminances, const Box2i& crop,
 
 ChainPilot::ChainPilot(ChainPlan& plan) : plan_(plan) {}
 
-double ChainPilot::effort() const { return kSamples; }
+double ChainPilot::effort() const { return static_cast<double>(pilot_samples(plan_)); }
 
 std::uint64_t ChainPilot::begin() {
   RenderSettings settings = plan_.settings;
@@ -42,14 +46,15 @@ std::uint64_t ChainPilot::begin() {
 
 void ChainPilot::run(std::uint64_t item, Counters& counters) {
   Counters own;
-  omc_->run_item(item, 0, kSamples, *film_, own);
+  omc_->run_item(item, 0, pilot_samples(plan_), *film_, own);
   counters.rays += own.rays;
 }
 
 std::vector<float> ChainPilot::luminances() const {
   std::vector<float> sum(plan_.pixels());
+  const double scale = 1.0 / static_cast<double>(pilot_samples(plan_));
   for (const char* name : {"direct", "indirect"}) {
-    const std::vector<float> colors = film_->develop(film_->layer(name), 1.0 / kSamples);
+    const std::vector<float> colors = film_->develop(film_->layer(name), scale);
     for (std::size_t i = 0; i < sum.size(); ++i) {
       sum[i] += luminance(Spectrum(colors[3 * i], colors[3 * i + 1], colors[3 * i + 2]));
     }

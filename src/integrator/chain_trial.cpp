@@ -39,7 +39,7 @@ std::uint64_t ChainTrial::begin() {
   // Of a pilot that does not stay, all that it found for chains seeds those of the whole render,
   // and must decide nothing about them.
   if (recruits_ == nullptr || !plan_.chooses_thresholds()) return 0;
-  if (!pilot_.has_rendered() || !pilot_.stays()) return 0;
+  if (!pilot_.has_rendered() || !pilot_.stays() || !pilot_.chains_may_pay()) return 0;
   populations_ = make_populations(plan_);
   recruits_->join_for_trial(populations_, 0, pilot_.samples());
   list_items();
@@ -119,7 +119,7 @@ ChainCosts ChainTrial::costs_of(std::size_t h) const {
 
 void ChainTrial::end() {
   if (!pilot_.has_rendered()) return;
-  std::vector<ChainCosts> costs(pilot_.halves());
+  std::vector<ChainCosts> costs(pilot_.halves());  // typical where there was no trial
   for (std::size_t h = 0; h < halves_.size(); ++h) costs[h] = costs_of(h);
   pilot_.decide(costs);
   populations_.clear();

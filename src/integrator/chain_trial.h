@@ -20,8 +20,8 @@ namespace ajar {
 /// What they render is thrown away.
 class ChainTrial final : public PreparationStage {
  public:
-  /// `recruits` may be null. Without them, or if there are no thresholds to decide between, costs
-  /// are taken to be typical. All must outlive it.
+  /// `recruits` may be null. Without them, or if there are no thresholds to decide between, or if
+  /// chains would not pay anyway, costs are taken to be typical. All must outlive it.
   ChainTrial(const ChainPlan& plan, SplitPilot& pilot, ChainRecruits* recruits)
       : plan_(plan), pilot_(pilot), recruits_(recruits) {}
   double effort() const override;

@@ -234,9 +234,9 @@ double gain_of_chains(const PilotView& view, const std::vector<double>& threshol
 /// than noise of the same variance.
 bool would_pay(const PilotView& view, const std::vector<double>& thresholds, ThresholdCosts costs) {
   constexpr double kDoubt = 4.0;
-  constexpr double kClearly = 0.75;
+  constexpr double kClearly = 0.7;
   // One path is no evidence, unless it is worth as much as the rest of the picture.
-  constexpr double kHardly = 0.9;
+  constexpr double kHardly = 0.8;
   constexpr double kOverwhelmingly = 0.1;
   // Of light that is found in one sample of ten thousand, a pilot sees one or two paths. They are
   // far brighter than white, and what chains are for.
@@ -325,6 +325,8 @@ void make_exclusive(const SelectiveSettings& settings, std::vector<PixelShare>& 
 }
 
 }  // namespace
+
+bool chains_would_pay(const PilotView& view) { return !choose_thresholds(view).off; }
 
 Plane pilot_noise(const PilotView& view) {
   return impulse_noise(view.regions.size,

@@ -58,6 +58,10 @@ struct RegionChoice {
 /// there are any: by the published rule (region_map.h); rules and presets have the last word.
 RegionChoice choose_regions(const PilotView& view);
 
+/// Whether that would give chains more to do than to stand by, where the light is divided by
+/// thresholds.
+bool chains_would_pay(const PilotView& view);
+
 /// Noise of the indirect light that the replicates show (noise.h).
 Plane pilot_noise(const PilotView& view);
 

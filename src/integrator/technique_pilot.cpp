@@ -124,7 +124,7 @@ double TechniquePilot::effort() const {
 }
 
 std::uint64_t TechniquePilot::begin() {
-  if (!plan_.chooses_omc || !(plan_.brightness > 0.0)) return 0;
+  if (!plan_.chooses_omc || !(plan_.brightness > 0.0) || findings_->decided) return 0;
   RenderSettings settings = plan_.settings;
   settings.replicates = kReplicates;
   settings.aovs.clear();
@@ -151,15 +151,15 @@ void TechniquePilot::run(std::uint64_t item, Counters& counters) {
 
 void TechniquePilot::end() {
   if (!candidate_) return;
-  findings_->push_back(candidate_->errors());
+  findings_->of_offers.push_back(candidate_->errors());
   candidate_.reset();
-  if (findings_->size() == offers().size()) choose();
+  choose();
 }
 
 void TechniquePilot::choose() const {
-  const Findings& found = *findings_;
+  const std::vector<Errors>& found = findings_->of_offers;
   // Tiles without light tell nothing.
-  if (!(found[kUsual].after_equal_time() > 0.0)) return;
+  if (found.size() <= kUsual || !(found[kUsual].after_equal_time() > 0.0)) return;
   // What light subpaths alone find, fewer of them would seldom find: neither a pilot nor chains
   // would know of it.
   constexpr double kLittle = 0.2;
@@ -172,7 +172,8 @@ void TechniquePilot::choose() const {
   for (std::size_t i = best + 1; i < found.size(); ++i) {
     if (found[i].after_equal_time() < kClearly * found[best].after_equal_time()) best = i;
   }
-  plan_.set_omc(offers()[best]);
+  findings_->decided = best < kUsual || found.size() == offers().size();
+  if (findings_->decided) plan_.set_omc(offers()[best]);
 }
 
 }  // namespace ajar

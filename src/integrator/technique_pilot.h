@@ -13,7 +13,8 @@ namespace ajar {
 /// light subpaths are worth their rays.
 ///
 /// Each of a few offers has a stage of its own, which renders some tiles of the picture; so there
-/// is but one film at a time. The last stage chooses. Nothing that was rendered stays.
+/// is but one film at a time. More light subpaths are tried only where one is better than few.
+/// Nothing that was rendered stays.
 class TechniquePilot final : public PreparationStage {
  public:
   /// One for each offer.
@@ -36,9 +37,13 @@ class TechniquePilot final : public PreparationStage {
     double rays = 0.0;
     double after_equal_time() const { return (weak + strong) * rays; }
   };
-  using Findings = std::vector<Errors>;  ///< of all offers up to now
+  struct Findings {
+    std::vector<Errors> of_offers;  ///< up to now
+    bool decided = false;
+  };
 
   TechniquePilot(ChainPlan& plan, PathFamilyDefaults offer, std::shared_ptr<Findings> findings);
+  /// Chooses, once enough is known for it.
   void choose() const;
 
   ChainPlan& plan_;
