@@ -30,9 +30,10 @@ using Sums = std::vector<std::int64_t>;
 struct Method {
   std::string integrator;
   std::map<std::string, std::string> parameters;
+  std::vector<std::string> aovs = {"albedo", "object-id"};
 };
 
-/// Every integrator, and what else chains can remember.
+/// Every integrator, and what else chains, and those who look at what they have rendered, remember.
 std::vector<Method> methods() {
   std::vector<Method> methods;
   for (const IntegratorInfo& info : integrators()) methods.push_back({info.name, {}});
@@ -40,6 +41,8 @@ std::vector<Method> methods() {
   methods.push_back({"mmlt", {{"step", "adaptive"}, {"m1", "1"}}});
   methods.push_back({"pssmlt", {{"mutation", "fusion"}, {"rule", "published"}, {"m1", "1"}}});
   methods.push_back({"selective", {{"map", "binary"}, {"chain", "pssmlt"}}});
+  // Without layers that want as many camera samples everywhere.
+  methods.push_back({"selective", {}, {"density"}});
   return methods;
 }
 
@@ -61,7 +64,7 @@ class Case {
     settings_.crop = Box2i(Vec2i(0, 0), settings_.resolution - Vec2i(1, 1));
     settings_.max_depth = 6;
     settings_.seed = 7;
-    settings_.aovs = {"albedo", "object-id"};
+    settings_.aovs = method.aovs;
     // The default bootstrap and pilot take longer than all the rest.
     for (const ParameterSpec& spec : info_.parameters) {
       if (spec.name == "bootstrap") parameters_["bootstrap"] = "3000";

@@ -15,9 +15,13 @@
 #include "integrator/chain_recruits.h"
 #include "integrator/chain_report.h"
 #include "integrator/chain_trial.h"
+#include "integrator/g_buffer.h"
+#include "integrator/path_family.h"
 #include "integrator/plane_maps.h"
+#include "integrator/sample_rates.h"
 #include "integrator/split_pilot.h"
 #include "integrator/technique_pilot.h"
+#include "integrator/weighted_errors.h"
 #include "mcmc/bootstrap_source.h"
 #include "mcmc/chain_runner.h"
 
@@ -50,7 +54,7 @@ class ChainIntegrator final : public Integrator {
   std::optional<ChainReport> chain_report() const override;
   std::optional<SelectiveReport> selective_report() const override;
 
-  bool keeps_state() const override { return !populations_.empty(); }
+  bool keeps_state() const override { return !populations_.empty() || rates_; }
   void save_state(OutputArchive& archive) const override;
   void load_state(InputArchive& archive) override;
   void give_news(OutputArchive& archive, const WorkShare& share) override;
@@ -76,6 +80,9 @@ class ChainIntegrator final : public Integrator {
   template <Archive A>
   void serialize_items(A& archive, const WorkShare& share);
   void make_omc();
+  /// By the errors that replicates show after `samples` samples: how much effort which half
+  /// deserves, and where.
+  void share_effort(std::uint64_t samples, const Film& film);
   /// Lets what ordinary Monte Carlo has found since `joined_at_` join the chains.
   void join_recruits(const Film& film);
   void expect_recruits(std::uint64_t samples);
@@ -112,7 +119,8 @@ class ChainIntegrator final : public Integrator {
   std::vector<ChainPopulation> populations_;
   std::vector<std::size_t> chain_counts_;  ///< per replicate
   std::vector<ChainItem> chain_items_;
-  std::unique_ptr<Integrator> omc_;  ///< null if it has nothing to render
+  std::unique_ptr<SampleRates> rates_;  ///< null if all pixels have as many camera samples
+  std::unique_ptr<Integrator> omc_;     ///< null if it has nothing to render
   std::vector<std::string> concerns_;
   std::unique_ptr<PlaneMaps> maps_;  ///< null if steps do not follow the image plane
   std::vector<double> b_;            ///< of each population
@@ -206,8 +214,16 @@ void ChainIntegrator::end_preparation() {
 void ChainIntegrator::make_omc() {
   const std::pair<int, int> depths = plan_.omc_depths();
   if (depths.first > depths.second) return;
-  omc_ = plan_.make_omc(plan_.omc_settings(), depths, plan_.splits ? &*plan_.splits : nullptr,
-                        recruits_.get());
+  const RenderSettings settings = plan_.omc_settings();
+  // Layers of the G-buffer are means over camera samples, and have as many everywhere.
+  const bool adapts = plan_.selective && plan_.selective->adaptive && !plan_.unprepared &&
+                      settings.replicates > 1 && GBuffer::layers(settings.aovs, 1.F).empty();
+  if (adapts) {
+    rates_ = std::make_unique<SampleRates>(settings.crop, settings.replicates,
+                                           hash_numbers(settings.seed, 0x4a7e5ULL));
+  }
+  omc_ = plan_.make_omc(settings, depths, plan_.splits ? &*plan_.splits : nullptr, recruits_.get(),
+                        rates_.get());
 }
 
 void ChainIntegrator::add_concerns() {
@@ -302,7 +318,7 @@ void ChainIntegrator::begin_pass(std::uint64_t first_sample, std::uint64_t sampl
   if (milestone <= doubled_at_) return;
   doubled_at_ = milestone;
   if (!recruits_) {
-    effort_.adjust(first_sample, film, *this);
+    share_effort(first_sample, film);
     refine_b(milestone);
   }
   if (maps_) maps_->end_epoch(effort_.mutations(milestone));
@@ -312,8 +328,20 @@ void ChainIntegrator::join_recruits(const Film& film) {
   recruits_->join(populations_, effort_.omc_samples(joined_at_), effort_.omc_samples(next_join_));
   list_chains();
   refine_b(next_join_);
-  effort_.adjust(next_join_, film, *this);
+  share_effort(next_join_, film);
   expect_recruits(next_join_);
+}
+
+void ChainIntegrator::share_effort(std::uint64_t samples, const Film& film) {
+  effort_.adjust(samples, film, *this);
+  if (!rates_) return;
+  const WeightedErrors errors =
+      weighted_errors(develop_layers(film, *this, samples, {"direct", kWeakLayer}),
+                      plan_.settings.crop, plan_.view.importance);
+  rates_->adjust(errors.variance,
+                 guesses_of(develop_layers(film, *this, samples, {"direct"}),
+                            develop_layers(film, *this, samples, {kWeakLayer})),
+                 effort_.omc_samples(samples));
 }
 
 /// Between joins, b and the seeds are as good as the samples behind them, whatever the chains do
@@ -474,6 +502,7 @@ void ChainIntegrator::save_state(OutputArchive& archive) const {
     serialize_population(archive, population, plan_.groups[population.group].shape);
   }
   effort_.save_state(archive);
+  if (rates_) rates_->save_state(archive);
   if (recruits_) recruits_->save_state(archive);
   if (maps_) maps_->save_state(archive);
 }
@@ -496,6 +525,7 @@ void ChainIntegrator::load_state(InputArchive& archive) {
     }
   }
   effort_.load_state(archive);
+  if (rates_) rates_->load_state(archive);
   if (recruits_) recruits_->load_state(archive);
   if (maps_) maps_->load_state(archive);
   list_chains();

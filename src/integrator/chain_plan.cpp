@@ -322,7 +322,8 @@ RenderSettings ChainPlan::omc_settings() const {
 std::unique_ptr<Integrator> ChainPlan::make_omc(const RenderSettings& omc_settings,
                                                 std::pair<int, int> depths,
                                                 const LightSplits* divide,
-                                                const StrongPathSinks* strong) const {
+                                                const StrongPathSinks* strong,
+                                                const SampleRates* rates) const {
   RenderSettings own = omc_settings;
   own.min_depth = depths.first;
   own.max_depth = depths.second;
@@ -332,7 +333,7 @@ std::unique_ptr<Integrator> ChainPlan::make_omc(const RenderSettings& omc_settin
     scale_ = measure_scale(scene, own, of_omc);
     scale_depths_ = depths;
   }
-  return make_path_integrator(scene, own, of_omc, divide, strong, scale_);
+  return make_path_integrator(scene, own, of_omc, divide, strong, rates, scale_);
 }
 
 }  // namespace ajar

@@ -71,11 +71,11 @@ struct ChainPlan {
   std::pair<int, int> omc_depths() const;
   /// As the render has it: without the layers that are made of chains.
   RenderSettings omc_settings() const;
-  /// Ordinary Monte Carlo over some depths. With `splits`, which must outlive it, it leaves the
-  /// chains their share.
+  /// Ordinary Monte Carlo over some depths, as `make_path_integrator` has it.
   std::unique_ptr<Integrator> make_omc(const RenderSettings& settings, std::pair<int, int> depths,
                                        const LightSplits* splits,
-                                       const StrongPathSinks* strong = nullptr) const;
+                                       const StrongPathSinks* strong = nullptr,
+                                       const SampleRates* rates = nullptr) const;
 
   ChainKind kind;
   const Scene& scene;

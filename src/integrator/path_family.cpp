@@ -27,14 +27,24 @@ class SampleSink final : public PathSink {
         seed_(seed),
         counters_(counters) {}
 
-  /// `raster`: where the camera ray goes through the film.
-  void begin(Vec2i pixel, const Vec2& raster, int replicate, float filter_weight,
-             std::uint64_t sample) {
+  /// `light_weight`: of what light subpaths bring to the lens. What camera samples bring is put on
+  /// the film as far as `guess` has it; from each, that much is taken.
+  void begin_pixel(Vec2i pixel, int replicate, float light_weight,
+                   const SampleRates::Guess& guess) {
     pixel_ = pixel;
-    raster_ = raster;
     replicate_ = replicate;
+    light_weight_ = light_weight;
+    guess_ = guess;
+    put(layers_.direct, guess_.direct);
+    put(layers_.indirect, guess_.indirect);
     split_ = splits_ != nullptr ? &splits_->of(replicate) : nullptr;
+  }
+  /// `raster`: where the camera ray goes through the film. What is seen there weighs
+  /// `filter_weight` · `weight`.
+  void begin_sample(const Vec2& raster, float filter_weight, float weight, std::uint64_t sample) {
+    raster_ = raster;
     filter_weight_ = filter_weight;
+    weight_ = weight;
     sample_ = sample;
     sees_something_ = false;
     direct_ = Spectrum();
@@ -44,13 +54,14 @@ class SampleSink final : public PathSink {
   void add(const Contribution& whole) override {
     Contribution contribution = whole;
     if (split_ != nullptr && split_->divides(whole.technique)) divide(contribution);
+    if (contribution.technique.t == 1) contribution.value *= light_weight_;
     const Spectrum& value = contribution.value;
     if (!value.is_finite() || value.min() < 0.F) {
       discard(contribution);
       return;
     }
     const bool direct = contribution.technique.depth() <= 2;
-    if (!techniques_.empty() && !techniques_.add(film_, pixel_, filter_weight_, contribution)) {
+    if (!techniques_.empty() && !techniques_.add(film_, pixel_, filter_weight_ * weight_, contribution)) {
       ++counters_.discarded_infinite;
     }
     if (contribution.technique.t == 1) {
@@ -60,7 +71,7 @@ class SampleSink final : public PathSink {
         discard(contribution);
       }
     } else {
-      tally_.add_camera_contribution(contribution.technique, luminance(value) * filter_weight_);
+      tally_.add_camera_contribution(contribution.technique, luminance(value) * filter_weight_ * weight_);
       (direct ? direct_ : indirect_) += value;
     }
   }
@@ -77,7 +88,7 @@ class SampleSink final : public PathSink {
   void first_vertex(const PathVertex& vertex, const Hit* hit, float distance) override {
     sees_something_ = true;
     if (g_buffer_.empty()) return;
-    g_buffer_.add(film_, pixel_, filter_weight_, sample_, distance, vertex, hit);
+    g_buffer_.add(film_, pixel_, filter_weight_ * weight_, sample_, distance, vertex, hit);
   }
 
   /// Lets a sink have the strong paths found since the last call. Those seen by a camera ray are
@@ -88,7 +99,7 @@ class SampleSink final : public PathSink {
         const float coverage = film_.coverage(path.raster);
         if (!(coverage > 0.F)) {
           // Rounding has put the ray on the film's border, where splats do not reach any pixel.
-          put(layers_.indirect, path.value);
+          put(layers_.indirect, path.value * filter_weight_);
           continue;
         }
         const float weight = filter_weight_ / coverage;
@@ -110,8 +121,8 @@ class SampleSink final : public PathSink {
   void begin_paths(std::uint64_t sample) { origin_ = sample; }
 
   void end_sample() {
-    put(layers_.direct, direct_);
-    put(layers_.indirect, indirect_);
+    put(layers_.direct, (direct_ * filter_weight_ - guess_.direct) * weight_);
+    put(layers_.indirect, (indirect_ * filter_weight_ - guess_.indirect) * weight_);
     if (!sees_something_) g_buffer_.add_nothing(film_, pixel_, sample_);
     tally_.end_sample();
   }
@@ -121,8 +132,7 @@ class SampleSink final : public PathSink {
  private:
   void put(int layer, const Spectrum& value) {
     if (value.is_black()) return;
-    if (!film_.add(layer, replicate_, pixel_, value * filter_weight_))
-      ++counters_.discarded_infinite;
+    if (!film_.add(layer, replicate_, pixel_, value)) ++counters_.discarded_infinite;
   }
 
   /// Leaves chains their share.
@@ -145,10 +155,12 @@ class SampleSink final : public PathSink {
                     static_cast<double>(parts.light * parts.chains),
                     origin_ + static_cast<std::uint64_t>(contribution.light_subpath),
                     contribution.light_subpath};
-    const double weight = draw_lot(path.energy, grain_, path.key());
-    if (weight == 0.0) return;
-    path.value = contribution.value * (parts.chains * static_cast<float>(weight));
-    path.energy *= weight;
+    const float weight = path.technique.t == 1 ? light_weight_ : weight_;
+    path.energy *= static_cast<double>(weight);
+    const double lot = draw_lot(path.energy, grain_, path.key());
+    if (lot == 0.0) return;
+    path.value = contribution.value * (parts.chains * weight * static_cast<float>(lot));
+    path.energy *= lot;
     strong_.push_back(path);
   }
 
@@ -201,6 +213,9 @@ class SampleSink final : public PathSink {
   Vec2 raster_{0.F, 0.F};
   int replicate_ = 0;
   float filter_weight_ = 1.F;
+  float weight_ = 1.F;
+  float light_weight_ = 1.F;
+  SampleRates::Guess guess_;
   std::uint64_t sample_ = 0;
   bool sees_something_ = false;  ///< whether the camera ray of this sample has met anything
   Spectrum direct_;
@@ -215,11 +230,12 @@ class PathIntegrator final : public Integrator {
  public:
   PathIntegrator(const Scene& scene, const RenderSettings& settings, const Parameters& parameters,
                  const LightSplits* splits, const StrongPathSinks* strong,
-                 std::optional<PictureScale> scale)
+                 const SampleRates* rates, std::optional<PictureScale> scale)
       : scene_(scene),
         settings_(settings),
         splits_(splits),
         strong_(strong),
+        rates_(rates),
         sobol_(parameters.get_text("sampler") == "sobol") {
     const Vec2i size = settings.crop.size() + Vec2i(1, 1);
     const double pixels = static_cast<double>(settings.resolution.x) * settings.resolution.y;
@@ -278,16 +294,16 @@ class PathIntegrator final : public Integrator {
     if (strong) sink.keep_strong_for(*strong);
     for (int y = low.y; y <= high.y; ++y) {
       for (int x = low.x; x <= high.x; ++x) {
+        std::uint64_t camera_samples = 0;
         for (std::uint64_t i = first_sample; i < first_sample + samples; ++i) {
-          sample_pixel({x, y}, i, film, sampler, sink, strong.get());
+          camera_samples += sample_pixel({x, y}, i, film, sampler, sink, strong.get());
         }
-        sink.end_pixel(samples);
+        sink.end_pixel(camera_samples);
+        counters.samples += camera_samples;
       }
     }
     sink.end();
     counters.rays += sampler.rays();
-    counters.samples += samples * static_cast<std::uint64_t>(high.x - low.x + 1) *
-                        static_cast<std::uint64_t>(high.y - low.y + 1);
   }
 
   double develop_scale(const LayerSpec& /*layer*/, std::uint64_t samples,
@@ -301,40 +317,44 @@ class PathIntegrator final : public Integrator {
   }
 
  private:
-  /// Place of sample `i` of a pixel among all samples of its replicate. Sample i belongs to
-  /// replicate i mod R and is number i / R of the pixel's own sequence there.
-  struct Place {
-    std::uint64_t replicate;
-    std::uint64_t index;   ///< within the pixel
-    std::uint64_t number;  ///< within the image
-  };
-  Place place(Vec2i pixel, std::uint64_t i) const {
-    const auto count = static_cast<std::uint64_t>(settings_.replicates);
+  /// The picture's samples take turns: number i belongs to replicate i mod R and is number i / R of
+  /// those there.
+  std::uint64_t replicates() const { return static_cast<std::uint64_t>(settings_.replicates); }
+
+  SampleRates::Batch camera_samples(Vec2i pixel, std::uint64_t replicate,
+                                    std::uint64_t round) const {
+    if (rates_ == nullptr) return {round, round + 1, 1.F};
+    return rates_->batch(pixel, replicate, round);
+  }
+
+  /// Number within the image of a pixel's sample number `index`.
+  std::uint64_t number_in_image(Vec2i pixel, std::uint64_t index) const {
     const Vec2i size = settings_.crop.size() + Vec2i(1, 1);
     const auto pixel_number = static_cast<std::uint64_t>(pixel.y - settings_.crop.min.y) *
                                   static_cast<std::uint64_t>(size.x) +
                               static_cast<std::uint64_t>(pixel.x - settings_.crop.min.x);
     const auto pixels = static_cast<std::uint64_t>(size.x) * static_cast<std::uint64_t>(size.y);
-    return {i % count, i / count, i / count * pixels + pixel_number};
+    return index * pixels + pixel_number;
   }
 
   /// The light's sequence is cut where its 32-bit index would overflow; each stretch has its own
   /// scrambling.
-  std::uint64_t light_seed(const Place& place, std::uint64_t light_number) const {
-    return hash_numbers(settings_.seed, place.replicate, 0x11987ULL, light_number >> 32U);
+  std::uint64_t light_seed(std::uint64_t replicate, std::uint64_t light_number) const {
+    return hash_numbers(settings_.seed, replicate, 0x11987ULL, light_number >> 32U);
   }
 
-  SampleIdentity camera_identity(Vec2i pixel, const Place& place) const {
-    return {.camera_seed = hash_numbers(settings_.seed, place.replicate, pixel.x, pixel.y),
-            .camera_index = static_cast<std::uint32_t>(place.index),
-            .light_seed = light_seed(place, place.number),
-            .light_index = static_cast<std::uint32_t>(place.number)};
+  SampleIdentity camera_identity(Vec2i pixel, std::uint64_t replicate, std::uint64_t index) const {
+    const std::uint64_t number = number_in_image(pixel, index);
+    return {.camera_seed = hash_numbers(settings_.seed, replicate, pixel.x, pixel.y),
+            .camera_index = static_cast<std::uint32_t>(index),
+            .light_seed = light_seed(replicate, number),
+            .light_index = static_cast<std::uint32_t>(number)};
   }
 
   /// Of a light subpath that belongs to no camera path; it makes its connections by numbers of its
   /// own, too.
-  SampleIdentity light_identity(const Place& place, std::uint64_t light_number) const {
-    const std::uint64_t seed = light_seed(place, light_number);
+  SampleIdentity light_identity(std::uint64_t replicate, std::uint64_t light_number) const {
+    const std::uint64_t seed = light_seed(replicate, light_number);
     const auto index = static_cast<std::uint32_t>(light_number);
     return {hash_numbers(seed, 0x1e45ULL), index, seed, index};
   }
@@ -350,38 +370,52 @@ class PathIntegrator final : public Integrator {
     }
   }
 
-  void sample_pixel(Vec2i pixel, std::uint64_t i, const Film& film, PathSampler& sampler,
-                    SampleSink& sink, StrongPathSink* strong) const {
-    const Place at = place(pixel, i);
-    const auto replicate = static_cast<int>(at.replicate);
-    with_source(camera_identity(pixel, at), [&](SampleSource& source) {
-      const FilterSample filtered =
-          film.filter().sample(source.get_pair({Stream::Camera, 0, kEmissionDirection}));
-      const Vec2 raster = Vec2(pixel) + Vec2(0.5F, 0.5F) + filtered.offset;
-      sink.begin(pixel, raster, replicate, filtered.weight, i);
-      if (strong != nullptr) {
-        sink.begin_paths(hash_numbers(settings_.seed, 0x57706ULL, pixel.x, pixel.y, i));
-      }
-      sampler.sample(source, raster, sink);
-      if (strong != nullptr) sink.hand_over(*strong, source);
-    });
-    if (light_alone_) {
-      const auto [first, last] = light_numbers(at.number);
-      for (std::uint64_t n = first; n < last; ++n) {
-        with_source(light_identity(at, n), [&](SampleSource& source) {
-          if (strong != nullptr) {
-            sink.begin_paths(hash_numbers(light_seed(at, n), 0x57707ULL, n));
-          }
-          sampler.sample_light(source, sink);
-          if (strong != nullptr) sink.hand_over(*strong, source);
-        });
-      }
+  /// The share of a pixel in the picture's sample number `i`. Returns how many camera samples that
+  /// were.
+  std::uint64_t sample_pixel(Vec2i pixel, std::uint64_t i, const Film& film, PathSampler& sampler,
+                             SampleSink& sink, StrongPathSink* strong) const {
+    const std::uint64_t replicate = i % replicates();
+    const std::uint64_t round = i / replicates();
+    sink.begin_pixel(pixel, static_cast<int>(replicate),
+                     rates_ != nullptr && !light_alone_ ? rates_->light_weight() : 1.F,
+                     rates_ != nullptr ? rates_->guess(pixel) : SampleRates::Guess{});
+    const SampleRates::Batch batch = camera_samples(pixel, replicate, round);
+    for (std::uint64_t index = batch.first; index < batch.last; ++index) {
+      with_source(camera_identity(pixel, replicate, index), [&](SampleSource& source) {
+        const FilterSample filtered =
+            film.filter().sample(source.get_pair({Stream::Camera, 0, kEmissionDirection}));
+        const Vec2 raster = Vec2(pixel) + Vec2(0.5F, 0.5F) + filtered.offset;
+        const std::uint64_t number = index * replicates() + replicate;
+        sink.begin_sample(raster, filtered.weight, batch.weight, number);
+        if (strong != nullptr) {
+          sink.begin_paths(hash_numbers(settings_.seed, 0x57706ULL, pixel.x, pixel.y, number));
+        }
+        sampler.sample(source, raster, sink);
+        if (strong != nullptr) sink.hand_over(*strong, source);
+      });
+      sink.end_sample();
     }
-    sink.end_sample();
+    if (light_alone_) sample_light(replicate, number_in_image(pixel, round), sampler, sink, strong);
+    return batch.last - batch.first;
   }
 
-  /// The light subpaths that are traced along with camera sample `number`: evenly spread, and one
-  /// gapless sequence.
+  /// The light subpaths that belong to number `number` of the pixels' shares in the picture's
+  /// samples.
+  void sample_light(std::uint64_t replicate, std::uint64_t number, PathSampler& sampler,
+                    SampleSink& sink, StrongPathSink* strong) const {
+    const auto [first, last] = light_numbers(number);
+    for (std::uint64_t n = first; n < last; ++n) {
+      with_source(light_identity(replicate, n), [&](SampleSource& source) {
+        if (strong != nullptr) {
+          sink.begin_paths(hash_numbers(light_seed(replicate, n), 0x57707ULL, n));
+        }
+        sampler.sample_light(source, sink);
+        if (strong != nullptr) sink.hand_over(*strong, source);
+      });
+    }
+  }
+
+  /// Evenly spread, and one gapless sequence.
   std::pair<std::uint64_t, std::uint64_t> light_numbers(std::uint64_t number) const {
     const auto upto = [&](std::uint64_t n) {
       return static_cast<std::uint64_t>(static_cast<double>(n) * sampler_settings_.light_subpaths);
@@ -395,6 +429,7 @@ class PathIntegrator final : public Integrator {
   RenderSettings settings_;
   const LightSplits* splits_;
   const StrongPathSinks* strong_;
+  const SampleRates* rates_;
   PathSamplerSettings sampler_settings_;
   bool sobol_;
   bool light_alone_;    ///< light subpaths are connected to the lens only
@@ -501,13 +536,15 @@ std::unique_ptr<Integrator> make_path_integrator(const Scene& scene, const Rende
                                                  const Parameters& parameters,
                                                  const LightSplits* splits,
                                                  const StrongPathSinks* strong,
+                                                 const SampleRates* rates,
                                                  std::optional<PictureScale> scale) {
-  return std::make_unique<PathIntegrator>(scene, settings, parameters, splits, strong, scale);
+  return std::make_unique<PathIntegrator>(scene, settings, parameters, splits, strong, rates,
+                                          scale);
 }
 
 PictureScale measure_scale(const Scene& scene, const RenderSettings& settings,
                            const Parameters& parameters) {
-  return PathIntegrator(scene, settings, parameters, nullptr, nullptr, {}).scale();
+  return PathIntegrator(scene, settings, parameters, nullptr, nullptr, nullptr, {}).scale();
 }
 
 }  // namespace ajar

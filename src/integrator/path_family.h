@@ -3,6 +3,7 @@
 
 #include "integrator/integrator.h"
 #include "integrator/light_split.h"
+#include "integrator/sample_rates.h"
 #include "integrator/strong_paths.h"
 #include "transport/path_sampler.h"
 
@@ -33,12 +34,14 @@ PictureScale measure_scale(const Scene& scene, const RenderSettings& settings,
 /// Ordinary Monte Carlo with one set of techniques (METHODS, section 2): `pt`, `lt`, `ibpt`, `bdpt`
 /// are four names of it. With `splits`, which must outlive it, it leaves Markov chains their share
 /// of long paths and puts its own into the layer `kWeakLayer`; sinks of `strong` see what is left.
-/// Unless the `scale` of the picture is known, it is measured.
+/// Pixels have as many samples as `rates`, which must outlive it, say; one each without. Unless the
+/// `scale` of the picture is known, it is measured.
 /// Raises UsageError if the parameter `techniques` cannot be read.
 std::unique_ptr<Integrator> make_path_integrator(const Scene& scene, const RenderSettings& settings,
                                                  const Parameters& parameters,
                                                  const LightSplits* splits = nullptr,
                                                  const StrongPathSinks* strong = nullptr,
+                                                 const SampleRates* rates = nullptr,
                                                  std::optional<PictureScale> scale = {});
 
 inline const std::string kWeakLayer = "indirect-weak";

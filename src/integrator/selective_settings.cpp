@@ -78,6 +78,10 @@ std::vector<ParameterSpec> SelectiveSettings::parameters() {
                    .choices = {},
                    .minimum = 3,
                    .maximum = 5});
+  specs.push_back(choice_parameter(
+      "samples", {"adaptive", "uniform"},
+      "camera samples of ordinary Monte Carlo: more where replicates show more noise, as many as a "
+      "picture's samples per pixel on average; or the same everywhere"));
   specs.push_back({.name = "regions",
                    .type = ParameterType::Text,
                    .default_value = "",
@@ -103,7 +107,7 @@ std::map<std::string, std::string> SelectiveSettings::apply_preset(
   std::map<std::string, std::string> values;
   if (preset->second == "published") {
     values = {{"omc", "ibpt"}, {"map", "binary"},         {"pilot", "keep"},
-              {"split", "0"},  {"importance", "uniform"}, {"mutation", "kelemen"}};
+              {"split", "0"},  {"importance", "uniform"}, {"mutation", "kelemen"}, {"samples", "uniform"}};
   }
   given.insert(values.begin(), values.end());
   return given;
@@ -123,6 +127,7 @@ SelectiveSettings SelectiveSettings::read(const Parameters& parameters,
                    static_cast<float>(parameters.get_float("threshold")),
                    static_cast<float>(parameters.get_float("epsilon"))};
   if (result.binary.window == 4) throw UsageError("window: 3 or 5 pixels, not 4");
+  result.adaptive = parameters.get_text("samples") == "adaptive";
   result.exclusive = parameters.get_text("choice") == "exclusive";
   result.diffuse_out = parameters.get_text("preset") == "lambertian-out";
   result.antialias = parameters.get_text("edges") == "antialias";

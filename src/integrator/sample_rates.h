@@ -1,0 +1,97 @@
+#pragma once
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/archive_forward.h"
+#include "core/spectrum.h"
+#include "core/vector.h"
+#include "image/statistics.h"
+
+namespace ajar {
+
+/// How many camera samples ordinary Monte Carlo has where: one per pixel and sample of the picture
+/// on average, more where there is more noise. A pixel's rate r is the number it has on average,
+/// and each weighs 1/r, so that every sample of the picture stands for the whole of it, whatever
+/// the rates were: they may follow from samples that stay, and change between passes, without
+/// biasing anything.
+///
+/// In each replicate a pixel has k · r of them after k, rounded up or down: where it starts to
+/// count is random, so that this is right on average. That alone would be noise of up to one sample,
+/// and seen where there is no other. So there is a guess m of what a pixel's samples bring: it is
+/// put into the picture once per sample of it, and camera samples bring what they see less m, each
+/// times 1/r. Whatever m is, that changes no expectation.
+class SampleRates {
+ public:
+  /// One each for all pixels of `crop`, until `adjust`. `replicates`: at least one.
+  SampleRates(const Box2i& crop, int replicates, std::uint64_t seed);
+
+  /// Camera samples `first` to `last` of those that a pixel has in a replicate.
+  struct Batch {
+    std::uint64_t first;
+    std::uint64_t last;  ///< not one of them any more
+    float weight;        ///< 1/r
+  };
+  /// Those that belong to number `round` of the picture's samples in a replicate; not before the
+  /// last `adjust`.
+  Batch batch(Vec2i pixel, std::uint64_t replicate, std::uint64_t round) const;
+  /// What light that is traced along with all camera samples, to land anywhere, weighs.
+  float light_weight() const { return light_weight_; }
+
+  /// What camera samples bring to a pixel, by layer, as far as is known.
+  struct Guess {
+    Spectrum direct;
+    Spectrum indirect;
+  };
+  Guess guess(Vec2i pixel) const { return guesses_[pixel_index(pixel)]; }
+
+  /// Makes what can be seen of errors smallest (visible_error.h), as far as it is the camera
+  /// samples' to decide. `variance`: of the mean of the first `samples` samples of the picture (a
+  /// multiple of the number of replicates, no fewer than before), pixel by pixel, row by row.
+  /// `guesses`: likewise.
+  void adjust(std::span<const double> variance, std::vector<Guess> guesses, std::uint64_t samples);
+
+  void save_state(OutputArchive& archive) const;
+  /// May raise any std::exception if the bytes make no sense.
+  void load_state(InputArchive& archive);
+
+ private:
+  /// Pixels of one rate.
+  struct Cell {
+    double before = 0.0;   ///< camera samples per pixel and replicate until `since_`
+    double inverse = 0.0;  ///< sum of 1/r over the picture's samples in a replicate until then
+    double rate = 1.0;     ///< since then
+  };
+  std::size_t cell_of(Vec2i pixel) const;
+  std::size_t pixel_index(Vec2i pixel) const {
+    const Vec2i place = pixel - crop_.min;
+    return static_cast<std::size_t>(place.y) *
+               static_cast<std::size_t>(crop_.max.x - crop_.min.x + 1) +
+           static_cast<std::size_t>(place.x);
+  }
+  /// In 0..1: what a pixel has of its first camera sample before there is any.
+  double start_of(Vec2i pixel, std::uint64_t replicate) const;
+  double upto(const Cell& cell, std::uint64_t round) const {
+    return cell.before + cell.rate * static_cast<double>(round - since_);
+  }
+  /// Mean over the pixels of each cell.
+  std::vector<double> means(const std::vector<double>& pixels) const;
+  std::vector<double> with_neighbours(const std::vector<double>& cells) const;
+  double mean(const std::vector<double>& cells) const;
+
+  Box2i crop_;
+  Vec2i cells_;  ///< across and down
+  std::uint64_t replicates_;
+  std::uint64_t since_ = 0;  ///< the picture's samples in a replicate
+  float light_weight_ = 1.F;
+  std::vector<Cell> grid_;
+  std::vector<double> pixels_;  ///< of each cell
+  std::vector<float> starts_;   ///< of each pixel, row by row, in the first replicate
+  std::vector<Guess> guesses_;  ///< likewise
+};
+
+/// Of each pixel, from pictures of a layer in each replicate: of the values there the lower median,
+/// since a firefly is a bad guess. Black for a layer without pictures.
+std::vector<SampleRates::Guess> guesses_of(const Replicates& direct, const Replicates& indirect);
+
+}  // namespace ajar

@@ -1,0 +1,136 @@
+#include "integrator/sample_rates.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "core/milestones.h"
+#include "core/parallel_for.h"
+#include "core/random.h"
+#include "image/make_filter.h"
+#include "integrator/path_family.h"
+#include "integrator/weighted_errors.h"
+#include "support/render.h"
+#include "support/same_picture.h"
+#include "support/small_scenes.h"
+
+/// Where ordinary Monte Carlo has how many camera samples changes no expectation.
+namespace ajar {
+namespace {
+
+using test::expect_same;
+using test::replicates_of;
+
+/// Errors that have nothing to do with those of the picture, and differ 10000 times from cell to
+/// cell.
+std::vector<double> random_errors(std::size_t pixels, std::uint64_t seed) {
+  std::vector<double> errors;
+  for (std::size_t i = 0; i < pixels; ++i) {
+    const float u = to_unit_float(static_cast<std::uint32_t>(hash_numbers(seed, i / 5) >> 32U));
+    errors.push_back(std::pow(10.0, 8.0 * static_cast<double>(u)));
+  }
+  return errors;
+}
+
+/// Ordinary Monte Carlo with rates, and guesses, that change at random at every milestone.
+test::Render render_with_random_rates(const Scene& scene, const test::RenderOptions& options,
+                                      const std::string& techniques, SampleRates& rates) {
+  RenderSettings settings;
+  settings.resolution = scene.camera().resolution();
+  settings.crop = options.crop.value_or(Box2i(Vec2i(0, 0), settings.resolution - Vec2i(1, 1)));
+  settings.max_depth = options.max_depth;
+  settings.seed = options.seed;
+  settings.replicates = options.replicates;
+  test::Render render;
+  render.integrator = make_path_integrator(
+      scene, settings, Parameters(path_family_parameters(path_family_defaults(techniques)), {}),
+      nullptr, nullptr, &rates);
+  Integrator& integrator = *render.integrator;
+  render.film = std::make_unique<Film>(settings.resolution, settings.crop,
+                                       make_filter(scene.film().filter), options.replicates,
+                                       integrator.layers());
+  render.samples = static_cast<std::uint64_t>(options.samples);
+  const auto pixels = static_cast<std::size_t>(render.film->width()) *
+                      static_cast<std::size_t>(render.film->height());
+  for (std::uint64_t first = 0; first < render.samples;) {
+    const std::uint64_t next = std::min(
+        render.samples, milestone_after(first, static_cast<std::uint64_t>(options.replicates)));
+    parallel_for(integrator.items_in_pass(), [&](std::uint64_t item) {
+      Counters own;
+      integrator.run_item(item, first, next - first, *render.film, own);
+    });
+    std::vector<SampleRates::Guess> guesses;
+    for (const double value : random_errors(pixels, next + 1)) {
+      const auto light = static_cast<float>(0.1 * std::log10(value));
+      guesses.push_back({Spectrum(light), Spectrum(0.F, light, 0.2F)});
+    }
+    rates.adjust(random_errors(pixels, next), std::move(guesses), next);
+    first = next;
+  }
+  return render;
+}
+
+TEST(SampleRates, ChangeNoExpectation) {
+  for (const char* name : {"Room", "GlassAndMetal", "CroppedMitchell"}) {
+    const test::SmallScene small = test::small_scene(name);
+    const auto scene = test::scene_from(small.text);
+    test::RenderOptions options;
+    options.replicates = 16;
+    options.max_depth = 6;
+    options.samples = 512;
+    options.crop = small.crop;
+    options.integrator = "bdpt";
+    const test::Render truth = test::render(*scene, options);
+    options.seed = 2;
+    for (const char* techniques : {"pt", "ibpt", "bdpt"}) {
+      SampleRates rates(truth.film->crop(), options.replicates, 3);
+      const test::Render render = render_with_random_rates(*scene, options, techniques, rates);
+      expect_same(replicates_of(render), replicates_of(truth), *render.film, 0.15,
+                  std::string(name) + ", " + techniques);
+    }
+  }
+}
+
+/// Of the pixels of three renders, and how many camera samples these took.
+struct ErrorAndSamples {
+  double error = 0.0;
+  std::uint64_t samples = 0;
+};
+
+ErrorAndSamples error_of_selective(const Scene& scene, const std::string& samples) {
+  test::RenderOptions options;
+  options.integrator = "selective";
+  options.replicates = 4;
+  options.samples = 192;
+  options.parameters = {{"samples", samples}};
+  ErrorAndSamples result;
+  for (const std::uint64_t seed : {1, 2, 3}) {
+    options.seed = seed;
+    const test::Render render = test::render(scene, options);
+    result.samples += render.counters.samples;
+    for (const double variance :
+         weighted_errors(replicates_of(render), render.film->crop(), ImportanceMap()).variance) {
+      result.error += std::sqrt(variance);
+    }
+  }
+  return result;
+}
+
+TEST(SampleRates, HelpWhereHalfOfThePictureIsWithoutNoise) {
+  const auto scene = test::scene_from(test::pbrt_scene(
+      "LookAt 0 0 -3  0 0 0  0 1 0 Camera \"perspective\" \"float fov\" [45]", 32, 32,
+      "LightSource \"infinite\" \"rgb L\" [1 1 1]\nMaterial \"matte\" \"rgb Kd\" [0.5 0.5 0.5]\n"
+      "Shape \"sphere\" \"float radius\" [0.8]\nTranslate 0.4 0.4 -0.8 Shape \"sphere\" \"float "
+      "radius\" [0.3]\n"));
+  const ErrorAndSamples uniform = error_of_selective(*scene, "uniform");
+  const ErrorAndSamples adaptive = error_of_selective(*scene, "adaptive");
+  EXPECT_LT(adaptive.error, 0.9 * uniform.error);
+  const auto samples = static_cast<double>(uniform.samples);
+  EXPECT_NEAR(static_cast<double>(adaptive.samples), samples, 0.01 * samples);
+}
+
+}  // namespace
+}  // namespace ajar
