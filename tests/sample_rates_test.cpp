@@ -24,20 +24,39 @@ namespace {
 using test::expect_same;
 using test::replicates_of;
 
-/// Errors that have nothing to do with those of the picture, and differ 10000 times from cell to
-/// cell.
-std::vector<double> random_errors(std::size_t pixels, std::uint64_t seed) {
+/// Errors that have nothing to do with those of the picture, and differ by any factor up to 10000
+/// from one block of 8×8 pixels to the next.
+std::vector<double> random_errors(const Film& film, std::uint64_t seed) {
   std::vector<double> errors;
-  for (std::size_t i = 0; i < pixels; ++i) {
-    const float u = to_unit_float(static_cast<std::uint32_t>(hash_numbers(seed, i / 5) >> 32U));
-    errors.push_back(std::pow(10.0, 8.0 * static_cast<double>(u)));
+  for (int y = 0; y < film.height(); ++y) {
+    for (int x = 0; x < film.width(); ++x) {
+      const std::uint64_t random = hash_numbers(seed, x / 8, y / 8);
+      const float u = to_unit_float(static_cast<std::uint32_t>(random >> 32U));
+      errors.push_back(std::pow(10.0, 8.0 * static_cast<double>(u)));
+    }
   }
   return errors;
 }
 
-/// Ordinary Monte Carlo with rates, and guesses, that change at random at every milestone.
+/// Finds strong paths, some of them by lot, and puts them back on the film.
+class HandedBack final : public StrongPathSinks {
+ public:
+  std::unique_ptr<StrongPathSink> make(Film& /*film*/, Counters& /*counters*/) const override {
+    return std::make_unique<Sink>();
+  }
+
+ private:
+  class Sink final : public StrongPathSink {
+   public:
+    double grain() const override { return 0.2; }
+    bool spread(SampleSource& /*numbers*/, StrongPath& /*path*/) override { return false; }
+  };
+};
+
+/// Ordinary Monte Carlo with rates that are random, and change once, and random guesses.
 test::Render render_with_random_rates(const Scene& scene, const test::RenderOptions& options,
-                                      const std::string& techniques, SampleRates& rates) {
+                                      const std::string& techniques, SampleRates& rates,
+                                      const LightSplits* splits, const StrongPathSinks* strong) {
   RenderSettings settings;
   settings.resolution = scene.camera().resolution();
   settings.crop = options.crop.value_or(Box2i(Vec2i(0, 0), settings.resolution - Vec2i(1, 1)));
@@ -47,14 +66,12 @@ test::Render render_with_random_rates(const Scene& scene, const test::RenderOpti
   test::Render render;
   render.integrator = make_path_integrator(
       scene, settings, Parameters(path_family_parameters(path_family_defaults(techniques)), {}),
-      nullptr, nullptr, &rates);
+      splits, strong, &rates);
   Integrator& integrator = *render.integrator;
   render.film = std::make_unique<Film>(settings.resolution, settings.crop,
                                        make_filter(scene.film().filter), options.replicates,
                                        integrator.layers());
   render.samples = static_cast<std::uint64_t>(options.samples);
-  const auto pixels = static_cast<std::size_t>(render.film->width()) *
-                      static_cast<std::size_t>(render.film->height());
   for (std::uint64_t first = 0; first < render.samples;) {
     const std::uint64_t next = std::min(
         render.samples, milestone_after(first, static_cast<std::uint64_t>(options.replicates)));
@@ -63,11 +80,12 @@ test::Render render_with_random_rates(const Scene& scene, const test::RenderOpti
       integrator.run_item(item, first, next - first, *render.film, own);
     });
     std::vector<SampleRates::Guess> guesses;
-    for (const double value : random_errors(pixels, next + 1)) {
+    for (const double value : random_errors(*render.film, next)) {
       const auto light = static_cast<float>(0.1 * std::log10(value));
       guesses.push_back({Spectrum(light), Spectrum(0.F, light, 0.2F)});
     }
-    rates.adjust(random_errors(pixels, next), std::move(guesses), next);
+    const std::uint64_t change = render.samples / 4;
+    rates.adjust(random_errors(*render.film, next < change ? 1 : 2), std::move(guesses), next);
     first = next;
   }
   return render;
@@ -85,11 +103,18 @@ TEST(SampleRates, ChangeNoExpectation) {
     options.integrator = "bdpt";
     const test::Render truth = test::render(*scene, options);
     options.seed = 2;
+    const ImportanceMap even;
+    const LightSplits splits(LightSplit(0.1, even));
+    const HandedBack strong;
     for (const char* techniques : {"pt", "ibpt", "bdpt"}) {
-      SampleRates rates(truth.film->crop(), options.replicates, 3);
-      const test::Render render = render_with_random_rates(*scene, options, techniques, rates);
-      expect_same(replicates_of(render), replicates_of(truth), *render.film, 0.15,
-                  std::string(name) + ", " + techniques);
+      for (const bool divided : {false, true}) {
+        SampleRates rates(truth.film->crop(), options.replicates, 3);
+        const test::Render render =
+            render_with_random_rates(*scene, options, techniques, rates,
+                                     divided ? &splits : nullptr, divided ? &strong : nullptr);
+        expect_same(replicates_of(render), replicates_of(truth), *render.film, 0.15,
+                    std::string(name) + ", " + techniques + (divided ? ", divided" : ""));
+      }
     }
   }
 }
