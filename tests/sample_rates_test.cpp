@@ -48,7 +48,7 @@ class HandedBack final : public StrongPathSinks {
  private:
   class Sink final : public StrongPathSink {
    public:
-    double grain() const override { return 0.2; }
+    double grain() const override { return 0.01; }
     bool spread(SampleSource& /*numbers*/, StrongPath& /*path*/) override { return false; }
   };
 };
@@ -104,7 +104,7 @@ TEST(SampleRates, ChangeNoExpectation) {
     const test::Render truth = test::render(*scene, options);
     options.seed = 2;
     const ImportanceMap even;
-    const LightSplits splits(LightSplit(0.1, even));
+    const LightSplits splits(LightSplit(0.003, even));
     const HandedBack strong;
     for (const char* techniques : {"pt", "ibpt", "bdpt"}) {
       for (const bool divided : {false, true}) {
