@@ -68,9 +68,9 @@ test::Render render_with_random_rates(const Scene& scene, const test::RenderOpti
       scene, settings, Parameters(path_family_parameters(path_family_defaults(techniques)), {}),
       splits, strong, &rates);
   Integrator& integrator = *render.integrator;
-  render.film = std::make_unique<Film>(settings.resolution, settings.crop,
-                                       make_filter(scene.film().filter), options.replicates,
-                                       integrator.layers());
+  render.film =
+      std::make_unique<Film>(settings.resolution, settings.crop, make_filter(scene.film().filter),
+                             options.replicates, integrator.layers());
   render.samples = static_cast<std::uint64_t>(options.samples);
   for (std::uint64_t first = 0; first < render.samples;) {
     const std::uint64_t next = std::min(

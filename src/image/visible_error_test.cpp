@@ -17,7 +17,8 @@ constexpr double kNear = 1.2;
 
 double best_ratio(const std::vector<double>& omc, const std::vector<double>& chains,
                   double sample_cost = 1.0, double mutation_cost = 1.0) {
-  return mutations_of_least_visible_error(omc, chains, sample_cost, mutation_cost, kLowest, kHighest);
+  return mutations_of_least_visible_error(omc, chains, sample_cost, mutation_cost, kLowest,
+                                          kHighest);
 }
 
 TEST(VisibleError, OfOnePixelIsThatOfTheBestSplitOfTime) {
@@ -79,7 +80,8 @@ TEST(VisibleError, RefusesWhatMakesNoSense) {
   EXPECT_THROW(best_ratio(one, two), std::invalid_argument);
   EXPECT_THROW(best_ratio(one, one, 0.0), std::invalid_argument);
   EXPECT_THROW(best_ratio(one, one, 1.0, std::nan("")), std::invalid_argument);
-  EXPECT_THROW(mutations_of_least_visible_error(one, one, 1.0, 1.0, 2.0, 1.0), std::invalid_argument);
+  EXPECT_THROW(mutations_of_least_visible_error(one, one, 1.0, 1.0, 2.0, 1.0),
+               std::invalid_argument);
 }
 
 }  // namespace

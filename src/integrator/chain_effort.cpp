@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "core/archive.h"
-#include "image/visible_error.h"
 #include "image/optimal_thresholds.h"
+#include "image/visible_error.h"
 #include "integrator/path_family.h"
 #include "integrator/weighted_errors.h"
 

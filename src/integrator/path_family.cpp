@@ -61,7 +61,8 @@ class SampleSink final : public PathSink {
       return;
     }
     const bool direct = contribution.technique.depth() <= 2;
-    if (!techniques_.empty() && !techniques_.add(film_, pixel_, filter_weight_ * weight_, contribution)) {
+    if (!techniques_.empty() &&
+        !techniques_.add(film_, pixel_, filter_weight_ * weight_, contribution)) {
       ++counters_.discarded_infinite;
     }
     if (contribution.technique.t == 1) {
@@ -71,7 +72,8 @@ class SampleSink final : public PathSink {
         discard(contribution);
       }
     } else {
-      tally_.add_camera_contribution(contribution.technique, luminance(value) * filter_weight_ * weight_);
+      tally_.add_camera_contribution(contribution.technique,
+                                     luminance(value) * filter_weight_ * weight_);
       (direct ? direct_ : indirect_) += value;
     }
   }
@@ -229,8 +231,8 @@ class SampleSink final : public PathSink {
 class PathIntegrator final : public Integrator {
  public:
   PathIntegrator(const Scene& scene, const RenderSettings& settings, const Parameters& parameters,
-                 const LightSplits* splits, const StrongPathSinks* strong,
-                 const SampleRates* rates, std::optional<PictureScale> scale)
+                 const LightSplits* splits, const StrongPathSinks* strong, const SampleRates* rates,
+                 std::optional<PictureScale> scale)
       : scene_(scene),
         settings_(settings),
         splits_(splits),

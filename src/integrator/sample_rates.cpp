@@ -30,8 +30,7 @@ SampleRates::SampleRates(const Box2i& crop, int replicates, std::uint64_t seed)
   for (int y = crop.min.y; y <= crop.max.y; ++y) {
     for (int x = crop.min.x; x <= crop.max.x; ++x) {
       pixels_[cell_of({x, y})] += 1.0;
-      starts_.push_back(
-          to_unit_float(static_cast<std::uint32_t>(hash_numbers(seed, x, y) >> 32U)));
+      starts_.push_back(to_unit_float(static_cast<std::uint32_t>(hash_numbers(seed, x, y) >> 32U)));
     }
   }
   guesses_.resize(starts_.size());

@@ -17,10 +17,10 @@ namespace ajar {
 /// biasing anything.
 ///
 /// In each replicate a pixel has k · r of them after k, rounded up or down: where it starts to
-/// count is random, so that this is right on average. That alone would be noise of up to one sample,
-/// and seen where there is no other. So there is a guess m of what a pixel's samples bring: it is
-/// put into the picture once per sample of it, and camera samples bring what they see less m, each
-/// times 1/r. Whatever m is, that changes no expectation.
+/// count is random, so that this is right on average. That alone would be noise of up to one
+/// sample, and seen where there is no other. So there is a guess m of what a pixel's samples bring:
+/// it is put into the picture once per sample of it, and camera samples bring what they see less m,
+/// each times 1/r. Whatever m is, that changes no expectation.
 class SampleRates {
  public:
   /// One each for all pixels of `crop`, until `adjust`. `replicates`: at least one.

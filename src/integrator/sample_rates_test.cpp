@@ -109,7 +109,8 @@ TEST(SampleRates, AreKeptInEachReplicateWithoutGaps) {
       std::uint64_t next = kFirst / kReplicates;
       SampleRates own = rates;
       for (std::uint64_t round = kFirst / kReplicates; round < 40; ++round) {
-        if (round == 10) own.adjust(row_by_row([](int x, int) { return x; }), some_guesses(), 10 * kReplicates);
+        if (round == 10)
+          own.adjust(row_by_row([](int x, int) { return x; }), some_guesses(), 10 * kReplicates);
         const SampleRates::Batch batch = own.batch(pixel, replicate, round);
         EXPECT_EQ(batch.first, next);
         next = batch.last;
@@ -150,7 +151,8 @@ TEST(SampleRates, HaveGuessesOfThePixelThatAreNoFireflies) {
   const SampleRates rates = rates_for(two_halves);
   EXPECT_EQ(rates.guess({3, 5}).direct[0], 503.F);
   EXPECT_EQ(rates.guess({44, 6}).indirect[2], 1288.F);
-  const Replicates direct = {{1.F, 2.F, 3.F}, {900.F, 3.F, 4.F}, {2.F, 900.F, 5.F}, {3.F, 4.F, 6.F}};
+  const Replicates direct = {
+      {1.F, 2.F, 3.F}, {900.F, 3.F, 4.F}, {2.F, 900.F, 5.F}, {3.F, 4.F, 6.F}};
   const SampleRates::Guess guess = guesses_of(direct, {}).front();
   EXPECT_EQ(guess.direct, Spectrum(2.F, 3.F, 4.F));
   EXPECT_TRUE(guess.indirect.is_black());
