@@ -561,6 +561,7 @@ void ChainIntegrator::take_news(InputArchive& archive, const WorkShare& share) {
 
 std::uint64_t ChainIntegrator::memory_bytes() const {
   std::uint64_t bytes = maps_ ? maps_->memory_bytes() : 0;
+  if (rates_) bytes += rates_->memory_bytes();
   for (const ChainPopulation& population : populations_) {
     for (const MemberChain& member : population.chains) {
       // Of recruits there are a few per chain, which are as large.

@@ -152,6 +152,11 @@ std::vector<SampleRates::Guess> guesses_of(const Replicates& direct, const Repli
   return guesses;
 }
 
+std::uint64_t SampleRates::memory_bytes() const {
+  return grid_.size() * (sizeof(Cell) + sizeof(double)) +
+         starts_.size() * (sizeof(float) + sizeof(Guess));
+}
+
 void SampleRates::save_state(OutputArchive& archive) const {
   archive(since_, light_weight_, static_cast<std::uint64_t>(grid_.size()));
   for (const Cell& cell : grid_) archive(cell.before, cell.inverse, cell.rate);

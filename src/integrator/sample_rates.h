@@ -51,6 +51,7 @@ class SampleRates {
   /// `guesses`: likewise.
   void adjust(std::span<const double> variance, std::vector<Guess> guesses, std::uint64_t samples);
 
+  std::uint64_t memory_bytes() const;
   void save_state(OutputArchive& archive) const;
   /// May raise any std::exception if the bytes make no sense.
   void load_state(InputArchive& archive);
