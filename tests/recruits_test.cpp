@@ -20,15 +20,6 @@ struct Setting {
   std::string light_paths;
 };
 
-RenderSettings settings_of(const Scene& scene) {
-  RenderSettings settings;
-  settings.resolution = scene.camera().resolution();
-  settings.crop = Box2i(Vec2i(0, 0), settings.resolution - Vec2i(1, 1));
-  settings.max_depth = 6;
-  settings.replicates = 1;
-  return settings;
-}
-
 /// Starts a chain at each path that is found, and compares.
 class Comparison final : public StrongPathSinks {
  public:
@@ -82,7 +73,8 @@ TEST(Recruits, AreStatesOfChainsThatAreWorthWhatWasFound) {
                                    {"light-paths-per-pixel", setting.light_paths},
                                    {"importance", "uniform"},
                                    {"split", "0.1"}});
-      ChainPlan plan(ChainKind::OnePath, *scene, settings_of(*scene), parameters);
+      ChainPlan plan(ChainKind::OnePath, *scene,
+                     test::settings_of(*scene, {.replicates = 1, .max_depth = 6}), parameters);
       plan.brightness = 1.0;
       plan.splits.emplace(LightSplit(plan.lowest_threshold(), plan.view.importance));
       const Comparison comparison(plan, std::stod(setting.light_paths));
@@ -105,8 +97,7 @@ TEST(Recruits, AreStatesOfChainsThatAreWorthWhatWasFound) {
 /// Few chains leave what there is to explore to luck, whatever the first guess of their effort.
 TEST(Recruits, AreForManyChainsUnlessThoseStandBy) {
   const auto scene = test::scene_from(test::small_scene("Room").text);
-  RenderSettings settings = settings_of(*scene);
-  settings.replicates = 4;
+  RenderSettings settings = test::settings_of(*scene, {.replicates = 4, .max_depth = 6});
   const auto chains_of = [&](Vec2i resolution, double mutations, bool standby) {
     settings.resolution = resolution;
     settings.crop = Box2i(Vec2i(0, 0), resolution - Vec2i(1, 1));

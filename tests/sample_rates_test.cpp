@@ -57,12 +57,7 @@ class HandedBack final : public StrongPathSinks {
 test::Render render_with_random_rates(const Scene& scene, const test::RenderOptions& options,
                                       const std::string& techniques, SampleRates& rates,
                                       const LightSplits* splits, const StrongPathSinks* strong) {
-  RenderSettings settings;
-  settings.resolution = scene.camera().resolution();
-  settings.crop = options.crop.value_or(Box2i(Vec2i(0, 0), settings.resolution - Vec2i(1, 1)));
-  settings.max_depth = options.max_depth;
-  settings.seed = options.seed;
-  settings.replicates = options.replicates;
+  const RenderSettings settings = test::settings_of(scene, options);
   test::Render render;
   render.integrator = make_path_integrator(
       scene, settings, Parameters(path_family_parameters(path_family_defaults(techniques)), {}),
@@ -79,10 +74,11 @@ test::Render render_with_random_rates(const Scene& scene, const test::RenderOpti
       Counters own;
       integrator.run_item(item, first, next - first, *render.film, own);
     });
-    std::vector<SampleRates::Guess> guesses;
+    SampleRates::Guesses guesses;
     for (const double value : random_errors(*render.film, next)) {
       const auto light = static_cast<float>(0.1 * std::log10(value));
-      guesses.push_back({Spectrum(light), Spectrum(0.F, light, 0.2F)});
+      guesses.direct.insert(guesses.direct.end(), {light, light, light});
+      guesses.indirect.insert(guesses.indirect.end(), {0.F, light, 0.2F});
     }
     const std::uint64_t change = render.samples / 4;
     rates.adjust(random_errors(*render.film, next < change ? 1 : 2), std::move(guesses), next);

@@ -319,6 +319,46 @@ TEST(Selective, LeavesChainsOutOfACornellBox) {
   }
 }
 
+/// Rounds of a preparation that have anything to do.
+int rounds_of(const std::string& scene_name) {
+  const Scene scene = builtin_scene(scene_name);
+  const IntegratorInfo& info = find_integrator("selective");
+  const auto integrator =
+      info.make(scene, test::settings_of(scene, {.replicates = 4, .max_depth = 8}),
+                Parameters(info.parameters, {}));
+  int rounds = 0;
+  for (;; ++rounds) {
+    const std::uint64_t items = integrator->begin_preparation(rounds).items;
+    if (items == 0) return rounds;
+    Counters counters;
+    for (std::uint64_t item = 0; item < items; ++item) {
+      integrator->prepare_item(rounds, item, counters);
+    }
+  }
+}
+
+TEST(Selective, PreparesOnlyForWhatMayPay) {
+  // Brightness, ibpt, bdpt, and what is to be divided.
+  EXPECT_EQ(rounds_of("cornell"), 4);
+  // Chains on trial, too.
+  EXPECT_EQ(rounds_of("torus-in-glass"), 5);
+}
+
+/// Nothing is divided, and the film has no layer for it.
+TEST(Selective, RendersDirectLightAlone) {
+  const auto scene = small_scene("Room");
+  test::RenderOptions options;
+  options.replicates = 4;
+  options.samples = 64;
+  options.max_depth = 2;
+  options.integrator = "bdpt";
+  const test::Render truth = test::render(*scene, options);
+  options.integrator = "selective";
+  options.seed = 2;
+  const test::Render render = test::render(*scene, options);
+  expect_same(replicates_of(render), replicates_of(truth), *render.film, 0.25, "direct light");
+}
+
 TEST(Selective, LeavesChainsOutWhereTheyWouldNotPay) {
   const auto scene = test::scene_from(test::pbrt_scene(
       "LookAt 0 0 -3  0 0 0  0 1 0 Camera \"perspective\" \"float fov\" [40]", 32, 32,

@@ -66,6 +66,20 @@ std::vector<float> replicate_mean(const Replicates& replicates) {
   return mean;
 }
 
+std::vector<float> replicate_median(const Replicates& replicates) {
+  check(replicates, 1);
+  std::vector<float> median(replicates.front().size());
+  std::vector<float> values(replicates.size());
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>((values.size() - 1) / 2);
+  for (std::size_t i = 0; i < median.size(); ++i) {
+    std::transform(replicates.begin(), replicates.end(), values.begin(),
+                   [&](const std::vector<float>& image) { return image[i]; });
+    std::nth_element(values.begin(), middle, values.end());
+    median[i] = *middle;
+  }
+  return median;
+}
+
 std::vector<float> standard_error(const Replicates& replicates) {
   check(replicates, 2);
   const auto count = static_cast<double>(replicates.size());

@@ -23,7 +23,11 @@ Replicates develop_replicates(const Film& film, std::span<const ScaledLayer> lay
 /// Mean over replicates, value by value.
 std::vector<float> replicate_mean(const Replicates& replicates);
 
-/// Standard error of that mean: sqrt(Σ (x_r − mean)² / (R(R − 1))), value by value. Its square is
+/// Median over replicates (of an even number, the lower of the two in the middle), value by value:
+/// no firefly of a single one gets into it. Needs R ≥ 1.
+std::vector<float> replicate_median(const Replicates& replicates);
+
+/// Standard error of the mean: sqrt(Σ (x_r − mean)² / (R(R − 1))), value by value. Its square is
 /// an unbiased estimate of the variance of the mean. Needs R ≥ 2.
 std::vector<float> standard_error(const Replicates& replicates);
 

@@ -40,6 +40,14 @@ TEST(StandardError, MatchesTheValueByHand) {
   EXPECT_EQ(standard_error(replicates)[1], 0.F);
 }
 
+TEST(ReplicateMedian, HasNoFireflyOfASingleReplicate) {
+  const Replicates replicates = {{1.F, 900.F}, {900.F, 3.F}, {2.F, 2.F}, {3.F, 4.F}};
+  EXPECT_EQ(replicate_median(replicates), (std::vector<float>{2.F, 3.F})) << "the lower of two";
+  EXPECT_EQ(replicate_median({{5.F}, {9.F}, {7.F}}), std::vector<float>{7.F});
+  EXPECT_EQ(replicate_median({{5.F}}), std::vector<float>{5.F});
+  EXPECT_THROW(replicate_median({}), std::invalid_argument);
+}
+
 TEST(StandardError, ItsSquareIsUnbiased) {
   const std::vector<float> truth(100000, 2.F);
   for (const int count : {2, 4, 16}) {

@@ -6,8 +6,6 @@
 #include "core/archive.h"
 #include "image/optimal_thresholds.h"
 #include "image/visible_error.h"
-#include "integrator/path_family.h"
-#include "integrator/weighted_errors.h"
 
 namespace ajar {
 
@@ -39,15 +37,7 @@ void ChainEffort::count_chains(std::uint64_t rays, std::uint64_t mutations) {
   mutations_ += mutations;
 }
 
-void ChainEffort::adjust(std::uint64_t samples, const Film& film, const Integrator& integrator) {
-  const int replicates = film.replicates();
-  if (!plan_.shares_effort || replicates < 2 || mutations_ == 0 || omc_samples_ == 0) return;
-  const auto errors = [&](std::initializer_list<std::string> names) {
-    return weighted_errors(develop_layers(film, integrator, samples, names), plan_.settings.crop,
-                           plan_.view.importance);
-  };
-  WeightedErrors of_chains = errors({"indirect"});
-  WeightedErrors of_omc = errors({"direct", kWeakLayer});
+void ChainEffort::adjust(std::uint64_t samples, WeightedErrors of_omc, WeightedErrors of_chains) {
   const double error = sum_of(trimmed(of_chains.variance));
   const double light = sum_of(of_chains.light);
   const double omc_error = sum_of(trimmed(of_omc.variance));

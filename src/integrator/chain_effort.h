@@ -4,8 +4,8 @@
 #include <cstdint>
 
 #include "core/archive_forward.h"
-#include "image/film.h"
 #include "integrator/chain_plan.h"
+#include "integrator/weighted_errors.h"
 
 namespace ajar {
 
@@ -28,10 +28,12 @@ class ChainEffort {
   void count_omc(std::uint64_t rays, std::uint64_t samples);
   void count_chains(std::uint64_t rays, std::uint64_t mutations);
 
+  /// Whether the plan leaves the effort open, and both halves have been at work.
+  bool can_adjust() const { return plan_.shares_effort && mutations_ > 0 && omc_samples_ > 0; }
   /// Shares the effort anew for least error, by the errors that replicates show after `samples`
-  /// samples, if the plan leaves that open. What is on the film stays as it is: each sample stands
-  /// for the whole picture, however many mutations it has, so nothing is biased.
-  void adjust(std::uint64_t samples, const Film& film, const Integrator& integrator);
+  /// samples of what either half makes. What is on the film stays as it is: each sample stands for
+  /// the whole picture, however many mutations it has, so nothing is biased. Only if `can_adjust`.
+  void adjust(std::uint64_t samples, WeightedErrors of_omc, WeightedErrors of_chains);
   void fill(SelectiveReport& report) const;
 
   /// Between passes.

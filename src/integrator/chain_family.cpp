@@ -42,7 +42,7 @@ class ChainIntegrator final : public Integrator {
   void prepare_item(int round, std::uint64_t item, Counters& counters) override;
   void skip_preparation() override;
   std::vector<std::string> concerns() const override { return concerns_; }
-  std::vector<std::string> notes() const override;
+  std::vector<std::string> notes() const override { return notes_on(plan_, recruits_ != nullptr); }
 
   std::vector<LayerSpec> layers() const override;
   std::uint64_t items_in_pass() const override;
@@ -86,7 +86,6 @@ class ChainIntegrator final : public Integrator {
   /// Lets what ordinary Monte Carlo has found since `joined_at_` join the chains.
   void join_recruits(const Film& film);
   void expect_recruits(std::uint64_t samples);
-  void add_concerns();
   void run_chain(const ChainItem& item, std::uint64_t first_sample, std::uint64_t samples,
                  Film& film, Counters& counters);
   /// One mutation per pixel's worth.
@@ -204,7 +203,7 @@ void ChainIntegrator::end_preparation() {
   make_omc();
   list_chains();
   if (recruits_) expect_recruits(0);
-  add_concerns();
+  concerns_ = concerns_about(plan_, populations_);
   if (plan_.plane.active()) {
     maps_ = std::make_unique<PlaneMaps>(plan_.plane, plan_.view, plan_.settings.replicates,
                                         bootstrap_b(), *plan_.mutation);
@@ -224,32 +223,6 @@ void ChainIntegrator::make_omc() {
   }
   omc_ = plan_.make_omc(settings, depths, plan_.splits ? &*plan_.splits : nullptr, recruits_.get(),
                         rates_.get());
-}
-
-void ChainIntegrator::add_concerns() {
-  std::uint64_t lit = 0;
-  std::uint64_t samples = plan_.scouted;
-  for (const ChainPopulation& population : populations_) {
-    samples += population.capped.count;
-    lit += population.chains.size();
-  }
-  if (lit > 0 || populations_.empty()) return;
-  concerns_.push_back("none of " + std::to_string(samples) +
-                      " bootstrap paths carries light, so there is nothing to start Markov chains "
-                      "from: indirect light is sampled without them and may stay black; try a "
-                      "larger bootstrap (--set bootstrap=10000000), a larger --depth, or see "
-                      "whether the scene has lights that reach what the camera sees");
-}
-
-std::vector<std::string> ChainIntegrator::notes() const {
-  if (plan_.unprepared) {
-    return {"no time to prepare Markov chains: ordinary Monte Carlo alone renders this picture"};
-  }
-  if (!plan_.standby) return {};
-  return {
-      "nothing in this picture is so hard that Markov chains would pay: ordinary Monte Carlo (" +
-      plan_.omc.techniques + ") renders it" +
-      (recruits_ ? "; chains only stand by for fireflies" : " alone")};
 }
 
 std::optional<ChainReport> ChainIntegrator::chain_report() const {
@@ -333,15 +306,23 @@ void ChainIntegrator::join_recruits(const Film& film) {
 }
 
 void ChainIntegrator::share_effort(std::uint64_t samples, const Film& film) {
-  effort_.adjust(samples, film, *this);
-  if (!rates_) return;
-  const WeightedErrors errors =
-      weighted_errors(develop_layers(film, *this, samples, {"direct", kWeakLayer}),
-                      plan_.settings.crop, plan_.view.importance);
-  rates_->adjust(errors.variance,
-                 guesses_of(develop_layers(film, *this, samples, {"direct"}),
-                            develop_layers(film, *this, samples, {kWeakLayer})),
-                 effort_.omc_samples(samples));
+  const bool shares = effort_.can_adjust();
+  if (film.replicates() < 2 || !(shares || rates_)) return;
+  const auto pictures = [&](std::initializer_list<std::string> names) {
+    return develop_layers(film, *this, samples, names);
+  };
+  const auto errors = [&](std::initializer_list<std::string> names) {
+    return weighted_errors(pictures(names), plan_.settings.crop, plan_.view.importance);
+  };
+  const auto guesses = [&](const std::string& name) {
+    return film.layer(name) < 0 ? std::vector<float>() : replicate_median(pictures({name}));
+  };
+  WeightedErrors of_omc = errors({"direct", kWeakLayer});
+  if (rates_) {
+    rates_->adjust(of_omc.variance, {guesses("direct"), guesses(kWeakLayer)},
+                   effort_.omc_samples(samples));
+  }
+  if (shares) effort_.adjust(samples, std::move(of_omc), errors({"indirect"}));
 }
 
 /// Between joins, b and the seeds are as good as the samples behind them, whatever the chains do

@@ -4,6 +4,34 @@
 
 namespace ajar {
 
+std::vector<std::string> concerns_about(const ChainPlan& plan,
+                                        std::span<const ChainPopulation> populations) {
+  std::uint64_t lit = 0;
+  std::uint64_t samples = plan.scouted;
+  for (const ChainPopulation& population : populations) {
+    samples += population.capped.count;
+    lit += population.chains.size();
+  }
+  if (lit > 0 || populations.empty()) return {};
+  return {
+      "none of " + std::to_string(samples) +
+      " bootstrap paths carries light, so there is nothing to start Markov chains from: indirect "
+      "light is sampled without them and may stay black; try a larger bootstrap (--set "
+      "bootstrap=10000000), a larger --depth, or see whether the scene has lights that reach "
+      "what the camera sees"};
+}
+
+std::vector<std::string> notes_on(const ChainPlan& plan, bool stand_by) {
+  if (plan.unprepared) {
+    return {"no time to prepare Markov chains: ordinary Monte Carlo alone renders this picture"};
+  }
+  if (!plan.standby) return {};
+  return {
+      "nothing in this picture is so hard that Markov chains would pay: ordinary Monte Carlo (" +
+      plan.omc.techniques + ") renders it" +
+      (stand_by ? "; chains only stand by for fireflies" : " alone")};
+}
+
 ChainReport report_chains(const ChainPlan& plan, std::span<const ChainPopulation> populations,
                           double later_weight) {
   ChainReport report;

@@ -1,11 +1,19 @@
 #pragma once
 #include <span>
+#include <string>
+#include <vector>
 
 #include "integrator/chain_plan.h"
 #include "integrator/chain_population.h"
 #include "integrator/integrator.h"
 
 namespace ajar {
+
+/// After the preparation: what the user should know of the chains, one warning each.
+std::vector<std::string> concerns_about(const ChainPlan& plan,
+                                        std::span<const ChainPopulation> populations);
+/// And what they may like to know; `stand_by`: whether chains stand by where they would not pay.
+std::vector<std::string> notes_on(const ChainPlan& plan, bool stand_by);
 
 /// How the chains fared so far; `later_weight`: see `ChainPopulation::b`.
 ChainReport report_chains(const ChainPlan& plan, std::span<const ChainPopulation> populations,

@@ -1,9 +1,9 @@
 #include "integrator/sample_rates.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include "core/archive.h"
 #include "core/random.h"
@@ -33,12 +33,11 @@ SampleRates::SampleRates(const Box2i& crop, int replicates, std::uint64_t seed)
       starts_.push_back(to_unit_float(static_cast<std::uint32_t>(hash_numbers(seed, x, y) >> 32U)));
     }
   }
-  guesses_.resize(starts_.size());
 }
 
 double SampleRates::start_of(Vec2i pixel, std::uint64_t replicate) const {
   // Replicates are evenly spread, so that all together have as many as they should.
-  const double start = static_cast<double>(starts_[pixel_index(pixel)]) +
+  const double start = static_cast<double>(starts_[pixel_at(crop_, Vec2(pixel))]) +
                        static_cast<double>(replicate) / static_cast<double>(replicates_);
   return start < 1.0 ? start : start - 1.0;
 }
@@ -101,8 +100,7 @@ std::vector<double> SampleRates::with_neighbours(const std::vector<double>& cell
   return result;
 }
 
-void SampleRates::adjust(std::span<const double> variance, std::vector<Guess> guesses,
-                         std::uint64_t samples) {
+void SampleRates::adjust(std::span<const double> variance, Guesses guesses, std::uint64_t samples) {
   const std::uint64_t rounds = samples / replicates_;
   if (rounds == 0) return;
   guesses_ = std::move(guesses);
@@ -131,58 +129,39 @@ void SampleRates::adjust(std::span<const double> variance, std::vector<Guess> gu
   light_weight_ = static_cast<float>(1.0 / mean(rates));
 }
 
-std::vector<SampleRates::Guess> guesses_of(const Replicates& direct, const Replicates& indirect) {
-  const auto lower_median = [](const Replicates& pictures, std::size_t value) {
-    std::vector<float> values;
-    values.reserve(pictures.size());
-    for (const std::vector<float>& picture : pictures) values.push_back(picture[value]);
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>((values.size() - 1) / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
+SampleRates::Guess SampleRates::guess(Vec2i pixel) const {
+  const std::size_t index = 3 * pixel_at(crop_, Vec2(pixel));
+  const auto color = [&](const std::vector<float>& layer) {
+    return layer.empty() ? Spectrum() : Spectrum(layer[index], layer[index + 1], layer[index + 2]);
   };
-  const auto color = [&](const Replicates& pictures, std::size_t pixel) {
-    if (pictures.empty() || pictures.front().empty()) return Spectrum();
-    return Spectrum(lower_median(pictures, 3 * pixel), lower_median(pictures, 3 * pixel + 1),
-                    lower_median(pictures, 3 * pixel + 2));
-  };
-  std::vector<SampleRates::Guess> guesses(direct.front().size() / 3);
-  for (std::size_t i = 0; i < guesses.size(); ++i) {
-    guesses[i] = {color(direct, i), color(indirect, i)};
-  }
-  return guesses;
+  return {color(guesses_.direct), color(guesses_.indirect)};
 }
 
 std::uint64_t SampleRates::memory_bytes() const {
   return grid_.size() * (sizeof(Cell) + sizeof(double)) +
-         starts_.size() * (sizeof(float) + sizeof(Guess));
+         (starts_.size() + guesses_.direct.size() + guesses_.indirect.size()) * sizeof(float);
 }
 
 void SampleRates::save_state(OutputArchive& archive) const {
-  archive(since_, light_weight_, static_cast<std::uint64_t>(grid_.size()));
+  archive(since_, light_weight_, static_cast<std::uint64_t>(grid_.size()), guesses_.direct,
+          guesses_.indirect);
   for (const Cell& cell : grid_) archive(cell.before, cell.inverse, cell.rate);
-  for (const Guess& guess : guesses_) {
-    for (const Spectrum& light : {guess.direct, guess.indirect}) {
-      archive(light[0], light[1], light[2]);
-    }
-  }
 }
 
 void SampleRates::load_state(InputArchive& archive) {
   std::uint64_t cells = 0;
-  archive(since_, light_weight_, cells);
-  if (cells != grid_.size()) throw std::runtime_error("rates of samples of another picture");
+  archive(since_, light_weight_, cells, guesses_.direct, guesses_.indirect);
+  const auto fits = [&](const std::vector<float>& guesses) {
+    return (guesses.empty() || guesses.size() == 3 * starts_.size()) &&
+           std::all_of(guesses.begin(), guesses.end(), [](float v) { return std::isfinite(v); });
+  };
+  if (cells != grid_.size() || !fits(guesses_.direct) || !fits(guesses_.indirect)) {
+    throw std::runtime_error("rates of samples of another picture");
+  }
   for (Cell& cell : grid_) {
     archive(cell.before, cell.inverse, cell.rate);
     if (!(cell.rate > 0.0 && cell.before >= 0.0 && std::isfinite(cell.rate + cell.before))) {
       throw std::runtime_error("a rate of samples that cannot be");
-    }
-  }
-  for (Guess& guess : guesses_) {
-    for (Spectrum* light : {&guess.direct, &guess.indirect}) {
-      std::array<float, 3> lanes{};
-      archive(lanes[0], lanes[1], lanes[2]);
-      *light = Spectrum(lanes[0], lanes[1], lanes[2]);
-      if (!light->is_finite()) throw std::runtime_error("a guess of light that cannot be");
     }
   }
 }

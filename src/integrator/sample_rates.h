@@ -6,7 +6,7 @@
 #include "core/archive_forward.h"
 #include "core/spectrum.h"
 #include "core/vector.h"
-#include "image/statistics.h"
+#include "image/pixel_at.h"
 
 namespace ajar {
 
@@ -38,18 +38,22 @@ class SampleRates {
   /// What light that is traced along with all camera samples, to land anywhere, weighs.
   float light_weight() const { return light_weight_; }
 
-  /// What camera samples bring to a pixel, by layer, as far as is known.
+  /// What camera samples bring to a pixel, as far as is known.
   struct Guess {
     Spectrum direct;
     Spectrum indirect;
   };
-  Guess guess(Vec2i pixel) const { return guesses_[pixel_index(pixel)]; }
+  Guess guess(Vec2i pixel) const;
+  /// Of all pixels: 3 floats each, row by row; empty if black.
+  struct Guesses {
+    std::vector<float> direct;
+    std::vector<float> indirect;
+  };
 
   /// Makes what can be seen of errors smallest (visible_error.h), as far as it is the camera
   /// samples' to decide. `variance`: of the mean of the first `samples` samples of the picture (a
   /// multiple of the number of replicates, no fewer than before), pixel by pixel, row by row.
-  /// `guesses`: likewise.
-  void adjust(std::span<const double> variance, std::vector<Guess> guesses, std::uint64_t samples);
+  void adjust(std::span<const double> variance, Guesses guesses, std::uint64_t samples);
 
   std::uint64_t memory_bytes() const;
   void save_state(OutputArchive& archive) const;
@@ -64,12 +68,6 @@ class SampleRates {
     double rate = 1.0;     ///< since then
   };
   std::size_t cell_of(Vec2i pixel) const;
-  std::size_t pixel_index(Vec2i pixel) const {
-    const Vec2i place = pixel - crop_.min;
-    return static_cast<std::size_t>(place.y) *
-               static_cast<std::size_t>(crop_.max.x - crop_.min.x + 1) +
-           static_cast<std::size_t>(place.x);
-  }
   /// In 0..1: what a pixel has of its first camera sample before there is any.
   double start_of(Vec2i pixel, std::uint64_t replicate) const;
   double upto(const Cell& cell, std::uint64_t round) const {
@@ -88,11 +86,7 @@ class SampleRates {
   std::vector<Cell> grid_;
   std::vector<double> pixels_;  ///< of each cell
   std::vector<float> starts_;   ///< of each pixel, row by row, in the first replicate
-  std::vector<Guess> guesses_;  ///< likewise
+  Guesses guesses_;
 };
-
-/// Of each pixel, from pictures of a layer in each replicate: of the values there the lower median,
-/// since a firefly is a bad guess. Black for a layer without pictures.
-std::vector<SampleRates::Guess> guesses_of(const Replicates& direct, const Replicates& indirect);
 
 }  // namespace ajar

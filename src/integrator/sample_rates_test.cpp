@@ -32,11 +32,12 @@ std::vector<double> row_by_row(const OfPixel& value) {
 double two_halves(int x, int /*y*/) { return x < 24 ? 16.0 : 1.0; }
 
 /// Guesses that tell pixels apart.
-std::vector<SampleRates::Guess> some_guesses() {
-  std::vector<SampleRates::Guess> guesses;
+SampleRates::Guesses some_guesses() {
+  SampleRates::Guesses guesses;
   for (const double value : row_by_row([](int x, int y) { return 100 * y + x; })) {
     const auto light = static_cast<float>(value);
-    guesses.push_back({Spectrum(light), Spectrum(2.F * light)});
+    guesses.direct.insert(guesses.direct.end(), {light, light, light});
+    guesses.indirect.insert(guesses.indirect.end(), {2.F * light, light, 0.F});
   }
   return guesses;
 }
@@ -147,15 +148,14 @@ TEST(SampleRates, ArePromisedOnAverageAndToWithinOneSample) {
   }
 }
 
-TEST(SampleRates, HaveGuessesOfThePixelThatAreNoFireflies) {
-  const SampleRates rates = rates_for(two_halves);
-  EXPECT_EQ(rates.guess({3, 5}).direct[0], 503.F);
-  EXPECT_EQ(rates.guess({44, 6}).indirect[2], 1288.F);
-  const Replicates direct = {
-      {1.F, 2.F, 3.F}, {900.F, 3.F, 4.F}, {2.F, 900.F, 5.F}, {3.F, 4.F, 6.F}};
-  const SampleRates::Guess guess = guesses_of(direct, {}).front();
-  EXPECT_EQ(guess.direct, Spectrum(2.F, 3.F, 4.F));
-  EXPECT_TRUE(guess.indirect.is_black());
+TEST(SampleRates, HaveAGuessOfEachPixel) {
+  SampleRates rates = rates_for(two_halves);
+  EXPECT_EQ(rates.guess({3, 5}).direct, Spectrum(503.F));
+  EXPECT_EQ(rates.guess({44, 6}).indirect, Spectrum(1288.F, 644.F, 0.F));
+  // A film may lack a layer.
+  rates.adjust(row_by_row(two_halves), {some_guesses().direct, {}}, 2 * kFirst);
+  EXPECT_EQ(rates.guess({44, 6}).direct, Spectrum(644.F));
+  EXPECT_TRUE(rates.guess({44, 6}).indirect.is_black());
 }
 
 TEST(SampleRates, AreKeptInAnArchive) {

@@ -79,8 +79,7 @@ double Render::mean() const {
   return std::accumulate(pixels.begin(), pixels.end(), 0.0) / static_cast<double>(pixels.size());
 }
 
-Render render(const Scene& scene, const RenderOptions& options) {
-  const IntegratorInfo& info = find_integrator(options.integrator);
+RenderSettings settings_of(const Scene& scene, const RenderOptions& options) {
   RenderSettings settings;
   settings.resolution = scene.camera().resolution();
   settings.crop = options.crop.value_or(Box2i(Vec2i(0, 0), settings.resolution - Vec2i(1, 1)));
@@ -89,6 +88,12 @@ Render render(const Scene& scene, const RenderOptions& options) {
   settings.seed = options.seed;
   settings.replicates = options.replicates;
   settings.aovs = options.aovs;
+  return settings;
+}
+
+Render render(const Scene& scene, const RenderOptions& options) {
+  const IntegratorInfo& info = find_integrator(options.integrator);
+  const RenderSettings settings = settings_of(scene, options);
   Render result;
   result.integrator = info.make(scene, settings, Parameters(info.parameters, options.parameters));
   Integrator& integrator = *result.integrator;

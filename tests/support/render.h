@@ -40,11 +40,12 @@ struct RenderOptions {
   std::uint64_t seed = 1;
   int min_depth = 1;
   int max_depth = 100;
-  std::map<std::string, std::string> parameters;
-  std::optional<Box2i> crop;
-  std::vector<std::string> aovs;
-  std::optional<int> skip_after;  ///< so many rounds of the preparation, the rest of it
+  std::map<std::string, std::string> parameters{};
+  std::optional<Box2i> crop{};
+  std::vector<std::string> aovs{};
+  std::optional<int> skip_after{};  ///< so many rounds of the preparation, the rest of it
 };
+RenderSettings settings_of(const Scene& scene, const RenderOptions& options);
 Render render(const Scene& scene, const RenderOptions& options);
 
 }  // namespace ajar::test

@@ -1,0 +1,51 @@
+#include "integrator/chain_effort.h"
+
+#include <gtest/gtest.h>
+
+#include <optional>
+#include <vector>
+
+#include "integrator/chain_family.h"
+#include "support/render.h"
+#include "support/small_scenes.h"
+
+/// How a render shares its effort between its halves.
+namespace ajar {
+namespace {
+
+/// Mutations per pixel and sample after 16 samples, if chains are far off in one pixel of a
+/// hundred, and all have noise of ordinary Monte Carlo.
+double mutations_with_few_bad_pixels(std::optional<SelectiveSettings> selective) {
+  const auto scene = test::scene_from(test::small_scene("Room").text);
+  ChainPlan plan(ChainKind::OnePath, *scene,
+                 test::settings_of(*scene, {.replicates = 4, .max_depth = 6}),
+                 Parameters(chain_parameters(ChainKind::OnePath), {}), std::move(selective));
+  plan.shares_effort = true;
+  plan.mutations = 1.0;
+  ChainEffort effort(plan);
+  EXPECT_FALSE(effort.can_adjust()) << "nothing was done yet";
+  effort.count_omc(4000, 1000);
+  EXPECT_FALSE(effort.can_adjust()) << "there were no chains yet";
+  effort.count_chains(4000, 1000);
+  EXPECT_TRUE(effort.can_adjust());
+  const std::size_t pixels = plan.pixels();
+  WeightedErrors of_omc{std::vector<double>(pixels, 1.0), std::vector<double>(pixels, 1.0)};
+  WeightedErrors of_chains{std::vector<double>(pixels, 0.0), std::vector<double>(pixels, 1.0)};
+  // More than are left out of sums of squares.
+  for (std::size_t i = 0; i < pixels / 100; ++i) of_chains.variance[i] = 1e4;
+  effort.adjust(16, of_omc, of_chains);
+  return effort.mutations(17) - effort.mutations(16);
+}
+
+TEST(ChainEffort, OfMmltIsForTheLeastSquaredError) {
+  EXPECT_GT(mutations_with_few_bad_pixels({}), 2.0);
+}
+
+TEST(ChainEffort, OfSelectiveIsForWhatIsSeen) {
+  SelectiveSettings selective;
+  selective.omc = "bdpt";
+  EXPECT_LT(mutations_with_few_bad_pixels(selective), 0.5);
+}
+
+}  // namespace
+}  // namespace ajar
