@@ -61,7 +61,7 @@ test::Render render_with_random_rates(const Scene& scene, const test::RenderOpti
   test::Render render;
   render.integrator = make_path_integrator(
       scene, settings, Parameters(path_family_parameters(path_family_defaults(techniques)), {}),
-      splits, strong, &rates);
+      {.splits = splits, .strong = strong, .rates = &rates});
   Integrator& integrator = *render.integrator;
   render.film =
       std::make_unique<Film>(settings.resolution, settings.crop, make_filter(scene.film().filter),

@@ -13,6 +13,8 @@ constexpr double kExponent = 0.35;
 
 double visible_error(double variance) { return std::pow(variance, kExponent); }
 
+double variance_of(double visible_error) { return std::pow(visible_error, 1.0 / kExponent); }
+
 double samples_for(double mean_visible_error) {
   return std::pow(mean_visible_error, 1.0 / (1.0 + kExponent));
 }

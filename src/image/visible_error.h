@@ -12,6 +12,8 @@ namespace ajar {
 
 /// σ^0.7 for σ².
 double visible_error(double variance);
+/// The inverse.
+double variance_of(double visible_error);
 
 /// How many samples a part of the picture deserves in which one sample leaves `visible_error`s of
 /// this mean, but for a factor that all parts have: n samples leave (σ²/n)^0.35.

@@ -28,6 +28,11 @@ class ChainEffort {
   void count_omc(std::uint64_t rays, std::uint64_t samples);
   void count_chains(std::uint64_t rays, std::uint64_t mutations);
 
+  /// As far as is known; 0 if nothing is.
+  double rays_per_camera_sample() const {
+    return omc_samples_ > 0 ? static_cast<double>(omc_rays_) / static_cast<double>(omc_samples_)
+                            : 0.0;
+  }
   /// Whether the plan leaves the effort open, and both halves have been at work.
   bool can_adjust() const { return plan_.shares_effort && mutations_ > 0 && omc_samples_ > 0; }
   /// Shares the effort anew for least error, by the errors that replicates show after `samples`

@@ -18,6 +18,7 @@
 #include "integrator/g_buffer.h"
 #include "integrator/path_family.h"
 #include "integrator/plane_maps.h"
+#include "integrator/roulette_pilot.h"
 #include "integrator/sample_rates.h"
 #include "integrator/split_pilot.h"
 #include "integrator/technique_pilot.h"
@@ -54,7 +55,7 @@ class ChainIntegrator final : public Integrator {
   std::optional<ChainReport> chain_report() const override;
   std::optional<SelectiveReport> selective_report() const override;
 
-  bool keeps_state() const override { return !populations_.empty() || rates_; }
+  bool keeps_state() const override { return !populations_.empty() || rates_ || ray_price_; }
   void save_state(OutputArchive& archive) const override;
   void load_state(InputArchive& archive) override;
   void give_news(OutputArchive& archive, const WorkShare& share) override;
@@ -119,6 +120,7 @@ class ChainIntegrator final : public Integrator {
   std::vector<std::size_t> chain_counts_;  ///< per replicate
   std::vector<ChainItem> chain_items_;
   std::unique_ptr<SampleRates> rates_;  ///< null if all pixels have as many camera samples
+  std::optional<RayPrice> ray_price_;  ///< as of now
   std::unique_ptr<Integrator> omc_;     ///< null if it has nothing to render
   std::vector<std::string> concerns_;
   std::unique_ptr<PlaneMaps> maps_;  ///< null if steps do not follow the image plane
@@ -145,6 +147,9 @@ ChainIntegrator::ChainIntegrator(ChainKind kind, const Scene& scene, const Rende
   if (plan_.has_recruits()) recruits_ = std::make_unique<ChainRecruits>(plan_);
   if (plan_.selective || recruits_) {
     for (auto& stage : TechniquePilot::make_all(plan_)) stages_.push_back(std::move(stage));
+    if (plan_.selective && plan_.selective->efficient_roulette) {
+      stages_.push_back(std::make_unique<RoulettePilot>(plan_));
+    }
     auto pilot = std::make_unique<SplitPilot>(plan_, populations_, recruits_.get());
     auto trial = std::make_unique<ChainTrial>(plan_, *pilot, recruits_.get());
     pilot_ = pilot.get();
@@ -221,8 +226,12 @@ void ChainIntegrator::make_omc() {
     rates_ = std::make_unique<SampleRates>(settings.crop, settings.replicates,
                                            hash_numbers(settings.seed, 0x4a7e5ULL));
   }
-  omc_ = plan_.make_omc(settings, depths, plan_.splits ? &*plan_.splits : nullptr, recruits_.get(),
-                        rates_.get());
+  ray_price_ = plan_.ray_price;
+  omc_ = plan_.make_omc(settings, depths,
+                        {.splits = plan_.splits ? &*plan_.splits : nullptr,
+                         .strong = recruits_.get(),
+                         .rates = rates_.get(),
+                         .price = ray_price_ ? &*ray_price_ : nullptr});
 }
 
 std::optional<ChainReport> ChainIntegrator::chain_report() const {
@@ -307,7 +316,7 @@ void ChainIntegrator::join_recruits(const Film& film) {
 
 void ChainIntegrator::share_effort(std::uint64_t samples, const Film& film) {
   const bool shares = effort_.can_adjust();
-  if (film.replicates() < 2 || !(shares || rates_)) return;
+  if (film.replicates() < 2 || !(shares || rates_ || ray_price_)) return;
   const auto pictures = [&](std::initializer_list<std::string> names) {
     return develop_layers(film, *this, samples, names);
   };
@@ -318,9 +327,14 @@ void ChainIntegrator::share_effort(std::uint64_t samples, const Film& film) {
     return film.layer(name) < 0 ? std::vector<float>() : replicate_median(pictures({name}));
   };
   WeightedErrors of_omc = errors({"direct", kWeakLayer});
+  const std::uint64_t omc_samples = effort_.omc_samples(samples);
+  if (ray_price_) {
+    std::vector<double> of_one_sample = of_omc.variance;
+    for (double& variance : of_one_sample) variance *= static_cast<double>(omc_samples);
+    ray_price_->adjust(of_one_sample, effort_.rays_per_camera_sample());
+  }
   if (rates_) {
-    rates_->adjust(of_omc.variance, {guesses("direct"), guesses(kWeakLayer)},
-                   effort_.omc_samples(samples));
+    rates_->adjust(of_omc.variance, {guesses("direct"), guesses(kWeakLayer)}, omc_samples);
   }
   if (shares) effort_.adjust(samples, std::move(of_omc), errors({"indirect"}));
 }
@@ -484,6 +498,7 @@ void ChainIntegrator::save_state(OutputArchive& archive) const {
   }
   effort_.save_state(archive);
   if (rates_) rates_->save_state(archive);
+  if (ray_price_) ray_price_->save_state(archive);
   if (recruits_) recruits_->save_state(archive);
   if (maps_) maps_->save_state(archive);
 }
@@ -507,6 +522,7 @@ void ChainIntegrator::load_state(InputArchive& archive) {
   }
   effort_.load_state(archive);
   if (rates_) rates_->load_state(archive);
+  if (ray_price_) ray_price_->load_state(archive);
   if (recruits_) recruits_->load_state(archive);
   if (maps_) maps_->load_state(archive);
   list_chains();

@@ -38,7 +38,7 @@ std::uint64_t ChainPilot::begin() {
   settings.replicates = 1;
   settings.aovs.clear();
   settings.seed = hash_numbers(settings.seed, 0x91107ULL);
-  omc_ = plan_.make_omc(settings, {settings.min_depth, settings.max_depth}, nullptr);
+  omc_ = plan_.make_omc(settings, {settings.min_depth, settings.max_depth});
   film_ =
       std::make_unique<Film>(settings.resolution, settings.crop, Filter::box(), 1, omc_->layers());
   return omc_->items_in_pass();

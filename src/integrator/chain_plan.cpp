@@ -295,6 +295,7 @@ std::unique_ptr<PathTarget> ChainPlan::make_target(const PathGroup& group, int r
 
 void ChainPlan::leave_to_omc() {
   unprepared = true;
+  ray_price.reset();
   scale_.reset();
   shares_effort = false;
   mutations = 0.0;
@@ -319,21 +320,24 @@ RenderSettings ChainPlan::omc_settings() const {
   return own;
 }
 
+Parameters ChainPlan::omc_parameters() const {
+  return {path_family_parameters(omc), {{"heuristic", parameters.get_text("heuristic")}}};
+}
+
 std::unique_ptr<Integrator> ChainPlan::make_omc(const RenderSettings& omc_settings,
                                                 std::pair<int, int> depths,
-                                                const LightSplits* divide,
-                                                const StrongPathSinks* strong,
-                                                const SampleRates* rates) const {
+                                                PathIntegratorContext context) const {
   RenderSettings own = omc_settings;
   own.min_depth = depths.first;
   own.max_depth = depths.second;
-  const Parameters of_omc(path_family_parameters(omc),
-                          {{"heuristic", parameters.get_text("heuristic")}});
+  const Parameters of_omc = omc_parameters();
   if (!scale_ || scale_depths_ != depths) {
     scale_ = measure_scale(scene, own, of_omc);
     scale_depths_ = depths;
   }
-  return make_path_integrator(scene, own, of_omc, divide, strong, rates, scale_);
+  context.scale = scale_;
+  if (context.price == nullptr && ray_price) context.price = &*ray_price;
+  return make_path_integrator(scene, own, of_omc, context);
 }
 
 }  // namespace ajar

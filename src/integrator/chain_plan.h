@@ -71,11 +71,11 @@ struct ChainPlan {
   std::pair<int, int> omc_depths() const;
   /// As the render has it: without the layers that are made of chains.
   RenderSettings omc_settings() const;
+  /// Its other parameters.
+  Parameters omc_parameters() const;
   /// Ordinary Monte Carlo over some depths, as `make_path_integrator` has it.
   std::unique_ptr<Integrator> make_omc(const RenderSettings& settings, std::pair<int, int> depths,
-                                       const LightSplits* splits,
-                                       const StrongPathSinks* strong = nullptr,
-                                       const SampleRates* rates = nullptr) const;
+                                       PathIntegratorContext context = {}) const;
 
   ChainKind kind;
   const Scene& scene;
@@ -122,6 +122,7 @@ struct ChainPlan {
   ChainView view;
   std::vector<PathGroup> groups;
   PathFamilyDefaults omc;             ///< of ordinary Monte Carlo
+  std::optional<RayPrice> ray_price;  ///< likewise, as a pilot has found it
   std::optional<LightSplits> splits;  ///< found by the pilot
 
  private:

@@ -17,10 +17,14 @@ constexpr int kMaxPathEdges = 60000;  // vertex numbers are 16 bits wide
 /// Gathers the paths of one camera sample and splats those of its light subpath.
 class SampleSink final : public PathSink {
  public:
-  SampleSink(Film& film, const LightSplits* splits, const GBuffer& g_buffer,
-             const TechniqueLayers& techniques, std::uint64_t seed, Counters& counters)
+  /// `cull_below`: what is worth a ray where there is no `price`.
+  SampleSink(Film& film, const LightSplits* splits, const RayPrice* price, double cull_below,
+             const GBuffer& g_buffer, const TechniqueLayers& techniques, std::uint64_t seed,
+             Counters& counters)
       : film_(film),
         splits_(splits),
+        price_(price),
+        worth_(static_cast<float>(1.0 / cull_below)),
         layers_{film.layer("direct"), std::max(film.layer(kWeakLayer), film.layer("indirect"))},
         g_buffer_(g_buffer),
         techniques_(techniques),
@@ -85,6 +89,10 @@ class SampleSink final : public PathSink {
            raster.y + radius.y > static_cast<float>(crop.min.y) &&
            raster.x - radius.x < static_cast<float>(crop.max.x + 1) &&
            raster.y - radius.y < static_cast<float>(crop.max.y + 1);
+  }
+
+  float worth(const Vec2& raster) const override {
+    return price_ != nullptr ? price_->worth(raster) : worth_;
   }
 
   void first_vertex(const PathVertex& vertex, const Hit* hit, float distance) override {
@@ -205,6 +213,8 @@ class SampleSink final : public PathSink {
   Film& film_;
   const LightSplits* splits_;
   const LightSplit* split_ = nullptr;  ///< of the replicate
+  const RayPrice* price_;
+  float worth_;
   Layers layers_;
   const GBuffer& g_buffer_;
   const TechniqueLayers& techniques_;
@@ -231,31 +241,21 @@ class SampleSink final : public PathSink {
 class PathIntegrator final : public Integrator {
  public:
   PathIntegrator(const Scene& scene, const RenderSettings& settings, const Parameters& parameters,
-                 const LightSplits* splits, const StrongPathSinks* strong, const SampleRates* rates,
-                 std::optional<PictureScale> scale)
+                 const PathIntegratorContext& context)
       : scene_(scene),
         settings_(settings),
-        splits_(splits),
-        strong_(strong),
-        rates_(rates),
-        sobol_(parameters.get_text("sampler") == "sobol") {
+        splits_(context.splits),
+        strong_(context.strong),
+        rates_(context.rates),
+        price_(context.price),
+        sampler_settings_(sampler_settings(settings, parameters)),
+        sobol_(parameters.get_text("sampler") == "sobol"),
+        light_alone_(light_alone(sampler_settings_.techniques)),
+        scale_(context.scale ? *context.scale : measure_scale()) {
     const Vec2i size = settings.crop.size() + Vec2i(1, 1);
-    const double pixels = static_cast<double>(settings.resolution.x) * settings.resolution.y;
-    sampler_settings_.techniques = TechniqueSet::parse(parameters.get_text("techniques"));
-    sampler_settings_.heuristic =
-        parameters.get_text("heuristic") == "power" ? Heuristic::Power : Heuristic::Balance;
-    sampler_settings_.min_depth = settings.min_depth;
-    sampler_settings_.max_depth = std::min(settings.max_depth, kMaxPathEdges);
-    sampler_settings_.roulette_start = parameters.get_int("roulette-start");
-    sampler_settings_.light_subpaths = parameters.get_float(kLightPathsPerPixel);
-    sampler_settings_.light_paths_per_pixel =
-        sampler_settings_.light_subpaths * static_cast<double>(size.x) * size.y / pixels;
-    light_alone_ = sampler_settings_.techniques.any(TechniqueClass::Light) &&
-                   !sampler_settings_.techniques.any(TechniqueClass::Inner);
     tiles_ = {(size.x + kTileSize - 1) / kTileSize, (size.y + kTileSize - 1) / kTileSize};
-    scale_ = scale ? *scale : measure_scale();
-    sampler_settings_.cull_below =
-        static_cast<float>(parameters.get_float("cull") * scale_.median_of_means);
+    cull_below_ = parameters.get_float("cull") * scale_.median_of_means;
+    if (price_ != nullptr) sampler_settings_.camera_rest = static_cast<float>(price_->rest());
   }
   const PictureScale& scale() const { return scale_; }
 
@@ -290,7 +290,8 @@ class PathIntegrator final : public Integrator {
                      std::min(low.y + kTileSize - 1, settings_.crop.max.y));
     const GBuffer g_buffer(film);
     const TechniqueLayers techniques(film);
-    SampleSink sink(film, splits_, g_buffer, techniques, settings_.seed, counters);
+    SampleSink sink(film, splits_, price_, cull_below_, g_buffer, techniques, settings_.seed,
+                    counters);
     PathSampler sampler(scene_, sampler_settings_);
     const auto strong = strong_ != nullptr ? strong_->make(film, counters) : nullptr;
     if (strong) sink.keep_strong_for(*strong);
@@ -432,10 +433,12 @@ class PathIntegrator final : public Integrator {
   const LightSplits* splits_;
   const StrongPathSinks* strong_;
   const SampleRates* rates_;
+  const RayPrice* price_;
   PathSamplerSettings sampler_settings_;
   bool sobol_;
-  bool light_alone_;    ///< light subpaths are connected to the lens only
+  bool light_alone_;
   PictureScale scale_;  ///< by its mean the fixed-point sums are scaled
+  double cull_below_;   ///< light that is worth a ray, unless there is a price
   Vec2i tiles_;
 };
 
@@ -481,6 +484,26 @@ PathFamilyDefaults path_family_defaults(const std::string& techniques) {
   // Its light subpaths end anyway in techniques that share the path with others.
   if (techniques == "bdpt") defaults.roulette_start = "3";
   return defaults;
+}
+
+bool light_alone(const TechniqueSet& techniques) {
+  return techniques.any(TechniqueClass::Light) && !techniques.any(TechniqueClass::Inner);
+}
+
+PathSamplerSettings sampler_settings(const RenderSettings& settings, const Parameters& parameters) {
+  const Vec2i size = settings.crop.size() + Vec2i(1, 1);
+  const double pixels = static_cast<double>(settings.resolution.x) * settings.resolution.y;
+  PathSamplerSettings result;
+  result.techniques = TechniqueSet::parse(parameters.get_text("techniques"));
+  result.heuristic =
+      parameters.get_text("heuristic") == "power" ? Heuristic::Power : Heuristic::Balance;
+  result.min_depth = settings.min_depth;
+  result.max_depth = std::min(settings.max_depth, kMaxPathEdges);
+  result.roulette_start = parameters.get_int("roulette-start");
+  result.light_subpaths = parameters.get_float(kLightPathsPerPixel);
+  result.light_paths_per_pixel =
+      result.light_subpaths * static_cast<double>(size.x) * size.y / pixels;
+  return result;
 }
 
 std::vector<ParameterSpec> path_family_parameters(const PathFamilyDefaults& defaults) {
@@ -536,17 +559,13 @@ std::vector<ParameterSpec> path_family_parameters(const PathFamilyDefaults& defa
 
 std::unique_ptr<Integrator> make_path_integrator(const Scene& scene, const RenderSettings& settings,
                                                  const Parameters& parameters,
-                                                 const LightSplits* splits,
-                                                 const StrongPathSinks* strong,
-                                                 const SampleRates* rates,
-                                                 std::optional<PictureScale> scale) {
-  return std::make_unique<PathIntegrator>(scene, settings, parameters, splits, strong, rates,
-                                          scale);
+                                                 const PathIntegratorContext& context) {
+  return std::make_unique<PathIntegrator>(scene, settings, parameters, context);
 }
 
 PictureScale measure_scale(const Scene& scene, const RenderSettings& settings,
                            const Parameters& parameters) {
-  return PathIntegrator(scene, settings, parameters, nullptr, nullptr, nullptr, {}).scale();
+  return PathIntegrator(scene, settings, parameters, {}).scale();
 }
 
 }  // namespace ajar

@@ -3,6 +3,7 @@
 
 #include "integrator/integrator.h"
 #include "integrator/light_split.h"
+#include "integrator/ray_price.h"
 #include "integrator/sample_rates.h"
 #include "integrator/strong_paths.h"
 #include "transport/path_sampler.h"
@@ -31,18 +32,28 @@ struct PictureScale {
 PictureScale measure_scale(const Scene& scene, const RenderSettings& settings,
                            const Parameters& parameters);
 
+/// How its paths are sampled. Raises UsageError if the parameter `techniques` cannot be read.
+PathSamplerSettings sampler_settings(const RenderSettings& settings, const Parameters& parameters);
+/// Whether light subpaths are connected to the lens only, and so belong to no camera sample.
+bool light_alone(const TechniqueSet& techniques);
+
+/// What ordinary Monte Carlo may be told by others that render the same picture; all of it must
+/// outlive it.
+struct PathIntegratorContext {
+  /// It leaves Markov chains their share of long paths and puts its own into the layer
+  /// `kWeakLayer`;
+  const LightSplits* splits = nullptr;
+  const StrongPathSinks* strong = nullptr;  ///< sinks of these see what is left.
+  const SampleRates* rates = nullptr;       ///< Camera samples of pixels; one each without.
+  std::optional<PictureScale> scale;        ///< Unless it is known, it is measured.
+  const RayPrice* price = nullptr;          ///< By this, Russian roulette saves rays.
+};
+
 /// Ordinary Monte Carlo with one set of techniques (METHODS, section 2): `pt`, `lt`, `ibpt`, `bdpt`
-/// are four names of it. With `splits`, which must outlive it, it leaves Markov chains their share
-/// of long paths and puts its own into the layer `kWeakLayer`; sinks of `strong` see what is left.
-/// Pixels have as many samples as `rates`, which must outlive it, say; one each without. Unless the
-/// `scale` of the picture is known, it is measured.
-/// Raises UsageError if the parameter `techniques` cannot be read.
+/// are four names of it. Raises UsageError if the parameter `techniques` cannot be read.
 std::unique_ptr<Integrator> make_path_integrator(const Scene& scene, const RenderSettings& settings,
                                                  const Parameters& parameters,
-                                                 const LightSplits* splits = nullptr,
-                                                 const StrongPathSinks* strong = nullptr,
-                                                 const SampleRates* rates = nullptr,
-                                                 std::optional<PictureScale> scale = {});
+                                                 const PathIntegratorContext& context = {});
 
 inline const std::string kWeakLayer = "indirect-weak";
 

@@ -82,6 +82,11 @@ std::vector<ParameterSpec> SelectiveSettings::parameters() {
       "samples", {"adaptive", "uniform"},
       "camera samples of ordinary Monte Carlo: more where replicates show more noise, as many as a "
       "picture's samples per pixel on average; or the same everywhere"));
+  specs.push_back(choice_parameter(
+      "roulette", {"efficient", "usual"},
+      "Russian roulette of ordinary Monte Carlo: rays that will bring little for their price, as "
+      "pilot and render find it, are traced by chance only; or by throughput alone, as in ibpt and "
+      "bdpt"));
   specs.push_back({.name = "regions",
                    .type = ParameterType::Text,
                    .default_value = "",
@@ -108,7 +113,7 @@ std::map<std::string, std::string> SelectiveSettings::apply_preset(
   if (preset->second == "published") {
     values = {{"omc", "ibpt"},       {"map", "binary"},         {"pilot", "keep"},
               {"split", "0"},        {"importance", "uniform"}, {"mutation", "kelemen"},
-              {"samples", "uniform"}};
+              {"samples", "uniform"},  {"roulette", "usual"}};
   }
   given.insert(values.begin(), values.end());
   return given;
@@ -129,6 +134,7 @@ SelectiveSettings SelectiveSettings::read(const Parameters& parameters,
                    static_cast<float>(parameters.get_float("epsilon"))};
   if (result.binary.window == 4) throw UsageError("window: 3 or 5 pixels, not 4");
   result.adaptive = parameters.get_text("samples") == "adaptive";
+  result.efficient_roulette = parameters.get_text("roulette") == "efficient";
   result.exclusive = parameters.get_text("choice") == "exclusive";
   result.diffuse_out = parameters.get_text("preset") == "lambertian-out";
   result.antialias = parameters.get_text("edges") == "antialias";

@@ -26,6 +26,7 @@ struct SelectiveSettings {
   std::uint64_t pilot_samples = 0;  ///< per pixel; 0: as many as suit the map
   RegionMapSettings binary;
   bool adaptive = true;      ///< more camera samples where there is more noise (sample_rates.h)
+  bool efficient_roulette = true;  ///< rays are saved where they bring little (ray_price.h)
   bool exclusive = false;    ///< each pixel's light is of one method alone
   bool diffuse_out = false;  ///< no chains where a pixel shows a diffuse material
   bool antialias = false;    ///< along edges where the map has a step

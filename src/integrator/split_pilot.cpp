@@ -137,7 +137,7 @@ std::uint64_t SplitPilot::begin() {
   constexpr double kGrain = 0.25;
   grain_ = static_cast<float>(kGrain * plan_.brightness);
   if (recruits_ != nullptr) recruits_->expect_unknown(static_cast<double>(samples_));
-  omc_ = plan_.make_omc(settings, plan_.omc_depths(), &*plan_.splits, this);
+  omc_ = plan_.make_omc(settings, plan_.omc_depths(), {.splits = &*plan_.splits, .strong = this});
   film_ = std::make_unique<Film>(settings.resolution, settings.crop,
                                  make_filter(plan_.scene.film().filter), settings.replicates,
                                  omc_->layers());

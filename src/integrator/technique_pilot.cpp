@@ -45,7 +45,7 @@ class TechniquePilot::Candidate final : public StrongPathSinks {
   Candidate(const ChainPlan& plan, const RenderSettings& settings)
       : plan_(plan),
         splits_(LightSplit(kThreshold * plan.brightness, plan.view.importance)),
-        omc_(plan.make_omc(settings, plan.omc_depths(), &splits_, this)),
+        omc_(plan.make_omc(settings, plan.omc_depths(), {.splits = &splits_, .strong = this})),
         film_(settings.resolution, settings.crop, Filter::box(), kReplicates, omc_->layers()) {}
 
   std::uint64_t tiles() const { return omc_->items_in_pass(); }

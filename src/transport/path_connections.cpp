@@ -43,30 +43,29 @@ bool PathSampler::is_tried(double count, const Pair& pair, SampleSource& source)
   return count >= 1.0 || static_cast<double>(source.get(pair.address(kConnectionTry))) < count;
 }
 
-float PathSampler::cull(const Spectrum& contribution, const Pair& pair,
-                        SampleSource& source) const {
-  const float strength = contribution.max();
-  if (!(strength < settings_.cull_below)) return 1.F;  // what is not a number is not swept away
-  const float survival = strength / settings_.cull_below;
+float PathSampler::cull(const Spectrum& contribution, float worth, const Pair& pair,
+                        SampleSource& source) {
+  const float survival = contribution.max() * worth;
+  if (!(survival < 1.F)) return 1.F;  // what is not a number is not swept away
   return source.get(pair.address(kConnectionCull)) < survival ? 1.F / survival : 0.F;
 }
 
 template <typename WeightOf>
 std::optional<PathSampler::Joined> PathSampler::join(const Ray& ray, const Medium* medium,
-                                                     const Spectrum& unoccluded, const Pair& pair,
-                                                     SampleSource& source,
+                                                     const Spectrum& unoccluded, float worth,
+                                                     const Pair& pair, SampleSource& source,
                                                      const WeightOf& weight_of) {
   if (const std::optional<Segment> segment = unobstructed(scene_, ray, medium)) {
     const double mis_weight = weight_of(*segment);
     const Spectrum value = unoccluded * segment->transmittance * static_cast<float>(mis_weight);
     if (value.is_black()) return std::nullopt;
-    const float survivor = cull(value, pair, source);
+    const float survivor = cull(value, worth, pair, source);
     if (survivor == 0.F) return std::nullopt;
     ++rays_;
     if (scene_.occluded(ray)) return std::nullopt;
     return Joined{value * survivor, mis_weight, survivor};
   }
-  const float survivor = cull(unoccluded, pair, source);
+  const float survivor = cull(unoccluded, worth, pair, source);
   if (survivor == 0.F) return std::nullopt;
   const std::optional<Segment> segment = connect(scene_, ray, medium, rays_);
   if (!segment) return std::nullopt;
@@ -175,7 +174,7 @@ void PathSampler::connect_to_light(const PathVertex& vertex, SampleSource& sourc
   };
   const std::optional<Joined> joined =
       join(ray_to_endpoint(vertex, light, *sample), vertex.medium_toward(sample->w), unoccluded,
-           pair, source, weight_of);
+           worth_, pair, source, weight_of);
   if (!joined) return;
   sink.add({.value = joined->value,
             .technique = technique,
@@ -216,7 +215,7 @@ void PathSampler::connect_to_camera(const PathVertex& vertex, SampleSource& sour
   };
   const std::optional<Joined> joined =
       join(ray_to_endpoint(vertex, camera, *sample), vertex.medium_toward(sample->w), unoccluded,
-           pair, source, weight_of);
+           sink.worth(*raster), pair, source, weight_of);
   if (!joined) return;
   sink.add({.value = joined->value,
             .technique = technique,
@@ -268,7 +267,7 @@ void PathSampler::connect_inner(const PathVertex& camera_vertex, const PathVerte
   };
   const std::optional<Joined> joined =
       join(ray_between(camera_vertex.ray_origin(w), light_vertex.ray_origin(-w)),
-           camera_vertex.medium_toward(w), unoccluded, pair, source, weight_of);
+           camera_vertex.medium_toward(w), unoccluded, worth_, pair, source, weight_of);
   if (!joined) return;
   sink.add({.value = joined->value,
             .technique = technique,

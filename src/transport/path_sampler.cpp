@@ -12,7 +12,8 @@ PathSampler::PathSampler(const Scene& scene, const PathSamplerSettings& settings
     : scene_(scene),
       settings_(settings),
       camera_walk_{TransportMode::Radiance, Stream::Camera, settings.heuristic,
-                   settings.roulette_start, settings.techniques.needs_light_subpath()},
+                   settings.roulette_start, settings.techniques.needs_light_subpath(),
+                   settings.camera_rest > 0.F},
       light_walk_{TransportMode::Importance, Stream::Light, settings.heuristic,
                   settings.roulette_start, true},
       only_depth_(settings.min_depth == settings.max_depth ? settings.max_depth : 0) {
@@ -193,11 +194,13 @@ bool PathSampler::start_camera(SampleSource& source, const Vec2& raster, PathSin
   // border.
   const bool inside = raster.x >= 0.F && raster.y >= 0.F && raster.x < size.x && raster.y < size.y;
   light_tracing_reaches_ = inside;
+  worth_ = sink.worth(raster);
 
   flight.ray = {emission->origin, emission->w};
   flight.medium = camera.medium;
   flight.reference = emission->point.surface.p;
   flight.throughput = emission->weight;
+  if (camera_walk_.efficient_roulette) flight.roulette_scale = worth_ * settings_.camera_rest;
   flight.mis = mis_start(settings_.heuristic, emission->position_pdf.value(), 0.0);
   flight.departure = emission->departure_pdf.value();
   flight.from_infinity = camera.at_infinity();

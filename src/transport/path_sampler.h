@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "transport/sample_source.h"
@@ -36,6 +37,11 @@ class PathSink {
   virtual void add(const Contribution& contribution) = 0;
   /// Whether light traced to this raster position would count at all.
   virtual bool reaches(const Vec2& /*raster*/) const { return true; }
+  /// How many rays one unit of light (largest lane) is worth that lands at this raster position.
+  /// Connections that are worth less than a ray are traced by chance only, in proportion.
+  virtual float worth(const Vec2& /*raster*/) const {
+    return std::numeric_limits<float>::infinity();
+  }
   /// The first surface or medium vertex the camera sees, at `distance` from it; `hit` is null for a
   /// medium vertex.
   virtual void first_vertex(const PathVertex& /*vertex*/, const Hit* /*hit*/, float /*distance*/) {}
@@ -60,9 +66,11 @@ struct PathSamplerSettings {
   /// image's pixels that these calls cover. If `sample` traces them itself: `light_subpaths` times
   /// that share.
   double light_paths_per_pixel = 1.0;
-  /// Connections whose unoccluded contribution is below this (largest lane) are traced with
-  /// proportional probability only; 0 traces all.
-  float cull_below = 0.F;
+  /// Efficiency-aware Russian roulette (after Rath et al. 2022): what the rest of a camera subpath
+  /// brings per unit of its throughput, root mean square, over the root of the rays that it takes.
+  /// Subpaths then survive as often as that is worth (`PathSink::worth`), from the first vertex on.
+  /// 0: not known; roulette follows the throughput alone.
+  float camera_rest = 0.F;
 };
 
 /// Samples paths by any set of techniques (METHODS, section 2) as a deterministic function of a
@@ -142,11 +150,13 @@ class PathSampler {
   /// if nothing arrives. Where no interfaces can lie between, visibility is tested last of all.
   template <typename WeightOf>
   std::optional<Joined> join(const Ray& ray, const Medium* medium, const Spectrum& unoccluded,
-                             const Pair& pair, SampleSource& source, const WeightOf& weight_of);
+                             float worth, const Pair& pair, SampleSource& source,
+                             const WeightOf& weight_of);
   /// Decides about a connection that is made less than once on average.
   static bool is_tried(double count, const Pair& pair, SampleSource& source);
   /// Russian roulette of weak connections: what to multiply the survivors by, 0 for the others.
-  float cull(const Spectrum& contribution, const Pair& pair, SampleSource& source) const;
+  static float cull(const Spectrum& contribution, float worth, const Pair& pair,
+                    SampleSource& source);
 
   /// Samples of a technique per call of `sample`, or per pixel if they are light tracing's.
   double count(Technique technique) const;
@@ -171,6 +181,7 @@ class PathSampler {
   /// h(count) of the techniques of each class, if they are all alike.
   std::array<double, 4> class_h_count_;
   bool light_tracing_reaches_ = false;  ///< the current camera path's place on the film
+  float worth_ = std::numeric_limits<float>::infinity();  ///< of light there
   std::vector<PathVertex> light_vertices_;
   std::size_t light_vertex_count_ = 0;
   std::vector<MisTrailEntry> camera_trail_;  // these two only for sets that name single techniques

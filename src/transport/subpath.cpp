@@ -69,11 +69,15 @@ bool scatter(const WalkSettings& settings, const PathVertex& vertex, SampleSourc
   if (!sample) return false;
   flight.throughput = vertex.throughput * sample->weight;
   if (settings.mode == TransportMode::Radiance) flight.roulette_scale *= sample->eta * sample->eta;
-  if (vertex.edges >= settings.roulette_start) {
-    const float survival = std::min(0.95F, flight.throughput.max() * flight.roulette_scale);
-    if (!(source.get(address(Slot::Roulette)) < survival)) return false;
-    flight.throughput /= survival;
-    flight.roulette /= survival;
+  const bool is_long = vertex.edges >= settings.roulette_start;
+  if (is_long || settings.efficient_roulette) {
+    const float survival =
+        std::min(is_long ? 0.95F : 1.F, flight.throughput.max() * flight.roulette_scale);
+    if (survival != 1.F) {
+      if (!(source.get(address(Slot::Roulette)) < survival)) return false;
+      flight.throughput /= survival;
+      flight.roulette /= survival;
+    }
   }
   if (flight.throughput.is_black()) return false;
   flight.ray = {vertex.ray_origin(sample->wi), sample->wi};

@@ -15,6 +15,7 @@ struct Flight {
   int edges = 0;                  ///< index i of the vertex it left
   /// What Russian roulette multiplies the throughput by: squared index ratios undo the scaling of
   /// radiance, and the throughput that light starts with says nothing of how much is left of it.
+  /// If it is efficiency-aware, so does what the rest of the path may be worth.
   float roulette_scale = 1.F;
   float roulette = 1.F;  ///< what roulette has multiplied the throughput by so far
   // For the MIS recursion:
@@ -37,6 +38,8 @@ struct WalkSettings {
   /// False if no technique has a subpath from the other end: then only vertices on lights need
   /// their MIS state, and reverse densities are not needed at all.
   bool has_other_end;
+  /// Paths may end before `roulette_start`, too, and survive for certain until then.
+  bool efficient_roulette = false;
   int repeat = 0;  ///< which light subpath of the sample this is
   /// Where the recursion is recorded, if the set names single techniques; room for every vertex.
   MisTrailEntry* trail = nullptr;

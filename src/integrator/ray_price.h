@@ -1,0 +1,46 @@
+#pragma once
+#include <span>
+
+#include "core/archive_forward.h"
+#include "image/importance_map.h"
+
+namespace ajar {
+
+/// What a ray of ordinary Monte Carlo has to bring, for efficiency-aware Russian roulette (after
+/// Rath et al. 2022, "EARS").
+///
+/// With variance V and C rays per camera sample, the error after a given time follows V · C. A ray
+/// that brings v, traced with probability q, adds v²/q to V and q to C, so that V · C is smallest
+/// with q = v / √(V/C), or 1 if that is more: √(V/C) is the price of a ray. Connections know their
+/// v. Of a camera subpath of throughput β, v is taken to be Λ · β for each of the rays that the rest
+/// of it takes (see `RoulettePilot`). The price decides about chances alone, so whatever it is, and
+/// whenever it changes between passes, no expectation does.
+class RayPrice {
+ public:
+  /// `price`: in luminance · importance, until `adjust`. `rest`: Λ, in radiance. Both positive.
+  /// `importance` must outlive it.
+  RayPrice(const ImportanceMap& importance, double price, double rest)
+      : importance_(&importance), price_(price), rest_(rest) {}
+
+  /// How many rays one unit of light is worth that lands there.
+  float worth(const Vec2& raster) const {
+    return (*importance_)(raster) / static_cast<float>(price_);
+  }
+  /// Λ.
+  double rest() const { return rest_; }
+
+  /// `variance`: of one camera sample, (luminance · importance)², pixel by pixel. `rays`: per
+  /// camera sample. Where there is no noise, the price stays.
+  void adjust(std::span<const double> variance, double rays);
+
+  void save_state(OutputArchive& archive) const;
+  /// May raise any std::exception if the bytes make no sense.
+  void load_state(InputArchive& archive);
+
+ private:
+  const ImportanceMap* importance_;
+  double price_;
+  double rest_;
+};
+
+}  // namespace ajar
