@@ -20,10 +20,10 @@ double samples_for(double mean_visible_error) {
 }
 
 double mutations_of_least_visible_error(std::span<const double> omc, std::span<const double> chains,
-                                        double sample_cost, double mutation_cost, double lowest,
-                                        double highest) {
+                                        double usual, double sample_cost, double mutation_cost,
+                                        double lowest, double highest) {
   // Written so that NaN fails.
-  if (omc.size() != chains.size() || !(sample_cost > 0.0 && mutation_cost > 0.0) ||
+  if (omc.size() != chains.size() || !(usual > 0.0 && sample_cost > 0.0 && mutation_cost > 0.0) ||
       !(lowest > 0.0 && highest >= lowest)) {
     throw std::invalid_argument("visible error: costs or bounds are not positive");
   }
@@ -32,8 +32,11 @@ double mutations_of_least_visible_error(std::span<const double> omc, std::span<c
   const int steps = static_cast<int>(std::floor(2.0 * std::log2(highest / lowest)));
   for (int i = 0; i <= steps; ++i) {
     const double ratio = lowest * std::exp2(0.5 * i);
+    const double of_chains = std::pow(usual / ratio, kWorthOfMutations);
     double sum = 0.0;
-    for (std::size_t j = 0; j < omc.size(); ++j) sum += visible_error(omc[j] + chains[j] / ratio);
+    for (std::size_t j = 0; j < omc.size(); ++j) {
+      sum += visible_error(omc[j] + chains[j] * of_chains);
+    }
     // After one unit of time, n is 1 over the cost of a sample with its mutations.
     const double error = sum * visible_error(sample_cost + ratio * mutation_cost);
     if (error >= least) continue;

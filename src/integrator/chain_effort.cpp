@@ -54,10 +54,12 @@ void ChainEffort::adjust(std::uint64_t samples, WeightedErrors of_omc, WeightedE
   const double highest = ChainPlan::clamp_mutations(rate() * kMostChange);
   double best = 0.0;
   if (plan_.selective) {
-    for (double& variance : of_omc.variance) variance *= static_cast<double>(omc_samples(samples));
-    for (double& variance : of_chains.variance) variance *= mutations(samples) * pixels;
-    best = mutations_of_least_visible_error(of_omc.variance, of_chains.variance, costs.omc_sample,
-                                            costs.mutation, lowest * pixels, highest * pixels) /
+    const auto done = static_cast<double>(omc_samples(samples));
+    for (double& variance : of_omc.variance) variance *= done;
+    for (double& variance : of_chains.variance) variance *= done;
+    best = mutations_of_least_visible_error(
+               of_omc.variance, of_chains.variance, mutations(samples) / done * pixels,
+               costs.omc_sample, costs.mutation, lowest * pixels, highest * pixels) /
            pixels;
   } else {
     best = best_mutations(omc_error * static_cast<double>(omc_samples(samples)), light, costs) /

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::uint64_t kItems = 16;
 /// Places on the film in each, with two camera samples.
-constexpr std::uint64_t kPairs = 256;
+constexpr std::uint64_t kPairs = 128;
 /// As much of a contribution counts, relative to the brightness of the picture: brighter ones are
 /// rare, and for chains to deal with.
 constexpr double kMost = 3.0;
@@ -61,8 +61,8 @@ class RoulettePilot::Sink final : public PathSink {
   float worth(const Vec2& raster) const override {
     return view_.importance(raster) / static_cast<float>(kUsualPrice * brightness_);
   }
-  void scattered(Stream stream, const PathVertex& /*vertex*/, const Flight& flight) override {
-    if (stream != Stream::Camera) return;
+  void scattered(Stream stream, const PathVertex& vertex, const Flight& flight) override {
+    if (stream != Stream::Camera || vertex.edges < kEfficientRouletteStart) return;
     // The scale has `worth` · Λ in it.
     const auto expected = static_cast<double>(flight.throughput.max() * flight.roulette_scale);
     departures_.push_back({expected * kUsualPrice, light_, rays()});

@@ -116,6 +116,16 @@ std::vector<std::unique_ptr<TechniquePilot>> TechniquePilot::make_all(ChainPlan&
   return stages;
 }
 
+bool TechniquePilot::is_for_chains(const std::vector<Errors>& found) {
+  constexpr double kMuch = 0.3;
+  constexpr double kNoRarer = 0.8;
+  constexpr double kAny = 0.02;
+  const Errors& few = found.front();
+  const Errors& usual = found[kUsual];
+  return usual.strong > kMuch * usual.weak && usual.strong > kNoRarer * few.strong &&
+         usual.from_light > kAny * usual.weak;
+}
+
 double TechniquePilot::effort() const {
   if (!plan_.chooses_omc) return 0.0;
   // With one light subpath, half of a sample's rays are due to it.
@@ -165,7 +175,8 @@ void TechniquePilot::choose() const {
   constexpr double kLittle = 0.2;
   const bool may_have_fewer =
       std::all_of(found.begin() + kUsual, found.end(),
-                  [](const Errors& of) { return of.from_light <= kLittle * of.weak; });
+                  [](const Errors& of) { return of.from_light <= kLittle * of.weak; }) &&
+      !is_for_chains(found);
   // A little is the luck of a pilot: what has less to do is taken then.
   constexpr double kClearly = 0.95;
   std::size_t best = may_have_fewer ? 0 : kUsual;

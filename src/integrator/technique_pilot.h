@@ -43,6 +43,9 @@ class TechniquePilot final : public PreparationStage {
   };
 
   TechniquePilot(ChainPlan& plan, PathFamilyDefaults offer, std::shared_ptr<Findings> findings);
+  /// Whether there are strong paths that inner connections do not make any rarer, and light
+  /// subpaths find some of them: chains that start from these will need such techniques.
+  static bool is_for_chains(const std::vector<Errors>& found);
   /// Chooses, once enough is known for it.
   void choose() const;
 

@@ -29,6 +29,10 @@ struct Flight {
   const Medium* scattered_in = nullptr;  ///< the medium that z_i lies in, if it is not on a surface
 };
 
+/// Edges from which efficiency-aware roulette may end a walk. What the first surface reflects is as
+/// different as surfaces are: no one number says what that brings.
+inline constexpr int kEfficientRouletteStart = 2;
+
 /// Settings of a random walk.
 struct WalkSettings {
   TransportMode mode;
@@ -38,7 +42,8 @@ struct WalkSettings {
   /// False if no technique has a subpath from the other end: then only vertices on lights need
   /// their MIS state, and reverse densities are not needed at all.
   bool has_other_end;
-  /// Paths may end before `roulette_start`, too, and survive for certain until then.
+  /// Paths may end before `roulette_start`, too, and survive for certain until then if they are
+  /// worth it.
   bool efficient_roulette = false;
   int repeat = 0;  ///< which light subpath of the sample this is
   /// Where the recursion is recorded, if the set names single techniques; room for every vertex.
