@@ -7,10 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "core/milestones.h"
-#include "core/parallel_for.h"
 #include "core/random.h"
-#include "image/make_filter.h"
 #include "integrator/path_family.h"
 #include "integrator/weighted_errors.h"
 #include "support/render.h"
@@ -57,34 +54,21 @@ class HandedBack final : public StrongPathSinks {
 test::Render render_with_random_rates(const Scene& scene, const test::RenderOptions& options,
                                       const std::string& techniques, SampleRates& rates,
                                       const LightSplits* splits, const StrongPathSinks* strong) {
-  const RenderSettings settings = test::settings_of(scene, options);
-  test::Render render;
-  render.integrator = make_path_integrator(
-      scene, settings, Parameters(path_family_parameters(path_family_defaults(techniques)), {}),
-      {.splits = splits, .strong = strong, .rates = &rates});
-  Integrator& integrator = *render.integrator;
-  render.film =
-      std::make_unique<Film>(settings.resolution, settings.crop, make_filter(scene.film().filter),
-                             options.replicates, integrator.layers());
-  render.samples = static_cast<std::uint64_t>(options.samples);
-  for (std::uint64_t first = 0; first < render.samples;) {
-    const std::uint64_t next = std::min(
-        render.samples, milestone_after(first, static_cast<std::uint64_t>(options.replicates)));
-    parallel_for(integrator.items_in_pass(), [&](std::uint64_t item) {
-      Counters own;
-      integrator.run_item(item, first, next - first, *render.film, own);
-    });
-    SampleRates::Guesses guesses;
-    for (const double value : random_errors(*render.film, next)) {
-      const auto light = static_cast<float>(0.1 * std::log10(value));
-      guesses.direct.insert(guesses.direct.end(), {light, light, light});
-      guesses.indirect.insert(guesses.indirect.end(), {0.F, light, 0.2F});
-    }
-    const std::uint64_t change = render.samples / 4;
-    rates.adjust(random_errors(*render.film, next < change ? 1 : 2), std::move(guesses), next);
-    first = next;
-  }
-  return render;
+  const auto change = static_cast<std::uint64_t>(options.samples) / 4;
+  return test::render_with(
+      make_path_integrator(
+          scene, test::settings_of(scene, options),
+          Parameters(path_family_parameters(path_family_defaults(techniques)), {}),
+          {.splits = splits, .strong = strong, .rates = &rates}),
+      scene, options, [&](const Film& film, std::uint64_t samples) {
+        SampleRates::Guesses guesses;
+        for (const double value : random_errors(film, samples)) {
+          const auto light = static_cast<float>(0.1 * std::log10(value));
+          guesses.direct.insert(guesses.direct.end(), {light, light, light});
+          guesses.indirect.insert(guesses.indirect.end(), {0.F, light, 0.2F});
+        }
+        rates.adjust(random_errors(film, samples < change ? 1 : 2), std::move(guesses), samples);
+      });
 }
 
 TEST(SampleRates, ChangeNoExpectation) {

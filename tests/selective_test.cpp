@@ -12,7 +12,6 @@
 #include "core/random.h"
 #include "image/image_file.h"
 #include "image/metrics.h"
-#include "session/scene_file.h"
 #include "support/render.h"
 #include "support/same_picture.h"
 #include "support/small_scenes.h"
@@ -252,11 +251,6 @@ TEST(Selective, TakesTheUsersRules) {
   }
 }
 
-Scene builtin_scene(const std::string& name) {
-  Warnings warnings;
-  return {load_scene("builtin:" + name, warnings), BuildOptions{Vec2i(96, 72)}, warnings};
-}
-
 /// A render that is hardly more than its preparation.
 test::Render prepared_render(const Scene& scene, std::uint64_t seed,
                              const std::map<std::string, std::string>& parameters) {
@@ -277,7 +271,7 @@ SelectiveReport report_of(const Scene& scene, std::uint64_t seed,
 
 /// In how many of three renders a pilot has chosen this.
 int times_chosen(const std::string& scene_name, const std::string& techniques, double light_paths) {
-  const Scene scene = builtin_scene(scene_name);
+  const Scene scene = test::builtin_scene(scene_name);
   int times = 0;
   for (const std::uint64_t seed : {1, 2, 3}) {
     const SelectiveReport report = report_of(scene, seed, {});
@@ -296,7 +290,7 @@ TEST(Selective, MostlyChoosesTechniquesThatSuitTheScene) {
 }
 
 TEST(Selective, HasTheTechniquesThatTheUserWants) {
-  const Scene scene = builtin_scene("cornell");
+  const Scene scene = test::builtin_scene("cornell");
   for (const auto& [name, value] : std::map<std::string, std::string>{
            {"techniques", "bdpt"}, {"light-paths-per-pixel", "1"}, {"omc", "bdpt"}}) {
     const SelectiveReport report = report_of(scene, 1, {{name, value}});
@@ -311,7 +305,7 @@ TEST(Selective, HasTheTechniquesThatTheUserWants) {
 
 /// What a few samples predict of chains there is too good by a tenth (docs/selective.md).
 TEST(Selective, LeavesChainsOutOfACornellBox) {
-  const Scene scene = builtin_scene("cornell");
+  const Scene scene = test::builtin_scene("cornell");
   for (const std::uint64_t seed : {1, 2, 3}) {
     const test::Render render = prepared_render(scene, seed, {});
     EXPECT_EQ(render.integrator->notes().size(), 1U);
@@ -321,7 +315,7 @@ TEST(Selective, LeavesChainsOutOfACornellBox) {
 
 /// Rounds of a preparation that have anything to do.
 int rounds_of(const std::string& scene_name) {
-  const Scene scene = builtin_scene(scene_name);
+  const Scene scene = test::builtin_scene(scene_name);
   const IntegratorInfo& info = find_integrator("selective");
   const auto integrator =
       info.make(scene, test::settings_of(scene, {.replicates = 4, .max_depth = 8}),
@@ -338,10 +332,10 @@ int rounds_of(const std::string& scene_name) {
 }
 
 TEST(Selective, PreparesOnlyForWhatMayPay) {
-  // Brightness, ibpt, bdpt, and what is to be divided.
-  EXPECT_EQ(rounds_of("cornell"), 4);
+  // Brightness, ibpt, bdpt, roulette, and what is to be divided.
+  EXPECT_EQ(rounds_of("cornell"), 5);
   // Chains on trial, too.
-  EXPECT_EQ(rounds_of("torus-in-glass"), 5);
+  EXPECT_EQ(rounds_of("torus-in-glass"), 6);
 }
 
 /// Nothing is divided, and the film has no layer for it.

@@ -247,6 +247,10 @@ std::optional<SelectiveReport> ChainIntegrator::selective_report() const {
   report.pilot_stays = plan_.pilot_kept > 0;
   report.techniques = plan_.omc.techniques;
   report.light_paths_per_sample = std::stod(plan_.omc.light_paths_per_pixel);
+  if (ray_price_) {
+    report.ray_price = ray_price_->price() / plan_.brightness;
+    report.path_rest = ray_price_->rest() / plan_.brightness;
+  }
   report.regions = pilot_->report();
   effort_.fill(report);
   return report;

@@ -82,7 +82,11 @@ struct SelectiveReport {
   bool pilot_stays = false;
   std::string techniques;               ///< of ordinary Monte Carlo
   double light_paths_per_sample = 1.0;  ///< likewise
-  double mutations_per_sample = 0.0;    ///< 0: no chains
+  /// What a ray of it has to bring, in the brightness of the picture (see `RayPrice`); 0: it plays
+  /// Russian roulette by throughput alone.
+  double ray_price = 0.0;
+  double path_rest = 0.0;             ///< Λ, likewise
+  double mutations_per_sample = 0.0;  ///< 0: no chains
   double correlation = 0.0;     ///< variance of chains over that of as many independent samples
   double chain_rays = 0.0;      ///< share of the rays
   double chain_error = 0.0;     ///< share of the squared error, luminance · importance

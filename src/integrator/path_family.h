@@ -45,7 +45,7 @@ struct PathIntegratorContext {
   const LightSplits* splits = nullptr;
   const StrongPathSinks* strong = nullptr;  ///< sinks of these see what is left.
   const SampleRates* rates = nullptr;       ///< Camera samples of pixels; one each without.
-  std::optional<PictureScale> scale;        ///< Unless it is known, it is measured.
+  std::optional<PictureScale> scale{};      ///< Unless it is known, it is measured.
   const RayPrice* price = nullptr;          ///< By this, Russian roulette saves rays.
 };
 

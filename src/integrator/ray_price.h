@@ -26,6 +26,8 @@ class RayPrice {
   float worth(const Vec2& raster) const {
     return (*importance_)(raster) / static_cast<float>(price_);
   }
+  /// In luminance · importance.
+  double price() const { return price_; }
   /// Λ.
   double rest() const { return rest_; }
 

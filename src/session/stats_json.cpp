@@ -131,6 +131,8 @@ Json selective_json(const SelectiveReport& report) {
       {"omc",
        {{"techniques", report.techniques},
         {"light_paths_per_sample", report.light_paths_per_sample},
+        {"ray_price", report.ray_price},
+        {"path_rest", report.path_rest},
         {"ray_share", 1.0 - report.chain_rays},
         {"squared_error_share", 1.0 - report.chain_error}}},
       {"region_count", report.regions.size()},

@@ -6,6 +6,7 @@
 #include <functional>
 #include <mutex>
 #include <numeric>
+#include <utility>
 
 #include "core/milestones.h"
 #include "core/parallel_for.h"
@@ -13,6 +14,7 @@
 #include "import/pbrt/pbrt_import.h"
 #include "integrator/integrator.h"
 #include "session/preparation.h"
+#include "session/scene_file.h"
 
 namespace ajar::test {
 
@@ -24,6 +26,11 @@ std::unique_ptr<Scene> scene_from(const std::string& pbrt_text, bool may_warn) {
     for (const std::string& message : warnings.messages()) ADD_FAILURE() << message;
   }
   return scene;
+}
+
+Scene builtin_scene(const std::string& name) {
+  Warnings warnings;
+  return {load_scene("builtin:" + name, warnings), BuildOptions{Vec2i(96, 72)}, warnings};
 }
 
 std::string pbrt_scene(const std::string& camera, int width, int height, const std::string& world,
@@ -93,15 +100,25 @@ RenderSettings settings_of(const Scene& scene, const RenderOptions& options) {
 
 Render render(const Scene& scene, const RenderOptions& options) {
   const IntegratorInfo& info = find_integrator(options.integrator);
+  std::unique_ptr<Integrator> integrator = info.make(
+      scene, settings_of(scene, options), Parameters(info.parameters, options.parameters));
+  Counters of_preparation;
+  if (options.skip_after) {
+    skip_preparation_after(*options.skip_after, *integrator);
+  } else {
+    of_preparation = prepare(*integrator);
+  }
+  Render result = render_with(std::move(integrator), scene, options);
+  result.counters += of_preparation;
+  return result;
+}
+
+Render render_with(std::unique_ptr<Integrator> made, const Scene& scene,
+                   const RenderOptions& options, const AfterPass& after_pass) {
   const RenderSettings settings = settings_of(scene, options);
   Render result;
-  result.integrator = info.make(scene, settings, Parameters(info.parameters, options.parameters));
+  result.integrator = std::move(made);
   Integrator& integrator = *result.integrator;
-  if (options.skip_after) {
-    skip_preparation_after(*options.skip_after, integrator);
-  } else {
-    result.counters = prepare(integrator);
-  }
   result.film =
       std::make_unique<Film>(settings.resolution, settings.crop, make_filter(scene.film().filter),
                              options.replicates, integrator.layers());
@@ -120,6 +137,7 @@ Render render(const Scene& scene, const RenderOptions& options) {
     });
     integrator.end_pass();
     first += samples;
+    if (after_pass) after_pass(*result.film, first);
   }
   const Counters& counters = result.counters;
   EXPECT_EQ(counters.discarded_nan + counters.discarded_infinite + counters.discarded_negative, 0U)

@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -14,6 +15,9 @@ namespace ajar::test {
 
 /// Builds a scene from pbrt-v3 text; a warning fails the test unless it `may_warn`.
 std::unique_ptr<Scene> scene_from(const std::string& pbrt_text, bool may_warn = false);
+
+/// A scene that comes with the program, at 96×72 pixels.
+Scene builtin_scene(const std::string& name);
 
 /// Full text of a small scene: camera and film of `width` × `height` pixels, then `world`.
 std::string pbrt_scene(const std::string& camera, int width, int height, const std::string& world,
@@ -47,5 +51,10 @@ struct RenderOptions {
 };
 RenderSettings settings_of(const Scene& scene, const RenderOptions& options);
 Render render(const Scene& scene, const RenderOptions& options);
+/// With an integrator of `settings_of(scene, options)` that is prepared. After each pass,
+/// `after_pass` is told the film and the samples that are on it.
+using AfterPass = std::function<void(const Film& film, std::uint64_t samples)>;
+Render render_with(std::unique_ptr<Integrator> integrator, const Scene& scene,
+                   const RenderOptions& options, const AfterPass& after_pass = {});
 
 }  // namespace ajar::test
