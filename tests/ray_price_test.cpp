@@ -87,8 +87,8 @@ double cost_of_precision(const Scene& scene, const std::string& roulette) {
     luminances.push_back(luminance(Spectrum(image[i], image[i + 1], image[i + 2])));
   }
   const Box2i& crop = render.film->crop();
-  const WeightedErrors errors = weighted_errors(replicates_of(render), crop,
-                                                ImportanceMap::relative(crop, luminances));
+  const WeightedErrors errors =
+      weighted_errors(replicates_of(render), crop, ImportanceMap::relative(crop, luminances));
   return sum_of(trimmed(errors.variance)) * static_cast<double>(render.counters.rays);
 }
 

@@ -78,7 +78,8 @@ TEST(Recruits, AreStatesOfChainsThatAreWorthWhatWasFound) {
       plan.brightness = 1.0;
       plan.splits.emplace(LightSplit(plan.lowest_threshold(), plan.view.importance));
       const Comparison comparison(plan, std::stod(setting.light_paths));
-      const auto omc = plan.make_omc(plan.settings, plan.omc_depths(), {.splits = &*plan.splits, .strong = &comparison});
+      const auto omc = plan.make_omc(plan.settings, plan.omc_depths(),
+                                     {.splits = &*plan.splits, .strong = &comparison});
       Film film(plan.settings.resolution, plan.settings.crop, Filter::box(), 1, omc->layers());
       Counters counters;
       for (std::uint64_t item = 0; item < omc->items_in_pass(); ++item) {

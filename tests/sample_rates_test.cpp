@@ -56,10 +56,9 @@ test::Render render_with_random_rates(const Scene& scene, const test::RenderOpti
                                       const LightSplits* splits, const StrongPathSinks* strong) {
   const auto change = static_cast<std::uint64_t>(options.samples) / 4;
   return test::render_with(
-      make_path_integrator(
-          scene, test::settings_of(scene, options),
-          Parameters(path_family_parameters(path_family_defaults(techniques)), {}),
-          {.splits = splits, .strong = strong, .rates = &rates}),
+      make_path_integrator(scene, test::settings_of(scene, options),
+                           Parameters(path_family_parameters(path_family_defaults(techniques)), {}),
+                           {.splits = splits, .strong = strong, .rates = &rates}),
       scene, options, [&](const Film& film, std::uint64_t samples) {
         SampleRates::Guesses guesses;
         for (const double value : random_errors(film, samples)) {

@@ -57,9 +57,9 @@ void ChainEffort::adjust(std::uint64_t samples, WeightedErrors of_omc, WeightedE
     const auto done = static_cast<double>(omc_samples(samples));
     for (double& variance : of_omc.variance) variance *= done;
     for (double& variance : of_chains.variance) variance *= done;
-    best = mutations_of_least_visible_error(
-               of_omc.variance, of_chains.variance, mutations(samples) / done * pixels,
-               costs.omc_sample, costs.mutation, lowest * pixels, highest * pixels) /
+    best = mutations_of_least_visible_error(of_omc.variance, of_chains.variance,
+                                            mutations(samples) / done * pixels, costs.omc_sample,
+                                            costs.mutation, lowest * pixels, highest * pixels) /
            pixels;
   } else {
     best = best_mutations(omc_error * static_cast<double>(omc_samples(samples)), light, costs) /

@@ -120,7 +120,7 @@ class ChainIntegrator final : public Integrator {
   std::vector<std::size_t> chain_counts_;  ///< per replicate
   std::vector<ChainItem> chain_items_;
   std::unique_ptr<SampleRates> rates_;  ///< null if all pixels have as many camera samples
-  std::optional<RayPrice> ray_price_;  ///< as of now
+  std::optional<RayPrice> ray_price_;   ///< as of now
   std::unique_ptr<Integrator> omc_;     ///< null if it has nothing to render
   std::vector<std::string> concerns_;
   std::unique_ptr<PlaneMaps> maps_;  ///< null if steps do not follow the image plane

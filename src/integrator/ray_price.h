@@ -12,9 +12,9 @@ namespace ajar {
 /// With variance V and C rays per camera sample, the error after a given time follows V · C. A ray
 /// that brings v, traced with probability q, adds v²/q to V and q to C, so that V · C is smallest
 /// with q = v / √(V/C), or 1 if that is more: √(V/C) is the price of a ray. Connections know their
-/// v. Of a camera subpath of throughput β, v is taken to be Λ · β for each of the rays that the rest
-/// of it takes (see `RoulettePilot`). The price decides about chances alone, so whatever it is, and
-/// whenever it changes between passes, no expectation does.
+/// v. Of a camera subpath of throughput β, v is taken to be Λ · β for each of the rays that the
+/// rest of it takes (see `RoulettePilot`). The price decides about chances alone, so whatever it
+/// is, and whenever it changes between passes, no expectation does.
 class RayPrice {
  public:
   /// `price`: in luminance · importance, until `adjust`. `rest`: Λ, in radiance. Both positive.

@@ -19,8 +19,8 @@ constexpr std::uint64_t kPairs = 128;
 /// As much of a contribution counts, relative to the brightness of the picture: brighter ones are
 /// rare, and for chains to deal with.
 constexpr double kMost = 3.0;
-/// The price that the pilot itself has, relative to the brightness, which is its Λ: what it is about
-/// in most scenes, so that roulette is much as it will be.
+/// The price that the pilot itself has, relative to the brightness, which is its Λ: what it is
+/// about in most scenes, so that roulette is much as it will be.
 constexpr double kUsualPrice = 0.3;
 /// Λ for what is left of a subpath alone would end too many: samples that roulette has thinned are
 /// not as evenly spread as all were. Measured: 1.5 to 2 is best on bathroom, cornell-box and
@@ -48,8 +48,8 @@ class RoulettePilot::Sink final : public PathSink {
   void add(const Contribution& contribution) override {
     const bool from_light = contribution.technique.t == 1;
     const float importance = view_.importance(from_light ? contribution.raster : raster_);
-    const double light = std::min(
-        static_cast<double>(luminance(contribution.value) * importance), kMost * brightness_);
+    const double light = std::min(static_cast<double>(luminance(contribution.value) * importance),
+                                  kMost * brightness_);
     if (!(light > 0.0)) return;
     if (from_light) {
       sums_.variance += light_subpaths_ * light * light;

@@ -14,9 +14,9 @@ namespace ajar {
 ///
 ///     Λ² = Σ B²/β / Σ β · R
 ///
-/// over all vertices where roulette may end a subpath, B being what the rest of it brings and R the rays that
-/// this takes. V and C are of the whole picture; Rath et al. 2022 know them, B and R place by place,
-/// from a render that learns as it goes on.
+/// over all vertices where roulette may end a subpath, B being what the rest of it brings and R the
+/// rays that this takes. V and C are of the whole picture; Rath et al. 2022 know them, B and R
+/// place by place, from a render that learns as it goes on.
 class RoulettePilot final : public PreparationStage {
  public:
   explicit RoulettePilot(ChainPlan& plan);

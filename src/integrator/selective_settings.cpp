@@ -111,9 +111,9 @@ std::map<std::string, std::string> SelectiveSettings::apply_preset(
   if (preset == given.end()) return given;
   std::map<std::string, std::string> values;
   if (preset->second == "published") {
-    values = {{"omc", "ibpt"},       {"map", "binary"},         {"pilot", "keep"},
-              {"split", "0"},        {"importance", "uniform"}, {"mutation", "kelemen"},
-              {"samples", "uniform"},  {"roulette", "usual"}};
+    values = {{"omc", "ibpt"},        {"map", "binary"},         {"pilot", "keep"},
+              {"split", "0"},         {"importance", "uniform"}, {"mutation", "kelemen"},
+              {"samples", "uniform"}, {"roulette", "usual"}};
   }
   given.insert(values.begin(), values.end());
   return given;

@@ -11,8 +11,11 @@ constexpr std::size_t index_of(TechniqueClass kind) { return static_cast<std::si
 PathSampler::PathSampler(const Scene& scene, const PathSamplerSettings& settings)
     : scene_(scene),
       settings_(settings),
-      camera_walk_{TransportMode::Radiance, Stream::Camera, settings.heuristic,
-                   settings.roulette_start, settings.techniques.needs_light_subpath(),
+      camera_walk_{TransportMode::Radiance,
+                   Stream::Camera,
+                   settings.heuristic,
+                   settings.roulette_start,
+                   settings.techniques.needs_light_subpath(),
                    settings.camera_rest > 0.F},
       light_walk_{TransportMode::Importance, Stream::Light, settings.heuristic,
                   settings.roulette_start, true},
