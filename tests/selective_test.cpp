@@ -332,6 +332,24 @@ int rounds_of(const std::string& scene_name) {
   }
 }
 
+TEST(Selective, KnowsThePriceOfRaysUnlessRouletteIsUsual) {
+  const Scene scene = test::builtin_scene("cornell");
+  using Settings = std::map<std::string, std::string>;
+  for (const Settings& settings : {Settings{}, Settings{{"choice", "exclusive"}},
+                                   Settings{{"omc", "ibpt"}, {"techniques", "bdpt"}},
+                                   Settings{{"chain", "pssmlt"}}, Settings{{"map", "binary"}}}) {
+    const SelectiveReport report = report_of(scene, 1, settings);
+    EXPECT_GT(report.ray_price, 0.01);
+    EXPECT_LT(report.ray_price, 1.0);
+    EXPECT_GT(report.path_rest, 0.1);
+    EXPECT_LT(report.path_rest, 10.0);
+  }
+  for (const Settings& settings :
+       {Settings{{"roulette", "usual"}}, Settings{{"preset", "published"}}}) {
+    EXPECT_EQ(report_of(scene, 1, settings).ray_price, 0.0);
+  }
+}
+
 TEST(Selective, PreparesOnlyForWhatMayPay) {
   // Brightness, ibpt, bdpt, roulette, and what is to be divided.
   EXPECT_EQ(rounds_of("cornell"), 5);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <tuple>
 
 #include "core/random.h"
 #include "integrator/path_family.h"
@@ -106,7 +105,8 @@ double RoulettePilot::effort() const {
 std::uint64_t RoulettePilot::begin() {
   if (!(plan_.brightness > 0.0)) return 0;
   RenderSettings settings = plan_.settings;
-  std::tie(settings.min_depth, settings.max_depth) = plan_.omc_depths();
+  // To the longest, though it may yet be open how their light is to be divided.
+  settings.min_depth = plan_.omc_depths().first;
   if (settings.min_depth > settings.max_depth) return 0;
   sampler_ = sampler_settings(settings, plan_.omc_parameters());
   sampler_.camera_rest = static_cast<float>(plan_.brightness);
