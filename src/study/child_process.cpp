@@ -26,6 +26,8 @@ constexpr int kNotStarted = 127;
   // Killed and not asked: it must not write files that a later run of the same name has written.
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent) _exit(kNotStarted);
+  // A script's background jobs ignore it, and so would their children.
+  signal(SIGINT, SIG_DFL);
   const int log = open(command.log.c_str(), O_CREAT | O_TRUNC | O_WRONLY, 0666);
   if (log < 0 || chdir(command.folder.c_str()) != 0) _exit(kNotStarted);
   dup2(log, STDOUT_FILENO);

@@ -33,6 +33,22 @@ class Child : public testing::Test {
     std::getline(file, text, '\0');
     return text;
   }
+  void expect_told_of_a_signal() {
+    std::thread user([&] {
+      for (int i = 0; i < 500 && log().empty(); ++i) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+      }
+      interrupts_ = 1;
+    });
+    const ChildResult result = run_child(
+        shell(
+            "trap 'echo told; exit 130' INT; echo ready; for i in $(seq 400); do sleep 0.05; done"),
+        interrupts_);
+    user.join();
+    EXPECT_EQ(result.exit_code, 130);
+    EXPECT_TRUE(result.interrupted);
+    EXPECT_EQ(log(), "ready\ntold\n");
+  }
   fs::path folder_;
   InterruptCount interrupts_{0};
 };
@@ -48,20 +64,12 @@ TEST_F(Child, TellsOfACrash) {
   EXPECT_EQ(run_child(shell("kill -SEGV $$"), interrupts_).exit_code, -SIGSEGV);
 }
 
-TEST_F(Child, IsToldOfASignal) {
-  std::thread user([&] {
-    for (int i = 0; i < 500 && log().empty(); ++i) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(20));
-    }
-    interrupts_ = 1;
-  });
-  const ChildResult result =
-      run_child(shell("trap 'echo told; exit 130' INT; echo ready; while :; do sleep 0.05; done"),
-                interrupts_);
-  user.join();
-  EXPECT_EQ(result.exit_code, 130);
-  EXPECT_TRUE(result.interrupted);
-  EXPECT_EQ(log(), "ready\ntold\n");
+TEST_F(Child, IsToldOfASignal) { expect_told_of_a_signal(); }
+
+TEST_F(Child, IsToldOfASignalThatTheParentIgnores) {
+  const auto before = std::signal(SIGINT, SIG_IGN);
+  expect_told_of_a_signal();
+  std::signal(SIGINT, before);
 }
 
 TEST_F(Child, ThatCannotBeStartedIsAnError) {
