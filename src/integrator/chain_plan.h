@@ -62,6 +62,9 @@ struct ChainPlan {
   /// So many mutations per pixel and camera sample that neither half is forgotten.
   static constexpr double kFewestMutations = 1.0 / 128;
   static constexpr double kMostMutations = 16.0;
+  /// For how much a path counts at most when a pilot measures errors, relative to the brightness of
+  /// the picture: what is brighter is rare, and for chains to deal with.
+  static constexpr double kMostOfError = 3.0;
   static double clamp_mutations(double mutations) {
     return std::clamp(mutations, kFewestMutations, kMostMutations);
   }

@@ -15,9 +15,6 @@ namespace {
 constexpr std::uint64_t kItems = 16;
 /// Places on the film in each, with two camera samples.
 constexpr std::uint64_t kPairs = 128;
-/// As much of a contribution counts, relative to the brightness of the picture: brighter ones are
-/// rare, and for chains to deal with.
-constexpr double kMost = 3.0;
 /// The price that the pilot itself has, relative to the brightness, which is its Λ: what it is
 /// about in most scenes, so that roulette is much as it will be.
 constexpr double kUsualPrice = 0.3;
@@ -48,7 +45,7 @@ class RoulettePilot::Sink final : public PathSink {
     const bool from_light = contribution.technique.t == 1;
     const float importance = view_.importance(from_light ? contribution.raster : raster_);
     const double light = std::min(static_cast<double>(luminance(contribution.value) * importance),
-                                  kMost * brightness_);
+                                  ChainPlan::kMostOfError * brightness_);
     if (!(light > 0.0)) return;
     if (from_light) {
       sums_.variance += light_subpaths_ * light * light;

@@ -24,10 +24,7 @@ constexpr std::size_t kUsual = 1;
 constexpr int kReplicates = 4;
 /// Paths that bring more, relative to the brightness of the picture, are looked at one by one.
 constexpr double kThreshold = 1.0;
-/// For how much a path counts at most in the error of a picture: what is brighter is rare, and for
-/// chains to deal with.
-constexpr double kMostOfError = 3.0;
-/// And where it is asked what light subpaths find.
+/// For how much a path counts at most where it is asked what light subpaths find.
 constexpr double kMostOfFinds = 30.0;
 
 /// Of the picture that is rendered with each offer: enough to tell errors that differ by a tenth.
@@ -80,7 +77,7 @@ class TechniquePilot::Candidate final : public StrongPathSinks {
     explicit Sink(const Candidate& candidate) : candidate_(candidate) {}
     bool spread(SampleSource& /*numbers*/, StrongPath& path) override {
       const double light = std::abs(path.energy) / candidate_.plan_.brightness;
-      candidate_.strong_ += square(std::min(light, kMostOfError));
+      candidate_.strong_ += square(std::min(light, ChainPlan::kMostOfError));
       if (path.technique.s >= 2) candidate_.from_light_ += square(std::min(light, kMostOfFinds));
       return true;
     }
