@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -11,7 +12,6 @@
 #include "integrator/weighted_errors.h"
 #include "support/render.h"
 #include "support/same_picture.h"
-#include "support/small_scenes.h"
 
 /// Roulette that saves rays where they bring little: no expectation changes, and it pays.
 namespace ajar {
@@ -32,42 +32,36 @@ ImportanceMap random_importance(const Box2i& crop) {
   return {crop, weights};
 }
 
+/// The price goes up and down as the samples grow.
+test::Render render_at_price(const Scene& scene, const test::RenderOptions& options,
+                             const std::string& techniques, const ImportanceMap& importance,
+                             double height, double rest) {
+  RayPrice price(importance, height, rest);
+  return test::render_with(
+      make_path_integrator(scene, test::settings_of(scene, options),
+                           Parameters(path_family_parameters(path_family_defaults(techniques)), {}),
+                           {.price = &price}),
+      scene, options, [&](const Film& /*film*/, std::uint64_t samples) {
+        const double change = samples % 3 == 0 ? 0.3 : 2.0;
+        price.adjust(std::vector<double>{std::pow(change * height, 2.0)}, 1.0);
+      });
+}
+
 TEST(RayPrice, OfAnyHeightChangesNoExpectation) {
   for (const char* name : {"Room", "GlassAndMetal", "CroppedMitchell"}) {
-    const test::SmallScene small = test::small_scene(name);
-    const auto scene = test::scene_from(small.text);
-    test::RenderOptions options;
-    options.replicates = 16;
-    options.max_depth = 6;
-    options.samples = 512;
-    options.crop = small.crop;
-    options.integrator = "bdpt";
-    const test::Render truth = test::render(*scene, options);
-    options.seed = 2;
+    const auto [scene, options, truth] = test::known_picture(name);
     const ImportanceMap importance = random_importance(truth.film->crop());
     const double brightness = truth.mean();
-    std::uint64_t most_rays = 0;
-    for (const double height : {0.01, 0.5}) {
-      for (const char* techniques : {"pt", "ibpt", "bdpt"}) {
-        RayPrice price(importance, height * brightness, brightness);
-        const test::Render render = test::render_with(
-            make_path_integrator(
-                *scene, test::settings_of(*scene, options),
-                Parameters(path_family_parameters(path_family_defaults(techniques)), {}),
-                {.price = &price}),
-            *scene, options, [&](const Film& /*film*/, std::uint64_t samples) {
-              // Up and down, by the samples that are there.
-              const double change = samples % 3 == 0 ? 0.3 : 2.0;
-              price.adjust(std::vector<double>{std::pow(change * height * brightness, 2.0)}, 1.0);
-            });
+    for (const char* techniques : {"pt", "ibpt", "bdpt"}) {
+      std::map<double, std::uint64_t> rays;
+      for (const double height : {0.01, 0.5}) {
+        const test::Render render = render_at_price(*scene, options, techniques, importance,
+                                                    height * brightness, brightness);
         expect_same(replicates_of(render), replicates_of(truth), *render.film, 0.15,
                     std::string(name) + ", " + techniques + ", " + std::to_string(height));
-        if (std::string(techniques) != "bdpt") continue;
-        if (most_rays > 0) {
-          EXPECT_LT(render.counters.rays, most_rays * 9 / 10) << name << ": nothing was saved";
-        }
-        most_rays = render.counters.rays;
+        rays[height] = render.counters.rays;
       }
+      EXPECT_LT(rays[0.5], rays[0.01] * 9 / 10) << name << ", " << techniques << ": nothing saved";
     }
   }
 }

@@ -12,7 +12,6 @@
 #include "integrator/weighted_errors.h"
 #include "support/render.h"
 #include "support/same_picture.h"
-#include "support/small_scenes.h"
 
 /// Where ordinary Monte Carlo has how many camera samples changes no expectation.
 namespace ajar {
@@ -72,16 +71,7 @@ test::Render render_with_random_rates(const Scene& scene, const test::RenderOpti
 
 TEST(SampleRates, ChangeNoExpectation) {
   for (const char* name : {"Room", "GlassAndMetal", "CroppedMitchell"}) {
-    const test::SmallScene small = test::small_scene(name);
-    const auto scene = test::scene_from(small.text);
-    test::RenderOptions options;
-    options.replicates = 16;
-    options.max_depth = 6;
-    options.samples = 512;
-    options.crop = small.crop;
-    options.integrator = "bdpt";
-    const test::Render truth = test::render(*scene, options);
-    options.seed = 2;
+    const auto [scene, options, truth] = test::known_picture(name);
     const ImportanceMap even;
     const LightSplits splits(LightSplit(0.003, even));
     const HandedBack strong;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "image/compare_blocks.h"
+#include "support/small_scenes.h"
 
 namespace ajar::test {
 
@@ -14,6 +15,20 @@ Replicates replicates_of(const Render& render, const std::string& layer) {
     replicates.push_back(layer.empty() ? render.replicate(r) : render.layer(layer, r));
   }
   return replicates;
+}
+
+KnownPicture known_picture(const std::string& name) {
+  const SmallScene small = small_scene(name);
+  KnownPicture known;
+  known.scene = scene_from(small.text);
+  known.options.integrator = "bdpt";
+  known.options.replicates = 16;
+  known.options.max_depth = 6;
+  known.options.samples = 512;
+  known.options.crop = small.crop;
+  known.truth = render(*known.scene, known.options);
+  known.options.seed = 2;
+  return known;
 }
 
 void expect_same(const Replicates& a, const Replicates& b, const Film& film, double power,

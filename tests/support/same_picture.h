@@ -1,4 +1,5 @@
 #pragma once
+#include <memory>
 #include <string>
 
 #include "image/statistics.h"
@@ -8,6 +9,14 @@ namespace ajar::test {
 
 /// The replicates of a layer, or of the whole picture ("").
 Replicates replicates_of(const Render& render, const std::string& layer = "");
+
+/// A small scene and what it looks like, by `bdpt`.
+struct KnownPicture {
+  std::unique_ptr<Scene> scene;
+  RenderOptions options;  ///< of renders to compare with it: another seed
+  Render truth;
+};
+KnownPicture known_picture(const std::string& small_scene);
 
 /// Claims that replicates of two pictures of a film's size have the same expectation: each block of
 /// 8×8 pixels and the mean, within 5 standard errors (a right program fails with a chance of 2e-6);
