@@ -15,11 +15,10 @@
 #include "integrator/chain_recruits.h"
 #include "integrator/chain_report.h"
 #include "integrator/chain_trial.h"
-#include "integrator/g_buffer.h"
+#include "integrator/omc_adaptation.h"
 #include "integrator/path_family.h"
 #include "integrator/plane_maps.h"
 #include "integrator/roulette_pilot.h"
-#include "integrator/sample_rates.h"
 #include "integrator/split_pilot.h"
 #include "integrator/technique_pilot.h"
 #include "integrator/weighted_errors.h"
@@ -55,7 +54,7 @@ class ChainIntegrator final : public Integrator {
   std::optional<ChainReport> chain_report() const override;
   std::optional<SelectiveReport> selective_report() const override;
 
-  bool keeps_state() const override { return !populations_.empty() || rates_ || ray_price_; }
+  bool keeps_state() const override { return !populations_.empty() || learns(); }
   void save_state(OutputArchive& archive) const override;
   void load_state(InputArchive& archive) override;
   void give_news(OutputArchive& archive, const WorkShare& share) override;
@@ -81,6 +80,8 @@ class ChainIntegrator final : public Integrator {
   template <Archive A>
   void serialize_items(A& archive, const WorkShare& share);
   void make_omc();
+  /// Whether ordinary Monte Carlo does, as the render goes on.
+  bool learns() const { return adaptation_ && adaptation_->learns(); }
   /// By the errors that replicates show after `samples` samples: how much effort which half
   /// deserves, and where.
   void share_effort(std::uint64_t samples, const Film& film);
@@ -119,9 +120,8 @@ class ChainIntegrator final : public Integrator {
   std::vector<ChainPopulation> populations_;
   std::vector<std::size_t> chain_counts_;  ///< per replicate
   std::vector<ChainItem> chain_items_;
-  std::unique_ptr<SampleRates> rates_;  ///< null if all pixels have as many camera samples
-  std::optional<RayPrice> ray_price_;   ///< as of now
-  std::unique_ptr<Integrator> omc_;     ///< null if it has nothing to render
+  std::unique_ptr<OmcAdaptation> adaptation_;  ///< null if the next is
+  std::unique_ptr<Integrator> omc_;            ///< null if it has nothing to render
   std::vector<std::string> concerns_;
   std::unique_ptr<PlaneMaps> maps_;  ///< null if steps do not follow the image plane
   std::vector<double> b_;            ///< of each population
@@ -219,19 +219,11 @@ void ChainIntegrator::make_omc() {
   const std::pair<int, int> depths = plan_.omc_depths();
   if (depths.first > depths.second) return;
   const RenderSettings settings = plan_.omc_settings();
-  // Layers of the G-buffer are means over camera samples, and have as many everywhere.
-  const bool adapts = plan_.selective && plan_.selective->adaptive && !plan_.unprepared &&
-                      settings.replicates > 1 && GBuffer::layers(settings.aovs, 1.F).empty();
-  if (adapts) {
-    rates_ = std::make_unique<SampleRates>(settings.crop, settings.replicates,
-                                           hash_numbers(settings.seed, 0x4a7e5ULL));
-  }
-  ray_price_ = plan_.ray_price;
-  omc_ = plan_.make_omc(settings, depths,
-                        {.splits = plan_.splits ? &*plan_.splits : nullptr,
-                         .strong = recruits_.get(),
-                         .rates = rates_.get(),
-                         .price = ray_price_ ? &*ray_price_ : nullptr});
+  adaptation_ = std::make_unique<OmcAdaptation>(plan_, settings);
+  PathIntegratorContext context{.splits = plan_.splits ? &*plan_.splits : nullptr,
+                                .strong = recruits_.get()};
+  adaptation_->tell(context);
+  omc_ = plan_.make_omc(settings, depths, context);
 }
 
 std::optional<ChainReport> ChainIntegrator::chain_report() const {
@@ -247,9 +239,9 @@ std::optional<SelectiveReport> ChainIntegrator::selective_report() const {
   report.pilot_stays = plan_.pilot_kept > 0;
   report.techniques = plan_.omc.techniques;
   report.light_paths_per_sample = std::stod(plan_.omc.light_paths_per_pixel);
-  if (ray_price_) {
-    report.ray_price = ray_price_->price() / plan_.brightness;
-    report.path_rest = ray_price_->rest() / plan_.brightness;
+  if (adaptation_ && adaptation_->price()) {
+    report.ray_price = adaptation_->price()->price() / plan_.brightness;
+    report.path_rest = adaptation_->price()->rest() / plan_.brightness;
   }
   report.regions = pilot_->report();
   effort_.fill(report);
@@ -320,7 +312,7 @@ void ChainIntegrator::join_recruits(const Film& film) {
 
 void ChainIntegrator::share_effort(std::uint64_t samples, const Film& film) {
   const bool shares = effort_.can_adjust();
-  if (film.replicates() < 2 || !(shares || rates_ || ray_price_)) return;
+  if (film.replicates() < 2 || !(shares || learns())) return;
   const auto pictures = [&](std::initializer_list<std::string> names) {
     return develop_layers(film, *this, samples, names);
   };
@@ -331,14 +323,11 @@ void ChainIntegrator::share_effort(std::uint64_t samples, const Film& film) {
     return film.layer(name) < 0 ? std::vector<float>() : replicate_median(pictures({name}));
   };
   WeightedErrors of_omc = errors({"direct", kWeakLayer});
-  const std::uint64_t omc_samples = effort_.omc_samples(samples);
-  if (ray_price_) {
-    std::vector<double> of_one_sample = of_omc.variance;
-    for (double& variance : of_one_sample) variance *= static_cast<double>(omc_samples);
-    ray_price_->adjust(of_one_sample, effort_.rays_per_camera_sample());
-  }
-  if (rates_) {
-    rates_->adjust(of_omc.variance, {guesses("direct"), guesses(kWeakLayer)}, omc_samples);
+  if (learns()) {
+    SampleRates::Guesses needed;
+    if (adaptation_->needs_guesses()) needed = {guesses("direct"), guesses(kWeakLayer)};
+    adaptation_->adjust(of_omc.variance, std::move(needed), effort_.omc_samples(samples),
+                        effort_.rays_per_camera_sample());
   }
   if (shares) effort_.adjust(samples, std::move(of_omc), errors({"indirect"}));
 }
@@ -501,8 +490,7 @@ void ChainIntegrator::save_state(OutputArchive& archive) const {
     serialize_population(archive, population, plan_.groups[population.group].shape);
   }
   effort_.save_state(archive);
-  if (rates_) rates_->save_state(archive);
-  if (ray_price_) ray_price_->save_state(archive);
+  if (adaptation_) adaptation_->save_state(archive);
   if (recruits_) recruits_->save_state(archive);
   if (maps_) maps_->save_state(archive);
 }
@@ -525,8 +513,7 @@ void ChainIntegrator::load_state(InputArchive& archive) {
     }
   }
   effort_.load_state(archive);
-  if (rates_) rates_->load_state(archive);
-  if (ray_price_) ray_price_->load_state(archive);
+  if (adaptation_) adaptation_->load_state(archive);
   if (recruits_) recruits_->load_state(archive);
   if (maps_) maps_->load_state(archive);
   list_chains();
@@ -562,7 +549,7 @@ void ChainIntegrator::take_news(InputArchive& archive, const WorkShare& share) {
 
 std::uint64_t ChainIntegrator::memory_bytes() const {
   std::uint64_t bytes = maps_ ? maps_->memory_bytes() : 0;
-  if (rates_) bytes += rates_->memory_bytes();
+  if (adaptation_) bytes += adaptation_->memory_bytes();
   for (const ChainPopulation& population : populations_) {
     for (const MemberChain& member : population.chains) {
       // Of recruits there are a few per chain, which are as large.

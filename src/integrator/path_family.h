@@ -37,16 +37,16 @@ PathSamplerSettings sampler_settings(const RenderSettings& settings, const Param
 /// Whether light subpaths are connected to the lens only, and so belong to no camera sample.
 bool light_alone(const TechniqueSet& techniques);
 
-/// What ordinary Monte Carlo may be told by others that render the same picture; all of it must
-/// outlive it.
+/// What ordinary Monte Carlo may be told by others that render the same picture; what is pointed to
+/// must outlive it.
 struct PathIntegratorContext {
-  /// It leaves Markov chains their share of long paths and puts its own into the layer
-  /// `kWeakLayer`;
+  /// With these, it leaves Markov chains their share of long paths and puts its own into the layer
+  /// `kWeakLayer`.
   const LightSplits* splits = nullptr;
-  const StrongPathSinks* strong = nullptr;  ///< sinks of these see what is left.
-  const SampleRates* rates = nullptr;       ///< Camera samples of pixels; one each without.
-  std::optional<PictureScale> scale{};      ///< Unless it is known, it is measured.
-  const RayPrice* price = nullptr;          ///< By this, Russian roulette saves rays.
+  const StrongPathSinks* strong = nullptr;  ///< see what it leaves to chains
+  const SampleRates* rates = nullptr;       ///< of camera samples; one per pixel without
+  const RayPrice* price = nullptr;          ///< saves rays by Russian roulette
+  std::optional<PictureScale> scale{};      ///< measured unless it is known
 };
 
 /// Ordinary Monte Carlo with one set of techniques (METHODS, section 2): `pt`, `lt`, `ibpt`, `bdpt`
