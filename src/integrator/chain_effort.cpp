@@ -57,7 +57,7 @@ void ChainEffort::adjust(std::uint64_t samples, WeightedErrors of_omc, WeightedE
     const auto done = static_cast<double>(omc_samples(samples));
     for (double& variance : of_omc.variance) variance *= done;
     for (double& variance : of_chains.variance) variance *= done;
-    best = mutations_of_least_visible_error(of_omc.variance, of_chains.variance,
+    best = mutations_of_least_visible_error(of_omc.variance, of_chains.variance, lasting_.share(),
                                             mutations(samples) / done * pixels, costs.omc_sample,
                                             costs.mutation, lowest * pixels, highest * pixels) /
            pixels;
@@ -74,6 +74,7 @@ void ChainEffort::fill(SelectiveReport& report) const {
   const double all = static_cast<double>(omc_rays_ + chain_rays_);
   report.mutations_per_sample = rate();
   report.correlation = correlation_;
+  report.lasting_error = lasting_.share();
   report.chain_rays = all > 0.0 ? static_cast<double>(chain_rays_) / all : 0.0;
   report.chain_error = chain_error_;
 }
@@ -87,11 +88,13 @@ void ChainEffort::set_counts(const std::array<std::uint64_t, 4>& counts) {
 
 void ChainEffort::save_state(OutputArchive& archive) const {
   archive(adjusted_, since_, before_, correlation_, chain_error_, counts());
+  lasting_.save_state(archive);
 }
 
 void ChainEffort::load_state(InputArchive& archive) {
   archive(adjusted_, since_, before_, correlation_, chain_error_, known_);
   set_counts(known_);
+  lasting_.load_state(archive);
 }
 
 void ChainEffort::give_news(OutputArchive& archive) {

@@ -5,6 +5,7 @@
 
 #include "core/archive_forward.h"
 #include "integrator/chain_plan.h"
+#include "integrator/lasting_error.h"
 #include "integrator/weighted_errors.h"
 
 namespace ajar {
@@ -39,7 +40,10 @@ class ChainEffort {
   /// samples of what either half makes. What is on the film stays as it is: each sample stands for
   /// the whole picture, however many mutations it has, so nothing is biased. Only if `can_adjust`.
   void adjust(std::uint64_t samples, WeightedErrors of_omc, WeightedErrors of_chains);
+  /// Before that, where the error is to be shared as it is seen.
+  LastingError& lasting() { return lasting_; }
   void fill(SelectiveReport& report) const;
+  std::uint64_t memory_bytes() const { return lasting_.memory_bytes(); }
 
   /// Between passes.
   void save_state(OutputArchive& archive) const;
@@ -66,6 +70,7 @@ class ChainEffort {
   std::atomic<std::uint64_t> chain_rays_{0};
   std::atomic<std::uint64_t> mutations_{0};
   std::array<std::uint64_t, 4> known_{};  ///< of these four, what all processes have
+  LastingError lasting_;
   double correlation_ = 0.0;
   double chain_error_ = 0.0;  ///< share of the squared error
 };

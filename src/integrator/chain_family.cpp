@@ -329,7 +329,14 @@ void ChainIntegrator::share_effort(std::uint64_t samples, const Film& film) {
     adaptation_->adjust(of_omc.variance, std::move(needed), effort_.omc_samples(samples),
                         effort_.rays_per_camera_sample());
   }
-  if (shares) effort_.adjust(samples, std::move(of_omc), errors({"indirect"}));
+  if (!shares) return;
+  const Replicates of_chains = pictures({"indirect"});
+  if (plan_.selective) {
+    effort_.lasting().see(weighted_light(of_chains, plan_.settings.crop, plan_.view.importance),
+                          weight_until(samples), stretch_weight_);
+  }
+  effort_.adjust(samples, std::move(of_omc),
+                 weighted_errors(of_chains, plan_.settings.crop, plan_.view.importance));
 }
 
 /// Between joins, b and the seeds are as good as the samples behind them, whatever the chains do
@@ -548,7 +555,7 @@ void ChainIntegrator::take_news(InputArchive& archive, const WorkShare& share) {
 }
 
 std::uint64_t ChainIntegrator::memory_bytes() const {
-  std::uint64_t bytes = maps_ ? maps_->memory_bytes() : 0;
+  std::uint64_t bytes = effort_.memory_bytes() + (maps_ ? maps_->memory_bytes() : 0);
   if (adaptation_) bytes += adaptation_->memory_bytes();
   for (const ChainPopulation& population : populations_) {
     for (const MemberChain& member : population.chains) {

@@ -87,7 +87,9 @@ struct SelectiveReport {
   double ray_price = 0.0;
   double path_rest = 0.0;             ///< Λ, likewise
   double mutations_per_sample = 0.0;  ///< 0: no chains
-  double correlation = 0.0;     ///< variance of chains over that of as many independent samples
+  double correlation = 0.0;  ///< variance of chains over that of as many independent samples
+  /// Share of the chains' error, as it is seen, that mutations do not make smaller.
+  double lasting_error = 0.0;
   double chain_rays = 0.0;      ///< share of the rays
   double chain_error = 0.0;     ///< share of the squared error, luminance · importance
   std::vector<Region> regions;  ///< the largest first

@@ -116,11 +116,14 @@ std::vector<std::unique_ptr<TechniquePilot>> TechniquePilot::make_all(ChainPlan&
 bool TechniquePilot::is_for_chains(const std::vector<Errors>& found) {
   constexpr double kMuch = 0.3;
   constexpr double kNoRarer = 0.8;
-  constexpr double kAny = 0.02;
   const Errors& few = found.front();
   const Errors& usual = found[kUsual];
-  return usual.strong > kMuch * usual.weak && usual.strong > kNoRarer * few.strong &&
-         usual.from_light > kAny * usual.weak;
+  return usual.strong > kMuch * usual.weak && usual.strong > kNoRarer * few.strong;
+}
+
+bool TechniquePilot::light_finds(const std::vector<Errors>& found, double share) {
+  return std::any_of(found.begin() + kUsual, found.end(),
+                     [&](const Errors& of) { return of.from_light > share * of.weak; });
 }
 
 double TechniquePilot::effort() const {
@@ -168,19 +171,19 @@ void TechniquePilot::choose() const {
   // Tiles without light tell nothing.
   if (found.size() <= kUsual || !(found[kUsual].after_equal_time() > 0.0)) return;
   // What light subpaths alone find, fewer of them would seldom find: neither a pilot nor chains
-  // would know of it.
-  constexpr double kLittle = 0.2;
-  const bool may_have_fewer =
-      std::all_of(found.begin() + kUsual, found.end(),
-                  [](const Errors& of) { return of.from_light <= kLittle * of.weak; }) &&
-      !is_for_chains(found);
+  // would know of it. Chains that start from it need such techniques, however little it is.
+  constexpr double kMuch = 0.2;
+  constexpr double kAny = 0.005;
+  const bool for_chains = is_for_chains(found);
+  const bool may_have_fewer = !light_finds(found, for_chains ? kAny : kMuch);
   // A little is the luck of a pilot: what has less to do is taken then.
   constexpr double kClearly = 0.95;
   std::size_t best = may_have_fewer ? 0 : kUsual;
   for (std::size_t i = best + 1; i < found.size(); ++i) {
     if (found[i].after_equal_time() < kClearly * found[best].after_equal_time()) best = i;
   }
-  findings_->decided = best < kUsual || found.size() == offers().size();
+  // One light subpath per sample may have found nothing by chance.
+  findings_->decided = found.size() == offers().size() || (best < kUsual && !for_chains);
   if (findings_->decided) plan_.set_omc(offers()[best]);
 }
 

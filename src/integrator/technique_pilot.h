@@ -13,7 +13,8 @@ namespace ajar {
 /// light subpaths are worth their rays.
 ///
 /// Each of a few offers has a stage of its own, which renders some tiles of the picture; so there
-/// is but one film at a time. More light subpaths are tried only where one is better than few.
+/// is but one film at a time. More light subpaths are tried only where one is better than few, or
+/// chains may need what they find.
 /// Nothing that was rendered stays.
 class TechniquePilot final : public PreparationStage {
  public:
@@ -43,9 +44,12 @@ class TechniquePilot final : public PreparationStage {
   };
 
   TechniquePilot(ChainPlan& plan, PathFamilyDefaults offer, std::shared_ptr<Findings> findings);
-  /// Whether there are strong paths that inner connections do not make any rarer, and light
-  /// subpaths find some of them: chains that start from these will need such techniques.
+  /// Whether there are strong paths that inner connections do not make any rarer: they are for
+  /// chains.
   static bool is_for_chains(const std::vector<Errors>& found);
+  /// Whether light subpaths find more than a share of what is weak, with any offer that has enough
+  /// of them.
+  static bool light_finds(const std::vector<Errors>& found, double share);
   /// Chooses, once enough is known for it.
   void choose() const;
 

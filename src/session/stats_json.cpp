@@ -122,21 +122,23 @@ Json selective_json(const SelectiveReport& report) {
                        {"noise", region.noise},
                        {"importance", region.importance}});
   }
-  return {
-      {"pilot_samples_per_pixel", report.pilot_samples},
-      {"pilot_stays", report.pilot_stays},
-      {"mutations_per_sample", report.mutations_per_sample},
-      {"correlation", report.correlation},
-      {"chains", {{"ray_share", report.chain_rays}, {"squared_error_share", report.chain_error}}},
-      {"omc",
-       {{"techniques", report.techniques},
-        {"light_paths_per_sample", report.light_paths_per_sample},
-        {"ray_price", report.ray_price},
-        {"path_rest", report.path_rest},
-        {"ray_share", 1.0 - report.chain_rays},
-        {"squared_error_share", 1.0 - report.chain_error}}},
-      {"region_count", report.regions.size()},
-      {"regions", regions}};
+  return {{"pilot_samples_per_pixel", report.pilot_samples},
+          {"pilot_stays", report.pilot_stays},
+          {"mutations_per_sample", report.mutations_per_sample},
+          {"correlation", report.correlation},
+          {"chains",
+           {{"lasting_error", report.lasting_error},
+            {"ray_share", report.chain_rays},
+            {"squared_error_share", report.chain_error}}},
+          {"omc",
+           {{"techniques", report.techniques},
+            {"light_paths_per_sample", report.light_paths_per_sample},
+            {"ray_price", report.ray_price},
+            {"path_rest", report.path_rest},
+            {"ray_share", 1.0 - report.chain_rays},
+            {"squared_error_share", 1.0 - report.chain_error}}},
+          {"region_count", report.regions.size()},
+          {"regions", regions}};
 }
 
 }  // namespace
