@@ -286,8 +286,10 @@ TEST(Selective, MostlyChoosesTechniquesThatSuitTheScene) {
   EXPECT_GE(times_chosen("cornell", "ibpt", 0.33), 2);
   EXPECT_EQ(times_chosen("floor-lamps", "ibpt", 0.33), 0) << "lamps in shades";
   EXPECT_GE(times_chosen("floor-lamps", "bdpt", 4.0), 1);
-  EXPECT_GE(times_chosen("pool", "bdpt", 1.0, 8), 7)
-      << "light subpaths find what chains are to start from, and what is strong stays so";
+  EXPECT_EQ(times_chosen("pool", "bdpt", 1.0, 8), 8)
+      << "inner connections find what chains are to start from, and what is strong stays so";
+  EXPECT_GE(times_chosen("torus-in-glass", "ibpt", 0.33, 8), 6)
+      << "strong paths are for chains here, too, but inner connections find none of them";
 }
 
 TEST(Selective, HasTheTechniquesThatTheUserWants) {
@@ -353,8 +355,8 @@ TEST(Selective, KnowsThePriceOfRaysUnlessRouletteIsUsual) {
 TEST(Selective, PreparesOnlyForWhatMayPay) {
   // Brightness, ibpt, bdpt, roulette, and what is to be divided.
   EXPECT_EQ(rounds_of("cornell"), 5);
-  // Chains on trial, too.
-  EXPECT_EQ(rounds_of("torus-in-glass"), 6);
+  // Chains on trial, too, and more light subpaths for what they could start from.
+  EXPECT_EQ(rounds_of("torus-in-glass"), 7);
 }
 
 /// Nothing is divided, and the film has no layer for it.

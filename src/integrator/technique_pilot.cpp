@@ -65,7 +65,8 @@ class TechniquePilot::Candidate final : public StrongPathSinks {
     const double unit = plan_.brightness * plan_.brightness / kUnit / kReplicates;
     return {sum_of(trimmed(of_pixels.variance)) * kReplicates,
             static_cast<double>(strong_.load()) * unit,
-            static_cast<double>(from_light_.load()) * unit, static_cast<double>(rays_.load())};
+            static_cast<double>(from_light_.load()) * unit,
+            static_cast<double>(inner_.load()) * unit, static_cast<double>(rays_.load())};
   }
 
  private:
@@ -78,7 +79,10 @@ class TechniquePilot::Candidate final : public StrongPathSinks {
     bool spread(SampleSource& /*numbers*/, StrongPath& path) override {
       const double light = std::abs(path.energy) / candidate_.plan_.brightness;
       candidate_.strong_ += square(std::min(light, ChainPlan::kMostOfError));
-      if (path.technique.s >= 2) candidate_.from_light_ += square(std::min(light, kMostOfFinds));
+      if (path.technique.s < 2) return true;
+      const std::uint64_t find = square(std::min(light, kMostOfFinds));
+      candidate_.from_light_ += find;
+      if (path.technique.t >= 2) candidate_.inner_ += find;
       return true;
     }
 
@@ -96,6 +100,7 @@ class TechniquePilot::Candidate final : public StrongPathSinks {
   std::atomic<std::uint64_t> rays_{0};
   mutable std::atomic<std::uint64_t> strong_{0};
   mutable std::atomic<std::uint64_t> from_light_{0};
+  mutable std::atomic<std::uint64_t> inner_{0};
 };
 
 TechniquePilot::TechniquePilot(ChainPlan& plan, PathFamilyDefaults offer,
@@ -119,11 +124,6 @@ bool TechniquePilot::is_for_chains(const std::vector<Errors>& found) {
   const Errors& few = found.front();
   const Errors& usual = found[kUsual];
   return usual.strong > kMuch * usual.weak && usual.strong > kNoRarer * few.strong;
-}
-
-bool TechniquePilot::light_finds(const std::vector<Errors>& found, double share) {
-  return std::any_of(found.begin() + kUsual, found.end(),
-                     [&](const Errors& of) { return of.from_light > share * of.weak; });
 }
 
 double TechniquePilot::effort() const {
@@ -171,14 +171,17 @@ void TechniquePilot::choose() const {
   // Tiles without light tell nothing.
   if (found.size() <= kUsual || !(found[kUsual].after_equal_time() > 0.0)) return;
   // What light subpaths alone find, fewer of them would seldom find: neither a pilot nor chains
-  // would know of it. Chains that start from it need such techniques, however little it is.
+  // would know of it. Chains need the techniques that find what they start from, however little.
   constexpr double kMuch = 0.2;
   constexpr double kAny = 0.005;
   const bool for_chains = is_for_chains(found);
-  const bool may_have_fewer = !light_finds(found, for_chains ? kAny : kMuch);
+  const bool needs_usual =
+      found[kUsual].from_light > kMuch * found[kUsual].weak ||
+      (for_chains && std::any_of(found.begin() + kUsual, found.end(),
+                                 [](const Errors& of) { return of.inner > kAny * of.weak; }));
   // A little is the luck of a pilot: what has less to do is taken then.
   constexpr double kClearly = 0.95;
-  std::size_t best = may_have_fewer ? 0 : kUsual;
+  std::size_t best = needs_usual ? kUsual : 0;
   for (std::size_t i = best + 1; i < found.size(); ++i) {
     if (found[i].after_equal_time() < kClearly * found[best].after_equal_time()) best = i;
   }

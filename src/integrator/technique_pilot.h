@@ -35,6 +35,7 @@ class TechniquePilot final : public PreparationStage {
     double weak = 0.0;        ///< variance of what ordinary Monte Carlo keeps
     double strong = 0.0;      ///< second moment of what is beyond the threshold
     double from_light = 0.0;  ///< of what light subpaths have found there
+    double inner = 0.0;       ///< of that, by connections that are not to the lens
     double rays = 0.0;
     double after_equal_time() const { return (weak + strong) * rays; }
   };
@@ -47,9 +48,6 @@ class TechniquePilot final : public PreparationStage {
   /// Whether there are strong paths that inner connections do not make any rarer: they are for
   /// chains.
   static bool is_for_chains(const std::vector<Errors>& found);
-  /// Whether light subpaths find more than a share of what is weak, with any offer that has enough
-  /// of them.
-  static bool light_finds(const std::vector<Errors>& found, double share);
   /// Chooses, once enough is known for it.
   void choose() const;
 
