@@ -15,7 +15,8 @@ namespace ajar {
 class ChainEffort {
  public:
   /// The plan must outlive it; to be asked after the preparation.
-  explicit ChainEffort(const ChainPlan& plan) : plan_(plan) {}
+  explicit ChainEffort(const ChainPlan& plan)
+      : plan_(plan), lasting_(plan.pixels(), plan.settings.replicates) {}
 
   /// Camera samples of ordinary Monte Carlo per pixel that belong to the first `samples`; those of
   /// a pilot that stays come before.
