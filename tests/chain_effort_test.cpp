@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -18,7 +19,7 @@ namespace {
 double mutations_with_few_bad_pixels(std::optional<SelectiveSettings> selective) {
   const auto scene = test::scene_from(test::small_scene("Room").text);
   ChainPlan plan(ChainKind::OnePath, *scene,
-                 test::settings_of(*scene, {.replicates = 4, .max_depth = 6}),
+                 test::settings_of(*scene, {.replicates = 2, .max_depth = 6}),
                  Parameters(chain_parameters(ChainKind::OnePath), {}), std::move(selective));
   plan.shares_effort = true;
   plan.mutations = 1.0;
@@ -33,6 +34,16 @@ double mutations_with_few_bad_pixels(std::optional<SelectiveSettings> selective)
   WeightedErrors of_chains{std::vector<double>(pixels, 0.0), std::vector<double>(pixels, 1.0)};
   // More than are left out of sums of squares.
   for (std::size_t i = 0; i < pixels / 100; ++i) of_chains.variance[i] = 1e4;
+  // As the eye has it.
+  const auto seen = [](const WeightedErrors& errors) {
+    std::vector<std::vector<float>> pictures(2);
+    for (const double variance : errors.variance) {
+      pictures[0].push_back(static_cast<float>(std::sqrt(variance)));
+      pictures[1].push_back(-pictures[0].back());
+    }
+    return pictures;
+  };
+  effort.see(seen(of_omc), seen(of_chains), 16.0, 16.0);
   effort.adjust(16, of_omc, of_chains);
   return effort.mutations(17) - effort.mutations(16);
 }

@@ -37,7 +37,16 @@ void ChainEffort::count_chains(std::uint64_t rays, std::uint64_t mutations) {
   mutations_ += mutations;
 }
 
-void ChainEffort::adjust(std::uint64_t samples, WeightedErrors of_omc, WeightedErrors of_chains) {
+void ChainEffort::see(const std::vector<std::vector<float>>& of_omc,
+                      const std::vector<std::vector<float>>& of_chains, double weight,
+                      double samples_behind) {
+  seen_of_omc_ = variance_of_mean(of_omc);
+  seen_of_chains_ = variance_of_mean(of_chains);
+  lasting_.see(of_chains, weight, samples_behind);
+}
+
+void ChainEffort::adjust(std::uint64_t samples, const WeightedErrors& of_omc,
+                         const WeightedErrors& of_chains) {
   const double error = sum_of(trimmed(of_chains.variance));
   const double light = sum_of(of_chains.light);
   const double omc_error = sum_of(trimmed(of_omc.variance));
@@ -55,9 +64,9 @@ void ChainEffort::adjust(std::uint64_t samples, WeightedErrors of_omc, WeightedE
   double best = 0.0;
   if (plan_.selective) {
     const auto done = static_cast<double>(omc_samples(samples));
-    for (double& variance : of_omc.variance) variance *= done;
-    for (double& variance : of_chains.variance) variance *= done;
-    best = mutations_of_least_visible_error(of_omc.variance, of_chains.variance, lasting_.share(),
+    for (double& variance : seen_of_omc_) variance *= done;
+    for (double& variance : seen_of_chains_) variance *= done;
+    best = mutations_of_least_visible_error(seen_of_omc_, seen_of_chains_, lasting_.share(),
                                             mutations(samples) / done * pixels, costs.omc_sample,
                                             costs.mutation, lowest * pixels, highest * pixels) /
            pixels;

@@ -2,6 +2,7 @@
 #include <array>
 #include <atomic>
 #include <cstdint>
+#include <vector>
 
 #include "core/archive_forward.h"
 #include "integrator/chain_plan.h"
@@ -37,12 +38,15 @@ class ChainEffort {
   }
   /// Whether the plan leaves the effort open, and both halves have been at work.
   bool can_adjust() const { return plan_.shares_effort && mutations_ > 0 && omc_samples_ > 0; }
+  /// To be told before it is shared by what can be seen of errors: what either half has made until
+  /// now (`seen_light`), and the rest as `LastingError` has it.
+  void see(const std::vector<std::vector<float>>& of_omc,
+           const std::vector<std::vector<float>>& of_chains, double weight, double samples_behind);
   /// Shares the effort anew for least error, by the errors that replicates show after `samples`
-  /// samples of what either half makes. What is on the film stays as it is: each sample stands for
-  /// the whole picture, however many mutations it has, so nothing is biased. Only if `can_adjust`.
-  void adjust(std::uint64_t samples, WeightedErrors of_omc, WeightedErrors of_chains);
-  /// Before that, where the error is to be shared as it is seen.
-  LastingError& lasting() { return lasting_; }
+  /// samples of what either half makes; of `selective`, for the least that can be seen. What is on
+  /// the film stays as it is: each sample stands for the whole picture, however many mutations it
+  /// has, so nothing is biased. Only if `can_adjust`.
+  void adjust(std::uint64_t samples, const WeightedErrors& of_omc, const WeightedErrors& of_chains);
   void fill(SelectiveReport& report) const;
   std::uint64_t memory_bytes() const { return lasting_.memory_bytes(); }
 
@@ -72,6 +76,8 @@ class ChainEffort {
   std::atomic<std::uint64_t> mutations_{0};
   std::array<std::uint64_t, 4> known_{};  ///< of these four, what all processes have
   LastingError lasting_;
+  std::vector<double> seen_of_omc_;  ///< variance, as of now
+  std::vector<double> seen_of_chains_;
   double correlation_ = 0.0;
   double chain_error_ = 0.0;  ///< share of the squared error
 };

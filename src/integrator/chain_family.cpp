@@ -330,13 +330,14 @@ void ChainIntegrator::share_effort(std::uint64_t samples, const Film& film) {
                         effort_.rays_per_camera_sample());
   }
   if (!shares) return;
-  const Replicates of_chains = pictures({"indirect"});
   if (plan_.selective) {
-    effort_.lasting().see(weighted_light(of_chains, plan_.settings.crop, plan_.view.importance),
-                          weight_until(samples), stretch_weight_);
+    const auto seen = [&](std::initializer_list<std::string> names) {
+      return seen_light(pictures(names), plan_.settings.crop, plan_.view.importance);
+    };
+    effort_.see(seen({"direct", kWeakLayer}), seen({"indirect"}), weight_until(samples),
+                stretch_weight_);
   }
-  effort_.adjust(samples, std::move(of_omc),
-                 weighted_errors(of_chains, plan_.settings.crop, plan_.view.importance));
+  effort_.adjust(samples, of_omc, errors({"indirect"}));
 }
 
 /// Between joins, b and the seeds are as good as the samples behind them, whatever the chains do

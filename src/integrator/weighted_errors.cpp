@@ -1,8 +1,10 @@
 #include "integrator/weighted_errors.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/spectrum.h"
+#include "image/plane.h"
 
 namespace ajar {
 
@@ -51,6 +53,18 @@ std::vector<double> variance_of_mean(std::span<const std::vector<float>> picture
     variance[i] = std::max(0.0, squares - sum * sum / count) / (count * (count - 1.0));
   }
   return variance;
+}
+
+std::vector<std::vector<float>> seen_light(const Replicates& replicates, const Box2i& crop,
+                                           const ImportanceMap& importance) {
+  const std::vector<float> thirds(3, 1.F / 3.F);
+  Plane plane(crop.max - crop.min + Vec2i(1, 1));
+  std::vector<std::vector<float>> light = weighted_light(replicates, crop, importance);
+  for (std::vector<float>& picture : light) {
+    plane.values = std::move(picture);
+    picture = filter_plane(plane, {thirds, thirds}).values;
+  }
+  return light;
 }
 
 WeightedErrors weighted_errors(const Replicates& replicates, const Box2i& crop,
