@@ -49,7 +49,9 @@ std::vector<Method> methods() {
 
 std::string text_of(const Method& method) {
   std::string text = method.integrator;
-  for (const auto& [name, value] : method.parameters) text += " " + name + "=" + value;
+  for (const auto& [name, value] : method.parameters) {
+    text.append(" ").append(name).append("=").append(value);
+  }
   return text;
 }
 
@@ -188,6 +190,7 @@ TEST_P(Resume, OnSeveralRanksGivesTheSameBits) {
       ThreadRanks ranks(count);
       Sums together;
       std::vector<std::thread> threads;
+      threads.reserve(static_cast<std::size_t>(count));
       for (int rank = 0; rank < count; ++rank) {
         threads.emplace_back([&, rank] {
           const auto integrator = one.make();
