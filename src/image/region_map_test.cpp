@@ -12,6 +12,7 @@ namespace {
 /// A picture of one row, whose regions are runs of equal numbers.
 Regions row_of(const std::vector<std::uint32_t>& objects) {
   std::vector<PixelIdentity> identities;
+  identities.reserve(objects.size());
   for (const std::uint32_t object : objects) identities.push_back({object, object});
   return connected_regions(Vec2i(static_cast<int>(objects.size()), 1), identities);
 }
@@ -59,6 +60,7 @@ TEST(ThresholdMap, IsTheSameWhenThePixelsAreThresholdedFirst) {
   const Regions regions = row_of({1, 1, 1, 1, 2, 2, 3});
   const RegionMapSettings settings;
   std::vector<float> binary;
+  binary.reserve(values.size());
   for (const float x : values) binary.push_back(x < settings.threshold ? settings.epsilon : 1.F);
   const auto map = [&](const std::vector<float>& noise) {
     return threshold_map(aggregate_noise(row_plane(noise), regions, settings.threshold), settings);
@@ -69,6 +71,7 @@ TEST(ThresholdMap, IsTheSameWhenThePixelsAreThresholdedFirst) {
 TEST(RegionMap, LetsOneOutlierDecideForItsWholeObject) {
   const Vec2i size(8, 6);
   std::vector<PixelIdentity> identities;
+  identities.reserve(48);
   for (int i = 0; i < 48; ++i) identities.push_back({i % 8 < 4 ? 1U : 2U, 1U});
   const Regions regions = connected_regions(size, identities);
   std::vector<float> indirect(48 * 3, 0.5F);

@@ -311,6 +311,7 @@ std::vector<std::int64_t> render_on_ranks(int count, const RenderJobOptions& opt
   ThreadRanks ranks(count);
   std::vector<std::int64_t> sums;
   std::vector<std::thread> threads;
+  threads.reserve(static_cast<std::size_t>(count));
   for (int rank = 0; rank < count; ++rank) {
     threads.emplace_back([&, rank] {
       TestIntegrator integrator(kSize, 4);

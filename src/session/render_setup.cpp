@@ -57,7 +57,7 @@ void take_hint(const std::string& name, const std::string& value, RenderSetup& s
   const IntegratorInfo& info = *setup.integrator;
   if (!declares(info, name)) return;
   try {
-    Parameters(info.parameters, {{name, value}});
+    const Parameters refuses_nonsense(info.parameters, {{name, value}});
     setup.parameters[name] = value;
   } catch (const UsageError& error) {
     setup.notes.push_back(fmt::format("ignored what the scene asks for: {}", error.what()));

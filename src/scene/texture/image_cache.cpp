@@ -2,6 +2,8 @@
 
 #include <OpenImageIO/imageio.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
 
@@ -69,9 +71,10 @@ ImageSize image_size(const std::string& path) {
   if (spec.width <= 0 || spec.height <= 0) return {};
   ImageSize size;
   size.texels = static_cast<std::uint64_t>(spec.width) * static_cast<std::uint64_t>(spec.height);
-  const bool is_small_type = spec.format == OIIO::TypeDesc::UINT8 ||
-                             spec.format == OIIO::TypeDesc::UINT16 ||
-                             spec.format == OIIO::TypeDesc::HALF;
+  constexpr std::array<unsigned char, 3> kSmallTypes = {
+      OIIO::TypeDesc::UINT8, OIIO::TypeDesc::UINT16, OIIO::TypeDesc::HALF};
+  const bool is_small_type =
+      std::find(kSmallTypes.begin(), kSmallTypes.end(), spec.format.basetype) != kSmallTypes.end();
   const std::uint64_t channel_bytes = is_small_type ? spec.format.size() : sizeof(float);
   size.bytes = size.texels * static_cast<std::uint64_t>(kept_channels(spec)) * channel_bytes;
   return size;

@@ -97,8 +97,8 @@ TEST_F(PreviewTest, TheViewerHasEveryLayerOfThePicture) {
         for (int x = 0; x < kSize.x; ++x) {
           const bool inside = kCrop.intersects(Vec2i(x, y));
           const int at = (y - kCrop.min.y) * (kCrop.size().x + 1) + x - kCrop.min.x;
-          const float value =
-              inside ? layer.pixels[static_cast<std::size_t>(at * layer.channels + channel)] : 0.F;
+          const int index = at * layer.channels + channel;
+          const float value = inside ? layer.pixels[static_cast<std::size_t>(index)] : 0.F;
           ASSERT_EQ(pixels[shown.at(x, y)], value) << names[number] << " at " << x << ", " << y;
         }
       }
