@@ -16,11 +16,11 @@ namespace {
 
 /// Mutations per pixel and sample after 16 samples, if chains are far off in one pixel of a
 /// hundred, and all have noise of ordinary Monte Carlo.
-double mutations_with_few_bad_pixels(std::optional<SelectiveSettings> selective) {
+double mutations_with_few_bad_pixels(bool by_eye) {
   const auto scene = test::scene_from(test::small_scene("Room").text);
   ChainPlan plan(ChainKind::OnePath, *scene,
                  test::settings_of(*scene, {.replicates = 2, .max_depth = 6}),
-                 Parameters(chain_parameters(ChainKind::OnePath), {}), std::move(selective));
+                 Parameters(chain_parameters(ChainKind::OnePath), {}), {});
   plan.shares_effort = true;
   plan.mutations = 1.0;
   ChainEffort effort(plan);
@@ -43,19 +43,18 @@ double mutations_with_few_bad_pixels(std::optional<SelectiveSettings> selective)
     }
     return pictures;
   };
-  effort.see(seen(of_omc), seen(of_chains), 16.0, 16.0);
-  effort.adjust(16, of_omc, of_chains);
+  effort.adjust(16, of_omc, of_chains,
+                by_eye ? std::optional<ChainEffort::Seen>({seen(of_omc), seen(of_chains), 16, 16})
+                       : std::nullopt);
   return effort.mutations(17) - effort.mutations(16);
 }
 
-TEST(ChainEffort, OfMmltIsForTheLeastSquaredError) {
-  EXPECT_GT(mutations_with_few_bad_pixels({}), 2.0);
+TEST(ChainEffort, IsForTheLeastSquaredError) {
+  EXPECT_GT(mutations_with_few_bad_pixels(false), 2.0);
 }
 
-TEST(ChainEffort, OfSelectiveIsForWhatIsSeen) {
-  SelectiveSettings selective;
-  selective.omc = "bdpt";
-  EXPECT_LT(mutations_with_few_bad_pixels(selective), 0.5);
+TEST(ChainEffort, IsForTheLeastThatCanBeSeen) {
+  EXPECT_LT(mutations_with_few_bad_pixels(true), 0.5);
 }
 
 }  // namespace

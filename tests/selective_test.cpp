@@ -352,6 +352,24 @@ TEST(Selective, KnowsThePriceOfRaysUnlessRouletteIsUsual) {
   }
 }
 
+/// Through stretches that are some way apart, so not at once; and only of the effort that is shared
+/// by what is seen.
+TEST(Selective, FindsOutHowMuchOfTheChainsErrorLasts) {
+  const auto scene = small_scene("RoughGlass");
+  test::RenderOptions options;
+  options.integrator = "selective";
+  options.parameters = {{"split", "0.1"}, {"bootstrap", "3000"}};
+  options.replicates = 4;
+  options.max_depth = 6;
+  options.samples = 12;
+  EXPECT_FALSE(test::render(*scene, options).integrator->selective_report()->lasting_error);
+  options.samples = 32;
+  const auto lasting = test::render(*scene, options).integrator->selective_report()->lasting_error;
+  ASSERT_TRUE(lasting);
+  EXPECT_GT(*lasting, 0.0);
+  EXPECT_LT(*lasting, 0.9);
+}
+
 TEST(Selective, PreparesOnlyForWhatMayPay) {
   // Brightness, ibpt, bdpt, roulette, and what is to be divided.
   EXPECT_EQ(rounds_of("cornell"), 5);

@@ -37,16 +37,9 @@ void ChainEffort::count_chains(std::uint64_t rays, std::uint64_t mutations) {
   mutations_ += mutations;
 }
 
-void ChainEffort::see(const std::vector<std::vector<float>>& of_omc,
-                      const std::vector<std::vector<float>>& of_chains, double weight,
-                      double samples_behind) {
-  seen_of_omc_ = variance_of_mean(of_omc);
-  seen_of_chains_ = variance_of_mean(of_chains);
-  lasting_.see(of_chains, weight, samples_behind);
-}
-
 void ChainEffort::adjust(std::uint64_t samples, const WeightedErrors& of_omc,
-                         const WeightedErrors& of_chains) {
+                         const WeightedErrors& of_chains, const std::optional<Seen>& seen) {
+  if (seen) lasting_.see(seen->of_chains, seen->weight, seen->samples_behind);
   const double error = sum_of(trimmed(of_chains.variance));
   const double light = sum_of(of_chains.light);
   const double omc_error = sum_of(trimmed(of_omc.variance));
@@ -62,13 +55,19 @@ void ChainEffort::adjust(std::uint64_t samples, const WeightedErrors& of_omc,
   const double lowest = ChainPlan::clamp_mutations(rate() / kMostChange);
   const double highest = ChainPlan::clamp_mutations(rate() * kMostChange);
   double best = 0.0;
-  if (plan_.selective) {
+  if (seen) {
+    // Before stretches can be compared: between what hard scenes have.
+    constexpr double kUsuallyLasts = 0.2;
     const auto done = static_cast<double>(omc_samples(samples));
-    for (double& variance : seen_of_omc_) variance *= done;
-    for (double& variance : seen_of_chains_) variance *= done;
-    best = mutations_of_least_visible_error(seen_of_omc_, seen_of_chains_, lasting_.share(),
-                                            mutations(samples) / done * pixels, costs.omc_sample,
-                                            costs.mutation, lowest * pixels, highest * pixels) /
+    const auto of_one_sample = [&](const std::vector<std::vector<float>>& light) {
+      std::vector<double> variance = variance_of_mean(light);
+      for (double& of_pixel : variance) of_pixel *= done;
+      return variance;
+    };
+    best = mutations_of_least_visible_error(
+               of_one_sample(seen->of_omc), of_one_sample(seen->of_chains),
+               lasting_.share().value_or(kUsuallyLasts), mutations(samples) / done * pixels,
+               costs.omc_sample, costs.mutation, lowest * pixels, highest * pixels) /
            pixels;
   } else {
     best = best_mutations(omc_error * static_cast<double>(omc_samples(samples)), light, costs) /

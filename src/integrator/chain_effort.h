@@ -2,6 +2,7 @@
 #include <array>
 #include <atomic>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "core/archive_forward.h"
@@ -38,15 +39,19 @@ class ChainEffort {
   }
   /// Whether the plan leaves the effort open, and both halves have been at work.
   bool can_adjust() const { return plan_.shares_effort && mutations_ > 0 && omc_samples_ > 0; }
-  /// To be told before it is shared by what can be seen of errors: what either half has made until
-  /// now (`seen_light`), and the rest as `LastingError` has it.
-  void see(const std::vector<std::vector<float>>& of_omc,
-           const std::vector<std::vector<float>>& of_chains, double weight, double samples_behind);
-  /// Shares the effort anew for least error, by the errors that replicates show after `samples`
-  /// samples of what either half makes; of `selective`, for the least that can be seen. What is on
-  /// the film stays as it is: each sample stands for the whole picture, however many mutations it
-  /// has, so nothing is biased. Only if `can_adjust`.
-  void adjust(std::uint64_t samples, const WeightedErrors& of_omc, const WeightedErrors& of_chains);
+  /// What either half has made of the picture until now, for the eye (`seen_light`).
+  struct Seen {
+    std::vector<std::vector<float>> of_omc;
+    std::vector<std::vector<float>> of_chains;
+    double weight;          ///< that stretches of chains add up to, as `LastingError` has it
+    double samples_behind;  ///< likewise
+  };
+  /// Shares the effort anew, by the errors that replicates show after `samples` samples of what
+  /// either half makes: for the least that can be seen, or if that is not given, for the least
+  /// squared error. What is on the film stays as it is: each sample stands for the whole picture,
+  /// however many mutations it has, so nothing is biased. Only if `can_adjust`.
+  void adjust(std::uint64_t samples, const WeightedErrors& of_omc, const WeightedErrors& of_chains,
+              const std::optional<Seen>& seen);
   void fill(SelectiveReport& report) const;
   std::uint64_t memory_bytes() const { return lasting_.memory_bytes(); }
 
@@ -76,8 +81,6 @@ class ChainEffort {
   std::atomic<std::uint64_t> mutations_{0};
   std::array<std::uint64_t, 4> known_{};  ///< of these four, what all processes have
   LastingError lasting_;
-  std::vector<double> seen_of_omc_;  ///< variance, as of now
-  std::vector<double> seen_of_chains_;
   double correlation_ = 0.0;
   double chain_error_ = 0.0;  ///< share of the squared error
 };

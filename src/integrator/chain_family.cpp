@@ -316,13 +316,13 @@ void ChainIntegrator::share_effort(std::uint64_t samples, const Film& film) {
   const auto pictures = [&](std::initializer_list<std::string> names) {
     return develop_layers(film, *this, samples, names);
   };
-  const auto errors = [&](std::initializer_list<std::string> names) {
-    return weighted_errors(pictures(names), plan_.settings.crop, plan_.view.importance);
-  };
   const auto guesses = [&](const std::string& name) {
     return film.layer(name) < 0 ? std::vector<float>() : replicate_median(pictures({name}));
   };
-  WeightedErrors of_omc = errors({"direct", kWeakLayer});
+  const Box2i& crop = plan_.settings.crop;
+  const ImportanceMap& importance = plan_.view.importance;
+  const Replicates by_omc = pictures({"direct", kWeakLayer});
+  const WeightedErrors of_omc = weighted_errors(by_omc, crop, importance);
   if (learns()) {
     SampleRates::Guesses needed;
     if (adaptation_->needs_guesses()) needed = {guesses("direct"), guesses(kWeakLayer)};
@@ -330,14 +330,13 @@ void ChainIntegrator::share_effort(std::uint64_t samples, const Film& film) {
                         effort_.rays_per_camera_sample());
   }
   if (!shares) return;
+  const Replicates by_chains = pictures({"indirect"});
+  std::optional<ChainEffort::Seen> seen;
   if (plan_.selective) {
-    const auto seen = [&](std::initializer_list<std::string> names) {
-      return seen_light(pictures(names), plan_.settings.crop, plan_.view.importance);
-    };
-    effort_.see(seen({"direct", kWeakLayer}), seen({"indirect"}), weight_until(samples),
-                stretch_weight_);
+    seen = {seen_light(by_omc, crop, importance), seen_light(by_chains, crop, importance),
+            weight_until(samples), stretch_weight_};
   }
-  effort_.adjust(samples, of_omc, errors({"indirect"}));
+  effort_.adjust(samples, of_omc, weighted_errors(by_chains, crop, importance), seen);
 }
 
 /// Between joins, b and the seeds are as good as the samples behind them, whatever the chains do

@@ -88,8 +88,8 @@ struct SelectiveReport {
   double path_rest = 0.0;             ///< Λ, likewise
   double mutations_per_sample = 0.0;  ///< 0: no chains
   double correlation = 0.0;  ///< variance of chains over that of as many independent samples
-  /// Share of the chains' error, as it is seen, that mutations do not make smaller.
-  double lasting_error = 0.0;
+  /// Share of the chains' error, as it is seen, that mutations do not make smaller, if known.
+  std::optional<double> lasting_error;
   double chain_rays = 0.0;      ///< share of the rays
   double chain_error = 0.0;     ///< share of the squared error, luminance · importance
   std::vector<Region> regions;  ///< the largest first

@@ -58,8 +58,8 @@ void LastingError::see(const std::vector<std::vector<float>>& light, double weig
   if (samples_behind > 0.0) stretches_.push_back(std::move(stretch));
 }
 
-double LastingError::share() const {
-  if (compared_ == 0) return kUnknown;
+std::optional<double> LastingError::share() const {
+  if (compared_ == 0) return std::nullopt;
   return std::clamp(sum_ / static_cast<double>(compared_), 0.0, 1.0);
 }
 

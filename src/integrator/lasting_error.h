@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "core/archive_forward.h"
@@ -27,9 +28,8 @@ class LastingError {
   void see(const std::vector<std::vector<float>>& light, double weight, double samples_behind);
 
   /// Of squared error as it is seen (visible_error.h), the mean over all stretches; from 0 to 1.
-  double share() const;
-  /// Before there are stretches to compare: between what hard scenes have.
-  static constexpr double kUnknown = 0.2;
+  /// None before there are stretches to compare.
+  std::optional<double> share() const;
 
   std::uint64_t memory_bytes() const;
   void save_state(OutputArchive& archive) const;

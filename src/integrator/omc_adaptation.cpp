@@ -13,12 +13,11 @@ OmcAdaptation::OmcAdaptation(const ChainPlan& plan, const RenderSettings& settin
   const bool has_rates = plan.selective && plan.selective->adaptive && !plan.unprepared &&
                          settings.replicates > 1 && GBuffer::layers(settings.aovs, 1.F).empty();
   if (!has_rates) return;
-  rates_ = std::make_unique<SampleRates>(settings.crop, settings.replicates,
-                                         hash_numbers(settings.seed, 0x4a7e5ULL));
+  rates_.emplace(settings.crop, settings.replicates, hash_numbers(settings.seed, 0x4a7e5ULL));
 }
 
 void OmcAdaptation::tell(PathIntegratorContext& context) const {
-  context.rates = rates_.get();
+  context.rates = rates_ ? &*rates_ : nullptr;
   context.price = price_ ? &*price_ : nullptr;
 }
 

@@ -1,5 +1,4 @@
 #pragma once
-#include <memory>
 #include <optional>
 #include <vector>
 
@@ -23,7 +22,7 @@ class OmcAdaptation {
   /// Tells ordinary Monte Carlo, which this must outlive.
   void tell(PathIntegratorContext& context) const;
   bool learns() const { return rates_ || price_; }
-  bool needs_guesses() const { return rates_ != nullptr; }
+  bool needs_guesses() const { return rates_.has_value(); }
   /// `variance`, `guesses`, `samples`: as `SampleRates::adjust` has them; guesses only if they are
   /// needed. `rays`: per camera sample.
   void adjust(const std::vector<double>& variance, SampleRates::Guesses guesses,
@@ -37,7 +36,7 @@ class OmcAdaptation {
   void load_state(InputArchive& archive);
 
  private:
-  std::unique_ptr<SampleRates> rates_;  ///< null if all pixels have as many camera samples
+  std::optional<SampleRates> rates_;  ///< none if all pixels have as many camera samples
   std::optional<RayPrice> price_;
 };
 

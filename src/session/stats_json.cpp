@@ -127,7 +127,7 @@ Json selective_json(const SelectiveReport& report) {
           {"mutations_per_sample", report.mutations_per_sample},
           {"correlation", report.correlation},
           {"chains",
-           {{"lasting_error", report.lasting_error},
+           {{"lasting_error", report.lasting_error ? Json(*report.lasting_error) : Json(nullptr)},
             {"ray_share", report.chain_rays},
             {"squared_error_share", report.chain_error}}},
           {"omc",
