@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
 #include <optional>
+#include <random>
 #include <vector>
 
 #include "integrator/chain_family.h"
@@ -14,48 +16,101 @@
 namespace ajar {
 namespace {
 
-/// Mutations per pixel and sample after 16 samples, if chains are far off in one pixel of a
-/// hundred, and all have noise of ordinary Monte Carlo.
-double mutations_with_few_bad_pixels(bool by_eye) {
-  const auto scene = test::scene_from(test::small_scene("Room").text);
-  ChainPlan plan(ChainKind::OnePath, *scene,
-                 test::settings_of(*scene, {.replicates = 2, .max_depth = 6}),
-                 Parameters(chain_parameters(ChainKind::OnePath), {}), {});
-  plan.shares_effort = true;
-  plan.mutations = 1.0;
-  ChainEffort effort(plan);
-  EXPECT_FALSE(effort.can_adjust()) << "nothing was done yet";
-  effort.count_omc(4000, 1000);
-  EXPECT_FALSE(effort.can_adjust()) << "there were no chains yet";
-  effort.count_chains(4000, 1000);
-  EXPECT_TRUE(effort.can_adjust());
-  const std::size_t pixels = plan.pixels();
-  WeightedErrors of_omc{std::vector<double>(pixels, 1.0), std::vector<double>(pixels, 1.0)};
-  WeightedErrors of_chains{std::vector<double>(pixels, 0.0), std::vector<double>(pixels, 1.0)};
-  // More than are left out of sums of squares.
-  for (std::size_t i = 0; i < pixels / 100; ++i) of_chains.variance[i] = 1e4;
-  // As the eye has it.
-  const auto seen = [](const WeightedErrors& errors) {
-    std::vector<std::vector<float>> pictures(2);
-    for (const double variance : errors.variance) {
-      pictures[0].push_back(static_cast<float>(std::sqrt(variance)));
+using Pictures = std::vector<std::vector<float>>;
+
+/// One mutation per pixel and sample, until the effort is shared. Two replicates.
+class ChainEffortTest : public testing::Test {
+ protected:
+  ChainEffortTest()
+      : scene_(test::scene_from(test::small_scene("Room").text)),
+        plan_(ChainKind::OnePath, *scene_,
+              test::settings_of(*scene_, {.replicates = 2, .max_depth = 6}),
+              Parameters(chain_parameters(ChainKind::OnePath), {}), {}),
+        pixels_(plan_.pixels()),
+        effort_(plan_) {
+    plan_.shares_effort = true;
+    plan_.mutations = 1.0;
+    EXPECT_FALSE(effort_.can_adjust()) << "nothing was done yet";
+    effort_.count_omc(4000, 1000);
+    EXPECT_FALSE(effort_.can_adjust()) << "there were no chains yet";
+    effort_.count_chains(4000, 1000);
+    EXPECT_TRUE(effort_.can_adjust());
+  }
+  WeightedErrors errors(double variance) const {
+    return {std::vector<double>(pixels_, variance), std::vector<double>(pixels_, 1.0)};
+  }
+  /// Two pictures of which the mean has this variance.
+  static Pictures pictures_of(const std::vector<double>& variance) {
+    Pictures pictures(2);
+    for (const double of_pixel : variance) {
+      pictures[0].push_back(static_cast<float>(std::sqrt(of_pixel)));
       pictures[1].push_back(-pictures[0].back());
     }
     return pictures;
-  };
-  effort.adjust(16, of_omc, of_chains,
-                by_eye ? std::optional<ChainEffort::Seen>({seen(of_omc), seen(of_chains), 16, 16})
-                       : std::nullopt);
-  return effort.mutations(17) - effort.mutations(16);
-}
+  }
+  /// Per pixel and sample, after the effort has been shared at `samples`.
+  double mutations_after(std::uint64_t samples) const {
+    return effort_.mutations(samples + 1) - effort_.mutations(samples);
+  }
+  /// If chains are far off in one pixel of a hundred, and all have noise of ordinary Monte Carlo.
+  double mutations_with_few_bad_pixels(bool by_eye) {
+    const WeightedErrors of_omc = errors(1.0);
+    WeightedErrors of_chains = errors(0.0);
+    // More than are left out of sums of squares.
+    for (std::size_t i = 0; i < pixels_ / 100; ++i) of_chains.variance[i] = 1e4;
+    std::optional<ChainEffort::Seen> seen;
+    if (by_eye) seen = {pictures_of(of_omc.variance), pictures_of(of_chains.variance), 16.0, 16.0};
+    effort_.adjust(16, of_omc, of_chains, seen);
+    return mutations_after(16);
+  }
+  /// If chains leave as much error as ordinary Monte Carlo, in each stretch of 16 samples the same
+  /// or another.
+  double mutations_with_errors_that(bool last) {
+    std::mt19937 random(5);
+    std::normal_distribution<float> normal;
+    Pictures sums(2, std::vector<float>(pixels_, 0.F));
+    Pictures errors_of_stretch = sums;
+    const auto draw = [&] {
+      for (std::vector<float>& picture : errors_of_stretch) {
+        for (float& error : picture) error = normal(random);
+      }
+    };
+    draw();
+    constexpr std::uint64_t kStretches = 8;
+    for (std::uint64_t i = 1; i <= kStretches; ++i) {
+      if (!last) draw();
+      Pictures mean(2, std::vector<float>(pixels_));
+      for (std::size_t r = 0; r < 2; ++r) {
+        for (std::size_t j = 0; j < pixels_; ++j) {
+          sums[r][j] += errors_of_stretch[r][j];
+          mean[r][j] = sums[r][j] / static_cast<float>(i);
+        }
+      }
+      const ChainEffort::Seen seen{mean, mean, static_cast<double>(i), 1.0};
+      effort_.adjust(16 * i, errors(1.0), errors(1.0), seen);
+    }
+    return mutations_after(16 * kStretches);
+  }
 
-TEST(ChainEffort, IsForTheLeastSquaredError) {
+  std::unique_ptr<Scene> scene_;
+  ChainPlan plan_;
+  std::size_t pixels_;
+  ChainEffort effort_;
+};
+
+TEST_F(ChainEffortTest, IsForTheLeastSquaredError) {
   EXPECT_GT(mutations_with_few_bad_pixels(false), 2.0);
 }
 
-TEST(ChainEffort, IsForTheLeastThatCanBeSeen) {
+TEST_F(ChainEffortTest, IsForTheLeastThatCanBeSeen) {
   EXPECT_LT(mutations_with_few_bad_pixels(true), 0.5);
 }
+
+TEST_F(ChainEffortTest, SparesMutationsThatDoNotHelp) {
+  EXPECT_LT(mutations_with_errors_that(true), 0.02);
+}
+
+TEST_F(ChainEffortTest, IsForMutationsThatDo) { EXPECT_GT(mutations_with_errors_that(false), 0.5); }
 
 }  // namespace
 }  // namespace ajar
