@@ -21,6 +21,21 @@ inline Vec2 uniform_disk(const Vec2& u) {
   return {r * std::cos(phi), r * std::sin(phi)};
 }
 
+/// The inverse of `uniform_disk`, within [0, 1)²; `d` may lie outside the disk by rounding.
+inline Vec2 uniform_disk_inverse(const Vec2& d) {
+  const float r = std::sqrt(d.x * d.x + d.y * d.y);
+  Vec2 ab(0.F, 0.F);
+  if (std::abs(d.x) > std::abs(d.y)) {
+    ab.x = std::copysign(r, d.x);
+    ab.y = ab.x * std::atan(d.y / d.x) * (4.F * kInvPi);
+  } else if (d.y != 0.F) {
+    ab.y = std::copysign(r, d.y);
+    ab.x = ab.y * std::atan(d.x / d.y) * (4.F * kInvPi);
+  }
+  const auto unit = [](float v) { return std::clamp(0.5F * v + 0.5F, 0.F, 1.F - 0x1p-24F); };
+  return {unit(ab.x), unit(ab.y)};
+}
+
 /// Cosine-weighted on the hemisphere z ≥ 0. Density cos θ / π, solid angle.
 inline Vec3 cosine_hemisphere(const Vec2& u) {
   const Vec2 d = uniform_disk(u);

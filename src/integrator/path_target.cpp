@@ -91,10 +91,14 @@ WholePathTarget::WholePathTarget(const Scene& scene, const PathSamplerSettings& 
       split_(split),
       light_alone_(settings.techniques.any(TechniqueClass::Light) &&
                    !settings.techniques.any(TechniqueClass::Inner)),
-      sampler_(scene, settings) {}
+      sampler_(scene, settings),
+      directions_(settings.max_depth + 1) {
+  sampler_.keep_directions(&directions_);
+}
 
-double WholePathTarget::evaluate(SampleSource& numbers, const Change& /*change*/,
-                                 SplatBuffer& splats) {
+double WholePathTarget::evaluate(SampleSource& numbers, const Change& change, SplatBuffer& splats) {
+  directions_.begin();
+  directions_.trace(change.raster);
   const Vec2 raster = raster_of(numbers, view_);
   SplatSink sink(view_, split_, 1.0, raster, splats);
   if (light_alone_) sampler_.sample_light(numbers, sink);
@@ -121,7 +125,10 @@ OnePathTarget::OnePathTarget(const Scene& scene, const PathSamplerSettings& sett
       split_(split),
       light_subpaths_(settings.light_subpaths),
       sampler_(scene, settings),
-      choice_(choice) {}
+      choice_(choice),
+      directions_(settings.max_depth + 1) {
+  sampler_.keep_directions(&directions_);
+}
 
 template <typename Trace>
 const PathVertex* OnePathTarget::half(Halves& halves, int vertices, bool moved,
@@ -140,12 +147,14 @@ double OnePathTarget::evaluate(SampleSource& numbers, const Change& change, Spla
   change_ = change;
   light_.proposal().vertices = 0;
   camera_.proposal().vertices = 0;
+  directions_.begin();
   chosen_ = choice_.choose(numbers.get({Stream::Connection, 0, kTechniqueChoice}));
   const int s = chosen_.technique.s;
   const int t = chosen_.technique.t;
   const Vec2 raster = t >= 2 ? raster_of(numbers, view_) : Vec2(0.F, 0.F);
   SplatSink sink(view_, split_, light_subpaths_, raster, splats);
   if (s == 0) {
+    directions_.trace(change.raster);
     sampler_.sample_implicit(numbers, raster, t, sink);
   } else {
     static const PathVertex kEndpointAlone{};
@@ -153,6 +162,7 @@ double OnePathTarget::evaluate(SampleSource& numbers, const Change& change, Spla
     const PathVertex* light_end = &kEndpointAlone;
     if (t >= 2) {
       camera_end = half(camera_, t, change.moves_camera_half(), [&](PathVertex& end) {
+        directions_.trace(change.raster);
         return sampler_.trace_camera_half(numbers, raster, t, end);
       });
       if (camera_end == nullptr) return 0.0;
@@ -179,6 +189,7 @@ void OnePathTarget::keep(Halves& halves, bool moved) {
 void OnePathTarget::accepted() {
   keep(light_, change_.light);
   keep(camera_, change_.moves_camera_half());
+  directions_.accept(change_.moves_camera_half());
 }
 
 void OnePathTarget::rejected() {}

@@ -84,6 +84,7 @@ class WholePathTarget final : public PathTarget {
   WholePathTarget(const Scene& scene, const PathSamplerSettings& settings, const ChainView& view,
                   const LightSplit* split = nullptr);
   double evaluate(SampleSource& numbers, const Change& change, SplatBuffer& splats) override;
+  void accepted() override { directions_.accept(true); }
   std::uint64_t rays() const override { return sampler_.rays(); }
 
  private:
@@ -91,6 +92,7 @@ class WholePathTarget final : public PathTarget {
   const LightSplit* split_;
   bool light_alone_;
   PathSampler sampler_;
+  KeptDirections directions_;
 };
 
 /// A state is one path of one depth and technique (`mmlt`). The technique is chosen by one more
@@ -137,6 +139,7 @@ class OnePathTarget final : public PathTarget {
   const TechniqueChoice& choice_;
   TechniqueChoice::Chosen chosen_{0, {0, 2}, 1.F};
   Change change_;
+  KeptDirections directions_;
   Halves light_;
   Halves camera_;
 };

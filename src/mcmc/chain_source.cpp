@@ -1,6 +1,7 @@
 #include "mcmc/chain_source.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <stdexcept>
 
@@ -10,27 +11,17 @@ namespace ajar {
 
 namespace {
 constexpr auto kRasterX = static_cast<std::size_t>(kEmissionDirection);
-constexpr std::uint64_t kRasterKey = 0x7a57e7ULL;  // far beyond what a mutation draws for a block
-/// How many times as long as others steps of the raster numbers alone are: alone, they are accepted
-/// farther away.
-constexpr float kRasterLength = 2.F;
-
-StepSizes::Scales scales_of_raster_alone(const StepSizes& sizes) {
-  StepSizes::Scales scales = sizes.camera_endpoint;
-  for (const std::size_t i : {kRasterX, kRasterX + 1}) {
-    scales[i] = std::min(scales[i] * kRasterLength, StepSizes::kLargest);
-  }
-  return scales;
-}
+// Far beyond what a mutation draws for a block.
+constexpr std::uint64_t kRasterKey = 0x7a57e7ULL;
+constexpr std::uint64_t kLengthKey = 0x1e467ULL;
+/// How many times as long as others steps of the raster numbers alone are: up to so many, each
+/// order of magnitude as often. Where directions alone decide, light may be found again anywhere.
+constexpr double kRasterLength = 50.0;
 }  // namespace
 
 ChainSource::ChainSource(const Mutation& mutation, const StepSizes& sizes,
                          const PrimaryShape& shape, const PlaneMoves* plane)
-    : mutation_(mutation),
-      default_sizes_(sizes),
-      sizes_(sizes),
-      raster_scales_(scales_of_raster_alone(sizes)),
-      plane_(plane) {
+    : mutation_(mutation), default_sizes_(sizes), sizes_(sizes), plane_(plane) {
   undo_.reserve(static_cast<std::size_t>(shape.camera_vertices) +
                 static_cast<std::size_t>(shape.light_vertices) + 1);
 }
@@ -52,6 +43,7 @@ void ChainSource::propose(ChainNumbers& numbers, StepKind kind, const Change& ch
   undo_.clear();
   raster_use_.forget();
   raster_log_ratio_ = 0.0;
+  replaced_log_ratio_ = 0.0;
   large_ = kind == StepKind::Large;
   change_ = large_ ? Change{} : change;
   units_ = large_ ? 1 : units;
@@ -65,18 +57,24 @@ void ChainSource::propose(ChainNumbers& numbers, StepKind kind, const Change& ch
 }
 
 void ChainSource::move_raster_alone() {
+  const double u = to_unit_double(counter_bits(move_key_, kLengthKey));
+  const auto times = static_cast<float>(std::pow(kRasterLength, u));
+  raster_scales_ = sizes_.camera_endpoint;
+  for (const std::size_t i : {kRasterX, kRasterX + 1}) {
+    raster_scales_[i] = std::min(raster_scales_[i] * times, StepSizes::kLargest);
+  }
   // The state uses them, so they are up to date, and have no clock of their own to move.
-  remember(SampleAddress(Stream::Camera, 0, kEmissionDirection), kRasterBlock, raster_scales_);
+  remember(SampleAddress(Stream::Camera, 0, kEmissionDirection), kRasterBlock, &raster_scales_);
   mutation_.perturb(numbers_->block(kRasterBlock).subspan<kRasterX, 2>(),
                     std::span(raster_scales_).subspan<kRasterX, 2>(), length(),
                     counter_bits(move_key_, kRasterKey));
 }
 
 const ChainSource::Undo& ChainSource::remember(SampleAddress address, std::size_t block,
-                                               const StepSizes::Scales& scales) {
+                                               const StepSizes::Scales* scales) {
   const auto numbers = numbers_->block(block);
   Undo& undo = undo_.emplace_back(
-      Undo{address, static_cast<std::uint32_t>(block), numbers_->stamp(block), &scales, {}});
+      Undo{address, static_cast<std::uint32_t>(block), numbers_->stamp(block), scales, {}});
   std::copy(numbers.begin(), numbers.end(), undo.numbers.begin());
   return undo;
 }
@@ -89,7 +87,7 @@ void ChainSource::prepare(SampleAddress address, std::size_t block) {
   if (!moves) return;
 
   const auto numbers = numbers_->block(block);
-  const Undo& undo = remember(address, block, sizes_.scales(address.stream(), address.vertex()));
+  const Undo& undo = remember(address, block, &sizes_.scales(address.stream(), address.vertex()));
   if (large_) {
     ChainNumbers::fill_fresh(numbers, address, fresh_key_);
   } else {
@@ -111,6 +109,19 @@ void ChainSource::follow_plane(std::span<float, kBlockSize> numbers, const Undo&
     numbers[kRasterX + 1] = to->y;
   }
   raster_log_ratio_ = plane_->log_ratio(from, Vec2(numbers[kRasterX], numbers[kRasterX + 1]));
+}
+
+void ChainSource::replace_pair(SampleAddress address, const Vec2& numbers, double log_density) {
+  const std::size_t block = fetch(address);
+  if (large_ || change_.moves(address.stream())) {
+    throw std::logic_error("bug: a step would replace numbers that it moves");
+  }
+  remember(address, block, nullptr);
+  const std::size_t even = static_cast<std::size_t>(address.slot()) / 2 * 2;
+  const auto all = numbers_->block(block);
+  all[even] = numbers.x;
+  all[even + 1] = numbers.y;
+  replaced_log_ratio_ += log_density;
 }
 
 void ChainSource::accept() {
@@ -150,8 +161,9 @@ void ChainSource::reject() {
 
 double ChainSource::log_ratio() const {
   if (large_) return 0.0;
-  double sum = raster_log_ratio_;
+  double sum = raster_log_ratio_ + replaced_log_ratio_;
   for (const Undo& undo : undo_) {
+    if (undo.scales == nullptr) continue;
     sum += mutation_.log_ratio(undo.numbers, numbers_->block(undo.block), *undo.scales);
   }
   return sum;

@@ -82,6 +82,9 @@ class ChainSource final : public SampleSource {
     const auto block = numbers_->block(fetch(address));
     return {block[even], block[even + 1]};
   }
+  /// For numbers that the step leaves as they are, such as directions in a step of the raster
+  /// numbers alone.
+  void replace_pair(SampleAddress address, const Vec2& numbers, double log_density) override;
 
  private:
   static constexpr std::size_t kRasterBlock = 0;
@@ -90,7 +93,7 @@ class ChainSource final : public SampleSource {
     SampleAddress address;  ///< any in the block
     std::uint32_t block;
     std::uint64_t stamp;
-    const StepSizes::Scales* scales;
+    const StepSizes::Scales* scales;  ///< null if numbers were replaced
     std::array<float, kBlockSize> numbers;
   };
   std::size_t fetch(SampleAddress address) {
@@ -103,7 +106,7 @@ class ChainSource final : public SampleSource {
   }
   void prepare(SampleAddress address, std::size_t block);
   /// Keeps what the block holds, to be restored if the step is rejected; `scales` are those of it.
-  const Undo& remember(SampleAddress address, std::size_t block, const StepSizes::Scales& scales);
+  const Undo& remember(SampleAddress address, std::size_t block, const StepSizes::Scales* scales);
   void follow_plane(std::span<float, kBlockSize> numbers, const Undo& undo, std::uint64_t key);
   void move_raster_alone();
   void set_step_scale(float scale);
@@ -117,8 +120,9 @@ class ChainSource final : public SampleSource {
   float step_scale_ = 1.F;
   const PlaneMoves* plane_;
   bool current_uses_raster_ = false;
-  RasterUse raster_use_;  ///< of the proposal
-  double raster_log_ratio_ = 0.0;
+  RasterUse raster_use_;             ///< of the proposal
+  double raster_log_ratio_ = 0.0;    ///< of moves in the plane
+  double replaced_log_ratio_ = 0.0;  ///< of numbers that were replaced
   std::vector<Undo> undo_;
   ChainNumbers* numbers_ = nullptr;
   bool large_ = false;

@@ -132,8 +132,8 @@ TEST(ChainSource, HalfMovesLeaveTheOtherHalf) {
   }
 }
 
-TEST(ChainSource, StepsOfTheRasterNumbersMoveNothingElseAndTwiceAsFar) {
-  const GaussianMutation mutation(0.01);
+TEST(ChainSource, StepsOfTheRasterNumbersMoveNothingElseAndGoFarther) {
+  const GaussianMutation mutation(0.001);
   ChainSource source(mutation, {}, kShape);
   const SampleAddress raster(Stream::Camera, 0, kEmissionDirection);
   testing::Mean squares;
@@ -149,6 +149,7 @@ TEST(ChainSource, StepsOfTheRasterNumbersMoveNothingElseAndTwiceAsFar) {
     const std::vector<float> after = all_numbers(source);
     source.accept();
     const auto all = addresses();
+    double square = 0.0;
     for (std::size_t k = 0; k < all.size(); ++k) {
       const bool is_raster =
           all[k].stream() == Stream::Camera && all[k].vertex() == 0 &&
@@ -159,12 +160,56 @@ TEST(ChainSource, StepsOfTheRasterNumbersMoveNothingElseAndTwiceAsFar) {
       }
       const double shift = double{after[k]} - double{before[k]};
       const double around = shift - std::round(shift);
-      squares.add(around * around);
+      square += around * around;
     }
+    squares.add(square);
     ASSERT_EQ(ReplaySource(numbers).get_pair(raster), to);
   }
-  // 160,000 shifts: the mean of their squares is known to 0.35 %.
-  testing::expect_mean(squares, 4.0 * 1e-4);
+  // Lengths are 1 to 50 times σ, uniform in their logarithm: the mean of their squares is
+  // (50² − 1) / (2 ln 50) times σ². 80,000 steps: known to 1 %, 5 σ being 5 %.
+  testing::expect_mean(squares, 2.0 * 1e-6 * 2499.0 / (2.0 * std::log(50.0)), 0.06);
+}
+
+TEST(ChainSource, NumbersMayBeReplacedThatAStepLeavesAsTheyAre) {
+  const GaussianMutation mutation(0.05);
+  ChainSource source(mutation, {}, kShape);
+  ChainNumbers numbers(kShape, 9);
+  const SampleAddress address(Stream::Camera, 2, Slot::BsdfDirectionX);
+  const Vec2 other(0.125F, 0.75F);
+  for (const bool accepted : {false, true}) {
+    // From a state in which all numbers have moved.
+    source.propose(numbers, StepKind::SmallBoth, kBoth, 3);
+    std::vector<float> expected = all_numbers(source);
+    source.accept();
+    source.propose(numbers, StepKind::SmallRaster, change_of(StepKind::SmallRaster, {}, true), 4);
+    EXPECT_EQ(source.log_ratio(), 0.0);
+    source.replace_pair(address, other, 0.5);
+    source.replace_pair({Stream::Camera, 3, Slot::BsdfDirectionX}, other, -0.125);
+    EXPECT_EQ(source.get_pair(address), other);
+    EXPECT_DOUBLE_EQ(source.log_ratio(), 0.375);
+    const std::vector<float> served = all_numbers(source);
+    if (accepted) {
+      source.accept();
+      EXPECT_EQ(replayed(numbers), served);
+    } else {
+      source.reject();
+      EXPECT_EQ(replayed(numbers), expected);
+    }
+  }
+}
+
+TEST(ChainSource, NumbersThatMoveOrAreGivenAreNotReplaced) {
+  const GaussianMutation mutation(0.05);
+  ChainSource source(mutation, {}, kShape);
+  ChainNumbers numbers(kShape, 9);
+  const SampleAddress address(Stream::Camera, 2, Slot::BsdfDirectionX);
+  for (const StepKind kind : {StepKind::Large, StepKind::SmallBoth, StepKind::SmallCamera}) {
+    source.propose(numbers, kind, change_of(kind, {}, true), 3);
+    EXPECT_THROW(source.replace_pair(address, Vec2(0.5F, 0.5F), 0.0), std::logic_error);
+    source.reject();
+  }
+  ReplaySource replay(numbers);
+  EXPECT_THROW(replay.replace_pair(address, Vec2(0.5F, 0.5F), 0.0), std::logic_error);
 }
 
 TEST(ChainSource, ALargeStepIsFreshForBlocksThatAreAskedForLater) {

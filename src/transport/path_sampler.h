@@ -105,6 +105,9 @@ class PathSampler {
   /// Technique (0, t).
   void sample_implicit(SampleSource& source, const Vec2& raster, int vertices, PathSink& sink);
 
+  /// Camera subpaths follow these directions, or are noted there; null: neither.
+  void keep_directions(KeptDirections* directions) { camera_walk_.directions = directions; }
+
   /// Rays traced so far.
   std::uint64_t rays() const { return rays_; }
 

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <stdexcept>
 
 #include "core/vector.h"
 
@@ -60,6 +61,13 @@ class SampleSource {
   virtual float get(SampleAddress address) = 0;
   /// Two numbers that are stratified together: an even slot and the one after it.
   virtual Vec2 get_pair(SampleAddress address) = 0;
+  /// Puts others in the place of two numbers: a proposal that chooses them while it is looked at.
+  /// `log_density`: of the step back over that of the step. Raises std::logic_error where numbers
+  /// are not to be chosen.
+  virtual void replace_pair(SampleAddress /*address*/, const Vec2& /*numbers*/,
+                            double /*log_density*/) {
+    throw std::logic_error("bug: numbers that are given were to be replaced");
+  }
 };
 
 }  // namespace ajar

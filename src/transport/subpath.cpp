@@ -63,10 +63,14 @@ bool scatter(const WalkSettings& settings, const PathVertex& vertex, SampleSourc
     return SampleAddress(settings.stream, vertex.edges, slot, settings.repeat);
   };
   u.lobe = source.get(address(Slot::BsdfLobe));
+  if (settings.directions != nullptr) {
+    settings.directions->place(vertex, u.lobe, address(Slot::BsdfDirectionX), source);
+  }
   u.direction = source.get_pair(address(Slot::BsdfDirectionX));
   const std::optional<BsdfSample> sample =
       vertex.sample(u, settings.mode, settings.has_other_end ? Reverse::Compute : Reverse::Skip);
   if (!sample) return false;
+  if (settings.directions != nullptr) settings.directions->note(vertex, u.lobe, sample->wi);
   flight.throughput = vertex.throughput * sample->weight;
   if (settings.mode == TransportMode::Radiance) flight.roulette_scale *= sample->eta * sample->eta;
   const bool is_long = vertex.edges >= settings.roulette_start;

@@ -1,4 +1,5 @@
 #pragma once
+#include "transport/kept_directions.h"
 #include "transport/mis.h"
 #include "transport/path_vertex.h"
 #include "transport/sample_source.h"
@@ -46,6 +47,8 @@ struct WalkSettings {
   /// worth it.
   bool efficient_roulette = false;
   int repeat = 0;  ///< which light subpath of the sample this is
+  /// Directions to follow or to keep, if not null.
+  KeptDirections* directions = nullptr;
   /// Where the recursion is recorded, if the set names single techniques; room for every vertex.
   MisTrailEntry* trail = nullptr;
 };

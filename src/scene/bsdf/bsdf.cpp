@@ -146,6 +146,39 @@ void Bsdf::add_other_lobes(int chosen, const Vec3& wo, const Weights& forward,
   s.weight = total / s.pdf;
 }
 
+std::optional<int> Bsdf::choose(const Weights& weights, float& u) const {
+  int chosen = 0;
+  // The last lobe with any probability takes what rounding leaves of the unit interval.
+  int last = count_ - 1;
+  while (last > 0 && !(weights.probability[last] > 0.F)) --last;
+  while (chosen < last && u >= weights.probability[chosen]) {
+    u -= weights.probability[chosen];
+    ++chosen;
+  }
+  if (!(weights.probability[chosen] > 0.F)) return std::nullopt;
+  u = std::min(u / weights.probability[chosen], kOneMinusEpsilon);
+  return chosen;
+}
+
+std::optional<LobeInverse> Bsdf::inverse(const Vec3& wo, const Vec3& wi, float u_lobe) const {
+  if (!connectible_) return std::nullopt;
+  const Frame shading = frame();
+  int chosen = 0;
+  if (count_ > 1) {
+    const std::optional<int> choice = choose(weights(shading.to_local(wo)), u_lobe);
+    if (!choice) return std::nullopt;
+    chosen = *choice;
+  }
+  const Vec3 local_ng = shading.to_local(dot(wo, ng()) > 0.F ? ng() : -ng());
+  return visit_lobe(entry(chosen).lobe, [&](const auto& l) -> std::optional<LobeInverse> {
+    if constexpr (requires { l.inverse(wi, local_ng); }) {
+      return l.inverse(shading.to_local(wi), local_ng);
+    } else {
+      return std::nullopt;
+    }
+  });
+}
+
 std::optional<BsdfSample> Bsdf::sample(const Vec3& wo, const BsdfUniforms& u, TransportMode mode,
                                        Reverse reverse) const {
   const Frame shading = frame();
@@ -159,15 +192,9 @@ std::optional<BsdfSample> Bsdf::sample(const Vec3& wo, const BsdfUniforms& u, Tr
   Weights forward;
   if (count_ > 1) {
     forward = weights(o);
-    // The last lobe with any probability takes what rounding leaves of the unit interval.
-    int last = count_ - 1;
-    while (last > 0 && !(forward.probability[last] > 0.F)) --last;
-    while (chosen < last && v.lobe >= forward.probability[chosen]) {
-      v.lobe -= forward.probability[chosen];
-      ++chosen;
-    }
-    if (!(forward.probability[chosen] > 0.F)) return std::nullopt;
-    v.lobe = std::min(v.lobe / forward.probability[chosen], kOneMinusEpsilon);
+    const std::optional<int> choice = choose(forward, v.lobe);
+    if (!choice) return std::nullopt;
+    chosen = *choice;
   }
 
   const Entry& e = entry(chosen);

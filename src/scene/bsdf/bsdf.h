@@ -81,6 +81,10 @@ class Bsdf {
   std::optional<BsdfSample> sample(const Vec3& wo, const BsdfUniforms& u, TransportMode mode,
                                    Reverse reverse = Reverse::Compute) const;
 
+  /// The numbers by which `sample` goes to `wi`, `u_lobe` being the one it chooses the lobe by.
+  /// Empty if that lobe cannot be inverted (specular and half-vector lobes, and media).
+  std::optional<LobeInverse> inverse(const Vec3& wo, const Vec3& wi, float u_lobe) const;
+
   /// False if all lobes are specular (or there are none): connecting to this point is pointless.
   bool connectible() const { return connectible_; }
   bool empty() const { return count_ == 0; }
@@ -116,6 +120,9 @@ class Bsdf {
   Pair classify(const Vec3& wo, const Vec3& wi) const;
   /// How the choice among the lobes is made when light comes from `local_wo`.
   Weights weights(const Vec3& local_wo) const;
+  /// The lobe that `u` chooses, which is made a number for that lobe alone; none if it is
+  /// impossible.
+  std::optional<int> choose(const Weights& weights, float& u) const;
   Spectrum value(int index, const Pair& pair, TransportMode mode) const;
   LobeValue evaluate(int index, const Pair& pair, TransportMode mode) const;
   /// `reverse` is null if the reverse density is not wanted.

@@ -12,6 +12,7 @@
 ///     LobeValue evaluate(wo, wi, transmission, mode) const;       // not if kSpecular
 ///     std::optional<LobeSample> sample(wo, u, ng, mode) const;
 ///     Spectrum albedo(wo) const;
+///     LobeInverse inverse(wi, ng) const;                          // if `sample` can be inverted
 ///
 /// in the local frame whose z axis is the shading normal: `wo` and `wi` point away from the
 /// surface, and neither is closer than `kGrazing` to the horizon. `Bsdf` has already decided by the
@@ -48,6 +49,12 @@ struct LobeSample {
   float reverse_pdf;  ///< of wo given wi through the same lobe
   bool transmission = false;
   float eta = 1.F;  ///< index of refraction on wi's side over that on wo's
+};
+
+/// Numbers by which a lobe samples a given direction.
+struct LobeInverse {
+  Vec2 direction{0.F, 0.F};
+  float pdf = 0.F;  ///< of the direction, by these numbers alone, 1/sr; 0: it never does
 };
 
 /// A `Spectrum` in twelve bytes, for storage inside lobes.
@@ -95,5 +102,12 @@ inline Vec3 cosine_around(const Vec2& u, const Vec3& ng) {
 
 /// Density of `cosine_around`, given that the direction is in the right geometric hemisphere.
 inline float cosine_pdf(const Vec3& w) { return std::abs(w.z) * kInvPi; }
+
+/// What `cosine_around` makes `w` of.
+inline LobeInverse cosine_inverse(const Vec3& w, const Vec3& ng) {
+  if (!(dot(w, ng) > 0.F)) return {};
+  const float side = std::copysign(1.F, w.z);
+  return {warp::uniform_disk_inverse({side * w.x, side * w.y}), cosine_pdf(w)};
+}
 
 }  // namespace ajar

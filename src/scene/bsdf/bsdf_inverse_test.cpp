@@ -1,0 +1,95 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <optional>
+#include <set>
+#include <string>
+
+#include "scene/bsdf/bsdf_catalogue.h"
+
+namespace ajar {
+namespace {
+
+using testing::catalogue;
+using testing::NamedBsdf;
+using testing::random_direction;
+using testing::random_uniforms;
+
+/// |∂ω/∂u| at `u`, by central differences: one over the density of the direction. Empty across
+/// the line from where on directions are mirrored, and where the map from the square has a kink.
+std::optional<double> stretch(const Bsdf& bsdf, const Vec3& wo, const BsdfUniforms& u) {
+  constexpr float kStep = 1e-3F;
+  const Vec2 centred = u.direction * 2.F - Vec2(1.F);
+  if (std::abs(std::abs(centred.x) - std::abs(centred.y)) < 0.02F) return std::nullopt;
+  // Near the horizon the densities at both ends differ.
+  if (std::max(std::abs(centred.x), std::abs(centred.y)) > 0.9F) return std::nullopt;
+  bool torn = false;
+  const auto difference = [&](const Vec2& step) {
+    const auto toward = [&](const Vec2& direction) {
+      const auto sample = bsdf.sample(wo, {u.lobe, direction}, TransportMode::Radiance);
+      return sample ? sample->wi : Vec3(0.F);
+    };
+    const Vec3 shift = toward(u.direction + step) - toward(u.direction - step);
+    torn = torn || length(shift) > 0.1F;
+    return shift / (2.F * kStep);
+  };
+  const Vec3 normal = cross(difference({kStep, 0.F}), difference({0.F, kStep}));
+  if (torn) return std::nullopt;
+  return double{length(normal)};
+}
+
+TEST(BsdfInverse, FindsTheNumbersOfADirectionAndTheirDensity) {
+  std::set<std::string> inverted;
+  int densities = 0;
+  for (const float tilt : {0.F, 35.F}) {
+    for (const NamedBsdf& named : catalogue(tilt)) {
+      SCOPED_TRACE(named.name);
+      const Bsdf& bsdf = named.bsdf;
+      Rng rng(1);
+      for (int i = 0; i < 400; ++i) {
+        const Vec3 wo = random_direction(rng);
+        const BsdfUniforms u = random_uniforms(rng);
+        const auto sample = bsdf.sample(wo, u, TransportMode::Radiance);
+        if (!sample) continue;
+        const auto inverse = bsdf.inverse(wo, sample->wi, u.lobe);
+        if (!inverse) continue;
+        inverted.insert(named.name);
+        ASSERT_FALSE(sample->pdf.discrete()) << "a specular lobe has no inverse";
+        const auto again = bsdf.sample(wo, {u.lobe, inverse->direction}, TransportMode::Radiance);
+        ASSERT_TRUE(again);
+        EXPECT_LT(length(again->wi - sample->wi), 1e-3F);
+        if (const auto area = stretch(bsdf, wo, u)) {
+          EXPECT_NEAR(*area * double{inverse->pdf}, 1.0, 0.02);
+          ++densities;
+        }
+      }
+    }
+  }
+  EXPECT_GT(densities, 1000);
+  for (const char* name : {"lambert", "lambert transmission", "oren-nayar", "disney diffuse"}) {
+    EXPECT_TRUE(inverted.count(name)) << name;
+  }
+}
+
+TEST(BsdfInverse, SaysWhereALobeNeverGoes) {
+  const Vec3 up(0.F, 0.F, 1.F);
+  const Vec3 sideways(0.6F, 0.F, 0.8F);
+  Bsdf matt(Frame(), up);
+  matt.add(Lambert{});
+  EXPECT_GT(matt.inverse(up, sideways, 0.5F)->pdf, 0.F);
+  EXPECT_GT(matt.inverse(-up, -sideways, 0.5F)->pdf, 0.F);
+  EXPECT_EQ(matt.inverse(up, -sideways, 0.5F)->pdf, 0.F);
+  Bsdf paper(Frame(), up);
+  paper.add(Lambert{}, Spectrum(0.25F));
+  paper.add(LambertTransmission{}, Spectrum(0.75F));
+  EXPECT_GT(paper.inverse(up, sideways, 0.2F)->pdf, 0.F);
+  EXPECT_EQ(paper.inverse(up, -sideways, 0.2F)->pdf, 0.F);
+  EXPECT_EQ(paper.inverse(up, sideways, 0.3F)->pdf, 0.F);
+  EXPECT_GT(paper.inverse(up, -sideways, 0.3F)->pdf, 0.F);
+  Bsdf mirror(Frame(), up);
+  mirror.add(Mirror{});
+  EXPECT_FALSE(mirror.inverse(up, up, 0.5F));
+}
+
+}  // namespace
+}  // namespace ajar
