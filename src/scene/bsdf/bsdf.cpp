@@ -171,8 +171,8 @@ std::optional<LobeInverse> Bsdf::inverse(const Vec3& wo, const Vec3& wi, float u
   }
   const Vec3 local_ng = shading.to_local(dot(wo, ng()) > 0.F ? ng() : -ng());
   return visit_lobe(entry(chosen).lobe, [&](const auto& l) -> std::optional<LobeInverse> {
-    if constexpr (requires { l.inverse(wi, local_ng); }) {
-      return l.inverse(shading.to_local(wi), local_ng);
+    if constexpr (requires { l.inverse(wo, wi, u_lobe, local_ng); }) {
+      return l.inverse(shading.to_local(wo), shading.to_local(wi), u_lobe, local_ng);
     } else {
       return std::nullopt;
     }

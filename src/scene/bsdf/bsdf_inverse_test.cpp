@@ -66,7 +66,8 @@ TEST(BsdfInverse, FindsTheNumbersOfADirectionAndTheirDensity) {
     }
   }
   EXPECT_GT(densities, 1000);
-  for (const char* name : {"lambert", "lambert transmission", "oren-nayar", "disney diffuse"}) {
+  for (const char* name :
+       {"lambert", "lambert transmission", "oren-nayar", "disney diffuse", "substrate 0.1"}) {
     EXPECT_TRUE(inverted.count(name)) << name;
   }
 }

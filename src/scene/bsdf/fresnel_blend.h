@@ -49,6 +49,13 @@ struct FresnelBlend {
     return LobeSample{wi, v.value / v.pdf, v.pdf, v.reverse_pdf};
   }
 
+  /// Of the base.
+  std::optional<LobeInverse> inverse(const Vec3& wo, const Vec3& wi, float u_lobe,
+                                     const Vec3& ng) const {
+    if (u_lobe < coat_probability(std::abs(wo.z))) return std::nullopt;
+    return cosine_inverse(wi, ng);
+  }
+
   Spectrum albedo(const Vec3& wo) const {
     const Spectrum rs = specular.unpack();
     return schlick(rs, 0.95F * std::abs(wo.z)) +

@@ -15,7 +15,9 @@ struct Lambert {
     const Vec3 wi = cosine_around(u.direction, ng);
     return LobeSample{wi, Spectrum(1.F), cosine_pdf(wi), cosine_pdf(wo)};
   }
-  LobeInverse inverse(const Vec3& wi, const Vec3& ng) const { return cosine_inverse(wi, ng); }
+  std::optional<LobeInverse> inverse(const Vec3&, const Vec3& wi, float, const Vec3& ng) const {
+    return cosine_inverse(wi, ng);
+  }
   Spectrum albedo(const Vec3&) const { return Spectrum(1.F); }
 };
 
@@ -31,7 +33,9 @@ struct LambertTransmission {
     const Vec3 wi = cosine_around(u.direction, -ng);
     return LobeSample{wi, Spectrum(1.F), cosine_pdf(wi), cosine_pdf(wo), true};
   }
-  LobeInverse inverse(const Vec3& wi, const Vec3& ng) const { return cosine_inverse(wi, -ng); }
+  std::optional<LobeInverse> inverse(const Vec3&, const Vec3& wi, float, const Vec3& ng) const {
+    return cosine_inverse(wi, -ng);
+  }
   Spectrum albedo(const Vec3&) const { return Spectrum(1.F); }
 };
 

@@ -25,7 +25,9 @@ struct OrenNayar {
     const Vec3 wi = cosine_around(u.direction, ng);
     return LobeSample{wi, Spectrum(factor(wo, wi)), cosine_pdf(wi), cosine_pdf(wo)};
   }
-  LobeInverse inverse(const Vec3& wi, const Vec3& ng) const { return cosine_inverse(wi, ng); }
+  std::optional<LobeInverse> inverse(const Vec3&, const Vec3& wi, float, const Vec3& ng) const {
+    return cosine_inverse(wi, ng);
+  }
   Spectrum albedo(const Vec3&) const { return Spectrum(a + 0.13F * b); }
 
  private:
