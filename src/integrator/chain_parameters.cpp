@@ -85,9 +85,9 @@ std::vector<ParameterSpec> chain_parameters(ChainKind kind) {
       // What they leave as it is, pssmlt traces again.
       number_parameter(
           "raster-steps", kind == ChainKind::OnePath ? "auto" : "0",
-          "share of the small steps that move nothing but a path's place on the picture "
-          "(mutation=gaussian or kelemen, step=fixed, multi-try=1); auto: 0.7, or 0.9 where "
-          "chains make nearly all light",
+          "share of the small steps that move nothing but a path's place on the picture, and keep "
+          "its directions (mutation=gaussian or kelemen, step=fixed, multi-try=1); auto: 0.7, or "
+          "0.9 where chains make nearly all light",
           1.0, {"auto"}),
       number_parameter("camera-steps", "0",
                        "share of the other small steps that move the camera's half of a path only",
