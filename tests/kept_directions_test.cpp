@@ -97,7 +97,7 @@ class CurvedTarget final : public Target {
     splats.push_back({Vec2(0.F), value.bin, Spectrum(static_cast<float>(value.scalar))});
     return value.scalar;
   }
-  void accepted() override { directions_.accept(true); }
+  void accepted() override { directions_.accept(); }
 
  private:
   Light light_;

@@ -54,6 +54,25 @@ class HalfReuse : public ::testing::TestWithParam<Case> {
   ChainView view_;
 };
 
+/// Counts the directions that a target keeps.
+class CountingSource final : public SampleSource {
+ public:
+  explicit CountingSource(ChainSource& source) : source_(source) {}
+  float get(SampleAddress address) override { return source_.get(address); }
+  Vec2 get_pair(SampleAddress address) override { return source_.get_pair(address); }
+  void replace_pair(SampleAddress address, const Vec2& numbers, double log_density) override {
+    EXPECT_EQ(address.stream(), Stream::Camera);
+    EXPECT_EQ(address.slot(), Slot::BsdfDirectionX);
+    ++replaced_;
+    source_.replace_pair(address, numbers, log_density);
+  }
+  int replaced() const { return replaced_; }
+
+ private:
+  ChainSource& source_;
+  int replaced_ = 0;
+};
+
 void expect_same_bits(const SplatBuffer& a, const SplatBuffer& b) {
   ASSERT_EQ(a.size(), b.size());
   for (std::size_t i = 0; i < a.size(); ++i) {
@@ -81,6 +100,10 @@ TEST_P(HalfReuse, GivesTheBitsOfATargetThatTracesEverything) {
   const StepProbabilities probabilities{
       .large = 0.1, .camera_half = 0.45, .light_half = 0.45, .raster = 0.3};
   std::uint64_t fewer_rays = 0;
+  struct {
+    int implicit = 0;
+    int connected = 0;
+  } kept;
   int lit = 0;
   constexpr int kSteps = 4000;
   for (int step = 0; step < kSteps && !HasFailure(); ++step) {
@@ -93,7 +116,14 @@ TEST_P(HalfReuse, GivesTheBitsOfATargetThatTracesEverything) {
     source.propose(chain.numbers, kind, change, counter_bits(key, 1));
     splats.clear();
     const std::uint64_t rays_before = target.rays();
-    const double scalar = target.evaluate(source, change, splats);
+    CountingSource counting(source);
+    const double scalar = target.evaluate(counting, change, splats);
+    if (change.raster) {
+      (target.technique()->technique.s == 0 ? kept.implicit : kept.connected) +=
+          counting.replaced();
+    } else {
+      EXPECT_EQ(counting.replaced(), 0);
+    }
 
     OnePathTarget fresh(*scene_, settings_, choice, view_);
     SplatBuffer expected;
@@ -115,6 +145,9 @@ TEST_P(HalfReuse, GivesTheBitsOfATargetThatTracesEverything) {
   }
   EXPECT_GT(lit, kSteps / 20) << "too little light to say much";
   EXPECT_GT(fewer_rays, kSteps / 20U) << "halves are hardly ever reused";
+  EXPECT_GT(kept.connected, 0);
+  // Elsewhere hardly any camera path runs into a lamp.
+  if (GetParam().scene == std::string("Environment")) EXPECT_GT(kept.implicit, 0);
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, HalfReuse,
@@ -122,6 +155,41 @@ INSTANTIATE_TEST_SUITE_P(Scenes, HalfReuse,
                                            Case{"GlassAndMetal", 5}, Case{"ThinLens", 4},
                                            Case{"Environment", 4}, Case{"Fog", 4},
                                            Case{"MilkBall", 6}, Case{"EnvironmentCamera", 3}));
+
+TEST(WholePathTarget, KeepsDirectionsInStepsOfTheRasterNumbersAlone) {
+  const auto scene = test::scene_from(test::small_scene("Room").text);
+  PathSamplerSettings settings;
+  settings.techniques = TechniqueSet::bdpt();
+  settings.max_depth = 5;
+  ChainView view;
+  view.size = Vec2(scene->camera().resolution());
+  WholePathTarget target(*scene, settings, view);
+  const PrimaryShape shape{6, 6};
+  const auto mutation = make_mutation("gaussian", 0.01);
+  ChainSource source(*mutation, StepSizes{}, shape);
+  ChainNumbers numbers(shape, 8);
+  const auto evaluate = [&](SampleSource& from, const Change& change) {
+    SplatBuffer splats;
+    const double scalar = target.evaluate(from, change, splats);
+    target.accepted();
+    return scalar;
+  };
+  source.propose(numbers, StepKind::SmallBoth, Change{}, 1);
+  evaluate(source, Change{});
+  source.accept();
+  int kept = 0;
+  for (std::uint64_t step = 0; step < 200; ++step) {
+    const Change change = change_of(StepKind::SmallRaster, {}, true);
+    source.propose(numbers, StepKind::SmallRaster, change, 2 + step);
+    CountingSource counting(source);
+    const double scalar = evaluate(counting, change);
+    kept += counting.replaced();
+    source.accept();
+    ReplaySource replay(numbers);
+    EXPECT_EQ(evaluate(replay, Change{}), scalar);
+  }
+  EXPECT_GT(kept, 50);
+}
 
 TEST(ChainOfPaths, OfSixteenEdgesFitsInFourKibibytes) {
   constexpr int kDepth = 16;

@@ -189,7 +189,7 @@ void OnePathTarget::keep(Halves& halves, bool moved) {
 void OnePathTarget::accepted() {
   keep(light_, change_.light);
   keep(camera_, change_.moves_camera_half());
-  directions_.accept(change_.moves_camera_half());
+  directions_.accept();
 }
 
 void OnePathTarget::rejected() {}

@@ -84,7 +84,7 @@ class WholePathTarget final : public PathTarget {
   WholePathTarget(const Scene& scene, const PathSamplerSettings& settings, const ChainView& view,
                   const LightSplit* split = nullptr);
   double evaluate(SampleSource& numbers, const Change& change, SplatBuffer& splats) override;
-  void accepted() override { directions_.accept(true); }
+  void accepted() override { directions_.accept(); }
   std::uint64_t rays() const override { return sampler_.rays(); }
 
  private:

@@ -47,7 +47,7 @@ struct StepProbabilities {
   /// light is found in a narrow place only, steps of one length hardly ever end in it again.
   double fine = 0.0;
   /// Share of the small steps that move the raster numbers alone. Directions stay, so that such a
-  /// step is accepted more often than others, and spreads light over the pixels around.
+  /// step is accepted more often than others, and spreads light over the picture.
   double raster = 0.0;
 
   /// Raises std::invalid_argument unless all shares are probabilities.

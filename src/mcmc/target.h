@@ -24,8 +24,10 @@ class Target {
   /// The contribution function I ≥ 0 of the state `numbers`; appends its splats. It must be a
   /// function of `numbers` alone. `change` says which streams may differ from the state that was
   /// last accepted: what came of the others alone need not be computed again, nor their numbers be
-  /// asked for. A state that is placed on the image by the raster numbers, the first pair of the
-  /// camera's vertex 0, asks for them in every case, and before others of that vertex.
+  /// asked for. In a step of the raster numbers alone it may replace numbers, so that something
+  /// else stays (`SampleSource::replace_pair`). A state that is placed on the image by the raster
+  /// numbers, the first pair of the camera's vertex 0, asks for them in every case, and before
+  /// others of that vertex.
   virtual double evaluate(SampleSource& numbers, const Change& change, SplatBuffer& splats) = 0;
   /// The state evaluated last is the current one from now on, or is forgotten. Exactly one of the
   /// two follows each `evaluate`.

@@ -1,20 +1,21 @@
 #include "transport/kept_directions.h"
 
-#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace ajar {
 
 void KeptDirections::trace(bool follow) {
   traced_ = true;
   follow_ = follow;
-  std::fill(proposal_.begin(), proposal_.end(), Direction{});
+  proposal_.clear();
 }
 
 void KeptDirections::place(const PathVertex& vertex, float u_lobe, SampleAddress address,
                            SampleSource& source) const {
-  if (!follow_ || vertex.in_medium) return;
-  const Direction& kept = current_[size(vertex.edges)];
+  const auto index = static_cast<std::size_t>(vertex.edges);
+  if (!follow_ || vertex.in_medium || index >= current_.size()) return;
+  const Direction& kept = current_[index];
   if (kept.pdf == 0.F) return;
   if (const auto inverse = vertex.bsdf.inverse(vertex.wo, kept.wi, u_lobe)) {
     source.replace_pair(
@@ -25,16 +26,14 @@ void KeptDirections::place(const PathVertex& vertex, float u_lobe, SampleAddress
 
 void KeptDirections::note(const PathVertex& vertex, float u_lobe, const Vec3& wi) {
   if (vertex.in_medium) return;
-  const std::optional<LobeInverse> inverse = vertex.bsdf.inverse(vertex.wo, wi, u_lobe);
-  if (inverse) proposal_[size(vertex.edges)] = {inverse->pdf, wi};
+  if (const auto inverse = vertex.bsdf.inverse(vertex.wo, wi, u_lobe)) {
+    proposal_.resize(static_cast<std::size_t>(vertex.edges) + 1);
+    proposal_.back() = {inverse->pdf, wi};
+  }
 }
 
-void KeptDirections::accept(bool moved) {
-  if (traced_) {
-    std::swap(current_, proposal_);
-  } else if (moved) {
-    std::fill(current_.begin(), current_.end(), Direction{});
-  }
+void KeptDirections::accept() {
+  if (traced_) std::swap(current_, proposal_);
 }
 
 }  // namespace ajar
