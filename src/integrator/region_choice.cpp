@@ -234,7 +234,7 @@ double gain_of_chains(const PilotView& view, const std::vector<double>& threshol
 /// than noise of the same variance.
 bool would_pay(const PilotView& view, const std::vector<double>& thresholds, ThresholdCosts costs) {
   constexpr double kDoubt = 4.0;
-  constexpr double kClearly = 0.7;
+  constexpr double kClearly = 0.75;
   // One path is no evidence, unless it is worth as much as the rest of the picture.
   constexpr double kHardly = 0.8;
   constexpr double kOverwhelmingly = 0.1;
