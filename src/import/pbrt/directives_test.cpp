@@ -5,10 +5,6 @@
 namespace ajar {
 namespace {
 
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 TEST(PbrtDirectives, UnknownOnesNameTheNearestWithTheirPlace) {
   const std::string error = error_of("WorldBegin\n  Shpae \"sphere\"");
   EXPECT_TRUE(

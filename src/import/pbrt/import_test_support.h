@@ -1,4 +1,6 @@
 #pragma once
+#include <gtest/gtest.h>
+
 #include <map>
 #include <string>
 #include <string_view>
@@ -44,6 +46,45 @@ inline std::string warnings_of(std::string_view text,
   std::string result;
   for (const std::string& message : warnings.messages()) result += message + "\n";
   return result;
+}
+
+inline bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+/// Imports a world without any warning.
+inline desc::SceneDesc scene_of(const std::string& body,
+                                const std::map<std::string, std::string>& files = {}) {
+  Warnings warnings;
+  desc::SceneDesc scene = import_with(world(body), warnings, files);
+  for (const std::string& message : warnings.messages()) ADD_FAILURE() << body << "\n" << message;
+  return scene;
+}
+template <typename Node>
+Node material_of(const std::string& body) {
+  const desc::SceneDesc scene = scene_of(body);
+  return std::get<Node>(
+      scene.materials.at(static_cast<std::size_t>(scene.shapes.back().material)).node);
+}
+inline desc::Rgb constant(const desc::SceneDesc& scene, desc::TextureId id) {
+  return std::get<desc::ConstantTexture>(scene.textures.at(static_cast<std::size_t>(id)).node)
+      .value;
+}
+/// The texture "t"; the scene's other textures are constants for the parameters of materials.
+template <typename Node>
+Node named_texture(const desc::SceneDesc& scene) {
+  for (const desc::Texture& texture : scene.textures) {
+    if (texture.name == "t") return std::get<Node>(texture.node);
+  }
+  throw std::runtime_error("there is no texture \"t\"");
+}
+template <typename Node>
+Node texture_of(const std::string& body) {
+  return named_texture<Node>(scene_of(body));
+}
+inline void expect_rgb(const desc::Rgb& actual, const desc::Rgb& expected,
+                       float tolerance = 1e-6F) {
+  for (int i = 0; i < 3; ++i) EXPECT_NEAR(actual[i], expected[i], tolerance) << i;
 }
 
 }  // namespace ajar

@@ -1,0 +1,255 @@
+// Materials, spectra and textures: pbrt-v3's defaults and meanings.
+#include <gtest/gtest.h>
+
+#include "core/color.h"
+#include "core/spectrum.h"
+#include "import/pbrt/import_test_support.h"
+#include "import/pbrt/metals.h"
+
+namespace ajar {
+namespace {
+
+TEST(PbrtMaterials, HaveTheDefaultsOfPbrt) {
+  {
+    const desc::SceneDesc s = scene_of("");
+    const auto m = std::get<desc::MatteMaterial>(s.materials[0].node);
+    expect_rgb(constant(s, m.kd), desc::Rgb(0.5F));
+    expect_rgb(constant(s, m.sigma), desc::Rgb(0.F));
+  }
+  {
+    const desc::SceneDesc s = scene_of("Material \"glass\"");
+    const auto m = std::get<desc::GlassMaterial>(s.materials[0].node);
+    expect_rgb(constant(s, m.kr), desc::Rgb(1.F));
+    expect_rgb(constant(s, m.eta), desc::Rgb(1.5F));
+    expect_rgb(constant(s, m.u_roughness), desc::Rgb(0.F));
+    EXPECT_TRUE(m.remap_roughness);
+    EXPECT_FALSE(m.thin);
+  }
+  {
+    const desc::SceneDesc s =
+        scene_of("Material \"uber\" \"float roughness\" .3 \"float vroughness\" .4");
+    const auto m = std::get<desc::UberMaterial>(s.materials[0].node);
+    expect_rgb(constant(s, m.kd), desc::Rgb(0.25F));
+    expect_rgb(constant(s, m.kr), desc::Rgb(0.F));
+    expect_rgb(constant(s, m.opacity), desc::Rgb(1.F));
+    expect_rgb(constant(s, m.u_roughness), desc::Rgb(0.3F));
+    expect_rgb(constant(s, m.v_roughness), desc::Rgb(0.4F));
+  }
+  {
+    const desc::SceneDesc s = scene_of("Material \"disney\" \"color color\" [.1 .2 .3]");
+    const auto m = std::get<desc::DisneyMaterial>(s.materials[0].node);
+    expect_rgb(constant(s, m.color), {0.1F, 0.2F, 0.3F});
+    expect_rgb(constant(s, m.roughness), desc::Rgb(0.5F));
+    expect_rgb(constant(s, m.sheen_tint), desc::Rgb(0.5F));
+    expect_rgb(constant(s, m.clearcoat_gloss), desc::Rgb(1.F));
+    expect_rgb(constant(s, m.diff_trans), desc::Rgb(1.F));
+  }
+  {
+    const desc::SceneDesc s = scene_of("Material \"translucent\"");
+    const auto m = std::get<desc::TranslucentMaterial>(s.materials[0].node);
+    expect_rgb(constant(s, m.reflect), desc::Rgb(0.5F));
+    expect_rgb(constant(s, m.roughness), desc::Rgb(0.1F));
+  }
+  const desc::SceneDesc mirror = scene_of("Material \"mirror\"");
+  expect_rgb(constant(mirror, std::get<desc::MirrorMaterial>(mirror.materials[0].node).kr),
+             desc::Rgb(0.9F));
+}
+
+TEST(PbrtMaterials, MetalIsCopperUnlessToldOtherwise) {
+  // The RGB constants of copper that exporters compute from the same measurements (veach-mis
+  // scene).
+  const desc::SceneDesc s = scene_of("Material \"metal\"");
+  const auto m = std::get<desc::MetalMaterial>(s.materials[0].node);
+  expect_rgb(constant(s, m.eta), {0.200438F, 0.924033F, 1.102212F}, 0.01F);
+  expect_rgb(constant(s, m.k), {3.912949F, 2.452848F, 2.142188F}, 0.02F);
+  EXPECT_EQ(m.u_roughness, m.v_roughness);
+  expect_rgb(constant(s, m.u_roughness), desc::Rgb(0.01F));
+}
+
+TEST(PbrtMaterials, MetalsAreKnownByNameUnlessTheFileExists) {
+  const desc::Rgb gold_eta(*pbrt::metal_rgb("Au", pbrt::MetalQuantity::Eta));
+  const desc::Rgb gold_k(*pbrt::metal_rgb("Au", pbrt::MetalQuantity::K));
+  EXPECT_GT(gold_k.x, gold_k.z);
+  for (const auto& [eta, k] : {std::pair("spds/metals/Au.eta.spd", "spds/metals/Au.k.spd"),
+                               std::pair("metal-Au-eta", "metal-Au-k")}) {
+    const desc::SceneDesc s = scene_of("Material \"metal\" \"spectrum eta\" \"" + std::string(eta) +
+                                       "\" \"spectrum k\" [\"" + k + "\"]");
+    const auto m = std::get<desc::MetalMaterial>(s.materials[0].node);
+    expect_rgb(constant(s, m.eta), gold_eta);
+    expect_rgb(constant(s, m.k), gold_k);
+  }
+  const desc::SceneDesc s = scene_of("Material \"metal\" \"spectrum eta\" \"Au.eta.spd\"",
+                                     {{"Au.eta.spd", "# mine\n400 2\n700 2\n"}});
+  const auto m = std::get<desc::MetalMaterial>(s.materials[0].node);
+  EXPECT_NEAR(luminance({constant(s, m.eta).x, constant(s, m.eta).y, constant(s, m.eta).z}), 2.F,
+              1e-3F);
+}
+
+TEST(PbrtMaterials, MissingSpectraAreWarningsWithTheDefault) {
+  const std::string warning =
+      warnings_of(world("Material \"matte\" \"spectrum Kd\" \"nothing.spd\""));
+  EXPECT_TRUE(contains(warning, "test.pbrt:2:18: spectrum \"nothing.spd\" cannot be used"))
+      << warning;
+  EXPECT_TRUE(contains(
+      warnings_of(world("Material \"matte\" \"spectrum Kd\" \"a.spd\""), {{"a.spd", "400 x"}}),
+      "a.spd:1:5"));
+}
+
+TEST(PbrtMaterials, NamedOnesAreScopedAndMixed) {
+  const desc::SceneDesc s = scene_of(
+      "MakeNamedMaterial \"a\" \"string type\" \"mirror\" "
+      "AttributeBegin MakeNamedMaterial \"a\" \"string type\" \"plastic\" NamedMaterial \"a\" "
+      "Shape \"disk\" AttributeEnd "
+      "MakeNamedMaterial \"m\" \"string type\" \"mix\" \"string namedmaterial1\" \"a\" \"string "
+      "namedmaterial2\" \"a\" "
+      "NamedMaterial \"m\"");
+  EXPECT_TRUE(std::holds_alternative<desc::PlasticMaterial>(
+      s.materials.at(static_cast<std::size_t>(s.shapes[0].material)).node));
+  const auto mix = std::get<desc::MixMaterial>(
+      s.materials.at(static_cast<std::size_t>(s.shapes[1].material)).node);
+  EXPECT_TRUE(std::holds_alternative<desc::MirrorMaterial>(
+      s.materials.at(static_cast<std::size_t>(mix.a)).node));
+  expect_rgb(constant(s, mix.amount), desc::Rgb(0.5F));
+  EXPECT_TRUE(contains(error_of("WorldBegin MakeNamedMaterial \"glas\" \"string type\" \"glass\" "
+                                "NamedMaterial \"glass\""),
+                       "unknown named material \"glass\"; did you mean \"glas\"?"));
+  EXPECT_TRUE(contains(error_of("WorldBegin MakeNamedMaterial \"x\""), "needs \"string type\""));
+}
+
+TEST(PbrtMaterials, EmptyAndNoneAreInterfaces) {
+  material_of<desc::InterfaceMaterial>("Material \"\"");
+  material_of<desc::InterfaceMaterial>("Material \"none\"");
+  material_of<desc::InterfaceMaterial>(
+      "MakeNamedMaterial \"x\" \"string type\" \"none\" NamedMaterial \"x\"");
+}
+
+TEST(PbrtMaterials, ShapesMayOverrideParameters) {
+  for (const char* set : {"Material \"plastic\" \"rgb Kd\" [.1 .2 .3]",
+                          "MakeNamedMaterial \"p\" \"string type\" \"plastic\" \"rgb Kd\" [.1 .2 "
+                          ".3] NamedMaterial \"p\""}) {
+    const desc::SceneDesc s =
+        scene_of(std::string(set) +
+                 " Shape \"disk\" \"rgb Kd\" [.9 .8 .7] Shape \"disk\" \"float radius\" 2");
+    const auto over = std::get<desc::PlasticMaterial>(
+        s.materials.at(static_cast<std::size_t>(s.shapes[0].material)).node);
+    const auto plain = std::get<desc::PlasticMaterial>(
+        s.materials.at(static_cast<std::size_t>(s.shapes[1].material)).node);
+    expect_rgb(constant(s, over.kd), {0.9F, 0.8F, 0.7F});
+    expect_rgb(constant(s, plain.kd), {0.1F, 0.2F, 0.3F});
+    EXPECT_EQ(s.shapes[1].material, s.shapes[2].material);
+  }
+}
+
+TEST(PbrtMaterials, UnsupportedOnesHaveStandIns) {
+  for (const char* type : {"fourier", "hair", "subsurface", "kdsubsurface"}) {
+    const std::string warning = warnings_of(world("Material \"" + std::string(type) + "\""));
+    EXPECT_TRUE(contains(warning, "is not supported: a matte one stands in")) << warning;
+  }
+  EXPECT_TRUE(contains(error_of(world("Material \"mate\"")),
+                       "unknown material \"mate\"; did you mean \"matte\"?"));
+}
+
+TEST(PbrtMaterials, BumpMapsAreFloatTextures) {
+  const desc::SceneDesc s =
+      scene_of("Texture \"b\" \"float\" \"fbm\" Material \"matte\" \"texture bumpmap\" \"b\"");
+  EXPECT_TRUE(std::holds_alternative<desc::FbmTexture>(
+      s.textures.at(static_cast<std::size_t>(s.materials[0].bump)).node));
+}
+
+TEST(PbrtSpectra, AllSpellingsAreUnderstood) {
+  const auto kd = [](const std::string& parameter) {
+    const desc::SceneDesc s = scene_of("Material \"matte\" " + parameter);
+    return constant(s, std::get<desc::MatteMaterial>(s.materials[0].node).kd);
+  };
+  expect_rgb(kd("\"rgb Kd\" [.1 .2 .3]"), {0.1F, 0.2F, 0.3F});
+  expect_rgb(kd("\"color Kd\" [.1 .2 .3]"), {0.1F, 0.2F, 0.3F});
+  expect_rgb(kd("\"xyz Kd\" [.95047 1 1.08883]"), desc::Rgb(1.F), 1e-3F);
+  expect_rgb(kd("\"blackbody Kd\" [5500 .5]"), desc::Rgb(blackbody_rgb(5500.0) * 0.5));
+  const desc::Rgb flat = kd("\"spectrum Kd\" [400 .4 700 .4]");
+  EXPECT_NEAR(luminance({flat.x, flat.y, flat.z}), 0.4F, 1e-4F);
+  expect_rgb(flat, kd("\"spectrum Kd\" [500 .4]"));
+}
+
+TEST(PbrtTextures, HaveTheDefaultsOfPbrt) {
+  const desc::SceneDesc checks = scene_of("Texture \"t\" \"spectrum\" \"checkerboard\"");
+  const auto c = named_texture<desc::CheckerboardTexture>(checks);
+  EXPECT_EQ(c.dimension, 2);
+  expect_rgb(constant(checks, c.a), desc::Rgb(1.F));
+  expect_rgb(constant(checks, c.b), desc::Rgb(0.F));
+  const auto marble = texture_of<desc::MarbleTexture>("Texture \"t\" \"color\" \"marble\"");
+  EXPECT_EQ(marble.octaves, 8);
+  EXPECT_EQ(marble.roughness, 0.5F);
+  EXPECT_EQ(marble.variation, 0.2F);
+  const auto bilerp =
+      texture_of<desc::BilerpTexture>("Texture \"t\" \"float\" \"bilerp\" \"float v10\" 7");
+  expect_rgb(bilerp.v10, desc::Rgb(7.F));
+  expect_rgb(bilerp.v01, desc::Rgb(1.F));
+  const desc::SceneDesc mixed = scene_of("Texture \"t\" \"float\" \"mix\"");
+  const auto m = named_texture<desc::MixTexture>(mixed);
+  expect_rgb(constant(mixed, m.a), desc::Rgb(0.F));
+  expect_rgb(constant(mixed, m.amount), desc::Rgb(0.5F));
+}
+
+TEST(PbrtTextures, ImagesAreResolvedAndDecoded) {
+  const desc::SceneDesc s = scene_of(
+      "Texture \"t\" \"float\" \"imagemap\" \"string filename\" \"a/../b.png\" \"string wrap\" "
+      "\"clamp\" \"bool gamma\" \"false\" "
+      "\"float uscale\" 3 \"float scale\" 2 \"bool trilinear\" true \"float maxanisotropy\" 4",
+      {{"b.png", ""}});
+  const auto image = named_texture<desc::ImageTexture>(s);
+  EXPECT_EQ(image.path, "b.png");
+  EXPECT_EQ(image.wrap, desc::Wrap::Clamp);
+  EXPECT_FALSE(image.decode_srgb);
+  EXPECT_TRUE(image.luminance);
+  EXPECT_EQ(image.scale, 2.F);
+  EXPECT_EQ(std::get<desc::UvMapping>(image.mapping).su, 3.F);
+  const auto colour = texture_of<desc::ImageTexture>(
+      "Texture \"t\" \"spectrum\" \"imagemap\" \"string filename\" \"x.png\"");
+  EXPECT_TRUE(colour.decode_srgb);
+  EXPECT_FALSE(colour.luminance);
+  EXPECT_EQ(colour.path.front(), '/');
+}
+
+TEST(PbrtTextures, MappingsUseTheCurrentTransform) {
+  const auto sphere = texture_of<desc::UvTexture>(
+      "Translate 1 0 0 Texture \"t\" \"spectrum\" \"uv\" \"string mapping\" \"spherical\"");
+  EXPECT_EQ(std::get<desc::SphericalMapping>(sphere.mapping).world_to_texture[3][0], -1.0);
+  const auto plane = texture_of<desc::UvTexture>(
+      "Texture \"t\" \"spectrum\" \"uv\" \"string mapping\" \"planar\" \"vector v1\" [1 2 3] "
+      "\"float vdelta\" 4");
+  EXPECT_EQ(std::get<desc::PlanarMapping>(plane.mapping).vs, Vec3(1.F, 2.F, 3.F));
+  EXPECT_EQ(std::get<desc::PlanarMapping>(plane.mapping).dt, 4.F);
+  // pbrt-v3 applies the transform itself to points of solid textures.
+  EXPECT_EQ(texture_of<desc::FbmTexture>("Scale 2 2 2 Texture \"t\" \"float\" \"fbm\"")
+                .world_to_texture[0][0],
+            2.0);
+}
+
+TEST(PbrtTextures, FloatAndSpectrumOnesAreDifferentEvenOfOneName) {
+  const desc::SceneDesc s = scene_of(
+      "Texture \"t\" \"float\" \"constant\" \"float value\" .25 Texture \"t\" \"spectrum\" "
+      "\"constant\" \"rgb value\" [1 0 0] "
+      "Material \"matte\" \"texture Kd\" \"t\" \"texture sigma\" \"t\"");
+  const auto m = std::get<desc::MatteMaterial>(s.materials[0].node);
+  expect_rgb(constant(s, m.kd), {1.F, 0.F, 0.F});
+  expect_rgb(constant(s, m.sigma), desc::Rgb(0.25F));
+  EXPECT_TRUE(contains(
+      warnings_of(
+          world("Texture \"f\" \"float\" \"constant\" Material \"matte\" \"texture Kd\" \"f\"")),
+      "needs a spectrum texture"));
+  EXPECT_TRUE(contains(error_of(world("Material \"matte\" \"texture Kd\" \"none\"")),
+                       "2:18: unknown spectrum texture \"none\""));
+}
+
+TEST(PbrtTextures, EndWithTheirScope) {
+  const std::string inner =
+      "AttributeBegin Texture \"t\" \"float\" \"constant\" AttributeEnd Material \"matte\" "
+      "\"texture sigma\" \"t\"";
+  EXPECT_TRUE(contains(error_of(world(inner)), "unknown float texture"));
+  const desc::SceneDesc s =
+      scene_of("Texture \"t\" \"float\" \"constant\" \"float value\" 3 " + inner);
+  expect_rgb(constant(s, std::get<desc::MatteMaterial>(s.materials[0].node).sigma), desc::Rgb(3.F));
+}
+
+}  // namespace
+}  // namespace ajar

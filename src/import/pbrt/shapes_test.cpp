@@ -1,0 +1,180 @@
+// Shapes and mesh files: pbrt-v3's defaults and meanings.
+#include <gtest/gtest.h>
+
+#include "import/pbrt/import_test_support.h"
+
+namespace ajar {
+namespace {
+
+TEST(PbrtShapes, QuadricsHaveTheDefaultsOfPbrt) {
+  const desc::SceneDesc s = scene_of(
+      "Shape \"sphere\" \"float radius\" 2 Shape \"sphere\" \"float radius\" 2 \"float zmin\" -9 "
+      "\"float zmax\" 1 \"float phimax\" 90 "
+      "Shape \"cylinder\" Shape \"disk\" Shape \"cone\" Shape \"paraboloid\" Shape "
+      "\"hyperboloid\"");
+  const auto full = std::get<desc::Sphere>(s.shapes[0].node);
+  EXPECT_EQ(full.z_min, -2.F);
+  EXPECT_EQ(full.z_max, 2.F);
+  EXPECT_EQ(full.phi_max, 360.F);
+  const auto part = std::get<desc::Sphere>(s.shapes[1].node);
+  EXPECT_EQ(part.z_min, -2.F);
+  EXPECT_EQ(part.z_max, 1.F);
+  EXPECT_EQ(std::get<desc::Cylinder>(s.shapes[2].node).z_min, -1.F);
+  EXPECT_EQ(std::get<desc::Disk>(s.shapes[3].node).inner_radius, 0.F);
+  EXPECT_EQ(std::get<desc::Cone>(s.shapes[4].node).height, 1.F);
+  EXPECT_EQ(std::get<desc::Paraboloid>(s.shapes[5].node).z_max, 1.F);
+  EXPECT_EQ(std::get<desc::Hyperboloid>(s.shapes[6].node).p2, Vec3(1.F));
+}
+
+TEST(PbrtShapes, ImpossibleOnesAreLeftOutWithAWarning) {
+  for (const char* shape : {"\"sphere\" \"float radius\" -1", "\"disk\" \"float innerradius\" 3",
+                            "\"nurbs\"", "\"curve\""}) {
+    Warnings warnings;
+    const desc::SceneDesc s = import_with(world("Shape " + std::string(shape)), warnings);
+    EXPECT_EQ(s.shapes.size(), 1U) << shape;
+    EXPECT_GE(warnings.count(), 1U) << shape;
+  }
+  EXPECT_TRUE(contains(warnings_of(world("AttributeBegin Scale 1 0 1 Shape \"disk\" AttributeEnd")),
+                       "cannot be inverted: shape left out"));
+}
+
+TEST(PbrtShapes, TriangleMeshesHaveTheirAttributes) {
+  const desc::SceneDesc s = scene_of(
+      "Shape \"trianglemesh\" \"integer indices\" [0 1 2] \"point P\" [0 0 0 1 0 0 0 1 0] \"normal "
+      "N\" [0 0 1 0 0 1 0 0 1] "
+      "\"vector S\" [1 0 0 1 0 0 1 0 0] \"float uv\" [0 0 1 0 0 1]");
+  const auto& mesh = *std::get<std::shared_ptr<const desc::Mesh>>(s.shapes[0].node);
+  EXPECT_EQ(mesh.positions[1], Vec3(1.F, 0.F, 0.F));
+  EXPECT_EQ(mesh.normals.size(), 3U);
+  EXPECT_EQ(mesh.tangents.size(), 3U);
+  EXPECT_EQ(mesh.uvs[2], Vec2(0.F, 1.F));
+  for (const char* uv : {"\"point2 uv\"", "\"point2 st\"", "\"float st\""}) {
+    const desc::SceneDesc t = scene_of(
+        "Shape \"trianglemesh\" \"integer indices\" [0 1 2] \"point3 P\" [0 0 0 1 0 0 0 1 0] " +
+        std::string(uv) + " [0 0 1 0 0 1]");
+    EXPECT_EQ(std::get<std::shared_ptr<const desc::Mesh>>(t.shapes[0].node)->uvs.size(), 3U) << uv;
+  }
+}
+
+TEST(PbrtShapes, WrongMeshesAreLocatedErrors) {
+  const std::string p = "\"point P\" [0 0 0 1 0 0 0 1 0 1 1 0]";
+  EXPECT_TRUE(
+      contains(error_of(world("\n Shape \"trianglemesh\" \"integer indices\" [0 1 4] " + p)),
+               "test.pbrt:3:2: mesh triangle 0 refers to vertex 4 of 4"));
+  EXPECT_TRUE(contains(error_of(world("Shape \"trianglemesh\" \"integer indices\" [0 1 -1] " + p)),
+                       "refers to vertex -1"));
+  EXPECT_TRUE(contains(error_of(world("Shape \"trianglemesh\" \"integer indices\" [0 1 2]")),
+                       "needs \"point P\""));
+  EXPECT_TRUE(
+      contains(error_of(world("Shape \"trianglemesh\" " + p)), "needs \"integer indices\""));
+  EXPECT_TRUE(contains(
+      error_of(
+          world("Shape \"loopsubdiv\" \"integer levels\" 100 \"integer indices\" [0 1 2] " + p)),
+      "make no sense"));
+  const std::string flat =
+      warnings_of(world("Shape \"trianglemesh\" \"integer indices\" [0 1 2 0 0 1 1 1 1] " + p));
+  EXPECT_EQ(flat, "test.pbrt:2:1: 2 of 3 triangles have no area: dropped\n");
+}
+
+const std::string kTriangle =
+    "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float "
+    "z\nelement face 1\n"
+    "property list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+
+TEST(PbrtShapes, MeshFilesAreReadOnceAndShared) {
+  const desc::SceneDesc s = scene_of(
+      "Shape \"plymesh\" \"string filename\" \"m/tri.ply\" Shape \"plymesh\" \"string filename\" "
+      "\"m/tri.ply\"",
+      {{"m/tri.ply", kTriangle}});
+  const auto a = std::get<std::shared_ptr<const desc::Mesh>>(s.shapes[0].node);
+  const auto b = std::get<std::shared_ptr<const desc::Mesh>>(s.shapes[1].node);
+  EXPECT_EQ(a, b);
+  EXPECT_EQ(a->indices.size(), 1U);
+  EXPECT_EQ(s.shapes[0].name, "tri");
+}
+
+TEST(PbrtShapes, BadMeshFilesAreErrorsAtTheFirstShapeThatNamesOne) {
+  const std::string two = world(
+      "Shape \"plymesh\" \"string filename\" \"a.ply\"\nShape \"plymesh\" \"string filename\" "
+      "\"b.ply\"");
+  EXPECT_TRUE(contains(error_of(two), "test.pbrt:2:1: cannot use this mesh: cannot open"));
+  std::string bad = kTriangle;
+  bad.replace(bad.find("3 0 1 2"), 7, "3 0 1 7");
+  const std::string error = error_of(two, {{"a.ply", kTriangle}, {"b.ply", bad}});
+  EXPECT_EQ(error,
+            "test.pbrt:3:1: cannot use this mesh: b.ply: mesh triangle 0 refers to vertex 7 of 3");
+  const std::string cut =
+      error_of(two, {{"a.ply", kTriangle.substr(0, kTriangle.size() - 6)}, {"b.ply", bad}});
+  EXPECT_TRUE(contains(cut, "test.pbrt:2:1: cannot use this mesh: a.ply: the file")) << cut;
+}
+
+TEST(PbrtShapes, CurvesBecomeBezierSegments) {
+  const desc::SceneDesc s = scene_of(
+      "Shape \"curve\" \"point P\" [0 0 0 1 0 0 2 0 0 3 0 0 4 0 0 5 0 0 6 0 0] \"float width0\" 1 "
+      "\"float width1\" 3 \"string type\" \"cylinder\" "
+      "\"integer splitdepth\" 3");
+  const auto& curve = *std::get<std::shared_ptr<const desc::Curve>>(s.shapes[0].node);
+  EXPECT_EQ(curve.type, desc::Curve::Type::Cylinder);
+  ASSERT_EQ(curve.control_points.size(), 8U);
+  EXPECT_EQ(curve.control_points[4], Vec3(3.F, 0.F, 0.F));
+  EXPECT_EQ(curve.widths.front(), 1.F);
+  EXPECT_EQ(curve.widths[3], 2.F);
+  EXPECT_EQ(curve.widths.back(), 3.F);
+}
+
+TEST(PbrtShapes, SplinesAndQuadraticsAreTheSameCurve) {
+  // A straight line with evenly spaced controls: every form gives evenly spaced points on it.
+  for (const char* form : {"\"integer degree\" 2 \"point P\" [0 0 0 1.5 0 0 3 0 0]",
+                           "\"string basis\" \"bspline\" \"point P\" [-3 0 0 0 0 0 3 0 0 6 0 0]",
+                           "\"string basis\" \"bspline\" \"integer degree\" 2 \"point P\" [-1.5 0 "
+                           "0 1.5 0 0 4.5 0 0]"}) {
+    const desc::SceneDesc s = scene_of("Shape \"curve\" " + std::string(form));
+    const auto& curve = *std::get<std::shared_ptr<const desc::Curve>>(s.shapes[0].node);
+    ASSERT_EQ(curve.control_points.size(), 4U);
+    for (int i = 0; i < 4; ++i)
+      EXPECT_NEAR(curve.control_points[static_cast<std::size_t>(i)].x, static_cast<float>(i), 1e-5F)
+          << form;
+  }
+}
+
+TEST(PbrtShapes, RibbonsTurnTheirNormalsEvenly) {
+  const desc::SceneDesc s = scene_of(
+      "Shape \"curve\" \"string type\" \"ribbon\" \"point P\" [0 0 0 1 0 0 2 0 0 3 0 0] \"normal "
+      "N\" [0 1 0 0 0 1]");
+  const auto& curve = *std::get<std::shared_ptr<const desc::Curve>>(s.shapes[0].node);
+  ASSERT_EQ(curve.normals.size(), 4U);
+  EXPECT_NEAR(dot(curve.normals[0], curve.normals[1]), std::cos(kPi / 6.F), 1e-5F);
+  EXPECT_NEAR(dot(curve.normals[1], curve.normals[3]), std::cos(kPi / 3.F), 1e-5F);
+  EXPECT_TRUE(contains(
+      warnings_of(world(
+          "Shape \"curve\" \"string type\" \"ribbon\" \"point P\" [0 0 0 1 0 0 2 0 0 3 0 0]")),
+      "needs 2 normals"));
+}
+
+TEST(PbrtShapes, HeightFieldsAndSubdivisionSurfaces) {
+  const desc::SceneDesc s = scene_of(
+      "Shape \"heightfield\" \"integer nu\" 3 \"integer nv\" 2 \"float Pz\" [0 1 2 3 4 5] "
+      "Shape \"loopsubdiv\" \"integer nlevels\" 2 \"integer indices\" [0 1 2] \"point P\" [0 0 0 1 "
+      "0 0 0 1 0]");
+  const auto& field = *std::get<std::shared_ptr<const desc::Mesh>>(s.shapes[0].node);
+  EXPECT_EQ(field.indices.size(), 4U);
+  EXPECT_EQ(field.positions[5], Vec3(1.F, 1.F, 5.F));
+  EXPECT_EQ(std::get<std::shared_ptr<const desc::LoopSubdivision>>(s.shapes[1].node)->levels, 2);
+  EXPECT_TRUE(contains(
+      error_of(world(
+          "Shape \"heightfield\" \"integer nu\" 1000000 \"integer nv\" 1000000 \"float Pz\" [1]")),
+      "2:1"));
+}
+
+TEST(PbrtShapes, AlphaIsATextureOrAConstantZero) {
+  const desc::SceneDesc s = scene_of(
+      "Texture \"a\" \"float\" \"checkerboard\" Shape \"disk\" \"texture alpha\" \"a\" \"float "
+      "shadowalpha\" 0 Shape \"disk\" \"float alpha\" .5");
+  EXPECT_TRUE(std::holds_alternative<desc::CheckerboardTexture>(
+      s.textures.at(static_cast<std::size_t>(s.shapes[0].alpha)).node));
+  expect_rgb(constant(s, s.shapes[0].shadow_alpha), desc::Rgb(0.F));
+  EXPECT_EQ(s.shapes[1].alpha, desc::kNone);
+}
+
+}  // namespace
+}  // namespace ajar
