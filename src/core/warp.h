@@ -32,7 +32,7 @@ inline Vec2 uniform_disk_inverse(const Vec2& d) {
     ab.y = std::copysign(r, d.y);
     ab.x = ab.y * std::atan(d.x / d.y) * (4.F * kInvPi);
   }
-  const auto unit = [](float v) { return std::clamp(0.5F * v + 0.5F, 0.F, 1.F - 0x1p-24F); };
+  const auto unit = [](float v) { return std::clamp(0.5F * v + 0.5F, 0.F, kOneMinusEpsilon); };
   return {unit(ab.x), unit(ab.y)};
 }
 

@@ -161,18 +161,22 @@ std::optional<int> Bsdf::choose(const Weights& weights, float& u) const {
 }
 
 std::optional<LobeInverse> Bsdf::inverse(const Vec3& wo, const Vec3& wi, float u_lobe) const {
-  if (!connectible_) return std::nullopt;
   const Frame shading = frame();
+  const float wo_side = dot(wo, ng());
+  const Vec3 o = shading.to_local(wo);
+  if (!connectible_ || std::abs(wo_side) < kGrazing || std::abs(o.z) < kGrazing) {
+    return std::nullopt;
+  }
+  const Vec3 local_ng = shading.to_local(wo_side > 0.F ? ng() : -ng());
   int chosen = 0;
   if (count_ > 1) {
-    const std::optional<int> choice = choose(weights(shading.to_local(wo)), u_lobe);
+    const std::optional<int> choice = choose(weights(o), u_lobe);
     if (!choice) return std::nullopt;
     chosen = *choice;
   }
-  const Vec3 local_ng = shading.to_local(dot(wo, ng()) > 0.F ? ng() : -ng());
   return visit_lobe(entry(chosen).lobe, [&](const auto& l) -> std::optional<LobeInverse> {
-    if constexpr (requires { l.inverse(wo, wi, u_lobe, local_ng); }) {
-      return l.inverse(shading.to_local(wo), shading.to_local(wi), u_lobe, local_ng);
+    if constexpr (requires { l.inverse(o, wi, u_lobe, local_ng); }) {
+      return l.inverse(o, shading.to_local(wi), u_lobe, local_ng);
     } else {
       return std::nullopt;
     }

@@ -12,9 +12,10 @@
 ///     LobeValue evaluate(wo, wi, transmission, mode) const;       // not if kSpecular
 ///     std::optional<LobeSample> sample(wo, u, ng, mode) const;
 ///     Spectrum albedo(wo) const;
-///     std::optional<LobeInverse> inverse(wo, wi, u_lobe, ng) const;  // if `sample` can be
-///     inverted,
-///                                                                    // at least for some u_lobe
+///
+/// and, if `sample` can be inverted at least for some `u_lobe`,
+///
+///     std::optional<LobeInverse> inverse(wo, wi, u_lobe, ng) const;
 ///
 /// in the local frame whose z axis is the shading normal: `wo` and `wi` point away from the
 /// surface, and neither is closer than `kGrazing` to the horizon. `Bsdf` has already decided by the
