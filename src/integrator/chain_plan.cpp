@@ -109,6 +109,8 @@ void ChainPlan::read_split() {
     }
   } else if (kind == ChainKind::OnePath) {
     thresholds = {0.1, 0.3, 1.0, 3.0, 10.0};
+    // What is shared by the error that is seen deserves fewer chains.
+    if (selective) thresholds.push_back(30.0);
   } else {
     // Nothing is found out for chains that ordinary Monte Carlo cannot seed.
     thresholds = {10.0};
