@@ -147,7 +147,9 @@ TEST_P(HalfReuse, GivesTheBitsOfATargetThatTracesEverything) {
   EXPECT_GT(fewer_rays, kSteps / 20U) << "halves are hardly ever reused";
   EXPECT_GT(kept.connected, 0);
   // Elsewhere hardly any camera path runs into a lamp.
-  if (GetParam().scene == std::string("Environment")) EXPECT_GT(kept.implicit, 0);
+  if (GetParam().scene == std::string("Environment")) {
+    EXPECT_GT(kept.implicit, 0);
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, HalfReuse,

@@ -59,8 +59,8 @@ void ChainEffort::adjust(std::uint64_t samples, const WeightedErrors& of_omc,
     // Before stretches can be compared: between what hard scenes have.
     constexpr double kUsuallyLasts = 0.2;
     const auto done = static_cast<double>(omc_samples(samples));
-    const auto of_one_sample = [&](const std::vector<std::vector<float>>& light) {
-      std::vector<double> variance = variance_of_mean(light);
+    const auto of_one_sample = [&](const std::vector<std::vector<float>>& pictures) {
+      std::vector<double> variance = variance_of_mean(pictures);
       for (double& of_pixel : variance) of_pixel *= done;
       return variance;
     };
