@@ -41,7 +41,7 @@ class ChainIntegrator final : public Integrator {
   PreparationRound begin_preparation(int round) override;
   void prepare_item(int round, std::uint64_t item, Counters& counters) override;
   void skip_preparation() override;
-  std::vector<std::string> concerns() const override { return concerns_; }
+  std::vector<std::string> concerns() const override;
   std::vector<std::string> notes() const override { return notes_on(plan_, recruits_ != nullptr); }
 
   std::vector<LayerSpec> layers() const override;
@@ -213,6 +213,14 @@ void ChainIntegrator::end_preparation() {
     maps_ = std::make_unique<PlaneMaps>(plan_.plane, plan_.view, plan_.settings.replicates,
                                         bootstrap_b(), *plan_.mutation);
   }
+}
+
+std::vector<std::string> ChainIntegrator::concerns() const {
+  std::vector<std::string> all = concerns_;
+  if (omc_) {
+    for (std::string& concern : omc_->concerns()) all.push_back(std::move(concern));
+  }
+  return all;
 }
 
 void ChainIntegrator::make_omc() {

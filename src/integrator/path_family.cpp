@@ -1,6 +1,8 @@
 #include "integrator/path_family.h"
 
 #include <algorithm>
+#include <iomanip>
+#include <sstream>
 
 #include "integrator/g_buffer.h"
 #include "integrator/technique_layers.h"
@@ -258,6 +260,7 @@ class PathIntegrator final : public Integrator {
     if (price_ != nullptr) sampler_settings_.camera_rest = static_cast<float>(price_->rest());
   }
   const PictureScale& scale() const { return scale_; }
+  std::vector<std::string> concerns() const override;
 
   std::vector<LayerSpec> layers() const override {
     std::vector<LayerSpec> specs = {{.name = "direct", .magnitude = scale_.mean},
@@ -441,6 +444,44 @@ class PathIntegrator final : public Integrator {
   double cull_below_;   ///< light that is worth a ray, unless there is a price
   Vec2i tiles_;
 };
+
+/// Counts camera samples whose first surface cannot be connected to.
+class MirrorSink final : public PathSink {
+ public:
+  void add(const Contribution& /*contribution*/) override {}
+  bool reaches(const Vec2& /*raster*/) const override { return false; }
+  void first_vertex(const PathVertex& vertex, const Hit* /*hit*/, float /*distance*/) override {
+    if (vertex.in_medium) return;
+    // Lamps that scatter nothing are seen well.
+    if (!vertex.bsdf.connectible() && !vertex.bsdf.empty()) ++mirrors;
+  }
+  int mirrors = 0;
+};
+
+std::vector<std::string> PathIntegrator::concerns() const {
+  const TechniqueSet& set = sampler_settings_.techniques;
+  if (!set.any(TechniqueClass::Light) || set.any(TechniqueClass::Implicit) ||
+      set.any(TechniqueClass::NextEvent) || set.any(TechniqueClass::Inner)) {
+    return {};
+  }
+  constexpr std::uint32_t kSamples = 4096;
+  PathSampler sampler(scene_, sampler_settings_);
+  MirrorSink sink;
+  const Vec2 low(settings_.crop.min);
+  const Vec2 size(settings_.crop.size() + Vec2i(1, 1));
+  for (std::uint32_t i = 0; i < kSamples; ++i) {
+    SobolSource source({settings_.seed, i, settings_.seed, i});
+    sampler.sample(source, low + source.get_pair({Stream::Camera, 0, kEmissionDirection}) * size,
+                   sink);
+  }
+  if (sink.mirrors == 0) return {};
+  std::ostringstream text;
+  text
+      << std::setprecision(2) << 100.0 * sink.mirrors / kSamples
+      << " % of the picture shows mirrors or clear glass, where light subpaths cannot be connected "
+         "to the lens: all that light tracing is to make there is missing; bdpt and ibpt see them";
+  return {text.str()};
+}
 
 class MeanSink final : public PathSink {
  public:

@@ -68,6 +68,7 @@ TEST_F(Cli, WrongUsageEndsWithTwoAndHelps) {
       {{"render", "builtin:cornell", "--chekpoint", "x"}, "did you mean \"--checkpoint\""},
       {{"render", "builtin:cornell", "--integrator", "ptt"}, "did you mean \"pt\""},
       {{"render", "builtin:cornell", "--set", "no-such=1"}, "unknown parameter"},
+      {{"render", "builtin:pool", "--set", "edges=antialias"}, "integrator pt: unknown parameter"},
       {{"render", "builtin:cornell", "--set", "alone"}, "KEY=VALUE"},
       {{"render", "builtin:cornell", "--time", "soon"}, "--time"},
       {{"render", "builtin:cornell", "--spp", "0"}, "--spp"},

@@ -174,7 +174,12 @@ void Run::choose(const desc::SceneDesc& description) {
     outputs_ = default_outputs(description.film.filename, scene_stem(order_.scene));
     if (is_root()) check_picture_paths(outputs_);
   }
-  parameters_.emplace(setup_.integrator->parameters, setup_.parameters);
+  try {
+    parameters_.emplace(setup_.integrator->parameters, setup_.parameters);
+  } catch (const UsageError& error) {
+    // The scene may have chosen it.
+    throw UsageError("integrator " + setup_.integrator->name + ": " + error.what());
+  }
   record_ = record_of(setup_, *parameters_, order_.scene, order_.share);
   record_.film_scale = static_cast<double>(description.film.scale);
   if (order_.resumed) check_same_render(order_.resumed->render, record_, order_.resumed_from);

@@ -1,0 +1,52 @@
+#include <gtest/gtest.h>
+
+#include "support/render.h"
+#include "support/small_scenes.h"
+
+/// What the user is warned of.
+namespace ajar {
+namespace {
+
+std::vector<std::string> concerns_of(const std::string& scene_text, const std::string& integrator,
+                                     std::map<std::string, std::string> parameters = {}) {
+  const auto scene = test::scene_from(scene_text);
+  test::RenderOptions options;
+  options.integrator = integrator;
+  options.samples = 8;
+  options.parameters = std::move(parameters);
+  return test::render(*scene, options).integrator->concerns();
+}
+
+std::string glass_and_metal() { return test::small_scene("GlassAndMetal").text; }
+
+TEST(Concerns, NameWhatLightTracingCannotSee) {
+  EXPECT_TRUE(concerns_of(test::small_scene("Room").text, "lt").empty());
+  const std::vector<std::string> concerns = concerns_of(glass_and_metal(), "lt");
+  ASSERT_EQ(concerns.size(), 1U);
+  EXPECT_NE(concerns.front().find("% of the picture shows mirrors or clear glass"),
+            std::string::npos)
+      << concerns.front();
+}
+
+TEST(Concerns, AreOfOrdinaryMonteCarloBesideChainsAsWell) {
+  EXPECT_EQ(concerns_of(glass_and_metal(), "selective", {{"omc", "lt"}}).size(), 1U);
+  EXPECT_TRUE(concerns_of(glass_and_metal(), "selective").empty());
+}
+
+TEST(Concerns, AreNoneWhereOtherTechniquesSee) {
+  for (const char* integrator : {"pt", "ibpt", "bdpt"}) {
+    EXPECT_TRUE(concerns_of(glass_and_metal(), integrator).empty()) << integrator;
+  }
+}
+
+TEST(Concerns, AreNoneAboutLampsThatScatterNothing) {
+  EXPECT_TRUE(
+      concerns_of(test::pbrt_scene("LookAt 0 0 -3  0 0 0  0 1 0 Camera \"perspective\"", 16, 16,
+                                   "AreaLightSource \"diffuse\" Material \"matte\" \"rgb "
+                                   "Kd\" [0 0 0] Shape \"sphere\""),
+                  "lt")
+          .empty());
+}
+
+}  // namespace
+}  // namespace ajar
