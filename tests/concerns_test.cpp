@@ -37,6 +37,11 @@ TEST(Concerns, AreNoneWhereOtherTechniquesSee) {
   for (const char* integrator : {"pt", "ibpt", "bdpt"}) {
     EXPECT_TRUE(concerns_of(glass_and_metal(), integrator).empty()) << integrator;
   }
+  for (const char* techniques : {"light,implicit", "light,explicit", "light,inner"}) {
+    EXPECT_TRUE(concerns_of(glass_and_metal(), "bdpt", {{"techniques", techniques}}).empty())
+        << techniques;
+  }
+  EXPECT_EQ(concerns_of(glass_and_metal(), "bdpt", {{"techniques", "light"}}).size(), 1U);
 }
 
 TEST(Concerns, AreNoneAboutLampsThatScatterNothing) {

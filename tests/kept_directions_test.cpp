@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "mcmc/chain_runner.h"
@@ -156,6 +157,45 @@ TEST(KeptDirections, ChainsStayInTheirDistribution) {
     }
     testing::expect_fits(counts, expected);
   }
+}
+
+/// Notes the numbers that are chosen for it.
+struct ChosenNumbers final : SampleSource {
+  float get(SampleAddress) override { return 0.5F; }
+  Vec2 get_pair(SampleAddress) override { return {0.5F, 0.5F}; }
+  void replace_pair(SampleAddress, const Vec2& numbers, double) override { chosen = numbers; }
+  std::optional<Vec2> chosen;
+};
+
+TEST(KeptDirections, AreThoseOfTheLastSubpathTracedAndAccepted) {
+  const Vec3 up(0.F, 0.F, 1.F);
+  PathVertex vertex = vertex_with(up, 1);
+  vertex.bsdf.add(Lambert{});
+  const SampleAddress address{Stream::Camera, 1, Slot::BsdfDirectionX};
+  KeptDirections directions(3);
+  const auto step = [&](double degrees, bool accepted) {
+    directions.begin();
+    directions.trace(false);
+    directions.note(vertex, 0.5F, tilted(degrees));
+    if (accepted) directions.accept();
+  };
+  const auto kept = [&] {
+    directions.begin();
+    directions.trace(true);
+    ChosenNumbers source;
+    directions.place(vertex, 0.5F, address, source);
+    return source.chosen;
+  };
+  EXPECT_FALSE(kept()) << "nothing was traced yet";
+  step(30.0, true);
+  step(50.0, false);
+  // The current camera half may stay as it is, in an accepted step of the light half.
+  directions.begin();
+  directions.accept();
+  const std::optional<LobeInverse> current = vertex.bsdf.inverse(up, tilted(30.0), 0.5F);
+  ASSERT_TRUE(kept());
+  EXPECT_EQ(kept()->x, current->direction.x);
+  EXPECT_EQ(kept()->y, current->direction.y);
 }
 
 /// Of steps of the raster numbers, from states that two small lamps light.

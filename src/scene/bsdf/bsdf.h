@@ -82,7 +82,8 @@ class Bsdf {
                                    Reverse reverse = Reverse::Compute) const;
 
   /// The numbers by which `sample` goes to `wi`, `u_lobe` being the one it chooses the lobe by.
-  /// Empty if that lobe cannot be inverted (specular and half-vector lobes, and media).
+  /// Empty if that lobe cannot be inverted (specular and half-vector lobes, and media), or if `wo`
+  /// grazes the surface so much that nothing is sampled.
   std::optional<LobeInverse> inverse(const Vec3& wo, const Vec3& wi, float u_lobe) const;
 
   /// False if all lobes are specular (or there are none): connecting to this point is pointless.

@@ -90,6 +90,9 @@ TEST(BsdfInverse, SaysWhereALobeNeverGoes) {
   Bsdf mirror(Frame(), up);
   mirror.add(Mirror{});
   EXPECT_FALSE(mirror.inverse(up, up, 0.5F));
+  const Vec3 grazing(1.F, 0.F, 1e-7F);
+  ASSERT_FALSE(matt.sample(grazing, {0.5F, {0.5F, 0.5F}}, TransportMode::Radiance));
+  EXPECT_FALSE(matt.inverse(grazing, sideways, 0.5F));
 }
 
 }  // namespace
