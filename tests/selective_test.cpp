@@ -269,6 +269,24 @@ SelectiveReport report_of(const Scene& scene, std::uint64_t seed,
   return *prepared_render(scene, seed, parameters).integrator->selective_report();
 }
 
+TEST(Selective, FindsThePriceOfRaysAgainFromWhatItHasRendered) {
+  const auto scene = small_scene("Room");
+  test::RenderOptions options;
+  options.integrator = "selective";
+  options.replicates = 4;
+  options.max_depth = 6;
+  const auto price_after = [&](std::uint64_t samples) {
+    options.samples = samples;
+    return test::render(*scene, options).integrator->selective_report()->ray_price;
+  };
+  const double of_pilot = price_after(1);
+  const double later = price_after(32);
+  EXPECT_GT(of_pilot, 0.0);
+  EXPECT_NE(later, of_pilot);
+  EXPECT_GT(later, 0.1 * of_pilot);
+  EXPECT_LT(later, 10.0 * of_pilot);
+}
+
 /// In how many of `renders` a pilot has chosen this.
 int times_chosen(const std::string& scene_name, const std::string& techniques, double light_paths,
                  std::uint64_t renders = 3) {
