@@ -40,9 +40,9 @@ JsonNode JsonNode::read_file(const std::string& path) {
   }
 }
 
-void JsonNode::fail(const std::string& message) const {
-  throw UsageError(file_ + ": " + (path_.empty() ? "" : path_ + ": ") + message);
-}
+std::string JsonNode::place() const { return file_ + ": " + (path_.empty() ? "" : path_ + ": "); }
+
+void JsonNode::fail(const std::string& message) const { throw UsageError(place() + message); }
 
 void JsonNode::check(const std::function<void()>& check) const {
   try {
@@ -87,6 +87,11 @@ std::vector<std::pair<std::string, JsonNode>> JsonNode::members() const {
 std::string JsonNode::text() const {
   if (!is_text() || value_.get_ref<const std::string&>().empty()) fail("expects a text \"…\"");
   return value_.get<std::string>();
+}
+
+bool JsonNode::truth() const {
+  if (!value_.is_boolean()) fail("expects true or false");
+  return value_.get<bool>();
 }
 
 double JsonNode::positive() const {

@@ -33,12 +33,14 @@ class JsonNode {
   std::vector<std::pair<std::string, JsonNode>> members() const;
 
   std::string text() const;  ///< not empty
+  bool truth() const;        ///< true or false
   double positive() const;   ///< a number above 0
   /// A whole number from `minimum` to `maximum`.
   std::int64_t whole(std::int64_t minimum, std::int64_t maximum) const;
   /// Text, number or truth value, as `--set` takes it.
   std::string parameter_text() const;
 
+  std::string place() const;  ///< `FILE: PATH: `
   [[noreturn]] void fail(const std::string& message) const;
   /// Runs a check that raises UsageError, and adds the place to its message.
   void check(const std::function<void()>& check) const;

@@ -169,6 +169,7 @@ std::string to_markdown(const StudyPlan& plan, const StudyResult& result,
       "# {}\n\n{} of {} renders. {}, {} cores; ajar {}.\n\n{}", plan.name, result.runs.size(),
       result.planned, machine.at("processor").get<std::string>(), machine.at("cores").get<int>(),
       machine.at("version").get<std::string>(), table_explanation(plan) + "\n");
+  for (const std::string& scene : plan.left_out) text += "\nWarning: " + scene + "\n";
   for (const std::string& warning : result.warnings) text += "\nWarning: " + warning + "\n";
   for (const std::string& failure : result.failures) text += "\nFailed: " + failure + "\n";
   const SummaryRow* previous = nullptr;
@@ -231,6 +232,7 @@ Json to_json(const StudyPlan& plan, const StudyResult& result,
   return {{"name", plan.name},
           {"machine", machine_json()},
           {"scenes", scenes},
+          {"left_out", plan.left_out},
           {"methods", methods},
           {"seeds", plan.seeds},
           {"baseline", plan.baseline},

@@ -119,8 +119,8 @@ std::string from_folder(const fs::path& folder, const std::string& path) {
   return (folder / path).lexically_normal().string();
 }
 
-std::string choose_scene(const JsonNode& node, const fs::path& folder) {
-  std::string tried;
+/// The first alternative that exists; if none does, an empty text, and `tried` has the files.
+std::string choose_scene(const JsonNode& node, const fs::path& folder, std::string& tried) {
   for (const JsonNode& candidate : alternatives(node)) {
     std::string text = candidate.text();
     constexpr std::string_view kBuiltin = "builtin:";
@@ -137,7 +137,7 @@ std::string choose_scene(const JsonNode& node, const fs::path& folder) {
     if (fs::is_regular_file(path, ignored)) return path;
     tried += (tried.empty() ? "" : ", ") + path;
   }
-  node.fail("no such scene file: " + tried);
+  return "";
 }
 
 void choose_reference(const JsonNode& node, const fs::path& folder, StudyScene& scene) {
@@ -184,12 +184,24 @@ std::vector<std::string> read_options(const JsonNode& study, const JsonNode& sce
   return options;
 }
 
-StudyScene read_scene(const JsonNode& study, const JsonNode& node, const fs::path& folder) {
+/// Nothing for an optional scene whose file is not there; `left_out` then says so.
+std::optional<StudyScene> read_scene(const JsonNode& study, const JsonNode& node,
+                                     const fs::path& folder, std::vector<std::string>& left_out) {
   StudyScene scene;
   if (!node.is_text()) {
-    node.check_members({"scene", "name", "reference", "resolution", "scale", "crop", "depth"});
+    node.check_members(
+        {"scene", "name", "optional", "reference", "resolution", "scale", "crop", "depth"});
   }
-  scene.scene = choose_scene(node.is_text() ? node : node.at("scene"), folder);
+  const JsonNode file = node.is_text() ? node : node.at("scene");
+  const bool is_optional = node.has("optional") && node.at("optional").truth();
+  std::string tried;
+  scene.scene = choose_scene(file, folder, tried);
+  if (scene.scene.empty()) {
+    const std::string message = "no such scene file: " + tried;
+    if (!is_optional) file.fail(message);
+    left_out.push_back(file.place() + message + "; this scene is left out");
+    return std::nullopt;
+  }
   scene.name = node.has("name") ? node.at("name").text() : scene_stem(scene.scene);
   scene.options = read_options(study, node);
   if (!node.has("reference") && !study.has("reference")) {
@@ -343,8 +355,14 @@ StudyPlan read_study(const std::string& path) {
   const fs::path folder = fs::path(path).parent_path();
   StudyPlan plan;
   plan.name = study.has("name") ? study.at("name").text() : fs::path(path).stem().string();
-  const std::vector<JsonNode> scenes = study.at("scenes").elements();
-  for (const JsonNode& node : scenes) plan.scenes.push_back(read_scene(study, node, folder));
+  std::vector<JsonNode> scenes;  // those that are there
+  for (const JsonNode& node : study.at("scenes").elements()) {
+    std::optional<StudyScene> scene = read_scene(study, node, folder, plan.left_out);
+    if (!scene) continue;
+    plan.scenes.push_back(std::move(*scene));
+    scenes.push_back(node);
+  }
+  if (scenes.empty()) study.at("scenes").fail("none of these scenes is there");
   tell_apart(scenes, plan.scenes);
   std::vector<std::string> names;
   for (const StudyScene& scene : plan.scenes) names.push_back(scene.name);

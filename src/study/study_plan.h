@@ -49,6 +49,7 @@ struct StudyScene {
 struct StudyPlan {
   std::string name;
   std::vector<StudyScene> scenes;
+  std::vector<std::string> left_out;  ///< why, for each optional scene whose file is not there
   std::vector<Method> methods;
   std::vector<std::uint64_t> seeds;
   std::vector<RunBudget> budgets;
@@ -63,6 +64,7 @@ std::string file_name(const std::string& name);
 
 /// Reads a study. Paths in it count from its folder. Raises IoError if the file cannot be read, and
 /// UsageError with the place for everything that is wrong in it, unknown names with the nearest.
+/// Optional scenes whose files are not there are left out.
 StudyPlan read_study(const std::string& path);
 
 }  // namespace ajar::study

@@ -140,6 +140,23 @@ TEST_F(StudyFile, ScenesOfEqualFileNamesAreToldApartByTheirFolders) {
   EXPECT_EQ(named.scenes.at(1).name, "other/Mine");
 }
 
+TEST_F(StudyFile, OptionalScenesMayBeAbsent) {
+  const StudyPlan plan = read(study(kRest, R"([
+      {"scene": ["absent.pbrt", "gone.pbrt"], "optional": true}, "builtin:pool",
+      {"scene": "scenes/mine.pbrt", "optional": true}])"));
+  ASSERT_EQ(plan.scenes.size(), 2U);
+  EXPECT_EQ(plan.scenes.at(0).name, "pool");
+  EXPECT_EQ(plan.scenes.at(1).name, "mine");
+  ASSERT_EQ(plan.left_out.size(), 1U);
+  for (const char* part :
+       {"study.json: scenes[0].scene: ", "absent.pbrt", "gone.pbrt", "left out"}) {
+    EXPECT_NE(plan.left_out.at(0).find(part), std::string::npos) << plan.left_out.at(0);
+  }
+  EXPECT_NE(error_of(study(kRest, R"([{"scene": "absent.pbrt", "optional": false}])"))
+                .find(": scenes[0].scene: no such scene file"),
+            std::string::npos);
+}
+
 TEST_F(StudyFile, ASceneMayHaveItsOwnSize) {
   const StudyPlan plan = read(
       study(std::string(kRest) + R"(, "resolution": "64x48", "depth": 5)",
@@ -166,6 +183,9 @@ TEST_F(StudyFile, ErrorsSayWhereAndWhatWouldBeRight) {
       {study(rest, R"(["builtin:cornel"])"), {": scenes[0]: ", "did you mean \"cornell\"?"}},
       {study(rest, R"([{"scene": ["a.pbrt", "b.pbrt"]}])"), {": scenes[0].scene: ", "b.pbrt"}},
       {study(rest, R"([{"scen": "builtin:cornell"}])"), {": scenes[0]: ", "\"scene\"?"}},
+      {study(rest, R"([{"scene": "a.pbrt", "optional": 1}])"),
+       {": scenes[0].optional: ", "true or false"}},
+      {study(rest, R"([{"scene": "a.pbrt", "optional": true}])"), {": scenes: ", "none"}},
       {study(rest, R"(["builtin:cornell", "builtin:cornell"])"), {": scenes: ", "twice"}},
       {study(rest, R"([{"scene": "builtin:pool", "name": "a"},
                        {"scene": "builtin:cornell", "name": "A"}])"),

@@ -77,19 +77,23 @@ TEST_F(StudyCli, ScenesOfEqualFileNamesHaveReportsOfTheirOwn) {
     std::ofstream(folder_ / name / "room.pbrt") << scene;
   }
   std::ofstream(file("study.json"), std::ios::trunc)
-      << R"({"scenes": ["one/room.pbrt", "two/room.pbrt"], "resolution": "8x8", "threads": 1,
+      << R"({"scenes": ["one/room.pbrt", "two/room.pbrt",
+                        {"scene": "three/room.pbrt", "optional": true}], "resolution": "8x8", "threads": 1,
              "integrators": [{"integrator": "pt", "sweep": {"roulette-start": [3, 5]}}],
              "metrics": ["psnr"],
              "budgets": [{"spp": 1}], "reference": {"integrator": "pt", "spp": 4}})";
   const Outcome outcome = study();
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-  for (const char* name : {"one_room", "two_room"}) {
-    const fs::path report = folder_ / "out" / "report" / name;
+  EXPECT_TRUE(contains(outcome.err, "three/room.pbrt; this scene is left out")) << outcome.err;
+  EXPECT_TRUE(contains(read_text(folder_ / "out" / "study.md"), "three/room.pbrt"));
+  EXPECT_EQ(results().at("left_out").size(), 1U);
+  for (const std::string name : {"one", "two"}) {
+    const fs::path report = folder_ / "out" / "report" / (name + "_room");
     EXPECT_TRUE(fs::exists(report / "index.html")) << report;
     const std::string script = read_text(report / "data" / "report.js");
-    EXPECT_TRUE(contains(script, std::string(name).replace(3, 1, "/"))) << "the scene's name";
+    EXPECT_TRUE(contains(script, name + "/room")) << "the scene's name";
     EXPECT_TRUE(contains(script, "\"over\":\"roulette-start\"")) << "the sweep";
-    const std::string plot = std::string(name) + "-roulette-start-psnr.svg";
+    const std::string plot = name + "_room-roulette-start-psnr.svg";
     EXPECT_TRUE(fs::exists(folder_ / "out" / "sweeps" / plot)) << plot;
   }
 }

@@ -31,6 +31,7 @@ fs::path make_folder(const std::string& path) {
 
 int study(const StudyArguments& arguments) {
   const study::StudyPlan plan = study::read_study(arguments.file);
+  for (const std::string& scene : plan.left_out) print_warning(scene);
   study::StudyOptions options;
   options.folder = fs::absolute(arguments.file).parent_path();
   options.out =
