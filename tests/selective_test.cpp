@@ -28,6 +28,15 @@ std::unique_ptr<Scene> small_scene(const std::string& name) {
   return test::scene_from(test::small_scene(name).text);
 }
 
+/// With four replicates.
+test::RenderOptions selective_options(std::uint64_t samples) {
+  test::RenderOptions options;
+  options.integrator = "selective";
+  options.samples = samples;
+  options.replicates = 4;
+  return options;
+}
+
 class TemporaryFile {
  public:
   explicit TemporaryFile(const std::string& name)
@@ -173,11 +182,8 @@ TEST(Split, FoundOutByAPilotChangesNoExpectation) {
 
 TEST(Selective, TakesPresetsAndEveryMutation) {
   const auto scene = small_scene("Room");
-  test::RenderOptions options;
-  options.replicates = 4;
+  test::RenderOptions options = selective_options(32);
   options.max_depth = 4;
-  options.samples = 32;
-  options.integrator = "selective";
   const std::vector<std::map<std::string, std::string>> settings = {
       {{"preset", "published"}},
       {{"preset", "published"}, {"omc", "lt"}},
@@ -197,10 +203,7 @@ TEST(Selective, TakesPresetsAndEveryMutation) {
 
 TEST(Selective, ShowsItsMaps) {
   const auto scene = small_scene("GlassAndMetal");
-  test::RenderOptions options;
-  options.integrator = "selective";
-  options.samples = 8;
-  options.replicates = 4;
+  test::RenderOptions options = selective_options(8);
   options.aovs = {"noise", "regions", "importance", "edges", "object-id"};
   const test::Render render = test::render(*scene, options);
   std::map<std::string, std::vector<float>> maps;
@@ -228,10 +231,7 @@ TEST(Selective, TakesTheUsersRules) {
   const auto scene = small_scene("GlassAndMetal");
   const TemporaryFile rules("rules.txt");
   std::ofstream(rules.path()) << "object * omc\nmaterial material-2 0.25\n";
-  test::RenderOptions options;
-  options.integrator = "selective";
-  options.samples = 4;
-  options.replicates = 4;
+  test::RenderOptions options = selective_options(4);
   options.parameters = {{"regions", rules.path()}, {"epsilon", "0.125"}};
   const auto report = *test::render(*scene, options).integrator->selective_report();
   std::size_t quarter = 0;
@@ -254,10 +254,7 @@ TEST(Selective, TakesTheUsersRules) {
 /// A render that is hardly more than its preparation.
 test::Render prepared_render(const Scene& scene, std::uint64_t seed,
                              const std::map<std::string, std::string>& parameters) {
-  test::RenderOptions options;
-  options.integrator = "selective";
-  options.samples = 4;
-  options.replicates = 4;
+  test::RenderOptions options = selective_options(4);
   options.max_depth = 8;
   options.seed = seed;
   options.parameters = parameters;
@@ -271,9 +268,7 @@ SelectiveReport report_of(const Scene& scene, std::uint64_t seed,
 
 TEST(Selective, FindsThePriceOfRaysAgainFromWhatItHasRendered) {
   const auto scene = small_scene("Room");
-  test::RenderOptions options;
-  options.integrator = "selective";
-  options.replicates = 4;
+  test::RenderOptions options = selective_options(1);
   options.max_depth = 6;
   const auto price_after = [&](std::uint64_t samples) {
     options.samples = samples;
@@ -374,12 +369,9 @@ TEST(Selective, KnowsThePriceOfRaysUnlessRouletteIsUsual) {
 /// by what is seen.
 TEST(Selective, FindsOutHowMuchOfTheChainsErrorLasts) {
   const auto scene = small_scene("RoughGlass");
-  test::RenderOptions options;
-  options.integrator = "selective";
+  test::RenderOptions options = selective_options(12);
   options.parameters = {{"split", "0.1"}, {"bootstrap", "3000"}};
-  options.replicates = 4;
   options.max_depth = 6;
-  options.samples = 12;
   EXPECT_FALSE(test::render(*scene, options).integrator->selective_report()->lasting_error);
   options.samples = 32;
   const auto lasting = test::render(*scene, options).integrator->selective_report()->lasting_error;
@@ -415,11 +407,7 @@ TEST(Selective, LeavesChainsOutWhereTheyWouldNotPay) {
       "LookAt 0 0 -3  0 0 0  0 1 0 Camera \"perspective\" \"float fov\" [40]", 32, 32,
       "LightSource \"infinite\" \"rgb L\" [1 1 1]\nMaterial \"matte\" \"rgb Kd\" [0.5 0.5 0.5]\n"
       "Shape \"sphere\" \"float radius\" [1]\n"));
-  test::RenderOptions options;
-  options.integrator = "selective";
-  options.samples = 32;
-  options.replicates = 4;
-  const test::Render render = test::render(*scene, options);
+  const test::Render render = test::render(*scene, selective_options(32));
   EXPECT_LE(render.counters.mutations, render.counters.samples / 20);
   EXPECT_LE(render.integrator->selective_report()->chain_rays, 0.05);
 }

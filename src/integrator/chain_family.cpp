@@ -14,6 +14,7 @@
 #include "integrator/chain_plan.h"
 #include "integrator/chain_recruits.h"
 #include "integrator/chain_report.h"
+#include "integrator/chain_stretch.h"
 #include "integrator/chain_trial.h"
 #include "integrator/omc_adaptation.h"
 #include "integrator/path_family.h"
@@ -85,18 +86,15 @@ class ChainIntegrator final : public Integrator {
   /// By the errors that replicates show after `samples` samples: how much effort which half
   /// deserves, and where.
   void share_effort(std::uint64_t samples, const Film& film);
-  /// Lets what ordinary Monte Carlo has found since `joined_at_` join the chains.
+  /// Lets what ordinary Monte Carlo has found in the stretch that ends join the chains.
   void join_recruits(const Film& film);
-  void expect_recruits(std::uint64_t samples);
+  /// Begins the next stretch.
+  void expect_recruits();
   void run_chain(const ChainItem& item, std::uint64_t first_sample, std::uint64_t samples,
                  Film& film, Counters& counters);
   /// One mutation per pixel's worth.
   void run_plain(ChainPopulation& population, Film& film, Counters& counters);
   void refine_b(std::uint64_t samples);
-  /// Of the first `samples` samples, in the mean of what chains make.
-  double weight_until(std::uint64_t samples) const {
-    return weight_before_ + stretch_weight_ * static_cast<double>(samples - joined_at_);
-  }
   /// b as the bootstrap has it, over all replicates; 1 if it found no light.
   double bootstrap_b() const;
   const PlaneMoves* plane_moves(const ChainPopulation& population) const {
@@ -128,10 +126,7 @@ class ChainIntegrator final : public Integrator {
   double later_weight_ = 0.0;        ///< of samples after the bootstrap, in all estimates of b
   std::uint64_t doubled_at_ = 0;     ///< samples per pixel
   std::unique_ptr<ChainRecruits> recruits_;  ///< null unless ordinary Monte Carlo finds seeds
-  std::uint64_t joined_at_ = 0;              ///< samples per pixel, when recruits joined last
-  std::uint64_t next_join_ = 0;              ///< and when they will next
-  double stretch_weight_ = 1.0;  ///< of a sample since then, in the mean of what chains make
-  double weight_before_ = 0.0;   ///< of all samples before
+  ChainStretch stretch_;
 };
 
 ChainIntegrator::ChainIntegrator(ChainKind kind, const Scene& scene, const RenderSettings& settings,
@@ -207,7 +202,7 @@ void ChainIntegrator::end_preparation() {
   if (plan_.mutations == 0.0) populations_.clear();
   make_omc();
   list_chains();
-  if (recruits_) expect_recruits(0);
+  if (recruits_) expect_recruits();
   concerns_ = concerns_about(plan_, populations_);
   if (plan_.plane.active()) {
     maps_ = std::make_unique<PlaneMaps>(plan_.plane, plan_.view, plan_.settings.replicates,
@@ -294,8 +289,8 @@ void ChainIntegrator::begin_pass(std::uint64_t first_sample, std::uint64_t sampl
     refine_b(0);
     for (const auto& stage : stages_) stage->hand_over(film);
   }
-  if (recruits_ && first_sample >= next_join_) join_recruits(film);
-  if (recruits_ && first_sample + samples > next_join_) {
+  if (recruits_ && first_sample >= stretch_.end()) join_recruits(film);
+  if (recruits_ && first_sample + samples > stretch_.end()) {
     throw std::logic_error("bug: a pass crosses a milestone");
   }
   auto milestone = static_cast<std::uint64_t>(plan_.settings.replicates);
@@ -311,11 +306,12 @@ void ChainIntegrator::begin_pass(std::uint64_t first_sample, std::uint64_t sampl
 }
 
 void ChainIntegrator::join_recruits(const Film& film) {
-  recruits_->join(populations_, effort_.omc_samples(joined_at_), effort_.omc_samples(next_join_));
+  recruits_->join(populations_, effort_.omc_samples(stretch_.begin()),
+                  effort_.omc_samples(stretch_.end()));
   list_chains();
-  refine_b(next_join_);
-  share_effort(next_join_, film);
-  expect_recruits(next_join_);
+  refine_b(stretch_.end());
+  share_effort(stretch_.end(), film);
+  expect_recruits();
 }
 
 void ChainIntegrator::share_effort(std::uint64_t samples, const Film& film) {
@@ -342,21 +338,17 @@ void ChainIntegrator::share_effort(std::uint64_t samples, const Film& film) {
   std::optional<ChainEffort::Seen> seen;
   if (plan_.selective) {
     seen = {seen_light(by_omc, crop, importance), seen_light(by_chains, crop, importance),
-            weight_until(samples), stretch_weight_};
+            stretch_.weight_until(samples), stretch_.sample_weight()};
   }
   effort_.adjust(samples, of_omc, weighted_errors(by_chains, crop, importance), seen);
 }
 
-/// Between joins, b and the seeds are as good as the samples behind them, whatever the chains do
-/// with them. So what a stretch adds to the mean weighs as much as these samples: a firefly found
-/// early would otherwise count as if it were found in every stretch.
-void ChainIntegrator::expect_recruits(std::uint64_t samples) {
-  weight_before_ = weight_until(samples);
-  stretch_weight_ = populations_.front().samples_behind / static_cast<double>(plan_.pixels());
-  joined_at_ = samples;
-  next_join_ = milestone_after(samples, static_cast<std::uint64_t>(plan_.settings.replicates));
-  recruits_->expect(populations_, static_cast<double>(effort_.omc_samples(next_join_) -
-                                                      effort_.omc_samples(samples)));
+void ChainIntegrator::expect_recruits() {
+  stretch_.go_on(
+      milestone_after(stretch_.end(), static_cast<std::uint64_t>(plan_.settings.replicates)),
+      populations_.front().samples_behind / static_cast<double>(plan_.pixels()));
+  recruits_->expect(populations_, static_cast<double>(effort_.omc_samples(stretch_.end()) -
+                                                      effort_.omc_samples(stretch_.begin())));
 }
 
 /// b of a population is on average right only over all that its bootstrap can bring, finding no
@@ -422,7 +414,7 @@ void ChainIntegrator::run_chain(const ChainItem& item, std::uint64_t first_sampl
   for (std::uint64_t block = first_sample; block < first_sample + samples; ++block) {
     const std::uint64_t steps = effort_.steps(block, chains);
     const double per_step = 1.0 / (static_cast<double>(steps) * in_population);
-    sink.begin(stretch_weight_ * member.weight * b * plan_.view.area() * per_step /
+    sink.begin(stretch_.sample_weight() * member.weight * b * plan_.view.area() * per_step /
                    plan_.settings.replicates,
                member.record.by_technique.empty() ? nullptr : &member.record.by_technique);
     statistics += runner.go_on(member.chain, steps * member.multiplicity, sink,
@@ -500,7 +492,7 @@ void ChainIntegrator::run_plain(ChainPopulation& population, Film& film, Counter
 
 void ChainIntegrator::save_state(OutputArchive& archive) const {
   archive(static_cast<std::uint64_t>(populations_.size()), b_, later_weight_, doubled_at_,
-          joined_at_, next_join_, stretch_weight_, weight_before_);
+          stretch_);
   for (const ChainPopulation& population : populations_) {
     serialize_population(archive, population, plan_.groups[population.group].shape);
   }
@@ -512,8 +504,7 @@ void ChainIntegrator::save_state(OutputArchive& archive) const {
 
 void ChainIntegrator::load_state(InputArchive& archive) {
   std::uint64_t populations = 0;
-  archive(populations, b_, later_weight_, doubled_at_, joined_at_, next_join_, stretch_weight_,
-          weight_before_);
+  archive(populations, b_, later_weight_, doubled_at_, stretch_);
   if (populations != populations_.size() || (!b_.empty() && b_.size() != populations)) {
     throw std::runtime_error("other chains are prepared than there were");
   }
@@ -589,7 +580,7 @@ double ChainIntegrator::develop_scale(const LayerSpec& layer, std::uint64_t samp
     return omc_->develop_scale(layer, effort_.omc_samples(samples), replicate);
   }
   if (samples == 0) return 0.0;
-  const double scale = 1.0 / weight_until(samples);
+  const double scale = 1.0 / stretch_.weight_until(samples);
   return replicate ? scale * plan_.settings.replicates : scale;
 }
 
