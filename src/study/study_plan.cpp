@@ -119,8 +119,14 @@ std::string from_folder(const fs::path& folder, const std::string& path) {
   return (folder / path).lexically_normal().string();
 }
 
-/// The first alternative that exists; if none does, an empty text, and `tried` has the files.
-std::string choose_scene(const JsonNode& node, const fs::path& folder, std::string& tried) {
+/// The first alternative that exists, or else the first, with a message.
+struct SceneChoice {
+  std::string scene;
+  std::optional<std::string> absence;
+};
+
+SceneChoice choose_scene(const JsonNode& node, const fs::path& folder) {
+  std::vector<std::string> tried;
   for (const JsonNode& candidate : alternatives(node)) {
     std::string text = candidate.text();
     constexpr std::string_view kBuiltin = "builtin:";
@@ -130,32 +136,35 @@ std::string choose_scene(const JsonNode& node, const fs::path& folder, std::stri
       if (std::find(names.begin(), names.end(), name) == names.end()) {
         candidate.fail(unknown_name_message("built-in scene", name, names));
       }
-      return text;
+      return {text, std::nullopt};
     }
     std::string path = from_folder(folder, text);
     std::error_code ignored;
-    if (fs::is_regular_file(path, ignored)) return path;
-    tried += (tried.empty() ? "" : ", ") + path;
+    if (fs::is_regular_file(path, ignored)) return {path, std::nullopt};
+    tried.push_back(std::move(path));
   }
-  return "";
+  return {tried.front(), fmt::format("no such scene file: {}", fmt::join(tried, ", "))};
 }
 
-void choose_reference(const JsonNode& node, const fs::path& folder, StudyScene& scene) {
-  std::string tried;
+/// Raises UsageError if there is none, unless the reference of an absent scene may be absent, too.
+void choose_reference(const JsonNode& node, const fs::path& folder, bool may_be_absent,
+                      StudyScene& scene) {
+  std::vector<std::string> tried;
   for (const JsonNode& candidate : alternatives(node)) {
     if (candidate.is_object()) {
       scene.made_reference = read_made_reference(candidate);
       return;
     }
-    const std::string path = from_folder(folder, candidate.text());
+    std::string path = from_folder(folder, candidate.text());
     std::error_code ignored;
     if (fs::is_regular_file(path, ignored)) {
       scene.reference_file = path;
       return;
     }
-    tried += (tried.empty() ? "" : ", ") + path;
+    tried.push_back(std::move(path));
   }
-  node.fail("no such reference picture: " + tried);
+  if (may_be_absent) return;
+  node.fail(fmt::format("no such reference picture: {}", fmt::join(tried, ", ")));
 }
 
 /// `--resolution` and so on, from the scene or else from the whole study.
@@ -184,9 +193,9 @@ std::vector<std::string> read_options(const JsonNode& study, const JsonNode& sce
   return options;
 }
 
-/// Nothing for an optional scene whose file is not there; `left_out` then says so.
-std::optional<StudyScene> read_scene(const JsonNode& study, const JsonNode& node,
-                                     const fs::path& folder, std::vector<std::string>& left_out) {
+/// `absence` says so if this is an optional scene whose file is not there.
+StudyScene read_scene(const JsonNode& study, const JsonNode& node, const fs::path& folder,
+                      std::optional<std::string>& absence) {
   StudyScene scene;
   if (!node.is_text()) {
     node.check_members(
@@ -194,20 +203,19 @@ std::optional<StudyScene> read_scene(const JsonNode& study, const JsonNode& node
   }
   const JsonNode file = node.is_text() ? node : node.at("scene");
   const bool is_optional = node.has("optional") && node.at("optional").truth();
-  std::string tried;
-  scene.scene = choose_scene(file, folder, tried);
-  if (scene.scene.empty()) {
-    const std::string message = "no such scene file: " + tried;
-    if (!is_optional) file.fail(message);
-    left_out.push_back(file.place() + message + "; this scene is left out");
-    return std::nullopt;
+  const SceneChoice choice = choose_scene(file, folder);
+  scene.scene = choice.scene;
+  if (choice.absence) {
+    if (!is_optional) file.fail(*choice.absence);
+    absence = file.place() + *choice.absence + "; this scene is left out";
   }
   scene.name = node.has("name") ? node.at("name").text() : scene_stem(scene.scene);
   scene.options = read_options(study, node);
   if (!node.has("reference") && !study.has("reference")) {
     node.fail("there is no \"reference\", neither here nor for the whole study");
   }
-  choose_reference((node.has("reference") ? node : study).at("reference"), folder, scene);
+  choose_reference((node.has("reference") ? node : study).at("reference"), folder,
+                   absence.has_value(), scene);
   return scene;
 }
 
@@ -272,6 +280,32 @@ void tell_apart(const std::vector<JsonNode>& nodes, std::vector<StudyScene>& sce
       above[i] = above[i].parent_path();
       is_changed = true;
     }
+  }
+}
+
+/// Names are given before scenes are left out: that one is absent must neither change the name of
+/// another, by which its renders are found again, nor hide that a name is there twice.
+void read_scenes(const JsonNode& study, const fs::path& folder, StudyPlan& plan) {
+  const std::vector<JsonNode> nodes = study.at("scenes").elements();
+  std::vector<StudyScene> scenes;
+  std::vector<std::optional<std::string>> absences(nodes.size());
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    scenes.push_back(read_scene(study, nodes[i], folder, absences[i]));
+  }
+  tell_apart(nodes, scenes);
+  std::vector<std::string> names;
+  for (const StudyScene& scene : scenes) names.push_back(scene.name);
+  check_unique(study.at("scenes"), names);
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    if (absences[i]) {
+      plan.left_out.push_back(std::move(*absences[i]));
+    } else {
+      plan.scenes.push_back(std::move(scenes[i]));
+    }
+  }
+  if (plan.scenes.empty()) {
+    study.at("scenes").fail(
+        fmt::format("none of these scenes is there\n{}", fmt::join(plan.left_out, "\n")));
   }
 }
 
@@ -355,19 +389,8 @@ StudyPlan read_study(const std::string& path) {
   const fs::path folder = fs::path(path).parent_path();
   StudyPlan plan;
   plan.name = study.has("name") ? study.at("name").text() : fs::path(path).stem().string();
-  std::vector<JsonNode> scenes;  // those that are there
-  for (const JsonNode& node : study.at("scenes").elements()) {
-    std::optional<StudyScene> scene = read_scene(study, node, folder, plan.left_out);
-    if (!scene) continue;
-    plan.scenes.push_back(std::move(*scene));
-    scenes.push_back(node);
-  }
-  if (scenes.empty()) study.at("scenes").fail("none of these scenes is there");
-  tell_apart(scenes, plan.scenes);
+  read_scenes(study, folder, plan);
   std::vector<std::string> names;
-  for (const StudyScene& scene : plan.scenes) names.push_back(scene.name);
-  check_unique(study.at("scenes"), names);
-  names.clear();
   for (const JsonNode& node : study.at("integrators").elements()) {
     for (Method& method : read_methods(node)) {
       names.push_back(method.name);

@@ -157,6 +157,26 @@ TEST_F(StudyFile, OptionalScenesMayBeAbsent) {
             std::string::npos);
 }
 
+TEST_F(StudyFile, NamesDoNotDependOnWhichScenesAreThere) {
+  fs::create_directories(folder_ / "other");
+  const std::string scenes = R"([{"scene": "absent.pbrt", "name": "absent", "optional": true},
+      "scenes/mine.pbrt", {"scene": "other/mine.pbrt", "optional": true}])";
+  const StudyPlan without = read(study(kRest, scenes));
+  fs::copy_file(folder_ / "scenes" / "mine.pbrt", folder_ / "other" / "mine.pbrt");
+  const StudyPlan with = read(study(kRest, scenes));
+  ASSERT_EQ(without.scenes.size(), 1U);
+  ASSERT_EQ(with.scenes.size(), 2U);
+  EXPECT_EQ(without.scenes.at(0).name, "scenes/mine");
+  EXPECT_EQ(with.scenes.at(0).name, "scenes/mine");
+}
+
+TEST_F(StudyFile, AbsentScenesMayHaveAbsentReferences) {
+  const StudyPlan plan = read(study(kRest, R"(["builtin:pool",
+      {"scene": "absent.pbrt", "reference": "absent.exr", "optional": true}])"));
+  EXPECT_EQ(plan.scenes.size(), 1U);
+  EXPECT_EQ(plan.left_out.size(), 1U);
+}
+
 TEST_F(StudyFile, ASceneMayHaveItsOwnSize) {
   const StudyPlan plan = read(
       study(std::string(kRest) + R"(, "resolution": "64x48", "depth": 5)",
@@ -185,7 +205,14 @@ TEST_F(StudyFile, ErrorsSayWhereAndWhatWouldBeRight) {
       {study(rest, R"([{"scen": "builtin:cornell"}])"), {": scenes[0]: ", "\"scene\"?"}},
       {study(rest, R"([{"scene": "a.pbrt", "optional": 1}])"),
        {": scenes[0].optional: ", "true or false"}},
-      {study(rest, R"([{"scene": "a.pbrt", "optional": true}])"), {": scenes: ", "none"}},
+      {study(rest, R"([{"scene": "a.pbrt", "optional": true}])"), {": scenes: ", "none", "a.pbrt"}},
+      {study(rest, R"(["builtin:pool", {"scene": "a.pbrt", "name": "Pool", "optional": true}])"),
+       {": scenes: ", "twice"}},
+      {study(rest, R"(["builtin:pool", {"scene": "a.pbrt", "depth": "x", "optional": true}])"),
+       {": scenes[1].depth: "}},
+      {study(rest, R"(["builtin:pool",
+          {"scene": "a.pbrt", "reference": {"integrator": "ptt", "spp": 1}, "optional": true}])"),
+       {": scenes[1].reference: ", "did you mean \"pt\"?"}},
       {study(rest, R"(["builtin:cornell", "builtin:cornell"])"), {": scenes: ", "twice"}},
       {study(rest, R"([{"scene": "builtin:pool", "name": "a"},
                        {"scene": "builtin:cornell", "name": "A"}])"),

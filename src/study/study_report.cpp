@@ -120,6 +120,7 @@ Report scene_report(const StudyPlan& plan, const StudyResult& result,
       "all seeds, bands one standard deviation of a run to either side.",
       plan.budgets.back().name(), plan.seeds.front()));
   report.notes.push_back(plain(table_explanation(plan)));
+  for (const std::string& left : plan.left_out) report.notes.push_back("Warning: " + left);
   for (const std::string& warning : result.warnings) report.notes.push_back("Warning: " + warning);
   for (const std::string& failure : result.failures) report.notes.push_back("Failed: " + failure);
   return report;
