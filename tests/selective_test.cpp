@@ -268,10 +268,9 @@ SelectiveReport report_of(const Scene& scene, std::uint64_t seed,
 
 TEST(Selective, FindsThePriceOfRaysAgainFromWhatItHasRendered) {
   const auto scene = small_scene("Room");
-  test::RenderOptions options = selective_options(1);
-  options.max_depth = 6;
   const auto price_after = [&](std::uint64_t samples) {
-    options.samples = samples;
+    test::RenderOptions options = selective_options(samples);
+    options.max_depth = 6;
     return test::render(*scene, options).integrator->selective_report()->ray_price;
   };
   const double of_pilot = price_after(1);

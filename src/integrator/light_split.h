@@ -1,5 +1,6 @@
 #pragma once
 #include <algorithm>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -8,6 +9,9 @@
 #include "transport/path_sampler.h"
 
 namespace ajar {
+
+/// The film's layer of what ordinary Monte Carlo leaves in the picture of divided light.
+inline const std::string kWeakLayer = "indirect-weak";
 
 /// How the long paths of a pixel are divided.
 struct PixelShare {

@@ -55,6 +55,4 @@ std::unique_ptr<Integrator> make_path_integrator(const Scene& scene, const Rende
                                                  const Parameters& parameters,
                                                  const PathIntegratorContext& context = {});
 
-inline const std::string kWeakLayer = "indirect-weak";
-
 }  // namespace ajar

@@ -9,7 +9,7 @@
 #include "image/optimal_thresholds.h"
 #include "image/optimal_weights.h"
 #include "image/pixel_at.h"
-#include "integrator/path_family.h"
+#include "integrator/light_split.h"
 #include "integrator/weighted_errors.h"
 
 namespace ajar {

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <string>
 
-#include "integrator/path_family.h"
-
 namespace ajar {
 
 SampleSink::SampleSink(Film& film, const LightSplits* splits, const RayPrice* price,

@@ -2,7 +2,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/random.h"
 #include "image/film.h"
 #include "integrator/g_buffer.h"
 #include "integrator/integrator.h"
@@ -13,6 +12,7 @@
 #include "integrator/technique_layers.h"
 #include "integrator/technique_tally.h"
 #include "transport/path_sampler.h"
+#include "transport/sample_source.h"
 
 namespace ajar {
 
@@ -23,7 +23,7 @@ namespace ajar {
 class SampleSink final : public PathSink {
  public:
   /// `splits` is null where nothing is left to chains; `cull_below`: what is worth a ray where
-  /// there is no `price`. All of them must outlive the sink.
+  /// there is no `price`. What it refers to must outlive the sink.
   SampleSink(Film& film, const LightSplits* splits, const RayPrice* price, double cull_below,
              const GBuffer& g_buffer, const TechniqueLayers& techniques, std::uint64_t seed,
              Counters& counters);
@@ -42,6 +42,7 @@ class SampleSink final : public PathSink {
   float worth(const Vec2& raster) const override;
   void first_vertex(const PathVertex& vertex, const Hit* hit, float distance) override;
 
+  /// From now on keeps strong paths, with the grain of `sink`.
   void keep_strong_for(const StrongPathSink& sink);
   /// Lets a sink have the strong paths found since the last call. Those seen by a camera ray are
   /// worth its filter weight, and as much more as there are fewer rays near the film's border.

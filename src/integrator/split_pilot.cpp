@@ -11,7 +11,7 @@
 #include "image/identities.h"
 #include "image/make_filter.h"
 #include "integrator/chain_bootstrap.h"
-#include "integrator/path_family.h"
+#include "integrator/light_split.h"
 
 namespace ajar {
 
