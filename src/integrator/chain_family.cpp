@@ -5,11 +5,11 @@
 #include <stdexcept>
 
 #include "core/milestones.h"
-#include "core/random.h"
 #include "integrator/chain_archive.h"
 #include "integrator/chain_bootstrap.h"
 #include "integrator/chain_effort.h"
 #include "integrator/chain_film_sink.h"
+#include "integrator/chain_items.h"
 #include "integrator/chain_pilot.h"
 #include "integrator/chain_plan.h"
 #include "integrator/chain_recruits.h"
@@ -23,8 +23,6 @@
 #include "integrator/split_pilot.h"
 #include "integrator/technique_pilot.h"
 #include "integrator/weighted_errors.h"
-#include "mcmc/bootstrap_source.h"
-#include "mcmc/chain_runner.h"
 
 namespace ajar {
 
@@ -69,46 +67,21 @@ class ChainIntegrator final : public Integrator {
   }
 
  private:
-  /// A chain, or the plain samples of a population without seeds.
-  struct ChainItem {
-    std::size_t population;
-    std::size_t chain;
-  };
-
   void end_preparation();
-  void list_chains();
-  /// Writes or reads what the items of a share have left behind in their own chains.
-  template <Archive A>
-  void serialize_items(A& archive, const WorkShare& share);
   void make_omc();
   /// Whether ordinary Monte Carlo does, as the render goes on.
   bool learns() const { return adaptation_ && adaptation_->learns(); }
   /// By the errors that replicates show after `samples` samples: how much effort which half
   /// deserves, and where.
   void share_effort(std::uint64_t samples, const Film& film);
-  /// Lets what ordinary Monte Carlo has found in the stretch that ends join the chains.
+  /// Lets what ordinary Monte Carlo has found in the stretch that ends here join the chains.
   void join_recruits(const Film& film);
   /// Begins the next stretch.
-  void expect_recruits();
-  void run_chain(const ChainItem& item, std::uint64_t first_sample, std::uint64_t samples,
-                 Film& film, Counters& counters);
-  /// One mutation per pixel's worth.
-  void run_plain(ChainPopulation& population, Film& film, Counters& counters);
-  void refine_b(std::uint64_t samples);
+  void begin_stretch();
   /// b as the bootstrap has it, over all replicates; 1 if it found no light.
   double bootstrap_b() const;
-  const PlaneMoves* plane_moves(const ChainPopulation& population) const {
-    return maps_ ? maps_->moves(population.replicate) : nullptr;
-  }
-  /// What of a chain's deposits the picture takes, if that is not all.
-  const LightSplit* kept_by(int replicate) const {
-    return plan_.selective && plan_.selective->exclusive && plan_.splits
-               ? &plan_.splits->of(replicate)
-               : nullptr;
-  }
-  std::size_t chains_in(int replicate) const {
-    return chain_counts_[static_cast<std::size_t>(replicate)];
-  }
+  /// Of a pass, before its chains.
+  std::uint64_t omc_items() const { return omc_ ? omc_->items_in_pass() : 0; }
 
   ChainPlan plan_;
   ChainEffort effort_{plan_};
@@ -116,24 +89,20 @@ class ChainIntegrator final : public Integrator {
   SplitPilot* pilot_ = nullptr;  ///< one of the stages; null if there is nothing to decide
   std::size_t stage_ = 0;        ///< that is running
   std::vector<ChainPopulation> populations_;
-  std::vector<std::size_t> chain_counts_;  ///< per replicate
-  std::vector<ChainItem> chain_items_;
   std::unique_ptr<OmcAdaptation> adaptation_;  ///< null if the next is
   std::unique_ptr<Integrator> omc_;            ///< null if it has nothing to render
   std::vector<std::string> concerns_;
-  std::unique_ptr<PlaneMaps> maps_;  ///< null if steps do not follow the image plane
-  std::vector<double> b_;            ///< of each population
-  double later_weight_ = 0.0;        ///< of samples after the bootstrap, in all estimates of b
-  std::uint64_t doubled_at_ = 0;     ///< samples per pixel
+  std::unique_ptr<PlaneMaps> maps_;          ///< null if steps do not follow the image plane
+  std::uint64_t doubled_at_ = 0;             ///< samples per pixel
   std::unique_ptr<ChainRecruits> recruits_;  ///< null unless ordinary Monte Carlo finds seeds
   ChainStretch stretch_;
+  ChainItems items_{plan_, effort_, populations_, stretch_};
 };
 
 ChainIntegrator::ChainIntegrator(ChainKind kind, const Scene& scene, const RenderSettings& settings,
                                  const Parameters& parameters,
                                  std::optional<SelectiveSettings> selective)
-    : plan_(kind, scene, settings, parameters, std::move(selective)),
-      chain_counts_(static_cast<std::size_t>(settings.replicates), 0) {
+    : plan_(kind, scene, settings, parameters, std::move(selective)) {
   if (plan_.groups.empty()) {
     make_omc();
     return;
@@ -185,24 +154,13 @@ void ChainIntegrator::skip_preparation() {
   make_omc();
 }
 
-void ChainIntegrator::list_chains() {
-  chain_items_.clear();
-  std::fill(chain_counts_.begin(), chain_counts_.end(), 0);
-  for (std::size_t p = 0; p < populations_.size(); ++p) {
-    const ChainPopulation& population = populations_[p];
-    chain_counts_[static_cast<std::size_t>(population.replicate)] += population.chain_count();
-    for (std::size_t c = 0; c < population.chains.size(); ++c) chain_items_.push_back({p, c});
-    if (population.chains.empty() && !recruits_) chain_items_.push_back({p, 0});
-  }
-}
-
 void ChainIntegrator::end_preparation() {
   // With a black pilot there is nothing to divide by.
   if (!plan_.splits || plan_.mutations == 0.0) recruits_.reset();
   if (plan_.mutations == 0.0) populations_.clear();
   make_omc();
-  list_chains();
-  if (recruits_) expect_recruits();
+  items_.list(recruits_ == nullptr);
+  if (recruits_) begin_stretch();
   concerns_ = concerns_about(plan_, populations_);
   if (plan_.plane.active()) {
     maps_ = std::make_unique<PlaneMaps>(plan_.plane, plan_.view, plan_.settings.replicates,
@@ -230,7 +188,7 @@ void ChainIntegrator::make_omc() {
 }
 
 std::optional<ChainReport> ChainIntegrator::chain_report() const {
-  ChainReport report = report_chains(plan_, populations_, later_weight_);
+  ChainReport report = report_chains(plan_, populations_, items_.later_weight());
   if (pilot_ != nullptr && !plan_.selective) report.split = pilot_->thresholds();
   return report;
 }
@@ -277,16 +235,14 @@ std::vector<LayerSpec> ChainIntegrator::layers() const {
   return specs;
 }
 
-std::uint64_t ChainIntegrator::items_in_pass() const {
-  return (omc_ ? omc_->items_in_pass() : 0) + chain_items_.size();
-}
+std::uint64_t ChainIntegrator::items_in_pass() const { return omc_items() + items_.count(); }
 
 /// b is refined, recruits join, and the maps of the image plane end an epoch, at counts fixed in
 /// advance, which passes do not cross (see `PassSchedule`): where passes end otherwise is up to the
 /// clock, and must not change the picture.
 void ChainIntegrator::begin_pass(std::uint64_t first_sample, std::uint64_t samples, Film& film) {
   if (first_sample == 0) {
-    refine_b(0);
+    items_.refine_b(0);
     for (const auto& stage : stages_) stage->hand_over(film);
   }
   if (recruits_ && first_sample >= stretch_.end()) join_recruits(film);
@@ -300,7 +256,7 @@ void ChainIntegrator::begin_pass(std::uint64_t first_sample, std::uint64_t sampl
   doubled_at_ = milestone;
   if (!recruits_) {
     share_effort(first_sample, film);
-    refine_b(milestone);
+    items_.refine_b(milestone);
   }
   if (maps_) maps_->end_epoch(effort_.mutations(milestone));
 }
@@ -308,10 +264,10 @@ void ChainIntegrator::begin_pass(std::uint64_t first_sample, std::uint64_t sampl
 void ChainIntegrator::join_recruits(const Film& film) {
   recruits_->join(populations_, effort_.omc_samples(stretch_.begin()),
                   effort_.omc_samples(stretch_.end()));
-  list_chains();
-  refine_b(stretch_.end());
+  items_.list(false);
+  items_.refine_b(stretch_.end());
   share_effort(stretch_.end(), film);
-  expect_recruits();
+  begin_stretch();
 }
 
 void ChainIntegrator::share_effort(std::uint64_t samples, const Film& film) {
@@ -343,7 +299,7 @@ void ChainIntegrator::share_effort(std::uint64_t samples, const Film& film) {
   effort_.adjust(samples, of_omc, weighted_errors(by_chains, crop, importance), seen);
 }
 
-void ChainIntegrator::expect_recruits() {
+void ChainIntegrator::begin_stretch() {
   stretch_.go_on(
       milestone_after(stretch_.end(), static_cast<std::uint64_t>(plan_.settings.replicates)),
       populations_.front().samples_behind / static_cast<double>(plan_.pixels()));
@@ -351,148 +307,23 @@ void ChainIntegrator::expect_recruits() {
                                                       effort_.omc_samples(stretch_.begin())));
 }
 
-/// b of a population is on average right only over all that its bootstrap can bring, finding no
-/// light included. So where it found none, later samples may count neither more nor less than they
-/// do where it found some: they have one weight w for all, which must not depend on what was found.
-/// E[(1 − w)·bootstrap; light found] + w·E[later samples] is then b. Of I beyond the cap only the
-/// bootstrap knows (see `ChainPopulation::b`), so later samples bring no more than it.
-void ChainIntegrator::refine_b(std::uint64_t samples) {
-  if (populations_.empty()) return;
-  double bootstrap = 0.0;
-  for (const ChainPopulation& population : populations_) {
-    bootstrap += static_cast<double>(population.capped.count);
-  }
-  const double large_steps = plan_.chain_settings.probabilities.large * plan_.chain_settings.tries *
-                             effort_.mutations(samples) * static_cast<double>(plan_.pixels());
-  later_weight_ = large_steps / (bootstrap + large_steps);
-  b_.clear();
-  for (const ChainPopulation& population : populations_) {
-    b_.push_back(population.b(later_weight_));
-  }
-}
-
 void ChainIntegrator::run_item(std::uint64_t item, std::uint64_t first_sample,
                                std::uint64_t samples, Film& film, Counters& counters) {
-  const std::uint64_t tiles = omc_ ? omc_->items_in_pass() : 0;
-  if (item < tiles) {
-    const std::uint64_t first = effort_.omc_samples(first_sample);
-    const std::uint64_t last = effort_.omc_samples(first_sample + samples);
-    if (first == last) return;
-    omc_->run_item(item, first, last - first, film, counters);
-    effort_.count_omc(counters.rays, counters.samples);
+  if (item >= omc_items()) {
+    items_.run(item - omc_items(), first_sample, samples, maps_.get(), film, counters);
     return;
   }
-  const ChainItem& chain = chain_items_[item - tiles];
-  ChainPopulation& population = populations_[chain.population];
-  if (population.chains.empty()) {
-    for (std::uint64_t i = 0; i < samples; ++i) run_plain(population, film, counters);
-    effort_.count_chains(counters.rays, counters.mutations);
-  } else {
-    run_chain(chain, first_sample, samples, film, counters);
-  }
-}
-
-/// Steps are made in blocks of one mutation per pixel, each deposited by itself, so that the film's
-/// bits do not depend on how many blocks a pass has.
-void ChainIntegrator::run_chain(const ChainItem& item, std::uint64_t first_sample,
-                                std::uint64_t samples, Film& film, Counters& counters) {
-  ChainPopulation& population = populations_[item.population];
-  MemberChain& member = population.chains[item.chain];
-  const PathGroup& group = plan_.groups[population.group];
-  const std::size_t chains = chains_in(population.replicate);
-  const auto target = plan_.make_target(group, population.replicate);
-  ChainRunner runner(plan_.chain_settings_of(population.replicate), *plan_.mutation, group.shape,
-                     *target, plane_moves(population));
-  ChainFilmSink sink(film, population.replicate, plan_.view.importance, *target, counters,
-                     maps_.get(), kept_by(population.replicate));
-  const double b = b_[item.population];
-  const auto in_population = static_cast<double>(population.chain_count());
-  runner.start(member.chain);
-  // How often chains are started is up to the clock, which must not share the effort.
-  const std::uint64_t rays_to_start = target->rays();
-  ChainStatistics statistics;
-  for (std::uint64_t block = first_sample; block < first_sample + samples; ++block) {
-    const std::uint64_t steps = effort_.steps(block, chains);
-    const double per_step = 1.0 / (static_cast<double>(steps) * in_population);
-    sink.begin(stretch_.sample_weight() * member.weight * b * plan_.view.area() * per_step /
-                   plan_.settings.replicates,
-               member.record.by_technique.empty() ? nullptr : &member.record.by_technique);
-    statistics += runner.go_on(member.chain, steps * member.multiplicity, sink,
-                               plan_.mis_large_steps ? std::optional(b) : std::nullopt);
-  }
-  effort_.count_chains(target->rays() - rays_to_start, statistics.steps);
-  member.record.statistics += statistics;
-  counters.mutations += statistics.steps;
-  counters.rays += target->rays();
-  counters.discarded_nan += statistics.discarded_nan;
-  counters.discarded_infinite += statistics.discarded_infinite;
-  counters.discarded_negative += statistics.discarded_negative;
-  if (statistics.first_discarded && counters.first_discarded.empty()) {
-    const auto& place = *statistics.first_discarded;
-    counters.first_discarded = "proposal of the chain with seed " + std::to_string(place.seed) +
-                               ", origin " + std::to_string(place.origin) + ", after " +
-                               std::to_string(place.step) + " steps";
-  }
-}
-
-/// A population whose bootstrap found no light has no chain to run. Its paths are sampled
-/// independently instead. They stand for the large steps that its chains would have made, and have
-/// their weight: see `begin_pass`. What one of them carries is spread over a short chain that
-/// starts from it (Cline et al. 2005), since light so hard to find would be a firefly: the chain
-/// leaves the distribution of its start as it is, so each of its states stands for the sample as
-/// well.
-void ChainIntegrator::run_plain(ChainPopulation& population, Film& film, Counters& counters) {
-  if (later_weight_ == 0.0) return;
-  constexpr double kShare = 0.125;  // of the replicate's mutations, if it has chains
-  constexpr std::uint64_t kSteps = 64;
-  std::size_t seedless = 0;
-  for (const ChainPopulation& other : populations_) {
-    if (other.replicate == population.replicate && other.chains.empty()) ++seedless;
-  }
-  const double mutations = plan_.mutations * static_cast<double>(plan_.pixels()) /
-                           plan_.settings.replicates / static_cast<double>(seedless);
-  const double share = chains_in(population.replicate) > 0 ? kShare : 1.0;
-  const auto count = static_cast<std::uint64_t>(std::max(1.0, share * mutations));
-  const PathGroup& group = plan_.groups[population.group];
-  const auto target = plan_.make_target(group, population.replicate);
-  ChainRunner runner(plan_.chain_settings_of(population.replicate), *plan_.mutation, group.shape,
-                     *target, plane_moves(population));
-  ChainFilmSink sink(film, population.replicate, plan_.view.importance, *target, counters,
-                     maps_.get(), kept_by(population.replicate));
-  const double scale =
-      later_weight_ * plan_.view.area() / static_cast<double>(count) / plan_.settings.replicates;
-  SplatBuffer splats;
-  const std::uint64_t seed = hash_numbers(population.seed, 0x91a17ULL);
-  counters.mutations += count;
-  for (std::uint64_t i = 0; i < count; ++i) {
-    const std::uint64_t index = population.plain_samples++;
-    BootstrapSource source(seed, index);
-    splats.clear();
-    const double scalar = target->evaluate(source, Change{}, splats);
-    target->rejected();
-    const double capped = std::min(scalar, plan_.chain_settings.large_step_cap);
-    population.plain_statistics.large_steps.add(std::isfinite(scalar) ? std::max(0.0, capped)
-                                                                      : 0.0);
-    if (std::isnan(scalar)) {
-      ++counters.discarded_nan;
-    } else if (std::isinf(scalar)) {
-      ++counters.discarded_infinite;
-    } else if (scalar < 0.0) {
-      ++counters.discarded_negative;
-    } else if (scalar > 0.0) {
-      Chain chain(group.shape, hash_numbers(seed, 0xc4a15ULL, index), bootstrap_key(seed, index),
-                  scalar);
-      sink.begin(scale * capped / static_cast<double>(kSteps), nullptr);
-      runner.run(chain, kSteps, sink);
-      counters.mutations += kSteps;
-    }
-  }
-  counters.rays += target->rays();
+  const std::uint64_t first = effort_.omc_samples(first_sample);
+  const std::uint64_t last = effort_.omc_samples(first_sample + samples);
+  if (first == last) return;
+  omc_->run_item(item, first, last - first, film, counters);
+  effort_.count_omc(counters.rays, counters.samples);
 }
 
 void ChainIntegrator::save_state(OutputArchive& archive) const {
-  archive(static_cast<std::uint64_t>(populations_.size()), b_, later_weight_, doubled_at_,
-          stretch_);
+  archive(static_cast<std::uint64_t>(populations_.size()));
+  items_.save_state(archive);
+  archive(doubled_at_, stretch_);
   for (const ChainPopulation& population : populations_) {
     serialize_population(archive, population, plan_.groups[population.group].shape);
   }
@@ -504,10 +335,12 @@ void ChainIntegrator::save_state(OutputArchive& archive) const {
 
 void ChainIntegrator::load_state(InputArchive& archive) {
   std::uint64_t populations = 0;
-  archive(populations, b_, later_weight_, doubled_at_, stretch_);
-  if (populations != populations_.size() || (!b_.empty() && b_.size() != populations)) {
+  archive(populations);
+  if (populations != populations_.size()) {
     throw std::runtime_error("other chains are prepared than there were");
   }
+  items_.load_state(archive);
+  archive(doubled_at_, stretch_);
   for (ChainPopulation& population : populations_) {
     const PathGroup& group = plan_.groups[population.group];
     serialize_population(archive, population, group.shape);
@@ -522,32 +355,18 @@ void ChainIntegrator::load_state(InputArchive& archive) {
   if (adaptation_) adaptation_->load_state(archive);
   if (recruits_) recruits_->load_state(archive);
   if (maps_) maps_->load_state(archive);
-  list_chains();
-}
-
-template <Archive A>
-void ChainIntegrator::serialize_items(A& archive, const WorkShare& share) {
-  const std::uint64_t tiles = omc_ ? omc_->items_in_pass() : 0;
-  for (std::size_t i = 0; i < chain_items_.size(); ++i) {
-    if (!share.has(tiles + i)) continue;
-    ChainPopulation& population = populations_[chain_items_[i].population];
-    if (population.chains.empty()) {
-      serialize_plain(archive, population);
-    } else {
-      archive(population.chains[chain_items_[i].chain]);
-    }
-  }
+  items_.list(recruits_ == nullptr);
 }
 
 void ChainIntegrator::give_news(OutputArchive& archive, const WorkShare& share) {
-  serialize_items(archive, share);
+  items_.give_news(archive, share, omc_items());
   effort_.give_news(archive);
   if (recruits_) recruits_->give_news(archive);
   if (maps_) maps_->give_news(archive);
 }
 
 void ChainIntegrator::take_news(InputArchive& archive, const WorkShare& share) {
-  serialize_items(archive, share);
+  items_.take_news(archive, share, omc_items());
   effort_.take_news(archive);
   if (recruits_) recruits_->take_news(archive);
   if (maps_) maps_->take_news(archive);

@@ -12,9 +12,10 @@ namespace ajar {
 class ChainStretch {
  public:
   std::uint64_t begin() const { return begin_; }
+  /// 0 where there are no recruits.
   std::uint64_t end() const { return end_; }
   double sample_weight() const { return sample_weight_; }
-  /// Of the first `samples` samples, with the present weight from `begin` on.
+  /// Of the first `samples` samples, not fewer than `begin`, with the present weight from there on.
   double weight_until(std::uint64_t samples) const {
     return weight_before_ + sample_weight_ * static_cast<double>(samples - begin_);
   }
