@@ -123,7 +123,7 @@ TEST(MergedSeeds, HaveErrorBarsThatAreRight) {
   const Estimate truth = image_mean(test::replicates_of(test::render(room(), options)));
   Moments squares;
   for (int i = 0; i < 40; ++i) {
-    const auto seed = static_cast<std::uint64_t>(100 + 2 * i);
+    const std::uint64_t seed = 100 + 2 * static_cast<std::uint64_t>(i);
     const Estimate mean = image_mean(replicates_of(merge_seeds(options, seed, {16, 48})));
     const double z =
         (mean.value - truth.value) / std::hypot(mean.standard_error, truth.standard_error);

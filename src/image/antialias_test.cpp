@@ -25,9 +25,10 @@ std::vector<float> picture_of(Vec2i size, int samples,
   for (int y = 0; y < size.y; ++y) {
     for (int x = 0; x < size.x; ++x) {
       int hits = 0;
-      for (int i = 0; i < samples * samples; ++i) {
-        hits +=
-            inside(x + (i % samples + 0.5) / samples, y + (i / samples + 0.5) / samples) ? 1 : 0;
+      for (int i = 0; i < samples; ++i) {
+        for (int j = 0; j < samples; ++j) {
+          if (inside(x + (j + 0.5) / samples, y + (i + 0.5) / samples)) ++hits;
+        }
       }
       const float share = static_cast<float>(hits) / static_cast<float>(samples * samples);
       pixels.insert(pixels.end(), {0.2F + 0.7F * share, 0.3F + 0.5F * share, 0.9F - 0.2F * share});

@@ -12,6 +12,7 @@ namespace {
 
 std::vector<PixelIdentity> objects(const std::vector<std::uint32_t>& numbers) {
   std::vector<PixelIdentity> identities;
+  identities.reserve(numbers.size());
   for (const std::uint32_t number : numbers) identities.push_back({number, number});
   return identities;
 }

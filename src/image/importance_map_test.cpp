@@ -74,6 +74,7 @@ TEST(RelativeImportance, IsTheInverseOfTheLuminanceFarFromEdges) {
   constexpr int kWidth = 64;
   constexpr int kHeight = 16;
   std::vector<float> luminances;
+  luminances.reserve(kWidth * kHeight);
   for (int i = 0; i < kWidth * kHeight; ++i) {
     luminances.push_back(i % kWidth < kWidth / 2 ? 1.F : 10.F);
   }

@@ -45,6 +45,7 @@ TEST(ImpulseNoise, FindsAnImpulseAndNothingElse) {
 TEST(ImpulseNoise, LeavesStraightEdgesAlone) {
   const Vec2i size(10, 8);
   std::vector<float> pixels;
+  pixels.reserve(80);
   for (int i = 0; i < size.x * size.y; ++i) pixels.push_back(i % size.x < 5 ? 0.F : 1.F);
   for (const float noise : impulse_noise(size, pixels, 3).values) EXPECT_EQ(noise, 0.F);
 }
@@ -109,7 +110,8 @@ TEST(ImpulseNoise, EqualsItsDefinitionOnRandomPictures) {
         }
         std::sort(values.begin(), values.end());
         const double median = 0.5 * (values[(values.size() - 1) / 2] + values[values.size() / 2]);
-        expected.push_back(std::abs(pixels[static_cast<std::size_t>(y * size.x + x)] - median));
+        const int place = y * size.x + x;
+        expected.push_back(std::abs(pixels[static_cast<std::size_t>(place)] - median));
       }
     }
     const double largest = *std::max_element(expected.begin(), expected.end());

@@ -80,9 +80,9 @@ OptimalWeights optimal_weights(std::span<const RegionEstimate> regions, const Ef
     low += region.light * region.minimum;
     high += region.light * region.maximum;
   }
-  // Until the two are neighbours.
-  for (double middle = std::midpoint(low, high); low < middle && middle < high;
-       middle = std::midpoint(low, high)) {
+  while (true) {
+    const double middle = std::midpoint(low, high);
+    if (!(low < middle && middle < high)) break;  // the two are neighbours
     (light_after(regions, slope, middle) > middle ? low : high) = middle;
   }
   std::vector<double> weights;

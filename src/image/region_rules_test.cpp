@@ -184,6 +184,7 @@ TEST(CheckRegionRules, FindsNamesThatTheSceneDoesNotHave) {
 
 TEST(CheckRegionRules, DoesNotListThousandsOfNames) {
   std::vector<std::string> objects;
+  objects.reserve(5000);
   for (int i = 0; i < 5000; ++i) objects.push_back("leaf " + std::to_string(i));
   try {
     check_region_rules(parse("object \"lead 7\" omc"), objects, {});

@@ -65,8 +65,9 @@ struct Sums {
     return result;
   }
 };
-Sums render(const Scene& scene, std::uint64_t samples, std::optional<Box2i> crop = std::nullopt,
-            bool backwards = false, const Filter& filter = Filter::box()) {
+Sums render(const Scene& scene, std::uint64_t samples,
+            const std::optional<Box2i>& crop = std::nullopt, bool backwards = false,
+            const Filter& filter = Filter::box()) {
   RenderSettings settings;
   settings.resolution = {kWidth, kHeight};
   settings.crop = crop.value_or(Box2i({0, 0}, {kWidth - 1, kHeight - 1}));
@@ -146,7 +147,8 @@ TEST(GBuffer, OfACropIsThatPartOfTheWhole) {
     std::size_t i = 0;
     for (int y = crop.min.y; y <= crop.max.y; ++y) {
       for (int x = crop.min.x; x <= crop.max.x; ++x, ++i) {
-        const auto place = static_cast<std::size_t>(y * kWidth + x);
+        const std::size_t place =
+            static_cast<std::size_t>(y) * kWidth + static_cast<std::size_t>(x);
         EXPECT_EQ(part_identities[i], identities[place]);
         EXPECT_EQ(part.channel("coverage")[i], whole.channel("coverage")[place]);
       }

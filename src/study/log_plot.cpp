@@ -59,7 +59,8 @@ class Axis {
     const double power = std::pow(10.0, std::floor(std::log10(rough)));
     const double step = (rough / power >= 5.0 ? 5.0 : rough / power >= 2.0 ? 2.0 : 1.0) * power;
     std::vector<double> values;
-    for (double i = std::ceil(low_ / step); i * step <= high_; ++i) values.push_back(i * step);
+    double multiple = std::ceil(low_ / step);
+    while (multiple * step <= high_) values.push_back(multiple++ * step);
     return values;
   }
 

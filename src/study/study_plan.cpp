@@ -294,6 +294,7 @@ void read_scenes(const JsonNode& study, const fs::path& folder, StudyPlan& plan)
   }
   tell_apart(nodes, scenes);
   std::vector<std::string> names;
+  names.reserve(scenes.size());
   for (const StudyScene& scene : scenes) names.push_back(scene.name);
   check_unique(study.at("scenes"), names);
   for (std::size_t i = 0; i < nodes.size(); ++i) {

@@ -63,7 +63,7 @@ SweepPlot plot_of(const StudyPlan& plan, const std::vector<const SummaryRow*>& r
   }
   if (values.size() < 2) return plot;
   if (budgets.size() == 1) plot.budget = plan.budgets[*budgets.begin()].name();
-  const auto full_name = [&](std::string name, const SummaryRow& row) {
+  const auto full_name = [&](const std::string& name, const SummaryRow& row) {
     return budgets.size() == 1 ? name : name + ", " + plan.budgets[row.budget].name();
   };
   std::map<std::string, std::vector<SweepPoint>> curves;

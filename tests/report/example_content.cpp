@@ -63,7 +63,8 @@ void measure(ReportImage& image, const ReportImage& reference) {
 
 std::vector<ReportCurve::Point> convergence(double start, double slope, double spread) {
   std::vector<ReportCurve::Point> points;
-  for (double seconds = 0.5; seconds < 130; seconds *= 1.5) {
+  for (int i = 0; i < 14; ++i) {
+    const double seconds = 0.5 * std::pow(1.5, i);
     const double mean = start * std::pow(seconds, slope) * (1 + 0.05 * std::sin(9 * seconds));
     points.push_back({seconds, mean, mean / spread, mean * spread});
   }

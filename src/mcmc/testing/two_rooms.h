@@ -44,9 +44,9 @@ struct TwoRooms {
   static bool left(int x) { return x < 6; }
   PlaneMoves moves(const PlaneRule& rule) const { return {grid, rule, pixels, mutation}; }
   static Vec2 center(std::size_t pixel) {
-    const auto x = static_cast<float>(pixel % kColumns);
-    const auto y = static_cast<float>(pixel / kColumns);
-    return {(x + 0.5F) / kColumns, (y + 0.5F) / kRows};
+    const std::size_t x = pixel % kColumns;
+    const std::size_t y = pixel / kColumns;
+    return {(static_cast<float>(x) + 0.5F) / kColumns, (static_cast<float>(y) + 0.5F) / kRows};
   }
 
   RasterGrid grid{{0.F, 0.F}, {kColumns, kRows}, {kColumns, kRows}};

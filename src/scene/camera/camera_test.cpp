@@ -243,8 +243,9 @@ void expect_both_ways_agree(const Camera& camera, const Surface& surface, const 
   // Fewer of the rays that go everywhere meet the emitter.
   const int rays_per_pixel = around ? 15000 : 6000;
   for (std::size_t pixel = 0; pixel < pixels; ++pixel) {
-    const Vec2 corner(static_cast<float>(pixel % static_cast<std::size_t>(size.x)),
-                      static_cast<float>(pixel / static_cast<std::size_t>(size.x)));
+    const std::size_t column = pixel % static_cast<std::size_t>(size.x);
+    const std::size_t row = pixel / static_cast<std::size_t>(size.x);
+    const Vec2 corner(static_cast<float>(column), static_cast<float>(row));
     for (int i = 0; i < rays_per_pixel; ++i) {
       EmissionUniforms u = emission_uniforms(rng);
       u.direction = (corner + u.direction) / Vec2(size);

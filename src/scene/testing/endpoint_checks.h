@@ -161,6 +161,10 @@ void check_density(const Chart<Point>& chart, const std::function<std::optional<
   const auto cells = static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows);
   std::vector<double> counts(cells);
   std::vector<double> expected(cells);
+  const auto cell = [&](int x, int y) {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(columns) +
+           static_cast<std::size_t>(x);
+  };
   int outside = 0;
   for (int i = 0; i < samples; ++i) {
     const std::optional<Point> p = sample();
@@ -172,7 +176,7 @@ void check_density(const Chart<Point>& chart, const std::function<std::optional<
     }
     const int x = std::clamp(static_cast<int>(s.x * static_cast<float>(columns)), 0, columns - 1);
     const int y = std::clamp(static_cast<int>(s.y * static_cast<float>(rows)), 0, rows - 1);
-    counts[static_cast<std::size_t>(y * columns + x)] += 1.0;
+    counts[cell(x, y)] += 1.0;
   }
   EXPECT_EQ(outside, 0);
   for (int y = 0; y < rows; ++y) {
@@ -185,7 +189,7 @@ void check_density(const Chart<Point>& chart, const std::function<std::optional<
           sum += pdf(chart.point(s)) * chart.measure(s);
         }
       }
-      expected[static_cast<std::size_t>(y * columns + x)] =
+      expected[cell(x, y)] =
           sum * samples / (static_cast<double>(cells) * subdivision * subdivision);
     }
   }

@@ -59,7 +59,8 @@ TEST(PixelCode, KeepsEveryHalf) {
 
 TEST(PixelCode, RoundsToWithinHalfAStep) {
   std::vector<float> values;
-  for (float value = 1e-4F; value < 6e4F; value *= 1.0137F) values.push_back(value);
+  for (int i = 0; i <= 1485; ++i)
+    values.push_back(1e-4F * std::pow(1.0137F, static_cast<float>(i)));
   const auto bits = unpacked(values, 1);
   for (std::size_t i = 0; i < values.size(); ++i) {
     EXPECT_NEAR(from_bits(bits[i]), values[i], values[i] / 2048);

@@ -53,7 +53,7 @@ int exchange_in_steps(const fs::path& temporary, const fs::path& target) {
 
 }  // namespace
 
-ReplacedFolder::ReplacedFolder(fs::path target)
+ReplacedFolder::ReplacedFolder(const fs::path& target)
     : target_(normal(target)), temporary_(beside(target_)) {
   std::error_code error;
   if (!fs::create_directory(temporary_, error)) {

@@ -7,7 +7,7 @@ namespace ajar {
 class ReplacedFolder {
  public:
   /// Makes the temporary folder, hidden, beside `target`. Raises IoError.
-  explicit ReplacedFolder(std::filesystem::path target);
+  explicit ReplacedFolder(const std::filesystem::path& target);
   ReplacedFolder(const ReplacedFolder&) = delete;
   ReplacedFolder& operator=(const ReplacedFolder&) = delete;
   /// Removes the temporary folder and, after `commit`, what was at the target before.
