@@ -107,6 +107,7 @@ TEST(Distribution2D, PdfOfASampleIsItsOwn) {
   constexpr int kWidth = 1237;
   constexpr int kHeight = 611;
   std::vector<float> weights;
+  weights.reserve(std::size_t{kWidth} * kHeight);
   Rng rng(2);
   for (int i = 0; i < kWidth * kHeight; ++i) weights.push_back(std::exp(20.F * rng.next()));
   const Distribution2D distribution(weights, kWidth, kHeight);
@@ -135,8 +136,10 @@ TEST(Distribution2D, SamplesInProportionToWeights) {
   for (std::size_t i = 0; i < 12; ++i) {
     const double p = weights[i] / 18.0;
     EXPECT_NEAR(counts[i], kSamples * p, 5.0 * std::sqrt(kSamples * p) + 1e-9);
-    EXPECT_NEAR(distribution.pdf({(static_cast<float>(i % 4) + 0.5F) / 4.F,
-                                  (static_cast<float>(i / 4) + 0.5F) / 3.F}),
+    const std::size_t column = i % 4;
+    const std::size_t row = i / 4;
+    EXPECT_NEAR(distribution.pdf({(static_cast<float>(column) + 0.5F) / 4.F,
+                                  (static_cast<float>(row) + 0.5F) / 3.F}),
                 p * 12.0, 1e-4);
   }
 }

@@ -47,6 +47,7 @@ TEST(UnknownName, ListsTheValidOnes) {
 TEST(Warnings, CountsAllAndKeepsSome) {
   Warnings warnings;
   std::vector<std::thread> threads;
+  threads.reserve(4);
   for (int t = 0; t < 4; ++t) {
     threads.emplace_back([&warnings] {
       for (int i = 0; i < 100; ++i) warnings.add("same text");

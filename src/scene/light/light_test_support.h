@@ -104,7 +104,8 @@ inline void expect_disk_is_uniform(const Light& light) {
     const double sector = std::atan2(local.y, local.x) / (2.0 * M_PI) + 0.5;
     const int r = std::min(static_cast<int>(ring * kRings), kRings - 1);
     const int s = std::min(static_cast<int>(sector * kSectors), kSectors - 1);
-    counts[static_cast<std::size_t>(r * kSectors + s)] += 1.0;
+    const int cell = r * kSectors + s;
+    counts[static_cast<std::size_t>(cell)] += 1.0;
     ASSERT_NEAR(ray->departure_pdf.value(), 1.0 / (M_PI * kBounds.radius * kBounds.radius), 1e-6);
   }
   expect_fits(counts, expected);

@@ -19,8 +19,8 @@ using namespace testing;
 class ImageFile {
  public:
   ImageFile(int width, int height, const std::vector<float>& rgb,
-            const std::string& extension = ".exr", OIIO::TypeDesc format = OIIO::TypeDesc::FLOAT,
-            int channels = 3) {
+            const std::string& extension = ".exr",
+            const OIIO::TypeDesc& format = OIIO::TypeDesc::FLOAT, int channels = 3) {
     static int count = 0;
     path_ =
         (std::filesystem::temp_directory_path() / ("ajar_light_test_" + std::to_string(getpid()) +
@@ -45,14 +45,17 @@ class ImageFile {
 std::vector<float> random_pixels(int count, std::uint64_t seed) {
   Rng rng(seed);
   std::vector<float> rgb;
+  rgb.reserve(3 * static_cast<std::size_t>(count));
   for (int i = 0; i < 3 * count; ++i)
     rgb.push_back(rng.next() < 0.3F ? 0.F : std::exp(4.F * rng.next()));
   return rgb;
 }
 
 std::vector<float> one_bright(int width, int height, int x, int y, float value) {
-  std::vector<float> rgb(static_cast<std::size_t>(3 * width * height), 0.F);
-  for (int c = 0; c < 3; ++c) rgb[static_cast<std::size_t>(3 * (y * width + x) + c)] = value;
+  std::vector<float> rgb(3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  const std::size_t first = 3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                                 static_cast<std::size_t>(x));
+  for (std::size_t c = 0; c < 3; ++c) rgb[first + c] = value;
   return rgb;
 }
 
@@ -216,8 +219,10 @@ TEST(EnvironmentMap, WeightsDensitiesAndIntegrals) {
   const Chart<Vec3> sphere = cone_chart({0, 1, 0});
   constexpr int kSide = 512;
   for (int i = 0; i < kSide * kSide; ++i) {
-    const Vec2 s((static_cast<float>(i % kSide) + 0.5F) / kSide,
-                 (static_cast<float>(i / kSide) + 0.5F) / kSide);
+    const int column = i % kSide;
+    const int row = i / kSide;
+    const Vec2 s((static_cast<float>(column) + 0.5F) / kSide,
+                 (static_cast<float>(row) + 0.5F) / kSide);
     const Vec3 w = sphere.point(s);
     const double value = light->emitted(light->at_direction(w), -w).average();
     power += value * sphere.measure(s) / (kSide * kSide);
@@ -272,8 +277,10 @@ TEST(EnvironmentMap, ScaledAndMirroredSpacesIntegrateTheSame) {
     const Chart<Vec3> sphere = cone_chart({0, 1, 0});
     constexpr int kSide = 512;
     for (int i = 0; i < kSide * kSide; ++i) {
-      const Vec2 s((static_cast<float>(i % kSide) + 0.5F) / kSide,
-                   (static_cast<float>(i / kSide) + 0.5F) / kSide);
+      const int column = i % kSide;
+      const int row = i / kSide;
+      const Vec2 s((static_cast<float>(column) + 0.5F) / kSide,
+                   (static_cast<float>(row) + 0.5F) / kSide);
       const Vec3 w = sphere.point(s);
       integral += light->emitted(light->at_direction(w), -w).average() * sphere.measure(s) /
                   (kSide * kSide);
@@ -332,8 +339,10 @@ TEST(ProjectionLight, WeightsDensitiesAndFlux) {
     const Chart<Vec3> sphere = cone_chart({0, 0, -1});
     constexpr int kSide = 1024;
     for (int i = 0; i < kSide * kSide; ++i) {
-      const Vec2 s((static_cast<float>(i % kSide) + 0.5F) / kSide,
-                   (static_cast<float>(i / kSide) + 0.5F) / kSide);
+      const int column = i % kSide;
+      const int row = i / kSide;
+      const Vec2 s((static_cast<float>(column) + 0.5F) / kSide,
+                   (static_cast<float>(row) + 0.5F) / kSide);
       flux += light->emitted(EndpointPoint::at({0.2F, 0.1F, 2.F}), sphere.point(s)).average() *
               sphere.measure(s) / (kSide * kSide);
     }

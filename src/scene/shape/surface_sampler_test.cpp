@@ -54,7 +54,8 @@ void expect_density_of_samples(const SurfaceSampler& sampler, const Quadric& qua
       const SurfacePoint p = quadric_surface_point(quadric, placement, false, uv);
       const double area = length(cross(p.dpdu, p.dpdv)) / (kCells * kCells * kFine * kFine);
       const double mass = double{sampler.pdf(p).value()} * area;
-      expected[static_cast<std::size_t>(j / kFine * kCells + i / kFine)] += mass;
+      const int cell = j / kFine * kCells + i / kFine;
+      expected[static_cast<std::size_t>(cell)] += mass;
       total += mass;
     }
   }
@@ -66,7 +67,8 @@ void expect_density_of_samples(const SurfaceSampler& sampler, const Quadric& qua
     ASSERT_NEAR(s.pdf.value(), sampler.pdf(s.point).value(), 1e-4F * s.pdf.value()) << name;
     const int x = std::min(static_cast<int>(s.point.uv.x * kCells), kCells - 1);
     const int y = std::min(static_cast<int>(s.point.uv.y * kCells), kCells - 1);
-    ++counts[static_cast<std::size_t>(y * kCells + x)];
+    const int cell = y * kCells + x;
+    ++counts[static_cast<std::size_t>(cell)];
   }
   double chi_squared = 0.0;
   for (std::size_t i = 0; i < counts.size(); ++i) {
