@@ -36,7 +36,7 @@ desc::Rgb from_samples(const std::vector<float>& pairs) {
 }  // namespace
 
 std::optional<desc::Rgb> SpectrumReader::value(const Parameter& parameter) {
-  const std::optional<desc::Rgb> rgb = unchecked_value(parameter);
+  std::optional<desc::Rgb> rgb = unchecked_value(parameter);
   if (rgb && !is_finite(*rgb))
     throw SceneError(parameter.where, "\"" + parameter.name + "\" is too large");
   return rgb;

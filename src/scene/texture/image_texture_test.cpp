@@ -31,7 +31,7 @@ class ImageTextureTest : public testing::Test {
   template <typename T>
   std::string write(const std::string& name, int width, int height, int channels,
                     std::vector<T> texels) {
-    const std::string path = (folder_ / name).string();
+    std::string path = (folder_ / name).string();
     const auto output = OIIO::ImageOutput::create(path);
     OIIO::ImageSpec spec(width, height, channels, OIIO::BaseTypeFromC<T>::value);
     spec.attribute("oiio:UnassociatedAlpha", 1);

@@ -142,8 +142,10 @@ TEST_F(TextureTest, DotsAreRoundAndHaveTwoValues) {
   int inside = 0;
   constexpr int kSteps = 400;
   for (int i = 0; i < kSteps * kSteps; ++i) {
+    const int column = i % kSteps;
+    const int row = i / kSteps;
     const float v = texture.eval_float(
-        at_uv(static_cast<float>(i % kSteps) * 0.1F, static_cast<float>(i / kSteps) * 0.1F));
+        at_uv(static_cast<float>(column) * 0.1F, static_cast<float>(row) * 0.1F));
     ASSERT_TRUE(v == 0.F || v == 1.F);
     inside += v == 1.F ? 1 : 0;
   }
