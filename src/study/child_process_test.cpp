@@ -3,13 +3,13 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include <chrono>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <thread>
 
 #include "core/error.h"
+#include "core/testing/wait_until.h"
 #include "study/folder_lock.h"
 
 namespace ajar::study {
@@ -35,9 +35,7 @@ class Child : public testing::Test {
   }
   void expect_told_of_a_signal() {
     std::thread user([&] {
-      for (int i = 0; i < 500 && log().empty(); ++i) {
-        std::this_thread::sleep_for(std::chrono::milliseconds(20));
-      }
+      wait_until([&] { return !log().empty(); });
       interrupts_ = 1;
     });
     const ChildResult result = run_child(

@@ -16,8 +16,6 @@
 namespace ajar {
 namespace {
 
-using namespace std::chrono_literals;
-
 class CheckpointCli : public Cli {
  protected:
   std::string bytes(const std::string& name) const { return read_text(folder_ / name); }
@@ -202,10 +200,7 @@ TEST_F(CheckpointCli, HangUpAndUserSignalWriteThePictureAndGoOn) {
   for (const int signal : {SIGHUP, SIGUSR1}) {
     fs::remove(folder_ / "a.exr");
     kill(child, signal);
-    for (int i = 0; i < 500 && !fs::exists(folder_ / "a.exr"); ++i) {
-      std::this_thread::sleep_for(20ms);
-    }
-    EXPECT_TRUE(fs::exists(folder_ / "a.exr")) << signal;
+    EXPECT_TRUE(wait_for_file(folder_ / "a.exr")) << signal;
     EXPECT_EQ(read_image(file("a.exr").string()).width, 32);
   }
   EXPECT_EQ(kill(child, SIGINT), 0) << "it still runs";
@@ -216,10 +211,7 @@ TEST_F(CheckpointCli, PicturesAreWrittenWhileRendering) {
   const pid_t child = start_endless({"--output-every", "0.1s"});
   for (int round = 0; round < 2; ++round) {
     fs::remove(folder_ / "a.exr");
-    for (int i = 0; i < 500 && !fs::exists(folder_ / "a.exr"); ++i) {
-      std::this_thread::sleep_for(20ms);
-    }
-    EXPECT_TRUE(fs::exists(folder_ / "a.exr"));
+    EXPECT_TRUE(wait_for_file(folder_ / "a.exr"));
   }
   kill(child, SIGKILL);
   finish(child);
@@ -303,9 +295,7 @@ TEST_F(CheckpointCli, PreviewShowsThePictureInAViewer) {
   EXPECT_EQ(viewer.fault(), "");
   // The connection may be younger than the render, which then has nobody to show its picture to.
   const pid_t child = start_endless({"--preview", where, "--aov", "albedo"});
-  for (int i = 0; i < 500 && viewer.picture("ajar: cornell").updates == 0; ++i) {
-    std::this_thread::sleep_for(20ms);
-  }
+  EXPECT_TRUE(wait_until([&] { return viewer.picture("ajar: cornell").updates > 0; }));
   kill(child, SIGINT);
   EXPECT_EQ(finish(child).exit_code, 130);
   const FakeViewer::Picture shown = viewer.picture("ajar: cornell");

@@ -4,14 +4,14 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
-#include <thread>
 #include <vector>
+
+#include "core/testing/wait_until.h"
 
 /// What tests of the program as a user runs it share.
 namespace ajar {
@@ -101,13 +101,13 @@ inline bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
-/// Waits until the program has written `part` to stderr; false after ten seconds.
+/// Waits until the program has written `part` to stderr; false if it does not, see `wait_until`.
 inline bool wait_for(const fs::path& log, const std::string& part) {
-  for (int i = 0; i < 500; ++i) {
-    if (contains(read_text(log), part)) return true;
-    std::this_thread::sleep_for(std::chrono::milliseconds(20));
-  }
-  return false;
+  return wait_until([&] { return contains(read_text(log), part); });
+}
+
+inline bool wait_for_file(const fs::path& file) {
+  return wait_until([&] { return fs::exists(file); });
 }
 
 }  // namespace ajar

@@ -3,16 +3,12 @@
 #include <signal.h>
 
 #include <algorithm>
-#include <chrono>
 #include <string>
-#include <thread>
 
 #include "cli/cli_fixture.h"
 
 namespace ajar {
 namespace {
-
-using namespace std::chrono_literals;
 
 class MpiCli : public Cli {
  protected:
@@ -104,8 +100,7 @@ TEST_F(MpiCli, ARankThatDiesEndsTheJobAndLeavesTheCheckpoint) {
   const pid_t job = start_ranks(2, {"render", "builtin:cornell", "--resolution", "24x16", "--time",
                                     "1h", "--progress", "json", "-o", "a.pfm", "--threads", "1",
                                     "--checkpoint", "c", "--checkpoint-every", "0.05s"});
-  for (int i = 0; i < 500 && !fs::exists(folder_ / "c"); ++i) std::this_thread::sleep_for(20ms);
-  ASSERT_TRUE(fs::exists(folder_ / "c")) << read_text(folder_ / ".stderr");
+  ASSERT_TRUE(wait_for_file(folder_ / "c")) << read_text(folder_ / ".stderr");
   // One of mpirun's children.
   const std::string children =
       read_text("/proc/" + std::to_string(job) + "/task/" + std::to_string(job) + "/children");

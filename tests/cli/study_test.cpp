@@ -2,16 +2,12 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 
-#include <chrono>
 #include <cmath>
-#include <thread>
 
 #include "cli/cli_fixture.h"
 
 namespace ajar {
 namespace {
-
-using namespace std::chrono_literals;
 
 class StudyCli : public Cli {
  protected:
@@ -139,11 +135,7 @@ TEST_F(StudyCli, ControlCKeepsWhatIsFinished) {
   const pid_t child = start({"study", "study.json", "--out", "out"});
   const fs::path last = run_file("bdpt_cull=0.1", "4spp", 2, ".record.json");
   const fs::path endless = run_file("pt", "3600s", 1, ".log");
-  bool reached = false;
-  for (int i = 0; i < 1500 && !reached; ++i) {
-    reached = fs::exists(last) && fs::exists(endless);
-    std::this_thread::sleep_for(20ms);
-  }
+  const bool reached = wait_for_file(last) && wait_for_file(endless);
   kill(child, reached ? SIGINT : SIGKILL);
   const Outcome outcome = finish(child);
   ASSERT_TRUE(reached) << outcome.err;
@@ -156,7 +148,7 @@ TEST_F(StudyCli, ControlCKeepsWhatIsFinished) {
   write_study(R"([{"time": "1h"}, {"spp": 4}])");
   fs::remove(endless);
   const pid_t second = start({"study", "study.json", "--out", "out"});
-  for (int i = 0; i < 1500 && !fs::exists(endless); ++i) std::this_thread::sleep_for(20ms);
+  EXPECT_TRUE(wait_for_file(endless));
   kill(second, SIGTERM);
   EXPECT_EQ(finish(second).exit_code, 130);
   EXPECT_EQ(results().at("runs").size(), 6U);
@@ -170,8 +162,7 @@ TEST_F(StudyCli, AKilledStudyLosesTheRenderThatRanAndNoMore) {
   write_study(R"([{"spp": 4}, {"time": "1h"}])");
   const pid_t child = start({"study", "study.json", "--out", "out"});
   const fs::path endless = run_file("pt", "3600s", 1, ".log");
-  for (int i = 0; i < 1500 && !fs::exists(endless); ++i) std::this_thread::sleep_for(20ms);
-  EXPECT_TRUE(fs::exists(endless));
+  EXPECT_TRUE(wait_for_file(endless));
   kill(child, SIGKILL);
   finish(child);
   write_study(R"([{"spp": 4}])");

@@ -1,0 +1,20 @@
+#pragma once
+#include <chrono>
+#include <thread>
+
+namespace ajar {
+
+/// For tests of what other threads and processes do: returns true as soon as `condition()` is true,
+/// false after a minute. That is generous, since the machine may be busy; only what never happens
+/// is waited for that long.
+template <typename Condition>
+bool wait_until(const Condition& condition) {
+  const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(1);
+  while (std::chrono::steady_clock::now() < end) {
+    if (condition()) return true;
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  return condition();
+}
+
+}  // namespace ajar
