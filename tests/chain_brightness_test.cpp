@@ -197,6 +197,40 @@ TEST_P(RareLight, IsRightOnAverageThoughTheBootstrapMostlyMissesIt) {
   EXPECT_LT(5.0 * error, 0.5 * truth.value) << "too noisy to notice what it should";
 }
 
+// The same where no population has found any: the plain samples that stand for the large steps of
+// the chains there are not must be worth as much as those, w of the light (see
+// `ChainItems::refine_b`). In the test above they are a tenth of the light, as much as its error.
+TEST(RareLight, ChainsThatAreNotFoundAreReplacedByPlainSamples) {
+  const auto scene = rarely_lit(0.015);
+  test::RenderOptions options;
+  options.replicates = 2;
+  options.min_depth = 3;
+  options.max_depth = 3;
+  options.integrator = "pt";
+  options.samples = 8192;
+  const Estimate truth = image_mean(replicates_of(test::render(*scene, options)));
+  options.samples = 512;
+  constexpr double kLargeSteps = 0.5 * 512 * 12 * 8;
+  options.parameters = {{"bootstrap", "1000"}, {"techniques", "implicit"}, {"large-step", "0.5"}};
+  for (const char* integrator : {"pssmlt", "mmlt"}) {
+    options.integrator = integrator;
+    Moments means;
+    double bootstrap = 0.0;
+    for (options.seed = 1; options.seed <= 150; ++options.seed) {
+      const test::Render render = test::render(*scene, options);
+      const ChainReport report = render.integrator->chain_report().value();
+      std::uint64_t chains = 0;
+      for (const ChainReport::Depth& depth : report.depths) chains += depth.chains;
+      if (chains == 0) means.add(image_mean(replicates_of(render, "indirect")).value);
+      bootstrap = static_cast<double>(report.bootstrap_samples);
+    }
+    const double weight = kLargeSteps / (bootstrap + kLargeSteps);
+    EXPECT_NEAR(means.mean(), weight * truth.value, 5.0 * means.standard_error()) << integrator;
+    EXPECT_LT(5.0 * means.standard_error(), 0.5 * truth.value)
+        << "too noisy to notice what it should";
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Cases, RareLight,
                          ::testing::Values(RareCase{"pssmlt", 0.03, 32, 1600},
                                            RareCase{"pssmlt", 0.03, 10, 2400},

@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -41,7 +42,7 @@ class TemporaryFile {
  public:
   explicit TemporaryFile(const std::string& name)
       : path_((std::filesystem::temp_directory_path() /
-               (std::to_string(::testing::UnitTest::GetInstance()->random_seed()) + "-" +
+               (std::to_string(::getpid()) + "-" +
                 std::to_string(reinterpret_cast<std::uintptr_t>(this)) + "-" + name))
                   .string()) {}
   ~TemporaryFile() { std::filesystem::remove(path_); }
@@ -85,6 +86,34 @@ TEST(Selective, HasTheSameExpectationForAnyMap) {
       expect_same(replicates_of(render), replicates_of(truth), *render.film, 0.25,
                   std::string(name) + ", " + omc);
     }
+  }
+}
+
+// Chains have less than all of the light of each pixel in their target, and the picture takes all
+// of it from them, or nothing.
+TEST(Selective, HasTheSameExpectationWherePixelsAreOfOneMethodAlone) {
+  const auto scene = small_scene("Room");
+  const Vec2i size = scene->camera().resolution();
+  test::RenderOptions options;
+  options.replicates = 16;
+  options.max_depth = 6;
+  options.samples = 256;
+  options.integrator = "bdpt";
+  const test::Render truth = test::render(*scene, options);
+  options.integrator = "selective";
+  options.seed = 2;
+  for (const float weight : {0.3F, 0.6F}) {
+    const TemporaryFile map("map.pfm");
+    const auto values = static_cast<std::size_t>(3 * size.x * size.y);
+    write_image(map.path(), {size,
+                             Box2i(Vec2i(0, 0), size - Vec2i(1, 1)),
+                             {{"", 3, std::vector<float>(values, weight)}},
+                             {}});
+    options.parameters = {
+        {"choice", "exclusive"}, {"omc", "bdpt"}, {"regions", map.path()}, {"bootstrap", "120000"}};
+    const test::Render render = test::render(*scene, options);
+    expect_same(replicates_of(render), replicates_of(truth), *render.film, 0.25,
+                "weight " + std::to_string(weight));
   }
 }
 
