@@ -104,7 +104,7 @@ TEST(Selective, HasTheSameExpectationWherePixelsAreOfOneMethodAlone) {
   options.seed = 2;
   for (const float weight : {0.3F, 0.6F}) {
     const TemporaryFile map("map.pfm");
-    const auto values = static_cast<std::size_t>(3 * size.x * size.y);
+    const auto values = 3 * static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
     write_image(map.path(), {size,
                              Box2i(Vec2i(0, 0), size - Vec2i(1, 1)),
                              {{"", 3, std::vector<float>(values, weight)}},
