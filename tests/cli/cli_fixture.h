@@ -1,6 +1,7 @@
 #pragma once
 #include <fcntl.h>
 #include <gtest/gtest.h>
+#include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -54,6 +55,8 @@ class Cli : public testing::Test {
       dup2(open(path.c_str(), O_CREAT | O_TRUNC | O_WRONLY, 0600), target);
     };
     if (chdir(folder_.c_str()) != 0) _exit(99);
+    // Whoever runs the tests may ignore them, with nohup or in the background of a script.
+    for (const int signal : {SIGHUP, SIGINT}) ::signal(signal, SIG_DFL);
     redirect(".stdout", STDOUT_FILENO);
     redirect(".stderr", STDERR_FILENO);
     std::vector<char*> argv{const_cast<char*>(program.c_str())};
