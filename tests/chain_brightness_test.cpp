@@ -165,6 +165,21 @@ std::unique_ptr<Scene> rarely_lit(double radius) {
           "indices\" [0 2 1 0 3 2]\n"));
 }
 
+test::RenderOptions rare_options() {
+  test::RenderOptions options;
+  options.replicates = 2;
+  options.min_depth = 3;
+  options.max_depth = 3;
+  return options;
+}
+
+Estimate rare_truth(const Scene& scene) {
+  test::RenderOptions options = rare_options();
+  options.integrator = "pt";
+  options.samples = 8192;
+  return image_mean(replicates_of(test::render(scene, options)));
+}
+
 struct RareCase {
   const char* integrator;
   double radius;
@@ -181,13 +196,8 @@ class RareLight : public ::testing::TestWithParam<RareCase> {};
 // more than it is. Both are right on average only together.
 TEST_P(RareLight, IsRightOnAverageThoughTheBootstrapMostlyMissesIt) {
   const auto scene = rarely_lit(GetParam().radius);
-  test::RenderOptions options;
-  options.replicates = 2;
-  options.min_depth = 3;
-  options.max_depth = 3;
-  options.integrator = "pt";
-  options.samples = 8192;
-  const Estimate truth = image_mean(replicates_of(test::render(*scene, options)));
+  test::RenderOptions options = rare_options();
+  const Estimate truth = rare_truth(*scene);
   options.integrator = GetParam().integrator;
   options.samples = GetParam().samples;
   options.parameters = {{"bootstrap", "1000"}, {"techniques", "implicit"}};
@@ -202,13 +212,8 @@ TEST_P(RareLight, IsRightOnAverageThoughTheBootstrapMostlyMissesIt) {
 // `ChainItems::refine_b`). In the test above they are a tenth of the light, as much as its error.
 TEST(RareLight, ChainsThatAreNotFoundAreReplacedByPlainSamples) {
   const auto scene = rarely_lit(0.015);
-  test::RenderOptions options;
-  options.replicates = 2;
-  options.min_depth = 3;
-  options.max_depth = 3;
-  options.integrator = "pt";
-  options.samples = 8192;
-  const Estimate truth = image_mean(replicates_of(test::render(*scene, options)));
+  test::RenderOptions options = rare_options();
+  const Estimate truth = rare_truth(*scene);
   options.samples = 512;
   constexpr double kLargeSteps = 0.5 * 512 * 12 * 8;
   options.parameters = {{"bootstrap", "1000"}, {"techniques", "implicit"}, {"large-step", "0.5"}};

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -54,38 +55,57 @@ class TemporaryFile {
   std::string path_;
 };
 
-void write_random_map(const std::string& path, Vec2i size, std::uint64_t seed) {
+/// `weight(i)`: of pixel i, row by row.
+void write_map(const std::string& path, Vec2i size,
+               const std::function<float(std::uint64_t)>& weight) {
   std::vector<float> pixels;
   for (std::uint64_t i = 0;
        i < static_cast<std::uint64_t>(size.x) * static_cast<std::uint64_t>(size.y); ++i) {
-    const float u = to_unit_float(static_cast<std::uint32_t>(hash_numbers(seed, i) >> 32U));
-    // A third of the pixels has no chains at all, a third nothing else.
-    const float weight = u < 0.33F ? 0.F : u > 0.67F ? 1.F : u;
-    pixels.insert(pixels.end(), {weight, weight, weight});
+    pixels.insert(pixels.end(), 3, weight(i));
   }
   write_image(path, {size, Box2i(Vec2i(0, 0), size - Vec2i(1, 1)), {{"", 3, pixels}}, {}});
+}
+
+/// Renders with each set of parameters, and compares the pictures with one of bidirectional path
+/// tracing.
+void expect_same_as_bdpt(const Scene& scene, test::RenderOptions options,
+                         const std::vector<std::map<std::string, std::string>>& settings,
+                         const std::string& what) {
+  options.integrator = "bdpt";
+  const test::Render truth = test::render(scene, options);
+  options.integrator = "selective";
+  options.seed = 2;
+  for (std::size_t i = 0; i < settings.size(); ++i) {
+    options.parameters = settings[i];
+    const test::Render render = test::render(scene, options);
+    expect_same(replicates_of(render), replicates_of(truth), *render.film, 0.25,
+                what + ", setting " + std::to_string(i));
+  }
+}
+
+test::RenderOptions options_for_maps() {
+  test::RenderOptions options;
+  options.replicates = 16;
+  options.max_depth = 6;
+  options.samples = 256;
+  return options;
 }
 
 TEST(Selective, HasTheSameExpectationForAnyMap) {
   for (const char* name : {"Room", "CroppedMitchell"}) {
     const auto scene = small_scene(name);
-    test::RenderOptions options;
-    options.replicates = 16;
-    options.max_depth = 6;
-    options.samples = 256;
-    options.integrator = "bdpt";
-    const test::Render truth = test::render(*scene, options);
     const TemporaryFile map("map.pfm");
-    write_random_map(map.path(), scene->camera().resolution(), 5);
-    options.integrator = "selective";
-    options.seed = 2;
+    write_map(map.path(), scene->camera().resolution(), [](std::uint64_t i) {
+      const float u = to_unit_float(static_cast<std::uint32_t>(hash_numbers(5, i) >> 32U));
+      // A third of the pixels has no chains at all, a third nothing else.
+      return u < 0.33F ? 0.F : u > 0.67F ? 1.F : u;
+    });
+    std::vector<std::map<std::string, std::string>> settings;
     for (const char* omc : {"bdpt", "ibpt"}) {
-      options.parameters = {
-          {"omc", omc}, {"regions", map.path()}, {"split", "0.5"}, {"bootstrap", "120000"}};
-      const test::Render render = test::render(*scene, options);
-      expect_same(replicates_of(render), replicates_of(truth), *render.film, 0.25,
-                  std::string(name) + ", " + omc);
+      settings.push_back(
+          {{"omc", omc}, {"regions", map.path()}, {"split", "0.5"}, {"bootstrap", "120000"}});
     }
+    expect_same_as_bdpt(*scene, options_for_maps(), settings, name);
   }
 }
 
@@ -93,28 +113,18 @@ TEST(Selective, HasTheSameExpectationForAnyMap) {
 // of it from them, or nothing.
 TEST(Selective, HasTheSameExpectationWherePixelsAreOfOneMethodAlone) {
   const auto scene = small_scene("Room");
-  const Vec2i size = scene->camera().resolution();
-  test::RenderOptions options;
-  options.replicates = 16;
-  options.max_depth = 6;
-  options.samples = 256;
-  options.integrator = "bdpt";
-  const test::Render truth = test::render(*scene, options);
-  options.integrator = "selective";
-  options.seed = 2;
-  for (const float weight : {0.3F, 0.6F}) {
-    const TemporaryFile map("map.pfm");
-    const auto values = 3 * static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
-    write_image(map.path(), {size,
-                             Box2i(Vec2i(0, 0), size - Vec2i(1, 1)),
-                             {{"", 3, std::vector<float>(values, weight)}},
-                             {}});
-    options.parameters = {
-        {"choice", "exclusive"}, {"omc", "bdpt"}, {"regions", map.path()}, {"bootstrap", "120000"}};
-    const test::Render render = test::render(*scene, options);
-    expect_same(replicates_of(render), replicates_of(truth), *render.film, 0.25,
-                "weight " + std::to_string(weight));
+  const TemporaryFile low("low.pfm");
+  const TemporaryFile high("high.pfm");
+  write_map(low.path(), scene->camera().resolution(), [](std::uint64_t) { return 0.3F; });
+  write_map(high.path(), scene->camera().resolution(), [](std::uint64_t) { return 0.6F; });
+  std::vector<std::map<std::string, std::string>> settings;
+  for (const TemporaryFile* map : {&low, &high}) {
+    settings.push_back({{"choice", "exclusive"},
+                        {"omc", "bdpt"},
+                        {"regions", map->path()},
+                        {"bootstrap", "120000"}});
   }
+  expect_same_as_bdpt(*scene, options_for_maps(), settings, "exclusive");
 }
 
 /// Light that few samples find, on many things: a small lamp in a glass ball above a field of
@@ -417,17 +427,11 @@ TEST(Selective, PreparesOnlyForWhatMayPay) {
 
 /// Nothing is divided, and the film has no layer for it.
 TEST(Selective, RendersDirectLightAlone) {
-  const auto scene = small_scene("Room");
   test::RenderOptions options;
   options.replicates = 4;
   options.samples = 64;
   options.max_depth = 2;
-  options.integrator = "bdpt";
-  const test::Render truth = test::render(*scene, options);
-  options.integrator = "selective";
-  options.seed = 2;
-  const test::Render render = test::render(*scene, options);
-  expect_same(replicates_of(render), replicates_of(truth), *render.film, 0.25, "direct light");
+  expect_same_as_bdpt(*small_scene("Room"), options, {{}}, "direct light");
 }
 
 TEST(Selective, LeavesChainsOutWhereTheyWouldNotPay) {
