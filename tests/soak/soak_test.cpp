@@ -5,7 +5,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <map>
@@ -107,8 +106,10 @@ TEST_P(Soak, KilledAHundredTimesARenderEndsWithTheSameBits) {
   };
 
   std::mt19937 random(5);
-  // On a busy machine renders need longer to get anywhere.
-  constexpr std::uint32_t kLongest = 100000;
+  // How long renders live at most: longer after each that got nowhere, without a limit, since
+  // machines may be slow or busy. Six of ten get somewhere then, wherever they run: 0.6 ln(7/8) +
+  // 0.4 ln(10/8) = 0. Nor is a whole render ever waited for in vain: one that ends by itself got
+  // somewhere.
   std::uint32_t microseconds = 30000;
   int progressed = 0;
   std::uint64_t samples = 0;
@@ -124,7 +125,7 @@ TEST_P(Soak, KilledAHundredTimesARenderEndsWithTheSameBits) {
     }
     ASSERT_GE(now, samples) << "nothing is lost";
     progressed += now > samples ? 1 : 0;
-    microseconds = std::min(kLongest, microseconds / 8 * (now > samples ? 7 : 10));
+    microseconds = microseconds / 8 * (now > samples ? 7 : 10);
     samples = now;
     if (WIFSIGNALED(status)) {
       ++killed;
@@ -135,7 +136,8 @@ TEST_P(Soak, KilledAHundredTimesARenderEndsWithTheSameBits) {
       samples = 0;
     }
   }
-  EXPECT_GT(progressed, 5) << "too slow to write a checkpoint: the test proves little";
+  EXPECT_GT(progressed, kKills / 4)
+      << "most were killed before they wrote a checkpoint: the test proves little";
   ASSERT_EQ(finish(start("soak")), 0);
   expect_same();
   EXPECT_EQ(std::distance(fs::directory_iterator(folder), {}), 2) << "no parts are left behind";
