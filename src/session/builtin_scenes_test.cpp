@@ -50,6 +50,15 @@ TEST(SceneStem, NamesPicturesAfterTheScene) {
   EXPECT_EQ(scene_stem("/scenes/kitchen/scene.pbrt"), "kitchen");
 }
 
+TEST(LoadScene, BuiltinScenesLeaveTheMethodToTheProgram) {
+  Warnings warnings;
+  for (const std::string& name : builtin_scene_names()) {
+    const desc::SceneDesc scene = load_scene("builtin:" + name, warnings);
+    EXPECT_EQ(scene.hints.integrator, "") << name;
+    EXPECT_GT(scene.hints.max_depth.value_or(0), 10) << name;
+  }
+}
+
 TEST(LoadScene, SaysWhatIsWrongWithTheName) {
   Warnings warnings;
   EXPECT_THROW(load_scene("builtin:cornel", warnings), UsageError);

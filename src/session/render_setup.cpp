@@ -33,6 +33,11 @@ void choose_integrator(const RenderRequest& request, const desc::RenderHints& hi
     setup.integrator = &find_integrator(request.integrator);
   } else if (is_integrator(hints.integrator)) {
     setup.integrator = &find_integrator(hints.integrator);
+    if (hints.integrator != kDefaultIntegrator) {
+      setup.notes.push_back(
+          fmt::format("integrator {} (the scene asks for it; --integrator {} is what others get)",
+                      hints.integrator, kDefaultIntegrator));
+    }
   } else {
     setup.integrator = &find_integrator(kDefaultIntegrator);
     setup.notes.push_back(

@@ -24,7 +24,17 @@ TEST(RenderSetup, TheSceneSaysWhatTheUserDoesNot) {
   EXPECT_EQ(setup.settings.max_depth, 7);
   EXPECT_EQ(setup.resolution, Vec2i(30, 20));
   EXPECT_EQ(setup.crop.max, Vec2i(29, 19));
-  EXPECT_TRUE(setup.notes.empty());
+}
+
+TEST(RenderSetup, WhoeverGetsTheMethodOfTheSceneIsToldOfTheDefault) {
+  desc::RenderHints hints;
+  hints.integrator = "pt";
+  const RenderSetup of_scene = make_setup({}, hints, film_of(3, 2));
+  ASSERT_EQ(of_scene.notes.size(), 1U);
+  EXPECT_NE(of_scene.notes[0].find("--integrator selective"), std::string::npos);
+  RenderRequest request;
+  request.integrator = "pt";
+  EXPECT_TRUE(make_setup(request, hints, film_of(3, 2)).notes.empty());
 }
 
 TEST(RenderSetup, DefaultsAreTold) {
@@ -132,8 +142,8 @@ TEST(RenderSetup, TakesTheParametersOfChainsThatScenesOfOtherRenderersHave) {
   EXPECT_EQ(setup.parameters.at("sigma"), "0.02");
   EXPECT_EQ(setup.parameters.at("mutation"), "gaussian");
   EXPECT_FALSE(setup.parameters.contains("chains"));
-  ASSERT_EQ(setup.notes.size(), 1U);
-  EXPECT_NE(setup.notes[0].find("chains"), std::string::npos);
+  ASSERT_EQ(setup.notes.size(), 2U);
+  EXPECT_NE(setup.notes[1].find("chains"), std::string::npos);
 }
 
 }  // namespace

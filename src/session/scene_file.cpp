@@ -20,8 +20,13 @@ desc::SceneDesc load_builtin(const std::string& name, Warnings& warnings) {
     throw UsageError(unknown_name_message("built-in scene", name, builtin_scene_names()));
   }
   const std::string base = std::string(kBuiltin) + name;
-  return import_pbrt_text(*text, base + "/scene.pbrt", base, warnings,
-                          [name](const std::string& path) { return builtin_file(name, path); });
+  desc::SceneDesc scene =
+      import_pbrt_text(*text, base + "/scene.pbrt", base, warnings,
+                       [name](const std::string& path) { return builtin_file(name, path); });
+  // A pbrt file must name a method to have a depth: one that pbrt has, for those who convert the
+  // scene. Here it would hide the program's own choice.
+  scene.hints.integrator.clear();
+  return scene;
 }
 
 void check_readable(const std::string& path) {

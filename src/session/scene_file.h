@@ -6,9 +6,9 @@
 
 namespace ajar {
 
-/// Reads a scene: a file in any format that can be imported, or `builtin:NAME`. Raises UsageError
-/// for an unknown built-in scene, IoError if the file cannot be read, SceneError if it cannot be
-/// used.
+/// Reads a scene: a file in any format that can be imported, or `builtin:NAME`, which asks for no
+/// integrator. Raises UsageError for an unknown built-in scene, IoError if the file cannot be read,
+/// SceneError if it cannot be used.
 desc::SceneDesc load_scene(const std::string& scene, Warnings& warnings);
 
 /// The same scene, named so that it is found from any folder.

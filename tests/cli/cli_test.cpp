@@ -68,7 +68,8 @@ TEST_F(Cli, WrongUsageEndsWithTwoAndHelps) {
       {{"render", "builtin:cornell", "--chekpoint", "x"}, "did you mean \"--checkpoint\""},
       {{"render", "builtin:cornell", "--integrator", "ptt"}, "did you mean \"pt\""},
       {{"render", "builtin:cornell", "--set", "no-such=1"}, "unknown parameter"},
-      {{"render", "builtin:pool", "--set", "edges=antialias"}, "integrator pt: unknown parameter"},
+      {{"render", "builtin:pool", "--integrator", "pt", "--set", "edges=antialias"},
+       "integrator pt: unknown parameter"},
       {{"render", "builtin:cornell", "--set", "alone"}, "KEY=VALUE"},
       {{"render", "builtin:cornell", "--time", "soon"}, "--time"},
       {{"render", "builtin:cornell", "--spp", "0"}, "--spp"},
@@ -230,9 +231,10 @@ TEST_F(Cli, SameSeedGivesTheSameBitsOnAnyNumberOfThreads) {
 }
 
 TEST_F(Cli, StatisticsHaveTheKeysOfTheManual) {
-  ASSERT_EQ(
-      render({"--spp", "8", "--seed", "3", "--stats", "stats.json", "--threads", "2"}).exit_code,
-      0);
+  ASSERT_EQ(render({"--integrator", "pt", "--spp", "8", "--seed", "3", "--stats", "stats.json",
+                    "--threads", "2"})
+                .exit_code,
+            0);
   const json stats = statistics();
   for (const char* key : {"integrator", "parameters", "seed", "threads", "resolution", "seconds",
                           "cpu_seconds", "rays", "rays_per_second", "samples", "mutations",
@@ -402,7 +404,7 @@ TEST_F(Cli, EveryBuiltInSceneRendersWithoutAWarning) {
 TEST_F(Cli, AConvertedSceneRendersToTheSamePicture) {
   const Outcome converted = run({"convert", "builtin:cornell", "copy.pbrt"});
   ASSERT_EQ(converted.exit_code, 0) << converted.err;
-  ASSERT_EQ(render({"--spp", "16", "-o", "original.pfm"}).exit_code, 0);
+  ASSERT_EQ(render({"--integrator", "pt", "--spp", "16", "-o", "original.pfm"}).exit_code, 0);
   const Outcome outcome = run({"render", "copy.pbrt", "--resolution", "24x16", "--spp", "16",
                                "--progress", "none", "-o", "copy.pfm"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
