@@ -42,7 +42,7 @@ void serialize(A& archive, Chain& chain) {
 
 template <Archive A>
 void serialize(A& archive, MemberChain& member) {
-  archive(member.chain, member.record, member.weight, member.multiplicity);
+  archive(member.chain, member.record, member.weight);
 }
 
 template <Archive A>
@@ -66,7 +66,7 @@ void serialize_population(A& archive, Population& population, const PrimaryShape
   if constexpr (A::is_loading::value) population.chains.clear();
   for (std::uint64_t i = 0; i < chains; ++i) {
     if constexpr (A::is_loading::value) {
-      population.chains.push_back({Chain(shape, 0, 0, 0.0), {}, 1.0, 1});
+      population.chains.push_back({Chain(shape, 0, 0, 0.0), {}, 1.0});
     }
     archive(population.chains[static_cast<std::size_t>(i)]);
   }

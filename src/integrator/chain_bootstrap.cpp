@@ -109,18 +109,12 @@ void ChainBootstrap::seed_replicate(int replicate) {
     const std::vector<double>& weights = population.weights;
     const std::vector<double> filtered =
         filter_weights(weights, plan_.seed_filter, plan_.seed_spread);
-    std::size_t last = weights.size();
     for (const std::size_t index : choose_seeds(filtered, shares[i], u)) {
-      if (index == last) {
-        ++population.chains.back().multiplicity;
-        continue;
-      }
-      last = index;
       const std::uint64_t chain_seed =
           hash_numbers(population.seed, 0xc4a15ULL, population.chains.size());
       population.chains.push_back(
           {Chain(group.shape, chain_seed, bootstrap_key(population.seed, index), weights[index]),
-           empty, seed_weight(weights, filtered, plan_.seed_filter, index), 1});
+           empty, seed_weight(weights, filtered, plan_.seed_filter, index)});
     }
   }
 }

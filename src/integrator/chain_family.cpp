@@ -346,7 +346,7 @@ void ChainIntegrator::load_state(InputArchive& archive) {
     serialize_population(archive, population, group.shape);
     for (const MemberChain& member : population.chains) {
       const std::size_t counted = member.record.by_technique.size();
-      if ((counted > 0 && counted != group.choice.size()) || member.multiplicity == 0) {
+      if (counted > 0 && counted != group.choice.size()) {
         throw std::runtime_error("a chain does not fit its population");
       }
     }

@@ -24,7 +24,7 @@ void ChainItems::list(bool plain) {
   chain_counts_.assign(static_cast<std::size_t>(plan_.settings.replicates), 0);
   for (std::size_t p = 0; p < populations_.size(); ++p) {
     const ChainPopulation& population = populations_[p];
-    chain_counts_[static_cast<std::size_t>(population.replicate)] += population.chain_count();
+    chain_counts_[static_cast<std::size_t>(population.replicate)] += population.chains.size();
     for (std::size_t c = 0; c < population.chains.size(); ++c) items_.push_back({p, c});
     if (population.chains.empty() && plain) items_.push_back({p, 0});
   }
@@ -76,7 +76,7 @@ void ChainItems::run_chain(const Item& item, std::uint64_t first_sample, std::ui
   ChainFilmSink sink(film, population.replicate, plan_.view.importance, *target, counters, maps,
                      kept_by(population.replicate));
   const double b = b_[item.population];
-  const auto in_population = static_cast<double>(population.chain_count());
+  const auto in_population = static_cast<double>(population.chains.size());
   runner.start(member.chain);
   // How often chains are started is up to the clock, which must not share the effort.
   const std::uint64_t rays_to_start = target->rays();
@@ -87,7 +87,7 @@ void ChainItems::run_chain(const Item& item, std::uint64_t first_sample, std::ui
     sink.begin(stretch_.sample_weight() * member.weight * b * plan_.view.area() * per_step /
                    plan_.settings.replicates,
                member.record.by_technique.empty() ? nullptr : &member.record.by_technique);
-    statistics += runner.go_on(member.chain, steps * member.multiplicity, sink,
+    statistics += runner.go_on(member.chain, steps, sink,
                                plan_.mis_large_steps ? std::optional(b) : std::nullopt);
   }
   effort_.count_chains(target->rays() - rays_to_start, statistics.steps);

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/random.h"
 #include "mcmc/chain.h"
 #include "mcmc/chain_statistics.h"
 #include "mcmc/moments.h"
@@ -30,9 +31,17 @@ struct MemberChain {
   Chain chain;
   ChainRecord record;
   double weight = 1.0;  ///< of what it deposits, relative to other chains (`seed_weight`)
-  /// How often its seed was chosen. It makes the steps of so many chains: one long chain gets
-  /// farther than many short ones from the same place.
-  std::uint64_t multiplicity = 1;
+
+  /// Number `number`, from 1, of further chains that start where this one is, with randomness of
+  /// its own. A seed that is chosen m times starts m chains. One chain with m times the steps would
+  /// get farther, but light that seeds stand for in lots would leave its place earlier than other
+  /// light comes there, and the picture would be biased.
+  MemberChain twin(std::uint64_t number) const {
+    MemberChain other{chain, {}, weight};
+    other.record.by_technique.resize(record.by_technique.size());
+    other.chain.seed = hash_numbers(chain.seed, chain.step, number);
+    return other;
+  }
 };
 
 /// The chains of one group in one replicate, with a bootstrap of their own.
@@ -45,12 +54,6 @@ struct ChainPopulation {
   Moments capped;
   Moments excess;
   std::vector<MemberChain> chains;
-  /// With multiplicities.
-  std::uint64_t chain_count() const {
-    std::uint64_t count = 0;
-    for (const MemberChain& member : chains) count += member.multiplicity;
-    return count;
-  }
   ChainRecord retired;          ///< of chains that others have replaced
   double samples_behind = 0.0;  ///< camera samples that recruits were found with
   /// What is known of b if chains are recruits (`ChainRecruits`).

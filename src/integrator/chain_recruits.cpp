@@ -258,12 +258,9 @@ void ChainRecruits::resample(ChainPopulation& population,
   std::vector<double> masses;
   masses.reserve(old.size() + recruits.size());
   double of_old = 0.0;
-  const auto mass_of = [](const MemberChain& member) {
-    return std::abs(member.weight) * static_cast<double>(member.multiplicity);
-  };
-  for (const MemberChain& member : old) of_old += mass_of(member);
+  for (const MemberChain& member : old) of_old += std::abs(member.weight);
   for (const MemberChain& member : old) {
-    masses.push_back(joined.of_chains * mass_of(member) / of_old);
+    masses.push_back(joined.of_chains * std::abs(member.weight) / of_old);
   }
   for (const Recruit* recruit : recruits) {
     masses.push_back(std::abs(recruit->path.energy) * joined.of_recruits);
@@ -275,18 +272,22 @@ void ChainRecruits::resample(ChainPopulation& population,
   ChainRecord empty;
   empty.by_technique.resize(group.choice.size());
   std::size_t last = masses.size();
+  std::uint64_t twins = 0;
   std::vector<bool> stays(old.size(), false);
   SplatBuffer splats;
   for (const std::size_t index : choose_seeds(masses, chains, u)) {
-    const bool again = index == last;
+    if (index == last) {
+      // The one before may be a twin itself: each is told apart by the number from the first.
+      const std::size_t first = population.chains.size() - 1 - twins;
+      population.chains.push_back(population.chains[first].twin(++twins));
+      continue;
+    }
     last = index;
-    if (again) {
-      ++population.chains.back().multiplicity;
-    } else if (index < old.size()) {
+    twins = 0;
+    if (index < old.size()) {
       stays[index] = true;
       MemberChain& member = population.chains.emplace_back(std::move(old[index]));
       member.weight = std::copysign(1.0, member.weight);
-      member.multiplicity = 1;
     } else {
       const Recruit& recruit = *recruits[index - old.size()];
       Chain chain = recruit.numbers.start_chain(plan_, group, recruit.path);
@@ -294,7 +295,7 @@ void ChainRecruits::resample(ChainPopulation& population,
       splats.clear();
       chain.scalar = recruit.scalar ? *recruit.scalar : evaluate(recruit, splats, rays);
       population.chains.push_back(
-          {std::move(chain), empty, std::copysign(1.0, recruit.path.energy), 1});
+          {std::move(chain), empty, std::copysign(1.0, recruit.path.energy)});
     }
   }
   for (std::size_t i = 0; i < old.size(); ++i) {

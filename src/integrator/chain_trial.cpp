@@ -22,9 +22,9 @@ constexpr double kBeyondTrial = 2.0;
 /// Of each half: few are enough, since the errors of all pixels are added up.
 constexpr int kPictures = 4;
 
-double share_of(const ChainPopulation& population, const MemberChain& member) {
-  return population.b(0.0) * static_cast<double>(member.multiplicity) /
-         static_cast<double>(population.chain_count());
+/// The part of b that each of its chains makes.
+double share_of_chain(const ChainPopulation& population) {
+  return population.b(0.0) / static_cast<double>(population.chains.size());
 }
 
 }  // namespace
@@ -59,13 +59,12 @@ void ChainTrial::list_items() {
     for (std::size_t p = 0; p < populations_.size(); ++p) {
       if (std::find(seen.begin(), seen.end(), populations_[p].replicate) == seen.end()) continue;
       for (std::size_t c = 0; c < populations_[p].chains.size(); ++c) {
-        const MemberChain& member = populations_[p].chains[c];
         const std::uint64_t lot = hash_numbers(populations_[p].seed, 0x791a1ULL, c);
         if (lot % kOneOf != 0) continue;
         const std::size_t picture = h * kPictures + lot / kOneOf % kPictures;
         items_.push_back({p, c, h, picture});
-        halves_[h].chains += member.multiplicity;
-        light_[picture] += share_of(populations_[p], member);
+        ++halves_[h].chains;
+        light_[picture] += share_of_chain(populations_[p]);
       }
     }
   }
@@ -84,10 +83,10 @@ void ChainTrial::run(std::uint64_t item, Counters& counters) {
                      discarded);
   const double mutations = kMutationsPerPixel * static_cast<double>(plan_.pixels()) /
                            static_cast<double>(halves_.size());
-  const auto steps = member.multiplicity * static_cast<std::uint64_t>(std::max(
-                                               1.0, mutations / static_cast<double>(half.chains)));
+  const auto steps =
+      static_cast<std::uint64_t>(std::max(1.0, mutations / static_cast<double>(half.chains)));
   sink.begin(
-      member.weight * share_of(population, member) * plan_.view.area() / static_cast<double>(steps),
+      member.weight * share_of_chain(population) * plan_.view.area() / static_cast<double>(steps),
       nullptr);
   runner.run(member.chain, steps, sink);
   half.mutations += steps;

@@ -38,7 +38,7 @@ class ChainTrial final : public PreparationStage {
     std::size_t picture;
   };
   struct Half {
-    std::uint64_t chains = 0;  ///< with multiplicities
+    std::uint64_t chains = 0;
     std::atomic<std::uint64_t> rays{0};
     std::atomic<std::uint64_t> mutations{0};
   };

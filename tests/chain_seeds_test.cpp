@@ -1,0 +1,128 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "support/render.h"
+
+/// Where seeds of chains stand for unequal amounts of light, more of them start where there is
+/// more. All must walk equally far: light would otherwise leave bright places faster than it comes
+/// back from dark ones.
+namespace ajar {
+namespace {
+
+constexpr float kBright = 0.95F;
+constexpr float kDark = 0.01F;
+
+/// A wall of upright stripes, one pixel wide and all lit alike by `lamp`, so that what the dark
+/// ones show is kDark / kBright of what the bright ones do.
+std::unique_ptr<Scene> stripes(int width, int height, const std::string& lamp) {
+  const auto half_width = static_cast<float>(width) / 2.F;
+  const auto half_height = static_cast<float>(height) / 2.F;
+  std::string world = lamp;
+  for (int column = 0; column < width; ++column) {
+    const float reflectance = column % 2 == 0 ? kBright : kDark;
+    const std::string r = std::to_string(reflectance);
+    const std::string left = std::to_string(static_cast<float>(column) - half_width);
+    const std::string right = std::to_string(static_cast<float>(column) - half_width + 1.F);
+    const std::string y = std::to_string(half_height + 2.F);
+    world.append("Material \"matte\" \"rgb Kd\" [").append(r).append(" ").append(r).append(" ");
+    world.append(r).append(
+        "]\nShape \"trianglemesh\" \"integer indices\" [0 1 2 0 2 3] \"point P\" [");
+    world.append(left).append(" -").append(y).append(" 4 ").append(right).append(" -").append(y);
+    world.append(" 4 ").append(right).append(" ").append(y).append(" 4 ").append(left);
+    world.append(" ").append(y).append(" 4]\n");
+  }
+  const std::string window = std::to_string(-half_width) + " " + std::to_string(half_width) + " " +
+                             std::to_string(-half_height) + " " + std::to_string(half_height);
+  return test::scene_from(test::pbrt_scene(
+      "LookAt 0 0 0  0 0 1  0 1 0 Camera \"orthographic\" \"float screenwindow\" [" + window + "]",
+      width, height, world));
+}
+
+/// How far the dark stripes are from kDark / kBright of the bright ones, over independent renders.
+struct Excess {
+  double mean = 0.0;  ///< over what they should be
+  double error = 0.0;
+};
+
+Excess excess_of_dark_stripes(const Scene& scene, test::RenderOptions options, int renders) {
+  double sum = 0.0;
+  double squares = 0.0;
+  double expected = 0.0;
+  for (int i = 0; i < renders; ++i) {
+    options.seed = static_cast<std::uint64_t>(i) + 1;
+    const test::Render render = test::render(scene, options);
+    const std::vector<float> image = render.image();
+    const auto width = static_cast<std::size_t>(render.film->width());
+    double bright = 0.0;
+    double dark = 0.0;
+    for (std::size_t p = 0; p < image.size() / 3; ++p) {
+      (p % width % 2 == 0 ? bright : dark) += static_cast<double>(image[3 * p]);
+    }
+    const double ratio = static_cast<double>(kDark) / static_cast<double>(kBright);
+    const double excess = dark - ratio * bright;
+    expected += ratio * bright;
+    sum += excess;
+    squares += excess * excess;
+  }
+  expected /= renders;
+  const double mean = sum / renders;
+  const double variance = (squares / renders - mean * mean) / (renders - 1);
+  return {mean / expected, std::sqrt(variance) / expected};
+}
+
+void expect_none(const Excess& excess, double noticed) {
+  EXPECT_LT(5.0 * excess.error, noticed) << "too noisy to notice what it is for";
+  EXPECT_LT(std::abs(excess.mean), 5.0 * excess.error);
+}
+
+test::RenderOptions options_of_chains() {
+  test::RenderOptions options;
+  options.integrator = "mmlt";
+  options.min_depth = 3;
+  options.parameters = {{"importance", "uniform"}, {"large-step", "0.02"}};
+  return options;
+}
+
+// Twenty chains start from each bright sample, and hardly one from a dark one. When one chain with
+// twenty times the steps stood for them, the dark stripes were 0.9 too bright.
+TEST(SeedsOfUnequalWeight, WalkEquallyFarFromABootstrap) {
+  const auto scene =
+      stripes(16, 12,
+              "LightSource \"point\" \"point from\" [0 12 -6] \"rgb I\" [100 100 100]\n"
+              "AttributeBegin Material \"matte\" \"rgb Kd\" [0.7 0.7 0.7] ReverseOrientation\n"
+              "Shape \"sphere\" \"float radius\" [30] AttributeEnd\n");
+  test::RenderOptions options = options_of_chains();
+  options.max_depth = 3;
+  options.samples = 1;
+  options.replicates = 1;
+  options.parameters["split"] = "0";
+  options.parameters["bootstrap"] = "1000";
+  options.parameters["chains"] = "20000";
+  expect_none(excess_of_dark_stripes(*scene, options, 60), 0.3);
+}
+
+// Light that a camera sample finds by luck starts as many chains as it stands for. When it was one
+// long chain instead, the dark stripes were 0.3 too bright.
+TEST(SeedsOfUnequalWeight, WalkEquallyFarFromWhatIsFound) {
+  const auto scene = stripes(
+      32, 24,
+      "AttributeBegin Translate 0 20 -10\n"
+      "AttributeBegin AreaLightSource \"diffuse\" \"rgb L\" [1500 1500 1500]\n"
+      "Material \"matte\" \"rgb Kd\" [0 0 0] Shape \"sphere\" \"float radius\" [0.4] AttributeEnd\n"
+      "Material \"glass\" Shape \"sphere\" \"float radius\" [4] AttributeEnd\n");
+  test::RenderOptions options = options_of_chains();
+  options.max_depth = 6;
+  options.samples = 8;
+  options.replicates = 4;
+  options.parameters["split"] = "0.1";
+  options.parameters["techniques"] = "pt";
+  options.parameters["chains"] = "2000";
+  expect_none(excess_of_dark_stripes(*scene, options, 400), 0.2);
+}
+
+}  // namespace
+}  // namespace ajar
