@@ -108,8 +108,8 @@ TEST(Recruits, AreForManyChainsUnlessThoseStandBy) {
     plan.standby = standby;
     return plan.chains_per_replicate();
   };
-  EXPECT_EQ(chains_of(Vec2i(128, 96), 0.1, false), 576U) << "16 steps each for 3 per pixel";
-  EXPECT_EQ(chains_of(Vec2i(128, 96), 16.0, false), 3072U);
+  EXPECT_EQ(chains_of(Vec2i(128, 96), 0.1, false), 64U) << "144 steps each for 3 per pixel";
+  EXPECT_EQ(chains_of(Vec2i(128, 96), 16.0, false), 341U);
   EXPECT_EQ(chains_of(Vec2i(128, 96), 0.03, true), 32U);
   EXPECT_EQ(chains_of(Vec2i(3840, 2160), 0.03, false), 8192U) << "memory";
 }

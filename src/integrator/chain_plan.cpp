@@ -214,9 +214,10 @@ std::uint64_t ChainPlan::pixels() const {
 
 std::size_t ChainPlan::chains_per_replicate() const {
   // So many that a chain makes about this many steps in a short pass: many chains are well spread,
-  // but each begins a pass by looking up its state. Small pictures have more, down to one step,
-  // because few chains depend on luck.
-  constexpr std::uint64_t kSteps = 16;
+  // but each begins a pass by looking up its state. What is found by luck brings much at a time,
+  // and many chains would all begin with it, none of them getting far. Small pictures have more,
+  // down to one step, because few chains depend on luck, too.
+  const std::uint64_t kSteps = has_recruits() ? 144 : 16;
   constexpr std::uint64_t kFewest = 32;
   // The first guess of the mutations that pay is low, and few chains for what there is to explore
   // leave islands of light to luck for the rest of the render: as many as if so many paid per pixel
