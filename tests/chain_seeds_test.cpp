@@ -6,41 +6,13 @@
 #include <vector>
 
 #include "support/render.h"
+#include "support/stripes.h"
 
 /// Where seeds of chains stand for unequal amounts of light, more of them start where there is
 /// more. All must walk equally far: light would otherwise leave bright places faster than it comes
 /// back from dark ones.
 namespace ajar {
 namespace {
-
-constexpr float kBright = 0.95F;
-constexpr float kDark = 0.01F;
-
-/// A wall of upright stripes, one pixel wide and all lit alike by `lamp`, so that what the dark
-/// ones show is kDark / kBright of what the bright ones do.
-std::unique_ptr<Scene> stripes(int width, int height, const std::string& lamp) {
-  const auto half_width = static_cast<float>(width) / 2.F;
-  const auto half_height = static_cast<float>(height) / 2.F;
-  std::string world = lamp;
-  for (int column = 0; column < width; ++column) {
-    const float reflectance = column % 2 == 0 ? kBright : kDark;
-    const std::string r = std::to_string(reflectance);
-    const std::string left = std::to_string(static_cast<float>(column) - half_width);
-    const std::string right = std::to_string(static_cast<float>(column) - half_width + 1.F);
-    const std::string y = std::to_string(half_height + 2.F);
-    world.append("Material \"matte\" \"rgb Kd\" [").append(r).append(" ").append(r).append(" ");
-    world.append(r).append(
-        "]\nShape \"trianglemesh\" \"integer indices\" [0 1 2 0 2 3] \"point P\" [");
-    world.append(left).append(" -").append(y).append(" 4 ").append(right).append(" -").append(y);
-    world.append(" 4 ").append(right).append(" ").append(y).append(" 4 ").append(left);
-    world.append(" ").append(y).append(" 4]\n");
-  }
-  const std::string window = std::to_string(-half_width) + " " + std::to_string(half_width) + " " +
-                             std::to_string(-half_height) + " " + std::to_string(half_height);
-  return test::scene_from(test::pbrt_scene(
-      "LookAt 0 0 0  0 0 1  0 1 0 Camera \"orthographic\" \"float screenwindow\" [" + window + "]",
-      width, height, world));
-}
 
 /// How far the dark stripes are from kDark / kBright of the bright ones, over independent renders.
 struct Excess {
@@ -62,7 +34,7 @@ Excess excess_of_dark_stripes(const Scene& scene, test::RenderOptions options, i
     for (std::size_t p = 0; p < image.size() / 3; ++p) {
       (p % width % 2 == 0 ? bright : dark) += static_cast<double>(image[3 * p]);
     }
-    const double ratio = static_cast<double>(kDark) / static_cast<double>(kBright);
+    const double ratio = static_cast<double>(test::kDark) / static_cast<double>(test::kBright);
     const double excess = dark - ratio * bright;
     expected += ratio * bright;
     sum += excess;
@@ -90,11 +62,11 @@ test::RenderOptions options_of_chains() {
 // Twenty chains start from each bright sample, and hardly one from a dark one. When one chain with
 // twenty times the steps stood for them, the dark stripes were 0.9 too bright.
 TEST(SeedsOfUnequalWeight, WalkEquallyFarFromABootstrap) {
-  const auto scene =
-      stripes(16, 12,
-              "LightSource \"point\" \"point from\" [0 12 -6] \"rgb I\" [100 100 100]\n"
-              "AttributeBegin Material \"matte\" \"rgb Kd\" [0.7 0.7 0.7] ReverseOrientation\n"
-              "Shape \"sphere\" \"float radius\" [30] AttributeEnd\n");
+  const auto scene = test::stripes(
+      16, 12,
+      "LightSource \"point\" \"point from\" [0 12 -6] \"rgb I\" [100 100 100]\n"
+      "AttributeBegin Material \"matte\" \"rgb Kd\" [0.7 0.7 0.7] ReverseOrientation\n"
+      "Shape \"sphere\" \"float radius\" [30] AttributeEnd\n");
   test::RenderOptions options = options_of_chains();
   options.max_depth = 3;
   options.samples = 1;
@@ -108,7 +80,7 @@ TEST(SeedsOfUnequalWeight, WalkEquallyFarFromABootstrap) {
 // Light that a camera sample finds by luck starts as many chains as it stands for. When it was one
 // long chain instead, the dark stripes were 0.3 too bright.
 TEST(SeedsOfUnequalWeight, WalkEquallyFarFromWhatIsFound) {
-  const auto scene = stripes(
+  const auto scene = test::stripes(
       32, 24,
       "AttributeBegin Translate 0 20 -10\n"
       "AttributeBegin AreaLightSource \"diffuse\" \"rgb L\" [1500 1500 1500]\n"

@@ -17,6 +17,7 @@
 #include "support/render.h"
 #include "support/same_picture.h"
 #include "support/small_scenes.h"
+#include "support/stripes.h"
 
 /// The maps of `selective`. That all of its modes have the expectation of bidirectional path
 /// tracing is tested with other chains (chain_agreement_test.cpp).
@@ -176,6 +177,34 @@ MeanAndError truth_of(const Scene& scene, test::RenderOptions options) {
   options.integrator = "bdpt";
   options.samples = 512;
   return summary(means(scene, options, 24));
+}
+
+// Pixels that show two objects count as one of them, whatever the picture's own samples see there:
+// when those voted, the ones that saw the brighter object were weighed by its map, and the picture
+// was 0.11 too bright.
+TEST(Selective, RegionsDoNotFollowFromSamplesThatStay) {
+  const auto scene = test::stripes(
+      16, 12,
+      "LightSource \"point\" \"point from\" [0 12 -6] \"rgb I\" [100 100 100]\n"
+      "AttributeBegin Material \"matte\" \"rgb Kd\" [0.7 0.7 0.7] ReverseOrientation\n"
+      "Shape \"sphere\" \"float radius\" [30] AttributeEnd\n",
+      0.5F);
+  const TemporaryFile rules("rules.txt");
+  std::ofstream(rules.path()) << "material bright chain\nmaterial dark omc\n";
+  test::RenderOptions options;
+  options.min_depth = 3;
+  options.max_depth = 6;
+  const MeanAndError truth = truth_of(*scene, options);
+  options.replicates = 4;
+  options.samples = 4;
+  options.integrator = "selective";
+  for (const char* pilot : {"cross", "discard"}) {
+    options.parameters = {{"regions", rules.path()}, {"techniques", "bdpt"}, {"pilot", pilot}};
+    const MeanAndError own = summary(means(*scene, options, 100));
+    const double error = std::hypot(own.error, truth.error);
+    EXPECT_LT(5.0 * error, 0.04 * truth.mean) << pilot << ": too noisy to notice a bias";
+    EXPECT_LT(std::abs(own.mean - truth.mean), 5.0 * error) << pilot;
+  }
 }
 
 TEST(Selective, IsBiasedByAPilotThatIsKeptOnly) {

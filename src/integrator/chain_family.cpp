@@ -21,6 +21,7 @@
 #include "integrator/plane_maps.h"
 #include "integrator/roulette_pilot.h"
 #include "integrator/split_pilot.h"
+#include "integrator/surface_pilot.h"
 #include "integrator/technique_pilot.h"
 #include "integrator/weighted_errors.h"
 
@@ -59,9 +60,7 @@ class ChainIntegrator final : public Integrator {
   void give_news(OutputArchive& archive, const WorkShare& share) override;
   void take_news(InputArchive& archive, const WorkShare& share) override;
   std::uint64_t memory_bytes() const override;
-  std::vector<std::pair<std::string, Plane>> maps() const override {
-    return plan_.selective && pilot_ != nullptr ? pilot_->maps() : Integrator::maps();
-  }
+  std::vector<std::pair<std::string, Plane>> maps() const override;
   std::optional<Plane> antialias_mask() const override {
     return plan_.selective && pilot_ != nullptr ? pilot_->antialias_mask() : std::nullopt;
   }
@@ -114,7 +113,13 @@ ChainIntegrator::ChainIntegrator(ChainKind kind, const Scene& scene, const Rende
     if (plan_.selective && plan_.selective->efficient_roulette) {
       stages_.push_back(std::make_unique<RoulettePilot>(plan_));
     }
-    auto pilot = std::make_unique<SplitPilot>(plan_, populations_, recruits_.get());
+    const SurfacePilot* surfaces = nullptr;
+    if (plan_.selective) {
+      auto stage = std::make_unique<SurfacePilot>(plan_);
+      surfaces = stage.get();
+      stages_.push_back(std::move(stage));
+    }
+    auto pilot = std::make_unique<SplitPilot>(plan_, populations_, surfaces, recruits_.get());
     auto trial = std::make_unique<ChainTrial>(plan_, *pilot, recruits_.get());
     pilot_ = pilot.get();
     stages_.push_back(std::move(pilot));
@@ -207,6 +212,20 @@ std::optional<SelectiveReport> ChainIntegrator::selective_report() const {
   report.regions = pilot_->report();
   effort_.fill(report);
   return report;
+}
+
+std::vector<std::pair<std::string, Plane>> ChainIntegrator::maps() const {
+  if (!plan_.selective) return {};
+  std::vector<std::pair<std::string, Plane>> planes;
+  if (pilot_ != nullptr) planes = pilot_->maps();
+  if (!planes.empty()) return planes;
+  // Nothing had to be decided: there is no light for chains, or no time for a pilot.
+  for (const char* name : kRegionLayers) {
+    if (asks_for(plan_.settings.aovs, name)) {
+      planes.emplace_back(name, Plane(plan_.settings.crop.size() + Vec2i(1, 1)));
+    }
+  }
+  return planes;
 }
 
 double ChainIntegrator::bootstrap_b() const {

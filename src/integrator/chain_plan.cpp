@@ -54,6 +54,7 @@ ChainPlan::ChainPlan(ChainKind chain_kind, const Scene& the_scene,
       seed_spread(parameters.get_float("seed-spread")),
       mutation(make_mutation(base_mutation(parameters.get_text("mutation")),
                              parameters.get_float("sigma"))) {
+  if (selective) check_region_rules(selective->rules, scene.object_names(), scene.material_names());
   settings.max_depth = std::min(settings.max_depth, kMaxChainEdges);
   chain_settings.probabilities = {parameters.get_float("large-step"),
                                   parameters.get_float("camera-steps"),

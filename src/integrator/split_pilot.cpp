@@ -8,7 +8,6 @@
 
 #include "core/random.h"
 #include "image/edges.h"
-#include "image/identities.h"
 #include "image/make_filter.h"
 #include "integrator/chain_bootstrap.h"
 #include "integrator/light_split.h"
@@ -16,8 +15,6 @@
 namespace ajar {
 
 namespace {
-
-const std::vector<std::string> kSurfaceLayers = {"object-id", "material-id", "depth", "normal"};
 
 /// What chains make of a path that brings as much as the whole of its pixel, relative to what they
 /// might at most.
@@ -126,12 +123,6 @@ std::uint64_t SplitPilot::begin() {
   const auto replicates = static_cast<std::uint64_t>(settings.replicates);
   samples_ =
       std::max<std::uint64_t>(1, (plan_.pilot_samples + replicates - 1) / replicates) * replicates;
-  for (const std::string& name : kSurfaceLayers) {
-    if (plan_.selective &&
-        std::find(settings.aovs.begin(), settings.aovs.end(), name) == settings.aovs.end()) {
-      settings.aovs.push_back(name);
-    }
-  }
   // What is drawn by lot is noise in these few samples: at the brightness itself, it would be a
   // third of their variance on cornell-box. So fine a grain keeps about one path per sample.
   constexpr double kGrain = 0.25;
@@ -201,15 +192,9 @@ void SplitPilot::end() {
 
 void SplitPilot::find_regions() {
   const Vec2i size(film_->width(), film_->height());
-  if (!plan_.selective) {
-    regions_ = connected_regions(size, std::vector<PixelIdentity>(plan_.pixels()));
-    return;
-  }
-  const std::vector<PixelIdentity> identities = majority_identities(*film_);
-  regions_ = connected_regions(size, identities);
-  check_region_rules(plan_.selective->rules, plan_.scene.object_names(),
-                     plan_.scene.material_names());
-  find_edges(identities);
+  regions_ =
+      connected_regions(size, surfaces_ != nullptr ? surfaces_->identities()
+                                                   : std::vector<PixelIdentity>(plan_.pixels()));
 }
 
 PilotView SplitPilot::view(std::vector<int> replicates, const ChainCosts& costs) const {
@@ -293,20 +278,6 @@ void SplitPilot::join() {
   }
 }
 
-void SplitPilot::find_edges(const std::vector<PixelIdentity>& identities) {
-  const auto layer = [&](const char* name) {
-    return film_->develop(film_->layer(name), 1.0 / static_cast<double>(samples_));
-  };
-  const std::vector<float> triples = layer("depth");
-  std::vector<float> depths;
-  depths.reserve(triples.size() / 3);
-  for (std::size_t i = 0; i < triples.size(); i += 3) depths.push_back(triples[i]);
-  edges_ = surface_edges({.size = regions_.size,
-                          .identities = identities,
-                          .depths = depths,
-                          .normals = layer("normal")});
-}
-
 void SplitPilot::hand_over(Film& film) {
   if (!film_) return;
   film.add_layers(*film_, std::array<std::string, 1>{"indirect"});
@@ -352,13 +323,13 @@ std::vector<std::pair<std::string, Plane>> SplitPilot::maps() const {
     planes.emplace_back("regions", fill_regions(regions_, numbers));
   }
   if (wanted("importance")) planes.emplace_back("importance", importance());
-  if (wanted("edges")) planes.emplace_back("edges", *edges_);
+  if (wanted("edges")) planes.emplace_back("edges", surfaces_->edges());
   return planes;
 }
 
 std::optional<Plane> SplitPilot::antialias_mask() const {
-  if (!plan_.selective->antialias || !edges_) return std::nullopt;
-  return edges_of_map(*edges_, importance());
+  if (!plan_.selective->antialias || choices_.empty()) return std::nullopt;
+  return edges_of_map(surfaces_->edges(), importance());
 }
 
 std::vector<double> SplitPilot::thresholds() const {

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <atomic>
 #include <memory>
 #include <mutex>
@@ -15,17 +16,24 @@
 #include "integrator/chain_recruits.h"
 #include "integrator/preparation_stage.h"
 #include "integrator/region_choice.h"
+#include "integrator/surface_pilot.h"
 
 namespace ajar {
+
+/// Layers that show what is decided about regions.
+inline constexpr std::array<const char*, 4> kRegionLayers = {"noise", "regions", "importance",
+                                                             "edges"};
 
 /// Renders by ordinary Monte Carlo what decides how the light is divided (region_choice.h), in the
 /// whole picture or, for `selective`, in each of its regions. Its samples are the first of the
 /// render, if they stay; what they leave to chains are the first seeds of these.
 class SplitPilot final : public PreparationStage, public StrongPathSinks {
  public:
-  /// `recruits` may be null. All must outlive it.
-  SplitPilot(ChainPlan& plan, std::vector<ChainPopulation>& populations, ChainRecruits* recruits)
-      : plan_(plan), populations_(populations), recruits_(recruits) {}
+  /// `surfaces` tells what the regions of `selective` are; null where there are none. `recruits`
+  /// may be null, too. All must outlive it.
+  SplitPilot(ChainPlan& plan, std::vector<ChainPopulation>& populations,
+             const SurfacePilot* surfaces, ChainRecruits* recruits)
+      : plan_(plan), populations_(populations), surfaces_(surfaces), recruits_(recruits) {}
   double effort() const override;
   std::uint64_t begin() override;
   void run(std::uint64_t item, Counters& counters) override;
@@ -49,7 +57,7 @@ class SplitPilot final : public PreparationStage, public StrongPathSinks {
   /// Decides how the light is divided, and seeds the chains. `costs`: for each half.
   void decide(std::span<const ChainCosts> costs);
 
-  /// The layers "noise", "regions", "importance" and "edges", if they were asked for.
+  /// Those of `kRegionLayers` that were asked for; none if there was nothing to decide.
   std::vector<std::pair<std::string, Plane>> maps() const;
   std::optional<Plane> antialias_mask() const;
   std::uint64_t samples() const { return samples_; }  ///< per pixel
@@ -74,11 +82,11 @@ class SplitPilot final : public PreparationStage, public StrongPathSinks {
   /// Camera samples that have offered seeds to chains.
   double recruiting_samples() const;
   void join();
-  void find_edges(const std::vector<PixelIdentity>& identities);
   Plane importance() const;
 
   ChainPlan& plan_;
   std::vector<ChainPopulation>& populations_;
+  const SurfacePilot* surfaces_;
   ChainRecruits* recruits_;
   std::uint64_t samples_ = 0;  ///< per pixel
   float grain_ = 0.F;
@@ -90,8 +98,7 @@ class SplitPilot final : public PreparationStage, public StrongPathSinks {
   mutable std::vector<FoundLight> found_;
   Regions regions_;
   std::vector<RegionChoice> choices_;  ///< one, or one for each half
-  std::optional<Plane> noise_;         ///< and edges: of `selective` alone
-  std::optional<Plane> edges_;
+  std::optional<Plane> noise_;         ///< of `selective` alone
 };
 
 }  // namespace ajar
