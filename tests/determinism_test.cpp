@@ -23,7 +23,7 @@ std::vector<std::int64_t> sums(const Scene& scene, const IntegratorInfo& info, i
   settings.max_depth = 6;
   settings.seed = 7;
   settings.aovs = aovs;
-  const auto integrator = info.make(scene, settings, Parameters(info.parameters, parameters));
+  const auto integrator = info.make(scene, settings, info.read(parameters));
   prepare(*integrator);
   Film film(settings.resolution, settings.crop, make_filter(scene.film().filter),
             settings.replicates, integrator->layers());

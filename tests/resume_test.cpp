@@ -77,7 +77,7 @@ class Case {
   }
 
   std::unique_ptr<Integrator> make() const {
-    auto integrator = info_.make(scene_, settings_, Parameters(info_.parameters, parameters_));
+    auto integrator = info_.make(scene_, settings_, info_.read(parameters_));
     prepare(*integrator);
     return integrator;
   }

@@ -402,7 +402,7 @@ int rounds_of(const std::string& scene_name) {
   const IntegratorInfo& info = find_integrator("selective");
   const auto integrator =
       info.make(scene, test::settings_of(scene, {.replicates = 4, .max_depth = 8}),
-                Parameters(info.parameters, {}));
+                info.read({}));
   int rounds = 0;
   for (;; ++rounds) {
     const std::uint64_t items = integrator->begin_preparation(rounds).items;

@@ -82,12 +82,11 @@ std::vector<ParameterSpec> chain_parameters(ChainKind kind) {
           "share of the small steps that have 1/8 or 1/64 of their length, for light that is "
           "found in narrow places (mutation=gaussian, step=fixed)",
           1.0),
-      // What they leave as it is, pssmlt traces again.
       number_parameter(
-          "raster-steps", kind == ChainKind::OnePath ? "auto" : "0",
+          "raster-steps", "auto",
           "share of the small steps that move nothing but a path's place on the picture, and keep "
           "its directions (mutation=gaussian or kelemen, step=fixed, multi-try=1); auto: 0.7, or "
-          "0.9 where chains make nearly all light",
+          "0.9 where chains make nearly all light; none for pssmlt",
           1.0, {"auto"}),
       number_parameter("camera-steps", "0",
                        "share of the other small steps that move the camera's half of a path only",

@@ -169,7 +169,8 @@ void ChainPlan::read_small_steps() {
   if (parameters.get_number("raster-steps")) {
     probabilities.raster = share_of_steps(
         "raster-steps", can_raster, "mutation=gaussian or kelemen, step=fixed and multi-try=1");
-  } else if (can_raster) {
+  } else if (can_raster && kind == ChainKind::OnePath) {
+    // What they leave as it is, a state of pssmlt would trace again.
     constexpr double kRasterSteps = 0.7;
     probabilities.raster = kRasterSteps;
     raster_steps_follow_split = true;

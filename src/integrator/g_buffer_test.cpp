@@ -73,7 +73,7 @@ Sums render(const Scene& scene, std::uint64_t samples,
   settings.crop = crop.value_or(Box2i({0, 0}, {kWidth - 1, kHeight - 1}));
   settings.aovs.assign(GBuffer::names().begin(), GBuffer::names().end());
   const IntegratorInfo& info = find_integrator("pt");
-  const auto integrator = info.make(scene, settings, Parameters(info.parameters, {}));
+  const auto integrator = info.make(scene, settings, info.read({}));
   Sums sums{std::make_unique<Film>(settings.resolution, settings.crop, filter, settings.replicates,
                                    integrator->layers()),
             1.0 / static_cast<double>(samples)};

@@ -177,6 +177,14 @@ struct IntegratorInfo {
   std::vector<ParameterSpec> parameters;
   std::function<std::unique_ptr<Integrator>(const Scene&, const RenderSettings&, const Parameters&)>
       make;
+  /// Adds to what was given what follows from it, such as the values of a preset; may be empty.
+  std::function<std::map<std::string, std::string>(std::map<std::string, std::string>)> complete =
+      nullptr;
+
+  /// What `make` is to be called with. Raises UsageError as `Parameters` does.
+  Parameters read(const std::map<std::string, std::string>& given) const {
+    return {parameters, complete ? complete(given) : given};
+  }
 };
 
 /// A layer that users can ask for with `--aov`.

@@ -80,7 +80,8 @@ const std::vector<IntegratorInfo>& integrators() {
            "path by path",
        .source = "after Frolov; Bitterli & Jarosz 2019; Kelemen et al. 2002",
        .parameters = selective_parameters(),
-       .make = make_selective_integrator},
+       .make = make_selective_integrator,
+       .complete = SelectiveSettings::apply_preset},
   };
   return kIntegrators;
 }

@@ -55,9 +55,8 @@ std::vector<ParameterSpec> selective_parameters() {
 std::unique_ptr<Integrator> make_selective_integrator(const Scene& scene,
                                                       const RenderSettings& settings,
                                                       const Parameters& parameters) {
-  const Parameters own(selective_parameters(), SelectiveSettings::apply_preset(parameters.given()));
-  const ChainKind kind = chain_kind(own);
-  const bool has_light_paths = own.get_text(kLightPathsPerPixel) != SelectiveSettings::kOpen;
+  const ChainKind kind = chain_kind(parameters);
+  const bool has_light_paths = parameters.get_text(kLightPathsPerPixel) != SelectiveSettings::kOpen;
   if (has_light_paths && kind == ChainKind::WholePath) {
     throw UsageError(kLightPathsPerPixel +
                      ": only with chain=mmlt; a state of pssmlt has one light subpath");
@@ -65,13 +64,13 @@ std::unique_ptr<Integrator> make_selective_integrator(const Scene& scene,
   const std::vector<ParameterSpec> specs = chain_parameters(kind);
   std::map<std::string, std::string> chain;
   for (const ParameterSpec& spec : specs) {
-    const auto value = own.given().find(spec.name);
-    if (value == own.given().end()) continue;
+    const auto value = parameters.given().find(spec.name);
+    if (value == parameters.given().end()) continue;
     const bool is_open = can_be_open(spec.name) && value->second == SelectiveSettings::kOpen;
     if (!is_open) chain[spec.name] = value->second;
   }
   return make_chain_integrator(kind, scene, settings, Parameters(specs, chain),
-                               SelectiveSettings::read(own, settings));
+                               SelectiveSettings::read(parameters, settings));
 }
 
 }  // namespace ajar

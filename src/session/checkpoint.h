@@ -19,6 +19,8 @@ struct RenderRecord {
   std::uint64_t scene_hash = 0;
   std::string integrator;
   std::map<std::string, std::string> parameters;  ///< all, defaults too
+  /// Those that were not left at their defaults: what is not given may follow from others that are.
+  std::map<std::string, std::string> given;
   RenderSettings settings;
   std::vector<std::string> aovs;  ///< all asked for
   double film_scale = 1.0;

@@ -177,7 +177,7 @@ void check_budget(const Budget& budget, int replicates) {
 RenderSetup setup_of(const RenderRecord& record, const Budget& budget) {
   RenderSetup setup;
   setup.integrator = &find_integrator(record.integrator);
-  setup.parameters = record.parameters;
+  setup.parameters = record.given;
   setup.budget = budget;
   setup.settings = record.settings;
   setup.aovs = record.aovs;
@@ -193,6 +193,7 @@ RenderRecord record_of(const RenderSetup& setup, const Parameters& parameters,
   record.scene = absolute_scene(scene);
   record.integrator = setup.integrator->name;
   record.parameters = {parameters.values().begin(), parameters.values().end()};
+  record.given = parameters.given();
   record.settings = setup.settings;
   record.aovs = setup.aovs;
   record.share = share;

@@ -31,7 +31,7 @@ void check_method(const Method& method) {
   request.parameters = method.parameters;
   desc::Film film;
   const RenderSetup setup = make_setup(request, {}, film);
-  const Parameters checked(setup.integrator->parameters, setup.parameters);
+  setup.integrator->read(setup.parameters);
 }
 
 Method read_method(const JsonNode& node) {

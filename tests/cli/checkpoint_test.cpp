@@ -49,6 +49,34 @@ TEST_F(CheckpointCli, ResumedRenderHasTheBitsOfOneLeftAlone) {
   EXPECT_EQ(bytes("b.pfm"), bytes("alone.pfm"));
 }
 
+// A checkpoint must tell what the user has set from what follows from it.
+TEST_F(CheckpointCli, ResumedRenderHasTheSettingsOfTheOneBefore) {
+  const std::vector<std::vector<std::string>> settings = {
+      {"selective", "preset=published"},       {"selective", "preset=lambertian-out", "omc=lt"},
+      {"selective", "mutation=kelemen"},       {"selective", "step=adaptive"},
+      {"selective", "chain=pssmlt", "omc=lt"}, {"mmlt", "mutation=fusion"},
+      {"pssmlt", "mutation=kelemen"}};
+  for (const std::vector<std::string>& setting : settings) {
+    std::vector<std::string> arguments{"--integrator", setting.front()};
+    for (std::size_t i = 1; i < setting.size(); ++i) {
+      arguments.insert(arguments.end(), {"--set", setting[i]});
+    }
+    const auto render = [&](std::vector<std::string> more) {
+      more.insert(more.end(), arguments.begin(), arguments.end());
+      return Cli::render(more);
+    };
+    const std::string what = setting[0] + ", " + setting[1];
+    ASSERT_EQ(render({"--spp", "32", "-o", "alone.pfm"}).exit_code, 0) << what;
+    ASSERT_EQ(render({"--spp", "8", "-o", "a.pfm", "--checkpoint", "c"}).exit_code, 0) << what;
+    const Outcome resumed = run({"resume", "c", "--spp", "32", "--stats", "stats.json"});
+    ASSERT_EQ(resumed.exit_code, 0) << what << ": " << resumed.err;
+    EXPECT_TRUE(bytes("a.pfm") == bytes("alone.pfm")) << what;
+    if (setting[1] == "preset=published") {
+      EXPECT_EQ(statistics().at("parameters").at("map"), "binary") << "what holds is told";
+    }
+  }
+}
+
 TEST_F(CheckpointCli, FinishedRenderIsShownAgainWithoutRendering) {
   ASSERT_EQ(render({"--spp", "8", "-o", "a.pfm", "--checkpoint", "c"}).exit_code, 0);
   const std::string before = bytes("c");

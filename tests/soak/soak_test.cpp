@@ -40,7 +40,7 @@ void render_with_checkpoints(const Scene& scene, const std::string& integrator_n
   std::map<std::string, std::string> parameters;
   // The default bootstrap takes longer than a render lives.
   if (integrator_name == "mmlt") parameters["bootstrap"] = "2000";
-  const auto integrator = info.make(scene, settings, Parameters(info.parameters, parameters));
+  const auto integrator = info.make(scene, settings, info.read(parameters));
   prepare(*integrator);
   Film film(settings.resolution, settings.crop, make_filter(scene.film().filter),
             settings.replicates, integrator->layers());

@@ -175,7 +175,7 @@ void Run::choose(const desc::SceneDesc& description) {
     if (is_root()) check_picture_paths(outputs_);
   }
   try {
-    parameters_.emplace(setup_.integrator->parameters, setup_.parameters);
+    parameters_.emplace(setup_.integrator->read(setup_.parameters));
   } catch (const UsageError& error) {
     // The scene may have chosen it.
     throw UsageError("integrator " + setup_.integrator->name + ": " + error.what());
