@@ -396,13 +396,61 @@ TEST(Selective, LeavesChainsOutOfACornellBox) {
   }
 }
 
+/// Where the two sides make other paths, or pixels are of one method alone, chains render nothing
+/// at all.
+TEST(Selective, LeavesChainsOutOfACornellBoxWhateverThePair) {
+  const Scene scene = test::builtin_scene("cornell");
+  using Settings = std::map<std::string, std::string>;
+  for (const Settings& settings :
+       {Settings{{"omc", "ibpt"}, {"techniques", "bdpt"}}, Settings{{"choice", "exclusive"}},
+        Settings{{"omc", "pt"}, {"chain", "pssmlt"}, {"techniques", "bdpt"}},
+        Settings{{"chain", "pssmlt"}}}) {
+    const test::Render render = prepared_render(scene, 1, settings);
+    EXPECT_EQ(render.integrator->notes().size(), 1U) << settings.begin()->first;
+    EXPECT_EQ(render.counters.mutations, 0U) << settings.begin()->first;
+  }
+}
+
+TEST(Selective, KeepsChainsWhereTheyPayWhateverThePair) {
+  const Scene scene = test::builtin_scene("torus-in-glass");
+  using Settings = std::map<std::string, std::string>;
+  for (const Settings& settings :
+       {Settings{{"omc", "ibpt"}, {"techniques", "bdpt"}}, Settings{{"chain", "pssmlt"}}}) {
+    const test::Render render = prepared_render(scene, 1, settings);
+    EXPECT_TRUE(render.integrator->notes().empty()) << settings.begin()->first;
+    EXPECT_GT(render.counters.mutations, 1000U) << settings.begin()->first;
+  }
+}
+
+/// A map without chains takes none, and tells what it is.
+TEST(Selective, TakesNoChainsWhereTheUserWantsNone) {
+  const auto scene = small_scene("GlassAndMetal");
+  const TemporaryFile map("map.pfm");
+  using Settings = std::map<std::string, std::string>;
+  for (const float weight : {0.F, 1.F}) {
+    write_map(map.path(), scene->camera().resolution(), [&](std::uint64_t) { return weight; });
+    for (const Settings& more : {Settings{{"split", "0"}}, Settings{{"split", "0.1"}},
+                                 Settings{{"choice", "exclusive"}}}) {
+      Settings settings = more;
+      settings["regions"] = map.path();
+      const test::Render render = prepared_render(*scene, 1, settings);
+      EXPECT_EQ(render.counters.mutations > 0, weight > 0.F) << more.begin()->first;
+      if (weight == 0.F) EXPECT_TRUE(render.integrator->concerns().empty());
+      const auto report = *render.integrator->selective_report();
+      EXPECT_FALSE(report.correlation) << "nothing has told yet";
+      EXPECT_FALSE(report.chain_error);
+      if (more.begin()->second == "0.1") continue;
+      for (const auto& region : report.regions) EXPECT_EQ(region.importance, weight);
+    }
+  }
+}
+
 /// Rounds of a preparation that have anything to do.
 int rounds_of(const std::string& scene_name) {
   const Scene scene = test::builtin_scene(scene_name);
   const IntegratorInfo& info = find_integrator("selective");
   const auto integrator =
-      info.make(scene, test::settings_of(scene, {.replicates = 4, .max_depth = 8}),
-                info.read({}));
+      info.make(scene, test::settings_of(scene, {.replicates = 4, .max_depth = 8}), info.read({}));
   int rounds = 0;
   for (;; ++rounds) {
     const std::uint64_t items = integrator->begin_preparation(rounds).items;
@@ -448,10 +496,10 @@ TEST(Selective, FindsOutHowMuchOfTheChainsErrorLasts) {
 }
 
 TEST(Selective, PreparesOnlyForWhatMayPay) {
-  // Brightness, ibpt, bdpt, roulette, and what is to be divided.
-  EXPECT_EQ(rounds_of("cornell"), 5);
+  // Brightness, ibpt, bdpt, roulette, what pixels show, and what is to be divided.
+  EXPECT_EQ(rounds_of("cornell"), 6);
   // Chains on trial, too, and more light subpaths for what they could start from.
-  EXPECT_EQ(rounds_of("torus-in-glass"), 7);
+  EXPECT_EQ(rounds_of("torus-in-glass"), 8);
 }
 
 /// Nothing is divided, and the film has no layer for it.

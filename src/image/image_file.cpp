@@ -15,6 +15,7 @@
 
 #include "core/atomic_file.h"
 #include "core/error.h"
+#include "core/file_extension.h"
 #include "image/antialias.h"
 #include "image/pfm.h"
 
@@ -25,13 +26,6 @@ constexpr std::array<const char*, 6> kExtensions = {".exr",  ".png", ".jpg",
                                                     ".jpeg", ".pfm", ".hdr"};
 /// Largest finite value of the RGBE encoding is near 2^127.
 constexpr float kLargestHdr = 1e38F;
-
-std::string extension_of(const std::string& path) {
-  std::string extension = std::filesystem::path(path).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
-}
 
 bool is_display_format(const std::string& extension) {
   return extension == ".png" || extension == ".jpg" || extension == ".jpeg";
@@ -79,13 +73,13 @@ template <typename T, typename Row>
 std::vector<unsigned char> encode(const std::string& path, const OIIO::ImageSpec& spec, Row row) {
   std::vector<unsigned char> bytes;
   OIIO::Filesystem::IOVecOutput memory(bytes);
-  const auto output = OIIO::ImageOutput::create("memory" + extension_of(path));
+  const auto output = OIIO::ImageOutput::create("memory" + file_extension(path));
   const auto fail = [&]() {
     return IoError("cannot write \"" + path +
                    "\": " + (output ? output->geterror() : OIIO::geterror()));
   };
   if (!output || !output->supports("ioproxy") || !output->set_ioproxy(&memory)) throw fail();
-  if (!output->open("memory" + extension_of(path), spec)) throw fail();
+  if (!output->open("memory" + file_extension(path), spec)) throw fail();
   constexpr int kRows = 64;
   const std::size_t stride =
       static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.nchannels);
@@ -206,7 +200,7 @@ std::vector<float> Image::rgb(const std::string& layer) const {
 }
 
 Image read_image(const std::string& path) {
-  if (extension_of(path) == ".pfm") return read_pfm(path);
+  if (file_extension(path) == ".pfm") return read_pfm(path);
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored))
     throw IoError("cannot read \"" + path + "\": it is a folder");
@@ -240,7 +234,7 @@ Image read_image(const std::string& path) {
 }
 
 void check_image_extension(const std::string& path) {
-  const std::string extension = extension_of(path);
+  const std::string extension = file_extension(path);
   if (std::find(kExtensions.begin(), kExtensions.end(), extension) != kExtensions.end()) return;
   throw UsageError(
       "\"" + path + "\": " +
@@ -248,13 +242,13 @@ void check_image_extension(const std::string& path) {
                            std::vector<std::string>(kExtensions.begin(), kExtensions.end())));
 }
 
-bool is_display_file(const std::string& path) { return is_display_format(extension_of(path)); }
+bool is_display_file(const std::string& path) { return is_display_format(file_extension(path)); }
 
 void write_image(const std::string& path, const LayeredImage& image,
                  const DisplayOptions& display) {
   check_image_extension(path);
   check_layers(image);
-  const std::string extension = extension_of(path);
+  const std::string extension = file_extension(path);
   if (extension != ".exr" && image.layers.front().channels != 3) {
     throw std::invalid_argument("write_image: only EXR holds layers of one channel");
   }

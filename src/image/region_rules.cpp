@@ -134,6 +134,9 @@ std::string unmatched_message(const RegionRule& rule, std::span<const std::strin
 std::vector<RegionRule> parse_region_rules(std::string_view text, const std::string& file) {
   const auto name = std::make_shared<const std::string>(file);
   std::vector<RegionRule> rules;
+  // Some editors mark a text as UTF-8.
+  constexpr std::string_view kMark = "\xEF\xBB\xBF";
+  if (text.starts_with(kMark)) text.remove_prefix(kMark.size());
   for (int line = 1; !text.empty(); ++line) {
     const std::size_t end = std::min(text.find('\n'), text.size());
     LineReader reader(text.substr(0, end), {name, line, 1});

@@ -52,6 +52,10 @@ TEST(RegionRules, AreOnePerLine) {
   EXPECT_EQ(rules[3].choice, Choice::Auto);
 }
 
+TEST(RegionRules, MayBeMarkedAsUnicode) {
+  EXPECT_EQ(parse_region_rules("\xEF\xBB\xBFobject lamp omc\n", "rules.txt").size(), 1U);
+}
+
 TEST(RegionRules, OfAnEmptyTextAreNone) {
   for (const char* text : {"", "\n\n", "   ", "# only this", "\r\n \t\r\n"}) {
     EXPECT_TRUE(parse(text).empty()) << text;

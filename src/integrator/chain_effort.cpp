@@ -81,10 +81,10 @@ void ChainEffort::adjust(std::uint64_t samples, const WeightedErrors& of_omc,
 void ChainEffort::fill(SelectiveReport& report) const {
   const double all = static_cast<double>(omc_rays_ + chain_rays_);
   report.mutations_per_sample = rate();
-  report.correlation = correlation_;
+  if (correlation_ > 0.0) report.correlation = correlation_;
   report.lasting_error = lasting_.share();
   report.chain_rays = all > 0.0 ? static_cast<double>(chain_rays_) / all : 0.0;
-  report.chain_error = chain_error_;
+  if (correlation_ > 0.0) report.chain_error = chain_error_;
 }
 
 void ChainEffort::set_counts(const std::array<std::uint64_t, 4>& counts) {

@@ -49,6 +49,7 @@ class ChainIntegrator final : public Integrator {
   void begin_pass(std::uint64_t first_sample, std::uint64_t samples, Film& film) override;
   void run_item(std::uint64_t item, std::uint64_t first_sample, std::uint64_t samples, Film& film,
                 Counters& counters) override;
+  bool is_of_chains(std::uint64_t item) const override { return item >= omc_items(); }
   double develop_scale(const LayerSpec& layer, std::uint64_t samples,
                        std::optional<int> replicate) const override;
   std::optional<ChainReport> chain_report() const override;

@@ -112,8 +112,10 @@ void ChainPlan::read_split() {
     thresholds = {0.1, 0.3, 1.0, 3.0, 10.0};
     // What is shared by the error that is seen deserves fewer chains.
     if (selective) thresholds.push_back(30.0);
+  } else if (selective) {
+    // What its chains are worth is not tried, since nothing found can seed them.
+    thresholds = {1.0, 3.0, 10.0, 30.0};
   } else {
-    // Nothing is found out for chains that ordinary Monte Carlo cannot seed.
     thresholds = {10.0};
   }
 }

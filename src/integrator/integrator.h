@@ -87,11 +87,13 @@ struct SelectiveReport {
   double ray_price = 0.0;
   double path_rest = 0.0;             ///< Λ, likewise
   double mutations_per_sample = 0.0;  ///< 0: no chains
-  double correlation = 0.0;  ///< variance of chains over that of as many independent samples
+  /// Variance of chains over that of as many independent samples, if known.
+  std::optional<double> correlation;
   /// Share of the chains' error, as it is seen, that mutations do not make smaller, if known.
   std::optional<double> lasting_error;
-  double chain_rays = 0.0;      ///< share of the rays
-  double chain_error = 0.0;     ///< share of the squared error, luminance · importance
+  double chain_rays = 0.0;  ///< share of the rays
+  /// Share of the squared error, luminance · importance, if known.
+  std::optional<double> chain_error;
   std::vector<Region> regions;  ///< the largest first
 };
 
@@ -133,6 +135,8 @@ class Integrator {
   /// pixel, to the film.
   virtual void run_item(std::uint64_t item, std::uint64_t first_sample, std::uint64_t samples,
                         Film& film, Counters& counters) = 0;
+  /// Whether an item of a pass is of Markov chains: statistics tell their time apart.
+  virtual bool is_of_chains(std::uint64_t /*item*/) const { return false; }
   /// Factor that turns the sums of a layer into pixel values after `samples` samples per pixel over
   /// all replicates, for one replicate or all; the same for each pixel.
   virtual double develop_scale(const LayerSpec& layer, std::uint64_t samples,

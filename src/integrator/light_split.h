@@ -102,6 +102,11 @@ class LightSplit {
     const PixelShare& share = at(raster);
     return share.target > 0.F ? share.kept / share.target : 0.F;
   }
+  /// Whether the picture takes nothing from chains anywhere.
+  bool takes_nothing() const {
+    return std::all_of(shares_.begin(), shares_.end(),
+                       [](const PixelShare& share) { return share.kept == 0.F; });
+  }
   /// T of the pixel where it is highest.
   float highest_threshold() const { return highest_; }
   float importance(const Vec2& raster) const { return (*importance_)(raster); }
@@ -125,6 +130,10 @@ class LightSplits {
   LightSplits(LightSplit even, LightSplit odd) : splits_{std::move(even), std::move(odd)} {}
   const LightSplit& of(int replicate) const {
     return splits_[static_cast<std::size_t>(replicate) % splits_.size()];
+  }
+  bool take_nothing() const {
+    return std::all_of(splits_.begin(), splits_.end(),
+                       [](const LightSplit& split) { return split.takes_nothing(); });
   }
 
  private:

@@ -47,6 +47,11 @@ double omc_cost(const PilotView& view) {
   return view.rays * static_cast<double>(view.plan.pixels());
 }
 
+/// A state of `pssmlt` is a whole sample.
+double rays_per_mutation(const PilotView& view) {
+  return view.plan.kind == ChainKind::WholePath ? view.rays : view.costs.rays_per_mutation;
+}
+
 /// What rules and presets fix.
 std::vector<std::optional<float>> fixed_weights(const PilotView& view) {
   if (!view.plan.selective) return std::vector<std::optional<float>>(view.regions.count());
@@ -229,12 +234,14 @@ double gain_of_chains(const PilotView& view, const std::vector<double>& threshol
   return optimal_thresholds(offer_thresholds(view, regions).groups, costs).error / without.error;
 }
 
-/// Whether chains would bring clearly more than they cost, even if they turn out worse than a trial
-/// shows: in the end they are, and what they leave are blotches, which the eye sees more easily
-/// than noise of the same variance.
+/// Chains should bring clearly more than they cost, even if they turn out worse than a trial shows:
+/// in the end they are, and what they leave are blotches, which the eye sees more easily than noise
+/// of the same variance.
+constexpr double kDoubt = 4.0;
+constexpr double kClearly = 0.75;
+
+/// Whether chains would pay for what is above thresholds.
 bool would_pay(const PilotView& view, const std::vector<double>& thresholds, ThresholdCosts costs) {
-  constexpr double kDoubt = 4.0;
-  constexpr double kClearly = 0.75;
   // One path is no evidence, unless it is worth as much as the rest of the picture.
   constexpr double kHardly = 0.8;
   constexpr double kOverwhelmingly = 0.1;
@@ -254,8 +261,7 @@ RegionChoice choose_thresholds(const PilotView& view) {
   const std::vector<double> thresholds = all_thresholds(view.plan);
   const std::vector<ThresholdEstimate> regions =
       estimate_thresholds(view, thresholds, {kWhite, false});
-  const ThresholdCosts costs{omc_cost(view), view.costs.rays_per_mutation, view.costs.correlation,
-                             0.0};
+  const ThresholdCosts costs{omc_cost(view), rays_per_mutation(view), view.costs.correlation, 0.0};
   const OfferedThresholds offered = offer_thresholds(view, regions);
   const ThresholdChoice of_groups = optimal_thresholds(offered.groups, costs);
   std::vector<std::size_t> chosen;
@@ -270,7 +276,9 @@ RegionChoice choose_thresholds(const PilotView& view) {
   const auto fixed = fixed_weights(view);
   for (std::size_t r = 0; r < regions.size(); ++r) {
     if (fixed[r]) chosen[r] = 0;
-    const float weight = fixed[r].value_or(1.F);
+    // Chains that nothing can seed cannot stand by either.
+    const bool none = choice.off && !view.plan.has_recruits();
+    const float weight = fixed[r].value_or(none ? 0.F : 1.F);
     choice.shares.push_back(
         {static_cast<float>(thresholds[chosen[r]] * view.plan.brightness), weight, weight});
     choice.off = choice.off && !fixed[r];
@@ -279,6 +287,15 @@ RegionChoice choose_thresholds(const PilotView& view) {
   choice.mutations = best_mutations(final.variance, final.chain_light, costs) /
                      static_cast<double>(view.plan.pixels());
   return choice;
+}
+
+/// Whether chains would pay for what σ gives them, where the user has not decided.
+bool weights_would_pay(std::span<const RegionEstimate> regions, RenderCosts costs) {
+  costs.correlation *= kDoubt;
+  double alone = costs.omc_only_variance;
+  for (const RegionEstimate& region : regions) alone += region.variance;
+  alone *= costs.seconds_per_omc_sample / costs.seconds;
+  return optimal_split(regions, costs).weights.error() < kClearly * alone;
 }
 
 /// σ of each region, and what it takes.
@@ -302,10 +319,14 @@ RegionChoice choose_weights(const PilotView& view) {
     if (!weight && settings.map == SelectiveSettings::Map::Binary) weight = published[r];
     if (weight) estimates[r].minimum = estimates[r].maximum = static_cast<double>(*weight);
   }
-  const TimeSplit split = optimal_split(
-      estimates, {1.0, omc_cost(view), view.costs.rays_per_mutation, view.costs.correlation,
-                  sum_of(sample_errors(view, {"direct"}).variance)});
+  const RenderCosts costs{1.0, omc_cost(view), rays_per_mutation(view), view.costs.correlation,
+                          sum_of(sample_errors(view, {"direct"}).variance)};
   RegionChoice choice;
+  if (settings.map == SelectiveSettings::Map::Optimal && settings.painted.empty() &&
+      !weights_would_pay(estimates, costs)) {
+    for (RegionEstimate& estimate : estimates) estimate.maximum = estimate.minimum;
+  }
+  const TimeSplit split = optimal_split(estimates, costs);
   for (std::size_t r = 0; r < estimates.size(); ++r) {
     const auto weight = static_cast<float>(split.weights.weights[r]);
     choice.shares.push_back({0.F, weight, weight});

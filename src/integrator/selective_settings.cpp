@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "core/error.h"
+#include "core/file_extension.h"
 #include "integrator/crop_weights.h"
 
 namespace ajar {
@@ -16,11 +17,12 @@ namespace {
 bool is_image(const std::string& path) {
   constexpr std::array kExtensions = {".exr", ".png", ".jpg", ".jpeg",
                                       ".pfm", ".hdr", ".tif", ".tiff"};
-  const std::string extension = std::filesystem::path(path).extension().string();
+  const std::string extension = file_extension(path);
   return std::find(kExtensions.begin(), kExtensions.end(), extension) != kExtensions.end();
 }
 
 std::string read_text(const std::string& path) {
+  if (std::filesystem::is_directory(path)) throw IoError("regions: " + path + " is a folder");
   std::ifstream file(path, std::ios::binary);
   if (!file) throw IoError("regions: cannot open " + path);
   std::string text{std::istreambuf_iterator<char>(file), {}};

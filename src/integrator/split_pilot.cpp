@@ -250,7 +250,7 @@ void SplitPilot::share_effort() {
   }
   plan_.standby = off;
   if (recruits_ != nullptr) mutations = first_mutations();
-  const bool none = off && plan_.thresholds.empty();
+  const bool none = (off && plan_.thresholds.empty()) || plan_.splits->take_nothing();
   plan_.mutations = none ? 0.0 : ChainPlan::clamp_mutations(mutations);
 }
 
@@ -344,6 +344,13 @@ std::vector<double> SplitPilot::thresholds() const {
 
 std::vector<SelectiveReport::Region> SplitPilot::report() const {
   std::vector<SelectiveReport::Region> rows;
+  if (choices_.empty()) return rows;
+  // Of the pixels, which the user may have painted.
+  std::vector<double> importances(regions_.count());
+  const Plane of_pixels = importance();
+  for (std::size_t i = 0; i < of_pixels.values.size(); ++i) {
+    importances[regions_.labels[i]] += static_cast<double>(of_pixels.values[i]);
+  }
   for (std::size_t r = 0; r < regions_.count(); ++r) {
     const PixelIdentity& shown = regions_.identities[r];
     SelectiveReport::Region row;
@@ -351,10 +358,10 @@ std::vector<SelectiveReport::Region> SplitPilot::report() const {
     row.pixels = regions_.pixel_counts[r];
     if (shown.object > 0) row.object = plan_.scene.object_names()[shown.object - 1];
     if (shown.material > 0) row.material = plan_.scene.material_names()[shown.material - 1];
+    row.importance = importances[r] / static_cast<double>(row.pixels);
     for (const RegionChoice& choice : choices_) {
       const auto count = static_cast<double>(choices_.size());
       row.noise += static_cast<double>(choice.noise[r]) / count;
-      row.importance += static_cast<double>(chain_share(choice.shares[r], plan_)) / count;
     }
     rows.push_back(std::move(row));
   }

@@ -85,6 +85,8 @@ std::vector<double> trimmed(std::vector<double> variance) {
   const auto limit = sorted.end() - static_cast<std::ptrdiff_t>(sorted.size() / kOneOf);
   if (limit == sorted.end()) return variance;
   std::nth_element(sorted.begin(), limit, sorted.end());
+  // Where hardly any pixel has an error at all, those few are what matters.
+  if (!(*limit > 0.0)) return variance;
   for (double& value : variance) {
     if (value >= *limit) value = 0.0;
   }

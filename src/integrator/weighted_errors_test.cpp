@@ -46,6 +46,10 @@ TEST(WeightedErrors, TrimmingDropsTheWorstThousandth) {
   for (std::size_t i = 0; i < variance.size(); ++i) {
     EXPECT_EQ(kept[i], variance[i] < 1998.0 ? variance[i] : 0.0);
   }
+  // A small thing before nothing: what has errors at all is not the worst of many.
+  std::vector<double> few(2000);
+  few[7] = 3.0;
+  EXPECT_EQ(trimmed(few), few);
   // Too few to have a worst thousandth.
   EXPECT_EQ(trimmed({1.0, 5.0}), (std::vector<double>{1.0, 5.0}));
 }

@@ -87,8 +87,8 @@ void serialize(A& archive, JobState::ErrorMark& mark) {
 template <Archive A>
 void serialize(A& archive, JobState& job) {
   archive(job.samples_per_pixel, job.partial, job.counters, job.passes, job.seconds,
-          job.cpu_seconds, job.seconds_per_sample, job.relative_error, job.error_samples,
-          job.recent_errors);
+          job.cpu_seconds, job.chain_seconds, job.seconds_per_sample, job.relative_error,
+          job.error_samples, job.recent_errors);
 }
 
 /// All but the film's sums.

@@ -27,8 +27,9 @@ struct JobState {
   std::optional<PartialPass> partial;
   Counters counters;
   std::uint64_t passes = 0;
-  double seconds = 0.0;      ///< of rendering, wall clock, all runs together
-  double cpu_seconds = 0.0;  ///< of all threads
+  double seconds = 0.0;        ///< of rendering, wall clock, all runs together
+  double cpu_seconds = 0.0;    ///< of all threads
+  double chain_seconds = 0.0;  ///< of all threads: for items of Markov chains
   double seconds_per_sample = 0.0;
   std::optional<double> relative_error;
   std::uint64_t error_samples = 0;       ///< per pixel, when `relative_error` was taken

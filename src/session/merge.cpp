@@ -50,6 +50,7 @@ void add_counters(Checkpoint& sum, const Checkpoint& other) {
   JobState& job = sum.job;
   job.counters += other.job.counters;
   job.cpu_seconds += other.job.cpu_seconds;
+  job.chain_seconds += other.job.chain_seconds;
   job.passes = std::max(job.passes, other.job.passes);
   job.recent_errors.clear();
   sum.preparation += other.preparation;

@@ -29,6 +29,7 @@ struct ThreadTally {
   Counters counters;
   std::uint64_t first_item = std::numeric_limits<std::uint64_t>::max();
   std::string first_discarded;
+  double chain_seconds = 0.0;
 };
 
 /// Puts at the root what all ranks counted. Of the discarded the root's own is the one described.
@@ -46,6 +47,7 @@ void sum_counters(Ranks& ranks, JobState& state) {
   }
   std::vector<double> sums = counters.techniques.sums();
   sums.resize(2 * TechniqueShares::kSlots);
+  sums.push_back(state.chain_seconds);
   sums.push_back(state.cpu_seconds);
   std::array<std::int64_t, 6> whole = numbers;
   std::vector<double> whole_sums = sums;
@@ -54,6 +56,7 @@ void sum_counters(Ranks& ranks, JobState& state) {
   if (!ranks.is_root()) return;
   for (std::size_t i = 0; i < places.size(); ++i) *places[i] = static_cast<std::uint64_t>(whole[i]);
   state.cpu_seconds = whole_sums.back();
+  state.chain_seconds = whole_sums[whole_sums.size() - 2];
   counters.techniques = {};
   counters.techniques.add_sums(std::span(whole_sums).first(2 * TechniqueShares::kSlots));
 }
@@ -99,6 +102,7 @@ RenderJob::RenderJob(Integrator& integrator, Film& film, RenderJobOptions option
       rays_ = state_.counters.rays;
     } else {
       state_.counters = {};
+      state_.chain_seconds = 0.0;
       cpu_seconds_before_ = 0.0;
     }
   }
@@ -225,7 +229,9 @@ void RenderJob::run_pass(const Decision& decision, Film& before) {
         // Ranks cannot leave a pass each at another item: they finish it.
         if (options_.ranks == nullptr && interrupted(2)) return;
         Counters counters;
+        const Stopwatch clock;
         integrator_.run_item(item, pass.first_sample, pass.samples, film_, counters);
+        if (integrator_.is_of_chains(item)) tally.chain_seconds += clock.seconds();
         rays_.fetch_add(counters.rays, std::memory_order_relaxed);
         // Which message is kept must not depend on the threads: the one of the smallest item.
         if (!counters.first_discarded.empty() && item < tally.first_item) {
@@ -245,6 +251,7 @@ void RenderJob::run_pass(const Decision& decision, Film& before) {
   std::uint64_t first_item = std::numeric_limits<std::uint64_t>::max();
   for (const ThreadTally& tally : tallies) {
     counters += tally.counters;
+    state_.chain_seconds += tally.chain_seconds;
     if (tally.first_item < first_item) {
       first_item = tally.first_item;
       counters.first_discarded = tally.first_discarded;
@@ -331,6 +338,7 @@ RenderResult RenderJob::result_of(StopReason reason) {
   result.seconds = whole_state_.seconds;
   result.own_seconds = clock_.seconds();
   result.cpu_seconds = whole_state_.cpu_seconds;
+  result.chain_seconds = whole_state_.chain_seconds;
   result.threads = threads_;
   result.passes = state_.passes;
   result.relative_error = state_.relative_error;

@@ -111,7 +111,7 @@ void add_chains(const RenderStatistics& s, Json& json) {
 /// At most so many regions are listed, the largest ones.
 constexpr std::size_t kMostRegions = 200;
 
-Json selective_json(const SelectiveReport& report) {
+Json selective_json(const SelectiveReport& report, const RenderResult& result) {
   Json regions = Json::array();
   for (const SelectiveReport::Region& region : report.regions) {
     if (regions.size() == kMostRegions) break;
@@ -122,21 +122,26 @@ Json selective_json(const SelectiveReport& report) {
                        {"noise", region.noise},
                        {"importance", region.importance}});
   }
+  const auto of_omc = [](std::optional<double> of_chains) {
+    return number_or_null(of_chains ? std::optional(1.0 - *of_chains) : std::nullopt);
+  };
   return {{"pilot_samples_per_pixel", report.pilot_samples},
           {"pilot_stays", report.pilot_stays},
           {"mutations_per_sample", report.mutations_per_sample},
-          {"correlation", report.correlation},
+          {"correlation", number_or_null(report.correlation)},
           {"chains",
-           {{"lasting_error", report.lasting_error ? Json(*report.lasting_error) : Json(nullptr)},
+           {{"lasting_error", number_or_null(report.lasting_error)},
+            {"cpu_seconds", result.chain_seconds},
             {"ray_share", report.chain_rays},
-            {"squared_error_share", report.chain_error}}},
+            {"squared_error_share", number_or_null(report.chain_error)}}},
           {"omc",
            {{"techniques", report.techniques},
             {"light_paths_per_sample", report.light_paths_per_sample},
             {"ray_price", report.ray_price},
             {"path_rest", report.path_rest},
+            {"cpu_seconds", std::max(0.0, result.cpu_seconds - result.chain_seconds)},
             {"ray_share", 1.0 - report.chain_rays},
-            {"squared_error_share", 1.0 - report.chain_error}}},
+            {"squared_error_share", of_omc(report.chain_error)}}},
           {"region_count", report.regions.size()},
           {"regions", regions}};
 }
@@ -170,7 +175,7 @@ Json to_json(const RenderStatistics& s) {
   json["passes"] = r.passes;
   add_chains(s, json);
   json["prepared"] = s.prepared;
-  json["selective"] = s.selective ? selective_json(*s.selective) : Json();
+  json["selective"] = s.selective ? selective_json(*s.selective, r) : Json();
   json["estimated_relative_error"] = number_or_null(r.relative_error);
   json["peak_memory_bytes"] = s.peak_memory_bytes;
   json["warnings"] = s.warning_count;

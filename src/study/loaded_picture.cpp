@@ -7,19 +7,13 @@
 #include <cmath>
 
 #include "core/error.h"
+#include "core/file_extension.h"
 #include "image/image_file.h"
 #include "image/tone_map.h"
 
 namespace ajar::study {
 
 namespace {
-bool is_exr(const std::string& path) {
-  std::string extension = path.size() < 4 ? "" : path.substr(path.size() - 4);
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension == ".exr";
-}
-
 Replicates read_replicates(const Image& image) {
   Replicates replicates;
   while (true) {
@@ -35,7 +29,7 @@ LoadedPicture load_picture(const std::string& path) {
   LoadedPicture picture;
   picture.path = path;
   picture.size = {image.width, image.height};
-  if (is_exr(path)) picture.origin = image.origin;
+  if (file_extension(path) == ".exr") picture.origin = image.origin;
   picture.is_display_encoded = image.is_display_encoded;
   picture.linear = image.rgb();
   if (picture.linear.empty()) {

@@ -38,6 +38,7 @@ RenderStatistics statistics_of(const Checkpoint& merged) {
   result.samples_per_pixel = merged.job.samples_per_pixel;
   result.seconds = merged.job.seconds;
   result.cpu_seconds = merged.job.cpu_seconds;
+  result.chain_seconds = merged.job.chain_seconds;
   result.passes = merged.job.passes;
   result.relative_error = merged.job.relative_error;
   result.stopped_by = StopReason::Samples;

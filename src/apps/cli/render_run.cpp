@@ -367,6 +367,7 @@ Picture Run::picture_of(const Film& film, const JobState& state, StopReason reas
   result.samples_per_pixel = state.mean_samples();
   result.seconds = state.seconds;
   result.cpu_seconds = state.cpu_seconds;
+  result.chain_seconds = state.chain_seconds;
   result.relative_error = state.relative_error;
   result.complete = !state.partial;
   result.stopped_by = reason;
