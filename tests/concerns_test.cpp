@@ -44,6 +44,18 @@ TEST(Concerns, AreNoneWhereOtherTechniquesSee) {
   EXPECT_EQ(concerns_of(glass_and_metal(), "bdpt", {{"techniques", "light"}}).size(), 1U);
 }
 
+TEST(Concerns, NameDepthsThatNoTechniqueMakes) {
+  const std::string room = test::small_scene("Room").text;
+  const auto of = [&](const char* integrator, const char* name, const char* techniques) {
+    const auto concerns = concerns_of(room, integrator, {{name, techniques}});
+    return concerns.empty() ? std::string() : concerns.front();
+  };
+  EXPECT_NE(of("bdpt", "techniques", "(2,2)").find("paths of 2, 4, 5"), std::string::npos);
+  EXPECT_NE(of("bdpt", "techniques", "inner").find("paths of 2 edges"), std::string::npos);
+  EXPECT_NE(of("selective", "omc", "(2,2)").find("paths of 2, 4, 5"), std::string::npos);
+  EXPECT_EQ(of("bdpt", "techniques", "explicit"), "");
+}
+
 TEST(Concerns, AreNoneAboutLampsThatScatterNothing) {
   EXPECT_TRUE(
       concerns_of(test::pbrt_scene("LookAt 0 0 -3  0 0 0  0 1 0 Camera \"perspective\"", 16, 16,

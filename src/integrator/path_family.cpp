@@ -206,6 +206,8 @@ class PathIntegrator final : public Integrator {
   }
 
   PictureScale measure_scale() const;
+  /// Whether light is missing because no technique makes paths of its depth.
+  std::optional<std::string> concern_about_depths() const;
 
   const Scene& scene_;
   RenderSettings settings_;
@@ -236,6 +238,7 @@ class MirrorSink final : public PathSink {
 
 std::vector<std::string> PathIntegrator::concerns() const {
   const TechniqueSet& set = sampler_settings_.techniques;
+  if (std::optional<std::string> concern = concern_about_depths()) return {*std::move(concern)};
   if (!set.any(TechniqueClass::Light) || set.any(TechniqueClass::Implicit) ||
       set.any(TechniqueClass::NextEvent) || set.any(TechniqueClass::Inner)) {
     return {};
@@ -257,6 +260,25 @@ std::vector<std::string> PathIntegrator::concerns() const {
       << " % of the picture shows mirrors or clear glass, where light subpaths cannot be connected "
          "to the lens: all that light tracing is to make there is missing; bdpt and ibpt see them";
   return {text.str()};
+}
+
+std::optional<std::string> PathIntegrator::concern_about_depths() const {
+  // Longer paths are as these are, unless many pairs are named one by one.
+  constexpr int kEnough = 8;
+  std::string missing;
+  bool made = true;
+  for (int depth = sampler_settings_.min_depth;
+       depth <= std::min(sampler_settings_.max_depth, kEnough); ++depth) {
+    made = false;
+    for (int s = 0; s <= depth; ++s) {
+      made = made || sampler_settings_.techniques.enabled({s, depth + 1 - s});
+    }
+    if (!made) missing += (missing.empty() ? "" : ", ") + std::to_string(depth);
+  }
+  if (missing.empty()) return std::nullopt;
+  const bool more = !made && sampler_settings_.max_depth > kEnough;
+  return "none of the techniques makes paths of " + missing + (more ? ", … edges" : " edges") +
+         ": their light is missing";
 }
 
 class MeanSink final : public PathSink {
