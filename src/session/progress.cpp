@@ -7,12 +7,12 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdio>
 #include <nlohmann/json.hpp>
 #include <utility>
 #include <vector>
 
 #include "core/error.h"
+#include "core/standard_streams.h"
 
 namespace ajar {
 
@@ -82,11 +82,6 @@ int terminal_columns() {
   winsize size{};
   if (ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0) return size.ws_col;
   return 80;
-}
-
-void write_line(const std::string& text) {
-  std::fwrite(text.data(), 1, text.size(), stderr);
-  std::fflush(stderr);
 }
 
 std::chrono::milliseconds interval(ProgressStyle style) {
@@ -220,19 +215,19 @@ void ProgressReporter::report_until_stopped() {
 void ProgressReporter::show(bool last) const {
   const RenderSnapshot snapshot = snapshot_();
   if (last && snapshot.preparation) {
-    if (style_ == ProgressStyle::Bar) write_line("\r\x1b[K");
+    if (style_ == ProgressStyle::Bar) say("\r\x1b[K");
     return;
   }
   switch (style_) {
     case ProgressStyle::Bar:
       // Carriage return, text, "erase to the end of the line".
-      write_line("\r" + bar_line(snapshot, terminal_columns()) + "\x1b[K" + (last ? "\n" : ""));
+      say("\r" + bar_line(snapshot, terminal_columns()) + "\x1b[K" + (last ? "\n" : ""));
       break;
     case ProgressStyle::Plain:
-      write_line("ajar: " + plain_line(snapshot) + "\n");
+      say("ajar: " + plain_line(snapshot) + "\n");
       break;
     case ProgressStyle::Json:
-      write_line(json_line(snapshot, last ? "done" : "progress") + "\n");
+      say(json_line(snapshot, last ? "done" : "progress") + "\n");
       break;
     case ProgressStyle::None:
       break;
@@ -241,7 +236,7 @@ void ProgressReporter::show(bool last) const {
 
 void report_phase(ProgressStyle style, const std::string& phase) {
   if (style != ProgressStyle::Json) return;
-  write_line(nlohmann::ordered_json{{"event", "phase"}, {"phase", phase}}.dump() + "\n");
+  say(nlohmann::ordered_json{{"event", "phase"}, {"phase", phase}}.dump() + "\n");
 }
 
 }  // namespace ajar

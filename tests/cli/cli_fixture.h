@@ -7,6 +7,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
@@ -46,8 +47,9 @@ class Cli : public testing::Test {
     fs::remove_all(folder_);
   }
 
-  pid_t start(const std::vector<std::string>& arguments,
-              const std::string& program = AJAR_PROGRAM) const {
+  /// `change`: called in the new process before it becomes the program.
+  pid_t start(const std::vector<std::string>& arguments, const std::string& program = AJAR_PROGRAM,
+              const std::function<void()>& change = {}) const {
     const pid_t child = fork();
     if (child != 0) return child;
     const auto redirect = [&](const char* name, int target) {
@@ -59,6 +61,7 @@ class Cli : public testing::Test {
     for (const int signal : {SIGHUP, SIGINT}) ::signal(signal, SIG_DFL);
     redirect(".stdout", STDOUT_FILENO);
     redirect(".stderr", STDERR_FILENO);
+    if (change) change();
     std::vector<char*> argv{const_cast<char*>(program.c_str())};
     for (const std::string& argument : arguments) {
       argv.push_back(const_cast<char*>(argument.c_str()));

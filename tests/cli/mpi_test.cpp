@@ -6,6 +6,7 @@
 #include <string>
 
 #include "cli/cli_fixture.h"
+#include "cli/lost_streams.h"
 
 namespace ajar {
 namespace {
@@ -14,7 +15,8 @@ class MpiCli : public Cli {
  protected:
   std::string bytes(const std::string& name) const { return read_text(folder_ / name); }
 #ifdef AJAR_MPIRUN
-  pid_t start_ranks(int count, const std::vector<std::string>& arguments) const {
+  pid_t start_ranks(int count, const std::vector<std::string>& arguments,
+                    const std::function<void()>& change = {}) const {
     // Tests may be run by root in a container with fewer processors than ranks.
     std::vector<std::string> all{"OMPI_ALLOW_RUN_AS_ROOT=1",
                                  "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1",
@@ -24,7 +26,7 @@ class MpiCli : public Cli {
                                  std::to_string(count),
                                  AJAR_PROGRAM};
     all.insert(all.end(), arguments.begin(), arguments.end());
-    return start(all, "/usr/bin/env");
+    return start(all, "/usr/bin/env", change);
   }
   Outcome run_ranks(int count, const std::vector<std::string>& arguments) const {
     return finish(start_ranks(count, arguments));
@@ -74,6 +76,15 @@ TEST_F(MpiCli, AnyNumberOfRanksGivesTheSameFile) {
         EXPECT_EQ(together.at(key), alone.at(key)) << key;
       }
     }
+  }
+}
+
+TEST_F(MpiCli, MessagesThatCannotBeWrittenAreDropped) {
+  for (const auto& [how, change] : lost_streams(STDERR_FILENO)) {
+    fs::remove(folder_ / "a.pfm");
+    const Outcome outcome = finish(start_ranks(2, small_render("bdpt", "a.pfm"), change));
+    EXPECT_EQ(outcome.exit_code, 0) << how;
+    EXPECT_TRUE(fs::exists(folder_ / "a.pfm")) << how;
   }
 }
 

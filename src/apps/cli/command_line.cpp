@@ -5,11 +5,13 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <sstream>
 #include <string>
 #include <vector>
 
 #include "apps/cli/commands.h"
 #include "core/error.h"
+#include "core/standard_streams.h"
 #include "session/catalog.h"
 #include "session/version.h"
 #include "study/metric.h"
@@ -346,7 +348,10 @@ int run(int argc, const char* const* argv, Ranks* ranks) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& help) {
-    return app.exit(help);
+    std::ostringstream text;
+    const int code = app.exit(help, text, text);
+    print_result(text.str());
+    return code;
   } catch (const CLI::ParseError& error) {
     check_leftovers(app);
     throw UsageError(error.what());

@@ -1,11 +1,10 @@
-#include <fmt/format.h>
-
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "apps/cli/commands.h"
 #include "apps/cli/messages.h"
 #include "core/error.h"
+#include "core/standard_streams.h"
 #include "session/option_values.h"
 #include "study/comparison.h"
 #include "study/comparison_output.h"
@@ -21,8 +20,8 @@ int compare(const CompareArguments& arguments) {
   const study::Comparison comparison = study::compare_files(arguments.reference, arguments.pictures,
                                                             metrics, arguments.pixels_per_degree);
   for (const std::string& warning : comparison.warnings) print_warning(warning);
-  fmt::print("{}", arguments.json ? study::to_json(comparison).dump(2) + "\n"
-                                  : study::to_text(comparison));
+  print_result(arguments.json ? study::to_json(comparison).dump(2) + "\n"
+                              : study::to_text(comparison));
   if (!arguments.report.empty()) {
     write_report(study::to_report(comparison), arguments.report);
     print_note("the report is " +

@@ -8,6 +8,7 @@
 #include "apps/cli/commands.h"
 #include "apps/cli/messages.h"
 #include "core/error.h"
+#include "core/standard_streams.h"
 #include "scene/scene.h"
 #include "session/memory_estimate.h"
 #include "session/progress.h"
@@ -167,9 +168,10 @@ std::string vector_text(const Json& v) {
                      v[2].get<double>());
 }
 
-void print_text(const Json& j, const MemoryEstimate& memory) {
-  const auto line = [](const char* label, const std::string& text) {
-    fmt::print("{:<12}{}\n", label, text);
+std::string text_of(const Json& j, const MemoryEstimate& memory) {
+  std::string lines;
+  const auto line = [&lines](const char* label, const std::string& text) {
+    lines += fmt::format("{:<12}{}\n", label, text);
   };
   const Json& c = j["counts"];
   const Json& film = j["film"];
@@ -203,6 +205,7 @@ void print_text(const Json& j, const MemoryEstimate& memory) {
   line("loaded in", fmt::format("{:.2f} s, built in {:.2f} s", j["seconds"]["load"].get<double>(),
                                 j["seconds"]["build"].get<double>()));
   line("warnings", std::to_string(j["warnings"].get<std::size_t>()));
+  return lines;
 }
 
 }  // namespace
@@ -227,10 +230,10 @@ int info(const InfoArguments& arguments) {
   json["warnings"] = warnings.count();
   json["warning_messages"] = warnings.messages();
   if (arguments.json) {
-    fmt::print("{}\n", json.dump(2, ' ', false, Json::error_handler_t::replace));
+    print_result(json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
   } else {
     print_warnings(warnings, "all with --json");
-    print_text(json, memory);
+    print_result(text_of(json, memory));
   }
   return 0;
 }

@@ -1,10 +1,9 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "apps/cli/commands.h"
 #include "core/error.h"
+#include "core/standard_streams.h"
 #include "session/catalog.h"
 
 namespace ajar::cli {
@@ -23,10 +22,11 @@ int list(const ListArguments& arguments) {
     if (arguments.json) {
       json[kind] = catalog_json(kind);
     } else {
-      text += (text.empty() ? "" : "\n") + catalog_text(kind);
+      if (!text.empty()) text += '\n';
+      text += catalog_text(kind);
     }
   }
-  fmt::print("{}", arguments.json ? json.dump(2) + "\n" : text);
+  print_result(arguments.json ? json.dump(2) + "\n" : text);
   return 0;
 }
 

@@ -3,7 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
+
+#include "core/standard_streams.h"
 
 namespace ajar::cli {
 
@@ -14,8 +15,7 @@ constexpr std::size_t kMaxPrinted = 20;
 bool errors_only = false;
 
 void print(const char* kind, const std::string& text) {
-  fmt::print(stderr, "ajar: {}{}\n", kind, text);
-  std::fflush(stderr);
+  say(fmt::format("ajar: {}{}\n", kind, text));
 }
 
 }  // namespace
@@ -28,6 +28,8 @@ void print_note(const std::string& text) {
   if (!errors_only) print("", text);
 }
 void print_errors_only() { errors_only = true; }
+
+void print_path(const std::string& path) { say_on_stdout(path + "\n"); }
 
 void print_warnings(const Warnings& warnings, const std::string& where_more) {
   const std::vector<std::string> messages = warnings.messages();

@@ -3,7 +3,7 @@
 
 #include "core/error.h"
 
-/// Messages for people, on stderr; results go to stdout.
+/// Messages for people, on stderr; results go to stdout (`print_result`).
 namespace ajar::cli {
 
 void print_error(const std::string& text);
@@ -11,6 +11,8 @@ void print_warning(const std::string& text);
 void print_note(const std::string& text);
 /// From here on nothing but errors: for processes that render what another tells of.
 void print_errors_only();
+/// Where a file was written, on stdout for scripts.
+void print_path(const std::string& path);
 /// The first twenty, then how many there are besides. `where_more`: where the others can be found;
 /// may be empty.
 void print_warnings(const Warnings& warnings, const std::string& where_more);

@@ -10,6 +10,7 @@
 #include "apps/cli/guard.h"
 #include "apps/cli/messages.h"
 #include "apps/mpi/mpi_ranks.h"
+#include "core/standard_streams.h"
 #include "session/interrupts.h"
 
 namespace {
@@ -45,6 +46,7 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  ajar::reserve_standard_streams();
   // Only the thread that calls RenderJob::run talks to the others.
   int provided = 0;
   MPI_Init_thread(&argc, &argv, MPI_THREAD_FUNNELED, &provided);

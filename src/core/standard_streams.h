@@ -1,0 +1,23 @@
+#pragma once
+#include <string_view>
+
+/// What the program says on stderr, and what it was asked for on stdout. A render goes on whatever
+/// becomes of those who read along: a closed terminal, a full disk, a pipe without a reader.
+namespace ajar {
+
+/// Writes to stderr, for people and for programs that follow a render. What cannot be written is
+/// dropped: also where a reader has stopped reading, after waiting for it for a second. Raises
+/// nothing; thread-safe, but several calls may be mixed with those of other threads.
+void say(std::string_view text);
+/// The same on stdout, for scripts: what holds beyond what they are told, such as where a file is.
+void say_on_stdout(std::string_view text);
+
+/// Writes to stdout what a command was asked for. A reader that has seen enough (`| head`) is no
+/// error. Raises IoError if it cannot be written.
+void print_result(std::string_view text);
+
+/// To be called first: gives descriptors 0, 1 and 2, if they are closed, to nothing. Else the next
+/// file that is opened would take their place, and messages would be written into it.
+void reserve_standard_streams();
+
+}  // namespace ajar
