@@ -31,12 +31,12 @@ bool is_display_format(const std::string& extension) {
   return extension == ".png" || extension == ".jpg" || extension == ".jpeg";
 }
 
-void check_layers(const LayeredImage& image) {
-  const std::size_t pixels = static_cast<std::size_t>(image.crop.max.x - image.crop.min.x + 1) *
-                             static_cast<std::size_t>(image.crop.max.y - image.crop.min.y + 1);
-  if (image.crop.isEmpty() || image.layers.empty())
+void check_layers(const Picture& picture) {
+  const std::size_t pixels = static_cast<std::size_t>(picture.crop.max.x - picture.crop.min.x + 1) *
+                             static_cast<std::size_t>(picture.crop.max.y - picture.crop.min.y + 1);
+  if (picture.crop.isEmpty() || picture.layers.empty())
     throw std::invalid_argument("write_image: nothing to write");
-  for (const ImageLayer& layer : image.layers) {
+  for (const Picture::Layer& layer : picture.layers) {
     if ((layer.channels != 1 && layer.channels != 3) ||
         layer.pixels.size() != pixels * static_cast<std::size_t>(layer.channels)) {
       throw std::invalid_argument("write_image: layer \"" + layer.name +
@@ -45,25 +45,20 @@ void check_layers(const LayeredImage& image) {
   }
 }
 
-OIIO::ImageSpec make_spec(const LayeredImage& image, std::span<const ImageLayer> layers,
+OIIO::ImageSpec make_spec(const Picture& picture, std::span<const Picture::Layer> layers,
                           const OIIO::TypeDesc& type) {
-  OIIO::ImageSpec spec(image.crop.max.x - image.crop.min.x + 1,
-                       image.crop.max.y - image.crop.min.y + 1, 0, type);
+  OIIO::ImageSpec spec(picture.crop.max.x - picture.crop.min.x + 1,
+                       picture.crop.max.y - picture.crop.min.y + 1, 0, type);
   spec.channelnames.clear();
-  for (const ImageLayer& layer : layers) {
+  for (const Picture::Layer& layer : layers) {
     const std::string prefix = layer.name.empty() ? "" : layer.name + ".";
     if (layer.channels == 1) spec.channelnames.push_back(layer.name.empty() ? "Y" : layer.name);
     if (layer.channels == 3) {
       for (const char* channel : {"R", "G", "B"}) spec.channelnames.push_back(prefix + channel);
     }
-    const OIIO::TypeDesc stored = layer.half ? OIIO::TypeDesc::HALF : OIIO::TypeDesc::FLOAT;
-    spec.channelformats.insert(spec.channelformats.end(), static_cast<std::size_t>(layer.channels),
-                               stored);
   }
   spec.nchannels = static_cast<int>(spec.channelnames.size());
-  for (const auto& [name, value] : image.metadata) {
-    std::visit([&spec, &key = name](const auto& v) { spec.attribute(key, v); }, value);
-  }
+  for (const auto& [name, value] : picture.metadata) spec.attribute(name, value);
   return spec;
 }
 
@@ -96,26 +91,19 @@ std::vector<unsigned char> encode(const std::string& path, const OIIO::ImageSpec
   return bytes;
 }
 
-std::vector<unsigned char> encode_exr(const std::string& path, const LayeredImage& image) {
-  OIIO::ImageSpec spec = make_spec(image, image.layers, OIIO::TypeDesc::FLOAT);
-  spec.x = image.crop.min.x;
-  spec.y = image.crop.min.y;
+std::vector<unsigned char> encode_exr(const std::string& path, const Picture& picture) {
+  OIIO::ImageSpec spec = make_spec(picture, picture.layers, OIIO::TypeDesc::FLOAT);
+  spec.x = picture.crop.min.x;
+  spec.y = picture.crop.min.y;
   spec.full_x = 0;
   spec.full_y = 0;
-  spec.full_width = image.resolution.x;
-  spec.full_height = image.resolution.y;
+  spec.full_width = picture.resolution.x;
+  spec.full_height = picture.resolution.y;
   spec.attribute("compression", "zip");
-  const bool one_type =
-      std::all_of(image.layers.begin(), image.layers.end(),
-                  [&](const ImageLayer& layer) { return layer.half == image.layers.front().half; });
-  if (one_type) {
-    spec.set_format(spec.channelformats.front());
-    spec.channelformats.clear();
-  }
   const auto width = static_cast<std::size_t>(spec.width);
   return encode<float>(path, spec, [&](int y, float* out) {
     std::size_t channel = 0;
-    for (const ImageLayer& layer : image.layers) {
+    for (const Picture::Layer& layer : picture.layers) {
       const auto channels = static_cast<std::size_t>(layer.channels);
       const float* in = layer.pixels.data() + static_cast<std::size_t>(y) * width * channels;
       for (std::size_t x = 0; x < width; ++x) {
@@ -127,31 +115,31 @@ std::vector<unsigned char> encode_exr(const std::string& path, const LayeredImag
   });
 }
 
-std::vector<unsigned char> encode_hdr(const std::string& path, const LayeredImage& image) {
-  OIIO::ImageSpec spec = make_spec(image, std::span(image.layers).first(1), OIIO::TypeDesc::FLOAT);
-  spec.channelformats.clear();
+std::vector<unsigned char> encode_hdr(const std::string& path, const Picture& picture) {
+  OIIO::ImageSpec spec =
+      make_spec(picture, std::span(picture.layers).first(1), OIIO::TypeDesc::FLOAT);
   const std::size_t row = static_cast<std::size_t>(spec.width) * 3;
   return encode<float>(path, spec, [&](int y, float* out) {
-    const float* in = image.layers[0].pixels.data() + static_cast<std::size_t>(y) * row;
+    const float* in = picture.layers[0].pixels.data() + static_cast<std::size_t>(y) * row;
     // Written so that NaN becomes zero.
     std::transform(in, in + row, out,
                    [](float v) { return v > 0.F ? std::min(v, kLargestHdr) : 0.F; });
   });
 }
 
-std::vector<unsigned char> encode_display(const std::string& path, const LayeredImage& image,
+std::vector<unsigned char> encode_display(const std::string& path, const Picture& picture,
                                           const DisplayOptions& display) {
-  OIIO::ImageSpec spec = make_spec(image, std::span(image.layers).first(1), OIIO::TypeDesc::UINT8);
-  spec.channelformats.clear();
+  OIIO::ImageSpec spec =
+      make_spec(picture, std::span(picture.layers).first(1), OIIO::TypeDesc::UINT8);
   spec.attribute("oiio:ColorSpace", "sRGB");
   spec.attribute("CompressionQuality", 95);
   std::vector<float> shown;
-  shown.reserve(image.layers[0].pixels.size());
-  for (const float v : image.layers[0].pixels) {
+  shown.reserve(picture.layers[0].pixels.size());
+  for (const float v : picture.layers[0].pixels) {
     shown.push_back(tone_map(v, display.tone_map, display.exposure));
   }
-  if (image.antialias_mask != nullptr) {
-    shown = antialias({spec.width, spec.height}, shown, *image.antialias_mask);
+  if (picture.antialias_mask) {
+    shown = antialias({spec.width, spec.height}, shown, *picture.antialias_mask);
   }
   const std::size_t row = static_cast<std::size_t>(spec.width) * 3;
   return encode<unsigned char>(path, spec, [&](int y, unsigned char* out) {
@@ -244,23 +232,22 @@ void check_image_extension(const std::string& path) {
 
 bool is_display_file(const std::string& path) { return is_display_format(file_extension(path)); }
 
-void write_image(const std::string& path, const LayeredImage& image,
-                 const DisplayOptions& display) {
+void write_image(const std::string& path, const Picture& picture, const DisplayOptions& display) {
   check_image_extension(path);
-  check_layers(image);
+  check_layers(picture);
   const std::string extension = file_extension(path);
-  if (extension != ".exr" && image.layers.front().channels != 3) {
+  if (extension != ".exr" && picture.layers.front().channels != 3) {
     throw std::invalid_argument("write_image: only EXR holds layers of one channel");
   }
   if (extension == ".pfm") {
-    const Vec2i size = image.crop.max - image.crop.min + Vec2i(1, 1);
-    write_file_atomically(path, encode_pfm(size.x, size.y, image.layers.front().pixels));
+    const Vec2i size = picture.crop.max - picture.crop.min + Vec2i(1, 1);
+    write_file_atomically(path, encode_pfm(size.x, size.y, picture.layers.front().pixels));
     return;
   }
-  const std::vector<unsigned char> bytes = extension == ".exr" ? encode_exr(path, image)
+  const std::vector<unsigned char> bytes = extension == ".exr" ? encode_exr(path, picture)
                                            : is_display_format(extension)
-                                               ? encode_display(path, image, display)
-                                               : encode_hdr(path, image);
+                                               ? encode_display(path, picture, display)
+                                               : encode_hdr(path, picture);
   write_file_atomically(path, std::as_bytes(std::span(bytes)));
 }
 

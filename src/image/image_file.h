@@ -1,12 +1,10 @@
 #pragma once
 #include <map>
-#include <span>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "core/vector.h"
-#include "image/plane.h"
+#include "image/picture.h"
 #include "image/tone_map.h"
 
 namespace ajar {
@@ -35,28 +33,6 @@ struct Image {
 /// Reads any image that OpenImageIO knows, and PFM. Raises IoError.
 Image read_image(const std::string& path);
 
-/// One layer to be written. 3 channels become `name.R, name.G, name.B` (just R, G, B for the layer
-/// named ""), one channel becomes `name`.
-struct ImageLayer {
-  std::string name;
-  int channels = 3;
-  std::span<const float> pixels;  ///< of the crop, interleaved
-  bool half = false;              ///< store as 16-bit floats (EXR only)
-};
-
-using ImageMetadata = std::map<std::string, std::variant<std::string, int, float>>;
-
-/// What is to be written. Formats other than EXR hold the first layer only, which must have 3
-/// channels.
-struct LayeredImage {
-  Vec2i resolution;  ///< of the full image
-  Box2i crop;        ///< the pixels that exist, min and max inclusive
-  std::vector<ImageLayer> layers;
-  ImageMetadata metadata;
-  /// Where formats for the eye smooth the stairs of edges (antialias.h); null if nowhere.
-  const Plane* antialias_mask = nullptr;
-};
-
 /// Display settings for 8-bit formats.
 struct DisplayOptions {
   ToneMap tone_map = ToneMap::Srgb;
@@ -72,9 +48,11 @@ bool is_display_file(const std::string& path);
 
 /// Writes `.exr` (scene-linear, all layers), `.pfm`, `.hdr` (scene-linear, first layer), `.png`,
 /// `.jpg`, `.jpeg` (tone-mapped, 8-bit sRGB), atomically (`write_file_atomically`). Metadata goes
-/// where the format has room for it. Values that are not numbers are kept in EXR and PFM and become
-/// zero elsewhere. Raises UsageError for the extension and IoError for the file.
-void write_image(const std::string& path, const LayeredImage& image,
+/// where the format has room for it. In EXR, a layer of 3 channels is `name.R, name.G, name.B`
+/// (just R, G, B for the layer ""), one of a single channel `name`; other formats hold the first
+/// layer only, which must have 3 channels. Values that are not numbers are kept in EXR and PFM and
+/// become zero elsewhere. Raises UsageError for the extension and IoError for the file.
+void write_image(const std::string& path, const Picture& picture,
                  const DisplayOptions& display = {});
 
 }  // namespace ajar

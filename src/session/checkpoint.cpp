@@ -133,6 +133,10 @@ void write_checkpoint(const std::string& path, const Checkpoint& checkpoint,
   write_file_atomically(path, pieces);
 }
 
+FileLock lock_checkpoint(const std::string& path) {
+  return {lock_file_of(path), path + ": another render keeps its checkpoint there"};
+}
+
 Checkpoint read_checkpoint(const std::string& path) {
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(path, error);

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/file_lock.h"
 #include "image/film.h"
 #include "integrator/integrator.h"
 #include "session/budget.h"
@@ -61,6 +62,10 @@ struct Checkpoint {
 /// copied for this. Raises IoError.
 void write_checkpoint(const std::string& path, const Checkpoint& checkpoint,
                       std::span<const std::int64_t> sums);
+
+/// Keeps other programs from writing a checkpoint there, until destroyed. Raises IoError if one
+/// does.
+FileLock lock_checkpoint(const std::string& path);
 
 /// Reads and checks a checkpoint. Raises IoError if it cannot be read, is none, is cut short or
 /// damaged, or was written in a format that this program does not know.

@@ -34,15 +34,12 @@ void CheckpointWriter::see_picture(const Film& film, const JobState& state) {
   });
 }
 
-WrittenFile CheckpointWriter::write_last(const Film& film, const JobState& state,
-                                         bool interrupted) {
-  bool filled = false;
-  return write_or_rescue(path_, [&](const std::string& path) {
-    if (!filled) fill(film, state);
-    if (!filled && interrupted) ++checkpoint_.interruptions;
-    filled = true;
-    write_checkpoint(path, checkpoint_, film.raw());
-  });
+FinalFile CheckpointWriter::last(const Film& film, const JobState& state, bool interrupted) {
+  fill(film, state);
+  if (interrupted) ++checkpoint_.interruptions;
+  return {"the checkpoint", path_, [this, &film](const std::string& path) {
+            write_checkpoint(path, checkpoint_, film.raw());
+          }};
 }
 
 }  // namespace ajar

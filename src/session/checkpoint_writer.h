@@ -17,9 +17,8 @@ class CheckpointWriter final : public PassObserver {
   bool wants_picture(const JobState& state) override;
   void see_picture(const Film& film, const JobState& state) override;
 
-  /// The last one, with what has changed since the beginning. Where it is in the end: `path`; or,
-  /// if that cannot be written, `NAME-rescued-N.EXT` in the current or the temporary folder.
-  WrittenFile write_last(const Film& film, const JobState& state, bool interrupted);
+  /// The last one, of the film as it is now; both must outlive it.
+  FinalFile last(const Film& film, const JobState& state, bool interrupted);
 
  private:
   void fill(const Film& film, const JobState& state);

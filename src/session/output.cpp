@@ -85,27 +85,22 @@ void add_to_part(Picture& picture, const std::string& whole, const std::vector<f
                  std::plus<>());
 }
 
-/// Where a file goes if it cannot go to `path`: never onto a file that exists.
-std::vector<std::string> rescue_paths(const std::string& path) {
-  const fs::path wanted(path);
-  const std::string name =
-      fmt::format("{}-rescued-{}{}", wanted.stem().string(), getpid(), wanted.extension().string());
-  std::error_code error;
-  return {name, (fs::temp_directory_path(error) / name).string()};
-}
-
 /// Beside a picture for the eye, the layer "density" in false colours; empty without that layer.
-std::optional<WrittenFile> write_density_map(const Picture& picture, const std::string& path) {
+std::optional<FinalFile> density_map_file(const Picture& picture, const std::string& path) {
   const auto layer =
       std::find_if(picture.layers.begin(), picture.layers.end(),
                    [](const Picture::Layer& candidate) { return candidate.name == "density"; });
   fs::path name(path);
   if (layer == picture.layers.end() || !is_display_file(path)) return std::nullopt;
   name.replace_extension(".density.png");
-  const DensityMap map = draw_density_map(layer->pixels, picture.crop.size() + Vec2i(1, 1));
-  const LayeredImage image{
-      map.size, Box2i(Vec2i(0, 0), map.size - Vec2i(1, 1)), {{"", 3, map.rgb}}, {}};
-  return write_or_rescue(name.string(), [&](const std::string& to) { write_image(to, image); });
+  DensityMap map = draw_density_map(layer->pixels, picture.crop.size() + Vec2i(1, 1));
+  Picture colours;
+  colours.resolution = map.size;
+  colours.crop = Box2i(Vec2i(0, 0), map.size - Vec2i(1, 1));
+  colours.layers.push_back({"", 3, std::move(map.rgb)});
+  return FinalFile{
+      "the density map", name.string(),
+      [colours = std::move(colours)](const std::string& to) { write_image(to, colours); }};
 }
 
 }  // namespace
@@ -246,49 +241,15 @@ void check_picture_paths(const std::vector<std::string>& paths) {
   for (const std::string& path : paths) check_writable(path);
 }
 
-LayeredImage layered_image(const Picture& picture) {
-  LayeredImage image{picture.resolution, picture.crop, {}, {}};
-  if (picture.antialias_mask) image.antialias_mask = &*picture.antialias_mask;
-  for (const Picture::Layer& layer : picture.layers) {
-    image.layers.push_back({layer.name, layer.channels, layer.pixels});
-  }
-  for (const auto& [name, value] : picture.metadata) image.metadata[name] = value;
-  return image;
-}
-
-WrittenFile write_or_rescue(const std::string& path,
-                            const std::function<void(const std::string& path)>& write) {
-  WrittenFile result{path, path, {}};
-  try {
-    write(path);
-    return result;
-  } catch (const std::exception& error) {
-    result.error = error.what();
-  }
-  for (const std::string& rescue : rescue_paths(path)) {
-    try {
-      write(rescue);
-      result.path = rescue;
-      return result;
-    } catch (const std::exception&) {
-      // The first reason is the one to tell; the next place may still work.
-      continue;
-    }
-  }
-  result.path.clear();
-  return result;
-}
-
-std::vector<WrittenFile> write_pictures(const Picture& picture,
-                                        const std::vector<std::string>& paths,
-                                        const DisplayOptions& display) {
-  std::vector<WrittenFile> files;
+std::vector<FinalFile> picture_files(const Picture& picture, const std::vector<std::string>& paths,
+                                     const DisplayOptions& display) {
+  std::vector<FinalFile> files;
   files.reserve(paths.size());
-  const LayeredImage image = layered_image(picture);
   for (const std::string& path : paths) {
-    files.push_back(
-        write_or_rescue(path, [&](const std::string& to) { write_image(to, image, display); }));
-    std::optional<WrittenFile> map = write_density_map(picture, path);
+    files.push_back({"the picture", path, [&picture, display](const std::string& to) {
+                       write_image(to, picture, display);
+                     }});
+    std::optional<FinalFile> map = density_map_file(picture, path);
     if (map) files.push_back(std::move(*map));
   }
   return files;

@@ -1,5 +1,4 @@
 #pragma once
-#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -10,22 +9,9 @@
 #include "image/film.h"
 #include "image/image_file.h"
 #include "integrator/integrator.h"
+#include "session/final_files.h"
 
 namespace ajar {
-
-/// A developed picture: what goes into files.
-struct Picture {
-  struct Layer {
-    std::string name;  ///< "" for the picture itself
-    int channels = 3;
-    std::vector<float> pixels;  ///< scene-linear, row by row, crop only, channels interleaved
-  };
-  Vec2i resolution{0, 0};     ///< of the full image
-  Box2i crop;                 ///< inclusive; the pixels that exist
-  std::vector<Layer> layers;  ///< the first is the picture
-  std::map<std::string, std::string> metadata;
-  std::optional<Plane> antialias_mask;  ///< for pictures for the eye (antialias.h)
-};
 
 /// What an integrator says of its film: all that is needed to show it without the integrator.
 struct Development {
@@ -66,24 +52,11 @@ void check_picture_paths(const std::vector<std::string>& paths);
 /// Raises IoError if no file can be made at `path`.
 void check_writable(const std::string& path);
 
-/// The picture as files have it.
-LayeredImage layered_image(const Picture& picture);
-
-/// What became of one file.
-struct WrittenFile {
-  std::string path;    ///< where it is now; empty if it is nowhere
-  std::string wanted;  ///< where it should be
-  std::string error;   ///< why it is not there; empty if it is
-};
-/// Calls `write` with `path` and, if that raises anything, with `NAME-rescued-N.EXT` in the current
-/// folder and then in the one for temporary files, until it succeeds. Raises nothing.
-WrittenFile write_or_rescue(const std::string& path,
-                            const std::function<void(const std::string& path)>& write);
-/// Writes each file (kind by extension, see `write_image`), and the layer "density" in false
-/// colours as NAME.density.png beside each `.png` and `.jpg`; one that cannot be written at its
-/// place is written as `NAME-rescued.EXT` into the current or the temporary folder. Raises nothing.
-std::vector<WrittenFile> write_pictures(const Picture& picture,
-                                        const std::vector<std::string>& paths,
-                                        const DisplayOptions& display);
+/// The files of a picture (kind by extension, see `write_image`), and the layer "density" in false
+/// colours as NAME.density.png beside each `.png` and `.jpg`. `picture` must outlive them.
+std::vector<FinalFile> picture_files(const Picture& picture, const std::vector<std::string>& paths,
+                                     const DisplayOptions& display);
+std::vector<FinalFile> picture_files(Picture&&, const std::vector<std::string>&,
+                                     const DisplayOptions&) = delete;
 
 }  // namespace ajar

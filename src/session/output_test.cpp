@@ -130,7 +130,7 @@ TEST_F(OutputTest, ImpossiblePathsAreFoundBeforeRendering) {
 TEST_F(OutputTest, WritesWhatWasAskedFor) {
   TestIntegrator integrator(kSize, 4);
   const Picture picture = develop(rendered_film(integrator, 4), integrator, 4, 1.0, {});
-  const auto files = write_pictures(picture, {"a.exr", "a.png"}, {});
+  const auto files = write_final_files(picture_files(picture, {"a.exr", "a.png"}, {}), nullptr);
   ASSERT_EQ(files.size(), 2U);
   for (const WrittenFile& file : files) {
     EXPECT_EQ(file.error, "");
@@ -145,7 +145,7 @@ TEST_F(OutputTest, APictureThatCannotBeWrittenIsRescued) {
   TestIntegrator integrator(kSize, 4);
   const Picture picture = develop(rendered_film(integrator, 4), integrator, 4, 1.0, {});
   // The folder vanishes while the render runs.
-  const auto files = write_pictures(picture, {"gone/a.exr"}, {});
+  const auto files = write_final_files(picture_files(picture, {"gone/a.exr"}, {}), nullptr);
   ASSERT_EQ(files.size(), 1U);
   EXPECT_NE(files[0].error, "");
   EXPECT_NE(files[0].path, "gone/a.exr");

@@ -25,8 +25,8 @@ void PictureWriter::see_picture(const Film& film, const JobState& state) {
   if (!asked && !writing_.is_due()) return;
   answered_ = requested();
   const bool written = writing_.attempt([&] {
-    const LayeredImage image = layered_image(develop_(film, state));
-    for (const std::string& path : paths_) write_image(path, image, display_);
+    const Picture picture = develop_(film, state);
+    for (const std::string& path : paths_) write_image(path, picture, display_);
   });
   if (asked && written) {
     note_(fmt::format("wrote the picture with {} samples per pixel", state.samples_per_pixel));

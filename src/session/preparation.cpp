@@ -13,26 +13,28 @@ namespace {
 constexpr double kMostOfTime = 0.75;
 }  // namespace
 
-bool Preparation::must_stop() const {
+PreparationEnd Preparation::must_stop() const {
   if (limits_.interrupts != nullptr && limits_.interrupts->load(std::memory_order_relaxed) > 0) {
-    return true;
+    return PreparationEnd::Interrupted;
   }
-  return limits_.seconds && clock_.seconds() > kMostOfTime * *limits_.seconds;
+  const bool is_late = limits_.seconds && clock_.seconds() > kMostOfTime * *limits_.seconds;
+  return is_late ? PreparationEnd::NoTime : PreparationEnd::Done;
 }
 
-bool Preparation::must_skip() const {
-  bool skip = must_stop();
-  if (limits_.seconds && over_ > 0.0) {
+PreparationEnd Preparation::must_skip() const {
+  PreparationEnd reason = must_stop();
+  if (reason == PreparationEnd::Done && limits_.seconds && over_ > 0.0) {
     const double expected = clock_.seconds() * all_ / over_;
-    skip = skip || expected > kMostOfTime * *limits_.seconds;
+    if (expected > kMostOfTime * *limits_.seconds) reason = PreparationEnd::NoTime;
   }
-  return limits_.ranks != nullptr ? limits_.ranks->maximum(skip ? 1 : 0) > 0 : skip;
+  if (limits_.ranks == nullptr) return reason;
+  return static_cast<PreparationEnd>(limits_.ranks->maximum(static_cast<std::uint64_t>(reason)));
 }
 
 bool Preparation::run_round(int round, Counters& whole) {
   tbb::enumerable_thread_specific<Counters> counters;
   parallel_for(items_.load(), [&](std::uint64_t item) {
-    if (limits_.ranks == nullptr && must_stop()) return;
+    if (limits_.ranks == nullptr && must_stop() != PreparationEnd::Done) return;
     integrator_.prepare_item(round, item, counters.local());
     ++items_done_;
   });
@@ -49,8 +51,10 @@ Counters Preparation::run() {
     items_ = next.items;
     running_ = next.effort;
     all_ = over_ + next.effort + next.later_effort;
-    if (must_skip() || !run_round(round, whole)) {
-      was_skipped_ = true;
+    end_ = must_skip();
+    // Neither a signal nor the clock ever takes back what made a round stop.
+    if (end_ == PreparationEnd::Done && !run_round(round, whole)) end_ = must_stop();
+    if (end_ != PreparationEnd::Done) {
       integrator_.skip_preparation();
       return whole;
     }

@@ -17,6 +17,9 @@ struct PreparationLimits {
   Ranks* ranks = nullptr;  ///< who render together; they look at the limits between rounds only
 };
 
+/// How a preparation came to its end: `NoTime` and `Interrupted` mean that it was cut short.
+enum class PreparationEnd { Done, NoTime, Interrupted };
+
 /// Runs the rounds of an integrator's preparation on all threads that TBB may use. If the user asks
 /// to stop, or would wait for it through too much of the time for the render, the integrator has to
 /// do without (`Integrator::skip_preparation`), so that there is a picture.
@@ -26,23 +29,23 @@ class Preparation {
       : integrator_(integrator), limits_(limits) {}
   /// To be called once. What was spent.
   Counters run();
-  bool was_skipped() const { return was_skipped_; }
+  PreparationEnd end() const { return end_; }
   /// At any time, from any thread: estimate, 0…1.
   double fraction_done() const;
   double seconds() const { return clock_.seconds(); }
 
  private:
-  bool must_stop() const;
-  /// Whether to do without the round that is about to begin, and the later ones; the same on all
-  /// ranks.
-  bool must_skip() const;
+  /// Why to stop at once; `Done`: not at all.
+  PreparationEnd must_stop() const;
+  /// Why to do without the round that is about to begin, and the later ones; the same on all ranks.
+  PreparationEnd must_skip() const;
   /// False if it was cut short.
   bool run_round(int round, Counters& whole);
 
   Integrator& integrator_;
   PreparationLimits limits_;
   const Stopwatch clock_;
-  bool was_skipped_ = false;
+  PreparationEnd end_ = PreparationEnd::Done;
   // Efforts: of rounds that are over, of the one that runs, and of all.
   std::atomic<double> over_{0.0};
   std::atomic<double> running_{0.0};

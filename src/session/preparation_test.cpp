@@ -59,7 +59,7 @@ TEST(Preparation, RunsAllRounds) {
   Preparation preparation(integrator);
   EXPECT_EQ(preparation.run().rays, 30U);
   EXPECT_TRUE(integrator.is_ready);
-  EXPECT_FALSE(preparation.was_skipped());
+  EXPECT_EQ(preparation.end(), PreparationEnd::Done);
 }
 
 TEST(Preparation, TellsHowMuchOfTheEffortIsOver) {
@@ -94,7 +94,7 @@ TEST(Preparation, IsSkippedWhenTheUserWantsToStop) {
     Preparation preparation(integrator, {.interrupts = &interrupts});
     const std::uint64_t rays = preparation.run().rays;
     EXPECT_TRUE(integrator.skipped);
-    EXPECT_TRUE(preparation.was_skipped());
+    EXPECT_EQ(preparation.end(), PreparationEnd::Interrupted);
     EXPECT_FALSE(integrator.is_ready);
     EXPECT_GE(rays, static_cast<std::uint64_t>(10 * round + 1));
   }
@@ -104,7 +104,7 @@ TEST(Preparation, IsSkippedWithoutTimeForIt) {
   Prepared integrator({1.0});
   Preparation preparation(integrator, {.seconds = 0.0});
   EXPECT_EQ(preparation.run().rays, 0U);
-  EXPECT_TRUE(preparation.was_skipped());
+  EXPECT_EQ(preparation.end(), PreparationEnd::NoTime);
 }
 
 TEST(Preparation, IsSkippedOnceItsFirstRoundShowsThatItTakesTooLong) {
@@ -113,7 +113,7 @@ TEST(Preparation, IsSkippedOnceItsFirstRoundShowsThatItTakesTooLong) {
     integrator.on_item = [](int) { std::this_thread::sleep_for(1ms); };
     Preparation preparation(integrator, {.seconds = 1000.0});
     EXPECT_EQ(preparation.run().rays, later > 0.0 ? 10U : 20U);
-    EXPECT_EQ(preparation.was_skipped(), later > 0.0);
+    EXPECT_EQ(preparation.end(), later > 0.0 ? PreparationEnd::NoTime : PreparationEnd::Done);
   }
 }
 
@@ -129,7 +129,7 @@ TEST(Preparation, IsSkippedByAllRanksIfByOne) {
       Preparation preparation(integrator,
                               {.interrupts = &interrupts, .ranks = &ranks.member(rank)});
       EXPECT_EQ(preparation.run().rays, 10U) << "ranks look between rounds only";
-      EXPECT_TRUE(preparation.was_skipped());
+      EXPECT_EQ(preparation.end(), PreparationEnd::Interrupted);
     });
   }
   for (std::thread& thread : threads) thread.join();

@@ -10,7 +10,6 @@
 
 #include "core/error.h"
 #include "core/testing/wait_until.h"
-#include "study/folder_lock.h"
 
 namespace ajar::study {
 namespace {
@@ -74,11 +73,6 @@ TEST_F(Child, ThatCannotBeStartedIsAnError) {
   EXPECT_THROW(run_child({"/no/such/program", {}, folder_.string(), (folder_ / "log").string()},
                          interrupts_),
                IoError);
-}
-
-TEST_F(Child, AFolderIsLockedOnce) {
-  const FolderLock lock(folder_);
-  EXPECT_THROW(FolderLock{folder_}, IoError);
 }
 
 }  // namespace

@@ -67,7 +67,8 @@ void render_with_checkpoints(const Scene& scene, const std::string& integrator_n
   options.observers = {&writer};
   RenderJob job(*integrator, film, options);
   job.run();
-  if (!writer.write_last(job.film(), job.state(), false).error.empty()) _exit(1);
+  const std::vector<FinalFile> last = {writer.last(job.film(), job.state(), false)};
+  if (!write_final_files(last, nullptr).front().error.empty()) _exit(1);
 }
 
 class Soak : public ::testing::TestWithParam<const char*> {};

@@ -1,13 +1,10 @@
-#include <fmt/format.h>
-
-#include <filesystem>
-
 #include "apps/cli/commands.h"
 #include "apps/cli/messages.h"
 #include "core/error.h"
 #include "import/pbrt/pbrt_writer.h"
 #include "session/output.h"
 #include "session/scene_file.h"
+#include "session/written_paths.h"
 
 namespace ajar::cli {
 
@@ -15,16 +12,13 @@ int convert(const ConvertArguments& arguments) {
   if (!arguments.output.ends_with(".pbrt")) {
     throw UsageError(arguments.output + ": the file to write must end in .pbrt");
   }
-  std::error_code unknown;
-  if (std::filesystem::equivalent(arguments.scene, arguments.output, unknown)) {
-    throw UsageError(arguments.output + ": this would overwrite the scene that is read");
-  }
   check_writable(arguments.output);
   Warnings warnings;
   const desc::SceneDesc scene = load_scene(arguments.scene, warnings);
+  check_spares({arguments.output}, scene.files);
   print_warnings(warnings, "");
   write_pbrt(scene, arguments.output);
-  fmt::print("{}\n", arguments.output);
+  print_path(arguments.output);
   return 0;
 }
 

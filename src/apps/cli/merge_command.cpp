@@ -9,6 +9,7 @@
 #include "core/error.h"
 #include "session/merge.h"
 #include "session/resources.h"
+#include "session/written_paths.h"
 
 namespace ajar::cli {
 
@@ -68,6 +69,9 @@ int merge(const MergeArguments& a) {
     written.push_back(path);
   }
   check_distinct(written);
+  check_spares(written, {a.checkpoints.begin(), a.checkpoints.end()});
+  std::optional<FileLock> lock;
+  if (!a.checkpoint.empty()) lock.emplace(lock_checkpoint(a.checkpoint));
 
   std::vector<NamedCheckpoint> parts;
   for (const std::string& path : a.checkpoints) parts.push_back({path, read_checkpoint(path)});
@@ -83,14 +87,19 @@ int merge(const MergeArguments& a) {
       develop(film, merged.scales, merged.job.samples_per_pixel, merged.render.film_scale, aovs);
   picture.metadata = to_metadata(statistics);
   if (merged.merged.size() > 1) picture.metadata["ajar:merged_seeds"] = seeds_text(merged);
-  const std::vector<WrittenFile> files = write_pictures(picture, a.outputs, display);
-  for (const WrittenFile& file : files) {
-    if (!file.path.empty()) statistics.outputs.push_back(file.path);
+  // The parts are there still: whoever has made room merges once more.
+  bool all_written = true;
+  for (const WrittenFile& file :
+       write_final_files(picture_files(picture, a.outputs, display), nullptr)) {
+    all_written = report_file(file) && all_written;
+    if (file.path.empty()) continue;
+    statistics.outputs.push_back(file.path);
+    print_path(file.path);
   }
   statistics.peak_memory_bytes = peak_memory_bytes();
-  const bool stats_written = write_statistics(statistics, a.stats);
+  all_written = write_statistics(statistics, a.stats) && all_written;
   report_end(statistics.result);
-  return report_files(files) && stats_written ? 0 : kExitFile;
+  return all_written ? 0 : kExitFile;
 }
 
 }  // namespace ajar::cli

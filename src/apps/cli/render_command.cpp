@@ -60,6 +60,7 @@ int render(const RenderArguments& a) {
       throw UsageError("--share cannot go with --target-error: all shares need the same samples");
     }
   }
+  lock_checkpoint_of(order);
   if (!a.resume.empty()) {
     std::error_code error;
     if (std::filesystem::exists(a.resume, error)) {
@@ -75,6 +76,8 @@ int render(const RenderArguments& a) {
 int resume(const ResumeArguments& a) {
   RunOrder order;
   order.run = a.run;
+  if (order.run.checkpoint.empty()) order.run.checkpoint = a.checkpoint;
+  lock_checkpoint_of(order);
   order.resumed = read_checkpoint(a.checkpoint);
   order.resumed_from = a.checkpoint;
   const Checkpoint& checkpoint = *order.resumed;
@@ -84,7 +87,6 @@ int resume(const ResumeArguments& a) {
   if (run.outputs.empty()) run.outputs = checkpoint.outputs;
   if (run.tone_map.empty()) run.tone_map = checkpoint.tone_map;
   if (!run.exposure) run.exposure = checkpoint.exposure;
-  if (run.checkpoint.empty()) run.checkpoint = a.checkpoint;
   const Budget given = budget_of(run);
   order.budget = given.is_empty() ? checkpoint.budget : given;
   return carry_out(std::move(order));

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "apps/cli/messages.h"
@@ -11,28 +10,14 @@
 
 namespace ajar::cli {
 
-bool report_files(const std::vector<WrittenFile>& files) {
-  bool all_written = true;
-  for (const WrittenFile& file : files) {
-    if (file.error.empty()) {
-      fmt::print("{}\n", file.path);
-      continue;
-    }
-    all_written = false;
-    print_error(file.error);
-    if (!file.path.empty()) {
-      print_note("the picture is in " + file.path + " instead");
-      fmt::print("{}\n", file.path);
-    }
-  }
-  std::fflush(stdout);
-  return all_written;
-}
-
-bool report_checkpoint(const WrittenFile& file) {
+bool report_file(const WrittenFile& file) {
   if (file.error.empty()) return true;
   print_error(file.error);
-  if (!file.path.empty()) print_note("the checkpoint is in " + file.path + " instead");
+  if (file.path.empty()) {
+    print_error(file.what + " is lost: it could be written nowhere");
+  } else {
+    print_note(file.what + " is in " + file.path + " instead");
+  }
   return false;
 }
 

@@ -9,10 +9,8 @@
 /// What the program says at the end of a render.
 namespace ajar::cli {
 
-/// Prints where the files are; true if each is where it should be.
-bool report_files(const std::vector<WrittenFile>& files);
-/// Says where the checkpoint is; true if it is where it should be.
-bool report_checkpoint(const WrittenFile& file);
+/// Says where a file is if it is not where it should be; true if it is.
+bool report_file(const WrittenFile& file);
 /// True if they could be written, or `path` is empty.
 bool write_statistics(const RenderStatistics& statistics, const std::string& path);
 void report_discarded(const Counters& counters);

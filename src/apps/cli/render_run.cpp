@@ -30,6 +30,7 @@
 #include "session/scene_file.h"
 #include "session/stats_json.h"
 #include "session/version.h"
+#include "session/written_paths.h"
 
 namespace ajar::cli {
 
@@ -79,6 +80,9 @@ class Run {
  private:
   desc::SceneDesc load();
   void choose(const desc::SceneDesc& description);
+  std::vector<std::string> written_files(std::vector<std::string> pictures) const;
+  /// Raises UsageError for files that would be written twice, or over what is read.
+  void check_files(const desc::SceneDesc& description) const;
   /// Of the film and what hangs on it.
   MemoryEstimate memory_of(const std::vector<LayerSpec>& layers) const;
   void build(desc::SceneDesc description);
@@ -113,6 +117,9 @@ class Run {
   std::unique_ptr<const Scene> scene_;
   std::unique_ptr<Integrator> integrator_;
   std::optional<Film> film_;
+  /// False if the user stopped it while it was prepared: what is shown then is another picture, by
+  /// ordinary Monte Carlo alone, which no checkpoint must go on with.
+  bool has_begun_ = true;
   double other_seconds_ = 0.0;  ///< of building and preparing, all runs together
   std::uint64_t passes_before_ = 0;
   std::unique_ptr<CheckpointWriter> checkpoint_writer_;
@@ -134,12 +141,9 @@ Run::Run(RunOrder order) : order_(std::move(order)) {
     for (const std::string& path : {a.stats, a.checkpoint}) {
       if (!path.empty() && path != order_.resumed_from) check_writable(path);
     }
+    if (!a.checkpoint.empty()) check_new_checkpoint(a.checkpoint, order_.resumed_from);
+    check_distinct(written_files(a.outputs));
   }
-  std::vector<std::string> written = a.outputs;
-  for (const std::string& path : {a.stats, a.checkpoint}) {
-    if (!path.empty()) written.push_back(path);
-  }
-  check_distinct(written);
   if (order_.resumed) check_resumable(*order_.resumed, order_.resumed_from, a.force);
   if (a.threads > 0) {
     thread_limit_ = std::make_unique<tbb::global_control>(
@@ -186,6 +190,20 @@ void Run::choose(const desc::SceneDesc& description) {
   filter_ = make_filter(description.film.filter, description.film.where);
 }
 
+std::vector<std::string> Run::written_files(std::vector<std::string> pictures) const {
+  for (const std::string& path : {run().stats, run().checkpoint}) {
+    if (!path.empty()) pictures.push_back(path);
+  }
+  return pictures;
+}
+
+void Run::check_files(const desc::SceneDesc& description) const {
+  if (!is_root()) return;
+  const std::vector<std::string> written = written_files(outputs_);
+  check_distinct(written);
+  check_spares(written, description.files);
+}
+
 MemoryEstimate Run::memory_of(const std::vector<LayerSpec>& layers) const {
   MemoryEstimate estimate;
   const int replicates = setup_.settings.replicates;
@@ -226,7 +244,8 @@ void Run::prepare_integrator() {
     Preparation preparation(*integrator_, preparation_limits());
     const ProgressReporter progress(style_, [&] { return snapshot_of(preparation); });
     statistics_.preparation = preparation.run();
-    statistics_.prepared = !preparation.was_skipped();
+    statistics_.prepared = preparation.end() == PreparationEnd::Done;
+    has_begun_ = preparation.end() != PreparationEnd::Interrupted;
   }
   if (order_.share.count > 1 && integrator_->keeps_state()) {
     throw UsageError("renders with " + setup_.integrator->name +
@@ -300,7 +319,7 @@ Checkpoint Run::checkpoint_base() const {
 
 void Run::add_observers() {
   if (!is_root()) return;
-  if (!run().checkpoint.empty()) {
+  if (!run().checkpoint.empty() && has_begun_) {
     checkpoint_writer_ =
         std::make_unique<CheckpointWriter>(run().checkpoint, checkpoint_every_, checkpoint_base(),
                                            *integrator_, print_warning, print_note);
@@ -384,27 +403,32 @@ int Run::finish(const RenderJob& job) {
   if (interrupted) ++statistics_.interruptions;
   report_phase(style_, "write");
   if (preview_) preview_->show_last(job.film(), job.state());
-  bool all_written = true;
+  std::vector<FinalFile> files;
   // The picture of a finished render may be wanted where the checkpoint cannot be written.
   const bool nothing_new = order_.resumed && job.state().passes == passes_before_ &&
                            !job.state().partial && run().checkpoint == order_.resumed_from;
-  if (checkpoint_writer_ && !nothing_new) {
-    all_written =
-        report_checkpoint(checkpoint_writer_->write_last(job.film(), job.state(), interrupted));
+  const bool has_checkpoint = checkpoint_writer_ && !nothing_new;
+  if (has_checkpoint) {
+    files.push_back(checkpoint_writer_->last(job.film(), job.state(), interrupted));
   }
   complete_statistics(result);
   Picture picture =
       develop(job.film(), *integrator_, result.samples_per_pixel, record_.film_scale, setup_.aovs);
   picture.metadata = to_metadata(statistics_);
-  const std::vector<WrittenFile> files = write_pictures(picture, outputs_, display_);
-  for (const WrittenFile& file : files) {
-    if (!file.path.empty()) statistics_.outputs.push_back(file.path);
+  for (FinalFile& file : picture_files(picture, outputs_, display_)) {
+    files.push_back(std::move(file));
+  }
+  Patience patience(interrupt_count(), print_warning);
+  const std::vector<WrittenFile> written = write_final_files(files, &patience);
+  for (std::size_t i = has_checkpoint ? 1 : 0; i < written.size(); ++i) {
+    if (!written[i].path.empty()) statistics_.outputs.push_back(written[i].path);
   }
   statistics_.peak_memory_bytes = peak_memory_bytes();
-  all_written = write_statistics(statistics_, run().stats) && all_written;
+  bool all_written = write_statistics(statistics_, run().stats);
   report_discarded(result.counters);
   report_end(result);
-  all_written = report_files(files) && all_written;
+  for (const WrittenFile& file : written) all_written = report_file(file) && all_written;
+  for (const std::string& path : statistics_.outputs) print_path(path);
   if (!all_written) return kExitFile;
   return interrupted ? kExitInterrupted : 0;
 }
@@ -412,13 +436,23 @@ int Run::finish(const RenderJob& job) {
 int Run::carry_out() {
   desc::SceneDesc description = load();
   choose(description);
+  check_files(description);
   build(std::move(description));
   // When a render goes on, its checkpoint is all there is to lose until it does.
   if (!order_.resumed) begin_render();
   report_phase(style_, "prepare");
   const Stopwatch clock;
   prepare_integrator();
-  if (interrupt_count() > 1 && run().ranks == nullptr) return kExitInterrupted;
+  if (!has_begun_ && interrupt_count() > 1 && run().ranks == nullptr) {
+    print_note("interrupted twice while preparing: nothing was rendered, nothing is written");
+    return kExitInterrupted;
+  }
+  if (!has_begun_) {
+    print_note(
+        "interrupted while preparing: the picture will be of one sample per pixel, without "
+        "chains; the render itself has not begun" +
+        std::string(run().checkpoint.empty() ? "" : ", so no checkpoint is written"));
+  }
   make_film();
   statistics_.times.prepare = clock.seconds();
   other_seconds_ = statistics_.times.build + statistics_.times.prepare;
@@ -450,15 +484,10 @@ DisplayOptions display_of(const std::string& tone_map, float exposure) {
   return {tone_map_by_name(tone_map), checked_exposure(exposure)};
 }
 
-void check_distinct(const std::vector<std::string>& files) {
-  std::vector<std::string> paths;
-  for (const std::string& file : files) {
-    const std::string path = absolute_path(file);
-    if (std::find(paths.begin(), paths.end(), path) != paths.end()) {
-      throw UsageError(file + ": this file would be written twice");
-    }
-    paths.push_back(path);
-  }
+void lock_checkpoint_of(RunOrder& order) {
+  const std::string& path = order.run.checkpoint;
+  const bool is_root = order.run.ranks == nullptr || order.run.ranks->is_root();
+  if (is_root && !path.empty()) order.lock.emplace(lock_checkpoint(path));
 }
 
 Budget budget_of(const RunArguments& a) {

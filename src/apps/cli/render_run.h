@@ -21,15 +21,18 @@ struct RunOrder {
   /// Where to go on. With a request, too, it must be of the same render.
   std::optional<Checkpoint> resumed;
   std::string resumed_from;  ///< its file
+  /// Of the checkpoint to be written.
+  std::optional<FileLock> lock;
 };
+
+/// To be called before a checkpoint is read that may be gone on with, and then written.
+void lock_checkpoint_of(RunOrder& order);
 
 /// The limits that the command line gives. Raises UsageError.
 Budget budget_of(const RunArguments& arguments);
 
 /// Raises UsageError for a curve or an exposure that cannot be.
 DisplayOptions display_of(const std::string& tone_map, float exposure);
-/// Raises UsageError if two of these are the same file: one would be lost.
-void check_distinct(const std::vector<std::string>& files);
 
 /// Renders; returns the exit code or raises an `Error`.
 int carry_out(RunOrder order);

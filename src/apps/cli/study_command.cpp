@@ -1,13 +1,11 @@
-#include <fmt/format.h>
-
 #include <filesystem>
 
 #include "apps/cli/commands.h"
 #include "apps/cli/messages.h"
 #include "core/error.h"
+#include "core/file_lock.h"
 #include "session/interrupts.h"
 #include "study/child_process.h"
-#include "study/folder_lock.h"
 #include "study/study_output.h"
 #include "study/study_runner.h"
 
@@ -37,7 +35,8 @@ int study(const StudyArguments& arguments) {
   options.out =
       make_folder(arguments.out.empty() ? fs::path(arguments.file).stem().string() + "-results"
                                         : arguments.out);
-  const study::FolderLock lock(options.out);
+  const FileLock lock(options.out / ".lock",
+                      options.out.string() + ": another study is writing here");
   options.program = study::kOwnProgram;
   options.report = print_note;
   // From here on a signal ends the render that runs, and what is finished is kept.
@@ -46,7 +45,7 @@ int study(const StudyArguments& arguments) {
   for (const std::string& warning : result.warnings) print_warning(warning);
   for (const std::string& failure : result.failures) print_error(failure);
   for (const std::string& path : study::write_study(plan, result, options.out)) {
-    fmt::print("{}\n", path);
+    print_path(path);
   }
   if (result.interrupted) {
     print_note("interrupted; the same command goes on where it stopped");

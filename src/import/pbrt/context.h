@@ -14,7 +14,7 @@ namespace ajar::pbrt {
 struct Context {
   desc::SceneDesc& scene;
   Warnings& warnings;
-  const FileAccess& files;
+  FileAccess& files;
   SpectrumReader& spectra;
 };
 

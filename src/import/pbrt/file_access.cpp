@@ -6,7 +6,7 @@
 
 namespace ajar::pbrt {
 
-std::string FileAccess::resolve(const std::string& name) const {
+std::string FileAccess::resolve(const std::string& name) {
   // A zero byte would end the name early in every call to the system.
   if (name.find('\0') != std::string::npos) throw IoError("a file name contains a zero byte");
   const std::filesystem::path path =
@@ -14,7 +14,7 @@ std::string FileAccess::resolve(const std::string& name) const {
   if (provider_ && provider_(path.string())) return path.string();
   std::error_code error;
   const std::filesystem::path absolute = std::filesystem::absolute(path, error);
-  return error ? path.string() : absolute.lexically_normal().string();
+  return *named_.insert(error ? path.string() : absolute.lexically_normal().string()).first;
 }
 
 FileBytes FileAccess::load(const std::string& resolved) const {

@@ -1,4 +1,5 @@
 #pragma once
+#include <set>
 #include <string>
 
 #include "import/file_bytes.h"
@@ -13,14 +14,17 @@ class FileAccess {
       : base_folder_(std::move(base_folder)), provider_(std::move(provider)) {}
 
   /// Where `name` is: as the provider knows it, or an absolute path on the disk.
-  std::string resolve(const std::string& name) const;
+  std::string resolve(const std::string& name);
   /// Reads what `resolve` returned. Raises IoError.
   FileBytes load(const std::string& resolved) const;
   bool exists(const std::string& resolved) const;
+  /// All paths on the disk that were resolved so far.
+  const std::set<std::string>& named() const { return named_; }
 
  private:
   std::string base_folder_;
   FileProvider provider_;
+  std::set<std::string> named_;
 };
 
 }  // namespace ajar::pbrt

@@ -12,7 +12,7 @@ namespace ajar::pbrt {
 /// Reads directives and hands them to a builder; follows `Include`.
 class Parser {
  public:
-  Parser(const FileAccess& files, SceneBuilder& builder, Warnings& warnings)
+  Parser(FileAccess& files, SceneBuilder& builder, Warnings& warnings)
       : files_(files), builder_(builder), warnings_(warnings) {}
 
   /// Parses one file and everything it includes; stops at WorldEnd. Returns where the file ends.
@@ -32,7 +32,7 @@ class Parser {
   Parameter parameter(Lexer& lexer);
   void value(Lexer& lexer, const Token& token, Parameter& parameter);
 
-  const FileAccess& files_;
+  FileAccess& files_;
   SceneBuilder& builder_;
   Warnings& warnings_;
   std::vector<std::string> open_files_;

@@ -10,10 +10,12 @@ namespace {
 desc::SceneDesc import_text(std::string_view text, const std::string& name, const std::string& path,
                             const std::string& base_folder, Warnings& warnings,
                             FileProvider provider) {
-  const pbrt::FileAccess files(base_folder, std::move(provider));
+  pbrt::FileAccess files(base_folder, std::move(provider));
   pbrt::SceneBuilder builder(files, name, warnings);
   const SourceLocation end = pbrt::Parser(files, builder, warnings).parse(text, name, path);
-  return builder.finish(end);
+  desc::SceneDesc scene = builder.finish(end);
+  scene.files = files.named();
+  return scene;
 }
 
 }  // namespace
@@ -21,8 +23,10 @@ desc::SceneDesc import_text(std::string_view text, const std::string& name, cons
 desc::SceneDesc import_pbrt(const std::string& path, Warnings& warnings) {
   const FileBytes bytes = read_file(path);
   const std::filesystem::path absolute = std::filesystem::absolute(path).lexically_normal();
-  return import_text(bytes.view(), path, absolute.string(), absolute.parent_path().string(),
-                     warnings, {});
+  desc::SceneDesc scene = import_text(bytes.view(), path, absolute.string(),
+                                      absolute.parent_path().string(), warnings, {});
+  scene.files.insert(absolute.string());
+  return scene;
 }
 
 desc::SceneDesc import_pbrt_text(std::string_view text, const std::string& name,

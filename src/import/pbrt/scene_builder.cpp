@@ -19,7 +19,7 @@ const char* name_of_scope(int kind) {
 
 }  // namespace
 
-SceneBuilder::SceneBuilder(const FileAccess& files, std::string source, Warnings& warnings)
+SceneBuilder::SceneBuilder(FileAccess& files, std::string source, Warnings& warnings)
     : warnings_(warnings),
       spectra_(files, warnings),
       context_{scene_, warnings, files, spectra_},

@@ -19,7 +19,7 @@ namespace ajar::pbrt {
 /// pbrt-v3's graphics state. All calls raise SceneError at `where` for what cannot be used.
 class SceneBuilder {
  public:
-  SceneBuilder(const FileAccess& files, std::string source, Warnings& warnings);
+  SceneBuilder(FileAccess& files, std::string source, Warnings& warnings);
 
   TransformState& transforms() { return transforms_; }
 

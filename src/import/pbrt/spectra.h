@@ -17,8 +17,7 @@ inline constexpr std::array kSpectrumKinds = {ParameterKind::Rgb, ParameterKind:
 /// Colours of parameters, whichever way they are written, as linear RGB.
 class SpectrumReader {
  public:
-  SpectrumReader(const FileAccess& files, Warnings& warnings)
-      : files_(files), warnings_(warnings) {}
+  SpectrumReader(FileAccess& files, Warnings& warnings) : files_(files), warnings_(warnings) {}
 
   /// Value of a parameter of one of `kSpectrumKinds` with one value. Empty, after a warning, if it
   /// refers to a file that cannot be used. Raises SceneError if it is not finite.
@@ -33,7 +32,7 @@ class SpectrumReader {
   std::optional<desc::Rgb> unchecked_value(const Parameter& parameter);
   std::optional<desc::Rgb> from_file(const Parameter& parameter);
 
-  const FileAccess& files_;
+  FileAccess& files_;
   Warnings& warnings_;
   std::map<std::string, desc::Rgb> files_read_;
 };

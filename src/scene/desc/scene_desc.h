@@ -1,6 +1,7 @@
 #pragma once
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <variant>
 #include <vector>
@@ -364,7 +365,8 @@ struct RenderHints {
 };
 
 struct SceneDesc {
-  std::string source;  ///< the file it came from
+  std::string source;           ///< the file it came from
+  std::set<std::string> files;  ///< on the disk that it names, itself too; nothing may replace them
   std::vector<Texture> textures;
   std::vector<Material> materials;
   std::vector<Medium> media;

@@ -99,11 +99,11 @@ std::size_t write_page(const fs::path& folder) {
 }
 
 std::size_t write_thumbnail(const fs::path& path, const ReportImage& image) {
-  const Thumbnail small = make_thumbnail(image);
-  LayeredImage file;
+  Thumbnail small = make_thumbnail(image);
+  Picture file;
   file.resolution = {small.width, small.height};
   file.crop = Box2i({0, 0}, {small.width - 1, small.height - 1});
-  file.layers.push_back({"", 3, small.pixels});
+  file.layers.push_back({"", 3, std::move(small.pixels)});
   write_image(path.string(), file);
   return fs::file_size(path);
 }

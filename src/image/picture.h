@@ -1,0 +1,28 @@
+#pragma once
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/vector.h"
+#include "image/plane.h"
+
+namespace ajar {
+
+/// A developed picture with all its layers: what goes into files. It holds its pixels itself, so
+/// that whoever writes or shows it cannot outlive them.
+struct Picture {
+  struct Layer {
+    std::string name;           ///< "" for the picture itself
+    int channels = 3;           ///< 3, or 1
+    std::vector<float> pixels;  ///< scene-linear, row by row, crop only, channels interleaved
+  };
+  Vec2i resolution{0, 0};     ///< of the full image
+  Box2i crop;                 ///< inclusive; the pixels that exist
+  std::vector<Layer> layers;  ///< the first is the picture
+  std::map<std::string, std::string> metadata;
+  /// Where formats for the eye smooth the stairs of edges (antialias.h); empty if nowhere.
+  std::optional<Plane> antialias_mask;
+};
+
+}  // namespace ajar
