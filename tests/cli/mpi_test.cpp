@@ -80,11 +80,27 @@ TEST_F(MpiCli, AnyNumberOfRanksGivesTheSameFile) {
 }
 
 TEST_F(MpiCli, MessagesThatCannotBeWrittenAreDropped) {
-  for (const auto& [how, change] : lost_streams(STDERR_FILENO)) {
-    fs::remove(folder_ / "a.pfm");
-    const Outcome outcome = finish(start_ranks(2, small_render("bdpt", "a.pfm"), change));
-    EXPECT_EQ(outcome.exit_code, 0) << how;
-    EXPECT_TRUE(fs::exists(folder_ / "a.pfm")) << how;
+  std::vector<std::string> with_checkpoint = small_render("bdpt", "a.pfm");
+  with_checkpoint.insert(with_checkpoint.end(), {"--checkpoint", "c"});
+  file("study.json", R"({"scenes": ["builtin:cornell"], "resolution": "16x12", "depth": 4,
+      "threads": 1, "integrators": ["pt"], "seeds": 1, "metrics": ["relmse"],
+      "reference": {"integrator": "pt", "spp": 4}, "budgets": [{"spp": 4}]})");
+  const std::vector<std::pair<std::vector<std::string>, std::string>> commands = {
+      {with_checkpoint, "a.pfm"},
+      {{"resume", "c", "--spp", "32", "-o", "r.pfm"}, "r.pfm"},
+      {{"merge", "c", "-o", "m.pfm"}, "m.pfm"},
+      {{"study", "study.json", "--out", "out"}, "out/study.md"},
+      {{"info", "builtin:cornell"}, ".stdout"}};
+  for (const auto& [arguments, written] : commands) {
+    for (const auto& [how, change] : lost_streams(STDERR_FILENO)) {
+      if (how != "full" && arguments != with_checkpoint) continue;
+      for (const std::string& name : {written, std::string("c")}) {
+        if (arguments == with_checkpoint || name == written) fs::remove(folder_ / name);
+      }
+      const Outcome outcome = finish(start_ranks(2, arguments, change));
+      EXPECT_EQ(outcome.exit_code, 0) << arguments[0] << " with stderr " << how;
+      EXPECT_TRUE(fs::exists(folder_ / written)) << arguments[0] << " with stderr " << how;
+    }
   }
 }
 

@@ -1,9 +1,7 @@
-// `ajar` as one of several processes of mpirun. What they render together is written by the root;
-// of commands that render nothing the root does everything.
+// `ajar` as one of several processes of mpirun that render together; the root writes the result.
 #include <mpi.h>
 
 #include <chrono>
-#include <string_view>
 #include <thread>
 
 #include "apps/cli/command_line.h"
@@ -15,26 +13,17 @@
 
 namespace {
 
-bool renders(int argc, char** argv) {
-  const std::string_view command = argc > 1 ? argv[1] : "";
-  return command == "render" || command == "resume";
-}
-
 int run(int argc, char** argv) {
   ajar::MpiRanks ranks;
-  const bool together = renders(argc, argv);
-  if (!together && !ranks.is_root()) return 0;
   if (!ranks.is_root()) ajar::cli::print_errors_only();
   // After an error the others would wait for this process forever. What is wrong for all is told by
   // the root, which ends the others meanwhile; what is wrong for one of them is told a little
   // later.
-  const auto end_all = [&](int code) {
-    if (together) MPI_Abort(MPI_COMM_WORLD, code);
-  };
+  const auto end_all = [](int code) { MPI_Abort(MPI_COMM_WORLD, code); };
   return ajar::cli::guard(
       [&] {
         try {
-          return ajar::cli::run(argc, argv, together ? &ranks : nullptr);
+          return ajar::cli::run(argc, argv, &ranks);
         } catch (...) {
           if (!ranks.is_root()) std::this_thread::sleep_for(std::chrono::seconds(10));
           throw;
