@@ -4,10 +4,13 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <array>
 #include <atomic>
 #include <cerrno>
 #include <charconv>
+#include <climits>
 #include <csignal>
+#include <functional>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -19,6 +22,9 @@ namespace ajar {
 namespace {
 namespace fs = std::filesystem;
 
+/// Links in a row, as many as the kernel follows.
+constexpr int kMostLinks = 40;
+
 /// `reason` is an errno.
 [[noreturn]] void fail(const fs::path& path, int reason) {
   std::string text =
@@ -28,26 +34,39 @@ namespace fs = std::filesystem;
   if (reason == ENOENT && !folder.empty() && !fs::exists(folder, ignored)) {
     text += " (there is no folder \"" + folder.string() + "\")";
   }
+  const std::size_t length = path.filename().string().size();
+  if (reason == ENAMETOOLONG && length > NAME_MAX) {
+    text += " (it has " + std::to_string(length) + " bytes, of at most " +
+            std::to_string(NAME_MAX) + ")";
+  }
   throw IoError(text);
 }
 
 class File {
  public:
-  File(const fs::path& path, int flags)
-      : descriptor_(::open(path.c_str(), flags | O_CLOEXEC, 0666)) {}
+  File() = default;
   File(const File&) = delete;
   File& operator=(const File&) = delete;
   ~File() {
     if (descriptor_ >= 0) ::close(descriptor_);
   }
-  bool is_open() const { return descriptor_ >= 0; }
   /// These return 0 or an errno.
+  int open(const fs::path& path, int flags) {
+    descriptor_ = ::open(path.c_str(), flags | O_CLOEXEC, 0666);
+    return descriptor_ >= 0 ? 0 : errno;
+  }
   int write(std::span<const std::byte> content) {
     while (!content.empty()) {
       const ssize_t written = ::write(descriptor_, content.data(), content.size());
       if (written < 0 && errno == EINTR) continue;
       if (written < 0) return errno;
       content = content.subspan(static_cast<std::size_t>(written));
+    }
+    return 0;
+  }
+  int write_all(std::span<const std::span<const std::byte>> pieces) {
+    for (const std::span<const std::byte> piece : pieces) {
+      if (const int reason = write(piece); reason != 0) return reason;
     }
     return 0;
   }
@@ -58,59 +77,147 @@ class File {
   int close() { return ::close(std::exchange(descriptor_, -1)) == 0 ? 0 : errno; }
 
  private:
-  int descriptor_;
+  int descriptor_ = -1;
 };
 
+/// How temporary files for `path` begin: by a hash, as the name itself may be as long as names can
+/// be.
 std::string temporary_start(const fs::path& path) {
-  return std::string(".").append(path.stem().string()).append(".");
+  std::array<char, 2 * sizeof(std::size_t)> digits{};
+  const std::size_t hash = std::hash<std::string>()(path.filename().string());
+  char* const end = std::to_chars(digits.begin(), digits.end(), hash, 16).ptr;
+  return std::string(".ajar-").append(digits.begin(), end).append(".");
 }
-std::string temporary_end(const fs::path& path) {
-  return std::string(".partial").append(path.extension().string());
-}
-
-/// In the folder of the target, hidden, and not shared by two processes or threads that write the
-/// same file.
-fs::path temporary_path(const fs::path& path) {
-  static std::atomic<unsigned> counter{0};
-  const std::string mark = std::to_string(::getpid()) + "." + std::to_string(counter++);
-  return path.parent_path() / (temporary_start(path) + mark + temporary_end(path));
-}
+constexpr std::string_view kTemporaryEnd = ".partial";
 
 /// The process that writes, or wrote, the temporary file `name` for `path`; 0 if it is none of its.
 pid_t writer_of(const fs::path& path, const std::string& name) {
   const std::string start = temporary_start(path);
-  if (!name.starts_with(start) || !name.ends_with(temporary_end(path))) return 0;
+  if (!name.starts_with(start) || !name.ends_with(kTemporaryEnd)) return 0;
   pid_t process = 0;
   const char* digits = name.data() + start.size();
   const auto [stopped, error] = std::from_chars(digits, name.data() + name.size(), process);
   return error == std::errc() && *stopped == '.' && process > 0 ? process : 0;
 }
 
-fs::path behind_link(const fs::path& path) {
-  std::error_code error;
-  return fs::is_symlink(path, error) ? fs::weakly_canonical(path, error) : path;
-}
-
-int write_all(File& file, std::span<const std::span<const std::byte>> pieces) {
-  for (const std::span<const std::byte> piece : pieces) {
-    if (const int reason = file.write(piece); reason != 0) return reason;
+/// What `path` names in the end, there or not.
+fs::path behind_links(const fs::path& path) {
+  fs::path target = path;
+  for (int links = 0; links < kMostLinks; ++links) {
+    std::error_code error;
+    const fs::path next = fs::read_symlink(target, error);
+    if (error) return target;
+    target = target.parent_path() / next;
   }
-  return 0;
+  return target;
 }
 
-int write_and_sync(File& file, std::span<const std::span<const std::byte>> pieces) {
-  int reason = write_all(file, pieces);
-  if (reason == 0) reason = file.sync();
-  return reason == 0 ? file.close() : reason;
+/// What is to be written: a file, of which the content is replaced, or something else that takes
+/// bytes.
+struct Target {
+  fs::path path;
+  struct stat status {};
+  bool exists = false;
+  bool is_file = true;
+};
+
+/// Raises IoError for what is known before anything is written.
+Target examine(const fs::path& path) {
+  Target target;
+  target.exists = ::stat(path.c_str(), &target.status) == 0;
+  if (!target.exists && errno != ENOENT) fail(path, errno);
+  target.is_file = !target.exists || S_ISREG(target.status.st_mode);
+  // Through a symbolic link the file it points to is replaced, not the link.
+  target.path = target.is_file ? behind_links(path) : path;
+  if (target.path.filename().empty()) fail(path, path.empty() ? ENOENT : EISDIR);
+  if (target.exists && S_ISDIR(target.status.st_mode)) fail(path, EISDIR);
+  // Renaming would replace a file that its owner has protected.
+  if (target.exists && ::access(target.path.c_str(), W_OK) != 0) fail(path, errno);
+  return target;
 }
+
+/// A new file beside its target, gone at the end of the scope unless it was put there.
+class TemporaryFile {
+ public:
+  /// Raises IoError that names `path`.
+  TemporaryFile(const fs::path& path, const Target& target) : target_(target) {
+    int reason = EEXIST;
+    // Never through what is there: a link that somebody has put there, or the file of a process of
+    // the same number that was killed.
+    while (reason == EEXIST) {
+      path_ = temporary_path(target.path);
+      reason = file_.open(path_, O_WRONLY | O_CREAT | O_EXCL);
+    }
+    if (reason != 0) fail(path, reason);
+    is_there_ = true;
+  }
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
+  ~TemporaryFile() {
+    if (is_there_) ::unlink(path_.c_str());
+  }
+
+  /// Returns 0 or an errno.
+  int put_in_place(std::span<const std::span<const std::byte>> pieces) {
+    int reason = target_.exists ? file_.take_mode_of(target_.status) : 0;
+    if (reason == 0) reason = file_.write_all(pieces);
+    if (reason == 0) reason = file_.sync();
+    if (reason == 0) reason = file_.close();
+    if (reason == 0 && ::rename(path_.c_str(), target_.path.c_str()) != 0) reason = errno;
+    is_there_ = reason != 0;
+    return reason;
+  }
+
+ private:
+  const Target& target_;
+  fs::path path_;
+  File file_;
+  bool is_there_ = false;
+};
 }  // namespace
+
+fs::path temporary_path(const fs::path& path) {
+  static std::atomic<unsigned> counter{0};
+  const std::string mark = std::to_string(::getpid()) + "." + std::to_string(counter++);
+  return path.parent_path() / (temporary_start(path) + mark).append(kTemporaryEnd);
+}
+
+void check_file_can_be_written(const fs::path& path) {
+  const Target target = examine(path);
+  if (!target.is_file) return;
+  const TemporaryFile attempt(path, target);
+}
 
 void write_file_atomically(const fs::path& path, std::span<const std::byte> content) {
   write_file_atomically(path, std::span(&content, 1));
 }
 
+void write_file_atomically(const fs::path& path, std::string_view text) {
+  write_file_atomically(path, std::as_bytes(std::span(text)));
+}
+
+void write_file_atomically(const fs::path& path,
+                           std::span<const std::span<const std::byte>> pieces) {
+  const Target target = examine(path);
+  if (!target.is_file) {
+    File device;
+    int reason = device.open(path, O_WRONLY);
+    if (reason == 0) reason = device.write_all(pieces);
+    if (reason != 0) fail(path, reason);
+    return;
+  }
+  TemporaryFile temporary(path, target);
+  if (const int reason = temporary.put_in_place(pieces); reason != 0) fail(path, reason);
+  // The rename itself must reach the disk; file systems that cannot do this are no reason to fail.
+  const fs::path folder = target.path.parent_path();
+  File directory;
+  if (directory.open(folder.empty() ? fs::path(".") : folder, O_RDONLY | O_DIRECTORY) == 0) {
+    directory.sync();
+  }
+}
+
 void remove_abandoned_parts(const fs::path& path) {
-  const fs::path target = behind_link(path);
+  const fs::path target = behind_links(path);
   const fs::path folder = target.parent_path();
   std::error_code error;
   for (const fs::directory_entry& entry :
@@ -120,40 +227,6 @@ void remove_abandoned_parts(const fs::path& path) {
     if (process == 0 || ::kill(process, 0) == 0 || errno != ESRCH) continue;
     ::unlink(entry.path().c_str());
   }
-}
-
-void write_file_atomically(const fs::path& path,
-                           std::span<const std::span<const std::byte>> pieces) {
-  // Through a symbolic link the file it points to is replaced, not the link.
-  const fs::path target = behind_link(path);
-  if (target.filename().empty()) fail(path, EISDIR);
-
-  struct stat old {};
-  const bool exists = ::stat(target.c_str(), &old) == 0;
-  if (exists && S_ISDIR(old.st_mode)) fail(path, EISDIR);
-  if (exists && !S_ISREG(old.st_mode)) {
-    File device(target, O_WRONLY);
-    if (!device.is_open()) fail(path, errno);
-    if (const int reason = write_all(device, pieces); reason != 0) fail(path, reason);
-    return;
-  }
-  // Renaming would replace a file that its owner has protected.
-  if (exists && ::access(target.c_str(), W_OK) != 0) fail(path, errno);
-
-  const fs::path temporary = temporary_path(target);
-  File file(temporary, O_WRONLY | O_CREAT | O_EXCL);
-  if (!file.is_open()) fail(path, errno);
-  int reason = exists ? file.take_mode_of(old) : 0;
-  if (reason == 0) reason = write_and_sync(file, pieces);
-  if (reason == 0 && ::rename(temporary.c_str(), target.c_str()) != 0) reason = errno;
-  if (reason != 0) {
-    ::unlink(temporary.c_str());
-    fail(path, reason);
-  }
-  // The rename itself must reach the disk; file systems that cannot do this are no reason to fail.
-  const fs::path folder = target.parent_path();
-  File directory(folder.empty() ? fs::path(".") : folder, O_RDONLY | O_DIRECTORY);
-  if (directory.is_open()) directory.sync();
 }
 
 }  // namespace ajar

@@ -22,11 +22,6 @@ class Descriptor {
   Descriptor(const Descriptor&) = delete;
   Descriptor& operator=(const Descriptor&) = delete;
   int get() const { return fd_; }
-  int release() {
-    const int fd = fd_;
-    fd_ = -1;
-    return fd;
-  }
 
  private:
   int fd_;
@@ -56,27 +51,6 @@ FileBytes read_file(const std::string& path) {
     done += static_cast<std::size_t>(count);
   }
   return {std::move(bytes), done};
-}
-
-void write_file_atomically(const std::string& path, std::string_view contents) {
-  const std::string temporary = path + ".tmp" + std::to_string(::getpid());
-  Descriptor file(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
-  if (file.get() < 0) fail("write", path);
-  const auto give_up = [&] {
-    const int reason = errno;
-    ::unlink(temporary.c_str());
-    errno = reason;
-    fail("write", path);
-  };
-  while (!contents.empty()) {
-    const ssize_t count = ::write(file.get(), contents.data(), contents.size());
-    if (count < 0 && errno == EINTR) continue;
-    if (count < 0) give_up();
-    contents.remove_prefix(static_cast<std::size_t>(count));
-  }
-  if (::fsync(file.get()) != 0) give_up();
-  if (::close(file.release()) != 0) give_up();
-  if (::rename(temporary.c_str(), path.c_str()) != 0) give_up();
 }
 
 }  // namespace ajar

@@ -29,8 +29,4 @@ class FileBytes {
 /// unreadable.
 FileBytes read_file(const std::string& path);
 
-/// Writes a file as a whole or not at all: to a temporary file beside it, which is then renamed.
-/// Raises IoError.
-void write_file_atomically(const std::string& path, std::string_view contents);
-
 }  // namespace ajar

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <csignal>
@@ -12,7 +11,6 @@
 #include <iterator>
 #include <random>
 
-#include "core/atomic_file.h"
 #include "core/error.h"
 #include "session/version.h"
 
@@ -229,23 +227,6 @@ TEST_F(CheckpointFile, PreviousOneStaysIfTheNewOneCannotBeWritten) {
   EXPECT_EQ(bytes(), first);
   const auto files = std::distance(fs::directory_iterator(folder_), {});
   EXPECT_EQ(files, 1) << "nothing else is left behind";
-}
-
-TEST_F(CheckpointFile, WhatKilledProcessesLeftIsRemoved) {
-  write();
-  const pid_t child = fork();
-  if (child == 0) _exit(0);
-  int status = 0;
-  waitpid(child, &status, 0);
-  const fs::path dead = folder_ / (".a." + std::to_string(child) + ".3.partial.checkpoint");
-  const fs::path living = folder_ / (".a." + std::to_string(getppid()) + ".3.partial.checkpoint");
-  const fs::path other = folder_ / (".b." + std::to_string(child) + ".3.partial.checkpoint");
-  for (const fs::path& file : {dead, living, other}) std::ofstream(file) << "part";
-  remove_abandoned_parts(path_);
-  EXPECT_FALSE(fs::exists(dead));
-  EXPECT_TRUE(fs::exists(living));
-  EXPECT_TRUE(fs::exists(other));
-  EXPECT_TRUE(fs::exists(path_));
 }
 
 }  // namespace

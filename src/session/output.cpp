@@ -1,11 +1,9 @@
 #include "session/output.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
 #include <exception>
 #include <filesystem>
@@ -13,6 +11,7 @@
 #include <system_error>
 #include <utility>
 
+#include "core/atomic_file.h"
 #include "core/error.h"
 #include "image/density_map.h"
 #include "image/identities.h"
@@ -217,23 +216,9 @@ std::vector<std::string> default_outputs(const std::string& film_filename,
 }
 
 void check_writable(const std::string& path) {
-  std::error_code error;
   if (path.empty()) throw UsageError("a file name is empty");
-  if (fs::is_directory(path, error)) throw IoError(path + ": is a folder");
-  fs::path folder = fs::path(path).parent_path();
-  if (folder.empty()) folder = ".";
-  if (!fs::is_directory(folder, error)) {
-    throw IoError(path + ": the folder " + folder.string() + " does not exist");
-  }
-  // Only an attempt tells: rights, read-only file systems and quotas all count.
-  const std::string probe = (folder / fmt::format(".ajar-probe-{}", getpid())).string();
-  const int file = open(probe.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0600);
-  if (file < 0) {
-    throw IoError(path + ": cannot write into the folder " + folder.string() + ": " +
-                  std::system_category().message(errno));
-  }
-  close(file);
-  unlink(probe.c_str());
+  check_file_can_be_written(path);
+  remove_abandoned_parts(path);
 }
 
 void check_picture_paths(const std::vector<std::string>& paths) {

@@ -49,7 +49,7 @@ std::vector<std::string> default_outputs(const std::string& film_filename,
 /// To be called before rendering. Raises UsageError for an extension that cannot be written and
 /// IoError if a file cannot be made in its folder.
 void check_picture_paths(const std::vector<std::string>& paths);
-/// Raises IoError if no file can be made at `path`.
+/// Raises IoError if no file can be made at `path`. Removes what killed processes left beside it.
 void check_writable(const std::string& path);
 
 /// The files of a picture (kind by extension, see `write_image`), and the layer "density" in false

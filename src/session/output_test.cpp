@@ -127,6 +127,12 @@ TEST_F(OutputTest, ImpossiblePathsAreFoundBeforeRendering) {
   EXPECT_THROW(check_picture_paths({"folder.exr"}), IoError);
 }
 
+TEST_F(OutputTest, NamesTooLongForTheFolderAreFoundBeforeRendering) {
+  EXPECT_NO_THROW(check_writable(std::string(255, 'n')));
+  EXPECT_THROW(check_writable(std::string(256, 'n')), IoError);
+  EXPECT_TRUE(fs::is_empty(folder_));
+}
+
 TEST_F(OutputTest, WritesWhatWasAskedFor) {
   TestIntegrator integrator(kSize, 4);
   const Picture picture = develop(rendered_film(integrator, 4), integrator, 4, 1.0, {});

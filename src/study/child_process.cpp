@@ -21,19 +21,28 @@ constexpr auto kPoll = std::chrono::milliseconds(10);
 constexpr int kNotStarted = 127;
 
 /// In the child, after fork: only what is safe there. Never returns.
-[[noreturn]] void become(const ChildCommand& command, char* const* argv, pid_t parent) {
+[[noreturn]] void become(const ChildCommand& command, char* const* argv, pid_t parent, int log) {
   setpgid(0, 0);
   // Killed and not asked: it must not write files that a later run of the same name has written.
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent) _exit(kNotStarted);
   // A script's background jobs ignore it, and so would their children.
   signal(SIGINT, SIG_DFL);
-  const int log = open(command.log.c_str(), O_CREAT | O_TRUNC | O_WRONLY, 0666);
-  if (log < 0 || chdir(command.folder.c_str()) != 0) _exit(kNotStarted);
+  if (chdir(command.folder.c_str()) != 0) _exit(kNotStarted);
   dup2(log, STDOUT_FILENO);
   dup2(log, STDERR_FILENO);
   execv(command.program.c_str(), argv);
   _exit(kNotStarted);
+}
+
+/// Always a new file: through a link that is there something else would be overwritten.
+int new_log(const std::string& path) {
+  unlink(path.c_str());
+  const int log = open(path.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0666);
+  if (log < 0) {
+    throw IoError("cannot write \"" + path + "\": " + std::system_category().message(errno));
+  }
+  return log;
 }
 }  // namespace
 
@@ -45,11 +54,14 @@ ChildResult run_child(const ChildCommand& command, const InterruptCount& interru
   argv.push_back(nullptr);
   int passed_on = 0;
   const pid_t parent = getpid();
+  const int log = new_log(command.log);
   const pid_t child = fork();
+  if (child == 0) become(command, argv.data(), parent, log);
+  const int reason = errno;
+  close(log);
   if (child < 0) {
-    throw IoError("cannot start a process: " + std::system_category().message(errno));
+    throw IoError("cannot start a process: " + std::system_category().message(reason));
   }
-  if (child == 0) become(command, argv.data(), parent);
   ChildResult result;
   int status = 0;
   while (waitpid(child, &status, WNOHANG) == 0) {

@@ -75,5 +75,13 @@ TEST_F(Child, ThatCannotBeStartedIsAnError) {
                IoError);
 }
 
+TEST_F(Child, NothingIsWrittenThroughLinksThatAreThere) {
+  std::ofstream(folder_ / "victim") << "untouched";
+  fs::create_symlink("victim", folder_ / "log");
+  EXPECT_EQ(run_child(shell("echo done"), interrupts_).exit_code, 0);
+  EXPECT_EQ(log(), "done\n");
+  EXPECT_EQ(fs::file_size(folder_ / "victim"), std::string("untouched").size());
+}
+
 }  // namespace
 }  // namespace ajar::study

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
-#include <span>
 
 #include "core/atomic_file.h"
 #include "session/stats_json.h"
@@ -158,7 +157,7 @@ std::string curves_csv(const StudyPlan& plan, const std::vector<SummaryRow>& row
 }
 
 void write_text(const fs::path& path, const std::string& text) {
-  write_file_atomically(path, std::as_bytes(std::span(text)));
+  write_file_atomically(path, text);
 }
 }  // namespace
 

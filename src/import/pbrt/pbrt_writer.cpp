@@ -5,8 +5,8 @@
 #include <limits>
 #include <map>
 
+#include "core/atomic_file.h"
 #include "core/error.h"
-#include "import/file_bytes.h"
 #include "import/mesh/ply.h"
 #include "import/pbrt/transforms.h"
 #include "import/pbrt/writer_context.h"
@@ -69,7 +69,7 @@ class Writer {
     }
     for (const desc::Shape& shape : scene_.shapes) write_shape(shape);
     out_.line("WorldEnd").line("");
-    write_file_atomically(path_.string(), out_.text());
+    write_file_atomically(path_, out_.text());
   }
 
  private:
@@ -265,7 +265,7 @@ class Writer {
     char digits[17] = {};
     const auto end = std::to_chars(digits, digits + 16, hash_of(mesh), 16).ptr;
     const std::string name = "mesh_" + std::string(digits, end) + ".ply";
-    write_file_atomically((folder / name).string(), write_ply(*mesh));
+    write_file_atomically(folder / name, write_ply(*mesh));
     return mesh_files_[mesh.get()] = mesh_folder_ + "/" + name;
   }
 

@@ -1,16 +1,15 @@
 #include "study/report/replaced_folder.h"
 
 #include <fcntl.h>
-#include <fmt/format.h>
-#include <unistd.h>
+#include <sys/stat.h>
 
-#include <atomic>
 #include <cerrno>
 #include <cstdio>
 #include <string>
 #include <system_error>
 #include <utility>
 
+#include "core/atomic_file.h"
 #include "core/error.h"
 
 namespace ajar {
@@ -30,19 +29,13 @@ fs::path normal(const fs::path& folder) {
   return path.has_filename() ? path : path.parent_path();
 }
 
-fs::path beside(const fs::path& target) {
-  static std::atomic<unsigned> counter{0};
-  return target.parent_path() /
-         fmt::format(".{}.{}.{}.partial", target.filename().string(), ::getpid(), counter++);
-}
-
 int rename_at(const fs::path& from, const fs::path& to, unsigned flags) {
   return ::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), flags) == 0 ? 0 : errno;
 }
 
 /// For file systems that cannot exchange: for a moment there is no target.
 int exchange_in_steps(const fs::path& temporary, const fs::path& target) {
-  const fs::path old = beside(target);
+  const fs::path old = temporary_path(target);
   if (const int reason = rename_at(target, old, 0); reason != 0) return reason;
   if (const int reason = rename_at(temporary, target, 0); reason != 0) {
     rename_at(old, target, 0);
@@ -53,15 +46,17 @@ int exchange_in_steps(const fs::path& temporary, const fs::path& target) {
 
 }  // namespace
 
-ReplacedFolder::ReplacedFolder(const fs::path& target)
-    : target_(normal(target)), temporary_(beside(target_)) {
-  std::error_code error;
-  if (!fs::create_directory(temporary_, error)) {
-    if (!fs::is_directory(target_.parent_path())) {
-      fail(target, "there is no folder \"" + target_.parent_path().string() + "\"");
-    }
-    fail(target, error.message());
+ReplacedFolder::ReplacedFolder(const fs::path& target) : target_(normal(target)) {
+  int reason = EEXIST;
+  while (reason == EEXIST) {
+    temporary_ = temporary_path(target_);
+    reason = ::mkdir(temporary_.c_str(), 0777) == 0 ? 0 : errno;
   }
+  if (reason == 0) return;
+  if (!fs::is_directory(target_.parent_path())) {
+    fail(target, "there is no folder \"" + target_.parent_path().string() + "\"");
+  }
+  fail(target, std::system_category().message(reason));
 }
 
 ReplacedFolder::~ReplacedFolder() {

@@ -77,7 +77,7 @@ void check_replaceable(const fs::path& folder) {
 }
 
 std::size_t write_text(const fs::path& path, std::string_view text) {
-  write_file_atomically(path, std::as_bytes(std::span(text)));
+  write_file_atomically(path, text);
   return text.size();
 }
 
