@@ -126,8 +126,9 @@ void run_one_pass(const Case& one, const std::string& path, bool first, int thre
   if (!first) {
     Checkpoint read = read_checkpoint(path);
     check_scene(read, one.scene_.hash(), integrator->layers(), path, false);
-    unarchive(read.integrator_state,
-              [&](InputArchive& archive) { integrator->load_state(archive); });
+    unarchive(read.integrator_state, [&](InputArchive& archive) {
+      integrator->load_state(archive, read.job.samples_per_pixel);
+    });
     options.resumed = read.job;
     film = film_of(read, film.filter(), path);
   }
@@ -157,8 +158,10 @@ void run_one_pass(const Case& one, const std::string& path, bool first, int thre
   next.version = version();
   next.render.scene_hash = one.scene_.hash();
   next.render.settings = one.settings_;
+  next.render.integrator = one.info_.name;
   next.layers.assign(film.layers().begin(), film.layers().end());
   next.job = job.state();
+  next.scales = development_of(film, *integrator, next.job.mean_samples());
   next.integrator_state =
       archived([&](OutputArchive& archive) { integrator->save_state(archive); });
   write_checkpoint(path, next, film.raw());

@@ -2,13 +2,12 @@
 
 namespace cereal {
 class PortableBinaryOutputArchive;
-class PortableBinaryInputArchive;
 }  // namespace cereal
 
 namespace ajar {
 
 /// See core/archive.h, which is much to read for those who only pass an archive on.
 using OutputArchive = cereal::PortableBinaryOutputArchive;
-using InputArchive = cereal::PortableBinaryInputArchive;
+class InputArchive;
 
 }  // namespace ajar

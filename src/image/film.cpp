@@ -20,6 +20,7 @@ constexpr std::int64_t kSumLimit = std::int64_t{1} << 62;
 /// `sum` · `ratio`, a power of two: exactly, if that is a whole number within the limit.
 std::int64_t scaled_sum(std::int64_t sum, double ratio) {
   if (ratio == 1.0) return sum;
+  sum = std::clamp(sum, -kSumLimit, kSumLimit);
   if (ratio < 1.0) {
     const int shift = std::min(-std::ilogb(ratio), 62);
     // Rounded to nearest, the same for both signs.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "core/archive.h"
 #include "image/optimal_thresholds.h"
@@ -73,6 +74,8 @@ void ChainEffort::adjust(std::uint64_t samples, const WeightedErrors& of_omc,
     best = best_mutations(omc_error * static_cast<double>(omc_samples(samples)), light, costs) /
            pixels;
   }
+  // Sums that saturate may leave nothing to compare.
+  if (!std::isfinite(best)) return;
   before_ = mutations(samples);
   adjusted_ = std::clamp(best, lowest, highest);
   since_ = samples;
@@ -99,8 +102,17 @@ void ChainEffort::save_state(OutputArchive& archive) const {
   lasting_.save_state(archive);
 }
 
-void ChainEffort::load_state(InputArchive& archive) {
+void ChainEffort::load_state(InputArchive& archive, std::uint64_t samples) {
   archive(adjusted_, since_, before_, correlation_, chain_error_, known_);
+  const double most = std::max(plan_.mutations, ChainPlan::kMostMutations);
+  // Where a sum of many stretches is rounded.
+  constexpr double kRounding = 1.0 + 1e-6;
+  const bool can_be = adjusted_ == 0.0 || adjusted_ == ChainPlan::clamp_mutations(adjusted_);
+  if (!can_be || since_ > samples || !(before_ >= 0.0) ||
+      before_ > kRounding * most * static_cast<double>(since_) || !std::isfinite(correlation_) ||
+      !std::isfinite(chain_error_)) {
+    throw std::runtime_error("an effort of chains that cannot be");
+  }
   set_counts(known_);
   lasting_.load_state(archive);
 }

@@ -57,7 +57,8 @@ class ChainEffort {
 
   /// Between passes.
   void save_state(OutputArchive& archive) const;
-  void load_state(InputArchive& archive);
+  /// Raises a std::exception if that cannot be after `samples` samples per pixel.
+  void load_state(InputArchive& archive, std::uint64_t samples);
   /// Gives away what this process was told since it did so last; and takes what one of the
   /// processes has given, which may have been this one.
   void give_news(OutputArchive& archive);

@@ -7,6 +7,7 @@
 #include "core/milestones.h"
 #include "integrator/chain_archive.h"
 #include "integrator/chain_bootstrap.h"
+#include "integrator/chain_check.h"
 #include "integrator/chain_effort.h"
 #include "integrator/chain_film_sink.h"
 #include "integrator/chain_items.h"
@@ -57,7 +58,7 @@ class ChainIntegrator final : public Integrator {
 
   bool keeps_state() const override { return !populations_.empty() || learns(); }
   void save_state(OutputArchive& archive) const override;
-  void load_state(InputArchive& archive) override;
+  void load_state(InputArchive& archive, std::uint64_t samples) override;
   void give_news(OutputArchive& archive, const WorkShare& share) override;
   void take_news(InputArchive& archive, const WorkShare& share) override;
   std::uint64_t memory_bytes() const override;
@@ -353,7 +354,7 @@ void ChainIntegrator::save_state(OutputArchive& archive) const {
   if (maps_) maps_->save_state(archive);
 }
 
-void ChainIntegrator::load_state(InputArchive& archive) {
+void ChainIntegrator::load_state(InputArchive& archive, std::uint64_t samples) {
   std::uint64_t populations = 0;
   archive(populations);
   if (populations != populations_.size()) {
@@ -361,18 +362,18 @@ void ChainIntegrator::load_state(InputArchive& archive) {
   }
   items_.load_state(archive);
   archive(doubled_at_, stretch_);
+  const auto replicates = static_cast<std::uint64_t>(plan_.settings.replicates);
+  if (doubled_at_ > samples || !stretch_.can_be_at(samples, recruits_ ? replicates : 0)) {
+    throw std::runtime_error("chains of another time");
+  }
   for (ChainPopulation& population : populations_) {
     const PathGroup& group = plan_.groups[population.group];
     serialize_population(archive, population, group.shape);
-    for (const MemberChain& member : population.chains) {
-      const std::size_t counted = member.record.by_technique.size();
-      if (counted > 0 && counted != group.choice.size()) {
-        throw std::runtime_error("a chain does not fit its population");
-      }
-    }
+    check_population(population, plan_, samples);
   }
-  effort_.load_state(archive);
-  if (adaptation_) adaptation_->load_state(archive);
+  items_.check_b();
+  effort_.load_state(archive, samples);
+  if (adaptation_) adaptation_->load_state(archive, effort_.omc_samples(samples));
   if (recruits_) recruits_->load_state(archive);
   if (maps_) maps_->load_state(archive);
   items_.list(recruits_ == nullptr);

@@ -43,7 +43,7 @@ void ChainItems::refine_b(std::uint64_t samples) {
   }
   const double large_steps = plan_.chain_settings.probabilities.large * plan_.chain_settings.tries *
                              effort_.mutations(samples) * static_cast<double>(plan_.pixels());
-  later_weight_ = large_steps / (bootstrap + large_steps);
+  later_weight_ = large_steps > 0.0 ? large_steps / (bootstrap + large_steps) : 0.0;
   b_.clear();
   for (const ChainPopulation& population : populations_) {
     b_.push_back(population.b(later_weight_));
@@ -165,9 +165,18 @@ void ChainItems::save_state(OutputArchive& archive) const { archive(b_, later_we
 
 void ChainItems::load_state(InputArchive& archive) {
   archive(b_, later_weight_);
-  if (!b_.empty() && b_.size() != populations_.size()) {
+  if (b_.size() != populations_.size()) {
     throw std::runtime_error("other chains are prepared than there were");
   }
+}
+
+void ChainItems::check_b() const {
+  bool fits = later_weight_ >= 0.0 && later_weight_ <= 1.0;
+  for (std::size_t i = 0; i < b_.size(); ++i) {
+    fits = fits && std::isfinite(b_[i]) && b_[i] >= 0.0 &&
+           (b_[i] > 0.0 || populations_[i].chains.empty());
+  }
+  if (!fits) throw std::runtime_error("the brightness of chains cannot be");
 }
 
 template <typename A>

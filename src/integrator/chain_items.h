@@ -41,6 +41,8 @@ class ChainItems {
   /// there are other populations.
   void save_state(OutputArchive& archive) const;
   void load_state(InputArchive& archive);
+  /// Raises it, too, if it cannot be b of the populations, which have been read meanwhile.
+  void check_b() const;
   /// What the items of a share have left behind in their own chains; `first`: number in the pass
   /// of the first of all items.
   void give_news(OutputArchive& archive, const WorkShare& share, std::uint64_t first);

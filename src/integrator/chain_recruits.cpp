@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <tuple>
 
+#include "core/parallel_for.h"
 #include "core/random.h"
 #include "integrator/chain_archive.h"
 #include "integrator/path_family.h"
@@ -94,6 +95,23 @@ void ChainRecruits::load_recruits(InputArchive& archive, std::vector<Recruit>& r
   }
 }
 
+void ChainRecruits::check_recruit(const Recruit& recruit) const {
+  const StrongPath& path = recruit.path;
+  const TechniqueChoice& choice = plan_.group_of(path.technique.depth()).choice;
+  bool known = false;
+  for (std::size_t i = 0; i < choice.size(); ++i) known = known || choice[i] == path.technique;
+  if (!known || !plan_.view.contains(path.raster) || !std::isfinite(path.energy)) {
+    throw std::runtime_error("a path that was found cannot be");
+  }
+  // A chain that starts there must have what `ChainRunner` sees there.
+  SplatBuffer splats;
+  std::uint64_t rays = 0;
+  const double scalar = evaluate(recruit, splats, rays);
+  if (!(scalar > 0.0 && std::isnormal(scalar)) || (recruit.scalar && *recruit.scalar != scalar)) {
+    throw std::runtime_error("a path that was found leads elsewhere");
+  }
+}
+
 void ChainRecruits::save_state(OutputArchive& archive) const {
   archive(grain_, static_cast<std::uint64_t>(recruits_.size() + shared_.size()));
   for (const Recruit& recruit : shared_) archive(recruit);
@@ -104,7 +122,13 @@ void ChainRecruits::load_state(InputArchive& archive) {
   recruits_.clear();
   shared_.clear();
   archive(grain_);
+  if (!(grain_ >= 0.0 && std::isfinite(grain_))) {
+    throw std::runtime_error("paths that are found cannot be as coarse");
+  }
   load_recruits(archive, shared_);
+  parallel_for(shared_.size(), [&](std::size_t i) { check_recruit(shared_[i]); });
+  // All of them share b.
+  if (!std::isfinite(energy())) throw std::runtime_error("paths that were found are too bright");
 }
 
 void ChainRecruits::give_news(OutputArchive& archive) {

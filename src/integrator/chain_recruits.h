@@ -84,6 +84,8 @@ class ChainRecruits final : public StrongPathSinks {
   void keep(Recruit recruit) const;
   /// Appends the recruits of an archive to `recruits`.
   void load_recruits(InputArchive& archive, std::vector<Recruit>& recruits) const;
+  /// Raises std::runtime_error unless a chain can start there.
+  void check_recruit(const Recruit& recruit) const;
 
   const ChainPlan& plan_;
   double grain_ = 0.0;  ///< luminance · importance; paths that carry less are kept now and then

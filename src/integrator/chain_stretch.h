@@ -1,5 +1,8 @@
 #pragma once
+#include <cmath>
 #include <cstdint>
+
+#include "core/milestones.h"
 
 namespace ajar {
 
@@ -26,6 +29,15 @@ class ChainStretch {
     begin_ = end_;
     end_ = end;
     sample_weight_ = sample_weight;
+  }
+
+  /// For what is read from an archive: whether it can be the stretch of a render with so many
+  /// samples. `replicates`: 0 where there are no recruits.
+  bool can_be_at(std::uint64_t samples, std::uint64_t replicates) const {
+    if (!(sample_weight_ >= 0.0 && std::isfinite(sample_weight_))) return false;
+    if (!(weight_before_ >= 0.0 && std::isfinite(weight_before_))) return false;
+    if (replicates == 0) return begin_ == 0 && end_ == 0;
+    return begin_ <= samples && samples <= end_ && end_ == milestone_after(begin_, replicates);
   }
 
   template <class Archive>

@@ -147,9 +147,10 @@ class Integrator {
   virtual bool keeps_state() const { return false; }
   /// Between passes, after the preparation: writes what the items have left behind; and takes it
   /// back, in an integrator that was made and prepared in the same way. Then rendering goes on with
-  /// the same bits. `load_state` may raise any std::exception if the bytes make no sense.
+  /// the same bits after `samples` samples per pixel. `load_state` raises some std::exception if
+  /// the bytes make no sense, whoever wrote them: what it accepts can be rendered on.
   virtual void save_state(OutputArchive& /*archive*/) const {}
-  virtual void load_state(InputArchive& /*archive*/) {}
+  virtual void load_state(InputArchive& /*archive*/, std::uint64_t /*samples*/) {}
   /// Between passes of a render whose items are shared by several processes: gives away what the
   /// items of `share`, which is this process's, have left behind since it did so last; and takes
   /// what the process of `share` gave. When all have taken the news of all, in the order of their

@@ -74,10 +74,14 @@ void LastingError::save_state(OutputArchive& archive) const {
 void LastingError::load_state(InputArchive& archive) {
   archive(until_now_, stretches_, sum_, compared_);
   const std::size_t values = pairs_of(replicates_).size() * pixels_;
+  const auto finite = [](const std::vector<float>& errors) {
+    return std::all_of(errors.begin(), errors.end(), [](float e) { return std::isfinite(e); });
+  };
   const bool fits = std::all_of(stretches_.begin(), stretches_.end(), [&](const Stretch& stretch) {
-    return stretch.errors.size() == values && stretch.samples_behind > 0.0;
+    return stretch.errors.size() == values && finite(stretch.errors) &&
+           stretch.samples_behind > 0.0 && std::isfinite(stretch.samples_behind);
   });
-  if (!fits || (!until_now_.empty() && until_now_.size() != values) ||
+  if (!fits || !finite(until_now_) || (!until_now_.empty() && until_now_.size() != values) ||
       stretches_.size() > kBetween + 1 || !std::isfinite(sum_)) {
     throw std::runtime_error("errors that last do not fit the render");
   }

@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <random>
-#include <sstream>
 #include <stdexcept>
 #include <vector>
 
@@ -124,11 +123,7 @@ TEST(LastingError, RefusesPicturesAndArchivesOfAnotherRender) {
   EXPECT_THROW(lasting.see({{1.F, 2.F}}, 1.0, 1.0), std::invalid_argument);
   EXPECT_THROW(lasting.see({{1.F, 2.F}, {1.F}}, 1.0, 1.0), std::invalid_argument);
   lasting.see({{1.F, 2.F}, {2.F, 0.F}}, 1.0, 1.0);
-  std::stringstream bytes;
-  {
-    OutputArchive archive(bytes);
-    lasting.save_state(archive);
-  }
+  const std::string bytes = archived([&](OutputArchive& out) { lasting.save_state(out); });
   LastingError larger(3, 2);
   InputArchive archive(bytes);
   EXPECT_THROW(larger.load_state(archive), std::runtime_error);
@@ -138,11 +133,7 @@ TEST(LastingError, GoesOnFromAnArchive) {
   LastingError lasting(kPixels, 4);
   Chains chains(2.0, 1.0);
   chains.tell(lasting, 5);
-  std::stringstream bytes;
-  {
-    OutputArchive archive(bytes);
-    lasting.save_state(archive);
-  }
+  const std::string bytes = archived([&](OutputArchive& out) { lasting.save_state(out); });
   LastingError again(kPixels, 4);
   InputArchive archive(bytes);
   again.load_state(archive);

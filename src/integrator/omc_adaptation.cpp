@@ -38,8 +38,8 @@ void OmcAdaptation::save_state(OutputArchive& archive) const {
   if (price_) price_->save_state(archive);
 }
 
-void OmcAdaptation::load_state(InputArchive& archive) {
-  if (rates_) rates_->load_state(archive);
+void OmcAdaptation::load_state(InputArchive& archive, std::uint64_t samples) {
+  if (rates_) rates_->load_state(archive, samples);
   if (price_) price_->load_state(archive);
 }
 

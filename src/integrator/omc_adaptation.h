@@ -33,7 +33,7 @@ class OmcAdaptation {
   std::uint64_t memory_bytes() const;
   void save_state(OutputArchive& archive) const;
   /// May raise any std::exception if the bytes make no sense.
-  void load_state(InputArchive& archive);
+  void load_state(InputArchive& archive, std::uint64_t samples);
 
  private:
   std::optional<SampleRates> rates_;  ///< none if all pixels have as many camera samples

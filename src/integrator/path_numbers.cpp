@@ -20,8 +20,12 @@ PathNumbers::PathNumbers(SampleSource& source, const StrongPath& path) {
 }
 
 bool PathNumbers::fit(const StrongPath& path) const {
-  const int vertices = path.technique.s + path.technique.t;
-  return vertices > 0 && numbers_.size() == static_cast<std::size_t>(vertices) * kBlockSize;
+  const auto [s, t] = path.technique;
+  return s >= 0 && t >= 0 &&
+         numbers_.size() ==
+             (static_cast<std::size_t>(s) + static_cast<std::size_t>(t)) * kBlockSize &&
+         std::all_of(numbers_.begin(), numbers_.end(),
+                     [](float number) { return number >= 0.F && number < 1.F; });
 }
 
 Chain PathNumbers::start_chain(const ChainPlan& plan, const PathGroup& group,

@@ -19,7 +19,7 @@ class PathNumbers {
   void serialize(Archive& archive) {
     archive(numbers_);
   }
-  /// Whether there are as many as the path needs.
+  /// Whether there are as many as the path needs, all of them in [0, 1).
   bool fit(const StrongPath& path) const;
 
   /// A chain at the path, with I = 0: its target has yet to be asked. Numbers that the path does

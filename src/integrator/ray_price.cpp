@@ -21,7 +21,7 @@ void RayPrice::save_state(OutputArchive& archive) const { archive(price_); }
 void RayPrice::load_state(InputArchive& archive) {
   double price = 0.0;
   archive(price);
-  if (!(price > 0.0 && std::isfinite(price))) {
+  if (const auto single = static_cast<float>(price); !(single > 0.F && std::isfinite(single))) {
     throw std::runtime_error("a price of rays that cannot be");
   }
   price_ = price;

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <limits>
-#include <sstream>
 #include <vector>
 
 #include "core/archive.h"
@@ -51,11 +50,7 @@ TEST(RayPrice, StaysWhereThereIsNoNoise) {
 TEST(RayPrice, IsKeptInAnArchive) {
   RayPrice price(kEven, 0.5, 1.0);
   price.adjust(std::vector<double>(10, 36.0), 4.0);
-  std::stringstream bytes;
-  {
-    OutputArchive archive(bytes);
-    price.save_state(archive);
-  }
+  const std::string bytes = archived([&](OutputArchive& out) { price.save_state(out); });
   RayPrice again(kEven, 0.5, 1.0);
   InputArchive archive(bytes);
   again.load_state(archive);
@@ -63,13 +58,9 @@ TEST(RayPrice, IsKeptInAnArchive) {
 }
 
 TEST(RayPrice, RefusesWhatCannotBe) {
-  for (const double wrong : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN(),
+  for (const double wrong : {0.0, -1.0, 1e-300, 1e300, std::numeric_limits<double>::quiet_NaN(),
                              std::numeric_limits<double>::infinity()}) {
-    std::stringstream bytes;
-    {
-      OutputArchive archive(bytes);
-      archive(wrong);
-    }
+    const std::string bytes = archived([&](OutputArchive& out) { out(wrong); });
     RayPrice price(kEven, 0.5, 1.0);
     InputArchive archive(bytes);
     EXPECT_THROW(price.load_state(archive), std::exception) << wrong;

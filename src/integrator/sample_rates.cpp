@@ -148,19 +148,26 @@ void SampleRates::save_state(OutputArchive& archive) const {
   for (const Cell& cell : grid_) archive(cell.before, cell.inverse, cell.rate);
 }
 
-void SampleRates::load_state(InputArchive& archive) {
+void SampleRates::load_state(InputArchive& archive, std::uint64_t samples) {
   std::uint64_t cells = 0;
   archive(since_, light_weight_, cells, guesses_.direct, guesses_.indirect);
   const auto fits = [&](const std::vector<float>& guesses) {
     return (guesses.empty() || guesses.size() == 3 * starts_.size()) &&
            std::all_of(guesses.begin(), guesses.end(), [](float v) { return std::isfinite(v); });
   };
+  if (since_ > samples / replicates_ || !(light_weight_ > 0.F && std::isfinite(light_weight_))) {
+    throw std::runtime_error("rates of samples of another time");
+  }
   if (cells != grid_.size() || !fits(guesses_.direct) || !fits(guesses_.indirect)) {
     throw std::runtime_error("rates of samples of another picture");
   }
   for (Cell& cell : grid_) {
     archive(cell.before, cell.inverse, cell.rate);
-    if (!(cell.rate > 0.0 && cell.before >= 0.0 && std::isfinite(cell.rate + cell.before))) {
+    // What is clamped is then divided by its mean, which is within the same bounds.
+    constexpr double kMost = kHighest / kLowest;
+    const double most = kMost * static_cast<double>(since_);
+    if (!(cell.rate * kMost >= 1.0 && cell.rate <= kMost && cell.before >= 0.0 &&
+          cell.before <= most && cell.inverse >= 0.0 && cell.inverse <= most)) {
       throw std::runtime_error("a rate of samples that cannot be");
     }
   }

@@ -57,8 +57,8 @@ class SampleRates {
 
   std::uint64_t memory_bytes() const;
   void save_state(OutputArchive& archive) const;
-  /// May raise any std::exception if the bytes make no sense.
-  void load_state(InputArchive& archive);
+  /// Raises a std::exception if that cannot be after `samples` samples of the picture.
+  void load_state(InputArchive& archive, std::uint64_t samples);
 
  private:
   /// Pixels of one rate.

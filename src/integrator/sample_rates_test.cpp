@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <functional>
-#include <sstream>
 #include <vector>
 
 #include "core/archive.h"
@@ -160,15 +159,11 @@ TEST(SampleRates, HaveAGuessOfEachPixel) {
 
 TEST(SampleRates, AreKeptInAnArchive) {
   SampleRates rates = rates_for(two_halves);
-  std::stringstream bytes;
-  {
-    OutputArchive archive(bytes);
-    rates.save_state(archive);
-  }
+  const std::string bytes = archived([&](OutputArchive& out) { rates.save_state(out); });
   SampleRates again(kCrop, kReplicates, 7);
   {
     InputArchive archive(bytes);
-    again.load_state(archive);
+    again.load_state(archive, kFirst);
   }
   // As they are, and as they go on.
   const auto later = row_by_row([](int x, int y) { return x + 2.0 * y; });
@@ -184,9 +179,11 @@ TEST(SampleRates, AreKeptInAnArchive) {
     if (i == 0) again.adjust(later, some_guesses(), 20);
   }
   SampleRates of_another(Box2i(Vec2i(0, 0), Vec2i(3, 3)), kReplicates, 7);
-  std::stringstream same(bytes.str());
-  InputArchive archive(same);
-  EXPECT_THROW(of_another.load_state(archive), std::exception);
+  InputArchive archive(bytes);
+  EXPECT_THROW(of_another.load_state(archive, kFirst), std::exception);
+  InputArchive early(bytes);
+  EXPECT_THROW(again.load_state(early, kFirst - 1), std::exception)
+      << "adjusted after more samples than there are";
 }
 
 }  // namespace

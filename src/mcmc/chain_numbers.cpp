@@ -73,6 +73,20 @@ void ChainNumbers::advance_to_fresh(std::uint64_t key) {
   for (Clock& clock : clocks_) clock.fresh = ++clock.now;
 }
 
+bool ChainNumbers::can_be_after(std::uint64_t steps) const {
+  // A step takes two units of length at most (`ChainSource::accept_moved`).
+  const double latest = 1.0 + 2.0 * kStepUnits * static_cast<double>(steps);
+  for (std::size_t stream = 0; stream < kStreams; ++stream) {
+    const Clock& clock = clocks_[stream];
+    if (static_cast<double>(clock.now) > latest || clock.fresh > clock.now) return false;
+    for (std::uint32_t block = first_block_[stream]; block < first_block_[stream + 1]; ++block) {
+      if (stamps_[block] > clock.now) return false;
+    }
+  }
+  return std::all_of(numbers_.begin(), numbers_.end(),
+                     [](float number) { return number >= 0.F && number < 1.F; });
+}
+
 std::size_t ChainNumbers::memory_bytes() const {
   return sizeof(*this) + numbers_.capacity() * sizeof(numbers_[0]) +
          stamps_.capacity() * sizeof(stamps_[0]);

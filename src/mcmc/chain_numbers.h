@@ -96,6 +96,10 @@ class ChainNumbers {
     }
   }
 
+  /// Whether a chain can have these after so many steps: all are numbers in [0, 1), and no time is
+  /// later than the steps can have made it.
+  bool can_be_after(std::uint64_t steps) const;
+
   /// Everything this object occupies, the heap included.
   std::size_t memory_bytes() const;
 

@@ -15,6 +15,8 @@
 #include "core/atomic_file.h"
 #include "core/error.h"
 #include "session/checkpoint_archive.h"
+#include "session/checkpoint_check.h"
+#include "session/resources.h"
 #include "session/version.h"
 
 namespace ajar {
@@ -146,6 +148,11 @@ Checkpoint read_checkpoint(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   if (error || !file) refuse(path, "cannot be read");
   const Header header = read_header(file, size, path);
+  // A file may have holes, and so be larger than the disk.
+  if (const std::uint64_t available = available_memory_bytes(); available > 0 && size > available) {
+    refuse(path, fmt::format("needs {} MB of memory, of which {} MB are available", size / 1000000,
+                             available / 1000000));
+  }
 
   Checkpoint checkpoint;
   std::string head(header.head_bytes, '\0');
@@ -158,6 +165,7 @@ Checkpoint read_checkpoint(const std::string& path) {
   if (found != header.content_checksum) refuse(path, "is damaged (its checksum does not fit)");
   try {
     unarchive(head, [&](InputArchive& archive) { archive(checkpoint); });
+    check_sense(checkpoint);
   } catch (const std::exception& reason) {
     refuse(path, std::string("makes no sense: ") + reason.what());
   }
@@ -166,9 +174,11 @@ Checkpoint read_checkpoint(const std::string& path) {
 
 Film film_of(Checkpoint& checkpoint, const Filter& filter, const std::string& path) {
   const RenderSettings& settings = checkpoint.render.settings;
+  if (!film_fits(settings, checkpoint.layers, checkpoint.sums.size())) {
+    refuse(path, "makes no sense: its film has another size");
+  }
   try {
     Film film(settings.resolution, settings.crop, filter, settings.replicates, checkpoint.layers);
-    if (film.raw().size() != checkpoint.sums.size()) refuse(path, "its film has another size");
     film.take_raw(std::move(checkpoint.sums));
     return film;
   } catch (const std::invalid_argument& reason) {

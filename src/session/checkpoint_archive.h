@@ -52,10 +52,14 @@ void serialize(A& archive, Development& development) {
   auto masks = static_cast<std::uint32_t>(development.antialias_mask ? 1 : 0);
   archive(maps, masks);
   if constexpr (A::is_loading::value) {
-    development.maps.assign(maps, {std::string(), Plane(Vec2i(0, 0))});
+    development.maps.clear();
     if (masks > 0) development.antialias_mask.emplace(Vec2i(0, 0));
   }
-  for (auto& map : development.maps) serialize(archive, map);
+  for (std::uint32_t i = 0; i < maps; ++i) {
+    // One by one: however many a file claims, there may be fewer.
+    if constexpr (A::is_loading::value) development.maps.emplace_back("", Plane(Vec2i(0, 0)));
+    serialize(archive, development.maps[i]);
+  }
   if (development.antialias_mask) {
     Plane& mask = *development.antialias_mask;
     archive(mask.size.x, mask.size.y, mask.values);

@@ -9,9 +9,11 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <limits>
 #include <random>
 
 #include "core/error.h"
+#include "session/testing/checksums.h"
 #include "session/version.h"
 
 namespace ajar {
@@ -31,6 +33,7 @@ class CheckpointFile : public testing::Test {
     render.scene_hash = 77;
     render.integrator = "pt";
     render.parameters = {{"sampler", "sobol"}, {"cull", "0.01"}};
+    render.given = {{"sampler", "independent"}};
     render.settings.resolution = {6, 5};
     render.settings.crop = Box2i(Vec2i(1, 1), Vec2i(4, 3));
     render.settings.seed = 5;
@@ -41,6 +44,10 @@ class CheckpointFile : public testing::Test {
     checkpoint_.layers = {{.name = "direct", .magnitude = 0.3},
                           {.name = "indirect"},
                           {.name = "albedo", .has_replicates = false}};
+    checkpoint_.scales.whole = {0.1, 0.1, 0.1};
+    checkpoint_.scales.replicates = {{0.2, 0.2}, {0.2, 0.2}, {}};
+    checkpoint_.scales.maps = {{"noise", Plane({4, 3})}};
+    checkpoint_.scales.antialias_mask.emplace(Vec2i(4, 3));
     JobState& job = checkpoint_.job;
     job.samples_per_pixel = 12;
     job.partial = PartialPass{12, 4, {1, 0, 1}};
@@ -129,16 +136,8 @@ TEST_F(CheckpointFile, OfAnotherFormatNamesTheReason) {
     std::memcpy(other.data() + 16, &format, sizeof(format));
     put(other);
     EXPECT_NE(refusal().find("damaged"), std::string::npos) << "the header has a checksum";
-    // With the checksum that such an Ajar would write: CRC-32 of the first 40 bytes.
-    std::uint32_t checksum = 0xFFFFFFFFU;
-    for (std::size_t i = 0; i < 40; ++i) {
-      checksum ^= static_cast<unsigned char>(other[i]);
-      for (int bit = 0; bit < 8; ++bit) {
-        checksum = (checksum >> 1U) ^ ((checksum & 1U) != 0 ? 0xEDB88320U : 0U);
-      }
-    }
-    const std::uint64_t stored = checksum ^ 0xFFFFFFFFU;
-    std::memcpy(other.data() + 40, &stored, sizeof(stored));
+    // With the checksum that such an Ajar would write.
+    make_checkpoint_checksums_right(std::as_writable_bytes(std::span(other)));
     put(other);
     EXPECT_NE(refusal().find(needed), std::string::npos) << refusal();
   }
@@ -156,12 +155,139 @@ TEST_F(CheckpointFile, OtherFilesAreNamedAsSuch) {
 }
 
 TEST_F(CheckpointFile, FilmThatDoesNotFitIsRefused) {
-  checkpoint_.layers.pop_back();
   write();
   Checkpoint read = read_checkpoint(path_);
+  read.sums.pop_back();
   EXPECT_THROW(film_of(read, Filter::box(), path_), IoError);
   read.render.settings.crop.max.x = 1000;
   EXPECT_THROW(film_of(read, Filter::box(), path_), IoError);
+}
+
+/// A checkpoint with right checksums that this program cannot have written.
+class HostileCheckpoint : public CheckpointFile {
+ protected:
+  template <typename Change>
+  void expect_refused(const char* reason, const Change& change) {
+    Checkpoint hostile = checkpoint_;
+    change(hostile);
+    write_checkpoint(path_, hostile, sums_);
+    const std::string message = refusal();
+    EXPECT_NE(message.find(path_ + ": makes no sense: "), std::string::npos) << reason << message;
+    EXPECT_NE(message.find(reason), std::string::npos) << reason << " or " << message;
+  }
+};
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr int kLargest = std::numeric_limits<int>::max();
+
+TEST_F(HostileCheckpoint, IsRefusedForItsRender) {
+  write();
+  ASSERT_EQ(refusal(), "") << "what is changed below made sense";
+  using C = Checkpoint;
+  const char* const size = "a picture of this size";
+  expect_refused(size, [](C& c) { c.render.settings.resolution = {0, 5}; });
+  expect_refused(size, [](C& c) { c.render.settings.resolution.y = kLargest; });
+  const char* const crop = "its crop";
+  expect_refused(crop, [](C& c) { c.render.settings.crop.max.x = kLargest; });
+  expect_refused(crop, [](C& c) { c.render.settings.crop.min.x = -kLargest; });
+  expect_refused(crop, [](C& c) { c.render.settings.crop.max.y = 0; });
+  const char* const film = "its film";
+  expect_refused(film, [](C& c) { c.render.settings.crop.min.x = 0; });
+  expect_refused(film, [](C& c) {
+    c.render.settings.resolution = {65536, 65536};
+    c.render.settings.crop = Box2i(Vec2i(0, 0), Vec2i(65535, 65535));
+    c.render.settings.replicates = kLargest;
+  });
+  expect_refused("no replicates", [](C& c) { c.render.settings.replicates = 0; });
+  expect_refused(film, [](C& c) { c.render.settings.replicates = kLargest; });
+  expect_refused("its depths", [](C& c) { c.render.settings.min_depth = 0; });
+  expect_refused("its depths", [](C& c) { c.render.settings.max_depth = kLargest; });
+  expect_refused("unknown integrator", [](C& c) { c.render.integrator = "magic"; });
+  expect_refused("unknown parameter", [](C& c) { c.render.given["magic"] = "1"; });
+  expect_refused("unknown AOV", [](C& c) { c.render.aovs = {"magic"}; });
+  expect_refused("asked for twice", [](C& c) { c.render.aovs = {"albedo", "albedo"}; });
+  expect_refused("its scale", [](C& c) { c.render.film_scale = kNan; });
+  expect_refused("its share", [](C& c) { c.render.share = {0, 0}; });
+  expect_refused("its share", [](C& c) { c.render.share = {2, 2}; });
+  expect_refused("tone map", [](C& c) { c.tone_map = "magic"; });
+  expect_refused("its exposure", [](C& c) { c.exposure = std::nanf(""); });
+  expect_refused("its budget", [](C& c) { c.budget.samples_per_pixel = ~std::uint64_t{0}; });
+  expect_refused("its budget", [](C& c) { c.budget.seconds = kNan; });
+}
+
+TEST_F(HostileCheckpoint, IsRefusedForItsFilm) {
+  using C = Checkpoint;
+  expect_refused("no name of its own", [](C& c) { c.layers[2].name.clear(); });
+  expect_refused("no name of its own", [](C& c) { c.layers[2].name = "direct"; });
+  for (const double magnitude : {0.0, -1.0, 1e-310, 1e300, kNan}) {
+    expect_refused("the magnitude", [&](C& c) { c.layers[0].magnitude = magnitude; });
+  }
+  expect_refused("has no replicates", [](C& c) { c.layers[1].has_replicates = false; });
+  expect_refused("part of nothing", [](C& c) { c.layers[2].part_of = "magic"; });
+  expect_refused("part of nothing", [](C& c) { c.layers[2].part_of = "albedo"; });
+  expect_refused("lacks a part", [](C& c) { c.layers[2].holds_identities = true; });
+  expect_refused("no light", [](C& c) { c.layers[1].name = "other"; });
+  expect_refused("its film", [](C& c) { c.layers.pop_back(); });
+  const char* const scales = "its scales";
+  expect_refused(scales, [](C& c) { c.scales.whole.pop_back(); });
+  expect_refused(scales, [](C& c) { c.scales.replicates.pop_back(); });
+  expect_refused(scales, [](C& c) { c.scales.replicates[1].pop_back(); });
+  expect_refused(scales, [](C& c) { c.scales.replicates[2].push_back(1.0); });
+  expect_refused(scales, [](C& c) { c.scales.whole[0] = kNan; });
+  expect_refused("a map", [](C& c) { c.scales.maps[0].second.values.pop_back(); });
+  expect_refused("a map", [](C& c) { c.scales.maps[0].second.size = {3, 4}; });
+  expect_refused("its mask", [](C& c) { c.scales.antialias_mask->size = {-4, -3}; });
+}
+
+TEST_F(HostileCheckpoint, IsRefusedForItsJob) {
+  using C = Checkpoint;
+  const char* const partial = "cut short";
+  expect_refused(partial, [](C& c) { c.job.partial->first_sample = 11; });
+  expect_refused(partial, [](C& c) { c.job.partial->samples = 0; });
+  expect_refused(partial, [](C& c) { c.job.partial->samples = ~std::uint64_t{0}; });
+  expect_refused(partial, [](C& c) { c.job.partial->done[1] = 2; });
+  expect_refused("its times", [](C& c) { c.job.seconds_per_sample = -1.0; });
+  expect_refused("its times", [](C& c) { c.job.seconds = kNan; });
+  expect_refused("its error", [](C& c) { c.job.relative_error = kNan; });
+  expect_refused("its errors", [](C& c) { c.job.recent_errors[0].samples = 0; });
+  expect_refused("so many samples", [](C& c) {
+    c.job.partial.reset();
+    c.job.samples_per_pixel = ~std::uint64_t{0};
+  });
+  expect_refused("its seeds", [](C& c) { c.merged = {{1, 8}, {2, 8}}; });
+  expect_refused("its seeds", [](C& c) { c.merged = {{1, ~std::uint64_t{0}}, {2, 13}}; });
+  expect_refused("a seed", [](C& c) { c.merged = {{1, 6}, {1, 6}}; });
+}
+
+TEST_F(HostileCheckpoint, IsNotBelievedWhatItClaimsToHold) {
+  const std::string whole = write();
+  // Where in the file the number of layers is: they begin with the name of the first.
+  const std::string begin("\3\0\0\0\0\0\0\0\6\0\0\0\0\0\0\0direct", 22);
+  const std::size_t place = whole.find(begin);
+  ASSERT_NE(place, std::string::npos);
+  for (const std::uint64_t claim : {std::uint64_t{4}, std::uint64_t{1} << 30, ~std::uint64_t{0}}) {
+    std::string hostile = whole;
+    std::memcpy(hostile.data() + place, &claim, sizeof(claim));
+    put(hostile);
+    EXPECT_NE(refusal().find("damaged"), std::string::npos) << "its checksum is the old one";
+    make_checkpoint_checksums_right(std::as_writable_bytes(std::span(hostile)));
+    put(hostile);
+    EXPECT_NE(refusal().find("makes no sense"), std::string::npos) << claim << refusal();
+  }
+}
+
+TEST_F(CheckpointFile, LargerThanTheMemoryIsRefused) {
+  // Holes of a file take no room on the disk.
+  std::string head = write();
+  constexpr std::uint64_t kBytes = std::uint64_t{1} << 42;
+  std::uint64_t head_bytes = 0;
+  std::memcpy(&head_bytes, head.data() + 24, sizeof(head_bytes));
+  const std::uint64_t sums = (kBytes - 48 - head_bytes) / 8;
+  std::memcpy(head.data() + 32, &sums, sizeof(sums));
+  make_checkpoint_checksums_right(std::as_writable_bytes(std::span(head)));
+  put(head);
+  fs::resize_file(path_, 48 + head_bytes + 8 * sums);
+  EXPECT_NE(refusal().find("of memory"), std::string::npos) << refusal();
 }
 
 TEST_F(CheckpointFile, OfAnotherVersionNeedsForce) {

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <functional>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -58,6 +58,14 @@ void add_counters(Checkpoint& sum, const Checkpoint& other) {
   sum.resumptions += other.resumptions;
 }
 
+/// What does not fit is cut off, as films do.
+std::int64_t sum_of(std::int64_t a, std::int64_t b) {
+  std::int64_t sum = 0;
+  if (!__builtin_add_overflow(a, b, &sum)) return sum;
+  return a < 0 ? std::numeric_limits<std::int64_t>::min()
+               : std::numeric_limits<std::int64_t>::max();
+}
+
 /// The shares of one seed.
 NamedCheckpoint join_shares(std::vector<NamedCheckpoint> shares) {
   std::sort(shares.begin(), shares.end(), [](const auto& a, const auto& b) {
@@ -100,7 +108,7 @@ NamedCheckpoint join_shares(std::vector<NamedCheckpoint> shares) {
       throw UsageError(shares[i].path + ": its film has another size");
     }
     std::transform(part.sums.begin(), part.sums.end(), whole.checkpoint.sums.begin(),
-                   whole.checkpoint.sums.begin(), std::plus<>());
+                   whole.checkpoint.sums.begin(), sum_of);
     add_counters(whole.checkpoint, part);
     JobState& job = whole.checkpoint.job;
     // They were rendered at the same time, or could have been.

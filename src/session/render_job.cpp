@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "core/archive.h"
+#include "core/error.h"
 #include "core/parallel_for.h"
 
 namespace ajar {
@@ -88,6 +89,10 @@ RenderJob::RenderJob(Integrator& integrator, Film& film, RenderJobOptions option
       cpu_before_(cpu_seconds()) {
   if (options_.resumed) {
     state_ = std::move(*options_.resumed);
+    if (state_.partial && state_.partial->done.size() != integrator.items_in_pass()) {
+      throw IoError(
+          "the checkpoint makes no sense: it is in the middle of a pass of another render");
+    }
     seconds_before_ = state_.seconds;
     cpu_seconds_before_ = state_.cpu_seconds;
     relative_error_ = state_.relative_error;

@@ -11,6 +11,7 @@
 
 #include "cli/cli_fixture.h"
 #include "image/image_file.h"
+#include "session/testing/checksums.h"
 #include "session/testing/fake_viewer.h"
 
 namespace ajar {
@@ -131,6 +132,28 @@ TEST_F(CheckpointCli, WhatIsNoUsableCheckpointIsRefused) {
     EXPECT_EQ(changed.exit_code, 2) << changed.err;
     EXPECT_TRUE(contains(changed.err, "changed")) << changed.err;
   }
+}
+
+TEST_F(CheckpointCli, WhatAStrangerHasMadeOfOneIsRefused) {
+  ASSERT_EQ(render({"--spp", "4", "--checkpoint", "c", "-o", "a.pfm"}).exit_code, 0);
+  const std::string good = bytes("c");
+  const auto expect_refused = [&](std::size_t place, std::string_view value) {
+    std::string bad = good;
+    bad.replace(place, value.size(), value);
+    make_checkpoint_checksums_right(std::as_writable_bytes(std::span(bad)));
+    std::ofstream(file("c"), std::ios::binary | std::ios::trunc) << bad;
+    for (const std::vector<std::string>& arguments :
+         {std::vector<std::string>{"resume", "c", "--force"}, {"merge", "c", "-o", "b.pfm"}}) {
+      const Outcome outcome = run(arguments);
+      EXPECT_EQ(outcome.exit_code, 4) << arguments[0] << " " << place << " " << outcome.err;
+      EXPECT_TRUE(contains(outcome.err, "c: makes no sense: ")) << outcome.err;
+    }
+  };
+  // The tone map, and the number of bytes of its name.
+  const std::size_t tone_map = good.find("srgb");
+  ASSERT_NE(tone_map, std::string::npos);
+  expect_refused(tone_map, "none");
+  expect_refused(tone_map - 8, std::string_view("\xff\xff\xff\xff\xff\xff\xff\x7f", 8));
 }
 
 TEST_F(CheckpointCli, MovedSceneNeedsForce) {

@@ -51,13 +51,15 @@ void render_with_checkpoints(const Scene& scene, const std::string& integrator_n
   Checkpoint base;
   base.version = version();
   base.render.settings = settings;
+  base.render.integrator = integrator_name;
   base.render.scene_hash = scene.hash();
   base.layers.assign(film.layers().begin(), film.layers().end());
   if (fs::exists(path)) {
     Checkpoint read = read_checkpoint(path);
     check_scene(read, scene.hash(), integrator->layers(), path, false);
-    unarchive(read.integrator_state,
-              [&](InputArchive& archive) { integrator->load_state(archive); });
+    unarchive(read.integrator_state, [&](InputArchive& archive) {
+      integrator->load_state(archive, read.job.samples_per_pixel);
+    });
     options.resumed = read.job;
     base.resumptions = read.resumptions + 1;
     film = film_of(read, film.filter(), path);

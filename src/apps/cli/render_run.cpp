@@ -275,8 +275,9 @@ void Run::check_resumed() {
   const std::vector<LayerSpec> layers = integrator_->layers();
   check_scene(checkpoint, scene_->hash(), layers, order_.resumed_from, run().force);
   try {
-    unarchive(checkpoint.integrator_state,
-              [&](InputArchive& archive) { integrator_->load_state(archive); });
+    unarchive(checkpoint.integrator_state, [&](InputArchive& archive) {
+      integrator_->load_state(archive, checkpoint.job.samples_per_pixel);
+    });
   } catch (const std::exception& error) {
     throw IoError(order_.resumed_from + ": makes no sense: " + error.what());
   }

@@ -1,0 +1,224 @@
+#include "session/checkpoint_check.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <stdexcept>
+#include <string>
+
+#include "core/error.h"
+#include "core/milestones.h"
+#include "image/tone_map.h"
+#include "session/catalog.h"
+
+namespace ajar {
+
+namespace {
+
+/// What the command line and scenes allow.
+constexpr int kMaxResolution = 65536;
+constexpr int kMaxDepth = 1000001;
+constexpr std::uint64_t kMaxShares = 1000000;
+constexpr float kMostStops = 64.F;
+/// Far beyond any light, and far from where powers of two end.
+constexpr double kLargestMagnitude = 1e100;
+
+void require(bool holds, const std::string& otherwise) {
+  if (!holds) throw std::runtime_error(otherwise);
+}
+
+bool is_size(double value) { return value >= 0.0 && std::isfinite(value); }
+
+template <typename Values>
+void require_distinct(const Values& values, const std::string& otherwise) {
+  using Value = typename Values::value_type;
+  require(std::set<Value>(values.begin(), values.end()).size() == values.size(), otherwise);
+}
+
+bool is_inside(const Box2i& crop, Vec2i resolution) {
+  return crop.min.x >= 0 && crop.min.y >= 0 && crop.min.x <= crop.max.x &&
+         crop.min.y <= crop.max.y && crop.max.x < resolution.x && crop.max.y < resolution.y;
+}
+
+void check_settings(const RenderSettings& settings) {
+  for (const int size : {settings.resolution.x, settings.resolution.y}) {
+    require(size >= 1 && size <= kMaxResolution, "a picture of this size is not possible");
+  }
+  require(is_inside(settings.crop, settings.resolution), "its crop is not inside the picture");
+  require(settings.min_depth >= 1 && settings.min_depth <= settings.max_depth &&
+              settings.max_depth <= kMaxDepth,
+          "its depths cannot be");
+  require(settings.replicates >= 1, "it has no replicates");
+}
+
+void check_names(const RenderRecord& render) {
+  for (const auto* names : {&render.aovs, &render.settings.aovs}) {
+    checked_aovs(*names);
+    require_distinct(*names, "a layer is asked for twice");
+  }
+  find_integrator(render.integrator).read(render.given);
+}
+
+void check_record(const RenderRecord& render) {
+  check_settings(render.settings);
+  try {
+    check_names(render);
+  } catch (const UsageError& error) {
+    throw std::runtime_error(error.what());
+  }
+  require(std::isfinite(render.film_scale), "its scale is no number");
+  require(render.share.index < render.share.count && render.share.count <= kMaxShares,
+          "its share cannot be");
+}
+
+void check_budget(const Budget& budget) {
+  require(!budget.samples_per_pixel || (*budget.samples_per_pixel >= 1 &&
+                                        *budget.samples_per_pixel <= PassSchedule::kMaxSamples),
+          "its budget of samples cannot be");
+  for (const std::optional<double>& limit : {budget.seconds, budget.target_error}) {
+    require(!limit || (*limit > 0.0 && std::isfinite(*limit)), "its budget cannot be");
+  }
+}
+
+/// Whether a layer is one of those of which the error is estimated.
+bool is_light(const LayerSpec& layer) {
+  const std::string& name = layer.part_of.empty() ? layer.name : layer.part_of;
+  return name == "direct" || name == "indirect";
+}
+
+/// `known`: the layers before it.
+void check_layer(const LayerSpec& layer, const std::set<std::string>& known) {
+  require(!layer.name.empty() && !known.contains(layer.name), "a layer has no name of its own");
+  require(layer.magnitude >= 1.0 / kLargestMagnitude && layer.magnitude <= kLargestMagnitude,
+          "the magnitude of layer " + layer.name + " cannot be");
+  require(!is_light(layer) || (layer.has_replicates && !layer.holds_identities),
+          "layer " + layer.name + " has no replicates");
+  require(!layer.holds_identities || !layer.has_replicates,
+          "layer " + layer.name + " has replicates");
+  require(layer.part_of.empty() || known.contains(layer.part_of),
+          "layer " + layer.name + " is a part of nothing");
+}
+
+void check_layers(const std::vector<LayerSpec>& layers) {
+  std::set<std::string> known;
+  std::set<std::string> parts;
+  for (const LayerSpec& layer : layers) {
+    check_layer(layer, known);
+    require(!parts.contains(layer.part_of), "layer " + layer.name + " is a part of a part");
+    known.insert(layer.name);
+    if (!layer.part_of.empty()) parts.insert(layer.name);
+  }
+  require(known.contains("direct") && known.contains("indirect"), "its picture has no light");
+  for (const LayerSpec& layer : layers) {
+    const bool whole = layer.holds_identities && layer.part_of.empty();
+    require(!whole || (parts.contains(layer.name + ".1") && parts.contains(layer.name + ".2")),
+            "layer " + layer.name + " lacks a part");
+  }
+}
+
+bool has_size(const Plane& plane, Vec2i size) {
+  return plane.size == size &&
+         plane.values.size() == static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
+}
+
+void check_scales(const Checkpoint& checkpoint) {
+  const Development& scales = checkpoint.scales;
+  const std::vector<LayerSpec>& layers = checkpoint.layers;
+  const auto replicates = static_cast<std::size_t>(checkpoint.render.settings.replicates);
+  bool fit = scales.whole.size() == layers.size() && scales.replicates.size() == layers.size() &&
+             std::all_of(scales.whole.begin(), scales.whole.end(), is_size);
+  for (std::size_t i = 0; fit && i < layers.size(); ++i) {
+    const std::vector<double>& each = scales.replicates[i];
+    fit = each.size() == (layers[i].has_replicates ? replicates : 0) &&
+          std::all_of(each.begin(), each.end(), is_size);
+  }
+  require(fit, "its scales are those of another film");
+  const Vec2i size = checkpoint.render.settings.crop.size() + Vec2i(1, 1);
+  for (const auto& [name, map] : scales.maps) {
+    require(!name.empty() && has_size(map, size), "a map has another size");
+  }
+  require(!scales.antialias_mask || has_size(*scales.antialias_mask, size),
+          "its mask has another size");
+}
+
+void check_partial(const PartialPass& pass, const JobState& job, int replicates) {
+  const std::uint64_t end =
+      milestone_after(job.samples_per_pixel, static_cast<std::uint64_t>(replicates));
+  require(pass.first_sample == job.samples_per_pixel && pass.samples >= 1 &&
+              pass.samples <= end - pass.first_sample &&
+              std::all_of(pass.done.begin(), pass.done.end(),
+                          [](std::uint8_t done) { return done <= 1; }),
+          "the pass that was cut short cannot be");
+}
+
+void check_job(const JobState& job, const RenderSettings& settings) {
+  for (const double seconds :
+       {job.seconds, job.cpu_seconds, job.chain_seconds, job.seconds_per_sample}) {
+    require(is_size(seconds), "its times cannot be");
+  }
+  require(!job.relative_error || is_size(*job.relative_error), "its error cannot be");
+  for (const JobState::ErrorMark& mark : job.recent_errors) {
+    require(is_size(mark.error) && mark.samples >= 1, "its errors cannot be");
+  }
+  if (job.partial) check_partial(*job.partial, job, settings.replicates);
+}
+
+/// A render ends at a whole number of samples per replicate; merges may have many times as many.
+void check_samples(const Checkpoint& checkpoint) {
+  const std::uint64_t most =
+      PassSchedule::kMaxSamples + static_cast<std::uint64_t>(checkpoint.render.settings.replicates);
+  std::uint64_t samples = checkpoint.job.samples_per_pixel;
+  if (checkpoint.merged.empty()) {
+    require(samples <= most, "nobody has so many samples");
+    return;
+  }
+  std::vector<std::uint64_t> seeds;
+  for (const MergedRun& run : checkpoint.merged) {
+    require(run.samples_per_pixel <= std::min(most, samples), "its seeds have other samples");
+    samples -= run.samples_per_pixel;
+    seeds.push_back(run.seed);
+  }
+  require(samples == 0, "its seeds have other samples");
+  require_distinct(seeds, "a seed is in it twice");
+}
+
+void check_display(const Checkpoint& checkpoint) {
+  try {
+    tone_map_by_name(checkpoint.tone_map);
+  } catch (const UsageError& error) {
+    throw std::runtime_error(error.what());
+  }
+  require(std::abs(checkpoint.exposure) <= kMostStops, "its exposure cannot be");
+}
+
+}  // namespace
+
+bool film_fits(const RenderSettings& settings, const std::vector<LayerSpec>& layers,
+               std::size_t sums) {
+  if (!is_inside(settings.crop, settings.resolution) || settings.replicates < 1) return false;
+  const Vec2i size = settings.crop.size() + Vec2i(1, 1);
+  const std::size_t plane = 3 * static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
+  // Taken away one by one: products of what a file claims may overflow.
+  for (const LayerSpec& layer : layers) {
+    const std::size_t planes =
+        layer.has_replicates ? static_cast<std::size_t>(settings.replicates) : 1;
+    if (planes > sums / plane) return false;
+    sums -= planes * plane;
+  }
+  return sums == 0;
+}
+
+void check_sense(const Checkpoint& checkpoint) {
+  check_record(checkpoint.render);
+  check_budget(checkpoint.budget);
+  check_display(checkpoint);
+  check_layers(checkpoint.layers);
+  require(film_fits(checkpoint.render.settings, checkpoint.layers, checkpoint.sums.size()),
+          "its film has another size");
+  check_scales(checkpoint);
+  check_samples(checkpoint);
+  check_job(checkpoint.job, checkpoint.render.settings);
+  require(is_size(checkpoint.other_seconds), "its times cannot be");
+}
+
+}  // namespace ajar
