@@ -162,10 +162,12 @@ TEST(MakeFilter, FollowsTheDescription) {
 TEST(MakeFilter, ErrorsNameTheirPlace) {
   const SourceLocation where{std::make_shared<const std::string>("a.pbrt"), 7, 1};
   try {
-    make_filter({Vec2(0.F, 0.F), desc::BoxFilter{}}, where);
+    make_filter({Vec2(2.F, 2.F), desc::GaussianFilter{-1.F}, where});
     FAIL();
   } catch (const SceneError& error) {
-    EXPECT_EQ(std::string(error.what()).rfind("a.pbrt:7:1: ", 0), 0U) << error.what();
+    const std::string message = error.what();
+    EXPECT_EQ(message.rfind("a.pbrt:7:1: ", 0), 0U) << message;
+    EXPECT_NE(message.find("alpha must be above 0"), std::string::npos) << message;
   }
 }
 

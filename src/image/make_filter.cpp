@@ -1,5 +1,8 @@
 #include "image/make_filter.h"
 
+#include <fmt/format.h>
+
+#include <string>
 #include <variant>
 
 namespace ajar {
@@ -17,13 +20,31 @@ struct Maker {
   }
   Filter operator()(const desc::SincFilter& f) const { return Filter::sinc(radius, f.tau); }
 };
+
+/// What makes a filter of each kind that is neither zero nor infinite.
+struct Allowed {
+  std::string operator()(const desc::BoxFilter&) const { return {}; }
+  std::string operator()(const desc::TriangleFilter&) const { return {}; }
+  std::string operator()(const desc::GaussianFilter& f) const {
+    return fmt::format("; alpha must be above 0, usually 0.5 to 8, and is {:g}", f.alpha);
+  }
+  std::string operator()(const desc::MitchellFilter& f) const {
+    return fmt::format("; B and C are usually 0 to 1, and are {:g} and {:g}", f.b, f.c);
+  }
+  std::string operator()(const desc::SincFilter& f) const {
+    return fmt::format("; tau must be above 0, usually 1 to 8, and is {:g}", f.tau);
+  }
+};
 }  // namespace
 
-Filter make_filter(const desc::Filter& description, const SourceLocation& where) {
+Filter make_filter(const desc::Filter& description) {
   try {
     return std::visit(Maker{description.radius}, description.node);
   } catch (const SceneError& error) {
-    throw SceneError(where, error.what());
+    throw SceneError(description.where,
+                     fmt::format("{}{}; it reaches {:g} x {:g} pixels, usually 0.5 to 4",
+                                 error.what(), std::visit(Allowed{}, description.node),
+                                 description.radius.x, description.radius.y));
   }
 }
 

@@ -6,7 +6,7 @@
 namespace ajar {
 
 /// The filter that a scene description asks for. The only place where `image/` looks at the plain
-/// data of `scene/desc`. Raises SceneError at `where` if its parameters make no filter.
-Filter make_filter(const desc::Filter& description, const SourceLocation& where = {});
+/// data of `scene/desc`. Raises SceneError at the filter's place if its parameters make none.
+Filter make_filter(const desc::Filter& description);
 
 }  // namespace ajar

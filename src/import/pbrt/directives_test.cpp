@@ -25,7 +25,8 @@ TEST(PbrtDirectives, WhatIsNoSceneIsAnError) {
   EXPECT_TRUE(contains(error_of(std::string("\x7f"
                                             "ELF\0\0",
                                             6)),
-                       "binary file"));
+                       "test.pbrt:1:5: this is not a pbrt scene: it is a binary file"));
+  EXPECT_TRUE(contains(error_of(std::string("Film \"image\"\n \0", 15)), "test.pbrt:2:2"));
   EXPECT_TRUE(contains(error_of("\"Shape\""), "expected a directive"));
   EXPECT_TRUE(contains(error_of("{ \"json\": 1 }"), "test.pbrt:1:1: unknown directive"));
 }

@@ -122,6 +122,11 @@ FilmOptions make_film(Context& context, const SourceLocation& where, const std::
     }
   }
   film.scale = p.get_float("scale", 1.F);
+  if (!(film.scale > 0.F)) {
+    context.warnings.add(where, film.scale < 0.F
+                                    ? "\"scale\" of the film is negative: so is the picture"
+                                    : "\"scale\" of the film is 0: the picture is black");
+  }
   result.diagonal = p.get_float("diagonal", 35.F);
   film.filename = p.get_string("filename", "pbrt.exr");
   if (p.get_float("maxsampleluminance")) {
@@ -134,6 +139,7 @@ FilmOptions make_film(Context& context, const SourceLocation& where, const std::
 desc::Filter make_filter(Context& context, const SourceLocation& where, const std::string& type,
                          const ParameterList& p) {
   desc::Filter filter;
+  filter.where = where;
   float radius = 2.F;  // pbrt-v3's default for most
   if (type == "box") {
     radius = 0.5F;

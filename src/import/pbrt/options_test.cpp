@@ -69,6 +69,22 @@ TEST(PbrtOptions, FilmAndFilters) {
             Vec2(2.F, 2.F));
 }
 
+TEST(PbrtOptions, FiltersKnowTheirPlaceAndFilmsTheOneWhereTheyAreMissing) {
+  const desc::SceneDesc scene = with_options("\nPixelFilter \"gaussian\" \"float alpha\" -1");
+  EXPECT_EQ(scene.film.filter.where.to_string(), "test.pbrt:2:1");
+  EXPECT_EQ(scene.film.where.to_string(), "test.pbrt:2:96");
+  const desc::SceneDesc both = with_options("PixelFilter \"box\"\nFilm \"image\"");
+  EXPECT_EQ(both.film.filter.where.to_string(), "test.pbrt:1:1");
+  EXPECT_EQ(both.film.where.to_string(), "test.pbrt:2:1");
+}
+
+TEST(PbrtOptions, FilmsThatShowNothingAreToldOf) {
+  EXPECT_TRUE(contains(warnings_of("Film \"image\" \"float scale\" 0 " + world("")),
+                       "test.pbrt:1:1: \"scale\" of the film is 0: the picture is black"));
+  EXPECT_TRUE(contains(warnings_of("Film \"image\" \"float scale\" -2 " + world("")),
+                       "\"scale\" of the film is negative"));
+}
+
 TEST(PbrtOptions, AbsurdOnesAreLocatedErrors) {
   EXPECT_TRUE(contains(error_of("Film \"image\" \"integer xresolution\" -5"),
                        "1:1: the resolution must be 1 to 65536, not -5"));

@@ -52,9 +52,14 @@ Mat4 matrix_of(const std::vector<double>& n) {
           n[8], n[9], n[10], n[11], n[12], n[13], n[14], n[15]};
 }
 
-/// A file with zero bytes is no text.
-bool is_binary(std::string_view text) {
-  return text.substr(0, 4096).find('\0') != std::string_view::npos;
+/// A file with zero bytes near its beginning is no text.
+void refuse_binary(std::string_view text, const std::shared_ptr<const std::string>& file) {
+  const std::string_view before = text.substr(0, 4096).substr(0, text.find('\0'));
+  if (before.size() == std::min<std::size_t>(text.size(), 4096)) return;
+  const auto line = 1 + std::count(before.begin(), before.end(), '\n');
+  const std::size_t column = before.size() - (before.rfind('\n') + 1) + 1;
+  throw SceneError({file, static_cast<int>(line), static_cast<int>(column)},
+                   "this is not a pbrt scene: it is a binary file, with a zero byte here");
 }
 
 }  // namespace
@@ -62,8 +67,7 @@ bool is_binary(std::string_view text) {
 SourceLocation Parser::parse(std::string_view text, const std::string& name,
                              const std::string& path) {
   const auto file = std::make_shared<const std::string>(name);
-  if (is_binary(text))
-    throw SceneError({file, 0, 0}, "this is not a pbrt scene: it is a binary file");
+  refuse_binary(text, file);
   open_files_.push_back(path);
   Lexer lexer(file, text);
   while (!builder_.world_ended() && lexer.peek().kind != TokenKind::End)

@@ -333,7 +333,9 @@ desc::SceneDesc SceneBuilder::finish(const SourceLocation& end) {
     if (camera_->focal_length) finish_realistic_camera();
   } else {
     warnings_.add(end, "there is no Camera: a perspective one at the origin is used");
+    scene_.camera.where = end;
   }
+  if (!scene_.film.where.file) scene_.film.where = end;
   // pbrt-v3 makes the camera at WorldEnd: the medium around it is what is set outside at the top
   // level there.
   scene_.camera.medium = medium_id(state_.outside);

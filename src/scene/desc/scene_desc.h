@@ -343,6 +343,7 @@ struct SincFilter {
 struct Filter {
   Vec2 radius{0.5F, 0.5F};  ///< pixels
   std::variant<BoxFilter, TriangleFilter, GaussianFilter, MitchellFilter, SincFilter> node;
+  SourceLocation where{};
 };
 
 struct Film {
