@@ -7,7 +7,6 @@
 #include <array>
 #include <cctype>
 #include <cmath>
-#include <filesystem>
 #include <memory>
 #include <new>
 #include <stdexcept>
@@ -16,6 +15,7 @@
 #include "core/atomic_file.h"
 #include "core/error.h"
 #include "core/file_extension.h"
+#include "core/image_input.h"
 #include "image/antialias.h"
 #include "image/pfm.h"
 
@@ -189,13 +189,9 @@ std::vector<float> Image::rgb(const std::string& layer) const {
 
 Image read_image(const std::string& path) {
   if (file_extension(path) == ".pfm") return read_pfm(path);
-  std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored))
-    throw IoError("cannot read \"" + path + "\": it is a folder");
   try {
-    const auto input = OIIO::ImageInput::open(path);
-    if (!input) throw IoError("cannot read \"" + path + "\": " + OIIO::geterror());
-    const OIIO::ImageSpec spec = input->spec();
+    ImageInput input(path);
+    const OIIO::ImageSpec& spec = input.spec();
     Image image;
     image.width = spec.width;
     image.height = spec.height;
@@ -210,14 +206,12 @@ Image read_image(const std::string& path) {
       if (name.starts_with(kOurs))
         image.metadata[name.substr(kOurs.size())] = attribute.get_string();
     }
-    image.data.resize(static_cast<std::size_t>(spec.image_pixels()) *
-                      static_cast<std::size_t>(spec.nchannels));
-    if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, image.data.data())) {
-      throw IoError("cannot read \"" + path + "\": " + input->geterror());
-    }
+    image.data = input.read<float>(spec.nchannels);
     return image;
   } catch (const std::bad_alloc&) {
     throw IoError("cannot read \"" + path + "\": the image does not fit into memory");
+  } catch (const IoError& error) {
+    throw IoError("cannot read \"" + path + "\": " + error.what());
   }
 }
 

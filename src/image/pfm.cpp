@@ -3,14 +3,12 @@
 #include <algorithm>
 #include <bit>
 #include <cctype>
-#include <cerrno>
 #include <cstdint>
 #include <cstring>
-#include <fstream>
-#include <iterator>
-#include <system_error>
+#include <string_view>
 
 #include "core/error.h"
+#include "core/regular_file.h"
 
 namespace ajar {
 
@@ -30,11 +28,8 @@ std::vector<std::byte> encode_pfm(int width, int height, std::span<const float> 
 }
 
 Image read_pfm(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file)
-    throw IoError("cannot read \"" + path + "\": " + std::system_category().message(errno));
-  const std::vector<char> bytes{std::istreambuf_iterator<char>(file),
-                                std::istreambuf_iterator<char>()};
+  const FileBytes file = read_file(path);
+  const std::string_view bytes = file.view();
   const auto broken = [&](const char* why) {
     return IoError("\"" + path + "\" is not a PFM image: " + why);
   };

@@ -1,10 +1,10 @@
 #pragma once
-#include <cstddef>
 #include <functional>
-#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
+
+#include "core/regular_file.h"
 
 namespace ajar {
 
@@ -12,21 +12,5 @@ namespace ajar {
 /// it returns must stay valid while the scene is imported.
 using FileProvider = std::function<std::optional<std::string_view>(const std::string& path)>;
 
-/// The contents of a file, owned or borrowed.
-class FileBytes {
- public:
-  explicit FileBytes(std::string_view borrowed) : view_(borrowed) {}
-  FileBytes(std::unique_ptr<char[]> owned, std::size_t size)
-      : owned_(std::move(owned)), view_(owned_.get(), size) {}
-  std::string_view view() const { return view_; }
-
- private:
-  std::unique_ptr<char[]> owned_;
-  std::string_view view_;
-};
-
-/// Reads a regular file in one go. Raises IoError if it is missing, not a regular file or
-/// unreadable.
-FileBytes read_file(const std::string& path);
 
 }  // namespace ajar

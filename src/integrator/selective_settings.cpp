@@ -2,12 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 
 #include "core/error.h"
 #include "core/file_extension.h"
+#include "core/regular_file.h"
 #include "integrator/crop_weights.h"
 
 namespace ajar {
@@ -22,15 +20,15 @@ bool is_image(const std::string& path) {
 }
 
 std::string read_text(const std::string& path) {
-  if (std::filesystem::is_directory(path)) throw IoError("regions: " + path + " is a folder");
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw IoError("regions: cannot open " + path);
-  std::string text{std::istreambuf_iterator<char>(file), {}};
-  if (file.bad() || text.find('\0') != std::string::npos) {
-    throw IoError("regions: " + path +
-                  " is neither an image (.exr, .png, .jpg, .pfm, .hdr, .tif) nor a text file");
+  try {
+    const FileBytes file = read_file(path);
+    std::string text(file.view());
+    if (text.find('\0') == std::string::npos) return text;
+  } catch (const IoError& error) {
+    throw IoError(std::string("regions: ") + error.what());
   }
-  return text;
+  throw IoError("regions: " + path +
+                " is neither an image (.exr, .png, .jpg, .pfm, .hdr, .tif) nor a text file");
 }
 
 }  // namespace

@@ -78,6 +78,7 @@ class Geometry {
   SceneHandle commit(std::size_t first, std::size_t count, bool with_instances) const;
   void count(std::size_t object_count);
 
+  SourceLocation where_;  ///< the scene's file, for errors that no shape is to blame for
   /// Outlives the device, whose memory it counts.
   std::unique_ptr<std::atomic<std::int64_t>> embree_bytes_;
   std::vector<ShapeRecord> shapes_;

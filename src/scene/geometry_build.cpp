@@ -4,6 +4,7 @@
 #include "core/parallel_for.h"
 #include "scene/geometry.h"
 #include "scene/geometry_records.h"
+#include "scene/scene_memory.h"
 #include "scene/shape/loop_subdivision.h"
 
 namespace ajar {
@@ -15,14 +16,14 @@ bool count_memory(void* counter, ssize_t bytes, bool /*post*/) {
   return true;
 }
 
-void check(RTCDevice device) {
+void check(RTCDevice device, const SourceLocation& where) {
   switch (rtcGetDeviceError(device)) {
     case RTC_ERROR_NONE:
       return;
     case RTC_ERROR_OUT_OF_MEMORY:
-      throw SceneError("there is not enough memory for the geometry of the scene");
+      throw SceneError(where, "there is not enough memory for the geometry of the scene");
     default:
-      throw SceneError("Embree cannot build the geometry of the scene");
+      throw SceneError(where, "Embree cannot build the geometry of the scene");
   }
 }
 
@@ -37,7 +38,10 @@ class ShapePreparation {
     if (mesh) make_mesh(std::move(mesh));
   }
   void operator()(std::shared_ptr<const desc::LoopSubdivision>& surface) {
-    if (surface) make_mesh(subdivide(*surface, shape_.where, warnings_));
+    if (surface) {
+      check_subdivision_memory(*surface, shape_.where);
+      make_mesh(subdivide(*surface, shape_.where, warnings_));
+    }
     surface.reset();
   }
   void operator()(std::shared_ptr<const desc::Curve>& curve) {
@@ -144,9 +148,10 @@ void Geometry::Release::operator()(RTCDeviceTy* device) const { rtcReleaseDevice
 void Geometry::Release::operator()(RTCSceneTy* scene) const { rtcReleaseScene(scene); }
 
 Geometry::Geometry(desc::SceneDesc& description, const TextureList& textures, Warnings& warnings)
-    : embree_bytes_(std::make_unique<std::atomic<std::int64_t>>(0)),
+    : where_{std::make_shared<const std::string>(description.source)},
+      embree_bytes_(std::make_unique<std::atomic<std::int64_t>>(0)),
       device_(rtcNewDevice(nullptr)) {
-  if (!device_) throw SceneError("Embree cannot be started");
+  if (!device_) throw SceneError(where_, "Embree cannot be started");
   rtcSetDeviceMemoryMonitorFunction(device_.get(), count_memory, embree_bytes_.get());
   prepare_instances(description, warnings);
   prepare_shapes(description, textures, warnings);
@@ -241,7 +246,7 @@ Geometry::SceneHandle Geometry::commit(std::size_t first, std::size_t shape_coun
   // casting time.
   rtcSetSceneFlags(scene.get(), RTC_SCENE_FLAG_ROBUST);
   rtcCommitScene(scene.get());
-  check(device_.get());
+  check(device_.get(), where_);
   return scene;
 }
 

@@ -2,10 +2,13 @@
 
 #include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 
+#include "core/error.h"
 #include "scene/scene.h"
 
 namespace ajar {
@@ -52,6 +55,35 @@ TEST(SceneMemory, SubdividedSurfacesCountAsTheyWillBe) {
       std::shared_ptr<const desc::LoopSubdivision>(new desc::LoopSubdivision{5, *mesh});
   const double as_mesh = static_cast<double>(estimate_memory(floor_of(4 * 32)).geometry);
   EXPECT_NEAR(static_cast<double>(estimate_memory(coarse).geometry) / as_mesh, 1.0, 0.05);
+}
+
+TEST(SceneMemory, SubdivisionsThatNoMemoryHoldsAreRefusedWithTheLevelsThatAreLeft) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  GTEST_SKIP() << "sanitizers reserve more memory than any limit allows";
+#endif
+  desc::SceneDesc scene = floor_of(1);
+  const auto& mesh = std::get<std::shared_ptr<const desc::Mesh>>(scene.shapes[0].node);
+  const desc::LoopSubdivision fine{13, *mesh};
+  const SourceLocation where{std::make_shared<const std::string>("a.pbrt"), 3, 7};
+  check_subdivision_memory({3, *mesh}, where);
+  // 24 GB, of 4 GB.
+  rlimit before{};
+  getrlimit(RLIMIT_AS, &before);
+  rlimit tight = before;
+  tight.rlim_cur = std::min<rlim_t>(before.rlim_max, rlim_t{4} << 30U);
+  setrlimit(RLIMIT_AS, &tight);
+  std::string error;
+  try {
+    check_subdivision_memory(fine, where);
+  } catch (const SceneError& caught) {
+    error = caught.what();
+  }
+  setrlimit(RLIMIT_AS, &before);
+  EXPECT_EQ(error.find("a.pbrt:3:7: this subdivision surface, with 2 faces and \"levels\" of 13, "
+                       "needs 24.0 GB of memory, and "),
+            0U)
+      << error;
+  EXPECT_NE(error.find("\"levels\" can be at most "), std::string::npos) << error;
 }
 
 TEST(SceneMemory, EveryImageCountsOnceAndAbsentOnesNothing) {

@@ -14,6 +14,7 @@
 
 #include "core/atomic_file.h"
 #include "core/error.h"
+#include "core/regular_file.h"
 #include "session/checkpoint_archive.h"
 #include "session/checkpoint_check.h"
 #include "session/resources.h"
@@ -143,7 +144,9 @@ Checkpoint read_checkpoint(const std::string& path) {
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(path, error);
   if (!std::filesystem::exists(status)) refuse(path, "no such file");
-  if (!std::filesystem::is_regular_file(status)) refuse(path, "is not a file");
+  if (const std::string complaint = reading_complaint(path); !complaint.empty()) {
+    refuse(path, complaint);
+  }
   const std::uint64_t size = std::filesystem::file_size(path, error);
   std::ifstream file(path, std::ios::binary);
   if (error || !file) refuse(path, "cannot be read");

@@ -151,7 +151,7 @@ TEST_F(CheckpointFile, OtherFilesAreNamedAsSuch) {
   fs::remove(path_);
   EXPECT_NE(refusal().find("no such file"), std::string::npos);
   fs::create_directory(path_);
-  EXPECT_NE(refusal().find("not a file"), std::string::npos);
+  EXPECT_NE(refusal().find("it is a folder, and only regular files"), std::string::npos);
 }
 
 TEST_F(CheckpointFile, FilmThatDoesNotFitIsRefused) {

@@ -6,6 +6,7 @@
 #include <array>
 #include <utility>
 
+#include "core/available_memory.h"
 #include "scene/scene_memory.h"
 
 namespace ajar {
@@ -15,18 +16,10 @@ namespace {
 constexpr std::uint64_t kChannels = 3;
 /// A layer as it is developed, gathered with the others for the file, and in the file's bytes.
 constexpr std::uint64_t kPictureCopies = 3;
-/// Not to be used up: the rest of the program, and what estimates leave out.
-constexpr double kUsableShare = 0.95;
 
 std::uint64_t pixels_of(const Box2i& crop) {
   const Vec2i size = crop.max - crop.min + Vec2i(1, 1);
   return static_cast<std::uint64_t>(size.x) * static_cast<std::uint64_t>(size.y);
-}
-
-std::string bytes_text(std::uint64_t bytes) {
-  const auto number = static_cast<double>(bytes);
-  return number < 1e9 ? fmt::format("{:.0f} MB", 1e-6 * number)
-                      : fmt::format("{:.1f} GB", 1e-9 * number);
 }
 
 }  // namespace
@@ -71,8 +64,7 @@ std::string memory_text(const MemoryEstimate& estimate) {
 }
 
 std::string memory_complaint(const MemoryEstimate& estimate, std::uint64_t available) {
-  const double usable = kUsableShare * static_cast<double>(available);
-  if (available == 0 || static_cast<double>(estimate.total()) <= usable) return {};
+  if (fits_into_memory(estimate.total(), available)) return {};
   return fmt::format(
       "this needs {} of memory, and {} are free here; use a smaller --resolution or --crop, or "
       "fewer --aov",

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
-
+#include "core/error.h"
+#include "core/regular_file.h"
 #include "session/stats_json.h"
 #include "session/version.h"
 #include "study/machine.h"
@@ -124,9 +124,14 @@ std::optional<double> RunRecord::number(const std::string& statistic) const {
 std::optional<RunRecord> finished_record(const StudyRun& run) {
   std::error_code ignored;
   if (!fs::exists(with_suffix(run.stem, ".exr"), ignored)) return std::nullopt;
-  std::ifstream file(with_suffix(run.stem, ".record.json"));
   // Whatever is wrong with the file, the run is made again.
-  Json json = Json::parse(file, nullptr, false);
+  Json json;
+  try {
+    const FileBytes file = read_file(with_suffix(run.stem, ".record.json").string());
+    json = Json::parse(file.view(), nullptr, false);
+  } catch (const Error&) {
+    return std::nullopt;
+  }
   if (!json.is_object() || !json.contains("key") || !json.contains("statistics")) {
     return std::nullopt;
   }

@@ -57,10 +57,11 @@ std::string absolute_path(const std::string& path) {
 }
 
 /// Wrong usage if the user chose the size, the scene's fault if its film did.
-void check_memory(const MemoryEstimate& estimate, bool size_from_scene) {
+void check_memory(const MemoryEstimate& estimate, bool size_from_scene,
+                  const SourceLocation& film) {
   const std::string complaint = memory_complaint(estimate, available_memory_bytes());
   if (complaint.empty()) return;
-  if (size_from_scene) throw SceneError({}, complaint);
+  if (size_from_scene) throw SceneError(film, complaint);
   throw UsageError(complaint);
 }
 
@@ -219,7 +220,7 @@ void Run::build(desc::SceneDesc description) {
   // What the method makes of it is known later; it makes these at least.
   MemoryEstimate least = memory_of({LayerSpec{.name = "direct"}, LayerSpec{.name = "indirect"}});
   least.scene = scene_bytes(description);
-  check_memory(least, order_.size_from_scene);
+  check_memory(least, order_.size_from_scene, description.film.where);
   report_phase(style_, "build");
   const Stopwatch clock;
   scene_ = std::make_unique<const Scene>(std::move(description), BuildOptions{setup_.resolution},
@@ -292,7 +293,7 @@ void Run::make_film() {
   }
   MemoryEstimate memory = memory_of(layers);
   memory.method = integrator_->memory_bytes();
-  check_memory(memory, order_.size_from_scene);
+  check_memory(memory, order_.size_from_scene, scene_->film().where);
   if (order_.resumed) check_resumed();
   if (order_.resumed && is_root()) {
     film_.emplace(film_of(*order_.resumed, *filter_, order_.resumed_from));

@@ -1,11 +1,11 @@
 #include "scene/light/map.h"
 
-#include <OpenImageIO/imageio.h>
-
 #include <cmath>
 #include <new>
 #include <stdexcept>
 #include <utility>
+
+#include "core/image_input.h"
 
 namespace ajar {
 
@@ -20,24 +20,17 @@ bool is_integer(const OIIO::TypeDesc& format) {
          format.basetype != OIIO::TypeDesc::DOUBLE;
 }
 
-/// Raises std::exception with the reason if the file cannot be read.
+/// Raises IoError with the reason if the file cannot be read.
 Map read_map(const std::string& path, MapEdge edge) {
-  OIIO::ImageSpec hints;
-  hints["oiio:UnassociatedAlpha"] = 1;
-  const auto input = OIIO::ImageInput::open(path, &hints);
-  if (!input) throw std::runtime_error(OIIO::geterror());
-  const OIIO::ImageSpec spec = input->spec();
+  ImageInput input(path, true);
+  const OIIO::ImageSpec& spec = input.spec();
   constexpr int kMaxSide = 1 << 16;
-  if (spec.width <= 0 || spec.height <= 0 || spec.nchannels <= 0 || spec.depth > 1 ||
-      spec.width > kMaxSide || spec.height > kMaxSide) {
-    throw std::runtime_error("not a flat image of a usable size");
+  if (spec.width > kMaxSide || spec.height > kMaxSide) {
+    throw IoError("it has more than 65536 pixels in a row or column");
   }
   const int channels = std::min(spec.nchannels, 3);
-  const auto count = static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height);
-  std::vector<float> values(count * static_cast<std::size_t>(channels));
-  if (!input->read_image(0, 0, 0, channels, OIIO::TypeDesc::FLOAT, values.data())) {
-    throw std::runtime_error(input->geterror());
-  }
+  const auto count = static_cast<std::size_t>(input.pixels());
+  std::vector<float> values = input.read<float>(channels, count * sizeof(Spectrum));
   if (is_integer(spec.format)) {
     for (float& v : values) v = decode_srgb(v);
   }
@@ -71,7 +64,7 @@ Map load_map(const std::string& path, MapEdge edge, const SourceLocation& where,
     return read_map(path, edge);
   } catch (const std::bad_alloc&) {
     reason = "not enough memory";
-  } catch (const std::exception& error) {
+  } catch (const IoError& error) {
     reason = error.what();
   }
   warnings.add(where, "cannot read light map \"" + path + "\": " + reason + "; using magenta");

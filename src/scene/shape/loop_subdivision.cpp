@@ -217,6 +217,16 @@ std::vector<int> find_opposites(const std::vector<int>& corners) {
 
 }  // namespace
 
+int possible_levels(const desc::LoopSubdivision& surface) {
+  int level = 0;
+  std::size_t triangles = surface.control.indices.size();
+  while (level < surface.levels && triangles > 0 && 4 * triangles <= kMaxTriangles) {
+    triangles *= 4;
+    ++level;
+  }
+  return level;
+}
+
 std::shared_ptr<const desc::Mesh> subdivide(const desc::LoopSubdivision& surface,
                                             const SourceLocation& where, Warnings& warnings) {
   const desc::Mesh& control = surface.control;
@@ -240,15 +250,11 @@ std::shared_ptr<const desc::Mesh> subdivide(const desc::LoopSubdivision& surface
   }
   std::vector<Vec3d> points(control.positions.begin(), control.positions.end());
   ControlMesh mesh(std::move(points), std::move(corners), std::move(opposite));
-  std::size_t triangles = control.indices.size();
-  for (int level = 0; level < surface.levels; ++level) {
-    triangles *= 4;
-    if (triangles > kMaxTriangles) {
-      warnings.add(where, "subdivision stopped after " + std::to_string(level) + " levels");
-      break;
-    }
-    mesh = mesh.refined();
+  const int levels = possible_levels(surface);
+  if (levels < surface.levels) {
+    warnings.add(where, "subdivision stopped after " + std::to_string(levels) + " levels");
   }
+  for (int level = 0; level < levels; ++level) mesh = mesh.refined();
   return std::make_shared<desc::Mesh>(mesh.limit());
 }
 

@@ -13,4 +13,7 @@ namespace ajar {
 std::shared_ptr<const desc::Mesh> subdivide(const desc::LoopSubdivision& surface,
                                             const SourceLocation& where, Warnings& warnings);
 
+/// Levels that `subdivide` makes: as wanted, or as many as end with 2^27 triangles at most.
+int possible_levels(const desc::LoopSubdivision& surface);
+
 }  // namespace ajar

@@ -30,7 +30,7 @@ struct ImageSize {
   std::uint64_t texels = 0;
   std::uint64_t bytes = 0;
 };
-/// Without reading the texels; nothing if the file cannot be read.
+/// Without reading the texels; nothing if the file cannot be read, or not into the memory there is.
 ImageSize image_size(const std::string& path);
 
 /// Result of reading a file: an image, or the reason why there is none.

@@ -1,0 +1,218 @@
+#include "core/image_input.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <cstring>
+#include <exception>
+#include <filesystem>
+#include <new>
+#include <optional>
+#include <string_view>
+
+#include "core/available_memory.h"
+#include "core/error.h"
+#include "core/regular_file.h"
+
+namespace ajar {
+
+namespace {
+
+struct Size {
+  std::uint64_t width, height;
+};
+
+/// How a file begins.
+std::string beginning_of(const std::string& path) {
+  std::array<char, 64> bytes{};
+  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+  if (file < 0) return {};
+  const ssize_t count = ::read(file, bytes.data(), bytes.size());
+  ::close(file);
+  return {bytes.data(), static_cast<std::size_t>(std::max<ssize_t>(count, 0))};
+}
+
+/// A little-endian number of `count` bytes; 0 beyond the end.
+std::uint64_t number_at(std::string_view bytes, std::size_t place, std::size_t count) {
+  std::uint64_t number = 0;
+  for (std::size_t i = 0; i < count && place + i < bytes.size(); ++i) {
+    number |= std::uint64_t{static_cast<unsigned char>(bytes[place + i])} << (8 * i);
+  }
+  return number;
+}
+
+/// What formats claim whose decoders make the whole picture when they are opened: those have to be
+/// asked before.
+std::optional<Size> claimed_size(std::string_view bytes) {
+  const auto has = [&](std::string_view text, std::size_t place) {
+    return bytes.size() >= place && bytes.substr(place).starts_with(text);
+  };
+  if (has("GIF8", 0)) return Size{number_at(bytes, 6, 2), number_at(bytes, 8, 2)};
+  if (has("BM", 0) && number_at(bytes, 14, 4) >= 40) {
+    const auto side = [&](std::size_t place) {
+      const auto value = static_cast<std::int32_t>(number_at(bytes, place, 4));
+      return static_cast<std::uint64_t>(std::abs(std::int64_t{value}));
+    };
+    return Size{side(18), side(22)};
+  }
+  if (!has("RIFF", 0) || !has("WEBP", 8)) return std::nullopt;
+  if (has("VP8X", 12)) return Size{number_at(bytes, 24, 3) + 1, number_at(bytes, 27, 3) + 1};
+  if (has("VP8L", 12)) {
+    const std::uint64_t sides = number_at(bytes, 21, 4);
+    return Size{(sides & 0x3fffU) + 1, (sides >> 14U & 0x3fffU) + 1};
+  }
+  return Size{number_at(bytes, 26, 2) & 0x3fffU, number_at(bytes, 28, 2) & 0x3fffU};
+}
+
+/// More pixels than this cannot be packed into a byte of a file. Bounds of the formats, for one bit
+/// per pixel where they have that: deflate makes at most 1032 bytes of one, LZW 2560 (12-bit codes
+/// of a full table), runs of PackBits and the like 64. What has no such bound still says something
+/// about a row or a block of pixels: fax code spends a bit on a white row.
+double most_pixels_per_byte(const OIIO::ImageInput& input) {
+  constexpr double kUnpacked = 8.0;
+  constexpr double kRuns = 8.0 * 64.0;
+  constexpr double kDeflate = 8.0 * 1032.0;
+  constexpr double kLzw = 8.0 * 2560.0;
+  constexpr double kRowTable = 8192.0;  // 8 bytes for each row of at most 65536 pixels
+  constexpr double kUnknown = 1 << 20;
+  const std::string_view format = input.format_name();
+  const std::string packing = input.spec().get_string_attribute("compression");
+  if (format == "tiff") {
+    if (packing == "none") return kUnpacked;
+    if (packing == "packbits") return kRuns;
+    if (packing == "zip") return kDeflate;
+    return packing == "lzw" ? kLzw : kUnknown;
+  }
+  if (format == "bmp") return packing.empty() ? kUnpacked : kUnknown;
+  struct Bound {
+    std::string_view format;
+    double pixels;
+  };
+  constexpr std::array<Bound, 12> kBounds = {{{"png", kDeflate},
+                                              {"zfile", kDeflate},
+                                              {"pnm", kUnpacked},
+                                              {"cineon", kUnpacked},
+                                              {"fits", kUnpacked},
+                                              {"hdr", kRuns},
+                                              {"dpx", kRuns},
+                                              {"targa", kRuns},
+                                              {"psd", kRuns},
+                                              {"iff", kRuns},
+                                              {"sgi", kRowTable},
+                                              {"rla", kRowTable}}};
+  const auto found = std::find_if(kBounds.begin(), kBounds.end(),
+                                  [&](const Bound& bound) { return bound.format == format; });
+  return found == kBounds.end() ? kUnknown : found->pixels;
+}
+
+void check_claim(Size size, double pixels_per_byte, std::uint64_t file_bytes) {
+  const double pixels = static_cast<double>(size.width) * static_cast<double>(size.height);
+  if (pixels <= pixels_per_byte * static_cast<double>(file_bytes)) return;
+  throw IoError(fmt::format("it claims {}x{} pixels, but has {} bytes, which cannot hold them",
+                            size.width, size.height, file_bytes));
+}
+
+/// Errors of libraries come line by line, some twice.
+std::string in_one_line(std::string_view text) {
+  std::string line;
+  std::string_view before;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    const std::string_view part = text.substr(0, end);
+    if (!part.empty() && part != before) line.append(line.empty() ? "" : "; ").append(part);
+    before = part;
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return line.empty() ? "the image cannot be read" : line;
+}
+
+/// Runs something of the library, whose decoders raise all kinds of exceptions.
+template <typename Call>
+auto guarded(const Call& call) {
+  try {
+    return call();
+  } catch (const std::bad_alloc&) {
+    throw IoError("the image does not fit into memory");
+  } catch (const Error&) {
+    throw;
+  } catch (const std::exception& error) {
+    throw IoError("the image is damaged (" + in_one_line(error.what()) + ")");
+  }
+}
+
+/// Decoders of these work row by row, or block by block; others make the picture as a whole.
+bool is_read_in_parts(const OIIO::ImageInput& input) {
+  constexpr std::array<std::string_view, 8> kFormats = {"openexr", "tiff", "jpeg",   "hdr",
+                                                        "pnm",     "dpx",  "cineon", "fits"};
+  const std::string_view format = input.format_name();
+  if (format == "png") return input.spec().get_int_attribute("png:interlaced") == 0;
+  return std::find(kFormats.begin(), kFormats.end(), format) != kFormats.end();
+}
+
+}  // namespace
+
+ImageInput::ImageInput(const std::string& path, bool has_unassociated_alpha) {
+  if (const std::string complaint = reading_complaint(path); !complaint.empty()) {
+    throw IoError(complaint);
+  }
+  std::error_code error;
+  const std::uint64_t file_bytes = std::filesystem::file_size(path, error);
+  if (error || file_bytes == 0) throw IoError("the file is empty");
+  if (const auto size = claimed_size(beginning_of(path))) {
+    constexpr double kLeastKnown = 1 << 20;
+    constexpr std::uint64_t kDecodedBytes = 12;  // 4 channels, and as much again twice
+    check_claim(*size, kLeastKnown, file_bytes);
+    check_memory(kDecodedBytes * size->width * size->height);
+  }
+  OIIO::ImageSpec config;
+  if (has_unassociated_alpha) config.attribute("oiio:UnassociatedAlpha", 1);
+  input_ = guarded([&] { return OIIO::ImageInput::open(path, &config); });
+  if (!input_) throw IoError(in_one_line(OIIO::geterror()));
+  if (spec().width <= 0 || spec().height <= 0 || spec().depth > 1 || spec().nchannels < 1) {
+    throw IoError("it is not a flat image with pixels");
+  }
+  check_claim({static_cast<std::uint64_t>(spec().width), static_cast<std::uint64_t>(spec().height)},
+              most_pixels_per_byte(*input_), file_bytes);
+}
+
+std::uint64_t ImageInput::pixels() const {
+  return static_cast<std::uint64_t>(spec().width) * static_cast<std::uint64_t>(spec().height);
+}
+
+std::uint64_t ImageInput::bytes(int channels, std::uint64_t channel_bytes) const {
+  const std::uint64_t own = pixels() * static_cast<std::uint64_t>(channels) * channel_bytes;
+  return own + (is_read_in_parts(*input_) ? 0 : pixels() * spec().pixel_bytes(true));
+}
+
+void ImageInput::check_memory(std::uint64_t bytes) {
+  if (const std::string shortage = memory_shortage(bytes); !shortage.empty()) {
+    throw IoError("the image " + shortage);
+  }
+}
+
+int ImageInput::strip_height() const {
+  // Whole blocks of rows, as files keep them, and enough of them to decode on all threads.
+  constexpr std::uint64_t kStripBytes = std::uint64_t{1} << 26U;
+  const int block = spec().tile_width > 0 ? std::max(spec().tile_height, 1) : 64;
+  const std::uint64_t block_bytes =
+      static_cast<std::uint64_t>(block) * std::max<std::uint64_t>(spec().scanline_bytes(true), 1);
+  return block * static_cast<int>(std::clamp<std::uint64_t>(kStripBytes / block_bytes, 1, 1024));
+}
+
+void ImageInput::read_strip(int first, int rows, int channels, OIIO::TypeDesc type, void* values) {
+  const bool is_read = guarded([&] {
+    const int y = spec().y + first;
+    if (spec().tile_width == 0) {
+      return input_->read_scanlines(0, 0, y, y + rows, spec().z, 0, channels, type, values);
+    }
+    return input_->read_tiles(0, 0, spec().x, spec().x + spec().width, y, y + rows, spec().z,
+                              spec().z + 1, 0, channels, type, values);
+  });
+  if (!is_read) throw IoError(in_one_line(input_->geterror()));
+}
+
+}  // namespace ajar

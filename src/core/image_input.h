@@ -1,0 +1,55 @@
+#pragma once
+#include <OpenImageIO/imageio.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+/// Image files as all rooms open them: with what a header claims held against the size of the file
+/// and the memory there is, before anything is made of that size. Errors are IoErrors whose message
+/// is the reason alone, for the caller to name the file and its place.
+namespace ajar {
+
+/// An open image. Only its first subimage is read.
+class ImageInput {
+ public:
+  /// `has_unassociated_alpha`: colours are not to be multiplied with alpha. Raises IoError if this
+  /// is no regular file, no image, or claims more pixels than its bytes can hold.
+  explicit ImageInput(const std::string& path, bool has_unassociated_alpha = false);
+
+  const OIIO::ImageSpec& spec() const { return input_->spec(); }
+  std::uint64_t pixels() const;
+  /// Memory of the first `channels` channels, and of what the decoder needs for them, bytes.
+  std::uint64_t bytes(int channels, std::uint64_t channel_bytes) const;
+
+  /// The first `channels` channels of all pixels, interleaved. Raises IoError if they cannot be
+  /// read, or with `extra_bytes` more need more memory than there is.
+  template <typename T>
+  std::vector<T> read(int channels, std::uint64_t extra_bytes = 0) {
+    check_memory(bytes(channels, sizeof(T)) + extra_bytes);
+    std::vector<T> values;
+    const std::size_t row =
+        static_cast<std::size_t>(spec().width) * static_cast<std::size_t>(channels);
+    values.reserve(row * static_cast<std::size_t>(spec().height));
+    // As the file gives them: memory that was only reserved is not in use yet.
+    for (int y = 0; y < spec().height; y += strip_height()) {
+      const int rows = std::min(strip_height(), spec().height - y);
+      const std::size_t first = values.size();
+      values.resize(first + row * static_cast<std::size_t>(rows));
+      read_strip(y, rows, channels, OIIO::TypeDesc(OIIO::BaseTypeFromC<T>::value),
+                 values.data() + first);
+    }
+    return values;
+  }
+
+ private:
+  static void check_memory(std::uint64_t bytes);
+  int strip_height() const;
+  void read_strip(int first, int rows, int channels, OIIO::TypeDesc type, void* values);
+
+  std::unique_ptr<OIIO::ImageInput> input_;
+};
+
+}  // namespace ajar

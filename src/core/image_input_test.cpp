@@ -1,0 +1,240 @@
+#include "core/image_input.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+#include <zlib.h>
+
+#include <filesystem>
+#include <fstream>
+#include <initializer_list>
+#include <string_view>
+
+#include "core/error.h"
+
+namespace ajar {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uint32_t kSide = 65535;
+
+/// Puts the beginnings of files together.
+class Bytes {
+ public:
+  Bytes& text(std::string_view value) {
+    bytes_ += value;
+    return *this;
+  }
+  Bytes& zeros(std::size_t count) {
+    bytes_.append(count, '\0');
+    return *this;
+  }
+  Bytes& little(std::initializer_list<std::uint32_t> values, int size) {
+    for (const std::uint32_t value : values) {
+      for (int i = 0; i < size; ++i) bytes_ += static_cast<char>(value >> (8 * i));
+    }
+    return *this;
+  }
+  Bytes& big(std::initializer_list<std::uint32_t> values, int size) {
+    for (const std::uint32_t value : values) {
+      for (int i = size - 1; i >= 0; --i) bytes_ += static_cast<char>(value >> (8 * i));
+    }
+    return *this;
+  }
+  Bytes& png_chunk(const std::string& content) {
+    big({static_cast<std::uint32_t>(content.size()) - 4}, 4).text(content);
+    return big({static_cast<std::uint32_t>(crc32(0, reinterpret_cast<const Bytef*>(content.data()),
+                                                 static_cast<uInt>(content.size())))},
+               4);
+  }
+  const std::string& result() const { return bytes_; }
+
+ private:
+  std::string bytes_;
+};
+
+std::string png(std::uint32_t depth, std::uint32_t type, std::uint32_t interlace) {
+  return Bytes()
+      .text("\x89PNG\r\n\x1a\n")
+      .png_chunk(Bytes()
+                     .text("IHDR")
+                     .big({kSide, kSide}, 4)
+                     .big({depth, type, 0, 0, interlace}, 1)
+                     .result())
+      .png_chunk(Bytes().text("IDAT").text("\x78\x9c\x03").zeros(8).result())
+      .png_chunk("IEND")
+      .result();
+}
+
+std::string bmp(std::uint32_t depth, std::uint32_t compression) {
+  return Bytes()
+      .text("BM")
+      .little({200}, 4)
+      .zeros(4)
+      .little({54, 40, kSide, kSide}, 4)
+      .little({1, depth}, 2)
+      .little({compression, 0, 0, 0, 2, 0}, 4)
+      .zeros(200)
+      .result();
+}
+
+std::string tiff(std::uint32_t compression) {
+  const std::uint32_t bits = compression == 4 ? 1 : 8;
+  Bytes file;
+  file.text("II*").zeros(1).little({8}, 4).little({9}, 2);
+  const std::uint32_t entries[][3] = {{256, 4, kSide},       {257, 4, kSide}, {258, 3, bits},
+                                      {259, 3, compression}, {262, 3, 1},     {273, 4, 200},
+                                      {277, 3, 1},           {278, 4, kSide}, {279, 4, 20}};
+  for (const auto& [tag, type, value] : entries) file.little({tag, type}, 2).little({1, value}, 4);
+  return file.zeros(100).result();
+}
+
+/// Small files of many formats that claim billions of pixels.
+std::vector<std::pair<std::string, std::string>> liars() {
+  const auto tga = [](std::uint32_t type) {
+    return Bytes()
+        .zeros(2)
+        .little({type}, 1)
+        .zeros(9)
+        .little({kSide, kSide}, 2)
+        .little({24, 32}, 1)
+        .zeros(30)
+        .result();
+  };
+  return {{"gray.png", png(8, 0, 0)},
+          {"bits.png", png(1, 0, 0)},
+          {"interlaced.png", png(16, 2, 1)},
+          {"canvas.gif", Bytes()
+                             .text("GIF89a")
+                             .little({kSide, kSide}, 2)
+                             .little({0x80, 0, 0}, 1)
+                             .zeros(6)
+                             .text(",")
+                             .little({0, 0, 1, 1}, 2)
+                             .text(std::string_view("\0\2\2\x44\1\0;", 7))
+                             .result()},
+          {"plain.bmp", bmp(24, 0)},
+          {"runs.bmp", bmp(8, 1)},
+          {"plain.tga", tga(2)},
+          {"runs.tga", tga(10)},
+          {"a.hdr", Bytes()
+                        .text("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 65535 +X 65535\n")
+                        .zeros(30)
+                        .result()},
+          {"a.pgm", Bytes().text("P5\n65535 65535\n255\n").zeros(30).result()},
+          {"a.psd", Bytes()
+                        .text("8BPS")
+                        .big({1}, 2)
+                        .zeros(6)
+                        .big({3}, 2)
+                        .big({30000, 30000}, 4)
+                        .big({8, 3}, 2)
+                        .zeros(12)
+                        .big({0}, 2)
+                        .zeros(30)
+                        .result()},
+          {"a.sgi",
+           Bytes().big({474}, 2).big({0, 1}, 1).big({3, kSide, kSide, 3}, 2).zeros(600).result()},
+          {"plain.tif", tiff(1)},
+          {"fax.tif", tiff(4)},
+          {"lzw.tif", tiff(5)},
+          {"zip.tif", tiff(8)},
+          {"runs.tif", tiff(32773)},
+          {"a.webp", Bytes()
+                         .text("RIFF")
+                         .little({40}, 4)
+                         .text("WEBPVP8L")
+                         .little({20}, 4)
+                         .text("\x2f")
+                         .little({0x0fffffff}, 4)
+                         .zeros(20)
+                         .result()}};
+}
+
+/// A folder of its own that is gone after the test.
+class ImageInputTest : public testing::Test {
+ protected:
+  void SetUp() override { fs::create_directories(folder_); }
+  void TearDown() override { fs::remove_all(folder_); }
+  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+  std::string write(const std::string& name, const std::string& content) const {
+    std::ofstream(path(name), std::ios::binary) << content;
+    return path(name);
+  }
+
+  fs::path folder_ = fs::temp_directory_path() / ("ajar-image-input-" + std::to_string(getpid()));
+};
+
+std::string error_of(const std::string& path) {
+  try {
+    ImageInput(path).read<float>(1);
+  } catch (const IoError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST_F(ImageInputTest, FilesCannotClaimMorePixelsThanTheyHold) {
+  for (const auto& [name, content] : liars()) {
+    const std::string error = error_of(write(name, content));
+    EXPECT_NE(error.find("pixels, but has " + std::to_string(content.size()) + " bytes"),
+              std::string::npos)
+        << name << ": " << error;
+  }
+}
+
+TEST_F(ImageInputTest, FlatPicturesAreBelieved) {
+  // As small as files of so many pixels get.
+  constexpr int kFlat = 1000;
+  const std::vector<std::uint8_t> flat(std::size_t{kFlat} * kFlat, 7);
+  for (const auto& [name, packing] :
+       {std::pair("a.png", "zip"), std::pair("a.tif", "zip"), std::pair("b.tif", "lzw"),
+        std::pair("c.tif", "packbits"), std::pair("d.tif", "none"), std::pair("a.jpg", "jpeg:90"),
+        std::pair("a.webp", "lossless"), std::pair("a.tga", "rle"), std::pair("a.bmp", "rle"),
+        std::pair("a.exr", "zip"), std::pair("a.gif", ""), std::pair("a.sgi", "rle")}) {
+    const auto output = OIIO::ImageOutput::create(path(name));
+    ASSERT_TRUE(output) << name;
+    const bool needs_colour = std::string(name) == "a.webp" || std::string(name) == "a.gif";
+    OIIO::ImageSpec spec(kFlat, kFlat, needs_colour ? 3 : 1, OIIO::TypeDesc::UINT8);
+    spec.attribute("compression", packing);
+    spec.attribute("png:compressionLevel", 9);
+    ASSERT_TRUE(output->open(path(name), spec)) << name << output->geterror();
+    // A zero stride in x repeats the value in all channels.
+    ASSERT_TRUE(output->write_image(OIIO::TypeDesc::UINT8, flat.data(), 0, 0)) << name;
+    ASSERT_TRUE(output->close());
+    ImageInput input(path(name));
+    const std::vector<std::uint8_t> read = input.read<std::uint8_t>(1);
+    ASSERT_EQ(read.size(), flat.size()) << name;
+    EXPECT_NEAR(read.back(), 7, 1) << name;
+  }
+}
+
+TEST_F(ImageInputTest, TilesAndOffsetsAreReadAsWhole) {
+  OIIO::ImageSpec spec(70, 150, 2, OIIO::TypeDesc::FLOAT);
+  std::vector<float> values;
+  for (int i = 0; i < 70 * 150 * 2; ++i) values.push_back(static_cast<float>(i));
+  for (const int tile : {0, 32}) {
+    spec.tile_width = spec.tile_height = tile;
+    spec.x = 5;
+    spec.y = -7;
+    const auto output = OIIO::ImageOutput::create(path("a.exr"));
+    ASSERT_TRUE(output->open(path("a.exr"), spec));
+    ASSERT_TRUE(output->write_image(OIIO::TypeDesc::FLOAT, values.data()));
+    ASSERT_TRUE(output->close());
+    ImageInput input(path("a.exr"));
+    EXPECT_EQ(input.read<float>(2), values) << tile;
+    const std::vector<float> first = ImageInput(path("a.exr")).read<float>(1);
+    ASSERT_EQ(first.size(), values.size() / 2);
+    EXPECT_EQ(first[1234], values[2468]) << tile;
+  }
+}
+
+TEST_F(ImageInputTest, WhatIsNoImageSaysWhy) {
+  EXPECT_NE(error_of(folder_.string()).find("it is a folder"), std::string::npos);
+  EXPECT_EQ(error_of(write("empty.png", "")), "the file is empty");
+  EXPECT_EQ(error_of(path("absent.png")), "No such file or directory");
+  EXPECT_EQ(error_of(write("text.png", "no image\n")).find('\n'), std::string::npos);
+}
+
+}  // namespace
+}  // namespace ajar
