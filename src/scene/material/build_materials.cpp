@@ -1,4 +1,5 @@
 #include <cstddef>
+#include <string>
 #include <variant>
 
 #include "scene/material/disney.h"
@@ -60,8 +61,11 @@ class Builder {
     const Material& b = find(d.b);
     auto mix = std::make_unique<Mix>(slots_(d.amount, 0.5F), a, b);
     if (mix->max_lobes() <= Bsdf::kMaxLobes) return mix;
-    warnings_.add(*where_, "mix of too many lobes: only its first material is used");
-    return std::make_unique<Mix>(TextureSlot(Spectrum(1.F)), a, b);
+    warnings_.add(*where_, "mix of too many lobes (" + std::to_string(mix->max_lobes()) +
+                               ", at most " + std::to_string(Bsdf::kMaxLobes) +
+                               " are possible): only its first material is used");
+    const auto* nested = dynamic_cast<const FirstOfMix*>(&a);
+    return std::make_unique<FirstOfMix>(nested != nullptr ? nested->first() : a);
   }
 
   const Material& find(desc::MaterialId id) {

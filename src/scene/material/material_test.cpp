@@ -195,6 +195,17 @@ TEST(Mix, OfTooManyLobesOrWrongIdsIsReported) {
   EXPECT_GT(f.warnings.count(), 2U);
 }
 
+TEST(Mix, OfMixesDoesNotDoubleItsWorkWithEveryLevel) {
+  Fixture f;
+  auto last = f.add(desc::MatteMaterial{});
+  // 2^40 leaves, and a chain deeper than the stack if every level were a call.
+  for (int k = 0; k < 40; ++k) last = f.add(desc::MixMaterial{desc::kNone, last, last});
+  for (int k = 0; k < 200000; ++k) last = f.add(desc::MixMaterial{desc::kNone, last, 0});
+  const Spectrum value = f.bsdf(last).eval(kWo, kWi, kRadiance);
+  EXPECT_NEAR(value[0], 0.5F * kInvPi * kWi.z, 1e-5F);
+  EXPECT_NE(f.warnings.messages().front().find("at most 8 are possible"), std::string::npos);
+}
+
 TEST(Interface, HasNoLobes) {
   Fixture f;
   const auto id = f.add(desc::InterfaceMaterial{});

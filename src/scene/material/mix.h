@@ -10,7 +10,10 @@ class Mix final : public Material {
   /// The materials outlive the mix. As in pbrt-v3, bumps are those of `a` unless the mix has its
   /// own.
   Mix(const TextureSlot& amount, const Material& a, const Material& b)
-      : amount_(amount), a_(a), b_(b) {
+      : amount_(amount),
+        a_(a),
+        b_(b),
+        max_lobes_(std::max(1, a.max_lobes()) + std::max(1, b.max_lobes())) {
     bump = a.bump;
     has_bump = a.has_bump;
     needs_tangent = a.needs_tangent || b.needs_tangent;
@@ -22,14 +25,32 @@ class Mix final : public Material {
     if (!rest.is_black()) b_.add_lobes(at, scale * rest, bsdf);
   }
   /// A part counts as one lobe at least: so the limit on lobes also limits how mixes can nest.
-  int max_lobes() const override {
-    return std::max(1, a_.max_lobes()) + std::max(1, b_.max_lobes());
-  }
+  int max_lobes() const override { return max_lobes_; }
 
  private:
   TextureSlot amount_;
   const Material& a_;
   const Material& b_;
+  int max_lobes_;  ///< kept: asking the parts each time doubles with every level of nesting
+};
+
+/// What stands for a mix of too many lobes: its first material.
+class FirstOfMix final : public Material {
+ public:
+  /// `first` outlives this, and is none of these itself, so that they cannot nest.
+  explicit FirstOfMix(const Material& first) : first_(first) {
+    bump = first.bump;
+    has_bump = first.has_bump;
+    needs_tangent = first.needs_tangent;
+  }
+  void add_lobes(const SurfacePoint& at, const Spectrum& scale, Bsdf& bsdf) const override {
+    first_.add_lobes(at, scale, bsdf);
+  }
+  int max_lobes() const override { return first_.max_lobes(); }
+  const Material& first() const { return first_; }
+
+ private:
+  const Material& first_;
 };
 
 }  // namespace ajar

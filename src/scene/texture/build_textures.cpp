@@ -1,3 +1,7 @@
+#include <algorithm>
+#include <cstdint>
+#include <string>
+
 #include "scene/texture/texture_builders.h"
 
 namespace ajar {
@@ -24,6 +28,10 @@ class Builder {
       where_ = &texture.where;
       textures_.push_back(
           std::visit([this](const auto& node) { return this->make(node); }, texture.node));
+      evaluations_.push_back(
+          1 +
+          std::visit([this](const auto& node) { return this->evaluations(node); }, texture.node));
+      check_nesting();
     }
     return std::move(textures_);
   }
@@ -58,6 +66,38 @@ class Builder {
     return make_texture(node, cached.image);
   }
 
+  // How many others a texture looks up at most, itself and its constants left out.
+  template <typename Node>
+  std::uint64_t evaluations(const Node& /*node*/) const {
+    return 0;
+  }
+  std::uint64_t evaluations(desc::TextureId id) const {
+    const auto i = static_cast<std::size_t>(id);
+    return id < 0 || textures_[i]->constant() != nullptr ? 0 : evaluations_[i];
+  }
+  std::uint64_t evaluations(const desc::ScaleTexture& node) const {
+    return evaluations(node.a) + evaluations(node.b);
+  }
+  std::uint64_t evaluations(const desc::MixTexture& node) const {
+    return evaluations(node.a) + evaluations(node.b) + evaluations(node.amount);
+  }
+  std::uint64_t evaluations(const desc::CheckerboardTexture& node) const {
+    return std::max(evaluations(node.a), evaluations(node.b));
+  }
+  std::uint64_t evaluations(const desc::DotsTexture& node) const {
+    return std::max(evaluations(node.inside), evaluations(node.outside));
+  }
+
+  /// Textures of textures can double their work with every level, and each level is a call within
+  /// a call.
+  void check_nesting() const {
+    constexpr std::uint64_t kMost = 4096;
+    if (evaluations_.back() <= kMost || textures_.back()->constant() != nullptr) return;
+    throw SceneError(
+        *where_, "this texture of textures looks up " + std::to_string(evaluations_.back()) +
+                     " others at every point; at most " + std::to_string(kMost) + " are possible");
+  }
+
   void check(std::initializer_list<desc::TextureId> ids) const {
     for (const desc::TextureId id : ids) {
       if (id >= static_cast<desc::TextureId>(textures_.size())) {
@@ -70,6 +110,7 @@ class Builder {
   Warnings& warnings_;
   std::map<std::string, CachedImage> images_;
   TextureList textures_;
+  std::vector<std::uint64_t> evaluations_;  ///< of textures, themselves included
   const SourceLocation* where_ = nullptr;
 };
 

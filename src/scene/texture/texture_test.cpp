@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/error.h"
 #include "scene/desc/scene_desc.h"
 
 namespace ajar {
@@ -67,6 +68,51 @@ TEST_F(TextureTest, MixWeighsWithItsAmount) {
   EXPECT_EQ(texture.constant(), nullptr);
   expect_rgb(texture.eval(at_uv(0.25F, 0.9F)), 0.75F, 0.F, 0.25F);
   EXPECT_NEAR(texture.eval_float(at_uv(0.25F, 0.9F)), 0.75F, 1e-6F);
+}
+
+/// What building raises, or "no error".
+std::string error_of(const desc::SceneDesc& scene) {
+  Warnings warnings;
+  try {
+    build_textures(scene, warnings);
+  } catch (const SceneError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST_F(TextureTest, TexturesOfTexturesMayNotDoubleTheirWorkForEver) {
+  // Each looks up the one before twice, which 2^n lookups come of.
+  auto last = add(desc::BilerpTexture{});
+  for (int level = 0; level < 11; ++level) last = add(desc::ScaleTexture{last, last});
+  EXPECT_EQ(error_of(scene_), "no error");
+  for (int level = 0; level < 40; ++level) last = add(desc::MixTexture{last, last, last});
+  scene_.textures[12].where = {std::make_shared<const std::string>("a.pbrt"), 5, 1};
+  const std::string error = error_of(scene_);
+  EXPECT_NE(error.find("looks up"), std::string::npos) << error;
+  EXPECT_NE(error.find("at most 4096 are possible"), std::string::npos) << error;
+  EXPECT_EQ(error.find("a.pbrt:5:1: "), 0U) << error;
+}
+
+TEST_F(TextureTest, ChainsOfTexturesMayNotBeDeeperThanTheStack) {
+  const auto constant = add_constant(0.5F, 0.5F, 0.5F);
+  auto last = add(desc::UvTexture{});
+  desc::CheckerboardTexture board;
+  board.b = constant;
+  for (int level = 0; level < 1000; ++level) {
+    board.a = last;
+    last = add(board);
+  }
+  EXPECT_EQ(error_of(scene_), "no error") << "a checkerboard looks up only one of its two";
+  for (int level = 0; level < 200000; ++level) last = add(desc::ScaleTexture{last, constant});
+  EXPECT_NE(error_of(scene_).find("at most 4096"), std::string::npos);
+}
+
+TEST_F(TextureTest, TexturesOfConstantsAreConstantsHoweverDeep) {
+  auto last = add_constant(0.5F, 1.F, 0.F);
+  for (int level = 0; level < 5000; ++level) last = add(desc::MixTexture{last, last, last});
+  ASSERT_NE(built().constant(), nullptr);
+  expect_rgb(*textures_.back()->constant(), 0.5F, 1.F, 0.F);
 }
 
 TEST_F(TextureTest, BilerpInterpolatesItsCorners) {
