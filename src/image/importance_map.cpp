@@ -69,8 +69,13 @@ ImportanceMap ImportanceMap::relative(const Box2i& pixels, std::vector<float> lu
   // A firefly says little about its neighbours.
   const double mean = mean_of(luminances);
   if (!(mean > 0.0)) return {};
+  // Only ratios count. A power of two changes no digit of them, and keeps the inverses within the
+  // range of floats however dim or bright the picture is.
+  const double unit = std::exp2(std::ilogb(mean));
   for (float& value : luminances) {
-    value = std::isfinite(value) ? std::clamp(value, 0.F, static_cast<float>(20.0 * mean)) : 0.F;
+    const double scaled = static_cast<double>(value) / unit;
+    value = std::isfinite(value) ? static_cast<float>(std::clamp(scaled, 0.0, 20.0 * mean / unit))
+                                 : 0.F;
   }
   for (int pass = 0; pass < 2; ++pass) {
     luminances = blur_axis(luminances, width, height, true);

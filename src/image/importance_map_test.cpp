@@ -112,6 +112,18 @@ TEST(RelativeImportance, BearsFirefliesAndWhatIsNotANumber) {
   }
 }
 
+TEST(RelativeImportance, IsTheSameHoweverDimOrBrightThePictureIs) {
+  const std::vector<float> luminances = {1.F, 2.F, 0.5F, 3.F, 0.F, 7.F, 1.F, 4.F};
+  const ImportanceMap map = ImportanceMap::relative(pixels(0, 0, 8, 1), luminances);
+  // The inverses of the dimmest are no floats, and neither are twenty times the brightest.
+  for (const int exponent : {-140, -125, -60, 60, 125}) {
+    std::vector<float> scaled = luminances;
+    for (float& value : scaled) value = std::ldexp(value, exponent);
+    const ImportanceMap same = ImportanceMap::relative(pixels(0, 0, 8, 1), scaled);
+    for (int x = 0; x < 8; ++x) EXPECT_EQ(at(same, x, 0), at(map, x, 0)) << exponent << ", " << x;
+  }
+}
+
 TEST(RelativeImportance, OfABlackPictureIsUniform) {
   const ImportanceMap map = ImportanceMap::relative(pixels(0, 0, 2, 2), std::vector<float>(4, 0.F));
   EXPECT_EQ(at(map, 0, 0), 1.F);

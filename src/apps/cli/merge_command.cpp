@@ -8,6 +8,7 @@
 #include "apps/cli/render_run.h"
 #include "core/error.h"
 #include "session/merge.h"
+#include "session/picture_range.h"
 #include "session/resources.h"
 #include "session/written_paths.h"
 
@@ -85,6 +86,12 @@ int merge(const MergeArguments& a) {
   if (!a.checkpoint.empty()) write_checkpoint(a.checkpoint, merged, film.raw());
   Picture picture =
       develop(film, merged.scales, merged.job.samples_per_pixel, merged.render.film_scale, aovs);
+  if (const std::string complaint = range_complaint(film, picture, merged.render.film_scale);
+      !complaint.empty()) {
+    statistics.warnings.push_back(complaint);
+    ++statistics.warning_count;
+    print_warning(complaint);
+  }
   picture.metadata = to_metadata(statistics);
   if (merged.merged.size() > 1) picture.metadata["ajar:merged_seeds"] = seeds_text(merged);
   // The parts are there still: whoever has made room merges once more.

@@ -21,6 +21,7 @@
 #include "session/interrupts.h"
 #include "session/memory_estimate.h"
 #include "session/option_values.h"
+#include "session/picture_range.h"
 #include "session/picture_writer.h"
 #include "session/preparation.h"
 #include "session/preview/preview.h"
@@ -188,7 +189,7 @@ void Run::choose(const desc::SceneDesc& description) {
   record_ = record_of(setup_, *parameters_, order_.scene, order_.share);
   record_.film_scale = static_cast<double>(description.film.scale);
   if (order_.resumed) check_same_render(order_.resumed->render, record_, order_.resumed_from);
-  filter_ = make_filter(description.film.filter, description.film.where);
+  filter_ = make_filter(description.film.filter);
 }
 
 std::vector<std::string> Run::written_files(std::vector<std::string> pictures) const {
@@ -413,9 +414,14 @@ int Run::finish(const RenderJob& job) {
   if (has_checkpoint) {
     files.push_back(checkpoint_writer_->last(job.film(), job.state(), interrupted));
   }
-  complete_statistics(result);
   Picture picture =
       develop(job.film(), *integrator_, result.samples_per_pixel, record_.film_scale, setup_.aovs);
+  if (const std::string complaint = range_complaint(job.film(), picture, record_.film_scale);
+      !complaint.empty()) {
+    warnings_.add(complaint);
+    print_warning(complaint);
+  }
+  complete_statistics(result);
   picture.metadata = to_metadata(statistics_);
   for (FinalFile& file : picture_files(picture, outputs_, display_)) {
     files.push_back(std::move(file));
