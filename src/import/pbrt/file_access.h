@@ -2,7 +2,7 @@
 #include <set>
 #include <string>
 
-#include "import/file_bytes.h"
+#include "import/file_provider.h"
 
 namespace ajar::pbrt {
 

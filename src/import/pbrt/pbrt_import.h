@@ -3,7 +3,7 @@
 #include <string_view>
 
 #include "core/error.h"
-#include "import/file_bytes.h"
+#include "import/file_provider.h"
 #include "scene/desc/scene_desc.h"
 
 namespace ajar {

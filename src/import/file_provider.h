@@ -12,5 +12,4 @@ namespace ajar {
 /// it returns must stay valid while the scene is imported.
 using FileProvider = std::function<std::optional<std::string_view>(const std::string& path)>;
 
-
 }  // namespace ajar
