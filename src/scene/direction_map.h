@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <cmath>
 
 #include "core/vector.h"
@@ -23,11 +24,16 @@ class DirectionMap {
         to_local_(linear_part(to_world.inverse())),
         local_volume_(static_cast<float>(std::abs(1.0 / determinant(to_world)))) {}
 
-  /// True if the linear part of `m` is finite and far enough from singular to compute with.
+  /// True if the linear part of `m` is finite and far enough from singular to compute with, and
+  /// neither stretches nor shrinks vectors by so much that third powers leave the range of floats.
   static bool invertible(const Mat4& m) {
-    const auto row = [&](int i) { return Vec3d(m[i][0], m[i][1], m[i][2]).length(); };
-    const double size = row(0) * row(1) * row(2);
-    return std::isfinite(size) && std::abs(determinant(m)) > 1e-12 * size;
+    constexpr double kMaxStretch = 1e12;
+    const auto within = [](const Mat4& a) {
+      const auto row = [&](int i) { return Vec3d(a[i][0], a[i][1], a[i][2]).length(); };
+      return std::max({row(0), row(1), row(2)}) <= kMaxStretch ? row(0) * row(1) * row(2) : 0.0;
+    };
+    const double size = within(m);
+    return size > 0.0 && std::abs(determinant(m)) > 1e-12 * size && within(m.inverse()) > 0.0;
   }
 
   /// Images of vectors of any length; lengths are stretched.

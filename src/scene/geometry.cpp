@@ -56,7 +56,7 @@ void quadric_hit_point(const ShapeRecord& record, const LocalRay& world, float t
 Geometry::~Geometry() = default;
 
 bool Geometry::intersect(const Ray& ray, GeometryHit& hit) const {
-  if (!(ray.t_max > 0.F)) return false;
+  if (ray.t_max <= 0.F || !can_trace(ray)) return false;
   if (ray_log_ != nullptr) ray_log_->entries.push_back({ray, false});
   QueryContext context = make_context(ray);
   RTCRayHit rayhit;
@@ -96,7 +96,8 @@ bool Geometry::intersect(const Ray& ray, GeometryHit& hit) const {
 }
 
 bool Geometry::occluded(const Ray& ray) const {
-  if (!(ray.t_max > 0.F)) return false;
+  if (ray.t_max <= 0.F) return false;
+  if (!can_trace(ray)) return true;
   if (ray_log_ != nullptr) ray_log_->entries.push_back({ray, true});
   QueryContext context = make_context(ray);
   RTCRay query = embree_ray(ray);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/error.h"
+#include "scene/coordinate_limit.h"
 #include "scene/desc/scene_desc.h"
 #include "scene/hit.h"
 #include "scene/ray.h"
@@ -30,17 +31,33 @@ struct ShapeRecord;
 class Geometry {
  public:
   /// Takes the shapes out of `description` (their other members stay); the textures must outlive
-  /// this. Raises SceneError for meshes that cannot be used; shapes that cannot be seen are dropped
-  /// with a warning.
+  /// this. Raises SceneError for meshes that cannot be used, and for shapes and instances that are
+  /// too large or too far away to be traced; shapes that cannot be seen are dropped with a warning.
   Geometry(desc::SceneDesc& description, const TextureList& textures, Warnings& warnings);
   ~Geometry();
   Geometry(const Geometry&) = delete;
   Geometry& operator=(const Geometry&) = delete;
 
-  /// Nearest surface along `ray`, alpha textures applied; false if there is none.
+  /// Nearest surface along `ray`, alpha textures applied; false if there is none, or if the ray
+  /// cannot be traced.
   bool intersect(const Ray& ray, GeometryHit& hit) const;
-  /// True if anything lies on `ray`, alpha and shadow alpha textures applied.
+  /// True if anything lies on `ray`, alpha and shadow alpha textures applied, or if the ray cannot
+  /// be traced.
   bool occluded(const Ray& ray) const;
+  /// False if coordinates of `ray` are not numbers or so large that Embree must not be given them,
+  /// in the world or in the space of an instance. Everything that Embree traces was asked here.
+  bool can_trace(const Ray& ray) const {
+    // All at once, without branches; the direction is a unit vector if it is one at all.
+    const auto within = [](const Vec3& v, float limit) {
+      return static_cast<int>(std::abs(v.x) <= limit) & static_cast<int>(std::abs(v.y) <= limit) &
+             static_cast<int>(std::abs(v.z) <= limit);
+    };
+    return (within(ray.origin, max_ray_coordinate_) & within(ray.direction, 2.F) &
+            static_cast<int>(!std::isnan(ray.t_max))) != 0;
+  }
+  /// Raises SceneError, located at the instance, if there is one into whose space rays cannot be
+  /// brought that start at coordinates of `reach`.
+  void require_reach(double reach, const desc::SceneDesc& description) const;
 
   /// From now on every ray is written to `log`, until it is null again. For benchmarks: one thread
   /// only.
@@ -76,6 +93,7 @@ class Geometry {
                       Warnings& warnings);
   void prepare_instances(const desc::SceneDesc& description, Warnings& warnings);
   SceneHandle commit(std::size_t first, std::size_t count, bool with_instances) const;
+  void check_instances(const desc::SceneDesc& description);
   void count(std::size_t object_count);
 
   SourceLocation where_;  ///< the scene's file, for errors that no shape is to blame for
@@ -88,6 +106,7 @@ class Geometry {
   std::vector<SceneHandle> objects_;
   SceneHandle top_;
   Box3 bounds_;
+  float max_ray_coordinate_ = kMaxRayCoordinate;  ///< less if an instance makes rays longer
   SceneCounts counts_;
   RayLog* ray_log_ = nullptr;
 };

@@ -1,9 +1,11 @@
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 #include "core/parallel_for.h"
 #include "scene/geometry.h"
 #include "scene/geometry_records.h"
+#include "scene/instance_space.h"
 #include "scene/scene_memory.h"
 #include "scene/shape/loop_subdivision.h"
 
@@ -53,7 +55,14 @@ class ShapePreparation {
   template <typename Node>
   void operator()(const Node& node) {
     record_.quadric = Quadric::make(node);
-    if (!record_.quadric) warnings_.add(shape_.where, "the shape has no area; it is left out");
+    if (!record_.quadric) {
+      warnings_.add(shape_.where, "the shape has no area; it is left out");
+      return;
+    }
+    Vec3d low;
+    Vec3d high;
+    placed_bounds(*record_.quadric, placement_, low, high);
+    check_reach(shape_.where, "the shape", reach_of(low, high));
   }
 
  private:
@@ -136,6 +145,15 @@ RTCGeometry make_curves(RTCDevice device, const CurveShape& curve) {
   return geometry;
 }
 
+/// Empty if there is nothing.
+Box3 bounds_of(RTCScene scene) {
+  RTCBounds box;
+  rtcGetSceneBounds(scene, &box);
+  const Vec3 low(box.lower_x, box.lower_y, box.lower_z);
+  const Vec3 high(box.upper_x, box.upper_y, box.upper_z);
+  return is_finite(low) && is_finite(high) && low.x <= high.x ? Box3(low, high) : Box3();
+}
+
 void attach(RTCScene scene, RTCGeometry geometry, std::size_t id) {
   rtcCommitGeometry(geometry);
   rtcAttachGeometryByID(scene, geometry, static_cast<unsigned>(id));
@@ -162,6 +180,7 @@ Geometry::Geometry(desc::SceneDesc& description, const TextureList& textures, Wa
                     [&](const InstanceRecord& i) { return i.placement && i.object == object; });
     objects_.push_back(used ? commit(first, object_base_[object + 1] - first, false) : nullptr);
   }
+  check_instances(description);
   top_ = commit(0, object_base_.front(), true);
   count(description.objects.size());
 }
@@ -178,6 +197,7 @@ void Geometry::prepare_instances(const desc::SceneDesc& description, Warnings& w
     InstanceRecord& record = instances_.emplace_back();
     record.object = static_cast<std::size_t>(instance.object);
     record.placement = Placement::make(rounded(instance.to_world));
+    if (record.placement && !max_ray_coordinate(*record.placement)) record.placement.reset();
     if (!record.placement) {
       warnings.add(instance.where, "the transform of the instance is singular; it is left out");
     }
@@ -250,6 +270,51 @@ Geometry::SceneHandle Geometry::commit(std::size_t first, std::size_t shape_coun
   return scene;
 }
 
+void Geometry::check_instances(const desc::SceneDesc& description) {
+  std::vector<Box3> boxes;
+  for (const SceneHandle& object : objects_) {
+    boxes.push_back(object ? bounds_of(object.get()) : Box3());
+  }
+  for (std::size_t i = 0; i < instances_.size(); ++i) {
+    if (!instances_[i].placement) continue;
+    const Placement& placement = *instances_[i].placement;
+    const double limit = *max_ray_coordinate(placement);
+    max_ray_coordinate_ = std::min(max_ray_coordinate_, static_cast<float>(limit));
+    const Box3& box = boxes[instances_[i].object];
+    if (box.isEmpty()) continue;
+    // The box of the placed box: half its width is that of the box times the absolute matrix.
+    const Vec3d half = (Vec3d(box.max) - Vec3d(box.min)) * 0.5;
+    const Vec3d center = placement.point(Vec3d(box.min) + half);
+    Vec3d placed_half(0.0);
+    for (int row = 0; row < 3; ++row) {
+      for (int k = 0; k < 3; ++k) {
+        placed_half[k] += half[row] * std::abs(placement.to_world()[row][k]);
+      }
+    }
+    check_reach(description.instances[i].where, "the instance",
+                reach_of(center - placed_half, center + placed_half));
+  }
+}
+
+void Geometry::require_reach(double reach, const desc::SceneDesc& description) const {
+  if (reach < static_cast<double>(max_ray_coordinate_)) return;
+  for (std::size_t i = 0; i < instances_.size(); ++i) {
+    if (!instances_[i].placement) continue;
+    const double limit = *max_ray_coordinate(*instances_[i].placement);
+    if (reach < limit) continue;
+    std::ostringstream message;
+    message << "the instance is scaled too much: ";
+    if (limit > 0.0) {
+      message << "its scene has rays that start at coordinates of " << reach << ", but only from "
+              << limit << " can they be brought into its space";
+    } else {
+      message << "its transform cannot be inverted in single precision";
+    }
+    message << "; scale its shapes instead";
+    throw SceneError(description.instances[i].where, message.str());
+  }
+}
+
 void Geometry::count(std::size_t object_count) {
   std::vector<std::size_t> triangles(object_count + 1, 0);
   for (std::size_t i = 0; i < shapes_.size(); ++i) {
@@ -267,11 +332,7 @@ void Geometry::count(std::size_t object_count) {
     counts_.instanced_triangles += triangles[instance.object + 1];
   }
   counts_.embree_bytes = static_cast<std::size_t>(std::max<std::int64_t>(0, embree_bytes_->load()));
-  RTCBounds box;
-  rtcGetSceneBounds(top_.get(), &box);
-  const Vec3 low(box.lower_x, box.lower_y, box.lower_z);
-  const Vec3 high(box.upper_x, box.upper_y, box.upper_z);
-  if (is_finite(low) && is_finite(high) && low.x <= high.x) bounds_ = Box3(low, high);
+  bounds_ = bounds_of(top_.get());
 }
 
 }  // namespace ajar

@@ -70,39 +70,16 @@ void filter_curve(const RTCFilterFunctionNArguments* args) {
 
 void quadric_bounds(const RTCBoundsFunctionArguments* args) {
   const auto& record = *static_cast<const ShapeRecord*>(args->geometryUserPtr);
-  const Placement& placement = *record.placement;
   Vec3d low;
   Vec3d high;
-  record.quadric->bounds(low, high);
-  Vec3d world_low(std::numeric_limits<double>::infinity());
-  Vec3d world_high(-world_low);
-  for (int corner = 0; corner < 8; ++corner) {
-    const Vec3d p =
-        placement.point({(corner & 1) != 0 ? high.x : low.x, (corner & 2) != 0 ? high.y : low.y,
-                         (corner & 4) != 0 ? high.z : low.z});
-    for (int i = 0; i < 3; ++i) {
-      world_low[i] = std::min(world_low[i], p[i]);
-      world_high[i] = std::max(world_high[i], p[i]);
-    }
-  }
-  if (const auto radius = record.quadric->full_sphere_radius()) {
-    // The tight box of an ellipsoid: half its width is the length of a column of the matrix.
-    const Vec3d center = placement.point(Vec3d(0.0));
-    const Mat4& m = placement.to_world();
-    for (int i = 0; i < 3; ++i) {
-      const double half =
-          *radius * std::sqrt(m[0][i] * m[0][i] + m[1][i] * m[1][i] + m[2][i] * m[2][i]);
-      world_low[i] = std::max(world_low[i], center[i] - half);
-      world_high[i] = std::min(world_high[i], center[i] + half);
-    }
-  }
+  placed_bounds(*record.quadric, *record.placement, low, high);
   float* lower[3] = {&args->bounds_o->lower_x, &args->bounds_o->lower_y, &args->bounds_o->lower_z};
   float* upper[3] = {&args->bounds_o->upper_x, &args->bounds_o->upper_y, &args->bounds_o->upper_z};
   for (int i = 0; i < 3; ++i) {
     // Wide enough that single-precision traversal cannot miss what double precision would hit.
-    const double margin = 1e-6 * std::max(std::abs(world_low[i]), std::abs(world_high[i])) + 1e-30;
-    *lower[i] = static_cast<float>(world_low[i] - margin);
-    *upper[i] = static_cast<float>(world_high[i] + margin);
+    const double margin = 1e-6 * std::max(std::abs(low[i]), std::abs(high[i])) + 1e-30;
+    *lower[i] = static_cast<float>(low[i] - margin);
+    *upper[i] = static_cast<float>(high[i] + margin);
   }
 }
 
@@ -153,6 +130,34 @@ void occlude_quadric(const RTCOccludedFunctionNArguments* args) {
 }
 
 }  // namespace
+
+void placed_bounds(const Quadric& quadric, const Placement& placement, Vec3d& low, Vec3d& high) {
+  Vec3d own_low;
+  Vec3d own_high;
+  quadric.bounds(own_low, own_high);
+  low = Vec3d(std::numeric_limits<double>::infinity());
+  high = -low;
+  for (int corner = 0; corner < 8; ++corner) {
+    const Vec3d p = placement.point({(corner & 1) != 0 ? own_high.x : own_low.x,
+                                     (corner & 2) != 0 ? own_high.y : own_low.y,
+                                     (corner & 4) != 0 ? own_high.z : own_low.z});
+    for (int i = 0; i < 3; ++i) {
+      low[i] = std::min(low[i], p[i]);
+      high[i] = std::max(high[i], p[i]);
+    }
+  }
+  if (const auto radius = quadric.full_sphere_radius()) {
+    // The tight box of an ellipsoid: half its width is the length of a column of the matrix.
+    const Vec3d center = placement.point(Vec3d(0.0));
+    const Mat4& m = placement.to_world();
+    for (int i = 0; i < 3; ++i) {
+      const double half =
+          *radius * std::sqrt(m[0][i] * m[0][i] + m[1][i] * m[1][i] + m[2][i] * m[2][i]);
+      low[i] = std::max(low[i], center[i] - half);
+      high[i] = std::min(high[i], center[i] + half);
+    }
+  }
+}
 
 void place_point(const Placement& instance, bool derivatives, SurfacePoint& point) {
   const Vec3d n = instance.normal(Vec3d(point.ns));

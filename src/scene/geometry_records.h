@@ -63,6 +63,9 @@ inline LocalRay to_shape(const LocalRay& ray, const Placement& shape) {
 /// Brings a point of an instanced object into the world, with its derivatives or without.
 void place_point(const Placement& instance, bool derivatives, SurfacePoint& point);
 
+/// Box of a quadric in its final place.
+void placed_bounds(const Quadric& quadric, const Placement& placement, Vec3d& low, Vec3d& high);
+
 /// Registers filters or user callbacks with Embree as far as the shape needs them. The record must
 /// stay where it is.
 void set_callbacks(RTCGeometry geometry, ShapeRecord& record);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "scene/build/validate.h"
+#include "scene/coordinate_limit.h"
 #include "scene/geometry.h"
 
 namespace ajar {
@@ -16,8 +17,7 @@ BoundingSphere sphere_around(const Box3& box) {
   const Vec3d high(box.max);
   // Slightly larger, so that rays that start on it start outside of everything.
   const double radius = (high - low).length() * 0.5 * 1.0001;
-  const auto limit = static_cast<double>(std::numeric_limits<float>::max());
-  const auto rounded = static_cast<float>(std::min(radius, 0.5 * limit));
+  const auto rounded = static_cast<float>(radius);
   return {Vec3((low + high) * 0.5), rounded > 0.F ? rounded : 1.F};
 }
 
@@ -55,6 +55,7 @@ Scene::Scene(desc::SceneDesc&& given, const BuildOptions& options, Warnings& war
   camera_ = make_camera(description.camera, film_.resolution, bounding_sphere_.center,
                         bounding_sphere_.radius);
   camera_->medium = medium(description.camera.medium);
+  geometry_->require_reach(reach_of_rays(), description);
 
   SceneCounts counted = geometry_->counts();
   counted.textures = counts_.textures;
@@ -155,6 +156,21 @@ void Scene::build_lights(const desc::SceneDesc& description, Warnings& warnings)
   }
 }
 
+/// Largest coordinate at which rays start that have not scattered in a medium.
+double Scene::reach_of_rays() const {
+  double reach = std::max(reach_of(bounds_), reach_of(camera_->bounds()));
+  for (const std::unique_ptr<Light>& light : lights_) {
+    if (const auto extent = light->bounds()) {
+      reach = std::max(reach, reach_of(extent->box));
+    } else {
+      const Vec3d center(bounding_sphere_.center);
+      // The border of a disk that touches the sphere is √2 radii away.
+      reach = std::max(reach, reach_of(center, center) + 1.5 * double{bounding_sphere_.radius});
+    }
+  }
+  return reach;
+}
+
 bool Scene::intersect(const Ray& ray, Hit& hit) const {
   if (!geometry_->intersect(ray, hit)) return false;
   const Surface& surface = surfaces_[hit.shape];
@@ -173,6 +189,7 @@ std::optional<Hit> Scene::intersect(const Ray& ray) const {
 }
 
 bool Scene::occluded(const Ray& ray) const { return geometry_->occluded(ray); }
+bool Scene::can_trace(const Ray& ray) const { return geometry_->can_trace(ray); }
 void Scene::log_rays(RayLog* log) { geometry_->log_rays(log); }
 void Scene::replay(const RayLog& log) const { geometry_->replay(log); }
 

@@ -41,14 +41,17 @@ class Scene {
   Scene(const Scene&) = delete;
   Scene& operator=(const Scene&) = delete;
 
-  /// Nearest surface along `ray`, alpha textures applied. Interface materials are reported like any
-  /// other.
+  /// Nearest surface along `ray`, alpha textures applied; empty, too, if the ray cannot be traced.
+  /// Interface materials are reported like any other.
   std::optional<Hit> intersect(const Ray& ray) const;
   /// The same, into `hit`, which is undefined if this returns false.
   bool intersect(const Ray& ray, Hit& hit) const;
   /// True if anything at all lies between (interfaces too; see `transmittance` of transport for
-  /// those).
+  /// those), or if the ray cannot be traced.
   bool occluded(const Ray& ray) const;
+  /// False if coordinates of `ray` are not numbers, or too large. The scene itself has none that
+  /// are; but light that scatters in a thin medium may go anywhere.
+  bool can_trace(const Ray& ray) const;
   /// See Geometry. Not for renders.
   void log_rays(RayLog* log);
   void replay(const RayLog& log) const;
@@ -94,6 +97,7 @@ class Scene {
     std::uint32_t material_id;
   };
   void build_lights(const desc::SceneDesc& description, Warnings& warnings);
+  double reach_of_rays() const;
   void build_surfaces(const desc::SceneDesc& description, Warnings& warnings);
   void name_things(const desc::SceneDesc& description);
 

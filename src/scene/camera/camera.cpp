@@ -1,8 +1,10 @@
 #include "scene/camera/camera.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "scene/camera/models.h"
+#include "scene/coordinate_limit.h"
 
 namespace ajar {
 
@@ -14,6 +16,11 @@ void check_lens(const desc::Camera& camera, float radius, float focal_distance) 
   }
   if (radius > 0.F && !(focal_distance > 0.F && std::isfinite(focal_distance))) {
     throw SceneError(camera.where, "the camera's focal distance must be more than 0");
+  }
+  // Of directions through the lens, per unit along the axis.
+  const float slope = std::max(radius, 1.F) / focal_distance;
+  if (radius > 0.F && !(slope <= kMaxCoordinate)) {
+    throw SceneError(camera.where, "the camera's focal distance is too small for its lens");
   }
 }
 
@@ -46,9 +53,12 @@ std::unique_ptr<Camera> make_camera(const desc::Camera& camera, Vec2i resolution
     throw SceneError(camera.where, "the image has no pixels");
   }
   if (!DirectionMap::invertible(camera.to_world)) {
-    throw SceneError(camera.where, "the transform of the camera cannot be inverted");
+    throw SceneError(camera.where,
+                     "the transform of the camera cannot be inverted in single precision");
   }
-  return std::visit(MakeCamera{camera, resolution}, camera.node);
+  auto made = std::visit(MakeCamera{camera, resolution}, camera.node);
+  check_reach(camera.where, "the camera", reach_of(made->bounds()));
+  return made;
 }
 
 }  // namespace ajar

@@ -29,6 +29,8 @@ class Camera : public Endpoint {
   /// Raster position of the ray that leaves `point` in direction `w` (away from the camera); empty
   /// if outside of the full image.
   virtual std::optional<Vec2> raster(const EndpointPoint& point, const Vec3& w) const = 0;
+  /// Box of the points where its rays start.
+  virtual Box3 bounds() const = 0;
   Vec2i resolution() const { return resolution_; }
 
   const Medium* medium = nullptr;
@@ -50,8 +52,9 @@ class Camera : public Endpoint {
 /// Environment: all directions from one point, latitude–longitude.
 ///
 /// Raises SceneError for a transform without inverse, an empty screen window, a field of view
-/// outside (0, 180) degrees or a lens without a positive focal distance. The bounds are for models
-/// that start rays outside of the scene; none of these does.
+/// outside (0, 180) degrees, a lens without a positive focal distance, and for all of these and the
+/// place if they are too large. The bounds are for models that start rays outside of the scene;
+/// none of these does.
 std::unique_ptr<Camera> make_camera(const desc::Camera& camera, Vec2i resolution,
                                     const Vec3& bounds_center, float bounds_radius);
 

@@ -344,5 +344,48 @@ TEST(Camera, UnusableDescriptionsAreErrors) {
   EXPECT_THROW(camera_of(kParallel, Mat4(), {0, 4}), SceneError);
 }
 
+/// Their rays start, or go, where no ray can be traced.
+TEST(Camera, ThoseTooLargeOrTooFarAwayAreErrors) {
+  const auto fails = [](const auto& node, const Mat4& to_world = Mat4()) {
+    try {
+      camera_of(node, to_world, {4, 4});
+      return false;
+    } catch (const SceneError&) {
+      return true;
+    }
+  };
+  Mat4 far_away;
+  far_away[3][1] = -1e18;
+  const desc::ScreenWindow wide{-1e19F, 1e19F, -1e-10F, 1e-10F};
+  EXPECT_TRUE(fails(kPinhole, far_away));
+  EXPECT_TRUE(fails(kParallel, far_away));
+  EXPECT_TRUE(fails(desc::EnvironmentCamera{}, far_away));
+  EXPECT_TRUE(fails(desc::PerspectiveCamera{50, 1e30F, 1e30F, {}, {}}));
+  EXPECT_TRUE(fails(desc::PerspectiveCamera{50, 1, 1e-38F, {}, {}}));
+  EXPECT_TRUE(fails(desc::PerspectiveCamera{50, 0, 1, wide, {}}));
+  EXPECT_TRUE(fails(desc::OrthographicCamera{1e30F, 1e30F, {}, {}}));
+  EXPECT_TRUE(fails(desc::OrthographicCamera{0, 1, wide, {}}));
+  for (const double size : {1e-19, 1e-30, 1e19, 1e38}) {
+    EXPECT_TRUE(fails(kThinLens, scaling(size, size, size))) << size;
+  }
+  far_away[3][1] = -5e17;
+  EXPECT_FALSE(fails(kPinhole, far_away));
+  EXPECT_FALSE(fails(kThinLens, scaling(1e-9, 1e-9, 1e-9)));
+  EXPECT_FALSE(fails(desc::PerspectiveCamera{50, 1, 1e30F, {}, {}})) << "sharp at infinity";
+}
+
+TEST(Camera, RaysStartWithinTheirBounds) {
+  for (const auto& [name, camera] : all_cameras({8, 6})) {
+    SCOPED_TRACE(name);
+    Box3 box = camera->bounds();
+    box.min -= Vec3(1e-4F);
+    box.max += Vec3(1e-4F);
+    Rng rng(6);
+    for (int i = 0; i < 1000; ++i) {
+      ASSERT_TRUE(box.intersects(camera->sample_emission(emission_uniforms(rng))->origin));
+    }
+  }
+}
+
 }  // namespace
 }  // namespace ajar

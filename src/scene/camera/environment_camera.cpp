@@ -19,6 +19,7 @@ class EnvironmentCamera final : public Camera {
 
   bool at_infinity() const override { return false; }
   bool discrete_position() const override { return true; }
+  Box3 bounds() const override { return Box3(position_); }
 
   std::optional<EmissionSample> sample_emission(const EmissionUniforms& u) const override {
     // The pole itself has no density; a ray next to it does.

@@ -26,6 +26,20 @@ class OrthographicCamera final : public Camera {
 
   bool at_infinity() const override { return true; }
   bool discrete_position() const override { return lens_radius_ == 0.F; }
+  Box3 bounds() const override {
+    // The window, and as far around it as the lens is wide.
+    Imath::Box2f starts(screen_.to_plane({0.F, 0.F}));
+    starts.extendBy(screen_.to_plane({1.F, 1.F}));
+    const Vec2 low = starts.min - Vec2(lens_radius_);
+    const Vec2 high = starts.max + Vec2(lens_radius_);
+    Box3 box;
+    for (const float x : {low.x, high.x}) {
+      for (const float y : {low.y, high.y}) {
+        box.extendBy(position_ + directions_.vector_to_world({x, y, 0.F}));
+      }
+    }
+    return box;
+  }
 
   std::optional<EmissionSample> sample_emission(const EmissionUniforms& u) const override {
     const Vec2 lens = sample_lens(u.position);

@@ -34,6 +34,15 @@ class PerspectiveCamera final : public Camera {
 
   bool at_infinity() const override { return false; }
   bool discrete_position() const override { return lens_radius_ == 0.F; }
+  Box3 bounds() const override {
+    Box3 box(position_);
+    for (const float x : {-lens_radius_, lens_radius_}) {
+      for (const float y : {-lens_radius_, lens_radius_}) {
+        box.extendBy(position_ + directions_.vector_to_world({x, y, 0.F}));
+      }
+    }
+    return box;
+  }
 
   std::optional<EmissionSample> sample_emission(const EmissionUniforms& u) const override {
     const EndpointPoint point = lens_point(u.position);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/error.h"
+#include "scene/coordinate_limit.h"
 
 namespace ajar {
 
@@ -19,6 +20,9 @@ Screen::Screen(const std::optional<desc::ScreenWindow>& window, const std::optio
   if (!(ratio > 0.F && std::isfinite(area()) && area() > 0.F)) {
     throw SceneError(where, "the camera's screen window is empty or not finite");
   }
+  const Vec2 end = corner_ + extent_;
+  check_reach(where, "the camera's screen window",
+              reach_of({corner_.x, corner_.y, 0.0}, {end.x, end.y, 0.0}));
 }
 
 std::optional<Vec2> Screen::to_raster(const Vec2& plane) const {

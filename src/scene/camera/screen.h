@@ -11,7 +11,7 @@ class Screen {
  public:
   /// Without `window` the shorter side spans [-1, 1] and the longer one `aspect` (default: of the
   /// resolution) times that. `scale` multiplies all of it. Raises SceneError, located at `where`,
-  /// if the window is empty or not finite.
+  /// if the window is empty, not finite, or too large.
   Screen(const std::optional<desc::ScreenWindow>& window, const std::optional<float>& aspect,
          Vec2i resolution, float scale, const SourceLocation& where);
 

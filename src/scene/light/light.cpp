@@ -1,5 +1,6 @@
 #include "scene/light/light.h"
 
+#include "scene/coordinate_limit.h"
 #include "scene/light/models.h"
 
 namespace ajar {
@@ -53,9 +54,13 @@ std::unique_ptr<Light> make_light(const desc::Light& light, const BoundingSphere
     at.directions = DirectionMap(light.to_world);
   } else {
     warnings.add(light.where,
-                 "the transform of the light cannot be inverted; its rotation is ignored");
+                 "the transform of the light cannot be inverted in single precision; its rotation "
+                 "is ignored");
   }
-  return std::visit(MakeLight{light, bounds, warnings, at}, light.node);
+  auto made = std::visit(MakeLight{light, bounds, warnings, at}, light.node);
+  if (const auto extent = made->bounds())
+    check_reach(light.where, "the light", reach_of(extent->box));
+  return made;
 }
 
 }  // namespace ajar

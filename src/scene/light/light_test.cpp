@@ -294,5 +294,43 @@ TEST(Lights, SingularTransformsAreWarnedOf) {
   check_emission(*light, 1000);
 }
 
+TEST(Lights, ThoseTooFarAwayAreErrorsUnlessTheyAreAtInfinity) {
+  Mat4 far_away;
+  far_away[3][2] = 1e18;
+  const auto fails = [&](const auto& node) {
+    Warnings warnings;
+    desc::Light light;
+    light.to_world = far_away;
+    light.node = node;
+    try {
+      make_light(light, kBounds, warnings);
+      return false;
+    } catch (const SceneError&) {
+      return true;
+    }
+  };
+  EXPECT_TRUE(fails(desc::PointLight{}));
+  EXPECT_TRUE(fails(desc::SpotLight{}));
+  EXPECT_TRUE(fails(desc::GoniometricLight{}));
+  EXPECT_TRUE(fails(desc::ProjectionLight{}));
+  EXPECT_FALSE(fails(desc::DistantLight{}));
+  EXPECT_FALSE(fails(desc::InfiniteLight{}));
+}
+
+/// Directions are worked out in single precision, whose third powers end at 10¹².
+TEST(Lights, ExtremeScalesAreWarnedOfAndStayFinite) {
+  for (const double size : {1e-30, 1e-13, 1e13, 1e30}) {
+    Mat4 scale;
+    scale.setScale(size);
+    Warnings warnings;
+    desc::Light node;
+    node.to_world = scale;
+    node.node = desc::SpotLight{};
+    const auto light = make_light(node, kBounds, warnings);
+    EXPECT_EQ(warnings.count(), 1U) << size;
+    check_emission(*light, 1000);
+  }
+}
+
 }  // namespace
 }  // namespace ajar

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/frame.h"
+#include "scene/coordinate_limit.h"
 
 namespace ajar {
 
@@ -21,9 +22,8 @@ CurveShape::CurveShape(const desc::Curve& curve, const Placement& placement, boo
   for (std::size_t i = 0; i < count; ++i) {
     const Vec3 p(placement.point(Vec3d(curve.control_points[i])));
     const auto radius = static_cast<float>(0.5 * scale * std::abs(curve.widths[i]));
-    if (!is_finite(p) || !std::isfinite(radius)) {
-      throw SceneError(where, "control point " + std::to_string(i) + " of the curve is not finite");
-    }
+    check_reach(where, "control point " + std::to_string(i) + " of the curve",
+                reach_of(Vec3d(p) - Vec3d(radius), Vec3d(p) + Vec3d(radius)));
     vertices_.push_back({p.x, p.y, p.z, radius});
     if (i % 4 == 0) first_vertex_.push_back(static_cast<unsigned>(i));
   }

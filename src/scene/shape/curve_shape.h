@@ -14,7 +14,7 @@ namespace ajar {
 class CurveShape {
  public:
   using Type = desc::Curve::Type;
-  /// Raises SceneError for counts that do not fit and values that are not finite. Widths are scaled
+  /// Raises SceneError for counts that do not fit and points too far out. Widths are scaled
   /// by the mean scale of the transform.
   CurveShape(const desc::Curve& curve, const Placement& placement, bool reversed,
              const SourceLocation& where);

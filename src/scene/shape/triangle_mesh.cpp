@@ -8,6 +8,7 @@
 
 #include "core/frame.h"
 #include "core/parallel_for.h"
+#include "scene/coordinate_limit.h"
 
 namespace ajar {
 
@@ -114,6 +115,23 @@ bool plane_test_is_too_rough(const Vec3& p0, const Vec3& p1, const Vec3& p2) {
   return 2.F * error > offset;
 }
 
+/// Meshes within this need no closer look: products of any three lengths in them, which Embree's
+/// triangle test makes, are finite.
+constexpr float kSurelySmall = 1e12F;
+
+float largest_coordinate(const Vec3& p) {
+  return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+}
+
+/// True if Embree's test of the triangle, twice the parallelepiped of two edges and the way from
+/// the origin of the ray to a corner, overflows for rays from about as far as the triangle itself.
+/// Hits then have no distance and shadow rays miss.
+bool triangle_test_overflows(const Vec3& p0, const Vec3& p1, const Vec3& p2) {
+  const float away =
+      std::max({largest_coordinate(p0), largest_coordinate(p1), largest_coordinate(p2)});
+  return !std::isfinite(2.F * length(cross(p1 - p0, p2 - p0)) * away);
+}
+
 }  // namespace
 
 TriangleMesh::TriangleMesh(std::shared_ptr<const desc::Mesh> source, const Placement& placement,
@@ -202,10 +220,19 @@ void TriangleMesh::place_with_attributes(const Placement& placement) {
 }
 
 void TriangleMesh::validate(const SourceLocation& where) {
-  const std::size_t bad_vertex =
-      first_bad(vertex_count_, [this](std::size_t i) { return !is_finite(position(i)); });
-  if (bad_vertex != kNowhere) {
-    throw SceneError(where, "vertex " + std::to_string(bad_vertex) + " of the mesh is not finite");
+  const auto first_beyond = [this](float limit) {
+    return first_bad(vertex_count_, [this, limit](std::size_t i) {
+      const Vec3& p = position(i);
+      return !(std::abs(p.x) <= limit && std::abs(p.y) <= limit && std::abs(p.z) <= limit);
+    });
+  };
+  const bool is_small = first_beyond(kSurelySmall) == kNowhere;
+  if (!is_small) {
+    const std::size_t bad_vertex = first_beyond(kMaxCoordinate);
+    if (bad_vertex != kNowhere) {
+      check_reach(where, "vertex " + std::to_string(bad_vertex) + " of the mesh",
+                  reach_of(Box3(position(bad_vertex))));
+    }
   }
   const auto out_of_range = [this](std::size_t i) {
     const Triangle& t = triangles_[i];
@@ -217,6 +244,17 @@ void TriangleMesh::validate(const SourceLocation& where) {
     throw SceneError(where, "triangle " + std::to_string(bad_triangle) + " uses vertex " +
                                 std::to_string(std::max({t.x, t.y, t.z})) + " of a mesh with " +
                                 std::to_string(vertex_count_) + " vertices");
+  }
+  if (!is_small) {
+    const std::size_t large = first_bad(triangle_count_, [this](std::size_t i) {
+      const Triangle& t = triangles_[i];
+      return triangle_test_overflows(position(t.x), position(t.y), position(t.z));
+    });
+    if (large != kNowhere) {
+      throw SceneError(where, "triangle " + std::to_string(large) +
+                                  " of the mesh is too large to be traced in single precision: "
+                                  "scale the scene down, or use a disk, which may be larger");
+    }
   }
   needs_plane_check_ =
       first_bad(triangle_count_, [this](std::size_t i) {

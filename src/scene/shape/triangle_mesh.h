@@ -17,8 +17,8 @@ class TriangleMesh {
 
   /// Takes over `source` if nobody else holds it (the mesh must not have been created const);
   /// otherwise only what the transform changes is copied. Raises SceneError, located at `where`,
-  /// for indices out of range and vertices that are not finite; attributes of the wrong number are
-  /// dropped with a warning.
+  /// for indices out of range, and for vertices too far out and triangles too large to be traced;
+  /// attributes of the wrong number are dropped with a warning.
   TriangleMesh(std::shared_ptr<const desc::Mesh> source, const Placement& placement, bool reversed,
                const SourceLocation& where, Warnings& warnings);
 
