@@ -118,7 +118,7 @@ class CheckingSink final : public PathSink {
       }
       path.nodes.push_back(node);
     }
-    std::uint64_t rays = 0;
+    RayCounts rays;
     for (std::size_t i = 0; i <= vertices.size(); ++i) {
       path.segments.push_back(segment(path, vertices, i, rays));
     }
@@ -132,7 +132,7 @@ class CheckingSink final : public PathSink {
   /// Segment i leaves node i - 1 (the light for i = 0); traced from the side that is inside the
   /// scene.
   Segment segment(const OraclePath& path, const std::vector<const PathVertex*>& vertices,
-                  std::size_t i, std::uint64_t& rays) const {
+                  std::size_t i, RayCounts& rays) const {
     const bool at_light = i == 0;
     const PathVertex& from = *vertices[at_light ? 0 : i - 1];
     Ray ray;

@@ -74,7 +74,7 @@ void ChainBootstrap::run(std::uint64_t item, Counters& counters) {
     // What is not a number is counted when a chain meets it; it can be no seed.
     population.weights[i] = scalar > 0.0 && std::isfinite(scalar) ? scalar : 0.0;
   }
-  counters.rays += target->rays();
+  counters.add_rays(target->ray_counts());
 }
 
 void ChainBootstrap::end() {

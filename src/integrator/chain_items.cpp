@@ -93,7 +93,7 @@ void ChainItems::run_chain(const Item& item, std::uint64_t first_sample, std::ui
   effort_.count_chains(target->rays() - rays_to_start, statistics.steps);
   member.record.statistics += statistics;
   counters.mutations += statistics.steps;
-  counters.rays += target->rays();
+  counters.add_rays(target->ray_counts());
   counters.discarded_nan += statistics.discarded_nan;
   counters.discarded_infinite += statistics.discarded_infinite;
   counters.discarded_negative += statistics.discarded_negative;
@@ -158,7 +158,7 @@ void ChainItems::run_plain(ChainPopulation& population, PlaneMaps* maps, Film& f
       counters.mutations += kSteps;
     }
   }
-  counters.rays += target->rays();
+  counters.add_rays(target->ray_counts());
 }
 
 void ChainItems::save_state(OutputArchive& archive) const { archive(b_, later_weight_); }

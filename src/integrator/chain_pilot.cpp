@@ -47,7 +47,7 @@ std::uint64_t ChainPilot::begin() {
 void ChainPilot::run(std::uint64_t item, Counters& counters) {
   Counters own;
   omc_->run_item(item, 0, pilot_samples(plan_), *film_, own);
-  counters.rays += own.rays;
+  counters.add_rays(own);
 }
 
 std::vector<float> ChainPilot::luminances() const {

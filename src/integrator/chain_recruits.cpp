@@ -48,7 +48,7 @@ class ChainRecruits::Sink final : public StrongPathSink {
   bool spread(SampleSource& numbers, StrongPath& path) override {
     Recruit recruit{path, PathNumbers(numbers, path), {}};
     splats_.clear();
-    recruit.scalar = recruits_.evaluate(recruit, splats_, counters_.rays);
+    recruit.scalar = recruits_.evaluate(recruit, splats_, counters_);
     // Rounding may have moved the path off an edge.
     if (!(*recruit.scalar > 0.0 && std::isfinite(*recruit.scalar))) return false;
     recruits_.keep(std::move(recruit));
@@ -61,14 +61,13 @@ class ChainRecruits::Sink final : public StrongPathSink {
   SplatBuffer splats_;
 };
 
-double ChainRecruits::evaluate(const Recruit& recruit, SplatBuffer& splats,
-                               std::uint64_t& rays) const {
+double ChainRecruits::evaluate(const Recruit& recruit, SplatBuffer& splats, RayCounts& rays) const {
   const PathGroup& group = plan_.group_of(recruit.path.technique.depth());
   const Chain chain = recruit.numbers.start_chain(plan_, group, recruit.path);
   const auto target = plan_.make_target(group, recruit.path.replicate);
   ReplaySource replay(chain.numbers);
   const double scalar = target->evaluate(replay, Change{}, splats);
-  rays += target->rays();
+  rays.add_rays(target->ray_counts());
   return scalar;
 }
 
@@ -315,7 +314,7 @@ void ChainRecruits::resample(ChainPopulation& population,
     } else {
       const Recruit& recruit = *recruits[index - old.size()];
       Chain chain = recruit.numbers.start_chain(plan_, group, recruit.path);
-      std::uint64_t rays = 0;
+      RayCounts rays;
       splats.clear();
       chain.scalar = recruit.scalar ? *recruit.scalar : evaluate(recruit, splats, rays);
       population.chains.push_back(

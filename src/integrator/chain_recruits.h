@@ -69,7 +69,7 @@ class ChainRecruits final : public StrongPathSinks {
     }
   };
 
-  double evaluate(const Recruit& recruit, SplatBuffer& splats, std::uint64_t& rays) const;
+  double evaluate(const Recruit& recruit, SplatBuffer& splats, RayCounts& rays) const;
   void set_grain(double per_sample, double camera_samples);
   void join_replicate(std::vector<ChainPopulation>& populations,
                       const std::vector<std::vector<const Recruit*>>& found, int replicate,

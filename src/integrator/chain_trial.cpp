@@ -91,7 +91,7 @@ void ChainTrial::run(std::uint64_t item, Counters& counters) {
   runner.run(member.chain, steps, sink);
   half.mutations += steps;
   half.rays += target->rays();
-  counters.rays += target->rays();
+  counters.add_rays(target->ray_counts());
 }
 
 ChainCosts ChainTrial::costs_of(std::size_t h) const {

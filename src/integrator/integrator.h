@@ -13,6 +13,7 @@
 #include "image/film.h"
 #include "image/plane.h"
 #include "integrator/technique_tally.h"
+#include "scene/ray_counts.h"
 #include "scene/scene.h"
 
 namespace ajar {
@@ -29,8 +30,7 @@ struct RenderSettings {
 };
 
 /// Numbers every integrator counts; summed over threads by the job.
-struct Counters {
-  std::uint64_t rays = 0;     ///< nearest-hit and shadow rays
+struct Counters : RayCounts {
   std::uint64_t samples = 0;  ///< camera samples
   std::uint64_t mutations = 0;
   TechniqueShares techniques;  ///< what each technique brought

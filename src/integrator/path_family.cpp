@@ -85,7 +85,7 @@ class PathIntegrator final : public Integrator {
       }
     }
     sink.end();
-    counters.rays += sampler.rays();
+    counters.add_rays(sampler.ray_counts());
   }
 
   double develop_scale(const LayerSpec& /*layer*/, std::uint64_t samples,

@@ -71,7 +71,9 @@ class TechniqueChoice {
 /// A target over paths. With a `split`, over the chains' share of their light.
 class PathTarget : public Target {
  public:
-  virtual std::uint64_t rays() const = 0;
+  /// Traced so far.
+  virtual const RayCounts& ray_counts() const = 0;
+  std::uint64_t rays() const { return ray_counts().rays; }
   /// The technique of the state evaluated last, for targets whose states are of one.
   virtual const TechniqueChoice::Chosen* technique() const { return nullptr; }
 };
@@ -85,7 +87,7 @@ class WholePathTarget final : public PathTarget {
                   const LightSplit* split = nullptr);
   double evaluate(SampleSource& numbers, const Change& change, SplatBuffer& splats) override;
   void accepted() override { directions_.accept(); }
-  std::uint64_t rays() const override { return sampler_.rays(); }
+  const RayCounts& ray_counts() const override { return sampler_.ray_counts(); }
 
  private:
   const ChainView& view_;
@@ -109,7 +111,7 @@ class OnePathTarget final : public PathTarget {
   double evaluate(SampleSource& numbers, const Change& change, SplatBuffer& splats) override;
   void accepted() override;
   void rejected() override;
-  std::uint64_t rays() const override { return sampler_.rays(); }
+  const RayCounts& ray_counts() const override { return sampler_.ray_counts(); }
   const TechniqueChoice::Chosen* technique() const override { return &chosen_; }
 
  private:

@@ -35,7 +35,7 @@ IntegratorInfo chain_family_member(ChainKind kind, std::string name, std::string
 }  // namespace
 
 Counters& Counters::operator+=(const Counters& other) {
-  rays += other.rays;
+  add_rays(other);
   samples += other.samples;
   mutations += other.mutations;
   techniques += other.techniques;

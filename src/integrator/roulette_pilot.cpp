@@ -140,7 +140,7 @@ void RoulettePilot::run(std::uint64_t item, Counters& counters) {
     sums.variance += difference * difference;  // the variance of either, twice
   }
   sums.rays = static_cast<double>(sampler.rays()) - (1.0 - light_subpaths) * light_rays;
-  counters.rays += sampler.rays();
+  counters.add_rays(sampler.ray_counts());
 }
 
 void RoulettePilot::end() {

@@ -139,7 +139,7 @@ void SplitPilot::run(std::uint64_t item, Counters& counters) {
   Counters own;
   omc_->run_item(item, 0, samples_, *film_, own);
   rays_ += own.rays;
-  counters.rays += own.rays;
+  counters.add_rays(own);
 }
 
 std::unique_ptr<StrongPathSink> SplitPilot::make(Film& film, Counters& counters) const {

@@ -34,7 +34,7 @@ std::uint64_t SurfacePilot::begin() {
 void SurfacePilot::run(std::uint64_t item, Counters& counters) {
   Counters own;
   rays_->run_item(item, 0, kSamples, *film_, own);
-  counters.rays += own.rays;
+  counters.add_rays(own);
 }
 
 void SurfacePilot::end() {

@@ -51,7 +51,7 @@ class TechniquePilot::Candidate final : public StrongPathSinks {
     Counters own;
     omc_->run_item(tile, 0, kReplicates, film_, own);
     rays_ += own.rays;
-    counters.rays += own.rays;
+    counters.add_rays(own);
   }
 
   std::unique_ptr<StrongPathSink> make(Film& /*film*/, Counters& /*counters*/) const override {

@@ -52,6 +52,7 @@ class CheckpointFile : public testing::Test {
     job.samples_per_pixel = 12;
     job.partial = PartialPass{12, 4, {1, 0, 1}};
     job.counters.rays = 1234;
+    job.counters.rays_out_of_range = 567;
     job.counters.first_discarded = "somewhere";
     job.counters.techniques.add(3, 0.5, 0.25);
     job.relative_error = 0.25;
@@ -94,6 +95,7 @@ TEST_F(CheckpointFile, KeepsEverything) {
   EXPECT_EQ(read.render.parameters, checkpoint_.render.parameters);
   EXPECT_EQ(read.render.settings.crop, checkpoint_.render.settings.crop);
   EXPECT_EQ(read.job.partial->done, checkpoint_.job.partial->done);
+  EXPECT_EQ(read.job.counters.rays_out_of_range, 567U);
   EXPECT_EQ(read.job.counters.techniques.sums(), checkpoint_.job.counters.techniques.sums());
   EXPECT_EQ(read.integrator_state, checkpoint_.integrator_state);
   EXPECT_EQ(read.budget.seconds, 3.5);

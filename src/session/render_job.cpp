@@ -36,13 +36,14 @@ struct ThreadTally {
 /// Puts at the root what all ranks counted. Of the discarded the root's own is the one described.
 void sum_counters(Ranks& ranks, JobState& state) {
   Counters& counters = state.counters;
-  std::array<std::int64_t, 6> numbers{};
-  const std::array<std::uint64_t*, 6> places = {&counters.rays,
-                                                &counters.samples,
-                                                &counters.mutations,
-                                                &counters.discarded_nan,
-                                                &counters.discarded_infinite,
-                                                &counters.discarded_negative};
+  const std::array places = {&counters.rays,
+                             &counters.rays_out_of_range,
+                             &counters.samples,
+                             &counters.mutations,
+                             &counters.discarded_nan,
+                             &counters.discarded_infinite,
+                             &counters.discarded_negative};
+  std::array<std::int64_t, std::tuple_size_v<decltype(places)>> numbers{};
   for (std::size_t i = 0; i < places.size(); ++i) {
     numbers[i] = static_cast<std::int64_t>(*places[i]);
   }
@@ -50,7 +51,7 @@ void sum_counters(Ranks& ranks, JobState& state) {
   sums.resize(2 * TechniqueShares::kSlots);
   sums.push_back(state.chain_seconds);
   sums.push_back(state.cpu_seconds);
-  std::array<std::int64_t, 6> whole = numbers;
+  auto whole = numbers;
   std::vector<double> whole_sums = sums;
   ranks.sum_to_root(std::span<const std::int64_t>(numbers), whole);
   ranks.sum_to_root(std::span<const double>(sums), whole_sums);

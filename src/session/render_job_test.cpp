@@ -340,6 +340,7 @@ TEST(RenderJob, GivesTheSameBitsOnAnyNumberOfRanks) {
     EXPECT_EQ(render_on_ranks(count, options, &result), reference) << count << " ranks";
     EXPECT_EQ(result.counters.samples, 40U * 13U * 7U);
     EXPECT_EQ(result.counters.discarded_nan, 18U);
+    EXPECT_EQ(result.counters.rays_out_of_range, 18U);
     EXPECT_EQ(result.relative_error, 0.5);
   }
 }

@@ -47,10 +47,11 @@ Json parameters_json(const RenderStatistics& s) {
   return parameters;
 }
 
-Json discarded_json(const Counters& counters) {
+Json discarded_json(const Counters& counters, const Counters& preparation) {
   return {{"nan", counters.discarded_nan},
           {"infinite", counters.discarded_infinite},
           {"negative", counters.discarded_negative},
+          {"rays_out_of_range", counters.rays_out_of_range + preparation.rays_out_of_range},
           {"first", counters.first_discarded.empty() ? Json() : Json(counters.first_discarded)}};
 }
 
@@ -181,7 +182,7 @@ Json to_json(const RenderStatistics& s) {
   json["warnings"] = s.warning_count;
   json["warning_messages"] = s.warnings;
   json["techniques"] = techniques_json(r.counters.techniques);
-  json["discarded"] = discarded_json(r.counters);
+  json["discarded"] = discarded_json(r.counters, s.preparation);
   json["budget"] = budget_json(s.budget);
   json["share"] = {s.share.index + 1, s.share.count};
   json["ranks"] = s.ranks;

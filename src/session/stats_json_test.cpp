@@ -19,6 +19,8 @@ RenderStatistics example() {
   s.result.seconds = 2.0;
   s.result.counters.rays = 1000;
   s.result.counters.discarded_nan = 3;
+  s.result.counters.rays_out_of_range = 40;
+  s.preparation.rays_out_of_range = 2;
   s.result.counters.first_discarded = "pixel (3, 4), sample 5";
   s.result.relative_error = 0.01;
   s.result.stopped_by = StopReason::Interrupted;
@@ -38,7 +40,7 @@ TEST(Statistics, HaveEveryKeyOfTheManual) {
   for (const char* key : {"load", "build", "prepare", "render"}) {
     EXPECT_TRUE(json.at("seconds").contains(key)) << key;
   }
-  for (const char* key : {"nan", "infinite", "negative", "first"}) {
+  for (const char* key : {"nan", "infinite", "negative", "rays_out_of_range", "first"}) {
     EXPECT_TRUE(json.at("discarded").contains(key)) << key;
   }
 }
@@ -49,6 +51,7 @@ TEST(Statistics, SayWhatHappened) {
   EXPECT_EQ(json.at("warnings"), 300);
   EXPECT_EQ(json.at("warning_messages").size(), 2U);
   EXPECT_EQ(json.at("discarded").at("nan"), 3);
+  EXPECT_EQ(json.at("discarded").at("rays_out_of_range"), 42);
   EXPECT_EQ(json.at("discarded").at("first"), "pixel (3, 4), sample 5");
   EXPECT_EQ(json.at("interrupted"), true);
   EXPECT_EQ(json.at("resolution"), (nlohmann::ordered_json{640, 480}));

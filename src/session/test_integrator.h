@@ -36,6 +36,7 @@ class TestIntegrator final : public Integrator {
       counters.rays += 2;
       if (item % 5 == 3 && i == 1) {
         ++counters.discarded_nan;
+        ++counters.rays_out_of_range;
         if (counters.first_discarded.empty()) {
           counters.first_discarded = "item " + std::to_string(item);
         }

@@ -61,8 +61,7 @@ std::optional<PathSampler::Joined> PathSampler::join(const Ray& ray, const Mediu
     if (value.is_black()) return std::nullopt;
     const float survivor = cull(value, worth, pair, source);
     if (survivor == 0.F) return std::nullopt;
-    ++rays_;
-    if (scene_.occluded(ray)) return std::nullopt;
+    if (is_blocked(scene_, ray, rays_)) return std::nullopt;
     return Joined{value * survivor, mis_weight, survivor};
   }
   const float survivor = cull(unoccluded, worth, pair, source);

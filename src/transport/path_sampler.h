@@ -109,7 +109,8 @@ class PathSampler {
   void keep_directions(KeptDirections* directions) { camera_walk_.directions = directions; }
 
   /// Rays traced so far.
-  std::uint64_t rays() const { return rays_; }
+  std::uint64_t rays() const { return rays_.rays; }
+  const RayCounts& ray_counts() const { return rays_; }
 
  private:
   struct LightStart {
@@ -189,7 +190,7 @@ class PathSampler {
   std::size_t light_vertex_count_ = 0;
   std::vector<MisTrailEntry> camera_trail_;  // these two only for sets that name single techniques
   std::vector<MisTrailEntry> light_trails_;
-  std::uint64_t rays_ = 0;
+  RayCounts rays_;
 };
 
 }  // namespace ajar

@@ -19,6 +19,13 @@ void cross_medium(const Medium* medium, float distance, Segment& segment) {
   segment.transmittance *= medium->transmittance(distance);
   if (medium->scatters()) segment.scattering_depth += medium->sigma_t() * distance;
 }
+
+/// Whether a ray that met nothing was not traced at all, which is counted.
+bool was_lost(const Scene& scene, const Ray& ray, RayCounts& rays) {
+  if (scene.can_trace(ray)) return false;
+  ++rays.rays_out_of_range;
+  return true;
+}
 }  // namespace
 
 float Segment::distance_pdf_in_medium(const Medium* medium) const {
@@ -27,15 +34,18 @@ float Segment::distance_pdf_in_medium(const Medium* medium) const {
 }
 
 SegmentEnd trace_segment(const Scene& scene, Ray ray, const Medium* medium,
-                         const DistanceSource& numbers, std::uint64_t& rays) {
+                         const DistanceSource& numbers, RayCounts& rays) {
   SegmentEnd end;
   Hit& hit = end.hit.emplace();
   if (medium == nullptr && !scene.has_interfaces()) {
-    ++rays;
+    ++rays.rays;
     const bool found = scene.intersect(ray, hit);
     end.medium = nullptr;
     end.distance = found ? hit.t : std::numeric_limits<float>::infinity();
-    if (!found) end.hit.reset();
+    if (!found) {
+      end.lost = was_lost(scene, ray, rays);
+      end.hit.reset();
+    }
     return end;
   }
   int lane = -1;           // to sample distances by; chosen when the first scattering medium is met
@@ -43,8 +53,12 @@ SegmentEnd trace_segment(const Scene& scene, Ray ray, const Medium* medium,
   float travelled = 0.F;
   bool found = false;
   for (int i = 0; i < kMaxInterfaces; ++i) {
-    ++rays;
+    ++rays.rays;
     found = scene.intersect(ray, hit);
+    if (!found && was_lost(scene, ray, rays)) {
+      end.lost = true;
+      break;
+    }
     const float distance = found ? hit.t : std::numeric_limits<float>::infinity();
     if (medium != nullptr && medium->scatters()) {
       if (lane < 0) {
@@ -88,20 +102,26 @@ std::optional<Segment> unobstructed(const Scene& scene, const Ray& ray, const Me
   return segment;
 }
 
-std::optional<Segment> connect(const Scene& scene, Ray ray, const Medium* medium,
-                               std::uint64_t& rays) {
+bool is_blocked(const Scene& scene, const Ray& ray, RayCounts& rays) {
+  ++rays.rays;
+  if (!scene.occluded(ray)) return false;
+  was_lost(scene, ray, rays);
+  return true;
+}
+
+std::optional<Segment> connect(const Scene& scene, Ray ray, const Medium* medium, RayCounts& rays) {
   if (!scene.has_interfaces()) {
-    ++rays;
-    if (scene.occluded(ray)) return std::nullopt;
+    if (is_blocked(scene, ray, rays)) return std::nullopt;
     return unobstructed(scene, ray, medium);
   }
   Segment segment;
   const bool bounded = std::isfinite(ray.t_max);
   const Vec3 target = bounded ? ray.origin + ray.direction * ray.t_max : Vec3(0.F);
   for (int i = 0; i < kMaxInterfaces; ++i) {
-    ++rays;
+    ++rays.rays;
     const std::optional<Hit> hit = scene.intersect(ray);
     if (!hit) {
+      if (was_lost(scene, ray, rays)) return std::nullopt;
       cross_medium(medium, ray.t_max, segment);
       return segment;
     }

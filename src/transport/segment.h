@@ -1,6 +1,7 @@
 #pragma once
 #include <optional>
 
+#include "scene/ray_counts.h"
 #include "scene/scene.h"
 #include "transport/sample_source.h"
 
@@ -29,6 +30,7 @@ struct SegmentEnd {
   const Medium* medium;    ///< at the end
   float distance;          ///< from the ray's origin; infinity if it left the scene
   bool scattered = false;  ///< in `medium`, at origin + distance · direction
+  bool lost = false;       ///< the ray could not be traced: nobody knows what it would have met
   Spectrum weight{1.F};    ///< transmittance (· σ_s) / distance pdf
   Segment segment;
 };
@@ -59,15 +61,17 @@ class DistanceSource {
 /// lane to sample by is chosen uniformly and all lanes count in the density (single-sample MIS).
 /// `rays` is increased by the number of rays traced.
 SegmentEnd trace_segment(const Scene& scene, Ray ray, const Medium* medium,
-                         const DistanceSource& numbers, std::uint64_t& rays);
+                         const DistanceSource& numbers, RayCounts& rays);
+
+/// Whether anything at all lies on `ray`, or it cannot be traced. It is counted either way.
+bool is_blocked(const Scene& scene, const Ray& ray, RayCounts& rays);
 
 /// The segment between two points if nothing opaque lies between them; empty if interfaces may,
 /// which only tracing tells.
 std::optional<Segment> unobstructed(const Scene& scene, const Ray& ray, const Medium* medium);
 
 /// The segment between two mutually visible points; empty if a surface that is not an interface
-/// lies between.
-std::optional<Segment> connect(const Scene& scene, Ray ray, const Medium* medium,
-                               std::uint64_t& rays);
+/// lies between, or a ray cannot be traced.
+std::optional<Segment> connect(const Scene& scene, Ray ray, const Medium* medium, RayCounts& rays);
 
 }  // namespace ajar

@@ -6,6 +6,7 @@
 
 #include "apps/cli/messages.h"
 #include "core/error.h"
+#include "scene/coordinate_limit.h"
 #include "session/progress.h"
 
 namespace ajar::cli {
@@ -33,6 +34,13 @@ bool write_statistics(const RenderStatistics& statistics, const std::string& pat
 }
 
 void report_discarded(const Counters& counters) {
+  if (counters.rays_out_of_range > 0) {
+    print_warning(
+        fmt::format("{} of {} rays could not be traced, because their coordinates are not numbers "
+                    "or too large ({:g} at most, less with small instances); what they would have "
+                    "brought is missing",
+                    counters.rays_out_of_range, counters.rays, kMaxRayCoordinate));
+  }
   const std::uint64_t total =
       counters.discarded_nan + counters.discarded_infinite + counters.discarded_negative;
   if (total == 0) return;
