@@ -104,7 +104,7 @@ void ChainRecruits::check_recruit(const Recruit& recruit) const {
   }
   // A chain that starts there must have what `ChainRunner` sees there.
   SplatBuffer splats;
-  std::uint64_t rays = 0;
+  RayCounts rays;
   const double scalar = evaluate(recruit, splats, rays);
   if (!(scalar > 0.0 && std::isnormal(scalar)) || (recruit.scalar && *recruit.scalar != scalar)) {
     throw std::runtime_error("a path that was found leads elsewhere");
