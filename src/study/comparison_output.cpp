@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "core/printable_text.h"
 #include "image/metrics.h"
 
 namespace ajar::study {
@@ -44,14 +45,14 @@ std::string bias_text(const ComparedPicture& compared) {
     return fmt::format(
         "{}: not tested for bias: the file says nothing of its error (render with --aov "
         "replicates or --aov standard-error)\n",
-        compared.picture.path);
+        printable_line(compared.picture.path));
   }
   const BiasTest& bias = *compared.bias;
   const BlockComparison& r = bias.result;
   std::string text = fmt::format(
       "{}: {}\n  mean {:+.3g} % ± {:.3g} % (z {:+.2f}); worst of {} tests of {}x{} blocks and "
       "channels: z {:+.2f} at {},{}–{},{} in {} (family p {:.2g})\n",
-      compared.picture.path,
+      printable_line(compared.picture.path),
       bias.differs ? "differs from the reference by more than noise" : "no bias found",
       100 * r.mean_relative_difference,
       100 * std::abs(r.mean_error * r.mean_relative_difference / r.mean_difference), r.mean_z,
@@ -130,9 +131,10 @@ std::string conditions_text(const Comparison& comparison) {
   return text;
 }
 
-std::string aligned_table(const std::vector<std::vector<std::string>>& rows) {
+std::string aligned_table(std::vector<std::vector<std::string>> rows) {
   std::vector<std::size_t> widths;
-  for (const auto& row : rows) {
+  for (auto& row : rows) {
+    for (std::string& cell : row) cell = printable_line(cell);
     widths.resize(std::max(widths.size(), row.size()));
     for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
   }
@@ -158,8 +160,9 @@ std::string to_text(const Comparison& comparison) {
     rows.push_back({compared.picture.path});
     for (const auto& value : compared.values) rows.back().push_back(value_text(value));
   }
-  std::string text = fmt::format("reference: {} ({}x{})\n\n", comparison.reference.path,
-                                 comparison.reference.size.x, comparison.reference.size.y);
+  std::string text =
+      fmt::format("reference: {} ({}x{})\n\n", printable_line(comparison.reference.path),
+                  comparison.reference.size.x, comparison.reference.size.y);
   text += aligned_table(rows) + "\n" + legend(comparison) + conditions_text(comparison) + "\n";
   for (const ComparedPicture& compared : comparison.pictures) text += bias_text(compared);
   return text;
@@ -172,16 +175,18 @@ Json to_json(const Comparison& comparison) {
     for (std::size_t i = 0; i < comparison.metrics.size(); ++i) {
       values[comparison.metrics[i]->name] = number_or_null(compared.values[i]);
     }
-    pictures.push_back({{"picture", compared.picture.path},
+    pictures.push_back({{"picture", valid_utf8(compared.picture.path)},
                         {"metrics", values},
                         {"bias", compared.bias ? bias_json(*compared.bias) : Json()}});
   }
   const Vec2i size = comparison.reference.size;
-  return {{"reference", comparison.reference.path},
+  std::vector<std::string> warnings;
+  for (const std::string& warning : comparison.warnings) warnings.push_back(valid_utf8(warning));
+  return {{"reference", valid_utf8(comparison.reference.path)},
           {"resolution", {size.x, size.y}},
           {"conditions", conditions_json(comparison)},
           {"pictures", pictures},
-          {"warnings", comparison.warnings}};
+          {"warnings", warnings}};
 }
 
 }  // namespace ajar::study

@@ -18,7 +18,7 @@ std::string conditions_text(const Comparison& comparison);
 
 /// Columns as wide as their longest cell, the first to the left, the others to the right, two
 /// spaces between them. All rows have the same number of cells.
-std::string aligned_table(const std::vector<std::vector<std::string>>& rows);
+std::string aligned_table(std::vector<std::vector<std::string>> rows);
 
 /// Four digits, "inf", or "-" without a value.
 std::string value_text(std::optional<double> value);

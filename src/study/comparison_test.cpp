@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <random>
 
 #include "core/error.h"
@@ -116,6 +117,19 @@ class Files : public testing::Test {
   }
   fs::path folder_;
 };
+
+TEST_F(Files, NamesOfAnyBytesMakeValidJsonAndHarmlessTables) {
+  const Box2i whole(Vec2i(0, 0), Vec2i(3, 3));
+  const std::string odd = write("caf\xe9\x1b[31m\n.pfm", whole);
+  Comparison comparison = compare_files(odd, {odd}, metrics_by_name({"mse"}), 67.0);
+  comparison.warnings.push_back(odd);
+  const auto json = to_json(comparison);
+  EXPECT_NE(json.dump().find("caf\xef\xbf\xbd"), std::string::npos);
+  EXPECT_EQ(json.at("warnings").back(), json.at("reference"));
+  const std::string text = to_text(comparison);
+  EXPECT_EQ(text.find('\x1b'), std::string::npos);
+  EXPECT_NE(text.find("caf\\xe9\\x1b[31m\\n.pfm  "), std::string::npos) << text;
+}
 
 TEST_F(Files, OtherPartsOfAPictureAreNotCompared) {
   const std::string left = write("left.exr", {{0, 0}, {3, 3}});

@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <sstream>
+#include <cstddef>
+#include <iterator>
+#include <set>
 
 #include "core/error.h"
+#include "core/regular_file.h"
 
 namespace ajar::study {
 
@@ -21,23 +23,100 @@ std::string place_of(const std::string& text, std::size_t byte) {
   const std::size_t column = last_break == std::string::npos ? end + 1 : end - last_break;
   return fmt::format("{}:{}", line, column);
 }
+
+/// Walks through a text and tells how far it has come.
+class WatchedIterator {
+ public:
+  using iterator_category = std::input_iterator_tag;
+  using value_type = char;
+  using difference_type = std::ptrdiff_t;
+  using pointer = const char*;
+  using reference = const char&;
+
+  WatchedIterator(const char* place, std::size_t* taken) : place_(place), taken_(taken) {}
+  reference operator*() const { return *place_; }
+  WatchedIterator& operator++() {
+    ++place_;
+    ++*taken_;
+    return *this;
+  }
+  WatchedIterator operator++(int) {
+    const WatchedIterator before = *this;
+    ++*this;
+    return before;
+  }
+  bool operator==(const WatchedIterator& other) const { return place_ == other.place_; }
+  bool operator!=(const WatchedIterator& other) const { return place_ != other.place_; }
+
+ private:
+  const char* place_;
+  std::size_t* taken_;
+};
+
+/// Reads JSON; every error is a UsageError with file:line:column.
+class Parser {
+ public:
+  Parser(const std::string& path, const std::string& text) : path_(path), text_(text) {}
+
+  JsonNode::Json run() {
+    try {
+      const WatchedIterator begin(text_.data(), &taken_);
+      const WatchedIterator end(text_.data() + text_.size(), &taken_);
+      return JsonNode::Json::parse(begin, end,
+                                   [this](int /*depth*/, Event event, JsonNode::Json& parsed) {
+                                     watch(event, parsed);
+                                     return true;
+                                   });
+    } catch (const JsonNode::Json::parse_error& error) {
+      // The library's message repeats its own idea of the place after the first colon.
+      const std::string message = error.what();
+      const std::size_t colon = message.find(": ");
+      fail(error.byte,
+           "this is not JSON: " + message.substr(colon == std::string::npos ? 0 : colon + 2));
+    } catch (const JsonNode::Json::out_of_range& error) {
+      // "… '1e309'"; the parser has taken one character more than the number.
+      const std::string message = error.what();
+      const std::size_t quote = message.find('\'');
+      const std::string number =
+          quote == std::string::npos ? "" : message.substr(quote + 1, message.size() - quote - 2);
+      fail(taken_ - std::min(taken_, number.size()),
+           "the number " + number + " is too large; at most 1.7e308");
+    }
+  }
+
+ private:
+  using Event = JsonNode::Json::parse_event_t;
+
+  void watch(Event event, const JsonNode::Json& parsed) {
+    constexpr std::size_t kDeepest = 64;
+    if (event == Event::object_start || event == Event::array_start) {
+      members_.emplace_back();
+      if (members_.size() > kDeepest) fail(taken_, "values are nested more than 64 deep");
+    } else if (event == Event::object_end || event == Event::array_end) {
+      members_.pop_back();
+    } else if (event == Event::key) {
+      const auto& name = parsed.get_ref<const std::string&>();
+      if (members_.back().insert(name).second) return;
+      fail(taken_ - std::min(taken_, name.size() + 1),
+           "the member \"" + name + "\" is there twice");
+    }
+  }
+  /// `byte` counts from 1.
+  [[noreturn]] void fail(std::size_t byte, const std::string& message) const {
+    throw UsageError(fmt::format("{}:{}: {}", path_, place_of(text_, byte), message));
+  }
+
+  const std::string& path_;
+  const std::string& text_;
+  std::size_t taken_ = 0;                       ///< bytes
+  std::vector<std::set<std::string>> members_;  ///< so far, of each value that is open
+};
 }  // namespace
 
 JsonNode JsonNode::read_file(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream content;
-  content << file.rdbuf();
-  if (!file) throw IoError("cannot read \"" + path + "\"");
-  const std::string text = content.str();
-  try {
-    return {Json::parse(text), path, ""};
-  } catch (const Json::parse_error& error) {
-    // The library's message repeats its own idea of the place after the first colon.
-    const std::string message = error.what();
-    const std::size_t colon = message.find(": ");
-    throw UsageError(fmt::format("{}:{}: this is not JSON: {}", path, place_of(text, error.byte),
-                                 message.substr(colon == std::string::npos ? 0 : colon + 2)));
-  }
+  const FileBytes file = ajar::read_file(path);
+  const std::string text(file.view());
+  return {Parser(path, text).run(), path, ""};
 }
 
 std::string JsonNode::place() const { return file_ + ": " + (path_.empty() ? "" : path_ + ": "); }

@@ -6,6 +6,8 @@
 #include <array>
 #include <cmath>
 
+#include "core/printable_text.h"
+
 namespace ajar::study {
 
 namespace {
@@ -70,7 +72,8 @@ class Axis {
 
 std::string escaped(const std::string& text) {
   std::string result;
-  for (const char c : text) {
+  // Control characters are none of XML's.
+  for (const char c : printable_line(text)) {
     if (c == '&')
       result += "&amp;";
     else if (c == '<')

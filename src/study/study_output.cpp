@@ -11,6 +11,7 @@
 #include "study/study_report.h"
 #include "study/study_sweep.h"
 #include "study/study_table.h"
+#include "study/text_formats.h"
 
 namespace ajar::study {
 
@@ -18,12 +19,12 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-/// A row of a Markdown table; no cell is read as markup.
+/// A row of a Markdown table; no cell is read as markup. The first is a name, the others are ours.
 std::string markdown_row(const std::vector<std::string>& cells) {
-  std::string text = "|";
-  for (const std::string& cell : cells) {
+  std::string text = "| " + markdown_text(cells.front()) + " |";
+  for (std::size_t i = 1; i < cells.size(); ++i) {
     text += ' ';
-    for (const char c : cell)
+    for (const char c : cells[i])
       text += c == '*' || c == '|' ? fmt::format("\\{}", c) : std::string(1, c);
     text += " |";
   }
@@ -35,13 +36,6 @@ std::string table_head(const StudyPlan& plan) {
   std::string rule = "|";
   for (std::size_t i = 0; i < header.size(); ++i) rule += "---|";
   return markdown_row(header) + rule + "\n";
-}
-
-std::string csv_cell(const std::string& text) {
-  if (text.find_first_of(",\"\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
-  return quoted + "\"";
 }
 
 std::string csv_mean(const Mean& mean) {
@@ -164,17 +158,21 @@ void write_text(const fs::path& path, const std::string& text) {
 std::string to_markdown(const StudyPlan& plan, const StudyResult& result,
                         const std::vector<SummaryRow>& rows) {
   const Json machine = machine_json();
-  std::string text = fmt::format(
-      "# {}\n\n{} of {} renders. {}, {} cores; ajar {}.\n\n{}", plan.name, result.runs.size(),
-      result.planned, machine.at("processor").get<std::string>(), machine.at("cores").get<int>(),
-      machine.at("version").get<std::string>(), table_explanation(plan) + "\n");
-  for (const std::string& scene : plan.left_out) text += "\nWarning: " + scene + "\n";
-  for (const std::string& warning : result.warnings) text += "\nWarning: " + warning + "\n";
-  for (const std::string& failure : result.failures) text += "\nFailed: " + failure + "\n";
+  std::string text =
+      fmt::format("# {}\n\n{} of {} renders. {}, {} cores; ajar {}.\n\n{}",
+                  markdown_text(plan.name), result.runs.size(), result.planned,
+                  machine.at("processor").get<std::string>(), machine.at("cores").get<int>(),
+                  machine.at("version").get<std::string>(), table_explanation(plan) + "\n");
+  for (const std::string& scene : plan.left_out)
+    text += "\nWarning: " + markdown_text(scene) + "\n";
+  for (const std::string& warning : result.warnings)
+    text += "\nWarning: " + markdown_text(warning) + "\n";
+  for (const std::string& failure : result.failures)
+    text += "\nFailed: " + markdown_text(failure) + "\n";
   const SummaryRow* previous = nullptr;
   for (const SummaryRow& row : rows) {
     const bool new_scene = previous == nullptr || previous->scene != row.scene;
-    if (new_scene) text += "\n## " + plan.scenes[row.scene].name + "\n";
+    if (new_scene) text += "\n## " + markdown_text(plan.scenes[row.scene].name) + "\n";
     if (new_scene || previous->budget != row.budget) {
       text += "\n### " + plan.budgets[row.budget].name() + "\n\n" + table_head(plan);
     }
@@ -252,7 +250,7 @@ std::string write_plots(const StudyPlan& plan, const std::vector<SummaryRow>& ro
   const auto write = [&](const std::string& path, const std::string& title, const LogPlot& plot) {
     fs::create_directories((out / path).parent_path());
     write_text(out / path, to_svg(plot));
-    markdown += fmt::format("\n![{}]({})\n", title, path);
+    markdown += fmt::format("\n![{}]({})\n", markdown_text(title), path);
   };
   for (std::size_t scene = 0; scene < plan.scenes.size(); ++scene) {
     for (std::size_t metric = 0; metric < plan.metrics.size(); ++metric) {

@@ -20,6 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::int64_t kMostSeeds = 10000;
+constexpr std::size_t kMostMethods = 10000;
 constexpr std::int64_t kMostSamples = std::int64_t{1} << 31;
 /// A seed of its own, so that no run of the study repeats the reference's random numbers.
 constexpr std::uint64_t kReferenceSeed = 1'000'003;
@@ -80,6 +81,7 @@ std::vector<Method> read_methods(const JsonNode& node) {
     for (const auto& [parameter, values] : node.at("sweep").members()) {
       std::vector<Method> expanded;
       for (const Method& method : methods) {
+        if (expanded.size() > kMostMethods) break;
         for (const JsonNode& value : values.elements()) {
           Method next = method;
           next.parameters[parameter] = value.parameter_text();
@@ -87,6 +89,9 @@ std::vector<Method> read_methods(const JsonNode& node) {
           next.name += " " + parameter + "=" + value.parameter_text();
           expanded.push_back(std::move(next));
         }
+      }
+      if (expanded.size() > kMostMethods) {
+        node.at("sweep").fail(fmt::format("makes more than {} methods", kMostMethods));
       }
       methods = std::move(expanded);
     }

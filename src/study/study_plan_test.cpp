@@ -90,6 +90,18 @@ TEST_F(StudyFile, ASweepIsTheProductOfItsValues) {
   EXPECT_EQ(plan.methods[2].parameters.at("bootstrap"), "1000");
 }
 
+TEST_F(StudyFile, SweepsOfTooManyMethodsAreRefusedBeforeTheyAreMade) {
+  std::string values;
+  for (int i = 1; i <= 200; ++i) values += (i > 1 ? ", " : "") + std::to_string(i);
+  std::string sweep;
+  for (const char* name : {"bootstrap", "chains", "large-step", "sigma", "multi-try"}) {
+    sweep += (sweep.empty() ? "\"" : ", \"") + std::string(name) + "\": [" + values + "]";
+  }
+  const std::string error = error_of(study(
+      kRest, R"(["builtin:cornell"])", R"([{"integrator": "mmlt", "sweep": {)" + sweep + "}}]"));
+  EXPECT_NE(error.find("sweep: makes more than 10000 methods"), std::string::npos) << error;
+}
+
 TEST_F(StudyFile, AMethodMayBeForSomeBudgetsOnly) {
   const StudyPlan plan = read(study(
       R"("budgets": [{"spp": 4}, {"time": 2}], "reference": {"integrator": "pt", "spp": 16})",

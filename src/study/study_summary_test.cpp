@@ -155,5 +155,24 @@ TEST_F(Summary, TablesHaveTheNumbers) {
   }
 }
 
+TEST_F(Summary, NamesAreNeitherMarkupNorFormulas) {
+  plan_.name = "<script>alert(1)</script>";
+  plan_.scenes[0].name = "a|b\n# c";
+  plan_.methods[0].name = plan_.baseline = "=cmd|' /c calc'!A0";
+  plan_.methods[1].name = "`x` <img>\x1b[31m";
+  result_.warnings = {"![x](http://a)\n| b |"};
+  const std::vector<SummaryRow> rows = summarise(plan_, result_);
+  const std::string markdown = to_markdown(plan_, result_, rows);
+  EXPECT_EQ(markdown.find("<script"), markdown.find("\\<script") + 1) << markdown;
+  for (const char* part :
+       {"## a\\|b\\\\n\\# c\n", "| =cmd\\|' /c calc'\\!A0 |", "| \\`x\\` \\<img\\>",
+        "Warning: \\!\\[x\\](http://a)\\\\n\\| b \\|\n"}) {
+    EXPECT_NE(markdown.find(part), std::string::npos) << part << "\n" << markdown;
+  }
+  EXPECT_EQ(markdown.find('\x1b'), std::string::npos);
+  const std::string csv = to_csv(plan_, rows);
+  EXPECT_NE(csv.find(",'=cmd|"), std::string::npos) << csv;
+}
+
 }  // namespace
 }  // namespace ajar::study

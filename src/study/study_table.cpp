@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "study/text_formats.h"
+
 namespace ajar::study {
 
 namespace {
@@ -71,7 +73,7 @@ std::string table_explanation(const StudyPlan& plan) {
         "method "
         "is unbiased and the reference exact. \\*: more than 10 % of the {0} may be noise of the "
         "reference.",
-        plan.efficiency_metric, plan.baseline);
+        plan.efficiency_metric, markdown_text(plan.baseline));
   }
   return text;
 }

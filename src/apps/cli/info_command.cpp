@@ -8,6 +8,7 @@
 #include "apps/cli/commands.h"
 #include "apps/cli/messages.h"
 #include "core/error.h"
+#include "core/printable_text.h"
 #include "core/standard_streams.h"
 #include "scene/scene.h"
 #include "session/memory_estimate.h"
@@ -171,7 +172,7 @@ std::string vector_text(const Json& v) {
 std::string text_of(const Json& j, const MemoryEstimate& memory) {
   std::string lines;
   const auto line = [&lines](const char* label, const std::string& text) {
-    lines += fmt::format("{:<12}{}\n", label, text);
+    lines += fmt::format("{:<12}{}\n", label, printable_line(text));
   };
   const Json& c = j["counts"];
   const Json& film = j["film"];

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/printable_text.h"
+
 namespace ajar::pbrt {
 namespace {
 
@@ -26,12 +28,11 @@ std::errc parse(std::string_view text, T& value) {
 
 std::string printable(std::string_view text) {
   constexpr std::size_t kLongest = 60;
-  std::string result;
-  for (const char c : text.substr(0, kLongest)) {
-    result += static_cast<unsigned char>(c) < 32 || c == 127 ? '?' : c;
-  }
-  if (text.size() > kLongest) result += "…";
-  return result;
+  if (text.size() <= kLongest) return printable_line(text);
+  // Not in the middle of a character: its further bytes are 10xxxxxx.
+  std::size_t end = kLongest;
+  while (end > kLongest - 4 && (static_cast<unsigned char>(text[end]) & 0xc0U) == 0x80U) --end;
+  return printable_line(text.substr(0, end)) + "…";
 }
 
 Lexer::Lexer(std::shared_ptr<const std::string> file, std::string_view text)

@@ -107,7 +107,7 @@ TEST(Lexer, IntegersMayBeWrittenAsWholeFloats) {
 }
 
 TEST(Printable, HidesControlCharactersAndShortens) {
-  EXPECT_EQ(printable("a\nb\x1b"), "a?b?");
+  EXPECT_EQ(printable("a\nb\x1b"), "a\\nb\\x1b");
   EXPECT_LT(printable(std::string(1000, 'x')).size(), 100U);
 }
 

@@ -1,0 +1,21 @@
+#pragma once
+#include <string>
+#include <string_view>
+
+/// Names of scenes, materials, files and whatever else others chose, made fit to be shown. A
+/// terminal takes control characters as orders: to move the cursor over what was said before, to
+/// set titles, even to answer.
+namespace ajar {
+
+/// `text` for a terminal, in lines: UTF-8 as it is, with line feeds and tabs; other control
+/// characters as "\x1b", those of Unicode (C1, and those that turn the direction of text) as
+/// "\u202e", bytes that are no UTF-8 as "\xff". A text that says "\x1b" by itself looks the same.
+std::string printable_text(std::string_view text);
+
+/// The same in one line, for names and cells of tables: line feeds and tabs as "\n" and "\t".
+std::string printable_line(std::string_view text);
+
+/// `text` with U+FFFD in the place of every byte that is no UTF-8, for formats that are UTF-8.
+std::string valid_utf8(std::string_view text);
+
+}  // namespace ajar

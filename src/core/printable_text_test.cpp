@@ -1,0 +1,39 @@
+#include "core/printable_text.h"
+
+#include <gtest/gtest.h>
+
+namespace ajar {
+namespace {
+
+TEST(PrintableText, KeepsTextAndItsLines) {
+  for (const char* text :
+       {"", "plain", "Bibliothèque, 図書館, 🎨", "two\nlines\tand a tab", "\\x1b"}) {
+    EXPECT_EQ(printable_text(text), text);
+  }
+  EXPECT_EQ(printable_line("two\nlines\tand a tab"), "two\\nlines\\tand a tab");
+}
+
+TEST(PrintableText, ShowsControlCharactersInsteadOfObeyingThem) {
+  EXPECT_EQ(printable_text("\x1b[31mred\x1b]0;title\x07"), "\\x1b[31mred\\x1b]0;title\\x07");
+  EXPECT_EQ(printable_text("over\rwritten\b\x7f"), "over\\x0dwritten\\x08\\x7f");
+  EXPECT_EQ(printable_text(std::string_view("a\0b", 3)), "a\\x00b");
+  EXPECT_EQ(printable_text("\xc2\x9b\x33\x31m"), "\\u009b31m") << "C1: a CSI in two bytes";
+  EXPECT_EQ(printable_text("exe.\xe2\x80\xaegnp"), "exe.\\u202egnp") << "right to left";
+}
+
+TEST(PrintableText, ShowsBytesThatAreNoUtf8) {
+  EXPECT_EQ(printable_text("caf\xe9"), "caf\\xe9");
+  EXPECT_EQ(printable_text("\x9b\x33\x31m"), "\\x9b31m") << "C1 in one byte";
+  for (const char* wrong : {"\xc0\xaf", "\xe0\x80\xaf", "\xf0\x80\x80\xaf", "\xed\xa0\x80",
+                            "\xf4\x90\x80\x80", "\xf8", "\xe2\x80", "\x80"}) {
+    for (const char c : printable_text(wrong)) EXPECT_LT(static_cast<unsigned char>(c), 0x7f);
+  }
+}
+
+TEST(ValidUtf8, ReplacesWhatIsNone) {
+  EXPECT_EQ(valid_utf8("Bibliothèque\n\x1b"), "Bibliothèque\n\x1b");
+  EXPECT_EQ(valid_utf8("caf\xe9.png\xc0"), "caf\xef\xbf\xbd.png\xef\xbf\xbd");
+}
+
+}  // namespace
+}  // namespace ajar
