@@ -77,10 +77,12 @@ void check_subdivision_memory(const desc::LoopSubdivision& surface, const Source
   if (shortage.empty()) return;
   int fitting = levels - 1;
   while (fitting > 0 && !memory_shortage(subdivided_bytes(surface, fitting)).empty()) --fitting;
-  throw SceneError(
-      where, "this subdivision surface, with " + std::to_string(surface.control.indices.size()) +
-                 " faces and \"levels\" of " + std::to_string(surface.levels) + ", " + shortage +
-                 "; \"levels\" can be at most " + std::to_string(std::max(fitting, 0)));
+  const std::size_t faces = surface.control.indices.size();
+  throw SceneError(where, "this subdivision surface, with " + std::to_string(faces) +
+                              (faces == 1 ? " face" : " faces") + " and \"levels\" of " +
+                              std::to_string(surface.levels) + ", " + shortage +
+                              "; \"levels\" can be at most " +
+                              std::to_string(std::max(fitting, 0)));
 }
 
 SceneMemory estimate_memory(const desc::SceneDesc& scene) {

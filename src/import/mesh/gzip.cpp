@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/available_memory.h"
+#include "core/error.h"
+
 namespace ajar {
 namespace {
 
@@ -57,7 +60,12 @@ std::optional<std::string> gunzip(std::string_view bytes, std::size_t max_size) 
     if (used == result.size()) {
       if (used >= max_size) return std::nullopt;
       const std::size_t wanted = std::max<std::size_t>(2 * used, 4 * bytes.size() + 4096);
-      result.resize(std::min(wanted, max_size));
+      const std::size_t size = std::min(wanted, max_size);
+      // Old and new contents are there together while they move.
+      if (const std::string shortage = memory_shortage(used + size); !shortage.empty()) {
+        throw IoError("unpacked, this file " + shortage);
+      }
+      result.resize(size);
     }
     const std::size_t space =
         std::min<std::size_t>(result.size() - used, std::numeric_limits<uInt>::max());

@@ -1,10 +1,13 @@
 #include "import/mesh/ply.h"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <unistd.h>
 #include <zlib.h>
 
 #include <algorithm>
 #include <cstring>
+#include <fstream>
 
 #include "core/error.h"
 #include "import/mesh/gzip.h"
@@ -146,6 +149,29 @@ TEST(Gzip, RefusesToUnpackMoreThanAllowed) {
   const std::string packed = gzip(std::string(1000000, 'x'));
   EXPECT_FALSE(gunzip(packed, 999999));
   EXPECT_EQ(gunzip(packed, 1000000)->size(), 1000000U);
+}
+
+TEST(Gzip, StopsWhereTheMemoryEnds) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  GTEST_SKIP() << "sanitizers reserve more memory than any limit allows";
+#endif
+  const std::string packed = gzip(std::string(200'000'000, '\0'));
+  std::uint64_t pages = 0;
+  std::ifstream("/proc/self/statm") >> pages;
+  rlimit before{};
+  getrlimit(RLIMIT_AS, &before);
+  rlimit tight = before;
+  const auto used = pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
+  tight.rlim_cur = std::min<rlim_t>(before.rlim_max, used + 100'000'000);
+  setrlimit(RLIMIT_AS, &tight);
+  std::string error;
+  try {
+    gunzip(packed, 1'000'000'000);
+  } catch (const std::exception& caught) {
+    error = caught.what();
+  }
+  setrlimit(RLIMIT_AS, &before);
+  EXPECT_NE(error.find("unpacked, this file needs "), std::string::npos) << error;
 }
 
 TEST(Ply, EveryTruncationIsAnError) {
