@@ -25,6 +25,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
                                  if (path == "/nonexistent/m.ply") return kMesh;
                                  if (path == "/nonexistent/self.pbrt") return text;
                                  if (path == "/nonexistent/a.spd") return "400 0.5\n700 1\n";
+                                 if (path == "/nonexistent/self.spd") return text;
                                  return std::nullopt;
                                });
     ajar::desc::hash(scene);

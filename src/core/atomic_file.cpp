@@ -220,12 +220,12 @@ void remove_abandoned_parts(const fs::path& path) {
   const fs::path target = behind_links(path);
   const fs::path folder = target.parent_path();
   std::error_code error;
-  for (const fs::directory_entry& entry :
-       fs::directory_iterator(folder.empty() ? fs::path(".") : folder, error)) {
-    const pid_t process = writer_of(target, entry.path().filename().string());
+  for (fs::directory_iterator entry(folder.empty() ? fs::path(".") : folder, error), end;
+       !error && entry != end; entry.increment(error)) {
+    const pid_t process = writer_of(target, entry->path().filename().string());
     // Signal 0 is not sent: it only asks whether the process exists.
     if (process == 0 || ::kill(process, 0) == 0 || errno != ESRCH) continue;
-    ::unlink(entry.path().c_str());
+    ::unlink(entry->path().c_str());
   }
 }
 

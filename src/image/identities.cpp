@@ -65,8 +65,10 @@ std::vector<IdentityLayers::Votes> IdentityLayers::votes(const Film& film) const
     const std::vector<float> kept = film.develop(layers_[layer], 1.0);
     for (std::size_t i = 0; i < kept.size(); ++i) {
       const std::size_t sample = 3 * layer + i % 3;
-      votes[i / 3].known[sample] = kept[i] > 0.F;
-      votes[i / 3].numbers[sample] = kept[i] > 0.F ? static_cast<std::uint32_t>(kept[i]) - 1 : 0;
+      // A film may come from a file, with sums that are no numbers of anything.
+      const bool known = kept[i] >= 1.F && kept[i] < 0x1p32F;
+      votes[i / 3].known[sample] = known;
+      votes[i / 3].numbers[sample] = known ? static_cast<std::uint32_t>(kept[i]) - 1 : 0;
     }
   }
   return votes;

@@ -42,6 +42,16 @@ TEST(MajorityNumbers, AreWhatMostSamplesSaw) {
   EXPECT_EQ(majority_of({1, 1, 1, 2, 2, 2, 2, 3, 3}), 2.F);
 }
 
+TEST(MajorityNumbers, AreThoseOfNothingWhereTheFilmHoldsNone) {
+  // As a checkpoint of a stranger may have it: halves, less than nothing, and beyond any number.
+  for (const std::int64_t sum :
+       {std::int64_t{1} << 23, -(std::int64_t{1} << 60), std::int64_t{1} << 60}) {
+    Film film = make_film({"object-id"});
+    std::fill(film.raw().begin(), film.raw().end(), sum);
+    EXPECT_EQ(majority_numbers(film, "object-id"), std::vector<float>(kWidth * kHeight, 0.F));
+  }
+}
+
 TEST(MajorityNumbers, CountWhatSeesNothing) {
   EXPECT_EQ(majority_of({0, 5, 0, 5, 0}), 0.F);
   EXPECT_EQ(majority_of({0, 5, 5}), 5.F);

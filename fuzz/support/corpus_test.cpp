@@ -1,0 +1,47 @@
+// Runs a fuzz target once on each file of its corpus, as any compiler can.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
+
+namespace {
+namespace fs = std::filesystem;
+
+std::vector<fs::path> corpus() {
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(AJAR_FUZZ_CORPUS)) files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+class Corpus : public testing::TestWithParam<fs::path> {};
+
+TEST_P(Corpus, IsReadOrRefused) {
+  SCOPED_TRACE(GetParam().string());
+  std::ifstream file(GetParam(), std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+  // Of just this size, so that sanitizers see what is read beyond.
+  const std::vector<std::uint8_t> input(bytes.begin(), bytes.end());
+  EXPECT_EQ(LLVMFuzzerTestOneInput(input.data(), input.size()), 0);
+}
+
+TEST(Corpus, NothingIsReadOrRefused) { EXPECT_EQ(LLVMFuzzerTestOneInput(nullptr, 0), 0); }
+
+INSTANTIATE_TEST_SUITE_P(Files, Corpus, testing::ValuesIn(corpus()), [](const auto& one) {
+  // Letters, digits and '_' are allowed in names of tests.
+  std::string name = one.param.filename().string();
+  for (char& c : name) {
+    if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
+  }
+  return name;
+});
+
+}  // namespace
