@@ -422,6 +422,16 @@ TEST(Selective, KeepsChainsWhereTheyPayWhateverThePair) {
   }
 }
 
+/// As rules have it.
+TEST(Selective, LeavesPixelsThatAreHalfOfEachMethodToMonteCarlo) {
+  const auto scene = small_scene("Room");
+  const TemporaryFile map("half.pfm");
+  write_map(map.path(), scene->camera().resolution(), [](std::uint64_t) { return 0.5F; });
+  const test::Render render =
+      prepared_render(*scene, 1, {{"choice", "exclusive"}, {"regions", map.path()}});
+  EXPECT_EQ(render.counters.mutations, 0U);
+}
+
 /// A map without chains takes none, and tells what it is.
 TEST(Selective, TakesNoChainsWhereTheUserWantsNone) {
   const auto scene = small_scene("GlassAndMetal");

@@ -39,10 +39,16 @@ std::uint64_t ChainTrial::begin() {
   // Of a pilot that does not stay, all that it found for chains seeds those of the whole render,
   // and must decide nothing about them.
   if (recruits_ == nullptr || !plan_.chooses_thresholds()) return 0;
-  if (!pilot_.has_rendered() || !pilot_.stays() || !pilot_.chains_may_pay()) return 0;
+  if (!pilot_.has_rendered() || !pilot_.stays()) return 0;
+  // What a half decides for itself, its own samples must not have a part in.
+  std::vector<std::size_t> halves;
+  for (std::size_t h = 0; h < pilot_.halves(); ++h) {
+    if (pilot_.chains_may_pay(h)) halves.push_back(h);
+  }
+  if (halves.empty()) return 0;
   populations_ = make_populations(plan_);
   recruits_->join_for_trial(populations_, 0, pilot_.samples());
-  list_items();
+  list_items(halves);
   // A wide filter would only spread what chains leave over blotches.
   film_ = std::make_unique<Film>(
       plan_.settings.resolution, plan_.settings.crop, Filter::box(),
@@ -51,10 +57,10 @@ std::uint64_t ChainTrial::begin() {
   return items_.size();
 }
 
-void ChainTrial::list_items() {
+void ChainTrial::list_items(const std::vector<std::size_t>& halves) {
   halves_.resize(pilot_.halves());
   light_.resize(halves_.size() * kPictures);
-  for (std::size_t h = 0; h < halves_.size(); ++h) {
+  for (const std::size_t h : halves) {
     const std::vector<int> seen = pilot_.seen_by(h);
     for (std::size_t p = 0; p < populations_.size(); ++p) {
       if (std::find(seen.begin(), seen.end(), populations_[p].replicate) == seen.end()) continue;

@@ -42,7 +42,8 @@ class ChainTrial final : public PreparationStage {
     std::atomic<std::uint64_t> rays{0};
     std::atomic<std::uint64_t> mutations{0};
   };
-  void list_items();
+  /// Chains of these halves.
+  void list_items(const std::vector<std::size_t>& halves);
   ChainCosts costs_of(std::size_t h) const;
 
   const ChainPlan& plan_;

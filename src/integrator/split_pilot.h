@@ -51,9 +51,9 @@ class SplitPilot final : public PreparationStage, public StrongPathSinks {
   std::size_t halves() const { return plan_.pilot_use == PilotUse::Cross ? 2 : 1; }
   /// Replicates, of those of the pilot, from which the division of a half is decided.
   std::vector<int> seen_by(std::size_t half) const;
-  /// After `end`: whether chains might bring more than they cost, if mutations were worth as much
-  /// as they are at best.
-  bool chains_may_pay() const;
+  /// After `end`: whether chains might bring more than they cost to a half, if mutations were worth
+  /// as much as they are at best.
+  bool chains_may_pay(std::size_t half) const;
   /// Decides how the light is divided, and seeds the chains. `costs`: for each half.
   void decide(std::span<const ChainCosts> costs);
 
