@@ -110,6 +110,15 @@ TEST_F(ChainEffortTest, SparesMutationsThatDoNotHelp) {
   EXPECT_LT(mutations_with_errors_that(true), 0.02);
 }
 
+TEST_F(ChainEffortTest, GivesReplicatesTheirShares) {
+  constexpr std::size_t kChains = 4;
+  const std::uint64_t usual = effort_.steps(7, kChains, 1.0);
+  EXPECT_NEAR(static_cast<double>(usual), static_cast<double>(pixels_) / 2 / kChains, 1.0);
+  EXPECT_NEAR(static_cast<double>(effort_.steps(7, kChains, 1.9)), 1.9 * static_cast<double>(usual),
+              2.0);
+  EXPECT_EQ(effort_.steps(7, kChains, 0.0), 1U) << "chains stay on the move";
+}
+
 TEST_F(ChainEffortTest, IsForMutationsThatDo) { EXPECT_GT(mutations_with_errors_that(false), 0.5); }
 
 }  // namespace

@@ -19,8 +19,8 @@ double ChainEffort::mutations(std::uint64_t samples) const {
   return before_ + rate() * static_cast<double>(samples - since_);
 }
 
-std::uint64_t ChainEffort::steps(std::uint64_t sample, std::size_t chains) const {
-  const double scale = static_cast<double>(plan_.pixels()) /
+std::uint64_t ChainEffort::steps(std::uint64_t sample, std::size_t chains, double share) const {
+  const double scale = share * static_cast<double>(plan_.pixels()) /
                        static_cast<double>(plan_.settings.replicates) / static_cast<double>(chains);
   const auto upto = [&](std::uint64_t samples) {
     return static_cast<std::uint64_t>(std::ceil(mutations(samples) * scale));

@@ -26,7 +26,8 @@ class ChainEffort {
   /// Mutations per pixel that do.
   double mutations(std::uint64_t samples) const;
   /// Mutations of each of so many chains of a replicate in sample number `sample`; at least one.
-  std::uint64_t steps(std::uint64_t sample, std::size_t chains) const;
+  /// `share`: of the replicate, relative to the mean of all.
+  std::uint64_t steps(std::uint64_t sample, std::size_t chains, double share) const;
 
   /// To be told what was spent; from any thread.
   void count_omc(std::uint64_t rays, std::uint64_t samples);

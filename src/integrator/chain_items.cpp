@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 
@@ -27,6 +28,22 @@ void ChainItems::list(bool plain) {
     chain_counts_[static_cast<std::size_t>(population.replicate)] += population.chains.size();
     for (std::size_t c = 0; c < population.chains.size(); ++c) items_.push_back({p, c});
     if (population.chains.empty() && plain) items_.push_back({p, 0});
+  }
+  share_mutations();
+}
+
+/// N mutations on light b leave the error C·b²/N, so N/b is the same everywhere where the sum of
+/// errors is smallest.
+void ChainItems::share_mutations() {
+  const std::size_t halves = plan_.splits ? plan_.splits->count() : 1;
+  std::vector<double> light(halves, 0.0);
+  for (const ChainPopulation& population : populations_) {
+    light[static_cast<std::size_t>(population.replicate) % halves] += population.b(0.0);
+  }
+  const double all = std::accumulate(light.begin(), light.end(), 0.0);
+  shares_.clear();
+  for (const double of_half : light) {
+    shares_.push_back(all > 0.0 ? of_half / all * static_cast<double>(halves) : 1.0);
   }
 }
 
@@ -82,7 +99,7 @@ void ChainItems::run_chain(const Item& item, std::uint64_t first_sample, std::ui
   const std::uint64_t rays_to_start = target->rays();
   ChainStatistics statistics;
   for (std::uint64_t block = first_sample; block < first_sample + samples; ++block) {
-    const std::uint64_t steps = effort_.steps(block, chains);
+    const std::uint64_t steps = effort_.steps(block, chains, share_of(population.replicate));
     const double per_step = 1.0 / (static_cast<double>(steps) * in_population);
     sink.begin(stretch_.sample_weight() * member.weight * b * plan_.view.area() * per_step /
                    plan_.settings.replicates,

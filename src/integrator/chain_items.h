@@ -66,6 +66,10 @@ class ChainItems {
                ? &plan_.splits->of(replicate)
                : nullptr;
   }
+  void share_mutations();
+  double share_of(int replicate) const {
+    return shares_[static_cast<std::size_t>(replicate) % shares_.size()];
+  }
   std::size_t chains_in(int replicate) const {
     return chain_counts_[static_cast<std::size_t>(replicate)];
   }
@@ -76,7 +80,8 @@ class ChainItems {
   const ChainStretch& stretch_;
   std::vector<Item> items_;
   std::vector<std::size_t> chain_counts_;  ///< per replicate
-  std::vector<double> b_;                  ///< of each population
+  std::vector<double> shares_;  ///< of the mutations, of replicates of each division of the light
+  std::vector<double> b_;       ///< of each population
   double later_weight_ = 0.0;
 };
 

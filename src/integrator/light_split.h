@@ -131,6 +131,7 @@ class LightSplits {
   const LightSplit& of(int replicate) const {
     return splits_[static_cast<std::size_t>(replicate) % splits_.size()];
   }
+  std::size_t count() const { return splits_.size(); }
   bool take_nothing() const {
     return std::all_of(splits_.begin(), splits_.end(),
                        [](const LightSplit& split) { return split.takes_nothing(); });
