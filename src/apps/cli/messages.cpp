@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "core/printable_text.h"
 #include "core/standard_streams.h"
 
 namespace ajar::cli {
@@ -15,7 +16,7 @@ constexpr std::size_t kMaxPrinted = 20;
 bool errors_only = false;
 
 void print(const char* kind, const std::string& text) {
-  say(fmt::format("ajar: {}{}\n", kind, text));
+  say(fmt::format("ajar: {}{}\n", kind, printable_text(text)));
 }
 
 }  // namespace
