@@ -127,7 +127,9 @@ void JsonNode::check(const std::function<void()>& check) const {
   try {
     check();
   } catch (const UsageError& error) {
-    fail(error.what());
+    const std::string message = error.what();
+    if (message.starts_with(file_ + ": ")) throw;  // of a node, which told its place
+    fail(message);
   }
 }
 

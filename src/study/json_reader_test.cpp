@@ -42,6 +42,16 @@ TEST(JsonNode, MembersAreThereOnce) {
   EXPECT_EQ(read("{\"a\": 1,\n  \"b\": 2,\n  \"a\": 3}"), ":3:3: the member \"a\" is there twice");
 }
 
+TEST(JsonNode, ToldPlacesAreNotToldAgain) {
+  const JsonNode node(1, "a.json", "scale");
+  try {
+    node.check([&] { node.text(); });
+    FAIL();
+  } catch (const UsageError& error) {
+    EXPECT_STREQ(error.what(), "a.json: scale: expects a text \"…\"");
+  }
+}
+
 TEST(JsonNode, NestingIsLimited) {
   const auto nested = [](std::size_t depth) {
     return std::string(depth, '[') + "1" + std::string(depth, ']');

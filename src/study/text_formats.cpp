@@ -19,7 +19,7 @@ std::string markdown_text(const std::string& text) {
 std::string csv_cell(const std::string& text) {
   constexpr std::string_view kFormula = "=+-@\t\r";
   const bool is_formula = !text.empty() && kFormula.find(text.front()) != std::string_view::npos;
-  const std::string cell = is_formula ? "'" + text : text;
+  std::string cell = is_formula ? "'" + text : text;
   if (cell.find_first_of(",\"\n\r") == std::string::npos) return cell;
   std::string quoted = "\"";
   for (const char c : cell) quoted += c == '"' ? "\"\"" : std::string(1, c);
