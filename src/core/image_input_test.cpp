@@ -212,6 +212,7 @@ TEST_F(ImageInputTest, FlatPicturesAreBelieved) {
 TEST_F(ImageInputTest, TilesAndOffsetsAreReadAsWhole) {
   OIIO::ImageSpec spec(70, 150, 2, OIIO::TypeDesc::FLOAT);
   std::vector<float> values;
+  values.reserve(70 * 150 * 2);
   for (int i = 0; i < 70 * 150 * 2; ++i) values.push_back(static_cast<float>(i));
   for (const int tile : {0, 32}) {
     spec.tile_width = spec.tile_height = tile;

@@ -37,7 +37,7 @@ std::string error_of(const std::string& path) {
 TEST_F(RegularFile, IsReadToItsEnd) {
   const std::string content("a\0b\n", 4);
   std::ofstream(path("file"), std::ios::binary) << content;
-  std::ofstream(path("empty"));
+  std::ofstream(path("empty")).flush();
   fs::create_symlink("file", path("link"));
   EXPECT_EQ(read_file(path("file")).view(), content);
   EXPECT_EQ(read_file(path("link")).view(), content);
@@ -61,7 +61,7 @@ TEST_F(RegularFile, IsTheOnlyKindThatIsRead) {
 }
 
 TEST_F(RegularFile, LargerThanTheMemoryIsRefusedBeforeItIsRead) {
-  std::ofstream(path("holes"));
+  std::ofstream(path("holes")).flush();
   // More than any machine has, and nothing on the disk.
   std::error_code error;
   fs::resize_file(path("holes"), std::uintmax_t{1} << 43U, error);

@@ -1,4 +1,5 @@
 // Input that would hang the program, fill the memory, or reach the terminal as it is.
+#include <fmt/format.h>
 #include <sys/stat.h>
 
 #include "cli/cli_fixture.h"
@@ -118,10 +119,10 @@ TEST_F(HostileInput, NestedMixesTakeNoLongerThanTheirFile) {
       "LightSource \"infinite\"\nMakeNamedMaterial \"m0\" \"string type\" \"matte\"\n"
       "Texture \"t0\" \"spectrum\" \"uv\"\n";
   for (int i = 1; i <= 60; ++i) {
-    const std::string before = "\"m" + std::to_string(i - 1) + "\"";
-    world += "MakeNamedMaterial \"m" + std::to_string(i) +
-             "\" \"string type\" \"mix\" \"string namedmaterial1\" " + before +
-             " \"string namedmaterial2\" " + before + "\n";
+    world += fmt::format(
+        "MakeNamedMaterial \"m{0}\" \"string type\" \"mix\" \"string namedmaterial1\" \"m{1}\" "
+        "\"string namedmaterial2\" \"m{1}\"\n",
+        i, i - 1);
   }
   scene("", world + "NamedMaterial \"m60\"");
   for (const Outcome& outcome : {run_limited({"info", "scene.pbrt"}), render_scene(),
@@ -130,9 +131,10 @@ TEST_F(HostileInput, NestedMixesTakeNoLongerThanTheirFile) {
   }
   EXPECT_TRUE(contains(render_scene().err, "at most 8 are possible"));
   for (int i = 1; i <= 60; ++i) {
-    const std::string before = "\"t" + std::to_string(i - 1) + "\"";
-    world += "Texture \"t" + std::to_string(i) + "\" \"spectrum\" \"scale\" \"texture tex1\" " +
-             before + " \"texture tex2\" " + before + "\n";
+    world += fmt::format(
+        "Texture \"t{0}\" \"spectrum\" \"scale\" \"texture tex1\" \"t{1}\" \"texture tex2\" "
+        "\"t{1}\"\n",
+        i, i - 1);
   }
   scene("", world + "Material \"matte\" \"texture Kd\" \"t60\"");
   expect_refused(render_scene(), 3, "scene.pbrt:80:1: this texture of textures looks up");
