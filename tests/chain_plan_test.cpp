@@ -31,5 +31,20 @@ TEST_F(ChainPlanTest, ThresholdsFollowWhatTheUserSays) {
   EXPECT_TRUE(thresholds(SelectiveSettings{}, {{"split", "0"}}).empty());
 }
 
+TEST_F(ChainPlanTest, APilotOfASmallPictureHasMoreSamplesOfEachPixel) {
+  RenderSettings settings = test::settings_of(*scene_, {.max_depth = 6});
+  const auto samples_of = [&](Vec2i resolution, const SelectiveSettings& selective) {
+    settings.resolution = resolution;
+    settings.crop = Box2i(Vec2i(0, 0), resolution - Vec2i(1, 1));
+    return ChainPlan(ChainKind::OnePath, *scene_, settings,
+                     Parameters(chain_parameters(ChainKind::OnePath), {}), selective)
+        .pilot_samples;
+  };
+  EXPECT_EQ(samples_of(Vec2i(24, 18), {}), 16U);
+  EXPECT_EQ(samples_of(Vec2i(96, 72), {}), 9U);
+  EXPECT_EQ(samples_of(Vec2i(512, 512), {}), 4U);
+  EXPECT_EQ(samples_of(Vec2i(24, 18), {.pilot_samples = 6}), 6U) << "as the user says";
+}
+
 }  // namespace
 }  // namespace ajar

@@ -211,6 +211,7 @@ std::optional<SelectiveReport> ChainIntegrator::selective_report() const {
     report.ray_price = adaptation_->price()->price() / plan_.brightness;
     report.path_rest = adaptation_->price()->rest() / plan_.brightness;
   }
+  report.halves = pilot_->expectations();
   report.regions = pilot_->report();
   effort_.fill(report);
   return report;

@@ -36,14 +36,18 @@ void ChainItems::list(bool plain) {
 /// errors is smallest.
 void ChainItems::share_mutations() {
   const std::size_t halves = plan_.splits ? plan_.splits->count() : 1;
+  const auto replicates = static_cast<std::size_t>(plan_.settings.replicates);
   std::vector<double> light(halves, 0.0);
   for (const ChainPopulation& population : populations_) {
     light[static_cast<std::size_t>(population.replicate) % halves] += population.b(0.0);
   }
   const double all = std::accumulate(light.begin(), light.end(), 0.0);
   shares_.clear();
-  for (const double of_half : light) {
-    shares_.push_back(all > 0.0 ? of_half / all * static_cast<double>(halves) : 1.0);
+  for (std::size_t h = 0; h < halves; ++h) {
+    const std::size_t own = (replicates + halves - 1 - h) / halves;
+    const double share =
+        light[h] / all * static_cast<double>(replicates) / static_cast<double>(own);
+    shares_.push_back(all > 0.0 && own > 0 ? share : 1.0);
   }
 }
 

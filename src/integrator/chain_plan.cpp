@@ -100,14 +100,12 @@ void ChainPlan::read_split() {
   const std::optional<double> fixed = parameters.get_number("split");
   const bool by_regions_alone = selective && (!selective->omc_shares || selective->exclusive);
   if (direct == Direct::Chain || by_regions_alone || (fixed && *fixed == 0.0)) return;
-  constexpr double kStandby = 1000.0;
-  standby_threshold = kStandby;
+  // A firefly of so many times the brightness of the picture looks no worse than white.
+  constexpr double kStandby = 100.0;
+  standby_threshold = kStandby * fixed.value_or(1.0);
   if (fixed) {
     thresholds = {*fixed};
-    if (selective) {
-      thresholds = {*fixed, 3.0 * *fixed, 10.0 * *fixed};
-      standby_threshold = 100.0 * *fixed;
-    }
+    if (selective) thresholds = {*fixed, 3.0 * *fixed, 10.0 * *fixed};
   } else if (kind == ChainKind::OnePath) {
     thresholds = {0.1, 0.3, 1.0, 3.0, 10.0};
     // What is shared by the error that is seen deserves fewer chains.
@@ -139,7 +137,12 @@ void ChainPlan::set_omc(const PathFamilyDefaults& choice) {
 void ChainPlan::read_pilot() {
   if (selective) {
     pilot_use = selective->pilot;
-    pilot_samples = selective->pilot_samples;
+    // A small picture tells as much as others by more samples of each pixel.
+    constexpr std::uint64_t kEnough = 65536;
+    constexpr std::uint64_t kFewest = 4;
+    constexpr std::uint64_t kMost = 16;
+    pilot_samples = selective->pilot_samples > 0 ? selective->pilot_samples
+                                                 : std::clamp(kEnough / pixels(), kFewest, kMost);
     return;
   }
   const auto replicates = static_cast<std::uint64_t>(settings.replicates);

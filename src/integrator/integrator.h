@@ -78,8 +78,16 @@ struct SelectiveReport {
     double noise = 0.0;       ///< of the pilot's indirect light: ½(mean + largest) above T
     double importance = 0.0;  ///< as in the layer of that name
   };
+  /// What half of the replicates expects of chains, or all of them, by what the pilot has shown.
+  struct Half {
+    double correlation = 0.0;     ///< C of a mutation, that of a trial or the usual one
+    double expected_error = 1.0;  ///< squared, with (bad) chains over that without; 1: not known
+    double threshold = 0.0;       ///< T, relative to the brightness; geometric mean over pixels
+    bool stands_by = false;       ///< chains do
+  };
   std::uint64_t pilot_samples = 0;  ///< per pixel
   bool pilot_stays = false;
+  std::vector<Half> halves;             ///< empty if nothing is decided
   std::string techniques;               ///< of ordinary Monte Carlo
   double light_paths_per_sample = 1.0;  ///< likewise
   /// What a ray of it has to bring, in the brightness of the picture (see `RayPrice`); 0: it plays

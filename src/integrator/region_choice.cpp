@@ -81,6 +81,7 @@ std::vector<double> all_thresholds(const ChainPlan& plan) {
 
 /// A path of the pilot, as chains and ordinary Monte Carlo may share it.
 struct SharedPath {
+  std::uint64_t sample;   ///< that found it
   std::size_t replicate;  ///< among those that are seen
   std::size_t pixel;
   float strength;
@@ -90,9 +91,30 @@ struct SharedPath {
 
 /// Which paths of the pilot count.
 struct PathsSeen {
-  double most;  ///< for no more than so many times the brightness of the picture
-  bool without_brightest;
+  double most;             ///< for no more than so many times the brightness of the picture
+  bool without_brightest;  ///< camera sample
 };
+
+/// Leaves out all paths of the sample that brings most. They are in the order of samples.
+void erase_brightest(std::vector<SharedPath>& paths) {
+  auto first = paths.end();
+  auto last = paths.end();
+  double most = 0.0;
+  for (auto run = paths.begin(); run != paths.end();) {
+    auto end = run;
+    double light = 0.0;
+    for (; end != paths.end() && end->sample == run->sample; ++end) {
+      light += static_cast<double>(std::abs(end->light));
+    }
+    if (light > most) {
+      most = light;
+      first = run;
+      last = end;
+    }
+    run = end;
+  }
+  paths.erase(first, last);
+}
 
 std::vector<SharedPath> shared_paths(const PilotView& view, const PathsSeen& seen) {
   const auto most = static_cast<float>(seen.most * view.plan.brightness);
@@ -102,16 +124,12 @@ std::vector<SharedPath> shared_paths(const PilotView& view, const PathsSeen& see
   for (const FoundLight& found : view.found) {
     const auto place = std::find(view.replicates.begin(), view.replicates.end(), found.replicate);
     if (place == view.replicates.end()) continue;
-    paths.push_back({static_cast<std::size_t>(place - view.replicates.begin()),
+    paths.push_back({found.sample, static_cast<std::size_t>(place - view.replicates.begin()),
                      pixel_at(view.plan.settings.crop, found.raster), found.strength,
                      std::clamp(found.energy, -most, most) * found.weight * scale,
                      1.F - 1.F / found.weight});
   }
-  const auto brightest =
-      std::max_element(paths.begin(), paths.end(), [](const SharedPath& a, const SharedPath& b) {
-        return std::abs(a.light) < std::abs(b.light);
-      });
-  if (seen.without_brightest && brightest != paths.end()) paths.erase(brightest);
+  if (seen.without_brightest) erase_brightest(paths);
   return paths;
 }
 
@@ -225,72 +243,91 @@ OfferedThresholds offer_thresholds(const PilotView& view,
   return offered;
 }
 
-/// Predicted error with chains over that without.
+/// A firefly cannot look worse than white, so that a brighter one is no better reason for a low
+/// threshold.
+constexpr double kWhite = 100.0;
+
+/// Chains turn out worse than a trial shows, and what they leave are blotches, which the eye sees
+/// more easily than noise of the same variance.
+constexpr double kDoubt = 4.0;
+
+/// Predicted error with chains over that without, if they are as much worse.
 double gain_of_chains(const PilotView& view, const std::vector<double>& thresholds,
-                      const ThresholdCosts& costs, const PathsSeen& seen) {
+                      ThresholdCosts costs, const PathsSeen& seen) {
+  costs.correlation *= kDoubt;
   const std::vector<ThresholdEstimate> regions = estimate_thresholds(view, thresholds, seen);
   const ThresholdChoice without = predict_thresholds(
       regions, costs, std::vector<std::size_t>(regions.size(), thresholds.size()));
   return optimal_thresholds(offer_thresholds(view, regions).groups, costs).error / without.error;
 }
 
-/// Chains should bring clearly more than they cost, even if they turn out worse than a trial shows:
-/// in the end they are, and what they leave are blotches, which the eye sees more easily than noise
-/// of the same variance.
-constexpr double kDoubt = 4.0;
-constexpr double kClearly = 0.75;
+/// How much more than to stand by chains should do, from 0 to 1. Around a gain of 1 it is a matter
+/// of degree: the halves of the replicates decide each for itself, and if one did with chains what
+/// the other does without, the picture would have the noise of the one at the cost of the other.
+double trust_in(double gain) {
+  constexpr double kRange = 0.05;
+  return std::clamp((1.0 + kRange - gain) / (2.0 * kRange), 0.0, 1.0);
+}
 
-/// Whether chains would pay for what is above thresholds.
-bool would_pay(const PilotView& view, const std::vector<double>& thresholds, ThresholdCosts costs) {
-  // One path is no evidence, unless it is worth as much as the rest of the picture.
-  constexpr double kHardly = 0.8;
-  constexpr double kOverwhelmingly = 0.1;
-  // Of light that is found in one sample of ten thousand, a pilot sees one or two paths. They are
-  // far brighter than white, and what chains are for.
-  constexpr double kGlaring = 1000.0;
-  costs.correlation *= kDoubt;
-  const double gain = gain_of_chains(view, thresholds, costs, {kGlaring, false});
-  if (gain >= kClearly || gain < kOverwhelmingly) return gain < kClearly;
-  return gain_of_chains(view, thresholds, costs, {kGlaring, true}) < kHardly;
+/// By a pilot of which no single sample is evidence: each counts up to white, and the brightest
+/// does not count.
+double careful_gain(const PilotView& view, const std::vector<double>& thresholds,
+                    const ThresholdCosts& costs) {
+  return gain_of_chains(view, thresholds, costs, {kWhite, true});
+}
+
+ThresholdCosts threshold_costs(const PilotView& view) {
+  return {omc_cost(view), rays_per_mutation(view), view.costs.correlation, 0.0};
 }
 
 RegionChoice choose_thresholds(const PilotView& view) {
-  // A firefly cannot look worse than white, so that a brighter one is no better reason for a low
-  // threshold.
-  constexpr double kWhite = 100.0;
   const std::vector<double> thresholds = all_thresholds(view.plan);
   const std::vector<ThresholdEstimate> regions =
       estimate_thresholds(view, thresholds, {kWhite, false});
-  const ThresholdCosts costs{omc_cost(view), rays_per_mutation(view), view.costs.correlation, 0.0};
+  const ThresholdCosts costs = threshold_costs(view);
   const OfferedThresholds offered = offer_thresholds(view, regions);
   const ThresholdChoice of_groups = optimal_thresholds(offered.groups, costs);
+  RegionChoice choice;
+  choice.correlation = costs.correlation;
+  double trust = 1.0;
+  // Where the pilot has found nothing for them, they cost nothing, and stay ready.
+  if (view.plan.selective && of_groups.chain_light > 0.0) {
+    choice.expected_error = careful_gain(view, thresholds, costs);
+    trust = trust_in(choice.expected_error);
+    // Of light that is found in one sample of ten thousand, a pilot sees one or two paths. They are
+    // far brighter than white, and keep chains that stand by busy.
+    constexpr double kGlaring = 1000.0;
+    choice.off = choice.expected_error >= 1.0 &&
+                 gain_of_chains(view, thresholds, costs, {kGlaring, false}) >= 1.0;
+  }
   std::vector<std::size_t> chosen;
   chosen.reserve(regions.size());
   for (const std::size_t group : offered.group_of) chosen.push_back(of_groups.chosen[group]);
-  RegionChoice choice;
-  if (view.plan.selective) {
-    // Where the pilot has found nothing for them, they cost nothing, and stay ready.
-    choice.off = of_groups.chain_light > 0.0 && !would_pay(view, thresholds, costs);
-  }
-  if (choice.off) chosen.assign(regions.size(), view.plan.thresholds.size());
   const auto fixed = fixed_weights(view);
   for (std::size_t r = 0; r < regions.size(); ++r) {
     if (fixed[r]) chosen[r] = 0;
+    const double threshold = fixed[r] ? thresholds[chosen[r]]
+                                      : std::pow(thresholds[chosen[r]], trust) *
+                                            std::pow(thresholds.back(), 1.0 - trust);
     // Chains that nothing can seed cannot stand by either.
     const bool none = choice.off && !view.plan.has_recruits();
     const float weight = fixed[r].value_or(none ? 0.F : 1.F);
-    choice.shares.push_back(
-        {static_cast<float>(thresholds[chosen[r]] * view.plan.brightness), weight, weight});
+    choice.shares.push_back({static_cast<float>(threshold * view.plan.brightness), weight, weight});
     choice.off = choice.off && !fixed[r];
   }
-  const ThresholdChoice final = predict_thresholds(regions, costs, chosen);
-  choice.mutations = best_mutations(final.variance, final.chain_light, costs) /
-                     static_cast<double>(view.plan.pixels());
+  const auto mutations = [&](std::vector<std::size_t> of_regions) {
+    const ThresholdChoice final = predict_thresholds(regions, costs, std::move(of_regions));
+    return best_mutations(final.variance, final.chain_light, costs) /
+           static_cast<double>(view.plan.pixels());
+  };
+  const std::vector<std::size_t> standby(regions.size(), view.plan.thresholds.size());
+  choice.mutations = trust * mutations(chosen) + (1.0 - trust) * mutations(standby);
   return choice;
 }
 
-/// Whether chains would pay for what σ gives them, where the user has not decided.
+/// Whether chains would clearly pay for what σ gives them, where the user has not decided.
 bool weights_would_pay(std::span<const RegionEstimate> regions, RenderCosts costs) {
+  constexpr double kClearly = 0.75;
   costs.correlation *= kDoubt;
   double alone = costs.omc_only_variance;
   for (const RegionEstimate& region : regions) alone += region.variance;
@@ -322,6 +359,7 @@ RegionChoice choose_weights(const PilotView& view) {
   const RenderCosts costs{1.0, omc_cost(view), rays_per_mutation(view), view.costs.correlation,
                           sum_of(sample_errors(view, {"direct"}).variance)};
   RegionChoice choice;
+  choice.correlation = costs.correlation;
   if (settings.map == SelectiveSettings::Map::Optimal && settings.painted.empty() &&
       !weights_would_pay(estimates, costs)) {
     for (RegionEstimate& estimate : estimates) estimate.maximum = estimate.minimum;
@@ -347,7 +385,11 @@ void make_exclusive(const SelectiveSettings& settings, std::vector<PixelShare>& 
 
 }  // namespace
 
-bool chains_would_pay(const PilotView& view) { return !choose_thresholds(view).off; }
+bool chains_would_pay(const PilotView& view) {
+  if (!view.plan.selective) return true;
+  constexpr double kClearly = 0.9;
+  return careful_gain(view, all_thresholds(view.plan), threshold_costs(view)) < kClearly;
+}
 
 Plane pilot_noise(const PilotView& view) {
   return impulse_noise(view.regions.size,

@@ -48,6 +48,10 @@ struct RegionChoice {
   std::vector<PixelShare> shares;  ///< of each region
   std::vector<float> noise;        ///< of each region: ½(mean + largest) of that at or above T
   double mutations = 0.0;          ///< per camera sample, for least predicted error
+  double correlation = 0.0;        ///< C, as it was taken to be
+  /// Predicted error with chains over that without, where the light is divided by thresholds; with
+  /// C higher than it was taken to be, and without the sample that speaks for chains most.
+  double expected_error = 1.0;
   /// Chains would only cost: they have the highest threshold everywhere, or nothing at all where
   /// light is not divided path by path.
   bool off = false;
@@ -58,8 +62,7 @@ struct RegionChoice {
 /// there are any: by the published rule (region_map.h); rules and presets have the last word.
 RegionChoice choose_regions(const PilotView& view);
 
-/// Whether that would give chains more to do than to stand by, where the light is divided by
-/// thresholds.
+/// Whether chains would clearly pay, where the light is divided by thresholds.
 bool chains_would_pay(const PilotView& view);
 
 /// Noise of the indirect light that the replicates show (noise.h).

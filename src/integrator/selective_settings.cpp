@@ -62,7 +62,8 @@ std::vector<ParameterSpec> SelectiveSettings::parameters() {
        .type = ParameterType::Int,
        .default_value = "0",
        .unit = "samples",
-       .help = "of the pilot, per pixel; 0: 4 for map=optimal, 16 for map=binary",
+       .help = "of the pilot, per pixel; 0: 4 for map=optimal, up to 16 of a small picture; 16 for "
+               "map=binary",
        .choices = {},
        .minimum = 0,
        .maximum = 4096}};
@@ -128,7 +129,7 @@ SelectiveSettings SelectiveSettings::read(const Parameters& parameters,
                  : pilot == "discard"                       ? PilotUse::Discard
                                                             : pilot_use_of(settings.replicates);
   result.pilot_samples = static_cast<std::uint64_t>(parameters.get_int("pilot-samples"));
-  if (result.pilot_samples == 0) result.pilot_samples = result.map == Map::Binary ? 16 : 4;
+  if (result.pilot_samples == 0 && result.map == Map::Binary) result.pilot_samples = 16;
   result.binary = {parameters.get_int("window"),
                    static_cast<float>(parameters.get_float("threshold")),
                    static_cast<float>(parameters.get_float("epsilon"))};

@@ -340,6 +340,19 @@ std::vector<double> SplitPilot::thresholds() const {
   return thresholds;
 }
 
+std::vector<SelectiveReport::Half> SplitPilot::expectations() const {
+  std::vector<SelectiveReport::Half> halves;
+  for (const RegionChoice& choice : choices_) {
+    double sum = 0.0;
+    for (const std::uint32_t label : regions_.labels) {
+      sum += std::log(static_cast<double>(choice.shares[label].threshold) / plan_.brightness);
+    }
+    halves.push_back({choice.correlation, choice.expected_error,
+                      std::exp(sum / static_cast<double>(regions_.labels.size())), choice.off});
+  }
+  return halves;
+}
+
 std::vector<SelectiveReport::Region> SplitPilot::report() const {
   std::vector<SelectiveReport::Region> rows;
   if (choices_.empty()) return rows;

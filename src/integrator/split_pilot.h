@@ -64,6 +64,8 @@ class SplitPilot final : public PreparationStage, public StrongPathSinks {
   /// Of the first region in each half, relative to the brightness of its pixels; empty until it is
   /// decided.
   std::vector<double> thresholds() const;
+  /// Of each half, in the same order.
+  std::vector<SelectiveReport::Half> expectations() const;
   /// Rows of the statistics, the largest regions first.
   std::vector<SelectiveReport::Region> report() const;
 

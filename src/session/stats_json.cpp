@@ -123,11 +123,19 @@ Json selective_json(const SelectiveReport& report, const RenderResult& result) {
                        {"noise", region.noise},
                        {"importance", region.importance}});
   }
+  Json halves = Json::array();
+  for (const SelectiveReport::Half& half : report.halves) {
+    halves.push_back({{"correlation", half.correlation},
+                      {"expected_error", half.expected_error},
+                      {"threshold", half.threshold},
+                      {"stands_by", half.stands_by}});
+  }
   const auto of_omc = [](std::optional<double> of_chains) {
     return number_or_null(of_chains ? std::optional(1.0 - *of_chains) : std::nullopt);
   };
   return {{"pilot_samples_per_pixel", report.pilot_samples},
           {"pilot_stays", report.pilot_stays},
+          {"halves", halves},
           {"mutations_per_sample", report.mutations_per_sample},
           {"correlation", number_or_null(report.correlation)},
           {"chains",

@@ -1,0 +1,126 @@
+#include "integrator/region_choice.h"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <random>
+#include <vector>
+
+#include "integrator/weighted_errors.h"
+#include "support/render.h"
+#include "support/small_scenes.h"
+
+/// What a few samples of a pilot may decide.
+namespace ajar {
+namespace {
+
+/// A picture of which two replicates have seen even noise alone, so that bad chains would only
+/// cost.
+class RegionChoiceTest : public testing::Test {
+ protected:
+  static constexpr double kBrightness = 1.0;
+  static constexpr std::uint64_t kSamples = 4;
+
+  RegionChoiceTest()
+      : scene_(test::scene_from(test::small_scene("Room").text)),
+        settings_(test::settings_of(*scene_, {.replicates = 2, .max_depth = 6})),
+        plan_(ChainKind::OnePath, *scene_, settings_,
+              Parameters(chain_parameters(ChainKind::OnePath), {}), SelectiveSettings{}) {
+    plan_.brightness = kBrightness;
+    plan_.splits.emplace(LightSplit(0.0, plan_.view.importance));
+    omc_ = plan_.make_omc(settings_, plan_.omc_depths(), {.splits = &*plan_.splits});
+    film_ = std::make_unique<Film>(settings_.resolution, settings_.crop, Filter::box(), 2,
+                                   omc_->layers());
+    const Vec2i size = settings_.crop.size() + Vec2i(1, 1);
+    regions_ = connected_regions(size, std::vector<PixelIdentity>(plan_.pixels()));
+    std::mt19937 random(5);
+    std::exponential_distribution<float> light(1.F / static_cast<float>(kBrightness));
+    for (std::uint64_t i = 0; i < plan_.pixels() * kSamples; ++i) {
+      found_.push_back(path(i, light(random)));
+      film_->splat(film_->layer(kWeakLayer), static_cast<int>(i % 2), found_.back().raster,
+                   Spectrum(light(random)));
+    }
+  }
+
+  /// The only one of its sample.
+  FoundLight path(std::uint64_t sample, float energy) const {
+    const std::uint64_t pixel = sample / kSamples;
+    const auto width = static_cast<std::uint64_t>(regions_.size.x);
+    return {.sample = sample,
+            .raster = Vec2(static_cast<float>(pixel % width) + 0.5F,
+                           static_cast<float>(pixel / width) + 0.5F),
+            .value = Spectrum(energy),
+            .strength = energy,
+            .energy = energy,
+            .weight = 1.F,
+            .replicate = static_cast<std::int16_t>(sample % 2),
+            .s = 2,
+            .t = 2};
+  }
+
+  RegionChoice choose(double correlation) const {
+    return choose_regions({plan_,
+                           regions_,
+                           *film_,
+                           *omc_,
+                           kSamples,
+                           10.0,
+                           found_,
+                           {0, 1},
+                           ChainCosts{correlation, 4.5}});
+  }
+  /// T of the first region.
+  double threshold(double correlation) const {
+    return static_cast<double>(choose(correlation).shares.front().threshold);
+  }
+
+  std::unique_ptr<Scene> scene_;
+  RenderSettings settings_;
+  ChainPlan plan_;
+  std::unique_ptr<Integrator> omc_;
+  std::unique_ptr<Film> film_;
+  Regions regions_;
+  std::vector<FoundLight> found_;
+};
+
+TEST_F(RegionChoiceTest, NoSingleSampleTurnsTheDecision) {
+  constexpr double kBad = 300.0;
+  const RegionChoice before = choose(kBad);
+  ASSERT_TRUE(before.off);
+  for (FoundLight& light : found_) {
+    const FoundLight usual = light;
+    light = path(light.sample, 1e6F);
+    const RegionChoice after = choose(kBad);
+    EXPECT_NEAR(after.shares.front().threshold, before.shares.front().threshold, 1e-3)
+        << "sample " << light.sample;
+    light = usual;
+    if (light.sample > 40) break;
+  }
+}
+
+TEST_F(RegionChoiceTest, SeveralSamplesDo) {
+  constexpr double kFair = 10.0;
+  const double before = threshold(kFair);
+  for (std::size_t i = 0; i < found_.size(); i += 49) found_[i] = path(i, 100.F);
+  EXPECT_LT(threshold(kFair), 0.5 * before);
+}
+
+/// The halves of the replicates would do without chains and with them on either side of a step.
+TEST_F(RegionChoiceTest, ThresholdsRiseByDegreesAsChainsPayLess) {
+  for (std::size_t i = 0; i < found_.size(); i += 19) found_[i] = path(i, 30.F);
+  constexpr double kStep = 1.01;
+  double last = threshold(1.0);
+  const double first = last;
+  double steepest = 1.0;
+  for (double correlation = 1.0; correlation < 1000.0; correlation *= kStep) {
+    const double now = threshold(correlation);
+    steepest = std::max(steepest, now / last);
+    last = now;
+  }
+  EXPECT_GT(last, 90.0) << "they stand by";
+  EXPECT_LT(first, 5.0);
+  EXPECT_LT(steepest, 4.0) << "as far as one candidate is from the next";
+}
+
+}  // namespace
+}  // namespace ajar
