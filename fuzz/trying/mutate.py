@@ -25,7 +25,7 @@ def _scaled(rng, text, spots):
 
 def _letter(rng, text, spots):
     begin, end = rng.choice(spots)
-    at = rng.randrange(begin + 1, end - 1)
+    at = rng.randrange(begin, end)
     return text[:at] + rng.choice("abcxyz \x00\x1b\xff\n") + text[at + 1:]
 
 
@@ -66,7 +66,6 @@ def mutate(rng, text):
             return text
         numbers = [s for s in tokens if NUMBER.match(text[s[0]:s[1]])] or tokens
         names = [s for s in tokens if NAME.match(text[s[0]:s[1]])] or tokens
-        names = [s for s in names if s[1] - s[0] > 2] or [(0, len(text))]
         change, spots = rng.choice([(_number, numbers), (_number, numbers), (_scaled, numbers), (_letter, names),
                                     (_file, names), (_delete, tokens), (_swap, tokens), (_repeat_lines, tokens),
                                     (_cut, tokens)])

@@ -66,7 +66,7 @@ def try_inputs(trials, rng, scenes, work, until):
         shutil.rmtree(folder, ignore_errors=True)
         os.makedirs(folder)
         # What the scene refers to is beside it.
-        for name in os.listdir(os.path.dirname(source)):
+        for name in set(os.listdir(os.path.dirname(source))) - {"changed.pbrt", "pipe", "self.pbrt"}:
             os.symlink(os.path.join(os.path.dirname(source), name), os.path.join(folder, name))
         scene = os.path.join(folder, "changed.pbrt")
         with open(source, encoding="latin-1") as file:

@@ -16,6 +16,7 @@
 
 #include "core/available_memory.h"
 #include "core/error.h"
+#include "core/exr_header.h"
 #include "core/regular_file.h"
 
 namespace ajar {
@@ -167,6 +168,9 @@ ImageInput::ImageInput(const std::string& path, bool has_unassociated_alpha) {
     constexpr std::uint64_t kDecodedBytes = 12;  // 4 channels, and as much again twice
     check_claim(*size, kLeastKnown, file_bytes);
     check_memory(kDecodedBytes * size->width * size->height);
+  }
+  if (const std::string complaint = exr_header_complaint(path, file_bytes); !complaint.empty()) {
+    throw IoError(complaint);
   }
   OIIO::ImageSpec config;
   if (has_unassociated_alpha) config.attribute("oiio:UnassociatedAlpha", 1);

@@ -270,6 +270,7 @@ TEST_F(StudyFile, ErrorsSayWhereAndWhatWouldBeRight) {
 TEST(ShippedStudies, CanBeRead) {
   int count = 0;
   for (const auto& entry : fs::directory_iterator(AJAR_SOURCE_DIR "/studies")) {
+    if (entry.path().extension() != ".json") continue;  // scripts that read results
     EXPECT_NO_THROW(read_study(entry.path().string())) << entry.path();
     ++count;
   }

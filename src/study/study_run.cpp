@@ -102,6 +102,31 @@ std::vector<StudyRun> expand(const StudyPlan& plan, const std::vector<std::strin
   return runs;
 }
 
+namespace {
+
+/// Whether it has all that is read of it.
+bool is_record(const Json& json) {
+  const auto has = [](const Json& part, const char* name, auto&& is_right) {
+    return part.is_object() && part.contains(name) && is_right(part.at(name));
+  };
+  const auto is_number = [](const Json& value) { return value.is_number(); };
+  const auto has_times = [&](const Json& seconds) {
+    return has(seconds, "prepare", is_number) && has(seconds, "render", is_number);
+  };
+  const auto has_statistics = [&](const Json& statistics) {
+    return has(statistics, "seconds", has_times);
+  };
+  const auto is_text = [](const Json& value) { return value.is_string(); };
+  const auto is_object = [](const Json& value) { return value.is_object(); };
+  return has(json, "key", [](const Json&) { return true; }) &&
+         has(json, "statistics", has_statistics) &&
+         (!json.contains("metrics") ||
+          (has(json, "metrics", is_object) && has(json, "reference", is_text))) &&
+         (!json.contains("machine") || has(json, "machine", is_object));
+}
+
+}  // namespace
+
 double RunRecord::seconds() const {
   const Json& seconds = json.at("statistics").at("seconds");
   return seconds.at("prepare").get<double>() + seconds.at("render").get<double>();
@@ -132,10 +157,7 @@ std::optional<RunRecord> finished_record(const StudyRun& run) {
   } catch (const Error&) {
     return std::nullopt;
   }
-  if (!json.is_object() || !json.contains("key") || !json.contains("statistics")) {
-    return std::nullopt;
-  }
-  if (json.at("key") != run.key) return std::nullopt;
+  if (!is_record(json) || json.at("key") != run.key) return std::nullopt;
   return RunRecord{std::move(json)};
 }
 
