@@ -80,7 +80,7 @@ def try_inputs(trials, rng, scenes, work, until):
                           ["render", scene, "--integrator", method, "-o", "out.pfm"] + SMALL + LIGHT.get(method, [])):
             code, message, what = trials.run(arguments, folder)
             if not what and arguments[0] == "render" and code == 0:
-                what = outcome.pfm_complaint(os.path.join(folder, "out.pfm"))
+                what = outcome.pfm_complaint(os.path.join(folder, "out.pfm"), text, message)
             if what:
                 trials.keep(what, arguments, message, [scene])
             if code != 0:
