@@ -38,7 +38,6 @@ Scene::Scene(desc::SceneDesc&& given, const BuildOptions& options, Warnings& war
   desc::SceneDesc description = std::move(given);
   if (options.resolution) film_.resolution = *options.resolution;
   validate_references(description);
-  counts_.textures = description.textures.size();
   counts_.materials = description.materials.size();
   add_default_material(description);
 
@@ -58,7 +57,6 @@ Scene::Scene(desc::SceneDesc&& given, const BuildOptions& options, Warnings& war
   geometry_->require_reach(reach_of_rays(), description);
 
   SceneCounts counted = geometry_->counts();
-  counted.textures = counts_.textures;
   counted.materials = counts_.materials;
   counted.lights = lights_.size();
   counts_ = counted;

@@ -11,7 +11,6 @@ struct SceneCounts {
   std::size_t curves = 0;  ///< Bézier segments
   std::size_t instances = 0;
   std::size_t lights = 0;
-  std::size_t textures = 0;
   std::size_t materials = 0;
   std::size_t embree_bytes = 0;
 };

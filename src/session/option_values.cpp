@@ -1,8 +1,11 @@
 #include "session/option_values.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
 
 #include "core/error.h"
 
@@ -82,6 +85,36 @@ double parse_duration(const std::string& option, std::string_view text) {
   }
   if (!(seconds > 0.0)) reject(option, text, expected);
   return seconds;
+}
+
+std::uint64_t parse_whole(const std::string& option, std::string_view text, std::uint64_t minimum,
+                          std::uint64_t maximum) {
+  const auto value = whole_text_number<std::uint64_t>(text);
+  if (!value || *value < minimum || *value > maximum) {
+    reject(option, text, fmt::format("a whole number from {} to {}", minimum, maximum));
+  }
+  return *value;
+}
+
+double parse_number(const std::string& option, std::string_view text, const std::string& what,
+                    double minimum, double maximum) {
+  const auto value = whole_text_number<double>(text);
+  if (!value || !(*value >= minimum && *value <= maximum)) {
+    reject(option, text, fmt::format("a number of {} from {} to {}", what, minimum, maximum));
+  }
+  return *value;
+}
+
+double parse_relative_error(const std::string& option, std::string_view text) {
+  const bool is_percent = text.ends_with('%');
+  const auto value = whole_text_number<double>(is_percent ? text.substr(0, text.size() - 1) : text);
+  const double error = value.value_or(0.0) * (is_percent ? 0.01 : 1.0);
+  if (error > 0.0 && error <= 1.0) return error;
+  std::string expected = "a relative error above 0 and at most 1, such as 0.05 or 5%";
+  if (!is_percent && error > 1.0 && error <= 100.0) {
+    expected += fmt::format(" (did you mean {:g}, or {:g}%?)", 0.01 * error, error);
+  }
+  reject(option, text, expected);
 }
 
 Vec2i parse_resolution(const std::string& option, std::string_view text) {

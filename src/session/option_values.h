@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
@@ -16,6 +17,15 @@ namespace ajar {
 
 /// `60`, `60s`, `2m`, `1.5h`, `1h30m` → seconds, > 0.
 double parse_duration(const std::string& option, std::string_view text);
+
+/// A whole number from `minimum` to `maximum`.
+std::uint64_t parse_whole(const std::string& option, std::string_view text, std::uint64_t minimum,
+                          std::uint64_t maximum);
+/// A number from `minimum` to `maximum`; `what` says of what, such as "stops".
+double parse_number(const std::string& option, std::string_view text, const std::string& what,
+                    double minimum, double maximum);
+/// `0.05` or `5%` → 0.05, above 0 and at most 1.
+double parse_relative_error(const std::string& option, std::string_view text);
 
 /// `640x480` → width and height, each 1…65536.
 Vec2i parse_resolution(const std::string& option, std::string_view text);

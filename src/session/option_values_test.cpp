@@ -98,5 +98,25 @@ TEST(List, DropsEmptyAndRepeatedNames) {
   EXPECT_TRUE(parse_list("").empty());
 }
 
+TEST(OptionValues, NumbersAreToldInWords) {
+  EXPECT_EQ(parse_whole("--spp", "64", 1, 100), 64U);
+  EXPECT_EQ(parse_number("--exposure", "-2.5", "stops", -64.0, 64.0), -2.5);
+  for (const char* text : {"", "0", "101", "1.5", "-1", "many", "1e1", "99999999999999999999"}) {
+    EXPECT_THROW(parse_whole("--spp", text, 1, 100), UsageError) << text;
+  }
+  for (const char* text : {"", "lots", "nan", "inf", "-65", "1 stop"}) {
+    EXPECT_THROW(parse_number("--exposure", text, "stops", -64.0, 64.0), UsageError) << text;
+  }
+}
+
+TEST(OptionValues, ErrorsMayBePercent) {
+  EXPECT_DOUBLE_EQ(parse_relative_error("--target-error", "0.05"), 0.05);
+  EXPECT_DOUBLE_EQ(parse_relative_error("--target-error", "5%"), 0.05);
+  EXPECT_DOUBLE_EQ(parse_relative_error("--target-error", "100%"), 1.0);
+  for (const char* text : {"", "%", "0", "0%", "-1", "nan", "5", "101%", "5 percent"}) {
+    EXPECT_THROW(parse_relative_error("--target-error", text), UsageError) << text;
+  }
+}
+
 }  // namespace
 }  // namespace ajar

@@ -57,7 +57,9 @@ std::string error_text(const RenderSnapshot& s) {
 std::string left_text(const RenderSnapshot& s) {
   if (s.finishing) return "finishing the pass";
   const std::optional<double> left = seconds_left(s);
-  return left ? clock_text(*left) + " left" : std::string();
+  if (!left) return {};
+  // A pass may take longer than what was left; nobody should wait for "0:00".
+  return *left < 0.5 ? "ends soon" : clock_text(*left) + " left";
 }
 
 std::string rays_text(const RenderSnapshot& s) {

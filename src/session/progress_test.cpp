@@ -74,6 +74,13 @@ TEST(Progress, NothingIsKnownBeforeTheFirstSample) {
   EXPECT_FALSE(bar_line(s, 80).empty());
 }
 
+TEST(Progress, NothingIsPromisedOnceTheTimeIsOver) {
+  RenderSnapshot s = half_way();
+  s.budget.seconds = s.seconds - 5.0;
+  EXPECT_TRUE(plain_line(s).ends_with("ends soon")) << plain_line(s);
+  EXPECT_EQ(bar_line(s, 120).find("0:00 left"), std::string::npos);
+}
+
 TEST(Progress, PlainLineHasAllNumbers) {
   EXPECT_EQ(plain_line(half_way()), "0:10, 32/64 spp, 2 M rays/s, error 3.4 %, 0:10 left");
 }

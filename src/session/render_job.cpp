@@ -235,9 +235,9 @@ void RenderJob::run_pass(const Decision& decision, Film& before) {
         // Ranks cannot leave a pass each at another item: they finish it.
         if (options_.ranks == nullptr && interrupted(2)) return;
         Counters counters;
-        const Stopwatch clock;
+        const double begun = thread_cpu_seconds();
         integrator_.run_item(item, pass.first_sample, pass.samples, film_, counters);
-        if (integrator_.is_of_chains(item)) tally.chain_seconds += clock.seconds();
+        if (integrator_.is_of_chains(item)) tally.chain_seconds += thread_cpu_seconds() - begun;
         rays_.fetch_add(counters.rays, std::memory_order_relaxed);
         // Which message is kept must not depend on the threads: the one of the smallest item.
         if (!counters.first_discarded.empty() && item < tally.first_item) {

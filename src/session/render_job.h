@@ -58,7 +58,7 @@ struct RenderResult {
   double seconds = 0.0;                 ///< of all runs, if the render was resumed
   double own_seconds = 0.0;             ///< of this run
   double cpu_seconds = 0.0;             ///< of all threads, while rendering
-  double chain_seconds = 0.0;           ///< likewise, for items of Markov chains
+  double chain_seconds = 0.0;           ///< likewise, of items of Markov chains
   int threads = 0;
   std::uint64_t passes = 0;
   std::optional<double> relative_error;

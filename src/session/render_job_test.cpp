@@ -52,6 +52,18 @@ TEST(RenderJob, GivesTheSameBitsOnAnyNumberOfThreads) {
   }
 }
 
+TEST(RenderJob, CountsTheProcessorTimeOfChainsAndNotTheirWaiting) {
+  TestIntegrator integrator(kSize, 1);
+  integrator.has_chains = true;
+  // As on a machine that is busy with something else.
+  integrator.on_item = [](auto...) { std::this_thread::sleep_for(std::chrono::milliseconds(1)); };
+  Film film = make_film(integrator, 1);
+  const RenderResult result = RenderJob(integrator, film, with_samples(1, 1)).run();
+  EXPECT_GE(result.seconds, 0.09);
+  EXPECT_GT(result.chain_seconds, 0.0);
+  EXPECT_LT(result.chain_seconds, 0.5 * result.seconds);
+}
+
 TEST(RenderJob, DoesNotDependOnHowSamplesAreCutIntoPasses) {
   RenderJobOptions hasty = with_samples(64, 2);
   hasty.pass_seconds = 0.0;  // the shortest passes there are

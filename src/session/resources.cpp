@@ -2,6 +2,8 @@
 
 #include <sys/resource.h>
 
+#include <ctime>
+
 namespace ajar {
 
 namespace {
@@ -21,6 +23,12 @@ rusage usage_of_process() {
 double cpu_seconds() {
   const rusage usage = usage_of_process();
   return to_seconds(usage.ru_utime) + to_seconds(usage.ru_stime);
+}
+
+double thread_cpu_seconds() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
 std::uint64_t peak_memory_bytes() {

@@ -8,6 +8,8 @@ namespace ajar {
 
 /// Processor time of this process so far, all threads, user and system, seconds.
 double cpu_seconds();
+/// Likewise of the calling thread alone.
+double thread_cpu_seconds();
 /// Largest resident memory of this process so far, bytes.
 std::uint64_t peak_memory_bytes();
 /// Wall clock that started when it was made.

@@ -48,6 +48,8 @@ class TestIntegrator final : public Integrator {
     return (replicate ? replicates_ : 1) / static_cast<double>(samples);
   }
 
+  bool is_of_chains(std::uint64_t /*item*/) const override { return has_chains; }
+
   /// In [0, 1), different for every item and sample.
   static float value(std::uint64_t item, std::uint64_t sample) {
     std::uint64_t x = (item * 1000003U + sample + 1U) * 0x9E3779B97F4A7C15ULL;
@@ -62,6 +64,7 @@ class TestIntegrator final : public Integrator {
   std::uint64_t first_number = 0;
   /// Adds a layer of 0.5 that is a part of the indirect light.
   bool has_part = false;
+  bool has_chains = false;  ///< whether all items are of chains
 
  private:
   Vec2i size_;

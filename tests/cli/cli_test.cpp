@@ -73,7 +73,13 @@ TEST_F(Cli, WrongUsageEndsWithTwoAndHelps) {
       {{"render", "builtin:cornell", "--set", "alone"}, "KEY=VALUE"},
       {{"render", "builtin:cornell", "--time", "soon"}, "--time"},
       {{"render", "builtin:cornell", "--spp", "0"}, "--spp"},
-      {{"render", "builtin:cornell", "--spp", "many"}, "--spp"},
+      {{"render", "builtin:cornell", "--spp", "many"}, "--spp expects a whole number from 1"},
+      {{"render", "builtin:cornell", "--spp", "1.5"},
+       "whole number from 1 to 2147483648, not \"1.5"},
+      {{"render", "builtin:cornell", "--samples", "4"}, "did you mean \"--spp\"?"},
+      {{"render", "builtin:cornell", "--exposure", "lots"}, "a number of stops from -64 to 64"},
+      {{"render", "builtin:cornell", "--target-error", "5"}, "did you mean 0.05, or 5%?"},
+      {{"merge", "a", "--exposure", "lots", "-o", "x.pfm"}, "a number of stops from -64 to 64"},
       {{"render", "builtin:cornell", "--target-error", "-1"}, "--target-error"},
       {{"render", "builtin:cornell", "--resolution", "0x5"}, "--resolution"},
       {{"render", "builtin:cornell", "--scale", "-1"}, "--scale"},
@@ -358,6 +364,12 @@ TEST_F(Cli, InfoSaysWhatIsInAScene) {
     EXPECT_TRUE(info.contains(key)) << key;
   }
   EXPECT_GT(info.at("counts").at("triangles").get<int>(), 10);
+  file("patterns.pbrt",
+       "WorldBegin\nTexture \"a\" \"color\" \"constant\" \"rgb value\" [1 0 0]\n"
+       "Texture \"b\" \"color\" \"checkerboard\"\n"
+       "Texture \"c\" \"color\" \"imagemap\" \"string filename\" \"absent.png\"\n"
+       "Material \"matte\" \"rgb Kd\" [0.5 0.5 0.5]\nShape \"sphere\"\nWorldEnd\n");
+  EXPECT_TRUE(contains(run({"info", "patterns.pbrt"}).out, "1 images, 1 patterns"));
   const json& memory = info.at("memory");
   EXPECT_GT(memory.at("available_bytes").get<double>(), 1e6);
   EXPECT_EQ(memory.at("needed_bytes").get<std::uint64_t>(),

@@ -1,7 +1,11 @@
 #include "apps/cli/command_line.h"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -13,6 +17,7 @@
 #include "core/error.h"
 #include "core/standard_streams.h"
 #include "session/catalog.h"
+#include "session/option_values.h"
 #include "session/version.h"
 #include "study/metric.h"
 
@@ -41,6 +46,35 @@ const CLI::Validator kNotEmpty(
     },
     "");
 
+/// An option whose value `read(name, text)` makes of a text, raising UsageError in words.
+template <typename Value, typename Read>
+CLI::Option* add_value(CLI::App* command, const std::string& name, Value& value, Read read,
+                       const std::string& help) {
+  return command->add_option_function<std::string>(
+      name, [&value, name, read](const std::string& text) { value = read(name, text); }, help);
+}
+
+std::uint64_t read_samples(const std::string& option, const std::string& text) {
+  return parse_whole(option, text, 1, std::uint64_t{1} << 31U);
+}
+
+int read_threads(const std::string& option, const std::string& text) {
+  return static_cast<int>(parse_whole(option, text, 0, 4096));
+}
+
+float read_exposure(const std::string& option, const std::string& text) {
+  constexpr double kMostStops = 64.0;
+  return static_cast<float>(parse_number(option, text, "stops", -kMostStops, kMostStops));
+}
+
+double read_scale(const std::string& option, const std::string& text) {
+  return parse_number(option, text, "times the scene's own size", 1e-5, 65536.0);
+}
+
+double read_pixels_per_degree(const std::string& option, const std::string& text) {
+  return parse_number(option, text, "pixels per degree", 1.0, 1000.0);
+}
+
 constexpr const char* kPictures = "Pictures";
 constexpr const char* kMethod = "Method";
 constexpr const char* kSafety = "Never to lose a render";
@@ -62,7 +96,8 @@ void add_run(CLI::App* command, RunArguments& a, const std::string& output_defau
       ->type_name("NAME")
       ->check(kNotEmpty)
       ->group(kPictures);
-  command->add_option("--exposure", a.exposure, "Brighten .png and .jpg by this many stops")
+  add_value(command, "--exposure", a.exposure, read_exposure,
+            "Brighten .png and .jpg by this many stops")
       ->type_name("STOPS")
       ->group(kPictures);
   command
@@ -75,23 +110,23 @@ void add_run(CLI::App* command, RunArguments& a, const std::string& output_defau
   command
       ->add_option("--preview", a.preview,
                    "Show the picture while it is rendered in a viewer that speaks tev's protocol, "
-                   "such as localhost:14158")
+                   "such as localhost:14158; without one, --output-every keeps a picture to look "
+                   "at")
       ->type_name("HOST:PORT")
       ->check(kNotEmpty)
       ->group(kPictures);
 
   const std::string stop = "When to stop (whichever comes first; default: " + budget_default + ")";
-  command->add_option("--spp", a.spp, "Samples per pixel (rounded up to equal replicates)")
+  add_value(command, "--spp", a.spp, read_samples,
+            "Samples per pixel (rounded up to equal replicates)")
       ->type_name("N")
-      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 31).description(""))
       ->group(stop);
   command->add_option("--time", a.time, "Time to render, such as 60s, 2m or 1h30m")
       ->type_name("TIME")
       ->check(kNotEmpty)
       ->group(stop);
-  command
-      ->add_option("--target-error", a.target_error,
-                   "Estimated relative error of the picture, such as 0.01")
+  add_value(command, "--target-error", a.target_error, parse_relative_error,
+            "Estimated relative error of the picture, such as 0.01 or 1%")
       ->type_name("X")
       ->group(stop);
 
@@ -112,10 +147,9 @@ void add_run(CLI::App* command, RunArguments& a, const std::string& output_defau
           "Go on even if another version of ajar wrote the checkpoint, or the scene has moved")
       ->group(kSafety);
 
-  command->add_option("--threads", a.threads, "Threads to use; 0: all processors")
+  add_value(command, "--threads", a.threads, read_threads, "Threads to use; 0: all processors")
       ->type_name("N")
-      ->check(CLI::Range(0, 4096).description(""))
-      ->capture_default_str()
+      ->default_str("0")
       ->group(kProgram);
   command->add_option("--stats", a.stats, "Write statistics as JSON")
       ->type_name("FILE.json")
@@ -135,7 +169,8 @@ void add_render(CLI::App& app, RenderArguments& a) {
       ->add_option("--resolution", a.resolution, "Size of the picture in pixels, such as 640x480")
       ->type_name("WxH")
       ->group(kPictures);
-  command->add_option("--scale", a.scale, "Multiply the scene's own resolution, such as 0.5")
+  add_value(command, "--scale", a.scale, read_scale,
+            "Multiply the scene's own resolution, such as 0.5")
       ->type_name("F")
       ->excludes("--resolution")
       ->group(kPictures);
@@ -219,9 +254,10 @@ void add_merge(CLI::App& app, MergeArguments& a) {
   command->add_option("--tone-map", a.tone_map, "Curve of .png and .jpg: srgb or filmic")
       ->type_name("NAME")
       ->capture_default_str();
-  command->add_option("--exposure", a.exposure, "Brighten .png and .jpg by this many stops")
+  add_value(command, "--exposure", a.exposure, read_exposure,
+            "Brighten .png and .jpg by this many stops")
       ->type_name("STOPS")
-      ->capture_default_str();
+      ->default_str("0");
   command->add_flag("--force", a.force, "Merge what other versions of ajar have written, too");
   command->footer("Example: ajar merge seed-1.checkpoint seed-2.checkpoint -o room.exr");
 }
@@ -255,9 +291,10 @@ void add_compare(CLI::App& app, CompareArguments& a) {
   command->add_option("--metrics", a.metrics, "Which, separated by commas: " + names)
       ->type_name("LIST")
       ->check(kNotEmpty);
-  command->add_option("--ppd", a.pixels_per_degree, "Pixels per degree of sight, for FLIP")
+  add_value(command, "--ppd", a.pixels_per_degree, read_pixels_per_degree,
+            "Pixels per degree of sight, for FLIP")
       ->type_name("X")
-      ->capture_default_str();
+      ->default_str(fmt::format("{:g}", a.pixels_per_degree));
   command->add_flag("--json", a.json, "Print JSON");
   command
       ->add_option("--report", a.report,
@@ -284,6 +321,26 @@ std::vector<std::string> option_names(const CLI::App& command) {
     for (const std::string& name : option->get_snames()) names.push_back("-" + name);
   }
   return names;
+}
+
+/// What other renderers call an option of ours; empty if none does.
+std::string our_name_of(const std::string& theirs) {
+  struct Names {
+    const char* theirs;
+    const char* ours;
+  };
+  constexpr std::array<Names, 9> kNames = {{{"--samples", "--spp"},
+                                            {"--pixelsamples", "--spp"},
+                                            {"--nthreads", "--threads"},
+                                            {"--outfile", "--output"},
+                                            {"--cropwindow", "--crop"},
+                                            {"--size", "--resolution"},
+                                            {"--quality", "--target-error"},
+                                            {"--timeout", "--time"},
+                                            {"--time-limit", "--time"}}};
+  const auto found = std::find_if(kNames.begin(), kNames.end(),
+                                  [&](const Names& names) { return theirs == names.theirs; });
+  return found == kNames.end() ? std::string() : found->ours;
 }
 
 std::vector<std::string> command_names(const CLI::App& app) {
@@ -317,8 +374,13 @@ void check_leftovers(const CLI::App& app) {
   if (option == leftovers.end()) {
     throw UsageError("unexpected argument \"" + leftovers.front() + "\"");
   }
-  throw UsageError(
-      unknown_name_message("option", option->substr(0, option->find('=')), option_names(command)));
+  const std::string name = option->substr(0, option->find('='));
+  const std::vector<std::string> valid = option_names(command);
+  if (const std::string ours = our_name_of(name);
+      std::find(valid.begin(), valid.end(), ours) != valid.end()) {
+    throw UsageError("unknown option \"" + name + "\"; did you mean \"" + ours + "\"?");
+  }
+  throw UsageError(unknown_name_message("option", name, valid));
 }
 
 }  // namespace

@@ -14,9 +14,6 @@ namespace ajar::cli {
 
 int compare(const CompareArguments& arguments) {
   const auto metrics = study::metrics_by_name(parse_list(arguments.metrics));
-  if (!(arguments.pixels_per_degree >= 1.0 && arguments.pixels_per_degree <= 1000.0)) {
-    throw UsageError("--ppd expects pixels per degree from 1 to 1000");
-  }
   const study::Comparison comparison = study::compare_files(arguments.reference, arguments.pictures,
                                                             metrics, arguments.pixels_per_degree);
   for (const std::string& warning : comparison.warnings) print_warning(warning);

@@ -108,6 +108,16 @@ Json hints_json(const desc::RenderHints& hints) {
           {"sampler", value_or_null(hints.sampler)}};
 }
 
+/// Images and patterns; a constant is no texture to whoever made the scene.
+std::map<std::string, std::size_t> texture_counts(const desc::SceneDesc& scene) {
+  std::map<std::string, std::size_t> counts;
+  for (const desc::Texture& texture : scene.textures) {
+    if (std::holds_alternative<desc::ConstantTexture>(texture.node)) continue;
+    ++counts[std::holds_alternative<desc::ImageTexture>(texture.node) ? "images" : "patterns"];
+  }
+  return counts;
+}
+
 /// What only the description knows, before the scene takes it.
 Json describe(const desc::SceneDesc& description, const std::string& name) {
   Json json;
@@ -115,6 +125,7 @@ Json describe(const desc::SceneDesc& description, const std::string& name) {
   json["counts"] = Json::object();
   json["lights"] = light_counts(description);
   json["materials"] = material_counts(description);
+  json["textures"] = texture_counts(description);
   json["media"] = Json::array();
   for (const desc::Medium& medium : description.media) json["media"].push_back(medium.name);
   json["camera"] = camera_json(description.camera);
@@ -131,10 +142,12 @@ Json describe(const desc::SceneDesc& description, const std::string& name) {
 
 void add_built(const Scene& scene, Json& json) {
   const SceneCounts& c = scene.counts();
+  std::size_t textures = 0;
+  for (const auto& [kind, count] : json["textures"].items()) textures += count.get<std::size_t>();
   json["counts"] = {{"triangles", c.triangles},     {"instanced_triangles", c.instanced_triangles},
                     {"quadrics", c.quadrics},       {"curves", c.curves},
                     {"instances", c.instances},     {"lights", c.lights},
-                    {"textures", c.textures},       {"materials", c.materials},
+                    {"textures", textures},         {"materials", c.materials},
                     {"media", json["media"].size()}};
   const Box3& b = scene.bounds();
   json["bounds"] = {{"min", {b.min.x, b.min.y, b.min.z}}, {"max", {b.max.x, b.max.y, b.max.z}}};
@@ -188,7 +201,7 @@ std::string text_of(const Json& j, const MemoryEstimate& memory) {
                              c["curves"].get<std::size_t>()));
   line("lights", counts_text(j["lights"]));
   line("materials", counts_text(j["materials"]));
-  line("textures", std::to_string(c["textures"].get<std::size_t>()));
+  line("textures", counts_text(j["textures"]));
   line("media", std::to_string(j["media"].size()));
   line("bounds", vector_text(j["bounds"]["min"]) + " to " + vector_text(j["bounds"]["max"]));
   line("camera", j["camera"]["type"].get<std::string>() + " at " +

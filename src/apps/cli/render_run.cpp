@@ -42,15 +42,6 @@ namespace fs = std::filesystem;
 constexpr int kExitFile = 4;
 constexpr int kExitInterrupted = 130;
 
-float checked_exposure(float stops) {
-  constexpr float kMostStops = 64.F;
-  if (!(std::abs(stops) <= kMostStops)) {
-    throw UsageError(fmt::format("--exposure: {} is not within -{} and {} stops", stops, kMostStops,
-                                 kMostStops));
-  }
-  return stops;
-}
-
 std::string absolute_path(const std::string& path) {
   std::error_code error;
   const fs::path absolute = fs::absolute(path, error);
@@ -489,7 +480,7 @@ int Run::carry_out() {
 }  // namespace
 
 DisplayOptions display_of(const std::string& tone_map, float exposure) {
-  return {tone_map_by_name(tone_map), checked_exposure(exposure)};
+  return {tone_map_by_name(tone_map), exposure};
 }
 
 void lock_checkpoint_of(RunOrder& order) {

@@ -31,7 +31,7 @@ void lock_checkpoint_of(RunOrder& order);
 /// The limits that the command line gives. Raises UsageError.
 Budget budget_of(const RunArguments& arguments);
 
-/// Raises UsageError for a curve or an exposure that cannot be.
+/// Raises UsageError for a curve that is none.
 DisplayOptions display_of(const std::string& tone_map, float exposure);
 
 /// Renders; returns the exit code or raises an `Error`.

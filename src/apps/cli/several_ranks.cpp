@@ -56,7 +56,8 @@ void become_rank_if_one_of_several(char** argv) {
   execv(program.c_str(), argv);
   throw UsageError("this is one of " + std::to_string(count) +
                    " processes of mpirun, but this ajar was built without MPI (there is no " +
-                   program.string() + ")");
+                   program.string() +
+                   "); with Debian: apt-get install libopenmpi-dev openmpi-bin, and build again");
 }
 
 }  // namespace ajar::cli
