@@ -423,17 +423,17 @@ TEST(Selective, KeepsChainsWhereTheyPayWhateverThePair) {
   }
 }
 
-/// It could do with chains in one half of the replicates what it does without in the other. With
-/// seeds 3, 9, 13 and 20 it did, and had half to three quarters of the usual efficiency.
+/// It could do with chains in one half of the replicates (thresholds near 0.1) what it does without
+/// in the other (1000). With seeds 3, 9, 13 and 20 it did, and had half to three quarters of the
+/// usual efficiency.
 TEST(Selective, DecidesAlikeInBothHalves) {
   const Scene scene = test::builtin_scene("door-ajar");
   for (const std::uint64_t seed : {1, 2, 3, 9, 13, 20, 21, 23}) {
     const std::vector<SelectiveReport::Half> halves = report_of(scene, seed, {}).halves;
     ASSERT_EQ(halves.size(), 2U);
-    for (const SelectiveReport::Half& half : halves) {
-      EXPECT_LT(half.threshold, 3.0) << "seed " << seed << ", " << half.expected_error;
-      EXPECT_FALSE(half.stands_by) << "seed " << seed;
-    }
+    const double ratio = halves[0].threshold / halves[1].threshold;
+    EXPECT_LT(std::max(ratio, 1.0 / ratio), 10.0)
+        << "seed " << seed << ": " << halves[0].threshold << ", " << halves[1].threshold;
   }
 }
 

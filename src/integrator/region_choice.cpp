@@ -261,12 +261,18 @@ double gain_of_chains(const PilotView& view, const std::vector<double>& threshol
   return optimal_thresholds(offer_thresholds(view, regions).groups, costs).error / without.error;
 }
 
-/// How much more than to stand by chains should do, from 0 to 1. Around a gain of 1 it is a matter
-/// of degree: the halves of the replicates decide each for itself, and if one did with chains what
-/// the other does without, the picture would have the noise of the one at the cost of the other.
+/// Chains should bring clearly more than they cost, since what they leave are blotches: of a gain
+/// of 0.8, as predicted and found on door-ajar and floor-lamps, nothing is seen, and after a blur
+/// of four pixels the error is up to six times as large (docs/selective.md).
+constexpr double kClearly = 0.7;
+
+/// How much more than to stand by chains should do, from 0 to 1. Around a gain that is clear enough
+/// it is a matter of degree: the halves of the replicates decide each for itself, and if one did
+/// with chains what the other does without, the picture would have the noise of the one at the cost
+/// of the other.
 double trust_in(double gain) {
-  constexpr double kRange = 0.05;
-  return std::clamp((1.0 + kRange - gain) / (2.0 * kRange), 0.0, 1.0);
+  constexpr double kRange = 0.15;
+  return std::clamp((kClearly - gain) / kRange, 0.0, 1.0);
 }
 
 /// By a pilot of which no single sample is evidence: each counts up to white, and the brightest
@@ -297,8 +303,8 @@ RegionChoice choose_thresholds(const PilotView& view) {
     // Of light that is found in one sample of ten thousand, a pilot sees one or two paths. They are
     // far brighter than white, and keep chains that stand by busy.
     constexpr double kGlaring = 1000.0;
-    choice.off = choice.expected_error >= 1.0 &&
-                 gain_of_chains(view, thresholds, costs, {kGlaring, false}) >= 1.0;
+    choice.off =
+        trust == 0.0 && gain_of_chains(view, thresholds, costs, {kGlaring, false}) >= kClearly;
   }
   std::vector<std::size_t> chosen;
   chosen.reserve(regions.size());
@@ -327,12 +333,12 @@ RegionChoice choose_thresholds(const PilotView& view) {
 
 /// Whether chains would clearly pay for what σ gives them, where the user has not decided.
 bool weights_would_pay(std::span<const RegionEstimate> regions, RenderCosts costs) {
-  constexpr double kClearly = 0.75;
+  constexpr double kClearlyByRegions = 0.75;
   costs.correlation *= kDoubt;
   double alone = costs.omc_only_variance;
   for (const RegionEstimate& region : regions) alone += region.variance;
   alone *= costs.seconds_per_omc_sample / costs.seconds;
-  return optimal_split(regions, costs).weights.error() < kClearly * alone;
+  return optimal_split(regions, costs).weights.error() < kClearlyByRegions * alone;
 }
 
 /// σ of each region, and what it takes.
@@ -387,7 +393,6 @@ void make_exclusive(const SelectiveSettings& settings, std::vector<PixelShare>& 
 
 bool chains_would_pay(const PilotView& view) {
   if (!view.plan.selective) return true;
-  constexpr double kClearly = 0.9;
   return careful_gain(view, all_thresholds(view.plan), threshold_costs(view)) < kClearly;
 }
 

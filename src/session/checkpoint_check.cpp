@@ -158,7 +158,8 @@ void check_job(const JobState& job, const RenderSettings& settings) {
   }
   require(!job.relative_error || is_size(*job.relative_error), "its error cannot be");
   for (const JobState::ErrorMark& mark : job.recent_errors) {
-    require(is_size(mark.error) && mark.samples >= 1, "its errors cannot be");
+    require(is_size(mark.error) && mark.samples >= 1 && mark.samples <= job.samples_per_pixel,
+            "its errors cannot be");
   }
   if (job.partial) check_partial(*job.partial, job, settings.replicates);
 }

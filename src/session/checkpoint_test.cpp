@@ -252,6 +252,7 @@ TEST_F(HostileCheckpoint, IsRefusedForItsJob) {
   expect_refused("its times", [](C& c) { c.job.seconds = kNan; });
   expect_refused("its error", [](C& c) { c.job.relative_error = kNan; });
   expect_refused("its errors", [](C& c) { c.job.recent_errors[0].samples = 0; });
+  expect_refused("its errors", [](C& c) { c.job.recent_errors[1].samples = ~std::uint64_t{0}; });
   expect_refused("so many samples", [](C& c) {
     c.job.partial.reset();
     c.job.samples_per_pixel = ~std::uint64_t{0};
