@@ -439,7 +439,7 @@ TEST(Selective, DecidesAlikeInBothHalves) {
 
 /// What a half decides for itself, its own samples must have no part in.
 TEST(Selective, TriesChainsForOneHalfAlone) {
-  const Scene scene = test::builtin_scene("bathroom");
+  const Scene scene = test::builtin_scene("floor-lamps");
   const double usual = ChainCosts{}.correlation;
   int for_one = 0;
   for (std::uint64_t seed = 1; seed <= 8; ++seed) {
