@@ -26,8 +26,13 @@ constexpr int kNotStarted = 127;
   // Killed and not asked: it must not write files that a later run of the same name has written.
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent) _exit(kNotStarted);
-  // A script's background jobs ignore it, and so would their children.
+  // A script's background jobs ignore it, and so would their children. One that was passed on since
+  // the fork has waited, and now ends the child.
   signal(SIGINT, SIG_DFL);
+  sigset_t interrupt;
+  sigemptyset(&interrupt);
+  sigaddset(&interrupt, SIGINT);
+  sigprocmask(SIG_UNBLOCK, &interrupt, nullptr);
   if (chdir(command.folder.c_str()) != 0) _exit(kNotStarted);
   dup2(log, STDOUT_FILENO);
   dup2(log, STDERR_FILENO);
@@ -55,9 +60,16 @@ ChildResult run_child(const ChildCommand& command, const InterruptCount& interru
   int passed_on = 0;
   const pid_t parent = getpid();
   const int log = new_log(command.log);
+  // Between fork and exec the child has this program's handler, which would only count in vain.
+  sigset_t interrupt;
+  sigset_t before;
+  sigemptyset(&interrupt);
+  sigaddset(&interrupt, SIGINT);
+  pthread_sigmask(SIG_BLOCK, &interrupt, &before);
   const pid_t child = fork();
   if (child == 0) become(command, argv.data(), parent, log);
   const int reason = errno;
+  pthread_sigmask(SIG_SETMASK, &before, nullptr);
   close(log);
   if (child < 0) {
     throw IoError("cannot start a process: " + std::system_category().message(reason));
