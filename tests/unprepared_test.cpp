@@ -1,7 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numeric>
 
+#include "session/preparation.h"
 #include "support/render.h"
 #include "support/small_scenes.h"
 
@@ -15,6 +17,15 @@ struct Case {
   int rounds;  ///< that are run before, of those there are
 };
 
+int rounds_of(const Scene& scene, const test::RenderOptions& options) {
+  const IntegratorInfo& info = find_integrator(options.integrator);
+  const auto integrator =
+      info.make(scene, test::settings_of(scene, options), info.read(options.parameters));
+  Preparation preparation(*integrator);
+  preparation.run();
+  return static_cast<int>(preparation.rounds());
+}
+
 /// Chains that could not be prepared leave the whole picture to ordinary Monte Carlo, whatever
 /// they would have made.
 TEST(Unprepared, ChainsLeaveThePictureToBidirectionalPathTracing) {
@@ -26,7 +37,6 @@ TEST(Unprepared, ChainsLeaveThePictureToBidirectionalPathTracing) {
   const std::vector<Case> cases = {
       {"mmlt", {}, 0},
       {"mmlt", {}, 1},
-      {"mmlt", {}, 2},
       {"mmlt", {{"split", "0"}, {"omc-samples", "0.5"}}, 1},
       {"mmlt", {{"direct", "chain"}}, 1},
       {"mmlt", {{"direct", "none"}}, 0},
@@ -58,6 +68,54 @@ TEST(Unprepared, ChainsLeaveThePictureToBidirectionalPathTracing) {
     EXPECT_EQ(render.counters.mutations, 0U);
     EXPECT_FALSE(render.integrator->keeps_state());
     EXPECT_EQ(render.integrator->notes().size(), 1U);
+  }
+}
+
+/// Once the pilot is over, nothing of it is thrown away: its samples are of the picture, and where
+/// chains start from what it has found, they go on without a trial.
+TEST(Unprepared, KeepsThePilot) {
+  const auto scene = test::scene_from(test::small_scene("GlassAndMetal").text);
+  test::RenderOptions options;
+  options.samples = 16;
+  options.replicates = 4;
+  options.max_depth = 8;
+  struct OfMethod {
+    const char* integrator;
+    std::map<std::string, std::string> parameters;
+    bool has_chains;
+  };
+  const std::vector<OfMethod> methods = {
+      {"mmlt", {}, true},
+      {"selective", {{"chain", "pssmlt"}, {"omc", "bdpt"}}, false},
+  };
+  test::RenderOptions plain = options;
+  plain.integrator = "bdpt";
+  plain.samples = 1024;
+  const double truth = test::render(*scene, plain).mean();
+  for (const OfMethod& method : methods) {
+    test::RenderOptions own = options;
+    own.integrator = method.integrator;
+    own.parameters = method.parameters;
+    SCOPED_TRACE(method.integrator);
+    constexpr int kSeeds = 8;
+    double sum = 0.0;
+    double squares = 0.0;
+    std::uint64_t mutations = 0;
+    for (int seed = 0; seed < kSeeds; ++seed) {
+      own.seed = static_cast<std::uint64_t>(seed);
+      own.skip_after.reset();
+      own.skip_after = rounds_of(*scene, own) - 1;
+      const auto render = test::render(*scene, own);
+      const double mean = render.mean() / truth;
+      sum += mean;
+      squares += mean * mean;
+      mutations += render.counters.mutations;
+    }
+    EXPECT_EQ(mutations > 0, method.has_chains);
+    const double mean = sum / kSeeds;
+    const double error = std::sqrt((squares / kSeeds - mean * mean) / (kSeeds - 1));
+    EXPECT_NEAR(mean, 1.0, 4.0 * error);
+    EXPECT_LT(error, 0.02) << "four samples of 16, lost or counted twice, must be seen";
   }
 }
 

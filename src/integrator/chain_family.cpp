@@ -88,6 +88,7 @@ class ChainIntegrator final : public Integrator {
   ChainEffort effort_{plan_};
   std::vector<std::unique_ptr<PreparationStage>> stages_;
   SplitPilot* pilot_ = nullptr;  ///< one of the stages; null if there is nothing to decide
+  ChainTrial* trial_ = nullptr;  ///< the stage after it
   std::size_t stage_ = 0;        ///< that is running
   std::vector<ChainPopulation> populations_;
   std::unique_ptr<OmcAdaptation> adaptation_;  ///< null if the next is
@@ -124,6 +125,7 @@ ChainIntegrator::ChainIntegrator(ChainKind kind, const Scene& scene, const Rende
     auto pilot = std::make_unique<SplitPilot>(plan_, populations_, surfaces, recruits_.get());
     auto trial = std::make_unique<ChainTrial>(plan_, *pilot, recruits_.get());
     pilot_ = pilot.get();
+    trial_ = trial.get();
     stages_.push_back(std::move(pilot));
     stages_.push_back(std::move(trial));
   }
@@ -153,11 +155,20 @@ void ChainIntegrator::prepare_item(int /*round*/, std::uint64_t item, Counters& 
 
 void ChainIntegrator::skip_preparation() {
   if (stages_.empty()) return;
-  stages_.clear();
+  const bool has_pilot = pilot_ != nullptr && pilot_->is_over();
+  if (has_pilot && recruits_) {
+    // The pilot has found what chains start from: they can do without a trial.
+    trial_->give_up();
+    begin_preparation(1);
+    return;
+  }
+  plan_.leave_to_omc(has_pilot && pilot_->stays() ? pilot_->samples() : 0);
+  std::erase_if(stages_, [&](const std::unique_ptr<PreparationStage>& stage) {
+    return plan_.pilot_kept == 0 || stage.get() != pilot_;
+  });
   pilot_ = nullptr;
   recruits_.reset();
   populations_.clear();
-  plan_.leave_to_omc();
   make_omc();
 }
 

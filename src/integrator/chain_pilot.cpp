@@ -31,7 +31,10 @@ double mean_strength(const std::vector<float>& luminances, const Box2i& crop,
 
 ChainPilot::ChainPilot(ChainPlan& plan) : plan_(plan) {}
 
-double ChainPilot::effort() const { return static_cast<double>(pilot_samples(plan_)); }
+double ChainPilot::effort() const {
+  return static_cast<double>(pilot_samples(plan_)) *
+         ChainPlan::effort_with(plan_.omc.light_paths_per_pixel);
+}
 
 std::uint64_t ChainPilot::begin() {
   RenderSettings settings = plan_.settings;

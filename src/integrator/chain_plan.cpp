@@ -303,14 +303,15 @@ std::unique_ptr<PathTarget> ChainPlan::make_target(const PathGroup& group, int r
   return std::make_unique<OnePathTarget>(scene, group.sampler, group.choice, view, divide);
 }
 
-void ChainPlan::leave_to_omc() {
+void ChainPlan::leave_to_omc(std::uint64_t kept) {
   unprepared = true;
   ray_price.reset();
-  scale_.reset();
+  // What is kept has been summed up in its units.
+  if (kept == 0) scale_.reset();
   shares_effort = false;
   mutations = 0.0;
   omc_samples = 1.0;
-  pilot_kept = 0;
+  pilot_kept = kept;
   splits.emplace(
       LightSplit(settings.crop, {{.threshold = 0.F, .target = 0.F, .kept = 0.F}}, view.importance));
 }

@@ -55,8 +55,14 @@ struct ChainPlan {
   /// Where light is divided path by path, both halves have the same techniques, each as often: that
   /// is part of what a path brings.
   void set_omc(const PathFamilyDefaults& choice);
-  /// Does without chains, and without what a preparation would find out.
-  void leave_to_omc();
+  /// Of a camera sample with so many light subpaths, relative to one with a single one: that has
+  /// half of the rays.
+  static double effort_with(const std::string& light_paths_per_pixel) {
+    return 0.5 + 0.5 * std::stod(light_paths_per_pixel);
+  }
+  /// Does without chains, and without what a preparation would find out. `kept`: camera samples
+  /// per pixel that a pilot has rendered.
+  void leave_to_omc(std::uint64_t kept);
   /// How its chains move: where they make nearly all light, steps on the raster pay more.
   ChainSettings chain_settings_of(int replicate) const;
   /// So many mutations per pixel and camera sample that neither half is forgotten.

@@ -108,7 +108,10 @@ class SplitPilot::Sink final : public StrongPathSink {
   std::vector<FoundLight> found_;
 };
 
-double SplitPilot::effort() const { return static_cast<double>(plan_.pilot_samples); }
+double SplitPilot::effort() const {
+  return static_cast<double>(plan_.pilot_samples) *
+         ChainPlan::effort_with(plan_.omc.light_paths_per_pixel);
+}
 
 std::uint64_t SplitPilot::begin() {
   if (!(plan_.brightness > 0.0)) return 0;

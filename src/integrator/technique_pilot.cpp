@@ -128,9 +128,8 @@ bool TechniquePilot::is_for_chains(const std::vector<Errors>& found) {
 
 double TechniquePilot::effort() const {
   if (!plan_.chooses_omc) return 0.0;
-  // With one light subpath, half of a sample's rays are due to it.
-  const double per_sample = 0.5 + 0.5 * std::stod(offer_.light_paths_per_pixel);
-  return kReplicates * per_sample * share_of_picture(plan_);
+  return kReplicates * ChainPlan::effort_with(offer_.light_paths_per_pixel) *
+         share_of_picture(plan_);
 }
 
 std::uint64_t TechniquePilot::begin() {

@@ -102,8 +102,8 @@ void serialize(A& archive, Checkpoint& checkpoint) {
   archive(checkpoint.version, checkpoint.render, checkpoint.budget, checkpoint.outputs,
           checkpoint.tone_map, checkpoint.exposure, checkpoint.layers, checkpoint.scales,
           checkpoint.job, checkpoint.integrator_state, checkpoint.preparation, checkpoint.prepared,
-          checkpoint.other_seconds, checkpoint.resumptions, checkpoint.interruptions,
-          checkpoint.merged);
+          checkpoint.preparation_rounds, checkpoint.other_seconds, checkpoint.resumptions,
+          checkpoint.interruptions, checkpoint.merged);
 }
 
 }  // namespace ajar

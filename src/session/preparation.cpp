@@ -9,8 +9,8 @@
 namespace ajar {
 
 namespace {
-/// Of the time for the render: what a preparation learns pays later.
-constexpr double kMostOfTime = 0.75;
+/// Of the time for the render.
+constexpr double kMostOfTime = 0.25;
 }  // namespace
 
 PreparationEnd Preparation::must_stop() const {
@@ -23,6 +23,7 @@ PreparationEnd Preparation::must_stop() const {
 
 PreparationEnd Preparation::must_skip() const {
   PreparationEnd reason = must_stop();
+  if (limits_.rounds == rounds_) reason = PreparationEnd::NoTime;
   if (reason == PreparationEnd::Done && limits_.seconds && over_ > 0.0) {
     const double expected = clock_.seconds() * all_ / over_;
     if (expected > kMostOfTime * *limits_.seconds) reason = PreparationEnd::NoTime;
@@ -60,6 +61,7 @@ Counters Preparation::run() {
     }
     over_ = over_ + next.effort;
     running_ = 0.0;
+    ++rounds_;
   }
 }
 

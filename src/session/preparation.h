@@ -13,6 +13,8 @@ namespace ajar {
 /// What may keep a preparation from its end.
 struct PreparationLimits {
   std::optional<double> seconds = std::nullopt;  ///< for this and the render together
+  /// So many as an earlier run came to, which had no time for more.
+  std::optional<std::uint64_t> rounds = std::nullopt;
   const InterruptCount* interrupts = nullptr;
   Ranks* ranks = nullptr;  ///< who render together; they look at the limits between rounds only
 };
@@ -21,8 +23,8 @@ struct PreparationLimits {
 enum class PreparationEnd { Done, NoTime, Interrupted };
 
 /// Runs the rounds of an integrator's preparation on all threads that TBB may use. If the user asks
-/// to stop, or would wait for it through too much of the time for the render, the integrator has to
-/// do without (`Integrator::skip_preparation`), so that there is a picture.
+/// to stop, or it would take more than a quarter of the time for the render, the integrator has to
+/// do without what is left of it (`Integrator::skip_preparation`).
 class Preparation {
  public:
   explicit Preparation(Integrator& integrator, PreparationLimits limits = {})
@@ -30,6 +32,8 @@ class Preparation {
   /// To be called once. What was spent.
   Counters run();
   PreparationEnd end() const { return end_; }
+  /// That came to their end.
+  std::uint64_t rounds() const { return rounds_; }
   /// At any time, from any thread: estimate, 0…1.
   double fraction_done() const;
   double seconds() const { return clock_.seconds(); }
@@ -46,6 +50,7 @@ class Preparation {
   PreparationLimits limits_;
   const Stopwatch clock_;
   PreparationEnd end_ = PreparationEnd::Done;
+  std::uint64_t rounds_ = 0;
   // Efforts: of rounds that are over, of the one that runs, and of all.
   std::atomic<double> over_{0.0};
   std::atomic<double> running_{0.0};

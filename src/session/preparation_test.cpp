@@ -117,6 +117,39 @@ TEST(Preparation, IsSkippedOnceItsFirstRoundShowsThatItTakesTooLong) {
   }
 }
 
+TEST(Preparation, TakesAQuarterOfTheTimeAtMost) {
+  for (const double seconds : {0.5, 1e3}) {
+    // By the clock alone: it could not know that a round would take so long.
+    Prepared integrator({1.0});
+    integrator.on_item = [](int) { std::this_thread::sleep_for(100ms); };
+    Preparation preparation(integrator, {.seconds = seconds});
+    const std::uint64_t rays = preparation.run().rays;
+    EXPECT_EQ(rays == 10U, seconds > 100.0);
+    EXPECT_EQ(preparation.end(), seconds > 100.0 ? PreparationEnd::Done : PreparationEnd::NoTime);
+  }
+  // By what is to come: ten items of 10 ms are a fifth of a second at least, of which a third
+  // would be more than a quarter.
+  Prepared integrator({1.0, 1.0, 1.0});
+  integrator.on_item = [](int) { std::this_thread::sleep_for(20ms); };
+  Preparation preparation(integrator, {.seconds = 1.0});
+  EXPECT_LE(preparation.run().rays, 20U);
+  EXPECT_EQ(preparation.end(), PreparationEnd::NoTime);
+  EXPECT_LE(preparation.rounds(), 1U);
+}
+
+TEST(Preparation, ComesAsFarAsAnEarlierRun) {
+  for (const std::uint64_t rounds : {0, 1, 2, 3}) {
+    Prepared integrator({1.0, 1.0, 1.0});
+    PreparationLimits limits;
+    limits.rounds = rounds;
+    Preparation preparation(integrator, limits);
+    EXPECT_EQ(preparation.run().rays, 10 * rounds);
+    EXPECT_EQ(preparation.rounds(), rounds);
+    EXPECT_EQ(integrator.skipped, rounds < 3);
+    EXPECT_EQ(integrator.is_ready, rounds == 3);
+  }
+}
+
 TEST(Preparation, IsSkippedByAllRanksIfByOne) {
   ThreadRanks ranks(3);
   std::vector<std::thread> threads;

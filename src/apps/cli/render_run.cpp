@@ -113,6 +113,7 @@ class Run {
   /// False if the user stopped it while it was prepared: what is shown then is another picture, by
   /// ordinary Monte Carlo alone, which no checkpoint must go on with.
   bool has_begun_ = true;
+  std::uint64_t preparation_rounds_ = 0;
   double other_seconds_ = 0.0;  ///< of building and preparing, all runs together
   std::uint64_t passes_before_ = 0;
   std::unique_ptr<CheckpointWriter> checkpoint_writer_;
@@ -227,17 +228,18 @@ void Run::prepare_integrator() {
   integrator_ = setup_.integrator->make(*scene_, setup_.settings, *parameters_);
   if (order_.resumed) {
     // Once more as it was: the checkpoint holds what came after it.
-    statistics_.prepared = order_.resumed->prepared;
-    if (statistics_.prepared) {
-      statistics_.preparation = prepare(*integrator_);
-    } else {
-      integrator_->skip_preparation();
-    }
+    PreparationLimits as_before;
+    if (!order_.resumed->prepared) as_before.rounds = order_.resumed->preparation_rounds;
+    Preparation preparation(*integrator_, as_before);
+    statistics_.preparation = preparation.run();
+    statistics_.prepared = preparation.end() == PreparationEnd::Done;
+    preparation_rounds_ = preparation.rounds();
   } else {
     Preparation preparation(*integrator_, preparation_limits());
     const ProgressReporter progress(style_, [&] { return snapshot_of(preparation); });
     statistics_.preparation = preparation.run();
     statistics_.prepared = preparation.end() == PreparationEnd::Done;
+    preparation_rounds_ = preparation.rounds();
     has_begun_ = preparation.end() != PreparationEnd::Interrupted;
   }
   if (order_.share.count > 1 && integrator_->keeps_state()) {
@@ -305,6 +307,7 @@ Checkpoint Run::checkpoint_base() const {
   base.layers.assign(film_->layers().begin(), film_->layers().end());
   base.preparation = order_.resumed ? order_.resumed->preparation : statistics_.preparation;
   base.prepared = statistics_.prepared;
+  base.preparation_rounds = preparation_rounds_;
   base.other_seconds = other_seconds_;
   base.resumptions = statistics_.resumptions;
   base.interruptions = statistics_.interruptions;
