@@ -28,6 +28,25 @@ TEST(Concerns, NameWhatLightTracingCannotSee) {
       << concerns.front();
 }
 
+/// A caustic that only light subpaths can make: the lamp is a point.
+TEST(Concerns, NameTheLightOfPointLampsBehindGlass) {
+  const auto scene_with = [](const std::string& material) {
+    return test::pbrt_scene("LookAt 0 0 -5  0 0 0  0 1 0 Camera \"perspective\"", 16, 16,
+                            "LightSource \"point\" \"point from\" [0 3 0] Material \"" + material +
+                                "\" Shape \"sphere\" Material \"matte\" Translate 0 0 5 Shape "
+                                "\"sphere\" \"float radius\" 3");
+  };
+  const std::vector<std::string> concerns = concerns_of(scene_with("glass"), "pt");
+  ASSERT_EQ(concerns.size(), 1U);
+  EXPECT_NE(concerns.front().find("% of the light goes from a point or distant lamp straight to"),
+            std::string::npos)
+      << concerns.front();
+  EXPECT_TRUE(concerns_of(scene_with("matte"), "pt").empty());
+  for (const char* integrator : {"ibpt", "bdpt", "selective"}) {
+    EXPECT_TRUE(concerns_of(scene_with("glass"), integrator).empty()) << integrator;
+  }
+}
+
 TEST(Concerns, AreOfOrdinaryMonteCarloBesideChainsAsWell) {
   EXPECT_EQ(concerns_of(glass_and_metal(), "selective", {{"omc", "lt"}}).size(), 1U);
   EXPECT_TRUE(concerns_of(glass_and_metal(), "selective").empty());

@@ -43,6 +43,7 @@ TimedRender render_for(const TimeLimit& limit, const Scene& scene, const Variant
   render.cpu_seconds = cpu_seconds() - before;
   render.samples = result.samples_per_pixel;
   render.complete = result.complete;
+  render.estimate = estimate_error(film, *integrator, render.samples);
   Picture picture =
       develop(film, *integrator, render.samples, scene.film().scale, {"standard-error"});
   render.picture = std::move(picture.layers.front().pixels);

@@ -1,7 +1,9 @@
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <vector>
 
+#include "image/relative_error.h"
 #include "integrator/integrator.h"
 #include "measuring/variant.h"
 #include "session/interrupts.h"
@@ -11,7 +13,8 @@ namespace ajar::bench {
 struct TimedRender {
   std::vector<float> picture;         ///< direct + indirect, scene-linear RGB
   std::vector<float> standard_error;  ///< of each value, from replicates
-  std::uint64_t samples = 0;          ///< per pixel
+  std::optional<RelativeError> estimate;
+  std::uint64_t samples = 0;  ///< per pixel
   /// Of all threads, and of all that the integrator does: start-up phases count.
   double cpu_seconds = 0.0;
   bool complete = true;  ///< false if the user cut a pass short

@@ -22,18 +22,6 @@ double mean_at(const Replicates& replicates, std::size_t i) {
   for (const auto& image : replicates) sum += image[i];
   return sum / static_cast<double>(replicates.size());
 }
-
-/// Median of |value| over the values that are not zero; 0 if there are none.
-double median_lit(std::span<const float> values) {
-  std::vector<float> lit;
-  for (const float v : values) {
-    if (v != 0.F && std::isfinite(v)) lit.push_back(std::abs(v));
-  }
-  if (lit.empty()) return 0.0;
-  const auto middle = lit.begin() + static_cast<std::ptrdiff_t>(lit.size() / 2);
-  std::nth_element(lit.begin(), middle, lit.end());
-  return *middle;
-}
 }  // namespace
 
 Replicates develop_replicates(const Film& film, std::span<const ScaledLayer> layers) {
@@ -106,31 +94,6 @@ Estimate image_mean(const Replicates& replicates) {
   for (const double m : means) squares += (m - mean) * (m - mean);
   return {mean, std::sqrt(squares / (count * (count - 1.0))),
           static_cast<int>(replicates.size()) - 1};
-}
-
-double estimated_relative_error(std::span<const float> mean,
-                                std::span<const float> standard_error) {
-  if (mean.size() != standard_error.size() || mean.empty()) {
-    throw std::invalid_argument("statistics: mean and error differ in size or are empty");
-  }
-  const double level = median_lit(mean);
-  if (level == 0.0) return 0.0;
-  const double floor = 0.01 * level * level;
-  double sum = 0.0;
-  for (std::size_t i = 0; i < mean.size(); ++i) {
-    const double m = mean[i];
-    const double e = standard_error[i];
-    sum += e * e / (m * m + floor);
-  }
-  return std::sqrt(sum / static_cast<double>(mean.size()));
-}
-
-double estimated_relative_error(const Replicates& replicates) {
-  return estimated_relative_error(replicate_mean(replicates), standard_error(replicates));
-}
-
-double estimated_relative_error(const Film& film, std::span<const ScaledLayer> layers) {
-  return estimated_relative_error(develop_replicates(film, layers));
 }
 
 }  // namespace ajar

@@ -41,21 +41,4 @@ struct Estimate {
 /// correlation between pixels (splats, chains) is accounted for.
 Estimate image_mean(const Replicates& replicates);
 
-/// What is still wrong with an image, as one number: the estimate, without a reference, of
-///
-///     sqrt( mean over values of  (x − truth)² / (truth² + 0.01 μ²) ),   μ = median of the lit
-///     values,
-///
-/// i.e. the square root of relMSE (METHODS, section 8) of the image exposed so that μ is 1. 0.01 is
-/// "1 %". Relative per pixel, because ‖error‖/‖image‖ is decided by a few visible lamps; floored,
-/// because dark pixels would have infinite relative error; the floor hangs on the median, because
-/// it must neither depend on the units of the scene nor on the lamps. A firefly counts at most
-/// about 1 for its pixel, so it cannot take over the estimate. For noise of 10 % per pixel the
-/// estimate is high by about 1.5 %, since the truth in the denominator is replaced by the mean. It
-/// cannot know of light that no sample has found.
-double estimated_relative_error(std::span<const float> mean, std::span<const float> standard_error);
-double estimated_relative_error(const Replicates& replicates);
-/// Of the sum of some layers of a film; see `develop_replicates`.
-double estimated_relative_error(const Film& film, std::span<const ScaledLayer> layers);
-
 }  // namespace ajar

@@ -43,6 +43,7 @@ class ChainIntegrator final : public Integrator {
   void prepare_item(int round, std::uint64_t item, Counters& counters) override;
   void skip_preparation() override;
   std::vector<std::string> concerns() const override;
+  bool misses_light() const override { return omc_ && omc_->misses_light(); }
   std::vector<std::string> notes() const override { return notes_on(plan_, recruits_ != nullptr); }
 
   std::vector<LayerSpec> layers() const override;

@@ -123,11 +123,15 @@ class Integrator {
   /// preparation. Called once per round, after all items of the round before.
   virtual PreparationRound begin_preparation(int /*round*/) { return {}; }
   virtual void prepare_item(int /*round*/, std::uint64_t /*item*/, Counters& /*counters*/) {}
-  /// There is no time to prepare, or for the rest of it: the integrator renders as well as it can
-  /// without. Called before any round, or once a round has begun, of which any items may have run.
+  /// There is no time for the rest of the preparation: the integrator renders as well as it can
+  /// without. Called once a round has begun, of which any items may have run; the picture depends
+  /// on the number of the round only.
   virtual void skip_preparation() {}
   /// What the user should know after the preparation: one warning each.
   virtual std::vector<std::string> concerns() const { return {}; }
+  /// Whether there is light that it cannot see, however long it renders: then replicates know too
+  /// little of the error.
+  virtual bool misses_light() const { return false; }
 
   /// Layers of the film, known after the preparation; includes "direct" and "indirect".
   virtual std::vector<LayerSpec> layers() const = 0;

@@ -1,9 +1,9 @@
 #include "integrator/path_family.h"
 
 #include <algorithm>
-#include <iomanip>
-#include <sstream>
+#include <mutex>
 
+#include "integrator/blind_spots.h"
 #include "integrator/g_buffer.h"
 #include "integrator/sample_sink.h"
 #include "integrator/technique_layers.h"
@@ -37,6 +37,7 @@ class PathIntegrator final : public Integrator {
   }
   const PictureScale& scale() const { return scale_; }
   std::vector<std::string> concerns() const override;
+  bool misses_light() const override;
 
   std::vector<LayerSpec> layers() const override {
     std::vector<LayerSpec> specs = {{.name = "direct", .magnitude = scale_.mean},
@@ -221,45 +222,18 @@ class PathIntegrator final : public Integrator {
   PictureScale scale_;  ///< by its mean the fixed-point sums are scaled
   double cull_below_;   ///< light that is worth a ray, unless there is a price
   Vec2i tiles_;
-};
-
-/// Counts camera samples whose first surface cannot be connected to.
-class MirrorSink final : public PathSink {
- public:
-  void add(const Contribution& /*contribution*/) override {}
-  bool reaches(const Vec2& /*raster*/) const override { return false; }
-  void first_vertex(const PathVertex& vertex, const Hit* /*hit*/, float /*distance*/) override {
-    if (vertex.in_medium) return;
-    // Lamps that scatter nothing are seen well.
-    if (!vertex.bsdf.connectible() && !vertex.bsdf.empty()) ++mirrors;
-  }
-  int mirrors = 0;
+  mutable std::once_flag looked_around_;
+  mutable bool misses_light_ = false;
 };
 
 std::vector<std::string> PathIntegrator::concerns() const {
-  const TechniqueSet& set = sampler_settings_.techniques;
   if (std::optional<std::string> concern = concern_about_depths()) return {*std::move(concern)};
-  if (!set.any(TechniqueClass::Light) || set.any(TechniqueClass::Implicit) ||
-      set.any(TechniqueClass::NextEvent) || set.any(TechniqueClass::Inner)) {
-    return {};
-  }
-  constexpr std::uint32_t kSamples = 4096;
-  PathSampler sampler(scene_, sampler_settings_);
-  MirrorSink sink;
-  const Vec2 low(settings_.crop.min);
-  const Vec2 size(settings_.crop.size() + Vec2i(1, 1));
-  for (std::uint32_t i = 0; i < kSamples; ++i) {
-    SobolSource source({settings_.seed, i, settings_.seed, i});
-    sampler.sample(source, low + source.get_pair({Stream::Camera, 0, kEmissionDirection}) * size,
-                   sink);
-  }
-  if (sink.mirrors == 0) return {};
-  std::ostringstream text;
-  text
-      << std::setprecision(2) << 100.0 * sink.mirrors / kSamples
-      << " % of the picture shows mirrors or clear glass, where light subpaths cannot be connected "
-         "to the lens: all that light tracing is to make there is missing; bdpt and ibpt see them";
-  return {text.str()};
+  return blind_spots(scene_, settings_, sampler_settings_);
+}
+
+bool PathIntegrator::misses_light() const {
+  std::call_once(looked_around_, [this] { misses_light_ = !concerns().empty(); });
+  return misses_light_;
 }
 
 std::optional<std::string> PathIntegrator::concern_about_depths() const {

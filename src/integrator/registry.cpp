@@ -129,7 +129,9 @@ const std::vector<AovInfo>& aovs() {
        "(selective)",
        false},
       {"edges", "edges between surfaces, as the pilot saw them (selective)", false},
-      {"standard-error", "standard error of each pixel, from replicates"},
+      {"standard-error",
+       "standard error of each pixel, from four replicates: Student's t with 3 degrees of freedom, "
+       "so that 86 % of the pixels are within 2 of it"},
       {"replicates",
        "the independent estimates whose mean is the picture: lets ajar compare test for bias",
        false},

@@ -46,7 +46,7 @@ void serialize(A& archive, std::pair<std::string, Plane>& map) {
 
 template <Archive A>
 void serialize(A& archive, Development& development) {
-  archive(development.whole, development.replicates);
+  archive(development.whole, development.replicates, development.misses_light);
   // Planes have no value without a size, so that containers cannot make them.
   auto maps = static_cast<std::uint32_t>(development.maps.size());
   auto masks = static_cast<std::uint32_t>(development.antialias_mask ? 1 : 0);
@@ -87,6 +87,11 @@ void serialize(A& archive, PartialPass& pass) {
 template <Archive A>
 void serialize(A& archive, JobState::ErrorMark& mark) {
   archive(mark.samples, mark.error);
+}
+
+template <Archive A>
+void serialize(A& archive, RelativeError& error) {
+  archive(error.value, error.places, error.half_of_it, error.has_fireflies, error.misses_light);
 }
 
 template <Archive A>

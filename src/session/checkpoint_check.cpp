@@ -156,7 +156,10 @@ void check_job(const JobState& job, const RenderSettings& settings) {
        {job.seconds, job.cpu_seconds, job.chain_seconds, job.seconds_per_sample}) {
     require(is_size(seconds), "its times cannot be");
   }
-  require(!job.relative_error || is_size(*job.relative_error), "its error cannot be");
+  if (const std::optional<RelativeError>& error = job.relative_error) {
+    require(is_size(error->value) && is_size(error->places) && is_size(error->half_of_it),
+            "its error cannot be");
+  }
   for (const JobState::ErrorMark& mark : job.recent_errors) {
     require(is_size(mark.error) && mark.samples >= 1 && mark.samples <= job.samples_per_pixel,
             "its errors cannot be");

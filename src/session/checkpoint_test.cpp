@@ -55,7 +55,7 @@ class CheckpointFile : public testing::Test {
     job.counters.rays_out_of_range = 567;
     job.counters.first_discarded = "somewhere";
     job.counters.techniques.add(3, 0.5, 0.25);
-    job.relative_error = 0.25;
+    job.relative_error = RelativeError{.value = 0.25};
     job.recent_errors = {{8, 0.3}, {12, 0.25}};
     checkpoint_.integrator_state = std::string("\0\1\2", 3);
     for (int i = 0; i < 4 * 3 * 3 * 5; ++i) sums_.push_back(i * 1234567890123LL - 7);
@@ -250,7 +250,7 @@ TEST_F(HostileCheckpoint, IsRefusedForItsJob) {
   expect_refused(partial, [](C& c) { c.job.partial->done[1] = 2; });
   expect_refused("its times", [](C& c) { c.job.seconds_per_sample = -1.0; });
   expect_refused("its times", [](C& c) { c.job.seconds = kNan; });
-  expect_refused("its error", [](C& c) { c.job.relative_error = kNan; });
+  expect_refused("its error", [](C& c) { c.job.relative_error = RelativeError{.value = kNan}; });
   expect_refused("its errors", [](C& c) { c.job.recent_errors[0].samples = 0; });
   expect_refused("its errors", [](C& c) { c.job.recent_errors[1].samples = ~std::uint64_t{0}; });
   expect_refused("so many samples", [](C& c) {

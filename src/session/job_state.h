@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/work_share.h"
+#include "image/relative_error.h"
 #include "integrator/integrator.h"
 
 namespace ajar {
@@ -31,7 +32,7 @@ struct JobState {
   double cpu_seconds = 0.0;    ///< of all threads
   double chain_seconds = 0.0;  ///< of all threads: for items of Markov chains
   double seconds_per_sample = 0.0;
-  std::optional<double> relative_error;
+  std::optional<RelativeError> relative_error;
   std::uint64_t error_samples = 0;       ///< per pixel, when `relative_error` was taken
   std::vector<ErrorMark> recent_errors;  ///< at the latest milestones
 

@@ -115,6 +115,7 @@ Development development_of(const Film& film, const Integrator& integrator, std::
   }
   scales.maps = integrator.maps();
   scales.antialias_mask = integrator.antialias_mask();
+  scales.misses_light = integrator.misses_light();
   return scales;
 }
 
@@ -125,6 +126,7 @@ Development development_of_sum(const Development& a, const Development& b) {
     return samples > 0.0 ? 1.0 / samples : 0.0;
   };
   Development sum = a;
+  sum.misses_light = a.misses_light || b.misses_light;
   for (std::size_t layer = 0; layer < sum.whole.size(); ++layer) {
     sum.whole[layer] = both(a.whole[layer], b.whole.at(layer));
     for (std::size_t r = 0; r < sum.replicates[layer].size(); ++r) {
@@ -192,19 +194,21 @@ Picture develop(const Film& film, const Development& scales, std::uint64_t sampl
   return picture;
 }
 
-std::optional<double> estimate_error(const Film& film, const Integrator& integrator,
-                                     std::uint64_t samples) {
+std::optional<RelativeError> estimate_error(const Film& film, const Integrator& integrator,
+                                            std::uint64_t samples) {
   return estimate_error(film, development_of(film, integrator, samples), samples);
 }
 
-std::optional<double> estimate_error(const Film& film, const Development& scales,
-                                     std::uint64_t samples) {
+std::optional<RelativeError> estimate_error(const Film& film, const Development& scales,
+                                            std::uint64_t samples) {
   if (film.replicates() < 2 || samples < static_cast<std::uint64_t>(film.replicates())) {
     return std::nullopt;
   }
-  const auto layers = scaled_light_layers(film, scales, 1.0);
-  const double error = estimated_relative_error(film, layers);
-  return std::isfinite(error) ? std::optional(error) : std::nullopt;
+  std::optional<RelativeError> error =
+      estimate_relative_error(develop_replicates(film, scaled_light_layers(film, scales, 1.0)),
+                              Vec2i(film.width(), film.height()));
+  if (error) error->misses_light = scales.misses_light;
+  return error;
 }
 
 std::vector<std::string> default_outputs(const std::string& film_filename,

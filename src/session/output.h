@@ -8,6 +8,7 @@
 #include "core/vector.h"
 #include "image/film.h"
 #include "image/image_file.h"
+#include "image/relative_error.h"
 #include "integrator/integrator.h"
 #include "session/final_files.h"
 
@@ -20,6 +21,7 @@ struct Development {
   std::vector<std::vector<double>> replicates;  ///< per layer and replicate; none if it has none
   std::vector<std::pair<std::string, Plane>> maps;  ///< `Integrator::maps`
   std::optional<Plane> antialias_mask;
+  bool misses_light = false;  ///< `Integrator::misses_light`
 };
 /// After `samples` samples per pixel.
 Development development_of(const Film& film, const Integrator& integrator, std::uint64_t samples);
@@ -35,11 +37,12 @@ Picture develop(const Film& film, const Development& scales, std::uint64_t sampl
                 double film_scale, const std::vector<std::string>& aovs);
 
 /// Relative error of the whole picture after `samples` samples per pixel, from the spread of the
-/// film's replicates (METHODS, section 8); empty with a single replicate.
-std::optional<double> estimate_error(const Film& film, const Integrator& integrator,
-                                     std::uint64_t samples);
-std::optional<double> estimate_error(const Film& film, const Development& scales,
-                                     std::uint64_t samples);
+/// film's replicates (`estimate_relative_error`); a lower bound, too, if light is missing. Empty
+/// with a single replicate and of a black picture.
+std::optional<RelativeError> estimate_error(const Film& film, const Integrator& integrator,
+                                            std::uint64_t samples);
+std::optional<RelativeError> estimate_error(const Film& film, const Development& scales,
+                                            std::uint64_t samples);
 
 /// The pictures to write when none is named: an EXR and a PNG in the current folder, called like
 /// the film's file name or, if it has none, like the scene.

@@ -96,7 +96,7 @@ TEST_F(OutputTest, StandardErrorComesFromTheReplicates) {
   for (std::uint64_t i = 0; i < 4; ++i) squares += std::pow(TestIntegrator::value(2, i) - mean, 2);
   ASSERT_EQ(picture.layers.back().name, "standard-error");
   EXPECT_NEAR(picture.layers.back().pixels.at(6), std::sqrt(squares / 12.0), 1e-5);
-  EXPECT_GT(estimate_error(film, integrator, 4).value(), 0.0);
+  EXPECT_GT(estimate_error(film, integrator, 4).value().value, 0.0);
 }
 
 TEST_F(OutputTest, ReplicatesAverageToThePicture) {

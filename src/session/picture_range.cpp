@@ -15,9 +15,19 @@ constexpr double kLeastNormal = std::numeric_limits<float>::min();
 /// A picture as dim as this on average has many values below it, and factors of paths even more.
 constexpr double kDimmestMean = 1024.0 * kLeastNormal;
 
+/// Also of what the floats of a picture cannot hold.
 bool has_light(const Film& film) {
-  const auto sums = film.raw();
-  return std::any_of(sums.begin(), sums.end(), [](std::int64_t sum) { return sum != 0; });
+  constexpr double kMakesLarge = 1e30;
+  for (std::size_t i = 0; i < film.layers().size(); ++i) {
+    const LayerSpec& spec = film.layers()[i];
+    const std::string& name = spec.part_of.empty() ? spec.name : spec.part_of;
+    if (name != "direct" && name != "indirect") continue;
+    const std::vector<float> values = film.develop(static_cast<int>(i), kMakesLarge);
+    if (std::any_of(values.begin(), values.end(), [](float value) { return value != 0.F; })) {
+      return true;
+    }
+  }
+  return false;
 }
 
 }  // namespace
@@ -42,7 +52,13 @@ std::string range_complaint(const Film& film, const Picture& picture, double fil
   const double mean = sum / static_cast<double>(values.size());
   // Before the scale, too: what is lost in the light does not come back with it.
   const double least = std::min(mean, film_scale != 0.0 ? mean / std::abs(film_scale) : mean);
-  if (film_scale == 0.0 || least >= kDimmestMean || !has_light(film)) return {};
+  if (film_scale == 0.0) return "the picture is black: its film's scale is 0";
+  if (sum == 0.0 && !has_light(film)) {
+    return "the picture is black: no path has found light, and its error is unknown; see whether "
+           "the scene has lights that reach what the camera sees, and try a larger --depth, more "
+           "samples or another method";
+  }
+  if (least >= kDimmestMean || !has_light(film)) return {};
   return fmt::format(
       "the picture is so dim that floats lose its digits: its mean is {:.2g}, with a film's scale "
       "of {:g}, and below {:.2g} they have fewer; make the lights or the scale larger",

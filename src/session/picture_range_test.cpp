@@ -21,7 +21,11 @@ std::string complaint_of(float light, double film_scale) {
 TEST(PictureRange, IsFineForWhatFloatsHold) {
   for (const float light : {1e-30F, 1e-3F, 1.F, 1e36F}) EXPECT_EQ(complaint_of(light, 1.0), "");
   EXPECT_EQ(complaint_of(1e-30F, 1e30), "");
-  EXPECT_EQ(complaint_of(0.F, 1.0), "");
+}
+
+TEST(PictureRange, TellsOfBlackPictures) {
+  EXPECT_NE(complaint_of(0.F, 1.0).find("no path has found light"), std::string::npos);
+  EXPECT_NE(complaint_of(1.F, 0.0).find("scale is 0"), std::string::npos);
 }
 
 TEST(PictureRange, TellsOfWhatIsTooBright) {

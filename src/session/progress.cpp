@@ -36,7 +36,7 @@ std::vector<double> expected_totals(const RenderSnapshot& s) {
   if (rate <= 0.0) return totals;
   if (s.total_samples > 0) totals.push_back(static_cast<double>(s.total_samples) / rate);
   if (s.budget.target_error && s.relative_error && *s.budget.target_error > 0.0) {
-    const double ratio = *s.relative_error / *s.budget.target_error;
+    const double ratio = s.relative_error->value / *s.budget.target_error;
     totals.push_back(static_cast<double>(s.error_samples) * ratio * ratio / rate);
   }
   return totals;
@@ -49,9 +49,8 @@ std::string samples_text(const RenderSnapshot& s) {
                              : fmt::format("{} spp", done);
 }
 
-std::string error_text(const RenderSnapshot& s) {
-  return s.relative_error ? fmt::format("error {:.2g} %", 100.0 * *s.relative_error)
-                          : std::string();
+std::string text_of_error(const RenderSnapshot& s) {
+  return s.relative_error ? "error " + error_text(*s.relative_error) : std::string();
 }
 
 std::string left_text(const RenderSnapshot& s) {
@@ -144,17 +143,24 @@ std::string short_number(double value) {
   return fmt::format("{:.3g}", value);
 }
 
+std::string error_text(const RelativeError& error) {
+  const double percent = 100.0 * error.value;
+  const std::string number =
+      percent < 100.0 ? fmt::format("{:.2g}", percent) : fmt::format("{:.0f}", percent);
+  return (error.is_lower_bound() ? "≥ " : "") + number + " %";
+}
+
 std::string bar_line(const RenderSnapshot& snapshot, int columns) {
   const std::optional<double> fraction = fraction_done(snapshot);
   const std::string percent =
       fraction ? fmt::format("{:3.0f} %", std::floor(100.0 * *fraction)) : std::string();
   const std::string numbers =
-      joined({percent, samples_text(snapshot), rays_text(snapshot), error_text(snapshot),
+      joined({percent, samples_text(snapshot), rays_text(snapshot), text_of_error(snapshot),
               clock_text(snapshot.seconds), left_text(snapshot)},
              " · ");
-  // "·" is one column but two bytes.
-  const auto dots = std::count(numbers.begin(), numbers.end(), '\xC2');
-  const int width = static_cast<int>(numbers.size()) - static_cast<int>(dots);
+  // "·" and "≥" are one column, but several bytes, of which all but the first begin with 10.
+  const auto width = static_cast<int>(std::count_if(
+      numbers.begin(), numbers.end(), [](unsigned char c) { return (c & 0xC0U) != 0x80U; }));
   const int room = columns - width - 4;
   if (!fraction || room < 8) {
     return width < columns ? numbers
@@ -169,7 +175,7 @@ std::string bar_line(const RenderSnapshot& snapshot, int columns) {
 
 std::string plain_line(const RenderSnapshot& snapshot) {
   return joined({clock_text(snapshot.seconds), samples_text(snapshot), rays_text(snapshot),
-                 error_text(snapshot), left_text(snapshot)},
+                 text_of_error(snapshot), left_text(snapshot)},
                 ", ");
 }
 
@@ -184,7 +190,10 @@ std::string json_line(const RenderSnapshot& snapshot, const std::string& event) 
                                         : nlohmann::ordered_json();
   line["rays"] = snapshot.rays;
   line["rays_per_second"] = rays_per_second(snapshot);
-  line["estimated_relative_error"] = optional_json(snapshot.relative_error);
+  const std::optional<RelativeError>& error = snapshot.relative_error;
+  line["estimated_relative_error"] =
+      optional_json(error ? std::optional(error->value) : std::nullopt);
+  line["estimated_error_is_lower_bound"] = !error || error->is_lower_bound();
   line["fraction"] = optional_json(fraction_done(snapshot));
   line["seconds_left"] = optional_json(seconds_left(snapshot));
   line["finishing"] = snapshot.finishing;

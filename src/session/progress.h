@@ -32,6 +32,9 @@ std::string clock_text(double seconds);
 /// Number with a unit prefix: `950`, `12.3 k`, `4.56 M`.
 std::string short_number(double value);
 
+/// `12 %`, or `≥ 12 %` of what is a lower bound.
+std::string error_text(const RelativeError& error);
+
 /// One line without line break, at most `columns` wide.
 std::string bar_line(const RenderSnapshot& snapshot, int columns);
 std::string plain_line(const RenderSnapshot& snapshot);

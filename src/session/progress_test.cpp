@@ -16,7 +16,7 @@ RenderSnapshot half_way() {
   s.samples_done = 32.0;
   s.rays = 20'000'000;
   s.seconds = 10.0;
-  s.relative_error = 0.034;
+  s.relative_error = RelativeError{.value = 0.034};
   s.error_samples = 32;
   return s;
 }

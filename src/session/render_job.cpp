@@ -293,11 +293,12 @@ void RenderJob::estimate(std::uint64_t samples, bool milestone) {
     error_samples_ = samples;
     return;
   }
-  const std::optional<double> error = options_.estimate_error(film(), samples);
+  const std::optional<RelativeError> error = options_.estimate_error(film(), samples);
   state_.relative_error = error;
   if (milestone) {
-    if (error) {
-      state_.recent_errors.push_back({samples, *error});
+    // What is only a lower bound has not reached anything.
+    if (error && !error->is_lower_bound()) {
+      state_.recent_errors.push_back({samples, error->value});
       forget_old_errors(state_.recent_errors);
     } else {
       state_.recent_errors.clear();

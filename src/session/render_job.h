@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "image/film.h"
+#include "image/relative_error.h"
 #include "integrator/integrator.h"
 #include "session/budget.h"
 #include "session/interrupts.h"
@@ -28,7 +29,8 @@ struct RenderJobOptions {
   double pass_seconds = 0.5;  ///< how soon a render reacts to a signal
   /// Relative error of the picture in `film` after that many samples per pixel; empty if it cannot
   /// be known.
-  std::function<std::optional<double>(const Film& film, std::uint64_t samples)> estimate_error;
+  std::function<std::optional<RelativeError>(const Film& film, std::uint64_t samples)>
+      estimate_error;
   const InterruptCount* interrupts = nullptr;  ///< may be null
   /// Where to go on; the film has the sums, the integrator its state.
   std::optional<JobState> resumed;
@@ -44,7 +46,7 @@ struct RenderSnapshot {
   double samples_done = 0.0;        ///< per pixel, the begun pass counted in part
   std::uint64_t rays = 0;
   double seconds = 0.0;
-  std::optional<double> relative_error;
+  std::optional<RelativeError> relative_error;
   std::uint64_t error_samples = 0;  ///< per pixel, when `relative_error` was taken
   bool finishing = false;           ///< interrupted, waiting for the pass to end
   /// While what comes before the render goes on: how much of it is done, 0…1. The other numbers
@@ -61,7 +63,7 @@ struct RenderResult {
   double chain_seconds = 0.0;           ///< likewise, of items of Markov chains
   int threads = 0;
   std::uint64_t passes = 0;
-  std::optional<double> relative_error;
+  std::optional<RelativeError> relative_error;
   StopReason stopped_by = StopReason::Samples;
   /// False if the last pass was cut short (second signal): parts of the picture then have fewer
   /// samples, and `samples_per_pixel` is the mean.
@@ -140,7 +142,7 @@ class RenderJob {
   std::atomic<std::uint64_t> items_done_{0};
   std::atomic<std::uint64_t> rays_{0};
   mutable std::mutex error_mutex_;  // guards the two below
-  std::optional<double> relative_error_;
+  std::optional<RelativeError> relative_error_;
   std::uint64_t error_samples_ = 0;
 };
 

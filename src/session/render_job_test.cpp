@@ -16,6 +16,11 @@
 namespace ajar {
 namespace {
 
+/// Falls like noise does.
+RelativeError error_after(std::uint64_t samples) {
+  return {.value = 1.0 / std::sqrt(static_cast<double>(samples))};
+}
+
 const Vec2i kSize(13, 7);
 
 Film make_film(const TestIntegrator& integrator, int replicates) {
@@ -104,7 +109,9 @@ TEST(RenderJob, RoundsSamplesUpToEqualReplicates) {
 TEST(RenderJob, RendersASingleSampleWithOneReplicate) {
   RenderResult result;
   RenderJobOptions options = with_samples(1, 2);
-  options.estimate_error = [](const Film&, std::uint64_t) { return std::optional(0.5); };
+  options.estimate_error = [](const Film&, std::uint64_t) {
+    return std::optional(RelativeError{.value = 0.5});
+  };
   render(options, 1, &result);
   EXPECT_EQ(result.samples_per_pixel, 1U);
   EXPECT_FALSE(result.relative_error.has_value());
@@ -140,20 +147,42 @@ TEST(RenderJob, StopsAtTheSameSampleWhenTheErrorIsReached) {
     options.budget.target_error = 0.1;
     // Falls like noise does: 0.1 is reached at 100 samples, the next milestone is 4 · 32.
     options.estimate_error = [](const Film&, std::uint64_t samples) {
-      return std::optional(1.0 / std::sqrt(static_cast<double>(samples)));
+      return error_after(samples);
     };
     RenderResult result;
     render(options, 4, &result);
     EXPECT_EQ(result.stopped_by, StopReason::TargetError);
     EXPECT_EQ(result.samples_per_pixel, 128U);
-    EXPECT_NEAR(result.relative_error.value(), 0.0884, 0.001);
+    EXPECT_NEAR(result.relative_error.value().value, 0.0884, 0.001);
+  }
+}
+
+TEST(RenderJob, DoesNotTrustALowerBound) {
+  for (const std::uint64_t bound_until : {0, 256, 100000}) {
+    RenderJobOptions options = with_samples(2000, 2);
+    options.budget.target_error = 0.1;
+    options.estimate_error = [&](const Film&, std::uint64_t samples) {
+      RelativeError error = error_after(samples);
+      error.has_fireflies = samples <= bound_until;
+      return std::optional(error);
+    };
+    RenderResult result;
+    render(options, 4, &result);
+    EXPECT_EQ(result.stopped_by,
+              bound_until < 2000 ? StopReason::TargetError : StopReason::Samples);
+    EXPECT_EQ(result.samples_per_pixel, bound_until == 0     ? 128U
+                                        : bound_until == 256 ? 768U
+                                                             : 2000U)
+        << "three estimates that can be trusted must agree";
   }
 }
 
 TEST(RenderJob, DoesNotTrustAnErrorFromVeryFewSamples) {
   RenderJobOptions options = with_samples(64, 1);
   options.budget.target_error = 0.1;
-  options.estimate_error = [](const Film&, std::uint64_t) { return std::optional(0.0); };
+  options.estimate_error = [](const Film&, std::uint64_t) {
+    return std::optional(RelativeError{.value = 0.0});
+  };
   RenderResult result;
   render(options, 4, &result);
   EXPECT_EQ(result.samples_per_pixel, 16U);
@@ -301,7 +330,7 @@ TEST(RenderJob, StopsAtTheSameSampleWhenResumed) {
     options.budget.target_error = 0.1;
     options.estimate_error = [](const Film&, std::uint64_t samples) {
       // A lucky estimate at 48 samples, which must not end the render.
-      return std::optional(samples == 48 ? 0.01 : 1.0 / std::sqrt(static_cast<double>(samples)));
+      return samples == 48 ? RelativeError{.value = 0.01} : error_after(samples);
     };
     options.resumed = std::move(state);
     return options;
@@ -347,22 +376,22 @@ TEST(RenderJob, GivesTheSameBitsOnAnyNumberOfRanks) {
   for (const int count : {1, 2, 3}) {
     RenderJobOptions options = with_samples(40, 2);
     options.pass_seconds = 0.0;
-    options.estimate_error = [](const Film&, std::uint64_t) { return std::optional(0.5); };
+    options.estimate_error = [](const Film&, std::uint64_t) {
+      return std::optional(RelativeError{.value = 0.5});
+    };
     RenderResult result;
     EXPECT_EQ(render_on_ranks(count, options, &result), reference) << count << " ranks";
     EXPECT_EQ(result.counters.samples, 40U * 13U * 7U);
     EXPECT_EQ(result.counters.discarded_nan, 18U);
     EXPECT_EQ(result.counters.rays_out_of_range, 18U);
-    EXPECT_EQ(result.relative_error, 0.5);
+    EXPECT_EQ(result.relative_error.value().value, 0.5);
   }
 }
 
 TEST(RenderJob, RanksStopTogether) {
   RenderJobOptions by_error = with_samples(100000, 1);
   by_error.budget.target_error = 0.1;
-  by_error.estimate_error = [](const Film&, std::uint64_t samples) {
-    return std::optional(1.0 / std::sqrt(static_cast<double>(samples)));
-  };
+  by_error.estimate_error = [](const Film&, std::uint64_t samples) { return error_after(samples); };
   RenderResult result;
   render_on_ranks(3, by_error, &result);
   EXPECT_EQ(result.stopped_by, StopReason::TargetError);

@@ -19,6 +19,13 @@ Json number_or_null(const std::optional<double>& value) {
   return value && std::isfinite(*value) ? Json(*value) : Json();
 }
 
+void add_error(const RenderResult& result, Json& json) {
+  const std::optional<RelativeError>& error = result.relative_error;
+  json["estimated_relative_error"] =
+      number_or_null(error ? std::optional(error->value) : std::nullopt);
+  json["estimated_error_is_lower_bound"] = !error || error->is_lower_bound();
+}
+
 double per_second(std::uint64_t count, double seconds) {
   return seconds > 0.0 ? static_cast<double>(count) / seconds : 0.0;
 }
@@ -185,7 +192,7 @@ Json to_json(const RenderStatistics& s) {
   add_chains(s, json);
   json["prepared"] = s.prepared;
   json["selective"] = s.selective ? selective_json(*s.selective, r) : Json();
-  json["estimated_relative_error"] = number_or_null(r.relative_error);
+  add_error(r, json);
   json["peak_memory_bytes"] = s.peak_memory_bytes;
   json["warnings"] = s.warning_count;
   json["warning_messages"] = s.warnings;
@@ -230,7 +237,9 @@ std::map<std::string, std::string> to_metadata(const RenderStatistics& s) {
     metadata["ajar:share"] = fmt::format("{}/{}", s.share.index + 1, s.share.count);
   }
   if (r.relative_error) {
-    metadata["ajar:estimated_relative_error"] = fmt::format("{:.6g}", *r.relative_error);
+    metadata["ajar:estimated_relative_error"] = fmt::format("{:.6g}", r.relative_error->value);
+    metadata["ajar:estimated_error_is_lower_bound"] =
+        r.relative_error->is_lower_bound() ? "true" : "false";
   }
   for (const auto& [name, value] : s.parameters) metadata["ajar:parameter:" + name] = value;
   return metadata;

@@ -22,7 +22,7 @@ RenderStatistics example() {
   s.result.counters.rays_out_of_range = 40;
   s.preparation.rays_out_of_range = 2;
   s.result.counters.first_discarded = "pixel (3, 4), sample 5";
-  s.result.relative_error = 0.01;
+  s.result.relative_error = RelativeError{.value = 0.01};
   s.result.stopped_by = StopReason::Interrupted;
   s.warning_count = 300;
   s.warnings = {"a", "b"};
@@ -61,7 +61,7 @@ TEST(Statistics, SayWhatHappened) {
 
 TEST(Statistics, WhatIsNotANumberIsNull) {
   RenderStatistics s = example();
-  s.result.relative_error = std::nan("");
+  s.result.relative_error = RelativeError{.value = std::nan("")};
   EXPECT_TRUE(to_json(s).at("estimated_relative_error").is_null());
   s.result.relative_error.reset();
   s.result.seconds = 0.0;

@@ -50,14 +50,23 @@ void report_discarded(const Counters& counters) {
                   counters.discarded_negative, counters.first_discarded));
 }
 
-void report_end(const RenderResult& result) {
+void report_end(const RenderResult& result, double preparing) {
   std::string text = fmt::format(
       "{} sample{} per pixel in {}, {} rays/s", result.samples_per_pixel,
       result.samples_per_pixel == 1 ? "" : "s", clock_text(result.seconds),
       short_number(result.seconds > 0.0 ? static_cast<double>(result.counters.rays) / result.seconds
                                         : 0.0));
+  // Less nobody has noticed.
+  constexpr double kLeastSeconds = 0.05;
+  if (preparing >= kLeastSeconds) text += fmt::format(", after {:.1f} s of preparing", preparing);
   if (result.relative_error) {
-    text += fmt::format(", estimated error {:.2g} %", 100.0 * *result.relative_error);
+    text += ", estimated error " + error_text(*result.relative_error);
+    if (result.relative_error->has_fireflies) {
+      text += fmt::format(" (fireflies: half of it is in {:.2g} % of the pixels)",
+                          100.0 * result.relative_error->half_of_it);
+    } else if (result.relative_error->misses_light) {
+      text += " (without the light that this method cannot see)";
+    }
   }
   if (result.stopped_by == StopReason::Interrupted) text += ", interrupted";
   print_note(text);

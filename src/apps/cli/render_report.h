@@ -14,6 +14,7 @@ bool report_file(const WrittenFile& file);
 /// True if they could be written, or `path` is empty.
 bool write_statistics(const RenderStatistics& statistics, const std::string& path);
 void report_discarded(const Counters& counters);
-void report_end(const RenderResult& result);
+/// `preparing`: seconds, of this run; those of the result are of rendering.
+void report_end(const RenderResult& result, double preparing = 0.0);
 
 }  // namespace ajar::cli

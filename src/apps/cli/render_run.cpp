@@ -428,7 +428,7 @@ int Run::finish(const RenderJob& job) {
   statistics_.peak_memory_bytes = peak_memory_bytes();
   bool all_written = write_statistics(statistics_, run().stats);
   report_discarded(result.counters);
-  report_end(result);
+  report_end(result, statistics_.times.prepare);
   for (const WrittenFile& file : written) all_written = report_file(file) && all_written;
   for (const std::string& path : statistics_.outputs) print_path(path);
   if (!all_written) return kExitFile;

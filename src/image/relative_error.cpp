@@ -1,0 +1,125 @@
+#include "image/relative_error.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <numeric>
+#include <stdexcept>
+#include <vector>
+
+#include "image/truth_guess.h"
+
+namespace ajar {
+
+namespace {
+
+constexpr std::size_t kChannels = 3;
+/// As wide as what filters make of one splat.
+constexpr int kPlace = 4;
+/// With fewer places the relative standard deviation of the value is more than 16 % (of a sum of n
+/// equal squares: sqrt(1/n), half of that of its root), and what is rare is rarer than that.
+constexpr double kFewestPlaces = 10.0;
+
+/// Of |value| over the values that are not zero; 0 if there are none.
+double median_lit(std::span<const float> values) {
+  std::vector<float> lit;
+  for (const float v : values) {
+    if (v != 0.F && std::isfinite(v)) lit.push_back(std::abs(v));
+  }
+  if (lit.empty()) return 0.0;
+  const auto middle = lit.begin() + static_cast<std::ptrdiff_t>(lit.size() / 2);
+  std::nth_element(lit.begin(), middle, lit.end());
+  return *middle;
+}
+
+/// t² + 0.01 μ².
+class Denominator {
+ public:
+  explicit Denominator(double level) : floor_(0.01 * level * level) {}
+  double operator()(double truth) const { return truth * truth + floor_; }
+
+ private:
+  double floor_;
+};
+
+double sum_of(std::span<const double> values) {
+  return std::accumulate(values.begin(), values.end(), 0.0);
+}
+
+/// (Σ e)² / Σ e².
+double effective_number(std::span<const double> values) {
+  const double sum = sum_of(values);
+  double squares = 0.0;
+  for (const double value : values) squares += value / sum * (value / sum);
+  return squares > 0.0 ? 1.0 / squares : 0.0;
+}
+
+std::vector<double> sums_of_places(std::span<const double> of_pixels, Vec2i size) {
+  const int columns = (size.x + kPlace - 1) / kPlace;
+  const int rows = (size.y + kPlace - 1) / kPlace;
+  std::vector<double> sums(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
+  for (int y = 0; y < size.y; ++y) {
+    for (int x = 0; x < size.x; ++x) {
+      sums[static_cast<std::size_t>(y / kPlace * columns + x / kPlace)] +=
+          of_pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(size.x) +
+                    static_cast<std::size_t>(x)];
+    }
+  }
+  return sums;
+}
+
+double share_that_makes_half(std::vector<double> values) {
+  std::sort(values.begin(), values.end(), std::greater<>());
+  const double half = 0.5 * sum_of(values);
+  double sum = 0.0;
+  std::size_t count = 0;
+  while (count < values.size() && sum < half) sum += values[count++];
+  return static_cast<double>(count) / static_cast<double>(values.size());
+}
+
+}  // namespace
+
+std::optional<double> relative_error(std::span<const float> picture, std::span<const float> truth) {
+  if (picture.size() != truth.size()) {
+    throw std::invalid_argument("relative_error: picture and truth differ in size");
+  }
+  const double level = median_lit(truth);
+  if (level == 0.0) return std::nullopt;
+  const Denominator denominator(level);
+  double sum = 0.0;
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    const double error = double{picture[i]} - double{truth[i]};
+    sum += error * error / denominator(truth[i]);
+  }
+  return std::sqrt(sum / static_cast<double>(truth.size()));
+}
+
+std::optional<RelativeError> estimate_relative_error(const Replicates& replicates, Vec2i size) {
+  const std::vector<float> truth = guess_truth(replicates, size);
+  const std::vector<float> errors = standard_error(replicates);
+  // If no two replicates agree on any light, the only level there is comes from their mean.
+  double level = median_lit(truth);
+  if (level == 0.0) level = median_lit(replicate_mean(replicates));
+  if (level == 0.0) return std::nullopt;
+  const Denominator denominator(level);
+  std::vector<double> of_pixels(truth.size() / kChannels);
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    const double error = errors[i];
+    of_pixels[i / kChannels] += error * error / denominator(truth[i]);
+  }
+  const std::vector<double> of_places = sums_of_places(of_pixels, size);
+  RelativeError found{};
+  const double sum = sum_of(of_pixels);
+  found.value = std::sqrt(sum / static_cast<double>(truth.size()));
+  if (!std::isfinite(found.value)) return std::nullopt;
+  if (sum == 0.0) return found;
+  found.places = effective_number(of_places);
+  // Small pictures do not have so many.
+  const double fewest = std::min(kFewestPlaces, 0.25 * static_cast<double>(of_places.size()));
+  found.has_fireflies = found.places < fewest;
+  found.half_of_it = share_that_makes_half(of_pixels);
+  return found;
+}
+
+}  // namespace ajar

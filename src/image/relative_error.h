@@ -1,0 +1,42 @@
+#pragma once
+#include <optional>
+#include <span>
+
+#include "core/vector.h"
+#include "image/statistics.h"
+
+namespace ajar {
+
+/// The error of a picture as one number, with or without a reference:
+///
+///     sqrt( mean over values of  (x − t)² / (t² + 0.01 μ²) ),   μ = median of the lit |t|,
+///
+/// i.e. the square root of relMSE (METHODS, section 8) of the picture exposed so that μ is 1. 0.01
+/// is "1 %". Relative per pixel, because ‖error‖/‖picture‖ is decided by a few visible lamps;
+/// floored, because dark pixels would have infinite relative error; the floor hangs on the median,
+/// because it must depend neither on the units of the scene nor on the lamps.
+///
+/// Of a picture whose truth t is known: all have the same number of values, else
+/// std::invalid_argument; nullopt if t is black.
+std::optional<double> relative_error(std::span<const float> picture, std::span<const float> truth);
+
+/// The same without a reference: (x − t)² is estimated by the squared standard error of replicates,
+/// and t by `guess_truth`.
+struct RelativeError {
+  double value = 0.0;
+  /// Over how many places of 4×4 pixels the squared error is spread: (Σ e)² / Σ e².
+  double places = 0.0;
+  /// The least number of pixels that make half of the squared error, as a share of all.
+  double half_of_it = 0.0;
+  /// So few places decide that the next path may be as strong as all that were found.
+  bool has_fireflies = false;
+  /// There is light that the method cannot see, however long it renders. (For the caller to say.)
+  bool misses_light = false;
+  bool is_lower_bound() const { return has_fireflies || misses_light; }
+};
+/// Of a picture of `size` pixels (3 values each, rows from the top); needs R ≥ 2 replicates of
+/// that size, else std::invalid_argument. Nullopt if it is black: then nothing is known. It cannot
+/// know of light that no sample has found.
+std::optional<RelativeError> estimate_relative_error(const Replicates& replicates, Vec2i size);
+
+}  // namespace ajar
