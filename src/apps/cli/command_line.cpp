@@ -190,7 +190,8 @@ void add_render(CLI::App& app, RenderArguments& a) {
       ->group(kMethod);
   command
       ->add_option("--set", a.assignments,
-                   "Set a parameter of the method; may be given several times")
+                   "Set a parameter of the method (see: ajar list integrators NAME); may be given "
+                   "several times")
       ->allow_extra_args(false)
       ->type_name("KEY=VALUE")
       ->group(kMethod);
@@ -276,6 +277,7 @@ void add_others(CLI::App& app, Request& request) {
   CLI::App* list = app.add_subcommand("list", "List what there is to choose from");
   list->add_option("KIND", request.list.kind,
                    "integrators, materials, aovs or scenes; default: all");
+  list->add_option("NAME", request.list.name, "An integrator, to see its parameters");
   list->add_flag("--json", request.list.json, "Print JSON");
 }
 

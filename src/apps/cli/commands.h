@@ -74,6 +74,7 @@ int convert(const ConvertArguments& arguments);
 
 struct ListArguments {
   std::string kind;  ///< empty: all
+  std::string name;  ///< of an integrator, to see its parameters; empty: all
   bool json = false;
 };
 int list(const ListArguments& arguments);
