@@ -16,6 +16,7 @@
 #include "apps/cli/commands.h"
 #include "core/error.h"
 #include "core/standard_streams.h"
+#include "image/exposure.h"
 #include "session/catalog.h"
 #include "session/option_values.h"
 #include "session/version.h"
@@ -63,7 +64,6 @@ int read_threads(const std::string& option, const std::string& text) {
 }
 
 float read_exposure(const std::string& option, const std::string& text) {
-  constexpr double kMostStops = 64.0;
   return static_cast<float>(parse_number(option, text, "stops", -kMostStops, kMostStops));
 }
 

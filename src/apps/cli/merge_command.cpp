@@ -106,6 +106,7 @@ int merge(const MergeArguments& a) {
   statistics.peak_memory_bytes = peak_memory_bytes();
   all_written = write_statistics(statistics, a.stats) && all_written;
   report_end(statistics.result);
+  report_exposure(picture, a.outputs, display);
   return all_written ? 0 : kExitFile;
 }
 

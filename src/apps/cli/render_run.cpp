@@ -426,6 +426,7 @@ int Run::finish(const RenderJob& job) {
   bool all_written = write_statistics(statistics_, run().stats);
   report_discarded(result.counters);
   report_end(result);
+  report_exposure(picture, outputs_, display_);
   for (const WrittenFile& file : written) all_written = report_file(file) && all_written;
   for (const std::string& path : statistics_.outputs) print_path(path);
   if (!all_written) return kExitFile;
