@@ -189,7 +189,7 @@ void check_display(const Checkpoint& checkpoint) {
   } catch (const UsageError& error) {
     throw std::runtime_error(error.what());
   }
-  require(std::abs(checkpoint.exposure) <= kMostStops, "its exposure cannot be");
+  require(std::abs(checkpoint.exposure.stops) <= kMostStops, "its exposure cannot be");
 }
 
 }  // namespace

@@ -16,7 +16,6 @@
 #include "apps/cli/commands.h"
 #include "core/error.h"
 #include "core/standard_streams.h"
-#include "image/exposure.h"
 #include "session/catalog.h"
 #include "session/option_values.h"
 #include "session/version.h"
@@ -63,10 +62,6 @@ int read_threads(const std::string& option, const std::string& text) {
   return static_cast<int>(parse_whole(option, text, 0, 4096));
 }
 
-float read_exposure(const std::string& option, const std::string& text) {
-  return static_cast<float>(parse_number(option, text, "stops", -kMostStops, kMostStops));
-}
-
 double read_scale(const std::string& option, const std::string& text) {
   return parse_number(option, text, "times the scene's own size", 1e-5, 65536.0);
 }
@@ -96,9 +91,9 @@ void add_run(CLI::App* command, RunArguments& a, const std::string& output_defau
       ->type_name("NAME")
       ->check(kNotEmpty)
       ->group(kPictures);
-  add_value(command, "--exposure", a.exposure, read_exposure,
-            "Brighten .png and .jpg by this many stops")
-      ->type_name("STOPS")
+  add_value(command, "--exposure", a.exposure, parse_exposure,
+            "Brighten .png and .jpg by this many stops, or auto: as suits the picture")
+      ->type_name("STOPS|auto")
       ->group(kPictures);
   command
       ->add_option("--output-every", a.output_every,
@@ -255,9 +250,9 @@ void add_merge(CLI::App& app, MergeArguments& a) {
   command->add_option("--tone-map", a.tone_map, "Curve of .png and .jpg: srgb or filmic")
       ->type_name("NAME")
       ->capture_default_str();
-  add_value(command, "--exposure", a.exposure, read_exposure,
-            "Brighten .png and .jpg by this many stops")
-      ->type_name("STOPS")
+  add_value(command, "--exposure", a.exposure, parse_exposure,
+            "Brighten .png and .jpg by this many stops, or auto: as suits the picture")
+      ->type_name("STOPS|auto")
       ->default_str("0");
   command->add_flag("--force", a.force, "Merge what other versions of ajar have written, too");
   command->footer("Example: ajar merge seed-1.checkpoint seed-2.checkpoint -o room.exr");

@@ -71,8 +71,12 @@ void report_end(const RenderResult& result) {
 }
 
 void report_exposure(const Picture& picture, const std::vector<std::string>& outputs,
-                     const DisplayOptions& display) {
+                     const DisplayOptions& display, bool automatic) {
   if (std::none_of(outputs.begin(), outputs.end(), is_display_file)) return;
+  if (automatic) {
+    print_note("exposure " + stops_text(display.exposure) + " chosen for this picture");
+    return;
+  }
   const std::string advice = exposure_advice(picture, display);
   if (!advice.empty()) print_note(advice);
 }

@@ -15,8 +15,9 @@ bool report_file(const WrittenFile& file);
 bool write_statistics(const RenderStatistics& statistics, const std::string& path);
 void report_discarded(const Counters& counters);
 void report_end(const RenderResult& result);
-/// Says what `--exposure` would help, if pictures for the eye are among `outputs`.
+/// Says what exposure was chosen (if `automatic`) or would help, if pictures for the eye are among
+/// `outputs`.
 void report_exposure(const Picture& picture, const std::vector<std::string>& outputs,
-                     const DisplayOptions& display);
+                     const DisplayOptions& display, bool automatic);
 
 }  // namespace ajar::cli
