@@ -128,6 +128,18 @@ ParameterSpec choice_parameter(std::string name, std::vector<std::string> choice
           .choices = std::move(choices)};
 }
 
+void mark_experts(std::span<ParameterSpec> specs, std::initializer_list<std::string_view> basic) {
+  for (ParameterSpec& spec : specs) spec.expert = true;
+  for (const std::string_view name : basic) {
+    const auto found = std::find_if(specs.begin(), specs.end(),
+                                    [&](const ParameterSpec& spec) { return spec.name == name; });
+    if (found == specs.end()) {
+      throw std::logic_error("there is no parameter \"" + std::string(name) + "\" to be basic");
+    }
+    found->expert = false;
+  }
+}
+
 Parameters::Parameters(std::span<const ParameterSpec> specs,
                        const std::map<std::string, std::string>& given)
     : given_(given) {

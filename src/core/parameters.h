@@ -1,4 +1,5 @@
 #pragma once
+#include <initializer_list>
 #include <map>
 #include <optional>
 #include <span>
@@ -21,6 +22,7 @@ struct ParameterSpec {
   std::vector<std::string> choices;  ///< for Choice; for Float, words that may stand for a number
   double minimum = -1e300;
   double maximum = 1e300;
+  bool expert = false;  ///< for those who study the method; lists show it below the others
 };
 
 /// A number from 0 on, without unit, or one of `words`.
@@ -29,6 +31,10 @@ ParameterSpec number_parameter(std::string name, std::string value, std::string 
 /// One of `choices`; the first is the default.
 ParameterSpec choice_parameter(std::string name, std::vector<std::string> choices,
                                std::string help);
+
+/// Marks all but those named in `basic` as for experts. Raises std::logic_error for a name that no
+/// spec has.
+void mark_experts(std::span<ParameterSpec> specs, std::initializer_list<std::string_view> basic);
 
 /// Values for a list of specs; every declared parameter has a value, checked for type and range.
 class Parameters {

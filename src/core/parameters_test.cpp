@@ -47,6 +47,15 @@ TEST(Parameters, AWordMayStandInPlaceOfANumber) {
   EXPECT_NE(message_of({{"limit", "9"}}).find("between 0 and 8"), std::string::npos);
 }
 
+TEST(Parameters, AllButTheBasicOnesAreForExperts) {
+  auto declared = specs();
+  mark_experts(declared, {"sigma", "chains"});
+  std::string basic;
+  for (const ParameterSpec& spec : declared) basic += spec.expert ? "" : spec.name + " ";
+  EXPECT_EQ(basic, "chains sigma ");
+  EXPECT_THROW(mark_experts(declared, {"sigmas"}), std::logic_error);
+}
+
 TEST(Parameters, BooleansHaveOneSpellingInside) {
   const auto declared = specs();
   for (const char* no : {"false", "off", "no", "0"}) {

@@ -174,6 +174,8 @@ std::vector<ParameterSpec> chain_parameters(ChainKind kind) {
        .unit = "",
        .help = "large steps count as ordinary Monte Carlo samples, too (Kelemen et al. 2002)",
        .choices = {}}};
+  add_plane_parameters(specs);
+  mark_experts(specs, {"techniques", "large-step", "bootstrap", "direct", "importance"});
   if (kind == ChainKind::OnePath) {
     specs.push_back(
         {.name = kLightPathsPerPixel,
@@ -186,7 +188,6 @@ std::vector<ParameterSpec> chain_parameters(ChainKind kind) {
          .minimum = 0.001,
          .maximum = PathSampler::kMaxLightSubpaths});
   }
-  add_plane_parameters(specs);
   if (kind == ChainKind::WholePath) {
     specs.push_back({.name = "roulette-start",
                      .type = ParameterType::Int,
@@ -195,7 +196,8 @@ std::vector<ParameterSpec> chain_parameters(ChainKind kind) {
                      .help = "path length from which Russian roulette may end a dim path",
                      .choices = {},
                      .minimum = 1,
-                     .maximum = 60000});
+                     .maximum = 60000,
+                     .expert = true});
   }
   return specs;
 }

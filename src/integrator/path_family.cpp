@@ -320,7 +320,7 @@ PathSamplerSettings sampler_settings(const RenderSettings& settings, const Param
 }
 
 std::vector<ParameterSpec> path_family_parameters(const PathFamilyDefaults& defaults) {
-  return {
+  std::vector<ParameterSpec> specs = {
       {.name = "techniques",
        .type = ParameterType::Text,
        .default_value = defaults.techniques,
@@ -368,6 +368,8 @@ std::vector<ParameterSpec> path_family_parameters(const PathFamilyDefaults& defa
        .choices = {},
        .minimum = 1,
        .maximum = 60000}};
+  mark_experts(specs, {"techniques", kLightPathsPerPixel, "sampler"});
+  return specs;
 }
 
 std::unique_ptr<Integrator> make_path_integrator(const Scene& scene, const RenderSettings& settings,

@@ -49,6 +49,8 @@ std::vector<ParameterSpec> selective_parameters() {
       if (!known && means_something) specs.push_back(std::move(spec));
     }
   }
+  mark_experts(specs,
+               {"chain", "techniques", kLightPathsPerPixel, "regions", "importance", "edges"});
   return specs;
 }
 

@@ -54,11 +54,8 @@ std::string type_name(ParameterType type) {
 }
 
 Json parameter_json(const ParameterSpec& spec) {
-  Json json{{"name", spec.name},
-            {"type", type_name(spec.type)},
-            {"default", spec.default_value},
-            {"unit", spec.unit},
-            {"help", spec.help}};
+  Json json{{"name", spec.name}, {"type", type_name(spec.type)}, {"default", spec.default_value},
+            {"unit", spec.unit}, {"expert", spec.expert},        {"help", spec.help}};
   if (!spec.choices.empty()) json["choices"] = spec.choices;
   if (spec.minimum > -1e300) json["minimum"] = spec.minimum;
   if (spec.maximum < 1e300) json["maximum"] = spec.maximum;
@@ -68,6 +65,11 @@ Json parameter_json(const ParameterSpec& spec) {
 std::vector<CatalogEntry> entries(const std::string& kind) {
   if (kind == "materials") return material_catalog();
   if (kind == "scenes") return scene_catalog();
+  if (kind == "integrators") {
+    std::vector<CatalogEntry> methods;
+    for (const IntegratorInfo& info : integrators()) methods.push_back({info.name, info.summary});
+    return methods;
+  }
   std::vector<CatalogEntry> layers;
   for (const AovInfo& aov : aovs()) {
     layers.push_back({aov.name, aov.summary + (aov.part_of_all ? "" : "; not part of \"all\"")});
@@ -75,15 +77,12 @@ std::vector<CatalogEntry> entries(const std::string& kind) {
   return layers;
 }
 
-std::string integrators_text() {
+std::string parameters_text(const IntegratorInfo& info, bool expert) {
   std::string text;
-  for (const IntegratorInfo& info : integrators()) {
-    text += fmt::format("  {:<16}  {}\n", info.name, info.summary);
-    if (!info.source.empty()) text += fmt::format("  {:<16}  ({})\n", "", info.source);
-    for (const ParameterSpec& spec : info.parameters) {
-      text += fmt::format("    --set {}={}{}  [{}]  {}\n", spec.name, spec.default_value,
-                          spec.unit.empty() ? "" : " " + spec.unit, type_text(spec), spec.help);
-    }
+  for (const ParameterSpec& spec : info.parameters) {
+    if (spec.expert != expert) continue;
+    text += fmt::format("  {}={}{}  [{}]\n      {}\n", spec.name, spec.default_value,
+                        spec.unit.empty() ? "" : " " + spec.unit, type_text(spec), spec.help);
   }
   return text;
 }
@@ -138,9 +137,11 @@ const std::vector<std::string>& catalog_kinds() {
 
 std::string catalog_text(const std::string& kind) {
   std::string text = kind + ":\n";
-  if (kind == "integrators") return text + integrators_text();
   for (const CatalogEntry& entry : entries(kind)) {
     text += fmt::format("  {:<20}  {}\n", entry.name, entry.summary);
+  }
+  if (kind == "integrators") {
+    text += "\najar list integrators NAME shows the parameters of one, --json those of all\n";
   }
   return text;
 }
@@ -153,15 +154,27 @@ Json catalog_json(const std::string& kind) {
     }
     return list;
   }
-  for (const IntegratorInfo& info : integrators()) {
-    Json parameters = Json::array();
-    for (const ParameterSpec& spec : info.parameters) parameters.push_back(parameter_json(spec));
-    list.push_back({{"name", info.name},
-                    {"summary", info.summary},
-                    {"source", info.source},
-                    {"parameters", parameters}});
-  }
+  for (const IntegratorInfo& info : integrators()) list.push_back(integrator_json(info));
   return list;
+}
+
+std::string integrator_text(const IntegratorInfo& info) {
+  std::string text = fmt::format("{}: {}\n", info.name, info.summary);
+  if (!info.source.empty()) text += fmt::format("  ({})\n", info.source);
+  const std::string basic = parameters_text(info, false);
+  const std::string expert = parameters_text(info, true);
+  if (!basic.empty()) text += "\nparameters (--set NAME=VALUE), with their defaults:\n" + basic;
+  if (!expert.empty()) text += "\nexpert parameters:\n" + expert;
+  return text;
+}
+
+Json integrator_json(const IntegratorInfo& info) {
+  Json parameters = Json::array();
+  for (const ParameterSpec& spec : info.parameters) parameters.push_back(parameter_json(spec));
+  return {{"name", info.name},
+          {"summary", info.summary},
+          {"source", info.source},
+          {"parameters", parameters}};
 }
 
 }  // namespace ajar

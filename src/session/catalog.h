@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "integrator/integrator.h"
+
 namespace ajar {
 
 /// A name with its one-line explanation.
@@ -21,9 +23,14 @@ std::vector<std::string> checked_aovs(const std::vector<std::string>& names);
 
 /// What `ajar list` can list: integrators, materials, aovs, scenes.
 const std::vector<std::string>& catalog_kinds();
-/// One catalogue for people, and for programs (array of objects with name, summary; integrators
-/// also have source and parameters).
+/// One catalogue for people (a line per entry), and for programs (array of objects with name,
+/// summary; integrators also have source and parameters).
 std::string catalog_text(const std::string& kind);
 nlohmann::ordered_json catalog_json(const std::string& kind);
+
+/// One integrator with its parameters, for people: those for experts come last, under a heading of
+/// their own.
+std::string integrator_text(const IntegratorInfo& info);
+nlohmann::ordered_json integrator_json(const IntegratorInfo& info);
 
 }  // namespace ajar

@@ -9,6 +9,7 @@
 #include "image/film.h"
 #include "integrator/integrator.h"
 #include "session/budget.h"
+#include "session/display.h"
 #include "session/job_state.h"
 #include "session/output.h"
 
@@ -42,7 +43,7 @@ struct Checkpoint {
   Budget budget;
   std::vector<std::string> outputs;  ///< absolute paths
   std::string tone_map = "srgb";
-  float exposure = 0.F;
+  Exposure exposure;
 
   std::vector<LayerSpec> layers;
   Development scales;  ///< of the film as it is

@@ -105,10 +105,11 @@ void serialize(A& archive, JobState& job) {
 template <Archive A>
 void serialize(A& archive, Checkpoint& checkpoint) {
   archive(checkpoint.version, checkpoint.render, checkpoint.budget, checkpoint.outputs,
-          checkpoint.tone_map, checkpoint.exposure, checkpoint.layers, checkpoint.scales,
-          checkpoint.job, checkpoint.integrator_state, checkpoint.preparation, checkpoint.prepared,
-          checkpoint.preparation_rounds, checkpoint.other_seconds, checkpoint.resumptions,
-          checkpoint.interruptions, checkpoint.merged);
+          checkpoint.tone_map, checkpoint.exposure.automatic, checkpoint.exposure.stops,
+          checkpoint.layers, checkpoint.scales, checkpoint.job, checkpoint.integrator_state,
+          checkpoint.preparation, checkpoint.prepared, checkpoint.preparation_rounds,
+          checkpoint.other_seconds, checkpoint.resumptions, checkpoint.interruptions,
+          checkpoint.merged);
 }
 
 }  // namespace ajar

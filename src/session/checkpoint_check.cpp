@@ -8,6 +8,7 @@
 
 #include "core/error.h"
 #include "core/milestones.h"
+#include "image/exposure.h"
 #include "image/tone_map.h"
 #include "session/catalog.h"
 
@@ -19,7 +20,6 @@ namespace {
 constexpr int kMaxResolution = 65536;
 constexpr int kMaxDepth = 1000001;
 constexpr std::uint64_t kMaxShares = 1000000;
-constexpr float kMostStops = 64.F;
 /// Far beyond any light, and far from where powers of two end.
 constexpr double kLargestMagnitude = 1e100;
 
@@ -192,7 +192,7 @@ void check_display(const Checkpoint& checkpoint) {
   } catch (const UsageError& error) {
     throw std::runtime_error(error.what());
   }
-  require(std::abs(checkpoint.exposure) <= kMostStops, "its exposure cannot be");
+  require(std::abs(checkpoint.exposure.stops) <= kMostStops, "its exposure cannot be");
 }
 
 }  // namespace

@@ -41,6 +41,7 @@ class CheckpointFile : public testing::Test {
     render.aovs = {"albedo"};
     checkpoint_.budget.seconds = 3.5;
     checkpoint_.outputs = {"/a/b.exr"};
+    checkpoint_.exposure = {true, 0.5F};
     checkpoint_.layers = {{.name = "direct", .magnitude = 0.3},
                           {.name = "indirect"},
                           {.name = "albedo", .has_replicates = false}};
@@ -98,6 +99,8 @@ TEST_F(CheckpointFile, KeepsEverything) {
   EXPECT_EQ(read.job.counters.rays_out_of_range, 567U);
   EXPECT_EQ(read.job.counters.techniques.sums(), checkpoint_.job.counters.techniques.sums());
   EXPECT_EQ(read.integrator_state, checkpoint_.integrator_state);
+  EXPECT_TRUE(read.exposure.automatic);
+  EXPECT_EQ(read.exposure.stops, 0.5F);
   EXPECT_EQ(read.budget.seconds, 3.5);
   EXPECT_FALSE(read.budget.samples_per_pixel.has_value());
   // All else: writing it again gives the same bytes.
@@ -212,7 +215,7 @@ TEST_F(HostileCheckpoint, IsRefusedForItsRender) {
   expect_refused("its share", [](C& c) { c.render.share = {0, 0}; });
   expect_refused("its share", [](C& c) { c.render.share = {2, 2}; });
   expect_refused("tone map", [](C& c) { c.tone_map = "magic"; });
-  expect_refused("its exposure", [](C& c) { c.exposure = std::nanf(""); });
+  expect_refused("its exposure", [](C& c) { c.exposure.stops = std::nanf(""); });
   expect_refused("its budget", [](C& c) { c.budget.samples_per_pixel = ~std::uint64_t{0}; });
   expect_refused("its budget", [](C& c) { c.budget.seconds = kNan; });
 }

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "core/error.h"
+#include "image/exposure.h"
 
 namespace ajar {
 
@@ -103,6 +104,16 @@ double parse_number(const std::string& option, std::string_view text, const std:
     reject(option, text, fmt::format("a number of {} from {} to {}", what, minimum, maximum));
   }
   return *value;
+}
+
+Exposure parse_exposure(const std::string& option, std::string_view text) {
+  if (text == "auto") return {.automatic = true};
+  const auto stops = whole_text_number<double>(text);
+  if (!stops || !(std::abs(*stops) <= kMostStops)) {
+    reject(option, text,
+           fmt::format("a number of stops from {} to {}, or auto", -kMostStops, kMostStops));
+  }
+  return {.stops = static_cast<float>(*stops)};
 }
 
 double parse_relative_error(const std::string& option, std::string_view text) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/vector.h"
+#include "session/display.h"
 #include "session/job_state.h"
 
 /// Values of command-line options. Each function raises UsageError that names the option and shows
@@ -24,6 +25,8 @@ std::uint64_t parse_whole(const std::string& option, std::string_view text, std:
 /// A number from `minimum` to `maximum`; `what` says of what, such as "stops".
 double parse_number(const std::string& option, std::string_view text, const std::string& what,
                     double minimum, double maximum);
+/// A number of stops, or `auto`.
+Exposure parse_exposure(const std::string& option, std::string_view text);
 /// `0.05` or `5%` → 0.05, above 0 and at most 1.
 double parse_relative_error(const std::string& option, std::string_view text);
 

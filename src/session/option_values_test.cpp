@@ -100,12 +100,28 @@ TEST(List, DropsEmptyAndRepeatedNames) {
 
 TEST(OptionValues, NumbersAreToldInWords) {
   EXPECT_EQ(parse_whole("--spp", "64", 1, 100), 64U);
-  EXPECT_EQ(parse_number("--exposure", "-2.5", "stops", -64.0, 64.0), -2.5);
+  EXPECT_EQ(parse_number("--scale", "-2.5", "times", -64.0, 64.0), -2.5);
   for (const char* text : {"", "0", "101", "1.5", "-1", "many", "1e1", "99999999999999999999"}) {
     EXPECT_THROW(parse_whole("--spp", text, 1, 100), UsageError) << text;
   }
   for (const char* text : {"", "lots", "nan", "inf", "-65", "1 stop"}) {
-    EXPECT_THROW(parse_number("--exposure", text, "stops", -64.0, 64.0), UsageError) << text;
+    EXPECT_THROW(parse_number("--scale", text, "times", -64.0, 64.0), UsageError) << text;
+  }
+}
+
+TEST(OptionValues, AnExposureIsANumberOrAuto) {
+  EXPECT_EQ(parse_exposure("--exposure", "-2.5").stops, -2.5F);
+  EXPECT_FALSE(parse_exposure("--exposure", "-2.5").automatic);
+  EXPECT_TRUE(parse_exposure("--exposure", "auto").automatic);
+  for (const char* text : {"", "lots", "nan", "inf", "-65", "1 stop", "Auto", "auto "}) {
+    try {
+      parse_exposure("--exposure", text);
+      ADD_FAILURE() << text;
+    } catch (const UsageError& error) {
+      EXPECT_NE(std::string(error.what()).find("stops from -64 to 64, or auto, not"),
+                std::string::npos)
+          << error.what();
+    }
   }
 }
 

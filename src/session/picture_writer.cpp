@@ -7,8 +7,8 @@
 namespace ajar {
 
 PictureWriter::PictureWriter(std::vector<std::string> paths, double every,
-                             const InterruptCount* requests, DisplayOptions display,
-                             Develop develop, RepeatedWriting::Say warn, RepeatedWriting::Say note)
+                             const InterruptCount* requests, Display display, Develop develop,
+                             RepeatedWriting::Say warn, RepeatedWriting::Say note)
     : paths_(std::move(paths)),
       requests_(requests),
       display_(display),
@@ -26,7 +26,8 @@ void PictureWriter::see_picture(const Film& film, const JobState& state) {
   answered_ = requested();
   const bool written = writing_.attempt([&] {
     const Picture picture = develop_(film, state);
-    for (const std::string& path : paths_) write_image(path, picture, display_);
+    const DisplayOptions display = display_.of(picture);
+    for (const std::string& path : paths_) write_image(path, picture, display);
   });
   if (asked && written) {
     note_(fmt::format("wrote the picture with {} samples per pixel", state.samples_per_pixel));

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "session/display.h"
 #include "session/interrupts.h"
 #include "session/output.h"
 #include "session/pass_observer.h"
@@ -18,7 +19,7 @@ class PictureWriter final : public PassObserver {
 
   /// `every`: seconds; infinite for signals only. `requests` may be null.
   PictureWriter(std::vector<std::string> paths, double every, const InterruptCount* requests,
-                DisplayOptions display, Develop develop, RepeatedWriting::Say warn,
+                Display display, Develop develop, RepeatedWriting::Say warn,
                 RepeatedWriting::Say note);
 
   bool wants_picture(const JobState& state) override;
@@ -30,7 +31,7 @@ class PictureWriter final : public PassObserver {
   std::vector<std::string> paths_;
   const InterruptCount* requests_;
   int answered_ = 0;  ///< requests
-  DisplayOptions display_;
+  Display display_;
   Develop develop_;
   RepeatedWriting writing_;
   RepeatedWriting::Say note_;

@@ -66,5 +66,32 @@ TEST(PictureWriter, WritesThePixelsThatWereDeveloped) {
   fs::remove_all(folder);
 }
 
+TEST(PictureWriter, ExposesEachPictureByItselfIfAskedTo) {
+  const fs::path folder =
+      fs::temp_directory_path() / ("ajar-picture-exposure-" + std::to_string(getpid()));
+  fs::create_directories(folder);
+  const std::string path = folder / "a.png";
+  InterruptCount requests{0};
+  float light = 0.F;
+  const auto grey = [&light](const Film&, const JobState&) {
+    Picture picture;
+    picture.resolution = {4, 4};
+    picture.crop = Box2i({0, 0}, {3, 3});
+    picture.layers.push_back({"", 3, std::vector<float>(48, light)});
+    return picture;
+  };
+  const auto say = [](const std::string&) {};
+  const Display display{ToneMap::Srgb, {.automatic = true}};
+  PictureWriter writer({path}, 1e9, &requests, display, grey, say, say);
+  const Film film({1, 1}, Box2i({0, 0}, {0, 0}), Filter::box(), 1, {{.name = "direct"}});
+  for (const float value : {0.002F, 18.F}) {
+    light = value;
+    ++requests;
+    writer.see_picture(film, {});
+    EXPECT_NEAR(read_image(path).data.front(), srgb_from_linear(0.18F), 0.02F) << value;
+  }
+  fs::remove_all(folder);
+}
+
 }  // namespace
 }  // namespace ajar

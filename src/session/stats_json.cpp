@@ -54,6 +54,11 @@ Json parameters_json(const RenderStatistics& s) {
   return parameters;
 }
 
+/// Stops are decimal for those who read them, not what a float makes of them.
+Json exposure_json(const Exposure& exposure) {
+  return {{"stops", std::stod(fmt::format("{}", exposure.stops))}, {"auto", exposure.automatic}};
+}
+
 Json discarded_json(const Counters& counters, const Counters& preparation) {
   return {{"nan", counters.discarded_nan},
           {"infinite", counters.discarded_infinite},
@@ -208,6 +213,7 @@ Json to_json(const RenderStatistics& s) {
   json["stopped_by"] = to_string(r.stopped_by);
   json["interrupted"] = r.stopped_by == StopReason::Interrupted;
   json["complete"] = r.complete;
+  json["exposure"] = exposure_json(s.exposure);
   json["outputs"] = s.outputs;
   return json;
 }

@@ -8,6 +8,7 @@
 
 #include "core/error.h"
 #include "core/vector.h"
+#include "session/display.h"
 #include "session/render_job.h"
 
 namespace ajar {
@@ -48,6 +49,7 @@ struct RenderStatistics {
   std::size_t warning_count = 0;
   std::vector<std::string> warnings;  ///< texts, at most `Warnings::kMaxKept`
   std::vector<std::string> outputs;
+  Exposure exposure;  ///< of pictures for the eye: `stops` are those used, whoever chose them
 };
 
 /// Statistics as JSON with the keys of the manual (docs/command-line.md). What Markov chains alone

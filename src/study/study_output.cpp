@@ -66,6 +66,8 @@ Json row_json(const StudyPlan& plan, const SummaryRow& row) {
             {"method", plan.methods[row.method].name},
             {"budget", plan.budgets[row.budget].name()},
             {"seconds", mean_json(row.seconds)},
+            {"cpu_seconds", mean_json(row.cpu_seconds)},
+            {"disturbed", row.disturbed},
             {"samples_per_pixel", mean_json(row.samples)},
             {"acceptance",
              {{"all", optional_json(row.acceptance)},
@@ -90,6 +92,10 @@ Json run_json(const StudyPlan& plan, const FinishedRun& finished) {
           {"seed", run.seed},
           {"picture", run.stem.string() + ".exr"},
           {"seconds", finished.record.seconds()},
+          {"cpu_seconds", optional_json(finished.record.number("cpu_seconds"))},
+          {"cpu_share", optional_json(finished.record.cpu_share())},
+          {"disturbed", finished.record.is_disturbed()},
+          {"attempt", record.value("attempt", 1)},
           {"metrics", record.value("metrics", Json::object())},
           {"load_average", record.value("load_average", Json())},
           {"machine", record.value("machine", Json())},
@@ -184,7 +190,8 @@ std::string to_markdown(const StudyPlan& plan, const StudyResult& result,
 
 std::string to_csv(const StudyPlan& plan, const std::vector<SummaryRow>& rows) {
   std::string text =
-      "scene,method,budget,runs,seconds,seconds_error,samples_per_pixel,samples_per_pixel_error,"
+      "scene,method,budget,runs,seconds,seconds_error,cpu_seconds,cpu_seconds_error,disturbed,"
+      "samples_per_pixel,samples_per_pixel_error,"
       "acceptance,acceptance_small,acceptance_large";
   for (const Metric* metric : plan.metrics) {
     text += fmt::format(",{0},{0}_error", metric->name);
@@ -194,7 +201,8 @@ std::string to_csv(const StudyPlan& plan, const std::vector<SummaryRow>& rows) {
     text += fmt::format("{},{},{},{}", csv_cell(plan.scenes[row.scene].name),
                         csv_cell(plan.methods[row.method].name), plan.budgets[row.budget].name(),
                         row.seconds.count);
-    text += csv_mean(row.seconds) + csv_mean(row.samples);
+    text += csv_mean(row.seconds) + csv_mean(row.cpu_seconds);
+    text += fmt::format(",{}", row.disturbed) + csv_mean(row.samples);
     text += csv_number(row.acceptance) + csv_number(row.small_acceptance) +
             csv_number(row.large_acceptance);
     for (const Mean& metric : row.metrics) text += csv_mean(metric);

@@ -328,14 +328,16 @@ void check_method_budgets(const JsonNode& integrators, const std::vector<std::st
 }
 
 void read_metrics(const JsonNode& study, StudyPlan& plan) {
-  std::vector<std::string> names;
   if (study.has("metrics")) {
     for (const JsonNode& node : study.at("metrics").elements()) {
-      node.check([&] { metrics_by_name({node.text()}); });
-      names.push_back(node.text());
+      const Metric* metric = nullptr;
+      node.check([&] { metric = metrics_by_name({node.text()}).front(); });
+      const bool is_new =
+          std::find(plan.metrics.begin(), plan.metrics.end(), metric) == plan.metrics.end();
+      if (is_new) plan.metrics.push_back(metric);
     }
   }
-  plan.metrics = metrics_by_name(names);
+  if (plan.metrics.empty()) plan.metrics = metrics_by_name({});
   std::vector<std::string> squared;
   for (const Metric* metric : plan.metrics) {
     for (const char* name : {"relmse", "relmse-trimmed", "mse"}) {

@@ -53,9 +53,9 @@ struct StudyPlan {
   std::vector<Method> methods;
   std::vector<std::uint64_t> seeds;
   std::vector<RunBudget> budgets;
-  std::vector<const Metric*> metrics;
-  std::string baseline;           ///< name of a method
-  std::string efficiency_metric;  ///< name of one of `metrics`, a squared error
+  std::vector<const Metric*> metrics;  ///< as listed; the first is shown while it runs
+  std::string baseline;                ///< name of a method
+  std::string efficiency_metric;       ///< name of one of `metrics`, a squared error
   int threads = 0;
 };
 

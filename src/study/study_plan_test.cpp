@@ -68,6 +68,14 @@ TEST_F(StudyFile, FillsInWhatIsNotSaid) {
   EXPECT_EQ(plan.scenes[0].made_reference.value().limits.at(0).name(), "16spp");
 }
 
+TEST_F(StudyFile, MetricsStayInTheirOrder) {
+  const std::string rest = kRest;
+  const StudyPlan plan = read(study(rest + R"(, "metrics": ["relmse", "flip", "mse", "flip"])"));
+  std::string names;
+  for (const Metric* metric : plan.metrics) names += metric->name + " ";
+  EXPECT_EQ(names, "relmse flip mse ");
+}
+
 TEST_F(StudyFile, TheFirstSceneAndReferenceThatExistWin) {
   const StudyPlan plan =
       read(study(R"("budgets": [{"time": "90s"}], "reference": ["absent.exr", "reference.pfm"])",

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "core/error.h"
 #include "core/regular_file.h"
 #include "session/stats_json.h"
@@ -122,6 +124,7 @@ bool is_record(const Json& json) {
          has(json, "statistics", has_statistics) &&
          (!json.contains("metrics") ||
           (has(json, "metrics", is_object) && has(json, "reference", is_text))) &&
+         (!json.contains("attempt") || has(json, "attempt", is_number)) &&
          (!json.contains("machine") || has(json, "machine", is_object));
 }
 
@@ -145,6 +148,21 @@ std::optional<double> RunRecord::number(const std::string& statistic) const {
   if (!statistics.contains(statistic) || !statistics.at(statistic).is_number()) return std::nullopt;
   return statistics.at(statistic).get<double>();
 }
+
+std::optional<double> RunRecord::cpu_share() const {
+  constexpr double kShortest = 0.5;  // seconds
+  const double seconds = json.at("statistics").at("seconds").at("render").get<double>();
+  const std::optional<double> used = number("cpu_seconds");
+  double processors = number("threads").value_or(0.0);
+  const auto machine = json.find("machine");
+  if (machine != json.end() && machine->contains("cores") && machine->at("cores").is_number()) {
+    processors = std::min(processors, machine->at("cores").get<double>());
+  }
+  if (!used || seconds < kShortest || !(processors > 0.0)) return std::nullopt;
+  return *used / (processors * seconds);
+}
+
+bool RunRecord::is_disturbed() const { return cpu_share().value_or(1.0) < kFairCpuShare; }
 
 std::optional<RunRecord> finished_record(const StudyRun& run) {
   std::error_code ignored;

@@ -33,6 +33,9 @@ struct StudyRun {
 std::vector<StudyRun> expand(const StudyPlan& plan, const std::vector<std::string>& scene_hashes,
                              const std::filesystem::path& out);
 
+/// Runs that had less of the processors were disturbed: their times mislead.
+inline constexpr double kFairCpuShare = 0.75;
+
 /// What is known of a finished run: the JSON file beside its picture.
 struct RunRecord {  // NOLINT(bugprone-exception-escape): moving JSON throws nothing
   nlohmann::ordered_json json;
@@ -41,6 +44,11 @@ struct RunRecord {  // NOLINT(bugprone-exception-escape): moving JSON throws not
   double seconds() const;
   std::optional<double> metric(const std::string& name) const;
   std::optional<double> number(const std::string& statistic) const;
+  /// Processor time of the rendering, of what its threads could have had of this machine: near 1
+  /// where nothing else runs. Empty if unknown, or for less than half a second, which tells little.
+  std::optional<double> cpu_share() const;
+  /// Whether that is less than `kFairCpuShare`.
+  bool is_disturbed() const;
 };
 
 /// The record of a run that finished with the same key and still has its picture; else empty.

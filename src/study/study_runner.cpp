@@ -66,11 +66,12 @@ class Runner {
     for (std::size_t i = 0; i < runs_.size(); ++i) {
       if (interrupt_count() > 0) result_.interrupted = true;
       const bool is_new = !records_[i];
-      if (is_new && !result_.interrupted) render(i);
+      if (is_new && !result_.interrupted) render_undisturbed(i);
       if (!records_[i]) continue;
       keep(i);
       if (is_new && !runs_[i].is_reference) report_quality(*records_[i]);
     }
+    warn_of_disturbed_runs();
     for (const std::string& reference : result_.references) {
       result_.noise.push_back(reference_noise(reference));
     }
@@ -82,7 +83,19 @@ class Runner {
     return run.stem.string() + suffix;
   }
 
-  void render(std::size_t i) {
+  /// Once more if others had a good part of the processors meanwhile; what comes of that counts.
+  void render_undisturbed(std::size_t i) {
+    render(i, 1);
+    const std::optional<RunRecord>& record = records_[i];
+    if (runs_[i].is_reference || !record || !record->is_disturbed()) return;
+    options_.report(
+        fmt::format("    had {:.0f} % of its CPU time, as something else runs: repeated",
+                    100.0 * *record->cpu_share()));
+    records_[i].reset();
+    render(i, 2);
+  }
+
+  void render(std::size_t i, int attempt) {
     const StudyRun& run = runs_[i];
     fs::create_directories(run.stem.parent_path());
     // A picture without a record is not finished, and neither is one with an older record.
@@ -116,6 +129,7 @@ class Runner {
                       {"title", run.title},
                       {"arguments", command.arguments},
                       {"seconds", clock.seconds()},
+                      {"attempt", attempt},
                       {"load_average", load},
                       {"machine", machine_},
                       {"statistics", Json::parse(statistics)}}};
@@ -163,7 +177,9 @@ class Runner {
     const std::string& metric = plan_.metrics.front()->name;
     const std::optional<double> value = record.metric(metric);
     if (value) {
-      options_.report(fmt::format("    {:.3g} s, {} {:.4g}", record.seconds(), metric, *value));
+      const double cpu = record.number("cpu_seconds").value_or(0.0);
+      options_.report(fmt::format("    {:.3g} s, {:.3g} s of CPU, {} {:.4g}", record.seconds(), cpu,
+                                  metric, *value));
     }
   }
 
@@ -209,6 +225,18 @@ class Runner {
     return fmt::format("{} {} {}", fs::path(reference).filename().string(),
                        fs::file_size(reference),
                        fs::last_write_time(reference).time_since_epoch().count());
+  }
+
+  void warn_of_disturbed_runs() {
+    const auto disturbed =
+        std::count_if(result_.runs.begin(), result_.runs.end(),
+                      [](const FinishedRun& finished) { return finished.record.is_disturbed(); });
+    if (disturbed == 0) return;
+    result_.warnings.push_back(fmt::format(
+        "{} of {} renders had less than {:.0f} % of their CPU time, also when they were "
+        "repeated: something else ran on this machine, and what is said of their time "
+        "misleads (remove seed-N.record.json of those marked in {} to repeat them)",
+        disturbed, result_.runs.size(), 100.0 * kFairCpuShare, (options_.out / "runs").string()));
   }
 
   void warn_of_other_builds() {

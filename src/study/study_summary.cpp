@@ -77,6 +77,10 @@ SummaryRow row_of(const StudyPlan& plan, const Runs& runs) {
   row.budget = first.budget;
   row.seconds = mean_of(
       values_of(runs, [](const RunRecord& record) { return std::optional(record.seconds()); }));
+  row.cpu_seconds = mean_of(
+      values_of(runs, [](const RunRecord& record) { return record.number("cpu_seconds"); }));
+  row.disturbed = static_cast<std::size_t>(std::count_if(
+      runs.begin(), runs.end(), [](const FinishedRun* run) { return run->record.is_disturbed(); }));
   row.samples = mean_of(
       values_of(runs, [](const RunRecord& record) { return record.number("samples_per_pixel"); }));
   row.acceptance = whole_acceptance(runs);

@@ -36,6 +36,8 @@ struct SummaryRow {
   std::size_t method = 0;
   std::size_t budget = 0;
   Mean seconds;                      ///< preparing and rendering
+  Mean cpu_seconds;                  ///< of all threads, rendering
+  std::size_t disturbed = 0;         ///< runs that had too little of the processors
   Mean samples;                      ///< per pixel, as `--spp` counts them
   std::optional<double> acceptance;  ///< of all mutations; mean over seeds, as the next two
   std::optional<double> small_acceptance;

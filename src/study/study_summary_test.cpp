@@ -95,6 +95,8 @@ class Summary : public testing::Test {
         {"metrics", {{"relmse", error}, {"psnr", nullptr}}},
         {"statistics",
          {{"seconds", {{"load", 9.0}, {"build", 9.0}, {"prepare", 0.05}, {"render", 0.45}}},
+          {"cpu_seconds", 0.9},
+          {"threads", 2},
           {"samples_per_pixel", 4},
           {"acceptance", acceptance}}}};
     result_.runs.push_back(finished);
@@ -133,14 +135,15 @@ TEST_F(Summary, TablesHaveTheNumbers) {
   const std::vector<SummaryRow> rows = summarise(plan_, result_);
   const std::string markdown = to_markdown(plan_, result_, rows);
   EXPECT_NE(
-      markdown.find("| b, c | 3 | 0.5 ± 0 | 4 ± 0 | 0.30 (0.25 / 0.50) | 0.3 ± 0.15 | - | 4 ["),
+      markdown.find(
+          "| b, c | 3 | 0.5 ± 0 | 0.9 ± 0 | 4 ± 0 | 0.30 (0.25 / 0.50) | 0.3 ± 0.15 | - | 4 ["),
       std::string::npos)
       << markdown;
   // 0.05 is more than a tenth of 0.3, but not of 1.2.
   EXPECT_NE(markdown.find("] \\* |"), std::string::npos) << markdown;
   EXPECT_NE(markdown.find("| 1.2 ± 0.61 | - | 1 |"), std::string::npos) << markdown;
   const std::string csv = to_csv(plan_, rows);
-  EXPECT_NE(csv.find("\nroom,\"b, c\",4spp,3,0.5,0,4,0,0.3,0.25,0.5,0.3,0.152752523,,,4,"),
+  EXPECT_NE(csv.find("\nroom,\"b, c\",4spp,3,0.5,0,0.9,0,0,4,0,0.3,0.25,0.5,0.3,0.152752523,,,4,"),
             std::string::npos)
       << csv;
   const Json json = to_json(plan_, result_, rows);
@@ -151,8 +154,33 @@ TEST_F(Summary, TablesHaveTheNumbers) {
   std::istringstream lines(csv);
   for (std::string line; std::getline(lines, line);) {
     const auto commas = std::count(line.begin(), line.end(), ',');
-    EXPECT_EQ(commas - (line.find('"') != std::string::npos ? 1 : 0), 17) << line;
+    EXPECT_EQ(commas - (line.find('"') != std::string::npos ? 1 : 0), 20) << line;
   }
+}
+
+TEST_F(Summary, RunsThatHadLittleCpuTimeAreMarked) {
+  // Of a second on two threads; the machine has one core more.
+  const auto rendered = [&](std::size_t run, double cpu, int threads) -> RunRecord& {
+    Json& json = result_.runs[run].record.json;
+    json["machine"] = {{"cores", 3}};
+    json.at("statistics").at("seconds").at("render") = 1.0;
+    json.at("statistics")["cpu_seconds"] = cpu;
+    json.at("statistics")["threads"] = threads;
+    return result_.runs[run].record;
+  };
+  EXPECT_FALSE(result_.runs[0].record.cpu_share()) << "too short to tell";
+  EXPECT_NEAR(rendered(0, 1.9, 2).cpu_share().value(), 0.95, 1e-12);
+  EXPECT_NEAR(rendered(2, 3.0, 6).cpu_share().value(), 1.0, 1e-12) << "of the cores there are";
+  EXPECT_NEAR(rendered(4, 1.2, 2).cpu_share().value(), 0.6, 1e-12);
+  const std::vector<SummaryRow> rows = summarise(plan_, result_);
+  EXPECT_EQ(rows[0].disturbed, 1U);
+  EXPECT_EQ(rows[1].disturbed, 0U);
+  const std::string markdown = to_markdown(plan_, result_, rows);
+  EXPECT_NE(markdown.find("(† 1/3) |"), std::string::npos) << markdown;
+  const Json runs = to_json(plan_, result_, rows).at("runs");
+  EXPECT_EQ(runs.at(4).at("disturbed"), true);
+  EXPECT_EQ(runs.at(4).at("cpu_seconds"), 1.2);
+  EXPECT_EQ(runs.at(5).at("disturbed"), false);
 }
 
 TEST_F(Summary, NamesAreNeitherMarkupNorFormulas) {

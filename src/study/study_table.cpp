@@ -16,6 +16,11 @@ std::string with_error(const Mean& mean) {
   return fmt::format("{:.4g} ± {:.2g}", mean.mean, mean.standard_error);
 }
 
+std::string cpu_text(const SummaryRow& row) {
+  return with_error(row.cpu_seconds) +
+         (row.disturbed > 0 ? fmt::format(" († {}/{})", row.disturbed, row.seconds.count) : "");
+}
+
 std::string ratio_text(const std::optional<Ratio>& ratio) {
   if (!ratio) return "-";
   if (!ratio->low) return fmt::format("{:.3g}", ratio->value);
@@ -42,7 +47,11 @@ bool is_loud(const StudyPlan& plan, const StudyResult& result, const SummaryRow&
 }  // namespace
 
 std::vector<std::string> table_header(const StudyPlan& plan) {
-  std::vector<std::string> header{"method", "runs", "seconds", "samples per pixel",
+  std::vector<std::string> header{"method",
+                                  "runs",
+                                  "seconds",
+                                  "CPU seconds",
+                                  "samples per pixel",
                                   "acceptance (small / large steps)"};
   for (const Metric* metric : plan.metrics) {
     header.push_back(metric->name + (metric->unit.empty() ? "" : " [" + metric->unit + "]"));
@@ -53,9 +62,10 @@ std::vector<std::string> table_header(const StudyPlan& plan) {
 
 std::vector<std::string> table_cells(const StudyPlan& plan, const StudyResult& result,
                                      const SummaryRow& row) {
-  std::vector<std::string> cells{plan.methods[row.method].name,
-                                 fmt::format("{}", row.seconds.count), with_error(row.seconds),
-                                 with_error(row.samples), acceptance_text(row)};
+  std::vector<std::string> cells{
+      plan.methods[row.method].name, fmt::format("{}", row.seconds.count),
+      with_error(row.seconds),       cpu_text(row),
+      with_error(row.samples),       acceptance_text(row)};
   for (const Mean& metric : row.metrics) cells.push_back(with_error(metric));
   cells.push_back(ratio_text(row.efficiency) + (is_loud(plan, result, row) ? " *" : ""));
   return cells;
@@ -64,6 +74,8 @@ std::vector<std::string> table_cells(const StudyPlan& plan, const StudyResult& r
 std::string table_explanation(const StudyPlan& plan) {
   std::string text =
       "Means over seeds ± their standard error. *seconds*: preparing and rendering, wall clock. "
+      "*CPU seconds*: of all threads, rendering; †: of so many runs, less than 75 % of what their "
+      "threads could have had, so that their times mislead. "
       "*samples per pixel*: as `--spp` counts them. *acceptance*: of all mutations, and of "
       "small and large steps; a proposal counts with its probability.";
   if (!plan.efficiency_metric.empty()) {

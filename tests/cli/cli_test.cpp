@@ -77,9 +77,10 @@ TEST_F(Cli, WrongUsageEndsWithTwoAndHelps) {
       {{"render", "builtin:cornell", "--spp", "1.5"},
        "whole number from 1 to 2147483648, not \"1.5"},
       {{"render", "builtin:cornell", "--samples", "4"}, "did you mean \"--spp\"?"},
-      {{"render", "builtin:cornell", "--exposure", "lots"}, "a number of stops from -64 to 64"},
+      {{"render", "builtin:cornell", "--exposure", "lots"},
+       "a number of stops from -64 to 64, or auto"},
       {{"render", "builtin:cornell", "--target-error", "5"}, "did you mean 0.05, or 5%?"},
-      {{"merge", "a", "--exposure", "lots", "-o", "x.pfm"}, "a number of stops from -64 to 64"},
+      {{"merge", "a", "--exposure", "lots", "-o", "x.pfm"}, "from -64 to 64, or auto"},
       {{"render", "builtin:cornell", "--target-error", "-1"}, "--target-error"},
       {{"render", "builtin:cornell", "--resolution", "0x5"}, "--resolution"},
       {{"render", "builtin:cornell", "--scale", "-1"}, "--scale"},
@@ -92,6 +93,8 @@ TEST_F(Cli, WrongUsageEndsWithTwoAndHelps) {
       {{"render", "builtin:cornell", "-o", "a.bmp2"}, ".exr"},
       {{"render", "builtin:cornell", "another"}, "another"},
       {{"list", "integratos"}, "did you mean \"integrators\""},
+      {{"list", "integrators", "selectiv"}, "did you mean \"selective\""},
+      {{"list", "materials", "glass"}, "only integrators have more to show"},
   };
   for (const Case& c : cases) {
     const Outcome outcome = run(c.arguments);
@@ -396,9 +399,43 @@ TEST_F(Cli, ListNamesWhatThereIs) {
   for (const json& integrator : list.at("integrators")) {
     for (const json& parameter : integrator.at("parameters")) {
       EXPECT_TRUE(parameter.contains("default") && parameter.contains("help")) << parameter;
+      EXPECT_TRUE(parameter.at("expert").is_boolean()) << parameter;
     }
   }
-  EXPECT_TRUE(contains(run({"list", "integrators"}).out, "pt"));
+}
+
+TEST_F(Cli, ListNamesIntegratorsWithALineEach) {
+  const std::string text = run({"list", "integrators"}).out;
+  const json list = json::parse(run({"list", "integrators", "--json"}).out).at("integrators");
+  for (const json& integrator : list) {
+    EXPECT_TRUE(contains(text, "  " + integrator.at("name").get<std::string>() + " ")) << text;
+  }
+  // A heading, and how to see parameters after an empty line.
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'),
+            static_cast<std::ptrdiff_t>(list.size() + 3))
+      << text;
+  EXPECT_TRUE(contains(text, "ajar list integrators NAME")) << text;
+}
+
+TEST_F(Cli, ListShowsParametersOfOneIntegratorBasicOnesFirst) {
+  const json list = json::parse(run({"list", "integrators", "--json"}).out).at("integrators");
+  for (const json& integrator : list) {
+    const std::string name = integrator.at("name");
+    const std::string text = run({"list", "integrators", name}).out;
+    const std::size_t heading = text.find("\nexpert parameters:\n");
+    ASSERT_NE(heading, std::string::npos) << text;
+    int basic = 0;
+    for (const json& parameter : integrator.at("parameters")) {
+      const bool expert = parameter.at("expert");
+      basic += expert ? 0 : 1;
+      const std::size_t at = text.find("  " + parameter.at("name").get<std::string>() + "=");
+      EXPECT_NE(at, std::string::npos) << parameter << text;
+      EXPECT_EQ(at > heading, expert) << parameter << text;
+    }
+    EXPECT_TRUE(basic >= 3 && basic <= 6) << name << " has " << basic;
+    const json alone = json::parse(run({"list", "integrators", name, "--json"}).out);
+    EXPECT_EQ(alone.at("integrators"), json::array({integrator}));
+  }
 }
 
 TEST_F(Cli, EveryBuiltInSceneRendersWithoutAWarning) {
@@ -485,7 +522,8 @@ TEST_F(Cli, ChainsWithoutLightSayWhatToDoAndRenderBlack) {
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_TRUE(contains(outcome.err, "bootstrap paths carries light")) << outcome.err;
     EXPECT_TRUE(contains(outcome.err, "--set bootstrap=")) << outcome.err;
-    EXPECT_EQ(statistics().at("warnings"), 1);
+    EXPECT_TRUE(contains(outcome.err, "the picture is black")) << outcome.err;
+    EXPECT_EQ(statistics().at("warnings"), 2);
     EXPECT_EQ(statistics().at("chains"), 0);
     for (const json& depth : statistics().at("b")) EXPECT_EQ(depth.at("b"), 0.0);
     for (const float value : read_image(file("a.pfm").string()).rgb()) EXPECT_EQ(value, 0.F);

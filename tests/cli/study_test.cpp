@@ -37,6 +37,7 @@ TEST_F(StudyCli, RendersMeasuresAndSummarises) {
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_TRUE(contains(outcome.out, "study.md")) << outcome.out;
   EXPECT_TRUE(contains(outcome.err, "left)")) << outcome.err;
+  EXPECT_TRUE(contains(outcome.err, ", relmse ")) << "the first that is listed: " << outcome.err;
   for (const char* name :
        {"study.md", "study.csv", "curves.csv", "curves/box-relmse.svg", "report/box/index.html"}) {
     EXPECT_TRUE(fs::exists(folder_ / "out" / name)) << name;

@@ -101,6 +101,20 @@ def fits_narrow_windows(browser):
     browser.resize(1440, 900)
 
 
+def shows_whole_tables(browser):
+    """Also the widest there is, a study's of all metrics; what is cut off is its efficiency."""
+    browser.resize(1440, 900)
+    browser.click("#tab-results")
+    for title, overflow in browser.evaluate(
+            "[...document.querySelectorAll('#results .scroll')].map((one) =>"
+            "[one.closest('section').querySelector('h2').textContent, one.scrollWidth - one.clientWidth])"):
+        expect(overflow <= 0, f"the table {title!r} is {overflow} pixels too wide for a window of 1440")
+    widest = browser.evaluate("Math.max(...[...document.querySelectorAll('#results thead tr')].map((one) => one.cells.length))")
+    expect(widest == 17, f"the widest table has {widest} columns")
+    expect(browser.evaluate("document.querySelectorAll('#results .dense td:not(.number)').length") == 0,
+           "a number of a study is not set to the right")
+
+
 def shows_help(browser):
     browser.key("?")
     expect(browser.evaluate("document.getElementById('help').open"), "? opens no help")
@@ -118,7 +132,7 @@ def main():
         # A machine without graphics card would choose the other renderer.
         browser.open(url + "?renderer=webgl")
         expect(browser.evaluate("ajar.renderer.name") != "2D canvas", "WebGL is not used")
-        for part in (flips, zooms, shows_errors, shows_insets, shows_help, shows_texts_literally, shows_results, fits_narrow_windows):
+        for part in (flips, zooms, shows_errors, shows_insets, shows_help, shows_texts_literally, shows_results, shows_whole_tables, fits_narrow_windows):
             part(browser)
         # What a link says is what its reader sees; without WebGL too.
         browser.open(url + "?renderer=canvas#a=3&map=smape")

@@ -100,8 +100,8 @@ RenderSettings settings_of(const Scene& scene, const RenderOptions& options) {
 
 Render render(const Scene& scene, const RenderOptions& options) {
   const IntegratorInfo& info = find_integrator(options.integrator);
-  std::unique_ptr<Integrator> integrator = info.make(
-      scene, settings_of(scene, options), info.read(options.parameters));
+  std::unique_ptr<Integrator> integrator =
+      info.make(scene, settings_of(scene, options), info.read(options.parameters));
   Counters of_preparation;
   if (options.skip_after) {
     skip_preparation_after(*options.skip_after, *integrator);

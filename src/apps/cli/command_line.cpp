@@ -62,11 +62,6 @@ int read_threads(const std::string& option, const std::string& text) {
   return static_cast<int>(parse_whole(option, text, 0, 4096));
 }
 
-float read_exposure(const std::string& option, const std::string& text) {
-  constexpr double kMostStops = 64.0;
-  return static_cast<float>(parse_number(option, text, "stops", -kMostStops, kMostStops));
-}
-
 double read_scale(const std::string& option, const std::string& text) {
   return parse_number(option, text, "times the scene's own size", 1e-5, 65536.0);
 }
@@ -96,9 +91,9 @@ void add_run(CLI::App* command, RunArguments& a, const std::string& output_defau
       ->type_name("NAME")
       ->check(kNotEmpty)
       ->group(kPictures);
-  add_value(command, "--exposure", a.exposure, read_exposure,
-            "Brighten .png and .jpg by this many stops")
-      ->type_name("STOPS")
+  add_value(command, "--exposure", a.exposure, parse_exposure,
+            "Brighten .png and .jpg by this many stops, or auto: as suits the picture")
+      ->type_name("STOPS|auto")
       ->group(kPictures);
   command
       ->add_option("--output-every", a.output_every,
@@ -190,7 +185,8 @@ void add_render(CLI::App& app, RenderArguments& a) {
       ->group(kMethod);
   command
       ->add_option("--set", a.assignments,
-                   "Set a parameter of the method; may be given several times")
+                   "Set a parameter of the method (see: ajar list integrators NAME); may be given "
+                   "several times")
       ->allow_extra_args(false)
       ->type_name("KEY=VALUE")
       ->group(kMethod);
@@ -254,9 +250,9 @@ void add_merge(CLI::App& app, MergeArguments& a) {
   command->add_option("--tone-map", a.tone_map, "Curve of .png and .jpg: srgb or filmic")
       ->type_name("NAME")
       ->capture_default_str();
-  add_value(command, "--exposure", a.exposure, read_exposure,
-            "Brighten .png and .jpg by this many stops")
-      ->type_name("STOPS")
+  add_value(command, "--exposure", a.exposure, parse_exposure,
+            "Brighten .png and .jpg by this many stops, or auto: as suits the picture")
+      ->type_name("STOPS|auto")
       ->default_str("0");
   command->add_flag("--force", a.force, "Merge what other versions of ajar have written, too");
   command->footer("Example: ajar merge seed-1.checkpoint seed-2.checkpoint -o room.exr");
@@ -276,6 +272,7 @@ void add_others(CLI::App& app, Request& request) {
   CLI::App* list = app.add_subcommand("list", "List what there is to choose from");
   list->add_option("KIND", request.list.kind,
                    "integrators, materials, aovs or scenes; default: all");
+  list->add_option("NAME", request.list.name, "An integrator, to see its parameters");
   list->add_flag("--json", request.list.json, "Print JSON");
 }
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "image/flip.h"
+#include "session/display.h"
 #include "session/ranks.h"
 
 /// What the commands of the program are told, as written on the command line. Each command returns
@@ -19,9 +20,9 @@ struct RunArguments {
   int threads = 0;
   std::string stats;
   std::string progress = "auto";
-  std::string tone_map;           ///< empty: srgb, or as before
-  std::optional<float> exposure;  ///< empty: 0, or as before
-  std::string checkpoint;         ///< empty: none, or the one that is resumed
+  std::string tone_map;              ///< empty: srgb, or as before
+  std::optional<Exposure> exposure;  ///< empty: 0, or as before
+  std::string checkpoint;            ///< empty: none, or the one that is resumed
   std::string checkpoint_every = "60s";
   std::string output_every;
   std::string preview;  ///< HOST:PORT of a viewer; empty: none
@@ -55,7 +56,7 @@ struct MergeArguments {
   std::string checkpoint;  ///< empty: none
   std::string stats;
   std::string tone_map = "srgb";
-  float exposure = 0.F;
+  Exposure exposure;
   bool force = false;
 };
 int merge(const MergeArguments& arguments);
@@ -74,6 +75,7 @@ int convert(const ConvertArguments& arguments);
 
 struct ListArguments {
   std::string kind;  ///< empty: all
+  std::string name;  ///< of an integrator, to see its parameters; empty: all
   bool json = false;
 };
 int list(const ListArguments& arguments);

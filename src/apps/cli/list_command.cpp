@@ -17,6 +17,17 @@ int list(const ListArguments& arguments) {
     kinds = {arguments.kind};
   }
   nlohmann::ordered_json json = nlohmann::ordered_json::object();
+  if (!arguments.name.empty()) {
+    if (arguments.kind != "integrators") {
+      throw UsageError("ajar list " + arguments.kind +
+                       " says all there is; only integrators have "
+                       "more to show of one");
+    }
+    const IntegratorInfo& info = find_integrator(arguments.name);
+    json["integrators"] = {integrator_json(info)};
+    print_result(arguments.json ? json.dump(2) + "\n" : integrator_text(info));
+    return 0;
+  }
   std::string text;
   for (const std::string& kind : kinds) {
     if (arguments.json) {

@@ -61,7 +61,7 @@ int merge(const MergeArguments& a) {
   if (a.outputs.empty() && a.checkpoint.empty()) {
     throw UsageError("merge: say with -o or --checkpoint where the result goes");
   }
-  const DisplayOptions display = display_of(a.tone_map, a.exposure);
+  const Display wanted = display_of(a.tone_map, a.exposure);
   check_picture_paths(a.outputs);
   std::vector<std::string> written = a.outputs;
   for (const std::string& path : {a.stats, a.checkpoint}) {
@@ -94,6 +94,8 @@ int merge(const MergeArguments& a) {
   }
   picture.metadata = to_metadata(statistics);
   if (merged.merged.size() > 1) picture.metadata["ajar:merged_seeds"] = seeds_text(merged);
+  const DisplayOptions display = wanted.of(picture);
+  statistics.exposure = {wanted.exposure.automatic, display.exposure};
   // The parts are there still: whoever has made room merges once more.
   bool all_written = true;
   for (const WrittenFile& file :
@@ -106,6 +108,7 @@ int merge(const MergeArguments& a) {
   statistics.peak_memory_bytes = peak_memory_bytes();
   all_written = write_statistics(statistics, a.stats) && all_written;
   report_end(statistics.result);
+  report_exposure(picture, a.outputs, display, wanted.exposure.automatic);
   return all_written ? 0 : kExitFile;
 }
 

@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "apps/cli/messages.h"
 #include "core/error.h"
 #include "scene/coordinate_limit.h"
+#include "session/exposure_advice.h"
 #include "session/progress.h"
 
 namespace ajar::cli {
@@ -75,6 +77,17 @@ void report_end(const RenderResult& result, double preparing) {
         "the last pass was cut short: parts of the picture have fewer samples than others, or "
         "none");
   }
+}
+
+void report_exposure(const Picture& picture, const std::vector<std::string>& outputs,
+                     const DisplayOptions& display, bool automatic) {
+  if (std::none_of(outputs.begin(), outputs.end(), is_display_file)) return;
+  if (automatic) {
+    print_note("exposure " + stops_text(display.exposure) + " chosen for this picture");
+    return;
+  }
+  const std::string advice = exposure_advice(picture, display);
+  if (!advice.empty()) print_note(advice);
 }
 
 }  // namespace ajar::cli

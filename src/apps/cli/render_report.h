@@ -16,5 +16,9 @@ bool write_statistics(const RenderStatistics& statistics, const std::string& pat
 void report_discarded(const Counters& counters);
 /// `preparing`: seconds, of this run; those of the result are of rendering.
 void report_end(const RenderResult& result, double preparing = 0.0);
+/// Says what exposure was chosen (if `automatic`) or would help, if pictures for the eye are among
+/// `outputs`.
+void report_exposure(const Picture& picture, const std::vector<std::string>& outputs,
+                     const DisplayOptions& display, bool automatic);
 
 }  // namespace ajar::cli

@@ -95,7 +95,7 @@ class Run {
 
   RunOrder order_;
   ProgressStyle style_;
-  DisplayOptions display_;
+  Display display_;
   double checkpoint_every_ = 0.0;
   double output_every_ = std::numeric_limits<double>::infinity();
   std::unique_ptr<tbb::global_control> thread_limit_;
@@ -124,7 +124,7 @@ class Run {
 Run::Run(RunOrder order) : order_(std::move(order)) {
   const RunArguments& a = run();
   style_ = is_root() ? progress_style(a.progress, isatty(STDERR_FILENO) != 0) : ProgressStyle::None;
-  display_ = display_of(a.tone_map.empty() ? "srgb" : a.tone_map, a.exposure.value_or(0.F));
+  display_ = display_of(a.tone_map.empty() ? "srgb" : a.tone_map, a.exposure.value_or(Exposure()));
   checkpoint_every_ = parse_duration("--checkpoint-every", a.checkpoint_every);
   // Told before anything is loaded.
   if (!a.preview.empty()) find_addresses("--preview", parse_viewer("--preview", a.preview));
@@ -303,7 +303,7 @@ Checkpoint Run::checkpoint_base() const {
   base.budget = setup_.budget;
   for (const std::string& path : outputs_) base.outputs.push_back(absolute_path(path));
   base.tone_map = run().tone_map.empty() ? "srgb" : run().tone_map;
-  base.exposure = run().exposure.value_or(0.F);
+  base.exposure = run().exposure.value_or(Exposure());
   base.layers.assign(film_->layers().begin(), film_->layers().end());
   base.preparation = order_.resumed ? order_.resumed->preparation : statistics_.preparation;
   base.prepared = statistics_.prepared;
@@ -417,7 +417,9 @@ int Run::finish(const RenderJob& job) {
   }
   complete_statistics(result);
   picture.metadata = to_metadata(statistics_);
-  for (FinalFile& file : picture_files(picture, outputs_, display_)) {
+  const DisplayOptions display = display_.of(picture);
+  statistics_.exposure = {display_.exposure.automatic, display.exposure};
+  for (FinalFile& file : picture_files(picture, outputs_, display)) {
     files.push_back(std::move(file));
   }
   Patience patience(interrupt_count(), print_warning);
@@ -429,6 +431,7 @@ int Run::finish(const RenderJob& job) {
   bool all_written = write_statistics(statistics_, run().stats);
   report_discarded(result.counters);
   report_end(result, statistics_.times.prepare);
+  report_exposure(picture, outputs_, display, display_.exposure.automatic);
   for (const WrittenFile& file : written) all_written = report_file(file) && all_written;
   for (const std::string& path : statistics_.outputs) print_path(path);
   if (!all_written) return kExitFile;
@@ -482,7 +485,7 @@ int Run::carry_out() {
 
 }  // namespace
 
-DisplayOptions display_of(const std::string& tone_map, float exposure) {
+Display display_of(const std::string& tone_map, const Exposure& exposure) {
   return {tone_map_by_name(tone_map), exposure};
 }
 

@@ -32,7 +32,7 @@ void lock_checkpoint_of(RunOrder& order);
 Budget budget_of(const RunArguments& arguments);
 
 /// Raises UsageError for a curve that is none.
-DisplayOptions display_of(const std::string& tone_map, float exposure);
+Display display_of(const std::string& tone_map, const Exposure& exposure);
 
 /// Renders; returns the exit code or raises an `Error`.
 int carry_out(RunOrder order);

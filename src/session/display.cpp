@@ -1,0 +1,13 @@
+#include "session/display.h"
+
+#include "image/exposure.h"
+
+namespace ajar {
+
+DisplayOptions Display::of(const Picture& picture) const {
+  if (!exposure.automatic) return {tone_map, exposure.stops};
+  return {tone_map,
+          fitting_exposure(picture.layers.front().pixels, picture.crop.size() + Vec2i(1, 1))};
+}
+
+}  // namespace ajar

@@ -1,0 +1,20 @@
+#pragma once
+#include "image/image_file.h"
+
+namespace ajar {
+
+/// What `--exposure` asks for.
+struct Exposure {
+  bool automatic = false;  ///< for each picture the one that fits it (`fitting_exposure`)
+  float stops = 0.F;       ///< else these
+};
+
+/// How pictures for the eye are shown, whatever their light.
+struct Display {
+  ToneMap tone_map = ToneMap::Srgb;
+  Exposure exposure;
+
+  DisplayOptions of(const Picture& picture) const;
+};
+
+}  // namespace ajar

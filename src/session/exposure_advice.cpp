@@ -1,0 +1,37 @@
+#include "session/exposure_advice.h"
+
+#include <fmt/format.h>
+
+#include <vector>
+
+#include "image/exposure.h"
+
+namespace ajar {
+
+namespace {
+constexpr double kMuchWhite = 0.1;
+constexpr double kNearlyAllBlack = 0.9;
+constexpr float kWorthIt = 1.F;  // stops
+}  // namespace
+
+std::string stops_text(float stops) { return stops == 0.F ? "0" : fmt::format("{:+.4g}", stops); }
+
+std::string exposure_advice(const Picture& picture, const DisplayOptions& display) {
+  const std::vector<float>& rgb = picture.layers.front().pixels;
+  const Clipping lost = clipping(rgb, display.tone_map, display.exposure);
+  if (lost.white < kMuchWhite && lost.black < kNearlyAllBlack) return {};
+  const float fitting = fitting_exposure(rgb, picture.crop.size() + Vec2i(1, 1));
+  const auto advice = [&](double share, const char* what) {
+    return fmt::format("{:.0f} % of the picture is {}: try --exposure {}", 100.0 * share, what,
+                       stops_text(fitting));
+  };
+  if (lost.white >= kMuchWhite && fitting <= display.exposure - kWorthIt) {
+    return advice(lost.white, "white");
+  }
+  if (lost.black >= kNearlyAllBlack && fitting >= display.exposure + kWorthIt) {
+    return advice(lost.black, "black");
+  }
+  return {};
+}
+
+}  // namespace ajar
