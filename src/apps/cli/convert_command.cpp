@@ -1,6 +1,7 @@
 #include "apps/cli/commands.h"
 #include "apps/cli/messages.h"
 #include "core/error.h"
+#include "core/warnings.h"
 #include "import/pbrt/pbrt_writer.h"
 #include "session/output.h"
 #include "session/scene_file.h"

@@ -7,9 +7,9 @@
 
 #include "apps/cli/commands.h"
 #include "apps/cli/messages.h"
-#include "core/error.h"
 #include "core/printable_text.h"
 #include "core/standard_streams.h"
+#include "core/warnings.h"
 #include "scene/scene.h"
 #include "session/memory_estimate.h"
 #include "session/progress.h"

@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-#include "core/error.h"
+#include "core/warnings.h"
 
 /// Messages for people, on stderr; results go to stdout (`print_result`).
 namespace ajar::cli {

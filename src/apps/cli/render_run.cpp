@@ -15,6 +15,7 @@
 #include "apps/cli/render_report.h"
 #include "core/archive.h"
 #include "core/error.h"
+#include "core/warnings.h"
 #include "image/make_filter.h"
 #include "scene/scene.h"
 #include "session/checkpoint_writer.h"

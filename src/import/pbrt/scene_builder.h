@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/warnings.h"
 #include "import/pbrt/context.h"
 #include "import/pbrt/materials.h"
 #include "import/pbrt/mesh_loader.h"
