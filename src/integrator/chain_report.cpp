@@ -4,8 +4,14 @@
 
 namespace ajar {
 
-std::vector<std::string> concerns_about(const ChainPlan& plan,
-                                        std::span<const ChainPopulation> populations) {
+namespace {
+
+constexpr WarningKind kNoSeeds{Effect::Light, "methods have found no light to start chains from"};
+
+}  // namespace
+
+std::vector<Warning> concerns_about(const ChainPlan& plan,
+                                    std::span<const ChainPopulation> populations) {
   std::uint64_t lit = 0;
   std::uint64_t samples = plan.scouted;
   for (const ChainPopulation& population : populations) {
@@ -13,12 +19,13 @@ std::vector<std::string> concerns_about(const ChainPlan& plan,
     lit += population.chains.size();
   }
   if (lit > 0 || populations.empty()) return {};
-  return {
-      "none of " + std::to_string(samples) +
-      " bootstrap paths carries light, so there is nothing to start Markov chains from: indirect "
-      "light is sampled without them and may stay black; try a larger bootstrap (--set "
-      "bootstrap=10000000), a larger --depth, or see whether the scene has lights that reach "
-      "what the camera sees"};
+  return {{kNoSeeds,
+           {},
+           "none of " + std::to_string(samples) +
+               " bootstrap paths carries light, so there is nothing to start Markov chains from: "
+               "indirect light is sampled without them and may stay black; try a larger bootstrap "
+               "(--set bootstrap=10000000), a larger --depth, or see whether the scene has lights "
+               "that reach what the camera sees"}};
 }
 
 std::vector<std::string> notes_on(const ChainPlan& plan, bool stand_by) {

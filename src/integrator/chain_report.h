@@ -9,9 +9,9 @@
 
 namespace ajar {
 
-/// After the preparation: what the user should know of the chains, one warning each.
-std::vector<std::string> concerns_about(const ChainPlan& plan,
-                                        std::span<const ChainPopulation> populations);
+/// After the preparation: what the user should know of the chains.
+std::vector<Warning> concerns_about(const ChainPlan& plan,
+                                    std::span<const ChainPopulation> populations);
 /// And what they may like to know; `stand_by`: whether chains stand by where they would not pay.
 std::vector<std::string> notes_on(const ChainPlan& plan, bool stand_by);
 

@@ -9,6 +9,7 @@
 
 #include "core/archive_forward.h"
 #include "core/parameters.h"
+#include "core/warnings.h"
 #include "core/work_share.h"
 #include "image/film.h"
 #include "image/plane.h"
@@ -126,8 +127,8 @@ class Integrator {
   /// There is no time to prepare, or for the rest of it: the integrator renders as well as it can
   /// without. Called before any round, or once a round has begun, of which any items may have run.
   virtual void skip_preparation() {}
-  /// What the user should know after the preparation: one warning each.
-  virtual std::vector<std::string> concerns() const { return {}; }
+  /// What the user should know after the preparation; of no place.
+  virtual std::vector<Warning> concerns() const { return {}; }
 
   /// Layers of the film, known after the preparation; includes "direct" and "indirect".
   virtual std::vector<LayerSpec> layers() const = 0;

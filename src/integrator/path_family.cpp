@@ -13,6 +13,9 @@ namespace ajar {
 
 namespace {
 
+constexpr WarningKind kMissingDepths{Effect::Light, "methods do not make paths of all lengths"};
+constexpr WarningKind kUnseenMirrors{Effect::Light, "methods do not see mirrors and clear glass"};
+
 constexpr int kTileSize = 16;
 constexpr int kMaxPathEdges = 60000;  // vertex numbers are 16 bits wide
 
@@ -36,7 +39,7 @@ class PathIntegrator final : public Integrator {
     if (price_ != nullptr) sampler_settings_.camera_rest = static_cast<float>(price_->rest());
   }
   const PictureScale& scale() const { return scale_; }
-  std::vector<std::string> concerns() const override;
+  std::vector<Warning> concerns() const override;
 
   std::vector<LayerSpec> layers() const override {
     std::vector<LayerSpec> specs = {{.name = "direct", .magnitude = scale_.mean},
@@ -236,9 +239,11 @@ class MirrorSink final : public PathSink {
   int mirrors = 0;
 };
 
-std::vector<std::string> PathIntegrator::concerns() const {
+std::vector<Warning> PathIntegrator::concerns() const {
   const TechniqueSet& set = sampler_settings_.techniques;
-  if (std::optional<std::string> concern = concern_about_depths()) return {*std::move(concern)};
+  if (std::optional<std::string> concern = concern_about_depths()) {
+    return {{kMissingDepths, {}, *std::move(concern)}};
+  }
   if (!set.any(TechniqueClass::Light) || set.any(TechniqueClass::Implicit) ||
       set.any(TechniqueClass::NextEvent) || set.any(TechniqueClass::Inner)) {
     return {};
@@ -259,7 +264,7 @@ std::vector<std::string> PathIntegrator::concerns() const {
       << std::setprecision(2) << 100.0 * sink.mirrors / kSamples
       << " % of the picture shows mirrors or clear glass, where light subpaths cannot be connected "
          "to the lens: all that light tracing is to make there is missing; bdpt and ibpt see them";
-  return {text.str()};
+  return {{kUnseenMirrors, {}, text.str()}};
 }
 
 std::optional<std::string> PathIntegrator::concern_about_depths() const {

@@ -42,6 +42,7 @@ namespace fs = std::filesystem;
 
 constexpr int kExitFile = 4;
 constexpr int kExitInterrupted = 130;
+constexpr WarningKind kRange{Effect::Light, "pictures have values that floats cannot hold well"};
 
 std::string absolute_path(const std::string& path) {
   std::error_code error;
@@ -246,9 +247,9 @@ void Run::prepare_integrator() {
                      " cannot be divided into shares: its chains learn from each other; render "
                      "several seeds, and merge them");
   }
-  for (const std::string& concern : integrator_->concerns()) {
+  for (const Warning& concern : integrator_->concerns()) {
     warnings_.add(concern);
-    print_warning(concern);
+    print_warning(concern.text());
   }
   for (const std::string& note : integrator_->notes()) print_note(note);
 }
@@ -410,7 +411,7 @@ int Run::finish(const RenderJob& job) {
       develop(job.film(), *integrator_, result.samples_per_pixel, record_.film_scale, setup_.aovs);
   if (const std::string complaint = range_complaint(job.film(), picture, record_.film_scale);
       !complaint.empty()) {
-    warnings_.add(complaint);
+    warnings_.add(kRange, {}, complaint);
     print_warning(complaint);
   }
   complete_statistics(result);

@@ -84,7 +84,7 @@ class SceneBuilder {
     std::optional<GraphicsState> saved;
   };
 
-  bool in_options(const SourceLocation& where, const char* directive);
+  bool in_options(const SourceLocation& where, const std::string& directive);
   void require_world(const SourceLocation& where, const char* directive) const;
   void open(Scope kind, const SourceLocation& where);
   void close(Scope kind, const SourceLocation& where);
