@@ -221,7 +221,7 @@ void Run::build(desc::SceneDesc description) {
                                          warnings_);
   statistics_.times.build = clock.seconds();
   record_.scene_hash = scene_->hash();
-  print_warnings(warnings_, run().stats.empty() ? "" : "see " + run().stats);
+  print_warnings(warnings_, order_.scene);
   for (const std::string& note : setup_.notes) print_note(note);
 }
 
