@@ -230,9 +230,17 @@ void Geometry::prepare_shapes(desc::SceneDesc& description, const TextureList& t
     }
   }
   shapes_ = std::vector<ShapeRecord>(todo.size());
+  // Threads meet them in any order; the file has one.
+  std::vector<std::unique_ptr<const Warnings>> of_shapes(todo.size());
   parallel_for(todo.size(), [&](std::size_t i) {
-    if (todo[i] != nullptr) prepare(*todo[i], textures, warnings, shapes_[i]);
+    if (todo[i] == nullptr) return;
+    auto own = std::make_unique<Warnings>(Warnings::kAll);
+    prepare(*todo[i], textures, *own, shapes_[i]);
+    if (own->count() > 0) of_shapes[i] = std::move(own);
   });
+  for (const auto& own : of_shapes) {
+    if (own) warnings.add_all(*own);
+  }
   for (std::size_t i = 0; i < description.objects.size(); ++i) {
     for (std::size_t k = object_base_[i]; k < object_base_[i + 1]; ++k) {
       shapes_[k].check_plane = shapes_[k].mesh && (shapes_[k].check_plane || is_far[i] != 0);
