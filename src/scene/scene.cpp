@@ -13,6 +13,7 @@ namespace {
 
 constexpr WarningKind kInstanced{
     Effect::Light, "surfaces that are instanced cannot be lights: their emission is left out"};
+constexpr WarningKind kNoLight{Effect::Light, "scenes have no light"};
 constexpr WarningKind kNoMaterial{
     Effect::Light, "surfaces without material cannot be lights: give them a black matte one"};
 constexpr WarningKind kNoEmitter{Effect::Light,
@@ -159,6 +160,10 @@ void Scene::build_lights(const desc::SceneDesc& description, Warnings& warnings)
     if (!light) continue;
     light->medium = medium(shape.outside);
     surfaces_[i].light = add(std::move(light));
+  }
+  if (lights_.empty()) {
+    warnings.add(kNoLight, {std::make_shared<const std::string>(source_), 0, 0},
+                 "there is no light in this scene: its picture is black");
   }
 }
 

@@ -113,5 +113,12 @@ TEST_F(Cli, AScenesNameIsOneWordOfTheCommandThatListsItsWarnings) {
       << outcome.err;
 }
 
+TEST_F(Cli, ASceneWithoutLightIsSaidToBeBlack) {
+  file("dark.pbrt", "Camera \"perspective\" WorldBegin Shape \"sphere\" WorldEnd");
+  const Outcome outcome = run({"info", "dark.pbrt"});
+  EXPECT_TRUE(contains(outcome.err, "there is no light in this scene: its picture is black"))
+      << outcome.err;
+}
+
 }  // namespace
 }  // namespace ajar
