@@ -42,7 +42,6 @@ namespace fs = std::filesystem;
 
 constexpr int kExitFile = 4;
 constexpr int kExitInterrupted = 130;
-constexpr WarningKind kRange{Effect::Light, "pictures have values that floats cannot hold well"};
 
 std::string absolute_path(const std::string& path) {
   std::error_code error;
@@ -91,6 +90,8 @@ class Run {
   Checkpoint checkpoint_base() const;
   Picture picture_of(const Film& film, const JobState& state, StopReason reason);
   int finish(const RenderJob& job);
+  /// Says it, and keeps it for the statistics.
+  void warn(const Warning& warning);
   bool is_root() const { return order_.run.ranks == nullptr || order_.run.ranks->is_root(); }
   /// What the user asked for in this run.
   const RunArguments& run() const { return order_.run; }
@@ -247,10 +248,7 @@ void Run::prepare_integrator() {
                      " cannot be divided into shares: its chains learn from each other; render "
                      "several seeds, and merge them");
   }
-  for (const Warning& concern : integrator_->concerns()) {
-    warnings_.add(concern);
-    print_warning(concern.text());
-  }
+  for (const Warning& concern : integrator_->concerns()) warn(concern);
   for (const std::string& note : integrator_->notes()) print_note(note);
 }
 
@@ -393,6 +391,11 @@ Picture Run::picture_of(const Film& film, const JobState& state, StopReason reas
   return picture;
 }
 
+void Run::warn(const Warning& warning) {
+  warnings_.add(warning);
+  print_warning(warning.text());
+}
+
 int Run::finish(const RenderJob& job) {
   const RenderResult result = statistics_.result;
   const bool interrupted = result.stopped_by == StopReason::Interrupted;
@@ -409,11 +412,10 @@ int Run::finish(const RenderJob& job) {
   }
   Picture picture =
       develop(job.film(), *integrator_, result.samples_per_pixel, record_.film_scale, setup_.aovs);
-  if (const std::string complaint = range_complaint(job.film(), picture, record_.film_scale);
-      !complaint.empty()) {
-    warnings_.add(kRange, {}, complaint);
-    print_warning(complaint);
+  if (const auto complaint = range_complaint(job.film(), picture, record_.film_scale)) {
+    warn(*complaint);
   }
+  for (const Warning& concern : concerns_about(result)) warn(concern);
   complete_statistics(result);
   picture.metadata = to_metadata(statistics_);
   for (FinalFile& file : picture_files(picture, outputs_, display_)) {
@@ -426,7 +428,6 @@ int Run::finish(const RenderJob& job) {
   }
   statistics_.peak_memory_bytes = peak_memory_bytes();
   bool all_written = write_statistics(statistics_, run().stats);
-  report_discarded(result.counters);
   report_end(result);
   for (const WrittenFile& file : written) all_written = report_file(file) && all_written;
   for (const std::string& path : statistics_.outputs) print_path(path);
