@@ -43,7 +43,7 @@ class ChainIntegrator final : public Integrator {
   void prepare_item(int round, std::uint64_t item, Counters& counters) override;
   void skip_preparation() override;
   std::vector<Warning> concerns() const override;
-  std::vector<std::string> notes() const override { return notes_on(plan_, recruits_ != nullptr); }
+  std::vector<std::string> notes() const override;
 
   std::vector<LayerSpec> layers() const override;
   std::uint64_t items_in_pass() const override;
@@ -181,6 +181,13 @@ std::vector<Warning> ChainIntegrator::concerns() const {
     for (Warning& concern : omc_->concerns()) all.push_back(std::move(concern));
   }
   return all;
+}
+
+std::vector<std::string> ChainIntegrator::notes() const {
+  const bool might_have_chains = plan_.unprepared || !plan_.groups.empty();
+  if (!might_have_chains || !concerns_.empty()) return {};
+  return notes_on(plan_, pilot_ != nullptr ? pilot_->share_of_chains() : std::nullopt,
+                  recruits_ != nullptr);
 }
 
 void ChainIntegrator::make_omc() {

@@ -260,10 +260,9 @@ std::vector<Warning> PathIntegrator::concerns() const {
   }
   if (sink.mirrors == 0) return {};
   std::ostringstream text;
-  text
-      << std::setprecision(2) << 100.0 * sink.mirrors / kSamples
-      << " % of the picture shows mirrors or clear glass, where light subpaths cannot be connected "
-         "to the lens: all that light tracing is to make there is missing; bdpt and ibpt see them";
+  text << std::setprecision(2) << 100.0 * sink.mirrors / kSamples
+       << " % of the picture shows mirrors or clear glass, which light tracing cannot see: "
+          "its light is missing there; bdpt and ibpt see them";
   return {{kUnseenMirrors, {}, text.str()}};
 }
 

@@ -120,5 +120,18 @@ TEST_F(Cli, ASceneWithoutLightIsSaidToBeBlack) {
       << outcome.err;
 }
 
+TEST_F(Cli, NotesSayWhatIsDifficultAboutAPicture) {
+  const auto notes_of = [&](const std::string& scene) {
+    return run({"render", "builtin:" + scene, "--spp", "4", "--resolution", "48x36", "--progress",
+                "none", "-o", "a.pfm"})
+        .err;
+  };
+  EXPECT_TRUE(contains(notes_of("cornell"), "ajar: no difficult light found: plain "));
+  const std::string of_torus = notes_of("torus-in-glass");
+  EXPECT_TRUE(contains(of_torus, "ajar: difficult light (caustics, light through gaps) in "))
+      << of_torus;
+  EXPECT_TRUE(contains(of_torus, " % of this picture: Markov chains make it, ")) << of_torus;
+}
+
 }  // namespace
 }  // namespace ajar
