@@ -16,6 +16,7 @@
 
 #include "core/archive.h"
 #include "core/error.h"
+#include "core/warnings.h"
 #include "image/make_filter.h"
 #include "import/pbrt/pbrt_import.h"
 #include "session/checkpoint.h"

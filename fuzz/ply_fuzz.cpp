@@ -11,7 +11,7 @@
 #include "import/mesh/validate_mesh.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  std::vector<std::string> remarks;
+  std::vector<ajar::Warning> remarks;
   try {
     ajar::desc::Mesh mesh = ajar::read_ply({reinterpret_cast<const char*>(data), size}, "fuzz.ply");
     ajar::validate_mesh(mesh, {}, remarks);

@@ -7,8 +7,8 @@
 namespace ajar {
 namespace {
 
-std::vector<std::string> concerns_of(const std::string& scene_text, const std::string& integrator,
-                                     std::map<std::string, std::string> parameters = {}) {
+std::vector<Warning> concerns_of(const std::string& scene_text, const std::string& integrator,
+                                 std::map<std::string, std::string> parameters = {}) {
   const auto scene = test::scene_from(scene_text);
   test::RenderOptions options;
   options.integrator = integrator;
@@ -21,11 +21,11 @@ std::string glass_and_metal() { return test::small_scene("GlassAndMetal").text; 
 
 TEST(Concerns, NameWhatLightTracingCannotSee) {
   EXPECT_TRUE(concerns_of(test::small_scene("Room").text, "lt").empty());
-  const std::vector<std::string> concerns = concerns_of(glass_and_metal(), "lt");
+  const std::vector<Warning> concerns = concerns_of(glass_and_metal(), "lt");
   ASSERT_EQ(concerns.size(), 1U);
-  EXPECT_NE(concerns.front().find("% of the picture shows mirrors or clear glass"),
+  EXPECT_NE(concerns.front().message.find("% of the picture shows mirrors or clear glass"),
             std::string::npos)
-      << concerns.front();
+      << concerns.front().message;
 }
 
 /// A caustic that only light subpaths can make: the lamp is a point.
@@ -36,11 +36,12 @@ TEST(Concerns, NameTheLightOfPointLampsBehindGlass) {
                                 "\" Shape \"sphere\" Material \"matte\" Translate 0 0 5 Shape "
                                 "\"sphere\" \"float radius\" 3");
   };
-  const std::vector<std::string> concerns = concerns_of(scene_with("glass"), "pt");
+  const std::vector<Warning> concerns = concerns_of(scene_with("glass"), "pt");
   ASSERT_EQ(concerns.size(), 1U);
-  EXPECT_NE(concerns.front().find("% of the light goes from a point or distant lamp straight to"),
-            std::string::npos)
-      << concerns.front();
+  EXPECT_NE(
+      concerns.front().message.find("% of the light goes from a point or distant lamp straight to"),
+      std::string::npos)
+      << concerns.front().message;
   EXPECT_TRUE(concerns_of(scene_with("matte"), "pt").empty());
   for (const char* integrator : {"ibpt", "bdpt", "selective"}) {
     EXPECT_TRUE(concerns_of(scene_with("glass"), integrator).empty()) << integrator;
@@ -67,7 +68,7 @@ TEST(Concerns, NameDepthsThatNoTechniqueMakes) {
   const std::string room = test::small_scene("Room").text;
   const auto of = [&](const char* integrator, const char* name, const char* techniques) {
     const auto concerns = concerns_of(room, integrator, {{name, techniques}});
-    return concerns.empty() ? std::string() : concerns.front();
+    return concerns.empty() ? std::string() : concerns.front().message;
   };
   EXPECT_NE(of("bdpt", "techniques", "(2,2)").find("paths of 2, 4, 5"), std::string::npos);
   EXPECT_NE(of("bdpt", "techniques", "inner").find("paths of 2 edges"), std::string::npos);

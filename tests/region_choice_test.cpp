@@ -6,6 +6,7 @@
 #include <random>
 #include <vector>
 
+#include "integrator/chain_share.h"
 #include "integrator/weighted_errors.h"
 #include "support/render.h"
 #include "support/small_scenes.h"
@@ -58,17 +59,12 @@ class RegionChoiceTest : public testing::Test {
             .t = 2};
   }
 
-  RegionChoice choose(double correlation) const {
-    return choose_regions({plan_,
-                           regions_,
-                           *film_,
-                           *omc_,
-                           kSamples,
-                           10.0,
-                           found_,
-                           {0, 1},
-                           ChainCosts{correlation, 4.5}});
+  PilotView view(double correlation) const {
+    return {plan_,  regions_, *film_,
+            *omc_,  kSamples, 10.0,
+            found_, {0, 1},   ChainCosts{correlation, 4.5}};
   }
+  RegionChoice choose(double correlation) const { return choose_regions(view(correlation)); }
   /// T of the first region.
   double threshold(double correlation) const {
     return static_cast<double>(choose(correlation).shares.front().threshold);
@@ -82,6 +78,24 @@ class RegionChoiceTest : public testing::Test {
   Regions regions_;
   std::vector<FoundLight> found_;
 };
+
+/// What the user is told of a picture.
+TEST_F(RegionChoiceTest, AFireflyIsDifficultLightInItsCellAlone) {
+  const Vec2i cells = (regions_.size + Vec2i(15, 15)) / 16;
+  const double of_cell = 1.0 / (cells.x * cells.y);
+  const auto share = [&](double threshold) {
+    return chain_share(view(10.0), LightSplits(LightSplit(threshold, plan_.view.importance)));
+  };
+  // Found light that is not on the film: about half of all, to which T leaves some.
+  EXPECT_GT(share(0.1), share(3.0));
+  found_.clear();
+  EXPECT_EQ(share(0.1), 0.0);
+  found_.push_back(path(0, 1e6F));
+  EXPECT_NEAR(share(0.1), of_cell, 1e-9);
+  EXPECT_NEAR(share(100.0), of_cell, 1e-9);
+  found_.back().whole = true;
+  EXPECT_EQ(share(0.1), 0.0) << "chains cannot make it";
+}
 
 TEST_F(RegionChoiceTest, NoSingleSampleTurnsTheDecision) {
   constexpr double kBad = 300.0;

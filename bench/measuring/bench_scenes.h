@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/vector.h"
+#include "core/warnings.h"
 #include "scene/scene.h"
 
 namespace ajar::bench {

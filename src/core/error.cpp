@@ -13,12 +13,12 @@ std::string SourceLocation::to_string() const {
   return text;
 }
 
-namespace {
 std::string located(const SourceLocation& where, const std::string& message) {
   const std::string place = where.to_string();
   return place.empty() ? message : place + ": " + message;
 }
 
+namespace {
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});
@@ -37,26 +37,6 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 SceneError::SceneError(const SourceLocation& where, const std::string& message)
     : Error(located(where, message)) {}
-
-void Warnings::add(const SourceLocation& where, const std::string& message) {
-  add(located(where, message));
-}
-
-void Warnings::add(const std::string& message) {
-  const std::lock_guard lock(mutex_);
-  ++count_;
-  if (messages_.size() < kMaxKept) messages_.push_back(message);
-}
-
-std::size_t Warnings::count() const {
-  const std::lock_guard lock(mutex_);
-  return count_;
-}
-
-std::vector<std::string> Warnings::messages() const {
-  const std::lock_guard lock(mutex_);
-  return messages_;
-}
 
 std::string nearest_name(std::string_view name, std::span<const std::string> valid) {
   std::string best;

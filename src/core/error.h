@@ -1,7 +1,6 @@
 #pragma once
 #include <cstdint>
 #include <memory>
-#include <mutex>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -18,6 +17,8 @@ struct SourceLocation {
   /// "file:line:column", without the parts that are unknown.
   std::string to_string() const;
 };
+/// "place: message", or the message alone if the place is unknown.
+std::string located(const SourceLocation& where, const std::string& message);
 
 /// Base of every error a user can cause; `what()` is the complete message, ready to print.
 class Error : public std::runtime_error {
@@ -44,22 +45,6 @@ class IoError : public Error {
  public:
   using Error::Error;
   int exit_code() const override { return 4; }
-};
-
-/// Counted, located remarks about input that is unusual but usable. Thread-safe. Equal messages at
-/// different places are kept apart; at most `kMaxKept` texts are kept, all are counted.
-class Warnings {
- public:
-  static constexpr std::size_t kMaxKept = 200;
-  void add(const SourceLocation& where, const std::string& message);
-  void add(const std::string& message);
-  std::size_t count() const;
-  std::vector<std::string> messages() const;
-
- private:
-  mutable std::mutex mutex_;
-  std::size_t count_ = 0;
-  std::vector<std::string> messages_;
 };
 
 /// The name among `valid` that is nearest to `name` by edit distance, or empty if none is near.

@@ -10,6 +10,9 @@ namespace ajar {
 
 namespace {
 
+constexpr WarningKind kUnseenMirrors{Effect::Light, "methods do not see mirrors and clear glass"};
+constexpr WarningKind kUnseenLamps{Effect::Light, "methods do not see point lamps behind glass"};
+
 constexpr std::uint32_t kSamples = 4096;
 
 /// Clear glass and mirrors: nothing can be connected to them. Lamps that scatter nothing are seen
@@ -66,8 +69,8 @@ ClearSink look_around(const Scene& scene, const RenderSettings& settings,
 
 }  // namespace
 
-std::vector<std::string> blind_spots(const Scene& scene, const RenderSettings& settings,
-                                     const PathSamplerSettings& sampler) {
+std::vector<Warning> blind_spots(const Scene& scene, const RenderSettings& settings,
+                                 const PathSamplerSettings& sampler) {
   const TechniqueSet& set = sampler.techniques;
   const bool to_lens_only = set.any(TechniqueClass::Light) && !set.any(TechniqueClass::Implicit) &&
                             !set.any(TechniqueClass::NextEvent) && !set.any(TechniqueClass::Inner);
@@ -77,20 +80,26 @@ std::vector<std::string> blind_spots(const Scene& scene, const RenderSettings& s
       has_points && !set.any(TechniqueClass::Light) && !set.any(TechniqueClass::Inner);
   if (!to_lens_only && !from_points) return {};
   const ClearSink found = look_around(scene, settings, sampler);
-  std::vector<std::string> spots;
+  std::vector<Warning> spots;
   if (to_lens_only && found.seen > 0) {
-    spots.push_back(fmt::format(
-        "{:.2g} % of the picture shows mirrors or clear glass, where light subpaths cannot be "
-        "connected to the lens: all that light tracing is to make there is missing; bdpt and ibpt "
-        "see them",
-        100.0 * found.seen / kSamples));
+    spots.push_back(
+        {kUnseenMirrors,
+         {},
+         fmt::format("{:.2g} % of the picture shows mirrors or clear glass, which light "
+                     "tracing cannot see: its light is missing there; bdpt and ibpt see "
+                     "them",
+                     100.0 * found.seen / kSamples)});
   }
   if (from_points && found.lit > 0) {
-    spots.push_back(fmt::format(
-        "{:.2g} % of the light goes from a point or distant lamp straight to mirrors or clear "
-        "glass: what they throw on other things is missing, since no camera path runs into such a "
-        "lamp; bdpt, ibpt and selective see it",
-        100.0 * found.lit / found.light_paths));
+    spots.push_back(
+        {kUnseenLamps,
+         {},
+         fmt::format(
+             "{:.2g} % of the light goes from a point or distant lamp straight to mirrors or clear "
+             "glass: what they throw on other things is missing, since no camera path runs into "
+             "such a "
+             "lamp; bdpt, ibpt and selective see it",
+             100.0 * found.lit / found.light_paths)});
   }
   return spots;
 }

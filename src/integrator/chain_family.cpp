@@ -42,9 +42,9 @@ class ChainIntegrator final : public Integrator {
   PreparationRound begin_preparation(int round) override;
   void prepare_item(int round, std::uint64_t item, Counters& counters) override;
   void skip_preparation() override;
-  std::vector<std::string> concerns() const override;
+  std::vector<Warning> concerns() const override;
   bool misses_light() const override { return omc_ && omc_->misses_light(); }
-  std::vector<std::string> notes() const override { return notes_on(plan_, recruits_ != nullptr); }
+  std::vector<std::string> notes() const override;
 
   std::vector<LayerSpec> layers() const override;
   std::uint64_t items_in_pass() const override;
@@ -94,7 +94,7 @@ class ChainIntegrator final : public Integrator {
   std::vector<ChainPopulation> populations_;
   std::unique_ptr<OmcAdaptation> adaptation_;  ///< null if the next is
   std::unique_ptr<Integrator> omc_;            ///< null if it has nothing to render
-  std::vector<std::string> concerns_;
+  std::vector<Warning> concerns_;
   std::unique_ptr<PlaneMaps> maps_;          ///< null if steps do not follow the image plane
   std::uint64_t doubled_at_ = 0;             ///< samples per pixel
   std::unique_ptr<ChainRecruits> recruits_;  ///< null unless ordinary Monte Carlo finds seeds
@@ -187,12 +187,19 @@ void ChainIntegrator::end_preparation() {
   }
 }
 
-std::vector<std::string> ChainIntegrator::concerns() const {
-  std::vector<std::string> all = concerns_;
+std::vector<Warning> ChainIntegrator::concerns() const {
+  std::vector<Warning> all = concerns_;
   if (omc_) {
-    for (std::string& concern : omc_->concerns()) all.push_back(std::move(concern));
+    for (Warning& concern : omc_->concerns()) all.push_back(std::move(concern));
   }
   return all;
+}
+
+std::vector<std::string> ChainIntegrator::notes() const {
+  const bool might_have_chains = plan_.unprepared || !plan_.groups.empty();
+  if (!might_have_chains || !concerns_.empty()) return {};
+  return notes_on(plan_, pilot_ != nullptr ? pilot_->share_of_chains() : std::nullopt,
+                  recruits_ != nullptr);
 }
 
 void ChainIntegrator::make_omc() {

@@ -4,8 +4,29 @@
 
 namespace ajar {
 
-std::vector<std::string> concerns_about(const ChainPlan& plan,
-                                        std::span<const ChainPopulation> populations) {
+namespace {
+
+constexpr WarningKind kNoSeeds{Effect::Light, "methods have found no light to start chains from"};
+
+std::string words_for(const std::string& techniques) {
+  if (techniques == "pt") return "path tracing";
+  if (techniques == "lt") return "light tracing";
+  if (techniques == "ibpt") return "path and light tracing";
+  if (techniques == "bdpt") return "bidirectional path tracing";
+  return "Monte Carlo (" + techniques + ")";
+}
+
+std::string percent(double share) {
+  const auto rounded = static_cast<int>(std::lround(100.0 * share));
+  return rounded < 1 ? "less than 1 %" : "about " + std::to_string(rounded) + " %";
+}
+
+}  // namespace
+
+std::vector<Warning> concerns_about(const ChainPlan& plan,
+                                    std::span<const ChainPopulation> populations) {
+  // Chains that stand by need not have anything to do.
+  if (plan.standby) return {};
   std::uint64_t lit = 0;
   std::uint64_t samples = plan.scouted;
   for (const ChainPopulation& population : populations) {
@@ -13,23 +34,37 @@ std::vector<std::string> concerns_about(const ChainPlan& plan,
     lit += population.chains.size();
   }
   if (lit > 0 || populations.empty()) return {};
-  return {
-      "none of " + std::to_string(samples) +
-      " bootstrap paths carries light, so there is nothing to start Markov chains from: indirect "
-      "light is sampled without them and may stay black; try a larger bootstrap (--set "
-      "bootstrap=10000000), a larger --depth, or see whether the scene has lights that reach "
-      "what the camera sees"};
+  return {{kNoSeeds,
+           {},
+           "no light was found for Markov chains in " + std::to_string(samples) +
+               " tries: light that comes by way of several surfaces may be missing; see whether "
+               "the lamps reach what the camera sees, allow longer paths (--depth), or let it try "
+               "more often (--set bootstrap=10000000)"}};
 }
 
-std::vector<std::string> notes_on(const ChainPlan& plan, bool stand_by) {
+std::vector<std::string> notes_on(const ChainPlan& plan, std::optional<double> share,
+                                  bool stand_by) {
+  const std::string omc = words_for(plan.omc.techniques);
   if (plan.unprepared) {
-    return {"no time to prepare Markov chains: ordinary Monte Carlo alone renders this picture"};
+    return {"too little time to look for difficult light: plain " + omc + " makes this picture"};
   }
-  if (!plan.standby) return {};
+  if (plan.standby) {
+    return {"no difficult light found: plain " + omc + " makes this picture" +
+            (stand_by ? "; Markov chains only take stray bright dots" : "")};
+  }
+  if (plan.splits && plan.mutations == 0.0) {
+    return {"no light is left to Markov chains: plain " + omc + " makes this picture"};
+  }
+  if (plan.splits) {
+    const std::string difficult = "difficult light (caustics, light through gaps)";
+    if (!share) return {"Markov chains make " + difficult + ", " + omc + " the rest"};
+    return {difficult + " in " + percent(*share) + " of this picture: Markov chains make it, " +
+            omc + " the rest"};
+  }
+  if (plan.direct == ChainPlan::Direct::Chain) return {"Markov chains make all light"};
   return {
-      "nothing in this picture is so hard that Markov chains would pay: ordinary Monte Carlo (" +
-      plan.omc.techniques + ") renders it" +
-      (stand_by ? "; chains only stand by for fireflies" : " alone")};
+      "Markov chains make all light but what comes straight from lamps, or by way of one "
+      "surface"};
 }
 
 ChainReport report_chains(const ChainPlan& plan, std::span<const ChainPopulation> populations,

@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/error.h"
+#include "core/warnings.h"
 #include "integrator/integrator.h"
 #include "scene/scene.h"
 

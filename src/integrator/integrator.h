@@ -9,6 +9,7 @@
 
 #include "core/archive_forward.h"
 #include "core/parameters.h"
+#include "core/warnings.h"
 #include "core/work_share.h"
 #include "image/film.h"
 #include "image/plane.h"
@@ -127,8 +128,8 @@ class Integrator {
   /// without. Called once a round has begun, of which any items may have run; the picture depends
   /// on the number of the round only.
   virtual void skip_preparation() {}
-  /// What the user should know after the preparation: one warning each.
-  virtual std::vector<std::string> concerns() const { return {}; }
+  /// What the user should know after the preparation; of no place.
+  virtual std::vector<Warning> concerns() const { return {}; }
   /// Whether there is light that it cannot see, however long it renders: then replicates know too
   /// little of the error.
   virtual bool misses_light() const { return false; }

@@ -13,6 +13,8 @@ namespace ajar {
 
 namespace {
 
+constexpr WarningKind kMissingDepths{Effect::Light, "methods do not make paths of all lengths"};
+
 constexpr int kTileSize = 16;
 constexpr int kMaxPathEdges = 60000;  // vertex numbers are 16 bits wide
 
@@ -36,7 +38,7 @@ class PathIntegrator final : public Integrator {
     if (price_ != nullptr) sampler_settings_.camera_rest = static_cast<float>(price_->rest());
   }
   const PictureScale& scale() const { return scale_; }
-  std::vector<std::string> concerns() const override;
+  std::vector<Warning> concerns() const override;
   bool misses_light() const override;
 
   std::vector<LayerSpec> layers() const override {
@@ -226,8 +228,10 @@ class PathIntegrator final : public Integrator {
   mutable bool misses_light_ = false;
 };
 
-std::vector<std::string> PathIntegrator::concerns() const {
-  if (std::optional<std::string> concern = concern_about_depths()) return {*std::move(concern)};
+std::vector<Warning> PathIntegrator::concerns() const {
+  if (std::optional<std::string> concern = concern_about_depths()) {
+    return {{kMissingDepths, {}, *std::move(concern)}};
+  }
   return blind_spots(scene_, settings_, sampler_settings_);
 }
 

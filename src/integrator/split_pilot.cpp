@@ -10,6 +10,7 @@
 #include "image/edges.h"
 #include "image/make_filter.h"
 #include "integrator/chain_bootstrap.h"
+#include "integrator/chain_share.h"
 #include "integrator/light_split.h"
 
 namespace ajar {
@@ -218,17 +219,17 @@ void SplitPilot::decide(std::span<const ChainCosts> costs) {
   for (std::size_t half = 0; half < halves(); ++half) {
     choices_.push_back(choose_regions(view(seen_by(half), costs[half])));
   }
-  if (plan_.selective) {
-    std::vector<int> all(static_cast<std::size_t>(film_->replicates()));
-    std::iota(all.begin(), all.end(), 0);
-    noise_ = pilot_noise(view(std::move(all), {}));
-  }
+  std::vector<int> all(static_cast<std::size_t>(film_->replicates()));
+  std::iota(all.begin(), all.end(), 0);
+  const PilotView whole = view(std::move(all), {});
+  if (plan_.selective) noise_ = pilot_noise(whole);
   const LightSplits before = *plan_.splits;
   if (halves() > 1) {
     plan_.splits.emplace(split_of(choices_[0]), split_of(choices_[1]));
   } else {
     plan_.splits.emplace(split_of(choices_[0]));
   }
+  if (divides_anew()) share_of_chains_ = chain_share(whole, *plan_.splits);
   if (recruits_ != nullptr) recruits_->divide_anew(before);
   share_effort();
   if (recruits_ != nullptr) join();

@@ -66,6 +66,8 @@ class SplitPilot final : public PreparationStage, public StrongPathSinks {
   /// Of the first region in each half, relative to the brightness of its pixels; empty until it is
   /// decided.
   std::vector<double> thresholds() const;
+  /// Of the picture, as `chain_share` has it; empty if it was not looked at or is not decided.
+  std::optional<double> share_of_chains() const { return share_of_chains_; }
   /// Of each half, in the same order.
   std::vector<SelectiveReport::Half> expectations() const;
   /// Rows of the statistics, the largest regions first.
@@ -103,6 +105,7 @@ class SplitPilot final : public PreparationStage, public StrongPathSinks {
   Regions regions_;
   std::vector<RegionChoice> choices_;  ///< one, or one for each half
   std::optional<Plane> noise_;         ///< of `selective` alone
+  std::optional<double> share_of_chains_;
 };
 
 }  // namespace ajar

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/error.h"
+#include "core/warnings.h"
 #include "scene/coordinate_limit.h"
 #include "scene/desc/scene_desc.h"
 #include "scene/hit.h"

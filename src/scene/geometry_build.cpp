@@ -13,6 +13,13 @@ namespace ajar {
 
 namespace {
 
+constexpr WarningKind kNoArea{Effect::Geometry, "shapes have no area and are left out"};
+constexpr WarningKind kCutAway{Effect::None, "shapes are cut away whole by their alpha"};
+constexpr WarningKind kSingularShape{Effect::Geometry,
+                                     "shapes have singular transforms and are left out"};
+constexpr WarningKind kSingularInstance{Effect::Geometry,
+                                        "instances have singular transforms and are left out"};
+
 bool count_memory(void* counter, ssize_t bytes, bool /*post*/) {
   static_cast<std::atomic<std::int64_t>*>(counter)->fetch_add(bytes, std::memory_order_relaxed);
   return true;
@@ -56,7 +63,7 @@ class ShapePreparation {
   void operator()(const Node& node) {
     record_.quadric = Quadric::make(node);
     if (!record_.quadric) {
-      warnings_.add(shape_.where, "the shape has no area; it is left out");
+      warnings_.add(kNoArea, shape_.where, "the shape has no area; it is left out");
       return;
     }
     Vec3d low;
@@ -90,12 +97,13 @@ void prepare(desc::Shape& shape, const TextureList& textures, Warnings& warnings
   record.shadow_alpha = alpha_slot(shape.shadow_alpha, textures);
   record.reversed = shape.reverse_orientation;
   if (record.alpha.is_constant() && record.alpha.eval_float(SurfacePoint{}) == 0.F) {
-    warnings.add(shape.where, "alpha is zero everywhere; the shape is left out");
+    warnings.add(kCutAway, shape.where, "alpha is zero everywhere; the shape is left out");
     return;
   }
   record.placement = Placement::make(shape.to_world);
   if (!record.placement) {
-    warnings.add(shape.where, "the transform of the shape is singular; it is left out");
+    warnings.add(kSingularShape, shape.where,
+                 "the transform of the shape is singular; it is left out");
     return;
   }
   std::visit(ShapePreparation(shape, *record.placement, warnings, record), shape.node);
@@ -199,7 +207,8 @@ void Geometry::prepare_instances(const desc::SceneDesc& description, Warnings& w
     record.placement = Placement::make(rounded(instance.to_world));
     if (record.placement && !max_ray_coordinate(*record.placement)) record.placement.reset();
     if (!record.placement) {
-      warnings.add(instance.where, "the transform of the instance is singular; it is left out");
+      warnings.add(kSingularInstance, instance.where,
+                   "the transform of the instance is singular; it is left out");
     }
   }
 }
@@ -221,9 +230,17 @@ void Geometry::prepare_shapes(desc::SceneDesc& description, const TextureList& t
     }
   }
   shapes_ = std::vector<ShapeRecord>(todo.size());
+  // Threads meet them in any order; the file has one.
+  std::vector<std::unique_ptr<const Warnings>> of_shapes(todo.size());
   parallel_for(todo.size(), [&](std::size_t i) {
-    if (todo[i] != nullptr) prepare(*todo[i], textures, warnings, shapes_[i]);
+    if (todo[i] == nullptr) return;
+    auto own = std::make_unique<Warnings>(Warnings::kAll);
+    prepare(*todo[i], textures, *own, shapes_[i]);
+    if (own->count() > 0) of_shapes[i] = std::move(own);
   });
+  for (const auto& own : of_shapes) {
+    if (own) warnings.add_all(*own);
+  }
   for (std::size_t i = 0; i < description.objects.size(); ++i) {
     for (std::size_t k = object_base_[i]; k < object_base_[i + 1]; ++k) {
       shapes_[k].check_plane = shapes_[k].mesh && (shapes_[k].check_plane || is_far[i] != 0);

@@ -449,6 +449,21 @@ TEST(FaultyShapes, SingularTransformsAreDroppedWithAWarning) {
   EXPECT_FALSE(world.hit({0, 0, 5}, {0, 0, -1}));
 }
 
+TEST(FaultyShapes, AreToldOfInTheOrderOfTheFile) {
+  std::vector<desc::Shape> shapes;
+  const auto file = std::make_shared<const std::string>("a.pbrt");
+  for (int i = 0; i < 400; ++i) {
+    // Some take longer than others.
+    shapes.push_back(i % 10 == 0 ? mesh_shape(cube(), scaling(1, 0, 1))
+                                 : shape(desc::Sphere{0, 0, 0, 360}));
+    shapes.back().where = {file, i + 1, 1};
+  }
+  const World world = world_of(std::move(shapes));
+  const std::vector<Warning> warnings = world.warnings.kept();
+  ASSERT_EQ(warnings.size(), Warnings::kMaxKept);
+  for (int i = 0; i < 200; ++i) EXPECT_EQ(warnings[static_cast<std::size_t>(i)].where.line, i + 1);
+}
+
 TEST(FaultyShapes, TrianglesWithoutAreaAreHarmless) {
   desc::Mesh mesh = square(1);
   mesh.indices.emplace_back(0, 0, 0);

@@ -11,6 +11,14 @@ namespace ajar {
 
 namespace {
 
+constexpr WarningKind kInstanced{
+    Effect::Light, "surfaces that are instanced cannot be lights: their emission is left out"};
+constexpr WarningKind kNoLight{Effect::Light, "scenes have no light"};
+constexpr WarningKind kNoMaterial{
+    Effect::Light, "surfaces without material cannot be lights: give them a black matte one"};
+constexpr WarningKind kNoEmitter{Effect::Light,
+                                 "curves, or surfaces without area, cannot be lights"};
+
 BoundingSphere sphere_around(const Box3& box) {
   if (box.isEmpty()) return {};
   const Vec3d low(box.min);
@@ -92,7 +100,7 @@ void Scene::build_surfaces(const desc::SceneDesc& description, Warnings& warning
   for (const desc::Object& object : description.objects) {
     for (const desc::Shape& shape : object.shapes) {
       if (shape.light && geometry_->has_shape(surfaces_.size())) {
-        warnings.add(shape.light->where, "instanced surfaces do not emit light");
+        warnings.add(kInstanced, shape.light->where, "instanced surfaces do not emit light");
       }
       add(shape);
     }
@@ -135,15 +143,16 @@ void Scene::build_lights(const desc::SceneDesc& description, Warnings& warnings)
     const desc::Shape& shape = description.shapes[i];
     if (!shape.light || !geometry_->has_shape(i)) continue;
     if (surfaces_[i].material->is_interface()) {
-      warnings.add(shape.light->where,
+      warnings.add(kNoMaterial, shape.light->where,
                    "a surface without material cannot emit: give it a black matte one");
       continue;
     }
     auto sampler = geometry_->make_sampler(i);
     if (!sampler) {
       const bool is_curve = std::holds_alternative<std::shared_ptr<const desc::Curve>>(shape.node);
-      warnings.add(shape.light->where, is_curve ? "curves cannot emit light"
-                                                : "the surface has no area and emits no light");
+      warnings.add(
+          kNoEmitter, shape.light->where,
+          is_curve ? "curves cannot emit light" : "the surface has no area and emits no light");
       continue;
     }
     auto light = make_area_light(*shape.light, *sampler, textures_);
@@ -151,6 +160,10 @@ void Scene::build_lights(const desc::SceneDesc& description, Warnings& warnings)
     if (!light) continue;
     light->medium = medium(shape.outside);
     surfaces_[i].light = add(std::move(light));
+  }
+  if (lights_.empty()) {
+    warnings.add(kNoLight, {std::make_shared<const std::string>(source_), 0, 0},
+                 "there is no light in this scene: its picture is black");
   }
 }
 

@@ -9,6 +9,7 @@
 
 #include "core/error.h"
 #include "core/spectrum.h"
+#include "core/warnings.h"
 #include "scene/camera/camera.h"
 #include "scene/desc/scene_desc.h"
 #include "scene/hit.h"

@@ -9,6 +9,7 @@
 #include <filesystem>
 
 #include "core/error.h"
+#include "core/warnings.h"
 #include "scene/scene.h"
 
 namespace ajar {

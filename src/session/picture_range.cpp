@@ -10,6 +10,11 @@ namespace ajar {
 
 namespace {
 
+constexpr WarningKind kOutOfRange{Effect::Light,
+                                  "pictures have values that floats cannot hold well"};
+
+constexpr WarningKind kBlack{Effect::Light, "pictures are black"};
+
 /// Below this, floats have fewer digits the smaller they are.
 constexpr double kLeastNormal = std::numeric_limits<float>::min();
 /// A picture as dim as this on average has many values below it, and factors of paths even more.
@@ -32,7 +37,8 @@ bool has_light(const Film& film) {
 
 }  // namespace
 
-std::string range_complaint(const Film& film, const Picture& picture, double film_scale) {
+std::optional<Warning> range_complaint(const Film& film, const Picture& picture,
+                                       double film_scale) {
   std::size_t infinite = 0;
   double sum = 0.0;
   const std::vector<float>& values = picture.layers.front().pixels;
@@ -44,25 +50,35 @@ std::string range_complaint(const Film& film, const Picture& picture, double fil
     }
   }
   if (infinite > 0) {
-    return fmt::format(
-        "{} of {} values of the picture are infinite: light times the film's scale of {:g} is "
-        "beyond the largest float, 3.4e38; make the scale or the lights smaller",
-        infinite, values.size(), film_scale);
+    return Warning{
+        kOutOfRange,
+        {},
+        fmt::format(
+            "{} of {} values of the picture are infinite: light times the film's scale of {:g} is "
+            "beyond the largest float, 3.4e38; make the scale or the lights smaller",
+            infinite, values.size(), film_scale)};
   }
   const double mean = sum / static_cast<double>(values.size());
   // Before the scale, too: what is lost in the light does not come back with it.
   const double least = std::min(mean, film_scale != 0.0 ? mean / std::abs(film_scale) : mean);
-  if (film_scale == 0.0) return "the picture is black: its film's scale is 0";
-  if (sum == 0.0 && !has_light(film)) {
-    return "the picture is black: no path has found light, and its error is unknown; see whether "
-           "the scene has lights that reach what the camera sees, and try a larger --depth, more "
-           "samples or another method";
+  if (film_scale == 0.0) {
+    return Warning{kBlack, {}, "the picture is black: its film's scale is 0"};
   }
-  if (least >= kDimmestMean || !has_light(film)) return {};
-  return fmt::format(
-      "the picture is so dim that floats lose its digits: its mean is {:.2g}, with a film's scale "
-      "of {:g}, and below {:.2g} they have fewer; make the lights or the scale larger",
-      mean, film_scale, kLeastNormal);
+  if (sum == 0.0 && !has_light(film)) {
+    return Warning{kBlack,
+                   {},
+                   "the picture is black: no path has found light, and its error is unknown; see "
+                   "whether the scene has lights that reach what the camera sees, and try a larger "
+                   "--depth, more samples or another method"};
+  }
+  if (least >= kDimmestMean || !has_light(film)) return std::nullopt;
+  return Warning{
+      kOutOfRange,
+      {},
+      fmt::format("the picture is so dim that floats lose its digits: its mean is {:.2g}, with a "
+                  "film's scale "
+                  "of {:g}, and below {:.2g} they have fewer; make the lights or the scale larger",
+                  mean, film_scale, kLeastNormal)};
 }
 
 }  // namespace ajar

@@ -15,7 +15,9 @@ std::string complaint_of(float light, double film_scale) {
   film.add(0, 0, Vec2i(0, 0), Spectrum(light));
   Development scales;
   scales.whole = {1.0, 1.0};
-  return range_complaint(film, develop(film, scales, 1, film_scale, {}), film_scale);
+  const auto complaint =
+      range_complaint(film, develop(film, scales, 1, film_scale, {}), film_scale);
+  return complaint ? complaint->message : "";
 }
 
 TEST(PictureRange, IsFineForWhatFloatsHold) {

@@ -2,6 +2,7 @@
 #include <string>
 
 #include "core/error.h"
+#include "core/warnings.h"
 #include "scene/desc/scene_desc.h"
 
 namespace ajar {

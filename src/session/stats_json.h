@@ -8,6 +8,7 @@
 
 #include "core/error.h"
 #include "core/vector.h"
+#include "core/warnings.h"
 #include "session/display.h"
 #include "session/render_job.h"
 

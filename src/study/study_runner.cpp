@@ -9,6 +9,7 @@
 #include <set>
 
 #include "core/error.h"
+#include "core/warnings.h"
 #include "image/metrics.h"
 #include "scene/desc/scene_desc.h"
 #include "session/interrupts.h"

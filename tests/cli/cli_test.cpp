@@ -520,7 +520,7 @@ TEST_F(Cli, ChainsWithoutLightSayWhatToDoAndRenderBlack) {
         run({"render", scene.string(), "--integrator", integrator, "--resolution", "8x8", "--spp",
              "8", "--set", "bootstrap=2000", "--stats", "stats.json", "-o", "a.pfm"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-    EXPECT_TRUE(contains(outcome.err, "bootstrap paths carries light")) << outcome.err;
+    EXPECT_TRUE(contains(outcome.err, "no light was found for Markov chains")) << outcome.err;
     EXPECT_TRUE(contains(outcome.err, "--set bootstrap=")) << outcome.err;
     EXPECT_TRUE(contains(outcome.err, "the picture is black")) << outcome.err;
     EXPECT_EQ(statistics().at("warnings"), 2);

@@ -143,6 +143,8 @@ TEST_F(FarScenes, EndWithAFinitePictureOrAPlace) {
       const auto lost = statistics().at("discarded").at("rays_out_of_range").get<int>();
       EXPECT_EQ(lost > 0, far.loses_rays) << lost;
       EXPECT_EQ(contains(outcome.err, "rays could not be traced"), far.loses_rays) << outcome.err;
+      const std::string kept = statistics().at("warning_messages").dump();
+      EXPECT_EQ(contains(kept, "rays could not be traced"), far.loses_rays) << kept;
     }
   }
 }

@@ -1,6 +1,7 @@
 #include "apps/cli/commands.h"
 #include "apps/cli/messages.h"
 #include "core/error.h"
+#include "core/warnings.h"
 #include "import/pbrt/pbrt_writer.h"
 #include "session/output.h"
 #include "session/scene_file.h"
@@ -16,7 +17,7 @@ int convert(const ConvertArguments& arguments) {
   Warnings warnings;
   const desc::SceneDesc scene = load_scene(arguments.scene, warnings);
   check_spares({arguments.output}, scene.files);
-  print_warnings(warnings, "");
+  print_warnings(warnings, arguments.scene);
   write_pbrt(scene, arguments.output);
   print_path(arguments.output);
   return 0;

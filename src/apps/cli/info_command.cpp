@@ -7,9 +7,9 @@
 
 #include "apps/cli/commands.h"
 #include "apps/cli/messages.h"
-#include "core/error.h"
 #include "core/printable_text.h"
 #include "core/standard_streams.h"
+#include "core/warnings.h"
 #include "scene/scene.h"
 #include "session/memory_estimate.h"
 #include "session/progress.h"
@@ -182,7 +182,20 @@ std::string vector_text(const Json& v) {
                      v[2].get<double>());
 }
 
-std::string text_of(const Json& j, const MemoryEstimate& memory) {
+/// "7: 2 of light, 5 of slight effect".
+std::string warnings_text(const Warnings& warnings) {
+  std::string by_effect;
+  for (std::size_t i = 0; i < kEffects; ++i) {
+    const auto effect = static_cast<Effect>(i);
+    if (const std::size_t count = warnings.count(effect); count > 0) {
+      by_effect +=
+          fmt::format("{}{} of {}", by_effect.empty() ? ": " : ", ", count, name_of(effect));
+    }
+  }
+  return std::to_string(warnings.count()) + by_effect;
+}
+
+std::string text_of(const Json& j, const MemoryEstimate& memory, const Warnings& warnings) {
   std::string lines;
   const auto line = [&lines](const char* label, const std::string& text) {
     lines += fmt::format("{:<12}{}\n", label, printable_line(text));
@@ -218,14 +231,14 @@ std::string text_of(const Json& j, const MemoryEstimate& memory) {
                    megabytes(j["memory"]["embree_bytes"]), megabytes(j["memory"]["peak_bytes"])));
   line("loaded in", fmt::format("{:.2f} s, built in {:.2f} s", j["seconds"]["load"].get<double>(),
                                 j["seconds"]["build"].get<double>()));
-  line("warnings", std::to_string(j["warnings"].get<std::size_t>()));
+  line("warnings", warnings_text(warnings));
   return lines;
 }
 
 }  // namespace
 
 int info(const InfoArguments& arguments) {
-  Warnings warnings;
+  Warnings warnings(Warnings::kAll);
   const Stopwatch load_clock;
   desc::SceneDesc description = load_scene(arguments.scene, warnings);
   const double load_seconds = load_clock.seconds();
@@ -246,8 +259,8 @@ int info(const InfoArguments& arguments) {
   if (arguments.json) {
     print_result(json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
   } else {
-    print_warnings(warnings, "all with --json");
-    print_result(text_of(json, memory));
+    print_all_warnings(warnings);
+    print_result(text_of(json, memory, warnings));
   }
   return 0;
 }

@@ -86,12 +86,14 @@ int merge(const MergeArguments& a) {
   if (!a.checkpoint.empty()) write_checkpoint(a.checkpoint, merged, film.raw());
   Picture picture =
       develop(film, merged.scales, merged.job.samples_per_pixel, merged.render.film_scale, aovs);
-  if (const std::string complaint = range_complaint(film, picture, merged.render.film_scale);
-      !complaint.empty()) {
-    statistics.warnings.push_back(complaint);
-    ++statistics.warning_count;
-    print_warning(complaint);
+  Warnings warnings;
+  if (auto complaint = range_complaint(film, picture, merged.render.film_scale)) {
+    warnings.add(*std::move(complaint));
   }
+  for (Warning& concern : concerns_about(statistics.result)) warnings.add(std::move(concern));
+  print_all_warnings(warnings);
+  statistics.warnings = warnings.messages();
+  statistics.warning_count = warnings.count();
   picture.metadata = to_metadata(statistics);
   if (merged.merged.size() > 1) picture.metadata["ajar:merged_seeds"] = seeds_text(merged);
   const DisplayOptions display = wanted.of(picture);

@@ -3,20 +3,37 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
+#include <string_view>
 
 #include "core/printable_text.h"
 #include "core/standard_streams.h"
+#include "core/warning_digest.h"
 
 namespace ajar::cli {
 
 namespace {
 
-constexpr std::size_t kMaxPrinted = 20;
+/// With the note, about a screen.
+constexpr std::size_t kMostLines = 19;
 
 bool errors_only = false;
 
 void print(const char* kind, const std::string& text) {
   say(fmt::format("ajar: {}{}\n", kind, printable_text(text)));
+}
+
+/// `text` as a shell takes it for one word.
+std::string shell_word(const std::string& text) {
+  constexpr std::string_view kPlain = "/._-+:,@%=";
+  const bool is_plain = std::all_of(text.begin(), text.end(), [&](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 ||
+           (static_cast<unsigned char>(c) & 0x80U) != 0 || kPlain.find(c) != std::string_view::npos;
+  });
+  if (is_plain && !text.empty()) return text;
+  std::string word = "'";
+  for (const char c : text) word += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return word + "'";
 }
 
 }  // namespace
@@ -32,14 +49,14 @@ void print_errors_only() { errors_only = true; }
 
 void print_path(const std::string& path) { say_on_stdout(path + "\n"); }
 
-void print_warnings(const Warnings& warnings, const std::string& where_more) {
-  const std::vector<std::string> messages = warnings.messages();
-  const std::size_t printed = std::min(kMaxPrinted, messages.size());
-  for (std::size_t i = 0; i < printed; ++i) print_warning(messages[i]);
-  if (warnings.count() > printed) {
-    print_warning(fmt::format("and {} more{}", warnings.count() - printed,
-                              where_more.empty() ? "" : " (" + where_more + ")"));
-  }
+void print_warnings(const Warnings& warnings, const std::string& scene) {
+  const WarningDigest digested = digest(warnings, kMostLines, "ajar info " + shell_word(scene));
+  for (const std::string& line : digested.lines) print_warning(line);
+  if (!digested.note.empty()) print_note(digested.note);
+}
+
+void print_all_warnings(const Warnings& warnings) {
+  for (const std::string& message : warnings.messages()) print_warning(message);
 }
 
 }  // namespace ajar::cli

@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-#include "core/error.h"
+#include "core/warnings.h"
 
 /// Messages for people, on stderr; results go to stdout (`print_result`).
 namespace ajar::cli {
@@ -13,8 +13,10 @@ void print_note(const std::string& text);
 void print_errors_only();
 /// Where a file was written, on stdout for scripts.
 void print_path(const std::string& path);
-/// The first twenty, then how many there are besides. `where_more`: where the others can be found;
-/// may be empty.
-void print_warnings(const Warnings& warnings, const std::string& where_more);
+/// At most a screen of them, by what they do to the picture of `scene`, which `ajar info` tells all
+/// of.
+void print_warnings(const Warnings& warnings, const std::string& scene);
+/// Every one that is kept.
+void print_all_warnings(const Warnings& warnings);
 
 }  // namespace ajar::cli

@@ -13,6 +13,14 @@
 
 namespace ajar::cli {
 
+namespace {
+
+constexpr WarningKind kRaysOutOfRange{Effect::Slight, "renders have lost rays"};
+constexpr WarningKind kDropped{Effect::Slight, "renders have dropped contributions"};
+constexpr WarningKind kCutShort{Effect::Slight, "renders were cut short"};
+
+}  // namespace
+
 bool report_file(const WrittenFile& file) {
   if (file.error.empty()) return true;
   print_error(file.error);
@@ -35,21 +43,36 @@ bool write_statistics(const RenderStatistics& statistics, const std::string& pat
   }
 }
 
-void report_discarded(const Counters& counters) {
+std::vector<Warning> concerns_about(const RenderResult& result) {
+  const Counters& counters = result.counters;
+  std::vector<Warning> concerns;
   if (counters.rays_out_of_range > 0) {
-    print_warning(
-        fmt::format("{} of {} rays could not be traced, because their coordinates are not numbers "
-                    "or too large ({:g} at most, less with small instances); what they would have "
-                    "brought is missing",
-                    counters.rays_out_of_range, counters.rays, kMaxRayCoordinate));
+    concerns.push_back(
+        {kRaysOutOfRange,
+         {},
+         fmt::format("{} of {} rays could not be traced, because their coordinates are not numbers "
+                     "or too large ({:g} at most, less with small instances); what they would have "
+                     "brought is missing",
+                     counters.rays_out_of_range, counters.rays, kMaxRayCoordinate)});
   }
-  const std::uint64_t total =
+  const std::uint64_t dropped =
       counters.discarded_nan + counters.discarded_infinite + counters.discarded_negative;
-  if (total == 0) return;
-  print_warning(
-      fmt::format("{} contributions were dropped ({} NaN, {} infinite, {} negative); the first: {}",
-                  total, counters.discarded_nan, counters.discarded_infinite,
-                  counters.discarded_negative, counters.first_discarded));
+  if (dropped > 0) {
+    concerns.push_back(
+        {kDropped,
+         {},
+         fmt::format("{} contributions were dropped ({} NaN, {} infinite, {} negative); the first: "
+                     "{}",
+                     dropped, counters.discarded_nan, counters.discarded_infinite,
+                     counters.discarded_negative, counters.first_discarded)});
+  }
+  if (!result.complete) {
+    concerns.push_back({kCutShort,
+                        {},
+                        "the last pass was cut short: parts of the picture have fewer samples than "
+                        "others, or none"});
+  }
+  return concerns;
 }
 
 void report_end(const RenderResult& result, double preparing) {
@@ -72,11 +95,6 @@ void report_end(const RenderResult& result, double preparing) {
   }
   if (result.stopped_by == StopReason::Interrupted) text += ", interrupted";
   print_note(text);
-  if (!result.complete) {
-    print_warning(
-        "the last pass was cut short: parts of the picture have fewer samples than others, or "
-        "none");
-  }
 }
 
 void report_exposure(const Picture& picture, const std::vector<std::string>& outputs,

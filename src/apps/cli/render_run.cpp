@@ -15,6 +15,7 @@
 #include "apps/cli/render_report.h"
 #include "core/archive.h"
 #include "core/error.h"
+#include "core/warnings.h"
 #include "image/make_filter.h"
 #include "scene/scene.h"
 #include "session/checkpoint_writer.h"
@@ -89,6 +90,8 @@ class Run {
   Checkpoint checkpoint_base() const;
   Picture picture_of(const Film& film, const JobState& state, StopReason reason);
   int finish(const RenderJob& job);
+  /// Says it, and keeps it for the statistics.
+  void warn(const Warning& warning);
   bool is_root() const { return order_.run.ranks == nullptr || order_.run.ranks->is_root(); }
   /// What the user asked for in this run.
   const RunArguments& run() const { return order_.run; }
@@ -220,7 +223,7 @@ void Run::build(desc::SceneDesc description) {
                                          warnings_);
   statistics_.times.build = clock.seconds();
   record_.scene_hash = scene_->hash();
-  print_warnings(warnings_, run().stats.empty() ? "" : "see " + run().stats);
+  print_warnings(warnings_, order_.scene);
   for (const std::string& note : setup_.notes) print_note(note);
 }
 
@@ -247,10 +250,7 @@ void Run::prepare_integrator() {
                      " cannot be divided into shares: its chains learn from each other; render "
                      "several seeds, and merge them");
   }
-  for (const std::string& concern : integrator_->concerns()) {
-    warnings_.add(concern);
-    print_warning(concern);
-  }
+  for (const Warning& concern : integrator_->concerns()) warn(concern);
   for (const std::string& note : integrator_->notes()) print_note(note);
 }
 
@@ -394,6 +394,11 @@ Picture Run::picture_of(const Film& film, const JobState& state, StopReason reas
   return picture;
 }
 
+void Run::warn(const Warning& warning) {
+  warnings_.add(warning);
+  print_warning(warning.text());
+}
+
 int Run::finish(const RenderJob& job) {
   const RenderResult result = statistics_.result;
   const bool interrupted = result.stopped_by == StopReason::Interrupted;
@@ -410,11 +415,10 @@ int Run::finish(const RenderJob& job) {
   }
   Picture picture =
       develop(job.film(), *integrator_, result.samples_per_pixel, record_.film_scale, setup_.aovs);
-  if (const std::string complaint = range_complaint(job.film(), picture, record_.film_scale);
-      !complaint.empty()) {
-    warnings_.add(complaint);
-    print_warning(complaint);
+  if (const auto complaint = range_complaint(job.film(), picture, record_.film_scale)) {
+    warn(*complaint);
   }
+  for (const Warning& concern : concerns_about(result)) warn(concern);
   complete_statistics(result);
   picture.metadata = to_metadata(statistics_);
   const DisplayOptions display = display_.of(picture);
@@ -429,7 +433,6 @@ int Run::finish(const RenderJob& job) {
   }
   statistics_.peak_memory_bytes = peak_memory_bytes();
   bool all_written = write_statistics(statistics_, run().stats);
-  report_discarded(result.counters);
   report_end(result, statistics_.times.prepare);
   report_exposure(picture, outputs_, display, display_.exposure.automatic);
   for (const WrittenFile& file : written) all_written = report_file(file) && all_written;

@@ -211,7 +211,7 @@ TEST(Ply, HeaderErrorsNameTheLine) {
 
 TEST(ValidateMesh, RefusesBadIndicesAndPositions) {
   const SourceLocation where{std::make_shared<const std::string>("s.pbrt"), 3, 4};
-  std::vector<std::string> remarks;
+  std::vector<Warning> remarks;
   desc::Mesh mesh = read_ply(kAsciiQuad, "m.ply");
   mesh.indices[1].y = 4;
   EXPECT_THROW(
@@ -226,7 +226,7 @@ TEST(ValidateMesh, RefusesBadIndicesAndPositions) {
 }
 
 TEST(ValidateMesh, DropsTrianglesWithoutAreaAndBadAttributes) {
-  std::vector<std::string> remarks;
+  std::vector<Warning> remarks;
   desc::Mesh mesh = read_ply(kAsciiQuad, "m.ply");
   mesh.indices.insert(mesh.indices.begin(), {1, 1, 2});
   mesh.normals[0].x = std::numeric_limits<float>::infinity();
@@ -242,7 +242,7 @@ TEST(ValidateMesh, KeepsTrianglesThatAreOnlySmall) {
   desc::Mesh mesh;
   mesh.positions = {{0.F, 0.F, 0.F}, {1e-25F, 0.F, 0.F}, {0.F, 1e-25F, 0.F}};
   mesh.indices.emplace_back(0, 1, 2);
-  std::vector<std::string> remarks;
+  std::vector<Warning> remarks;
   validate_mesh(mesh, {}, remarks);
   EXPECT_EQ(mesh.indices.size(), 1U);
   EXPECT_TRUE(remarks.empty());

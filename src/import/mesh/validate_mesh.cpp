@@ -6,6 +6,13 @@
 namespace ajar {
 namespace {
 
+constexpr WarningKind kNoArea{Effect::None, "triangles have no area and are left out", "meshes"};
+constexpr WarningKind kEmpty{Effect::Geometry, "meshes have no triangles and are left out"};
+constexpr WarningKind kBadAttribute{
+    Effect::Surface, "meshes have normals, tangents or texture coordinates that are ignored"};
+constexpr WarningKind kLongAttribute{
+    Effect::None, "meshes have more normals, tangents or texture coordinates than vertices"};
+
 bool all_finite(const std::vector<Vec3>& vectors) {
   return std::all_of(vectors.begin(), vectors.end(), [](const Vec3& v) { return is_finite(v); });
 }
@@ -16,19 +23,23 @@ bool all_finite(const std::vector<Vec2>& vectors) {
 
 template <typename Vector>
 void check_attribute(std::vector<Vector>& attribute, std::size_t vertices, const std::string& name,
-                     std::vector<std::string>& remarks) {
+                     const SourceLocation& where, std::vector<Warning>& remarks) {
   if (attribute.empty()) return;
   if (attribute.size() < vertices) {
-    remarks.push_back("mesh has " + std::to_string(vertices) + " vertices but " +
-                      std::to_string(attribute.size()) + " " + name + ": " + name + " ignored");
+    remarks.push_back({kBadAttribute, where,
+                       "mesh has " + std::to_string(vertices) + " vertices but " +
+                           std::to_string(attribute.size()) + " " + name + ": " + name +
+                           " ignored"});
     attribute.clear();
   } else if (attribute.size() > vertices) {
-    remarks.push_back("mesh has more " + name + " than vertices: the last " +
-                      std::to_string(attribute.size() - vertices) + " ignored");
+    remarks.push_back({kLongAttribute, where,
+                       "mesh has more " + name + " than vertices: the last " +
+                           std::to_string(attribute.size() - vertices) + " ignored"});
     attribute.resize(vertices);
   }
   if (!all_finite(attribute)) {
-    remarks.push_back("mesh has " + name + " that are not finite: " + name + " ignored");
+    remarks.push_back(
+        {kBadAttribute, where, "mesh has " + name + " that are not finite: " + name + " ignored"});
     attribute.clear();
   }
 }
@@ -43,8 +54,7 @@ bool has_area(const Vec3& a, const Vec3& b, const Vec3& c) {
 
 }  // namespace
 
-void validate_mesh(desc::Mesh& mesh, const SourceLocation& where,
-                   std::vector<std::string>& remarks) {
+void validate_mesh(desc::Mesh& mesh, const SourceLocation& where, std::vector<Warning>& remarks) {
   const std::size_t vertices = mesh.positions.size();
   for (std::size_t i = 0; i < vertices; ++i) {
     if (!is_finite(mesh.positions[i])) {
@@ -52,9 +62,9 @@ void validate_mesh(desc::Mesh& mesh, const SourceLocation& where,
                        "mesh vertex " + std::to_string(i) + " has a position that is not finite");
     }
   }
-  check_attribute(mesh.normals, vertices, "normals", remarks);
-  check_attribute(mesh.tangents, vertices, "tangents", remarks);
-  check_attribute(mesh.uvs, vertices, "texture coordinates", remarks);
+  check_attribute(mesh.normals, vertices, "normals", where, remarks);
+  check_attribute(mesh.tangents, vertices, "tangents", where, remarks);
+  check_attribute(mesh.uvs, vertices, "texture coordinates", where, remarks);
 
   std::size_t kept = 0;
   for (std::size_t i = 0; i < mesh.indices.size(); ++i) {
@@ -70,9 +80,17 @@ void validate_mesh(desc::Mesh& mesh, const SourceLocation& where,
     }
   }
   if (kept < mesh.indices.size()) {
-    remarks.push_back(std::to_string(mesh.indices.size() - kept) + " of " +
-                      std::to_string(mesh.indices.size()) + " triangles have no area: dropped");
+    const std::size_t dropped = mesh.indices.size() - kept;
+    remarks.push_back({kNoArea,
+                       where,
+                       std::to_string(dropped) + " of " + std::to_string(mesh.indices.size()) +
+                           " triangles have no area: dropped",
+                       {},
+                       dropped});
     mesh.indices.resize(kept);
+  }
+  if (mesh.indices.empty()) {
+    remarks.push_back({kEmpty, where, "this mesh has no triangles: left out"});
   }
 }
 

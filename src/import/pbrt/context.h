@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/error.h"
+#include "core/warnings.h"
 #include "import/pbrt/file_access.h"
 #include "import/pbrt/spectra.h"
 #include "scene/desc/scene_desc.h"

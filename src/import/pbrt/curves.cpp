@@ -6,6 +6,11 @@
 namespace ajar::pbrt {
 namespace {
 
+constexpr WarningKind kLeftOut{Effect::Geometry, "curves are left out"};
+constexpr WarningKind kNormals{
+    Effect::Slight,
+    "curves have normals \"N\", which are ignored: only those of \"ribbon\" have any"};
+
 using Segment = std::array<Vec3, 4>;
 
 Vec3 lerp(float t, const Vec3& a, const Vec3& b) { return a * (1.F - t) + b * t; }
@@ -46,7 +51,7 @@ Vec3 between(float t, const Vec3& from, const Vec3& to) {
 std::optional<ShapeNode> make_curve(Context& context, const SourceLocation& where,
                                     const ParameterList& p) {
   const auto skip = [&](const std::string& reason) -> std::optional<ShapeNode> {
-    context.warnings.add(where, reason + ": shape left out");
+    context.warnings.add(kLeftOut, where, reason + ": shape left out", reason);
     return std::nullopt;
   };
   desc::Curve node;
@@ -90,7 +95,8 @@ std::optional<ShapeNode> make_curve(Context& context, const SourceLocation& wher
         return skip("a normal has no direction");
     }
   } else if (!normals.empty()) {
-    context.warnings.add(where, "only curves of type \"ribbon\" have normals: \"N\" ignored");
+    context.warnings.add(kNormals, where,
+                         "only curves of type \"ribbon\" have normals: \"N\" ignored");
     normals.clear();
   }
 

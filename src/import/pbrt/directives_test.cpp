@@ -5,6 +5,38 @@
 namespace ajar {
 namespace {
 
+/// Everything that is ignored or replaced, worst first, whatever the order in the file.
+TEST(PbrtWarnings, AreInTheOrderOfWhatTheyDoToThePicture) {
+  const std::string p = "\"point P\" [0 0 0 1 0 0 0 1 0]";
+  const std::string told =
+      warnings_of(world("Shape \"trianglemesh\" \"integer indices\" [0 1 2 0 0 1] " + p +
+                        "\nMaterial \"matte\" \"float unknown\" 1"
+                        "\nMaterial \"hair\""
+                        "\nShape \"nurbs\""
+                        "\nLightSource \"distant\" \"point from\" [0 0 0] \"point to\" [0 0 0]"));
+  std::size_t last = 0;
+  for (const char* text : {"test.pbrt:6:1: \"from\" and \"to\"", "test.pbrt:5:1: nurbs",
+                           "test.pbrt:4:1: material \"hair\"", "test.pbrt:3:18: unused parameter",
+                           "test.pbrt:2:1: 1 of 2 triangles have no area"}) {
+    const std::size_t at = told.find(text);
+    ASSERT_NE(at, std::string::npos) << text << "\n" << told;
+    EXPECT_GE(at, last) << told;
+    last = at;
+  }
+}
+
+TEST(PbrtWarnings, CountTheTrianglesOfAllMeshes) {
+  Warnings warnings;
+  const std::string shape =
+      "Shape \"trianglemesh\" \"integer indices\" [0 1 2 0 0 1 1 1 1] "
+      "\"point P\" [0 0 0 1 0 0 0 1 0]\n";
+  import_with(world(shape + shape + shape), warnings);
+  ASSERT_EQ(warnings.groups().size(), 1U);
+  EXPECT_EQ(warnings.groups().front().amount, 6U);
+  EXPECT_EQ(warnings.groups().front().count, 3U);
+  EXPECT_EQ(warnings.groups().front().first.where.line, 2);
+}
+
 TEST(PbrtDirectives, UnknownOnesNameTheNearestWithTheirPlace) {
   const std::string error = error_of("WorldBegin\n  Shpae \"sphere\"");
   EXPECT_TRUE(
@@ -33,7 +65,7 @@ TEST(PbrtDirectives, WhatIsNoSceneIsAnError) {
 
 TEST(PbrtDirectives, WorldEndMayBeMissing) {
   EXPECT_EQ(warnings_of("Camera \"perspective\" WorldBegin Shape \"sphere\""),
-            "test.pbrt:1:47: there is no WorldEnd\n");
+            "test.pbrt:1:47: there is no WorldEnd: the file may have been cut off\n");
   EXPECT_TRUE(contains(warnings_of(world("") + " Shape \"sphere\""),
                        "everything after WorldEnd is ignored"));
 }

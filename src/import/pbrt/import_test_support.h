@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "core/error.h"
+#include "core/warnings.h"
 #include "import/pbrt/pbrt_import.h"
 
 namespace ajar {

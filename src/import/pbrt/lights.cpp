@@ -8,6 +8,8 @@ namespace {
 const std::vector<std::string> kTypes = {"point",      "spot",        "distant",   "infinite",
                                          "exinfinite", "goniometric", "projection"};
 
+constexpr WarningKind kLeftOut{Effect::Light, "lights are left out"};
+
 /// Everything that one light directive says.
 struct Source {
   Context& context;
@@ -22,6 +24,10 @@ struct Source {
     if (!is_finite(result))
       throw SceneError(where, "the light is too strong: it is not a finite number");
     return result;
+  }
+  std::optional<desc::Light> skip(const std::string& reason) const {
+    context.warnings.add(kLeftOut, where, reason + ": light left out", reason);
+    return std::nullopt;
   }
   std::string image() const {
     const std::optional<std::string> name = parameters.get_string("mapname");
@@ -63,22 +69,14 @@ std::optional<desc::Light> make_light(Context& context, const SourceLocation& wh
     const Vec3d to(p.get_point("to", {0.F, 0.F, 1.F}));
     light.node = spot(source);
     const std::optional<Mat4> turn = z_to(to - from);
-    if (!turn) {
-      context.warnings.add(where,
-                           "\"from\" and \"to\" of this light are the same point: light left out");
-      return std::nullopt;
-    }
+    if (!turn) return source.skip("\"from\" and \"to\" of this light are the same point");
     light.to_world = *turn * translation(from) * ctm;
   } else if (type == "distant") {
     const Vec3d from(p.get_point("from", {0.F, 0.F, 0.F}));
     const Vec3d to(p.get_point("to", {0.F, 0.F, 1.F}));
     light.node = desc::DistantLight{source.emission("L")};
     const std::optional<Mat4> turn = z_to(from - to);
-    if (!turn) {
-      context.warnings.add(where,
-                           "\"from\" and \"to\" of this light are the same point: light left out");
-      return std::nullopt;
-    }
+    if (!turn) return source.skip("\"from\" and \"to\" of this light are the same point");
     light.to_world = *turn * ctm;
   } else if (type == "infinite" || type == "exinfinite") {
     light.node = desc::InfiniteLight{source.emission("L"), source.image()};
@@ -95,8 +93,7 @@ std::optional<desc::Light> make_light(Context& context, const SourceLocation& wh
   p.accept({"samples", "nsamples"});
   p.report_unused(context.warnings);
   if (!is_finite(light.to_world) || !inverse(light.to_world)) {
-    context.warnings.add(where, "the transform of this light cannot be inverted: light left out");
-    return std::nullopt;
+    return source.skip("the transform of this light cannot be inverted");
   }
   return light;
 }

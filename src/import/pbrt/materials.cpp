@@ -7,6 +7,10 @@
 namespace ajar::pbrt {
 namespace {
 
+constexpr WarningKind kStandIn{Effect::Surface, "materials are not supported: matte ones stand in"};
+constexpr WarningKind kNoSubsurface{
+    Effect::Surface, "disney materials have subsurface scattering, which is not supported"};
+
 using Parameters = TextureParameters;
 
 const std::vector<std::string> kTypes = {
@@ -104,7 +108,7 @@ desc::DisneyMaterial disney(const SourceLocation& where, const Parameters& p) {
         &p.context().scene.textures[static_cast<std::size_t>(*distance)].node);
     if (constant == nullptr || constant->value != desc::Rgb(0.F)) {
       p.context().warnings.add(
-          where,
+          kNoSubsurface, where,
           "disney: \"scatterdistance\" (subsurface scattering) is not supported: taken as 0");
     }
   }
@@ -115,8 +119,8 @@ desc::DisneyMaterial disney(const SourceLocation& where, const Parameters& p) {
 /// colour.
 desc::MatteMaterial stand_in(const SourceLocation& where, const std::string& type,
                              const Parameters& p) {
-  p.context().warnings.add(where,
-                           "material \"" + type + "\" is not supported: a matte one stands in");
+  p.context().warnings.add(
+      kStandIn, where, "material \"" + type + "\" is not supported: a matte one stands in", type);
   desc::MatteMaterial m;
   m.sigma = p.table().constant(0.F);
   const std::optional<desc::TextureId> colour = type == "hair"           ? p.find_spectrum("color")

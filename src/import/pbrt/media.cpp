@@ -3,8 +3,16 @@
 #include <array>
 #include <numeric>
 
+#include "import/pbrt/lexer.h"
+
 namespace ajar::pbrt {
 namespace {
+
+constexpr WarningKind kUnknownPreset{Effect::Surface,
+                                     "media have unknown presets: Wholemilk stands in"};
+constexpr WarningKind kHeterogeneous{
+    Effect::Surface,
+    "heterogeneous media are not supported: homogeneous ones of the mean density stand in"};
 
 /// Reduced scattering and absorption coefficients, 1/mm.
 struct Preset {
@@ -38,7 +46,10 @@ const Preset& preset_of(Context& context, const SourceLocation& where,
     if (preset.name == *name) return preset;
     valid.emplace_back(preset.name);
   }
-  context.warnings.add(where, unknown_name_message("medium preset", *name, valid));
+  context.warnings.add(kUnknownPreset, where,
+                       unknown_name_message("medium preset", printable(*name), valid) + ". " +
+                           std::string(kDefault.name) + " stands in",
+                       printable(*name));
   return kDefault;
 }
 
@@ -68,8 +79,9 @@ desc::Medium make_medium(Context& context, const SourceLocation& where, const st
   medium.g = parameters.get_float("g", 0.F);
   if (*type == "heterogeneous") {
     context.warnings.add(
-        where,
-        "heterogeneous media are not supported: a homogeneous one of the mean density stands in");
+        kHeterogeneous, where,
+        "heterogeneous media are not supported: a homogeneous one of the mean density stands in",
+        printable(name));
     scale *= mean_density(parameters);
     parameters.accept({"nx", "ny", "nz", "p0", "p1"});
   }

@@ -1,6 +1,7 @@
 #include "import/pbrt/mesh_loader.h"
 
 #include <new>
+#include <utility>
 
 #include "core/parallel_for.h"
 #include "import/mesh/ply.h"
@@ -38,12 +39,11 @@ void MeshLoader::load_all() {
   parallel_for(jobs_.size(), [&](std::size_t i) { load(jobs_[i]); });
   for (const Job& job : jobs_) {
     if (!job.error.empty()) throw SceneError(job.where, "cannot use this mesh: " + job.error);
-    for (const std::string& remark : job.remarks) {
-      context_.warnings.add(job.where, printable(job.name) + ": " + remark);
-    }
-    if (job.mesh->indices.empty()) {
-      context_.warnings.add(job.where,
-                            printable(job.name) + ": this mesh has no triangles: left out");
+    for (Warning remark : job.remarks) {
+      remark.where = job.where;
+      remark.subject = printable(job.name);
+      remark.message = remark.subject + ": " + remark.message;
+      context_.warnings.add(std::move(remark));
     }
   }
 }

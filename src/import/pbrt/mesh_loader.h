@@ -25,7 +25,7 @@ class MeshLoader {
     std::string name;  ///< as the scene says it
     std::string path;
     std::shared_ptr<desc::Mesh> mesh;
-    std::vector<std::string> remarks;
+    std::vector<Warning> remarks;
     std::string error;
   };
   void load(Job& job) const;

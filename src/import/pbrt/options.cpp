@@ -4,10 +4,23 @@
 #include <charconv>
 #include <cmath>
 
+#include "import/pbrt/lexer.h"
 #include "import/pbrt/transforms.h"
 
 namespace ajar::pbrt {
 namespace {
+
+constexpr WarningKind kRealisticCamera{
+    Effect::Light, "realistic cameras are not supported: perspective ones stand in"};
+constexpr WarningKind kFilmScale{Effect::Light, "films have a scale that leaves no picture"};
+constexpr WarningKind kClamping{Effect::Slight,
+                                "films have \"maxsampleluminance\", which is not supported"};
+constexpr WarningKind kUnknownSampler{Effect::None, "samplers are unknown: others stand in"};
+constexpr WarningKind kSampleCount{Effect::Slight, "numbers of samples are below 1 and ignored"};
+constexpr WarningKind kUnknownIntegrator{Effect::Slight,
+                                         "integrators are unknown: others stand in"};
+constexpr WarningKind kPixelBounds{Effect::Slight,
+                                   "integrators have \"pixelbounds\", which is not supported"};
 
 constexpr int kLargestResolution = 65536;
 
@@ -75,7 +88,7 @@ CameraOptions make_camera(Context& context, const SourceLocation& where, const s
     camera.node = desc::EnvironmentCamera{};
     p.accept({"lensradius", "focaldistance", "screenwindow", "frameaspectratio"});
   } else if (type == "realistic") {
-    context.warnings.add(where,
+    context.warnings.add(kRealisticCamera, where,
                          "the realistic camera is not supported: a perspective one of about the "
                          "same view stands in");
     constexpr float kMetersPerMillimeter = 0.001F;
@@ -123,14 +136,15 @@ FilmOptions make_film(Context& context, const SourceLocation& where, const std::
   }
   film.scale = p.get_float("scale", 1.F);
   if (!(film.scale > 0.F)) {
-    context.warnings.add(where, film.scale < 0.F
-                                    ? "\"scale\" of the film is negative: so is the picture"
-                                    : "\"scale\" of the film is 0: the picture is black");
+    context.warnings.add(kFilmScale, where,
+                         film.scale < 0.F ? "\"scale\" of the film is negative: so is the picture"
+                                          : "\"scale\" of the film is 0: the picture is black");
   }
   result.diagonal = p.get_float("diagonal", 35.F);
   film.filename = p.get_string("filename", "pbrt.exr");
   if (p.get_float("maxsampleluminance")) {
-    context.warnings.add(where, "\"maxsampleluminance\" is not supported: samples are not clamped");
+    context.warnings.add(kClamping, where,
+                         "\"maxsampleluminance\" is not supported: samples are not clamped");
   }
   p.report_unused(context.warnings);
   return result;
@@ -179,13 +193,15 @@ void apply_sampler(Context& context, const SourceLocation& where, const std::str
     static const std::vector<std::string> kKnown = {"random",     "halton",         "sobol",
                                                     "02sequence", "lowdiscrepancy", "maxmindist"};
     if (std::find(kKnown.begin(), kKnown.end(), type) == kKnown.end()) {
-      context.warnings.add(where, unknown_name_message("sampler", type, kKnown));
+      context.warnings.add(
+          kUnknownSampler, where,
+          unknown_name_message("sampler", printable(type), kKnown) + ". Another stands in");
     }
   }
   if (samples >= 1) {
     hints.samples_per_pixel = samples;
   } else {
-    context.warnings.add(where, "the number of samples must be 1 or more: ignored");
+    context.warnings.add(kSampleCount, where, "the number of samples must be 1 or more: ignored");
   }
   p.accept({"jitter", "dimensions", "samplepixelcenter"});
   p.report_unused(context.warnings);
@@ -231,9 +247,11 @@ void apply_integrator(Context& context, const SourceLocation& where, const std::
       samples(p.find_one(name, ParameterKind::Integer));
   } else {
     context.warnings.add(
-        where, unknown_name_message("integrator", type,
-                                    std::vector<std::string>{"path", "volpath", "bdpt", "mlt",
-                                                             "sppm", "directlighting", "whitted"}));
+        kUnknownIntegrator, where,
+        unknown_name_message("integrator", printable(type),
+                             std::vector<std::string>{"path", "volpath", "bdpt", "mlt", "sppm",
+                                                      "directlighting", "whitted"}) +
+            ". Another stands in");
   }
   // pbrt counts bounces, we count edges.
   const int depth = p.get_int("maxdepth", 5);
@@ -241,7 +259,7 @@ void apply_integrator(Context& context, const SourceLocation& where, const std::
     throw SceneError(where, "\"maxdepth\" of " + std::to_string(depth) + " makes no sense");
   hints.max_depth = depth + 1;
   if (p.find("pixelbounds", ParameterKind::Integer) != nullptr) {
-    context.warnings.add(where,
+    context.warnings.add(kPixelBounds, where,
                          "\"pixelbounds\" is not supported: use the crop window of the film");
   }
   p.accept({"rrthreshold", "lightsamplestrategy", "strategy", "visualizestrategies",

@@ -4,8 +4,15 @@
 #include <array>
 #include <utility>
 
+#include "import/pbrt/lexer.h"
+
 namespace ajar::pbrt {
 namespace {
+
+constexpr WarningKind kUnused{Effect::Slight, "parameters are unknown here and ignored"};
+constexpr WarningKind kTwice{Effect::Slight, "parameters are given twice: the last counts"};
+constexpr WarningKind kOneValue{
+    Effect::Slight, "parameters do not have the one value that they must have: they are ignored"};
 
 struct KindName {
   std::string_view name;
@@ -77,8 +84,9 @@ void ParameterList::add(Parameter parameter, Warnings& warnings) {
     return entry.parameter.name == parameter.name;
   });
   if (same != entries_.end()) {
-    warnings.add(parameter.where,
-                 "parameter \"" + parameter.name + "\" is given twice: the last counts");
+    warnings.add(kTwice, parameter.where,
+                 "parameter \"" + parameter.name + "\" is given twice: the last counts",
+                 parameter.name);
     same->parameter = std::move(parameter);
   } else {
     entries_.push_back({std::move(parameter), false});
@@ -102,8 +110,10 @@ const Parameter* ParameterList::find_one(std::string_view name,
                                          std::span<const ParameterKind> kinds) const {
   const Parameter* p = find(name, kinds);
   if (p == nullptr || p->size() == 1) return p;
-  warnings_->add(p->where, "parameter \"" + p->name + "\" must have one value, not " +
-                               std::to_string(p->size()) + ": ignored");
+  warnings_->add(kOneValue, p->where,
+                 "parameter \"" + p->name + "\" must have one value, not " +
+                     std::to_string(p->size()) + ": ignored",
+                 p->name);
   return nullptr;
 }
 
@@ -186,14 +196,15 @@ void ParameterList::report_unused(Warnings& warnings) const {
   for (const Entry& entry : entries_) {
     if (entry.used) continue;
     const Parameter& p = entry.parameter;
-    std::string message =
-        "unused parameter \"" + std::string(kind_name(p.kind)) + " " + p.name + "\"";
+    const std::string declaration =
+        "\"" + std::string(kind_name(p.kind)) + " " + printable(p.name) + "\"";
+    std::string message = "unused parameter " + declaration;
     if (std::find(asked_.begin(), asked_.end(), p.name) != asked_.end()) {
       message += ": it must be of another type here";
     } else if (const std::string near = nearest_name(p.name, asked_); !near.empty()) {
       message += "; did you mean \"" + near + "\"?";
     }
-    warnings.add(p.where, message);
+    warnings.add(kUnused, p.where, message, declaration);
   }
 }
 

@@ -8,6 +8,7 @@
 
 #include "core/error.h"
 #include "core/vector.h"
+#include "core/warnings.h"
 
 namespace ajar::pbrt {
 

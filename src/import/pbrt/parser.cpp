@@ -5,6 +5,10 @@
 namespace ajar::pbrt {
 namespace {
 
+constexpr WarningKind kAfterEnd{Effect::Slight, "files go on after WorldEnd, which is ignored"};
+constexpr WarningKind kLeftOver{Effect::Slight,
+                                "parameters have numbers left over, which are ignored"};
+
 constexpr std::size_t kDeepestInclude = 64;
 constexpr int kMostFiles = 20000;
 constexpr std::size_t kMostParameters = 1000;
@@ -73,7 +77,7 @@ SourceLocation Parser::parse(std::string_view text, const std::string& name,
   while (!builder_.world_ended() && lexer.peek().kind != TokenKind::End)
     directive(lexer, lexer.next());
   if (builder_.world_ended() && lexer.peek().kind != TokenKind::End) {
-    warnings_.add(lexer.where(lexer.peek()), "everything after WorldEnd is ignored");
+    warnings_.add(kAfterEnd, lexer.where(lexer.peek()), "everything after WorldEnd is ignored");
   }
   open_files_.pop_back();
   return lexer.where(lexer.peek());
@@ -311,9 +315,10 @@ Parameter Parser::parameter(Lexer& lexer) {
   }
   const auto per_value = static_cast<std::size_t>(numbers_per_value(result.kind));
   if (const std::size_t excess = result.numbers.size() % per_value; excess > 0) {
-    warnings_.add(result.where, "\"" + printable(text) + "\" takes " + std::to_string(per_value) +
-                                    " numbers per value: the last " + std::to_string(excess) +
-                                    " ignored");
+    warnings_.add(kLeftOver, result.where,
+                  "\"" + printable(text) + "\" takes " + std::to_string(per_value) +
+                      " numbers per value: the last " + std::to_string(excess) + " ignored",
+                  printable(text));
     result.numbers.resize(result.numbers.size() - excess);
   }
   return result;

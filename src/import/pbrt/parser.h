@@ -3,6 +3,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/warnings.h"
 #include "import/pbrt/file_access.h"
 #include "import/pbrt/lexer.h"
 #include "import/pbrt/scene_builder.h"

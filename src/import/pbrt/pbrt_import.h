@@ -3,6 +3,7 @@
 #include <string_view>
 
 #include "core/error.h"
+#include "core/warnings.h"
 #include "import/file_provider.h"
 #include "scene/desc/scene_desc.h"
 

@@ -4,11 +4,27 @@
 #include <cmath>
 #include <filesystem>
 
+#include "import/pbrt/lexer.h"
 #include "import/pbrt/lights.h"
 #include "import/pbrt/media.h"
 
 namespace ajar::pbrt {
 namespace {
+
+constexpr WarningKind kLateView{
+    Effect::Light, "directives for camera and film come after WorldBegin and have no effect"};
+constexpr WarningKind kLateOption{Effect::Slight,
+                                  "options come after WorldBegin and have no effect"};
+constexpr WarningKind kOpenBlock{Effect::Slight, "blocks have no end"};
+constexpr WarningKind kInstanceLeftOut{
+    Effect::Geometry, "instances are left out: their transforms cannot be inverted"};
+constexpr WarningKind kShapeLeftOut{Effect::Geometry,
+                                    "shapes are left out: their transforms cannot be inverted"};
+constexpr WarningKind kInstancedLight{
+    Effect::Light, "shapes of objects cannot be lights: their emission is left out"};
+constexpr WarningKind kNoEnd{Effect::Geometry, "files have no WorldEnd"};
+constexpr WarningKind kNoCamera{Effect::Light, "scenes have no Camera"};
+constexpr WarningKind kNoShapes{Effect::Geometry, "scenes have no shapes"};
 
 constexpr std::size_t kDeepestNesting = 100000;
 
@@ -31,9 +47,11 @@ SceneBuilder::SceneBuilder(FileAccess& files, std::string source, Warnings& warn
 
 // ---------------------------------------------------------------- options
 
-bool SceneBuilder::in_options(const SourceLocation& where, const char* directive) {
+bool SceneBuilder::in_options(const SourceLocation& where, const std::string& directive) {
   if (stage_ == Stage::Options) return true;
-  warnings_.add(where, std::string(directive) + " has no effect after WorldBegin: ignored");
+  const bool is_view = directive == "Camera" || directive == "Film";
+  warnings_.add(is_view ? kLateView : kLateOption, where,
+                directive + " has no effect after WorldBegin: ignored", directive);
   return false;
 }
 
@@ -93,8 +111,9 @@ void SceneBuilder::world_end(const SourceLocation& where) {
   require_world(where, "WorldEnd");
   while (!scopes_.empty()) {
     const OpenScope& scope = scopes_.back();
-    warnings_.add(scope.where, std::string(name_of_scope(static_cast<int>(scope.kind))) +
-                                   "Begin without an end");
+    warnings_.add(
+        kOpenBlock, scope.where,
+        std::string(name_of_scope(static_cast<int>(scope.kind))) + "Begin without an end");
     restore_innermost();
   }
   stage_ = Stage::Done;
@@ -172,7 +191,8 @@ void SceneBuilder::object_instance(const SourceLocation& where, const std::strin
   }
   const Mat4& to_world = transforms_.get(where, warnings_);
   if (!inverse(to_world)) {
-    warnings_.add(where, "the transform of this instance cannot be inverted: left out");
+    warnings_.add(kInstanceLeftOut, where,
+                  "the transform of this instance cannot be inverted: left out", printable(name));
     return;
   }
   scene_.instances.push_back({found->second, to_world, where});
@@ -285,12 +305,14 @@ void SceneBuilder::shape(const SourceLocation& where, const std::string& type,
     if (open_object_ == desc::kNone) {
       shape.light = *state_.area_light;
     } else {
-      warnings_.add(where, "shapes of objects cannot be lights: its emission is left out");
+      warnings_.add(kInstancedLight, where,
+                    "shapes of objects cannot be lights: its emission is left out");
     }
   }
   parameters.report_unused(warnings_);
   if (!inverse(shape.to_world)) {
-    warnings_.add(where, "the transform of this shape cannot be inverted: shape left out");
+    warnings_.add(kShapeLeftOut, where,
+                  "the transform of this shape cannot be inverted: shape left out", shape.name);
     return;
   }
   std::vector<desc::Shape>& shapes =
@@ -325,14 +347,14 @@ desc::SceneDesc SceneBuilder::finish(const SourceLocation& end) {
   if (stage_ == Stage::Options)
     throw SceneError(end, "this is not a complete pbrt scene: there is no WorldBegin");
   if (stage_ == Stage::World) {
-    warnings_.add(end, "there is no WorldEnd");
+    warnings_.add(kNoEnd, end, "there is no WorldEnd: the file may have been cut off");
     world_end(end);
   }
   if (camera_) {
     scene_.camera = camera_->camera;
     if (camera_->focal_length) finish_realistic_camera();
   } else {
-    warnings_.add(end, "there is no Camera: a perspective one at the origin is used");
+    warnings_.add(kNoCamera, end, "there is no Camera: a perspective one at the origin is used");
     scene_.camera.where = end;
   }
   if (!scene_.film.where.file) scene_.film.where = end;
@@ -342,7 +364,7 @@ desc::SceneDesc SceneBuilder::finish(const SourceLocation& end) {
   meshes_.load_all();
   remove_empty_meshes();
   if (scene_.shapes.empty() && scene_.instances.empty())
-    warnings_.add(end, "there are no shapes in this scene");
+    warnings_.add(kNoShapes, end, "there are no shapes in this scene");
   return std::move(scene_);
 }
 

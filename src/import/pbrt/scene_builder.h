@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/warnings.h"
 #include "import/pbrt/context.h"
 #include "import/pbrt/materials.h"
 #include "import/pbrt/mesh_loader.h"
@@ -83,7 +84,7 @@ class SceneBuilder {
     std::optional<GraphicsState> saved;
   };
 
-  bool in_options(const SourceLocation& where, const char* directive);
+  bool in_options(const SourceLocation& where, const std::string& directive);
   void require_world(const SourceLocation& where, const char* directive) const;
   void open(Scope kind, const SourceLocation& where);
   void close(Scope kind, const SourceLocation& where);

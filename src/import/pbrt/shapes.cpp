@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <utility>
 
 #include "import/mesh/validate_mesh.h"
 
@@ -12,6 +13,9 @@ namespace {
 const std::vector<std::string> kTypes = {"trianglemesh", "plymesh", "sphere",      "disk",
                                          "cylinder",     "cone",    "paraboloid",  "hyperboloid",
                                          "loopsubdiv",   "curve",   "heightfield", "nurbs"};
+constexpr WarningKind kLeftOut{Effect::Geometry, "shapes are left out"};
+constexpr WarningKind kOddIndices{Effect::Slight,
+                                  "meshes have indices left over, which are ignored"};
 /// More triangles than this are certainly a mistake in the file.
 constexpr double kMostTriangles = 1e9;
 
@@ -22,7 +26,7 @@ struct Source {
   const ParameterList& parameters;
 
   std::optional<ShapeNode> skip(const std::string& reason) const {
-    context.warnings.add(where, reason + ": shape left out");
+    context.warnings.add(kLeftOut, where, reason + ": shape left out", reason);
     return std::nullopt;
   }
   float phi_max() const { return std::clamp(parameters.get_float("phimax", 360.F), 0.F, 360.F); }
@@ -33,7 +37,8 @@ std::vector<Imath::Vec3<unsigned>> indices_of(const Source& source) {
   if (p == nullptr) return {};
   if (p->integers.size() % 3 != 0) {
     source.context.warnings.add(
-        p->where, "the number of indices is not a multiple of 3: the last ones ignored");
+        kOddIndices, p->where,
+        "the number of indices is not a multiple of 3: the last ones ignored");
   }
   std::vector<Imath::Vec3<unsigned>> result(p->integers.size() / 3);
   for (std::size_t i = 0; i < result.size(); ++i) {
@@ -45,11 +50,16 @@ std::vector<Imath::Vec3<unsigned>> indices_of(const Source& source) {
   return result;
 }
 
-std::optional<ShapeNode> finish_mesh(const Source& source, desc::Mesh mesh) {
-  std::vector<std::string> remarks;
+/// False if nothing is left of it.
+bool validate(const Source& source, desc::Mesh& mesh) {
+  std::vector<Warning> remarks;
   validate_mesh(mesh, source.where, remarks);
-  for (const std::string& remark : remarks) source.context.warnings.add(source.where, remark);
-  if (mesh.indices.empty()) return source.skip("this mesh has no triangles");
+  for (Warning& remark : remarks) source.context.warnings.add(std::move(remark));
+  return !mesh.indices.empty();
+}
+
+std::optional<ShapeNode> finish_mesh(const Source& source, desc::Mesh mesh) {
+  if (!validate(source, mesh)) return std::nullopt;
   return std::make_shared<const desc::Mesh>(std::move(mesh));
 }
 
@@ -94,10 +104,7 @@ std::optional<ShapeNode> loop_subdivision(const Source& source) {
     throw SceneError(source.where,
                      "\"levels\" of " + std::to_string(node.levels) + " make no sense here");
   }
-  std::vector<std::string> remarks;
-  validate_mesh(node.control, source.where, remarks);
-  for (const std::string& remark : remarks) source.context.warnings.add(source.where, remark);
-  if (node.control.indices.empty()) return source.skip("this mesh has no triangles");
+  if (!validate(source, node.control)) return std::nullopt;
   return std::make_shared<const desc::LoopSubdivision>(std::move(node));
 }
 

@@ -9,6 +9,10 @@
 namespace ajar::pbrt {
 namespace {
 
+constexpr WarningKind kUnusable{Effect::Surface,
+                                "spectra cannot be used: what they are of has its default"};
+constexpr WarningKind kNegative{Effect::Slight, "colours are negative: taken as 0"};
+
 /// Wavelengths and values of an .spd file: pairs of numbers, # comments.
 desc::Rgb parse_spd(std::string_view text, const std::string& name) {
   Lexer lexer(std::make_shared<const std::string>(name), text);
@@ -68,9 +72,10 @@ std::optional<desc::Rgb> SpectrumReader::from_file(const Parameter& parameter) {
     const FileBytes bytes = files_.load(path);
     return files_read_.emplace(path, parse_spd(bytes.view(), path)).first->second;
   } catch (const Error& error) {
-    warnings_.add(parameter.where, "spectrum \"" + printable(name) + "\" cannot be used (" +
-                                       error.what() + "): \"" + parameter.name +
-                                       "\" has its default");
+    warnings_.add(kUnusable, parameter.where,
+                  "spectrum \"" + printable(name) + "\" cannot be used (" + error.what() + "): \"" +
+                      parameter.name + "\" has its default",
+                  printable(name));
     return std::nullopt;
   }
 }
@@ -87,7 +92,7 @@ desc::Rgb SpectrumReader::get_positive(const ParameterList& parameters, std::str
   if (rgb.x >= 0.F && rgb.y >= 0.F && rgb.z >= 0.F) return rgb;
   const Parameter* p = parameters.find_one(name, kSpectrumKinds);
   if (p != nullptr && p->kind == ParameterKind::Rgb) {
-    warnings_.add(p->where, "\"" + p->name + "\" is negative: taken as 0");
+    warnings_.add(kNegative, p->where, "\"" + p->name + "\" is negative: taken as 0", p->name);
   }
   for (int i = 0; i < 3; ++i) rgb[i] = std::max(rgb[i], 0.F);
   return rgb;

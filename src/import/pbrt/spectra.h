@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "core/warnings.h"
 #include "import/pbrt/file_access.h"
 #include "import/pbrt/parameter_list.h"
 #include "scene/desc/scene_desc.h"

@@ -9,6 +9,10 @@
 namespace ajar::pbrt {
 namespace {
 
+constexpr WarningKind kNoFile{Effect::Surface, "image textures have no \"string filename\""};
+constexpr WarningKind kOtherKind{
+    Effect::Surface, "textures are used where those of another kind belong, and ignored"};
+
 const std::vector<std::string> kTypes = {"constant", "scale",    "mix",          "bilerp",
                                          "imagemap", "uv",       "checkerboard", "dots",
                                          "fbm",      "wrinkled", "windy",        "marble"};
@@ -69,7 +73,8 @@ desc::ImageTexture image(const Source& source) {
       throw SceneError(source.where, error.what());
     }
   } else {
-    source.context.warnings.add(source.where, "this image texture has no \"string filename\"");
+    source.context.warnings.add(kNoFile, source.where,
+                                "this image texture has no \"string filename\"");
   }
   const std::string wrap = p.get_string("wrap", "repeat");
   if (wrap == "black") {
@@ -182,10 +187,11 @@ std::optional<desc::TextureId> TextureTable::find(const Parameter& reference,
   const std::string& name = reference.strings.front();
   if (const desc::TextureId* id = (is_float ? floats_ : spectra_).find(name)) return *id;
   if ((is_float ? spectra_ : floats_).find(name) != nullptr) {
-    context_.warnings.add(reference.where, "\"" + reference.name + "\" needs a " +
-                                               (is_float ? "float" : "spectrum") +
-                                               " texture, but \"" + printable(name) +
-                                               "\" is one of the other kind: ignored");
+    context_.warnings.add(kOtherKind, reference.where,
+                          "\"" + reference.name + "\" needs a " +
+                              (is_float ? "float" : "spectrum") + " texture, but \"" +
+                              printable(name) + "\" is one of the other kind: ignored",
+                          printable(name));
     return std::nullopt;
   }
   throw SceneError(reference.where,

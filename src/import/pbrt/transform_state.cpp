@@ -1,6 +1,13 @@
 #include "import/pbrt/transform_state.h"
 
 namespace ajar::pbrt {
+namespace {
+
+constexpr WarningKind kMoves{Effect::Geometry,
+                             "things move during the exposure, which is not supported: their place "
+                             "at the start is used"};
+
+}  // namespace
 
 void TransformState::concatenate(const SourceLocation& where, const Mat4& m) {
   for (std::size_t i = 0; i < 2; ++i) {
@@ -55,7 +62,7 @@ void TransformState::begin_world() {
 const Mat4& TransformState::get(const SourceLocation& where, Warnings& warnings) const {
   if (current_[0] != current_[1]) {
     warnings.add(
-        where,
+        kMoves, where,
         "this moves during the exposure, which is not supported: its place at the start is used");
   }
   return current_[0];

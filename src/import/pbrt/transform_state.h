@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "core/warnings.h"
 #include "import/pbrt/context.h"
 #include "import/pbrt/transforms.h"
 

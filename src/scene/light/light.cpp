@@ -7,6 +7,10 @@ namespace ajar {
 
 namespace {
 
+constexpr WarningKind kNotTurned{Effect::Light,
+                                 "lights have transforms that cannot be inverted in single "
+                                 "precision: their rotation is ignored"};
+
 struct MakeLight {
   const desc::Light& light;
   const BoundingSphere& bounds;
@@ -53,7 +57,7 @@ std::unique_ptr<Light> make_light(const desc::Light& light, const BoundingSphere
   if (DirectionMap::invertible(light.to_world)) {
     at.directions = DirectionMap(light.to_world);
   } else {
-    warnings.add(light.where,
+    warnings.add(kNotTurned, light.where,
                  "the transform of the light cannot be inverted in single precision; its rotation "
                  "is ignored");
   }

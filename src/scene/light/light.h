@@ -2,6 +2,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/warnings.h"
 #include "scene/desc/scene_desc.h"
 #include "scene/endpoint.h"
 #include "scene/light/light_bounds.h"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/error.h"
+#include "core/warnings.h"
 #include "scene/light/light.h"
 #include "scene/testing/emitters.h"
 #include "scene/testing/endpoint_checks.h"

@@ -1,6 +1,7 @@
 #include "scene/light/map.h"
 
 #include <cmath>
+#include <filesystem>
 #include <new>
 #include <stdexcept>
 #include <utility>
@@ -10,6 +11,9 @@
 namespace ajar {
 
 namespace {
+constexpr WarningKind kUnreadable{Effect::Light,
+                                  "light maps (skies, spots) cannot be read: the light is magenta"};
+
 /// IEC 61966-2-1.
 float decode_srgb(float v) {
   return v <= 0.04045F ? v / 12.92F : std::pow((v + 0.055F) / 1.055F, 2.4F);
@@ -67,7 +71,9 @@ Map load_map(const std::string& path, MapEdge edge, const SourceLocation& where,
   } catch (const IoError& error) {
     reason = error.what();
   }
-  warnings.add(where, "cannot read light map \"" + path + "\": " + reason + "; using magenta");
+  warnings.add(kUnreadable, where,
+               "cannot read light map \"" + path + "\": " + reason + "; the light is magenta",
+               std::filesystem::path(path).filename().string());
   return {1, 1, {Spectrum(1.F, 0.F, 1.F)}, edge};
 }
 

@@ -18,6 +18,14 @@
 namespace ajar {
 namespace {
 
+constexpr WarningKind kSmoothThinGlass{
+    Effect::Surface,
+    "materials are thin glass, which is always smooth: their roughness is ignored"};
+constexpr WarningKind kTooManyLobes{
+    Effect::Surface, "mixes have too many lobes: only their first materials are used"};
+constexpr WarningKind kForwardMix{
+    Effect::Surface, "mixes refer to materials that do not come before them: grey is used"};
+
 /// Makes one material from its description; mixes look up those made before.
 class Builder {
  public:
@@ -43,7 +51,8 @@ class Builder {
   Result make(const desc::GlassMaterial& d) {
     auto glass = std::make_unique<Glass>(d, slots_);
     if (glass->ignores_roughness()) {
-      warnings_.add(*where_, "thin glass is always smooth: its roughness is ignored");
+      warnings_.add(kSmoothThinGlass, *where_,
+                    "thin glass is always smooth: its roughness is ignored");
     }
     return glass;
   }
@@ -61,9 +70,10 @@ class Builder {
     const Material& b = find(d.b);
     auto mix = std::make_unique<Mix>(slots_(d.amount, 0.5F), a, b);
     if (mix->max_lobes() <= Bsdf::kMaxLobes) return mix;
-    warnings_.add(*where_, "mix of too many lobes (" + std::to_string(mix->max_lobes()) +
-                               ", at most " + std::to_string(Bsdf::kMaxLobes) +
-                               " are possible): only its first material is used");
+    warnings_.add(kTooManyLobes, *where_,
+                  "mix of too many lobes (" + std::to_string(mix->max_lobes()) + ", at most " +
+                      std::to_string(Bsdf::kMaxLobes) +
+                      " are possible): only its first material is used");
     const auto* nested = dynamic_cast<const FirstOfMix*>(&a);
     return std::make_unique<FirstOfMix>(nested != nullptr ? nested->first() : a);
   }
@@ -71,7 +81,8 @@ class Builder {
   const Material& find(desc::MaterialId id) {
     if (id >= 0 && static_cast<std::size_t>(id) < made_.size()) return *made_[id];
     static const Matte fallback{desc::MatteMaterial{}, Slots{TextureList{}}};
-    warnings_.add(*where_, "mix refers to a material that does not come before it: grey is used");
+    warnings_.add(kForwardMix, *where_,
+                  "mix refers to a material that does not come before it: grey is used");
     return fallback;
   }
 

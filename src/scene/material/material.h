@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "core/warnings.h"
 #include "scene/bsdf/bsdf.h"
 #include "scene/desc/scene_desc.h"
 #include "scene/texture/texture.h"

@@ -8,6 +8,11 @@ namespace ajar {
 
 namespace {
 
+constexpr WarningKind kNotSubdivided{
+    Effect::Geometry, "control meshes are not oriented manifolds, and not subdivided"};
+constexpr WarningKind kStopped{Effect::Slight,
+                               "subdivision surfaces have fewer levels than they should"};
+
 constexpr double kPiD = 3.14159265358979323846;
 constexpr int kNoEdge = -1;
 /// More triangles than this are surely a mistake in the number of levels.
@@ -244,7 +249,8 @@ std::shared_ptr<const desc::Mesh> subdivide(const desc::LoopSubdivision& surface
   std::vector<int> opposite = find_opposites(corners);
   if (opposite.empty()) {
     if (!corners.empty()) {
-      warnings.add(where, "the control mesh is not an oriented manifold; it is not subdivided");
+      warnings.add(kNotSubdivided, where,
+                   "the control mesh is not an oriented manifold; it is not subdivided");
     }
     return std::make_shared<desc::Mesh>(control);
   }
@@ -252,7 +258,8 @@ std::shared_ptr<const desc::Mesh> subdivide(const desc::LoopSubdivision& surface
   ControlMesh mesh(std::move(points), std::move(corners), std::move(opposite));
   const int levels = possible_levels(surface);
   if (levels < surface.levels) {
-    warnings.add(where, "subdivision stopped after " + std::to_string(levels) + " levels");
+    warnings.add(kStopped, where,
+                 "subdivision stopped after " + std::to_string(levels) + " levels");
   }
   for (int level = 0; level < levels; ++level) mesh = mesh.refined();
   return std::make_shared<desc::Mesh>(mesh.limit());

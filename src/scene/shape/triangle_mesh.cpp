@@ -14,6 +14,9 @@ namespace ajar {
 
 namespace {
 
+constexpr WarningKind kWrongNumber{
+    Effect::Surface, "meshes have normals, tangents or texture coordinates that are ignored"};
+
 constexpr std::size_t kGrain = 16384;
 constexpr std::size_t kNowhere = std::numeric_limits<std::size_t>::max();
 
@@ -143,9 +146,9 @@ TriangleMesh::TriangleMesh(std::shared_ptr<const desc::Mesh> source, const Place
   const std::size_t vertices = source_->positions.size();
   const auto usable = [&](const auto& attribute, const char* name) {
     if (attribute.empty() || attribute.size() == vertices) return !attribute.empty();
-    warnings.add(where, std::string("the mesh has ") + std::to_string(attribute.size()) + " " +
-                            name + " for " + std::to_string(vertices) +
-                            " vertices; they are ignored");
+    warnings.add(kWrongNumber, where,
+                 std::string("the mesh has ") + std::to_string(attribute.size()) + " " + name +
+                     " for " + std::to_string(vertices) + " vertices; they are ignored");
     return false;
   };
   has_normals_ = usable(source_->normals, "normals");

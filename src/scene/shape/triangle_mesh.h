@@ -4,6 +4,7 @@
 
 #include "core/error.h"
 #include "core/spectrum.h"
+#include "core/warnings.h"
 #include "scene/desc/scene_desc.h"
 #include "scene/shape/placement.h"
 #include "scene/surface_point.h"

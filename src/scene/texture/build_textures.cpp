@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cstdint>
+#include <filesystem>
 #include <string>
 
 #include "scene/texture/texture_builders.h"
@@ -7,6 +8,8 @@
 namespace ajar {
 
 namespace {
+
+constexpr WarningKind kUnreadable{Effect::Surface, "textures cannot be read, shown as magenta"};
 
 std::vector<std::string> image_paths(const desc::SceneDesc& scene) {
   std::vector<std::string> paths;
@@ -60,8 +63,10 @@ class Builder {
   std::unique_ptr<const Texture> make(const desc::ImageTexture& node) {
     const CachedImage& cached = images_.at(node.path);
     if (!cached.image) {
-      warnings_.add(*where_, "cannot read image \"" + node.path + "\" (" + cached.error +
-                                 "); it is replaced by magenta");
+      warnings_.add(kUnreadable, *where_,
+                    "cannot read image \"" + node.path + "\" (" + cached.error +
+                        "); it is replaced by magenta",
+                    std::filesystem::path(node.path).filename().string());
     }
     return make_texture(node, cached.image);
   }

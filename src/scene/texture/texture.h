@@ -2,8 +2,8 @@
 #include <memory>
 #include <vector>
 
-#include "core/error.h"
 #include "core/spectrum.h"
+#include "core/warnings.h"
 #include "scene/desc/scene_desc.h"
 #include "scene/surface_point.h"
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/error.h"
+#include "core/warnings.h"
 #include "scene/desc/scene_desc.h"
 
 namespace ajar {

@@ -1,0 +1,138 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.h"
+#include "image/make_filter.h"
+#include "image/relative_error.h"
+#include "measuring/measured_scene.h"
+#include "measuring/variant.h"
+#include "session/builtin_scenes.h"
+#include "session/interrupts.h"
+#include "session/output.h"
+#include "session/preparation.h"
+#include "session/render_job.h"
+
+/// What more time brings: for each scene and time limit, how long preparing takes, when there is a
+/// first picture, and its error in the end.
+namespace ajar::bench {
+namespace {
+
+constexpr int kExitInterrupted = 130;
+
+struct Arguments {
+  std::vector<double> seconds = {1, 2, 5, 10, 20, 40};
+  int seeds = 4;
+  std::string integrator = "selective";
+  std::vector<std::string> scenes;
+  std::string references = kKeptReferences;
+  double reference_seconds = 400.0;
+};
+
+/// Notes when the first pass was over.
+class FirstPicture final : public PassObserver {
+ public:
+  explicit FirstPicture(const Stopwatch& clock) : clock_(clock) {}
+  bool wants_picture(const JobState& state) override {
+    if (state.passes > 0 && !seconds_) seconds_ = clock_.seconds();
+    return false;
+  }
+  void see_picture(const Film& /*film*/, const JobState& /*state*/) override {}
+  double seconds() const { return seconds_.value_or(clock_.seconds()); }
+
+ private:
+  const Stopwatch& clock_;
+  std::optional<double> seconds_;
+};
+
+struct Found {
+  double preparing = 0.0;
+  double first_picture = 0.0;
+  double samples = 0.0;
+  double squared_error = 0.0;
+};
+
+/// As `ajar render --time` does it.
+Found render_for(double seconds, const MeasuredScene& measured, const Variant& variant,
+                 std::uint64_t seed) {
+  const Stopwatch clock;
+  RenderSettings settings = measured.settings;
+  settings.seed = seed;
+  const auto integrator = variant.make(*measured.scene, settings);
+  Found found;
+  Preparation(*integrator, {.seconds = seconds, .interrupts = &interrupt_count()}).run();
+  found.preparing = clock.seconds();
+  Film film(settings.resolution, settings.crop, make_filter(measured.scene->film().filter),
+            settings.replicates, integrator->layers());
+  FirstPicture first(clock);
+  RenderJobOptions options;
+  options.budget.seconds = seconds - clock.seconds();
+  options.interrupts = &interrupt_count();
+  options.observers = {&first};
+  const RenderResult result = RenderJob(*integrator, film, std::move(options)).run();
+  found.first_picture = first.seconds();
+  found.samples = static_cast<double>(result.samples_per_pixel);
+  const Picture picture =
+      develop(film, *integrator, result.samples_per_pixel, measured.scene->film().scale, {});
+  const double error = relative_error(picture.layers.front().pixels, measured.truth).value_or(0.0);
+  found.squared_error = std::max(0.0, error * error - measured.truth_error * measured.truth_error);
+  return found;
+}
+
+void measure(const BenchScene& scene, const Arguments& arguments) {
+  const Variant variant = parse_variant(arguments.integrator);
+  const auto measured = measure_scene(scene, arguments.references, arguments.reference_seconds);
+  if (!measured) return;
+  for (const double seconds : arguments.seconds) {
+    Found mean;
+    for (int seed = 1; seed <= arguments.seeds; ++seed) {
+      const Found found = render_for(seconds, *measured, variant, static_cast<std::uint64_t>(seed));
+      if (interrupt_count() > 0) return;
+      mean.preparing += found.preparing / arguments.seeds;
+      mean.first_picture += found.first_picture / arguments.seeds;
+      mean.samples += found.samples / arguments.seeds;
+      mean.squared_error += found.squared_error / arguments.seeds;
+    }
+    fmt::print("| {} | {:g} | {:.2f} | {:.2f} | {:.0f} | {:.3g} |\n", scene.name, seconds,
+               mean.preparing, mean.first_picture, mean.samples, std::sqrt(mean.squared_error));
+    std::fflush(stdout);
+  }
+}
+
+int run(int count, char** texts) {
+  Arguments arguments;
+  CLI::App app("Renders scenes for several times, and tells what more time brings.");
+  app.add_option("--seconds", arguments.seconds, "Time limits, wall clock")->delimiter(',');
+  app.add_option("--seeds", arguments.seeds, "Seeds, from 1");
+  app.add_option("--integrator", arguments.integrator, "Method, as in mmlt:split=100");
+  app.add_option("--scenes", arguments.scenes, "Default: the built-in ones")->delimiter(',');
+  app.add_option("--references", arguments.references, "Folder of references");
+  app.add_option("--reference-seconds", arguments.reference_seconds,
+                 "CPU-seconds of a reference that is made");
+  CLI11_PARSE(app, count, texts);
+  if (arguments.scenes.empty()) arguments.scenes = builtin_scene_names();
+  fmt::print(
+      "| scene | time, s | preparing, s | first picture, s | samples per pixel | error |\n"
+      "|---|---|---|---|---|---|\n");
+  begin_render();
+  for (const BenchScene& scene : choose_scenes(bench_scenes(), arguments.scenes)) {
+    measure(scene, arguments);
+    if (interrupt_count() > 0) return kExitInterrupted;
+  }
+  return 0;
+}
+
+}  // namespace
+}  // namespace ajar::bench
+
+int main(int argc, char** argv) {
+  try {
+    ajar::install_interrupt_handlers();
+    return ajar::bench::run(argc, argv);
+  } catch (const ajar::Error& error) {
+    fmt::print(stderr, "ajar_budget_bench: {}\n", error.what());
+    return error.exit_code();
+  }
+}
