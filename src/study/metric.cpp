@@ -5,6 +5,7 @@
 #include "core/error.h"
 #include "image/flip.h"
 #include "image/metrics.h"
+#include "image/relative_error.h"
 #include "image/ssim.h"
 
 namespace ajar::study {
@@ -45,6 +46,11 @@ std::optional<double> measure_hdr_flip(const LoadedPicture& a, const LoadedPictu
   return map_mean(hdr_flip_map(a.linear, r.linear, r.size, *conditions.exposures,
                                conditions.pixels_per_degree));
 }
+
+std::optional<double> measure_relative_error(const LoadedPicture& a, const LoadedPicture& r,
+                                             const MetricConditions&) {
+  return relative_error(a.linear, r.linear);
+}
 }  // namespace
 
 const std::vector<Metric>& metrics() {
@@ -67,6 +73,11 @@ const std::vector<Metric>& metrics() {
        "mean HDR-FLIP (Andersson 2021) over exposures chosen from the reference; none if that is "
        "black",
        measure_hdr_flip},
+      {kRelativeErrorMetric, "", false,
+       "square root of the relmse of pictures exposed so that the reference's median is 1, which "
+       "is "
+       "what renders estimate; none if the reference is black",
+       measure_relative_error},
   };
   return list;
 }

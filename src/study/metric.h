@@ -15,6 +15,9 @@ struct MetricConditions {
   std::optional<ExposureRange> exposures;  ///< of HDR-FLIP; empty for a black reference
 };
 
+/// The metric that `estimated_relative_error` is an estimate of.
+inline const std::string kRelativeErrorMetric = "relative-error";
+
 /// A distance between a picture and a reference of the same size.
 struct Metric {
   std::string name;  ///< on the command line and in JSON

@@ -74,6 +74,9 @@ Json row_json(const StudyPlan& plan, const SummaryRow& row) {
               {"small", optional_json(row.small_acceptance)},
               {"large", optional_json(row.large_acceptance)}}},
             {"metrics", metrics},
+            {"estimated_error", mean_json(row.estimated_error)},
+            {"estimated_over_true", mean_json(row.estimate_ratio)},
+            {"lower_bounds", row.lower_bounds},
             {"efficiency", nullptr}};
   if (row.efficiency) {
     json["efficiency"] = {{"ratio", row.efficiency->value},
@@ -196,7 +199,8 @@ std::string to_csv(const StudyPlan& plan, const std::vector<SummaryRow>& rows) {
   for (const Metric* metric : plan.metrics) {
     text += fmt::format(",{0},{0}_error", metric->name);
   }
-  text += ",efficiency,efficiency_low,efficiency_high\n";
+  text += ",estimated_error,estimated_error_error,estimated_over_true,estimated_over_true_error";
+  text += ",lower_bounds,efficiency,efficiency_low,efficiency_high\n";
   for (const SummaryRow& row : rows) {
     text += fmt::format("{},{},{},{}", csv_cell(plan.scenes[row.scene].name),
                         csv_cell(plan.methods[row.method].name), plan.budgets[row.budget].name(),
@@ -206,6 +210,8 @@ std::string to_csv(const StudyPlan& plan, const std::vector<SummaryRow>& rows) {
     text += csv_number(row.acceptance) + csv_number(row.small_acceptance) +
             csv_number(row.large_acceptance);
     for (const Mean& metric : row.metrics) text += csv_mean(metric);
+    text += csv_mean(row.estimated_error) + csv_mean(row.estimate_ratio);
+    text += fmt::format(",{}", row.lower_bounds);
     const std::optional<Ratio>& ratio = row.efficiency;
     text += csv_number(ratio ? std::optional(ratio->value) : std::nullopt);
     text += csv_number(ratio ? ratio->low : std::nullopt);

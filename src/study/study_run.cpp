@@ -162,6 +162,12 @@ std::optional<double> RunRecord::cpu_share() const {
   return *used / (processors * seconds);
 }
 
+bool RunRecord::knows_error() const {
+  const Json& statistics = json.at("statistics");
+  return number("estimated_relative_error").has_value() &&
+         !statistics.value("estimated_error_is_lower_bound", false);
+}
+
 bool RunRecord::is_disturbed() const { return cpu_share().value_or(1.0) < kFairCpuShare; }
 
 std::optional<RunRecord> finished_record(const StudyRun& run) {

@@ -49,6 +49,8 @@ struct RunRecord {  // NOLINT(bugprone-exception-escape): moving JSON throws not
   std::optional<double> cpu_share() const;
   /// Whether that is less than `kFairCpuShare`.
   bool is_disturbed() const;
+  /// Whether it has an estimate of its error that is no lower bound.
+  bool knows_error() const;
 };
 
 /// The record of a run that finished with the same key and still has its picture; else empty.

@@ -69,6 +69,13 @@ std::vector<double> work(const Runs& runs, const std::string& metric) {
   });
 }
 
+std::optional<double> estimate_over_truth(const RunRecord& record) {
+  const std::optional<double> estimated = record.number("estimated_relative_error");
+  const std::optional<double> truth = record.metric(kRelativeErrorMetric);
+  if (!record.knows_error() || !estimated || !truth || *truth == 0.0) return std::nullopt;
+  return *estimated / *truth;
+}
+
 SummaryRow row_of(const StudyPlan& plan, const Runs& runs) {
   const StudyRun& first = runs.front()->run;
   SummaryRow row;
@@ -90,6 +97,11 @@ SummaryRow row_of(const StudyPlan& plan, const Runs& runs) {
     row.metrics.push_back(mean_of(
         values_of(runs, [&](const RunRecord& record) { return record.metric(metric->name); })));
   }
+  row.estimated_error = mean_of(values_of(
+      runs, [](const RunRecord& record) { return record.number("estimated_relative_error"); }));
+  row.estimate_ratio = mean_of(values_of(runs, estimate_over_truth));
+  row.lower_bounds = static_cast<std::size_t>(std::count_if(
+      runs.begin(), runs.end(), [](const FinishedRun* run) { return !run->record.knows_error(); }));
   return row;
 }
 }  // namespace

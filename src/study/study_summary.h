@@ -42,7 +42,11 @@ struct SummaryRow {
   std::optional<double> acceptance;  ///< of all mutations; mean over seeds, as the next two
   std::optional<double> small_acceptance;
   std::optional<double> large_acceptance;
-  std::vector<Mean> metrics;        ///< in the plan's order; count 0 where there is no value
+  std::vector<Mean> metrics;  ///< in the plan's order; count 0 where there is no value
+  /// Of the runs that know their error.
+  Mean estimated_error;
+  Mean estimate_ratio;              ///< over the true one: means of ratios, of bounds none
+  std::size_t lower_bounds = 0;     ///< runs that say that theirs is one, or unknown
   std::optional<Ratio> efficiency;  ///< against the baseline with the same scene and budget
 };
 

@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "study/study_output.h"
+#include "study/study_table.h"
 
 namespace ajar::study {
 namespace {
@@ -123,6 +124,30 @@ TEST_F(Summary, MatchesValuesByHand) {
   EXPECT_TRUE(rows[1].efficiency->low);
 }
 
+TEST_F(Summary, PutsEstimatedErrorsBesideTrueOnes) {
+  const auto set = [&](std::size_t run, double truth, const Json& estimated, bool is_bound) {
+    Json& json = result_.runs[run].record.json;
+    json["metrics"][kRelativeErrorMetric] = truth;
+    json["statistics"]["estimated_relative_error"] = estimated;
+    json["statistics"]["estimated_error_is_lower_bound"] = is_bound;
+  };
+  std::vector<std::size_t> own;
+  for (std::size_t i = 0; i < result_.runs.size(); ++i) {
+    if (result_.runs[i].run.method == 0) own.push_back(i);
+  }
+  ASSERT_EQ(own.size(), 3U);
+  set(own[0], 0.2, 0.1, false);
+  set(own[1], 0.2, 0.3, false);
+  set(own[2], 5.0, 0.2, true);
+  const SummaryRow row = summarise(plan_, result_).front();
+  EXPECT_NEAR(row.estimated_error.mean, 0.2, 1e-12);
+  EXPECT_NEAR(row.estimate_ratio.mean, 1.0, 1e-12) << "0.5 and 1.5; what is a bound is no estimate";
+  EXPECT_EQ(row.estimate_ratio.count, 2U);
+  EXPECT_EQ(row.lower_bounds, 1U);
+  const std::vector<std::string> cells = table_cells(plan_, result_, row);
+  EXPECT_NE(cells[cells.size() - 3].find("(≥ 1/3)"), std::string::npos) << cells[cells.size() - 3];
+}
+
 TEST_F(Summary, LeavesOutWhatHasNoRuns) {
   result_.runs.erase(result_.runs.begin());
   std::erase_if(result_.runs, [](const FinishedRun& finished) { return finished.run.method == 0; });
@@ -134,17 +159,18 @@ TEST_F(Summary, LeavesOutWhatHasNoRuns) {
 TEST_F(Summary, TablesHaveTheNumbers) {
   const std::vector<SummaryRow> rows = summarise(plan_, result_);
   const std::string markdown = to_markdown(plan_, result_, rows);
-  EXPECT_NE(
-      markdown.find(
-          "| b, c | 3 | 0.5 ± 0 | 0.9 ± 0 | 4 ± 0 | 0.30 (0.25 / 0.50) | 0.3 ± 0.15 | - | 4 ["),
-      std::string::npos)
+  EXPECT_NE(markdown.find("| b, c | 3 | 0.5 ± 0 | 0.9 ± 0 | 4 ± 0 | 0.30 (0.25 / 0.50) | 0.3 ± "
+                          "0.15 | - | - (≥ 3/3) | - | 4 "
+                          "["),
+            std::string::npos)
       << markdown;
   // 0.05 is more than a tenth of 0.3, but not of 1.2.
   EXPECT_NE(markdown.find("] \\* |"), std::string::npos) << markdown;
-  EXPECT_NE(markdown.find("| 1.2 ± 0.61 | - | 1 |"), std::string::npos) << markdown;
+  EXPECT_NE(markdown.find("| 1.2 ± 0.61 | - | - (≥ 3/3) | - | 1 |"), std::string::npos) << markdown;
   const std::string csv = to_csv(plan_, rows);
-  EXPECT_NE(csv.find("\nroom,\"b, c\",4spp,3,0.5,0,0.9,0,0,4,0,0.3,0.25,0.5,0.3,0.152752523,,,4,"),
-            std::string::npos)
+  EXPECT_NE(
+      csv.find("\nroom,\"b, c\",4spp,3,0.5,0,0.9,0,0,4,0,0.3,0.25,0.5,0.3,0.152752523,,,,,,,3,4,"),
+      std::string::npos)
       << csv;
   const Json json = to_json(plan_, result_, rows);
   EXPECT_EQ(json.at("summary").at(1).at("method"), "b, c");
@@ -154,7 +180,7 @@ TEST_F(Summary, TablesHaveTheNumbers) {
   std::istringstream lines(csv);
   for (std::string line; std::getline(lines, line);) {
     const auto commas = std::count(line.begin(), line.end(), ',');
-    EXPECT_EQ(commas - (line.find('"') != std::string::npos ? 1 : 0), 20) << line;
+    EXPECT_EQ(commas - (line.find('"') != std::string::npos ? 1 : 0), 25) << line;
   }
 }
 

@@ -56,7 +56,7 @@ std::vector<std::string> table_header(const StudyPlan& plan) {
   for (const Metric* metric : plan.metrics) {
     header.push_back(metric->name + (metric->unit.empty() ? "" : " [" + metric->unit + "]"));
   }
-  header.emplace_back("efficiency");
+  header.insert(header.end(), {"estimated error", "estimated / true", "efficiency"});
   return header;
 }
 
@@ -67,6 +67,10 @@ std::vector<std::string> table_cells(const StudyPlan& plan, const StudyResult& r
       with_error(row.seconds),       cpu_text(row),
       with_error(row.samples),       acceptance_text(row)};
   for (const Mean& metric : row.metrics) cells.push_back(with_error(metric));
+  cells.push_back(
+      with_error(row.estimated_error) +
+      (row.lower_bounds > 0 ? fmt::format(" (≥ {}/{})", row.lower_bounds, row.seconds.count) : ""));
+  cells.push_back(with_error(row.estimate_ratio));
   cells.push_back(ratio_text(row.efficiency) + (is_loud(plan, result, row) ? " *" : ""));
   return cells;
 }
@@ -77,7 +81,10 @@ std::string table_explanation(const StudyPlan& plan) {
       "*CPU seconds*: of all threads, rendering; †: of so many runs, less than 75 % of what their "
       "threads could have had, so that their times mislead. "
       "*samples per pixel*: as `--spp` counts them. *acceptance*: of all mutations, and of "
-      "small and large steps; a proposal counts with its probability.";
+      "small and large steps; a proposal counts with its probability. "
+      "*estimated error*: what the renders say of their relative-error, of so many (≥) only that "
+      "it "
+      "is at least that; *estimated / true*: of the others, over their relative-error.";
   if (!plan.efficiency_metric.empty()) {
     text += fmt::format(
         " *efficiency*: 1/({0} · seconds) relative to {1}, with its 95 % interval (log-normal, "
