@@ -21,6 +21,13 @@ std::string cpu_text(const SummaryRow& row) {
          (row.disturbed > 0 ? fmt::format(" († {}/{})", row.disturbed, row.seconds.count) : "");
 }
 
+std::string estimate_text(const SummaryRow& row) {
+  std::string text = with_error(row.estimated_error);
+  if (row.estimate_ratio.count > 0) text += fmt::format(" ({:.2f}×)", row.estimate_ratio.mean);
+  if (row.lower_bounds > 0) text += fmt::format(" (≥ {}/{})", row.lower_bounds, row.seconds.count);
+  return text;
+}
+
 std::string ratio_text(const std::optional<Ratio>& ratio) {
   if (!ratio) return "-";
   if (!ratio->low) return fmt::format("{:.3g}", ratio->value);
@@ -56,7 +63,7 @@ std::vector<std::string> table_header(const StudyPlan& plan) {
   for (const Metric* metric : plan.metrics) {
     header.push_back(metric->name + (metric->unit.empty() ? "" : " [" + metric->unit + "]"));
   }
-  header.insert(header.end(), {"estimated error", "estimated / true", "efficiency"});
+  header.insert(header.end(), {"estimated error", "efficiency"});
   return header;
 }
 
@@ -67,10 +74,7 @@ std::vector<std::string> table_cells(const StudyPlan& plan, const StudyResult& r
       with_error(row.seconds),       cpu_text(row),
       with_error(row.samples),       acceptance_text(row)};
   for (const Mean& metric : row.metrics) cells.push_back(with_error(metric));
-  cells.push_back(
-      with_error(row.estimated_error) +
-      (row.lower_bounds > 0 ? fmt::format(" (≥ {}/{})", row.lower_bounds, row.seconds.count) : ""));
-  cells.push_back(with_error(row.estimate_ratio));
+  cells.push_back(estimate_text(row));
   cells.push_back(ratio_text(row.efficiency) + (is_loud(plan, result, row) ? " *" : ""));
   return cells;
 }
@@ -82,9 +86,8 @@ std::string table_explanation(const StudyPlan& plan) {
       "threads could have had, so that their times mislead. "
       "*samples per pixel*: as `--spp` counts them. *acceptance*: of all mutations, and of "
       "small and large steps; a proposal counts with its probability. "
-      "*estimated error*: what the renders say of their relative-error, of so many (≥) only that "
-      "it "
-      "is at least that; *estimated / true*: of the others, over their relative-error.";
+      "*estimated error*: what the renders say of their relative-error; ×: over the true one, mean "
+      "of the renders that know it; ≥: so many say that it is at least that.";
   if (!plan.efficiency_metric.empty()) {
     text += fmt::format(
         " *efficiency*: 1/({0} · seconds) relative to {1}, with its 95 % interval (log-normal, "

@@ -4,8 +4,8 @@
   const section = (title, ...content) => ajar.element("section", {}, ajar.element("h2", {}, title), ...content);
   const scrolled = (table) => ajar.element("div", { class: "scroll" }, table);
 
-  // A column whose cells are all numbers is set to the right: 12, 3.4 ± 0.1 († 1/5), 0.46 (0.67 / 0.15), 1.2 [0.9, 1.6] *.
-  const isNumber = (text) => /^[\d\s.,eE+−\-±–()[\]/%×*†]*(s|ms|dB|GB|MB)?\s*$/.test(text) || /^\s*(nan|inf)?\s*$/i.test(text);
+  // A column whose cells are all numbers is set to the right: 12, 3.4 ± 0.1 († 1/5), 0.4 (0.97×) (≥ 1/5), 0.46 (0.67 / 0.15), 1.2 [0.9, 1.6] *.
+  const isNumber = (text) => /^[\d\s.,eE+−\-±–()[\]/%×*†≥]*(s|ms|dB|GB|MB)?\s*$/.test(text) || /^\s*(nan|inf)?\s*$/i.test(text);
 
   // Where space is short, what follows a number goes below it: an error, an interval, a remark in brackets.
   const breakable = (text) => text.replace(/ (?![±[(])/g, "\u00a0");
