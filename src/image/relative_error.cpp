@@ -6,6 +6,7 @@
 #include <functional>
 #include <numeric>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include "image/truth_guess.h"
@@ -20,18 +21,6 @@ constexpr int kPlace = 4;
 /// With fewer places the relative standard deviation of the value is more than 16 % (of a sum of n
 /// equal squares: sqrt(1/n), half of that of its root), and what is rare is rarer than that.
 constexpr double kFewestPlaces = 10.0;
-
-/// Of |value| over the values that are not zero; 0 if there are none.
-double median_lit(std::span<const float> values) {
-  std::vector<float> lit;
-  for (const float v : values) {
-    if (v != 0.F && std::isfinite(v)) lit.push_back(std::abs(v));
-  }
-  if (lit.empty()) return 0.0;
-  const auto middle = lit.begin() + static_cast<std::ptrdiff_t>(lit.size() / 2);
-  std::nth_element(lit.begin(), middle, lit.end());
-  return *middle;
-}
 
 /// t² + 0.01 μ².
 class Denominator {
@@ -95,12 +84,12 @@ std::optional<double> relative_error(std::span<const float> picture, std::span<c
   return std::sqrt(sum / static_cast<double>(truth.size()));
 }
 
-std::optional<RelativeError> estimate_relative_error(const Replicates& replicates, Vec2i size) {
-  const std::vector<float> truth = guess_truth(replicates, size);
+std::optional<RelativeError> estimate_relative_error(Replicates replicates, Vec2i size) {
   const std::vector<float> errors = standard_error(replicates);
-  // If no two replicates agree on any light, the only level there is comes from their mean.
+  const std::vector<float> truth = guess_truth(std::move(replicates), size);
   double level = median_lit(truth);
-  if (level == 0.0) level = median_lit(replicate_mean(replicates));
+  // No two replicates agree on any light: of a value that one alone has, this is the mean.
+  if (level == 0.0) level = median_lit(errors);
   if (level == 0.0) return std::nullopt;
   const Denominator denominator(level);
   std::vector<double> of_pixels(truth.size() / kChannels);
@@ -120,6 +109,12 @@ std::optional<RelativeError> estimate_relative_error(const Replicates& replicate
   found.has_fireflies = found.places < fewest;
   found.half_of_it = share_that_makes_half(of_pixels);
   return found;
+}
+
+std::uint64_t error_estimate_bytes(int replicates) {
+  // The replicates side by side, patterns and noise, all of it twice while it is filtered; errors.
+  const auto pictures = static_cast<std::uint64_t>(replicates) * kChannels;
+  return sizeof(float) * (2 * (pictures + 2) + kChannels);
 }
 
 }  // namespace ajar

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <optional>
 #include <span>
 
@@ -37,6 +38,8 @@ struct RelativeError {
 /// Of a picture of `size` pixels (3 values each, rows from the top); needs R ≥ 2 replicates of
 /// that size, else std::invalid_argument. Nullopt if it is black: then nothing is known. It cannot
 /// know of light that no sample has found.
-std::optional<RelativeError> estimate_relative_error(const Replicates& replicates, Vec2i size);
+std::optional<RelativeError> estimate_relative_error(Replicates replicates, Vec2i size);
+/// What that takes beside the replicates, bytes per pixel.
+std::uint64_t error_estimate_bytes(int replicates);
 
 }  // namespace ajar

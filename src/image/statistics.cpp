@@ -81,6 +81,17 @@ std::vector<float> standard_error(const Replicates& replicates) {
   return error;
 }
 
+double median_lit(std::span<const float> values) {
+  std::vector<float> lit;
+  for (const float v : values) {
+    if (v != 0.F && std::isfinite(v)) lit.push_back(std::abs(v));
+  }
+  if (lit.empty()) return 0.0;
+  const auto middle = lit.begin() + static_cast<std::ptrdiff_t>(lit.size() / 2);
+  std::nth_element(lit.begin(), middle, lit.end());
+  return *middle;
+}
+
 Estimate image_mean(const Replicates& replicates) {
   check(replicates, 2);
   const auto count = static_cast<double>(replicates.size());

@@ -31,6 +31,9 @@ std::vector<float> replicate_median(const Replicates& replicates);
 /// an unbiased estimate of the variance of the mean. Needs R ≥ 2.
 std::vector<float> standard_error(const Replicates& replicates);
 
+/// Median of |value| over the values that are neither zero nor infinite; 0 if there are none.
+double median_lit(std::span<const float> values);
+
 /// An estimated number with its error bar.
 struct Estimate {
   double value;

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
 #include <stdexcept>
 #include <utility>
 
@@ -21,25 +20,40 @@ constexpr float kQuiet = 0.05F;
 /// Two patches look the same if their mean squared difference is at most so many times what noise
 /// explains; the noise of the darker replicates is less than that of all.
 constexpr float kSame = 4.F;
+/// Relative to the median: squares of what is brighter might not be finite.
+constexpr double kMost = 1e17;
 
 float square(float value) { return value * value; }
 float gray(const float* rgb) { return (rgb[0] + rgb[1] + rgb[2]) / 3.F; }
 
+/// Of the mean of some numbers.
+struct Spread {
+  float mean;
+  float variance;
+};
+
 class TruthGuess {
  public:
-  TruthGuess(const Replicates& replicates, Vec2i size)
+  /// `level`: in whose units it calculates.
+  TruthGuess(const Replicates& replicates, Vec2i size, double level)
       : width_(size.x),
         height_(size.y),
         count_(replicates.size()),
+        level_(level),
         pictures_(count_ * kChannels * pixels()),
         patterns_(pixels()),
         noise_(pixels()) {
     parallel_for(pixels(), [&](std::size_t pixel) {
       for (std::size_t r = 0; r < count_; ++r) {
-        std::copy_n(&replicates[r][kChannels * pixel], kChannels,
-                    &pictures_[kChannels * (count_ * pixel + r)]);
+        for (std::size_t c = 0; c < kChannels; ++c) {
+          const double value = double{replicates[r][kChannels * pixel + c]} / level_;
+          values_of(pixel)[kChannels * r + c] =
+              static_cast<float>(std::clamp(value, -kMost, kMost));
+        }
       }
-      look_at(pixel);
+      const Spread spread = spread_of(pixel, count_ > 2 ? brightest(pixel) : count_);
+      patterns_[pixel] = spread.mean;
+      noise_[pixel] = spread.variance;
     });
   }
 
@@ -55,12 +69,13 @@ class TruthGuess {
         float weight = 1.F;
         for (int dy = -stride; dy <= stride; dy += stride) {
           for (int dx = -stride; dx <= stride; dx += stride) {
-            const std::size_t other = clamped(x + dx, y + dy);
-            if (other == pixel || !look_the_same(x, y, dx, dy)) continue;
+            if ((dx == 0 && dy == 0) || !is_inside(x + dx, y + dy)) continue;
+            if (!look_the_same(x, y, dx, dy)) continue;
+            const std::size_t other = index(x + dx, y + dy);
             weight += 1.F;
             patterns[pixel] += patterns_[other];
             noise[pixel] += noise_[other];
-            const float* values = &pictures_[count_ * kChannels * other];
+            const float* values = values_of(other);
             for (std::size_t i = 0; i < count_ * kChannels; ++i) sums[i] += values[i];
           }
         }
@@ -74,14 +89,17 @@ class TruthGuess {
     noise_ = std::move(noise);
   }
 
+  /// Of two, the lower.
   std::vector<float> medians() const {
     std::vector<float> all(kChannels * pixels());
     std::vector<float> values(count_);
     for (std::size_t i = 0; i < all.size(); ++i) {
-      const std::size_t first = i / kChannels * count_ * kChannels + i % kChannels;
-      for (std::size_t r = 0; r < count_; ++r) values[r] = pictures_[first + r * kChannels];
+      for (std::size_t r = 0; r < count_; ++r) {
+        values[r] = values_of(i / kChannels)[kChannels * r + i % kChannels];
+      }
       std::sort(values.begin(), values.end());
-      all[i] = 0.5F * (values[(count_ - 1) / 2] + values[count_ / 2]);
+      const float upper = values[count_ == 2 ? 0 : count_ / 2];
+      all[i] = static_cast<float>(0.5 * level_ * (double{values[(count_ - 1) / 2]} + upper));
     }
     return all;
   }
@@ -90,48 +108,53 @@ class TruthGuess {
   std::size_t pixels() const {
     return static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
   }
+  bool is_inside(int x, int y) const { return x >= 0 && x < width_ && y >= 0 && y < height_; }
   std::size_t index(int x, int y) const {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
            static_cast<std::size_t>(x);
   }
-  std::size_t clamped(int x, int y) const {
-    return index(std::clamp(x, 0, width_ - 1), std::clamp(y, 0, height_ - 1));
+  /// All replicates of a pixel, one after the other.
+  float* values_of(std::size_t pixel) { return &pictures_[count_ * kChannels * pixel]; }
+  const float* values_of(std::size_t pixel) const { return &pictures_[count_ * kChannels * pixel]; }
+
+  std::size_t brightest(std::size_t pixel) const {
+    std::size_t most = 0;
+    for (std::size_t r = 1; r < count_; ++r) {
+      if (gray(values_of(pixel) + kChannels * r) > gray(values_of(pixel) + kChannels * most)) {
+        most = r;
+      }
+    }
+    return most;
   }
 
-  /// Pattern and noise of a pixel, of all replicates but the brightest, if there are two others.
-  void look_at(std::size_t pixel) {
-    std::vector<float> values(count_);
-    for (std::size_t r = 0; r < count_; ++r) {
-      values[r] = gray(&pictures_[kChannels * (count_ * pixel + r)]);
-    }
-    if (count_ > 2) values.erase(std::max_element(values.begin(), values.end()));
-    const auto n = static_cast<float>(values.size());
-    patterns_[pixel] = std::accumulate(values.begin(), values.end(), 0.F) / n;
+  /// Of all replicates but one, if there is one of that number.
+  Spread spread_of(std::size_t pixel, std::size_t without) const {
+    const auto n = static_cast<float>(without < count_ ? count_ - 1 : count_);
+    float mean = 0.F;
     float squares = 0.F;
-    for (const float value : values) squares += square(value - patterns_[pixel]);
-    noise_[pixel] = squares / (n * (n - 1.F));
+    for (std::size_t r = 0; r < count_; ++r) {
+      if (r != without) mean += gray(values_of(pixel) + kChannels * r) / n;
+    }
+    for (std::size_t r = 0; r < count_; ++r) {
+      if (r != without) squares += square(gray(values_of(pixel) + kChannels * r) - mean);
+    }
+    return {mean, squares / (n * (n - 1.F))};
   }
 
   bool is_quiet(std::size_t pixel) const {
-    const float* values = &pictures_[count_ * kChannels * pixel];
-    const auto n = static_cast<float>(count_);
-    float mean = 0.F;
-    for (std::size_t r = 0; r < count_; ++r) mean += gray(values + kChannels * r) / n;
-    float squares = 0.F;
-    for (std::size_t r = 0; r < count_; ++r) {
-      squares += square(gray(values + kChannels * r) - mean);
-    }
-    return mean > 0.F && squares <= square(kQuiet * mean) * n * (n - 1.F);
+    const Spread spread = spread_of(pixel, count_);
+    return spread.mean > 0.F && spread.variance <= square(kQuiet * spread.mean);
   }
 
   /// The 3×3 pixels around two places.
   bool look_the_same(int x, int y, int dx, int dy) const {
     float difference = 0.F;
     float expected = 0.F;
-    for (int v = std::max(0, y - 1); v <= std::min(height_ - 1, y + 1); ++v) {
-      for (int u = std::max(0, x - 1); u <= std::min(width_ - 1, x + 1); ++u) {
+    for (int v = y - 1; v <= y + 1; ++v) {
+      for (int u = x - 1; u <= x + 1; ++u) {
+        if (!is_inside(u, v) || !is_inside(u + dx, v + dy)) continue;
         const std::size_t here = index(u, v);
-        const std::size_t there = clamped(u + dx, v + dy);
+        const std::size_t there = index(u + dx, v + dy);
         difference += square(patterns_[here] - patterns_[there]);
         expected += noise_[here] + noise_[there];
       }
@@ -142,6 +165,7 @@ class TruthGuess {
   int width_;
   int height_;
   std::size_t count_;
+  double level_;
   std::vector<float> pictures_;  ///< all replicates of a pixel side by side
   std::vector<float> patterns_;
   std::vector<float> noise_;  ///< variances of the patterns
@@ -149,14 +173,16 @@ class TruthGuess {
 
 }  // namespace
 
-std::vector<float> guess_truth(const Replicates& replicates, Vec2i size) {
+std::vector<float> guess_truth(Replicates replicates, Vec2i size) {
   const auto values =
       kChannels * static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
   const auto fits = [&](const std::vector<float>& image) { return image.size() == values; };
   if (replicates.size() < 2 || !std::all_of(replicates.begin(), replicates.end(), fits)) {
     throw std::invalid_argument("guess_truth: needs two replicates or more of the picture's size");
   }
-  TruthGuess guess(replicates, size);
+  const double level = median_lit(replicates.front());
+  TruthGuess guess(replicates, size, level > 0.0 ? level : 1.0);
+  replicates = {};
   for (const int stride : kStrides) guess.average(stride);
   return guess.medians();
 }

@@ -16,9 +16,10 @@ namespace ajar {
 /// long as they disagree. Neighbours count whose surroundings look the same, up to noise (as
 /// patches do in non-local means, Buades et al. 2005): without the brightest replicate of each,
 /// which may have a firefly. Each replicate is averaged for itself with the same weights, and the
-/// guess is the median of the averages, so that no firefly of a single replicate is in it.
+/// guess is the median of the averages (of two the lower), so that no firefly of a single replicate
+/// is in it.
 ///
 /// Needs R ≥ 2 replicates of that size, else std::invalid_argument.
-std::vector<float> guess_truth(const Replicates& replicates, Vec2i size);
+std::vector<float> guess_truth(Replicates replicates, Vec2i size);
 
 }  // namespace ajar

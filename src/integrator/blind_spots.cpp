@@ -72,12 +72,16 @@ ClearSink look_around(const Scene& scene, const RenderSettings& settings,
 std::vector<Warning> blind_spots(const Scene& scene, const RenderSettings& settings,
                                  const PathSamplerSettings& sampler) {
   const TechniqueSet& set = sampler.techniques;
-  const bool to_lens_only = set.any(TechniqueClass::Light) && !set.any(TechniqueClass::Implicit) &&
+  // Mirror and lamp; glass, what it lights, and the lens.
+  constexpr int kSeenMirror = 2;
+  constexpr int kCaustic = 3;
+  const bool to_lens_only = sampler.max_depth >= kSeenMirror && set.any(TechniqueClass::Light) &&
+                            !set.any(TechniqueClass::Implicit) &&
                             !set.any(TechniqueClass::NextEvent) && !set.any(TechniqueClass::Inner);
   const bool has_points = std::any_of(scene.lights().begin(), scene.lights().end(),
                                       [](const auto& light) { return light->discrete_position(); });
-  const bool from_points =
-      has_points && !set.any(TechniqueClass::Light) && !set.any(TechniqueClass::Inner);
+  const bool from_points = sampler.max_depth >= kCaustic && has_points &&
+                           !set.any(TechniqueClass::Light) && !set.any(TechniqueClass::Inner);
   if (!to_lens_only && !from_points) return {};
   const ClearSink found = look_around(scene, settings, sampler);
   std::vector<Warning> spots;
@@ -97,8 +101,7 @@ std::vector<Warning> blind_spots(const Scene& scene, const RenderSettings& setti
          fmt::format(
              "{:.2g} % of the light goes from a point or distant lamp straight to mirrors or clear "
              "glass: what they throw on other things is missing, since no camera path runs into "
-             "such a "
-             "lamp; bdpt, ibpt and selective see it",
+             "such a lamp; bdpt and ibpt see it",
              100.0 * found.lit / found.light_paths)});
   }
   return spots;

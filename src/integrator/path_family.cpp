@@ -39,7 +39,7 @@ class PathIntegrator final : public Integrator {
   }
   const PictureScale& scale() const { return scale_; }
   std::vector<Warning> concerns() const override;
-  bool misses_light() const override;
+  bool misses_light() const override { return !concerns().empty(); }
 
   std::vector<LayerSpec> layers() const override {
     std::vector<LayerSpec> specs = {{.name = "direct", .magnitude = scale_.mean},
@@ -225,19 +225,18 @@ class PathIntegrator final : public Integrator {
   double cull_below_;   ///< light that is worth a ray, unless there is a price
   Vec2i tiles_;
   mutable std::once_flag looked_around_;
-  mutable bool misses_light_ = false;
+  mutable std::vector<Warning> concerns_;
 };
 
 std::vector<Warning> PathIntegrator::concerns() const {
-  if (std::optional<std::string> concern = concern_about_depths()) {
-    return {{kMissingDepths, {}, *std::move(concern)}};
-  }
-  return blind_spots(scene_, settings_, sampler_settings_);
-}
-
-bool PathIntegrator::misses_light() const {
-  std::call_once(looked_around_, [this] { misses_light_ = !concerns().empty(); });
-  return misses_light_;
+  std::call_once(looked_around_, [this] {
+    if (std::optional<std::string> concern = concern_about_depths()) {
+      concerns_.push_back({kMissingDepths, {}, *std::move(concern)});
+    } else {
+      concerns_ = blind_spots(scene_, settings_, sampler_settings_);
+    }
+  });
+  return concerns_;
 }
 
 std::optional<std::string> PathIntegrator::concern_about_depths() const {

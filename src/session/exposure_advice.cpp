@@ -20,6 +20,8 @@ std::string exposure_advice(const Picture& picture, const DisplayOptions& displa
   const std::vector<float>& rgb = picture.layers.front().pixels;
   const Clipping lost = clipping(rgb, display.tone_map, display.exposure);
   if (lost.white < kMuchWhite && lost.black < kNearlyAllBlack) return {};
+  // Nothing helps a picture without light.
+  if (std::none_of(rgb.begin(), rgb.end(), [](float value) { return value > 0.F; })) return {};
   const float fitting = fitting_exposure(rgb, picture.crop.size() + Vec2i(1, 1));
   const auto advice = [&](double share, const char* what) {
     return fmt::format("{:.0f} % of the picture is {}: try --exposure {}", 100.0 * share, what,

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/available_memory.h"
+#include "image/relative_error.h"
 #include "scene/scene_memory.h"
 
 namespace ajar {
@@ -41,7 +42,9 @@ std::uint64_t picture_bytes(const Box2i& crop, int replicates, const std::vector
     if (name == "replicates") shown += static_cast<std::uint64_t>(replicates);
     if (name == "samples" || name == "standard-error") ++shown;
   }
-  return pixels_of(crop) * kChannels * sizeof(float) * kPictureCopies * shown;
+  const std::uint64_t shown_bytes = kChannels * sizeof(float) * kPictureCopies * shown;
+  // Errors are estimated before, not meanwhile.
+  return pixels_of(crop) * std::max(shown_bytes, error_estimate_bytes(replicates));
 }
 
 std::uint64_t scene_bytes(const desc::SceneDesc& scene) {

@@ -61,9 +61,7 @@ std::optional<Warning> range_complaint(const Film& film, const Picture& picture,
   const double mean = sum / static_cast<double>(values.size());
   // Before the scale, too: what is lost in the light does not come back with it.
   const double least = std::min(mean, film_scale != 0.0 ? mean / std::abs(film_scale) : mean);
-  if (film_scale == 0.0) {
-    return Warning{kBlack, {}, "the picture is black: its film's scale is 0"};
-  }
+  if (film_scale == 0.0) return std::nullopt;
   if (sum == 0.0 && !has_light(film)) {
     return Warning{kBlack,
                    {},

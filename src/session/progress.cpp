@@ -35,7 +35,8 @@ std::vector<double> expected_totals(const RenderSnapshot& s) {
   const double rate = samples_per_second(s);
   if (rate <= 0.0) return totals;
   if (s.total_samples > 0) totals.push_back(static_cast<double>(s.total_samples) / rate);
-  if (s.budget.target_error && s.relative_error && *s.budget.target_error > 0.0) {
+  const bool has_error = s.relative_error && !s.relative_error->is_lower_bound();
+  if (s.budget.target_error && has_error && *s.budget.target_error > 0.0) {
     const double ratio = s.relative_error->value / *s.budget.target_error;
     totals.push_back(static_cast<double>(s.error_samples) * ratio * ratio / rate);
   }
@@ -146,7 +147,7 @@ std::string short_number(double value) {
 std::string error_text(const RelativeError& error) {
   const double percent = 100.0 * error.value;
   const std::string number =
-      percent < 100.0 ? fmt::format("{:.2g}", percent) : fmt::format("{:.0f}", percent);
+      percent < 99.5 ? fmt::format("{:.2g}", percent) : fmt::format("{:.0f}", percent);
   return (error.is_lower_bound() ? "≥ " : "") + number + " %";
 }
 

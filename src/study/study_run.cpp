@@ -164,8 +164,9 @@ std::optional<double> RunRecord::cpu_share() const {
 
 bool RunRecord::knows_error() const {
   const Json& statistics = json.at("statistics");
+  const auto is_bound = statistics.find("estimated_error_is_lower_bound");
   return number("estimated_relative_error").has_value() &&
-         !statistics.value("estimated_error_is_lower_bound", false);
+         (is_bound == statistics.end() || *is_bound != Json(true));
 }
 
 bool RunRecord::is_disturbed() const { return cpu_share().value_or(1.0) < kFairCpuShare; }

@@ -88,10 +88,11 @@ class Runner {
   void render_undisturbed(std::size_t i) {
     render(i, 1);
     const std::optional<RunRecord>& record = records_[i];
-    if (runs_[i].is_reference || !record || !record->is_disturbed()) return;
+    if (runs_[i].is_reference || !record || !record->is_disturbed() || interrupt_count() > 0) {
+      return;
+    }
     options_.report(
-        fmt::format("    had {:.0f} % of its CPU time, as something else runs: repeated",
-                    100.0 * *record->cpu_share()));
+        fmt::format("    had {:.0f} % of its CPU time: repeated", 100.0 * *record->cpu_share()));
     records_[i].reset();
     render(i, 2);
   }

@@ -97,8 +97,10 @@ SummaryRow row_of(const StudyPlan& plan, const Runs& runs) {
     row.metrics.push_back(mean_of(
         values_of(runs, [&](const RunRecord& record) { return record.metric(metric->name); })));
   }
-  row.estimated_error = mean_of(values_of(
-      runs, [](const RunRecord& record) { return record.number("estimated_relative_error"); }));
+  row.estimated_error =
+      mean_of(values_of(runs, [](const RunRecord& record) -> std::optional<double> {
+        return record.knows_error() ? record.number("estimated_relative_error") : std::nullopt;
+      }));
   row.estimate_ratio = mean_of(values_of(runs, estimate_over_truth));
   row.lower_bounds = static_cast<std::size_t>(std::count_if(
       runs.begin(), runs.end(), [](const FinishedRun* run) { return !run->record.knows_error(); }));

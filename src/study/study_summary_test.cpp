@@ -138,7 +138,7 @@ TEST_F(Summary, PutsEstimatedErrorsBesideTrueOnes) {
   ASSERT_EQ(own.size(), 3U);
   set(own[0], 0.2, 0.1, false);
   set(own[1], 0.2, 0.3, false);
-  set(own[2], 5.0, 0.2, true);
+  set(own[2], 5.0, 0.7, true);
   const SummaryRow row = summarise(plan_, result_).front();
   EXPECT_NEAR(row.estimated_error.mean, 0.2, 1e-12);
   EXPECT_NEAR(row.estimate_ratio.mean, 1.0, 1e-12) << "0.5 and 1.5; what is a bound is no estimate";

@@ -233,10 +233,14 @@ void Run::prepare_integrator() {
     // Once more as it was: the checkpoint holds what came after it.
     PreparationLimits as_before;
     if (!order_.resumed->prepared) as_before.rounds = order_.resumed->preparation_rounds;
+    as_before.interrupts = &interrupt_count();
+    as_before.ranks = run().ranks;
     Preparation preparation(*integrator_, as_before);
+    const ProgressReporter progress(style_, [&] { return snapshot_of(preparation); });
     statistics_.preparation = preparation.run();
     statistics_.prepared = preparation.end() == PreparationEnd::Done;
     preparation_rounds_ = preparation.rounds();
+    has_begun_ = preparation.end() != PreparationEnd::Interrupted;
   } else {
     Preparation preparation(*integrator_, preparation_limits());
     const ProgressReporter progress(style_, [&] { return snapshot_of(preparation); });
@@ -252,6 +256,14 @@ void Run::prepare_integrator() {
   }
   for (const Warning& concern : integrator_->concerns()) warn(concern);
   for (const std::string& note : integrator_->notes()) print_note(note);
+  const Budget& budget = setup_.budget;
+  if (budget.target_error && !budget.seconds && !budget.samples_per_pixel &&
+      integrator_->misses_light()) {
+    print_note(
+        "--target-error cannot end this render, since its error stays a lower bound as long as "
+        "light "
+        "is missing: choose another method, or give --time or --spp, too");
+  }
 }
 
 PreparationLimits Run::preparation_limits() const {
@@ -451,14 +463,18 @@ int Run::carry_out() {
   report_phase(style_, "prepare");
   const Stopwatch clock;
   prepare_integrator();
+  if (!has_begun_ && order_.resumed) {
+    print_note("interrupted before it could go on: the checkpoint is as it was");
+    return kExitInterrupted;
+  }
   if (!has_begun_ && interrupt_count() > 1 && run().ranks == nullptr) {
     print_note("interrupted twice while preparing: nothing was rendered, nothing is written");
     return kExitInterrupted;
   }
   if (!has_begun_) {
     print_note(
-        "interrupted while preparing: the picture will be of one sample per pixel, without "
-        "chains; the render itself has not begun" +
+        "interrupted while preparing: the picture will be of what was found so far; the render "
+        "itself has not begun" +
         std::string(run().checkpoint.empty() ? "" : ", so no checkpoint is written"));
   }
   make_film();
