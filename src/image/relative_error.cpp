@@ -114,7 +114,7 @@ std::optional<RelativeError> estimate_relative_error(Replicates replicates, Vec2
 std::uint64_t error_estimate_bytes(int replicates) {
   // The replicates side by side, patterns and noise, all of it twice while it is filtered; errors.
   const auto pictures = static_cast<std::uint64_t>(replicates) * kChannels;
-  return sizeof(float) * (2 * (pictures + 2) + kChannels);
+  return sizeof(float) * (2 * (pictures + 2) + 2 * kChannels);
 }
 
 }  // namespace ajar

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <span>
 #include <stdexcept>
 #include <utility>
 
@@ -171,6 +172,21 @@ class TruthGuess {
   std::vector<float> noise_;  ///< variances of the patterns
 };
 
+/// How much brighter a picture is than a guess of it: each pixel relative to its guess, so that
+/// lamps do not decide.
+double gain_over(std::span<const float> guess, std::span<const float> picture) {
+  const double level = median_lit(guess);
+  if (level == 0.0) return 1.0;
+  double of_guess = 0.0;
+  double of_picture = 0.0;
+  for (std::size_t i = 0; i < guess.size(); ++i) {
+    const double weight = 1.0 / (std::abs(double{guess[i]}) + level);
+    of_guess += weight * double{guess[i]};
+    of_picture += weight * double{picture[i]};
+  }
+  return of_guess > 0.0 && of_picture > 0.0 ? of_picture / of_guess : 1.0;
+}
+
 }  // namespace
 
 std::vector<float> guess_truth(Replicates replicates, Vec2i size) {
@@ -182,9 +198,13 @@ std::vector<float> guess_truth(Replicates replicates, Vec2i size) {
   }
   const double level = median_lit(replicates.front());
   TruthGuess guess(replicates, size, level > 0.0 ? level : 1.0);
+  const std::vector<float> mean = replicate_mean(replicates);
   replicates = {};
   for (const int stride : kStrides) guess.average(stride);
-  return guess.medians();
+  std::vector<float> medians = guess.medians();
+  const double gain = gain_over(medians, mean);
+  for (float& value : medians) value = static_cast<float>(gain * double{value});
+  return medians;
 }
 
 }  // namespace ajar

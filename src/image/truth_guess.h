@@ -17,7 +17,8 @@ namespace ajar {
 /// patches do in non-local means, Buades et al. 2005): without the brightest replicate of each,
 /// which may have a firefly. Each replicate is averaged for itself with the same weights, and the
 /// guess is the median of the averages (of two the lower), so that no firefly of a single replicate
-/// is in it.
+/// is in it. What rare paths bring on average is not, either: so the guess as a whole is made as
+/// bright as the picture, each pixel relative to its guess.
 ///
 /// Needs R ≥ 2 replicates of that size, else std::invalid_argument.
 std::vector<float> guess_truth(Replicates replicates, Vec2i size);
