@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t kChannels = 3;
 /// As wide as what filters make of one splat.
-constexpr int kPlace = 4;
+constexpr std::size_t kPlace = 4;
 /// With fewer places the relative standard deviation of the value is more than 16 % (of a sum of n
 /// equal squares: sqrt(1/n), half of that of its root), and what is rare is rarer than that.
 constexpr double kFewestPlaces = 10.0;
@@ -45,15 +45,12 @@ double effective_number(std::span<const double> values) {
 }
 
 std::vector<double> sums_of_places(std::span<const double> of_pixels, Vec2i size) {
-  const int columns = (size.x + kPlace - 1) / kPlace;
-  const int rows = (size.y + kPlace - 1) / kPlace;
-  std::vector<double> sums(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
-  for (int y = 0; y < size.y; ++y) {
-    for (int x = 0; x < size.x; ++x) {
-      sums[static_cast<std::size_t>(y / kPlace * columns + x / kPlace)] +=
-          of_pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(size.x) +
-                    static_cast<std::size_t>(x)];
-    }
+  const auto width = static_cast<std::size_t>(size.x);
+  const std::size_t columns = (width + kPlace - 1) / kPlace;
+  const std::size_t rows = (static_cast<std::size_t>(size.y) + kPlace - 1) / kPlace;
+  std::vector<double> sums(columns * rows);
+  for (std::size_t i = 0; i < of_pixels.size(); ++i) {
+    sums[i / width / kPlace * columns + i % width / kPlace] += of_pixels[i];
   }
   return sums;
 }

@@ -2,9 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "image/relative_error.h"
-
 #include "image/filter.h"
+#include "image/relative_error.h"
 #include "session/resources.h"
 
 namespace ajar {
@@ -25,8 +24,7 @@ TEST(MemoryEstimate, OfPicturesCountsWhatIsShown) {
                                          LayerSpec{.name = "weak", .part_of = "indirect"}};
   const std::uint64_t plain = picture_bytes(kCrop, 4, layers, {});
   EXPECT_EQ(plain, 100U * 50U * error_estimate_bytes(4)) << "more than 12 · 3 · 3";
-  EXPECT_EQ(picture_bytes(kCrop, 4, layers, {"replicates", "samples"}),
-            100U * 50U * 12U * 3U * 8U);
+  EXPECT_EQ(picture_bytes(kCrop, 4, layers, {"replicates", "samples"}), 100U * 50U * 12U * 3U * 8U);
 }
 
 TEST(MemoryEstimate, ComplainsOnlyOfWhatIsNotThere) {
