@@ -8,11 +8,13 @@ namespace ajar {
 namespace {
 
 std::vector<Warning> concerns_of(const std::string& scene_text, const std::string& integrator,
-                                 std::map<std::string, std::string> parameters = {}) {
+                                 std::map<std::string, std::string> parameters = {},
+                                 int max_depth = 100) {
   const auto scene = test::scene_from(scene_text);
   test::RenderOptions options;
   options.integrator = integrator;
   options.samples = 8;
+  options.max_depth = max_depth;
   options.parameters = std::move(parameters);
   return test::render(*scene, options).integrator->concerns();
 }
@@ -43,6 +45,8 @@ TEST(Concerns, NameTheLightOfPointLampsBehindGlass) {
       std::string::npos)
       << concerns.front().message;
   EXPECT_TRUE(concerns_of(scene_with("matte"), "pt").empty());
+  EXPECT_TRUE(concerns_of(scene_with("glass"), "pt", {}, 2).empty()) << "lamp, glass, wall, lens";
+  EXPECT_EQ(concerns_of(scene_with("glass"), "pt", {}, 3).size(), 1U);
   for (const char* integrator : {"ibpt", "bdpt", "selective"}) {
     EXPECT_TRUE(concerns_of(scene_with("glass"), integrator).empty()) << integrator;
   }
