@@ -1,4 +1,4 @@
-#include "integrator/chain_effort.h"
+#include "integrator/selective/chain_effort.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-#include "integrator/chain_family.h"
+#include "integrator/selective/chain_family.h"
 #include "support/render.h"
 #include "support/small_scenes.h"
 

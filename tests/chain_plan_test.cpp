@@ -1,4 +1,4 @@
-#include "integrator/chain_plan.h"
+#include "integrator/selective/chain_plan.h"
 
 #include <gtest/gtest.h>
 

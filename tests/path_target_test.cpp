@@ -1,4 +1,4 @@
-#include "integrator/path_target.h"
+#include "integrator/metropolis/path_target.h"
 
 #include <gtest/gtest.h>
 

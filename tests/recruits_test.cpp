@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "integrator/chain_plan.h"
-#include "integrator/path_numbers.h"
+#include "integrator/selective/chain_plan.h"
+#include "integrator/selective/path_numbers.h"
 #include "mcmc/chain_source.h"
 #include "support/render.h"
 #include "support/small_scenes.h"

@@ -1,4 +1,4 @@
-#include "integrator/region_choice.h"
+#include "integrator/selective/region_choice.h"
 
 #include <gtest/gtest.h>
 
@@ -6,8 +6,8 @@
 #include <random>
 #include <vector>
 
-#include "integrator/chain_share.h"
-#include "integrator/weighted_errors.h"
+#include "integrator/selective/chain_share.h"
+#include "integrator/selective/weighted_errors.h"
 #include "support/render.h"
 #include "support/small_scenes.h"
 

@@ -1,4 +1,4 @@
-#include "integrator/sample_rates.h"
+#include "integrator/montecarlo/sample_rates.h"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "core/random.h"
-#include "integrator/path_family.h"
-#include "integrator/weighted_errors.h"
+#include "integrator/montecarlo/path_family.h"
+#include "integrator/selective/weighted_errors.h"
 #include "support/render.h"
 #include "support/same_picture.h"
 

@@ -14,7 +14,7 @@
 #include "core/random.h"
 #include "image/image_file.h"
 #include "image/metrics.h"
-#include "integrator/region_choice.h"
+#include "integrator/selective/region_choice.h"
 #include "support/render.h"
 #include "support/same_picture.h"
 #include "support/small_scenes.h"

@@ -13,7 +13,7 @@
 #include "core/work_share.h"
 #include "image/film.h"
 #include "image/plane.h"
-#include "integrator/technique_tally.h"
+#include "integrator/montecarlo/technique_tally.h"
 #include "scene/ray_counts.h"
 #include "scene/scene.h"
 

@@ -1,9 +1,9 @@
 #include <algorithm>
 
-#include "integrator/chain_family.h"
-#include "integrator/g_buffer.h"
-#include "integrator/path_family.h"
-#include "integrator/selective.h"
+#include "integrator/montecarlo/g_buffer.h"
+#include "integrator/montecarlo/path_family.h"
+#include "integrator/selective/chain_family.h"
+#include "integrator/selective/selective.h"
 
 namespace ajar {
 

@@ -1,0 +1,48 @@
+#pragma once
+#include <array>
+#include <vector>
+
+#include "image/film.h"
+#include "image/importance_map.h"
+#include "integrator/integrator.h"
+#include "integrator/metropolis/path_target.h"
+#include "integrator/metropolis/plane_maps.h"
+#include "mcmc/chain_runner.h"
+
+namespace ajar {
+
+inline const std::string kDensityLayer = "density";
+inline const std::string kAcceptanceLayer = "acceptance";
+
+/// Puts what chains deposit on the film, as far as `split` keeps it, and into `maps` if they are
+/// there and gather.
+class ChainFilmSink final : public DepositSink {
+ public:
+  ChainFilmSink(Film& film, int replicate, const ImportanceMap& importance,
+                const PathTarget& target, Counters& counters, PlaneMaps* maps = nullptr,
+                const LightSplit* split = nullptr);
+
+  /// `scale` multiplies what is deposited; what is `proposed` is counted in `by_technique`.
+  void begin(double scale, std::vector<ChainStatistics::Kind>* by_technique) {
+    scale_ = scale;
+    by_technique_ = by_technique;
+  }
+  void deposit(std::span<const Splat> splats, double factor) override;
+  void proposed(std::span<const Splat> current, double acceptance) override;
+
+ private:
+  Film& film_;
+  std::array<int, 2> light_;
+  int density_;
+  int acceptance_;
+  int replicate_;
+  const ImportanceMap& importance_;
+  const PathTarget& target_;
+  Counters& counters_;
+  PlaneMaps* maps_;
+  const LightSplit* split_;
+  double scale_ = 1.0;
+  std::vector<ChainStatistics::Kind>* by_technique_ = nullptr;
+};
+
+}  // namespace ajar

@@ -1,0 +1,110 @@
+#include "integrator/montecarlo/blind_spots.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "transport/sources.h"
+
+namespace ajar {
+
+namespace {
+
+constexpr WarningKind kUnseenMirrors{Effect::Light, "methods do not see mirrors and clear glass"};
+constexpr WarningKind kUnseenLamps{Effect::Light, "methods do not see point lamps behind glass"};
+
+constexpr std::uint32_t kSamples = 4096;
+
+/// Clear glass and mirrors: nothing can be connected to them. Lamps that scatter nothing are seen
+/// well.
+bool is_clear(const PathVertex& vertex) {
+  return !vertex.in_medium && !vertex.bsdf.connectible() && !vertex.bsdf.empty();
+}
+
+/// Counts subpaths of either end, and those of which the first vertex is clear. Of light subpaths
+/// only those of lamps that no ray runs into.
+class ClearSink final : public PathSink {
+ public:
+  void add(const Contribution& /*contribution*/) override {}
+  bool reaches(const Vec2& /*raster*/) const override { return false; }
+  void first_vertex(const PathVertex& vertex, const Hit* /*hit*/, float /*distance*/) override {
+    if (is_clear(vertex)) ++seen;
+  }
+  void started(Stream stream, const Endpoint& endpoint, const EndpointPoint& /*point*/) override {
+    if (stream != Stream::Light) return;
+    is_first_ = true;
+    is_discrete_ = endpoint.discrete_position();
+    ++light_paths;
+  }
+  void vertex(Stream stream, const PathVertex& vertex) override {
+    if (stream != Stream::Light || !is_first_) return;
+    is_first_ = false;
+    if (is_discrete_ && is_clear(vertex)) ++lit;
+  }
+
+  int seen = 0;
+  int light_paths = 0;
+  int lit = 0;
+
+ private:
+  bool is_first_ = false;
+  bool is_discrete_ = false;
+};
+
+ClearSink look_around(const Scene& scene, const RenderSettings& settings,
+                      PathSamplerSettings sampler_settings) {
+  sampler_settings.techniques = TechniqueSet::ibpt();
+  PathSampler sampler(scene, sampler_settings);
+  ClearSink sink;
+  const Vec2 low(settings.crop.min);
+  const Vec2 size(settings.crop.size() + Vec2i(1, 1));
+  for (std::uint32_t i = 0; i < kSamples; ++i) {
+    SobolSource source({settings.seed, i, settings.seed, i});
+    sampler.sample(source, low + source.get_pair({Stream::Camera, 0, kEmissionDirection}) * size,
+                   sink);
+    sampler.sample_light(source, sink);
+  }
+  return sink;
+}
+
+}  // namespace
+
+std::vector<Warning> blind_spots(const Scene& scene, const RenderSettings& settings,
+                                 const PathSamplerSettings& sampler) {
+  const TechniqueSet& set = sampler.techniques;
+  // Mirror and lamp; glass, what it lights, and the lens.
+  constexpr int kSeenMirror = 2;
+  constexpr int kCaustic = 3;
+  const bool to_lens_only = sampler.max_depth >= kSeenMirror && set.any(TechniqueClass::Light) &&
+                            !set.any(TechniqueClass::Implicit) &&
+                            !set.any(TechniqueClass::NextEvent) && !set.any(TechniqueClass::Inner);
+  const bool has_points = std::any_of(scene.lights().begin(), scene.lights().end(),
+                                      [](const auto& light) { return light->discrete_position(); });
+  const bool from_points = sampler.max_depth >= kCaustic && has_points &&
+                           !set.any(TechniqueClass::Light) && !set.any(TechniqueClass::Inner);
+  if (!to_lens_only && !from_points) return {};
+  const ClearSink found = look_around(scene, settings, sampler);
+  std::vector<Warning> spots;
+  if (to_lens_only && found.seen > 0) {
+    spots.push_back(
+        {kUnseenMirrors,
+         {},
+         fmt::format("{:.2g} % of the picture shows mirrors or clear glass, which light "
+                     "tracing cannot see: its light is missing there; bdpt and ibpt see "
+                     "them",
+                     100.0 * found.seen / kSamples)});
+  }
+  if (from_points && found.lit > 0) {
+    spots.push_back(
+        {kUnseenLamps,
+         {},
+         fmt::format(
+             "{:.2g} % of the light goes from a point or distant lamp straight to mirrors or clear "
+             "glass: what they throw on other things is missing, since no camera path runs into "
+             "such a lamp; bdpt and ibpt see it",
+             100.0 * found.lit / found.light_paths)});
+  }
+  return spots;
+}
+
+}  // namespace ajar

@@ -1,0 +1,389 @@
+#include "integrator/montecarlo/path_family.h"
+
+#include <algorithm>
+#include <mutex>
+
+#include "integrator/montecarlo/blind_spots.h"
+#include "integrator/montecarlo/g_buffer.h"
+#include "integrator/montecarlo/sample_sink.h"
+#include "integrator/montecarlo/technique_layers.h"
+#include "transport/sources.h"
+
+namespace ajar {
+
+namespace {
+
+constexpr WarningKind kMissingDepths{Effect::Light, "methods do not make paths of all lengths"};
+
+constexpr int kTileSize = 16;
+constexpr int kMaxPathEdges = 60000;  // vertex numbers are 16 bits wide
+
+class PathIntegrator final : public Integrator {
+ public:
+  PathIntegrator(const Scene& scene, const RenderSettings& settings, const Parameters& parameters,
+                 const PathIntegratorContext& context)
+      : scene_(scene),
+        settings_(settings),
+        splits_(context.splits),
+        strong_(context.strong),
+        rates_(context.rates),
+        price_(context.price),
+        sampler_settings_(sampler_settings(settings, parameters)),
+        sobol_(parameters.get_text("sampler") == "sobol"),
+        light_alone_(light_alone(sampler_settings_.techniques)),
+        scale_(context.scale ? *context.scale : measure_scale()) {
+    const Vec2i size = settings.crop.size() + Vec2i(1, 1);
+    tiles_ = {(size.x + kTileSize - 1) / kTileSize, (size.y + kTileSize - 1) / kTileSize};
+    cull_below_ = parameters.get_float("cull") * scale_.median_of_means;
+    if (price_ != nullptr) sampler_settings_.camera_rest = static_cast<float>(price_->rest());
+  }
+  const PictureScale& scale() const { return scale_; }
+  std::vector<Warning> concerns() const override;
+  bool misses_light() const override { return !concerns().empty(); }
+
+  std::vector<LayerSpec> layers() const override {
+    std::vector<LayerSpec> specs = {{.name = "direct", .magnitude = scale_.mean},
+                                    {.name = "indirect", .magnitude = scale_.mean}};
+    if (splits_ != nullptr) {
+      specs.push_back({.name = kWeakLayer, .magnitude = scale_.mean, .part_of = "indirect"});
+    }
+    for (LayerSpec& spec : GBuffer::layers(settings_.aovs, 2.F * scene_.bounding_sphere().radius)) {
+      specs.push_back(std::move(spec));
+    }
+    const std::vector<std::string>& wanted = settings_.aovs;
+    if (std::find(wanted.begin(), wanted.end(), TechniqueLayers::aov_name()) != wanted.end()) {
+      for (LayerSpec& spec : TechniqueLayers::specs(sampler_settings_, scale_.mean)) {
+        specs.push_back(std::move(spec));
+      }
+    }
+    return specs;
+  }
+
+  std::uint64_t items_in_pass() const override {
+    return static_cast<std::uint64_t>(tiles_.x) * static_cast<std::uint64_t>(tiles_.y);
+  }
+
+  void run_item(std::uint64_t item, std::uint64_t first_sample, std::uint64_t samples, Film& film,
+                Counters& counters) override {
+    const auto columns = static_cast<std::uint64_t>(tiles_.x);
+    const Vec2i tile(static_cast<int>(item % columns), static_cast<int>(item / columns));
+    const Vec2i low = settings_.crop.min + tile * kTileSize;
+    const Vec2i high(std::min(low.x + kTileSize - 1, settings_.crop.max.x),
+                     std::min(low.y + kTileSize - 1, settings_.crop.max.y));
+    const GBuffer g_buffer(film);
+    const TechniqueLayers techniques(film);
+    SampleSink sink(film, splits_, price_, cull_below_, g_buffer, techniques, settings_.seed,
+                    counters);
+    PathSampler sampler(scene_, sampler_settings_);
+    const auto strong = strong_ != nullptr ? strong_->make(film, counters) : nullptr;
+    if (strong) sink.keep_strong_for(*strong);
+    for (int y = low.y; y <= high.y; ++y) {
+      for (int x = low.x; x <= high.x; ++x) {
+        std::uint64_t camera_samples = 0;
+        for (std::uint64_t i = first_sample; i < first_sample + samples; ++i) {
+          camera_samples += sample_pixel({x, y}, i, film, sampler, sink, strong.get());
+        }
+        sink.end_pixel(camera_samples);
+        counters.samples += camera_samples;
+      }
+    }
+    sink.end();
+    counters.add_rays(sampler.ray_counts());
+  }
+
+  double develop_scale(const LayerSpec& /*layer*/, std::uint64_t samples,
+                       std::optional<int> replicate) const override {
+    if (samples == 0) return 0.0;
+    if (!replicate) return 1.0 / static_cast<double>(samples);
+    const auto count = static_cast<std::uint64_t>(settings_.replicates);
+    const auto index = static_cast<std::uint64_t>(*replicate);
+    const std::uint64_t own = samples / count + (samples % count > index ? 1 : 0);
+    return own == 0 ? 0.0 : 1.0 / static_cast<double>(own);
+  }
+
+ private:
+  /// The picture's samples take turns: number i belongs to replicate i mod R and is number i / R of
+  /// those there.
+  std::uint64_t replicates() const { return static_cast<std::uint64_t>(settings_.replicates); }
+
+  SampleRates::Batch camera_samples(Vec2i pixel, std::uint64_t replicate,
+                                    std::uint64_t round) const {
+    if (rates_ == nullptr) return {round, round + 1, 1.F};
+    return rates_->batch(pixel, replicate, round);
+  }
+
+  /// Number within the image of a pixel's sample number `index`.
+  std::uint64_t number_in_image(Vec2i pixel, std::uint64_t index) const {
+    const Vec2i size = settings_.crop.size() + Vec2i(1, 1);
+    const auto pixel_number = static_cast<std::uint64_t>(pixel.y - settings_.crop.min.y) *
+                                  static_cast<std::uint64_t>(size.x) +
+                              static_cast<std::uint64_t>(pixel.x - settings_.crop.min.x);
+    const auto pixels = static_cast<std::uint64_t>(size.x) * static_cast<std::uint64_t>(size.y);
+    return index * pixels + pixel_number;
+  }
+
+  /// The light's sequence is cut where its 32-bit index would overflow; each stretch has its own
+  /// scrambling.
+  std::uint64_t light_seed(std::uint64_t replicate, std::uint64_t light_number) const {
+    return hash_numbers(settings_.seed, replicate, 0x11987ULL, light_number >> 32U);
+  }
+
+  SampleIdentity camera_identity(Vec2i pixel, std::uint64_t replicate, std::uint64_t index) const {
+    const std::uint64_t number = number_in_image(pixel, index);
+    return {.camera_seed = hash_numbers(settings_.seed, replicate, pixel.x, pixel.y),
+            .camera_index = static_cast<std::uint32_t>(index),
+            .light_seed = light_seed(replicate, number),
+            .light_index = static_cast<std::uint32_t>(number)};
+  }
+
+  /// Of a light subpath that belongs to no camera path; it makes its connections by numbers of its
+  /// own, too.
+  SampleIdentity light_identity(std::uint64_t replicate, std::uint64_t light_number) const {
+    const std::uint64_t seed = light_seed(replicate, light_number);
+    const auto index = static_cast<std::uint32_t>(light_number);
+    return {hash_numbers(seed, 0x1e45ULL), index, seed, index};
+  }
+
+  template <typename Use>
+  void with_source(const SampleIdentity& identity, const Use& use) const {
+    if (sobol_) {
+      SobolSource source(identity);
+      use(source);
+    } else {
+      IndependentSource source(identity);
+      use(source);
+    }
+  }
+
+  /// The share of a pixel in the picture's sample number `i`. Returns how many camera samples that
+  /// were.
+  std::uint64_t sample_pixel(Vec2i pixel, std::uint64_t i, const Film& film, PathSampler& sampler,
+                             SampleSink& sink, StrongPathSink* strong) const {
+    const std::uint64_t replicate = i % replicates();
+    const std::uint64_t round = i / replicates();
+    sink.begin_pixel(pixel, static_cast<int>(replicate),
+                     rates_ != nullptr && !light_alone_ ? rates_->light_weight() : 1.F,
+                     rates_ != nullptr ? rates_->guess(pixel) : SampleRates::Guess{});
+    const SampleRates::Batch batch = camera_samples(pixel, replicate, round);
+    for (std::uint64_t index = batch.first; index < batch.last; ++index) {
+      with_source(camera_identity(pixel, replicate, index), [&](SampleSource& source) {
+        const FilterSample filtered =
+            film.filter().sample(source.get_pair({Stream::Camera, 0, kEmissionDirection}));
+        const Vec2 raster = Vec2(pixel) + Vec2(0.5F, 0.5F) + filtered.offset;
+        const std::uint64_t number = index * replicates() + replicate;
+        sink.begin_sample(raster, filtered.weight, batch.weight, number);
+        if (strong != nullptr) {
+          sink.begin_paths(hash_numbers(settings_.seed, 0x57706ULL, pixel.x, pixel.y, number));
+        }
+        sampler.sample(source, raster, sink);
+        if (strong != nullptr) sink.hand_over(*strong, source);
+      });
+      sink.end_sample();
+    }
+    if (light_alone_) sample_light(replicate, number_in_image(pixel, round), sampler, sink, strong);
+    return batch.last - batch.first;
+  }
+
+  /// The light subpaths that belong to number `number` of the pixels' shares in the picture's
+  /// samples.
+  void sample_light(std::uint64_t replicate, std::uint64_t number, PathSampler& sampler,
+                    SampleSink& sink, StrongPathSink* strong) const {
+    const auto [first, last] = light_numbers(number);
+    for (std::uint64_t n = first; n < last; ++n) {
+      with_source(light_identity(replicate, n), [&](SampleSource& source) {
+        if (strong != nullptr) {
+          sink.begin_paths(hash_numbers(light_seed(replicate, n), 0x57707ULL, n));
+        }
+        sampler.sample_light(source, sink);
+        if (strong != nullptr) sink.hand_over(*strong, source);
+      });
+    }
+  }
+
+  /// Evenly spread, and one gapless sequence.
+  std::pair<std::uint64_t, std::uint64_t> light_numbers(std::uint64_t number) const {
+    const auto upto = [&](std::uint64_t n) {
+      return static_cast<std::uint64_t>(static_cast<double>(n) * sampler_settings_.light_subpaths);
+    };
+    return {upto(number), upto(number + 1)};
+  }
+
+  PictureScale measure_scale() const;
+  /// Whether light is missing because no technique makes paths of its depth.
+  std::optional<std::string> concern_about_depths() const;
+
+  const Scene& scene_;
+  RenderSettings settings_;
+  const LightSplits* splits_;
+  const StrongPathSinks* strong_;
+  const SampleRates* rates_;
+  const RayPrice* price_;
+  PathSamplerSettings sampler_settings_;
+  bool sobol_;
+  bool light_alone_;
+  PictureScale scale_;  ///< by its mean the fixed-point sums are scaled
+  double cull_below_;   ///< light that is worth a ray, unless there is a price
+  Vec2i tiles_;
+  mutable std::once_flag looked_around_;
+  mutable std::vector<Warning> concerns_;
+};
+
+std::vector<Warning> PathIntegrator::concerns() const {
+  std::call_once(looked_around_, [this] {
+    if (std::optional<std::string> concern = concern_about_depths()) {
+      concerns_.push_back({kMissingDepths, {}, *std::move(concern)});
+    } else {
+      concerns_ = blind_spots(scene_, settings_, sampler_settings_);
+    }
+  });
+  return concerns_;
+}
+
+std::optional<std::string> PathIntegrator::concern_about_depths() const {
+  // Longer paths are as these are, unless many pairs are named one by one.
+  constexpr int kEnough = 8;
+  std::string missing;
+  bool made = true;
+  for (int depth = sampler_settings_.min_depth;
+       depth <= std::min(sampler_settings_.max_depth, kEnough); ++depth) {
+    made = false;
+    for (int s = 0; s <= depth; ++s) {
+      made = made || sampler_settings_.techniques.enabled({s, depth + 1 - s});
+    }
+    if (!made) missing += (missing.empty() ? "" : ", ") + std::to_string(depth);
+  }
+  if (missing.empty()) return std::nullopt;
+  const bool more = !made && sampler_settings_.max_depth > kEnough;
+  return "none of the techniques makes paths of " + missing + (more ? ", … edges" : " edges") +
+         ": their light is missing";
+}
+
+class MeanSink final : public PathSink {
+ public:
+  void add(const Contribution& contribution) override {
+    if (contribution.value.is_finite()) sum += static_cast<double>(contribution.value.max());
+  }
+  double sum = 0.0;
+};
+
+PictureScale PathIntegrator::measure_scale() const {
+  constexpr std::size_t kGroups = 16;
+  constexpr std::uint32_t kGroupSize = 256;
+  PathSampler sampler(scene_, sampler_settings_);
+  const Vec2 low(settings_.crop.min);
+  const Vec2 size(settings_.crop.size() + Vec2i(1, 1));
+  const std::uint64_t seed = hash_numbers(settings_.seed, 0x9170ULL);
+  std::array<double, kGroups> means{};
+  double mean = 0.0;
+  for (std::uint32_t group = 0; group < kGroups; ++group) {
+    MeanSink camera;
+    MeanSink light;
+    for (std::uint32_t i = group * kGroupSize; i < (group + 1) * kGroupSize; ++i) {
+      SobolSource source({seed, i, seed, i});
+      const Vec2 u = source.get_pair({Stream::Camera, 0, kEmissionDirection});
+      if (light_alone_) sampler.sample_light(source, light);
+      sampler.sample(source, low + u * size, camera);
+    }
+    means[group] = (camera.sum + light.sum * sampler_settings_.light_subpaths) / kGroupSize;
+    mean += means[group] / kGroups;
+  }
+  std::nth_element(means.begin(), means.begin() + kGroups / 2, means.end());
+  return {mean > 0.0 && std::isfinite(mean) ? mean : 1.0, means[kGroups / 2]};
+}
+
+}  // namespace
+
+PathFamilyDefaults path_family_defaults(const std::string& techniques) {
+  PathFamilyDefaults defaults{.techniques = techniques};
+  // As many as keep the cost of a sample within 1.6 times that of path tracing.
+  if (techniques == "ibpt") defaults.light_paths_per_pixel = "0.33";
+  // Its light subpaths end anyway in techniques that share the path with others.
+  if (techniques == "bdpt") defaults.roulette_start = "3";
+  return defaults;
+}
+
+bool light_alone(const TechniqueSet& techniques) {
+  return techniques.any(TechniqueClass::Light) && !techniques.any(TechniqueClass::Inner);
+}
+
+PathSamplerSettings sampler_settings(const RenderSettings& settings, const Parameters& parameters) {
+  const Vec2i size = settings.crop.size() + Vec2i(1, 1);
+  const double pixels = static_cast<double>(settings.resolution.x) * settings.resolution.y;
+  PathSamplerSettings result;
+  result.techniques = TechniqueSet::parse(parameters.get_text("techniques"));
+  result.heuristic =
+      parameters.get_text("heuristic") == "power" ? Heuristic::Power : Heuristic::Balance;
+  result.min_depth = settings.min_depth;
+  result.max_depth = std::min(settings.max_depth, kMaxPathEdges);
+  result.roulette_start = parameters.get_int("roulette-start");
+  result.light_subpaths = parameters.get_float(kLightPathsPerPixel);
+  result.light_paths_per_pixel =
+      result.light_subpaths * static_cast<double>(size.x) * size.y / pixels;
+  return result;
+}
+
+std::vector<ParameterSpec> path_family_parameters(const PathFamilyDefaults& defaults) {
+  std::vector<ParameterSpec> specs = {
+      {.name = "techniques",
+       .type = ParameterType::Text,
+       .default_value = defaults.techniques,
+       .unit = "",
+       .help =
+           "how paths are built: a list of pt, lt, ibpt, bdpt, implicit, explicit, light, inner "
+           "and (s,t) pairs, each with an optional count (explicit*4)",
+       .choices = {}},
+      {.name = kLightPathsPerPixel,
+       .type = ParameterType::Float,
+       .default_value = defaults.light_paths_per_pixel,
+       .unit = "",
+       .help = "light subpaths per camera sample, where the techniques have any",
+       .choices = {},
+       .minimum = 0.001,
+       .maximum = PathSampler::kMaxLightSubpaths},
+      {.name = "cull",
+       .type = ParameterType::Float,
+       .default_value = "0.03",
+       .unit = "",
+       .help =
+           "connections weaker than this share of the picture's mean are traced by chance only, "
+           "in proportion to their strength (unbiased); 0 traces all",
+       .choices = {},
+       .minimum = 0.0,
+       .maximum = 1.0},
+      {.name = "sampler",
+       .type = ParameterType::Choice,
+       .default_value = "sobol",
+       .unit = "",
+       .help =
+           "where the random numbers come from: Owen-scrambled Sobol' points, or independent ones",
+       .choices = {"sobol", "independent"}},
+      {.name = "heuristic",
+       .type = ParameterType::Choice,
+       .default_value = "power",
+       .unit = "",
+       .help = "how techniques that find the same path share it (Veach & Guibas 1995)",
+       .choices = {"power", "balance"}},
+      {.name = "roulette-start",
+       .type = ParameterType::Int,
+       .default_value = defaults.roulette_start,
+       .unit = "edges",
+       .help = "path length from which Russian roulette may end a dim path",
+       .choices = {},
+       .minimum = 1,
+       .maximum = 60000}};
+  mark_experts(specs, {"techniques", kLightPathsPerPixel, "sampler"});
+  return specs;
+}
+
+std::unique_ptr<Integrator> make_path_integrator(const Scene& scene, const RenderSettings& settings,
+                                                 const Parameters& parameters,
+                                                 const PathIntegratorContext& context) {
+  return std::make_unique<PathIntegrator>(scene, settings, parameters, context);
+}
+
+PictureScale measure_scale(const Scene& scene, const RenderSettings& settings,
+                           const Parameters& parameters) {
+  return PathIntegrator(scene, settings, parameters, {}).scale();
+}
+
+}  // namespace ajar

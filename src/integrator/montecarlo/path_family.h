@@ -1,0 +1,58 @@
+#pragma once
+#include <optional>
+
+#include "integrator/integrator.h"
+#include "integrator/light_split.h"
+#include "integrator/montecarlo/ray_price.h"
+#include "integrator/montecarlo/sample_rates.h"
+#include "integrator/strong_paths.h"
+#include "transport/path_sampler.h"
+
+namespace ajar {
+
+/// The parameter of that name.
+inline const std::string kLightPathsPerPixel = "light-paths-per-pixel";
+
+/// What the members of the family differ in: the defaults of their parameters.
+struct PathFamilyDefaults {
+  std::string techniques;
+  std::string light_paths_per_pixel = "1";
+  std::string roulette_start = "5";
+};
+/// Those of the member with these techniques, or suitable ones if none has them.
+PathFamilyDefaults path_family_defaults(const std::string& techniques);
+std::vector<ParameterSpec> path_family_parameters(const PathFamilyDefaults& defaults);
+
+/// How bright a picture is, roughly.
+struct PictureScale {
+  double mean;             ///< largest lane, to within a small factor; above 0
+  double median_of_means;  ///< the same without its fireflies; may be 0
+};
+/// From a few thousand samples of the integrator that the same arguments make.
+PictureScale measure_scale(const Scene& scene, const RenderSettings& settings,
+                           const Parameters& parameters);
+
+/// How its paths are sampled. Raises UsageError if the parameter `techniques` cannot be read.
+PathSamplerSettings sampler_settings(const RenderSettings& settings, const Parameters& parameters);
+/// Whether light subpaths are connected to the lens only, and so belong to no camera sample.
+bool light_alone(const TechniqueSet& techniques);
+
+/// What ordinary Monte Carlo may be told by others that render the same picture; what is pointed to
+/// must outlive it.
+struct PathIntegratorContext {
+  /// With these, it leaves Markov chains their share of long paths and puts its own into the layer
+  /// `kWeakLayer`.
+  const LightSplits* splits = nullptr;
+  const StrongPathSinks* strong = nullptr;  ///< see what it leaves to chains
+  const SampleRates* rates = nullptr;       ///< of camera samples; one per pixel without
+  const RayPrice* price = nullptr;          ///< saves rays by Russian roulette
+  std::optional<PictureScale> scale{};      ///< measured unless it is known
+};
+
+/// Ordinary Monte Carlo with one set of techniques (METHODS, section 2): `pt`, `lt`, `ibpt`, `bdpt`
+/// are four names of it. Raises UsageError if the parameter `techniques` cannot be read.
+std::unique_ptr<Integrator> make_path_integrator(const Scene& scene, const RenderSettings& settings,
+                                                 const Parameters& parameters,
+                                                 const PathIntegratorContext& context = {});
+
+}  // namespace ajar

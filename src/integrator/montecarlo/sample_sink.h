@@ -1,0 +1,96 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "image/film.h"
+#include "integrator/integrator.h"
+#include "integrator/light_split.h"
+#include "integrator/montecarlo/g_buffer.h"
+#include "integrator/montecarlo/ray_price.h"
+#include "integrator/montecarlo/sample_rates.h"
+#include "integrator/montecarlo/technique_layers.h"
+#include "integrator/montecarlo/technique_tally.h"
+#include "integrator/strong_paths.h"
+#include "transport/path_sampler.h"
+#include "transport/sample_source.h"
+
+namespace ajar {
+
+/// Where the paths of ordinary Monte Carlo go: gathers those of one camera sample, splats those of
+/// its light subpath, leaves Markov chains their share, and tells the sampler what rays are worth.
+/// The layers of the film are `direct` and, for longer paths, `kWeakLayer` if there is one, else
+/// `indirect`. What is not finite or negative is left out and counted.
+class SampleSink final : public PathSink {
+ public:
+  /// `splits` is null where nothing is left to chains; `cull_below`: what is worth a ray where
+  /// there is no `price`. What it refers to must outlive the sink.
+  SampleSink(Film& film, const LightSplits* splits, const RayPrice* price, double cull_below,
+             const GBuffer& g_buffer, const TechniqueLayers& techniques, std::uint64_t seed,
+             Counters& counters);
+
+  /// `light_weight`: of what light subpaths bring to the lens. What camera samples bring is put on
+  /// the film as far as `guess` has it; from each, that much is taken.
+  void begin_pixel(Vec2i pixel, int replicate, float light_weight, const SampleRates::Guess& guess);
+  /// `raster`: where the camera ray goes through the film. What is seen there weighs
+  /// `filter_weight` · `weight`.
+  void begin_sample(const Vec2& raster, float filter_weight, float weight, std::uint64_t sample);
+  /// Before the paths of a camera sample or light subpath: its name.
+  void begin_paths(std::uint64_t sample) { origin_ = sample; }
+
+  void add(const Contribution& whole) override;
+  bool reaches(const Vec2& raster) const override;
+  float worth(const Vec2& raster) const override;
+  void first_vertex(const PathVertex& vertex, const Hit* hit, float distance) override;
+
+  /// From now on keeps strong paths, with the grain of `sink`.
+  void keep_strong_for(const StrongPathSink& sink);
+  /// Lets a sink have the strong paths found since the last call. Those seen by a camera ray are
+  /// worth its filter weight, and as much more as there are fewer rays near the film's border.
+  void hand_over(StrongPathSink& sink, SampleSource& numbers);
+
+  void end_sample();
+  void end_pixel(std::uint64_t samples) { tally_.end_pixel(static_cast<double>(samples)); }
+  void end() { counters_.techniques += tally_.shares(); }
+
+ private:
+  struct Layers {
+    int direct;
+    int indirect;
+  };
+
+  void put(int layer, const Spectrum& value);
+  /// Leaves chains their share.
+  void divide(Contribution& contribution);
+  void keep_strong(const Contribution& contribution, const Vec2& raster,
+                   const LightSplit::Parts& parts);
+  void discard(const Contribution& contribution);
+
+  Film& film_;
+  const LightSplits* splits_;
+  const LightSplit* split_ = nullptr;  ///< of the replicate
+  const RayPrice* price_;
+  float worth_;
+  Layers layers_;
+  const GBuffer& g_buffer_;
+  const TechniqueLayers& techniques_;
+  TechniqueTally tally_;
+  std::uint64_t seed_;
+  Counters& counters_;
+  Vec2i pixel_{0, 0};
+  Vec2 raster_{0.F, 0.F};
+  int replicate_ = 0;
+  float filter_weight_ = 1.F;
+  float weight_ = 1.F;
+  float light_weight_ = 1.F;
+  SampleRates::Guess guess_;
+  std::uint64_t sample_ = 0;
+  bool sees_something_ = false;  ///< whether the camera ray of this sample has met anything
+  Spectrum direct_;
+  Spectrum indirect_;
+  bool keeps_strong_ = false;
+  double grain_ = 0.0;  ///< of the strong paths
+  std::uint64_t origin_ = 0;
+  std::vector<StrongPath> strong_;
+};
+
+}  // namespace ajar

@@ -1,0 +1,87 @@
+#pragma once
+#include "core/archive.h"
+#include "integrator/selective/chain_population.h"
+#include "integrator/strong_paths.h"
+
+/// How the parts of a render with chains are written and read (see core/archive.h). Floats keep
+/// their bits, so that chains go on as if nothing had been.
+namespace ajar {
+
+template <Archive A>
+void serialize(A& archive, Moments& moments) {
+  archive(moments.count, moments.sum, moments.sum_of_squares);
+}
+
+template <Archive A>
+void serialize(A& archive, ChainStatistics::Kind& kind) {
+  archive(kind.proposals, kind.acceptances);
+}
+
+template <Archive A>
+void serialize(A& archive, ChainStatistics::Place& place) {
+  archive(place.seed, place.origin, place.step);
+}
+
+template <Archive A>
+void serialize(A& archive, ChainStatistics& statistics) {
+  archive(statistics.kinds, statistics.steps, statistics.zero, statistics.discarded_nan,
+          statistics.discarded_infinite, statistics.discarded_negative, statistics.first_discarded,
+          statistics.longest_streak, statistics.large_steps);
+}
+
+template <Archive A>
+void serialize(A& archive, ChainRecord& record) {
+  archive(record.statistics, record.by_technique);
+}
+
+template <Archive A>
+void serialize(A& archive, Chain& chain) {
+  archive(chain.seed, chain.origin, chain.step, chain.streak, chain.step_scale, chain.scalar,
+          chain.numbers);
+}
+
+template <Archive A>
+void serialize(A& archive, MemberChain& member) {
+  archive(member.chain, member.record, member.weight);
+}
+
+template <Archive A>
+void serialize(A& archive, ChainPopulation::Joined& joined) {
+  archive(joined.b, joined.variance, joined.of_recruits, joined.of_chains);
+}
+
+/// What samples in the place of chains have left behind.
+template <Archive A, typename Population>
+void serialize_plain(A& archive, Population& population) {
+  archive(population.plain_samples, population.plain_statistics);
+}
+
+/// All that has happened to a population since the preparation. `shape`: of its chains' numbers.
+template <Archive A, typename Population>
+void serialize_population(A& archive, Population& population, const PrimaryShape& shape) {
+  serialize_plain(archive, population);
+  archive(population.retired, population.samples_behind, population.joined);
+  auto chains = static_cast<std::uint64_t>(population.chains.size());
+  archive(chains);
+  if constexpr (A::is_loading::value) population.chains.clear();
+  for (std::uint64_t i = 0; i < chains; ++i) {
+    if constexpr (A::is_loading::value) {
+      population.chains.push_back({Chain(shape, 0, 0, 0.0), {}, 1.0});
+    }
+    archive(population.chains[static_cast<std::size_t>(i)]);
+  }
+}
+
+template <Archive A>
+void serialize(A& archive, StrongPath& path) {
+  archive(path.technique.s, path.technique.t, path.raster.x, path.raster.y, path.replicate,
+          path.strength);
+  for (int lane = 0; lane < 4; ++lane) {
+    float value = path.value[lane];
+    archive(value);
+    path.value.set(lane, value);
+  }
+  archive(path.energy, path.sample);
+}
+
+}  // namespace ajar

@@ -1,0 +1,36 @@
+#pragma once
+#include "integrator/preparation_stage.h"
+#include "integrator/selective/chain_plan.h"
+#include "integrator/selective/chain_population.h"
+
+namespace ajar {
+
+/// The share of all bootstrap samples that a group gets: long paths carry little light and cost
+/// much.
+double bootstrap_share(const ChainPlan& plan, std::size_t group);
+/// Cuts `samples` of one owner into blocks.
+void add_blocks(std::vector<SampleBlock>& blocks, std::size_t owner, std::uint64_t samples);
+
+/// One for each replicate and group, without chains yet.
+std::vector<ChainPopulation> make_populations(const ChainPlan& plan);
+
+/// Finds b and seeds for the chains of every depth and replicate (METHODS, section 3).
+class ChainBootstrap final : public PreparationStage {
+ public:
+  /// Fills `populations`, unless they are there already.
+  ChainBootstrap(const ChainPlan& plan, std::vector<ChainPopulation>& populations)
+      : plan_(plan), populations_(populations) {}
+  double effort() const override;
+  std::uint64_t begin() override;
+  void run(std::uint64_t item, Counters& counters) override;
+  void end() override;
+
+ private:
+  void seed_replicate(int replicate);
+
+  const ChainPlan& plan_;
+  std::vector<ChainPopulation>& populations_;
+  std::vector<SampleBlock> blocks_;
+};
+
+}  // namespace ajar

@@ -1,0 +1,25 @@
+#pragma once
+#include "integrator/integrator.h"
+#include "integrator/selective/selective_settings.h"
+
+namespace ajar {
+
+/// How the states of a chain are made of paths.
+enum class ChainKind {
+  WholePath,  ///< `pssmlt`: a camera and a light subpath with all their connections
+  OnePath     ///< `mmlt`: one path of one depth and technique
+};
+
+std::vector<ParameterSpec> chain_parameters(ChainKind kind);
+
+/// Metropolis light transport in primary sample space (METHODS, section 3): paths of up to two
+/// edges by ordinary Monte Carlo, longer ones by Markov chains, many and independent, on every
+/// replicate's own bootstrap. With `selective`, regions of the picture are divided between both
+/// (METHODS, section 4), and samples are camera samples. Raises UsageError for parameters that
+/// cannot be used.
+std::unique_ptr<Integrator> make_chain_integrator(ChainKind kind, const Scene& scene,
+                                                  const RenderSettings& settings,
+                                                  const Parameters& parameters,
+                                                  std::optional<SelectiveSettings> selective = {});
+
+}  // namespace ajar

@@ -1,0 +1,224 @@
+#include "integrator/selective/chain_items.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+
+#include "core/random.h"
+#include "integrator/metropolis/chain_film_sink.h"
+#include "integrator/selective/chain_archive.h"
+#include "mcmc/bootstrap_source.h"
+#include "mcmc/chain_runner.h"
+
+namespace ajar {
+
+namespace {
+const PlaneMoves* moves_of(const PlaneMaps* maps, int replicate) {
+  return maps != nullptr ? maps->moves(replicate) : nullptr;
+}
+}  // namespace
+
+void ChainItems::list(bool plain) {
+  items_.clear();
+  chain_counts_.assign(static_cast<std::size_t>(plan_.settings.replicates), 0);
+  for (std::size_t p = 0; p < populations_.size(); ++p) {
+    const ChainPopulation& population = populations_[p];
+    chain_counts_[static_cast<std::size_t>(population.replicate)] += population.chains.size();
+    for (std::size_t c = 0; c < population.chains.size(); ++c) items_.push_back({p, c});
+    if (population.chains.empty() && plain) items_.push_back({p, 0});
+  }
+  share_mutations();
+}
+
+/// N mutations on light b leave the error C·b²/N, so N/b is the same everywhere where the sum of
+/// errors is smallest.
+void ChainItems::share_mutations() {
+  const std::size_t halves = plan_.splits ? plan_.splits->count() : 1;
+  const auto replicates = static_cast<std::size_t>(plan_.settings.replicates);
+  std::vector<double> light(halves, 0.0);
+  for (const ChainPopulation& population : populations_) {
+    light[static_cast<std::size_t>(population.replicate) % halves] += population.b(0.0);
+  }
+  const double all = std::accumulate(light.begin(), light.end(), 0.0);
+  shares_.clear();
+  for (std::size_t h = 0; h < halves; ++h) {
+    const std::size_t own = (replicates + halves - 1 - h) / halves;
+    const double share =
+        light[h] / all * static_cast<double>(replicates) / static_cast<double>(own);
+    shares_.push_back(all > 0.0 && own > 0 ? share : 1.0);
+  }
+}
+
+/// b of a population is on average right only over all that its bootstrap can bring, finding no
+/// light included. So where it found none, later samples may count neither more nor less than they
+/// do where it found some: they have one weight w for all, which must not depend on what was found.
+/// E[(1 − w)·bootstrap; light found] + w·E[later samples] is then b. Of I beyond the cap only the
+/// bootstrap knows (see `ChainPopulation::b`), so later samples bring no more than it.
+void ChainItems::refine_b(std::uint64_t samples) {
+  if (populations_.empty()) return;
+  double bootstrap = 0.0;
+  for (const ChainPopulation& population : populations_) {
+    bootstrap += static_cast<double>(population.capped.count);
+  }
+  const double large_steps = plan_.chain_settings.probabilities.large * plan_.chain_settings.tries *
+                             effort_.mutations(samples) * static_cast<double>(plan_.pixels());
+  later_weight_ = large_steps > 0.0 ? large_steps / (bootstrap + large_steps) : 0.0;
+  b_.clear();
+  for (const ChainPopulation& population : populations_) {
+    b_.push_back(population.b(later_weight_));
+  }
+}
+
+void ChainItems::run(std::uint64_t item, std::uint64_t first_sample, std::uint64_t samples,
+                     PlaneMaps* maps, Film& film, Counters& counters) {
+  const Item& place = items_[item];
+  ChainPopulation& population = populations_[place.population];
+  if (!population.chains.empty()) {
+    run_chain(place, first_sample, samples, maps, film, counters);
+    return;
+  }
+  for (std::uint64_t i = 0; i < samples; ++i) run_plain(population, maps, film, counters);
+  effort_.count_chains(counters.rays, counters.mutations);
+}
+
+/// Steps are made in blocks of one mutation per pixel, each deposited by itself, so that the film's
+/// bits do not depend on how many blocks a pass has.
+void ChainItems::run_chain(const Item& item, std::uint64_t first_sample, std::uint64_t samples,
+                           PlaneMaps* maps, Film& film, Counters& counters) {
+  ChainPopulation& population = populations_[item.population];
+  MemberChain& member = population.chains[item.chain];
+  const PathGroup& group = plan_.groups[population.group];
+  const std::size_t chains = chains_in(population.replicate);
+  const auto target = plan_.make_target(group, population.replicate);
+  ChainRunner runner(plan_.chain_settings_of(population.replicate), *plan_.mutation, group.shape,
+                     *target, moves_of(maps, population.replicate));
+  ChainFilmSink sink(film, population.replicate, plan_.view.importance, *target, counters, maps,
+                     kept_by(population.replicate));
+  const double b = b_[item.population];
+  const auto in_population = static_cast<double>(population.chains.size());
+  runner.start(member.chain);
+  // How often chains are started is up to the clock, which must not share the effort.
+  const std::uint64_t rays_to_start = target->rays();
+  ChainStatistics statistics;
+  for (std::uint64_t block = first_sample; block < first_sample + samples; ++block) {
+    const std::uint64_t steps = effort_.steps(block, chains, share_of(population.replicate));
+    const double per_step = 1.0 / (static_cast<double>(steps) * in_population);
+    sink.begin(stretch_.sample_weight() * member.weight * b * plan_.view.area() * per_step /
+                   plan_.settings.replicates,
+               member.record.by_technique.empty() ? nullptr : &member.record.by_technique);
+    statistics += runner.go_on(member.chain, steps, sink,
+                               plan_.mis_large_steps ? std::optional(b) : std::nullopt);
+  }
+  effort_.count_chains(target->rays() - rays_to_start, statistics.steps);
+  member.record.statistics += statistics;
+  counters.mutations += statistics.steps;
+  counters.add_rays(target->ray_counts());
+  counters.discarded_nan += statistics.discarded_nan;
+  counters.discarded_infinite += statistics.discarded_infinite;
+  counters.discarded_negative += statistics.discarded_negative;
+  if (statistics.first_discarded && counters.first_discarded.empty()) {
+    const auto& place = *statistics.first_discarded;
+    counters.first_discarded = "proposal of the chain with seed " + std::to_string(place.seed) +
+                               ", origin " + std::to_string(place.origin) + ", after " +
+                               std::to_string(place.step) + " steps";
+  }
+}
+
+/// A population whose bootstrap found no light has no chain to run. Its paths are sampled
+/// independently instead. They stand for the large steps that its chains would have made, and have
+/// their weight: see `refine_b`. What one of them carries is spread over a short chain that
+/// starts from it (Cline et al. 2005), since light so hard to find would be a firefly: the chain
+/// leaves the distribution of its start as it is, so each of its states stands for the sample as
+/// well.
+void ChainItems::run_plain(ChainPopulation& population, PlaneMaps* maps, Film& film,
+                           Counters& counters) {
+  if (later_weight_ == 0.0) return;
+  constexpr double kShare = 0.125;  // of the replicate's mutations, if it has chains
+  constexpr std::uint64_t kSteps = 64;
+  std::size_t seedless = 0;
+  for (const ChainPopulation& other : populations_) {
+    if (other.replicate == population.replicate && other.chains.empty()) ++seedless;
+  }
+  const double mutations = plan_.mutations * static_cast<double>(plan_.pixels()) /
+                           plan_.settings.replicates / static_cast<double>(seedless);
+  const double share = chains_in(population.replicate) > 0 ? kShare : 1.0;
+  const auto count = static_cast<std::uint64_t>(std::max(1.0, share * mutations));
+  const PathGroup& group = plan_.groups[population.group];
+  const auto target = plan_.make_target(group, population.replicate);
+  ChainRunner runner(plan_.chain_settings_of(population.replicate), *plan_.mutation, group.shape,
+                     *target, moves_of(maps, population.replicate));
+  ChainFilmSink sink(film, population.replicate, plan_.view.importance, *target, counters, maps,
+                     kept_by(population.replicate));
+  const double scale =
+      later_weight_ * plan_.view.area() / static_cast<double>(count) / plan_.settings.replicates;
+  SplatBuffer splats;
+  const std::uint64_t seed = hash_numbers(population.seed, 0x91a17ULL);
+  counters.mutations += count;
+  for (std::uint64_t i = 0; i < count; ++i) {
+    const std::uint64_t index = population.plain_samples++;
+    BootstrapSource source(seed, index);
+    splats.clear();
+    const double scalar = target->evaluate(source, Change{}, splats);
+    target->rejected();
+    const double capped = std::min(scalar, plan_.chain_settings.large_step_cap);
+    population.plain_statistics.large_steps.add(std::isfinite(scalar) ? std::max(0.0, capped)
+                                                                      : 0.0);
+    if (std::isnan(scalar)) {
+      ++counters.discarded_nan;
+    } else if (std::isinf(scalar)) {
+      ++counters.discarded_infinite;
+    } else if (scalar < 0.0) {
+      ++counters.discarded_negative;
+    } else if (scalar > 0.0) {
+      Chain chain(group.shape, hash_numbers(seed, 0xc4a15ULL, index), bootstrap_key(seed, index),
+                  scalar);
+      sink.begin(scale * capped / static_cast<double>(kSteps), nullptr);
+      runner.run(chain, kSteps, sink);
+      counters.mutations += kSteps;
+    }
+  }
+  counters.add_rays(target->ray_counts());
+}
+
+void ChainItems::save_state(OutputArchive& archive) const { archive(b_, later_weight_); }
+
+void ChainItems::load_state(InputArchive& archive) {
+  archive(b_, later_weight_);
+  if (b_.size() != populations_.size()) {
+    throw std::runtime_error("other chains are prepared than there were");
+  }
+}
+
+void ChainItems::check_b() const {
+  bool fits = later_weight_ >= 0.0 && later_weight_ <= 1.0;
+  for (std::size_t i = 0; i < b_.size(); ++i) {
+    fits = fits && std::isfinite(b_[i]) && b_[i] >= 0.0 &&
+           (b_[i] > 0.0 || populations_[i].chains.empty());
+  }
+  if (!fits) throw std::runtime_error("the brightness of chains cannot be");
+}
+
+template <typename A>
+void ChainItems::serialize_chains(A& archive, const WorkShare& share, std::uint64_t first) {
+  for (std::size_t i = 0; i < items_.size(); ++i) {
+    if (!share.has(first + i)) continue;
+    ChainPopulation& population = populations_[items_[i].population];
+    if (population.chains.empty()) {
+      serialize_plain(archive, population);
+    } else {
+      archive(population.chains[items_[i].chain]);
+    }
+  }
+}
+
+void ChainItems::give_news(OutputArchive& archive, const WorkShare& share, std::uint64_t first) {
+  serialize_chains(archive, share, first);
+}
+
+void ChainItems::take_news(InputArchive& archive, const WorkShare& share, std::uint64_t first) {
+  serialize_chains(archive, share, first);
+}
+
+}  // namespace ajar

@@ -1,0 +1,84 @@
+#include "integrator/selective/chain_pilot.h"
+
+#include <cmath>
+
+#include "core/random.h"
+
+namespace ajar {
+
+namespace {
+/// Of each pixel: small pictures need more to show how bright they are.
+std::uint64_t pilot_samples(const ChainPlan& plan) {
+  constexpr std::uint64_t kEnough = 8192;
+  return plan.pixels() < kEnough ? 2 : 1;
+}
+
+/// Mean of luminance · importance.
+double mean_strength(const std::vector<float>& luminances, const Box2i& crop,
+                     const ImportanceMap& importance) {
+  const int width = crop.max.x - crop.min.x + 1;
+  double sum = 0.0;
+  for (std::size_t i = 0; i < luminances.size(); ++i) {
+    const int x = crop.min.x + static_cast<int>(i) % width;
+    const int y = crop.min.y + static_cast<int>(i) / width;
+    if (!std::isfinite(luminances[i])) continue;
+    sum += static_cast<double>(luminances[i]) *
+           static_cast<double>(importance(Vec2(Vec2i(x, y)) + Vec2(0.5F, 0.5F)));
+  }
+  return sum / static_cast<double>(luminances.size());
+}
+}  // namespace
+
+ChainPilot::ChainPilot(ChainPlan& plan) : plan_(plan) {}
+
+double ChainPilot::effort() const {
+  return static_cast<double>(pilot_samples(plan_)) *
+         ChainPlan::effort_with(plan_.omc.light_paths_per_pixel);
+}
+
+std::uint64_t ChainPilot::begin() {
+  RenderSettings settings = plan_.settings;
+  settings.replicates = 1;
+  settings.aovs.clear();
+  settings.seed = hash_numbers(settings.seed, 0x91107ULL);
+  omc_ = plan_.make_omc(settings, {settings.min_depth, settings.max_depth});
+  film_ =
+      std::make_unique<Film>(settings.resolution, settings.crop, Filter::box(), 1, omc_->layers());
+  return omc_->items_in_pass();
+}
+
+void ChainPilot::run(std::uint64_t item, Counters& counters) {
+  Counters own;
+  omc_->run_item(item, 0, pilot_samples(plan_), *film_, own);
+  counters.add_rays(own);
+}
+
+std::vector<float> ChainPilot::luminances() const {
+  std::vector<float> sum(plan_.pixels());
+  const double scale = 1.0 / static_cast<double>(pilot_samples(plan_));
+  for (const char* name : {"direct", "indirect"}) {
+    const std::vector<float> colors = film_->develop(film_->layer(name), scale);
+    for (std::size_t i = 0; i < sum.size(); ++i) {
+      sum[i] += luminance(Spectrum(colors[3 * i], colors[3 * i + 1], colors[3 * i + 2]));
+    }
+  }
+  return sum;
+}
+
+void ChainPilot::end() {
+  const std::vector<float> picture = luminances();
+  const Box2i& crop = plan_.settings.crop;
+  if (plan_.parameters.get_text("importance") == "relative") {
+    plan_.view.importance = ImportanceMap::relative(crop, picture);
+  }
+  plan_.brightness = mean_strength(picture, crop, plan_.view.importance);
+  constexpr double kCap = 100.0;
+  if (plan_.brightness > 0.0) plan_.chain_settings.large_step_cap = kCap * plan_.brightness;
+  if (!plan_.thresholds.empty() && plan_.brightness > 0.0) {
+    plan_.splits.emplace(LightSplit(plan_.lowest_threshold(), plan_.view.importance));
+  }
+  film_.reset();
+  omc_.reset();
+}
+
+}  // namespace ajar

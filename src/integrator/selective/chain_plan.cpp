@@ -1,0 +1,354 @@
+#include "integrator/selective/chain_plan.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string_view>
+
+#include "image/make_filter.h"
+#include "integrator/metropolis/chain_film_sink.h"
+#include "integrator/montecarlo/path_family.h"
+#include "integrator/selective/crop_weights.h"
+#include "mcmc/make_mutation.h"
+
+namespace ajar {
+
+namespace {
+
+constexpr int kMaxChainEdges = 1000;
+
+ChainPlan::Direct direct_of(const std::string& text) {
+  if (text == "omc") return ChainPlan::Direct::Omc;
+  return text == "chain" ? ChainPlan::Direct::Chain : ChainPlan::Direct::None;
+}
+
+SeedFilter seed_filter_of(std::string_view text) {
+  if (text == "filtered") return SeedFilter::Weighted;
+  return text == "filtered-published" ? SeedFilter::Dropped : SeedFilter::None;
+}
+
+bool leaves_for_neighbours(std::string_view name) { return name == "slemmlt" || name == "fusion"; }
+/// What moves numbers where the image plane does not.
+std::string_view base_mutation(std::string_view name) {
+  return leaves_for_neighbours(name) ? "gaussian" : name;
+}
+
+Vec2i crop_size(const RenderSettings& settings) { return settings.crop.size() + Vec2i(1, 1); }
+
+}  // namespace
+
+ChainPlan::ChainPlan(ChainKind chain_kind, const Scene& the_scene,
+                     const RenderSettings& render_settings, const Parameters& the_parameters,
+                     std::optional<SelectiveSettings> selective_settings)
+    : kind(chain_kind),
+      scene(the_scene),
+      settings(render_settings),
+      parameters(the_parameters),
+      techniques(TechniqueSet::parse(parameters.get_text("techniques"))),
+      direct(direct_of(parameters.get_text("direct"))),
+      mis_large_steps(parameters.get_bool("mis-large-steps")),
+      selective(std::move(selective_settings)),
+      omc_samples(parameters.get_float("omc-samples")),
+      bootstrap(static_cast<std::uint64_t>(parameters.get_int("bootstrap"))),
+      wanted_chains(static_cast<std::uint64_t>(parameters.get_int("chains"))),
+      seed_filter(seed_filter_of(parameters.get_text("seeds"))),
+      seed_spread(parameters.get_float("seed-spread")),
+      mutation(make_mutation(base_mutation(parameters.get_text("mutation")),
+                             parameters.get_float("sigma"))) {
+  if (selective) check_region_rules(selective->rules, scene.object_names(), scene.material_names());
+  settings.max_depth = std::min(settings.max_depth, kMaxChainEdges);
+  chain_settings.probabilities = {parameters.get_float("large-step"),
+                                  parameters.get_float("camera-steps"),
+                                  parameters.get_float("light-steps")};
+  chain_settings.tries = parameters.get_int("multi-try");
+  read_small_steps();
+  // Half moves keep the technique, so that the other half need not be traced again.
+  chain_settings.connection = {false, false};
+  // Chains have no numbers for further tries, and would gain nothing from fewer.
+  if (!techniques.tries_once()) {
+    throw UsageError("techniques: Markov chains try each technique once, so leave out counts: " +
+                     parameters.get_text("techniques"));
+  }
+  if (chain_settings.probabilities.camera_half + chain_settings.probabilities.light_half > 1.0) {
+    throw UsageError(
+        "camera-steps and light-steps are shares of the small steps besides raster-steps: "
+        "together at most 1");
+  }
+  read_split();
+  const Vec2 beyond = make_filter(scene.film().filter).radius() - Vec2(0.5F, 0.5F);
+  view.low = Vec2(settings.crop.min) - beyond;
+  view.size = Vec2(crop_size(settings)) + beyond * 2.F;
+  view.pixels = static_cast<double>(pixels());
+  if (bootstrap > 0 && bootstrap < 1000) {
+    throw UsageError(
+        "bootstrap: at least 1000 samples, or 0 for as many as suit the picture, not " +
+        std::to_string(bootstrap));
+  }
+  if (bootstrap == 0) {
+    bootstrap = has_recruits() ? std::max<std::uint64_t>(65536, pixels())
+                               : std::max<std::uint64_t>(200000, 4 * pixels());
+  }
+  read_omc();
+  make_groups();
+  read_pilot();
+  shares_effort = selective || (omc_samples == 0.0 && has_recruits());
+  if (shares_effort || omc_samples == 0.0) omc_samples = 1.0;
+  read_importance();
+  read_plane();
+}
+
+void ChainPlan::read_split() {
+  const std::optional<double> fixed = parameters.get_number("split");
+  const bool by_regions_alone = selective && (!selective->omc_shares || selective->exclusive);
+  if (direct == Direct::Chain || by_regions_alone || (fixed && *fixed == 0.0)) return;
+  // A firefly of so many times the brightness of the picture looks no worse than white.
+  constexpr double kStandby = 100.0;
+  standby_threshold = kStandby * fixed.value_or(1.0);
+  if (fixed) {
+    thresholds = {*fixed};
+    if (selective) thresholds = {*fixed, 3.0 * *fixed, 10.0 * *fixed};
+  } else if (kind == ChainKind::OnePath) {
+    thresholds = {0.1, 0.3, 1.0, 3.0, 10.0};
+    // What is shared by the error that is seen deserves fewer chains.
+    if (selective) thresholds.push_back(30.0);
+  } else if (selective) {
+    // What its chains are worth is not tried, since nothing found can seed them.
+    thresholds = {1.0, 3.0, 10.0, 30.0};
+  } else {
+    thresholds = {10.0};
+  }
+}
+
+void ChainPlan::read_omc() {
+  omc = {.techniques = parameters.get_text("techniques"), .roulette_start = "3"};
+  if (selective && thresholds.empty()) omc = path_family_defaults(selective->omc);
+  const bool tells_light_paths = parameters.given().contains(kLightPathsPerPixel);
+  if (tells_light_paths) omc.light_paths_per_pixel = parameters.get_text(kLightPathsPerPixel);
+  chooses_omc = selective && selective->chooses_omc && !thresholds.empty() &&
+                kind == ChainKind::OnePath && !tells_light_paths;
+}
+
+void ChainPlan::set_omc(const PathFamilyDefaults& choice) {
+  omc = choice;
+  techniques = TechniqueSet::parse(omc.techniques);
+  groups.clear();
+  make_groups();
+}
+
+void ChainPlan::read_pilot() {
+  if (selective) {
+    pilot_use = selective->pilot;
+    // A small picture tells as much as others by more samples of each pixel.
+    constexpr std::uint64_t kEnough = 65536;
+    constexpr std::uint64_t kFewest = 4;
+    constexpr std::uint64_t kMost = 16;
+    pilot_samples = selective->pilot_samples > 0 ? selective->pilot_samples
+                                                 : std::clamp(kEnough / pixels(), kFewest, kMost);
+    return;
+  }
+  const auto replicates = static_cast<std::uint64_t>(settings.replicates);
+  const std::uint64_t in_round = pixels() * replicates;
+  pilot_samples = (bootstrap + in_round - 1) / in_round * replicates;
+  if (thresholds.size() > 1 || settings.replicates < 2)
+    pilot_use = pilot_use_of(settings.replicates);
+}
+
+double ChainPlan::share_of_steps(const std::string& name, bool can,
+                                 const std::string& where) const {
+  const double share = parameters.get_float(name);
+  if (can || share == 0.0) return share;
+  if (parameters.given().contains(name)) {
+    throw UsageError(name + ": only with " + where + ", not with mutation=" +
+                     parameters.get_text("mutation") + ", step=" + parameters.get_text("step") +
+                     " and multi-try=" + std::to_string(chain_settings.tries));
+  }
+  return 0.0;
+}
+
+void ChainPlan::read_small_steps() {
+  const bool follows_plane = leaves_for_neighbours(parameters.get_text("mutation")) ||
+                             parameters.get_text("step") != "fixed";
+  StepProbabilities& probabilities = chain_settings.probabilities;
+  probabilities.fine = share_of_steps("fine-steps", mutation->divisible() && !follows_plane,
+                                      "mutation=gaussian and step=fixed");
+  const bool can_raster = chain_settings.tries == 1 && !follows_plane;
+  if (parameters.get_number("raster-steps")) {
+    probabilities.raster = share_of_steps(
+        "raster-steps", can_raster, "mutation=gaussian or kelemen, step=fixed and multi-try=1");
+  } else if (can_raster && kind == ChainKind::OnePath) {
+    // What they leave as it is, a state of pssmlt would trace again.
+    constexpr double kRasterSteps = 0.7;
+    probabilities.raster = kRasterSteps;
+    raster_steps_follow_split = true;
+  }
+}
+
+ChainSettings ChainPlan::chain_settings_of(int replicate) const {
+  // Below this threshold, what chains make has no islands that only other steps would lead to.
+  constexpr double kLow = 0.3;
+  constexpr double kRounding = 1.001;
+  constexpr double kRasterSteps = 0.9;
+  ChainSettings own = chain_settings;
+  if (raster_steps_follow_split && splits &&
+      static_cast<double>(splits->of(replicate).highest_threshold()) <=
+          kLow * kRounding * brightness) {
+    own.probabilities.raster = kRasterSteps;
+  }
+  return own;
+}
+
+void ChainPlan::read_plane() {
+  const std::string& name = parameters.get_text("mutation");
+  plane.adaptive = parameters.get_text("step") == "adaptive" || name == "fusion";
+  plane.neighbours = leaves_for_neighbours(name);
+  plane.published = parameters.get_text("rule") == "published";
+  plane.adaptive_visits = parameters.get_float("m1");
+  plane.uneven = parameters.get_float("k1");
+  plane.even = parameters.get_float("k2");
+  plane.shorten = parameters.get_float("lambda1");
+  plane.lengthen = parameters.get_float("lambda2");
+  plane.neighbour_visits = parameters.get_float("w");
+  if (plane.active() && chain_settings.tries > 1) {
+    throw UsageError(
+        "multi-try: several proposals per mutation need steps that are the same everywhere, so not "
+        "step=adaptive, mutation=slemmlt or mutation=fusion");
+  }
+}
+
+std::uint64_t ChainPlan::pixels() const {
+  const Vec2i size = crop_size(settings);
+  return static_cast<std::uint64_t>(size.x) * static_cast<std::uint64_t>(size.y);
+}
+
+std::size_t ChainPlan::chains_per_replicate() const {
+  // So many that a chain makes about this many steps in a short pass: many chains are well spread,
+  // but each begins a pass by looking up its state. What is found by luck brings much at a time,
+  // and many chains would all begin with it, none of them getting far. Small pictures have more,
+  // down to one step, because few chains depend on luck, too.
+  const std::uint64_t kSteps = has_recruits() ? 144 : 16;
+  constexpr std::uint64_t kFewest = 32;
+  // The first guess of the mutations that pay is low, and few chains for what there is to explore
+  // leave islands of light to luck for the rest of the render: as many as if so many paid per pixel
+  // and sample, as long as they do not take much memory.
+  constexpr double kExpected = 3.0;
+  constexpr std::uint64_t kEnough = 8192;
+  const auto replicates = static_cast<std::uint64_t>(settings.replicates);
+  if (wanted_chains > 0) return std::max<std::uint64_t>(1, wanted_chains / replicates);
+  const auto steps = [&](double of_pixel) {
+    return static_cast<std::uint64_t>(of_pixel * static_cast<double>(pixels())) / replicates;
+  };
+  const std::uint64_t expected = standby ? 0 : std::min(steps(kExpected) / kSteps, kEnough);
+  return std::max<std::uint64_t>(
+      {1, steps(mutations) / kSteps, expected, std::min(steps(mutations), kFewest)});
+}
+
+const PathGroup& ChainPlan::group_of(int depth) const {
+  const auto group = std::find_if(groups.begin(), groups.end(),
+                                  [&](const PathGroup& one) { return one.depth == depth; });
+  if (group == groups.end()) throw std::logic_error("bug: no chains for paths of this depth");
+  return *group;
+}
+
+void ChainPlan::make_groups() {
+  PathSamplerSettings sampler;
+  sampler.techniques = techniques;
+  sampler.heuristic =
+      parameters.get_text("heuristic") == "power" ? Heuristic::Power : Heuristic::Balance;
+  sampler.min_depth = direct == Direct::Chain
+                          ? settings.min_depth
+                          : std::max(settings.min_depth, LightSplit::kDirectDepth + 1);
+  sampler.max_depth = settings.max_depth;
+  // As ordinary Monte Carlo counts them, so that both agree about what a path brings.
+  const bool is_divided = kind == ChainKind::OnePath && !thresholds.empty();
+  if (is_divided) sampler.light_subpaths = std::stod(omc.light_paths_per_pixel);
+  sampler.light_paths_per_pixel =
+      sampler.light_subpaths * static_cast<double>(pixels()) /
+      (static_cast<double>(settings.resolution.x) * settings.resolution.y);
+  if (sampler.min_depth > sampler.max_depth) return;
+  if (kind == ChainKind::WholePath) {
+    sampler.roulette_start = parameters.get_int("roulette-start");
+    groups.push_back({0,
+                      sampler,
+                      TechniqueChoice(techniques, 0),
+                      {sampler.max_depth + 1, sampler.max_depth + 1}});
+    return;
+  }
+  // A path of given depth gains nothing from ending early.
+  sampler.roulette_start = kMaxChainEdges + 1;
+  for (int depth = sampler.min_depth; depth <= settings.max_depth; ++depth) {
+    const TechniqueChoice choice(techniques, depth);
+    if (choice.empty()) continue;
+    PathSamplerSettings own = sampler;
+    own.min_depth = depth;
+    own.max_depth = depth;
+    groups.push_back({depth, own, choice, {depth + 1, depth + 1}});
+  }
+}
+
+void ChainPlan::read_importance() {
+  const std::string& text = parameters.get_text("importance");
+  if (text == "uniform" || text == "relative") return;  // the pilot finds the latter
+  std::vector<float> weights = read_crop_weights("importance", text, settings);
+  try {
+    view.importance = ImportanceMap(settings.crop, std::move(weights));
+  } catch (const std::invalid_argument&) {
+    throw UsageError("importance: " + text + " is black everywhere");
+  }
+}
+
+std::unique_ptr<PathTarget> ChainPlan::make_target(const PathGroup& group, int replicate) const {
+  const LightSplit* divide = splits ? &splits->of(replicate) : nullptr;
+  if (kind == ChainKind::WholePath) {
+    return std::make_unique<WholePathTarget>(scene, group.sampler, view, divide);
+  }
+  return std::make_unique<OnePathTarget>(scene, group.sampler, group.choice, view, divide);
+}
+
+void ChainPlan::leave_to_omc(std::uint64_t kept) {
+  unprepared = true;
+  ray_price.reset();
+  // What is kept has been summed up in its units.
+  if (kept == 0) scale_.reset();
+  shares_effort = false;
+  mutations = 0.0;
+  omc_samples = 1.0;
+  pilot_kept = kept;
+  splits.emplace(
+      LightSplit(settings.crop, {{.threshold = 0.F, .target = 0.F, .kept = 0.F}}, view.importance));
+}
+
+std::pair<int, int> ChainPlan::omc_depths() const {
+  if (unprepared && direct == Direct::Chain) return {settings.min_depth, settings.max_depth};
+  return {direct == Direct::Omc ? settings.min_depth
+                                : std::max(settings.min_depth, LightSplit::kDirectDepth + 1),
+          splits ? settings.max_depth : std::min(settings.max_depth, LightSplit::kDirectDepth)};
+}
+
+RenderSettings ChainPlan::omc_settings() const {
+  RenderSettings own = settings;
+  std::erase_if(own.aovs, [](const std::string& name) {
+    return name == kDensityLayer || name == kAcceptanceLayer || name == "techniques";
+  });
+  return own;
+}
+
+Parameters ChainPlan::omc_parameters() const {
+  return {path_family_parameters(omc), {{"heuristic", parameters.get_text("heuristic")}}};
+}
+
+std::unique_ptr<Integrator> ChainPlan::make_omc(const RenderSettings& omc_settings,
+                                                std::pair<int, int> depths,
+                                                PathIntegratorContext context) const {
+  RenderSettings own = omc_settings;
+  own.min_depth = depths.first;
+  own.max_depth = depths.second;
+  const Parameters of_omc = omc_parameters();
+  if (!scale_ || scale_depths_ != depths) {
+    scale_ = measure_scale(scene, own, of_omc);
+    scale_depths_ = depths;
+  }
+  context.scale = scale_;
+  if (context.price == nullptr && ray_price) context.price = &*ray_price;
+  return make_path_integrator(scene, own, of_omc, context);
+}
+
+}  // namespace ajar

@@ -1,0 +1,154 @@
+#pragma once
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/parameters.h"
+#include "integrator/light_split.h"
+#include "integrator/metropolis/path_target.h"
+#include "integrator/montecarlo/path_family.h"
+#include "integrator/selective/chain_family.h"
+#include "integrator/selective/pilot_use.h"
+#include "integrator/selective/selective_settings.h"
+#include "integrator/strong_paths.h"
+#include "mcmc/bootstrap.h"
+#include "mcmc/chain_runner.h"
+#include "mcmc/plane_moves.h"
+
+namespace ajar {
+
+/// What all chains of one kind of path share: the depth, or all depths.
+struct PathGroup {
+  int depth;  ///< edges; 0: all
+  PathSamplerSettings sampler;
+  TechniqueChoice choice;  ///< if there is one depth
+  PrimaryShape shape;
+};
+
+/// What a render with chains is to do: its parameters, read and checked, and what the preparation
+/// finds out before the first chain moves. Constant from then on.
+struct ChainPlan {
+  enum class Direct { Omc, Chain, None };
+
+  /// Raises UsageError.
+  ChainPlan(ChainKind kind, const Scene& scene, const RenderSettings& settings,
+            const Parameters& parameters, std::optional<SelectiveSettings> selective = {});
+
+  /// A target of one thread, for chains of a replicate; the plan must outlive it.
+  std::unique_ptr<PathTarget> make_target(const PathGroup& group, int replicate) const;
+  const PathGroup& group_of(int depth) const;
+  /// Of the crop.
+  std::uint64_t pixels() const;
+  /// In the units of `PixelShare`; 0 if light is not divided path by path.
+  double lowest_threshold() const {
+    return thresholds.empty() ? 0.0 : thresholds.front() * brightness;
+  }
+  /// Whether chains start from what ordinary Monte Carlo finds: it divides light path by path and
+  /// makes the same paths.
+  bool has_recruits() const { return !thresholds.empty() && kind == ChainKind::OnePath; }
+  /// Whether a pilot decides between thresholds; else, if at all, it decides by regions alone.
+  bool chooses_thresholds() const {
+    return thresholds.size() > 1 &&
+           (!selective || selective->map == SelectiveSettings::Map::Optimal);
+  }
+  /// Where light is divided path by path, both halves have the same techniques, each as often: that
+  /// is part of what a path brings.
+  void set_omc(const PathFamilyDefaults& choice);
+  /// Of a camera sample with so many light subpaths, relative to one with a single one: that has
+  /// half of the rays.
+  static double effort_with(const std::string& light_paths_per_pixel) {
+    return 0.5 + 0.5 * std::stod(light_paths_per_pixel);
+  }
+  /// Does without chains, and without what a preparation would find out. `kept`: camera samples
+  /// per pixel that a pilot has rendered.
+  void leave_to_omc(std::uint64_t kept);
+  /// How its chains move: where they make nearly all light, steps on the raster pay more.
+  ChainSettings chain_settings_of(int replicate) const;
+  /// So many mutations per pixel and camera sample that neither half is forgotten.
+  static constexpr double kFewestMutations = 1.0 / 128;
+  static constexpr double kMostMutations = 16.0;
+  /// For how much a path counts at most when a pilot measures errors, relative to the brightness of
+  /// the picture: what is brighter is rare, and for chains to deal with.
+  static constexpr double kMostOfError = 3.0;
+  static double clamp_mutations(double mutations) {
+    return std::clamp(mutations, kFewestMutations, kMostMutations);
+  }
+  /// How many chains a replicate should have.
+  std::size_t chains_per_replicate() const;
+  /// Depths that ordinary Monte Carlo renders; empty (min > max) if there are none.
+  std::pair<int, int> omc_depths() const;
+  /// As the render has it: without the layers that are made of chains.
+  RenderSettings omc_settings() const;
+  /// Its other parameters.
+  Parameters omc_parameters() const;
+  /// Ordinary Monte Carlo over some depths, as `make_path_integrator` has it.
+  std::unique_ptr<Integrator> make_omc(const RenderSettings& settings, std::pair<int, int> depths,
+                                       PathIntegratorContext context = {}) const;
+
+  ChainKind kind;
+  const Scene& scene;
+  RenderSettings settings;
+  Parameters parameters;
+  TechniqueSet techniques;
+  Direct direct;
+  PilotUse pilot_use = PilotUse::Keep;
+  bool mis_large_steps;
+  bool raster_steps_follow_split = false;  ///< the user leaves that open
+  bool unprepared = false;                 ///< ordinary Monte Carlo alone renders, for want of time
+  bool standby = false;                    ///< nothing is so hard that chains would pay
+  /// Whether the render shares its effort anew as it goes on: a sample then has as many mutations
+  /// as its halves' errors deserve.
+  bool shares_effort = false;
+  /// Whether a pilot decides what techniques there are, and how many light subpaths.
+  bool chooses_omc = false;
+  /// Where the light of long paths may be divided path by path, relative to the brightness of its
+  /// pixel, from the lowest on; empty if it is not. The pilot chooses.
+  std::vector<double> thresholds;
+  /// The same for chains that stand by.
+  double standby_threshold = 0.0;
+  /// If regions of the picture are divided, too.
+  std::optional<SelectiveSettings> selective;
+  std::uint64_t pilot_samples = 0;  ///< per pixel, at least
+  /// Camera samples of ordinary Monte Carlo that a sample of the render has per pixel.
+  double omc_samples;
+  /// Mutations per pixel that a sample of the render has, at first if the effort is shared; 0:
+  /// ordinary Monte Carlo alone renders.
+  double mutations = 1.0;
+  std::uint64_t pilot_kept = 0;  ///< camera samples per pixel that the preparation has rendered
+  /// Of the pilot: mean luminance · importance of its pixels.
+  double brightness = 0.0;
+  /// Samples from which chains are seeded: camera samples where the light is divided, else paths
+  /// over all depths and replicates.
+  std::uint64_t bootstrap;
+  std::uint64_t scouted = 0;    ///< camera samples that were
+  std::uint64_t wanted_chains;  ///< 0: as many as suit the picture
+  SeedFilter seed_filter;
+  double seed_spread;  ///< standard deviations above which a seed is an outlier
+  ChainSettings chain_settings;
+  std::unique_ptr<Mutation> mutation;
+  PlaneRule plane;
+  ChainView view;
+  std::vector<PathGroup> groups;
+  PathFamilyDefaults omc;             ///< of ordinary Monte Carlo
+  std::optional<RayPrice> ray_price;  ///< likewise, as a pilot has found it
+  std::optional<LightSplits> splits;  ///< found by the pilot
+
+ private:
+  /// Of the picture, from when ordinary Monte Carlo was made first, and of paths of which depths.
+  mutable std::optional<PictureScale> scale_;
+  mutable std::pair<int, int> scale_depths_;
+
+  void make_groups();
+  void read_split();
+  void read_omc();
+  void read_pilot();
+  void read_importance();
+  void read_small_steps();
+  /// A share of the small steps that this mutation may not be able to make (`where` says which
+  /// can): 0 then. Raises UsageError if the user wants it nevertheless.
+  double share_of_steps(const std::string& name, bool can, const std::string& where) const;
+  void read_plane();
+};
+
+}  // namespace ajar

@@ -1,0 +1,97 @@
+#pragma once
+#include <mutex>
+#include <optional>
+#include <vector>
+
+#include "core/archive_forward.h"
+#include "integrator/selective/chain_plan.h"
+#include "integrator/selective/chain_population.h"
+#include "integrator/selective/path_numbers.h"
+
+namespace ajar {
+
+/// Strong paths that ordinary Monte Carlo finds while it renders, kept as seeds for chains. A
+/// camera sample of bidirectional path tracing tries every technique of every depth, so it finds
+/// many times as many of them as the bootstrap and the large steps of chains in the same time;
+/// light that a bootstrap misses, such as the islands of a caustic seen through water, has chains
+/// all over it after a while.
+///
+/// Found paths with weights (what they carry per sample) are a sample of the chains' target, as the
+/// states of a population of chains are, with the weight b shared among them; both are right on
+/// average for any number of samples behind them. So is their union, each weighed by a share fixed
+/// in advance, and what is systematically resampled from it (Kitagawa 1996). So each time they
+/// `join`, chains start anew from a sample that stands for all that was found so far, and b is its
+/// total: exact on average, not only in the limit.
+class ChainRecruits final : public StrongPathSinks {
+ public:
+  /// Recruits kept per chain, on average. They are drawn at random one by one, and then chosen from
+  /// systematically: with few of them the total would be noisy, with many they take memory.
+  static constexpr std::uint64_t kPerChain = 4;
+
+  explicit ChainRecruits(const ChainPlan& plan) : plan_(plan) {}
+
+  /// Prepares for a stretch of the render: of the paths found in so many camera samples per pixel,
+  /// it keeps a few per chain, on average.
+  void expect(const std::vector<ChainPopulation>& populations, double camera_samples);
+  /// The same before anything is known of the chains' light.
+  void expect_unknown(double camera_samples);
+  /// Luminance · importance of all that was found since chains were last joined.
+  double energy() const;
+  /// After the division has changed, from `before` to that of the plan.
+  void divide_anew(const LightSplits& before);
+  /// Merges what was found in camera samples `first` to `last` per pixel into the populations.
+  void join(std::vector<ChainPopulation>& populations, std::uint64_t first, std::uint64_t last);
+  /// The same for a trial: what was found can still join others.
+  void join_for_trial(std::vector<ChainPopulation>& populations, std::uint64_t first,
+                      std::uint64_t last);
+  /// The same for so many camera samples of no replicate, which are scattered over all.
+  void join_scattered(std::vector<ChainPopulation>& populations, double camera_samples);
+
+  std::unique_ptr<StrongPathSink> make(Film& film, Counters& counters) const override;
+
+  /// Between passes: all that was found since chains were last joined, and what else is kept.
+  void save_state(OutputArchive& archive) const;
+  void load_state(InputArchive& archive);
+  /// Gives away what this process has found since it did so last; and takes what one of the
+  /// processes has given, which may have been this one.
+  void give_news(OutputArchive& archive);
+  void take_news(InputArchive& archive);
+
+ private:
+  class Sink;
+  struct Recruit {
+    StrongPath path;
+    PathNumbers numbers;
+    std::optional<double> scalar;  ///< I of the path as a chain's state; unknown once divided anew
+    template <typename Archive>
+    void serialize(Archive& archive) {
+      archive(path, numbers, scalar);
+    }
+  };
+
+  double evaluate(const Recruit& recruit, SplatBuffer& splats, RayCounts& rays) const;
+  void set_grain(double per_sample, double camera_samples);
+  void join_replicate(std::vector<ChainPopulation>& populations,
+                      const std::vector<std::vector<const Recruit*>>& found, int replicate,
+                      double samples) const;
+  /// Of each population, in an order that does not depend on threads.
+  std::vector<std::vector<const Recruit*>> sorted_recruits(
+      const std::vector<ChainPopulation>& populations);
+  void merge(ChainPopulation& population, const std::vector<const Recruit*>& recruits,
+             double samples) const;
+  void resample(ChainPopulation& population, const std::vector<const Recruit*>& recruits,
+                std::size_t chains) const;
+  void keep(Recruit recruit) const;
+  /// Appends the recruits of an archive to `recruits`.
+  void load_recruits(InputArchive& archive, std::vector<Recruit>& recruits) const;
+  /// Raises std::runtime_error unless a chain can start there.
+  void check_recruit(const Recruit& recruit) const;
+
+  const ChainPlan& plan_;
+  double grain_ = 0.0;  ///< luminance · importance; paths that carry less are kept now and then
+  mutable std::mutex mutex_;
+  mutable std::vector<Recruit> recruits_;  ///< in the order in which threads found them
+  std::vector<Recruit> shared_;            ///< those that were news of some process
+};
+
+}  // namespace ajar

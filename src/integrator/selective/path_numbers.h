@@ -1,0 +1,33 @@
+#pragma once
+#include <vector>
+
+#include "integrator/selective/chain_plan.h"
+#include "integrator/strong_paths.h"
+#include "mcmc/chain.h"
+
+namespace ajar {
+
+/// The numbers that ordinary Monte Carlo has made a path of, so that a chain can start there.
+class PathNumbers {
+ public:
+  /// Of both subpaths, of which `path` must know the light's number, for as many vertices as the
+  /// path's technique has.
+  PathNumbers(SampleSource& source, const StrongPath& path);
+  /// None, to be read from an archive.
+  PathNumbers() = default;
+  template <typename Archive>
+  void serialize(Archive& archive) {
+    archive(numbers_);
+  }
+  /// Whether there are as many as the path needs, all of them in [0, 1).
+  bool fit(const StrongPath& path) const;
+
+  /// A chain at the path, with I = 0: its target has yet to be asked. Numbers that the path does
+  /// not use, and the place within the technique's share of the choice among techniques, are fresh.
+  Chain start_chain(const ChainPlan& plan, const PathGroup& group, const StrongPath& path) const;
+
+ private:
+  std::vector<float> numbers_;  ///< blocks of the camera's vertices, then the light's
+};
+
+}  // namespace ajar

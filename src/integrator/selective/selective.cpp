@@ -1,0 +1,78 @@
+#include "integrator/selective/selective.h"
+
+#include <algorithm>
+#include <array>
+
+#include "core/error.h"
+#include "integrator/montecarlo/path_family.h"
+#include "integrator/selective/chain_family.h"
+#include "integrator/selective/selective_settings.h"
+
+namespace ajar {
+
+namespace {
+
+/// Parameters of chains that mean nothing here.
+constexpr std::array<std::string_view, 2> kMeaningless = {"direct", "omc-samples"};
+
+/// Parameters of chains that are left to a pilot unless the user knows better. That is a value of
+/// theirs, since a checkpoint keeps values and not who gave them.
+const std::array<std::string, 2> kOpen = {"techniques", kLightPathsPerPixel};
+
+bool can_be_open(const std::string& name) {
+  return std::find(kOpen.begin(), kOpen.end(), name) != kOpen.end();
+}
+
+void leave_open(ParameterSpec& spec) {
+  spec.default_value = SelectiveSettings::kOpen;
+  if (spec.type != ParameterType::Text) spec.choices = {SelectiveSettings::kOpen};
+  spec.help += "; auto: as omc has it";
+}
+
+ChainKind chain_kind(const Parameters& parameters) {
+  return parameters.get_text("chain") == "mmlt" ? ChainKind::OnePath : ChainKind::WholePath;
+}
+
+}  // namespace
+
+std::vector<ParameterSpec> selective_parameters() {
+  std::vector<ParameterSpec> specs = SelectiveSettings::parameters();
+  // Defaults are shown as mmlt has them.
+  for (const ChainKind kind : {ChainKind::OnePath, ChainKind::WholePath}) {
+    for (ParameterSpec& spec : chain_parameters(kind)) {
+      const bool known = std::any_of(specs.begin(), specs.end(), [&](const ParameterSpec& other) {
+        return other.name == spec.name;
+      });
+      const bool means_something =
+          std::find(kMeaningless.begin(), kMeaningless.end(), spec.name) == kMeaningless.end();
+      if (can_be_open(spec.name)) leave_open(spec);
+      if (!known && means_something) specs.push_back(std::move(spec));
+    }
+  }
+  mark_experts(specs,
+               {"chain", "techniques", kLightPathsPerPixel, "regions", "importance", "edges"});
+  return specs;
+}
+
+std::unique_ptr<Integrator> make_selective_integrator(const Scene& scene,
+                                                      const RenderSettings& settings,
+                                                      const Parameters& parameters) {
+  const ChainKind kind = chain_kind(parameters);
+  const bool has_light_paths = parameters.get_text(kLightPathsPerPixel) != SelectiveSettings::kOpen;
+  if (has_light_paths && kind == ChainKind::WholePath) {
+    throw UsageError(kLightPathsPerPixel +
+                     ": only with chain=mmlt; a state of pssmlt has one light subpath");
+  }
+  const std::vector<ParameterSpec> specs = chain_parameters(kind);
+  std::map<std::string, std::string> chain;
+  for (const ParameterSpec& spec : specs) {
+    const auto value = parameters.given().find(spec.name);
+    if (value == parameters.given().end()) continue;
+    const bool is_open = can_be_open(spec.name) && value->second == SelectiveSettings::kOpen;
+    if (!is_open) chain[spec.name] = value->second;
+  }
+  return make_chain_integrator(kind, scene, settings, Parameters(specs, chain),
+                               SelectiveSettings::read(parameters, settings));
+}
+
+}  // namespace ajar

@@ -1,0 +1,388 @@
+#include "integrator/selective/split_pilot.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <tuple>
+
+#include "core/random.h"
+#include "image/edges.h"
+#include "image/make_filter.h"
+#include "integrator/light_split.h"
+#include "integrator/selective/chain_bootstrap.h"
+#include "integrator/selective/chain_share.h"
+
+namespace ajar {
+
+namespace {
+
+/// What chains make of a path that brings as much as the whole of its pixel, relative to what they
+/// might at most.
+float chain_share(const PixelShare& share, const ChainPlan& plan) {
+  const auto whole = static_cast<float>(plan.brightness);
+  return share.kept * LightSplit::above(whole, share.threshold) /
+         LightSplit::above(whole, static_cast<float>(plan.lowest_threshold()));
+}
+
+FoundLight light_of(const StrongPath& path, float energy) {
+  return {.sample = path.sample,
+          .raster = path.raster,
+          .value = path.value,
+          .strength = path.strength,
+          .energy = energy,
+          .weight = 1.F,
+          .replicate = static_cast<std::int16_t>(path.replicate),
+          .s = static_cast<std::int16_t>(path.technique.s),
+          .t = static_cast<std::int16_t>(path.technique.t)};
+}
+
+}  // namespace
+
+/// Keeps strong light to be divided anew, and offers it to chains. For maps of regions, it also
+/// puts it on the pilot's film, where the noise is looked for.
+class SplitPilot::Sink final : public StrongPathSink {
+ public:
+  Sink(const SplitPilot& pilot, Film& film, Counters& counters)
+      : pilot_(pilot),
+        film_(film),
+        counters_(counters),
+        layer_(film.layer("indirect")),
+        recruits_(pilot.recruits_ != nullptr ? pilot.recruits_->make(film, counters) : nullptr) {}
+  ~Sink() override {
+    const std::lock_guard lock(pilot_.mutex_);
+    pilot_.found_.insert(pilot_.found_.end(), found_.begin(), found_.end());
+  }
+  Sink(const Sink&) = delete;
+  Sink& operator=(const Sink&) = delete;
+
+  bool spread(SampleSource& numbers, StrongPath& path) override {
+    if (pilot_.plan_.selective && !film_.splat(layer_, path.replicate, path.raster, path.value)) {
+      ++counters_.discarded_infinite;
+      return true;
+    }
+    StrongPath offered = path;
+    if (offer(numbers, offered)) {
+      if (pilot_.divides_anew()) keep(path);
+    } else {
+      keep_whole(offered);
+    }
+    return true;
+  }
+
+ private:
+  /// False if chains cannot make it.
+  bool offer(SampleSource& numbers, StrongPath& path) const {
+    if (!recruits_ || !pilot_.offers(path.replicate)) return true;
+    const double weight =
+        draw_lot(path.energy, recruits_->grain(), hash_numbers(path.key(), 0x6a1eULL));
+    if (weight == 0.0) return true;
+    path.value *= static_cast<float>(weight);
+    path.energy *= weight;
+    return recruits_->spread(numbers, path);
+  }
+
+  void keep_whole(const StrongPath& path) {
+    found_.push_back(light_of(path, 0.F));
+    found_.back().whole = true;
+  }
+
+  /// Of paths that carry little, only some: the others stand behind them.
+  void keep(const StrongPath& path) {
+    const PixelShare& share = pilot_.plan_.splits->of(path.replicate).at(path.raster);
+    const float above = LightSplit::above(path.strength, share.threshold);
+    const auto energy = static_cast<float>(path.energy);
+    FoundLight light = light_of(path, energy / above);
+    light.weight =
+        static_cast<float>(draw_lot(static_cast<double>(energy), static_cast<double>(pilot_.grain_),
+                                    hash_numbers(path.key(), 0xf09dULL)));
+    if (light.weight == 0.F) return;
+    light.value *= light.weight;
+    found_.push_back(light);
+  }
+
+  const SplitPilot& pilot_;
+  Film& film_;
+  Counters& counters_;
+  int layer_;
+  std::unique_ptr<StrongPathSink> recruits_;
+  std::vector<FoundLight> found_;
+};
+
+double SplitPilot::effort() const {
+  return static_cast<double>(plan_.pilot_samples) *
+         ChainPlan::effort_with(plan_.omc.light_paths_per_pixel);
+}
+
+std::uint64_t SplitPilot::begin() {
+  if (!(plan_.brightness > 0.0)) return 0;
+  if (!plan_.splits) plan_.splits.emplace(LightSplit(0.0, plan_.view.importance));
+  RenderSettings settings = plan_.omc_settings();
+  constexpr int kReplicates = 4;
+  if (!stays()) {
+    settings.replicates = kReplicates;
+    settings.seed = hash_numbers(settings.seed, 0x9e9107ULL);
+    settings.aovs.clear();
+  }
+  const auto replicates = static_cast<std::uint64_t>(settings.replicates);
+  samples_ =
+      std::max<std::uint64_t>(1, (plan_.pilot_samples + replicates - 1) / replicates) * replicates;
+  // What is drawn by lot is noise in these few samples: at the brightness itself, it would be a
+  // third of their variance on cornell-box. So fine a grain keeps about one path per sample.
+  constexpr double kGrain = 0.25;
+  grain_ = static_cast<float>(kGrain * plan_.brightness);
+  if (recruits_ != nullptr) recruits_->expect_unknown(static_cast<double>(samples_));
+  omc_ = plan_.make_omc(settings, plan_.omc_depths(), {.splits = &*plan_.splits, .strong = this});
+  film_ = std::make_unique<Film>(settings.resolution, settings.crop,
+                                 make_filter(plan_.scene.film().filter), settings.replicates,
+                                 omc_->layers());
+  return omc_->items_in_pass();
+}
+
+void SplitPilot::run(std::uint64_t item, Counters& counters) {
+  Counters own;
+  omc_->run_item(item, 0, samples_, *film_, own);
+  rays_ += own.rays;
+  counters.add_rays(own);
+}
+
+std::unique_ptr<StrongPathSink> SplitPilot::make(Film& film, Counters& counters) const {
+  return std::make_unique<Sink>(*this, film, counters);
+}
+
+bool SplitPilot::divides_anew() const { return plan_.selective || plan_.chooses_thresholds(); }
+
+bool SplitPilot::offers(int replicate) const {
+  // If the pilot does not stay, one half is for the map and the other for chains.
+  return stays() || replicate % 2 == 1;
+}
+
+std::vector<int> SplitPilot::seen_by(std::size_t half) const {
+  const PilotUse use = plan_.pilot_use;
+  std::vector<int> seen;
+  for (int r = 0; r < film_->replicates(); ++r) {
+    const bool is_odd = r % 2 == 1;
+    const bool sees = use == PilotUse::Keep || (use == PilotUse::Cross && is_odd == (half == 0)) ||
+                      (use == PilotUse::Discard && !is_odd);
+    if (sees) seen.push_back(r);
+  }
+  return seen;
+}
+
+LightSplit SplitPilot::split_of(const RegionChoice& choice) const {
+  std::vector<PixelShare> shares;
+  shares.reserve(regions_.labels.size());
+  for (const std::uint32_t label : regions_.labels) shares.push_back(choice.shares[label]);
+  if (plan_.selective) {
+    const std::vector<float>& painted = plan_.selective->painted;
+    for (std::size_t i = 0; i < painted.size(); ++i) {
+      shares[i].target = painted[i];
+      const float whole = painted[i] > 0.5F ? 1.F : 0.F;
+      shares[i].kept = plan_.selective->exclusive ? whole : painted[i];
+    }
+  }
+  return {plan_.settings.crop, std::move(shares), plan_.view.importance};
+}
+
+void SplitPilot::end() {
+  if (!film_) return;
+  rays_per_sample_ =
+      static_cast<double>(rays_.load()) / static_cast<double>(samples_ * plan_.pixels());
+  // Threads have found them in any order.
+  std::stable_sort(found_.begin(), found_.end(), [](const FoundLight& a, const FoundLight& b) {
+    return std::tie(a.sample, a.t, a.s) < std::tie(b.sample, b.t, b.s);
+  });
+  find_regions();
+}
+
+void SplitPilot::find_regions() {
+  const Vec2i size(film_->width(), film_->height());
+  regions_ =
+      connected_regions(size, surfaces_ != nullptr ? surfaces_->identities()
+                                                   : std::vector<PixelIdentity>(plan_.pixels()));
+}
+
+PilotView SplitPilot::view(std::vector<int> replicates, const ChainCosts& costs) const {
+  return {plan_, regions_, *film_, *omc_, samples_, rays_per_sample_, found_, std::move(replicates),
+          costs};
+}
+
+bool SplitPilot::chains_may_pay(std::size_t half) const {
+  // Trials on scenes of all kinds have found between 5 and 70.
+  constexpr double kLeastCorrelation = 4.0;
+  ChainCosts costs;
+  costs.correlation = kLeastCorrelation;
+  return chains_would_pay(view(seen_by(half), costs));
+}
+
+void SplitPilot::decide(std::span<const ChainCosts> costs) {
+  for (std::size_t half = 0; half < halves(); ++half) {
+    choices_.push_back(choose_regions(view(seen_by(half), costs[half])));
+  }
+  std::vector<int> all(static_cast<std::size_t>(film_->replicates()));
+  std::iota(all.begin(), all.end(), 0);
+  const PilotView whole = view(std::move(all), {});
+  if (plan_.selective) noise_ = pilot_noise(whole);
+  const LightSplits before = *plan_.splits;
+  if (halves() > 1) {
+    plan_.splits.emplace(split_of(choices_[0]), split_of(choices_[1]));
+  } else {
+    plan_.splits.emplace(split_of(choices_[0]));
+  }
+  if (divides_anew()) share_of_chains_ = chain_share(whole, *plan_.splits);
+  if (recruits_ != nullptr) recruits_->divide_anew(before);
+  share_effort();
+  if (recruits_ != nullptr) join();
+  if (stays()) {
+    plan_.pilot_kept = samples_;
+  } else {
+    found_ = {};
+    film_.reset();
+  }
+  omc_.reset();
+}
+
+void SplitPilot::share_effort() {
+  if (!plan_.shares_effort) return;
+  bool off = plan_.selective && plan_.selective->painted.empty();
+  double mutations = 0.0;
+  for (const RegionChoice& choice : choices_) {
+    off = off && choice.off;
+    mutations += choice.mutations / static_cast<double>(choices_.size());
+  }
+  plan_.standby = off;
+  if (recruits_ != nullptr) mutations = first_mutations();
+  const bool none = (off && plan_.thresholds.empty()) || plan_.splits->take_nothing();
+  plan_.mutations = none ? 0.0 : ChainPlan::clamp_mutations(mutations);
+}
+
+double SplitPilot::first_mutations() const {
+  // Until more is known of the strongest paths, more mutations than are worth their seeds would
+  // only repeat what the pilot happened to find.
+  constexpr double kMutationsPerShare = 3.0;
+  const double light = recruits_->energy() / recruiting_samples();
+  return kMutationsPerShare * std::min(1.0, light / plan_.brightness);
+}
+
+double SplitPilot::recruiting_samples() const {
+  const auto all = static_cast<double>(samples_ * plan_.pixels());
+  // Else half of them are for the map.
+  return stays() ? all : all / 2.0;
+}
+
+void SplitPilot::join() {
+  plan_.scouted = samples_ * plan_.pixels();
+  populations_ = make_populations(plan_);
+  if (stays()) {
+    recruits_->join(populations_, 0, samples_);
+  } else {
+    recruits_->join_scattered(populations_, recruiting_samples());
+  }
+}
+
+void SplitPilot::hand_over(Film& film) {
+  if (!film_) return;
+  film.add_layers(*film_, std::array<std::string, 1>{"indirect"});
+  const int weak = film.layer(kWeakLayer);
+  const auto lowest = static_cast<float>(plan_.lowest_threshold());
+  for (const FoundLight& found : found_) {
+    const LightSplit& split = plan_.splits->of(found.replicate);
+    // Beside the share below the lowest threshold, which is on the film already.
+    const float above = LightSplit::above(found.strength, lowest);
+    const float left =
+        found.whole ? 1.F : (above - 1.F + split.omc_share(found.strength, found.raster)) / above;
+    film.splat(weak, found.replicate, found.raster, found.value * left);
+  }
+  found_ = {};
+  film_.reset();
+}
+
+Plane SplitPilot::importance() const {
+  Plane plane(regions_.size);
+  const int width = regions_.size.x;
+  for (std::size_t i = 0; i < plane.values.size(); ++i) {
+    const Vec2i pixel =
+        plan_.settings.crop.min + Vec2i(static_cast<int>(i) % width, static_cast<int>(i) / width);
+    const Vec2 middle = Vec2(pixel) + Vec2(0.5F, 0.5F);
+    const float even = chain_share(plan_.splits->of(0).at(middle), plan_);
+    const float odd = chain_share(plan_.splits->of(1).at(middle), plan_);
+    plane.values[i] = 0.5F * (even + odd);
+  }
+  return plane;
+}
+
+std::vector<std::pair<std::string, Plane>> SplitPilot::maps() const {
+  std::vector<std::pair<std::string, Plane>> planes;
+  if (!noise_) return planes;
+  const auto wanted = [&](const std::string& name) {
+    const auto& aovs = plan_.settings.aovs;
+    return std::find(aovs.begin(), aovs.end(), name) != aovs.end();
+  };
+  if (wanted("noise")) planes.emplace_back("noise", *noise_);
+  if (wanted("regions")) {
+    std::vector<float> numbers(regions_.count());
+    std::iota(numbers.begin(), numbers.end(), 1.F);
+    planes.emplace_back("regions", fill_regions(regions_, numbers));
+  }
+  if (wanted("importance")) planes.emplace_back("importance", importance());
+  if (wanted("edges")) planes.emplace_back("edges", surfaces_->edges());
+  return planes;
+}
+
+std::optional<Plane> SplitPilot::antialias_mask() const {
+  if (!plan_.selective->antialias || choices_.empty()) return std::nullopt;
+  return edges_of_map(surfaces_->edges(), importance());
+}
+
+std::vector<double> SplitPilot::thresholds() const {
+  std::vector<double> thresholds;
+  for (const RegionChoice& choice : choices_) {
+    const auto threshold = static_cast<double>(choice.shares.front().threshold);
+    // To as many digits as users write.
+    thresholds.push_back(std::round(threshold / plan_.brightness * 1e4) / 1e4);
+  }
+  return thresholds;
+}
+
+std::vector<SelectiveReport::Half> SplitPilot::expectations() const {
+  std::vector<SelectiveReport::Half> halves;
+  for (const RegionChoice& choice : choices_) {
+    double sum = 0.0;
+    for (const std::uint32_t label : regions_.labels) {
+      sum += std::log(static_cast<double>(choice.shares[label].threshold) / plan_.brightness);
+    }
+    halves.push_back({choice.correlation, choice.expected_error,
+                      std::exp(sum / static_cast<double>(regions_.labels.size())), choice.off});
+  }
+  return halves;
+}
+
+std::vector<SelectiveReport::Region> SplitPilot::report() const {
+  std::vector<SelectiveReport::Region> rows;
+  if (choices_.empty()) return rows;
+  // Of the pixels, which the user may have painted.
+  std::vector<double> importances(regions_.count());
+  const Plane of_pixels = importance();
+  for (std::size_t i = 0; i < of_pixels.values.size(); ++i) {
+    importances[regions_.labels[i]] += static_cast<double>(of_pixels.values[i]);
+  }
+  for (std::size_t r = 0; r < regions_.count(); ++r) {
+    const PixelIdentity& shown = regions_.identities[r];
+    SelectiveReport::Region row;
+    row.number = r + 1;
+    row.pixels = regions_.pixel_counts[r];
+    if (shown.object > 0) row.object = plan_.scene.object_names()[shown.object - 1];
+    if (shown.material > 0) row.material = plan_.scene.material_names()[shown.material - 1];
+    row.importance = importances[r] / static_cast<double>(row.pixels);
+    for (const RegionChoice& choice : choices_) {
+      const auto count = static_cast<double>(choices_.size());
+      row.noise += static_cast<double>(choice.noise[r]) / count;
+    }
+    rows.push_back(std::move(row));
+  }
+  std::stable_sort(rows.begin(), rows.end(),
+                   [](const auto& a, const auto& b) { return a.pixels > b.pixels; });
+  return rows;
+}
+
+}  // namespace ajar

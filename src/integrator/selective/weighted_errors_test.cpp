@@ -1,0 +1,58 @@
+#include "integrator/selective/weighted_errors.h"
+
+#include <gtest/gtest.h>
+
+namespace ajar {
+namespace {
+
+const Box2i kCrop(Vec2i(3, 5), Vec2i(4, 5));
+
+TEST(WeightedErrors, WeighLuminanceByImportance) {
+  // Two pixels; weights are scaled to a mean of 1.
+  const ImportanceMap importance(kCrop, {3.F, 1.F});
+  const Replicates replicates = {{1.F, 1.F, 1.F, 2.F, 2.F, 2.F}, {3.F, 3.F, 3.F, 2.F, 2.F, 2.F}};
+  const auto light = weighted_light(replicates, kCrop, importance);
+  EXPECT_NEAR(light[0][0], 1.5F, 1e-5F);
+  EXPECT_NEAR(light[1][0], 4.5F, 1e-5F);
+  EXPECT_NEAR(light[0][1], 1.F, 1e-5F);
+  const WeightedErrors errors = weighted_errors(replicates, kCrop, importance);
+  EXPECT_NEAR(errors.light[0], 3.0, 1e-5);
+  EXPECT_NEAR(errors.variance[0], 2.25, 1e-5);  // of the mean: half of that of 1.5 and 4.5
+  EXPECT_NEAR(errors.variance[1], 0.0, 1e-9);
+}
+
+TEST(WeightedErrors, AreSeenThroughThreeTimesThreePixels) {
+  const Box2i crop(Vec2i(0, 0), Vec2i(4, 2));
+  const ImportanceMap even;
+  std::vector<float> dot(15 * 3, 1.F);
+  for (std::size_t lane = 0; lane < 3; ++lane) dot[7 * 3 + lane] = 10.F;
+  const auto seen = seen_light({dot, std::vector<float>(15 * 3, 1.F)}, crop, even);
+  for (std::size_t i = 0; i < 15; ++i) {
+    EXPECT_NEAR(seen[0][i], i % 5 == 0 || i % 5 == 4 ? 1.F : 2.F, 1e-5F) << i;
+    EXPECT_NEAR(seen[1][i], 1.F, 1e-5F) << i;
+  }
+}
+
+TEST(WeightedErrors, VarianceOfAMeanFallsWithTheNumberOfPictures) {
+  const std::vector<std::vector<float>> pictures = {{1.F}, {2.F}, {3.F}, {6.F}};
+  // Squared distances from 3: 4 + 1 + 0 + 9, over n (n - 1).
+  EXPECT_NEAR(variance_of_mean(pictures)[0], 14.0 / 12.0, 1e-6);
+}
+
+TEST(WeightedErrors, TrimmingDropsTheWorstThousandth) {
+  std::vector<double> variance(2000);
+  for (std::size_t i = 0; i < variance.size(); ++i) variance[i] = static_cast<double>(i * 7 % 2000);
+  const std::vector<double> kept = trimmed(variance);
+  for (std::size_t i = 0; i < variance.size(); ++i) {
+    EXPECT_EQ(kept[i], variance[i] < 1998.0 ? variance[i] : 0.0);
+  }
+  // A small thing before nothing: what has errors at all is not the worst of many.
+  std::vector<double> few(2000);
+  few[7] = 3.0;
+  EXPECT_EQ(trimmed(few), few);
+  // Too few to have a worst thousandth.
+  EXPECT_EQ(trimmed({1.0, 5.0}), (std::vector<double>{1.0, 5.0}));
+}
+
+}  // namespace
+}  // namespace ajar
