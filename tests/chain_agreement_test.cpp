@@ -156,7 +156,7 @@ const std::vector<Variant>& variants() {
        {"Room", "CroppedMitchell"}},
       {"pssmlt, two tries, MIS of large steps",
        "pssmlt",
-       {{"multi-try", "2"}, {"mis-large-steps", "true"}},
+       {{"multi-try", "2"}, {"mis-large-steps", "true"}, {"raster-steps", "0.5"}},
        {"ThinLens", "Orthographic"}},
       {"pssmlt, fusion",
        "pssmlt",

@@ -6,9 +6,9 @@
 #include <optional>
 #include <vector>
 
-#include "mcmc/chain_runner.h"
-#include "mcmc/gaussian_mutation.h"
-#include "mcmc/kelemen_mutation.h"
+#include "mcmc/primary/gaussian_mutation.h"
+#include "mcmc/primary/kelemen_mutation.h"
+#include "mcmc/primary/primary_runner.h"
 #include "mcmc/testing/toy_target.h"
 #include "scene/testing/statistics.h"
 #include "transport/subpath.h"
@@ -137,7 +137,7 @@ TEST(KeptDirections, ChainsStayInTheirDistribution) {
   constexpr std::uint64_t kChains = 60000;
   std::vector<double> expected;
   for (const double fraction : toy.fractions) expected.push_back(fraction * double{kChains});
-  ChainSettings settings;
+  PrimarySettings settings;
   settings.probabilities = {0.0, 0.0, 0.0, 0.0, 0.8};
   settings.sizes.camera_endpoint.fill(3.F);
   const GaussianMutation gaussian(0.02);
@@ -146,11 +146,11 @@ TEST(KeptDirections, ChainsStayInTheirDistribution) {
        {static_cast<const Mutation*>(&gaussian), static_cast<const Mutation*>(&kelemen)}) {
     SCOPED_TRACE(mutation->name());
     CurvedTarget target(soft, true);
-    ChainRunner runner(settings, *mutation, testing::kToyShape, target);
+    PrimaryRunner runner(settings, *mutation, testing::kToyShape, target);
     Nowhere nowhere;
     std::vector<double> counts(kBins, 0.0);
     for (std::uint64_t i = 0; i < kChains; ++i) {
-      Chain chain = testing::exact_start(toy, 3, i);
+      PrimaryChain chain = testing::exact_start(toy, 3, i);
       runner.run(chain, 12, nowhere);
       ReplaySource replay(chain.numbers);
       ++counts[static_cast<std::size_t>(toy.function(replay).bin)];
@@ -200,22 +200,22 @@ TEST(KeptDirections, AreThoseOfTheLastSubpathTracedAndAccepted) {
 
 /// Of steps of the raster numbers, from states that two small lamps light.
 double acceptance(bool follow) {
-  ChainSettings settings;
+  PrimarySettings settings;
   settings.probabilities = {0.0, 0.0, 0.0, 0.0, 1.0};
   const GaussianMutation mutation(0.01);
   CurvedTarget target(small_lamp, follow);
-  ChainRunner runner(settings, mutation, testing::kToyShape, target);
+  PrimaryRunner runner(settings, mutation, testing::kToyShape, target);
   Nowhere nowhere;
   ChainStatistics statistics;
   Toy lit = curved();
   lit.function = [](SampleSource& numbers) { return look(numbers, nullptr, small_lamp); };
   lit.largest = 0.1;  // brighter ones are fewer than they should be, which does not matter here
   for (std::uint64_t i = 0; i < 40; ++i) {
-    Chain chain = testing::exact_start(lit, 5, i);
+    PrimaryChain chain = testing::exact_start(lit, 5, i);
     statistics += runner.run(chain, 50, nowhere);
   }
-  return statistics.of(StepKind::SmallRaster).acceptances /
-         static_cast<double>(statistics.of(StepKind::SmallRaster).proposals);
+  return statistics.moves[move_of(StepKind::SmallRaster)].acceptances /
+         static_cast<double>(statistics.moves[move_of(StepKind::SmallRaster)].proposals);
 }
 
 TEST(KeptDirections, StepsAcrossACurvedSurfaceAreAcceptedMoreOften) {

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "mcmc/bootstrap_source.h"
-#include "mcmc/chain.h"
-#include "mcmc/chain_source.h"
-#include "mcmc/make_mutation.h"
+#include "mcmc/primary/bootstrap_source.h"
+#include "mcmc/primary/chain_source.h"
+#include "mcmc/primary/make_mutation.h"
+#include "mcmc/primary/primary_chain.h"
 #include "support/render.h"
 #include "support/small_scenes.h"
 
@@ -39,13 +39,13 @@ class HalfReuse : public ::testing::TestWithParam<Case> {
   PrimaryShape shape() const { return {GetParam().depth + 1, GetParam().depth + 1}; }
 
   /// A chain that starts at the first bootstrap sample with light.
-  Chain lit_chain(OnePathTarget& target) const {
+  PrimaryChain lit_chain(OnePathTarget& target) const {
     for (std::uint64_t i = 0;; ++i) {
       BootstrapSource source(5, i);
       SplatBuffer splats;
       const double scalar = target.evaluate(source, Change{}, splats);
       target.rejected();
-      if (scalar > 0.0) return Chain(shape(), 6, bootstrap_key(5, i), scalar);
+      if (scalar > 0.0) return PrimaryChain(shape(), 6, bootstrap_key(5, i), scalar);
     }
   }
 
@@ -86,7 +86,7 @@ void expect_same_bits(const SplatBuffer& a, const SplatBuffer& b) {
 TEST_P(HalfReuse, GivesTheBitsOfATargetThatTracesEverything) {
   const TechniqueChoice choice(settings_.techniques, GetParam().depth);
   OnePathTarget target(*scene_, settings_, choice, view_);
-  Chain chain = lit_chain(target);
+  PrimaryChain chain = lit_chain(target);
   const auto mutation = make_mutation("kelemen", 0.01);
   ChainSource source(*mutation, StepSizes{}, shape());
   SplatBuffer splats;
@@ -205,7 +205,7 @@ TEST(ChainOfPaths, OfSixteenEdgesFitsInFourKibibytes) {
   view.size = Vec2(scene->camera().resolution());
   OnePathTarget target(*scene, settings, choice, view);
   const PrimaryShape shape{kDepth + 1, kDepth + 1};
-  Chain chain(shape, 1, bootstrap_key(5, 0), 1.0);
+  PrimaryChain chain(shape, 1, bootstrap_key(5, 0), 1.0);
   const auto mutation = make_mutation("kelemen", 0.01);
   ChainSource source(*mutation, StepSizes{}, shape);
   for (int step = 0; step < 500; ++step) {

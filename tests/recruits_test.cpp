@@ -6,7 +6,7 @@
 
 #include "integrator/selective/chain_plan.h"
 #include "integrator/selective/path_numbers.h"
-#include "mcmc/chain_source.h"
+#include "mcmc/primary/chain_source.h"
 #include "support/render.h"
 #include "support/small_scenes.h"
 
@@ -39,7 +39,7 @@ class Comparison final : public StrongPathSinks {
       ++all_.found;
       if (path.light_subpath > 0) ++all_.found_by_later_subpaths;
       const PathGroup& group = all_.plan_.group_of(path.technique.depth());
-      const Chain chain = PathNumbers(numbers, path).start_chain(all_.plan_, group, path);
+      const PrimaryChain chain = PathNumbers(numbers, path).start_chain(all_.plan_, group, path);
       const auto target = all_.plan_.make_target(group, path.replicate);
       ReplaySource replay(chain.numbers);
       SplatBuffer splats;

@@ -58,8 +58,14 @@ struct ChainReport {
     std::uint64_t proposals;
     double acceptance;
   };
+  struct OfMove {
+    std::string name;
+    std::uint64_t proposals;
+    double acceptance;
+  };
   double small_acceptance = 0.0;
   double large_acceptance = 0.0;
+  std::vector<OfMove> moves;  ///< those that were made
   std::uint64_t longest_rejection_streak = 0;
   std::uint64_t bootstrap_samples = 0;
   /// Where the light is divided, relative to the brightness of its pixel, in all replicates, or in

@@ -1,5 +1,3 @@
-#include "mcmc/chain_runner.h"
-
 #include <gtest/gtest.h>
 
 #include <array>
@@ -12,8 +10,9 @@
 #include <vector>
 
 #include "mcmc/bootstrap.h"
-#include "mcmc/gaussian_mutation.h"
-#include "mcmc/kelemen_mutation.h"
+#include "mcmc/primary/gaussian_mutation.h"
+#include "mcmc/primary/kelemen_mutation.h"
+#include "mcmc/primary/primary_runner.h"
 #include "mcmc/testing/toy_target.h"
 #include "scene/testing/statistics.h"
 
@@ -32,14 +31,14 @@ double sum(const std::vector<double>& values) {
 
 /// Each chain's deposits are one independent estimate of every bin, unbiased since the chain starts
 /// in its target's distribution. `power`: how well each bin is known, relative to it.
-void expect_unbiased(const Toy& toy, const ChainSettings& settings, std::uint64_t chains,
+void expect_unbiased(const Toy& toy, const PrimarySettings& settings, std::uint64_t chains,
                      std::uint64_t steps, bool combined, double power) {
   const GaussianMutation mutation(0.03);
   ToyTarget target(toy.function);
-  ChainRunner runner(settings, mutation, kToyShape, target);
+  PrimaryRunner runner(settings, mutation, kToyShape, target);
   std::vector<testing::Mean> means(toy.fractions.size());
   for (std::uint64_t i = 0; i < chains; ++i) {
-    Chain chain = testing::exact_start(toy, 21, i);
+    PrimaryChain chain = testing::exact_start(toy, 21, i);
     Histogram histogram(toy.fractions.size());
     runner.run(chain, steps, histogram, combined ? std::optional(toy.mean) : std::nullopt);
     for (std::size_t k = 0; k < means.size(); ++k) {
@@ -53,7 +52,7 @@ void expect_unbiased(const Toy& toy, const ChainSettings& settings, std::uint64_
 }
 
 TEST(ChainRunner, ExpectedValuesAreUnbiased) {
-  ChainSettings settings;
+  PrimarySettings settings;
   settings.probabilities = {0.3, 0.2, 0.2};
   for (const Toy& toy : {testing::step(), testing::product(), testing::variable_dimension()}) {
     expect_unbiased(toy, settings, 20000, 40, false, 0.25);
@@ -61,7 +60,7 @@ TEST(ChainRunner, ExpectedValuesAreUnbiased) {
 }
 
 TEST(ChainRunner, CombinationWithLargeStepsIsUnbiased) {
-  ChainSettings settings;
+  PrimarySettings settings;
   for (const double large : {0.1, 0.5}) {
     settings.probabilities.large = large;
     for (const Toy& toy : {testing::step(), testing::product(), testing::variable_dimension()}) {
@@ -71,7 +70,7 @@ TEST(ChainRunner, CombinationWithLargeStepsIsUnbiased) {
 }
 
 TEST(ChainRunner, SeveralTriesAreUnbiased) {
-  ChainSettings settings;
+  PrimarySettings settings;
   settings.probabilities = {0.3, 0.2, 0.2};
   settings.tries = 4;
   for (const bool combined : {false, true}) {
@@ -87,15 +86,15 @@ TEST(ChainRunner, SeveralTriesMoveTheChainMoreOften) {
   ToyTarget target(toy.function);
   double acceptance[2] = {0.0, 0.0};
   for (const int tries : {1, 8}) {
-    ChainSettings settings;
+    PrimarySettings settings;
     settings.tries = tries;
-    ChainRunner runner(settings, mutation, kToyShape, target);
-    Chain chain = testing::exact_start(toy, 23, 0);
+    PrimaryRunner runner(settings, mutation, kToyShape, target);
+    PrimaryChain chain = testing::exact_start(toy, 23, 0);
     Histogram histogram(toy.fractions.size());
     const ChainStatistics statistics = runner.run(chain, 20000, histogram);
-    for (const auto& kind : statistics.kinds) acceptance[tries > 1 ? 1 : 0] += kind.acceptances;
-    EXPECT_EQ(statistics.large_steps.count,
-              statistics.of(StepKind::Large).proposals * static_cast<std::uint64_t>(tries));
+    for (const auto& kind : statistics.moves) acceptance[tries > 1 ? 1 : 0] += kind.acceptances;
+    EXPECT_EQ(statistics.large_steps.count, statistics.moves[move_of(StepKind::Large)].proposals *
+                                                static_cast<std::uint64_t>(tries));
   }
   EXPECT_GT(acceptance[1], 2.0 * acceptance[0]);
 }
@@ -104,13 +103,13 @@ TEST(ChainRunner, CombinationWithLargeStepsHelpsDimBins) {
   const GaussianMutation mutation(0.03);
   const Toy toy = testing::step();
   ToyTarget target(toy.function);
-  ChainSettings settings;
+  PrimarySettings settings;
   settings.probabilities.large = 0.5;
-  ChainRunner runner(settings, mutation, kToyShape, target);
+  PrimaryRunner runner(settings, mutation, kToyShape, target);
   testing::Mean dimmest[2];
   for (const bool combined : {false, true}) {
     for (std::uint64_t i = 0; i < 5000; ++i) {
-      Chain chain = testing::exact_start(toy, 22, i);
+      PrimaryChain chain = testing::exact_start(toy, 22, i);
       Histogram histogram(toy.fractions.size());
       runner.run(chain, 40, histogram, combined ? std::optional(toy.mean) : std::nullopt);
       dimmest[combined ? 1 : 0].add(histogram.sums().back());
@@ -125,7 +124,7 @@ TEST(ChainRunner, SeedsFromABootstrapMakeShortChainsUnbiased) {
   const KelemenMutation mutation;
   const Toy toy = testing::product();
   ToyTarget target(toy.function);
-  ChainRunner runner({}, mutation, kToyShape, target);
+  PrimaryRunner runner({}, mutation, kToyShape, target);
   std::vector<testing::Mean> means(toy.fractions.size());
   testing::Mean refined;
   for (std::uint64_t replicate = 0; replicate < 3000; ++replicate) {
@@ -140,8 +139,8 @@ TEST(ChainRunner, SeedsFromABootstrapMakeShortChainsUnbiased) {
     Histogram histogram(toy.fractions.size());
     ChainStatistics statistics;
     for (std::size_t i = 0; i < seeds.size(); ++i) {
-      Chain chain(kToyShape, hash_numbers(replicate, i, 2), bootstrap_key(replicate, seeds[i]),
-                  weights[seeds[i]]);
+      PrimaryChain chain(kToyShape, hash_numbers(replicate, i, 2),
+                         bootstrap_key(replicate, seeds[i]), weights[seeds[i]]);
       statistics += runner.run(chain, 5, histogram);
     }
     refined.add(statistics.large_steps.mean());
@@ -158,28 +157,28 @@ TEST(ChainRunner, WeightsAddUpToTheNumberOfSteps) {
   const KelemenMutation mutation;
   for (const Toy& toy : testing::toys()) {
     ToyTarget target(toy.function);
-    ChainRunner runner({}, mutation, kToyShape, target);
-    Chain chain = testing::exact_start(toy, 3, 1);
+    PrimaryRunner runner({}, mutation, kToyShape, target);
+    PrimaryChain chain = testing::exact_start(toy, 3, 1);
     Histogram histogram(toy.fractions.size());
     const ChainStatistics statistics = runner.run(chain, 1000, histogram);
     EXPECT_NEAR(sum(histogram.sums()), 1000.0, 1e-3);
     EXPECT_EQ(statistics.steps, 1000U);
     EXPECT_EQ(chain.step, 1000U);
-    EXPECT_EQ(statistics.large_steps.count, statistics.of(StepKind::Large).proposals);
+    EXPECT_EQ(statistics.large_steps.count, statistics.moves[move_of(StepKind::Large)].proposals);
     EXPECT_NEAR(static_cast<double>(statistics.large_steps.count), 300.0, 5.0 * 14.5);
   }
 }
 
 TEST(ChainRunner, ARunCutInPiecesIsTheSameChain) {
   const KelemenMutation mutation;
-  ChainSettings settings;
+  PrimarySettings settings;
   settings.probabilities = {0.2, 0.3, 0.3};
   for (const Toy& toy : testing::toys()) {
     ToyTarget target(toy.function);
-    ChainRunner runner(settings, mutation, kToyShape, target);
-    ChainRunner other_runner(settings, mutation, kToyShape, target);
-    Chain whole = testing::exact_start(toy, 3, 2);
-    Chain pieces = whole;
+    PrimaryRunner runner(settings, mutation, kToyShape, target);
+    PrimaryRunner other_runner(settings, mutation, kToyShape, target);
+    PrimaryChain whole = testing::exact_start(toy, 3, 2);
+    PrimaryChain pieces = whole;
     Histogram histogram(toy.fractions.size());
     Histogram of_pieces(toy.fractions.size());
     const ChainStatistics statistics = runner.run(whole, 600, histogram);
@@ -206,8 +205,8 @@ TEST(ChainRunner, LongestStreakGoesOnFromRunToRun) {
     return ToyValue{same ? 1.0 : 0.0, 0};
   });
   const KelemenMutation mutation;
-  ChainRunner runner({}, mutation, kToyShape, target);
-  Chain chain(kToyShape, 5, bootstrap_key(1, 1), 1.0);
+  PrimaryRunner runner({}, mutation, kToyShape, target);
+  PrimaryChain chain(kToyShape, 5, bootstrap_key(1, 1), 1.0);
   Histogram histogram(1);
   ChainStatistics statistics = runner.run(chain, 30, histogram);
   statistics += runner.run(chain, 20, histogram);
@@ -222,10 +221,10 @@ TEST(ChainRunner, RefusesATargetThatIsNoFunctionOfItsNumbers) {
     return ToyValue{1.0 + double{numbers.get(testing::kCameraX)} + 1e-15 * ++calls, 0};
   });
   const KelemenMutation mutation;
-  ChainRunner runner({}, mutation, kToyShape, target);
+  PrimaryRunner runner({}, mutation, kToyShape, target);
   BootstrapSource start(1, 1);
   SplatBuffer splats;
-  Chain chain(kToyShape, 123, bootstrap_key(1, 1), target.evaluate(start, {}, splats));
+  PrimaryChain chain(kToyShape, 123, bootstrap_key(1, 1), target.evaluate(start, {}, splats));
   Histogram histogram(1);
   try {
     runner.run(chain, 10, histogram);
@@ -243,8 +242,8 @@ TEST(ChainRunner, RefusesAStartWithoutLight) {
   Histogram histogram(1);
   for (const double bad : {0.0, -1.0, std::nan(""), std::numeric_limits<double>::infinity()}) {
     ToyTarget target([bad](SampleSource&) { return ToyValue{bad, 0}; });
-    ChainRunner runner({}, mutation, kToyShape, target);
-    Chain chain(kToyShape, 1, 1, bad);
+    PrimaryRunner runner({}, mutation, kToyShape, target);
+    PrimaryChain chain(kToyShape, 1, 1, bad);
     EXPECT_THROW(runner.run(chain, 1, histogram), std::logic_error);
   }
 }
@@ -260,11 +259,11 @@ TEST(ChainRunner, CountsDiscardedProposalsAndNeverAcceptsThem) {
   std::uint64_t index = 0;
   while (BootstrapSource(1, index).get(testing::kCameraX) >= 0.5F) ++index;
   const KelemenMutation mutation;
-  ChainSettings settings;
+  PrimarySettings settings;
   settings.probabilities.large = 1.0;
-  ChainRunner runner(settings, mutation, kToyShape, target);
+  PrimaryRunner runner(settings, mutation, kToyShape, target);
   for (const bool combined : {false, true}) {
-    Chain chain(kToyShape, 17, bootstrap_key(1, index), 1.0);
+    PrimaryChain chain(kToyShape, 17, bootstrap_key(1, index), 1.0);
     Histogram histogram(2);
     const ChainStatistics statistics =
         runner.run(chain, 10000, histogram, combined ? std::optional(0.5) : std::nullopt);
@@ -285,8 +284,8 @@ TEST(ChainRunner, RefusesACombinationWithoutB) {
   const KelemenMutation mutation;
   const Toy toy = testing::step();
   ToyTarget target(toy.function);
-  ChainRunner runner({}, mutation, kToyShape, target);
-  Chain chain = testing::exact_start(toy, 3, 1);
+  PrimaryRunner runner({}, mutation, kToyShape, target);
+  PrimaryChain chain = testing::exact_start(toy, 3, 1);
   Histogram histogram(36);
   for (const double bad : {0.0, -1.0, std::nan("")}) {
     EXPECT_THROW(runner.run(chain, 1, histogram, bad), std::invalid_argument);
@@ -296,13 +295,13 @@ TEST(ChainRunner, RefusesACombinationWithoutB) {
 TEST(ChainRunner, RefusesSettingsThatMakeNoSteps) {
   const KelemenMutation mutation;
   ToyTarget target(testing::step().function);
-  ChainSettings settings;
+  PrimarySettings settings;
   settings.probabilities.large = 1.5;
-  EXPECT_THROW(ChainRunner(settings, mutation, kToyShape, target), std::invalid_argument);
+  EXPECT_THROW(PrimaryRunner(settings, mutation, kToyShape, target), std::invalid_argument);
   settings = {};
   for (const float bad : {-1.F, 65.F, std::nanf("")}) {
     settings.sizes.connection[2] = bad;
-    EXPECT_THROW(ChainRunner(settings, mutation, kToyShape, target), std::invalid_argument);
+    EXPECT_THROW(PrimaryRunner(settings, mutation, kToyShape, target), std::invalid_argument);
   }
 }
 
@@ -338,19 +337,19 @@ class CachingTarget final : public Target {
 
 TEST(ChainRunner, ATargetMayKeepTheHalfThatDidNotChange) {
   const KelemenMutation mutation;
-  ChainSettings settings;
+  PrimarySettings settings;
   settings.probabilities = {0.1, 0.45, 0.45};
   CachingTarget caching(true);
   CachingTarget plain(false);
-  ChainRunner with_cache(settings, mutation, kToyShape, caching);
-  ChainRunner without(settings, mutation, kToyShape, plain);
+  PrimaryRunner with_cache(settings, mutation, kToyShape, caching);
+  PrimaryRunner without(settings, mutation, kToyShape, plain);
   // Two chains take turns: a run must not see what the other chain left in the cache.
   for (const std::uint64_t index : {1U, 2U, 1U, 2U}) {
     SplatBuffer splats;
     BootstrapSource start(4, index);
     const double scalar = CachingTarget(false).evaluate(start, {}, splats);
-    Chain a(kToyShape, index, bootstrap_key(4, index), scalar);
-    Chain b = a;
+    PrimaryChain a(kToyShape, index, bootstrap_key(4, index), scalar);
+    PrimaryChain b = a;
     Histogram of_a(2);
     Histogram of_b(2);
     with_cache.run(a, 2000, of_a);
@@ -367,7 +366,7 @@ testing::Mean filtered_brightness(SeedFilter filter, std::uint64_t steps) {
   const GaussianMutation mutation(0.03);
   const Toy toy = testing::peak();
   ToyTarget target(toy.function);
-  ChainRunner runner({}, mutation, kToyShape, target);
+  PrimaryRunner runner({}, mutation, kToyShape, target);
   const double truth = (toy.fractions.front() + toy.fractions.back()) * toy.mean;
   testing::Mean mean;
   for (std::uint64_t replicate = 0; replicate < 4000; ++replicate) {
@@ -382,8 +381,8 @@ testing::Mean filtered_brightness(SeedFilter filter, std::uint64_t steps) {
     const std::vector<std::size_t> seeds =
         choose_seeds(filtered, 4, to_unit_double(hash_numbers(replicate, 1, 1)));
     for (std::size_t i = 0; i < seeds.size(); ++i) {
-      Chain chain(kToyShape, hash_numbers(replicate, i, 2), bootstrap_key(replicate, seeds[i]),
-                  weights[seeds[i]]);
+      PrimaryChain chain(kToyShape, hash_numbers(replicate, i, 2),
+                         bootstrap_key(replicate, seeds[i]), weights[seeds[i]]);
       Histogram histogram(toy.fractions.size());
       runner.run(chain, steps, histogram);
       sum += seed_weight(weights, filtered, filter, seeds[i]) *

@@ -4,11 +4,31 @@
 
 namespace ajar {
 
-ChainStatistics& ChainStatistics::operator+=(const ChainStatistics& other) {
-  for (std::size_t i = 0; i < kinds.size(); ++i) {
-    kinds[i].proposals += other.kinds[i].proposals;
-    kinds[i].acceptances += other.kinds[i].acceptances;
+void add_counts(std::vector<MoveCount>& counts, const std::vector<MoveCount>& others) {
+  counts.resize(std::max(counts.size(), others.size()));
+  for (std::size_t i = 0; i < others.size(); ++i) counts[i] += others[i];
+}
+
+void ChainStatistics::count(const Candidate& candidate, const Place& place) {
+  switch (candidate.fault) {
+    case Fault::None:
+      if (candidate.scalar == 0.0) ++zero;
+      return;
+    case Fault::NotANumber:
+      ++discarded_nan;
+      break;
+    case Fault::Infinite:
+      ++discarded_infinite;
+      break;
+    case Fault::Negative:
+      ++discarded_negative;
+      break;
   }
+  if (!first_discarded) first_discarded = place;
+}
+
+ChainStatistics& ChainStatistics::operator+=(const ChainStatistics& other) {
+  add_counts(moves, other.moves);
   steps += other.steps;
   zero += other.zero;
   discarded_nan += other.discarded_nan;

@@ -1,26 +1,48 @@
 #pragma once
-#include <array>
 #include <cstdint>
 #include <optional>
+#include <vector>
 
+#include "mcmc/kernel.h"
 #include "mcmc/moments.h"
-#include "mcmc/step_kind.h"
 
 namespace ajar {
 
+/// What became of the steps of one kind.
+struct MoveCount {
+  std::uint64_t proposals = 0;
+  double acceptances = 0.0;  ///< sum of the acceptance probabilities
+
+  MoveCount& operator+=(const MoveCount& other) {
+    proposals += other.proposals;
+    acceptances += other.acceptances;
+    return *this;
+  }
+  /// Mean acceptance probability; 0 without proposals.
+  double acceptance() const {
+    return proposals > 0 ? acceptances / static_cast<double>(proposals) : 0.0;
+  }
+  template <typename Archive>
+  void serialize(Archive& archive) {
+    archive(proposals, acceptances);
+  }
+};
+
+/// Adds each count to that of the same place; the shorter of both is filled up.
+void add_counts(std::vector<MoveCount>& counts, const std::vector<MoveCount>& others);
+
 /// What happened in steps of chains; summable over runs.
 struct ChainStatistics {
-  struct Kind {
-    std::uint64_t proposals = 0;
-    double acceptances = 0.0;  ///< sum of the acceptance probabilities
-  };
-  /// Enough to replay a step: the chain's seed and origin, and how many steps lie before it.
+  /// Enough to replay a step: the chain's seed, and how many steps lie before it.
   struct Place {
-    std::uint64_t seed;
-    std::uint64_t origin;
-    std::uint64_t step;
+    std::uint64_t seed = 0;
+    std::uint64_t step = 0;
+    template <typename Archive>
+    void serialize(Archive& archive) {
+      archive(seed, step);
+    }
   };
-  std::array<Kind, kStepKinds> kinds;
+  std::vector<MoveCount> moves;  ///< numbered as in `Kernel::moves`; empty if there was no step
   std::uint64_t steps = 0;
   std::uint64_t zero = 0;  ///< proposals with I = 0, not counting the discarded
   std::uint64_t discarded_nan = 0;
@@ -28,12 +50,19 @@ struct ChainStatistics {
   std::uint64_t discarded_negative = 0;
   std::optional<Place> first_discarded;
   std::uint64_t longest_streak = 0;  ///< of rejections
-  /// I of all large steps, up to a cap: independent samples, with which b can be refined.
+  /// I of all independent candidates, up to a cap: with these b can be refined.
   Moments large_steps;
 
-  const Kind& of(StepKind kind) const { return kinds[static_cast<std::size_t>(kind)]; }
-  Kind& of(StepKind kind) { return kinds[static_cast<std::size_t>(kind)]; }
+  /// A candidate of the step at `place`.
+  void count(const Candidate& candidate, const Place& place);
   ChainStatistics& operator+=(const ChainStatistics& other);
+
+  /// Writes or reads all of it, see core/archive.h.
+  template <typename Archive>
+  void serialize(Archive& archive) {
+    archive(moves, steps, zero, discarded_nan, discarded_infinite, discarded_negative,
+            first_discarded, longest_streak, large_steps);
+  }
 };
 
 }  // namespace ajar

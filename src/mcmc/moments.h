@@ -23,6 +23,10 @@ struct Moments {
     sum_of_squares += other.sum_of_squares;
     return *this;
   }
+  template <typename Archive>
+  void serialize(Archive& archive) {
+    archive(count, sum, sum_of_squares);
+  }
   /// 0 without samples.
   double mean() const { return count == 0 ? 0.0 : sum / static_cast<double>(count); }
   /// Of the mean; infinite for fewer than two samples.

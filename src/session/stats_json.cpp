@@ -110,8 +110,14 @@ void add_chains(const RenderStatistics& s, Json& json) {
                             {"proposals", technique.proposals},
                             {"acceptance", technique.acceptance}});
   }
+  Json by_move = Json::array();
+  for (const ChainReport::OfMove& move : report.moves) {
+    by_move.push_back(
+        {{"move", move.name}, {"proposals", move.proposals}, {"acceptance", move.acceptance}});
+  }
   json["acceptance"] = {{"small", report.small_acceptance},
                         {"large", report.large_acceptance},
+                        {"by_move", by_move},
                         {"by_depth", by_depth},
                         {"by_technique", by_technique},
                         {"longest_rejection_streak", report.longest_rejection_streak}};

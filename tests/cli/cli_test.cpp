@@ -594,7 +594,7 @@ TEST_F(Cli, UnusableOptionsOfChainsAreWrongUsage) {
       {{"importance=black.pfm"}, "is black everywhere"},
       {{"bootstrap=10"}, "bootstrap"},
       {{"mutation=gausian"}, "gaussian"},
-      {{"mutation=fusion", "multi-try=2"}, "multi-try"},
+      {{"mutation=kelemen", "fine-steps=0.1"}, "fine-steps"},
       {{"rule=exakt"}, "exact"},
   };
   for (const Case& c : cases) {

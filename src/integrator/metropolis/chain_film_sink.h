@@ -7,7 +7,7 @@
 #include "integrator/integrator.h"
 #include "integrator/metropolis/path_target.h"
 #include "integrator/metropolis/plane_maps.h"
-#include "mcmc/chain_runner.h"
+#include "mcmc/primary/primary_runner.h"
 
 namespace ajar {
 
@@ -23,7 +23,7 @@ class ChainFilmSink final : public DepositSink {
                 const LightSplit* split = nullptr);
 
   /// `scale` multiplies what is deposited; what is `proposed` is counted in `by_technique`.
-  void begin(double scale, std::vector<ChainStatistics::Kind>* by_technique) {
+  void begin(double scale, std::vector<MoveCount>* by_technique) {
     scale_ = scale;
     by_technique_ = by_technique;
   }
@@ -42,7 +42,7 @@ class ChainFilmSink final : public DepositSink {
   PlaneMaps* maps_;
   const LightSplit* split_;
   double scale_ = 1.0;
-  std::vector<ChainStatistics::Kind>* by_technique_ = nullptr;
+  std::vector<MoveCount>* by_technique_ = nullptr;
 };
 
 }  // namespace ajar

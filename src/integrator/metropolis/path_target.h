@@ -6,7 +6,7 @@
 
 #include "image/importance_map.h"
 #include "integrator/light_split.h"
-#include "mcmc/target.h"
+#include "mcmc/primary/target.h"
 #include "transport/path_sampler.h"
 
 namespace ajar {

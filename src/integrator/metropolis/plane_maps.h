@@ -6,7 +6,7 @@
 #include "core/archive_forward.h"
 #include "image/film.h"
 #include "integrator/metropolis/path_target.h"
-#include "mcmc/plane_moves.h"
+#include "mcmc/primary/plane_moves.h"
 
 namespace ajar {
 

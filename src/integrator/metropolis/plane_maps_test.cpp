@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "mcmc/gaussian_mutation.h"
+#include "mcmc/primary/gaussian_mutation.h"
 
 namespace ajar {
 namespace {

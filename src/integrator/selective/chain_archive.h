@@ -8,36 +8,8 @@
 namespace ajar {
 
 template <Archive A>
-void serialize(A& archive, Moments& moments) {
-  archive(moments.count, moments.sum, moments.sum_of_squares);
-}
-
-template <Archive A>
-void serialize(A& archive, ChainStatistics::Kind& kind) {
-  archive(kind.proposals, kind.acceptances);
-}
-
-template <Archive A>
-void serialize(A& archive, ChainStatistics::Place& place) {
-  archive(place.seed, place.origin, place.step);
-}
-
-template <Archive A>
-void serialize(A& archive, ChainStatistics& statistics) {
-  archive(statistics.kinds, statistics.steps, statistics.zero, statistics.discarded_nan,
-          statistics.discarded_infinite, statistics.discarded_negative, statistics.first_discarded,
-          statistics.longest_streak, statistics.large_steps);
-}
-
-template <Archive A>
 void serialize(A& archive, ChainRecord& record) {
   archive(record.statistics, record.by_technique);
-}
-
-template <Archive A>
-void serialize(A& archive, Chain& chain) {
-  archive(chain.seed, chain.origin, chain.step, chain.streak, chain.step_scale, chain.scalar,
-          chain.numbers);
 }
 
 template <Archive A>
@@ -66,7 +38,7 @@ void serialize_population(A& archive, Population& population, const PrimaryShape
   if constexpr (A::is_loading::value) population.chains.clear();
   for (std::uint64_t i = 0; i < chains; ++i) {
     if constexpr (A::is_loading::value) {
-      population.chains.push_back({Chain(shape, 0, 0, 0.0), {}, 1.0});
+      population.chains.push_back({PrimaryChain(shape, 0, 0, 0.0), {}, 1.0});
     }
     archive(population.chains[static_cast<std::size_t>(i)]);
   }

@@ -5,7 +5,7 @@
 
 #include "core/random.h"
 #include "mcmc/bootstrap.h"
-#include "mcmc/bootstrap_source.h"
+#include "mcmc/primary/bootstrap_source.h"
 
 namespace ajar {
 
@@ -113,7 +113,8 @@ void ChainBootstrap::seed_replicate(int replicate) {
       const std::uint64_t chain_seed =
           hash_numbers(population.seed, 0xc4a15ULL, population.chains.size());
       population.chains.push_back(
-          {Chain(group.shape, chain_seed, bootstrap_key(population.seed, index), weights[index]),
+          {PrimaryChain(group.shape, chain_seed, bootstrap_key(population.seed, index),
+                        weights[index]),
            empty, seed_weight(weights, filtered, plan_.seed_filter, index)});
     }
   }

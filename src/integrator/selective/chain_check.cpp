@@ -7,7 +7,7 @@
 
 #include "core/milestones.h"
 #include "core/parallel_for.h"
-#include "mcmc/chain_source.h"
+#include "mcmc/primary/chain_source.h"
 
 namespace ajar {
 
@@ -23,14 +23,15 @@ void check_moments(const Moments& moments) {
   require(is_sum(moments.sum) && is_sum(moments.sum_of_squares), "samples of chains cannot be");
 }
 
-void check_kinds(std::span<const ChainStatistics::Kind> kinds) {
-  for (const ChainStatistics::Kind& kind : kinds) {
-    require(is_sum(kind.acceptances), "what chains have accepted cannot be");
+void check_counts(std::span<const MoveCount> counts) {
+  for (const MoveCount& count : counts) {
+    require(is_sum(count.acceptances), "what chains have accepted cannot be");
   }
 }
 
 void check_statistics(const ChainStatistics& statistics) {
-  check_kinds(statistics.kinds);
+  require(statistics.moves.size() <= step_names().size(), "chains cannot have made such steps");
+  check_counts(statistics.moves);
   check_moments(statistics.large_steps);
 }
 
@@ -38,8 +39,8 @@ void check_member(const MemberChain& member, std::size_t techniques, double most
   const std::size_t counted = member.record.by_technique.size();
   require(counted == 0 || counted == techniques, "a chain does not fit its population");
   check_statistics(member.record.statistics);
-  check_kinds(member.record.by_technique);
-  const Chain& chain = member.chain;
+  check_counts(member.record.by_technique);
+  const PrimaryChain& chain = member.chain;
   require(static_cast<double>(chain.step) <= most_steps, "a chain has made too many steps");
   require(chain.numbers.can_be_after(chain.step), "a chain has numbers that cannot be");
   require(chain.step_scale > 0.F && chain.step_scale <= StepSizes::kLargest,
@@ -51,7 +52,7 @@ void check_member(const MemberChain& member, std::size_t techniques, double most
 void check_states(const ChainPopulation& population, const ChainPlan& plan) {
   const PathGroup& group = plan.groups[population.group];
   parallel_for(population.chains.size(), [&](std::size_t i) {
-    const Chain& chain = population.chains[i].chain;
+    const PrimaryChain& chain = population.chains[i].chain;
     const auto target = plan.make_target(group, population.replicate);
     ReplaySource source(chain.numbers);
     SplatBuffer splats;
@@ -75,7 +76,7 @@ void check_population(const ChainPopulation& population, const ChainPlan& plan,
   require(population.retired.by_technique.size() <= techniques,
           "a chain does not fit its population");
   check_statistics(population.retired.statistics);
-  check_kinds(population.retired.by_technique);
+  check_counts(population.retired.by_technique);
   check_statistics(population.plain_statistics);
   constexpr double kMostSamples = 0x1p63;
   require(population.samples_behind >= 0.0 && population.samples_behind < kMostSamples,

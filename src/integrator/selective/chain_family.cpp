@@ -420,7 +420,7 @@ std::uint64_t ChainIntegrator::memory_bytes() const {
     for (const MemberChain& member : population.chains) {
       // Of recruits there are a few per chain, which are as large.
       bytes += (recruits_ ? 1 + ChainRecruits::kPerChain : 1) * member.chain.memory_bytes();
-      bytes += sizeof(MemberChain) - sizeof(Chain);
+      bytes += sizeof(MemberChain) - sizeof(PrimaryChain);
     }
   }
   return bytes;

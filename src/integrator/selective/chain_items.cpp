@@ -9,8 +9,8 @@
 #include "core/random.h"
 #include "integrator/metropolis/chain_film_sink.h"
 #include "integrator/selective/chain_archive.h"
-#include "mcmc/bootstrap_source.h"
-#include "mcmc/chain_runner.h"
+#include "mcmc/primary/bootstrap_source.h"
+#include "mcmc/primary/primary_runner.h"
 
 namespace ajar {
 
@@ -92,8 +92,8 @@ void ChainItems::run_chain(const Item& item, std::uint64_t first_sample, std::ui
   const PathGroup& group = plan_.groups[population.group];
   const std::size_t chains = chains_in(population.replicate);
   const auto target = plan_.make_target(group, population.replicate);
-  ChainRunner runner(plan_.chain_settings_of(population.replicate), *plan_.mutation, group.shape,
-                     *target, moves_of(maps, population.replicate));
+  PrimaryRunner runner(plan_.chain_settings_of(population.replicate), *plan_.mutation, group.shape,
+                       *target, moves_of(maps, population.replicate));
   ChainFilmSink sink(film, population.replicate, plan_.view.importance, *target, counters, maps,
                      kept_by(population.replicate));
   const double b = b_[item.population];
@@ -121,7 +121,7 @@ void ChainItems::run_chain(const Item& item, std::uint64_t first_sample, std::ui
   if (statistics.first_discarded && counters.first_discarded.empty()) {
     const auto& place = *statistics.first_discarded;
     counters.first_discarded = "proposal of the chain with seed " + std::to_string(place.seed) +
-                               ", origin " + std::to_string(place.origin) + ", after " +
+                               ", origin " + std::to_string(member.chain.origin) + ", after " +
                                std::to_string(place.step) + " steps";
   }
 }
@@ -147,8 +147,8 @@ void ChainItems::run_plain(ChainPopulation& population, PlaneMaps* maps, Film& f
   const auto count = static_cast<std::uint64_t>(std::max(1.0, share * mutations));
   const PathGroup& group = plan_.groups[population.group];
   const auto target = plan_.make_target(group, population.replicate);
-  ChainRunner runner(plan_.chain_settings_of(population.replicate), *plan_.mutation, group.shape,
-                     *target, moves_of(maps, population.replicate));
+  PrimaryRunner runner(plan_.chain_settings_of(population.replicate), *plan_.mutation, group.shape,
+                       *target, moves_of(maps, population.replicate));
   ChainFilmSink sink(film, population.replicate, plan_.view.importance, *target, counters, maps,
                      kept_by(population.replicate));
   const double scale =
@@ -172,8 +172,8 @@ void ChainItems::run_plain(ChainPopulation& population, PlaneMaps* maps, Film& f
     } else if (scalar < 0.0) {
       ++counters.discarded_negative;
     } else if (scalar > 0.0) {
-      Chain chain(group.shape, hash_numbers(seed, 0xc4a15ULL, index), bootstrap_key(seed, index),
-                  scalar);
+      PrimaryChain chain(group.shape, hash_numbers(seed, 0xc4a15ULL, index),
+                         bootstrap_key(seed, index), scalar);
       sink.begin(scale * capped / static_cast<double>(kSteps), nullptr);
       runner.run(chain, kSteps, sink);
       counters.mutations += kSteps;

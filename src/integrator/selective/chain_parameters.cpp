@@ -2,7 +2,7 @@
 
 #include "integrator/montecarlo/path_family.h"
 #include "integrator/selective/chain_family.h"
-#include "mcmc/make_mutation.h"
+#include "mcmc/primary/make_mutation.h"
 
 namespace ajar {
 
@@ -80,13 +80,14 @@ std::vector<ParameterSpec> chain_parameters(ChainKind kind) {
       number_parameter(
           "fine-steps", "0.2",
           "share of the small steps that have 1/8 or 1/64 of their length, for light that is "
-          "found in narrow places (mutation=gaussian, step=fixed)",
+          "found in narrow places; by default none where steps follow the picture (step=adaptive, "
+          "slemmlt, fusion) or cannot be divided (kelemen)",
           1.0),
       number_parameter(
           "raster-steps", "auto",
           "share of the small steps that move nothing but a path's place on the picture, and keep "
-          "its directions (mutation=gaussian or kelemen, step=fixed, multi-try=1); auto: 0.7, or "
-          "0.9 where chains make nearly all light; none for pssmlt",
+          "its directions; auto: 0.7, or 0.9 where chains make nearly all light; none for pssmlt, "
+          "with several tries, or where steps follow the picture (step=adaptive, slemmlt, fusion)",
           1.0, {"auto"}),
       number_parameter("camera-steps", "0",
                        "share of the other small steps that move the camera's half of a path only",
@@ -163,8 +164,9 @@ std::vector<ParameterSpec> chain_parameters(ChainKind kind) {
        .type = ParameterType::Int,
        .default_value = "1",
        .unit = "paths",
-       .help = "proposals per mutation, of which one is chosen; all of them are counted (multiple-"
-               "try Metropolis)",
+       .help =
+           "proposals per mutation, of which one is chosen; all of them are counted (multiple-"
+           "try Metropolis); steps of raster-steps, and those that follow the picture, have one",
        .choices = {},
        .minimum = 1,
        .maximum = 64},

@@ -8,7 +8,7 @@
 #include "integrator/metropolis/chain_film_sink.h"
 #include "integrator/montecarlo/path_family.h"
 #include "integrator/selective/crop_weights.h"
-#include "mcmc/make_mutation.h"
+#include "mcmc/primary/make_mutation.h"
 
 namespace ajar {
 
@@ -152,29 +152,21 @@ void ChainPlan::read_pilot() {
     pilot_use = pilot_use_of(settings.replicates);
 }
 
-double ChainPlan::share_of_steps(const std::string& name, bool can,
-                                 const std::string& where) const {
-  const double share = parameters.get_float(name);
-  if (can || share == 0.0) return share;
-  if (parameters.given().contains(name)) {
-    throw UsageError(name + ": only with " + where + ", not with mutation=" +
-                     parameters.get_text("mutation") + ", step=" + parameters.get_text("step") +
-                     " and multi-try=" + std::to_string(chain_settings.tries));
-  }
-  return 0.0;
-}
-
 void ChainPlan::read_small_steps() {
   const bool follows_plane = leaves_for_neighbours(parameters.get_text("mutation")) ||
                              parameters.get_text("step") != "fixed";
   StepProbabilities& probabilities = chain_settings.probabilities;
-  probabilities.fine = share_of_steps("fine-steps", mutation->divisible() && !follows_plane,
-                                      "mutation=gaussian and step=fixed");
-  const bool can_raster = chain_settings.tries == 1 && !follows_plane;
-  if (parameters.get_number("raster-steps")) {
-    probabilities.raster = share_of_steps(
-        "raster-steps", can_raster, "mutation=gaussian or kelemen, step=fixed and multi-try=1");
-  } else if (can_raster && kind == ChainKind::OnePath) {
+  // Where the plane says how long steps are, there is no need for others unless the user has one.
+  const bool wants_fine =
+      parameters.given().contains("fine-steps") || (mutation->divisible() && !follows_plane);
+  probabilities.fine = wants_fine ? parameters.get_float("fine-steps") : 0.0;
+  if (probabilities.fine > 0.0 && !mutation->divisible()) {
+    throw UsageError("fine-steps: not with mutation=" + parameters.get_text("mutation") +
+                     ", whose steps cannot be divided: gaussian, slemmlt or fusion");
+  }
+  if (const std::optional<double> share = parameters.get_number("raster-steps")) {
+    probabilities.raster = *share;
+  } else if (kind == ChainKind::OnePath && chain_settings.tries == 1 && !follows_plane) {
     // What they leave as it is, a state of pssmlt would trace again.
     constexpr double kRasterSteps = 0.7;
     probabilities.raster = kRasterSteps;
@@ -182,12 +174,12 @@ void ChainPlan::read_small_steps() {
   }
 }
 
-ChainSettings ChainPlan::chain_settings_of(int replicate) const {
+PrimarySettings ChainPlan::chain_settings_of(int replicate) const {
   // Below this threshold, what chains make has no islands that only other steps would lead to.
   constexpr double kLow = 0.3;
   constexpr double kRounding = 1.001;
   constexpr double kRasterSteps = 0.9;
-  ChainSettings own = chain_settings;
+  PrimarySettings own = chain_settings;
   if (raster_steps_follow_split && splits &&
       static_cast<double>(splits->of(replicate).highest_threshold()) <=
           kLow * kRounding * brightness) {
@@ -207,11 +199,6 @@ void ChainPlan::read_plane() {
   plane.shorten = parameters.get_float("lambda1");
   plane.lengthen = parameters.get_float("lambda2");
   plane.neighbour_visits = parameters.get_float("w");
-  if (plane.active() && chain_settings.tries > 1) {
-    throw UsageError(
-        "multi-try: several proposals per mutation need steps that are the same everywhere, so not "
-        "step=adaptive, mutation=slemmlt or mutation=fusion");
-  }
 }
 
 std::uint64_t ChainPlan::pixels() const {

@@ -13,8 +13,8 @@
 #include "integrator/selective/selective_settings.h"
 #include "integrator/strong_paths.h"
 #include "mcmc/bootstrap.h"
-#include "mcmc/chain_runner.h"
-#include "mcmc/plane_moves.h"
+#include "mcmc/primary/plane_moves.h"
+#include "mcmc/primary/primary_runner.h"
 
 namespace ajar {
 
@@ -64,7 +64,7 @@ struct ChainPlan {
   /// per pixel that a pilot has rendered.
   void leave_to_omc(std::uint64_t kept);
   /// How its chains move: where they make nearly all light, steps on the raster pay more.
-  ChainSettings chain_settings_of(int replicate) const;
+  PrimarySettings chain_settings_of(int replicate) const;
   /// So many mutations per pixel and camera sample that neither half is forgotten.
   static constexpr double kFewestMutations = 1.0 / 128;
   static constexpr double kMostMutations = 16.0;
@@ -125,7 +125,7 @@ struct ChainPlan {
   std::uint64_t wanted_chains;  ///< 0: as many as suit the picture
   SeedFilter seed_filter;
   double seed_spread;  ///< standard deviations above which a seed is an outlier
-  ChainSettings chain_settings;
+  PrimarySettings chain_settings;
   std::unique_ptr<Mutation> mutation;
   PlaneRule plane;
   ChainView view;
@@ -145,9 +145,6 @@ struct ChainPlan {
   void read_pilot();
   void read_importance();
   void read_small_steps();
-  /// A share of the small steps that this mutation may not be able to make (`where` says which
-  /// can): 0 then. Raises UsageError if the user wants it nevertheless.
-  double share_of_steps(const std::string& name, bool can, const std::string& where) const;
   void read_plane();
 };
 

@@ -6,29 +6,25 @@
 #include <vector>
 
 #include "core/random.h"
-#include "mcmc/chain.h"
 #include "mcmc/chain_statistics.h"
 #include "mcmc/moments.h"
+#include "mcmc/primary/primary_chain.h"
 
 namespace ajar {
 
 /// What chains have done.
 struct ChainRecord {
   ChainStatistics statistics;
-  std::vector<ChainStatistics::Kind> by_technique;  ///< numbered as in the group's choice
+  std::vector<MoveCount> by_technique;  ///< numbered as in the group's choice
 
   void add(const ChainRecord& other) {
     statistics += other.statistics;
-    by_technique.resize(std::max(by_technique.size(), other.by_technique.size()));
-    for (std::size_t i = 0; i < other.by_technique.size(); ++i) {
-      by_technique[i].proposals += other.by_technique[i].proposals;
-      by_technique[i].acceptances += other.by_technique[i].acceptances;
-    }
+    add_counts(by_technique, other.by_technique);
   }
 };
 
 struct MemberChain {
-  Chain chain;
+  PrimaryChain chain;
   ChainRecord record;
   double weight = 1.0;  ///< of what it deposits, relative to other chains (`seed_weight`)
 

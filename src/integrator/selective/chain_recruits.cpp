@@ -13,8 +13,8 @@
 #include "integrator/montecarlo/path_family.h"
 #include "integrator/selective/chain_archive.h"
 #include "mcmc/bootstrap.h"
-#include "mcmc/chain_source.h"
 #include "mcmc/counter_random.h"
+#include "mcmc/primary/chain_source.h"
 
 namespace ajar {
 
@@ -63,7 +63,7 @@ class ChainRecruits::Sink final : public StrongPathSink {
 
 double ChainRecruits::evaluate(const Recruit& recruit, SplatBuffer& splats, RayCounts& rays) const {
   const PathGroup& group = plan_.group_of(recruit.path.technique.depth());
-  const Chain chain = recruit.numbers.start_chain(plan_, group, recruit.path);
+  const PrimaryChain chain = recruit.numbers.start_chain(plan_, group, recruit.path);
   const auto target = plan_.make_target(group, recruit.path.replicate);
   ReplaySource replay(chain.numbers);
   const double scalar = target->evaluate(replay, Change{}, splats);
@@ -313,7 +313,7 @@ void ChainRecruits::resample(ChainPopulation& population,
       member.weight = std::copysign(1.0, member.weight);
     } else {
       const Recruit& recruit = *recruits[index - old.size()];
-      Chain chain = recruit.numbers.start_chain(plan_, group, recruit.path);
+      PrimaryChain chain = recruit.numbers.start_chain(plan_, group, recruit.path);
       RayCounts rays;
       splats.clear();
       chain.scalar = recruit.scalar ? *recruit.scalar : evaluate(recruit, splats, rays);

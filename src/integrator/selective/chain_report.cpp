@@ -91,29 +91,29 @@ ChainReport report_chains(const ChainPlan& plan, std::span<const ChainPopulation
     depth.b_standard_error = std::sqrt(variance) / plan.settings.replicates;
     const ChainStatistics& own = record.statistics;
     depth.mutations += own.steps;
-    double accepted = 0.0;
-    for (const ChainStatistics::Kind& kind : own.kinds) accepted += kind.acceptances;
-    if (own.steps > 0) depth.acceptance = accepted / static_cast<double>(own.steps);
+    MoveCount all;
+    for (const MoveCount& move : own.moves) all += move;
+    depth.acceptance = all.acceptance();
     for (std::size_t s = 0; s < record.by_technique.size(); ++s) {
-      const ChainStatistics::Kind& kind = record.by_technique[s];
-      if (kind.proposals == 0) continue;
-      report.techniques.push_back(
-          {choice[s], kind.proposals, kind.acceptances / static_cast<double>(kind.proposals)});
+      const MoveCount& count = record.by_technique[s];
+      if (count.proposals == 0) continue;
+      report.techniques.push_back({choice[s], count.proposals, count.acceptance()});
     }
     report.depths.push_back(depth);
     whole += own;
   }
-  const auto mean = [](std::initializer_list<ChainStatistics::Kind> kinds) {
-    ChainStatistics::Kind sum;
-    for (const ChainStatistics::Kind& kind : kinds) {
-      sum.proposals += kind.proposals;
-      sum.acceptances += kind.acceptances;
+  MoveCount small;
+  for (std::size_t i = 0; i < whole.moves.size(); ++i) {
+    const MoveCount& move = whole.moves[i];
+    if (move.proposals == 0) continue;
+    report.moves.push_back({std::string(step_names()[i]), move.proposals, move.acceptance()});
+    if (i == move_of(StepKind::Large)) {
+      report.large_acceptance = move.acceptance();
+    } else {
+      small += move;
     }
-    return sum.proposals > 0 ? sum.acceptances / static_cast<double>(sum.proposals) : 0.0;
-  };
-  report.large_acceptance = mean({whole.of(StepKind::Large)});
-  report.small_acceptance = mean({whole.of(StepKind::SmallBoth), whole.of(StepKind::SmallCamera),
-                                  whole.of(StepKind::SmallLight), whole.of(StepKind::SmallRaster)});
+  }
+  report.small_acceptance = small.acceptance();
   report.longest_rejection_streak = whole.longest_streak;
   return report;
 }

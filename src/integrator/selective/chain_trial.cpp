@@ -7,7 +7,7 @@
 #include "integrator/metropolis/chain_film_sink.h"
 #include "integrator/selective/chain_bootstrap.h"
 #include "integrator/selective/weighted_errors.h"
-#include "mcmc/chain_runner.h"
+#include "mcmc/primary/primary_runner.h"
 
 namespace ajar {
 
@@ -83,7 +83,7 @@ void ChainTrial::run(std::uint64_t item, Counters& counters) {
   Half& half = halves_[own.half];
   const PathGroup& group = plan_.groups[population.group];
   const auto target = plan_.make_target(group, population.replicate);
-  ChainRunner runner(plan_.chain_settings, *plan_.mutation, group.shape, *target);
+  PrimaryRunner runner(plan_.chain_settings, *plan_.mutation, group.shape, *target);
   Counters discarded;
   ChainFilmSink sink(*film_, static_cast<int>(own.picture), plan_.view.importance, *target,
                      discarded);

@@ -28,9 +28,9 @@ bool PathNumbers::fit(const StrongPath& path) const {
                      [](float number) { return number >= 0.F && number < 1.F; });
 }
 
-Chain PathNumbers::start_chain(const ChainPlan& plan, const PathGroup& group,
-                               const StrongPath& path) const {
-  Chain chain(group.shape, hash_numbers(path.key(), 0xc4a15ULL), path.key(), 0.0);
+PrimaryChain PathNumbers::start_chain(const ChainPlan& plan, const PathGroup& group,
+                                      const StrongPath& path) const {
+  PrimaryChain chain(group.shape, hash_numbers(path.key(), 0xc4a15ULL), path.key(), 0.0);
   ChainNumbers& to = chain.numbers;
   auto from = numbers_.begin();
   const auto copy = [&](Stream stream, int vertices) {

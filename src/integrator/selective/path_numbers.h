@@ -3,7 +3,7 @@
 
 #include "integrator/selective/chain_plan.h"
 #include "integrator/strong_paths.h"
-#include "mcmc/chain.h"
+#include "mcmc/primary/primary_chain.h"
 
 namespace ajar {
 
@@ -24,7 +24,8 @@ class PathNumbers {
 
   /// A chain at the path, with I = 0: its target has yet to be asked. Numbers that the path does
   /// not use, and the place within the technique's share of the choice among techniques, are fresh.
-  Chain start_chain(const ChainPlan& plan, const PathGroup& group, const StrongPath& path) const;
+  PrimaryChain start_chain(const ChainPlan& plan, const PathGroup& group,
+                           const StrongPath& path) const;
 
  private:
   std::vector<float> numbers_;  ///< blocks of the camera's vertices, then the light's

@@ -6,11 +6,11 @@
 #include <span>
 #include <vector>
 
-#include "mcmc/bootstrap_source.h"
-#include "mcmc/chain.h"
-#include "mcmc/chain_runner.h"
-#include "mcmc/chain_source.h"
-#include "mcmc/target.h"
+#include "mcmc/primary/bootstrap_source.h"
+#include "mcmc/primary/chain_source.h"
+#include "mcmc/primary/primary_chain.h"
+#include "mcmc/primary/primary_runner.h"
+#include "mcmc/primary/target.h"
 
 /// Targets whose distribution is known, for tests of chains.
 namespace ajar::testing {
@@ -163,15 +163,15 @@ inline std::vector<Toy> toys() { return {peak(), step(), product(), variable_dim
 
 /// A chain that starts exactly in the target's distribution: at an independent sample, taken with
 /// probability I / largest. `index` names the chain.
-inline Chain exact_start(const Toy& toy, std::uint64_t seed, std::uint64_t index) {
+inline PrimaryChain exact_start(const Toy& toy, std::uint64_t seed, std::uint64_t index) {
   const std::uint64_t own_seed = hash_numbers(seed, index);
   for (std::uint64_t attempt = 0;; ++attempt) {
     BootstrapSource source(own_seed, attempt);
     const double scalar = toy.function(source).scalar;
     const double u = to_unit_double(counter_bits(own_seed, attempt));
     if (u * toy.largest < scalar) {
-      return Chain(kToyShape, hash_numbers(own_seed, 1, 2), bootstrap_key(own_seed, attempt),
-                   scalar);
+      return PrimaryChain(kToyShape, hash_numbers(own_seed, 1, 2), bootstrap_key(own_seed, attempt),
+                          scalar);
     }
   }
 }

@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "mcmc/gaussian_mutation.h"
-#include "mcmc/plane_moves.h"
+#include "mcmc/primary/gaussian_mutation.h"
+#include "mcmc/primary/plane_moves.h"
 
 /// A target on the image plane whose chains can be followed exactly: pixels are points, so that the
 /// distribution of a chain is a vector and a step a matrix.

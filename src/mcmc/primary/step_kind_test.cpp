@@ -1,4 +1,4 @@
-#include "mcmc/step_kind.h"
+#include "mcmc/primary/step_kind.h"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@ namespace {
 TEST(StepKind, IsChosenWithItsProbability) {
   const StepProbabilities probabilities{0.3, 0.5, 0.25, 0.0, 0.6};
   constexpr int kSamples = 100000;
-  std::array<int, kStepKinds> counts{};
+  std::vector<int> counts(step_names().size());
   for (int i = 0; i < kSamples; ++i) {
     ++counts[static_cast<std::size_t>(probabilities.choose((i + 0.5) / kSamples))];
   }

@@ -6,9 +6,9 @@
 #include <stdexcept>
 #include <vector>
 
-#include "mcmc/mutation.h"
-#include "mcmc/step_kind.h"
-#include "mcmc/step_sizes.h"
+#include "mcmc/primary/mutation.h"
+#include "mcmc/primary/step_kind.h"
+#include "mcmc/primary/step_sizes.h"
 #include "transport/sample_source.h"
 
 namespace ajar {

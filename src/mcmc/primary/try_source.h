@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "mcmc/chain_source.h"
+#include "mcmc/primary/chain_source.h"
 
 namespace ajar {
 
@@ -20,6 +20,11 @@ class TrySource final : public SampleSource {
   /// tries; `key` names the randomness of this step.
   void move_from_centre(const Change& change, std::uint64_t key);
 
+  /// Of the try, as far as it has asked for its numbers: whether it places itself by the raster
+  /// numbers, and what they are then.
+  bool uses_raster() const { return raster_use_.used(); }
+  const Vec2& raster() const { return raster_; }
+
   float get(SampleAddress address) override {
     const Vec2 pair = get_pair(address);
     return (static_cast<unsigned>(address.slot()) & 1U) == 0 ? pair.x : pair.y;
@@ -27,10 +32,14 @@ class TrySource final : public SampleSource {
   Vec2 get_pair(SampleAddress address) override;
 
  private:
+  Vec2 pair_at(SampleAddress address);
+
   ChainSource& centre_;
   bool fresh_ = true;
   Change change_;
   std::uint64_t key_ = 0;
+  RasterUse raster_use_;
+  Vec2 raster_{0.F, 0.F};
   std::uint64_t try_ = 0;            ///< number of the try
   std::vector<std::uint64_t> made_;  ///< for which try each block holds numbers
   std::vector<std::array<float, kBlockSize>> blocks_;

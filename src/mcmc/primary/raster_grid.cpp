@@ -1,4 +1,4 @@
-#include "mcmc/raster_grid.h"
+#include "mcmc/primary/raster_grid.h"
 
 #include <algorithm>
 #include <cmath>

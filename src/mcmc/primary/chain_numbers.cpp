@@ -1,10 +1,10 @@
-#include "mcmc/chain_numbers.h"
+#include "mcmc/primary/chain_numbers.h"
 
 #include <algorithm>
 #include <stdexcept>
 #include <string>
 
-#include "mcmc/counter_random.h"
+#include "mcmc/primary/fresh_numbers.h"
 
 namespace ajar {
 

@@ -1,4 +1,4 @@
-#include "mcmc/chain_source.h"
+#include "mcmc/primary/chain_source.h"
 
 #include <gtest/gtest.h>
 
@@ -6,10 +6,10 @@
 #include <stdexcept>
 #include <vector>
 
-#include "mcmc/bootstrap_source.h"
-#include "mcmc/chain.h"
-#include "mcmc/gaussian_mutation.h"
-#include "mcmc/kelemen_mutation.h"
+#include "mcmc/primary/bootstrap_source.h"
+#include "mcmc/primary/gaussian_mutation.h"
+#include "mcmc/primary/kelemen_mutation.h"
+#include "mcmc/primary/primary_chain.h"
 #include "scene/testing/statistics.h"
 
 namespace ajar {
@@ -38,7 +38,7 @@ std::vector<float> replayed(const ChainNumbers& numbers) {
 }
 
 TEST(ChainNumbers, AChainAtDepth16FitsInFourKibibytes) {
-  const Chain chain({17, 17}, 1, 2, 1.0);
+  const PrimaryChain chain({17, 17}, 1, 2, 1.0);
   // Everything the chain occupies between runs, and in a run the undo log on top, which one thread
   // has once for all its chains.
   EXPECT_LE(chain.memory_bytes(), 2048U);

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "core/vector.h"
-#include "mcmc/mutation.h"
-#include "mcmc/raster_grid.h"
+#include "mcmc/primary/mutation.h"
+#include "mcmc/primary/raster_grid.h"
 
 namespace ajar {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "mcmc/mutation.h"
+#include "mcmc/primary/mutation.h"
 
 namespace ajar {
 

@@ -1,8 +1,15 @@
-#include "mcmc/step_kind.h"
+#include "mcmc/primary/step_kind.h"
 
+#include <array>
 #include <stdexcept>
 
 namespace ajar {
+
+std::span<const std::string_view> step_names() {
+  static constexpr std::array<std::string_view, 5> kNames = {"large", "small", "camera", "light",
+                                                             "raster"};
+  return kNames;
+}
 
 void StepProbabilities::check() const {
   if (!(large >= 0.0 && large <= 1.0 && camera_half >= 0.0 && light_half >= 0.0 &&

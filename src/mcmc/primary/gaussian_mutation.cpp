@@ -1,4 +1,4 @@
-#include "mcmc/gaussian_mutation.h"
+#include "mcmc/primary/gaussian_mutation.h"
 
 #include <algorithm>
 #include <array>
@@ -7,8 +7,8 @@
 
 #include "core/vector.h"
 #include "mcmc/counter_random.h"
-#include "mcmc/fast_math.h"
-#include "mcmc/unit_grid.h"
+#include "mcmc/primary/fast_math.h"
+#include "mcmc/primary/unit_grid.h"
 
 namespace ajar {
 

@@ -1,8 +1,8 @@
-#include "mcmc/try_source.h"
+#include "mcmc/primary/try_source.h"
 
 #include <algorithm>
 
-#include "mcmc/counter_random.h"
+#include "mcmc/primary/fresh_numbers.h"
 
 namespace ajar {
 
@@ -16,16 +16,26 @@ TrySource::TrySource(ChainSource& centre, const PrimaryShape& shape)
 void TrySource::make_fresh(std::uint64_t key) {
   fresh_ = true;
   key_ = key;
+  raster_use_.forget();
 }
 
 void TrySource::move_from_centre(const Change& change, std::uint64_t key) {
   fresh_ = false;
   change_ = change;
   key_ = key;
+  raster_use_.forget();
   ++try_;
 }
 
 Vec2 TrySource::get_pair(SampleAddress address) {
+  const bool knew = raster_use_.used();
+  raster_use_.note(address);
+  const Vec2 pair = pair_at(address);
+  if (raster_use_.used() && !knew) raster_ = pair;
+  return pair;
+}
+
+Vec2 TrySource::pair_at(SampleAddress address) {
   if (fresh_) return fresh_pair(key_, address);
   if (!change_.moves(address.stream())) return centre_.get_pair(address);
   const std::size_t index = centre_.block_of(address);

@@ -1,4 +1,4 @@
-#include "mcmc/mutation.h"
+#include "mcmc/primary/mutation.h"
 
 #include <gtest/gtest.h>
 
@@ -10,11 +10,11 @@
 
 #include "core/error.h"
 #include "core/random.h"
-#include "mcmc/gaussian_mutation.h"
-#include "mcmc/kelemen_mutation.h"
-#include "mcmc/make_mutation.h"
-#include "mcmc/step_sizes.h"
-#include "mcmc/unit_grid.h"
+#include "mcmc/primary/gaussian_mutation.h"
+#include "mcmc/primary/kelemen_mutation.h"
+#include "mcmc/primary/make_mutation.h"
+#include "mcmc/primary/step_sizes.h"
+#include "mcmc/primary/unit_grid.h"
 #include "scene/testing/statistics.h"
 
 namespace ajar {

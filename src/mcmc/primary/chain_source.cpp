@@ -1,11 +1,11 @@
-#include "mcmc/chain_source.h"
+#include "mcmc/primary/chain_source.h"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 #include <stdexcept>
 
-#include "mcmc/counter_random.h"
+#include "mcmc/primary/fresh_numbers.h"
 
 namespace ajar {
 
@@ -93,7 +93,8 @@ void ChainSource::prepare(SampleAddress address, std::size_t block) {
   } else {
     const std::uint64_t key = block_key(move_key_, address.stream(), address.vertex());
     mutation_.perturb(numbers, *undo.scales, length(), key);
-    if (plane_ != nullptr && block == kRasterBlock && current_uses_raster_ && raster_use_.used()) {
+    const bool may_follow = plane_ != nullptr && units_ == kStepUnits && block == kRasterBlock;
+    if (may_follow && current_uses_raster_ && raster_use_.used()) {
       follow_plane(numbers, undo, key);
     }
   }
@@ -130,11 +131,14 @@ void ChainSource::accept() {
   } else {
     numbers_->advance(change_, units_);
   }
-  current_uses_raster_ = raster_use_.used();
+  const auto block = numbers_->block(kRasterBlock);
+  arrive(raster_use_.used(), Vec2(block[kRasterX], block[kRasterX + 1]));
+}
+
+void ChainSource::arrive(bool uses_raster, const Vec2& raster) {
+  current_uses_raster_ = uses_raster;
   if (large_ && plane_ != nullptr && plane_->published()) {
-    const auto block = numbers_->block(kRasterBlock);
-    set_step_scale(current_uses_raster_ ? plane_->factor(Vec2(block[kRasterX], block[kRasterX + 1]))
-                                        : 1.F);
+    set_step_scale(uses_raster ? plane_->factor(raster) : 1.F);
   }
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-#include "mcmc/mutation.h"
+#include "mcmc/primary/mutation.h"
 
 namespace ajar {
 

@@ -1,6 +1,8 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
+#include <span>
+#include <string_view>
 
 #include "transport/sample_source.h"
 
@@ -9,7 +11,10 @@ namespace ajar {
 /// What one step of a chain moves: everything afresh, or by a small step both subpaths, one, or
 /// nothing but the place on the picture.
 enum class StepKind : std::uint8_t { Large, SmallBoth, SmallCamera, SmallLight, SmallRaster };
-inline constexpr std::size_t kStepKinds = 5;
+/// Its number among a kernel's moves.
+constexpr std::size_t move_of(StepKind kind) { return static_cast<std::size_t>(kind); }
+/// Names of the kinds, in this order.
+std::span<const std::string_view> step_names();
 
 /// The numbers that a step may change.
 struct Change {
@@ -63,5 +68,14 @@ struct StepProbabilities {
 /// light's half instead, and never the numbers that decide which of both a state is: so such a step
 /// is as probable as the one back.
 Change change_of(StepKind kind, ConnectionMoves connection, bool uses_raster);
+
+/// What a step knows before it proposes.
+struct PrimaryStep {
+  std::uint64_t key = 0;  ///< names its randomness
+  StepKind kind = StepKind::Large;
+  Change change;
+  std::uint64_t units = kStepUnits;  ///< of a small step's length
+  bool large() const { return kind == StepKind::Large; }
+};
 
 }  // namespace ajar

@@ -1,4 +1,4 @@
-#include "mcmc/plane_moves.h"
+#include "mcmc/primary/plane_moves.h"
 
 #include <gtest/gtest.h>
 
@@ -6,12 +6,12 @@
 #include <string>
 #include <vector>
 
-#include "mcmc/chain_runner.h"
-#include "mcmc/gaussian_mutation.h"
-#include "mcmc/kelemen_mutation.h"
+#include "mcmc/primary/gaussian_mutation.h"
+#include "mcmc/primary/kelemen_mutation.h"
+#include "mcmc/primary/primary_runner.h"
+#include "mcmc/primary/unit_grid.h"
 #include "mcmc/testing/toy_target.h"
 #include "mcmc/testing/two_rooms.h"
-#include "mcmc/unit_grid.h"
 #include "scene/testing/statistics.h"
 
 namespace ajar {
@@ -253,15 +253,15 @@ std::vector<double> expected_states(const Toy& toy) {
 /// Where chains that start in the target's distribution are after twenty steps, made in two runs
 /// (see chain_stationarity_test.cpp).
 std::vector<double> last_states(const Toy& toy, const Mutation& mutation, const PlaneRule& rule,
-                                const ChainSettings& settings) {
+                                const PrimarySettings& settings) {
   const TwoRooms rooms;
   const PlaneMoves moves(rooms.grid, rule, rooms.pixels, mutation);
   ToyTarget target(toy.function);
-  ChainRunner runner(settings, mutation, testing::kToyShape, target, &moves);
+  PrimaryRunner runner(settings, mutation, testing::kToyShape, target, &moves);
   Nowhere nowhere;
   std::vector<double> counts(toy.fractions.size(), 0.0);
   for (std::uint64_t i = 0; i < kChains; ++i) {
-    Chain chain = testing::exact_start(toy, 11, i);
+    PrimaryChain chain = testing::exact_start(toy, 11, i);
     runner.run(chain, 9, nowhere);
     runner.run(chain, 11, nowhere);
     ReplaySource replay(chain.numbers);
@@ -271,7 +271,7 @@ std::vector<double> last_states(const Toy& toy, const Mutation& mutation, const 
 }
 
 TEST(PlaneMoves, ChainsStayInTheirDistribution) {
-  ChainSettings settings;
+  PrimarySettings settings;
   settings.probabilities = {0.1, 0.2, 0.2};
   settings.connection = {true, false};
   for (const RuleCase& c : exact_rules()) {
@@ -289,9 +289,22 @@ TEST(PlaneMoves, ChainsStayInTheirDistribution) {
   }
 }
 
+TEST(PlaneMoves, ChainsStayInTheirDistributionWithStepsOfEveryKind) {
+  PrimarySettings settings;
+  settings.probabilities = {0.1, 0.1, 0.1, 0.4, 0.3};
+  settings.tries = 3;
+  for (const RuleCase& c : exact_rules()) {
+    for (const Toy& toy : {testing::step(), placed_or_not()}) {
+      SCOPED_TRACE(std::string(c.name) + ", " + toy.name);
+      testing::expect_fits(last_states(toy, GaussianMutation(0.08), c.rule, settings),
+                           expected_states(toy));
+    }
+  }
+}
+
 TEST(PlaneMoves, PublishedChainsLeaveTheirDistribution) {
   // What the test before can notice. 40 cells of χ² vary by 9.
-  ChainSettings settings;
+  PrimarySettings settings;
   settings.probabilities = {0.1, 0.2, 0.2};
   const Toy toy = testing::step();
   for (RuleCase c : exact_rules()) {

@@ -1,21 +1,9 @@
 #pragma once
-#include <cstdint>
-#include <vector>
-
-#include "core/spectrum.h"
-#include "core/vector.h"
-#include "mcmc/step_kind.h"
+#include "mcmc/primary/step_kind.h"
+#include "mcmc/splat.h"
 #include "transport/sample_source.h"
 
 namespace ajar {
-
-/// Light on one place of the film: f / p of a state, MIS weight included.
-struct Splat {
-  Vec2 raster;         ///< pixels of the full image
-  std::int32_t layer;  ///< of the film
-  Spectrum value;
-};
-using SplatBuffer = std::vector<Splat>;
 
 /// What a chain samples from: a function of the primary vector. Used by one thread.
 class Target {

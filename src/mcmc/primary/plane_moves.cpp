@@ -1,4 +1,4 @@
-#include "mcmc/plane_moves.h"
+#include "mcmc/primary/plane_moves.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "mcmc/counter_random.h"
-#include "mcmc/step_sizes.h"
+#include "mcmc/primary/step_sizes.h"
 
 namespace ajar {
 

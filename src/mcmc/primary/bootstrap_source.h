@@ -1,7 +1,7 @@
 #pragma once
 #include <cstdint>
 
-#include "mcmc/counter_random.h"
+#include "mcmc/primary/fresh_numbers.h"
 #include "transport/sample_source.h"
 
 namespace ajar {

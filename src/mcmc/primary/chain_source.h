@@ -4,11 +4,11 @@
 #include <span>
 #include <vector>
 
-#include "mcmc/chain_numbers.h"
-#include "mcmc/mutation.h"
-#include "mcmc/plane_moves.h"
-#include "mcmc/step_kind.h"
-#include "mcmc/step_sizes.h"
+#include "mcmc/primary/chain_numbers.h"
+#include "mcmc/primary/mutation.h"
+#include "mcmc/primary/plane_moves.h"
+#include "mcmc/primary/step_kind.h"
+#include "mcmc/primary/step_sizes.h"
 #include "transport/sample_source.h"
 
 namespace ajar {
@@ -34,11 +34,12 @@ class RasterUse {
 /// takes the move back if the proposal is rejected. Scratch memory of one thread: only one chain
 /// steps at a time. The mutation must outlive it.
 ///
-/// With `PlaneMoves`, the raster numbers of a small step move by them if both the current state and
-/// the proposal use them (`RasterUse`), and by the mutation otherwise. Which of both it is can be
-/// told before the numbers are drawn, since a state's use of them depends on numbers that it asks
-/// for earlier; and it is the same for the step back. So the densities of both directions are
-/// known, and numbers that were not used for a while have missed ordinary steps only.
+/// With `PlaneMoves`, the raster numbers of a small step of full length move by them if both the
+/// current state and the proposal use them (`RasterUse`), and by the mutation otherwise. Which of
+/// both it is can be told before the numbers are drawn, since a state's use of them depends on
+/// numbers that it asks for earlier; and it is the same for the step back. So the densities of both
+/// directions are known, and numbers that were not used for a while have missed ordinary steps
+/// only.
 class ChainSource final : public SampleSource {
  public:
   /// `plane` may be null.
@@ -64,6 +65,9 @@ class ChainSource final : public SampleSource {
   void reject();
   /// Accepts a state one small step away from the proposal instead, as `perturb` makes it.
   void accept_moved(std::uint64_t key);
+  /// Tells of a state that was accepted without its numbers having come from here: whether it
+  /// places itself by the raster numbers, and what they are then.
+  void arrive(bool uses_raster, const Vec2& raster);
   std::size_t block_of(SampleAddress address) const { return numbers_->block_of(address); }
   /// The proposal's block that holds `address`.
   std::span<const float, kBlockSize> moved_block(SampleAddress address) {

@@ -1,4 +1,4 @@
-#include "mcmc/unit_grid.h"
+#include "mcmc/primary/unit_grid.h"
 
 #include <gtest/gtest.h>
 

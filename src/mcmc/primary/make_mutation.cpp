@@ -1,10 +1,10 @@
-#include "mcmc/make_mutation.h"
+#include "mcmc/primary/make_mutation.h"
 
 #include <array>
 
 #include "core/error.h"
-#include "mcmc/gaussian_mutation.h"
-#include "mcmc/kelemen_mutation.h"
+#include "mcmc/primary/gaussian_mutation.h"
+#include "mcmc/primary/kelemen_mutation.h"
 
 namespace ajar {
 

@@ -1,4 +1,4 @@
-#include "mcmc/kelemen_mutation.h"
+#include "mcmc/primary/kelemen_mutation.h"
 
 #include <algorithm>
 #include <array>
@@ -6,8 +6,8 @@
 #include <stdexcept>
 
 #include "mcmc/counter_random.h"
-#include "mcmc/fast_math.h"
-#include "mcmc/unit_grid.h"
+#include "mcmc/primary/fast_math.h"
+#include "mcmc/primary/unit_grid.h"
 
 namespace ajar {
 

@@ -1,4 +1,4 @@
-#include "mcmc/fast_math.h"
+#include "mcmc/primary/fast_math.h"
 
 #include <gtest/gtest.h>
 

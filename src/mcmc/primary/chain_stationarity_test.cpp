@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "mcmc/chain_runner.h"
-#include "mcmc/gaussian_mutation.h"
-#include "mcmc/kelemen_mutation.h"
+#include "mcmc/primary/gaussian_mutation.h"
+#include "mcmc/primary/kelemen_mutation.h"
+#include "mcmc/primary/primary_runner.h"
 #include "mcmc/testing/toy_target.h"
 #include "scene/testing/statistics.h"
 
@@ -25,10 +25,10 @@ struct Nowhere final : DepositSink {
 
 /// Chi-square of the last states. With 40,000 chains, a bin of 5 % that gains or loses 10 % of its
 /// share alone adds 20 to the statistic, one of 20 %, 80.
-void expect_stationary(const Toy& toy, const Mutation& mutation, const ChainSettings& settings,
+void expect_stationary(const Toy& toy, const Mutation& mutation, const PrimarySettings& settings,
                        std::uint64_t steps, std::uint64_t chains = 40000) {
   ToyTarget target(toy.function);
-  ChainRunner runner(settings, mutation, testing::kToyShape, target);
+  PrimaryRunner runner(settings, mutation, testing::kToyShape, target);
   Nowhere nowhere;
   std::vector<double> counts(toy.fractions.size(), 0.0);
   std::vector<double> expected;
@@ -37,7 +37,7 @@ void expect_stationary(const Toy& toy, const Mutation& mutation, const ChainSett
   }
   ChainStatistics statistics;
   for (std::uint64_t i = 0; i < chains; ++i) {
-    Chain chain = testing::exact_start(toy, 11, i);
+    PrimaryChain chain = testing::exact_start(toy, 11, i);
     statistics += runner.run(chain, steps, nowhere);
     ReplaySource replay(chain.numbers);
     ++counts[static_cast<std::size_t>(toy.function(replay).bin)];
@@ -45,7 +45,7 @@ void expect_stationary(const Toy& toy, const Mutation& mutation, const ChainSett
   testing::expect_fits(counts, expected);
   // The chains did move.
   double acceptances = 0.0;
-  for (const auto& kind : statistics.kinds) acceptances += kind.acceptances;
+  for (const auto& kind : statistics.moves) acceptances += kind.acceptances;
   EXPECT_GT(acceptances, 0.2 * static_cast<double>(statistics.steps));
 }
 
@@ -66,7 +66,7 @@ TEST(ChainStationarity, HoldsWithDefaultSteps) {
 }
 
 TEST(ChainStationarity, HoldsWithSmallStepsAlone) {
-  ChainSettings settings;
+  PrimarySettings settings;
   settings.probabilities.large = 0.0;
   settings.sizes.camera_endpoint.fill(4.F);
   settings.sizes.inner_vertex.fill(3.F);
@@ -80,7 +80,7 @@ TEST(ChainStationarity, HoldsWithSmallStepsAlone) {
 }
 
 TEST(ChainStationarity, HoldsWithMovesOfOneHalf) {
-  ChainSettings settings;
+  PrimarySettings settings;
   settings.probabilities = {0.1, 0.4, 0.4};
   settings.sizes.camera_endpoint.fill(5.F);
   for (const bool with_light : {false, true}) {
@@ -97,7 +97,7 @@ TEST(ChainStationarity, HoldsWithMovesOfOneHalf) {
 TEST(ChainStationarity, HoldsForNumbersThatAreSeldomUsed) {
   // Long enough for the errors of lazy numbers to build up: drawn anew after each rejection, they
   // give a statistic of about 2000.
-  ChainSettings settings;
+  PrimarySettings settings;
   settings.probabilities.large = 0.0;
   settings.sizes.camera_endpoint.fill(15.F);
   settings.sizes.inner_vertex.fill(5.F);
@@ -108,7 +108,7 @@ TEST(ChainStationarity, HoldsForNumbersThatAreSeldomUsed) {
 }
 
 TEST(ChainStationarity, HoldsWithSeveralTries) {
-  ChainSettings settings;
+  PrimarySettings settings;
   settings.probabilities = {0.1, 0.3, 0.3};
   settings.connection = {true, false};
   settings.sizes.camera_endpoint.fill(4.F);
@@ -130,7 +130,7 @@ TEST(ChainStationarity, HoldsWithSeveralTries) {
 
 TEST(ChainStationarity, HoldsWithStepsOfSeveralLengths) {
   const GaussianMutation mutation(0.08);
-  ChainSettings settings;
+  PrimarySettings settings;
   settings.probabilities = {0.1, 0.2, 0.2, 0.6};
   for (const Toy& toy : testing::toys()) {
     SCOPED_TRACE(toy.name);
@@ -177,7 +177,7 @@ Toy two_techniques() {
 }
 
 TEST(ChainStationarity, HoldsWithStepsOfTheRasterNumbersAlone) {
-  ChainSettings settings;
+  PrimarySettings settings;
   settings.probabilities = {0.05, 0.2, 0.2, 0.0, 0.7};
   settings.sizes.camera_endpoint.fill(3.F);
   settings.sizes.connection.fill(8.F);
@@ -201,21 +201,30 @@ TEST(ChainStationarity, HoldsWithStepsOfTheRasterNumbersAlone) {
   }
 }
 
-TEST(ChainStationarity, StepsOfTheRasterNumbersAloneAreForOneTry) {
-  ChainSettings settings;
-  settings.probabilities.raster = 0.5;
-  settings.tries = 2;
-  ToyTarget target(testing::peak().function);
-  EXPECT_THROW(ChainRunner(settings, GaussianMutation(0.02), testing::kToyShape, target),
-               std::logic_error);
+TEST(ChainStationarity, HoldsWithSeveralTriesAmongStepsOfEveryKind) {
+  PrimarySettings settings;
+  settings.probabilities = {0.05, 0.2, 0.2, 0.4, 0.5};
+  settings.sizes.camera_endpoint.fill(3.F);
+  settings.sizes.connection.fill(8.F);
+  settings.tries = 3;
+  std::vector<Toy> toys = testing::toys();
+  toys.push_back(two_techniques());
+  for (const Toy& toy : toys) {
+    SCOPED_TRACE(toy.name);
+    expect_stationary(toy, GaussianMutation(0.05), settings, 12);
+  }
+  // Which of both a state is must be known after a step of several tries, too.
+  settings.probabilities = {0.0, 0.0, 0.0, 0.0, 0.5};
+  settings.sizes.connection.fill(15.F);
+  expect_stationary(two_techniques(), GaussianMutation(0.05), settings, 60);
 }
 
 TEST(ChainStationarity, FineStepsNeedAMutationThatDivides) {
-  ChainSettings settings;
+  PrimarySettings settings;
   settings.probabilities.fine = 0.1;
   const KelemenMutation kelemen;
   ToyTarget target(testing::peak().function);
-  EXPECT_THROW(ChainRunner(settings, kelemen, testing::kToyShape, target), std::logic_error);
+  EXPECT_THROW(PrimaryRunner(settings, kelemen, testing::kToyShape, target), std::logic_error);
 }
 
 /// Normal steps with a drift: T(to → from) ≠ T(from → to). Moves the first number of a block only.
@@ -245,7 +254,7 @@ class Drift final : public Mutation {
 };
 
 TEST(ChainStationarity, HoldsForAMutationThatIsNotSymmetric) {
-  ChainSettings settings;
+  PrimarySettings settings;
   settings.probabilities.large = 0.1;
   expect_stationary(testing::peak(), Drift(), settings, 12);
   settings.probabilities.raster = 0.5;

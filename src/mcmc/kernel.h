@@ -1,0 +1,63 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+#include "mcmc/splat.h"
+
+namespace ajar {
+
+/// Why a proposal counts as one without light.
+enum class Fault : std::uint8_t { None, NotANumber, Infinite, Negative };
+
+/// A state that a chain may go to.
+struct Candidate {
+  double scalar = 0.0;       ///< I; 0 if there is a fault
+  double probability = 0.0;  ///< to be the next state
+  Fault fault = Fault::None;
+  SplatBuffer splats;  ///< appended to as the state is evaluated
+
+  /// Takes what a target says of I, as far as chains can go on with it: what is too small for its
+  /// inverse to be finite counts as 0.
+  void take(double value);
+};
+
+/// What one step proposes: one state, or several of which one at most becomes the next.
+struct Proposal {
+  std::size_t move;  ///< in `Kernel::moves`
+  /// Whether the candidates are independent samples of density 1, whatever the current state is
+  /// (large steps of primary sample space).
+  bool independent;
+  std::span<const Candidate> candidates;
+};
+
+/// A transition of Markov chains that keeps the density I / b: proposes from the state that it is
+/// at, says with which probability each candidate is to be the next, and goes there or stays. Holds
+/// the scratch memory of one thread. How it gets to the state of a chain is up to each kernel.
+///
+/// A kernel that mixes moves chooses among them by what does not depend on the state, or has the
+/// choice in its probabilities: then each may be right by itself.
+class Kernel {
+ public:
+  virtual ~Kernel() = default;
+  /// Names, for statistics; constant.
+  virtual std::span<const std::string_view> moves() const = 0;
+  /// Independent candidates per step, on average.
+  virtual double independent_candidates() const { return 0.0; }
+  /// Of the current state.
+  virtual std::span<const Splat> current() const = 0;
+  /// A step. `key` names its randomness. The candidates are the kernel's until its next function is
+  /// called.
+  virtual Proposal propose(std::uint64_t key) = 0;
+  /// One of these two follows: the candidate of that number is the current state from now on, or
+  /// none is.
+  virtual void accept(std::size_t candidate) = 0;
+  virtual void reject() = 0;
+};
+
+/// Metropolis & Hastings: min(1, I(y) T(y → x) / (I(x) T(x → y))), with the logarithm of T(y → x) /
+/// T(x → y).
+double metropolis_hastings(double current, double proposal, double log_ratio);
+
+}  // namespace ajar
