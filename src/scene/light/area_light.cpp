@@ -99,6 +99,24 @@ class AreaLight final : public Light {
                                     const EndpointPoint& point) const override {
     return Pdf<VertexMeasure>(surface_.pdf_toward(reference, point.surface).value());
   }
+  std::optional<EmissionUniforms> invert_emission(const EndpointPoint& point,
+                                                  const Vec3& /*through*/, const Vec3& w,
+                                                  const EmissionUniforms& fresh) const override {
+    const auto at = surface_.invert(point.surface, {fresh.primitive, fresh.position});
+    if (!at || departure_pdf(point.surface, w).value() == 0.F) return std::nullopt;
+    const Vec3 local = Frame::around(point.surface.ng).to_local(w);
+    Vec2 square = warp::uniform_disk_inverse({local.x, local.y});
+    if (two_sided_) square.x = 0.5F * square.x + (local.z < 0.F ? 0.5F : 0.F);
+    return EmissionUniforms{at->primitive, at->position, square};
+  }
+  std::optional<ConnectionUniforms> invert_connection(
+      const Vec3& reference, const EndpointPoint& point,
+      const ConnectionUniforms& fresh) const override {
+    const auto at =
+        surface_.invert_toward(reference, point.surface, {fresh.primitive, fresh.position});
+    if (!at) return std::nullopt;
+    return ConnectionUniforms{at->primitive, at->position};
+  }
 
  private:
   Spectrum radiance_at(const SurfacePoint& at) const { return radiance_ * texture_.eval(at); }

@@ -55,6 +55,13 @@ class MeshSampler final : public SurfaceSampler {
   Pdf<Area> pdf(const SurfacePoint& point) const override {
     return Pdf<Area>(densities_[point.primitive]);
   }
+  std::optional<SurfaceUniforms> invert(const SurfacePoint& point,
+                                        const SurfaceUniforms& fresh) const override {
+    if (!(by_area_.probability(point.primitive) > 0.F)) return std::nullopt;
+    return SurfaceUniforms{
+        by_area_.invert(point.primitive, fresh.primitive),
+        warp::uniform_triangle_inverse(mesh_.barycentric(point.primitive, point.p))};
+  }
 
  private:
   /// `visit(point, probability)` for the corners of all triangles that can be sampled. Authored
