@@ -22,6 +22,7 @@ class AreaLight final : public Light {
   bool at_infinity() const override { return false; }
   bool discrete_position() const override { return false; }
   Spectrum power() const override { return power_; }
+  std::uint32_t primitives() const override { return surface_.primitives(); }
   std::optional<LightBounds> bounds() const override {
     const SurfaceExtent extent = surface_.extent();
     // Projected area over area, along the axis, if normals are spread evenly over their cone: 1 for

@@ -23,6 +23,9 @@ class MeshSampler final : public SurfaceSampler {
     });
   }
   float area() const override { return static_cast<float>(by_area_.total()); }
+  std::uint32_t primitives() const override {
+    return static_cast<std::uint32_t>(densities_.size());
+  }
   SurfaceExtent extent() const override {
     SurfaceExtent extent;
     Vec3d mean(0.0);

@@ -29,6 +29,8 @@ class SurfaceSampler {
   virtual ~SurfaceSampler() = default;
   virtual float area() const = 0;  ///< m²
   virtual SurfaceExtent extent() const = 0;
+  /// Points of it have `SurfacePoint::primitive` below that.
+  virtual std::uint32_t primitives() const { return 1; }
   /// Uniform over the surface (of quadrics under transforms that are not similarities: over the
   /// surface in object space).
   virtual SurfaceSample sample(const SurfaceUniforms& u) const = 0;
