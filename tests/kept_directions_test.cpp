@@ -192,7 +192,8 @@ TEST(KeptDirections, AreThoseOfTheLastSubpathTracedAndAccepted) {
   // The current camera half may stay as it is, in an accepted step of the light half.
   directions.begin();
   directions.accept();
-  const std::optional<LobeInverse> current = vertex.bsdf.inverse(up, tilted(30.0), 0.5F);
+  const std::optional<LobeInverse> current =
+      vertex.bsdf.inverse(up, tilted(30.0), 0.5F, Inverted::Diffuse);
   ASSERT_TRUE(kept());
   EXPECT_EQ(kept()->x, current->direction.x);
   EXPECT_EQ(kept()->y, current->direction.y);

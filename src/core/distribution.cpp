@@ -84,6 +84,19 @@ Distribution2D::Sample Distribution2D::sample(const Vec2& u) const {
               static_cast<float>(height_)};
 }
 
+Vec2 Distribution2D::invert(const Vec2& uv) const {
+  const int x = cell_of(uv.x, width_);
+  const int y = cell_of(uv.y, height_);
+  const auto within = [](float v, int cells, int cell) {
+    const float u = v * static_cast<float>(cells) - static_cast<float>(cell);
+    return std::clamp(u, 0.F, kOneMinusEpsilon);
+  };
+  const auto column = static_cast<std::size_t>(x);
+  const auto line = static_cast<std::size_t>(y);
+  return {row(line).invert(column, within(uv.x, width_, x)),
+          marginal_.invert(line, within(uv.y, height_, y))};
+}
+
 float Distribution2D::pdf(const Vec2& uv) const {
   const int x = cell_of(uv.x, width_);
   const int y = cell_of(uv.y, height_);

@@ -1,10 +1,12 @@
 #pragma once
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "core/unit_interval.h"
 #include "core/vector.h"
 
 namespace ajar {
@@ -26,6 +28,13 @@ class Distribution1D {
   explicit Distribution1D(std::span<const float> weights);
   Choice choose(float u) const { return table().choose(u); }
   float probability(std::size_t index) const { return table().probability(index); }
+  /// A number for which `choose` gives this cell, of probability > 0, and as nearly as floats allow
+  /// position `u` within it. For uniform `u` it is uniform among all that do.
+  float invert(std::size_t index, float u) const { return table().invert(index, u); }
+  /// All of them.
+  UnitInterval interval(std::size_t index) const {
+    return {static_cast<double>(cdf_[index]), static_cast<double>(probability(index))};
+  }
   std::size_t size() const { return cdf_.empty() ? 0 : cdf_.size() - 1; }
   /// Sum of the weights as given.
   double total() const { return total_; }
@@ -57,6 +66,11 @@ class Distribution1D {
       return {index, width, std::min((u - cdf[index]) / width, kOneMinusEpsilon)};
     }
     float probability(std::size_t index) const { return cdf[index + 1] - cdf[index]; }
+    float invert(std::size_t index, float u) const {
+      // Bounds are compared as they are stored, so its own end is as far as it may go.
+      const float number = cdf[index] + u * probability(index);
+      return std::min(number, std::nextafter(cdf[index + 1], 0.F));
+    }
   };
   static std::size_t guides_for(std::size_t cells) {
     return (cells + kCellsPerGuide - 1) / kCellsPerGuide;
@@ -83,6 +97,8 @@ class Distribution2D {
   /// `pdf(sample.uv)` is exactly `sample.pdf`.
   Sample sample(const Vec2& u) const;
   float pdf(const Vec2& uv) const;
+  /// The numbers by which `sample` gives `uv`, where the density is > 0.
+  Vec2 invert(const Vec2& uv) const;
 
  private:
   static float place(const Distribution1D::Choice& choice, int cells);

@@ -149,5 +149,35 @@ TEST(Distribution2D, RefusesWeightsThatDoNotFit) {
   EXPECT_THROW(Distribution2D(std::vector<float>{}, 0, 0), std::invalid_argument);
 }
 
+TEST(Distribution1D, InverseGivesTheCell) {
+  // Also cells that are as wide as uniform numbers are apart.
+  std::vector<float> weights(3000, 1e-9F);
+  weights[5] = 1.F;
+  weights[6] = 0.F;
+  weights[1777] = 3.F;
+  const Distribution1D distribution(weights);
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    if (weights[i] == 0.F) continue;
+    for (const float u : {0.F, 0.3F, kOneMinusEpsilon}) {
+      ASSERT_EQ(distribution.choose(distribution.invert(i, u)).index, i) << u;
+    }
+  }
+  EXPECT_NEAR(distribution.choose(distribution.invert(1777, 0.3F)).u, 0.3F, 1e-6F);
+}
+
+TEST(Distribution2D, InverseGivesThePlace) {
+  const std::vector<float> weights{0.F, 1.F, 5.F, 2.F, 0.F, 0.F, 0.F, 7.F, 1e-3F};
+  const Distribution2D grid(weights, 3, 3);
+  Rng rng(7);
+  for (int i = 0; i < 20000; ++i) {
+    const float x = rng.next();
+    const auto sample = grid.sample({x, rng.next()});
+    const auto again = grid.sample(grid.invert(sample.uv));
+    EXPECT_EQ(again.pdf, sample.pdf);
+    // The smallest cell is a few thousandths of the numbers.
+    EXPECT_LT((again.uv - sample.uv).length(), 1e-4F);
+  }
+}
+
 }  // namespace
 }  // namespace ajar

@@ -36,6 +36,12 @@ inline Vec2 uniform_disk_inverse(const Vec2& d) {
   return {unit(ab.x), unit(ab.y)};
 }
 
+/// The angle from the x axis to `d`, as a share of a full turn: what φ = 2π u was made of.
+inline float turn_of(const Vec2& d) {
+  const float turn = std::atan2(d.y, d.x) * (0.5F * kInvPi);
+  return std::clamp(turn < 0.F ? turn + 1.F : turn, 0.F, kOneMinusEpsilon);
+}
+
 /// Cosine-weighted on the hemisphere z ≥ 0. Density cos θ / π, solid angle.
 inline Vec3 cosine_hemisphere(const Vec2& u) {
   const Vec2 d = uniform_disk(u);
@@ -49,6 +55,10 @@ inline Vec3 uniform_sphere(const Vec2& u) {
   const float r = std::sqrt(std::max(0.F, 1.F - z * z));
   const float phi = 2.F * kPi * u.y;
   return {r * std::cos(phi), r * std::sin(phi), z};
+}
+/// The inverse of `uniform_sphere`, of a unit vector.
+inline Vec2 uniform_sphere_inverse(const Vec3& w) {
+  return {std::clamp(0.5F * (1.F - w.z), 0.F, kOneMinusEpsilon), turn_of({w.x, w.y})};
 }
 inline constexpr float kUniformSpherePdf = 0.25F * kInvPi;
 
@@ -76,6 +86,14 @@ inline Vec2 uniform_triangle(Vec2 u) {
     u.x -= u.y;
   }
   return u;
+}
+
+/// The inverse of `uniform_triangle`; `b` may lie outside by rounding.
+inline Vec2 uniform_triangle_inverse(const Vec2& b) {
+  const float less = 2.F * std::min(b.x, b.y);
+  const Vec2 u = b.y > b.x ? Vec2(less, b.x + b.y) : Vec2(b.x + b.y, less);
+  const auto unit = [](float v) { return std::clamp(v, 0.F, kOneMinusEpsilon); };
+  return {unit(u.x), unit(u.y)};
 }
 
 }  // namespace ajar::warp

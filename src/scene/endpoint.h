@@ -98,6 +98,12 @@ class Endpoint {
   virtual std::optional<EmissionSample> sample_emission(const EmissionUniforms& u) const = 0;
   /// Densities with which `sample_emission` gives this vertex and this direction of travel.
   virtual EmissionPdf emission_pdf(const EndpointPoint& point, const Vec3& w) const = 0;
+  /// The numbers by which `sample_emission` gives this vertex and the ray along `w` through the
+  /// point `through`. What it forgets is taken from `fresh` (docs/inverses.md); the density of the
+  /// numbers is that of `emission_pdf`. Empty if it never does.
+  virtual std::optional<EmissionUniforms> invert_emission(const EndpointPoint& point,
+                                                          const Vec3& through, const Vec3& w,
+                                                          const EmissionUniforms& fresh) const = 0;
   /// Emitted radiance (importance) at `point` in direction `w` away from it; no cosine. Discrete
   /// endpoints: intensity (point light, pinhole) or irradiance on the plane perpendicular to `w`
   /// (distant light). At infinity `w` is −toward.
@@ -107,6 +113,9 @@ class Endpoint {
                                                             const ConnectionUniforms& u) const = 0;
   virtual Pdf<VertexMeasure> connection_pdf(const Vec3& reference,
                                             const EndpointPoint& point) const = 0;
+  /// The numbers by which `sample_connection` gives this vertex, likewise.
+  virtual std::optional<ConnectionUniforms> invert_connection(
+      const Vec3& reference, const EndpointPoint& point, const ConnectionUniforms& fresh) const = 0;
 };
 
 }  // namespace ajar

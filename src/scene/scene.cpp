@@ -184,13 +184,25 @@ double Scene::reach_of_rays() const {
 
 bool Scene::intersect(const Ray& ray, Hit& hit) const {
   if (!geometry_->intersect(ray, hit)) return false;
+  complete(hit);
+  return true;
+}
+
+std::optional<Hit> Scene::recall(const GeometryHit& hit) const {
+  if (hit.shape >= surfaces_.size() || !geometry_->has_shape(hit.shape)) return std::nullopt;
+  std::optional<Hit> result(std::in_place);
+  static_cast<GeometryHit&>(*result) = hit;
+  complete(*result);
+  return result;
+}
+
+void Scene::complete(Hit& hit) const {
   const Surface& surface = surfaces_[hit.shape];
   hit.material = surface.material;
   hit.light = surface.light;
   hit.media = surface.media;
   hit.object_id = surface.object_id;
   hit.material_id = surface.material_id;
-  return true;
 }
 
 std::optional<Hit> Scene::intersect(const Ray& ray) const {

@@ -47,6 +47,8 @@ class Scene {
   std::optional<Hit> intersect(const Ray& ray) const;
   /// The same, into `hit`, which is undefined if this returns false.
   bool intersect(const Ray& ray, Hit& hit) const;
+  /// A hit that was found before, with what belongs to its shape; empty if there is no such shape.
+  std::optional<Hit> recall(const GeometryHit& hit) const;
   /// True if anything at all lies between (interfaces too; see `transmittance` of transport for
   /// those), or if the ray cannot be traced.
   bool occluded(const Ray& ray) const;
@@ -99,6 +101,8 @@ class Scene {
   };
   void build_lights(const desc::SceneDesc& description, Warnings& warnings);
   double reach_of_rays() const;
+  /// Fills in what belongs to the shape.
+  void complete(Hit& hit) const;
   void build_surfaces(const desc::SceneDesc& description, Warnings& warnings);
   void name_things(const desc::SceneDesc& description);
 

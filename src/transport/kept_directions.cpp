@@ -17,7 +17,7 @@ void KeptDirections::place(const PathVertex& vertex, float u_lobe, SampleAddress
   if (!follow_ || vertex.in_medium || index >= current_.size()) return;
   const Direction& kept = current_[index];
   if (kept.pdf == 0.F) return;
-  if (const auto inverse = vertex.bsdf.inverse(vertex.wo, kept.wi, u_lobe)) {
+  if (const auto inverse = vertex.bsdf.inverse(vertex.wo, kept.wi, u_lobe, Inverted::Diffuse)) {
     source.replace_pair(
         address, inverse->direction,
         std::log(static_cast<double>(inverse->pdf) / static_cast<double>(kept.pdf)));
@@ -26,7 +26,7 @@ void KeptDirections::place(const PathVertex& vertex, float u_lobe, SampleAddress
 
 void KeptDirections::note(const PathVertex& vertex, float u_lobe, const Vec3& wi) {
   if (vertex.in_medium) return;
-  if (const auto inverse = vertex.bsdf.inverse(vertex.wo, wi, u_lobe)) {
+  if (const auto inverse = vertex.bsdf.inverse(vertex.wo, wi, u_lobe, Inverted::Diffuse)) {
     proposal_.resize(static_cast<std::size_t>(vertex.edges) + 1);
     proposal_.back() = {inverse->pdf, wi};
   }

@@ -14,7 +14,7 @@ bool PathSampler::trace_light_half(SampleSource& source, int vertices, PathVerte
   LightStart start;
   if (!start_light(source, 0, sink, start)) return false;
   while (true) {
-    if (!next_light_vertex(start, source, end)) return false;
+    if (!next_light_vertex(start, source, sink, end)) return false;
     if (end.edges == vertices - 1) return end.connectible();
     if (!scatter(light_walk_, end, source, start.flight)) return false;
   }

@@ -146,7 +146,8 @@ bool PathSampler::start_light(SampleSource& source, int repeat, PathSink& sink, 
   return true;
 }
 
-bool PathSampler::next_light_vertex(LightStart& start, SampleSource& source, PathVertex& vertex) {
+bool PathSampler::next_light_vertex(LightStart& start, SampleSource& source, PathSink& sink,
+                                    PathVertex& vertex) {
   const Flight& flight = start.flight;
   const SegmentEnd end = trace(light_walk_, flight, source);
   if (!end.hit && !end.scattered) return false;
@@ -161,6 +162,7 @@ bool PathSampler::next_light_vertex(LightStart& start, SampleSource& source, Pat
     vertex.mis.coefficient *= h(settings_.heuristic, connection / start.position_density);
     if (vertex.trail != nullptr) light_walk_.trail[1].coefficient = vertex.mis.coefficient;
   }
+  sink.vertex(Stream::Light, vertex, end.hit ? &*end.hit : nullptr);
   return true;
 }
 
@@ -171,8 +173,7 @@ void PathSampler::trace_light(SampleSource& source, PathSink& sink, int repeat) 
   // A light subpath of n edges takes part in paths of at least n + 1 edges.
   while (flight.edges + 2 <= settings_.max_depth) {
     PathVertex vertex;
-    if (!next_light_vertex(start, source, vertex)) return;
-    sink.vertex(Stream::Light, vertex);
+    if (!next_light_vertex(start, source, sink, vertex)) return;
     if (vertex.connectible()) {
       if (wants({vertex.edges + 1, 1})) connect_to_camera(vertex, source, sink);
       if (has(TechniqueClass::Inner)) light_vertices_[light_vertex_count_++] = vertex;
@@ -245,8 +246,9 @@ void PathSampler::trace_camera(SampleSource& source, const Vec2& raster, PathSin
     }
     PathVertex vertex;
     arrive(camera_walk_, flight, end, camera_side_coefficient(edges), vertex);
-    sink.vertex(Stream::Camera, vertex);
-    if (edges == 1) sink.first_vertex(vertex, end.hit ? &*end.hit : nullptr, end.distance);
+    const Hit* hit = end.hit ? &*end.hit : nullptr;
+    sink.vertex(Stream::Camera, vertex, hit);
+    if (edges == 1) sink.first_vertex(vertex, hit, end.distance);
     if (end.hit && end.hit->light != nullptr && sees_light) {
       hit_light(flight, end, camera_mis(vertex, edges), *end.hit->light,
                 {end.hit->point, Vec3(0.F)}, sink);

@@ -45,10 +45,12 @@ class PathSink {
   /// The first surface or medium vertex the camera sees, at `distance` from it; `hit` is null for a
   /// medium vertex.
   virtual void first_vertex(const PathVertex& /*vertex*/, const Hit* /*hit*/, float /*distance*/) {}
-  /// Where a subpath starts, every vertex of it, and how it went on from there: for verification.
+  /// Where a subpath starts, every vertex of it, and how it went on from there: what `PathRecorder`
+  /// makes whole paths of.
   virtual void started(Stream /*stream*/, const Endpoint& /*endpoint*/,
                        const EndpointPoint& /*point*/) {}
-  virtual void vertex(Stream /*stream*/, const PathVertex& /*vertex*/) {}
+  /// `hit` is null for a medium vertex.
+  virtual void vertex(Stream /*stream*/, const PathVertex& /*vertex*/, const Hit* /*hit*/) {}
   virtual void scattered(Stream /*stream*/, const PathVertex& /*vertex*/,
                          const Flight& /*flight*/) {}
 };
@@ -120,7 +122,8 @@ class PathSampler {
     Flight flight;
   };
   bool start_light(SampleSource& source, int repeat, PathSink& sink, LightStart& start);
-  bool next_light_vertex(LightStart& start, SampleSource& source, PathVertex& vertex);
+  bool next_light_vertex(LightStart& start, SampleSource& source, PathSink& sink,
+                         PathVertex& vertex);
   bool start_camera(SampleSource& source, const Vec2& raster, PathSink& sink, Flight& flight);
   /// A camera path that runs into the lights at infinity.
   void leave_scene(const Flight& flight, const SegmentEnd& end, PathSink& sink) const;

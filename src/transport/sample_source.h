@@ -48,6 +48,7 @@ class SampleAddress {
   constexpr int repeat() const { return static_cast<int>(bits_ >> 24U & 0x3fU); }
   constexpr int vertex() const { return static_cast<int>(bits_ >> 8U & 0xffffU); }
   constexpr Slot slot() const { return static_cast<Slot>(bits_ & 0xffU); }
+  constexpr bool operator==(const SampleAddress&) const = default;
 
  private:
   std::uint32_t bits_;

@@ -1,5 +1,7 @@
 #include "transport/segment.h"
 
+#include "core/unit_interval.h"
+
 namespace ajar {
 
 namespace {
@@ -31,6 +33,35 @@ bool was_lost(const Scene& scene, const Ray& ray, RayCounts& rays) {
 float Segment::distance_pdf_in_medium(const Medium* medium) const {
   const Spectrum survival = exp(scattering_depth * -1.F);
   return medium == nullptr ? survival.average() : (survival * medium->sigma_t()).average();
+}
+
+std::optional<DistanceUniforms> invert_distance(const Segment& segment, const Medium* medium,
+                                                const DistanceUniforms& fresh) {
+  // Any lane can have been the one that the distance was sampled by.
+  double survival[3];
+  double shares[3];
+  double sum = 0.0;
+  for (int lane = 0; lane < 3; ++lane) {
+    survival[lane] = std::exp(-static_cast<double>(segment.scattering_depth[lane]));
+    const double per_distance =
+        medium == nullptr ? 1.0 : static_cast<double>(medium->sigma_t()[lane]);
+    shares[lane] = survival[lane] * per_distance;
+    sum += shares[lane];
+  }
+  if (!(sum > 0.0)) return std::nullopt;
+  DistanceUniforms u = fresh;
+  int lane = 0;
+  for (; lane < 2; ++lane) {
+    if (came_first(shares[lane], sum - shares[lane], u.channel)) break;
+    sum -= shares[lane];
+  }
+  if (!(shares[lane] > 0.0)) return std::nullopt;
+  u.channel = UnitInterval{lane / 3.0, 1.0 / 3.0}.at(u.channel);
+  // On surfaces all distances beyond are one.
+  u.distance = medium == nullptr
+                   ? UnitInterval{1.0 - survival[lane], survival[lane]}.at(u.distance)
+                   : std::min(static_cast<float>(1.0 - survival[lane]), kOneMinusEpsilon);
+  return u;
 }
 
 SegmentEnd trace_segment(const Scene& scene, Ray ray, const Medium* medium,

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "scene/testing/inverse_checks.h"
 #include "transport/sources.h"
 
 namespace ajar {
@@ -50,6 +51,58 @@ TEST(Segments, RaysThatCannotBeTracedAreLostAndCounted) {
     EXPECT_FALSE(miss.lost);
     EXPECT_FALSE(is_blocked(*scene, {{0, 0, 0.5F}, {0, 0, 1}, -1.F}, rays)) << "of no length";
     EXPECT_EQ(rays.rays_out_of_range, 4U);
+  }
+}
+
+/// Two numbers, whatever they are asked for.
+struct TwoNumbers final : SampleSource {
+  explicit TwoNumbers(const Vec2& n) : numbers(n) {}
+  float get(SampleAddress address) override {
+    return address.slot() == Slot::MediumChannel ? numbers.x : numbers.y;
+  }
+  Vec2 get_pair(SampleAddress) override { return numbers; }
+  Vec2 numbers;
+};
+
+TEST(Segments, DistancesAreInverted) {
+  // From fog through an interface into thicker fog, up to a ball; or past both, to infinity.
+  desc::SceneDesc description;
+  description.shapes.emplace_back().node = desc::Sphere{};
+  description.materials.emplace_back().node = desc::InterfaceMaterial{};
+  description.media.emplace_back().sigma_s = {0.7F, 0.5F, 0.2F};
+  description.media.emplace_back().sigma_s = {2.F, 1.F, 0.F};
+  description.media.back().sigma_a = {0.F, 0.3F, 0.1F};
+  desc::Shape& around = description.shapes.emplace_back();
+  around.node = desc::Sphere{2, -2, 2, 360};
+  around.material = 0;
+  around.has_medium_interface = true;
+  around.outside = 0;
+  around.inside = 1;
+  Warnings warnings;
+  const Scene scene(std::move(description), BuildOptions{}, warnings);
+  for (const bool hits : {false, true}) {
+    const Ray ray{{hits ? 0.F : 3.F, 0, 4}, {0, 0, -1}};
+    const auto trace = [&](const Vec2& u) {
+      TwoNumbers source(u);
+      RayCounts rays;
+      return trace_segment(scene, ray, scene.medium(0), {source, Stream::Camera, 0, 0}, rays);
+    };
+    testing::check_inverse(
+        {hits ? "to a ball" : "to infinity", 2, 1e-4,
+         [&](const testing::InverseNumbers& u,
+             const testing::InverseNumbers& v) -> std::optional<testing::RoundTrip> {
+           const SegmentEnd end = trace({u[0], u[1]});
+           const auto n =
+               invert_distance(end.segment, end.scattered ? end.medium : nullptr, {v[0], v[1]});
+           if (!n) return testing::RoundTrip{};
+           const SegmentEnd again = trace({n->channel, n->distance});
+           const bool same = again.scattered == end.scattered && again.medium == end.medium;
+           const bool finite = std::isfinite(end.distance);
+           return testing::RoundTrip{
+               same,
+               {n->channel, n->distance},
+               same && finite ? std::abs(double{again.distance} - double{end.distance}) : 0.0};
+         }});
   }
 }
 

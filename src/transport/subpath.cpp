@@ -92,6 +92,7 @@ bool scatter(const WalkSettings& settings, const PathVertex& vertex, SampleSourc
   flight.departure = sample->pdf.value();
   flight.from_infinity = false;
   flight.specular = sample->pdf.discrete();
+  flight.event = sample->event();
   flight.reverse_previous = sample->reverse_pdf.value();
   flight.cosine = vertex.cosine(sample->wi);
   flight.scattered_in = vertex.in_medium ? vertex.medium : nullptr;

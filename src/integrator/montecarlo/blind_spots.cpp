@@ -36,7 +36,7 @@ class ClearSink final : public PathSink {
     is_discrete_ = endpoint.discrete_position();
     ++light_paths;
   }
-  void vertex(Stream stream, const PathVertex& vertex) override {
+  void vertex(Stream stream, const PathVertex& vertex, const Hit* /*hit*/) override {
     if (stream != Stream::Light || !is_first_) return;
     is_first_ = false;
     if (is_discrete_ && is_clear(vertex)) ++lit;

@@ -160,7 +160,8 @@ std::optional<int> Bsdf::choose(const Weights& weights, float& u) const {
   return chosen;
 }
 
-std::optional<LobeInverse> Bsdf::inverse(const Vec3& wo, const Vec3& wi, float u_lobe) const {
+std::optional<LobeInverse> Bsdf::inverse(const Vec3& wo, const Vec3& wi, float u_lobe,
+                                         Inverted lobes) const {
   const Frame shading = frame();
   const float wo_side = dot(wo, ng());
   const Vec3 o = shading.to_local(wo);
@@ -175,12 +176,83 @@ std::optional<LobeInverse> Bsdf::inverse(const Vec3& wo, const Vec3& wi, float u
     chosen = *choice;
   }
   return visit_lobe(entry(chosen).lobe, [&](const auto& l) -> std::optional<LobeInverse> {
-    if constexpr (requires { l.inverse(o, wi, u_lobe, local_ng); }) {
-      return l.inverse(o, shading.to_local(wi), u_lobe, local_ng);
-    } else {
+    if constexpr (kIsSpecular<decltype(l)>) {
       return std::nullopt;
+    } else {
+      if (lobes == Inverted::Diffuse) {
+        if constexpr (requires { l.is_diffuse(o, u_lobe); }) {
+          if (!l.is_diffuse(o, u_lobe)) return std::nullopt;
+        } else {
+          return std::nullopt;
+        }
+      }
+      return l.inverse(o, shading.to_local(wi), u_lobe, local_ng);
     }
   });
+}
+
+UnitInterval Bsdf::choices(int index, const Weights& weights, const Vec3& wo, const Vec3& wi,
+                           bool transmission, float& u) const {
+  UnitInterval chosen;
+  if (count_ > 1) {
+    for (int k = 0; k < index; ++k) chosen.begin += static_cast<double>(weights.probability[k]);
+    chosen.size = static_cast<double>(weights.probability[index]);
+  }
+  return visit_lobe(entry(index).lobe, [&](const auto& l) {
+    if constexpr (requires { l.choices(wo, wi, transmission, u); }) {
+      return chosen.part(l.choices(wo, wi, transmission, u));
+    } else {
+      return chosen;
+    }
+  });
+}
+
+std::optional<BsdfUniforms> Bsdf::invert(const Vec3& wo, const Vec3& wi, ScatterEvent event,
+                                         const BsdfUniforms& fresh) const {
+  const Vec3 o = frame().to_local(wo);
+  if (std::abs(dot(wo, ng())) < kGrazing || std::abs(o.z) < kGrazing) return std::nullopt;
+  Weights forward{{1.F}};
+  if (count_ > 1) forward = weights(o);
+  BsdfUniforms u = fresh;
+  if (event.specular()) {
+    if (event.lobe >= count_ || !is_specular(entry(event.lobe).lobe)) return std::nullopt;
+    const UnitInterval numbers =
+        choices(event.lobe, forward, o, Vec3(0.F), event.transmission, u.lobe);
+    if (!(numbers.size > 0.0)) return std::nullopt;
+    u.lobe = numbers.at(u.lobe);
+    return u;
+  }
+  const Pair pair = classify(wo, wi);
+  if (!pair.valid || pair.transmission != event.transmission) return std::nullopt;
+  std::array<double, kMaxLobes> shares{};
+  double sum = 0.0;
+  for (int k = 0; k < count_; ++k) {
+    shares[k] = static_cast<double>(forward.probability[k]) *
+                static_cast<double>(evaluate(k, pair, TransportMode::Radiance).pdf);
+    sum += shares[k];
+  }
+  if (!(sum > 0.0)) return std::nullopt;
+  // Any of the lobes can have been the one, in proportion to how often it goes there.
+  int chosen = 0;
+  for (; chosen + 1 < count_; ++chosen) {
+    if (came_first(shares[chosen], sum - shares[chosen], u.lobe)) break;
+    sum -= shares[chosen];
+  }
+  if (!(shares[chosen] > 0.0)) return std::nullopt;
+  u.lobe = choices(chosen, forward, pair.wo, pair.wi, pair.transmission, u.lobe).at(u.lobe);
+  const std::optional<LobeInverse> direction = inverse(wo, wi, u.lobe, Inverted::Rough);
+  if (!direction || !(direction->pdf > 0.F)) return std::nullopt;
+  u.direction = direction->direction;
+  return u;
+}
+
+std::optional<BsdfSample> Bsdf::specular(const Vec3& wo, ScatterEvent event,
+                                         TransportMode mode) const {
+  const auto u = invert(wo, Vec3(0.F), event, {0.5F, {0.5F, 0.5F}});
+  if (!u) return std::nullopt;
+  std::optional<BsdfSample> result = sample(wo, *u, mode);
+  if (result && result->event() != event) result.reset();
+  return result;
 }
 
 std::optional<BsdfSample> Bsdf::sample(const Vec3& wo, const BsdfUniforms& u, TransportMode mode,
@@ -243,6 +315,7 @@ std::optional<BsdfSample> Bsdf::sample(const Vec3& wo, const BsdfUniforms& u, Tr
     std::construct_at(&result->reverse_pdf, Pdf<SolidAngle>(s->reverse_pdf));
   }
   result->transmission = s->transmission;
+  result->lobe = specular ? static_cast<std::int8_t>(chosen) : ScatterEvent::kRough;
   result->eta = s->eta;
   return result;
 }

@@ -19,6 +19,19 @@ struct BsdfValue {
   Pdf<SolidAngle> pdf;  ///< of wi given wo
 };
 
+/// How a direction was scattered: a part of the path, beside the direction itself.
+struct ScatterEvent {
+  static constexpr std::int8_t kRough = -1;
+  /// Number of the specular lobe, or `kRough` for all others, which are told apart by nothing.
+  std::int8_t lobe = kRough;
+  bool transmission = false;
+  bool specular() const { return lobe != kRough; }
+  bool operator==(const ScatterEvent&) const = default;
+};
+
+/// Which lobes are to be inverted: all that are not specular, or only those that are diffuse.
+enum class Inverted : std::uint8_t { Rough, Diffuse };
+
 struct BsdfSample {
   Vec3 wi;          ///< unit, world space, points away from the surface
   Spectrum weight;  ///< f · |cos θ| / pdf, adjoint corrections included
@@ -26,7 +39,9 @@ struct BsdfSample {
       pdf;  ///< of wi given wo: of all lobes that are not specular, or of the one specular lobe
   DirectionPdf reverse_pdf;  ///< of wo given wi, same lobes
   bool transmission = false;
+  std::int8_t lobe = ScatterEvent::kRough;  ///< see ScatterEvent
   float eta = 1.F;  ///< index of refraction on wi's side over that on wo's; 1 unless refracted
+  ScatterEvent event() const { return {lobe, transmission}; }
 };
 
 /// Scattering at one point: a few lobes by value in one shading frame. Trivially copyable.
@@ -81,10 +96,20 @@ class Bsdf {
   std::optional<BsdfSample> sample(const Vec3& wo, const BsdfUniforms& u, TransportMode mode,
                                    Reverse reverse = Reverse::Compute) const;
 
-  /// The numbers by which `sample` goes to `wi`, `u_lobe` being the one it chooses the lobe by.
-  /// Empty if that lobe cannot be inverted (specular and half-vector lobes, and media), or if `wo`
-  /// grazes the surface so much that nothing is sampled.
-  std::optional<LobeInverse> inverse(const Vec3& wo, const Vec3& wi, float u_lobe) const;
+  /// The numbers by which `sample` goes to `wi`, `u_lobe` being the one it chooses the lobe by,
+  /// with the density of `wi` given that number. Empty if the lobe is not one of those to be
+  /// inverted, or if `wo` grazes the surface so much that nothing is sampled.
+  std::optional<LobeInverse> inverse(const Vec3& wo, const Vec3& wi, float u_lobe,
+                                     Inverted lobes) const;
+  /// The numbers by which `sample` goes from `wo` to `wi` by this event, the lobe's too. What it
+  /// forgets (which of several lobes it was, the numbers that it did not look at) is taken from
+  /// `fresh`: if that is uniform, the result is distributed as the numbers of all samples that come
+  /// to `wi`; their density is that of the sample. Empty if it never does. Of specular events the
+  /// direction is not looked at.
+  std::optional<BsdfUniforms> invert(const Vec3& wo, const Vec3& wi, ScatterEvent event,
+                                     const BsdfUniforms& fresh) const;
+  /// What `sample` makes of `wo` by this specular event; empty if it never does.
+  std::optional<BsdfSample> specular(const Vec3& wo, ScatterEvent event, TransportMode mode) const;
 
   /// False if all lobes are specular (or there are none): connecting to this point is pointless.
   bool connectible() const { return connectible_; }
@@ -124,6 +149,10 @@ class Bsdf {
   /// The lobe that `u` chooses, which is made a number for that lobe alone; none if it is
   /// impossible.
   std::optional<int> choose(const Weights& weights, float& u) const;
+  /// The numbers by which lobe `index` is chosen and comes to a direction; `u` as in `choices` of
+  /// the lobes.
+  UnitInterval choices(int index, const Weights& weights, const Vec3& wo, const Vec3& wi,
+                       bool transmission, float& u) const;
   Spectrum value(int index, const Pair& pair, TransportMode mode) const;
   LobeValue evaluate(int index, const Pair& pair, TransportMode mode) const;
   /// `reverse` is null if the reverse density is not wanted.

@@ -51,7 +51,7 @@ TEST(BsdfInverse, FindsTheNumbersOfADirectionAndTheirDensity) {
         const BsdfUniforms u = random_uniforms(rng);
         const auto sample = bsdf.sample(wo, u, TransportMode::Radiance);
         if (!sample) continue;
-        const auto inverse = bsdf.inverse(wo, sample->wi, u.lobe);
+        const auto inverse = bsdf.inverse(wo, sample->wi, u.lobe, Inverted::Rough);
         if (!inverse) continue;
         inverted.insert(named.name);
         ASSERT_FALSE(sample->pdf.discrete()) << "a specular lobe has no inverse";
@@ -67,9 +67,57 @@ TEST(BsdfInverse, FindsTheNumbersOfADirectionAndTheirDensity) {
   }
   EXPECT_GT(densities, 1000);
   for (const char* name :
-       {"lambert", "lambert transmission", "oren-nayar", "disney diffuse", "substrate 0.1"}) {
+       {"lambert", "lambert transmission", "oren-nayar", "disney diffuse", "substrate 0.1",
+        "ggx 0.1", "beckmann 0.15", "rough glass 0.15", "rough bubble 0.3", "disney clearcoat",
+        "plastic", "uber", "translucent", "disney"}) {
     EXPECT_TRUE(inverted.count(name)) << name;
   }
+}
+
+TEST(BsdfInverse, OfDiffuseLobesAloneLeavesOutHighlights) {
+  const Vec3 up(0.F, 0.F, 1.F);
+  const Vec3 sideways(0.6F, 0.F, 0.8F);
+  std::set<std::string> diffuse;
+  std::set<std::string> others;
+  for (const NamedBsdf& named : catalogue(0.F)) {
+    for (const float u : {0.01F, 0.99F}) {
+      const bool found = named.bsdf.inverse(up, sideways, u, Inverted::Diffuse).has_value();
+      (found ? diffuse : others).insert(named.name);
+    }
+  }
+  for (const char* name : {"lambert", "lambert transmission", "oren-nayar", "disney diffuse"}) {
+    EXPECT_TRUE(diffuse.count(name) && !others.count(name)) << name;
+  }
+  for (const char* name : {"substrate 0.1", "plastic"}) {
+    EXPECT_TRUE(diffuse.count(name) && others.count(name)) << name;
+  }
+  for (const char* name : {"ggx 0.1", "rough glass 0.5", "disney clearcoat", "mirror"}) {
+    EXPECT_TRUE(!diffuse.count(name) && others.count(name)) << name;
+  }
+}
+
+TEST(BsdfInverse, ASpecularEventIsRepeated) {
+  Rng rng(6);
+  int events = 0;
+  for (const float tilt : {0.F, 25.F}) {
+    for (const NamedBsdf& named : catalogue(tilt)) {
+      for (int i = 0; i < 300; ++i) {
+        const Vec3 wo = random_direction(rng);
+        const auto s = named.bsdf.sample(wo, random_uniforms(rng), TransportMode::Importance);
+        if (!s) continue;
+        ASSERT_EQ(s->event().specular(), s->pdf.discrete()) << named.name;
+        if (!s->event().specular()) continue;
+        const auto again = named.bsdf.specular(wo, s->event(), TransportMode::Importance);
+        ASSERT_TRUE(again) << named.name;
+        ++events;
+        EXPECT_EQ(again->wi, s->wi) << named.name;
+        EXPECT_EQ(again->weight, s->weight) << named.name;
+        EXPECT_EQ(again->pdf.value(), s->pdf.value()) << named.name;
+        EXPECT_EQ(again->reverse_pdf.value(), s->reverse_pdf.value()) << named.name;
+      }
+    }
+  }
+  EXPECT_GT(events, 3000);
 }
 
 TEST(BsdfInverse, SaysWhereALobeNeverGoes) {
@@ -77,22 +125,22 @@ TEST(BsdfInverse, SaysWhereALobeNeverGoes) {
   const Vec3 sideways(0.6F, 0.F, 0.8F);
   Bsdf matt(Frame(), up);
   matt.add(Lambert{});
-  EXPECT_GT(matt.inverse(up, sideways, 0.5F)->pdf, 0.F);
-  EXPECT_GT(matt.inverse(-up, -sideways, 0.5F)->pdf, 0.F);
-  EXPECT_EQ(matt.inverse(up, -sideways, 0.5F)->pdf, 0.F);
+  EXPECT_GT(matt.inverse(up, sideways, 0.5F, Inverted::Rough)->pdf, 0.F);
+  EXPECT_GT(matt.inverse(-up, -sideways, 0.5F, Inverted::Rough)->pdf, 0.F);
+  EXPECT_EQ(matt.inverse(up, -sideways, 0.5F, Inverted::Rough)->pdf, 0.F);
   Bsdf paper(Frame(), up);
   paper.add(Lambert{}, Spectrum(0.25F));
   paper.add(LambertTransmission{}, Spectrum(0.75F));
-  EXPECT_GT(paper.inverse(up, sideways, 0.2F)->pdf, 0.F);
-  EXPECT_EQ(paper.inverse(up, -sideways, 0.2F)->pdf, 0.F);
-  EXPECT_EQ(paper.inverse(up, sideways, 0.3F)->pdf, 0.F);
-  EXPECT_GT(paper.inverse(up, -sideways, 0.3F)->pdf, 0.F);
+  EXPECT_GT(paper.inverse(up, sideways, 0.2F, Inverted::Rough)->pdf, 0.F);
+  EXPECT_EQ(paper.inverse(up, -sideways, 0.2F, Inverted::Rough)->pdf, 0.F);
+  EXPECT_EQ(paper.inverse(up, sideways, 0.3F, Inverted::Rough)->pdf, 0.F);
+  EXPECT_GT(paper.inverse(up, -sideways, 0.3F, Inverted::Rough)->pdf, 0.F);
   Bsdf mirror(Frame(), up);
   mirror.add(Mirror{});
-  EXPECT_FALSE(mirror.inverse(up, up, 0.5F));
+  EXPECT_FALSE(mirror.inverse(up, up, 0.5F, Inverted::Rough));
   const Vec3 grazing(1.F, 0.F, 1e-7F);
   ASSERT_FALSE(matt.sample(grazing, {0.5F, {0.5F, 0.5F}}, TransportMode::Radiance));
-  EXPECT_FALSE(matt.inverse(grazing, sideways, 0.5F));
+  EXPECT_FALSE(matt.inverse(grazing, sideways, 0.5F, Inverted::Rough));
 }
 
 }  // namespace

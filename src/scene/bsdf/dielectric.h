@@ -3,6 +3,20 @@
 
 namespace ajar {
 
+/// Probability of reflection where reflection and transmission are chosen in proportion to what
+/// they carry; −1 if they carry nothing.
+inline float reflection_probability(float reflectance, const PackedSpectrum& reflect,
+                                    const PackedSpectrum& transmit) {
+  const float reflected = reflectance * reflect.average();
+  const float transmitted = (1.F - reflectance) * transmit.average();
+  return reflected + transmitted > 0.F ? reflected / (reflected + transmitted) : -1.F;
+}
+/// The numbers that choose reflection, or those that choose transmission.
+inline UnitInterval reflection_choices(float probability, bool transmission) {
+  const double p = std::max(0.0, static_cast<double>(probability));
+  return transmission ? UnitInterval{p, 1.0 - p} : UnitInterval{0.0, p};
+}
+
 /// Smooth boundary between two dielectrics: mirror reflection or refraction, chosen in proportion
 /// to what they carry. `reflect` and `transmit` tint the two.
 struct SmoothDielectric {
@@ -15,10 +29,8 @@ struct SmoothDielectric {
                                    TransportMode mode) const {
     const float relative = wo.z > 0.F ? eta : 1.F / eta;
     const DielectricBoundary boundary = fresnel_dielectric(std::abs(wo.z), relative);
-    const float reflected = boundary.reflectance * reflect.average();
-    const float transmitted = (1.F - boundary.reflectance) * transmit.average();
-    if (!(reflected + transmitted > 0.F)) return std::nullopt;
-    const float p = reflected / (reflected + transmitted);
+    const float p = reflection_probability(boundary.reflectance, reflect, transmit);
+    if (!(p >= 0.F)) return std::nullopt;
     // By the symmetry of Fresnel's equations the reverse event has the same probabilities.
     if (u.lobe < p) {
       return LobeSample{{-wo.x, -wo.y, wo.z}, reflect.unpack() * (boundary.reflectance / p), p, p};
@@ -32,6 +44,11 @@ struct SmoothDielectric {
                       q,
                       true,
                       relative};
+  }
+  UnitInterval choices(const Vec3& wo, const Vec3&, bool transmission, float&) const {
+    const float relative = wo.z > 0.F ? eta : 1.F / eta;
+    const float reflectance = fresnel_dielectric(std::abs(wo.z), relative).reflectance;
+    return reflection_choices(reflection_probability(reflectance, reflect, transmit), transmission);
   }
   Spectrum albedo(const Vec3& wo) const {
     const Spectrum f = DielectricFresnel{eta}(std::abs(wo.z), wo.z > 0.F);
@@ -51,16 +68,18 @@ struct ThinDielectric {
   std::optional<LobeSample> sample(const Vec3& wo, const BsdfUniforms& u, const Vec3&,
                                    TransportMode) const {
     const float reflectance = pane_reflectance(wo);
-    const float reflected = reflectance * reflect.average();
-    const float transmitted = (1.F - reflectance) * transmit.average();
-    if (!(reflected + transmitted > 0.F)) return std::nullopt;
-    const float p = reflected / (reflected + transmitted);
+    const float p = reflection_probability(reflectance, reflect, transmit);
+    if (!(p >= 0.F)) return std::nullopt;
     if (u.lobe < p) {
       return LobeSample{{-wo.x, -wo.y, wo.z}, reflect.unpack() * (reflectance / p), p, p};
     }
     const float q = 1.F - p;
     if (!(q > 0.F)) return std::nullopt;
     return LobeSample{-wo, transmit.unpack() * ((1.F - reflectance) / q), q, q, true};
+  }
+  UnitInterval choices(const Vec3& wo, const Vec3&, bool transmission, float&) const {
+    return reflection_choices(reflection_probability(pane_reflectance(wo), reflect, transmit),
+                              transmission);
   }
   Spectrum albedo(const Vec3& wo) const {
     const float reflectance = pane_reflectance(wo);

@@ -35,6 +35,18 @@ struct DisneyClearcoat {
     return LobeSample{front ? i : -i, v.value / v.pdf, v.pdf, v.reverse_pdf};
   }
 
+  LobeInverse inverse(const Vec3& wo, const Vec3& wi, float, const Vec3&) const {
+    if (!same_hemisphere(wo, wi)) return {};
+    const bool front = wo.z > 0.F;
+    const HalfVector half = half_vector(front ? wo : -wo, front ? wi : -wi);
+    const Vec3& h = half.h;
+    const float alpha2 = alpha * alpha;
+    const float sin2 = h.x * h.x + h.y * h.y;
+    const float x = std::log1p(sin2 * (1.F - alpha2) / alpha2) / -std::log(alpha2);
+    return {{std::clamp(x, 0.F, kOneMinusEpsilon), warp::turn_of({h.x, h.y})},
+            value(wo, wi, h, half.cosine).pdf};
+  }
+
   Spectrum albedo(const Vec3& wo) const {
     return Spectrum(0.25F * (0.04F + 0.96F * schlick_weight(std::abs(wo.z))));
   }

@@ -23,9 +23,10 @@ struct DisneyDiffuse {
     const Vec3 wi = cosine_around(u.direction, ng);
     return LobeSample{wi, times_pi(wo, wi), cosine_pdf(wi), cosine_pdf(wo)};
   }
-  std::optional<LobeInverse> inverse(const Vec3&, const Vec3& wi, float, const Vec3& ng) const {
+  LobeInverse inverse(const Vec3&, const Vec3& wi, float, const Vec3& ng) const {
     return cosine_inverse(wi, ng);
   }
+  bool is_diffuse(const Vec3&, float) const { return true; }
   Spectrum albedo(const Vec3& wo) const {
     const float grazing = schlick_weight(std::abs(wo.z));
     const float base = (diffuse + fake_subsurface) * (1.F - 0.5F * grazing) +

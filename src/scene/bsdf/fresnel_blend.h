@@ -49,11 +49,20 @@ struct FresnelBlend {
     return LobeSample{wi, v.value / v.pdf, v.pdf, v.reverse_pdf};
   }
 
+  LobeInverse inverse(const Vec3& wo, const Vec3& wi, float u_lobe, const Vec3& ng) const {
+    if (is_diffuse(wo, u_lobe)) return cosine_inverse(wi, ng);
+    return mirror_inverse(facets, wo, wi);
+  }
+  UnitInterval choices(const Vec3& wo, const Vec3& wi, bool, float& u) const {
+    const double coat = coat_probability(std::abs(wo.z));
+    const double from_coat = coat * static_cast<double>(mirror_inverse(facets, wo, wi).pdf);
+    const double from_base = (1.0 - coat) * static_cast<double>(cosine_pdf(wi));
+    if (came_first(from_coat, from_base, u)) return {0.0, coat};
+    return {coat, 1.0 - coat};
+  }
   /// Of the base.
-  std::optional<LobeInverse> inverse(const Vec3& wo, const Vec3& wi, float u_lobe,
-                                     const Vec3& ng) const {
-    if (u_lobe < coat_probability(std::abs(wo.z))) return std::nullopt;
-    return cosine_inverse(wi, ng);
+  bool is_diffuse(const Vec3& wo, float u_lobe) const {
+    return !(u_lobe < coat_probability(std::abs(wo.z)));
   }
 
   Spectrum albedo(const Vec3& wo) const {

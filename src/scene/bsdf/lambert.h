@@ -15,9 +15,10 @@ struct Lambert {
     const Vec3 wi = cosine_around(u.direction, ng);
     return LobeSample{wi, Spectrum(1.F), cosine_pdf(wi), cosine_pdf(wo)};
   }
-  std::optional<LobeInverse> inverse(const Vec3&, const Vec3& wi, float, const Vec3& ng) const {
+  LobeInverse inverse(const Vec3&, const Vec3& wi, float, const Vec3& ng) const {
     return cosine_inverse(wi, ng);
   }
+  bool is_diffuse(const Vec3&, float) const { return true; }
   Spectrum albedo(const Vec3&) const { return Spectrum(1.F); }
 };
 
@@ -33,9 +34,10 @@ struct LambertTransmission {
     const Vec3 wi = cosine_around(u.direction, -ng);
     return LobeSample{wi, Spectrum(1.F), cosine_pdf(wi), cosine_pdf(wo), true};
   }
-  std::optional<LobeInverse> inverse(const Vec3&, const Vec3& wi, float, const Vec3& ng) const {
+  LobeInverse inverse(const Vec3&, const Vec3& wi, float, const Vec3& ng) const {
     return cosine_inverse(wi, -ng);
   }
+  bool is_diffuse(const Vec3&, float) const { return true; }
   Spectrum albedo(const Vec3&) const { return Spectrum(1.F); }
 };
 

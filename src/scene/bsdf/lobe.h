@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "core/spectrum.h"
+#include "core/unit_interval.h"
 #include "core/vector.h"
 #include "core/warp.h"
 
@@ -13,15 +14,20 @@
 ///     std::optional<LobeSample> sample(wo, u, ng, mode) const;
 ///     Spectrum albedo(wo) const;
 ///
-/// and, if `sample` can be inverted at least for some `u_lobe`,
+/// and what undoes `sample` (docs/inverses.md):
 ///
-///     std::optional<LobeInverse> inverse(wo, wi, u_lobe, ng) const;
+///     LobeInverse inverse(wo, wi, u_lobe, ng) const;              // not if kSpecular
+///     UnitInterval choices(wo, wi, transmission, float& u) const; // only if it looks at u.lobe
+///     bool is_diffuse(wo, u_lobe) const;                          // only if it ever is
 ///
-/// in the local frame whose z axis is the shading normal: `wo` and `wi` point away from the
-/// surface, and neither is closer than `kGrazing` to the horizon. `Bsdf` has already decided by the
-/// geometric normal whether a pair is `transmission`; a lobe returns zero for pairs that it does
-/// not scatter. Factors for the shading normal (Veach 1997, section 5.3) are applied by `Bsdf`,
-/// too.
+/// `inverse` is told the number `u_lobe`. `choices` are those of the values of `u_lobe` by which
+/// the lobe can have come to `wi`; where it can have by more than one way, `u` decides for one and
+/// is made uniform again. `is_diffuse` says whether the lobe, with this number, spreads light over
+/// the hemisphere without regard to `wo`. All of this is in the local frame whose z axis is the
+/// shading normal: `wo` and `wi` point away from the surface, and neither is closer than `kGrazing`
+/// to the horizon. `Bsdf` has already decided by the geometric normal whether a pair is
+/// `transmission`; a lobe returns zero for pairs that it does not scatter. Factors for the shading
+/// normal (Veach 1997, section 5.3) are applied by `Bsdf`, too.
 namespace ajar {
 
 /// What travels along the path that is being sampled: radiance (paths from the camera) or

@@ -45,6 +45,26 @@ Vec3 Microfacets::beckmann_visible(const Vec3& w, const Vec2& u) {
   return {t * direction.x - across * direction.y, t * direction.y + across * direction.x, 1.F};
 }
 
+Vec2 Microfacets::beckmann_inverse(const Vec3& w, const Vec3& m) {
+  const auto unit = [](double u) {
+    return std::clamp(static_cast<float>(u), 0.F, kOneMinusEpsilon);
+  };
+  // In double precision: single precision has too few numbers next to one for the tails.
+  const auto below = [&](double slope) { return unit(0.5 * std::erfc(-slope)); };
+  const double z = std::max(m.z, 1e-12F);
+  const Vec2 slope(static_cast<float>(m.x / z), static_cast<float>(m.y / z));
+  const float sin_theta = std::sqrt(w.x * w.x + w.y * w.y);
+  if (sin_theta < 1e-5F) return {below(slope.x), below(slope.y)};
+  const Vec2 direction(w.x / sin_theta, w.y / sin_theta);
+  const double c = w.z / sin_theta;
+  const auto upper = [c](double t) {
+    return 0.5 * (c * std::erfc(t) + double{kInvSqrtPi} * std::exp(-t * t));
+  };
+  const double t = slope.x * direction.x + slope.y * direction.y;
+  const float across = slope.y * direction.x - slope.x * direction.y;
+  return {unit(1.0 - upper(t) / upper(-std::min(c, 6.0))), below(across)};
+}
+
 float inverse_erf(float x) {
   // Giles 2010, "Approximating the erfinv function", single precision.
   float w = -std::log((1.F - x) * (1.F + x));

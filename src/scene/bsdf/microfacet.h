@@ -58,6 +58,14 @@ class Microfacets {
     return 1.F / (cos_i * area_o + cos_o * area_i - cos_o * cos_i);
   }
 
+  /// The numbers by which `sample_visible` gives `h`.
+  Vec2 invert_visible(const Vec3& w, const Vec3& h) const {
+    const Vec3 stretched = normalize(Vec3(alpha_x_ * w.x, alpha_y_ * w.y, w.z));
+    const Vec3 m = normalize(Vec3(h.x / alpha_x_, h.y / alpha_y_, h.z));
+    return model_ == FacetModel::Beckmann ? beckmann_inverse(stretched, m)
+                                          : ggx_inverse(stretched, m);
+  }
+
   /// A facet normal (h.z ≥ 0) that is visible from `w` (w.z > 0), with density
   /// D(h) · max(0, w·h) / projected_area(w).
   Vec3 sample_visible(const Vec3& w, const Vec2& u) const {
@@ -82,6 +90,15 @@ class Microfacets {
     return {r * std::cos(phi) + w.x, r * std::sin(phi) + w.y, z + w.z};
   }
 
+  /// `m` is the normal that the point of the cap stands for: it mirrors `w` to that point.
+  static Vec2 ggx_inverse(const Vec3& w, const Vec3& m) {
+    const float twice = 2.F * dot(w, m);
+    const Vec3 c = m * twice - w;
+    const float y = 1.F - twice * m.z / (1.F + w.z);
+    return {warp::turn_of({c.x, c.y}), std::clamp(y, 0.F, kOneMinusEpsilon)};
+  }
+  static Vec2 beckmann_inverse(const Vec3& w, const Vec3& m);
+
   static float beckmann_projected_area(float z, float s);
   /// Unnormalised. Source: Heitz & d'Eon 2014 (slopes conditioned on the view), with the cumulative
   /// distribution inverted by a safeguarded Newton iteration as Jakob 2014 suggests.
@@ -91,6 +108,16 @@ class Microfacets {
   float alpha_y_ = 1.F;
   FacetModel model_ = FacetModel::Ggx;
 };
+
+/// The numbers by which facets that mirror `wo` into `wi` are sampled as visible ones, with the
+/// density of `wi`. Zero unless both are on the same side.
+inline LobeInverse mirror_inverse(const Microfacets& facets, const Vec3& wo, const Vec3& wi) {
+  if (!same_hemisphere(wo, wi)) return {};
+  const bool front = wo.z > 0.F;
+  const Vec3 o = front ? wo : -wo;
+  const Vec3 h = half_vector(o, front ? wi : -wi).h;
+  return {facets.invert_visible(o, h), 0.25F * facets.density(h) / facets.projected_area(o)};
+}
 
 /// Inverse error function for |x| < 1, relative error below 1e-6 in single precision.
 float inverse_erf(float x);

@@ -44,6 +44,10 @@ struct MicrofacetReflection {
                       density / area_o, density / area_i};
   }
 
+  LobeInverse inverse(const Vec3& wo, const Vec3& wi, float, const Vec3&) const {
+    return mirror_inverse(facets, wo, wi);
+  }
+
   /// At a slightly more grazing angle, as facets have: so it is not 0 where only the normal's term
   /// is.
   Spectrum albedo(const Vec3& wo) const { return fresnel(0.95F * std::abs(wo.z), wo.z > 0.F); }

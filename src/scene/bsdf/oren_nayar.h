@@ -25,9 +25,10 @@ struct OrenNayar {
     const Vec3 wi = cosine_around(u.direction, ng);
     return LobeSample{wi, Spectrum(factor(wo, wi)), cosine_pdf(wi), cosine_pdf(wo)};
   }
-  std::optional<LobeInverse> inverse(const Vec3&, const Vec3& wi, float, const Vec3& ng) const {
+  LobeInverse inverse(const Vec3&, const Vec3& wi, float, const Vec3& ng) const {
     return cosine_inverse(wi, ng);
   }
+  bool is_diffuse(const Vec3&, float) const { return true; }
   Spectrum albedo(const Vec3&) const { return Spectrum(a + 0.13F * b); }
 
  private:

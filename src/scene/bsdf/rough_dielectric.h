@@ -21,20 +21,9 @@ struct RoughDielectric {
     const float relative = front ? eta : 1.F / eta;
     const Vec3 o = front ? wo : -wo;
     const Vec3 i = front ? wi : -wi;
-    if (!transmission) {
-      const HalfVector half = half_vector(o, i);
-      const Choice choice = choose(fresnel_dielectric(half.cosine, relative));
-      return value(o, i, false, half.h, half.cosine, half.cosine, 0.F, relative, choice, mode);
-    }
-    const Vec3 sum = o + i * relative;
-    const float squared = length_squared(sum);
-    if (!(squared > 0.F)) return {};
-    const Vec3 h = sum / std::copysign(std::sqrt(squared), sum.z);
-    const float o_h = std::min(1.F, dot(o, h));
-    const float t_h = -dot(i, h);
-    if (o_h <= 0.F || t_h <= 0.F) return {};
-    const Choice choice = choose({fresnel_reflectance(o_h, t_h, relative), t_h});
-    return value(o, i, true, h, o_h, -t_h, squared, relative, choice, mode);
+    const std::optional<Facet> f = facet(o, i, transmission, relative);
+    if (!f) return {};
+    return value(o, i, transmission, f->h, f->o_h, f->i_h, f->squared, relative, f->choice, mode);
   }
 
   std::optional<LobeSample> sample(const Vec3& wo, const BsdfUniforms& u, const Vec3&,
@@ -61,6 +50,30 @@ struct RoughDielectric {
                       v.reverse_pdf,  transmission,    transmission ? relative : 1.F};
   }
 
+  LobeInverse inverse(const Vec3& wo, const Vec3& wi, float u_lobe, const Vec3&) const {
+    const bool front = wo.z > 0.F;
+    const float relative = front ? eta : 1.F / eta;
+    const Vec3 o = front ? wo : -wo;
+    const Vec3 i = front ? wi : -wi;
+    const bool transmission = !same_hemisphere(wo, wi);
+    const std::optional<Facet> f = facet(o, i, transmission, relative);
+    if (!f || (u_lobe >= f->choice.p_reflect) != transmission) return {};
+    // What `evaluate` says, without the probability of the choice.
+    const float density = facets.density(f->h) / facets.projected_area(o);
+    const float pdf = transmission
+                          ? density * f->o_h * std::abs(f->i_h) * relative * relative / f->squared
+                          : 0.25F * density;
+    return {facets.invert_visible(o, f->h), pdf};
+  }
+  UnitInterval choices(const Vec3& wo, const Vec3& wi, bool transmission, float&) const {
+    const bool front = wo.z > 0.F;
+    const float relative = front ? eta : 1.F / eta;
+    const std::optional<Facet> f =
+        facet(front ? wo : -wo, front ? wi : -wi, transmission, relative);
+    const double p = f ? static_cast<double>(f->choice.p_reflect) : 0.0;
+    return transmission ? UnitInterval{p, 1.0 - p} : UnitInterval{0.0, p};
+  }
+
   Spectrum albedo(const Vec3& wo) const {
     // Where the mean surface reflects totally, some facets still transmit.
     const Spectrum f = clamp(DielectricFresnel{eta}(std::abs(wo.z), wo.z > 0.F), 0.F, 0.95F);
@@ -79,6 +92,33 @@ struct RoughDielectric {
     const float sum = reflected + transmitted;
     if (!(sum > 0.F)) return {boundary, 0.F, 0.F};
     return {boundary, reflected / sum, transmitted / sum};
+  }
+
+  /// The facet that takes `o` to `i`, both seen from the front.
+  struct Facet {
+    Vec3 h;
+    float o_h;
+    float i_h;
+    float squared;  ///< (o·h + η i·h)², of transmission
+    Choice choice;
+  };
+  /// Empty if there is none.
+  std::optional<Facet> facet(const Vec3& o, const Vec3& i, bool transmission,
+                             float relative) const {
+    if (!transmission) {
+      const HalfVector half = half_vector(o, i);
+      const Choice choice = choose(fresnel_dielectric(half.cosine, relative));
+      return Facet{half.h, half.cosine, half.cosine, 0.F, choice};
+    }
+    const Vec3 sum = o + i * relative;
+    const float squared = length_squared(sum);
+    if (!(squared > 0.F)) return std::nullopt;
+    const Vec3 h = sum / std::copysign(std::sqrt(squared), sum.z);
+    const float o_h = std::min(1.F, dot(o, h));
+    const float t_h = -dot(i, h);
+    if (o_h <= 0.F || t_h <= 0.F) return std::nullopt;
+    const Choice choice = choose({fresnel_reflectance(o_h, t_h, relative), t_h});
+    return Facet{h, o_h, -t_h, squared, choice};
   }
 
   /// `squared` is (o·h + η i·h)², only used for transmission.

@@ -81,8 +81,26 @@ class OrthographicCamera final : public Camera {
     const Vec3 start = directions_.vector_to_local(point.surface.p - position_);
     return screen_.to_raster(Vec2(start.x, start.y) - point.surface.uv);
   }
+  std::optional<EmissionUniforms> invert_emission(const EndpointPoint& point,
+                                                  const Vec3& /*through*/, const Vec3& w,
+                                                  const EmissionUniforms& fresh) const override {
+    const std::optional<Vec2> at = raster(point, w);
+    if (!at) return std::nullopt;
+    return EmissionUniforms{fresh.primitive, invert_lens(point, fresh.position),
+                            *at / Vec2(resolution())};
+  }
+  std::optional<ConnectionUniforms> invert_connection(
+      const Vec3& /*reference*/, const EndpointPoint& point,
+      const ConnectionUniforms& fresh) const override {
+    return ConnectionUniforms{fresh.primitive, invert_lens(point, fresh.position)};
+  }
 
  private:
+  /// The numbers of a point on the lens.
+  Vec2 invert_lens(const EndpointPoint& point, const Vec2& fresh) const {
+    if (lens_radius_ == 0.F) return fresh;
+    return warp::uniform_disk_inverse(point.surface.uv / lens_radius_);
+  }
   Vec2 sample_lens(const Vec2& u) const {
     return lens_radius_ == 0.F ? Vec2(0.F) : warp::uniform_disk(u) * lens_radius_;
   }

@@ -91,8 +91,26 @@ class PerspectiveCamera final : public Camera {
   std::optional<Vec2> raster(const EndpointPoint& point, const Vec3& w) const override {
     return local_raster(point, directions_.vector_to_local(w));
   }
+  std::optional<EmissionUniforms> invert_emission(const EndpointPoint& point,
+                                                  const Vec3& /*through*/, const Vec3& w,
+                                                  const EmissionUniforms& fresh) const override {
+    const std::optional<Vec2> at = raster(point, w);
+    if (!at) return std::nullopt;
+    return EmissionUniforms{fresh.primitive, invert_lens(point, fresh.position),
+                            *at / Vec2(resolution())};
+  }
+  std::optional<ConnectionUniforms> invert_connection(
+      const Vec3& /*reference*/, const EndpointPoint& point,
+      const ConnectionUniforms& fresh) const override {
+    return ConnectionUniforms{fresh.primitive, invert_lens(point, fresh.position)};
+  }
 
  private:
+  /// The numbers of a point on the lens.
+  Vec2 invert_lens(const EndpointPoint& point, const Vec2& fresh) const {
+    if (lens_radius_ == 0.F) return fresh;
+    return warp::uniform_disk_inverse(point.surface.uv / lens_radius_);
+  }
   /// `uv` of the point is where it is on the lens, in camera space.
   EndpointPoint lens_point(const Vec2& u) const {
     EndpointPoint point = EndpointPoint::at(position_);

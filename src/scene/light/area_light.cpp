@@ -22,6 +22,7 @@ class AreaLight final : public Light {
   bool at_infinity() const override { return false; }
   bool discrete_position() const override { return false; }
   Spectrum power() const override { return power_; }
+  std::uint32_t primitives() const override { return surface_.primitives(); }
   std::optional<LightBounds> bounds() const override {
     const SurfaceExtent extent = surface_.extent();
     // Projected area over area, along the axis, if normals are spread evenly over their cone: 1 for
@@ -98,6 +99,24 @@ class AreaLight final : public Light {
   Pdf<VertexMeasure> connection_pdf(const Vec3& reference,
                                     const EndpointPoint& point) const override {
     return Pdf<VertexMeasure>(surface_.pdf_toward(reference, point.surface).value());
+  }
+  std::optional<EmissionUniforms> invert_emission(const EndpointPoint& point,
+                                                  const Vec3& /*through*/, const Vec3& w,
+                                                  const EmissionUniforms& fresh) const override {
+    const auto at = surface_.invert(point.surface, {fresh.primitive, fresh.position});
+    if (!at || departure_pdf(point.surface, w).value() == 0.F) return std::nullopt;
+    const Vec3 local = Frame::around(point.surface.ng).to_local(w);
+    Vec2 square = warp::uniform_disk_inverse({local.x, local.y});
+    if (two_sided_) square.x = 0.5F * square.x + (local.z < 0.F ? 0.5F : 0.F);
+    return EmissionUniforms{at->primitive, at->position, square};
+  }
+  std::optional<ConnectionUniforms> invert_connection(
+      const Vec3& reference, const EndpointPoint& point,
+      const ConnectionUniforms& fresh) const override {
+    const auto at =
+        surface_.invert_toward(reference, point.surface, {fresh.primitive, fresh.position});
+    if (!at) return std::nullopt;
+    return ConnectionUniforms{at->primitive, at->position};
   }
 
  private:

@@ -1,4 +1,6 @@
 #pragma once
+#include <optional>
+
 #include "core/frame.h"
 #include "core/pdf.h"
 #include "core/warp.h"
@@ -19,6 +21,13 @@ class BoundingDisk {
     const Vec2 disk = warp::uniform_disk(u) * sphere_.radius;
     return sphere_.center +
            Frame::around(toward).to_world({disk.x, disk.y, 1.001F * sphere_.radius});
+  }
+  /// The numbers of the ray along −`toward` through a point; empty if it misses the disk.
+  std::optional<Vec2> invert(const Vec3& toward, const Vec3& through) const {
+    const Vec3 local = Frame::around(toward).to_local(through - sphere_.center) / sphere_.radius;
+    constexpr float kRounding = 1e-4F;
+    if (!(local.x * local.x + local.y * local.y < 1.F + kRounding)) return std::nullopt;
+    return warp::uniform_disk_inverse({local.x, local.y});
   }
   float area() const { return kPi * sphere_.radius * sphere_.radius; }
   Pdf<Departure> pdf() const { return Pdf<Departure>(1.F / area()); }

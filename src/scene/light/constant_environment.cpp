@@ -46,6 +46,18 @@ class ConstantEnvironment final : public Light {
                                     const EndpointPoint& /*point*/) const override {
     return Pdf<VertexMeasure>(warp::kUniformSpherePdf);
   }
+  std::optional<EmissionUniforms> invert_emission(const EndpointPoint& point, const Vec3& through,
+                                                  const Vec3& /*w*/,
+                                                  const EmissionUniforms& fresh) const override {
+    const std::optional<Vec2> position = disk_.invert(point.toward, through);
+    if (!position) return std::nullopt;
+    return EmissionUniforms{fresh.primitive, *position, warp::uniform_sphere_inverse(point.toward)};
+  }
+  std::optional<ConnectionUniforms> invert_connection(
+      const Vec3& /*reference*/, const EndpointPoint& point,
+      const ConnectionUniforms& fresh) const override {
+    return ConnectionUniforms{fresh.primitive, warp::uniform_sphere_inverse(point.toward)};
+  }
 
  private:
   Spectrum radiance_;

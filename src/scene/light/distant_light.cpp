@@ -40,6 +40,18 @@ class DistantLight final : public Light {
                                     const EndpointPoint& /*point*/) const override {
     return Pdf<VertexMeasure>(1.F);
   }
+  std::optional<EmissionUniforms> invert_emission(const EndpointPoint& /*point*/,
+                                                  const Vec3& through, const Vec3& /*w*/,
+                                                  const EmissionUniforms& fresh) const override {
+    const std::optional<Vec2> position = disk_.invert(toward_, through);
+    if (!position) return std::nullopt;
+    return EmissionUniforms{fresh.primitive, *position, fresh.direction};
+  }
+  std::optional<ConnectionUniforms> invert_connection(
+      const Vec3& /*reference*/, const EndpointPoint& /*point*/,
+      const ConnectionUniforms& fresh) const override {
+    return fresh;
+  }
 
  private:
   Spectrum irradiance_;

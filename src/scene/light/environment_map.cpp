@@ -49,6 +49,19 @@ class EnvironmentMap final : public Light {
                                     const EndpointPoint& point) const override {
     return direction_pdf(point);
   }
+  std::optional<EmissionUniforms> invert_emission(const EndpointPoint& point, const Vec3& through,
+                                                  const Vec3& /*w*/,
+                                                  const EmissionUniforms& fresh) const override {
+    const std::optional<Vec2> position = disk_.invert(point.toward, through);
+    if (!position || !(direction_pdf(point).value() > 0.F)) return std::nullopt;
+    return EmissionUniforms{fresh.primitive, *position, map_.invert(point.surface.uv)};
+  }
+  std::optional<ConnectionUniforms> invert_connection(
+      const Vec3& /*reference*/, const EndpointPoint& point,
+      const ConnectionUniforms& fresh) const override {
+    if (!(direction_pdf(point).value() > 0.F)) return std::nullopt;
+    return ConnectionUniforms{fresh.primitive, map_.invert(point.surface.uv)};
+  }
 
  private:
   std::optional<ConnectionSample> sample_direction(const Vec2& u) const {

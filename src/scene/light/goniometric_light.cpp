@@ -50,6 +50,18 @@ class GoniometricLight final : public Light {
                                     const EndpointPoint& /*point*/) const override {
     return Pdf<VertexMeasure>(1.F);
   }
+  std::optional<EmissionUniforms> invert_emission(const EndpointPoint& /*point*/,
+                                                  const Vec3& /*through*/, const Vec3& w,
+                                                  const EmissionUniforms& fresh) const override {
+    const Vec2 uv = map_uv(at_.directions.to_local(w).w);
+    if (!(map_.pdf(uv).value() > 0.F)) return std::nullopt;
+    return EmissionUniforms{fresh.primitive, fresh.position, map_.invert(uv)};
+  }
+  std::optional<ConnectionUniforms> invert_connection(
+      const Vec3& /*reference*/, const EndpointPoint& /*point*/,
+      const ConnectionUniforms& fresh) const override {
+    return fresh;
+  }
 
  private:
   static Vec3 swap_axes(const Vec3& w) { return {w.x, w.z, w.y}; }

@@ -25,6 +25,8 @@ class LatLongMap {
   Spectrum lookup(const Vec2& uv) const { return map_.lookup(uv); }
   Sample sample(const Vec2& u) const;
   Pdf<SolidAngle> pdf(const Vec2& uv) const;
+  /// The numbers by which `sample` gives `uv`, where the density is > 0.
+  Vec2 invert(const Vec2& uv) const { return distribution_.invert(uv); }
   /// Integral over the sphere, by one or more points per half texel.
   const Spectrum& integral() const { return integral_; }
 

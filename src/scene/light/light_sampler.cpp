@@ -87,6 +87,36 @@ Pdf<Discrete> LightSampler::probability(const Vec3& reference, const Light& ligh
       mixed(by_power_.probability(light.index), placed_probability(reference, light.index)));
 }
 
+std::optional<float> LightSampler::invert(const Vec3& reference, const Light& light,
+                                          float u) const {
+  if (!placed_) return invert_emitter(light, u);
+  const std::uint32_t index = light.index;
+  const double by_power = double{kByPower} * static_cast<double>(by_power_.probability(index));
+  const double placed =
+      (1.0 - double{kByPower}) * static_cast<double>(placed_probability(reference, index));
+  if (!(by_power + placed > 0.0)) return std::nullopt;
+  UnitInterval numbers{0.0, double{kByPower}};
+  if (came_first(by_power, placed, u)) {
+    numbers = numbers.part(by_power_.interval(index));
+  } else {
+    numbers = {double{kByPower}, 1.0 - double{kByPower}};
+    const double distant = distant_share(reference);
+    const std::uint32_t place = distant_index_[index];
+    numbers = place != kPlaced
+                  ? numbers.part({0.0, distant}).part(distant_by_power_.interval(place))
+                  : numbers.part({distant, 1.0 - distant}).part(tree_.interval(reference, index));
+  }
+  const float number = numbers.at(u);
+  if (choose(reference, number).light != &light) return std::nullopt;
+  return number;
+}
+
+std::optional<float> LightSampler::invert_emitter(const Light& light, float u) const {
+  if (lights_.size() == 1) return u;
+  if (!(by_power_.probability(light.index) > 0.F)) return std::nullopt;
+  return by_power_.invert(light.index, u);
+}
+
 ChosenLight LightSampler::choose_emitter(float u) const {
   if (lights_.size() == 1) return {lights_.front().get(), Pdf<Discrete>(1.F), u};
   const Distribution1D::Choice choice = by_power_.choose(u);

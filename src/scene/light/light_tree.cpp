@@ -312,6 +312,23 @@ float LightTree::probability(const Vec3& reference, std::uint32_t light) const {
   return probability;
 }
 
+UnitInterval LightTree::interval(const Vec3& reference, std::uint32_t light) const {
+  std::uint64_t trail = trails_[light];
+  UnitInterval numbers;
+  std::uint32_t link = 0;
+  while ((link & kLeaf) == 0) {
+    const Node& node = nodes_[link & kIndex];
+    const auto child = static_cast<int>(trail % kWidth);
+    const Lanes share = shares(node, reference);
+    float start = 0.F;
+    for (int i = 0; i < child; ++i) start += share[i];
+    numbers = numbers.part({static_cast<double>(start), static_cast<double>(share[child])});
+    trail >>= kTrailBits;
+    link = node.link[child];
+  }
+  return numbers;
+}
+
 double LightTree::irradiance(const Vec3& reference) const {
   const Lanes estimates = importance(nodes_.front(), reference);
   return power_ *

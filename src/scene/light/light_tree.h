@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "core/unit_interval.h"
 #include "scene/light/light_bounds.h"
 
 namespace ajar {
@@ -34,6 +35,8 @@ class LightTree {
   Choice choose(const Vec3& reference, float u) const;
   /// Bit for bit that of `choose`; 0 for lights that are not in the tree.
   float probability(const Vec3& reference, std::uint32_t light) const;
+  /// The numbers by which `choose` gives this light, of probability > 0.
+  UnitInterval interval(const Vec3& reference, std::uint32_t light) const;
   /// Estimate of the irradiance at `reference` on a surface that faces the lights, without
   /// shadows: luminance, W/m². Requires !empty().
   double irradiance(const Vec3& reference) const;

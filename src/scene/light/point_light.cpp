@@ -40,6 +40,16 @@ class PointLight final : public Light {
                                     const EndpointPoint& /*point*/) const override {
     return Pdf<VertexMeasure>(1.F);
   }
+  std::optional<EmissionUniforms> invert_emission(const EndpointPoint& /*point*/,
+                                                  const Vec3& /*through*/, const Vec3& w,
+                                                  const EmissionUniforms& fresh) const override {
+    return EmissionUniforms{fresh.primitive, fresh.position, warp::uniform_sphere_inverse(w)};
+  }
+  std::optional<ConnectionUniforms> invert_connection(
+      const Vec3& /*reference*/, const EndpointPoint& /*point*/,
+      const ConnectionUniforms& fresh) const override {
+    return fresh;
+  }
 
  private:
   Spectrum intensity_;

@@ -77,6 +77,18 @@ class ProjectionLight final : public Light {
                                     const EndpointPoint& /*point*/) const override {
     return Pdf<VertexMeasure>(1.F);
   }
+  std::optional<EmissionUniforms> invert_emission(const EndpointPoint& /*point*/,
+                                                  const Vec3& /*through*/, const Vec3& w,
+                                                  const EmissionUniforms& fresh) const override {
+    const std::optional<Vec2> uv = to_uv(at_.directions.to_local(w).w);
+    if (!uv || !(distribution_.pdf(*uv) > 0.F)) return std::nullopt;
+    return EmissionUniforms{fresh.primitive, fresh.position, distribution_.invert(*uv)};
+  }
+  std::optional<ConnectionUniforms> invert_connection(
+      const Vec3& /*reference*/, const EndpointPoint& /*point*/,
+      const ConnectionUniforms& fresh) const override {
+    return fresh;
+  }
 
  private:
   static Vec2 half_size(float fov, const Map& map) {

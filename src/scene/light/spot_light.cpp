@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/warp.h"
 #include "scene/light/models.h"
 #include "scene/light/point_connection.h"
 
@@ -84,6 +85,30 @@ class SpotLight final : public Light {
   Pdf<VertexMeasure> connection_pdf(const Vec3& /*reference*/,
                                     const EndpointPoint& /*point*/) const override {
     return Pdf<VertexMeasure>(1.F);
+  }
+  std::optional<EmissionUniforms> invert_emission(const EndpointPoint& /*point*/,
+                                                  const Vec3& /*through*/, const Vec3& w,
+                                                  const EmissionUniforms& fresh) const override {
+    const Vec3 local = at_.directions.to_local(w).w;
+    if (!(falloff(local) > 0.F)) return std::nullopt;
+    const float chance_inner = 2.F * kPi * inner_ / solid_angle_;
+    const float away = one_minus_cos(local);
+    float x = 0.F;
+    if (away < inner_) {
+      x = chance_inner * (away / inner_);
+    } else {
+      const float delta = (edge_ - away) / (edge_ - inner_);
+      const float left = (delta * delta) * (delta * delta) * delta;
+      x = chance_inner + (1.F - left) * (1.F - chance_inner);
+    }
+    return EmissionUniforms{fresh.primitive,
+                            fresh.position,
+                            {std::min(x, kOneMinusEpsilon), warp::turn_of({local.x, local.y})}};
+  }
+  std::optional<ConnectionUniforms> invert_connection(
+      const Vec3& /*reference*/, const EndpointPoint& /*point*/,
+      const ConnectionUniforms& fresh) const override {
+    return fresh;
   }
 
  private:

@@ -26,4 +26,16 @@ inline Vec3 sample_henyey_greenstein(float g, const Vec3& wo, const Vec2& u) {
       {sin_theta * std::cos(phi), sin_theta * std::sin(phi), cos_theta});
 }
 
+/// The numbers by which `sample_henyey_greenstein` gives `wi`.
+inline Vec2 invert_henyey_greenstein(float g, const Vec3& wo, const Vec3& wi) {
+  const Vec3 local = Frame::around(wo).to_local(wi);
+  float u = 0.5F * (1.F - local.z);
+  if (std::abs(g) > 1e-3F) {
+    // ratio² is the denominator's square in the density.
+    const float ratio = std::sqrt(std::max(1.F + g * g + 2.F * g * local.z, 1e-12F));
+    u = (1.F + g - (1.F - g * g) / ratio) / (2.F * g);
+  }
+  return {std::clamp(u, 0.F, kOneMinusEpsilon), warp::turn_of({local.x, local.y})};
+}
+
 }  // namespace ajar::phase

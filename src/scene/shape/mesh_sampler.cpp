@@ -23,6 +23,9 @@ class MeshSampler final : public SurfaceSampler {
     });
   }
   float area() const override { return static_cast<float>(by_area_.total()); }
+  std::uint32_t primitives() const override {
+    return static_cast<std::uint32_t>(densities_.size());
+  }
   SurfaceExtent extent() const override {
     SurfaceExtent extent;
     Vec3d mean(0.0);
@@ -54,6 +57,13 @@ class MeshSampler final : public SurfaceSampler {
   }
   Pdf<Area> pdf(const SurfacePoint& point) const override {
     return Pdf<Area>(densities_[point.primitive]);
+  }
+  std::optional<SurfaceUniforms> invert(const SurfacePoint& point,
+                                        const SurfaceUniforms& fresh) const override {
+    if (!(by_area_.probability(point.primitive) > 0.F)) return std::nullopt;
+    return SurfaceUniforms{
+        by_area_.invert(point.primitive, fresh.primitive),
+        warp::uniform_triangle_inverse(mesh_.barycentric(point.primitive, point.p))};
   }
 
  private:

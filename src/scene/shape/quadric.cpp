@@ -355,6 +355,26 @@ double Quadric::uniform_v(double x) const {
   return 0.5 * (low + high);
 }
 
+double Quadric::area_share(double v) const {
+  switch (kind_) {
+    case Kind::Sphere:
+      return (profile(v).z - z_min_) / (z_max_ - z_min_);
+    case Kind::Disk: {
+      const double outer = radius_ * radius_;
+      const double r = profile(v).x;
+      return (outer - r * r) / (outer - inner_radius_ * inner_radius_);
+    }
+    case Kind::Paraboloid: {
+      const double k = z_max_ / (radius_ * radius_);
+      const auto cubed = [k](double z) { return std::pow(z / k + 0.25 / (k * k), 1.5); };
+      return (cubed(profile(v).z) - cubed(z_min_)) / (cubed(z_max_) - cubed(z_min_));
+    }
+    case Kind::Ruled:
+      break;
+  }
+  return ruled_area(v) / ruled_area(1.0);
+}
+
 void Quadric::bounds(Vec3d& low, Vec3d& high) const {
   const double z1 = kind_ == Kind::Ruled ? std::min(p1_.z, p1_.z + edge_.z) : z_min_;
   const double z2 = kind_ == Kind::Ruled ? std::max(p1_.z, p1_.z + edge_.z) : z_max_;

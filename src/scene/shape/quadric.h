@@ -46,6 +46,8 @@ class Quadric {
   double area() const;
   /// v such that uniform `x` in [0, 1) gives uniform area.
   double uniform_v(double x) const;
+  /// Its inverse: the share of the area between v = 0 and v.
+  double area_share(double v) const;
   /// Box that contains the surface, in object space.
   void bounds(Vec3d& low, Vec3d& high) const;
 

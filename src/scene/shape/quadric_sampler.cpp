@@ -7,6 +7,8 @@ namespace ajar {
 
 namespace {
 
+float unit(float u) { return std::clamp(u, 0.F, kOneMinusEpsilon); }
+
 class QuadricSampler final : public SurfaceSampler {
  public:
   QuadricSampler(const Quadric& quadric, const Placement& placement, bool reversed)
@@ -45,6 +47,11 @@ class QuadricSampler final : public SurfaceSampler {
   }
   Pdf<Area> pdf(const SurfacePoint& point) const override {
     return density(Imath::V2d(point.uv.x, point.uv.y));
+  }
+  std::optional<SurfaceUniforms> invert(const SurfacePoint& point,
+                                        const SurfaceUniforms& fresh) const override {
+    const auto share = static_cast<float>(quadric_.area_share(static_cast<double>(point.uv.y)));
+    return SurfaceUniforms{fresh.primitive, {unit(point.uv.x), unit(share)}};
   }
 
  private:
@@ -132,6 +139,33 @@ class SphereSampler final : public SurfaceSampler {
     const double tolerance = 1e-5 * radius_ * distance;
     if (height < radius_ * radius_ - tolerance) return {};
     return cone_pdf(reference, distance, point);
+  }
+
+  std::optional<SurfaceUniforms> invert(const SurfacePoint& point,
+                                        const SurfaceUniforms& fresh) const override {
+    const Vec3d n = (Vec3d(point.p) - center_).normalized();
+    return SurfaceUniforms{fresh.primitive, warp::uniform_sphere_inverse(Vec3(n))};
+  }
+  std::optional<SurfaceUniforms> invert_toward(const Vec3& reference, const SurfacePoint& point,
+                                               const SurfaceUniforms& fresh) const override {
+    const Vec3d to_reference = Vec3d(reference) - center_;
+    const double distance = to_reference.length();
+    if (!outside(distance)) return invert(point, fresh);
+    if (!(pdf_toward(reference, point).value() > 0.F)) return std::nullopt;
+    Vec3d x;
+    Vec3d y;
+    const Vec3d z = to_reference / distance;
+    axes_around(z, x, y);
+    const Vec3d n = (Vec3d(point.p) - center_).normalized();
+    // The angle θ at the reference, from the triangle of reference, centre and point.
+    const double along = distance - radius_ * n.dot(z);
+    const double across = radius_ * n.cross(z).length();
+    const double hypotenuse = std::hypot(along, across);
+    const double one_minus_cos = across * across / (hypotenuse * (hypotenuse + along));
+    return SurfaceUniforms{
+        fresh.primitive,
+        {unit(static_cast<float>(one_minus_cos / one_minus_cos_max(distance))),
+         warp::turn_of({static_cast<float>(n.dot(x)), static_cast<float>(n.dot(y))})}};
   }
 
  private:

@@ -11,4 +11,10 @@ Pdf<Area> SurfaceSampler::pdf_toward(const Vec3& /*reference*/, const SurfacePoi
   return pdf(point);
 }
 
+std::optional<SurfaceUniforms> SurfaceSampler::invert_toward(const Vec3& /*reference*/,
+                                                             const SurfacePoint& point,
+                                                             const SurfaceUniforms& fresh) const {
+  return invert(point, fresh);
+}
+
 }  // namespace ajar

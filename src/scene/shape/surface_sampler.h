@@ -29,6 +29,8 @@ class SurfaceSampler {
   virtual ~SurfaceSampler() = default;
   virtual float area() const = 0;  ///< m²
   virtual SurfaceExtent extent() const = 0;
+  /// Points of it have `SurfacePoint::primitive` below that.
+  virtual std::uint32_t primitives() const { return 1; }
   /// Uniform over the surface (of quadrics under transforms that are not similarities: over the
   /// surface in object space).
   virtual SurfaceSample sample(const SurfaceUniforms& u) const = 0;
@@ -38,6 +40,13 @@ class SurfaceSampler {
   virtual std::optional<SurfaceSample> sample_toward(const Vec3& reference,
                                                      const SurfaceUniforms& u) const;
   virtual Pdf<Area> pdf_toward(const Vec3& reference, const SurfacePoint& point) const;
+  /// The numbers by which `sample` and `sample_toward` give `point`; what they forget is taken from
+  /// `fresh` (docs/inverses.md). Empty if they never do.
+  virtual std::optional<SurfaceUniforms> invert(const SurfacePoint& point,
+                                                const SurfaceUniforms& fresh) const = 0;
+  virtual std::optional<SurfaceUniforms> invert_toward(const Vec3& reference,
+                                                       const SurfacePoint& point,
+                                                       const SurfaceUniforms& fresh) const;
 };
 
 }  // namespace ajar

@@ -43,6 +43,8 @@ class TriangleMesh {
   /// Only position and texture coordinates.
   void texture_point(std::uint32_t triangle, float b1, float b2, SurfacePoint& point) const;
   double triangle_area(std::uint32_t triangle) const;
+  /// (b1, b2) of a point in the plane of a triangle that has an area.
+  Vec2 barycentric(std::uint32_t triangle, const Vec3& p) const;
   /// True if a single-precision plane test of some triangle can err by more than
   /// `offset_ray_origin` moves points: large triangles that are not parallel to an axis, reaching
   /// near the origin.

@@ -34,6 +34,11 @@ class Quad final : public SurfaceSampler {
   }
   Pdf<Area> pdf(const SurfacePoint& /*point*/) const override { return Pdf<Area>(1.F / area_); }
 
+  std::optional<SurfaceUniforms> invert(const SurfacePoint& point,
+                                        const SurfaceUniforms& fresh) const override {
+    return SurfaceUniforms{fresh.primitive, point.uv};
+  }
+
   SurfacePoint at(const Vec2& uv) const {
     return flat_point(corner_ + u_ * uv.x + v_ * uv.y, normal_, uv, u_, v_);
   }
@@ -64,6 +69,11 @@ class Ball final : public SurfaceSampler {
     return {at(warp::uniform_sphere(u.position)), Pdf<Area>(1.F / area())};
   }
   Pdf<Area> pdf(const SurfacePoint& /*point*/) const override { return Pdf<Area>(1.F / area()); }
+
+  std::optional<SurfaceUniforms> invert(const SurfacePoint& point,
+                                        const SurfaceUniforms& fresh) const override {
+    return SurfaceUniforms{fresh.primitive, warp::uniform_sphere_inverse(point.ng)};
+  }
 
   SurfacePoint at(const Vec3& n) const {
     const Vec3 tangent = cross(std::abs(n.z) < 0.9F ? Vec3(0, 0, 1) : Vec3(1, 0, 0), n);

@@ -1,0 +1,64 @@
+#include "path/edges.h"
+
+namespace ajar {
+
+namespace {
+/// Rays stop a few roundings short of what they aim at.
+constexpr float kShort = 0.999999F;
+
+Ray ray_to(const Vec3& origin, const Vec3& target) {
+  const Vec3 difference = target - origin;
+  const float distance = length(difference);
+  return {origin, difference / distance, distance * kShort};
+}
+
+/// From `origin` to an endpoint in direction `w`.
+Ray ray_to_endpoint(const Vec3& origin, const Endpoint& endpoint, const EndpointPoint& point,
+                    const Vec3& w) {
+  if (!endpoint.at_infinity()) {
+    return ray_to(origin, offset_ray_origin(point.surface.p, point.surface.ng, -w));
+  }
+  return {origin, w};
+}
+}  // namespace
+
+std::optional<Segment> look_along(const Scene& scene, const Path& path, int edge, RayCounts& rays) {
+  const Camera& camera = scene.camera();
+  const int k = path.depth();
+  if (k == 1) {
+    const Vec3 w = path.toward_light(scene, 1);
+    return connect(scene,
+                   ray_to_endpoint(path.camera_point.surface.p, *path.light, path.light_point, w),
+                   camera.medium, rays);
+  }
+  // From the end that is inside the scene.
+  if (edge == 0) {
+    const InnerVertex& from = path.vertex(1);
+    const Vec3 w = path.toward_light(scene, 1);
+    return connect(scene, ray_to_endpoint(from.ray_origin(w), *path.light, path.light_point, w),
+                   from.medium_toward(w), rays);
+  }
+  const InnerVertex& from = path.vertex(edge);
+  const Vec3 w = path.toward_camera(scene, edge);
+  const Vec3 origin = from.ray_origin(w);
+  if (edge < k - 1) {
+    const Vec3 target = path.vertex(edge + 1).ray_origin(-w);
+    return connect(scene, ray_to(origin, target), from.medium_toward(w), rays);
+  }
+  Ray ray = ray_to_endpoint(origin, camera, path.camera_point, w);
+  // Orthographic views begin at the film plane.
+  if (camera.at_infinity()) ray.t_max = length(path.camera_point.surface.p - from.p());
+  return connect(scene, ray, from.medium_toward(w), rays);
+}
+
+bool look_along_all(const Scene& scene, Path& path, RayCounts& rays) {
+  path.segments.clear();
+  for (int edge = 0; edge < path.depth(); ++edge) {
+    const std::optional<Segment> segment = look_along(scene, path, edge, rays);
+    if (!segment) return false;
+    path.segments.push_back(*segment);
+  }
+  return true;
+}
+
+}  // namespace ajar

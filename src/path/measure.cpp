@@ -1,0 +1,182 @@
+#include "path/measure.h"
+
+namespace ajar {
+
+namespace {
+
+/// |cos θ| at an endpoint; 1 where there is no surface.
+double endpoint_cosine(const EndpointPoint& point, const Vec3& w) {
+  return length_squared(point.surface.ng) > 0.F ? double{abs_dot(point.surface.ng, w)} : 1.0;
+}
+
+double squared_distance(const Path& path, int x, int y) {
+  const Vec3d d = Vec3d(path.position(y)) - Vec3d(path.position(x));
+  return d.dot(d);
+}
+
+/// What turns a density of the direction from `x` (for endpoints at infinity: of the place where
+/// the ray crosses a plane) into one of vertex `y`, in its own measure.
+double spread(const Scene& scene, const Path& path, int x, int y) {
+  const int k = path.depth();
+  const Endpoint* from = nullptr;
+  if (x == 0) from = path.light;
+  if (x == k) from = &scene.camera();
+  const bool to_infinity =
+      (y == 0 && path.light->at_infinity()) || (y == k && scene.camera().at_infinity());
+  if (to_infinity) return 1.0;
+  const Vec3 w = y < x ? path.toward_light(scene, x) : path.toward_camera(scene, x);
+  double cosine = 1.0;
+  if (y == 0) {
+    cosine = endpoint_cosine(path.light_point, w);
+  } else if (y == k) {
+    cosine = endpoint_cosine(path.camera_point, w);
+  } else {
+    cosine = double{path.vertex(y).cosine(w)};
+  }
+  if (from != nullptr && from->at_infinity()) return cosine;
+  // Scattering events of a medium can fall on the very coordinates of the vertex before.
+  return cosine / std::max(squared_distance(path, x, y), 1e-36);
+}
+
+const Medium* scattered_in(const Path& path, int x) {
+  return x == 0 || x == path.depth() ? nullptr : path.vertex(x).scattered_in();
+}
+
+/// Density with which a subpath of `count` ≥ 2 vertices from the light is sampled.
+double light_side(const Scene& scene, const Path& path, int count) {
+  const Light& light = *path.light;
+  const EmissionPdf emission = light.emission_pdf(path.light_point, path.toward_camera(scene, 0));
+  double pdf = double{emission.position.value()} *
+               double{scene.light_sampler().emitter_probability(light).value()} *
+               double{emission.departure.value()};
+  for (int x = 1; x < count; ++x) {  // from x − 1 to x
+    if (x > 1) {
+      pdf *=
+          path.vertex(x - 1).pdf(path.toward_light(scene, x - 1), path.toward_camera(scene, x - 1));
+    }
+    pdf *= spread(scene, path, x - 1, x) *
+           double{path.segment(x - 1).distance_pdf(scattered_in(path, x))};
+  }
+  return pdf;
+}
+
+/// The same from the camera, for `count` ≥ 1.
+double camera_side(const Scene& scene, const Path& path, int count) {
+  const int k = path.depth();
+  const EmissionPdf emission =
+      scene.camera().emission_pdf(path.camera_point, path.toward_light(scene, k));
+  double pdf = emission.position.value();
+  if (count > 1) pdf *= double{emission.departure.value()};
+  for (int x = k - 1; x > k - count; --x) {  // from x + 1 to x
+    if (x + 1 < k) {
+      pdf *=
+          path.vertex(x + 1).pdf(path.toward_camera(scene, x + 1), path.toward_light(scene, x + 1));
+    }
+    pdf *=
+        spread(scene, path, x + 1, x) * double{path.segment(x).distance_pdf(scattered_in(path, x))};
+  }
+  return pdf;
+}
+
+}  // namespace
+
+ScaledSpectrum& ScaledSpectrum::operator*=(const Spectrum& factor) {
+  const float size = factor.max();
+  if (!(size > 0.F)) {
+    scale = 0.0;
+    return *this;
+  }
+  spectrum *= factor / size;
+  scale *= static_cast<double>(size);
+  const float left = spectrum.max();
+  if (left > 0.F && left < 1e-6F) {
+    spectrum /= left;
+    scale *= static_cast<double>(left);
+  }
+  return *this;
+}
+
+ScaledSpectrum contribution(const Scene& scene, const Path& path) {
+  const int k = path.depth();
+  const Vec3 away = path.toward_light(scene, k);
+  ScaledSpectrum f;
+  f *= scene.camera().emitted(path.camera_point, away);
+  f *= endpoint_cosine(path.camera_point, away);
+  for (int x = k - 1; x >= 0; --x) {  // from x + 1 to x, and what happens there
+    f *= path.segment(x).transmittance;
+    f *= spread(scene, path, x + 1, x);
+    if (x == 0) break;
+    const InnerVertex& vertex = path.vertex(x);
+    const Vec3 wo = path.toward_camera(scene, x);
+    if (vertex.in_medium) f *= vertex.medium->sigma_s();
+    if (vertex.event.specular()) {
+      const auto sample = vertex.bsdf.specular(wo, vertex.event, TransportMode::Radiance);
+      f *= sample ? sample->weight * sample->pdf.value() : Spectrum();
+    } else {
+      f *= vertex.eval(wo, path.toward_light(scene, x), TransportMode::Radiance);
+    }
+  }
+  f *= path.light->emitted(path.light_point, path.toward_camera(scene, 0));
+  return f;
+}
+
+double technique_pdf(const Scene& scene, const Path& path, Technique technique) {
+  const auto [s, t] = technique;
+  const int k = path.depth();
+  if (s + t != k + 1 || t < 1) return 0.0;
+  if (s == 0) return path.light->discrete_position() ? 0.0 : camera_side(scene, path, t);
+  if (k == 1) return 0.0;
+  // Those that the connection touches must scatter into more than single directions.
+  for (const int x : {s - 1, s}) {
+    if (x >= 1 && x < k && path.vertex(x).event.specular()) return 0.0;
+  }
+  if (s > 1) return light_side(scene, path, s) * camera_side(scene, path, t);
+  const Vec3& reference = path.vertex(1).p();
+  return double{path.light->connection_pdf(reference, path.light_point).value()} *
+         double{scene.light_sampler().probability(reference, *path.light).value()} *
+         camera_side(scene, path, t);
+}
+
+double specular_spread(const Scene& scene, const Path& path, int x) {
+  const InnerVertex& vertex = path.vertex(x);
+  const Vec3 wo = path.toward_camera(scene, x);
+  const auto sample = vertex.bsdf.specular(wo, vertex.event, TransportMode::Radiance);
+  if (!sample) return 0.0;
+  const Vec3 ns = vertex.bsdf.ns();
+  const double eta = sample->eta;
+  return eta * eta * double{abs_dot(ns, sample->wi)} / double{abs_dot(ns, wo)};
+}
+
+Spectrum throughput(const Scene& scene, const Path& path, Technique technique) {
+  const double pdf = technique_pdf(scene, path, technique);
+  if (!(pdf > 0.0)) return {};
+  ScaledSpectrum f = contribution(scene, path);
+  for (int x = 1; x + 1 < technique.s; ++x) {
+    if (path.vertex(x).event.specular()) f *= specular_spread(scene, path, x);
+  }
+  f *= 1.0 / pdf;
+  return f.value();
+}
+
+double mis_weight(const Scene& scene, const PathSamplerSettings& settings, const Path& path,
+                  Technique technique) {
+  const Vec2 size(scene.camera().resolution());
+  const bool inside = path.raster.x >= 0.F && path.raster.y >= 0.F && path.raster.x < size.x &&
+                      path.raster.y < size.y;
+  const auto share = [&](Technique other) {
+    if (!settings.techniques.enabled(other) || (other.t == 1 && !inside)) return 0.0;
+    return h(settings.heuristic, tries(settings, other) * technique_pdf(scene, path, other));
+  };
+  double sum = 0.0;
+  for (int s = 0; s <= path.depth(); ++s) sum += share({s, path.depth() + 1 - s});
+  return share(technique) / sum;
+}
+
+double tries(const PathSamplerSettings& settings, Technique technique) {
+  const double subpaths = technique.t == 1   ? settings.light_paths_per_pixel
+                          : technique.s >= 2 ? settings.light_subpaths
+                                             : 1.0;
+  return settings.techniques.count(technique) * subpaths;
+}
+
+}  // namespace ajar

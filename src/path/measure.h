@@ -1,0 +1,54 @@
+#pragma once
+#include "path/path.h"
+#include "transport/path_sampler.h"
+
+/// What a path is worth and how likely techniques are to make it: straight from the definitions,
+/// linear in the length of the path. Sources: Veach 1997, sections 8.3 and 10.2.
+namespace ajar {
+
+/// A spectrum whose size floats do not hold: products over many edges.
+struct ScaledSpectrum {
+  Spectrum spectrum{1.F};  ///< of the order of one
+  double scale = 1.0;
+  ScaledSpectrum& operator*=(const Spectrum& factor);
+  ScaledSpectrum& operator*=(double factor) {
+    scale *= factor;
+    return *this;
+  }
+  bool is_black() const { return scale == 0.0 || spectrum.is_black(); }
+  Spectrum value() const { return spectrum * static_cast<float>(scale); }
+  double luminance() const { return static_cast<double>(ajar::luminance(spectrum)) * scale; }
+};
+
+/// The measurement contribution f(x) = L_e · Π f_s · Π G · V · W_e, in the product of the vertices'
+/// measures (`VertexMeasure`: area, volume, solid angle at infinity, counting measure), visibility
+/// and transmittance by `segments`; σ_s of media included. The film's filter is not.
+///
+/// At specular vertices the delta distribution over the direction toward the light, given the one
+/// toward the camera, is left out (see `specular_spread`).
+ScaledSpectrum contribution(const Scene& scene, const Path& path);
+
+/// Density, in the same measure, with which technique (s, t) makes this path in one try; 0 if it
+/// cannot. At specular vertices it has the probability of the event, whichever end they are sampled
+/// from: the deltas are left out, as in MIS weights. Roulette is not in it.
+double technique_pdf(const Scene& scene, const Path& path, Technique technique);
+
+/// What the delta over the direction toward the light is of that over the direction toward the
+/// camera, at specular vertex x: (η² |cos θ_s|)_light / (η² |cos θ_s|)_camera, θ_s to the shading
+/// normal. f / p of a technique that samples x from the light has it as a factor
+/// (docs/theory.md, "Deltas").
+double specular_spread(const Scene& scene, const Path& path, int x);
+
+/// f / p: what one try of the technique that makes this path brings, without MIS weight. Black if
+/// the technique cannot.
+Spectrum throughput(const Scene& scene, const Path& path, Technique technique);
+
+/// How often a technique is tried for one camera sample, on average (techniques (s, 1): per pixel
+/// of the full image).
+double tries(const PathSamplerSettings& settings, Technique technique);
+
+/// MIS weight of a technique over the settings' set, counts and heuristic included.
+double mis_weight(const Scene& scene, const PathSamplerSettings& settings, const Path& path,
+                  Technique technique);
+
+}  // namespace ajar

@@ -1,0 +1,39 @@
+#include "path/path.h"
+
+#include "scene/medium/phase.h"
+
+namespace ajar {
+
+Spectrum InnerVertex::eval(const Vec3& wo, const Vec3& wi, TransportMode mode) const {
+  if (!in_medium) return bsdf.eval(wo, wi, mode);
+  return Spectrum(phase::henyey_greenstein(medium->g(), wo, wi));
+}
+
+double InnerVertex::pdf(const Vec3& from, const Vec3& to) const {
+  if (in_medium) return double{phase::henyey_greenstein(medium->g(), from, to)};
+  if (!event.specular()) return double{bsdf.pdf(from, to).value()};
+  const auto sample = bsdf.specular(from, event, TransportMode::Radiance);
+  return sample ? double{sample->pdf.value()} : 0.0;
+}
+
+const Medium* InnerVertex::medium_toward(const Vec3& w) const {
+  if (in_medium || !hit.media->changes) return medium;
+  return dot(w, hit.point.ng) > 0.F ? hit.media->outside : hit.media->inside;
+}
+
+const Vec3& Path::position(int x) const {
+  if (x == 0) return light_point.surface.p;
+  return x == depth() ? camera_point.surface.p : vertex(x).p();
+}
+
+Vec3 Path::toward_light(const Scene& scene, int x) const {
+  if (x == 1 && light->at_infinity()) return light_point.toward;
+  if (x == depth() && scene.camera().at_infinity()) return -camera_point.toward;
+  return normalize(position(x - 1) - position(x));
+}
+
+Vec3 Path::toward_camera(const Scene& scene, int x) const {
+  return x == 0 && light->at_infinity() ? -light_point.toward : -toward_light(scene, x + 1);
+}
+
+}  // namespace ajar
