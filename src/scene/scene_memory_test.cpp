@@ -10,6 +10,7 @@
 
 #include "core/error.h"
 #include "core/warnings.h"
+#include "scene/desc/models.h"
 #include "scene/scene.h"
 
 namespace ajar {
@@ -28,7 +29,7 @@ desc::SceneDesc floor_of(unsigned side) {
     }
   }
   desc::SceneDesc scene;
-  scene.materials.emplace_back();
+  scene.materials.emplace_back().node = desc::material_node("diffuse");
   desc::Shape shape;
   shape.node = std::shared_ptr<const desc::Mesh>(std::move(mesh));
   shape.material = 0;

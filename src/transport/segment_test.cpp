@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "scene/desc/models.h"
 #include "transport/sources.h"
 
 namespace ajar {
@@ -12,7 +13,7 @@ std::unique_ptr<Scene> ball(bool with_interface) {
   desc::SceneDesc scene;
   scene.shapes.emplace_back().node = desc::Sphere{};
   if (with_interface) {
-    scene.materials.emplace_back().node = desc::InterfaceMaterial{};
+    scene.materials.emplace_back().node = desc::material_node("interface");
     scene.shapes.emplace_back().node = desc::Sphere{2, -2, 2, 360};
     scene.shapes.back().material = 0;
   }

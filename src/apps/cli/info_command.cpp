@@ -40,21 +40,6 @@ const char* kind_of(const desc::Light& light) {
                     light.node);
 }
 
-const char* kind_of(const desc::Material& material) {
-  return std::visit(Overloaded{[](const desc::MatteMaterial&) { return "matte"; },
-                               [](const desc::MirrorMaterial&) { return "mirror"; },
-                               [](const desc::GlassMaterial&) { return "glass"; },
-                               [](const desc::MetalMaterial&) { return "metal"; },
-                               [](const desc::PlasticMaterial&) { return "plastic"; },
-                               [](const desc::SubstrateMaterial&) { return "substrate"; },
-                               [](const desc::UberMaterial&) { return "uber"; },
-                               [](const desc::TranslucentMaterial&) { return "translucent"; },
-                               [](const desc::DisneyMaterial&) { return "disney"; },
-                               [](const desc::MixMaterial&) { return "mix"; },
-                               [](const desc::InterfaceMaterial&) { return "none"; }},
-                    material.node);
-}
-
 const char* kind_of(const desc::Camera& camera) {
   return std::visit(Overloaded{[](const desc::PerspectiveCamera&) { return "perspective"; },
                                [](const desc::OrthographicCamera&) { return "orthographic"; },
@@ -82,7 +67,7 @@ std::map<std::string, std::size_t> light_counts(const desc::SceneDesc& scene) {
 
 std::map<std::string, std::size_t> material_counts(const desc::SceneDesc& scene) {
   std::map<std::string, std::size_t> counts;
-  for (const desc::Material& material : scene.materials) ++counts[kind_of(material)];
+  for (const desc::Material& material : scene.materials) ++counts[material.node.model().name];
   return counts;
 }
 

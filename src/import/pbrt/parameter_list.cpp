@@ -118,8 +118,11 @@ const Parameter* ParameterList::find_one(std::string_view name,
 }
 
 bool ParameterList::get_bool(std::string_view name, bool fallback) const {
+  return get_bool(name).value_or(fallback);
+}
+std::optional<bool> ParameterList::get_bool(std::string_view name) const {
   const Parameter* p = find_one(name, ParameterKind::Bool);
-  return p == nullptr ? fallback : p->strings.front() == "true";
+  return p == nullptr ? std::nullopt : std::optional(p->strings.front() == "true");
 }
 int ParameterList::get_int(std::string_view name, int fallback) const {
   const Parameter* p = find_one(name, ParameterKind::Integer);

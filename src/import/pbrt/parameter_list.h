@@ -64,6 +64,7 @@ class ParameterList {
   }
 
   bool get_bool(std::string_view name, bool fallback) const;
+  std::optional<bool> get_bool(std::string_view name) const;
   int get_int(std::string_view name, int fallback) const;
   float get_float(std::string_view name, float fallback) const;
   std::optional<float> get_float(std::string_view name) const;

@@ -12,22 +12,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A folder that disappears at the end of the test.
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    std::string pattern = (fs::temp_directory_path() / "ajar_writer_XXXXXX").string();
-    path_ = mkdtemp(pattern.data());
-  }
-  ~TemporaryFolder() { fs::remove_all(path_); }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
-
 const char* const kEverything = R"(
 Integrator "mlt" "integer maxdepth" 9 "integer chains" 7 "float sigma" .03
 Sampler "random" "integer pixelsamples" 5

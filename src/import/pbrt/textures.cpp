@@ -26,10 +26,18 @@ struct Source {
   const ParameterList& parameters;
   const Mat4& ctm;
 
+  desc::TextureId number(std::string_view name, float fallback) const {
+    const auto value = TextureParameters(context, table, parameters).find_number(name);
+    if (!value) return table.constant(fallback);
+    if (const float* number = std::get_if<float>(&*value)) return table.constant(*number);
+    return std::get<desc::TextureRef>(*value).id;
+  }
   desc::TextureId child(std::string_view name, float fallback) const {
-    const TextureParameters lookup(context, table, parameters);
-    return texture_class == TextureClass::Float ? lookup.number(name, fallback)
-                                                : lookup.spectrum(name, fallback);
+    if (texture_class == TextureClass::Float) return number(name, fallback);
+    const auto value = TextureParameters(context, table, parameters).find_spectrum(name);
+    if (!value) return table.constant(fallback);
+    if (const Vec3* color = std::get_if<Vec3>(&*value)) return table.constant(*color);
+    return std::get<desc::TextureRef>(*value).id;
   }
   desc::Rgb value(std::string_view name, float fallback) const {
     if (texture_class == TextureClass::Float)
@@ -126,9 +134,8 @@ decltype(desc::Texture::node) make_node(const Source& source, const std::string&
   if (type == "scale")
     return desc::ScaleTexture{source.child("tex1", 1.F), source.child("tex2", 1.F)};
   if (type == "mix") {
-    const TextureParameters lookup(source.context, source.table, p);
     return desc::MixTexture{source.child("tex1", 0.F), source.child("tex2", 1.F),
-                            lookup.number("amount", 0.5F)};
+                            source.number("amount", 0.5F)};
   }
   if (type == "bilerp") {
     return desc::BilerpTexture{source.value("v00", 0.F), source.value("v01", 1.F),
@@ -209,46 +216,38 @@ void TextureTable::end_scope() {
   spectra_.end_scope();
 }
 
-std::optional<desc::TextureId> TextureParameters::find_spectrum(std::string_view name) const {
+std::optional<desc::Value> TextureParameters::find_spectrum(std::string_view name) const {
   for (const ParameterList* list : lists_) {
     if (list == nullptr) continue;
     if (const Parameter* p = list->find_one(name, ParameterKind::Texture)) {
       if (const std::optional<desc::TextureId> id = table_.find(*p, TextureClass::Spectrum))
-        return id;
+        return desc::TextureRef{*id};
     } else if (const Parameter* colour = list->find_one(name, kSpectrumKinds)) {
-      if (const std::optional<desc::Rgb> value = context_.spectra.value(*colour))
-        return table_.constant(*value);
+      if (const std::optional<desc::Rgb> value = context_.spectra.value(*colour)) return *value;
     }
   }
   return std::nullopt;
 }
 
-std::optional<desc::TextureId> TextureParameters::find_number(std::string_view name) const {
+std::optional<desc::Value> TextureParameters::find_number(std::string_view name) const {
   for (const ParameterList* list : lists_) {
     if (list == nullptr) continue;
     if (const Parameter* p = list->find_one(name, ParameterKind::Texture)) {
-      if (const std::optional<desc::TextureId> id = table_.find(*p, TextureClass::Float)) return id;
+      if (const std::optional<desc::TextureId> id = table_.find(*p, TextureClass::Float))
+        return desc::TextureRef{*id};
     } else if (const std::optional<float> value = list->get_float(name)) {
-      return table_.constant(*value);
+      return *value;
     }
   }
   return std::nullopt;
 }
 
-desc::TextureId TextureParameters::spectrum(std::string_view name,
-                                            const desc::Rgb& fallback) const {
-  const std::optional<desc::TextureId> id = find_spectrum(name);
-  return id ? *id : table_.constant(fallback);
-}
-
-desc::TextureId TextureParameters::number(std::string_view name, float fallback) const {
-  const std::optional<desc::TextureId> id = find_number(name);
-  return id ? *id : table_.constant(fallback);
-}
-
-bool TextureParameters::flag(std::string_view name, bool fallback) const {
-  if (lists_[1] != nullptr) fallback = lists_[1]->get_bool(name, fallback);
-  return lists_[0]->get_bool(name, fallback);
+std::optional<bool> TextureParameters::flag(std::string_view name) const {
+  for (const ParameterList* list : lists_) {
+    if (list == nullptr) continue;
+    if (const std::optional<bool> value = list->get_bool(name)) return value;
+  }
+  return std::nullopt;
 }
 
 std::optional<std::string> TextureParameters::text(std::string_view name) const {

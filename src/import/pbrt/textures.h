@@ -46,14 +46,11 @@ class TextureParameters {
                     const ParameterList* second = nullptr)
       : context_(context), table_(table), lists_{&first, second} {}
 
-  std::optional<desc::TextureId> find_spectrum(std::string_view name) const;
-  std::optional<desc::TextureId> find_number(std::string_view name) const;
-  desc::TextureId spectrum(std::string_view name, const desc::Rgb& fallback) const;
-  desc::TextureId spectrum(std::string_view name, float fallback) const {
-    return spectrum(name, desc::Rgb(fallback));
-  }
-  desc::TextureId number(std::string_view name, float fallback) const;
-  bool flag(std::string_view name, bool fallback) const;
+  /// A texture or a colour.
+  std::optional<desc::Value> find_spectrum(std::string_view name) const;
+  /// A texture or a number.
+  std::optional<desc::Value> find_number(std::string_view name) const;
+  std::optional<bool> flag(std::string_view name) const;
   std::optional<std::string> text(std::string_view name) const;
   void accept(std::initializer_list<std::string_view> names) const;
 

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "import/common/name_table.h"
 #include "import/pbrt/text_writer.h"
 #include "import/pbrt/writer_names.h"
 #include "scene/desc/scene_desc.h"
@@ -25,6 +26,8 @@ struct WriterContext {
   std::string image_path(const std::string& image) const;
 };
 
+/// The parameters of a node by the names that pbrt has for them; without `names`, by ours.
+void write_parameters(WriterContext& context, const desc::Node& node, const ModelName* names);
 /// Every texture, as float, as spectrum, as both or not at all, as it is used.
 void write_textures(WriterContext& context);
 /// Every material, as a named one.

@@ -10,7 +10,7 @@ class UseFinder {
   std::vector<TextureUse> run() {
     for (const desc::Material& material : scene_.materials) {
       floats(material.bump);
-      std::visit([&](const auto& node) { visit(node); }, material.node);
+      visit(material.node);
     }
     for (const desc::Shape& shape : scene_.shapes) visit(shape);
     for (const desc::Object& object : scene_.objects) {
@@ -41,42 +41,14 @@ class UseFinder {
     floats(shape.alpha, shape.shadow_alpha);
     if (shape.light) spectra(shape.light->texture);
   }
-  void visit(const desc::MatteMaterial& m) {
-    spectra(m.kd);
-    floats(m.sigma);
+  void visit(const desc::Node& node) {
+    for (std::size_t i = 0; i < node.values().size(); ++i) {
+      const auto* reference = std::get_if<desc::TextureRef>(&node.values()[i]);
+      if (reference == nullptr) continue;
+      const bool is_float = node.model().parameters[i].type == ParameterType::Float;
+      mark(reference->id, {is_float, !is_float});
+    }
   }
-  void visit(const desc::MirrorMaterial& m) { spectra(m.kr); }
-  void visit(const desc::GlassMaterial& m) {
-    spectra(m.kr, m.kt);
-    floats(m.eta, m.u_roughness, m.v_roughness);
-  }
-  void visit(const desc::MetalMaterial& m) {
-    spectra(m.eta, m.k);
-    floats(m.u_roughness, m.v_roughness);
-  }
-  void visit(const desc::PlasticMaterial& m) {
-    spectra(m.kd, m.ks);
-    floats(m.roughness);
-  }
-  void visit(const desc::SubstrateMaterial& m) {
-    spectra(m.kd, m.ks);
-    floats(m.u_roughness, m.v_roughness);
-  }
-  void visit(const desc::UberMaterial& m) {
-    spectra(m.kd, m.ks, m.kr, m.kt, m.opacity);
-    floats(m.u_roughness, m.v_roughness, m.eta);
-  }
-  void visit(const desc::TranslucentMaterial& m) {
-    spectra(m.kd, m.ks, m.reflect, m.transmit);
-    floats(m.roughness);
-  }
-  void visit(const desc::DisneyMaterial& m) {
-    spectra(m.color);
-    floats(m.metallic, m.eta, m.roughness, m.specular_tint, m.anisotropic, m.sheen, m.sheen_tint,
-           m.clearcoat, m.clearcoat_gloss, m.spec_trans, m.flatness, m.diff_trans);
-  }
-  void visit(const desc::MixMaterial& m) { spectra(m.amount); }
-  void visit(const desc::InterfaceMaterial&) {}
 
   void pass_on(std::size_t i) {
     const TextureUse use = uses_[i];

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <functional>
 
+#include "scene/desc/models.h"
+
 namespace ajar {
 
 namespace {
@@ -23,6 +25,14 @@ void check_shape(const desc::SceneDesc& scene, const desc::Shape& shape) {
     check(shape.light->texture, scene.textures.size(), "texture", shape.light->where);
 }
 
+void check_node(const desc::SceneDesc& scene, const desc::Node& node, const SourceLocation& where) {
+  for (const desc::Value& value : node.values()) {
+    if (const auto* texture = std::get_if<desc::TextureRef>(&value)) {
+      check(texture->id, scene.textures.size(), "texture", where);
+    }
+  }
+}
+
 void for_each_shape(desc::SceneDesc& scene, const std::function<void(desc::Shape&)>& visit) {
   for (desc::Shape& shape : scene.shapes) visit(shape);
   for (desc::Object& object : scene.objects) {
@@ -36,6 +46,10 @@ void validate_references(const desc::SceneDesc& scene) {
   for (const desc::Shape& shape : scene.shapes) check_shape(scene, shape);
   for (const desc::Object& object : scene.objects) {
     for (const desc::Shape& shape : object.shapes) check_shape(scene, shape);
+  }
+  for (const desc::Material& material : scene.materials) {
+    check(material.bump, scene.textures.size(), "texture", material.where);
+    check_node(scene, material.node, material.where);
   }
   for (const desc::Light& light : scene.lights) {
     check(light.medium, scene.media.size(), "medium", light.where);
@@ -51,14 +65,8 @@ void add_default_material(desc::SceneDesc& scene) {
   for_each_shape(scene, [&](desc::Shape& shape) {
     if (shape.material != desc::kNone) return;
     if (added == desc::kNone) {
-      desc::Texture gray;
-      gray.node = desc::ConstantTexture{{0.5F, 0.5F, 0.5F}};
-      scene.textures.push_back(gray);
-      desc::MatteMaterial matte;
-      matte.kd = static_cast<desc::TextureId>(scene.textures.size()) - 1;
-      desc::Material material;
-      material.node = matte;
-      scene.materials.push_back(material);
+      scene.materials.emplace_back().node =
+          desc::material_node("diffuse", {{"reflectance", Vec3(0.5F)}});
       added = static_cast<desc::MaterialId>(scene.materials.size()) - 1;
     }
     shape.material = added;

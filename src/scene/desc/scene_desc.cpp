@@ -166,43 +166,22 @@ class SceneHasher {
     h.add(t.octaves, t.roughness, t.scale, t.variation, t.world_to_texture);
   }
 
-  void node(Hasher& h, const MatteMaterial& m) const { textures(h, m.kd, m.sigma); }
-  void node(Hasher& h, const MirrorMaterial& m) const { texture(h, m.kr); }
-  void node(Hasher& h, const GlassMaterial& m) const {
-    textures(h, m.kr, m.kt, m.eta, m.u_roughness, m.v_roughness);
-    h.add(m.remap_roughness, m.thin);
+  void value(Hasher& h, std::monostate) const { h.word(0); }
+  void value(Hasher& h, const TextureRef& v) const { texture(h, v.id); }
+  void value(Hasher& h, const MaterialRef& v) const { material(h, v.id); }
+  void value(Hasher& h, const TransformPointer& v) const { h.add(*v); }
+  template <typename Plain>
+  void value(Hasher& h, const Plain& v) const {
+    h.add(v);
   }
-  void node(Hasher& h, const MetalMaterial& m) const {
-    textures(h, m.eta, m.k, m.u_roughness, m.v_roughness);
-    h.add(m.remap_roughness, m.model);
+  void node(Hasher& h, const Node& n) const {
+    if (!n.has_model()) return;
+    h.add(n.model().name);
+    for (const Value& v : n.values()) {
+      h.word(v.index());
+      std::visit([&](const auto& held) { value(h, held); }, v);
+    }
   }
-  void node(Hasher& h, const PlasticMaterial& m) const {
-    textures(h, m.kd, m.ks, m.roughness);
-    h.add(m.remap_roughness);
-  }
-  void node(Hasher& h, const SubstrateMaterial& m) const {
-    textures(h, m.kd, m.ks, m.u_roughness, m.v_roughness);
-    h.add(m.remap_roughness);
-  }
-  void node(Hasher& h, const UberMaterial& m) const {
-    textures(h, m.kd, m.ks, m.kr, m.kt, m.u_roughness, m.v_roughness, m.eta, m.opacity);
-    h.add(m.remap_roughness);
-  }
-  void node(Hasher& h, const TranslucentMaterial& m) const {
-    textures(h, m.kd, m.ks, m.roughness, m.reflect, m.transmit);
-    h.add(m.remap_roughness);
-  }
-  void node(Hasher& h, const DisneyMaterial& m) const {
-    textures(h, m.color, m.metallic, m.eta, m.roughness, m.specular_tint, m.anisotropic, m.sheen,
-             m.sheen_tint, m.clearcoat, m.clearcoat_gloss, m.spec_trans, m.flatness, m.diff_trans);
-    h.add(m.thin);
-  }
-  void node(Hasher& h, const MixMaterial& m) const {
-    texture(h, m.amount);
-    material(h, m.a);
-    material(h, m.b);
-  }
-  void node(Hasher&, const InterfaceMaterial&) const {}
 
   void node(Hasher& h, const std::shared_ptr<const Mesh>& mesh) {
     h.word(mesh ? hash_mesh(*mesh) : 0);
@@ -270,7 +249,7 @@ class SceneHasher {
   }
   std::uint64_t hash_material(const Material& m) {
     Hasher h;
-    variant(h, m.node);
+    node(h, m.node);
     texture(h, m.bump);
     return h.result();
   }

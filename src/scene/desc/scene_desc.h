@@ -8,19 +8,12 @@
 
 #include "core/error.h"
 #include "core/vector.h"
+#include "scene/desc/node.h"
 
 /// What a scene is, independent of the file format it came from and of how it will be rendered.
 /// Importers make it, `Scene` is built from it. Every node knows where in a file it came from.
 /// Colours are linear Rec. 709 RGB; lengths are scene units; angles are degrees.
 namespace ajar::desc {
-
-using Rgb = Imath::V3f;
-/// Index into the vector of the same name in `SceneDesc`; -1 means none.
-using TextureId = int;
-using MaterialId = int;
-using MediumId = int;
-using ObjectId = int;
-inline constexpr int kNone = -1;
 
 // ---------------------------------------------------------------- textures
 
@@ -109,65 +102,12 @@ struct Texture {
 };
 
 // ---------------------------------------------------------------- materials
-// Parameters are textures; float parameters read the first lane. Models follow pbrt-v3, chapter 9.
-// Roughness is the microfacet α unless `remap_roughness` (then pbrt's artist-friendly mapping).
-
-struct MatteMaterial {
-  TextureId kd = kNone, sigma = kNone;
-};
-struct MirrorMaterial {
-  TextureId kr = kNone;
-};
-struct GlassMaterial {
-  TextureId kr = kNone, kt = kNone, eta = kNone, u_roughness = kNone, v_roughness = kNone;
-  bool remap_roughness = true;
-  bool thin = false;  ///< a pane without thickness: transmits straight on
-};
-enum class MicrofacetModel { Ggx, Beckmann };
-struct MetalMaterial {
-  TextureId eta = kNone, k = kNone, u_roughness = kNone, v_roughness = kNone;
-  bool remap_roughness = true;
-  MicrofacetModel model = MicrofacetModel::Ggx;
-};
-struct PlasticMaterial {
-  TextureId kd = kNone, ks = kNone, roughness = kNone;
-  bool remap_roughness = true;
-};
-struct SubstrateMaterial {
-  TextureId kd = kNone, ks = kNone, u_roughness = kNone, v_roughness = kNone;
-  bool remap_roughness = true;
-};
-struct UberMaterial {
-  TextureId kd = kNone, ks = kNone, kr = kNone, kt = kNone, u_roughness = kNone,
-            v_roughness = kNone, eta = kNone, opacity = kNone;
-  bool remap_roughness = true;
-};
-struct TranslucentMaterial {
-  TextureId kd = kNone, ks = kNone, roughness = kNone, reflect = kNone, transmit = kNone;
-  bool remap_roughness = true;
-};
-struct DisneyMaterial {
-  TextureId color = kNone, metallic = kNone, eta = kNone, roughness = kNone, specular_tint = kNone,
-            anisotropic = kNone, sheen = kNone, sheen_tint = kNone, clearcoat = kNone,
-            clearcoat_gloss = kNone, spec_trans = kNone, flatness = kNone, diff_trans = kNone;
-  bool thin = false;
-};
-struct MixMaterial {
-  TextureId amount = kNone;
-  MaterialId a = kNone, b = kNone;
-};
-/// No surface at all: only separates media.
-struct InterfaceMaterial {};
 
 struct Material {
   std::string name;
   SourceLocation where;
   TextureId bump = kNone;  ///< displacement along the normal, scene units
-  /// A mix refers only to materials with a smaller id.
-  std::variant<MatteMaterial, MirrorMaterial, GlassMaterial, MetalMaterial, PlasticMaterial,
-               SubstrateMaterial, UberMaterial, TranslucentMaterial, DisneyMaterial, MixMaterial,
-               InterfaceMaterial>
-      node;
+  Node node;               ///< refers only to materials with a smaller id
 };
 
 // ---------------------------------------------------------------- media

@@ -51,7 +51,7 @@ class DistantLight final : public Light {
 
 std::unique_ptr<Light> make_distant_light(const desc::DistantLight& light, const LightPlacement& at,
                                           const BoundingSphere& bounds) {
-  return std::make_unique<DistantLight>(to_spectrum(light.irradiance),
+  return std::make_unique<DistantLight>(rgb_spectrum(light.irradiance),
                                         at.directions.to_world({0.F, 0.F, 1.F}), bounds);
 }
 

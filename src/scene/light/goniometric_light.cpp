@@ -64,7 +64,7 @@ class GoniometricLight final : public Light {
 
 std::unique_ptr<Light> make_goniometric_light(const desc::GoniometricLight& light, Map map,
                                               const LightPlacement& at) {
-  return std::make_unique<GoniometricLight>(to_spectrum(light.intensity), std::move(map), at);
+  return std::make_unique<GoniometricLight>(rgb_spectrum(light.intensity), std::move(map), at);
 }
 
 }  // namespace ajar

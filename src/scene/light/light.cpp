@@ -31,7 +31,7 @@ struct MakeLight {
     return make_distant_light(node, at, bounds);
   }
   std::unique_ptr<Light> operator()(const desc::InfiniteLight& node) const {
-    const Spectrum radiance = to_spectrum(node.radiance);
+    const Spectrum radiance = rgb_spectrum(node.radiance);
     if (node.image.empty()) return make_constant_environment(radiance, bounds);
     return make_environment_map(radiance, load(node.image, MapEdge::Repeat), at, bounds);
   }

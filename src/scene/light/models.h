@@ -8,8 +8,6 @@
 /// The light models, one file each; `make_light` chooses among them.
 namespace ajar {
 
-inline Spectrum to_spectrum(const desc::Rgb& rgb) { return {rgb.x, rgb.y, rgb.z}; }
-
 /// Where a light stands and how it is turned.
 struct LightPlacement {
   Vec3 position;

@@ -49,7 +49,7 @@ class PointLight final : public Light {
 }  // namespace
 
 std::unique_ptr<Light> make_point_light(const desc::PointLight& light, const LightPlacement& at) {
-  return std::make_unique<PointLight>(to_spectrum(light.intensity), at.position);
+  return std::make_unique<PointLight>(rgb_spectrum(light.intensity), at.position);
 }
 
 }  // namespace ajar

@@ -15,7 +15,7 @@ namespace {
 class ProjectionLight final : public Light {
  public:
   ProjectionLight(const desc::ProjectionLight& light, Map map, const LightPlacement& at)
-      : intensity_(to_spectrum(light.intensity)),
+      : intensity_(rgb_spectrum(light.intensity)),
         map_(std::move(map)),
         at_(at),
         half_size_(half_size(light.fov, map_)) {

@@ -24,7 +24,7 @@ float one_minus_cos(const Vec3& unit) {
 class SpotLight final : public Light {
  public:
   SpotLight(const desc::SpotLight& light, const LightPlacement& at)
-      : intensity_(to_spectrum(light.intensity)),
+      : intensity_(rgb_spectrum(light.intensity)),
         at_(at),
         edge_(one_minus_cos(light.cone_angle)),
         inner_(std::min(one_minus_cos(light.falloff_start), edge_)),

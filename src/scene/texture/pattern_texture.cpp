@@ -8,16 +8,14 @@ namespace ajar {
 
 namespace {
 
-Spectrum to_spectrum(const desc::Rgb& c) { return {c.x, c.y, c.z}; }
-
 class BilerpTexture final : public Texture {
  public:
   explicit BilerpTexture(const desc::BilerpTexture& node)
       : mapping_(node.mapping),
-        v00_(to_spectrum(node.v00)),
-        v01_(to_spectrum(node.v01)),
-        v10_(to_spectrum(node.v10)),
-        v11_(to_spectrum(node.v11)) {}
+        v00_(rgb_spectrum(node.v00)),
+        v01_(rgb_spectrum(node.v01)),
+        v10_(rgb_spectrum(node.v10)),
+        v11_(rgb_spectrum(node.v11)) {}
   Spectrum eval(const SurfacePoint& at) const override {
     const Vec2 st = mapping_.map(at);
     return v00_ * ((1.F - st.x) * (1.F - st.y)) + v01_ * ((1.F - st.x) * st.y) +

@@ -9,6 +9,8 @@
 
 namespace ajar {
 
+inline Spectrum rgb_spectrum(const desc::Rgb& rgb) { return {rgb.x, rgb.y, rgb.z}; }
+
 /// A function over surfaces. Immutable and safe to call from any thread.
 class Texture {
  public:

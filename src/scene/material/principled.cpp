@@ -1,7 +1,8 @@
-#include "scene/material/disney.h"
+#include "scene/material/inputs.h"
 
 namespace ajar {
 namespace {
+
 float mix(float a, float b, float t) { return a + (b - a) * t; }
 float square(float x) { return x * x; }
 
@@ -10,27 +11,43 @@ Microfacets stretched_facets(FacetModel model, float roughness, float aspect) {
   const float alpha = roughness * roughness;
   return {model, alpha / aspect, alpha * aspect};
 }
-}  // namespace
 
-Disney::Disney(const desc::DisneyMaterial& d, const Slots& slots)
-    : color_(slots(d.color, 0.5F)),
-      metallic_(slots(d.metallic, 0.F)),
-      eta_(slots(d.eta, 1.5F)),
-      roughness_(slots(d.roughness, 0.5F)),
-      specular_tint_(slots(d.specular_tint, 0.F)),
-      anisotropic_(slots(d.anisotropic, 0.F)),
-      sheen_(slots(d.sheen, 0.F)),
-      sheen_tint_(slots(d.sheen_tint, 0.5F)),
-      clearcoat_(slots(d.clearcoat, 0.F)),
-      clearcoat_gloss_(slots(d.clearcoat_gloss, 1.F)),
-      spec_trans_(slots(d.spec_trans, 0.F)),
-      flatness_(slots(d.flatness, 0.F)),
-      diff_trans_(slots(d.diff_trans, 1.F)),
-      thin_(d.thin) {
+/// Disney's "principled" model. Sources: Burley 2012 and 2015, combined as pbrt-v3 does. (From
+/// behind, where pbrt's Schlick term is 1 at any angle, ours is the same as from the front.)
+class Principled final : public Material {
+ public:
+  explicit Principled(const MaterialInputs& in);
+  void add_lobes(const SurfacePoint& at, const Spectrum& scale, Bsdf& bsdf) const override;
+  int max_lobes() const override;
+
+ private:
+  void add_diffuse(const SurfacePoint& at, const Spectrum& scale, const Spectrum& color,
+                   const Spectrum& tint, float roughness, float share, Bsdf& bsdf) const;
+
+  TextureSlot color_, metallic_, eta_, roughness_, specular_tint_, anisotropic_, sheen_,
+      sheen_tint_, clearcoat_, clearcoat_gloss_, spec_trans_, flatness_, diff_trans_;
+  bool thin_;
+};
+
+Principled::Principled(const MaterialInputs& in)
+    : color_(in.slot("base_color")),
+      metallic_(in.slot("metallic")),
+      eta_(in.slot("eta")),
+      roughness_(in.slot("roughness")),
+      specular_tint_(in.slot("specular_tint")),
+      anisotropic_(in.slot("anisotropic")),
+      sheen_(in.slot("sheen")),
+      sheen_tint_(in.slot("sheen_tint")),
+      clearcoat_(in.slot("clearcoat")),
+      clearcoat_gloss_(in.slot("clearcoat_gloss")),
+      spec_trans_(in.slot("specular_transmission")),
+      flatness_(in.slot("flatness")),
+      diff_trans_(in.slot("diffuse_transmission")),
+      thin_(in.node().flag("thin")) {
   needs_tangent = !anisotropic_.is_black();
 }
 
-void Disney::add_lobes(const SurfacePoint& at, const Spectrum& scale, Bsdf& bsdf) const {
+void Principled::add_lobes(const SurfacePoint& at, const Spectrum& scale, Bsdf& bsdf) const {
   const Spectrum color = reflectance(color_, at);
   const float metallic = weight(metallic_, at);
   const float transmission = weight(spec_trans_, at);
@@ -79,8 +96,8 @@ void Disney::add_lobes(const SurfacePoint& at, const Spectrum& scale, Bsdf& bsdf
   }
 }
 
-void Disney::add_diffuse(const SurfacePoint& at, const Spectrum& scale, const Spectrum& color,
-                         const Spectrum& tint, float roughness, float share, Bsdf& bsdf) const {
+void Principled::add_diffuse(const SurfacePoint& at, const Spectrum& scale, const Spectrum& color,
+                             const Spectrum& tint, float roughness, float share, Bsdf& bsdf) const {
   const float sheen = weight(sheen_, at);
   const float sheen_tint = weight(sheen_tint_, at);
   const Spectrum sheen_color = (Spectrum(1.F) + (tint - Spectrum(1.F)) * sheen_tint) * sheen;
@@ -95,8 +112,33 @@ void Disney::add_diffuse(const SurfacePoint& at, const Spectrum& scale, const Sp
   bsdf.add(lobe, scale * share);
 }
 
-int Disney::max_lobes() const {
+int Principled::max_lobes() const {
   return 2 + (clearcoat_.is_black() ? 0 : 1) + (spec_trans_.is_black() ? 0 : 1) + (thin_ ? 1 : 0);
+}
+
+}  // namespace
+
+MaterialModel principled_material() {
+  return {
+      {.name = "principled",
+       .summary = "Disney's principled material",
+       .source = "Burley 2012 and 2015",
+       .parameters =
+           {reflectance_input("base_color", "0.5", "colour of the surface"),
+            number_input("metallic", "0", "from dielectric to metal", 1.0), index_input(),
+            number_input("roughness", "0.5", "root of the facets' alpha", 1.0),
+            number_input("specular_tint", "0", "share of the base colour in the gloss", 1.0),
+            number_input("anisotropic", "0", "how much longer along u the gloss is", 1.0),
+            number_input("sheen", "0", "light that cloth reflects at grazing angles", 1.0),
+            number_input("sheen_tint", "0.5", "share of the base colour in the sheen", 1.0),
+            number_input("clearcoat", "0", "a second gloss above all", 1.0),
+            number_input("clearcoat_gloss", "1", "how smooth the clearcoat is", 1.0),
+            number_input("specular_transmission", "0", "share of light that is refracted", 1.0),
+            number_input("flatness", "0", "of thin ones: share of flat diffuse reflection", 1.0),
+            number_input("diffuse_transmission", "1",
+                         "of thin ones: diffuse transmission; 2 is all of it", 2.0),
+            flag_input("thin", "a sheet without thickness")}},
+      make<Principled>};
 }
 
 }  // namespace ajar

@@ -1,0 +1,27 @@
+#pragma once
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "scene/desc/node.h"
+
+/// All models that scenes can be described with. They are defined beside what is built of them
+/// (`scene/material/` …); who describes scenes needs no more than this.
+namespace ajar::desc {
+
+enum class ModelKind { Material };
+
+/// In the order of their names.
+const std::vector<const Model*>& models(ModelKind kind);
+std::vector<std::string> model_names(ModelKind kind);
+/// The model of this name, or null.
+const Model* find_model(ModelKind kind, std::string_view name);
+/// A node of the model of this name, as `Node`'s constructor makes it. Raises std::logic_error if
+/// there is none.
+Node make_node(ModelKind kind, std::string_view name, Node::Given given = {});
+inline Node material_node(std::string_view name, Node::Given given = {}) {
+  return make_node(ModelKind::Material, name, given);
+}
+
+}  // namespace ajar::desc
