@@ -40,6 +40,10 @@ struct ParameterSpec {
   /// any value, so the model that reads it brings it into the range; all others are errors beyond
   /// it.
   bool textured = false;
+  /// If it matters only while another parameter, a Choice declared before it, has one of some
+  /// values: the name of that parameter, and the values.
+  std::string depends_on = {};
+  std::vector<std::string> matters_for = {};
 };
 
 /// "between 0 and 64", "at least 0", "at most 1", or empty: the values that a spec allows.

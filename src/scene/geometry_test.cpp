@@ -7,6 +7,7 @@
 
 #include "core/random.h"
 #include "core/warp.h"
+#include "scene/desc/models.h"
 #include "scene/shape/quadric.h"
 
 namespace ajar {
@@ -319,11 +320,8 @@ class AlphaTest : public testing::Test {
  protected:
   /// A texture that is 0 for u < ½ and 1 beyond.
   static desc::TextureId add_half(desc::SceneDesc& scene) {
-    desc::Texture texture;
-    desc::CheckerboardTexture node;
-    node.mapping = desc::UvMapping{2.F, 0.F, 1.F, 0.F};
-    texture.node = node;
-    scene.textures.push_back(texture);
+    scene.textures.emplace_back().node =
+        desc::texture_node("checkerboard", {{"scale_u", 2.F}, {"scale_v", 0.F}, {"offset_u", 1.F}});
     return static_cast<desc::TextureId>(scene.textures.size()) - 1;
   }
 };
@@ -364,12 +362,9 @@ TEST_F(AlphaTest, RaysGoOnToTheFarSideOfQuadrics) {
 
 TEST_F(AlphaTest, SolidTexturesSeeInstancesInTheWorld) {
   desc::SceneDesc scene;
-  desc::Texture texture;
-  desc::CheckerboardTexture node;
-  node.dimension = 3;
-  node.world_to_texture = scaling(0.1, 0.1, 0.1);
-  texture.node = node;
-  scene.textures.push_back(texture);
+  const Mat4 tenth = scaling(0.1, 0.1, 0.1);
+  scene.textures.emplace_back().node = desc::texture_node(
+      "solid_checkerboard", {{"world_to_texture", std::make_shared<const Mat4>(tenth)}});
   scene.objects.push_back({"square", {}, {}});
   scene.objects[0].shapes.push_back(mesh_shape(square(1)));
   scene.objects[0].shapes[0].alpha = 0;
@@ -382,9 +377,7 @@ TEST_F(AlphaTest, SolidTexturesSeeInstancesInTheWorld) {
 
 TEST_F(AlphaTest, ShapeThatIsCutAwayEverywhereIsDropped) {
   desc::SceneDesc scene;
-  desc::Texture zero;
-  zero.node = desc::ConstantTexture{};
-  scene.textures.push_back(zero);
+  scene.textures.emplace_back().node = desc::texture_node("constant", {{"value", Vec3(0.F)}});
   scene.shapes.push_back(mesh_shape(square(1)));
   scene.shapes.back().alpha = 0;
   const World world(std::move(scene));

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "scene/material/registry.h"
+#include "scene/texture/registry.h"
 
 namespace ajar::desc {
 namespace {
@@ -21,9 +22,12 @@ std::vector<const Model*> sorted(const std::vector<Registered>& registry) {
 
 const std::vector<const Model*>& models(ModelKind kind) {
   static const std::vector<const Model*> kMaterials = sorted(material_models());
+  static const std::vector<const Model*> kTextures = sorted(texture_models());
   switch (kind) {
     case ModelKind::Material:
       return kMaterials;
+    case ModelKind::Texture:
+      return kTextures;
   }
   throw std::logic_error("there is no such kind of models");
 }

@@ -33,7 +33,8 @@ TEST_P(Models, DeclareWhatTheCatalogueShows) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(EveryKind, Models, ::testing::Values(ModelKind::Material));
+INSTANTIATE_TEST_SUITE_P(EveryKind, Models,
+                         ::testing::Values(ModelKind::Material, ModelKind::Texture));
 
 }  // namespace
 }  // namespace ajar::desc

@@ -98,7 +98,7 @@ SceneMemory estimate_memory(const desc::SceneDesc& scene) {
     return entry->second;
   };
   for (const desc::Texture& texture : scene.textures) {
-    if (const auto* image = std::get_if<desc::ImageTexture>(&texture.node)) size_of(image->path);
+    for (const std::string& path : texture.node.files()) size_of(path);
   }
   for (const desc::Light& light : scene.lights) {
     const std::string& path = image_of(light);

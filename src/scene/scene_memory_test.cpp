@@ -98,9 +98,7 @@ TEST(SceneMemory, EveryImageCountsOnceAndAbsentOnesNothing) {
   output->close();
   desc::SceneDesc scene = floor_of(1);
   for (const std::string& name : {path, path, path + ".absent"}) {
-    desc::ImageTexture texture;
-    texture.path = name;
-    scene.textures.emplace_back().node = texture;
+    scene.textures.emplace_back().node = desc::texture_node("image", {{"file", name}});
   }
   EXPECT_EQ(estimate_memory(scene).images, 20U * 10U * 3U * 2U) << "without alpha";
   scene.lights.emplace_back().node = desc::InfiniteLight{.image = path};

@@ -82,13 +82,17 @@ Json parameter_json(const ParameterSpec& spec) {
   if (spec.minimum > -1e300) json["minimum"] = spec.minimum;
   if (spec.maximum < 1e300) json["maximum"] = spec.maximum;
   if (spec.textured) json["textured"] = true;
+  if (!spec.depends_on.empty()) {
+    json["depends_on"] = spec.depends_on;
+    json["matters_for"] = spec.matters_for;
+  }
   return json;
 }
 
 /// Kinds that scenes are described with.
 const std::map<std::string, desc::ModelKind>& model_kinds() {
   static const std::map<std::string, desc::ModelKind> kinds{
-      {"materials", desc::ModelKind::Material}};
+      {"materials", desc::ModelKind::Material}, {"textures", desc::ModelKind::Texture}};
   return kinds;
 }
 
@@ -146,12 +150,18 @@ std::vector<CatalogEntry> entries(const std::string& kind) {
   return layers;
 }
 
+/// "with mapping=uv|planar", or empty.
+std::string condition_text(const ParameterSpec& spec) {
+  if (spec.depends_on.empty()) return {};
+  return fmt::format("  with {}={}", spec.depends_on, fmt::join(spec.matters_for, "|"));
+}
+
 /// What follows the name of a parameter: "=0.5 degrees  [number]".
 std::string value_text(const ParameterSpec& spec) {
   const bool has_default = !spec.default_value.empty() || spec.type == ParameterType::Text;
   const std::string value = has_default ? "=" + spec.default_value : "";
-  return fmt::format("{}{}  [{}]", value, spec.unit.empty() ? "" : " " + spec.unit,
-                     type_text(spec));
+  return fmt::format("{}{}  [{}]{}", value, spec.unit.empty() ? "" : " " + spec.unit,
+                     type_text(spec), condition_text(spec));
 }
 
 std::string parameters_text(std::span<const ParameterSpec> parameters, bool expert) {
@@ -190,7 +200,8 @@ std::vector<std::string> checked_aovs(const std::vector<std::string>& names) {
 }
 
 const std::vector<std::string>& catalog_kinds() {
-  static const std::vector<std::string> kinds{"integrators", "materials", "aovs", "scenes"};
+  static const std::vector<std::string> kinds{"integrators", "materials", "textures", "aovs",
+                                              "scenes"};
   return kinds;
 }
 

@@ -19,7 +19,7 @@ std::vector<CatalogEntry> scene_catalog();
 /// Raises UsageError for a name that is no AOV. "all" stands for every one.
 std::vector<std::string> checked_aovs(const std::vector<std::string>& names);
 
-/// What `ajar list` can list: integrators, materials, aovs, scenes.
+/// What `ajar list` can list: integrators, materials, textures …
 const std::vector<std::string>& catalog_kinds();
 /// One catalogue for people (a line per entry), and for programs (array of objects with name,
 /// summary; what has parameters also has source and parameters).

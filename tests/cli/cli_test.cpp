@@ -419,6 +419,11 @@ TEST_F(Cli, ListShowsParametersOfOneMaterial) {
   EXPECT_EQ(eta->at("textured"), true);
 }
 
+TEST_F(Cli, ListSaysWhenAParameterOfATextureMatters) {
+  const std::string text = run({"list", "textures", "image"}).out;
+  EXPECT_TRUE(contains(text, "  scale_u=1  [number]  with mapping=uv\n")) << text;
+}
+
 TEST_F(Cli, ListNamesIntegratorsWithALineEach) {
   const std::string text = run({"list", "integrators"}).out;
   const json list = json::parse(run({"list", "integrators", "--json"}).out).at("integrators");

@@ -97,8 +97,8 @@ Json hints_json(const desc::RenderHints& hints) {
 std::map<std::string, std::size_t> texture_counts(const desc::SceneDesc& scene) {
   std::map<std::string, std::size_t> counts;
   for (const desc::Texture& texture : scene.textures) {
-    if (std::holds_alternative<desc::ConstantTexture>(texture.node)) continue;
-    ++counts[std::holds_alternative<desc::ImageTexture>(texture.node) ? "images" : "patterns"];
+    if (texture.node.is("constant")) continue;
+    ++counts[texture.node.files().empty() ? "patterns" : "images"];
   }
   return counts;
 }

@@ -71,21 +71,16 @@ inline desc::Node material_of(const std::string& body) {
   return material_node_of(scene, scene.shapes.back());
 }
 inline desc::Rgb constant(const desc::SceneDesc& scene, desc::TextureId id) {
-  return std::get<desc::ConstantTexture>(scene.textures.at(static_cast<std::size_t>(id)).node)
-      .value;
+  return scene.textures.at(static_cast<std::size_t>(id)).node.color("value");
 }
-/// The texture "t"; the scene's other textures are constants for the parameters of materials.
-template <typename Node>
-Node named_texture(const desc::SceneDesc& scene) {
+/// The texture "t".
+inline const desc::Node& named_texture(const desc::SceneDesc& scene) {
   for (const desc::Texture& texture : scene.textures) {
-    if (texture.name == "t") return std::get<Node>(texture.node);
+    if (texture.name == "t") return texture.node;
   }
   throw std::runtime_error("there is no texture \"t\"");
 }
-template <typename Node>
-Node texture_of(const std::string& body) {
-  return named_texture<Node>(scene_of(body));
-}
+inline desc::Node texture_of(const std::string& body) { return named_texture(scene_of(body)); }
 inline void expect_rgb(const desc::Rgb& actual, const desc::Rgb& expected,
                        float tolerance = 1e-6F) {
   for (int i = 0; i < 3; ++i) EXPECT_NEAR(actual[i], expected[i], tolerance) << i;

@@ -1,7 +1,5 @@
 #include "import/pbrt/material_names.h"
 
-#include "scene/desc/models.h"
-
 namespace ajar::pbrt {
 namespace {
 
@@ -86,15 +84,9 @@ const StandIn* find_stand_in(std::string_view type) {
   return found == kStandIns.end() ? nullptr : &*found;
 }
 
-std::vector<std::string> material_types() {
+std::vector<std::string> stand_in_types() {
   std::vector<std::string> types;
-  for (const ModelName& name : material_names()) {
-    if (!name.theirs.empty()) types.emplace_back(name.theirs);
-  }
   for (const StandIn& known : kStandIns) types.emplace_back(known.type);
-  for (const desc::Model* model : desc::models(desc::ModelKind::Material)) {
-    if (find_ours(material_names(), model->name) == nullptr) types.push_back(model->name);
-  }
   return types;
 }
 

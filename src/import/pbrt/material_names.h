@@ -8,8 +8,6 @@ namespace ajar::pbrt {
 
 /// pbrt's materials that are models of ours.
 const std::vector<ModelName>& material_names();
-/// All that a `Material` directive can name, ours that pbrt does not have included.
-std::vector<std::string> material_types();
 
 /// A material that we cannot render: a diffuse one stands in.
 struct StandIn {
@@ -19,5 +17,6 @@ struct StandIn {
 };
 /// Null for others.
 const StandIn* find_stand_in(std::string_view type);
+std::vector<std::string> stand_in_types();
 
 }  // namespace ajar::pbrt

@@ -55,11 +55,16 @@ desc::Node MaterialTable::make_node(const SourceLocation& where, const std::stri
                                     const TextureParameters& parameters) const {
   if (const StandIn* known = find_stand_in(type)) return stand_in(where, *known, parameters);
   const desc::Model* model = model_of_type(desc::ModelKind::Material, material_names(), type);
-  if (model == nullptr) fail_unknown(where, "material", type, material_types());
-  const NodeReader reader(where, parameters, [&](std::string_view parameter) {
-    return part(where, type, parameter, parameters);
-  });
-  desc::Node node = reader.read(*model, find_theirs(material_names(), type));
+  if (model == nullptr) {
+    std::vector<std::string> types = types_of(desc::ModelKind::Material, material_names());
+    for (std::string& known : stand_in_types()) types.push_back(std::move(known));
+    fail_unknown(where, "material", type, types);
+  }
+  const desc::Node node = NodeReader(where, parameters)
+                              .with_materials([&](std::string_view parameter) {
+                                return part(where, type, parameter, parameters);
+                              })
+                              .read(*model, find_theirs(material_names(), type));
   if (type == "disney") check_subsurface(where, parameters);
   return node;
 }

@@ -196,8 +196,7 @@ TEST(PbrtMaterials, SubsurfaceScatteringIsNotSupported) {
 TEST(PbrtMaterials, BumpMapsAreFloatTextures) {
   const desc::SceneDesc s =
       scene_of("Texture \"b\" \"float\" \"fbm\" Material \"matte\" \"texture bumpmap\" \"b\"");
-  EXPECT_TRUE(std::holds_alternative<desc::FbmTexture>(
-      s.textures.at(static_cast<std::size_t>(s.materials[0].bump)).node));
+  EXPECT_TRUE(s.textures.at(static_cast<std::size_t>(s.materials[0].bump)).node.is("fbm"));
   EXPECT_EQ(scene_of("Material \"matte\" \"float bumpmap\" .1").materials[0].bump, desc::kNone);
   for (const char* flat : {"Material \"none\"",
                            "MakeNamedMaterial \"a\" \"string type\" \"matte\" "
@@ -223,23 +222,52 @@ TEST(PbrtSpectra, AllSpellingsAreUnderstood) {
 }
 
 TEST(PbrtTextures, HaveTheDefaultsOfPbrt) {
-  const desc::SceneDesc checks = scene_of("Texture \"t\" \"spectrum\" \"checkerboard\"");
-  const auto c = named_texture<desc::CheckerboardTexture>(checks);
-  EXPECT_EQ(c.dimension, 2);
-  expect_rgb(constant(checks, c.a), desc::Rgb(1.F));
-  expect_rgb(constant(checks, c.b), desc::Rgb(0.F));
-  const auto marble = texture_of<desc::MarbleTexture>("Texture \"t\" \"color\" \"marble\"");
-  EXPECT_EQ(marble.octaves, 8);
-  EXPECT_EQ(marble.roughness, 0.5F);
-  EXPECT_EQ(marble.variation, 0.2F);
-  const auto bilerp =
-      texture_of<desc::BilerpTexture>("Texture \"t\" \"float\" \"bilerp\" \"float v10\" 7");
-  expect_rgb(bilerp.v10, desc::Rgb(7.F));
-  expect_rgb(bilerp.v01, desc::Rgb(1.F));
-  const desc::SceneDesc mixed = scene_of("Texture \"t\" \"float\" \"mix\"");
-  const auto m = named_texture<desc::MixTexture>(mixed);
-  expect_rgb(constant(mixed, m.a), desc::Rgb(0.F));
-  expect_rgb(constant(mixed, m.amount), desc::Rgb(0.5F));
+  const desc::Node checks = texture_of("Texture \"t\" \"spectrum\" \"checkerboard\"");
+  EXPECT_TRUE(checks.is("checkerboard"));
+  EXPECT_EQ(checks.color("first"), desc::Rgb(1.F));
+  EXPECT_EQ(checks.color("second"), desc::Rgb(0.F));
+  const desc::Node marble = texture_of("Texture \"t\" \"color\" \"marble\"");
+  EXPECT_EQ(marble.integer("octaves"), 8);
+  EXPECT_EQ(marble.number("roughness"), 0.5F);
+  EXPECT_EQ(marble.number("variation"), 0.2F);
+  const desc::Node bilinear = texture_of("Texture \"t\" \"float\" \"bilerp\" \"float v10\" 7");
+  EXPECT_TRUE(bilinear.is("bilinear"));
+  EXPECT_EQ(bilinear.color("v10"), desc::Rgb(7.F));
+  EXPECT_EQ(bilinear.color("v01"), desc::Rgb(1.F));
+  const desc::Node mix = texture_of("Texture \"t\" \"float\" \"mix\"");
+  EXPECT_EQ(mix.color("first"), desc::Rgb(0.F));
+  EXPECT_EQ(mix.number("amount"), 0.5F);
+  const desc::Node product =
+      texture_of("Texture \"t\" \"spectrum\" \"scale\" \"rgb tex1\" [.1 .2 .3]");
+  EXPECT_TRUE(product.is("product"));
+  EXPECT_EQ(product.color("first"), desc::Rgb(0.1F, 0.2F, 0.3F));
+  EXPECT_EQ(product.color("second"), desc::Rgb(1.F));
+  EXPECT_EQ(texture_of("Texture \"t\" \"float\" \"constant\"").color("value"), desc::Rgb(1.F));
+}
+
+TEST(PbrtTextures, OfOtherTypesAndValuesAreErrors) {
+  EXPECT_TRUE(contains(error_of(world("Texture \"t\" \"float\" \"marbel\"")),
+                       "2:1: unknown texture \"marbel\"; did you mean \"marble\"?"));
+  EXPECT_TRUE(contains(error_of(world("Texture \"t\" \"float\" \"fbm\" \"integer octaves\" 65")),
+                       "2:1: \"octaves\" must be between 0 and 64, not 65"));
+  EXPECT_TRUE(
+      contains(error_of(world("Texture \"t\" \"float\" \"checkerboard\" \"integer dimension\" 4")),
+               "a checkerboard has dimension 2 or 3, not 4"));
+  EXPECT_TRUE(
+      contains(error_of(world("Texture \"t\" \"float\" \"uv\" \"string mapping\" \"spheric\"")),
+               "unknown value of \"mapping\" \"spheric\"; did you mean \"spherical\"?"));
+}
+
+TEST(PbrtTextures, ParametersOfOtherMappingsAreUnused) {
+  for (const auto& [mapping, parameter] :
+       {std::pair("uv", "vector v1"), std::pair("planar", "float uscale"),
+        std::pair("spherical", "float udelta")}) {
+    const bool is_vector = std::string(parameter).starts_with("vector");
+    const std::string text = "Texture \"t\" \"float\" \"uv\" \"string mapping\" \"" +
+                             std::string(mapping) + "\" \"" + parameter + "\" " +
+                             (is_vector ? "[1 2 3]" : "2");
+    EXPECT_TRUE(contains(warnings_of(world(text)), "unused parameter")) << text;
+  }
 }
 
 TEST(PbrtTextures, ImagesAreResolvedAndDecoded) {
@@ -248,33 +276,34 @@ TEST(PbrtTextures, ImagesAreResolvedAndDecoded) {
       "\"clamp\" \"bool gamma\" \"false\" "
       "\"float uscale\" 3 \"float scale\" 2 \"bool trilinear\" true \"float maxanisotropy\" 4",
       {{"b.png", ""}});
-  const auto image = named_texture<desc::ImageTexture>(s);
-  EXPECT_EQ(image.path, "b.png");
-  EXPECT_EQ(image.wrap, desc::Wrap::Clamp);
-  EXPECT_FALSE(image.decode_srgb);
-  EXPECT_TRUE(image.luminance);
-  EXPECT_EQ(image.scale, 2.F);
-  EXPECT_EQ(std::get<desc::UvMapping>(image.mapping).su, 3.F);
-  const auto colour = texture_of<desc::ImageTexture>(
-      "Texture \"t\" \"spectrum\" \"imagemap\" \"string filename\" \"x.png\"");
-  EXPECT_TRUE(colour.decode_srgb);
-  EXPECT_FALSE(colour.luminance);
-  EXPECT_EQ(colour.path.front(), '/');
+  const desc::Node& image = named_texture(s);
+  EXPECT_EQ(image.text("file"), "b.png");
+  EXPECT_EQ(image.text("wrap"), "clamp");
+  EXPECT_FALSE(image.flag("decode_srgb"));
+  EXPECT_EQ(image.number("scale"), 2.F);
+  EXPECT_EQ(image.number("scale_u"), 3.F);
+  const desc::Node colour =
+      texture_of("Texture \"t\" \"spectrum\" \"imagemap\" \"string filename\" \"x.png\"");
+  EXPECT_TRUE(colour.flag("decode_srgb"));
+  EXPECT_EQ(colour.text("file").front(), '/');
+  EXPECT_TRUE(contains(warnings_of(world("Texture \"t\" \"spectrum\" \"imagemap\"")),
+                       "this image texture has no \"string filename\""));
 }
 
 TEST(PbrtTextures, MappingsUseTheCurrentTransform) {
-  const auto sphere = texture_of<desc::UvTexture>(
+  const desc::Node sphere = texture_of(
       "Translate 1 0 0 Texture \"t\" \"spectrum\" \"uv\" \"string mapping\" \"spherical\"");
-  EXPECT_EQ(std::get<desc::SphericalMapping>(sphere.mapping).world_to_texture[3][0], -1.0);
-  const auto plane = texture_of<desc::UvTexture>(
+  EXPECT_EQ(sphere.transform("world_to_texture")[3][0], -1.0);
+  const desc::Node plane = texture_of(
       "Texture \"t\" \"spectrum\" \"uv\" \"string mapping\" \"planar\" \"vector v1\" [1 2 3] "
       "\"float vdelta\" 4");
-  EXPECT_EQ(std::get<desc::PlanarMapping>(plane.mapping).vs, Vec3(1.F, 2.F, 3.F));
-  EXPECT_EQ(std::get<desc::PlanarMapping>(plane.mapping).dt, 4.F);
+  EXPECT_EQ(plane.vector("axis_u"), Vec3(1.F, 2.F, 3.F));
+  EXPECT_EQ(plane.number("offset_v"), 4.F);
   // pbrt-v3 applies the transform itself to points of solid textures.
-  EXPECT_EQ(texture_of<desc::FbmTexture>("Scale 2 2 2 Texture \"t\" \"float\" \"fbm\"")
-                .world_to_texture[0][0],
-            2.0);
+  for (const char* solid : {"\"fbm\"", "\"checkerboard\" \"integer dimension\" 3"}) {
+    const desc::Node node = texture_of("Scale 2 2 2 Texture \"t\" \"float\" " + std::string(solid));
+    EXPECT_EQ(node.transform("world_to_texture")[0][0], 2.0) << solid;
+  }
 }
 
 TEST(PbrtTextures, FloatAndSpectrumOnesAreDifferentEvenOfOneName) {

@@ -10,9 +10,23 @@ const desc::Model* model_of_type(desc::ModelKind kind, std::span<const ModelName
   return find_ours(table, type) == nullptr ? desc::find_model(kind, type) : nullptr;
 }
 
+std::vector<std::string> types_of(desc::ModelKind kind, std::span<const ModelName> table) {
+  std::vector<std::string> types;
+  const auto add = [&](std::string_view type) {
+    if (type.empty() || std::find(types.begin(), types.end(), type) != types.end()) return;
+    types.emplace_back(type);
+  };
+  for (const ModelName& name : table) add(name.theirs);
+  for (const desc::Model* model : desc::models(kind)) {
+    if (find_ours(table, model->name) == nullptr) add(model->name);
+  }
+  return types;
+}
+
 desc::Node NodeReader::read(const desc::Model& model, const ModelName* names) const {
   desc::Node node(model);
   for (const ParameterSpec& spec : model.parameters) {
+    if (spec.type == ParameterType::Transform || !node.matters(spec)) continue;
     const ParameterName* translated = names == nullptr ? nullptr : names->find(spec.name);
     const ParameterName same{spec.name, {spec.name}};
     node.set(spec.name, value(spec, translated == nullptr ? same : *translated));
@@ -48,10 +62,16 @@ std::optional<desc::Value> NodeReader::find(const ParameterSpec& spec,
   switch (spec.type) {
     case ParameterType::Bool:
       return found(parameters_.flag(name));
+    case ParameterType::Int:
+      return found(parameters_.integer(name));
     case ParameterType::Float:
-      return parameters_.find_number(name);
+      return spec.textured ? parameters_.find_number(name) : found(parameters_.number(name));
     case ParameterType::Color:
-      return parameters_.find_spectrum(name);
+      return find_color(spec, name);
+    case ParameterType::Vector:
+      return found(parameters_.vector(name));
+    case ParameterType::File:
+      return find_file(name);
     case ParameterType::Text:
       return found(parameters_.text(name));
     case ParameterType::Choice:
@@ -61,8 +81,36 @@ std::optional<desc::Value> NodeReader::find(const ParameterSpec& spec,
       return std::nullopt;
     case ParameterType::Material:
       return desc::MaterialRef{find_material_(name)};
-    default:
-      throw std::logic_error("pbrt's importer does not read parameters such as " + spec.name);
+    case ParameterType::Transform:
+      break;
+  }
+  return std::nullopt;
+}
+
+std::optional<desc::Value> NodeReader::find_color(const ParameterSpec& spec,
+                                                  std::string_view name) const {
+  if (!numbers_for_colors_) {
+    if (spec.textured) return parameters_.find_spectrum(name);
+    const std::optional<desc::Rgb> color = parameters_.color(name);
+    return color ? std::optional<desc::Value>(*color) : std::nullopt;
+  }
+  if (!spec.textured) {
+    const std::optional<float> number = parameters_.number(name);
+    return number ? std::optional<desc::Value>(Vec3(*number)) : std::nullopt;
+  }
+  std::optional<desc::Value> found = parameters_.find_number(name);
+  if (!found) return std::nullopt;
+  if (const float* number = std::get_if<float>(&*found)) return Vec3(*number);
+  return found;
+}
+
+std::optional<desc::Value> NodeReader::find_file(std::string_view name) const {
+  const std::optional<std::string> given = parameters_.text(name);
+  if (!given || given->empty()) return std::nullopt;
+  try {
+    return parameters_.context().files.resolve(*given);
+  } catch (const IoError& error) {
+    throw SceneError(where_, error.what());
   }
 }
 

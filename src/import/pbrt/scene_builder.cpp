@@ -279,7 +279,7 @@ desc::TextureId SceneBuilder::alpha(const ParameterList& parameters, std::string
     return textures_.find(*reference, TextureClass::Float).value_or(desc::kNone);
   }
   // Only 0 cuts away.
-  return parameters.get_float(name, 1.F) == 0.F ? textures_.constant(0.F) : desc::kNone;
+  return parameters.get_float(name, 1.F) == 0.F ? textures_.zero() : desc::kNone;
 }
 
 void SceneBuilder::shape(const SourceLocation& where, const std::string& type,

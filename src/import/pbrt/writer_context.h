@@ -27,7 +27,9 @@ struct WriterContext {
 };
 
 /// The parameters of a node by the names that pbrt has for them; without `names`, by ours.
-void write_parameters(WriterContext& context, const desc::Node& node, const ModelName* names);
+/// `numbers_for_colors`: as a texture of numbers has them.
+void write_parameters(WriterContext& context, const desc::Node& node, const ModelName* names,
+                      bool numbers_for_colors = false);
 /// Every texture, as float, as spectrum, as both or not at all, as it is used.
 void write_textures(WriterContext& context);
 /// Every material, as a named one.

@@ -10,14 +10,14 @@ class UseFinder {
   std::vector<TextureUse> run() {
     for (const desc::Material& material : scene_.materials) {
       floats(material.bump);
-      visit(material.node);
+      visit(material.node, {false, true});
     }
     for (const desc::Shape& shape : scene_.shapes) visit(shape);
     for (const desc::Object& object : scene_.objects) {
       for (const desc::Shape& shape : object.shapes) visit(shape);
     }
     // Textures refer to earlier ones only: going backwards, a texture's own uses are known.
-    for (std::size_t i = uses_.size(); i-- > 0;) pass_on(i);
+    for (std::size_t i = uses_.size(); i-- > 0;) visit(scene_.textures[i].node, uses_[i]);
     return std::move(uses_);
   }
 
@@ -41,31 +41,13 @@ class UseFinder {
     floats(shape.alpha, shape.shadow_alpha);
     if (shape.light) spectra(shape.light->texture);
   }
-  void visit(const desc::Node& node) {
+  /// `use_of_colors`: how the textures are used that stand for colours.
+  void visit(const desc::Node& node, TextureUse use_of_colors) {
     for (std::size_t i = 0; i < node.values().size(); ++i) {
       const auto* reference = std::get_if<desc::TextureRef>(&node.values()[i]);
       if (reference == nullptr) continue;
       const bool is_float = node.model().parameters[i].type == ParameterType::Float;
-      mark(reference->id, {is_float, !is_float});
-    }
-  }
-
-  void pass_on(std::size_t i) {
-    const TextureUse use = uses_[i];
-    const auto& node = scene_.textures[i].node;
-    if (const auto* s = std::get_if<desc::ScaleTexture>(&node)) {
-      mark(s->a, use);
-      mark(s->b, use);
-    } else if (const auto* m = std::get_if<desc::MixTexture>(&node)) {
-      mark(m->a, use);
-      mark(m->b, use);
-      floats(m->amount);
-    } else if (const auto* c = std::get_if<desc::CheckerboardTexture>(&node)) {
-      mark(c->a, use);
-      mark(c->b, use);
-    } else if (const auto* d = std::get_if<desc::DotsTexture>(&node)) {
-      mark(d->inside, use);
-      mark(d->outside, use);
+      mark(reference->id, is_float ? TextureUse{true, false} : use_of_colors);
     }
   }
 

@@ -9,10 +9,12 @@ namespace ajar {
 
 namespace {
 
+[[noreturn]] void refuse(const char* kind, const SourceLocation& where) {
+  throw SceneError(where, std::string("this refers to a ") + kind + " that does not exist");
+}
+
 void check(int id, std::size_t count, const char* kind, const SourceLocation& where) {
-  if (id >= static_cast<int>(count) || id < desc::kNone) {
-    throw SceneError(where, std::string("this refers to a ") + kind + " that does not exist");
-  }
+  if (id >= static_cast<int>(count) || id < desc::kNone) refuse(kind, where);
 }
 
 void check_shape(const desc::SceneDesc& scene, const desc::Shape& shape) {
@@ -27,9 +29,10 @@ void check_shape(const desc::SceneDesc& scene, const desc::Shape& shape) {
 
 void check_node(const desc::SceneDesc& scene, const desc::Node& node, const SourceLocation& where) {
   for (const desc::Value& value : node.values()) {
-    if (const auto* texture = std::get_if<desc::TextureRef>(&value)) {
-      check(texture->id, scene.textures.size(), "texture", where);
-    }
+    const auto* texture = std::get_if<desc::TextureRef>(&value);
+    if (texture == nullptr) continue;
+    if (texture->id == desc::kNone) refuse("texture", where);
+    check(texture->id, scene.textures.size(), "texture", where);
   }
 }
 
@@ -46,6 +49,9 @@ void validate_references(const desc::SceneDesc& scene) {
   for (const desc::Shape& shape : scene.shapes) check_shape(scene, shape);
   for (const desc::Object& object : scene.objects) {
     for (const desc::Shape& shape : object.shapes) check_shape(scene, shape);
+  }
+  for (const desc::Texture& texture : scene.textures) {
+    check_node(scene, texture.node, texture.where);
   }
   for (const desc::Material& material : scene.materials) {
     check(material.bump, scene.textures.size(), "texture", material.where);

@@ -10,7 +10,7 @@
 /// (`scene/material/` …); who describes scenes needs no more than this.
 namespace ajar::desc {
 
-enum class ModelKind { Material };
+enum class ModelKind { Material, Texture };
 
 /// In the order of their names.
 const std::vector<const Model*>& models(ModelKind kind);
@@ -22,6 +22,9 @@ const Model* find_model(ModelKind kind, std::string_view name);
 Node make_node(ModelKind kind, std::string_view name, Node::Given given = {});
 inline Node material_node(std::string_view name, Node::Given given = {}) {
   return make_node(ModelKind::Material, name, given);
+}
+inline Node texture_node(std::string_view name, Node::Given given = {}) {
+  return make_node(ModelKind::Texture, name, given);
 }
 
 }  // namespace ajar::desc

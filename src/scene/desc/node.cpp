@@ -147,4 +147,19 @@ void Node::set(std::string_view name, Value value) {
 
 const Value& Node::get(std::string_view name) const { return values_[position(name)]; }
 
+bool Node::matters(const ParameterSpec& spec) const {
+  if (spec.depends_on.empty()) return true;
+  const std::string& now = text(spec.depends_on);
+  return std::find(spec.matters_for.begin(), spec.matters_for.end(), now) != spec.matters_for.end();
+}
+
+std::vector<std::string> Node::files() const {
+  std::vector<std::string> files;
+  for (std::size_t i = 0; i < values_.size(); ++i) {
+    if (model_->parameters[i].type != ParameterType::File) continue;
+    files.push_back(std::get<std::string>(values_[i]));
+  }
+  return files;
+}
+
 }  // namespace ajar::desc

@@ -95,6 +95,11 @@ class Node {
   TextureId texture(std::string_view name) const { return std::get<TextureRef>(get(name)).id; }
   MaterialId material(std::string_view name) const { return std::get<MaterialRef>(get(name)).id; }
 
+  /// False for parameters that have no effect because of the value of another.
+  bool matters(const ParameterSpec& spec) const;
+  /// All its values of the type File.
+  std::vector<std::string> files() const;
+
   bool operator==(const Node&) const = default;
 
  private:

@@ -122,50 +122,6 @@ class SceneHasher {
     (texture(h, ids), ...);
   }
 
-  static void mapping(Hasher& h, const Mapping2D& m) {
-    h.word(m.index());
-    if (const auto* uv = std::get_if<UvMapping>(&m)) h.add(uv->su, uv->sv, uv->du, uv->dv);
-    if (const auto* s = std::get_if<SphericalMapping>(&m)) h.add(s->world_to_texture);
-    if (const auto* c = std::get_if<CylindricalMapping>(&m)) h.add(c->world_to_texture);
-    if (const auto* p = std::get_if<PlanarMapping>(&m)) h.add(p->vs, p->vt, p->ds, p->dt);
-  }
-
-  void node(Hasher& h, const ConstantTexture& t) const { h.add(t.value); }
-  void node(Hasher& h, const ScaleTexture& t) const { textures(h, t.a, t.b); }
-  void node(Hasher& h, const MixTexture& t) const { textures(h, t.a, t.b, t.amount); }
-  void node(Hasher& h, const BilerpTexture& t) const {
-    h.add(t.v00, t.v01, t.v10, t.v11);
-    mapping(h, t.mapping);
-  }
-  void node(Hasher& h, const ImageTexture& t) const {
-    h.add(t.path, t.wrap, t.decode_srgb, t.luminance, t.scale, t.filter);
-    mapping(h, t.mapping);
-  }
-  void node(Hasher& h, const CheckerboardTexture& t) const {
-    h.add(t.dimension);
-    textures(h, t.a, t.b);
-    if (t.dimension == 2) {
-      mapping(h, t.mapping);
-    } else {
-      h.add(t.world_to_texture);
-    }
-  }
-  void node(Hasher& h, const DotsTexture& t) const {
-    textures(h, t.inside, t.outside);
-    mapping(h, t.mapping);
-  }
-  void node(Hasher& h, const UvTexture& t) const { mapping(h, t.mapping); }
-  void node(Hasher& h, const FbmTexture& t) const {
-    h.add(t.octaves, t.roughness, t.world_to_texture);
-  }
-  void node(Hasher& h, const WrinkledTexture& t) const {
-    h.add(t.octaves, t.roughness, t.world_to_texture);
-  }
-  void node(Hasher& h, const WindyTexture& t) const { h.add(t.world_to_texture); }
-  void node(Hasher& h, const MarbleTexture& t) const {
-    h.add(t.octaves, t.roughness, t.scale, t.variation, t.world_to_texture);
-  }
-
   void value(Hasher& h, std::monostate) const { h.word(0); }
   void value(Hasher& h, const TextureRef& v) const { texture(h, v.id); }
   void value(Hasher& h, const MaterialRef& v) const { material(h, v.id); }
@@ -177,7 +133,9 @@ class SceneHasher {
   void node(Hasher& h, const Node& n) const {
     if (!n.has_model()) return;
     h.add(n.model().name);
-    for (const Value& v : n.values()) {
+    for (std::size_t i = 0; i < n.values().size(); ++i) {
+      if (!n.matters(n.model().parameters[i])) continue;
+      const Value& v = n.values()[i];
       h.word(v.index());
       std::visit([&](const auto& held) { value(h, held); }, v);
     }
@@ -244,7 +202,7 @@ class SceneHasher {
 
   std::uint64_t hash_texture(const Texture& t) {
     Hasher h;
-    variant(h, t.node);
+    node(h, t.node);
     return h.result();
   }
   std::uint64_t hash_material(const Material& m) {

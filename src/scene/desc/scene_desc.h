@@ -15,93 +15,13 @@
 /// Colours are linear Rec. 709 RGB; lengths are scene units; angles are degrees.
 namespace ajar::desc {
 
-// ---------------------------------------------------------------- textures
-
-/// How a surface point becomes texture coordinates (pbrt-v3, section 10.2).
-struct UvMapping {
-  float su = 1, sv = 1, du = 0, dv = 0;
-};
-struct SphericalMapping {
-  Mat4 world_to_texture;
-};
-struct CylindricalMapping {
-  Mat4 world_to_texture;
-};
-struct PlanarMapping {
-  Vec3 vs{1, 0, 0}, vt{0, 1, 0};
-  float ds = 0, dt = 0;
-};
-using Mapping2D = std::variant<UvMapping, SphericalMapping, CylindricalMapping, PlanarMapping>;
-
-enum class Wrap { Repeat, Black, Clamp };
-enum class TextureFilter { Nearest, Bilinear };
-
-struct ConstantTexture {
-  Rgb value{0, 0, 0};
-};
-struct ScaleTexture {
-  TextureId a = kNone, b = kNone;
-};
-struct MixTexture {
-  TextureId a = kNone, b = kNone, amount = kNone;
-};
-struct BilerpTexture {
-  Rgb v00{0, 0, 0}, v01{1, 1, 1}, v10{0, 0, 0}, v11{1, 1, 1};
-  Mapping2D mapping;
-};
-struct ImageTexture {
-  std::string path;  ///< resolved, ready to open
-  Wrap wrap = Wrap::Repeat;
-  bool decode_srgb = true;  ///< 8- and 16-bit images only; float formats are always linear
-  bool luminance = false;   ///< every lane is the luminance of the texel, before the sRGB decoding
-                            ///< (pbrt-v3's float textures)
-  float scale = 1;
-  TextureFilter filter = TextureFilter::Bilinear;
-  Mapping2D mapping;
-};
-struct CheckerboardTexture {
-  int dimension = 2;
-  TextureId a = kNone, b = kNone;
-  Mapping2D mapping;      ///< used when dimension is 2
-  Mat4 world_to_texture;  ///< used when dimension is 3
-};
-struct DotsTexture {
-  TextureId inside = kNone, outside = kNone;
-  Mapping2D mapping;
-};
-struct UvTexture {
-  Mapping2D mapping;
-};
-struct FbmTexture {
-  int octaves = 8;
-  float roughness = 0.5F;
-  Mat4 world_to_texture;
-};
-struct WrinkledTexture {
-  int octaves = 8;
-  float roughness = 0.5F;
-  Mat4 world_to_texture;
-};
-struct WindyTexture {
-  Mat4 world_to_texture;
-};
-struct MarbleTexture {
-  int octaves = 8;
-  float roughness = 0.5F, scale = 1, variation = 0.2F;
-  Mat4 world_to_texture;
-};
+// ---------------------------------------------------------------- textures, materials
 
 struct Texture {
   std::string name;
   SourceLocation where;
-  /// Textures refer only to textures with a smaller id.
-  std::variant<ConstantTexture, ScaleTexture, MixTexture, BilerpTexture, ImageTexture,
-               CheckerboardTexture, DotsTexture, UvTexture, FbmTexture, WrinkledTexture,
-               WindyTexture, MarbleTexture>
-      node;
+  Node node;  ///< refers only to textures with a smaller id
 };
-
-// ---------------------------------------------------------------- materials
 
 struct Material {
   std::string name;

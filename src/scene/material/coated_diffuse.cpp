@@ -34,9 +34,9 @@ MaterialModel coated_diffuse_material() {
   return {{.name = "coated_diffuse",
            .summary = "diffuse base under a glossy coat (Ashikhmin-Shirley)",
            .source = "Ashikhmin and Shirley 2000",
-           .parameters = joined(
-               {reflectance_input("diffuse_reflectance", "0.5", "of the base"),
-                reflectance_input("glossy_reflectance", "0.5", "of the coat, seen from above")},
+           .parameters = declare::joined(
+               {declare::reflectance("diffuse_reflectance", "0.5", "of the base"),
+                declare::reflectance("glossy_reflectance", "0.5", "of the coat, seen from above")},
                roughness_inputs("0.1"))},
           make<CoatedDiffuse>};
 }

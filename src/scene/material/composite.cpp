@@ -54,12 +54,13 @@ MaterialModel composite_material() {
       {.name = "composite",
        .summary = "diffuse, glossy, mirror and transparent parts with opacity",
        .source = "Pharr et al. 2016, section 9.2",
-       .parameters = joined(
-           {reflectance_input("diffuse_reflectance", "0.25", "of the diffuse part"),
-            reflectance_input("glossy_reflectance", "0.25", "tint of the rough dielectric gloss"),
-            reflectance_input("mirror_reflectance", "0", "tint of the smooth dielectric gloss"),
-            reflectance_input("transmittance", "0", "tint of what is refracted"), index_input(),
-            reflectance_input("opacity", "1", "share of light that does not pass straight on")},
+       .parameters = declare::joined(
+           {declare::reflectance("diffuse_reflectance", "0.25", "of the diffuse part"),
+            declare::reflectance("glossy_reflectance", "0.25",
+                                 "tint of the rough dielectric gloss"),
+            declare::reflectance("mirror_reflectance", "0", "tint of the smooth dielectric gloss"),
+            declare::reflectance("transmittance", "0", "tint of what is refracted"), index_input(),
+            declare::reflectance("opacity", "1", "share of light that does not pass straight on")},
            roughness_inputs("0.1"))},
       make<Composite>};
 }

@@ -33,13 +33,14 @@ MaterialModel conductor_material() {
   return {{.name = "conductor",
            .summary = "rough conductor with a measured or given index of refraction",
            .source = "Walter et al. 2007",
-           .parameters = joined({color_input("eta", "0.200982586 0.923764288 1.10221601",
-                                             "index of refraction; copper's, unless given"),
-                                 color_input("k", "3.91325855 2.45303726 2.14209414",
-                                             "extinction coefficient; copper's, unless given"),
-                                 choice_parameter("distribution", {"ggx", "beckmann"},
-                                                  "distribution of the facets' normals")},
-                                roughness_inputs("0.01"))},
+           .parameters = declare::joined(
+               {declare::textured_color("eta", "0.200982586 0.923764288 1.10221601",
+                                        "index of refraction; copper's, unless given"),
+                declare::textured_color("k", "3.91325855 2.45303726 2.14209414",
+                                        "extinction coefficient; copper's, unless given"),
+                choice_parameter("distribution", {"ggx", "beckmann"},
+                                 "distribution of the facets' normals")},
+               roughness_inputs("0.01"))},
           make<ConductorSurface>};
 }
 

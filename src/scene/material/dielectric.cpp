@@ -49,15 +49,16 @@ class Dielectric final : public Material {
 }  // namespace
 
 MaterialModel dielectric_material() {
-  return {{.name = "dielectric",
-           .summary = "smooth or rough dielectric boundary, such as glass or water",
-           .source = "Walter et al. 2007",
-           .parameters = joined(
-               {reflectance_input("reflectance", "1", "tint of what is reflected"),
-                reflectance_input("transmittance", "1", "tint of what is refracted"), index_input(),
-                flag_input("thin", "a pane without thickness: transmits straight on")},
-               roughness_inputs("0"))},
-          make<Dielectric>};
+  return {
+      {.name = "dielectric",
+       .summary = "smooth or rough dielectric boundary, such as glass or water",
+       .source = "Walter et al. 2007",
+       .parameters = declare::joined(
+           {declare::reflectance("reflectance", "1", "tint of what is reflected"),
+            declare::reflectance("transmittance", "1", "tint of what is refracted"), index_input(),
+            declare::flag("thin", "a pane without thickness: transmits straight on")},
+           roughness_inputs("0"))},
+      make<Dielectric>};
 }
 
 }  // namespace ajar

@@ -27,13 +27,13 @@ class Diffuse final : public Material {
 }  // namespace
 
 MaterialModel diffuse_material() {
-  ParameterSpec sigma = number_input(
+  ParameterSpec sigma = declare::textured_number(
       "sigma", "0", "spread of the slopes of the facets; 0 for a smooth surface (Lambert)", 90.0);
   sigma.unit = "degrees";
   return {{.name = "diffuse",
            .summary = "diffuse (Lambert), or rough diffuse (Oren-Nayar)",
            .source = "Oren and Nayar 1994",
-           .parameters = {reflectance_input("reflectance", "0.5", "share of light it reflects"),
+           .parameters = {declare::reflectance("reflectance", "0.5", "share of light it reflects"),
                           std::move(sigma)}},
           make<Diffuse>};
 }

@@ -10,20 +10,6 @@ namespace {
 constexpr WarningKind kForwardMix{
     Effect::Surface, "mixes refer to materials that do not come before them: grey is used"};
 
-ParameterSpec textured(std::string name, ParameterType type, std::string value, std::string help,
-                       double maximum) {
-  return {.name = std::move(name),
-          .type = type,
-          .default_value = std::move(value),
-          .unit = "",
-          .help = std::move(help),
-          .choices = {},
-          .minimum = 0.0,
-          .maximum = maximum,
-          .expert = false,
-          .textured = true};
-}
-
 ParameterSpec roughness_scale() {
   return choice_parameter(
       "roughness_scale", {"alpha", "log"},
@@ -43,65 +29,22 @@ const Material& fallback() {
 
 }  // namespace
 
-ParameterSpec number_input(std::string name, std::string value, std::string help, double maximum) {
-  return textured(std::move(name), ParameterType::Float, std::move(value), std::move(help),
-                  maximum);
-}
-
-ParameterSpec reflectance_input(std::string name, std::string value, std::string help) {
-  return textured(std::move(name), ParameterType::Color, std::move(value), std::move(help), 1.0);
-}
-
-ParameterSpec color_input(std::string name, std::string value, std::string help) {
-  return textured(std::move(name), ParameterType::Color, std::move(value), std::move(help), 1e300);
-}
-
 ParameterSpec index_input() {
-  return number_input("eta", "1.5", "index of refraction inside, relative to outside", 20.0);
-}
-
-ParameterSpec flag_input(std::string name, std::string help) {
-  return {.name = std::move(name),
-          .type = ParameterType::Bool,
-          .default_value = "false",
-          .unit = "",
-          .help = std::move(help),
-          .choices = {}};
-}
-
-ParameterSpec material_input(std::string name, std::string help) {
-  return {.name = std::move(name),
-          .type = ParameterType::Material,
-          .default_value = "",
-          .unit = "",
-          .help = std::move(help),
-          .choices = {}};
+  return declare::textured_number("eta", "1.5", "index of refraction inside, relative to outside",
+                                  20.0);
 }
 
 std::vector<ParameterSpec> isotropic_roughness_inputs(std::string value) {
-  return {number_input("roughness", std::move(value), "roughness of the facets", 1.0),
+  return {declare::textured_number("roughness", std::move(value), "roughness of the facets", 1.0),
           roughness_scale()};
 }
 
 std::vector<ParameterSpec> roughness_inputs(std::string value) {
-  return {
-      number_input("roughness", std::move(value), "roughness of the facets, or that along u", 1.0),
-      number_input("roughness_v", "", "roughness along v; without it, the same in all directions",
-                   1.0),
-      roughness_scale()};
-}
-
-std::vector<ParameterSpec> joined(std::vector<ParameterSpec> first,
-                                  const std::vector<ParameterSpec>& second) {
-  first.insert(first.end(), second.begin(), second.end());
-  return first;
-}
-
-TextureSlot MaterialInputs::slot_of(const desc::Value& value) const {
-  if (const float* number = std::get_if<float>(&value)) return TextureSlot(Spectrum(*number));
-  if (const Vec3* color = std::get_if<Vec3>(&value)) return TextureSlot(rgb_spectrum(*color));
-  return TextureSlot(
-      textures_.at(static_cast<std::size_t>(std::get<desc::TextureRef>(value).id)).get());
+  return {declare::textured_number("roughness", std::move(value),
+                                   "roughness of the facets, or that along u", 1.0),
+          declare::textured_number(
+              "roughness_v", "", "roughness along v; without it, the same in all directions", 1.0),
+          roughness_scale()};
 }
 
 const Material& MaterialInputs::material(std::string_view name) const {

@@ -19,7 +19,7 @@ class MaterialInputs {
   const desc::Node& node() const { return description_.node; }
   /// The parameter of this name, a float or a colour.
   TextureSlot slot(std::string_view name) const { return slot_of(node().get(name)); }
-  TextureSlot slot_of(const desc::Value& value) const;
+  TextureSlot slot_of(const desc::Value& value) const { return texture_slot(value, textures_); }
   /// The material that the parameter refers to, which outlives this one. A gray one, after a
   /// warning, if it does not come before this one.
   const Material& material(std::string_view name) const;
@@ -34,26 +34,12 @@ class MaterialInputs {
   Warnings& warnings_;
 };
 
-/// A float from 0 on, or a texture.
-ParameterSpec number_input(std::string name, std::string value, std::string help,
-                           double maximum = 1e300);
-/// A colour with lanes from 0 to 1, or a texture.
-ParameterSpec reflectance_input(std::string name, std::string value, std::string help);
-/// A colour with lanes of any size from 0 on, or a texture.
-ParameterSpec color_input(std::string name, std::string value, std::string help);
 /// An index of refraction, or a texture.
 ParameterSpec index_input();
-ParameterSpec flag_input(std::string name, std::string help);
-/// One of the materials before it. There is no default.
-ParameterSpec material_input(std::string name, std::string help);
 /// "roughness" and "roughness_scale".
 std::vector<ParameterSpec> isotropic_roughness_inputs(std::string value);
 /// "roughness", "roughness_v" and "roughness_scale".
 std::vector<ParameterSpec> roughness_inputs(std::string value);
-/// Both lists as one.
-std::vector<ParameterSpec> joined(std::vector<ParameterSpec> first,
-                                  const std::vector<ParameterSpec>& second);
-
 /// `x` in [low, high]; NaN becomes `low`.
 inline float within(float x, float low, float high) { return x > low ? std::min(x, high) : low; }
 /// A reflectance or a weight: lanes in [0, 1].

@@ -19,11 +19,12 @@ class MirrorSurface final : public Material {
 }  // namespace
 
 MaterialModel mirror_material() {
-  return {{.name = "mirror",
-           .summary = "perfect mirror",
-           .source = "",
-           .parameters = {reflectance_input("reflectance", "0.9", "share of light it reflects")}},
-          make<MirrorSurface>};
+  return {
+      {.name = "mirror",
+       .summary = "perfect mirror",
+       .source = "",
+       .parameters = {declare::reflectance("reflectance", "0.9", "share of light it reflects")}},
+      make<MirrorSurface>};
 }
 
 }  // namespace ajar

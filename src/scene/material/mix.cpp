@@ -73,9 +73,9 @@ MaterialModel mix_material() {
   return {{.name = "mix",
            .summary = "blend of two materials by a texture",
            .source = "",
-           .parameters = {reflectance_input("amount", "0.5", "share of the first, lane by lane"),
-                          material_input("first", "the one that `amount` is of"),
-                          material_input("second", "the one that the rest is of")}},
+           .parameters = {declare::reflectance("amount", "0.5", "share of the first, lane by lane"),
+                          declare::material("first", "the one that `amount` is of"),
+                          declare::material("second", "the one that the rest is of")}},
           make_mix};
 }
 

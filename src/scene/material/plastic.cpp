@@ -29,14 +29,14 @@ class Plastic final : public Material {
 }  // namespace
 
 MaterialModel plastic_material() {
-  return {
-      {.name = "plastic",
-       .summary = "diffuse base with a rough dielectric gloss",
-       .source = "Pharr et al. 2016, section 9.2",
-       .parameters = joined({reflectance_input("diffuse_reflectance", "0.25", "of the base"),
-                             reflectance_input("glossy_reflectance", "0.25", "tint of the gloss")},
-                            isotropic_roughness_inputs("0.1"))},
-      make<Plastic>};
+  return {{.name = "plastic",
+           .summary = "diffuse base with a rough dielectric gloss",
+           .source = "Pharr et al. 2016, section 9.2",
+           .parameters = declare::joined(
+               {declare::reflectance("diffuse_reflectance", "0.25", "of the base"),
+                declare::reflectance("glossy_reflectance", "0.25", "tint of the gloss")},
+               isotropic_roughness_inputs("0.1"))},
+          make<Plastic>};
 }
 
 }  // namespace ajar

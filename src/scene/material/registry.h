@@ -2,6 +2,7 @@
 #include <memory>
 #include <vector>
 
+#include "scene/desc/declare.h"
 #include "scene/desc/node.h"
 #include "scene/material/material.h"
 

@@ -37,16 +37,17 @@ class Translucent final : public Material {
 }  // namespace
 
 MaterialModel translucent_material() {
-  return {{.name = "translucent",
-           .summary = "diffuse and glossy reflection and transmission",
-           .source = "Pharr et al. 2016, section 9.2",
-           .parameters = joined(
-               {reflectance_input("diffuse", "0.25", "share of light that it scatters diffusely"),
-                reflectance_input("glossy", "0.25", "tint of the gloss"),
-                reflectance_input("reflectance", "0.5", "share of both that is reflected"),
-                reflectance_input("transmittance", "0.5", "share of both that is transmitted")},
-               isotropic_roughness_inputs("0.1"))},
-          make<Translucent>};
+  return {
+      {.name = "translucent",
+       .summary = "diffuse and glossy reflection and transmission",
+       .source = "Pharr et al. 2016, section 9.2",
+       .parameters = declare::joined(
+           {declare::reflectance("diffuse", "0.25", "share of light that it scatters diffusely"),
+            declare::reflectance("glossy", "0.25", "tint of the gloss"),
+            declare::reflectance("reflectance", "0.5", "share of both that is reflected"),
+            declare::reflectance("transmittance", "0.5", "share of both that is transmitted")},
+           isotropic_roughness_inputs("0.1"))},
+      make<Translucent>};
 }
 
 }  // namespace ajar
