@@ -42,7 +42,7 @@ std::string number_text(double value) {
 }
 
 void check_range(const ParameterSpec& spec, const std::string& given, double value) {
-  if (value < spec.minimum || value > spec.maximum) reject(spec, given, range_text(spec));
+  if (!in_range(spec, value)) reject(spec, given, range_text(spec));
 }
 
 /// The value in the one spelling that the getters and the statistics use.
@@ -96,11 +96,17 @@ const std::string& value_of(const std::map<std::string, std::string, std::less<>
 
 }  // namespace
 
+bool in_range(const ParameterSpec& spec, double value) {
+  if (spec.open_range) return value > spec.minimum && value < spec.maximum;
+  return value >= spec.minimum && value <= spec.maximum;
+}
+
 std::string range_text(const ParameterSpec& spec) {
   const bool has_minimum = spec.minimum > -1e300;
   const bool has_maximum = spec.maximum < 1e300;
   if (has_minimum && has_maximum) {
-    return "between " + number_text(spec.minimum) + " and " + number_text(spec.maximum);
+    return "between " + number_text(spec.minimum) + " and " + number_text(spec.maximum) +
+           (spec.open_range ? ", both excluded" : "");
   }
   if (has_minimum) return "at least " + number_text(spec.minimum);
   return has_maximum ? "at most " + number_text(spec.maximum) : "";

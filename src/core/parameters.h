@@ -44,7 +44,10 @@ struct ParameterSpec {
   /// values: the name of that parameter, and the values.
   std::string depends_on = {};
   std::vector<std::string> matters_for = {};
+  bool open_range = false;  ///< minimum and maximum themselves are not allowed
 };
+
+bool in_range(const ParameterSpec& spec, double value);
 
 /// "between 0 and 64", "at least 0", "at most 1", or empty: the values that a spec allows.
 std::string range_text(const ParameterSpec& spec);

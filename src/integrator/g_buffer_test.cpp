@@ -43,7 +43,7 @@ std::unique_ptr<Scene> two_rectangles(float lens_radius = 0.F) {
   description.shapes = {rectangle(0.25F, 9.F, 0.F, 9.F, 4.F, 1),
                         rectangle(-0.25F, 9.F, -9.F, 0.F, 4.F, 0)};
   desc::Light light;
-  light.node = desc::PointLight{};
+  light.node = desc::light_node("point");
   description.lights.push_back(light);
   desc::OrthographicCamera camera;
   camera.window = desc::ScreenWindow{-3, 3, -2, 2};

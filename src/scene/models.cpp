@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "scene/light/registry.h"
 #include "scene/material/registry.h"
 #include "scene/texture/registry.h"
 
@@ -23,11 +24,14 @@ std::vector<const Model*> sorted(const std::vector<Registered>& registry) {
 const std::vector<const Model*>& models(ModelKind kind) {
   static const std::vector<const Model*> kMaterials = sorted(material_models());
   static const std::vector<const Model*> kTextures = sorted(texture_models());
+  static const std::vector<const Model*> kLights = sorted(light_models());
   switch (kind) {
     case ModelKind::Material:
       return kMaterials;
     case ModelKind::Texture:
       return kTextures;
+    case ModelKind::Light:
+      return kLights;
   }
   throw std::logic_error("there is no such kind of models");
 }

@@ -34,7 +34,8 @@ TEST_P(Models, DeclareWhatTheCatalogueShows) {
 }
 
 INSTANTIATE_TEST_SUITE_P(EveryKind, Models,
-                         ::testing::Values(ModelKind::Material, ModelKind::Texture));
+                         ::testing::Values(ModelKind::Material, ModelKind::Texture,
+                                           ModelKind::Light));
 
 }  // namespace
 }  // namespace ajar::desc

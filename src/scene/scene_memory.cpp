@@ -61,14 +61,6 @@ std::uint64_t shape_bytes(const std::vector<desc::Shape>& shapes) {
   return bytes;
 }
 
-const std::string& image_of(const desc::Light& light) {
-  static const std::string kNoImage;
-  if (const auto* infinite = std::get_if<desc::InfiniteLight>(&light.node)) return infinite->image;
-  if (const auto* lamp = std::get_if<desc::GoniometricLight>(&light.node)) return lamp->image;
-  if (const auto* slide = std::get_if<desc::ProjectionLight>(&light.node)) return slide->image;
-  return kNoImage;
-}
-
 }  // namespace
 
 void check_subdivision_memory(const desc::LoopSubdivision& surface, const SourceLocation& where) {
@@ -101,8 +93,9 @@ SceneMemory estimate_memory(const desc::SceneDesc& scene) {
     for (const std::string& path : texture.node.files()) size_of(path);
   }
   for (const desc::Light& light : scene.lights) {
-    const std::string& path = image_of(light);
-    if (!path.empty()) memory.images += size_of(path).texels * kDensityBytesPerTexel;
+    for (const std::string& path : light.node.files()) {
+      if (!path.empty()) memory.images += size_of(path).texels * kDensityBytesPerTexel;
+    }
   }
   return memory;
 }

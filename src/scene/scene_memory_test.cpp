@@ -34,7 +34,7 @@ desc::SceneDesc floor_of(unsigned side) {
   shape.node = std::shared_ptr<const desc::Mesh>(std::move(mesh));
   shape.material = 0;
   scene.shapes.push_back(shape);
-  scene.lights.emplace_back().node = desc::PointLight{};
+  scene.lights.emplace_back().node = desc::light_node("point");
   return scene;
 }
 
@@ -101,7 +101,7 @@ TEST(SceneMemory, EveryImageCountsOnceAndAbsentOnesNothing) {
     scene.textures.emplace_back().node = desc::texture_node("image", {{"file", name}});
   }
   EXPECT_EQ(estimate_memory(scene).images, 20U * 10U * 3U * 2U) << "without alpha";
-  scene.lights.emplace_back().node = desc::InfiniteLight{.image = path};
+  scene.lights.emplace_back().node = desc::light_node("environment", {{"image", path}});
   EXPECT_GT(estimate_memory(scene).images, 20U * 10U * (3U * 2U + 8U));
   std::filesystem::remove(path);
 }

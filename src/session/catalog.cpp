@@ -92,7 +92,9 @@ Json parameter_json(const ParameterSpec& spec) {
 /// Kinds that scenes are described with.
 const std::map<std::string, desc::ModelKind>& model_kinds() {
   static const std::map<std::string, desc::ModelKind> kinds{
-      {"materials", desc::ModelKind::Material}, {"textures", desc::ModelKind::Texture}};
+      {"materials", desc::ModelKind::Material},
+      {"textures", desc::ModelKind::Texture},
+      {"lights", desc::ModelKind::Light}};
   return kinds;
 }
 
@@ -200,8 +202,8 @@ std::vector<std::string> checked_aovs(const std::vector<std::string>& names) {
 }
 
 const std::vector<std::string>& catalog_kinds() {
-  static const std::vector<std::string> kinds{"integrators", "materials", "textures", "aovs",
-                                              "scenes"};
+  static const std::vector<std::string> kinds{"integrators", "materials", "textures",
+                                              "lights",      "aovs",      "scenes"};
   return kinds;
 }
 

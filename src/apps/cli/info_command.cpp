@@ -30,16 +30,6 @@ struct Overloaded : Functions... {
 template <typename... Functions>
 Overloaded(Functions...) -> Overloaded<Functions...>;
 
-const char* kind_of(const desc::Light& light) {
-  return std::visit(Overloaded{[](const desc::PointLight&) { return "point"; },
-                               [](const desc::SpotLight&) { return "spot"; },
-                               [](const desc::DistantLight&) { return "distant"; },
-                               [](const desc::InfiniteLight&) { return "infinite"; },
-                               [](const desc::GoniometricLight&) { return "goniometric"; },
-                               [](const desc::ProjectionLight&) { return "projection"; }},
-                    light.node);
-}
-
 const char* kind_of(const desc::Camera& camera) {
   return std::visit(Overloaded{[](const desc::PerspectiveCamera&) { return "perspective"; },
                                [](const desc::OrthographicCamera&) { return "orthographic"; },
@@ -58,7 +48,7 @@ const char* kind_of(const desc::Filter& filter) {
 
 std::map<std::string, std::size_t> light_counts(const desc::SceneDesc& scene) {
   std::map<std::string, std::size_t> counts;
-  for (const desc::Light& light : scene.lights) ++counts[kind_of(light)];
+  for (const desc::Light& light : scene.lights) ++counts[light.node.model().name];
   for (const desc::Shape& shape : scene.shapes) {
     if (shape.light) ++counts["area"];
   }

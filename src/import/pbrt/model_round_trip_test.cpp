@@ -118,6 +118,16 @@ TEST(ModelRoundTrip, KeepsEveryParameterOfEveryTexture) {
   }
 }
 
+TEST(ModelRoundTrip, KeepsEveryParameterOfEveryLight) {
+  for (const desc::Model* model : desc::models(ModelKind::Light)) {
+    desc::SceneDesc scene;
+    Node node(*model);
+    for (const ParameterSpec& spec : model->parameters) node.set(spec.name, another_value(spec));
+    scene.lights.emplace_back().node = node;
+    EXPECT_EQ(there_and_back(scene).lights.at(0).node, node) << model->name;
+  }
+}
+
 TEST(ModelRoundTrip, KeepsWhatIsLeftOut) {
   for (const char* name : {"dielectric", "conductor", "coated_diffuse", "composite"}) {
     desc::SceneDesc scene;

@@ -91,7 +91,7 @@ std::optional<desc::Value> NodeReader::find_color(const ParameterSpec& spec,
                                                   std::string_view name) const {
   if (!numbers_for_colors_) {
     if (spec.textured) return parameters_.find_spectrum(name);
-    const std::optional<desc::Rgb> color = parameters_.color(name);
+    const std::optional<desc::Rgb> color = parameters_.color(name, spec.minimum >= 0.0);
     return color ? std::optional<desc::Value>(*color) : std::nullopt;
   }
   if (!spec.textured) {

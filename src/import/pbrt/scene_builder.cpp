@@ -257,7 +257,7 @@ void SceneBuilder::light_source(const SourceLocation& where, const std::string& 
                                 const ParameterList& parameters) {
   require_world(where, "LightSource");
   std::optional<desc::Light> light =
-      make_light(context_, where, type, parameters, transforms_.get(where, warnings_));
+      make_light(context_, textures_, where, type, parameters, transforms_.get(where, warnings_));
   if (!light) return;
   light->medium = medium_id(state_.outside);
   scene_.lights.push_back(std::move(*light));

@@ -133,10 +133,11 @@ std::optional<desc::Value> TextureParameters::find_number(std::string_view name)
   return std::nullopt;
 }
 
-std::optional<desc::Rgb> TextureParameters::color(std::string_view name) const {
+std::optional<desc::Rgb> TextureParameters::color(std::string_view name, bool positive) const {
   return first_of([&](const ParameterList& list) -> std::optional<desc::Rgb> {
     const Parameter* colour = list.find_one(name, kSpectrumKinds);
-    return colour == nullptr ? std::nullopt : context_.spectra.value(*colour);
+    if (colour == nullptr) return std::nullopt;
+    return positive ? context_.spectra.positive_value(*colour) : context_.spectra.value(*colour);
   });
 }
 

@@ -48,7 +48,8 @@ class TextureParameters {
   std::optional<desc::Value> find_spectrum(std::string_view name) const;
   /// A texture or a number.
   std::optional<desc::Value> find_number(std::string_view name) const;
-  std::optional<desc::Rgb> color(std::string_view name) const;
+  /// `positive`: lanes below 0 are taken as 0, with a warning.
+  std::optional<desc::Rgb> color(std::string_view name, bool positive) const;
   std::optional<float> number(std::string_view name) const;
   std::optional<int> integer(std::string_view name) const;
   std::optional<Vec3> vector(std::string_view name) const;

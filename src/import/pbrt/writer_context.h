@@ -22,6 +22,10 @@ struct WriterContext {
 
   /// `"texture name" "…"`, or nothing for none.
   void reference(std::string_view name, desc::TextureId id);
+  /// Empty for none.
+  std::string medium_name(desc::MediumId id) const;
+  /// The interface of lights and the camera, which know only the outside.
+  void medium_outside(desc::MediumId outside);
   /// Relative to the pbrt file where possible.
   std::string image_path(const std::string& image) const;
 };
@@ -34,5 +38,7 @@ void write_parameters(WriterContext& context, const desc::Node& node, const Mode
 void write_textures(WriterContext& context);
 /// Every material, as a named one.
 void write_materials(WriterContext& context);
+/// Every light that is not on a surface.
+void write_lights(WriterContext& context);
 
 }  // namespace ajar::pbrt

@@ -36,8 +36,20 @@ ParameterSpec integer(std::string name, std::string value, std::string help, int
   return spec;
 }
 
-ParameterSpec number(std::string name, std::string value, std::string help) {
-  return of_type(ParameterType::Float, std::move(name), std::move(value), std::move(help));
+ParameterSpec number(std::string name, std::string value, std::string help, std::string unit) {
+  ParameterSpec spec =
+      of_type(ParameterType::Float, std::move(name), std::move(value), std::move(help));
+  spec.unit = std::move(unit);
+  return spec;
+}
+
+ParameterSpec number_between(std::string name, std::string value, std::string unit,
+                             std::string help, double minimum, double maximum) {
+  ParameterSpec spec = number(std::move(name), std::move(value), std::move(help), std::move(unit));
+  spec.minimum = minimum;
+  spec.maximum = maximum;
+  spec.open_range = true;
+  return spec;
 }
 
 ParameterSpec vector(std::string name, std::string value, std::string help) {
@@ -58,6 +70,13 @@ ParameterSpec material(std::string name, std::string help) {
 
 ParameterSpec color(std::string name, std::string value, std::string help) {
   return of_type(ParameterType::Color, std::move(name), std::move(value), std::move(help));
+}
+
+ParameterSpec emission(std::string name, std::string unit, std::string help) {
+  ParameterSpec spec = color(std::move(name), "1", std::move(help));
+  spec.unit = std::move(unit);
+  spec.minimum = 0.0;
+  return spec;
 }
 
 ParameterSpec textured_color(std::string name, std::string value, std::string help) {

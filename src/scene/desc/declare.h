@@ -11,7 +11,7 @@ namespace ajar::declare {
 ParameterSpec flag(std::string name, std::string help);
 ParameterSpec integer(std::string name, std::string value, std::string help, int minimum,
                       int maximum);
-ParameterSpec number(std::string name, std::string value, std::string help);
+ParameterSpec number(std::string name, std::string value, std::string help, std::string unit = "");
 ParameterSpec vector(std::string name, std::string value, std::string help);
 /// The default is the identity.
 ParameterSpec transform(std::string name, std::string help);
@@ -21,6 +21,11 @@ ParameterSpec file(std::string name, std::string help);
 ParameterSpec material(std::string name, std::string help);
 /// A colour of any size.
 ParameterSpec color(std::string name, std::string value, std::string help);
+/// A colour with lanes from 0 on, white unless given: how strong a light is.
+ParameterSpec emission(std::string name, std::string unit, std::string help);
+/// A number within (minimum, maximum).
+ParameterSpec number_between(std::string name, std::string value, std::string unit,
+                             std::string help, double minimum, double maximum);
 /// A colour of any size, or a texture.
 ParameterSpec textured_color(std::string name, std::string value, std::string help);
 /// A colour with lanes from 0 to 1, or a texture.

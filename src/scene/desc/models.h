@@ -10,7 +10,7 @@
 /// (`scene/material/` …); who describes scenes needs no more than this.
 namespace ajar::desc {
 
-enum class ModelKind { Material, Texture };
+enum class ModelKind { Material, Texture, Light };
 
 /// In the order of their names.
 const std::vector<const Model*>& models(ModelKind kind);
@@ -25,6 +25,9 @@ inline Node material_node(std::string_view name, Node::Given given = {}) {
 }
 inline Node texture_node(std::string_view name, Node::Given given = {}) {
   return make_node(ModelKind::Texture, name, given);
+}
+inline Node light_node(std::string_view name, Node::Given given = {}) {
+  return make_node(ModelKind::Light, name, given);
 }
 
 }  // namespace ajar::desc

@@ -34,10 +34,6 @@ std::string text_of(float value) {
   return {buffer, std::to_chars(buffer, buffer + sizeof(buffer), value).ptr};
 }
 
-bool in_range(const ParameterSpec& spec, double value) {
-  return value >= spec.minimum && value <= spec.maximum;
-}
-
 bool is_of_type(const ParameterSpec& spec, const Value& value) {
   if (std::holds_alternative<std::monostate>(value)) return spec.default_value.empty();
   if (std::holds_alternative<TextureRef>(value)) return spec.textured;
@@ -104,6 +100,11 @@ std::optional<std::string> complaint(const ParameterSpec& spec, const Value& val
   }
   if (const float* number = std::get_if<float>(&value); number && !in_range(spec, *number)) {
     return beyond(text_of(*number));
+  }
+  if (const Vec3* lanes = std::get_if<Vec3>(&value)) {
+    for (const float lane : {lanes->x, lanes->y, lanes->z}) {
+      if (!in_range(spec, lane)) return beyond(text_of(lane));
+    }
   }
   if (const auto* text = std::get_if<std::string>(&value);
       text != nullptr && spec.type == ParameterType::Choice &&

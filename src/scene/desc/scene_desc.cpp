@@ -165,15 +165,6 @@ class SceneHasher {
     h.array(s->normals);
   }
 
-  void node(Hasher& h, const PointLight& l) const { h.add(l.intensity); }
-  void node(Hasher& h, const SpotLight& l) const {
-    h.add(l.intensity, l.cone_angle, l.falloff_start);
-  }
-  void node(Hasher& h, const DistantLight& l) const { h.add(l.irradiance); }
-  void node(Hasher& h, const InfiniteLight& l) const { h.add(l.radiance, l.image); }
-  void node(Hasher& h, const GoniometricLight& l) const { h.add(l.intensity, l.image); }
-  void node(Hasher& h, const ProjectionLight& l) const { h.add(l.intensity, l.fov, l.image); }
-
   static void window(Hasher& h, const std::optional<ScreenWindow>& w) {
     h.add(w.has_value());
     if (w) h.add(w->x_min, w->x_max, w->y_min, w->y_max);
@@ -241,7 +232,7 @@ class SceneHasher {
   }
   void hash_light(Hasher& h, const Light& light) {
     h.add(light.to_world);
-    variant(h, light.node);
+    node(h, light.node);
     medium(h, light.medium);
   }
   void hash_camera(Hasher& h) {

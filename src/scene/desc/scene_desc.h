@@ -123,42 +123,10 @@ struct Instance {
 
 // ---------------------------------------------------------------- lights
 
-struct PointLight {
-  Rgb intensity{1, 1, 1};
-};  ///< at the origin of `to_world`, W·sr⁻¹
-/// Along +z of `to_world`.
-struct SpotLight {
-  Rgb intensity{1, 1, 1};
-  float cone_angle = 30, falloff_start = 25;
-};
-/// Light travels along −z of `to_world`, i.e. +z points to the light. Irradiance on a facing
-/// surface.
-struct DistantLight {
-  Rgb irradiance{1, 1, 1};
-};
-/// Latitude–longitude map as in pbrt-v3 (z up, θ from +z, u = φ/2π); radiance scale.
-struct InfiniteLight {
-  Rgb radiance{1, 1, 1};
-  std::string image;
-};
-/// Intensity × an image over directions (pbrt-v3: y up, θ from +y).
-struct GoniometricLight {
-  Rgb intensity{1, 1, 1};
-  std::string image;
-};
-/// Slide projector along +z.
-struct ProjectionLight {
-  Rgb intensity{1, 1, 1};
-  float fov = 45;
-  std::string image;
-};
-
 struct Light {
   SourceLocation where;
   Mat4 to_world;
-  std::variant<PointLight, SpotLight, DistantLight, InfiniteLight, GoniometricLight,
-               ProjectionLight>
-      node;
+  Node node;
   MediumId medium = kNone;  ///< the medium that a light at a point is in
 };
 
