@@ -18,6 +18,7 @@ enum class ParameterType {
   Choice,
   Color,
   Vector,
+  Point,
   Transform,
   File,
   Material

@@ -5,6 +5,7 @@
 
 #include "scene/light/registry.h"
 #include "scene/material/registry.h"
+#include "scene/shape/quadric_models.h"
 #include "scene/texture/registry.h"
 
 namespace ajar::desc {
@@ -25,6 +26,7 @@ const std::vector<const Model*>& models(ModelKind kind) {
   static const std::vector<const Model*> kMaterials = sorted(material_models());
   static const std::vector<const Model*> kTextures = sorted(texture_models());
   static const std::vector<const Model*> kLights = sorted(light_models());
+  static const std::vector<const Model*> kQuadrics = sorted(quadric_models());
   switch (kind) {
     case ModelKind::Material:
       return kMaterials;
@@ -32,6 +34,8 @@ const std::vector<const Model*>& models(ModelKind kind) {
       return kTextures;
     case ModelKind::Light:
       return kLights;
+    case ModelKind::Quadric:
+      return kQuadrics;
   }
   throw std::logic_error("there is no such kind of models");
 }

@@ -35,7 +35,7 @@ TEST_P(Models, DeclareWhatTheCatalogueShows) {
 
 INSTANTIATE_TEST_SUITE_P(EveryKind, Models,
                          ::testing::Values(ModelKind::Material, ModelKind::Texture,
-                                           ModelKind::Light));
+                                           ModelKind::Light, ModelKind::Quadric));
 
 }  // namespace
 }  // namespace ajar::desc

@@ -43,10 +43,7 @@ struct ShapeMemory {
   std::uint64_t operator()(const std::shared_ptr<const desc::Curve>& curve) const {
     return curve->control_points.size() / 4 * kTreeBytesPerSegment;
   }
-  template <typename Quadric>
-  std::uint64_t operator()(const Quadric& /*quadric*/) const {
-    return 0;
-  }
+  std::uint64_t operator()(const desc::Node& /*quadric*/) const { return 0; }
 };
 
 std::uint64_t shape_bytes(const std::vector<desc::Shape>& shapes) {

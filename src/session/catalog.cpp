@@ -39,6 +39,8 @@ std::string type_text(const ParameterSpec& spec) {
       return "colour" + or_texture;
     case ParameterType::Vector:
       return "vector";
+    case ParameterType::Point:
+      return "point";
     case ParameterType::Transform:
       return "transform";
     case ParameterType::File:
@@ -65,6 +67,8 @@ std::string type_name(ParameterType type) {
       return "color";
     case ParameterType::Vector:
       return "vector";
+    case ParameterType::Point:
+      return "point";
     case ParameterType::Transform:
       return "transform";
     case ParameterType::File:
@@ -94,7 +98,8 @@ const std::map<std::string, desc::ModelKind>& model_kinds() {
   static const std::map<std::string, desc::ModelKind> kinds{
       {"materials", desc::ModelKind::Material},
       {"textures", desc::ModelKind::Texture},
-      {"lights", desc::ModelKind::Light}};
+      {"lights", desc::ModelKind::Light},
+      {"quadrics", desc::ModelKind::Quadric}};
   return kinds;
 }
 
@@ -202,8 +207,12 @@ std::vector<std::string> checked_aovs(const std::vector<std::string>& names) {
 }
 
 const std::vector<std::string>& catalog_kinds() {
-  static const std::vector<std::string> kinds{"integrators", "materials", "textures",
-                                              "lights",      "aovs",      "scenes"};
+  static const std::vector<std::string> kinds = [] {
+    std::vector<std::string> all{"integrators"};
+    for (const auto& [name, kind] : model_kinds()) all.push_back(name);
+    all.insert(all.end(), {"aovs", "scenes"});
+    return all;
+  }();
   return kinds;
 }
 

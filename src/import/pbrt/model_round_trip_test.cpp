@@ -24,6 +24,7 @@ Value another_value(const ParameterSpec& spec) {
       return 0.375F;
     case ParameterType::Color:
     case ParameterType::Vector:
+    case ParameterType::Point:
       return Vec3(0.125F, 0.375F, 0.625F);
     case ParameterType::Choice:
       return spec.choices.back();
@@ -125,6 +126,27 @@ TEST(ModelRoundTrip, KeepsEveryParameterOfEveryLight) {
     for (const ParameterSpec& spec : model->parameters) node.set(spec.name, another_value(spec));
     scene.lights.emplace_back().node = node;
     EXPECT_EQ(there_and_back(scene).lights.at(0).node, node) << model->name;
+  }
+}
+
+TEST(ModelRoundTrip, KeepsEveryParameterOfEveryQuadric) {
+  for (const desc::Model* model : desc::models(ModelKind::Quadric)) {
+    desc::SceneDesc scene;
+    Node node(*model);
+    float value = 0.125F;  // each larger than the one before, so that the piece is not empty
+    for (const ParameterSpec& spec : model->parameters) {
+      value += 0.125F;
+      if (spec.type == ParameterType::Float) node.set(spec.name, value);
+      if (spec.type == ParameterType::Point) node.set(spec.name, Vec3(value));
+    }
+    if (model->name == "disk") node.set("inner_radius", 0.0625F);
+    if (model->name == "sphere") node.set("z_min", -0.125F);
+    scene.shapes.emplace_back().node = node;
+    scene.materials.emplace_back().node = desc::material_node("diffuse");
+    scene.shapes.back().material = 0;
+    const desc::SceneDesc back = there_and_back(scene);
+    ASSERT_EQ(back.shapes.size(), 1U) << model->name;
+    EXPECT_EQ(std::get<Node>(back.shapes[0].node), node) << model->name;
   }
 }
 

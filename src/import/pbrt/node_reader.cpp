@@ -70,6 +70,8 @@ std::optional<desc::Value> NodeReader::find(const ParameterSpec& spec,
       return find_color(spec, name);
     case ParameterType::Vector:
       return found(parameters_.vector(name));
+    case ParameterType::Point:
+      return found(parameters_.point(name));
     case ParameterType::File:
       return find_file(name);
     case ParameterType::Text:

@@ -165,7 +165,10 @@ std::vector<Vec3> ParameterList::get_normals(std::string_view name) const {
   return get_triples(name, ParameterKind::Normal3);
 }
 Vec3 ParameterList::get_point(std::string_view name, const Vec3& fallback) const {
-  if (find_one(name, ParameterKind::Point3) == nullptr) return fallback;
+  return get_point(name).value_or(fallback);
+}
+std::optional<Vec3> ParameterList::get_point(std::string_view name) const {
+  if (find_one(name, ParameterKind::Point3) == nullptr) return std::nullopt;
   return get_points(name).front();
 }
 std::optional<Vec3> ParameterList::get_vector(std::string_view name) const {

@@ -72,6 +72,7 @@ class ParameterList {
   std::string get_string(std::string_view name, const std::string& fallback) const;
   std::optional<std::string> get_string(std::string_view name) const;
   Vec3 get_point(std::string_view name, const Vec3& fallback) const;
+  std::optional<Vec3> get_point(std::string_view name) const;
   std::optional<Vec3> get_vector(std::string_view name) const;
   std::vector<Vec3> get_points(std::string_view name) const;
   std::vector<Vec3> get_vectors(std::string_view name) const;

@@ -6,6 +6,7 @@
 #include "core/atomic_file.h"
 #include "core/error.h"
 #include "import/mesh/ply.h"
+#include "import/pbrt/quadric_names.h"
 #include "import/pbrt/transforms.h"
 #include "import/pbrt/writer_context.h"
 
@@ -210,41 +211,10 @@ class Writer {
     return mesh_files_[mesh.get()] = mesh_folder_ + "/" + name;
   }
 
-  void write_geometry(const desc::Shape& shape, const desc::Sphere& s) {
-    begin_shape(shape, "sphere")
-        .parameter("float radius", s.radius)
-        .parameter("float phimax", s.phi_max);
-    out_.parameter("float zmin", s.z_min).parameter("float zmax", s.z_max);
-  }
-  void write_geometry(const desc::Shape& shape, const desc::Disk& s) {
-    begin_shape(shape, "disk")
-        .parameter("float radius", s.radius)
-        .parameter("float phimax", s.phi_max);
-    out_.parameter("float height", s.height).parameter("float innerradius", s.inner_radius);
-  }
-  void write_geometry(const desc::Shape& shape, const desc::Cylinder& s) {
-    begin_shape(shape, "cylinder")
-        .parameter("float radius", s.radius)
-        .parameter("float phimax", s.phi_max);
-    out_.parameter("float zmin", s.z_min).parameter("float zmax", s.z_max);
-  }
-  void write_geometry(const desc::Shape& shape, const desc::Cone& s) {
-    begin_shape(shape, "cone")
-        .parameter("float radius", s.radius)
-        .parameter("float phimax", s.phi_max);
-    out_.parameter("float height", s.height);
-  }
-  void write_geometry(const desc::Shape& shape, const desc::Paraboloid& s) {
-    begin_shape(shape, "paraboloid")
-        .parameter("float radius", s.radius)
-        .parameter("float phimax", s.phi_max);
-    out_.parameter("float zmin", s.z_min).parameter("float zmax", s.z_max);
-  }
-  void write_geometry(const desc::Shape& shape, const desc::Hyperboloid& s) {
-    begin_shape(shape, "hyperboloid")
-        .point("p1", s.p1)
-        .point("p2", s.p2)
-        .parameter("float phimax", s.phi_max);
+  void write_geometry(const desc::Shape& shape, const desc::Node& quadric) {
+    const ModelName* names = find_ours(pbrt::quadric_names(), quadric.model().name);
+    begin_shape(shape, names == nullptr ? quadric.model().name : names->theirs);
+    write_parameters(context_, quadric, names);
   }
   void write_geometry(const desc::Shape& shape,
                       const std::shared_ptr<const desc::LoopSubdivision>& s) {

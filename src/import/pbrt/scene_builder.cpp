@@ -285,7 +285,7 @@ desc::TextureId SceneBuilder::alpha(const ParameterList& parameters, std::string
 void SceneBuilder::shape(const SourceLocation& where, const std::string& type,
                          const ParameterList& parameters) {
   require_world(where, "Shape");
-  std::optional<ShapeNode> node = make_shape(context_, meshes_, where, type, parameters);
+  std::optional<ShapeNode> node = make_shape(context_, meshes_, textures_, where, type, parameters);
   if (!node) return;
   desc::Shape shape;
   shape.where = where;

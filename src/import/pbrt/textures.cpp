@@ -153,6 +153,10 @@ std::optional<Vec3> TextureParameters::vector(std::string_view name) const {
   return first_of([&](const ParameterList& list) { return list.get_vector(name); });
 }
 
+std::optional<Vec3> TextureParameters::point(std::string_view name) const {
+  return first_of([&](const ParameterList& list) { return list.get_point(name); });
+}
+
 std::optional<bool> TextureParameters::flag(std::string_view name) const {
   return first_of([&](const ParameterList& list) { return list.get_bool(name); });
 }

@@ -53,6 +53,7 @@ class TextureParameters {
   std::optional<float> number(std::string_view name) const;
   std::optional<int> integer(std::string_view name) const;
   std::optional<Vec3> vector(std::string_view name) const;
+  std::optional<Vec3> point(std::string_view name) const;
   std::optional<bool> flag(std::string_view name) const;
   std::optional<std::string> text(std::string_view name) const;
   void accept(std::initializer_list<std::string_view> names) const;

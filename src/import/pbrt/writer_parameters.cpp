@@ -24,6 +24,8 @@ struct ValueWriter {
       (*this)(value.x);
     } else if (spec.type == ParameterType::Color) {
       context.out.rgb(name, value);
+    } else if (spec.type == ParameterType::Point) {
+      context.out.point(name, value);
     } else {
       context.out.parameter("vector " + name, value.x, value.y, value.z);
     }

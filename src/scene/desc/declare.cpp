@@ -56,6 +56,10 @@ ParameterSpec vector(std::string name, std::string value, std::string help) {
   return of_type(ParameterType::Vector, std::move(name), std::move(value), std::move(help));
 }
 
+ParameterSpec point(std::string name, std::string value, std::string help) {
+  return of_type(ParameterType::Point, std::move(name), std::move(value), std::move(help));
+}
+
 ParameterSpec transform(std::string name, std::string help) {
   return of_type(ParameterType::Transform, std::move(name), "", std::move(help));
 }

@@ -13,6 +13,7 @@ ParameterSpec integer(std::string name, std::string value, std::string help, int
                       int maximum);
 ParameterSpec number(std::string name, std::string value, std::string help, std::string unit = "");
 ParameterSpec vector(std::string name, std::string value, std::string help);
+ParameterSpec point(std::string name, std::string value, std::string help);
 /// The default is the identity.
 ParameterSpec transform(std::string name, std::string help);
 /// The default is none.

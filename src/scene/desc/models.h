@@ -10,7 +10,7 @@
 /// (`scene/material/` …); who describes scenes needs no more than this.
 namespace ajar::desc {
 
-enum class ModelKind { Material, Texture, Light };
+enum class ModelKind { Material, Texture, Light, Quadric };
 
 /// In the order of their names.
 const std::vector<const Model*>& models(ModelKind kind);
@@ -28,6 +28,9 @@ inline Node texture_node(std::string_view name, Node::Given given = {}) {
 }
 inline Node light_node(std::string_view name, Node::Given given = {}) {
   return make_node(ModelKind::Light, name, given);
+}
+inline Node quadric_node(std::string_view name, Node::Given given = {}) {
+  return make_node(ModelKind::Quadric, name, given);
 }
 
 }  // namespace ajar::desc

@@ -50,6 +50,7 @@ bool is_of_type(const ParameterSpec& spec, const Value& value) {
       return std::holds_alternative<std::string>(value);
     case ParameterType::Color:
     case ParameterType::Vector:
+    case ParameterType::Point:
       return std::holds_alternative<Vec3>(value);
     case ParameterType::Transform:
       return std::holds_alternative<TransformPointer>(value) &&

@@ -144,14 +144,6 @@ class SceneHasher {
   void node(Hasher& h, const std::shared_ptr<const Mesh>& mesh) {
     h.word(mesh ? hash_mesh(*mesh) : 0);
   }
-  void node(Hasher& h, const Sphere& s) const { h.add(s.radius, s.z_min, s.z_max, s.phi_max); }
-  void node(Hasher& h, const Disk& s) const {
-    h.add(s.height, s.radius, s.inner_radius, s.phi_max);
-  }
-  void node(Hasher& h, const Cylinder& s) const { h.add(s.radius, s.z_min, s.z_max, s.phi_max); }
-  void node(Hasher& h, const Cone& s) const { h.add(s.radius, s.height, s.phi_max); }
-  void node(Hasher& h, const Paraboloid& s) const { h.add(s.radius, s.z_min, s.z_max, s.phi_max); }
-  void node(Hasher& h, const Hyperboloid& s) const { h.add(s.p1, s.p2, s.phi_max); }
   void node(Hasher& h, const std::shared_ptr<const LoopSubdivision>& s) {
     if (!s) return;
     h.add(s->levels);

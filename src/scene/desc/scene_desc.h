@@ -50,26 +50,6 @@ struct Mesh {
   std::vector<Vec2> uvs;                       ///< per vertex, or empty
   std::vector<Imath::Vec3<unsigned>> indices;  ///< one per triangle, each < positions.size()
 };
-/// Quadrics in their own space, as pbrt-v3 defines them (chapter 3); angles in degrees.
-struct Sphere {
-  float radius = 1, z_min = -1, z_max = 1, phi_max = 360;
-};
-struct Disk {
-  float height = 0, radius = 1, inner_radius = 0, phi_max = 360;
-};
-struct Cylinder {
-  float radius = 1, z_min = -1, z_max = 1, phi_max = 360;
-};
-struct Cone {
-  float radius = 1, height = 1, phi_max = 360;
-};
-struct Paraboloid {
-  float radius = 1, z_min = 0, z_max = 1, phi_max = 360;
-};
-struct Hyperboloid {
-  Vec3 p1{0, 0, 0}, p2{1, 1, 1};
-  float phi_max = 360;
-};
 /// Loop subdivision surface, refined `levels` times and pushed to its limit.
 struct LoopSubdivision {
   int levels = 3;
@@ -96,9 +76,9 @@ struct Shape {
   SourceLocation where;
   std::string name;  ///< of the object, for ids and messages; may be empty
   /// Meshes are shared so that a copy of a description does not copy geometry.
-  std::variant<std::shared_ptr<const Mesh>, Sphere, Disk, Cylinder, Cone, Paraboloid, Hyperboloid,
-               std::shared_ptr<const LoopSubdivision>, std::shared_ptr<const Curve>>
-      node;
+  std::variant<std::shared_ptr<const Mesh>, Node, std::shared_ptr<const LoopSubdivision>,
+               std::shared_ptr<const Curve>>
+      node;  ///< nodes are quadrics, in their own space
   Mat4 to_world;
   bool reverse_orientation = false;
   MaterialId material = kNone;
