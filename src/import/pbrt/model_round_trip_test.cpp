@@ -5,44 +5,13 @@
 #include "import/pbrt/import_test_support.h"
 #include "import/pbrt/pbrt_writer.h"
 #include "scene/desc/models.h"
+#include "scene/testing/another_value.h"
 
 namespace ajar {
 namespace {
 
 using desc::ModelKind;
 using desc::Node;
-using desc::Value;
-
-/// A value that is not the default.
-Value another_value(const ParameterSpec& spec) {
-  switch (spec.type) {
-    case ParameterType::Bool:
-      return spec.default_value != "true";
-    case ParameterType::Int:
-      return std::get<int>(desc::default_value(spec)) + 1;
-    case ParameterType::Float:
-      return 0.375F;
-    case ParameterType::Color:
-    case ParameterType::Vector:
-    case ParameterType::Point:
-      return Vec3(0.125F, 0.375F, 0.625F);
-    case ParameterType::Choice:
-      return spec.choices.back();
-    case ParameterType::Text:
-      return "text";
-    case ParameterType::File:
-      return "/somewhere/picture.exr";
-    case ParameterType::Material:
-      return desc::MaterialRef{0};
-    case ParameterType::Transform: {
-      Mat4 place;
-      place.setTranslation(Vec3d(1.0, 2.0, 3.0));
-      return std::make_shared<const Mat4>(place);
-    }
-  }
-  ADD_FAILURE() << spec.name;
-  return {};
-}
 
 /// What the scene is after it was written and read.
 desc::SceneDesc there_and_back(const desc::SceneDesc& scene) {
@@ -62,7 +31,8 @@ TEST(ModelRoundTrip, KeepsEveryParameterOfEveryMaterial) {
     desc::SceneDesc scene;
     scene.materials.emplace_back().node = desc::material_node("mirror");
     Node node(*model);
-    for (const ParameterSpec& spec : model->parameters) node.set(spec.name, another_value(spec));
+    for (const ParameterSpec& spec : model->parameters)
+      node.set(spec.name, testing::another_value(spec));
     scene.materials.emplace_back().node = node;
     EXPECT_EQ(there_and_back(scene).materials.at(1).node, node) << model->name;
   }
@@ -96,7 +66,7 @@ TEST(ModelRoundTrip, KeepsEveryParameterOfEveryTexture) {
         if (spec.name == "mapping" || !node.matters(spec)) continue;
         // What pbrt cannot say.
         if (spec.name == "filter") continue;
-        node.set(spec.name, another_value(spec));
+        node.set(spec.name, testing::another_value(spec));
       }
       for (const bool as_number : {false, true}) {
         const desc::SceneDesc scene = with_texture(node, as_number);
@@ -123,7 +93,8 @@ TEST(ModelRoundTrip, KeepsEveryParameterOfEveryLight) {
   for (const desc::Model* model : desc::models(ModelKind::Light)) {
     desc::SceneDesc scene;
     Node node(*model);
-    for (const ParameterSpec& spec : model->parameters) node.set(spec.name, another_value(spec));
+    for (const ParameterSpec& spec : model->parameters)
+      node.set(spec.name, testing::another_value(spec));
     scene.lights.emplace_back().node = node;
     EXPECT_EQ(there_and_back(scene).lights.at(0).node, node) << model->name;
   }

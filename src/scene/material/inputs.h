@@ -40,6 +40,7 @@ ParameterSpec index_input();
 std::vector<ParameterSpec> isotropic_roughness_inputs(std::string value);
 /// "roughness", "roughness_v" and "roughness_scale".
 std::vector<ParameterSpec> roughness_inputs(std::string value);
+
 /// `x` in [low, high]; NaN becomes `low`.
 inline float within(float x, float low, float high) { return x > low ? std::min(x, high) : low; }
 /// A reflectance or a weight: lanes in [0, 1].
