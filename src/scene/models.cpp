@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <string>
 
 #include "scene/light/registry.h"
 #include "scene/material/registry.h"
@@ -38,12 +39,6 @@ const std::vector<const Model*>& models(ModelKind kind) {
       return kQuadrics;
   }
   throw std::logic_error("there is no such kind of models");
-}
-
-std::vector<std::string> model_names(ModelKind kind) {
-  std::vector<std::string> names;
-  for (const Model* model : models(kind)) names.push_back(model->name);
-  return names;
 }
 
 const Model* find_model(ModelKind kind, std::string_view name) {

@@ -1,6 +1,4 @@
 #pragma once
-#include <span>
-#include <string>
 #include <string_view>
 #include <vector>
 
@@ -14,7 +12,6 @@ enum class ModelKind { Material, Texture, Light, Quadric };
 
 /// In the order of their names.
 const std::vector<const Model*>& models(ModelKind kind);
-std::vector<std::string> model_names(ModelKind kind);
 /// The model of this name, or null.
 const Model* find_model(ModelKind kind, std::string_view name);
 /// A node of the model of this name, as `Node`'s constructor makes it. Raises std::logic_error if
