@@ -2,6 +2,7 @@
 
 #include "core/random.h"
 #include "measuring/job.h"
+#include "scene/desc/models.h"
 #include "scene/scene.h"
 
 /// How much longer a sample takes with 10 000 emitters than with 10, and how much of the variance
@@ -23,8 +24,7 @@ std::shared_ptr<const desc::Mesh> quad(const Vec3& p, const Vec3& u, const Vec3&
 /// emits. The geometry and the emitted power are the same for any number.
 desc::SceneDesc room(int emitters) {
   desc::SceneDesc scene;
-  desc::Material matte;
-  scene.materials.push_back(matte);
+  scene.materials.emplace_back().node = desc::material_node("diffuse");
   const auto add = [&](std::shared_ptr<const desc::Mesh> mesh) -> desc::Shape& {
     desc::Shape shape;
     shape.node = std::move(mesh);

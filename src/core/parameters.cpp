@@ -35,16 +35,6 @@ std::string number_text(double value) {
   return stream.str();
 }
 
-std::string range_text(const ParameterSpec& spec) {
-  const bool has_minimum = spec.minimum > -1e300;
-  const bool has_maximum = spec.maximum < 1e300;
-  if (has_minimum && has_maximum) {
-    return "between " + number_text(spec.minimum) + " and " + number_text(spec.maximum);
-  }
-  return has_minimum ? "at least " + number_text(spec.minimum)
-                     : "at most " + number_text(spec.maximum);
-}
-
 [[noreturn]] void reject(const ParameterSpec& spec, const std::string& given,
                          const std::string& expected) {
   throw UsageError("parameter \"" + spec.name + "\" must be " + expected + ", not \"" + given +
@@ -52,7 +42,7 @@ std::string range_text(const ParameterSpec& spec) {
 }
 
 void check_range(const ParameterSpec& spec, const std::string& given, double value) {
-  if (value < spec.minimum || value > spec.maximum) reject(spec, given, range_text(spec));
+  if (!in_range(spec, value)) reject(spec, given, range_text(spec));
 }
 
 /// The value in the one spelling that the getters and the statistics use.
@@ -90,8 +80,9 @@ std::string checked_value(const ParameterSpec& spec, const std::string& given) {
       return given;
     case ParameterType::Text:
       return given;
+    default:
+      throw std::logic_error("parameter \"" + spec.name + "\" is of a type for scenes only");
   }
-  return given;
 }
 
 const std::string& value_of(const std::map<std::string, std::string, std::less<>>& values,
@@ -104,6 +95,22 @@ const std::string& value_of(const std::map<std::string, std::string, std::less<>
 }
 
 }  // namespace
+
+bool in_range(const ParameterSpec& spec, double value) {
+  if (spec.open_range) return value > spec.minimum && value < spec.maximum;
+  return value >= spec.minimum && value <= spec.maximum;
+}
+
+std::string range_text(const ParameterSpec& spec) {
+  const bool has_minimum = spec.minimum > -1e300;
+  const bool has_maximum = spec.maximum < 1e300;
+  if (has_minimum && has_maximum) {
+    return "between " + number_text(spec.minimum) + " and " + number_text(spec.maximum) +
+           (spec.open_range ? ", both excluded" : "");
+  }
+  if (has_minimum) return "at least " + number_text(spec.minimum);
+  return has_maximum ? "at most " + number_text(spec.maximum) : "";
+}
 
 ParameterSpec number_parameter(std::string name, std::string value, std::string help,
                                double maximum, std::vector<std::string> words) {

@@ -9,10 +9,24 @@
 
 namespace ajar {
 
-enum class ParameterType { Bool, Int, Float, Text, Choice };
+/// What comes after `Choice` is only for the nodes of a scene (`scene/desc/node.h`).
+enum class ParameterType {
+  Bool,
+  Int,
+  Float,
+  Text,
+  Choice,
+  Color,
+  Vector,
+  Point,
+  Transform,
+  File,
+  Material
+};
 
-/// Declaration of a parameter that users can set with `--set name=value`. `ajar list`, error
-/// messages and the manual are made from it.
+/// Declaration of a parameter: of an integrator, which users can set with `--set name=value`, or of
+/// a model that scenes are described with. `ajar list`, error messages and the manual are made from
+/// it.
 struct ParameterSpec {
   std::string name;
   ParameterType type;
@@ -23,7 +37,21 @@ struct ParameterSpec {
   double minimum = -1e300;
   double maximum = 1e300;
   bool expert = false;  ///< for those who study the method; lists show it below the others
+  /// For Float and Color in scenes: a texture may stand in place of the value. A texture can have
+  /// any value, so the model that reads it brings it into the range; all others are errors beyond
+  /// it.
+  bool textured = false;
+  /// If it matters only while another parameter, a Choice declared before it, has one of some
+  /// values: the name of that parameter, and the values.
+  std::string depends_on = {};
+  std::vector<std::string> matters_for = {};
+  bool open_range = false;  ///< minimum and maximum themselves are not allowed
 };
+
+bool in_range(const ParameterSpec& spec, double value);
+
+/// "between 0 and 64", "at least 0", "at most 1", or empty: the values that a spec allows.
+std::string range_text(const ParameterSpec& spec);
 
 /// A number from 0 on, without unit, or one of `words`.
 ParameterSpec number_parameter(std::string name, std::string value, std::string help,

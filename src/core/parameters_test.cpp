@@ -91,6 +91,29 @@ TEST(Parameters, RangeIsInclusiveAndChecked) {
   EXPECT_NE(message_of({{"sigma", "-0.1"}}).find("between 0 and 1"), std::string::npos);
 }
 
+TEST(Parameters, OpenRangesExcludeTheirBounds) {
+  std::vector<ParameterSpec> declared = {
+      {"fov", ParameterType::Float, "45", "degrees", "angle", {}, 0.0, 180.0}};
+  declared[0].open_range = true;
+  EXPECT_EQ(Parameters(declared, {{"fov", "179.9"}}).get_float("fov"), 179.9);
+  for (const char* bound : {"0", "180"}) {
+    try {
+      const Parameters parameters(declared, {{"fov", bound}});
+      FAIL() << bound;
+    } catch (const UsageError& error) {
+      EXPECT_NE(std::string(error.what()).find("between 0 and 180, both excluded"),
+                std::string::npos)
+          << error.what();
+    }
+  }
+}
+
+TEST(Parameters, TypesOfScenesCannotBeSetAsText) {
+  const std::vector<ParameterSpec> declared = {
+      {"tint", ParameterType::Color, "1", "", "a colour", {}}};
+  EXPECT_THROW(Parameters(declared, {}), std::logic_error);
+}
+
 TEST(Parameters, AskingForAnUndeclaredNameIsAProgrammingError) {
   const auto declared = specs();
   const Parameters parameters(declared, {});

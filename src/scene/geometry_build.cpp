@@ -59,8 +59,7 @@ class ShapePreparation {
                                                        shape_.reverse_orientation, shape_.where);
     curve.reset();
   }
-  template <typename Node>
-  void operator()(const Node& node) {
+  void operator()(const desc::Node& node) {
     record_.quadric = Quadric::make(node);
     if (!record_.quadric) {
       warnings_.add(kNoArea, shape_.where, "the shape has no area; it is left out");

@@ -7,7 +7,9 @@
 
 #include "core/random.h"
 #include "core/warp.h"
+#include "scene/desc/models.h"
 #include "scene/shape/quadric.h"
+#include "scene/testing/quadrics.h"
 
 namespace ajar {
 namespace {
@@ -102,7 +104,8 @@ TEST(Geometry, EmptySceneIsHitNowhere) {
 }
 
 TEST(Geometry, ReportsDistanceShapeAndPoint) {
-  const World world = world_of({shape(desc::Sphere{}, translation(0, 0, 5)), mesh_shape(cube())});
+  const World world =
+      world_of({shape(testing::sphere_node(), translation(0, 0, 5)), mesh_shape(cube())});
   const auto box = world.hit({0.25F, 0.5F, -4}, {0, 0, 1});
   ASSERT_TRUE(box);
   EXPECT_EQ(box->shape, 1U);
@@ -120,7 +123,7 @@ TEST(Geometry, ReportsDistanceShapeAndPoint) {
 }
 
 TEST(Geometry, OcclusionRespectsTheEndOfTheRay) {
-  const World world = world_of({shape(desc::Disk{0, 1, 0, 360})});
+  const World world = world_of({shape(testing::disk_node(0, 1, 0, 360))});
   EXPECT_TRUE(world.occluded({0, 0, -1}, {0, 0, 1}));
   EXPECT_FALSE(world.occluded({0, 0, -1}, {0, 0, 1}, 0.999F));
   EXPECT_FALSE(world.occluded({0, 0, -1}, {0, 0, 1}, -1.F));
@@ -130,7 +133,7 @@ TEST(Geometry, OcclusionRespectsTheEndOfTheRay) {
 /// Random rays between points well away; the nearest of all roots in object space is the oracle.
 TEST(Geometry, QuadricsAgreeWithTheirRootsUnderAnyTransform) {
   const Mat4 m = scaling(1.5, 0.5, -2) * rotation({1, 2, 3}, 0.7) * translation(3, 1, -2);
-  const desc::Sphere sphere{1, -0.5F, 1, 300};
+  const desc::Node sphere = testing::sphere_node(1, -0.5F, 1, 300);
   const Quadric quadric = *Quadric::make(sphere);
   const Placement placement = *Placement::make(m);
   const World world = world_of({shape(sphere, m)});
@@ -193,7 +196,7 @@ TEST(SelfIntersection, SpheresOfAllScales) {
     for (const double away : {0.0, 3.0, 1e3}) {
       const Mat4 m =
           scaling(size, size, size) * translation(away * size, -2 * away * size, 0.5 * away * size);
-      expect_no_self_hits(world_of({shape(desc::Sphere{}, m)}),
+      expect_no_self_hits(world_of({shape(testing::sphere_node(), m)}),
                           Vec3(Placement::make(m)->point(Vec3d(0.0))), static_cast<float>(size));
     }
   }
@@ -201,7 +204,7 @@ TEST(SelfIntersection, SpheresOfAllScales) {
 
 TEST(SelfIntersection, StretchedSphere) {
   const Mat4 m = scaling(10, 0.1, 1) * rotation({1, 1, 0}, 1.0) * translation(100, 20, 3);
-  expect_no_self_hits(world_of({shape(desc::Sphere{}, m)}), {100, 20, 3}, 1.F);
+  expect_no_self_hits(world_of({shape(testing::sphere_node(), m)}), {100, 20, 3}, 1.F);
 }
 
 TEST(SelfIntersection, TiltedSquaresOfAllSizesAndPlaces) {
@@ -224,7 +227,7 @@ TEST(SelfIntersection, InstancesFarAway) {
   scene.objects.push_back({"box", {}, {}});
   scene.objects[0].shapes.push_back(mesh_shape(cube()));
   scene.objects.push_back({"ball", {}, {}});
-  scene.objects[1].shapes.push_back(shape(desc::Sphere{}));
+  scene.objects[1].shapes.push_back(shape(testing::sphere_node()));
   scene.instances.push_back({0, rotation({1, 2, 3}, 0.7) * translation(2000, 0.5, -1000), {}});
   scene.instances.push_back({1, rotation({1, 2, 3}, 0.7) * translation(-2000, 0.5, -1000), {}});
   const World world(std::move(scene));
@@ -269,14 +272,14 @@ TEST(Instances, PlacePointsAndNormalsAsBakedShapesDo) {
   desc::SceneDesc instanced;
   instanced.objects.push_back({"thing", {}, {}});
   instanced.objects[0].shapes.push_back(
-      shape(desc::Sphere{0.5F, -0.5F, 0.5F, 360}, translation(0, 0, 4)));
+      shape(testing::sphere_node(0.5F, -0.5F, 0.5F, 360), translation(0, 0, 4)));
   instanced.objects[0].shapes.push_back(mesh_shape(mesh));
-  instanced.shapes.push_back(shape(desc::Sphere{}, translation(100, 0, 0)));
+  instanced.shapes.push_back(shape(testing::sphere_node(), translation(100, 0, 0)));
   instanced.instances.push_back({0, Mat4() * translation(0, 50, 0), {}});
   instanced.instances.push_back({0, placed, {}});
   const World world(std::move(instanced));
   const World baked =
-      world_of({shape(desc::Sphere{0.5F, -0.5F, 0.5F, 360}, translation(0, 0, 4) * placed),
+      world_of({shape(testing::sphere_node(0.5F, -0.5F, 0.5F, 360), translation(0, 0, 4) * placed),
                 mesh_shape(mesh, placed)});
   EXPECT_EQ(world.geometry->counts().triangles, 12U);
   EXPECT_EQ(world.geometry->counts().instanced_triangles, 24U);
@@ -315,15 +318,12 @@ TEST(Instances, ObjectsThatNothingPlacesAreNotBuilt) {
 
 // ---------------------------------------------------------------- alpha
 
-class AlphaTest : public testing::Test {
+class AlphaTest : public ::testing::Test {
  protected:
   /// A texture that is 0 for u < ½ and 1 beyond.
   static desc::TextureId add_half(desc::SceneDesc& scene) {
-    desc::Texture texture;
-    desc::CheckerboardTexture node;
-    node.mapping = desc::UvMapping{2.F, 0.F, 1.F, 0.F};
-    texture.node = node;
-    scene.textures.push_back(texture);
+    scene.textures.emplace_back().node =
+        desc::texture_node("checkerboard", {{"scale_u", 2.F}, {"scale_v", 0.F}, {"offset_u", 1.F}});
     return static_cast<desc::TextureId>(scene.textures.size()) - 1;
   }
 };
@@ -351,7 +351,7 @@ TEST_F(AlphaTest, ShadowAlphaOnlyLetsShadowRaysPass) {
 
 TEST_F(AlphaTest, RaysGoOnToTheFarSideOfQuadrics) {
   desc::SceneDesc scene;
-  scene.shapes.push_back(shape(desc::Sphere{}));
+  scene.shapes.push_back(shape(testing::sphere_node()));
   // u < ½ is y > 0: the half that a ray coming from +y meets first.
   scene.shapes.back().alpha = add_half(scene);
   const World world(std::move(scene));
@@ -364,12 +364,9 @@ TEST_F(AlphaTest, RaysGoOnToTheFarSideOfQuadrics) {
 
 TEST_F(AlphaTest, SolidTexturesSeeInstancesInTheWorld) {
   desc::SceneDesc scene;
-  desc::Texture texture;
-  desc::CheckerboardTexture node;
-  node.dimension = 3;
-  node.world_to_texture = scaling(0.1, 0.1, 0.1);
-  texture.node = node;
-  scene.textures.push_back(texture);
+  const Mat4 tenth = scaling(0.1, 0.1, 0.1);
+  scene.textures.emplace_back().node = desc::texture_node(
+      "solid_checkerboard", {{"world_to_texture", std::make_shared<const Mat4>(tenth)}});
   scene.objects.push_back({"square", {}, {}});
   scene.objects[0].shapes.push_back(mesh_shape(square(1)));
   scene.objects[0].shapes[0].alpha = 0;
@@ -382,9 +379,7 @@ TEST_F(AlphaTest, SolidTexturesSeeInstancesInTheWorld) {
 
 TEST_F(AlphaTest, ShapeThatIsCutAwayEverywhereIsDropped) {
   desc::SceneDesc scene;
-  desc::Texture zero;
-  zero.node = desc::ConstantTexture{};
-  scene.textures.push_back(zero);
+  scene.textures.emplace_back().node = desc::texture_node("constant", {{"value", Vec3(0.F)}});
   scene.shapes.push_back(mesh_shape(square(1)));
   scene.shapes.back().alpha = 0;
   const World world(std::move(scene));
@@ -442,7 +437,7 @@ TEST(Curves, CountsThatDoNotFitAreAnError) {
 
 TEST(FaultyShapes, SingularTransformsAreDroppedWithAWarning) {
   const World world =
-      world_of({mesh_shape(cube(), scaling(1, 0, 1)), shape(desc::Sphere{0, 0, 0, 360})});
+      world_of({mesh_shape(cube(), scaling(1, 0, 1)), shape(testing::sphere_node(0, 0, 0, 360))});
   EXPECT_FALSE(world.geometry->has_shape(0));
   EXPECT_FALSE(world.geometry->has_shape(1));
   EXPECT_EQ(world.warnings.count(), 2U);
@@ -455,7 +450,7 @@ TEST(FaultyShapes, AreToldOfInTheOrderOfTheFile) {
   for (int i = 0; i < 400; ++i) {
     // Some take longer than others.
     shapes.push_back(i % 10 == 0 ? mesh_shape(cube(), scaling(1, 0, 1))
-                                 : shape(desc::Sphere{0, 0, 0, 360}));
+                                 : shape(testing::sphere_node(0, 0, 0, 360)));
     shapes.back().where = {file, i + 1, 1};
   }
   const World world = world_of(std::move(shapes));
@@ -506,9 +501,9 @@ TEST(FarGeometry, ShapesBeyondTheLimitAreLocatedErrors) {
   const std::string beyond = "but no more than 6e+17 can be rendered: scale the scene down";
   EXPECT_EQ(error_of(scene_of({mesh_shape(cube(), scaling(1e30, 1e30, 1e30))})),
             "scene.pbrt:7:1: vertex 0 of the mesh has coordinates of 1e+30, " + beyond);
-  EXPECT_EQ(error_of(scene_of({shape(desc::Sphere{}, translation(0, -1e18, 0))})),
+  EXPECT_EQ(error_of(scene_of({shape(testing::sphere_node(), translation(0, -1e18, 0))})),
             "scene.pbrt:7:1: the shape has coordinates of 1e+18, " + beyond);
-  EXPECT_EQ(error_of(scene_of({shape(desc::Disk{0.F, 1e38F})})),
+  EXPECT_EQ(error_of(scene_of({shape(testing::disk_node(0.F, 1e38F))})),
             "scene.pbrt:7:1: the shape has coordinates of 1e+38, " + beyond);
   auto curve = std::make_shared<desc::Curve>();
   curve->control_points = {Vec3(0.F), Vec3(1.F), Vec3(2.F), Vec3(1e19F, 0.F, 0.F)};
@@ -518,7 +513,7 @@ TEST(FarGeometry, ShapesBeyondTheLimitAreLocatedErrors) {
 }
 
 TEST(FarGeometry, IsHitWithinTheLimit) {
-  const World world = world_of({shape(desc::Sphere{2e17F, -2e17F, 2e17F, 360.F}),
+  const World world = world_of({shape(testing::sphere_node(2e17F, -2e17F, 2e17F, 360.F)),
                                 mesh_shape(cube(), translation(0, 0, -5e17))});
   const auto found = world.hit({0.F, 0.F, 1e18F}, {0, 0, -1});
   ASSERT_TRUE(found);

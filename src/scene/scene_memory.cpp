@@ -43,10 +43,7 @@ struct ShapeMemory {
   std::uint64_t operator()(const std::shared_ptr<const desc::Curve>& curve) const {
     return curve->control_points.size() / 4 * kTreeBytesPerSegment;
   }
-  template <typename Quadric>
-  std::uint64_t operator()(const Quadric& /*quadric*/) const {
-    return 0;
-  }
+  std::uint64_t operator()(const desc::Node& /*quadric*/) const { return 0; }
 };
 
 std::uint64_t shape_bytes(const std::vector<desc::Shape>& shapes) {
@@ -59,14 +56,6 @@ std::uint64_t shape_bytes(const std::vector<desc::Shape>& shapes) {
     bytes += std::visit(ShapeMemory{}, shape.node);
   }
   return bytes;
-}
-
-const std::string& image_of(const desc::Light& light) {
-  static const std::string kNoImage;
-  if (const auto* infinite = std::get_if<desc::InfiniteLight>(&light.node)) return infinite->image;
-  if (const auto* lamp = std::get_if<desc::GoniometricLight>(&light.node)) return lamp->image;
-  if (const auto* slide = std::get_if<desc::ProjectionLight>(&light.node)) return slide->image;
-  return kNoImage;
 }
 
 }  // namespace
@@ -98,11 +87,12 @@ SceneMemory estimate_memory(const desc::SceneDesc& scene) {
     return entry->second;
   };
   for (const desc::Texture& texture : scene.textures) {
-    if (const auto* image = std::get_if<desc::ImageTexture>(&texture.node)) size_of(image->path);
+    for (const std::string& path : texture.node.files()) size_of(path);
   }
   for (const desc::Light& light : scene.lights) {
-    const std::string& path = image_of(light);
-    if (!path.empty()) memory.images += size_of(path).texels * kDensityBytesPerTexel;
+    for (const std::string& path : light.node.files()) {
+      if (!path.empty()) memory.images += size_of(path).texels * kDensityBytesPerTexel;
+    }
   }
   return memory;
 }

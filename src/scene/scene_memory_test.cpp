@@ -10,6 +10,7 @@
 
 #include "core/error.h"
 #include "core/warnings.h"
+#include "scene/desc/models.h"
 #include "scene/scene.h"
 
 namespace ajar {
@@ -28,12 +29,12 @@ desc::SceneDesc floor_of(unsigned side) {
     }
   }
   desc::SceneDesc scene;
-  scene.materials.emplace_back();
+  scene.materials.emplace_back().node = desc::material_node("diffuse");
   desc::Shape shape;
   shape.node = std::shared_ptr<const desc::Mesh>(std::move(mesh));
   shape.material = 0;
   scene.shapes.push_back(shape);
-  scene.lights.emplace_back().node = desc::PointLight{};
+  scene.lights.emplace_back().node = desc::light_node("point");
   return scene;
 }
 
@@ -97,12 +98,10 @@ TEST(SceneMemory, EveryImageCountsOnceAndAbsentOnesNothing) {
   output->close();
   desc::SceneDesc scene = floor_of(1);
   for (const std::string& name : {path, path, path + ".absent"}) {
-    desc::ImageTexture texture;
-    texture.path = name;
-    scene.textures.emplace_back().node = texture;
+    scene.textures.emplace_back().node = desc::texture_node("image", {{"file", name}});
   }
   EXPECT_EQ(estimate_memory(scene).images, 20U * 10U * 3U * 2U) << "without alpha";
-  scene.lights.emplace_back().node = desc::InfiniteLight{.image = path};
+  scene.lights.emplace_back().node = desc::light_node("environment", {{"image", path}});
   EXPECT_GT(estimate_memory(scene).images, 20U * 10U * (3U * 2U + 8U));
   std::filesystem::remove(path);
 }

@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "core/error.h"
 #include "integrator/integrator.h"
+#include "scene/desc/models.h"
 #include "session/builtin_scenes.h"
 
 namespace ajar {
@@ -15,24 +17,36 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+std::string with_words(std::string text, const ParameterSpec& spec) {
+  for (const std::string& word : spec.choices) text.append(text.empty() ? "" : "|").append(word);
+  return text;
+}
+
 std::string type_text(const ParameterSpec& spec) {
+  const std::string or_texture = spec.textured ? "|texture" : "";
   switch (spec.type) {
     case ParameterType::Bool:
       return "true|false";
     case ParameterType::Int:
       return "whole number";
-    case ParameterType::Float: {
-      std::string text = "number";
-      for (const std::string& word : spec.choices) text.append("|").append(word);
-      return text;
-    }
+    case ParameterType::Float:
+      return with_words("number", spec) + or_texture;
     case ParameterType::Text:
       return "text";
-    case ParameterType::Choice: {
-      std::string text;
-      for (const std::string& choice : spec.choices) text += (text.empty() ? "" : "|") + choice;
-      return text;
-    }
+    case ParameterType::Choice:
+      return with_words("", spec);
+    case ParameterType::Color:
+      return "colour" + or_texture;
+    case ParameterType::Vector:
+      return "vector";
+    case ParameterType::Point:
+      return "point";
+    case ParameterType::Transform:
+      return "transform";
+    case ParameterType::File:
+      return "file";
+    case ParameterType::Material:
+      return "material";
   }
   return {};
 }
@@ -49,6 +63,18 @@ std::string type_name(ParameterType type) {
       return "text";
     case ParameterType::Choice:
       return "choice";
+    case ParameterType::Color:
+      return "color";
+    case ParameterType::Vector:
+      return "vector";
+    case ParameterType::Point:
+      return "point";
+    case ParameterType::Transform:
+      return "transform";
+    case ParameterType::File:
+      return "file";
+    case ParameterType::Material:
+      return "material";
   }
   return {};
 }
@@ -59,52 +85,102 @@ Json parameter_json(const ParameterSpec& spec) {
   if (!spec.choices.empty()) json["choices"] = spec.choices;
   if (spec.minimum > -1e300) json["minimum"] = spec.minimum;
   if (spec.maximum < 1e300) json["maximum"] = spec.maximum;
+  if (spec.textured) json["textured"] = true;
+  if (!spec.depends_on.empty()) {
+    json["depends_on"] = spec.depends_on;
+    json["matters_for"] = spec.matters_for;
+  }
   return json;
 }
 
-std::vector<CatalogEntry> entries(const std::string& kind) {
-  if (kind == "materials") return material_catalog();
-  if (kind == "scenes") return scene_catalog();
+/// Kinds that scenes are described with.
+const std::map<std::string, desc::ModelKind>& model_kinds() {
+  static const std::map<std::string, desc::ModelKind> kinds{
+      {"materials", desc::ModelKind::Material},
+      {"textures", desc::ModelKind::Texture},
+      {"lights", desc::ModelKind::Light},
+      {"quadrics", desc::ModelKind::Quadric}};
+  return kinds;
+}
+
+/// Something that has parameters.
+struct Parametrised {
+  std::string name, summary, source;
+  std::span<const ParameterSpec> parameters;
+};
+
+std::vector<Parametrised> parametrised(const std::string& kind) {
+  std::vector<Parametrised> list;
   if (kind == "integrators") {
-    std::vector<CatalogEntry> methods;
-    for (const IntegratorInfo& info : integrators()) methods.push_back({info.name, info.summary});
-    return methods;
+    for (const IntegratorInfo& info : integrators()) {
+      list.push_back({info.name, info.summary, info.source, info.parameters});
+    }
+  } else if (const auto found = model_kinds().find(kind); found != model_kinds().end()) {
+    for (const desc::Model* model : desc::models(found->second)) {
+      list.push_back({model->name, model->summary, model->source, model->parameters});
+    }
   }
+  return list;
+}
+
+Parametrised find_parametrised(const std::string& kind, const std::string& name) {
+  const std::vector<Parametrised> list = parametrised(kind);
+  if (list.empty()) {
+    throw UsageError("ajar list " + kind + " says all there is; its entries have no parameters");
+  }
+  std::vector<std::string> names;
+  for (const Parametrised& entry : list) {
+    if (entry.name == name) return entry;
+    names.push_back(entry.name);
+  }
+  throw UsageError(unknown_name_message(kind.substr(0, kind.size() - 1), name, names));
+}
+
+Json to_json(const Parametrised& entry) {
+  Json parameters = Json::array();
+  for (const ParameterSpec& spec : entry.parameters) parameters.push_back(parameter_json(spec));
+  return {{"name", entry.name},
+          {"summary", entry.summary},
+          {"source", entry.source},
+          {"parameters", parameters}};
+}
+
+std::vector<CatalogEntry> entries(const std::string& kind) {
+  if (kind == "scenes") return scene_catalog();
   std::vector<CatalogEntry> layers;
+  for (const Parametrised& entry : parametrised(kind))
+    layers.push_back({entry.name, entry.summary});
+  if (kind != "aovs") return layers;
   for (const AovInfo& aov : aovs()) {
     layers.push_back({aov.name, aov.summary + (aov.part_of_all ? "" : "; not part of \"all\"")});
   }
   return layers;
 }
 
-std::string parameters_text(const IntegratorInfo& info, bool expert) {
+/// "with mapping=uv|planar", or empty.
+std::string condition_text(const ParameterSpec& spec) {
+  if (spec.depends_on.empty()) return {};
+  return fmt::format("  with {}={}", spec.depends_on, fmt::join(spec.matters_for, "|"));
+}
+
+/// What follows the name of a parameter: "=0.5 degrees  [number]".
+std::string value_text(const ParameterSpec& spec) {
+  const bool has_default = !spec.default_value.empty() || spec.type == ParameterType::Text;
+  const std::string value = has_default ? "=" + spec.default_value : "";
+  return fmt::format("{}{}  [{}]{}", value, spec.unit.empty() ? "" : " " + spec.unit,
+                     type_text(spec), condition_text(spec));
+}
+
+std::string parameters_text(std::span<const ParameterSpec> parameters, bool expert) {
   std::string text;
-  for (const ParameterSpec& spec : info.parameters) {
+  for (const ParameterSpec& spec : parameters) {
     if (spec.expert != expert) continue;
-    text += fmt::format("  {}={}{}  [{}]\n      {}\n", spec.name, spec.default_value,
-                        spec.unit.empty() ? "" : " " + spec.unit, type_text(spec), spec.help);
+    text += fmt::format("  {}{}\n      {}\n", spec.name, value_text(spec), spec.help);
   }
   return text;
 }
 
 }  // namespace
-
-const std::vector<CatalogEntry>& material_catalog() {
-  static const std::vector<CatalogEntry> entries{
-      {"disney", "principled material of Burley 2012/2015"},
-      {"glass", "smooth or rough dielectric boundary"},
-      {"matte", "diffuse (Lambert), or rough diffuse (Oren-Nayar)"},
-      {"metal", "rough conductor with a measured or given index of refraction"},
-      {"mirror", "perfect mirror"},
-      {"mix", "blend of two materials by a texture"},
-      {"none", "no surface: only separates media"},
-      {"plastic", "diffuse base with a rough dielectric gloss"},
-      {"substrate", "diffuse base under a glossy coat (Ashikhmin-Shirley)"},
-      {"translucent", "diffuse and glossy reflection and transmission"},
-      {"uber", "diffuse, glossy, mirror and transparent parts with opacity"},
-  };
-  return entries;
-}
 
 std::vector<CatalogEntry> scene_catalog() {
   std::vector<CatalogEntry> entries;
@@ -131,7 +207,12 @@ std::vector<std::string> checked_aovs(const std::vector<std::string>& names) {
 }
 
 const std::vector<std::string>& catalog_kinds() {
-  static const std::vector<std::string> kinds{"integrators", "materials", "aovs", "scenes"};
+  static const std::vector<std::string> kinds = [] {
+    std::vector<std::string> all{"integrators"};
+    for (const auto& [name, kind] : model_kinds()) all.push_back(name);
+    all.insert(all.end(), {"aovs", "scenes"});
+    return all;
+  }();
   return kinds;
 }
 
@@ -140,41 +221,39 @@ std::string catalog_text(const std::string& kind) {
   for (const CatalogEntry& entry : entries(kind)) {
     text += fmt::format("  {:<20}  {}\n", entry.name, entry.summary);
   }
-  if (kind == "integrators") {
-    text += "\najar list integrators NAME shows the parameters of one, --json those of all\n";
+  if (!parametrised(kind).empty()) {
+    text +=
+        fmt::format("\najar list {} NAME shows the parameters of one, --json those of all\n", kind);
   }
   return text;
 }
 
 Json catalog_json(const std::string& kind) {
   Json list = Json::array();
-  if (kind != "integrators") {
-    for (const CatalogEntry& entry : entries(kind)) {
-      list.push_back({{"name", entry.name}, {"summary", entry.summary}});
-    }
-    return list;
+  for (const Parametrised& entry : parametrised(kind)) list.push_back(to_json(entry));
+  if (!list.empty()) return list;
+  for (const CatalogEntry& entry : entries(kind)) {
+    list.push_back({{"name", entry.name}, {"summary", entry.summary}});
   }
-  for (const IntegratorInfo& info : integrators()) list.push_back(integrator_json(info));
   return list;
 }
 
-std::string integrator_text(const IntegratorInfo& info) {
-  std::string text = fmt::format("{}: {}\n", info.name, info.summary);
-  if (!info.source.empty()) text += fmt::format("  ({})\n", info.source);
-  const std::string basic = parameters_text(info, false);
-  const std::string expert = parameters_text(info, true);
-  if (!basic.empty()) text += "\nparameters (--set NAME=VALUE), with their defaults:\n" + basic;
+std::string entry_text(const std::string& kind, const std::string& name) {
+  const Parametrised entry = find_parametrised(kind, name);
+  std::string text = fmt::format("{}: {}\n", entry.name, entry.summary);
+  if (!entry.source.empty()) text += fmt::format("  ({})\n", entry.source);
+  const std::string basic = parameters_text(entry.parameters, false);
+  const std::string expert = parameters_text(entry.parameters, true);
+  const char* how = kind == "integrators" ? " (--set NAME=VALUE)" : "";
+  if (!basic.empty()) {
+    text += fmt::format("\nparameters{}, with their defaults:\n", how) + basic;
+  }
   if (!expert.empty()) text += "\nexpert parameters:\n" + expert;
   return text;
 }
 
-Json integrator_json(const IntegratorInfo& info) {
-  Json parameters = Json::array();
-  for (const ParameterSpec& spec : info.parameters) parameters.push_back(parameter_json(spec));
-  return {{"name", info.name},
-          {"summary", info.summary},
-          {"source", info.source},
-          {"parameters", parameters}};
+Json entry_json(const std::string& kind, const std::string& name) {
+  return to_json(find_parametrised(kind, name));
 }
 
 }  // namespace ajar

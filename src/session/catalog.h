@@ -13,24 +13,23 @@ struct CatalogEntry {
   std::string summary;
 };
 
-/// Materials a scene can have (pbrt-v3 names), sorted by name.
-const std::vector<CatalogEntry>& material_catalog();
 /// The scenes that are part of the program.
 std::vector<CatalogEntry> scene_catalog();
 
 /// Raises UsageError for a name that is no AOV. "all" stands for every one.
 std::vector<std::string> checked_aovs(const std::vector<std::string>& names);
 
-/// What `ajar list` can list: integrators, materials, aovs, scenes.
+/// What `ajar list` can list: integrators, materials, textures …
 const std::vector<std::string>& catalog_kinds();
 /// One catalogue for people (a line per entry), and for programs (array of objects with name,
-/// summary; integrators also have source and parameters).
+/// summary; what has parameters also has source and parameters).
 std::string catalog_text(const std::string& kind);
 nlohmann::ordered_json catalog_json(const std::string& kind);
 
-/// One integrator with its parameters, for people: those for experts come last, under a heading of
-/// their own.
-std::string integrator_text(const IntegratorInfo& info);
-nlohmann::ordered_json integrator_json(const IntegratorInfo& info);
+/// One entry of a kind that has parameters, with them, for people: those for experts come last,
+/// under a heading of their own. Raises UsageError for kinds whose entries have none and for
+/// unknown names.
+std::string entry_text(const std::string& kind, const std::string& name);
+nlohmann::ordered_json entry_json(const std::string& kind, const std::string& name);
 
 }  // namespace ajar

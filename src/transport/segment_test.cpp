@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include "scene/desc/models.h"
 #include "scene/testing/inverse_checks.h"
+#include "scene/testing/quadrics.h"
 #include "transport/sources.h"
 
 namespace ajar {
@@ -11,10 +13,10 @@ namespace {
 /// A ball at the origin, and in the second scene an interface around it.
 std::unique_ptr<Scene> ball(bool with_interface) {
   desc::SceneDesc scene;
-  scene.shapes.emplace_back().node = desc::Sphere{};
+  scene.shapes.emplace_back().node = testing::sphere_node();
   if (with_interface) {
-    scene.materials.emplace_back().node = desc::InterfaceMaterial{};
-    scene.shapes.emplace_back().node = desc::Sphere{2, -2, 2, 360};
+    scene.materials.emplace_back().node = desc::material_node("interface");
+    scene.shapes.emplace_back().node = testing::sphere_node(2, -2, 2, 360);
     scene.shapes.back().material = 0;
   }
   Warnings warnings;

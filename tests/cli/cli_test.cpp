@@ -94,7 +94,9 @@ TEST_F(Cli, WrongUsageEndsWithTwoAndHelps) {
       {{"render", "builtin:cornell", "another"}, "another"},
       {{"list", "integratos"}, "did you mean \"integrators\""},
       {{"list", "integrators", "selectiv"}, "did you mean \"selective\""},
-      {{"list", "materials", "glass"}, "only integrators have more to show"},
+      {{"list", "materials", "dielectri"},
+       "unknown material \"dielectri\"; did you mean \"dielectric\""},
+      {{"list", "aovs", "albedo"}, "its entries have no parameters"},
   };
   for (const Case& c : cases) {
     const Outcome outcome = run(c.arguments);
@@ -394,7 +396,7 @@ TEST_F(Cli, ListNamesWhatThereIs) {
   };
   EXPECT_TRUE(has("integrators", "pt"));
   EXPECT_TRUE(has("scenes", "builtin:cornell"));
-  EXPECT_TRUE(has("materials", "glass"));
+  EXPECT_TRUE(has("materials", "dielectric"));
   EXPECT_TRUE(has("aovs", "albedo"));
   for (const json& integrator : list.at("integrators")) {
     for (const json& parameter : integrator.at("parameters")) {
@@ -402,6 +404,24 @@ TEST_F(Cli, ListNamesWhatThereIs) {
       EXPECT_TRUE(parameter.at("expert").is_boolean()) << parameter;
     }
   }
+}
+
+TEST_F(Cli, ListShowsParametersOfOneMaterial) {
+  const std::string text = run({"list", "materials", "dielectric"}).out;
+  EXPECT_TRUE(contains(text, "  eta=1.5  [number|texture]")) << text;
+  const json material =
+      json::parse(run({"list", "materials", "dielectric", "--json"}).out).at("materials").at(0);
+  const json& parameters = material.at("parameters");
+  const auto eta = std::find_if(parameters.begin(), parameters.end(),
+                                [](const json& spec) { return spec.at("name") == "eta"; });
+  ASSERT_NE(eta, parameters.end()) << material;
+  EXPECT_EQ(eta->at("maximum"), 20.0);
+  EXPECT_EQ(eta->at("textured"), true);
+}
+
+TEST_F(Cli, ListSaysWhenAParameterOfATextureMatters) {
+  const std::string text = run({"list", "textures", "image"}).out;
+  EXPECT_TRUE(contains(text, "  scale_u=1  [number]  with mapping=uv\n")) << text;
 }
 
 TEST_F(Cli, ListNamesIntegratorsWithALineEach) {

@@ -271,8 +271,8 @@ void add_others(CLI::App& app, Request& request) {
 
   CLI::App* list = app.add_subcommand("list", "List what there is to choose from");
   list->add_option("KIND", request.list.kind,
-                   "integrators, materials, aovs or scenes; default: all");
-  list->add_option("NAME", request.list.name, "An integrator, to see its parameters");
+                   fmt::format("{}; default: all", fmt::join(catalog_kinds(), ", ")));
+  list->add_option("NAME", request.list.name, "An integrator, a material …, to see its parameters");
   list->add_flag("--json", request.list.json, "Print JSON");
 }
 

@@ -30,31 +30,6 @@ struct Overloaded : Functions... {
 template <typename... Functions>
 Overloaded(Functions...) -> Overloaded<Functions...>;
 
-const char* kind_of(const desc::Light& light) {
-  return std::visit(Overloaded{[](const desc::PointLight&) { return "point"; },
-                               [](const desc::SpotLight&) { return "spot"; },
-                               [](const desc::DistantLight&) { return "distant"; },
-                               [](const desc::InfiniteLight&) { return "infinite"; },
-                               [](const desc::GoniometricLight&) { return "goniometric"; },
-                               [](const desc::ProjectionLight&) { return "projection"; }},
-                    light.node);
-}
-
-const char* kind_of(const desc::Material& material) {
-  return std::visit(Overloaded{[](const desc::MatteMaterial&) { return "matte"; },
-                               [](const desc::MirrorMaterial&) { return "mirror"; },
-                               [](const desc::GlassMaterial&) { return "glass"; },
-                               [](const desc::MetalMaterial&) { return "metal"; },
-                               [](const desc::PlasticMaterial&) { return "plastic"; },
-                               [](const desc::SubstrateMaterial&) { return "substrate"; },
-                               [](const desc::UberMaterial&) { return "uber"; },
-                               [](const desc::TranslucentMaterial&) { return "translucent"; },
-                               [](const desc::DisneyMaterial&) { return "disney"; },
-                               [](const desc::MixMaterial&) { return "mix"; },
-                               [](const desc::InterfaceMaterial&) { return "none"; }},
-                    material.node);
-}
-
 const char* kind_of(const desc::Camera& camera) {
   return std::visit(Overloaded{[](const desc::PerspectiveCamera&) { return "perspective"; },
                                [](const desc::OrthographicCamera&) { return "orthographic"; },
@@ -73,7 +48,7 @@ const char* kind_of(const desc::Filter& filter) {
 
 std::map<std::string, std::size_t> light_counts(const desc::SceneDesc& scene) {
   std::map<std::string, std::size_t> counts;
-  for (const desc::Light& light : scene.lights) ++counts[kind_of(light)];
+  for (const desc::Light& light : scene.lights) ++counts[light.node.model().name];
   for (const desc::Shape& shape : scene.shapes) {
     if (shape.light) ++counts["area"];
   }
@@ -82,7 +57,7 @@ std::map<std::string, std::size_t> light_counts(const desc::SceneDesc& scene) {
 
 std::map<std::string, std::size_t> material_counts(const desc::SceneDesc& scene) {
   std::map<std::string, std::size_t> counts;
-  for (const desc::Material& material : scene.materials) ++counts[kind_of(material)];
+  for (const desc::Material& material : scene.materials) ++counts[material.node.model().name];
   return counts;
 }
 
@@ -112,8 +87,8 @@ Json hints_json(const desc::RenderHints& hints) {
 std::map<std::string, std::size_t> texture_counts(const desc::SceneDesc& scene) {
   std::map<std::string, std::size_t> counts;
   for (const desc::Texture& texture : scene.textures) {
-    if (std::holds_alternative<desc::ConstantTexture>(texture.node)) continue;
-    ++counts[std::holds_alternative<desc::ImageTexture>(texture.node) ? "images" : "patterns"];
+    if (texture.node.is("constant")) continue;
+    ++counts[texture.node.files().empty() ? "patterns" : "images"];
   }
   return counts;
 }

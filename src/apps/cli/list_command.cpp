@@ -18,14 +18,12 @@ int list(const ListArguments& arguments) {
   }
   nlohmann::ordered_json json = nlohmann::ordered_json::object();
   if (!arguments.name.empty()) {
-    if (arguments.kind != "integrators") {
-      throw UsageError("ajar list " + arguments.kind +
-                       " says all there is; only integrators have "
-                       "more to show of one");
+    if (arguments.json) {
+      json[arguments.kind] = {entry_json(arguments.kind, arguments.name)};
+      print_result(json.dump(2) + "\n");
+    } else {
+      print_result(entry_text(arguments.kind, arguments.name));
     }
-    const IntegratorInfo& info = find_integrator(arguments.name);
-    json["integrators"] = {integrator_json(info)};
-    print_result(arguments.json ? json.dump(2) + "\n" : integrator_text(info));
     return 0;
   }
   std::string text;

@@ -114,7 +114,7 @@ TEST(PbrtParameters, MayHaveBracketsOrNot) {
   EXPECT_EQ(std::get<desc::PerspectiveCamera>(scene.camera.node).fov, 40.F);
   EXPECT_EQ(scene.film.resolution, Vec2i(30, 40));
   EXPECT_EQ(scene.film.filename, "a.exr");
-  EXPECT_EQ(std::get<desc::Sphere>(scene.shapes[0].node).radius, 3.F);
+  EXPECT_EQ(std::get<desc::Node>(scene.shapes[0].node).number("radius"), 3.F);
 }
 
 TEST(PbrtParameters, BoolsMayBeQuotedOrNot) {
@@ -122,7 +122,7 @@ TEST(PbrtParameters, BoolsMayBeQuotedOrNot) {
     Warnings warnings;
     const desc::SceneDesc scene = import_with(
         world("Material \"plastic\" \"bool remaproughness\" " + std::string(value)), warnings);
-    EXPECT_FALSE(std::get<desc::PlasticMaterial>(scene.materials[0].node).remap_roughness) << value;
+    EXPECT_EQ(scene.materials[0].node.text("roughness_scale"), "alpha") << value;
     EXPECT_EQ(warnings.count(), 0U);
   }
   EXPECT_TRUE(contains(error_of(world("Material \"plastic\" \"bool remaproughness\" 1")),
@@ -170,7 +170,7 @@ TEST(PbrtInclude, ReadsOtherFilesAndNamesThemInMessages) {
       world("Include \"geometry/a.pbrt\""), warnings,
       {{"geometry/a.pbrt", "Shape \"disk\" Include \"b.pbrt\""}, {"b.pbrt", "Shape \"cone\""}});
   EXPECT_EQ(scene.shapes.size(), 3U);
-  EXPECT_TRUE(std::holds_alternative<desc::Cone>(scene.shapes[1].node));
+  EXPECT_TRUE(std::get<desc::Node>(scene.shapes[1].node).is("cone"));
   EXPECT_EQ(error_of(world("Include \"x.pbrt\""), {{"x.pbrt", "\n Nonsense"}}).substr(0, 12),
             "x.pbrt:2:2: ");
 }

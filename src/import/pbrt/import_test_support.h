@@ -1,6 +1,7 @@
 #pragma once
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <map>
 #include <string>
 #include <string_view>
@@ -61,31 +62,44 @@ inline desc::SceneDesc scene_of(const std::string& body,
   for (const std::string& message : warnings.messages()) ADD_FAILURE() << body << "\n" << message;
   return scene;
 }
-template <typename Node>
-Node material_of(const std::string& body) {
+/// The material of a shape, or of the last one.
+inline const desc::Node& material_node_of(const desc::SceneDesc& scene, const desc::Shape& shape) {
+  return scene.materials.at(static_cast<std::size_t>(shape.material)).node;
+}
+inline desc::Node material_of(const std::string& body) {
   const desc::SceneDesc scene = scene_of(body);
-  return std::get<Node>(
-      scene.materials.at(static_cast<std::size_t>(scene.shapes.back().material)).node);
+  return material_node_of(scene, scene.shapes.back());
 }
 inline desc::Rgb constant(const desc::SceneDesc& scene, desc::TextureId id) {
-  return std::get<desc::ConstantTexture>(scene.textures.at(static_cast<std::size_t>(id)).node)
-      .value;
+  return scene.textures.at(static_cast<std::size_t>(id)).node.color("value");
 }
-/// The texture "t"; the scene's other textures are constants for the parameters of materials.
-template <typename Node>
-Node named_texture(const desc::SceneDesc& scene) {
+/// The texture "t".
+inline const desc::Node& named_texture(const desc::SceneDesc& scene) {
   for (const desc::Texture& texture : scene.textures) {
-    if (texture.name == "t") return std::get<Node>(texture.node);
+    if (texture.name == "t") return texture.node;
   }
   throw std::runtime_error("there is no texture \"t\"");
 }
-template <typename Node>
-Node texture_of(const std::string& body) {
-  return named_texture<Node>(scene_of(body));
-}
+inline desc::Node texture_of(const std::string& body) { return named_texture(scene_of(body)); }
 inline void expect_rgb(const desc::Rgb& actual, const desc::Rgb& expected,
                        float tolerance = 1e-6F) {
   for (int i = 0; i < 3; ++i) EXPECT_NEAR(actual[i], expected[i], tolerance) << i;
 }
+
+/// A folder that disappears at the end of the test.
+class TemporaryFolder {
+ public:
+  TemporaryFolder() {
+    std::string pattern = (std::filesystem::temp_directory_path() / "ajar_writer_XXXXXX").string();
+    path_ = mkdtemp(pattern.data());
+  }
+  ~TemporaryFolder() { std::filesystem::remove_all(path_); }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
 
 }  // namespace ajar

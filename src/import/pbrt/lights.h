@@ -9,9 +9,9 @@ namespace ajar::pbrt {
 
 /// `LightSource "type" parameters`, without its medium. Empty, after a warning, if the light cannot
 /// be used. Raises SceneError for unknown types.
-std::optional<desc::Light> make_light(Context& context, const SourceLocation& where,
-                                      const std::string& type, const ParameterList& parameters,
-                                      const Mat4& ctm);
+std::optional<desc::Light> make_light(Context& context, TextureTable& textures,
+                                      const SourceLocation& where, const std::string& type,
+                                      const ParameterList& parameters, const Mat4& ctm);
 
 /// `AreaLightSource "type" parameters`. Ours beyond pbrt-v3: `"texture L"`, which `scale`
 /// multiplies.

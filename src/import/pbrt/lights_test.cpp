@@ -28,10 +28,13 @@ TEST(PbrtLights, SpotsPointFromTo) {
               1e-5F);
   EXPECT_NEAR(length(transform_vector(light.to_world, {0.F, 0.F, 1.F}) - Vec3(0.F, -1.F, 0.F)), 0.F,
               1e-6F);
-  const auto spot = std::get<desc::SpotLight>(light.node);
-  EXPECT_EQ(spot.cone_angle, 40.F);
-  EXPECT_EQ(spot.falloff_start, 35.F);
-  EXPECT_NEAR(spot.intensity.x, 139.8F, 0.5F);
+  EXPECT_TRUE(light.node.is("spot"));
+  EXPECT_EQ(light.node.number("cone_angle"), 40.F);
+  EXPECT_EQ(light.node.number("falloff_start"), 35.F);
+  EXPECT_NEAR(light.node.color("intensity").x, 139.8F, 0.5F);
+  const desc::SceneDesc plain = scene_of("LightSource \"spot\"");
+  EXPECT_EQ(plain.lights[0].node.number("cone_angle"), 30.F);
+  EXPECT_EQ(plain.lights[0].node.number("falloff_start"), 25.F);
 }
 
 TEST(PbrtLights, DistantOnesPointBackToWhereTheLightComesFrom) {
@@ -39,7 +42,7 @@ TEST(PbrtLights, DistantOnesPointBackToWhereTheLightComesFrom) {
       "LightSource \"distant\" \"point from\" [0 10 0] \"point to\" [0 0 0] \"rgb L\" [3 3 3]");
   EXPECT_NEAR(length(transform_vector(s.lights[0].to_world, {0.F, 0.F, 1.F}) - Vec3(0.F, 1.F, 0.F)),
               0.F, 1e-6F);
-  EXPECT_EQ(std::get<desc::DistantLight>(s.lights[0].node).irradiance, desc::Rgb(3.F));
+  EXPECT_EQ(s.lights[0].node.color("irradiance"), desc::Rgb(3.F));
 }
 
 TEST(PbrtLights, PointsAreMovedInWorldSpaceAsInPbrt) {
@@ -55,13 +58,26 @@ TEST(PbrtLights, MapsAreResolved) {
       "LightSource \"projection\" \"string mapname\" \"sky.exr\" \"float fov\" 20 LightSource "
       "\"goniometric\" \"string mapname\" \"sky.exr\"",
       {{"sky.exr", ""}});
-  EXPECT_EQ(std::get<desc::InfiniteLight>(s.lights[0].node).image, "sky.exr");
-  EXPECT_EQ(std::get<desc::InfiniteLight>(s.lights[0].node).radiance, desc::Rgb(2.F, 4.F, 6.F));
-  EXPECT_EQ(std::get<desc::ProjectionLight>(s.lights[1].node).fov, 20.F);
-  EXPECT_EQ(std::get<desc::GoniometricLight>(s.lights[2].node).image, "sky.exr");
+  EXPECT_TRUE(s.lights[0].node.is("environment"));
+  EXPECT_EQ(s.lights[0].node.text("image"), "sky.exr");
+  EXPECT_EQ(s.lights[0].node.color("radiance"), desc::Rgb(2.F, 4.F, 6.F));
+  EXPECT_EQ(s.lights[1].node.number("fov"), 20.F);
+  EXPECT_EQ(s.lights[2].node.text("image"), "sky.exr");
   EXPECT_TRUE(contains(error_of(world("LightSource \"sun\"")), "unknown light \"sun\""));
   EXPECT_TRUE(contains(warnings_of(world("LightSource \"point\" \"rgb I\" [1 -1 1]")),
                        "\"I\" is negative"));
+}
+
+TEST(PbrtLights, WhatCannotBeUsedHasAPlace) {
+  EXPECT_TRUE(contains(error_of(world("LightSource \"projection\" \"float fov\" 180")),
+                       "2:1: \"fov\" must be between 0 and 180, both excluded, not 180"));
+  EXPECT_TRUE(contains(error_of(world("LightSource \"point\" \"rgb I\" [1e30 1 1] \"rgb scale\" "
+                                      "[1e30 1 1]")),
+                       "2:1: the light is too strong"));
+  EXPECT_TRUE(contains(warnings_of(world("LightSource \"spot\" \"point to\" [0 0 0]")),
+                       "are the same point: light left out"));
+  EXPECT_TRUE(contains(warnings_of(world("LightSource \"point\" \"float coneangle\" 3")),
+                       "unused parameter \"float coneangle\""));
 }
 
 }  // namespace

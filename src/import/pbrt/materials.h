@@ -42,10 +42,11 @@ class MaterialTable {
  private:
   desc::MaterialId build(const SourceLocation& where, const std::string& type,
                          const std::string& name, const TextureParameters& parameters);
-  decltype(desc::Material::node) make_node(const SourceLocation& where, const std::string& type,
-                                           const TextureParameters& parameters);
-  desc::MixMaterial make_mix(const SourceLocation& where,
-                             const TextureParameters& parameters) const;
+  desc::Node make_node(const SourceLocation& where, const std::string& type,
+                       const TextureParameters& parameters) const;
+  /// The part of a mix that a parameter names.
+  desc::MaterialId part(const SourceLocation& where, const std::string& type,
+                        std::string_view parameter, const TextureParameters& parameters) const;
 
   Context& context_;
   TextureTable& textures_;

@@ -118,12 +118,18 @@ const Parameter* ParameterList::find_one(std::string_view name,
 }
 
 bool ParameterList::get_bool(std::string_view name, bool fallback) const {
+  return get_bool(name).value_or(fallback);
+}
+std::optional<bool> ParameterList::get_bool(std::string_view name) const {
   const Parameter* p = find_one(name, ParameterKind::Bool);
-  return p == nullptr ? fallback : p->strings.front() == "true";
+  return p == nullptr ? std::nullopt : std::optional(p->strings.front() == "true");
 }
 int ParameterList::get_int(std::string_view name, int fallback) const {
+  return get_int(name).value_or(fallback);
+}
+std::optional<int> ParameterList::get_int(std::string_view name) const {
   const Parameter* p = find_one(name, ParameterKind::Integer);
-  return p == nullptr ? fallback : p->integers.front();
+  return p == nullptr ? std::nullopt : std::optional(p->integers.front());
 }
 float ParameterList::get_float(std::string_view name, float fallback) const {
   return get_float(name).value_or(fallback);
@@ -159,11 +165,14 @@ std::vector<Vec3> ParameterList::get_normals(std::string_view name) const {
   return get_triples(name, ParameterKind::Normal3);
 }
 Vec3 ParameterList::get_point(std::string_view name, const Vec3& fallback) const {
-  if (find_one(name, ParameterKind::Point3) == nullptr) return fallback;
+  return get_point(name).value_or(fallback);
+}
+std::optional<Vec3> ParameterList::get_point(std::string_view name) const {
+  if (find_one(name, ParameterKind::Point3) == nullptr) return std::nullopt;
   return get_points(name).front();
 }
-Vec3 ParameterList::get_vector(std::string_view name, const Vec3& fallback) const {
-  if (find_one(name, ParameterKind::Vector3) == nullptr) return fallback;
+std::optional<Vec3> ParameterList::get_vector(std::string_view name) const {
+  if (find_one(name, ParameterKind::Vector3) == nullptr) return std::nullopt;
   return get_vectors(name).front();
 }
 

@@ -64,13 +64,16 @@ class ParameterList {
   }
 
   bool get_bool(std::string_view name, bool fallback) const;
+  std::optional<bool> get_bool(std::string_view name) const;
   int get_int(std::string_view name, int fallback) const;
+  std::optional<int> get_int(std::string_view name) const;
   float get_float(std::string_view name, float fallback) const;
   std::optional<float> get_float(std::string_view name) const;
   std::string get_string(std::string_view name, const std::string& fallback) const;
   std::optional<std::string> get_string(std::string_view name) const;
   Vec3 get_point(std::string_view name, const Vec3& fallback) const;
-  Vec3 get_vector(std::string_view name, const Vec3& fallback) const;
+  std::optional<Vec3> get_point(std::string_view name) const;
+  std::optional<Vec3> get_vector(std::string_view name) const;
   std::vector<Vec3> get_points(std::string_view name) const;
   std::vector<Vec3> get_vectors(std::string_view name) const;
   std::vector<Vec3> get_normals(std::string_view name) const;

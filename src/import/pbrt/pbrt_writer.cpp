@@ -1,13 +1,12 @@
 #include "import/pbrt/pbrt_writer.h"
 
-#include <cmath>
 #include <filesystem>
-#include <limits>
 #include <map>
 
 #include "core/atomic_file.h"
 #include "core/error.h"
 #include "import/mesh/ply.h"
+#include "import/pbrt/quadric_names.h"
 #include "import/pbrt/transforms.h"
 #include "import/pbrt/writer_context.h"
 
@@ -25,21 +24,6 @@ std::uint64_t hash_of(const std::shared_ptr<const desc::Mesh>& mesh) {
   return desc::hash(scene);
 }
 
-/// The "conedeltaangle" that the importer turns into exactly this start of the falloff.
-float cone_delta(const desc::SpotLight& light) {
-  const auto falloff = [&](float d) {
-    return static_cast<float>(static_cast<double>(light.cone_angle) - static_cast<double>(d));
-  };
-  const auto delta = static_cast<float>(static_cast<double>(light.cone_angle) -
-                                        static_cast<double>(light.falloff_start));
-  constexpr float kInfinity = std::numeric_limits<float>::infinity();
-  for (const float d :
-       {delta, std::nextafter(delta, kInfinity), std::nextafter(delta, -kInfinity)}) {
-    if (falloff(d) == light.falloff_start) return d;
-  }
-  return delta;
-}
-
 class Writer {
  public:
   Writer(const desc::SceneDesc& scene, const std::string& out_path)
@@ -52,10 +36,10 @@ class Writer {
   void run() {
     write_options();
     out_.line("WorldBegin");
-    write_media_interface(scene_.camera.medium);
+    context_.medium_outside(scene_.camera.medium);
     pbrt::write_textures(context_);
     pbrt::write_materials(context_);
-    for (const desc::Light& light : scene_.lights) write_light(light);
+    pbrt::write_lights(context_);
     for (std::size_t i = 0; i < scene_.objects.size(); ++i) {
       out_.line("ObjectBegin").quoted(context_.object_names[i]);
       for (const desc::Shape& shape : scene_.objects[i].shapes) write_shape(shape);
@@ -166,50 +150,6 @@ class Writer {
     }
   }
 
-  // -------------------------------------------------------------- lights
-
-  std::string medium_name(desc::MediumId id) const {
-    return id < 0 ? std::string() : context_.medium_names.at(static_cast<std::size_t>(id));
-  }
-  /// For lights and the camera, which know only the outside.
-  void write_media_interface(desc::MediumId outside) {
-    if (!scene_.media.empty()) out_.line("MediumInterface").quoted("").quoted(medium_name(outside));
-  }
-
-  void write_light(const desc::Light& light) {
-    out_.line("AttributeBegin").line("Transform").matrix(light.to_world);
-    write_media_interface(light.medium);
-    out_.line("LightSource");
-    std::visit([&](const auto& node) { write_node(node); }, light.node);
-    out_.line("AttributeEnd");
-  }
-  void write_map(const std::string& image) {
-    if (!image.empty()) out_.parameter("string mapname", context_.image_path(image));
-  }
-  void write_node(const desc::PointLight& l) { out_.quoted("point").rgb("I", l.intensity); }
-  void write_node(const desc::SpotLight& l) {
-    out_.quoted("spot").rgb("I", l.intensity).parameter("float coneangle", l.cone_angle);
-    out_.parameter("float conedeltaangle", cone_delta(l));
-  }
-  void write_node(const desc::DistantLight& l) {
-    out_.quoted("distant")
-        .rgb("L", l.irradiance)
-        .point("from", {0.F, 0.F, 1.F})
-        .point("to", {0.F, 0.F, 0.F});
-  }
-  void write_node(const desc::InfiniteLight& l) {
-    out_.quoted("infinite").rgb("L", l.radiance);
-    write_map(l.image);
-  }
-  void write_node(const desc::GoniometricLight& l) {
-    out_.quoted("goniometric").rgb("I", l.intensity);
-    write_map(l.image);
-  }
-  void write_node(const desc::ProjectionLight& l) {
-    out_.quoted("projection").rgb("I", l.intensity).parameter("float fov", l.fov);
-    write_map(l.image);
-  }
-
   // -------------------------------------------------------------- shapes
 
   void write_shape(const desc::Shape& shape) {
@@ -227,7 +167,9 @@ class Writer {
     if (!scene_.media.empty()) {
       const desc::MediumId inside = shape.has_medium_interface ? shape.inside : desc::kNone;
       const desc::MediumId outside = shape.has_medium_interface ? shape.outside : desc::kNone;
-      out_.line("MediumInterface").quoted(medium_name(inside)).quoted(medium_name(outside));
+      out_.line("MediumInterface")
+          .quoted(context_.medium_name(inside))
+          .quoted(context_.medium_name(outside));
     }
     std::visit([&](const auto& node) { write_geometry(shape, node); }, shape.node);
     out_.line("AttributeEnd");
@@ -269,41 +211,10 @@ class Writer {
     return mesh_files_[mesh.get()] = mesh_folder_ + "/" + name;
   }
 
-  void write_geometry(const desc::Shape& shape, const desc::Sphere& s) {
-    begin_shape(shape, "sphere")
-        .parameter("float radius", s.radius)
-        .parameter("float phimax", s.phi_max);
-    out_.parameter("float zmin", s.z_min).parameter("float zmax", s.z_max);
-  }
-  void write_geometry(const desc::Shape& shape, const desc::Disk& s) {
-    begin_shape(shape, "disk")
-        .parameter("float radius", s.radius)
-        .parameter("float phimax", s.phi_max);
-    out_.parameter("float height", s.height).parameter("float innerradius", s.inner_radius);
-  }
-  void write_geometry(const desc::Shape& shape, const desc::Cylinder& s) {
-    begin_shape(shape, "cylinder")
-        .parameter("float radius", s.radius)
-        .parameter("float phimax", s.phi_max);
-    out_.parameter("float zmin", s.z_min).parameter("float zmax", s.z_max);
-  }
-  void write_geometry(const desc::Shape& shape, const desc::Cone& s) {
-    begin_shape(shape, "cone")
-        .parameter("float radius", s.radius)
-        .parameter("float phimax", s.phi_max);
-    out_.parameter("float height", s.height);
-  }
-  void write_geometry(const desc::Shape& shape, const desc::Paraboloid& s) {
-    begin_shape(shape, "paraboloid")
-        .parameter("float radius", s.radius)
-        .parameter("float phimax", s.phi_max);
-    out_.parameter("float zmin", s.z_min).parameter("float zmax", s.z_max);
-  }
-  void write_geometry(const desc::Shape& shape, const desc::Hyperboloid& s) {
-    begin_shape(shape, "hyperboloid")
-        .point("p1", s.p1)
-        .point("p2", s.p2)
-        .parameter("float phimax", s.phi_max);
+  void write_geometry(const desc::Shape& shape, const desc::Node& quadric) {
+    const ModelName* names = find_ours(pbrt::quadric_names(), quadric.model().name);
+    begin_shape(shape, names == nullptr ? quadric.model().name : names->theirs);
+    write_parameters(context_, quadric, names);
   }
   void write_geometry(const desc::Shape& shape,
                       const std::shared_ptr<const desc::LoopSubdivision>& s) {

@@ -257,7 +257,7 @@ void SceneBuilder::light_source(const SourceLocation& where, const std::string& 
                                 const ParameterList& parameters) {
   require_world(where, "LightSource");
   std::optional<desc::Light> light =
-      make_light(context_, where, type, parameters, transforms_.get(where, warnings_));
+      make_light(context_, textures_, where, type, parameters, transforms_.get(where, warnings_));
   if (!light) return;
   light->medium = medium_id(state_.outside);
   scene_.lights.push_back(std::move(*light));
@@ -279,13 +279,13 @@ desc::TextureId SceneBuilder::alpha(const ParameterList& parameters, std::string
     return textures_.find(*reference, TextureClass::Float).value_or(desc::kNone);
   }
   // Only 0 cuts away.
-  return parameters.get_float(name, 1.F) == 0.F ? textures_.constant(0.F) : desc::kNone;
+  return parameters.get_float(name, 1.F) == 0.F ? textures_.zero() : desc::kNone;
 }
 
 void SceneBuilder::shape(const SourceLocation& where, const std::string& type,
                          const ParameterList& parameters) {
   require_world(where, "Shape");
-  std::optional<ShapeNode> node = make_shape(context_, meshes_, where, type, parameters);
+  std::optional<ShapeNode> node = make_shape(context_, meshes_, textures_, where, type, parameters);
   if (!node) return;
   desc::Shape shape;
   shape.where = where;

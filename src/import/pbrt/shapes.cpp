@@ -1,18 +1,21 @@
 #include "import/pbrt/shapes.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <utility>
 
 #include "import/mesh/validate_mesh.h"
+#include "import/pbrt/node_reader.h"
+#include "import/pbrt/quadric_names.h"
 
 namespace ajar::pbrt {
 namespace {
 
-const std::vector<std::string> kTypes = {"trianglemesh", "plymesh", "sphere",      "disk",
-                                         "cylinder",     "cone",    "paraboloid",  "hyperboloid",
-                                         "loopsubdiv",   "curve",   "heightfield", "nurbs"};
+/// Beside quadrics.
+const std::vector<std::string> kTypes = {"trianglemesh", "plymesh",     "loopsubdiv",
+                                         "curve",        "heightfield", "nurbs"};
 constexpr WarningKind kLeftOut{Effect::Geometry, "shapes are left out"};
 constexpr WarningKind kOddIndices{Effect::Slight,
                                   "meshes have indices left over, which are ignored"};
@@ -29,7 +32,6 @@ struct Source {
     context.warnings.add(kLeftOut, where, reason + ": shape left out", reason);
     return std::nullopt;
   }
-  float phi_max() const { return std::clamp(parameters.get_float("phimax", 360.F), 0.F, 360.F); }
 };
 
 std::vector<Imath::Vec3<unsigned>> indices_of(const Source& source) {
@@ -141,97 +143,67 @@ std::optional<ShapeNode> height_field(const Source& source) {
   return finish_mesh(source, std::move(mesh));
 }
 
-std::optional<ShapeNode> sphere(const Source& source) {
-  desc::Sphere node;
-  node.radius = source.parameters.get_float("radius", 1.F);
-  const float z0 = source.parameters.get_float("zmin", -node.radius);
-  const float z1 = source.parameters.get_float("zmax", node.radius);
-  node.phi_max = source.phi_max();
-  if (!(node.radius > 0.F)) return source.skip("the radius is not positive");
-  node.z_min = std::clamp(std::min(z0, z1), -node.radius, node.radius);
-  node.z_max = std::clamp(std::max(z0, z1), -node.radius, node.radius);
-  if (!(node.z_min < node.z_max)) return source.skip("zmin equals zmax");
-  return node;
+/// The ends of a quadric along z, within a sphere.
+std::array<float, 2> ends_of(const desc::Node& node) {
+  const float radius = node.number("radius");
+  const auto end = [&](const char* name, float whole) {
+    const float* given = std::get_if<float>(&node.get(name));
+    if (given == nullptr) return whole;
+    return node.is("sphere") ? std::clamp(*given, -std::abs(radius), std::abs(radius)) : *given;
+  };
+  const float a = end("z_min", -radius);
+  const float b = end("z_max", radius);
+  return {std::min(a, b), std::max(a, b)};
 }
+float lower_end(const desc::Node& node) { return ends_of(node)[0]; }
+float higher_end(const desc::Node& node) { return ends_of(node)[1]; }
 
-std::optional<ShapeNode> disk(const Source& source) {
-  desc::Disk node;
-  node.height = source.parameters.get_float("height", 0.F);
-  node.radius = source.parameters.get_float("radius", 1.F);
-  node.inner_radius = source.parameters.get_float("innerradius", 0.F);
-  node.phi_max = source.phi_max();
-  if (!(node.radius > 0.F)) return source.skip("the radius is not positive");
-  if (!(node.inner_radius >= 0.F && node.inner_radius < node.radius)) {
-    return source.skip("the inner radius is not between 0 and the radius");
+/// Why nothing can be seen of a quadric; null if something can.
+const char* flaw_of(const desc::Node& node) {
+  const bool has_radius = !node.has("radius") || node.number("radius") > 0.F;
+  if (node.is("hyperboloid")) return node.get("p1") == node.get("p2") ? "p1 equals p2" : nullptr;
+  if (node.is("cone")) {
+    const bool has_height = node.number("height") > 0.F;
+    return has_radius && has_height ? nullptr : "radius or height is not positive";
   }
-  return node;
+  if (node.is("paraboloid") && !(has_radius && higher_end(node) > 0.F)) {
+    return "radius or zmax is not positive";
+  }
+  if (!has_radius) return "the radius is not positive";
+  if (node.is("disk")) {
+    const float inner = node.number("inner_radius");
+    const bool is_inside = inner >= 0.F && inner < node.number("radius");
+    return is_inside ? nullptr : "the inner radius is not between 0 and the radius";
+  }
+  return node.has("z_min") && !(lower_end(node) < higher_end(node)) ? "zmin equals zmax" : nullptr;
 }
 
-std::optional<ShapeNode> cylinder(const Source& source) {
-  desc::Cylinder node;
-  node.radius = source.parameters.get_float("radius", 1.F);
-  const float z0 = source.parameters.get_float("zmin", -1.F);
-  const float z1 = source.parameters.get_float("zmax", 1.F);
-  node.z_min = std::min(z0, z1);
-  node.z_max = std::max(z0, z1);
-  node.phi_max = source.phi_max();
-  if (!(node.radius > 0.F)) return source.skip("the radius is not positive");
-  if (!(node.z_min < node.z_max)) return source.skip("zmin equals zmax");
-  return node;
-}
-
-std::optional<ShapeNode> cone(const Source& source) {
-  desc::Cone node;
-  node.radius = source.parameters.get_float("radius", 1.F);
-  node.height = source.parameters.get_float("height", 1.F);
-  node.phi_max = source.phi_max();
-  if (!(node.radius > 0.F && node.height > 0.F))
-    return source.skip("radius or height is not positive");
-  return node;
-}
-
-std::optional<ShapeNode> paraboloid(const Source& source) {
-  desc::Paraboloid node;
-  node.radius = source.parameters.get_float("radius", 1.F);
-  const float z0 = source.parameters.get_float("zmin", 0.F);
-  const float z1 = source.parameters.get_float("zmax", 1.F);
-  node.z_min = std::min(z0, z1);
-  node.z_max = std::max(z0, z1);
-  node.phi_max = source.phi_max();
-  if (!(node.radius > 0.F && node.z_max > 0.F))
-    return source.skip("radius or zmax is not positive");
-  if (!(node.z_min < node.z_max)) return source.skip("zmin equals zmax");
-  return node;
-}
-
-std::optional<ShapeNode> hyperboloid(const Source& source) {
-  desc::Hyperboloid node;
-  node.p1 = source.parameters.get_point("p1", {0.F, 0.F, 0.F});
-  node.p2 = source.parameters.get_point("p2", {1.F, 1.F, 1.F});
-  node.phi_max = source.phi_max();
-  if (node.p1 == node.p2) return source.skip("p1 equals p2");
+std::optional<ShapeNode> quadric(const Source& source, TextureTable& textures,
+                                 const desc::Model& model, const ModelName* names) {
+  const TextureParameters lookup(source.context, textures, source.parameters);
+  desc::Node node = NodeReader(source.where, lookup).read(model, names);
+  if (const char* flaw = flaw_of(node)) return source.skip(flaw);
   return node;
 }
 
 }  // namespace
 
-std::optional<ShapeNode> make_shape(Context& context, MeshLoader& meshes,
+std::optional<ShapeNode> make_shape(Context& context, MeshLoader& meshes, TextureTable& textures,
                                     const SourceLocation& where, const std::string& type,
                                     const ParameterList& parameters) {
   const Source source{context, where, parameters};
   if (type == "trianglemesh") return triangle_mesh(source);
   if (type == "plymesh") return ply_mesh(source, meshes);
-  if (type == "sphere") return sphere(source);
-  if (type == "disk") return disk(source);
-  if (type == "cylinder") return cylinder(source);
-  if (type == "cone") return cone(source);
-  if (type == "paraboloid") return paraboloid(source);
-  if (type == "hyperboloid") return hyperboloid(source);
   if (type == "loopsubdiv") return loop_subdivision(source);
   if (type == "curve") return make_curve(context, where, parameters);
   if (type == "heightfield") return height_field(source);
   if (type == "nurbs") return source.skip("nurbs are not supported");
-  fail_unknown(where, "shape", type, kTypes);
+  if (const desc::Model* model = model_of_type(desc::ModelKind::Quadric, quadric_names(), type)) {
+    return quadric(source, textures, *model, find_theirs(quadric_names(), type));
+  }
+  std::vector<std::string> types = types_of(desc::ModelKind::Quadric, quadric_names());
+  types.insert(types.end(), kTypes.begin(), kTypes.end());
+  fail_unknown(where, "shape", type, types);
 }
 
 }  // namespace ajar::pbrt

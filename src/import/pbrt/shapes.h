@@ -4,6 +4,7 @@
 
 #include "import/pbrt/mesh_loader.h"
 #include "import/pbrt/parameter_list.h"
+#include "import/pbrt/textures.h"
 
 namespace ajar::pbrt {
 
@@ -12,7 +13,7 @@ using ShapeNode = decltype(desc::Shape::node);
 /// Geometry of `Shape "type" parameters`. Empty, after a warning, for shapes that cannot be drawn
 /// but do not make the scene useless. Raises SceneError for unknown types and meshes that make no
 /// sense.
-std::optional<ShapeNode> make_shape(Context& context, MeshLoader& meshes,
+std::optional<ShapeNode> make_shape(Context& context, MeshLoader& meshes, TextureTable& textures,
                                     const SourceLocation& where, const std::string& type,
                                     const ParameterList& parameters);
 

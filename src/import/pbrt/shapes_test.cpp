@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "import/pbrt/import_test_support.h"
+#include "scene/desc/models.h"
 
 namespace ajar {
 namespace {
@@ -12,18 +13,34 @@ TEST(PbrtShapes, QuadricsHaveTheDefaultsOfPbrt) {
       "\"float zmax\" 1 \"float phimax\" 90 "
       "Shape \"cylinder\" Shape \"disk\" Shape \"cone\" Shape \"paraboloid\" Shape "
       "\"hyperboloid\"");
-  const auto full = std::get<desc::Sphere>(s.shapes[0].node);
-  EXPECT_EQ(full.z_min, -2.F);
-  EXPECT_EQ(full.z_max, 2.F);
-  EXPECT_EQ(full.phi_max, 360.F);
-  const auto part = std::get<desc::Sphere>(s.shapes[1].node);
-  EXPECT_EQ(part.z_min, -2.F);
-  EXPECT_EQ(part.z_max, 1.F);
-  EXPECT_EQ(std::get<desc::Cylinder>(s.shapes[2].node).z_min, -1.F);
-  EXPECT_EQ(std::get<desc::Disk>(s.shapes[3].node).inner_radius, 0.F);
-  EXPECT_EQ(std::get<desc::Cone>(s.shapes[4].node).height, 1.F);
-  EXPECT_EQ(std::get<desc::Paraboloid>(s.shapes[5].node).z_max, 1.F);
-  EXPECT_EQ(std::get<desc::Hyperboloid>(s.shapes[6].node).p2, Vec3(1.F));
+  const auto node = [&](std::size_t i) { return std::get<desc::Node>(s.shapes[i].node); };
+  EXPECT_EQ(node(0), desc::quadric_node("sphere", {{"radius", 2.F}})) << "whole";
+  EXPECT_EQ(node(1),
+            desc::quadric_node(
+                "sphere", {{"radius", 2.F}, {"z_min", -9.F}, {"z_max", 1.F}, {"phi_max", 90.F}}));
+  EXPECT_EQ(node(2).number("z_min"), -1.F);
+  EXPECT_EQ(node(3).number("inner_radius"), 0.F);
+  EXPECT_EQ(node(4).number("height"), 1.F);
+  EXPECT_EQ(node(5).number("z_max"), 1.F);
+  EXPECT_EQ(node(6).vector("p2"), Vec3(1.F));
+}
+
+TEST(PbrtShapes, SayWhyNothingCanBeSeenOfThem) {
+  for (const auto& [shape, reason] :
+       {std::pair("\"sphere\" \"float radius\" -1", "the radius is not positive"),
+        std::pair("\"sphere\" \"float zmin\" 3 \"float zmax\" 2", "zmin equals zmax"),
+        std::pair("\"disk\" \"float innerradius\" 3",
+                  "the inner radius is not between 0 and the radius"),
+        std::pair("\"cylinder\" \"float zmin\" 1", "zmin equals zmax"),
+        std::pair("\"cone\" \"float height\" 0", "radius or height is not positive"),
+        std::pair("\"paraboloid\" \"float zmax\" -1", "radius or zmax is not positive"),
+        std::pair("\"hyperboloid\" \"point p1\" [1 1 1]", "p1 equals p2")}) {
+    EXPECT_TRUE(contains(warnings_of(world("Shape " + std::string(shape))),
+                         "2:1: " + std::string(reason) + ": shape left out"))
+        << shape;
+  }
+  EXPECT_TRUE(contains(error_of(world("Shape \"spheer\"")),
+                       "unknown shape \"spheer\"; did you mean \"sphere\"?"));
 }
 
 TEST(PbrtShapes, ImpossibleOnesAreLeftOutWithAWarning) {
@@ -170,8 +187,8 @@ TEST(PbrtShapes, AlphaIsATextureOrAConstantZero) {
   const desc::SceneDesc s = scene_of(
       "Texture \"a\" \"float\" \"checkerboard\" Shape \"disk\" \"texture alpha\" \"a\" \"float "
       "shadowalpha\" 0 Shape \"disk\" \"float alpha\" .5");
-  EXPECT_TRUE(std::holds_alternative<desc::CheckerboardTexture>(
-      s.textures.at(static_cast<std::size_t>(s.shapes[0].alpha)).node));
+  const auto alpha = static_cast<std::size_t>(s.shapes[0].alpha);
+  EXPECT_TRUE(s.textures.at(alpha).node.is("checkerboard"));
   expect_rgb(constant(s, s.shapes[0].shadow_alpha), desc::Rgb(0.F));
   EXPECT_EQ(s.shapes[1].alpha, desc::kNone);
 }

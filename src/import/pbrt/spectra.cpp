@@ -80,22 +80,21 @@ std::optional<desc::Rgb> SpectrumReader::from_file(const Parameter& parameter) {
   }
 }
 
-desc::Rgb SpectrumReader::get(const ParameterList& parameters, std::string_view name,
-                              const desc::Rgb& fallback) {
-  const Parameter* p = parameters.find_one(name, kSpectrumKinds);
-  return p == nullptr ? fallback : value(*p).value_or(fallback);
+std::optional<desc::Rgb> SpectrumReader::positive_value(const Parameter& parameter) {
+  std::optional<desc::Rgb> rgb = value(parameter);
+  if (!rgb || (rgb->x >= 0.F && rgb->y >= 0.F && rgb->z >= 0.F)) return rgb;
+  if (parameter.kind == ParameterKind::Rgb) {
+    warnings_.add(kNegative, parameter.where, "\"" + parameter.name + "\" is negative: taken as 0",
+                  parameter.name);
+  }
+  for (int i = 0; i < 3; ++i) (*rgb)[i] = std::max((*rgb)[i], 0.F);
+  return rgb;
 }
 
 desc::Rgb SpectrumReader::get_positive(const ParameterList& parameters, std::string_view name,
                                        const desc::Rgb& fallback) {
-  desc::Rgb rgb = get(parameters, name, fallback);
-  if (rgb.x >= 0.F && rgb.y >= 0.F && rgb.z >= 0.F) return rgb;
   const Parameter* p = parameters.find_one(name, kSpectrumKinds);
-  if (p != nullptr && p->kind == ParameterKind::Rgb) {
-    warnings_.add(kNegative, p->where, "\"" + p->name + "\" is negative: taken as 0", p->name);
-  }
-  for (int i = 0; i < 3; ++i) rgb[i] = std::max(rgb[i], 0.F);
-  return rgb;
+  return p == nullptr ? fallback : positive_value(*p).value_or(fallback);
 }
 
 }  // namespace ajar::pbrt

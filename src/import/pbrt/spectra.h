@@ -23,9 +23,9 @@ class SpectrumReader {
   /// Value of a parameter of one of `kSpectrumKinds` with one value. Empty, after a warning, if it
   /// refers to a file that cannot be used. Raises SceneError if it is not finite.
   std::optional<desc::Rgb> value(const Parameter& parameter);
-  desc::Rgb get(const ParameterList& parameters, std::string_view name, const desc::Rgb& fallback);
   /// The same for what cannot be negative (light, scattering): such lanes become 0, with a warning
   /// if the file says so itself.
+  std::optional<desc::Rgb> positive_value(const Parameter& parameter);
   desc::Rgb get_positive(const ParameterList& parameters, std::string_view name,
                          const desc::Rgb& fallback);
 

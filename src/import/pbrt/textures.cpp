@@ -1,9 +1,8 @@
 #include "import/pbrt/textures.h"
 
-#include <algorithm>
-#include <array>
-
 #include "import/pbrt/lexer.h"
+#include "import/pbrt/node_reader.h"
+#include "import/pbrt/texture_names.h"
 #include "import/pbrt/transforms.h"
 
 namespace ajar::pbrt {
@@ -13,155 +12,42 @@ constexpr WarningKind kNoFile{Effect::Surface, "image textures have no \"string 
 constexpr WarningKind kOtherKind{
     Effect::Surface, "textures are used where those of another kind belong, and ignored"};
 
-const std::vector<std::string> kTypes = {"constant", "scale",    "mix",          "bilerp",
-                                         "imagemap", "uv",       "checkerboard", "dots",
-                                         "fbm",      "wrinkled", "windy",        "marble"};
-
-/// Everything that one `Texture` directive says.
-struct Source {
-  Context& context;
-  TextureTable& table;
-  const SourceLocation& where;
-  TextureClass texture_class;
-  const ParameterList& parameters;
-  const Mat4& ctm;
-
-  desc::TextureId child(std::string_view name, float fallback) const {
-    const TextureParameters lookup(context, table, parameters);
-    return texture_class == TextureClass::Float ? lookup.number(name, fallback)
-                                                : lookup.spectrum(name, fallback);
+/// pbrt has one name for two models.
+const ModelName* names_of(const SourceLocation& where, const std::string& type,
+                          const ParameterList& parameters) {
+  if (type != "checkerboard") return find_theirs(texture_names(), type);
+  const int dimension = parameters.get_int("dimension", 2);
+  if (dimension != 2 && dimension != 3) {
+    throw SceneError(where,
+                     "a checkerboard has dimension 2 or 3, not " + std::to_string(dimension));
   }
-  desc::Rgb value(std::string_view name, float fallback) const {
-    if (texture_class == TextureClass::Float)
-      return desc::Rgb(parameters.get_float(name, fallback));
-    return context.spectra.get(parameters, name, desc::Rgb(fallback));
-  }
-};
-
-Mat4 world_to_texture(const Source& source) {
-  if (const std::optional<Mat4> m = rounded_inverse(source.ctm)) return *m;
-  throw SceneError(source.where,
-                   "the current transform cannot be inverted, which this mapping needs");
+  parameters.accept({"aamode"});
+  return find_ours(texture_names(), dimension == 2 ? "checkerboard" : "solid_checkerboard");
 }
 
-desc::Mapping2D mapping_2d(const Source& source) {
-  const ParameterList& p = source.parameters;
-  const std::string type = p.get_string("mapping", "uv");
-  if (type == "spherical") return desc::SphericalMapping{world_to_texture(source)};
-  if (type == "cylindrical") return desc::CylindricalMapping{world_to_texture(source)};
-  if (type == "planar") {
-    return desc::PlanarMapping{p.get_vector("v1", {1.F, 0.F, 0.F}),
-                               p.get_vector("v2", {0.F, 1.F, 0.F}), p.get_float("udelta", 0.F),
-                               p.get_float("vdelta", 0.F)};
+/// The place of a texture in the world, `ctm` being the current transform.
+void set_place(desc::Node& node, const SourceLocation& where, const Mat4& ctm) {
+  constexpr const char* kPlace = "world_to_texture";
+  if (!node.has(kPlace)) return;
+  // Of solid textures pbrt-v3 uses the transform itself, not its inverse.
+  if (!node.has("mapping")) return node.set(kPlace, std::make_shared<const Mat4>(ctm));
+  if (node.text("mapping") != "spherical" && node.text("mapping") != "cylindrical") return;
+  const std::optional<Mat4> inverted = rounded_inverse(ctm);
+  if (!inverted) {
+    throw SceneError(where, "the current transform cannot be inverted, which this mapping needs");
   }
-  if (type != "uv") {
-    fail_unknown(source.where, "texture mapping", type,
-                 {"uv", "spherical", "cylindrical", "planar"});
-  }
-  return desc::UvMapping{p.get_float("uscale", 1.F), p.get_float("vscale", 1.F),
-                         p.get_float("udelta", 0.F), p.get_float("vdelta", 0.F)};
-}
-
-desc::ImageTexture image(const Source& source) {
-  const ParameterList& p = source.parameters;
-  desc::ImageTexture node;
-  node.mapping = mapping_2d(source);
-  if (const std::optional<std::string> name = p.get_string("filename"); name && !name->empty()) {
-    try {
-      node.path = source.context.files.resolve(*name);
-    } catch (const IoError& error) {
-      throw SceneError(source.where, error.what());
-    }
-  } else {
-    source.context.warnings.add(kNoFile, source.where,
-                                "this image texture has no \"string filename\"");
-  }
-  const std::string wrap = p.get_string("wrap", "repeat");
-  if (wrap == "black") {
-    node.wrap = desc::Wrap::Black;
-  } else if (wrap == "clamp") {
-    node.wrap = desc::Wrap::Clamp;
-  } else if (wrap != "repeat") {
-    fail_unknown(source.where, "wrap mode", wrap, {"repeat", "black", "clamp"});
-  }
-  node.scale = p.get_float("scale", 1.F);
-  // Images in float formats are linear whatever this says, as pbrt's default by extension has it.
-  node.decode_srgb = p.get_bool("gamma", true);
-  node.luminance = source.texture_class == TextureClass::Float;
-  p.accept({"trilinear", "maxanisotropy", "filter"});
-  return node;
-}
-
-desc::CheckerboardTexture checkerboard(const Source& source) {
-  desc::CheckerboardTexture node;
-  node.dimension = source.parameters.get_int("dimension", 2);
-  if (node.dimension != 2 && node.dimension != 3) {
-    throw SceneError(source.where,
-                     "a checkerboard has dimension 2 or 3, not " + std::to_string(node.dimension));
-  }
-  node.a = source.child("tex1", 1.F);
-  node.b = source.child("tex2", 0.F);
-  // In 3D pbrt-v3 uses the transform itself, not its inverse, for this and all textures below.
-  if (node.dimension == 2) {
-    node.mapping = mapping_2d(source);
-  } else {
-    node.world_to_texture = source.ctm;
-  }
-  source.parameters.accept({"aamode"});
-  return node;
-}
-
-int octaves(const Source& source) {
-  constexpr int kMost = 64;
-  const int n = source.parameters.get_int("octaves", 8);
-  if (n < 0 || n > kMost) {
-    throw SceneError(source.where, "\"octaves\" must be 0 to 64, not " + std::to_string(n));
-  }
-  return n;
-}
-
-decltype(desc::Texture::node) make_node(const Source& source, const std::string& type) {
-  const ParameterList& p = source.parameters;
-  if (type == "constant") return desc::ConstantTexture{source.value("value", 1.F)};
-  if (type == "scale")
-    return desc::ScaleTexture{source.child("tex1", 1.F), source.child("tex2", 1.F)};
-  if (type == "mix") {
-    const TextureParameters lookup(source.context, source.table, p);
-    return desc::MixTexture{source.child("tex1", 0.F), source.child("tex2", 1.F),
-                            lookup.number("amount", 0.5F)};
-  }
-  if (type == "bilerp") {
-    return desc::BilerpTexture{source.value("v00", 0.F), source.value("v01", 1.F),
-                               source.value("v10", 0.F), source.value("v11", 1.F),
-                               mapping_2d(source)};
-  }
-  if (type == "imagemap") return image(source);
-  if (type == "checkerboard") return checkerboard(source);
-  if (type == "dots") {
-    return desc::DotsTexture{source.child("inside", 1.F), source.child("outside", 0.F),
-                             mapping_2d(source)};
-  }
-  if (type == "uv") return desc::UvTexture{mapping_2d(source)};
-  if (type == "fbm")
-    return desc::FbmTexture{octaves(source), p.get_float("roughness", 0.5F), source.ctm};
-  if (type == "wrinkled")
-    return desc::WrinkledTexture{octaves(source), p.get_float("roughness", 0.5F), source.ctm};
-  if (type == "windy") return desc::WindyTexture{source.ctm};
-  if (type == "marble") {
-    return desc::MarbleTexture{octaves(source), p.get_float("roughness", 0.5F),
-                               p.get_float("scale", 1.F), p.get_float("variation", 0.2F),
-                               source.ctm};
-  }
-  fail_unknown(source.where, "texture", type, kTypes);
+  node.set(kPlace, std::make_shared<const Mat4>(*inverted));
 }
 
 }  // namespace
 
-desc::TextureId TextureTable::constant(const desc::Rgb& value) {
-  const auto [place, is_new] = constants_.try_emplace(
-      {value.x, value.y, value.z}, static_cast<desc::TextureId>(context_.scene.textures.size()));
-  if (is_new) context_.scene.textures.push_back({"", {}, desc::ConstantTexture{value}});
-  return place->second;
+desc::TextureId TextureTable::zero() {
+  if (zero_ == desc::kNone) {
+    zero_ = static_cast<desc::TextureId>(context_.scene.textures.size());
+    context_.scene.textures.push_back(
+        {"", {}, desc::texture_node("constant", {{"value", Vec3(0.F)}})});
+  }
+  return zero_;
 }
 
 void TextureTable::define(const SourceLocation& where, const std::string& name,
@@ -171,10 +57,22 @@ void TextureTable::define(const SourceLocation& where, const std::string& name,
   if (!is_float && texture_class != "spectrum" && texture_class != "color") {
     fail_unknown(where, "texture class", texture_class, {"float", "spectrum", "color"});
   }
-  const Source source{context_,   *this,
-                      where,      is_float ? TextureClass::Float : TextureClass::Spectrum,
-                      parameters, ctm};
-  decltype(desc::Texture::node) node = make_node(source, type);
+  const ModelName* names = names_of(where, type, parameters);
+  const desc::Model* model = names == nullptr
+                                 ? model_of_type(desc::ModelKind::Texture, texture_names(), type)
+                                 : desc::find_model(desc::ModelKind::Texture, names->ours);
+  if (model == nullptr) {
+    fail_unknown(where, "texture", type, types_of(desc::ModelKind::Texture, texture_names()));
+  }
+  const TextureParameters lookup(context_, *this, parameters);
+  desc::Node node = NodeReader(where, lookup).with_numbers_for_colors(is_float).read(*model, names);
+  set_place(node, where, ctm);
+  if (node.is("image")) {
+    if (node.text("file").empty()) {
+      context_.warnings.add(kNoFile, where, "this image texture has no \"string filename\"");
+    }
+    parameters.accept({"trilinear", "maxanisotropy", "filter"});
+  }
   parameters.report_unused(context_.warnings);
   (is_float ? floats_ : spectra_)
       .set(name, static_cast<desc::TextureId>(context_.scene.textures.size()));
@@ -209,54 +107,62 @@ void TextureTable::end_scope() {
   spectra_.end_scope();
 }
 
-std::optional<desc::TextureId> TextureParameters::find_spectrum(std::string_view name) const {
+std::optional<desc::Value> TextureParameters::find_spectrum(std::string_view name) const {
   for (const ParameterList* list : lists_) {
     if (list == nullptr) continue;
     if (const Parameter* p = list->find_one(name, ParameterKind::Texture)) {
       if (const std::optional<desc::TextureId> id = table_.find(*p, TextureClass::Spectrum))
-        return id;
+        return desc::TextureRef{*id};
     } else if (const Parameter* colour = list->find_one(name, kSpectrumKinds)) {
-      if (const std::optional<desc::Rgb> value = context_.spectra.value(*colour))
-        return table_.constant(*value);
+      if (const std::optional<desc::Rgb> value = context_.spectra.value(*colour)) return *value;
     }
   }
   return std::nullopt;
 }
 
-std::optional<desc::TextureId> TextureParameters::find_number(std::string_view name) const {
+std::optional<desc::Value> TextureParameters::find_number(std::string_view name) const {
   for (const ParameterList* list : lists_) {
     if (list == nullptr) continue;
     if (const Parameter* p = list->find_one(name, ParameterKind::Texture)) {
-      if (const std::optional<desc::TextureId> id = table_.find(*p, TextureClass::Float)) return id;
+      if (const std::optional<desc::TextureId> id = table_.find(*p, TextureClass::Float))
+        return desc::TextureRef{*id};
     } else if (const std::optional<float> value = list->get_float(name)) {
-      return table_.constant(*value);
+      return *value;
     }
   }
   return std::nullopt;
 }
 
-desc::TextureId TextureParameters::spectrum(std::string_view name,
-                                            const desc::Rgb& fallback) const {
-  const std::optional<desc::TextureId> id = find_spectrum(name);
-  return id ? *id : table_.constant(fallback);
+std::optional<desc::Rgb> TextureParameters::color(std::string_view name, bool positive) const {
+  return first_of([&](const ParameterList& list) -> std::optional<desc::Rgb> {
+    const Parameter* colour = list.find_one(name, kSpectrumKinds);
+    if (colour == nullptr) return std::nullopt;
+    return positive ? context_.spectra.positive_value(*colour) : context_.spectra.value(*colour);
+  });
 }
 
-desc::TextureId TextureParameters::number(std::string_view name, float fallback) const {
-  const std::optional<desc::TextureId> id = find_number(name);
-  return id ? *id : table_.constant(fallback);
+std::optional<float> TextureParameters::number(std::string_view name) const {
+  return first_of([&](const ParameterList& list) { return list.get_float(name); });
 }
 
-bool TextureParameters::flag(std::string_view name, bool fallback) const {
-  if (lists_[1] != nullptr) fallback = lists_[1]->get_bool(name, fallback);
-  return lists_[0]->get_bool(name, fallback);
+std::optional<int> TextureParameters::integer(std::string_view name) const {
+  return first_of([&](const ParameterList& list) { return list.get_int(name); });
+}
+
+std::optional<Vec3> TextureParameters::vector(std::string_view name) const {
+  return first_of([&](const ParameterList& list) { return list.get_vector(name); });
+}
+
+std::optional<Vec3> TextureParameters::point(std::string_view name) const {
+  return first_of([&](const ParameterList& list) { return list.get_point(name); });
+}
+
+std::optional<bool> TextureParameters::flag(std::string_view name) const {
+  return first_of([&](const ParameterList& list) { return list.get_bool(name); });
 }
 
 std::optional<std::string> TextureParameters::text(std::string_view name) const {
-  for (const ParameterList* list : lists_) {
-    if (list == nullptr) continue;
-    if (std::optional<std::string> value = list->get_string(name)) return value;
-  }
-  return std::nullopt;
+  return first_of([&](const ParameterList& list) { return list.get_string(name); });
 }
 
 void TextureParameters::accept(std::initializer_list<std::string_view> names) const {

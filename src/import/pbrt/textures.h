@@ -1,8 +1,6 @@
 #pragma once
-#include <map>
 #include <optional>
 #include <string>
-#include <tuple>
 
 #include "import/pbrt/context.h"
 #include "import/pbrt/parameter_list.h"
@@ -13,13 +11,13 @@ namespace ajar::pbrt {
 /// pbrt keeps textures of numbers and of colours apart, even under the same name.
 enum class TextureClass { Float, Spectrum };
 
-/// The textures of the scene: constants, each value once, and the named ones in the current scope.
+/// The textures of the scene, and their names in the current scope.
 class TextureTable {
  public:
   explicit TextureTable(Context& context) : context_(context) {}
 
-  desc::TextureId constant(const desc::Rgb& value);
-  desc::TextureId constant(float value) { return constant(desc::Rgb(value)); }
+  /// A texture that is 0 everywhere, always the same.
+  desc::TextureId zero();
 
   /// `Texture "name" "class" "type" parameters`.
   void define(const SourceLocation& where, const std::string& name,
@@ -34,11 +32,11 @@ class TextureTable {
 
  private:
   Context& context_;
-  std::map<std::tuple<float, float, float>, desc::TextureId> constants_;
+  desc::TextureId zero_ = desc::kNone;
   ScopedNames<desc::TextureId> floats_, spectra_;
 };
 
-/// Lookup of parameters that may be textures, in one list or, for materials whose parameters a
+/// Lookup of parameters, which may be textures, in one list or, for materials whose parameters a
 /// shape overrides, in two.
 class TextureParameters {
  public:
@@ -46,21 +44,33 @@ class TextureParameters {
                     const ParameterList* second = nullptr)
       : context_(context), table_(table), lists_{&first, second} {}
 
-  std::optional<desc::TextureId> find_spectrum(std::string_view name) const;
-  std::optional<desc::TextureId> find_number(std::string_view name) const;
-  desc::TextureId spectrum(std::string_view name, const desc::Rgb& fallback) const;
-  desc::TextureId spectrum(std::string_view name, float fallback) const {
-    return spectrum(name, desc::Rgb(fallback));
-  }
-  desc::TextureId number(std::string_view name, float fallback) const;
-  bool flag(std::string_view name, bool fallback) const;
+  /// A texture or a colour.
+  std::optional<desc::Value> find_spectrum(std::string_view name) const;
+  /// A texture or a number.
+  std::optional<desc::Value> find_number(std::string_view name) const;
+  /// `positive`: lanes below 0 are taken as 0, with a warning.
+  std::optional<desc::Rgb> color(std::string_view name, bool positive) const;
+  std::optional<float> number(std::string_view name) const;
+  std::optional<int> integer(std::string_view name) const;
+  std::optional<Vec3> vector(std::string_view name) const;
+  std::optional<Vec3> point(std::string_view name) const;
+  std::optional<bool> flag(std::string_view name) const;
   std::optional<std::string> text(std::string_view name) const;
   void accept(std::initializer_list<std::string_view> names) const;
 
   Context& context() const { return context_; }
-  TextureTable& table() const { return table_; }
 
  private:
+  /// What `get` finds in the first list that has it.
+  template <typename Get>
+  auto first_of(Get get) const -> decltype(get(std::declval<const ParameterList&>())) {
+    for (const ParameterList* list : lists_) {
+      if (list == nullptr) continue;
+      if (auto value = get(*list)) return value;
+    }
+    return std::nullopt;
+  }
+
   Context& context_;
   TextureTable& table_;
   const ParameterList* lists_[2];

@@ -16,6 +16,14 @@ void WriterContext::reference(std::string_view name, desc::TextureId id) {
     out.parameter("texture " + std::string(name), texture_names.at(static_cast<std::size_t>(id)));
 }
 
+std::string WriterContext::medium_name(desc::MediumId id) const {
+  return id < 0 ? std::string() : medium_names.at(static_cast<std::size_t>(id));
+}
+
+void WriterContext::medium_outside(desc::MediumId outside) {
+  if (!scene.media.empty()) out.line("MediumInterface").quoted("").quoted(medium_name(outside));
+}
+
 std::string WriterContext::image_path(const std::string& image) const {
   const std::filesystem::path relative =
       std::filesystem::path(image).lexically_relative(path.parent_path());

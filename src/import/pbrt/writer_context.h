@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "import/common/name_table.h"
 #include "import/pbrt/text_writer.h"
 #include "import/pbrt/writer_names.h"
 #include "scene/desc/scene_desc.h"
@@ -21,13 +22,23 @@ struct WriterContext {
 
   /// `"texture name" "…"`, or nothing for none.
   void reference(std::string_view name, desc::TextureId id);
+  /// Empty for none.
+  std::string medium_name(desc::MediumId id) const;
+  /// The interface of lights and the camera, which know only the outside.
+  void medium_outside(desc::MediumId outside);
   /// Relative to the pbrt file where possible.
   std::string image_path(const std::string& image) const;
 };
 
+/// The parameters of a node by the names that pbrt has for them; without `names`, by ours.
+/// `numbers_for_colors`: as a texture of numbers has them.
+void write_parameters(WriterContext& context, const desc::Node& node, const ModelName* names,
+                      bool numbers_for_colors = false);
 /// Every texture, as float, as spectrum, as both or not at all, as it is used.
 void write_textures(WriterContext& context);
 /// Every material, as a named one.
 void write_materials(WriterContext& context);
+/// Every light that is not on a surface.
+void write_lights(WriterContext& context);
 
 }  // namespace ajar::pbrt

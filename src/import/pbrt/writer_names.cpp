@@ -10,14 +10,14 @@ class UseFinder {
   std::vector<TextureUse> run() {
     for (const desc::Material& material : scene_.materials) {
       floats(material.bump);
-      std::visit([&](const auto& node) { visit(node); }, material.node);
+      visit(material.node, {false, true});
     }
     for (const desc::Shape& shape : scene_.shapes) visit(shape);
     for (const desc::Object& object : scene_.objects) {
       for (const desc::Shape& shape : object.shapes) visit(shape);
     }
     // Textures refer to earlier ones only: going backwards, a texture's own uses are known.
-    for (std::size_t i = uses_.size(); i-- > 0;) pass_on(i);
+    for (std::size_t i = uses_.size(); i-- > 0;) visit(scene_.textures[i].node, uses_[i]);
     return std::move(uses_);
   }
 
@@ -41,59 +41,13 @@ class UseFinder {
     floats(shape.alpha, shape.shadow_alpha);
     if (shape.light) spectra(shape.light->texture);
   }
-  void visit(const desc::MatteMaterial& m) {
-    spectra(m.kd);
-    floats(m.sigma);
-  }
-  void visit(const desc::MirrorMaterial& m) { spectra(m.kr); }
-  void visit(const desc::GlassMaterial& m) {
-    spectra(m.kr, m.kt);
-    floats(m.eta, m.u_roughness, m.v_roughness);
-  }
-  void visit(const desc::MetalMaterial& m) {
-    spectra(m.eta, m.k);
-    floats(m.u_roughness, m.v_roughness);
-  }
-  void visit(const desc::PlasticMaterial& m) {
-    spectra(m.kd, m.ks);
-    floats(m.roughness);
-  }
-  void visit(const desc::SubstrateMaterial& m) {
-    spectra(m.kd, m.ks);
-    floats(m.u_roughness, m.v_roughness);
-  }
-  void visit(const desc::UberMaterial& m) {
-    spectra(m.kd, m.ks, m.kr, m.kt, m.opacity);
-    floats(m.u_roughness, m.v_roughness, m.eta);
-  }
-  void visit(const desc::TranslucentMaterial& m) {
-    spectra(m.kd, m.ks, m.reflect, m.transmit);
-    floats(m.roughness);
-  }
-  void visit(const desc::DisneyMaterial& m) {
-    spectra(m.color);
-    floats(m.metallic, m.eta, m.roughness, m.specular_tint, m.anisotropic, m.sheen, m.sheen_tint,
-           m.clearcoat, m.clearcoat_gloss, m.spec_trans, m.flatness, m.diff_trans);
-  }
-  void visit(const desc::MixMaterial& m) { spectra(m.amount); }
-  void visit(const desc::InterfaceMaterial&) {}
-
-  void pass_on(std::size_t i) {
-    const TextureUse use = uses_[i];
-    const auto& node = scene_.textures[i].node;
-    if (const auto* s = std::get_if<desc::ScaleTexture>(&node)) {
-      mark(s->a, use);
-      mark(s->b, use);
-    } else if (const auto* m = std::get_if<desc::MixTexture>(&node)) {
-      mark(m->a, use);
-      mark(m->b, use);
-      floats(m->amount);
-    } else if (const auto* c = std::get_if<desc::CheckerboardTexture>(&node)) {
-      mark(c->a, use);
-      mark(c->b, use);
-    } else if (const auto* d = std::get_if<desc::DotsTexture>(&node)) {
-      mark(d->inside, use);
-      mark(d->outside, use);
+  /// `use_of_colors`: how the textures are used that stand for colours.
+  void visit(const desc::Node& node, TextureUse use_of_colors) {
+    for (std::size_t i = 0; i < node.values().size(); ++i) {
+      const auto* reference = std::get_if<desc::TextureRef>(&node.values()[i]);
+      if (reference == nullptr) continue;
+      const bool is_float = node.model().parameters[i].type == ParameterType::Float;
+      mark(reference->id, is_float ? TextureUse{true, false} : use_of_colors);
     }
   }
 

@@ -10,6 +10,7 @@
 
 #include "core/warnings.h"
 #include "integrator/integrator.h"
+#include "scene/desc/models.h"
 #include "scene/scene.h"
 
 /// The layers of surfaces as a path integrator fills them.
@@ -36,11 +37,13 @@ desc::Shape rectangle(float x_min, float x_max, float y_min, float y_max, float 
 std::unique_ptr<Scene> two_rectangles(float lens_radius = 0.F) {
   desc::SceneDesc description;
   description.materials.resize(2);
-  for (desc::Material& material : description.materials) material.node = desc::MatteMaterial{};
+  for (desc::Material& material : description.materials) {
+    material.node = desc::material_node("diffuse");
+  }
   description.shapes = {rectangle(0.25F, 9.F, 0.F, 9.F, 4.F, 1),
                         rectangle(-0.25F, 9.F, -9.F, 0.F, 4.F, 0)};
   desc::Light light;
-  light.node = desc::PointLight{};
+  light.node = desc::light_node("point");
   description.lights.push_back(light);
   desc::OrthographicCamera camera;
   camera.window = desc::ScreenWindow{-3, 3, -2, 2};

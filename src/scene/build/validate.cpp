@@ -3,14 +3,18 @@
 #include <algorithm>
 #include <functional>
 
+#include "scene/desc/models.h"
+
 namespace ajar {
 
 namespace {
 
+[[noreturn]] void refuse(const char* kind, const SourceLocation& where) {
+  throw SceneError(where, std::string("this refers to a ") + kind + " that does not exist");
+}
+
 void check(int id, std::size_t count, const char* kind, const SourceLocation& where) {
-  if (id >= static_cast<int>(count) || id < desc::kNone) {
-    throw SceneError(where, std::string("this refers to a ") + kind + " that does not exist");
-  }
+  if (id >= static_cast<int>(count) || id < desc::kNone) refuse(kind, where);
 }
 
 void check_shape(const desc::SceneDesc& scene, const desc::Shape& shape) {
@@ -21,6 +25,15 @@ void check_shape(const desc::SceneDesc& scene, const desc::Shape& shape) {
   check(shape.outside, scene.media.size(), "medium", shape.where);
   if (shape.light)
     check(shape.light->texture, scene.textures.size(), "texture", shape.light->where);
+}
+
+void check_node(const desc::SceneDesc& scene, const desc::Node& node, const SourceLocation& where) {
+  for (const desc::Value& value : node.values()) {
+    const auto* texture = std::get_if<desc::TextureRef>(&value);
+    if (texture == nullptr) continue;
+    if (texture->id == desc::kNone) refuse("texture", where);
+    check(texture->id, scene.textures.size(), "texture", where);
+  }
 }
 
 void for_each_shape(desc::SceneDesc& scene, const std::function<void(desc::Shape&)>& visit) {
@@ -37,6 +50,13 @@ void validate_references(const desc::SceneDesc& scene) {
   for (const desc::Object& object : scene.objects) {
     for (const desc::Shape& shape : object.shapes) check_shape(scene, shape);
   }
+  for (const desc::Texture& texture : scene.textures) {
+    check_node(scene, texture.node, texture.where);
+  }
+  for (const desc::Material& material : scene.materials) {
+    check(material.bump, scene.textures.size(), "texture", material.where);
+    check_node(scene, material.node, material.where);
+  }
   for (const desc::Light& light : scene.lights) {
     check(light.medium, scene.media.size(), "medium", light.where);
   }
@@ -51,14 +71,8 @@ void add_default_material(desc::SceneDesc& scene) {
   for_each_shape(scene, [&](desc::Shape& shape) {
     if (shape.material != desc::kNone) return;
     if (added == desc::kNone) {
-      desc::Texture gray;
-      gray.node = desc::ConstantTexture{{0.5F, 0.5F, 0.5F}};
-      scene.textures.push_back(gray);
-      desc::MatteMaterial matte;
-      matte.kd = static_cast<desc::TextureId>(scene.textures.size()) - 1;
-      desc::Material material;
-      material.node = matte;
-      scene.materials.push_back(material);
+      scene.materials.emplace_back().node =
+          desc::material_node("diffuse", {{"reflectance", Vec3(0.5F)}});
       added = static_cast<desc::MaterialId>(scene.materials.size()) - 1;
     }
     shape.material = added;

@@ -7,7 +7,7 @@ namespace ajar {
 /// object that the description does not have.
 void validate_references(const desc::SceneDesc& description);
 
-/// Gives shapes without a material the matte gray that pbrt gives them.
+/// Gives shapes without a material a diffuse gray one.
 void add_default_material(desc::SceneDesc& description);
 
 }  // namespace ajar

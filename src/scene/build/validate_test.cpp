@@ -2,13 +2,15 @@
 
 #include <gtest/gtest.h>
 
+#include "scene/testing/quadrics.h"
+
 namespace ajar {
 namespace {
 
 desc::SceneDesc one_sphere() {
   desc::SceneDesc scene;
   desc::Shape shape;
-  shape.node = desc::Sphere{};
+  shape.node = testing::sphere_node();
   shape.where = {std::make_shared<const std::string>("scene.pbrt"), 4, 2};
   scene.shapes.push_back(shape);
   return scene;

@@ -122,99 +122,28 @@ class SceneHasher {
     (texture(h, ids), ...);
   }
 
-  static void mapping(Hasher& h, const Mapping2D& m) {
-    h.word(m.index());
-    if (const auto* uv = std::get_if<UvMapping>(&m)) h.add(uv->su, uv->sv, uv->du, uv->dv);
-    if (const auto* s = std::get_if<SphericalMapping>(&m)) h.add(s->world_to_texture);
-    if (const auto* c = std::get_if<CylindricalMapping>(&m)) h.add(c->world_to_texture);
-    if (const auto* p = std::get_if<PlanarMapping>(&m)) h.add(p->vs, p->vt, p->ds, p->dt);
+  void value(Hasher& h, std::monostate) const { h.word(0); }
+  void value(Hasher& h, const TextureRef& v) const { texture(h, v.id); }
+  void value(Hasher& h, const MaterialRef& v) const { material(h, v.id); }
+  void value(Hasher& h, const TransformPointer& v) const { h.add(*v); }
+  template <typename Plain>
+  void value(Hasher& h, const Plain& v) const {
+    h.add(v);
   }
-
-  void node(Hasher& h, const ConstantTexture& t) const { h.add(t.value); }
-  void node(Hasher& h, const ScaleTexture& t) const { textures(h, t.a, t.b); }
-  void node(Hasher& h, const MixTexture& t) const { textures(h, t.a, t.b, t.amount); }
-  void node(Hasher& h, const BilerpTexture& t) const {
-    h.add(t.v00, t.v01, t.v10, t.v11);
-    mapping(h, t.mapping);
-  }
-  void node(Hasher& h, const ImageTexture& t) const {
-    h.add(t.path, t.wrap, t.decode_srgb, t.luminance, t.scale, t.filter);
-    mapping(h, t.mapping);
-  }
-  void node(Hasher& h, const CheckerboardTexture& t) const {
-    h.add(t.dimension);
-    textures(h, t.a, t.b);
-    if (t.dimension == 2) {
-      mapping(h, t.mapping);
-    } else {
-      h.add(t.world_to_texture);
+  void node(Hasher& h, const Node& n) const {
+    if (!n.has_model()) return;
+    h.add(n.model().name);
+    for (std::size_t i = 0; i < n.values().size(); ++i) {
+      if (!n.matters(n.model().parameters[i])) continue;
+      const Value& v = n.values()[i];
+      h.word(v.index());
+      std::visit([&](const auto& held) { value(h, held); }, v);
     }
   }
-  void node(Hasher& h, const DotsTexture& t) const {
-    textures(h, t.inside, t.outside);
-    mapping(h, t.mapping);
-  }
-  void node(Hasher& h, const UvTexture& t) const { mapping(h, t.mapping); }
-  void node(Hasher& h, const FbmTexture& t) const {
-    h.add(t.octaves, t.roughness, t.world_to_texture);
-  }
-  void node(Hasher& h, const WrinkledTexture& t) const {
-    h.add(t.octaves, t.roughness, t.world_to_texture);
-  }
-  void node(Hasher& h, const WindyTexture& t) const { h.add(t.world_to_texture); }
-  void node(Hasher& h, const MarbleTexture& t) const {
-    h.add(t.octaves, t.roughness, t.scale, t.variation, t.world_to_texture);
-  }
-
-  void node(Hasher& h, const MatteMaterial& m) const { textures(h, m.kd, m.sigma); }
-  void node(Hasher& h, const MirrorMaterial& m) const { texture(h, m.kr); }
-  void node(Hasher& h, const GlassMaterial& m) const {
-    textures(h, m.kr, m.kt, m.eta, m.u_roughness, m.v_roughness);
-    h.add(m.remap_roughness, m.thin);
-  }
-  void node(Hasher& h, const MetalMaterial& m) const {
-    textures(h, m.eta, m.k, m.u_roughness, m.v_roughness);
-    h.add(m.remap_roughness, m.model);
-  }
-  void node(Hasher& h, const PlasticMaterial& m) const {
-    textures(h, m.kd, m.ks, m.roughness);
-    h.add(m.remap_roughness);
-  }
-  void node(Hasher& h, const SubstrateMaterial& m) const {
-    textures(h, m.kd, m.ks, m.u_roughness, m.v_roughness);
-    h.add(m.remap_roughness);
-  }
-  void node(Hasher& h, const UberMaterial& m) const {
-    textures(h, m.kd, m.ks, m.kr, m.kt, m.u_roughness, m.v_roughness, m.eta, m.opacity);
-    h.add(m.remap_roughness);
-  }
-  void node(Hasher& h, const TranslucentMaterial& m) const {
-    textures(h, m.kd, m.ks, m.roughness, m.reflect, m.transmit);
-    h.add(m.remap_roughness);
-  }
-  void node(Hasher& h, const DisneyMaterial& m) const {
-    textures(h, m.color, m.metallic, m.eta, m.roughness, m.specular_tint, m.anisotropic, m.sheen,
-             m.sheen_tint, m.clearcoat, m.clearcoat_gloss, m.spec_trans, m.flatness, m.diff_trans);
-    h.add(m.thin);
-  }
-  void node(Hasher& h, const MixMaterial& m) const {
-    texture(h, m.amount);
-    material(h, m.a);
-    material(h, m.b);
-  }
-  void node(Hasher&, const InterfaceMaterial&) const {}
 
   void node(Hasher& h, const std::shared_ptr<const Mesh>& mesh) {
     h.word(mesh ? hash_mesh(*mesh) : 0);
   }
-  void node(Hasher& h, const Sphere& s) const { h.add(s.radius, s.z_min, s.z_max, s.phi_max); }
-  void node(Hasher& h, const Disk& s) const {
-    h.add(s.height, s.radius, s.inner_radius, s.phi_max);
-  }
-  void node(Hasher& h, const Cylinder& s) const { h.add(s.radius, s.z_min, s.z_max, s.phi_max); }
-  void node(Hasher& h, const Cone& s) const { h.add(s.radius, s.height, s.phi_max); }
-  void node(Hasher& h, const Paraboloid& s) const { h.add(s.radius, s.z_min, s.z_max, s.phi_max); }
-  void node(Hasher& h, const Hyperboloid& s) const { h.add(s.p1, s.p2, s.phi_max); }
   void node(Hasher& h, const std::shared_ptr<const LoopSubdivision>& s) {
     if (!s) return;
     h.add(s->levels);
@@ -227,15 +156,6 @@ class SceneHasher {
     h.array(s->widths);
     h.array(s->normals);
   }
-
-  void node(Hasher& h, const PointLight& l) const { h.add(l.intensity); }
-  void node(Hasher& h, const SpotLight& l) const {
-    h.add(l.intensity, l.cone_angle, l.falloff_start);
-  }
-  void node(Hasher& h, const DistantLight& l) const { h.add(l.irradiance); }
-  void node(Hasher& h, const InfiniteLight& l) const { h.add(l.radiance, l.image); }
-  void node(Hasher& h, const GoniometricLight& l) const { h.add(l.intensity, l.image); }
-  void node(Hasher& h, const ProjectionLight& l) const { h.add(l.intensity, l.fov, l.image); }
 
   static void window(Hasher& h, const std::optional<ScreenWindow>& w) {
     h.add(w.has_value());
@@ -265,12 +185,12 @@ class SceneHasher {
 
   std::uint64_t hash_texture(const Texture& t) {
     Hasher h;
-    variant(h, t.node);
+    node(h, t.node);
     return h.result();
   }
   std::uint64_t hash_material(const Material& m) {
     Hasher h;
-    variant(h, m.node);
+    node(h, m.node);
     texture(h, m.bump);
     return h.result();
   }
@@ -304,7 +224,7 @@ class SceneHasher {
   }
   void hash_light(Hasher& h, const Light& light) {
     h.add(light.to_world);
-    variant(h, light.node);
+    node(h, light.node);
     medium(h, light.medium);
   }
   void hash_camera(Hasher& h) {

@@ -8,166 +8,26 @@
 
 #include "core/error.h"
 #include "core/vector.h"
+#include "scene/desc/node.h"
 
 /// What a scene is, independent of the file format it came from and of how it will be rendered.
 /// Importers make it, `Scene` is built from it. Every node knows where in a file it came from.
 /// Colours are linear Rec. 709 RGB; lengths are scene units; angles are degrees.
 namespace ajar::desc {
 
-using Rgb = Imath::V3f;
-/// Index into the vector of the same name in `SceneDesc`; -1 means none.
-using TextureId = int;
-using MaterialId = int;
-using MediumId = int;
-using ObjectId = int;
-inline constexpr int kNone = -1;
-
-// ---------------------------------------------------------------- textures
-
-/// How a surface point becomes texture coordinates (pbrt-v3, section 10.2).
-struct UvMapping {
-  float su = 1, sv = 1, du = 0, dv = 0;
-};
-struct SphericalMapping {
-  Mat4 world_to_texture;
-};
-struct CylindricalMapping {
-  Mat4 world_to_texture;
-};
-struct PlanarMapping {
-  Vec3 vs{1, 0, 0}, vt{0, 1, 0};
-  float ds = 0, dt = 0;
-};
-using Mapping2D = std::variant<UvMapping, SphericalMapping, CylindricalMapping, PlanarMapping>;
-
-enum class Wrap { Repeat, Black, Clamp };
-enum class TextureFilter { Nearest, Bilinear };
-
-struct ConstantTexture {
-  Rgb value{0, 0, 0};
-};
-struct ScaleTexture {
-  TextureId a = kNone, b = kNone;
-};
-struct MixTexture {
-  TextureId a = kNone, b = kNone, amount = kNone;
-};
-struct BilerpTexture {
-  Rgb v00{0, 0, 0}, v01{1, 1, 1}, v10{0, 0, 0}, v11{1, 1, 1};
-  Mapping2D mapping;
-};
-struct ImageTexture {
-  std::string path;  ///< resolved, ready to open
-  Wrap wrap = Wrap::Repeat;
-  bool decode_srgb = true;  ///< 8- and 16-bit images only; float formats are always linear
-  bool luminance = false;   ///< every lane is the luminance of the texel, before the sRGB decoding
-                            ///< (pbrt-v3's float textures)
-  float scale = 1;
-  TextureFilter filter = TextureFilter::Bilinear;
-  Mapping2D mapping;
-};
-struct CheckerboardTexture {
-  int dimension = 2;
-  TextureId a = kNone, b = kNone;
-  Mapping2D mapping;      ///< used when dimension is 2
-  Mat4 world_to_texture;  ///< used when dimension is 3
-};
-struct DotsTexture {
-  TextureId inside = kNone, outside = kNone;
-  Mapping2D mapping;
-};
-struct UvTexture {
-  Mapping2D mapping;
-};
-struct FbmTexture {
-  int octaves = 8;
-  float roughness = 0.5F;
-  Mat4 world_to_texture;
-};
-struct WrinkledTexture {
-  int octaves = 8;
-  float roughness = 0.5F;
-  Mat4 world_to_texture;
-};
-struct WindyTexture {
-  Mat4 world_to_texture;
-};
-struct MarbleTexture {
-  int octaves = 8;
-  float roughness = 0.5F, scale = 1, variation = 0.2F;
-  Mat4 world_to_texture;
-};
+// ---------------------------------------------------------------- textures, materials
 
 struct Texture {
   std::string name;
   SourceLocation where;
-  /// Textures refer only to textures with a smaller id.
-  std::variant<ConstantTexture, ScaleTexture, MixTexture, BilerpTexture, ImageTexture,
-               CheckerboardTexture, DotsTexture, UvTexture, FbmTexture, WrinkledTexture,
-               WindyTexture, MarbleTexture>
-      node;
+  Node node;  ///< refers only to textures with a smaller id
 };
-
-// ---------------------------------------------------------------- materials
-// Parameters are textures; float parameters read the first lane. Models follow pbrt-v3, chapter 9.
-// Roughness is the microfacet α unless `remap_roughness` (then pbrt's artist-friendly mapping).
-
-struct MatteMaterial {
-  TextureId kd = kNone, sigma = kNone;
-};
-struct MirrorMaterial {
-  TextureId kr = kNone;
-};
-struct GlassMaterial {
-  TextureId kr = kNone, kt = kNone, eta = kNone, u_roughness = kNone, v_roughness = kNone;
-  bool remap_roughness = true;
-  bool thin = false;  ///< a pane without thickness: transmits straight on
-};
-enum class MicrofacetModel { Ggx, Beckmann };
-struct MetalMaterial {
-  TextureId eta = kNone, k = kNone, u_roughness = kNone, v_roughness = kNone;
-  bool remap_roughness = true;
-  MicrofacetModel model = MicrofacetModel::Ggx;
-};
-struct PlasticMaterial {
-  TextureId kd = kNone, ks = kNone, roughness = kNone;
-  bool remap_roughness = true;
-};
-struct SubstrateMaterial {
-  TextureId kd = kNone, ks = kNone, u_roughness = kNone, v_roughness = kNone;
-  bool remap_roughness = true;
-};
-struct UberMaterial {
-  TextureId kd = kNone, ks = kNone, kr = kNone, kt = kNone, u_roughness = kNone,
-            v_roughness = kNone, eta = kNone, opacity = kNone;
-  bool remap_roughness = true;
-};
-struct TranslucentMaterial {
-  TextureId kd = kNone, ks = kNone, roughness = kNone, reflect = kNone, transmit = kNone;
-  bool remap_roughness = true;
-};
-struct DisneyMaterial {
-  TextureId color = kNone, metallic = kNone, eta = kNone, roughness = kNone, specular_tint = kNone,
-            anisotropic = kNone, sheen = kNone, sheen_tint = kNone, clearcoat = kNone,
-            clearcoat_gloss = kNone, spec_trans = kNone, flatness = kNone, diff_trans = kNone;
-  bool thin = false;
-};
-struct MixMaterial {
-  TextureId amount = kNone;
-  MaterialId a = kNone, b = kNone;
-};
-/// No surface at all: only separates media.
-struct InterfaceMaterial {};
 
 struct Material {
   std::string name;
   SourceLocation where;
   TextureId bump = kNone;  ///< displacement along the normal, scene units
-  /// A mix refers only to materials with a smaller id.
-  std::variant<MatteMaterial, MirrorMaterial, GlassMaterial, MetalMaterial, PlasticMaterial,
-               SubstrateMaterial, UberMaterial, TranslucentMaterial, DisneyMaterial, MixMaterial,
-               InterfaceMaterial>
-      node;
+  Node node;               ///< refers only to materials with a smaller id
 };
 
 // ---------------------------------------------------------------- media
@@ -189,26 +49,6 @@ struct Mesh {
   std::vector<Vec3> tangents;                  ///< per vertex, or empty
   std::vector<Vec2> uvs;                       ///< per vertex, or empty
   std::vector<Imath::Vec3<unsigned>> indices;  ///< one per triangle, each < positions.size()
-};
-/// Quadrics in their own space, as pbrt-v3 defines them (chapter 3); angles in degrees.
-struct Sphere {
-  float radius = 1, z_min = -1, z_max = 1, phi_max = 360;
-};
-struct Disk {
-  float height = 0, radius = 1, inner_radius = 0, phi_max = 360;
-};
-struct Cylinder {
-  float radius = 1, z_min = -1, z_max = 1, phi_max = 360;
-};
-struct Cone {
-  float radius = 1, height = 1, phi_max = 360;
-};
-struct Paraboloid {
-  float radius = 1, z_min = 0, z_max = 1, phi_max = 360;
-};
-struct Hyperboloid {
-  Vec3 p1{0, 0, 0}, p2{1, 1, 1};
-  float phi_max = 360;
 };
 /// Loop subdivision surface, refined `levels` times and pushed to its limit.
 struct LoopSubdivision {
@@ -236,9 +76,9 @@ struct Shape {
   SourceLocation where;
   std::string name;  ///< of the object, for ids and messages; may be empty
   /// Meshes are shared so that a copy of a description does not copy geometry.
-  std::variant<std::shared_ptr<const Mesh>, Sphere, Disk, Cylinder, Cone, Paraboloid, Hyperboloid,
-               std::shared_ptr<const LoopSubdivision>, std::shared_ptr<const Curve>>
-      node;
+  std::variant<std::shared_ptr<const Mesh>, Node, std::shared_ptr<const LoopSubdivision>,
+               std::shared_ptr<const Curve>>
+      node;  ///< nodes are quadrics, in their own space
   Mat4 to_world;
   bool reverse_orientation = false;
   MaterialId material = kNone;
@@ -263,42 +103,10 @@ struct Instance {
 
 // ---------------------------------------------------------------- lights
 
-struct PointLight {
-  Rgb intensity{1, 1, 1};
-};  ///< at the origin of `to_world`, W·sr⁻¹
-/// Along +z of `to_world`.
-struct SpotLight {
-  Rgb intensity{1, 1, 1};
-  float cone_angle = 30, falloff_start = 25;
-};
-/// Light travels along −z of `to_world`, i.e. +z points to the light. Irradiance on a facing
-/// surface.
-struct DistantLight {
-  Rgb irradiance{1, 1, 1};
-};
-/// Latitude–longitude map as in pbrt-v3 (z up, θ from +z, u = φ/2π); radiance scale.
-struct InfiniteLight {
-  Rgb radiance{1, 1, 1};
-  std::string image;
-};
-/// Intensity × an image over directions (pbrt-v3: y up, θ from +y).
-struct GoniometricLight {
-  Rgb intensity{1, 1, 1};
-  std::string image;
-};
-/// Slide projector along +z.
-struct ProjectionLight {
-  Rgb intensity{1, 1, 1};
-  float fov = 45;
-  std::string image;
-};
-
 struct Light {
   SourceLocation where;
   Mat4 to_world;
-  std::variant<PointLight, SpotLight, DistantLight, InfiniteLight, GoniometricLight,
-               ProjectionLight>
-      node;
+  Node node;
   MediumId medium = kNone;  ///< the medium that a light at a point is in
 };
 

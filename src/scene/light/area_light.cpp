@@ -164,7 +164,7 @@ std::unique_ptr<Light> make_area_light(const desc::AreaLight& light, const Surfa
       light.texture == desc::kNone
           ? TextureSlot(Spectrum(1.F))
           : TextureSlot(textures[static_cast<std::size_t>(light.texture)].get());
-  return std::make_unique<AreaLight>(to_spectrum(light.radiance), texture, light.two_sided,
+  return std::make_unique<AreaLight>(rgb_spectrum(light.radiance), texture, light.two_sided,
                                      surface);
 }
 

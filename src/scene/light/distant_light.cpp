@@ -61,10 +61,15 @@ class DistantLight final : public Light {
 
 }  // namespace
 
-std::unique_ptr<Light> make_distant_light(const desc::DistantLight& light, const LightPlacement& at,
-                                          const BoundingSphere& bounds) {
-  return std::make_unique<DistantLight>(to_spectrum(light.irradiance),
-                                        at.directions.to_world({0.F, 0.F, 1.F}), bounds);
+LightModel distant_light() {
+  return {{.name = "distant",
+           .summary = "parallel light from the direction of z",
+           .source = "",
+           .parameters = {declare::emission("irradiance", "W/m2", "on a surface that faces it")}},
+          [](const LightInputs& in) -> std::unique_ptr<Light> {
+            return std::make_unique<DistantLight>(
+                in.color("irradiance"), in.at().directions.to_world({0.F, 0.F, 1.F}), in.bounds());
+          }};
 }
 
 }  // namespace ajar

@@ -72,11 +72,22 @@ class GoniometricLight final : public Light {
   LightPlacement at_;
 };
 
+std::unique_ptr<Light> make_goniometric(const LightInputs& in) {
+  const Spectrum intensity = in.color("intensity");
+  std::optional<Map> map = in.map("image", MapEdge::Repeat);
+  if (!map) return make_point_light(intensity, in.at());
+  return std::make_unique<GoniometricLight>(intensity, std::move(*map), in.at());
+}
+
 }  // namespace
 
-std::unique_ptr<Light> make_goniometric_light(const desc::GoniometricLight& light, Map map,
-                                              const LightPlacement& at) {
-  return std::make_unique<GoniometricLight>(to_spectrum(light.intensity), std::move(map), at);
+LightModel goniometric_light() {
+  return {{.name = "goniometric",
+           .summary = "from one point, by an image of all directions",
+           .source = "Pharr et al. 2016, section 12.3.3",
+           .parameters = {declare::emission("intensity", "W/sr", "factor of the image"),
+                          declare::file("image", "longitude by latitude, with the pole at y")}},
+          make_goniometric};
 }
 
 }  // namespace ajar

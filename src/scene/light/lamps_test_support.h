@@ -55,13 +55,13 @@ inline Lamps random_lamps(Rng& rng, int count, float half_side) {
     place[3][2] = static_cast<double>(p.z);
     switch (i % 6) {
       case 0:
-        lamps.add(light_of(desc::PointLight{rgb}, place));
+        lamps.add(light_of(point_node(rgb), place));
         break;
       case 1:
-        lamps.add(light_of(desc::SpotLight{rgb, edge, inner}, place));
+        lamps.add(light_of(spot_node(rgb, edge, inner), place));
         break;
       case 2:
-        lamps.add(light_of(desc::ProjectionLight{rgb, fov, ""}, place));
+        lamps.add(light_of(projection_node(rgb, fov), place));
         break;
       case 3:
       case 4:

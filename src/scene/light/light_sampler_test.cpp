@@ -5,16 +5,18 @@
 #include <cmath>
 
 #include "scene/light/lamps_test_support.h"
+#include "scene/light/models.h"
 
 namespace ajar {
 namespace {
 
 using namespace testing;
 
+/// Of any intensities, even those that no description can have.
 LightList point_lights(const std::vector<float>& intensities) {
   LightList lights;
   for (const float intensity : intensities) {
-    lights.push_back(light_of(desc::PointLight{{intensity, intensity, intensity}}, Mat4()));
+    lights.push_back(make_point_light(Spectrum(intensity), {Vec3(0.F), DirectionMap()}));
     lights.back()->index = static_cast<std::uint32_t>(lights.size() - 1);
   }
   return lights;
@@ -78,9 +80,9 @@ TEST(LightSampler, LightsInOnePlaceAreChosenByPower) {
 /// Lamps, a sun, a sky and a light without power.
 Lamps lamps_and_sky(Rng& rng, int count) {
   Lamps lamps = random_lamps(rng, count, 3.F);
-  lamps.add(light_of(desc::DistantLight{{1.F, 2.F, 1.F}}, Mat4()));
-  lamps.add(light_of(desc::InfiniteLight{{0.1F, 0.1F, 0.2F}, ""}, Mat4()));
-  lamps.add(light_of(desc::PointLight{{0.F, 0.F, 0.F}}, Mat4()));
+  lamps.add(light_of(distant_node({1.F, 2.F, 1.F}), Mat4()));
+  lamps.add(light_of(environment_node({0.1F, 0.1F, 0.2F}), Mat4()));
+  lamps.add(light_of(point_node({0.F, 0.F, 0.F}), Mat4()));
   return lamps;
 }
 
@@ -189,8 +191,8 @@ TEST(LightSampler, BrokenLightsDoNotSpoilTheOthers) {
 
 TEST(LightSampler, LightsAtInfinityAloneAreChosenByPower) {
   Lamps lamps;
-  lamps.add(light_of(desc::DistantLight{{1.F, 1.F, 1.F}}, Mat4()));
-  lamps.add(light_of(desc::DistantLight{{3.F, 3.F, 3.F}}, Mat4()));
+  lamps.add(light_of(distant_node({1.F, 1.F, 1.F}), Mat4()));
+  lamps.add(light_of(distant_node({3.F, 3.F, 3.F}), Mat4()));
   const LightSampler sampler(lamps.lights, kBounds);
   EXPECT_NEAR(sampler.probability({1, 2, 3}, *lamps.lights[1]).value(), 0.75, 1e-6);
   EXPECT_EQ(sampler.choose({1, 2, 3}, 0.5F).light, lamps.lights[1].get());

@@ -139,7 +139,7 @@ TEST(AreaLight, ReferencesOnTheLightGiveNothingAndNoNan) {
 }
 
 TEST(PointLight, WeightsDensitiesAndClosedForms) {
-  const auto light = light_of(desc::PointLight{{4, 4, 4}}, translation({0, 0, 2}));
+  const auto light = light_of(point_node({4, 4, 4}), translation({0, 0, 2}));
   check_emission(*light);
   check_connection(*light, kReferences);
   check_departures(*light, cone_chart({1, 2, 3}));
@@ -154,7 +154,7 @@ TEST(PointLight, WeightsDensitiesAndClosedForms) {
 }
 
 TEST(SpotLight, WeightsDensitiesAndClosedForms) {
-  const desc::SpotLight spot{{2, 3, 4}, 40, 15};
+  const desc::Node spot = spot_node({2, 3, 4}, 40, 15);
   const auto light = light_of(spot, translation({0, 0, -2}));
   check_emission(*light);
   check_connection(*light, {{0, 0, 1}, {0.5F, 0.5F, 0.F}, {-1.F, 0.3F, 0.F}});
@@ -171,7 +171,7 @@ TEST(SpotLight, WeightsDensitiesAndClosedForms) {
 }
 
 TEST(SpotLight, FadesWithTheFourthPowerOfTheCosineDifference) {
-  const auto light = light_of(desc::SpotLight{{1, 1, 1}, 40, 15}, Mat4());
+  const auto light = light_of(spot_node({1, 1, 1}, 40, 15), Mat4());
   const EndpointPoint point = EndpointPoint::at(Vec3(0.F));
   const auto at = [&](double degrees) {
     const double a = degrees * M_PI / 180;
@@ -192,7 +192,7 @@ TEST(SpotLight, ExtremeConesStayFinite) {
                                     {30.F, 30.F},
                                     {180.F, 0.F},
                                     {30.F, 60.F}}) {
-    const auto light = light_of(desc::SpotLight{{1, 1, 1}, cone, start}, Mat4());
+    const auto light = light_of(spot_node({1, 1, 1}, cone, start), Mat4());
     if (cone == 0.F) {
       EXPECT_FALSE(light->sample_emission({0.5F, {0.5F, 0.5F}, {0.5F, 0.5F}}));
       continue;
@@ -207,14 +207,14 @@ TEST(SpotLight, StretchedAndMirroredSpacesKeepTheirFlux) {
   Mat4 to_world;
   to_world.setScale(Vec3d(-1.0, 1.7, 0.6));
   to_world = to_world * rotation({1, 2, 0.5F}, 1.1);
-  const auto light = light_of(desc::SpotLight{{1, 1, 1}, 40, 15}, to_world);
+  const auto light = light_of(spot_node({1, 1, 1}, 40, 15), to_world);
   check_emission(*light);
   check_departures(*light, cone_chart(transform_vector(to_world, {0, 0, 1})), 48, 12);
 }
 
 TEST(DistantLight, ShinesAlongMinusZWithTheGivenIrradiance) {
   const Mat4 to_world = rotation({1, 0.3F, 0}, 0.7);
-  const auto light = light_of(desc::DistantLight{{5, 5, 5}}, to_world);
+  const auto light = light_of(distant_node({5, 5, 5}), to_world);
   const Vec3 toward = transform_vector(to_world, {0, 0, 1});
   check_emission(*light);
   check_connection(*light, kReferences);
@@ -233,7 +233,7 @@ TEST(DistantLight, ShinesAlongMinusZWithTheGivenIrradiance) {
 }
 
 TEST(ConstantEnvironment, WeightsDensitiesAndClosedForms) {
-  const auto light = light_of(desc::InfiniteLight{{2, 2, 2}, ""}, Mat4());
+  const auto light = light_of(environment_node({2, 2, 2}), Mat4());
   check_emission(*light);
   check_connection(*light, kReferences);
   expect_mean(connected_irradiance(*light, {0, 0, 0}, {0, 0.6F, 0.8F}), 2.0 * M_PI);
@@ -260,10 +260,10 @@ TEST(Lights, BlackOnesEmitNothing) {
   const Quad quad({-1, -1, 1}, {0, 2, 0}, {2, 0, 0});
   LightList lights;
   lights.push_back(make_area_light({{}, {0, 0, 0}, desc::kNone, false}, quad, {}));
-  lights.push_back(light_of(desc::PointLight{{0, 0, 0}}, Mat4()));
-  lights.push_back(light_of(desc::SpotLight{{0, 0, 0}, 30, 20}, Mat4()));
-  lights.push_back(light_of(desc::DistantLight{{0, 0, 0}}, Mat4()));
-  lights.push_back(light_of(desc::InfiniteLight{{0, 0, 0}, ""}, Mat4()));
+  lights.push_back(light_of(point_node({0, 0, 0}), Mat4()));
+  lights.push_back(light_of(spot_node({0, 0, 0}, 30, 20), Mat4()));
+  lights.push_back(light_of(distant_node({0, 0, 0}), Mat4()));
+  lights.push_back(light_of(environment_node({0, 0, 0}), Mat4()));
   for (const auto& light : lights) {
     EXPECT_TRUE(light->power().is_black());
     EXPECT_FALSE(light->sample_emission({0.5F, {0.5F, 0.4F}, {0.3F, 0.6F}}));
@@ -276,8 +276,8 @@ TEST(Lights, EmissionAndConnectionGiveTheSameIrradiance) {
   const TextureList textures = one_ramp();
   LightList lights;
   lights.push_back(make_area_light({{}, {2, 3, 4}, 0, false}, quad, textures));
-  lights.push_back(light_of(desc::SpotLight{{1, 1, 1}, 50, 5}, aimed({0.5F, 0, 2}, {0, 0, 0})));
-  lights.push_back(light_of(desc::PointLight{{1, 1, 1}}, translation({0, 0.5F, 1})));
+  lights.push_back(light_of(spot_node({1, 1, 1}, 50, 5), aimed({0.5F, 0, 2}, {0, 0, 0})));
+  lights.push_back(light_of(point_node({1, 1, 1}), translation({0, 0.5F, 1})));
   const Quad patch({-0.6F, -0.5F, 0}, {1.2F, 0, 0.1F}, {0, 1, 0});
   for (const auto& light : lights) expect_patch_agrees(*light, patch);
 }
@@ -288,7 +288,7 @@ TEST(Lights, SingularTransformsAreWarnedOf) {
   Warnings warnings;
   desc::Light node;
   node.to_world = flat;
-  node.node = desc::SpotLight{};
+  node.node = desc::light_node("spot");
   const auto light = make_light(node, kBounds, warnings);
   EXPECT_EQ(warnings.count(), 1U);
   check_emission(*light, 1000);
@@ -309,12 +309,12 @@ TEST(Lights, ThoseTooFarAwayAreErrorsUnlessTheyAreAtInfinity) {
       return true;
     }
   };
-  EXPECT_TRUE(fails(desc::PointLight{}));
-  EXPECT_TRUE(fails(desc::SpotLight{}));
-  EXPECT_TRUE(fails(desc::GoniometricLight{}));
-  EXPECT_TRUE(fails(desc::ProjectionLight{}));
-  EXPECT_FALSE(fails(desc::DistantLight{}));
-  EXPECT_FALSE(fails(desc::InfiniteLight{}));
+  EXPECT_TRUE(fails(desc::light_node("point")));
+  EXPECT_TRUE(fails(desc::light_node("spot")));
+  EXPECT_TRUE(fails(desc::light_node("goniometric")));
+  EXPECT_TRUE(fails(desc::light_node("projection")));
+  EXPECT_FALSE(fails(desc::light_node("distant")));
+  EXPECT_FALSE(fails(desc::light_node("environment")));
 }
 
 /// Directions are worked out in single precision, whose third powers end at 10¹².
@@ -325,10 +325,22 @@ TEST(Lights, ExtremeScalesAreWarnedOfAndStayFinite) {
     Warnings warnings;
     desc::Light node;
     node.to_world = scale;
-    node.node = desc::SpotLight{};
+    node.node = desc::light_node("spot");
     const auto light = make_light(node, kBounds, warnings);
     EXPECT_EQ(warnings.count(), 1U) << size;
     check_emission(*light, 1000);
+  }
+}
+
+TEST(Lights, OfNoModelAreLocatedErrors) {
+  Warnings warnings;
+  desc::Light light;
+  light.where = {std::make_shared<const std::string>("a.pbrt"), 7, 2};
+  try {
+    make_light(light, kBounds, warnings);
+    FAIL();
+  } catch (const SceneError& error) {
+    EXPECT_STREQ(error.what(), "a.pbrt:7:2: this light has no model");
   }
 }
 

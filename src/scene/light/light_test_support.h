@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/warnings.h"
+#include "scene/desc/models.h"
 #include "scene/light/light.h"
 #include "scene/testing/emitters.h"
 #include "scene/testing/endpoint_checks.h"
@@ -16,8 +17,28 @@ namespace ajar::testing {
 
 inline const BoundingSphere kBounds{{0.5F, -0.5F, 0.25F}, 4.F};
 
-template <typename Node>
-std::unique_ptr<Light> light_of(const Node& node, const Mat4& to_world) {
+inline desc::Node point_node(const Vec3& intensity) {
+  return desc::light_node("point", {{"intensity", intensity}});
+}
+inline desc::Node spot_node(const Vec3& intensity, float cone_angle, float falloff_start) {
+  return desc::light_node(
+      "spot",
+      {{"intensity", intensity}, {"cone_angle", cone_angle}, {"falloff_start", falloff_start}});
+}
+inline desc::Node distant_node(const Vec3& irradiance) {
+  return desc::light_node("distant", {{"irradiance", irradiance}});
+}
+inline desc::Node environment_node(const Vec3& radiance, const std::string& image = "") {
+  return desc::light_node("environment", {{"radiance", radiance}, {"image", image}});
+}
+inline desc::Node goniometric_node(const Vec3& intensity, const std::string& image = "") {
+  return desc::light_node("goniometric", {{"intensity", intensity}, {"image", image}});
+}
+inline desc::Node projection_node(const Vec3& intensity, float fov, const std::string& image = "") {
+  return desc::light_node("projection", {{"intensity", intensity}, {"fov", fov}, {"image", image}});
+}
+
+inline std::unique_ptr<Light> light_of(const desc::Node& node, const Mat4& to_world) {
   Warnings warnings;
   desc::Light light;
   light.to_world = to_world;

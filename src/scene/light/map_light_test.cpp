@@ -167,7 +167,7 @@ TEST(Map, DistributionByWholeTexelsIsPositiveWhereverTheMapIs) {
 TEST(EnvironmentMap, BrightTexelShinesFromPbrtsDirection) {
   const ImageFile file(16, 8, one_bright(16, 8, 3, 2, 100.F));
   const Mat4 to_world = rotation({1, 0, 0}, -M_PI / 2) * rotation({0, 0, 1}, 0.3);
-  const auto light = light_of(desc::InfiniteLight{{1, 1, 1}, file.path()}, to_world);
+  const auto light = light_of(environment_node({1, 1, 1}, file.path()), to_world);
   const double theta = M_PI * 2.5 / 8;
   const double phi = 2 * M_PI * 3.5 / 16;
   const Vec3 local(static_cast<float>(std::sin(theta) * std::cos(phi)),
@@ -188,7 +188,7 @@ TEST(EnvironmentMap, BrightTexelShinesFromPbrtsDirection) {
 TEST(EnvironmentMap, WeightsDensitiesAndIntegrals) {
   const ImageFile file(12, 6, random_pixels(72, 1));
   const Mat4 to_world = rotation({1, 2, 3}, 0.9);
-  const auto light = light_of(desc::InfiniteLight{{1, 0.5F, 2}, file.path()}, to_world);
+  const auto light = light_of(environment_node({1, 0.5F, 2}, file.path()), to_world);
   check_emission(*light);
   check_connection(*light, {{0, 0, 0}});
   expect_disk_is_uniform(*light);
@@ -239,7 +239,7 @@ TEST(EnvironmentMap, TinySunIsIntegratedWithLittleNoise) {
   std::vector<float> sky = one_bright(256, 128, 40, 30, 1e6F);
   for (float& v : sky) v += 0.1F;
   const ImageFile file(256, 128, sky);
-  const auto light = light_of(desc::InfiniteLight{{1, 1, 1}, file.path()}, Mat4());
+  const auto light = light_of(environment_node({1, 1, 1}, file.path()), Mat4());
   // A bilinear hat has the volume of one texel.
   const double theta = M_PI * 30.5 / 128;
   const double expected = 0.4 * M_PI + 1e6 * 2 * M_PI * M_PI / (256 * 128) * std::sin(theta);
@@ -254,7 +254,7 @@ TEST(EnvironmentMap, TinySunIsIntegratedWithLittleNoise) {
 
 TEST(EnvironmentMap, EvenMapIsSampledEvenly) {
   const ImageFile file(32, 16, std::vector<float>(3 * 32 * 16, 2.F));
-  const auto light = light_of(desc::InfiniteLight{{1, 1, 1}, file.path()}, Mat4());
+  const auto light = light_of(environment_node({1, 1, 1}, file.path()), Mat4());
   Rng rng(6);
   Mean mean;
   constexpr int kSamples = 10000;
@@ -270,7 +270,7 @@ TEST(EnvironmentMap, ScaledAndMirroredSpacesIntegrateTheSame) {
   const Mat4 mirrored = scaling(-2, 2, 2) * rotation({1, 2, 3}, 0.9);
   const Mat4 stretched = scaling(1, 2, 0.5) * rotation({1, 2, 3}, 0.9);
   for (const Mat4& to_world : {mirrored, stretched}) {
-    const auto light = light_of(desc::InfiniteLight{{1, 1, 1}, file.path()}, to_world);
+    const auto light = light_of(environment_node({1, 1, 1}, file.path()), to_world);
     check_emission(*light);
     check_connection(*light, {{0, 0, 0}});
     double integral = 0.0;
@@ -291,7 +291,7 @@ TEST(EnvironmentMap, ScaledAndMirroredSpacesIntegrateTheSame) {
 
 TEST(EnvironmentMap, BlackMapEmitsNothing) {
   const ImageFile file(4, 2, std::vector<float>(24, 0.F));
-  const auto light = light_of(desc::InfiniteLight{{1, 1, 1}, file.path()}, Mat4());
+  const auto light = light_of(environment_node({1, 1, 1}, file.path()), Mat4());
   EXPECT_TRUE(light->power().is_black());
   EXPECT_FALSE(light->sample_emission({0.5F, {0.5F, 0.5F}, {0.5F, 0.5F}}));
   EXPECT_FALSE(light->sample_connection({0, 0, 0}, {0.5F, {0.5F, 0.5F}}));
@@ -300,7 +300,7 @@ TEST(EnvironmentMap, BlackMapEmitsNothing) {
 TEST(GoniometricLight, WeightsDensitiesAndFlux) {
   const ImageFile file(12, 6, random_pixels(72, 3));
   const Mat4 to_world = rotation({1, 2, 3}, 0.9) * translation({0.2F, 0.1F, 1.F});
-  const auto light = light_of(desc::GoniometricLight{{1, 2, 3}, file.path()}, to_world);
+  const auto light = light_of(goniometric_node({1, 2, 3}, file.path()), to_world);
   // The direction alone does not say on which side of a cell border it was sampled.
   check_emission(*light, 20000, 20);
   check_connection(*light, {{0, 0, 0}, {1, 0, 2}, {-1, 1, 1}});
@@ -315,7 +315,7 @@ TEST(GoniometricLight, YIsThePole) {
   std::vector<float> rgb(3 * 8 * 4, 0.F);
   for (int i = 0; i < 3 * 8; ++i) rgb[static_cast<std::size_t>(i)] = 1.F;  // top row
   const ImageFile file(8, 4, rgb);
-  const auto light = light_of(desc::GoniometricLight{{1, 1, 1}, file.path()}, Mat4());
+  const auto light = light_of(goniometric_node({1, 1, 1}, file.path()), Mat4());
   const EndpointPoint point = EndpointPoint::at(Vec3(0.F));
   EXPECT_NEAR(light->emitted(point, {0, 1, 0})[0], 1.F, 1e-5F);
   EXPECT_TRUE(light->emitted(point, {0, 0, 1}).is_black());
@@ -323,7 +323,7 @@ TEST(GoniometricLight, YIsThePole) {
 }
 
 TEST(GoniometricLight, WithoutImageIsAPointLight) {
-  const auto light = light_of(desc::GoniometricLight{{2, 2, 2}, ""}, Mat4());
+  const auto light = light_of(goniometric_node({2, 2, 2}), Mat4());
   EXPECT_NEAR(light->power().average(), 8.0 * M_PI, 1e-4);
 }
 
@@ -331,7 +331,7 @@ TEST(ProjectionLight, WeightsDensitiesAndFlux) {
   const ImageFile file(12, 6, random_pixels(72, 4));
   const Mat4 place = aimed({0.2F, 0.1F, 2.F}, {0, 0, 0});
   for (const Mat4& shape : {Mat4(), scaling(-1, 1, 1), scaling(1, 2, 0.5)}) {
-    const auto light = light_of(desc::ProjectionLight{{1, 2, 3}, 60, file.path()}, shape * place);
+    const auto light = light_of(projection_node({1, 2, 3}, 60, file.path()), shape * place);
     check_emission(*light, 20000, 20);
     check_connection(*light, {{0, 0, 0}, {0.4F, 0.2F, 0.5F}, {-0.3F, 0, 0}});
     // Flux by quadrature of the intensity over all directions.
@@ -349,7 +349,7 @@ TEST(ProjectionLight, WeightsDensitiesAndFlux) {
     expect_mean(emitted_power(*light), flux, 0.02, 3e-3);
     expect_patch_agrees(*light, Quad({-0.6F, -0.5F, 0}, {1.2F, 0, 0.1F}, {0, 1, 0}));
   }
-  const auto light = light_of(desc::ProjectionLight{{1, 2, 3}, 60, file.path()}, Mat4());
+  const auto light = light_of(projection_node({1, 2, 3}, 60, file.path()), Mat4());
   expect_mean(emitted_power(*light), light->power().average(), 0.02, 0.01);
   // A chart that fits the cells: the window at z = 1 is 4 × 2 half sides of tan 30°.
   const double tangent = std::tan(M_PI / 6);
@@ -372,7 +372,7 @@ TEST(ProjectionLight, WeightsDensitiesAndFlux) {
 
 TEST(ProjectionLight, RowZeroIsAtMinusYAndColumnZeroAtMinusX) {
   const ImageFile file(4, 4, one_bright(4, 4, 3, 0, 8.F));
-  const auto light = light_of(desc::ProjectionLight{{1, 1, 1}, 90, file.path()}, Mat4());
+  const auto light = light_of(projection_node({1, 1, 1}, 90, file.path()), Mat4());
   const EndpointPoint point = EndpointPoint::at(Vec3(0.F));
   EXPECT_NEAR(light->emitted(point, normalize(Vec3(0.75F, -0.75F, 1)))[0], 8.F, 1e-4F);
   EXPECT_TRUE(light->emitted(point, normalize(Vec3(-0.75F, 0.75F, 1))).is_black());

@@ -58,8 +58,16 @@ class PointLight final : public Light {
 
 }  // namespace
 
-std::unique_ptr<Light> make_point_light(const desc::PointLight& light, const LightPlacement& at) {
-  return std::make_unique<PointLight>(to_spectrum(light.intensity), at.position);
+std::unique_ptr<Light> make_point_light(const Spectrum& intensity, const LightPlacement& at) {
+  return std::make_unique<PointLight>(intensity, at.position);
+}
+
+LightModel point_light() {
+  return {{.name = "point",
+           .summary = "the same in all directions from one point",
+           .source = "",
+           .parameters = {declare::emission("intensity", "W/sr", "radiant intensity")}},
+          [](const LightInputs& in) { return make_point_light(in.color("intensity"), in.at()); }};
 }
 
 }  // namespace ajar

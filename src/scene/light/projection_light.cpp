@@ -14,11 +14,11 @@ namespace {
 /// the map.
 class ProjectionLight final : public Light {
  public:
-  ProjectionLight(const desc::ProjectionLight& light, Map map, const LightPlacement& at)
-      : intensity_(to_spectrum(light.intensity)),
+  ProjectionLight(const LightInputs& in, Map map)
+      : intensity_(in.color("intensity")),
         map_(std::move(map)),
-        at_(at),
-        half_size_(half_size(light.fov, map_)) {
+        at_(in.at()),
+        half_size_(half_size(in.node().number("fov"), map_)) {
     // Solid angle per area of the window, which lies at z = 1: cos³ θ.
     const auto cos_cubed = [&](const Vec2& uv) {
       const float z = to_local(uv).z;
@@ -124,11 +124,24 @@ class ProjectionLight final : public Light {
   Spectrum power_;
 };
 
+std::unique_ptr<Light> make_projection(const LightInputs& in) {
+  std::optional<Map> map = in.map("image", MapEdge::Clamp);
+  if (!map) map = Map(1, 1, {Spectrum(1.F)}, MapEdge::Clamp);
+  return std::make_unique<ProjectionLight>(in, std::move(*map));
+}
+
 }  // namespace
 
-std::unique_ptr<Light> make_projection_light(const desc::ProjectionLight& light, Map map,
-                                             const LightPlacement& at) {
-  return std::make_unique<ProjectionLight>(light, std::move(map), at);
+LightModel projection_light() {
+  return {{.name = "projection",
+           .summary = "a slide projector along z",
+           .source = "Pharr et al. 2016, section 12.3.2",
+           .parameters = {declare::emission("intensity", "W/sr", "factor of the image"),
+                          declare::number_between("fov", "45", "degrees",
+                                                  "field of view along the image's shorter side",
+                                                  0.0, 180.0),
+                          declare::file("image", "the slide; white, unless given")}},
+          make_projection};
 }
 
 }  // namespace ajar

@@ -24,11 +24,11 @@ float one_minus_cos(const Vec3& unit) {
 /// intensity.
 class SpotLight final : public Light {
  public:
-  SpotLight(const desc::SpotLight& light, const LightPlacement& at)
-      : intensity_(to_spectrum(light.intensity)),
-        at_(at),
-        edge_(one_minus_cos(light.cone_angle)),
-        inner_(std::min(one_minus_cos(light.falloff_start), edge_)),
+  explicit SpotLight(const LightInputs& in)
+      : intensity_(in.color("intensity")),
+        at_(in.at()),
+        edge_(one_minus_cos(in.node().number("cone_angle"))),
+        inner_(std::min(one_minus_cos(in.node().number("falloff_start")), edge_)),
         // ∫ δ⁴ dδ = 1/5 over the fading ring.
         solid_angle_(2.F * kPi * (inner_ + (edge_ - inner_) / 5.F)) {}
 
@@ -144,8 +144,18 @@ class SpotLight final : public Light {
 
 }  // namespace
 
-std::unique_ptr<Light> make_spot_light(const desc::SpotLight& light, const LightPlacement& at) {
-  return std::make_unique<SpotLight>(light, at);
+LightModel spot_light() {
+  return {{.name = "spot",
+           .summary = "a cone of light along z from one point, with a soft edge",
+           .source = "Pharr et al. 2016, section 12.3.1",
+           .parameters = {declare::emission("intensity", "W/sr", "radiant intensity in the middle"),
+                          declare::number("cone_angle", "30", "from the axis to where it is dark",
+                                          "degrees"),
+                          declare::number("falloff_start", "25", "from the axis to where it fades",
+                                          "degrees")}},
+          [](const LightInputs& in) -> std::unique_ptr<Light> {
+            return std::make_unique<SpotLight>(in);
+          }};
 }
 
 }  // namespace ajar

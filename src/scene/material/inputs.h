@@ -2,28 +2,44 @@
 #include <cstddef>
 
 #include "scene/bsdf/microfacet.h"
-#include "scene/desc/scene_desc.h"
-#include "scene/texture/texture.h"
+#include "scene/material/registry.h"
 
-/// How materials read their textures: whatever a texture says, a lobe gets values it can work with.
+/// What materials are made from, and how they read their textures: whatever a texture says, a lobe
+/// gets values it can work with.
 namespace ajar {
 
-/// Finds textures by id while materials are built.
-class Slots {
+/// The description of one material, with what it refers to.
+class MaterialInputs {
  public:
-  explicit Slots(const TextureList& textures) : textures_(textures) {}
-  /// The texture, or the constant `fallback` if the id is none.
-  TextureSlot operator()(desc::TextureId id, const Spectrum& fallback) const {
-    if (id < 0 || static_cast<std::size_t>(id) >= textures_.size()) return TextureSlot(fallback);
-    return TextureSlot(textures_[id].get());
-  }
-  TextureSlot operator()(desc::TextureId id, float fallback) const {
-    return (*this)(id, Spectrum(fallback));
+  /// `made` are the materials before this one.
+  MaterialInputs(const desc::Material& description, const TextureList& textures,
+                 const MaterialList& made, Warnings& warnings)
+      : description_(description), textures_(textures), made_(made), warnings_(warnings) {}
+
+  const desc::Node& node() const { return description_.node; }
+  /// The parameter of this name, a float or a colour.
+  TextureSlot slot(std::string_view name) const { return slot_of(node().get(name)); }
+  TextureSlot slot_of(const desc::Value& value) const { return texture_slot(value, textures_); }
+  /// The material that the parameter refers to, which outlives this one. A gray one, after a
+  /// warning, if it does not come before this one.
+  const Material& material(std::string_view name) const;
+  void warn(const WarningKind& kind, const std::string& message) const {
+    warnings_.add(kind, description_.where, message);
   }
 
  private:
+  const desc::Material& description_;
   const TextureList& textures_;
+  const MaterialList& made_;
+  Warnings& warnings_;
 };
+
+/// An index of refraction, or a texture.
+ParameterSpec index_input();
+/// "roughness" and "roughness_scale".
+std::vector<ParameterSpec> isotropic_roughness_inputs(std::string value);
+/// "roughness", "roughness_v" and "roughness_scale".
+std::vector<ParameterSpec> roughness_inputs(std::string value);
 
 /// `x` in [low, high]; NaN becomes `low`.
 inline float within(float x, float low, float high) { return x > low ? std::min(x, high) : low; }
@@ -46,16 +62,12 @@ inline bool index_matched(float eta) { return std::abs(eta - 1.F) < 1e-3F; }
 /// Roughness along u and v, as microfacet α. Constant textures are converted only once.
 class RoughnessSlot {
  public:
-  /// Without `v`, the roughness is isotropic.
-  RoughnessSlot(const Slots& slots, desc::TextureId u, desc::TextureId v, float fallback,
-                bool remap)
-      : u_(slots(u, fallback)), v_(v == desc::kNone ? u_ : slots(v, fallback)), remap_(remap) {
-    if (u_.is_constant()) u_ = TextureSlot(Spectrum(alpha(u_.eval_float({}))));
-    if (v_.is_constant()) v_ = TextureSlot(Spectrum(alpha(v_.eval_float({}))));
-    isotropic_ = v == desc::kNone || u == v ||
-                 (u_.is_constant() && v_.is_constant() && u_.eval_float({}) == v_.eval_float({}));
-  }
+  /// Reads the parameters of `roughness_inputs`, or of `isotropic_roughness_inputs` if the material
+  /// has those.
+  explicit RoughnessSlot(const MaterialInputs& inputs);
   bool isotropic() const { return isotropic_; }
+  /// True if it is the constant zero.
+  bool is_smooth() const { return smooth_; }
   Microfacets facets(FacetModel model, const SurfacePoint& at) const {
     const float u = evaluate(u_, at);
     return {model, u, isotropic_ ? u : evaluate(v_, at)};
@@ -70,7 +82,8 @@ class RoughnessSlot {
   TextureSlot u_;
   TextureSlot v_;
   bool remap_;
-  bool isotropic_ = true;
+  bool smooth_;
+  bool isotropic_;
 };
 
 }  // namespace ajar

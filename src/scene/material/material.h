@@ -41,8 +41,12 @@ class Material {
 
 using MaterialList = std::vector<std::unique_ptr<const Material>>;
 
-/// Builds all materials; entry i is material id i. Parameters without a texture have pbrt-v3's
-/// default. Reflectances are clamped to [0, 1] wherever they are evaluated.
+/// One material; `made` are those before it. Raises SceneError if the description has no model.
+std::unique_ptr<Material> make_material(const desc::Material& description,
+                                        const TextureList& textures, const MaterialList& made,
+                                        Warnings& warnings);
+/// Builds all materials; entry i is material id i. Reflectances are clamped to [0, 1] wherever they
+/// are evaluated.
 MaterialList build_materials(const desc::SceneDesc& scene, const TextureList& textures,
                              Warnings& warnings);
 

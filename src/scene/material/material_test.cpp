@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "scene/bsdf/bsdf_catalogue.h"
+#include "scene/desc/models.h"
 #include "scene/material/bump.h"
 
 namespace ajar {
@@ -53,13 +54,20 @@ struct Fixture {
   Warnings warnings;
   MaterialList materials;
 
-  desc::TextureId constant(const Spectrum& value) {
+  desc::Value constant(const Spectrum& value) {
     textures.push_back(std::make_unique<Constant>(value));
-    return static_cast<int>(textures.size()) - 1;
+    return desc::TextureRef{static_cast<int>(textures.size()) - 1};
   }
-  desc::TextureId constant(float value) { return constant(Spectrum(value)); }
-  template <typename Node>
-  desc::MaterialId add(const Node& node) {
+  desc::Value constant(float value) { return constant(Spectrum(value)); }
+  /// slope · u.
+  desc::Value ramp(float slope) {
+    textures.push_back(std::make_unique<Ramp>(slope));
+    return desc::TextureRef{static_cast<int>(textures.size()) - 1};
+  }
+  desc::MaterialId add(std::string_view model, desc::Node::Given given = {}) {
+    return add(desc::material_node(model, given));
+  }
+  desc::MaterialId add(const desc::Node& node) {
     desc::Material material;
     material.name = "m";
     material.name += std::to_string(scene.materials.size());
@@ -73,16 +81,23 @@ struct Fixture {
   }
 };
 
+desc::Node mix_of(desc::MaterialId first, desc::MaterialId second,
+                  const Vec3& amount = Vec3(0.5F)) {
+  return desc::material_node("mix", {{"amount", amount},
+                                     {"first", desc::MaterialRef{first}},
+                                     {"second", desc::MaterialRef{second}}});
+}
+
 const Vec3 kWo = direction(50.F, 200.F);
 const Vec3 kWi = direction(35.F, 20.F);
 constexpr TransportMode kRadiance = TransportMode::Radiance;
 
-TEST(Materials, DefaultsAreThoseOfPbrt) {
+TEST(Materials, HaveDefaults) {
   Fixture f;
-  const auto matte = f.add(desc::MatteMaterial{});
-  const auto mirror = f.add(desc::MirrorMaterial{});
-  const auto glass = f.add(desc::GlassMaterial{});
-  const auto metal = f.add(desc::MetalMaterial{});
+  const auto matte = f.add("diffuse");
+  const auto mirror = f.add("mirror");
+  const auto glass = f.add("dielectric");
+  const auto metal = f.add("conductor");
   EXPECT_NEAR(f.bsdf(matte).eval(kWo, kWi, kRadiance)[0], 0.5F * kInvPi * kWi.z, 1e-6F);
   EXPECT_NEAR(f.bsdf(mirror).sample(kWo, {0.5F, {0.5F, 0.5F}}, kRadiance)->weight[1], 0.9F, 1e-6F);
   EXPECT_FALSE(f.bsdf(mirror).connectible());
@@ -96,9 +111,30 @@ TEST(Materials, DefaultsAreThoseOfPbrt) {
   EXPECT_EQ(f.warnings.count(), 0U);
 }
 
-TEST(Matte, TurnsIntoOrenNayarWithSigmaInDegrees) {
+TEST(Materials, NodesOfNoModelAreLocatedErrors) {
   Fixture f;
-  const auto rough = f.add(desc::MatteMaterial{f.constant(0.8F), f.constant(30.F)});
+  f.add(desc::Node());
+  f.scene.materials[0].where = {std::make_shared<const std::string>("a.pbrt"), 3, 1};
+  try {
+    f.bsdf(0);
+    FAIL();
+  } catch (const SceneError& error) {
+    EXPECT_STREQ(error.what(), "a.pbrt:3:1: this material has no model");
+  }
+}
+
+TEST(Materials, RoughnessOnTheLogScaleIsRemapped) {
+  Fixture f;
+  const auto remapped = f.add("plastic", {{"roughness", 0.3F}, {"roughness_scale", "log"}});
+  const auto alpha = f.add("plastic", {{"roughness", roughness_to_alpha(0.3F)}});
+  const auto textured = f.add("plastic", {{"roughness", f.ramp(0.6F)}, {"roughness_scale", "log"}});
+  EXPECT_EQ(f.bsdf(remapped).eval(kWo, kWi, kRadiance), f.bsdf(alpha).eval(kWo, kWi, kRadiance));
+  EXPECT_EQ(f.bsdf(textured).eval(kWo, kWi, kRadiance), f.bsdf(alpha).eval(kWo, kWi, kRadiance));
+}
+
+TEST(Diffuse, TurnsIntoOrenNayarWithSigmaInDegrees) {
+  Fixture f;
+  const auto rough = f.add("diffuse", {{"reflectance", f.constant(0.8F)}, {"sigma", 30.F}});
   const Spectrum expected = OrenNayar(kPi / 6.F).evaluate(kWo, kWi, false, kRadiance).value * 0.8F;
   // Oren–Nayar depends on the difference of azimuths only, so the frame's tangent does not matter.
   EXPECT_NEAR(f.bsdf(rough).eval(kWo, kWi, kRadiance)[0], expected[0], 1e-6F);
@@ -106,8 +142,9 @@ TEST(Matte, TurnsIntoOrenNayarWithSigmaInDegrees) {
 
 TEST(Plastic, IsLambertPlusTheHighlightOfPbrt) {
   Fixture f;
-  const auto plastic =
-      f.add(desc::PlasticMaterial{f.constant(0.3F), f.constant(0.6F), f.constant(0.2F), false});
+  const auto plastic = f.add("plastic", {{"diffuse_reflectance", Vec3(0.3F)},
+                                         {"glossy_reflectance", Vec3(0.6F)},
+                                         {"roughness", f.constant(0.2F)}});
   const Vec3 h = normalize(kWo + kWi);
   const double alpha = 0.2;
   const auto lambda = [&](const Vec3& w) {
@@ -124,13 +161,11 @@ TEST(Plastic, IsLambertPlusTheHighlightOfPbrt) {
   EXPECT_NEAR(f.bsdf(plastic).eval(kWo, kWi, kRadiance)[0], value, 1e-4 * value);
 }
 
-TEST(Uber, LetsLightThroughWhereItIsNotOpaque) {
+TEST(Composite, LetsLightThroughWhereItIsNotOpaque) {
   Fixture f;
-  desc::UberMaterial d;
-  d.kd = f.constant(0.8F);
-  d.ks = f.constant(0.F);
-  d.opacity = f.constant(0.25F);
-  const Bsdf bsdf = f.bsdf(f.add(d));
+  const Bsdf bsdf = f.bsdf(f.add("composite", {{"diffuse_reflectance", f.constant(0.8F)},
+                                               {"glossy_reflectance", f.constant(0.F)},
+                                               {"opacity", f.constant(0.25F)}}));
   EXPECT_NEAR(bsdf.eval(kWo, kWi, kRadiance)[0], 0.25F * 0.8F * kInvPi * kWi.z, 1e-6F);
   // Pass-through is the first lobe and has 0.75 of 0.75 + 0.2 of the probability.
   const auto s = bsdf.sample(kWo, {0.1F, {0.5F, 0.5F}}, kRadiance);
@@ -140,18 +175,12 @@ TEST(Uber, LetsLightThroughWhereItIsNotOpaque) {
   EXPECT_NEAR(s->weight[0] * s->pdf.value(), 0.75F, 1e-5F);
 }
 
-TEST(Glass, IsRoughThinOrTintedAsAsked) {
+TEST(Dielectric, IsRoughThinOrTintedAsAsked) {
   Fixture f;
-  desc::GlassMaterial rough;
-  rough.u_roughness = f.constant(0.3F);
-  const auto rough_id = f.add(rough);
-  desc::GlassMaterial thin;
-  thin.thin = true;
-  thin.kt = f.constant(Spectrum(1.F, 0.5F, 0.25F));
-  const auto thin_id = f.add(thin);
-  desc::GlassMaterial both = rough;
-  both.thin = true;
-  f.add(both);
+  const auto rough_id = f.add("dielectric", {{"roughness", 0.3F}});
+  const auto thin_id =
+      f.add("dielectric", {{"thin", true}, {"transmittance", Vec3(1.F, 0.5F, 0.25F)}});
+  f.add("dielectric", {{"roughness", 0.3F}, {"thin", true}});
   EXPECT_TRUE(f.bsdf(rough_id).connectible());
   EXPECT_EQ(f.warnings.count(), 1U);
   const Bsdf pane = f.bsdf(thin_id);
@@ -162,12 +191,10 @@ TEST(Glass, IsRoughThinOrTintedAsAsked) {
   EXPECT_NEAR(s->weight[2] / s->weight[0], 0.25F, 1e-5F);
 }
 
-TEST(Glass, WithoutContrastIsSmooth) {
+TEST(Dielectric, WithoutContrastIsSmooth) {
   Fixture f;
-  desc::GlassMaterial d;
-  d.u_roughness = f.constant(0.3F);
-  d.eta = f.constant(1.F);
-  const auto s = f.bsdf(f.add(d)).sample(kWo, {0.5F, {0.5F, 0.5F}}, kRadiance);
+  const auto id = f.add("dielectric", {{"roughness", 0.3F}, {"eta", f.constant(1.F)}});
+  const auto s = f.bsdf(id).sample(kWo, {0.5F, {0.5F, 0.5F}}, kRadiance);
   ASSERT_TRUE(s);
   EXPECT_LT(length(s->wi + kWo), 1e-6F);
   EXPECT_NEAR(s->weight[0], 1.F, 1e-6F);
@@ -175,9 +202,9 @@ TEST(Glass, WithoutContrastIsSmooth) {
 
 TEST(Mix, ScalesBothMaterials) {
   Fixture f;
-  const auto a = f.add(desc::MatteMaterial{f.constant(0.8F)});
-  const auto b = f.add(desc::MatteMaterial{f.constant(0.4F)});
-  const auto mix = f.add(desc::MixMaterial{f.constant(Spectrum(0.25F, 1.F, 0.F)), a, b});
+  const auto a = f.add("diffuse", {{"reflectance", f.constant(0.8F)}});
+  const auto b = f.add("diffuse", {{"reflectance", f.constant(0.4F)}});
+  const auto mix = f.add(mix_of(a, b, Vec3(0.25F, 1.F, 0.F)));
   const Spectrum value = f.bsdf(mix).eval(kWo, kWi, kRadiance) * (kPi / kWi.z);
   EXPECT_NEAR(value[0], 0.25F * 0.8F + 0.75F * 0.4F, 1e-5F);
   EXPECT_NEAR(value[1], 0.8F, 1e-5F);
@@ -186,9 +213,9 @@ TEST(Mix, ScalesBothMaterials) {
 
 TEST(Mix, OfTooManyLobesOrWrongIdsIsReported) {
   Fixture f;
-  auto last = f.add(desc::MatteMaterial{});
-  for (int k = 0; k < 5; ++k) last = f.add(desc::MixMaterial{desc::kNone, last, last});
-  const auto wrong = f.add(desc::MixMaterial{desc::kNone, 99, last + 50});
+  auto last = f.add("diffuse");
+  for (int k = 0; k < 5; ++k) last = f.add(mix_of(last, last));
+  const auto wrong = f.add(mix_of(99, last + 50));
   const Spectrum value = f.bsdf(last).eval(kWo, kWi, kRadiance);
   EXPECT_NEAR(value[0], 0.5F * kInvPi * kWi.z, 1e-5F);
   EXPECT_NEAR(f.bsdf(wrong).eval(kWo, kWi, kRadiance)[0], 0.5F * kInvPi * kWi.z, 1e-5F);
@@ -197,10 +224,10 @@ TEST(Mix, OfTooManyLobesOrWrongIdsIsReported) {
 
 TEST(Mix, OfMixesDoesNotDoubleItsWorkWithEveryLevel) {
   Fixture f;
-  auto last = f.add(desc::MatteMaterial{});
+  auto last = f.add("diffuse");
   // 2^40 leaves, and a chain deeper than the stack if every level were a call.
-  for (int k = 0; k < 40; ++k) last = f.add(desc::MixMaterial{desc::kNone, last, last});
-  for (int k = 0; k < 200000; ++k) last = f.add(desc::MixMaterial{desc::kNone, last, 0});
+  for (int k = 0; k < 40; ++k) last = f.add(mix_of(last, last));
+  for (int k = 0; k < 200000; ++k) last = f.add(mix_of(last, 0));
   const Spectrum value = f.bsdf(last).eval(kWo, kWi, kRadiance);
   EXPECT_NEAR(value[0], 0.5F * kInvPi * kWi.z, 1e-5F);
   EXPECT_NE(f.warnings.messages().front().find("at most 8 are possible"), std::string::npos);
@@ -208,29 +235,27 @@ TEST(Mix, OfMixesDoesNotDoubleItsWorkWithEveryLevel) {
 
 TEST(Interface, HasNoLobes) {
   Fixture f;
-  const auto id = f.add(desc::InterfaceMaterial{});
+  const auto id = f.add("interface");
   EXPECT_TRUE(f.bsdf(id).empty());
   EXPECT_TRUE(f.materials[id]->is_interface());
 }
 
-TEST(Disney, ThinSheetsTransmitDiffusely) {
+TEST(Principled, ThinSheetsTransmitDiffusely) {
   Fixture f;
-  desc::DisneyMaterial d;
-  d.thin = true;
-  d.diff_trans = f.constant(1.2F);
-  d.color = f.constant(0.7F);
+  const auto id = f.add(
+      "principled",
+      {{"thin", true}, {"diffuse_transmission", f.constant(1.2F)}, {"base_color", Vec3(0.7F)}});
   const Vec3 below(kWi.x, kWi.y, -kWi.z);
-  EXPECT_NEAR(f.bsdf(f.add(d)).eval(kWo, below, kRadiance)[0], 0.6F * 0.7F * kInvPi * kWi.z, 1e-5F);
+  EXPECT_NEAR(f.bsdf(id).eval(kWo, below, kRadiance)[0], 0.6F * 0.7F * kInvPi * kWi.z, 1e-5F);
 }
 
-TEST(Disney, MetalHasTheColourOfTheBaseAtNormalIncidence) {
+TEST(Principled, MetalHasTheColourOfTheBaseAtNormalIncidence) {
   Fixture f;
-  desc::DisneyMaterial d;
-  d.metallic = f.constant(1.F);
-  d.color = f.constant(Spectrum(0.9F, 0.6F, 0.1F));
-  d.roughness = f.constant(0.3F);
+  const auto id = f.add("principled", {{"metallic", 1.F},
+                                       {"base_color", f.constant(Spectrum(0.9F, 0.6F, 0.1F))},
+                                       {"roughness", 0.3F}});
   const Vec3 up(0.F, 0.F, 1.F);
-  const Spectrum value = f.bsdf(f.add(d)).eval(up, up, kRadiance);
+  const Spectrum value = f.bsdf(id).eval(up, up, kRadiance);
   EXPECT_NEAR(value[1] / value[0], 0.6F / 0.9F, 1e-4F);
   EXPECT_NEAR(value[2] / value[0], 0.1F / 0.9F, 1e-4F);
 }
@@ -242,18 +267,19 @@ TEST(Materials, AllSurviveNonsenseTextures) {
   for (const float nonsense : {nan, inf, -inf, -3.F, 1e30F, 0.F}) {
     Fixture f;
     const auto t = f.constant(nonsense);
-    f.add(desc::MatteMaterial{t, t});
-    f.add(desc::MirrorMaterial{t});
-    f.add(desc::GlassMaterial{t, t, t, t, t});
-    f.add(desc::GlassMaterial{desc::kNone, desc::kNone, t, t, t});
-    f.add(desc::MetalMaterial{t, t, t, t});
-    f.add(desc::PlasticMaterial{t, t, t});
-    f.add(desc::SubstrateMaterial{t, t, t, t});
-    f.add(desc::UberMaterial{t, t, t, t, t, t, t, t});
-    f.add(desc::TranslucentMaterial{t, t, t, t, t});
-    f.add(desc::DisneyMaterial{t, t, t, t, t, t, t, t, t, t, t, t, t, true});
-    f.add(desc::DisneyMaterial{t, t, t, t, t, t, t, t, t, t, t, t, t, false});
-    f.add(desc::MixMaterial{t, 0, 4});
+    // Every model, with nonsense in place of all that can be textured and each flag on and off.
+    for (const bool flags : {false, true}) {
+      for (const desc::Model* model : desc::models(desc::ModelKind::Material)) {
+        desc::Node node(*model);
+        for (const ParameterSpec& spec : model->parameters) {
+          if (spec.textured) node.set(spec.name, t);
+          if (spec.type == ParameterType::Bool) node.set(spec.name, flags);
+          if (spec.type == ParameterType::Material) node.set(spec.name, desc::MaterialRef{0});
+        }
+        f.add(node);
+      }
+    }
+    f.add("dielectric", {{"eta", t}, {"roughness", t}, {"roughness_v", t}});
     f.materials = build_materials(f.scene, f.textures, f.warnings);
     for (const auto& material : f.materials) {
       const Bsdf bsdf = material->bsdf(flat_point());
@@ -272,8 +298,7 @@ TEST(Materials, AllSurviveNonsenseTextures) {
 
 TEST(Materials, AnisotropyFollowsTheTangent) {
   Fixture f;
-  const auto id = f.add(
-      desc::MetalMaterial{desc::kNone, desc::kNone, f.constant(0.5F), f.constant(0.05F), false});
+  const auto id = f.add("conductor", {{"roughness", 0.5F}, {"roughness_v", 0.05F}});
   f.materials = build_materials(f.scene, f.textures, f.warnings);
   SurfacePoint at = flat_point();
   at.dpdu = {0.F, 3.F, 1.F};
@@ -294,8 +319,8 @@ TEST(Bump, TiltsTheNormalAgainstTheSlope) {
   f.textures.push_back(std::make_unique<Ramp>(0.5F));
   f.scene.materials.resize(2);
   f.scene.materials[0].bump = 0;
-  f.scene.materials[0].node = desc::MatteMaterial{};
-  f.scene.materials[1].node = desc::MixMaterial{desc::kNone, 0, 0};
+  f.scene.materials[0].node = desc::material_node("diffuse");
+  f.scene.materials[1].node = mix_of(0, 0);
   EXPECT_LT(length(f.bsdf(0).ns() - expected), 1e-3F);
   EXPECT_LT(length(f.bsdf(1).ns() - expected), 1e-3F);
   EXPECT_EQ(f.bsdf(0).ng(), Vec3(0.F, 0.F, 1.F));

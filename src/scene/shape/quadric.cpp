@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "scene/shape/quadric_math.h"
+#include "scene/shape/quadric_models.h"
 
 namespace ajar {
 
@@ -22,15 +23,22 @@ double radial_length(const Vec3d& v) { return std::hypot(v.x, v.y); }
 
 }  // namespace
 
-std::optional<Quadric> Quadric::make(const desc::Sphere& sphere) {
+std::optional<Quadric> Quadric::make(const desc::Node& node) {
+  for (const QuadricModel& model : quadric_models()) {
+    if (node.is(model.model.name)) return model.make(node);
+  }
+  return std::nullopt;
+}
+
+std::optional<Quadric> Quadric::sphere(float radius, float z_min, float z_max, float phi_max) {
   Quadric q;
   q.kind_ = Kind::Sphere;
-  const double r = sphere.radius;
+  const double r = radius;
   q.radius_ = r;
-  q.phi_max_ = radians(std::clamp(sphere.phi_max, 0.F, 360.F));
-  q.full_turn_ = sphere.phi_max >= 360.F;
-  const double a = sphere.z_min;
-  const double b = sphere.z_max;
+  q.phi_max_ = radians(std::clamp(phi_max, 0.F, 360.F));
+  q.full_turn_ = phi_max >= 360.F;
+  const double a = z_min;
+  const double b = z_max;
   q.z_min_ = std::clamp(std::min(a, b), -r, std::max(r, -r));
   q.z_max_ = std::clamp(std::max(a, b), -r, std::max(r, -r));
   q.theta_min_ = std::acos(std::clamp(q.z_min_ / r, -1.0, 1.0));
@@ -39,52 +47,34 @@ std::optional<Quadric> Quadric::make(const desc::Sphere& sphere) {
   return q;
 }
 
-std::optional<Quadric> Quadric::make(const desc::Disk& disk) {
+std::optional<Quadric> Quadric::disk(float height, float radius, float inner_radius,
+                                     float phi_max) {
   Quadric q;
   q.kind_ = Kind::Disk;
-  q.radius_ = disk.radius;
-  q.inner_radius_ = std::max(0.F, disk.inner_radius);
-  q.z_min_ = q.z_max_ = disk.height;
-  q.phi_max_ = radians(std::clamp(disk.phi_max, 0.F, 360.F));
-  q.full_turn_ = disk.phi_max >= 360.F;
+  q.radius_ = radius;
+  q.inner_radius_ = std::max(0.F, inner_radius);
+  q.z_min_ = q.z_max_ = height;
+  q.phi_max_ = radians(std::clamp(phi_max, 0.F, 360.F));
+  q.full_turn_ = phi_max >= 360.F;
   const bool finite = std::isfinite(q.radius_) && std::isfinite(q.z_min_);
   if (!finite || !(q.radius_ > q.inner_radius_) || !(q.phi_max_ > 0.0)) return {};
   return q;
 }
 
-std::optional<Quadric> Quadric::make(const desc::Cylinder& cylinder) {
-  const float low = std::min(cylinder.z_min, cylinder.z_max);
-  const float high = std::max(cylinder.z_min, cylinder.z_max);
-  if (!(cylinder.radius > 0.F)) return {};
-  return make_ruled({cylinder.radius, 0.F, low}, {cylinder.radius, 0.F, high}, cylinder.phi_max);
-}
-
-std::optional<Quadric> Quadric::make(const desc::Cone& cone) {
-  if (!(cone.radius > 0.F)) return {};
-  return make_ruled({cone.radius, 0.F, 0.F}, {0.F, 0.F, cone.height}, cone.phi_max);
-}
-
-std::optional<Quadric> Quadric::make(const desc::Paraboloid& paraboloid) {
+std::optional<Quadric> Quadric::paraboloid(float radius, float z_min, float z_max, float phi_max) {
   Quadric q;
   q.kind_ = Kind::Paraboloid;
-  q.radius_ = paraboloid.radius;
-  q.z_min_ = std::max(0.F, std::min(paraboloid.z_min, paraboloid.z_max));
-  q.z_max_ = std::max(paraboloid.z_min, paraboloid.z_max);
-  q.phi_max_ = radians(std::clamp(paraboloid.phi_max, 0.F, 360.F));
-  q.full_turn_ = paraboloid.phi_max >= 360.F;
+  q.radius_ = radius;
+  q.z_min_ = std::max(0.F, std::min(z_min, z_max));
+  q.z_max_ = std::max(z_min, z_max);
+  q.phi_max_ = radians(std::clamp(phi_max, 0.F, 360.F));
+  q.full_turn_ = phi_max >= 360.F;
   const bool finite = std::isfinite(q.radius_) && std::isfinite(q.z_max_);
   if (!finite || !(q.radius_ > 0.0) || !(q.z_max_ > q.z_min_) || !(q.phi_max_ > 0.0)) return {};
   return q;
 }
 
-std::optional<Quadric> Quadric::make(const desc::Hyperboloid& hyperboloid) {
-  // pbrt swaps the ends in this case, which turns the normal around.
-  if (hyperboloid.p2.z == 0.F)
-    return make_ruled(hyperboloid.p2, hyperboloid.p1, hyperboloid.phi_max);
-  return make_ruled(hyperboloid.p1, hyperboloid.p2, hyperboloid.phi_max);
-}
-
-std::optional<Quadric> Quadric::make_ruled(const Vec3& p1, const Vec3& p2, float phi_max) {
+std::optional<Quadric> Quadric::ruled(const Vec3& p1, const Vec3& p2, float phi_max) {
   Quadric q;
   q.kind_ = Kind::Ruled;
   q.p1_ = Vec3d(p1);

@@ -25,13 +25,16 @@ class Quadric {
     double t[2] = {0.0, 0.0};
   };
 
-  /// Empty if the shape has no area (radius or height or angle of zero) or is not finite.
-  static std::optional<Quadric> make(const desc::Sphere& sphere);
-  static std::optional<Quadric> make(const desc::Disk& disk);
-  static std::optional<Quadric> make(const desc::Cylinder& cylinder);
-  static std::optional<Quadric> make(const desc::Cone& cone);
-  static std::optional<Quadric> make(const desc::Paraboloid& paraboloid);
-  static std::optional<Quadric> make(const desc::Hyperboloid& hyperboloid);
+  /// Of a node of a model of `quadric_models()`. Empty, as all below, if the shape has no area
+  /// (radius or height or angle of zero) or is not finite.
+  static std::optional<Quadric> make(const desc::Node& node);
+  /// Pieces between `z_min` and `z_max`, in either order, up to `phi_max` (degrees).
+  static std::optional<Quadric> sphere(float radius, float z_min, float z_max, float phi_max);
+  static std::optional<Quadric> disk(float height, float radius, float inner_radius, float phi_max);
+  /// `radius` is that at the upper end.
+  static std::optional<Quadric> paraboloid(float radius, float z_min, float z_max, float phi_max);
+  /// What the line from `p1` to `p2` makes that turns around z.
+  static std::optional<Quadric> ruled(const Vec3& p1, const Vec3& p2, float phi_max);
 
   /// `direction` need not be a unit vector; roots of either sign, on the existing part only.
   Roots intersect(const Vec3d& origin, const Vec3d& direction) const;
@@ -59,7 +62,6 @@ class Quadric {
  private:
   enum class Kind { Sphere, Disk, Ruled, Paraboloid };
 
-  static std::optional<Quadric> make_ruled(const Vec3& p1, const Vec3& p2, float phi_max);
   bool in_range(const Vec3d& p) const;
   /// Cumulative area from v = 0, per radian (ruled surfaces).
   double ruled_area(double v) const;

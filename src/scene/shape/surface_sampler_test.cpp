@@ -7,6 +7,7 @@
 #include "core/random.h"
 #include "core/warp.h"
 #include "scene/shape/make_surface_sampler.h"
+#include "scene/testing/quadrics.h"
 
 namespace ajar {
 namespace {
@@ -29,13 +30,14 @@ Mat4 stretched() {
 }
 
 std::vector<std::pair<std::string, Quadric>> quadrics() {
-  return {{"sphere", *Quadric::make(desc::Sphere{})},
-          {"partial sphere", *Quadric::make(desc::Sphere{1, -0.4F, 0.9F, 200})},
-          {"disk", *Quadric::make(desc::Disk{0.3F, 1.2F, 0.4F, 300})},
-          {"cylinder", *Quadric::make(desc::Cylinder{0.6F, -1, 1, 360})},
-          {"cone", *Quadric::make(desc::Cone{0.8F, 1.5F, 360})},
-          {"paraboloid", *Quadric::make(desc::Paraboloid{1, 0, 1.3F, 270})},
-          {"hyperboloid", *Quadric::make(desc::Hyperboloid{{1, -1, -1}, {0.5F, 1.5F, 1}, 360})}};
+  return {{"sphere", *Quadric::make(testing::sphere_node())},
+          {"partial sphere", *Quadric::make(testing::sphere_node(1, -0.4F, 0.9F, 200))},
+          {"disk", *Quadric::make(testing::disk_node(0.3F, 1.2F, 0.4F, 300))},
+          {"cylinder", *Quadric::make(testing::cylinder_node(0.6F, -1, 1, 360))},
+          {"cone", *Quadric::make(testing::cone_node(0.8F, 1.5F, 360))},
+          {"paraboloid", *Quadric::make(testing::paraboloid_node(1, 0, 1.3F, 270))},
+          {"hyperboloid",
+           *Quadric::make(testing::hyperboloid_node({1, -1, -1}, {0.5F, 1.5F, 1}, 360))}};
 }
 
 /// χ² of samples in cells of (u, v) against the integral of the density over each cell: passes only
@@ -108,21 +110,22 @@ TEST(QuadricSampler, AreasEqualClosedForms) {
   const auto area = [&](const auto& node) {
     return make_surface_sampler(*Quadric::make(node), identity, false)->area();
   };
-  EXPECT_NEAR(area(desc::Sphere{2, -2, 2, 360}), 16.F * kPi, 1e-3F);
-  EXPECT_NEAR(area(desc::Disk{0, 2, 1, 180}), 1.5F * kPi, 1e-4F);
-  EXPECT_NEAR(area(desc::Cylinder{0.5F, 0, 3, 360}), 3.F * kPi, 1e-4F);
-  EXPECT_NEAR(area(desc::Cone{3, 4, 360}), 15.F * kPi, 1e-3F);
-  EXPECT_NEAR(area(desc::Paraboloid{1, 0, 1, 360}), kPi / 6.F * (std::pow(5.F, 1.5F) - 1.F), 1e-4F);
-  EXPECT_NEAR(area(desc::Hyperboloid{{3, 0, 0}, {0, 0, 4}, 360}), 15.F * kPi, 1e-3F);
+  EXPECT_NEAR(area(testing::sphere_node(2, -2, 2, 360)), 16.F * kPi, 1e-3F);
+  EXPECT_NEAR(area(testing::disk_node(0, 2, 1, 180)), 1.5F * kPi, 1e-4F);
+  EXPECT_NEAR(area(testing::cylinder_node(0.5F, 0, 3, 360)), 3.F * kPi, 1e-4F);
+  EXPECT_NEAR(area(testing::cone_node(3, 4, 360)), 15.F * kPi, 1e-3F);
+  EXPECT_NEAR(area(testing::paraboloid_node(1, 0, 1, 360)), kPi / 6.F * (std::pow(5.F, 1.5F) - 1.F),
+              1e-4F);
+  EXPECT_NEAR(area(testing::hyperboloid_node({3, 0, 0}, {0, 0, 4}, 360)), 15.F * kPi, 1e-3F);
 }
 
-class SphereFrom : public testing::TestWithParam<float> {};
+class SphereFrom : public ::testing::TestWithParam<float> {};
 
 /// From outside the directions are uniform within the cone of the sphere: the cosine to the axis is
 /// uniform.
 TEST_P(SphereFrom, OutsideIsUniformInSolidAngle) {
   const Placement placement = *Placement::make(similarity());
-  const Quadric sphere = *Quadric::make(desc::Sphere{});
+  const Quadric sphere = *Quadric::make(testing::sphere_node());
   const auto sampler = make_surface_sampler(sphere, placement, false);
   const Vec3 center(placement.point(Vec3d(0.0)));
   const float radius = 1.7F;
@@ -159,11 +162,12 @@ TEST_P(SphereFrom, OutsideIsUniformInSolidAngle) {
   EXPECT_LT(chi_squared, 65.0);  // 19 degrees of freedom, p < 1e-6
 }
 
-INSTANTIATE_TEST_SUITE_P(Distances, SphereFrom, testing::Values(1.001F, 1.1F, 2.F, 30.F, 1000.F));
+INSTANTIATE_TEST_SUITE_P(Distances, SphereFrom, ::testing::Values(1.001F, 1.1F, 2.F, 30.F, 1000.F));
 
 TEST(SphereSampler, InsideSamplesTheWholeSphere) {
   const Placement placement = *Placement::make(similarity());
-  const auto sampler = make_surface_sampler(*Quadric::make(desc::Sphere{}), placement, false);
+  const auto sampler =
+      make_surface_sampler(*Quadric::make(testing::sphere_node()), placement, false);
   const Vec3 inside = Vec3(placement.point(Vec3d(0.3, 0.2, -0.5)));
   Rng rng(9);
   Vec3d mean(0.0);
@@ -179,8 +183,8 @@ TEST(SphereSampler, InsideSamplesTheWholeSphere) {
 
 TEST(SphereSampler, FarSideHasNoDensity) {
   const auto sampler =
-      make_surface_sampler(*Quadric::make(desc::Sphere{}), *Placement::make(Mat4()), false);
-  SurfacePoint back = quadric_surface_point(*Quadric::make(desc::Sphere{}),
+      make_surface_sampler(*Quadric::make(testing::sphere_node()), *Placement::make(Mat4()), false);
+  SurfacePoint back = quadric_surface_point(*Quadric::make(testing::sphere_node()),
                                             *Placement::make(Mat4()), false, {0.5, 0.5});
   EXPECT_EQ(sampler->pdf_toward({3.F, 0.F, 0.F}, back).value(), 0.F);
   EXPECT_GT(sampler->pdf_toward({-3.F, 0.F, 0.F}, back).value(), 0.F);

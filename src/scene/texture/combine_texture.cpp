@@ -1,71 +1,77 @@
-// Constants and textures made of other textures. Source: pbrt-v3, section 10.3.
+// Textures made of other textures. Source: pbrt-v3, section 10.3.
 #include "scene/texture/constant_texture.h"
-#include "scene/texture/texture_builders.h"
+#include "scene/texture/inputs.h"
 
 namespace ajar {
 
 namespace {
 
-class ScaleTexture final : public Texture {
+class ProductTexture final : public Texture {
  public:
-  ScaleTexture(const TextureSlot& a, const TextureSlot& b) : a_(a), b_(b) {}
-  Spectrum eval(const SurfacePoint& at) const override { return a_.eval(at) * b_.eval(at); }
-  float eval_float(const SurfacePoint& at) const override {
-    return a_.eval_float(at) * b_.eval_float(at);
+  explicit ProductTexture(const TextureInputs& in)
+      : first_(in.slot("first")), second_(in.slot("second")) {}
+  Spectrum eval(const SurfacePoint& at) const override {
+    return first_.eval(at) * second_.eval(at);
   }
+  float eval_float(const SurfacePoint& at) const override {
+    return first_.eval_float(at) * second_.eval_float(at);
+  }
+  bool is_constant() const { return first_.is_constant() && second_.is_constant(); }
 
  private:
-  TextureSlot a_;
-  TextureSlot b_;
+  TextureSlot first_;
+  TextureSlot second_;
 };
 
 class MixTexture final : public Texture {
  public:
-  MixTexture(const TextureSlot& a, const TextureSlot& b, const TextureSlot& amount)
-      : a_(a), b_(b), amount_(amount) {}
+  explicit MixTexture(const TextureInputs& in)
+      : first_(in.slot("first")), second_(in.slot("second")), amount_(in.slot("amount")) {}
   Spectrum eval(const SurfacePoint& at) const override {
     const float t = amount_.eval_float(at);
-    return a_.eval(at) * (1.F - t) + b_.eval(at) * t;
+    return first_.eval(at) * (1.F - t) + second_.eval(at) * t;
   }
   float eval_float(const SurfacePoint& at) const override {
     const float t = amount_.eval_float(at);
-    return a_.eval_float(at) * (1.F - t) + b_.eval_float(at) * t;
+    return first_.eval_float(at) * (1.F - t) + second_.eval_float(at) * t;
+  }
+  bool is_constant() const {
+    return first_.is_constant() && second_.is_constant() && amount_.is_constant();
   }
 
  private:
-  TextureSlot a_;
-  TextureSlot b_;
+  TextureSlot first_;
+  TextureSlot second_;
   TextureSlot amount_;
 };
 
+/// A constant if it is made of constants only.
+template <typename Combination>
+std::unique_ptr<const Texture> combine(const TextureInputs& in) {
+  auto texture = std::make_unique<Combination>(in);
+  if (!texture->is_constant()) return texture;
+  return std::make_unique<ConstantTexture>(texture->eval(SurfacePoint{}));
+}
+
 }  // namespace
 
-TextureSlot texture_slot(desc::TextureId id, const TextureList& textures, float fallback) {
-  if (id < 0) return TextureSlot(Spectrum(fallback));
-  return TextureSlot(textures.at(static_cast<std::size_t>(id)).get());
+TextureModel product_texture() {
+  return {{.name = "product",
+           .summary = "two textures, multiplied",
+           .source = "",
+           .parameters = {declare::textured_color("first", "1", "a factor"),
+                          declare::textured_color("second", "1", "a factor")}},
+          combine<ProductTexture>};
 }
 
-std::unique_ptr<const Texture> make_texture(const desc::ConstantTexture& node) {
-  return std::make_unique<ConstantTexture>(Spectrum(node.value.x, node.value.y, node.value.z));
-}
-
-std::unique_ptr<const Texture> make_texture(const desc::ScaleTexture& node,
-                                            const TextureList& textures) {
-  const TextureSlot a = texture_slot(node.a, textures, 1.F);
-  const TextureSlot b = texture_slot(node.b, textures, 1.F);
-  auto texture = std::make_unique<ScaleTexture>(a, b);
-  if (!a.is_constant() || !b.is_constant()) return texture;
-  return std::make_unique<ConstantTexture>(texture->eval(SurfacePoint{}));
-}
-
-std::unique_ptr<const Texture> make_texture(const desc::MixTexture& node,
-                                            const TextureList& textures) {
-  const TextureSlot a = texture_slot(node.a, textures, 0.F);
-  const TextureSlot b = texture_slot(node.b, textures, 1.F);
-  const TextureSlot amount = texture_slot(node.amount, textures, 0.5F);
-  auto texture = std::make_unique<MixTexture>(a, b, amount);
-  if (!a.is_constant() || !b.is_constant() || !amount.is_constant()) return texture;
-  return std::make_unique<ConstantTexture>(texture->eval(SurfacePoint{}));
+TextureModel mix_texture() {
+  return {{.name = "mix",
+           .summary = "two textures, blended by a third",
+           .source = "",
+           .parameters = {declare::textured_color("first", "0", "what there is where amount is 0"),
+                          declare::textured_color("second", "1", "what there is where it is 1"),
+                          declare::textured_number("amount", "0.5", "share of the second", 1.0)}},
+          combine<MixTexture>};
 }
 
 }  // namespace ajar

@@ -4,8 +4,8 @@
 #include <array>
 
 #include "scene/texture/constant_texture.h"
+#include "scene/texture/inputs.h"
 #include "scene/texture/mapping.h"
-#include "scene/texture/texture_builders.h"
 
 namespace ajar {
 
@@ -56,17 +56,24 @@ struct Decoder<T> {
   const float* table;
 };
 
+enum class Wrap { Repeat, Black, Clamp };
+
+Wrap wrap_of(const desc::Node& node) {
+  const std::string& name = node.text("wrap");
+  return name == "black" ? Wrap::Black : name == "clamp" ? Wrap::Clamp : Wrap::Repeat;
+}
+
 template <typename T>
 class ImageTexture final : public Texture {
  public:
-  ImageTexture(const desc::ImageTexture& node, std::shared_ptr<const TexelImage> image)
-      : mapping_(node.mapping),
-        wrap_(node.wrap),
-        nearest_(node.filter == desc::TextureFilter::Nearest),
-        scale_(node.scale),
+  ImageTexture(const desc::Node& node, std::shared_ptr<const TexelImage> image)
+      : mapping_(node),
+        wrap_(wrap_of(node)),
+        nearest_(node.text("filter") == "nearest"),
+        scale_(node.number("scale")),
         image_(std::move(image)),
         texels_(std::get<std::vector<T>>(image_->texels).data()),
-        decode_(node.decode_srgb) {}
+        decode_(node.flag("decode_srgb")) {}
 
   Spectrum eval(const SurfacePoint& at) const override {
     if (image_->channels == 1) return Spectrum(eval_float(at));
@@ -88,13 +95,13 @@ class ImageTexture final : public Texture {
   int wrapped(int i, int size) const {
     if (i >= 0 && i < size) return i;
     switch (wrap_) {
-      case desc::Wrap::Repeat: {
+      case Wrap::Repeat: {
         const int m = i % size;
         return m < 0 ? m + size : m;
       }
-      case desc::Wrap::Clamp:
+      case Wrap::Clamp:
         return i < 0 ? 0 : size - 1;
-      case desc::Wrap::Black:
+      case Wrap::Black:
         break;
     }
     return -1;
@@ -129,7 +136,7 @@ class ImageTexture final : public Texture {
   }
 
   TextureMapping mapping_;
-  desc::Wrap wrap_;
+  Wrap wrap_;
   bool nearest_;
   float scale_;
   std::shared_ptr<const TexelImage> image_;
@@ -137,16 +144,33 @@ class ImageTexture final : public Texture {
   Decoder<T> decode_;
 };
 
-}  // namespace
-
-std::unique_ptr<const Texture> make_texture(const desc::ImageTexture& node,
-                                            std::shared_ptr<const TexelImage> image) {
+std::unique_ptr<const Texture> make_image_texture(const TextureInputs& in) {
+  const std::shared_ptr<const TexelImage> image = in.image("file");
   if (!image) return std::make_unique<ConstantTexture>(Spectrum(1.F, 0.F, 1.F));
   return std::visit(
       [&]<typename T>(const std::vector<T>&) -> std::unique_ptr<const Texture> {
-        return std::make_unique<ImageTexture<T>>(node, image);
+        return std::make_unique<ImageTexture<T>>(in.node(), image);
       },
       image->texels);
+}
+
+}  // namespace
+
+TextureModel image_texture() {
+  ParameterSpec decode = declare::flag(
+      "decode_srgb", "whether integers are sRGB-coded; files of floats are linear in any case");
+  decode.default_value = "true";
+  return {{.name = "image",
+           .summary = "an image file",
+           .source = "",
+           .parameters = declare::joined(
+               {declare::file("file", "the image; alpha is ignored"),
+                choice_parameter("wrap", {"repeat", "black", "clamp"},
+                                 "what is beyond the edge of the image"),
+                std::move(decode), declare::number("scale", "1", "factor of all values"),
+                choice_parameter("filter", {"bilinear", "nearest"}, "between texels")},
+               mapping_parameters())},
+          make_image_texture};
 }
 
 }  // namespace ajar

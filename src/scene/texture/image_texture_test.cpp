@@ -4,9 +4,9 @@
 #include <filesystem>
 #include <fstream>
 
+#include "scene/desc/models.h"
 #include "scene/texture/image_cache.h"
 #include "scene/texture/texture.h"
-#include "scene/texture/texture_builders.h"
 
 namespace ajar {
 namespace {
@@ -40,8 +40,13 @@ class ImageTextureTest : public testing::Test {
     output->close();
     return path;
   }
-  std::unique_ptr<const Texture> make(const desc::ImageTexture& node) {
-    return make_texture(node, std::make_shared<const TexelImage>(read_texel_image(node.path)));
+  std::unique_ptr<const Texture> make(const desc::Node& node) {
+    desc::SceneDesc scene;
+    scene.textures.emplace_back().node = node;
+    Warnings warnings;
+    TextureList textures = build_textures(scene, warnings);
+    EXPECT_EQ(warnings.count(), 0U);
+    return std::move(textures.front());
   }
   fs::path folder_;
 };
@@ -50,85 +55,85 @@ class ImageTextureTest : public testing::Test {
 std::vector<std::uint8_t> six() { return {10, 20, 30, 40, 50, 60}; }
 
 TEST_F(ImageTextureTest, BottomRowIsAtTZero) {
-  desc::ImageTexture node;
-  node.path = write<std::uint8_t>("a.png", 3, 2, 1, six());
-  node.decode_srgb = false;
-  node.filter = desc::TextureFilter::Nearest;
+  desc::Node node = desc::texture_node("image");
+  node.set("file", write<std::uint8_t>("a.png", 3, 2, 1, six()));
+  node.set("decode_srgb", false);
+  node.set("filter", "nearest");
   const auto texture = make(node);
   EXPECT_NEAR(texture->eval_float(at_uv(0.1F, 0.1F)) * 255.F, 40.F, 1e-3F);
   EXPECT_NEAR(texture->eval_float(at_uv(0.9F, 0.9F)) * 255.F, 30.F, 1e-3F);
 }
 
 TEST_F(ImageTextureTest, BilinearInterpolatesBetweenTexelCentres) {
-  desc::ImageTexture node;
-  node.path = write<std::uint8_t>("a.png", 3, 2, 1, six());
-  node.decode_srgb = false;
-  node.scale = 2.F;
+  desc::Node node = desc::texture_node("image");
+  node.set("file", write<std::uint8_t>("a.png", 3, 2, 1, six()));
+  node.set("decode_srgb", false);
+  node.set("scale", 2.F);
   const auto texture = make(node);
   EXPECT_NEAR(texture->eval_float(at_uv(0.5F, 0.25F)) * 255.F, 100.F, 1e-3F);
   EXPECT_NEAR(texture->eval_float(at_uv(1.F / 3.F, 0.5F)) * 255.F, 60.F, 1e-3F);
 }
 
 TEST_F(ImageTextureTest, WrapModesDifferOutside) {
-  desc::ImageTexture node;
-  node.path = write<std::uint8_t>("a.png", 3, 2, 1, six());
-  node.decode_srgb = false;
-  node.filter = desc::TextureFilter::Nearest;
-  const auto value = [&](desc::Wrap wrap, float u, float v) {
-    node.wrap = wrap;
+  desc::Node node = desc::texture_node("image");
+  node.set("file", write<std::uint8_t>("a.png", 3, 2, 1, six()));
+  node.set("decode_srgb", false);
+  node.set("filter", "nearest");
+  const auto value = [&](const char* wrap, float u, float v) {
+    node.set("wrap", wrap);
     return make(node)->eval_float(at_uv(u, v)) * 255.F;
   };
-  EXPECT_NEAR(value(desc::Wrap::Repeat, 1.1F, 0.1F), 40.F, 1e-3F);
-  EXPECT_NEAR(value(desc::Wrap::Repeat, -0.1F, -0.1F), 30.F, 1e-3F);
-  EXPECT_NEAR(value(desc::Wrap::Clamp, 1.1F, 0.1F), 60.F, 1e-3F);
-  EXPECT_NEAR(value(desc::Wrap::Clamp, -5.F, 7.F), 10.F, 1e-3F);
-  EXPECT_EQ(value(desc::Wrap::Black, 1.1F, 0.1F), 0.F);
-  EXPECT_NEAR(value(desc::Wrap::Black, 0.9F, 0.1F), 60.F, 1e-3F);
+  EXPECT_NEAR(value("repeat", 1.1F, 0.1F), 40.F, 1e-3F);
+  EXPECT_NEAR(value("repeat", -0.1F, -0.1F), 30.F, 1e-3F);
+  EXPECT_NEAR(value("clamp", 1.1F, 0.1F), 60.F, 1e-3F);
+  EXPECT_NEAR(value("clamp", -5.F, 7.F), 10.F, 1e-3F);
+  EXPECT_EQ(value("black", 1.1F, 0.1F), 0.F);
+  EXPECT_NEAR(value("black", 0.9F, 0.1F), 60.F, 1e-3F);
   // A bilinear black border fades over half a texel; repetition joins the opposite edges.
-  node.filter = desc::TextureFilter::Bilinear;
-  EXPECT_NEAR(value(desc::Wrap::Black, 0.F, 0.25F), 20.F, 1e-3F);
-  EXPECT_NEAR(value(desc::Wrap::Repeat, 0.F, 0.25F), 50.F, 1e-3F);
-  EXPECT_NEAR(value(desc::Wrap::Clamp, 0.F, 0.25F), 40.F, 1e-3F);
+  node.set("filter", "bilinear");
+  EXPECT_NEAR(value("black", 0.F, 0.25F), 20.F, 1e-3F);
+  EXPECT_NEAR(value("repeat", 0.F, 0.25F), 50.F, 1e-3F);
+  EXPECT_NEAR(value("clamp", 0.F, 0.25F), 40.F, 1e-3F);
 }
 
 TEST_F(ImageTextureTest, IntegersAreDecodedAndFloatsAreNot) {
-  desc::ImageTexture node;
-  node.path = write<std::uint8_t>("b.png", 1, 1, 3, {128, 255, 0});
+  desc::Node node = desc::texture_node("image");
+  node.set("file", write<std::uint8_t>("b.png", 1, 1, 3, {128, 255, 0}));
   const Spectrum eight = make(node)->eval(at_uv(0.5F, 0.5F));
   EXPECT_NEAR(eight[0], 0.2158605F, 1e-6F);
   EXPECT_EQ(eight[1], 1.F);
   EXPECT_EQ(eight[2], 0.F);
-  node.path = write<std::uint16_t>("b16.png", 1, 1, 3, {128 * 257, 65535, 0});
+  node.set("file", write<std::uint16_t>("b16.png", 1, 1, 3, {128 * 257, 65535, 0}));
   EXPECT_NEAR(make(node)->eval(at_uv(0.5F, 0.5F))[0], 0.2158605F, 1e-6F);
-  node.path = write<float>("b.exr", 1, 1, 3, {0.5F, 7.F, 0.25F});
+  node.set("file", write<float>("b.exr", 1, 1, 3, {0.5F, 7.F, 0.25F}));
   const Spectrum linear = make(node)->eval(at_uv(0.5F, 0.5F));
   EXPECT_EQ(linear[0], 0.5F);
   EXPECT_EQ(linear[1], 7.F);
 }
 
 TEST_F(ImageTextureTest, GrayImagesAreGrayAndAlphaIsIgnored) {
-  desc::ImageTexture node;
-  node.decode_srgb = false;
-  node.path = write<std::uint8_t>("gray.png", 1, 1, 1, {51});
+  desc::Node node = desc::texture_node("image");
+  node.set("decode_srgb", false);
+  node.set("file", write<std::uint8_t>("gray.png", 1, 1, 1, {51}));
   const Spectrum gray = make(node)->eval(at_uv(0.5F, 0.5F));
   EXPECT_NEAR(gray[0], 0.2F, 1e-6F);
   EXPECT_EQ(gray[0], gray[2]);
-  node.path = write<std::uint8_t>("rgba.png", 1, 1, 4, {51, 102, 153, 10});
+  node.set("file", write<std::uint8_t>("rgba.png", 1, 1, 4, {51, 102, 153, 10}));
   const Spectrum rgba = make(node)->eval(at_uv(0.5F, 0.5F));
   EXPECT_NEAR(rgba[0], 0.2F, 1e-6F);
   EXPECT_NEAR(rgba[2], 0.6F, 1e-6F);
 }
 
 TEST_F(ImageTextureTest, ColourImagesUsedAsFloatsGiveLuminance) {
-  desc::ImageTexture node;
-  node.decode_srgb = false;
-  node.path = write<std::uint8_t>("c.png", 1, 1, 3, {0, 255, 0});
+  desc::Node node = desc::texture_node("image");
+  node.set("decode_srgb", false);
+  node.set("file", write<std::uint8_t>("c.png", 1, 1, 3, {0, 255, 0}));
   EXPECT_NEAR(make(node)->eval_float(at_uv(0.5F, 0.5F)), 0.71516F, 3e-3F);
 }
 
 TEST_F(ImageTextureTest, InvalidTexelsBecomeBlack) {
-  desc::ImageTexture node;
-  node.path = write<float>("nan.exr", 1, 1, 3, {NAN, INFINITY, 2.F});
+  desc::Node node = desc::texture_node("image");
+  node.set("file", write<float>("nan.exr", 1, 1, 3, {NAN, INFINITY, 2.F}));
   const Spectrum s = make(node)->eval(at_uv(0.5F, 0.5F));
   EXPECT_EQ(s[0], 0.F);
   EXPECT_EQ(s[1], 0.F);
@@ -154,8 +159,8 @@ TEST_F(ImageTextureTest, UnreadableImagesAreMagentaWithALocatedWarning) {
   for (const std::string& path : {broken, (folder_ / "missing.exr").string()}) {
     desc::Texture texture;
     texture.where = {std::make_shared<const std::string>("scene.pbrt"), 12, 3};
-    desc::ImageTexture node;
-    node.path = path;
+    desc::Node node = desc::texture_node("image");
+    node.set("file", path);
     texture.node = node;
     scene.textures.push_back(texture);
   }

@@ -1,5 +1,8 @@
 #pragma once
-#include "scene/desc/scene_desc.h"
+#include <variant>
+#include <vector>
+
+#include "scene/desc/node.h"
 #include "scene/surface_point.h"
 
 namespace ajar {
@@ -7,18 +10,41 @@ namespace ajar {
 /// From a surface point to texture coordinates (s, t). Source: pbrt-v3, section 10.2.
 class TextureMapping {
  public:
-  explicit TextureMapping(const desc::Mapping2D& mapping) : mapping_(mapping) {}
+  /// Of a node with the parameters of `mapping_parameters`.
+  explicit TextureMapping(const desc::Node& node);
   Vec2 map(const SurfacePoint& at) const {
-    if (const auto* uv = std::get_if<desc::UvMapping>(&mapping_)) {
+    if (const auto* uv = std::get_if<Uv>(&mapping_)) {
       return {uv->su * at.uv.x + uv->du, uv->sv * at.uv.y + uv->dv};
     }
     return map_position(at.p);
   }
 
  private:
+  struct Uv {
+    float su, sv, du, dv;
+  };
+  struct Spherical {
+    Mat4 world_to_texture;
+  };
+  struct Cylindrical {
+    Mat4 world_to_texture;
+  };
+  struct Planar {
+    Vec3 vs, vt;
+    float ds, dt;
+  };
+  using Mapping = std::variant<Uv, Spherical, Cylindrical, Planar>;
+
+  static Mapping mapping_of(const desc::Node& node);
   Vec2 map_position(const Vec3& p) const;
-  desc::Mapping2D mapping_;
+
+  Mapping mapping_;
 };
+
+/// What textures declare that have a `TextureMapping`.
+std::vector<ParameterSpec> mapping_parameters();
+/// What textures declare that have a space of their own.
+ParameterSpec texture_space();
 
 /// Greatest integer not above x, for coordinates of any size (NaN gives 0).
 int floor_to_int(float x);

@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <array>
 
+#include "scene/texture/inputs.h"
+#include "scene/texture/mapping.h"
 #include "scene/texture/noise.h"
-#include "scene/texture/texture_builders.h"
 
 namespace ajar {
 
@@ -27,16 +28,29 @@ class SolidTexture final : public Texture {
 };
 
 template <typename Function>
-std::unique_ptr<const Texture> make_solid(const Mat4& world_to_texture, Function function) {
-  return std::make_unique<SolidTexture<Function>>(world_to_texture, function);
+std::unique_ptr<const Texture> make_solid(const TextureInputs& in, Function function) {
+  return std::make_unique<SolidTexture<Function>>(in.node().transform("world_to_texture"),
+                                                  function);
+}
+
+/// How noise of several octaves adds up.
+std::vector<ParameterSpec> noise_parameters() {
+  return {declare::integer("octaves", "8", "octaves of noise, each of twice the frequency", 0, 64),
+          declare::number("roughness", "0.5", "strength of each octave relative to the one before"),
+          texture_space()};
 }
 
 class MarbleTexture final : public Texture {
  public:
-  explicit MarbleTexture(const desc::MarbleTexture& node) : node_(node) {}
+  explicit MarbleTexture(const TextureInputs& in)
+      : octaves_(in.node().integer("octaves")),
+        roughness_(in.node().number("roughness")),
+        scale_(in.node().number("scale")),
+        variation_(in.node().number("variation")),
+        world_to_texture_(in.node().transform("world_to_texture")) {}
   Spectrum eval(const SurfacePoint& at) const override {
-    const Vec3 p = transform_point(node_.world_to_texture, at.p) * node_.scale;
-    const float layers = p.y + node_.variation * fbm(p, node_.roughness, node_.octaves);
+    const Vec3 p = transform_point(world_to_texture_, at.p) * scale_;
+    const float layers = p.y + variation_ * fbm(p, roughness_, octaves_);
     return vein_color(0.5F + 0.5F * std::sin(layers));
   }
 
@@ -60,35 +74,62 @@ class MarbleTexture final : public Texture {
     return bezier * 1.5F;
   }
 
-  desc::MarbleTexture node_;
+  int octaves_;
+  float roughness_, scale_, variation_;
+  Mat4 world_to_texture_;
 };
 
 }  // namespace
 
-std::unique_ptr<const Texture> make_texture(const desc::FbmTexture& node) {
-  return make_solid(node.world_to_texture,
-                    [roughness = node.roughness, octaves = node.octaves](const Vec3& p) {
-                      return fbm(p, roughness, octaves);
-                    });
+TextureModel fbm_texture() {
+  return {{.name = "fbm",
+           .summary = "fractal noise around 0 (fractional Brownian motion)",
+           .source = "Pharr et al. 2016, section 10.6.3",
+           .parameters = noise_parameters()},
+          [](const TextureInputs& in) {
+            return make_solid(in, [roughness = in.node().number("roughness"),
+                                   octaves = in.node().integer("octaves")](const Vec3& p) {
+              return fbm(p, roughness, octaves);
+            });
+          }};
 }
 
-std::unique_ptr<const Texture> make_texture(const desc::WrinkledTexture& node) {
-  return make_solid(node.world_to_texture,
-                    [roughness = node.roughness, octaves = node.octaves](const Vec3& p) {
-                      return turbulence(p, roughness, octaves);
-                    });
+TextureModel wrinkled_texture() {
+  return {{.name = "wrinkled",
+           .summary = "fractal noise above 0 with creases (turbulence)",
+           .source = "Pharr et al. 2016, section 10.6.4",
+           .parameters = noise_parameters()},
+          [](const TextureInputs& in) {
+            return make_solid(in, [roughness = in.node().number("roughness"),
+                                   octaves = in.node().integer("octaves")](const Vec3& p) {
+              return turbulence(p, roughness, octaves);
+            });
+          }};
 }
 
-std::unique_ptr<const Texture> make_texture(const desc::WindyTexture& node) {
-  return make_solid(node.world_to_texture, [](const Vec3& p) {
-    const float wind = fbm(p * 0.1F, 0.5F, 3);
-    const float waves = fbm(p, 0.5F, 6);
-    return std::abs(wind) * waves;
-  });
+TextureModel windy_texture() {
+  return {{.name = "windy",
+           .summary = "waves on water, where gusts of wind touch it",
+           .source = "Pharr et al. 2016, section 10.6.5",
+           .parameters = {texture_space()}},
+          [](const TextureInputs& in) {
+            return make_solid(in, [](const Vec3& p) {
+              const float wind = fbm(p * 0.1F, 0.5F, 3);
+              const float waves = fbm(p, 0.5F, 6);
+              return std::abs(wind) * waves;
+            });
+          }};
 }
 
-std::unique_ptr<const Texture> make_texture(const desc::MarbleTexture& node) {
-  return std::make_unique<MarbleTexture>(node);
+TextureModel marble_texture() {
+  return {{.name = "marble",
+           .summary = "layers of stone with veins",
+           .source = "Pharr et al. 2016, section 10.6.6",
+           .parameters = declare::joined(
+               noise_parameters(),
+               {declare::number("scale", "1", "layers per 2 pi of the texture's space"),
+                declare::number("variation", "0.2", "strength of the noise that bends them")})},
+          make_texture<MarbleTexture>};
 }
 
 }  // namespace ajar

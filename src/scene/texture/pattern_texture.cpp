@@ -1,23 +1,21 @@
 // Textures that are simple functions of two texture coordinates (and the solid checkerboard).
 // Source: pbrt-v3, sections 10.3.3, 10.5 and 10.6.2.
+#include "scene/texture/inputs.h"
 #include "scene/texture/mapping.h"
 #include "scene/texture/noise.h"
-#include "scene/texture/texture_builders.h"
 
 namespace ajar {
 
 namespace {
 
-Spectrum to_spectrum(const desc::Rgb& c) { return {c.x, c.y, c.z}; }
-
-class BilerpTexture final : public Texture {
+class BilinearTexture final : public Texture {
  public:
-  explicit BilerpTexture(const desc::BilerpTexture& node)
-      : mapping_(node.mapping),
-        v00_(to_spectrum(node.v00)),
-        v01_(to_spectrum(node.v01)),
-        v10_(to_spectrum(node.v10)),
-        v11_(to_spectrum(node.v11)) {}
+  explicit BilinearTexture(const TextureInputs& in)
+      : mapping_(in.node()),
+        v00_(in.color("v00")),
+        v01_(in.color("v01")),
+        v10_(in.color("v10")),
+        v11_(in.color("v11")) {}
   Spectrum eval(const SurfacePoint& at) const override {
     const Vec2 st = mapping_.map(at);
     return v00_ * ((1.F - st.x) * (1.F - st.y)) + v01_ * ((1.F - st.x) * st.y) +
@@ -86,7 +84,7 @@ struct InDot {
 
 class UvTexture final : public Texture {
  public:
-  explicit UvTexture(const desc::UvTexture& node) : mapping_(node.mapping) {}
+  explicit UvTexture(const TextureInputs& in) : mapping_(in.node()) {}
   Spectrum eval(const SurfacePoint& at) const override {
     const Vec2 st = mapping_.map(at);
     return {st.x - std::floor(st.x), st.y - std::floor(st.y), 0.F};
@@ -102,28 +100,69 @@ std::unique_ptr<const Texture> choose(Condition condition, const TextureSlot& if
   return std::make_unique<ChoiceTexture<Condition>>(std::move(condition), if_true, if_false);
 }
 
+std::vector<ParameterSpec> squares() {
+  return {declare::textured_color("first", "1", "what is at the origin"),
+          declare::textured_color("second", "0", "what is beside it")};
+}
+
 }  // namespace
 
-std::unique_ptr<const Texture> make_texture(const desc::BilerpTexture& node) {
-  return std::make_unique<BilerpTexture>(node);
+TextureModel bilinear_texture() {
+  return {{.name = "bilinear",
+           .summary = "four corners with blends between them",
+           .source = "Pharr et al. 2016, section 10.3.3",
+           .parameters = declare::joined({declare::color("v00", "0", "value at u = 0, v = 0"),
+                                          declare::color("v01", "1", "value at u = 0, v = 1"),
+                                          declare::color("v10", "0", "value at u = 1, v = 0"),
+                                          declare::color("v11", "1", "value at u = 1, v = 1")},
+                                         mapping_parameters())},
+          make_texture<BilinearTexture>};
 }
 
-std::unique_ptr<const Texture> make_texture(const desc::CheckerboardTexture& node,
-                                            const TextureList& textures) {
-  const TextureSlot a = texture_slot(node.a, textures, 1.F);
-  const TextureSlot b = texture_slot(node.b, textures, 0.F);
-  if (node.dimension == 3) return choose(InEvenCube{node.world_to_texture}, a, b);
-  return choose(InEvenSquare{TextureMapping(node.mapping)}, a, b);
+TextureModel checkerboard_texture() {
+  return {{.name = "checkerboard",
+           .summary = "squares of two textures by turns",
+           .source = "Pharr et al. 2016, section 10.5.1",
+           .parameters = declare::joined(squares(), mapping_parameters())},
+          [](const TextureInputs& in) {
+            return choose(InEvenSquare{TextureMapping(in.node())}, in.slot("first"),
+                          in.slot("second"));
+          },
+          true};
 }
 
-std::unique_ptr<const Texture> make_texture(const desc::DotsTexture& node,
-                                            const TextureList& textures) {
-  return choose(InDot{TextureMapping(node.mapping)}, texture_slot(node.inside, textures, 1.F),
-                texture_slot(node.outside, textures, 0.F));
+TextureModel solid_checkerboard_texture() {
+  return {{.name = "solid_checkerboard",
+           .summary = "cubes of two textures by turns",
+           .source = "Pharr et al. 2016, section 10.5.2",
+           .parameters = declare::joined(squares(), {texture_space()})},
+          [](const TextureInputs& in) {
+            return choose(InEvenCube{in.node().transform("world_to_texture")}, in.slot("first"),
+                          in.slot("second"));
+          },
+          true};
 }
 
-std::unique_ptr<const Texture> make_texture(const desc::UvTexture& node) {
-  return std::make_unique<UvTexture>(node);
+TextureModel dots_texture() {
+  return {{.name = "dots",
+           .summary = "dots, strewn at random",
+           .source = "Pharr et al. 2016, section 10.6.2",
+           .parameters =
+               declare::joined({declare::textured_color("inside", "1", "what the dots are"),
+                                declare::textured_color("outside", "0", "what is between them")},
+                               mapping_parameters())},
+          [](const TextureInputs& in) {
+            return choose(InDot{TextureMapping(in.node())}, in.slot("inside"), in.slot("outside"));
+          },
+          true};
+}
+
+TextureModel uv_texture() {
+  return {{.name = "uv",
+           .summary = "shows the coordinates of a mapping as red and green",
+           .source = "Pharr et al. 2016, section 10.5",
+           .parameters = mapping_parameters()},
+          make_texture<UvTexture>};
 }
 
 }  // namespace ajar

@@ -9,6 +9,8 @@
 
 namespace ajar {
 
+inline Spectrum rgb_spectrum(const desc::Rgb& rgb) { return {rgb.x, rgb.y, rgb.z}; }
+
 /// A function over surfaces. Immutable and safe to call from any thread.
 class Texture {
  public:
@@ -48,6 +50,9 @@ class TextureSlot {
 };
 
 using TextureList = std::vector<std::unique_ptr<const Texture>>;
+
+/// The value of a parameter: a float, a colour, or one of the textures.
+TextureSlot texture_slot(const desc::Value& value, const TextureList& textures);
 
 /// Builds all textures of a scene; entry i is texture id i. Image files are read here, each once.
 /// An image that cannot be read becomes magenta and a warning.

@@ -4,10 +4,13 @@
 
 #include "core/error.h"
 #include "core/warnings.h"
+#include "scene/desc/models.h"
 #include "scene/desc/scene_desc.h"
 
 namespace ajar {
 namespace {
+
+using desc::TextureRef;
 
 SurfacePoint at_uv(float u, float v) {
   SurfacePoint point{};
@@ -23,15 +26,20 @@ SurfacePoint at_position(const Vec3& p) {
 /// Builds a description's textures and evaluates the last.
 class TextureTest : public testing::Test {
  protected:
-  template <typename Node>
-  desc::TextureId add(Node node) {
-    desc::Texture texture;
-    texture.node = std::move(node);
-    scene_.textures.push_back(std::move(texture));
+  desc::TextureId add(std::string_view model, desc::Node::Given given = {}) {
+    scene_.textures.emplace_back().node = desc::texture_node(model, given);
     return static_cast<desc::TextureId>(scene_.textures.size()) - 1;
   }
   desc::TextureId add_constant(float r, float g, float b) {
-    return add(desc::ConstantTexture{{r, g, b}});
+    return add("constant", {{"value", Vec3(r, g, b)}});
+  }
+  desc::TextureId add_product(const desc::Value& first, const desc::Value& second) {
+    return add("product", {{"first", first}, {"second", second}});
+  }
+  desc::TextureId add_mix(desc::TextureId first, desc::TextureId second, desc::TextureId amount) {
+    return add("mix", {{"first", TextureRef{first}},
+                       {"second", TextureRef{second}},
+                       {"amount", TextureRef{amount}}});
   }
   const Texture& built() {
     textures_ = build_textures(scene_, warnings_);
@@ -48,10 +56,10 @@ void expect_rgb(const Spectrum& s, float r, float g, float b) {
   EXPECT_NEAR(s[2], b, 1e-5F);
 }
 
-TEST_F(TextureTest, ScaleMultipliesAndFoldsConstants) {
+TEST_F(TextureTest, ProductMultipliesAndFoldsConstants) {
   const auto a = add_constant(0.5F, 1.F, 2.F);
   const auto b = add_constant(0.5F, 0.25F, 3.F);
-  add(desc::ScaleTexture{a, b});
+  add_product(TextureRef{a}, TextureRef{b});
   const Texture& texture = built();
   ASSERT_NE(texture.constant(), nullptr);
   expect_rgb(*texture.constant(), 0.25F, 0.25F, 6.F);
@@ -60,11 +68,9 @@ TEST_F(TextureTest, ScaleMultipliesAndFoldsConstants) {
 TEST_F(TextureTest, MixWeighsWithItsAmount) {
   const auto a = add_constant(1.F, 0.F, 0.F);
   const auto b = add_constant(0.F, 0.F, 1.F);
-  desc::BilerpTexture ramp;
-  ramp.v00 = ramp.v01 = {0, 0, 0};
-  ramp.v10 = ramp.v11 = {1, 1, 1};
-  const auto amount = add(ramp);
-  add(desc::MixTexture{a, b, amount});
+  const auto amount = add(
+      "bilinear", {{"v00", Vec3(0.F)}, {"v01", Vec3(0.F)}, {"v10", Vec3(1.F)}, {"v11", Vec3(1.F)}});
+  add_mix(a, b, amount);
   const Texture& texture = built();
   EXPECT_EQ(texture.constant(), nullptr);
   expect_rgb(texture.eval(at_uv(0.25F, 0.9F)), 0.75F, 0.F, 0.25F);
@@ -84,10 +90,10 @@ std::string error_of(const desc::SceneDesc& scene) {
 
 TEST_F(TextureTest, TexturesOfTexturesMayNotDoubleTheirWorkForEver) {
   // Each looks up the one before twice, which 2^n lookups come of.
-  auto last = add(desc::BilerpTexture{});
-  for (int level = 0; level < 11; ++level) last = add(desc::ScaleTexture{last, last});
+  auto last = add("bilinear");
+  for (int level = 0; level < 11; ++level) last = add_product(TextureRef{last}, TextureRef{last});
   EXPECT_EQ(error_of(scene_), "no error");
-  for (int level = 0; level < 40; ++level) last = add(desc::MixTexture{last, last, last});
+  for (int level = 0; level < 40; ++level) last = add_mix(last, last, last);
   scene_.textures[12].where = {std::make_shared<const std::string>("a.pbrt"), 5, 1};
   const std::string error = error_of(scene_);
   EXPECT_NE(error.find("looks up"), std::string::npos) << error;
@@ -97,32 +103,28 @@ TEST_F(TextureTest, TexturesOfTexturesMayNotDoubleTheirWorkForEver) {
 
 TEST_F(TextureTest, ChainsOfTexturesMayNotBeDeeperThanTheStack) {
   const auto constant = add_constant(0.5F, 0.5F, 0.5F);
-  auto last = add(desc::UvTexture{});
-  desc::CheckerboardTexture board;
-  board.b = constant;
+  auto last = add("uv");
   for (int level = 0; level < 1000; ++level) {
-    board.a = last;
-    last = add(board);
+    last = add("checkerboard", {{"first", TextureRef{last}}, {"second", TextureRef{constant}}});
   }
   EXPECT_EQ(error_of(scene_), "no error") << "a checkerboard looks up only one of its two";
-  for (int level = 0; level < 200000; ++level) last = add(desc::ScaleTexture{last, constant});
+  for (int level = 0; level < 200000; ++level)
+    last = add_product(TextureRef{last}, TextureRef{constant});
   EXPECT_NE(error_of(scene_).find("at most 4096"), std::string::npos);
 }
 
 TEST_F(TextureTest, TexturesOfConstantsAreConstantsHoweverDeep) {
   auto last = add_constant(0.5F, 1.F, 0.F);
-  for (int level = 0; level < 5000; ++level) last = add(desc::MixTexture{last, last, last});
+  for (int level = 0; level < 5000; ++level) last = add_mix(last, last, last);
   ASSERT_NE(built().constant(), nullptr);
   expect_rgb(*textures_.back()->constant(), 0.5F, 1.F, 0.F);
 }
 
-TEST_F(TextureTest, BilerpInterpolatesItsCorners) {
-  desc::BilerpTexture node;
-  node.v00 = {0, 0, 0};
-  node.v01 = {1, 0, 0};
-  node.v10 = {0, 1, 0};
-  node.v11 = {0, 0, 1};
-  add(node);
+TEST_F(TextureTest, BilinearInterpolatesItsCorners) {
+  add("bilinear", {{"v00", Vec3(0, 0, 0)},
+                   {"v01", Vec3(1, 0, 0)},
+                   {"v10", Vec3(0, 1, 0)},
+                   {"v11", Vec3(0, 0, 1)}});
   const Texture& texture = built();
   expect_rgb(texture.eval(at_uv(0.F, 1.F)), 1.F, 0.F, 0.F);
   expect_rgb(texture.eval(at_uv(1.F, 0.F)), 0.F, 1.F, 0.F);
@@ -132,11 +134,8 @@ TEST_F(TextureTest, BilerpInterpolatesItsCorners) {
 TEST_F(TextureTest, CheckerboardAlternatesAlsoBelowZero) {
   const auto a = add_constant(1.F, 1.F, 1.F);
   const auto b = add_constant(0.F, 0.F, 0.F);
-  desc::CheckerboardTexture node;
-  node.a = a;
-  node.b = b;
-  node.mapping = desc::UvMapping{4.F, 4.F, 0.F, 0.F};
-  add(node);
+  add("checkerboard",
+      {{"first", TextureRef{a}}, {"second", TextureRef{b}}, {"scale_u", 4.F}, {"scale_v", 4.F}});
   const Texture& texture = built();
   EXPECT_EQ(texture.eval_float(at_uv(0.1F, 0.1F)), 1.F);
   EXPECT_EQ(texture.eval_float(at_uv(0.3F, 0.1F)), 0.F);
@@ -147,10 +146,9 @@ TEST_F(TextureTest, CheckerboardAlternatesAlsoBelowZero) {
 }
 
 TEST_F(TextureTest, SolidCheckerboardUsesItsOwnSpace) {
-  desc::CheckerboardTexture node;
-  node.dimension = 3;
-  node.world_to_texture.setScale(0.5);
-  add(node);
+  Mat4 half;
+  half.setScale(0.5);
+  add("solid_checkerboard", {{"world_to_texture", std::make_shared<const Mat4>(half)}});
   const Texture& texture = built();
   EXPECT_EQ(texture.eval_float(at_position({1.F, 1.F, 1.F})), 1.F);
   EXPECT_EQ(texture.eval_float(at_position({3.F, 1.F, 1.F})), 0.F);
@@ -158,33 +156,30 @@ TEST_F(TextureTest, SolidCheckerboardUsesItsOwnSpace) {
 }
 
 TEST_F(TextureTest, UvShowsFractionsOfItsMapping) {
-  desc::UvTexture node;
-  node.mapping = desc::UvMapping{2.F, 1.F, 0.1F, -0.25F};
-  add(node);
+  add("uv", {{"scale_u", 2.F}, {"offset_u", 0.1F}, {"offset_v", -0.25F}});
   expect_rgb(built().eval(at_uv(0.7F, 0.F)), 0.5F, 0.75F, 0.F);
 }
 
 TEST_F(TextureTest, MappingsFollowTheirDefinitions) {
-  desc::UvTexture node;
   Mat4 move;
   move.setTranslation(Vec3d(-1.0, 0.0, 0.0));
-  node.mapping = desc::SphericalMapping{move};
-  add(node);
+  add("uv", {{"mapping", "spherical"}, {"world_to_texture", std::make_shared<const Mat4>(move)}});
   // From (1,0,0): straight along +y is θ = π/2, φ = π/2.
   expect_rgb(built().eval(at_position({1.F, 5.F, 0.F})), 0.5F, 0.25F, 0.F);
   expect_rgb(built().eval(at_position({1.F, -5.F, 0.F})), 0.5F, 0.75F, 0.F);
 
-  node.mapping = desc::CylindricalMapping{};
-  add(node);
+  add("uv", {{"mapping", "cylindrical"}});
   expect_rgb(built().eval(at_position({0.F, 3.F, 4.F})), 0.75F, 0.8F, 0.F);
 
-  node.mapping = desc::PlanarMapping{{0.5F, 0, 0}, {0, 0, 1}, 0.25F, 0.F};
-  add(node);
+  add("uv", {{"mapping", "planar"},
+             {"axis_u", Vec3(0.5F, 0, 0)},
+             {"axis_v", Vec3(0, 0, 1)},
+             {"offset_u", 0.25F}});
   expect_rgb(built().eval(at_position({0.5F, 9.F, 0.125F})), 0.5F, 0.125F, 0.F);
 }
 
 TEST_F(TextureTest, DotsAreRoundAndHaveTwoValues) {
-  add(desc::DotsTexture{});
+  add("dots");
   const Texture& texture = built();
   int inside = 0;
   constexpr int kSteps = 400;
@@ -201,7 +196,7 @@ TEST_F(TextureTest, DotsAreRoundAndHaveTwoValues) {
 }
 
 TEST_F(TextureTest, MarbleHasPlausibleColours) {
-  add(desc::MarbleTexture{});
+  add("marble");
   const Texture& texture = built();
   for (int i = 0; i < 5000; ++i) {
     const float t = static_cast<float>(i) * 0.01F;
@@ -211,13 +206,13 @@ TEST_F(TextureTest, MarbleHasPlausibleColours) {
   }
 }
 
-TEST_F(TextureTest, MissingReferencesTakeTheirDefaults) {
-  add(desc::MixTexture{});
+TEST_F(TextureTest, WhatIsNotGivenHasItsDefault) {
+  add("mix");
   EXPECT_EQ(built().eval_float(at_uv(0.F, 0.F)), 0.5F);
 }
 
 TEST_F(TextureTest, ForwardReferencesAreRefused) {
-  add(desc::ScaleTexture{1, desc::kNone});
+  add_product(TextureRef{1}, Vec3(1.F));
   add_constant(1.F, 1.F, 1.F);
   EXPECT_THROW(build_textures(scene_, warnings_), SceneError);
 }

@@ -1,8 +1,10 @@
-#pragma once
 #include "scene/material/inputs.h"
-#include "scene/material/material.h"
 
 namespace ajar {
+namespace {
+
+constexpr WarningKind kTooManyLobes{
+    Effect::Surface, "mixes have too many lobes: only their first materials are used"};
 
 /// `amount` of one material and the rest of another, lane by lane.
 class Mix final : public Material {
@@ -52,5 +54,29 @@ class FirstOfMix final : public Material {
  private:
   const Material& first_;
 };
+
+std::unique_ptr<Material> make_mix(const MaterialInputs& in) {
+  const Material& first = in.material("first");
+  const Material& second = in.material("second");
+  auto mix = std::make_unique<Mix>(in.slot("amount"), first, second);
+  if (mix->max_lobes() <= Bsdf::kMaxLobes) return mix;
+  in.warn(kTooManyLobes, "mix of too many lobes (" + std::to_string(mix->max_lobes()) +
+                             ", at most " + std::to_string(Bsdf::kMaxLobes) +
+                             " are possible): only its first material is used");
+  const auto* nested = dynamic_cast<const FirstOfMix*>(&first);
+  return std::make_unique<FirstOfMix>(nested != nullptr ? nested->first() : first);
+}
+
+}  // namespace
+
+MaterialModel mix_material() {
+  return {{.name = "mix",
+           .summary = "blend of two materials by a texture",
+           .source = "",
+           .parameters = {declare::reflectance("amount", "0.5", "share of the first, lane by lane"),
+                          declare::material("first", "the one that `amount` is of"),
+                          declare::material("second", "the one that the rest is of")}},
+          make_mix};
+}
 
 }  // namespace ajar

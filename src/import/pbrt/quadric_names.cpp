@@ -1,0 +1,20 @@
+#include "import/pbrt/quadric_names.h"
+
+namespace ajar::pbrt {
+
+// Names and defaults: pbrt-v3, src/shapes/*.cpp.
+const std::vector<ModelName>& quadric_names() {
+  static const ParameterName kPhiMax{"phi_max", {"phimax"}};
+  static const ParameterName kZMin{"z_min", {"zmin"}};
+  static const ParameterName kZMax{"z_max", {"zmax"}};
+  static const std::vector<ModelName> kNames = {
+      {"sphere", "sphere", {kZMin, kZMax, kPhiMax}},
+      {"disk", "disk", {{"inner_radius", {"innerradius"}}, kPhiMax}},
+      {"cylinder", "cylinder", {kZMin, kZMax, kPhiMax}},
+      {"cone", "cone", {kPhiMax}},
+      {"paraboloid", "paraboloid", {kZMin, kZMax, kPhiMax}},
+      {"hyperboloid", "hyperboloid", {kPhiMax}}};
+  return kNames;
+}
+
+}  // namespace ajar::pbrt

@@ -1,0 +1,42 @@
+#include "import/pbrt/texture_names.h"
+
+namespace ajar::pbrt {
+namespace {
+
+// Names and defaults: pbrt-v3, src/textures/*.cpp.
+
+/// `parameters` and those of a mapping to two coordinates.
+std::vector<ParameterName> mapped(std::vector<ParameterName> parameters) {
+  const std::vector<ParameterName> mapping = {{"scale_u", {"uscale"}},  {"scale_v", {"vscale"}},
+                                              {"offset_u", {"udelta"}}, {"offset_v", {"vdelta"}},
+                                              {"axis_u", {"v1"}},       {"axis_v", {"v2"}}};
+  parameters.insert(parameters.end(), mapping.begin(), mapping.end());
+  return parameters;
+}
+
+const ParameterName kFirst{"first", {"tex1"}};
+const ParameterName kSecond{"second", {"tex2"}};
+
+}  // namespace
+
+const std::vector<ModelName>& texture_names() {
+  static const std::vector<ModelName> kNames = {
+      {"constant", "constant", {}},
+      {"scale", "product", {kFirst, kSecond}},
+      {"mix", "mix", {kFirst, kSecond}},
+      {"bilerp", "bilinear", mapped({})},
+      {"imagemap", "image",
+       mapped({{"file", {"filename"}}, {"decode_srgb", {"gamma"}}, {"filter", {}}})},
+      {"uv", "uv", mapped({})},
+      {"checkerboard", "checkerboard", mapped({kFirst, kSecond})},
+      // With "integer dimension" 3.
+      {"checkerboard", "solid_checkerboard", {kFirst, kSecond}},
+      {"dots", "dots", mapped({})},
+      {"fbm", "fbm", {}},
+      {"wrinkled", "wrinkled", {}},
+      {"windy", "windy", {}},
+      {"marble", "marble", {}}};
+  return kNames;
+}
+
+}  // namespace ajar::pbrt

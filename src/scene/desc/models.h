@@ -1,0 +1,33 @@
+#pragma once
+#include <string_view>
+#include <vector>
+
+#include "scene/desc/node.h"
+
+/// All models that scenes can be described with. They are defined beside what is built of them
+/// (`scene/material/` …); who describes scenes needs no more than this.
+namespace ajar::desc {
+
+enum class ModelKind { Material, Texture, Light, Quadric };
+
+/// In the order of their names.
+const std::vector<const Model*>& models(ModelKind kind);
+/// The model of this name, or null.
+const Model* find_model(ModelKind kind, std::string_view name);
+/// A node of the model of this name, as `Node`'s constructor makes it. Raises std::logic_error if
+/// there is none.
+Node make_node(ModelKind kind, std::string_view name, Node::Given given = {});
+inline Node material_node(std::string_view name, Node::Given given = {}) {
+  return make_node(ModelKind::Material, name, given);
+}
+inline Node texture_node(std::string_view name, Node::Given given = {}) {
+  return make_node(ModelKind::Texture, name, given);
+}
+inline Node light_node(std::string_view name, Node::Given given = {}) {
+  return make_node(ModelKind::Light, name, given);
+}
+inline Node quadric_node(std::string_view name, Node::Given given = {}) {
+  return make_node(ModelKind::Quadric, name, given);
+}
+
+}  // namespace ajar::desc

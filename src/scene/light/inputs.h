@@ -1,0 +1,36 @@
+#pragma once
+#include <string>
+
+#include "scene/direction_map.h"
+#include "scene/light/map.h"
+#include "scene/light/registry.h"
+
+namespace ajar {
+
+/// Where a light stands and how it is turned.
+struct LightPlacement {
+  Vec3 position;
+  DirectionMap directions;
+};
+
+/// The description of one light, with what it needs to know of the scene.
+class LightInputs {
+ public:
+  /// Warns of a transform that cannot be inverted: it counts as no rotation.
+  LightInputs(const desc::Light& description, const BoundingSphere& bounds, Warnings& warnings);
+
+  const desc::Node& node() const { return description_.node; }
+  const LightPlacement& at() const { return at_; }
+  const BoundingSphere& bounds() const { return bounds_; }
+  Spectrum color(std::string_view name) const { return rgb_spectrum(node().color(name)); }
+  /// The map of a file, as `load_map` reads it; nothing if the light has none.
+  std::optional<Map> map(std::string_view name, MapEdge edge) const;
+
+ private:
+  const desc::Light& description_;
+  const BoundingSphere& bounds_;
+  Warnings& warnings_;
+  LightPlacement at_;
+};
+
+}  // namespace ajar

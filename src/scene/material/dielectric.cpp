@@ -1,0 +1,64 @@
+#include "scene/material/inputs.h"
+
+namespace ajar {
+namespace {
+
+constexpr WarningKind kSmoothThinGlass{
+    Effect::Surface,
+    "materials are thin glass, which is always smooth: their roughness is ignored"};
+
+/// Dielectric boundary: smooth, rough (if either roughness is not zero), or a thin smooth pane.
+class Dielectric final : public Material {
+ public:
+  explicit Dielectric(const MaterialInputs& in)
+      : reflectance_(in.slot("reflectance")),
+        transmittance_(in.slot("transmittance")),
+        eta_(in.slot("eta")),
+        roughness_(in),
+        rough_(!roughness_.is_smooth()),
+        thin_(in.node().flag("thin")) {
+    needs_tangent = rough_ && !thin_ && !roughness_.isotropic();
+    if (thin_ && rough_) {
+      in.warn(kSmoothThinGlass, "thin glass is always smooth: its roughness is ignored");
+    }
+  }
+  void add_lobes(const SurfacePoint& at, const Spectrum& scale, Bsdf& bsdf) const override {
+    const PackedSpectrum kr(reflectance(reflectance_, at));
+    const PackedSpectrum kt(reflectance(transmittance_, at));
+    if (kr.average() == 0.F && kt.average() == 0.F) return;
+    const float eta = index_of_refraction(eta_, at);
+    if (thin_) {
+      bsdf.add(ThinDielectric{kr, kt, eta}, scale);
+    } else if (rough_ && !index_matched(eta)) {
+      bsdf.add(RoughDielectric{roughness_.facets(FacetModel::Ggx, at), kr, kt, eta}, scale);
+    } else {
+      bsdf.add(SmoothDielectric{kr, kt, eta}, scale);
+    }
+  }
+  int max_lobes() const override { return 1; }
+
+ private:
+  TextureSlot reflectance_;
+  TextureSlot transmittance_;
+  TextureSlot eta_;
+  RoughnessSlot roughness_;
+  bool rough_;
+  bool thin_;
+};
+
+}  // namespace
+
+MaterialModel dielectric_material() {
+  return {
+      {.name = "dielectric",
+       .summary = "smooth or rough dielectric boundary, such as glass or water",
+       .source = "Walter et al. 2007",
+       .parameters = declare::joined(
+           {declare::reflectance("reflectance", "1", "tint of what is reflected"),
+            declare::reflectance("transmittance", "1", "tint of what is refracted"), index_input(),
+            declare::flag("thin", "a pane without thickness: transmits straight on")},
+           roughness_inputs("0"))},
+      make<Dielectric>};
+}
+
+}  // namespace ajar

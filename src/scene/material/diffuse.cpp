@@ -1,0 +1,41 @@
+#include "scene/material/inputs.h"
+
+namespace ajar {
+namespace {
+
+/// Diffuse: Lambert, or Oren–Nayar where `sigma` (degrees) is not zero.
+class Diffuse final : public Material {
+ public:
+  explicit Diffuse(const MaterialInputs& in)
+      : reflectance_(in.slot("reflectance")), sigma_(in.slot("sigma")) {}
+  void add_lobes(const SurfacePoint& at, const Spectrum& scale, Bsdf& bsdf) const override {
+    const Spectrum kd = scale * reflectance(reflectance_, at);
+    const float sigma = within(sigma_.eval_float(at), 0.F, 90.F);
+    if (sigma == 0.F) {
+      bsdf.add(Lambert{}, kd);
+    } else {
+      bsdf.add(OrenNayar(sigma * (kPi / 180.F)), kd);
+    }
+  }
+  int max_lobes() const override { return 1; }
+
+ private:
+  TextureSlot reflectance_;
+  TextureSlot sigma_;
+};
+
+}  // namespace
+
+MaterialModel diffuse_material() {
+  ParameterSpec sigma = declare::textured_number(
+      "sigma", "0", "spread of the slopes of the facets; 0 for a smooth surface (Lambert)", 90.0);
+  sigma.unit = "degrees";
+  return {{.name = "diffuse",
+           .summary = "diffuse (Lambert), or rough diffuse (Oren-Nayar)",
+           .source = "Oren and Nayar 1994",
+           .parameters = {declare::reflectance("reflectance", "0.5", "share of light it reflects"),
+                          std::move(sigma)}},
+          make<Diffuse>};
+}
+
+}  // namespace ajar

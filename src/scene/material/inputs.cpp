@@ -1,0 +1,75 @@
+#include "scene/material/inputs.h"
+
+#include <algorithm>
+
+#include "scene/desc/models.h"
+
+namespace ajar {
+namespace {
+
+constexpr WarningKind kForwardMix{
+    Effect::Surface, "mixes refer to materials that do not come before them: grey is used"};
+
+ParameterSpec roughness_scale() {
+  return choice_parameter(
+      "roughness_scale", {"alpha", "log"},
+      "what roughness is: the facets' alpha, or a number from 0 to 1 that alpha "
+      "follows by its logarithm");
+}
+
+/// Gray for what cannot be found.
+const Material& fallback() {
+  static const auto kGray = [] {
+    const desc::Material diffuse{.name = "", .where = {}, .node = desc::material_node("diffuse")};
+    Warnings none;
+    return make_material(diffuse, {}, {}, none);
+  }();
+  return *kGray;
+}
+
+}  // namespace
+
+ParameterSpec index_input() {
+  return declare::textured_number("eta", "1.5", "index of refraction inside, relative to outside",
+                                  20.0);
+}
+
+std::vector<ParameterSpec> isotropic_roughness_inputs(std::string value) {
+  return {declare::textured_number("roughness", std::move(value), "roughness of the facets", 1.0),
+          roughness_scale()};
+}
+
+std::vector<ParameterSpec> roughness_inputs(std::string value) {
+  return {declare::textured_number("roughness", std::move(value),
+                                   "roughness of the facets, or that along u", 1.0),
+          declare::textured_number(
+              "roughness_v", "", "roughness along v; without it, the same in all directions", 1.0),
+          roughness_scale()};
+}
+
+const Material& MaterialInputs::material(std::string_view name) const {
+  const auto* reference = std::get_if<desc::MaterialRef>(&node().get(name));
+  const int id = reference == nullptr ? desc::kNone : reference->id;
+  if (id >= 0 && static_cast<std::size_t>(id) < made_.size()) {
+    return *made_[static_cast<std::size_t>(id)];
+  }
+  warn(kForwardMix, "mix refers to a material that does not come before it: grey is used");
+  return fallback();
+}
+
+RoughnessSlot::RoughnessSlot(const MaterialInputs& inputs)
+    : remap_(inputs.node().text("roughness_scale") == "log") {
+  const desc::Node& node = inputs.node();
+  const desc::Value& u = node.get("roughness");
+  const desc::Value* v = node.has("roughness_v") ? &node.get("roughness_v") : &u;
+  if (std::holds_alternative<std::monostate>(*v)) v = &u;
+  u_ = inputs.slot_of(u);
+  v_ = inputs.slot_of(*v);
+  smooth_ = u_.is_black() && v_.is_black();
+  if (u_.is_constant()) u_ = TextureSlot(Spectrum(alpha(u_.eval_float({}))));
+  if (v_.is_constant()) v_ = TextureSlot(Spectrum(alpha(v_.eval_float({}))));
+  isotropic_ =
+      u == *v || (u_.is_constant() && v_.is_constant() && u_.eval_float({}) == v_.eval_float({}));
+}
+
+}  // namespace ajar

@@ -1,0 +1,151 @@
+#include "scene/material/inputs.h"
+
+namespace ajar {
+namespace {
+
+float mix(float a, float b, float t) { return a + (b - a) * t; }
+float square(float x) { return x * x; }
+
+/// Facets whose roughness is `roughness`², stretched by `aspect`.
+Microfacets stretched_facets(FacetModel model, float roughness, float aspect) {
+  const float alpha = roughness * roughness;
+  return {model, alpha / aspect, alpha * aspect};
+}
+
+/// Disney's "principled" model. Sources: Burley 2012 and 2015, combined as pbrt-v3 does. (From
+/// behind, where pbrt's Schlick term is 1 at any angle, ours is the same as from the front.)
+class Principled final : public Material {
+ public:
+  explicit Principled(const MaterialInputs& in);
+  void add_lobes(const SurfacePoint& at, const Spectrum& scale, Bsdf& bsdf) const override;
+  int max_lobes() const override;
+
+ private:
+  void add_diffuse(const SurfacePoint& at, const Spectrum& scale, const Spectrum& color,
+                   const Spectrum& tint, float roughness, float share, Bsdf& bsdf) const;
+
+  TextureSlot color_, metallic_, eta_, roughness_, specular_tint_, anisotropic_, sheen_,
+      sheen_tint_, clearcoat_, clearcoat_gloss_, spec_trans_, flatness_, diff_trans_;
+  bool thin_;
+};
+
+Principled::Principled(const MaterialInputs& in)
+    : color_(in.slot("base_color")),
+      metallic_(in.slot("metallic")),
+      eta_(in.slot("eta")),
+      roughness_(in.slot("roughness")),
+      specular_tint_(in.slot("specular_tint")),
+      anisotropic_(in.slot("anisotropic")),
+      sheen_(in.slot("sheen")),
+      sheen_tint_(in.slot("sheen_tint")),
+      clearcoat_(in.slot("clearcoat")),
+      clearcoat_gloss_(in.slot("clearcoat_gloss")),
+      spec_trans_(in.slot("specular_transmission")),
+      flatness_(in.slot("flatness")),
+      diff_trans_(in.slot("diffuse_transmission")),
+      thin_(in.node().flag("thin")) {
+  needs_tangent = !anisotropic_.is_black();
+}
+
+void Principled::add_lobes(const SurfacePoint& at, const Spectrum& scale, Bsdf& bsdf) const {
+  const Spectrum color = reflectance(color_, at);
+  const float metallic = weight(metallic_, at);
+  const float transmission = weight(spec_trans_, at);
+  const float eta = index_of_refraction(eta_, at);
+  const float roughness = weight(roughness_, at);
+  const float brightness = luminance(color);
+  // Hue and saturation alone.
+  const Spectrum tint = brightness > 0.F ? color / brightness : Spectrum(1.F);
+
+  const float diffuse_share = (1.F - metallic) * (1.F - transmission);
+  if (diffuse_share > 0.F) {
+    add_diffuse(at, scale, color, tint, roughness, diffuse_share, bsdf);
+  }
+
+  const float aspect = std::sqrt(1.F - 0.9F * weight(anisotropic_, at));
+  const Microfacets facets = stretched_facets(FacetModel::GgxSeparable, roughness, aspect);
+  const float dielectric_r0 = square((eta - 1.F) / (eta + 1.F));
+  const float tinted = weight(specular_tint_, at);
+  const Spectrum white_r0 = dielectric_r0 * (Spectrum(1.F) + (tint - Spectrum(1.F)) * tinted);
+  const Spectrum r0 = white_r0 * (1.F - metallic) + color * metallic;
+  bsdf.add(DisneySpecular{facets, {PackedSpectrum(r0), metallic, eta}}, scale);
+
+  const float clearcoat = weight(clearcoat_, at);
+  if (clearcoat > 0.F) {
+    const float alpha = mix(0.1F, 0.001F, weight(clearcoat_gloss_, at));
+    bsdf.add(DisneyClearcoat{alpha}, scale * clearcoat);
+  }
+
+  if (transmission > 0.F) {
+    // The square root, so that light that enters and leaves has the colour once.
+    const Spectrum through = sqrt(color) * transmission;
+    if (index_matched(eta)) {
+      bsdf.add(SpecularTransmission{eta}, scale * through);
+    } else {
+      // Thin sheets blur less than a solid of that roughness (Burley 2015, figure 15).
+      const Microfacets thin_facets =
+          stretched_facets(FacetModel::Ggx, (0.65F * eta - 0.35F) * roughness, aspect);
+      bsdf.add(RoughDielectric{thin_ ? thin_facets : facets, PackedSpectrum(),
+                               PackedSpectrum(through), eta},
+               scale);
+    }
+  }
+  if (thin_) {
+    const float transmitted = within(0.5F * diff_trans_.eval_float(at), 0.F, 1.F);
+    bsdf.add(LambertTransmission{}, scale * color * transmitted);
+  }
+}
+
+void Principled::add_diffuse(const SurfacePoint& at, const Spectrum& scale, const Spectrum& color,
+                             const Spectrum& tint, float roughness, float share, Bsdf& bsdf) const {
+  const float sheen = weight(sheen_, at);
+  const float sheen_tint = weight(sheen_tint_, at);
+  const Spectrum sheen_color = (Spectrum(1.F) + (tint - Spectrum(1.F)) * sheen_tint) * sheen;
+  DisneyDiffuse lobe{PackedSpectrum(color), PackedSpectrum(sheen_color), 1.F, 0.F, roughness};
+  if (thin_) {
+    const float reflected = 1.F - within(0.5F * diff_trans_.eval_float(at), 0.F, 1.F);
+    const float flatness = weight(flatness_, at);
+    lobe.diffuse = (1.F - flatness) * reflected;
+    lobe.fake_subsurface = flatness * reflected;
+  }
+  if (color.is_black() && sheen == 0.F) return;
+  bsdf.add(lobe, scale * share);
+}
+
+int Principled::max_lobes() const {
+  return 2 + (clearcoat_.is_black() ? 0 : 1) + (spec_trans_.is_black() ? 0 : 1) + (thin_ ? 1 : 0);
+}
+
+}  // namespace
+
+MaterialModel principled_material() {
+  return {
+      {.name = "principled",
+       .summary = "Disney's principled material",
+       .source = "Burley 2012 and 2015",
+       .parameters =
+           {declare::reflectance("base_color", "0.5", "colour of the surface"),
+            declare::textured_number("metallic", "0", "from dielectric to metal", 1.0),
+            index_input(),
+            declare::textured_number("roughness", "0.5", "root of the facets' alpha", 1.0),
+            declare::textured_number("specular_tint", "0", "share of the base colour in the gloss",
+                                     1.0),
+            declare::textured_number("anisotropic", "0", "how much longer along u the gloss is",
+                                     1.0),
+            declare::textured_number("sheen", "0", "light that cloth reflects at grazing angles",
+                                     1.0),
+            declare::textured_number("sheen_tint", "0.5", "share of the base colour in the sheen",
+                                     1.0),
+            declare::textured_number("clearcoat", "0", "a second gloss above all", 1.0),
+            declare::textured_number("clearcoat_gloss", "1", "how smooth the clearcoat is", 1.0),
+            declare::textured_number("specular_transmission", "0",
+                                     "share of light that is refracted", 1.0),
+            declare::textured_number("flatness", "0",
+                                     "of thin ones: share of flat diffuse reflection", 1.0),
+            declare::textured_number("diffuse_transmission", "1",
+                                     "of thin ones: diffuse transmission; 2 is all of it", 2.0),
+            declare::flag("thin", "a sheet without thickness")}},
+      make<Principled>};
+}
+
+}  // namespace ajar

@@ -1,0 +1,36 @@
+#pragma once
+#include <map>
+#include <memory>
+#include <string>
+
+#include "scene/texture/image_cache.h"
+#include "scene/texture/registry.h"
+
+namespace ajar {
+
+using ImageMap = std::map<std::string, CachedImage>;
+
+/// The description of one texture, with what it refers to.
+class TextureInputs {
+ public:
+  /// `made` are the textures before this one, `images` the files of all.
+  TextureInputs(const desc::Texture& description, const TextureList& made, const ImageMap& images,
+                Warnings& warnings)
+      : description_(description), made_(made), images_(images), warnings_(warnings) {}
+
+  const desc::Node& node() const { return description_.node; }
+  Spectrum color(std::string_view name) const { return rgb_spectrum(node().color(name)); }
+  /// The parameter of this name, a float or a colour. Raises SceneError for a texture that does not
+  /// come before this one.
+  TextureSlot slot(std::string_view name) const;
+  /// The image of a file; null, after a warning, if it cannot be read.
+  std::shared_ptr<const TexelImage> image(std::string_view name) const;
+
+ private:
+  const desc::Texture& description_;
+  const TextureList& made_;
+  const ImageMap& images_;
+  Warnings& warnings_;
+};
+
+}  // namespace ajar

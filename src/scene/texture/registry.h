@@ -1,0 +1,30 @@
+#pragma once
+#include <memory>
+#include <vector>
+
+#include "scene/desc/declare.h"
+#include "scene/desc/node.h"
+#include "scene/texture/texture.h"
+
+namespace ajar {
+
+class TextureInputs;
+
+/// A model of textures: what can be said of it and how it is made.
+struct TextureModel {
+  desc::Model model;
+  std::unique_ptr<const Texture> (*make)(const TextureInputs& inputs);
+  /// True if it evaluates just one of the textures it refers to, at any point.
+  bool chooses = false;
+};
+
+/// Every model there is. `desc::models` makes their descriptions known to those who do not render.
+const std::vector<TextureModel>& texture_models();
+
+/// The usual `TextureModel::make`.
+template <typename Made>
+std::unique_ptr<const Texture> make_texture(const TextureInputs& inputs) {
+  return std::make_unique<Made>(inputs);
+}
+
+}  // namespace ajar
