@@ -113,7 +113,11 @@ std::optional<Picture> Render::picture() const {
   return public_picture(std::move(picture));
 }
 
-std::string Render::statistics() const { return to_json(parts_->render.statistics()).dump(2); }
+std::string Render::statistics() const {
+  // Names of files need not be UTF-8.
+  using Json = nlohmann::ordered_json;
+  return to_json(parts_->render.statistics()).dump(2, ' ', false, Json::error_handler_t::replace);
+}
 
 Picture render(const Scene& scene, const Settings& settings) {
   return Render(scene, settings).run();

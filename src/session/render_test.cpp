@@ -12,6 +12,7 @@
 
 #include "core/error.h"
 #include "session/scene_file.h"
+#include "session/testing/thread_ranks.h"
 
 namespace ajar {
 namespace {
@@ -225,6 +226,29 @@ TEST(Render, MayRunBesideAnother) {
   auto other = std::async(std::launch::async, [] { return rendered(small_order()); });
   EXPECT_EQ(rendered(small_order()), alone);
   EXPECT_EQ(other.get(), alone);
+}
+
+TEST(Render, IsOneOfSeveralRanks) {
+  constexpr int kRanks = 3;
+  ThreadRanks ranks(kRanks);
+  std::vector<std::shared_ptr<const Picture>> pictures(kRanks);
+  std::vector<std::thread> threads;
+  for (int rank = 0; rank < kRanks; ++rank) {
+    threads.emplace_back([&, rank] {
+      RenderOrder order = small_order();
+      order.ranks = &ranks.member(rank);
+      Render render(std::move(order));
+      const RenderOutcome& outcome = render.run();
+      EXPECT_EQ(outcome.statistics.ranks, kRanks);
+      EXPECT_EQ(outcome.picture, render.picture());
+      pictures[static_cast<std::size_t>(rank)] = outcome.picture;
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  ASSERT_TRUE(pictures[0]);
+  EXPECT_FALSE(pictures[1]);
+  EXPECT_FALSE(pictures[2]);
+  EXPECT_EQ(pixels_of(*pictures[0]), rendered(small_order()));
 }
 
 TEST(Render, WritesFilesAndGoesOn) {
