@@ -25,7 +25,7 @@ struct Picture::Content {
 };
 
 inline Picture public_picture(std::shared_ptr<const ajar::Picture> picture) {
-  return Picture(std::make_shared<const Picture::Content>(std::move(picture)));
+  return Picture(std::make_shared<const Picture::Content>(Picture::Content{std::move(picture)}));
 }
 
 /// Calls `work`; errors that leave it are those of the interface.

@@ -233,6 +233,7 @@ TEST(Render, IsOneOfSeveralRanks) {
   ThreadRanks ranks(kRanks);
   std::vector<std::shared_ptr<const Picture>> pictures(kRanks);
   std::vector<std::thread> threads;
+  threads.reserve(kRanks);
   for (int rank = 0; rank < kRanks; ++rank) {
     threads.emplace_back([&, rank] {
       RenderOrder order = small_order();
