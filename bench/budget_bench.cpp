@@ -5,15 +5,12 @@
 #include <cmath>
 
 #include "core/error.h"
-#include "image/make_filter.h"
 #include "image/relative_error.h"
 #include "measuring/measured_scene.h"
 #include "measuring/variant.h"
 #include "session/builtin_scenes.h"
 #include "session/interrupts.h"
-#include "session/output.h"
-#include "session/preparation.h"
-#include "session/render_job.h"
+#include "session/render.h"
 
 /// What more time brings: for each scene and time limit, how long preparing takes, when there is a
 /// first picture, and its error in the end.
@@ -32,18 +29,15 @@ struct Arguments {
 };
 
 /// Notes when the first pass was over.
-class FirstPicture final : public PassObserver {
+class FirstPicture final : public RenderEvents {
  public:
-  explicit FirstPicture(const Stopwatch& clock) : clock_(clock) {}
-  bool wants_picture(const JobState& state) override {
-    if (state.passes > 0 && !seconds_) seconds_ = clock_.seconds();
-    return false;
+  void progress(const RenderSnapshot& /*snapshot*/) override {
+    if (!seconds_) seconds_ = clock_.seconds();
   }
-  void see_picture(const Film& /*film*/, const JobState& /*state*/) override {}
   double seconds() const { return seconds_.value_or(clock_.seconds()); }
 
  private:
-  const Stopwatch& clock_;
+  Stopwatch clock_;
   std::optional<double> seconds_;
 };
 
@@ -54,29 +48,22 @@ struct Found {
   double squared_error = 0.0;
 };
 
-/// As `ajar render --time` does it.
 Found render_for(double seconds, const MeasuredScene& measured, const Variant& variant,
                  std::uint64_t seed) {
-  const Stopwatch clock;
   RenderSettings settings = measured.settings;
   settings.seed = seed;
-  const auto integrator = variant.make(*measured.scene, settings);
+  RenderOrder order = order_of(variant, measured.description, settings, seconds);
+  order.interrupts = &interrupt_count();
+  FirstPicture first;
+  Render render(std::move(order), first);
+  const RenderOutcome& outcome = render.run();
   Found found;
-  Preparation(*integrator, {.seconds = seconds, .interrupts = &interrupt_count()}).run();
-  found.preparing = clock.seconds();
-  Film film(settings.resolution, settings.crop, make_filter(measured.scene->film().filter),
-            settings.replicates, integrator->layers());
-  FirstPicture first(clock);
-  RenderJobOptions options;
-  options.budget.seconds = seconds - clock.seconds();
-  options.interrupts = &interrupt_count();
-  options.observers = {&first};
-  const RenderResult result = RenderJob(*integrator, film, std::move(options)).run();
+  if (!outcome.picture) return found;  // interrupted
+  found.preparing = outcome.statistics.times.prepare;
   found.first_picture = first.seconds();
-  found.samples = static_cast<double>(result.samples_per_pixel);
-  const Picture picture =
-      develop(film, *integrator, result.samples_per_pixel, measured.scene->film().scale, {});
-  const double error = relative_error(picture.layers.front().pixels, measured.truth).value_or(0.0);
+  found.samples = static_cast<double>(outcome.statistics.result.samples_per_pixel);
+  const double error =
+      relative_error(outcome.picture->layers.front().pixels, measured.truth).value_or(0.0);
   found.squared_error = std::max(0.0, error * error - measured.truth_error * measured.truth_error);
   return found;
 }

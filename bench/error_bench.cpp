@@ -43,16 +43,14 @@ Stage make_stage(const BenchScene& bench_scene, const ErrorArguments& arguments)
   if (arguments.filter == "box") description.film.filter = {};
   Stage stage;
   stage.name = bench_scene.name;
-  RenderSettings& settings = stage.settings;
-  settings.max_depth =
+  const int max_depth =
       arguments.depth.value_or(description.hints.max_depth.value_or(kDefaultDepth));
-  settings.resolution = arguments.scale
-                            ? scaled_resolution(description.film.resolution, *arguments.scale)
-                            : fitted_resolution(description.film.resolution, arguments.size);
-  settings.crop = Box2i(Vec2i(0, 0), settings.resolution - Vec2i(1, 1));
-  settings.replicates = RenderSetup::kReplicates;
-  const BuildOptions options{settings.resolution};
+  const BuildOptions options{arguments.scale
+                                 ? scaled_resolution(description.film.resolution, *arguments.scale)
+                                 : fitted_resolution(description.film.resolution, arguments.size)};
   stage.scene = std::make_unique<Scene>(std::move(description), options, warnings);
+  stage.settings = settings_for(*stage.scene);
+  stage.settings.max_depth = max_depth;
   return stage;
 }
 

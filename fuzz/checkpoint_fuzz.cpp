@@ -23,6 +23,7 @@
 #include "session/merge.h"
 #include "session/preparation.h"
 #include "session/render_job.h"
+#include "session/render_setup.h"
 #include "session/testing/checksums.h"
 #include "session/version.h"
 #include "support/private_file.h"
@@ -75,8 +76,7 @@ class Base {
     scene_ = std::make_unique<Scene>(
         import_pbrt_text(kScene, "fuzz.pbrt", "/nonexistent", warnings), BuildOptions{}, warnings);
     RenderRecord& render = checkpoint_.render;
-    render.settings.resolution = scene_->camera().resolution();
-    render.settings.crop = Box2i(Vec2i(0, 0), render.settings.resolution - Vec2i(1, 1));
+    render.settings = settings_for(*scene_);
     render.settings.max_depth = 5;
     render.settings.aovs = {"object-id"};
     render.aovs = {"object-id", "standard-error"};
@@ -87,8 +87,7 @@ class Base {
     render.parameters = {parameters.values().begin(), parameters.values().end()};
     integrator_ = info_.make(*scene_, render.settings, parameters);
     prepare(*integrator_);
-    film_.emplace(render.settings.resolution, render.settings.crop, filter(),
-                  render.settings.replicates, integrator_->layers());
+    film_.emplace(film_for(*scene_, render.settings, *integrator_));
     RenderJobOptions options;
     options.budget.samples_per_pixel = kSamples;
     options.threads = 1;

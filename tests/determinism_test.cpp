@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "image/make_filter.h"
 #include "session/preparation.h"
 #include "session/render_job.h"
+#include "session/render_setup.h"
 #include "support/render.h"
 #include "support/small_scenes.h"
 
@@ -17,16 +17,13 @@ namespace {
 std::vector<std::int64_t> sums(const Scene& scene, const IntegratorInfo& info, int threads,
                                const std::vector<std::string>& aovs,
                                const std::map<std::string, std::string>& parameters) {
-  RenderSettings settings;
-  settings.resolution = scene.camera().resolution();
-  settings.crop = Box2i(Vec2i(0, 0), settings.resolution - Vec2i(1, 1));
+  RenderSettings settings = settings_for(scene);
   settings.max_depth = 6;
   settings.seed = 7;
   settings.aovs = aovs;
   const auto integrator = info.make(scene, settings, info.read(parameters));
   prepare(*integrator);
-  Film film(settings.resolution, settings.crop, make_filter(scene.film().filter),
-            settings.replicates, integrator->layers());
+  Film film = film_for(scene, settings, *integrator);
   RenderJobOptions options;
   options.budget.samples_per_pixel = 12;
   options.threads = threads;

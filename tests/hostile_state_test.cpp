@@ -10,9 +10,9 @@
 #include <string>
 
 #include "core/archive.h"
-#include "image/make_filter.h"
 #include "session/preparation.h"
 #include "session/render_job.h"
+#include "session/render_setup.h"
 #include "support/render.h"
 #include "support/small_scenes.h"
 
@@ -39,14 +39,12 @@ void PrintTo(const Method& method, std::ostream* out) { *out << method.name; }
 class HostileState : public ::testing::TestWithParam<Method> {
  protected:
   HostileState() : scene_(test::scene_from(test::small_scene("GlassAndMetal").text)) {
-    settings_.resolution = scene_->camera().resolution();
-    settings_.crop = Box2i(Vec2i(0, 0), settings_.resolution - Vec2i(1, 1));
+    settings_ = settings_for(*scene_);
     settings_.max_depth = 5;
     const IntegratorInfo& info = find_integrator(GetParam().integrator);
     integrator_ = info.make(*scene_, settings_, info.read(GetParam().parameters));
     prepare(*integrator_);
-    film_.emplace(settings_.resolution, settings_.crop, make_filter(scene_->film().filter),
-                  settings_.replicates, integrator_->layers());
+    film_.emplace(film_for(*scene_, settings_, *integrator_));
     render(kSamples, {});
     good_ = archived([&](OutputArchive& archive) { integrator_->save_state(archive); });
   }

@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "core/archive.h"
-#include "image/make_filter.h"
 #include "session/checkpoint.h"
 #include "session/preparation.h"
 #include "session/render_job.h"
+#include "session/render_setup.h"
 #include "session/testing/thread_ranks.h"
 #include "session/version.h"
 #include "support/render.h"
@@ -64,8 +64,7 @@ class Case {
         name_(text_of(method)),
         parameters_(method.parameters),
         samples_(method.samples) {
-    settings_.resolution = scene.camera().resolution();
-    settings_.crop = Box2i(Vec2i(0, 0), settings_.resolution - Vec2i(1, 1));
+    settings_ = settings_for(scene);
     settings_.max_depth = 6;
     settings_.seed = 7;
     settings_.aovs = method.aovs;
@@ -81,10 +80,7 @@ class Case {
     prepare(*integrator);
     return integrator;
   }
-  Film film(const Integrator& integrator) const {
-    return {settings_.resolution, settings_.crop, make_filter(scene_.film().filter),
-            settings_.replicates, integrator.layers()};
-  }
+  Film film(const Integrator& integrator) const { return film_for(scene_, settings_, integrator); }
   RenderJobOptions options(int threads) const {
     RenderJobOptions options;
     options.budget.samples_per_pixel = samples_;

@@ -69,11 +69,11 @@ std::optional<MeasuredScene> measure_scene(const BenchScene& bench_scene, const 
   desc::SceneDesc description = bench_scene.load(warnings);
   MeasuredScene scene;
   scene.name = bench_scene.name;
-  scene.settings.max_depth = description.hints.max_depth.value_or(kDefaultDepth);
-  scene.settings.resolution = kSize;
-  scene.settings.crop = Box2i(Vec2i(0, 0), kSize - Vec2i(1, 1));
-  scene.settings.replicates = RenderSetup::kReplicates;
+  const int max_depth = description.hints.max_depth.value_or(kDefaultDepth);
+  scene.description = description;
   scene.scene = std::make_unique<Scene>(std::move(description), BuildOptions{kSize}, warnings);
+  scene.settings = settings_for(*scene.scene);
+  scene.settings.max_depth = max_depth;
   std::vector<ReferencePart> parts;
   for (const char* method : kMethods) {
     const ReferenceStore store(folder, {scene.name, kSize, scene.settings.max_depth, "scene",

@@ -15,7 +15,8 @@ inline constexpr const char* kKeptReferences = "build/measured-scenes";
 /// A scene at 160×120 pixels with its own filter, and what a picture of it should be.
 struct MeasuredScene {
   std::string name;
-  std::unique_ptr<Scene> scene;
+  desc::SceneDesc description;
+  std::unique_ptr<Scene> scene;  ///< built of it
   RenderSettings settings;
   std::vector<float> truth;
   double truth_error = 0.0;  ///< `relative_error` of its own noise

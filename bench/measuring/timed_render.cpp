@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <limits>
 
-#include "image/make_filter.h"
 #include "measuring/cpu_alarm.h"
 #include "session/output.h"
 #include "session/preparation.h"
 #include "session/render_job.h"
+#include "session/render_setup.h"
 #include "session/resources.h"
 
 namespace ajar::bench {
@@ -27,12 +27,13 @@ double pass_seconds(const TimeLimit& limit, int threads) {
 
 TimedRender render_for(const TimeLimit& limit, const Scene& scene, const Variant& variant,
                        const RenderSettings& settings, const InterruptCount& user_interrupts) {
+  // Not a `Render`: the alarm must not cut the preparation short, and nobody asks how large the
+  // error is before the end.
   const double before = cpu_seconds();
   const CpuAlarm alarm(limit.cpu_seconds, user_interrupts);
   const std::unique_ptr<Integrator> integrator = variant.make(scene, settings);
   prepare(*integrator);
-  Film film(settings.resolution, settings.crop, make_filter(scene.film().filter),
-            settings.replicates, integrator->layers());
+  Film film = film_for(scene, settings, *integrator);
   RenderJobOptions options;
   options.threads = limit.threads > 0 ? limit.threads : tbb::info::default_concurrency();
   options.pass_seconds = pass_seconds(limit, options.threads);

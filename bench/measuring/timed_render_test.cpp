@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "session/render_setup.h"
 #include "support/render.h"
 #include "support/small_scenes.h"
 
@@ -14,8 +15,7 @@ class TimedRenderTest : public ::testing::Test {
  protected:
   void SetUp() override {
     scene_ = test::scene_from(test::small_scenes().front().text);
-    settings_.resolution = scene_->camera().resolution();
-    settings_.crop = Box2i(Vec2i(0, 0), settings_.resolution - Vec2i(1, 1));
+    settings_ = settings_for(*scene_);
     settings_.max_depth = 4;
   }
 

@@ -2,6 +2,7 @@
 
 #include <map>
 #include <sstream>
+#include <utility>
 
 #include "core/error.h"
 #include "session/option_values.h"
@@ -25,6 +26,22 @@ std::vector<std::string> split_settings(const std::string& text) {
 
 }  // namespace
 
+RenderOrder order_of(const Variant& variant, desc::SceneDesc description,
+                     const RenderSettings& settings, double seconds) {
+  RenderOrder order;
+  order.scene = description.source;
+  order.description = std::move(description);
+  RenderRequest& request = order.request.emplace();
+  request.integrator = variant.integrator->name;
+  request.parameters = variant.parameters.given();
+  request.budget.seconds = seconds;
+  request.depth = {settings.min_depth, settings.max_depth};
+  request.resolution = settings.resolution;
+  request.crop = CropWindow{{0.0, 0.0, 1.0, 1.0}, true};
+  request.seed = settings.seed;
+  return order;
+}
+
 Variant parse_variant(const std::string& text) {
   const std::size_t colon = text.find(':');
   const IntegratorInfo& integrator = find_integrator(text.substr(0, colon));
@@ -34,7 +51,7 @@ Variant parse_variant(const std::string& text) {
     if (settings.empty()) throw UsageError("the variant \"" + text + "\" has no settings after :");
     given = parse_assignments("the variant \"" + text + "\"", settings);
   }
-  return {text, &integrator, Parameters(integrator.parameters, given)};
+  return {text, &integrator, integrator.read(given)};
 }
 
 std::vector<Variant> parse_variants(const std::vector<std::string>& texts) {

@@ -5,6 +5,7 @@
 
 #include "core/parameters.h"
 #include "integrator/integrator.h"
+#include "session/render_order.h"
 
 namespace ajar::bench {
 
@@ -18,6 +19,10 @@ struct Variant {
     return integrator->make(scene, settings, parameters);
   }
 };
+
+/// A render of such a scene by a variant, as `ajar render --time` makes it.
+RenderOrder order_of(const Variant& variant, desc::SceneDesc description,
+                     const RenderSettings& settings, double seconds);
 
 /// `bdpt` or `bdpt:heuristic=balance,roulette-start=8`. A piece between commas that has no `=`
 /// belongs to the value before it, so that lists can be values. Raises UsageError.

@@ -43,7 +43,7 @@ void install_interrupt_handlers() {
 
 void begin_render() { rendering = true; }
 
-const InterruptCount& interrupt_count() { return count; }
+InterruptCount& interrupt_count() { return count; }
 const InterruptCount& picture_requests() { return pictures; }
 
 }  // namespace ajar

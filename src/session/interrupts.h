@@ -16,7 +16,7 @@ void install_interrupt_handlers();
 /// From here on signals are counted.
 void begin_render();
 /// The counter; zero until a signal arrives during a render.
-const InterruptCount& interrupt_count();
+InterruptCount& interrupt_count();
 /// How often the picture was asked for.
 const InterruptCount& picture_requests();
 

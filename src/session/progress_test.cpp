@@ -4,8 +4,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "core/error.h"
-
 namespace ajar {
 namespace {
 
@@ -108,22 +106,6 @@ TEST(Progress, JsonLineHasItsKeys) {
   EXPECT_EQ(json.at("finishing"), false);
   RenderSnapshot unknown;
   EXPECT_TRUE(nlohmann::json::parse(json_line(unknown, "done")).at("seconds_left").is_null());
-}
-
-TEST(Progress, StyleDependsOnTheTerminalOnlyWhenAutomatic) {
-  EXPECT_EQ(progress_style("auto", true), ProgressStyle::Bar);
-  EXPECT_EQ(progress_style("auto", false), ProgressStyle::Plain);
-  EXPECT_EQ(progress_style("plain", true), ProgressStyle::Plain);
-  EXPECT_EQ(progress_style("json", true), ProgressStyle::Json);
-  EXPECT_EQ(progress_style("none", true), ProgressStyle::None);
-  EXPECT_THROW(progress_style("jsn", true), UsageError);
-}
-
-TEST(Progress, ReporterEndsWithALineOfItsOwn) {
-  testing::internal::CaptureStderr();
-  { const ProgressReporter reporter(ProgressStyle::Json, half_way); }
-  const std::string text = testing::internal::GetCapturedStderr();
-  EXPECT_EQ(nlohmann::json::parse(text).at("event"), "done");
 }
 
 TEST(Numbers, AreShort) {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/error.h"
+#include "image/make_filter.h"
 #include "session/catalog.h"
 #include "session/scene_file.h"
 
@@ -198,6 +199,18 @@ RenderRecord record_of(const RenderSetup& setup, const Parameters& parameters,
   record.aovs = setup.aovs;
   record.share = share;
   return record;
+}
+
+RenderSettings settings_for(const Scene& scene) {
+  RenderSettings settings;
+  settings.resolution = scene.camera().resolution();
+  settings.crop = Box2i(Vec2i(0, 0), settings.resolution - Vec2i(1, 1));
+  return settings;
+}
+
+Film film_for(const Scene& scene, const RenderSettings& settings, const Integrator& integrator) {
+  return {settings.resolution, settings.crop, make_filter(scene.film().filter), settings.replicates,
+          integrator.layers()};
 }
 
 void check_layers(const RenderSettings& settings, const std::vector<LayerSpec>& layers) {

@@ -56,6 +56,11 @@ RenderSetup setup_of(const RenderRecord& record, const Budget& budget);
 RenderRecord record_of(const RenderSetup& setup, const Parameters& parameters,
                        const std::string& scene, const WorkShare& share);
 
+/// For the whole picture of a scene that was built, all else as by default.
+RenderSettings settings_for(const Scene& scene);
+/// The film for what an integrator that is prepared makes of a scene.
+Film film_for(const Scene& scene, const RenderSettings& settings, const Integrator& integrator);
+
 /// Raises UsageError if a layer that was asked for is not among those the integrator makes.
 void check_layers(const RenderSettings& settings, const std::vector<LayerSpec>& layers);
 

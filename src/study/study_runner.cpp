@@ -104,6 +104,9 @@ class Runner {
     for (const char* suffix : {".record.json", ".exr", ".stats.json"}) {
       fs::remove(file(run, suffix));
     }
+    // A process of its own, not a `Render` in this one: its memory and processor time are its own
+    // then, no render finds caches and threads warm from another, one that crashes or runs out of
+    // memory ends alone, and what is measured is what a user of the program gets.
     ChildCommand command{options_.program, {"render"}, options_.folder.string(), file(run, ".log")};
     const std::string& scene = plan_.scenes[run.scene].scene;
     command.arguments.push_back(scene.starts_with("builtin:") ? scene

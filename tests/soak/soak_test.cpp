@@ -13,10 +13,10 @@
 #include <thread>
 
 #include "core/archive.h"
-#include "image/make_filter.h"
 #include "session/checkpoint_writer.h"
 #include "session/preparation.h"
 #include "session/render_job.h"
+#include "session/render_setup.h"
 #include "session/version.h"
 #include "support/render.h"
 #include "support/small_scenes.h"
@@ -42,8 +42,7 @@ void render_with_checkpoints(const Scene& scene, const std::string& integrator_n
   if (integrator_name == "mmlt") parameters["bootstrap"] = "2000";
   const auto integrator = info.make(scene, settings, info.read(parameters));
   prepare(*integrator);
-  Film film(settings.resolution, settings.crop, make_filter(scene.film().filter),
-            settings.replicates, integrator->layers());
+  Film film = film_for(scene, settings, *integrator);
   RenderJobOptions options;
   options.budget.samples_per_pixel = kSamples;
   options.threads = 1;

@@ -4,16 +4,15 @@
 
 #include <algorithm>
 #include <functional>
-#include <mutex>
 #include <numeric>
 #include <utility>
 
 #include "core/milestones.h"
-#include "core/parallel_for.h"
-#include "image/make_filter.h"
 #include "import/pbrt/pbrt_import.h"
 #include "integrator/integrator.h"
 #include "session/preparation.h"
+#include "session/render_job.h"
+#include "session/render_setup.h"
 #include "session/scene_file.h"
 
 namespace ajar::test {
@@ -87,9 +86,8 @@ double Render::mean() const {
 }
 
 RenderSettings settings_of(const Scene& scene, const RenderOptions& options) {
-  RenderSettings settings;
-  settings.resolution = scene.camera().resolution();
-  settings.crop = options.crop.value_or(Box2i(Vec2i(0, 0), settings.resolution - Vec2i(1, 1)));
+  RenderSettings settings = settings_for(scene);
+  if (options.crop) settings.crop = *options.crop;
   settings.min_depth = options.min_depth;
   settings.max_depth = options.max_depth;
   settings.seed = options.seed;
@@ -113,32 +111,39 @@ Render render(const Scene& scene, const RenderOptions& options) {
   return result;
 }
 
+namespace {
+/// Lets tests change things where integrators look at what they have done.
+class AtMilestones final : public PassObserver {
+ public:
+  AtMilestones(int replicates, const AfterPass& act)
+      : replicates_(static_cast<std::uint64_t>(replicates)), act_(act) {}
+  bool wants_picture(const JobState& state) override {
+    const std::uint64_t done = state.samples_per_pixel;
+    return act_ && done > 0 && milestone_after(done - 1, replicates_) == done;
+  }
+  void see_picture(const Film& film, const JobState& state) override {
+    act_(film, state.samples_per_pixel);
+  }
+
+ private:
+  std::uint64_t replicates_;
+  const AfterPass& act_;
+};
+}  // namespace
+
 Render render_with(std::unique_ptr<Integrator> made, const Scene& scene,
                    const RenderOptions& options, const AfterPass& after_pass) {
-  const RenderSettings settings = settings_of(scene, options);
   Render result;
   result.integrator = std::move(made);
-  Integrator& integrator = *result.integrator;
   result.film =
-      std::make_unique<Film>(settings.resolution, settings.crop, make_filter(scene.film().filter),
-                             options.replicates, integrator.layers());
-  result.samples = static_cast<std::uint64_t>(options.samples);
-  const auto replicates = static_cast<std::uint64_t>(options.replicates);
-  std::mutex mutex;
-  for (std::uint64_t first = 0; first < result.samples;) {
-    const std::uint64_t samples =
-        std::min(result.samples, milestone_after(first, replicates)) - first;
-    integrator.begin_pass(first, samples, *result.film);
-    parallel_for(integrator.items_in_pass(), [&](std::uint64_t item) {
-      Counters own;
-      integrator.run_item(item, first, samples, *result.film, own);
-      const std::lock_guard lock(mutex);
-      result.counters += own;
-    });
-    integrator.end_pass();
-    first += samples;
-    if (after_pass) after_pass(*result.film, first);
-  }
+      std::make_unique<Film>(film_for(scene, settings_of(scene, options), *result.integrator));
+  AtMilestones observer(options.replicates, after_pass);
+  RenderJobOptions job;
+  job.budget.samples_per_pixel = static_cast<std::uint64_t>(options.samples);
+  job.observers = {&observer};
+  const RenderResult rendered = RenderJob(*result.integrator, *result.film, std::move(job)).run();
+  result.samples = rendered.samples_per_pixel;
+  result.counters = rendered.counters;
   const Counters& counters = result.counters;
   EXPECT_EQ(counters.discarded_nan + counters.discarded_infinite + counters.discarded_negative, 0U)
       << counters.first_discarded;

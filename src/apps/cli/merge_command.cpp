@@ -5,11 +5,13 @@
 #include "apps/cli/commands.h"
 #include "apps/cli/messages.h"
 #include "apps/cli/render_report.h"
-#include "apps/cli/render_run.h"
 #include "core/error.h"
 #include "session/merge.h"
 #include "session/picture_range.h"
+#include "session/render_concerns.h"
+#include "session/render_writers.h"
 #include "session/resources.h"
+#include "session/statistics_of.h"
 #include "session/written_paths.h"
 
 namespace ajar::cli {
@@ -18,32 +20,13 @@ namespace {
 
 constexpr int kExitFile = 4;
 
-RenderStatistics statistics_of(const Checkpoint& merged) {
-  RenderStatistics statistics;
-  const RenderRecord& render = merged.render;
-  statistics.scene = render.scene;
-  statistics.scene_hash = render.scene_hash;
-  statistics.integrator = render.integrator;
-  statistics.parameters = {render.parameters.begin(), render.parameters.end()};
-  statistics.seed = render.settings.seed;
-  statistics.replicates = render.settings.replicates;
-  statistics.min_depth = render.settings.min_depth;
-  statistics.max_depth = render.settings.max_depth;
-  statistics.resolution = render.settings.resolution;
-  statistics.crop = render.settings.crop;
+RenderStatistics statistics_of_merged(const Checkpoint& merged) {
+  RenderStatistics statistics = statistics_of(merged.render);
   statistics.preparation = merged.preparation;
   statistics.budget = merged.budget;
   statistics.resumptions = merged.resumptions;
   statistics.interruptions = merged.interruptions;
-  RenderResult& result = statistics.result;
-  result.counters = merged.job.counters;
-  result.samples_per_pixel = merged.job.samples_per_pixel;
-  result.seconds = merged.job.seconds;
-  result.cpu_seconds = merged.job.cpu_seconds;
-  result.chain_seconds = merged.job.chain_seconds;
-  result.passes = merged.job.passes;
-  result.relative_error = merged.job.relative_error;
-  result.stopped_by = StopReason::Samples;
+  statistics.result = result_of(merged.job, StopReason::Samples);
   return statistics;
 }
 
@@ -61,7 +44,7 @@ int merge(const MergeArguments& a) {
   if (a.outputs.empty() && a.checkpoint.empty()) {
     throw UsageError("merge: say with -o or --checkpoint where the result goes");
   }
-  const Display wanted = display_of(a.tone_map, a.exposure);
+  const Display wanted{tone_map_by_name(a.tone_map), a.exposure};
   check_picture_paths(a.outputs);
   std::vector<std::string> written = a.outputs;
   for (const std::string& path : {a.stats, a.checkpoint}) {
@@ -77,7 +60,7 @@ int merge(const MergeArguments& a) {
   std::vector<NamedCheckpoint> parts;
   for (const std::string& path : a.checkpoints) parts.push_back({path, read_checkpoint(path)});
   Checkpoint merged = ajar::merge(std::move(parts), a.force);
-  RenderStatistics statistics = statistics_of(merged);
+  RenderStatistics statistics = statistics_of_merged(merged);
   statistics.checkpoint = a.checkpoint;
 
   const std::string& first = a.checkpoints.front();
@@ -87,8 +70,8 @@ int merge(const MergeArguments& a) {
   Picture picture =
       develop(film, merged.scales, merged.job.samples_per_pixel, merged.render.film_scale, aovs);
   Warnings warnings;
-  if (auto complaint = range_complaint(film, picture, merged.render.film_scale)) {
-    warnings.add(*std::move(complaint));
+  if (auto outside = range_complaint(film, picture, merged.render.film_scale)) {
+    warnings.add(*std::move(outside));
   }
   for (Warning& concern : concerns_about(statistics.result)) warnings.add(std::move(concern));
   print_all_warnings(warnings);
@@ -108,7 +91,9 @@ int merge(const MergeArguments& a) {
     print_path(file.path);
   }
   statistics.peak_memory_bytes = peak_memory_bytes();
-  all_written = write_statistics(statistics, a.stats) && all_written;
+  const std::string complaint = write_statistics(statistics, a.stats);
+  if (!complaint.empty()) print_error(complaint);
+  all_written = complaint.empty() && all_written;
   report_end(statistics.result);
   report_exposure(picture, a.outputs, display, wanted.exposure.automatic);
   return all_written ? 0 : kExitFile;

@@ -27,12 +27,12 @@ std::uint64_t parse_seed(const std::string& text) {
   return seed;
 }
 
-RenderRequest request_of(const RenderArguments& a) {
+RenderRequest request_of(const RenderArguments& a, const Budget& budget) {
   RenderRequest request;
   request.integrator = a.integrator;
   if (!a.integrator.empty()) find_integrator(a.integrator);
   request.parameters = parse_assignments("--set", a.assignments);
-  request.budget = budget_of(a.run);
+  request.budget = budget;
   if (!a.depth.empty()) request.depth = parse_depth("--depth", a.depth);
   if (!a.resolution.empty()) request.resolution = parse_resolution("--resolution", a.resolution);
   request.scale = a.scale;
@@ -45,10 +45,9 @@ RenderRequest request_of(const RenderArguments& a) {
 }  // namespace
 
 int render(const RenderArguments& a) {
-  RunOrder order;
+  RenderOrder order = order_of(a.run);
   order.scene = a.scene;
-  order.run = a.run;
-  order.request = request_of(a);
+  order.request = request_of(a, order.budget);
   order.all_aovs = parse_list(a.aovs) == std::vector<std::string>{"all"};
   order.size_from_scene = a.resolution.empty() && !a.scale;
   if (!a.share.empty()) {
@@ -70,26 +69,14 @@ int render(const RenderArguments& a) {
       print_note("there is no " + a.resume + " yet: the render begins anew");
     }
   }
-  return carry_out(std::move(order));
+  return carry_out(std::move(order), a.run.progress);
 }
 
 int resume(const ResumeArguments& a) {
-  RunOrder order;
-  order.run = a.run;
-  if (order.run.checkpoint.empty()) order.run.checkpoint = a.checkpoint;
-  lock_checkpoint_of(order);
-  order.resumed = read_checkpoint(a.checkpoint);
-  order.resumed_from = a.checkpoint;
-  const Checkpoint& checkpoint = *order.resumed;
-  order.scene = a.scene.empty() ? checkpoint.render.scene : a.scene;
-  order.share = checkpoint.render.share;
-  RunArguments& run = order.run;
-  if (run.outputs.empty()) run.outputs = checkpoint.outputs;
-  if (run.tone_map.empty()) run.tone_map = checkpoint.tone_map;
-  if (!run.exposure) run.exposure = checkpoint.exposure;
-  const Budget given = budget_of(run);
-  order.budget = given.is_empty() ? checkpoint.budget : given;
-  return carry_out(std::move(order));
+  RenderOrder order = order_of(a.run);
+  order.scene = a.scene;
+  resume_from(a.checkpoint, order);
+  return carry_out(std::move(order), a.run.progress);
 }
 
 }  // namespace ajar::cli

@@ -2,7 +2,6 @@
 #include <string>
 #include <vector>
 
-#include "core/warnings.h"
 #include "session/output.h"
 #include "session/render_job.h"
 #include "session/stats_json.h"
@@ -12,11 +11,6 @@ namespace ajar::cli {
 
 /// Says where a file is if it is not where it should be; true if it is.
 bool report_file(const WrittenFile& file);
-/// True if they could be written, or `path` is empty.
-bool write_statistics(const RenderStatistics& statistics, const std::string& path);
-/// What the render has found out about its picture: light that was dropped, samples that some
-/// pixels lack.
-std::vector<Warning> concerns_about(const RenderResult& result);
 /// `preparing`: seconds, of this run; those of the result are of rendering.
 void report_end(const RenderResult& result, double preparing = 0.0);
 /// Says what exposure was chosen (if `automatic`) or would help, if pictures for the eye are among

@@ -1,0 +1,91 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ajar/namespace.h"
+#include "ajar/picture.h"
+#include "ajar/scene.h"
+
+/// Rendering from a program:
+///
+///     #include <ajar/render.h>
+///
+///     ajar::Settings settings;
+///     settings.seconds = 10.0;
+///     ajar::render(ajar::Scene::load("builtin:cornell"), settings).save("cornell.png");
+namespace ajar::AJAR_INTERFACE {
+/// What is to be rendered, and how. What is empty is as the scene wants it, or else as
+/// `ajar render` has it by default.
+struct Settings {
+  std::string integrator;                         ///< a name of `integrators()`
+  std::map<std::string, std::string> parameters;  ///< of the integrator
+  // The render ends at whichever comes first; with none, after 64 samples per pixel.
+  std::optional<std::uint64_t> samples_per_pixel;
+  std::optional<double> seconds;                 ///< wall clock, of all but loading
+  std::optional<double> target_error;            ///< relative error of the picture, as estimated
+  std::optional<std::array<int, 2>> resolution;  ///< width and height, pixels
+  // Edges of the paths: 1 is light seen directly, 2 is direct lighting.
+  std::optional<int> min_depth;
+  std::optional<int> max_depth;
+  std::vector<std::string> layers;  ///< beside the picture; see `ajar list aovs`
+  std::uint64_t seed = 0;
+  int threads = 0;  ///< 0: as many as the machine offers; else a limit for the whole process
+};
+
+/// How far a render is.
+struct Progress {
+  bool preparing = false;
+  double seconds = 0.0;                   ///< of preparing, or of rendering
+  double samples_per_pixel = 0.0;         ///< on average
+  std::optional<double> fraction;         ///< of the work, 0…1, as far as it can be told
+  std::optional<double> estimated_error;  ///< relative, of the picture
+  bool error_is_lower_bound = true;
+};
+
+/// What is called while it renders, on the thread of `run`; what it raises ends the render. All
+/// may be empty.
+struct Callbacks {
+  std::function<void(const Progress&)> progress;  ///< after each pass
+  std::function<void(const Picture&)> picture;    ///< as it is
+  double picture_every = 1.0;                     ///< seconds, at least
+  std::function<void(const std::string&)> warning;
+  std::function<void(const std::string&)> note;
+};
+
+/// One render. `run` takes its time; meanwhile other threads may call all else.
+class Render {
+ public:
+  /// Raises Error for settings that cannot be known.
+  explicit Render(Scene scene, const Settings& settings = {}, Callbacks callbacks = {});
+  ~Render();
+  Render(Render&&) noexcept;
+  Render& operator=(Render&&) noexcept;
+
+  /// Renders to the end and returns the picture; to be called once. Raises Error; so, too, if it
+  /// was stopped before there was a picture.
+  Picture run();
+
+  /// Ends it after the pass that runs; called twice, within it.
+  void stop();
+  Progress progress() const;
+  /// The picture as it is: waits for the end of the pass that runs. Empty before the first pass,
+  /// and in callbacks.
+  std::optional<Picture> picture() const;
+  /// All that is known, as JSON with the keys of `ajar render --stats`; waits likewise.
+  std::string statistics() const;
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+/// All in one.
+Picture render(const Scene& scene, const Settings& settings = {});
+}  // namespace ajar::AJAR_INTERFACE

@@ -1,0 +1,31 @@
+#pragma once
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "ajar/namespace.h"
+
+namespace ajar::AJAR_INTERFACE {
+/// A scene that was read, to be rendered as often as wanted. Copies share it; it never changes.
+class Scene {
+ public:
+  /// A file in any format that `ajar render` takes, or `builtin:NAME`. Raises Error.
+  static Scene load(const std::string& name);
+
+  /// As it was loaded.
+  const std::string& name() const;
+  // Of the picture that it asks for, pixels.
+  int width() const;
+  int height() const;
+  /// What is unusual in its files, one sentence each, with its place: what matters most first.
+  std::vector<std::string> warnings() const;
+
+  struct Content;
+  /// For the library itself.
+  const Content& content() const { return *content_; }
+
+ private:
+  explicit Scene(std::shared_ptr<const Content> content);
+  std::shared_ptr<const Content> content_;
+};
+}  // namespace ajar::AJAR_INTERFACE

@@ -1,0 +1,129 @@
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <functional>
+#include <thread>
+
+#include "ajar/ajar.h"
+
+// As a program of others sees the library: no header but its own.
+namespace {
+
+ajar::Settings small_settings() {
+  ajar::Settings settings;
+  settings.integrator = "pt";
+  settings.resolution = {24, 18};
+  settings.samples_per_pixel = 8;
+  return settings;
+}
+
+bool has(const std::vector<ajar::Choice>& choices, const std::string& name) {
+  return std::any_of(choices.begin(), choices.end(), [&](const ajar::Choice& choice) {
+    return choice.name == name && !choice.summary.empty();
+  });
+}
+
+/// What kind of error it raises, if any.
+std::optional<ajar::Error::Kind> raised(const std::function<void()>& work) {
+  try {
+    work();
+  } catch (const ajar::Error& error) {
+    EXPECT_FALSE(std::string(error.what()).empty());
+    return error.kind();
+  }
+  return std::nullopt;
+}
+
+TEST(Interface, ListsWhatThereIs) {
+  EXPECT_FALSE(ajar::version().empty());
+  EXPECT_TRUE(has(ajar::integrators(), "selective"));
+  EXPECT_TRUE(has(ajar::builtin_scenes(), "builtin:cornell"));
+}
+
+TEST(Interface, RendersAScene) {
+  const ajar::Scene scene = ajar::Scene::load("builtin:cornell");
+  EXPECT_EQ(scene.name(), "builtin:cornell");
+  EXPECT_GT(scene.width(), 24);
+  EXPECT_TRUE(scene.warnings().empty());
+  ajar::Settings settings = small_settings();
+  settings.layers = {"depth"};
+  const ajar::Picture picture = ajar::render(scene, settings);
+  EXPECT_EQ(picture.width(), 24);
+  EXPECT_EQ(picture.height(), 18);
+  EXPECT_EQ(picture.layers().front(), "");
+  EXPECT_EQ(picture.channels(), 3);
+  EXPECT_EQ(picture.pixels().size(), 3U * 24U * 18U);
+  EXPECT_EQ(picture.pixels("depth").size(),
+            static_cast<std::size_t>(picture.channels("depth")) * 24U * 18U);
+  EXPECT_GT(*std::max_element(picture.pixels().begin(), picture.pixels().end()), 0.F);
+  EXPECT_EQ(picture.metadata().at("ajar:samples_per_pixel"), "8");
+  EXPECT_EQ(raised([&] { picture.pixels("no-such-layer"); }), ajar::Error::Kind::Usage);
+}
+
+TEST(Interface, SavesPictures) {
+  const ajar::Picture picture =
+      ajar::render(ajar::Scene::load("builtin:cornell"), small_settings());
+  const auto path = std::filesystem::temp_directory_path() /
+                    ("ajar-interface-" + std::to_string(getpid()) + ".png");
+  picture.save(path.string(), {.exposure = 1.F, .tone_map = "filmic"});
+  EXPECT_GT(std::filesystem::file_size(path), 0U);
+  std::filesystem::remove(path);
+  EXPECT_EQ(raised([&] { picture.save("picture.nothing"); }), ajar::Error::Kind::Usage);
+  EXPECT_EQ(raised([&] { picture.save("/no/such/folder/picture.png"); }), ajar::Error::Kind::File);
+}
+
+TEST(Interface, TellsWhatIsWrong) {
+  EXPECT_EQ(raised([] { ajar::Scene::load("/no/such/scene.pbrt"); }), ajar::Error::Kind::File);
+  EXPECT_EQ(raised([] { ajar::Scene::load("builtin:none"); }), ajar::Error::Kind::Usage);
+  ajar::Settings settings = small_settings();
+  settings.integrator = "none";
+  const ajar::Scene scene = ajar::Scene::load("builtin:cornell");
+  EXPECT_EQ(raised([&] { ajar::Render render(scene, settings); }), ajar::Error::Kind::Usage);
+  settings = small_settings();
+  settings.parameters["none"] = "1";
+  EXPECT_EQ(raised([&] { ajar::render(scene, settings); }), ajar::Error::Kind::Usage);
+  settings = small_settings();
+  settings.integrator = "mmlt";
+  ajar::Render stopped(scene, settings);
+  stopped.stop();
+  stopped.stop();
+  EXPECT_EQ(raised([&] { stopped.run(); }), ajar::Error::Kind::Stopped);
+}
+
+TEST(Interface, CallsBackAndIsAskedByOtherThreads) {
+  ajar::Settings settings = small_settings();
+  settings.samples_per_pixel.reset();
+  settings.seconds = 86400.0;  // which no test waits for
+  int passes = 0;
+  int pictures = 0;
+  ajar::Callbacks callbacks;
+  callbacks.progress = [&](const ajar::Progress& progress) {
+    ++passes;
+    EXPECT_FALSE(progress.preparing);
+    EXPECT_GT(progress.samples_per_pixel, 0.0);
+  };
+  callbacks.picture = [&](const ajar::Picture& picture) {
+    ++pictures;
+    EXPECT_EQ(picture.width(), 24);
+  };
+  callbacks.picture_every = 0.0;
+  ajar::Render render(ajar::Scene::load("builtin:cornell"), settings, callbacks);
+  EXPECT_FALSE(render.picture());
+  std::thread viewer([&] {
+    while (!render.picture()) std::this_thread::yield();
+    EXPECT_NE(render.statistics().find("\"not yet\""), std::string::npos);
+    EXPECT_GT(render.progress().samples_per_pixel, 0.0);
+    render.stop();
+  });
+  const ajar::Picture picture = render.run();
+  viewer.join();
+  EXPECT_GT(passes, 0);
+  EXPECT_GT(pictures, 0);
+  ASSERT_TRUE(render.picture());
+  EXPECT_TRUE(std::equal(picture.pixels().begin(), picture.pixels().end(),
+                         render.picture()->pixels().begin()));
+}
+
+}  // namespace

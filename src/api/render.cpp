@@ -1,0 +1,126 @@
+#include "ajar/render.h"
+
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "api/contents.h"
+#include "session/catalog.h"
+#include "session/progress.h"
+#include "session/render.h"
+
+namespace ajar::v0 {
+
+namespace {
+
+RenderOrder order_of(const Scene::Content& scene, const Settings& settings, bool shows_pictures,
+                     double picture_every) {
+  RenderOrder order;
+  order.scene = scene.name;
+  order.description = scene.description;
+  RenderRequest& request = order.request.emplace();
+  if (!settings.integrator.empty()) find_integrator(settings.integrator);
+  request.integrator = settings.integrator;
+  request.parameters = settings.parameters;
+  request.budget = {settings.samples_per_pixel, settings.seconds, settings.target_error};
+  if (settings.resolution) {
+    request.resolution = Vec2i(settings.resolution->at(0), settings.resolution->at(1));
+  }
+  request.depth = {settings.min_depth, settings.max_depth};
+  request.aovs = checked_aovs(settings.layers);
+  order.all_aovs = settings.layers == std::vector<std::string>{"all"};
+  request.seed = settings.seed;
+  order.size_from_scene = !settings.resolution;
+  order.threads = settings.threads;
+  if (shows_pictures) order.show_every = picture_every;
+  return order;
+}
+
+Progress progress_of(const RenderSnapshot& snapshot) {
+  Progress progress;
+  progress.preparing = snapshot.preparation.has_value();
+  progress.seconds = snapshot.seconds;
+  progress.samples_per_pixel = snapshot.samples_done;
+  progress.fraction = fraction_done(snapshot);
+  if (const auto& error = snapshot.relative_error) {
+    progress.estimated_error = error->value;
+    progress.error_is_lower_bound = error->is_lower_bound();
+  }
+  return progress;
+}
+
+/// Passes what a render tells on to those who want to be called.
+class Caller final : public RenderEvents {
+ public:
+  explicit Caller(Callbacks callbacks) : callbacks_(std::move(callbacks)) {}
+  void progress(const RenderSnapshot& snapshot) override {
+    if (callbacks_.progress) callbacks_.progress(progress_of(snapshot));
+  }
+  void picture(const ajar::Picture& picture) override {
+    callbacks_.picture(public_picture(std::make_shared<const ajar::Picture>(picture)));
+  }
+  void scene_warnings(const Warnings& warnings) override {
+    for (const std::string& text : warnings.messages()) warn(text);
+  }
+  void warning(const Warning& warning) override { warn(warning.text()); }
+  void trouble(const std::string& text) override { warn(text); }
+  void note(const std::string& text) override {
+    if (callbacks_.note) callbacks_.note(text);
+  }
+
+ private:
+  void warn(const std::string& text) {
+    if (callbacks_.warning) callbacks_.warning(text);
+  }
+  Callbacks callbacks_;
+};
+
+}  // namespace
+
+struct Render::Parts {
+  Parts(const Scene& scene, const Settings& settings, const Callbacks& callbacks)
+      : caller(callbacks),
+        render(order_of(scene.content(), settings, static_cast<bool>(callbacks.picture),
+                        callbacks.picture_every),
+               caller) {}
+  Caller caller;
+  ajar::Render render;
+};
+
+Render::Render(Scene scene, const Settings& settings, Callbacks callbacks)
+    : parts_(
+          with_public_errors([&] { return std::make_unique<Parts>(scene, settings, callbacks); })) {
+}
+Render::~Render() = default;
+Render::Render(Render&&) noexcept = default;
+Render& Render::operator=(Render&&) noexcept = default;
+
+Picture Render::run() {
+  return with_public_errors([&] {
+    const RenderOutcome& outcome = parts_->render.run();
+    if (!outcome.picture) {
+      throw Error(Error::Kind::Stopped, "the render was stopped before there was a picture");
+    }
+    return public_picture(outcome.picture);
+  });
+}
+
+void Render::stop() { parts_->render.stop(); }
+Progress Render::progress() const { return progress_of(parts_->render.snapshot()); }
+
+std::optional<Picture> Render::picture() const {
+  std::shared_ptr<const ajar::Picture> picture = parts_->render.picture();
+  if (!picture) return std::nullopt;
+  return public_picture(std::move(picture));
+}
+
+std::string Render::statistics() const {
+  // Names of files need not be UTF-8.
+  using Json = nlohmann::ordered_json;
+  return to_json(parts_->render.statistics()).dump(2, ' ', false, Json::error_handler_t::replace);
+}
+
+Picture render(const Scene& scene, const Settings& settings) {
+  return Render(scene, settings).run();
+}
+
+}  // namespace ajar::v0

@@ -1,0 +1,94 @@
+#include "session/render.h"
+
+#include <tbb/global_control.h>
+
+#include <utility>
+
+#include "session/render_files.h"
+#include "session/render_method.h"
+#include "session/render_passes.h"
+#include "session/render_scene.h"
+#include "session/render_state.h"
+
+namespace ajar {
+
+namespace {
+
+RenderEvents& nobody() {
+  static RenderEvents listens;
+  return listens;
+}
+
+std::unique_ptr<tbb::global_control> thread_limit(int threads) {
+  if (threads <= 0) return nullptr;
+  return std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism,
+                                               static_cast<std::size_t>(threads));
+}
+
+}  // namespace
+
+struct Render::Parts {
+  Parts(RenderOrder order, RenderEvents& events)
+      : interrupts(order.interrupts != nullptr ? *order.interrupts : own_interrupts),
+        threads(thread_limit(order.threads)),
+        state{std::move(order), events, interrupts, watch} {}
+
+  InterruptCount own_interrupts{0};
+  InterruptCount& interrupts;
+  RenderWatch watch;
+  std::unique_ptr<tbb::global_control> threads;
+  RenderState state;
+  RenderOutcome outcome;
+};
+
+Render::Render(RenderOrder order) : Render(std::move(order), nobody()) {}
+Render::Render(RenderOrder order, RenderEvents& events)
+    : parts_(std::make_unique<Parts>(std::move(order), events)) {
+  RenderState& state = parts_->state;
+  const RenderOrder& wanted = state.order;
+  wanted.files.display();  // its curve may be none
+  check_files(wanted);
+  if (wanted.resumed) check_resumable(*wanted.resumed, wanted.resumed_from, wanted.force);
+  state.statistics.scene = wanted.scene;
+  state.watch.know(state.statistics);
+}
+Render::~Render() = default;
+
+const RenderOutcome& Render::run() {
+  RenderState& state = parts_->state;
+  RenderOutcome& outcome = parts_->outcome;
+  desc::SceneDesc description = load_description(state);
+  state.plan.emplace(make_plan(state.order, description));
+  complete_files(state.order, description);
+  build_scene(state, std::move(description));
+  if (prepare_method(state)) {
+    outcome = render_passes(state);
+  } else {
+    outcome.interrupted = true;
+    outcome.statistics = state.statistics;
+  }
+  state.events.finished(outcome);
+  return outcome;
+}
+
+void Render::stop() { parts_->interrupts.fetch_add(1, std::memory_order_relaxed); }
+
+RenderSnapshot Render::snapshot() const { return parts_->watch.snapshot(); }
+
+std::shared_ptr<const Picture> Render::picture() {
+  std::shared_ptr<const Picture> picture;
+  const auto look = [&](const Film& film, const JobState& job) {
+    picture = std::make_shared<const Picture>(picture_of(parts_->state, film, job));
+  };
+  return parts_->watch.passes.ask(look) ? picture : parts_->watch.last_picture();
+}
+
+RenderStatistics Render::statistics() {
+  RenderStatistics statistics;
+  const auto look = [&](const Film& /*film*/, const JobState& job) {
+    statistics = statistics_at(parts_->state, job);
+  };
+  return parts_->watch.passes.ask(look) ? statistics : parts_->watch.statistics();
+}
+
+}  // namespace ajar

@@ -1,0 +1,143 @@
+#include "session/render_method.h"
+
+#include <exception>
+
+#include "core/archive.h"
+#include "core/error.h"
+#include "session/preparation.h"
+
+namespace ajar {
+
+namespace {
+
+RenderSnapshot snapshot_of(const Preparation& preparation) {
+  RenderSnapshot snapshot;
+  snapshot.preparation = preparation.fraction_done();
+  snapshot.seconds = preparation.seconds();
+  return snapshot;
+}
+
+PreparationLimits preparation_limits(const RenderState& state) {
+  PreparationLimits limits;
+  if (state.order.resumed) {
+    // Once more as it was: the checkpoint holds what came after it.
+    if (!state.order.resumed->prepared) limits.rounds = state.order.resumed->preparation_rounds;
+  } else {
+    // A share of a render must be prepared like the others, or refused like them.
+    if (state.order.share.count > 1) return limits;
+    limits.seconds = state.plan->setup.budget.seconds;
+    if (limits.seconds) *limits.seconds -= state.statistics.times.build;
+  }
+  limits.interrupts = &state.interrupts;
+  limits.ranks = state.order.ranks;
+  return limits;
+}
+
+void prepare(RenderState& state) {
+  const RenderSetup& setup = state.plan->setup;
+  state.integrator = setup.integrator->make(*state.scene, setup.settings, state.plan->parameters);
+  Preparation preparation(*state.integrator, preparation_limits(state));
+  {
+    const AtWork at_work(state, [&] { return snapshot_of(preparation); });
+    state.statistics.preparation = preparation.run();
+  }
+  state.statistics.prepared = preparation.end() == PreparationEnd::Done;
+  state.preparation_rounds = preparation.rounds();
+  state.has_begun = preparation.end() != PreparationEnd::Interrupted;
+}
+
+void tell_of_method(RenderState& state) {
+  const RenderSetup& setup = state.plan->setup;
+  if (state.order.share.count > 1 && state.integrator->keeps_state()) {
+    throw UsageError("renders with " + setup.integrator->name +
+                     " cannot be divided into shares: its chains learn from each other; render "
+                     "several seeds, and merge them");
+  }
+  for (const Warning& concern : state.integrator->concerns()) state.warn(concern);
+  for (const std::string& note : state.integrator->notes()) state.events.note(note);
+  const Budget& budget = setup.budget;
+  if (budget.target_error && !budget.seconds && !budget.samples_per_pixel &&
+      state.integrator->misses_light()) {
+    state.events.note(
+        "--target-error cannot end this render, since its error stays a lower bound as long as "
+        "light is missing: choose another method, or give --time or --spp, too");
+  }
+}
+
+/// Whether to go on, which a user may not want who has stopped the preparation.
+bool goes_on(RenderState& state) {
+  if (state.has_begun) return true;
+  if (state.order.resumed) {
+    state.events.note("interrupted before it could go on: the checkpoint is as it was");
+    return false;
+  }
+  if (state.interrupts > 1 && state.order.ranks == nullptr) {
+    state.events.note(
+        "interrupted twice while preparing: nothing was rendered, nothing is written");
+    return false;
+  }
+  state.events.note(
+      "interrupted while preparing: the picture will be of what was found so far; the render "
+      "itself has not begun" +
+      std::string(state.order.files.checkpoint.empty() ? "" : ", so no checkpoint is written"));
+  return true;
+}
+
+void take_state(RenderState& state) {
+  Checkpoint& checkpoint = *state.order.resumed;
+  const std::vector<LayerSpec> layers = state.integrator->layers();
+  check_scene(checkpoint, state.scene->hash(), layers, state.order.resumed_from, state.order.force);
+  try {
+    unarchive(checkpoint.integrator_state, [&](InputArchive& archive) {
+      state.integrator->load_state(archive, checkpoint.job.samples_per_pixel);
+    });
+  } catch (const std::exception& error) {
+    throw IoError(state.order.resumed_from + ": makes no sense: " + error.what());
+  }
+}
+
+void make_film(RenderState& state) {
+  const RenderSetup& setup = state.plan->setup;
+  const std::vector<LayerSpec> layers = state.integrator->layers();
+  if (state.order.request && !state.order.all_aovs && state.statistics.prepared) {
+    std::vector<LayerSpec> made = layers;
+    for (const auto& [name, plane] : state.integrator->maps()) made.push_back({.name = name});
+    check_layers(setup.settings, made);
+  }
+  MemoryEstimate memory = memory_of(*state.plan, state.order, layers);
+  memory.method = state.integrator->memory_bytes();
+  check_memory(memory, state.order, state.scene->film().where);
+  if (state.order.resumed) take_state(state);
+  if (state.order.resumed && state.order.is_root()) {
+    state.film.emplace(film_of(*state.order.resumed, state.plan->filter, state.order.resumed_from));
+  } else {
+    state.film.emplace(film_for(*state.scene, setup.settings, *state.integrator));
+  }
+}
+
+void add_earlier_runs(RenderState& state) {
+  if (!state.order.resumed) return;
+  state.other_seconds += state.order.resumed->other_seconds;
+  state.passes_before = state.order.resumed->job.passes;
+  state.statistics.resumed_from = state.order.resumed_from;
+  state.statistics.resumptions = state.order.resumed->resumptions + 1;
+  state.statistics.interruptions = state.order.resumed->interruptions;
+}
+
+}  // namespace
+
+bool prepare_method(RenderState& state) {
+  state.events.phase_begun(RenderPhase::Prepare);
+  const Stopwatch clock;
+  prepare(state);
+  tell_of_method(state);
+  if (!goes_on(state)) return false;
+  make_film(state);
+  state.statistics.times.prepare = clock.seconds();
+  state.other_seconds = state.statistics.times.build + state.statistics.times.prepare;
+  add_earlier_runs(state);
+  state.watch.know(state.statistics);
+  return true;
+}
+
+}  // namespace ajar

@@ -1,0 +1,84 @@
+#pragma once
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/file_lock.h"
+#include "core/work_share.h"
+#include "scene/desc/scene_desc.h"
+#include "session/budget.h"
+#include "session/checkpoint.h"
+#include "session/display.h"
+#include "session/interrupts.h"
+#include "session/preview/tcp_stream.h"
+#include "session/ranks.h"
+#include "session/render_setup.h"
+
+namespace ajar {
+
+/// What a render writes, and where it is shown; nothing unless it is named. None of it decides the
+/// picture.
+struct RenderFiles {
+  static constexpr double kNever = std::numeric_limits<double>::infinity();
+
+  std::vector<std::string> pictures;
+  bool default_pictures = false;   ///< if none is named: `default_outputs`
+  double pictures_every = kNever;  ///< seconds, while rendering
+  /// Of pictures for the eye; empty: srgb, or as before.
+  std::string tone_map;
+  std::optional<Exposure> exposure;  ///< likewise; empty: 0, or as before
+  std::string checkpoint;
+  double checkpoint_every = 60.0;  ///< seconds
+  std::string statistics;          ///< JSON
+  std::optional<ViewerAddress> preview;
+
+  std::string tone_map_name() const { return tone_map.empty() ? "srgb" : tone_map; }
+  /// Raises UsageError for a curve that is none.
+  Display display() const;
+  /// Pictures, statistics and checkpoint.
+  std::vector<std::string> all() const;
+};
+
+/// A render that is wanted, new or to be gone on with.
+struct RenderOrder {
+  /// A file, or builtin:NAME (`load_scene`). With a `description`: what that is called.
+  std::string scene;
+  std::optional<desc::SceneDesc> description;  ///< ready; empty: `scene` is loaded
+  /// What was asked for; empty: go on with `resumed` as it was, within `budget`.
+  std::optional<RenderRequest> request;
+  bool all_aovs = false;         ///< of a request: "all" means what the method can make
+  bool size_from_scene = false;  ///< the user did not choose it: what is too large is its fault
+  Budget budget;                 ///< without a request
+  WorkShare share;
+  /// Where to go on. With a request, too, it must be of the same render.
+  std::optional<Checkpoint> resumed;
+  std::string resumed_from;  ///< its file
+  bool force = false;        ///< go on with checkpoints of other versions or scenes
+  /// Of the checkpoint to be written (`lock_checkpoint_of`).
+  std::optional<FileLock> lock;
+
+  RenderFiles files;
+  int threads = 0;                          ///< 0: as many as the machine offers
+  double show_every = RenderFiles::kNever;  ///< seconds between `RenderEvents::picture`
+  Ranks* ranks = nullptr;                   ///< who render together; null: this process alone
+  /// Counts who wants it to stop, beside `Render::stop`, which adds to it: signals, say. Null: that
+  /// alone.
+  InterruptCount* interrupts = nullptr;
+  /// Counts who wants the files of the picture written as it is; may be null.
+  const InterruptCount* picture_requests = nullptr;
+
+  /// True but for ranks that only help another.
+  bool is_root() const { return ranks == nullptr || ranks->is_root(); }
+};
+
+/// To be called before a checkpoint is read that may be gone on with, and then written. Raises
+/// IoError if another program writes there.
+void lock_checkpoint_of(RenderOrder& order);
+
+/// Goes on with the render of a checkpoint as it was: what `order` leaves empty (scene, budget,
+/// pictures, display) is the checkpoint's, and where none is to be written, it is written again.
+/// Raises IoError as `lock_checkpoint` and `read_checkpoint` do.
+void resume_from(const std::string& path, RenderOrder& order);
+
+}  // namespace ajar

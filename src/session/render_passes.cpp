@@ -1,0 +1,156 @@
+#include "session/render_passes.h"
+
+#include <filesystem>
+#include <utility>
+
+#include "session/event_teller.h"
+#include "session/picture_range.h"
+#include "session/render_concerns.h"
+#include "session/render_writers.h"
+#include "session/scene_file.h"
+#include "session/statistics_of.h"
+#include "session/version.h"
+
+namespace ajar {
+
+namespace {
+
+std::string absolute_path(const std::string& path) {
+  std::error_code error;
+  const std::filesystem::path absolute = std::filesystem::absolute(path, error);
+  return error ? path : absolute.lexically_normal().string();
+}
+
+Checkpoint checkpoint_base(const RenderState& state) {
+  Checkpoint base;
+  base.version = version();
+  base.render = state.plan->record;
+  base.budget = state.plan->setup.budget;
+  for (const std::string& path : state.order.files.pictures) {
+    base.outputs.push_back(absolute_path(path));
+  }
+  base.tone_map = state.order.files.tone_map_name();
+  base.exposure = state.order.files.exposure.value_or(Exposure());
+  base.layers.assign(state.film->layers().begin(), state.film->layers().end());
+  base.preparation =
+      state.order.resumed ? state.order.resumed->preparation : state.statistics.preparation;
+  base.prepared = state.statistics.prepared;
+  base.preparation_rounds = state.preparation_rounds;
+  base.other_seconds = state.other_seconds;
+  base.resumptions = state.statistics.resumptions;
+  base.interruptions = state.statistics.interruptions;
+  return base;
+}
+
+PreviewOptions preview_options(const RenderState& state) {
+  PreviewOptions options;
+  options.name = "ajar: " + scene_stem(state.order.scene);
+  options.film_scale = state.plan->record.film_scale;
+  options.aovs = state.plan->setup.aovs;
+  return options;
+}
+
+RenderJobOptions job_options(RenderState& state, std::vector<PassObserver*> observers) {
+  RenderJobOptions options;
+  options.budget = state.plan->setup.budget;
+  // A time limit covers everything after loading.
+  if (options.budget.seconds) *options.budget.seconds -= state.other_seconds;
+  options.threads = state.order.threads;
+  options.estimate_error = [&integrator = *state.integrator](const Film& film,
+                                                             std::uint64_t samples) {
+    return estimate_error(film, integrator, samples);
+  };
+  options.interrupts = &state.interrupts;
+  options.share = state.order.share;
+  options.ranks = state.order.ranks;
+  if (state.order.resumed) options.resumed = std::move(state.order.resumed->job);
+  options.observers = std::move(observers);
+  return options;
+}
+
+/// While it lives, passes may be looked at.
+class OpenPasses {
+ public:
+  explicit OpenPasses(BetweenPasses& passes) : passes_(passes) { passes_.open(); }
+  ~OpenPasses() { passes_.close(); }
+  OpenPasses(const OpenPasses&) = delete;
+  OpenPasses& operator=(const OpenPasses&) = delete;
+
+ private:
+  BetweenPasses& passes_;
+};
+
+RenderOutcome finish(RenderState& state, const RenderJob& job, RenderWriters& writers) {
+  const RenderResult& result = state.statistics.result;
+  RenderOutcome outcome;
+  outcome.interrupted = result.stopped_by == StopReason::Interrupted;
+  if (outcome.interrupted) ++state.statistics.interruptions;
+  state.events.phase_begun(RenderPhase::Write);
+  writers.show_last(job);
+  Picture picture = state.develop_with(job.film(), state.statistics);
+  const double film_scale = state.plan->record.film_scale;
+  if (const auto complaint = range_complaint(job.film(), picture, film_scale)) {
+    state.warn(*complaint);
+  }
+  for (const Warning& concern : concerns_about(result)) state.warn(concern);
+  outcome.statistics = state.statistics_with(result);
+  picture.metadata = to_metadata(outcome.statistics);
+  const Display display = state.order.files.display();
+  outcome.display = display.of(picture);
+  outcome.statistics.exposure = {display.exposure.automatic, outcome.display.exposure};
+  outcome.picture = std::make_shared<const Picture>(std::move(picture));
+  // Who asks from here on is answered by these.
+  state.watch.know(outcome.statistics);
+  state.watch.know(outcome.picture);
+  state.watch.passes.close(job.film(), job.state());
+
+  const RenderOrder& order = state.order;
+  const bool nothing_new = order.resumed && job.state().passes == state.passes_before &&
+                           !job.state().partial && order.files.checkpoint == order.resumed_from;
+  writers.write_last(job, !nothing_new, state.interrupts, outcome);
+  state.watch.know(outcome.statistics);
+  return outcome;
+}
+
+}  // namespace
+
+RenderOutcome render_passes(RenderState& state) {
+  state.events.phase_begun(RenderPhase::Render);
+  const auto develop = [&state](const Film& film, const JobState& job) {
+    return picture_of(state, film, job);
+  };
+  EventTeller teller(
+      state.events, state.order.show_every, [&state] { return state.watch.snapshot(); }, develop);
+  std::optional<RenderWriters> writers;
+  std::vector<PassObserver*> observers;
+  if (state.order.is_root()) {
+    std::optional<Checkpoint> base;
+    if (state.has_begun && !state.order.files.checkpoint.empty()) base = checkpoint_base(state);
+    writers.emplace(state.order, *state.integrator, std::move(base), preview_options(state),
+                    develop, state.events);
+    observers = writers->observers();
+    observers.insert(observers.end(), {&teller, &state.watch.passes});
+  }
+  RenderJob job(*state.integrator, *state.film, job_options(state, std::move(observers)));
+  std::optional<OpenPasses> open;
+  if (writers) open.emplace(state.watch.passes);
+  {
+    const AtWork at_work(state, [&job] { return job.snapshot(); });
+    state.statistics.result = job.run();
+  }
+  if (writers) return finish(state, job, *writers);
+  RenderOutcome outcome;
+  outcome.interrupted = state.statistics.result.stopped_by == StopReason::Interrupted;
+  outcome.statistics = state.statistics;
+  return outcome;
+}
+
+RenderStatistics statistics_at(const RenderState& state, const JobState& job) {
+  return state.statistics_with(result_of(job, StopReason::NotYet));
+}
+
+Picture picture_of(const RenderState& state, const Film& film, const JobState& job) {
+  return state.develop_with(film, statistics_at(state, job));
+}
+
+}  // namespace ajar

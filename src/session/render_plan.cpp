@@ -1,0 +1,68 @@
+#include "session/render_plan.h"
+
+#include <utility>
+
+#include "core/available_memory.h"
+#include "core/error.h"
+#include "image/make_filter.h"
+
+namespace ajar {
+
+namespace {
+
+RenderSetup choose_setup(const RenderOrder& order, const desc::SceneDesc& description) {
+  if (!order.request) return setup_of(order.resumed->render, order.budget);
+  RenderSetup setup = make_setup(*order.request, description.hints, description.film);
+  if (order.resumed) {
+    setup.settings.replicates = order.resumed->render.settings.replicates;
+    check_budget(setup.budget, setup.settings.replicates);
+  }
+  return setup;
+}
+
+Parameters read_parameters(const RenderSetup& setup) {
+  try {
+    return setup.integrator->read(setup.parameters);
+  } catch (const UsageError& error) {
+    // The scene may have chosen it.
+    throw UsageError("integrator " + setup.integrator->name + ": " + error.what());
+  }
+}
+
+}  // namespace
+
+RenderPlan make_plan(const RenderOrder& order, const desc::SceneDesc& description) {
+  RenderSetup setup = choose_setup(order, description);
+  if (order.share.count > 1 && setup.budget.target_error) {
+    throw UsageError("--target-error cannot go with a share: all shares need the same samples");
+  }
+  Parameters parameters = read_parameters(setup);
+  RenderRecord record = record_of(setup, parameters, order.scene, order.share);
+  record.film_scale = static_cast<double>(description.film.scale);
+  if (order.resumed) check_same_render(order.resumed->render, record, order.resumed_from);
+  return {std::move(setup), std::move(parameters), std::move(record),
+          make_filter(description.film.filter)};
+}
+
+MemoryEstimate memory_of(const RenderPlan& plan, const RenderOrder& order,
+                         const std::vector<LayerSpec>& layers) {
+  MemoryEstimate estimate;
+  const RenderSetup& setup = plan.setup;
+  const int replicates = setup.settings.replicates;
+  // The root of several ranks has the sum beside its own part, a preview develops a copy.
+  const std::uint64_t films =
+      1U + (order.ranks != nullptr ? 1U : 0U) + (order.files.preview ? 1U : 0U);
+  estimate.film = films * film_bytes(setup.crop, replicates, layers);
+  estimate.pictures = picture_bytes(setup.crop, replicates, layers, setup.aovs);
+  return estimate;
+}
+
+void check_memory(const MemoryEstimate& estimate, const RenderOrder& order,
+                  const SourceLocation& film) {
+  const std::string complaint = memory_complaint(estimate, available_memory_bytes());
+  if (complaint.empty()) return;
+  if (order.size_from_scene) throw SceneError(film, complaint);
+  throw UsageError(complaint);
+}
+
+}  // namespace ajar

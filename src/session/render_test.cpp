@@ -1,0 +1,283 @@
+#include "session/render.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <filesystem>
+#include <future>
+#include <stdexcept>
+#include <thread>
+#include <vector>
+
+#include "core/error.h"
+#include "session/scene_file.h"
+#include "session/testing/thread_ranks.h"
+
+namespace ajar {
+namespace {
+
+namespace fs = std::filesystem;
+
+RenderOrder small_order(std::optional<std::uint64_t> samples = 8) {
+  RenderOrder order;
+  order.scene = "builtin:cornell";
+  RenderRequest& request = order.request.emplace();
+  request.integrator = "pt";
+  request.resolution = Vec2i(24, 18);
+  request.budget.samples_per_pixel = samples;
+  // A day, which no test waits for.
+  if (!samples) request.budget.seconds = 86400.0;
+  return order;
+}
+
+const std::vector<float>& pixels_of(const Picture& picture) {
+  return picture.layers.front().pixels;
+}
+
+std::uint64_t samples_of(const Picture& picture) {
+  return std::stoull(picture.metadata.at("ajar:samples_per_pixel"));
+}
+
+std::vector<float> rendered(RenderOrder order) {
+  Render render(std::move(order));
+  return pixels_of(*render.run().picture);
+}
+
+/// Keeps what it is told; more is done in a pass if a test wants it.
+struct Listener final : RenderEvents {
+  std::vector<std::string> phases;
+  int passes = 0;
+  int pictures = 0;
+  int finishes = 0;
+  std::vector<std::string> notes;
+  bool at_work = false;
+  std::function<void(const RenderSnapshot&)> on_progress;
+  std::atomic<bool> has_passes{false};
+
+  void phase_begun(RenderPhase phase) override { phases.emplace_back(to_string(phase)); }
+  void work_begun(const std::function<RenderSnapshot()>&) override { at_work = true; }
+  void work_ended() noexcept override { at_work = false; }
+  void progress(const RenderSnapshot& snapshot) override {
+    EXPECT_TRUE(at_work);
+    ++passes;
+    if (snapshot.samples_done >= 4.0) has_passes = true;
+    if (on_progress) on_progress(snapshot);
+  }
+  void picture(const Picture& picture) override {
+    EXPECT_FALSE(picture.layers.empty());
+    ++pictures;
+  }
+  void note(const std::string& text) override { notes.push_back(text); }
+  void finished(const RenderOutcome&) override { ++finishes; }
+};
+
+TEST(Render, TellsItsStepsAndItsEnd) {
+  Listener listener;
+  Render render(small_order(), listener);
+  const RenderOutcome& outcome = render.run();
+  EXPECT_EQ(listener.phases,
+            (std::vector<std::string>{"load", "build", "prepare", "render", "write"}));
+  EXPECT_GT(listener.passes, 1);
+  EXPECT_EQ(listener.pictures, 0);
+  EXPECT_EQ(listener.finishes, 1);
+  EXPECT_FALSE(outcome.interrupted);
+  ASSERT_TRUE(outcome.picture);
+  EXPECT_EQ(outcome.picture->metadata.at("ajar:samples_per_pixel"), "8");
+  EXPECT_EQ(outcome.statistics.result.samples_per_pixel, 8U);
+  EXPECT_TRUE(outcome.files.empty());
+  EXPECT_EQ(render.picture(), outcome.picture);
+  EXPECT_EQ(render.statistics().result.samples_per_pixel, 8U);
+  EXPECT_EQ(render.snapshot().samples_done, 8.0);
+}
+
+TEST(Render, TakesASceneThatIsReady) {
+  RenderOrder order = small_order();
+  Warnings warnings;
+  order.description = load_scene(order.scene, warnings);
+  Listener listener;
+  Render render(std::move(order), listener);
+  EXPECT_EQ(pixels_of(*render.run().picture), rendered(small_order()));
+  EXPECT_EQ(listener.phases.front(), "build");
+}
+
+TEST(Render, IsStoppedByAnotherThread) {
+  Listener listener;
+  Render render(small_order(std::nullopt), listener);
+  std::thread user([&] {
+    listener.has_passes.wait(false);
+    render.stop();
+  });
+  listener.on_progress = [&](const RenderSnapshot&) { listener.has_passes.notify_all(); };
+  const RenderOutcome& outcome = render.run();
+  user.join();
+  EXPECT_TRUE(outcome.interrupted);
+  ASSERT_TRUE(outcome.picture);
+  EXPECT_GE(outcome.statistics.result.samples_per_pixel, 4U);
+}
+
+TEST(Render, CountsOnTheCounterItIsGiven) {
+  InterruptCount count{0};
+  RenderOrder order = small_order(std::nullopt);
+  order.interrupts = &count;
+  Listener listener;
+  listener.on_progress = [&](const RenderSnapshot&) { count = 1; };
+  Render render(std::move(order), listener);
+  EXPECT_TRUE(render.run().interrupted);
+  render.stop();
+  EXPECT_EQ(count, 2);
+}
+
+// What is seen between two passes is the picture of so many samples, to the bit.
+TEST(Render, ShowsItsPictureToOtherThreads) {
+  Listener listener;
+  Render render(small_order(std::nullopt), listener);
+  listener.on_progress = [&](const RenderSnapshot&) { listener.has_passes.notify_all(); };
+  std::shared_ptr<const Picture> seen;
+  RenderStatistics known;
+  std::thread viewer([&] {
+    listener.has_passes.wait(false);
+    known = render.statistics();
+    // Where all replicates have the same number of samples, as in a render of so many.
+    do {
+      seen = render.picture();
+    } while (samples_of(*seen) % RenderSetup::kReplicates != 0);
+    render.stop();
+  });
+  render.run();
+  viewer.join();
+  ASSERT_TRUE(seen);
+  EXPECT_EQ(known.result.stopped_by, StopReason::NotYet);
+  EXPECT_GE(known.result.samples_per_pixel, 4U);
+  EXPECT_LE(known.result.samples_per_pixel, samples_of(*seen));
+  EXPECT_GT(known.result.counters.rays, 0U);
+  EXPECT_EQ(known.integrator, "pt");
+  EXPECT_EQ(pixels_of(*seen), rendered(small_order(samples_of(*seen))));
+}
+
+TEST(Render, HasNoPictureBeforeItsFirstPass) {
+  Listener listener;
+  Render render(small_order(), listener);
+  EXPECT_FALSE(render.picture());
+  EXPECT_EQ(render.statistics().scene, "builtin:cornell");
+  // On its own thread, which would wait for itself.
+  listener.on_progress = [&](const RenderSnapshot&) { EXPECT_FALSE(render.picture()); };
+  EXPECT_TRUE(render.run().picture);
+}
+
+TEST(Render, ShowsPicturesToItsListener) {
+  RenderOrder order = small_order(64);
+  order.show_every = 0.0;
+  Listener listener;
+  Render render(std::move(order), listener);
+  render.run();
+  EXPECT_GT(listener.pictures, 0);
+}
+
+TEST(Render, IsStoppedBeforeItBegins) {
+  Listener listener;
+  Render render(small_order(), listener);
+  render.stop();
+  render.stop();
+  // Path tracing has nothing to prepare that could be cut short.
+  EXPECT_TRUE(render.run().picture);
+  RenderOrder order = small_order();
+  order.request->integrator = "mmlt";
+  Render chains(std::move(order), listener);
+  chains.stop();
+  chains.stop();
+  const RenderOutcome& outcome = chains.run();
+  EXPECT_TRUE(outcome.interrupted);
+  EXPECT_FALSE(outcome.picture);
+  EXPECT_NE(listener.notes.back().find("nothing was rendered"), std::string::npos);
+}
+
+TEST(Render, LeavesNobodyWaitingWhenItFails) {
+  Listener listener;
+  Render render(small_order(std::nullopt), listener);
+  std::future<std::shared_ptr<const Picture>> asked;
+  listener.on_progress = [&](const RenderSnapshot& snapshot) {
+    if (snapshot.samples_done < 4.0) return;
+    if (asked.valid()) throw std::runtime_error("enough");
+    // Waits for the next pass, or for the end that comes before it.
+    asked = std::async(std::launch::async, [&render] { return render.picture(); });
+  };
+  EXPECT_THROW(render.run(), std::runtime_error);
+  EXPECT_FALSE(listener.at_work);
+  ASSERT_TRUE(asked.valid());
+  asked.wait();
+  EXPECT_FALSE(render.picture());
+  EXPECT_GT(render.snapshot().samples_done, 0.0);
+}
+
+TEST(Render, RefusesBeforeItLoads) {
+  RenderOrder order = small_order();
+  order.scene = "builtin:no-such-scene";
+  order.files.tone_map = "no-such-curve";
+  EXPECT_THROW(Render{std::move(order)}, UsageError);
+  RenderOrder unknown = small_order();
+  unknown.scene = "builtin:no-such-scene";
+  Render render(std::move(unknown));
+  EXPECT_THROW(render.run(), UsageError);
+}
+
+TEST(Render, MayRunBesideAnother) {
+  const std::vector<float> alone = rendered(small_order());
+  auto other = std::async(std::launch::async, [] { return rendered(small_order()); });
+  EXPECT_EQ(rendered(small_order()), alone);
+  EXPECT_EQ(other.get(), alone);
+}
+
+TEST(Render, IsOneOfSeveralRanks) {
+  constexpr int kRanks = 3;
+  ThreadRanks ranks(kRanks);
+  std::vector<std::shared_ptr<const Picture>> pictures(kRanks);
+  std::vector<std::thread> threads;
+  threads.reserve(kRanks);
+  for (int rank = 0; rank < kRanks; ++rank) {
+    threads.emplace_back([&, rank] {
+      RenderOrder order = small_order();
+      order.ranks = &ranks.member(rank);
+      Render render(std::move(order));
+      const RenderOutcome& outcome = render.run();
+      EXPECT_EQ(outcome.statistics.ranks, kRanks);
+      EXPECT_EQ(outcome.picture, render.picture());
+      pictures[static_cast<std::size_t>(rank)] = outcome.picture;
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  ASSERT_TRUE(pictures[0]);
+  EXPECT_FALSE(pictures[1]);
+  EXPECT_FALSE(pictures[2]);
+  EXPECT_EQ(pixels_of(*pictures[0]), rendered(small_order()));
+}
+
+TEST(Render, WritesFilesAndGoesOn) {
+  const fs::path folder =
+      fs::temp_directory_path() / ("ajar-render-test-" + std::to_string(getpid()));
+  fs::create_directories(folder);
+  const std::string checkpoint = (folder / "half.ckpt").string();
+  RenderOrder order = small_order(8);
+  order.files.pictures = {(folder / "half.exr").string()};
+  order.files.statistics = (folder / "half.json").string();
+  order.files.checkpoint = checkpoint;
+  lock_checkpoint_of(order);
+  {
+    Render render(std::move(order));
+    const RenderOutcome& outcome = render.run();
+    EXPECT_TRUE(outcome.all_written());
+    EXPECT_EQ(outcome.files.size(), 2U);
+    EXPECT_EQ(outcome.statistics.outputs, std::vector<std::string>{(folder / "half.exr").string()});
+  }
+  EXPECT_TRUE(fs::exists(folder / "half.exr"));
+  EXPECT_TRUE(fs::exists(folder / "half.json"));
+  RenderOrder second;
+  second.budget.samples_per_pixel = 16;
+  resume_from(checkpoint, second);
+  EXPECT_EQ(second.scene, "builtin:cornell");
+  EXPECT_EQ(rendered(std::move(second)), rendered(small_order(16)));
+  fs::remove_all(folder);
+}
+
+}  // namespace
+}  // namespace ajar
