@@ -12,7 +12,9 @@
 #include "scene/light/models.h"
 #include "scene/medium/phase.h"
 #include "scene/shape/make_surface_sampler.h"
+#include "scene/testing/image_file.h"
 #include "scene/testing/inverse_checks.h"
+#include "scene/testing/quadrics.h"
 #include "scene/testing/transforms.h"
 
 /// Every sampling routine below transport, against its inverse.
@@ -142,6 +144,7 @@ void add_endpoint(std::vector<InverseCase>& all, const std::string& name, const 
 
 /// Lights of every kind, and what they stand on.
 struct AllLights {
+  std::vector<std::unique_ptr<ImageFile>> images;
   std::vector<std::unique_ptr<TriangleMesh>> meshes;
   std::vector<std::unique_ptr<SurfaceSampler>> surfaces;
   std::vector<std::pair<std::string, std::unique_ptr<Light>>> lights;
@@ -158,25 +161,24 @@ struct AllLights {
     const auto add = [&](const std::string& name, std::unique_ptr<Light> light) {
       lights.emplace_back(name + " " + space, std::move(light));
     };
-    const LightPlacement place{transform_point(at, Vec3(0.F)), DirectionMap(at)};
-    const auto map = [](int width, int height, MapEdge edge) {
+    const auto map = [&](int width, int height) {
       Rng rng(5);
-      std::vector<Spectrum> texels;
-      for (int i = 0; i < width * height; ++i) {
-        texels.emplace_back(rng.next() < 0.3F ? 0.F : std::exp(4.F * rng.next()));
+      std::vector<float> texels;
+      for (int i = 0; i < 3 * width * height; ++i) {
+        texels.push_back(rng.next() < 0.3F ? 0.F : std::exp(4.F * rng.next()));
       }
-      return Map(width, height, std::move(texels), edge);
+      images.push_back(std::make_unique<ImageFile>(width, height, texels));
+      return images.back()->path();
     };
-    add("point", light_of(desc::PointLight{{1, 2, 3}}, at));
-    add("spot", light_of(desc::SpotLight{{1, 2, 3}, 40, 25}, at));
-    add("sharp spot", light_of(desc::SpotLight{{1, 2, 3}, 40, 40}, at));
-    add("soft spot", light_of(desc::SpotLight{{1, 2, 3}, 100, 0}, at));
-    add("distant", light_of(desc::DistantLight{{1, 2, 3}}, at));
-    add("constant environment", light_of(desc::InfiniteLight{{1, 2, 3}, ""}, at));
-    add("environment map",
-        make_environment_map(Spectrum(1.F), map(8, 6, MapEdge::Repeat), place, kBounds));
-    add("goniometric", make_goniometric_light({}, map(6, 5, MapEdge::Repeat), place));
-    add("projection", make_projection_light({}, map(7, 4, MapEdge::Clamp), place));
+    add("point", light_of(point_node({1, 2, 3}), at));
+    add("spot", light_of(spot_node({1, 2, 3}, 40, 25), at));
+    add("sharp spot", light_of(spot_node({1, 2, 3}, 40, 40), at));
+    add("soft spot", light_of(spot_node({1, 2, 3}, 100, 0), at));
+    add("distant", light_of(distant_node({1, 2, 3}), at));
+    add("constant environment", light_of(environment_node({1, 2, 3}), at));
+    add("environment map", light_of(environment_node({1, 1, 1}, map(8, 6)), at));
+    add("goniometric", light_of(goniometric_node({1, 1, 1}, map(6, 5)), at));
+    add("projection", light_of(projection_node({1, 1, 1}, 60, map(7, 4)), at));
   }
 
   void add_emitters() {
@@ -184,13 +186,13 @@ struct AllLights {
     turned[3][2] = 2.0;
     const Mat4 stretched = scaling(1.5, 0.6, -0.8) * turned;
     const std::pair<std::string, std::optional<Quadric>> quadrics[] = {
-        {"sphere", Quadric::make(desc::Sphere{})},
-        {"partial sphere", Quadric::make(desc::Sphere{1, -0.4F, 0.9F, 200})},
-        {"disk", Quadric::make(desc::Disk{0.3F, 1.2F, 0.4F, 300})},
-        {"cylinder", Quadric::make(desc::Cylinder{0.6F, -1, 1, 360})},
-        {"cone", Quadric::make(desc::Cone{0.8F, 1.5F, 360})},
-        {"paraboloid", Quadric::make(desc::Paraboloid{1, 0, 1.3F, 270})},
-        {"hyperboloid", Quadric::make(desc::Hyperboloid{{1, -1, -1}, {0.5F, 1.5F, 1}, 360})}};
+        {"sphere", Quadric::make(sphere_node())},
+        {"partial sphere", Quadric::make(sphere_node(1, -0.4F, 0.9F, 200))},
+        {"disk", Quadric::make(disk_node(0.3F, 1.2F, 0.4F, 300))},
+        {"cylinder", Quadric::make(cylinder_node(0.6F, -1, 1, 360))},
+        {"cone", Quadric::make(cone_node(0.8F, 1.5F, 360))},
+        {"paraboloid", Quadric::make(paraboloid_node(1, 0, 1.3F, 270))},
+        {"hyperboloid", Quadric::make(hyperboloid_node({1, -1, -1}, {0.5F, 1.5F, 1}, 360))}};
     for (const auto& [name, quadric] : quadrics) {
       for (const Mat4& at : {turned, stretched}) {
         const auto placement = Placement::make(at);
@@ -272,11 +274,11 @@ TEST(Inverses, GiveTheNumbersOfWhatWasSampled) {
   Lamps lamps = random_lamps(rng, 60, 2.F);
   const LightSampler placed(lamps.lights, kBounds);
   Lamps more = random_lamps(rng, 30, 2.F);
-  more.add(light_of(desc::DistantLight{{1, 2, 3}}, Mat4()));
-  more.add(light_of(desc::InfiniteLight{{1, 2, 3}, ""}, Mat4()));
+  more.add(light_of(distant_node({1, 2, 3}), Mat4()));
+  more.add(light_of(environment_node({1, 2, 3}), Mat4()));
   const LightSampler mixed(more.lights, kBounds);
   Lamps single;
-  single.add(light_of(desc::PointLight{{1, 2, 3}}, Mat4()));
+  single.add(light_of(point_node({1, 2, 3}), Mat4()));
   const LightSampler one(single.lights, kBounds);
   add_choices(all, "60 lights", placed);
   add_choices(all, "lights near and at infinity", mixed);

@@ -69,13 +69,13 @@ struct TwoNumbers final : SampleSource {
 TEST(Segments, DistancesAreInverted) {
   // From fog through an interface into thicker fog, up to a ball; or past both, to infinity.
   desc::SceneDesc description;
-  description.shapes.emplace_back().node = desc::Sphere{};
-  description.materials.emplace_back().node = desc::InterfaceMaterial{};
+  description.shapes.emplace_back().node = testing::sphere_node();
+  description.materials.emplace_back().node = desc::material_node("interface");
   description.media.emplace_back().sigma_s = {0.7F, 0.5F, 0.2F};
   description.media.emplace_back().sigma_s = {2.F, 1.F, 0.F};
   description.media.back().sigma_a = {0.F, 0.3F, 0.1F};
   desc::Shape& around = description.shapes.emplace_back();
-  around.node = desc::Sphere{2, -2, 2, 360};
+  around.node = testing::sphere_node(2, -2, 2, 360);
   around.material = 0;
   around.has_medium_interface = true;
   around.outside = 0;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "path/recorder.h"
+#include "scene/testing/quadrics.h"
 #include "transport/sources.h"
 
 /// The smallest scene that has paths of several edges, and its paths.
@@ -16,12 +17,12 @@ inline constexpr float kIntensity = 5.F;
 inline std::unique_ptr<Scene> plain_scene() {
   desc::SceneDesc scene;
   desc::Shape& before = scene.shapes.emplace_back();
-  before.node = desc::Disk{3.F, 4.F, 0.F, 360.F};
+  before.node = disk_node(3.F, 4.F, 0.F, 360.F);
   desc::Shape& beside = scene.shapes.emplace_back();
-  beside.node = desc::Disk{-2.F, 3.F, 0.F, 360.F};
+  beside.node = disk_node(-2.F, 3.F, 0.F, 360.F);
   beside.to_world.setAxisAngle(Vec3d(0.0, 1.0, 0.0), 1.2);
   desc::Light& light = scene.lights.emplace_back();
-  light.node = desc::PointLight{{kIntensity, kIntensity, kIntensity}};
+  light.node = desc::light_node("point", {{"intensity", Vec3(kIntensity)}});
   light.to_world.setTranslation(Vec3d(0.5, 1.0, 1.0));
   scene.camera.node = desc::PerspectiveCamera{60.F, 0.F, 1e6F, {}, {}};
   scene.film.resolution = {16, 16};

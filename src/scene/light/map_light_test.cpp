@@ -1,6 +1,4 @@
-#include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cmath>
 #include <fstream>
@@ -8,39 +6,13 @@
 #include "scene/light/lat_long_map.h"
 #include "scene/light/light_test_support.h"
 #include "scene/light/map.h"
+#include "scene/testing/image_file.h"
 
 /// Lights that are shaped by an image: environment, goniometric, projection.
 namespace ajar {
 namespace {
 
 using namespace testing;
-
-/// An image file that lasts as long as the object.
-class ImageFile {
- public:
-  ImageFile(int width, int height, const std::vector<float>& rgb,
-            const std::string& extension = ".exr",
-            const OIIO::TypeDesc& format = OIIO::TypeDesc::FLOAT, int channels = 3) {
-    static int count = 0;
-    path_ =
-        (std::filesystem::temp_directory_path() / ("ajar_light_test_" + std::to_string(getpid()) +
-                                                   "_" + std::to_string(count++) + extension))
-            .string();
-    const auto output = OIIO::ImageOutput::create(path_);
-    const OIIO::ImageSpec spec(width, height, channels, format);
-    if (!output || !output->open(path_, spec) ||
-        !output->write_image(OIIO::TypeDesc::FLOAT, rgb.data()) || !output->close()) {
-      throw std::runtime_error("cannot write " + path_);
-    }
-  }
-  ~ImageFile() { std::filesystem::remove(path_); }
-  ImageFile(const ImageFile&) = delete;
-  ImageFile& operator=(const ImageFile&) = delete;
-  const std::string& path() const { return path_; }
-
- private:
-  std::string path_;
-};
 
 std::vector<float> random_pixels(int count, std::uint64_t seed) {
   Rng rng(seed);
