@@ -52,7 +52,8 @@ std::optional<Size> claimed_size(std::string_view bytes) {
   const auto has = [&](std::string_view text, std::size_t place) {
     return bytes.size() >= place && bytes.substr(place).starts_with(text);
   };
-  if (has("GIF8", 0)) return Size{number_at(bytes, 6, 2), number_at(bytes, 8, 2)};
+  // The decoder does not mind the version that follows.
+  if (has("GIF", 0)) return Size{number_at(bytes, 6, 2), number_at(bytes, 8, 2)};
   if (has("BM", 0) && number_at(bytes, 14, 4) >= 40) {
     const auto side = [&](std::size_t place) {
       const auto value = static_cast<std::int32_t>(number_at(bytes, place, 4));

@@ -113,6 +113,15 @@ std::vector<std::pair<std::string, std::string>> liars() {
                              .little({0, 0, 1, 1}, 2)
                              .text(std::string_view("\0\2\2\x44\1\0;", 7))
                              .result()},
+          {"odd-version.gif", Bytes()
+                                  .text("GIF???")
+                                  .little({kSide, kSide}, 2)
+                                  .little({0x80, 0, 0}, 1)
+                                  .zeros(6)
+                                  .text(",")
+                                  .little({0, 0, 1, 1}, 2)
+                                  .text(std::string_view("\0\2\2\x44\1\0;", 7))
+                                  .result()},
           {"plain.bmp", bmp(24, 0)},
           {"runs.bmp", bmp(8, 1)},
           {"plain.tga", tga(2)},
