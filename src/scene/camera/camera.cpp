@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/warp.h"
 #include "scene/camera/models.h"
 #include "scene/coordinate_limit.h"
 
@@ -46,6 +47,26 @@ struct MakeCamera {
 };
 
 }  // namespace
+
+Vec2 Camera::invert_lens(const EndpointPoint& point, const Vec2& fresh) const {
+  if (lens_radius_ == 0.F) return fresh;
+  return warp::uniform_disk_inverse(point.surface.uv / lens_radius_);
+}
+
+std::optional<EmissionUniforms> Camera::invert_emission(const EndpointPoint& point,
+                                                        const Vec3& /*through*/, const Vec3& w,
+                                                        const EmissionUniforms& fresh) const {
+  const std::optional<Vec2> at = raster(point, w);
+  if (!at) return std::nullopt;
+  return EmissionUniforms{fresh.primitive, invert_lens(point, fresh.position),
+                          *at / Vec2(resolution())};
+}
+
+std::optional<ConnectionUniforms> Camera::invert_connection(const Vec3& /*reference*/,
+                                                            const EndpointPoint& point,
+                                                            const ConnectionUniforms& fresh) const {
+  return ConnectionUniforms{fresh.primitive, invert_lens(point, fresh.position)};
+}
 
 std::unique_ptr<Camera> make_camera(const desc::Camera& camera, Vec2i resolution,
                                     const Vec3& /*bounds_center*/, float /*bounds_radius*/) {

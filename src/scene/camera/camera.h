@@ -32,14 +32,28 @@ class Camera : public Endpoint {
   /// Box of the points where its rays start.
   virtual Box3 bounds() const = 0;
   Vec2i resolution() const { return resolution_; }
+  std::optional<EmissionUniforms> invert_emission(const EndpointPoint& point, const Vec3& through,
+                                                  const Vec3& w,
+                                                  const EmissionUniforms& fresh) const final;
+  std::optional<ConnectionUniforms> invert_connection(const Vec3& reference,
+                                                      const EndpointPoint& point,
+                                                      const ConnectionUniforms& fresh) const final;
 
   const Medium* medium = nullptr;
 
  protected:
-  explicit Camera(Vec2i resolution) : resolution_(resolution) {}
+  /// `lens_radius`: in camera space; 0 without a lens. `uv` of a point of an endpoint is where it
+  /// is on the lens.
+  explicit Camera(Vec2i resolution, float lens_radius = 0.F)
+      : resolution_(resolution), lens_radius_(lens_radius) {}
+  float lens_radius() const { return lens_radius_; }
 
  private:
+  /// The numbers of a point on the lens.
+  Vec2 invert_lens(const EndpointPoint& point, const Vec2& fresh) const;
+
   Vec2i resolution_;
+  float lens_radius_;
 };
 
 /// Perspective: a pinhole (lens radius 0) or thin lens; fov belongs to the shorter image side.

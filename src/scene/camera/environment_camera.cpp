@@ -61,18 +61,6 @@ class EnvironmentCamera final : public Camera {
     if (x < 0.F) x += 1.F;
     return unit_to_raster({x, theta * kInvPi}, Vec2(resolution()));
   }
-  std::optional<EmissionUniforms> invert_emission(const EndpointPoint& point,
-                                                  const Vec3& /*through*/, const Vec3& w,
-                                                  const EmissionUniforms& fresh) const override {
-    const std::optional<Vec2> at = raster(point, w);
-    if (!at) return std::nullopt;
-    return EmissionUniforms{fresh.primitive, fresh.position, *at / Vec2(resolution())};
-  }
-  std::optional<ConnectionUniforms> invert_connection(
-      const Vec3& /*reference*/, const EndpointPoint& /*point*/,
-      const ConnectionUniforms& fresh) const override {
-    return fresh;
-  }
 
  private:
   float density(const Vec3& w) const {

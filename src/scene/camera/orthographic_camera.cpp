@@ -15,23 +15,22 @@ class OrthographicCamera final : public Camera {
  public:
   OrthographicCamera(const desc::Camera& camera, const desc::OrthographicCamera& node,
                      Vec2i resolution)
-      : Camera(resolution),
+      : Camera(resolution, node.lens_radius),
         screen_(node.window, node.aspect, resolution, 1.F, camera.where),
         directions_(camera.to_world),
         position_(transform_point(camera.to_world, Vec3(0.F))),
         film_(cross(directions_.vector_to_world({1.F, 0.F, 0.F}),
                     directions_.vector_to_world({0.F, 1.F, 0.F}))),
-        lens_radius_(node.lens_radius),
         focal_distance_(node.focal_distance) {}
 
   bool at_infinity() const override { return true; }
-  bool discrete_position() const override { return lens_radius_ == 0.F; }
+  bool discrete_position() const override { return lens_radius() == 0.F; }
   Box3 bounds() const override {
     // The window, and as far around it as the lens is wide.
     Imath::Box2f starts(screen_.to_plane({0.F, 0.F}));
     starts.extendBy(screen_.to_plane({1.F, 1.F}));
-    const Vec2 low = starts.min - Vec2(lens_radius_);
-    const Vec2 high = starts.max + Vec2(lens_radius_);
+    const Vec2 low = starts.min - Vec2(lens_radius());
+    const Vec2 high = starts.max + Vec2(lens_radius());
     Box3 box;
     for (const float x : {low.x, high.x}) {
       for (const float y : {low.y, high.y}) {
@@ -81,32 +80,14 @@ class OrthographicCamera final : public Camera {
     const Vec3 start = directions_.vector_to_local(point.surface.p - position_);
     return screen_.to_raster(Vec2(start.x, start.y) - point.surface.uv);
   }
-  std::optional<EmissionUniforms> invert_emission(const EndpointPoint& point,
-                                                  const Vec3& /*through*/, const Vec3& w,
-                                                  const EmissionUniforms& fresh) const override {
-    const std::optional<Vec2> at = raster(point, w);
-    if (!at) return std::nullopt;
-    return EmissionUniforms{fresh.primitive, invert_lens(point, fresh.position),
-                            *at / Vec2(resolution())};
-  }
-  std::optional<ConnectionUniforms> invert_connection(
-      const Vec3& /*reference*/, const EndpointPoint& point,
-      const ConnectionUniforms& fresh) const override {
-    return ConnectionUniforms{fresh.primitive, invert_lens(point, fresh.position)};
-  }
 
  private:
-  /// The numbers of a point on the lens.
-  Vec2 invert_lens(const EndpointPoint& point, const Vec2& fresh) const {
-    if (lens_radius_ == 0.F) return fresh;
-    return warp::uniform_disk_inverse(point.surface.uv / lens_radius_);
-  }
   Vec2 sample_lens(const Vec2& u) const {
-    return lens_radius_ == 0.F ? Vec2(0.F) : warp::uniform_disk(u) * lens_radius_;
+    return lens_radius() == 0.F ? Vec2(0.F) : warp::uniform_disk(u) * lens_radius();
   }
   /// (dx/dz, dy/dz) of the rays of a lens point, in camera space.
   Vec2 direction_slope(const Vec2& lens) const {
-    return lens_radius_ == 0.F ? Vec2(0.F) : lens * (-1.F / focal_distance_);
+    return lens_radius() == 0.F ? Vec2(0.F) : lens * (-1.F / focal_distance_);
   }
   Vec3 direction_from(const Vec2& lens) const {
     const Vec2 slope = direction_slope(lens);
@@ -119,9 +100,9 @@ class OrthographicCamera final : public Camera {
   }
   /// Of a direction of the lens: dA_lens / dω = f² / cos³ θ.
   Pdf<VertexMeasure> direction_pdf(const Vec3& w) const {
-    if (lens_radius_ == 0.F) return Pdf<VertexMeasure>(1.F);
+    if (lens_radius() == 0.F) return Pdf<VertexMeasure>(1.F);
     const DirectionMap::Local local = directions_.to_local(w);
-    const float relative = focal_distance_ / lens_radius_;
+    const float relative = focal_distance_ / lens_radius();
     return Pdf<VertexMeasure>(local.stretch * relative * relative /
                               (kPi * local.w.z * local.w.z * local.w.z));
   }
@@ -132,7 +113,6 @@ class OrthographicCamera final : public Camera {
   DirectionMap directions_;
   Vec3 position_;
   Vec3 film_;  ///< normal of the film plane, as long as the world area of a unit square of it
-  float lens_radius_;
   float focal_distance_;
 };
 

@@ -15,29 +15,28 @@ class PerspectiveCamera final : public Camera {
  public:
   PerspectiveCamera(const desc::Camera& camera, const desc::PerspectiveCamera& node,
                     Vec2i resolution)
-      : Camera(resolution),
+      : Camera(resolution, node.lens_radius),
         screen_(node.window, node.aspect, resolution, std::tan(node.fov * (kPi / 360.F)),
                 camera.where),
         directions_(camera.to_world),
         position_(transform_point(camera.to_world, Vec3(0.F))),
-        lens_radius_(node.lens_radius),
         // Only the sharpness of a lens needs it; a pinhole is sharp everywhere.
-        inverse_focal_distance_(lens_radius_ > 0.F ? 1.F / node.focal_distance : 0.F) {
+        inverse_focal_distance_(lens_radius() > 0.F ? 1.F / node.focal_distance : 0.F) {
     const Vec3 plane = cross(directions_.vector_to_world({1.F, 0.F, 0.F}),
                              directions_.vector_to_world({0.F, 1.F, 0.F}));
     const Vec3 forward = directions_.vector_to_world({0.F, 0.F, 1.F});
-    if (lens_radius_ > 0.F) {
+    if (lens_radius() > 0.F) {
       normal_ = face_forward(normalize(plane), forward);
-      lens_pdf_ = 1.F / (kPi * lens_radius_ * lens_radius_ * length(plane));
+      lens_pdf_ = 1.F / (kPi * lens_radius() * lens_radius() * length(plane));
     }
   }
 
   bool at_infinity() const override { return false; }
-  bool discrete_position() const override { return lens_radius_ == 0.F; }
+  bool discrete_position() const override { return lens_radius() == 0.F; }
   Box3 bounds() const override {
     Box3 box(position_);
-    for (const float x : {-lens_radius_, lens_radius_}) {
-      for (const float y : {-lens_radius_, lens_radius_}) {
+    for (const float x : {-lens_radius(), lens_radius()}) {
+      for (const float y : {-lens_radius(), lens_radius()}) {
         box.extendBy(position_ + directions_.vector_to_world({x, y, 0.F}));
       }
     }
@@ -91,31 +90,13 @@ class PerspectiveCamera final : public Camera {
   std::optional<Vec2> raster(const EndpointPoint& point, const Vec3& w) const override {
     return local_raster(point, directions_.vector_to_local(w));
   }
-  std::optional<EmissionUniforms> invert_emission(const EndpointPoint& point,
-                                                  const Vec3& /*through*/, const Vec3& w,
-                                                  const EmissionUniforms& fresh) const override {
-    const std::optional<Vec2> at = raster(point, w);
-    if (!at) return std::nullopt;
-    return EmissionUniforms{fresh.primitive, invert_lens(point, fresh.position),
-                            *at / Vec2(resolution())};
-  }
-  std::optional<ConnectionUniforms> invert_connection(
-      const Vec3& /*reference*/, const EndpointPoint& point,
-      const ConnectionUniforms& fresh) const override {
-    return ConnectionUniforms{fresh.primitive, invert_lens(point, fresh.position)};
-  }
 
  private:
-  /// The numbers of a point on the lens.
-  Vec2 invert_lens(const EndpointPoint& point, const Vec2& fresh) const {
-    if (lens_radius_ == 0.F) return fresh;
-    return warp::uniform_disk_inverse(point.surface.uv / lens_radius_);
-  }
   /// `uv` of the point is where it is on the lens, in camera space.
   EndpointPoint lens_point(const Vec2& u) const {
     EndpointPoint point = EndpointPoint::at(position_);
-    if (lens_radius_ == 0.F) return point;
-    const Vec2 lens = warp::uniform_disk(u) * lens_radius_;
+    if (lens_radius() == 0.F) return point;
+    const Vec2 lens = warp::uniform_disk(u) * lens_radius();
     point.surface.p += directions_.vector_to_world({lens.x, lens.y, 0.F});
     point.surface.ng = normal_;
     point.surface.ns = normal_;
@@ -140,7 +121,6 @@ class PerspectiveCamera final : public Camera {
   Screen screen_;
   DirectionMap directions_;
   Vec3 position_;
-  float lens_radius_;  ///< camera space
   float inverse_focal_distance_;
   Vec3 normal_{0.F, 0.F, 0.F};  ///< of the lens, forward; zero for a pinhole
   float lens_pdf_ = 1.F;        ///< per world area; one for a pinhole
