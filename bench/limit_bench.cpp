@@ -11,7 +11,7 @@
 #include "measuring/split_arguments.h"
 #include "measuring/variant.h"
 
-/// The limit ratio of DESIGN, section 6: time of a render over the time Embree alone needs for
+/// The limit ratio (docs/performance.md): time of a render over the time Embree alone needs for
 /// exactly the rays the render traced. Both are measured in turn, in one run on one thread, so that
 /// the machine's mood cancels; medians are printed. With them: heap allocations per sample, how
 /// much faster two threads are than one, and what a sample per pixel costs compared with the first

@@ -22,35 +22,6 @@ std::string with_words(std::string text, const ParameterSpec& spec) {
   return text;
 }
 
-std::string type_text(const ParameterSpec& spec) {
-  const std::string or_texture = spec.textured ? "|texture" : "";
-  switch (spec.type) {
-    case ParameterType::Bool:
-      return "true|false";
-    case ParameterType::Int:
-      return "whole number";
-    case ParameterType::Float:
-      return with_words("number", spec) + or_texture;
-    case ParameterType::Text:
-      return "text";
-    case ParameterType::Choice:
-      return with_words("", spec);
-    case ParameterType::Color:
-      return "colour" + or_texture;
-    case ParameterType::Vector:
-      return "vector";
-    case ParameterType::Point:
-      return "point";
-    case ParameterType::Transform:
-      return "transform";
-    case ParameterType::File:
-      return "file";
-    case ParameterType::Material:
-      return "material";
-  }
-  return {};
-}
-
 std::string type_name(ParameterType type) {
   switch (type) {
     case ParameterType::Bool:
@@ -77,6 +48,24 @@ std::string type_name(ParameterType type) {
       return "material";
   }
   return {};
+}
+
+std::string type_text(const ParameterSpec& spec) {
+  const std::string or_texture = spec.textured ? "|texture" : "";
+  switch (spec.type) {
+    case ParameterType::Bool:
+      return "true|false";
+    case ParameterType::Int:
+      return "whole number";
+    case ParameterType::Float:
+      return with_words("number", spec) + or_texture;
+    case ParameterType::Choice:
+      return with_words("", spec);
+    case ParameterType::Color:
+      return "colour" + or_texture;
+    default:
+      return type_name(spec.type);
+  }
 }
 
 Json parameter_json(const ParameterSpec& spec) {

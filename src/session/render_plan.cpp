@@ -4,7 +4,7 @@
 
 #include "core/available_memory.h"
 #include "core/error.h"
-#include "image/make_filter.h"
+#include "integrator/make_filter.h"
 
 namespace ajar {
 

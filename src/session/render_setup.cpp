@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "core/error.h"
-#include "image/make_filter.h"
+#include "integrator/make_filter.h"
 #include "session/catalog.h"
 #include "session/scene_file.h"
 

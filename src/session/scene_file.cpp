@@ -1,5 +1,7 @@
 #include "session/scene_file.h"
 
+#include <fmt/format.h>
+
 #include <filesystem>
 #include <optional>
 #include <string_view>
@@ -44,6 +46,11 @@ desc::SceneDesc load_scene(const std::string& scene, Warnings& warnings) {
   if (scene.starts_with(kBuiltin)) return load_builtin(scene.substr(kBuiltin.size()), warnings);
   check_readable(scene);
   return import_scene(scene, warnings);
+}
+
+std::string hash_of_scene(const std::string& scene) {
+  Warnings ignored;
+  return fmt::format("{:016x}", desc::hash(load_scene(scene, ignored)));
 }
 
 std::string absolute_scene(const std::string& scene) {

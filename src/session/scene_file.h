@@ -12,6 +12,10 @@ namespace ajar {
 /// SceneError if it cannot be used.
 desc::SceneDesc load_scene(const std::string& scene, Warnings& warnings);
 
+/// Which scene it is, in 16 hexadecimal digits, as checkpoints and studies name it. Raises as
+/// `load_scene` does; warnings are left to who renders it.
+std::string hash_of_scene(const std::string& scene);
+
 /// The same scene, named so that it is found from any folder.
 std::string absolute_scene(const std::string& scene);
 

@@ -11,7 +11,6 @@
 #include "core/error.h"
 #include "core/warnings.h"
 #include "image/metrics.h"
-#include "scene/desc/scene_desc.h"
 #include "session/interrupts.h"
 #include "session/progress.h"
 #include "session/resources.h"
@@ -28,11 +27,6 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 constexpr int kExitInterrupted = 130;
-
-std::string hash_of_scene(const std::string& scene) {
-  Warnings ignored;  // every render repeats them into its log
-  return fmt::format("{:016x}", desc::hash(load_scene(scene, ignored)));
-}
 
 std::string last_lines(const fs::path& log) {
   std::ifstream file(log);

@@ -8,8 +8,8 @@
 
 #include "core/random.h"
 #include "image/edges.h"
-#include "image/make_filter.h"
 #include "integrator/light_split.h"
+#include "integrator/make_filter.h"
 #include "integrator/selective/chain_bootstrap.h"
 #include "integrator/selective/chain_share.h"
 

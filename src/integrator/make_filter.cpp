@@ -1,4 +1,4 @@
-#include "image/make_filter.h"
+#include "integrator/make_filter.h"
 
 #include <fmt/format.h>
 

@@ -1,0 +1,101 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <set>
+#include <string>
+
+/// Rooms are walls: what may be included from where, as docs/architecture.md has it.
+namespace ajar {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Rooms, wings of `integrator/`, and what each may use beside itself.
+const std::map<std::string, std::set<std::string>>& rooms() {
+  static const std::map<std::string, std::set<std::string>> kRooms = [] {
+    std::map<std::string, std::set<std::string>> may{
+        {"core", {}},
+        {"scene/desc", {"core"}},
+        {"scene", {"core", "scene/desc"}},
+        {"import", {"core", "scene/desc"}},
+        {"image", {"core"}},
+        {"transport", {"core", "scene", "scene/desc"}},
+    };
+    const auto add = [&](const std::string& room, const std::string& above,
+                         std::set<std::string> others) {
+      others.merge(std::set<std::string>(may.at(above)));
+      others.insert(above);
+      may[room] = std::move(others);
+    };
+    add("path", "transport", {});
+    add("mcmc", "path", {});
+    add("integrator", "mcmc", {"image"});
+    add("integrator/montecarlo", "integrator", {});
+    add("integrator/metropolis", "integrator/montecarlo", {});
+    add("integrator/selective", "integrator/metropolis", {});
+    add("session", "integrator/selective", {"import"});
+    add("api", "session", {});
+    may["study/report"] = {"core", "image"};
+    may["study"] = {"core", "image", "session", "study/report"};
+    add("apps", "session", {"study", "study/report"});
+    return may;
+  }();
+  return kRooms;
+}
+
+/// The innermost room that a file of `src/` is in.
+std::string room_of(const std::string& file) {
+  std::string room;
+  for (const auto& [name, may] : rooms()) {
+    if (file.starts_with(name + "/") && name.size() > room.size()) room = name;
+  }
+  return room;
+}
+
+/// Tests, and what only they use, look further.
+bool is_for_tests(const std::string& file) {
+  return file.ends_with("_test.cpp") || file.find("test_support") != std::string::npos ||
+         file.find("/testing/") != std::string::npos;
+}
+
+/// The list of methods is what the others learn of them by; `Counters` count techniques.
+bool is_exception(const std::string& file, const std::string& included) {
+  return file == "integrator/registry.cpp" ||
+         (file == "integrator/integrator.h" &&
+          included == "integrator/montecarlo/technique_tally.h");
+}
+
+TEST(Rooms, IncludeOnlyWhatTheyMay) {
+  const fs::path src = fs::path(AJAR_SOURCE_DIR) / "src";
+  const std::regex include("^#include \"([^\"]+)\"");
+  std::size_t includes = 0;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(src)) {
+    const std::string extension = entry.path().extension().string();
+    if (extension != ".h" && extension != ".cpp") continue;
+    const std::string file = fs::relative(entry.path(), src).generic_string();
+    const std::string room = room_of(file);
+    ASSERT_NE(room, "") << file << " is in no room";
+    if (is_for_tests(file)) continue;
+    std::ifstream text(entry.path());
+    int number = 0;
+    for (std::string line; std::getline(text, line);) {
+      ++number;
+      std::smatch match;
+      if (!std::regex_search(line, match, include)) continue;
+      const std::string included = match[1];
+      const std::string other = room_of(included);
+      if (other.empty() || other == room || is_exception(file, included)) continue;
+      ++includes;
+      EXPECT_TRUE(rooms().at(room).contains(other))
+          << file << ":" << number << ": " << room << " may not use " << other << " (" << included
+          << ")";
+    }
+  }
+  EXPECT_GT(includes, 0U) << "no include was read";
+}
+
+}  // namespace
+}  // namespace ajar
