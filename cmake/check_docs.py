@@ -55,8 +55,31 @@ def failing_commands(path, text, program, folder):
             yield f"{path}: `{command}` ends with {result.returncode}: {result.stderr.strip()}"
 
 
+def sources(repository):
+    for folder in ("src", "tests", "bench", "fuzz", "include", "examples"):
+        for root, _, names in os.walk(os.path.join(repository, folder)):
+            for name in names:
+                if name.endswith((".h", ".cpp", ".py")):
+                    yield os.path.join(root, name)
+
+
+def broken_citations(repository, path):
+    """Pages that comments cite and a reader cannot open."""
+    with open(path, encoding="utf-8") as file:
+        lines = file.read().splitlines()
+    for number, line in enumerate(lines, 1):
+        for page in re.findall(r"docs/[\w/-]+\.md", line):
+            if not os.path.exists(os.path.join(repository, page)):
+                yield f"{path}:{number}: cites {page}, which does not exist"
+        for name in re.findall(r"\b(?:METHODS|DESIGN|PEERS)\b", line):
+            yield f"{path}:{number}: cites {name}, which is not in the repository"
+
+
 def main(repository, program):
+    program = os.path.abspath(program)
     problems = []
+    for path in sources(repository):
+        problems += broken_citations(repository, path)
     with tempfile.TemporaryDirectory() as folder:
         for path in documents(repository):
             with open(path, encoding="utf-8") as file:

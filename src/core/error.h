@@ -24,7 +24,7 @@ std::string located(const SourceLocation& where, const std::string& message);
 class Error : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
-  /// Exit code of the program (DESIGN, section 1).
+  /// Exit code of the program (docs/command-line.md).
   virtual int exit_code() const = 0;
 };
 /// Wrong command line, unknown name or parameter value.

@@ -5,7 +5,7 @@
 #include "core/vector.h"
 #include "image/statistics.h"
 
-/// Are two renders the same image but for noise? (METHODS, section 8.) Every block of pixels and
+/// Are two renders the same image but for noise? (docs/compare.md) Every block of pixels and
 /// every channel is tested by itself, with the error of the block's mean taken from replicates of
 /// that mean, so that correlation between pixels does no harm; then the tests are corrected for
 /// their number.

@@ -29,8 +29,8 @@ struct EdgeLimits {
 /// limit is not positive.
 ///
 /// This is the hint that the antialiasing of `selective` takes from the G-buffer (Frolov,
-/// "Selective application of Metropolis Light Transport for hard sampling illumination phenomena";
-/// METHODS, section 4, options), who does not say how it is made.
+/// "Selective application of Metropolis Light Transport for hard sampling illumination phenomena"),
+/// who does not say how it is made.
 Plane surface_edges(const SurfacePicture& picture, const EdgeLimits& limits = {});
 
 /// The edges at which a map (σ) takes a step, that is, has another value in a neighbour above,

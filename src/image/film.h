@@ -31,7 +31,7 @@ struct LayerSpec {
 /// 2^-25 of a typical contribution. A single contribution may be 2^30 times the magnitude, and a
 /// sum can reach 2^38 times the magnitude before contributions to its pixel are refused.
 ///
-/// Pixel values are unbiased estimates of ∫ h_j(x) L(x) dx with ∫ h_j = 1 (METHODS, section 1).
+/// Pixel values are unbiased estimates of ∫ h_j(x) L(x) dx with ∫ h_j = 1 (docs/theory.md).
 class Film {
  public:
   /// `crop`: the pixels that exist, min and max inclusive, within the resolution; `replicates` ≥ 1.

@@ -7,7 +7,7 @@
 namespace ajar {
 
 /// A positive weight per pixel that a Markov chain multiplies into its target and divides out of
-/// its splats (METHODS, end of section 4): where it is large, the chain spends more of its time,
+/// its splats (docs/chains.md): where it is large, the chain spends more of its time,
 /// while the picture's expectation does not change. Piecewise constant; weights beyond the border
 /// are those of the nearest pixel.
 class ImportanceMap {

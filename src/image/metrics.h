@@ -1,9 +1,10 @@
 #pragma once
 #include <span>
 
-/// Distances between an image and a reference, over all values of all pixels and channels (METHODS,
-/// section 8). Both images have the same, non-zero number of values, else std::invalid_argument. A
-/// value that is not finite makes a metric NaN or infinite: errors are not hidden.
+/// Distances between an image and a reference, over all values of all pixels and channels
+/// (docs/compare.md). Both images have the same, non-zero number of values, else
+/// std::invalid_argument. A value that is not finite makes a metric NaN or infinite: errors are not
+/// hidden.
 namespace ajar {
 
 /// Mean of (a − r)².

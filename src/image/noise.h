@@ -18,8 +18,7 @@ namespace ajar {
 /// or if the values are not whole pixels of an image of that size.
 ///
 /// Source: Frolov, "Selective application of Metropolis Light Transport for hard sampling
-/// illumination phenomena" (METHODS, section 4, steps 2 to 4), who leaves open what happens at the
-/// border.
+/// illumination phenomena", who leaves open what happens at the border.
 Plane impulse_noise(Vec2i size, std::span<const float> pixels, int window = 3);
 
 }  // namespace ajar

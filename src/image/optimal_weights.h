@@ -3,8 +3,7 @@
 #include <vector>
 
 /// How much of each region's light Markov chains should render, and for how long, so that the
-/// predicted error of the sum of both halves is smallest (METHODS, section 4, "optimal instead of
-/// binary").
+/// predicted error of the sum of both halves is smallest (docs/selective.md).
 ///
 /// The model. Ordinary Monte Carlo (OMC) of n samples per pixel renders the share 1 − σ of the
 /// light I_j of pixel j; N mutations render σ·I_j with target I·σ·q, where q is an importance map
@@ -38,7 +37,7 @@ struct Effort {
 enum class WeightRule {
   /// Of the error of the picture.
   Picture,
-  /// Of the error of each pixel, with b held where it is, as METHODS has it. But b grows with each
+  /// Of the error of each pixel, with b held where it is. But b grows with each
   /// σ: a pixel given to the chains makes all others noisier. Leaving that out gives chains up to
   /// twice as much as they should have.
   Pixel

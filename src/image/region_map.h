@@ -23,7 +23,7 @@ struct RegionNoise {
   float fill() const { return 0.5F * (mean + largest); }
 };
 
-/// Step 7 of METHODS, section 4: noise per region. Raises std::invalid_argument if the noise is of
+/// Noise per region, after Frolov (below). Raises std::invalid_argument if the noise is of
 /// a picture of another size.
 ///
 /// "Values above T" are taken to include T itself, as the threshold S(x) = ε if x < T does; and the
@@ -46,7 +46,7 @@ std::vector<float> threshold_map(std::span<const RegionNoise> noise,
 /// of few samples (`indirect`: row by row, channels side by side).
 ///
 /// Source: Frolov, "Selective application of Metropolis Light Transport for hard sampling
-/// illumination phenomena" (METHODS, section 4).
+/// illumination phenomena" (docs/selective.md).
 std::vector<float> region_map(std::span<const float> indirect, const Regions& regions,
                               const RegionMapSettings& settings);
 

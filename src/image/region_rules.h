@@ -7,7 +7,7 @@
 
 #include "core/error.h"
 
-/// What the user says about who renders what ("manual fill" in METHODS, section 4), by the names of
+/// What the user says about who renders what (Frolov's "manual fill"), by the names of
 /// objects and materials:
 ///
 ///     # the lamps are hard, the walls are not

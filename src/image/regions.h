@@ -34,7 +34,7 @@ struct Regions {
 /// is seen as two things. Raises std::invalid_argument if there is not one identity per pixel.
 ///
 /// Source: Frolov, "Selective application of Metropolis Light Transport for hard sampling
-/// illumination phenomena" (METHODS, section 4, step 6), who does not say which neighbours count.
+/// illumination phenomena", who does not say which neighbours count.
 Regions connected_regions(Vec2i size, std::span<const PixelIdentity> identities);
 
 /// A picture of values per region, one for each; else std::invalid_argument.

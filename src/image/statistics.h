@@ -4,7 +4,7 @@
 
 #include "image/film.h"
 
-/// Error bars from replicates: independent estimates of the same image (METHODS, section 8).
+/// Error bars from replicates: independent estimates of the same image (docs/compare.md).
 /// Nothing here assumes that the samples within a replicate are independent.
 namespace ajar {
 

@@ -45,7 +45,7 @@ inline Spectrum tone_map(const Spectrum& linear, ToneMap curve, float exposure) 
   return map_lanes(linear, [=](float x) { return tone_map(x, curve, exposure); });
 }
 
-/// The image that LDR metrics compare: exposure 0, sRGB, clamped to [0, 1] (METHODS, section 8).
+/// The image that LDR metrics compare: exposure 0, sRGB, clamped to [0, 1] (docs/compare.md).
 std::vector<float> to_ldr(std::span<const float> linear);
 
 }  // namespace ajar

@@ -23,7 +23,7 @@ namespace ajar {
 struct RenderSettings {
   Vec2i resolution{0, 0};  ///< of the full image
   Box2i crop;              ///< pixels to render, min and max inclusive
-  int min_depth = 1;       ///< path edges (METHODS, section 1)
+  int min_depth = 1;       ///< path edges (docs/theory.md)
   int max_depth = 100;
   std::uint64_t seed = 0;
   int replicates = 4;
@@ -43,7 +43,7 @@ struct Counters : RayCounts {
   Counters& operator+=(const Counters& other);
 };
 
-/// What Markov chains tell of themselves (METHODS, section 3).
+/// What Markov chains tell of themselves (docs/chains.md).
 struct ChainReport {
   struct Depth {
     int depth;  ///< path edges; 0 if chains are not bound to a depth

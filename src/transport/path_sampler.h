@@ -75,7 +75,7 @@ struct PathSamplerSettings {
   float camera_rest = 0.F;
 };
 
-/// Samples paths by any set of techniques (METHODS, section 2) as a deterministic function of a
+/// Samples paths by any set of techniques (docs/techniques.md) as a deterministic function of a
 /// primary vector. Holds the scratch memory of one thread; nothing is allocated after construction.
 ///
 /// Random decisions of a connection between the camera vertex of e edges and the light vertex of l

@@ -54,7 +54,7 @@ class SampleAddress {
   std::uint32_t bits_;
 };
 
-/// The primary vector of METHODS, section 3: all randomness of a path comes from here. Numbers are
+/// The primary vector (docs/chains.md): all randomness of a path comes from here. Numbers are
 /// in [0, 1).
 class SampleSource {
  public:

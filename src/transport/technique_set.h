@@ -6,7 +6,7 @@
 
 namespace ajar {
 
-/// How a path is built: s vertices from the light, t from the camera (METHODS, section 2).
+/// How a path is built: s vertices from the light, t from the camera (docs/techniques.md).
 struct Technique {
   int s;
   int t;

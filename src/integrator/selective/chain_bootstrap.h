@@ -14,7 +14,7 @@ void add_blocks(std::vector<SampleBlock>& blocks, std::size_t owner, std::uint64
 /// One for each replicate and group, without chains yet.
 std::vector<ChainPopulation> make_populations(const ChainPlan& plan);
 
-/// Finds b and seeds for the chains of every depth and replicate (METHODS, section 3).
+/// Finds b and seeds for the chains of every depth and replicate (docs/chains.md).
 class ChainBootstrap final : public PreparationStage {
  public:
   /// Fills `populations`, unless they are there already.

@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "image/make_filter.h"
+#include "integrator/make_filter.h"
 #include "integrator/metropolis/chain_film_sink.h"
 #include "integrator/montecarlo/path_family.h"
 #include "integrator/selective/crop_weights.h"

@@ -381,8 +381,8 @@ RegionChoice choose_weights(const PilotView& view) {
   return choice;
 }
 
-/// Formulas 5 and 6 of METHODS, section 4: what is left to ordinary Monte Carlo is made by it
-/// alone, the rest by chains alone.
+/// What is left to ordinary Monte Carlo is made by it alone, the rest by chains alone: of each
+/// pixel one of both (Frolov; docs/selective.md).
 void make_exclusive(const SelectiveSettings& settings, std::vector<PixelShare>& shares) {
   const float limit =
       settings.map == SelectiveSettings::Map::Binary ? settings.binary.epsilon : 0.5F;

@@ -11,7 +11,7 @@
 
 namespace ajar {
 
-/// What `selective` is told beyond the parameters of its chains (METHODS, section 4).
+/// What `selective` is told beyond the parameters of its chains (docs/selective.md).
 struct SelectiveSettings {
   enum class Map {
     Optimal,  ///< of least predicted error

@@ -3,7 +3,7 @@
 #include "core/random.h"
 #include "image/edges.h"
 #include "image/identities.h"
-#include "image/make_filter.h"
+#include "integrator/make_filter.h"
 #include "integrator/montecarlo/path_family.h"
 
 namespace ajar {

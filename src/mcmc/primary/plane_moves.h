@@ -12,7 +12,7 @@
 
 namespace ajar {
 
-/// How small steps follow the image plane (METHODS, section 5), with the constants of He et al.
+/// How small steps follow the image plane (docs/mutations.md), with the constants of He et al.
 /// 2020.
 struct PlaneRule {
   bool adaptive = false;    ///< step sizes follow the evenness of the visits

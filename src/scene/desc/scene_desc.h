@@ -167,7 +167,7 @@ struct Film {
 /// What the file asks of the renderer; the command line overrides it.
 struct RenderHints {
   std::string integrator;        ///< one of ours, empty if the file says nothing
-  std::optional<int> max_depth;  ///< edges of a path (METHODS, section 1)
+  std::optional<int> max_depth;  ///< edges of a path (docs/theory.md)
   std::optional<int> samples_per_pixel;
   std::optional<std::string> sampler;                           ///< sobol | independent
   std::vector<std::pair<std::string, std::string>> parameters;  ///< for our integrator
