@@ -45,6 +45,10 @@ std::vector<ParameterSpec> SelectiveSettings::parameters() {
            "not given either, ibpt or bdpt, as a pilot finds",
        .choices = {}},
       choice_parameter("chain", {"mmlt", "pssmlt"}, "the Markov chains"),
+      choice_parameter("division", {"regions", "everywhere"},
+                       "how the light is divided: path by path and by regions of the picture, as a "
+                       "pilot finds; or alike everywhere, which leaves all that follows from regions "
+                       "out (presets mmlt+ and pssmlt+)"),
       choice_parameter(
           "map", {"optimal", "binary"},
           "how the pilot decides about regions: for least predicted error, or as published "
@@ -96,9 +100,10 @@ std::vector<ParameterSpec> SelectiveSettings::parameters() {
                            "auto|omc|chain|weight), or an image of the chains' share of each pixel",
                    .choices = {}});
   specs.push_back(
-      choice_parameter("preset", {"none", "published", "lambertian-out"},
+      choice_parameter("preset", {"none", "published", "lambertian-out", "mmlt+", "pssmlt+"},
                        "published: everything as in the paper; lambertian-out: no chains where "
-                       "the material is matte (for omc=lt)"));
+                       "the material is matte (for omc=lt); mmlt+ and pssmlt+: division=everywhere "
+                       "with these chains"));
   specs.push_back(
       choice_parameter("edges", {"none", "antialias"},
                        "smooth the stairs that the map leaves at the edges of objects, in .png "
@@ -115,6 +120,9 @@ std::map<std::string, std::string> SelectiveSettings::apply_preset(
     values = {{"omc", "ibpt"},        {"map", "binary"},         {"pilot", "keep"},
               {"split", "0"},         {"importance", "uniform"}, {"mutation", "kelemen"},
               {"samples", "uniform"}, {"roulette", "usual"}};
+  } else if (preset->second.ends_with("+")) {
+    values = {{"division", "everywhere"},
+              {"chain", preset->second.substr(0, preset->second.size() - 1)}};
   }
   given.insert(values.begin(), values.end());
   return given;
