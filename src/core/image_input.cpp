@@ -10,6 +10,7 @@
 #include <cstring>
 #include <exception>
 #include <filesystem>
+#include <limits>
 #include <new>
 #include <optional>
 #include <string_view>
@@ -90,6 +91,11 @@ double most_pixels_per_byte(const OIIO::ImageInput& input) {
     return packing == "lzw" ? kLzw : kUnknown;
   }
   if (format == "bmp") return packing.empty() ? kUnpacked : kUnknown;
+  if (format == "openexr") {
+    if (packing == "none") return kUnpacked;
+    if (packing == "rle") return kRuns;
+    return packing == "zip" || packing == "zips" ? kDeflate : kUnknown;
+  }
   struct Bound {
     std::string_view format;
     double pixels;
@@ -182,6 +188,10 @@ ImageInput::ImageInput(const std::string& path, bool has_unassociated_alpha) {
   }
   check_claim({static_cast<std::uint64_t>(spec().width), static_cast<std::uint64_t>(spec().height)},
               most_pixels_per_byte(*input_), file_bytes);
+  // The library counts them with int.
+  if (spec().scanline_bytes(true) > std::numeric_limits<int>::max()) {
+    throw IoError(fmt::format("its rows of {} pixels are too long", spec().width));
+  }
 }
 
 std::uint64_t ImageInput::pixels() const {
@@ -197,6 +207,15 @@ void ImageInput::check_memory(std::uint64_t bytes) {
   if (const std::string shortage = memory_shortage(bytes); !shortage.empty()) {
     throw IoError("the image " + shortage);
   }
+}
+
+std::uint64_t ImageInput::decoding_bytes() const {
+  // Of rows it takes so many at a time, even if the image has fewer.
+  constexpr std::uint64_t kRows = 256;
+  if (spec().tile_width == 0) return kRows * spec().scanline_bytes(true);
+  const auto tiles = static_cast<std::uint64_t>(
+      (static_cast<std::int64_t>(spec().width) + spec().tile_width - 1) / spec().tile_width);
+  return (tiles + 1) * spec().tile_bytes(true);
 }
 
 int ImageInput::strip_height() const {

@@ -28,7 +28,7 @@ class ImageInput {
   /// read, or with `extra_bytes` more need more memory than there is.
   template <typename T>
   std::vector<T> read(int channels, std::uint64_t extra_bytes = 0) {
-    check_memory(bytes(channels, sizeof(T)) + extra_bytes);
+    check_memory(bytes(channels, sizeof(T)) + decoding_bytes() + extra_bytes);
     std::vector<T> values;
     const std::size_t row =
         static_cast<std::size_t>(spec().width) * static_cast<std::size_t>(channels);
@@ -46,6 +46,8 @@ class ImageInput {
 
  private:
   static void check_memory(std::uint64_t bytes);
+  /// What the library takes at most while it turns rows or tiles into what is asked for.
+  std::uint64_t decoding_bytes() const;
   int strip_height() const;
   void read_strip(int first, int rows, int channels, OIIO::TypeDesc type, void* values);
 

@@ -89,6 +89,25 @@ std::string tiff(std::uint32_t compression) {
   return file.zeros(100).result();
 }
 
+/// A header of zipped half-floats, and next to nothing behind it.
+std::string exr(std::uint32_t width, std::uint32_t height) {
+  const auto attribute = [](Bytes bytes, std::string_view name, std::string_view type,
+                            std::uint32_t size) {
+    return bytes.text(name).zeros(1).text(type).zeros(1).little({size}, 4);
+  };
+  Bytes bytes = Bytes().little({20000630, 2}, 4);
+  bytes = attribute(bytes, "channels", "chlist", 19).text("Y").zeros(1).little({1, 0, 1, 1}, 4);
+  bytes = attribute(bytes.zeros(1), "compression", "compression", 1).little({3}, 1);
+  for (const char* window : {"dataWindow", "displayWindow"}) {
+    bytes = attribute(bytes, window, "box2i", 16).little({0, 0, width - 1, height - 1}, 4);
+  }
+  bytes = attribute(bytes, "lineOrder", "lineOrder", 1).zeros(1);
+  bytes = attribute(bytes, "pixelAspectRatio", "float", 4).little({0x3f800000}, 4);
+  bytes = attribute(bytes, "screenWindowCenter", "v2f", 8).zeros(8);
+  bytes = attribute(bytes, "screenWindowWidth", "float", 4).little({0x3f800000}, 4);
+  return bytes.zeros(40).result();
+}
+
 /// Small files of many formats that claim billions of pixels.
 std::vector<std::pair<std::string, std::string>> liars() {
   const auto tga = [](std::uint32_t type) {
@@ -149,6 +168,7 @@ std::vector<std::pair<std::string, std::string>> liars() {
           {"lzw.tif", tiff(5)},
           {"zip.tif", tiff(8)},
           {"runs.tif", tiff(32773)},
+          {"long-rows.exr", exr(1U << 24U, 4)},
           {"a.webp", Bytes()
                          .text("RIFF")
                          .little({40}, 4)
