@@ -9,7 +9,7 @@ void add_counts(std::vector<MoveCount>& counts, const std::vector<MoveCount>& ot
   for (std::size_t i = 0; i < others.size(); ++i) counts[i] += others[i];
 }
 
-void ChainStatistics::count(const Candidate& candidate, const Place& place) {
+void ChainStatistics::count(const Candidate& candidate, const ChainPlace& place) {
   switch (candidate.fault) {
     case Fault::None:
       if (candidate.scalar == 0.0) ++zero;

@@ -31,30 +31,31 @@ struct MoveCount {
 /// Adds each count to that of the same place; the shorter of both is filled up.
 void add_counts(std::vector<MoveCount>& counts, const std::vector<MoveCount>& others);
 
+/// Enough to replay a step: the chain's seed, and how many steps lie before it.
+struct ChainPlace {
+  std::uint64_t seed = 0;
+  std::uint64_t step = 0;
+  template <typename Archive>
+  void serialize(Archive& archive) {
+    archive(seed, step);
+  }
+};
+
 /// What happened in steps of chains; summable over runs.
 struct ChainStatistics {
-  /// Enough to replay a step: the chain's seed, and how many steps lie before it.
-  struct Place {
-    std::uint64_t seed = 0;
-    std::uint64_t step = 0;
-    template <typename Archive>
-    void serialize(Archive& archive) {
-      archive(seed, step);
-    }
-  };
   std::vector<MoveCount> moves;  ///< numbered as in `Kernel::moves`; empty if there was no step
   std::uint64_t steps = 0;
   std::uint64_t zero = 0;  ///< proposals with I = 0, not counting the discarded
   std::uint64_t discarded_nan = 0;
   std::uint64_t discarded_infinite = 0;
   std::uint64_t discarded_negative = 0;
-  std::optional<Place> first_discarded;
+  std::optional<ChainPlace> first_discarded;
   std::uint64_t longest_streak = 0;  ///< of rejections
   /// I of all independent candidates, up to a cap: with these b can be refined.
   Moments large_steps;
 
   /// A candidate of the step at `place`.
-  void count(const Candidate& candidate, const Place& place);
+  void count(const Candidate& candidate, const ChainPlace& place);
   ChainStatistics& operator+=(const ChainStatistics& other);
 
   /// Writes or reads all of it, see core/archive.h.
