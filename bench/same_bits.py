@@ -16,12 +16,12 @@ import tempfile
 
 # Beside the defaults of every integrator: what takes other ways through the code.
 VARIANTS = [
-    ("mmlt", ["split=0", "direct=chain", "raster-steps=0", "fine-steps=0"]),
-    ("mmlt", ["split=3", "mutation=kelemen", "light-steps=0.2", "camera-steps=0.2"]),
-    ("mmlt", ["multi-try=3", "raster-steps=0", "fine-steps=0"]),
-    ("mmlt", ["mutation=fusion", "rule=published", "raster-steps=0", "fine-steps=0"]),
-    ("mmlt", ["seeds=filtered", "importance=uniform", "mis-large-steps=true", "techniques=ibpt"]),
-    ("pssmlt", ["split=0", "mis-large-steps=true", "mutation=slemmlt"]),
+    ("mmlt+", ["split=0", "direct=chain", "raster-steps=0", "fine-steps=0"]),
+    ("mmlt+", ["split=3", "mutation=kelemen", "light-steps=0.2", "camera-steps=0.2"]),
+    ("mmlt+", ["multi-try=3", "raster-steps=0", "fine-steps=0"]),
+    ("mmlt+", ["mutation=fusion", "rule=published", "raster-steps=0", "fine-steps=0"]),
+    ("mmlt+", ["seeds=filtered", "importance=uniform", "mis-large-steps=true", "techniques=ibpt"]),
+    ("pssmlt+", ["split=0", "mis-large-steps=true", "mutation=slemmlt"]),
     ("selective", ["chain=pssmlt"]),
     ("selective", ["preset=published"]),
 ]

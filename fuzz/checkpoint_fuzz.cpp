@@ -62,8 +62,8 @@ struct Method {
 const std::vector<Method>& methods() {
   static const std::vector<Method> kMethods = {
       {"pt", {}},
-      {"mmlt", {{"step", "adaptive"}, {"m1", "1"}, {"bootstrap", "1000"}}},
-      {"pssmlt", {{"mutation", "kelemen"}, {"bootstrap", "1000"}}},
+      {"mmlt+", {{"step", "adaptive"}, {"m1", "1"}, {"bootstrap", "1000"}}},
+      {"pssmlt+", {{"mutation", "kelemen"}, {"bootstrap", "1000"}}},
       {"selective", {{"split", "0.1"}, {"pilot-samples", "8"}}}};
   return kMethods;
 }

@@ -22,7 +22,7 @@ using test::pbrt_scene;
 using test::replicates_of;
 using test::scene_from;
 
-constexpr const char* kChains[] = {"mmlt", "pssmlt"};
+constexpr const char* kChains[] = {"mmlt+", "pssmlt+"};
 const std::string kCamera =
     "LookAt 0 1 -4  0 0.8 0  0 1 0\nCamera \"perspective\" \"float fov\" [45]";
 const std::string kFloor =
@@ -164,7 +164,7 @@ TEST(Depths, WithoutTechniquesOrLightAreLeftOutOrReportedAsDark) {
       kCamera, 12, 8,
       "LightSource \"infinite\" \"rgb L\" [1 1 1]\nMaterial \"glass\"\nTranslate 0 0.8 0\n"
       "Shape \"sphere\" \"float radius\" [1]\n"));
-  test::RenderOptions options = options_of("mmlt");
+  test::RenderOptions options = options_of("mmlt+");
   // No next event estimation reaches the sky from glass.
   options.parameters["techniques"] = "(0,4),(1,5),(0,7)";
   const test::Render render = test::render(*scene, options);
@@ -181,11 +181,11 @@ TEST(Depths, WithoutTechniquesOrLightAreLeftOutOrReportedAsDark) {
   options.samples = 512;
   options.replicates = 16;
   const Replicates truth = replicates_of(test::render(*scene, options), "indirect");
-  options.integrator = "mmlt";
+  options.integrator = "mmlt+";
   options.samples = 4096;
   options.parameters["bootstrap"] = "120000";
   const test::Render chains = test::render(*scene, options);
-  expect_same(replicates_of(chains, "indirect"), truth, *chains.film, 0.1, "mmlt");
+  expect_same(replicates_of(chains, "indirect"), truth, *chains.film, 0.1, "mmlt+");
 }
 
 TEST(Sizes, FromASinglePixelOnKeepTheBrightness) {
@@ -296,7 +296,7 @@ TEST(ChainLayers, DensityCountsPlainSamplesAsVisitsWhateverTheyWeigh) {
                  "0.2 Shape \"sphere\" \"float radius\" [0.02] AttributeEnd\n" +
                      kFloor));
   for (std::uint64_t seed = 1; seed <= 8; ++seed) {
-    test::RenderOptions options = options_of("pssmlt");
+    test::RenderOptions options = options_of("pssmlt+");
     options.samples = 64;
     options.replicates = 4;
     options.seed = seed;
@@ -313,7 +313,7 @@ TEST(ChainLayers, DensityCountsPlainSamplesAsVisitsWhateverTheyWeigh) {
 
 TEST(ChainReports, SayWhatChainsDid) {
   const auto scene = scene_from(pbrt_scene(kCamera, 24, 16, kPoints + kFloor));
-  test::RenderOptions options = options_of("mmlt");
+  test::RenderOptions options = options_of("mmlt+");
   options.max_depth = 5;
   options.parameters["bootstrap"] = "40000";
   options.parameters["omc-samples"] = "1";
@@ -346,7 +346,7 @@ TEST(ChainReports, EffortIsSharedByErrorsUnlessItIsFixed) {
   // Hardly any light is above the division, so mutations beyond the first guess would be wasted.
   const auto scene = scene_from(pbrt_scene(kCamera, 24, 16, kPoints + kFloor));
   const auto mutations = [&](const char* omc_samples) {
-    test::RenderOptions options = options_of("mmlt");
+    test::RenderOptions options = options_of("mmlt+");
     options.samples = 64;
     options.replicates = 4;
     options.parameters["split"] = "100";

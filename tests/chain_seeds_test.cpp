@@ -53,7 +53,7 @@ void expect_none(const Excess& excess, double noticed) {
 
 test::RenderOptions options_of_chains() {
   test::RenderOptions options;
-  options.integrator = "mmlt";
+  options.integrator = "mmlt+";
   options.min_depth = 3;
   options.parameters = {{"importance", "uniform"}, {"large-step", "0.02"}};
   return options;

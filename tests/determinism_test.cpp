@@ -55,7 +55,7 @@ TEST_P(SameBits, OnAnyNumberOfThreads) {
 
 TEST_P(SameBits, OfChainsWithAllTheirOptionsOnAnyNumberOfThreads) {
   const auto scene = test::scene_from(GetParam().text);
-  for (const char* name : {"mmlt", "pssmlt"}) {
+  for (const char* name : {"mmlt+", "pssmlt+"}) {
     const IntegratorInfo& info = find_integrator(name);
     const std::vector<std::string> aovs = {"density", "acceptance", "albedo"};
     // So few bootstrap samples that some populations have no chains.
@@ -74,7 +74,7 @@ TEST_P(SameBits, OfChainsThatFollowTheImagePlaneOnAnyNumberOfThreads) {
   const std::string& name = GetParam().name;
   if (name != "Room" && name != "CroppedMitchell" && name != "Fog") return;
   const auto scene = test::scene_from(GetParam().text);
-  const IntegratorInfo& info = find_integrator("mmlt");
+  const IntegratorInfo& info = find_integrator("mmlt+");
   // Thresholds that are passed after the first of three passes.
   const std::map<std::string, std::string> common = {
       {"bootstrap", "3000"}, {"m1", "2"}, {"w", "4"}, {"k1", "20"}, {"split", "0"}};

@@ -71,12 +71,12 @@ Replicates replicates_of(Checkpoint merged) {
 
 /// Chains have their own brightness for each seed, and film quanta that hang on it.
 TEST(MergedSeeds, HaveTheExpectationOfOneLongRender) {
-  for (const char* integrator : {"bdpt", "pssmlt"}) {
+  for (const char* integrator : {"bdpt", "pssmlt+"}) {
     test::RenderOptions options;
     options.integrator = integrator;
     options.replicates = 8;
     options.max_depth = 6;
-    if (options.integrator == "pssmlt") options.parameters = {{"bootstrap", "20000"}};
+    if (options.integrator == "pssmlt+") options.parameters = {{"bootstrap", "20000"}};
     options.samples = 512;
     options.seed = 99;
     const test::Render whole = test::render(room(), options);
@@ -87,7 +87,7 @@ TEST(MergedSeeds, HaveTheExpectationOfOneLongRender) {
 
 TEST(MergedSeeds, AreReplicateByReplicateTheMean) {
   test::RenderOptions options;
-  options.integrator = "pssmlt";
+  options.integrator = "pssmlt+";
   options.parameters = {{"bootstrap", "20000"}};
   // Equal: layers of ordinary Monte Carlo beside chains are weighted by their own samples.
   const std::vector<int> samples = {24, 24, 24};

@@ -36,9 +36,10 @@ struct Method {
 std::vector<Method> methods() {
   std::vector<Method> methods;
   for (const IntegratorInfo& info : integrators()) methods.push_back({info.name, {}});
-  methods.push_back({"mmlt", {{"split", "0"}, {"multi-try", "2"}}});
-  methods.push_back({"mmlt", {{"step", "adaptive"}, {"m1", "1"}}});
-  methods.push_back({"pssmlt", {{"mutation", "fusion"}, {"rule", "published"}, {"m1", "1"}}});
+  methods.push_back({"mmlt", {{"mutation", "fusion"}, {"m1", "1"}}});
+  methods.push_back({"mmlt+", {{"split", "0"}, {"multi-try", "2"}}});
+  methods.push_back({"mmlt+", {{"step", "adaptive"}, {"m1", "1"}}});
+  methods.push_back({"pssmlt+", {{"mutation", "fusion"}, {"rule", "published"}, {"m1", "1"}}});
   methods.push_back({"selective", {{"map", "binary"}, {"chain", "pssmlt"}}});
   // Without layers that want as many camera samples everywhere; and until more than three stretches
   // tell how much of the chains' error lasts.
@@ -71,7 +72,8 @@ class Case {
     // The default bootstrap and pilot take longer than all the rest.
     for (const ParameterSpec& spec : info_.parameters) {
       if (spec.name == "bootstrap") parameters_["bootstrap"] = "3000";
-      if (spec.name == "pilot-samples") parameters_["pilot-samples"] = "8";
+      if (spec.name == "pilot-samples" && info_.name == "selective")
+        parameters_["pilot-samples"] = "8";
     }
   }
 

@@ -237,7 +237,7 @@ TEST(Split, FoundOutByAPilotChangesNoExpectation) {
   const MeanAndError truth = truth_of(*scene, options);
   // As many samples of the pilot as of the render.
   options.samples = 4;
-  options.integrator = "mmlt";
+  options.integrator = "mmlt+";
   options.parameters = {{"bootstrap", "2000"}};
   // The pilot stays from four replicates on.
   for (const int replicates : {1, 2, 4}) {

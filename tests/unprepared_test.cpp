@@ -36,11 +36,13 @@ TEST(Unprepared, ChainsLeaveThePictureToBidirectionalPathTracing) {
   options.max_depth = 8;
   const std::vector<Case> cases = {
       {"mmlt", {}, 0},
-      {"mmlt", {}, 1},
-      {"mmlt", {{"split", "0"}, {"omc-samples", "0.5"}}, 1},
-      {"mmlt", {{"direct", "chain"}}, 1},
-      {"mmlt", {{"direct", "none"}}, 0},
-      {"pssmlt", {}, 1},
+      {"pssmlt", {}, 0},
+      {"mmlt+", {}, 0},
+      {"mmlt+", {}, 1},
+      {"mmlt+", {{"split", "0"}, {"omc-samples", "0.5"}}, 1},
+      {"mmlt+", {{"direct", "chain"}}, 1},
+      {"mmlt+", {{"direct", "none"}}, 0},
+      {"pssmlt+", {}, 1},
       {"selective", {}, 1},
       {"selective", {{"techniques", "bdpt"}}, 1},
       {"selective", {{"pilot", "discard"}}, 1},
@@ -85,7 +87,7 @@ TEST(Unprepared, KeepsThePilot) {
     bool has_chains;
   };
   const std::vector<OfMethod> methods = {
-      {"mmlt", {}, true},
+      {"mmlt+", {}, true},
       {"selective", {{"chain", "pssmlt"}, {"omc", "bdpt"}}, false},
   };
   test::RenderOptions plain = options;

@@ -19,7 +19,7 @@ constexpr Vec2i kSize(160, 120);
 constexpr int kDefaultDepth = 16;
 /// Far from those of the renders that are compared with it.
 constexpr std::uint64_t kReferenceSeed = 2'000'000;
-constexpr std::array<const char*, 2> kMethods = {"bdpt", "mmlt"};
+constexpr std::array<const char*, 2> kMethods = {"bdpt", "mmlt+"};
 
 void average(const std::vector<ReferencePart>& parts, MeasuredScene& scene) {
   std::vector<double> weights;

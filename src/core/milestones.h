@@ -17,4 +17,13 @@ constexpr std::uint64_t milestone_after(std::uint64_t samples, std::uint64_t rep
   return kLast;
 }
 
+/// The last milestone up to `samples` that is a power of two times the number of replicates; 0 if
+/// there is none yet.
+constexpr std::uint64_t last_doubling(std::uint64_t samples, std::uint64_t replicates) {
+  if (samples < replicates) return 0;
+  std::uint64_t milestone = replicates;
+  while (2 * milestone <= samples) milestone *= 2;
+  return milestone;
+}
+
 }  // namespace ajar

@@ -222,7 +222,9 @@ const std::vector<AovInfo>& aovs();
 
 /// All integrators, sorted by name.
 const std::vector<IntegratorInfo>& integrators();
-/// Raises UsageError with the nearest name.
+/// Settings of theirs that tables call by names of their own.
+const std::vector<IntegratorInfo>& integrator_presets();
+/// Of either kind. Raises UsageError with the nearest name.
 const IntegratorInfo& find_integrator(const std::string& name);
 
 }  // namespace ajar

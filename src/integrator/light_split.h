@@ -6,6 +6,7 @@
 
 #include "image/importance_map.h"
 #include "image/pixel_at.h"
+#include "integrator/path_part.h"
 #include "transport/path_sampler.h"
 
 namespace ajar {
@@ -41,7 +42,7 @@ struct PixelShare {
 /// spends no time on what it does not make. The idea to divide in path space is Bitterli & Jarosz
 /// 2019's. With T = 0 it is the division by an image σ of Frolov (docs/selective.md),
 /// and both sides may have different techniques.
-class LightSplit {
+class LightSplit final : public PathPart {
  public:
   /// Edges of the longest paths that are direct light.
   static constexpr int kDirectDepth = 2;
@@ -97,8 +98,10 @@ class LightSplit {
     const float over = above(strength, share.threshold);
     return {light, strength, share.target * over, 1.F - share.kept * over};
   }
-  /// What becomes of a chain's deposit.
-  float kept(const Vec2& raster) const {
+  float share(const Contribution& contribution, const Vec2& raster) const override {
+    return divides(contribution.technique) ? chain_share(contribution, raster) : 1.F;
+  }
+  float kept(const Vec2& raster) const override {
     const PixelShare& share = at(raster);
     return share.target > 0.F ? share.kept / share.target : 0.F;
   }

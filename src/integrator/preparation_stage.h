@@ -22,11 +22,4 @@ class PreparationStage {
   virtual void hand_over(Film& /*film*/) {}
 };
 
-/// A range of independent samples of one of several owners.
-struct SampleBlock {
-  std::size_t owner;
-  std::uint64_t first;
-  std::uint64_t last;
-};
-
 }  // namespace ajar

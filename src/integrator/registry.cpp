@@ -1,9 +1,10 @@
 #include <algorithm>
 
+#include "integrator/metropolis/metropolis.h"
 #include "integrator/montecarlo/g_buffer.h"
 #include "integrator/montecarlo/path_family.h"
-#include "integrator/selective/chain_family.h"
 #include "integrator/selective/selective.h"
+#include "integrator/selective/selective_settings.h"
 
 namespace ajar {
 
@@ -21,15 +22,29 @@ IntegratorInfo path_family_member(const PathFamilyDefaults& defaults, std::strin
       }};
 }
 
-IntegratorInfo chain_family_member(ChainKind kind, std::string name, std::string summary,
-                                   std::string source) {
+IntegratorInfo metropolis(ChainKind kind, std::string name, std::string summary,
+                          std::string source) {
   return {.name = std::move(name),
           .summary = std::move(summary),
           .source = std::move(source),
-          .parameters = chain_parameters(kind),
+          .parameters = metropolis_parameters(kind),
           .make = [kind](const Scene& scene, const RenderSettings& settings,
                          const Parameters& parameters) {
-            return make_chain_integrator(kind, scene, settings, parameters);
+            return make_metropolis_integrator(kind, scene, settings, parameters);
+          }};
+}
+
+IntegratorInfo selective_preset(const std::string& name, const std::string& source) {
+  const std::string chain = name.substr(0, name.size() - 1);
+  return {.name = name,
+          .summary = "selective with preset=" + name + ": ordinary Monte Carlo and chains of " +
+                     chain + " share the light alike everywhere",
+          .source = "after " + source,
+          .parameters = selective_parameters(),
+          .make = make_selective_integrator,
+          .complete = [name](std::map<std::string, std::string> given) {
+            given.emplace("preset", name);
+            return SelectiveSettings::apply_preset(std::move(given));
           }};
 }
 }  // namespace
@@ -60,15 +75,15 @@ const std::vector<IntegratorInfo>& integrators() {
                          "light tracing: paths from the lights, joined to the lens; blind to what "
                          "only mirrors show",
                          "Dutré et al. 1993"),
-      chain_family_member(
+      metropolis(
           ChainKind::OnePath, "mmlt",
-          "multiplexed Metropolis light transport: chains of paths of one depth that choose the "
-          "technique as they go",
+          "multiplexed Metropolis light transport, as published: chains of paths of one depth that "
+          "choose the technique as they go",
           "Hachisuka, Kaplanyan & Dachsbacher 2014"),
-      chain_family_member(
+      metropolis(
           ChainKind::WholePath, "pssmlt",
-          "primary sample space Metropolis light transport: chains whose states are all "
-          "connections of two subpaths",
+          "primary sample space Metropolis light transport, as published: chains whose states are "
+          "all connections of two subpaths",
           "Kelemen et al. 2002"),
       path_family_member(
           {.techniques = "pt"},
@@ -86,11 +101,21 @@ const std::vector<IntegratorInfo>& integrators() {
   return kIntegrators;
 }
 
+const std::vector<IntegratorInfo>& integrator_presets() {
+  static const std::vector<IntegratorInfo> kPresets = {
+      selective_preset("mmlt+", "Hachisuka, Kaplanyan & Dachsbacher 2014"),
+      selective_preset("pssmlt+", "Kelemen et al. 2002"),
+  };
+  return kPresets;
+}
+
 const IntegratorInfo& find_integrator(const std::string& name) {
   std::vector<std::string> names;
-  for (const IntegratorInfo& info : integrators()) {
-    if (info.name == name) return info;
-    names.push_back(info.name);
+  for (const auto* list : {&integrators(), &integrator_presets()}) {
+    for (const IntegratorInfo& info : *list) {
+      if (info.name == name) return info;
+      names.push_back(info.name);
+    }
   }
   throw UsageError(unknown_name_message("integrator", name, names));
 }

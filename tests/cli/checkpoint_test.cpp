@@ -55,8 +55,8 @@ TEST_F(CheckpointCli, ResumedRenderHasTheSettingsOfTheOneBefore) {
   const std::vector<std::vector<std::string>> settings = {
       {"selective", "preset=published"},       {"selective", "preset=lambertian-out", "omc=lt"},
       {"selective", "mutation=kelemen"},       {"selective", "step=adaptive"},
-      {"selective", "chain=pssmlt", "omc=lt"}, {"mmlt", "mutation=fusion"},
-      {"pssmlt", "mutation=kelemen"}};
+      {"selective", "chain=pssmlt", "omc=lt"}, {"mmlt+", "mutation=fusion"},
+      {"pssmlt+", "mutation=kelemen"}};
   for (const std::vector<std::string>& setting : settings) {
     std::vector<std::string> arguments{"--integrator", setting.front()};
     for (std::size_t i = 1; i < setting.size(); ++i) {
@@ -184,7 +184,7 @@ TEST_F(CheckpointCli, InterruptsWriteThePictureAndTheCheckpoint) {
   // The second of them in the middle of a pass, of ordinary Monte Carlo and of chains.
   for (const auto& [count, integrator, setting] :
        {std::tuple(1, "pt", "heuristic=power"), std::tuple(2, "pt", "heuristic=power"),
-        std::tuple(2, "mmlt", "bootstrap=10000")}) {
+        std::tuple(2, "mmlt+", "bootstrap=10000")}) {
     const pid_t child = start_endless(
         {"--checkpoint", "c", "--integrator", integrator, "--set", setting}, "160x100");
     for (int i = 0; i < count; ++i) kill(child, i == 0 ? SIGINT : SIGTERM);
@@ -214,7 +214,7 @@ TEST_F(CheckpointCli, InterruptsWriteThePictureAndTheCheckpoint) {
 /// the render that was asked for.
 TEST_F(CheckpointCli, AnInterruptedPreparationLeavesAPictureAndNoCheckpoint) {
   const std::vector<std::string> arguments = {"render",       "builtin:cornell",
-                                              "--integrator", "mmlt",
+                                              "--integrator", "mmlt+",
                                               "--resolution", "640x400",
                                               "--spp",        "1000",
                                               "--threads",    "1",

@@ -202,7 +202,7 @@ TEST_F(Cli, RendersAnySetOfTechniquesAndShowsEach) {
 
 TEST_F(Cli, AllLayersAreThoseThatTheMethodCanMake) {
   const std::vector<std::string> chains = {"--spp",        "4",       "-o",    "a.exr",
-                                           "--integrator", "mmlt",    "--set", "direct=chain",
+                                           "--integrator", "mmlt+",   "--set", "direct=chain",
                                            "--set",        "split=0", "--set", "bootstrap=2000"};
   std::vector<std::string> all = chains;
   all.insert(all.end(), {"--aov", "all"});
@@ -535,7 +535,7 @@ TEST_F(Cli, ChainsWithoutLightSayWhatToDoAndRenderBlack) {
                               "AreaLightSource \"diffuse\" \"rgb L\" [5 5 5]\n"
                               "Shape \"sphere\" \"float radius\" [0.3]\n"
                               "WorldEnd\n");
-  for (const char* integrator : {"mmlt", "pssmlt"}) {
+  for (const char* integrator : {"mmlt+", "pssmlt+"}) {
     const Outcome outcome =
         run({"render", scene.string(), "--integrator", integrator, "--resolution", "8x8", "--spp",
              "8", "--set", "bootstrap=2000", "--stats", "stats.json", "-o", "a.pfm"});
@@ -552,7 +552,7 @@ TEST_F(Cli, ChainsWithoutLightSayWhatToDoAndRenderBlack) {
 
 TEST_F(Cli, StatisticsTellWhatChainsDid) {
   const Outcome outcome =
-      render({"--integrator", "mmlt", "--spp", "32", "--depth", "6", "--set", "bootstrap=20000",
+      render({"--integrator", "mmlt+", "--spp", "32", "--depth", "6", "--set", "bootstrap=20000",
               "--set", "split=0", "--stats", "stats.json", "-o", "a.pfm"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const json chains = statistics();
@@ -582,7 +582,7 @@ TEST_F(Cli, StatisticsTellWhatChainsDid) {
 
 TEST_F(Cli, LayersOfChainsAreWritten) {
   const Outcome outcome =
-      render({"--integrator", "pssmlt", "--spp", "32", "--set", "bootstrap=20000", "--aov",
+      render({"--integrator", "pssmlt+", "--spp", "32", "--set", "bootstrap=20000", "--aov",
               "density,acceptance", "-o", "a.exr", "-o", "b.png"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   // In false colours, with a legend.
@@ -618,7 +618,7 @@ TEST_F(Cli, UnusableOptionsOfChainsAreWrongUsage) {
       {{"rule=exakt"}, "exact"},
   };
   for (const Case& c : cases) {
-    std::vector<std::string> arguments{"--integrator", "mmlt", "--spp", "1", "-o", "a.pfm"};
+    std::vector<std::string> arguments{"--integrator", "mmlt+", "--spp", "1", "-o", "a.pfm"};
     for (const std::string& setting : c.settings) {
       arguments.insert(arguments.end(), {"--set", setting});
     }
@@ -628,7 +628,7 @@ TEST_F(Cli, UnusableOptionsOfChainsAreWrongUsage) {
   }
   // A map of another size than the picture's.
   const Outcome outcome =
-      run({"render", "builtin:cornell", "--resolution", "20x16", "--integrator", "mmlt", "--spp",
+      run({"render", "builtin:cornell", "--resolution", "20x16", "--integrator", "mmlt+", "--spp",
            "1", "--set", "importance=black.pfm", "-o", "a.pfm"});
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_TRUE(contains(outcome.err, "24x16")) << outcome.err;

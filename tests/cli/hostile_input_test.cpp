@@ -49,7 +49,7 @@ TEST_F(HostileInput, PipesAndDevicesAreRefusedEverywhere) {
   for (const std::string& name : {picture, float_map}) {
     expect_refused(run_limited({"compare", name, "ok.pfm"}), 4, pipe_text);
     expect_refused(run_limited({"compare", "ok.pfm", name}), 4, pipe_text);
-    expect_refused(run_limited({"render", "builtin:cornell", "--integrator", "mmlt", "--spp", "1",
+    expect_refused(run_limited({"render", "builtin:cornell", "--integrator", "mmlt+", "--spp", "1",
                                 "--set", "importance=" + name}),
                    4, pipe_text);
     expect_refused(
@@ -153,7 +153,7 @@ TEST_F(HostileInput, LightThatUnderflowsIsRenderedByEveryMethod) {
   scene("",
         "AttributeBegin\nAreaLightSource \"diffuse\" \"rgb L\" [1e-38 1e-38 1e-38]\n"
         "Translate 0 2 0\nShape \"sphere\" \"float radius\" 0.4\nAttributeEnd");
-  for (const char* method : {"pt", "lt", "ibpt", "bdpt", "pssmlt", "mmlt", "selective"}) {
+  for (const char* method : {"pt", "lt", "ibpt", "bdpt", "pssmlt", "mmlt", "mmlt+", "selective"}) {
     const Outcome outcome = render_scene({"--integrator", method});
     EXPECT_EQ(outcome.exit_code, 0) << method << ": " << outcome.err;
     EXPECT_TRUE(contains(outcome.err, "so dim that floats lose its digits"))

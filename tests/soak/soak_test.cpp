@@ -39,7 +39,7 @@ void render_with_checkpoints(const Scene& scene, const std::string& integrator_n
   settings.max_depth = 4;
   std::map<std::string, std::string> parameters;
   // The default bootstrap takes longer than a render lives.
-  if (integrator_name == "mmlt") parameters["bootstrap"] = "2000";
+  if (integrator_name != "pt") parameters["bootstrap"] = "2000";
   const auto integrator = info.make(scene, settings, info.read(parameters));
   prepare(*integrator);
   Film film = film_for(scene, settings, *integrator);
@@ -146,7 +146,7 @@ TEST_P(Soak, KilledAHundredTimesARenderEndsWithTheSameBits) {
   fs::remove_all(folder);
 }
 
-INSTANTIATE_TEST_SUITE_P(Methods, Soak, ::testing::Values("pt", "mmlt"),
+INSTANTIATE_TEST_SUITE_P(Methods, Soak, ::testing::Values("pt", "selective"),
                          [](const auto& test) { return std::string(test.param); });
 
 }  // namespace

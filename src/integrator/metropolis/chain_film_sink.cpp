@@ -1,10 +1,20 @@
 #include "integrator/metropolis/chain_film_sink.h"
 
+#include <algorithm>
+
 namespace ajar {
+
+void add_chain_layers(std::vector<LayerSpec>& specs, const std::vector<std::string>& aovs) {
+  for (const std::string& name : {kDensityLayer, kAcceptanceLayer}) {
+    if (std::find(aovs.begin(), aovs.end(), name) != aovs.end()) {
+      specs.push_back({.name = name, .has_replicates = false});
+    }
+  }
+}
 
 ChainFilmSink::ChainFilmSink(Film& film, int replicate, const ImportanceMap& importance,
                              const PathTarget& target, Counters& counters, PlaneMaps* maps,
-                             const LightSplit* split)
+                             const PathPart* part)
     : film_(film),
       light_{film.layer("direct"), film.layer("indirect")},
       density_(film.layer(kDensityLayer)),
@@ -14,13 +24,13 @@ ChainFilmSink::ChainFilmSink(Film& film, int replicate, const ImportanceMap& imp
       target_(target),
       counters_(counters),
       maps_(maps != nullptr && maps->gathers() ? maps : nullptr),
-      split_(split) {}
+      part_(part) {}
 
 void ChainFilmSink::deposit(std::span<const Splat> splats, double factor) {
   for (const Splat& splat : splats) {
     const int layer = light_[static_cast<std::size_t>(splat.layer)];
     Spectrum value = splat.value * static_cast<float>(factor * scale_);
-    if (split_ != nullptr && splat.layer == kIndirectSplat) value *= split_->kept(splat.raster);
+    if (part_ != nullptr && splat.layer == kIndirectSplat) value *= part_->kept(splat.raster);
     if (!film_.splat(layer, replicate_, splat.raster, value)) ++counters_.discarded_infinite;
     if (density_ < 0 && maps_ == nullptr) continue;
     const double share = factor * static_cast<double>(luminance(splat.value)) *

@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <string>
 #include <vector>
 
 #include "image/film.h"
@@ -13,14 +14,19 @@ namespace ajar {
 
 inline const std::string kDensityLayer = "density";
 inline const std::string kAcceptanceLayer = "acceptance";
+inline bool is_chain_layer(const std::string& name) {
+  return name == kDensityLayer || name == kAcceptanceLayer;
+}
+/// Those of them that are asked for.
+void add_chain_layers(std::vector<LayerSpec>& specs, const std::vector<std::string>& aovs);
 
-/// Puts what chains deposit on the film, as far as `split` keeps it, and into `maps` if they are
+/// Puts what chains deposit on the film, as far as `part` keeps it, and into `maps` if they are
 /// there and gather.
 class ChainFilmSink final : public DepositSink {
  public:
   ChainFilmSink(Film& film, int replicate, const ImportanceMap& importance,
                 const PathTarget& target, Counters& counters, PlaneMaps* maps = nullptr,
-                const LightSplit* split = nullptr);
+                const PathPart* part = nullptr);
 
   /// `scale` multiplies what is deposited; what is `proposed` is counted in `by_technique`.
   void begin(double scale, std::vector<MoveCount>* by_technique) {
@@ -40,7 +46,7 @@ class ChainFilmSink final : public DepositSink {
   const PathTarget& target_;
   Counters& counters_;
   PlaneMaps* maps_;
-  const LightSplit* split_;
+  const PathPart* part_;
   double scale_ = 1.0;
   std::vector<MoveCount>* by_technique_ = nullptr;
 };

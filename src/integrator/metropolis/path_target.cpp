@@ -11,10 +11,10 @@ namespace {
 class SplatSink final : public PathSink {
  public:
   /// A light subpath stands for so many that ordinary Monte Carlo has per camera sample.
-  SplatSink(const ChainView& view, const LightSplit* split, double light_subpaths,
-            const Vec2& raster, SplatBuffer& splats)
+  SplatSink(const ChainView& view, const PathPart* part, double light_subpaths, const Vec2& raster,
+            SplatBuffer& splats)
       : view_(view),
-        split_(split),
+        part_(part),
         light_subpaths_(static_cast<float>(light_subpaths)),
         raster_(raster),
         splats_(splats),
@@ -25,9 +25,7 @@ class SplatSink final : public PathSink {
     const bool from_light = contribution.technique.t == 1;
     const Vec2& raster = from_light ? contribution.raster : raster_;
     Spectrum value = contribution.value;
-    if (split_ != nullptr && split_->divides(contribution.technique)) {
-      value *= split_->chain_share(contribution, raster);
-    }
+    if (part_ != nullptr) value *= part_->share(contribution, raster);
     if (contribution.technique.s >= 2) value *= light_subpaths_;
     if (from_light) {
       value *= static_cast<float>(view_.pixels / view_.area());
@@ -47,7 +45,7 @@ class SplatSink final : public PathSink {
 
  private:
   const ChainView& view_;
-  const LightSplit* split_;
+  const PathPart* part_;
   float light_subpaths_;
   Vec2 raster_;
   SplatBuffer& splats_;
@@ -86,9 +84,9 @@ double contribution(std::span<const Splat> splats, const ImportanceMap& importan
 }
 
 WholePathTarget::WholePathTarget(const Scene& scene, const PathSamplerSettings& settings,
-                                 const ChainView& view, const LightSplit* split)
+                                 const ChainView& view, const PathPart* part)
     : view_(view),
-      split_(split),
+      part_(part),
       light_alone_(settings.techniques.any(TechniqueClass::Light) &&
                    !settings.techniques.any(TechniqueClass::Inner)),
       sampler_(scene, settings),
@@ -100,7 +98,7 @@ double WholePathTarget::evaluate(SampleSource& numbers, const Change& change, Sp
   directions_.begin();
   directions_.trace(change.raster);
   const Vec2 raster = raster_of(numbers, view_);
-  SplatSink sink(view_, split_, 1.0, raster, splats);
+  SplatSink sink(view_, part_, 1.0, raster, splats);
   if (light_alone_) sampler_.sample_light(numbers, sink);
   sampler_.sample(numbers, raster, sink);
   return contribution(splats, view_.importance);
@@ -120,9 +118,9 @@ TechniqueChoice::Chosen TechniqueChoice::choose(float u) const {
 
 OnePathTarget::OnePathTarget(const Scene& scene, const PathSamplerSettings& settings,
                              const TechniqueChoice& choice, const ChainView& view,
-                             const LightSplit* split)
+                             const PathPart* part)
     : view_(view),
-      split_(split),
+      part_(part),
       light_subpaths_(settings.light_subpaths),
       sampler_(scene, settings),
       choice_(choice),
@@ -152,7 +150,7 @@ double OnePathTarget::evaluate(SampleSource& numbers, const Change& change, Spla
   const int s = chosen_.technique.s;
   const int t = chosen_.technique.t;
   const Vec2 raster = t >= 2 ? raster_of(numbers, view_) : Vec2(0.F, 0.F);
-  SplatSink sink(view_, split_, light_subpaths_, raster, splats);
+  SplatSink sink(view_, part_, light_subpaths_, raster, splats);
   if (s == 0) {
     directions_.trace(change.raster);
     sampler_.sample_implicit(numbers, raster, t, sink);

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "image/importance_map.h"
-#include "integrator/light_split.h"
+#include "integrator/path_part.h"
 #include "mcmc/primary/target.h"
 #include "transport/path_sampler.h"
 
@@ -68,7 +68,7 @@ class TechniqueChoice {
   std::vector<Technique> techniques_;
 };
 
-/// A target over paths. With a `split`, over the chains' share of their light.
+/// A target over paths, or over the `part` of their light that chains are to make.
 class PathTarget : public Target {
  public:
   /// Traced so far.
@@ -82,16 +82,16 @@ class PathTarget : public Target {
 /// Source: Kelemen et al. 2002.
 class WholePathTarget final : public PathTarget {
  public:
-  /// `view`, and `split` if it is not null, must outlive the target.
+  /// `view`, and `part` if it is not null, must outlive the target.
   WholePathTarget(const Scene& scene, const PathSamplerSettings& settings, const ChainView& view,
-                  const LightSplit* split = nullptr);
+                  const PathPart* part = nullptr);
   double evaluate(SampleSource& numbers, const Change& change, SplatBuffer& splats) override;
   void accepted() override { directions_.accept(); }
   const RayCounts& ray_counts() const override { return sampler_.ray_counts(); }
 
  private:
   const ChainView& view_;
-  const LightSplit* split_;
+  const PathPart* part_;
   bool light_alone_;
   PathSampler sampler_;
   KeptDirections directions_;
@@ -107,7 +107,7 @@ class OnePathTarget final : public PathTarget {
   /// `settings.light_subpaths` of ordinary Monte Carlo.
   OnePathTarget(const Scene& scene, const PathSamplerSettings& settings,
                 const TechniqueChoice& choice, const ChainView& view,
-                const LightSplit* split = nullptr);
+                const PathPart* part = nullptr);
   double evaluate(SampleSource& numbers, const Change& change, SplatBuffer& splats) override;
   void accepted() override;
   void rejected() override;
@@ -135,7 +135,7 @@ class OnePathTarget final : public PathTarget {
   static void keep(Halves& halves, bool moved);
 
   const ChainView& view_;
-  const LightSplit* split_;
+  const PathPart* part_;
   double light_subpaths_;
   PathSampler sampler_;
   const TechniqueChoice& choice_;

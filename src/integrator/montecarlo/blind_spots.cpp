@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string>
 
 #include "transport/sources.h"
 
@@ -11,6 +12,7 @@ namespace ajar {
 namespace {
 
 constexpr WarningKind kUnseenMirrors{Effect::Light, "methods do not see mirrors and clear glass"};
+constexpr WarningKind kMissingDepths{Effect::Light, "methods do not make paths of all lengths"};
 constexpr WarningKind kUnseenLamps{Effect::Light, "methods do not see point lamps behind glass"};
 
 constexpr std::uint32_t kSamples = 4096;
@@ -67,10 +69,30 @@ ClearSink look_around(const Scene& scene, const RenderSettings& settings,
   return sink;
 }
 
+/// Names the depths of which no technique makes paths; empty if there are none.
+std::string missing_depths(const PathSamplerSettings& sampler) {
+  // Longer paths are as these are, unless many pairs are named one by one.
+  constexpr int kEnough = 8;
+  std::string missing;
+  bool made = true;
+  for (int depth = sampler.min_depth; depth <= std::min(sampler.max_depth, kEnough); ++depth) {
+    made = false;
+    for (int s = 0; s <= depth; ++s) made = made || sampler.techniques.enabled({s, depth + 1 - s});
+    if (!made) missing += (missing.empty() ? "" : ", ") + std::to_string(depth);
+  }
+  const bool more = !made && sampler.max_depth > kEnough;
+  return missing + (more ? ", …" : "");
+}
+
 }  // namespace
 
 std::vector<Warning> blind_spots(const Scene& scene, const RenderSettings& settings,
                                  const PathSamplerSettings& sampler) {
+  if (const std::string depths = missing_depths(sampler); !depths.empty()) {
+    return {{kMissingDepths,
+             {},
+             "none of the techniques makes paths of " + depths + " edges: their light is missing"}};
+  }
   const TechniqueSet& set = sampler.techniques;
   // Mirror and lamp; glass, what it lights, and the lens.
   constexpr int kSeenMirror = 2;

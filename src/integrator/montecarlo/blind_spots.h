@@ -7,8 +7,9 @@
 
 namespace ajar {
 
-/// What the techniques of an integrator of `path_family.h` cannot see in a scene, however long it
-/// renders. From a few thousand samples; empty if these meet nothing of it.
+/// What the techniques of a method cannot see in a scene, however long it renders: paths of depths
+/// that none of them makes, and what a few thousand samples meet that is out of their reach. Empty
+/// if there is nothing of the kind.
 std::vector<Warning> blind_spots(const Scene& scene, const RenderSettings& settings,
                                  const PathSamplerSettings& sampler);
 

@@ -5,6 +5,7 @@
 
 #include "integrator/montecarlo/blind_spots.h"
 #include "integrator/montecarlo/g_buffer.h"
+#include "integrator/montecarlo/path_parameters.h"
 #include "integrator/montecarlo/sample_sink.h"
 #include "integrator/montecarlo/technique_layers.h"
 #include "transport/sources.h"
@@ -12,8 +13,6 @@
 namespace ajar {
 
 namespace {
-
-constexpr WarningKind kMissingDepths{Effect::Light, "methods do not make paths of all lengths"};
 
 constexpr int kTileSize = 16;
 constexpr int kMaxPathEdges = 60000;  // vertex numbers are 16 bits wide
@@ -209,8 +208,6 @@ class PathIntegrator final : public Integrator {
   }
 
   PictureScale measure_scale() const;
-  /// Whether light is missing because no technique makes paths of its depth.
-  std::optional<std::string> concern_about_depths() const;
 
   const Scene& scene_;
   RenderSettings settings_;
@@ -229,33 +226,9 @@ class PathIntegrator final : public Integrator {
 };
 
 std::vector<Warning> PathIntegrator::concerns() const {
-  std::call_once(looked_around_, [this] {
-    if (std::optional<std::string> concern = concern_about_depths()) {
-      concerns_.push_back({kMissingDepths, {}, *std::move(concern)});
-    } else {
-      concerns_ = blind_spots(scene_, settings_, sampler_settings_);
-    }
-  });
+  std::call_once(looked_around_,
+                 [this] { concerns_ = blind_spots(scene_, settings_, sampler_settings_); });
   return concerns_;
-}
-
-std::optional<std::string> PathIntegrator::concern_about_depths() const {
-  // Longer paths are as these are, unless many pairs are named one by one.
-  constexpr int kEnough = 8;
-  std::string missing;
-  bool made = true;
-  for (int depth = sampler_settings_.min_depth;
-       depth <= std::min(sampler_settings_.max_depth, kEnough); ++depth) {
-    made = false;
-    for (int s = 0; s <= depth; ++s) {
-      made = made || sampler_settings_.techniques.enabled({s, depth + 1 - s});
-    }
-    if (!made) missing += (missing.empty() ? "" : ", ") + std::to_string(depth);
-  }
-  if (missing.empty()) return std::nullopt;
-  const bool more = !made && sampler_settings_.max_depth > kEnough;
-  return "none of the techniques makes paths of " + missing + (more ? ", … edges" : " edges") +
-         ": their light is missing";
 }
 
 class MeanSink final : public PathSink {
@@ -311,8 +284,7 @@ PathSamplerSettings sampler_settings(const RenderSettings& settings, const Param
   const double pixels = static_cast<double>(settings.resolution.x) * settings.resolution.y;
   PathSamplerSettings result;
   result.techniques = TechniqueSet::parse(parameters.get_text("techniques"));
-  result.heuristic =
-      parameters.get_text("heuristic") == "power" ? Heuristic::Power : Heuristic::Balance;
+  result.heuristic = heuristic_of(parameters);
   result.min_depth = settings.min_depth;
   result.max_depth = std::min(settings.max_depth, kMaxPathEdges);
   result.roulette_start = parameters.get_int("roulette-start");
@@ -324,14 +296,7 @@ PathSamplerSettings sampler_settings(const RenderSettings& settings, const Param
 
 std::vector<ParameterSpec> path_family_parameters(const PathFamilyDefaults& defaults) {
   std::vector<ParameterSpec> specs = {
-      {.name = "techniques",
-       .type = ParameterType::Text,
-       .default_value = defaults.techniques,
-       .unit = "",
-       .help =
-           "how paths are built: a list of pt, lt, ibpt, bdpt, implicit, explicit, light, inner "
-           "and (s,t) pairs, each with an optional count (explicit*4)",
-       .choices = {}},
+      techniques_parameter(defaults.techniques, ", each with an optional count (explicit*4)"),
       {.name = kLightPathsPerPixel,
        .type = ParameterType::Float,
        .default_value = defaults.light_paths_per_pixel,
@@ -357,20 +322,8 @@ std::vector<ParameterSpec> path_family_parameters(const PathFamilyDefaults& defa
        .help =
            "where the random numbers come from: Owen-scrambled Sobol' points, or independent ones",
        .choices = {"sobol", "independent"}},
-      {.name = "heuristic",
-       .type = ParameterType::Choice,
-       .default_value = "power",
-       .unit = "",
-       .help = "how techniques that find the same path share it (Veach & Guibas 1995)",
-       .choices = {"power", "balance"}},
-      {.name = "roulette-start",
-       .type = ParameterType::Int,
-       .default_value = defaults.roulette_start,
-       .unit = "edges",
-       .help = "path length from which Russian roulette may end a dim path",
-       .choices = {},
-       .minimum = 1,
-       .maximum = 60000}};
+      heuristic_parameter(),
+      roulette_start_parameter(defaults.roulette_start)};
   mark_experts(specs, {"techniques", kLightPathsPerPixel, "sampler"});
   return specs;
 }

@@ -8,16 +8,6 @@
 namespace ajar {
 
 template <Archive A>
-void serialize(A& archive, ChainRecord& record) {
-  archive(record.statistics, record.by_technique);
-}
-
-template <Archive A>
-void serialize(A& archive, MemberChain& member) {
-  archive(member.chain, member.record, member.weight);
-}
-
-template <Archive A>
 void serialize(A& archive, ChainPopulation::Joined& joined) {
   archive(joined.b, joined.variance, joined.of_recruits, joined.of_chains);
 }

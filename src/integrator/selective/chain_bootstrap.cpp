@@ -1,27 +1,11 @@
 #include "integrator/selective/chain_bootstrap.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/random.h"
 #include "mcmc/bootstrap.h"
-#include "mcmc/primary/bootstrap_source.h"
 
 namespace ajar {
-
-double bootstrap_share(const ChainPlan& plan, std::size_t group) {
-  const auto weight = [](const PathGroup& g) { return 1.0 / std::max(1, g.depth); };
-  double whole = 0.0;
-  for (const PathGroup& other : plan.groups) whole += weight(other);
-  return weight(plan.groups[group]) / whole;
-}
-
-void add_blocks(std::vector<SampleBlock>& blocks, std::size_t owner, std::uint64_t samples) {
-  constexpr std::uint64_t kSamplesPerBlock = 512;
-  for (std::uint64_t first = 0; first < samples; first += kSamplesPerBlock) {
-    blocks.push_back({owner, first, std::min(samples, first + kSamplesPerBlock)});
-  }
-}
 
 std::vector<ChainPopulation> make_populations(const ChainPlan& plan) {
   std::vector<ChainPopulation> populations;
@@ -54,7 +38,7 @@ std::uint64_t ChainBootstrap::begin() {
   populations_ = make_populations(plan_);
   for (std::size_t p = 0; p < populations_.size(); ++p) {
     const double samples =
-        std::max(kFewest, per_replicate * bootstrap_share(plan_, populations_[p].group));
+        std::max(kFewest, per_replicate * bootstrap_share(plan_.groups, populations_[p].group));
     populations_[p].weights.resize(static_cast<std::size_t>(samples));
     add_blocks(blocks_, p, populations_[p].weights.size());
   }
@@ -65,15 +49,8 @@ void ChainBootstrap::run(std::uint64_t item, Counters& counters) {
   const SampleBlock& block = blocks_[item];
   ChainPopulation& population = populations_[block.owner];
   const auto target = plan_.make_target(plan_.groups[population.group], population.replicate);
-  SplatBuffer splats;
-  for (std::uint64_t i = block.first; i < block.last; ++i) {
-    BootstrapSource source(population.seed, i);
-    splats.clear();
-    const double scalar = target->evaluate(source, Change{}, splats);
-    target->rejected();
-    // What is not a number is counted when a chain meets it; it can be no seed.
-    population.weights[i] = scalar > 0.0 && std::isfinite(scalar) ? scalar : 0.0;
-  }
+  sample_bootstrap(*target, population.seed, block.first, block.last,
+                   std::span(population.weights).subspan(block.first));
   counters.add_rays(target->ray_counts());
 }
 
@@ -81,7 +58,7 @@ void ChainBootstrap::end() {
   if (blocks_.empty()) return;
   for (ChainPopulation& population : populations_) {
     for (const double weight : population.weights) {
-      const double capped = std::min(weight, plan_.chain_settings.large_step_cap);
+      const double capped = std::min(weight, plan_.moves.settings.large_step_cap);
       population.capped.add(capped);
       population.excess.add(weight - capped);
     }
@@ -101,22 +78,8 @@ void ChainBootstrap::seed_replicate(int replicate) {
   const std::vector<std::size_t> shares = apportion(b, plan_.chains_per_replicate());
   for (std::size_t i = 0; i < own.size(); ++i) {
     ChainPopulation& population = *own[i];
-    const PathGroup& group = plan_.groups[population.group];
-    const double u =
-        to_unit_float(static_cast<std::uint32_t>(hash_numbers(population.seed, 0x5eedULL) >> 32U));
-    ChainRecord empty;
-    if (plan_.kind == ChainKind::OnePath) empty.by_technique.resize(group.choice.size());
-    const std::vector<double>& weights = population.weights;
-    const std::vector<double> filtered =
-        filter_weights(weights, plan_.seed_filter, plan_.seed_spread);
-    for (const std::size_t index : choose_seeds(filtered, shares[i], u)) {
-      const std::uint64_t chain_seed =
-          hash_numbers(population.seed, 0xc4a15ULL, population.chains.size());
-      population.chains.push_back(
-          {PrimaryChain(group.shape, chain_seed, bootstrap_key(population.seed, index),
-                        weights[index]),
-           empty, seed_weight(weights, filtered, plan_.seed_filter, index)});
-    }
+    population.chains = seed_chains(plan_.groups[population.group], population.seed,
+                                    population.weights, shares[i], plan_.seed_rule);
   }
 }
 

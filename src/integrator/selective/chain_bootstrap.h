@@ -1,15 +1,10 @@
 #pragma once
 #include "integrator/preparation_stage.h"
+#include "integrator/sample_block.h"
 #include "integrator/selective/chain_plan.h"
 #include "integrator/selective/chain_population.h"
 
 namespace ajar {
-
-/// The share of all bootstrap samples that a group gets: long paths carry little light and cost
-/// much.
-double bootstrap_share(const ChainPlan& plan, std::size_t group);
-/// Cuts `samples` of one owner into blocks.
-void add_blocks(std::vector<SampleBlock>& blocks, std::size_t owner, std::uint64_t samples);
 
 /// One for each replicate and group, without chains yet.
 std::vector<ChainPopulation> make_populations(const ChainPlan& plan);

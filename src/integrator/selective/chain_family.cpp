@@ -181,9 +181,9 @@ void ChainIntegrator::end_preparation() {
   items_.list(recruits_ == nullptr);
   if (recruits_) begin_stretch();
   concerns_ = concerns_about(plan_, populations_);
-  if (plan_.plane.active()) {
-    maps_ = std::make_unique<PlaneMaps>(plan_.plane, plan_.view, plan_.settings.replicates,
-                                        bootstrap_b(), *plan_.mutation);
+  if (plan_.moves.plane.active()) {
+    maps_ = std::make_unique<PlaneMaps>(plan_.moves.plane, plan_.view, plan_.settings.replicates,
+                                        bootstrap_b(), *plan_.moves.mutation);
   }
 }
 
@@ -269,10 +269,7 @@ std::vector<LayerSpec> ChainIntegrator::layers() const {
     specs = {{.name = "direct", .magnitude = magnitude},
              {.name = "indirect", .magnitude = magnitude}};
   }
-  for (const std::string& name : {kDensityLayer, kAcceptanceLayer}) {
-    if (asks_for(plan_.settings.aovs, name))
-      specs.push_back({.name = name, .has_replicates = false});
-  }
+  add_chain_layers(specs, plan_.settings.aovs);
   return specs;
 }
 
@@ -290,9 +287,8 @@ void ChainIntegrator::begin_pass(std::uint64_t first_sample, std::uint64_t sampl
   if (recruits_ && first_sample + samples > stretch_.end()) {
     throw std::logic_error("bug: a pass crosses a milestone");
   }
-  auto milestone = static_cast<std::uint64_t>(plan_.settings.replicates);
-  if (first_sample < milestone) return;
-  while (2 * milestone <= first_sample) milestone *= 2;
+  const std::uint64_t milestone =
+      last_doubling(first_sample, static_cast<std::uint64_t>(plan_.settings.replicates));
   if (milestone <= doubled_at_) return;
   doubled_at_ = milestone;
   if (!recruits_) {

@@ -1,14 +1,9 @@
 #pragma once
 #include "integrator/integrator.h"
+#include "integrator/metropolis/path_group.h"
 #include "integrator/selective/selective_settings.h"
 
 namespace ajar {
-
-/// How the states of a chain are made of paths.
-enum class ChainKind {
-  WholePath,  ///< `pssmlt`: a camera and a light subpath with all their connections
-  OnePath     ///< `mmlt`: one path of one depth and technique
-};
 
 std::vector<ParameterSpec> chain_parameters(ChainKind kind);
 

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numeric>
 #include <stdexcept>
-#include <string>
 
 #include "core/random.h"
 #include "integrator/metropolis/chain_film_sink.h"
@@ -62,7 +61,7 @@ void ChainItems::refine_b(std::uint64_t samples) {
   for (const ChainPopulation& population : populations_) {
     bootstrap += static_cast<double>(population.capped.count);
   }
-  const double large_steps = plan_.chain_settings.probabilities.large * plan_.chain_settings.tries *
+  const double large_steps = plan_.moves.settings.probabilities.large * plan_.moves.settings.tries *
                              effort_.mutations(samples) * static_cast<double>(plan_.pixels());
   later_weight_ = large_steps > 0.0 ? large_steps / (bootstrap + large_steps) : 0.0;
   b_.clear();
@@ -92,8 +91,8 @@ void ChainItems::run_chain(const Item& item, std::uint64_t first_sample, std::ui
   const PathGroup& group = plan_.groups[population.group];
   const std::size_t chains = chains_in(population.replicate);
   const auto target = plan_.make_target(group, population.replicate);
-  PrimaryRunner runner(plan_.chain_settings_of(population.replicate), *plan_.mutation, group.shape,
-                       *target, moves_of(maps, population.replicate));
+  PrimaryRunner runner(plan_.chain_settings_of(population.replicate), *plan_.moves.mutation,
+                       group.shape, *target, moves_of(maps, population.replicate));
   ChainFilmSink sink(film, population.replicate, plan_.view.importance, *target, counters, maps,
                      kept_by(population.replicate));
   const double b = b_[item.population];
@@ -109,21 +108,10 @@ void ChainItems::run_chain(const Item& item, std::uint64_t first_sample, std::ui
                    plan_.settings.replicates,
                member.record.by_technique.empty() ? nullptr : &member.record.by_technique);
     statistics += runner.go_on(member.chain, steps, sink,
-                               plan_.mis_large_steps ? std::optional(b) : std::nullopt);
+                               plan_.moves.mis_large_steps ? std::optional(b) : std::nullopt);
   }
   effort_.count_chains(target->rays() - rays_to_start, statistics.steps);
-  member.record.statistics += statistics;
-  counters.mutations += statistics.steps;
-  counters.add_rays(target->ray_counts());
-  counters.discarded_nan += statistics.discarded_nan;
-  counters.discarded_infinite += statistics.discarded_infinite;
-  counters.discarded_negative += statistics.discarded_negative;
-  if (statistics.first_discarded && counters.first_discarded.empty()) {
-    const auto& place = *statistics.first_discarded;
-    counters.first_discarded = "proposal of the chain with seed " + std::to_string(place.seed) +
-                               ", origin " + std::to_string(member.chain.origin) + ", after " +
-                               std::to_string(place.step) + " steps";
-  }
+  count_steps(member, statistics, *target, counters);
 }
 
 /// A population whose bootstrap found no light has no chain to run. Its paths are sampled
@@ -147,8 +135,8 @@ void ChainItems::run_plain(ChainPopulation& population, PlaneMaps* maps, Film& f
   const auto count = static_cast<std::uint64_t>(std::max(1.0, share * mutations));
   const PathGroup& group = plan_.groups[population.group];
   const auto target = plan_.make_target(group, population.replicate);
-  PrimaryRunner runner(plan_.chain_settings_of(population.replicate), *plan_.mutation, group.shape,
-                       *target, moves_of(maps, population.replicate));
+  PrimaryRunner runner(plan_.chain_settings_of(population.replicate), *plan_.moves.mutation,
+                       group.shape, *target, moves_of(maps, population.replicate));
   ChainFilmSink sink(film, population.replicate, plan_.view.importance, *target, counters, maps,
                      kept_by(population.replicate));
   const double scale =
@@ -162,7 +150,7 @@ void ChainItems::run_plain(ChainPopulation& population, PlaneMaps* maps, Film& f
     splats.clear();
     const double scalar = target->evaluate(source, Change{}, splats);
     target->rejected();
-    const double capped = std::min(scalar, plan_.chain_settings.large_step_cap);
+    const double capped = std::min(scalar, plan_.moves.settings.large_step_cap);
     population.plain_statistics.large_steps.add(std::isfinite(scalar) ? std::max(0.0, capped)
                                                                       : 0.0);
     if (std::isnan(scalar)) {

@@ -73,7 +73,7 @@ void ChainPilot::end() {
   }
   plan_.brightness = mean_strength(picture, crop, plan_.view.importance);
   constexpr double kCap = 100.0;
-  if (plan_.brightness > 0.0) plan_.chain_settings.large_step_cap = kCap * plan_.brightness;
+  if (plan_.brightness > 0.0) plan_.moves.settings.large_step_cap = kCap * plan_.brightness;
   if (!plan_.thresholds.empty() && plan_.brightness > 0.0) {
     plan_.splits.emplace(LightSplit(plan_.lowest_threshold(), plan_.view.importance));
   }

@@ -4,17 +4,14 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "integrator/make_filter.h"
 #include "integrator/metropolis/chain_film_sink.h"
 #include "integrator/montecarlo/path_family.h"
+#include "integrator/montecarlo/path_parameters.h"
 #include "integrator/selective/crop_weights.h"
-#include "mcmc/primary/make_mutation.h"
 
 namespace ajar {
 
 namespace {
-
-constexpr int kMaxChainEdges = 1000;
 
 ChainPlan::Direct direct_of(const std::string& text) {
   if (text == "omc") return ChainPlan::Direct::Omc;
@@ -24,12 +21,6 @@ ChainPlan::Direct direct_of(const std::string& text) {
 SeedFilter seed_filter_of(std::string_view text) {
   if (text == "filtered") return SeedFilter::Weighted;
   return text == "filtered-published" ? SeedFilter::Dropped : SeedFilter::None;
-}
-
-bool leaves_for_neighbours(std::string_view name) { return name == "slemmlt" || name == "fusion"; }
-/// What moves numbers where the image plane does not.
-std::string_view base_mutation(std::string_view name) {
-  return leaves_for_neighbours(name) ? "gaussian" : name;
 }
 
 Vec2i crop_size(const RenderSettings& settings) { return settings.crop.size() + Vec2i(1, 1); }
@@ -43,41 +34,18 @@ ChainPlan::ChainPlan(ChainKind chain_kind, const Scene& the_scene,
       scene(the_scene),
       settings(render_settings),
       parameters(the_parameters),
-      techniques(TechniqueSet::parse(parameters.get_text("techniques"))),
+      techniques(techniques_of_chains(parameters)),
       direct(direct_of(parameters.get_text("direct"))),
-      mis_large_steps(parameters.get_bool("mis-large-steps")),
       selective(std::move(selective_settings)),
       omc_samples(parameters.get_float("omc-samples")),
       bootstrap(static_cast<std::uint64_t>(parameters.get_int("bootstrap"))),
       wanted_chains(static_cast<std::uint64_t>(parameters.get_int("chains"))),
-      seed_filter(seed_filter_of(parameters.get_text("seeds"))),
-      seed_spread(parameters.get_float("seed-spread")),
-      mutation(make_mutation(base_mutation(parameters.get_text("mutation")),
-                             parameters.get_float("sigma"))) {
+      seed_rule{seed_filter_of(parameters.get_text("seeds")), parameters.get_float("seed-spread")},
+      moves(parameters, kind) {
   if (selective) check_region_rules(selective->rules, scene.object_names(), scene.material_names());
   settings.max_depth = std::min(settings.max_depth, kMaxChainEdges);
-  chain_settings.probabilities = {parameters.get_float("large-step"),
-                                  parameters.get_float("camera-steps"),
-                                  parameters.get_float("light-steps")};
-  chain_settings.tries = parameters.get_int("multi-try");
-  read_small_steps();
-  // Half moves keep the technique, so that the other half need not be traced again.
-  chain_settings.connection = {false, false};
-  // Chains have no numbers for further tries, and would gain nothing from fewer.
-  if (!techniques.tries_once()) {
-    throw UsageError("techniques: Markov chains try each technique once, so leave out counts: " +
-                     parameters.get_text("techniques"));
-  }
-  if (chain_settings.probabilities.camera_half + chain_settings.probabilities.light_half > 1.0) {
-    throw UsageError(
-        "camera-steps and light-steps are shares of the small steps besides raster-steps: "
-        "together at most 1");
-  }
   read_split();
-  const Vec2 beyond = make_filter(scene.film().filter).radius() - Vec2(0.5F, 0.5F);
-  view.low = Vec2(settings.crop.min) - beyond;
-  view.size = Vec2(crop_size(settings)) + beyond * 2.F;
-  view.pixels = static_cast<double>(pixels());
+  view = view_of(scene, settings);
   if (bootstrap > 0 && bootstrap < 1000) {
     throw UsageError(
         "bootstrap: at least 1000 samples, or 0 for as many as suit the picture, not " +
@@ -93,7 +61,6 @@ ChainPlan::ChainPlan(ChainKind chain_kind, const Scene& the_scene,
   shares_effort = selective || (omc_samples == 0.0 && has_recruits());
   if (shares_effort || omc_samples == 0.0) omc_samples = 1.0;
   read_importance();
-  read_plane();
 }
 
 void ChainPlan::read_split() {
@@ -130,7 +97,6 @@ void ChainPlan::read_omc() {
 void ChainPlan::set_omc(const PathFamilyDefaults& choice) {
   omc = choice;
   techniques = TechniqueSet::parse(omc.techniques);
-  groups.clear();
   make_groups();
 }
 
@@ -152,53 +118,18 @@ void ChainPlan::read_pilot() {
     pilot_use = pilot_use_of(settings.replicates);
 }
 
-void ChainPlan::read_small_steps() {
-  const bool follows_plane = leaves_for_neighbours(parameters.get_text("mutation")) ||
-                             parameters.get_text("step") != "fixed";
-  StepProbabilities& probabilities = chain_settings.probabilities;
-  // Where the plane says how long steps are, there is no need for others unless the user has one.
-  const bool wants_fine =
-      parameters.given().contains("fine-steps") || (mutation->divisible() && !follows_plane);
-  probabilities.fine = wants_fine ? parameters.get_float("fine-steps") : 0.0;
-  if (probabilities.fine > 0.0 && !mutation->divisible()) {
-    throw UsageError("fine-steps: not with mutation=" + parameters.get_text("mutation") +
-                     ", whose steps cannot be divided: gaussian, slemmlt or fusion");
-  }
-  if (const std::optional<double> share = parameters.get_number("raster-steps")) {
-    probabilities.raster = *share;
-  } else if (kind == ChainKind::OnePath && chain_settings.tries == 1 && !follows_plane) {
-    // What they leave as it is, a state of pssmlt would trace again.
-    constexpr double kRasterSteps = 0.7;
-    probabilities.raster = kRasterSteps;
-    raster_steps_follow_split = true;
-  }
-}
-
 PrimarySettings ChainPlan::chain_settings_of(int replicate) const {
   // Below this threshold, what chains make has no islands that only other steps would lead to.
   constexpr double kLow = 0.3;
   constexpr double kRounding = 1.001;
   constexpr double kRasterSteps = 0.9;
-  PrimarySettings own = chain_settings;
-  if (raster_steps_follow_split && splits &&
+  PrimarySettings own = moves.settings;
+  if (moves.raster_steps_are_open && splits &&
       static_cast<double>(splits->of(replicate).highest_threshold()) <=
           kLow * kRounding * brightness) {
     own.probabilities.raster = kRasterSteps;
   }
   return own;
-}
-
-void ChainPlan::read_plane() {
-  const std::string& name = parameters.get_text("mutation");
-  plane.adaptive = parameters.get_text("step") == "adaptive" || name == "fusion";
-  plane.neighbours = leaves_for_neighbours(name);
-  plane.published = parameters.get_text("rule") == "published";
-  plane.adaptive_visits = parameters.get_float("m1");
-  plane.uneven = parameters.get_float("k1");
-  plane.even = parameters.get_float("k2");
-  plane.shorten = parameters.get_float("lambda1");
-  plane.lengthen = parameters.get_float("lambda2");
-  plane.neighbour_visits = parameters.get_float("w");
 }
 
 std::uint64_t ChainPlan::pixels() const {
@@ -238,8 +169,7 @@ const PathGroup& ChainPlan::group_of(int depth) const {
 void ChainPlan::make_groups() {
   PathSamplerSettings sampler;
   sampler.techniques = techniques;
-  sampler.heuristic =
-      parameters.get_text("heuristic") == "power" ? Heuristic::Power : Heuristic::Balance;
+  sampler.heuristic = heuristic_of(parameters);
   sampler.min_depth = direct == Direct::Chain
                           ? settings.min_depth
                           : std::max(settings.min_depth, LightSplit::kDirectDepth + 1);
@@ -250,25 +180,9 @@ void ChainPlan::make_groups() {
   sampler.light_paths_per_pixel =
       sampler.light_subpaths * static_cast<double>(pixels()) /
       (static_cast<double>(settings.resolution.x) * settings.resolution.y);
-  if (sampler.min_depth > sampler.max_depth) return;
-  if (kind == ChainKind::WholePath) {
-    sampler.roulette_start = parameters.get_int("roulette-start");
-    groups.push_back({0,
-                      sampler,
-                      TechniqueChoice(techniques, 0),
-                      {sampler.max_depth + 1, sampler.max_depth + 1}});
-    return;
-  }
-  // A path of given depth gains nothing from ending early.
-  sampler.roulette_start = kMaxChainEdges + 1;
-  for (int depth = sampler.min_depth; depth <= settings.max_depth; ++depth) {
-    const TechniqueChoice choice(techniques, depth);
-    if (choice.empty()) continue;
-    PathSamplerSettings own = sampler;
-    own.min_depth = depth;
-    own.max_depth = depth;
-    groups.push_back({depth, own, choice, {depth + 1, depth + 1}});
-  }
+  const int roulette_start =
+      kind == ChainKind::WholePath ? parameters.get_int("roulette-start") : 0;
+  groups = make_path_groups(kind, sampler, roulette_start);
 }
 
 void ChainPlan::read_importance() {
@@ -283,11 +197,7 @@ void ChainPlan::read_importance() {
 }
 
 std::unique_ptr<PathTarget> ChainPlan::make_target(const PathGroup& group, int replicate) const {
-  const LightSplit* divide = splits ? &splits->of(replicate) : nullptr;
-  if (kind == ChainKind::WholePath) {
-    return std::make_unique<WholePathTarget>(scene, group.sampler, view, divide);
-  }
-  return std::make_unique<OnePathTarget>(scene, group.sampler, group.choice, view, divide);
+  return make_path_target(scene, group, view, splits ? &splits->of(replicate) : nullptr);
 }
 
 void ChainPlan::leave_to_omc(std::uint64_t kept) {
@@ -313,7 +223,7 @@ std::pair<int, int> ChainPlan::omc_depths() const {
 RenderSettings ChainPlan::omc_settings() const {
   RenderSettings own = settings;
   std::erase_if(own.aovs, [](const std::string& name) {
-    return name == kDensityLayer || name == kAcceptanceLayer || name == "techniques";
+    return is_chain_layer(name) || name == "techniques";
   });
   return own;
 }

@@ -6,7 +6,9 @@
 
 #include "core/parameters.h"
 #include "integrator/light_split.h"
-#include "integrator/metropolis/path_target.h"
+#include "integrator/metropolis/chain_moves.h"
+#include "integrator/metropolis/member_chain.h"
+#include "integrator/metropolis/path_group.h"
 #include "integrator/montecarlo/path_family.h"
 #include "integrator/selective/chain_family.h"
 #include "integrator/selective/pilot_use.h"
@@ -17,14 +19,6 @@
 #include "mcmc/primary/primary_runner.h"
 
 namespace ajar {
-
-/// What all chains of one kind of path share: the depth, or all depths.
-struct PathGroup {
-  int depth;  ///< edges; 0: all
-  PathSamplerSettings sampler;
-  TechniqueChoice choice;  ///< if there is one depth
-  PrimaryShape shape;
-};
 
 /// What a render with chains is to do: its parameters, read and checked, and what the preparation
 /// finds out before the first chain moves. Constant from then on.
@@ -93,10 +87,8 @@ struct ChainPlan {
   TechniqueSet techniques;
   Direct direct;
   PilotUse pilot_use = PilotUse::Keep;
-  bool mis_large_steps;
-  bool raster_steps_follow_split = false;  ///< the user leaves that open
-  bool unprepared = false;                 ///< ordinary Monte Carlo alone renders, for want of time
-  bool standby = false;                    ///< nothing is so hard that chains would pay
+  bool unprepared = false;  ///< ordinary Monte Carlo alone renders, for want of time
+  bool standby = false;     ///< nothing is so hard that chains would pay
   /// Whether the render shares its effort anew as it goes on: a sample then has as many mutations
   /// as its halves' errors deserve.
   bool shares_effort = false;
@@ -123,11 +115,8 @@ struct ChainPlan {
   std::uint64_t bootstrap;
   std::uint64_t scouted = 0;    ///< camera samples that were
   std::uint64_t wanted_chains;  ///< 0: as many as suit the picture
-  SeedFilter seed_filter;
-  double seed_spread;  ///< standard deviations above which a seed is an outlier
-  PrimarySettings chain_settings;
-  std::unique_ptr<Mutation> mutation;
-  PlaneRule plane;
+  SeedRule seed_rule;
+  ChainMoves moves;
   ChainView view;
   std::vector<PathGroup> groups;
   PathFamilyDefaults omc;             ///< of ordinary Monte Carlo
@@ -144,8 +133,6 @@ struct ChainPlan {
   void read_omc();
   void read_pilot();
   void read_importance();
-  void read_small_steps();
-  void read_plane();
 };
 
 }  // namespace ajar

@@ -1,44 +1,13 @@
 #pragma once
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <optional>
 #include <vector>
 
-#include "core/random.h"
-#include "mcmc/chain_statistics.h"
+#include "integrator/metropolis/member_chain.h"
 #include "mcmc/moments.h"
-#include "mcmc/primary/primary_chain.h"
 
 namespace ajar {
-
-/// What chains have done.
-struct ChainRecord {
-  ChainStatistics statistics;
-  std::vector<MoveCount> by_technique;  ///< numbered as in the group's choice
-
-  void add(const ChainRecord& other) {
-    statistics += other.statistics;
-    add_counts(by_technique, other.by_technique);
-  }
-};
-
-struct MemberChain {
-  PrimaryChain chain;
-  ChainRecord record;
-  double weight = 1.0;  ///< of what it deposits, relative to other chains (`seed_weight`)
-
-  /// Number `number`, from 1, of further chains that start where this one is, with randomness of
-  /// its own. A seed that is chosen m times starts m chains. One chain with m times the steps would
-  /// get farther, but light that seeds stand for in lots would leave its place earlier than other
-  /// light comes there, and the picture would be biased.
-  MemberChain twin(std::uint64_t number) const {
-    MemberChain other{chain, {}, weight};
-    other.record.by_technique.resize(record.by_technique.size());
-    other.chain.seed = hash_numbers(chain.seed, chain.step, number);
-    return other;
-  }
-};
 
 /// The chains of one group in one replicate, with a bootstrap of their own.
 struct ChainPopulation {

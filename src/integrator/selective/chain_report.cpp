@@ -2,11 +2,11 @@
 
 #include <cmath>
 
+#include "integrator/metropolis/chain_report.h"
+
 namespace ajar {
 
 namespace {
-
-constexpr WarningKind kNoSeeds{Effect::Light, "methods have found no light to start chains from"};
 
 std::string words_for(const std::string& techniques) {
   if (techniques == "pt") return "path tracing";
@@ -34,12 +34,7 @@ std::vector<Warning> concerns_about(const ChainPlan& plan,
     lit += population.chains.size();
   }
   if (lit > 0 || populations.empty()) return {};
-  return {{kNoSeeds,
-           {},
-           "no light was found for Markov chains in " + std::to_string(samples) +
-               " tries: light that comes by way of several surfaces may be missing; see whether "
-               "the lamps reach what the camera sees, allow longer paths (--depth), or let it try "
-               "more often (--set bootstrap=10000000)"}};
+  return {no_seeds(samples)};
 }
 
 std::vector<std::string> notes_on(const ChainPlan& plan, std::optional<double> share,
@@ -69,53 +64,22 @@ std::vector<std::string> notes_on(const ChainPlan& plan, std::optional<double> s
 
 ChainReport report_chains(const ChainPlan& plan, std::span<const ChainPopulation> populations,
                           double later_weight) {
-  ChainReport report;
-  report.bootstrap_samples = plan.scouted;
-  ChainStatistics whole;
+  std::uint64_t samples = plan.scouted;
+  for (const ChainPopulation& population : populations) samples += population.capped.count;
+  ChainReporter reporter(samples);
   for (std::size_t g = 0; g < plan.groups.size(); ++g) {
-    ChainReport::Depth depth{plan.groups[g].depth, 0, 0, 0.0, 0.0, 0.0};
-    ChainRecord record;
-    double variance = 0.0;
-    const TechniqueChoice& choice = plan.groups[g].choice;
+    ChainReporter::OfGroup group(plan.groups[g]);
     for (const ChainPopulation& population : populations) {
       if (population.group != g) continue;
-      report.bootstrap_samples += population.capped.count;
-      depth.b += population.b(later_weight) / plan.settings.replicates;
-      const double error = population.b_standard_error();
-      variance += error * error;
-      depth.chains += population.chains.size();
-      depth.mutations += population.plain_samples;
-      record.add(population.retired);
-      for (const MemberChain& member : population.chains) record.add(member.record);
+      group.add_b(population.b(later_weight), population.b_standard_error(),
+                  plan.settings.replicates);
+      group.add_plain(population.plain_samples);
+      group.add_retired(population.retired);
+      for (const MemberChain& member : population.chains) group.add_chain(member.record);
     }
-    depth.b_standard_error = std::sqrt(variance) / plan.settings.replicates;
-    const ChainStatistics& own = record.statistics;
-    depth.mutations += own.steps;
-    MoveCount all;
-    for (const MoveCount& move : own.moves) all += move;
-    depth.acceptance = all.acceptance();
-    for (std::size_t s = 0; s < record.by_technique.size(); ++s) {
-      const MoveCount& count = record.by_technique[s];
-      if (count.proposals == 0) continue;
-      report.techniques.push_back({choice[s], count.proposals, count.acceptance()});
-    }
-    report.depths.push_back(depth);
-    whole += own;
+    reporter.add(group);
   }
-  MoveCount small;
-  for (std::size_t i = 0; i < whole.moves.size(); ++i) {
-    const MoveCount& move = whole.moves[i];
-    if (move.proposals == 0) continue;
-    report.moves.push_back({std::string(step_names()[i]), move.proposals, move.acceptance()});
-    if (i == move_of(StepKind::Large)) {
-      report.large_acceptance = move.acceptance();
-    } else {
-      small += move;
-    }
-  }
-  report.small_acceptance = small.acceptance();
-  report.longest_rejection_streak = whole.longest_streak;
-  return report;
+  return reporter.report();
 }
 
 }  // namespace ajar

@@ -83,7 +83,7 @@ void ChainTrial::run(std::uint64_t item, Counters& counters) {
   Half& half = halves_[own.half];
   const PathGroup& group = plan_.groups[population.group];
   const auto target = plan_.make_target(group, population.replicate);
-  PrimaryRunner runner(plan_.chain_settings, *plan_.mutation, group.shape, *target);
+  PrimaryRunner runner(plan_.moves.settings, *plan_.moves.mutation, group.shape, *target);
   Counters discarded;
   ChainFilmSink sink(*film_, static_cast<int>(own.picture), plan_.view.importance, *target,
                      discarded);

@@ -102,8 +102,7 @@ std::unique_ptr<Integrator> make_selective_integrator(const Scene& scene,
   }
   std::optional<SelectiveSettings> regions;
   if (divides_regions(parameters)) regions = SelectiveSettings::read(parameters, settings);
-  return make_chain_integrator(kind, scene, settings, Parameters(specs, chain),
-                               std::move(regions));
+  return make_chain_integrator(kind, scene, settings, Parameters(specs, chain), std::move(regions));
 }
 
 }  // namespace ajar

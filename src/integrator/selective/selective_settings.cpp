@@ -45,10 +45,11 @@ std::vector<ParameterSpec> SelectiveSettings::parameters() {
            "not given either, ibpt or bdpt, as a pilot finds",
        .choices = {}},
       choice_parameter("chain", {"mmlt", "pssmlt"}, "the Markov chains"),
-      choice_parameter("division", {"regions", "everywhere"},
-                       "how the light is divided: path by path and by regions of the picture, as a "
-                       "pilot finds; or alike everywhere, which leaves all that follows from regions "
-                       "out (presets mmlt+ and pssmlt+)"),
+      choice_parameter(
+          "division", {"regions", "everywhere"},
+          "how the light is divided: path by path and by regions of the picture, as a "
+          "pilot finds; or alike everywhere, which leaves all that follows from regions "
+          "out (presets mmlt+ and pssmlt+)"),
       choice_parameter(
           "map", {"optimal", "binary"},
           "how the pilot decides about regions: for least predicted error, or as published "

@@ -1,0 +1,48 @@
+#pragma once
+#include <cstdint>
+
+#include "integrator/integrator.h"
+#include "integrator/metropolis/member_chain.h"
+
+namespace ajar {
+
+/// That none of so many bootstrap samples found light to start chains from.
+Warning no_seeds(std::uint64_t samples);
+
+/// Adds up how chains fared, group by group.
+class ChainReporter {
+ public:
+  /// The chains of all replicates whose paths are of one group.
+  class OfGroup {
+   public:
+    explicit OfGroup(const PathGroup& group) : group_(group) {}
+    /// What is known of b in one of so many replicates.
+    void add_b(double b, double standard_error, int replicates);
+    void add_chain(const ChainRecord& record);
+    /// Of chains that are no more.
+    void add_retired(const ChainRecord& record) { record_.add(record); }
+    /// Samples that stand for mutations.
+    void add_plain(std::uint64_t samples) { plain_ += samples; }
+
+   private:
+    friend class ChainReporter;
+    const PathGroup& group_;
+    ChainRecord record_;
+    std::uint64_t chains_ = 0;
+    std::uint64_t plain_ = 0;
+    double b_ = 0.0;
+    double b_variance_ = 0.0;
+  };
+
+  explicit ChainReporter(std::uint64_t bootstrap_samples) {
+    report_.bootstrap_samples = bootstrap_samples;
+  }
+  void add(const OfGroup& group);
+  ChainReport report() const;
+
+ private:
+  ChainReport report_;
+  ChainStatistics whole_;
+};
+
+}  // namespace ajar

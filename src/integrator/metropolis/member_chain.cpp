@@ -1,0 +1,105 @@
+#include "integrator/metropolis/member_chain.h"
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include "mcmc/primary/bootstrap_source.h"
+#include "mcmc/primary/chain_source.h"
+#include "mcmc/primary/step_kind.h"
+#include "mcmc/primary/step_sizes.h"
+
+namespace ajar {
+
+namespace {
+
+void require(bool holds, const char* otherwise) {
+  if (!holds) throw std::runtime_error(otherwise);
+}
+
+bool is_sum(double value) { return value >= 0.0 && std::isfinite(value); }
+
+void check_counts(std::span<const MoveCount> counts) {
+  for (const MoveCount& count : counts) {
+    require(is_sum(count.acceptances), "what chains have accepted cannot be");
+  }
+}
+
+}  // namespace
+
+void sample_bootstrap(PathTarget& target, std::uint64_t seed, std::uint64_t first,
+                      std::uint64_t last, std::span<double> weights) {
+  SplatBuffer splats;
+  for (std::uint64_t i = first; i < last; ++i) {
+    BootstrapSource source(seed, i);
+    splats.clear();
+    const double scalar = target.evaluate(source, Change{}, splats);
+    target.rejected();
+    weights[i - first] = scalar > 0.0 && std::isfinite(scalar) ? scalar : 0.0;
+  }
+}
+
+std::vector<MemberChain> seed_chains(const PathGroup& group, std::uint64_t bootstrap_seed,
+                                     std::span<const double> weights, std::size_t count,
+                                     const SeedRule& rule) {
+  const float u =
+      to_unit_float(static_cast<std::uint32_t>(hash_numbers(bootstrap_seed, 0x5eedULL) >> 32U));
+  ChainRecord empty;
+  empty.by_technique.resize(group.choice.size());
+  const std::vector<double> filtered = filter_weights(weights, rule.filter, rule.spread);
+  std::vector<MemberChain> chains;
+  for (const std::size_t index : choose_seeds(filtered, count, u)) {
+    const std::uint64_t chain_seed = hash_numbers(bootstrap_seed, 0xc4a15ULL, chains.size());
+    chains.push_back({PrimaryChain(group.shape, chain_seed, bootstrap_key(bootstrap_seed, index),
+                                   weights[index]),
+                      empty, seed_weight(weights, filtered, rule.filter, index)});
+  }
+  return chains;
+}
+
+void count_steps(MemberChain& member, const ChainStatistics& statistics, const PathTarget& target,
+                 Counters& counters) {
+  member.record.statistics += statistics;
+  counters.mutations += statistics.steps;
+  counters.add_rays(target.ray_counts());
+  counters.discarded_nan += statistics.discarded_nan;
+  counters.discarded_infinite += statistics.discarded_infinite;
+  counters.discarded_negative += statistics.discarded_negative;
+  if (statistics.first_discarded && counters.first_discarded.empty()) {
+    const auto& place = *statistics.first_discarded;
+    counters.first_discarded = "proposal of the chain with seed " + std::to_string(place.seed) +
+                               ", origin " + std::to_string(member.chain.origin) + ", after " +
+                               std::to_string(place.step) + " steps";
+  }
+}
+
+void check_record(const ChainRecord& record, const PathGroup& group) {
+  const std::size_t counted = record.by_technique.size();
+  require(counted == 0 || counted == group.choice.size(), "a chain does not fit its population");
+  const ChainStatistics& statistics = record.statistics;
+  require(statistics.moves.size() <= step_names().size(), "chains cannot have made such steps");
+  check_counts(statistics.moves);
+  check_counts(record.by_technique);
+  require(is_sum(statistics.large_steps.sum) && is_sum(statistics.large_steps.sum_of_squares),
+          "samples of chains cannot be");
+}
+
+void check_member(const MemberChain& member, const PathGroup& group, double most_steps) {
+  check_record(member.record, group);
+  const PrimaryChain& chain = member.chain;
+  require(static_cast<double>(chain.step) <= most_steps, "a chain has made too many steps");
+  require(chain.numbers.can_be_after(chain.step), "a chain has numbers that cannot be");
+  require(chain.step_scale > 0.F && chain.step_scale <= StepSizes::kLargest,
+          "steps of a chain cannot be that long");
+  require(member.weight != 0.0 && std::isfinite(member.weight), "a chain weighs nothing");
+}
+
+void check_state(const MemberChain& member, PathTarget& target) {
+  ReplaySource source(member.chain.numbers);
+  SplatBuffer splats;
+  const double scalar = target.evaluate(source, Change{}, splats);
+  require(scalar == member.chain.scalar && std::isnormal(scalar) && scalar > 0.0,
+          "a chain is where it cannot be");
+}
+
+}  // namespace ajar

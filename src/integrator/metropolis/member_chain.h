@@ -1,0 +1,82 @@
+#pragma once
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/archive_forward.h"
+#include "core/random.h"
+#include "integrator/metropolis/path_group.h"
+#include "mcmc/bootstrap.h"
+#include "mcmc/chain_statistics.h"
+#include "mcmc/primary/primary_chain.h"
+
+namespace ajar {
+
+/// What chains have done.
+struct ChainRecord {
+  ChainStatistics statistics;
+  std::vector<MoveCount> by_technique;  ///< numbered as in the group's choice
+
+  void add(const ChainRecord& other) {
+    statistics += other.statistics;
+    add_counts(by_technique, other.by_technique);
+  }
+  template <typename Archive>
+  void serialize(Archive& archive) {
+    archive(statistics, by_technique);
+  }
+};
+
+/// One of the chains that render a picture.
+struct MemberChain {
+  PrimaryChain chain;
+  ChainRecord record;
+  double weight = 1.0;  ///< of what it deposits, relative to other chains (`seed_weight`)
+
+  /// Number `number`, from 1, of further chains that start where this one is, with randomness of
+  /// its own. A seed that is chosen m times starts m chains. One chain with m times the steps would
+  /// get farther, but light that seeds stand for in lots would leave its place earlier than other
+  /// light comes there, and the picture would be biased.
+  MemberChain twin(std::uint64_t number) const {
+    MemberChain other{chain, {}, weight};
+    other.record.by_technique.resize(record.by_technique.size());
+    other.chain.seed = hash_numbers(chain.seed, chain.step, number);
+    return other;
+  }
+  template <typename Archive>
+  void serialize(Archive& archive) {
+    archive(chain, record, weight);
+  }
+  std::uint64_t memory_bytes() const {
+    return sizeof(MemberChain) - sizeof(PrimaryChain) + chain.memory_bytes();
+  }
+};
+
+/// I of the bootstrap samples `first` to `last` (excluded) of a seed; what is no number, or below
+/// zero, is counted when a chain meets it, and can be no seed: 0. `weights` has one for each.
+void sample_bootstrap(PathTarget& target, std::uint64_t seed, std::uint64_t first,
+                      std::uint64_t last, std::span<double> weights);
+
+/// How seeds are chosen (see `filter_weights`).
+struct SeedRule {
+  SeedFilter filter = SeedFilter::None;
+  double spread = 3.0;  ///< standard deviations
+};
+/// `count` chains that start from samples of a bootstrap with this seed and these I, chosen in
+/// proportion to I.
+std::vector<MemberChain> seed_chains(const PathGroup& group, std::uint64_t bootstrap_seed,
+                                     std::span<const double> weights, std::size_t count,
+                                     const SeedRule& rule = {});
+
+/// Counts what a chain has done in an item, of which `target` is.
+void count_steps(MemberChain& member, const ChainStatistics& statistics, const PathTarget& target,
+                 Counters& counters);
+
+/// Raise std::runtime_error for what chains that were read cannot have done, such as more than
+/// `most_steps` steps.
+void check_record(const ChainRecord& record, const PathGroup& group);
+void check_member(const MemberChain& member, const PathGroup& group, double most_steps);
+/// Where a chain is, its target must say so, too: `ChainRunner` relies on it.
+void check_state(const MemberChain& member, PathTarget& target);
+
+}  // namespace ajar

@@ -1,0 +1,422 @@
+#include "integrator/metropolis/metropolis.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <stdexcept>
+
+#include "core/archive.h"
+#include "core/milestones.h"
+#include "core/parallel_for.h"
+#include "integrator/metropolis/chain_film_sink.h"
+#include "integrator/metropolis/chain_moves.h"
+#include "integrator/metropolis/chain_report.h"
+#include "integrator/metropolis/plane_maps.h"
+#include "integrator/metropolis/population.h"
+#include "integrator/montecarlo/blind_spots.h"
+#include "integrator/montecarlo/path_family.h"
+#include "integrator/montecarlo/path_parameters.h"
+#include "integrator/sample_block.h"
+#include "mcmc/primary/primary_runner.h"
+
+namespace ajar {
+
+namespace {
+
+/// As pbrt has them, over all depths and replicates.
+constexpr const char* kBootstrapSamples = "100000";
+constexpr const char* kChains = "1000";
+/// Of a population, which knows its own b.
+constexpr std::uint64_t kFewestBootstrapSamples = 64;
+
+/// A sample per pixel is a mutation per pixel.
+///
+///     bootstrap   per replicate and depth k, independent paths give b_k, the mean of I, and seeds
+///                 in proportion to I;
+///     render      from each seed a chain. A step proposes a state y from x and goes there with
+///                 probability a = min(1, I(y)/I(x)). The film gets a·f(y)/I(y) and
+///                 (1 − a)·f(x)/I(x), times b_k over the number of the steps of that depth.
+///
+/// The picture is unbiased for any number of steps, since seeds and b come from the same samples
+/// (Veach 1997, section 11.3.1).
+class MetropolisIntegrator final : public Integrator {
+ public:
+  MetropolisIntegrator(ChainKind kind, const Scene& scene, const RenderSettings& settings,
+                       const Parameters& parameters)
+      : scene_(scene),
+        settings_(settings),
+        moves_(parameters, kind),
+        view_(view_of(scene, settings)),
+        sampler_(sampler_of(settings, parameters)),
+        groups_(make_path_groups(
+            kind, sampler_,
+            kind == ChainKind::WholePath ? parameters.get_int("roulette-start") : 0)),
+        bootstrap_(static_cast<std::uint64_t>(parameters.get_int("bootstrap"))),
+        chains_(static_cast<std::size_t>(parameters.get_int("chains"))),
+        monte_carlo_(path_family_parameters(path_family_defaults("bdpt")),
+                     {{"techniques", parameters.get_text("techniques")},
+                      {"heuristic", parameters.get_text("heuristic")}}),
+        concerns_(blind_spots(scene, settings, sampler_)) {}
+
+  PreparationRound begin_preparation(int round) override;
+  void prepare_item(int round, std::uint64_t item, Counters& counters) override;
+  void skip_preparation() override;
+  std::vector<Warning> concerns() const override { return concerns_; }
+  bool misses_light() const override { return misses_light_; }
+  std::vector<std::string> notes() const override;
+
+  std::vector<LayerSpec> layers() const override;
+  std::uint64_t items_in_pass() const override;
+  void begin_pass(std::uint64_t first_sample, std::uint64_t samples, Film& film) override;
+  void run_item(std::uint64_t item, std::uint64_t first_sample, std::uint64_t samples, Film& film,
+                Counters& counters) override;
+  bool is_of_chains(std::uint64_t /*item*/) const override { return !unprepared_; }
+  double develop_scale(const LayerSpec& layer, std::uint64_t samples,
+                       std::optional<int> replicate) const override;
+  std::optional<ChainReport> chain_report() const override;
+
+  bool keeps_state() const override { return !unprepared_; }
+  void save_state(OutputArchive& archive) const override;
+  void load_state(InputArchive& archive, std::uint64_t samples) override;
+  void give_news(OutputArchive& archive, const WorkShare& share) override;
+  void take_news(InputArchive& archive, const WorkShare& share) override;
+  std::uint64_t memory_bytes() const override;
+
+ private:
+  struct Item {
+    std::size_t population;
+    std::size_t chain;
+  };
+
+  static PathSamplerSettings sampler_of(const RenderSettings& settings,
+                                        const Parameters& parameters);
+  void begin_bootstrap();
+  void seed();
+  /// Mutations of a chain of a replicate that has `chains` of them, from sample `sample` to the
+  /// next.
+  std::uint64_t steps(std::uint64_t sample, std::size_t chains) const;
+  /// b over all depths, the mean of the replicates.
+  double brightness() const;
+  std::uint64_t bootstrap_samples() const;
+  template <typename A>
+  void serialize_news(A& archive, const WorkShare& share);
+
+  const Scene& scene_;
+  RenderSettings settings_;
+  ChainMoves moves_;
+  ChainView view_;
+  PathSamplerSettings sampler_;
+  std::vector<PathGroup> groups_;
+  std::uint64_t bootstrap_;
+  std::size_t chains_;
+  Parameters monte_carlo_;  ///< of `unprepared_`
+  std::vector<Warning> concerns_;
+  bool misses_light_ = !concerns_.empty();
+
+  std::vector<Population> populations_;
+  std::vector<SampleBlock> blocks_;         ///< of the bootstrap
+  std::vector<Item> items_;                 ///< one per chain
+  std::vector<std::size_t> chains_per_;     ///< replicate
+  std::unique_ptr<PlaneMaps> maps_;         ///< null if steps do not follow the image plane
+  std::uint64_t epoch_ = 0;                 ///< samples per pixel at the last end of one
+  std::unique_ptr<Integrator> unprepared_;  ///< renders if there was no time for a bootstrap
+};
+
+PathSamplerSettings MetropolisIntegrator::sampler_of(const RenderSettings& settings,
+                                                     const Parameters& parameters) {
+  const Vec2i size = settings.crop.size() + Vec2i(1, 1);
+  PathSamplerSettings sampler;
+  sampler.techniques = techniques_of_chains(parameters);
+  sampler.heuristic = heuristic_of(parameters);
+  sampler.min_depth = settings.min_depth;
+  sampler.max_depth = std::min(settings.max_depth, kMaxChainEdges);
+  sampler.light_paths_per_pixel =
+      static_cast<double>(size.x) * size.y /
+      (static_cast<double>(settings.resolution.x) * settings.resolution.y);
+  return sampler;
+}
+
+// ---------------------------------------------------------------- bootstrap
+
+PreparationRound MetropolisIntegrator::begin_preparation(int round) {
+  if (round == 0) {
+    begin_bootstrap();
+    return {.items = blocks_.size()};
+  }
+  seed();
+  return {};
+}
+
+void MetropolisIntegrator::begin_bootstrap() {
+  const double per_replicate = static_cast<double>(bootstrap_) / settings_.replicates;
+  for (int replicate = 0; replicate < settings_.replicates; ++replicate) {
+    for (std::size_t g = 0; g < groups_.size(); ++g) {
+      Population population{.group = g, .replicate = replicate};
+      population.seed = hash_numbers(settings_.seed, 0xb0075ULL, replicate, groups_[g].depth);
+      const double samples = per_replicate * bootstrap_share(groups_, g);
+      population.weights.resize(
+          std::max(kFewestBootstrapSamples, static_cast<std::uint64_t>(samples)));
+      add_blocks(blocks_, populations_.size(), population.weights.size());
+      populations_.push_back(std::move(population));
+    }
+  }
+}
+
+void MetropolisIntegrator::prepare_item(int /*round*/, std::uint64_t item, Counters& counters) {
+  const SampleBlock& block = blocks_[item];
+  Population& population = populations_[block.owner];
+  const auto target = make_path_target(scene_, groups_[population.group], view_);
+  sample_bootstrap(*target, population.seed, block.first, block.last,
+                   std::span(population.weights).subspan(block.first));
+  counters.add_rays(target->ray_counts());
+}
+
+/// A replicate's chains are shared among the depths in proportion to b, so that each stands for
+/// about as much light.
+void MetropolisIntegrator::seed() {
+  for (Population& population : populations_) {
+    population.b = bootstrap_moments(population.weights);
+  }
+  const auto replicates = static_cast<std::size_t>(settings_.replicates);
+  chains_per_.assign(replicates, 0);
+  for (std::size_t r = 0; r < replicates; ++r) {
+    const std::span<Population> own =
+        std::span(populations_).subspan(r * groups_.size(), groups_.size());
+    std::vector<double> b;
+    for (const Population& population : own) b.push_back(population.b.mean());
+    const std::vector<std::size_t> shares =
+        apportion(b, std::max<std::size_t>(1, chains_ / replicates));
+    for (std::size_t g = 0; g < own.size(); ++g) {
+      own[g].chains = seed_chains(groups_[g], own[g].seed, own[g].weights, shares[g]);
+      own[g].weights = {};
+      for (std::size_t c = 0; c < own[g].chains.size(); ++c) {
+        items_.push_back({r * groups_.size() + g, c});
+      }
+      chains_per_[r] += own[g].chains.size();
+    }
+  }
+  if (items_.empty() && !groups_.empty()) concerns_.push_back(no_seeds(bootstrap_samples()));
+  if (moves_.plane.active()) {
+    maps_ = std::make_unique<PlaneMaps>(moves_.plane, view_, settings_.replicates, brightness(),
+                                        *moves_.mutation);
+  }
+}
+
+/// Without a bootstrap there is neither a seed nor b: ordinary Monte Carlo with the same techniques
+/// makes the same picture.
+void MetropolisIntegrator::skip_preparation() {
+  populations_.clear();
+  RenderSettings own = settings_;
+  own.max_depth = sampler_.max_depth;
+  std::erase_if(own.aovs, is_chain_layer);
+  unprepared_ = make_path_integrator(scene_, own, monte_carlo_);
+}
+
+std::vector<std::string> MetropolisIntegrator::notes() const {
+  if (unprepared_) {
+    return {"too little time to look for light that chains start from: plain Monte Carlo (" +
+            monte_carlo_.get_text("techniques") + ") makes this picture"};
+  }
+  if (items_.empty()) return {};
+  return {"Markov chains make all light"};
+}
+
+// ---------------------------------------------------------------- chains
+
+std::uint64_t MetropolisIntegrator::items_in_pass() const {
+  return unprepared_ ? unprepared_->items_in_pass() : items_.size();
+}
+
+/// What steps follow on the image plane is learned at counts fixed in advance, which passes do not
+/// cross (`PassSchedule`): where they end otherwise is up to the clock.
+void MetropolisIntegrator::begin_pass(std::uint64_t first_sample, std::uint64_t /*samples*/,
+                                      Film& /*film*/) {
+  if (!maps_) return;
+  const auto replicates = static_cast<std::uint64_t>(settings_.replicates);
+  const std::uint64_t milestone = last_doubling(first_sample, replicates);
+  if (milestone <= epoch_) return;
+  epoch_ = milestone;
+  maps_->end_epoch(static_cast<double>(milestone));
+}
+
+std::uint64_t MetropolisIntegrator::steps(std::uint64_t sample, std::size_t chains) const {
+  const double per_sample = view_.pixels / settings_.replicates / static_cast<double>(chains);
+  const auto upto = [&](std::uint64_t samples) {
+    return static_cast<std::uint64_t>(std::ceil(static_cast<double>(samples) * per_sample));
+  };
+  return std::max<std::uint64_t>(1, upto(sample + 1) - upto(sample));
+}
+
+/// Each mutation per pixel is deposited by itself, so that the film's bits do not depend on how
+/// many a pass has.
+void MetropolisIntegrator::run_item(std::uint64_t item, std::uint64_t first_sample,
+                                    std::uint64_t samples, Film& film, Counters& counters) {
+  if (unprepared_) {
+    unprepared_->run_item(item, first_sample, samples, film, counters);
+    return;
+  }
+  Population& population = populations_[items_[item].population];
+  MemberChain& member = population.chains[items_[item].chain];
+  const PathGroup& group = groups_[population.group];
+  const auto target = make_path_target(scene_, group, view_);
+  PrimaryRunner runner(moves_.settings, *moves_.mutation, group.shape, *target,
+                       maps_ ? maps_->moves(population.replicate) : nullptr);
+  ChainFilmSink sink(film, population.replicate, view_.importance, *target, counters, maps_.get());
+  const double b = population.b.mean();
+  const auto chains = static_cast<double>(population.chains.size());
+  ChainStatistics statistics;
+  runner.start(member.chain);
+  for (std::uint64_t sample = first_sample; sample < first_sample + samples; ++sample) {
+    const std::uint64_t n =
+        steps(sample, chains_per_[static_cast<std::size_t>(population.replicate)]);
+    sink.begin(b * view_.area() / (static_cast<double>(n) * chains) / settings_.replicates,
+               member.record.by_technique.empty() ? nullptr : &member.record.by_technique);
+    statistics += runner.go_on(member.chain, n, sink,
+                               moves_.mis_large_steps ? std::optional(b) : std::nullopt);
+  }
+  count_steps(member, statistics, *target, counters);
+}
+
+// ---------------------------------------------------------------- film
+
+double MetropolisIntegrator::brightness() const {
+  double b = 0.0;
+  for (const Population& population : populations_) b += population.b.mean();
+  b /= settings_.replicates;
+  return b > 0.0 && std::isfinite(b) ? b : 1.0;
+}
+
+std::vector<LayerSpec> MetropolisIntegrator::layers() const {
+  std::vector<LayerSpec> specs;
+  if (unprepared_) {
+    specs = unprepared_->layers();
+  } else {
+    specs = {{.name = "direct", .magnitude = brightness()},
+             {.name = "indirect", .magnitude = brightness()}};
+  }
+  add_chain_layers(specs, settings_.aovs);
+  return specs;
+}
+
+double MetropolisIntegrator::develop_scale(const LayerSpec& layer, std::uint64_t samples,
+                                           std::optional<int> replicate) const {
+  if (samples == 0) return 0.0;
+  const double scale = 1.0 / static_cast<double>(samples);
+  if (is_chain_layer(layer.name)) return scale;
+  if (unprepared_) return unprepared_->develop_scale(layer, samples, replicate);
+  return replicate ? scale * settings_.replicates : scale;
+}
+
+// ---------------------------------------------------------------- report, state
+
+std::uint64_t MetropolisIntegrator::bootstrap_samples() const {
+  std::uint64_t samples = 0;
+  for (const Population& population : populations_) samples += population.b.count;
+  return samples;
+}
+
+std::optional<ChainReport> MetropolisIntegrator::chain_report() const {
+  ChainReporter reporter(bootstrap_samples());
+  for (std::size_t g = 0; g < groups_.size(); ++g) {
+    ChainReporter::OfGroup group(groups_[g]);
+    for (const Population& population : populations_) {
+      if (population.group != g) continue;
+      group.add_b(population.b.mean(), population.b.standard_error(), settings_.replicates);
+      for (const MemberChain& member : population.chains) group.add_chain(member.record);
+    }
+    reporter.add(group);
+  }
+  return reporter.report();
+}
+
+void MetropolisIntegrator::save_state(OutputArchive& archive) const {
+  archive(static_cast<std::uint64_t>(items_.size()), epoch_);
+  for (const Item& item : items_) archive(populations_[item.population].chains[item.chain]);
+  if (maps_) maps_->save_state(archive);
+}
+
+void MetropolisIntegrator::load_state(InputArchive& archive, std::uint64_t samples) {
+  std::uint64_t chains = 0;
+  archive(chains, epoch_);
+  if (chains != items_.size() || epoch_ > samples) {
+    throw std::runtime_error("other chains are prepared than there were");
+  }
+  const auto replicates = static_cast<std::uint64_t>(settings_.replicates);
+  // A pass that was cut short may have come as far as this; each sample has a step at least.
+  const double most_steps =
+      static_cast<double>(milestone_after(samples, replicates)) * (1.0 + view_.pixels);
+  for (const Item& item : items_) {
+    MemberChain& member = populations_[item.population].chains[item.chain];
+    archive(member);
+    check_member(member, groups_[populations_[item.population].group], most_steps);
+  }
+  if (maps_) maps_->load_state(archive);
+  parallel_for(items_.size(), [&](std::size_t i) {
+    const Population& population = populations_[items_[i].population];
+    check_state(population.chains[items_[i].chain],
+                *make_path_target(scene_, groups_[population.group], view_));
+  });
+}
+
+template <typename A>
+void MetropolisIntegrator::serialize_news(A& archive, const WorkShare& share) {
+  for (std::size_t i = 0; i < items_.size(); ++i) {
+    if (share.has(i)) archive(populations_[items_[i].population].chains[items_[i].chain]);
+  }
+}
+
+void MetropolisIntegrator::give_news(OutputArchive& archive, const WorkShare& share) {
+  serialize_news(archive, share);
+  if (maps_) maps_->give_news(archive);
+}
+
+void MetropolisIntegrator::take_news(InputArchive& archive, const WorkShare& share) {
+  serialize_news(archive, share);
+  if (maps_) maps_->take_news(archive);
+}
+
+std::uint64_t MetropolisIntegrator::memory_bytes() const {
+  std::uint64_t bytes = maps_ ? maps_->memory_bytes() : 0;
+  for (const Population& population : populations_) {
+    for (const MemberChain& member : population.chains) bytes += member.memory_bytes();
+  }
+  return bytes;
+}
+
+}  // namespace
+
+std::vector<ParameterSpec> metropolis_parameters(ChainKind kind) {
+  std::vector<ParameterSpec> specs = {techniques_parameter("bdpt"), heuristic_parameter()};
+  specs.back().expert = true;
+  for (ParameterSpec& spec : ChainMoves::parameters({})) specs.push_back(std::move(spec));
+  specs.push_back({.name = "bootstrap",
+                   .type = ParameterType::Int,
+                   .default_value = kBootstrapSamples,
+                   .unit = "samples",
+                   .help = "independent paths, over all depths and replicates, that say how bright "
+                           "the picture is and where chains start",
+                   .choices = {},
+                   .minimum = 1000,
+                   .maximum = 100000000});
+  specs.push_back({.name = "chains",
+                   .type = ParameterType::Int,
+                   .default_value = kChains,
+                   .unit = "",
+                   .help = "number of Markov chains",
+                   .choices = {},
+                   .minimum = 1,
+                   .maximum = 1000000});
+  if (kind == ChainKind::WholePath) {
+    specs.push_back(roulette_start_parameter("3"));
+    specs.back().expert = true;
+  }
+  return specs;
+}
+
+std::unique_ptr<Integrator> make_metropolis_integrator(ChainKind kind, const Scene& scene,
+                                                       const RenderSettings& settings,
+                                                       const Parameters& parameters) {
+  return std::make_unique<MetropolisIntegrator>(kind, scene, settings, parameters);
+}
+
+}  // namespace ajar

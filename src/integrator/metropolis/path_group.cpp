@@ -1,0 +1,66 @@
+#include "integrator/metropolis/path_group.h"
+
+#include <algorithm>
+
+#include "core/error.h"
+#include "integrator/make_filter.h"
+
+namespace ajar {
+
+std::vector<PathGroup> make_path_groups(ChainKind kind, PathSamplerSettings sampler,
+                                        int roulette_start) {
+  std::vector<PathGroup> groups;
+  if (sampler.min_depth > sampler.max_depth) return groups;
+  if (kind == ChainKind::WholePath) {
+    sampler.roulette_start = roulette_start;
+    groups.push_back({0,
+                      sampler,
+                      TechniqueChoice(sampler.techniques, 0),
+                      {sampler.max_depth + 1, sampler.max_depth + 1}});
+    return groups;
+  }
+  sampler.roulette_start = kMaxChainEdges + 1;
+  for (int depth = sampler.min_depth; depth <= sampler.max_depth; ++depth) {
+    const TechniqueChoice choice(sampler.techniques, depth);
+    if (choice.empty()) continue;
+    PathSamplerSettings own = sampler;
+    own.min_depth = depth;
+    own.max_depth = depth;
+    groups.push_back({depth, own, choice, {depth + 1, depth + 1}});
+  }
+  return groups;
+}
+
+double bootstrap_share(std::span<const PathGroup> groups, std::size_t group) {
+  const auto weight = [](const PathGroup& g) { return 1.0 / std::max(1, g.depth); };
+  double whole = 0.0;
+  for (const PathGroup& other : groups) whole += weight(other);
+  return weight(groups[group]) / whole;
+}
+
+ChainView view_of(const Scene& scene, const RenderSettings& settings) {
+  const Vec2i size = settings.crop.size() + Vec2i(1, 1);
+  const Vec2 beyond = make_filter(scene.film().filter).radius() - Vec2(0.5F, 0.5F);
+  ChainView view;
+  view.low = Vec2(settings.crop.min) - beyond;
+  view.size = Vec2(size) + beyond * 2.F;
+  view.pixels = static_cast<double>(size.x) * static_cast<double>(size.y);
+  return view;
+}
+
+std::unique_ptr<PathTarget> make_path_target(const Scene& scene, const PathGroup& group,
+                                             const ChainView& view, const PathPart* part) {
+  if (group.depth == 0) {
+    return std::make_unique<WholePathTarget>(scene, group.sampler, view, part);
+  }
+  return std::make_unique<OnePathTarget>(scene, group.sampler, group.choice, view, part);
+}
+
+TechniqueSet techniques_of_chains(const Parameters& parameters) {
+  TechniqueSet techniques = TechniqueSet::parse(parameters.get_text("techniques"));
+  if (techniques.tries_once()) return techniques;
+  throw UsageError("techniques: Markov chains try each technique once, so leave out counts: " +
+                   parameters.get_text("techniques"));
+}
+
+}  // namespace ajar

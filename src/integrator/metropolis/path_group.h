@@ -1,0 +1,53 @@
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/parameters.h"
+#include "integrator/integrator.h"
+#include "integrator/metropolis/path_target.h"
+#include "mcmc/primary/chain_numbers.h"
+
+namespace ajar {
+
+/// How the states of a chain are made of paths.
+enum class ChainKind {
+  WholePath,  ///< `pssmlt`: a camera and a light subpath with all their connections
+  OnePath     ///< `mmlt`: one path of one depth and technique
+};
+
+/// What all chains of one kind of path share: the depth, or all depths.
+struct PathGroup {
+  int depth;  ///< edges; 0: all
+  PathSamplerSettings sampler;
+  TechniqueChoice choice;  ///< if there is one depth
+  PrimaryShape shape;
+};
+
+/// Chains do not go beyond.
+inline constexpr int kMaxChainEdges = 1000;
+
+/// Groups for the paths of a sampler, which has everything but the start of Russian roulette:
+/// `roulette_start` for WholePath; paths of a given depth gain nothing from ending early. Empty if
+/// there are no such paths.
+std::vector<PathGroup> make_path_groups(ChainKind kind, PathSamplerSettings sampler,
+                                        int roulette_start);
+/// The share of all bootstrap samples that a group gets: long paths carry little light and cost
+/// much.
+double bootstrap_share(std::span<const PathGroup> groups, std::size_t group);
+
+/// Of a scene's film, as far as its filter reaches beyond the crop.
+ChainView view_of(const Scene& scene, const RenderSettings& settings);
+
+/// A target of one thread. What is referred to must outlive it; `part`, over whose share of the
+/// light it is, may be null.
+std::unique_ptr<PathTarget> make_path_target(const Scene& scene, const PathGroup& group,
+                                             const ChainView& view, const PathPart* part = nullptr);
+
+/// The parameter of that name. Raises UsageError for techniques that are tried several times:
+/// chains have no numbers for further tries, and would gain nothing from fewer.
+TechniqueSet techniques_of_chains(const Parameters& parameters);
+
+}  // namespace ajar

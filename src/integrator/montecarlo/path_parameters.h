@@ -1,0 +1,17 @@
+#pragma once
+#include <string>
+
+#include "core/parameters.h"
+#include "transport/path_sampler.h"
+
+/// Parameters that every method which samples paths has.
+namespace ajar {
+
+ParameterSpec techniques_parameter(std::string default_value, std::string more_help = "");
+ParameterSpec heuristic_parameter();
+ParameterSpec roulette_start_parameter(std::string default_value);
+
+/// By the parameter of that name.
+Heuristic heuristic_of(const Parameters& parameters);
+
+}  // namespace ajar

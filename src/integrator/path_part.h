@@ -1,0 +1,22 @@
+#pragma once
+#include "core/vector.h"
+#include "transport/path_sampler.h"
+
+namespace ajar {
+
+/// What Markov chains make of each path, where others make the rest.
+class PathPart {
+ public:
+  PathPart() = default;
+  virtual ~PathPart() = default;
+  /// What multiplies a contribution that lands on `raster` in the target of the chains.
+  virtual float share(const Contribution& contribution, const Vec2& raster) const = 0;
+  /// What multiplies the indirect light that they deposit there.
+  virtual float kept(const Vec2& raster) const = 0;
+
+ protected:
+  PathPart(const PathPart&) = default;
+  PathPart& operator=(const PathPart&) = default;
+};
+
+}  // namespace ajar
