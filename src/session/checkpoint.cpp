@@ -109,6 +109,7 @@ std::vector<std::pair<std::string, std::string>> described(const RenderRecord& r
       {"depth", fmt::format("{}:{}", s.min_depth, s.max_depth)},
       {"replicates", std::to_string(s.replicates)},
       {"layers", list_text(record.aovs)},
+      {"filter", record.filter.empty() ? "the scene's" : record.filter},
       {"share", fmt::format("{}/{}", record.share.index + 1, record.share.count)}};
   for (const auto& [name, value] : record.parameters) lines.emplace_back(name, value);
   return lines;

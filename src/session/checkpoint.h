@@ -25,6 +25,7 @@ struct RenderRecord {
   std::map<std::string, std::string> given;
   RenderSettings settings;
   std::vector<std::string> aovs;  ///< all asked for
+  std::string filter;  ///< instead of the scene's, see `parse_filter`; empty: the scene's
   double film_scale = 1.0;
   WorkShare share;
 };

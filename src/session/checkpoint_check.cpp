@@ -11,6 +11,7 @@
 #include "image/exposure.h"
 #include "image/tone_map.h"
 #include "session/catalog.h"
+#include "session/filter_option.h"
 
 namespace ajar {
 
@@ -56,6 +57,7 @@ void check_names(const RenderRecord& render) {
     checked_aovs(*names);
     require_distinct(*names, "a layer is asked for twice");
   }
+  if (!render.filter.empty()) parse_filter("filter", render.filter);
   find_integrator(render.integrator).read(render.given);
 }
 

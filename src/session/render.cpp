@@ -58,6 +58,7 @@ const RenderOutcome& Render::run() {
   RenderState& state = parts_->state;
   RenderOutcome& outcome = parts_->outcome;
   desc::SceneDesc description = load_description(state);
+  change_film(state.order, description);
   state.plan.emplace(make_plan(state.order, description));
   complete_files(state.order, description);
   build_scene(state, std::move(description));

@@ -5,6 +5,7 @@
 #include "core/available_memory.h"
 #include "core/error.h"
 #include "integrator/make_filter.h"
+#include "session/filter_option.h"
 
 namespace ajar {
 
@@ -20,6 +21,11 @@ RenderSetup choose_setup(const RenderOrder& order, const desc::SceneDesc& descri
   return setup;
 }
 
+/// Instead of the scene's; may be empty.
+const std::string& filter_of(const RenderOrder& order) {
+  return order.request ? order.request->filter : order.resumed->render.filter;
+}
+
 Parameters read_parameters(const RenderSetup& setup) {
   try {
     return setup.integrator->read(setup.parameters);
@@ -31,6 +37,11 @@ Parameters read_parameters(const RenderSetup& setup) {
 
 }  // namespace
 
+void change_film(const RenderOrder& order, desc::SceneDesc& description) {
+  const std::string& filter = filter_of(order);
+  if (!filter.empty()) description.film.filter = parse_filter("--filter", filter);
+}
+
 RenderPlan make_plan(const RenderOrder& order, const desc::SceneDesc& description) {
   RenderSetup setup = choose_setup(order, description);
   if (order.share.count > 1 && setup.budget.target_error) {
@@ -38,6 +49,7 @@ RenderPlan make_plan(const RenderOrder& order, const desc::SceneDesc& descriptio
   }
   Parameters parameters = read_parameters(setup);
   RenderRecord record = record_of(setup, parameters, order.scene, order.share);
+  record.filter = filter_of(order);
   record.film_scale = static_cast<double>(description.film.scale);
   if (order.resumed) check_same_render(order.resumed->render, record, order.resumed_from);
   return {std::move(setup), std::move(parameters), std::move(record),

@@ -16,6 +16,8 @@ namespace {
 
 constexpr int kMaxResolution = 65536;
 constexpr const char* kDefaultIntegrator = "selective";
+/// What files of other renderers ask for if nobody chose: not a wish.
+constexpr const char* kPlain = "pt";
 
 bool is_integrator(const std::string& name) {
   const auto& all = integrators();
@@ -32,6 +34,12 @@ void choose_integrator(const RenderRequest& request, const desc::RenderHints& hi
                        RenderSetup& setup) {
   if (!request.integrator.empty()) {
     setup.integrator = &find_integrator(request.integrator);
+  } else if (hints.integrator == kPlain) {
+    setup.integrator = &find_integrator(kDefaultIntegrator);
+    setup.notes.push_back(fmt::format(
+        "integrator {}, which finds more light than the path tracing that the scene asks for "
+        "(--integrator {})",
+        kDefaultIntegrator, kPlain));
   } else if (is_integrator(hints.integrator)) {
     setup.integrator = &find_integrator(hints.integrator);
     if (hints.integrator != kDefaultIntegrator) {

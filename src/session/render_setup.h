@@ -23,6 +23,7 @@ struct RenderRequest {
   std::optional<Vec2i> resolution;
   std::optional<double> scale;  ///< of the file's resolution
   std::optional<CropWindow> crop;
+  std::string filter;  ///< as `parse_filter` reads it
   std::vector<std::string> aovs;
   std::uint64_t seed = 0;
 };

@@ -15,11 +15,11 @@ desc::Film film_of(int width, int height) {
 
 TEST(RenderSetup, TheSceneSaysWhatTheUserDoesNot) {
   desc::RenderHints hints;
-  hints.integrator = "pt";
+  hints.integrator = "bdpt";
   hints.samples_per_pixel = 12;
   hints.max_depth = 7;
   const RenderSetup setup = make_setup({}, hints, film_of(30, 20));
-  EXPECT_EQ(setup.integrator->name, "pt");
+  EXPECT_EQ(setup.integrator->name, "bdpt");
   EXPECT_EQ(setup.budget.samples_per_pixel, 12U);
   EXPECT_EQ(setup.settings.max_depth, 7);
   EXPECT_EQ(setup.resolution, Vec2i(30, 20));
@@ -28,13 +28,25 @@ TEST(RenderSetup, TheSceneSaysWhatTheUserDoesNot) {
 
 TEST(RenderSetup, WhoeverGetsTheMethodOfTheSceneIsToldOfTheDefault) {
   desc::RenderHints hints;
-  hints.integrator = "pt";
+  hints.integrator = "bdpt";
   const RenderSetup of_scene = make_setup({}, hints, film_of(3, 2));
   ASSERT_EQ(of_scene.notes.size(), 1U);
   EXPECT_NE(of_scene.notes[0].find("--integrator selective"), std::string::npos);
   RenderRequest request;
   request.integrator = "pt";
   EXPECT_TRUE(make_setup(request, hints, film_of(3, 2)).notes.empty());
+}
+
+TEST(RenderSetup, PathTracingIsNoWishOfAScene) {
+  desc::RenderHints hints;
+  hints.integrator = "pt";
+  const RenderSetup setup = make_setup({}, hints, film_of(3, 2));
+  EXPECT_EQ(setup.integrator->name, "selective");
+  ASSERT_EQ(setup.notes.size(), 1U);
+  EXPECT_NE(setup.notes[0].find("--integrator pt"), std::string::npos);
+  RenderRequest request;
+  request.integrator = "pt";
+  EXPECT_EQ(make_setup(request, hints, film_of(3, 2)).integrator->name, "pt");
 }
 
 TEST(RenderSetup, DefaultsAreTold) {

@@ -14,6 +14,7 @@ RenderStatistics statistics_of(const RenderRecord& record) {
   statistics.max_depth = record.settings.max_depth;
   statistics.resolution = record.settings.resolution;
   statistics.crop = record.settings.crop;
+  statistics.filter = record.filter;
   statistics.share = record.share;
   return statistics;
 }

@@ -189,6 +189,7 @@ Json to_json(const RenderStatistics& s) {
   json["threads"] = r.threads;
   json["resolution"] = {s.resolution.x, s.resolution.y};
   json["crop"] = {s.crop.min.x, s.crop.min.y, s.crop.max.x + 1, s.crop.max.y + 1};
+  json["filter"] = text_or_null(s.filter);
   json["seconds"] = {{"load", s.times.load},
                      {"build", s.times.build},
                      {"prepare", s.times.prepare},

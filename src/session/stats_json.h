@@ -32,7 +32,8 @@ struct RenderStatistics {
   int min_depth = 0;
   int max_depth = 0;
   Vec2i resolution{0, 0};
-  Box2i crop;  ///< inclusive
+  Box2i crop;
+  std::string filter;  ///< instead of the scene's; may be empty  ///< inclusive
   StepTimes times;
   RenderResult result;
   Counters preparation;  ///< what was spent before the first pass

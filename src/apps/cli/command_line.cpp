@@ -175,6 +175,13 @@ void add_render(CLI::App& app, RenderArguments& a) {
           "Render only this window, from the top left: fractions if all are at most 1, else pixels")
       ->type_name("X0,Y0,X1,Y1")
       ->group(kPictures);
+  command
+      ->add_option(
+          "--filter", a.filter,
+          "Filter of the film instead of the scene's: box, triangle, gaussian, mitchell or "
+          "sinc, and its radius in pixels")
+      ->type_name("NAME[:RADIUS]")
+      ->group(kPictures);
   command->add_option("--aov", a.aovs, "Extra layers for .exr files, or all (see: ajar list aovs)")
       ->type_name("LIST")
       ->group(kPictures);
@@ -326,15 +333,16 @@ std::string our_name_of(const std::string& theirs) {
     const char* theirs;
     const char* ours;
   };
-  constexpr std::array<Names, 9> kNames = {{{"--samples", "--spp"},
-                                            {"--pixelsamples", "--spp"},
-                                            {"--nthreads", "--threads"},
-                                            {"--outfile", "--output"},
-                                            {"--cropwindow", "--crop"},
-                                            {"--size", "--resolution"},
-                                            {"--quality", "--target-error"},
-                                            {"--timeout", "--time"},
-                                            {"--time-limit", "--time"}}};
+  constexpr std::array<Names, 10> kNames = {{{"--samples", "--spp"},
+                                             {"--pixelsamples", "--spp"},
+                                             {"--nthreads", "--threads"},
+                                             {"--outfile", "--output"},
+                                             {"--cropwindow", "--crop"},
+                                             {"--pixelfilter", "--filter"},
+                                             {"--size", "--resolution"},
+                                             {"--quality", "--target-error"},
+                                             {"--timeout", "--time"},
+                                             {"--time-limit", "--time"}}};
   const auto found = std::find_if(kNames.begin(), kNames.end(),
                                   [&](const Names& names) { return theirs == names.theirs; });
   return found == kNames.end() ? std::string() : found->ours;

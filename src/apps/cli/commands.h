@@ -35,7 +35,7 @@ struct RenderArguments {
   RunArguments run;
   std::string integrator;
   std::vector<std::string> assignments;  ///< KEY=VALUE
-  std::string depth, resolution, crop, aovs;
+  std::string depth, resolution, crop, filter, aovs;
   std::optional<double> scale;
   std::string seed = "0";
   std::string share;   ///< K/N; empty: all

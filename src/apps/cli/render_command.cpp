@@ -7,6 +7,7 @@
 #include "apps/cli/render_run.h"
 #include "core/error.h"
 #include "session/catalog.h"
+#include "session/filter_option.h"
 #include "session/option_values.h"
 #include "session/render_setup.h"
 
@@ -37,6 +38,8 @@ RenderRequest request_of(const RenderArguments& a, const Budget& budget) {
   if (!a.resolution.empty()) request.resolution = parse_resolution("--resolution", a.resolution);
   request.scale = a.scale;
   if (!a.crop.empty()) request.crop = parse_crop("--crop", a.crop);
+  if (!a.filter.empty()) parse_filter("--filter", a.filter);
+  request.filter = a.filter;
   request.aovs = checked_aovs(parse_list(a.aovs));
   request.seed = parse_seed(a.seed);
   return request;
