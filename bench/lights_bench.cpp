@@ -16,7 +16,8 @@ constexpr int kPairs = 5;
 std::shared_ptr<const desc::Mesh> quad(const Vec3& p, const Vec3& u, const Vec3& v) {
   auto mesh = std::make_shared<desc::Mesh>();
   mesh->positions = {p, p + u, p + u + v, p + v};
-  mesh->indices = {{0, 1, 2}, {0, 2, 3}};
+  mesh->indices.emplace_back(0, 1, 2);
+  mesh->indices.emplace_back(0, 2, 3);
   return mesh;
 }
 

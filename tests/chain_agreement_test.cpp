@@ -9,8 +9,9 @@
 #include "support/same_picture.h"
 #include "support/small_scenes.h"
 
-/// Markov chains against ordinary Monte Carlo, block by block. Chains of different replicates share
-/// nothing, so replicates are independent whatever happens within each.
+/// Markov chains and what can be set of them against ordinary Monte Carlo, block by block, indirect
+/// light apart. (Every integrator as it is: agreement_test.cpp.) Chains of different replicates
+/// share nothing, so replicates are independent whatever happens within each.
 namespace ajar {
 namespace {
 
@@ -28,8 +29,11 @@ struct Variant {
 
 const std::vector<Variant>& variants() {
   static const std::vector<Variant> kVariants = {
-      {"mmlt", "mmlt", {}},
-      {"pssmlt", "pssmlt", {}},
+      {"mmlt",
+       "mmlt",
+       {},
+       {"Room", "GlassAndMetal", "RoughGlass", "Environment", "Fog", "CroppedMitchell"}},
+      {"pssmlt", "pssmlt", {}, {"Mirror", "ThinLens", "MilkBall", "Orthographic"}},
       {"mmlt, ibpt, gaussian",
        "mmlt",
        {{"techniques", "ibpt"}, {"mutation", "gaussian"}, {"large-step", "0.1"}},

@@ -476,7 +476,9 @@ TEST(Selective, TakesNoChainsWhereTheUserWantsNone) {
       settings["regions"] = map.path();
       const test::Render render = prepared_render(*scene, 1, settings);
       EXPECT_EQ(render.counters.mutations > 0, weight > 0.F) << more.begin()->first;
-      if (weight == 0.F) EXPECT_TRUE(render.integrator->concerns().empty());
+      if (weight == 0.F) {
+        EXPECT_TRUE(render.integrator->concerns().empty());
+      }
       const auto report = *render.integrator->selective_report();
       EXPECT_FALSE(report.correlation) << "nothing has told yet";
       EXPECT_FALSE(report.chain_error);

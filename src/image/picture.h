@@ -22,7 +22,7 @@ struct Picture {
   std::vector<Layer> layers;  ///< the first is the picture
   std::map<std::string, std::string> metadata;
   /// Where formats for the eye smooth the stairs of edges (antialias.h); empty if nowhere.
-  std::optional<Plane> antialias_mask;
+  std::optional<Plane> antialias_mask{};
 };
 
 }  // namespace ajar

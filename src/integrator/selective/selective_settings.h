@@ -24,17 +24,17 @@ struct SelectiveSettings {
   Map map = Map::Optimal;
   PilotUse pilot = PilotUse::Cross;
   std::uint64_t pilot_samples = 0;  ///< per pixel; 0: as many as suit the map
-  RegionMapSettings binary;
+  RegionMapSettings binary{};
   bool adaptive = true;  ///< more camera samples where there is more noise (sample_rates.h)
   bool efficient_roulette = true;  ///< rays are saved where they bring little (ray_price.h)
   bool exclusive = false;          ///< each pixel's light is of one method alone
   bool diffuse_out = false;        ///< no chains where a pixel shows a diffuse material
   bool antialias = false;          ///< along edges where the map has a step
-  std::string omc;                 ///< techniques of ordinary Monte Carlo
+  std::string omc{};               ///< techniques of ordinary Monte Carlo
   bool chooses_omc = false;        ///< they are for a pilot to find, and those of chains as well
   bool omc_shares = true;  ///< they are the chains', so that light can be divided path by path
-  std::vector<RegionRule> rules;
-  std::vector<float> painted;  ///< σ of each pixel of the crop, given by the user; or empty
+  std::vector<RegionRule> rules{};
+  std::vector<float> painted{};  ///< σ of each pixel of the crop, given by the user; or empty
 
   /// Parameters other than those of chains.
   static std::vector<ParameterSpec> parameters();
