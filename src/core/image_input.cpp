@@ -18,6 +18,7 @@
 #include "core/available_memory.h"
 #include "core/error.h"
 #include "core/exr_header.h"
+#include "core/png_chunks.h"
 #include "core/regular_file.h"
 
 namespace ajar {
@@ -176,8 +177,10 @@ ImageInput::ImageInput(const std::string& path, bool has_unassociated_alpha) {
     check_claim(*size, kLeastKnown, file_bytes);
     check_memory(kDecodedBytes * size->width * size->height);
   }
-  if (const std::string complaint = exr_header_complaint(path, file_bytes); !complaint.empty()) {
-    throw IoError(complaint);
+  for (const auto complain : {exr_header_complaint, png_chunk_complaint}) {
+    if (const std::string complaint = complain(path, file_bytes); !complaint.empty()) {
+      throw IoError(complaint);
+    }
   }
   OIIO::ImageSpec config;
   if (has_unassociated_alpha) config.attribute("oiio:UnassociatedAlpha", 1);

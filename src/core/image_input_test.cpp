@@ -212,6 +212,17 @@ TEST_F(ImageInputTest, FilesCannotClaimMorePixelsThanTheyHold) {
   }
 }
 
+TEST_F(ImageInputTest, ChunksOfPngCannotClaimMoreThanTheFile) {
+  std::string header = png(8, 0, 0);
+  // A picture of four pixels in front of a text of two gigabytes.
+  header.replace(16, 8, std::string("\0\0\0\2\0\0\0\2", 8));
+  const std::string content =
+      Bytes().text(header.substr(0, 33)).big({0x7fff0000}, 4).text("tEXt").zeros(40).result();
+  const std::string error = error_of(write("a.png", content));
+  EXPECT_EQ(error, "its chunk \"tEXt\" claims 2147418112 bytes, but the file has " +
+                       std::to_string(content.size()));
+}
+
 TEST_F(ImageInputTest, FlatPicturesAreBelieved) {
   // As small as files of so many pixels get.
   constexpr int kFlat = 1000;
