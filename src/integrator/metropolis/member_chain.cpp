@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "core/random_use.h"
 #include "mcmc/primary/bootstrap_source.h"
 #include "mcmc/primary/chain_source.h"
 #include "mcmc/primary/step_kind.h"
@@ -42,14 +43,14 @@ void sample_bootstrap(PathTarget& target, std::uint64_t seed, std::uint64_t firs
 std::vector<MemberChain> seed_chains(const PathGroup& group, std::uint64_t bootstrap_seed,
                                      std::span<const double> weights, std::size_t count,
                                      const SeedRule& rule) {
-  const float u =
-      to_unit_float(static_cast<std::uint32_t>(hash_numbers(bootstrap_seed, 0x5eedULL) >> 32U));
+  const float u = to_unit_float(
+      static_cast<std::uint32_t>(hash_numbers(bootstrap_seed, RandomUse::Seeds) >> 32U));
   ChainRecord empty;
   empty.by_technique.resize(group.choice.size());
   const std::vector<double> filtered = filter_weights(weights, rule.filter, rule.spread);
   std::vector<MemberChain> chains;
   for (const std::size_t index : choose_seeds(filtered, count, u)) {
-    const std::uint64_t chain_seed = hash_numbers(bootstrap_seed, 0xc4a15ULL, chains.size());
+    const std::uint64_t chain_seed = hash_numbers(bootstrap_seed, RandomUse::Chain, chains.size());
     chains.push_back({PrimaryChain(group.shape, chain_seed, bootstrap_key(bootstrap_seed, index),
                                    weights[index]),
                       empty, seed_weight(weights, filtered, rule.filter, index)});

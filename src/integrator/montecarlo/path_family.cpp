@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <mutex>
 
+#include "core/random_use.h"
 #include "integrator/montecarlo/blind_spots.h"
 #include "integrator/montecarlo/g_buffer.h"
 #include "integrator/montecarlo/path_parameters.h"
@@ -124,7 +125,7 @@ class PathIntegrator final : public Integrator {
   /// The light's sequence is cut where its 32-bit index would overflow; each stretch has its own
   /// scrambling.
   std::uint64_t light_seed(std::uint64_t replicate, std::uint64_t light_number) const {
-    return hash_numbers(settings_.seed, replicate, 0x11987ULL, light_number >> 32U);
+    return hash_numbers(settings_.seed, replicate, RandomUse::LightSubpaths, light_number >> 32U);
   }
 
   SampleIdentity camera_identity(Vec2i pixel, std::uint64_t replicate, std::uint64_t index) const {
@@ -140,7 +141,7 @@ class PathIntegrator final : public Integrator {
   SampleIdentity light_identity(std::uint64_t replicate, std::uint64_t light_number) const {
     const std::uint64_t seed = light_seed(replicate, light_number);
     const auto index = static_cast<std::uint32_t>(light_number);
-    return {hash_numbers(seed, 0x1e45ULL), index, seed, index};
+    return {hash_numbers(seed, RandomUse::LightScramble), index, seed, index};
   }
 
   template <typename Use>
@@ -172,7 +173,8 @@ class PathIntegrator final : public Integrator {
         const std::uint64_t number = index * replicates() + replicate;
         sink.begin_sample(raster, filtered.weight, batch.weight, number);
         if (strong != nullptr) {
-          sink.begin_paths(hash_numbers(settings_.seed, 0x57706ULL, pixel.x, pixel.y, number));
+          sink.begin_paths(
+              hash_numbers(settings_.seed, RandomUse::StrongCameraPath, pixel.x, pixel.y, number));
         }
         sampler.sample(source, raster, sink);
         if (strong != nullptr) sink.hand_over(*strong, source);
@@ -191,7 +193,7 @@ class PathIntegrator final : public Integrator {
     for (std::uint64_t n = first; n < last; ++n) {
       with_source(light_identity(replicate, n), [&](SampleSource& source) {
         if (strong != nullptr) {
-          sink.begin_paths(hash_numbers(light_seed(replicate, n), 0x57707ULL, n));
+          sink.begin_paths(hash_numbers(light_seed(replicate, n), RandomUse::StrongLightPath, n));
         }
         sampler.sample_light(source, sink);
         if (strong != nullptr) sink.hand_over(*strong, source);
@@ -245,7 +247,7 @@ PictureScale PathIntegrator::measure_scale() const {
   PathSampler sampler(scene_, sampler_settings_);
   const Vec2 low(settings_.crop.min);
   const Vec2 size(settings_.crop.size() + Vec2i(1, 1));
-  const std::uint64_t seed = hash_numbers(settings_.seed, 0x9170ULL);
+  const std::uint64_t seed = hash_numbers(settings_.seed, RandomUse::PictureScale);
   std::array<double, kGroups> means{};
   double mean = 0.0;
   for (std::uint32_t group = 0; group < kGroups; ++group) {

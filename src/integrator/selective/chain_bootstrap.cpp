@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/random.h"
+#include "core/random_use.h"
 #include "mcmc/bootstrap.h"
 
 namespace ajar {
@@ -15,7 +16,7 @@ std::vector<ChainPopulation> make_populations(const ChainPlan& plan) {
       population.group = g;
       population.replicate = replicate;
       population.seed =
-          hash_numbers(plan.settings.seed, 0xb0075ULL, replicate, plan.groups[g].depth);
+          hash_numbers(plan.settings.seed, RandomUse::Bootstrap, replicate, plan.groups[g].depth);
       populations.push_back(std::move(population));
     }
   }

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "core/random.h"
+#include "core/random_use.h"
 #include "integrator/metropolis/chain_film_sink.h"
 #include "integrator/selective/chain_archive.h"
 #include "mcmc/primary/bootstrap_source.h"
@@ -142,7 +143,7 @@ void ChainItems::run_plain(ChainPopulation& population, PlaneMaps* maps, Film& f
   const double scale =
       later_weight_ * plan_.view.area() / static_cast<double>(count) / plan_.settings.replicates;
   SplatBuffer splats;
-  const std::uint64_t seed = hash_numbers(population.seed, 0x91a17ULL);
+  const std::uint64_t seed = hash_numbers(population.seed, RandomUse::PlainSamples);
   counters.mutations += count;
   for (std::uint64_t i = 0; i < count; ++i) {
     const std::uint64_t index = population.plain_samples++;
@@ -160,7 +161,7 @@ void ChainItems::run_plain(ChainPopulation& population, PlaneMaps* maps, Film& f
     } else if (scalar < 0.0) {
       ++counters.discarded_negative;
     } else if (scalar > 0.0) {
-      PrimaryChain chain(group.shape, hash_numbers(seed, 0xc4a15ULL, index),
+      PrimaryChain chain(group.shape, hash_numbers(seed, RandomUse::Chain, index),
                          bootstrap_key(seed, index), scalar);
       sink.begin(scale * capped / static_cast<double>(kSteps), nullptr);
       runner.run(chain, kSteps, sink);

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/random.h"
+#include "core/random_use.h"
 
 namespace ajar {
 
@@ -40,7 +41,7 @@ std::uint64_t ChainPilot::begin() {
   RenderSettings settings = plan_.settings;
   settings.replicates = 1;
   settings.aovs.clear();
-  settings.seed = hash_numbers(settings.seed, 0x91107ULL);
+  settings.seed = hash_numbers(settings.seed, RandomUse::BrightnessPilot);
   omc_ = plan_.make_omc(settings, {settings.min_depth, settings.max_depth});
   film_ =
       std::make_unique<Film>(settings.resolution, settings.crop, Filter::box(), 1, omc_->layers());

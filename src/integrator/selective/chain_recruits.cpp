@@ -10,6 +10,7 @@
 
 #include "core/parallel_for.h"
 #include "core/random.h"
+#include "core/random_use.h"
 #include "integrator/montecarlo/path_family.h"
 #include "integrator/selective/chain_archive.h"
 #include "mcmc/bootstrap.h"
@@ -224,8 +225,9 @@ void ChainRecruits::join_scattered(std::vector<ChainPopulation>& populations,
                                    double camera_samples) {
   const int replicates = plan_.settings.replicates;
   for (Recruit& recruit : recruits_) {
-    recruit.path.replicate = static_cast<int>(hash_numbers(recruit.path.key(), 0x5ca77ULL) %
-                                              static_cast<std::uint64_t>(replicates));
+    recruit.path.replicate =
+        static_cast<int>(hash_numbers(recruit.path.key(), RandomUse::RecruitReplicate) %
+                         static_cast<std::uint64_t>(replicates));
   }
   const auto found = sorted_recruits(populations);
   for (int replicate = 0; replicate < replicates; ++replicate) {
@@ -288,9 +290,9 @@ void ChainRecruits::resample(ChainPopulation& population,
   for (const Recruit* recruit : recruits) {
     masses.push_back(std::abs(recruit->path.energy) * joined.of_recruits);
   }
-  const std::uint64_t seed = hash_numbers(population.seed, 0x10e5ULL,
+  const std::uint64_t seed = hash_numbers(population.seed, RandomUse::RecruitSeeds,
                                           static_cast<std::uint64_t>(population.samples_behind));
-  const double u = to_unit_double(hash_numbers(seed, 0x5eedULL));
+  const double u = to_unit_double(hash_numbers(seed, RandomUse::Seeds));
   const PathGroup& group = plan_.groups[population.group];
   ChainRecord empty;
   empty.by_technique.resize(group.choice.size());

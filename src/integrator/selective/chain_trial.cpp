@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "core/random.h"
+#include "core/random_use.h"
 #include "integrator/metropolis/chain_film_sink.h"
 #include "integrator/selective/chain_bootstrap.h"
 #include "integrator/selective/weighted_errors.h"
@@ -65,7 +66,7 @@ void ChainTrial::list_items(const std::vector<std::size_t>& halves) {
     for (std::size_t p = 0; p < populations_.size(); ++p) {
       if (std::find(seen.begin(), seen.end(), populations_[p].replicate) == seen.end()) continue;
       for (std::size_t c = 0; c < populations_[p].chains.size(); ++c) {
-        const std::uint64_t lot = hash_numbers(populations_[p].seed, 0x791a1ULL, c);
+        const std::uint64_t lot = hash_numbers(populations_[p].seed, RandomUse::ChainTrial, c);
         if (lot % kOneOf != 0) continue;
         const std::size_t picture = h * kPictures + lot / kOneOf % kPictures;
         items_.push_back({p, c, h, picture});

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/random.h"
+#include "core/random_use.h"
 
 namespace ajar {
 
@@ -30,7 +31,7 @@ bool PathNumbers::fit(const StrongPath& path) const {
 
 PrimaryChain PathNumbers::start_chain(const ChainPlan& plan, const PathGroup& group,
                                       const StrongPath& path) const {
-  PrimaryChain chain(group.shape, hash_numbers(path.key(), 0xc4a15ULL), path.key(), 0.0);
+  PrimaryChain chain(group.shape, hash_numbers(path.key(), RandomUse::Chain), path.key(), 0.0);
   ChainNumbers& to = chain.numbers;
   auto from = numbers_.begin();
   const auto copy = [&](Stream stream, int vertices) {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/random.h"
+#include "core/random_use.h"
 #include "integrator/montecarlo/path_family.h"
 #include "transport/sources.h"
 
@@ -119,7 +120,8 @@ void RoulettePilot::run(std::uint64_t item, Counters& counters) {
   Sink sink(plan_, sampler, light_subpaths, sums);
   double light_rays = 0.0;
   for (std::uint64_t pair = 0; pair < kPairs; ++pair) {
-    const std::uint64_t seed = hash_numbers(plan_.settings.seed, 0x4071e77eULL, item, pair);
+    const std::uint64_t seed =
+        hash_numbers(plan_.settings.seed, RandomUse::RouletteTrial, item, pair);
     Vec2 raster(0.F, 0.F);
     std::array<double, 2> light{};
     for (std::uint32_t i = 0; i < light.size(); ++i) {

@@ -1,6 +1,7 @@
 #include "integrator/selective/surface_pilot.h"
 
 #include "core/random.h"
+#include "core/random_use.h"
 #include "image/edges.h"
 #include "image/identities.h"
 #include "integrator/make_filter.h"
@@ -19,7 +20,7 @@ double SurfacePilot::effort() const {
 
 std::uint64_t SurfacePilot::begin() {
   RenderSettings settings = plan_.omc_settings();
-  settings.seed = hash_numbers(settings.seed, 0x50fa3ULL);
+  settings.seed = hash_numbers(settings.seed, RandomUse::SurfacePilot);
   settings.replicates = 1;
   settings.min_depth = 1;
   settings.max_depth = 1;

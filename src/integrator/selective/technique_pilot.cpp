@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/random.h"
+#include "core/random_use.h"
 #include "integrator/montecarlo/path_family.h"
 #include "integrator/selective/weighted_errors.h"
 
@@ -137,7 +138,7 @@ std::uint64_t TechniquePilot::begin() {
   RenderSettings settings = plan_.settings;
   settings.replicates = kReplicates;
   settings.aovs.clear();
-  settings.seed = hash_numbers(settings.seed, 0x11997ULL);
+  settings.seed = hash_numbers(settings.seed, RandomUse::TechniqueTrial);
   const PathFamilyDefaults before = plan_.omc;
   plan_.set_omc(offer_);
   candidate_ = std::make_unique<Candidate>(plan_, settings);

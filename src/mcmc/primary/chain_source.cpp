@@ -5,6 +5,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "core/random_use.h"
 #include "mcmc/primary/fresh_numbers.h"
 
 namespace ajar {
@@ -12,8 +13,8 @@ namespace ajar {
 namespace {
 constexpr auto kRasterX = static_cast<std::size_t>(kEmissionDirection);
 // Far beyond what a mutation draws for a block.
-constexpr std::uint64_t kRasterKey = 0x7a57e7ULL;
-constexpr std::uint64_t kLengthKey = 0x1e467ULL;
+constexpr auto kRasterKey = static_cast<std::uint64_t>(RandomUse::RasterMove);
+constexpr auto kLengthKey = static_cast<std::uint64_t>(RandomUse::RasterLength);
 /// How many times as long as others steps of the raster numbers alone are: up to so many, each
 /// order of magnitude as often. Where directions alone decide, light may be found again anywhere.
 constexpr double kRasterLength = 50.0;

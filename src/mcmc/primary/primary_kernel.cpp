@@ -4,13 +4,15 @@
 #include <stdexcept>
 #include <utility>
 
+#include "core/random_use.h"
 #include "mcmc/counter_random.h"
 
 namespace ajar {
 
 namespace {
 
-constexpr std::uint64_t kLength = 0x1e46ULL;  // names randomness, beyond those of tries
+constexpr auto kLength =
+    static_cast<std::uint64_t>(RandomUse::StepLength);  // names randomness, beyond those of tries
 
 [[noreturn]] void refuse(const PrimaryChain& chain, double replayed) {
   std::ostringstream message;

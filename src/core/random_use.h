@@ -1,0 +1,39 @@
+#pragma once
+#include <cstdint>
+
+namespace ajar {
+
+/// What randomness is drawn for, beside the numbers of the paths themselves: hashed together with
+/// the seed of its owner (`hash_numbers`), so that no two uses share their numbers. A picture's
+/// bits hang on these values.
+enum class RandomUse : std::uint64_t {
+  // Ordinary Monte Carlo.
+  LightSubpaths = 0x11987,  ///< those of a replicate
+  LightScramble = 0x1e45,   ///< their points
+  PictureScale = 0x9170,    ///< samples that tell how bright the picture is
+  SampleRates = 0x4a7e5,    ///< rounding of camera samples per pixel
+  StrongCameraPath = 0x57706,
+  StrongLightPath = 0x57707,
+  // Markov chains.
+  Bootstrap = 0xb0075,
+  Seeds = 0x5eed,   ///< systematic resampling
+  Chain = 0xc4a15,  ///< a chain's own seed
+  PlainSamples = 0x91a17,
+  StepLength = 0x1e46,  ///< of small steps; beyond the keys of tries
+  RasterMove = 0x7a57e7,
+  RasterLength = 0x1e467,
+  // The preparation of divided light.
+  BrightnessPilot = 0x91107,
+  SplitPilot = 0x9e9107,
+  SurfacePilot = 0x50fa3,
+  RouletteTrial = 0x4071e77e,
+  TechniqueTrial = 0x11997,
+  ChainTrial = 0x791a1,
+  // Recruits.
+  RecruitLot = 0x6a1e,
+  LightLot = 0xf09d,
+  RecruitReplicate = 0x5ca77,
+  RecruitSeeds = 0x10e5,
+};
+
+}  // namespace ajar

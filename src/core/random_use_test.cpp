@@ -1,0 +1,43 @@
+#include "core/random_use.h"
+
+#include <gtest/gtest.h>
+
+namespace ajar {
+namespace {
+
+/// Two uses of one number would be the same label twice, which does not compile; one that is
+/// missing here is a warning.
+bool is_named(RandomUse use) {
+  switch (use) {
+    case RandomUse::LightSubpaths:
+    case RandomUse::LightScramble:
+    case RandomUse::PictureScale:
+    case RandomUse::SampleRates:
+    case RandomUse::StrongCameraPath:
+    case RandomUse::StrongLightPath:
+    case RandomUse::Bootstrap:
+    case RandomUse::Seeds:
+    case RandomUse::Chain:
+    case RandomUse::PlainSamples:
+    case RandomUse::StepLength:
+    case RandomUse::RasterMove:
+    case RandomUse::RasterLength:
+    case RandomUse::BrightnessPilot:
+    case RandomUse::SplitPilot:
+    case RandomUse::SurfacePilot:
+    case RandomUse::RouletteTrial:
+    case RandomUse::TechniqueTrial:
+    case RandomUse::ChainTrial:
+    case RandomUse::RecruitLot:
+    case RandomUse::LightLot:
+    case RandomUse::RecruitReplicate:
+    case RandomUse::RecruitSeeds:
+      return true;
+  }
+  return false;
+}
+
+TEST(RandomUse, EachHasANumberOfItsOwn) { EXPECT_TRUE(is_named(RandomUse::Bootstrap)); }
+
+}  // namespace
+}  // namespace ajar
