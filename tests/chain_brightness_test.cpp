@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -227,11 +228,9 @@ TEST(RareLight, ChainsThatAreNotFoundAreReplacedByPlainSamples) {
     double bootstrap = 0.0;
     for (options.seed = 1; options.seed <= 150; ++options.seed) {
       const test::Render render = test::render(*scene, options);
-      const ChainReport report = render.integrator->chain_report().value();
-      std::uint64_t chains = 0;
-      for (const ChainReport::Depth& depth : report.depths) chains += depth.chains;
-      if (chains == 0) means.add(image_mean(replicates_of(render, "indirect")).value);
-      bootstrap = static_cast<double>(report.bootstrap_samples);
+      const MethodReport report = render.integrator->report();
+      if (report.at("chains") == 0) means.add(image_mean(replicates_of(render, "indirect")).value);
+      bootstrap = report.at("bootstrap_samples").get<double>();
     }
     const double weight = kLargeSteps / (bootstrap + kLargeSteps);
     EXPECT_NEAR(means.mean(), weight * truth.value, 5.0 * means.standard_error()) << integrator;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -61,11 +62,9 @@ TEST_P(Dark, IsBlackWithAWarning) {
     ASSERT_EQ(concerns.size(), 1U) << integrator;
     EXPECT_NE(concerns[0].message.find("no light was found for Markov chains"), std::string::npos)
         << concerns[0].message;
-    const ChainReport report = *render.integrator->chain_report();
-    for (const ChainReport::Depth& depth : report.depths) {
-      EXPECT_EQ(depth.b, 0.0);
-      EXPECT_EQ(depth.chains, 0U);
-    }
+    const MethodReport report = render.integrator->report();
+    for (const auto& depth : report.at("b")) EXPECT_EQ(depth.at("b"), 0.0);
+    EXPECT_EQ(report.at("chains"), 0);
   }
 }
 
@@ -168,14 +167,15 @@ TEST(Depths, WithoutTechniquesOrLightAreLeftOutOrReportedAsDark) {
   // No next event estimation reaches the sky from glass.
   options.parameters["techniques"] = "(0,4),(1,5),(0,7)";
   const test::Render render = test::render(*scene, options);
-  const ChainReport report = *render.integrator->chain_report();
-  ASSERT_EQ(report.depths.size(), 3U);
-  EXPECT_EQ(report.depths[0].depth, 3);
-  EXPECT_GT(report.depths[0].b, 0.0);
-  EXPECT_EQ(report.depths[1].depth, 5);
-  EXPECT_EQ(report.depths[1].b, 0.0);
-  EXPECT_EQ(report.depths[1].chains, 0U);
-  EXPECT_EQ(report.depths[2].depth, 6);
+  const MethodReport report = render.integrator->report();
+  const MethodReport& b = report.at("b");
+  ASSERT_EQ(b.size(), 3U);
+  EXPECT_EQ(b[0].at("depth"), 3);
+  EXPECT_GT(b[0].at("b"), 0.0);
+  EXPECT_EQ(b[1].at("depth"), 5);
+  EXPECT_EQ(b[1].at("b"), 0.0);
+  EXPECT_EQ(report.at("acceptance").at("by_depth")[1].at("chains"), 0);
+  EXPECT_EQ(b[2].at("depth"), 6);
   options.integrator = "pt";
   options.parameters = {{"techniques", "(0,4),(1,5),(0,7)"}};
   options.samples = 512;
@@ -319,26 +319,30 @@ TEST(ChainReports, SayWhatChainsDid) {
   options.parameters["omc-samples"] = "1";
   options.samples = 64;
   const test::Render render = test::render(*scene, options);
-  const ChainReport report = *render.integrator->chain_report();
-  ASSERT_EQ(report.depths.size(), 3U);  // 3, 4 and 5 edges
+  const MethodReport report = render.integrator->report();
+  const MethodReport& acceptance = report.at("acceptance");
+  const MethodReport& by_depth = acceptance.at("by_depth");
+  ASSERT_EQ(by_depth.size(), 3U);  // 3, 4 and 5 edges
   std::uint64_t mutations = 0;
   std::uint64_t proposals = 0;
-  for (const ChainReport::Depth& depth : report.depths) {
-    mutations += depth.mutations;
-    EXPECT_GT(depth.b, 0.0);
-    EXPECT_GT(depth.b_standard_error, 0.0);
-    EXPECT_GT(depth.chains, 0U);
-    EXPECT_GT(depth.acceptance, 0.0);
-    EXPECT_LT(depth.acceptance, 1.0);
+  for (const auto& depth : by_depth) {
+    mutations += depth.at("mutations").get<std::uint64_t>();
+    EXPECT_GT(depth.at("chains"), 0);
+    EXPECT_GT(depth.at("acceptance"), 0.0);
+    EXPECT_LT(depth.at("acceptance"), 1.0);
   }
-  for (const ChainReport::OfTechnique& technique : report.techniques) {
-    proposals += technique.proposals;
-    EXPECT_GE(technique.acceptance, 0.0);
-    EXPECT_LE(technique.acceptance, 1.0);
+  for (const auto& depth : report.at("b")) {
+    EXPECT_GT(depth.at("b"), 0.0);
+    EXPECT_GT(depth.at("standard_error"), 0.0);
+  }
+  for (const auto& technique : acceptance.at("by_technique")) {
+    proposals += technique.at("proposals").get<std::uint64_t>();
+    EXPECT_GE(technique.at("acceptance"), 0.0);
+    EXPECT_LE(technique.at("acceptance"), 1.0);
   }
   EXPECT_EQ(mutations, render.counters.mutations);
   EXPECT_EQ(proposals, mutations);
-  EXPECT_GT(report.small_acceptance, report.large_acceptance);
+  EXPECT_GT(acceptance.at("small"), acceptance.at("large"));
   EXPECT_GE(static_cast<double>(mutations), 64.0 * 24 * 16);
 }
 
@@ -368,9 +372,10 @@ TEST(ChainReports, GiveBAnErrorBarThatCoversIt) {
       test::RenderOptions options = options_of(integrator);
       options.max_depth = 4;
       options.seed = seed;
-      const ChainReport report = *test::render(*scene, options).integrator->chain_report();
-      b.add(report.depths[0].b);
-      error_variance += std::pow(report.depths[0].b_standard_error, 2) / kSeeds;
+      const MethodReport report = test::render(*scene, options).integrator->report();
+      const MethodReport& first = report.at("b")[0];
+      b.add(first.at("b").get<double>());
+      error_variance += std::pow(first.at("standard_error").get<double>(), 2) / kSeeds;
     }
     // Five standard deviations of Fisher's z with 99 degrees of freedom on one side and very many
     // on the other: an error bar wrong by half is noticed.

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <functional>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -264,7 +265,7 @@ TEST(Selective, TakesPresetsAndEveryMutation) {
     options.parameters = one;
     const test::Render render = test::render(*scene, options);
     EXPECT_GT(render.counters.mutations, 0U) << one.begin()->second;
-    EXPECT_TRUE(render.integrator->selective_report().has_value()) << one.begin()->second;
+    EXPECT_TRUE(render.integrator->report().contains("selective")) << one.begin()->second;
   }
   options.parameters = {{"mutation", "kelemen"}, {"fine-steps", "0.1"}};
   EXPECT_THROW(test::render(*scene, options), UsageError);
@@ -287,13 +288,13 @@ TEST(Selective, ShowsItsMaps) {
       EXPECT_LE(value, 1.F) << name;
     }
   }
-  const auto report = *render.integrator->selective_report();
+  const MethodReport report = render.integrator->report().at("selective");
   EXPECT_EQ(*std::max_element(maps["regions"].begin(), maps["regions"].end()),
-            static_cast<float>(report.regions.size()));
+            report.at("region_count").get<float>());
   std::size_t pixels = 0;
-  for (const auto& region : report.regions) pixels += region.pixels;
+  for (const auto& region : report.at("regions")) pixels += region.at("pixels").get<std::size_t>();
   EXPECT_EQ(pixels, maps["regions"].size());
-  EXPECT_TRUE(report.pilot_stays);
+  EXPECT_EQ(report.at("pilot_stays"), true);
 }
 
 TEST(Selective, TakesTheUsersRules) {
@@ -302,13 +303,13 @@ TEST(Selective, TakesTheUsersRules) {
   std::ofstream(rules.path()) << "object * omc\nmaterial material-2 0.25\n";
   test::RenderOptions options = selective_options(4);
   options.parameters = {{"regions", rules.path()}, {"epsilon", "0.125"}};
-  const auto report = *test::render(*scene, options).integrator->selective_report();
+  const MethodReport report = test::render(*scene, options).integrator->report().at("selective");
   std::size_t quarter = 0;
-  for (const auto& region : report.regions) {
-    if (region.object.empty()) continue;
-    const bool named = region.material == "material-2";
+  for (const auto& region : report.at("regions")) {
+    if (region.at("object") == "") continue;
+    const bool named = region.at("material") == "material-2";
     quarter += named ? 1 : 0;
-    EXPECT_EQ(region.importance, named ? 0.25 : 0.125) << region.material;
+    EXPECT_EQ(region.at("importance"), named ? 0.25 : 0.125) << region.at("material");
   }
   EXPECT_GT(quarter, 0U);
   std::ofstream(rules.path()) << "material chrome chain\n";
@@ -330,9 +331,9 @@ test::Render prepared_render(const Scene& scene, std::uint64_t seed,
   return test::render(scene, options);
 }
 
-SelectiveReport report_of(const Scene& scene, std::uint64_t seed,
-                          const std::map<std::string, std::string>& parameters) {
-  return *prepared_render(scene, seed, parameters).integrator->selective_report();
+MethodReport report_of(const Scene& scene, std::uint64_t seed,
+                       const std::map<std::string, std::string>& parameters) {
+  return prepared_render(scene, seed, parameters).integrator->report().at("selective");
 }
 
 TEST(Selective, FindsThePriceOfRaysAgainFromWhatItHasRendered) {
@@ -340,7 +341,8 @@ TEST(Selective, FindsThePriceOfRaysAgainFromWhatItHasRendered) {
   const auto price_after = [&](std::uint64_t samples) {
     test::RenderOptions options = selective_options(samples);
     options.max_depth = 6;
-    return test::render(*scene, options).integrator->selective_report()->ray_price;
+    const MethodReport report = test::render(*scene, options).integrator->report();
+    return report.at("selective").at("omc").at("ray_price").get<double>();
   };
   const double of_pilot = price_after(1);
   const double later = price_after(32);
@@ -356,8 +358,10 @@ int times_chosen(const std::string& scene_name, const std::string& techniques, d
   const Scene scene = test::builtin_scene(scene_name);
   int times = 0;
   for (std::uint64_t seed = 1; seed <= renders; ++seed) {
-    const SelectiveReport report = report_of(scene, seed, {});
-    if (report.techniques == techniques && report.light_paths_per_sample == light_paths) ++times;
+    const MethodReport omc = report_of(scene, seed, {}).at("omc");
+    if (omc.at("techniques") == techniques && omc.at("light_paths_per_sample") == light_paths) {
+      ++times;
+    }
   }
   return times;
 }
@@ -377,12 +381,14 @@ TEST(Selective, HasTheTechniquesThatTheUserWants) {
   const Scene scene = test::builtin_scene("cornell");
   for (const auto& [name, value] : std::map<std::string, std::string>{
            {"techniques", "bdpt"}, {"light-paths-per-pixel", "1"}, {"omc", "bdpt"}}) {
-    const SelectiveReport report = report_of(scene, 1, {{name, value}});
-    EXPECT_EQ(report.techniques, "bdpt") << name;
-    EXPECT_EQ(report.light_paths_per_sample, 1.0) << name;
+    const MethodReport omc = report_of(scene, 1, {{name, value}}).at("omc");
+    EXPECT_EQ(omc.at("techniques"), "bdpt") << name;
+    EXPECT_EQ(omc.at("light_paths_per_sample"), 1.0) << name;
   }
-  EXPECT_EQ(report_of(scene, 1, {{"techniques", "pt"}}).techniques, "pt");
-  EXPECT_EQ(report_of(scene, 1, {{"light-paths-per-pixel", "2"}}).light_paths_per_sample, 2.0);
+  EXPECT_EQ(report_of(scene, 1, {{"techniques", "pt"}}).at("omc").at("techniques"), "pt");
+  EXPECT_EQ(
+      report_of(scene, 1, {{"light-paths-per-pixel", "2"}}).at("omc").at("light_paths_per_sample"),
+      2.0);
   EXPECT_THROW(report_of(scene, 1, {{"light-paths-per-pixel", "2"}, {"chain", "pssmlt"}}),
                UsageError);
 }
@@ -432,11 +438,11 @@ TEST(Selective, KeepsChainsWhereTheyPayWhateverThePair) {
 TEST(Selective, DecidesAlikeInBothHalves) {
   const Scene scene = test::builtin_scene("door-ajar");
   for (const std::uint64_t seed : {1, 2, 3, 9, 13, 20, 21, 23}) {
-    const std::vector<SelectiveReport::Half> halves = report_of(scene, seed, {}).halves;
+    const MethodReport halves = report_of(scene, seed, {}).at("halves");
     ASSERT_EQ(halves.size(), 2U);
-    const double ratio = halves[0].threshold / halves[1].threshold;
-    EXPECT_LT(std::max(ratio, 1.0 / ratio), 10.0)
-        << "seed " << seed << ": " << halves[0].threshold << ", " << halves[1].threshold;
+    const double ratio =
+        halves[0].at("threshold").get<double>() / halves[1].at("threshold").get<double>();
+    EXPECT_LT(std::max(ratio, 1.0 / ratio), 10.0) << "seed " << seed << ": " << halves;
   }
 }
 
@@ -446,9 +452,9 @@ TEST(Selective, TriesChainsForOneHalfAlone) {
   const double usual = ChainCosts{}.correlation;
   int for_one = 0;
   for (std::uint64_t seed = 1; seed <= 8; ++seed) {
-    const std::vector<SelectiveReport::Half> halves = report_of(scene, seed, {}).halves;
+    const MethodReport halves = report_of(scene, seed, {}).at("halves");
     ASSERT_EQ(halves.size(), 2U);
-    for_one += (halves[0].correlation == usual) != (halves[1].correlation == usual);
+    for_one += (halves[0].at("correlation") == usual) != (halves[1].at("correlation") == usual);
   }
   EXPECT_GE(for_one, 1);
 }
@@ -479,11 +485,13 @@ TEST(Selective, TakesNoChainsWhereTheUserWantsNone) {
       if (weight == 0.F) {
         EXPECT_TRUE(render.integrator->concerns().empty());
       }
-      const auto report = *render.integrator->selective_report();
-      EXPECT_FALSE(report.correlation) << "nothing has told yet";
-      EXPECT_FALSE(report.chain_error);
+      const MethodReport report = render.integrator->report().at("selective");
+      EXPECT_TRUE(report.at("correlation").is_null()) << "nothing has told yet";
+      EXPECT_TRUE(report.at("chains").at("squared_error_share").is_null());
       if (more.begin()->second == "0.1") continue;
-      for (const auto& region : report.regions) EXPECT_EQ(region.importance, weight);
+      for (const auto& region : report.at("regions")) {
+        EXPECT_EQ(region.at("importance"), weight);
+      }
     }
   }
 }
@@ -511,15 +519,15 @@ TEST(Selective, KnowsThePriceOfRaysUnlessRouletteIsUsual) {
   for (const Settings& settings : {Settings{}, Settings{{"choice", "exclusive"}},
                                    Settings{{"omc", "ibpt"}, {"techniques", "bdpt"}},
                                    Settings{{"chain", "pssmlt"}}, Settings{{"map", "binary"}}}) {
-    const SelectiveReport report = report_of(scene, 1, settings);
-    EXPECT_GT(report.ray_price, 0.01);
-    EXPECT_LT(report.ray_price, 1.0);
-    EXPECT_GT(report.path_rest, 0.1);
-    EXPECT_LT(report.path_rest, 10.0);
+    const MethodReport omc = report_of(scene, 1, settings).at("omc");
+    EXPECT_GT(omc.at("ray_price"), 0.01);
+    EXPECT_LT(omc.at("ray_price"), 1.0);
+    EXPECT_GT(omc.at("path_rest"), 0.1);
+    EXPECT_LT(omc.at("path_rest"), 10.0);
   }
   for (const Settings& settings :
        {Settings{{"roulette", "usual"}}, Settings{{"preset", "published"}}}) {
-    EXPECT_EQ(report_of(scene, 1, settings).ray_price, 0.0);
+    EXPECT_EQ(report_of(scene, 1, settings).at("omc").at("ray_price"), 0.0);
   }
 }
 
@@ -530,12 +538,16 @@ TEST(Selective, FindsOutHowMuchOfTheChainsErrorLasts) {
   test::RenderOptions options = selective_options(12);
   options.parameters = {{"split", "0.1"}, {"bootstrap", "3000"}};
   options.max_depth = 6;
-  EXPECT_FALSE(test::render(*scene, options).integrator->selective_report()->lasting_error);
+  const auto lasting = [&] {
+    const MethodReport report = test::render(*scene, options).integrator->report();
+    return report.at("selective").at("chains").at("lasting_error");
+  };
+  EXPECT_TRUE(lasting().is_null());
   options.samples = 32;
-  const auto lasting = test::render(*scene, options).integrator->selective_report()->lasting_error;
-  ASSERT_TRUE(lasting);
-  EXPECT_GT(*lasting, 0.0);
-  EXPECT_LT(*lasting, 0.9);
+  const MethodReport known = lasting();
+  ASSERT_FALSE(known.is_null());
+  EXPECT_GT(known, 0.0);
+  EXPECT_LT(known, 0.9);
 }
 
 TEST(Selective, PreparesOnlyForWhatMayPay) {
@@ -561,7 +573,7 @@ TEST(Selective, LeavesChainsOutWhereTheyWouldNotPay) {
       "Shape \"sphere\" \"float radius\" [1]\n"));
   const test::Render render = test::render(*scene, selective_options(32));
   EXPECT_LE(render.counters.mutations, render.counters.samples / 20);
-  EXPECT_LE(render.integrator->selective_report()->chain_rays, 0.05);
+  EXPECT_LE(render.integrator->report().at("selective").at("chains").at("ray_share"), 0.05);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/archive_forward.h"
+#include "core/method_report.h"
 #include "core/parameters.h"
 #include "core/warnings.h"
 #include "core/work_share.h"
@@ -41,75 +42,6 @@ struct Counters : RayCounts {
   /// What to say about the first discarded contribution of an item: enough to replay it.
   std::string first_discarded;
   Counters& operator+=(const Counters& other);
-};
-
-/// What Markov chains tell of themselves (docs/chains.md).
-struct ChainReport {
-  struct Depth {
-    int depth;  ///< path edges; 0 if chains are not bound to a depth
-    std::uint64_t chains;
-    std::uint64_t mutations;
-    double acceptance;  ///< mean acceptance probability
-    double b;           ///< mean of the contribution function
-    double b_standard_error;
-  };
-  struct OfTechnique {
-    Technique technique;
-    std::uint64_t proposals;
-    double acceptance;
-  };
-  struct OfMove {
-    std::string name;
-    std::uint64_t proposals;
-    double acceptance;
-  };
-  double small_acceptance = 0.0;
-  double large_acceptance = 0.0;
-  std::vector<OfMove> moves;  ///< those that were made
-  std::uint64_t longest_rejection_streak = 0;
-  std::uint64_t bootstrap_samples = 0;
-  /// Where the light is divided, relative to the brightness of its pixel, in all replicates, or in
-  /// the even and in the odd ones; empty if it is not, or by regions.
-  std::vector<double> split;
-  std::vector<Depth> depths;
-  std::vector<OfTechnique> techniques;  ///< empty if a state is not of one technique
-};
-
-/// What `selective` tells of itself.
-struct SelectiveReport {
-  struct Region {
-    std::size_t number;  ///< in the layer "regions"
-    std::size_t pixels;
-    std::string object;  ///< empty if nothing is there
-    std::string material;
-    double noise = 0.0;       ///< of the pilot's indirect light: ½(mean + largest) above T
-    double importance = 0.0;  ///< as in the layer of that name
-  };
-  /// What half of the replicates expects of chains, or all of them, by what the pilot has shown.
-  struct Half {
-    double correlation = 0.0;     ///< C of a mutation, that of a trial or the usual one
-    double expected_error = 1.0;  ///< squared, with (bad) chains over that without; 1: not known
-    double threshold = 0.0;       ///< T, relative to the brightness; geometric mean over pixels
-    bool stands_by = false;       ///< chains do
-  };
-  std::uint64_t pilot_samples = 0;  ///< per pixel
-  bool pilot_stays = false;
-  std::vector<Half> halves;             ///< empty if nothing is decided
-  std::string techniques;               ///< of ordinary Monte Carlo
-  double light_paths_per_sample = 1.0;  ///< likewise
-  /// What a ray of it has to bring, in the brightness of the picture (see `RayPrice`); 0: it plays
-  /// Russian roulette by throughput alone.
-  double ray_price = 0.0;
-  double path_rest = 0.0;             ///< Λ, likewise
-  double mutations_per_sample = 0.0;  ///< 0: no chains
-  /// Variance of chains over that of as many independent samples, if known.
-  std::optional<double> correlation;
-  /// Share of the chains' error, as it is seen, that mutations do not make smaller, if known.
-  std::optional<double> lasting_error;
-  double chain_rays = 0.0;  ///< share of the rays
-  /// Share of the squared error, luminance · importance, if known.
-  std::optional<double> chain_error;
-  std::vector<Region> regions;  ///< the largest first
 };
 
 /// Efforts are relative to each other.
@@ -188,9 +120,8 @@ class Integrator {
   virtual std::optional<Plane> antialias_mask() const { return std::nullopt; }
   /// What the user may like to know after the preparation, beside `concerns`.
   virtual std::vector<std::string> notes() const { return {}; }
-  /// How the chains fared, for methods that have any.
-  virtual std::optional<ChainReport> chain_report() const { return std::nullopt; }
-  virtual std::optional<SelectiveReport> selective_report() const { return std::nullopt; }
+  /// How it fares, between passes.
+  virtual MethodReport report() const;
 };
 
 /// An entry of the registry.

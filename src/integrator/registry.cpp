@@ -49,18 +49,6 @@ IntegratorInfo selective_preset(const std::string& name, const std::string& sour
 }
 }  // namespace
 
-Counters& Counters::operator+=(const Counters& other) {
-  add_rays(other);
-  samples += other.samples;
-  mutations += other.mutations;
-  techniques += other.techniques;
-  discarded_nan += other.discarded_nan;
-  discarded_infinite += other.discarded_infinite;
-  discarded_negative += other.discarded_negative;
-  if (first_discarded.empty()) first_discarded = other.first_discarded;
-  return *this;
-}
-
 const std::vector<IntegratorInfo>& integrators() {
   static const std::vector<IntegratorInfo> kIntegrators = {
       path_family_member(

@@ -1,5 +1,6 @@
 #include "session/render_state.h"
 
+#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "session/output.h"
@@ -14,8 +15,7 @@ void RenderState::warn(const Warning& warning) {
 RenderStatistics RenderState::statistics_with(const RenderResult& result) const {
   RenderStatistics all = statistics;
   all.result = result;
-  all.chains = integrator->chain_report();
-  all.selective = integrator->selective_report();
+  all.report = std::make_shared<const MethodReport>(integrator->report());
   all.warning_count = warnings.count();
   all.warnings = warnings.messages();
   return all;

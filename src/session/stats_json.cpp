@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <span>
 
 #include "core/atomic_file.h"
 #include "session/version.h"
@@ -78,101 +77,6 @@ Json techniques_json(const TechniqueShares& shares) {
   return list;
 }
 
-/// Keys that mean nothing to methods without chains are null there.
-void add_chains(const RenderStatistics& s, Json& json) {
-  for (const char* key :
-       {"mutations", "mutations_per_second", "split", "acceptance", "b", "chains"}) {
-    json[key] = nullptr;
-  }
-  if (!s.chains) return;
-  const ChainReport& report = *s.chains;
-  const std::uint64_t mutations = s.result.counters.mutations;
-  json["mutations"] = mutations;
-  json["mutations_per_second"] = per_second(mutations, s.result.seconds);
-  Json by_depth = Json::array();
-  Json by_technique = Json::array();
-  Json b = Json::array();
-  std::uint64_t chains = 0;
-  for (const ChainReport::Depth& depth : report.depths) {
-    const Json number = depth.depth > 0 ? Json(depth.depth) : Json();
-    by_depth.push_back({{"depth", number},
-                        {"chains", depth.chains},
-                        {"mutations", depth.mutations},
-                        {"acceptance", depth.acceptance}});
-    b.push_back({{"depth", number},
-                 {"b", depth.b},
-                 {"standard_error", number_or_null(depth.b_standard_error)}});
-    chains += depth.chains;
-  }
-  for (const ChainReport::OfTechnique& technique : report.techniques) {
-    by_technique.push_back({{"s", technique.technique.s},
-                            {"t", technique.technique.t},
-                            {"proposals", technique.proposals},
-                            {"acceptance", technique.acceptance}});
-  }
-  Json by_move = Json::array();
-  for (const ChainReport::OfMove& move : report.moves) {
-    by_move.push_back(
-        {{"move", move.name}, {"proposals", move.proposals}, {"acceptance", move.acceptance}});
-  }
-  json["acceptance"] = {{"small", report.small_acceptance},
-                        {"large", report.large_acceptance},
-                        {"by_move", by_move},
-                        {"by_depth", by_depth},
-                        {"by_technique", by_technique},
-                        {"longest_rejection_streak", report.longest_rejection_streak}};
-  if (!report.split.empty()) json["split"] = report.split;
-  json["b"] = b;
-  json["chains"] = chains;
-  json["bootstrap_samples"] = report.bootstrap_samples;
-}
-
-/// At most so many regions are listed, the largest ones.
-constexpr std::size_t kMostRegions = 200;
-
-Json selective_json(const SelectiveReport& report, const RenderResult& result) {
-  Json regions = Json::array();
-  for (const SelectiveReport::Region& region : report.regions) {
-    if (regions.size() == kMostRegions) break;
-    regions.push_back({{"region", region.number},
-                       {"pixels", region.pixels},
-                       {"object", region.object},
-                       {"material", region.material},
-                       {"noise", region.noise},
-                       {"importance", region.importance}});
-  }
-  Json halves = Json::array();
-  for (const SelectiveReport::Half& half : report.halves) {
-    halves.push_back({{"correlation", half.correlation},
-                      {"expected_error", half.expected_error},
-                      {"threshold", half.threshold},
-                      {"stands_by", half.stands_by}});
-  }
-  const auto of_omc = [](std::optional<double> of_chains) {
-    return number_or_null(of_chains ? std::optional(1.0 - *of_chains) : std::nullopt);
-  };
-  return {{"pilot_samples_per_pixel", report.pilot_samples},
-          {"pilot_stays", report.pilot_stays},
-          {"halves", halves},
-          {"mutations_per_sample", report.mutations_per_sample},
-          {"correlation", number_or_null(report.correlation)},
-          {"chains",
-           {{"lasting_error", number_or_null(report.lasting_error)},
-            {"cpu_seconds", result.chain_seconds},
-            {"ray_share", report.chain_rays},
-            {"squared_error_share", number_or_null(report.chain_error)}}},
-          {"omc",
-           {{"techniques", report.techniques},
-            {"light_paths_per_sample", report.light_paths_per_sample},
-            {"ray_price", report.ray_price},
-            {"path_rest", report.path_rest},
-            {"cpu_seconds", std::max(0.0, result.cpu_seconds - result.chain_seconds)},
-            {"ray_share", 1.0 - report.chain_rays},
-            {"squared_error_share", of_omc(report.chain_error)}}},
-          {"region_count", report.regions.size()},
-          {"regions", regions}};
-}
-
 }  // namespace
 
 Json to_json(const RenderStatistics& s) {
@@ -201,9 +105,15 @@ Json to_json(const RenderStatistics& s) {
   json["samples_per_pixel"] = r.samples_per_pixel;
   json["replicates"] = s.replicates;
   json["passes"] = r.passes;
-  add_chains(s, json);
+  json["mutations"] = r.counters.mutations;
+  json["mutations_per_second"] = per_second(r.counters.mutations, r.seconds);
+  json["chain_cpu_seconds"] = r.chain_seconds;
   json["prepared"] = s.prepared;
-  json["selective"] = s.selective ? selective_json(*s.selective, r) : Json();
+  if (s.report) {
+    for (const auto& [key, value] : s.report->items()) {
+      if (!json.contains(key)) json[key] = value;
+    }
+  }
   add_error(r, json);
   json["peak_memory_bytes"] = s.peak_memory_bytes;
   json["warnings"] = s.warning_count;

@@ -1,8 +1,8 @@
 #pragma once
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <nlohmann/json_fwd.hpp>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,21 +32,20 @@ struct RenderStatistics {
   int min_depth = 0;
   int max_depth = 0;
   Vec2i resolution{0, 0};
-  Box2i crop;
-  std::string filter;  ///< instead of the scene's; may be empty  ///< inclusive
+  Box2i crop;          ///< inclusive
+  std::string filter;  ///< instead of the scene's; may be empty
   StepTimes times;
   RenderResult result;
   Counters preparation;  ///< what was spent before the first pass
   bool prepared = true;  ///< false: there was no time for it
   Budget budget;
   WorkShare share;
-  std::string checkpoint;             ///< file; empty: none
-  std::string resumed_from;           ///< file; empty: this run began anew
-  std::uint32_t resumptions = 0;      ///< of the whole render
-  std::uint32_t interruptions = 0;    ///< by signals
-  int ranks = 1;                      ///< processes that rendered together
-  std::optional<ChainReport> chains;  ///< of methods that have any
-  std::optional<SelectiveReport> selective;
+  std::string checkpoint;                      ///< file; empty: none
+  std::string resumed_from;                    ///< file; empty: this run began anew
+  std::uint32_t resumptions = 0;               ///< of the whole render
+  std::uint32_t interruptions = 0;             ///< by signals
+  int ranks = 1;                               ///< processes that rendered together
+  std::shared_ptr<const MethodReport> report;  ///< null: nothing is told
   std::uint64_t peak_memory_bytes = 0;
   std::size_t warning_count = 0;
   std::vector<std::string> warnings;  ///< texts, at most `Warnings::kMaxKept`
@@ -54,8 +53,8 @@ struct RenderStatistics {
   Exposure exposure;  ///< of pictures for the eye: `stops` are those used, whoever chose them
 };
 
-/// Statistics as JSON with the keys of the manual (docs/command-line.md). What Markov chains alone
-/// have (`mutations`, `acceptance`, `b`) and what is not known is null.
+/// Statistics as JSON with the keys of the manual (docs/command-line.md), those of the method's own
+/// report among them. What is not known is null.
 nlohmann::ordered_json to_json(const RenderStatistics& statistics);
 
 /// The same as text for the metadata of images: flat, one entry per parameter and number, keys

@@ -1,6 +1,7 @@
 #include "integrator/metropolis/chain_report.h"
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "mcmc/primary/step_kind.h"
@@ -30,36 +31,59 @@ void ChainReporter::OfGroup::add_chain(const ChainRecord& record) {
   record_.add(record);
 }
 
-void ChainReporter::add(const OfGroup& group) {
-  const ChainStatistics& own = group.record_.statistics;
-  MoveCount all;
-  for (const MoveCount& move : own.moves) all += move;
-  report_.depths.push_back({group.group_.depth, group.chains_, group.plain_ + own.steps,
-                            all.acceptance(), group.b_, std::sqrt(group.b_variance_)});
-  for (std::size_t i = 0; i < group.record_.by_technique.size(); ++i) {
-    const MoveCount& count = group.record_.by_technique[i];
-    if (count.proposals == 0) continue;
-    report_.techniques.push_back({group.group_.choice[i], count.proposals, count.acceptance()});
-  }
-  whole_ += own;
-}
-
-ChainReport ChainReporter::report() const {
-  ChainReport report = report_;
-  MoveCount small;
-  for (std::size_t i = 0; i < whole_.moves.size(); ++i) {
-    const MoveCount& move = whole_.moves[i];
-    if (move.proposals == 0) continue;
-    report.moves.push_back({std::string(step_names()[i]), move.proposals, move.acceptance()});
-    if (i == move_of(StepKind::Large)) {
-      report.large_acceptance = move.acceptance();
-    } else {
-      small += move;
+MethodReport ChainReporter::report() const {
+  MethodReport by_depth = MethodReport::array();
+  MethodReport by_technique = MethodReport::array();
+  MethodReport by_move = MethodReport::array();
+  MethodReport b = MethodReport::array();
+  std::uint64_t chains = 0;
+  ChainStatistics whole;
+  for (const OfGroup& group : groups_) {
+    const MethodReport depth =
+        group.group_->depth > 0 ? MethodReport(group.group_->depth) : MethodReport();
+    const ChainStatistics& own = group.record_.statistics;
+    MoveCount all;
+    for (const MoveCount& move : own.moves) all += move;
+    by_depth.push_back({{"depth", depth},
+                        {"chains", group.chains_},
+                        {"mutations", group.plain_ + own.steps},
+                        {"acceptance", all.acceptance()}});
+    const double error = std::sqrt(group.b_variance_);
+    b.push_back({{"depth", depth},
+                 {"b", group.b_},
+                 {"standard_error", std::isfinite(error) ? MethodReport(error) : MethodReport()}});
+    for (std::size_t i = 0; i < group.record_.by_technique.size(); ++i) {
+      const MoveCount& count = group.record_.by_technique[i];
+      if (count.proposals == 0) continue;
+      const Technique technique = group.group_->choice[i];
+      by_technique.push_back({{"s", technique.s},
+                              {"t", technique.t},
+                              {"proposals", count.proposals},
+                              {"acceptance", count.acceptance()}});
     }
+    chains += group.chains_;
+    whole += own;
   }
-  report.small_acceptance = small.acceptance();
-  report.longest_rejection_streak = whole_.longest_streak;
-  return report;
+  MoveCount small;
+  MoveCount large;
+  for (std::size_t i = 0; i < whole.moves.size(); ++i) {
+    const MoveCount& move = whole.moves[i];
+    if (move.proposals == 0) continue;
+    by_move.push_back({{"move", step_names()[i]},
+                       {"proposals", move.proposals},
+                       {"acceptance", move.acceptance()}});
+    (i == move_of(StepKind::Large) ? large : small) += move;
+  }
+  return {{"acceptance",
+           {{"small", small.acceptance()},
+            {"large", large.acceptance()},
+            {"by_move", by_move},
+            {"by_depth", by_depth},
+            {"by_technique", by_technique},
+            {"longest_rejection_streak", whole.longest_streak}}},
+          {"b", b},
+          {"chains", chains},
+          {"bootstrap_samples", bootstrap_samples_}};
 }
 
 }  // namespace ajar

@@ -1,6 +1,9 @@
 #pragma once
 #include <cstdint>
+#include <span>
+#include <vector>
 
+#include "core/method_report.h"
 #include "integrator/integrator.h"
 #include "integrator/metropolis/member_chain.h"
 
@@ -12,10 +15,10 @@ Warning no_seeds(std::uint64_t samples);
 /// Adds up how chains fared, group by group.
 class ChainReporter {
  public:
-  /// The chains of all replicates whose paths are of one group.
+  /// The chains of all replicates whose paths are of one group, which must outlive this.
   class OfGroup {
    public:
-    explicit OfGroup(const PathGroup& group) : group_(group) {}
+    explicit OfGroup(const PathGroup& group) : group_(&group) {}
     /// What is known of b in one of so many replicates.
     void add_b(double b, double standard_error, int replicates);
     void add_chain(const ChainRecord& record);
@@ -26,7 +29,7 @@ class ChainReporter {
 
    private:
     friend class ChainReporter;
-    const PathGroup& group_;
+    const PathGroup* group_;
     ChainRecord record_;
     std::uint64_t chains_ = 0;
     std::uint64_t plain_ = 0;
@@ -34,15 +37,15 @@ class ChainReporter {
     double b_variance_ = 0.0;
   };
 
-  explicit ChainReporter(std::uint64_t bootstrap_samples) {
-    report_.bootstrap_samples = bootstrap_samples;
-  }
-  void add(const OfGroup& group);
-  ChainReport report() const;
+  explicit ChainReporter(std::uint64_t bootstrap_samples) : bootstrap_samples_(bootstrap_samples) {}
+  void add(OfGroup group) { groups_.push_back(std::move(group)); }
+  /// `acceptance` by size of step, move, depth and technique, `b` by depth, `chains`,
+  /// `bootstrap_samples`.
+  MethodReport report() const;
 
  private:
-  ChainReport report_;
-  ChainStatistics whole_;
+  std::uint64_t bootstrap_samples_;
+  std::vector<OfGroup> groups_;
 };
 
 }  // namespace ajar

@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include "core/archive.h"
 #include "core/milestones.h"
 #include "core/parallel_for.h"
+#include "core/random_use.h"
 #include "integrator/metropolis/chain_film_sink.h"
 #include "integrator/metropolis/chain_moves.h"
 #include "integrator/metropolis/chain_report.h"
@@ -73,7 +76,7 @@ class MetropolisIntegrator final : public Integrator {
   bool is_of_chains(std::uint64_t /*item*/) const override { return !unprepared_; }
   double develop_scale(const LayerSpec& layer, std::uint64_t samples,
                        std::optional<int> replicate) const override;
-  std::optional<ChainReport> chain_report() const override;
+  MethodReport report() const override;
 
   bool keeps_state() const override { return !unprepared_; }
   void save_state(OutputArchive& archive) const override;
@@ -152,7 +155,8 @@ void MetropolisIntegrator::begin_bootstrap() {
   for (int replicate = 0; replicate < settings_.replicates; ++replicate) {
     for (std::size_t g = 0; g < groups_.size(); ++g) {
       Population population{.group = g, .replicate = replicate};
-      population.seed = hash_numbers(settings_.seed, 0xb0075ULL, replicate, groups_[g].depth);
+      population.seed =
+          hash_numbers(settings_.seed, RandomUse::Bootstrap, replicate, groups_[g].depth);
       const double samples = per_replicate * bootstrap_share(groups_, g);
       population.weights.resize(
           std::max(kFewestBootstrapSamples, static_cast<std::uint64_t>(samples)));
@@ -315,7 +319,8 @@ std::uint64_t MetropolisIntegrator::bootstrap_samples() const {
   return samples;
 }
 
-std::optional<ChainReport> MetropolisIntegrator::chain_report() const {
+MethodReport MetropolisIntegrator::report() const {
+  if (unprepared_) return unprepared_->report();
   ChainReporter reporter(bootstrap_samples());
   for (std::size_t g = 0; g < groups_.size(); ++g) {
     ChainReporter::OfGroup group(groups_[g]);
@@ -324,7 +329,7 @@ std::optional<ChainReport> MetropolisIntegrator::chain_report() const {
       group.add_b(population.b.mean(), population.b.standard_error(), settings_.replicates);
       for (const MemberChain& member : population.chains) group.add_chain(member.record);
     }
-    reporter.add(group);
+    reporter.add(std::move(group));
   }
   return reporter.report();
 }

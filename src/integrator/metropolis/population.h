@@ -11,10 +11,10 @@ namespace ajar {
 struct Population {
   std::size_t group = 0;
   int replicate = 0;
-  std::uint64_t seed = 0;       ///< of its bootstrap
-  std::vector<double> weights;  ///< I of the bootstrap samples; emptied once chains are seeded
-  Moments b;                    ///< the same: its mean is ∫ I
-  std::vector<MemberChain> chains;
+  std::uint64_t seed = 0;         ///< of its bootstrap
+  std::vector<double> weights{};  ///< I of the bootstrap samples; emptied once chains are seeded
+  Moments b{};                    ///< the same: its mean is ∫ I
+  std::vector<MemberChain> chains{};
 };
 
 }  // namespace ajar

@@ -81,13 +81,18 @@ void ChainEffort::adjust(std::uint64_t samples, const WeightedErrors& of_omc,
   since_ = samples;
 }
 
-void ChainEffort::fill(SelectiveReport& report) const {
+ChainEffort::Known ChainEffort::known() const {
   const double all = static_cast<double>(omc_rays_ + chain_rays_);
-  report.mutations_per_sample = rate();
-  if (correlation_ > 0.0) report.correlation = correlation_;
-  report.lasting_error = lasting_.share();
-  report.chain_rays = all > 0.0 ? static_cast<double>(chain_rays_) / all : 0.0;
-  if (correlation_ > 0.0) report.chain_error = chain_error_;
+  Known known{.mutations_per_sample = rate(),
+              .correlation = std::nullopt,
+              .lasting_error = lasting_.share(),
+              .chain_rays = all > 0.0 ? static_cast<double>(chain_rays_) / all : 0.0,
+              .chain_error = std::nullopt};
+  if (correlation_ > 0.0) {
+    known.correlation = correlation_;
+    known.chain_error = chain_error_;
+  }
+  return known;
 }
 
 void ChainEffort::set_counts(const std::array<std::uint64_t, 4>& counts) {

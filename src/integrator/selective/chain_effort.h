@@ -53,7 +53,15 @@ class ChainEffort {
   /// however many mutations it has, so nothing is biased. Only if `can_adjust`.
   void adjust(std::uint64_t samples, const WeightedErrors& of_omc, const WeightedErrors& of_chains,
               const std::optional<Seen>& seen);
-  void fill(SelectiveReport& report) const;
+  /// What it knows, if it does.
+  struct Known {
+    double mutations_per_sample;
+    std::optional<double> correlation;    ///< variance of chains over that of as many samples
+    std::optional<double> lasting_error;  ///< share of their error that mutations do not make less
+    double chain_rays;                    ///< share of the rays
+    std::optional<double> chain_error;    ///< share of the squared error, luminance · importance
+  };
+  Known known() const;
   std::uint64_t memory_bytes() const { return lasting_.memory_bytes(); }
 
   /// Between passes.

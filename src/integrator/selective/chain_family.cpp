@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "core/milestones.h"
@@ -54,8 +55,7 @@ class ChainIntegrator final : public Integrator {
   bool is_of_chains(std::uint64_t item) const override { return item >= omc_items(); }
   double develop_scale(const LayerSpec& layer, std::uint64_t samples,
                        std::optional<int> replicate) const override;
-  std::optional<ChainReport> chain_report() const override;
-  std::optional<SelectiveReport> selective_report() const override;
+  MethodReport report() const override;
 
   bool keeps_state() const override { return !populations_.empty() || learns(); }
   void save_state(OutputArchive& archive) const override;
@@ -69,6 +69,8 @@ class ChainIntegrator final : public Integrator {
   }
 
  private:
+  /// What regions and their pilot tell.
+  MethodReport report_regions() const;
   void end_preparation();
   void make_omc();
   /// Whether ordinary Monte Carlo does, as the render goes on.
@@ -213,27 +215,54 @@ void ChainIntegrator::make_omc() {
   omc_ = plan_.make_omc(settings, depths, context);
 }
 
-std::optional<ChainReport> ChainIntegrator::chain_report() const {
-  ChainReport report = report_chains(plan_, populations_, items_.later_weight());
-  if (pilot_ != nullptr && !plan_.selective) report.split = pilot_->thresholds();
+MethodReport ChainIntegrator::report() const {
+  MethodReport report = report_chains(plan_, populations_, items_.later_weight());
+  if (pilot_ == nullptr) return report;
+  if (plan_.selective) {
+    report["selective"] = report_regions();
+  } else {
+    report["split"] = pilot_->thresholds();
+  }
   return report;
 }
 
-std::optional<SelectiveReport> ChainIntegrator::selective_report() const {
-  if (!plan_.selective || pilot_ == nullptr) return std::nullopt;
-  SelectiveReport report;
-  report.pilot_samples = pilot_->samples();
-  report.pilot_stays = plan_.pilot_kept > 0;
-  report.techniques = plan_.omc.techniques;
-  report.light_paths_per_sample = std::stod(plan_.omc.light_paths_per_pixel);
+MethodReport ChainIntegrator::report_regions() const {
+  // The largest regions.
+  constexpr std::size_t kMostRegions = 200;
+  const auto or_null = [](std::optional<double> value) {
+    return value && std::isfinite(*value) ? MethodReport(*value) : MethodReport();
+  };
+  MethodReport regions = pilot_->regions();
+  const std::size_t count = regions.size();
+  if (count > kMostRegions) regions.erase(regions.begin() + kMostRegions, regions.end());
+  const ChainEffort::Known known = effort_.known();
+  // Relative to the brightness of the picture; 0: rays have no price.
+  double ray_price = 0.0;
+  double path_rest = 0.0;
   if (adaptation_ && adaptation_->price()) {
-    report.ray_price = adaptation_->price()->price() / plan_.brightness;
-    report.path_rest = adaptation_->price()->rest() / plan_.brightness;
+    ray_price = adaptation_->price()->price() / plan_.brightness;
+    path_rest = adaptation_->price()->rest() / plan_.brightness;
   }
-  report.halves = pilot_->expectations();
-  report.regions = pilot_->report();
-  effort_.fill(report);
-  return report;
+  std::optional<double> omc_error;
+  if (known.chain_error) omc_error = 1.0 - *known.chain_error;
+  return {{"pilot_samples_per_pixel", pilot_->samples()},
+          {"pilot_stays", plan_.pilot_kept > 0},
+          {"halves", pilot_->expectations()},
+          {"mutations_per_sample", known.mutations_per_sample},
+          {"correlation", or_null(known.correlation)},
+          {"chains",
+           {{"lasting_error", or_null(known.lasting_error)},
+            {"ray_share", known.chain_rays},
+            {"squared_error_share", or_null(known.chain_error)}}},
+          {"omc",
+           {{"techniques", plan_.omc.techniques},
+            {"light_paths_per_sample", std::stod(plan_.omc.light_paths_per_pixel)},
+            {"ray_price", ray_price},
+            {"path_rest", path_rest},
+            {"ray_share", 1.0 - known.chain_rays},
+            {"squared_error_share", or_null(omc_error)}}},
+          {"region_count", count},
+          {"regions", regions}};
 }
 
 std::vector<std::pair<std::string, Plane>> ChainIntegrator::maps() const {

@@ -1,6 +1,8 @@
 #include "integrator/selective/chain_report.h"
 
 #include <cmath>
+#include <nlohmann/json.hpp>
+#include <utility>
 
 #include "integrator/metropolis/chain_report.h"
 
@@ -62,8 +64,8 @@ std::vector<std::string> notes_on(const ChainPlan& plan, std::optional<double> s
       "surface"};
 }
 
-ChainReport report_chains(const ChainPlan& plan, std::span<const ChainPopulation> populations,
-                          double later_weight) {
+MethodReport report_chains(const ChainPlan& plan, std::span<const ChainPopulation> populations,
+                           double later_weight) {
   std::uint64_t samples = plan.scouted;
   for (const ChainPopulation& population : populations) samples += population.capped.count;
   ChainReporter reporter(samples);
@@ -77,7 +79,7 @@ ChainReport report_chains(const ChainPlan& plan, std::span<const ChainPopulation
       group.add_retired(population.retired);
       for (const MemberChain& member : population.chains) group.add_chain(member.record);
     }
-    reporter.add(group);
+    reporter.add(std::move(group));
   }
   return reporter.report();
 }

@@ -20,7 +20,7 @@ std::vector<std::string> notes_on(const ChainPlan& plan, std::optional<double> s
                                   bool stand_by);
 
 /// How the chains fared so far; `later_weight`: see `ChainPopulation::b`.
-ChainReport report_chains(const ChainPlan& plan, std::span<const ChainPopulation> populations,
-                          double later_weight);
+MethodReport report_chains(const ChainPlan& plan, std::span<const ChainPopulation> populations,
+                           double later_weight);
 
 }  // namespace ajar

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <numeric>
 #include <tuple>
 
 #include "core/random.h"
+#include "core/random_use.h"
 #include "image/edges.h"
 #include "integrator/light_split.h"
 #include "integrator/make_filter.h"
@@ -75,7 +77,7 @@ class SplitPilot::Sink final : public StrongPathSink {
   bool offer(SampleSource& numbers, StrongPath& path) const {
     if (!recruits_ || !pilot_.offers(path.replicate)) return true;
     const double weight =
-        draw_lot(path.energy, recruits_->grain(), hash_numbers(path.key(), 0x6a1eULL));
+        draw_lot(path.energy, recruits_->grain(), hash_numbers(path.key(), RandomUse::RecruitLot));
     if (weight == 0.0) return true;
     path.value *= static_cast<float>(weight);
     path.energy *= weight;
@@ -95,7 +97,7 @@ class SplitPilot::Sink final : public StrongPathSink {
     FoundLight light = light_of(path, energy / above);
     light.weight =
         static_cast<float>(draw_lot(static_cast<double>(energy), static_cast<double>(pilot_.grain_),
-                                    hash_numbers(path.key(), 0xf09dULL)));
+                                    hash_numbers(path.key(), RandomUse::LightLot)));
     if (light.weight == 0.F) return;
     light.value *= light.weight;
     found_.push_back(light);
@@ -121,7 +123,7 @@ std::uint64_t SplitPilot::begin() {
   constexpr int kReplicates = 4;
   if (!stays()) {
     settings.replicates = kReplicates;
-    settings.seed = hash_numbers(settings.seed, 0x9e9107ULL);
+    settings.seed = hash_numbers(settings.seed, RandomUse::SplitPilot);
     settings.aovs.clear();
   }
   const auto replicates = static_cast<std::uint64_t>(settings.replicates);
@@ -344,21 +346,23 @@ std::vector<double> SplitPilot::thresholds() const {
   return thresholds;
 }
 
-std::vector<SelectiveReport::Half> SplitPilot::expectations() const {
-  std::vector<SelectiveReport::Half> halves;
+MethodReport SplitPilot::expectations() const {
+  MethodReport halves = MethodReport::array();
   for (const RegionChoice& choice : choices_) {
     double sum = 0.0;
     for (const std::uint32_t label : regions_.labels) {
       sum += std::log(static_cast<double>(choice.shares[label].threshold) / plan_.brightness);
     }
-    halves.push_back({choice.correlation, choice.expected_error,
-                      std::exp(sum / static_cast<double>(regions_.labels.size())), choice.off});
+    halves.push_back({{"correlation", choice.correlation},
+                      {"expected_error", choice.expected_error},
+                      {"threshold", std::exp(sum / static_cast<double>(regions_.labels.size()))},
+                      {"stands_by", choice.off}});
   }
   return halves;
 }
 
-std::vector<SelectiveReport::Region> SplitPilot::report() const {
-  std::vector<SelectiveReport::Region> rows;
+MethodReport SplitPilot::regions() const {
+  MethodReport rows = MethodReport::array();
   if (choices_.empty()) return rows;
   // Of the pixels, which the user may have painted.
   std::vector<double> importances(regions_.count());
@@ -366,22 +370,28 @@ std::vector<SelectiveReport::Region> SplitPilot::report() const {
   for (std::size_t i = 0; i < of_pixels.values.size(); ++i) {
     importances[regions_.labels[i]] += static_cast<double>(of_pixels.values[i]);
   }
-  for (std::size_t r = 0; r < regions_.count(); ++r) {
+  std::vector<std::size_t> order(regions_.count());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return regions_.pixel_counts[a] > regions_.pixel_counts[b];
+  });
+  const auto name_of = [](std::span<const std::string> names, std::uint32_t number) {
+    return number > 0 ? names[number - 1] : std::string();
+  };
+  for (const std::size_t r : order) {
     const PixelIdentity& shown = regions_.identities[r];
-    SelectiveReport::Region row;
-    row.number = r + 1;
-    row.pixels = regions_.pixel_counts[r];
-    if (shown.object > 0) row.object = plan_.scene.object_names()[shown.object - 1];
-    if (shown.material > 0) row.material = plan_.scene.material_names()[shown.material - 1];
-    row.importance = importances[r] / static_cast<double>(row.pixels);
+    double noise = 0.0;
     for (const RegionChoice& choice : choices_) {
-      const auto count = static_cast<double>(choices_.size());
-      row.noise += static_cast<double>(choice.noise[r]) / count;
+      noise += static_cast<double>(choice.noise[r]) / static_cast<double>(choices_.size());
     }
-    rows.push_back(std::move(row));
+    const auto pixels = regions_.pixel_counts[r];
+    rows.push_back({{"region", r + 1},
+                    {"pixels", pixels},
+                    {"object", name_of(plan_.scene.object_names(), shown.object)},
+                    {"material", name_of(plan_.scene.material_names(), shown.material)},
+                    {"noise", noise},
+                    {"importance", importances[r] / static_cast<double>(pixels)}});
   }
-  std::stable_sort(rows.begin(), rows.end(),
-                   [](const auto& a, const auto& b) { return a.pixels > b.pixels; });
   return rows;
 }
 

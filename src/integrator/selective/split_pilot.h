@@ -68,10 +68,16 @@ class SplitPilot final : public PreparationStage, public StrongPathSinks {
   std::vector<double> thresholds() const;
   /// Of the picture, as `chain_share` has it; empty if it was not looked at or is not decided.
   std::optional<double> share_of_chains() const { return share_of_chains_; }
-  /// Of each half, in the same order.
-  std::vector<SelectiveReport::Half> expectations() const;
-  /// Rows of the statistics, the largest regions first.
-  std::vector<SelectiveReport::Region> report() const;
+  /// What each half of the replicates expects of chains, or all of them, by what the pilot has
+  /// shown: `correlation` C of a mutation, that of a trial or the usual one; `expected_error`,
+  /// squared, with (bad) chains over that without, 1 if it is not known; `threshold` T, relative to
+  /// the brightness, geometric mean over pixels; whether chains `stand_by`. Empty if nothing is
+  /// decided.
+  MethodReport expectations() const;
+  /// A row for each region, the largest first: its number in the layer "regions", pixels, object
+  /// and material, noise of the pilot's indirect light (½(mean + largest) above T), importance as
+  /// in the layer of that name.
+  MethodReport regions() const;
 
  private:
   class Sink;
