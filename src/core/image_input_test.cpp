@@ -108,6 +108,19 @@ std::string exr(std::uint32_t width, std::uint32_t height) {
   return bytes.zeros(40).result();
 }
 
+/// One pixel on a large canvas.
+std::string gif(std::string_view version) {
+  return Bytes()
+      .text(version)
+      .little({kSide, kSide}, 2)
+      .little({0x80, 0, 0}, 1)
+      .zeros(6)
+      .text(",")
+      .little({0, 0, 1, 1}, 2)
+      .text(std::string_view("\0\2\2\x44\1\0;", 7))
+      .result();
+}
+
 /// Small files of many formats that claim billions of pixels.
 std::vector<std::pair<std::string, std::string>> liars() {
   const auto tga = [](std::uint32_t type) {
@@ -123,24 +136,8 @@ std::vector<std::pair<std::string, std::string>> liars() {
   return {{"gray.png", png(8, 0, 0)},
           {"bits.png", png(1, 0, 0)},
           {"interlaced.png", png(16, 2, 1)},
-          {"canvas.gif", Bytes()
-                             .text("GIF89a")
-                             .little({kSide, kSide}, 2)
-                             .little({0x80, 0, 0}, 1)
-                             .zeros(6)
-                             .text(",")
-                             .little({0, 0, 1, 1}, 2)
-                             .text(std::string_view("\0\2\2\x44\1\0;", 7))
-                             .result()},
-          {"odd-version.gif", Bytes()
-                                  .text("GIF???")
-                                  .little({kSide, kSide}, 2)
-                                  .little({0x80, 0, 0}, 1)
-                                  .zeros(6)
-                                  .text(",")
-                                  .little({0, 0, 1, 1}, 2)
-                                  .text(std::string_view("\0\2\2\x44\1\0;", 7))
-                                  .result()},
+          {"canvas.gif", gif("GIF89a")},
+          {"odd-version.gif", gif("GIF???")},
           {"plain.bmp", bmp(24, 0)},
           {"runs.bmp", bmp(8, 1)},
           {"plain.tga", tga(2)},

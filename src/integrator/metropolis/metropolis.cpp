@@ -19,7 +19,6 @@
 #include "integrator/montecarlo/blind_spots.h"
 #include "integrator/montecarlo/path_family.h"
 #include "integrator/montecarlo/path_parameters.h"
-#include "integrator/sample_block.h"
 #include "mcmc/primary/primary_runner.h"
 
 namespace ajar {
@@ -29,8 +28,10 @@ namespace {
 /// As pbrt has them, over all depths and replicates.
 constexpr const char* kBootstrapSamples = "100000";
 constexpr const char* kChains = "1000";
-/// Of a population, which knows its own b.
-constexpr std::uint64_t kFewestBootstrapSamples = 64;
+
+struct MeasuredPopulation : Population {
+  Moments b;  ///< I over the bootstrap: its mean is ∫ I
+};
 
 /// A sample per pixel is a mutation per pixel.
 ///
@@ -93,7 +94,6 @@ class MetropolisIntegrator final : public Integrator {
 
   static PathSamplerSettings sampler_of(const RenderSettings& settings,
                                         const Parameters& parameters);
-  void begin_bootstrap();
   void seed();
   /// Mutations of a chain of a replicate that has `chains` of them, from sample `sample` to the
   /// next.
@@ -116,7 +116,7 @@ class MetropolisIntegrator final : public Integrator {
   std::vector<Warning> concerns_;
   bool misses_light_ = !concerns_.empty();
 
-  std::vector<Population> populations_;
+  std::vector<MeasuredPopulation> populations_;
   std::vector<SampleBlock> blocks_;         ///< of the bootstrap
   std::vector<Item> items_;                 ///< one per chain
   std::vector<std::size_t> chains_per_;     ///< replicate
@@ -143,61 +143,33 @@ PathSamplerSettings MetropolisIntegrator::sampler_of(const RenderSettings& setti
 
 PreparationRound MetropolisIntegrator::begin_preparation(int round) {
   if (round == 0) {
-    begin_bootstrap();
+    populations_ =
+        make_populations<MeasuredPopulation>(groups_, settings_.replicates, settings_.seed);
+    blocks_ = share_bootstrap(populations_, groups_, settings_.replicates, bootstrap_);
     return {.items = blocks_.size()};
   }
   seed();
   return {};
 }
 
-void MetropolisIntegrator::begin_bootstrap() {
-  const double per_replicate = static_cast<double>(bootstrap_) / settings_.replicates;
-  for (int replicate = 0; replicate < settings_.replicates; ++replicate) {
-    for (std::size_t g = 0; g < groups_.size(); ++g) {
-      Population population{.group = g, .replicate = replicate};
-      population.seed =
-          hash_numbers(settings_.seed, RandomUse::Bootstrap, replicate, groups_[g].depth);
-      const double samples = per_replicate * bootstrap_share(groups_, g);
-      population.weights.resize(
-          std::max(kFewestBootstrapSamples, static_cast<std::uint64_t>(samples)));
-      add_blocks(blocks_, populations_.size(), population.weights.size());
-      populations_.push_back(std::move(population));
-    }
-  }
-}
-
 void MetropolisIntegrator::prepare_item(int /*round*/, std::uint64_t item, Counters& counters) {
-  const SampleBlock& block = blocks_[item];
-  Population& population = populations_[block.owner];
-  const auto target = make_path_target(scene_, groups_[population.group], view_);
-  sample_bootstrap(*target, population.seed, block.first, block.last,
-                   std::span(population.weights).subspan(block.first));
-  counters.add_rays(target->ray_counts());
+  MeasuredPopulation& population = populations_[blocks_[item].owner];
+  sample_bootstrap(population, blocks_[item],
+                   *make_path_target(scene_, groups_[population.group], view_), counters);
 }
 
-/// A replicate's chains are shared among the depths in proportion to b, so that each stands for
-/// about as much light.
 void MetropolisIntegrator::seed() {
-  for (Population& population : populations_) {
+  for (MeasuredPopulation& population : populations_) {
     population.b = bootstrap_moments(population.weights);
   }
   const auto replicates = static_cast<std::size_t>(settings_.replicates);
+  seed_populations(populations_, groups_, std::max<std::size_t>(1, chains_ / replicates),
+                   [](const MeasuredPopulation& population) { return population.b.mean(); });
   chains_per_.assign(replicates, 0);
-  for (std::size_t r = 0; r < replicates; ++r) {
-    const std::span<Population> own =
-        std::span(populations_).subspan(r * groups_.size(), groups_.size());
-    std::vector<double> b;
-    for (const Population& population : own) b.push_back(population.b.mean());
-    const std::vector<std::size_t> shares =
-        apportion(b, std::max<std::size_t>(1, chains_ / replicates));
-    for (std::size_t g = 0; g < own.size(); ++g) {
-      own[g].chains = seed_chains(groups_[g], own[g].seed, own[g].weights, shares[g]);
-      own[g].weights = {};
-      for (std::size_t c = 0; c < own[g].chains.size(); ++c) {
-        items_.push_back({r * groups_.size() + g, c});
-      }
-      chains_per_[r] += own[g].chains.size();
-    }
+  for (std::size_t p = 0; p < populations_.size(); ++p) {
+    const std::size_t chains = populations_[p].chains.size();
+    for (std::size_t c = 0; c < chains; ++c) items_.push_back({p, c});
+    chains_per_[static_cast<std::size_t>(populations_[p].replicate)] += chains;
   }
   if (items_.empty() && !groups_.empty()) concerns_.push_back(no_seeds(bootstrap_samples()));
   if (moves_.plane.active()) {
@@ -259,7 +231,7 @@ void MetropolisIntegrator::run_item(std::uint64_t item, std::uint64_t first_samp
     unprepared_->run_item(item, first_sample, samples, film, counters);
     return;
   }
-  Population& population = populations_[items_[item].population];
+  MeasuredPopulation& population = populations_[items_[item].population];
   MemberChain& member = population.chains[items_[item].chain];
   const PathGroup& group = groups_[population.group];
   const auto target = make_path_target(scene_, group, view_);
@@ -285,7 +257,7 @@ void MetropolisIntegrator::run_item(std::uint64_t item, std::uint64_t first_samp
 
 double MetropolisIntegrator::brightness() const {
   double b = 0.0;
-  for (const Population& population : populations_) b += population.b.mean();
+  for (const MeasuredPopulation& population : populations_) b += population.b.mean();
   b /= settings_.replicates;
   return b > 0.0 && std::isfinite(b) ? b : 1.0;
 }
@@ -315,7 +287,7 @@ double MetropolisIntegrator::develop_scale(const LayerSpec& layer, std::uint64_t
 
 std::uint64_t MetropolisIntegrator::bootstrap_samples() const {
   std::uint64_t samples = 0;
-  for (const Population& population : populations_) samples += population.b.count;
+  for (const MeasuredPopulation& population : populations_) samples += population.b.count;
   return samples;
 }
 
@@ -324,7 +296,7 @@ MethodReport MetropolisIntegrator::report() const {
   ChainReporter reporter(bootstrap_samples());
   for (std::size_t g = 0; g < groups_.size(); ++g) {
     ChainReporter::OfGroup group(groups_[g]);
-    for (const Population& population : populations_) {
+    for (const MeasuredPopulation& population : populations_) {
       if (population.group != g) continue;
       group.add_b(population.b.mean(), population.b.standard_error(), settings_.replicates);
       for (const MemberChain& member : population.chains) group.add_chain(member.record);
@@ -357,7 +329,7 @@ void MetropolisIntegrator::load_state(InputArchive& archive, std::uint64_t sampl
   }
   if (maps_) maps_->load_state(archive);
   parallel_for(items_.size(), [&](std::size_t i) {
-    const Population& population = populations_[items_[i].population];
+    const MeasuredPopulation& population = populations_[items_[i].population];
     check_state(population.chains[items_[i].chain],
                 *make_path_target(scene_, groups_[population.group], view_));
   });
@@ -382,7 +354,7 @@ void MetropolisIntegrator::take_news(InputArchive& archive, const WorkShare& sha
 
 std::uint64_t MetropolisIntegrator::memory_bytes() const {
   std::uint64_t bytes = maps_ ? maps_->memory_bytes() : 0;
-  for (const Population& population : populations_) {
+  for (const MeasuredPopulation& population : populations_) {
     for (const MemberChain& member : population.chains) bytes += member.memory_bytes();
   }
   return bytes;

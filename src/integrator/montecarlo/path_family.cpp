@@ -299,14 +299,8 @@ PathSamplerSettings sampler_settings(const RenderSettings& settings, const Param
 std::vector<ParameterSpec> path_family_parameters(const PathFamilyDefaults& defaults) {
   std::vector<ParameterSpec> specs = {
       techniques_parameter(defaults.techniques, ", each with an optional count (explicit*4)"),
-      {.name = kLightPathsPerPixel,
-       .type = ParameterType::Float,
-       .default_value = defaults.light_paths_per_pixel,
-       .unit = "",
-       .help = "light subpaths per camera sample, where the techniques have any",
-       .choices = {},
-       .minimum = 0.001,
-       .maximum = PathSampler::kMaxLightSubpaths},
+      light_paths_parameter(defaults.light_paths_per_pixel,
+                            "light subpaths per camera sample, where the techniques have any"),
       {.name = "cull",
        .type = ParameterType::Float,
        .default_value = "0.03",

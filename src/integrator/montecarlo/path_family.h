@@ -3,15 +3,13 @@
 
 #include "integrator/integrator.h"
 #include "integrator/light_split.h"
+#include "integrator/montecarlo/path_parameters.h"
 #include "integrator/montecarlo/ray_price.h"
 #include "integrator/montecarlo/sample_rates.h"
 #include "integrator/strong_paths.h"
 #include "transport/path_sampler.h"
 
 namespace ajar {
-
-/// The parameter of that name.
-inline const std::string kLightPathsPerPixel = "light-paths-per-pixel";
 
 /// What the members of the family differ in: the defaults of their parameters.
 struct PathFamilyDefaults {

@@ -16,6 +16,17 @@ ParameterSpec techniques_parameter(std::string default_value, std::string more_h
           .choices = {}};
 }
 
+ParameterSpec light_paths_parameter(std::string default_value, std::string help) {
+  return {.name = kLightPathsPerPixel,
+          .type = ParameterType::Float,
+          .default_value = std::move(default_value),
+          .unit = "",
+          .help = std::move(help),
+          .choices = {},
+          .minimum = 0.001,
+          .maximum = PathSampler::kMaxLightSubpaths};
+}
+
 ParameterSpec heuristic_parameter() {
   return choice_parameter("heuristic", {"power", "balance"},
                           "how techniques that find the same path share it (Veach & Guibas 1995)");

@@ -1,13 +1,14 @@
 #pragma once
 #include "integrator/preparation_stage.h"
-#include "integrator/sample_block.h"
 #include "integrator/selective/chain_plan.h"
 #include "integrator/selective/chain_population.h"
 
 namespace ajar {
 
-/// One for each replicate and group, without chains yet.
-std::vector<ChainPopulation> make_populations(const ChainPlan& plan);
+inline std::vector<ChainPopulation> make_populations(const ChainPlan& plan) {
+  return make_populations<ChainPopulation>(plan.groups, plan.settings.replicates,
+                                           plan.settings.seed);
+}
 
 /// Finds b and seeds for the chains of every depth and replicate (docs/chains.md).
 class ChainBootstrap final : public PreparationStage {
@@ -21,8 +22,6 @@ class ChainBootstrap final : public PreparationStage {
   void end() override;
 
  private:
-  void seed_replicate(int replicate);
-
   const ChainPlan& plan_;
   std::vector<ChainPopulation>& populations_;
   std::vector<SampleBlock> blocks_;

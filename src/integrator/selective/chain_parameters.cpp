@@ -84,16 +84,9 @@ std::vector<ParameterSpec> chain_parameters(ChainKind kind) {
         .choices = {}}});
   mark_experts(specs, {"techniques", "large-step", "bootstrap", "direct", "importance"});
   if (kind == ChainKind::OnePath) {
-    specs.push_back(
-        {.name = kLightPathsPerPixel,
-         .type = ParameterType::Float,
-         .default_value = "1",
-         .unit = "",
-         .help =
-             "light subpaths of ordinary Monte Carlo per camera sample, if the techniques have any",
-         .choices = {},
-         .minimum = 0.001,
-         .maximum = PathSampler::kMaxLightSubpaths});
+    specs.push_back(light_paths_parameter(
+        "1",
+        "light subpaths of ordinary Monte Carlo per camera sample, if the techniques have any"));
   }
   if (kind == ChainKind::WholePath) {
     specs.push_back(roulette_start_parameter("3"));

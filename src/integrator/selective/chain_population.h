@@ -2,23 +2,17 @@
 #include <cmath>
 #include <cstdint>
 #include <optional>
-#include <vector>
 
-#include "integrator/metropolis/member_chain.h"
+#include "integrator/metropolis/population.h"
 #include "mcmc/moments.h"
 
 namespace ajar {
 
-/// The chains of one group in one replicate, with a bootstrap of their own.
-struct ChainPopulation {
-  std::size_t group = 0;
-  int replicate = 0;
-  std::uint64_t seed = 0;       ///< of its bootstrap
-  std::vector<double> weights;  ///< I of the bootstrap samples; emptied once chains are seeded
+/// What chains that share the light with ordinary Monte Carlo know beyond.
+struct ChainPopulation : Population {
   // Of I over the bootstrap, in two parts: min(I, cap) and the rest.
   Moments capped;
   Moments excess;
-  std::vector<MemberChain> chains;
   ChainRecord retired;          ///< of chains that others have replaced
   double samples_behind = 0.0;  ///< camera samples that recruits were found with
   /// What is known of b if chains are recruits (`ChainRecruits`).
