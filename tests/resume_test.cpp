@@ -36,7 +36,7 @@ struct Method {
 std::vector<Method> methods() {
   std::vector<Method> methods;
   for (const IntegratorInfo& info : integrators()) methods.push_back({info.name, {}});
-  methods.push_back({"mmlt", {{"mutation", "fusion"}, {"m1", "1"}}});
+  methods.push_back({"mmlt", {{"mutation", "fusion"}, {"rule", "published"}, {"m1", "1"}}});
   methods.push_back({"mmlt+", {{"split", "0"}, {"multi-try", "2"}}});
   methods.push_back({"mmlt+", {{"step", "adaptive"}, {"m1", "1"}}});
   methods.push_back({"pssmlt+", {{"mutation", "fusion"}, {"rule", "published"}, {"m1", "1"}}});
@@ -83,16 +83,17 @@ class Case {
     return integrator;
   }
   Film film(const Integrator& integrator) const { return film_for(scene_, settings_, integrator); }
-  RenderJobOptions options(int threads) const {
+  /// `times`: as many samples as the case has.
+  RenderJobOptions options(int threads, std::uint64_t times = 1) const {
     RenderJobOptions options;
-    options.budget.samples_per_pixel = samples_;
+    options.budget.samples_per_pixel = times * samples_;
     options.threads = threads;
     return options;
   }
-  Sums left_alone() const {
+  Sums left_alone(std::uint64_t times = 1) const {
     const auto integrator = make();
     Film whole = film(*integrator);
-    RenderJob(*integrator, whole, options(2)).run();
+    RenderJob(*integrator, whole, options(2, times)).run();
     return {whole.raw().begin(), whole.raw().end()};
   }
 
@@ -115,6 +116,30 @@ class Resume : public ::testing::TestWithParam<test::SmallScene> {
   std::unique_ptr<Scene> scene_;
 };
 
+Checkpoint checkpoint_of(const Case& one, const Integrator& integrator, const Film& film,
+                         const RenderJob& job) {
+  Checkpoint next;
+  next.version = version();
+  next.render.scene_hash = one.scene_.hash();
+  next.render.settings = one.settings_;
+  next.render.integrator = one.info_.name;
+  next.layers.assign(film.layers().begin(), film.layers().end());
+  next.job = job.state();
+  next.scales = development_of(film, integrator, next.job.mean_samples());
+  next.integrator_state = archived([&](OutputArchive& archive) { integrator.save_state(archive); });
+  return next;
+}
+
+/// Takes up what a checkpoint has.
+Film take_up(const Case& one, Checkpoint read, Integrator& integrator, RenderJobOptions& options) {
+  check_scene(read, one.scene_.hash(), integrator.layers(), "", false);
+  unarchive(read.integrator_state, [&](InputArchive& archive) {
+    integrator.load_state(archive, read.job.samples_per_pixel);
+  });
+  options.resumed = read.job;
+  return film_of(read, one.film(integrator).filter(), "");
+}
+
 /// One pass, from the checkpoint in a file to the next; on the first pass there is none. Or only
 /// its beginning (`cut`), as if the user could not wait.
 void run_one_pass(const Case& one, const std::string& path, bool first, int threads, bool cut) {
@@ -122,13 +147,7 @@ void run_one_pass(const Case& one, const std::string& path, bool first, int thre
   Film film = one.film(*integrator);
   RenderJobOptions options = one.options(threads);
   if (!first) {
-    Checkpoint read = read_checkpoint(path);
-    check_scene(read, one.scene_.hash(), integrator->layers(), path, false);
-    unarchive(read.integrator_state, [&](InputArchive& archive) {
-      integrator->load_state(archive, read.job.samples_per_pixel);
-    });
-    options.resumed = read.job;
-    film = film_of(read, film.filter(), path);
+    film = take_up(one, read_checkpoint(path), *integrator, options);
   }
   options.pass_seconds = 0.0;
   class StopAfterPass final : public PassObserver {
@@ -152,17 +171,7 @@ void run_one_pass(const Case& one, const std::string& path, bool first, int thre
   options.observers = {&stop};
   RenderJob job(*integrator, film, options);
   job.run();
-  Checkpoint next;
-  next.version = version();
-  next.render.scene_hash = one.scene_.hash();
-  next.render.settings = one.settings_;
-  next.render.integrator = one.info_.name;
-  next.layers.assign(film.layers().begin(), film.layers().end());
-  next.job = job.state();
-  next.scales = development_of(film, *integrator, next.job.mean_samples());
-  next.integrator_state =
-      archived([&](OutputArchive& archive) { integrator->save_state(archive); });
-  write_checkpoint(path, next, film.raw());
+  write_checkpoint(path, checkpoint_of(one, *integrator, film, job), film.raw());
 }
 
 TEST_P(Resume, AtEveryPassGivesTheSameBits) {
@@ -190,6 +199,7 @@ TEST_P(Resume, OnSeveralRanksGivesTheSameBits) {
     for (const int count : {1, 2, 3}) {
       ThreadRanks ranks(count);
       Sums together;
+      Checkpoint last;
       std::vector<std::thread> threads;
       threads.reserve(static_cast<std::size_t>(count));
       for (int rank = 0; rank < count; ++rank) {
@@ -200,11 +210,22 @@ TEST_P(Resume, OnSeveralRanksGivesTheSameBits) {
           options.ranks = &ranks.member(rank);
           RenderJob job(*integrator, film, options);
           job.run();
-          if (rank == 0) together.assign(job.film().raw().begin(), job.film().raw().end());
+          if (rank != 0) return;
+          together.assign(job.film().raw().begin(), job.film().raw().end());
+          last = checkpoint_of(one, *integrator, job.film(), job);
         });
       }
       for (std::thread& thread : threads) thread.join();
       EXPECT_EQ(together, alone) << one.name_ << ", " << count << " ranks";
+      if (count < 3) continue;
+      // The root writes checkpoints: it must know what the others have done.
+      last.sums = together;
+      const auto integrator = one.make();
+      RenderJobOptions options = one.options(2, 2);
+      Film film = take_up(one, last, *integrator, options);
+      RenderJob(*integrator, film, options).run();
+      EXPECT_EQ(Sums(film.raw().begin(), film.raw().end()), one.left_alone(2))
+          << one.name_ << ", alone after " << count << " ranks";
     }
   }
 }

@@ -58,9 +58,8 @@ std::vector<MemberChain> seed_chains(const PathGroup& group, std::uint64_t boots
   return chains;
 }
 
-void count_steps(MemberChain& member, const ChainStatistics& statistics, const PathTarget& target,
-                 Counters& counters) {
-  member.record.statistics += statistics;
+void count_steps(const MemberChain& member, const ChainStatistics& statistics,
+                 const PathTarget& target, Counters& counters) {
   counters.mutations += statistics.steps;
   counters.add_rays(target.ray_counts());
   counters.discarded_nan += statistics.discarded_nan;

@@ -68,9 +68,11 @@ std::vector<MemberChain> seed_chains(const PathGroup& group, std::uint64_t boots
                                      std::span<const double> weights, std::size_t count,
                                      const SeedRule& rule = {});
 
-/// Counts what a chain has done in an item, of which `target` is.
-void count_steps(MemberChain& member, const ChainStatistics& statistics, const PathTarget& target,
-                 Counters& counters);
+/// Counts what a chain has done in an item, of which `target` is. Its own record is for who runs
+/// it: block by block, since sums depend on their order, and where passes are cut is up to the
+/// clock.
+void count_steps(const MemberChain& member, const ChainStatistics& statistics,
+                 const PathTarget& target, Counters& counters);
 
 /// Raise std::runtime_error for what chains that were read cannot have done, such as more than
 /// `most_steps` steps.

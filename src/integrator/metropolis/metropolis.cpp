@@ -247,8 +247,10 @@ void MetropolisIntegrator::run_item(std::uint64_t item, std::uint64_t first_samp
         steps(sample, chains_per_[static_cast<std::size_t>(population.replicate)]);
     sink.begin(b * view_.area() / (static_cast<double>(n) * chains) / settings_.replicates,
                member.record.by_technique.empty() ? nullptr : &member.record.by_technique);
-    statistics += runner.go_on(member.chain, n, sink,
-                               moves_.mis_large_steps ? std::optional(b) : std::nullopt);
+    const ChainStatistics of_sample = runner.go_on(
+        member.chain, n, sink, moves_.mis_large_steps ? std::optional(b) : std::nullopt);
+    member.record.statistics += of_sample;
+    statistics += of_sample;
   }
   count_steps(member, statistics, *target, counters);
 }

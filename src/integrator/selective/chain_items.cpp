@@ -108,8 +108,10 @@ void ChainItems::run_chain(const Item& item, std::uint64_t first_sample, std::ui
     sink.begin(stretch_.sample_weight() * member.weight * b * plan_.view.area() * per_step /
                    plan_.settings.replicates,
                member.record.by_technique.empty() ? nullptr : &member.record.by_technique);
-    statistics += runner.go_on(member.chain, steps, sink,
-                               plan_.moves.mis_large_steps ? std::optional(b) : std::nullopt);
+    const ChainStatistics of_block = runner.go_on(
+        member.chain, steps, sink, plan_.moves.mis_large_steps ? std::optional(b) : std::nullopt);
+    member.record.statistics += of_block;
+    statistics += of_block;
   }
   effort_.count_chains(target->rays() - rays_to_start, statistics.steps);
   count_steps(member, statistics, *target, counters);

@@ -7,6 +7,7 @@
 
 #include "core/warnings.h"
 #include "scene/geometry.h"
+#include "scene/testing/transforms.h"
 #include "scene/texture/texture.h"
 
 /// Shapes of a few triangles, and what rays meet of them.
@@ -51,22 +52,6 @@ inline desc::Mesh square(float size) {
   mesh.indices.emplace_back(0, 1, 2);
   mesh.indices.emplace_back(0, 2, 3);
   return mesh;
-}
-
-inline Mat4 translation(double x, double y, double z) {
-  Mat4 m;
-  m.setTranslation(Vec3d(x, y, z));
-  return m;
-}
-inline Mat4 rotation(const Vec3d& axis, double radians) {
-  Mat4 m;
-  m.setAxisAngle(axis.normalized(), radians);
-  return m;
-}
-inline Mat4 scaling(double x, double y, double z) {
-  Mat4 m;
-  m.setScale(Vec3d(x, y, z));
-  return m;
 }
 
 /// A scene as its geometry is built.

@@ -5,10 +5,13 @@
 
 namespace ajar::testing {
 
-inline Mat4 translation(const Vec3& offset) {
+inline Mat4 translation(double x, double y, double z) {
   Mat4 m;
-  m.setTranslation(Vec3d(offset));
+  m.setTranslation(Vec3d(x, y, z));
   return m;
+}
+inline Mat4 translation(const Vec3& offset) {
+  return translation(double{offset.x}, double{offset.y}, double{offset.z});
 }
 inline Mat4 scaling(double x, double y, double z) {
   Mat4 m;
