@@ -33,24 +33,78 @@ class Cursor {
     for (char c = 0; text.size() < kLongest && file_.get(c) && c != '\0';) text += c;
     return text;
   }
-  void skip(std::uint64_t bytes) { file_.seekg(static_cast<std::streamoff>(bytes), std::ios::cur); }
+  int byte() { return file_.get(); }
+  void go_to(std::uint64_t place) { file_.seekg(static_cast<std::streamoff>(place)); }
 
  private:
   std::ifstream file_;
 };
 
-/// The box of pixels that the file holds. Rows come in blocks of at most 256, and each block has
-/// eight bytes in a table; the library makes the table before it reads it.
-std::string window_complaint(Cursor& cursor, std::uint64_t file_bytes) {
-  std::array<std::int64_t, 4> box{};
-  for (std::int64_t& value : box) value = cursor.number();
-  constexpr std::int64_t kMostRowsPerBlock = 256;
-  const std::int64_t rows = box[3] - box[1] + 1;
-  const auto table = static_cast<std::uint64_t>(std::max<std::int64_t>(0, rows)) * 8U /
-                     static_cast<std::uint64_t>(kMostRowsPerBlock);
-  if (!cursor.is_good() || table <= file_bytes) return {};
-  return fmt::format("it claims {} rows of pixels, but has {} bytes, which cannot hold them", rows,
-                     file_bytes);
+/// What a part of the file claims to hold.
+struct Part {
+  std::int64_t width = 0;
+  std::int64_t rows = 0;
+  int compression = 0;       ///< the format's number for it
+  double pixel_bytes = 0.0;  ///< of all channels
+
+  void read_window(Cursor& cursor) {
+    std::array<std::int64_t, 4> box{};
+    for (std::int64_t& value : box) value = cursor.number();
+    width = std::max<std::int64_t>(0, box[2] - box[0] + 1);
+    rows = std::max<std::int64_t>(0, box[3] - box[1] + 1);
+  }
+  void read_channels(Cursor& cursor, std::uint64_t end) {
+    constexpr std::int32_t kHalf = 1;
+    while (cursor.is_good() && cursor.place() < end && !cursor.name().empty()) {
+      const double bytes = cursor.number() == kHalf ? 2.0 : 4.0;
+      cursor.number();  // for the eye or not
+      const double across = std::max(cursor.number(), 1);
+      const double down = std::max(cursor.number(), 1);
+      pixel_bytes += bytes / across / down;
+    }
+  }
+};
+
+/// How one of the format's ways to pack pixels may be used at most.
+struct Packing {
+  double bytes_per_byte;  ///< that a byte of the file can stand for
+  std::int64_t rows;      ///< that are packed together
+};
+/// Bounds: runs stand for at most 127 bytes with two, deflate makes at most 1032 bytes of one, and
+/// leaves out every fourth of a PXR24 number; PIZ packs 256 numbers of two bytes into ten bits;
+/// B44A a flat block of 32 bytes into three; DWA deflates runs. What is unknown is as good as that.
+Packing packing_of(int compression) {
+  constexpr double kRuns = 64.0;
+  constexpr double kDeflate = 1032.0;
+  constexpr std::array<Packing, 10> kPackings = {{{1.0, 1},
+                                                  {kRuns, 1},
+                                                  {kDeflate, 1},
+                                                  {kDeflate, 16},
+                                                  {kDeflate, 32},
+                                                  {kDeflate * 4.0 / 3.0, 16},
+                                                  {32.0 / 3.0, 32},
+                                                  {32.0 / 3.0, 32},
+                                                  {kRuns * kDeflate, 32},
+                                                  {kRuns * kDeflate, 256}}};
+  const auto index = static_cast<std::size_t>(static_cast<unsigned char>(compression));
+  return kPackings[std::min(index, kPackings.size() - 1)];
+}
+
+/// The library makes two things before it reads pixels: a table with eight bytes for each block of
+/// rows, and room for a block, however few rows the picture has.
+std::string part_complaint(const Part& part, std::uint64_t file_bytes) {
+  // A file of few bytes may well have room for a block that it does not fill.
+  constexpr double kUsualBlock = 1 << 26;
+  const Packing packing = packing_of(part.compression);
+  const auto file = static_cast<double>(file_bytes);
+  const auto rows = static_cast<double>(part.rows);
+  const double most = file * packing.bytes_per_byte;
+  const double row = static_cast<double>(part.width) * part.pixel_bytes;
+  const double table = 8.0 * rows / static_cast<double>(packing.rows);
+  const double block = row * static_cast<double>(packing.rows);
+  if (table <= file && row * rows <= most && block <= std::max(most, kUsualBlock)) return {};
+  return fmt::format("it claims {}x{} pixels, but has {} bytes, which cannot hold them", part.width,
+                     part.rows, file_bytes);
 }
 
 }  // namespace
@@ -62,12 +116,15 @@ std::string exr_header_complaint(const std::string& path, std::uint64_t file_byt
   if (cursor.number() != kMagic) return {};
   const bool has_parts = (cursor.number() & kSeveralParts) != 0;
   bool header_is_empty = true;
+  Part part;
   while (cursor.is_good()) {
     const std::string name = cursor.name();
     if (name.empty()) {
       // The end of a header, and of all of them if there is but one or this one is empty.
+      if (std::string text = part_complaint(part, file_bytes); !text.empty()) return text;
       if (!has_parts || header_is_empty) return {};
       header_is_empty = true;
+      part = {};
       continue;
     }
     header_is_empty = false;
@@ -79,11 +136,11 @@ std::string exr_header_complaint(const std::string& path, std::uint64_t file_byt
       return fmt::format("its header claims {} bytes for \"{}\", but the file has {}",
                          static_cast<std::uint32_t>(size), printable_line(name), file_bytes);
     }
-    if (name == "dataWindow" && size == 16) {
-      if (std::string text = window_complaint(cursor, file_bytes); !text.empty()) return text;
-    } else {
-      cursor.skip(static_cast<std::uint64_t>(size));
-    }
+    const std::uint64_t end = place + static_cast<std::uint64_t>(size);
+    if (name == "dataWindow" && size == 16) part.read_window(cursor);
+    if (name == "compression" && size == 1) part.compression = cursor.byte();
+    if (name == "channels") part.read_channels(cursor, end);
+    cursor.go_to(end);
   }
   return {};
 }

@@ -23,8 +23,23 @@ std::string attribute(const std::string& name, const std::string& type, std::uin
   return name + '\0' + type + '\0' + number(size) + value;
 }
 
-std::string window(std::uint32_t last_row) {
-  return attribute("dataWindow", "box2i", 16, number(0) + number(0) + number(7) + number(last_row));
+std::string window(std::uint32_t last_row, std::uint32_t last_column = 7) {
+  return attribute("dataWindow", "box2i", 16,
+                   number(0) + number(0) + number(last_column) + number(last_row));
+}
+
+std::string packed(char compression) {
+  return attribute("compression", "compression", 1, std::string(1, compression));
+}
+
+/// Three channels of half numbers.
+std::string colours() {
+  std::string list;
+  for (const char* name : {"B", "G", "R"}) {
+    list += name + std::string(1, '\0') + number(1) + number(0) + number(1) + number(1);
+  }
+  list += '\0';
+  return attribute("channels", "chlist", static_cast<std::uint32_t>(list.size()), list);
 }
 
 class ExrHeader : public testing::Test {
@@ -42,7 +57,8 @@ class ExrHeader : public testing::Test {
 };
 
 TEST_F(ExrHeader, OfAUsualFileIsFine) {
-  EXPECT_EQ(complaint(attribute("owner", "string", 4, "Mary") + window(1023)), "");
+  EXPECT_EQ(complaint(attribute("owner", "string", 4, "Mary") + window(15) + packed(3) + colours()),
+            "");
 }
 
 TEST_F(ExrHeader, AttributesLargerThanTheFileAreTold) {
@@ -53,7 +69,28 @@ TEST_F(ExrHeader, AttributesLargerThanTheFileAreTold) {
 }
 
 TEST_F(ExrHeader, MoreRowsThanBytesCouldHoldAreTold) {
-  EXPECT_NE(complaint(window(0x7ffffffe)).find("2147483647 rows"), std::string::npos);
+  EXPECT_NE(complaint(window(0x7ffffffe)).find("8x2147483647 pixels"), std::string::npos);
+}
+
+/// The same pixels fit or do not fit by how they are packed: 250 bytes hold 41 raw pixels.
+TEST_F(ExrHeader, MorePixelsThanBytesCouldHoldAreTold) {
+  constexpr char kNone = 0, kRuns = 1, kZip = 3, kDwab = 9;
+  const auto complains = [&](char compression, std::uint32_t width) {
+    return !complaint(window(0, width - 1) + colours() + packed(compression)).empty();
+  };
+  EXPECT_FALSE(complains(kNone, 30));
+  EXPECT_TRUE(complains(kNone, 60));
+  EXPECT_FALSE(complains(kRuns, 60));
+  EXPECT_TRUE(complains(kRuns, 5000));
+  EXPECT_FALSE(complains(kZip, 5000));
+  EXPECT_TRUE(complains(kZip, 100000));
+  EXPECT_FALSE(complains(kDwab, 5000));
+  EXPECT_TRUE(complains(kDwab, 16777216));
+}
+
+/// One row of eight million pixels in 250 bytes could just be, but 256 such rows are made room for.
+TEST_F(ExrHeader, BlocksOfRowsThatNothingFillsAreTold) {
+  EXPECT_NE(complaint(window(0, 2000000) + colours() + packed(9)), "");
 }
 
 TEST_F(ExrHeader, OfEveryPartIsLookedAt) {

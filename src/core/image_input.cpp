@@ -75,7 +75,8 @@ std::optional<Size> claimed_size(std::string_view bytes) {
 /// More pixels than this cannot be packed into a byte of a file. Bounds of the formats, for one bit
 /// per pixel where they have that: deflate makes at most 1032 bytes of one, LZW 2560 (12-bit codes
 /// of a full table), runs of PackBits and the like 64. What has no such bound still says something
-/// about a row or a block of pixels: fax code spends a bit on a white row.
+/// about a row or a block of pixels: fax code spends a bit on a white row. (Of EXR, exr_header.h
+/// knows more.)
 double most_pixels_per_byte(const OIIO::ImageInput& input) {
   constexpr double kUnpacked = 8.0;
   constexpr double kRuns = 8.0 * 64.0;
@@ -92,11 +93,6 @@ double most_pixels_per_byte(const OIIO::ImageInput& input) {
     return packing == "lzw" ? kLzw : kUnknown;
   }
   if (format == "bmp") return packing.empty() ? kUnpacked : kUnknown;
-  if (format == "openexr") {
-    if (packing == "none") return kUnpacked;
-    if (packing == "rle") return kRuns;
-    return packing == "zip" || packing == "zips" ? kDeflate : kUnknown;
-  }
   struct Bound {
     std::string_view format;
     double pixels;

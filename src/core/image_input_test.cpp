@@ -228,7 +228,9 @@ TEST_F(ImageInputTest, FlatPicturesAreBelieved) {
        {std::pair("a.png", "zip"), std::pair("a.tif", "zip"), std::pair("b.tif", "lzw"),
         std::pair("c.tif", "packbits"), std::pair("d.tif", "none"), std::pair("a.jpg", "jpeg:90"),
         std::pair("a.webp", "lossless"), std::pair("a.tga", "rle"), std::pair("a.bmp", "rle"),
-        std::pair("a.exr", "zip"), std::pair("a.gif", ""), std::pair("a.sgi", "rle")}) {
+        std::pair("a.gif", ""), std::pair("a.sgi", "rle"), std::pair("a.exr", "zip"),
+        std::pair("b.exr", "rle"), std::pair("c.exr", "piz"), std::pair("d.exr", "pxr24"),
+        std::pair("e.exr", "b44a"), std::pair("f.exr", "dwaa"), std::pair("g.exr", "dwab")}) {
     const auto output = OIIO::ImageOutput::create(path(name));
     ASSERT_TRUE(output) << name;
     const bool needs_colour = std::string(name) == "a.webp" || std::string(name) == "a.gif";
