@@ -22,6 +22,7 @@ const std::map<std::string, std::set<std::string>>& rooms() {
         {"scene", {"core", "scene/desc"}},
         {"import", {"core", "scene/desc"}},
         {"image", {"core"}},
+        {"post", {"core", "image"}},
         {"transport", {"core", "scene", "scene/desc"}},
     };
     const auto add = [&](const std::string& room, const std::string& above,
@@ -36,10 +37,10 @@ const std::map<std::string, std::set<std::string>>& rooms() {
     add("integrator/montecarlo", "integrator", {});
     add("integrator/metropolis", "integrator/montecarlo", {});
     add("integrator/selective", "integrator/metropolis", {});
-    add("session", "integrator/selective", {"import"});
+    add("session", "integrator/selective", {"import", "post"});
     add("api", "session", {});
-    may["study/report"] = {"core", "image"};
-    may["study"] = {"core", "image", "session", "study/report"};
+    may["study/report"] = {"core", "image", "post"};
+    may["study"] = {"core", "image", "post", "session", "study/report"};
     add("apps", "session", {"study", "study/report"});
     return may;
   }();

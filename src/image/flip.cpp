@@ -10,7 +10,7 @@
 
 #include "core/parallel_for.h"
 #include "image/plane.h"
-#include "image/tone_map.h"
+#include "image/tone_curve.h"
 
 namespace ajar {
 

@@ -7,7 +7,7 @@
 
 #include "image/hdr_flip.h"
 #include "image/testing/pattern.h"
-#include "image/tone_map.h"
+#include "image/tone_curve.h"
 
 // The numbers were computed by a program of ours in NumPy: in double precision, with
 // two-dimensional kernels made from the formulas and applied directly to planes with repeated

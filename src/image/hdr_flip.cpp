@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/parallel_for.h"
-#include "image/tone_map.h"
+#include "image/tone_curve.h"
 
 namespace ajar {
 

@@ -16,7 +16,6 @@
 #include "core/error.h"
 #include "core/file_extension.h"
 #include "core/image_input.h"
-#include "image/antialias.h"
 #include "image/pfm.h"
 
 namespace ajar {
@@ -127,25 +126,18 @@ std::vector<unsigned char> encode_hdr(const std::string& path, const Picture& pi
   });
 }
 
-std::vector<unsigned char> encode_display(const std::string& path, const Picture& picture,
-                                          const DisplayOptions& display) {
+std::vector<unsigned char> encode_display(const std::string& path, const Picture& picture) {
   OIIO::ImageSpec spec =
       make_spec(picture, std::span(picture.layers).first(1), OIIO::TypeDesc::UINT8);
   spec.attribute("oiio:ColorSpace", "sRGB");
   spec.attribute("CompressionQuality", 95);
-  std::vector<float> shown;
-  shown.reserve(picture.layers[0].pixels.size());
-  for (const float v : picture.layers[0].pixels) {
-    shown.push_back(tone_map(v, display.tone_map, display.exposure));
-  }
-  if (picture.antialias_mask) {
-    shown = antialias({spec.width, spec.height}, shown, *picture.antialias_mask);
-  }
   const std::size_t row = static_cast<std::size_t>(spec.width) * 3;
   return encode<unsigned char>(path, spec, [&](int y, unsigned char* out) {
-    const float* in = shown.data() + static_cast<std::size_t>(y) * row;
-    std::transform(in, in + row, out,
-                   [](float v) { return static_cast<unsigned char>(std::lround(v * 255.F)); });
+    const float* in = picture.layers[0].pixels.data() + static_cast<std::size_t>(y) * row;
+    // Written so that NaN becomes zero.
+    std::transform(in, in + row, out, [](float v) {
+      return static_cast<unsigned char>(v > 0.F ? std::lround(std::min(v, 1.F) * 255.F) : 0);
+    });
   });
 }
 
@@ -226,7 +218,7 @@ void check_image_extension(const std::string& path) {
 
 bool is_display_file(const std::string& path) { return is_display_format(file_extension(path)); }
 
-void write_image(const std::string& path, const Picture& picture, const DisplayOptions& display) {
+void write_image(const std::string& path, const Picture& picture) {
   check_image_extension(path);
   check_layers(picture);
   const std::string extension = file_extension(path);
@@ -240,7 +232,7 @@ void write_image(const std::string& path, const Picture& picture, const DisplayO
   }
   const std::vector<unsigned char> bytes = extension == ".exr" ? encode_exr(path, picture)
                                            : is_display_format(extension)
-                                               ? encode_display(path, picture, display)
+                                               ? encode_display(path, picture)
                                                : encode_hdr(path, picture);
   write_file_atomically(path, std::as_bytes(std::span(bytes)));
 }

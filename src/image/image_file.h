@@ -5,7 +5,6 @@
 
 #include "core/vector.h"
 #include "image/picture.h"
-#include "image/tone_map.h"
 
 namespace ajar {
 
@@ -33,12 +32,6 @@ struct Image {
 /// Reads any image that OpenImageIO knows, and PFM. Raises IoError.
 Image read_image(const std::string& path);
 
-/// Display settings for 8-bit formats.
-struct DisplayOptions {
-  ToneMap tone_map = ToneMap::Srgb;
-  float exposure = 0.F;  ///< stops
-};
-
 /// Raises UsageError, listing the formats we write, if the extension is not one of them. To be
 /// called before a long render.
 void check_image_extension(const std::string& path);
@@ -47,12 +40,12 @@ void check_image_extension(const std::string& path);
 bool is_display_file(const std::string& path);
 
 /// Writes `.exr` (scene-linear, all layers), `.pfm`, `.hdr` (scene-linear, first layer), `.png`,
-/// `.jpg`, `.jpeg` (tone-mapped, 8-bit sRGB), atomically (`write_file_atomically`). Metadata goes
+/// `.jpg`, `.jpeg` (8 bits for a display: values in [0, 1] of the first layer, encoded as they are
+/// shown; `displayed` in post/display.h makes them), atomically (`write_file_atomically`). Metadata goes
 /// where the format has room for it. In EXR, a layer of 3 channels is `name.R, name.G, name.B`
 /// (just R, G, B for the layer ""), one of a single channel `name`; other formats hold the first
 /// layer only, which must have 3 channels. Values that are not numbers are kept in EXR and PFM and
 /// become zero elsewhere. Raises UsageError for the extension and IoError for the file.
-void write_image(const std::string& path, const Picture& picture,
-                 const DisplayOptions& display = {});
+void write_image(const std::string& path, const Picture& picture);
 
 }  // namespace ajar

@@ -15,13 +15,13 @@ struct Picture {
   struct Layer {
     std::string name;           ///< "" for the picture itself
     int channels = 3;           ///< 3, or 1
-    std::vector<float> pixels;  ///< scene-linear, row by row, crop only, channels interleaved
+    std::vector<float> pixels;  ///< scene-linear unless said otherwise, row by row, crop only, channels interleaved
   };
   Vec2i resolution{0, 0};     ///< of the full image
   Box2i crop;                 ///< inclusive; the pixels that exist
   std::vector<Layer> layers;  ///< the first is the picture
   std::map<std::string, std::string> metadata;
-  /// Where formats for the eye smooth the stairs of edges (antialias.h); empty if nowhere.
+  /// Where formats for the eye smooth the stairs of edges (post/antialias.h); empty if nowhere.
   std::optional<Plane> antialias_mask{};
 };
 

@@ -116,7 +116,7 @@ class Integrator {
   /// Pictures about the render that are known since the preparation, of one channel over the crop:
   /// those AOVs that are not sums of samples.
   virtual std::vector<std::pair<std::string, Plane>> maps() const { return {}; }
-  /// Where pictures for the eye need smoothing along edges (antialias.h); empty if nowhere.
+  /// Where pictures for the eye need smoothing along edges (post/antialias.h); empty if nowhere.
   virtual std::optional<Plane> antialias_mask() const { return std::nullopt; }
   /// What the user may like to know after the preparation, beside `concerns`.
   virtual std::vector<std::string> notes() const { return {}; }

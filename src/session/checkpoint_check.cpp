@@ -8,8 +8,8 @@
 
 #include "core/error.h"
 #include "core/milestones.h"
-#include "image/exposure.h"
-#include "image/tone_map.h"
+#include "post/exposure.h"
+#include "image/tone_curve.h"
 #include "session/catalog.h"
 #include "session/filter_option.h"
 

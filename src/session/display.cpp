@@ -1,6 +1,6 @@
 #include "session/display.h"
 
-#include "image/exposure.h"
+#include "post/exposure.h"
 
 namespace ajar {
 

@@ -1,5 +1,5 @@
 #pragma once
-#include "image/image_file.h"
+#include "post/display.h"
 
 namespace ajar {
 

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "image/exposure.h"
+#include "post/exposure.h"
 
 namespace ajar {
 

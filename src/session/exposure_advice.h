@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-#include "image/image_file.h"
+#include "post/display.h"
 
 namespace ajar {
 

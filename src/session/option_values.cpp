@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "core/error.h"
-#include "image/exposure.h"
+#include "post/exposure.h"
 
 namespace ajar {
 

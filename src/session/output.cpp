@@ -15,7 +15,9 @@
 #include "core/error.h"
 #include "image/density_map.h"
 #include "image/identities.h"
+#include "image/image_file.h"
 #include "image/statistics.h"
+#include "session/write_picture.h"
 
 namespace ajar {
 
@@ -99,7 +101,7 @@ std::optional<FinalFile> density_map_file(const Picture& picture, const std::str
   colours.layers.push_back({"", 3, std::move(map.rgb)});
   return FinalFile{
       "the density map", name.string(),
-      [colours = std::move(colours)](const std::string& to) { write_image(to, colours); }};
+      [colours = std::move(colours)](const std::string& to) { write_picture(to, colours); }};
 }
 
 }  // namespace
@@ -236,7 +238,7 @@ std::vector<FinalFile> picture_files(const Picture& picture, const std::vector<s
   files.reserve(paths.size());
   for (const std::string& path : paths) {
     files.push_back({"the picture", path, [&picture, display](const std::string& to) {
-                       write_image(to, picture, display);
+                       write_picture(to, picture, display);
                      }});
     std::optional<FinalFile> map = density_map_file(picture, path);
     if (map) files.push_back(std::move(*map));

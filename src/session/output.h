@@ -7,7 +7,7 @@
 
 #include "core/vector.h"
 #include "image/film.h"
-#include "image/image_file.h"
+#include "post/display.h"
 #include "image/relative_error.h"
 #include "integrator/integrator.h"
 #include "session/final_files.h"

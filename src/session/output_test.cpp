@@ -9,6 +9,7 @@
 
 #include "core/error.h"
 #include "image/identities.h"
+#include "image/image_file.h"
 #include "session/test_integrator.h"
 
 namespace ajar {

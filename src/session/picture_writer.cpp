@@ -4,6 +4,8 @@
 
 #include <utility>
 
+#include "session/write_picture.h"
+
 namespace ajar {
 
 PictureWriter::PictureWriter(std::vector<std::string> paths, double every,
@@ -27,7 +29,7 @@ void PictureWriter::see_picture(const Film& film, const JobState& state) {
   const bool written = writing_.attempt([&] {
     const Picture picture = develop_(film, state);
     const DisplayOptions display = display_.of(picture);
-    for (const std::string& path : paths_) write_image(path, picture, display);
+    for (const std::string& path : paths_) write_picture(path, picture, display);
   });
   if (asked && written) {
     note_(fmt::format("wrote the picture with {} samples per pixel", state.samples_per_pixel));

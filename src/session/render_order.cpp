@@ -1,6 +1,6 @@
 #include "session/render_order.h"
 
-#include "image/tone_map.h"
+#include "image/tone_curve.h"
 
 namespace ajar {
 

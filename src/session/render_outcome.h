@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "image/image_file.h"
+#include "post/display.h"
 #include "session/final_files.h"
 #include "session/stats_json.h"
 

@@ -9,7 +9,7 @@
 #include "core/error.h"
 #include "core/file_extension.h"
 #include "image/image_file.h"
-#include "image/tone_map.h"
+#include "image/tone_curve.h"
 
 namespace ajar::study {
 

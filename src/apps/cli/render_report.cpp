@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "apps/cli/messages.h"
+#include "image/image_file.h"
 #include "session/exposure_advice.h"
 #include "session/progress.h"
 

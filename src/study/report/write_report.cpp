@@ -10,6 +10,7 @@
 #include "core/error.h"
 #include "core/parallel_for.h"
 #include "image/image_file.h"
+#include "post/display.h"
 #include "study/report/page_files.h"
 #include "study/report/pixel_code.h"
 #include "study/report/replaced_folder.h"
@@ -104,7 +105,7 @@ std::size_t write_thumbnail(const fs::path& path, const ReportImage& image) {
   file.resolution = {small.width, small.height};
   file.crop = Box2i({0, 0}, {small.width - 1, small.height - 1});
   file.layers.push_back({"", 3, std::move(small.pixels)});
-  write_image(path.string(), file);
+  write_image(path.string(), displayed(file, {}));
   return fs::file_size(path);
 }
 

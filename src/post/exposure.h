@@ -2,7 +2,7 @@
 #include <span>
 
 #include "core/vector.h"
-#include "image/tone_map.h"
+#include "image/tone_curve.h"
 
 /// How much a picture should be brightened for the eye, and how much of it is lost.
 namespace ajar {

@@ -1,4 +1,4 @@
-#include "image/exposure.h"
+#include "post/exposure.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "image/antialias.h"
+#include "post/antialias.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,18 @@
+#pragma once
+#include "image/picture.h"
+#include "image/tone_curve.h"
+
+namespace ajar {
+
+/// How a picture is shown on a display.
+struct DisplayOptions {
+  ToneMap tone_map = ToneMap::Srgb;
+  float exposure = 0.F;  ///< stops
+};
+
+/// The picture for the eye: the first layer of a scene-linear one, of 3 channels, as values in
+/// [0, 1] that are encoded as they are shown; edges are smoothed where its mask allows it
+/// (post/antialias.h). Crop and metadata stay. Values that are not numbers become 0.
+Picture displayed(const Picture& picture, const DisplayOptions& options);
+
+}  // namespace ajar
