@@ -2,6 +2,7 @@
 #include <span>
 
 #include "core/vector.h"
+#include "image/heuristics.h"
 #include "image/plane.h"
 #include "image/regions.h"
 
@@ -17,8 +18,8 @@ struct SurfacePicture {
 
 /// How different neighbours are where an edge counts as whole; below, it fades in linearly.
 struct EdgeLimits {
-  float depth_step = 0.05F;    ///< relative to the nearer of the two
-  float normal_angle = 0.35F;  ///< radians
+  float depth_step = ImageHeuristics::kDepthStep;      ///< relative to the nearer of the two
+  float normal_angle = ImageHeuristics::kNormalAngle;  ///< radians
 };
 
 /// Where a picture has edges, in [0, 1]: for each pixel the strongest edge towards a neighbour

@@ -5,13 +5,13 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "image/heuristics.h"
+
 namespace ajar {
 
 namespace {
 
-/// Share of the mean luminance that is added before the inverse is taken.
-constexpr double kDelta = 0.05;
-constexpr int kBlurRadius = 3;
+constexpr int kBlurRadius = ImageHeuristics::kImportanceBlur;
 
 double mean_of(const std::vector<float>& values) {
   double sum = 0.0;
@@ -66,7 +66,6 @@ ImportanceMap::ImportanceMap(const Box2i& pixels, std::vector<float> weights, fl
 ImportanceMap ImportanceMap::relative(const Box2i& pixels, std::vector<float> luminances) {
   const int width = pixels.max.x - pixels.min.x + 1;
   const int height = pixels.max.y - pixels.min.y + 1;
-  // A firefly says little about its neighbours.
   const double mean = mean_of(luminances);
   if (!(mean > 0.0)) return {};
   // Only ratios count. A power of two changes no digit of them, and keeps the inverses within the
@@ -74,14 +73,15 @@ ImportanceMap ImportanceMap::relative(const Box2i& pixels, std::vector<float> lu
   const double unit = std::exp2(std::ilogb(mean));
   for (float& value : luminances) {
     const double scaled = static_cast<double>(value) / unit;
-    value = std::isfinite(value) ? static_cast<float>(std::clamp(scaled, 0.0, 20.0 * mean / unit))
+    value = std::isfinite(value) ? static_cast<float>(std::clamp(
+                                       scaled, 0.0, ImageHeuristics::kMostLuminance * mean / unit))
                                  : 0.F;
   }
   for (int pass = 0; pass < 2; ++pass) {
     luminances = blur_axis(luminances, width, height, true);
     luminances = blur_axis(luminances, width, height, false);
   }
-  const double delta = kDelta * mean_of(luminances);
+  const double delta = ImageHeuristics::kImportanceDelta * mean_of(luminances);
   for (float& value : luminances) {
     value = static_cast<float>(1.0 / (static_cast<double>(value) + delta));
   }

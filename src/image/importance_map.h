@@ -2,6 +2,7 @@
 #include <vector>
 
 #include "core/vector.h"
+#include "image/heuristics.h"
 #include "image/pixel_at.h"
 
 namespace ajar {
@@ -18,7 +19,8 @@ class ImportanceMap {
   /// below `floor` times the mean, or not finite, are raised to that, because a pixel of weight
   /// zero would stay black. Raises std::invalid_argument if the sizes differ or no weight is
   /// positive.
-  ImportanceMap(const Box2i& pixels, std::vector<float> weights, float floor = kFloor);
+  ImportanceMap(const Box2i& pixels, std::vector<float> weights,
+                float floor = ImageHeuristics::kImportanceFloor);
 
   /// Weight of the pixel that a raster position lies in.
   float operator()(const Vec2& raster) const {
@@ -29,8 +31,6 @@ class ImportanceMap {
   /// (Veach 1997, section 11.3.2, "two-stage Metropolis"). `luminances` may be noisy: they are
   /// blurred first.
   static ImportanceMap relative(const Box2i& pixels, std::vector<float> luminances);
-
-  static constexpr float kFloor = 1.F / 64.F;
 
  private:
   Box2i pixels_;

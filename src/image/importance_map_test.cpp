@@ -31,7 +31,7 @@ TEST(ImportanceMap, HasAMeanOfOneAndKeepsRatios) {
 
 TEST(ImportanceMap, RaisesWhatIsTooSmallToItsFloor) {
   const ImportanceMap map(pixels(0, 0, 4, 1), {0.F, 1e-6F, -3.F, 4.F});
-  for (int x = 0; x < 3; ++x) EXPECT_EQ(at(map, x, 0), ImportanceMap::kFloor) << x;
+  for (int x = 0; x < 3; ++x) EXPECT_EQ(at(map, x, 0), ImageHeuristics::kImportanceFloor) << x;
   const ImportanceMap own_floor(pixels(0, 0, 2, 1), {0.F, 4.F}, 0.25F);
   EXPECT_EQ(at(own_floor, 0, 0), 0.25F);
 }
@@ -40,7 +40,7 @@ TEST(ImportanceMap, TakesWhatIsNotANumberForTheFloor) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   const float infinity = std::numeric_limits<float>::infinity();
   const ImportanceMap map(pixels(0, 0, 4, 1), {nan, infinity, -infinity, 4.F});
-  for (int x = 0; x < 3; ++x) EXPECT_EQ(at(map, x, 0), ImportanceMap::kFloor) << x;
+  for (int x = 0; x < 3; ++x) EXPECT_EQ(at(map, x, 0), ImageHeuristics::kImportanceFloor) << x;
   EXPECT_FLOAT_EQ(at(map, 3, 0), 4.F);
 }
 
@@ -106,7 +106,7 @@ TEST(RelativeImportance, BearsFirefliesAndWhatIsNotANumber) {
   const ImportanceMap map = ImportanceMap::relative(pixels(0, 0, 32, 32), luminances);
   for (int y = 0; y < 32; ++y) {
     for (int x = 0; x < 32; ++x) {
-      EXPECT_GE(at(map, x, y), ImportanceMap::kFloor);
+      EXPECT_GE(at(map, x, y), ImageHeuristics::kImportanceFloor);
       EXPECT_LE(at(map, x, y), 32.F * 32.F);
     }
   }

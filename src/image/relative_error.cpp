@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "image/heuristics.h"
 #include "image/truth_guess.h"
 
 namespace ajar {
@@ -16,11 +17,7 @@ namespace ajar {
 namespace {
 
 constexpr std::size_t kChannels = 3;
-/// As wide as what filters make of one splat.
-constexpr std::size_t kPlace = 4;
-/// With fewer places the relative standard deviation of the value is more than 16 % (of a sum of n
-/// equal squares: sqrt(1/n), half of that of its root), and what is rare is rarer than that.
-constexpr double kFewestPlaces = 10.0;
+constexpr std::size_t kPlace = ImageHeuristics::kPlace;
 
 /// t² + 0.01 μ².
 class Denominator {
@@ -101,8 +98,9 @@ std::optional<RelativeError> estimate_relative_error(Replicates replicates, Vec2
   if (!std::isfinite(found.value)) return std::nullopt;
   if (sum == 0.0) return found;
   found.places = effective_number(of_places);
-  // Small pictures do not have so many.
-  const double fewest = std::min(kFewestPlaces, 0.25 * static_cast<double>(of_places.size()));
+  const double fewest =
+      std::min(ImageHeuristics::kFewestPlaces,
+               ImageHeuristics::kFewestOfPlaces * static_cast<double>(of_places.size()));
   found.has_fireflies = found.places < fewest;
   found.half_of_it = share_that_makes_half(of_pixels);
   return found;

@@ -1,7 +1,6 @@
 #include "image/truth_guess.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <span>
@@ -9,18 +8,13 @@
 #include <utility>
 
 #include "core/parallel_for.h"
+#include "image/heuristics.h"
 
 namespace ajar {
 
 namespace {
 
 constexpr std::size_t kChannels = 3;
-constexpr std::array<int, 5> kStrides = {1, 2, 4, 8, 16};
-/// Relative standard error of a pixel that is good enough as it is.
-constexpr float kQuiet = 0.05F;
-/// Two patches look the same if their mean squared difference is at most so many times what noise
-/// explains; the noise of the darker replicates is less than that of all.
-constexpr float kSame = 4.F;
 /// Relative to the median: squares of what is brighter might not be finite.
 constexpr double kMost = 1e17;
 
@@ -144,7 +138,7 @@ class TruthGuess {
 
   bool is_quiet(std::size_t pixel) const {
     const Spread spread = spread_of(pixel, count_);
-    return spread.mean > 0.F && spread.variance <= square(kQuiet * spread.mean);
+    return spread.mean > 0.F && spread.variance <= square(ImageHeuristics::kQuiet * spread.mean);
   }
 
   /// The 3×3 pixels around two places.
@@ -160,7 +154,7 @@ class TruthGuess {
         expected += noise_[here] + noise_[there];
       }
     }
-    return difference <= kSame * expected;
+    return difference <= ImageHeuristics::kSamePatch * expected;
   }
 
   int width_;
@@ -200,7 +194,7 @@ std::vector<float> guess_truth(Replicates replicates, Vec2i size) {
   TruthGuess guess(replicates, size, level > 0.0 ? level : 1.0);
   const std::vector<float> mean = replicate_mean(replicates);
   replicates = {};
-  for (const int stride : kStrides) guess.average(stride);
+  for (const int stride : ImageHeuristics::kGuessStrides) guess.average(stride);
   std::vector<float> medians = guess.medians();
   const double gain = gain_over(medians, mean);
   for (float& value : medians) value = static_cast<float>(gain * double{value});

@@ -4,11 +4,12 @@
 #include <limits>
 #include <stdexcept>
 
+#include "image/heuristics.h"
+
 namespace ajar {
 
 namespace {
-/// Of the variance.
-constexpr double kExponent = 0.35;
+constexpr double kExponent = ImageHeuristics::kVisibleExponent;
 }  // namespace
 
 double visible_error(double variance) { return std::pow(variance, kExponent); }
@@ -51,9 +52,10 @@ double mutations_of_least_visible_error(std::span<const double> omc, std::span<c
   }
   double best = lowest;
   double least = std::numeric_limits<double>::infinity();
-  const int steps = static_cast<int>(std::floor(2.0 * std::log2(highest / lowest)));
+  const int steps =
+      static_cast<int>(std::floor(ImageHeuristics::kTriedPerOctave * std::log2(highest / lowest)));
   for (int i = 0; i <= steps; ++i) {
-    const double ratio = lowest * std::exp2(0.5 * i);
+    const double ratio = lowest * std::exp2(i / ImageHeuristics::kTriedPerOctave);
     const double of_chains = lasting + (1.0 - lasting) * usual / ratio;
     double sum = 0.0;
     for (std::size_t j = 0; j < omc.size(); ++j) {

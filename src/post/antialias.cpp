@@ -6,17 +6,13 @@
 
 #include "core/parallel_for.h"
 #include "core/spectrum.h"
+#include "image/heuristics.h"
 
 namespace ajar {
 
 namespace {
 
-/// Edges whose contrast is below both limits cannot be seen.
-constexpr float kSmallestContrast = 1.F / 32.F;
-constexpr float kSmallestRelativeContrast = 1.F / 8.F;
-/// A stair ends where the luma along the edge has changed by this share of the edge's contrast.
-constexpr float kEndOfStair = 0.25F;
-constexpr int kLongestSearch = 32;
+constexpr int kLongestSearch = ImageHeuristics::kLongestStair;
 
 Plane luma_of(Vec2i size, std::span<const float> pixels) {
   Plane luma(size);
@@ -45,7 +41,8 @@ bool has_contrast(const Plane& luma, Vec2i p) {
     low = std::min(low, value);
     high = std::max(high, value);
   }
-  return high - low >= std::max(kSmallestContrast, kSmallestRelativeContrast * high);
+  return high - low >= std::max(ImageHeuristics::kSmallestContrast,
+                                ImageHeuristics::kSmallestRelativeContrast * high);
 }
 
 /// How much luma bends in direction `across`, over three rows that lie side by side along `along`.
@@ -86,7 +83,7 @@ Blend find_blend(const Plane& luma, Vec2i p) {
   if (std::abs(step_to(-across)) > std::abs(step_to(across))) across = -across;
   const float step = step_to(across);
   const float edge_luma = own + 0.5F * step;
-  const float least_change = kEndOfStair * std::abs(step);
+  const float least_change = ImageHeuristics::kEndOfStair * std::abs(step);
   if (!(least_change > 0.F)) return {};
 
   const StairEnd before = follow_edge(luma, p, across, -along, edge_luma, least_change);

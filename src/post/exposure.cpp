@@ -5,15 +5,15 @@
 #include <vector>
 
 #include "core/color.h"
+#include "image/heuristics.h"
 
 namespace ajar {
 
 namespace {
 
-constexpr int kBlocksAlong = 32;
+constexpr int kBlocksAlong = ImageHeuristics::kExposureBlocks;
 constexpr double kMiddleGrey = 0.18;
-constexpr double kBelowWhite = 0.75;  // of the blocks
-constexpr double kBrightest = 1e30;   // in place of infinity
+constexpr double kBrightest = 1e30;  // in place of infinity
 
 constexpr float kWhite = 254.5F / 255.F;
 constexpr float kBlack = 6.5F / 255.F;
@@ -54,7 +54,8 @@ float fitting_exposure(std::span<const float> rgb, Vec2i size) {
     return std::log2(
         blocks[static_cast<std::size_t>(share * static_cast<double>(blocks.size() - 1))]);
   };
-  const double stops = std::min(std::log2(kMiddleGrey) - stops_of(0.5), -stops_of(kBelowWhite));
+  const double stops =
+      std::min(std::log2(kMiddleGrey) - stops_of(0.5), -stops_of(ImageHeuristics::kBelowWhite));
   const double rounded = std::round(10.0 * stops) / 10.0;
   return std::clamp(static_cast<float>(rounded), -kMostStops, kMostStops);
 }

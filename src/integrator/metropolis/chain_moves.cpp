@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "core/error.h"
+#include "integrator/metropolis/heuristics.h"
 #include "mcmc/primary/make_mutation.h"
 
 namespace ajar {
@@ -165,8 +166,7 @@ ChainMoves::ChainMoves(const Parameters& parameters, ChainKind kind)
     probabilities.raster = *share;
   } else if (kind == ChainKind::OnePath && settings.tries == 1 && !plane.active()) {
     // What they leave as it is, a state of pssmlt would trace again.
-    constexpr double kRasterSteps = 0.7;
-    probabilities.raster = kRasterSteps;
+    probabilities.raster = MetropolisHeuristics::kRasterSteps;
     raster_steps_are_open = true;
   }
 }

@@ -19,7 +19,8 @@ struct ChainMoves {
     std::string mutation = "kelemen";
     std::string large_step = "0.3";
     std::string fine_steps = "0";
-    std::string raster_steps = "0";  ///< "auto": 0.7 for states of one path, where nothing forbids
+    /// "auto": `MetropolisHeuristics::kRasterSteps` for states of one path, where nothing forbids.
+    std::string raster_steps = "0";
   };
   static std::vector<ParameterSpec> parameters(const Defaults& defaults);
 

@@ -14,6 +14,7 @@
 #include "integrator/metropolis/chain_film_sink.h"
 #include "integrator/metropolis/chain_moves.h"
 #include "integrator/metropolis/chain_report.h"
+#include "integrator/metropolis/heuristics.h"
 #include "integrator/metropolis/plane_maps.h"
 #include "integrator/metropolis/population.h"
 #include "integrator/montecarlo/blind_spots.h"
@@ -132,7 +133,7 @@ PathSamplerSettings MetropolisIntegrator::sampler_of(const RenderSettings& setti
   sampler.techniques = techniques_of_chains(parameters);
   sampler.heuristic = heuristic_of(parameters);
   sampler.min_depth = settings.min_depth;
-  sampler.max_depth = std::min(settings.max_depth, kMaxChainEdges);
+  sampler.max_depth = std::min(settings.max_depth, MetropolisHeuristics::kMostEdges);
   sampler.light_paths_per_pixel =
       static_cast<double>(size.x) * size.y /
       (static_cast<double>(settings.resolution.x) * settings.resolution.y);

@@ -4,6 +4,7 @@
 
 #include "core/error.h"
 #include "integrator/make_filter.h"
+#include "integrator/metropolis/heuristics.h"
 
 namespace ajar {
 
@@ -19,7 +20,7 @@ std::vector<PathGroup> make_path_groups(ChainKind kind, PathSamplerSettings samp
                       {sampler.max_depth + 1, sampler.max_depth + 1}});
     return groups;
   }
-  sampler.roulette_start = kMaxChainEdges + 1;
+  sampler.roulette_start = MetropolisHeuristics::kMostEdges + 1;
   for (int depth = sampler.min_depth; depth <= sampler.max_depth; ++depth) {
     const TechniqueChoice choice(sampler.techniques, depth);
     if (choice.empty()) continue;

@@ -26,9 +26,6 @@ struct PathGroup {
   PrimaryShape shape;
 };
 
-/// Chains do not go beyond.
-inline constexpr int kMaxChainEdges = 1000;
-
 /// Groups for the paths of a sampler, which has everything but the start of Russian roulette:
 /// `roulette_start` for WholePath; paths of a given depth gain nothing from ending early. Empty if
 /// there are no such paths.

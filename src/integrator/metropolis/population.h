@@ -6,6 +6,7 @@
 
 #include "core/random.h"
 #include "core/random_use.h"
+#include "integrator/metropolis/heuristics.h"
 #include "integrator/metropolis/member_chain.h"
 #include "integrator/sample_block.h"
 
@@ -43,13 +44,13 @@ template <typename P>
 std::vector<SampleBlock> share_bootstrap(std::vector<P>& populations,
                                          std::span<const PathGroup> groups, int replicates,
                                          std::uint64_t samples) {
-  constexpr double kFewest = 64.0;
   const double per_replicate = static_cast<double>(samples) / replicates;
   std::vector<SampleBlock> blocks;
   for (std::size_t p = 0; p < populations.size(); ++p) {
     std::vector<double>& weights = populations[p].weights;
     weights.resize(static_cast<std::size_t>(
-        std::max(kFewest, per_replicate * bootstrap_share(groups, populations[p].group))));
+        std::max(MetropolisHeuristics::kFewestBootstrapPaths,
+                 per_replicate * bootstrap_share(groups, populations[p].group))));
     add_blocks(blocks, p, weights.size());
   }
   return blocks;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <string>
 
+#include "integrator/montecarlo/heuristics.h"
 #include "transport/sources.h"
 
 namespace ajar {
@@ -15,7 +16,7 @@ constexpr WarningKind kUnseenMirrors{Effect::Light, "methods do not see mirrors 
 constexpr WarningKind kMissingDepths{Effect::Light, "methods do not make paths of all lengths"};
 constexpr WarningKind kUnseenLamps{Effect::Light, "methods do not see point lamps behind glass"};
 
-constexpr std::uint32_t kSamples = 4096;
+constexpr std::uint32_t kSamples = MonteCarloHeuristics::kLookingAround;
 
 /// Clear glass and mirrors: nothing can be connected to them. Lamps that scatter nothing are seen
 /// well.
@@ -71,8 +72,7 @@ ClearSink look_around(const Scene& scene, const RenderSettings& settings,
 
 /// Names the depths of which no technique makes paths; empty if there are none.
 std::string missing_depths(const PathSamplerSettings& sampler) {
-  // Longer paths are as these are, unless many pairs are named one by one.
-  constexpr int kEnough = 8;
+  constexpr int kEnough = MonteCarloHeuristics::kDepthsNamed;
   std::string missing;
   bool made = true;
   for (int depth = sampler.min_depth; depth <= std::min(sampler.max_depth, kEnough); ++depth) {

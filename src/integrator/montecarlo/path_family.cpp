@@ -6,6 +6,7 @@
 #include "core/random_use.h"
 #include "integrator/montecarlo/blind_spots.h"
 #include "integrator/montecarlo/g_buffer.h"
+#include "integrator/montecarlo/heuristics.h"
 #include "integrator/montecarlo/path_parameters.h"
 #include "integrator/montecarlo/sample_sink.h"
 #include "integrator/montecarlo/technique_layers.h"
@@ -242,8 +243,8 @@ class MeanSink final : public PathSink {
 };
 
 PictureScale PathIntegrator::measure_scale() const {
-  constexpr std::size_t kGroups = 16;
-  constexpr std::uint32_t kGroupSize = 256;
+  constexpr std::size_t kGroups = MonteCarloHeuristics::kScaleGroups;
+  constexpr std::uint32_t kGroupSize = MonteCarloHeuristics::kScaleGroupSize;
   PathSampler sampler(scene_, sampler_settings_);
   const Vec2 low(settings_.crop.min);
   const Vec2 size(settings_.crop.size() + Vec2i(1, 1));

@@ -8,16 +8,15 @@
 #include "core/archive.h"
 #include "core/random.h"
 #include "image/visible_error.h"
+#include "integrator/montecarlo/heuristics.h"
 
 namespace ajar {
 
 namespace {
 
-/// Pixels across.
-constexpr int kCellSize = 4;
-/// What a few samples say of noise is not believed beyond these, relative to the mean.
-constexpr double kLowest = 0.25;
-constexpr double kHighest = 8.0;
+constexpr int kCellSize = MonteCarloHeuristics::kRateCell;
+constexpr double kLowest = MonteCarloHeuristics::kLowestRate;
+constexpr double kHighest = MonteCarloHeuristics::kHighestRate;
 
 }  // namespace
 

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 
+#include "integrator/selective/heuristics.h"
+
 namespace ajar {
 
 double ChainBootstrap::effort() const {
   if (plan_.has_recruits()) return 0.0;
-  // One technique of a path has about half the rays of all of them.
-  constexpr double kOfCameraSample = 0.5;
-  return kOfCameraSample * static_cast<double>(plan_.bootstrap) /
+  return SelectiveHeuristics::kEffortOfOnePath * static_cast<double>(plan_.bootstrap) /
          static_cast<double>(plan_.pixels());
 }
 

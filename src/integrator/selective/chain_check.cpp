@@ -6,6 +6,7 @@
 
 #include "core/milestones.h"
 #include "core/parallel_for.h"
+#include "integrator/selective/heuristics.h"
 
 namespace ajar {
 
@@ -24,8 +25,9 @@ void check_population(const ChainPopulation& population, const ChainPlan& plan,
   const auto replicates = static_cast<std::uint64_t>(plan.settings.replicates);
   // A pass that was cut short may have come as far as this; each sample has a step at least.
   const auto passes = static_cast<double>(milestone_after(samples, replicates));
-  const double most_steps = passes * (1.0 + std::max(plan.mutations, ChainPlan::kMostMutations) *
-                                                static_cast<double>(plan.pixels()));
+  const double most_steps =
+      passes * (1.0 + std::max(plan.mutations, SelectiveHeuristics::kMostMutations) *
+                          static_cast<double>(plan.pixels()));
   const PathGroup& group = plan.groups[population.group];
   for (const MemberChain& member : population.chains) check_member(member, group, most_steps);
   check_record(population.retired, group);

@@ -7,6 +7,7 @@
 #include "core/archive.h"
 #include "image/optimal_thresholds.h"
 #include "image/visible_error.h"
+#include "integrator/selective/heuristics.h"
 
 namespace ajar {
 
@@ -51,14 +52,10 @@ void ChainEffort::adjust(std::uint64_t samples, const WeightedErrors& of_omc,
   const ThresholdCosts costs{
       static_cast<double>(omc_rays_) / static_cast<double>(omc_samples_) * pixels,
       static_cast<double>(chain_rays_) / static_cast<double>(mutations_), correlation_, 0.0};
-  // Few replicates tell an error to within a factor.
-  constexpr double kMostChange = 5.0;
-  const double lowest = ChainPlan::clamp_mutations(rate() / kMostChange);
-  const double highest = ChainPlan::clamp_mutations(rate() * kMostChange);
+  const double lowest = ChainPlan::clamp_mutations(rate() / SelectiveHeuristics::kMostChange);
+  const double highest = ChainPlan::clamp_mutations(rate() * SelectiveHeuristics::kMostChange);
   double best = 0.0;
   if (seen) {
-    // Before stretches can be compared: between what hard scenes have.
-    constexpr double kUsuallyLasts = 0.2;
     const auto done = static_cast<double>(omc_samples(samples));
     const auto of_one_sample = [&](const std::vector<std::vector<float>>& pictures) {
       std::vector<double> variance = variance_of_mean(pictures);
@@ -67,8 +64,9 @@ void ChainEffort::adjust(std::uint64_t samples, const WeightedErrors& of_omc,
     };
     best = mutations_of_least_visible_error(
                of_one_sample(seen->of_omc), of_one_sample(seen->of_chains),
-               lasting_.share().value_or(kUsuallyLasts), mutations(samples) / done * pixels,
-               costs.omc_sample, costs.mutation, lowest * pixels, highest * pixels) /
+               lasting_.share().value_or(SelectiveHeuristics::kUsuallyLasts),
+               mutations(samples) / done * pixels, costs.omc_sample, costs.mutation,
+               lowest * pixels, highest * pixels) /
            pixels;
   } else {
     best = best_mutations(omc_error * static_cast<double>(omc_samples(samples)), light, costs) /
@@ -109,7 +107,7 @@ void ChainEffort::save_state(OutputArchive& archive) const {
 
 void ChainEffort::load_state(InputArchive& archive, std::uint64_t samples) {
   archive(adjusted_, since_, before_, correlation_, chain_error_, known_);
-  const double most = std::max(plan_.mutations, ChainPlan::kMostMutations);
+  const double most = std::max(plan_.mutations, SelectiveHeuristics::kMostMutations);
   // Where a sum of many stretches is rounded.
   constexpr double kRounding = 1.0 + 1e-6;
   const bool can_be = adjusted_ == 0.0 || adjusted_ == ChainPlan::clamp_mutations(adjusted_);

@@ -20,6 +20,7 @@
 #include "integrator/selective/chain_report.h"
 #include "integrator/selective/chain_stretch.h"
 #include "integrator/selective/chain_trial.h"
+#include "integrator/selective/heuristics.h"
 #include "integrator/selective/omc_adaptation.h"
 #include "integrator/selective/roulette_pilot.h"
 #include "integrator/selective/split_pilot.h"
@@ -227,14 +228,14 @@ MethodReport ChainIntegrator::report() const {
 }
 
 MethodReport ChainIntegrator::report_regions() const {
-  // The largest regions.
-  constexpr std::size_t kMostRegions = 200;
   const auto or_null = [](std::optional<double> value) {
     return value && std::isfinite(*value) ? MethodReport(*value) : MethodReport();
   };
   MethodReport regions = pilot_->regions();
   const std::size_t count = regions.size();
-  if (count > kMostRegions) regions.erase(regions.begin() + kMostRegions, regions.end());
+  if (constexpr std::size_t kMost = SelectiveHeuristics::kMostRegionsTold; count > kMost) {
+    regions.erase(regions.begin() + kMost, regions.end());
+  }
   const ChainEffort::Known known = effort_.known();
   // Relative to the brightness of the picture; 0: rays have no price.
   double ray_price = 0.0;
@@ -444,7 +445,8 @@ std::uint64_t ChainIntegrator::memory_bytes() const {
   for (const ChainPopulation& population : populations_) {
     for (const MemberChain& member : population.chains) {
       // Of recruits there are a few per chain, which are as large.
-      bytes += (recruits_ ? 1 + ChainRecruits::kPerChain : 1) * member.chain.memory_bytes();
+      bytes += (recruits_ ? 1 + SelectiveHeuristics::kRecruitsPerChain : 1) *
+               member.chain.memory_bytes();
       bytes += sizeof(MemberChain) - sizeof(PrimaryChain);
     }
   }

@@ -9,6 +9,7 @@
 #include "core/random_use.h"
 #include "integrator/metropolis/chain_film_sink.h"
 #include "integrator/selective/chain_archive.h"
+#include "integrator/selective/heuristics.h"
 #include "mcmc/primary/bootstrap_source.h"
 #include "mcmc/primary/primary_runner.h"
 
@@ -126,15 +127,15 @@ void ChainItems::run_chain(const Item& item, std::uint64_t first_sample, std::ui
 void ChainItems::run_plain(ChainPopulation& population, PlaneMaps* maps, Film& film,
                            Counters& counters) {
   if (later_weight_ == 0.0) return;
-  constexpr double kShare = 0.125;  // of the replicate's mutations, if it has chains
-  constexpr std::uint64_t kSteps = 64;
+  constexpr std::uint64_t kSteps = SelectiveHeuristics::kStepsWithoutSeed;
   std::size_t seedless = 0;
   for (const ChainPopulation& other : populations_) {
     if (other.replicate == population.replicate && other.chains.empty()) ++seedless;
   }
   const double mutations = plan_.mutations * static_cast<double>(plan_.pixels()) /
                            plan_.settings.replicates / static_cast<double>(seedless);
-  const double share = chains_in(population.replicate) > 0 ? kShare : 1.0;
+  const double share =
+      chains_in(population.replicate) > 0 ? SelectiveHeuristics::kShareWithoutSeeds : 1.0;
   const auto count = static_cast<std::uint64_t>(std::max(1.0, share * mutations));
   const PathGroup& group = plan_.groups[population.group];
   const auto target = plan_.make_target(group, population.replicate);

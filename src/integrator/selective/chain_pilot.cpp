@@ -4,14 +4,14 @@
 
 #include "core/random.h"
 #include "core/random_use.h"
+#include "integrator/selective/heuristics.h"
 
 namespace ajar {
 
 namespace {
 /// Of each pixel: small pictures need more to show how bright they are.
 std::uint64_t pilot_samples(const ChainPlan& plan) {
-  constexpr std::uint64_t kEnough = 8192;
-  return plan.pixels() < kEnough ? 2 : 1;
+  return plan.pixels() < SelectiveHeuristics::kPixelsToTellBrightness ? 2 : 1;
 }
 
 /// Mean of luminance · importance.
@@ -73,8 +73,9 @@ void ChainPilot::end() {
     plan_.view.importance = ImportanceMap::relative(crop, picture);
   }
   plan_.brightness = mean_strength(picture, crop, plan_.view.importance);
-  constexpr double kCap = 100.0;
-  if (plan_.brightness > 0.0) plan_.moves.settings.large_step_cap = kCap * plan_.brightness;
+  if (plan_.brightness > 0.0) {
+    plan_.moves.settings.large_step_cap = SelectiveHeuristics::kLargeStepCap * plan_.brightness;
+  }
   if (!plan_.thresholds.empty() && plan_.brightness > 0.0) {
     plan_.splits.emplace(LightSplit(plan_.lowest_threshold(), plan_.view.importance));
   }

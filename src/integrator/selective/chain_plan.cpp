@@ -1,10 +1,12 @@
 #include "integrator/selective/chain_plan.h"
 
 #include <algorithm>
+#include <span>
 #include <stdexcept>
 #include <string_view>
 
 #include "integrator/metropolis/chain_film_sink.h"
+#include "integrator/metropolis/heuristics.h"
 #include "integrator/montecarlo/path_family.h"
 #include "integrator/montecarlo/path_parameters.h"
 #include "integrator/selective/crop_weights.h"
@@ -43,7 +45,7 @@ ChainPlan::ChainPlan(ChainKind chain_kind, const Scene& the_scene,
       seed_rule{seed_filter_of(parameters.get_text("seeds")), parameters.get_float("seed-spread")},
       moves(parameters, kind) {
   if (selective) check_region_rules(selective->rules, scene.object_names(), scene.material_names());
-  settings.max_depth = std::min(settings.max_depth, kMaxChainEdges);
+  settings.max_depth = std::min(settings.max_depth, MetropolisHeuristics::kMostEdges);
   read_split();
   view = view_of(scene, settings);
   if (bootstrap > 0 && bootstrap < 1000) {
@@ -52,8 +54,9 @@ ChainPlan::ChainPlan(ChainKind chain_kind, const Scene& the_scene,
         std::to_string(bootstrap));
   }
   if (bootstrap == 0) {
-    bootstrap = has_recruits() ? std::max<std::uint64_t>(65536, pixels())
-                               : std::max<std::uint64_t>(200000, 4 * pixels());
+    bootstrap = has_recruits() ? std::max(SelectiveHeuristics::kPilotSamples, pixels())
+                               : std::max(SelectiveHeuristics::kBootstrapPaths,
+                                          SelectiveHeuristics::kBootstrapOfPixel * pixels());
   }
   read_omc();
   make_groups();
@@ -67,21 +70,23 @@ void ChainPlan::read_split() {
   const std::optional<double> fixed = parameters.get_number("split");
   const bool by_regions_alone = selective && (!selective->omc_shares || selective->exclusive);
   if (direct == Direct::Chain || by_regions_alone || (fixed && *fixed == 0.0)) return;
-  // A firefly of so many times the brightness of the picture looks no worse than white.
-  constexpr double kStandby = 100.0;
-  standby_threshold = kStandby * fixed.value_or(1.0);
-  if (fixed) {
+  standby_threshold = SelectiveHeuristics::kStandby * fixed.value_or(1.0);
+  const auto offer = [&](std::span<const double> offers) {
+    thresholds.assign(offers.begin(), offers.end());
+  };
+  if (fixed && selective) {
+    for (const double times : SelectiveHeuristics::kThresholdsOverGiven) {
+      thresholds.push_back(times * *fixed);
+    }
+  } else if (fixed) {
     thresholds = {*fixed};
-    if (selective) thresholds = {*fixed, 3.0 * *fixed, 10.0 * *fixed};
   } else if (kind == ChainKind::OnePath) {
-    thresholds = {0.1, 0.3, 1.0, 3.0, 10.0};
-    // What is shared by the error that is seen deserves fewer chains.
-    if (selective) thresholds.push_back(30.0);
+    offer(SelectiveHeuristics::kThresholds);
+    if (selective) thresholds.push_back(SelectiveHeuristics::kHighestThreshold);
   } else if (selective) {
-    // What its chains are worth is not tried, since nothing found can seed them.
-    thresholds = {1.0, 3.0, 10.0, 30.0};
+    offer(SelectiveHeuristics::kThresholdsOfWholePaths);
   } else {
-    thresholds = {10.0};
+    thresholds = {SelectiveHeuristics::kThresholdOfWholePaths};
   }
 }
 
@@ -103,12 +108,11 @@ void ChainPlan::set_omc(const PathFamilyDefaults& choice) {
 void ChainPlan::read_pilot() {
   if (selective) {
     pilot_use = selective->pilot;
-    // A small picture tells as much as others by more samples of each pixel.
-    constexpr std::uint64_t kEnough = 65536;
-    constexpr std::uint64_t kFewest = 4;
-    constexpr std::uint64_t kMost = 16;
-    pilot_samples = selective->pilot_samples > 0 ? selective->pilot_samples
-                                                 : std::clamp(kEnough / pixels(), kFewest, kMost);
+    pilot_samples =
+        selective->pilot_samples > 0
+            ? selective->pilot_samples
+            : std::clamp(SelectiveHeuristics::kPilotSamples / pixels(),
+                         SelectiveHeuristics::kFewestOfPixel, SelectiveHeuristics::kMostOfPixel);
     return;
   }
   const auto replicates = static_cast<std::uint64_t>(settings.replicates);
@@ -119,15 +123,12 @@ void ChainPlan::read_pilot() {
 }
 
 PrimarySettings ChainPlan::chain_settings_of(int replicate) const {
-  // Below this threshold, what chains make has no islands that only other steps would lead to.
-  constexpr double kLow = 0.3;
   constexpr double kRounding = 1.001;
-  constexpr double kRasterSteps = 0.9;
   PrimarySettings own = moves.settings;
   if (moves.raster_steps_are_open && splits &&
       static_cast<double>(splits->of(replicate).highest_threshold()) <=
-          kLow * kRounding * brightness) {
-    own.probabilities.raster = kRasterSteps;
+          SelectiveHeuristics::kNearlyAllLight * kRounding * brightness) {
+    own.probabilities.raster = SelectiveHeuristics::kRasterStepsOfAllLight;
   }
   return own;
 }
@@ -138,25 +139,19 @@ std::uint64_t ChainPlan::pixels() const {
 }
 
 std::size_t ChainPlan::chains_per_replicate() const {
-  // So many that a chain makes about this many steps in a short pass: many chains are well spread,
-  // but each begins a pass by looking up its state. What is found by luck brings much at a time,
-  // and many chains would all begin with it, none of them getting far. Small pictures have more,
-  // down to one step, because few chains depend on luck, too.
-  const std::uint64_t kSteps = has_recruits() ? 144 : 16;
-  constexpr std::uint64_t kFewest = 32;
-  // The first guess of the mutations that pay is low, and few chains for what there is to explore
-  // leave islands of light to luck for the rest of the render: as many as if so many paid per pixel
-  // and sample, as long as they do not take much memory.
-  constexpr double kExpected = 3.0;
-  constexpr std::uint64_t kEnough = 8192;
+  const std::uint64_t in_pass =
+      has_recruits() ? SelectiveHeuristics::kStepsOfRecruit : SelectiveHeuristics::kStepsOfSeed;
   const auto replicates = static_cast<std::uint64_t>(settings.replicates);
   if (wanted_chains > 0) return std::max<std::uint64_t>(1, wanted_chains / replicates);
   const auto steps = [&](double of_pixel) {
     return static_cast<std::uint64_t>(of_pixel * static_cast<double>(pixels())) / replicates;
   };
-  const std::uint64_t expected = standby ? 0 : std::min(steps(kExpected) / kSteps, kEnough);
-  return std::max<std::uint64_t>(
-      {1, steps(mutations) / kSteps, expected, std::min(steps(mutations), kFewest)});
+  const std::uint64_t expected =
+      standby ? 0
+              : std::min(steps(SelectiveHeuristics::kExpectedMutations) / in_pass,
+                         SelectiveHeuristics::kMostExpectedChains);
+  return std::max<std::uint64_t>({1, steps(mutations) / in_pass, expected,
+                                  std::min(steps(mutations), SelectiveHeuristics::kFewestChains)});
 }
 
 const PathGroup& ChainPlan::group_of(int depth) const {

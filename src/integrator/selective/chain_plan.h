@@ -11,6 +11,7 @@
 #include "integrator/metropolis/path_group.h"
 #include "integrator/montecarlo/path_family.h"
 #include "integrator/selective/chain_family.h"
+#include "integrator/selective/heuristics.h"
 #include "integrator/selective/pilot_use.h"
 #include "integrator/selective/selective_settings.h"
 #include "integrator/strong_paths.h"
@@ -49,24 +50,19 @@ struct ChainPlan {
   /// Where light is divided path by path, both halves have the same techniques, each as often: that
   /// is part of what a path brings.
   void set_omc(const PathFamilyDefaults& choice);
-  /// Of a camera sample with so many light subpaths, relative to one with a single one: that has
-  /// half of the rays.
+  /// Of a camera sample with so many light subpaths, relative to one with a single one.
   static double effort_with(const std::string& light_paths_per_pixel) {
-    return 0.5 + 0.5 * std::stod(light_paths_per_pixel);
+    constexpr double kOfLight = SelectiveHeuristics::kEffortOfLight;
+    return (1.0 - kOfLight) + kOfLight * std::stod(light_paths_per_pixel);
   }
   /// Does without chains, and without what a preparation would find out. `kept`: camera samples
   /// per pixel that a pilot has rendered.
   void leave_to_omc(std::uint64_t kept);
   /// How its chains move: where they make nearly all light, steps on the raster pay more.
   PrimarySettings chain_settings_of(int replicate) const;
-  /// So many mutations per pixel and camera sample that neither half is forgotten.
-  static constexpr double kFewestMutations = 1.0 / 128;
-  static constexpr double kMostMutations = 16.0;
-  /// For how much a path counts at most when a pilot measures errors, relative to the brightness of
-  /// the picture: what is brighter is rare, and for chains to deal with.
-  static constexpr double kMostOfError = 3.0;
   static double clamp_mutations(double mutations) {
-    return std::clamp(mutations, kFewestMutations, kMostMutations);
+    return std::clamp(mutations, SelectiveHeuristics::kFewestMutations,
+                      SelectiveHeuristics::kMostMutations);
   }
   /// How many chains a replicate should have.
   std::size_t chains_per_replicate() const;

@@ -13,6 +13,7 @@
 #include "core/random_use.h"
 #include "integrator/montecarlo/path_family.h"
 #include "integrator/selective/chain_archive.h"
+#include "integrator/selective/heuristics.h"
 #include "mcmc/bootstrap.h"
 #include "mcmc/counter_random.h"
 #include "mcmc/primary/chain_source.h"
@@ -24,7 +25,7 @@ namespace {
 /// Paths that are alike in technique and place lie side by side, so that systematic resampling
 /// spreads chains evenly over them. The key makes the order unique.
 auto order_of(const StrongPath& path) {
-  constexpr float kTile = 8.F;
+  constexpr float kTile = SelectiveHeuristics::kRecruitTile;
   return std::tuple(path.technique.depth(), std::floor(path.raster.y / kTile),
                     std::floor(path.raster.x / kTile), path.technique.s, path.key());
 }
@@ -142,21 +143,19 @@ void ChainRecruits::take_news(InputArchive& archive) { load_recruits(archive, sh
 void ChainRecruits::set_grain(double per_sample, double camera_samples) {
   const double whole =
       per_sample * camera_samples * static_cast<double>(plan_.pixels()) / plan_.settings.replicates;
-  grain_ = whole / static_cast<double>(kPerChain * plan_.chains_per_replicate());
+  grain_ = whole / static_cast<double>(SelectiveHeuristics::kRecruitsPerChain *
+                                       plan_.chains_per_replicate());
 }
 
 void ChainRecruits::expect_unknown(double camera_samples) {
-  constexpr double kTypicalShare = 0.25;
-  set_grain(kTypicalShare * plan_.brightness, camera_samples);
+  set_grain(SelectiveHeuristics::kTypicalShareOfChains * plan_.brightness, camera_samples);
 }
 
 void ChainRecruits::expect(const std::vector<ChainPopulation>& populations, double camera_samples) {
-  // What chains make of a picture is at least this share of it, as far as memory is concerned.
-  constexpr double kLeastShare = 0.02;
   double b = 0.0;
   for (const ChainPopulation& population : populations) b += population.b(0.0);
   set_grain(std::max(b / plan_.settings.replicates * plan_.view.area_per_pixel(),
-                     kLeastShare * plan_.brightness),
+                     SelectiveHeuristics::kLeastShareOfChains * plan_.brightness),
             camera_samples);
 }
 

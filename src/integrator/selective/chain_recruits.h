@@ -24,10 +24,6 @@ namespace ajar {
 /// total: exact on average, not only in the limit.
 class ChainRecruits final : public StrongPathSinks {
  public:
-  /// Recruits kept per chain, on average. They are drawn at random one by one, and then chosen from
-  /// systematically: with few of them the total would be noisy, with many they take memory.
-  static constexpr std::uint64_t kPerChain = 4;
-
   explicit ChainRecruits(const ChainPlan& plan) : plan_(plan) {}
 
   /// Prepares for a stretch of the render: of the paths found in so many camera samples per pixel,

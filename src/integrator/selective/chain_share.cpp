@@ -4,13 +4,14 @@
 #include <numeric>
 
 #include "image/pixel_at.h"
+#include "integrator/selective/heuristics.h"
 #include "integrator/selective/weighted_errors.h"
 
 namespace ajar {
 
 namespace {
 
-constexpr int kCell = 16;
+constexpr int kCell = SelectiveHeuristics::kShareCell;
 
 struct Cell {
   double light = 0.0;

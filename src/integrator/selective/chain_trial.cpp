@@ -7,6 +7,7 @@
 #include "core/random_use.h"
 #include "integrator/metropolis/chain_film_sink.h"
 #include "integrator/selective/chain_bootstrap.h"
+#include "integrator/selective/heuristics.h"
 #include "integrator/selective/weighted_errors.h"
 #include "mcmc/primary/primary_runner.h"
 
@@ -14,12 +15,6 @@ namespace ajar {
 
 namespace {
 
-constexpr double kMutationsPerPixel = 2.0;
-/// Only some of the chains run, which are longer then.
-constexpr std::uint64_t kOneOf = 2;
-/// Chains of a trial are too short to show all of C. With this factor the thresholds chosen were
-/// those that were best in whole renders (docs/chains.md).
-constexpr double kBeyondTrial = 2.0;
 /// Of each half: few are enough, since the errors of all pixels are added up.
 constexpr int kPictures = 4;
 
@@ -32,8 +27,7 @@ double share_of_chain(const ChainPopulation& population) {
 
 double ChainTrial::effort() const {
   if (recruits_ == nullptr || !plan_.chooses_thresholds() || !pilot_.stays()) return 0.0;
-  // A mutation has about half the rays of a camera sample.
-  return kMutationsPerPixel / 2.0;
+  return SelectiveHeuristics::kTrialMutations * SelectiveHeuristics::kEffortOfOnePath;
 }
 
 std::uint64_t ChainTrial::begin() {
@@ -67,6 +61,7 @@ void ChainTrial::list_items(const std::vector<std::size_t>& halves) {
       if (std::find(seen.begin(), seen.end(), populations_[p].replicate) == seen.end()) continue;
       for (std::size_t c = 0; c < populations_[p].chains.size(); ++c) {
         const std::uint64_t lot = hash_numbers(populations_[p].seed, RandomUse::ChainTrial, c);
+        constexpr std::uint64_t kOneOf = SelectiveHeuristics::kOneChainOf;
         if (lot % kOneOf != 0) continue;
         const std::size_t picture = h * kPictures + lot / kOneOf % kPictures;
         items_.push_back({p, c, h, picture});
@@ -88,7 +83,8 @@ void ChainTrial::run(std::uint64_t item, Counters& counters) {
   Counters discarded;
   ChainFilmSink sink(*film_, static_cast<int>(own.picture), plan_.view.importance, *target,
                      discarded);
-  const double mutations = kMutationsPerPixel * static_cast<double>(plan_.pixels()) /
+  const double mutations = SelectiveHeuristics::kTrialMutations *
+                           static_cast<double>(plan_.pixels()) /
                            static_cast<double>(halves_.size());
   const auto steps =
       static_cast<std::uint64_t>(std::max(1.0, mutations / static_cast<double>(half.chains)));
@@ -120,7 +116,8 @@ ChainCosts ChainTrial::costs_of(std::size_t h) const {
   const auto mutations = static_cast<double>(half.mutations);
   const double correlation = sum_of(trimmed(errors.variance)) * mutations / (all * all);
   if (!(correlation > 0.0)) return {};
-  return {kBeyondTrial * correlation, static_cast<double>(half.rays) / mutations};
+  return {SelectiveHeuristics::kBeyondTrial * correlation,
+          static_cast<double>(half.rays) / mutations};
 }
 
 void ChainTrial::end() {

@@ -7,14 +7,13 @@
 
 #include "core/archive.h"
 #include "image/visible_error.h"
+#include "integrator/selective/heuristics.h"
 
 namespace ajar {
 
 namespace {
 
-/// So many stretches lie between two that are compared. On pool, neighbours are alike by 0.25, with
-/// one between by 0.13, with two by 0.09; on torus-in-glass by 0.45, 0.33 and 0.33.
-constexpr std::size_t kBetween = 2;
+constexpr std::size_t kBetween = SelectiveHeuristics::kStretchesBetween;
 
 /// Even replicates may have another division of light than odd ones, unless there are but two.
 std::vector<std::pair<std::size_t, std::size_t>> pairs_of(std::size_t replicates) {

@@ -10,6 +10,7 @@
 #include "image/optimal_weights.h"
 #include "image/pixel_at.h"
 #include "integrator/light_split.h"
+#include "integrator/selective/heuristics.h"
 #include "integrator/selective/weighted_errors.h"
 
 namespace ajar {
@@ -186,13 +187,14 @@ std::vector<ThresholdEstimate> estimate_thresholds(const PilotView& view,
 /// their material, and if that is still too little, with all such: the choice for a region would
 /// otherwise follow its noise.
 std::vector<std::size_t> group_regions(const PilotView& view) {
-  constexpr std::size_t kFewest = 50;
-  constexpr double kBright = 3.0;
   std::vector<std::size_t> seen(view.regions.count());
   std::map<std::uint32_t, std::size_t> seen_of_material;
   for (const FoundLight& found : view.found) {
     if (!is_seen(view, found.replicate)) continue;
-    if (static_cast<double>(found.strength) < kBright * view.plan.brightness) continue;
+    if (static_cast<double>(found.strength) <
+        SelectiveHeuristics::kBrightPath * view.plan.brightness) {
+      continue;
+    }
     const std::uint32_t region =
         view.regions.labels[pixel_at(view.plan.settings.crop, found.raster)];
     ++seen[region];
@@ -203,9 +205,9 @@ std::vector<std::size_t> group_regions(const PilotView& view) {
   std::map<std::uint32_t, std::size_t> group_of_material;
   for (std::size_t r = 0; r < seen.size(); ++r) {
     const std::uint32_t material = view.regions.identities[r].material;
-    if (seen[r] >= kFewest) {
+    if (seen[r] >= SelectiveHeuristics::kFewestOfRegion) {
       groups.push_back(r);
-    } else if (seen_of_material[material] >= kFewest) {
+    } else if (seen_of_material[material] >= SelectiveHeuristics::kFewestOfRegion) {
       groups.push_back(seen.size() + 1 + material);
     } else {
       groups.push_back(seen.size());
@@ -243,43 +245,30 @@ OfferedThresholds offer_thresholds(const PilotView& view,
   return offered;
 }
 
-/// A firefly cannot look worse than white, so that a brighter one is no better reason for a low
-/// threshold.
-constexpr double kWhite = 100.0;
-
-/// Chains turn out worse than a trial shows, and what they leave are blotches, which the eye sees
-/// more easily than noise of the same variance.
-constexpr double kDoubt = 4.0;
-
-/// Predicted error with chains over that without, if they are as much worse.
+/// Predicted error with chains over that without, if they are as much worse as one may doubt.
 double gain_of_chains(const PilotView& view, const std::vector<double>& thresholds,
                       ThresholdCosts costs, const PathsSeen& seen) {
-  costs.correlation *= kDoubt;
+  costs.correlation *= SelectiveHeuristics::kDoubt;
   const std::vector<ThresholdEstimate> regions = estimate_thresholds(view, thresholds, seen);
   const ThresholdChoice without = predict_thresholds(
       regions, costs, std::vector<std::size_t>(regions.size(), thresholds.size()));
   return optimal_thresholds(offer_thresholds(view, regions).groups, costs).error / without.error;
 }
 
-/// Chains should bring clearly more than they cost, since what they leave are blotches: of a gain
-/// of 0.8, as predicted and found on door-ajar and floor-lamps, nothing is seen, and after a blur
-/// of four pixels the error is up to six times as large (docs/selective.md).
-constexpr double kClearly = 0.7;
-
 /// How much more than to stand by chains should do, from 0 to 1. Around a gain that is clear enough
 /// it is a matter of degree: the halves of the replicates decide each for itself, and if one did
 /// with chains what the other does without, the picture would have the noise of the one at the cost
 /// of the other.
 double trust_in(double gain) {
-  constexpr double kRange = 0.15;
-  return std::clamp((kClearly - gain) / kRange, 0.0, 1.0);
+  return std::clamp((SelectiveHeuristics::kClearGain - gain) / SelectiveHeuristics::kDoubtfulGains,
+                    0.0, 1.0);
 }
 
 /// By a pilot of which no single sample is evidence: each counts up to white, and the brightest
 /// does not count.
 double careful_gain(const PilotView& view, const std::vector<double>& thresholds,
                     const ThresholdCosts& costs) {
-  return gain_of_chains(view, thresholds, costs, {kWhite, true});
+  return gain_of_chains(view, thresholds, costs, {SelectiveHeuristics::kWhite, true});
 }
 
 ThresholdCosts threshold_costs(const PilotView& view) {
@@ -289,7 +278,7 @@ ThresholdCosts threshold_costs(const PilotView& view) {
 RegionChoice choose_thresholds(const PilotView& view) {
   const std::vector<double> thresholds = all_thresholds(view.plan);
   const std::vector<ThresholdEstimate> regions =
-      estimate_thresholds(view, thresholds, {kWhite, false});
+      estimate_thresholds(view, thresholds, {SelectiveHeuristics::kWhite, false});
   const ThresholdCosts costs = threshold_costs(view);
   const OfferedThresholds offered = offer_thresholds(view, regions);
   const ThresholdChoice of_groups = optimal_thresholds(offered.groups, costs);
@@ -300,11 +289,9 @@ RegionChoice choose_thresholds(const PilotView& view) {
   if (view.plan.selective && of_groups.chain_light > 0.0) {
     choice.expected_error = careful_gain(view, thresholds, costs);
     trust = trust_in(choice.expected_error);
-    // Of light that is found in one sample of ten thousand, a pilot sees one or two paths. They are
-    // far brighter than white, and keep chains that stand by busy.
-    constexpr double kGlaring = 1000.0;
-    choice.off =
-        trust == 0.0 && gain_of_chains(view, thresholds, costs, {kGlaring, false}) >= kClearly;
+    choice.off = trust == 0.0 &&
+                 gain_of_chains(view, thresholds, costs, {SelectiveHeuristics::kGlaring, false}) >=
+                     SelectiveHeuristics::kClearGain;
   }
   std::vector<std::size_t> chosen;
   chosen.reserve(regions.size());
@@ -333,12 +320,12 @@ RegionChoice choose_thresholds(const PilotView& view) {
 
 /// Whether chains would clearly pay for what σ gives them, where the user has not decided.
 bool weights_would_pay(std::span<const RegionEstimate> regions, RenderCosts costs) {
-  constexpr double kClearlyByRegions = 0.75;
-  costs.correlation *= kDoubt;
+  costs.correlation *= SelectiveHeuristics::kDoubt;
   double alone = costs.omc_only_variance;
   for (const RegionEstimate& region : regions) alone += region.variance;
   alone *= costs.seconds_per_omc_sample / costs.seconds;
-  return optimal_split(regions, costs).weights.error() < kClearlyByRegions * alone;
+  return optimal_split(regions, costs).weights.error() <
+         SelectiveHeuristics::kClearGainByRegions * alone;
 }
 
 /// σ of each region, and what it takes.
@@ -393,7 +380,8 @@ void make_exclusive(const SelectiveSettings& settings, std::vector<PixelShare>& 
 
 bool chains_would_pay(const PilotView& view) {
   if (!view.plan.selective) return true;
-  return careful_gain(view, all_thresholds(view.plan), threshold_costs(view)) < kClearly;
+  return careful_gain(view, all_thresholds(view.plan), threshold_costs(view)) <
+         SelectiveHeuristics::kClearGain;
 }
 
 Plane pilot_noise(const PilotView& view) {

@@ -7,6 +7,7 @@
 #include "image/film.h"
 #include "image/regions.h"
 #include "integrator/selective/chain_plan.h"
+#include "integrator/selective/heuristics.h"
 
 namespace ajar {
 
@@ -26,8 +27,9 @@ struct FoundLight {
 
 /// What is expected of chains.
 struct ChainCosts {
-  double correlation = 10.0;  ///< C of optimal_weights.h: chains land in clusters
-  double rays_per_mutation = 4.5;
+  /// C of optimal_weights.h: chains land in clusters.
+  double correlation = SelectiveHeuristics::kUsualCorrelation;
+  double rays_per_mutation = SelectiveHeuristics::kRaysPerMutation;
 };
 
 /// What some replicates of the pilot say.

@@ -7,22 +7,16 @@
 #include "core/random.h"
 #include "core/random_use.h"
 #include "integrator/montecarlo/path_family.h"
+#include "integrator/selective/heuristics.h"
 #include "transport/sources.h"
 
 namespace ajar {
 
 namespace {
 
-constexpr std::uint64_t kItems = 16;
+constexpr std::uint64_t kItems = SelectiveHeuristics::kRouletteItems;
 /// Places on the film in each, with two camera samples.
-constexpr std::uint64_t kPairs = 128;
-/// The price that the pilot itself has, relative to the brightness, which is its Λ: what it is
-/// about in most scenes, so that roulette is much as it will be.
-constexpr double kUsualPrice = 0.3;
-/// Λ for what is left of a subpath alone would end too many: samples that roulette has thinned are
-/// not as evenly spread as all were. Measured: 1.5 to 2 is best on bathroom, cornell-box and
-/// torus-in-glass.
-constexpr double kThinned = 1.5;
+constexpr std::uint64_t kPairs = SelectiveHeuristics::kPairsOfItem;
 
 }  // namespace
 
@@ -46,7 +40,7 @@ class RoulettePilot::Sink final : public PathSink {
     const bool from_light = contribution.technique.t == 1;
     const float importance = view_.importance(from_light ? contribution.raster : raster_);
     const double light = std::min(static_cast<double>(luminance(contribution.value) * importance),
-                                  ChainPlan::kMostOfError * brightness_);
+                                  SelectiveHeuristics::kMostOfError * brightness_);
     if (!(light > 0.0)) return;
     if (from_light) {
       sums_.variance += light_subpaths_ * light * light;
@@ -56,13 +50,14 @@ class RoulettePilot::Sink final : public PathSink {
   }
   bool reaches(const Vec2& raster) const override { return view_.contains(raster); }
   float worth(const Vec2& raster) const override {
-    return view_.importance(raster) / static_cast<float>(kUsualPrice * brightness_);
+    return view_.importance(raster) /
+           static_cast<float>(SelectiveHeuristics::kUsualPrice * brightness_);
   }
   void scattered(Stream stream, const PathVertex& vertex, const Flight& flight) override {
     if (stream != Stream::Camera || vertex.edges < kEfficientRouletteStart) return;
     // The scale has `worth` · Λ in it.
     const auto expected = static_cast<double>(flight.throughput.max() * flight.roulette_scale);
-    departures_.push_back({expected * kUsualPrice, light_, rays()});
+    departures_.push_back({expected * SelectiveHeuristics::kUsualPrice, light_, rays()});
   }
   /// Luminance · importance of the camera sample.
   double end() {
@@ -155,7 +150,7 @@ void RoulettePilot::end() {
   }
   if (!(all.variance > 0.0 && all.brought > 0.0 && all.taken > 0.0)) return;
   plan_.ray_price.emplace(plan_.view.importance, std::sqrt(all.variance / all.rays),
-                          kThinned * std::sqrt(all.brought / all.taken));
+                          SelectiveHeuristics::kThinned * std::sqrt(all.brought / all.taken));
 }
 
 }  // namespace ajar

@@ -7,6 +7,7 @@
 #include "core/file_extension.h"
 #include "core/regular_file.h"
 #include "integrator/selective/crop_weights.h"
+#include "integrator/selective/heuristics.h"
 
 namespace ajar {
 
@@ -138,7 +139,9 @@ SelectiveSettings SelectiveSettings::read(const Parameters& parameters,
                  : pilot == "discard"                       ? PilotUse::Discard
                                                             : pilot_use_of(settings.replicates);
   result.pilot_samples = static_cast<std::uint64_t>(parameters.get_int("pilot-samples"));
-  if (result.pilot_samples == 0 && result.map == Map::Binary) result.pilot_samples = 16;
+  if (result.pilot_samples == 0 && result.map == Map::Binary) {
+    result.pilot_samples = SelectiveHeuristics::kPilotSamplesOfBinary;
+  }
   result.binary = {parameters.get_int("window"),
                    static_cast<float>(parameters.get_float("threshold")),
                    static_cast<float>(parameters.get_float("epsilon"))};

@@ -14,6 +14,7 @@
 #include "integrator/make_filter.h"
 #include "integrator/selective/chain_bootstrap.h"
 #include "integrator/selective/chain_share.h"
+#include "integrator/selective/heuristics.h"
 
 namespace ajar {
 
@@ -129,10 +130,7 @@ std::uint64_t SplitPilot::begin() {
   const auto replicates = static_cast<std::uint64_t>(settings.replicates);
   samples_ =
       std::max<std::uint64_t>(1, (plan_.pilot_samples + replicates - 1) / replicates) * replicates;
-  // What is drawn by lot is noise in these few samples: at the brightness itself, it would be a
-  // third of their variance on cornell-box. So fine a grain keeps about one path per sample.
-  constexpr double kGrain = 0.25;
-  grain_ = static_cast<float>(kGrain * plan_.brightness);
+  grain_ = static_cast<float>(SelectiveHeuristics::kGrain * plan_.brightness);
   if (recruits_ != nullptr) recruits_->expect_unknown(static_cast<double>(samples_));
   omc_ = plan_.make_omc(settings, plan_.omc_depths(), {.splits = &*plan_.splits, .strong = this});
   film_ = std::make_unique<Film>(settings.resolution, settings.crop,
@@ -210,10 +208,8 @@ PilotView SplitPilot::view(std::vector<int> replicates, const ChainCosts& costs)
 }
 
 bool SplitPilot::chains_may_pay(std::size_t half) const {
-  // Trials on scenes of all kinds have found between 5 and 70.
-  constexpr double kLeastCorrelation = 4.0;
   ChainCosts costs;
-  costs.correlation = kLeastCorrelation;
+  costs.correlation = SelectiveHeuristics::kLeastCorrelation;
   return chains_would_pay(view(seen_by(half), costs));
 }
 
@@ -259,11 +255,8 @@ void SplitPilot::share_effort() {
 }
 
 double SplitPilot::first_mutations() const {
-  // Until more is known of the strongest paths, more mutations than are worth their seeds would
-  // only repeat what the pilot happened to find.
-  constexpr double kMutationsPerShare = 3.0;
   const double light = recruits_->energy() / recruiting_samples();
-  return kMutationsPerShare * std::min(1.0, light / plan_.brightness);
+  return SelectiveHeuristics::kFirstMutations * std::min(1.0, light / plan_.brightness);
 }
 
 double SplitPilot::recruiting_samples() const {

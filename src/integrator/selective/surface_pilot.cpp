@@ -6,6 +6,7 @@
 #include "image/identities.h"
 #include "integrator/make_filter.h"
 #include "integrator/montecarlo/path_family.h"
+#include "integrator/selective/heuristics.h"
 
 namespace ajar {
 
@@ -14,8 +15,7 @@ constexpr std::uint64_t kSamples = IdentityLayers::kSamples;
 }  // namespace
 
 double SurfacePilot::effort() const {
-  // A camera ray alone takes a tenth of what its whole path does.
-  return static_cast<double>(kSamples) / 10.0;
+  return static_cast<double>(kSamples) / SelectiveHeuristics::kCameraRaysOfSample;
 }
 
 std::uint64_t SurfacePilot::begin() {

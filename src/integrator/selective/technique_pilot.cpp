@@ -9,6 +9,7 @@
 #include "core/random.h"
 #include "core/random_use.h"
 #include "integrator/montecarlo/path_family.h"
+#include "integrator/selective/heuristics.h"
 #include "integrator/selective/weighted_errors.h"
 
 namespace ajar {
@@ -18,20 +19,21 @@ namespace {
 /// The first makes do with few light subpaths; then in order of how many there are.
 std::vector<PathFamilyDefaults> offers() {
   const PathFamilyDefaults usual = path_family_defaults("bdpt");
-  return {path_family_defaults("ibpt"), usual, {usual.techniques, "4", usual.roulette_start}};
+  return {path_family_defaults("ibpt"),
+          usual,
+          {usual.techniques, SelectiveHeuristics::kManyLightSubpaths, usual.roulette_start}};
 }
 constexpr std::size_t kUsual = 1;
 /// One sample per pixel of the tiles in each of them.
 constexpr int kReplicates = 4;
-/// Paths that bring more, relative to the brightness of the picture, are looked at one by one.
-constexpr double kThreshold = 1.0;
-/// For how much a path counts at most where it is asked what light subpaths find.
-constexpr double kMostOfFinds = 30.0;
 
-/// Of the picture that is rendered with each offer: enough to tell errors that differ by a tenth.
+/// Of the picture that is rendered with each offer.
 double share_of_picture(const ChainPlan& plan) {
   const auto pixels = static_cast<double>(plan.pixels());
-  return std::min(1.0, std::clamp(pixels / 8.0, 1536.0, 4096.0) / pixels);
+  const double rendered =
+      std::clamp(pixels / SelectiveHeuristics::kOnePixelOf, SelectiveHeuristics::kFewestTrialPixels,
+                 SelectiveHeuristics::kMostTrialPixels);
+  return std::min(1.0, rendered / pixels);
 }
 
 }  // namespace
@@ -42,7 +44,7 @@ class TechniquePilot::Candidate final : public StrongPathSinks {
   /// `plan` has the techniques of the offer.
   Candidate(const ChainPlan& plan, const RenderSettings& settings)
       : plan_(plan),
-        splits_(LightSplit(kThreshold * plan.brightness, plan.view.importance)),
+        splits_(LightSplit(SelectiveHeuristics::kStrong * plan.brightness, plan.view.importance)),
         omc_(plan.make_omc(settings, plan.omc_depths(), {.splits = &splits_, .strong = this})),
         film_(settings.resolution, settings.crop, Filter::box(), kReplicates, omc_->layers()) {}
 
@@ -79,9 +81,9 @@ class TechniquePilot::Candidate final : public StrongPathSinks {
     explicit Sink(const Candidate& candidate) : candidate_(candidate) {}
     bool spread(SampleSource& /*numbers*/, StrongPath& path) override {
       const double light = std::abs(path.energy) / candidate_.plan_.brightness;
-      candidate_.strong_ += square(std::min(light, ChainPlan::kMostOfError));
+      candidate_.strong_ += square(std::min(light, SelectiveHeuristics::kMostOfError));
       if (path.technique.s < 2) return true;
-      const std::uint64_t find = square(std::min(light, kMostOfFinds));
+      const std::uint64_t find = square(std::min(light, SelectiveHeuristics::kMostOfFinds));
       candidate_.from_light_ += find;
       if (path.technique.t >= 2) candidate_.inner_ += find;
       return true;
@@ -120,11 +122,10 @@ std::vector<std::unique_ptr<TechniquePilot>> TechniquePilot::make_all(ChainPlan&
 }
 
 bool TechniquePilot::is_for_chains(const std::vector<Errors>& found) {
-  constexpr double kMuch = 0.3;
-  constexpr double kNoRarer = 0.8;
   const Errors& few = found.front();
   const Errors& usual = found[kUsual];
-  return usual.strong > kMuch * usual.weak && usual.strong > kNoRarer * few.strong;
+  return usual.strong > SelectiveHeuristics::kMuchStrong * usual.weak &&
+         usual.strong > SelectiveHeuristics::kNoRarer * few.strong;
 }
 
 double TechniquePilot::effort() const {
@@ -170,20 +171,18 @@ void TechniquePilot::choose() const {
   const std::vector<Errors>& found = findings_->of_offers;
   // Tiles without light tell nothing.
   if (found.size() <= kUsual || !(found[kUsual].after_equal_time() > 0.0)) return;
-  // What light subpaths alone find, fewer of them would seldom find: neither a pilot nor chains
-  // would know of it. Chains need the techniques that find what they start from, however little.
-  constexpr double kMuch = 0.2;
-  constexpr double kAny = 0.005;
   const bool for_chains = is_for_chains(found);
   const bool needs_usual =
-      found[kUsual].from_light > kMuch * found[kUsual].weak ||
-      (for_chains && std::any_of(found.begin() + kUsual, found.end(),
-                                 [](const Errors& of) { return of.inner > kAny * of.weak; }));
-  // A little is the luck of a pilot: what has less to do is taken then.
-  constexpr double kClearly = 0.95;
+      found[kUsual].from_light > SelectiveHeuristics::kMuchFromLight * found[kUsual].weak ||
+      (for_chains && std::any_of(found.begin() + kUsual, found.end(), [](const Errors& of) {
+         return of.inner > SelectiveHeuristics::kAnyInner * of.weak;
+       }));
   std::size_t best = needs_usual ? kUsual : 0;
   for (std::size_t i = best + 1; i < found.size(); ++i) {
-    if (found[i].after_equal_time() < kClearly * found[best].after_equal_time()) best = i;
+    if (found[i].after_equal_time() <
+        SelectiveHeuristics::kClearlyBetterTechniques * found[best].after_equal_time()) {
+      best = i;
+    }
   }
   // One light subpath per sample may have found nothing by chance.
   findings_->decided = found.size() == offers().size() || (best < kUsual && !for_chains);

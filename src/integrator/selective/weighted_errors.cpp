@@ -5,6 +5,7 @@
 
 #include "core/spectrum.h"
 #include "image/plane.h"
+#include "integrator/selective/heuristics.h"
 
 namespace ajar {
 
@@ -57,12 +58,13 @@ std::vector<double> variance_of_mean(std::span<const std::vector<float>> picture
 
 std::vector<std::vector<float>> seen_light(const Replicates& replicates, const Box2i& crop,
                                            const ImportanceMap& importance) {
-  const std::vector<float> thirds(3, 1.F / 3.F);
+  constexpr std::size_t kWidth = SelectiveHeuristics::kSeenThrough;
+  const std::vector<float> mean(kWidth, 1.F / static_cast<float>(kWidth));
   Plane plane(crop.max - crop.min + Vec2i(1, 1));
   std::vector<std::vector<float>> light = weighted_light(replicates, crop, importance);
   for (std::vector<float>& picture : light) {
     plane.values = std::move(picture);
-    picture = filter_plane(plane, {thirds, thirds}).values;
+    picture = filter_plane(plane, {mean, mean}).values;
   }
   return light;
 }
@@ -80,7 +82,7 @@ WeightedErrors weighted_errors(const Replicates& replicates, const Box2i& crop,
 }
 
 std::vector<double> trimmed(std::vector<double> variance) {
-  constexpr std::size_t kOneOf = 1000;
+  constexpr std::size_t kOneOf = SelectiveHeuristics::kWorstOf;
   std::vector<double> sorted = variance;
   const auto limit = sorted.end() - static_cast<std::ptrdiff_t>(sorted.size() / kOneOf);
   if (limit == sorted.end()) return variance;

@@ -7,6 +7,7 @@
 
 #include "core/random_use.h"
 #include "mcmc/primary/fresh_numbers.h"
+#include "mcmc/primary/heuristics.h"
 
 namespace ajar {
 
@@ -15,9 +16,6 @@ constexpr auto kRasterX = static_cast<std::size_t>(kEmissionDirection);
 // Far beyond what a mutation draws for a block.
 constexpr auto kRasterKey = static_cast<std::uint64_t>(RandomUse::RasterMove);
 constexpr auto kLengthKey = static_cast<std::uint64_t>(RandomUse::RasterLength);
-/// How many times as long as others steps of the raster numbers alone are: up to so many, each
-/// order of magnitude as often. Where directions alone decide, light may be found again anywhere.
-constexpr double kRasterLength = 50.0;
 }  // namespace
 
 ChainSource::ChainSource(const Mutation& mutation, const StepSizes& sizes,
@@ -59,7 +57,7 @@ void ChainSource::propose(ChainNumbers& numbers, StepKind kind, const Change& ch
 
 void ChainSource::move_raster_alone() {
   const double u = to_unit_double(counter_bits(move_key_, kLengthKey));
-  const auto times = static_cast<float>(std::pow(kRasterLength, u));
+  const auto times = static_cast<float>(std::pow(PrimaryHeuristics::kRasterLength, u));
   raster_scales_ = sizes_.camera_endpoint;
   for (const std::size_t i : {kRasterX, kRasterX + 1}) {
     raster_scales_[i] = std::min(raster_scales_[i] * times, StepSizes::kLargest);

@@ -7,13 +7,13 @@
 #include <stdexcept>
 
 #include "mcmc/counter_random.h"
+#include "mcmc/primary/heuristics.h"
 #include "mcmc/primary/step_sizes.h"
 
 namespace ajar {
 
 namespace {
 
-constexpr float kSmallestFactor = 1.F / 64.F;
 constexpr std::array<Vec2i, 8> kSteps = {Vec2i(-1, -1), Vec2i(0, -1), Vec2i(1, -1), Vec2i(-1, 0),
                                          Vec2i(1, 0),   Vec2i(-1, 1), Vec2i(0, 1),  Vec2i(1, 1)};
 
@@ -23,7 +23,8 @@ float factor_of(const PlaneRule& rule, double variance) {
   if (variance > rule.uneven) factor = std::min(1.0, rule.shorten / variance);
   // The paper asks for h2 > 1, which λ2·variance alone does not give in very even places.
   if (variance < rule.even) factor = std::max(1.0, rule.lengthen * variance);
-  return std::clamp(static_cast<float>(factor), kSmallestFactor, StepSizes::kLargest);
+  return std::clamp(static_cast<float>(factor), PrimaryHeuristics::kShortestFactor,
+                    StepSizes::kLargest);
 }
 
 }  // namespace

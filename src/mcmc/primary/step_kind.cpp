@@ -3,6 +3,8 @@
 #include <array>
 #include <stdexcept>
 
+#include "mcmc/primary/heuristics.h"
+
 namespace ajar {
 
 std::span<const std::string_view> step_names() {
@@ -31,7 +33,8 @@ StepKind StepProbabilities::choose(double u) const {
 
 std::uint64_t StepProbabilities::choose_length(double u) const {
   if (u >= fine) return kStepUnits;
-  return u < 0.5 * fine ? kStepUnits / 64 : kStepUnits / 4096;
+  constexpr std::array<std::uint64_t, 2> kFiner = PrimaryHeuristics::kFiner;
+  return kStepUnits / (u < 0.5 * fine ? kFiner[0] : kFiner[1]);
 }
 
 Change change_of(StepKind kind, ConnectionMoves connection, bool uses_raster) {

@@ -1,0 +1,93 @@
+#pragma once
+#include <array>
+#include <cstddef>
+
+namespace ajar {
+
+/// The fitted numbers of this room. Those of published metrics (FLIP, SSIM) and of definitions
+/// (docs/estimated-error.md) stay where they are.
+struct ImageHeuristics {
+  // -------------------------------------------------------- estimated error
+  /// Places over which the squared error is summed: as wide as what filters make of one splat.
+  /// Unit: pixels across. Range: >= 1. Source: docs/estimated-error.md; 51b6652, half and double
+  /// not measured.
+  static constexpr std::size_t kPlace = 4;
+  /// With fewer places the relative standard deviation of the value is more than 16 % (of a sum of
+  /// n equal squares: sqrt(1/n), half of that of its root), and what is rare is rarer than that.
+  /// Unit: places. Range: >= 1. Source: docs/estimated-error.md; 51b6652, half and double not
+  /// measured.
+  static constexpr double kFewestPlaces = 10.0;
+  /// Small pictures do not have so many: this share of their places instead.
+  /// Unit: share. Range: (0, 1]. Source: 51b6652; set by hand, no study.
+  static constexpr double kFewestOfPlaces = 0.25;
+
+  // -------------------------------------------------------- guess of the truth
+  /// Rounds of averages, by how far apart neighbours are.
+  /// Unit: pixels. Range: powers of two from 1 on. Source: the à-trous scheme (Dammertz et al.
+  /// 2010); 51b6652, fewer or more not measured.
+  static constexpr std::array<int, 5> kGuessStrides = {1, 2, 4, 8, 16};
+  /// Relative standard error of a pixel that is good enough as it is.
+  /// Unit: share. Range: > 0. Source: 51b6652; set by hand, no study.
+  static constexpr float kQuiet = 0.05F;
+  /// Two patches look the same if their mean squared difference is at most so many times what noise
+  /// explains; the noise of the darker replicates is less than that of all.
+  /// Unit: factor. Range: >= 1. Source: 51b6652; set by hand, no study.
+  static constexpr float kSamePatch = 4.F;
+
+  // -------------------------------------------------------- importance map
+  /// What is added to luminances before the inverse is taken.
+  /// Unit: share of the mean luminance. Range: > 0. Source: c345e65; set by hand, no study.
+  static constexpr double kImportanceDelta = 0.05;
+  /// Luminances are blurred over so many pixels on either side, twice.
+  /// Unit: pixels. Range: >= 0. Source: c345e65; set by hand, no study.
+  static constexpr int kImportanceBlur = 3;
+  /// A firefly says little about its neighbours: luminances count up to this.
+  /// Unit: factor over the mean luminance. Range: > 1. Source: c345e65; set by hand, no study.
+  static constexpr double kMostLuminance = 20.0;
+  /// No pixel has less.
+  /// Unit: share of the mean weight. Range: > 0. Source: c345e65; set by hand, no study.
+  static constexpr float kImportanceFloor = 1.F / 64.F;
+
+  // -------------------------------------------------------- visible error
+  /// Of the variance: half of the power that FLIP takes differences of colours to (q_c = 0.7).
+  /// Unit: exponent. Range: (0, 0.5]. Source: Andersson et al. 2020 and 3077191: on torus-in-glass
+  /// FLIP is 0.087 instead of 0.092 with 0.5, the mean standard error.
+  static constexpr double kVisibleExponent = 0.35;
+  /// Numbers of mutations that are tried for the least of it.
+  /// Unit: numbers per octave. Range: > 0. Source: 3077191; set by hand, no study.
+  static constexpr double kTriedPerOctave = 2.0;
+
+  // -------------------------------------------------------- exposure
+  /// Blocks of which means are taken, so that noise does not decide.
+  /// Unit: blocks along the longer side. Range: >= 1. Source: cb9085a; set by hand, no study.
+  static constexpr int kExposureBlocks = 32;
+  /// Share of the blocks that stays below white.
+  /// Unit: share. Range: [0.5, 1]. Source: cb9085a; set by hand, no study.
+  static constexpr double kBelowWhite = 0.75;
+
+  // -------------------------------------------------------- edges and antialiasing
+  //
+  // After FXAA (Lottes 2009); d2c038e: on slanted edges the squared error is under a quarter of
+  // that of the stairs.
+
+  /// Difference of depths where an edge counts as whole.
+  /// Unit: share of the nearer depth. Range: > 0. Source: d2c038e; set by hand, no study.
+  static constexpr float kDepthStep = 0.05F;
+  /// Angle between normals where an edge counts as whole.
+  /// Unit: radians. Range: > 0. Source: d2c038e; set by hand, no study.
+  static constexpr float kNormalAngle = 0.35F;
+  /// Edges whose contrast is below this and the next one cannot be seen.
+  /// Unit: luma. Range: [0, 1]. Source: d2c038e; set by hand, no study.
+  static constexpr float kSmallestContrast = 1.F / 32.F;
+  /// Unit: share of the brightest luma around. Range: [0, 1]. Source: d2c038e; set by hand, no
+  /// study.
+  static constexpr float kSmallestRelativeContrast = 1.F / 8.F;
+  /// A stair ends where the luma along the edge has changed by this.
+  /// Unit: share of the edge's contrast. Range: (0, 0.5]. Source: d2c038e; set by hand, no study.
+  static constexpr float kEndOfStair = 0.25F;
+  /// Stairs that are longer count as without an end.
+  /// Unit: pixels. Range: >= 1. Source: d2c038e; set by hand, no study.
+  static constexpr int kLongestStair = 32;
+};
+
+}  // namespace ajar

@@ -1,0 +1,44 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+
+namespace ajar {
+
+/// The fitted numbers of the wing, beside parameters, which tell their own ranges; see
+/// `SelectiveHeuristics`.
+struct MonteCarloHeuristics {
+  // -------------------------------------------------------- rates of camera samples
+  /// Squares of the picture that have one rate, which is found over them and those around: four
+  /// replicates tell little of one pixel.
+  /// Unit: pixels across. Range: >= 1. Source: docs/selective.md, "Where camera samples go"; half
+  /// and double not measured.
+  static constexpr int kRateCell = 4;
+  /// What a few samples say of noise is not believed beyond these.
+  /// Unit: rate over the mean rate. Range: (0, 1]. Source: the same.
+  static constexpr double kLowestRate = 0.25;
+  /// Unit: rate over the mean rate. Range: >= 1. Source: the same.
+  static constexpr double kHighestRate = 8.0;
+
+  // -------------------------------------------------------- scale of a picture
+  //
+  // It sets the unit of sums, and, as the median of means, what weak connections are (`cull`).
+
+  /// Groups of camera samples of which means are taken.
+  /// Unit: groups. Range: >= 1. Source: c7b4e5f; set by hand, no study.
+  static constexpr std::size_t kScaleGroups = 16;
+  /// Unit: camera samples of a group. Range: >= 1. Source: the same. 5b5c42c: 4096 in all are two
+  /// per pixel of a small picture.
+  static constexpr std::uint32_t kScaleGroupSize = 256;
+
+  // -------------------------------------------------------- warnings
+  /// Camera samples that look for what techniques cannot see: what takes less than a thousandth of
+  /// the picture may go unnoticed.
+  /// Unit: samples. Range: >= 1. Source: set by hand, no study.
+  static constexpr std::uint32_t kLookingAround = 4096;
+  /// Depths that are looked at one by one. Longer paths are as these are, unless many pairs are
+  /// named one by one.
+  /// Unit: edges. Range: >= 1. Source: set by hand, no study.
+  static constexpr int kDepthsNamed = 8;
+};
+
+}  // namespace ajar

@@ -1,0 +1,346 @@
+#pragma once
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace ajar {
+
+/// The fitted numbers of `selective`: those that might as well be half or twice as large. Each with
+/// unit, range, and where it comes from; commits have what was measured if no page of docs/ has.
+/// Whatever they are, no expectation changes, only noise and time do.
+struct SelectiveHeuristics {
+  // -------------------------------------------------------- how bright is too bright
+  //
+  // One idea, a path that is bright for its picture, with seven values: 1, 3 and 3, 30, 100 and
+  // 100, 1000. All are in units of the brightness (mean luminance · importance of the picture).
+  // Some differ for a reason: 1 is what a pixel has anyway, 100 is white for the eye, and 30 asks
+  // what is found, not what is seen. Why 3 and 3 are equal, and whether 1000 has to be ten times
+  // white, nobody has measured; nor whether one number would do for several.
+
+  /// Thresholds T that a pilot may choose from for chains that start from what was found.
+  /// Unit: brightness. Range: > 0, ascending. Source: docs/chains.md, "Where to divide": the best
+  /// of them is 0.1 on door-ajar and 10 on bathroom.
+  static constexpr std::array<double, 5> kThresholds = {0.1, 0.3, 1.0, 3.0, 10.0};
+  /// One more where regions choose: what is shared by the error that is seen deserves fewer chains.
+  /// Unit: brightness. Range: > the last of kThresholds. Source: docs/selective.md, "How": without
+  /// it, up to 10, torus-in-glass has 1/0.98 of error and FLIP.
+  static constexpr double kHighestThreshold = 30.0;
+  /// Those where nothing found can seed chains (`pssmlt`), whose worth is not tried.
+  /// Unit: brightness. Range: > 0, ascending. Source: set by hand, no study.
+  static constexpr std::array<double, 4> kThresholdsOfWholePaths = {1.0, 3.0, 10.0, 30.0};
+  /// The one of `pssmlt+`, which does not choose.
+  /// Unit: brightness. Range: > 0. Source: the first fixed split ("about ten times the pixel's
+  /// brightness", c25bd63); no study since.
+  static constexpr double kThresholdOfWholePaths = 10.0;
+  /// Multiples of a threshold that the user gives, from which regions may choose.
+  /// Unit: factor. Range: >= 1, ascending, the first 1. Source: set by hand, no study.
+  static constexpr std::array<double, 3> kThresholdsOverGiven = {1.0, 3.0, 10.0};
+
+  /// Paths that bring more are strong for the pilot of techniques: they are looked at one by one.
+  /// Unit: brightness. Range: > 0. Source: set by hand, no study.
+  static constexpr double kStrong = 1.0;
+  /// For how much a path counts at most when a pilot measures errors: what is brighter is rare, and
+  /// for chains to deal with.
+  /// Unit: brightness. Range: >= kStrong. Source: cbffe58: without a bound, fireflies decided
+  /// between ibpt and bdpt on bathroom. Half and double not measured.
+  static constexpr double kMostOfError = 3.0;
+  /// Paths that bring more are evidence of what a region has for chains (kFewestOfRegion).
+  /// Unit: brightness. Range: > 0. Source: set by hand, no study.
+  static constexpr double kBrightPath = 3.0;
+  /// For how much a path counts at most where it is asked what light subpaths find.
+  /// Unit: brightness. Range: >= kMostOfError. Source: docs/selective.md, "Which techniques"; half
+  /// and double not measured.
+  static constexpr double kMostOfFinds = 30.0;
+  /// A firefly cannot look worse than white, so that a brighter one is no better reason for a low
+  /// threshold.
+  /// Unit: brightness. Range: > kHighestThreshold. Source: docs/selective.md, "Whether chains pay",
+  /// as the next one.
+  static constexpr double kWhite = 100.0;
+  /// T of chains that stand by: a firefly of so many times the brightness looks no worse than
+  /// white. With a number for `split`, so many times that.
+  /// Unit: brightness. Range: > kHighestThreshold. Source: docs/selective.md, "Whether chains pay":
+  /// efficiency with 30, 100 and 1000 is 5.8, 5.8 and 2.1 on torus-in-glass, 169, 173 and 176 on
+  /// cornell.
+  static constexpr double kStandby = kWhite;
+  /// Beyond it, what a large step brings is not learned from: only the bootstrap knows of it.
+  /// Unit: brightness. Range: > 0. Source: effe5b4: without a cap, a path a thousand times brighter
+  /// than its pixel left door-ajar seven times worse than bdpt on one seed. The value has no study,
+  /// nor whether it has to be kWhite.
+  static constexpr double kLargeStepCap = 100.0;
+  /// For how much a path counts where it is asked whether chains that stand by would be idle. Of
+  /// light that is found in one sample of ten thousand, a pilot sees one or two paths. They are far
+  /// brighter than white, and keep such chains busy.
+  /// Unit: brightness. Range: > kWhite. Source: set by hand, no study.
+  static constexpr double kGlaring = 1000.0;
+
+  // -------------------------------------------------------- how clear a gain has to be
+  //
+  // One idea as well, error over error: 0.7 and 0.75 for chains, of which blotches are to be
+  // feared, 0.95 and 0.8 between techniques of ordinary Monte Carlo, which all leave even noise.
+
+  /// Chains should bring clearly more than they cost, since what they leave are blotches: of a gain
+  /// of 0.8, as predicted and found on door-ajar and floor-lamps, nothing is seen, and after a blur
+  /// of four pixels the error is up to six times as large.
+  /// Unit: predicted error with chains over that without. Range: (0, 1]. Source: docs/selective.md,
+  /// "Whether chains pay": on door-ajar FLIP is 0.141 with such chains, 0.127 without. 0.9 before.
+  static constexpr double kClearGain = 0.7;
+  /// Around a gain that is clear enough it is a matter of degree: below kClearGain by this much,
+  /// chains are trusted altogether.
+  /// Unit: the same. Range: (0, kClearGain]. Source: e777c94 (0.1 around 1 before): by degrees, no
+  /// render of 64 of door-ajar has chains in one half of the replicates alone. Half and double not
+  /// measured.
+  static constexpr double kDoubtfulGains = 0.15;
+  /// The same as kClearGain where chains share by regions alone.
+  /// Unit: the same. Range: (0, 1]. Source: docs/selective.md, "Whether chains pay" (a quarter);
+  /// not measured apart from kClearGain.
+  static constexpr double kClearGainByRegions = 0.75;
+  /// A little is the luck of a pilot: of techniques, what has less to do is taken then.
+  /// Unit: error at equal time over that of the simpler choice. Range: (0, 1]. Source:
+  /// docs/selective.md, "Which techniques"; 0.9 before 8fdd9d2.
+  static constexpr double kClearlyBetterTechniques = 0.95;
+  /// Strong paths are no rarer with inner connections than without, if these find so much of them.
+  /// Unit: strong squares over strong squares. Range: (0, 1]. Source: 70ce179: two of six renders
+  /// of pool had ibpt, with two to three times the error. The value has no study.
+  static constexpr double kNoRarer = 0.8;
+
+  // -------------------------------------------------------- how large a share is much
+  //
+  // All of squares over the variance of weak light (up to kStrong), in the pilot of techniques:
+  // docs/selective.md, "Which techniques", of pool and torus-in-glass with ten pilots each.
+
+  /// There are so many strong paths that they are for chains.
+  /// Unit: share. Range: > 0. Source: 70ce179; half and double not measured.
+  static constexpr double kMuchStrong = 0.3;
+  /// Light subpaths find so much that fewer of them would seldom find it: neither a pilot nor
+  /// chains would know of it.
+  /// Unit: share. Range: > 0. Source: cbffe58, e431c44: pool with a twentieth of the light subpaths
+  /// has 1.8 times the error. Half and double not measured.
+  static constexpr double kMuchFromLight = 0.2;
+  /// Where strong paths are for chains, these need the techniques that find what they start from,
+  /// however little.
+  /// Unit: share. Range: >= 0. Source: e431c44: each of ten pilots finds that much on pool, none on
+  /// torus-in-glass and teapot-full.
+  static constexpr double kAnyInner = 0.005;
+
+  // -------------------------------------------------------- first pilot: how bright it is
+  /// Pictures of fewer pixels have two samples of each, to show how bright they are; others one.
+  /// Unit: pixels. Range: > 0. Source: e51f759, for a shorter preparation; half and double not
+  /// measured.
+  static constexpr std::uint64_t kPixelsToTellBrightness = 8192;
+
+  // -------------------------------------------------------- pilot of techniques
+  /// The pixels of a picture that are rendered with each offer are one of so many, within the
+  /// bounds that follow: enough to tell errors that differ by a tenth.
+  /// Unit: pixels per pixel. Range: >= 1. Source: 8fdd9d2: with 16 it missed what four light
+  /// subpaths bring to floor-lamps in three of five renders of 128x96.
+  static constexpr double kOnePixelOf = 8.0;
+  /// Unit: pixels. Range: > 0. Source: 5b5c42c, 8fdd9d2; set by hand, no study.
+  static constexpr double kFewestTrialPixels = 1536.0;
+  /// Unit: pixels. Range: >= kFewestTrialPixels. Source: the same.
+  static constexpr double kMostTrialPixels = 4096.0;
+  /// Light subpaths per camera sample where one is better than few.
+  /// Unit: subpaths, as a parameter has them. Range: > 1. Source: docs/selective.md, "Which
+  /// techniques": error on floor-lamps 0.74 with 2, 0.69 with 4; on veach-bidir 0.95, 1.0 and (8)
+  /// 1.1.
+  static constexpr const char* kManyLightSubpaths = "4";
+
+  // -------------------------------------------------------- pilot of roulette
+  /// Places on the film with two camera samples each are kRouletteItems times kPairsOfItem: 4096
+  /// samples.
+  /// Unit: items. Range: >= 1. Source: set by hand; only the product matters.
+  static constexpr std::uint64_t kRouletteItems = 16;
+  /// Unit: places. Range: >= 1. Source: twice as many before 70ce179; no study.
+  static constexpr std::uint64_t kPairsOfItem = 128;
+  /// The price that the pilot itself has, which is its Λ: what it is about in most scenes, so that
+  /// roulette is much as it will be.
+  /// Unit: brightness. Range: > 0. Source: docs/selective.md, "Which rays are traced": it turns out
+  /// to be 0.1 to 0.5.
+  static constexpr double kUsualPrice = 0.3;
+  /// Λ for what is left of a subpath alone would end too many: samples that roulette has thinned
+  /// are not as evenly spread as all were.
+  /// Unit: factor. Range: >= 1. Source: a9a5f8c: 1.5 to 2 is best on bathroom, cornell-box and
+  /// torus-in-glass.
+  static constexpr double kThinned = 1.5;
+
+  // -------------------------------------------------------- pilot of the division
+  /// Camera samples of a whole picture that tell enough about it: a small picture tells as much as
+  /// others by more samples of each pixel. Of mmlt+, the default of `bootstrap`.
+  /// Unit: samples. Range: > 0. Source: 1e1ec69, with the bounds that follow: with 4 per pixel at
+  /// 96x72, halves on torus-in-glass expect 0.4 to 1.3 of chains, with 12 (as many as there are
+  /// now, rounded to replicates) 0.3 to 0.6.
+  static constexpr std::uint64_t kPilotSamples = 65536;
+  /// Unit: samples per pixel. Range: >= 2. Source: the same.
+  static constexpr std::uint64_t kFewestOfPixel = 4;
+  /// Unit: samples per pixel. Range: >= kFewestOfPixel. Source: the same; double not measured.
+  static constexpr std::uint64_t kMostOfPixel = 16;
+  /// For the published binary map.
+  /// Unit: samples per pixel. Range: >= 2. Source: docs/selective.md, "Settings"; set by hand, no
+  /// study.
+  static constexpr std::uint64_t kPilotSamplesOfBinary = 16;
+  /// Paths that carry less are kept now and then only. What is drawn by lot is noise in the few
+  /// samples of a pilot. So fine a grain keeps about one path per sample.
+  /// Unit: brightness. Range: > 0. Source: 3ed3aa3: at 1, the lot is a third of the variance on
+  /// cornell-box.
+  static constexpr double kGrain = 0.25;
+  /// Regions with fewer bright paths choose together with others of their material, or with all:
+  /// their choice would follow the pilot's noise.
+  /// Unit: paths (kBrightPath). Range: > 0. Source: 771f36f; half and double not measured.
+  static constexpr std::size_t kFewestOfRegion = 50;
+  /// Of variances of pixels, the worst of so many are left out: what chains leave is in few pixels.
+  /// Unit: pixels. Range: > 1. Source: 3ed3aa3: trials on door-ajar, torus-in-glass, pool
+  /// and teapot-full show a C of 4 to 5 without the worst of 100, and of 10, 7, 6 and 16 without
+  /// that of 1000.
+  static constexpr std::size_t kWorstOf = 1000;
+
+  // -------------------------------------------------------- trial of chains
+  /// Unit: mutations per pixel. Range: > 0. Source: 3ed3aa3, which halved it for a shorter
+  /// preparation; half and double not measured.
+  static constexpr double kTrialMutations = 2.0;
+  /// One of so many chains runs, for longer then.
+  /// Unit: chains. Range: >= 1. Source: 44d8408; set by hand, no study.
+  static constexpr std::uint64_t kOneChainOf = 2;
+  /// Chains of a trial are too short to show all of C: it is so many times what they show.
+  /// Unit: factor. Range: >= 1. Source: docs/chains.md, "Where to divide": with it the thresholds
+  /// chosen were those that were best in whole renders. In the end C is about twice as large on
+  /// most scenes, ten times on teapot-full.
+  static constexpr double kBeyondTrial = 2.0;
+  /// Chains turn out worse than a trial shows, and what they leave are blotches, which the eye sees
+  /// more easily than noise of the same variance. C is so many times as high where it is asked
+  /// whether they pay.
+  /// Unit: factor. Range: >= 1. Source: docs/selective.md, "Whether chains pay": about 2 for the
+  /// one, 2.5 (C through 3x3 pixels) for the other.
+  static constexpr double kDoubt = 4.0;
+  /// C below which no trial has ever come: where chains would not pay even with that there is none.
+  /// Unit: variance over variance. Range: > 0. Source: e51f759; trials on scenes of all kinds have
+  /// found between 5 and 70.
+  static constexpr double kLeastCorrelation = 4.0;
+  /// C where there is no trial.
+  /// Unit: variance over variance. Range: >= kLeastCorrelation. Source: docs/chains.md, "Where to
+  /// divide": trials found 5 to 32.
+  static constexpr double kUsualCorrelation = 10.0;
+
+  // -------------------------------------------------------- what things cost before it is measured
+  /// Unit: rays. Range: > 0. Source: docs/chains.md, "Steps, and what they are worth": 4.3 to 5.3
+  /// on door-ajar.
+  static constexpr double kRaysPerMutation = 4.5;
+  /// One technique of a path has about half the rays of all of them: a mutation, or a sample of a
+  /// bootstrap.
+  /// Unit: camera samples. Range: > 0. Source: an estimate, for the time of a preparation only.
+  static constexpr double kEffortOfOnePath = 0.5;
+  /// The part of a camera sample's rays that one light subpath has.
+  /// Unit: share. Range: (0, 1). Source: an estimate, for the time of a preparation only.
+  static constexpr double kEffortOfLight = 0.5;
+  /// Camera rays alone that cost as much as one camera sample.
+  /// Unit: rays. Range: >= 1. Source: an estimate, for the time of a preparation only.
+  static constexpr double kCameraRaysOfSample = 10.0;
+
+  // -------------------------------------------------------- bootstrap, where nothing else seeds
+  /// Unit: paths. Range: >= 1000. Source: docs/chains.md; 4ff4f9a. docs/selective.md, "The
+  /// study": five times as many do not help chains alone on torus-in-glass.
+  static constexpr std::uint64_t kBootstrapPaths = 200000;
+  /// In larger pictures.
+  /// Unit: paths per pixel. Range: > 0. Source: the same.
+  static constexpr std::uint64_t kBootstrapOfPixel = 4;
+
+  // -------------------------------------------------------- number of chains
+  //
+  // Many chains are well spread, but each begins a pass by looking up its state. What is found by
+  // luck brings much at a time, and many chains would all begin with it, none of them getting far.
+  // Small pictures have more, down to one step, because few chains depend on luck, too.
+
+  /// Steps that a chain makes in a short pass, if it starts from what was found.
+  /// Unit: steps. Range: >= 1. Source: docs/chains.md, "Recruits": with half as many chains FLIP is
+  /// 0.258 instead of 0.264 on pool, 0.070 instead of 0.066 on torus-in-glass; with about twice as
+  /// many 0.282 to 0.298 and 0.064 to 0.065.
+  static constexpr std::uint64_t kStepsOfRecruit = 144;
+  /// The same without recruits.
+  /// Unit: steps. Range: >= 1. Source: docs/chains.md, "Recruits": it hardly matters.
+  static constexpr std::uint64_t kStepsOfSeed = 16;
+  /// Unit: chains of a replicate. Range: >= 1. Source: 9a8cb07: two depended on luck. The value has
+  /// no study.
+  static constexpr std::uint64_t kFewestChains = 32;
+  /// The first guess of the mutations that pay is low, and few chains for what there is to explore
+  /// leave islands of light to luck for the rest of the render: as many as if so many paid, as long
+  /// as they do not take much memory.
+  /// Unit: mutations per pixel and sample. Range: >= 0. Source: 65ab297: torus-in-glass had 128
+  /// chains where 768 left 0.87 of the error.
+  static constexpr double kExpectedMutations = 3.0;
+  /// What that rule makes at most.
+  /// Unit: chains of a replicate. Range: >= kFewestChains. Source: ccdfc72, for memory.
+  static constexpr std::uint64_t kMostExpectedChains = 8192;
+
+  // -------------------------------------------------------- recruits
+  /// Recruits kept per chain, on average. They are drawn at random one by one, and then chosen from
+  /// systematically: with few of them the total would be noisy, with many they take memory.
+  /// Unit: paths. Range: >= 1. Source: docs/chains.md, "Recruits"; half and double not measured.
+  static constexpr std::uint64_t kRecruitsPerChain = 4;
+  /// Before anything is known of the chains' light it is taken to be this.
+  /// Unit: share of the brightness. Range: (0, 1]. Source: e243d5c; set by hand, no study.
+  static constexpr double kTypicalShareOfChains = 0.25;
+  /// What chains make of a picture is at least this share of it, as far as memory is concerned.
+  /// Unit: share of the brightness. Range: (0, 1]. Source: e243d5c; set by hand, no study.
+  static constexpr double kLeastShareOfChains = 0.02;
+  /// Recruits are resampled in the order of squares of the picture that have this side.
+  /// Unit: pixels. Range: > 0. Source: e243d5c; set by hand, no study.
+  static constexpr float kRecruitTile = 8.F;
+
+  // -------------------------------------------------------- effort, as the render goes on
+  /// Between this and the next one, neither half is forgotten.
+  /// Unit: mutations per pixel and sample. Range: > 0. Source: 5b5c42c: four times as many cost
+  /// pictures in which nothing is hard.
+  static constexpr double kFewestMutations = 1.0 / 128;
+  /// Unit: mutations per pixel and sample. Range: > kFewestMutations. Source: set by hand, no
+  /// study.
+  static constexpr double kMostMutations = 16.0;
+  /// The first guess, for a picture of which all light is the chains'. Until more is known of the
+  /// strongest paths, more mutations than are worth their seeds would only repeat what the pilot
+  /// happened to find.
+  /// Unit: mutations per pixel and sample. Range: > 0. Source: e243d5c; set by hand, no study.
+  /// kExpectedMutations has the same value for another question, how many chains; whether the two
+  /// have to be equal nobody has measured.
+  static constexpr double kFirstMutations = 3.0;
+  /// Few replicates tell an error to within a factor: effort changes no more at a time.
+  /// Unit: factor. Range: >= 1. Source: 771f36f; half and double not measured.
+  static constexpr double kMostChange = 5.0;
+  /// Share of the chains' error that lasts, before stretches can be compared: between what hard
+  /// scenes have.
+  /// Unit: share. Range: [0, 1]. Source: docs/selective.md, "What mutations are worth": 0.2 to 0.4
+  /// on torus-in-glass, up to 0.2 on pool.
+  static constexpr double kUsuallyLasts = 0.2;
+  /// So many stretches lie between two that are compared.
+  /// Unit: stretches. Range: >= 0. Source: ad634ee: on pool, neighbours are alike by 0.25, with one
+  /// between by 0.13, with two by 0.09; on torus-in-glass by 0.45, 0.33 and 0.33.
+  static constexpr std::size_t kStretchesBetween = 2;
+  /// Errors are seen through a square of this side: the eye smooths noise, not blotches.
+  /// Unit: pixels. Range: odd, >= 1. Source: docs/selective.md, "What mutations are worth"; 5 not
+  /// measured.
+  static constexpr std::size_t kSeenThrough = 3;
+
+  // -------------------------------------------------------- how chains move
+  /// Share of small steps on the raster where what chains make has no islands that only other steps
+  /// would lead to. Elsewhere it is MetropolisHeuristics::kRasterSteps.
+  /// Unit: share. Range: [0, 1]. Source: docs/chains.md, "Steps, and what they are worth": better
+  /// than 0.7 by 4 to 12 % where T is 0.2, a third worse on pool.
+  static constexpr double kRasterStepsOfAllLight = 0.9;
+  /// Threshold up to which that is so.
+  /// Unit: brightness. Range: >= 0. Source: the same; a value of kThresholds.
+  static constexpr double kNearlyAllLight = 0.3;
+  /// Of a depth without seeds, the independent paths: so many of the replicate's mutations, if it
+  /// has chains.
+  /// Unit: share. Range: (0, 1]. Source: c345e65; set by hand, no study.
+  static constexpr double kShareWithoutSeeds = 0.125;
+  /// Length of the chain that spreads what one of them carries (Cline et al. 2005).
+  /// Unit: steps. Range: >= 1. Source: c25bd63; set by hand, no study.
+  static constexpr std::uint64_t kStepsWithoutSeed = 64;
+
+  // -------------------------------------------------------- what is told, and decides nothing
+  /// Squares of the picture over which the share of chains is averaged. Over the whole, fireflies
+  /// of the pilot would make it 100 % of pool.
+  /// Unit: pixels across. Range: >= 1. Source: 5efbc33; half and double not measured.
+  static constexpr int kShareCell = 16;
+  /// The largest regions, in statistics.
+  /// Unit: regions. Range: >= 1. Source: set by hand.
+  static constexpr std::size_t kMostRegionsTold = 200;
+};
+
+}  // namespace ajar

@@ -1,0 +1,197 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+/// Fitted numbers have one place in each room, and say where they come from (docs/architecture.md).
+/// Constants only: a literal in the midst of an expression is for readers to find.
+namespace ajar {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::vector<std::string>& rooms_with_heuristics() {
+  static const std::vector<std::string> kRooms = {"image", "mcmc/primary", "integrator/montecarlo",
+                                                  "integrator/metropolis", "integrator/selective"};
+  return kRooms;
+}
+
+/// Constants of a file that are numbers, and were not fitted.
+struct Unfitted {
+  const char* reason;
+  std::set<std::string> names;
+};
+
+const std::multimap<std::string, Unfitted>& unfitted() {
+  static const std::multimap<std::string, Unfitted> kUnfitted = {
+      {"image/compare_blocks.cpp", {"limit of a type", {"kLargestZ"}}},
+      {"image/density_map.cpp",
+       {"drawing",
+        {"kOctaves", "kGap", "kBar", "kGlyphWidth", "kGlyphHeight", "kLabelLength", "kShortest"}}},
+      {"image/exposure.cpp", {"what displays show", {"kMiddleGrey", "kWhite", "kBlack"}}},
+      {"image/exposure.cpp", {"limit of a type", {"kBrightest"}}},
+      {"image/exposure.h", {"limit of a parameter", {"kMostStops"}}},
+      {"image/film.cpp", {"fixed point", {"kFractionBits", "kContributionLimit"}}},
+      {"image/filter.cpp", {"sizes of tables, precision", {"kCells", "kGuides", "kSteps"}}},
+      {"image/filter.h", {"limit of a parameter", {"kMaxRadius"}}},
+      {"image/flip.cpp",
+       {"published metric",
+        {"kPi", "kColorExponent", "kFeatureExponent", "kColorShare", "kErrorShare", "kFeatureWidth",
+         "kAchromatic", "kRedGreen", "kBlueYellow", "kWidest", "kDelta"}}},
+      {"image/flip.h", {"published metric", {"kFlipPixelsPerDegree"}}},
+      {"image/hdr_flip.cpp", {"published metric", {"kTarget"}}},
+      {"image/identities.h", {"votes of a pixel, part of a file's layers", {"kSamples"}}},
+      {"image/image_file.cpp", {"limit of a format, size of a buffer", {"kLargestHdr", "kRows"}}},
+      {"image/metrics.h", {"definition of a metric", {"kSmapeEpsilon", "kRelativeMseEpsilon"}}},
+      {"image/noise.cpp", {"size of an array", {"kLargestWindow"}}},
+      {"image/optimal_thresholds.cpp", {"end of an iteration that descends", {"kMostRounds"}}},
+      {"image/optimal_weights.cpp", {"precision of a bisection", {"kSteps"}}},
+      {"image/pfm.cpp", {"limit of a format", {"kLargestSide"}}},
+      {"image/region_rules.cpp", {"length of a message", {"kMostNamesShown"}}},
+      {"image/relative_error.cpp", {"channels", {"kChannels"}}},
+      {"image/ssim.cpp",
+       {"published metric",
+        {"kRadius", "kSigma", "kMeanConstant", "kVarianceConstant", "kWindow"}}},
+      {"image/truth_guess.cpp", {"channels", {"kChannels"}}},
+      {"image/truth_guess.cpp", {"limit of a type", {"kMost"}}},
+      {"mcmc/primary/chain_numbers.h", {"streams", {"kStreams"}}},
+      {"mcmc/primary/chain_source.h", {"index", {"kRasterBlock"}}},
+      {"mcmc/primary/gaussian_mutation.cpp", {"the same as uniform beyond", {"kWidest"}}},
+      {"mcmc/primary/gaussian_mutation.cpp", {"lanes of a processor", {"kPairs"}}},
+      {"mcmc/primary/kelemen_mutation.cpp", {"lanes of a processor", {"kLanes"}}},
+      {"mcmc/primary/plane_moves.h", {"neighbours of a pixel", {"kNeighbours"}}},
+      {"mcmc/primary/several_tries.cpp", {"names randomness", {"kFirst"}}},
+      {"mcmc/primary/step_kind.h", {"unit of integers", {"kStepUnits"}}},
+      {"mcmc/primary/step_sizes.h", {"what the grid can add", {"kLargest"}}},
+      {"integrator/montecarlo/blind_spots.cpp",
+       {"edges of paths that are named", {"kSeenMirror", "kCaustic"}}},
+      {"integrator/montecarlo/path_family.cpp", {"size of an item", {"kTileSize"}}},
+      {"integrator/montecarlo/path_family.cpp", {"limit of a type", {"kMaxPathEdges"}}},
+      {"integrator/montecarlo/technique_layers.h", {"names of layers", {"kMaxDepth"}}},
+      {"integrator/montecarlo/technique_tally.h", {"size of an array", {"kMaxVertices"}}},
+      {"integrator/metropolis/path_target.cpp", {"rounding", {"kEnd"}}},
+      {"integrator/selective/chain_check.cpp", {"limit of a type", {"kMostSamples"}}},
+      {"integrator/selective/chain_effort.cpp", {"rounding", {"kRounding"}}},
+      {"integrator/selective/chain_plan.cpp", {"rounding", {"kRounding"}}},
+      {"integrator/selective/chain_trial.cpp", {"number of replicates", {"kPictures"}}},
+      {"integrator/selective/pilot_use.h", {"number of replicates", {"kTwoHalves"}}},
+      {"integrator/selective/split_pilot.cpp", {"number of replicates", {"kReplicates"}}},
+      {"integrator/selective/technique_pilot.cpp", {"index", {"kUsual"}}},
+      {"integrator/selective/technique_pilot.cpp", {"number of replicates", {"kReplicates"}}},
+      {"integrator/selective/technique_pilot.cpp", {"fixed point", {"kUnit"}}},
+  };
+  return kUnfitted;
+}
+
+std::string text_of(const fs::path& path) {
+  std::stringstream text;
+  text << std::ifstream(path).rdbuf();
+  return text.str();
+}
+
+/// Constants of a source text that begin with a number.
+std::vector<std::string> number_constants(const std::string& text) {
+  static const std::regex kConstant(
+      R"(\bconstexpr\s[^=;(){}]*?\b(k[A-Z]\w*)\s*(?:=\s*\{*|\{+)\s*[-+]?[.\d])");
+  std::vector<std::string> names;
+  for (std::sregex_iterator match(text.begin(), text.end(), kConstant), end; match != end;
+       ++match) {
+    names.push_back((*match)[1]);
+  }
+  return names;
+}
+
+fs::path source_folder() { return fs::path(AJAR_SOURCE_DIR) / "src"; }
+
+/// Files of a room that programs are made of, beside its heuristics.h.
+std::vector<fs::path> files_of(const std::string& room) {
+  std::vector<fs::path> files;
+  for (const fs::directory_entry& entry : fs::directory_iterator(source_folder() / room)) {
+    const std::string name = entry.path().filename().string();
+    if (name == "heuristics.h" || name.ends_with("_test.cpp")) continue;
+    if (name.ends_with(".h") || name.ends_with(".cpp")) files.push_back(entry.path());
+  }
+  return files;
+}
+
+/// A constant of a heuristics.h, and the comment above it.
+struct Heuristic {
+  std::string name;
+  std::string comment;
+};
+
+std::vector<Heuristic> heuristics_of(const std::string& text) {
+  static const std::regex kDeclared(R"(static constexpr [^=]*?\b(k[A-Z]\w*) =)");
+  std::vector<Heuristic> found;
+  std::string comment;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t start = line.find("///");
+    if (start != std::string::npos) {
+      comment += line.substr(start + 3);
+      continue;
+    }
+    std::smatch match;
+    if (std::regex_search(line, match, kDeclared)) found.push_back({match[1], comment});
+    comment.clear();
+  }
+  return found;
+}
+
+TEST(Heuristics, FindsConstantsHoweverTheyAreWritten) {
+  EXPECT_EQ(number_constants("constexpr double kA = 0.5;"), std::vector<std::string>{"kA"});
+  EXPECT_EQ(number_constants("static constexpr std::array<int, 2>\n  kA = {1, 2};"),
+            std::vector<std::string>{"kA"});
+  EXPECT_EQ(number_constants("inline constexpr float kA{-.5F};"), std::vector<std::string>{"kA"});
+  EXPECT_TRUE(number_constants("constexpr double kA = SelectiveHeuristics::kB;").empty());
+  EXPECT_TRUE(number_constants("constexpr int f(int kA) { return 2; }").empty());
+}
+
+TEST(Heuristics, AreNowhereElse) {
+  std::set<std::pair<std::string, std::string>> excused;
+  for (const auto& [file, numbers] : unfitted()) {
+    for (const std::string& name : numbers.names) excused.emplace(file, name);
+  }
+  std::set<std::pair<std::string, std::string>> met;
+  for (const std::string& room : rooms_with_heuristics()) {
+    for (const fs::path& path : files_of(room)) {
+      const std::string file = fs::relative(path, source_folder()).generic_string();
+      for (const std::string& name : number_constants(text_of(path))) {
+        met.emplace(file, name);
+        EXPECT_TRUE(excused.contains({file, name}))
+            << file << ": " << name << " belongs into " << room
+            << "/heuristics.h if it was fitted, else among the exceptions here";
+      }
+    }
+  }
+  for (const auto& [file, name] : excused) {
+    EXPECT_TRUE(met.contains({file, name})) << "no longer there: " << name << " of " << file;
+  }
+}
+
+TEST(Heuristics, SayUnitRangeAndSourceAndAreUsed) {
+  for (const std::string& room : rooms_with_heuristics()) {
+    const std::string text = text_of(source_folder() / room / "heuristics.h");
+    std::string uses;
+    for (const fs::path& path : files_of(room)) uses += text_of(path);
+    const std::vector<Heuristic> heuristics = heuristics_of(text);
+    EXPECT_FALSE(heuristics.empty()) << room;
+    for (const Heuristic& heuristic : heuristics) {
+      for (const char* told : {"Unit: ", "Range: ", "Source: "}) {
+        EXPECT_NE(heuristic.comment.find(told), std::string::npos)
+            << room << ": " << heuristic.name << " does not say its " << told;
+      }
+      EXPECT_TRUE(std::regex_search(uses, std::regex("Heuristics::" + heuristic.name + "\\b")))
+          << room << ": nothing uses " << heuristic.name;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace ajar
