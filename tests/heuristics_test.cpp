@@ -17,8 +17,12 @@ namespace {
 namespace fs = std::filesystem;
 
 const std::vector<std::string>& rooms_with_heuristics() {
-  static const std::vector<std::string> kRooms = {"image", "mcmc/primary", "integrator/montecarlo",
-                                                  "integrator/metropolis", "integrator/selective"};
+  static const std::vector<std::string> kRooms = {"image",
+                                                  "post",
+                                                  "mcmc/primary",
+                                                  "integrator/montecarlo",
+                                                  "integrator/metropolis",
+                                                  "integrator/selective"};
   return kRooms;
 }
 
@@ -34,9 +38,9 @@ const std::multimap<std::string, Unfitted>& unfitted() {
       {"image/density_map.cpp",
        {"drawing",
         {"kOctaves", "kGap", "kBar", "kGlyphWidth", "kGlyphHeight", "kLabelLength", "kShortest"}}},
-      {"image/exposure.cpp", {"what displays show", {"kMiddleGrey", "kWhite", "kBlack"}}},
-      {"image/exposure.cpp", {"limit of a type", {"kBrightest"}}},
-      {"image/exposure.h", {"limit of a parameter", {"kMostStops"}}},
+      {"post/exposure.cpp", {"what displays show", {"kMiddleGrey", "kWhite", "kBlack"}}},
+      {"post/exposure.cpp", {"limit of a type", {"kBrightest"}}},
+      {"post/exposure.h", {"limit of a parameter", {"kMostStops"}}},
       {"image/film.cpp", {"fixed point", {"kFractionBits", "kContributionLimit"}}},
       {"image/filter.cpp", {"sizes of tables, precision", {"kCells", "kGuides", "kSteps"}}},
       {"image/filter.h", {"limit of a parameter", {"kMaxRadius"}}},

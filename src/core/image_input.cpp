@@ -29,6 +29,15 @@ struct Size {
   std::uint64_t width, height;
 };
 
+/// What a file claims to hold, and how much of it a byte can stand for.
+struct Claim {
+  Size size;
+  double pixels_per_byte;
+};
+constexpr double kDeflate = 8.0 * 1032.0;
+constexpr double kLzw = 8.0 * 2560.0;
+constexpr double kUnknown = 1 << 20;
+
 /// How a file begins.
 std::string beginning_of(const std::string& path) {
   std::array<char, 64> bytes{};
@@ -50,26 +59,28 @@ std::uint64_t number_at(std::string_view bytes, std::size_t place, std::size_t c
 
 /// What formats claim whose decoders make the whole picture when they are opened: those have to be
 /// asked before.
-std::optional<Size> claimed_size(std::string_view bytes) {
+std::optional<Claim> early_claim(std::string_view bytes) {
   const auto has = [&](std::string_view text, std::size_t place) {
     return bytes.size() >= place && bytes.substr(place).starts_with(text);
   };
   // The decoder does not mind the version that follows.
-  if (has("GIF", 0)) return Size{number_at(bytes, 6, 2), number_at(bytes, 8, 2)};
+  if (has("GIF", 0)) return Claim{{number_at(bytes, 6, 2), number_at(bytes, 8, 2)}, kLzw};
   if (has("BM", 0) && number_at(bytes, 14, 4) >= 40) {
     const auto side = [&](std::size_t place) {
       const auto value = static_cast<std::int32_t>(number_at(bytes, place, 4));
       return static_cast<std::uint64_t>(std::abs(std::int64_t{value}));
     };
-    return Size{side(18), side(22)};
+    constexpr double kSkips = 255.0 * 255.0 / 4.0;  // rows and columns that four bytes leave out
+    return Claim{{side(18), side(22)}, kSkips};
   }
   if (!has("RIFF", 0) || !has("WEBP", 8)) return std::nullopt;
-  if (has("VP8X", 12)) return Size{number_at(bytes, 24, 3) + 1, number_at(bytes, 27, 3) + 1};
+  Size size{number_at(bytes, 26, 2) & 0x3fffU, number_at(bytes, 28, 2) & 0x3fffU};
+  if (has("VP8X", 12)) size = {number_at(bytes, 24, 3) + 1, number_at(bytes, 27, 3) + 1};
   if (has("VP8L", 12)) {
     const std::uint64_t sides = number_at(bytes, 21, 4);
-    return Size{(sides & 0x3fffU) + 1, (sides >> 14U & 0x3fffU) + 1};
+    size = {(sides & 0x3fffU) + 1, (sides >> 14U & 0x3fffU) + 1};
   }
-  return Size{number_at(bytes, 26, 2) & 0x3fffU, number_at(bytes, 28, 2) & 0x3fffU};
+  return Claim{size, kUnknown};
 }
 
 /// More pixels than this cannot be packed into a byte of a file. Bounds of the formats, for one bit
@@ -80,10 +91,7 @@ std::optional<Size> claimed_size(std::string_view bytes) {
 double most_pixels_per_byte(const OIIO::ImageInput& input) {
   constexpr double kUnpacked = 8.0;
   constexpr double kRuns = 8.0 * 64.0;
-  constexpr double kDeflate = 8.0 * 1032.0;
-  constexpr double kLzw = 8.0 * 2560.0;
   constexpr double kRowTable = 8192.0;  // 8 bytes for each row of at most 65536 pixels
-  constexpr double kUnknown = 1 << 20;
   const std::string_view format = input.format_name();
   const std::string packing = input.spec().get_string_attribute("compression");
   if (format == "tiff") {
@@ -167,11 +175,13 @@ ImageInput::ImageInput(const std::string& path, bool has_unassociated_alpha) {
   std::error_code error;
   const std::uint64_t file_bytes = std::filesystem::file_size(path, error);
   if (error || file_bytes == 0) throw IoError("the file is empty");
-  if (const auto size = claimed_size(beginning_of(path))) {
-    constexpr double kLeastKnown = 1 << 20;
+  if (const auto claim = early_claim(beginning_of(path))) {
     constexpr std::uint64_t kDecodedBytes = 12;  // 4 channels, and as much again twice
-    check_claim(*size, kLeastKnown, file_bytes);
-    check_memory(kDecodedBytes * size->width * size->height);
+    // A canvas may be larger than the picture on it: this much is believed of any file.
+    constexpr std::uint64_t kSmall = std::uint64_t{1} << 24U;
+    const std::uint64_t pixels = claim->size.width * claim->size.height;
+    if (pixels > kSmall) check_claim(claim->size, claim->pixels_per_byte, file_bytes);
+    check_memory(kDecodedBytes * pixels);
   }
   for (const auto complain : {exr_header_complaint, png_chunk_complaint}) {
     if (const std::string complaint = complain(path, file_bytes); !complaint.empty()) {

@@ -109,10 +109,10 @@ std::string exr(std::uint32_t width, std::uint32_t height) {
 }
 
 /// One pixel on a large canvas.
-std::string gif(std::string_view version) {
+std::string gif(std::string_view version, std::uint32_t side = kSide) {
   return Bytes()
       .text(version)
-      .little({kSide, kSide}, 2)
+      .little({side, side}, 2)
       .little({0x80, 0, 0}, 1)
       .zeros(6)
       .text(",")
@@ -138,6 +138,7 @@ std::vector<std::pair<std::string, std::string>> liars() {
           {"interlaced.png", png(16, 2, 1)},
           {"canvas.gif", gif("GIF89a")},
           {"odd-version.gif", gif("GIF???")},
+          {"smaller-canvas.gif", gif("GIF89a", 20000) + std::string(450, '\0')},
           {"plain.bmp", bmp(24, 0)},
           {"runs.bmp", bmp(8, 1)},
           {"plain.tga", tga(2)},

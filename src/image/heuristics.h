@@ -57,37 +57,13 @@ struct ImageHeuristics {
   /// Unit: numbers per octave. Range: > 0. Source: 3077191; set by hand, no study.
   static constexpr double kTriedPerOctave = 2.0;
 
-  // -------------------------------------------------------- exposure
-  /// Blocks of which means are taken, so that noise does not decide.
-  /// Unit: blocks along the longer side. Range: >= 1. Source: cb9085a; set by hand, no study.
-  static constexpr int kExposureBlocks = 32;
-  /// Share of the blocks that stays below white.
-  /// Unit: share. Range: [0.5, 1]. Source: cb9085a; set by hand, no study.
-  static constexpr double kBelowWhite = 0.75;
-
-  // -------------------------------------------------------- edges and antialiasing
-  //
-  // After FXAA (Lottes 2009); d2c038e: on slanted edges the squared error is under a quarter of
-  // that of the stairs.
-
+  // -------------------------------------------------------- edges
   /// Difference of depths where an edge counts as whole.
   /// Unit: share of the nearer depth. Range: > 0. Source: d2c038e; set by hand, no study.
   static constexpr float kDepthStep = 0.05F;
   /// Angle between normals where an edge counts as whole.
   /// Unit: radians. Range: > 0. Source: d2c038e; set by hand, no study.
   static constexpr float kNormalAngle = 0.35F;
-  /// Edges whose contrast is below this and the next one cannot be seen.
-  /// Unit: luma. Range: [0, 1]. Source: d2c038e; set by hand, no study.
-  static constexpr float kSmallestContrast = 1.F / 32.F;
-  /// Unit: share of the brightest luma around. Range: [0, 1]. Source: d2c038e; set by hand, no
-  /// study.
-  static constexpr float kSmallestRelativeContrast = 1.F / 8.F;
-  /// A stair ends where the luma along the edge has changed by this.
-  /// Unit: share of the edge's contrast. Range: (0, 0.5]. Source: d2c038e; set by hand, no study.
-  static constexpr float kEndOfStair = 0.25F;
-  /// Stairs that are longer count as without an end.
-  /// Unit: pixels. Range: >= 1. Source: d2c038e; set by hand, no study.
-  static constexpr int kLongestStair = 32;
 };
 
 }  // namespace ajar

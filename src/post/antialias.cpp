@@ -6,13 +6,13 @@
 
 #include "core/parallel_for.h"
 #include "core/spectrum.h"
-#include "image/heuristics.h"
+#include "post/heuristics.h"
 
 namespace ajar {
 
 namespace {
 
-constexpr int kLongestSearch = ImageHeuristics::kLongestStair;
+constexpr int kLongestSearch = PostHeuristics::kLongestStair;
 
 Plane luma_of(Vec2i size, std::span<const float> pixels) {
   Plane luma(size);
@@ -41,8 +41,8 @@ bool has_contrast(const Plane& luma, Vec2i p) {
     low = std::min(low, value);
     high = std::max(high, value);
   }
-  return high - low >= std::max(ImageHeuristics::kSmallestContrast,
-                                ImageHeuristics::kSmallestRelativeContrast * high);
+  return high - low >= std::max(PostHeuristics::kSmallestContrast,
+                                PostHeuristics::kSmallestRelativeContrast * high);
 }
 
 /// How much luma bends in direction `across`, over three rows that lie side by side along `along`.
@@ -83,7 +83,7 @@ Blend find_blend(const Plane& luma, Vec2i p) {
   if (std::abs(step_to(-across)) > std::abs(step_to(across))) across = -across;
   const float step = step_to(across);
   const float edge_luma = own + 0.5F * step;
-  const float least_change = ImageHeuristics::kEndOfStair * std::abs(step);
+  const float least_change = PostHeuristics::kEndOfStair * std::abs(step);
   if (!(least_change > 0.F)) return {};
 
   const StairEnd before = follow_edge(luma, p, across, -along, edge_luma, least_change);

@@ -5,13 +5,13 @@
 #include <vector>
 
 #include "core/color.h"
-#include "image/heuristics.h"
+#include "post/heuristics.h"
 
 namespace ajar {
 
 namespace {
 
-constexpr int kBlocksAlong = ImageHeuristics::kExposureBlocks;
+constexpr int kBlocksAlong = PostHeuristics::kExposureBlocks;
 constexpr double kMiddleGrey = 0.18;
 constexpr double kBrightest = 1e30;  // in place of infinity
 
@@ -55,7 +55,7 @@ float fitting_exposure(std::span<const float> rgb, Vec2i size) {
         blocks[static_cast<std::size_t>(share * static_cast<double>(blocks.size() - 1))]);
   };
   const double stops =
-      std::min(std::log2(kMiddleGrey) - stops_of(0.5), -stops_of(ImageHeuristics::kBelowWhite));
+      std::min(std::log2(kMiddleGrey) - stops_of(0.5), -stops_of(PostHeuristics::kBelowWhite));
   const double rounded = std::round(10.0 * stops) / 10.0;
   return std::clamp(static_cast<float>(rounded), -kMostStops, kMostStops);
 }

@@ -1,0 +1,34 @@
+#pragma once
+
+namespace ajar {
+
+/// The fitted numbers of this room.
+struct PostHeuristics {
+  // -------------------------------------------------------- exposure
+  /// Blocks of which means are taken, so that noise does not decide.
+  /// Unit: blocks along the longer side. Range: >= 1. Source: cb9085a; set by hand, no study.
+  static constexpr int kExposureBlocks = 32;
+  /// Share of the blocks that stays below white.
+  /// Unit: share. Range: [0.5, 1]. Source: cb9085a; set by hand, no study.
+  static constexpr double kBelowWhite = 0.75;
+
+  // -------------------------------------------------------- antialiasing
+  //
+  // After FXAA (Lottes 2009); d2c038e: on slanted edges the squared error is under a quarter of
+  // that of the stairs.
+
+  /// Edges whose contrast is below this and the next one cannot be seen.
+  /// Unit: luma. Range: [0, 1]. Source: d2c038e; set by hand, no study.
+  static constexpr float kSmallestContrast = 1.F / 32.F;
+  /// Unit: share of the brightest luma around. Range: [0, 1]. Source: d2c038e; set by hand, no
+  /// study.
+  static constexpr float kSmallestRelativeContrast = 1.F / 8.F;
+  /// A stair ends where the luma along the edge has changed by this.
+  /// Unit: share of the edge's contrast. Range: (0, 0.5]. Source: d2c038e; set by hand, no study.
+  static constexpr float kEndOfStair = 0.25F;
+  /// Stairs that are longer count as without an end.
+  /// Unit: pixels. Range: >= 1. Source: d2c038e; set by hand, no study.
+  static constexpr int kLongestStair = 32;
+};
+
+}  // namespace ajar
