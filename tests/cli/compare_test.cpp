@@ -6,6 +6,7 @@
 
 #include "cli/cli_fixture.h"
 #include "image/image_file.h"
+#include "post/display.h"
 
 namespace ajar {
 namespace {
@@ -15,7 +16,8 @@ void write_picture(const fs::path& path, Vec2i size, float value, float last) {
   const Box2i crop({0, 0}, size - Vec2i(1, 1));
   std::vector<float> pixels(static_cast<std::size_t>(size.x * size.y) * 3, value);
   pixels.back() = last;
-  write_image(path.string(), {size, crop, {{"", 3, pixels}}, {}});
+  const Picture picture{size, crop, {{"", 3, pixels}}, {}};
+  write_image(path.string(), is_display_file(path.string()) ? displayed(picture, {}) : picture);
 }
 
 class CompareCli : public Cli {
