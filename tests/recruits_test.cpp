@@ -82,7 +82,7 @@ TEST(Recruits, AreStatesOfChainsThatAreWorthWhatWasFound) {
                                      {.splits = &*plan.splits, .strong = &comparison});
       Film film(plan.settings.resolution, plan.settings.crop, Filter::box(), 1, omc->layers());
       Counters counters;
-      for (std::uint64_t item = 0; item < omc->items_in_pass(); ++item) {
+      for (std::uint64_t item = 0; item < omc->items_in_round(); ++item) {
         omc->run_item(item, 0, 8, film, counters);
       }
       const std::string what = std::string(name) + ", " + setting.techniques + ", " +

@@ -15,7 +15,7 @@ Job make_job(const Scene& scene, const Variant& variant, int max_depth) {
   job.film = std::make_unique<Film>(film_for(scene, settings, *job.integrator));
   job.samples = 4;
   job.integrator->begin_pass(0, job.samples, *job.film);
-  job.items = job.integrator->items_in_pass();
+  job.items = job.integrator->items_in_round();
   return job;
 }
 

@@ -52,9 +52,10 @@ struct PreparationRound {
 };
 
 /// A rendering method, cut into work items. It knows nothing of threads, files and clocks: the job
-/// first runs the rounds of its preparation, then calls `run_item` for every item of a pass, in any
-/// order and on any thread. Each item is a pure function of its index and, for methods with a
-/// memory (chains), of what the same item left behind in the passes before.
+/// first runs the rounds of its preparation, then calls `run_item` for every item of a round of a
+/// pass, in any order and on any thread. Each item is a pure function of its index and, for methods
+/// with a memory, of what the same item left behind in the passes before (chains) and all items in
+/// the rounds before (photons).
 class Integrator {
  public:
   virtual ~Integrator() = default;
@@ -74,16 +75,24 @@ class Integrator {
 
   /// Layers of the film, known after the preparation; includes "direct" and "indirect".
   virtual std::vector<LayerSpec> layers() const = 0;
-  /// Number of items in the pass that has begun; a sample is a mutation per pixel where chains run.
-  virtual std::uint64_t items_in_pass() const = 0;
+  /// Rounds of every pass, with a barrier between them: photons are traced before they are
+  /// gathered. More than one need `keeps_state`, for what a round leaves behind to the next is news
+  /// to other processes.
+  virtual int rounds_in_pass() const { return 1; }
+  /// A later round of the pass (the first is 1), on one thread: all items of the round before have
+  /// run, of all processes. A state that is saved in the midst of a pass leads back to its round.
+  virtual void begin_round(int /*round*/) {}
+  /// Number of items in the round that has begun; a sample is a mutation per pixel where chains
+  /// run.
+  virtual std::uint64_t items_in_round() const = 0;
   /// Called between passes, on one thread. A pass does not cross a milestone (`milestone_after`).
   /// `film`: what was rendered so far, by all processes if it is at a milestone. What is added to
   /// it before the first pass becomes part of the picture.
   virtual void begin_pass(std::uint64_t /*first_sample*/, std::uint64_t /*samples*/,
                           Film& /*film*/) {}
   virtual void end_pass() {}
-  /// Adds the contribution of one item of one pass, `first_sample`..`first_sample + samples` per
-  /// pixel, to the film.
+  /// Adds the contribution of one item of the round of a pass, `first_sample`..`first_sample +
+  /// samples` per pixel, to the film.
   virtual void run_item(std::uint64_t item, std::uint64_t first_sample, std::uint64_t samples,
                         Film& film, Counters& counters) = 0;
   /// Whether an item of a pass is of Markov chains: statistics tell their time apart.

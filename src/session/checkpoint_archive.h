@@ -81,7 +81,7 @@ void serialize(A& archive, Counters& counters) {
 
 template <Archive A>
 void serialize(A& archive, PartialPass& pass) {
-  archive(pass.first_sample, pass.samples, pass.done);
+  archive(pass.first_sample, pass.samples, pass.done, pass.round, pass.rounds);
 }
 
 template <Archive A>

@@ -8,8 +8,8 @@
 
 #include "core/error.h"
 #include "core/milestones.h"
-#include "post/exposure.h"
 #include "image/tone_curve.h"
+#include "post/exposure.h"
 #include "session/catalog.h"
 #include "session/filter_option.h"
 
@@ -146,8 +146,8 @@ void check_scales(const Checkpoint& checkpoint) {
 void check_partial(const PartialPass& pass, const JobState& job, int replicates) {
   const std::uint64_t end =
       milestone_after(job.samples_per_pixel, static_cast<std::uint64_t>(replicates));
-  require(pass.first_sample == job.samples_per_pixel && pass.samples >= 1 &&
-              pass.samples <= end - pass.first_sample &&
+  require(pass.first_sample == job.samples_per_pixel && pass.samples >= 1 && pass.round >= 0 &&
+              pass.round < pass.rounds && pass.samples <= end - pass.first_sample &&
               std::all_of(pass.done.begin(), pass.done.end(),
                           [](std::uint8_t done) { return done <= 1; }),
           "the pass that was cut short cannot be");

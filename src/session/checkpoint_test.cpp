@@ -251,6 +251,8 @@ TEST_F(HostileCheckpoint, IsRefusedForItsJob) {
   expect_refused(partial, [](C& c) { c.job.partial->samples = 0; });
   expect_refused(partial, [](C& c) { c.job.partial->samples = ~std::uint64_t{0}; });
   expect_refused(partial, [](C& c) { c.job.partial->done[1] = 2; });
+  expect_refused(partial, [](C& c) { c.job.partial->round = -1; });
+  expect_refused(partial, [](C& c) { c.job.partial->round = 1; });
   expect_refused("its times", [](C& c) { c.job.seconds_per_sample = -1.0; });
   expect_refused("its times", [](C& c) { c.job.seconds = kNan; });
   expect_refused("its error", [](C& c) { c.job.relative_error = RelativeError{.value = kNan}; });

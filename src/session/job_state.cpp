@@ -11,12 +11,16 @@ namespace {
 constexpr std::size_t kFewestMarks = 3;
 }  // namespace
 
+double PartialPass::fraction() const {
+  const double items = std::accumulate(done.begin(), done.end(), 0.0);
+  const double part = done.empty() ? 0.0 : items / static_cast<double>(done.size());
+  return (round + part) / rounds;
+}
+
 std::uint64_t JobState::mean_samples() const {
   if (!partial || partial->done.empty()) return samples_per_pixel;
-  const double items = std::accumulate(partial->done.begin(), partial->done.end(), 0.0);
-  const double part = items / static_cast<double>(partial->done.size());
-  const auto more =
-      static_cast<std::uint64_t>(std::llround(part * static_cast<double>(partial->samples)));
+  const auto more = static_cast<std::uint64_t>(
+      std::llround(partial->fraction() * static_cast<double>(partial->samples)));
   // With nothing at all the picture could not be shown.
   return std::max<std::uint64_t>(1, samples_per_pixel + more);
 }

@@ -13,7 +13,12 @@ namespace ajar {
 struct PartialPass {
   std::uint64_t first_sample = 0;
   std::uint64_t samples = 0;
-  std::vector<std::uint8_t> done;  ///< per item, 0 or 1
+  std::vector<std::uint8_t> done;  ///< per item of the round, 0 or 1
+  int round = 0;
+  int rounds = 1;  ///< of the pass
+
+  /// What of it is done, in [0, 1]; all rounds count the same.
+  double fraction() const;
 };
 
 /// Where a render stands between two passes. Together with the film's sums and what the integrator

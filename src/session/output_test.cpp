@@ -38,7 +38,7 @@ class OutputTest : public testing::Test {
 Film rendered_film(TestIntegrator& integrator, std::uint64_t samples) {
   Film film(kSize, Box2i(Vec2i(0, 0), kSize - Vec2i(1, 1)), Filter::box(), 4, integrator.layers());
   Counters counters;
-  for (std::uint64_t i = 0; i < integrator.items_in_pass(); ++i) {
+  for (std::uint64_t i = 0; i < integrator.items_in_round(); ++i) {
     integrator.run_item(i, 0, samples, film, counters);
   }
   return film;

@@ -38,7 +38,7 @@ class Prepared final : public Integrator {
   void skip_preparation() override { skipped = true; }
 
   std::vector<LayerSpec> layers() const override { return {}; }
-  std::uint64_t items_in_pass() const override { return 0; }
+  std::uint64_t items_in_round() const override { return 0; }
   void run_item(std::uint64_t /*item*/, std::uint64_t /*first_sample*/, std::uint64_t /*samples*/,
                 Film& /*film*/, Counters& /*counters*/) override {}
   double develop_scale(const LayerSpec& /*layer*/, std::uint64_t /*samples*/,

@@ -90,7 +90,8 @@ RenderJob::RenderJob(Integrator& integrator, Film& film, RenderJobOptions option
       cpu_before_(cpu_seconds()) {
   if (options_.resumed) {
     state_ = std::move(*options_.resumed);
-    if (state_.partial && state_.partial->done.size() != integrator.items_in_pass()) {
+    if (state_.partial && (state_.partial->done.size() != integrator.items_in_round() ||
+                           state_.partial->rounds != integrator.rounds_in_pass())) {
       throw IoError(
           "the checkpoint makes no sense: it is in the middle of a pass of another render");
     }
@@ -214,17 +215,32 @@ void RenderJob::run_pass(const Decision& decision, Film& before) {
     // What it has put on the film comes once, from the root.
     if (decision.first_sample == 0 && !is_root()) film_.clear();
   }
-  const std::uint64_t items = integrator_.items_in_pass();
-  const WorkShare share = own_share();
-  const std::uint64_t own_items = share.size(items);
   if (!decision.resumes_pass) {
-    state_.partial =
-        PartialPass{decision.first_sample, decision.samples, std::vector<std::uint8_t>(items)};
+    state_.partial = PartialPass{.first_sample = decision.first_sample,
+                                 .samples = decision.samples,
+                                 .done = std::vector<std::uint8_t>(integrator_.items_in_round()),
+                                 .rounds = integrator_.rounds_in_pass()};
   }
   PartialPass& pass = *state_.partial;
-  items_done_ = 0;
-  items_in_pass_ = std::max<std::uint64_t>(1, own_items);
   samples_in_pass_ = decision.samples;
+  rounds_ = pass.rounds;
+  while (run_round(pass)) {
+    if (pass.round + 1 == pass.rounds) {
+      state_.partial.reset();
+      return;
+    }
+    share_news();
+    integrator_.begin_round(++pass.round);
+    pass.done.assign(integrator_.items_in_round(), 0);
+  }
+}
+
+bool RenderJob::run_round(PartialPass& pass) {
+  const WorkShare share = own_share();
+  const std::uint64_t own_items = share.size(pass.done.size());
+  items_done_ = 0;
+  items_in_round_ = std::max<std::uint64_t>(1, own_items);
+  round_ = pass.round;
 
   tbb::enumerable_thread_specific<ThreadTally> tallies;
   const auto run_items = [&](const tbb::blocked_range<std::uint64_t>& range) {
@@ -265,7 +281,7 @@ void RenderJob::run_pass(const Decision& decision, Film& before) {
   }
   state_.counters += counters;
   has_news_ = true;
-  if (items_done_ == own_items) state_.partial.reset();
+  return items_done_ == own_items;
 }
 
 void RenderJob::end_pass(const Decision& decision, double seconds) {
@@ -376,7 +392,9 @@ RenderSnapshot RenderJob::snapshot() const {
   snapshot.budget = options_.budget;
   if (options_.budget.samples_per_pixel) snapshot.total_samples = schedule_.total();
   const double pass_fraction =
-      static_cast<double>(items_done_.load()) / static_cast<double>(items_in_pass_.load());
+      (round_.load() + std::min(1.0, static_cast<double>(items_done_.load()) /
+                                         static_cast<double>(items_in_round_.load()))) /
+      rounds_.load();
   snapshot.samples_done =
       static_cast<double>(samples_before_pass_.load()) +
       std::min(1.0, pass_fraction) * static_cast<double>(samples_in_pass_.load());

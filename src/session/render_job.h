@@ -101,6 +101,8 @@ class RenderJob {
   Decision agree();
   /// `before`: see `film_before`.
   void run_pass(const Decision& decision, Film& before);
+  /// Runs what has not run of the round's items. Returns whether all have.
+  bool run_round(PartialPass& pass);
   /// Items of this rank.
   WorkShare own_share() const;
   /// What was rendered so far, as the integrator is to see it before a pass.
@@ -138,7 +140,9 @@ class RenderJob {
 
   std::atomic<std::uint64_t> samples_before_pass_{0};
   std::atomic<std::uint64_t> samples_in_pass_{0};
-  std::atomic<std::uint64_t> items_in_pass_{1};
+  std::atomic<std::uint64_t> items_in_round_{1};
+  std::atomic<int> round_{0};
+  std::atomic<int> rounds_{1};
   std::atomic<std::uint64_t> items_done_{0};
   std::atomic<std::uint64_t> rays_{0};
   mutable std::mutex error_mutex_;  // guards the two below

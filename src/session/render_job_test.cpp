@@ -207,7 +207,7 @@ TEST(RenderJob, FinishesThePassAtTheFirstInterrupt) {
   // Replicate 0 has a sample more than the others.
   Film whole = make_film(integrator, 4);
   integrator.on_item = nullptr;
-  for (std::uint64_t i = 0; i < integrator.items_in_pass(); ++i) {
+  for (std::uint64_t i = 0; i < integrator.items_in_round(); ++i) {
     Counters counters;
     integrator.run_item(i, 0, 9, whole, counters);
   }

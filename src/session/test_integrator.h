@@ -19,7 +19,7 @@ class TestIntegrator final : public Integrator {
     if (has_part) specs.push_back({.name = "weak", .part_of = "indirect"});
     return specs;
   }
-  std::uint64_t items_in_pass() const override {
+  std::uint64_t items_in_round() const override {
     return static_cast<std::uint64_t>(size_.x) * static_cast<std::uint64_t>(size_.y);
   }
   void run_item(std::uint64_t item, std::uint64_t first_sample, std::uint64_t samples, Film& film,

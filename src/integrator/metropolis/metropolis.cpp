@@ -71,7 +71,7 @@ class MetropolisIntegrator final : public Integrator {
   std::vector<std::string> notes() const override;
 
   std::vector<LayerSpec> layers() const override;
-  std::uint64_t items_in_pass() const override;
+  std::uint64_t items_in_round() const override;
   void begin_pass(std::uint64_t first_sample, std::uint64_t samples, Film& film) override;
   void run_item(std::uint64_t item, std::uint64_t first_sample, std::uint64_t samples, Film& film,
                 Counters& counters) override;
@@ -200,8 +200,8 @@ std::vector<std::string> MetropolisIntegrator::notes() const {
 
 // ---------------------------------------------------------------- chains
 
-std::uint64_t MetropolisIntegrator::items_in_pass() const {
-  return unprepared_ ? unprepared_->items_in_pass() : items_.size();
+std::uint64_t MetropolisIntegrator::items_in_round() const {
+  return unprepared_ ? unprepared_->items_in_round() : items_.size();
 }
 
 /// What steps follow on the image plane is learned at counts fixed in advance, which passes do not

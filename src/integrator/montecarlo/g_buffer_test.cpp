@@ -83,7 +83,7 @@ Sums render(const Scene& scene, std::uint64_t samples,
   Counters counters;
   for (std::uint64_t i = 0; i < samples; ++i) {
     const std::uint64_t sample = backwards ? samples - 1 - i : i;
-    for (std::uint64_t item = 0; item < integrator->items_in_pass(); ++item) {
+    for (std::uint64_t item = 0; item < integrator->items_in_round(); ++item) {
       integrator->run_item(item, sample, 1, *sums.film, counters);
     }
   }

@@ -60,7 +60,7 @@ class PathIntegrator final : public Integrator {
     return specs;
   }
 
-  std::uint64_t items_in_pass() const override {
+  std::uint64_t items_in_round() const override {
     return static_cast<std::uint64_t>(tiles_.x) * static_cast<std::uint64_t>(tiles_.y);
   }
 

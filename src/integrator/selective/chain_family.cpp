@@ -49,7 +49,7 @@ class ChainIntegrator final : public Integrator {
   std::vector<std::string> notes() const override;
 
   std::vector<LayerSpec> layers() const override;
-  std::uint64_t items_in_pass() const override;
+  std::uint64_t items_in_round() const override;
   void begin_pass(std::uint64_t first_sample, std::uint64_t samples, Film& film) override;
   void run_item(std::uint64_t item, std::uint64_t first_sample, std::uint64_t samples, Film& film,
                 Counters& counters) override;
@@ -86,7 +86,7 @@ class ChainIntegrator final : public Integrator {
   /// b as the bootstrap has it, over all replicates; 1 if it found no light.
   double bootstrap_b() const;
   /// Of a pass, before its chains.
-  std::uint64_t omc_items() const { return omc_ ? omc_->items_in_pass() : 0; }
+  std::uint64_t omc_items() const { return omc_ ? omc_->items_in_round() : 0; }
 
   ChainPlan plan_;
   ChainEffort effort_{plan_};
@@ -303,7 +303,7 @@ std::vector<LayerSpec> ChainIntegrator::layers() const {
   return specs;
 }
 
-std::uint64_t ChainIntegrator::items_in_pass() const { return omc_items() + items_.count(); }
+std::uint64_t ChainIntegrator::items_in_round() const { return omc_items() + items_.count(); }
 
 /// b is refined, recruits join, and the maps of the image plane end an epoch, at counts fixed in
 /// advance, which passes do not cross (see `PassSchedule`): where passes end otherwise is up to the

@@ -45,7 +45,7 @@ std::uint64_t ChainPilot::begin() {
   omc_ = plan_.make_omc(settings, {settings.min_depth, settings.max_depth});
   film_ =
       std::make_unique<Film>(settings.resolution, settings.crop, Filter::box(), 1, omc_->layers());
-  return omc_->items_in_pass();
+  return omc_->items_in_round();
 }
 
 void ChainPilot::run(std::uint64_t item, Counters& counters) {

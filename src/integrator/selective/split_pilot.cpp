@@ -136,7 +136,7 @@ std::uint64_t SplitPilot::begin() {
   film_ = std::make_unique<Film>(settings.resolution, settings.crop,
                                  make_filter(plan_.scene.film().filter), settings.replicates,
                                  omc_->layers());
-  return omc_->items_in_pass();
+  return omc_->items_in_round();
 }
 
 void SplitPilot::run(std::uint64_t item, Counters& counters) {

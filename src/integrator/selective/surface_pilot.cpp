@@ -29,7 +29,7 @@ std::uint64_t SurfacePilot::begin() {
                                Parameters(path_family_parameters({.techniques = "implicit"}), {}));
   film_ = std::make_unique<Film>(settings.resolution, settings.crop,
                                  make_filter(plan_.scene.film().filter), 1, rays_->layers());
-  return rays_->items_in_pass();
+  return rays_->items_in_round();
 }
 
 void SurfacePilot::run(std::uint64_t item, Counters& counters) {

@@ -48,7 +48,7 @@ class TechniquePilot::Candidate final : public StrongPathSinks {
         omc_(plan.make_omc(settings, plan.omc_depths(), {.splits = &splits_, .strong = this})),
         film_(settings.resolution, settings.crop, Filter::box(), kReplicates, omc_->layers()) {}
 
-  std::uint64_t tiles() const { return omc_->items_in_pass(); }
+  std::uint64_t tiles() const { return omc_->items_in_round(); }
 
   void render(std::uint64_t tile, Counters& counters) {
     Counters own;
