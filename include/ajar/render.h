@@ -34,9 +34,16 @@ struct Settings {
   // Edges of the paths: 1 is light seen directly, 2 is direct lighting.
   std::optional<int> min_depth;
   std::optional<int> max_depth;
+  /// Pixels to be rendered, from the top left: x0, y0, x1, y1; the last two are beyond the window.
+  std::optional<std::array<int, 4>> crop;
+  std::string filter;               ///< NAME or NAME:RADIUS, as of `ajar render --filter`
   std::vector<std::string> layers;  ///< beside the picture; see `ajar list aovs`
   std::uint64_t seed = 0;
-  int threads = 0;  ///< 0: as many as the machine offers; else a limit for the whole process
+  int threads = 0;         ///< 0: as many as the machine offers; else a limit for the whole process
+  std::string checkpoint;  ///< a file with all that is needed to go on; none if empty
+  double checkpoint_every = 60.0;  ///< seconds
+  /// Goes on with `checkpoint`, which must be of the same render, if the file is there.
+  bool resume = false;
 };
 
 /// How far a render is.

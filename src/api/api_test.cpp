@@ -2,6 +2,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <functional>
 #include <thread>
@@ -72,6 +73,58 @@ TEST(Interface, SavesPictures) {
   std::filesystem::remove(path);
   EXPECT_EQ(raised([&] { picture.save("picture.nothing"); }), ajar::Error::Kind::Usage);
   EXPECT_EQ(raised([&] { picture.save("/no/such/folder/picture.png"); }), ajar::Error::Kind::File);
+}
+
+TEST(Interface, RendersAWindowThroughAnotherFilter) {
+  const ajar::Scene scene = ajar::Scene::load("builtin:cornell");
+  ajar::Settings settings = small_settings();
+  settings.filter = "box";
+  settings.layers = {"depth"};
+  const ajar::Picture whole = ajar::render(scene, settings);
+  settings.crop = {5, 3, 15, 9};
+  const ajar::Picture part = ajar::render(scene, settings);
+  ASSERT_EQ(part.width(), 10);
+  ASSERT_EQ(part.height(), 6);
+  // How far its depths are from those of a window of the whole picture.
+  const auto difference = [&](std::size_t left, std::size_t top) {
+    float sum = 0.F;
+    for (std::size_t y = 0; y < 6; ++y) {
+      for (std::size_t x = 0; x < 10; ++x) {
+        sum += std::abs(part.pixels("depth")[y * 10 + x] -
+                        whole.pixels("depth")[(y + top) * 24 + x + left]);
+      }
+    }
+    return sum;
+  };
+  for (const std::size_t other : {4U, 6U}) EXPECT_LT(4.F * difference(5, 3), difference(other, 3));
+  for (const std::size_t other : {2U, 4U}) EXPECT_LT(4.F * difference(5, 3), difference(5, other));
+  settings.filter = "gaussian:2";
+  EXPECT_FALSE(std::ranges::equal(ajar::render(scene, settings).pixels(), part.pixels()));
+  settings.filter = "round";
+  EXPECT_EQ(raised([&] { ajar::render(scene, settings); }), ajar::Error::Kind::Usage);
+  settings.filter.clear();
+  settings.crop = {30, 0, 40, 10};
+  EXPECT_EQ(raised([&] { ajar::render(scene, settings); }), ajar::Error::Kind::Usage);
+}
+
+TEST(Interface, GoesOnFromACheckpoint) {
+  const ajar::Scene scene = ajar::Scene::load("builtin:cornell");
+  ajar::Settings settings = small_settings();
+  settings.samples_per_pixel = 16;
+  const ajar::Picture in_one = ajar::render(scene, settings);
+  settings.resume = true;
+  EXPECT_EQ(raised([&] { ajar::render(scene, settings); }), ajar::Error::Kind::Usage);
+  const auto path = std::filesystem::temp_directory_path() /
+                    ("ajar-interface-" + std::to_string(getpid()) + ".checkpoint");
+  settings.checkpoint = path.string();
+  settings.samples_per_pixel = 8;
+  ajar::render(scene, settings);
+  ASSERT_TRUE(std::filesystem::exists(path));
+  settings.samples_per_pixel = 16;
+  EXPECT_TRUE(std::ranges::equal(ajar::render(scene, settings).pixels(), in_one.pixels()));
+  settings.seed = 1;
+  EXPECT_NE(raised([&] { ajar::render(scene, settings); }), std::nullopt) << "another render";
+  std::filesystem::remove(path);
 }
 
 TEST(Interface, TellsWhatIsWrong) {

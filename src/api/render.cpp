@@ -1,10 +1,13 @@
 #include "ajar/render.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <utility>
 
 #include "api/contents.h"
+#include "core/error.h"
 #include "session/catalog.h"
+#include "session/filter_option.h"
 #include "session/progress.h"
 #include "session/render.h"
 
@@ -25,6 +28,12 @@ RenderOrder order_of(const Scene::Content& scene, const Settings& settings, bool
   if (settings.resolution) {
     request.resolution = Vec2i(settings.resolution->at(0), settings.resolution->at(1));
   }
+  if (settings.crop) {
+    request.crop = {.fractions = false};
+    std::copy(settings.crop->begin(), settings.crop->end(), request.crop->values.begin());
+  }
+  if (!settings.filter.empty()) parse_filter("filter", settings.filter);
+  request.filter = settings.filter;
   request.depth = {settings.min_depth, settings.max_depth};
   request.aovs = checked_aovs(settings.layers);
   order.all_aovs = settings.layers == std::vector<std::string>{"all"};
@@ -32,6 +41,15 @@ RenderOrder order_of(const Scene::Content& scene, const Settings& settings, bool
   order.size_from_scene = !settings.resolution;
   order.threads = settings.threads;
   if (shows_pictures) order.show_every = picture_every;
+  if (settings.resume && settings.checkpoint.empty()) {
+    throw UsageError("resume needs a checkpoint: the name of the file to go on with");
+  }
+  if (!settings.checkpoint.empty()) {
+    order.files.checkpoint = settings.checkpoint;
+    order.files.checkpoint_every = settings.checkpoint_every;
+    lock_checkpoint_of(order);
+    if (settings.resume) resume_if_there(settings.checkpoint, order);
+  }
   return order;
 }
 

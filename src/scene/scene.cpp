@@ -122,7 +122,6 @@ void Scene::name_things(const desc::SceneDesc& description) {
     material_names_.push_back(material.name.empty()
                                   ? "material-" + std::to_string(material_names_.size() + 1)
                                   : material.name);
-    diffuse_.push_back(material.node.is("diffuse"));
   }
 }
 

@@ -78,8 +78,6 @@ class Scene {
   /// shape-N or material-N, N its number in the layers "object-id" and "material-id" (from 1).
   std::span<const std::string> object_names() const { return object_names_; }
   std::span<const std::string> material_names() const { return material_names_; }
-  /// Whether a material is purely diffuse.
-  bool is_diffuse(std::size_t material_id) const { return diffuse_[material_id]; }
 
   const Box3& bounds() const { return bounds_; }
   const BoundingSphere& bounding_sphere() const { return bounding_sphere_; }
@@ -114,7 +112,6 @@ class Scene {
   MaterialList materials_;
   std::vector<std::string> object_names_;
   std::vector<std::string> material_names_;
-  std::vector<bool> diffuse_;
   std::vector<std::unique_ptr<const Medium>> media_;
   LightList lights_;
   std::vector<const Light*> infinite_lights_;

@@ -1,5 +1,7 @@
 #include "session/render_order.h"
 
+#include <filesystem>
+
 #include "image/tone_curve.h"
 
 namespace ajar {
@@ -19,6 +21,14 @@ std::vector<std::string> RenderFiles::all() const {
 void lock_checkpoint_of(RenderOrder& order) {
   const std::string& path = order.files.checkpoint;
   if (order.is_root() && !path.empty()) order.lock.emplace(lock_checkpoint(path));
+}
+
+bool resume_if_there(const std::string& path, RenderOrder& order) {
+  std::error_code error;
+  if (!std::filesystem::exists(path, error)) return false;
+  order.resumed = read_checkpoint(path);
+  order.resumed_from = path;
+  return true;
 }
 
 void resume_from(const std::string& path, RenderOrder& order) {

@@ -76,6 +76,10 @@ struct RenderOrder {
 /// IoError if another program writes there.
 void lock_checkpoint_of(RenderOrder& order);
 
+/// Lets a request go on with the checkpoint of that name, if there is such a file. Raises IoError
+/// as `read_checkpoint` does.
+bool resume_if_there(const std::string& path, RenderOrder& order);
+
 /// Goes on with the render of a checkpoint as it was: what `order` leaves empty (scene, budget,
 /// pictures, display) is the checkpoint's, and where none is to be written, it is written again.
 /// Raises IoError as `lock_checkpoint` and `read_checkpoint` do.

@@ -63,14 +63,8 @@ int render(const RenderArguments& a) {
     }
   }
   lock_checkpoint_of(order);
-  if (!a.resume.empty()) {
-    std::error_code error;
-    if (std::filesystem::exists(a.resume, error)) {
-      order.resumed = read_checkpoint(a.resume);
-      order.resumed_from = a.resume;
-    } else {
-      print_note("there is no " + a.resume + " yet: the render begins anew");
-    }
+  if (!a.resume.empty() && !resume_if_there(a.resume, order)) {
+    print_note("there is no " + a.resume + " yet: the render begins anew");
   }
   return carry_out(std::move(order), a.run.progress);
 }

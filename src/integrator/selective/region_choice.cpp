@@ -64,7 +64,10 @@ std::vector<std::optional<float>> fixed_weights(const PilotView& view) {
     // 0 is "nothing there": the environment.
     if (identity.object == 0 || identity.material == 0) continue;
     const std::size_t material = identity.material - 1;
-    if (settings.diffuse_out && scene.is_diffuse(material)) weight = settings.binary.epsilon;
+    if (settings.diffuse_out &&
+        scene.material(static_cast<desc::MaterialId>(material)).is_diffuse()) {
+      weight = settings.binary.epsilon;
+    }
     const RegionRule* rule =
         find_region_rule(settings.rules, scene.object_names()[identity.object - 1],
                          scene.material_names()[material]);

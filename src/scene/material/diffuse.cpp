@@ -18,6 +18,7 @@ class Diffuse final : public Material {
     }
   }
   int max_lobes() const override { return 1; }
+  bool is_diffuse() const override { return true; }
 
  private:
   TextureSlot reflectance_;
