@@ -6,6 +6,9 @@
 #include <array>
 #include <cstring>
 #include <fstream>
+#include <optional>
+#include <string_view>
+#include <utility>
 
 #include "core/printable_text.h"
 
@@ -40,6 +43,24 @@ class Cursor {
   std::ifstream file_;
 };
 
+/// Bytes of an attribute of that type, if they are always so many. The library reads so many, and
+/// goes on there, whatever size is written before.
+std::optional<std::uint64_t> fixed_size(std::string_view type) {
+  constexpr std::array<std::pair<std::string_view, int>, 23> kSizes = {
+      {{"box2i", 16},      {"box2f", 16},   {"chromaticities", 32},
+       {"compression", 1}, {"double", 8},   {"envmap", 1},
+       {"float", 4},       {"int", 4},      {"keycode", 28},
+       {"lineOrder", 1},   {"m33f", 36},    {"m44f", 64},
+       {"m33d", 72},       {"m44d", 128},   {"rational", 8},
+       {"tiledesc", 9},    {"timecode", 8}, {"v2i", 8},
+       {"v2f", 8},         {"v2d", 16},     {"v3i", 12},
+       {"v3f", 12},        {"v3d", 24}}};
+  const auto found = std::find_if(kSizes.begin(), kSizes.end(),
+                                  [&](const auto& entry) { return entry.first == type; });
+  if (found == kSizes.end()) return std::nullopt;
+  return static_cast<std::uint64_t>(found->second);
+}
+
 /// What a part of the file claims to hold.
 struct Part {
   std::int64_t width = 0;
@@ -55,6 +76,7 @@ struct Part {
   }
   void read_channels(Cursor& cursor, std::uint64_t end) {
     constexpr std::int32_t kHalf = 1;
+    pixel_bytes = 0.0;
     while (cursor.is_good() && cursor.place() < end && !cursor.name().empty()) {
       const double bytes = cursor.number() == kHalf ? 2.0 : 4.0;
       cursor.number();  // for the eye or not
@@ -137,9 +159,17 @@ std::string exr_header_complaint(const std::string& path, std::uint64_t file_byt
                          static_cast<std::uint32_t>(size), printable_line(name), file_bytes);
     }
     const std::uint64_t end = place + static_cast<std::uint64_t>(size);
-    if (name == "dataWindow" && size == 16) part.read_window(cursor);
-    if (name == "compression" && size == 1) part.compression = cursor.byte();
-    if (name == "channels") part.read_channels(cursor, end);
+    std::uint64_t expected = fixed_size(type).value_or(end - place);
+    if (name == "dataWindow") part.read_window(cursor);
+    if (name == "compression") part.compression = cursor.byte();
+    if (type == "chlist") {
+      part.read_channels(cursor, end);
+      expected = cursor.place() - place;
+    }
+    if (cursor.is_good() && expected != end - place) {
+      return fmt::format("its header claims {} bytes for \"{}\", which has {}", end - place,
+                         printable_line(name), expected);
+    }
     cursor.go_to(end);
   }
   return {};

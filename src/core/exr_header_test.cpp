@@ -68,6 +68,18 @@ TEST_F(ExrHeader, AttributesLargerThanTheFileAreTold) {
   }
 }
 
+/// The library does not mind what is written there, and would read on elsewhere than we look.
+TEST_F(ExrHeader, SizesThatAreNotThoseOfTheTypeAreTold) {
+  EXPECT_NE(complaint(window(7) + attribute("compression", "compression", 3, "\3xx")), "");
+  EXPECT_NE(complaint(attribute("dataWindow", "box2i", 20, std::string(20, '\0'))), "");
+  EXPECT_EQ(complaint(window(7) + attribute("mine", "a type of mine", 3, "xyz")), "");
+  const std::string list = "a name of many letters" + std::string(1, '\0') + number(1) + number(0) +
+                           number(1) + number(1) + '\0';
+  const auto size = static_cast<std::uint32_t>(list.size());
+  EXPECT_EQ(complaint(window(7) + attribute("channels", "chlist", size, list)), "");
+  EXPECT_NE(complaint(window(7) + attribute("channels", "chlist", size - 10, list)), "");
+}
+
 TEST_F(ExrHeader, MoreRowsThanBytesCouldHoldAreTold) {
   EXPECT_NE(complaint(window(0x7ffffffe)).find("8x2147483647 pixels"), std::string::npos);
 }

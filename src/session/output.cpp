@@ -8,6 +8,7 @@
 #include <exception>
 #include <filesystem>
 #include <functional>
+#include <stdexcept>
 #include <system_error>
 #include <utility>
 
@@ -27,7 +28,7 @@ namespace fs = std::filesystem;
 
 int require_layer(const Film& film, const std::string& name) {
   const int layer = film.layer(name);
-  if (layer < 0) throw UsageError("this integrator does not make the AOV \"" + name + "\"");
+  if (layer < 0) throw std::invalid_argument("the film has no layer \"" + name + "\"");
   return layer;
 }
 

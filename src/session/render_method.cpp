@@ -102,7 +102,7 @@ void make_film(RenderState& state) {
   if (state.order.request && !state.order.all_aovs && state.statistics.prepared) {
     std::vector<LayerSpec> made = layers;
     for (const auto& [name, plane] : state.integrator->maps()) made.push_back({.name = name});
-    check_layers(setup.settings, made);
+    check_layers(setup, made);
   }
   MemoryEstimate memory = memory_of(*state.plan, state.order, layers);
   memory.method = state.integrator->memory_bytes();

@@ -221,13 +221,16 @@ Film film_for(const Scene& scene, const RenderSettings& settings, const Integrat
           integrator.layers()};
 }
 
-void check_layers(const RenderSettings& settings, const std::vector<LayerSpec>& layers) {
-  for (const std::string& name : settings.aovs) {
+void check_layers(const RenderSetup& setup, const std::vector<LayerSpec>& layers) {
+  for (const std::string& name : setup.settings.aovs) {
     // An AOV is a layer, or a group of layers whose names begin with it.
     const bool made = std::any_of(layers.begin(), layers.end(), [&](const LayerSpec& layer) {
       return layer.name == name || layer.name.starts_with(name + ".");
     });
-    if (!made) throw UsageError("this integrator does not make the AOV \"" + name + "\"");
+    if (!made) {
+      throw UsageError(setup.integrator->name + " does not make the AOV \"" + name +
+                       "\"; with \"all\" you get what it makes");
+    }
   }
 }
 

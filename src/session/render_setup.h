@@ -62,7 +62,8 @@ RenderSettings settings_for(const Scene& scene);
 /// The film for what an integrator that is prepared makes of a scene.
 Film film_for(const Scene& scene, const RenderSettings& settings, const Integrator& integrator);
 
-/// Raises UsageError if a layer that was asked for is not among those the integrator makes.
-void check_layers(const RenderSettings& settings, const std::vector<LayerSpec>& layers);
+/// Raises UsageError if a layer that was asked for is not among `layers`, which the integrator
+/// makes.
+void check_layers(const RenderSetup& setup, const std::vector<LayerSpec>& layers);
 
 }  // namespace ajar

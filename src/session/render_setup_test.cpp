@@ -137,7 +137,16 @@ TEST(RenderSetup, OnlyGatheredLayersAreAskedOfTheIntegrator) {
   const RenderSetup setup = make_setup(request, {}, film_of(3, 2));
   EXPECT_EQ(setup.settings.aovs, (std::vector<std::string>{"albedo"}));
   EXPECT_EQ(setup.aovs.size(), 4U);
-  EXPECT_THROW(check_layers(setup.settings, {LayerSpec{.name = "direct"}}), UsageError);
+  EXPECT_NO_THROW(check_layers(setup, {LayerSpec{.name = "albedo"}}));
+  try {
+    check_layers(setup, {LayerSpec{.name = "direct"}});
+    FAIL() << "albedo is not made";
+  } catch (const UsageError& error) {
+    const std::string text = error.what();
+    EXPECT_NE(text.find(setup.integrator->name + " does not make the AOV \"albedo\""),
+              std::string::npos)
+        << text;
+  }
 }
 
 TEST(RenderSetup, TakesTheParametersOfChainsThatScenesOfOtherRenderersHave) {
