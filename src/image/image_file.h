@@ -41,8 +41,8 @@ bool is_display_file(const std::string& path);
 
 /// Writes `.exr` (scene-linear, all layers), `.pfm`, `.hdr` (scene-linear, first layer), `.png`,
 /// `.jpg`, `.jpeg` (8 bits for a display: values in [0, 1] of the first layer, encoded as they are
-/// shown; `displayed` in post/display.h makes them), atomically (`write_file_atomically`). Metadata goes
-/// where the format has room for it. In EXR, a layer of 3 channels is `name.R, name.G, name.B`
+/// shown; `displayed` in post/display.h makes them), atomically (`write_file_atomically`). Metadata
+/// goes where the format has room for it. In EXR, a layer of 3 channels is `name.R, name.G, name.B`
 /// (just R, G, B for the layer ""), one of a single channel `name`; other formats hold the first
 /// layer only, which must have 3 channels. Values that are not numbers are kept in EXR and PFM and
 /// become zero elsewhere. Raises UsageError for the extension and IoError for the file.

@@ -15,7 +15,8 @@ struct Picture {
   struct Layer {
     std::string name;           ///< "" for the picture itself
     int channels = 3;           ///< 3, or 1
-    std::vector<float> pixels;  ///< scene-linear unless said otherwise, row by row, crop only, channels interleaved
+    std::vector<float> pixels;  ///< scene-linear unless said otherwise, row by row, crop only,
+                                ///< channels interleaved
   };
   Vec2i resolution{0, 0};     ///< of the full image
   Box2i crop;                 ///< inclusive; the pixels that exist

@@ -7,9 +7,9 @@
 
 #include "core/vector.h"
 #include "image/film.h"
-#include "post/display.h"
 #include "image/relative_error.h"
 #include "integrator/integrator.h"
+#include "post/display.h"
 #include "session/final_files.h"
 
 namespace ajar {
