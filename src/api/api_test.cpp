@@ -2,6 +2,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <functional>
@@ -103,8 +104,11 @@ TEST(Interface, RendersAWindowThroughAnotherFilter) {
   settings.filter = "round";
   EXPECT_EQ(raised([&] { ajar::render(scene, settings); }), ajar::Error::Kind::Usage);
   settings.filter.clear();
-  settings.crop = {30, 0, 40, 10};
-  EXPECT_EQ(raised([&] { ajar::render(scene, settings); }), ajar::Error::Kind::Usage);
+  for (const std::array<int, 4>& crop :
+       {std::array{30, 0, 40, 10}, {-1, 0, 10, 10}, {0, -1, 10, 10}, {5, 0, 5, 10}, {0, 9, 9, 3}}) {
+    settings.crop = crop;
+    EXPECT_EQ(raised([&] { ajar::render(scene, settings); }), ajar::Error::Kind::Usage);
+  }
 }
 
 TEST(Interface, GoesOnFromACheckpoint) {
@@ -122,6 +126,9 @@ TEST(Interface, GoesOnFromACheckpoint) {
   ASSERT_TRUE(std::filesystem::exists(path));
   settings.samples_per_pixel = 16;
   EXPECT_TRUE(std::ranges::equal(ajar::render(scene, settings).pixels(), in_one.pixels()));
+  settings.checkpoint_every = std::nan("");
+  EXPECT_EQ(raised([&] { ajar::render(scene, settings); }), ajar::Error::Kind::Usage);
+  settings.checkpoint_every = 60.0;
   settings.seed = 1;
   EXPECT_NE(raised([&] { ajar::render(scene, settings); }), std::nullopt) << "another render";
   std::filesystem::remove(path);

@@ -29,6 +29,12 @@ RenderOrder order_of(const Scene::Content& scene, const Settings& settings, bool
     request.resolution = Vec2i(settings.resolution->at(0), settings.resolution->at(1));
   }
   if (settings.crop) {
+    const auto [x0, y0, x1, y1] = *settings.crop;
+    if (x0 < 0 || y0 < 0 || x1 <= x0 || y1 <= y0) {
+      throw UsageError(
+          "crop: x0, y0, x1, y1 are pixels from the top left corner, with 0 <= x0 < x1 and "
+          "0 <= y0 < y1");
+    }
     request.crop = {.fractions = false};
     std::copy(settings.crop->begin(), settings.crop->end(), request.crop->values.begin());
   }
@@ -43,6 +49,9 @@ RenderOrder order_of(const Scene::Content& scene, const Settings& settings, bool
   if (shows_pictures) order.show_every = picture_every;
   if (settings.resume && settings.checkpoint.empty()) {
     throw UsageError("resume needs a checkpoint: the name of the file to go on with");
+  }
+  if (!(settings.checkpoint_every > 0.0)) {
+    throw UsageError("checkpoint_every: seconds above 0");
   }
   if (!settings.checkpoint.empty()) {
     order.files.checkpoint = settings.checkpoint;

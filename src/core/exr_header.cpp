@@ -65,7 +65,9 @@ std::optional<std::uint64_t> fixed_size(std::string_view type) {
 struct Part {
   std::int64_t width = 0;
   std::int64_t rows = 0;
-  int compression = 0;       ///< the format's number for it
+  int compression = 0;          ///< the format's number for it
+  std::int64_t tile_width = 0;  ///< 0: rows, not tiles
+  std::int64_t tile_height = 0;
   double pixel_bytes = 0.0;  ///< of all channels
 
   void read_window(Cursor& cursor) {
@@ -73,6 +75,10 @@ struct Part {
     for (std::int64_t& value : box) value = cursor.number();
     width = std::max<std::int64_t>(0, box[2] - box[0] + 1);
     rows = std::max<std::int64_t>(0, box[3] - box[1] + 1);
+  }
+  void read_tile_size(Cursor& cursor) {
+    tile_width = std::max(cursor.number(), 1);
+    tile_height = std::max(cursor.number(), 1);
   }
   void read_channels(Cursor& cursor, std::uint64_t end) {
     constexpr std::int32_t kHalf = 1;
@@ -113,18 +119,23 @@ Packing packing_of(int compression) {
 }
 
 /// The library makes two things before it reads pixels: a table with eight bytes for each block of
-/// rows, and room for a block, however few rows the picture has.
+/// rows or tile, which the file has, too, and room for one of them, however few pixels there are.
 std::string part_complaint(const Part& part, std::uint64_t file_bytes) {
   // A file of few bytes may well have room for a block that it does not fill.
   constexpr double kUsualBlock = 1 << 26;
   const Packing packing = packing_of(part.compression);
   const auto file = static_cast<double>(file_bytes);
-  const auto rows = static_cast<double>(part.rows);
   const double most = file * packing.bytes_per_byte;
-  const double row = static_cast<double>(part.width) * part.pixel_bytes;
-  const double table = 8.0 * rows / static_cast<double>(packing.rows);
-  const double block = row * static_cast<double>(packing.rows);
-  if (table <= file && row * rows <= most && block <= std::max(most, kUsualBlock)) return {};
+  const auto width = static_cast<double>(part.width);
+  const auto rows = static_cast<double>(part.rows);
+  const bool has_tiles = part.tile_width > 0;
+  const double block_width =
+      has_tiles ? static_cast<double>(part.tile_width) : std::max(width, 1.0);
+  const auto block_rows = static_cast<double>(has_tiles ? part.tile_height : packing.rows);
+  const double table = 8.0 * (width / block_width) * (rows / block_rows);
+  const double block = block_width * block_rows * part.pixel_bytes;
+  const double whole = width * rows * part.pixel_bytes;
+  if (table <= file && whole <= most && block <= std::max(most, kUsualBlock)) return {};
   return fmt::format("it claims {}x{} pixels, but has {} bytes, which cannot hold them", part.width,
                      part.rows, file_bytes);
 }
@@ -162,6 +173,7 @@ std::string exr_header_complaint(const std::string& path, std::uint64_t file_byt
     std::uint64_t expected = fixed_size(type).value_or(end - place);
     if (name == "dataWindow") part.read_window(cursor);
     if (name == "compression") part.compression = cursor.byte();
+    if (name == "tiles") part.read_tile_size(cursor);
     if (type == "chlist") {
       part.read_channels(cursor, end);
       expected = cursor.place() - place;

@@ -100,6 +100,19 @@ TEST_F(ExrHeader, MorePixelsThanBytesCouldHoldAreTold) {
   EXPECT_TRUE(complains(kDwab, 16777216));
 }
 
+/// Tiles need few places in the table, where rows would need one each.
+TEST_F(ExrHeader, OfTilesKnowsTheTableOfTiles) {
+  constexpr char kZips = 2;
+  const std::string high = window(9999, 3) + packed(kZips) + colours();
+  const auto tiles = [](std::uint32_t width, std::uint32_t height) {
+    return attribute("tiles", "tiledesc", 9, number(width) + number(height) + std::string(1, '\0'));
+  };
+  EXPECT_NE(complaint(high), "");
+  EXPECT_EQ(complaint(high + tiles(4, 512)), "");
+  EXPECT_NE(complaint(high + tiles(1, 1)), "");
+  EXPECT_NE(complaint(high + tiles(0x7fffffff, 0x7fffffff)), "");
+}
+
 /// One row of eight million pixels in 250 bytes could just be, but 256 such rows are made room for.
 TEST_F(ExrHeader, BlocksOfRowsThatNothingFillsAreTold) {
   EXPECT_NE(complaint(window(0, 2000000) + colours() + packed(9)), "");

@@ -222,7 +222,6 @@ void RenderJob::run_pass(const Decision& decision, Film& before) {
                                  .rounds = integrator_.rounds_in_pass()};
   }
   PartialPass& pass = *state_.partial;
-  samples_in_pass_ = decision.samples;
   rounds_ = pass.rounds;
   while (run_round(pass)) {
     if (pass.round + 1 == pass.rounds) {
@@ -241,6 +240,7 @@ bool RenderJob::run_round(PartialPass& pass) {
   items_done_ = 0;
   items_in_round_ = std::max<std::uint64_t>(1, own_items);
   round_ = pass.round;
+  samples_in_pass_ = pass.samples;
 
   tbb::enumerable_thread_specific<ThreadTally> tallies;
   const auto run_items = [&](const tbb::blocked_range<std::uint64_t>& range) {

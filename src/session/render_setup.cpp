@@ -142,7 +142,7 @@ void choose_pixels(const RenderRequest& request, const desc::Film& film, RenderS
     throw SceneError(film.where, message);
   }
   if (request.crop) {
-    setup.crop = crop_pixels("--crop", *request.crop, resolution);
+    setup.crop = crop_pixels("crop", *request.crop, resolution);
   } else {
     const CropWindow window{{film.crop[0], film.crop[2], film.crop[1], film.crop[3]}, true};
     try {

@@ -111,6 +111,21 @@ TEST(Materials, HaveDefaults) {
   EXPECT_EQ(f.warnings.count(), 0U);
 }
 
+/// What may stay without chains: of a mixture of diffuse materials nobody has asked it.
+TEST(Materials, SayWhetherTheyAreDiffuse) {
+  Fixture f;
+  const auto smooth = f.add("diffuse");
+  const auto rough = f.add("diffuse", {{"sigma", 20.F}});
+  for (const char* model : {"mirror", "dielectric", "conductor", "plastic", "coated_diffuse",
+                            "translucent", "principled"}) {
+    const auto other = f.add(model);
+    f.bsdf(other);
+    EXPECT_FALSE(f.materials[static_cast<std::size_t>(other)]->is_diffuse()) << model;
+  }
+  EXPECT_TRUE(f.materials[static_cast<std::size_t>(smooth)]->is_diffuse());
+  EXPECT_TRUE(f.materials[static_cast<std::size_t>(rough)]->is_diffuse());
+}
+
 TEST(Materials, NodesOfNoModelAreLocatedErrors) {
   Fixture f;
   f.add(desc::Node());
