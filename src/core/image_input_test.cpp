@@ -221,6 +221,12 @@ TEST_F(ImageInputTest, ChunksOfPngCannotClaimMoreThanTheFile) {
                        std::to_string(content.size()));
 }
 
+TEST_F(ImageInputTest, LargeCanvasesOfSmallPicturesAreBelieved) {
+  const std::string small = gif("GIF89a", 3000);
+  ASSERT_LT(small.size(), 60U) << "of which LZW could not make so many pixels";
+  EXPECT_EQ(ImageInput(write("canvas.gif", small)).spec().width, 3000);
+}
+
 TEST_F(ImageInputTest, FlatPicturesAreBelieved) {
   // As small as files of so many pixels get.
   constexpr int kFlat = 1000;

@@ -51,7 +51,7 @@ class CheckpointFile : public testing::Test {
     checkpoint_.scales.antialias_mask.emplace(Vec2i(4, 3));
     JobState& job = checkpoint_.job;
     job.samples_per_pixel = 12;
-    job.partial = PartialPass{12, 4, {1, 0, 1}};
+    job.partial = PartialPass{12, 4, {1, 0, 1}, 1, 3};
     job.counters.rays = 1234;
     job.counters.rays_out_of_range = 567;
     job.counters.first_discarded = "somewhere";
@@ -96,6 +96,8 @@ TEST_F(CheckpointFile, KeepsEverything) {
   EXPECT_EQ(read.render.parameters, checkpoint_.render.parameters);
   EXPECT_EQ(read.render.settings.crop, checkpoint_.render.settings.crop);
   EXPECT_EQ(read.job.partial->done, checkpoint_.job.partial->done);
+  EXPECT_EQ(read.job.partial->round, 1);
+  EXPECT_EQ(read.job.partial->rounds, 3);
   EXPECT_EQ(read.job.counters.rays_out_of_range, 567U);
   EXPECT_EQ(read.job.counters.techniques.sums(), checkpoint_.job.counters.techniques.sums());
   EXPECT_EQ(read.integrator_state, checkpoint_.integrator_state);
@@ -252,7 +254,7 @@ TEST_F(HostileCheckpoint, IsRefusedForItsJob) {
   expect_refused(partial, [](C& c) { c.job.partial->samples = ~std::uint64_t{0}; });
   expect_refused(partial, [](C& c) { c.job.partial->done[1] = 2; });
   expect_refused(partial, [](C& c) { c.job.partial->round = -1; });
-  expect_refused(partial, [](C& c) { c.job.partial->round = 1; });
+  expect_refused(partial, [](C& c) { c.job.partial->round = 3; });
   expect_refused("its times", [](C& c) { c.job.seconds_per_sample = -1.0; });
   expect_refused("its times", [](C& c) { c.job.seconds = kNan; });
   expect_refused("its error", [](C& c) { c.job.relative_error = RelativeError{.value = kNan}; });

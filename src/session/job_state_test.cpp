@@ -33,8 +33,8 @@ TEST(JobState, APartialPassCountsInPart) {
   state.partial = PartialPass{8, 4, {1, 1, 1, 0}};
   EXPECT_EQ(state.mean_samples(), 11U);
   state.samples_per_pixel = 0;
-  state.partial = PartialPass{0, 4, {1, 1, 0, 0}, 1, 3};
-  EXPECT_EQ(state.mean_samples(), 2U) << "a half of the second of three rounds";
+  state.partial = PartialPass{0, 12, {1, 1, 1, 0}, 1, 3};
+  EXPECT_EQ(state.mean_samples(), 7U) << "one round of three, and 3/4 of the second";
   state.partial = PartialPass{0, 1, {0, 1, 0, 0}};
   EXPECT_EQ(state.mean_samples(), 1U);
 }
