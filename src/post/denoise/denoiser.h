@@ -1,0 +1,57 @@
+#pragma once
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/vector.h"
+
+namespace ajar {
+
+/// What a camera ray sees first that is not a mirror or clear glass, row by row, RGB or xyz
+/// interleaved; both empty where nobody knows. They tell a filter light from surfaces.
+struct DenoiseFeatures {
+  std::vector<float> albedo;  ///< in [0, 1]
+  std::vector<float> normal;  ///< world space, of length 1 at most
+  bool empty() const { return albedo.empty(); }
+};
+
+/// A picture with noise: scene-linear, row by row, RGB interleaved.
+struct NoisyPicture {
+  Vec2i size{0, 0};
+  std::span<const float> colour;
+  /// Two independent estimates of it, of half the samples each; empty where there are none.
+  std::span<const float> first_half;
+  std::span<const float> second_half;
+};
+
+/// A filter that takes the noise of rendering out of a picture.
+class Denoiser {
+ public:
+  /// Told how much is done, in [0, 1]; false ends the work.
+  using Progress = std::function<bool(double done)>;
+
+  virtual ~Denoiser() = default;
+  /// Name and version, which decide the pixels: "oidn 2.5.1".
+  virtual std::string name() const = 0;
+  /// Memory that a picture of so many pixels takes, bytes; an estimate.
+  virtual std::uint64_t memory_bytes(std::uint64_t pixels) const = 0;
+  /// Features without noise of their own, as `filter` takes them.
+  virtual DenoiseFeatures prepare(Vec2i size, DenoiseFeatures features) const = 0;
+  /// The picture without noise, row by row; empty if `progress` ended it. Values that are not
+  /// finite count as 0. Raises std::invalid_argument if sizes do not fit.
+  virtual std::optional<std::vector<float>> filter(const NoisyPicture& picture,
+                                                   const DenoiseFeatures& features,
+                                                   const Progress& progress) const = 0;
+};
+
+/// Names of what `--denoise` takes.
+std::span<const std::string> denoiser_names();
+
+/// Of a name: null for "none"; "auto" is "oidn" where that is found, else "builtin". Raises
+/// UsageError for other names, and for "oidn" where it is not found, saying how to get it.
+std::shared_ptr<const Denoiser> find_denoiser(const std::string& name);
+
+}  // namespace ajar

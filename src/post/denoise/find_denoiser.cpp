@@ -1,0 +1,44 @@
+#include <array>
+
+#include "core/error.h"
+#include "post/denoise/denoiser.h"
+#include "post/denoise/oidn_denoiser.h"
+
+namespace ajar {
+
+namespace {
+
+const std::array<std::string, 3> kNames = {"auto", "oidn", "none"};
+
+/// Null, with the reason, if there is none that works.
+std::shared_ptr<const Denoiser> find_oidn_denoiser(std::string& why_not) {
+  const std::shared_ptr<const OidnLibrary> library = find_oidn(&why_not);
+  if (!library) return nullptr;
+  try {
+    return std::make_shared<OidnDenoiser>(library);
+  } catch (const std::runtime_error& error) {
+    why_not = error.what();
+    return nullptr;
+  }
+}
+
+}  // namespace
+
+std::span<const std::string> denoiser_names() { return kNames; }
+
+std::shared_ptr<const Denoiser> find_denoiser(const std::string& name) {
+  if (name == "none") return nullptr;
+  if (name != "auto" && name != "oidn") {
+    throw UsageError(unknown_name_message("denoiser", name, kNames));
+  }
+  std::string why_not;
+  std::shared_ptr<const Denoiser> found = find_oidn_denoiser(why_not);
+  if (!found && name == "oidn") {
+    throw UsageError(
+        "Open Image Denoise 2 is not found" + (why_not.empty() ? "" : " (" + why_not + ")") +
+        "; ./dev setup unpacks it, pip install pyoidn brings it, or AJAR_OIDN names its library");
+  }
+  return found;
+}
+
+}  // namespace ajar

@@ -1,0 +1,148 @@
+#include "post/denoise/oidn_denoiser.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+namespace ajar {
+
+namespace {
+
+/// Memory that the library may take, MiB: it cuts larger pictures into tiles. Its own default.
+constexpr int kMostMemory = 3000;
+/// Of its network and its pictures; measured with 2.5.1.
+constexpr std::uint64_t kBytesPerPixel = 700;
+
+template <typename Handle>
+class Owned {
+ public:
+  Owned(Handle handle, void (*release)(Handle)) : handle_(handle), release_(release) {}
+  ~Owned() {
+    if (handle_ != nullptr) release_(handle_);
+  }
+  Owned(const Owned&) = delete;
+  Owned& operator=(const Owned&) = delete;
+  Handle get() const { return handle_; }
+
+ private:
+  Handle handle_;
+  void (*release_)(Handle);
+};
+
+/// Raises std::runtime_error if something went wrong; false if it was cancelled.
+bool check(const OidnLibrary& oidn, OidnLibrary::Device device) {
+  const char* message = nullptr;
+  const int error = oidn.get_device_error(device, &message);
+  if (error == OidnLibrary::kCancelled) return false;
+  if (error == OidnLibrary::kNoError) return true;
+  throw std::runtime_error(
+      fmt::format("Open Image Denoise ({}): {}", oidn.path, message == nullptr ? "?" : message));
+}
+
+class OidnDevice {
+ public:
+  explicit OidnDevice(const OidnLibrary& oidn)
+      : oidn_(oidn), device_(oidn.new_device(OidnLibrary::kCpu), oidn.release_device) {
+    if (device_.get() == nullptr) check(oidn, nullptr);
+    // Threads are TBB's, which are not its own to pin.
+    oidn.set_device_bool(device_.get(), "setAffinity", false);
+    oidn.commit_device(device_.get());
+    check(oidn, device_.get());
+  }
+
+  std::string version() const {
+    const auto number = [&](const char* name) { return oidn_.get_device_int(device_.get(), name); };
+    return fmt::format("{}.{}.{}", number("versionMajor"), number("versionMinor"),
+                       number("versionPatch"));
+  }
+
+  struct Input {
+    const char* name;
+    const std::vector<float>* pixels;
+  };
+  /// Empty if `progress` ended it.
+  std::optional<std::vector<float>> run(Vec2i size, std::span<const Input> inputs, bool is_radiance,
+                                        const Denoiser::Progress& progress) const {
+    const Owned<OidnLibrary::Filter> filter(oidn_.new_filter(device_.get(), "RT"),
+                                            oidn_.release_filter);
+    std::vector<float> output(3 * static_cast<std::size_t>(size.x) *
+                              static_cast<std::size_t>(size.y));
+    const auto set_image = [&](const char* name, const std::vector<float>& pixels) {
+      if (pixels.size() != output.size()) throw std::invalid_argument("denoise: sizes do not fit");
+      oidn_.set_shared_filter_image(
+          filter.get(), name, const_cast<float*>(pixels.data()),  // NOLINT: inputs are only read
+          OidnLibrary::kFloat3, static_cast<std::size_t>(size.x), static_cast<std::size_t>(size.y),
+          0, 0, 0);
+    };
+    for (const Input& input : inputs) set_image(input.name, *input.pixels);
+    set_image("output", output);
+    if (is_radiance) {
+      oidn_.set_filter_bool(filter.get(), "hdr", true);
+      oidn_.set_filter_bool(filter.get(), "cleanAux", inputs.size() > 1);
+    }
+    oidn_.set_filter_int(filter.get(), "maxMemoryMB", kMostMemory);
+    if (progress) {
+      oidn_.set_filter_progress_monitor_function(
+          filter.get(),
+          [](void* user, double done) {
+            return (*static_cast<const Denoiser::Progress*>(user))(done);
+          },
+          const_cast<Denoiser::Progress*>(&progress));  // NOLINT: the C interface has no const
+    }
+    oidn_.commit_filter(filter.get());
+    oidn_.execute_filter(filter.get());
+    if (!check(oidn_, device_.get())) return std::nullopt;
+    return output;
+  }
+
+ private:
+  const OidnLibrary& oidn_;
+  Owned<OidnLibrary::Device> device_;
+};
+
+std::vector<float> finite(std::span<const float> values) {
+  std::vector<float> result(values.begin(), values.end());
+  std::replace_if(
+      result.begin(), result.end(), [](float value) { return !std::isfinite(value); }, 0.F);
+  return result;
+}
+
+}  // namespace
+
+OidnDenoiser::OidnDenoiser(std::shared_ptr<const OidnLibrary> library)
+    : library_(std::move(library)), name_("oidn " + OidnDevice(*library_).version()) {}
+
+std::uint64_t OidnDenoiser::memory_bytes(std::uint64_t pixels) const {
+  return std::min(pixels * kBytesPerPixel, std::uint64_t{kMostMemory} << 20U);
+}
+
+DenoiseFeatures OidnDenoiser::prepare(Vec2i size, DenoiseFeatures features) const {
+  if (features.empty()) return features;
+  const OidnDevice device(*library_);
+  const auto clean = [&](const char* name, std::vector<float>& pixels) {
+    pixels = finite(pixels);
+    pixels = *device.run(size, std::array{OidnDevice::Input{name, &pixels}}, false, {});
+  };
+  clean("albedo", features.albedo);
+  clean("normal", features.normal);
+  return features;
+}
+
+std::optional<std::vector<float>> OidnDenoiser::filter(const NoisyPicture& picture,
+                                                       const DenoiseFeatures& features,
+                                                       const Progress& progress) const {
+  const OidnDevice device(*library_);
+  const std::vector<float> colour = finite(picture.colour);
+  std::vector<OidnDevice::Input> inputs = {{"color", &colour}};
+  if (!features.empty()) {
+    inputs.push_back({"albedo", &features.albedo});
+    inputs.push_back({"normal", &features.normal});
+  }
+  return device.run(picture.size, inputs, true, progress);
+}
+
+}  // namespace ajar
