@@ -64,7 +64,7 @@ RenderOrder order_of(const Scene::Content& scene, const Settings& settings, bool
 
 Progress progress_of(const RenderSnapshot& snapshot) {
   Progress progress;
-  progress.preparing = snapshot.preparation.has_value();
+  progress.preparing = snapshot.phase == RenderPhase::Prepare;
   progress.seconds = snapshot.seconds;
   progress.samples_per_pixel = snapshot.samples_done;
   progress.fraction = fraction_done(snapshot);

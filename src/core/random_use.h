@@ -34,6 +34,8 @@ enum class RandomUse : std::uint64_t {
   LightLot = 0xf09d,
   RecruitReplicate = 0x5ca77,
   RecruitSeeds = 0x10e5,
+  // After the render.
+  Features = 0xfea7,
 };
 
 }  // namespace ajar

@@ -32,6 +32,7 @@ bool is_named(RandomUse use) {
     case RandomUse::LightLot:
     case RandomUse::RecruitReplicate:
     case RandomUse::RecruitSeeds:
+    case RandomUse::Features:
       return true;
   }
   return false;

@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <map>
 #include <optional>
 #include <string>
@@ -25,5 +26,17 @@ struct Picture {
   /// Where formats for the eye smooth the stairs of edges (post/antialias.h); empty if nowhere.
   std::optional<Plane> antialias_mask{};
 };
+
+/// The layer without noise, where there is one.
+inline constexpr const char* kDenoisedLayer = "denoised";
+
+/// What the eye is to see of a picture: its layer without noise or, if there is none, the picture
+/// itself.
+inline const Picture::Layer& shown_layer(const Picture& picture) {
+  const auto found =
+      std::find_if(picture.layers.begin(), picture.layers.end(),
+                   [](const Picture::Layer& layer) { return layer.name == kDenoisedLayer; });
+  return found == picture.layers.end() ? picture.layers.front() : *found;
+}
 
 }  // namespace ajar

@@ -7,7 +7,7 @@
 namespace ajar {
 
 Picture displayed(const Picture& picture, const DisplayOptions& options) {
-  const std::vector<float>& linear = picture.layers.front().pixels;
+  const std::vector<float>& linear = shown_layer(picture).pixels;
   std::vector<float> shown(linear.size());
   std::transform(linear.begin(), linear.end(), shown.begin(),
                  [&](float value) { return tone_map(value, options.tone_map, options.exposure); });

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/file_lock.h"
+#include "image/features.h"
 #include "image/film.h"
 #include "integrator/integrator.h"
 #include "session/budget.h"
@@ -45,7 +46,9 @@ struct Checkpoint {
   std::vector<std::string> outputs;  ///< absolute paths
   std::string tone_map = "srgb";
   Exposure exposure;
+  std::string denoiser = "none";
 
+  Features features;  ///< of the scene, for filters; may be empty
   std::vector<LayerSpec> layers;
   Development scales;  ///< of the film as it is
   JobState job;

@@ -106,6 +106,7 @@ template <Archive A>
 void serialize(A& archive, Checkpoint& checkpoint) {
   archive(checkpoint.version, checkpoint.render, checkpoint.budget, checkpoint.outputs,
           checkpoint.tone_map, checkpoint.exposure.automatic, checkpoint.exposure.stops,
+          checkpoint.denoiser, checkpoint.features.albedo, checkpoint.features.normal,
           checkpoint.layers, checkpoint.scales, checkpoint.job, checkpoint.integrator_state,
           checkpoint.preparation, checkpoint.prepared, checkpoint.preparation_rounds,
           checkpoint.other_seconds, checkpoint.resumptions, checkpoint.interruptions,

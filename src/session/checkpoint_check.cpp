@@ -9,6 +9,7 @@
 #include "core/error.h"
 #include "core/milestones.h"
 #include "image/tone_curve.h"
+#include "post/denoise/denoiser.h"
 #include "post/exposure.h"
 #include "session/catalog.h"
 #include "session/filter_option.h"
@@ -195,6 +196,21 @@ void check_display(const Checkpoint& checkpoint) {
     throw std::runtime_error(error.what());
   }
   require(std::abs(checkpoint.exposure.stops) <= kMostStops, "its exposure cannot be");
+  const auto names = denoiser_names();
+  require(std::find(names.begin(), names.end(), checkpoint.denoiser) != names.end(),
+          "nobody knows its denoiser");
+}
+
+void check_features(const Features& features, const RenderSettings& settings) {
+  if (features.albedo.empty() && features.normal.empty()) return;
+  const Vec2i size = settings.crop.size() + Vec2i(1, 1);
+  const std::size_t values =
+      3 * static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
+  for (const std::vector<float>& layer : {features.albedo, features.normal}) {
+    require(layer.size() == values, "its features have another size");
+    require(std::all_of(layer.begin(), layer.end(), [](float v) { return std::isfinite(v); }),
+            "its features are no numbers");
+  }
 }
 
 }  // namespace
@@ -221,6 +237,7 @@ void check_sense(const Checkpoint& checkpoint) {
   check_layers(checkpoint.layers);
   require(film_fits(checkpoint.render.settings, checkpoint.layers, checkpoint.sums.size()),
           "its film has another size");
+  check_features(checkpoint.features, checkpoint.render.settings);
   check_scales(checkpoint);
   check_samples(checkpoint);
   check_job(checkpoint.job, checkpoint.render.settings);

@@ -7,7 +7,7 @@ namespace ajar {
 DisplayOptions Display::of(const Picture& picture) const {
   if (!exposure.automatic) return {tone_map, exposure.stops};
   return {tone_map,
-          fitting_exposure(picture.layers.front().pixels, picture.crop.size() + Vec2i(1, 1))};
+          fitting_exposure(shown_layer(picture).pixels, picture.crop.size() + Vec2i(1, 1))};
 }
 
 }  // namespace ajar

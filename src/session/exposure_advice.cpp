@@ -17,7 +17,7 @@ constexpr float kWorthIt = 1.F;  // stops
 std::string stops_text(float stops) { return stops == 0.F ? "0" : fmt::format("{:+.4g}", stops); }
 
 std::string exposure_advice(const Picture& picture, const DisplayOptions& display) {
-  const std::vector<float>& rgb = picture.layers.front().pixels;
+  const std::vector<float>& rgb = shown_layer(picture).pixels;
   const Clipping lost = clipping(rgb, display.tone_map, display.exposure);
   if (lost.white < kMuchWhite && lost.black < kNearlyAllBlack) return {};
   // Nothing helps a picture without light.

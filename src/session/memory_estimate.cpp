@@ -53,11 +53,12 @@ std::uint64_t scene_bytes(const desc::SceneDesc& scene) {
 }
 
 std::string memory_text(const MemoryEstimate& estimate) {
-  const std::array<std::pair<const char*, std::uint64_t>, 4> parts = {
+  const std::array<std::pair<const char*, std::uint64_t>, 5> parts = {
       {{"scene", estimate.scene},
        {"film", estimate.film},
        {"writing pictures", estimate.pictures},
-       {"method", estimate.method}}};
+       {"method", estimate.method},
+       {"denoising", estimate.denoiser}}};
   std::string text;
   for (const auto& [name, bytes] : parts) {
     if (bytes == 0) continue;

@@ -16,7 +16,8 @@ struct MemoryEstimate {
   std::uint64_t film = 0;      ///< layers × replicates
   std::uint64_t pictures = 0;  ///< while they are written
   std::uint64_t method = 0;    ///< what the integrator keeps (`Integrator::memory_bytes`)
-  std::uint64_t total() const { return scene + film + pictures + method; }
+  std::uint64_t denoiser = 0;  ///< while it filters a picture
+  std::uint64_t total() const { return scene + film + pictures + method + denoiser; }
 };
 
 /// Memory of a film with these layers, bytes (8 per channel and replicate).

@@ -197,6 +197,12 @@ Picture develop(const Film& film, const Development& scales, std::uint64_t sampl
   return picture;
 }
 
+Replicates light_replicates(const Film& film, const Development& scales, std::uint64_t samples,
+                            double film_scale) {
+  if (film.replicates() < 2 || samples < static_cast<std::uint64_t>(film.replicates())) return {};
+  return develop_replicates(film, scaled_light_layers(film, scales, film_scale));
+}
+
 std::optional<RelativeError> estimate_error(const Film& film, const Integrator& integrator,
                                             std::uint64_t samples) {
   return estimate_error(film, development_of(film, integrator, samples), samples);
@@ -204,12 +210,10 @@ std::optional<RelativeError> estimate_error(const Film& film, const Integrator& 
 
 std::optional<RelativeError> estimate_error(const Film& film, const Development& scales,
                                             std::uint64_t samples) {
-  if (film.replicates() < 2 || samples < static_cast<std::uint64_t>(film.replicates())) {
-    return std::nullopt;
-  }
+  const Replicates replicates = light_replicates(film, scales, samples, 1.0);
+  if (replicates.empty()) return std::nullopt;
   std::optional<RelativeError> error =
-      estimate_relative_error(develop_replicates(film, scaled_light_layers(film, scales, 1.0)),
-                              Vec2i(film.width(), film.height()));
+      estimate_relative_error(replicates, Vec2i(film.width(), film.height()));
   if (error) error->misses_light = scales.misses_light;
   return error;
 }

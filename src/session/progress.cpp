@@ -36,14 +36,15 @@ std::vector<double> expected_totals(const RenderSnapshot& s) {
 }
 
 std::string samples_text(const RenderSnapshot& s) {
-  if (s.preparation) return "preparing";
+  if (s.phase == RenderPhase::Prepare) return "preparing";
+  if (s.phase == RenderPhase::Denoise) return "denoising";
   const auto done = static_cast<std::uint64_t>(s.samples_done);
   return s.total_samples > 0 ? fmt::format("{}/{} spp", done, s.total_samples)
                              : fmt::format("{} spp", done);
 }
 
 std::string text_of_error(const RenderSnapshot& s) {
-  return s.relative_error ? "error " + error_text(*s.relative_error) : std::string();
+  return s.renders() && s.relative_error ? "error " + error_text(*s.relative_error) : std::string();
 }
 
 std::string left_text(const RenderSnapshot& s) {
@@ -55,7 +56,7 @@ std::string left_text(const RenderSnapshot& s) {
 }
 
 std::string rays_text(const RenderSnapshot& s) {
-  return s.preparation ? std::string() : short_number(rays_per_second(s)) + " rays/s";
+  return !s.renders() ? std::string() : short_number(rays_per_second(s)) + " rays/s";
 }
 
 std::string joined(const std::vector<std::string>& parts, const char* separator) {
@@ -75,11 +76,12 @@ nlohmann::ordered_json optional_json(const std::optional<double>& value) {
 }  // namespace
 
 std::optional<double> seconds_left(const RenderSnapshot& snapshot) {
-  if (const std::optional<double> done = snapshot.preparation) {
+  if (!snapshot.renders()) {
+    const double done = snapshot.phase_done;
     // From less it cannot be told.
     constexpr double kLeast = 0.01;
-    if (*done < kLeast) return std::nullopt;
-    return snapshot.seconds * (1.0 - *done) / *done;
+    if (done < kLeast) return std::nullopt;
+    return snapshot.seconds * (1.0 - done) / done;
   }
   const std::vector<double> totals = expected_totals(snapshot);
   if (totals.empty()) return std::nullopt;
@@ -149,7 +151,7 @@ std::string plain_line(const RenderSnapshot& snapshot) {
 std::string json_line(const RenderSnapshot& snapshot, const std::string& event) {
   nlohmann::ordered_json line;
   line["event"] = event;
-  line["phase"] = snapshot.preparation ? "prepare" : "render";
+  line["phase"] = to_string(snapshot.phase);
   line["seconds"] = snapshot.seconds;
   line["samples_per_pixel"] = snapshot.samples_done;
   line["total_samples_per_pixel"] = snapshot.total_samples > 0

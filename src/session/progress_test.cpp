@@ -41,9 +41,9 @@ TEST(Progress, APreparationTellsTheTimeItStillTakes) {
   RenderSnapshot s;
   s.budget.seconds = 100.0;
   s.seconds = 6.0;
-  s.preparation = 0.0;
+  s.phase = RenderPhase::Prepare;
   EXPECT_FALSE(seconds_left(s).has_value());
-  s.preparation = 0.75;
+  s.phase_done = 0.75;
   EXPECT_DOUBLE_EQ(seconds_left(s).value(), 2.0);
   EXPECT_DOUBLE_EQ(fraction_done(s).value(), 0.75);
   EXPECT_EQ(plain_line(s), "0:06, preparing, 0:02 left");

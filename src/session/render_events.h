@@ -10,11 +10,6 @@ namespace ajar {
 
 struct RenderOutcome;
 
-/// The steps of a render.
-enum class RenderPhase { Load, Build, Prepare, Render, Write };
-/// "load", "build", "prepare", "render", "write".
-const char* to_string(RenderPhase phase);
-
 /// What a render tells while it runs, on the thread that runs it. What a listener raises ends the
 /// render, as an error of its own would; but what `picture` raises is told as trouble.
 class RenderEvents {

@@ -1,5 +1,6 @@
 #include "session/render_files.h"
 
+#include "post/denoise/denoiser.h"
 #include "session/output.h"
 #include "session/scene_file.h"
 #include "session/written_paths.h"
@@ -11,6 +12,7 @@ void check_files(const RenderOrder& order) {
   // Told before anything is loaded.
   if (files.preview) find_addresses("--preview", *files.preview);
   if (!order.is_root()) return;
+  find_denoiser(files.denoiser_name());
   // An interrupted render that goes on where its folder is gone is told so in the end.
   if (order.request) check_picture_paths(files.pictures);
   for (const std::string& path : {files.statistics, files.checkpoint}) {

@@ -14,6 +14,7 @@
 #include "session/job_state.h"
 #include "session/pass_observer.h"
 #include "session/ranks.h"
+#include "session/render_phase.h"
 #include "session/resources.h"
 
 namespace ajar {
@@ -49,9 +50,11 @@ struct RenderSnapshot {
   std::optional<RelativeError> relative_error;
   std::uint64_t error_samples = 0;  ///< per pixel, when `relative_error` was taken
   bool finishing = false;           ///< interrupted, waiting for the pass to end
-  /// While what comes before the render goes on: how much of it is done, 0…1. The other numbers
-  /// but `seconds` mean nothing then.
-  std::optional<double> preparation;
+  /// `Prepare` and `Denoise`: what comes before the passes, or after them; then the other numbers
+  /// but `seconds` mean nothing.
+  RenderPhase phase = RenderPhase::Render;
+  double phase_done = 0.0;  ///< how much of such a step is done, 0…1
+  bool renders() const { return phase == RenderPhase::Render; }
 };
 
 struct RenderResult {

@@ -4,6 +4,7 @@
 
 #include "core/archive.h"
 #include "core/error.h"
+#include "integrator/scene_features.h"
 #include "session/preparation.h"
 
 namespace ajar {
@@ -12,7 +13,8 @@ namespace {
 
 RenderSnapshot snapshot_of(const Preparation& preparation) {
   RenderSnapshot snapshot;
-  snapshot.preparation = preparation.fraction_done();
+  snapshot.phase = RenderPhase::Prepare;
+  snapshot.phase_done = preparation.fraction_done();
   snapshot.seconds = preparation.seconds();
   return snapshot;
 }
@@ -96,6 +98,19 @@ void take_state(RenderState& state) {
   }
 }
 
+/// What filters the pictures, if anything does.
+void make_filter(RenderState& state) {
+  std::shared_ptr<const Denoiser> denoiser = find_denoiser(state.order.files.denoiser_name());
+  if (!denoiser) return;
+  Features known;
+  if (state.order.resumed) known = state.order.resumed->features;
+  const auto look = [&scene = *state.scene, settings = state.plan->setup.settings,
+                     known = std::move(known)] {
+    return known.empty() ? trace_features(scene, settings) : known;
+  };
+  state.filter = std::make_shared<PictureFilter>(std::move(denoiser), look);
+}
+
 void make_film(RenderState& state) {
   const RenderSetup& setup = state.plan->setup;
   const std::vector<LayerSpec> layers = state.integrator->layers();
@@ -106,6 +121,11 @@ void make_film(RenderState& state) {
   }
   MemoryEstimate memory = memory_of(*state.plan, state.order, layers);
   memory.method = state.integrator->memory_bytes();
+  if (state.filter) {
+    const Vec2i size = setup.settings.crop.size() + Vec2i(1, 1);
+    memory.denoiser = state.filter->memory_bytes(static_cast<std::uint64_t>(size.x) *
+                                                 static_cast<std::uint64_t>(size.y));
+  }
   check_memory(memory, state.order, state.scene->film().where);
   if (state.order.resumed) take_state(state);
   if (state.order.resumed && state.order.is_root()) {
@@ -132,6 +152,7 @@ bool prepare_method(RenderState& state) {
   prepare(state);
   tell_of_method(state);
   if (!goes_on(state)) return false;
+  if (state.order.is_root()) make_filter(state);
   make_film(state);
   state.statistics.times.prepare = clock.seconds();
   state.other_seconds = state.statistics.times.build + state.statistics.times.prepare;

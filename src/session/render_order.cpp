@@ -44,6 +44,7 @@ void resume_from(const std::string& path, RenderOrder& order) {
   if (files.pictures.empty()) files.pictures = checkpoint.outputs;
   if (files.tone_map.empty()) files.tone_map = checkpoint.tone_map;
   if (!files.exposure) files.exposure = checkpoint.exposure;
+  if (files.denoiser.empty()) files.denoiser = checkpoint.denoiser;
 }
 
 }  // namespace ajar

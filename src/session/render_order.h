@@ -28,12 +28,14 @@ struct RenderFiles {
   /// Of pictures for the eye; empty: srgb, or as before.
   std::string tone_map;
   std::optional<Exposure> exposure;  ///< likewise; empty: 0, or as before
+  std::string denoiser;  ///< as `find_denoiser` takes it; likewise; empty: none, or as before
   std::string checkpoint;
   double checkpoint_every = 60.0;  ///< seconds
   std::string statistics;          ///< JSON
   std::optional<ViewerAddress> preview;
 
   std::string tone_map_name() const { return tone_map.empty() ? "srgb" : tone_map; }
+  std::string denoiser_name() const { return denoiser.empty() ? "none" : denoiser; }
   /// Raises UsageError for a curve that is none.
   Display display() const;
   /// Pictures, statistics and checkpoint.

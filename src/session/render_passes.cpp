@@ -1,5 +1,6 @@
 #include "session/render_passes.h"
 
+#include <atomic>
 #include <filesystem>
 #include <utility>
 
@@ -7,6 +8,7 @@
 #include "session/picture_range.h"
 #include "session/render_concerns.h"
 #include "session/render_writers.h"
+#include "session/resources.h"
 #include "session/scene_file.h"
 #include "session/statistics_of.h"
 #include "session/version.h"
@@ -31,6 +33,8 @@ Checkpoint checkpoint_base(const RenderState& state) {
   }
   base.tone_map = state.order.files.tone_map_name();
   base.exposure = state.order.files.exposure.value_or(Exposure());
+  base.denoiser = state.order.files.denoiser_name();
+  if (state.filter) base.features = state.filter->features();
   base.layers.assign(state.film->layers().begin(), state.film->layers().end());
   base.preparation =
       state.order.resumed ? state.order.resumed->preparation : state.statistics.preparation;
@@ -47,6 +51,7 @@ PreviewOptions preview_options(const RenderState& state) {
   options.name = "ajar: " + scene_stem(state.order.scene);
   options.film_scale = state.plan->record.film_scale;
   options.aovs = state.plan->setup.aovs;
+  options.filter = state.filter;
   return options;
 }
 
@@ -80,14 +85,44 @@ class OpenPasses {
   BetweenPasses& passes_;
 };
 
+/// Filtered, unless the user is in a hurry.
+Picture last_picture(RenderState& state, const RenderJob& job) {
+  if (!state.filter) return state.develop_with(job.film(), state.statistics);
+  state.events.phase_begun(RenderPhase::Denoise);
+  const Stopwatch clock;
+  std::atomic<double> fraction{0.0};
+  const int before = state.interrupts;
+  const auto progress = [&](double done) {
+    fraction = done;
+    return state.interrupts == before;
+  };
+  Picture picture = [&] {
+    const AtWork at_work(state, [&] {
+      RenderSnapshot snapshot;
+      snapshot.phase = RenderPhase::Denoise;
+      snapshot.phase_done = fraction;
+      snapshot.seconds = clock.seconds();
+      return snapshot;
+    });
+    return state.develop_with(job.film(), state.statistics, progress);
+  }();
+  state.statistics.times.denoise = clock.seconds();
+  if (&shown_layer(picture) != &picture.layers.front()) {
+    state.statistics.denoiser = state.filter->name();
+  } else {
+    state.events.note("interrupted while denoising: the picture is as it was rendered");
+  }
+  return picture;
+}
+
 RenderOutcome finish(RenderState& state, const RenderJob& job, RenderWriters& writers) {
   const RenderResult& result = state.statistics.result;
   RenderOutcome outcome;
   outcome.interrupted = result.stopped_by == StopReason::Interrupted;
   if (outcome.interrupted) ++state.statistics.interruptions;
+  Picture picture = last_picture(state, job);
   state.events.phase_begun(RenderPhase::Write);
   writers.show_last(job);
-  Picture picture = state.develop_with(job.film(), state.statistics);
   const double film_scale = state.plan->record.film_scale;
   if (const auto complaint = range_complaint(job.film(), picture, film_scale)) {
     state.warn(*complaint);

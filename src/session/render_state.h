@@ -7,6 +7,7 @@
 #include "core/warnings.h"
 #include "image/film.h"
 #include "scene/scene.h"
+#include "session/picture_filter.h"
 #include "session/render_events.h"
 #include "session/render_order.h"
 #include "session/render_plan.h"
@@ -29,6 +30,7 @@ struct RenderState {
   std::unique_ptr<const Scene> scene{};
   std::unique_ptr<Integrator> integrator{};
   std::optional<Film> film{};
+  std::shared_ptr<PictureFilter> filter{};  ///< null: pictures are as they were rendered
   /// False if the user stopped it while it was prepared: what is shown then is another picture, by
   /// ordinary Monte Carlo alone, which no checkpoint must go on with.
   bool has_begun = true;
@@ -40,8 +42,10 @@ struct RenderState {
   void warn(const Warning& warning);
   /// What is known of a render that has come to `result`.
   RenderStatistics statistics_with(const RenderResult& result) const;
-  /// The picture of `film`, with `statistics` as its metadata.
-  Picture develop_with(const Film& film, const RenderStatistics& statistics) const;
+  /// The picture of `film`, with `statistics` as its metadata; filtered, unless `progress` ends
+  /// that.
+  Picture develop_with(const Film& film, const RenderStatistics& statistics,
+                       const Denoiser::Progress& progress = {}) const;
 };
 
 /// While it lives, a render can be seen at work.

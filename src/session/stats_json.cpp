@@ -97,7 +97,8 @@ Json to_json(const RenderStatistics& s) {
   json["seconds"] = {{"load", s.times.load},
                      {"build", s.times.build},
                      {"prepare", s.times.prepare},
-                     {"render", r.seconds}};  // the last of all runs, the others of this one
+                     {"render", r.seconds},
+                     {"denoise", s.times.denoise}};  // the last of all runs, the others of this one
   json["cpu_seconds"] = r.cpu_seconds;
   json["rays"] = r.counters.rays + s.preparation.rays;
   json["rays_per_second"] = per_second(r.counters.rays, r.seconds);
@@ -130,6 +131,7 @@ Json to_json(const RenderStatistics& s) {
   json["stopped_by"] = to_string(r.stopped_by);
   json["interrupted"] = r.stopped_by == StopReason::Interrupted;
   json["complete"] = r.complete;
+  json["denoiser"] = text_or_null(s.denoiser);
   json["exposure"] = exposure_json(s.exposure);
   json["outputs"] = s.outputs;
   return json;

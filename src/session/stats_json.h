@@ -14,11 +14,12 @@
 
 namespace ajar {
 
-/// Wall clock of the steps before rendering, seconds.
+/// Wall clock of the steps before rendering and after it, seconds.
 struct StepTimes {
   double load = 0.0;     ///< files → description
   double build = 0.0;    ///< description → scene, acceleration structures
   double prepare = 0.0;  ///< integrator, film
+  double denoise = 0.0;  ///< of the last picture; after rendering
 };
 
 /// Everything that `--stats` says about a render.
@@ -50,7 +51,8 @@ struct RenderStatistics {
   std::size_t warning_count = 0;
   std::vector<std::string> warnings;  ///< texts, at most `Warnings::kMaxKept`
   std::vector<std::string> outputs;
-  Exposure exposure;  ///< of pictures for the eye: `stops` are those used, whoever chose them
+  std::string denoiser;  ///< name and version; empty: nothing was filtered
+  Exposure exposure;     ///< of pictures for the eye: `stops` are those used, whoever chose them
 };
 
 /// Statistics as JSON with the keys of the manual (docs/command-line.md), those of the method's own

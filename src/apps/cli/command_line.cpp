@@ -16,6 +16,7 @@
 #include "apps/cli/commands.h"
 #include "core/error.h"
 #include "core/standard_streams.h"
+#include "post/denoise/denoiser.h"
 #include "session/catalog.h"
 #include "session/option_values.h"
 #include "session/version.h"
@@ -75,6 +76,13 @@ constexpr const char* kMethod = "Method";
 constexpr const char* kSafety = "Never to lose a render";
 constexpr const char* kProgram = "Program";
 
+std::string denoise_help() {
+  return fmt::format(
+      "Take the noise out of .png and .jpg; .exr keeps both. One of {} (auto: Open Image Denoise "
+      "if it is found)",
+      fmt::join(denoiser_names(), ", "));
+}
+
 /// `budget_default`: what holds without a limit.
 void add_run(CLI::App* command, RunArguments& a, const std::string& output_default,
              const std::string& budget_default) {
@@ -94,6 +102,10 @@ void add_run(CLI::App* command, RunArguments& a, const std::string& output_defau
   add_value(command, "--exposure", a.exposure, parse_exposure,
             "Brighten .png and .jpg by this many stops, or auto: as suits the picture")
       ->type_name("STOPS|auto")
+      ->group(kPictures);
+  command->add_option("--denoise", a.denoiser, denoise_help() + "; default: auto, or as before")
+      ->type_name("HOW")
+      ->check(kNotEmpty)
       ->group(kPictures);
   command
       ->add_option("--output-every", a.output_every,
@@ -261,6 +273,10 @@ void add_merge(CLI::App& app, MergeArguments& a) {
             "Brighten .png and .jpg by this many stops, or auto: as suits the picture")
       ->type_name("STOPS|auto")
       ->default_str("0");
+  command->add_option("--denoise", a.denoiser, denoise_help())
+      ->type_name("HOW")
+      ->check(kNotEmpty)
+      ->capture_default_str();
   command->add_flag("--force", a.force, "Merge what other versions of ajar have written, too");
   command->footer("Example: ajar merge seed-1.checkpoint seed-2.checkpoint -o room.exr");
 }

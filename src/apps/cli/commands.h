@@ -22,6 +22,7 @@ struct RunArguments {
   std::string progress = "auto";
   std::string tone_map;              ///< empty: srgb, or as before
   std::optional<Exposure> exposure;  ///< empty: 0, or as before
+  std::string denoiser;              ///< empty: auto, or as before
   std::string checkpoint;            ///< empty: none, or the one that is resumed
   std::string checkpoint_every = "60s";
   std::string output_every;
@@ -57,6 +58,7 @@ struct MergeArguments {
   std::string stats;
   std::string tone_map = "srgb";
   Exposure exposure;
+  std::string denoiser = "auto";
   bool force = false;
 };
 int merge(const MergeArguments& arguments);

@@ -7,6 +7,7 @@
 #include "apps/cli/render_report.h"
 #include "core/error.h"
 #include "session/merge.h"
+#include "session/picture_filter.h"
 #include "session/picture_range.h"
 #include "session/render_concerns.h"
 #include "session/render_writers.h"
@@ -45,6 +46,7 @@ int merge(const MergeArguments& a) {
     throw UsageError("merge: say with -o or --checkpoint where the result goes");
   }
   const Display wanted{tone_map_by_name(a.tone_map), a.exposure};
+  std::shared_ptr<const Denoiser> denoiser = find_denoiser(a.denoiser);
   check_picture_paths(a.outputs);
   std::vector<std::string> written = a.outputs;
   for (const std::string& path : {a.stats, a.checkpoint}) {
@@ -66,6 +68,7 @@ int merge(const MergeArguments& a) {
   const std::string& first = a.checkpoints.front();
   const std::vector<std::string> aovs = merged.render.aovs;
   const Film film = film_of(merged, Filter::box(), first);
+  merged.denoiser = a.denoiser;
   if (!a.checkpoint.empty()) write_checkpoint(a.checkpoint, merged, film.raw());
   Picture picture =
       develop(film, merged.scales, merged.job.samples_per_pixel, merged.render.film_scale, aovs);
@@ -79,6 +82,14 @@ int merge(const MergeArguments& a) {
   statistics.warning_count = warnings.count();
   picture.metadata = to_metadata(statistics);
   if (merged.merged.size() > 1) picture.metadata["ajar:merged_seeds"] = seeds_text(merged);
+  if (denoiser) {
+    PictureFilter filter(std::move(denoiser), [&merged] { return merged.features; });
+    filter.add_layers(picture,
+                      light_replicates(film, merged.scales, merged.job.samples_per_pixel,
+                                       merged.render.film_scale),
+                      {});
+    statistics.denoiser = filter.name();
+  }
   const DisplayOptions display = wanted.of(picture);
   statistics.exposure = {wanted.exposure.automatic, display.exposure};
   // The parts are there still: whoever has made room merges once more.

@@ -71,7 +71,7 @@ void ProgressReporter::report_until_stopped() {
 
 void ProgressReporter::show(bool last) const {
   const RenderSnapshot snapshot = snapshot_();
-  if (last && snapshot.preparation) {
+  if (last && !snapshot.renders()) {
     if (style_ == ProgressStyle::Bar) say("\r\x1b[K");
     return;
   }

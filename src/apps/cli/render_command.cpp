@@ -50,6 +50,7 @@ RenderRequest request_of(const RenderArguments& a, const Budget& budget) {
 int render(const RenderArguments& a) {
   RenderOrder order = order_of(a.run);
   order.scene = a.scene;
+  if (order.files.denoiser.empty()) order.files.denoiser = "auto";
   order.request = request_of(a, order.budget);
   order.all_aovs = parse_list(a.aovs) == std::vector<std::string>{"all"};
   order.size_from_scene = a.resolution.empty() && !a.scale;

@@ -25,6 +25,7 @@ RenderFiles files_of(const RunArguments& a) {
   }
   files.tone_map = a.tone_map;
   files.exposure = a.exposure;
+  files.denoiser = a.denoiser;
   files.checkpoint = a.checkpoint;
   files.checkpoint_every = parse_duration("--checkpoint-every", a.checkpoint_every);
   files.statistics = a.stats;

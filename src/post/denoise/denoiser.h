@@ -7,16 +7,9 @@
 #include <vector>
 
 #include "core/vector.h"
+#include "image/features.h"
 
 namespace ajar {
-
-/// What a camera ray sees first that is not a mirror or clear glass, row by row, RGB or xyz
-/// interleaved; both empty where nobody knows. They tell a filter light from surfaces.
-struct DenoiseFeatures {
-  std::vector<float> albedo;  ///< in [0, 1]
-  std::vector<float> normal;  ///< world space, of length 1 at most
-  bool empty() const { return albedo.empty(); }
-};
 
 /// A picture with noise: scene-linear, row by row, RGB interleaved.
 struct NoisyPicture {
@@ -39,11 +32,11 @@ class Denoiser {
   /// Memory that a picture of so many pixels takes, bytes; an estimate.
   virtual std::uint64_t memory_bytes(std::uint64_t pixels) const = 0;
   /// Features without noise of their own, as `filter` takes them.
-  virtual DenoiseFeatures prepare(Vec2i size, DenoiseFeatures features) const = 0;
+  virtual Features prepare(Vec2i size, Features features) const = 0;
   /// The picture without noise, row by row; empty if `progress` ended it. Values that are not
   /// finite count as 0. Raises std::invalid_argument if sizes do not fit.
   virtual std::optional<std::vector<float>> filter(const NoisyPicture& picture,
-                                                   const DenoiseFeatures& features,
+                                                   const Features& features,
                                                    const Progress& progress) const = 0;
 };
 

@@ -120,7 +120,7 @@ std::uint64_t OidnDenoiser::memory_bytes(std::uint64_t pixels) const {
   return std::min(pixels * kBytesPerPixel, std::uint64_t{kMostMemory} << 20U);
 }
 
-DenoiseFeatures OidnDenoiser::prepare(Vec2i size, DenoiseFeatures features) const {
+Features OidnDenoiser::prepare(Vec2i size, Features features) const {
   if (features.empty()) return features;
   const OidnDevice device(*library_);
   const auto clean = [&](const char* name, std::vector<float>& pixels) {
@@ -133,7 +133,7 @@ DenoiseFeatures OidnDenoiser::prepare(Vec2i size, DenoiseFeatures features) cons
 }
 
 std::optional<std::vector<float>> OidnDenoiser::filter(const NoisyPicture& picture,
-                                                       const DenoiseFeatures& features,
+                                                       const Features& features,
                                                        const Progress& progress) const {
   const OidnDevice device(*library_);
   const std::vector<float> colour = finite(picture.colour);

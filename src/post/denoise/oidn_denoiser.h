@@ -14,9 +14,9 @@ class OidnDenoiser final : public Denoiser {
 
   std::string name() const override { return name_; }
   std::uint64_t memory_bytes(std::uint64_t pixels) const override;
-  DenoiseFeatures prepare(Vec2i size, DenoiseFeatures features) const override;
+  Features prepare(Vec2i size, Features features) const override;
   std::optional<std::vector<float>> filter(const NoisyPicture& picture,
-                                           const DenoiseFeatures& features,
+                                           const Features& features,
                                            const Progress& progress) const override;
 
  private:

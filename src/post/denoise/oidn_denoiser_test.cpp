@@ -57,14 +57,14 @@ TEST_F(OidnDenoiserTest, TakesNoiseAndKeepsLight) {
 
 TEST_F(OidnDenoiserTest, KeepsEdgesThatFeaturesKnow) {
   // Stripes of albedo under even light.
-  DenoiseFeatures features{std::vector<float>(3 * kPixels), std::vector<float>(3 * kPixels, 0.577F)};
+  Features features{std::vector<float>(3 * kPixels), std::vector<float>(3 * kPixels, 0.577F)};
   std::vector<float> noisy = noisy_ramp();
   for (std::size_t i = 0; i < 3 * kPixels; ++i) {
     const bool stripe = (i / 3 / 64) % 4 < 2;
     features.albedo[i] = stripe ? 0.8F : 0.2F;
     noisy[i] *= features.albedo[i];
   }
-  const auto contrast = [&](const DenoiseFeatures& known) {
+  const auto contrast = [&](const Features& known) {
     const auto clean = denoiser_->filter({kSize, noisy, {}, {}}, known, {});
     double bright = 0.0;
     double dark = 0.0;

@@ -130,7 +130,11 @@ void Preview::serve_connection() {
       }
     }
     const Stopwatch clock;
-    const Picture picture = develop(*film_, scales_, samples_, options_.film_scale, options_.aovs);
+    Picture picture = develop(*film_, scales_, samples_, options_.film_scale, options_.aovs);
+    if (options_.filter) {
+      const auto parts = light_replicates(*film_, scales_, samples_, options_.film_scale);
+      options_.filter->add_layers(picture, parts, [this](double) { return keeps_going(); });
+    }
     seconds_to_develop_ = clock.seconds();
     if (!send(picture)) return;
     {

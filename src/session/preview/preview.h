@@ -9,6 +9,7 @@
 
 #include "session/output.h"
 #include "session/pass_observer.h"
+#include "session/picture_filter.h"
 #include "session/preview/tcp_stream.h"
 #include "session/repeated_writing.h"
 #include "session/resources.h"
@@ -20,6 +21,7 @@ struct PreviewOptions {
   std::string name;  ///< of the picture, in the viewer
   double film_scale = 1.0;
   std::vector<std::string> aovs;  ///< see `develop`
+  std::shared_ptr<PictureFilter> filter;  ///< null: pictures are as they were rendered
   double every = 1.0;             ///< seconds, at least, between pictures
   double patience = 2.0;          ///< seconds that the last picture may take to be sent
   double seconds_to_retry = 2.0;  ///< if there is no viewer

@@ -1,4 +1,4 @@
-#include "session/render_events.h"
+#include "session/render_phase.h"
 
 namespace ajar {
 
@@ -12,6 +12,8 @@ const char* to_string(RenderPhase phase) {
       return "prepare";
     case RenderPhase::Render:
       return "render";
+    case RenderPhase::Denoise:
+      return "denoise";
     case RenderPhase::Write:
       return "write";
   }

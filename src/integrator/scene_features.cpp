@@ -1,0 +1,118 @@
+#include "integrator/scene_features.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "core/parallel_for.h"
+#include "core/random_use.h"
+#include "transport/sources.h"
+#include "transport/subpath.h"
+
+namespace ajar {
+
+namespace {
+
+/// Samples of a pixel: a filter of its own takes their noise (`Denoiser::prepare`).
+constexpr std::uint32_t kSamples = 16;
+/// Mirrors and panes behind one another that are looked through.
+constexpr int kMostEdges = 16;
+
+constexpr WalkSettings kWalk{.mode = TransportMode::Radiance,
+                             .stream = Stream::Camera,
+                             .heuristic = Heuristic::Balance,
+                             .roulette_start = kMostEdges,
+                             .has_other_end = false};
+
+struct Sight {
+  Spectrum albedo{0.F};
+  Vec3 normal{0.F, 0.F, 0.F};
+};
+
+Spectrum at_most_one(const Spectrum& value) {
+  const auto cut = [&](int lane) { return std::clamp(value[lane], 0.F, 1.F); };
+  return {cut(0), cut(1), cut(2)};
+}
+
+Spectrum sky(const Scene& scene, const Vec3& direction) {
+  Spectrum radiance(0.F);
+  for (const Light* light : scene.infinite_lights()) {
+    radiance += light->emitted(light->at_direction(direction), -direction);
+  }
+  return radiance;
+}
+
+/// What a surface shows of itself: its light where it has any.
+Spectrum look_of(const PathVertex& vertex, const Hit& hit) {
+  const Spectrum emitted = hit.light == nullptr
+                               ? Spectrum(0.F)
+                               : hit.light->emitted({hit.point, Vec3(0.F)}, vertex.wo);
+  return vertex.bsdf.albedo(vertex.wo) + emitted;
+}
+
+Sight look(const Scene& scene, SampleSource& source, const Vec2& raster) {
+  const Camera& camera = scene.camera();
+  const Vec2 size(camera.resolution());
+  EmissionUniforms u{};
+  u.position = source.get_pair({Stream::Camera, 0, kEmissionPosition});
+  u.direction = {raster.x / size.x, raster.y / size.y};
+  const std::optional<EmissionSample> emission = camera.sample_emission(u);
+  if (!emission) return {};
+  Flight flight;
+  flight.ray = {emission->origin, emission->w};
+  flight.medium = camera.medium;
+  flight.reference = emission->point.surface.p;
+  flight.from_infinity = camera.at_infinity();
+  RayCounts rays;
+  while (true) {
+    const DistanceSource numbers(source, Stream::Camera, flight.edges + 1, 0);
+    const SegmentEnd end = trace_segment(scene, flight.ray, flight.medium, numbers, rays);
+    if (end.lost) return {};
+    if (!end.hit && !end.scattered) {
+      return {at_most_one(flight.throughput * sky(scene, flight.ray.direction)), Vec3(0.F)};
+    }
+    PathVertex vertex;
+    arrive(kWalk, flight, end, 0.0, vertex);
+    if (vertex.in_medium) return {at_most_one(vertex.throughput), vertex.wo};
+    const Sight sight{at_most_one(vertex.throughput * look_of(vertex, *end.hit)),
+                      face_forward(vertex.bsdf.ns(), vertex.wo)};
+    if (vertex.edges >= kMostEdges || end.hit->light != nullptr) return sight;
+    if (!scatter(kWalk, vertex, source, flight)) return sight;
+    if (!flight.event.specular()) return sight;
+  }
+}
+
+}  // namespace
+
+Features trace_features(const Scene& scene, const RenderSettings& settings) {
+  const Vec2i size = settings.crop.size() + Vec2i(1, 1);
+  const std::size_t values =
+      3 * static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
+  Features features{std::vector<float>(values), std::vector<float>(values)};
+  const std::uint64_t seed = hash_numbers(settings.seed, RandomUse::Features);
+  parallel_for(size.y, [&](int y) {
+    for (int x = 0; x < size.x; ++x) {
+      const Vec2i pixel = settings.crop.min + Vec2i(x, y);
+      Spectrum albedo(0.F);
+      Vec3 normal(0.F);
+      for (std::uint32_t i = 0; i < kSamples; ++i) {
+        const std::uint64_t own = hash_numbers(seed, pixel.x, pixel.y);
+        SobolSource source({own, i, own, i});
+        const Vec2 offset = source.get_pair({Stream::Camera, 0, kEmissionDirection});
+        const Sight sight = look(scene, source, Vec2(pixel) + offset);
+        albedo += sight.albedo;
+        normal += sight.normal;
+      }
+      const std::size_t first =
+          3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(size.x) +
+               static_cast<std::size_t>(x));
+      for (int c = 0; c < 3; ++c) {
+        const std::size_t index = first + static_cast<std::size_t>(c);
+        features.albedo[index] = albedo[c] / static_cast<float>(kSamples);
+        features.normal[index] = normal[c] / static_cast<float>(kSamples);
+      }
+    }
+  });
+  return features;
+}
+
+}  // namespace ajar

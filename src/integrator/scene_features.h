@@ -1,0 +1,13 @@
+#pragma once
+#include "image/features.h"
+#include "integrator/integrator.h"
+
+namespace ajar {
+
+/// Looks at a scene as filters need it: camera rays are followed through mirrors and clear glass,
+/// by chance as Fresnel's equations have it, to the first surface that scatters, each pixel's mean
+/// over its own square. On all threads, of the crop; by the picture's seed, whatever the integrator
+/// does.
+Features trace_features(const Scene& scene, const RenderSettings& settings);
+
+}  // namespace ajar
