@@ -43,9 +43,8 @@ Spectrum sky(const Scene& scene, const Vec3& direction) {
 
 /// What a surface shows of itself: its light where it has any.
 Spectrum look_of(const PathVertex& vertex, const Hit& hit) {
-  const Spectrum emitted = hit.light == nullptr
-                               ? Spectrum(0.F)
-                               : hit.light->emitted({hit.point, Vec3(0.F)}, vertex.wo);
+  const Spectrum emitted =
+      hit.light == nullptr ? Spectrum(0.F) : hit.light->emitted({hit.point, Vec3(0.F)}, vertex.wo);
   return vertex.bsdf.albedo(vertex.wo) + emitted;
 }
 

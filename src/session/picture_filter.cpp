@@ -42,8 +42,8 @@ bool PictureFilter::add_layers(Picture& picture, const Replicates& replicates,
     first = mean_of(replicates, 0, replicates.size() / 2);
     second = mean_of(replicates, replicates.size() / 2, replicates.size());
   }
-  std::optional<std::vector<float>> pixels = denoiser_->filter(
-      {size, picture.layers.front().pixels, first, second}, *prepared_, progress);
+  std::optional<std::vector<float>> pixels =
+      denoiser_->filter({size, picture.layers.front().pixels, first, second}, *prepared_, progress);
   if (!pixels) return false;
   picture.layers.push_back({kDenoisedLayer, 3, *std::move(pixels)});
   if (!known.empty()) {

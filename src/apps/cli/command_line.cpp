@@ -33,6 +33,7 @@ struct Request {
   RenderArguments render;
   ResumeArguments resume;
   MergeArguments merge;
+  DenoiseArguments denoise;
   InfoArguments info;
   ConvertArguments convert;
   ListArguments list;
@@ -253,6 +254,22 @@ void add_resume(CLI::App& app, ResumeArguments& a) {
       "Example: ajar resume room.checkpoint --spp 4096");
 }
 
+/// How pictures for the eye are made of what was rendered before.
+template <typename Arguments>
+void add_display(CLI::App* command, Arguments& a) {
+  command->add_option("--tone-map", a.tone_map, "Curve of .png and .jpg: srgb or filmic")
+      ->type_name("NAME")
+      ->capture_default_str();
+  add_value(command, "--exposure", a.exposure, parse_exposure,
+            "Brighten .png and .jpg by this many stops, or auto: as suits the picture")
+      ->type_name("STOPS|auto")
+      ->default_str("0");
+  command->add_option("--denoise", a.denoiser, denoise_help())
+      ->type_name("HOW")
+      ->check(kNotEmpty)
+      ->capture_default_str();
+}
+
 void add_merge(CLI::App& app, MergeArguments& a) {
   CLI::App* command = app.add_subcommand("merge", "Put checkpoints together to one better picture");
   command->add_option("CHECKPOINT", a.checkpoints, "Renders of one picture: seeds, or all shares")
@@ -266,19 +283,20 @@ void add_merge(CLI::App& app, MergeArguments& a) {
   command->add_option("--stats", a.stats, "Write statistics as JSON")
       ->type_name("FILE.json")
       ->check(kNotEmpty);
-  command->add_option("--tone-map", a.tone_map, "Curve of .png and .jpg: srgb or filmic")
-      ->type_name("NAME")
-      ->capture_default_str();
-  add_value(command, "--exposure", a.exposure, parse_exposure,
-            "Brighten .png and .jpg by this many stops, or auto: as suits the picture")
-      ->type_name("STOPS|auto")
-      ->default_str("0");
-  command->add_option("--denoise", a.denoiser, denoise_help())
-      ->type_name("HOW")
-      ->check(kNotEmpty)
-      ->capture_default_str();
+  add_display(command, a);
   command->add_flag("--force", a.force, "Merge what other versions of ajar have written, too");
   command->footer("Example: ajar merge seed-1.checkpoint seed-2.checkpoint -o room.exr");
+}
+
+void add_denoise(CLI::App& app, DenoiseArguments& a) {
+  CLI::App* command = app.add_subcommand("denoise", "Take the noise out of a rendered picture");
+  command->add_option("PICTURE", a.picture, "Picture that ajar render wrote, .exr")->required();
+  command->add_option("-o,--output", a.outputs, "Picture to write; may be given several times")
+      ->required()
+      ->allow_extra_args(false)
+      ->type_name("FILE");
+  add_display(command, a);
+  command->footer("Example: ajar denoise room.exr -o room.png");
 }
 
 void add_others(CLI::App& app, Request& request) {
@@ -422,6 +440,7 @@ int run(int argc, const char* const* argv, Ranks* ranks) {
   add_render(app, request.render);
   add_resume(app, request.resume);
   add_merge(app, request.merge);
+  add_denoise(app, request.denoise);
   add_others(app, request);
   add_compare(app, request.compare);
   add_study(app, request.study);
@@ -444,6 +463,7 @@ int run(int argc, const char* const* argv, Ranks* ranks) {
   if (app.got_subcommand("render")) return render(request.render);
   if (app.got_subcommand("resume")) return resume(request.resume);
   if (app.got_subcommand("merge")) return merge(request.merge);
+  if (app.got_subcommand("denoise")) return denoise(request.denoise);
   if (app.got_subcommand("info")) return info(request.info);
   if (app.got_subcommand("convert")) return convert(request.convert);
   if (app.got_subcommand("compare")) return compare(request.compare);

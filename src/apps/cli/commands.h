@@ -63,6 +63,15 @@ struct MergeArguments {
 };
 int merge(const MergeArguments& arguments);
 
+struct DenoiseArguments {
+  std::string picture;
+  std::vector<std::string> outputs;
+  std::string denoiser = "auto";
+  std::string tone_map = "srgb";
+  Exposure exposure;
+};
+int denoise(const DenoiseArguments& arguments);
+
 struct InfoArguments {
   std::string scene;
   bool json = false;

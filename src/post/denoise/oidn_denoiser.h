@@ -15,8 +15,7 @@ class OidnDenoiser final : public Denoiser {
   std::string name() const override { return name_; }
   std::uint64_t memory_bytes(std::uint64_t pixels) const override;
   Features prepare(Vec2i size, Features features) const override;
-  std::optional<std::vector<float>> filter(const NoisyPicture& picture,
-                                           const Features& features,
+  std::optional<std::vector<float>> filter(const NoisyPicture& picture, const Features& features,
                                            const Progress& progress) const override;
 
  private:

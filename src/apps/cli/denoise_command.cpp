@@ -1,0 +1,74 @@
+#include <unistd.h>
+
+#include <atomic>
+
+#include "apps/cli/commands.h"
+#include "apps/cli/messages.h"
+#include "apps/cli/progress_reporter.h"
+#include "apps/cli/render_report.h"
+#include "core/error.h"
+#include "image/read_picture.h"
+#include "session/denoise_file.h"
+#include "session/interrupts.h"
+#include "session/output.h"
+#include "session/resources.h"
+#include "session/written_paths.h"
+
+namespace ajar::cli {
+
+namespace {
+
+constexpr int kExitFile = 4;
+constexpr int kExitInterrupted = 130;
+
+/// False if the user ended it.
+bool denoise_with_progress(Picture& picture, std::shared_ptr<const Denoiser> denoiser) {
+  const Stopwatch clock;
+  std::atomic<double> fraction{0.0};
+  const ProgressReporter reporter(progress_style("auto", isatty(STDERR_FILENO) != 0), [&] {
+    RenderSnapshot snapshot;
+    snapshot.phase = RenderPhase::Denoise;
+    snapshot.phase_done = fraction;
+    snapshot.seconds = clock.seconds();
+    return snapshot;
+  });
+  return denoise_picture(picture, std::move(denoiser), [&](double done) {
+    fraction = done;
+    return interrupt_count() == 0;
+  });
+}
+
+}  // namespace
+
+int denoise(const DenoiseArguments& a) {
+  const Display wanted{tone_map_by_name(a.tone_map), a.exposure};
+  std::shared_ptr<const Denoiser> denoiser = find_denoiser(a.denoiser);
+  if (!denoiser) {
+    throw UsageError("denoise: there is nothing to denoise with (--denoise " + a.denoiser + ")");
+  }
+  check_picture_paths(a.outputs);
+  check_distinct(a.outputs);
+  check_spares(a.outputs, {a.picture});
+  Picture picture = read_picture(a.picture);
+  if (!has_features(picture)) {
+    print_note(a.picture +
+               " does not know the surfaces of its scene, so edges may blur; ajar render "
+               "writes them with --denoise auto or --aov albedo,normal");
+  }
+  begin_render();
+  if (!denoise_with_progress(picture, std::move(denoiser))) {
+    print_note("interrupted: nothing is written");
+    return kExitInterrupted;
+  }
+  const DisplayOptions display = wanted.of(picture);
+  bool all_written = true;
+  for (const WrittenFile& file :
+       write_final_files(picture_files(picture, a.outputs, display), nullptr)) {
+    all_written = report_file(file) && all_written;
+    if (!file.path.empty()) print_path(file.path);
+  }
+  report_exposure(picture, a.outputs, display, wanted.exposure.automatic);
+  return all_written ? 0 : kExitFile;
+}
+
+}  // namespace ajar::cli
