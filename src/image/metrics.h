@@ -1,6 +1,8 @@
 #pragma once
 #include <span>
 
+#include "core/vector.h"
+
 /// Distances between an image and a reference, over all values of all pixels and channels
 /// (docs/compare.md). Both images have the same, non-zero number of values, else
 /// std::invalid_argument. A value that is not finite makes a metric NaN or infinite: errors are not
@@ -32,5 +34,14 @@ double relative_mse(std::span<const float> image, std::span<const float> referen
 /// std::invalid_argument if the values are not whole pixels.
 double relative_mse_trimmed(std::span<const float> image, std::span<const float> reference,
                             int channels = 3, double trim = 0.001);
+/// The error of a pixel (as above) that a share `below` of the pixels does not exceed: what a person
+/// sees first. Raises as above.
+double relative_mse_quantile(std::span<const float> image, std::span<const float> reference,
+                             double below = 0.999, int channels = 3);
+/// Error by scale E_σ: relMSE of picture and reference after a Gaussian of `sigma` pixels
+/// (`blurred`). Independent noise falls with σ, what hangs together does not. Raises
+/// std::invalid_argument if the images have not `size`.
+double relative_mse_at_scale(std::span<const float> image, std::span<const float> reference,
+                             Vec2i size, double sigma);
 
 }  // namespace ajar

@@ -54,6 +54,35 @@ TEST(Metrics, TrimmingWithOneChannelDropsValues) {
               1e-12);
 }
 
+TEST(Metrics, QuantileIsThatOfThePixels) {
+  std::vector<float> image(3 * 2001, 1.F);
+  const std::vector<float> reference(image.size(), 1.F);
+  // Of 2001 errors it is number 1998, counted from 0: two are above it.
+  image[3 * 17] = 4.F;
+  image[3 * 18] = 4.F;
+  image[3 * 900] = 2.F;
+  EXPECT_NEAR(relative_mse_quantile(image, reference), 1.0 / 1.01 / 3, 1e-9);
+  EXPECT_EQ(relative_mse_quantile(image, reference, 0.5), 0.0);
+}
+
+TEST(Metrics, ErrorByScaleForgetsWhatABlurForgets) {
+  constexpr Vec2i kSize{64, 64};
+  const std::vector<float> reference(std::size_t{3} * 64 * 64, 1.F);
+  std::vector<float> chequered = reference;
+  std::vector<float> stained = reference;
+  for (int i = 0; i < 3 * 64 * 64; ++i) {
+    const int x = i / 3 % 64;
+    const int y = i / 3 / 64;
+    chequered[static_cast<std::size_t>(i)] += (x + y) % 2 == 0 ? 0.1F : -0.1F;
+    stained[static_cast<std::size_t>(i)] += (x / 32 + y / 32) % 2 == 0 ? 0.1F : -0.1F;
+  }
+  EXPECT_NEAR(relative_mse(chequered, reference), relative_mse(stained, reference), 1e-6);
+  EXPECT_LT(relative_mse_at_scale(chequered, reference, kSize, 2.0),
+            1e-3 * relative_mse(chequered, reference));
+  EXPECT_GT(relative_mse_at_scale(stained, reference, kSize, 2.0),
+            0.7 * relative_mse(stained, reference));
+}
+
 TEST(Metrics, TrimmingLeavesFewPixelsAsTheyAre) {
   EXPECT_NEAR(relative_mse_trimmed(kImage, kReference, 2), relative_mse(kImage, kReference), 1e-12);
 }

@@ -9,6 +9,7 @@
 #include "core/error.h"
 #include "core/file_extension.h"
 #include "image/image_file.h"
+#include "image/picture.h"
 #include "image/tone_curve.h"
 
 namespace ajar::study {
@@ -43,6 +44,7 @@ LoadedPicture load_picture(const std::string& path) {
     for (float& value : picture.linear) value = linear_from_srgb(value);
   } else {
     picture.display = to_ldr(picture.linear);
+    picture.denoised = image.rgb(kDenoisedLayer);
     picture.replicates = read_replicates(image);
     picture.standard_error = image.rgb("standard-error");
   }

@@ -16,6 +16,7 @@ struct LoadedPicture {
   std::optional<Vec2i> origin;      ///< of its pixels in the whole picture; only EXR says so
   std::vector<float> linear;        ///< scene-linear; display values are decoded by sRGB
   std::vector<float> display;       ///< exposure 0, sRGB, clamped to [0, 1] (docs/compare.md)
+  std::vector<float> denoised;      ///< scene-linear, the layer of that name; may be empty
   bool is_display_encoded = false;  ///< the file has display values (PNG, JPEG)
   /// What the file knows of its own error; both may be empty. `--aov replicates` and
   /// `--aov standard-error` write these layers.

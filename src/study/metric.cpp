@@ -7,6 +7,7 @@
 #include "image/metrics.h"
 #include "image/relative_error.h"
 #include "image/ssim.h"
+#include "image/tone_curve.h"
 
 namespace ajar::study {
 
@@ -20,9 +21,34 @@ Measure of_linear(LinearMetric metric) {
   };
 }
 
-std::optional<double> measure_trimmed(const LoadedPicture& a, const LoadedPicture& r,
-                                      const MetricConditions&) {
-  return relative_mse_trimmed(a.linear, r.linear);
+double trimmed(std::span<const float> image, std::span<const float> reference) {
+  return relative_mse_trimmed(image, reference);
+}
+
+std::optional<double> measure_quantile(const LoadedPicture& a, const LoadedPicture& r,
+                                       const MetricConditions&) {
+  return relative_mse_quantile(a.linear, r.linear);
+}
+
+Measure at_scale(double sigma) {
+  return [sigma](const LoadedPicture& a, const LoadedPicture& r, const MetricConditions&) {
+    return std::optional(relative_mse_at_scale(a.linear, r.linear, r.size, sigma));
+  };
+}
+
+/// Of the layer without noise.
+Measure of_denoised(LinearMetric metric) {
+  return [metric](const LoadedPicture& a, const LoadedPicture& r,
+                  const MetricConditions&) -> std::optional<double> {
+    if (a.denoised.empty()) return std::nullopt;
+    return metric(a.denoised, r.linear);
+  };
+}
+
+std::optional<double> measure_denoised_flip(const LoadedPicture& a, const LoadedPicture& r,
+                                            const MetricConditions& conditions) {
+  if (a.denoised.empty()) return std::nullopt;
+  return map_mean(flip_map(to_ldr(a.denoised), r.display, r.size, conditions.pixels_per_degree));
 }
 
 std::optional<double> measure_psnr(const LoadedPicture& a, const LoadedPicture& r,
@@ -60,7 +86,13 @@ const std::vector<Metric>& metrics() {
       {"mae", "radiance", false, "mean of |a - r|", of_linear(mae)},
       {"relmse", "", false, "mean of (a - r)^2 / (r^2 + 0.01)", of_linear(relative_mse)},
       {"relmse-trimmed", "", false, "relmse without the 0.1 % of the pixels that are worst",
-       measure_trimmed},
+       of_linear(trimmed)},
+      {"relmse-p999", "", false, "what the relmse of 99.9 % of the pixels does not exceed",
+       measure_quantile},
+      {"e1", "", false, "relmse of both pictures after a Gaussian of 1 pixel", at_scale(1.0)},
+      {"e2", "", false, "relmse after 2 pixels", at_scale(2.0)},
+      {"e4", "", false, "relmse after 4 pixels, about what a filter cannot remove", at_scale(4.0)},
+      {"e8", "", false, "relmse after 8 pixels", at_scale(8.0)},
       {"smape", "", false, "mean of |a - r| / (|a| + |r| + 0.01)", of_linear(smape)},
       {"psnr", "dB", true, "-10 log10 of the mse of display values; inf if they are equal",
        measure_psnr},
@@ -73,6 +105,11 @@ const std::vector<Metric>& metrics() {
        "mean HDR-FLIP (Andersson 2021) over exposures chosen from the reference; none if that is "
        "black",
        measure_hdr_flip},
+      {"denoised-relmse", "", false,
+       "relmse of the layer \"denoised\"; as those below, none if there is no such layer",
+       of_denoised(relative_mse)},
+      {"denoised-relmse-trimmed", "", false, "relmse-trimmed of that layer", of_denoised(trimmed)},
+      {"denoised-flip", "", false, "flip of that layer", measure_denoised_flip},
       {kRelativeErrorMetric, "", false,
        "square root of the relmse of pictures exposed so that the reference's median is 1, which "
        "is "
