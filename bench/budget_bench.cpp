@@ -24,8 +24,7 @@ struct Arguments {
   int seeds = 4;
   std::string integrator = "selective";
   std::vector<std::string> scenes;
-  std::string references = kKeptReferences;
-  double reference_seconds = 400.0;
+  MeasureOptions measure;
 };
 
 /// Notes when the first pass was over.
@@ -70,7 +69,7 @@ Found render_for(double seconds, const MeasuredScene& measured, const Variant& v
 
 void measure(const BenchScene& scene, const Arguments& arguments) {
   const Variant variant = parse_variant(arguments.integrator);
-  const auto measured = measure_scene(scene, arguments.references, arguments.reference_seconds);
+  const auto measured = measure_scene(scene, arguments.measure);
   if (!measured) return;
   for (const double seconds : arguments.seconds) {
     Found mean;
@@ -95,8 +94,8 @@ int run(int count, char** texts) {
   app.add_option("--seeds", arguments.seeds, "Seeds, from 1");
   app.add_option("--integrator", arguments.integrator, "Method, as in mmlt:split=100");
   app.add_option("--scenes", arguments.scenes, "Default: the built-in ones")->delimiter(',');
-  app.add_option("--references", arguments.references, "Folder of references");
-  app.add_option("--reference-seconds", arguments.reference_seconds,
+  app.add_option("--references", arguments.measure.folder, "Folder of references");
+  app.add_option("--reference-seconds", arguments.measure.reference_seconds,
                  "CPU-seconds of a reference that is made");
   CLI11_PARSE(app, count, texts);
   if (arguments.scenes.empty()) arguments.scenes = builtin_scene_names();

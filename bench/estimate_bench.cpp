@@ -2,7 +2,6 @@
 
 #include <CLI/CLI.hpp>
 #include <cmath>
-#include <filesystem>
 #include <fstream>
 #include <set>
 
@@ -10,6 +9,7 @@
 #include "image/relative_error.h"
 #include "integrator/integrator.h"
 #include "measuring/bench_scenes.h"
+#include "measuring/csv_keys.h"
 #include "measuring/measured_scene.h"
 #include "measuring/timed_render.h"
 #include "session/builtin_scenes.h"
@@ -32,8 +32,7 @@ struct Arguments {
   int seeds = 8;
   std::vector<std::string> integrators;
   std::vector<std::string> scenes;
-  std::string references = kKeptReferences;
-  double reference_seconds = 400.0;
+  MeasureOptions measure;
 };
 
 bool interrupted() { return interrupt_count() > 0; }
@@ -41,18 +40,6 @@ bool interrupted() { return interrupt_count() > 0; }
 std::string key_of(const std::string& scene, const std::string& integrator, double seconds,
                    int seed) {
   return fmt::format("{},{},{:g},{}", scene, integrator, seconds, seed);
-}
-
-/// The first four columns of the lines of a file.
-std::set<std::string> keys_in(const std::string& path) {
-  std::set<std::string> keys;
-  std::ifstream file(path);
-  for (std::string line; std::getline(file, line);) {
-    std::size_t end = 0;
-    for (int i = 0; i < 4 && end != std::string::npos; ++i) end = line.find(',', end + 1);
-    keys.insert(line.substr(0, end));
-  }
-  return keys;
 }
 
 std::string line_of(const MeasuredScene& scene, const std::string& key,
@@ -73,7 +60,7 @@ std::string line_of(const MeasuredScene& scene, const std::string& key,
 }
 
 void measure(const BenchScene& scene, const Arguments& arguments) {
-  const std::set<std::string> done = keys_in(arguments.file);
+  const std::set<std::string> done = csv_keys(arguments.file, 4);
   std::optional<MeasuredScene> measured;
   for (int seed = 1; seed <= arguments.seeds; ++seed) {
     for (const double seconds : arguments.seconds) {
@@ -81,7 +68,7 @@ void measure(const BenchScene& scene, const Arguments& arguments) {
         const std::string key = key_of(scene.name, integrator, seconds, seed);
         if (done.contains(key)) continue;
         if (!measured) {
-          measured = measure_scene(scene, arguments.references, arguments.reference_seconds);
+          measured = measure_scene(scene, arguments.measure);
         }
         if (interrupted() || !measured) return;
         const std::string line = line_of(*measured, key, integrator, seconds, seed);
@@ -101,17 +88,15 @@ int run(int count, char** texts) {
   app.add_option("--seeds", arguments.seeds, "Seeds, from 1");
   app.add_option("--integrators", arguments.integrators, "Default: all")->delimiter(',');
   app.add_option("--scenes", arguments.scenes, "Default: the built-in ones")->delimiter(',');
-  app.add_option("--references", arguments.references, "Folder of references");
-  app.add_option("--reference-seconds", arguments.reference_seconds,
+  app.add_option("--references", arguments.measure.folder, "Folder of references");
+  app.add_option("--reference-seconds", arguments.measure.reference_seconds,
                  "CPU-seconds of a reference that is made");
   CLI11_PARSE(app, count, texts);
   if (arguments.integrators.empty()) {
     for (const IntegratorInfo& info : integrators()) arguments.integrators.push_back(info.name);
   }
   if (arguments.scenes.empty()) arguments.scenes = builtin_scene_names();
-  if (!std::filesystem::exists(arguments.file)) {
-    std::ofstream(arguments.file) << kHeader << '\n';
-  }
+  begin_csv(arguments.file, kHeader);
   const std::vector<BenchScene> scenes = choose_scenes(bench_scenes(), arguments.scenes);
   begin_render();
   for (const BenchScene& scene : scenes) {

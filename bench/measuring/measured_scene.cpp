@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "image/metrics.h"
 #include "image/relative_error.h"
 #include "measuring/reference_store.h"
 #include "measuring/timed_render.h"
@@ -44,6 +45,8 @@ void average(const std::vector<ReferencePart>& parts, MeasuredScene& scene) {
     scene.truth[i] = static_cast<float>(sum);
     off_by_one_error[i] = static_cast<float>(sum + std::sqrt(variance));
   }
+  scene.truth_floor = {relative_mse(off_by_one_error, scene.truth),
+                       relative_mse_trimmed(off_by_one_error, scene.truth)};
   scene.truth_error = relative_error(off_by_one_error, scene.truth).value_or(0.0);
 }
 
@@ -63,23 +66,28 @@ bool render_reference(const MeasuredScene& scene, const char* method, double cpu
 
 }  // namespace
 
-std::optional<MeasuredScene> measure_scene(const BenchScene& bench_scene, const std::string& folder,
-                                           double cpu_seconds) {
+std::optional<MeasuredScene> measure_scene(const BenchScene& bench_scene,
+                                           const MeasureOptions& measure) {
   Warnings warnings;
   desc::SceneDesc description = bench_scene.load(warnings);
   MeasuredScene scene;
   scene.name = bench_scene.name;
   const int max_depth = description.hints.max_depth.value_or(kDefaultDepth);
+  if (measure.box_filter) description.film.filter = {};
+  const Vec2i size = measure.longer_side > 0
+                         ? fitted_resolution(description.film.resolution, measure.longer_side)
+                         : kSize;
   scene.description = description;
-  scene.scene = std::make_unique<Scene>(std::move(description), BuildOptions{kSize}, warnings);
+  scene.scene = std::make_unique<Scene>(std::move(description), BuildOptions{size}, warnings);
   scene.settings = settings_for(*scene.scene);
   scene.settings.max_depth = max_depth;
   std::vector<ReferencePart> parts;
   for (const char* method : kMethods) {
-    const ReferenceStore store(folder, {scene.name, kSize, scene.settings.max_depth, "scene",
-                                        method, scene.scene->hash()});
+    const ReferenceStore store(measure.folder,
+                               {scene.name, size, scene.settings.max_depth,
+                                measure.box_filter ? "box" : "scene", method, scene.scene->hash()});
     if (store.count() == 0 &&
-        !render_reference(scene, method, cpu_seconds / kMethods.size(), store)) {
+        !render_reference(scene, method, measure.reference_seconds / kMethods.size(), store)) {
       return std::nullopt;
     }
     for (ReferencePart& part : store.load()) parts.push_back(std::move(part));

@@ -6,13 +6,19 @@
 
 #include "integrator/integrator.h"
 #include "measuring/bench_scenes.h"
+#include "measuring/reference.h"
 
 namespace ajar::bench {
 
-/// Where references of `measure_scene` are kept unless told otherwise.
-inline constexpr const char* kKeptReferences = "build/measured-scenes";
+/// How scenes are measured.
+struct MeasureOptions {
+  int longer_side = 0;      ///< pixels, in the scene's own shape; 0: 160×120 for all
+  bool box_filter = false;  ///< one pixel wide, instead of the scene's own
+  std::string folder = "build/measured-scenes";  ///< where references are kept
+  double reference_seconds = 400.0;  ///< of CPU, of both methods together
+};
 
-/// A scene at 160×120 pixels with its own filter, and what a picture of it should be.
+/// A scene, and what a picture of it should be.
 struct MeasuredScene {
   std::string name;
   desc::SceneDesc description;
@@ -20,12 +26,13 @@ struct MeasuredScene {
   RenderSettings settings;
   std::vector<float> truth;
   double truth_error = 0.0;  ///< `relative_error` of its own noise
+  NoiseFloor truth_floor;    ///< what that noise alone adds to the relMSE of a picture
 };
 
 /// Its truth is the average of references by two methods that fail in different places, bdpt and
-/// mmlt, weighted by how noisy they are as a whole. They are loaded from `folder`, or rendered for
-/// `cpu_seconds` together and kept there. Empty if interrupted. Raises IoError.
-std::optional<MeasuredScene> measure_scene(const BenchScene& bench_scene, const std::string& folder,
-                                           double cpu_seconds);
+/// mmlt+, weighted by how noisy they are as a whole. They are loaded from the folder, or rendered and
+/// kept there. Empty if interrupted. Raises IoError.
+std::optional<MeasuredScene> measure_scene(const BenchScene& bench_scene,
+                                           const MeasureOptions& options);
 
 }  // namespace ajar::bench

@@ -45,6 +45,9 @@ TimedRender render_for(const TimeLimit& limit, const Scene& scene, const Variant
   render.samples = result.samples_per_pixel;
   render.complete = result.complete;
   render.estimate = estimate_error(film, *integrator, render.samples);
+  render.replicates =
+      light_replicates(film, development_of(film, *integrator, render.samples), render.samples,
+                       scene.film().scale);
   Picture picture =
       develop(film, *integrator, render.samples, scene.film().scale, {"standard-error"});
   render.picture = std::move(picture.layers.front().pixels);

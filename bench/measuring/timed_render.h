@@ -12,6 +12,7 @@ namespace ajar::bench {
 
 struct TimedRender {
   std::vector<float> picture;         ///< direct + indirect, scene-linear RGB
+  Replicates replicates;              ///< its independent parts; none of too short a render
   std::vector<float> standard_error;  ///< of each value, from replicates
   std::optional<RelativeError> estimate;
   std::uint64_t samples = 0;  ///< per pixel
