@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 
@@ -15,9 +16,9 @@
 #include "measuring/measured_scene.h"
 #include "measuring/timed_render.h"
 #include "post/denoise/denoiser.h"
+#include "post/denoise/filter_trust.h"
 #include "session/builtin_scenes.h"
 #include "session/interrupts.h"
-#include "session/picture_filter.h"
 #include "session/write_picture.h"
 
 /// The finished picture: errors raw, by scale and after each filter, of equal CPU time. Writes a
@@ -44,14 +45,19 @@ struct Arguments {
 
 bool interrupted() { return interrupt_count() > 0; }
 
-/// What filters a scene's pictures, each with the scene's features.
-std::vector<std::unique_ptr<PictureFilter>> make_filters(const MeasuredScene& scene,
-                                                         const Arguments& arguments) {
+/// A filter with a scene's features.
+struct ReadyFilter {
+  std::string name;
+  std::shared_ptr<const Denoiser> denoiser;
+  Features features;
+};
+
+std::vector<ReadyFilter> make_filters(const MeasuredScene& scene, const Arguments& arguments) {
   const Features features = trace_features(*scene.scene, scene.settings);
-  std::vector<std::unique_ptr<PictureFilter>> filters;
+  std::vector<ReadyFilter> filters;
   for (const std::string& name : arguments.filters) {
-    filters.push_back(
-        std::make_unique<PictureFilter>(find_denoiser(name), [features] { return features; }));
+    const std::shared_ptr<const Denoiser> denoiser = find_denoiser(name);
+    filters.push_back({name, denoiser, denoiser->prepare(scene.settings.resolution, features)});
   }
   return filters;
 }
@@ -76,10 +82,19 @@ std::string filtered_columns(const MeasuredScene& scene, const std::vector<float
       map_mean(flip_map(to_ldr(denoised), to_ldr(scene.truth), scene.settings.resolution)));
 }
 
+void keep_picture(const std::string& path, const MeasuredScene& scene, const TimedRender& render,
+                  const std::vector<float>& filtered) {
+  Picture picture;
+  picture.resolution = scene.settings.resolution;
+  picture.crop = scene.settings.crop;
+  picture.layers.push_back({"", 3, render.picture});
+  picture.layers.push_back({kDenoisedLayer, 3, filtered});
+  for (const char* extension : {".exr", ".png"}) write_picture(path + extension, picture);
+}
+
 /// The lines of a render, one for each filter.
 std::string lines_of(const MeasuredScene& scene, const std::string& key, const std::string& method,
-                     double seconds, int seed,
-                     const std::vector<std::unique_ptr<PictureFilter>>& filters,
+                     double seconds, int seed, const std::vector<ReadyFilter>& filters,
                      const Arguments& arguments) {
   RenderSettings settings = scene.settings;
   settings.seed = static_cast<std::uint64_t>(seed);
@@ -88,23 +103,25 @@ std::string lines_of(const MeasuredScene& scene, const std::string& key, const s
   if (interrupted()) return {};
   const std::string raw = raw_columns(scene, render);
   std::string lines;
-  for (std::size_t i = 0; i < filters.size(); ++i) {
-    Picture picture;
-    picture.resolution = settings.resolution;
-    picture.crop = settings.crop;
-    picture.layers.push_back({"", 3, render.picture});
-    filters[i]->add_layers(picture, render.replicates, {});
-    const std::string& name = arguments.filters[i];
-    lines += fmt::format("{},{},{},{}\n", key, raw, name,
-                         filtered_columns(scene, shown_layer(picture).pixels));
-    if (!arguments.pictures.empty()) {
-      for (const char* extension : {"exr", "png"}) {
-        write_picture(fmt::format("{}/{}-{}-{:g}-{}-{}.{}", arguments.pictures, scene.name,
-                                  method.substr(0, method.find(':')), seconds, seed, name,
-                                  extension),
-                      picture);
-      }
-    }
+  for (const ReadyFilter& filter : filters) {
+    const auto filtered = [&](const std::vector<float>& picture) {
+      return *filter.denoiser->filter({settings.resolution, picture, {}, {}}, filter.features, {});
+    };
+    const std::vector<float> whole = filtered(render.picture);
+    const auto add = [&](const std::string& name, const std::vector<float>& picture) {
+      lines += fmt::format("{},{},{},{}\n", key, raw, name, filtered_columns(scene, picture));
+      if (arguments.pictures.empty()) return;
+      std::string label = method;
+      std::replace(label.begin(), label.end(), ':', '-');
+      keep_picture(fmt::format("{}/{}-{}-{:g}-{}-{}", arguments.pictures, scene.name, label, seconds,
+                               seed, name),
+                   scene, render, picture);
+    };
+    add(filter.name, whole);
+    Replicates parts;
+    for (const std::vector<float>& part : render.replicates) parts.push_back(filtered(part));
+    add(filter.name + "+trust",
+        trust_filter(settings.resolution, render.picture, whole, render.replicates, parts).pixels);
   }
   return lines;
 }
@@ -112,7 +129,7 @@ std::string lines_of(const MeasuredScene& scene, const std::string& key, const s
 void measure(const BenchScene& bench_scene, const Arguments& arguments) {
   const std::set<std::string> done = csv_keys(arguments.file, 4);
   std::optional<MeasuredScene> scene;
-  std::vector<std::unique_ptr<PictureFilter>> filters;
+  std::vector<ReadyFilter> filters;
   for (const double seconds : arguments.seconds) {
     for (int seed = 1; seed <= arguments.seeds; ++seed) {
       for (const std::string& method : arguments.methods) {

@@ -31,7 +31,8 @@ TEST(Blur, SpreadsAPointAsAGaussianOfItsWidth) {
 }
 
 TEST(Blur, KeepsAnEvenPicture) {
-  for (const float value : blurred(std::vector<float>(std::size_t{3} * 96 * 80, 0.7F), kSize, 8.0)) {
+  for (const float value :
+       blurred(std::vector<float>(std::size_t{3} * 96 * 80, 0.7F), kSize, 8.0)) {
     ASSERT_NEAR(value, 0.7F, 1e-5F);
   }
 }

@@ -34,8 +34,8 @@ double relative_mse(std::span<const float> image, std::span<const float> referen
 /// std::invalid_argument if the values are not whole pixels.
 double relative_mse_trimmed(std::span<const float> image, std::span<const float> reference,
                             int channels = 3, double trim = 0.001);
-/// The error of a pixel (as above) that a share `below` of the pixels does not exceed: what a person
-/// sees first. Raises as above.
+/// The error of a pixel (as above) that a share `below` of the pixels does not exceed: what a
+/// person sees first. Raises as above.
 double relative_mse_quantile(std::span<const float> image, std::span<const float> reference,
                              double below = 0.999, int channels = 3);
 /// Error by scale E_σ: relMSE of picture and reference after a Gaussian of `sigma` pixels

@@ -48,7 +48,10 @@ Picture read_picture(const std::string& path) {
     const std::string& channel = image.names[i];
     const std::string layer = layer_of(channel);
     const std::string before = layer.empty() ? "" : layer + ".";
-    if (has(image, before + "R") && has(image, before + "G") && has(image, before + "B")) {
+    const std::string last = channel.substr(before.size());
+    const bool is_colour = last == "R" || last == "G" || last == "B";
+    if (is_colour && has(image, before + "R") && has(image, before + "G") &&
+        has(image, before + "B")) {
       if (done.insert(layer).second) picture.layers.push_back({layer, 3, image.rgb(layer)});
     } else if (channel != "Y" && channel != "A" && done.insert(channel).second) {
       picture.layers.push_back({channel, 1, channel_of(image, i)});

@@ -1,7 +1,7 @@
 #include "integrator/scene_features.h"
 
 #include <algorithm>
-#include <limits>
+#include <utility>
 
 #include "core/parallel_for.h"
 #include "core/random_use.h"
@@ -69,6 +69,8 @@ Sight look(const Scene& scene, SampleSource& source, const Vec2& raster) {
     if (!end.hit && !end.scattered) {
       return {at_most_one(flight.throughput * sky(scene, flight.ray.direction)), Vec3(0.F)};
     }
+    // As much of what lies behind as is seen of it: radiance alone is denser in glass.
+    flight.throughput *= std::exchange(flight.roulette_scale, 1.F);
     PathVertex vertex;
     arrive(kWalk, flight, end, 0.0, vertex);
     if (vertex.in_medium) return {at_most_one(vertex.throughput), vertex.wo};

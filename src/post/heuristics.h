@@ -29,6 +29,14 @@ struct PostHeuristics {
   /// Stairs that are longer count as without an end.
   /// Unit: pixels. Range: >= 1. Source: d2c038e; set by hand, no study.
   static constexpr int kLongestStair = 32;
+
+  // -------------------------------------------------------- denoising
+  /// Patch over which the harm of a filter is judged.
+  /// Unit: pixels, standard deviation of a Gaussian. Range: [1, 32].
+  static constexpr double kTrustPatch = 4.0;
+  /// Differences between filtered and unfiltered replicates count at most so much.
+  /// Unit: the filtered picture. Range: >= 1.
+  static constexpr float kMostDifference = 3.F;
 };
 
 }  // namespace ajar

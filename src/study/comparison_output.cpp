@@ -18,18 +18,30 @@ Json number_or_null(std::optional<double> value) {
   return value && std::isfinite(*value) ? Json(*value) : Json();
 }
 
-std::string legend(const Comparison& comparison) {
-  std::vector<std::vector<std::string>> rows;
-  for (const Metric* metric : comparison.metrics) {
-    rows.push_back({metric->name, metric->unit.empty() ? "" : "[" + metric->unit + "]",
-                    metric->larger_is_better ? "larger is better" : "smaller is better"});
+/// What a metric is, in a line.
+std::string about(const Metric& metric) {
+  return metric.summary + (metric.unit.empty() ? "" : " [" + metric.unit + "]") +
+         (metric.larger_is_better ? "; larger is better" : "");
+}
+
+/// A line for each metric, a column for each picture: there are more metrics than pictures.
+std::string table(const Comparison& comparison) {
+  std::vector<std::vector<std::string>> rows{{"metric"}};
+  for (const ComparedPicture& compared : comparison.pictures) {
+    rows.front().push_back(compared.picture.path);
   }
-  std::string table = aligned_table(rows);
-  std::string text;
-  std::size_t begin = 0;
+  for (std::size_t i = 0; i < comparison.metrics.size(); ++i) {
+    rows.push_back({comparison.metrics[i]->name});
+    for (const ComparedPicture& compared : comparison.pictures) {
+      rows.back().push_back(value_text(compared.values[i]));
+    }
+  }
+  const std::string values = aligned_table(rows);
+  std::size_t begin = values.find('\n') + 1;
+  std::string text = values.substr(0, begin);
   for (const Metric* metric : comparison.metrics) {
-    const std::size_t end = table.find('\n', begin);
-    text += table.substr(begin, end - begin) + "  " + metric->summary + "\n";
+    const std::size_t end = values.find('\n', begin);
+    text += values.substr(begin, end - begin) + "  " + about(*metric) + "\n";
     begin = end + 1;
   }
   return text;
@@ -154,16 +166,10 @@ std::string value_text(std::optional<double> value) {
 }
 
 std::string to_text(const Comparison& comparison) {
-  std::vector<std::vector<std::string>> rows{{"picture"}};
-  for (const Metric* metric : comparison.metrics) rows.front().push_back(metric->name);
-  for (const ComparedPicture& compared : comparison.pictures) {
-    rows.push_back({compared.picture.path});
-    for (const auto& value : compared.values) rows.back().push_back(value_text(value));
-  }
   std::string text =
       fmt::format("reference: {} ({}x{})\n\n", printable_line(comparison.reference.path),
                   comparison.reference.size.x, comparison.reference.size.y);
-  text += aligned_table(rows) + "\n" + legend(comparison) + conditions_text(comparison) + "\n";
+  text += table(comparison) + "\n" + conditions_text(comparison) + "\n";
   for (const ComparedPicture& compared : comparison.pictures) text += bias_text(compared);
   return text;
 }
