@@ -22,10 +22,10 @@ struct FilterTrust {
 ///
 /// is the squared error of E[D(X)] without bias: of a picture with as many samples as a replicate,
 /// so rather more than that of the whole one. It is averaged over all orders of four replicates and
-/// over a patch, relative to the filtered picture, so that the brightest pixel does not decide. What
-/// is left, with V the variance of the unfiltered picture and V_D that of the filtered one, is least
-/// for the share (B² + V_D) / (V + B² + V_D) of the unfiltered picture: it goes to 1 where the
-/// error of the unfiltered picture goes to 0, which makes the whole consistent.
+/// over a patch, relative to the filtered picture, so that the brightest pixel does not decide.
+/// What is left, with V the variance of the unfiltered picture and V_D that of the filtered one, is
+/// least for the share (B² + V_D) / (V + B² + V_D) of the unfiltered picture: it goes to 1 where
+/// the error of the unfiltered picture goes to 0, which makes the whole consistent.
 ///
 /// `unfiltered` and `filtered` are of the mean of the replicates; `replicates` and
 /// `filtered_replicates` at least four. Source of the estimate of B²: docs/denoising.md. Raises
