@@ -26,7 +26,7 @@ struct RenderState {
   Warnings warnings{};
   RenderStatistics statistics{};  ///< all that is known beside the passes
   std::optional<RenderPlan> plan{};
-  std::unique_ptr<const Scene> scene{};
+  std::shared_ptr<const Scene> scene{};
   std::unique_ptr<Integrator> integrator{};
   std::optional<Film> film{};
   /// False if the user stopped it while it was prepared: what is shown then is another picture, by
