@@ -5,27 +5,25 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <map>
 #include <memory>
-#include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "core/archive.h"
 #include "core/error.h"
 #include "core/warnings.h"
 #include "import/pbrt/pbrt_import.h"
-#include "integrator/make_filter.h"
 #include "session/checkpoint.h"
+#include "session/loaded_scene.h"
 #include "session/merge.h"
-#include "session/preparation.h"
-#include "session/render_job.h"
-#include "session/render_setup.h"
+#include "session/output.h"
+#include "session/render.h"
 #include "session/testing/checksums.h"
-#include "session/version.h"
 #include "support/private_file.h"
 
 namespace {
@@ -71,76 +69,47 @@ const std::vector<Method>& methods() {
 /// A render that can go on, with a checkpoint of its first samples.
 class Base {
  public:
-  explicit Base(const Method& method) : info_(find_integrator(method.integrator)) {
+  explicit Base(const Method& method) : method_(method) {
     Warnings warnings;
-    scene_ = std::make_unique<Scene>(
-        import_pbrt_text(kScene, "fuzz.pbrt", "/nonexistent", warnings), BuildOptions{}, warnings);
-    RenderRecord& render = checkpoint_.render;
-    render.settings = settings_for(*scene_);
-    render.settings.max_depth = 5;
-    render.settings.aovs = {"object-id"};
-    render.aovs = {"object-id", "standard-error"};
-    render.integrator = info_.name;
-    render.scene_hash = scene_->hash();
-    const Parameters parameters = info_.read(method.parameters);
-    render.given = parameters.given();
-    render.parameters = {parameters.values().begin(), parameters.values().end()};
-    integrator_ = info_.make(*scene_, render.settings, parameters);
-    prepare(*integrator_);
-    film_.emplace(film_for(*scene_, render.settings, *integrator_));
-    RenderJobOptions options;
-    options.budget.samples_per_pixel = kSamples;
-    options.threads = 1;
-    options.estimate_error = [this](const Film& film, std::uint64_t samples) {
-      return estimate_error(film, *integrator_, samples);
-    };
-    RenderJob job(*integrator_, *film_, std::move(options));
-    job.run();
-    checkpoint_.version = version();
-    checkpoint_.job = job.state();
-    checkpoint_.layers.assign(film_->layers().begin(), film_->layers().end());
-    checkpoint_.scales = development_of(*film_, *integrator_, kSamples);
-    checkpoint_.integrator_state =
-        archived([&](OutputArchive& archive) { integrator_->save_state(archive); });
+    scene_ = std::make_shared<LoadedScene>(
+        import_pbrt_text(kScene, "fuzz.pbrt", "/nonexistent", warnings));
     const std::string path = fuzz::private_file({}, ".checkpoint");
-    write_checkpoint(path, checkpoint_, film_->raw());
+    std::filesystem::remove(path);
+    RenderOrder order = render_until(kSamples);
+    order.files.checkpoint = path;
+    Render(std::move(order)).run();
     std::ifstream file(path, std::ios::binary);
     bytes_.assign(std::istreambuf_iterator<char>(file), {});
   }
 
   const std::vector<char>& bytes() const { return bytes_; }
 
-  /// As `ajar resume` does, for a few samples.
-  void go_on(Checkpoint checkpoint) {
-    const std::string path = "fuzz.checkpoint";
-    const std::uint64_t samples = checkpoint.job.samples_per_pixel;
-    check_resumable(checkpoint, path, true);
-    check_same_render(checkpoint.render, checkpoint_.render, path);
-    check_scene(checkpoint, scene_->hash(), checkpoint_.layers, path, true);
-    try {
-      unarchive(checkpoint.integrator_state,
-                [&](InputArchive& archive) { integrator_->load_state(archive, samples); });
-    } catch (const std::exception& error) {
-      throw IoError(error.what());
-    }
-    Film film = film_of(checkpoint, filter(), path);
-    RenderJobOptions options;
-    options.budget.samples_per_pixel = samples + 8;
-    options.threads = 1;
-    options.resumed = std::move(checkpoint.job);
-    RenderJob job(*integrator_, film, std::move(options));
-    job.run();
-    develop(job.film(), *integrator_, job.state().mean_samples(), 1.0, checkpoint.render.aovs);
+  /// As `ajar render --resume` does, for a few samples.
+  void go_on(Checkpoint checkpoint) const {
+    RenderOrder order = render_until(checkpoint.job.samples_per_pixel + 8);
+    order.resumed = std::move(checkpoint);
+    order.resumed_from = "fuzz.checkpoint";
+    order.force = true;
+    Render(std::move(order)).run();
   }
 
  private:
-  Filter filter() const { return make_filter(scene_->film().filter); }
+  RenderOrder render_until(std::uint64_t samples) const {
+    RenderOrder order;
+    order.scene = "fuzz.pbrt";
+    order.loaded = scene_;
+    RenderRequest& request = order.request.emplace();
+    request.integrator = method_.integrator;
+    request.parameters = method_.parameters;
+    request.budget.samples_per_pixel = samples;
+    request.depth.maximum = 5;
+    request.aovs = {"object-id", "standard-error"};
+    order.threads = 1;
+    return order;
+  }
 
-  const IntegratorInfo& info_;
-  std::unique_ptr<const Scene> scene_;
-  std::unique_ptr<Integrator> integrator_;
-  std::optional<Film> film_;
-  Checkpoint checkpoint_;
+  const Method& method_;
+  std::shared_ptr<LoadedScene> scene_;
   std::vector<char> bytes_;
 };
 

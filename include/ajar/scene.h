@@ -7,6 +7,8 @@
 
 namespace ajar::AJAR_INTERFACE {
 /// A scene that was read, to be rendered as often as wanted. Copies share it; it never changes.
+/// While there is one, it keeps what the last render built of it: the next begins at once, whatever
+/// its method, parameters and seed, if only its resolution and filter are the same.
 class Scene {
  public:
   /// A file in any format that `ajar render` takes, or `builtin:NAME`. Raises Error.

@@ -64,6 +64,38 @@ TEST(Interface, RendersAScene) {
   EXPECT_EQ(raised([&] { picture.pixels("no-such-layer"); }), ajar::Error::Kind::Usage);
 }
 
+TEST(Interface, BuildsASceneOnceForRendersOfItsSize) {
+  const ajar::Scene scene = ajar::Scene::load("builtin:cornell");
+  // How a render that takes the scene as it is says so.
+  const auto builds = [&](const ajar::Settings& settings) {
+    ajar::Render render(scene, settings);
+    const ajar::Picture picture = render.run();
+    const ajar::Picture alone = ajar::render(ajar::Scene::load("builtin:cornell"), settings);
+    EXPECT_TRUE(std::ranges::equal(picture.pixels(), alone.pixels()));
+    return render.statistics().find("\"build\": 0.0,") == std::string::npos;
+  };
+  ajar::Settings settings = small_settings();
+  EXPECT_TRUE(builds(settings));
+  settings.seed = 3;
+  settings.max_depth = 4;
+  EXPECT_FALSE(builds(settings));
+  settings.integrator = "bdpt";
+  EXPECT_FALSE(builds(settings));
+  settings.resolution = {20, 18};
+  EXPECT_TRUE(builds(settings));
+}
+
+TEST(Interface, RendersASceneTwiceAtOnce) {
+  const ajar::Scene scene = ajar::Scene::load("builtin:cornell");
+  const ajar::Picture alone = ajar::render(scene, small_settings());
+  std::optional<ajar::Picture> other;
+  std::thread thread([&] { other = ajar::render(scene, small_settings()); });
+  const ajar::Picture one = ajar::render(scene, small_settings());
+  thread.join();
+  EXPECT_TRUE(std::ranges::equal(one.pixels(), alone.pixels()));
+  EXPECT_TRUE(std::ranges::equal(other->pixels(), alone.pixels()));
+}
+
 TEST(Interface, SavesPictures) {
   const ajar::Picture picture =
       ajar::render(ajar::Scene::load("builtin:cornell"), small_settings());

@@ -9,14 +9,14 @@
 #include "core/error.h"
 #include "core/warnings.h"
 #include "image/picture.h"
-#include "scene/desc/scene_desc.h"
+#include "session/loaded_scene.h"
 
 /// What stands behind the types of include/ajar, and errors as they have them.
 namespace ajar::v0 {
 
 struct Scene::Content {
   std::string name;
-  desc::SceneDesc description;
+  std::shared_ptr<LoadedScene> loaded;
   Warnings warnings;
 };
 

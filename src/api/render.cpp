@@ -19,7 +19,7 @@ RenderOrder order_of(const Scene::Content& scene, const Settings& settings, bool
                      double picture_every) {
   RenderOrder order;
   order.scene = scene.name;
-  order.description = scene.description;
+  order.loaded = scene.loaded;
   RenderRequest& request = order.request.emplace();
   if (!settings.integrator.empty()) find_integrator(settings.integrator);
   request.integrator = settings.integrator;

@@ -13,14 +13,14 @@ Scene Scene::load(const std::string& name) {
   return with_public_errors([&] {
     const auto content = std::make_shared<Content>();
     content->name = name;
-    content->description = load_scene(name, content->warnings);
+    content->loaded = std::make_shared<LoadedScene>(load_scene(name, content->warnings));
     return Scene(content);
   });
 }
 
 const std::string& Scene::name() const { return content_->name; }
-int Scene::width() const { return content_->description.film.resolution.x; }
-int Scene::height() const { return content_->description.film.resolution.y; }
+int Scene::width() const { return content_->loaded->description().film.resolution.x; }
+int Scene::height() const { return content_->loaded->description().film.resolution.y; }
 std::vector<std::string> Scene::warnings() const { return content_->warnings.messages(); }
 
 }  // namespace ajar::v0

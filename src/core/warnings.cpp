@@ -42,23 +42,32 @@ bool is_earlier(const SourceLocation& a, const SourceLocation& b) {
   return std::tie(a.line, a.column) < std::tie(b.line, b.column);
 }
 
-void join(std::vector<WarningGroup>& groups, const Warning& warning) {
-  auto group = std::find_if(groups.begin(), groups.end(), [&](const WarningGroup& known) {
-    return known.first.kind.several == warning.kind.several;
+WarningGroup group_of(const Warning& warning) {
+  WarningGroup group{.first = warning, .count = 1, .amount = warning.amount, .subjects = {}};
+  if (!warning.subject.empty()) group.subjects.push_back(warning.subject);
+  return group;
+}
+
+void join(std::vector<WarningGroup>& groups, const WarningGroup& more) {
+  const auto group = std::find_if(groups.begin(), groups.end(), [&](const WarningGroup& known) {
+    return known.first.kind.several == more.first.kind.several;
   });
-  if (group == groups.end()) group = groups.insert(group, {.first = warning, .subjects = {}});
-  if (is_earlier(warning.where, group->first.where)) group->first = warning;
-  ++group->count;
-  group->amount += warning.amount;
-  std::vector<std::string>& subjects = group->subjects;
-  if (warning.subject.empty() ||
-      std::find(subjects.begin(), subjects.end(), warning.subject) != subjects.end()) {
+  if (group == groups.end()) {
+    groups.push_back(more);
     return;
   }
-  if (subjects.size() < WarningGroup::kMaxSubjects) {
-    subjects.push_back(warning.subject);
-  } else {
-    group->has_more_subjects = true;
+  if (is_earlier(more.first.where, group->first.where)) group->first = more.first;
+  group->count += more.count;
+  group->amount += more.amount;
+  group->has_more_subjects |= more.has_more_subjects;
+  std::vector<std::string>& subjects = group->subjects;
+  for (const std::string& subject : more.subjects) {
+    if (std::find(subjects.begin(), subjects.end(), subject) != subjects.end()) continue;
+    if (subjects.size() < WarningGroup::kMaxSubjects) {
+      subjects.push_back(subject);
+    } else {
+      group->has_more_subjects = true;
+    }
   }
 }
 
@@ -80,7 +89,7 @@ void Warnings::add(Warning warning) {
   const std::size_t effect = index_of(warning.kind.effect);
   const std::lock_guard lock(mutex_);
   ++counts_[effect];
-  join(groups_[effect], warning);
+  join(groups_[effect], group_of(warning));
   if (kept_[effect].size() < most_kept_) kept_[effect].push_back(std::move(warning));
 }
 
@@ -90,7 +99,12 @@ void Warnings::add(const WarningKind& kind, const SourceLocation& where, std::st
 }
 
 void Warnings::add_all(const Warnings& others) {
-  for (Warning& warning : others.kept()) add(std::move(warning));
+  const std::scoped_lock lock(mutex_, others.mutex_);
+  for (std::size_t effect = 0; effect < kEffects; ++effect) {
+    counts_[effect] += others.counts_[effect];
+    for (const WarningGroup& group : others.groups_[effect]) join(groups_[effect], group);
+    append(kept_[effect], others.kept_[effect], most_kept_);
+  }
 }
 
 std::size_t Warnings::count() const {

@@ -70,7 +70,7 @@ class Warnings {
   void add(Warning warning);
   void add(const WarningKind& kind, const SourceLocation& where, std::string message,
            std::string subject = {});
-  /// All that `others` has kept.
+  /// Counts all of `others`, and keeps those that it has kept.
   void add_all(const Warnings& others);
 
   std::size_t count() const;

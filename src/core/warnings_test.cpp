@@ -102,13 +102,21 @@ TEST(Warnings, NameAFewExamplesOfAGroup) {
 }
 
 TEST(Warnings, TakeThoseOfOthers) {
-  Warnings others(Warnings::kAll);
-  for (int i = 0; i < 300; ++i) others.add(kParameter, line(i), "parameter");
+  Warnings others;
+  for (int i = 0; i < 300; ++i) others.add(kParameter, line(i + 2), "parameter", std::to_string(i));
   others.add(kLamp, line(1), "lamp");
   Warnings warnings;
+  warnings.add(kParameter, line(302), "the last", "0");
   warnings.add_all(others);
-  EXPECT_EQ(warnings.count(), 301U);
+  EXPECT_EQ(warnings.count(), 302U) << "also of those that are not kept";
+  EXPECT_EQ(warnings.messages().size(), Warnings::kMaxKept);
   EXPECT_EQ(warnings.messages().front(), "a.pbrt:1:1: lamp");
+  const WarningGroup group = warnings.groups().at(1);
+  EXPECT_EQ(group.count, 301U);
+  EXPECT_EQ(group.amount, 301U);
+  EXPECT_EQ(group.first.text(), "a.pbrt:2:1: parameter");
+  EXPECT_EQ(group.subjects, (std::vector<std::string>{"0", "1", "2", "3"}));
+  EXPECT_TRUE(group.has_more_subjects);
 }
 
 }  // namespace

@@ -159,19 +159,24 @@ float Film::coverage(const Vec2& raster) const {
 }
 
 std::vector<float> Film::develop_range(const Storage& storage, int first, int count,
-                                       double scale) const {
-  const std::size_t plane =
-      static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_) * 3;
-  std::vector<float> image(plane);
-  for (std::size_t i = 0; i < plane; ++i) {
-    double total = 0.0;
-    for (int r = first; r < first + count; ++r) {
-      const std::int64_t sum =
-          sums_[storage.first + storage.stride * static_cast<std::size_t>(r) + i];
-      // What came after saturation depends on the order of the contributions: not shown.
-      total += static_cast<double>(std::clamp(sum, -kSumLimit, kSumLimit));
+                                       const DevelopScale& scale) const {
+  const std::size_t pixels = static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
+  if (!scale.pixels.empty() && scale.pixels.size() != pixels) {
+    throw std::invalid_argument("Film: a scale of another number of pixels");
+  }
+  std::vector<float> image(3 * pixels);
+  for (std::size_t pixel = 0; pixel < pixels; ++pixel) {
+    const double factor = scale.at(pixel);
+    for (std::size_t i = 3 * pixel; i < 3 * pixel + 3; ++i) {
+      double total = 0.0;
+      for (int r = first; r < first + count; ++r) {
+        const std::int64_t sum =
+            sums_[storage.first + storage.stride * static_cast<std::size_t>(r) + i];
+        // What came after saturation depends on the order of the contributions: not shown.
+        total += static_cast<double>(std::clamp(sum, -kSumLimit, kSumLimit));
+      }
+      image[i] = static_cast<float>(total * storage.quantum * factor);
     }
-    image[i] = static_cast<float>(total * storage.quantum * scale);
   }
   return image;
 }
@@ -197,12 +202,13 @@ void Film::add_layers(const Film& other, std::span<const std::string> except) {
   }
 }
 
-std::vector<float> Film::develop(int layer, double scale) const {
+std::vector<float> Film::develop(int layer, const DevelopScale& scale) const {
   const auto i = static_cast<std::size_t>(layer);
   return develop_range(storage_.at(i), 0, layers_[i].has_replicates ? replicates_ : 1, scale);
 }
 
-std::vector<float> Film::develop_replicate(int layer, int replicate, double scale) const {
+std::vector<float> Film::develop_replicate(int layer, int replicate,
+                                           const DevelopScale& scale) const {
   const auto i = static_cast<std::size_t>(layer);
   if (!layers_.at(i).has_replicates || replicate < 0 || replicate >= replicates_) {
     throw std::invalid_argument("Film: layer " + layers_[i].name + " has no such replicate");

@@ -8,6 +8,7 @@
 
 #include "core/spectrum.h"
 #include "core/vector.h"
+#include "image/develop_scale.h"
 #include "image/filter.h"
 
 namespace ajar {
@@ -68,9 +69,9 @@ class Film {
   void add_layers(const Film& other, std::span<const std::string> except);
 
   /// Sum over replicates of a layer, times `scale`, row by row, 3 floats per pixel (crop size).
-  std::vector<float> develop(int layer, double scale) const;
+  std::vector<float> develop(int layer, const DevelopScale& scale) const;
   /// One replicate; the layer must have replicates.
-  std::vector<float> develop_replicate(int layer, int replicate, double scale) const;
+  std::vector<float> develop_replicate(int layer, int replicate, const DevelopScale& scale) const;
 
   /// Adds the sums of a film of the same size, replicates and layers, whose magnitudes may differ.
   /// Exact if they do not, or if the other's are larger; else rounded to a quantum of this film.
@@ -97,7 +98,7 @@ class Film {
   std::size_t index(const Storage& storage, int replicate, int x, int y) const;
   bool add_at(std::size_t first_channel, double per_quantum, const Spectrum& value);
   std::vector<float> develop_range(const Storage& storage, int first, int count,
-                                   double scale) const;
+                                   const DevelopScale& scale) const;
 
   Vec2i resolution_;
   Box2i crop_;

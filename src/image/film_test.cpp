@@ -58,6 +58,11 @@ TEST(Film, AddReachesOnePixelOfOneLayerAndReplicate) {
   EXPECT_EQ(film.develop(1, 2.0)[(2 * 6 + 2) * 3], 1.F);
   EXPECT_EQ(film.develop_replicate(1, 1, 2.0)[(2 * 6 + 2) * 3 + 1], 0.5F);
   EXPECT_EQ(film.develop_replicate(1, 0, 2.0)[(2 * 6 + 2) * 3], 0.F);
+  std::vector<float> pixels(24, 0.F);
+  pixels[2 * 6 + 2] = 4.F;
+  EXPECT_EQ(film.develop(1, DevelopScale(pixels))[(2 * 6 + 2) * 3], 2.F);
+  pixels.pop_back();
+  EXPECT_THROW(film.develop(1, DevelopScale(pixels)), std::invalid_argument);
   film.clear();
   EXPECT_EQ(std::count(film.raw().begin(), film.raw().end(), 0),
             static_cast<std::ptrdiff_t>(film.raw().size()));

@@ -15,7 +15,7 @@ using Replicates = std::vector<std::vector<float>>;
 /// pixel values (`Integrator::develop_scale`).
 struct ScaledLayer {
   int layer;
-  std::vector<double> scales;
+  std::vector<DevelopScale> scales;
 };
 /// The replicates of the sum of some layers of a film.
 Replicates develop_replicates(const Film& film, std::span<const ScaledLayer> layers);

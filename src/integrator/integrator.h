@@ -12,6 +12,7 @@
 #include "core/parameters.h"
 #include "core/warnings.h"
 #include "core/work_share.h"
+#include "image/develop_scale.h"
 #include "image/film.h"
 #include "image/plane.h"
 #include "integrator/montecarlo/technique_tally.h"
@@ -97,10 +98,10 @@ class Integrator {
                         Film& film, Counters& counters) = 0;
   /// Whether an item of a pass is of Markov chains: statistics tell their time apart.
   virtual bool is_of_chains(std::uint64_t /*item*/) const { return false; }
-  /// Factor that turns the sums of a layer into pixel values after `samples` samples per pixel over
-  /// all replicates, for one replicate or all; the same for each pixel.
-  virtual double develop_scale(const LayerSpec& layer, std::uint64_t samples,
-                               std::optional<int> replicate) const = 0;
+  /// What turns the sums of a layer into pixel values after `samples` samples per pixel over all
+  /// replicates, for one replicate or all.
+  virtual DevelopScale develop_scale(const LayerSpec& layer, std::uint64_t samples,
+                                     std::optional<int> replicate) const = 0;
 
   /// Whether items leave anything behind for later passes. Only methods whose items do not can be
   /// cut into shares that are rendered each by itself.

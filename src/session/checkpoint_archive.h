@@ -45,6 +45,11 @@ void serialize(A& archive, std::pair<std::string, Plane>& map) {
 }
 
 template <Archive A>
+void serialize(A& archive, DevelopScale& scale) {
+  archive(scale.factor, scale.pixels);
+}
+
+template <Archive A>
 void serialize(A& archive, Development& development) {
   archive(development.whole, development.replicates, development.misses_light);
   // Planes have no value without a size, so that containers cannot make them.

@@ -119,24 +119,31 @@ void check_layers(const std::vector<LayerSpec>& layers) {
   }
 }
 
+bool has_pixels(const std::vector<float>& values, Vec2i size) {
+  return values.size() == static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
+}
+
 bool has_size(const Plane& plane, Vec2i size) {
-  return plane.size == size &&
-         plane.values.size() == static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
+  return plane.size == size && has_pixels(plane.values, size);
 }
 
 void check_scales(const Checkpoint& checkpoint) {
   const Development& scales = checkpoint.scales;
   const std::vector<LayerSpec>& layers = checkpoint.layers;
   const auto replicates = static_cast<std::size_t>(checkpoint.render.settings.replicates);
+  const Vec2i size = checkpoint.render.settings.crop.size() + Vec2i(1, 1);
+  const auto is_scale = [size](const DevelopScale& scale) {
+    return is_size(scale.factor) && (scale.pixels.empty() || has_pixels(scale.pixels, size)) &&
+           std::all_of(scale.pixels.begin(), scale.pixels.end(), is_size);
+  };
   bool fit = scales.whole.size() == layers.size() && scales.replicates.size() == layers.size() &&
-             std::all_of(scales.whole.begin(), scales.whole.end(), is_size);
+             std::all_of(scales.whole.begin(), scales.whole.end(), is_scale);
   for (std::size_t i = 0; fit && i < layers.size(); ++i) {
-    const std::vector<double>& each = scales.replicates[i];
+    const std::vector<DevelopScale>& each = scales.replicates[i];
     fit = each.size() == (layers[i].has_replicates ? replicates : 0) &&
-          std::all_of(each.begin(), each.end(), is_size);
+          std::all_of(each.begin(), each.end(), is_scale);
   }
   require(fit, "its scales are those of another film");
-  const Vec2i size = checkpoint.render.settings.crop.size() + Vec2i(1, 1);
   for (const auto& [name, map] : scales.maps) {
     require(!name.empty() && has_size(map, size), "a map has another size");
   }

@@ -46,6 +46,7 @@ class CheckpointFile : public testing::Test {
                           {.name = "indirect"},
                           {.name = "albedo", .has_replicates = false}};
     checkpoint_.scales.whole = {0.1, 0.1, 0.1};
+    checkpoint_.scales.whole[2].pixels = std::vector<float>(4 * 3, 0.5F);
     checkpoint_.scales.replicates = {{0.2, 0.2}, {0.2, 0.2}, {}};
     checkpoint_.scales.maps = {{"noise", Plane({4, 3})}};
     checkpoint_.scales.antialias_mask.emplace(Vec2i(4, 3));
@@ -241,6 +242,8 @@ TEST_F(HostileCheckpoint, IsRefusedForItsFilm) {
   expect_refused(scales, [](C& c) { c.scales.replicates[1].pop_back(); });
   expect_refused(scales, [](C& c) { c.scales.replicates[2].push_back(1.0); });
   expect_refused(scales, [](C& c) { c.scales.whole[0] = kNan; });
+  expect_refused(scales, [](C& c) { c.scales.whole[2].pixels.pop_back(); });
+  expect_refused(scales, [](C& c) { c.scales.whole[2].pixels[1] = -1.F; });
   expect_refused("a map", [](C& c) { c.scales.maps[0].second.values.pop_back(); });
   expect_refused("a map", [](C& c) { c.scales.maps[0].second.size = {3, 4}; });
   expect_refused("its mask", [](C& c) { c.scales.antialias_mask->size = {-4, -3}; });

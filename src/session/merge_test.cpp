@@ -16,7 +16,7 @@ const Vec2i kSize(13, 7);
 constexpr int kReplicates = 4;
 
 NamedCheckpoint part(std::uint64_t seed, std::uint64_t samples, WorkShare share = {},
-                     double magnitude = 1.0) {
+                     double magnitude = 1.0, bool uneven = false) {
   NamedCheckpoint named{"part-" + std::to_string(seed) + "-" + std::to_string(share.index), {}};
   Checkpoint& checkpoint = named.checkpoint;
   checkpoint.version = version();
@@ -27,6 +27,7 @@ NamedCheckpoint part(std::uint64_t seed, std::uint64_t samples, WorkShare share 
   settings.seed = seed;
   checkpoint.render.share = share;
   TestIntegrator integrator(kSize, kReplicates);
+  integrator.uneven = uneven;
   integrator.first_number = seed * 100000;
   std::vector<LayerSpec> layers = integrator.layers();
   for (LayerSpec& layer : layers) layer.magnitude = magnitude;
@@ -103,9 +104,29 @@ TEST(Merge, UnequalReplicatesAreScaledEachByTheirOwnSamples) {
   Checkpoint a = part(1, 8).checkpoint;
   a.scales.replicates[0] = {0.5, 1.0, 1.0, 1.0};
   const Development both = development_of_sum(a.scales, a.scales);
-  EXPECT_DOUBLE_EQ(both.replicates[0][0], 0.25);
-  EXPECT_DOUBLE_EQ(both.replicates[0][1], 0.5);
-  EXPECT_DOUBLE_EQ(sum.scales.whole[0], 1.0 / 16.0);
+  EXPECT_DOUBLE_EQ(both.replicates[0][0].factor, 0.25);
+  EXPECT_DOUBLE_EQ(both.replicates[0][1].factor, 0.5);
+  EXPECT_DOUBLE_EQ(sum.scales.whole[0].factor, 1.0 / 16.0);
+}
+
+TEST(Merge, PixelsAreWeightedEachByTheirOwnSamples) {
+  const std::vector<float> x = picture(part(1, 8, {}, 1.0, true).checkpoint);
+  const std::vector<float> y = picture(part(2, 24, {}, 1.0, true).checkpoint);
+  const std::vector<float> mean =
+      picture(merged(part(1, 8, {}, 1.0, true), part(2, 24, {}, 1.0, true)));
+  for (std::size_t i = 0; i < mean.size(); ++i) {
+    const auto samples = [&](std::size_t seed) {
+      return static_cast<float>(1 + (seed * 100000 + i / 3) % 3);
+    };
+    const float weight = 8.F * samples(1) / (8.F * samples(1) + 24.F * samples(2));
+    EXPECT_NEAR(mean[i], weight * x[i] + (1.F - weight) * y[i], 1e-6F);
+  }
+}
+
+TEST(Merge, SharesOfUnevenPixelsGiveTheBitsOfTheWhole) {
+  const Checkpoint whole = part(3, 24, {}, 1.0, true).checkpoint;
+  const Checkpoint sum = merged(part(3, 24, {1, 2}, 1.0, true), part(3, 24, {0, 2}, 1.0, true));
+  EXPECT_EQ(picture(sum), picture(whole));
 }
 
 TEST(Merge, MergesCanBeMergedAgain) {

@@ -54,8 +54,9 @@ std::vector<ScaledLayer> scaled_light_layers(const Film& film, const Development
   std::vector<ScaledLayer> layers;
   for (const int layer : light_layers(film)) {
     ScaledLayer scaled{layer, {}};
-    for (const double scale : scales.replicates[static_cast<std::size_t>(layer)]) {
-      scaled.scales.push_back(film_scale * scale);
+    for (DevelopScale scale : scales.replicates[static_cast<std::size_t>(layer)]) {
+      scale.factor *= film_scale;
+      scaled.scales.push_back(std::move(scale));
     }
     layers.push_back(std::move(scaled));
   }
@@ -111,7 +112,7 @@ Development development_of(const Film& film, const Integrator& integrator, std::
   Development scales;
   for (const LayerSpec& spec : film.layers()) {
     scales.whole.push_back(integrator.develop_scale(spec, samples, std::nullopt));
-    std::vector<double>& each = scales.replicates.emplace_back();
+    std::vector<DevelopScale>& each = scales.replicates.emplace_back();
     for (int r = 0; spec.has_replicates && r < film.replicates(); ++r) {
       each.push_back(integrator.develop_scale(spec, samples, r));
     }
@@ -123,17 +124,12 @@ Development development_of(const Film& film, const Integrator& integrator, std::
 }
 
 Development development_of_sum(const Development& a, const Development& b) {
-  // A scale is one over a number of samples, and those add up.
-  const auto both = [](double x, double y) {
-    const double samples = (x > 0.0 ? 1.0 / x : 0.0) + (y > 0.0 ? 1.0 / y : 0.0);
-    return samples > 0.0 ? 1.0 / samples : 0.0;
-  };
   Development sum = a;
   sum.misses_light = a.misses_light || b.misses_light;
   for (std::size_t layer = 0; layer < sum.whole.size(); ++layer) {
-    sum.whole[layer] = both(a.whole[layer], b.whole.at(layer));
+    sum.whole[layer] = scale_of_sum(a.whole[layer], b.whole.at(layer));
     for (std::size_t r = 0; r < sum.replicates[layer].size(); ++r) {
-      sum.replicates[layer][r] = both(a.replicates[layer][r], b.replicates.at(layer).at(r));
+      sum.replicates[layer][r] = scale_of_sum(a.replicates[layer][r], b.replicates.at(layer).at(r));
     }
   }
   return sum;
@@ -158,10 +154,9 @@ Picture develop(const Film& film, const Development& scales, std::uint64_t sampl
       }
       continue;
     }
-    const bool light = is_light(spec);
-    const double scale = scales.whole[i];
-    Picture::Layer layer{spec.name, 3,
-                         film.develop(static_cast<int>(i), (light ? film_scale : 1.0) * scale)};
+    DevelopScale scale = scales.whole[i];
+    if (is_light(spec)) scale.factor *= film_scale;
+    Picture::Layer layer{spec.name, 3, film.develop(static_cast<int>(i), scale)};
     if (!spec.part_of.empty()) {
       add_to_part(picture, spec.part_of, layer.pixels);
     } else {

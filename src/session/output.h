@@ -17,8 +17,9 @@ namespace ajar {
 /// What an integrator says of its film: all that is needed to show it without the integrator.
 struct Development {
   // What turns sums into pixel values (`Integrator::develop_scale`).
-  std::vector<double> whole;                    ///< per layer, for the sum over replicates
-  std::vector<std::vector<double>> replicates;  ///< per layer and replicate; none if it has none
+  std::vector<DevelopScale> whole;  ///< per layer, for the sum over replicates
+  std::vector<std::vector<DevelopScale>>
+      replicates;  ///< per layer and replicate; none if it has none
   std::vector<std::pair<std::string, Plane>> maps;  ///< `Integrator::maps`
   std::optional<Plane> antialias_mask;
   bool misses_light = false;  ///< `Integrator::misses_light`

@@ -70,6 +70,44 @@ TEST_F(OutputTest, PartsOfALayerAreShownInItAndInThePicture) {
   EXPECT_NEAR(picture.layers[0].pixels.at(15), picture.layers[1].pixels.at(15) + 0.75F, 1e-5);
 }
 
+/// Of one pixel, in the samples of the picture `first`, `first + step`, …
+double mean_seen(const TestIntegrator& integrator, std::uint64_t pixel, std::uint64_t first,
+                 std::uint64_t step, std::uint64_t samples) {
+  double sum = 0.0;
+  std::uint64_t count = 0;
+  for (std::uint64_t i = first; i < samples; i += step) {
+    for (std::uint64_t k = 0; k < integrator.camera_samples(pixel); ++k, ++count) {
+      sum += TestIntegrator::value(pixel, i + 1000 * k);
+    }
+  }
+  return sum / static_cast<double>(count);
+}
+
+TEST_F(OutputTest, PixelsOfUnevenNumbersOfSamplesAreMeansOfTheirOwn) {
+  TestIntegrator integrator(kSize, 4);
+  integrator.uneven = true;
+  const Film film = rendered_film(integrator, 8);
+  const Picture picture = develop(film, integrator, 8, 3.0, {"standard-error", "replicates"});
+  ASSERT_EQ(picture.layers.size(), 9U);
+  EXPECT_EQ(picture.layers[3].name, "albedo");
+  EXPECT_EQ(picture.layers[4].name, "standard-error");
+  for (std::uint64_t pixel = 0; pixel < 12; ++pixel) {
+    const double mean = mean_seen(integrator, pixel, 0, 1, 8);
+    EXPECT_NEAR(picture.layers[0].pixels[3 * pixel], 3.0 * (mean + 0.25), 1e-5);
+    EXPECT_NEAR(picture.layers[1].pixels[3 * pixel], 3.0 * mean, 1e-5);
+    EXPECT_EQ(picture.layers[2].pixels[3 * pixel], 0.75F) << "a layer with one factor for all";
+    EXPECT_NEAR(picture.layers[3].pixels[3 * pixel], mean, 1e-5) << "has no replicates";
+    double squares = 0.0;
+    for (std::uint64_t r = 0; r < 4; ++r) {
+      const double own = mean_seen(integrator, pixel, r, 4, 8);
+      EXPECT_NEAR(picture.layers[5 + r].pixels[3 * pixel], 3.0 * (own + 0.25), 1e-5);
+      squares += 9.0 * (own - mean) * (own - mean);
+    }
+    EXPECT_NEAR(picture.layers[4].pixels[3 * pixel], std::sqrt(squares / 12.0), 1e-5);
+  }
+  EXPECT_GT(estimate_error(film, integrator, 8).value().value, 0.0);
+}
+
 TEST_F(OutputTest, IdentifiersAreMajoritiesAndOneLayerWhateverTheFilmKeeps) {
   TestIntegrator integrator(kSize, 4);
   std::vector<LayerSpec> specs = integrator.layers();

@@ -41,8 +41,8 @@ class Prepared final : public Integrator {
   std::uint64_t items_in_round() const override { return 0; }
   void run_item(std::uint64_t /*item*/, std::uint64_t /*first_sample*/, std::uint64_t /*samples*/,
                 Film& /*film*/, Counters& /*counters*/) override {}
-  double develop_scale(const LayerSpec& /*layer*/, std::uint64_t /*samples*/,
-                       std::optional<int> /*replicate*/) const override {
+  DevelopScale develop_scale(const LayerSpec& /*layer*/, std::uint64_t /*samples*/,
+                             std::optional<int> /*replicate*/) const override {
     return 0.0;
   }
 

@@ -1,16 +1,17 @@
 #pragma once
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "core/file_lock.h"
 #include "core/work_share.h"
-#include "scene/desc/scene_desc.h"
 #include "session/budget.h"
 #include "session/checkpoint.h"
 #include "session/display.h"
 #include "session/interrupts.h"
+#include "session/loaded_scene.h"
 #include "session/preview/tcp_stream.h"
 #include "session/ranks.h"
 #include "session/render_setup.h"
@@ -44,9 +45,10 @@ struct RenderFiles {
 
 /// A render that is wanted, new or to be gone on with.
 struct RenderOrder {
-  /// A file, or builtin:NAME (`load_scene`). With a `description`: what that is called.
+  /// A file, or builtin:NAME (`load_scene`). If it is `loaded`: what that is called.
   std::string scene;
-  std::optional<desc::SceneDesc> description;  ///< ready; empty: `scene` is loaded
+  /// Ready, and shared with other renders of it; null: `scene` is loaded for this one.
+  std::shared_ptr<LoadedScene> loaded;
   /// What was asked for; empty: go on with `resumed` as it was, within `budget`.
   std::optional<RenderRequest> request;
   bool all_aovs = false;         ///< of a request: "all" means what the method can make

@@ -21,10 +21,20 @@ RenderStatistics first_statistics(const RenderState& state) {
   return statistics;
 }
 
+std::shared_ptr<const BuiltScene> build(RenderState& state, desc::SceneDesc&& description) {
+  state.events.phase_begun(RenderPhase::Build);
+  const Stopwatch clock;
+  auto built = std::make_shared<const BuiltScene>(
+      std::move(description), state.plan->setup.resolution, state.plan->record.filter);
+  state.statistics.times.build = clock.seconds();
+  if (state.order.loaded) state.order.loaded->keep(built);
+  return built;
+}
+
 }  // namespace
 
 desc::SceneDesc load_description(RenderState& state) {
-  if (state.order.description) return *std::exchange(state.order.description, std::nullopt);
+  if (state.order.loaded) return state.order.loaded->description();
   state.events.phase_begun(RenderPhase::Load);
   const Stopwatch clock;
   desc::SceneDesc description = load_scene(state.order.scene, state.warnings);
@@ -37,13 +47,15 @@ void build_scene(RenderState& state, desc::SceneDesc description) {
   // What the method makes of it is known later; it makes these at least.
   MemoryEstimate least =
       memory_of(plan, state.order, {LayerSpec{.name = "direct"}, LayerSpec{.name = "indirect"}});
-  least.scene = scene_bytes(description);
+  std::shared_ptr<const BuiltScene> built;
+  if (state.order.loaded) {
+    built = state.order.loaded->built(plan.setup.resolution, plan.record.filter);
+  }
+  if (!built) least.scene = scene_bytes(description);
   check_memory(least, state.order, description.film.where);
-  state.events.phase_begun(RenderPhase::Build);
-  const Stopwatch clock;
-  state.scene = std::make_unique<const Scene>(std::move(description),
-                                              BuildOptions{plan.setup.resolution}, state.warnings);
-  state.statistics.times.build = clock.seconds();
+  if (!built) built = build(state, std::move(description));
+  state.scene = std::shared_ptr<const Scene>(built, &built->scene);
+  state.warnings.add_all(built->warnings);
   plan.record.scene_hash = state.scene->hash();
   state.statistics = first_statistics(state);
   state.watch.know(state.statistics);

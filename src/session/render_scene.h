@@ -7,8 +7,8 @@ namespace ajar {
 /// What is to be rendered. Raises what `load_scene` does.
 desc::SceneDesc load_description(RenderState& state);
 
-/// Builds the scene for what was planned, and tells what is unusual in it. Raises SceneError, and
-/// UsageError for a picture that does not fit into memory.
+/// Builds the scene for what was planned, unless it is built already, and tells what is unusual in
+/// it. Raises SceneError, and UsageError for a picture that does not fit into memory.
 void build_scene(RenderState& state, desc::SceneDesc description);
 
 }  // namespace ajar

@@ -27,7 +27,7 @@ struct RenderState {
   Warnings warnings{};
   RenderStatistics statistics{};  ///< all that is known beside the passes
   std::optional<RenderPlan> plan{};
-  std::unique_ptr<const Scene> scene{};
+  std::shared_ptr<const Scene> scene{};
   std::unique_ptr<Integrator> integrator{};
   std::optional<Film> film{};
   std::shared_ptr<PictureFilter> filter{};  ///< null: pictures are as they were rendered

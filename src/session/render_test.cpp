@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/error.h"
+#include "import/pbrt/pbrt_import.h"
 #include "session/scene_file.h"
 #include "session/testing/thread_ranks.h"
 
@@ -37,6 +38,11 @@ const std::vector<float>& pixels_of(const Picture& picture) {
 
 std::uint64_t samples_of(const Picture& picture) {
   return std::stoull(picture.metadata.at("ajar:samples_per_pixel"));
+}
+
+std::shared_ptr<LoadedScene> loaded(const std::string& scene) {
+  Warnings warnings;
+  return std::make_shared<LoadedScene>(load_scene(scene, warnings));
 }
 
 std::vector<float> rendered(RenderOrder order) {
@@ -93,12 +99,67 @@ TEST(Render, TellsItsStepsAndItsEnd) {
 
 TEST(Render, TakesASceneThatIsReady) {
   RenderOrder order = small_order();
-  Warnings warnings;
-  order.description = load_scene(order.scene, warnings);
+  order.loaded = loaded(order.scene);
   Listener listener;
   Render render(std::move(order), listener);
   EXPECT_EQ(pixels_of(*render.run().picture), rendered(small_order()));
   EXPECT_EQ(listener.phases.front(), "build");
+}
+
+TEST(Render, TakesASceneThatWasBuiltForAnother) {
+  const std::shared_ptr<LoadedScene> scene = loaded("builtin:cornell");
+  RenderRequest request = *small_order().request;
+  const auto first_phase = [&] {
+    RenderOrder order = small_order();
+    order.request = request;
+    RenderOrder alone = small_order();
+    alone.request = request;
+    order.loaded = scene;
+    Listener listener;
+    Render render(std::move(order), listener);
+    EXPECT_EQ(pixels_of(*render.run().picture), rendered(std::move(alone)));
+    return listener.phases.front();
+  };
+  EXPECT_EQ(first_phase(), "build");
+  EXPECT_EQ(first_phase(), "prepare");
+  request.integrator = "mmlt";
+  request.seed = 7;
+  EXPECT_EQ(first_phase(), "prepare");
+  request.crop = {.values = {3, 2, 20, 15}, .fractions = false};
+  EXPECT_EQ(first_phase(), "prepare");
+  request.resolution = Vec2i(30, 18);
+  EXPECT_EQ(first_phase(), "build");
+  request.filter = "gaussian";
+  EXPECT_EQ(first_phase(), "build");
+  EXPECT_EQ(first_phase(), "prepare");
+  request = *small_order().request;
+  EXPECT_EQ(first_phase(), "build") << "one is kept";
+}
+
+/// A texture is missing, which is found when the scene is built.
+TEST(Render, TellsTheWarningsOfASceneThatWasBuiltForAnother) {
+  Warnings warnings;
+  const auto scene = std::make_shared<LoadedScene>(import_pbrt_text(
+      R"(Film "image" "integer xresolution" 8 "integer yresolution" 8
+         WorldBegin
+         LightSource "infinite"
+         Texture "missing" "color" "imagemap" "string filename" "none.png"
+         Material "matte" "texture Kd" "missing"
+         Shape "sphere"
+         WorldEnd)",
+      "test.pbrt", ".", warnings));
+  std::vector<std::vector<std::string>> told;
+  for (int i = 0; i < 2; ++i) {
+    RenderOrder order;
+    order.scene = "test.pbrt";
+    order.loaded = scene;
+    order.request.emplace().integrator = "pt";
+    order.request->budget.samples_per_pixel = 4;
+    Render render(std::move(order));
+    told.push_back(render.run().statistics.warnings);
+  }
+  EXPECT_NE(told[0].back().find("none.png"), std::string::npos);
+  EXPECT_EQ(told[1], told[0]);
 }
 
 TEST(Render, IsStoppedByAnotherThread) {

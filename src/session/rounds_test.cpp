@@ -55,8 +55,8 @@ class ThreeRounds final : public Integrator {
       ++counters.samples;
     }
   }
-  double develop_scale(const LayerSpec& /*layer*/, std::uint64_t samples,
-                       std::optional<int> replicate) const override {
+  DevelopScale develop_scale(const LayerSpec& /*layer*/, std::uint64_t samples,
+                             std::optional<int> replicate) const override {
     return (replicate ? 4 : 1) / static_cast<double>(samples);
   }
   void save_state(OutputArchive& archive) const override { archive(round_, photons_, sum_); }

@@ -17,6 +17,7 @@ class TestIntegrator final : public Integrator {
   std::vector<LayerSpec> layers() const override {
     std::vector<LayerSpec> specs = {LayerSpec{.name = "direct"}, LayerSpec{.name = "indirect"}};
     if (has_part) specs.push_back({.name = "weak", .part_of = "indirect"});
+    if (uneven) specs.push_back({.name = "albedo", .has_replicates = false});
     return specs;
   }
   std::uint64_t items_in_round() const override {
@@ -29,7 +30,11 @@ class TestIntegrator final : public Integrator {
     const Vec2i pixel(static_cast<int>(item % width), static_cast<int>(item / width));
     for (std::uint64_t i = first_sample; i < first_sample + samples; ++i) {
       const int replicate = static_cast<int>(i % static_cast<std::uint64_t>(replicates_));
-      film.add(0, replicate, pixel, Spectrum(value(first_number + item, i)));
+      for (std::uint64_t k = 0; k < camera_samples(item); ++k) {
+        const Spectrum seen(value(first_number + item, i + 1000 * k));
+        film.add(0, replicate, pixel, seen);
+        if (uneven) film.add(film.layer("albedo"), replicate, pixel, seen);
+      }
       film.add(1, replicate, pixel, Spectrum(0.25F));
       if (has_part) film.add(2, replicate, pixel, Spectrum(0.5F));
       ++counters.samples;
@@ -43,9 +48,19 @@ class TestIntegrator final : public Integrator {
       }
     }
   }
-  double develop_scale(const LayerSpec& /*layer*/, std::uint64_t samples,
-                       std::optional<int> replicate) const override {
-    return (replicate ? replicates_ : 1) / static_cast<double>(samples);
+  DevelopScale develop_scale(const LayerSpec& layer, std::uint64_t samples,
+                             std::optional<int> replicate) const override {
+    DevelopScale scale((replicate ? replicates_ : 1) / static_cast<double>(samples));
+    if (!uneven || layer.name == "indirect") return scale;
+    for (std::uint64_t item = 0; item < items_in_round(); ++item) {
+      scale.pixels.push_back(1.F / static_cast<float>(camera_samples(item)));
+    }
+    return scale;
+  }
+
+  /// That a pixel has for each sample of the picture, of direct light alone.
+  std::uint64_t camera_samples(std::uint64_t item) const {
+    return uneven ? 1 + (first_number + item) % 3 : 1;
   }
 
   bool is_of_chains(std::uint64_t /*item*/) const override { return has_chains; }
@@ -64,6 +79,8 @@ class TestIntegrator final : public Integrator {
   std::uint64_t first_number = 0;
   /// Adds a layer of 0.5 that is a part of the indirect light.
   bool has_part = false;
+  /// Gives pixels different numbers of camera samples, and adds a layer of what they saw.
+  bool uneven = false;
   bool has_chains = false;  ///< whether all items are of chains
 
  private:

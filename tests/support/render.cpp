@@ -45,7 +45,7 @@ std::vector<float> Render::layer(const std::string& name, std::optional<int> rep
     const LayerSpec& spec = film->layers()[i];
     if (spec.name != name && spec.part_of != name) continue;
     const auto index = static_cast<int>(i);
-    const double scale = integrator->develop_scale(spec, samples, replicate);
+    const DevelopScale scale = integrator->develop_scale(spec, samples, replicate);
     const std::vector<float> pixels =
         replicate ? film->develop_replicate(index, *replicate, scale) : film->develop(index, scale);
     sum.resize(pixels.size());

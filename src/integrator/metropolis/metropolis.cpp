@@ -76,8 +76,8 @@ class MetropolisIntegrator final : public Integrator {
   void run_item(std::uint64_t item, std::uint64_t first_sample, std::uint64_t samples, Film& film,
                 Counters& counters) override;
   bool is_of_chains(std::uint64_t /*item*/) const override { return !unprepared_; }
-  double develop_scale(const LayerSpec& layer, std::uint64_t samples,
-                       std::optional<int> replicate) const override;
+  DevelopScale develop_scale(const LayerSpec& layer, std::uint64_t samples,
+                             std::optional<int> replicate) const override;
   MethodReport report() const override;
 
   bool keeps_state() const override { return !unprepared_; }
@@ -277,8 +277,8 @@ std::vector<LayerSpec> MetropolisIntegrator::layers() const {
   return specs;
 }
 
-double MetropolisIntegrator::develop_scale(const LayerSpec& layer, std::uint64_t samples,
-                                           std::optional<int> replicate) const {
+DevelopScale MetropolisIntegrator::develop_scale(const LayerSpec& layer, std::uint64_t samples,
+                                                 std::optional<int> replicate) const {
   if (samples == 0) return 0.0;
   const double scale = 1.0 / static_cast<double>(samples);
   if (is_chain_layer(layer.name)) return scale;

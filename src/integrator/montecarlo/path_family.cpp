@@ -92,8 +92,8 @@ class PathIntegrator final : public Integrator {
     counters.add_rays(sampler.ray_counts());
   }
 
-  double develop_scale(const LayerSpec& /*layer*/, std::uint64_t samples,
-                       std::optional<int> replicate) const override {
+  DevelopScale develop_scale(const LayerSpec& /*layer*/, std::uint64_t samples,
+                             std::optional<int> replicate) const override {
     if (samples == 0) return 0.0;
     if (!replicate) return 1.0 / static_cast<double>(samples);
     const auto count = static_cast<std::uint64_t>(settings_.replicates);

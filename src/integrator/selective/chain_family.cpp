@@ -54,8 +54,8 @@ class ChainIntegrator final : public Integrator {
   void run_item(std::uint64_t item, std::uint64_t first_sample, std::uint64_t samples, Film& film,
                 Counters& counters) override;
   bool is_of_chains(std::uint64_t item) const override { return item >= omc_items(); }
-  double develop_scale(const LayerSpec& layer, std::uint64_t samples,
-                       std::optional<int> replicate) const override;
+  DevelopScale develop_scale(const LayerSpec& layer, std::uint64_t samples,
+                             std::optional<int> replicate) const override;
   MethodReport report() const override;
 
   bool keeps_state() const override { return !populations_.empty() || learns(); }
@@ -453,8 +453,8 @@ std::uint64_t ChainIntegrator::memory_bytes() const {
   return bytes;
 }
 
-double ChainIntegrator::develop_scale(const LayerSpec& layer, std::uint64_t samples,
-                                      std::optional<int> replicate) const {
+DevelopScale ChainIntegrator::develop_scale(const LayerSpec& layer, std::uint64_t samples,
+                                            std::optional<int> replicate) const {
   if (layer.name == kDensityLayer) {
     const double mutations = effort_.mutations(samples);
     return mutations > 0.0 ? 1.0 / mutations : 0.0;

@@ -20,7 +20,7 @@ struct Cell {
 };
 
 /// What turns a sum of contributions to indirect light into that of pixels.
-double scale_of_found(const PilotView& view) {
+DevelopScale scale_of_found(const PilotView& view) {
   const auto layers = view.film.layers();
   const auto indirect = std::find_if(layers.begin(), layers.end(), [](const LayerSpec& layer) {
     return layer.name == "indirect";
@@ -48,11 +48,12 @@ double chain_share(const PilotView& view, const LightSplits& splits) {
     cell_at(i).light += static_cast<double>(
         luminance(Spectrum(picture[3 * i], picture[3 * i + 1], picture[3 * i + 2])));
   }
-  const double scale = scale_of_found(view);
+  const DevelopScale scale = scale_of_found(view);
   const auto lowest = static_cast<float>(view.plan.lowest_threshold());
   for (const FoundLight& found : view.found) {
-    Cell& cell = cell_at(pixel_at(crop, found.raster));
-    const double light = scale * static_cast<double>(luminance(found.value));
+    const std::size_t pixel = pixel_at(crop, found.raster);
+    Cell& cell = cell_at(pixel);
+    const double light = scale.at(pixel) * static_cast<double>(luminance(found.value));
     // Only `selective` puts it on the film.
     if (!view.plan.selective) cell.light += light;
     if (found.whole) continue;
