@@ -16,7 +16,7 @@
 #include "measuring/measured_scene.h"
 #include "measuring/timed_render.h"
 #include "post/denoise/denoiser.h"
-#include "post/denoise/filter_trust.h"
+#include "post/denoise/mix_estimates.h"
 #include "session/builtin_scenes.h"
 #include "session/interrupts.h"
 #include "session/write_picture.h"
@@ -98,6 +98,7 @@ std::string lines_of(const MeasuredScene& scene, const std::string& key, const s
                      const Arguments& arguments) {
   RenderSettings settings = scene.settings;
   settings.seed = static_cast<std::uint64_t>(seed);
+  settings.other_estimates = true;
   const TimedRender render =
       render_for({seconds}, *scene.scene, parse_variant(method), settings, interrupt_count());
   if (interrupted()) return {};
@@ -118,10 +119,19 @@ std::string lines_of(const MeasuredScene& scene, const std::string& key, const s
                    scene, render, picture);
     };
     add(filter.name, whole);
-    Replicates parts;
-    for (const std::vector<float>& part : render.replicates) parts.push_back(filtered(part));
-    add(filter.name + "+trust",
-        trust_filter(settings.resolution, render.picture, whole, render.replicates, parts).pixels);
+    BiasedEstimate by_chains{whole, {}};
+    for (const std::vector<float>& part : render.estimates.replicates) {
+      by_chains.replicates.push_back(filtered(part));
+    }
+    if (!render.estimates.others.empty()) {
+      BiasedEstimate by_omc{filtered(replicate_mean(render.estimates.others)), {}};
+      for (const std::vector<float>& part : render.estimates.others) {
+        by_omc.replicates.push_back(filtered(part));
+      }
+      add(filter.name + "+omc", by_omc.pixels);
+      add(filter.name + "+mix",
+          mix_estimates(settings.resolution, {by_omc, by_chains}, render.estimates.replicates).pixels);
+    }
   }
   return lines;
 }

@@ -45,9 +45,8 @@ TimedRender render_for(const TimeLimit& limit, const Scene& scene, const Variant
   render.samples = result.samples_per_pixel;
   render.complete = result.complete;
   render.estimate = estimate_error(film, *integrator, render.samples);
-  render.replicates =
-      light_replicates(film, development_of(film, *integrator, render.samples), render.samples,
-                       scene.film().scale);
+  const Development scales = development_of(film, *integrator, render.samples);
+  render.estimates = estimates_of(film, scales, render.samples, scene.film().scale);
   Picture picture =
       develop(film, *integrator, render.samples, scene.film().scale, {"standard-error"});
   render.picture = std::move(picture.layers.front().pixels);

@@ -7,12 +7,13 @@
 #include "integrator/integrator.h"
 #include "measuring/variant.h"
 #include "session/interrupts.h"
+#include "session/picture_filter.h"
 
 namespace ajar::bench {
 
 struct TimedRender {
   std::vector<float> picture;         ///< direct + indirect, scene-linear RGB
-  Replicates replicates;              ///< its independent parts; none of too short a render
+  PictureEstimates estimates;         ///< for filters
   std::vector<float> standard_error;  ///< of each value, from replicates
   std::optional<RelativeError> estimate;
   std::uint64_t samples = 0;  ///< per pixel

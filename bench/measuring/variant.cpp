@@ -30,7 +30,7 @@ RenderOrder order_of(const Variant& variant, desc::SceneDesc description,
                      const RenderSettings& settings, double seconds) {
   RenderOrder order;
   order.scene = description.source;
-  order.description = std::move(description);
+  order.loaded = std::make_shared<LoadedScene>(std::move(description));
   RenderRequest& request = order.request.emplace();
   request.integrator = variant.integrator->name;
   request.parameters = variant.parameters.given();

@@ -24,6 +24,9 @@ struct LayerSpec {
   bool holds_identities = false;
   /// Name of the layer that this one is a part of: shown as part of it, not by itself.
   std::string part_of{};
+  /// Name of the layer that this one is another estimate of: it is no part of the picture, and not
+  /// shown.
+  std::string instead_of{};
 };
 
 /// An image in the making: layers × replicates × pixels × 3 channels, each a 64-bit fixed-point

@@ -30,6 +30,9 @@ struct RenderSettings {
   std::uint64_t seed = 0;
   int replicates = 4;
   std::vector<std::string> aovs;  ///< extra layers asked for
+  /// Whether what chains make is also to be estimated by independent samples, where there are any
+  /// (`LayerSpec::instead_of`): filters mix the two.
+  bool other_estimates = false;
 };
 
 /// Numbers every integrator counts; summed over threads by the job.

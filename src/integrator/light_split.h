@@ -13,6 +13,8 @@ namespace ajar {
 
 /// The film's layer of what ordinary Monte Carlo leaves in the picture of divided light.
 inline const std::string kWeakLayer = "indirect-weak";
+/// What it finds of the rest, which chains make: another estimate of their layer.
+inline const std::string kStrongLayer = "indirect-strong";
 
 /// How the long paths of a pixel are divided.
 struct PixelShare {

@@ -31,12 +31,21 @@ struct PostHeuristics {
   static constexpr int kLongestStair = 32;
 
   // -------------------------------------------------------- denoising
-  /// Patch over which the harm of a filter is judged.
+  //
+  // Studies: docs/results/finished.md.
+
+  /// Patch over which the errors of estimates are averaged.
   /// Unit: pixels, standard deviation of a Gaussian. Range: [1, 32].
-  static constexpr double kTrustPatch = 4.0;
-  /// Differences between filtered and unfiltered replicates count at most so much.
+  static constexpr double kErrorPatch = 4.0;
+  /// Differences of filtered and unfiltered replicates count at most so much.
   /// Unit: the filtered picture. Range: >= 1.
   static constexpr float kMostDifference = 3.F;
+  /// Errors of darker values are relative to this.
+  /// Unit: share of the picture's median. Range: (0, 1].
+  static constexpr double kDarkest = 0.01;
+  /// Below this squared relative error estimates are mixed half and half: 0.1 %.
+  /// Unit: 1. Range: > 0.
+  static constexpr float kUnseenError = 1e-6F;
 };
 
 }  // namespace ajar

@@ -85,6 +85,7 @@ void check_budget(const Budget& budget) {
 
 /// Whether a layer is one of those of which the error is estimated.
 bool is_light(const LayerSpec& layer) {
+  if (!layer.instead_of.empty()) return true;
   const std::string& name = layer.part_of.empty() ? layer.name : layer.part_of;
   return name == "direct" || name == "indirect";
 }
@@ -100,6 +101,8 @@ void check_layer(const LayerSpec& layer, const std::set<std::string>& known) {
           "layer " + layer.name + " has replicates");
   require(layer.part_of.empty() || known.contains(layer.part_of),
           "layer " + layer.name + " is a part of nothing");
+  require(layer.instead_of.empty() || (layer.part_of.empty() && known.contains(layer.instead_of)),
+          "layer " + layer.name + " estimates nothing");
 }
 
 void check_layers(const std::vector<LayerSpec>& layers) {

@@ -232,6 +232,11 @@ TEST_F(HostileCheckpoint, IsRefusedForItsFilm) {
   }
   expect_refused("has no replicates", [](C& c) { c.layers[1].has_replicates = false; });
   expect_refused("part of nothing", [](C& c) { c.layers[2].part_of = "magic"; });
+  expect_refused("estimates nothing", [](C& c) {
+    c.layers[2].has_replicates = true;
+    c.layers[2].instead_of = "magic";
+    c.sums.resize(c.sums.size() * 2);
+  });
   expect_refused("part of nothing", [](C& c) { c.layers[2].part_of = "albedo"; });
   expect_refused("lacks a part", [](C& c) { c.layers[2].holds_identities = true; });
   expect_refused("no light", [](C& c) { c.layers[1].name = "other"; });

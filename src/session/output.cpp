@@ -34,6 +34,7 @@ int require_layer(const Film& film, const std::string& name) {
 
 /// Whether a layer is one of those that add up to the picture.
 bool is_light(const LayerSpec& spec) {
+  if (!spec.instead_of.empty()) return false;
   const std::string& name = spec.part_of.empty() ? spec.name : spec.part_of;
   return name == "direct" || name == "indirect";
 }
@@ -49,10 +50,26 @@ std::vector<int> light_layers(const Film& film) {
   return layers;
 }
 
-std::vector<ScaledLayer> scaled_light_layers(const Film& film, const Development& scales,
-                                             double film_scale) {
+/// Light layers, those left out of which there is another estimate. None if there is none.
+std::vector<int> other_light_layers(const Film& film) {
+  std::vector<int> others;
+  for (int layer : light_layers(film)) {
+    const std::string& name = film.layers()[static_cast<std::size_t>(layer)].name;
+    const auto other =
+        std::find_if(film.layers().begin(), film.layers().end(),
+                     [&](const LayerSpec& spec) { return spec.instead_of == name; });
+    if (other != film.layers().end()) {
+      layer = static_cast<int>(std::distance(film.layers().begin(), other));
+    }
+    others.push_back(layer);
+  }
+  return others == light_layers(film) ? std::vector<int>() : others;
+}
+
+std::vector<ScaledLayer> scaled_layers(const std::vector<int>& chosen, const Development& scales,
+                                       double film_scale) {
   std::vector<ScaledLayer> layers;
-  for (const int layer : light_layers(film)) {
+  for (const int layer : chosen) {
     ScaledLayer scaled{layer, {}};
     for (DevelopScale scale : scales.replicates[static_cast<std::size_t>(layer)]) {
       scale.factor *= film_scale;
@@ -61,6 +78,11 @@ std::vector<ScaledLayer> scaled_light_layers(const Film& film, const Development
     layers.push_back(std::move(scaled));
   }
   return layers;
+}
+
+/// Whether each replicate has samples, and there are several.
+bool has_replicates(const Film& film, std::uint64_t samples) {
+  return film.replicates() > 1 && samples >= static_cast<std::uint64_t>(film.replicates());
 }
 
 /// Layers whose three channels are one number.
@@ -148,6 +170,7 @@ Picture develop(const Film& film, const Development& scales, std::uint64_t sampl
   picture.layers.push_back({"", 3, {}});
   for (std::size_t i = 0; i < film.layers().size(); ++i) {
     const LayerSpec& spec = film.layers()[i];
+    if (!spec.instead_of.empty()) continue;
     if (spec.holds_identities) {
       if (spec.part_of.empty()) {
         picture.layers.push_back({spec.name, 1, majority_numbers(film, spec.name)});
@@ -176,12 +199,11 @@ Picture develop(const Film& film, const Development& scales, std::uint64_t sampl
     if (name == "samples") {
       picture.layers.push_back(
           {name, 1, std::vector<float>(sum.size() / 3, static_cast<float>(samples))});
-    } else if (name == "standard-error" && film.replicates() > 1 &&
-               samples >= static_cast<std::uint64_t>(film.replicates())) {
-      const auto layers = scaled_light_layers(film, scales, film_scale);
+    } else if (name == "standard-error" && has_replicates(film, samples)) {
+      const auto layers = scaled_layers(light_layers(film), scales, film_scale);
       picture.layers.push_back({name, 3, standard_error(develop_replicates(film, layers))});
     } else if (name == "replicates") {
-      const auto layers = scaled_light_layers(film, scales, film_scale);
+      const auto layers = scaled_layers(light_layers(film), scales, film_scale);
       int number = 0;
       for (std::vector<float>& replicate : develop_replicates(film, layers)) {
         picture.layers.push_back({fmt::format("{}.{}", name, number++), 3, std::move(replicate)});
@@ -192,10 +214,17 @@ Picture develop(const Film& film, const Development& scales, std::uint64_t sampl
   return picture;
 }
 
-Replicates light_replicates(const Film& film, const Development& scales, std::uint64_t samples,
-                            double film_scale) {
-  if (film.replicates() < 2 || samples < static_cast<std::uint64_t>(film.replicates())) return {};
-  return develop_replicates(film, scaled_light_layers(film, scales, film_scale));
+PictureEstimates estimates_of(const Film& film, const Development& scales, std::uint64_t samples,
+                              double film_scale) {
+  PictureEstimates estimates;
+  if (!has_replicates(film, samples)) return estimates;
+  estimates.replicates =
+      develop_replicates(film, scaled_layers(light_layers(film), scales, film_scale));
+  const std::vector<int> others = other_light_layers(film);
+  if (!others.empty()) {
+    estimates.others = develop_replicates(film, scaled_layers(others, scales, film_scale));
+  }
+  return estimates;
 }
 
 std::optional<RelativeError> estimate_error(const Film& film, const Integrator& integrator,
@@ -205,10 +234,10 @@ std::optional<RelativeError> estimate_error(const Film& film, const Integrator& 
 
 std::optional<RelativeError> estimate_error(const Film& film, const Development& scales,
                                             std::uint64_t samples) {
-  const Replicates replicates = light_replicates(film, scales, samples, 1.0);
-  if (replicates.empty()) return std::nullopt;
-  std::optional<RelativeError> error =
-      estimate_relative_error(replicates, Vec2i(film.width(), film.height()));
+  if (!has_replicates(film, samples)) return std::nullopt;
+  std::optional<RelativeError> error = estimate_relative_error(
+      develop_replicates(film, scaled_layers(light_layers(film), scales, 1.0)),
+      Vec2i(film.width(), film.height()));
   if (error) error->misses_light = scales.misses_light;
   return error;
 }

@@ -11,6 +11,7 @@
 #include "integrator/integrator.h"
 #include "post/display.h"
 #include "session/final_files.h"
+#include "session/picture_filter.h"
 
 namespace ajar {
 
@@ -37,9 +38,10 @@ Picture develop(const Film& film, const Integrator& integrator, std::uint64_t sa
 Picture develop(const Film& film, const Development& scales, std::uint64_t samples,
                 double film_scale, const std::vector<std::string>& aovs);
 
-/// The independent parts of the picture; none if each would have no sample.
-Replicates light_replicates(const Film& film, const Development& scales, std::uint64_t samples,
-                            double film_scale);
+/// The independent parts of the picture and of its other estimate; none if each would have no
+/// sample.
+PictureEstimates estimates_of(const Film& film, const Development& scales, std::uint64_t samples,
+                              double film_scale);
 
 /// Relative error of the whole picture after `samples` samples per pixel, from the spread of the
 /// film's replicates (`estimate_relative_error`); a lower bound, too, if light is missing. Empty

@@ -11,6 +11,12 @@
 
 namespace ajar {
 
+/// Independent parts of a picture.
+struct PictureEstimates {
+  Replicates replicates;  ///< of the picture; less than two: nothing is known of its noise
+  Replicates others;      ///< of its other estimate (`LayerSpec::instead_of`); may be empty
+};
+
 /// Takes the noise out of the pictures of one render. Several threads may use it.
 class PictureFilter {
  public:
@@ -23,13 +29,22 @@ class PictureFilter {
   /// As the scene was looked at.
   const Features& features();
 
-  /// Adds the layers "denoised", "denoising-albedo" and "denoising-normal" to a picture, whose
-  /// independent parts `replicates` are (less than two: nothing is known of its noise). False, and
-  /// no layers, if `progress` ended it.
-  bool add_layers(Picture& picture, const Replicates& replicates,
+  /// Adds the layers "denoised", "denoising-albedo" and "denoising-normal" to a picture while it is
+  /// rendered: the filter of the picture. `estimates`: its own replicates. False, and no layers, if
+  /// `progress` ended it.
+  bool add_layers(Picture& picture, const PictureEstimates& estimates,
                   const Denoiser::Progress& progress);
+  /// The same of a picture that is finished, for five or ten times the time: the filtered pictures
+  /// of both estimates, if there are two, are mixed as their replicates tell (`mix_estimates`), and
+  /// "denoised-error" says how wrong that still is. With less than four replicates as above.
+  bool add_best_layers(Picture& picture, const PictureEstimates& estimates,
+                       const Denoiser::Progress& progress);
 
  private:
+  /// For the filter.
+  const Features& prepared(Vec2i size);
+  void add(Picture& picture, std::vector<float> pixels);
+
   std::shared_ptr<const Denoiser> denoiser_;
   std::function<Features()> look_;
   std::mutex mutex_;
@@ -37,6 +52,8 @@ class PictureFilter {
   std::optional<Features> prepared_;  ///< for the filter
 };
 
+/// Error of "denoised", as far as it is known.
+inline constexpr const char* kDenoisedError = "denoised-error";
 /// The layers of features that the file of a picture has.
 inline constexpr const char* kFeatureAlbedo = "denoising-albedo";
 inline constexpr const char* kFeatureNormal = "denoising-normal";

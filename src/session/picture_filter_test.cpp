@@ -46,7 +46,7 @@ TEST(PictureFilter, AddsLayersAndLooksAtTheSceneOnce) {
     Picture picture = grey(1.F);
     const Replicates replicates = {std::vector<float>(6, 2.F), std::vector<float>(6, 4.F),
                                    std::vector<float>(6, 0.F), std::vector<float>(6, 0.F)};
-    ASSERT_TRUE(filter.add_layers(picture, replicates, {}));
+    ASSERT_TRUE(filter.add_layers(picture, {replicates, {}}, {}));
     EXPECT_EQ(picture.layers.front().pixels[0], 1.F) << "the picture stays as it was rendered";
     EXPECT_EQ(shown_layer(picture).name, kDenoisedLayer);
     EXPECT_EQ(shown_layer(picture).pixels[0], 3.F) << "the mean of two of four replicates";

@@ -14,8 +14,10 @@ namespace {
 RenderSetup choose_setup(const RenderOrder& order, const desc::SceneDesc& description) {
   if (!order.request) return setup_of(order.resumed->render, order.budget);
   RenderSetup setup = make_setup(*order.request, description.hints, description.film);
+  setup.settings.other_estimates = order.files.denoiser_name() != "none";
   if (order.resumed) {
     setup.settings.replicates = order.resumed->render.settings.replicates;
+    setup.settings.other_estimates = order.resumed->render.settings.other_estimates;
     check_budget(setup.budget, setup.settings.replicates);
   }
   return setup;

@@ -29,7 +29,12 @@ Picture RenderState::develop_with(const Film& of, const RenderStatistics& known,
   Picture picture = develop(of, scales, samples, film_scale, plan->setup.aovs);
   picture.metadata = to_metadata(known);
   if (filter) {
-    filter->add_layers(picture, light_replicates(of, scales, samples, film_scale), progress);
+    const PictureEstimates estimates = estimates_of(of, scales, samples, film_scale);
+    if (progress) {
+      filter->add_best_layers(picture, estimates, progress);
+    } else {
+      filter->add_layers(picture, estimates, {});
+    }
   }
   return picture;
 }

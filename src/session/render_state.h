@@ -42,8 +42,8 @@ struct RenderState {
   void warn(const Warning& warning);
   /// What is known of a render that has come to `result`.
   RenderStatistics statistics_with(const RenderResult& result) const;
-  /// The picture of `film`, with `statistics` as its metadata; filtered, unless `progress` ends
-  /// that.
+  /// The picture of `film`, with `statistics` as its metadata, filtered: with `progress` as well as
+  /// it can be, unless that ends it.
   Picture develop_with(const Film& film, const RenderStatistics& statistics,
                        const Denoiser::Progress& progress = {}) const;
 };

@@ -13,7 +13,8 @@ SampleSink::SampleSink(Film& film, const LightSplits* splits, const RayPrice* pr
       splits_(splits),
       price_(price),
       worth_(static_cast<float>(1.0 / cull_below)),
-      layers_{film.layer("direct"), std::max(film.layer(kWeakLayer), film.layer("indirect"))},
+      layers_{film.layer("direct"), std::max(film.layer(kWeakLayer), film.layer("indirect")),
+              film.layer(kStrongLayer)},
       g_buffer_(g_buffer),
       techniques_(techniques),
       seed_(seed),
@@ -39,11 +40,15 @@ void SampleSink::begin_sample(const Vec2& raster, float filter_weight, float wei
   sees_something_ = false;
   direct_ = Spectrum();
   indirect_ = Spectrum();
+  strong_light_ = Spectrum();
 }
 
 void SampleSink::add(const Contribution& whole) {
   Contribution contribution = whole;
-  if (split_ != nullptr && split_->divides(whole.technique)) divide(contribution);
+  if (split_ != nullptr && split_->divides(whole.technique)) {
+    divide(contribution);
+    if (layers_.strong >= 0) keep_strong_light(whole, contribution.value);
+  }
   if (contribution.technique.t == 1) contribution.value *= light_weight_;
   const Spectrum& value = contribution.value;
   if (!value.is_finite() || value.min() < 0.F) {
@@ -116,6 +121,7 @@ void SampleSink::hand_over(StrongPathSink& sink, SampleSource& numbers) {
 void SampleSink::end_sample() {
   put(layers_.direct, (direct_ * filter_weight_ - guess_.direct) * weight_);
   put(layers_.indirect, (indirect_ * filter_weight_ - guess_.indirect) * weight_);
+  put(layers_.strong, strong_light_ * (filter_weight_ * weight_));
   if (!sees_something_) g_buffer_.add_nothing(film_, pixel_, sample_);
   tally_.end_sample();
 }
@@ -151,6 +157,16 @@ void SampleSink::keep_strong(const Contribution& contribution, const Vec2& raste
   path.value = contribution.value * (parts.chains * weight * static_cast<float>(lot));
   path.energy *= lot;
   strong_.push_back(path);
+}
+
+void SampleSink::keep_strong_light(const Contribution& whole, const Spectrum& weak) {
+  const Spectrum strong = whole.value - weak;
+  if (!strong.is_finite() || strong.min() < 0.F || strong.is_black()) return;
+  if (whole.technique.t == 1) {
+    film_.splat(layers_.strong, replicate_, whole.raster, strong * light_weight_);
+  } else {
+    strong_light_ += strong;
+  }
 }
 
 void SampleSink::discard(const Contribution& contribution) {

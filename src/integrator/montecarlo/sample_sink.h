@@ -56,6 +56,7 @@ class SampleSink final : public PathSink {
   struct Layers {
     int direct;
     int indirect;
+    int strong;  ///< −1 if nobody wants to know
   };
 
   void put(int layer, const Spectrum& value);
@@ -63,6 +64,7 @@ class SampleSink final : public PathSink {
   void divide(Contribution& contribution);
   void keep_strong(const Contribution& contribution, const Vec2& raster,
                    const LightSplit::Parts& parts);
+  void keep_strong_light(const Contribution& whole, const Spectrum& weak);
   void discard(const Contribution& contribution);
 
   Film& film_;
@@ -87,6 +89,7 @@ class SampleSink final : public PathSink {
   bool sees_something_ = false;  ///< whether the camera ray of this sample has met anything
   Spectrum direct_;
   Spectrum indirect_;
+  Spectrum strong_light_;
   bool keeps_strong_ = false;
   double grain_ = 0.0;  ///< of the strong paths
   std::uint64_t origin_ = 0;

@@ -279,6 +279,7 @@ void SplitPilot::hand_over(Film& film) {
   if (!film_) return;
   film.add_layers(*film_, std::array<std::string, 1>{"indirect"});
   const int weak = film.layer(kWeakLayer);
+  const int strong = film.layer(kStrongLayer);
   const auto lowest = static_cast<float>(plan_.lowest_threshold());
   for (const FoundLight& found : found_) {
     const LightSplit& split = plan_.splits->of(found.replicate);
@@ -287,6 +288,7 @@ void SplitPilot::hand_over(Film& film) {
     const float left =
         found.whole ? 1.F : (above - 1.F + split.omc_share(found.strength, found.raster)) / above;
     film.splat(weak, found.replicate, found.raster, found.value * left);
+    if (strong >= 0) film.splat(strong, found.replicate, found.raster, found.value * -left);
   }
   found_ = {};
   film_.reset();

@@ -1,0 +1,41 @@
+#pragma once
+#include <vector>
+
+#include "core/vector.h"
+#include "image/statistics.h"
+
+namespace ajar {
+
+/// A picture made by something that may be wrong, such as a filter: RGB interleaved, row by row.
+struct BiasedEstimate {
+  std::vector<float> pixels;
+  Replicates replicates;  ///< the same made of each replicate alone; at least four
+};
+
+/// Several estimates of one picture as one.
+struct MixedEstimate {
+  std::vector<float> pixels;
+  /// Root of the mean squared error of each value, of which errors of single pixels are unknown: as
+  /// large as it is around.
+  std::vector<float> error;
+  std::vector<std::vector<float>>
+      shares;  ///< of each estimate, one value for each pixel; they sum to 1
+};
+
+/// Mixes estimates in inverse proportion to their squared errors, patch by patch. With replicates X
+/// that are unbiased, and estimates D of them, none of which has seen what it is compared with,
+///
+///     (D₁ − X₂) · (D₃ − X₄)
+///
+/// is the squared bias of D without bias (ours; docs/denoising.md): that of a picture of as many
+/// samples as one replicate, so rather more than that of the whole. It is averaged over all orders
+/// of four replicates and over a patch, relative to the estimates, so that bright pixels do not
+/// decide; the spread of the replicates of D is added to it. Errors of the mixture are at most the
+/// mean of those of its parts, weighted by their shares, which is what `error` says.
+///
+/// `unbiased`: as many replicates as the estimates have. Raises std::invalid_argument if there are
+/// no estimates, too few replicates, or sizes that do not fit.
+MixedEstimate mix_estimates(Vec2i size, const std::vector<BiasedEstimate>& estimates,
+                            const Replicates& unbiased);
+
+}  // namespace ajar

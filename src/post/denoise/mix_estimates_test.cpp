@@ -1,0 +1,145 @@
+#include "post/denoise/mix_estimates.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <stdexcept>
+
+#include "image/blur.h"
+
+namespace ajar {
+namespace {
+
+constexpr Vec2i kSize{96, 96};
+constexpr std::size_t kValues = std::size_t{3} * 96 * 96;
+
+/// Four pictures of `truth` with relative noise.
+Replicates noisy(const std::vector<float>& truth, float noise) {
+  std::mt19937 random(7);  // NOLINT(cert-msc32-c,cert-msc51-cpp): the same test each time
+  std::normal_distribution<float> normal;
+  Replicates replicates(4, truth);
+  for (std::vector<float>& picture : replicates) {
+    for (float& value : picture) value *= 1.F + noise * normal(random);
+  }
+  return replicates;
+}
+
+/// A filter, and none.
+std::vector<BiasedEstimate> smooth_and_raw(const Replicates& replicates) {
+  const std::vector<float> mean = replicate_mean(replicates);
+  BiasedEstimate smooth{blurred(mean, kSize, 4.0), {}};
+  for (const auto& picture : replicates) smooth.replicates.push_back(blurred(picture, kSize, 4.0));
+  return {std::move(smooth), {mean, replicates}};
+}
+
+MixedEstimate mixture_of(const std::vector<float>& truth, float noise) {
+  const Replicates replicates = noisy(truth, noise);
+  return mix_estimates(kSize, smooth_and_raw(replicates), replicates);
+}
+
+double mean_of(const std::vector<float>& values) {
+  double sum = 0.0;
+  for (const float value : values) sum += double{value};
+  return sum / static_cast<double>(values.size());
+}
+
+double error_of(const std::vector<float>& picture, const std::vector<float>& truth) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < picture.size(); ++i) {
+    sum += std::pow(double{picture[i]} - double{truth[i]}, 2);
+  }
+  return std::sqrt(sum / static_cast<double>(picture.size()));
+}
+
+/// Stripes of two pixels: a blur of four takes all of them away.
+std::vector<float> stripes() {
+  std::vector<float> truth(kValues);
+  for (std::size_t i = 0; i < kValues; ++i) truth[i] = i / 3 % 4 < 2 ? 1.5F : 0.5F;
+  return truth;
+}
+
+TEST(MixEstimates, TakesTheFilterWhereItIsRight) {
+  const std::vector<float> truth(kValues, 0.7F);
+  const MixedEstimate mixed = mixture_of(truth, 0.5F);
+  EXPECT_GT(mean_of(mixed.shares[0]), 0.9);
+  EXPECT_LT(error_of(mixed.pixels, truth), 0.035) << "the mean has 0.175";
+}
+
+TEST(MixEstimates, TakesTheUnfilteredPictureWhereTheFilterHarms) {
+  const MixedEstimate mixed = mixture_of(stripes(), 0.1F);
+  EXPECT_GT(mean_of(mixed.shares[1]), 0.9);
+  EXPECT_LT(error_of(mixed.pixels, stripes()), 0.1) << "the filter makes 0.5 of it";
+}
+
+/// What would make a mixture with the unfiltered picture consistent: with less noise the share of a
+/// filter that is wrong falls with the variance.
+TEST(MixEstimates, LosesBiasAsNoiseFalls) {
+  const double some = mean_of(mixture_of(stripes(), 0.4F).shares[0]);
+  const double less = mean_of(mixture_of(stripes(), 0.1F).shares[0]);
+  const double least = mean_of(mixture_of(stripes(), 0.025F).shares[0]);
+  EXPECT_NEAR(less / some, 1.0 / 16, 0.02);
+  EXPECT_NEAR(least / less, 1.0 / 16, 0.02);
+}
+
+TEST(MixEstimates, ChoosesByPatch) {
+  // The one is too bright by half on the left, the other on the right.
+  const std::vector<float> truth(kValues, 1.F);
+  const Replicates replicates = noisy(truth, 0.3F);
+  std::vector<BiasedEstimate> estimates(2, {truth, Replicates(4, truth)});
+  for (std::size_t i = 0; i < kValues; ++i) {
+    BiasedEstimate& wrong = estimates[i / 3 % 96 < 48 ? 0 : 1];
+    wrong.pixels[i] = 1.5F;
+    for (std::vector<float>& picture : wrong.replicates) picture[i] = 1.5F;
+  }
+  const MixedEstimate mixed = mix_estimates(kSize, estimates, replicates);
+  for (std::size_t i = 0; i < kValues; ++i) {
+    const std::size_t x = i / 3 % 96;
+    if (x > 36 && x < 60) continue;
+    ASSERT_NEAR(mixed.pixels[i], 1.F, 0.1F) << "at column " << x;
+  }
+}
+
+TEST(MixEstimates, KnowsTheErrorThatIsLeft) {
+  for (const float noise : {0.1F, 0.4F}) {
+    const MixedEstimate mixed = mixture_of(stripes(), noise);
+    const double said = error_of(mixed.error, std::vector<float>(kValues, 0.F));
+    // A bound: errors of the two parts cancel in part.
+    const double real = error_of(mixed.pixels, stripes());
+    EXPECT_GT(said, 0.9 * real) << noise;
+    EXPECT_LT(said, 1.6 * real) << noise;
+  }
+}
+
+/// The squared bias is estimated without bias: of a filter that is right it is nothing on average,
+/// so that no more than the spread of the filtered replicates is said.
+TEST(MixEstimates, SaysNothingOfABiasThatIsNotThere) {
+  const std::vector<float> truth(kValues, 1.F);
+  const Replicates replicates = noisy(truth, 0.5F);
+  const MixedEstimate mixed = mix_estimates(kSize, {{truth, Replicates(4, truth)}}, replicates);
+  // 0.25 for each of the products' factors over the square root of the pixels in a patch (100 of 3
+  // values) and of the twelve orders, which hang together; half of it is negative.
+  EXPECT_LT(error_of(mixed.error, std::vector<float>(kValues, 0.F)), 0.1);
+}
+
+TEST(MixEstimates, TakesNoFireflyForLightThatTheFilterLost) {
+  const std::vector<float> truth(kValues, 1.F);
+  Replicates replicates(4, truth);
+  replicates[2][3 * (48 * 96 + 48) + 1] = 1000.F;
+  const std::vector<BiasedEstimate> estimates = {{truth, Replicates(4, truth)},
+                                                 {replicate_mean(replicates), replicates}};
+  const MixedEstimate mixed = mix_estimates(kSize, estimates, replicates);
+  EXPECT_LT(mixed.pixels[3 * (48 * 96 + 48) + 1], 1.1F);
+}
+
+TEST(MixEstimates, RefusesWhatDoesNotFit) {
+  const std::vector<float> picture(kValues, 1.F);
+  const Replicates four(4, picture);
+  EXPECT_THROW(mix_estimates(kSize, {}, four), std::invalid_argument);
+  EXPECT_THROW(mix_estimates(kSize, {{picture, Replicates(3, picture)}}, four),
+               std::invalid_argument);
+  EXPECT_THROW(mix_estimates({95, 96}, {{picture, four}}, four), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace ajar
