@@ -8,6 +8,7 @@
 #include "core/error.h"
 #include "image/flip.h"
 #include "image/metrics.h"
+#include "image/relative_error.h"
 #include "image/tone_curve.h"
 #include "integrator/integrator.h"
 #include "integrator/scene_features.h"
@@ -16,9 +17,9 @@
 #include "measuring/measured_scene.h"
 #include "measuring/timed_render.h"
 #include "post/denoise/denoiser.h"
-#include "post/denoise/mix_estimates.h"
 #include "session/builtin_scenes.h"
 #include "session/interrupts.h"
+#include "session/picture_filter.h"
 #include "session/write_picture.h"
 
 /// The finished picture: errors raw, by scale and after each filter, of equal CPU time. Writes a
@@ -30,7 +31,7 @@ namespace {
 constexpr int kExitInterrupted = 130;
 constexpr const char* kHeader =
     "scene,method,cpu_seconds,seed,spent,samples,reference_relmse,relmse,trimmed,p999,e1,e2,e4,e8,"
-    "flip,filter,filtered_relmse,filtered_trimmed,filtered_flip";
+    "flip,filter,filtered_relmse,filtered_trimmed,filtered_flip,filtered_error,filtered_estimate";
 
 struct Arguments {
   std::string file = "build/finished.csv";
@@ -48,16 +49,15 @@ bool interrupted() { return interrupt_count() > 0; }
 /// A filter with a scene's features.
 struct ReadyFilter {
   std::string name;
-  std::shared_ptr<const Denoiser> denoiser;
-  Features features;
+  std::unique_ptr<PictureFilter> filter;
 };
 
 std::vector<ReadyFilter> make_filters(const MeasuredScene& scene, const Arguments& arguments) {
   const Features features = trace_features(*scene.scene, scene.settings);
   std::vector<ReadyFilter> filters;
   for (const std::string& name : arguments.filters) {
-    const std::shared_ptr<const Denoiser> denoiser = find_denoiser(name);
-    filters.push_back({name, denoiser, denoiser->prepare(scene.settings.resolution, features)});
+    filters.push_back({name, std::make_unique<PictureFilter>(find_denoiser(name),
+                                                             [features] { return features; })});
   }
   return filters;
 }
@@ -68,31 +68,27 @@ std::string raw_columns(const MeasuredScene& scene, const TimedRender& render) {
     return relative_mse_at_scale(picture, scene.truth, scene.settings.resolution, sigma);
   };
   return fmt::format(
-      "{:.2f},{},{:.4g},{:.4g},{:.4g},{:.4g},{:.4g},{:.4g},{:.4g},{:.4g},{:.4g}", render.cpu_seconds,
-      render.samples, scene.truth_floor.plain, relative_mse(picture, scene.truth),
-      relative_mse_trimmed(picture, scene.truth), relative_mse_quantile(picture, scene.truth),
-      at_scale(1.0), at_scale(2.0), at_scale(4.0), at_scale(8.0),
+      "{:.2f},{},{:.4g},{:.4g},{:.4g},{:.4g},{:.4g},{:.4g},{:.4g},{:.4g},{:.4g}",
+      render.cpu_seconds, render.samples, scene.truth_floor.plain,
+      relative_mse(picture, scene.truth), relative_mse_trimmed(picture, scene.truth),
+      relative_mse_quantile(picture, scene.truth), at_scale(1.0), at_scale(2.0), at_scale(4.0),
+      at_scale(8.0),
       map_mean(flip_map(to_ldr(picture), to_ldr(scene.truth), scene.settings.resolution)));
 }
 
-std::string filtered_columns(const MeasuredScene& scene, const std::vector<float>& denoised) {
+/// With the error that is estimated of it, if any is, and the true one.
+std::string filtered_columns(const MeasuredScene& scene, const Picture& picture) {
+  const std::vector<float>& pixels = shown_layer(picture).pixels;
+  const std::optional<double> estimate = denoised_error(picture);
   return fmt::format(
-      "{:.4g},{:.4g},{:.4g}", relative_mse(denoised, scene.truth),
-      relative_mse_trimmed(denoised, scene.truth),
-      map_mean(flip_map(to_ldr(denoised), to_ldr(scene.truth), scene.settings.resolution)));
+      "{:.4g},{:.4g},{:.4g},{:.4g},{}", relative_mse(pixels, scene.truth),
+      relative_mse_trimmed(pixels, scene.truth),
+      map_mean(flip_map(to_ldr(pixels), to_ldr(scene.truth), scene.settings.resolution)),
+      relative_error(pixels, scene.truth).value_or(0.0),
+      estimate ? fmt::format("{:.4g}", *estimate) : "");
 }
 
-void keep_picture(const std::string& path, const MeasuredScene& scene, const TimedRender& render,
-                  const std::vector<float>& filtered) {
-  Picture picture;
-  picture.resolution = scene.settings.resolution;
-  picture.crop = scene.settings.crop;
-  picture.layers.push_back({"", 3, render.picture});
-  picture.layers.push_back({kDenoisedLayer, 3, filtered});
-  for (const char* extension : {".exr", ".png"}) write_picture(path + extension, picture);
-}
-
-/// The lines of a render, one for each filter.
+/// The lines of a render, two for each filter: of the picture alone, and of all that is known.
 std::string lines_of(const MeasuredScene& scene, const std::string& key, const std::string& method,
                      double seconds, int seed, const std::vector<ReadyFilter>& filters,
                      const Arguments& arguments) {
@@ -104,33 +100,27 @@ std::string lines_of(const MeasuredScene& scene, const std::string& key, const s
   if (interrupted()) return {};
   const std::string raw = raw_columns(scene, render);
   std::string lines;
-  for (const ReadyFilter& filter : filters) {
-    const auto filtered = [&](const std::vector<float>& picture) {
-      return *filter.denoiser->filter({settings.resolution, picture, {}, {}}, filter.features, {});
-    };
-    const std::vector<float> whole = filtered(render.picture);
-    const auto add = [&](const std::string& name, const std::vector<float>& picture) {
+  for (const ReadyFilter& ready : filters) {
+    for (const bool mixes : {false, true}) {
+      Picture picture;
+      picture.resolution = settings.resolution;
+      picture.crop = settings.crop;
+      picture.layers.push_back({"", 3, render.picture});
+      if (mixes) {
+        ready.filter->add_best_layers(picture, render.estimates, {});
+      } else {
+        ready.filter->add_layers(picture, render.estimates, {});
+      }
+      const std::string name = ready.name + (mixes ? "+mix" : "");
       lines += fmt::format("{},{},{},{}\n", key, raw, name, filtered_columns(scene, picture));
-      if (arguments.pictures.empty()) return;
+      if (arguments.pictures.empty()) continue;
       std::string label = method;
       std::replace(label.begin(), label.end(), ':', '-');
-      keep_picture(fmt::format("{}/{}-{}-{:g}-{}-{}", arguments.pictures, scene.name, label, seconds,
-                               seed, name),
-                   scene, render, picture);
-    };
-    add(filter.name, whole);
-    BiasedEstimate by_chains{whole, {}};
-    for (const std::vector<float>& part : render.estimates.replicates) {
-      by_chains.replicates.push_back(filtered(part));
-    }
-    if (!render.estimates.others.empty()) {
-      BiasedEstimate by_omc{filtered(replicate_mean(render.estimates.others)), {}};
-      for (const std::vector<float>& part : render.estimates.others) {
-        by_omc.replicates.push_back(filtered(part));
+      for (const char* extension : {"exr", "png"}) {
+        write_picture(fmt::format("{}/{}-{}-{:g}-{}-{}.{}", arguments.pictures, scene.name, label,
+                                  seconds, seed, name, extension),
+                      picture);
       }
-      add(filter.name + "+omc", by_omc.pixels);
-      add(filter.name + "+mix",
-          mix_estimates(settings.resolution, {by_omc, by_chains}, render.estimates.replicates).pixels);
     }
   }
   return lines;
@@ -151,8 +141,7 @@ void measure(const BenchScene& bench_scene, const Arguments& arguments) {
           if (interrupted() || !scene) return;
           filters = make_filters(*scene, arguments);
         }
-        const std::string lines =
-            lines_of(*scene, key, method, seconds, seed, filters, arguments);
+        const std::string lines = lines_of(*scene, key, method, seconds, seed, filters, arguments);
         if (interrupted()) return;
         std::ofstream(arguments.file, std::ios::app) << lines;
         fmt::print(stderr, "{}", lines);

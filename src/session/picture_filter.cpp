@@ -1,7 +1,10 @@
 #include "session/picture_filter.h"
 
+#include <algorithm>
+#include <functional>
 #include <utility>
 
+#include "image/relative_error.h"
 #include "post/denoise/mix_estimates.h"
 
 namespace ajar {
@@ -26,8 +29,8 @@ class Halves {
     first_ = mean_of(replicates, 0, replicates.size() / 2);
     second_ = mean_of(replicates, replicates.size() / 2, replicates.size());
   }
-  NoisyPicture with(Vec2i size, std::span<const float> colour) const {
-    return {size, colour, first_, second_};
+  NoisyPicture with(Vec2i size, std::span<const float> colour, bool roughly = false) const {
+    return {size, colour, first_, second_, roughly};
   }
 
  private:
@@ -38,6 +41,18 @@ class Halves {
 Vec2i size_of(const Picture& picture) { return picture.crop.size() + Vec2i(1, 1); }
 
 }  // namespace
+
+std::optional<double> denoised_error(const Picture& picture) {
+  const auto error =
+      std::find_if(picture.layers.begin(), picture.layers.end(),
+                   [](const Picture::Layer& layer) { return layer.name == kDenoisedError; });
+  if (error == picture.layers.end()) return std::nullopt;
+  const std::vector<float>& pixels = shown_layer(picture).pixels;
+  std::vector<float> off_by_it(pixels.size());
+  std::transform(pixels.begin(), pixels.end(), error->pixels.begin(), off_by_it.begin(),
+                 std::plus<>());
+  return relative_error(off_by_it, pixels);
+}
 
 PictureFilter::PictureFilter(std::shared_ptr<const Denoiser> denoiser,
                              std::function<Features()> features)
@@ -70,8 +85,8 @@ bool PictureFilter::add_layers(Picture& picture, const PictureEstimates& estimat
                                const Denoiser::Progress& progress) {
   const Vec2i size = size_of(picture);
   const Halves halves(estimates.replicates);
-  std::optional<std::vector<float>> pixels = denoiser_->filter(
-      halves.with(size, picture.layers.front().pixels), prepared(size), progress);
+  std::optional<std::vector<float>> pixels =
+      denoiser_->filter(halves.with(size, picture.layers.front().pixels), prepared(size), progress);
   if (!pixels) return false;
   add(picture, *std::move(pixels));
   return true;
@@ -86,9 +101,10 @@ bool PictureFilter::add_best_layers(Picture& picture, const PictureEstimates& es
   if (!estimates.others.empty()) all.push_back(&estimates.others);
   const auto runs = static_cast<double>(all.size() * (1 + estimates.replicates.size()));
   double done = 0.0;
-  const auto filtered = [&](const std::vector<float>& pixels, const Replicates& parts) {
+  const auto filtered = [&](const std::vector<float>& pixels, const Replicates& parts,
+                            bool roughly) {
     const Halves halves(parts);
-    auto result = denoiser_->filter(halves.with(size, pixels), known, [&](double of_run) {
+    auto result = denoiser_->filter(halves.with(size, pixels, roughly), known, [&](double of_run) {
       return !progress || progress((done + of_run) / runs);
     });
     done += 1.0;
@@ -98,16 +114,19 @@ bool PictureFilter::add_best_layers(Picture& picture, const PictureEstimates& es
   for (const Replicates* replicates : all) {
     const bool is_picture = replicates == &estimates.replicates;
     auto whole = filtered(is_picture ? picture.layers.front().pixels : replicate_mean(*replicates),
-                          *replicates);
+                          *replicates, false);
     if (!whole) return false;
     BiasedEstimate& result = results.emplace_back();
     result.pixels = *std::move(whole);
     for (const std::vector<float>& replicate : *replicates) {
-      auto part = filtered(replicate, {});
+      auto part = filtered(replicate, {}, true);
       if (!part) return false;
       result.replicates.push_back(*std::move(part));
     }
   }
+  results.push_back({without_fireflies(picture.layers.front().pixels, estimates.replicates,
+                                       results.front().pixels),
+                     estimates.replicates});
   MixedEstimate mixed = mix_estimates(size, results, estimates.replicates);
   add(picture, std::move(mixed.pixels));
   picture.layers.push_back({kDenoisedError, 3, std::move(mixed.error)});

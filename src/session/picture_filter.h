@@ -34,9 +34,10 @@ class PictureFilter {
   /// `progress` ended it.
   bool add_layers(Picture& picture, const PictureEstimates& estimates,
                   const Denoiser::Progress& progress);
-  /// The same of a picture that is finished, for five or ten times the time: the filtered pictures
-  /// of both estimates, if there are two, are mixed as their replicates tell (`mix_estimates`), and
-  /// "denoised-error" says how wrong that still is. With less than four replicates as above.
+  /// The same of a picture that is finished, for three to six times the time: the unfiltered
+  /// picture and the filtered pictures of its estimates are mixed as their replicates tell
+  /// (`mix_estimates`), and "denoised-error" says how wrong that still is. With less than four
+  /// replicates as above.
   bool add_best_layers(Picture& picture, const PictureEstimates& estimates,
                        const Denoiser::Progress& progress);
 
@@ -54,6 +55,10 @@ class PictureFilter {
 
 /// Error of "denoised", as far as it is known.
 inline constexpr const char* kDenoisedError = "denoised-error";
+/// That error as one number, defined as the estimated error of the unfiltered picture is
+/// (`RelativeError`): relative, root of the mean square. Empty without that layer.
+std::optional<double> denoised_error(const Picture& picture);
+
 /// The layers of features that the file of a picture has.
 inline constexpr const char* kFeatureAlbedo = "denoising-albedo";
 inline constexpr const char* kFeatureNormal = "denoising-normal";

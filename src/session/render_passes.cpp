@@ -109,6 +109,7 @@ Picture last_picture(RenderState& state, const RenderJob& job) {
   state.statistics.times.denoise = clock.seconds();
   if (&shown_layer(picture) != &picture.layers.front()) {
     state.statistics.denoiser = state.filter->name();
+    state.statistics.denoised_error = denoised_error(picture);
   } else {
     state.events.note("interrupted while denoising: the picture is as it was rendered");
   }

@@ -131,6 +131,7 @@ Json to_json(const RenderStatistics& s) {
   json["stopped_by"] = to_string(r.stopped_by);
   json["interrupted"] = r.stopped_by == StopReason::Interrupted;
   json["complete"] = r.complete;
+  json["estimated_denoised_error"] = number_or_null(s.denoised_error);
   json["denoiser"] = text_or_null(s.denoiser);
   json["exposure"] = exposure_json(s.exposure);
   json["outputs"] = s.outputs;
@@ -165,6 +166,10 @@ std::map<std::string, std::string> to_metadata(const RenderStatistics& s) {
     metadata["ajar:estimated_relative_error"] = fmt::format("{:.6g}", r.relative_error->value);
     metadata["ajar:estimated_error_is_lower_bound"] =
         r.relative_error->is_lower_bound() ? "true" : "false";
+  }
+  if (!s.denoiser.empty()) metadata["ajar:denoiser"] = s.denoiser;
+  if (s.denoised_error) {
+    metadata["ajar:estimated_denoised_error"] = fmt::format("{:.6g}", *s.denoised_error);
   }
   for (const auto& [name, value] : s.parameters) metadata["ajar:parameter:" + name] = value;
   return metadata;

@@ -51,8 +51,9 @@ struct RenderStatistics {
   std::size_t warning_count = 0;
   std::vector<std::string> warnings;  ///< texts, at most `Warnings::kMaxKept`
   std::vector<std::string> outputs;
-  std::string denoiser;  ///< name and version; empty: nothing was filtered
-  Exposure exposure;     ///< of pictures for the eye: `stops` are those used, whoever chose them
+  std::optional<double> denoised_error;  ///< see `denoised_error`
+  std::string denoiser;                  ///< name and version; empty: nothing was filtered
+  Exposure exposure;  ///< of pictures for the eye: `stops` are those used, whoever chose them
 };
 
 /// Statistics as JSON with the keys of the manual (docs/command-line.md), those of the method's own

@@ -89,6 +89,7 @@ int merge(const MergeArguments& a) {
                                         merged.render.film_scale),
                            {});
     statistics.denoiser = filter.name();
+    statistics.denoised_error = denoised_error(picture);
   }
   const DisplayOptions display = wanted.of(picture);
   statistics.exposure = {wanted.exposure.automatic, display.exposure};

@@ -18,6 +18,8 @@ struct NoisyPicture {
   /// Two independent estimates of it, of half the samples each; empty where there are none.
   std::span<const float> first_half;
   std::span<const float> second_half;
+  /// Nobody looks at it: a filter that is nearly the same, and faster, will do.
+  bool roughly = false;
 };
 
 /// A filter that takes the noise of rendering out of a picture.

@@ -128,7 +128,8 @@ MixedEstimate mix_estimates(Vec2i size, const std::vector<BiasedEstimate>& estim
   for (std::size_t i = 0; i < scales.size() / 3; ++i) {
     float whole = 0.F;
     for (std::size_t e = 0; e < estimates.size(); ++e) {
-      mixed.shares[e][i] = 1.F / (errors[e].values[i] + PostHeuristics::kUnseenError);
+      const float error = errors[e].values[i] + PostHeuristics::kUnseenError;
+      mixed.shares[e][i] = 1.F / (error * error);
       whole += mixed.shares[e][i];
     }
     float error = 0.F;
@@ -143,6 +144,19 @@ MixedEstimate mix_estimates(Vec2i size, const std::vector<BiasedEstimate>& estim
     for (std::size_t v = 3 * i; v < 3 * i + 3; ++v) mixed.error[v] = std::sqrt(error) / scales[v];
   }
   return mixed;
+}
+
+std::vector<float> without_fireflies(const std::vector<float>& picture,
+                                     const Replicates& replicates,
+                                     const std::vector<float>& filtered) {
+  const std::vector<float> median = replicate_median(replicates);
+  std::vector<float> result = picture;
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    if (result[i] - filtered[i] > PostHeuristics::kMostDifference * std::abs(filtered[i])) {
+      result[i] = std::min(result[i], std::max(median[i], filtered[i]));
+    }
+  }
+  return result;
 }
 
 }  // namespace ajar

@@ -22,7 +22,9 @@ struct MixedEstimate {
       shares;  ///< of each estimate, one value for each pixel; they sum to 1
 };
 
-/// Mixes estimates in inverse proportion to their squared errors, patch by patch. With replicates X
+/// Mixes estimates in inverse proportion to the squares of their squared errors, patch by patch:
+/// that to the squared errors themselves, best for estimates that know nothing of each other, gives
+/// those that are worse too much (docs/denoising.md). With replicates X
 /// that are unbiased, and estimates D of them, none of which has seen what it is compared with,
 ///
 ///     (D₁ − X₂) · (D₃ − X₄)
@@ -37,5 +39,12 @@ struct MixedEstimate {
 /// no estimates, too few replicates, or sizes that do not fit.
 MixedEstimate mix_estimates(Vec2i size, const std::vector<BiasedEstimate>& estimates,
                             const Replicates& unbiased);
+
+/// The unfiltered picture as an estimate: where it is brighter than the filtered one by far
+/// (`PostHeuristics::kMostDifference`), and most of its replicates are not, it is a firefly, and as
+/// they are. Raises std::invalid_argument as `replicate_median` does.
+std::vector<float> without_fireflies(const std::vector<float>& picture,
+                                     const Replicates& replicates,
+                                     const std::vector<float>& filtered);
 
 }  // namespace ajar

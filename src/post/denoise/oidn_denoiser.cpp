@@ -66,7 +66,7 @@ class OidnDevice {
   };
   /// Empty if `progress` ended it.
   std::optional<std::vector<float>> run(Vec2i size, std::span<const Input> inputs, bool is_radiance,
-                                        const Denoiser::Progress& progress) const {
+                                        bool roughly, const Denoiser::Progress& progress) const {
     const Owned<OidnLibrary::Filter> filter(oidn_.new_filter(device_.get(), "RT"),
                                             oidn_.release_filter);
     std::vector<float> output(3 * static_cast<std::size_t>(size.x) *
@@ -85,6 +85,7 @@ class OidnDevice {
       oidn_.set_filter_bool(filter.get(), "cleanAux", inputs.size() > 1);
     }
     oidn_.set_filter_int(filter.get(), "maxMemoryMB", kMostMemory);
+    if (roughly) oidn_.set_filter_int(filter.get(), "quality", OidnLibrary::kFast);
     if (progress) {
       oidn_.set_filter_progress_monitor_function(
           filter.get(),
@@ -125,7 +126,7 @@ Features OidnDenoiser::prepare(Vec2i size, Features features) const {
   const OidnDevice device(*library_);
   const auto clean = [&](const char* name, std::vector<float>& pixels) {
     pixels = finite(pixels);
-    pixels = *device.run(size, std::array{OidnDevice::Input{name, &pixels}}, false, {});
+    pixels = *device.run(size, std::array{OidnDevice::Input{name, &pixels}}, false, false, {});
   };
   clean("albedo", features.albedo);
   clean("normal", features.normal);
@@ -142,7 +143,7 @@ std::optional<std::vector<float>> OidnDenoiser::filter(const NoisyPicture& pictu
     inputs.push_back({"albedo", &features.albedo});
     inputs.push_back({"normal", &features.normal});
   }
-  return device.run(picture.size, inputs, true, progress);
+  return device.run(picture.size, inputs, true, picture.roughly, progress);
 }
 
 }  // namespace ajar

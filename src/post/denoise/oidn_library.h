@@ -16,6 +16,7 @@ struct OidnLibrary {
   // Values of the interface's enumerations that are used.
   static constexpr int kCpu = 1;
   static constexpr int kFloat3 = 3;
+  static constexpr int kFast = 4;
   static constexpr int kNoError = 0;
   static constexpr int kCancelled = 6;
 
