@@ -64,6 +64,11 @@ const std::multimap<std::string, Unfitted>& unfitted() {
         {"kRadius", "kSigma", "kMeanConstant", "kVarianceConstant", "kWindow"}}},
       {"image/truth_guess.cpp", {"channels", {"kChannels"}}},
       {"image/truth_guess.cpp", {"limit of a type", {"kMost"}}},
+      {"post/denoise/mix_estimates.cpp", {"replicates in a product", {"kParts"}}},
+      {"post/denoise/oidn_denoiser.cpp",
+       {"default of the library, and what it takes", {"kMostMemory", "kBytesPerPixel"}}},
+      {"post/denoise/oidn_library.h",
+       {"enumerations of the library", {"kCpu", "kFloat3", "kFast", "kNoError", "kCancelled"}}},
       {"mcmc/primary/chain_numbers.h", {"streams", {"kStreams"}}},
       {"mcmc/primary/chain_source.h", {"index", {"kRasterBlock"}}},
       {"mcmc/primary/gaussian_mutation.cpp", {"the same as uniform beyond", {"kWidest"}}},
@@ -113,12 +118,15 @@ std::vector<std::string> number_constants(const std::string& text) {
 
 fs::path source_folder() { return fs::path(AJAR_SOURCE_DIR) / "src"; }
 
-/// Files of a room that programs are made of, beside its heuristics.h.
+/// Files of a room that programs are made of, beside its heuristics.h; those in its folders, too.
 std::vector<fs::path> files_of(const std::string& room) {
   std::vector<fs::path> files;
-  for (const fs::directory_entry& entry : fs::directory_iterator(source_folder() / room)) {
+  for (const fs::directory_entry& entry :
+       fs::recursive_directory_iterator(source_folder() / room)) {
     const std::string name = entry.path().filename().string();
-    if (name == "heuristics.h" || name.ends_with("_test.cpp")) continue;
+    const bool is_of_tests =
+        name.ends_with("_test.cpp") || entry.path().parent_path().filename() == "testing";
+    if (name == "heuristics.h" || is_of_tests) continue;
     if (name.ends_with(".h") || name.ends_with(".cpp")) files.push_back(entry.path());
   }
   return files;
