@@ -11,7 +11,8 @@ namespace {
 
 TEST(CsvKeys, AreTheFirstColumns) {
   const std::string path =
-      (std::filesystem::temp_directory_path() / ("ajar_keys_" + std::to_string(::getpid()))).string();
+      (std::filesystem::temp_directory_path() / ("ajar_keys_" + std::to_string(::getpid())))
+          .string();
   EXPECT_TRUE(csv_keys(path, 2).empty());
   begin_csv(path, "scene,method,error");
   std::ofstream(path, std::ios::app) << "pool,\"mmlt:a=1,b=2\",0.5\n";

@@ -15,7 +15,7 @@ struct MeasureOptions {
   int longer_side = 0;      ///< pixels, in the scene's own shape; 0: 160×120 for all
   bool box_filter = false;  ///< one pixel wide, instead of the scene's own
   std::string folder = "build/measured-scenes";  ///< where references are kept
-  double reference_seconds = 400.0;  ///< of CPU, of both methods together
+  double reference_seconds = 400.0;              ///< of CPU, of both methods together
 };
 
 /// A scene, and what a picture of it should be.
@@ -30,8 +30,8 @@ struct MeasuredScene {
 };
 
 /// Its truth is the average of references by two methods that fail in different places, bdpt and
-/// mmlt+, weighted by how noisy they are as a whole. They are loaded from the folder, or rendered and
-/// kept there. Empty if interrupted. Raises IoError.
+/// mmlt+, weighted by how noisy they are as a whole. They are loaded from the folder, or rendered
+/// and kept there. Empty if interrupted. Raises IoError.
 std::optional<MeasuredScene> measure_scene(const BenchScene& bench_scene,
                                            const MeasureOptions& options);
 

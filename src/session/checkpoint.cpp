@@ -117,7 +117,8 @@ std::vector<std::pair<std::string, std::string>> described(const RenderRecord& r
 
 bool same_layer(const LayerSpec& a, const LayerSpec& b) {
   return a.name == b.name && a.has_replicates == b.has_replicates && a.magnitude == b.magnitude &&
-         a.holds_identities == b.holds_identities && a.part_of == b.part_of && a.instead_of == b.instead_of;
+         a.holds_identities == b.holds_identities && a.part_of == b.part_of &&
+         a.instead_of == b.instead_of;
 }
 
 }  // namespace

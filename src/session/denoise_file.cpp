@@ -48,8 +48,8 @@ bool denoise_picture(Picture& picture, std::shared_ptr<const Denoiser> denoiser,
   PictureFilter filter(std::move(denoiser), [features = features_in(picture)] { return features; });
   const Replicates replicates = replicates_in(picture);
   std::erase_if(picture.layers, [](const Picture::Layer& layer) {
-    return layer.name == kDenoisedLayer || layer.name == kDenoisedError || layer.name == kFeatureAlbedo ||
-           layer.name == kFeatureNormal;
+    return layer.name == kDenoisedLayer || layer.name == kDenoisedError ||
+           layer.name == kFeatureAlbedo || layer.name == kFeatureNormal;
   });
   return filter.add_best_layers(picture, {replicates, {}}, progress);
 }

@@ -55,9 +55,8 @@ std::vector<int> other_light_layers(const Film& film) {
   std::vector<int> others;
   for (int layer : light_layers(film)) {
     const std::string& name = film.layers()[static_cast<std::size_t>(layer)].name;
-    const auto other =
-        std::find_if(film.layers().begin(), film.layers().end(),
-                     [&](const LayerSpec& spec) { return spec.instead_of == name; });
+    const auto other = std::find_if(film.layers().begin(), film.layers().end(),
+                                    [&](const LayerSpec& spec) { return spec.instead_of == name; });
     if (other != film.layers().end()) {
       layer = static_cast<int>(std::distance(film.layers().begin(), other));
     }

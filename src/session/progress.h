@@ -23,9 +23,9 @@ std::string error_text(const RelativeError& error);
 /// One line without line break, at most `columns` wide.
 std::string bar_line(const RenderSnapshot& snapshot, int columns);
 std::string plain_line(const RenderSnapshot& snapshot);
-/// Keys: event ("progress" or "done"), phase ("prepare", "render" or "denoise"), seconds, samples_per_pixel,
-/// total_samples_per_pixel, rays, rays_per_second, estimated_relative_error, fraction,
-/// seconds_left, finishing; null where unknown.
+/// Keys: event ("progress" or "done"), phase ("prepare", "render" or "denoise"), seconds,
+/// samples_per_pixel, total_samples_per_pixel, rays, rays_per_second, estimated_relative_error,
+/// fraction, seconds_left, finishing; null where unknown.
 std::string json_line(const RenderSnapshot& snapshot, const std::string& event);
 
 }  // namespace ajar

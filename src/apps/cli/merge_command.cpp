@@ -84,10 +84,10 @@ int merge(const MergeArguments& a) {
   if (merged.merged.size() > 1) picture.metadata["ajar:merged_seeds"] = seeds_text(merged);
   if (denoiser) {
     PictureFilter filter(std::move(denoiser), [&merged] { return merged.features; });
-    filter.add_best_layers(picture,
-                           estimates_of(film, merged.scales, merged.job.samples_per_pixel,
-                                        merged.render.film_scale),
-                           {});
+    filter.add_best_layers(
+        picture,
+        estimates_of(film, merged.scales, merged.job.samples_per_pixel, merged.render.film_scale),
+        {});
     statistics.denoiser = filter.name();
     statistics.denoised_error = denoised_error(picture);
   }

@@ -48,8 +48,7 @@ class PathIntegrator final : public Integrator {
     if (splits_ != nullptr) {
       specs.push_back({.name = kWeakLayer, .magnitude = scale_.mean, .part_of = "indirect"});
       if (settings_.other_estimates) {
-        specs.push_back(
-            {.name = kStrongLayer, .magnitude = scale_.mean, .instead_of = "indirect"});
+        specs.push_back({.name = kStrongLayer, .magnitude = scale_.mean, .instead_of = "indirect"});
       }
     }
     for (LayerSpec& spec : GBuffer::layers(settings_.aovs, 2.F * scene_.bounding_sphere().radius)) {

@@ -20,12 +20,12 @@ struct PreviewOptions {
   ViewerAddress viewer;
   std::string name;  ///< of the picture, in the viewer
   double film_scale = 1.0;
-  std::vector<std::string> aovs;  ///< see `develop`
+  std::vector<std::string> aovs;          ///< see `develop`
   std::shared_ptr<PictureFilter> filter;  ///< null: pictures are as they were rendered
-  double every = 1.0;             ///< seconds, at least, between pictures
-  double patience = 2.0;          ///< seconds that the last picture may take to be sent
-  double seconds_to_retry = 2.0;  ///< if there is no viewer
-  RepeatedWriting::Say note;      ///< tells the user
+  double every = 1.0;                     ///< seconds, at least, between pictures
+  double patience = 2.0;                  ///< seconds that the last picture may take to be sent
+  double seconds_to_retry = 2.0;          ///< if there is no viewer
+  RepeatedWriting::Say note;              ///< tells the user
 };
 
 /// Shows the picture while it is rendered, in a viewer that speaks tev's protocol. The render only
