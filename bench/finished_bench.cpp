@@ -11,7 +11,7 @@
 #include "image/relative_error.h"
 #include "image/tone_curve.h"
 #include "integrator/integrator.h"
-#include "integrator/scene_features.h"
+#include "integrator/montecarlo/scene_features.h"
 #include "measuring/bench_scenes.h"
 #include "measuring/csv_keys.h"
 #include "measuring/measured_scene.h"
@@ -53,11 +53,12 @@ struct ReadyFilter {
 };
 
 std::vector<ReadyFilter> make_filters(const MeasuredScene& scene, const Arguments& arguments) {
-  const Features features = trace_features(*scene.scene, scene.settings);
+  const Features features = *trace_features(*scene.scene, scene.settings);
   std::vector<ReadyFilter> filters;
   for (const std::string& name : arguments.filters) {
-    filters.push_back({name, std::make_unique<PictureFilter>(find_denoiser(name),
-                                                             [features] { return features; })});
+    filters.push_back({name, std::make_unique<PictureFilter>(
+                                 find_denoiser(name),
+                                 [features](const Denoiser::Progress&) { return features; })});
   }
   return filters;
 }
@@ -107,9 +108,9 @@ std::string lines_of(const MeasuredScene& scene, const std::string& key, const s
       picture.crop = settings.crop;
       picture.layers.push_back({"", 3, render.picture});
       if (mixes) {
-        ready.filter->add_best_layers(picture, render.estimates, {});
+        ready.filter->add_best_layers(picture, render.estimates);
       } else {
-        ready.filter->add_layers(picture, render.estimates, {});
+        ready.filter->add_layers(picture);
       }
       const std::string name = ready.name + (mixes ? "+mix" : "");
       lines += fmt::format("{},{},{},{}\n", key, raw, name, filtered_columns(scene, picture));

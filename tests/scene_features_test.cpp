@@ -1,4 +1,4 @@
-#include "integrator/scene_features.h"
+#include "integrator/montecarlo/scene_features.h"
 
 #include <gtest/gtest.h>
 
@@ -33,7 +33,7 @@ struct Look {
 /// Means over the picture.
 Look look_at(const std::string& world) {
   const auto scene = scene_of(world);
-  const Features features = trace_features(*scene, settings_for(*scene));
+  const Features features = *trace_features(*scene, settings_for(*scene));
   Look mean{Vec3(0.F), Vec3(0.F)};
   const std::size_t pixels = features.albedo.size() / 3;
   EXPECT_EQ(pixels, 96U);
@@ -91,9 +91,9 @@ TEST(SceneFeatures, OfACropAreThoseOfTheWhole) {
   const auto scene = scene_of("Material \"glass\" Translate 0 0 4 Shape \"sphere\"\n" +
                               std::string(kRed) + wall(5.F));
   RenderSettings settings = settings_for(*scene);
-  const Features whole = trace_features(*scene, settings);
+  const Features whole = *trace_features(*scene, settings);
   settings.crop = Box2i({3, 2}, {9, 6});
-  const Features part = trace_features(*scene, settings);
+  const Features part = *trace_features(*scene, settings);
   ASSERT_EQ(part.albedo.size(), std::size_t{3} * 7 * 5);
   for (int y = 0; y < 5; ++y) {
     for (int i = 0; i < 3 * 7; ++i) {
@@ -103,6 +103,17 @@ TEST(SceneFeatures, OfACropAreThoseOfTheWhole) {
       EXPECT_EQ(part.normal[inside], whole.normal[outside]);
     }
   }
+}
+
+TEST(SceneFeatures, EndWhenTheyAreTold) {
+  const auto scene = scene_of(kRed + wall(5.F));
+  double last = 0.0;
+  EXPECT_TRUE(trace_features(*scene, settings_for(*scene), [&](double done) {
+    last = std::max(last, done);
+    return true;
+  }));
+  EXPECT_EQ(last, 1.0);
+  EXPECT_FALSE(trace_features(*scene, settings_for(*scene), [](double) { return false; }));
 }
 
 }  // namespace

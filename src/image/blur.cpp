@@ -1,7 +1,5 @@
 #include "image/blur.h"
 
-#include <cmath>
-#include <numeric>
 #include <stdexcept>
 
 #include "image/plane.h"
@@ -13,12 +11,7 @@ std::vector<float> blurred(std::span<const float> rgb, Vec2i size, double sigma)
   if (rgb.size() != 3 * plane.values.size()) {
     throw std::invalid_argument("blurred: the picture has another size");
   }
-  const std::vector<double> weights =
-      gaussian_weights(static_cast<int>(std::ceil(4.0 * sigma)), sigma);
-  const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
-  SeparableKernel kernel;
-  for (const double weight : weights) kernel.x.push_back(static_cast<float>(weight / sum));
-  kernel.y = kernel.x;
+  const SeparableKernel kernel = gaussian_kernel(sigma);
   std::vector<float> result(rgb.size());
   for (std::size_t channel = 0; channel < 3; ++channel) {
     for (std::size_t i = 0; i < plane.values.size(); ++i) plane.values[i] = rgb[3 * i + channel];

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "core/parallel_for.h"
 
@@ -54,6 +55,16 @@ std::vector<double> gaussian_weights(int radius, double sigma) {
   std::vector<double> weights;
   for (int x = -radius; x <= radius; ++x) weights.push_back(std::exp(-x * x / (2 * sigma * sigma)));
   return weights;
+}
+
+SeparableKernel gaussian_kernel(double sigma) {
+  const std::vector<double> weights =
+      gaussian_weights(static_cast<int>(std::ceil(4.0 * sigma)), sigma);
+  const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
+  SeparableKernel kernel;
+  for (const double weight : weights) kernel.x.push_back(static_cast<float>(weight / sum));
+  kernel.y = kernel.x;
+  return kernel;
 }
 
 }  // namespace ajar

@@ -33,6 +33,9 @@ struct SeparableKernel {
 /// Filters a plane; beyond the border the pixels of the border repeat. On all threads.
 Plane filter_plane(const Plane& plane, const SeparableKernel& kernel);
 
+/// A Gaussian of σ pixels in both directions, whose weights sum to 1; cut at 4 σ.
+SeparableKernel gaussian_kernel(double sigma);
+
 /// exp(−x²/(2σ²)) for x = −radius … radius, not normalised. σ in pixels.
 std::vector<double> gaussian_weights(int radius, double sigma);
 

@@ -45,9 +45,6 @@ struct PostHeuristics {
   /// Errors of darker values are relative to this.
   /// Unit: share of the picture's median. Range: (0, 1]. Source: 5def0ef; set by hand, no study.
   static constexpr double kDarkest = 0.01;
-  /// Below this squared relative error estimates are mixed half and half: 0.1 %.
-  /// Unit: 1. Range: > 0. Source: 5def0ef; set by hand, no study.
-  static constexpr float kUnseenError = 1e-6F;
 };
 
 }  // namespace ajar

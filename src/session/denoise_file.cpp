@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/error.h"
 #include "session/picture_filter.h"
 
 namespace ajar {
@@ -44,8 +43,8 @@ bool has_features(const Picture& picture) { return !features_in(picture).empty()
 
 bool denoise_picture(Picture& picture, std::shared_ptr<const Denoiser> denoiser,
                      const Denoiser::Progress& progress) {
-  if (!denoiser) throw UsageError("there is nothing to denoise with");
-  PictureFilter filter(std::move(denoiser), [features = features_in(picture)] { return features; });
+  PictureFilter filter(std::move(denoiser), [features = features_in(picture)](
+                                                const Denoiser::Progress&) { return features; });
   const Replicates replicates = replicates_in(picture);
   std::erase_if(picture.layers, [](const Picture::Layer& layer) {
     return layer.name == kDenoisedLayer || layer.name == kDenoisedError ||

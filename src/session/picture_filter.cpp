@@ -11,32 +11,31 @@ namespace ajar {
 
 namespace {
 
-/// The mean of replicates `first` … `last` − 1.
-std::vector<float> mean_of(const Replicates& replicates, std::size_t first, std::size_t last) {
-  std::vector<float> mean(replicates[first].size());
-  for (std::size_t r = first; r < last; ++r) {
-    for (std::size_t i = 0; i < mean.size(); ++i) mean[i] += replicates[r][i];
-  }
-  for (float& value : mean) value /= static_cast<float>(last - first);
-  return mean;
-}
-
-/// Means of the first and of the second half of the replicates; none of less than two.
-class Halves {
+/// Several steps of a work, which take as long as one another, as one.
+class Stages {
  public:
-  explicit Halves(const Replicates& replicates) {
-    if (replicates.size() < 2) return;
-    first_ = mean_of(replicates, 0, replicates.size() / 2);
-    second_ = mean_of(replicates, replicates.size() / 2, replicates.size());
-  }
-  NoisyPicture with(Vec2i size, std::span<const float> colour, bool roughly = false) const {
-    return {size, colour, first_, second_, roughly};
+  Stages(std::size_t count, const Denoiser::Progress& progress)
+      : count_(static_cast<double>(count)), progress_(progress) {}
+  /// Of the step that begins.
+  Denoiser::Progress next() {
+    return [this, before = begun_++](double done) {
+      return !progress_ || progress_((static_cast<double>(before) + done) / count_);
+    };
   }
 
  private:
-  std::vector<float> first_;
-  std::vector<float> second_;
+  double count_;
+  const Denoiser::Progress& progress_;
+  std::size_t begun_ = 0;
 };
+
+Replicates finite_replicates(const Replicates& replicates) {
+  Replicates result;
+  for (const std::vector<float>& replicate : replicates) {
+    result.push_back(finite_values(replicate));
+  }
+  return result;
+}
 
 Vec2i size_of(const Picture& picture) { return picture.crop.size() + Vec2i(1, 1); }
 
@@ -54,25 +53,33 @@ std::optional<double> denoised_error(const Picture& picture) {
   return relative_error(off_by_it, pixels);
 }
 
-PictureFilter::PictureFilter(std::shared_ptr<const Denoiser> denoiser,
-                             std::function<Features()> features)
-    : denoiser_(std::move(denoiser)), look_(std::move(features)) {}
+PictureFilter::PictureFilter(std::shared_ptr<const Denoiser> denoiser, Look look)
+    : denoiser_(std::move(denoiser)), look_(std::move(look)) {}
 
-const Features& PictureFilter::features() {
-  const std::lock_guard lock(mutex_);
-  if (!features_) features_ = look_();
-  return *features_;
+std::uint64_t PictureFilter::memory_bytes(std::uint64_t pixels) const {
+  // Of two estimates: four replicates each as they are, and filtered; means, features and the
+  // mixture.
+  constexpr std::uint64_t kPictures = 28;
+  return denoiser_->memory_bytes(pixels) + pixels * 3 * sizeof(float) * kPictures;
 }
 
-const Features& PictureFilter::prepared(Vec2i size) {
-  const Features& known = features();
+bool PictureFilter::know_features(Vec2i size, const Denoiser::Progress& progress) {
   const std::lock_guard lock(mutex_);
-  if (!prepared_) prepared_ = denoiser_->prepare(size, known);
-  return *prepared_;
+  if (features_) return true;
+  std::optional<Features> seen = look_(progress);
+  if (!seen) return false;
+  prepared_ = denoiser_->prepare(size, *seen);
+  features_ = std::move(seen);
+  return true;
+}
+
+Features PictureFilter::features() {
+  const std::lock_guard lock(mutex_);
+  return features_.value_or(Features());
 }
 
 void PictureFilter::add(Picture& picture, std::vector<float> pixels) {
-  const Features& known = features();
+  const Features known = features();
   picture.layers.push_back({kDenoisedLayer, 3, std::move(pixels)});
   if (!known.empty()) {
     picture.layers.push_back({kFeatureAlbedo, 3, known.albedo});
@@ -81,12 +88,11 @@ void PictureFilter::add(Picture& picture, std::vector<float> pixels) {
   picture.metadata["ajar:denoiser"] = denoiser_->name();
 }
 
-bool PictureFilter::add_layers(Picture& picture, const PictureEstimates& estimates,
-                               const Denoiser::Progress& progress) {
+bool PictureFilter::add_layers(Picture& picture, const Denoiser::Progress& progress) {
   const Vec2i size = size_of(picture);
-  const Halves halves(estimates.replicates);
-  std::optional<std::vector<float>> pixels =
-      denoiser_->filter(halves.with(size, picture.layers.front().pixels), prepared(size), progress);
+  Stages stages(2, progress);
+  if (!know_features(size, stages.next())) return false;
+  auto pixels = denoiser_->filter({size, picture.layers.front().pixels}, prepared_, stages.next());
   if (!pixels) return false;
   add(picture, *std::move(pixels));
   return true;
@@ -94,40 +100,34 @@ bool PictureFilter::add_layers(Picture& picture, const PictureEstimates& estimat
 
 bool PictureFilter::add_best_layers(Picture& picture, const PictureEstimates& estimates,
                                     const Denoiser::Progress& progress) {
-  if (estimates.replicates.size() < 4) return add_layers(picture, estimates, progress);
+  if (estimates.replicates.size() < 4) return add_layers(picture, progress);
   const Vec2i size = size_of(picture);
-  const Features& known = prepared(size);
-  std::vector<const Replicates*> all = {&estimates.replicates};
-  if (!estimates.others.empty()) all.push_back(&estimates.others);
-  const auto runs = static_cast<double>(all.size() * (1 + estimates.replicates.size()));
-  double done = 0.0;
-  const auto filtered = [&](const std::vector<float>& pixels, const Replicates& parts,
-                            bool roughly) {
-    const Halves halves(parts);
-    auto result = denoiser_->filter(halves.with(size, pixels, roughly), known, [&](double of_run) {
-      return !progress || progress((done + of_run) / runs);
-    });
-    done += 1.0;
-    return result;
+  const Replicates replicates = finite_replicates(estimates.replicates);
+  const Replicates others = finite_replicates(estimates.others);
+  Stages stages(1 + (others.empty() ? 1 : 2) * (1 + replicates.size()), progress);
+  if (!know_features(size, stages.next())) return false;
+  const auto filtered = [&](const std::vector<float>& pixels, bool roughly) {
+    return denoiser_->filter({size, pixels, roughly}, prepared_, stages.next());
   };
-  std::vector<BiasedEstimate> results;
-  for (const Replicates* replicates : all) {
-    const bool is_picture = replicates == &estimates.replicates;
-    auto whole = filtered(is_picture ? picture.layers.front().pixels : replicate_mean(*replicates),
-                          *replicates, false);
+  std::vector<BiasedEstimate> all;
+  // False if `progress` ended it.
+  const auto add_estimate = [&](const std::vector<float>& pixels, const Replicates& parts) {
+    auto whole = filtered(pixels, false);
     if (!whole) return false;
-    BiasedEstimate& result = results.emplace_back();
-    result.pixels = *std::move(whole);
-    for (const std::vector<float>& replicate : *replicates) {
-      auto part = filtered(replicate, {}, true);
-      if (!part) return false;
-      result.replicates.push_back(*std::move(part));
+    BiasedEstimate& estimate = all.emplace_back();
+    estimate.pixels = *std::move(whole);
+    for (const std::vector<float>& part : parts) {
+      auto result = filtered(part, true);
+      if (!result) return false;
+      estimate.replicates.push_back(*std::move(result));
     }
-  }
-  results.push_back({without_fireflies(picture.layers.front().pixels, estimates.replicates,
-                                       results.front().pixels),
-                     estimates.replicates});
-  MixedEstimate mixed = mix_estimates(size, results, estimates.replicates);
+    return true;
+  };
+  const std::vector<float> unfiltered = finite_values(picture.layers.front().pixels);
+  if (!add_estimate(unfiltered, replicates)) return false;
+  if (!others.empty() && !add_estimate(replicate_mean(others), others)) return false;
+  all.push_back({without_fireflies(unfiltered, replicates, all.front().pixels), replicates});
+  MixedEstimate mixed = mix_estimates(size, all, replicates);
   add(picture, std::move(mixed.pixels));
   picture.layers.push_back({kDenoisedError, 3, std::move(mixed.error)});
   return true;

@@ -20,37 +20,40 @@ struct PictureEstimates {
 /// Takes the noise out of the pictures of one render. Several threads may use it.
 class PictureFilter {
  public:
-  /// `features`: of the pictures' pixels; called once, when they are needed.
-  PictureFilter(std::shared_ptr<const Denoiser> denoiser, std::function<Features()> features);
+  /// Looks at the scene of the pictures; empty if `progress` ended it.
+  using Look = std::function<std::optional<Features>(const Denoiser::Progress& progress)>;
+
+  /// `look` is called once, when its features are needed, and again if it was ended.
+  PictureFilter(std::shared_ptr<const Denoiser> denoiser, Look look);
 
   /// Of the filter, with its version.
   std::string name() const { return denoiser_->name(); }
-  std::uint64_t memory_bytes(std::uint64_t pixels) const { return denoiser_->memory_bytes(pixels); }
-  /// As the scene was looked at.
-  const Features& features();
+  /// Memory that a picture of so many pixels takes, bytes; an estimate.
+  std::uint64_t memory_bytes(std::uint64_t pixels) const;
+  /// Finds the features of pictures of that size out now. False if `progress` ended it.
+  bool know_features(Vec2i size, const Denoiser::Progress& progress);
+  /// Of the scene, as they were seen; empty if nobody has looked yet.
+  Features features();
 
-  /// Adds the layers "denoised", "denoising-albedo" and "denoising-normal" to a picture while it is
-  /// rendered: the filter of the picture. `estimates`: its own replicates. False, and no layers, if
+  /// Adds the layers "denoised", "denoising-albedo" and "denoising-normal" to a picture, such as
+  /// one that is still being rendered: what the filter makes of it. False, and no layers, if
   /// `progress` ended it.
-  bool add_layers(Picture& picture, const PictureEstimates& estimates,
-                  const Denoiser::Progress& progress);
+  bool add_layers(Picture& picture, const Denoiser::Progress& progress = {});
   /// The same of a picture that is finished, for three to six times the time: the unfiltered
   /// picture and the filtered pictures of its estimates are mixed as their replicates tell
   /// (`mix_estimates`), and "denoised-error" says how wrong that still is. With less than four
   /// replicates as above.
   bool add_best_layers(Picture& picture, const PictureEstimates& estimates,
-                       const Denoiser::Progress& progress);
+                       const Denoiser::Progress& progress = {});
 
  private:
-  /// For the filter.
-  const Features& prepared(Vec2i size);
   void add(Picture& picture, std::vector<float> pixels);
 
   std::shared_ptr<const Denoiser> denoiser_;
-  std::function<Features()> look_;
+  Look look_;
   std::mutex mutex_;
   std::optional<Features> features_;
-  std::optional<Features> prepared_;  ///< for the filter
+  Features prepared_;  ///< for the filter; of value if `features_` are
 };
 
 /// Error of "denoised", as far as it is known.

@@ -4,7 +4,7 @@
 
 #include "core/archive.h"
 #include "core/error.h"
-#include "integrator/scene_features.h"
+#include "integrator/montecarlo/scene_features.h"
 #include "session/preparation.h"
 
 namespace ajar {
@@ -102,13 +102,19 @@ void take_state(RenderState& state) {
 void make_filter(RenderState& state) {
   std::shared_ptr<const Denoiser> denoiser = find_denoiser(state.order.files.denoiser_name());
   if (!denoiser) return;
+  const RenderSettings& settings = state.plan->setup.settings;
   Features known;
   if (state.order.resumed) known = state.order.resumed->features;
-  const auto look = [&scene = *state.scene, settings = state.plan->setup.settings,
-                     known = std::move(known)] {
-    return known.empty() ? trace_features(scene, settings) : known;
+  const auto look = [&scene = *state.scene, settings,
+                     known = std::move(known)](const Denoiser::Progress& progress) {
+    return known.empty() ? trace_features(scene, settings, progress) : known;
   };
   state.filter = std::make_shared<PictureFilter>(std::move(denoiser), look);
+  // Those who merge checkpoints have no scene to look at.
+  if (state.order.files.checkpoint.empty()) return;
+  const int before = state.interrupts;
+  state.filter->know_features(settings.crop.size() + Vec2i(1, 1),
+                              [&](double /*done*/) { return state.interrupts == before; });
 }
 
 void make_film(RenderState& state) {

@@ -85,18 +85,19 @@ class OpenPasses {
   BetweenPasses& passes_;
 };
 
-/// Filtered, unless the user is in a hurry.
-Picture last_picture(RenderState& state, const RenderJob& job) {
-  if (!state.filter) return state.develop_with(job.film(), state.statistics);
+/// As well as it can be filtered, unless the user is in a hurry.
+void denoise_last(RenderState& state, const RenderJob& job, Picture& picture) {
+  if (!state.filter) return;
   state.events.phase_begun(RenderPhase::Denoise);
   const Stopwatch clock;
   std::atomic<double> fraction{0.0};
   const int before = state.interrupts;
-  const auto progress = [&](double done) {
-    fraction = done;
-    return state.interrupts == before;
-  };
-  Picture picture = [&] {
+  const std::uint64_t samples = state.statistics.result.samples_per_pixel;
+  const PictureEstimates estimates =
+      estimates_of(job.film(), development_of(job.film(), *state.integrator, samples), samples,
+                   state.plan->record.film_scale);
+  bool is_filtered = false;
+  {
     const AtWork at_work(state, [&] {
       RenderSnapshot snapshot;
       snapshot.phase = RenderPhase::Denoise;
@@ -104,16 +105,18 @@ Picture last_picture(RenderState& state, const RenderJob& job) {
       snapshot.seconds = clock.seconds();
       return snapshot;
     });
-    return state.develop_with(job.film(), state.statistics, progress);
-  }();
+    is_filtered = state.filter->add_best_layers(picture, estimates, [&](double done) {
+      fraction = done;
+      return state.interrupts == before;
+    });
+  }
   state.statistics.times.denoise = clock.seconds();
-  if (&shown_layer(picture) != &picture.layers.front()) {
+  if (is_filtered) {
     state.statistics.denoiser = state.filter->name();
     state.statistics.denoised_error = denoised_error(picture);
   } else {
     state.events.note("interrupted while denoising: the picture is as it was rendered");
   }
-  return picture;
 }
 
 RenderOutcome finish(RenderState& state, const RenderJob& job, RenderWriters& writers) {
@@ -121,7 +124,8 @@ RenderOutcome finish(RenderState& state, const RenderJob& job, RenderWriters& wr
   RenderOutcome outcome;
   outcome.interrupted = result.stopped_by == StopReason::Interrupted;
   if (outcome.interrupted) ++state.statistics.interruptions;
-  Picture picture = last_picture(state, job);
+  Picture picture = state.develop_with(job.film(), state.statistics);
+  denoise_last(state, job, picture);
   state.events.phase_begun(RenderPhase::Write);
   writers.show_last(job);
   const double film_scale = state.plan->record.film_scale;
@@ -186,7 +190,9 @@ RenderStatistics statistics_at(const RenderState& state, const JobState& job) {
 }
 
 Picture picture_of(const RenderState& state, const Film& film, const JobState& job) {
-  return state.develop_with(film, statistics_at(state, job));
+  Picture picture = state.develop_with(film, statistics_at(state, job));
+  if (state.filter) state.filter->add_layers(picture);
+  return picture;
 }
 
 }  // namespace ajar

@@ -21,21 +21,10 @@ RenderStatistics RenderState::statistics_with(const RenderResult& result) const 
   return all;
 }
 
-Picture RenderState::develop_with(const Film& of, const RenderStatistics& known,
-                                  const Denoiser::Progress& progress) const {
-  const std::uint64_t samples = known.result.samples_per_pixel;
-  const double film_scale = plan->record.film_scale;
-  const Development scales = development_of(of, *integrator, samples);
-  Picture picture = develop(of, scales, samples, film_scale, plan->setup.aovs);
+Picture RenderState::develop_with(const Film& of, const RenderStatistics& known) const {
+  Picture picture = develop(of, *integrator, known.result.samples_per_pixel,
+                            plan->record.film_scale, plan->setup.aovs);
   picture.metadata = to_metadata(known);
-  if (filter) {
-    const PictureEstimates estimates = estimates_of(of, scales, samples, film_scale);
-    if (progress) {
-      filter->add_best_layers(picture, estimates, progress);
-    } else {
-      filter->add_layers(picture, estimates, {});
-    }
-  }
   return picture;
 }
 

@@ -42,10 +42,8 @@ struct RenderState {
   void warn(const Warning& warning);
   /// What is known of a render that has come to `result`.
   RenderStatistics statistics_with(const RenderResult& result) const;
-  /// The picture of `film`, with `statistics` as its metadata, filtered: with `progress` as well as
-  /// it can be, unless that ends it.
-  Picture develop_with(const Film& film, const RenderStatistics& statistics,
-                       const Denoiser::Progress& progress = {}) const;
+  /// The picture of `film` as it was rendered, with `statistics` as its metadata.
+  Picture develop_with(const Film& film, const RenderStatistics& statistics) const;
 };
 
 /// While it lives, a render can be seen at work.

@@ -187,10 +187,7 @@ bool PathSampler::start_camera(SampleSource& source, const Vec2& raster, PathSin
                                Flight& flight) {
   const Camera& camera = scene_.camera();
   const Vec2 size(camera.resolution());
-  EmissionUniforms u{};
-  u.position = source.get_pair({Stream::Camera, 0, kEmissionPosition});
-  u.direction = {raster.x / size.x, raster.y / size.y};
-  const std::optional<EmissionSample> emission = camera.sample_emission(u);
+  const std::optional<EmissionSample> emission = camera_ray(camera, source, raster);
   if (!emission) return false;
 
   sink.started(Stream::Camera, camera, emission->point);

@@ -26,6 +26,15 @@ MisStep mis_step(const Flight& flight, const Segment& segment, float distance, f
   return step;
 }
 
+std::optional<EmissionSample> camera_ray(const Camera& camera, SampleSource& source,
+                                         const Vec2& raster) {
+  const Vec2 size(camera.resolution());
+  EmissionUniforms u{};
+  u.position = source.get_pair({Stream::Camera, 0, kEmissionPosition});
+  u.direction = {raster.x / size.x, raster.y / size.y};
+  return camera.sample_emission(u);
+}
+
 void arrive(const WalkSettings& settings, const Flight& flight, const SegmentEnd& end,
             double class_coefficient, PathVertex& vertex) {
   vertex.wo = -flight.ray.direction;

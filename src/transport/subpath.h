@@ -54,6 +54,11 @@ struct WalkSettings {
   MisTrailEntry* trail = nullptr;
 };
 
+/// The ray of a camera subpath through a place on the film (pixels of the full image); empty if it
+/// carries nothing.
+std::optional<EmissionSample> camera_ray(const Camera& camera, SampleSource& source,
+                                         const Vec2& raster);
+
 /// Fills in the vertex at the end of a flight that ended in the scene. `class_coefficient`: see
 /// `MisStep`.
 void arrive(const WalkSettings& settings, const Flight& flight, const SegmentEnd& end,

@@ -1,17 +1,11 @@
-#include <unistd.h>
-
-#include <atomic>
-
 #include "apps/cli/commands.h"
+#include "apps/cli/denoise_progress.h"
 #include "apps/cli/messages.h"
-#include "apps/cli/progress_reporter.h"
 #include "apps/cli/render_report.h"
 #include "core/error.h"
 #include "image/read_picture.h"
 #include "session/denoise_file.h"
-#include "session/interrupts.h"
 #include "session/output.h"
-#include "session/resources.h"
 #include "session/written_paths.h"
 
 namespace ajar::cli {
@@ -20,23 +14,6 @@ namespace {
 
 constexpr int kExitFile = 4;
 constexpr int kExitInterrupted = 130;
-
-/// False if the user ended it.
-bool denoise_with_progress(Picture& picture, std::shared_ptr<const Denoiser> denoiser) {
-  const Stopwatch clock;
-  std::atomic<double> fraction{0.0};
-  const ProgressReporter reporter(progress_style("auto", isatty(STDERR_FILENO) != 0), [&] {
-    RenderSnapshot snapshot;
-    snapshot.phase = RenderPhase::Denoise;
-    snapshot.phase_done = fraction;
-    snapshot.seconds = clock.seconds();
-    return snapshot;
-  });
-  return denoise_picture(picture, std::move(denoiser), [&](double done) {
-    fraction = done;
-    return interrupt_count() == 0;
-  });
-}
 
 }  // namespace
 
@@ -55,8 +32,10 @@ int denoise(const DenoiseArguments& a) {
                " does not know the surfaces of its scene, so edges may blur; ajar render "
                "writes them with --denoise auto or --aov albedo,normal");
   }
-  begin_render();
-  if (!denoise_with_progress(picture, std::move(denoiser))) {
+  const bool is_filtered = denoise_with_progress([&](const Denoiser::Progress& progress) {
+    return denoise_picture(picture, std::move(denoiser), progress);
+  });
+  if (!is_filtered) {
     print_note("interrupted: nothing is written");
     return kExitInterrupted;
   }

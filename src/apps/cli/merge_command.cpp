@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "apps/cli/commands.h"
+#include "apps/cli/denoise_progress.h"
 #include "apps/cli/messages.h"
 #include "apps/cli/render_report.h"
 #include "core/error.h"
@@ -80,17 +81,23 @@ int merge(const MergeArguments& a) {
   print_all_warnings(warnings);
   statistics.warnings = warnings.messages();
   statistics.warning_count = warnings.count();
+  if (denoiser) {
+    PictureFilter filter(std::move(denoiser),
+                         [&merged](const Denoiser::Progress&) { return merged.features; });
+    const PictureEstimates estimates =
+        estimates_of(film, merged.scales, merged.job.samples_per_pixel, merged.render.film_scale);
+    const bool is_filtered = denoise_with_progress([&](const Denoiser::Progress& progress) {
+      return filter.add_best_layers(picture, estimates, progress);
+    });
+    if (is_filtered) {
+      statistics.denoiser = filter.name();
+      statistics.denoised_error = denoised_error(picture);
+    } else {
+      print_note("interrupted while denoising: the picture is as it was rendered");
+    }
+  }
   picture.metadata = to_metadata(statistics);
   if (merged.merged.size() > 1) picture.metadata["ajar:merged_seeds"] = seeds_text(merged);
-  if (denoiser) {
-    PictureFilter filter(std::move(denoiser), [&merged] { return merged.features; });
-    filter.add_best_layers(
-        picture,
-        estimates_of(film, merged.scales, merged.job.samples_per_pixel, merged.render.film_scale),
-        {});
-    statistics.denoiser = filter.name();
-    statistics.denoised_error = denoised_error(picture);
-  }
   const DisplayOptions display = wanted.of(picture);
   statistics.exposure = {wanted.exposure.automatic, display.exposure};
   // The parts are there still: whoever has made room merges once more.

@@ -30,6 +30,11 @@ struct MonteCarloHeuristics {
   /// per pixel of a small picture.
   static constexpr std::uint32_t kScaleGroupSize = 256;
 
+  // -------------------------------------------------------- features
+  /// Camera rays of a pixel by which filters get to know the scene.
+  /// Unit: rays. Range: >= 1. Source: docs/denoising.md, "What the filter is told".
+  static constexpr std::uint32_t kFeatureSamples = 16;
+
   // -------------------------------------------------------- warnings
   /// Camera samples that look for what techniques cannot see: what takes less than a thousandth of
   /// the picture may go unnoticed.

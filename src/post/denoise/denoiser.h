@@ -15,9 +15,6 @@ namespace ajar {
 struct NoisyPicture {
   Vec2i size{0, 0};
   std::span<const float> colour;
-  /// Two independent estimates of it, of half the samples each; empty where there are none.
-  std::span<const float> first_half;
-  std::span<const float> second_half;
   /// Nobody looks at it: a filter that is nearly the same, and faster, will do.
   bool roughly = false;
 };
@@ -25,7 +22,7 @@ struct NoisyPicture {
 /// A filter that takes the noise of rendering out of a picture.
 class Denoiser {
  public:
-  /// Told how much is done, in [0, 1]; false ends the work.
+  /// Told how much is done, in [0, 1], by any thread; false ends the work.
   using Progress = std::function<bool(double done)>;
 
   virtual ~Denoiser() = default;
@@ -41,6 +38,9 @@ class Denoiser {
                                                    const Features& features,
                                                    const Progress& progress) const = 0;
 };
+
+/// Values that are no numbers, or infinite, as 0.
+std::vector<float> finite_values(std::span<const float> values);
 
 /// Names of what `--denoise` takes.
 std::span<const std::string> denoiser_names();

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
+#include <limits>
 #include <stdexcept>
 
 #include "core/parallel_for.h"
@@ -75,17 +75,6 @@ float variance(const BiasedEstimate& estimate, std::size_t value, float scale) {
   return sum / (count * (count - 1.F));
 }
 
-SeparableKernel patch() {
-  const double sigma = PostHeuristics::kErrorPatch;
-  const std::vector<double> weights =
-      gaussian_weights(static_cast<int>(std::ceil(3.0 * sigma)), sigma);
-  const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
-  SeparableKernel kernel;
-  for (const double weight : weights) kernel.x.push_back(static_cast<float>(weight / sum));
-  kernel.y = kernel.x;
-  return kernel;
-}
-
 /// Squared error of an estimate, relative, mean over channels and patches.
 Plane squared_error(Vec2i size, const BiasedEstimate& estimate, const Replicates& unbiased,
                     const std::vector<float>& scales) {
@@ -102,7 +91,7 @@ Plane squared_error(Vec2i size, const BiasedEstimate& estimate, const Replicates
       }
     }
   });
-  const SeparableKernel kernel = patch();
+  const SeparableKernel kernel = gaussian_kernel(PostHeuristics::kErrorPatch);
   bias = filter_plane(bias, kernel);
   noise = filter_plane(noise, kernel);
   for (std::size_t i = 0; i < noise.values.size(); ++i) {
@@ -126,10 +115,13 @@ MixedEstimate mix_estimates(Vec2i size, const std::vector<BiasedEstimate>& estim
   mixed.error.resize(scales.size());
   mixed.shares.assign(estimates.size(), std::vector<float>(scales.size() / 3));
   for (std::size_t i = 0; i < scales.size() / 3; ++i) {
+    float least = std::numeric_limits<float>::infinity();
+    for (const Plane& plane : errors) least = std::min(least, plane.values[i]);
     float whole = 0.F;
     for (std::size_t e = 0; e < estimates.size(); ++e) {
-      const float error = errors[e].values[i] + PostHeuristics::kUnseenError;
-      mixed.shares[e][i] = 1.F / (error * error);
+      // Relative to the best, which may have none.
+      const float ratio = errors[e].values[i] > least ? least / errors[e].values[i] : 1.F;
+      mixed.shares[e][i] = ratio * ratio;
       whole += mixed.shares[e][i];
     }
     float error = 0.F;

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <stdexcept>
 #include <utility>
 
@@ -105,13 +104,6 @@ class OidnDevice {
   Owned<OidnLibrary::Device> device_;
 };
 
-std::vector<float> finite(std::span<const float> values) {
-  std::vector<float> result(values.begin(), values.end());
-  std::replace_if(
-      result.begin(), result.end(), [](float value) { return !std::isfinite(value); }, 0.F);
-  return result;
-}
-
 }  // namespace
 
 OidnDenoiser::OidnDenoiser(std::shared_ptr<const OidnLibrary> library)
@@ -125,7 +117,7 @@ Features OidnDenoiser::prepare(Vec2i size, Features features) const {
   if (features.empty()) return features;
   const OidnDevice device(*library_);
   const auto clean = [&](const char* name, std::vector<float>& pixels) {
-    pixels = finite(pixels);
+    pixels = finite_values(pixels);
     pixels = *device.run(size, std::array{OidnDevice::Input{name, &pixels}}, false, false, {});
   };
   clean("albedo", features.albedo);
@@ -137,7 +129,7 @@ std::optional<std::vector<float>> OidnDenoiser::filter(const NoisyPicture& pictu
                                                        const Features& features,
                                                        const Progress& progress) const {
   const OidnDevice device(*library_);
-  const std::vector<float> colour = finite(picture.colour);
+  const std::vector<float> colour = finite_values(picture.colour);
   std::vector<OidnDevice::Input> inputs = {{"color", &colour}};
   if (!features.empty()) {
     inputs.push_back({"albedo", &features.albedo});

@@ -48,7 +48,7 @@ TEST_F(OidnDenoiserTest, NamesItsVersion) { EXPECT_TRUE(denoiser_->name().starts
 
 TEST_F(OidnDenoiserTest, TakesNoiseAndKeepsLight) {
   const std::vector<float> noisy = noisy_ramp();
-  const auto clean = denoiser_->filter({kSize, noisy, {}, {}}, {}, {});
+  const auto clean = denoiser_->filter({kSize, noisy}, {}, {});
   ASSERT_TRUE(clean);
   EXPECT_LT(squared_error(*clean), 0.05 * squared_error(noisy));
   const double before = std::accumulate(noisy.begin(), noisy.end(), 0.0);
@@ -65,7 +65,7 @@ TEST_F(OidnDenoiserTest, KeepsEdgesThatFeaturesKnow) {
     noisy[i] *= features.albedo[i];
   }
   const auto contrast = [&](const Features& known) {
-    const auto clean = denoiser_->filter({kSize, noisy, {}, {}}, known, {});
+    const auto clean = denoiser_->filter({kSize, noisy}, known, {});
     double bright = 0.0;
     double dark = 0.0;
     for (std::size_t i = 0; i < 3 * kPixels; ++i) {
@@ -81,25 +81,25 @@ TEST_F(OidnDenoiserTest, TakesValuesThatAreNoNumbersAsBlack) {
   std::vector<float> noisy = noisy_ramp();
   noisy[100] = std::numeric_limits<float>::quiet_NaN();
   noisy[1000] = std::numeric_limits<float>::infinity();
-  const auto clean = denoiser_->filter({kSize, noisy, {}, {}}, {}, {});
+  const auto clean = denoiser_->filter({kSize, noisy}, {}, {});
   ASSERT_TRUE(clean);
   EXPECT_TRUE(std::all_of(clean->begin(), clean->end(), [](float v) { return std::isfinite(v); }));
 }
 
 TEST_F(OidnDenoiserTest, EndsWhenItIsTold) {
   const std::vector<float> noisy = noisy_ramp();
-  EXPECT_FALSE(denoiser_->filter({kSize, noisy, {}, {}}, {}, [](double) { return false; }));
+  EXPECT_FALSE(denoiser_->filter({kSize, noisy}, {}, [](double) { return false; }));
 }
 
 TEST_F(OidnDenoiserTest, RefusesSizesThatDoNotFit) {
   const std::vector<float> noisy(12, 1.F);
-  EXPECT_THROW((void)denoiser_->filter({kSize, noisy, {}, {}}, {}, {}), std::invalid_argument);
+  EXPECT_THROW((void)denoiser_->filter({kSize, noisy}, {}, {}), std::invalid_argument);
 }
 
 TEST_F(OidnDenoiserTest, IsTheSameToTheBit) {
   const std::vector<float> noisy = noisy_ramp();
-  EXPECT_EQ(denoiser_->filter({kSize, noisy, {}, {}}, {}, {}),
-            denoiser_->filter({kSize, noisy, {}, {}}, {}, {}));
+  EXPECT_EQ(denoiser_->filter({kSize, noisy}, {}, {}),
+            denoiser_->filter({kSize, noisy}, {}, {}));
 }
 
 }  // namespace

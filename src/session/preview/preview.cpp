@@ -132,8 +132,7 @@ void Preview::serve_connection() {
     const Stopwatch clock;
     Picture picture = develop(*film_, scales_, samples_, options_.film_scale, options_.aovs);
     if (options_.filter) {
-      const auto parts = estimates_of(*film_, scales_, samples_, options_.film_scale);
-      options_.filter->add_layers(picture, parts, [this](double) { return keeps_going(); });
+      options_.filter->add_layers(picture, [this](double) { return keeps_going(); });
     }
     seconds_to_develop_ = clock.seconds();
     if (!send(picture)) return;

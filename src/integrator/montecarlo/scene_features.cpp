@@ -1,10 +1,13 @@
-#include "integrator/scene_features.h"
+#include "integrator/montecarlo/scene_features.h"
 
 #include <algorithm>
+#include <atomic>
+#include <limits>
 #include <utility>
 
 #include "core/parallel_for.h"
 #include "core/random_use.h"
+#include "integrator/montecarlo/heuristics.h"
 #include "transport/sources.h"
 #include "transport/subpath.h"
 
@@ -12,15 +15,10 @@ namespace ajar {
 
 namespace {
 
-/// Samples of a pixel: a filter of its own takes their noise (`Denoiser::prepare`).
-constexpr std::uint32_t kSamples = 16;
-/// Mirrors and panes behind one another that are looked through.
-constexpr int kMostEdges = 16;
-
 constexpr WalkSettings kWalk{.mode = TransportMode::Radiance,
                              .stream = Stream::Camera,
                              .heuristic = Heuristic::Balance,
-                             .roulette_start = kMostEdges,
+                             .roulette_start = std::numeric_limits<int>::max(),
                              .has_other_end = false};
 
 struct Sight {
@@ -48,13 +46,9 @@ Spectrum look_of(const PathVertex& vertex, const Hit& hit) {
   return vertex.bsdf.albedo(vertex.wo) + emitted;
 }
 
-Sight look(const Scene& scene, SampleSource& source, const Vec2& raster) {
+Sight look(const Scene& scene, SampleSource& source, const Vec2& raster, int max_depth) {
   const Camera& camera = scene.camera();
-  const Vec2 size(camera.resolution());
-  EmissionUniforms u{};
-  u.position = source.get_pair({Stream::Camera, 0, kEmissionPosition});
-  u.direction = {raster.x / size.x, raster.y / size.y};
-  const std::optional<EmissionSample> emission = camera.sample_emission(u);
+  const std::optional<EmissionSample> emission = camera_ray(camera, source, raster);
   if (!emission) return {};
   Flight flight;
   flight.ray = {emission->origin, emission->w};
@@ -76,7 +70,7 @@ Sight look(const Scene& scene, SampleSource& source, const Vec2& raster) {
     if (vertex.in_medium) return {at_most_one(vertex.throughput), vertex.wo};
     const Sight sight{at_most_one(vertex.throughput * look_of(vertex, *end.hit)),
                       face_forward(vertex.bsdf.ns(), vertex.wo)};
-    if (vertex.edges >= kMostEdges || end.hit->light != nullptr) return sight;
+    if (vertex.edges >= max_depth || end.hit->light != nullptr) return sight;
     if (!scatter(kWalk, vertex, source, flight)) return sight;
     if (!flight.event.specular()) return sight;
   }
@@ -84,22 +78,26 @@ Sight look(const Scene& scene, SampleSource& source, const Vec2& raster) {
 
 }  // namespace
 
-Features trace_features(const Scene& scene, const RenderSettings& settings) {
+std::optional<Features> trace_features(const Scene& scene, const RenderSettings& settings,
+                                       const std::function<bool(double done)>& progress) {
   const Vec2i size = settings.crop.size() + Vec2i(1, 1);
   const std::size_t values =
       3 * static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
   Features features{std::vector<float>(values), std::vector<float>(values)};
   const std::uint64_t seed = hash_numbers(settings.seed, RandomUse::Features);
+  std::atomic<int> rows = 0;
+  std::atomic<bool> ended = false;
   parallel_for(size.y, [&](int y) {
+    if (ended) return;
     for (int x = 0; x < size.x; ++x) {
       const Vec2i pixel = settings.crop.min + Vec2i(x, y);
       Spectrum albedo(0.F);
       Vec3 normal(0.F);
-      for (std::uint32_t i = 0; i < kSamples; ++i) {
+      for (std::uint32_t i = 0; i < MonteCarloHeuristics::kFeatureSamples; ++i) {
         const std::uint64_t own = hash_numbers(seed, pixel.x, pixel.y);
         SobolSource source({own, i, own, i});
         const Vec2 offset = source.get_pair({Stream::Camera, 0, kEmissionDirection});
-        const Sight sight = look(scene, source, Vec2(pixel) + offset);
+        const Sight sight = look(scene, source, Vec2(pixel) + offset, settings.max_depth);
         albedo += sight.albedo;
         normal += sight.normal;
       }
@@ -108,11 +106,16 @@ Features trace_features(const Scene& scene, const RenderSettings& settings) {
                static_cast<std::size_t>(x));
       for (int c = 0; c < 3; ++c) {
         const std::size_t index = first + static_cast<std::size_t>(c);
-        features.albedo[index] = albedo[c] / static_cast<float>(kSamples);
-        features.normal[index] = normal[c] / static_cast<float>(kSamples);
+        features.albedo[index] =
+            albedo[c] / static_cast<float>(MonteCarloHeuristics::kFeatureSamples);
+        features.normal[index] =
+            normal[c] / static_cast<float>(MonteCarloHeuristics::kFeatureSamples);
       }
     }
+    const double done = static_cast<double>(++rows) / size.y;
+    if (progress && !progress(done)) ended = true;
   });
+  if (ended) return std::nullopt;
   return features;
 }
 

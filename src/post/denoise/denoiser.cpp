@@ -1,7 +1,11 @@
+#include "post/denoise/denoiser.h"
+
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <stdexcept>
 
 #include "core/error.h"
-#include "post/denoise/denoiser.h"
 #include "post/denoise/oidn_denoiser.h"
 
 namespace ajar {
@@ -23,6 +27,13 @@ std::shared_ptr<const Denoiser> find_oidn_denoiser(std::string& why_not) {
 }
 
 }  // namespace
+
+std::vector<float> finite_values(std::span<const float> values) {
+  std::vector<float> result(values.begin(), values.end());
+  std::replace_if(
+      result.begin(), result.end(), [](float value) { return !std::isfinite(value); }, 0.F);
+  return result;
+}
 
 std::span<const std::string> denoiser_names() { return kNames; }
 
