@@ -4,11 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/error.h"
 #include "image/relative_error.h"
+#include "measuring/bench_main.h"
 #include "measuring/measured_scene.h"
 #include "measuring/variant.h"
-#include "session/builtin_scenes.h"
 #include "session/interrupts.h"
 #include "session/render.h"
 
@@ -16,8 +15,6 @@
 /// first picture, and its error in the end.
 namespace ajar::bench {
 namespace {
-
-constexpr int kExitInterrupted = 130;
 
 struct Arguments {
   std::vector<double> seconds = {1, 2, 5, 10, 20, 40};
@@ -93,32 +90,18 @@ int run(int count, char** texts) {
   app.add_option("--seconds", arguments.seconds, "Time limits, wall clock")->delimiter(',');
   app.add_option("--seeds", arguments.seeds, "Seeds, from 1");
   app.add_option("--integrator", arguments.integrator, "Method, as in mmlt:split=100");
-  app.add_option("--scenes", arguments.scenes, "Default: the built-in ones")->delimiter(',');
-  app.add_option("--references", arguments.measure.folder, "Folder of references");
-  app.add_option("--reference-seconds", arguments.measure.reference_seconds,
-                 "CPU-seconds of a reference that is made");
+  add_measure_options(app, arguments.scenes, arguments.measure);
   CLI11_PARSE(app, count, texts);
-  if (arguments.scenes.empty()) arguments.scenes = builtin_scene_names();
   fmt::print(
       "| scene | time, s | preparing, s | first picture, s | samples per pixel | error |\n"
       "|---|---|---|---|---|---|\n");
-  begin_render();
-  for (const BenchScene& scene : choose_scenes(bench_scenes(), arguments.scenes)) {
-    measure(scene, arguments);
-    if (interrupt_count() > 0) return kExitInterrupted;
-  }
-  return 0;
+  return measure_each(scenes_of(arguments.scenes),
+                      [&](const BenchScene& scene) { measure(scene, arguments); });
 }
 
 }  // namespace
 }  // namespace ajar::bench
 
 int main(int argc, char** argv) {
-  try {
-    ajar::install_interrupt_handlers();
-    return ajar::bench::run(argc, argv);
-  } catch (const ajar::Error& error) {
-    fmt::print(stderr, "ajar_budget_bench: {}\n", error.what());
-    return error.exit_code();
-  }
+  return ajar::bench::bench_main("ajar_budget_bench", [&] { return ajar::bench::run(argc, argv); });
 }

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <numeric>
 
+#include "measuring/bench_main.h"
 #include "measuring/bench_scenes.h"
 #include "measuring/error_arguments.h"
 #include "measuring/error_table.h"
@@ -21,7 +22,6 @@
 namespace ajar::bench {
 namespace {
 
-constexpr int kExitInterrupted = 130;
 constexpr int kDefaultDepth = 16;
 /// Seeds of references, far from those of the renders that are compared with them.
 constexpr std::uint64_t kFirstReferenceSeed = 1'000'000;
@@ -186,23 +186,15 @@ int run(const std::vector<std::string>& texts) {
       "pixels.\n",
       arguments->seconds, arguments->repeats);
   std::fflush(stdout);
-  begin_render();
-  for (const BenchScene& scene : scenes) {
-    measure_scene(scene, variants, *arguments);
-    if (interrupted()) return kExitInterrupted;
-  }
-  return 0;
+  return measure_each(scenes,
+                      [&](const BenchScene& scene) { measure_scene(scene, variants, *arguments); });
 }
 
 }  // namespace
 }  // namespace ajar::bench
 
 int main(int argc, char** argv) {
-  try {
-    ajar::install_interrupt_handlers();
+  return ajar::bench::bench_main("ajar_error_bench", [&] {
     return ajar::bench::run({argv + 1, argv + argc});
-  } catch (const ajar::Error& error) {
-    fmt::print(stderr, "ajar_error_bench: {}\n", error.what());
-    return error.exit_code();
-  }
+  });
 }

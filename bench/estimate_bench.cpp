@@ -5,14 +5,13 @@
 #include <fstream>
 #include <set>
 
-#include "core/error.h"
 #include "image/relative_error.h"
 #include "integrator/integrator.h"
+#include "measuring/bench_main.h"
 #include "measuring/bench_scenes.h"
 #include "measuring/csv_keys.h"
 #include "measuring/measured_scene.h"
 #include "measuring/timed_render.h"
-#include "session/builtin_scenes.h"
 #include "session/interrupts.h"
 
 /// Whether estimated errors are true: renders scenes by all integrators and writes a line of CSV
@@ -21,7 +20,6 @@
 namespace ajar::bench {
 namespace {
 
-constexpr int kExitInterrupted = 130;
 constexpr const char* kHeader =
     "scene,integrator,cpu_seconds,seed,spent,samples,true_error,reference_error,estimated,"
     "fireflies,misses_light,places";
@@ -87,34 +85,20 @@ int run(int count, char** texts) {
   app.add_option("--seconds", arguments.seconds, "CPU-seconds of a render")->delimiter(',');
   app.add_option("--seeds", arguments.seeds, "Seeds, from 1");
   app.add_option("--integrators", arguments.integrators, "Default: all")->delimiter(',');
-  app.add_option("--scenes", arguments.scenes, "Default: the built-in ones")->delimiter(',');
-  app.add_option("--references", arguments.measure.folder, "Folder of references");
-  app.add_option("--reference-seconds", arguments.measure.reference_seconds,
-                 "CPU-seconds of a reference that is made");
+  add_measure_options(app, arguments.scenes, arguments.measure);
   CLI11_PARSE(app, count, texts);
   if (arguments.integrators.empty()) {
     for (const IntegratorInfo& info : integrators()) arguments.integrators.push_back(info.name);
   }
-  if (arguments.scenes.empty()) arguments.scenes = builtin_scene_names();
   begin_csv(arguments.file, kHeader);
-  const std::vector<BenchScene> scenes = choose_scenes(bench_scenes(), arguments.scenes);
-  begin_render();
-  for (const BenchScene& scene : scenes) {
-    measure(scene, arguments);
-    if (interrupted()) return kExitInterrupted;
-  }
-  return 0;
+  return measure_each(scenes_of(arguments.scenes),
+                      [&](const BenchScene& scene) { measure(scene, arguments); });
 }
 
 }  // namespace
 }  // namespace ajar::bench
 
 int main(int argc, char** argv) {
-  try {
-    ajar::install_interrupt_handlers();
-    return ajar::bench::run(argc, argv);
-  } catch (const ajar::Error& error) {
-    fmt::print(stderr, "ajar_estimate_bench: {}\n", error.what());
-    return error.exit_code();
-  }
+  return ajar::bench::bench_main("ajar_estimate_bench",
+                                 [&] { return ajar::bench::run(argc, argv); });
 }

@@ -5,19 +5,18 @@
 #include <cmath>
 #include <fstream>
 
-#include "core/error.h"
 #include "image/flip.h"
 #include "image/metrics.h"
 #include "image/relative_error.h"
 #include "image/tone_curve.h"
 #include "integrator/integrator.h"
 #include "integrator/montecarlo/scene_features.h"
+#include "measuring/bench_main.h"
 #include "measuring/bench_scenes.h"
 #include "measuring/csv_keys.h"
 #include "measuring/measured_scene.h"
 #include "measuring/timed_render.h"
 #include "post/denoise/denoiser.h"
-#include "session/builtin_scenes.h"
 #include "session/interrupts.h"
 #include "session/picture_filter.h"
 #include "session/write_picture.h"
@@ -28,7 +27,6 @@
 namespace ajar::bench {
 namespace {
 
-constexpr int kExitInterrupted = 130;
 constexpr const char* kHeader =
     "scene,method,cpu_seconds,seed,spent,samples,reference_relmse,relmse,trimmed,p999,e1,e2,e4,e8,"
     "flip,filter,filtered_relmse,filtered_trimmed,filtered_flip,filtered_error,filtered_estimate";
@@ -158,34 +156,20 @@ int run(int count, char** texts) {
   app.add_option("--seconds", arguments.seconds, "CPU-seconds of a render")->delimiter(',');
   app.add_option("--seeds", arguments.seeds, "Seeds, from 1");
   app.add_option("--methods", arguments.methods, "Integrators with settings, such as pt:cull=0");
-  app.add_option("--scenes", arguments.scenes, "Default: the built-in ones")->delimiter(',');
   app.add_option("--filters", arguments.filters, "As --denoise of ajar takes them")->delimiter(',');
   app.add_option("--pictures", arguments.pictures, "Folder where pictures are kept");
   app.add_option("--longer-side", arguments.measure.longer_side, "Pixels");
-  app.add_option("--references", arguments.measure.folder, "Folder of references");
-  app.add_option("--reference-seconds", arguments.measure.reference_seconds,
-                 "CPU-seconds of a reference that is made");
+  add_measure_options(app, arguments.scenes, arguments.measure);
   CLI11_PARSE(app, count, texts);
-  if (arguments.scenes.empty()) arguments.scenes = builtin_scene_names();
   begin_csv(arguments.file, kHeader);
-  const std::vector<BenchScene> scenes = choose_scenes(bench_scenes(), arguments.scenes);
-  begin_render();
-  for (const BenchScene& scene : scenes) {
-    measure(scene, arguments);
-    if (interrupted()) return kExitInterrupted;
-  }
-  return 0;
+  return measure_each(scenes_of(arguments.scenes),
+                      [&](const BenchScene& scene) { measure(scene, arguments); });
 }
 
 }  // namespace
 }  // namespace ajar::bench
 
 int main(int argc, char** argv) {
-  try {
-    ajar::install_interrupt_handlers();
-    return ajar::bench::run(argc, argv);
-  } catch (const ajar::Error& error) {
-    fmt::print(stderr, "ajar_finished_bench: {}\n", error.what());
-    return error.exit_code();
-  }
+  return ajar::bench::bench_main("ajar_finished_bench",
+                                 [&] { return ajar::bench::run(argc, argv); });
 }
