@@ -107,7 +107,7 @@ std::string text_of(const fs::path& path) {
 /// Constants of a source text that begin with a number.
 std::vector<std::string> number_constants(const std::string& text) {
   static const std::regex kConstant(
-      R"(\bconstexpr\s[^=;(){}]*?\b(k[A-Z]\w*)\s*(?:=\s*\{*|\{+)\s*[-+]?[.\d])");
+      R"(\bconstexpr\s[^=;(){}]*?\b(k[A-Z]\w*)\s*(?:=\s*\{*|\{+)\s*[-+]?\.?\d)");
   std::vector<std::string> names;
   for (std::sregex_iterator match(text.begin(), text.end(), kConstant), end; match != end;
        ++match) {
@@ -163,6 +163,7 @@ TEST(Heuristics, FindsConstantsHoweverTheyAreWritten) {
   EXPECT_EQ(number_constants("inline constexpr float kA{-.5F};"), std::vector<std::string>{"kA"});
   EXPECT_TRUE(number_constants("constexpr double kA = SelectiveHeuristics::kB;").empty());
   EXPECT_TRUE(number_constants("constexpr int f(int kA) { return 2; }").empty());
+  EXPECT_TRUE(number_constants("constexpr Walk kA{.mode = Mode::kB};").empty());
 }
 
 TEST(Heuristics, AreNowhereElse) {
