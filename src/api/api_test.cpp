@@ -85,6 +85,23 @@ TEST(Interface, BuildsASceneOnceForRendersOfItsSize) {
   EXPECT_TRUE(builds(settings));
 }
 
+TEST(Interface, TakesTheNoiseOutOfPictures) {
+  ajar::Settings settings = small_settings();
+  settings.denoise = "outo";
+  const ajar::Scene scene = ajar::Scene::load("builtin:cornell");
+  EXPECT_THROW(ajar::render(scene, settings), ajar::Error);
+  settings.denoise = "auto";
+  const ajar::Picture picture = ajar::render(scene, settings);
+  const ajar::Picture without = ajar::render(scene, small_settings());
+  EXPECT_TRUE(std::ranges::equal(picture.pixels(), without.pixels()));
+  const auto has_it = [](const ajar::Picture& of) {
+    const auto layers = of.layers();
+    return std::ranges::find(layers, "denoised") != layers.end();
+  };
+  EXPECT_FALSE(has_it(without));
+  if (!has_it(picture)) GTEST_SKIP() << "there is no filter on this machine";
+}
+
 TEST(Interface, RendersASceneTwiceAtOnce) {
   const ajar::Scene scene = ajar::Scene::load("builtin:cornell");
   const ajar::Picture alone = ajar::render(scene, small_settings());

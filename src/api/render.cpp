@@ -43,6 +43,7 @@ RenderOrder order_of(const Scene::Content& scene, const Settings& settings, bool
   request.depth = {settings.min_depth, settings.max_depth};
   request.aovs = checked_aovs(settings.layers);
   order.all_aovs = settings.layers == std::vector<std::string>{"all"};
+  order.files.denoiser = settings.denoise;
   request.seed = settings.seed;
   order.size_from_scene = !settings.resolution;
   order.threads = settings.threads;

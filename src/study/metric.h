@@ -23,7 +23,8 @@ struct Metric {
   std::string name;  ///< on the command line and in JSON
   std::string unit;  ///< "" if none
   bool larger_is_better = false;
-  std::string summary;  ///< one line: what it computes, of which values
+  bool of_denoised = false;  ///< of the layer "denoised", which pictures need not have
+  std::string summary;       ///< one line: what it computes, of which values
   /// Empty where the metric has no value (see `summary`); infinite PSNR means equal pictures.
   std::function<std::optional<double>(const LoadedPicture& picture, const LoadedPicture& reference,
                                       const MetricConditions& conditions)>

@@ -106,9 +106,9 @@ class Runner {
     command.arguments.push_back(scene.starts_with("builtin:") ? scene
                                                               : fs::absolute(scene).string());
     command.arguments.insert(command.arguments.end(), run.arguments.begin(), run.arguments.end());
-    command.arguments.insert(
-        command.arguments.end(),
-        {"--progress", "none", "--stats", file(run, ".stats.json"), "-o", file(run, ".exr")});
+    command.arguments.insert(command.arguments.end(),
+                             {"--progress", "none", "--stats", file(run, ".stats.json"), "-o",
+                              file(run, ".exr"), "--denoise", wants_denoised() ? "auto" : "none"});
     const std::optional<double> left = seconds_left(plan_, runs_, records_, i);
     options_.report(fmt::format("{}/{}  {}{}", i + 1, runs_.size(), run.title,
                                 left ? "  (" + clock_text(*left) + " left)" : ""));
@@ -134,6 +134,12 @@ class Runner {
                       {"statistics", Json::parse(statistics)}}};
     write_record(run, record);
     records_[i] = std::move(record);
+  }
+
+  /// What no metric looks at takes no time.
+  bool wants_denoised() const {
+    return std::any_of(plan_.metrics.begin(), plan_.metrics.end(),
+                       [](const Metric* metric) { return metric->of_denoised; });
   }
 
   void note_failure(const StudyRun& run, int exit_code) {

@@ -22,7 +22,8 @@ bool report_file(const WrittenFile& file) {
   return false;
 }
 
-void report_end(const RenderResult& result, double preparing) {
+void report_end(const RenderResult& result, double preparing,
+                const std::optional<double>& denoised_error) {
   std::string text = fmt::format(
       "{} sample{} per pixel in {}, {} rays/s", result.samples_per_pixel,
       result.samples_per_pixel == 1 ? "" : "s", clock_text(result.seconds),
@@ -40,6 +41,7 @@ void report_end(const RenderResult& result, double preparing) {
       text += " (without the light that this method cannot see)";
     }
   }
+  if (denoised_error) text += ", denoised " + error_text({.value = *denoised_error});
   if (result.stopped_by == StopReason::Interrupted) text += ", interrupted";
   print_note(text);
 }
