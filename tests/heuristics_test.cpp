@@ -35,7 +35,7 @@ struct Unfitted {
 const std::multimap<std::string, Unfitted>& unfitted() {
   static const std::multimap<std::string, Unfitted> kUnfitted = {
       {"image/compare_blocks.cpp", {"limit of a type", {"kLargestZ"}}},
-      {"image/density_map.cpp",
+      {"post/density_map.cpp",
        {"drawing",
         {"kOctaves", "kGap", "kBar", "kGlyphWidth", "kGlyphHeight", "kLabelLength", "kShortest"}}},
       {"post/exposure.cpp", {"what displays show", {"kMiddleGrey", "kWhite", "kBlack"}}},

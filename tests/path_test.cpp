@@ -102,6 +102,91 @@ TEST_P(Paths, AreWorthWhatTheSamplerFound) {
   }
 }
 
+/// As chains go about it: one half moves and the other stays, and what is rejected is put back.
+/// Against paths that are sampled as a whole by the same numbers.
+TEST_P(Paths, AreRecordedHalfByHalf) {
+  const auto scene = test::scene_from(GetParam().text);
+  PathSamplerSettings settings;
+  settings.techniques = TechniqueSet::bdpt();
+  settings.min_depth = settings.max_depth = 4;
+  const Vec2 size(scene->camera().resolution());
+  int found = 0;
+  for (int s = 0; s <= 4; ++s) {
+    const Technique technique{s, 5 - s};
+    SCOPED_TRACE(s);
+    PathSampler sampler(*scene, settings);
+    Collector recorder(*scene, settings);
+    struct Half {
+      std::uint32_t number;  ///< of what it is traced by
+      bool complete;
+      PathVertex end;
+      PathRecorder::Subpath recorded;
+    };
+    const auto source_of = [](std::uint32_t camera, std::uint32_t light) {
+      return IndependentSource({1, camera, 2, light});
+    };
+    const auto raster_of = [&](std::uint32_t camera) {
+      return source_of(camera, 0).get_pair({Stream::Camera, 0, kEmissionDirection}) * size;
+    };
+    const auto trace_camera = [&](std::uint32_t number) {
+      Half half{number, true, {}, {}};
+      IndependentSource source = source_of(number, 0);
+      recorder.begin(raster_of(number));
+      if (s > 0 && technique.t >= 2) {
+        half.complete =
+            sampler.trace_camera_half(source, raster_of(number), technique.t, half.end, &recorder);
+      }
+      half.recorded = recorder.camera_half();
+      return half;
+    };
+    const auto trace_light = [&](std::uint32_t number, const Half& camera) {
+      Half half{number, true, {}, {}};
+      IndependentSource source = source_of(0, number);
+      recorder.begin(raster_of(camera.number));
+      if (s >= 2) half.complete = sampler.trace_light_half(source, s, half.end, &recorder);
+      half.recorded = recorder.light_half();
+      return half;
+    };
+    Half camera = trace_camera(0);
+    Half light = trace_light(0, camera);
+    for (std::uint32_t step = 1; step < 5000; ++step) {
+      const Half camera_before = camera;
+      const Half light_before = light;
+      if (step % 2 == 0) {
+        camera = trace_camera(step);
+      } else {
+        light = trace_light(step, camera);
+      }
+      IndependentSource source = source_of(camera.number, light.number);
+      const Vec2 raster = raster_of(camera.number);
+      recorder.found.clear();
+      if (s == 0) {
+        sampler.sample_implicit(source, raster, technique.t, recorder, &recorder);
+      } else if (camera.complete && light.complete) {
+        sampler.connect_halves(technique, light.end, camera.end, source, recorder);
+      }
+      const auto expected = replay(*scene, settings, source, raster, technique);
+      ASSERT_EQ(recorder.found.size(), expected ? 1U : 0U);
+      if (expected) {
+        ++found;
+        const auto& [path, contribution] = recorder.found.front();
+        ASSERT_NO_THROW(verify(*scene, settings, path, contribution));
+        const auto bytes = [&](const Path& of) {
+          return archived([&](OutputArchive& to) { save_path(to, *scene, of); });
+        };
+        EXPECT_EQ(bytes(path), bytes(*expected));
+      }
+      if (step % 3 == 0) continue;
+      camera = camera_before;
+      light = light_before;
+      recorder.camera_half() = camera.recorded;
+      recorder.light_half() = light.recorded;
+    }
+    EXPECT_EQ(recorder.lost(), 0U);
+  }
+  EXPECT_GT(found, 300);
+}
+
 /// Light that goes into glass and stays there: what it is worth depends on the end from which the
 /// boundary is passed. (Through a whole ball these factors cancel.)
 TEST(PathMeasure, BoundariesAreCountedFromTheEndThatPassesThem) {

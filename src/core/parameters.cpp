@@ -96,6 +96,10 @@ const std::string& value_of(const std::map<std::string, std::string, std::less<>
 
 }  // namespace
 
+bool ParameterSpec::matters_with(const std::string& value) const {
+  return std::find(matters_for.begin(), matters_for.end(), value) != matters_for.end();
+}
+
 bool in_range(const ParameterSpec& spec, double value) {
   if (spec.open_range) return value > spec.minimum && value < spec.maximum;
   return value >= spec.minimum && value <= spec.maximum;

@@ -45,6 +45,8 @@ struct ParameterSpec {
   /// values: the name of that parameter, and the values.
   std::string depends_on = {};
   std::vector<std::string> matters_for = {};
+  /// Whether it matters while that parameter has this value.
+  bool matters_with(const std::string& value) const;
   bool open_range = false;  ///< minimum and maximum themselves are not allowed
 };
 
@@ -77,6 +79,10 @@ class Parameters {
   std::optional<double> get_number(std::string_view name) const;
   const std::string& get_text(std::string_view name) const;
   const std::map<std::string, std::string, std::less<>>& values() const { return values_; }
+  /// False for parameters that have no effect because of the value of another.
+  bool matters(const ParameterSpec& spec) const {
+    return spec.depends_on.empty() || spec.matters_with(get_text(spec.depends_on));
+  }
   /// What was not left at its default.
   const std::map<std::string, std::string>& given() const { return given_; }
 

@@ -56,6 +56,17 @@ TEST(Parameters, AllButTheBasicOnesAreForExperts) {
   EXPECT_THROW(mark_experts(declared, {"sigmas"}), std::logic_error);
 }
 
+TEST(Parameters, MatterAsLongAsTheyHaveAnEffect) {
+  auto declared = specs();
+  ParameterSpec& sigma = declared[2];
+  sigma.depends_on = "heuristic";
+  sigma.matters_for = {"balance"};
+  EXPECT_FALSE(Parameters(declared, {}).matters(sigma));
+  const Parameters balanced(declared, {{"heuristic", "balance"}});
+  EXPECT_TRUE(balanced.matters(sigma));
+  EXPECT_TRUE(balanced.matters(declared[0]));
+}
+
 TEST(Parameters, BooleansHaveOneSpellingInside) {
   const auto declared = specs();
   for (const char* no : {"false", "off", "no", "0"}) {

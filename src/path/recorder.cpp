@@ -8,7 +8,6 @@ namespace ajar {
 void PathRecorder::begin(const Vec2& raster) {
   raster_ = raster;
   light_count_ = 0;
-  camera_.vertices.clear();
 }
 
 void PathRecorder::started(Stream stream, const Endpoint& endpoint, const EndpointPoint& point) {

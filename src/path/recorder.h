@@ -7,8 +7,8 @@
 
 namespace ajar {
 
-/// Makes a `Path` of everything that a `PathSampler` finds by `sample` or `sample_light`, whatever
-/// the technique. Traces each edge again, so it is for seeds, records and tests, not for the loop
+/// Makes a `Path` of everything that a `PathSampler` finds, whatever the technique, at once or half
+/// by half. Traces each edge again, so it is for seeds, records and tests, not for the loop
 /// of a render. Debug builds verify each path (verify.h).
 class PathRecorder : public PathSink {
  public:
@@ -16,9 +16,20 @@ class PathRecorder : public PathSink {
   PathRecorder(const Scene& scene, PathSamplerSettings settings)
       : scene_(scene), settings_(std::move(settings)) {}
 
-  /// Before each call of the sampler, with what it is told of the film. Light subpaths stay: so
-  /// `sample_light` and `sample` may follow each other.
+  /// A subpath as it was traced.
+  struct Subpath {
+    const Endpoint* endpoint = nullptr;
+    EndpointPoint point = EndpointPoint::at(Vec3(0.F));
+    std::vector<InnerVertex> vertices;  ///< with the event by which the subpath left them
+  };
+
+  /// Before each call of the sampler that traces subpaths, with what it is told of the film. What
+  /// was traced before stays until something takes its place: so `sample_light` and `sample` may
+  /// follow each other, and one half of a path may stay while others are traced for the other.
   void begin(const Vec2& raster);
+  // For chains, which may go back to a half after another was tried.
+  Subpath& light_half() { return light_.front(); }
+  Subpath& camera_half() { return camera_; }
 
   void started(Stream stream, const Endpoint& endpoint, const EndpointPoint& point) final;
   void vertex(Stream stream, const PathVertex& vertex, const Hit* hit) final;
@@ -36,11 +47,6 @@ class PathRecorder : public PathSink {
   const PathSamplerSettings& settings() const { return settings_; }
 
  private:
-  struct Subpath {
-    const Endpoint* endpoint = nullptr;
-    EndpointPoint point = EndpointPoint::at(Vec3(0.F));
-    std::vector<InnerVertex> vertices;  ///< with the event by which the subpath left them
-  };
   Subpath& current(Stream stream) {
     return stream == Stream::Light ? light_[light_count_ - 1] : camera_;
   }

@@ -21,7 +21,7 @@ struct RenderRecord {
   std::string scene;  ///< absolute path, or builtin:NAME
   std::uint64_t scene_hash = 0;
   std::string integrator;
-  std::map<std::string, std::string> parameters;  ///< all, defaults too
+  std::map<std::string, std::string> parameters;  ///< all that matter, defaults too
   /// Those that were not left at their defaults: what is not given may follow from others that are.
   std::map<std::string, std::string> given;
   RenderSettings settings;

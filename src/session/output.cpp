@@ -14,10 +14,10 @@
 
 #include "core/atomic_file.h"
 #include "core/error.h"
-#include "image/density_map.h"
 #include "image/identities.h"
 #include "image/image_file.h"
 #include "image/statistics.h"
+#include "post/density_map.h"
 #include "session/write_picture.h"
 
 namespace ajar {

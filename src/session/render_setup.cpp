@@ -201,7 +201,9 @@ RenderRecord record_of(const RenderSetup& setup, const Parameters& parameters,
   RenderRecord record;
   record.scene = absolute_scene(scene);
   record.integrator = setup.integrator->name;
-  record.parameters = {parameters.values().begin(), parameters.values().end()};
+  for (const ParameterSpec& spec : setup.integrator->parameters) {
+    if (parameters.matters(spec)) record.parameters[spec.name] = parameters.values().at(spec.name);
+  }
   record.given = parameters.given();
   record.settings = setup.settings;
   record.aovs = setup.aovs;

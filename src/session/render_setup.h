@@ -53,7 +53,7 @@ RenderSetup make_setup(const RenderRequest& request, const desc::RenderHints& hi
 void check_budget(const Budget& budget, int replicates);
 /// The setup of a render that goes on. Raises UsageError if this program has no such integrator.
 RenderSetup setup_of(const RenderRecord& record, const Budget& budget);
-/// What a setup makes of a scene, for checkpoints; `parameters` are all of the integrator's.
+/// What a setup makes of a scene, for checkpoints; `parameters` are the integrator's.
 RenderRecord record_of(const RenderSetup& setup, const Parameters& parameters,
                        const std::string& scene, const WorkShare& share);
 

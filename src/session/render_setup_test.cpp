@@ -95,6 +95,30 @@ TEST(RenderSetup, ParametersOfTheUserComeLast) {
   EXPECT_EQ(make_setup(request, hints, film_of(3, 2)).parameters.at("sampler"), "sobol");
 }
 
+TEST(RenderSetup, RecordsHaveTheParametersThatMatter) {
+  const auto recorded = [](const char* integrator) {
+    RenderRequest request;
+    request.integrator = integrator;
+    const RenderSetup setup = make_setup(request, {}, {});
+    const Parameters parameters = setup.integrator->read(setup.parameters);
+    return record_of(setup, parameters, "builtin:cornell", {}).parameters;
+  };
+  const auto regions = recorded("selective");
+  const auto everywhere = recorded("mmlt+");
+  for (const char* of_regions : {"map", "pilot", "threshold", "edges", "samples"}) {
+    EXPECT_TRUE(regions.contains(of_regions));
+    EXPECT_FALSE(everywhere.contains(of_regions));
+  }
+  for (const char* of_no_regions : {"direct", "omc-samples"}) {
+    EXPECT_FALSE(regions.contains(of_no_regions));
+    EXPECT_TRUE(everywhere.contains(of_no_regions));
+  }
+  for (const char* of_both : {"division", "chain", "preset", "split", "sigma"}) {
+    EXPECT_TRUE(regions.contains(of_both));
+    EXPECT_TRUE(everywhere.contains(of_both));
+  }
+}
+
 TEST(RenderSetup, ScaleMultipliesTheResolutionOfTheScene) {
   RenderRequest request;
   request.scale = 0.5;

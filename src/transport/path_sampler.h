@@ -94,18 +94,21 @@ class PathSampler {
   void sample_light(SampleSource& source, PathSink& sink);
 
   // One technique at a time, half by half, for chains that move one half and keep the other. All
-  // paths must have the same depth (`min_depth` = `max_depth`).
+  // paths must have the same depth (`min_depth` = `max_depth`). Vertices are `told`, unless that is
+  // null: chains need none of them, and have no time for it.
 
   /// The last of the `vertices` − 1 ≥ 1 vertices that a light subpath has in the scene; false if it
   /// does not get there, or cannot be connected.
-  bool trace_light_half(SampleSource& source, int vertices, PathVertex& end);
+  bool trace_light_half(SampleSource& source, int vertices, PathVertex& end, PathSink* told);
   /// The same for a camera subpath.
-  bool trace_camera_half(SampleSource& source, const Vec2& raster, int vertices, PathVertex& end);
+  bool trace_camera_half(SampleSource& source, const Vec2& raster, int vertices, PathVertex& end,
+                         PathSink* told);
   /// Technique (s ≥ 1, t ≥ 1): a half of a single vertex is the endpoint alone, its `end` unused.
   void connect_halves(Technique technique, const PathVertex& light_end,
                       const PathVertex& camera_end, SampleSource& source, PathSink& sink);
   /// Technique (0, t).
-  void sample_implicit(SampleSource& source, const Vec2& raster, int vertices, PathSink& sink);
+  void sample_implicit(SampleSource& source, const Vec2& raster, int vertices, PathSink& sink,
+                       PathSink* told);
 
   /// Camera subpaths follow these directions, or are noted there; null: neither.
   void keep_directions(KeptDirections* directions) { camera_walk_.directions = directions; }
@@ -127,6 +130,15 @@ class PathSampler {
   bool start_camera(SampleSource& source, const Vec2& raster, PathSink& sink, Flight& flight);
   /// A camera path that runs into the lights at infinity.
   void leave_scene(const Flight& flight, const SegmentEnd& end, PathSink& sink) const;
+  // Halves, in path_halves.cpp. `told` is of the class itself that is told, so that nobody costs
+  // nothing.
+  template <typename Told>
+  bool light_half(SampleSource& source, int vertices, PathVertex& end, Told& told);
+  template <typename Told>
+  bool camera_half(SampleSource& source, const Vec2& raster, int vertices, PathVertex& end,
+                   Told& told);
+  template <typename Told>
+  void implicit(SampleSource& source, const Vec2& raster, int vertices, PathSink& sink, Told& told);
   void trace_light(SampleSource& source, PathSink& sink, int repeat);
   void trace_camera(SampleSource& source, const Vec2& raster, PathSink& sink);
   SegmentEnd trace(const WalkSettings& walk, const Flight& flight, SampleSource& source);

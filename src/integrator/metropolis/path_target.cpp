@@ -153,7 +153,7 @@ double OnePathTarget::evaluate(SampleSource& numbers, const Change& change, Spla
   SplatSink sink(view_, part_, light_subpaths_, raster, splats);
   if (s == 0) {
     directions_.trace(change.raster);
-    sampler_.sample_implicit(numbers, raster, t, sink);
+    sampler_.sample_implicit(numbers, raster, t, sink, nullptr);
   } else {
     static const PathVertex kEndpointAlone{};
     const PathVertex* camera_end = &kEndpointAlone;
@@ -161,13 +161,14 @@ double OnePathTarget::evaluate(SampleSource& numbers, const Change& change, Spla
     if (t >= 2) {
       camera_end = half(camera_, t, change.moves_camera_half(), [&](PathVertex& end) {
         directions_.trace(change.raster);
-        return sampler_.trace_camera_half(numbers, raster, t, end);
+        return sampler_.trace_camera_half(numbers, raster, t, end, nullptr);
       });
       if (camera_end == nullptr) return 0.0;
     }
     if (s >= 2) {
-      light_end = half(light_, s, change.light,
-                       [&](PathVertex& end) { return sampler_.trace_light_half(numbers, s, end); });
+      light_end = half(light_, s, change.light, [&](PathVertex& end) {
+        return sampler_.trace_light_half(numbers, s, end, nullptr);
+      });
       if (light_end == nullptr) return 0.0;
     }
     sampler_.connect_halves(chosen_.technique, *light_end, *camera_end, numbers, sink);

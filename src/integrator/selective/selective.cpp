@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <optional>
-#include <span>
 #include <string_view>
 
 #include "core/error.h"
@@ -17,11 +16,9 @@ namespace {
 
 /// Parameters of chains that mean nothing where regions are divided.
 constexpr std::array<std::string_view, 2> kOfNoRegions = {"direct", "omc-samples"};
-/// Parameters that say what is done, not how.
-constexpr std::array<std::string_view, 3> kOfAnyDivision = {"division", "chain", "preset"};
 
-bool is_among(std::span<const std::string_view> names, std::string_view name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
+bool is_of_no_regions(std::string_view name) {
+  return std::find(kOfNoRegions.begin(), kOfNoRegions.end(), name) != kOfNoRegions.end();
 }
 
 /// Parameters of chains that are left to a pilot unless the user knows better. That is a value of
@@ -48,17 +45,9 @@ bool divides_regions(const Parameters& parameters) {
 
 /// What is given but would mean nothing.
 void check_division(const Parameters& parameters) {
-  const bool regions = divides_regions(parameters);
-  const auto refuse = [](std::string_view name, const char* division) {
-    throw UsageError(std::string(name) + ": only with division=" + division);
-  };
-  const std::vector<ParameterSpec> of_regions = SelectiveSettings::parameters();
-  for (const auto& [name, value] : parameters.given()) {
-    const bool is_of_regions =
-        std::any_of(of_regions.begin(), of_regions.end(),
-                    [&, &own = name](const ParameterSpec& spec) { return spec.name == own; });
-    if (regions && is_among(kOfNoRegions, name)) refuse(name, "everywhere");
-    if (!regions && is_of_regions && !is_among(kOfAnyDivision, name)) refuse(name, "regions");
+  for (const ParameterSpec& spec : selective_parameters()) {
+    if (parameters.matters(spec) || !parameters.given().contains(spec.name)) continue;
+    throw UsageError(spec.name + ": only with " + spec.depends_on + "=" + spec.matters_for.front());
   }
 }
 
@@ -73,7 +62,10 @@ std::vector<ParameterSpec> selective_parameters() {
         return other.name == spec.name;
       });
       if (can_be_open(spec.name)) leave_open(spec);
-      if (is_among(kOfNoRegions, spec.name)) spec.help += "; for division=everywhere";
+      if (is_of_no_regions(spec.name)) {
+        spec.depends_on = "division";
+        spec.matters_for = {"everywhere"};
+      }
       if (!known) specs.push_back(std::move(spec));
     }
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "core/error.h"
 #include "core/file_extension.h"
@@ -36,6 +37,17 @@ std::string read_text(const std::string& path) {
 
 std::vector<ParameterSpec> SelectiveSettings::parameters() {
   std::vector<ParameterSpec> specs = {
+      choice_parameter(
+          "division", {"regions", "everywhere"},
+          "how the light is divided: path by path and by regions of the picture, as a "
+          "pilot finds; or alike everywhere, which leaves all that follows from regions "
+          "out (presets mmlt+ and pssmlt+)"),
+      choice_parameter("chain", {"mmlt", "pssmlt"}, "the Markov chains"),
+      choice_parameter("preset", {"none", "published", "lambertian-out", "mmlt+", "pssmlt+"},
+                       "published: everything as in the paper; lambertian-out: no chains where "
+                       "the material is matte (for omc=lt); mmlt+ and pssmlt+: division=everywhere "
+                       "with these chains")};
+  std::vector<ParameterSpec> of_regions = {
       {.name = "omc",
        .type = ParameterType::Text,
        .default_value = kOpen,
@@ -45,12 +57,6 @@ std::vector<ParameterSpec> SelectiveSettings::parameters() {
            "divided path by path; others: by regions alone. auto: those of the chains; if they are "
            "not given either, ibpt or bdpt, as a pilot finds",
        .choices = {}},
-      choice_parameter("chain", {"mmlt", "pssmlt"}, "the Markov chains"),
-      choice_parameter(
-          "division", {"regions", "everywhere"},
-          "how the light is divided: path by path and by regions of the picture, as a "
-          "pilot finds; or alike everywhere, which leaves all that follows from regions "
-          "out (presets mmlt+ and pssmlt+)"),
       choice_parameter(
           "map", {"optimal", "binary"},
           "how the pilot decides about regions: for least predicted error, or as published "
@@ -73,43 +79,44 @@ std::vector<ParameterSpec> SelectiveSettings::parameters() {
        .choices = {},
        .minimum = 0,
        .maximum = 4096}};
-  specs.push_back(number_parameter("threshold", "0.5",
-                                   "binary: noise from which on a region has chains (T)", 1.0));
-  specs.push_back(number_parameter(
+  of_regions.push_back(number_parameter(
+      "threshold", "0.5", "binary: noise from which on a region has chains (T)", 1.0));
+  of_regions.push_back(number_parameter(
       "epsilon", "0.1", "binary: what chains make of the other regions' light (ε)", 1.0));
-  specs.push_back({.name = "window",
-                   .type = ParameterType::Int,
-                   .default_value = "3",
-                   .unit = "pixels",
-                   .help = "window of the noise: 3 or 5",
-                   .choices = {},
-                   .minimum = 3,
-                   .maximum = 5});
-  specs.push_back(choice_parameter(
+  of_regions.push_back({.name = "window",
+                        .type = ParameterType::Int,
+                        .default_value = "3",
+                        .unit = "pixels",
+                        .help = "window of the noise: 3 or 5",
+                        .choices = {},
+                        .minimum = 3,
+                        .maximum = 5});
+  of_regions.push_back(choice_parameter(
       "samples", {"adaptive", "uniform"},
       "camera samples of ordinary Monte Carlo: more where replicates show more noise, as many as a "
       "picture's samples per pixel on average; or the same everywhere"));
-  specs.push_back(choice_parameter(
+  of_regions.push_back(choice_parameter(
       "roulette", {"efficient", "usual"},
       "Russian roulette of ordinary Monte Carlo: rays that will bring little for their price, as "
       "pilot and render find it, are traced by chance only; or by throughput alone, as in ibpt and "
       "bdpt"));
-  specs.push_back({.name = "regions",
-                   .type = ParameterType::Text,
-                   .default_value = "",
-                   .unit = "",
-                   .help = "what the user decides: a text file of rules (object or material, name, "
-                           "auto|omc|chain|weight), or an image of the chains' share of each pixel",
-                   .choices = {}});
-  specs.push_back(
-      choice_parameter("preset", {"none", "published", "lambertian-out", "mmlt+", "pssmlt+"},
-                       "published: everything as in the paper; lambertian-out: no chains where "
-                       "the material is matte (for omc=lt); mmlt+ and pssmlt+: division=everywhere "
-                       "with these chains"));
-  specs.push_back(
+  of_regions.push_back(
+      {.name = "regions",
+       .type = ParameterType::Text,
+       .default_value = "",
+       .unit = "",
+       .help = "what the user decides: a text file of rules (object or material, name, "
+               "auto|omc|chain|weight), or an image of the chains' share of each pixel",
+       .choices = {}});
+  of_regions.push_back(
       choice_parameter("edges", {"none", "antialias"},
                        "smooth the stairs that the map leaves at the edges of objects, in .png "
                        "and .jpg"));
+  for (ParameterSpec& spec : of_regions) {
+    spec.depends_on = "division";
+    spec.matters_for = {"regions"};
+    specs.push_back(std::move(spec));
+  }
   return specs;
 }
 

@@ -150,9 +150,7 @@ void Node::set(std::string_view name, Value value) {
 const Value& Node::get(std::string_view name) const { return values_[position(name)]; }
 
 bool Node::matters(const ParameterSpec& spec) const {
-  if (spec.depends_on.empty()) return true;
-  const std::string& now = text(spec.depends_on);
-  return std::find(spec.matters_for.begin(), spec.matters_for.end(), now) != spec.matters_for.end();
+  return spec.depends_on.empty() || spec.matters_with(text(spec.depends_on));
 }
 
 std::vector<std::string> Node::files() const {

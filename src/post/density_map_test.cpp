@@ -1,4 +1,4 @@
-#include "image/density_map.h"
+#include "post/density_map.h"
 
 #include <gtest/gtest.h>
 
