@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <stdexcept>
 
 #include "core/parallel_for.h"
 
@@ -65,6 +66,66 @@ SeparableKernel gaussian_kernel(double sigma) {
   for (const double weight : weights) kernel.x.push_back(static_cast<float>(weight / sum));
   kernel.y = kernel.x;
   return kernel;
+}
+
+SeparableKernel box_kernel(int radius) {
+  const int width = 2 * radius + 1;
+  const std::vector<float> weights(static_cast<std::size_t>(width),
+                                   1.F / static_cast<float>(width));
+  return {weights, weights};
+}
+
+Plane halved(const Plane& plane) {
+  Plane half({(plane.size.x + 1) / 2, (plane.size.y + 1) / 2});
+  parallel_for(half.size.y, [&](int y) {
+    const int below = std::min(2 * y + 1, plane.size.y - 1);
+    for (int x = 0; x < half.size.x; ++x) {
+      const int right = std::min(2 * x + 1, plane.size.x - 1);
+      half.at(x, y) = 0.25F * (plane.at(2 * x, 2 * y) + plane.at(right, 2 * y) +
+                               plane.at(2 * x, below) + plane.at(right, below));
+    }
+  });
+  return half;
+}
+
+Plane doubled(const Plane& plane, Vec2i size) {
+  // The second nearest pixel of the half picture, along one axis.
+  const auto beside = [](int at, int end) {
+    return std::clamp(at / 2 + (at % 2 == 0 ? -1 : 1), 0, end - 1);
+  };
+  Plane result(size);
+  parallel_for(size.y, [&](int y) {
+    const int near_y = y / 2;
+    const int far_y = beside(y, plane.size.y);
+    for (int x = 0; x < size.x; ++x) {
+      const int near_x = x / 2;
+      const int far_x = beside(x, plane.size.x);
+      result.at(x, y) = (9.F * plane.at(near_x, near_y) + 3.F * plane.at(far_x, near_y) +
+                         3.F * plane.at(near_x, far_y) + plane.at(far_x, far_y)) /
+                        16.F;
+    }
+  });
+  return result;
+}
+
+std::vector<Plane> planes_of(Vec2i size, std::span<const float> interleaved) {
+  const std::size_t pixels = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
+  if (pixels == 0 || interleaved.size() % pixels != 0) {
+    throw std::invalid_argument("planes: sizes do not fit");
+  }
+  std::vector<Plane> planes(interleaved.size() / pixels, Plane(size));
+  for (std::size_t i = 0; i < interleaved.size(); ++i) {
+    planes[i % planes.size()].values[i / planes.size()] = interleaved[i];
+  }
+  return planes;
+}
+
+std::vector<float> interleaved(std::span<const Plane> planes) {
+  std::vector<float> values(planes.size() * planes.front().values.size());
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    values[i] = planes[i % planes.size()].values[i / planes.size()];
+  }
+  return values;
 }
 
 }  // namespace ajar

@@ -36,6 +36,19 @@ Plane filter_plane(const Plane& plane, const SeparableKernel& kernel);
 /// A Gaussian of σ pixels in both directions, whose weights sum to 1; cut at 4 σ.
 SeparableKernel gaussian_kernel(double sigma);
 
+/// The mean of a square of 2 · radius + 1 pixels.
+SeparableKernel box_kernel(int radius);
+
+/// The mean of each block of 2×2 pixels, of fewer at the end of odd sizes.
+Plane halved(const Plane& plane);
+/// Twice as large, linear in between: of a size whose half `plane` has.
+Plane doubled(const Plane& plane, Vec2i size);
+
+/// The channels of an interleaved picture.
+std::vector<Plane> planes_of(Vec2i size, std::span<const float> interleaved);
+/// The picture of these channels.
+std::vector<float> interleaved(std::span<const Plane> planes);
+
 /// exp(−x²/(2σ²)) for x = −radius … radius, not normalised. σ in pixels.
 std::vector<double> gaussian_weights(int radius, double sigma);
 

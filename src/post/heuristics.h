@@ -45,6 +45,38 @@ struct PostHeuristics {
   /// Errors of darker values are relative to this.
   /// Unit: share of the picture's median. Range: (0, 1]. Source: 5def0ef; set by hand, no study.
   static constexpr double kDarkest = 0.01;
+
+  // -------------------------------------------------------- the built-in filter
+  //
+  // Study of 4dba0aa's successor: docs/denoising.md, "The built-in filter".
+
+  /// Window of the regression.
+  /// Unit: pixels to either side. Range: [2, 16]. Source: docs/denoising.md.
+  static constexpr int kRegressionWindow = 5;
+  /// Patches that are compared.
+  /// Unit: pixels to either side. Range: [0, 4]. Source: docs/denoising.md.
+  static constexpr int kRegressionPatch = 1;
+  /// Differences that count as large.
+  /// Unit: standard deviations. Range: (0, 4]. Source: docs/denoising.md.
+  static constexpr float kRegressionTolerance = 0.7F;
+  /// Added to the variance of what explains the light: slopes that little supports are small.
+  /// Unit: features and windows squared. Range: (0, 1]. Source: docs/denoising.md.
+  static constexpr float kRidge = 1e-3F;
+  /// Patch over which the variance of a pixel is averaged.
+  /// Unit: pixels to either side. Range: [1, 8]. Source: docs/denoising.md.
+  static constexpr int kVariancePatch = 2;
+  /// A pixel counts at most as so much light as those around it.
+  /// Unit: their mean. Range: >= 2. Source: docs/denoising.md.
+  static constexpr float kBrightestPixel = 10.F;
+  /// Those around it.
+  /// Unit: pixels to either side. Range: [1, 8]. Source: docs/denoising.md.
+  static constexpr int kAroundPixel = 3;
+  /// Patch over which a finer picture is compared with a coarser one.
+  /// Unit: pixels of the coarser one to either side. Range: [1, 16]. Source: docs/denoising.md.
+  static constexpr int kScalePatch = 5;
+  /// What must be beyond doubt for the finer one to be right.
+  /// Unit: standard errors. Range: >= 0. Source: docs/denoising.md.
+  static constexpr float kScaleDoubt = 2.F;
 };
 
 }  // namespace ajar

@@ -37,6 +37,13 @@ Replicates finite_replicates(const Replicates& replicates) {
   return result;
 }
 
+/// The mean of every other replicate, from that `first` one on.
+std::vector<float> half_of(const Replicates& replicates, std::size_t first) {
+  Replicates half;
+  for (std::size_t i = first; i < replicates.size(); i += 2) half.push_back(replicates[i]);
+  return replicate_mean(half);
+}
+
 Vec2i size_of(const Picture& picture) { return picture.crop.size() + Vec2i(1, 1); }
 
 }  // namespace
@@ -92,7 +99,8 @@ bool PictureFilter::add_layers(Picture& picture, const Denoiser::Progress& progr
   const Vec2i size = size_of(picture);
   Stages stages(2, progress);
   if (!know_features(size, stages.next())) return false;
-  auto pixels = denoiser_->filter({size, picture.layers.front().pixels}, prepared_, stages.next());
+  auto pixels = denoiser_->filter({.size = size, .colour = picture.layers.front().pixels},
+                                  prepared_, stages.next());
   if (!pixels) return false;
   add(picture, *std::move(pixels));
   return true;
@@ -106,18 +114,20 @@ bool PictureFilter::add_best_layers(Picture& picture, const PictureEstimates& es
   const Replicates others = finite_replicates(estimates.others);
   Stages stages(1 + (others.empty() ? 1 : 2) * (1 + replicates.size()), progress);
   if (!know_features(size, stages.next())) return false;
-  const auto filtered = [&](const std::vector<float>& pixels, bool roughly) {
-    return denoiser_->filter({size, pixels, roughly}, prepared_, stages.next());
+  const auto filtered = [&](const NoisyPicture& noisy) {
+    return denoiser_->filter(noisy, prepared_, stages.next());
   };
   std::vector<BiasedEstimate> all;
   // False if `progress` ended it.
   const auto add_estimate = [&](const std::vector<float>& pixels, const Replicates& parts) {
-    auto whole = filtered(pixels, false);
+    const std::vector<float> first = half_of(parts, 0);
+    const std::vector<float> second = half_of(parts, 1);
+    auto whole = filtered({.size = size, .colour = pixels, .halves = {first, second}});
     if (!whole) return false;
     BiasedEstimate& estimate = all.emplace_back();
     estimate.pixels = *std::move(whole);
     for (const std::vector<float>& part : parts) {
-      auto result = filtered(part, true);
+      auto result = filtered({.size = size, .colour = part, .roughly = true});
       if (!result) return false;
       estimate.replicates.push_back(*std::move(result));
     }

@@ -100,7 +100,10 @@ void take_state(RenderState& state) {
 
 /// What filters the pictures, if anything does.
 void make_filter(RenderState& state) {
-  std::shared_ptr<const Denoiser> denoiser = find_denoiser(state.order.files.denoiser_name());
+  std::string note;
+  std::shared_ptr<const Denoiser> denoiser =
+      find_denoiser(state.order.files.denoiser_name(), &note);
+  if (!note.empty()) state.events.note(note);
   if (!denoiser) return;
   const RenderSettings& settings = state.plan->setup.settings;
   Features known;

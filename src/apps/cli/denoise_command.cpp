@@ -19,7 +19,9 @@ constexpr int kExitInterrupted = 130;
 
 int denoise(const DenoiseArguments& a) {
   const Display wanted{tone_map_by_name(a.tone_map), a.exposure};
-  std::shared_ptr<const Denoiser> denoiser = find_denoiser(a.denoiser);
+  std::string note;
+  std::shared_ptr<const Denoiser> denoiser = find_denoiser(a.denoiser, &note);
+  if (!note.empty()) print_note(note);
   if (!denoiser) {
     throw UsageError("denoise: there is nothing to denoise with (--denoise " + a.denoiser + ")");
   }

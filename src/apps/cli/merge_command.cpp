@@ -47,7 +47,9 @@ int merge(const MergeArguments& a) {
     throw UsageError("merge: say with -o or --checkpoint where the result goes");
   }
   const Display wanted{tone_map_by_name(a.tone_map), a.exposure};
-  std::shared_ptr<const Denoiser> denoiser = find_denoiser(a.denoiser);
+  std::string note;
+  std::shared_ptr<const Denoiser> denoiser = find_denoiser(a.denoiser, &note);
+  if (!note.empty()) print_note(note);
   check_picture_paths(a.outputs);
   std::vector<std::string> written = a.outputs;
   for (const std::string& path : {a.stats, a.checkpoint}) {

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -15,6 +16,9 @@ namespace ajar {
 struct NoisyPicture {
   Vec2i size{0, 0};
   std::span<const float> colour;
+  /// Two pictures of independent samples whose mean it is, if they are known: they tell noise from
+  /// light. Both empty if not.
+  std::array<std::span<const float>, 2> halves = {};
   /// Nobody looks at it: a filter that is nearly the same, and faster, will do.
   bool roughly = false;
 };
@@ -46,7 +50,8 @@ std::vector<float> finite_values(std::span<const float> values);
 std::span<const std::string> denoiser_names();
 
 /// Of a name: null for "none"; "auto" is "oidn" where that is found, else "builtin". Raises
-/// UsageError for other names, and for "oidn" where it is not found, saying how to get it.
-std::shared_ptr<const Denoiser> find_denoiser(const std::string& name);
+/// UsageError for other names, and for "oidn" where it is not found, saying how to get it. `note`:
+/// what is to be said once where "auto" does not find it.
+std::shared_ptr<const Denoiser> find_denoiser(const std::string& name, std::string* note = nullptr);
 
 }  // namespace ajar

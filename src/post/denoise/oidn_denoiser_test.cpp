@@ -98,8 +98,7 @@ TEST_F(OidnDenoiserTest, RefusesSizesThatDoNotFit) {
 
 TEST_F(OidnDenoiserTest, IsTheSameToTheBit) {
   const std::vector<float> noisy = noisy_ramp();
-  EXPECT_EQ(denoiser_->filter({kSize, noisy}, {}, {}),
-            denoiser_->filter({kSize, noisy}, {}, {}));
+  EXPECT_EQ(denoiser_->filter({kSize, noisy}, {}, {}), denoiser_->filter({kSize, noisy}, {}, {}));
 }
 
 }  // namespace
