@@ -40,15 +40,17 @@ struct PostHeuristics {
   /// the same.
   static constexpr double kErrorPatch = 4.0;
   /// Differences of filtered and unfiltered replicates count at most so much.
-  /// Unit: the filtered picture. Range: >= 1. Source: 5def0ef; set by hand, no study.
+  /// Unit: the filtered picture. Range: >= 1. Source: 5def0ef; half and double not told
+  /// from it.
   static constexpr float kMostDifference = 3.F;
   /// Errors of darker values are relative to this.
-  /// Unit: share of the picture's median. Range: (0, 1]. Source: 5def0ef; set by hand, no study.
+  /// Unit: share of the picture's median. Range: (0, 1]. Source: 5def0ef; a tenth is worse in
+  /// door-ajar, ten times not told from it.
   static constexpr double kDarkest = 0.01;
 
   // -------------------------------------------------------- the built-in filter
   //
-  // Study of 4dba0aa's successor: docs/denoising.md, "The built-in filter".
+  // Studies: docs/denoising.md, "The built-in filter".
 
   /// Window of the regression.
   /// Unit: pixels to either side. Range: [2, 16]. Source: docs/denoising.md.

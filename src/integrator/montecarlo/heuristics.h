@@ -32,7 +32,8 @@ struct MonteCarloHeuristics {
 
   // -------------------------------------------------------- features
   /// Camera rays of a pixel by which filters get to know the scene.
-  /// Unit: rays. Range: >= 1. Source: docs/denoising.md, "What the filter is told".
+  /// Unit: rays. Range: >= 1. Source: docs/denoising.md, "What is mixed": half
+  /// and double not told from it.
   static constexpr std::uint32_t kFeatureSamples = 16;
 
   // -------------------------------------------------------- warnings
