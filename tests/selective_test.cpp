@@ -393,6 +393,23 @@ TEST(Selective, HasTheTechniquesThatTheUserWants) {
                UsageError);
 }
 
+/// One convex thing under a sky has no light but what comes straight from it: there is nothing to
+/// start chains from, and nothing to warn of.
+TEST(Selective, SaysThatThereIsNothingForChains) {
+  const auto scene = test::scene_from(test::pbrt_scene(
+      "LookAt 0 -4 1  0 0 0  0 0 1\nCamera \"perspective\" \"float fov\" [45]\n", 16, 12,
+      "LightSource \"infinite\" \"rgb L\" [1 1 1]\n"
+      "Material \"matte\" \"rgb Kd\" [0.5 0.5 0.5]\nShape \"sphere\" \"float radius\" [1]\n"));
+  const test::Render render = prepared_render(*scene, 1, {});
+  EXPECT_TRUE(render.integrator->concerns().empty());
+  ASSERT_EQ(render.integrator->notes().size(), 1U);
+  EXPECT_EQ(render.integrator->notes().front().find("no difficult light found: plain "), 0U);
+  EXPECT_EQ(render.counters.mutations, 0U);
+  // Half of the light of the sky, wherever the sphere is.
+  const std::vector<float> picture = render.layer("beauty");
+  EXPECT_NEAR(picture[3 * (6 * 16 + 8)], 0.5, 0.1);
+}
+
 /// What a few samples predict of chains there is too good by a tenth (docs/selective.md).
 TEST(Selective, LeavesChainsOutOfACornellBox) {
   const Scene scene = test::builtin_scene("cornell");

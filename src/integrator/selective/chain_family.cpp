@@ -73,6 +73,8 @@ class ChainIntegrator final : public Integrator {
   /// What regions and their pilot tell.
   MethodReport report_regions() const;
   void end_preparation();
+  /// Does without chains.
+  void leave_to_omc();
   void make_omc();
   /// Whether ordinary Monte Carlo does, as the render goes on.
   bool learns() const { return adaptation_ && adaptation_->learns(); }
@@ -159,14 +161,18 @@ void ChainIntegrator::prepare_item(int /*round*/, std::uint64_t item, Counters& 
 
 void ChainIntegrator::skip_preparation() {
   if (stages_.empty()) return;
-  const bool has_pilot = pilot_ != nullptr && pilot_->is_over();
-  if (has_pilot && recruits_) {
+  if (pilot_ != nullptr && pilot_->is_over() && recruits_) {
     // The pilot has found what chains start from: they can do without a trial.
     trial_->give_up();
     begin_preparation(1);
     return;
   }
-  plan_.leave_to_omc(has_pilot && pilot_->stays() ? pilot_->samples() : 0);
+  leave_to_omc();
+}
+
+void ChainIntegrator::leave_to_omc() {
+  const bool is_kept = pilot_ != nullptr && pilot_->is_over() && pilot_->stays();
+  plan_.leave_to_omc(is_kept ? pilot_->samples() : 0);
   std::erase_if(stages_, [&](const std::unique_ptr<PreparationStage>& stage) {
     return plan_.pilot_kept == 0 || stage.get() != pilot_;
   });
@@ -177,6 +183,14 @@ void ChainIntegrator::skip_preparation() {
 }
 
 void ChainIntegrator::end_preparation() {
+  const bool is_lit =
+      std::any_of(populations_.begin(), populations_.end(),
+                  [](const ChainPopulation& population) { return !population.chains.empty(); });
+  if (plan_.selective && !plan_.standby && !populations_.empty() && !is_lit) {
+    plan_.unlit = true;
+    leave_to_omc();
+    return;
+  }
   // With a black pilot there is nothing to divide by.
   if (!plan_.splits || plan_.mutations == 0.0) recruits_.reset();
   if (plan_.mutations == 0.0) populations_.clear();

@@ -83,7 +83,8 @@ struct ChainPlan {
   TechniqueSet techniques;
   Direct direct;
   PilotUse pilot_use = PilotUse::Keep;
-  bool unprepared = false;  ///< ordinary Monte Carlo alone renders, for want of time
+  bool unprepared = false;  ///< ordinary Monte Carlo alone renders, for want of time, or because
+  bool unlit = false;       ///< nothing was found to start chains from
   bool standby = false;     ///< nothing is so hard that chains would pay
   /// Whether the render shares its effort anew as it goes on: a sample then has as many mutations
   /// as its halves' errors deserve.

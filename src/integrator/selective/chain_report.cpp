@@ -42,6 +42,7 @@ std::vector<Warning> concerns_about(const ChainPlan& plan,
 std::vector<std::string> notes_on(const ChainPlan& plan, std::optional<double> share,
                                   bool stand_by) {
   const std::string omc = words_for(plan.omc.techniques);
+  if (plan.unlit) return {"no difficult light found: plain " + omc + " makes this picture"};
   if (plan.unprepared) {
     return {"too little time to look for difficult light: plain " + omc + " makes this picture"};
   }
