@@ -48,11 +48,10 @@ std::string text_of_error(const RenderSnapshot& s) {
 }
 
 std::string left_text(const RenderSnapshot& s) {
-  if (s.finishing) return "finishing the pass";
   const std::optional<double> left = seconds_left(s);
-  if (!left) return {};
   // A pass may take longer than what was left; nobody should wait for "0:00".
-  return *left < 0.5 ? "ends soon" : clock_text(*left) + " left";
+  if (s.finishing || (left && *left < 0.5)) return "finishing the pass";
+  return left ? clock_text(*left) + " left" : std::string();
 }
 
 std::string rays_text(const RenderSnapshot& s) {

@@ -75,7 +75,7 @@ TEST(Progress, NothingIsKnownBeforeTheFirstSample) {
 TEST(Progress, NothingIsPromisedOnceTheTimeIsOver) {
   RenderSnapshot s = half_way();
   s.budget.seconds = s.seconds - 5.0;
-  EXPECT_TRUE(plain_line(s).ends_with("ends soon")) << plain_line(s);
+  EXPECT_TRUE(plain_line(s).ends_with("finishing the pass")) << plain_line(s);
   EXPECT_EQ(bar_line(s, 120).find("0:00 left"), std::string::npos);
 }
 

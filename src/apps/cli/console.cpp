@@ -33,7 +33,7 @@ void Console::finished(const RenderOutcome& outcome) {
   if (!outcome.picture) return;
   const RenderStatistics& statistics = outcome.statistics;
   if (!outcome.statistics_error.empty()) print_error(outcome.statistics_error);
-  report_end(statistics.result, statistics.times.prepare, statistics.denoised_error);
+  print_note(end_text(statistics.result, statistics.times.prepare, statistics.denoised_error));
   std::vector<std::string> pictures;
   for (const WrittenFile& file : outcome.files) pictures.push_back(file.wanted);
   report_exposure(*outcome.picture, pictures, outcome.display, statistics.exposure.automatic);

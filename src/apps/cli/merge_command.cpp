@@ -115,7 +115,7 @@ int merge(const MergeArguments& a) {
   const std::string complaint = write_statistics(statistics, a.stats);
   if (!complaint.empty()) print_error(complaint);
   all_written = complaint.empty() && all_written;
-  report_end(statistics.result, 0.0, statistics.denoised_error);
+  print_note(end_text(statistics.result, 0.0, statistics.denoised_error));
   report_exposure(picture, a.outputs, display, wanted.exposure.automatic);
   return all_written ? 0 : kExitFile;
 }

@@ -22,8 +22,8 @@ bool report_file(const WrittenFile& file) {
   return false;
 }
 
-void report_end(const RenderResult& result, double preparing,
-                const std::optional<double>& denoised_error) {
+std::string end_text(const RenderResult& result, double preparing,
+                     const std::optional<double>& denoised_error) {
   std::string text = fmt::format(
       "{} sample{} per pixel in {}, {} rays/s", result.samples_per_pixel,
       result.samples_per_pixel == 1 ? "" : "s", clock_text(result.seconds),
@@ -41,9 +41,14 @@ void report_end(const RenderResult& result, double preparing,
       text += " (without the light that this method cannot see)";
     }
   }
-  if (denoised_error) text += ", denoised " + error_text({.value = *denoised_error});
+  if (denoised_error) {
+    // What replicates have not found is missing there, too.
+    RelativeError shown = result.relative_error.value_or(RelativeError());
+    shown.value = *denoised_error;
+    text += ", denoised " + error_text(shown);
+  }
   if (result.stopped_by == StopReason::Interrupted) text += ", interrupted";
-  print_note(text);
+  return text;
 }
 
 void report_exposure(const Picture& picture, const std::vector<std::string>& outputs,
