@@ -7,7 +7,7 @@
 
 #include "core/milestones.h"
 #include "integrator/metropolis/chain_film_sink.h"
-#include "integrator/metropolis/plane_maps.h"
+#include "integrator/selective/plane_maps.h"
 #include "integrator/montecarlo/path_family.h"
 #include "integrator/selective/chain_archive.h"
 #include "integrator/selective/chain_bootstrap.h"
