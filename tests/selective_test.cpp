@@ -406,7 +406,7 @@ TEST(Selective, SaysThatThereIsNothingForChains) {
   EXPECT_EQ(render.integrator->notes().front().find("no difficult light found: plain "), 0U);
   EXPECT_EQ(render.counters.mutations, 0U);
   // Half of the light of the sky, wherever the sphere is.
-  const std::vector<float> picture = render.layer("beauty");
+  const std::vector<float> picture = render.image();
   EXPECT_NEAR(picture[3 * (6 * 16 + 8)], 0.5, 0.1);
 }
 
