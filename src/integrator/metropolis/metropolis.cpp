@@ -275,7 +275,7 @@ std::uint64_t MetropolisIntegrator::bootstrap_samples() const {
 
 MethodReport MetropolisIntegrator::report() const {
   if (unprepared_) return unprepared_->report();
-  ChainReporter reporter(bootstrap_samples());
+  ChainReporter reporter(bootstrap_samples(), primary_moves());
   for (std::size_t g = 0; g < groups_.size(); ++g) {
     ChainReporter::OfGroup group(groups_[g]);
     for (const MeasuredPopulation& population : populations_) {
