@@ -5,19 +5,16 @@
 #include <algorithm>
 
 #include "core/parallel_for.h"
+#include "session/heuristics.h"
 
 namespace ajar {
-
-namespace {
-/// Of the time for the render.
-constexpr double kMostOfTime = 0.25;
-}  // namespace
 
 PreparationEnd Preparation::must_stop() const {
   if (limits_.interrupts != nullptr && limits_.interrupts->load(std::memory_order_relaxed) > 0) {
     return PreparationEnd::Interrupted;
   }
-  const bool is_late = limits_.seconds && clock_.seconds() > kMostOfTime * *limits_.seconds;
+  const bool is_late =
+      limits_.seconds && clock_.seconds() > SessionHeuristics::kMostOfTime * *limits_.seconds;
   return is_late ? PreparationEnd::NoTime : PreparationEnd::Done;
 }
 
@@ -26,7 +23,8 @@ PreparationEnd Preparation::must_skip() const {
   if (limits_.rounds == rounds_) reason = PreparationEnd::NoTime;
   if (reason == PreparationEnd::Done && limits_.seconds && over_ > 0.0) {
     const double expected = clock_.seconds() * all_ / over_;
-    if (expected > kMostOfTime * *limits_.seconds) reason = PreparationEnd::NoTime;
+    if (expected > SessionHeuristics::kMostOfTime * *limits_.seconds)
+      reason = PreparationEnd::NoTime;
   }
   if (limits_.ranks == nullptr) return reason;
   return static_cast<PreparationEnd>(limits_.ranks->maximum(static_cast<std::uint64_t>(reason)));
