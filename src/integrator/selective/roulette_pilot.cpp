@@ -122,7 +122,7 @@ void RoulettePilot::run(std::uint64_t item, Counters& counters) {
     Vec2 raster(0.F, 0.F);
     std::array<double, 2> light{};
     for (std::uint32_t i = 0; i < light.size(); ++i) {
-      SobolSource source({seed, i, hash_numbers(seed, 1), i});
+      SobolSource source({seed, i, hash_numbers(seed, RandomUse::RouletteScramble), i});
       if (i == 0) {
         raster = plan_.view.raster(source.get_pair({Stream::Camera, 0, kEmissionDirection}));
       }
