@@ -138,7 +138,7 @@ const std::multimap<std::string, Unfitted>& unfitted() {
       {"mcmc/primary/step_sizes.h", {"what the grid can add", {"kLargest"}}},
       {"integrator/light_split.h", {"definition of direct light", {"kDirectDepth"}}},
       {"integrator/sample_block.h", {"size of an item", {"kSamplesPerBlock"}}},
-      {"integrator/montecarlo/technique_tally.h", {"size of an array", {"kMaxVertices"}}},
+      {"integrator/technique_shares.h", {"size of an array", {"kMaxVertices"}}},
       {"integrator/montecarlo/blind_spots.cpp",
        {"edges of paths that are named", {"kSeenMirror", "kCaustic"}}},
       {"integrator/montecarlo/path_family.cpp", {"size of an item", {"kTileSize"}}},

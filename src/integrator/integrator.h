@@ -15,7 +15,7 @@
 #include "image/develop_scale.h"
 #include "image/film.h"
 #include "image/plane.h"
-#include "integrator/montecarlo/technique_tally.h"
+#include "integrator/technique_shares.h"
 #include "scene/ray_counts.h"
 #include "scene/scene.h"
 
