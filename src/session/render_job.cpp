@@ -283,7 +283,6 @@ bool RenderJob::run_round(PartialPass& pass) {
 }
 
 void RenderJob::end_pass(const Decision& decision, double seconds) {
-  integrator_.end_pass();
   ++state_.passes;
   state_.samples_per_pixel = decision.first_sample + decision.samples;
   if (!decision.resumes_pass) {

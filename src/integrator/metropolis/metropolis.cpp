@@ -65,9 +65,7 @@ class MetropolisIntegrator final : public Integrator {
   PreparationRound begin_preparation(int round) override;
   void prepare_item(int round, std::uint64_t item, Counters& counters) override;
   void skip_preparation() override;
-  std::vector<Warning> concerns() const override { return concerns_; }
-  bool misses_light() const override { return misses_light_; }
-  std::vector<std::string> notes() const override;
+  Findings findings() const override;
 
   std::vector<LayerSpec> layers() const override;
   std::uint64_t items_in_round() const override;
@@ -181,13 +179,17 @@ void MetropolisIntegrator::skip_preparation() {
   unprepared_ = make_path_integrator(scene_, own, monte_carlo_);
 }
 
-std::vector<std::string> MetropolisIntegrator::notes() const {
+Findings MetropolisIntegrator::findings() const {
+  Findings found;
+  found.concerns = concerns_;
+  found.misses_light = misses_light_;
   if (unprepared_) {
-    return {"too little time to look for light that chains start from: plain Monte Carlo (" +
-            monte_carlo_.get_text("techniques") + ") makes this picture"};
+    found.notes = {"too little time to look for light that chains start from: plain Monte Carlo (" +
+                   monte_carlo_.get_text("techniques") + ") makes this picture"};
+  } else if (!items_.empty()) {
+    found.notes = {"Markov chains make all light"};
   }
-  if (items_.empty()) return {};
-  return {"Markov chains make all light"};
+  return found;
 }
 
 // ---------------------------------------------------------------- chains
