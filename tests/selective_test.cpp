@@ -590,7 +590,8 @@ TEST(Selective, LeavesChainsOutWhereTheyWouldNotPay) {
   const auto scene = test::scene_from(test::pbrt_scene(
       "LookAt 0 0 -3  0 0 0  0 1 0 Camera \"perspective\" \"float fov\" [40]", 32, 32,
       "LightSource \"infinite\" \"rgb L\" [1 1 1]\nMaterial \"matte\" \"rgb Kd\" [0.5 0.5 0.5]\n"
-      "Shape \"sphere\" \"float radius\" [1]\n"));
+      "Shape \"sphere\" \"float radius\" [1]\n"
+      "Translate 0 -1 0 Rotate 90 1 0 0 Shape \"disk\" \"float radius\" [4]\n"));
   const test::Render render = test::render(*scene, selective_options(32));
   EXPECT_LE(render.counters.mutations, render.counters.samples / 20);
   EXPECT_LE(render.integrator->report().at("selective").at("chains").at("ray_share"), 0.05);
