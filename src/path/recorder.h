@@ -9,7 +9,7 @@ namespace ajar {
 
 /// Makes a `Path` of everything that a `PathSampler` finds, whatever the technique, at once or half
 /// by half. Traces each edge again, so it is for seeds, records and tests, not for the loop
-/// of a render. Debug builds verify each path (verify.h).
+/// of a render. Builds with assertions verify each path (verify.h).
 class PathRecorder : public PathSink {
  public:
   /// For samplers with these settings. The scene must outlive it.

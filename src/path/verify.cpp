@@ -29,6 +29,18 @@ double rounding_of_lengths(const Scene& scene, const Path& path) {
   return sum;
 }
 
+/// Relative error of cosines: directions and normals are rounded in their last digits, which is
+/// much of a cosine where a path grazes.
+double rounding_of_cosines(const Scene& scene, const Path& path) {
+  double sum = 0.0;
+  for (int x = 1; x < path.depth(); ++x) {
+    for (const Vec3& w : {path.toward_light(scene, x), path.toward_camera(scene, x)}) {
+      sum += 0x1p-18 / std::max(double{path.vertex(x).cosine(w)}, 1e-18);
+    }
+  }
+  return sum;
+}
+
 [[noreturn]] void fail(const std::string& what, Technique technique) {
   throw std::logic_error("bug: a recorded path of technique (" + std::to_string(technique.s) + "," +
                          std::to_string(technique.t) + ") " + what);
@@ -53,7 +65,8 @@ void verify(const Scene& scene, const PathSamplerSettings& settings, const Path&
   const Spectrum expected = throughput(scene, path, technique);
   const double recorded =
       tries(settings, technique) / (contribution.mis_weight * double{contribution.chance});
-  const double tolerance = kRelative + rounding_of_lengths(scene, path);
+  const double tolerance =
+      kRelative + rounding_of_lengths(scene, path) + rounding_of_cosines(scene, path);
   for (int lane = 0; lane < 3; ++lane) {
     const double value = double{contribution.value[lane]} * recorded;
     const double largest = std::max(value, double{expected[lane]});
