@@ -403,7 +403,7 @@ TEST(Selective, SaysThatThereIsNothingForChains) {
   const test::Render render = prepared_render(*scene, 1, {});
   EXPECT_TRUE(render.integrator->concerns().empty());
   ASSERT_EQ(render.integrator->notes().size(), 1U);
-  EXPECT_EQ(render.integrator->notes().front().find("no difficult light found: plain "), 0U);
+  EXPECT_EQ(render.integrator->notes().front().find("no difficult light found: rendered by plain "), 0U);
   EXPECT_EQ(render.counters.mutations, 0U);
   // Half of the light of the sky, wherever the sphere is.
   const std::vector<float> picture = render.layer("beauty");
@@ -416,7 +416,7 @@ TEST(Selective, LeavesChainsOutOfACornellBox) {
   for (const std::uint64_t seed : {1, 2, 3}) {
     const test::Render render = prepared_render(scene, seed, {});
     ASSERT_EQ(render.integrator->notes().size(), 1U);
-    EXPECT_EQ(render.integrator->notes().front().find("no difficult light found: plain "), 0U);
+    EXPECT_EQ(render.integrator->notes().front().find("no difficult light found: rendered by plain "), 0U);
     EXPECT_LE(render.counters.mutations, render.counters.samples / 20);
   }
 }

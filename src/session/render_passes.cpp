@@ -129,9 +129,9 @@ RenderOutcome finish(RenderState& state, const RenderJob& job, RenderWriters& wr
   state.events.phase_begun(RenderPhase::Write);
   writers.show_last(job);
   const double film_scale = state.plan->record.film_scale;
-  if (const auto complaint = range_complaint(job.film(), picture, film_scale)) {
-    state.warn(*complaint);
-  }
+  // A scene without lights has been said to be black.
+  const auto complaint = range_complaint(job.film(), picture, film_scale);
+  if (complaint && !state.scene->lights().empty()) state.warn(*complaint);
   for (const Warning& concern : concerns_about(result)) state.warn(concern);
   outcome.statistics = state.statistics_with(result);
   picture.metadata = to_metadata(outcome.statistics);

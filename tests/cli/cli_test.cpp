@@ -77,6 +77,8 @@ TEST_F(Cli, WrongUsageEndsWithTwoAndHelps) {
       {{"render", "builtin:cornell", "--spp", "1.5"},
        "whole number from 1 to 2147483648, not \"1.5"},
       {{"render", "builtin:cornell", "--samples", "4"}, "did you mean \"--spp\"?"},
+      {{"render", "builtin:cornell", "--sampels", "4"}, "did you mean \"--spp\"?"},
+      {{"render", "builtin:cornell", "--exposre", "1"}, "did you mean \"--exposure\"?"},
       {{"render", "builtin:cornell", "--exposure", "lots"},
        "a number of stops from -64 to 64, or auto"},
       {{"render", "builtin:cornell", "--target-error", "5"}, "did you mean 0.05, or 5%?"},

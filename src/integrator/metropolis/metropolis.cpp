@@ -191,8 +191,10 @@ void MetropolisIntegrator::skip_preparation() {
 
 std::vector<std::string> MetropolisIntegrator::notes() const {
   if (unprepared_) {
-    return {"too little time to look for light that chains start from: plain Monte Carlo (" +
-            monte_carlo_.get_text("techniques") + ") makes this picture"};
+    return {
+        "too little time to look for light that chains start from: rendered by plain Monte Carlo "
+        "(" +
+        monte_carlo_.get_text("techniques") + ")"};
   }
   if (items_.empty()) return {};
   return {"Markov chains make all light"};
