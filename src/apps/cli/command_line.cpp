@@ -133,9 +133,10 @@ void add_run(CLI::App* command, RunArguments& a, const std::string& output_defau
       ->type_name("TIME")
       ->check(kNotEmpty)
       ->group(stop);
-  add_value(command, "--target-error", a.target_error, parse_relative_error,
-            "Estimated relative error of the picture, such as 0.01 or 1%")
-      ->type_name("X")
+  add_value(command, "--target-error", a.target_error, parse_target_error,
+            "Estimated relative error of the picture, such as 0.01 or 1%; denoised:1%: of the "
+            "denoised picture")
+      ->type_name("[denoised:]X")
       ->group(stop);
 
   command
