@@ -54,6 +54,14 @@ TEST_F(Cli, HelpAndVersionSucceed) {
   }
 }
 
+TEST_F(Cli, HelpSaysWhatNumbersMeanAndWhatWorksWithoutAViewer) {
+  const Outcome help = run({"render", "--help"});
+  const std::size_t preview = help.out.find("--preview HOST:PORT");
+  ASSERT_NE(preview, std::string::npos) << help.out;
+  EXPECT_TRUE(contains(help.out.substr(preview, 250), "--output-every")) << help.out;
+  EXPECT_TRUE(contains(run({"list", "aovs"}).out, "Student's t with 3 degrees of freedom"));
+}
+
 TEST_F(Cli, WrongUsageEndsWithTwoAndHelps) {
   struct Case {
     std::vector<std::string> arguments;
