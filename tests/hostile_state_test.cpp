@@ -30,7 +30,7 @@ struct Method {
 /// All that any integrator keeps: chains, recruits, rates, prices, errors that last, maps.
 std::vector<Method> methods() {
   return {{"Selective", "selective", {{"split", "0.1"}, {"pilot-samples", "8"}}},
-          {"Published", "mmlt", {{"mutation", "fusion"}, {"m1", "1"}, {"bootstrap", "1000"}}},
+          {"Published", "mmlt", {{"bootstrap", "1000"}}},
           {"Mmlt", "mmlt+", {{"step", "adaptive"}, {"m1", "1"}, {"bootstrap", "1000"}}},
           {"Pssmlt", "pssmlt+", {{"mutation", "kelemen"}, {"bootstrap", "1000"}}}};
 }

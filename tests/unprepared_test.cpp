@@ -69,7 +69,7 @@ TEST(Unprepared, ChainsLeaveThePictureToBidirectionalPathTracing) {
     for (const float visits : render.layer("density")) ASSERT_EQ(visits, 0.F);
     EXPECT_EQ(render.counters.mutations, 0U);
     EXPECT_FALSE(render.integrator->keeps_state());
-    EXPECT_EQ(render.integrator->notes().size(), 1U);
+    EXPECT_EQ(render.integrator->findings().notes.size(), 1U);
   }
 }
 

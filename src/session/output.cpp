@@ -139,9 +139,10 @@ Development development_of(const Film& film, const Integrator& integrator, std::
       each.push_back(integrator.develop_scale(spec, samples, r));
     }
   }
-  scales.maps = integrator.maps();
-  scales.antialias_mask = integrator.antialias_mask();
-  scales.misses_light = integrator.misses_light();
+  Findings found = integrator.findings();
+  scales.maps = std::move(found.maps);
+  scales.antialias_mask = std::move(found.antialias_mask);
+  scales.misses_light = found.misses_light;
   return scales;
 }
 

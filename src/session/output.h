@@ -21,9 +21,9 @@ struct Development {
   std::vector<DevelopScale> whole;  ///< per layer, for the sum over replicates
   std::vector<std::vector<DevelopScale>>
       replicates;  ///< per layer and replicate; none if it has none
-  std::vector<std::pair<std::string, Plane>> maps;  ///< `Integrator::maps`
+  std::vector<std::pair<std::string, Plane>> maps;  ///< of `Findings`
   std::optional<Plane> antialias_mask;
-  bool misses_light = false;  ///< `Integrator::misses_light`
+  bool misses_light = false;  ///< of `Findings`
 };
 /// After `samples` samples per pixel.
 Development development_of(const Film& film, const Integrator& integrator, std::uint64_t samples);

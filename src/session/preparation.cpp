@@ -5,21 +5,16 @@
 #include <algorithm>
 
 #include "core/parallel_for.h"
+#include "session/heuristics.h"
 
 namespace ajar {
-
-namespace {
-/// Of the time for the render.
-constexpr double kMostOfTime = 0.25;
-/// Of a round, before its rate is believed.
-constexpr double kTelling = 0.1;
-}  // namespace
 
 PreparationEnd Preparation::must_stop() const {
   if (limits_.interrupts != nullptr && limits_.interrupts->load(std::memory_order_relaxed) > 0) {
     return PreparationEnd::Interrupted;
   }
-  const bool is_late = limits_.seconds && clock_.seconds() > kMostOfTime * *limits_.seconds;
+  const bool is_late =
+      limits_.seconds && clock_.seconds() > SessionHeuristics::kMostOfTime * *limits_.seconds;
   return is_late ? PreparationEnd::NoTime : PreparationEnd::Done;
 }
 
@@ -28,7 +23,8 @@ PreparationEnd Preparation::must_skip() const {
   if (limits_.rounds == rounds_) reason = PreparationEnd::NoTime;
   if (reason == PreparationEnd::Done && limits_.seconds && over_ > 0.0) {
     const double expected = clock_.seconds() * all_ / over_;
-    if (expected > kMostOfTime * *limits_.seconds) reason = PreparationEnd::NoTime;
+    if (expected > SessionHeuristics::kMostOfTime * *limits_.seconds)
+      reason = PreparationEnd::NoTime;
   }
   if (limits_.ranks == nullptr) return reason;
   return static_cast<PreparationEnd>(limits_.ranks->maximum(static_cast<std::uint64_t>(reason)));
@@ -36,9 +32,9 @@ PreparationEnd Preparation::must_skip() const {
 
 bool Preparation::will_be_late() const {
   const double done = static_cast<double>(items_done_) / static_cast<double>(items_);
-  if (!limits_.seconds || done < kTelling) return false;
+  if (!limits_.seconds || done < SessionHeuristics::kTelling) return false;
   const double expected = round_began_ + (clock_.seconds() - round_began_) / done;
-  return expected > kMostOfTime * *limits_.seconds;
+  return expected > SessionHeuristics::kMostOfTime * *limits_.seconds;
 }
 
 PreparationEnd Preparation::run_round(int round, Counters& whole) {

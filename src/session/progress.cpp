@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "session/heuristics.h"
+
 namespace ajar {
 
 namespace {
@@ -82,9 +84,7 @@ nlohmann::ordered_json optional_json(const std::optional<double>& value) {
 std::optional<double> seconds_left(const RenderSnapshot& snapshot) {
   if (!snapshot.renders()) {
     const double done = snapshot.phase_done;
-    // From less it cannot be told.
-    constexpr double kLeast = 0.01;
-    if (done < kLeast) return std::nullopt;
+    if (done < SessionHeuristics::kLeastDone) return std::nullopt;
     return snapshot.seconds * (1.0 - done) / done;
   }
   const std::vector<double> totals = expected_totals(snapshot);

@@ -17,13 +17,11 @@
 #include "core/archive.h"
 #include "core/error.h"
 #include "core/parallel_for.h"
+#include "session/heuristics.h"
 
 namespace ajar {
 
 namespace {
-
-/// Fewer samples per replicate than this say too little about the error to stop a render.
-constexpr std::uint64_t kSamplesPerReplicateBeforeTarget = 4;
 
 /// What one thread counted in one pass.
 struct ThreadTally {
@@ -148,7 +146,7 @@ RenderJob::Decision RenderJob::decide() {
   const auto replicates = static_cast<std::uint64_t>(film_.replicates());
   const auto& recent = state_.recent_errors;
   if (options_.budget.target_error && !recent.empty() && recent.back().samples == done &&
-      done >= kSamplesPerReplicateBeforeTarget * replicates &&
+      done >= SessionHeuristics::kSamplesBeforeTarget * replicates &&
       target_is_reached(recent, *options_.budget.target_error)) {
     return stop(StopReason::TargetError);
   }
@@ -285,7 +283,6 @@ bool RenderJob::run_round(PartialPass& pass) {
 }
 
 void RenderJob::end_pass(const Decision& decision, double seconds) {
-  integrator_.end_pass();
   ++state_.passes;
   state_.samples_per_pixel = decision.first_sample + decision.samples;
   if (!decision.resumes_pass) {

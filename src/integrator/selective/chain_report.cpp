@@ -69,7 +69,7 @@ MethodReport report_chains(const ChainPlan& plan, std::span<const ChainPopulatio
                            double later_weight) {
   std::uint64_t samples = plan.scouted;
   for (const ChainPopulation& population : populations) samples += population.capped.count;
-  ChainReporter reporter(samples);
+  ChainReporter reporter(samples, primary_moves());
   for (std::size_t g = 0; g < plan.groups.size(); ++g) {
     ChainReporter::OfGroup group(plan.groups[g]);
     for (const ChainPopulation& population : populations) {

@@ -317,8 +317,12 @@ struct SelectiveHeuristics {
   static constexpr std::size_t kSeenThrough = 3;
 
   // -------------------------------------------------------- how chains move
+  /// Share of small steps that move the place on the picture alone, where `raster-steps` is auto.
+  /// Unit: share. Range: [0, 1]. Source: docs/chains.md, "Steps, and what they are worth": 0.5 and
+  /// 0.9 are worse by a few percent on pool and level on torus-in-glass.
+  static constexpr double kRasterSteps = 0.7;
   /// Share of small steps on the raster where what chains make has no islands that only other steps
-  /// would lead to. Elsewhere it is MetropolisHeuristics::kRasterSteps.
+  /// would lead to. Elsewhere it is kRasterSteps.
   /// Unit: share. Range: [0, 1]. Source: docs/chains.md, "Steps, and what they are worth": better
   /// than 0.7 by 4 to 12 % where T is 0.2, a third worse on pool.
   static constexpr double kRasterStepsOfAllLight = 0.9;
