@@ -9,6 +9,7 @@
 #include "core/error.h"
 #include "core/vector.h"
 #include "scene/desc/node.h"
+#include "scene/desc/shape_data.h"
 
 /// What a scene is, independent of the file format it came from and of how it will be rendered.
 /// Importers make it, `Scene` is built from it. Every node knows where in a file it came from.
@@ -43,48 +44,22 @@ struct Medium {
 
 // ---------------------------------------------------------------- shapes
 
-struct Mesh {
-  std::vector<Vec3> positions;
-  std::vector<Vec3> normals;                   ///< per vertex, or empty
-  std::vector<Vec3> tangents;                  ///< per vertex, or empty
-  std::vector<Vec2> uvs;                       ///< per vertex, or empty
-  std::vector<Imath::Vec3<unsigned>> indices;  ///< one per triangle, each < positions.size()
-};
-/// Loop subdivision surface, refined `levels` times and pushed to its limit.
-struct LoopSubdivision {
-  int levels = 3;
-  Mesh control;
-};
-/// One cubic Bézier segment per group of four control points.
-struct Curve {
-  enum class Type { Flat, Cylinder, Ribbon };
-  Type type = Type::Flat;
-  std::vector<Vec3> control_points;  ///< 4 per segment
-  std::vector<float> widths;         ///< one per control point
-  std::vector<Vec3> normals;         ///< ribbons: one per control point
-};
-
-/// Emission of a surface: radiance (W·m⁻²·sr⁻¹ per lane), optionally times a texture.
-struct AreaLight {
+/// Light that leaves a surface.
+struct Emission {
   SourceLocation where;
-  Rgb radiance{1, 1, 1};
-  TextureId texture = kNone;
-  bool two_sided = false;
+  Node node;
 };
 
 struct Shape {
   SourceLocation where;
   std::string name;  ///< of the object, for ids and messages; may be empty
-  /// Meshes are shared so that a copy of a description does not copy geometry.
-  std::variant<std::shared_ptr<const Mesh>, Node, std::shared_ptr<const LoopSubdivision>,
-               std::shared_ptr<const Curve>>
-      node;  ///< nodes are quadrics, in their own space
+  Node node;         ///< in a space of its own
   Mat4 to_world;
   bool reverse_orientation = false;
   MaterialId material = kNone;
   TextureId alpha = kNone;         ///< surface is cut away where this is 0
   TextureId shadow_alpha = kNone;  ///< the same for shadow rays only
-  std::optional<AreaLight> light;
+  std::optional<Emission> emission;
   MediumId inside = kNone, outside = kNone;
   bool has_medium_interface = false;  ///< false: the shape does not change the medium of a ray
 };
@@ -103,6 +78,7 @@ struct Instance {
 
 // ---------------------------------------------------------------- lights
 
+/// Light that comes from no surface.
 struct Light {
   SourceLocation where;
   Mat4 to_world;
