@@ -115,12 +115,12 @@ class Writer {
     out_.line("PixelFilter").quoted(kNames[filter.node.index()]);
     out_.parameter("float xwidth", filter.radius.x).parameter("float ywidth", filter.radius.y);
     if (const auto* gaussian = std::get_if<desc::GaussianFilter>(&filter.node))
-      out_.parameter("float alpha", gaussian->alpha);
+      out_.parameter("float alpha", gaussian->falloff);
     if (const auto* mitchell = std::get_if<desc::MitchellFilter>(&filter.node)) {
       out_.parameter("float B", mitchell->b).parameter("float C", mitchell->c);
     }
     if (const auto* sinc = std::get_if<desc::SincFilter>(&filter.node))
-      out_.parameter("float tau", sinc->tau);
+      out_.parameter("float tau", sinc->lobes);
   }
 
   template <typename Camera>

@@ -164,9 +164,9 @@ class SceneHasher {
 
   void node(Hasher&, const BoxFilter&) const {}
   void node(Hasher&, const TriangleFilter&) const {}
-  void node(Hasher& h, const GaussianFilter& f) const { h.add(f.alpha); }
+  void node(Hasher& h, const GaussianFilter& f) const { h.add(f.falloff); }
   void node(Hasher& h, const MitchellFilter& f) const { h.add(f.b, f.c); }
-  void node(Hasher& h, const SincFilter& f) const { h.add(f.tau); }
+  void node(Hasher& h, const SincFilter& f) const { h.add(f.lobes); }
 
   template <typename Variant>
   void variant(Hasher& h, const Variant& v) {

@@ -88,9 +88,9 @@ struct Light {
 
 // ---------------------------------------------------------------- camera, film
 
-/// Screen window as in pbrt-v3: in units of tan(fov/2) on the camera plane at z = 1 (perspective)
-/// or in units of camera space (orthographic). Without one the shorter side of the image spans [-1,
-/// 1].
+/// The part of the camera's plane that the image shows: in units of tan(fov/2) at z = 1
+/// (perspective) or of camera space (orthographic). Without one the shorter side of the image spans
+/// [-1, 1].
 struct ScreenWindow {
   float x_min = -1, x_max = 1, y_min = -1, y_max = 1;
 };
@@ -108,7 +108,7 @@ struct OrthographicCamera {
 struct EnvironmentCamera {};
 struct Camera {
   SourceLocation where;
-  Mat4 to_world;  ///< camera looks along +z, +y is up, +x right (left-handed, as pbrt-v3)
+  Mat4 to_world;  ///< camera looks along +z, +y is up, +x right (left-handed)
   std::variant<PerspectiveCamera, OrthographicCamera, EnvironmentCamera> node;
   MediumId medium = kNone;
 };
@@ -116,13 +116,13 @@ struct Camera {
 struct BoxFilter {};
 struct TriangleFilter {};
 struct GaussianFilter {
-  float alpha = 2;
+  float falloff = 2;  ///< exp(−falloff · x²), 1/pixel²
 };
 struct MitchellFilter {
   float b = 1.F / 3, c = 1.F / 3;
 };
 struct SincFilter {
-  float tau = 3;
+  float lobes = 3;  ///< on each side of the Lanczos window: sinc(x) · sinc(x / lobes)
 };
 struct Filter {
   Vec2 radius{0.5F, 0.5F};  ///< pixels
@@ -133,7 +133,7 @@ struct Filter {
 struct Film {
   SourceLocation where;
   Vec2i resolution{1280, 720};
-  /// Fractions of the image, x_min, x_max, y_min, y_max, as pbrt's cropwindow.
+  /// The part that is rendered, in fractions of the image: x_min, x_max, y_min, y_max.
   float crop[4] = {0, 1, 0, 1};
   Filter filter;
   float scale = 1;  ///< multiplies every pixel
@@ -142,11 +142,11 @@ struct Film {
 
 /// What the file asks of the renderer; the command line overrides it.
 struct RenderHints {
-  std::string integrator;        ///< one of ours, empty if the file says nothing
+  std::string integrator;        ///< by its name in the registry; empty if the file says nothing
   std::optional<int> max_depth;  ///< edges of a path (docs/theory.md)
   std::optional<int> samples_per_pixel;
-  std::optional<std::string> sampler;                           ///< sobol | independent
-  std::vector<std::pair<std::string, std::string>> parameters;  ///< for our integrator
+  std::optional<std::string> sampler;  ///< value for the parameter `sampler` of integrators
+  std::vector<std::pair<std::string, std::string>> parameters;  ///< for `integrator`
 };
 
 struct SceneDesc {
