@@ -46,6 +46,10 @@ std::string type_name(ParameterType type) {
       return "file";
     case ParameterType::Material:
       return "material";
+    case ParameterType::Mesh:
+      return "mesh";
+    case ParameterType::Curves:
+      return "curves";
   }
   return {};
 }
@@ -88,7 +92,8 @@ const std::map<std::string, desc::ModelKind>& model_kinds() {
       {"materials", desc::ModelKind::Material},
       {"textures", desc::ModelKind::Texture},
       {"lights", desc::ModelKind::Light},
-      {"quadrics", desc::ModelKind::Quadric}};
+      {"emissions", desc::ModelKind::Emission},
+      {"shapes", desc::ModelKind::Shape}};
   return kinds;
 }
 
