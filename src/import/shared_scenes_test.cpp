@@ -94,7 +94,7 @@ TEST(ImportScene, RefusesUnknownKindsOfFiles) {
     import_scene("scene.blend", warnings);
     ADD_FAILURE();
   } catch (const SceneError& error) {
-    EXPECT_STREQ(error.what(), "scene.blend: unknown kind of scene file \".blend\" (valid: .pbrt)");
+    EXPECT_STREQ(error.what(), "scene.blend: unknown kind of scene file \".blend\". Valid: .pbrt");
   }
   EXPECT_THROW(import_scene("does-not-exist.pbrt", warnings), IoError);
 }

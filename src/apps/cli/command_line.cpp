@@ -16,6 +16,7 @@
 #include "apps/cli/commands.h"
 #include "core/error.h"
 #include "core/standard_streams.h"
+#include "import/format.h"
 #include "post/denoise/denoiser.h"
 #include "session/catalog.h"
 #include "session/option_values.h"
@@ -235,9 +236,10 @@ void add_render(CLI::App& app, RenderArguments& a) {
       ->check(kNotEmpty)
       ->group(kProgram);
   command->footer(
-      "Ctrl-C ends the render after the current pass and writes the pictures; SIGUSR1 writes them "
-      "and goes on.\n"
-      "Example: ajar render scene.pbrt --time 2m --scale 0.5 -o scene.exr -o scene.png");
+      fmt::format("Ctrl-C ends the render after the current pass and writes the pictures; SIGUSR1 "
+                  "writes them and goes on.\n"
+                  "Example: ajar render scene{} --time 2m --scale 0.5 -o scene.exr -o scene.png",
+                  formats().front().extensions.front()));
 }
 
 void add_resume(CLI::App& app, ResumeArguments& a) {
@@ -305,10 +307,11 @@ void add_others(CLI::App& app, Request& request) {
   info->add_option("SCENE", request.info.scene, kSceneHelp)->required();
   info->add_flag("--json", request.info.json, "Print JSON");
 
-  CLI::App* convert =
-      app.add_subcommand("convert", "Write a scene as one pbrt file with binary PLY meshes");
+  CLI::App* convert = app.add_subcommand("convert", "Write a scene as a file of its own");
   convert->add_option("SCENE", request.convert.scene, kSceneHelp)->required();
-  convert->add_option("OUT", request.convert.output, "File to write, such as room.pbrt")
+  convert
+      ->add_option("OUT", request.convert.output,
+                   "File to write, in the format of its extension: " + writable_formats())
       ->required();
 
   CLI::App* list = app.add_subcommand("list", "List what there is to choose from");
