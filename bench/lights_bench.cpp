@@ -28,7 +28,7 @@ desc::SceneDesc room(int emitters) {
   scene.materials.emplace_back().node = desc::material_node("diffuse");
   const auto add = [&](std::shared_ptr<const desc::Mesh> mesh) -> desc::Shape& {
     desc::Shape shape;
-    shape.node = std::move(mesh);
+    shape.node = desc::mesh_node(std::move(mesh));
     shape.material = 0;
     scene.shapes.push_back(std::move(shape));
     return scene.shapes.back();
@@ -54,9 +54,8 @@ desc::SceneDesc room(int emitters) {
     desc::Shape& shape = add(quad(p, u, v));
     if (i % (kQuads / emitters) != 0) continue;
     const float radiance = 1e5F / static_cast<float>(emitters);
-    shape.light = desc::AreaLight{};
-    shape.light->radiance = {radiance, radiance, radiance};
-    shape.light->two_sided = true;
+    shape.emission = desc::Emission{
+        {}, desc::emission_node("area", {{"radiance", Vec3(radiance)}, {"two_sided", true}})};
   }
   scene.film.resolution = Vec2i(128, 128);
   desc::PerspectiveCamera lens;

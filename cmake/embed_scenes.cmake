@@ -1,11 +1,11 @@
-# Embeds the files of every scenes/<name>/ that has a scene.pbrt into a library: an assembler file that includes the bytes, and a table that
+# Embeds the files of every scenes/<name>/ that has a scene.* into a library: an assembler file that includes the bytes, and a table that
 # src/session/builtin_scenes.h offers.
 function(ajar_embed_scenes target)
   set(folder ${CMAKE_SOURCE_DIR}/scenes)
-  file(GLOB scenes CONFIGURE_DEPENDS RELATIVE ${folder} ${folder}/*/scene.pbrt)
+  file(GLOB scenes CONFIGURE_DEPENDS RELATIVE ${folder} ${folder}/*/scene.*)
   set(files "")
   foreach(scene IN LISTS scenes)
-    string(REPLACE "/scene.pbrt" "" scene "${scene}")
+    string(REGEX REPLACE "/scene\\.[^/]*$" "" scene "${scene}")
     file(GLOB_RECURSE scene_files CONFIGURE_DEPENDS RELATIVE ${folder} ${folder}/${scene}/*)
     list(APPEND files ${scene_files})
   endforeach()

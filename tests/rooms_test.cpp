@@ -8,7 +8,8 @@
 #include <sstream>
 #include <string>
 
-/// Rooms are walls: what may be included from where, as docs/architecture.md has it.
+/// Rooms are walls: what may be included from where, as docs/architecture.md has it, and where
+/// formats of scene files are named.
 namespace ajar {
 namespace {
 
@@ -119,6 +120,33 @@ TEST(Rooms, NameTheHeuristicsOnlyOfRoomsTheyMayUse) {
     for (const auto& [name, owner] : owners) {
       if (owner == room || rooms().at(room).contains(owner)) continue;
       EXPECT_EQ(text.find(name), std::string::npos) << file << " may not know of " << name;
+    }
+  }
+}
+
+/// A format is its folder: all others learn of it from the registry. Comments may cite sources.
+TEST(Rooms, NameNoFormatOutsideOfItsFolder) {
+  const fs::path src = fs::path(AJAR_SOURCE_DIR) / "src";
+  std::set<std::string> formats;
+  for (const fs::directory_entry& folder : fs::directory_iterator(src / "import")) {
+    if (fs::exists(folder.path() / "format.cpp")) formats.insert(folder.path().filename().string());
+  }
+  EXPECT_FALSE(formats.empty());
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(src)) {
+    const std::string extension = entry.path().extension().string();
+    if (extension != ".h" && extension != ".cpp") continue;
+    const std::string file = fs::relative(entry.path(), src).generic_string();
+    if (is_for_tests(file)) continue;
+    std::ifstream text(entry.path());
+    int number = 0;
+    for (std::string line; std::getline(text, line);) {
+      ++number;
+      const std::string code = line.substr(0, line.find("//"));
+      for (const std::string& format : formats) {
+        if (file.starts_with("import/" + format + "/")) continue;
+        EXPECT_EQ(code.find(format), std::string::npos)
+            << file << ":" << number << ": names the format " << format;
+      }
     }
   }
 }

@@ -403,7 +403,8 @@ TEST(Selective, SaysThatThereIsNothingForChains) {
   const test::Render render = prepared_render(*scene, 1, {});
   EXPECT_TRUE(render.integrator->findings().concerns.empty());
   ASSERT_EQ(render.integrator->findings().notes.size(), 1U);
-  EXPECT_EQ(render.integrator->findings().notes.front().find("no difficult light found: plain "),
+  EXPECT_EQ(render.integrator->findings().notes.front().find(
+                "no difficult light found: rendered by plain "),
             0U);
   EXPECT_EQ(render.counters.mutations, 0U);
   // Half of the light of the sky, wherever the sphere is.
@@ -417,7 +418,8 @@ TEST(Selective, LeavesChainsOutOfACornellBox) {
   for (const std::uint64_t seed : {1, 2, 3}) {
     const test::Render render = prepared_render(scene, seed, {});
     ASSERT_EQ(render.integrator->findings().notes.size(), 1U);
-    EXPECT_EQ(render.integrator->findings().notes.front().find("no difficult light found: plain "),
+    EXPECT_EQ(render.integrator->findings().notes.front().find(
+                  "no difficult light found: rendered by plain "),
               0U);
     EXPECT_LE(render.counters.mutations, render.counters.samples / 20);
   }

@@ -55,7 +55,7 @@ desc::SceneDesc hills_scene(int side, Warnings& warnings) {
       "Material \"matte\" \"rgb Kd\" [0.6 0.55 0.5]\nWorldEnd\n",
       "hills.pbrt", ".", warnings);
   desc::Shape shape;
-  shape.node = hills(side);
+  shape.node = desc::mesh_node(hills(side));
   shape.material = static_cast<desc::MaterialId>(scene.materials.size()) - 1;
   scene.shapes.push_back(std::move(shape));
   return scene;

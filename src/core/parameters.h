@@ -21,7 +21,9 @@ enum class ParameterType {
   Point,
   Transform,
   File,
-  Material
+  Material,
+  Mesh,
+  Curves
 };
 
 /// Declaration of a parameter: of an integrator, which users can set with `--set name=value`, or of

@@ -48,7 +48,7 @@ TEST_P(SharedScene, LoadsWithoutWarningsThatMatterAndSurvivesWriting) {
   }
   EXPECT_EQ(scene.shapes.size(), GetParam().shapes);
   std::size_t lights = scene.lights.size();
-  for (const desc::Shape& shape : scene.shapes) lights += shape.light ? 1 : 0;
+  for (const desc::Shape& shape : scene.shapes) lights += shape.emission ? 1 : 0;
   EXPECT_EQ(lights, GetParam().lights);
 
   std::string pattern = (fs::temp_directory_path() / "ajar_shared_XXXXXX").string();
@@ -94,7 +94,7 @@ TEST(ImportScene, RefusesUnknownKindsOfFiles) {
     import_scene("scene.blend", warnings);
     ADD_FAILURE();
   } catch (const SceneError& error) {
-    EXPECT_STREQ(error.what(), "scene.blend: unknown kind of scene file \".blend\" (valid: .pbrt)");
+    EXPECT_STREQ(error.what(), "scene.blend: unknown kind of scene file \".blend\". Valid: .pbrt");
   }
   EXPECT_THROW(import_scene("does-not-exist.pbrt", warnings), IoError);
 }

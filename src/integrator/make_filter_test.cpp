@@ -29,7 +29,7 @@ TEST(MakeFilter, ErrorsNameTheirPlace) {
   } catch (const SceneError& error) {
     const std::string message = error.what();
     EXPECT_EQ(message.rfind("a.pbrt:7:1: ", 0), 0U) << message;
-    EXPECT_NE(message.find("alpha must be above 0"), std::string::npos) << message;
+    EXPECT_NE(message.find("its falloff must be above 0"), std::string::npos) << message;
   }
 }
 

@@ -48,10 +48,10 @@ TEST(FarGeometry, ShapesBeyondTheLimitAreLocatedErrors) {
             "scene.pbrt:7:1: the shape has coordinates of 1e+18, " + beyond);
   EXPECT_EQ(error_of(scene_of({shape(testing::disk_node(0.F, 1e38F))})),
             "scene.pbrt:7:1: the shape has coordinates of 1e+38, " + beyond);
-  auto curve = std::make_shared<desc::Curve>();
+  auto curve = std::make_shared<desc::Curves>();
   curve->control_points = {Vec3(0.F), Vec3(1.F), Vec3(2.F), Vec3(1e19F, 0.F, 0.F)};
   curve->widths = {1, 1, 1, 1};
-  EXPECT_EQ(error_of(scene_of({shape(std::shared_ptr<const desc::Curve>(curve))})),
+  EXPECT_EQ(error_of(scene_of({shape(desc::shape_node("curves", {{"curves", curve}}))})),
             "scene.pbrt:7:1: control point 3 of the curve has coordinates of 1e+19, " + beyond);
 }
 

@@ -6,14 +6,12 @@
 #include "scene/geometry.h"
 #include "scene/geometry_records.h"
 #include "scene/instance_space.h"
-#include "scene/scene_memory.h"
-#include "scene/shape/loop_subdivision.h"
+#include "scene/shape/build_shape.h"
 
 namespace ajar {
 
 namespace {
 
-constexpr WarningKind kNoArea{Effect::Geometry, "shapes have no area and are left out"};
 constexpr WarningKind kCutAway{Effect::None, "shapes are cut away whole by their alpha"};
 constexpr WarningKind kSingularShape{Effect::Geometry,
                                      "shapes have singular transforms and are left out"};
@@ -36,53 +34,26 @@ void check(RTCDevice device, const SourceLocation& where) {
   }
 }
 
-/// Turns one described shape into its record.
-class ShapePreparation {
- public:
-  ShapePreparation(desc::Shape& shape, const Placement& placement, Warnings& warnings,
-                   ShapeRecord& record)
-      : shape_(shape), placement_(placement), warnings_(warnings), record_(record) {}
+/// Puts what was built of a shape into its record.
+struct RecordFilling {
+  ShapeRecord& record;
+  const SourceLocation& where;
 
-  void operator()(std::shared_ptr<const desc::Mesh>& mesh) {
-    if (mesh) make_mesh(std::move(mesh));
+  void operator()(std::monostate) const {}
+  void operator()(std::unique_ptr<const TriangleMesh>& mesh) const {
+    record.check_plane = mesh->needs_plane_check();
+    record.mesh = std::move(mesh);
   }
-  void operator()(std::shared_ptr<const desc::LoopSubdivision>& surface) {
-    if (surface) {
-      check_subdivision_memory(*surface, shape_.where);
-      make_mesh(subdivide(*surface, shape_.where, warnings_));
-    }
-    surface.reset();
+  void operator()(std::unique_ptr<const CurveShape>& curve) const {
+    record.curve = std::move(curve);
   }
-  void operator()(std::shared_ptr<const desc::Curve>& curve) {
-    if (!curve || curve->control_points.empty()) return;
-    record_.curve = std::make_unique<const CurveShape>(*curve, placement_,
-                                                       shape_.reverse_orientation, shape_.where);
-    curve.reset();
-  }
-  void operator()(const desc::Node& node) {
-    record_.quadric = Quadric::make(node);
-    if (!record_.quadric) {
-      warnings_.add(kNoArea, shape_.where, "the shape has no area; it is left out");
-      return;
-    }
+  void operator()(const Quadric& quadric) const {
+    record.quadric = quadric;
     Vec3d low;
     Vec3d high;
-    placed_bounds(*record_.quadric, placement_, low, high);
-    check_reach(shape_.where, "the shape", reach_of(low, high));
+    placed_bounds(quadric, *record.placement, low, high);
+    check_reach(where, "the shape", reach_of(low, high));
   }
-
- private:
-  void make_mesh(std::shared_ptr<const desc::Mesh> mesh) {
-    record_.mesh = std::make_unique<const TriangleMesh>(
-        std::move(mesh), placement_, shape_.reverse_orientation, shape_.where, warnings_);
-    record_.check_plane = record_.mesh->needs_plane_check();
-    if (record_.mesh->triangle_count() == 0) record_.mesh.reset();
-  }
-
-  desc::Shape& shape_;
-  const Placement& placement_;
-  Warnings& warnings_;
-  ShapeRecord& record_;
 };
 
 TextureSlot alpha_slot(desc::TextureId id, const TextureList& textures) {
@@ -105,7 +76,8 @@ void prepare(desc::Shape& shape, const TextureList& textures, Warnings& warnings
                  "the transform of the shape is singular; it is left out");
     return;
   }
-  std::visit(ShapePreparation(shape, *record.placement, warnings, record), shape.node);
+  BuiltShape built = build_shape(shape, *record.placement, warnings);
+  std::visit(RecordFilling{record, shape.where}, built);
 }
 
 /// Instances are placed by Embree in single precision, so the same rounded matrix is used

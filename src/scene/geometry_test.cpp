@@ -64,7 +64,7 @@ TEST(Geometry, OcclusionRespectsTheEndOfTheRay) {
 TEST(Geometry, QuadricsAgreeWithTheirRootsUnderAnyTransform) {
   const Mat4 m = scaling(1.5, 0.5, -2) * rotation({1, 2, 3}, 0.7) * translation(3, 1, -2);
   const desc::Node sphere = testing::sphere_node(1, -0.5F, 1, 300);
-  const Quadric quadric = *Quadric::make(sphere);
+  const Quadric quadric = *testing::quadric_of(sphere);
   const Placement placement = *Placement::make(m);
   const World world = world_of({shape(sphere, m)});
   Rng rng(1);
@@ -319,25 +319,22 @@ TEST_F(AlphaTest, ShapeThatIsCutAwayEverywhereIsDropped) {
 
 // ---------------------------------------------------------------- curves
 
-desc::Shape curve_shape(desc::Curve::Type type) {
-  auto curve = std::make_shared<desc::Curve>();
-  curve->type = type;
+desc::Shape curve_shape(const std::string& type) {
+  auto curve = std::make_shared<desc::Curves>();
   curve->control_points = {{-1, 0, 0}, {-0.3F, 0, 0}, {0.3F, 0, 0}, {1, 0, 0}};
   curve->widths = {0.2F, 0.2F, 0.2F, 0.2F};
-  if (type == desc::Curve::Type::Ribbon) curve->normals.assign(4, {0, 0.6F, 0.8F});
-  return shape(std::shared_ptr<const desc::Curve>(std::move(curve)));
+  if (type == "ribbon") curve->normals.assign(4, {0, 0.6F, 0.8F});
+  return shape(desc::shape_node("curves", {{"type", type}, {"curves", curve}}));
 }
 
 TEST(Curves, AreMetAtTheirWidthWithNormalsAndCoordinates) {
-  for (const auto type :
-       {desc::Curve::Type::Flat, desc::Curve::Type::Cylinder, desc::Curve::Type::Ribbon}) {
+  for (const std::string type : {"flat", "cylinder", "ribbon"}) {
     const World world = world_of({curve_shape(type)});
     const auto middle = world.hit({0, 0.05F, 3}, {0, 0, -1});
-    ASSERT_TRUE(middle) << static_cast<int>(type);
+    ASSERT_TRUE(middle) << type;
     EXPECT_FALSE(world.hit({0, 0.12F, 3}, {0, 0, -1}));
     EXPECT_NEAR(middle->point.uv.x, 0.5F, 1e-2F);
-    EXPECT_NEAR(std::abs(middle->point.uv.y - 0.5F),
-                type == desc::Curve::Type::Ribbon ? 0.3125F : 0.25F, 0.02F);
+    EXPECT_NEAR(std::abs(middle->point.uv.y - 0.5F), type == "ribbon" ? 0.3125F : 0.25F, 0.02F);
     EXPECT_NEAR(length(middle->point.ng), 1.F, 1e-5F);
     EXPECT_NEAR(dot(middle->point.ng, Vec3(1, 0, 0)), 0.F, 1e-2F);
     EXPECT_GT(middle->point.ng.z, 0.5F);
@@ -350,17 +347,17 @@ TEST(Curves, AreMetAtTheirWidthWithNormalsAndCoordinates) {
 }
 
 TEST(Curves, CannotEmit) {
-  const World world = world_of({curve_shape(desc::Curve::Type::Flat)});
+  const World world = world_of({curve_shape("flat")});
   EXPECT_TRUE(world.geometry->has_shape(0));
   EXPECT_EQ(world.geometry->make_sampler(0), nullptr);
   EXPECT_EQ(world.geometry->counts().curves, 1U);
 }
 
 TEST(Curves, CountsThatDoNotFitAreAnError) {
-  auto curve = std::make_shared<desc::Curve>();
+  auto curve = std::make_shared<desc::Curves>();
   curve->control_points.assign(5, {0, 0, 0});
   curve->widths.assign(5, 1.F);
-  EXPECT_THROW(world_of({shape(std::shared_ptr<const desc::Curve>(curve))}), SceneError);
+  EXPECT_THROW(world_of({shape(desc::shape_node("curves", {{"curves", curve}}))}), SceneError);
 }
 
 // ---------------------------------------------------------------- faulty input

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <memory>
+#include <set>
 #include <utility>
 
 #include "core/distribution.h"
@@ -142,12 +143,14 @@ void add_endpoint(std::vector<InverseCase>& all, const std::string& name, const 
   }
 }
 
-/// Lights of every kind, and what they stand on.
+/// Lights of every model, and what they stand on.
 struct AllLights {
   std::vector<std::unique_ptr<ImageFile>> images;
-  std::vector<std::unique_ptr<TriangleMesh>> meshes;
+  std::vector<BuiltShape> shapes;
   std::vector<std::unique_ptr<SurfaceSampler>> surfaces;
   std::vector<std::pair<std::string, std::unique_ptr<Light>>> lights;
+  /// Models that have a case here.
+  std::set<const desc::Model*> models;
 
   AllLights() {
     const std::pair<std::string, Mat4> spaces[] = {
@@ -158,8 +161,9 @@ struct AllLights {
   }
 
   void add_unbounded(const std::string& space, const Mat4& at) {
-    const auto add = [&](const std::string& name, std::unique_ptr<Light> light) {
-      lights.emplace_back(name + " " + space, std::move(light));
+    const auto add = [&](const std::string& name, const desc::Node& node) {
+      models.insert(&node.model());
+      lights.emplace_back(name + " " + space, light_of(node, at));
     };
     const auto map = [&](int width, int height) {
       Rng rng(5);
@@ -170,53 +174,73 @@ struct AllLights {
       images.push_back(std::make_unique<ImageFile>(width, height, texels));
       return images.back()->path();
     };
-    add("point", light_of(point_node({1, 2, 3}), at));
-    add("spot", light_of(spot_node({1, 2, 3}, 40, 25), at));
-    add("sharp spot", light_of(spot_node({1, 2, 3}, 40, 40), at));
-    add("soft spot", light_of(spot_node({1, 2, 3}, 100, 0), at));
-    add("distant", light_of(distant_node({1, 2, 3}), at));
-    add("constant environment", light_of(environment_node({1, 2, 3}), at));
-    add("environment map", light_of(environment_node({1, 1, 1}, map(8, 6)), at));
-    add("goniometric", light_of(goniometric_node({1, 1, 1}, map(6, 5)), at));
-    add("projection", light_of(projection_node({1, 1, 1}, 60, map(7, 4)), at));
+    add("point", point_node({1, 2, 3}));
+    add("spot", spot_node({1, 2, 3}, 40, 25));
+    add("sharp spot", spot_node({1, 2, 3}, 40, 40));
+    add("soft spot", spot_node({1, 2, 3}, 100, 0));
+    add("distant", distant_node({1, 2, 3}));
+    add("constant environment", environment_node({1, 2, 3}));
+    add("environment map", environment_node({1, 1, 1}, map(8, 6)));
+    add("goniometric", goniometric_node({1, 1, 1}, map(6, 5)));
+    add("projection", projection_node({1, 1, 1}, 60, map(7, 4)));
   }
 
   void add_emitters() {
     Mat4 turned = scaling(0.7, 0.7, 0.7) * rotation({1, 2, -0.5F}, 0.8);
     turned[3][2] = 2.0;
     const Mat4 stretched = scaling(1.5, 0.6, -0.8) * turned;
-    const std::pair<std::string, std::optional<Quadric>> quadrics[] = {
-        {"sphere", Quadric::make(sphere_node())},
-        {"partial sphere", Quadric::make(sphere_node(1, -0.4F, 0.9F, 200))},
-        {"disk", Quadric::make(disk_node(0.3F, 1.2F, 0.4F, 300))},
-        {"cylinder", Quadric::make(cylinder_node(0.6F, -1, 1, 360))},
-        {"cone", Quadric::make(cone_node(0.8F, 1.5F, 360))},
-        {"paraboloid", Quadric::make(paraboloid_node(1, 0, 1.3F, 270))},
-        {"hyperboloid", Quadric::make(hyperboloid_node({1, -1, -1}, {0.5F, 1.5F, 1}, 360))}};
-    for (const auto& [name, quadric] : quadrics) {
+    const auto add = [&](const std::string& name, const desc::Node& node) {
       for (const Mat4& at : {turned, stretched}) {
-        const auto placement = Placement::make(at);
-        add_surface((at == turned ? "turned " : "stretched ") + name,
-                    make_surface_sampler(*quadric, *placement, false));
+        add_surface((at == turned ? "turned " : "stretched ") + name, node, at);
       }
-    }
-    auto source = std::make_shared<desc::Mesh>();
-    source->positions = {{-1, -1, 2}, {1, -1, 2.5F}, {1, 1, 2}, {-1, 1, 2}, {3, 1, 1.5F}};
-    source->indices = {{0, 2, 1}, {0, 3, 2}, {2, 4, 1}};
-    Warnings warnings;
-    meshes.push_back(std::make_unique<TriangleMesh>(source, *Placement::make(Mat4()), false,
-                                                    SourceLocation{}, warnings));
-    add_surface("mesh", make_surface_sampler(*meshes.back()));
+    };
+    add("sphere", sphere_node());
+    add("partial sphere", sphere_node(1, -0.4F, 0.9F, 200));
+    add("disk", disk_node(0.3F, 1.2F, 0.4F, 300));
+    add("cylinder", cylinder_node(0.6F, -1, 1, 360));
+    add("cone", cone_node(0.8F, 1.5F, 360));
+    add("paraboloid", paraboloid_node(1, 0, 1.3F, 270));
+    add("hyperboloid", hyperboloid_node({1, -1, -1}, {0.5F, 1.5F, 1}, 360));
+    auto mesh = std::make_shared<desc::Mesh>();
+    mesh->positions = {{-1, -1, 2}, {1, -1, 2.5F}, {1, 1, 2}, {-1, 1, 2}, {3, 1, 1.5F}};
+    mesh->indices = {{0, 2, 1}, {0, 3, 2}, {2, 4, 1}};
+    add_surface("mesh", desc::mesh_node(mesh), Mat4());
+    add_surface("subdivision", desc::shape_node("subdivision", {{"levels", 2}, {"control", mesh}}),
+                Mat4());
   }
 
-  void add_surface(const std::string& name, std::unique_ptr<SurfaceSampler> sampler) {
-    surfaces.push_back(std::move(sampler));
+  void add_surface(const std::string& name, const desc::Node& node, const Mat4& at) {
+    models.insert(&node.model());
+    const Placement placement = *Placement::make(at);
+    desc::Shape shape;
+    shape.node = node;
+    Warnings warnings;
+    shapes.push_back(build_shape(shape, placement, warnings));
+    if (const auto* quadric = std::get_if<Quadric>(&shapes.back())) {
+      surfaces.push_back(make_surface_sampler(*quadric, placement, false));
+    } else {
+      const auto& mesh = std::get<std::unique_ptr<const TriangleMesh>>(shapes.back());
+      surfaces.push_back(make_surface_sampler(*mesh));
+    }
     for (const bool two_sided : {false, true}) {
+      const desc::Emission emission = area_light({1, 2, 3}, two_sided);
+      models.insert(&emission.node.model());
       lights.emplace_back(name + (two_sided ? ", two sides" : ""),
-                          make_area_light(area_light({1, 2, 3}, two_sided), *surfaces.back(), {}));
+                          make_surface_light(emission, *surfaces.back(), {}));
     }
   }
 };
+
+TEST(Inverses, HaveCasesForEveryLightEmissionAndShape) {
+  const AllLights cases;
+  for (const auto kind :
+       {desc::ModelKind::Light, desc::ModelKind::Emission, desc::ModelKind::Shape}) {
+    for (const desc::Model* model : desc::models(kind)) {
+      if (model->name == "curves") continue;  // cannot emit, so nothing is sampled on them
+      EXPECT_TRUE(cases.models.contains(model)) << model->name;
+    }
+  }
+}
 
 std::vector<std::pair<std::string, std::unique_ptr<Camera>>> all_cameras() {
   std::vector<std::pair<std::string, std::unique_ptr<Camera>>> cameras;

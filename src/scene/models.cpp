@@ -4,9 +4,10 @@
 #include <stdexcept>
 #include <string>
 
+#include "scene/emission/registry.h"
 #include "scene/light/registry.h"
 #include "scene/material/registry.h"
-#include "scene/shape/quadric_models.h"
+#include "scene/shape/registry.h"
 #include "scene/texture/registry.h"
 
 namespace ajar::desc {
@@ -27,7 +28,8 @@ const std::vector<const Model*>& models(ModelKind kind) {
   static const std::vector<const Model*> kMaterials = sorted(material_models());
   static const std::vector<const Model*> kTextures = sorted(texture_models());
   static const std::vector<const Model*> kLights = sorted(light_models());
-  static const std::vector<const Model*> kQuadrics = sorted(quadric_models());
+  static const std::vector<const Model*> kEmissions = sorted(emission_models());
+  static const std::vector<const Model*> kShapes = sorted(shape_models());
   switch (kind) {
     case ModelKind::Material:
       return kMaterials;
@@ -35,8 +37,10 @@ const std::vector<const Model*>& models(ModelKind kind) {
       return kTextures;
     case ModelKind::Light:
       return kLights;
-    case ModelKind::Quadric:
-      return kQuadrics;
+    case ModelKind::Emission:
+      return kEmissions;
+    case ModelKind::Shape:
+      return kShapes;
   }
   throw std::logic_error("there is no such kind of models");
 }

@@ -36,9 +36,7 @@ TEST_P(Models, DeclareWhatTheCatalogueShows) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(EveryKind, Models,
-                         ::testing::Values(ModelKind::Material, ModelKind::Texture,
-                                           ModelKind::Light, ModelKind::Quadric));
+INSTANTIATE_TEST_SUITE_P(EveryKind, Models, ::testing::ValuesIn(kModelKinds));
 
 }  // namespace
 }  // namespace ajar::desc

@@ -5,6 +5,7 @@
 
 #include "scene/build/validate.h"
 #include "scene/coordinate_limit.h"
+#include "scene/emission/emission.h"
 #include "scene/geometry.h"
 
 namespace ajar {
@@ -99,8 +100,8 @@ void Scene::build_surfaces(const desc::SceneDesc& description, Warnings& warning
   for (const desc::Shape& shape : description.shapes) add(shape);
   for (const desc::Object& object : description.objects) {
     for (const desc::Shape& shape : object.shapes) {
-      if (shape.light && geometry_->has_shape(surfaces_.size())) {
-        warnings.add(kInstanced, shape.light->where, "instanced surfaces do not emit light");
+      if (shape.emission && geometry_->has_shape(surfaces_.size())) {
+        warnings.add(kInstanced, shape.emission->where, "instanced surfaces do not emit light");
       }
       add(shape);
     }
@@ -140,21 +141,21 @@ void Scene::build_lights(const desc::SceneDesc& description, Warnings& warnings)
   }
   for (std::size_t i = 0; i < description.shapes.size(); ++i) {
     const desc::Shape& shape = description.shapes[i];
-    if (!shape.light || !geometry_->has_shape(i)) continue;
+    if (!shape.emission || !geometry_->has_shape(i)) continue;
     if (surfaces_[i].material->is_interface()) {
-      warnings.add(kNoMaterial, shape.light->where,
+      warnings.add(kNoMaterial, shape.emission->where,
                    "a surface without material cannot emit: give it a black matte one");
       continue;
     }
     auto sampler = geometry_->make_sampler(i);
     if (!sampler) {
-      const bool is_curve = std::holds_alternative<std::shared_ptr<const desc::Curve>>(shape.node);
+      const bool is_curve = shape.node.is("curves");
       warnings.add(
-          kNoEmitter, shape.light->where,
+          kNoEmitter, shape.emission->where,
           is_curve ? "curves cannot emit light" : "the surface has no area and emits no light");
       continue;
     }
-    auto light = make_area_light(*shape.light, *sampler, textures_);
+    auto light = make_surface_light(*shape.emission, *sampler, textures_);
     emitters_.push_back(std::move(sampler));
     if (!light) continue;
     light->medium = medium(shape.outside);

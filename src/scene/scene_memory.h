@@ -14,11 +14,7 @@ struct SceneMemory {
 };
 
 /// Looks at the sizes of image files, not into them; those that cannot be read count nothing.
-/// Raises SceneError as `check_subdivision_memory` does.
+/// Raises SceneError as `shape_memory` does.
 SceneMemory estimate_memory(const desc::SceneDesc& scene);
-
-/// Raises SceneError at `where`, with the levels that are possible, if a subdivision surface alone
-/// needs more memory than there is.
-void check_subdivision_memory(const desc::LoopSubdivision& surface, const SourceLocation& where);
 
 }  // namespace ajar

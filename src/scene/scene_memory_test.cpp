@@ -31,7 +31,7 @@ desc::SceneDesc floor_of(unsigned side) {
   desc::SceneDesc scene;
   scene.materials.emplace_back().node = desc::material_node("diffuse");
   desc::Shape shape;
-  shape.node = std::shared_ptr<const desc::Mesh>(std::move(mesh));
+  shape.node = desc::mesh_node(std::move(mesh));
   shape.material = 0;
   scene.shapes.push_back(shape);
   scene.lights.emplace_back().node = desc::light_node("point");
@@ -52,9 +52,8 @@ TEST(SceneMemory, CoversEmbreesTreeWithoutExaggerating) {
 
 TEST(SceneMemory, SubdividedSurfacesCountAsTheyWillBe) {
   desc::SceneDesc coarse = floor_of(4);
-  const auto& mesh = std::get<std::shared_ptr<const desc::Mesh>>(coarse.shapes[0].node);
-  coarse.shapes[0].node =
-      std::shared_ptr<const desc::LoopSubdivision>(new desc::LoopSubdivision{5, *mesh});
+  const desc::MeshPointer mesh = coarse.shapes[0].node.mesh("mesh");
+  coarse.shapes[0].node = desc::shape_node("subdivision", {{"levels", 5}, {"control", mesh}});
   const double as_mesh = static_cast<double>(estimate_memory(floor_of(4 * 32)).geometry);
   EXPECT_NEAR(static_cast<double>(estimate_memory(coarse).geometry) / as_mesh, 1.0, 0.05);
 }
@@ -64,10 +63,12 @@ TEST(SceneMemory, SubdivisionsThatNoMemoryHoldsAreRefusedWithTheLevelsThatAreLef
   GTEST_SKIP() << "sanitizers reserve more memory than any limit allows";
 #endif
   desc::SceneDesc scene = floor_of(1);
-  const auto& mesh = std::get<std::shared_ptr<const desc::Mesh>>(scene.shapes[0].node);
-  const desc::LoopSubdivision fine{13, *mesh};
-  const SourceLocation where{std::make_shared<const std::string>("a.pbrt"), 3, 7};
-  check_subdivision_memory({3, *mesh}, where);
+  desc::Shape& shape = scene.shapes[0];
+  const desc::MeshPointer mesh = shape.node.mesh("mesh");
+  shape.where = {std::make_shared<const std::string>("a.pbrt"), 3, 7};
+  shape.node = desc::shape_node("subdivision", {{"levels", 3}, {"control", mesh}});
+  EXPECT_NO_THROW(estimate_memory(scene));
+  shape.node.set("levels", 13);
   // 24 GB, of 4 GB.
   rlimit before{};
   getrlimit(RLIMIT_AS, &before);
@@ -76,7 +77,7 @@ TEST(SceneMemory, SubdivisionsThatNoMemoryHoldsAreRefusedWithTheLevelsThatAreLef
   setrlimit(RLIMIT_AS, &tight);
   std::string error;
   try {
-    check_subdivision_memory(fine, where);
+    estimate_memory(scene);
   } catch (const SceneError& caught) {
     error = caught.what();
   }

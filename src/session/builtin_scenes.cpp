@@ -13,18 +13,30 @@ std::string normal_path(std::string_view scene, std::string_view path) {
   return std::filesystem::path(path).lexically_normal().generic_string();
 }
 
+bool is_scene(const EmbeddedFile& file) {
+  return std::filesystem::path(file.path).replace_extension() == "scene";
+}
+
 }  // namespace
 
 std::vector<std::string> builtin_scene_names() {
   std::vector<std::string> names;
   for (const EmbeddedFile& file : embedded_files()) {
-    if (file.path == "scene.pbrt") names.emplace_back(file.scene);
+    if (is_scene(file)) names.emplace_back(file.scene);
   }
   return names;
 }
 
+const EmbeddedFile* builtin_scene(std::string_view scene) {
+  for (const EmbeddedFile& file : embedded_files()) {
+    if (file.scene == scene && is_scene(file)) return &file;
+  }
+  return nullptr;
+}
+
 std::string builtin_scene_summary(std::string_view scene) {
-  std::string_view text = builtin_file(scene, "scene.pbrt").value_or("");
+  const EmbeddedFile* file = builtin_scene(scene);
+  std::string_view text = file == nullptr ? std::string_view() : file->bytes;
   std::string comment;
   while (text.starts_with('#')) {
     const std::size_t end = std::min(text.find('\n'), text.size());

@@ -11,7 +11,7 @@ namespace ajar {
 /// A file that is part of a built-in scene. The bytes live as long as the program.
 struct EmbeddedFile {
   std::string_view scene;  ///< name of the scene, e.g. "cornell"
-  std::string_view path;   ///< inside the folder of the scene, e.g. "scene.pbrt"
+  std::string_view path;   ///< inside the folder of the scene, e.g. "meshes/floor.ply"
   std::string_view bytes;
 };
 
@@ -21,8 +21,11 @@ std::span<const EmbeddedFile> embedded_files();
 /// Names of the built-in scenes, sorted.
 std::vector<std::string> builtin_scene_names();
 
-/// First sentence of the comment at the top of a scene's file, without the scene's name that it may
-/// begin with: one line for lists.
+/// The file of a built-in scene, "scene" with the extension of its format; null if there is none.
+const EmbeddedFile* builtin_scene(std::string_view scene);
+
+/// First sentence of the comment, in lines with #, at the top of a scene's file, without the
+/// scene's name that it may begin with: one line for lists.
 std::string builtin_scene_summary(std::string_view scene);
 
 /// A file of a built-in scene; empty if there is none. `path` may begin with "./" or with the

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/error.h"
+#include "import/format.h"
 #include "integrator/integrator.h"
 #include "scene/desc/models.h"
 #include "session/builtin_scenes.h"
@@ -46,6 +47,10 @@ std::string type_name(ParameterType type) {
       return "file";
     case ParameterType::Material:
       return "material";
+    case ParameterType::Mesh:
+      return "mesh";
+    case ParameterType::Curves:
+      return "curves";
   }
   return {};
 }
@@ -88,7 +93,8 @@ const std::map<std::string, desc::ModelKind>& model_kinds() {
       {"materials", desc::ModelKind::Material},
       {"textures", desc::ModelKind::Texture},
       {"lights", desc::ModelKind::Light},
-      {"quadrics", desc::ModelKind::Quadric}};
+      {"emissions", desc::ModelKind::Emission},
+      {"shapes", desc::ModelKind::Shape}};
   return kinds;
 }
 
@@ -136,8 +142,19 @@ Json to_json(const Parametrised& entry) {
           {"parameters", parameters}};
 }
 
+std::vector<CatalogEntry> format_catalog() {
+  std::vector<CatalogEntry> entries;
+  for (const Format& format : formats()) {
+    entries.push_back(
+        {format.name, fmt::format("{} ({}; {})", format.summary, fmt::join(format.extensions, ", "),
+                                  format.write != nullptr ? "read and written" : "read")});
+  }
+  return entries;
+}
+
 std::vector<CatalogEntry> entries(const std::string& kind) {
   if (kind == "scenes") return scene_catalog();
+  if (kind == "formats") return format_catalog();
   std::vector<CatalogEntry> layers;
   for (const Parametrised& entry : parametrised(kind))
     layers.push_back({entry.name, entry.summary});
@@ -201,7 +218,7 @@ const std::vector<std::string>& catalog_kinds() {
   static const std::vector<std::string> kinds = [] {
     std::vector<std::string> all{"integrators"};
     for (const auto& [name, kind] : model_kinds()) all.push_back(name);
-    all.insert(all.end(), {"aovs", "scenes"});
+    all.insert(all.end(), {"aovs", "formats", "scenes"});
     return all;
   }();
   return kinds;

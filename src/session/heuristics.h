@@ -12,6 +12,9 @@ struct SessionHeuristics {
   /// Unit: share. Range: (0, 1). Source: d9bd289: with three quarters, most of a short render was
   /// thrown away; no study of others.
   static constexpr double kMostOfTime = 0.25;
+  /// Of a round of a preparation, before its rate is believed.
+  /// Unit: share. Range: (0, 1]. Source: 8145106; set by hand, no study.
+  static constexpr double kTelling = 0.1;
   /// Of a phase, what must be done before the time left is told.
   /// Unit: share. Range: (0, 1). Source: 1a1aa89; set by hand, no study.
   static constexpr double kLeastDone = 0.01;

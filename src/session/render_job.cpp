@@ -308,10 +308,11 @@ void RenderJob::estimate(std::uint64_t samples, bool milestone) {
   }
   const std::optional<RelativeError> error = options_.estimate_error(film(), samples);
   state_.relative_error = error;
+  std::optional<double> reached;
   if (milestone) {
-    // What is only a lower bound has not reached anything.
-    if (error && !error->is_lower_bound()) {
-      state_.recent_errors.push_back({samples, error->value});
+    reached = error_for_target(error, samples);
+    if (reached) {
+      state_.recent_errors.push_back({samples, *reached});
       forget_old_errors(state_.recent_errors);
     } else {
       state_.recent_errors.clear();
@@ -320,6 +321,15 @@ void RenderJob::estimate(std::uint64_t samples, bool milestone) {
   const std::lock_guard lock(error_mutex_);
   relative_error_ = error;
   error_samples_ = samples;
+  if (milestone && options_.budget.denoised_target) denoised_error_ = reached;
+}
+
+std::optional<double> RenderJob::error_for_target(const std::optional<RelativeError>& error,
+                                                  std::uint64_t samples) const {
+  // What is only a lower bound has not reached anything.
+  if (!error || error->is_lower_bound()) return std::nullopt;
+  if (!options_.budget.denoised_target) return error->value;
+  return options_.estimate_denoised_error(film(), samples);
 }
 
 void RenderJob::gather() {
@@ -400,6 +410,7 @@ RenderSnapshot RenderJob::snapshot() const {
   const std::lock_guard lock(error_mutex_);
   snapshot.relative_error = relative_error_;
   snapshot.error_samples = error_samples_;
+  snapshot.denoised_error = denoised_error_;
   snapshot.finishing = interrupted(1);
   return snapshot;
 }

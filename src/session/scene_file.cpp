@@ -7,7 +7,6 @@
 #include <string_view>
 
 #include "import/import.h"
-#include "import/pbrt/pbrt_import.h"
 #include "session/builtin_scenes.h"
 
 namespace ajar {
@@ -17,16 +16,15 @@ namespace {
 constexpr std::string_view kBuiltin = "builtin:";
 
 desc::SceneDesc load_builtin(const std::string& name, Warnings& warnings) {
-  const std::optional<std::string_view> text = builtin_file(name, "scene.pbrt");
-  if (!text) {
+  const EmbeddedFile* file = builtin_scene(name);
+  if (file == nullptr) {
     throw UsageError(unknown_name_message("built-in scene", name, builtin_scene_names()));
   }
-  const std::string base = std::string(kBuiltin) + name;
-  desc::SceneDesc scene =
-      import_pbrt_text(*text, base + "/scene.pbrt", base, warnings,
-                       [name](const std::string& path) { return builtin_file(name, path); });
-  // A pbrt file must name a method to have a depth: one that pbrt has, for those who convert the
-  // scene. Here it would hide the program's own choice.
+  const std::string path = std::string(kBuiltin) + name + "/" + std::string(file->path);
+  desc::SceneDesc scene = import_scene(
+      path, warnings, [name](const std::string& wanted) { return builtin_file(name, wanted); });
+  // The file must name a method to have a depth: one that its format has, for those who convert
+  // the scene. Here it would hide the program's own choice.
   scene.hints.integrator.clear();
   return scene;
 }

@@ -19,7 +19,7 @@ std::string hash_of_scene(const std::string& scene);
 /// The same scene, named so that it is found from any folder.
 std::string absolute_scene(const std::string& scene);
 
-/// Name for pictures of a scene, without folder and extension: `room` for `/scenes/room.pbrt`,
+/// Name for pictures of a scene, without folder and extension: `room` for `/scenes/room.EXTENSION`,
 /// `cornell` for `builtin:cornell`; the folder's name if the file is just called `scene`.
 std::string scene_stem(const std::string& scene);
 

@@ -2,7 +2,7 @@
 #include "apps/cli/messages.h"
 #include "core/error.h"
 #include "core/warnings.h"
-#include "import/pbrt/pbrt_writer.h"
+#include "import/format.h"
 #include "session/output.h"
 #include "session/scene_file.h"
 #include "session/written_paths.h"
@@ -10,15 +10,13 @@
 namespace ajar::cli {
 
 int convert(const ConvertArguments& arguments) {
-  if (!arguments.output.ends_with(".pbrt")) {
-    throw UsageError(arguments.output + ": the file to write must end in .pbrt");
-  }
+  const Format& format = format_to_write(arguments.output);
   check_writable(arguments.output);
   Warnings warnings;
   const desc::SceneDesc scene = load_scene(arguments.scene, warnings);
   check_spares({arguments.output}, scene.files);
   print_warnings(warnings, arguments.scene);
-  write_pbrt(scene, arguments.output);
+  format.write(scene, arguments.output);
   print_path(arguments.output);
   return 0;
 }

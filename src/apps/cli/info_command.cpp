@@ -50,7 +50,7 @@ std::map<std::string, std::size_t> light_counts(const desc::SceneDesc& scene) {
   std::map<std::string, std::size_t> counts;
   for (const desc::Light& light : scene.lights) ++counts[light.node.model().name];
   for (const desc::Shape& shape : scene.shapes) {
-    if (shape.light) ++counts["area"];
+    if (shape.emission) ++counts[shape.emission->node.model().name];
   }
   return counts;
 }

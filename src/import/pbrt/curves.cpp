@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "import/pbrt/shapes.h"
+#include "scene/desc/models.h"
 
 namespace ajar::pbrt {
 namespace {
@@ -48,13 +49,13 @@ Vec3 between(float t, const Vec3& from, const Vec3& to) {
 
 }  // namespace
 
-std::optional<ShapeNode> make_curve(Context& context, const SourceLocation& where,
-                                    const ParameterList& p) {
-  const auto skip = [&](const std::string& reason) -> std::optional<ShapeNode> {
+std::optional<desc::Node> make_curve(Context& context, const SourceLocation& where,
+                                     const ParameterList& p) {
+  const auto skip = [&](const std::string& reason) -> std::optional<desc::Node> {
     context.warnings.add(kLeftOut, where, reason + ": shape left out", reason);
     return std::nullopt;
   };
-  desc::Curve node;
+  desc::Curves curves;
   const float width = p.get_float("width", 1.F);
   const float width0 = p.get_float("width0", width);
   const float width1 = p.get_float("width1", width);
@@ -69,11 +70,7 @@ std::optional<ShapeNode> make_curve(Context& context, const SourceLocation& wher
     return skip("curves have degree 2 or 3, not " + std::to_string(degree));
   if (basis != "bezier" && basis != "bspline")
     fail_unknown(where, "curve basis", basis, {"bezier", "bspline"});
-  if (type == "cylinder") {
-    node.type = desc::Curve::Type::Cylinder;
-  } else if (type == "ribbon") {
-    node.type = desc::Curve::Type::Ribbon;
-  } else if (type != "flat") {
+  if (type != "flat" && type != "cylinder" && type != "ribbon") {
     fail_unknown(where, "curve type", type, {"flat", "cylinder", "ribbon"});
   }
   const auto d = static_cast<std::size_t>(degree);
@@ -84,7 +81,7 @@ std::optional<ShapeNode> make_curve(Context& context, const SourceLocation& wher
   }
   const std::size_t segments = is_bezier ? (points.size() - 1) / d : points.size() - d;
 
-  if (node.type == desc::Curve::Type::Ribbon) {
+  if (type == "ribbon") {
     if (normals.size() != segments + 1) {
       return skip("a ribbon of " + std::to_string(segments) + " segments needs " +
                   std::to_string(segments + 1) + " normals \"N\", not " +
@@ -114,15 +111,17 @@ std::optional<ShapeNode> make_curve(Context& context, const SourceLocation& wher
     const float end = lerp(static_cast<float>(s + 1) / count, width0, width1);
     for (std::size_t i = 0; i < 4; ++i) {
       const float t = static_cast<float>(i) / 3.F;
-      node.control_points.push_back(segment[i]);
-      node.widths.push_back(lerp(t, start, end));
+      curves.control_points.push_back(segment[i]);
+      curves.widths.push_back(lerp(t, start, end));
       if (normals.empty()) continue;
-      node.normals.push_back(i == 0   ? normals[s]
-                             : i == 3 ? normals[s + 1]
-                                      : between(t, normals[s], normals[s + 1]));
+      curves.normals.push_back(i == 0   ? normals[s]
+                               : i == 3 ? normals[s + 1]
+                                        : between(t, normals[s], normals[s + 1]));
     }
   }
-  return std::make_shared<const desc::Curve>(std::move(node));
+  return desc::shape_node(
+      "curves",
+      {{"type", type}, {"curves", std::make_shared<const desc::Curves>(std::move(curves))}});
 }
 
 }  // namespace ajar::pbrt

@@ -114,7 +114,7 @@ TEST(PbrtParameters, MayHaveBracketsOrNot) {
   EXPECT_EQ(std::get<desc::PerspectiveCamera>(scene.camera.node).fov, 40.F);
   EXPECT_EQ(scene.film.resolution, Vec2i(30, 40));
   EXPECT_EQ(scene.film.filename, "a.exr");
-  EXPECT_EQ(std::get<desc::Node>(scene.shapes[0].node).number("radius"), 3.F);
+  EXPECT_EQ(scene.shapes[0].node.number("radius"), 3.F);
 }
 
 TEST(PbrtParameters, BoolsMayBeQuotedOrNot) {
@@ -170,7 +170,7 @@ TEST(PbrtInclude, ReadsOtherFilesAndNamesThemInMessages) {
       world("Include \"geometry/a.pbrt\""), warnings,
       {{"geometry/a.pbrt", "Shape \"disk\" Include \"b.pbrt\""}, {"b.pbrt", "Shape \"cone\""}});
   EXPECT_EQ(scene.shapes.size(), 3U);
-  EXPECT_TRUE(std::get<desc::Node>(scene.shapes[1].node).is("cone"));
+  EXPECT_TRUE(scene.shapes[1].node.is("cone"));
   EXPECT_EQ(error_of(world("Include \"x.pbrt\""), {{"x.pbrt", "\n Nonsense"}}).substr(0, 12),
             "x.pbrt:2:2: ");
 }
@@ -217,7 +217,7 @@ TEST(PbrtObjects, CannotEmitAndMustExist) {
   Warnings warnings;
   const desc::SceneDesc scene = import_with(
       world("ObjectBegin \"o\" AreaLightSource \"diffuse\" Shape \"disk\" ObjectEnd"), warnings);
-  EXPECT_FALSE(scene.objects[0].shapes[0].light);
+  EXPECT_FALSE(scene.objects[0].shapes[0].emission);
   EXPECT_EQ(warnings.count(), 1U);
   EXPECT_TRUE(contains(error_of("WorldBegin ObjectInstance \"o\""), "unknown object \"o\""));
 }

@@ -19,4 +19,13 @@ const std::vector<ModelName>& light_names() {
   return kNames;
 }
 
+const std::vector<ModelName>& emission_names() {
+  // "area" is what older files say.
+  static const std::vector<ParameterName> kArea = {{"radiance", {"L"}},
+                                                   {"two_sided", {"twosided"}}};
+  static const std::vector<ModelName> kNames = {{"diffuse", "area", kArea},
+                                                {"area", "area", kArea}};
+  return kNames;
+}
+
 }  // namespace ajar::pbrt

@@ -71,20 +71,18 @@ std::optional<desc::Light> make_light(Context& context, TextureTable& textures,
   return light;
 }
 
-desc::AreaLight make_area_light(Context& context, const TextureTable& textures,
-                                const SourceLocation& where, const std::string& type,
-                                const ParameterList& p) {
-  if (type != "diffuse" && type != "area") fail_unknown(where, "area light", type, {"diffuse"});
-  desc::AreaLight light;
-  light.where = where;
-  if (const Parameter* reference = p.find_one("L", ParameterKind::Texture)) {
-    light.texture = textures.find(*reference, TextureClass::Spectrum).value_or(desc::kNone);
+desc::Emission make_emission(Context& context, TextureTable& textures, const SourceLocation& where,
+                             const std::string& type, const ParameterList& p) {
+  const desc::Model* model = model_of_type(desc::ModelKind::Emission, emission_names(), type);
+  if (model == nullptr) {
+    fail_unknown(where, "area light", type, types_of(desc::ModelKind::Emission, emission_names()));
   }
-  light.radiance = scaled(context, where, p, context.spectra.get_positive(p, "L", desc::Rgb(1.F)));
-  light.two_sided = p.get_bool("twosided", false);
+  const TextureParameters lookup(context, textures, p);
+  desc::Emission emission{
+      where, NodeReader(where, lookup).read(*model, find_theirs(emission_names(), type))};
   p.accept({"samples", "nsamples"});
   p.report_unused(context.warnings);
-  return light;
+  return emission;
 }
 
 }  // namespace ajar::pbrt

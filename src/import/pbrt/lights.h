@@ -15,8 +15,7 @@ std::optional<desc::Light> make_light(Context& context, TextureTable& textures,
 
 /// `AreaLightSource "type" parameters`. Ours beyond pbrt-v3: `"texture L"`, which `scale`
 /// multiplies.
-desc::AreaLight make_area_light(Context& context, const TextureTable& textures,
-                                const SourceLocation& where, const std::string& type,
-                                const ParameterList& parameters);
+desc::Emission make_emission(Context& context, TextureTable& textures, const SourceLocation& where,
+                             const std::string& type, const ParameterList& parameters);
 
 }  // namespace ajar::pbrt

@@ -11,11 +11,13 @@ TEST(PbrtLights, AreaLightsBelongToShapes) {
       "AttributeBegin AreaLightSource \"diffuse\" \"rgb L\" [1 2 3] \"rgb scale\" [2 2 2] \"bool "
       "twosided\" \"true\" \"integer nsamples\" 4 "
       "ReverseOrientation Shape \"disk\" AttributeEnd");
-  ASSERT_TRUE(s.shapes[0].light);
-  EXPECT_EQ(s.shapes[0].light->radiance, desc::Rgb(2.F, 4.F, 6.F));
-  EXPECT_TRUE(s.shapes[0].light->two_sided);
+  ASSERT_TRUE(s.shapes[0].emission);
+  const desc::Node& emission = s.shapes[0].emission->node;
+  EXPECT_EQ(emission.color("radiance"), desc::Rgb(1.F, 2.F, 3.F));
+  EXPECT_EQ(emission.color("scale"), desc::Rgb(2.F));
+  EXPECT_TRUE(emission.flag("two_sided"));
   EXPECT_TRUE(s.shapes[0].reverse_orientation);
-  EXPECT_FALSE(s.shapes[1].light);
+  EXPECT_FALSE(s.shapes[1].emission);
   EXPECT_FALSE(s.shapes[1].reverse_orientation);
 }
 
@@ -66,6 +68,8 @@ TEST(PbrtLights, MapsAreResolved) {
   EXPECT_TRUE(contains(error_of(world("LightSource \"sun\"")), "unknown light \"sun\""));
   EXPECT_TRUE(contains(warnings_of(world("LightSource \"point\" \"rgb I\" [1 -1 1]")),
                        "\"I\" is negative"));
+  EXPECT_TRUE(contains(warnings_of(world("AreaLightSource \"diffuse\" \"rgb L\" [1 -1 1]")),
+                       "\"L\" is negative"));
 }
 
 TEST(PbrtLights, WhatCannotBeUsedHasAPlace) {

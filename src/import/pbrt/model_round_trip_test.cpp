@@ -100,24 +100,51 @@ TEST(ModelRoundTrip, KeepsEveryParameterOfEveryLight) {
   }
 }
 
-TEST(ModelRoundTrip, KeepsEveryParameterOfEveryQuadric) {
-  for (const desc::Model* model : desc::models(ModelKind::Quadric)) {
-    desc::SceneDesc scene;
-    Node node(*model);
-    float value = 0.125F;  // each larger than the one before, so that the piece is not empty
-    for (const ParameterSpec& spec : model->parameters) {
-      value += 0.125F;
-      if (spec.type == ParameterType::Float) node.set(spec.name, value);
-      if (spec.type == ParameterType::Point) node.set(spec.name, Vec3(value));
+/// Something of every shape can be seen: its numbers grow from one parameter to the next.
+Node visible_shape(const desc::Model& model) {
+  Node node(model);
+  float value = 0.125F;
+  for (const ParameterSpec& spec : model.parameters) {
+    value += 0.125F;
+    if (spec.type == ParameterType::Float) {
+      node.set(spec.name, value);
+    } else if (spec.type == ParameterType::Point) {
+      node.set(spec.name, Vec3(value));
+    } else {
+      node.set(spec.name, testing::another_value(spec));
     }
-    if (model->name == "disk") node.set("inner_radius", 0.0625F);
-    if (model->name == "sphere") node.set("z_min", -0.125F);
-    scene.shapes.emplace_back().node = node;
+  }
+  if (model.name == "disk") node.set("inner_radius", 0.0625F);
+  if (model.name == "sphere") node.set("z_min", -0.125F);
+  return node;
+}
+
+TEST(ModelRoundTrip, KeepsEveryParameterOfEveryShape) {
+  for (const desc::Model* model : desc::models(ModelKind::Shape)) {
+    desc::SceneDesc scene;
+    scene.shapes.emplace_back().node = visible_shape(*model);
     scene.materials.emplace_back().node = desc::material_node("diffuse");
     scene.shapes.back().material = 0;
     const desc::SceneDesc back = there_and_back(scene);
     ASSERT_EQ(back.shapes.size(), 1U) << model->name;
-    EXPECT_EQ(std::get<Node>(back.shapes[0].node), node) << model->name;
+    EXPECT_TRUE(back.shapes[0].node.is(model->name)) << model->name;
+    EXPECT_EQ(desc::hash(back), desc::hash(scene)) << model->name;
+  }
+}
+
+TEST(ModelRoundTrip, KeepsEveryParameterOfEveryEmission) {
+  for (const desc::Model* model : desc::models(ModelKind::Emission)) {
+    desc::SceneDesc scene;
+    Node node(*model);
+    for (const ParameterSpec& spec : model->parameters)
+      node.set(spec.name, testing::another_value(spec));
+    scene.materials.emplace_back().node = desc::material_node("diffuse");
+    scene.shapes.emplace_back().node = desc::shape_node("sphere");
+    scene.shapes.back().material = 0;
+    scene.shapes.back().emission = desc::Emission{{}, node};
+    const desc::SceneDesc back = there_and_back(scene);
+    ASSERT_EQ(back.shapes.size(), 1U) << model->name;
+    EXPECT_EQ(back.shapes[0].emission->node, node) << model->name;
   }
 }
 

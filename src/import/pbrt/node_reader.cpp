@@ -26,7 +26,10 @@ std::vector<std::string> types_of(desc::ModelKind kind, std::span<const ModelNam
 desc::Node NodeReader::read(const desc::Model& model, const ModelName* names) const {
   desc::Node node(model);
   for (const ParameterSpec& spec : model.parameters) {
-    if (spec.type == ParameterType::Transform || !node.matters(spec)) continue;
+    const bool is_elsewhere = spec.type == ParameterType::Transform ||
+                              spec.type == ParameterType::Mesh ||
+                              spec.type == ParameterType::Curves;
+    if (is_elsewhere || !node.matters(spec)) continue;
     const ParameterName* translated = names == nullptr ? nullptr : names->find(spec.name);
     const ParameterName same{spec.name, {spec.name}};
     node.set(spec.name, value(spec, translated == nullptr ? same : *translated));
@@ -84,6 +87,8 @@ std::optional<desc::Value> NodeReader::find(const ParameterSpec& spec,
     case ParameterType::Material:
       return desc::MaterialRef{find_material_(name)};
     case ParameterType::Transform:
+    case ParameterType::Mesh:
+    case ParameterType::Curves:
       break;
   }
   return std::nullopt;
@@ -92,8 +97,9 @@ std::optional<desc::Value> NodeReader::find(const ParameterSpec& spec,
 std::optional<desc::Value> NodeReader::find_color(const ParameterSpec& spec,
                                                   std::string_view name) const {
   if (!numbers_for_colors_) {
-    if (spec.textured) return parameters_.find_spectrum(name);
-    const std::optional<desc::Rgb> color = parameters_.color(name, spec.minimum >= 0.0);
+    const bool positive = spec.minimum >= 0.0;
+    if (spec.textured) return parameters_.find_spectrum(name, positive);
+    const std::optional<desc::Rgb> color = parameters_.color(name, positive);
     return color ? std::optional<desc::Value>(*color) : std::nullopt;
   }
   if (!spec.textured) {

@@ -15,8 +15,8 @@ const desc::Model* model_of_type(desc::ModelKind kind, std::span<const ModelName
 /// All that directives can name: what `table` has, and ours that pbrt does not have.
 std::vector<std::string> types_of(desc::ModelKind kind, std::span<const ModelName> table);
 
-/// Makes nodes of the parameters of directives. Places come from the current transform: parameters
-/// that are transforms keep their defaults.
+/// Makes nodes of the parameters of directives. Places come from the current transform, meshes and
+/// curves from several parameters: those of ours that are of these types keep their defaults.
 class NodeReader {
  public:
   /// Finds the material that a parameter of this name refers to.

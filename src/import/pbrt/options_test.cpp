@@ -63,7 +63,7 @@ TEST(PbrtOptions, FilmAndFilters) {
   EXPECT_EQ(s.film.crop[3], 1.F);
   EXPECT_EQ(s.film.scale, 1.5F);
   EXPECT_EQ(s.film.filter.radius, Vec2(3.F, 2.F));
-  EXPECT_EQ(std::get<desc::GaussianFilter>(s.film.filter.node).alpha, 2.F);
+  EXPECT_EQ(std::get<desc::GaussianFilter>(s.film.filter.node).falloff, 2.F);
   EXPECT_EQ(with_options("PixelFilter \"sinc\"").film.filter.radius, Vec2(4.F, 4.F));
   EXPECT_EQ(with_options("PixelFilter \"mitchell\" \"float B\" 0").film.filter.radius,
             Vec2(2.F, 2.F));

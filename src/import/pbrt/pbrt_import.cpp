@@ -20,11 +20,16 @@ desc::SceneDesc import_text(std::string_view text, const std::string& name, cons
 
 }  // namespace
 
-desc::SceneDesc import_pbrt(const std::string& path, Warnings& warnings) {
+desc::SceneDesc import_pbrt(const std::string& path, Warnings& warnings,
+                            const FileProvider& provider) {
+  if (const auto text = provider ? provider(path) : std::nullopt) {
+    const std::string folder = std::filesystem::path(path).parent_path().string();
+    return import_pbrt_text(*text, path, folder, warnings, provider);
+  }
   const FileBytes bytes = read_file(path);
   const std::filesystem::path absolute = std::filesystem::absolute(path).lexically_normal();
   desc::SceneDesc scene = import_text(bytes.view(), path, absolute.string(),
-                                      absolute.parent_path().string(), warnings, {});
+                                      absolute.parent_path().string(), warnings, provider);
   scene.files.insert(absolute.string());
   return scene;
 }

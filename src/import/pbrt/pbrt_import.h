@@ -11,9 +11,11 @@ namespace ajar {
 
 /// Reads a pbrt-v3 scene and the files it refers to, except images. Parameters have pbrt-v3's
 /// defaults and meaning; what we cannot do is a warning with its location. Raises SceneError (with
-/// file:line:column) if the scene cannot be used, IoError if `path` itself cannot be read. Source:
-/// pbrt-v3 file format, https://www.pbrt.org/fileformat-v3
-desc::SceneDesc import_pbrt(const std::string& path, Warnings& warnings);
+/// file:line:column) if the scene cannot be used, IoError if `path` itself cannot be read. Files,
+/// `path` too, are asked of `provider` first. Source: pbrt-v3 file format,
+/// https://www.pbrt.org/fileformat-v3
+desc::SceneDesc import_pbrt(const std::string& path, Warnings& warnings,
+                            const FileProvider& provider = {});
 
 /// The same for text in memory. `name` stands in messages; other files are looked up relative to
 /// `base_folder`, at `provider` first, then on the disk. The provider is asked for

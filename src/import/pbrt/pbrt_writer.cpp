@@ -6,9 +6,11 @@
 #include "core/atomic_file.h"
 #include "core/error.h"
 #include "import/mesh/ply.h"
-#include "import/pbrt/quadric_names.h"
+#include "import/pbrt/light_names.h"
+#include "import/pbrt/shape_names.h"
 #include "import/pbrt/transforms.h"
 #include "import/pbrt/writer_context.h"
+#include "scene/desc/models.h"
 
 namespace ajar {
 namespace {
@@ -17,10 +19,10 @@ using pbrt::TextWriter;
 namespace fs = std::filesystem;
 
 /// Hash of a mesh alone, for the name of its file.
-std::uint64_t hash_of(const std::shared_ptr<const desc::Mesh>& mesh) {
+std::uint64_t hash_of(const desc::MeshPointer& mesh) {
   desc::SceneDesc scene;
   scene.shapes.emplace_back();
-  scene.shapes.back().node = mesh;
+  scene.shapes.back().node = desc::mesh_node(mesh);
   return desc::hash(scene);
 }
 
@@ -113,12 +115,12 @@ class Writer {
     out_.line("PixelFilter").quoted(kNames[filter.node.index()]);
     out_.parameter("float xwidth", filter.radius.x).parameter("float ywidth", filter.radius.y);
     if (const auto* gaussian = std::get_if<desc::GaussianFilter>(&filter.node))
-      out_.parameter("float alpha", gaussian->alpha);
+      out_.parameter("float alpha", gaussian->falloff);
     if (const auto* mitchell = std::get_if<desc::MitchellFilter>(&filter.node)) {
       out_.parameter("float B", mitchell->b).parameter("float C", mitchell->c);
     }
     if (const auto* sinc = std::get_if<desc::SincFilter>(&filter.node))
-      out_.parameter("float tau", sinc->tau);
+      out_.parameter("float tau", sinc->lobes);
   }
 
   template <typename Camera>
@@ -158,12 +160,7 @@ class Writer {
     if (shape.material >= 0)
       out_.line("NamedMaterial")
           .quoted(context_.material_names.at(static_cast<std::size_t>(shape.material)));
-    if (shape.light) {
-      out_.line("AreaLightSource").quoted("diffuse");
-      if (shape.light->texture >= 0) context_.reference("L", shape.light->texture);
-      out_.rgb(shape.light->texture >= 0 ? "scale" : "L", shape.light->radiance);
-      out_.flag("twosided", shape.light->two_sided);
-    }
+    if (shape.emission) write_emission(shape.emission->node);
     if (!scene_.media.empty()) {
       const desc::MediumId inside = shape.has_medium_interface ? shape.inside : desc::kNone;
       const desc::MediumId outside = shape.has_medium_interface ? shape.outside : desc::kNone;
@@ -171,8 +168,14 @@ class Writer {
           .quoted(context_.medium_name(inside))
           .quoted(context_.medium_name(outside));
     }
-    std::visit([&](const auto& node) { write_geometry(shape, node); }, shape.node);
+    write_geometry(shape);
     out_.line("AttributeEnd");
+  }
+
+  void write_emission(const desc::Node& node) {
+    const ModelName* names = find_ours(pbrt::emission_names(), node.model().name);
+    out_.line("AreaLightSource").quoted(names == nullptr ? node.model().name : names->theirs);
+    write_parameters(context_, node, names);
   }
 
   TextWriter& begin_shape(const desc::Shape& shape, std::string_view shape_type) {
@@ -182,7 +185,17 @@ class Writer {
     return out_;
   }
 
-  void write_geometry(const desc::Shape& shape, const std::shared_ptr<const desc::Mesh>& mesh) {
+  void write_geometry(const desc::Shape& shape) {
+    const desc::Node& node = shape.node;
+    if (node.is("mesh")) return write_mesh(shape, node.mesh("mesh"));
+    if (node.is("subdivision")) return write_subdivision(shape);
+    if (node.is("curves")) return write_curves(shape);
+    const ModelName* names = find_ours(pbrt::shape_names(), node.model().name);
+    begin_shape(shape, names == nullptr ? node.model().name : names->theirs);
+    write_parameters(context_, node, names);
+  }
+
+  void write_mesh(const desc::Shape& shape, const desc::MeshPointer& mesh) {
     if (mesh->tangents.empty()) {
       begin_shape(shape, "plymesh").parameter("string filename", mesh_file(mesh));
       return;
@@ -196,7 +209,7 @@ class Writer {
     if (!mesh->uvs.empty()) out_.vectors("float uv", mesh->uvs);
   }
 
-  std::string mesh_file(const std::shared_ptr<const desc::Mesh>& mesh) {
+  std::string mesh_file(const desc::MeshPointer& mesh) {
     const auto known = mesh_files_.find(mesh.get());
     if (known != mesh_files_.end()) return known->second;
     const fs::path folder = path_.parent_path() / mesh_folder_;
@@ -211,46 +224,41 @@ class Writer {
     return mesh_files_[mesh.get()] = mesh_folder_ + "/" + name;
   }
 
-  void write_geometry(const desc::Shape& shape, const desc::Node& quadric) {
-    const ModelName* names = find_ours(pbrt::quadric_names(), quadric.model().name);
-    begin_shape(shape, names == nullptr ? quadric.model().name : names->theirs);
-    write_parameters(context_, quadric, names);
-  }
-  void write_geometry(const desc::Shape& shape,
-                      const std::shared_ptr<const desc::LoopSubdivision>& s) {
-    begin_shape(shape, "loopsubdiv").parameter("integer levels", s->levels);
-    out_.vectors("integer indices", s->control.indices).vectors("point P", s->control.positions);
+  void write_subdivision(const desc::Shape& shape) {
+    const desc::Mesh& control = *shape.node.mesh("control");
+    begin_shape(shape, "loopsubdiv").parameter("integer levels", shape.node.integer("levels"));
+    out_.vectors("integer indices", control.indices).vectors("point P", control.positions);
   }
   /// True if every segment begins where the one before ends, which is what one pbrt curve can say.
-  static bool is_chain(const desc::Curve& curve) {
-    for (std::size_t i = 4; i < curve.control_points.size(); i += 4) {
-      if (curve.control_points[i] != curve.control_points[i - 1]) return false;
-      if (!curve.normals.empty() && curve.normals[i] != curve.normals[i - 1]) return false;
+  static bool is_chain(const desc::Curves& curves) {
+    for (std::size_t i = 4; i < curves.control_points.size(); i += 4) {
+      if (curves.control_points[i] != curves.control_points[i - 1]) return false;
+      if (!curves.normals.empty() && curves.normals[i] != curves.normals[i - 1]) return false;
     }
     return true;
   }
 
-  void write_geometry(const desc::Shape& shape, const std::shared_ptr<const desc::Curve>& s) {
-    const std::size_t segments = s->control_points.size() / 4;
-    if (is_chain(*s)) {
-      write_segments(shape, *s, 0, segments);
+  void write_curves(const desc::Shape& shape) {
+    const desc::Curves& curves = *shape.node.curves("curves");
+    const std::size_t segments = curves.control_points.size() / 4;
+    if (is_chain(curves)) {
+      write_segments(shape, curves, 0, segments);
     } else {
-      for (std::size_t i = 0; i < segments; ++i) write_segments(shape, *s, i, i + 1);
+      for (std::size_t i = 0; i < segments; ++i) write_segments(shape, curves, i, i + 1);
     }
   }
-  void write_segments(const desc::Shape& shape, const desc::Curve& curve, std::size_t begin,
+  void write_segments(const desc::Shape& shape, const desc::Curves& curves, std::size_t begin,
                       std::size_t end) {
-    static constexpr const char* kTypes[] = {"flat", "cylinder", "ribbon"};
     // Segments share their ends: each but the first is written without its first point.
     std::vector<Vec3> points, normals;
     for (std::size_t i = 4 * begin; i < 4 * end; ++i) {
-      if (i % 4 != 0 || i == 4 * begin) points.push_back(curve.control_points[i]);
-      if (!curve.normals.empty() && (i == 4 * begin || i % 4 == 3))
-        normals.push_back(curve.normals[i]);
+      if (i % 4 != 0 || i == 4 * begin) points.push_back(curves.control_points[i]);
+      if (!curves.normals.empty() && (i == 4 * begin || i % 4 == 3))
+        normals.push_back(curves.normals[i]);
     }
-    begin_shape(shape, "curve").parameter("string type", kTypes[static_cast<int>(curve.type)]);
-    out_.parameter("float width0", curve.widths[4 * begin])
-        .parameter("float width1", curve.widths[4 * end - 1]);
+    begin_shape(shape, "curve").parameter("string type", shape.node.text("type"));
+    out_.parameter("float width0", curves.widths[4 * begin])
+        .parameter("float width1", curves.widths[4 * end - 1]);
     out_.vectors("point P", points);
     if (!normals.empty()) out_.vectors("normal N", normals);
   }

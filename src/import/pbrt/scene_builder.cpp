@@ -267,11 +267,11 @@ void SceneBuilder::area_light_source(const SourceLocation& where, const std::str
                                      const ParameterList& parameters) {
   require_world(where, "AreaLightSource");
   if (type.empty()) {
-    state_.area_light = nullptr;
+    state_.emission = nullptr;
     return;
   }
-  state_.area_light = std::make_shared<const desc::AreaLight>(
-      make_area_light(context_, textures_, where, type, parameters));
+  state_.emission = std::make_shared<const desc::Emission>(
+      make_emission(context_, textures_, where, type, parameters));
 }
 
 desc::TextureId SceneBuilder::alpha(const ParameterList& parameters, std::string_view name) {
@@ -285,7 +285,8 @@ desc::TextureId SceneBuilder::alpha(const ParameterList& parameters, std::string
 void SceneBuilder::shape(const SourceLocation& where, const std::string& type,
                          const ParameterList& parameters) {
   require_world(where, "Shape");
-  std::optional<ShapeNode> node = make_shape(context_, meshes_, textures_, where, type, parameters);
+  std::optional<desc::Node> node =
+      make_shape(context_, meshes_, textures_, where, type, parameters);
   if (!node) return;
   desc::Shape shape;
   shape.where = where;
@@ -301,9 +302,9 @@ void SceneBuilder::shape(const SourceLocation& where, const std::string& type,
   shape.inside = medium_id(state_.inside);
   shape.outside = medium_id(state_.outside);
   shape.has_medium_interface = shape.inside != shape.outside;
-  if (state_.area_light) {
+  if (state_.emission) {
     if (open_object_ == desc::kNone) {
-      shape.light = *state_.area_light;
+      shape.emission = *state_.emission;
     } else {
       warnings_.add(kInstancedLight, where,
                     "shapes of objects cannot be lights: its emission is left out");
@@ -325,8 +326,7 @@ void SceneBuilder::shape(const SourceLocation& where, const std::string& type,
 
 void SceneBuilder::remove_empty_meshes() {
   const auto is_empty = [](const desc::Shape& shape) {
-    const auto* mesh = std::get_if<std::shared_ptr<const desc::Mesh>>(&shape.node);
-    return mesh != nullptr && (*mesh)->indices.empty();
+    return shape.node.is("mesh") && shape.node.mesh("mesh")->indices.empty();
   };
   std::erase_if(scene_.shapes, is_empty);
   for (desc::Object& object : scene_.objects) std::erase_if(object.shapes, is_empty);

@@ -73,7 +73,7 @@ class SceneBuilder {
   enum class Scope { Attribute, Transform, Object };
   struct GraphicsState {
     MaterialPointer material;
-    std::shared_ptr<const desc::AreaLight> area_light;
+    std::shared_ptr<const desc::Emission> emission;
     std::string inside, outside;
     SourceLocation media_where;
     bool reverse_orientation = false;

@@ -8,14 +8,13 @@
 
 #include "import/mesh/validate_mesh.h"
 #include "import/pbrt/node_reader.h"
-#include "import/pbrt/quadric_names.h"
+#include "import/pbrt/shape_names.h"
 
 namespace ajar::pbrt {
 namespace {
 
-/// Beside quadrics.
-const std::vector<std::string> kTypes = {"trianglemesh", "plymesh",     "loopsubdiv",
-                                         "curve",        "heightfield", "nurbs"};
+/// Beside those that are models of ours.
+const std::vector<std::string> kOtherTypes = {"plymesh", "heightfield", "nurbs"};
 constexpr WarningKind kLeftOut{Effect::Geometry, "shapes are left out"};
 constexpr WarningKind kOddIndices{Effect::Slight,
                                   "meshes have indices left over, which are ignored"};
@@ -28,7 +27,7 @@ struct Source {
   const SourceLocation& where;
   const ParameterList& parameters;
 
-  std::optional<ShapeNode> skip(const std::string& reason) const {
+  std::optional<desc::Node> skip(const std::string& reason) const {
     context.warnings.add(kLeftOut, where, reason + ": shape left out", reason);
     return std::nullopt;
   }
@@ -60,12 +59,12 @@ bool validate(const Source& source, desc::Mesh& mesh) {
   return !mesh.indices.empty();
 }
 
-std::optional<ShapeNode> finish_mesh(const Source& source, desc::Mesh mesh) {
+std::optional<desc::Node> finish_mesh(const Source& source, desc::Mesh mesh) {
   if (!validate(source, mesh)) return std::nullopt;
-  return std::make_shared<const desc::Mesh>(std::move(mesh));
+  return desc::mesh_node(std::make_shared<const desc::Mesh>(std::move(mesh)));
 }
 
-std::optional<ShapeNode> triangle_mesh(const Source& source) {
+std::optional<desc::Node> triangle_mesh(const Source& source) {
   const ParameterList& p = source.parameters;
   desc::Mesh mesh;
   mesh.positions = p.get_points("P");
@@ -84,34 +83,35 @@ std::optional<ShapeNode> triangle_mesh(const Source& source) {
   return finish_mesh(source, std::move(mesh));
 }
 
-std::optional<ShapeNode> ply_mesh(const Source& source, MeshLoader& meshes) {
+std::optional<desc::Node> ply_mesh(const Source& source, MeshLoader& meshes) {
   const std::optional<std::string> name = source.parameters.get_string("filename");
   if (!name || name->empty()) throw SceneError(source.where, "a plymesh needs \"string filename\"");
-  return meshes.request(source.where, *name);
+  return desc::mesh_node(meshes.request(source.where, *name));
 }
 
-std::optional<ShapeNode> loop_subdivision(const Source& source) {
+std::optional<desc::Node> loop_subdivision(const Source& source) {
   const ParameterList& p = source.parameters;
-  desc::LoopSubdivision node;
-  node.levels = p.get_int("levels", p.get_int("nlevels", 3));
-  node.control.positions = p.get_points("P");
-  node.control.indices = indices_of(source);
+  desc::Mesh control;
+  const int levels = p.get_int("levels", p.get_int("nlevels", 3));
+  control.positions = p.get_points("P");
+  control.indices = indices_of(source);
   p.accept({"scheme"});
-  if (node.control.positions.empty())
-    throw SceneError(source.where, "a loopsubdiv needs \"point P\"");
-  if (node.control.indices.empty())
+  if (control.positions.empty()) throw SceneError(source.where, "a loopsubdiv needs \"point P\"");
+  if (control.indices.empty())
     throw SceneError(source.where, "a loopsubdiv needs \"integer indices\"");
-  const auto faces = static_cast<double>(node.control.indices.size());
-  if (node.levels < 0 || faces * std::pow(4.0, node.levels) > kMostTriangles) {
+  const auto faces = static_cast<double>(control.indices.size());
+  if (levels < 0 || faces * std::pow(4.0, levels) > kMostTriangles) {
     throw SceneError(source.where,
-                     "\"levels\" of " + std::to_string(node.levels) + " make no sense here");
+                     "\"levels\" of " + std::to_string(levels) + " make no sense here");
   }
-  if (!validate(source, node.control)) return std::nullopt;
-  return std::make_shared<const desc::LoopSubdivision>(std::move(node));
+  if (!validate(source, control)) return std::nullopt;
+  return desc::shape_node(
+      "subdivision",
+      {{"levels", levels}, {"control", std::make_shared<const desc::Mesh>(std::move(control))}});
 }
 
 /// pbrt's height field: z over the unit square, two triangles per cell.
-std::optional<ShapeNode> height_field(const Source& source) {
+std::optional<desc::Node> height_field(const Source& source) {
   const ParameterList& p = source.parameters;
   const int nu = p.get_int("nu", -1);
   const int nv = p.get_int("nv", -1);
@@ -178,8 +178,9 @@ const char* flaw_of(const desc::Node& node) {
   return node.has("z_min") && !(lower_end(node) < higher_end(node)) ? "zmin equals zmax" : nullptr;
 }
 
-std::optional<ShapeNode> quadric(const Source& source, TextureTable& textures,
-                                 const desc::Model& model, const ModelName* names) {
+/// A shape that numbers describe.
+std::optional<desc::Node> plain_shape(const Source& source, TextureTable& textures,
+                                      const desc::Model& model, const ModelName* names) {
   const TextureParameters lookup(source.context, textures, source.parameters);
   desc::Node node = NodeReader(source.where, lookup).read(model, names);
   if (const char* flaw = flaw_of(node)) return source.skip(flaw);
@@ -188,9 +189,9 @@ std::optional<ShapeNode> quadric(const Source& source, TextureTable& textures,
 
 }  // namespace
 
-std::optional<ShapeNode> make_shape(Context& context, MeshLoader& meshes, TextureTable& textures,
-                                    const SourceLocation& where, const std::string& type,
-                                    const ParameterList& parameters) {
+std::optional<desc::Node> make_shape(Context& context, MeshLoader& meshes, TextureTable& textures,
+                                     const SourceLocation& where, const std::string& type,
+                                     const ParameterList& parameters) {
   const Source source{context, where, parameters};
   if (type == "trianglemesh") return triangle_mesh(source);
   if (type == "plymesh") return ply_mesh(source, meshes);
@@ -198,11 +199,11 @@ std::optional<ShapeNode> make_shape(Context& context, MeshLoader& meshes, Textur
   if (type == "curve") return make_curve(context, where, parameters);
   if (type == "heightfield") return height_field(source);
   if (type == "nurbs") return source.skip("nurbs are not supported");
-  if (const desc::Model* model = model_of_type(desc::ModelKind::Quadric, quadric_names(), type)) {
-    return quadric(source, textures, *model, find_theirs(quadric_names(), type));
+  if (const desc::Model* model = model_of_type(desc::ModelKind::Shape, shape_names(), type)) {
+    return plain_shape(source, textures, *model, find_theirs(shape_names(), type));
   }
-  std::vector<std::string> types = types_of(desc::ModelKind::Quadric, quadric_names());
-  types.insert(types.end(), kTypes.begin(), kTypes.end());
+  std::vector<std::string> types = types_of(desc::ModelKind::Shape, shape_names());
+  types.insert(types.end(), kOtherTypes.begin(), kOtherTypes.end());
   fail_unknown(where, "shape", type, types);
 }
 

@@ -8,17 +8,15 @@
 
 namespace ajar::pbrt {
 
-using ShapeNode = decltype(desc::Shape::node);
-
 /// Geometry of `Shape "type" parameters`. Empty, after a warning, for shapes that cannot be drawn
 /// but do not make the scene useless. Raises SceneError for unknown types and meshes that make no
 /// sense.
-std::optional<ShapeNode> make_shape(Context& context, MeshLoader& meshes, TextureTable& textures,
-                                    const SourceLocation& where, const std::string& type,
-                                    const ParameterList& parameters);
+std::optional<desc::Node> make_shape(Context& context, MeshLoader& meshes, TextureTable& textures,
+                                     const SourceLocation& where, const std::string& type,
+                                     const ParameterList& parameters);
 
 /// `Shape "curve"`: any pbrt-v3 curve as cubic Bézier segments.
-std::optional<ShapeNode> make_curve(Context& context, const SourceLocation& where,
-                                    const ParameterList& parameters);
+std::optional<desc::Node> make_curve(Context& context, const SourceLocation& where,
+                                     const ParameterList& parameters);
 
 }  // namespace ajar::pbrt

@@ -13,10 +13,10 @@ TEST(PbrtShapes, QuadricsHaveTheDefaultsOfPbrt) {
       "\"float zmax\" 1 \"float phimax\" 90 "
       "Shape \"cylinder\" Shape \"disk\" Shape \"cone\" Shape \"paraboloid\" Shape "
       "\"hyperboloid\"");
-  const auto node = [&](std::size_t i) { return std::get<desc::Node>(s.shapes[i].node); };
-  EXPECT_EQ(node(0), desc::quadric_node("sphere", {{"radius", 2.F}})) << "whole";
+  const auto node = [&](std::size_t i) { return s.shapes[i].node; };
+  EXPECT_EQ(node(0), desc::shape_node("sphere", {{"radius", 2.F}})) << "whole";
   EXPECT_EQ(node(1),
-            desc::quadric_node(
+            desc::shape_node(
                 "sphere", {{"radius", 2.F}, {"z_min", -9.F}, {"z_max", 1.F}, {"phi_max", 90.F}}));
   EXPECT_EQ(node(2).number("z_min"), -1.F);
   EXPECT_EQ(node(3).number("inner_radius"), 0.F);
@@ -60,7 +60,7 @@ TEST(PbrtShapes, TriangleMeshesHaveTheirAttributes) {
       "Shape \"trianglemesh\" \"integer indices\" [0 1 2] \"point P\" [0 0 0 1 0 0 0 1 0] \"normal "
       "N\" [0 0 1 0 0 1 0 0 1] "
       "\"vector S\" [1 0 0 1 0 0 1 0 0] \"float uv\" [0 0 1 0 0 1]");
-  const auto& mesh = *std::get<std::shared_ptr<const desc::Mesh>>(s.shapes[0].node);
+  const auto& mesh = *s.shapes[0].node.mesh("mesh");
   EXPECT_EQ(mesh.positions[1], Vec3(1.F, 0.F, 0.F));
   EXPECT_EQ(mesh.normals.size(), 3U);
   EXPECT_EQ(mesh.tangents.size(), 3U);
@@ -69,7 +69,7 @@ TEST(PbrtShapes, TriangleMeshesHaveTheirAttributes) {
     const desc::SceneDesc t = scene_of(
         "Shape \"trianglemesh\" \"integer indices\" [0 1 2] \"point3 P\" [0 0 0 1 0 0 0 1 0] " +
         std::string(uv) + " [0 0 1 0 0 1]");
-    EXPECT_EQ(std::get<std::shared_ptr<const desc::Mesh>>(t.shapes[0].node)->uvs.size(), 3U) << uv;
+    EXPECT_EQ(t.shapes[0].node.mesh("mesh")->uvs.size(), 3U) << uv;
   }
 }
 
@@ -103,8 +103,8 @@ TEST(PbrtShapes, MeshFilesAreReadOnceAndShared) {
       "Shape \"plymesh\" \"string filename\" \"m/tri.ply\" Shape \"plymesh\" \"string filename\" "
       "\"m/tri.ply\"",
       {{"m/tri.ply", kTriangle}});
-  const auto a = std::get<std::shared_ptr<const desc::Mesh>>(s.shapes[0].node);
-  const auto b = std::get<std::shared_ptr<const desc::Mesh>>(s.shapes[1].node);
+  const auto a = s.shapes[0].node.mesh("mesh");
+  const auto b = s.shapes[1].node.mesh("mesh");
   EXPECT_EQ(a, b);
   EXPECT_EQ(a->indices.size(), 1U);
   EXPECT_EQ(s.shapes[0].name, "tri");
@@ -130,8 +130,8 @@ TEST(PbrtShapes, CurvesBecomeBezierSegments) {
       "Shape \"curve\" \"point P\" [0 0 0 1 0 0 2 0 0 3 0 0 4 0 0 5 0 0 6 0 0] \"float width0\" 1 "
       "\"float width1\" 3 \"string type\" \"cylinder\" "
       "\"integer splitdepth\" 3");
-  const auto& curve = *std::get<std::shared_ptr<const desc::Curve>>(s.shapes[0].node);
-  EXPECT_EQ(curve.type, desc::Curve::Type::Cylinder);
+  const auto& curve = *s.shapes[0].node.curves("curves");
+  EXPECT_EQ(s.shapes[0].node.text("type"), "cylinder");
   ASSERT_EQ(curve.control_points.size(), 8U);
   EXPECT_EQ(curve.control_points[4], Vec3(3.F, 0.F, 0.F));
   EXPECT_EQ(curve.widths.front(), 1.F);
@@ -146,7 +146,7 @@ TEST(PbrtShapes, SplinesAndQuadraticsAreTheSameCurve) {
                            "\"string basis\" \"bspline\" \"integer degree\" 2 \"point P\" [-1.5 0 "
                            "0 1.5 0 0 4.5 0 0]"}) {
     const desc::SceneDesc s = scene_of("Shape \"curve\" " + std::string(form));
-    const auto& curve = *std::get<std::shared_ptr<const desc::Curve>>(s.shapes[0].node);
+    const auto& curve = *s.shapes[0].node.curves("curves");
     ASSERT_EQ(curve.control_points.size(), 4U);
     for (int i = 0; i < 4; ++i)
       EXPECT_NEAR(curve.control_points[static_cast<std::size_t>(i)].x, static_cast<float>(i), 1e-5F)
@@ -158,7 +158,7 @@ TEST(PbrtShapes, RibbonsTurnTheirNormalsEvenly) {
   const desc::SceneDesc s = scene_of(
       "Shape \"curve\" \"string type\" \"ribbon\" \"point P\" [0 0 0 1 0 0 2 0 0 3 0 0] \"normal "
       "N\" [0 1 0 0 0 1]");
-  const auto& curve = *std::get<std::shared_ptr<const desc::Curve>>(s.shapes[0].node);
+  const auto& curve = *s.shapes[0].node.curves("curves");
   ASSERT_EQ(curve.normals.size(), 4U);
   EXPECT_NEAR(dot(curve.normals[0], curve.normals[1]), std::cos(kPi / 6.F), 1e-5F);
   EXPECT_NEAR(dot(curve.normals[1], curve.normals[3]), std::cos(kPi / 3.F), 1e-5F);
@@ -173,10 +173,10 @@ TEST(PbrtShapes, HeightFieldsAndSubdivisionSurfaces) {
       "Shape \"heightfield\" \"integer nu\" 3 \"integer nv\" 2 \"float Pz\" [0 1 2 3 4 5] "
       "Shape \"loopsubdiv\" \"integer nlevels\" 2 \"integer indices\" [0 1 2] \"point P\" [0 0 0 1 "
       "0 0 0 1 0]");
-  const auto& field = *std::get<std::shared_ptr<const desc::Mesh>>(s.shapes[0].node);
+  const auto& field = *s.shapes[0].node.mesh("mesh");
   EXPECT_EQ(field.indices.size(), 4U);
   EXPECT_EQ(field.positions[5], Vec3(1.F, 1.F, 5.F));
-  EXPECT_EQ(std::get<std::shared_ptr<const desc::LoopSubdivision>>(s.shapes[1].node)->levels, 2);
+  EXPECT_EQ(s.shapes[1].node.integer("levels"), 2);
   EXPECT_TRUE(contains(
       error_of(world(
           "Shape \"heightfield\" \"integer nu\" 1000000 \"integer nv\" 1000000 \"float Pz\" [1]")),

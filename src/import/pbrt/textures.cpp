@@ -107,14 +107,17 @@ void TextureTable::end_scope() {
   spectra_.end_scope();
 }
 
-std::optional<desc::Value> TextureParameters::find_spectrum(std::string_view name) const {
+std::optional<desc::Value> TextureParameters::find_spectrum(std::string_view name,
+                                                            bool positive) const {
   for (const ParameterList* list : lists_) {
     if (list == nullptr) continue;
     if (const Parameter* p = list->find_one(name, ParameterKind::Texture)) {
       if (const std::optional<desc::TextureId> id = table_.find(*p, TextureClass::Spectrum))
         return desc::TextureRef{*id};
     } else if (const Parameter* colour = list->find_one(name, kSpectrumKinds)) {
-      if (const std::optional<desc::Rgb> value = context_.spectra.value(*colour)) return *value;
+      const std::optional<desc::Rgb> value =
+          positive ? context_.spectra.positive_value(*colour) : context_.spectra.value(*colour);
+      if (value) return *value;
     }
   }
   return std::nullopt;

@@ -44,8 +44,8 @@ class TextureParameters {
                     const ParameterList* second = nullptr)
       : context_(context), table_(table), lists_{&first, second} {}
 
-  /// A texture or a colour.
-  std::optional<desc::Value> find_spectrum(std::string_view name) const;
+  /// A texture or a colour. `positive`: as for `color`.
+  std::optional<desc::Value> find_spectrum(std::string_view name, bool positive = false) const;
   /// A texture or a number.
   std::optional<desc::Value> find_number(std::string_view name) const;
   /// `positive`: lanes below 0 are taken as 0, with a warning.

@@ -26,10 +26,6 @@ class UseFinder {
   void floats(Ids... ids) {
     (mark(ids, {true, false}), ...);
   }
-  template <typename... Ids>
-  void spectra(Ids... ids) {
-    (mark(ids, {false, true}), ...);
-  }
   void mark(desc::TextureId id, TextureUse use) {
     if (id < 0) return;
     TextureUse& known = uses_.at(static_cast<std::size_t>(id));
@@ -39,7 +35,8 @@ class UseFinder {
 
   void visit(const desc::Shape& shape) {
     floats(shape.alpha, shape.shadow_alpha);
-    if (shape.light) spectra(shape.light->texture);
+    visit(shape.node, {false, true});
+    if (shape.emission) visit(shape.emission->node, {false, true});
   }
   /// `use_of_colors`: how the textures are used that stand for colours.
   void visit(const desc::Node& node, TextureUse use_of_colors) {

@@ -37,6 +37,9 @@ struct ValueWriter {
   }
   /// What has a place is written under a transform of its own.
   void operator()(const desc::TransformPointer&) const {}
+  /// What shapes are made of is written with them.
+  void operator()(const desc::MeshPointer&) const {}
+  void operator()(const desc::CurvesPointer&) const {}
 };
 
 }  // namespace

@@ -184,8 +184,10 @@ Findings MetropolisIntegrator::findings() const {
   found.concerns = concerns_;
   found.misses_light = misses_light_;
   if (unprepared_) {
-    found.notes = {"too little time to look for light that chains start from: plain Monte Carlo (" +
-                   monte_carlo_.get_text("techniques") + ") makes this picture"};
+    found.notes = {
+        "too little time to look for light that chains start from: rendered by plain Monte Carlo "
+        "(" +
+        monte_carlo_.get_text("techniques") + ")"};
   } else if (!items_.empty()) {
     found.notes = {"Markov chains make all light"};
   }

@@ -26,7 +26,7 @@ desc::Shape rectangle(float x_min, float x_max, float y_min, float y_max, float 
   mesh->indices.emplace_back(0, 1, 2);
   mesh->indices.emplace_back(0, 2, 3);
   desc::Shape shape;
-  shape.node = std::shared_ptr<const desc::Mesh>(std::move(mesh));
+  shape.node = desc::mesh_node(std::move(mesh));
   shape.material = material;
   return shape;
 }

@@ -367,7 +367,7 @@ void ChainIntegrator::share_effort(std::uint64_t samples, const Film& film) {
   if (!shares) return;
   const Replicates by_chains = pictures({"indirect"});
   std::optional<ChainEffort::Seen> seen;
-  if (plan_.selective) {
+  if (plan_.selective && plan_.selective->objective == SelectiveSettings::Objective::Filtered) {
     seen = {seen_light(by_omc, crop, importance), seen_light(by_chains, crop, importance),
             stretch_.weight_until(samples), stretch_.sample_weight()};
   }

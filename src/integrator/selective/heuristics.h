@@ -90,10 +90,6 @@ struct SelectiveHeuristics {
   /// render of 64 of door-ajar has chains in one half of the replicates alone. Half and double not
   /// measured.
   static constexpr double kDoubtfulGains = 0.15;
-  /// The same as kClearGain where chains share by regions alone.
-  /// Unit: the same. Range: (0, 1]. Source: docs/selective.md, "Whether chains pay" (a quarter);
-  /// not measured apart from kClearGain.
-  static constexpr double kClearGainByRegions = 0.75;
   /// A little is the luck of a pilot: of techniques, what has less to do is taken then.
   /// Unit: error at equal time over that of the simpler choice. Range: (0, 1]. Source:
   /// docs/selective.md, "Which techniques"; 0.9 before 8fdd9d2.

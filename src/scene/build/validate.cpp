@@ -17,16 +17,6 @@ void check(int id, std::size_t count, const char* kind, const SourceLocation& wh
   if (id >= static_cast<int>(count) || id < desc::kNone) refuse(kind, where);
 }
 
-void check_shape(const desc::SceneDesc& scene, const desc::Shape& shape) {
-  check(shape.material, scene.materials.size(), "material", shape.where);
-  check(shape.alpha, scene.textures.size(), "texture", shape.where);
-  check(shape.shadow_alpha, scene.textures.size(), "texture", shape.where);
-  check(shape.inside, scene.media.size(), "medium", shape.where);
-  check(shape.outside, scene.media.size(), "medium", shape.where);
-  if (shape.light)
-    check(shape.light->texture, scene.textures.size(), "texture", shape.light->where);
-}
-
 void check_node(const desc::SceneDesc& scene, const desc::Node& node, const SourceLocation& where) {
   for (const desc::Value& value : node.values()) {
     const auto* texture = std::get_if<desc::TextureRef>(&value);
@@ -34,6 +24,16 @@ void check_node(const desc::SceneDesc& scene, const desc::Node& node, const Sour
     if (texture->id == desc::kNone) refuse("texture", where);
     check(texture->id, scene.textures.size(), "texture", where);
   }
+}
+
+void check_shape(const desc::SceneDesc& scene, const desc::Shape& shape) {
+  check(shape.material, scene.materials.size(), "material", shape.where);
+  check(shape.alpha, scene.textures.size(), "texture", shape.where);
+  check(shape.shadow_alpha, scene.textures.size(), "texture", shape.where);
+  check(shape.inside, scene.media.size(), "medium", shape.where);
+  check(shape.outside, scene.media.size(), "medium", shape.where);
+  check_node(scene, shape.node, shape.where);
+  if (shape.emission) check_node(scene, shape.emission->node, shape.emission->where);
 }
 
 void for_each_shape(desc::SceneDesc& scene, const std::function<void(desc::Shape&)>& visit) {

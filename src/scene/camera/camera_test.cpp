@@ -299,9 +299,9 @@ void expect_both_ways_agree(const Camera& camera, const Surface& surface, const 
 TEST(Camera, LightTracingGivesTheSamePictureAsCameraRays) {
   const TextureList textures = one_ramp();
   const Quad quad({-0.9F, -0.7F, 0.5F}, {0.2F, 1.5F, 0.4F}, {1.6F, 0, -0.3F});  // faces −z
-  const auto quad_light = make_area_light({{}, {1, 1, 1}, 0, false}, quad, textures);
+  const auto quad_light = make_surface_light(area_light({1, 1, 1}, false, 0), quad, textures);
   const Ball ball({0.1F, -0.1F, -0.5F}, 0.7F);
-  const auto ball_light = make_area_light({{}, {1, 1, 1}, 0, false}, ball, textures);
+  const auto ball_light = make_surface_light(area_light({1, 1, 1}, false, 0), ball, textures);
   for (const Vec2i& resolution : {Vec2i(7, 4), Vec2i(3, 6)}) {
     for (const auto& [name, camera] : all_cameras(resolution)) {
       const bool rigid = name.find("rigid") != std::string::npos;

@@ -72,6 +72,14 @@ ParameterSpec material(std::string name, std::string help) {
   return of_type(ParameterType::Material, std::move(name), "", std::move(help));
 }
 
+ParameterSpec mesh(std::string name, std::string help) {
+  return of_type(ParameterType::Mesh, std::move(name), "", std::move(help));
+}
+
+ParameterSpec curves(std::string name, std::string help) {
+  return of_type(ParameterType::Curves, std::move(name), "", std::move(help));
+}
+
 ParameterSpec color(std::string name, std::string value, std::string help) {
   return of_type(ParameterType::Color, std::move(name), std::move(value), std::move(help));
 }
@@ -81,6 +89,10 @@ ParameterSpec emission(std::string name, std::string unit, std::string help) {
   spec.unit = std::move(unit);
   spec.minimum = 0.0;
   return spec;
+}
+
+ParameterSpec textured_emission(std::string name, std::string unit, std::string help) {
+  return textured(emission(std::move(name), std::move(unit), std::move(help)), 0.0, 1e300);
 }
 
 ParameterSpec textured_color(std::string name, std::string value, std::string help) {

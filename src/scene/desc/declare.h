@@ -20,10 +20,15 @@ ParameterSpec transform(std::string name, std::string help);
 ParameterSpec file(std::string name, std::string help);
 /// A material before the one that refers to it. There is no default.
 ParameterSpec material(std::string name, std::string help);
+/// Typed data that a shape is made of (`scene/desc/shape_data.h`). There is no default.
+ParameterSpec mesh(std::string name, std::string help);
+ParameterSpec curves(std::string name, std::string help);
 /// A colour of any size.
 ParameterSpec color(std::string name, std::string value, std::string help);
 /// A colour with lanes from 0 on, white unless given: how strong a light is.
 ParameterSpec emission(std::string name, std::string unit, std::string help);
+/// The same, or a texture.
+ParameterSpec textured_emission(std::string name, std::string unit, std::string help);
 /// A number within (minimum, maximum).
 ParameterSpec number_between(std::string name, std::string value, std::string unit,
                              std::string help, double minimum, double maximum);

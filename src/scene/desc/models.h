@@ -8,7 +8,11 @@
 /// (`scene/material/` …); who describes scenes needs no more than this.
 namespace ajar::desc {
 
-enum class ModelKind { Material, Texture, Light, Quadric };
+enum class ModelKind { Material, Texture, Light, Emission, Shape };
+/// For loops over all of them.
+inline constexpr ModelKind kModelKinds[] = {ModelKind::Material, ModelKind::Texture,
+                                            ModelKind::Light, ModelKind::Emission,
+                                            ModelKind::Shape};
 
 /// In the order of their names.
 const std::vector<const Model*>& models(ModelKind kind);
@@ -26,8 +30,14 @@ inline Node texture_node(std::string_view name, Node::Given given = {}) {
 inline Node light_node(std::string_view name, Node::Given given = {}) {
   return make_node(ModelKind::Light, name, given);
 }
-inline Node quadric_node(std::string_view name, Node::Given given = {}) {
-  return make_node(ModelKind::Quadric, name, given);
+inline Node emission_node(std::string_view name, Node::Given given = {}) {
+  return make_node(ModelKind::Emission, name, given);
+}
+inline Node shape_node(std::string_view name, Node::Given given = {}) {
+  return make_node(ModelKind::Shape, name, given);
+}
+inline Node mesh_node(MeshPointer mesh) {
+  return shape_node("mesh", {{"mesh", Value(std::move(mesh))}});
 }
 
 }  // namespace ajar::desc

@@ -57,6 +57,10 @@ bool is_of_type(const ParameterSpec& spec, const Value& value) {
              std::get<TransformPointer>(value) != nullptr;
     case ParameterType::Material:
       return std::holds_alternative<MaterialRef>(value);
+    case ParameterType::Mesh:
+      return std::holds_alternative<MeshPointer>(value);
+    case ParameterType::Curves:
+      return std::holds_alternative<CurvesPointer>(value);
   }
   return false;
 }
@@ -70,6 +74,10 @@ Value default_value(const ParameterSpec& spec) {
     case ParameterType::Choice:
     case ParameterType::File:
       return text;
+    case ParameterType::Mesh:
+      return MeshPointer();
+    case ParameterType::Curves:
+      return CurvesPointer();
     case ParameterType::Transform: {
       static const auto kIdentity = std::make_shared<const Mat4>();
       return kIdentity;

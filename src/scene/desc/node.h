@@ -37,12 +37,18 @@ struct MaterialRef {
 };
 /// Shared, so that a value stays small.
 using TransformPointer = std::shared_ptr<const Mat4>;
+struct Mesh;
+struct Curves;
+/// What shapes are made of (`scene/desc/shape_data.h`). Values are equal if they are the same
+/// object. Null by default.
+using MeshPointer = std::shared_ptr<const Mesh>;
+using CurvesPointer = std::shared_ptr<const Curves>;
 
 /// The value of a parameter: by its type bool, int, float, string (Text, Choice, File), Vec3
-/// (Color, Vector), TransformPointer or MaterialRef; TextureRef in place of a textured float or
-/// colour; nothing, if the parameter has no default and was not given.
+/// (Color, Vector), TransformPointer, MaterialRef, MeshPointer or CurvesPointer; TextureRef in
+/// place of a textured float or colour; nothing, if the parameter has no default and was not given.
 using Value = std::variant<std::monostate, bool, int, float, Vec3, std::string, TextureRef,
-                           MaterialRef, TransformPointer>;
+                           MaterialRef, TransformPointer, MeshPointer, CurvesPointer>;
 
 /// A kind of material, texture, … that scenes can have. There is one object per model, which lives
 /// as long as the program (`scene/desc/models.h`).
@@ -91,6 +97,10 @@ class Node {
   const std::string& text(std::string_view name) const { return std::get<std::string>(get(name)); }
   const Mat4& transform(std::string_view name) const {
     return *std::get<TransformPointer>(get(name));
+  }
+  const MeshPointer& mesh(std::string_view name) const { return std::get<MeshPointer>(get(name)); }
+  const CurvesPointer& curves(std::string_view name) const {
+    return std::get<CurvesPointer>(get(name));
   }
   TextureId texture(std::string_view name) const { return std::get<TextureRef>(get(name)).id; }
   MaterialId material(std::string_view name) const { return std::get<MaterialRef>(get(name)).id; }

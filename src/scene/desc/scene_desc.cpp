@@ -122,15 +122,22 @@ class SceneHasher {
     (texture(h, ids), ...);
   }
 
-  void value(Hasher& h, std::monostate) const { h.word(0); }
-  void value(Hasher& h, const TextureRef& v) const { texture(h, v.id); }
-  void value(Hasher& h, const MaterialRef& v) const { material(h, v.id); }
-  void value(Hasher& h, const TransformPointer& v) const { h.add(*v); }
+  void value(Hasher& h, std::monostate) { h.word(0); }
+  void value(Hasher& h, const TextureRef& v) { texture(h, v.id); }
+  void value(Hasher& h, const MaterialRef& v) { material(h, v.id); }
+  void value(Hasher& h, const TransformPointer& v) { h.add(*v); }
+  void value(Hasher& h, const MeshPointer& v) { h.word(v ? hash_mesh(*v) : 0); }
+  void value(Hasher& h, const CurvesPointer& v) {
+    if (!v) return;
+    h.array(v->control_points);
+    h.array(v->widths);
+    h.array(v->normals);
+  }
   template <typename Plain>
-  void value(Hasher& h, const Plain& v) const {
+  void value(Hasher& h, const Plain& v) {
     h.add(v);
   }
-  void node(Hasher& h, const Node& n) const {
+  void node(Hasher& h, const Node& n) {
     if (!n.has_model()) return;
     h.add(n.model().name);
     for (std::size_t i = 0; i < n.values().size(); ++i) {
@@ -139,22 +146,6 @@ class SceneHasher {
       h.word(v.index());
       std::visit([&](const auto& held) { value(h, held); }, v);
     }
-  }
-
-  void node(Hasher& h, const std::shared_ptr<const Mesh>& mesh) {
-    h.word(mesh ? hash_mesh(*mesh) : 0);
-  }
-  void node(Hasher& h, const std::shared_ptr<const LoopSubdivision>& s) {
-    if (!s) return;
-    h.add(s->levels);
-    h.word(hash_mesh(s->control));
-  }
-  void node(Hasher& h, const std::shared_ptr<const Curve>& s) const {
-    if (!s) return;
-    h.add(s->type);
-    h.array(s->control_points);
-    h.array(s->widths);
-    h.array(s->normals);
   }
 
   static void window(Hasher& h, const std::optional<ScreenWindow>& w) {
@@ -173,9 +164,9 @@ class SceneHasher {
 
   void node(Hasher&, const BoxFilter&) const {}
   void node(Hasher&, const TriangleFilter&) const {}
-  void node(Hasher& h, const GaussianFilter& f) const { h.add(f.alpha); }
+  void node(Hasher& h, const GaussianFilter& f) const { h.add(f.falloff); }
   void node(Hasher& h, const MitchellFilter& f) const { h.add(f.b, f.c); }
-  void node(Hasher& h, const SincFilter& f) const { h.add(f.tau); }
+  void node(Hasher& h, const SincFilter& f) const { h.add(f.lobes); }
 
   template <typename Variant>
   void variant(Hasher& h, const Variant& v) {
@@ -207,15 +198,12 @@ class SceneHasher {
   }
 
   void hash_shape(Hasher& h, const Shape& shape) {
-    variant(h, shape.node);
+    node(h, shape.node);
     h.add(shape.to_world, shape.reverse_orientation);
     material(h, shape.material);
     textures(h, shape.alpha, shape.shadow_alpha);
-    h.add(shape.light.has_value());
-    if (shape.light) {
-      h.add(shape.light->radiance, shape.light->two_sided);
-      texture(h, shape.light->texture);
-    }
+    h.add(shape.emission.has_value());
+    if (shape.emission) node(h, shape.emission->node);
     h.add(shape.has_medium_interface);
     if (shape.has_medium_interface) {
       medium(h, shape.inside);

@@ -9,6 +9,7 @@
 #include "core/error.h"
 #include "core/vector.h"
 #include "scene/desc/node.h"
+#include "scene/desc/shape_data.h"
 
 /// What a scene is, independent of the file format it came from and of how it will be rendered.
 /// Importers make it, `Scene` is built from it. Every node knows where in a file it came from.
@@ -43,48 +44,22 @@ struct Medium {
 
 // ---------------------------------------------------------------- shapes
 
-struct Mesh {
-  std::vector<Vec3> positions;
-  std::vector<Vec3> normals;                   ///< per vertex, or empty
-  std::vector<Vec3> tangents;                  ///< per vertex, or empty
-  std::vector<Vec2> uvs;                       ///< per vertex, or empty
-  std::vector<Imath::Vec3<unsigned>> indices;  ///< one per triangle, each < positions.size()
-};
-/// Loop subdivision surface, refined `levels` times and pushed to its limit.
-struct LoopSubdivision {
-  int levels = 3;
-  Mesh control;
-};
-/// One cubic Bézier segment per group of four control points.
-struct Curve {
-  enum class Type { Flat, Cylinder, Ribbon };
-  Type type = Type::Flat;
-  std::vector<Vec3> control_points;  ///< 4 per segment
-  std::vector<float> widths;         ///< one per control point
-  std::vector<Vec3> normals;         ///< ribbons: one per control point
-};
-
-/// Emission of a surface: radiance (W·m⁻²·sr⁻¹ per lane), optionally times a texture.
-struct AreaLight {
+/// Light that leaves a surface.
+struct Emission {
   SourceLocation where;
-  Rgb radiance{1, 1, 1};
-  TextureId texture = kNone;
-  bool two_sided = false;
+  Node node;
 };
 
 struct Shape {
   SourceLocation where;
   std::string name;  ///< of the object, for ids and messages; may be empty
-  /// Meshes are shared so that a copy of a description does not copy geometry.
-  std::variant<std::shared_ptr<const Mesh>, Node, std::shared_ptr<const LoopSubdivision>,
-               std::shared_ptr<const Curve>>
-      node;  ///< nodes are quadrics, in their own space
+  Node node;         ///< in a space of its own
   Mat4 to_world;
   bool reverse_orientation = false;
   MaterialId material = kNone;
   TextureId alpha = kNone;         ///< surface is cut away where this is 0
   TextureId shadow_alpha = kNone;  ///< the same for shadow rays only
-  std::optional<AreaLight> light;
+  std::optional<Emission> emission;
   MediumId inside = kNone, outside = kNone;
   bool has_medium_interface = false;  ///< false: the shape does not change the medium of a ray
 };
@@ -103,6 +78,7 @@ struct Instance {
 
 // ---------------------------------------------------------------- lights
 
+/// Light that comes from no surface.
 struct Light {
   SourceLocation where;
   Mat4 to_world;
@@ -112,9 +88,9 @@ struct Light {
 
 // ---------------------------------------------------------------- camera, film
 
-/// Screen window as in pbrt-v3: in units of tan(fov/2) on the camera plane at z = 1 (perspective)
-/// or in units of camera space (orthographic). Without one the shorter side of the image spans [-1,
-/// 1].
+/// The part of the camera's plane that the image shows: in units of tan(fov/2) at z = 1
+/// (perspective) or of camera space (orthographic). Without one the shorter side of the image spans
+/// [-1, 1].
 struct ScreenWindow {
   float x_min = -1, x_max = 1, y_min = -1, y_max = 1;
 };
@@ -132,7 +108,7 @@ struct OrthographicCamera {
 struct EnvironmentCamera {};
 struct Camera {
   SourceLocation where;
-  Mat4 to_world;  ///< camera looks along +z, +y is up, +x right (left-handed, as pbrt-v3)
+  Mat4 to_world;  ///< camera looks along +z, +y is up, +x right (left-handed)
   std::variant<PerspectiveCamera, OrthographicCamera, EnvironmentCamera> node;
   MediumId medium = kNone;
 };
@@ -140,13 +116,13 @@ struct Camera {
 struct BoxFilter {};
 struct TriangleFilter {};
 struct GaussianFilter {
-  float alpha = 2;
+  float falloff = 2;  ///< exp(−falloff · x²), 1/pixel²
 };
 struct MitchellFilter {
   float b = 1.F / 3, c = 1.F / 3;
 };
 struct SincFilter {
-  float tau = 3;
+  float lobes = 3;  ///< on each side of the Lanczos window: sinc(x) · sinc(x / lobes)
 };
 struct Filter {
   Vec2 radius{0.5F, 0.5F};  ///< pixels
@@ -157,7 +133,7 @@ struct Filter {
 struct Film {
   SourceLocation where;
   Vec2i resolution{1280, 720};
-  /// Fractions of the image, x_min, x_max, y_min, y_max, as pbrt's cropwindow.
+  /// The part that is rendered, in fractions of the image: x_min, x_max, y_min, y_max.
   float crop[4] = {0, 1, 0, 1};
   Filter filter;
   float scale = 1;  ///< multiplies every pixel
@@ -166,11 +142,11 @@ struct Film {
 
 /// What the file asks of the renderer; the command line overrides it.
 struct RenderHints {
-  std::string integrator;        ///< one of ours, empty if the file says nothing
+  std::string integrator;        ///< by its name in the registry; empty if the file says nothing
   std::optional<int> max_depth;  ///< edges of a path (docs/theory.md)
   std::optional<int> samples_per_pixel;
-  std::optional<std::string> sampler;                           ///< sobol | independent
-  std::vector<std::pair<std::string, std::string>> parameters;  ///< for our integrator
+  std::optional<std::string> sampler;  ///< value for the parameter `sampler` of integrators
+  std::vector<std::pair<std::string, std::string>> parameters;  ///< for `integrator`
 };
 
 struct SceneDesc {

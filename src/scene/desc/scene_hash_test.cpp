@@ -17,8 +17,10 @@ SceneDesc scene_with(ModelKind kind, const Node& node) {
   const Node textured = material_node("diffuse", {{"reflectance", TextureRef{0}}});
   scene.materials.emplace_back().node = textured;
   scene.materials.emplace_back().node = kind == ModelKind::Material ? node : textured;
-  scene.shapes.emplace_back().node = kind == ModelKind::Quadric ? node : quadric_node("sphere");
+  scene.shapes.emplace_back().node = kind == ModelKind::Shape ? node : shape_node("sphere");
   scene.shapes.back().material = 1;
+  scene.shapes.back().emission =
+      Emission{{}, kind == ModelKind::Emission ? node : emission_node("area")};
   scene.lights.emplace_back().node = kind == ModelKind::Light ? node : light_node("point");
   return scene;
 }
@@ -45,9 +47,7 @@ TEST_P(SceneHashOf, TellsModelsApart) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(EveryKind, SceneHashOf,
-                         ::testing::Values(ModelKind::Material, ModelKind::Texture,
-                                           ModelKind::Light, ModelKind::Quadric));
+INSTANTIATE_TEST_SUITE_P(EveryKind, SceneHashOf, ::testing::ValuesIn(kModelKinds));
 
 }  // namespace
 }  // namespace ajar::desc

@@ -12,18 +12,12 @@ struct Lamps {
     light->index = static_cast<std::uint32_t>(lights.size());
     lights.push_back(std::move(light));
   }
-  void add(std::unique_ptr<SurfaceSampler> surface, const desc::AreaLight& light) {
+  void add(std::unique_ptr<SurfaceSampler> surface, const desc::Emission& emission) {
     surfaces.push_back(std::move(surface));
-    add(make_area_light(light, *surfaces.back(), {}));
+    add(make_surface_light(emission, *surfaces.back(), {}));
   }
 };
 
-inline desc::AreaLight area_light(const desc::Rgb& radiance, bool two_sided = false) {
-  desc::AreaLight light;
-  light.radiance = radiance;
-  light.two_sided = two_sided;
-  return light;
-}
 inline Vec3 random_point(Rng& rng, float half_side) {
   const float x = rng.next();
   const float y = rng.next();

@@ -42,9 +42,6 @@ struct BoundingSphere {
   float radius = 1.F;
 };
 
-/// A light on a surface. The sampler must outlive it.
-std::unique_ptr<Light> make_area_light(const desc::AreaLight& light, const SurfaceSampler& surface,
-                                       const TextureList& textures);
 /// The lights that are not on surfaces. Maps that cannot be read become magenta and a warning; a
 /// transform that cannot be inverted counts as no rotation and is a warning. Raises SceneError for
 /// lights too far away. `index` and `medium` are for the caller to fill in.

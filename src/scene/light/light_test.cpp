@@ -18,7 +18,7 @@ TEST(AreaLight, WeightsAndDensitiesAgree) {
   const Quad quad({-1, -1, 1}, {0, 2, 0}, {2, 0, 0});  // emits toward −z
   const TextureList textures = one_ramp();
   for (const bool two_sided : {false, true}) {
-    const auto light = make_area_light({{}, {2, 3, 4}, 0, two_sided}, quad, textures);
+    const auto light = make_surface_light(area_light({2, 3, 4}, two_sided, 0), quad, textures);
     check_emission(*light);
     check_connection(*light, {{0.3F, -0.2F, -1.F}, {-0.7F, 0.4F, 0.5F}, {0.2F, 0.1F, 2.F}});
   }
@@ -26,8 +26,8 @@ TEST(AreaLight, WeightsAndDensitiesAgree) {
 
 TEST(AreaLight, EmitsOnTheNormalSideOnly) {
   const Quad quad({-1, -1, 1}, {0, 2, 0}, {2, 0, 0});
-  const auto one = make_area_light({{}, {1, 1, 1}, desc::kNone, false}, quad, {});
-  const auto two = make_area_light({{}, {1, 1, 1}, desc::kNone, true}, quad, {});
+  const auto one = make_surface_light(area_light({1, 1, 1}), quad, {});
+  const auto two = make_surface_light(area_light({1, 1, 1}, true), quad, {});
   const EndpointPoint point{quad.at({0.5F, 0.5F}), Vec3(0.F)};
   EXPECT_TRUE(one->emitted(point, {0, 0, 1}).is_black());
   EXPECT_EQ(one->emitted(point, {0, 0, -1}), Spectrum(1.F));
@@ -40,14 +40,14 @@ TEST(AreaLight, EmitsOnTheNormalSideOnly) {
 TEST(AreaLight, DeparturesFollowTheirDensity) {
   const Quad quad({-1, -1, 1}, {0, 2, 0.5F}, {2, 0, 0});
   for (const bool two_sided : {false, true}) {
-    const auto light = make_area_light({{}, {1, 1, 1}, desc::kNone, two_sided}, quad, {});
+    const auto light = make_surface_light(area_light({1, 1, 1}, two_sided), quad, {});
     check_departures(*light, cone_chart(quad.normal()));
   }
 }
 
 TEST(AreaLight, PositionsFollowTheirDensity) {
   const Quad quad({-1, -1, 1}, {0, 2, 0}, {2, 0, 0});
-  const auto light = make_area_light({{}, {1, 1, 1}, desc::kNone, false}, quad, {});
+  const auto light = make_surface_light(area_light({1, 1, 1}), quad, {});
   Rng rng(3);
   const Chart<SurfacePoint> chart{[&](const Vec2& s) { return quad.at(s); },
                                   [&](const Vec2&) { return static_cast<double>(quad.area()); },
@@ -78,7 +78,7 @@ TEST(AreaLight, PositionsFollowTheirDensity) {
 TEST(AreaLight, IrradianceUnderARectangleIsTheClosedForm) {
   // Rectangle of 2 × 1 at height 1 above the origin, corner above the origin.
   const Quad quad({0, 0, 1}, {0, 1, 0}, {2, 0, 0});
-  const auto light = make_area_light({{}, {3, 3, 3}, desc::kNone, false}, quad, {});
+  const auto light = make_surface_light(area_light({3, 3, 3}), quad, {});
   const double a = 2.0;
   const double b = 1.0;
   const double factor = (a / std::sqrt(1 + a * a) * std::atan(b / std::sqrt(1 + a * a)) +
@@ -89,7 +89,7 @@ TEST(AreaLight, IrradianceUnderARectangleIsTheClosedForm) {
 
 TEST(AreaLight, IrradianceFromASphereIsTheClosedForm) {
   const Ball ball({0.5F, 0, 3}, 0.8F);
-  const auto light = make_area_light({{}, {2, 2, 2}, desc::kNone, false}, ball, {});
+  const auto light = make_surface_light(area_light({2, 2, 2}), ball, {});
   const Vec3 normal = normalize(Vec3(0.5F, 0, 3));
   const double expected = M_PI * 2.0 * 0.64 / 9.25;
   expect_mean(connected_irradiance(*light, {0, 0, 0}, normal), expected);
@@ -101,10 +101,10 @@ TEST(AreaLight, PowerIsTheEmittedFlux) {
   const Quad quad({-1, -1, 1}, {0, 2, 0}, {2, 0, 0});
   const TextureList textures = one_ramp();
   for (const bool two_sided : {false, true}) {
-    const auto plain = make_area_light({{}, {2, 3, 4}, desc::kNone, two_sided}, quad, textures);
+    const auto plain = make_surface_light(area_light({2, 3, 4}, two_sided), quad, textures);
     expect_mean(emitted_power(*plain), M_PI * 4.0 * 3.0 * (two_sided ? 2.0 : 1.0), 0.02, 1e-3);
     EXPECT_NEAR(plain->power().average(), M_PI * 4.0 * 3.0 * (two_sided ? 2.0 : 1.0), 1e-3);
-    const auto textured = make_area_light({{}, {2, 3, 4}, 0, two_sided}, quad, textures);
+    const auto textured = make_surface_light(area_light({2, 3, 4}, two_sided, 0), quad, textures);
     expect_mean(emitted_power(*textured), textured->power().average(), 0.02, 0.02);
   }
 }
@@ -120,12 +120,13 @@ TEST(AreaLight, PowerIsPositiveIfAnySpeckEmits) {
   const Quad quad({-1, -1, 1}, {0, 2, 0}, {2, 0, 0});
   TextureList textures;
   textures.push_back(std::make_unique<SpeckTexture>());
-  EXPECT_GT(make_area_light({{}, {1, 1, 1}, 0, false}, quad, textures)->power().min(), 0.F);
+  EXPECT_GT(make_surface_light(area_light({1, 1, 1}, false, 0), quad, textures)->power().min(),
+            0.F);
 }
 
 TEST(AreaLight, ReferencesOnTheLightGiveNothingAndNoNan) {
   const Quad quad({-1, -1, 1}, {0, 2, 0}, {2, 0, 0});
-  const auto light = make_area_light({{}, {1, 1, 1}, desc::kNone, true}, quad, {});
+  const auto light = make_surface_light(area_light({1, 1, 1}, true), quad, {});
   Rng rng(4);
   for (int i = 0; i < 1000; ++i) {
     const ConnectionUniforms u = connection_uniforms(rng);
@@ -259,7 +260,7 @@ TEST(ConstantEnvironment, WeightsDensitiesAndClosedForms) {
 TEST(Lights, BlackOnesEmitNothing) {
   const Quad quad({-1, -1, 1}, {0, 2, 0}, {2, 0, 0});
   LightList lights;
-  lights.push_back(make_area_light({{}, {0, 0, 0}, desc::kNone, false}, quad, {}));
+  lights.push_back(make_surface_light(area_light({0, 0, 0}), quad, {}));
   lights.push_back(light_of(point_node({0, 0, 0}), Mat4()));
   lights.push_back(light_of(spot_node({0, 0, 0}, 30, 20), Mat4()));
   lights.push_back(light_of(distant_node({0, 0, 0}), Mat4()));
@@ -275,7 +276,7 @@ TEST(Lights, EmissionAndConnectionGiveTheSameIrradiance) {
   const Quad quad({-1, -1, 1.5F}, {0, 2, 0}, {2, 0, 0});
   const TextureList textures = one_ramp();
   LightList lights;
-  lights.push_back(make_area_light({{}, {2, 3, 4}, 0, false}, quad, textures));
+  lights.push_back(make_surface_light(area_light({2, 3, 4}, false, 0), quad, textures));
   lights.push_back(light_of(spot_node({1, 1, 1}, 50, 5), aimed({0.5F, 0, 2}, {0, 0, 0})));
   lights.push_back(light_of(point_node({1, 1, 1}), translation({0, 0.5F, 1})));
   const Quad patch({-0.6F, -0.5F, 0}, {1.2F, 0, 0.1F}, {0, 1, 0});

@@ -105,8 +105,8 @@ TEST(LightTree, DoesNotChooseLightsThatFaceAway) {
   const Vec3 x(1.F, 0.F, 0.F);
   const Vec3 y(0.F, 1.F, 0.F);
   Lamps lamps;
-  lamps.add(quad(0.F, x, y), {});   // toward +z
-  lamps.add(quad(0.1F, y, x), {});  // toward −z
+  lamps.add(quad(0.F, x, y), area_light({1, 1, 1}));   // toward +z
+  lamps.add(quad(0.1F, y, x), area_light({1, 1, 1}));  // toward −z
   lamps.add(quad(0.05F, y, x), area_light({1, 1, 1}, true));
   const LightTree tree(items_of(lamps));
   // Quads that share a node are told apart one level below: the rest need not be even.

@@ -7,21 +7,21 @@
 
 namespace ajar {
 
-CurveShape::CurveShape(const desc::Curve& curve, const Placement& placement, bool reversed,
-                       const SourceLocation& where)
-    : type_(curve.type), reversed_(reversed) {
-  const std::size_t count = curve.control_points.size();
-  if (count % 4 != 0 || curve.widths.size() != count) {
+CurveShape::CurveShape(Type type, const desc::Curves& curves, const Placement& placement,
+                       bool reversed, const SourceLocation& where)
+    : type_(type), reversed_(reversed) {
+  const std::size_t count = curves.control_points.size();
+  if (count % 4 != 0 || curves.widths.size() != count) {
     throw SceneError(where, "a curve needs four control points per segment and a width for each");
   }
-  if (type_ == Type::Ribbon && curve.normals.size() != count) {
+  if (type_ == Type::Ribbon && curves.normals.size() != count) {
     throw SceneError(where, "a ribbon needs a normal for each control point");
   }
   const double scale = placement.mean_scale();
   vertices_.reserve(count);
   for (std::size_t i = 0; i < count; ++i) {
-    const Vec3 p(placement.point(Vec3d(curve.control_points[i])));
-    const auto radius = static_cast<float>(0.5 * scale * std::abs(curve.widths[i]));
+    const Vec3 p(placement.point(Vec3d(curves.control_points[i])));
+    const auto radius = static_cast<float>(0.5 * scale * std::abs(curves.widths[i]));
     check_reach(where, "control point " + std::to_string(i) + " of the curve",
                 reach_of(Vec3d(p) - Vec3d(radius), Vec3d(p) + Vec3d(radius)));
     vertices_.push_back({p.x, p.y, p.z, radius});
@@ -29,7 +29,7 @@ CurveShape::CurveShape(const desc::Curve& curve, const Placement& placement, boo
   }
   if (type_ != Type::Ribbon) return;
   normals_.reserve(count + 1);
-  for (const Vec3& n : curve.normals)
+  for (const Vec3& n : curves.normals)
     normals_.emplace_back(placement.normal(Vec3d(n)).normalized());
 }
 

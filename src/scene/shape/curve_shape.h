@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/error.h"
-#include "scene/desc/scene_desc.h"
+#include "scene/desc/shape_data.h"
 #include "scene/shape/placement.h"
 #include "scene/surface_point.h"
 
@@ -13,10 +13,10 @@ namespace ajar {
 /// Cubic Bézier curves with widths, in their final place, as Embree wants them.
 class CurveShape {
  public:
-  using Type = desc::Curve::Type;
+  enum class Type { Flat, Cylinder, Ribbon };
   /// Raises SceneError for counts that do not fit and points too far out. Widths are scaled
   /// by the mean scale of the transform.
-  CurveShape(const desc::Curve& curve, const Placement& placement, bool reversed,
+  CurveShape(Type type, const desc::Curves& curves, const Placement& placement, bool reversed,
              const SourceLocation& where);
 
   Type type() const { return type_; }

@@ -222,19 +222,18 @@ std::vector<int> find_opposites(const std::vector<int>& corners) {
 
 }  // namespace
 
-int possible_levels(const desc::LoopSubdivision& surface) {
+int possible_levels(const desc::Mesh& control, int wanted) {
   int level = 0;
-  std::size_t triangles = surface.control.indices.size();
-  while (level < surface.levels && triangles > 0 && 4 * triangles <= kMaxTriangles) {
+  std::size_t triangles = control.indices.size();
+  while (level < wanted && triangles > 0 && 4 * triangles <= kMaxTriangles) {
     triangles *= 4;
     ++level;
   }
   return level;
 }
 
-std::shared_ptr<const desc::Mesh> subdivide(const desc::LoopSubdivision& surface,
+std::shared_ptr<const desc::Mesh> subdivide(const desc::Mesh& control, int levels,
                                             const SourceLocation& where, Warnings& warnings) {
-  const desc::Mesh& control = surface.control;
   std::vector<int> corners;
   for (const auto& triangle : control.indices) {
     for (int k = 0; k < 3; ++k) {
@@ -256,12 +255,12 @@ std::shared_ptr<const desc::Mesh> subdivide(const desc::LoopSubdivision& surface
   }
   std::vector<Vec3d> points(control.positions.begin(), control.positions.end());
   ControlMesh mesh(std::move(points), std::move(corners), std::move(opposite));
-  const int levels = possible_levels(surface);
-  if (levels < surface.levels) {
+  const int possible = possible_levels(control, levels);
+  if (possible < levels) {
     warnings.add(kStopped, where,
-                 "subdivision stopped after " + std::to_string(levels) + " levels");
+                 "subdivision stopped after " + std::to_string(possible) + " levels");
   }
-  for (int level = 0; level < levels; ++level) mesh = mesh.refined();
+  for (int level = 0; level < possible; ++level) mesh = mesh.refined();
   return std::make_shared<desc::Mesh>(mesh.limit());
 }
 

@@ -8,29 +8,27 @@
 namespace ajar {
 namespace {
 
-desc::LoopSubdivision octahedron(int levels) {
-  desc::LoopSubdivision surface;
-  surface.levels = levels;
-  surface.control.positions = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
-  surface.control.indices = {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4},
-                             {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
-  return surface;
+desc::Mesh octahedron() {
+  desc::Mesh mesh;
+  mesh.positions = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
+  mesh.indices = {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4},
+                  {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
+  return mesh;
 }
 
-desc::LoopSubdivision square(int levels) {
-  desc::LoopSubdivision surface;
-  surface.levels = levels;
+desc::Mesh square() {
+  desc::Mesh mesh;
   for (int j = 0; j < 3; ++j) {
-    for (int i = 0; i < 3; ++i) surface.control.positions.emplace_back(i, j, 0);
+    for (int i = 0; i < 3; ++i) mesh.positions.emplace_back(i, j, 0);
   }
   for (unsigned j = 0; j < 2; ++j) {
     for (unsigned i = 0; i < 2; ++i) {
       const unsigned a = 3 * j + i;
-      surface.control.indices.emplace_back(a, a + 1, a + 4);
-      surface.control.indices.emplace_back(a, a + 4, a + 3);
+      mesh.indices.emplace_back(a, a + 1, a + 4);
+      mesh.indices.emplace_back(a, a + 4, a + 3);
     }
   }
-  return surface;
+  return mesh;
 }
 
 Vec3 face_normal(const desc::Mesh& mesh, std::size_t i) {
@@ -42,7 +40,7 @@ Vec3 face_normal(const desc::Mesh& mesh, std::size_t i) {
 TEST(LoopSubdivision, KeepsTheEulerCharacteristic) {
   Warnings warnings;
   for (int levels = 0; levels <= 4; ++levels) {
-    const auto mesh = subdivide(octahedron(levels), {}, warnings);
+    const auto mesh = subdivide(octahedron(), levels, {}, warnings);
     std::set<std::pair<unsigned, unsigned>> edges;
     for (const auto& t : mesh->indices) {
       for (int k = 0; k < 3; ++k) edges.insert(std::minmax({t[k], t[(k + 1) % 3]}));
@@ -59,7 +57,7 @@ TEST(LoopSubdivision, OctahedronBecomesSmooth) {
   Warnings warnings;
   double previous = 10.0;
   for (int levels = 2; levels <= 5; ++levels) {
-    const auto mesh = subdivide(octahedron(levels), {}, warnings);
+    const auto mesh = subdivide(octahedron(), levels, {}, warnings);
     double worst = 0.0;
     for (std::size_t i = 0; i < mesh->indices.size(); ++i) {
       const Vec3 n = normalize(face_normal(*mesh, i));
@@ -78,8 +76,8 @@ TEST(LoopSubdivision, OctahedronBecomesSmooth) {
 
 TEST(LoopSubdivision, LimitPositionsDoNotDependOnLevels) {
   Warnings warnings;
-  const auto coarse = subdivide(octahedron(1), {}, warnings);
-  const auto fine = subdivide(octahedron(4), {}, warnings);
+  const auto coarse = subdivide(octahedron(), 1, {}, warnings);
+  const auto fine = subdivide(octahedron(), 4, {}, warnings);
   // Even vertices keep their index, and the limit of a point is the same from every level.
   for (std::size_t i = 0; i < coarse->positions.size(); ++i) {
     EXPECT_LT(length(coarse->positions[i] - fine->positions[i]), 1e-6F) << i;
@@ -89,7 +87,7 @@ TEST(LoopSubdivision, LimitPositionsDoNotDependOnLevels) {
 
 TEST(LoopSubdivision, BoundaryOfAFlatSquareStaysFlatAndSymmetric) {
   Warnings warnings;
-  const auto mesh = subdivide(square(3), {}, warnings);
+  const auto mesh = subdivide(square(), 3, {}, warnings);
   float low = 1.F;
   float high = 0.F;
   for (std::size_t i = 0; i < mesh->positions.size(); ++i) {
@@ -105,18 +103,18 @@ TEST(LoopSubdivision, BoundaryOfAFlatSquareStaysFlatAndSymmetric) {
 
 TEST(LoopSubdivision, NonManifoldMeshIsKeptWithAWarning) {
   Warnings warnings;
-  desc::LoopSubdivision surface = octahedron(2);
-  surface.control.indices.push_back(surface.control.indices.front());
-  const auto mesh = subdivide(surface, {}, warnings);
+  desc::Mesh control = octahedron();
+  control.indices.push_back(control.indices.front());
+  const auto mesh = subdivide(control, 2, {}, warnings);
   EXPECT_EQ(mesh->indices.size(), 9U);
   EXPECT_EQ(warnings.count(), 1U);
 }
 
 TEST(LoopSubdivision, IndexOutOfRangeIsAnError) {
   Warnings warnings;
-  desc::LoopSubdivision surface = octahedron(1);
-  surface.control.indices[3].y = 6;
-  EXPECT_THROW(subdivide(surface, {}, warnings), SceneError);
+  desc::Mesh control = octahedron();
+  control.indices[3].y = 6;
+  EXPECT_THROW(subdivide(control, 1, {}, warnings), SceneError);
 }
 
 }  // namespace

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "scene/shape/quadric_math.h"
-#include "scene/shape/quadric_models.h"
 
 namespace ajar {
 
@@ -22,13 +21,6 @@ double radial_dot(const Vec3d& a, const Vec3d& b) { return a.x * b.x + a.y * b.y
 double radial_length(const Vec3d& v) { return std::hypot(v.x, v.y); }
 
 }  // namespace
-
-std::optional<Quadric> Quadric::make(const desc::Node& node) {
-  for (const QuadricModel& model : quadric_models()) {
-    if (node.is(model.model.name)) return model.make(node);
-  }
-  return std::nullopt;
-}
 
 std::optional<Quadric> Quadric::sphere(float radius, float z_min, float z_max, float phi_max) {
   Quadric q;

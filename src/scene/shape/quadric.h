@@ -2,7 +2,6 @@
 #include <optional>
 
 #include "core/vector.h"
-#include "scene/desc/scene_desc.h"
 #include "scene/shape/placement.h"
 #include "scene/surface_point.h"
 
@@ -25,10 +24,8 @@ class Quadric {
     double t[2] = {0.0, 0.0};
   };
 
-  /// Of a node of a model of `quadric_models()`. Empty, as all below, if the shape has no area
-  /// (radius or height or angle of zero) or is not finite.
-  static std::optional<Quadric> make(const desc::Node& node);
-  /// Pieces between `z_min` and `z_max`, in either order, up to `phi_max` (degrees).
+  /// Empty, as all below, if the shape has no area (radius or height or angle of zero) or is not
+  /// finite. Pieces between `z_min` and `z_max`, in either order, up to `phi_max` (degrees).
   static std::optional<Quadric> sphere(float radius, float z_min, float z_max, float phi_max);
   static std::optional<Quadric> disk(float height, float radius, float inner_radius, float phi_max);
   /// `radius` is that at the upper end.

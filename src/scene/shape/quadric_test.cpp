@@ -30,30 +30,30 @@ double angle(const Vec3d& p) {
 std::vector<Case> cases() {
   std::vector<Case> all;
   const auto sphere = [](const Vec3d& p) { return p.dot(p) - 4.0; };
-  all.push_back({"sphere", *Quadric::make(testing::sphere_node(2, -2, 2, 360)), sphere,
+  all.push_back({"sphere", *testing::quadric_of(testing::sphere_node(2, -2, 2, 360)), sphere,
                  [](const Vec3d&) { return true; }});
-  all.push_back({"partial sphere", *Quadric::make(testing::sphere_node(2, -1, 1.5F, 220)), sphere,
-                 [](const Vec3d& p) { return p.z > -1 && p.z < 1.5 && angle(p) < 220; }});
-  all.push_back({"disk", *Quadric::make(testing::disk_node(0.5F, 2, 0.7F, 250)),
+  all.push_back({"partial sphere", *testing::quadric_of(testing::sphere_node(2, -1, 1.5F, 220)),
+                 sphere, [](const Vec3d& p) { return p.z > -1 && p.z < 1.5 && angle(p) < 220; }});
+  all.push_back({"disk", *testing::quadric_of(testing::disk_node(0.5F, 2, 0.7F, 250)),
                  [](const Vec3d& p) { return p.z - 0.5; },
                  [](const Vec3d& p) {
                    const double r = std::hypot(p.x, p.y);
                    return r < 2 && r > 0.7F && angle(p) < 250;
                  }});
-  all.push_back({"cylinder", *Quadric::make(testing::cylinder_node(1.5F, -1, 2, 300)),
+  all.push_back({"cylinder", *testing::quadric_of(testing::cylinder_node(1.5F, -1, 2, 300)),
                  [](const Vec3d& p) { return p.x * p.x + p.y * p.y - 2.25; },
                  [](const Vec3d& p) { return p.z > -1 && p.z < 2 && angle(p) < 300; }});
-  all.push_back({"cone", *Quadric::make(testing::cone_node(1.5F, 2, 270)),
+  all.push_back({"cone", *testing::quadric_of(testing::cone_node(1.5F, 2, 270)),
                  [](const Vec3d& p) {
                    const double r = 1.5 * (1 - p.z / 2);
                    return p.x * p.x + p.y * p.y - r * r;
                  },
                  [](const Vec3d& p) { return p.z > 0 && p.z < 2 && angle(p) < 270; }});
-  all.push_back({"paraboloid", *Quadric::make(testing::paraboloid_node(1.5F, 0.25F, 2, 270)),
+  all.push_back({"paraboloid", *testing::quadric_of(testing::paraboloid_node(1.5F, 0.25F, 2, 270)),
                  [](const Vec3d& p) { return (p.x * p.x + p.y * p.y) * 2 / 2.25 - p.z; },
                  [](const Vec3d& p) { return p.z > 0.25 && p.z < 2 && angle(p) < 270; }});
   all.push_back({"hyperboloid",
-                 *Quadric::make(testing::hyperboloid_node({1, -1, -1}, {0.5F, 1.5F, 1}, 360)),
+                 *testing::quadric_of(testing::hyperboloid_node({1, -1, -1}, {0.5F, 1.5F, 1}, 360)),
                  [](const Vec3d& p) {
                    const double v = (p.z + 1) / 2;
                    const double x = 1 - 0.5 * v;
@@ -114,7 +114,7 @@ TEST(Quadric, RootsAgreeWithMarching) {
 }
 
 TEST(Quadric, StaysExactFromFarAway) {
-  const Quadric sphere = *Quadric::make(testing::sphere_node());
+  const Quadric sphere = *testing::quadric_of(testing::sphere_node());
   const Vec3d direction = Vec3d(1.0, 0.7, -0.4).normalized();
   const Vec3d o = direction * -1e7 + Vec3d(0.0, 0.3, 0.2);
   const Quadric::Roots roots = sphere.intersect(o, direction);
@@ -159,8 +159,8 @@ TEST(Quadric, DerivativesMatchDifferences) {
 
 TEST(Quadric, PolesHaveNormalsAndTangents) {
   const std::vector<Quadric> quadrics = {
-      *Quadric::make(testing::sphere_node()), *Quadric::make(testing::disk_node()),
-      *Quadric::make(testing::cone_node()), *Quadric::make(testing::paraboloid_node())};
+      *testing::quadric_of(testing::sphere_node()), *testing::quadric_of(testing::disk_node()),
+      *testing::quadric_of(testing::cone_node()), *testing::quadric_of(testing::paraboloid_node())};
   for (const Quadric& q : quadrics) {
     for (const double v : {0.0, 1.0}) {
       const Quadric::Point at = q.at({0.3, v});
@@ -185,13 +185,13 @@ TEST(Quadric, AreaMatchesQuadrature) {
 }
 
 TEST(Quadric, ShapesWithoutAreaAreRefused) {
-  EXPECT_FALSE(Quadric::make(testing::sphere_node(0, -1, 1, 360)));
-  EXPECT_FALSE(Quadric::make(testing::sphere_node(1, 0.5F, 0.5F, 360)));
-  EXPECT_FALSE(Quadric::make(testing::disk_node(0, 1, 1, 360)));
-  EXPECT_FALSE(Quadric::make(testing::cylinder_node(1, 0, 0, 360)));
-  EXPECT_FALSE(Quadric::make(testing::cone_node(1, 0, 360)));
-  EXPECT_FALSE(Quadric::make(testing::paraboloid_node(1, 0, 1, 0)));
-  EXPECT_FALSE(Quadric::make(testing::hyperboloid_node({0, 0, 0}, {0, 0, 1}, 360)));
+  EXPECT_FALSE(testing::quadric_of(testing::sphere_node(0, -1, 1, 360)));
+  EXPECT_FALSE(testing::quadric_of(testing::sphere_node(1, 0.5F, 0.5F, 360)));
+  EXPECT_FALSE(testing::quadric_of(testing::disk_node(0, 1, 1, 360)));
+  EXPECT_FALSE(testing::quadric_of(testing::cylinder_node(1, 0, 0, 360)));
+  EXPECT_FALSE(testing::quadric_of(testing::cone_node(1, 0, 360)));
+  EXPECT_FALSE(testing::quadric_of(testing::paraboloid_node(1, 0, 1, 0)));
+  EXPECT_FALSE(testing::quadric_of(testing::hyperboloid_node({0, 0, 0}, {0, 0, 1}, 360)));
 }
 
 TEST(QuadricSurfacePoint, NormalDerivativesHoldUnderShear) {
@@ -201,7 +201,7 @@ TEST(QuadricSurfacePoint, NormalDerivativesHoldUnderShear) {
   m[2][2] = -0.5;
   m[3][1] = 4.0;
   const Placement placement = *Placement::make(m);
-  const Quadric sphere = *Quadric::make(testing::sphere_node());
+  const Quadric sphere = *testing::quadric_of(testing::sphere_node());
   constexpr double kStep = 1e-3;
   for (const bool reversed : {false, true}) {
     const auto at = [&](double u, double v) {

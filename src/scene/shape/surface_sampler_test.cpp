@@ -30,14 +30,14 @@ Mat4 stretched() {
 }
 
 std::vector<std::pair<std::string, Quadric>> quadrics() {
-  return {{"sphere", *Quadric::make(testing::sphere_node())},
-          {"partial sphere", *Quadric::make(testing::sphere_node(1, -0.4F, 0.9F, 200))},
-          {"disk", *Quadric::make(testing::disk_node(0.3F, 1.2F, 0.4F, 300))},
-          {"cylinder", *Quadric::make(testing::cylinder_node(0.6F, -1, 1, 360))},
-          {"cone", *Quadric::make(testing::cone_node(0.8F, 1.5F, 360))},
-          {"paraboloid", *Quadric::make(testing::paraboloid_node(1, 0, 1.3F, 270))},
+  return {{"sphere", *testing::quadric_of(testing::sphere_node())},
+          {"partial sphere", *testing::quadric_of(testing::sphere_node(1, -0.4F, 0.9F, 200))},
+          {"disk", *testing::quadric_of(testing::disk_node(0.3F, 1.2F, 0.4F, 300))},
+          {"cylinder", *testing::quadric_of(testing::cylinder_node(0.6F, -1, 1, 360))},
+          {"cone", *testing::quadric_of(testing::cone_node(0.8F, 1.5F, 360))},
+          {"paraboloid", *testing::quadric_of(testing::paraboloid_node(1, 0, 1.3F, 270))},
           {"hyperboloid",
-           *Quadric::make(testing::hyperboloid_node({1, -1, -1}, {0.5F, 1.5F, 1}, 360))}};
+           *testing::quadric_of(testing::hyperboloid_node({1, -1, -1}, {0.5F, 1.5F, 1}, 360))}};
 }
 
 /// χ² of samples in cells of (u, v) against the integral of the density over each cell: passes only
@@ -108,7 +108,7 @@ TEST(QuadricSampler, AreaIsTheMeanOfInverseDensity) {
 TEST(QuadricSampler, AreasEqualClosedForms) {
   const Placement identity = *Placement::make(Mat4());
   const auto area = [&](const auto& node) {
-    return make_surface_sampler(*Quadric::make(node), identity, false)->area();
+    return make_surface_sampler(*testing::quadric_of(node), identity, false)->area();
   };
   EXPECT_NEAR(area(testing::sphere_node(2, -2, 2, 360)), 16.F * kPi, 1e-3F);
   EXPECT_NEAR(area(testing::disk_node(0, 2, 1, 180)), 1.5F * kPi, 1e-4F);
@@ -125,7 +125,7 @@ class SphereFrom : public ::testing::TestWithParam<float> {};
 /// uniform.
 TEST_P(SphereFrom, OutsideIsUniformInSolidAngle) {
   const Placement placement = *Placement::make(similarity());
-  const Quadric sphere = *Quadric::make(testing::sphere_node());
+  const Quadric sphere = *testing::quadric_of(testing::sphere_node());
   const auto sampler = make_surface_sampler(sphere, placement, false);
   const Vec3 center(placement.point(Vec3d(0.0)));
   const float radius = 1.7F;
@@ -167,7 +167,7 @@ INSTANTIATE_TEST_SUITE_P(Distances, SphereFrom, ::testing::Values(1.001F, 1.1F, 
 TEST(SphereSampler, InsideSamplesTheWholeSphere) {
   const Placement placement = *Placement::make(similarity());
   const auto sampler =
-      make_surface_sampler(*Quadric::make(testing::sphere_node()), placement, false);
+      make_surface_sampler(*testing::quadric_of(testing::sphere_node()), placement, false);
   const Vec3 inside = Vec3(placement.point(Vec3d(0.3, 0.2, -0.5)));
   Rng rng(9);
   Vec3d mean(0.0);
@@ -182,9 +182,9 @@ TEST(SphereSampler, InsideSamplesTheWholeSphere) {
 }
 
 TEST(SphereSampler, FarSideHasNoDensity) {
-  const auto sampler =
-      make_surface_sampler(*Quadric::make(testing::sphere_node()), *Placement::make(Mat4()), false);
-  SurfacePoint back = quadric_surface_point(*Quadric::make(testing::sphere_node()),
+  const auto sampler = make_surface_sampler(*testing::quadric_of(testing::sphere_node()),
+                                            *Placement::make(Mat4()), false);
+  SurfacePoint back = quadric_surface_point(*testing::quadric_of(testing::sphere_node()),
                                             *Placement::make(Mat4()), false, {0.5, 0.5});
   EXPECT_EQ(sampler->pdf_toward({3.F, 0.F, 0.F}, back).value(), 0.F);
   EXPECT_GT(sampler->pdf_toward({-3.F, 0.F, 0.F}, back).value(), 0.F);

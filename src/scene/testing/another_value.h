@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "scene/desc/node.h"
+#include "scene/desc/shape_data.h"
 
 namespace ajar::testing {
 
@@ -32,6 +33,19 @@ inline desc::Value another_value(const ParameterSpec& spec) {
       Mat4 place;
       place.setTranslation(Vec3d(1.0, 2.0, 3.0));
       return std::make_shared<const Mat4>(place);
+    }
+    case ParameterType::Mesh: {
+      desc::Mesh mesh;
+      mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+      mesh.indices = {{0, 1, 2}};
+      return std::make_shared<const desc::Mesh>(mesh);
+    }
+    case ParameterType::Curves: {
+      desc::Curves curves;
+      curves.control_points = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 1, 0}};
+      curves.widths.assign(4, 0.5F);
+      curves.normals.assign(4, {0, 0, 1});
+      return std::make_shared<const desc::Curves>(curves);
     }
   }
   ADD_FAILURE() << spec.name;

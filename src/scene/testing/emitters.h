@@ -3,6 +3,8 @@
 #include <optional>
 
 #include "core/warp.h"
+#include "scene/desc/models.h"
+#include "scene/emission/emission.h"
 #include "scene/shape/surface_sampler.h"
 #include "scene/texture/texture.h"
 
@@ -93,6 +95,18 @@ class Ball final : public SurfaceSampler {
   Vec3 center_;
   float radius_;
 };
+
+/// `radiance` multiplies the texture, if there is one.
+inline desc::Emission area_light(const desc::Rgb& radiance, bool two_sided = false,
+                                 desc::TextureId texture = desc::kNone) {
+  if (texture == desc::kNone) {
+    return {{}, desc::emission_node("area", {{"radiance", radiance}, {"two_sided", two_sided}})};
+  }
+  return {{},
+          desc::emission_node("area", {{"radiance", desc::TextureRef{texture}},
+                                       {"scale", radiance},
+                                       {"two_sided", two_sided}})};
+}
 
 /// (u, v, 1 − u) + 0.2: different in every direction.
 class RampTexture final : public Texture {

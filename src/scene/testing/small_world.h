@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/warnings.h"
+#include "scene/desc/models.h"
 #include "scene/geometry.h"
 #include "scene/testing/transforms.h"
 #include "scene/texture/texture.h"
@@ -15,16 +16,14 @@ namespace ajar::testing {
 
 inline constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
-template <typename Node>
-desc::Shape shape(Node node, const Mat4& to_world = Mat4()) {
+inline desc::Shape shape(desc::Node node, const Mat4& to_world = Mat4()) {
   desc::Shape result;
   result.node = std::move(node);
   result.to_world = to_world;
   return result;
 }
 inline desc::Shape mesh_shape(desc::Mesh mesh, const Mat4& to_world = Mat4()) {
-  return shape(std::shared_ptr<const desc::Mesh>(std::make_shared<desc::Mesh>(std::move(mesh))),
-               to_world);
+  return shape(desc::mesh_node(std::make_shared<const desc::Mesh>(std::move(mesh))), to_world);
 }
 
 /// The cube [−1, 1]³, normals outward.

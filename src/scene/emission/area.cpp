@@ -2,7 +2,7 @@
 
 #include "core/frame.h"
 #include "core/warp.h"
-#include "scene/light/models.h"
+#include "scene/emission/inputs.h"
 
 namespace ajar {
 
@@ -156,16 +156,32 @@ class AreaLight final : public Light {
   Spectrum power_;
 };
 
+std::unique_ptr<Light> make_area_light(const EmissionInputs& in) {
+  const desc::Value& radiance = in.node().get("radiance");
+  const bool is_textured = std::holds_alternative<desc::TextureRef>(radiance);
+  // A texture stays as it is, a colour and the scale become one.
+  const desc::Rgb color =
+      (is_textured ? desc::Rgb(1.F) : std::get<Vec3>(radiance)) * in.node().color("scale");
+  if (!is_finite(color)) {
+    throw SceneError(in.where(), "the light is too strong: it is not a finite number");
+  }
+  const TextureSlot texture = is_textured ? in.slot("radiance") : TextureSlot(Spectrum(1.F));
+  return std::make_unique<AreaLight>(rgb_spectrum(color), texture, in.node().flag("two_sided"),
+                                     in.surface());
+}
+
 }  // namespace
 
-std::unique_ptr<Light> make_area_light(const desc::AreaLight& light, const SurfaceSampler& surface,
-                                       const TextureList& textures) {
-  const TextureSlot texture =
-      light.texture == desc::kNone
-          ? TextureSlot(Spectrum(1.F))
-          : TextureSlot(textures[static_cast<std::size_t>(light.texture)].get());
-  return std::make_unique<AreaLight>(rgb_spectrum(light.radiance), texture, light.two_sided,
-                                     surface);
+EmissionModel area_emission() {
+  return {
+      {.name = "area",
+       .summary = "the same radiance in all directions from every point of a surface",
+       .source = "",
+       .parameters = {declare::textured_emission("radiance", "W/(m2 sr)",
+                                                 "radiance of the surface"),
+                      declare::emission("scale", "", "multiplies the radiance"),
+                      declare::flag("two_sided", "from both sides, not only that of the normal")}},
+      make_area_light};
 }
 
 }  // namespace ajar

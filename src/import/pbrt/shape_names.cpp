@@ -1,9 +1,9 @@
-#include "import/pbrt/quadric_names.h"
+#include "import/pbrt/shape_names.h"
 
 namespace ajar::pbrt {
 
 // Names and defaults: pbrt-v3, src/shapes/*.cpp.
-const std::vector<ModelName>& quadric_names() {
+const std::vector<ModelName>& shape_names() {
   static const ParameterName kPhiMax{"phi_max", {"phimax"}};
   static const ParameterName kZMin{"z_min", {"zmin"}};
   static const ParameterName kZMax{"z_max", {"zmax"}};
@@ -13,7 +13,10 @@ const std::vector<ModelName>& quadric_names() {
       {"cylinder", "cylinder", {kZMin, kZMax, kPhiMax}},
       {"cone", "cone", {kPhiMax}},
       {"paraboloid", "paraboloid", {kZMin, kZMax, kPhiMax}},
-      {"hyperboloid", "hyperboloid", {kPhiMax}}};
+      {"hyperboloid", "hyperboloid", {kPhiMax}},
+      {"trianglemesh", "mesh", {}},
+      {"loopsubdiv", "subdivision", {}},
+      {"curve", "curves", {}}};
   return kNames;
 }
 

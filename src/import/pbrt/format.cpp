@@ -1,0 +1,16 @@
+#include "import/format.h"
+
+#include "import/pbrt/pbrt_import.h"
+#include "import/pbrt/pbrt_writer.h"
+
+namespace ajar::pbrt {
+
+Format format() {
+  return {.name = "pbrt",
+          .summary = "scenes of pbrt-v3; meshes are written as binary PLY, in a folder beside",
+          .extensions = {".pbrt"},
+          .read = import_pbrt,
+          .write = write_pbrt};
+}
+
+}  // namespace ajar::pbrt
