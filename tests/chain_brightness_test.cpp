@@ -13,6 +13,7 @@
 #include "core/random.h"
 #include "image/pfm.h"
 #include "mcmc/moments.h"
+#include "support/methods.h"
 #include "support/render.h"
 #include "support/same_picture.h"
 #include "support/small_scenes.h"
@@ -117,12 +118,12 @@ Scatter scatter(const Scene& scene, test::RenderOptions options, int seeds) {
   return result;
 }
 
-class OverSeeds : public ::testing::TestWithParam<const char*> {};
+class OverSeeds : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(OverSeeds, BrightnessScattersAsErrorBarsSay) {
   constexpr int kSeeds = 100;
   // As published, mmlt knows b from the bootstrap alone, to which caustics are rare.
-  const bool is_published_mmlt = std::string(GetParam()) == "mmlt";
+  const bool is_published_mmlt = GetParam() == "mmlt";
   const auto scene =
       test::scene_from(small_scene(is_published_mmlt ? "Room" : "NestedDielectrics").text);
   test::RenderOptions options;
@@ -152,8 +153,10 @@ TEST_P(OverSeeds, BrightnessScattersAsErrorBarsSay) {
   EXPECT_LT(5.0 * error, 0.06 * truth.value) << "too noisy to notice what it should";
 }
 
-INSTANTIATE_TEST_SUITE_P(Chains, OverSeeds,
-                         ::testing::Values("mmlt", "pssmlt", "mmlt+", "pssmlt+"));
+INSTANTIATE_TEST_SUITE_P(
+    Chains, OverSeeds,
+    ::testing::ValuesIn(test::methods_but(test::those_without_chains("it has no b"))),
+    [](const auto& test) { return test::name_for_tests(test.param); });
 
 /// A floor and a wall lit by a small ball. Camera paths alone hardly ever run into it.
 std::unique_ptr<Scene> rarely_lit(double radius) {

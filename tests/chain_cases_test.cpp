@@ -58,7 +58,7 @@ TEST_P(Dark, IsBlackWithAWarning) {
   for (const char* integrator : kChains) {
     const test::Render render = test::render(*scene, options_of(integrator));
     EXPECT_EQ(brightest(render.layer("indirect")), 0.0) << integrator;
-    const std::vector<Warning> concerns = render.integrator->concerns();
+    const std::vector<Warning> concerns = render.integrator->findings().concerns;
     ASSERT_EQ(concerns.size(), 1U) << integrator;
     EXPECT_NE(concerns[0].message.find("no light was found for Markov chains"), std::string::npos)
         << concerns[0].message;
@@ -111,7 +111,7 @@ TEST_P(Lit, IsAsBrightAsMonteCarloSays) {
     options.integrator = integrator;
     const test::Render render = test::render(*scene, options);
     expect_same(replicates_of(render, "indirect"), truth, *render.film, lit.power, integrator);
-    EXPECT_TRUE(render.integrator->concerns().empty()) << integrator;
+    EXPECT_TRUE(render.integrator->findings().concerns.empty()) << integrator;
   }
 }
 

@@ -16,7 +16,7 @@ std::vector<Warning> concerns_of(const std::string& scene_text, const std::strin
   options.samples = 8;
   options.max_depth = max_depth;
   options.parameters = std::move(parameters);
-  return test::render(*scene, options).integrator->concerns();
+  return test::render(*scene, options).integrator->findings().concerns;
 }
 
 std::string glass_and_metal() { return test::small_scene("GlassAndMetal").text; }

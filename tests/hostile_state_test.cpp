@@ -13,6 +13,7 @@
 #include "session/preparation.h"
 #include "session/render_job.h"
 #include "session/render_setup.h"
+#include "support/methods.h"
 #include "support/render.h"
 #include "support/small_scenes.h"
 
@@ -27,12 +28,18 @@ struct Method {
   std::map<std::string, std::string> parameters;
 };
 
-/// All that any integrator keeps: chains, recruits, rates, prices, errors that last, maps.
+/// All that any method keeps: chains, recruits, rates, prices, errors that last; and maps.
 std::vector<Method> methods() {
-  return {{"Selective", "selective", {{"split", "0.1"}, {"pilot-samples", "8"}}},
-          {"Published", "mmlt", {{"mutation", "fusion"}, {"m1", "1"}, {"bootstrap", "1000"}}},
-          {"Mmlt", "mmlt+", {{"step", "adaptive"}, {"m1", "1"}, {"bootstrap", "1000"}}},
-          {"Pssmlt", "pssmlt+", {{"mutation", "kelemen"}, {"bootstrap", "1000"}}}};
+  std::vector<Method> methods;
+  for (const std::string& name :
+       test::methods_but(test::those_without_chains("it keeps nothing, see below"))) {
+    methods.push_back({test::name_for_tests(name), name, {{"bootstrap", "1000"}}});
+    if (name == "selective") {
+      methods.back().parameters = {{"split", "0.1"}, {"pilot-samples", "8"}};
+    }
+  }
+  methods.push_back({"maps", "mmlt+", {{"step", "adaptive"}, {"m1", "1"}, {"bootstrap", "1000"}}});
+  return methods;
 }
 
 void PrintTo(const Method& method, std::ostream* out) { *out << method.name; }
@@ -86,6 +93,14 @@ std::string bytes_of(Value value) {
   std::string bytes(sizeof(value), '\0');
   std::memcpy(bytes.data(), &value, sizeof(value));
   return bytes;
+}
+
+TEST(KeptState, IsNoneOfMethodsWithoutChains) {
+  const auto scene = test::scene_from(test::small_scene("Room").text);
+  for (const auto& [name, reason] : test::those_without_chains("they keep some")) {
+    const IntegratorInfo& info = find_integrator(name);
+    EXPECT_FALSE(info.make(*scene, settings_for(*scene), info.read({}))->keeps_state()) << name;
+  }
 }
 
 TEST_P(HostileState, IsRefusedOrCanBeRenderedOn) {

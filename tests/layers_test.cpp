@@ -9,6 +9,7 @@
 
 #include "integrator/integrator.h"
 #include "session/output.h"
+#include "support/methods.h"
 #include "support/render.h"
 
 /// The layers of a render against each other.
@@ -71,7 +72,7 @@ TEST(Layers, DirectPlusIndirectIsThePictureToTheBit) {
 
 TEST(TechniqueLayers, WeightedOnesAddUpToThePicture) {
   const auto scene = closed_room();
-  for (const char* integrator : {"pt", "lt", "ibpt", "bdpt"}) {
+  for (const auto& [integrator, reason] : test::those_without_chains("they have such layers")) {
     test::RenderOptions options;
     options.integrator = integrator;
     options.samples = 16;

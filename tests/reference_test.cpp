@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <numeric>
 #include <optional>
 
 #include "image/image_file.h"
 #include "import/import.h"
+#include "support/methods.h"
 #include "support/render.h"
 #include "support/shared.h"
 
@@ -92,8 +94,7 @@ BlockTest compare(const std::vector<float>& a, const std::vector<float>& b, int 
   return test;
 }
 
-/// A scene, and a set of techniques that can find all of its light. Light tracing is left out where
-/// the lens sees something in a mirror or through glass, path tracing where it does not converge.
+/// A scene, and a method that can find all of its light.
 struct Case {
   std::string name;
   std::string integrator;
@@ -103,6 +104,41 @@ struct Case {
 };
 std::ostream& operator<<(std::ostream& out, const Case& c) {
   return out << c.name << " by " << c.integrator;
+}
+
+/// A scene with the methods that are not tried on it, each with the reason.
+struct Tried {
+  std::string scene;
+  std::map<std::string, std::string> excused;
+  int samples = 64;
+  double power = 0.06;
+};
+
+std::vector<Case> cases() {
+  const std::string in_mirrors = "the lens sees something in a mirror or through glass";
+  // Block (272, 96): 6 % more light by all seeds of both, z = 6; and by pt, after 65 536 samples.
+  const std::string missed = "path tracing made the reference, and has hardly found what they do";
+  const std::vector<Tried> scenes = {
+      {"cornell-box", {}},
+      {"veach-mis",
+       {{"lt", "it would show 13 % of a block only"}, {"ibpt", missed}, {"bdpt", missed}}},
+      {"staircase2", {{"lt", in_mirrors}}, 64, 0.08},
+      {"veach-bidir", {{"pt", "it does not converge"}, {"lt", in_mirrors}}, 32, 0.12}};
+  std::vector<Case> cases;
+  for (const Tried& tried : scenes) {
+    std::map<std::string, std::string> excused = tried.excused;
+    for (const std::string& method : test::methods_but({})) {
+      // Their errors hang together from pixel to pixel: replicates are compared instead
+      // (chain_agreement_test.cpp).
+      if (test::has_parameter(method, "mutation")) excused.emplace(method, "chains");
+    }
+    for (const std::string& method : test::methods_but(excused)) {
+      // A sample of bdpt is worth, and costs, more.
+      const int samples = method == "bdpt" ? tried.samples / 2 : tried.samples;
+      cases.push_back({tried.scene, method, samples, tried.power});
+    }
+  }
+  return cases;
 }
 
 class References : public ::testing::TestWithParam<Case> {};
@@ -142,17 +178,11 @@ TEST_P(References, AgreeInMeanAndInBlocks) {
   EXPECT_LT(5.5 * test.median_relative_error, tried.power);
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Shared, References,
-    ::testing::Values(Case{"cornell-box", "pt", 64, 0.06}, Case{"cornell-box", "lt", 64, 0.06},
-                      Case{"cornell-box", "bdpt", 32, 0.06}, Case{"veach-mis", "pt", 64, 0.06},
-                      Case{"staircase2", "pt", 64, 0.06}, Case{"veach-bidir", "bdpt", 24, 0.07},
-                      Case{"veach-bidir", "ibpt", 32, 0.12}),
-    [](const auto& test) {
-      std::string name = test.param.name + "_" + test.param.integrator;
-      std::erase(name, '-');
-      return name;
-    });
+INSTANTIATE_TEST_SUITE_P(Shared, References, ::testing::ValuesIn(cases()), [](const auto& test) {
+  std::string name = test.param.name + "_" + test.param.integrator;
+  std::erase(name, '-');
+  return name;
+});
 
 }  // namespace
 }  // namespace ajar

@@ -136,5 +136,19 @@ TEST_F(RegionChoiceTest, ThresholdsRiseByDegreesAsChainsPayLess) {
   EXPECT_LT(steepest, 4.0) << "as far as one candidate is from the next";
 }
 
+TEST_F(RegionChoiceTest, TheFilteredPictureTakesMoreToSpeakForChains) {
+  for (std::size_t i = 0; i < found_.size(); i += 19) found_[i] = path(i, 30.F);
+  double most = 1.0;
+  for (double correlation = 1.0; correlation < 1000.0; correlation *= 2.0) {
+    plan_.selective->objective = SelectiveSettings::Objective::Filtered;
+    const double filtered = threshold(correlation);
+    plan_.selective->objective = SelectiveSettings::Objective::Raw;
+    const double raw = threshold(correlation);
+    EXPECT_LE(raw, filtered * 1.001) << correlation;
+    most = std::max(most, filtered / raw);
+  }
+  EXPECT_GT(most, 10.0);
+}
+
 }  // namespace
 }  // namespace ajar

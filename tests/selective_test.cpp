@@ -277,7 +277,7 @@ TEST(Selective, ShowsItsMaps) {
   options.aovs = {"noise", "regions", "importance", "edges", "object-id"};
   const test::Render render = test::render(*scene, options);
   std::map<std::string, std::vector<float>> maps;
-  for (auto& [name, plane] : render.integrator->maps()) {
+  for (auto& [name, plane] : render.integrator->findings().maps) {
     EXPECT_EQ(plane.size, Vec2i(render.film->width(), render.film->height()));
     maps[name] = plane.values;
   }
@@ -401,12 +401,14 @@ TEST(Selective, SaysThatThereIsNothingForChains) {
       "LightSource \"infinite\" \"rgb L\" [1 1 1]\n"
       "Material \"matte\" \"rgb Kd\" [0.5 0.5 0.5]\nShape \"sphere\" \"float radius\" [1]\n"));
   const test::Render render = prepared_render(*scene, 1, {});
-  EXPECT_TRUE(render.integrator->concerns().empty());
-  ASSERT_EQ(render.integrator->notes().size(), 1U);
-  EXPECT_EQ(render.integrator->notes().front().find("no difficult light found: plain "), 0U);
+  EXPECT_TRUE(render.integrator->findings().concerns.empty());
+  ASSERT_EQ(render.integrator->findings().notes.size(), 1U);
+  EXPECT_EQ(render.integrator->findings().notes.front().find(
+                "no difficult light found: rendered by plain "),
+            0U);
   EXPECT_EQ(render.counters.mutations, 0U);
   // Half of the light of the sky, wherever the sphere is.
-  const std::vector<float> picture = render.layer("beauty");
+  const std::vector<float> picture = render.image();
   EXPECT_NEAR(picture[3 * (6 * 16 + 8)], 0.5, 0.1);
 }
 
@@ -415,8 +417,10 @@ TEST(Selective, LeavesChainsOutOfACornellBox) {
   const Scene scene = test::builtin_scene("cornell");
   for (const std::uint64_t seed : {1, 2, 3}) {
     const test::Render render = prepared_render(scene, seed, {});
-    ASSERT_EQ(render.integrator->notes().size(), 1U);
-    EXPECT_EQ(render.integrator->notes().front().find("no difficult light found: plain "), 0U);
+    ASSERT_EQ(render.integrator->findings().notes.size(), 1U);
+    EXPECT_EQ(render.integrator->findings().notes.front().find(
+                  "no difficult light found: rendered by plain "),
+              0U);
     EXPECT_LE(render.counters.mutations, render.counters.samples / 20);
   }
 }
@@ -431,7 +435,7 @@ TEST(Selective, LeavesChainsOutOfACornellBoxWhateverThePair) {
         Settings{{"omc", "pt"}, {"chain", "pssmlt"}, {"techniques", "bdpt"}},
         Settings{{"chain", "pssmlt"}}}) {
     const test::Render render = prepared_render(scene, 1, settings);
-    EXPECT_EQ(render.integrator->notes().size(), 1U) << settings.begin()->first;
+    EXPECT_EQ(render.integrator->findings().notes.size(), 1U) << settings.begin()->first;
     EXPECT_EQ(render.counters.mutations, 0U) << settings.begin()->first;
   }
 }
@@ -442,9 +446,10 @@ TEST(Selective, KeepsChainsWhereTheyPayWhateverThePair) {
   for (const Settings& settings :
        {Settings{{"omc", "ibpt"}, {"techniques", "bdpt"}}, Settings{{"chain", "pssmlt"}}}) {
     const test::Render render = prepared_render(scene, 1, settings);
-    ASSERT_EQ(render.integrator->notes().size(), 1U) << settings.begin()->first;
-    EXPECT_NE(render.integrator->notes().front().find("Markov chains make it"), std::string::npos)
-        << render.integrator->notes().front();
+    ASSERT_EQ(render.integrator->findings().notes.size(), 1U) << settings.begin()->first;
+    EXPECT_NE(render.integrator->findings().notes.front().find("Markov chains make it"),
+              std::string::npos)
+        << render.integrator->findings().notes.front();
     EXPECT_GT(render.counters.mutations, 1000U) << settings.begin()->first;
   }
 }
@@ -500,7 +505,7 @@ TEST(Selective, TakesNoChainsWhereTheUserWantsNone) {
       const test::Render render = prepared_render(*scene, 1, settings);
       EXPECT_EQ(render.counters.mutations > 0, weight > 0.F) << more.begin()->first;
       if (weight == 0.F) {
-        EXPECT_TRUE(render.integrator->concerns().empty());
+        EXPECT_TRUE(render.integrator->findings().concerns.empty());
       }
       const MethodReport report = render.integrator->report().at("selective");
       EXPECT_TRUE(report.at("correlation").is_null()) << "nothing has told yet";

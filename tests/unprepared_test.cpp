@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "session/preparation.h"
+#include "support/methods.h"
 #include "support/render.h"
 #include "support/small_scenes.h"
 
@@ -12,7 +13,7 @@ namespace {
 
 /// A method whose preparation is skipped.
 struct Case {
-  const char* integrator;
+  std::string integrator;
   std::map<std::string, std::string> parameters;
   int rounds;  ///< that are run before, of those there are
 };
@@ -34,21 +35,22 @@ TEST(Unprepared, ChainsLeaveThePictureToBidirectionalPathTracing) {
   options.samples = 16;
   options.replicates = 4;
   options.max_depth = 8;
-  const std::vector<Case> cases = {
-      {"mmlt", {}, 0},
-      {"pssmlt", {}, 0},
-      {"mmlt+", {}, 0},
-      {"mmlt+", {}, 1},
+  test::RenderOptions own_options = options;
+  std::vector<Case> cases = {
       {"mmlt+", {{"split", "0"}, {"omc-samples", "0.5"}}, 1},
       {"mmlt+", {{"direct", "chain"}}, 1},
       {"mmlt+", {{"direct", "none"}}, 0},
-      {"pssmlt+", {}, 1},
-      {"selective", {}, 1},
       {"selective", {{"techniques", "bdpt"}}, 1},
       {"selective", {{"pilot", "discard"}}, 1},
   };
+  for (const std::string& name :
+       test::methods_but(test::those_without_chains("it has nothing to prepare"))) {
+    cases.push_back({name, {}, 0});
+    own_options.integrator = name;
+    if (rounds_of(*scene, own_options) > 1) cases.push_back({name, {}, 1});
+  }
   for (const Case& c : cases) {
-    SCOPED_TRACE(c.integrator + std::string(" after ") + std::to_string(c.rounds));
+    SCOPED_TRACE(c.integrator + " after " + std::to_string(c.rounds));
     test::RenderOptions own = options;
     own.integrator = c.integrator;
     own.parameters = c.parameters;
@@ -69,7 +71,7 @@ TEST(Unprepared, ChainsLeaveThePictureToBidirectionalPathTracing) {
     for (const float visits : render.layer("density")) ASSERT_EQ(visits, 0.F);
     EXPECT_EQ(render.counters.mutations, 0U);
     EXPECT_FALSE(render.integrator->keeps_state());
-    EXPECT_EQ(render.integrator->notes().size(), 1U);
+    EXPECT_EQ(render.integrator->findings().notes.size(), 1U);
   }
 }
 

@@ -30,6 +30,7 @@ struct Settings {
   std::optional<std::uint64_t> samples_per_pixel;
   std::optional<double> seconds;                 ///< wall clock, of all but loading
   std::optional<double> target_error;            ///< relative error of the picture, as estimated
+  bool denoised_target = false;                  ///< ... of the denoised picture
   std::optional<std::array<int, 2>> resolution;  ///< width and height, pixels
   // Edges of the paths: 1 is light seen directly, 2 is direct lighting.
   std::optional<int> min_depth;

@@ -24,7 +24,8 @@ RenderOrder order_of(const Scene::Content& scene, const Settings& settings, bool
   if (!settings.integrator.empty()) find_integrator(settings.integrator);
   request.integrator = settings.integrator;
   request.parameters = settings.parameters;
-  request.budget = {settings.samples_per_pixel, settings.seconds, settings.target_error};
+  request.budget = {settings.samples_per_pixel, settings.seconds, settings.target_error,
+                    settings.denoised_target};
   if (settings.resolution) {
     request.resolution = Vec2i(settings.resolution->at(0), settings.resolution->at(1));
   }

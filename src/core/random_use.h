@@ -27,7 +27,9 @@ enum class RandomUse : std::uint64_t {
   SplitPilot = 0x9e9107,
   SurfacePilot = 0x50fa3,
   RouletteTrial = 0x4071e77e,
+  RouletteScramble = 1,  ///< their points
   TechniqueTrial = 0x11997,
+  TechniqueTiles = 0x711e5,  ///< which of the picture it renders
   ChainTrial = 0x791a1,
   // Recruits.
   RecruitLot = 0x6a1e,

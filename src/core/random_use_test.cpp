@@ -26,7 +26,9 @@ bool is_named(RandomUse use) {
     case RandomUse::SplitPilot:
     case RandomUse::SurfacePilot:
     case RandomUse::RouletteTrial:
+    case RandomUse::RouletteScramble:
     case RandomUse::TechniqueTrial:
+    case RandomUse::TechniqueTiles:
     case RandomUse::ChainTrial:
     case RandomUse::RecruitLot:
     case RandomUse::LightLot:

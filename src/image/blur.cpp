@@ -23,4 +23,12 @@ std::vector<float> blurred(std::span<const float> rgb, Vec2i size, double sigma)
   return result;
 }
 
+Replicates blurred(const Replicates& replicates, Vec2i size, double sigma) {
+  Replicates all;
+  for (const std::vector<float>& replicate : replicates) {
+    all.push_back(blurred(std::span<const float>(replicate), size, sigma));
+  }
+  return all;
+}
+
 }  // namespace ajar

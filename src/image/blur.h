@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "core/vector.h"
+#include "image/statistics.h"
 
 namespace ajar {
 
@@ -10,5 +11,7 @@ namespace ajar {
 /// border repeat. RGB interleaved, row by row. Raises std::invalid_argument if the picture has not
 /// `size`.
 std::vector<float> blurred(std::span<const float> rgb, Vec2i size, double sigma);
+/// Each of them.
+Replicates blurred(const Replicates& replicates, Vec2i size, double sigma);
 
 }  // namespace ajar

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "image/blur.h"
 #include "image/heuristics.h"
 #include "image/truth_guess.h"
 
@@ -28,6 +29,22 @@ class Denominator {
  private:
   double floor_;
 };
+
+/// Squared relative error of each pixel, summed over its channels: of values whose standard errors
+/// are `errors`. Empty if all is black.
+std::vector<double> errors_of_pixels(std::span<const float> errors, std::span<const float> truth) {
+  double level = median_lit(truth);
+  // No two replicates agree on any light: of a value that one alone has, this is the mean.
+  if (level == 0.0) level = median_lit(errors);
+  if (level == 0.0) return {};
+  const Denominator denominator(level);
+  std::vector<double> of_pixels(truth.size() / kChannels);
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    const double error = errors[i];
+    of_pixels[i / kChannels] += error * error / denominator(truth[i]);
+  }
+  return of_pixels;
+}
 
 double sum_of(std::span<const double> values) {
   return std::accumulate(values.begin(), values.end(), 0.0);
@@ -81,16 +98,8 @@ std::optional<double> relative_error(std::span<const float> picture, std::span<c
 std::optional<RelativeError> estimate_relative_error(Replicates replicates, Vec2i size) {
   const std::vector<float> errors = standard_error(replicates);
   const std::vector<float> truth = guess_truth(std::move(replicates), size);
-  double level = median_lit(truth);
-  // No two replicates agree on any light: of a value that one alone has, this is the mean.
-  if (level == 0.0) level = median_lit(errors);
-  if (level == 0.0) return std::nullopt;
-  const Denominator denominator(level);
-  std::vector<double> of_pixels(truth.size() / kChannels);
-  for (std::size_t i = 0; i < truth.size(); ++i) {
-    const double error = errors[i];
-    of_pixels[i / kChannels] += error * error / denominator(truth[i]);
-  }
+  const std::vector<double> of_pixels = errors_of_pixels(errors, truth);
+  if (of_pixels.empty()) return std::nullopt;
   const std::vector<double> of_places = sums_of_places(of_pixels, size);
   RelativeError found{};
   const double sum = sum_of(of_pixels);
@@ -103,6 +112,18 @@ std::optional<RelativeError> estimate_relative_error(Replicates replicates, Vec2
                ImageHeuristics::kFewestOfPlaces * static_cast<double>(of_places.size()));
   found.has_fireflies = found.places < fewest;
   found.half_of_it = share_that_makes_half(of_pixels);
+  return found;
+}
+
+std::vector<ErrorAtScale> estimate_errors_by_scale(const Replicates& replicates, Vec2i size) {
+  const std::vector<float> truth = guess_truth(replicates, size);
+  std::vector<ErrorAtScale> found;
+  for (const double sigma : kErrorScales) {
+    const std::vector<double> of_pixels = errors_of_pixels(
+        standard_error(blurred(replicates, size, sigma)), blurred(truth, size, sigma));
+    if (of_pixels.empty()) return {};
+    found.push_back({sigma, std::sqrt(sum_of(of_pixels) / static_cast<double>(truth.size()))});
+  }
   return found;
 }
 

@@ -1,7 +1,9 @@
 #pragma once
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "core/vector.h"
 #include "image/statistics.h"
@@ -39,7 +41,16 @@ struct RelativeError {
 /// that size, else std::invalid_argument. Nullopt if it is black: then nothing is known. It cannot
 /// know of light that no sample has found.
 std::optional<RelativeError> estimate_relative_error(Replicates replicates, Vec2i size);
-/// What that takes beside the replicates, bytes per pixel.
+/// By scale: the same of the picture after a Gaussian of 1, 2, 4 and 8 pixels. Noise that is
+/// independent from pixel to pixel falls with the scale; what hangs together (clumps of chains)
+/// does not, and no filter takes it away. Raises as above; empty if the picture is black.
+struct ErrorAtScale {
+  double sigma;  ///< pixels
+  double value;
+};
+inline constexpr std::array<double, 4> kErrorScales = {1.0, 2.0, 4.0, 8.0};
+std::vector<ErrorAtScale> estimate_errors_by_scale(const Replicates& replicates, Vec2i size);
+/// What an estimate takes beside the replicates, bytes per pixel.
 std::uint64_t error_estimate_bytes(int replicates);
 
 }  // namespace ajar

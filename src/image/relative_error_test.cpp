@@ -6,6 +6,8 @@
 #include <functional>
 #include <random>
 
+#include "image/blur.h"
+
 namespace ajar {
 namespace {
 
@@ -141,7 +143,56 @@ TEST(RelativeError, IgnoresUnitsAndLamps) {
   EXPECT_NEAR(estimate() / expected, 1.0, 0.02);
 }
 
+/// Factors that are the same in each 12×12 pixels.
+Replicates clumpy(const std::vector<float>& truth, const std::function<double()>& factor) {
+  Replicates replicates(kReplicates, truth);
+  for (auto& image : replicates) {
+    std::vector<double> factors(64);
+    for (double& f : factors) f = factor();
+    for (std::size_t i = 0; i < image.size(); ++i) {
+      const auto x = i / 3 % kSize.x;
+      const auto y = i / 3 / kSize.x;
+      image[i] *= static_cast<float>(factors[y / 12 * 8 + x / 12]);
+    }
+  }
+  return replicates;
+}
+
+TEST(RelativeError, ByScaleIsTrueForNoiseAndForClumps) {
+  constexpr int kSeeds = 16;
+  const std::vector<float> truth = room();
+  for (const auto& spoil : {noisy, clumpy}) {
+    // Mean over seeds of the estimates, and of their ratio to the true errors.
+    std::vector<double> estimated(kErrorScales.size());
+    std::vector<double> ratios(kErrorScales.size());
+    for (int seed = 0; seed < kSeeds; ++seed) {
+      std::mt19937 generator(static_cast<unsigned>(seed));
+      std::normal_distribution<double> normal(1.0, 0.4);
+      const Replicates replicates = spoil(truth, [&] { return normal(generator); });
+      const auto found = estimate_errors_by_scale(replicates, kSize);
+      ASSERT_EQ(found.size(), kErrorScales.size());
+      for (std::size_t i = 0; i < found.size(); ++i) {
+        EXPECT_EQ(found[i].sigma, kErrorScales[i]);
+        const double is = relative_error(blurred(replicate_mean(replicates), kSize, found[i].sigma),
+                                         blurred(truth, kSize, found[i].sigma))
+                              .value();
+        estimated[i] += found[i].value / kSeeds;
+        ratios[i] += found[i].value / is / kSeeds;
+      }
+    }
+    // A picture has 48 clumps, so the mean of 16 ratios has a standard error of about 0.05.
+    for (const double ratio : ratios) EXPECT_NEAR(ratio, 1.0, 0.15);
+    // What is independent falls with the scale, what hangs together stays up to its size.
+    EXPECT_EQ(estimated[2] < 0.4 * estimated[0], spoil == noisy);
+    EXPECT_EQ(estimated[2] > 0.6 * estimated[0], spoil == clumpy);
+  }
+}
+
 TEST(RelativeError, OfABlackPictureIsUnknown) {
+  EXPECT_TRUE(
+      estimate_errors_by_scale(
+          Replicates(4, std::vector<float>(static_cast<std::size_t>(3 * kSize.x * kSize.y))), kSize)
+          .empty());
   const std::vector<float> black(3 * static_cast<std::size_t>(kSize.x * kSize.y));
   EXPECT_FALSE(estimate_relative_error(Replicates(4, black), kSize).has_value());
 }

@@ -181,6 +181,38 @@ double gain_over(std::span<const float> guess, std::span<const float> picture) {
   return of_guess > 0.0 && of_picture > 0.0 ? of_picture / of_guess : 1.0;
 }
 
+/// Of a channel of the 3×3 pixels around one.
+float brightest_around(std::span<const float> picture, Vec2i size, int x, int y, std::size_t c) {
+  float most = 0.F;
+  for (int v = std::max(y - 1, 0); v <= std::min(y + 1, size.y - 1); ++v) {
+    for (int u = std::max(x - 1, 0); u <= std::min(x + 1, size.x - 1); ++u) {
+      const auto pixel = static_cast<std::size_t>(v) * static_cast<std::size_t>(size.x) +
+                         static_cast<std::size_t>(u);
+      most = std::max(most, picture[kChannels * pixel + c]);
+    }
+  }
+  return most;
+}
+
+/// Edges of lamps are in one replicate of a few samples, and in no median: no pixel is darker than
+/// in the picture as long as one beside it is as bright.
+std::vector<float> with_bright_edges(std::span<const float> guess, std::span<const float> picture,
+                                     Vec2i size) {
+  std::vector<float> all(guess.begin(), guess.end());
+  parallel_for(size.y, [&](int y) {
+    for (int x = 0; x < size.x; ++x) {
+      for (std::size_t c = 0; c < kChannels; ++c) {
+        const auto pixel = static_cast<std::size_t>(y) * static_cast<std::size_t>(size.x) +
+                           static_cast<std::size_t>(x);
+        float& value = all[kChannels * pixel + c];
+        value = std::max(value, std::min(picture[kChannels * pixel + c],
+                                         brightest_around(guess, size, x, y, c)));
+      }
+    }
+  });
+  return all;
+}
+
 }  // namespace
 
 std::vector<float> guess_truth(Replicates replicates, Vec2i size) {
@@ -198,7 +230,7 @@ std::vector<float> guess_truth(Replicates replicates, Vec2i size) {
   std::vector<float> medians = guess.medians();
   const double gain = gain_over(medians, mean);
   for (float& value : medians) value = static_cast<float>(gain * double{value});
-  return medians;
+  return with_bright_edges(medians, mean, size);
 }
 
 }  // namespace ajar

@@ -15,7 +15,7 @@
 #include "image/develop_scale.h"
 #include "image/film.h"
 #include "image/plane.h"
-#include "integrator/montecarlo/technique_tally.h"
+#include "integrator/technique_shares.h"
 #include "scene/ray_counts.h"
 #include "scene/scene.h"
 
@@ -55,6 +55,20 @@ struct PreparationRound {
   double later_effort = 0.0;  ///< of the rounds after it
 };
 
+/// What a method knows since its preparation.
+struct Findings {
+  std::vector<Warning> concerns;   ///< what the user should know; of no place
+  std::vector<std::string> notes;  ///< what the user may like to know beside
+  /// Whether there is light that it cannot see, however long it renders: then replicates know too
+  /// little of the error.
+  bool misses_light = false;
+  /// Pictures about the render, of one channel over the crop: those AOVs that are not sums of
+  /// samples.
+  std::vector<std::pair<std::string, Plane>> maps;
+  /// Where pictures for the eye need smoothing along edges (post/antialias.h); empty if nowhere.
+  std::optional<Plane> antialias_mask;
+};
+
 /// A rendering method, cut into work items. It knows nothing of threads, files and clocks: the job
 /// first runs the rounds of its preparation, then calls `run_item` for every item of a round of a
 /// pass, in any order and on any thread. Each item is a pure function of its index and, for methods
@@ -71,11 +85,7 @@ class Integrator {
   /// without. Called once a round has begun, of which any items may have run; the picture depends
   /// on the number of the round only.
   virtual void skip_preparation() {}
-  /// What the user should know after the preparation; of no place.
-  virtual std::vector<Warning> concerns() const { return {}; }
-  /// Whether there is light that it cannot see, however long it renders: then replicates know too
-  /// little of the error.
-  virtual bool misses_light() const { return false; }
+  virtual Findings findings() const { return {}; }
 
   /// Layers of the film, known after the preparation; includes "direct" and "indirect".
   virtual std::vector<LayerSpec> layers() const = 0;
@@ -94,7 +104,6 @@ class Integrator {
   /// it before the first pass becomes part of the picture.
   virtual void begin_pass(std::uint64_t /*first_sample*/, std::uint64_t /*samples*/,
                           Film& /*film*/) {}
-  virtual void end_pass() {}
   /// Adds the contribution of one item of the round of a pass, `first_sample`..`first_sample +
   /// samples` per pixel, to the film.
   virtual void run_item(std::uint64_t item, std::uint64_t first_sample, std::uint64_t samples,
@@ -126,13 +135,6 @@ class Integrator {
   /// preparation. An estimate.
   virtual std::uint64_t memory_bytes() const { return 0; }
 
-  /// Pictures about the render that are known since the preparation, of one channel over the crop:
-  /// those AOVs that are not sums of samples.
-  virtual std::vector<std::pair<std::string, Plane>> maps() const { return {}; }
-  /// Where pictures for the eye need smoothing along edges (post/antialias.h); empty if nowhere.
-  virtual std::optional<Plane> antialias_mask() const { return std::nullopt; }
-  /// What the user may like to know after the preparation, beside `concerns`.
-  virtual std::vector<std::string> notes() const { return {}; }
   /// How it fares, between passes.
   virtual MethodReport report() const;
 };

@@ -145,6 +145,10 @@ const std::vector<AovInfo>& aovs() {
       {"standard-error",
        "standard error of each pixel, from four replicates: Student's t with 3 degrees of freedom, "
        "so that 86 % of the pixels are within 2 of it"},
+      {"standard-error-by-scale",
+       "standard error of the picture after a Gaussian of 1, 2, 4 and 8 pixels, as "
+       "standard-error.1 to .8: what no filter can take away",
+       false},
       {"replicates",
        "the independent estimates whose mean is the picture: lets ajar compare test for bias",
        false},

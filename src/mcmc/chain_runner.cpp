@@ -21,14 +21,14 @@ struct ChainRunner::Run {
   void deposit(std::span<const Splat> splats, double weight, double scalar) const {
     if (weight > 0.0) sink.deposit(splats, weight / (scalar + independent_density));
   }
-  void count(const Proposal& proposal, double acceptance, double cap) {
+  void count(const Proposal& proposal, bool independent, double acceptance, double cap) {
     ++statistics.steps;
     MoveCount& move = statistics.moves[proposal.move];
     ++move.proposals;
     move.acceptances += acceptance;
     for (const Candidate& candidate : proposal.candidates) {
       statistics.count(candidate, {chain.seed, chain.step});
-      if (proposal.independent) statistics.large_steps.add(std::min(candidate.scalar, cap));
+      if (independent) statistics.large_steps.add(std::min(candidate.scalar, cap));
     }
   }
 };
@@ -38,6 +38,7 @@ void ChainRunner::make_step(Run& run) {
   const std::uint64_t key = hash_numbers(chain.seed, chain.step);
   const Proposal proposal = kernel_.propose(key);
   const std::span<const Candidate> candidates = proposal.candidates;
+  const bool independent = moves_[proposal.move].independent;
 
   const double u = to_unit_double(counter_bits(key, 2));
   double moves = 0.0;
@@ -47,13 +48,13 @@ void ChainRunner::make_step(Run& run) {
     if (chosen == candidates.size() && u < moves) chosen = i;
   }
   moves = std::min(1.0, moves);
-  run.count(proposal, moves, cap_);
+  run.count(proposal, independent, moves, cap_);
   run.sink.proposed(kernel_.current(), moves);
 
   run.current_weight += 1.0 - moves;
   const bool accepted = chosen < candidates.size();
   if (accepted) run.deposit(kernel_.current(), run.current_weight, chain.scalar);
-  const double alone = proposal.independent && run.combined ? 1.0 : 0.0;
+  const double alone = independent && run.combined ? 1.0 : 0.0;
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     const Candidate& candidate = candidates[i];
     if (i != chosen && candidate.scalar > 0.0) {
@@ -80,7 +81,7 @@ ChainStatistics ChainRunner::go_on(Chain& chain, std::uint64_t steps, DepositSin
   }
   Run run{chain, sink, combined_b.has_value(),
           combined_b.value_or(0.0) * kernel_.independent_candidates()};
-  run.statistics.moves.resize(kernel_.moves().size());
+  run.statistics.moves.resize(moves_.size());
   for (std::uint64_t i = 0; i < steps; ++i) make_step(run);
   run.deposit(kernel_.current(), run.current_weight, chain.scalar);
   return run.statistics;

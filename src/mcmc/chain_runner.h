@@ -27,7 +27,7 @@ class ChainRunner {
   /// `kernel` must outlive it. What an independent candidate brings beyond `cap` does not count in
   /// the statistics of b.
   explicit ChainRunner(Kernel& kernel, double cap = std::numeric_limits<double>::infinity())
-      : kernel_(kernel), cap_(cap) {}
+      : kernel_(kernel), moves_(kernel.moves()), cap_(cap) {}
 
   /// Makes `steps` steps of a chain that the kernel is at. A step deposits its proposal with weight
   /// a, the probability to accept it, and the current state with 1 − a, each over its I ("expected
@@ -54,6 +54,7 @@ class ChainRunner {
   void make_step(Run& run);
 
   Kernel& kernel_;
+  std::span<const Move> moves_;
   double cap_;
 };
 

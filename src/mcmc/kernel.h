@@ -23,12 +23,17 @@ struct Candidate {
   void take(double value);
 };
 
+/// One of the moves that a kernel mixes.
+struct Move {
+  std::string_view name;  ///< for statistics
+  /// Whether its candidates are independent samples of density 1, whatever the current state is
+  /// (large steps of primary sample space).
+  bool independent = false;
+};
+
 /// What one step proposes: one state, or several of which one at most becomes the next.
 struct Proposal {
   std::size_t move;  ///< in `Kernel::moves`
-  /// Whether the candidates are independent samples of density 1, whatever the current state is
-  /// (large steps of primary sample space).
-  bool independent;
   std::span<const Candidate> candidates;
 };
 
@@ -41,8 +46,8 @@ struct Proposal {
 class Kernel {
  public:
   virtual ~Kernel() = default;
-  /// Names, for statistics; constant.
-  virtual std::span<const std::string_view> moves() const = 0;
+  /// Constant.
+  virtual std::span<const Move> moves() const = 0;
   /// Independent candidates per step, on average.
   virtual double independent_candidates() const { return 0.0; }
   /// Of the current state.

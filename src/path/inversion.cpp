@@ -6,6 +6,7 @@
 #include "core/unit_interval.h"
 #include "path/measure.h"
 #include "scene/medium/phase.h"
+#include "transport/heuristics.h"
 
 namespace ajar {
 
@@ -226,7 +227,7 @@ class Inverter {
     // As in transport's `scatter`.
     const bool is_long = walk.edges >= settings_.roulette_start;
     const bool is_efficient = walk.stream == Stream::Camera && settings_.camera_rest > 0.F &&
-                              walk.edges >= kEfficientRouletteStart;
+                              walk.edges >= TransportHeuristics::kEfficientRouletteStart;
     if (!is_long && !is_efficient) return true;
     const float survival =
         std::min(is_long ? 0.95F : 1.F, walk.throughput.max() * walk.roulette_scale);

@@ -10,6 +10,7 @@ struct Budget {
   std::optional<std::uint64_t> samples_per_pixel;  ///< rounded up to whole samples per replicate
   std::optional<double> seconds;                   ///< of rendering, wall clock
   std::optional<double> target_error;              ///< relative error of the whole picture
+  bool denoised_target = false;                    ///< ... of the denoised one
   bool is_empty() const { return !samples_per_pixel && !seconds && !target_error; }
 };
 

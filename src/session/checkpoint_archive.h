@@ -31,7 +31,7 @@ void serialize(A& archive, MergedRun& run) {
 
 template <Archive A>
 void serialize(A& archive, Budget& budget) {
-  archive(budget.samples_per_pixel, budget.seconds, budget.target_error);
+  archive(budget.samples_per_pixel, budget.seconds, budget.target_error, budget.denoised_target);
 }
 
 template <Archive A>

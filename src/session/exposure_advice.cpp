@@ -5,13 +5,14 @@
 #include <vector>
 
 #include "post/exposure.h"
+#include "session/heuristics.h"
 
 namespace ajar {
 
 namespace {
-constexpr double kMuchWhite = 0.1;
-constexpr double kNearlyAllBlack = 0.9;
-constexpr float kWorthIt = 1.F;  // stops
+constexpr double kMuchWhite = SessionHeuristics::kMuchWhite;
+constexpr double kNearlyAllBlack = SessionHeuristics::kNearlyAllBlack;
+constexpr float kWorthIt = SessionHeuristics::kWorthIt;
 }  // namespace
 
 std::string stops_text(float stops) { return stops == 0.F ? "0" : fmt::format("{:+.4g}", stops); }

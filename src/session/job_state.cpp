@@ -4,12 +4,9 @@
 #include <cmath>
 #include <numeric>
 
-namespace ajar {
+#include "session/heuristics.h"
 
-namespace {
-/// Fewer than three agree by chance too easily.
-constexpr std::size_t kFewestMarks = 3;
-}  // namespace
+namespace ajar {
 
 double PartialPass::fraction() const {
   const double items = std::accumulate(done.begin(), done.end(), 0.0);
@@ -28,13 +25,13 @@ std::uint64_t JobState::mean_samples() const {
 void forget_old_errors(std::vector<JobState::ErrorMark>& recent) {
   if (recent.empty()) return;
   const std::uint64_t half = recent.back().samples / 2;
-  while (recent.size() > kFewestMarks && recent.front().samples < half) {
+  while (recent.size() > SessionHeuristics::kFewestMarks && recent.front().samples < half) {
     recent.erase(recent.begin());
   }
 }
 
 bool target_is_reached(const std::vector<JobState::ErrorMark>& recent, double target) {
-  if (recent.size() < kFewestMarks) return false;
+  if (recent.size() < SessionHeuristics::kFewestMarks) return false;
   const auto now = static_cast<double>(recent.back().samples);
   return std::all_of(recent.begin(), recent.end(), [&](const JobState::ErrorMark& mark) {
     return mark.error * std::sqrt(static_cast<double>(mark.samples) / now) <= target;

@@ -42,6 +42,7 @@ std::uint64_t picture_bytes(const Box2i& crop, int replicates, const std::vector
   for (const std::string& name : aovs) {
     if (name == "replicates") shown += static_cast<std::uint64_t>(replicates);
     if (name == "samples" || name == "standard-error") ++shown;
+    if (name == "standard-error-by-scale") shown += kErrorScales.size();
   }
   const std::uint64_t shown_bytes = kChannels * sizeof(float) * kPictureCopies * shown;
   // Errors are estimated before, not meanwhile.

@@ -128,6 +128,13 @@ double parse_relative_error(const std::string& option, std::string_view text) {
   reject(option, text, expected);
 }
 
+TargetError parse_target_error(const std::string& option, std::string_view text) {
+  constexpr std::string_view kDenoised = "denoised:";
+  const bool is_denoised = text.starts_with(kDenoised);
+  if (is_denoised) text.remove_prefix(kDenoised.size());
+  return {parse_relative_error(option, text), is_denoised};
+}
+
 Vec2i parse_resolution(const std::string& option, std::string_view text) {
   const std::string expected = "WIDTHxHEIGHT in pixels (1 to 65536 each) such as 640x480";
   const std::vector<std::string_view> parts = split(text, 'x');

@@ -127,6 +127,10 @@ TEST(OptionValues, AnExposureIsANumberOrAuto) {
 
 TEST(OptionValues, ErrorsMayBePercent) {
   EXPECT_DOUBLE_EQ(parse_relative_error("--target-error", "0.05"), 0.05);
+  EXPECT_FALSE(parse_target_error("--target-error", "5%").is_denoised);
+  EXPECT_TRUE(parse_target_error("--target-error", "denoised:5%").is_denoised);
+  EXPECT_DOUBLE_EQ(parse_target_error("--target-error", "denoised:5%").value, 0.05);
+  EXPECT_THROW(parse_target_error("--target-error", "denoised:"), UsageError);
   EXPECT_DOUBLE_EQ(parse_relative_error("--target-error", "5%"), 0.05);
   EXPECT_DOUBLE_EQ(parse_relative_error("--target-error", "100%"), 1.0);
   for (const char* text : {"", "%", "0", "0%", "-1", "nan", "5", "101%", "5 percent"}) {

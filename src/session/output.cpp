@@ -14,6 +14,7 @@
 
 #include "core/atomic_file.h"
 #include "core/error.h"
+#include "image/blur.h"
 #include "image/identities.h"
 #include "image/image_file.h"
 #include "image/statistics.h"
@@ -138,9 +139,10 @@ Development development_of(const Film& film, const Integrator& integrator, std::
       each.push_back(integrator.develop_scale(spec, samples, r));
     }
   }
-  scales.maps = integrator.maps();
-  scales.antialias_mask = integrator.antialias_mask();
-  scales.misses_light = integrator.misses_light();
+  Findings found = integrator.findings();
+  scales.maps = std::move(found.maps);
+  scales.antialias_mask = std::move(found.antialias_mask);
+  scales.misses_light = found.misses_light;
   return scales;
 }
 
@@ -201,6 +203,14 @@ Picture develop(const Film& film, const Development& scales, std::uint64_t sampl
     } else if (name == "standard-error" && has_replicates(film, samples)) {
       const auto layers = scaled_layers(light_layers(film), scales, film_scale);
       picture.layers.push_back({name, 3, standard_error(develop_replicates(film, layers))});
+    } else if (name == "standard-error-by-scale" && has_replicates(film, samples)) {
+      const auto layers = scaled_layers(light_layers(film), scales, film_scale);
+      const Replicates replicates = develop_replicates(film, layers);
+      for (const double sigma : kErrorScales) {
+        picture.layers.push_back(
+            {fmt::format("standard-error.{:g}", sigma), 3,
+             standard_error(blurred(replicates, Vec2i(film.width(), film.height()), sigma))});
+      }
     } else if (name == "replicates") {
       const auto layers = scaled_layers(light_layers(film), scales, film_scale);
       int number = 0;
@@ -239,6 +249,14 @@ std::optional<RelativeError> estimate_error(const Film& film, const Development&
       Vec2i(film.width(), film.height()));
   if (error) error->misses_light = scales.misses_light;
   return error;
+}
+
+std::vector<ErrorAtScale> estimate_errors_by_scale(const Film& film, const Development& scales,
+                                                   std::uint64_t samples) {
+  if (!has_replicates(film, samples)) return {};
+  return estimate_errors_by_scale(
+      develop_replicates(film, scaled_layers(light_layers(film), scales, 1.0)),
+      Vec2i(film.width(), film.height()));
 }
 
 std::vector<std::string> default_outputs(const std::string& film_filename,

@@ -21,9 +21,9 @@ struct Development {
   std::vector<DevelopScale> whole;  ///< per layer, for the sum over replicates
   std::vector<std::vector<DevelopScale>>
       replicates;  ///< per layer and replicate; none if it has none
-  std::vector<std::pair<std::string, Plane>> maps;  ///< `Integrator::maps`
+  std::vector<std::pair<std::string, Plane>> maps;  ///< of `Findings`
   std::optional<Plane> antialias_mask;
-  bool misses_light = false;  ///< `Integrator::misses_light`
+  bool misses_light = false;  ///< of `Findings`
 };
 /// After `samples` samples per pixel.
 Development development_of(const Film& film, const Integrator& integrator, std::uint64_t samples);
@@ -32,7 +32,7 @@ Development development_of_sum(const Development& a, const Development& b);
 
 /// Develops the film after `samples` samples per pixel: the picture (direct + indirect) times
 /// `film_scale`, then every layer of the film, then those of `aovs` that are made here: "samples",
-/// "standard-error" and "replicates" (as "replicates.0", "replicates.1", …).
+/// "standard-error" (also by scale) and "replicates" (as "replicates.0", "replicates.1", …).
 Picture develop(const Film& film, const Integrator& integrator, std::uint64_t samples,
                 double film_scale, const std::vector<std::string>& aovs);
 Picture develop(const Film& film, const Development& scales, std::uint64_t samples,
@@ -50,6 +50,9 @@ std::optional<RelativeError> estimate_error(const Film& film, const Integrator& 
                                             std::uint64_t samples);
 std::optional<RelativeError> estimate_error(const Film& film, const Development& scales,
                                             std::uint64_t samples);
+/// By scale; empty where that is unknown.
+std::vector<ErrorAtScale> estimate_errors_by_scale(const Film& film, const Development& scales,
+                                                   std::uint64_t samples);
 
 /// The pictures to write when none is named: an EXR and a PNG in the current folder, called like
 /// the film's file name or, if it has none, like the scene.

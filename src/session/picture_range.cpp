@@ -65,9 +65,9 @@ std::optional<Warning> range_complaint(const Film& film, const Picture& picture,
   if (sum == 0.0 && !has_light(film)) {
     return Warning{kBlack,
                    {},
-                   "the picture is black: no path has found light, and its error is unknown; see "
-                   "whether the scene has lights that reach what the camera sees, and try a larger "
-                   "--depth, more samples or another method"};
+                   "the picture is black: no path has found light; see whether the lights reach "
+                   "what the camera sees, and try a larger --depth, more samples or another "
+                   "method"};
   }
   if (least >= kDimmestMean || !has_light(film)) return std::nullopt;
   return Warning{

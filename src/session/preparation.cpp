@@ -5,19 +5,16 @@
 #include <algorithm>
 
 #include "core/parallel_for.h"
+#include "session/heuristics.h"
 
 namespace ajar {
-
-namespace {
-/// Of the time for the render.
-constexpr double kMostOfTime = 0.25;
-}  // namespace
 
 PreparationEnd Preparation::must_stop() const {
   if (limits_.interrupts != nullptr && limits_.interrupts->load(std::memory_order_relaxed) > 0) {
     return PreparationEnd::Interrupted;
   }
-  const bool is_late = limits_.seconds && clock_.seconds() > kMostOfTime * *limits_.seconds;
+  const bool is_late =
+      limits_.seconds && clock_.seconds() > SessionHeuristics::kMostOfTime * *limits_.seconds;
   return is_late ? PreparationEnd::NoTime : PreparationEnd::Done;
 }
 
@@ -26,21 +23,38 @@ PreparationEnd Preparation::must_skip() const {
   if (limits_.rounds == rounds_) reason = PreparationEnd::NoTime;
   if (reason == PreparationEnd::Done && limits_.seconds && over_ > 0.0) {
     const double expected = clock_.seconds() * all_ / over_;
-    if (expected > kMostOfTime * *limits_.seconds) reason = PreparationEnd::NoTime;
+    if (expected > SessionHeuristics::kMostOfTime * *limits_.seconds)
+      reason = PreparationEnd::NoTime;
   }
   if (limits_.ranks == nullptr) return reason;
   return static_cast<PreparationEnd>(limits_.ranks->maximum(static_cast<std::uint64_t>(reason)));
 }
 
-bool Preparation::run_round(int round, Counters& whole) {
+bool Preparation::will_be_late() const {
+  const double done = static_cast<double>(items_done_) / static_cast<double>(items_);
+  if (!limits_.seconds || done < SessionHeuristics::kTelling) return false;
+  const double expected = round_began_ + (clock_.seconds() - round_began_) / done;
+  return expected > SessionHeuristics::kMostOfTime * *limits_.seconds;
+}
+
+PreparationEnd Preparation::run_round(int round, Counters& whole) {
+  round_began_ = clock_.seconds();
   tbb::enumerable_thread_specific<Counters> counters;
+  std::atomic<PreparationEnd> end = PreparationEnd::Done;
   parallel_for(items_.load(), [&](std::uint64_t item) {
-    if (limits_.ranks == nullptr && must_stop() != PreparationEnd::Done) return;
+    if (end != PreparationEnd::Done) return;
+    if (limits_.ranks == nullptr) {
+      const PreparationEnd now = will_be_late() ? PreparationEnd::NoTime : must_stop();
+      if (now != PreparationEnd::Done) {
+        end = now;
+        return;
+      }
+    }
     integrator_.prepare_item(round, item, counters.local());
     ++items_done_;
   });
   for (const Counters& own : counters) whole += own;
-  return items_done_ == items_;
+  return end;
 }
 
 Counters Preparation::run() {
@@ -53,8 +67,7 @@ Counters Preparation::run() {
     running_ = next.effort;
     all_ = over_ + next.effort + next.later_effort;
     end_ = must_skip();
-    // Neither a signal nor the clock ever takes back what made a round stop.
-    if (end_ == PreparationEnd::Done && !run_round(round, whole)) end_ = must_stop();
+    if (end_ == PreparationEnd::Done) end_ = run_round(round, whole);
     if (end_ != PreparationEnd::Done) {
       integrator_.skip_preparation();
       return whole;

@@ -24,7 +24,8 @@ enum class PreparationEnd { Done, NoTime, Interrupted };
 
 /// Runs the rounds of an integrator's preparation on all threads that TBB may use. If the user asks
 /// to stop, or it would take more than a quarter of the time for the render, the integrator has to
-/// do without what is left of it (`Integrator::skip_preparation`).
+/// do without what is left of it (`Integrator::skip_preparation`). A round that shows in its first
+/// tenth that it would take longer is given up there: what it did is lost.
 class Preparation {
  public:
   explicit Preparation(Integrator& integrator, PreparationLimits limits = {})
@@ -41,16 +42,19 @@ class Preparation {
  private:
   /// Why to stop at once; `Done`: not at all.
   PreparationEnd must_stop() const;
+  /// Whether the round that runs will be late, as far as it shows that yet.
+  bool will_be_late() const;
   /// Why to do without the round that is about to begin, and the later ones; the same on all ranks.
   PreparationEnd must_skip() const;
-  /// False if it was cut short.
-  bool run_round(int round, Counters& whole);
+  /// Why it was cut short; `Done`: it was not.
+  PreparationEnd run_round(int round, Counters& whole);
 
   Integrator& integrator_;
   PreparationLimits limits_;
   const Stopwatch clock_;
   PreparationEnd end_ = PreparationEnd::Done;
   std::uint64_t rounds_ = 0;
+  double round_began_ = 0.0;  ///< seconds
   // Efforts: of rounds that are over, of the one that runs, and of all.
   std::atomic<double> over_{0.0};
   std::atomic<double> running_{0.0};

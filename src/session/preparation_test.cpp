@@ -1,6 +1,7 @@
 #include "session/preparation.h"
 
 #include <gtest/gtest.h>
+#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <chrono>
@@ -135,6 +136,17 @@ TEST(Preparation, TakesAQuarterOfTheTimeAtMost) {
   EXPECT_LE(preparation.run().rays, 20U);
   EXPECT_EQ(preparation.end(), PreparationEnd::NoTime);
   EXPECT_LE(preparation.rounds(), 1U);
+}
+
+TEST(Preparation, GivesUpARoundThatShowsThatItWillBeLate) {
+  Prepared integrator({1.0});
+  integrator.on_item = [](int) { std::this_thread::sleep_for(300ms); };
+  // Ten items on two threads take more than a second, of which each shows a tenth.
+  tbb::task_arena(2).execute([&] {
+    Preparation preparation(integrator, {.seconds = 4.0});
+    EXPECT_LE(preparation.run().rays, 4U);
+    EXPECT_EQ(preparation.end(), PreparationEnd::NoTime);
+  });
 }
 
 TEST(Preparation, ComesAsFarAsAnEarlierRun) {

@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "session/heuristics.h"
+
 namespace ajar {
 
 namespace {
@@ -27,9 +29,12 @@ std::vector<double> expected_totals(const RenderSnapshot& s) {
   const double rate = samples_per_second(s);
   if (rate <= 0.0) return totals;
   if (s.total_samples > 0) totals.push_back(static_cast<double>(s.total_samples) / rate);
-  const bool has_error = s.relative_error && !s.relative_error->is_lower_bound();
-  if (s.budget.target_error && has_error && *s.budget.target_error > 0.0) {
-    const double ratio = s.relative_error->value / *s.budget.target_error;
+  std::optional<double> error = s.denoised_error;
+  if (!s.budget.denoised_target && s.relative_error && !s.relative_error->is_lower_bound()) {
+    error = s.relative_error->value;
+  }
+  if (s.budget.target_error && error && *s.budget.target_error > 0.0) {
+    const double ratio = *error / *s.budget.target_error;
     totals.push_back(static_cast<double>(s.error_samples) * ratio * ratio / rate);
   }
   return totals;
@@ -44,7 +49,9 @@ std::string samples_text(const RenderSnapshot& s) {
 }
 
 std::string text_of_error(const RenderSnapshot& s) {
-  return s.renders() && s.relative_error ? "error " + error_text(*s.relative_error) : std::string();
+  if (!s.renders() || !s.relative_error) return {};
+  const std::string text = "error " + error_text(*s.relative_error);
+  return s.denoised_error ? text + ", denoised " + error_text({.value = *s.denoised_error}) : text;
 }
 
 std::string left_text(const RenderSnapshot& s) {
@@ -77,9 +84,7 @@ nlohmann::ordered_json optional_json(const std::optional<double>& value) {
 std::optional<double> seconds_left(const RenderSnapshot& snapshot) {
   if (!snapshot.renders()) {
     const double done = snapshot.phase_done;
-    // From less it cannot be told.
-    constexpr double kLeast = 0.01;
-    if (done < kLeast) return std::nullopt;
+    if (done < SessionHeuristics::kLeastDone) return std::nullopt;
     return snapshot.seconds * (1.0 - done) / done;
   }
   const std::vector<double> totals = expected_totals(snapshot);

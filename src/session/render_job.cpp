@@ -17,13 +17,11 @@
 #include "core/archive.h"
 #include "core/error.h"
 #include "core/parallel_for.h"
+#include "session/heuristics.h"
 
 namespace ajar {
 
 namespace {
-
-/// Fewer samples per replicate than this say too little about the error to stop a render.
-constexpr std::uint64_t kSamplesPerReplicateBeforeTarget = 4;
 
 /// What one thread counted in one pass.
 struct ThreadTally {
@@ -148,7 +146,7 @@ RenderJob::Decision RenderJob::decide() {
   const auto replicates = static_cast<std::uint64_t>(film_.replicates());
   const auto& recent = state_.recent_errors;
   if (options_.budget.target_error && !recent.empty() && recent.back().samples == done &&
-      done >= kSamplesPerReplicateBeforeTarget * replicates &&
+      done >= SessionHeuristics::kSamplesBeforeTarget * replicates &&
       target_is_reached(recent, *options_.budget.target_error)) {
     return stop(StopReason::TargetError);
   }
@@ -285,7 +283,6 @@ bool RenderJob::run_round(PartialPass& pass) {
 }
 
 void RenderJob::end_pass(const Decision& decision, double seconds) {
-  integrator_.end_pass();
   ++state_.passes;
   state_.samples_per_pixel = decision.first_sample + decision.samples;
   if (!decision.resumes_pass) {
@@ -311,10 +308,11 @@ void RenderJob::estimate(std::uint64_t samples, bool milestone) {
   }
   const std::optional<RelativeError> error = options_.estimate_error(film(), samples);
   state_.relative_error = error;
+  std::optional<double> reached;
   if (milestone) {
-    // What is only a lower bound has not reached anything.
-    if (error && !error->is_lower_bound()) {
-      state_.recent_errors.push_back({samples, error->value});
+    reached = error_for_target(error, samples);
+    if (reached) {
+      state_.recent_errors.push_back({samples, *reached});
       forget_old_errors(state_.recent_errors);
     } else {
       state_.recent_errors.clear();
@@ -323,6 +321,15 @@ void RenderJob::estimate(std::uint64_t samples, bool milestone) {
   const std::lock_guard lock(error_mutex_);
   relative_error_ = error;
   error_samples_ = samples;
+  if (milestone && options_.budget.denoised_target) denoised_error_ = reached;
+}
+
+std::optional<double> RenderJob::error_for_target(const std::optional<RelativeError>& error,
+                                                  std::uint64_t samples) const {
+  // What is only a lower bound has not reached anything.
+  if (!error || error->is_lower_bound()) return std::nullopt;
+  if (!options_.budget.denoised_target) return error->value;
+  return options_.estimate_denoised_error(film(), samples);
 }
 
 void RenderJob::gather() {
@@ -403,6 +410,7 @@ RenderSnapshot RenderJob::snapshot() const {
   const std::lock_guard lock(error_mutex_);
   snapshot.relative_error = relative_error_;
   snapshot.error_samples = error_samples_;
+  snapshot.denoised_error = denoised_error_;
   snapshot.finishing = interrupted(1);
   return snapshot;
 }

@@ -32,6 +32,9 @@ struct RenderJobOptions {
   /// be known.
   std::function<std::optional<RelativeError>(const Film& film, std::uint64_t samples)>
       estimate_error;
+  /// Likewise of the denoised picture; asked where the budget's target is that error.
+  std::function<std::optional<double>(const Film& film, std::uint64_t samples)>
+      estimate_denoised_error;
   const InterruptCount* interrupts = nullptr;  ///< may be null
   /// Where to go on; the film has the sums, the integrator its state.
   std::optional<JobState> resumed;
@@ -48,8 +51,9 @@ struct RenderSnapshot {
   std::uint64_t rays = 0;
   double seconds = 0.0;
   std::optional<RelativeError> relative_error;
-  std::uint64_t error_samples = 0;  ///< per pixel, when `relative_error` was taken
-  bool finishing = false;           ///< interrupted, waiting for the pass to end
+  std::uint64_t error_samples = 0;       ///< per pixel, when `relative_error` was taken
+  std::optional<double> denoised_error;  ///< then, where it is the target
+  bool finishing = false;                ///< interrupted, waiting for the pass to end
   /// `Prepare` and `Denoise`: what comes before the passes, or after them; then the other numbers
   /// but `seconds` mean nothing.
   RenderPhase phase = RenderPhase::Render;
@@ -115,6 +119,10 @@ class RenderJob {
   /// After a pass that was not cut short.
   void end_pass(const Decision& decision, double seconds);
   void estimate(std::uint64_t samples, bool milestone);
+  /// The error that the target is about, at a milestone with that estimate of the picture; empty if
+  /// it cannot be trusted.
+  std::optional<double> error_for_target(const std::optional<RelativeError>& error,
+                                         std::uint64_t samples) const;
   bool interrupted(int level) const;
   bool is_root() const { return options_.ranks == nullptr || options_.ranks->is_root(); }
   /// Brings what the ranks have together at the root.
@@ -148,9 +156,10 @@ class RenderJob {
   std::atomic<int> rounds_{1};
   std::atomic<std::uint64_t> items_done_{0};
   std::atomic<std::uint64_t> rays_{0};
-  mutable std::mutex error_mutex_;  // guards the two below
+  mutable std::mutex error_mutex_;  // guards those below
   std::optional<RelativeError> relative_error_;
   std::uint64_t error_samples_ = 0;
+  std::optional<double> denoised_error_;
 };
 
 }  // namespace ajar

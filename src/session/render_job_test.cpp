@@ -157,6 +157,22 @@ TEST(RenderJob, StopsAtTheSameSampleWhenTheErrorIsReached) {
   }
 }
 
+TEST(RenderJob, TargetsMayBeOfTheDenoisedPicture) {
+  RenderJobOptions options = with_samples(100000, 2);
+  options.budget.target_error = 0.1;
+  options.budget.denoised_target = true;
+  options.estimate_error = [](const Film&, std::uint64_t samples) { return error_after(samples); };
+  // As if a filter did what four times the samples do.
+  options.estimate_denoised_error = [](const Film&, std::uint64_t samples) {
+    return error_after(4 * samples).value;
+  };
+  RenderResult result;
+  render(options, 4, &result);
+  EXPECT_EQ(result.stopped_by, StopReason::TargetError);
+  EXPECT_EQ(result.samples_per_pixel, 32U);
+  EXPECT_NEAR(result.relative_error.value().value, error_after(32).value, 1e-6);
+}
+
 TEST(RenderJob, DoesNotTrustALowerBound) {
   for (const std::uint64_t bound_until : {0, 256, 100000}) {
     RenderJobOptions options = with_samples(2000, 2);

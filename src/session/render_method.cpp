@@ -55,11 +55,11 @@ void tell_of_method(RenderState& state) {
                      " cannot be divided into shares: its chains learn from each other; render "
                      "several seeds, and merge them");
   }
-  for (const Warning& concern : state.integrator->concerns()) state.warn(concern);
-  for (const std::string& note : state.integrator->notes()) state.events.note(note);
+  const Findings found = state.integrator->findings();
+  for (const Warning& concern : found.concerns) state.warn(concern);
+  for (const std::string& note : found.notes) state.events.note(note);
   const Budget& budget = setup.budget;
-  if (budget.target_error && !budget.seconds && !budget.samples_per_pixel &&
-      state.integrator->misses_light()) {
+  if (budget.target_error && !budget.seconds && !budget.samples_per_pixel && found.misses_light) {
     state.events.note(
         "--target-error cannot end this render, since its error stays a lower bound as long as "
         "light is missing: choose another method, or give --time or --spp, too");
@@ -125,7 +125,8 @@ void make_film(RenderState& state) {
   const std::vector<LayerSpec> layers = state.integrator->layers();
   if (state.order.request && !state.order.all_aovs && state.statistics.prepared) {
     std::vector<LayerSpec> made = layers;
-    for (const auto& [name, plane] : state.integrator->maps()) made.push_back({.name = name});
+    for (const auto& [name, plane] : state.integrator->findings().maps)
+      made.push_back({.name = name});
     check_layers(setup, made);
   }
   MemoryEstimate memory = memory_of(*state.plan, state.order, layers);

@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <filesystem>
+#include <functional>
 #include <utility>
 
 #include "session/event_teller.h"
@@ -55,6 +56,26 @@ PreviewOptions preview_options(const RenderState& state) {
   return options;
 }
 
+/// As well as it can be filtered. Empty if the user ended it.
+bool add_best_layers(const RenderState& state, const Film& film, std::uint64_t samples,
+                     Picture& picture, const std::function<void(double done)>& tell) {
+  const PictureEstimates estimates =
+      estimates_of(film, development_of(film, *state.integrator, samples), samples,
+                   state.plan->record.film_scale);
+  const int before = state.interrupts;
+  return state.filter->add_best_layers(picture, estimates, [&](double done) {
+    tell(done);
+    return state.interrupts == before;
+  });
+}
+
+std::optional<double> estimate_denoised_error(const RenderState& state, const Film& film,
+                                              std::uint64_t samples) {
+  Picture picture = develop(film, *state.integrator, samples, state.plan->record.film_scale, {});
+  if (!add_best_layers(state, film, samples, picture, [](double /*done*/) {})) return std::nullopt;
+  return denoised_error(picture);
+}
+
 RenderJobOptions job_options(RenderState& state, std::vector<PassObserver*> observers) {
   RenderJobOptions options;
   options.budget = state.plan->setup.budget;
@@ -64,6 +85,9 @@ RenderJobOptions job_options(RenderState& state, std::vector<PassObserver*> obse
   options.estimate_error = [&integrator = *state.integrator](const Film& film,
                                                              std::uint64_t samples) {
     return estimate_error(film, integrator, samples);
+  };
+  options.estimate_denoised_error = [&state](const Film& film, std::uint64_t samples) {
+    return estimate_denoised_error(state, film, samples);
   };
   options.interrupts = &state.interrupts;
   options.share = state.order.share;
@@ -91,11 +115,6 @@ void denoise_last(RenderState& state, const RenderJob& job, Picture& picture) {
   state.events.phase_begun(RenderPhase::Denoise);
   const Stopwatch clock;
   std::atomic<double> fraction{0.0};
-  const int before = state.interrupts;
-  const std::uint64_t samples = state.statistics.result.samples_per_pixel;
-  const PictureEstimates estimates =
-      estimates_of(job.film(), development_of(job.film(), *state.integrator, samples), samples,
-                   state.plan->record.film_scale);
   bool is_filtered = false;
   {
     const AtWork at_work(state, [&] {
@@ -105,10 +124,8 @@ void denoise_last(RenderState& state, const RenderJob& job, Picture& picture) {
       snapshot.seconds = clock.seconds();
       return snapshot;
     });
-    is_filtered = state.filter->add_best_layers(picture, estimates, [&](double done) {
-      fraction = done;
-      return state.interrupts == before;
-    });
+    is_filtered = add_best_layers(state, job.film(), state.statistics.result.samples_per_pixel,
+                                  picture, [&](double done) { fraction = done; });
   }
   state.statistics.times.denoise = clock.seconds();
   if (is_filtered) {
@@ -125,13 +142,16 @@ RenderOutcome finish(RenderState& state, const RenderJob& job, RenderWriters& wr
   outcome.interrupted = result.stopped_by == StopReason::Interrupted;
   if (outcome.interrupted) ++state.statistics.interruptions;
   Picture picture = state.develop_with(job.film(), state.statistics);
+  state.statistics.errors_by_scale = estimate_errors_by_scale(
+      job.film(), development_of(job.film(), *state.integrator, result.samples_per_pixel),
+      result.samples_per_pixel);
   denoise_last(state, job, picture);
   state.events.phase_begun(RenderPhase::Write);
   writers.show_last(job);
   const double film_scale = state.plan->record.film_scale;
-  if (const auto complaint = range_complaint(job.film(), picture, film_scale)) {
-    state.warn(*complaint);
-  }
+  // A scene without lights has been said to be black.
+  const auto complaint = range_complaint(job.film(), picture, film_scale);
+  if (complaint && !state.scene->lights().empty()) state.warn(*complaint);
   for (const Warning& concern : concerns_about(result)) state.warn(concern);
   outcome.statistics = state.statistics_with(result);
   picture.metadata = to_metadata(outcome.statistics);

@@ -49,6 +49,9 @@ RenderPlan make_plan(const RenderOrder& order, const desc::SceneDesc& descriptio
   if (order.share.count > 1 && setup.budget.target_error) {
     throw UsageError("--target-error cannot go with a share: all shares need the same samples");
   }
+  if (setup.budget.denoised_target && order.files.denoiser_name() == "none") {
+    throw UsageError("--target-error denoised:X needs a filter (--denoise auto, oidn or builtin)");
+  }
   Parameters parameters = read_parameters(setup);
   RenderRecord record = record_of(setup, parameters, order.scene, order.share);
   record.filter = filter_of(order);

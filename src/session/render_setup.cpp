@@ -169,7 +169,8 @@ RenderSetup make_setup(const RenderRequest& request, const desc::RenderHints& hi
   setup.aovs = checked_aovs(request.aovs);
   for (const std::string& name : setup.aovs) {
     const bool made_elsewhere = name == "direct" || name == "indirect" || name == "samples" ||
-                                name == "standard-error" || name == "replicates";
+                                name == "standard-error" || name == "standard-error-by-scale" ||
+                                name == "replicates";
     if (!made_elsewhere) setup.settings.aovs.push_back(name);
   }
   return setup;

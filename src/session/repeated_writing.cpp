@@ -4,12 +4,9 @@
 #include <exception>
 #include <utility>
 
-namespace ajar {
+#include "session/heuristics.h"
 
-namespace {
-constexpr double kLargestShare = 0.1;  // of the time, for writing
-constexpr double kSecondsUntilRetry = 10.0;
-}  // namespace
+namespace ajar {
 
 RepeatedWriting::RepeatedWriting(std::string what, double every, Say warn, Say note)
     : what_(std::move(what)),
@@ -27,8 +24,8 @@ bool RepeatedWriting::attempt(const std::function<void()>& write) {
     failure = error.what();
   }
   seconds_ = clock_.seconds() - begun;
-  const double pause = failure.empty() ? every_ : std::min(every_, kSecondsUntilRetry);
-  due_ = clock_.seconds() + std::max(pause, seconds_ / kLargestShare);
+  const double pause = failure.empty() ? every_ : std::min(every_, SessionHeuristics::kUntilRetry);
+  due_ = clock_.seconds() + std::max(pause, seconds_ / SessionHeuristics::kMostForWriting);
   if (!failure.empty() && failure != failure_) {
     warn_(failure + "; " + what_ + " will be tried again, the render goes on");
   }

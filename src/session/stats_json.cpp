@@ -25,6 +25,16 @@ void add_error(const RenderResult& result, Json& json) {
   json["estimated_error_is_lower_bound"] = !error || error->is_lower_bound();
 }
 
+/// "4": of the picture after a Gaussian of four pixels.
+Json by_scale_json(const std::vector<ErrorAtScale>& errors) {
+  Json json = Json::object();
+  for (const double sigma : kErrorScales) json[fmt::format("{:g}", sigma)] = nullptr;
+  for (const ErrorAtScale& error : errors) {
+    json[fmt::format("{:g}", error.sigma)] = number_or_null(error.value);
+  }
+  return json;
+}
+
 double per_second(std::uint64_t count, double seconds) {
   return seconds > 0.0 ? static_cast<double>(count) / seconds : 0.0;
 }
@@ -35,7 +45,8 @@ Json budget_json(const Budget& budget) {
   const auto value_or_null = [](const auto& value) { return value ? Json(*value) : Json(); };
   return {{"samples_per_pixel", value_or_null(budget.samples_per_pixel)},
           {"seconds", value_or_null(budget.seconds)},
-          {"target_error", value_or_null(budget.target_error)}};
+          {"target_error", value_or_null(budget.target_error)},
+          {"target_is_denoised", budget.denoised_target}};
 }
 
 std::string budget_text(const Budget& budget) {
@@ -43,7 +54,9 @@ std::string budget_text(const Budget& budget) {
   const auto add = [&](const std::string& limit) { text += (text.empty() ? "" : ", ") + limit; };
   if (budget.samples_per_pixel) add(fmt::format("{} spp", *budget.samples_per_pixel));
   if (budget.seconds) add(fmt::format("{} s", *budget.seconds));
-  if (budget.target_error) add(fmt::format("error {}", *budget.target_error));
+  if (budget.target_error) {
+    add(fmt::format("{}error {}", budget.denoised_target ? "denoised " : "", *budget.target_error));
+  }
   return text.empty() ? "none" : text;
 }
 
@@ -132,6 +145,7 @@ Json to_json(const RenderStatistics& s) {
   json["interrupted"] = r.stopped_by == StopReason::Interrupted;
   json["complete"] = r.complete;
   json["estimated_denoised_error"] = number_or_null(s.denoised_error);
+  json["estimated_error_by_scale"] = by_scale_json(s.errors_by_scale);
   json["denoiser"] = text_or_null(s.denoiser);
   json["exposure"] = exposure_json(s.exposure);
   json["outputs"] = s.outputs;

@@ -51,8 +51,9 @@ struct RenderStatistics {
   std::size_t warning_count = 0;
   std::vector<std::string> warnings;  ///< texts, at most `Warnings::kMaxKept`
   std::vector<std::string> outputs;
-  std::optional<double> denoised_error;  ///< see `denoised_error`
-  std::string denoiser;                  ///< name and version; empty: nothing was filtered
+  std::optional<double> denoised_error;         ///< see `denoised_error`
+  std::vector<ErrorAtScale> errors_by_scale{};  ///< estimated; empty: unknown
+  std::string denoiser;                         ///< name and version; empty: nothing was filtered
   Exposure exposure;  ///< of pictures for the eye: `stops` are those used, whoever chose them
 };
 

@@ -71,7 +71,8 @@ struct PathSamplerSettings {
   /// Efficiency-aware Russian roulette (after Rath et al. 2022): what the rest of a camera subpath
   /// brings per unit of its throughput, root mean square, over the root of the rays that it takes.
   /// Subpaths then survive as often as that is worth (`PathSink::worth`), from
-  /// `kEfficientRouletteStart` on. 0: not known; roulette follows the throughput alone.
+  /// `TransportHeuristics::kEfficientRouletteStart` on. 0: not known; roulette follows the
+  /// throughput alone.
   float camera_rest = 0.F;
 };
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "transport/heuristics.h"
+
 namespace ajar {
 
 MisStep mis_step(const Flight& flight, const Segment& segment, float distance, float cosine_at_end,
@@ -83,7 +85,8 @@ bool scatter(const WalkSettings& settings, const PathVertex& vertex, SampleSourc
   flight.throughput = vertex.throughput * sample->weight;
   if (settings.mode == TransportMode::Radiance) flight.roulette_scale *= sample->eta * sample->eta;
   const bool is_long = vertex.edges >= settings.roulette_start;
-  if (is_long || (settings.efficient_roulette && vertex.edges >= kEfficientRouletteStart)) {
+  if (is_long || (settings.efficient_roulette &&
+                  vertex.edges >= TransportHeuristics::kEfficientRouletteStart)) {
     const float survival =
         std::min(is_long ? 0.95F : 1.F, flight.throughput.max() * flight.roulette_scale);
     if (survival != 1.F) {

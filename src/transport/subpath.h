@@ -31,10 +31,6 @@ struct Flight {
   const Medium* scattered_in = nullptr;  ///< the medium that z_i lies in, if it is not on a surface
 };
 
-/// Edges from which efficiency-aware roulette may end a walk. What the first surface reflects is as
-/// different as surfaces are: no one number says what that brings.
-inline constexpr int kEfficientRouletteStart = 2;
-
 /// Settings of a random walk.
 struct WalkSettings {
   TransportMode mode;

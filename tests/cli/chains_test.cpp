@@ -13,15 +13,35 @@
 namespace ajar {
 namespace {
 
+constexpr const char* kWalledLamp =
+    "LookAt 0 0 -5  0 0 0  0 1 0\nCamera \"perspective\"\nWorldBegin\n"
+    "Shape \"sphere\" \"float radius\" [1]\n"
+    "AreaLightSource \"diffuse\" \"rgb L\" [5 5 5]\n"
+    "Shape \"sphere\" \"float radius\" [0.3]\nWorldEnd\n";
+
+int count_of(const std::string& text, const std::string& part) {
+  int count = 0;
+  for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
+  return count;
+}
+
+TEST_F(Cli, EveryMethodSaysThatItsPictureIsBlack) {
+  file("walled.pbrt", kWalledLamp);
+  file("unlit.pbrt", "Camera \"perspective\" WorldBegin Shape \"sphere\" WorldEnd");
+  for (const std::string& method : integrators()) {
+    for (const char* scene : {"walled.pbrt", "unlit.pbrt"}) {
+      const Outcome outcome = run({"render", scene, "--integrator", method, "--resolution", "8x8",
+                                   "--spp", "8", "--stats", "stats.json", "-o", "a.pfm"});
+      ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+      EXPECT_EQ(count_of(outcome.err, "picture is black"), 1) << method << outcome.err;
+      EXPECT_TRUE(contains(outcome.err, ", error unknown")) << method << outcome.err;
+      EXPECT_TRUE(statistics().at("estimated_relative_error").is_null()) << method;
+    }
+  }
+}
+
 TEST_F(Cli, ChainsWithoutLightSayWhatToDoAndRenderBlack) {
-  // The lamp is walled in.
-  const fs::path scene = file("dark.pbrt",
-                              "LookAt 0 0 -5  0 0 0  0 1 0\nCamera \"perspective\"\n"
-                              "WorldBegin\n"
-                              "Shape \"sphere\" \"float radius\" [1]\n"
-                              "AreaLightSource \"diffuse\" \"rgb L\" [5 5 5]\n"
-                              "Shape \"sphere\" \"float radius\" [0.3]\n"
-                              "WorldEnd\n");
+  const fs::path scene = file("dark.pbrt", kWalledLamp);
   for (const char* integrator : {"mmlt+", "pssmlt+"}) {
     const Outcome outcome =
         run({"render", scene.string(), "--integrator", integrator, "--resolution", "8x8", "--spp",

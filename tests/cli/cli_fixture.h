@@ -96,6 +96,15 @@ class Cli : public testing::Test {
     return folder_ / name;
   }
 
+  /// Names of all.
+  std::vector<std::string> integrators() const {
+    std::vector<std::string> names;
+    const json list = json::parse(run({"list", "--json"}).out);
+    for (const json& entry : list.at("integrators")) {
+      names.push_back(entry.at("name"));
+    }
+    return names;
+  }
   json statistics(const std::string& name = "stats.json") const {
     return json::parse(read_text(folder_ / name));
   }

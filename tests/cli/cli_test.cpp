@@ -54,6 +54,14 @@ TEST_F(Cli, HelpAndVersionSucceed) {
   }
 }
 
+TEST_F(Cli, HelpSaysWhatNumbersMeanAndWhatWorksWithoutAViewer) {
+  const Outcome help = run({"render", "--help"});
+  const std::size_t preview = help.out.find("--preview HOST:PORT");
+  ASSERT_NE(preview, std::string::npos) << help.out;
+  EXPECT_TRUE(contains(help.out.substr(preview, 250), "--output-every")) << help.out;
+  EXPECT_TRUE(contains(run({"list", "aovs"}).out, "Student's t with 3 degrees of freedom"));
+}
+
 TEST_F(Cli, WrongUsageEndsWithTwoAndHelps) {
   struct Case {
     std::vector<std::string> arguments;
@@ -77,6 +85,8 @@ TEST_F(Cli, WrongUsageEndsWithTwoAndHelps) {
       {{"render", "builtin:cornell", "--spp", "1.5"},
        "whole number from 1 to 2147483648, not \"1.5"},
       {{"render", "builtin:cornell", "--samples", "4"}, "did you mean \"--spp\"?"},
+      {{"render", "builtin:cornell", "--sampels", "4"}, "did you mean \"--spp\"?"},
+      {{"render", "builtin:cornell", "--exposre", "1"}, "did you mean \"--exposure\"?"},
       {{"render", "builtin:cornell", "--exposure", "lots"},
        "a number of stops from -64 to 64, or auto"},
       {{"render", "builtin:cornell", "--target-error", "5"}, "did you mean 0.05, or 5%?"},

@@ -5,7 +5,6 @@
 
 #include "cli_fixture.h"
 #include "image/image_file.h"
-#include "post/denoise/denoiser.h"
 
 /// Pictures without noise, as users get them.
 namespace ajar::cli {
@@ -13,10 +12,6 @@ namespace {
 
 class DenoiseCli : public Cli {
  protected:
-  void SetUp() override {
-    Cli::SetUp();
-    if (!find_denoiser("auto")) GTEST_SKIP() << "there is no filter on this machine";
-  }
   /// Of 32×24 pixels, with these arguments beside.
   Outcome cornell(const std::vector<std::string>& more) const {
     std::vector<std::string> arguments = {"render", "builtin:cornell", "--resolution",
@@ -46,6 +41,21 @@ TEST_F(DenoiseCli, FiltersWhatTheEyeSeesAndKeepsWhatWasRendered) {
   EXPECT_GT(said.at("estimated_denoised_error"), 0.0);
   EXPECT_LT(said.at("estimated_denoised_error"), 1.0);
   EXPECT_GT(said.at("seconds").at("denoise"), 0.0);
+}
+
+TEST_F(DenoiseCli, RendersUntilTheDenoisedPictureIsGood) {
+  const Outcome outcome = cornell({"--denoise", "builtin", "--spp", "100000", "--target-error",
+                                   "denoised:15%", "--stats", "a.json", "-o", "a.exr"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const json said = statistics("a.json");
+  EXPECT_EQ(said.at("stopped_by"), "target error");
+  EXPECT_TRUE(said.at("budget").at("target_is_denoised"));
+  EXPECT_LE(said.at("estimated_denoised_error"), 0.15);
+  const json by_scale = said.at("estimated_error_by_scale");
+  EXPECT_LT(by_scale.at("4").get<double>(), by_scale.at("1").get<double>());
+  const Outcome unfiltered = cornell({"--denoise", "none", "--target-error", "denoised:5%"});
+  EXPECT_EQ(unfiltered.exit_code, 2);
+  EXPECT_TRUE(contains(unfiltered.err, "needs a filter")) << unfiltered.err;
 }
 
 TEST_F(DenoiseCli, FiltersPicturesOfEarlierRenders) {

@@ -110,14 +110,6 @@ class FarScenes : public Cli {
     return run({"render", scene, "--integrator", integrator, "--spp", "2", "--threads", "1",
                 "--depth", "1:4", "--progress", "none", "--stats", "stats.json", "-o", "a.pfm"});
   }
-  std::vector<std::string> integrators() const {
-    std::vector<std::string> names;
-    const json list = json::parse(run({"list", "--json"}).out);
-    for (const json& entry : list.at("integrators")) {
-      names.push_back(entry.at("name"));
-    }
-    return names;
-  }
 };
 
 TEST_F(FarScenes, EndWithAFinitePictureOrAPlace) {

@@ -47,6 +47,9 @@ TEST_F(MpiCli, WithoutItsOtherHalfTheProgramRefusesToBeARank) {
       finish(start({"OMPI_COMM_WORLD_SIZE=2", copy, "render", "builtin:cornell"}, "/usr/bin/env"));
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_TRUE(contains(outcome.err, "built without MPI")) << outcome.err;
+  EXPECT_TRUE(contains(outcome.err, "apt-get install libopenmpi-dev openmpi-bin")) << outcome.err;
+  const Outcome help = finish(start({"bash", AJAR_SOURCE_DIR "/dev", "help"}, "/usr/bin/env"));
+  EXPECT_TRUE(contains(help.out, "libopenmpi-dev and openmpi-bin")) << help.out;
 }
 
 #ifdef AJAR_MPIRUN

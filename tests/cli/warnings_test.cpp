@@ -126,7 +126,7 @@ TEST_F(Cli, NotesSayWhatIsDifficultAboutAPicture) {
                 "none", "-o", "a.pfm"})
         .err;
   };
-  EXPECT_TRUE(contains(notes_of("cornell"), "ajar: no difficult light found: plain "));
+  EXPECT_TRUE(contains(notes_of("cornell"), "ajar: no difficult light found: rendered by plain "));
   const std::string of_torus = notes_of("torus-in-glass");
   EXPECT_TRUE(contains(of_torus, "ajar: difficult light (caustics, light through gaps) in "))
       << of_torus;

@@ -134,9 +134,10 @@ void add_run(CLI::App* command, RunArguments& a, const std::string& output_defau
       ->type_name("TIME")
       ->check(kNotEmpty)
       ->group(stop);
-  add_value(command, "--target-error", a.target_error, parse_relative_error,
-            "Estimated relative error of the picture, such as 0.01 or 1%")
-      ->type_name("X")
+  add_value(command, "--target-error", a.target_error, parse_target_error,
+            "Estimated relative error of the picture, such as 0.01 or 1%; denoised:1%: of the "
+            "denoised picture")
+      ->type_name("[denoised:]X")
       ->group(stop);
 
   command
@@ -364,25 +365,35 @@ std::vector<std::string> option_names(const CLI::App& command) {
   return names;
 }
 
-/// What other renderers call an option of ours; empty if none does.
-std::string our_name_of(const std::string& theirs) {
-  struct Names {
-    const char* theirs;
-    const char* ours;
-  };
-  constexpr std::array<Names, 10> kNames = {{{"--samples", "--spp"},
-                                             {"--pixelsamples", "--spp"},
-                                             {"--nthreads", "--threads"},
-                                             {"--outfile", "--output"},
-                                             {"--cropwindow", "--crop"},
-                                             {"--pixelfilter", "--filter"},
-                                             {"--size", "--resolution"},
-                                             {"--quality", "--target-error"},
-                                             {"--timeout", "--time"},
-                                             {"--time-limit", "--time"}}};
-  const auto found = std::find_if(kNames.begin(), kNames.end(),
-                                  [&](const Names& names) { return theirs == names.theirs; });
-  return found == kNames.end() ? std::string() : found->ours;
+/// What other renderers call options of ours.
+struct OtherName {
+  std::string theirs;
+  std::string ours;
+};
+
+const std::vector<OtherName>& other_names() {
+  static const std::vector<OtherName> names = {
+      {"--samples", "--spp"},     {"--pixelsamples", "--spp"},     {"--nthreads", "--threads"},
+      {"--outfile", "--output"},  {"--cropwindow", "--crop"},      {"--pixelfilter", "--filter"},
+      {"--size", "--resolution"}, {"--quality", "--target-error"}, {"--timeout", "--time"},
+      {"--time-limit", "--time"}};
+  return names;
+}
+
+/// The option of ours for which other renderers have the name that is nearest; empty if one of ours
+/// is nearer.
+std::string our_name_of(const std::string& name, const std::vector<std::string>& valid) {
+  std::vector<std::string> known;
+  for (const OtherName& other : other_names()) {
+    if (std::find(valid.begin(), valid.end(), other.ours) != valid.end()) {
+      known.push_back(other.theirs);
+    }
+  }
+  known.insert(known.end(), valid.begin(), valid.end());
+  const std::string nearest = nearest_name(name, known);
+  const auto found = std::find_if(other_names().begin(), other_names().end(),
+                                  [&](const OtherName& other) { return other.theirs == nearest; });
+  return found == other_names().end() ? std::string() : found->ours;
 }
 
 std::vector<std::string> command_names(const CLI::App& app) {
@@ -418,8 +429,7 @@ void check_leftovers(const CLI::App& app) {
   }
   const std::string name = option->substr(0, option->find('='));
   const std::vector<std::string> valid = option_names(command);
-  if (const std::string ours = our_name_of(name);
-      std::find(valid.begin(), valid.end(), ours) != valid.end()) {
+  if (const std::string ours = our_name_of(name, valid); !ours.empty()) {
     throw UsageError("unknown option \"" + name + "\"; did you mean \"" + ours + "\"?");
   }
   throw UsageError(unknown_name_message("option", name, valid));

@@ -5,6 +5,7 @@
 
 #include "image/flip.h"
 #include "session/display.h"
+#include "session/option_values.h"
 #include "session/ranks.h"
 
 /// What the commands of the program are told, as written on the command line. Each command returns
@@ -16,7 +17,7 @@ struct RunArguments {
   std::vector<std::string> outputs;
   std::string time;
   std::optional<std::uint64_t> spp;
-  std::optional<double> target_error;
+  std::optional<TargetError> target_error;
   int threads = 0;
   std::string stats;
   std::string progress = "auto";

@@ -83,6 +83,8 @@ int merge(const MergeArguments& a) {
   print_all_warnings(warnings);
   statistics.warnings = warnings.messages();
   statistics.warning_count = warnings.count();
+  statistics.errors_by_scale =
+      estimate_errors_by_scale(film, merged.scales, merged.job.samples_per_pixel);
   if (denoiser) {
     PictureFilter filter(std::move(denoiser),
                          [&merged](const Denoiser::Progress&) { return merged.features; });

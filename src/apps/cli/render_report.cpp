@@ -32,7 +32,9 @@ std::string end_text(const RenderResult& result, double preparing,
   // Less nobody has noticed.
   constexpr double kLeastSeconds = 0.05;
   if (preparing >= kLeastSeconds) text += fmt::format(", after {:.1f} s of preparing", preparing);
-  if (result.relative_error) {
+  if (!result.relative_error) {
+    text += ", error unknown";
+  } else {
     text += ", estimated error " + error_text(*result.relative_error);
     if (result.relative_error->has_fireflies) {
       text += fmt::format(" (fireflies: half of it is in {:.2g} % of the pixels)",

@@ -22,6 +22,13 @@ TEST(EndText, HasAllNumbers) {
             "3.4 %, denoised 1.2 %");
 }
 
+TEST(EndText, SaysWhenTheErrorIsUnknown) {
+  RenderResult r = result();
+  r.relative_error.reset();
+  EXPECT_TRUE(end_text(r, 0.0, std::nullopt).ends_with("rays/s, error unknown"))
+      << end_text(r, 0.0, std::nullopt);
+}
+
 TEST(EndText, SaysOfBothErrorsThatTheyAreLowerBounds) {
   RenderResult r = result();
   r.relative_error->misses_light = true;

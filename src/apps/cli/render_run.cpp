@@ -37,7 +37,10 @@ Budget budget_of(const RunArguments& a) {
   Budget budget;
   budget.samples_per_pixel = a.spp;
   if (!a.time.empty()) budget.seconds = parse_duration("--time", a.time);
-  budget.target_error = a.target_error;
+  if (a.target_error) {
+    budget.target_error = a.target_error->value;
+    budget.denoised_target = a.target_error->is_denoised;
+  }
   return budget;
 }
 

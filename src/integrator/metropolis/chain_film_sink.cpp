@@ -13,7 +13,7 @@ void add_chain_layers(std::vector<LayerSpec>& specs, const std::vector<std::stri
 }
 
 ChainFilmSink::ChainFilmSink(Film& film, int replicate, const ImportanceMap& importance,
-                             const PathTarget& target, Counters& counters, PlaneMaps* maps,
+                             const PathTarget& target, Counters& counters, VisitSink* visits,
                              const PathPart* part)
     : film_(film),
       light_{film.layer("direct"), film.layer("indirect")},
@@ -23,7 +23,7 @@ ChainFilmSink::ChainFilmSink(Film& film, int replicate, const ImportanceMap& imp
       importance_(importance),
       target_(target),
       counters_(counters),
-      maps_(maps != nullptr && maps->gathers() ? maps : nullptr),
+      visits_(visits),
       part_(part) {}
 
 void ChainFilmSink::deposit(std::span<const Splat> splats, double factor) {
@@ -32,14 +32,14 @@ void ChainFilmSink::deposit(std::span<const Splat> splats, double factor) {
     Spectrum value = splat.value * static_cast<float>(factor * scale_);
     if (part_ != nullptr && splat.layer == kIndirectSplat) value *= part_->kept(splat.raster);
     if (!film_.splat(layer, replicate_, splat.raster, value)) ++counters_.discarded_infinite;
-    if (density_ < 0 && maps_ == nullptr) continue;
+    if (density_ < 0 && visits_ == nullptr) continue;
     const double share = factor * static_cast<double>(luminance(splat.value)) *
                          static_cast<double>(importance_(splat.raster));
     if (density_ >= 0) {
       film_.splat(density_, 0, splat.raster, Spectrum(static_cast<float>(share)));
     }
-    if (maps_ != nullptr) {
-      maps_->add(replicate_, splat.raster, share, static_cast<double>(luminance(value)));
+    if (visits_ != nullptr) {
+      visits_->add(replicate_, splat.raster, share, static_cast<double>(luminance(value)));
     }
   }
 }

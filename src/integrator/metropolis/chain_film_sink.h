@@ -7,7 +7,6 @@
 #include "image/importance_map.h"
 #include "integrator/integrator.h"
 #include "integrator/metropolis/path_target.h"
-#include "integrator/metropolis/plane_maps.h"
 #include "mcmc/primary/primary_runner.h"
 
 namespace ajar {
@@ -20,12 +19,20 @@ inline bool is_chain_layer(const std::string& name) {
 /// Those of them that are asked for.
 void add_chain_layers(std::vector<LayerSpec>& specs, const std::vector<std::string>& aovs);
 
-/// Puts what chains deposit on the film, as far as `part` keeps it, and into `maps` if they are
-/// there and gather.
+/// Learns where chains are. Thread-safe.
+class VisitSink {
+ public:
+  virtual ~VisitSink() = default;
+  /// A visit of this weight to the pixel of a raster position, and the light it brought.
+  virtual void add(int replicate, const Vec2& raster, double visits, double light) = 0;
+};
+
+/// Puts what chains deposit on the film, as far as `part` keeps it, and tells `visits` if it is
+/// there.
 class ChainFilmSink final : public DepositSink {
  public:
   ChainFilmSink(Film& film, int replicate, const ImportanceMap& importance,
-                const PathTarget& target, Counters& counters, PlaneMaps* maps = nullptr,
+                const PathTarget& target, Counters& counters, VisitSink* visits = nullptr,
                 const PathPart* part = nullptr);
 
   /// `scale` multiplies what is deposited; what is `proposed` is counted in `by_technique`.
@@ -45,7 +52,7 @@ class ChainFilmSink final : public DepositSink {
   const ImportanceMap& importance_;
   const PathTarget& target_;
   Counters& counters_;
-  PlaneMaps* maps_;
+  VisitSink* visits_;
   const PathPart* part_;
   double scale_ = 1.0;
   std::vector<MoveCount>* by_technique_ = nullptr;

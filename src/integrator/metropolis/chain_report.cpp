@@ -4,8 +4,6 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "mcmc/primary/step_kind.h"
-
 namespace ajar {
 
 namespace {
@@ -69,10 +67,10 @@ MethodReport ChainReporter::report() const {
   for (std::size_t i = 0; i < whole.moves.size(); ++i) {
     const MoveCount& move = whole.moves[i];
     if (move.proposals == 0) continue;
-    by_move.push_back({{"move", step_names()[i]},
+    by_move.push_back({{"move", moves_[i].name},
                        {"proposals", move.proposals},
                        {"acceptance", move.acceptance()}});
-    (i == move_of(StepKind::Large) ? large : small) += move;
+    (moves_[i].independent ? large : small) += move;
   }
   return {{"acceptance",
            {{"small", small.acceptance()},

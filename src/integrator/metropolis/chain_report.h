@@ -37,7 +37,9 @@ class ChainReporter {
     double b_variance_ = 0.0;
   };
 
-  explicit ChainReporter(std::uint64_t bootstrap_samples) : bootstrap_samples_(bootstrap_samples) {}
+  /// `moves`: of the kernel that the chains run with.
+  ChainReporter(std::uint64_t bootstrap_samples, std::span<const Move> moves)
+      : bootstrap_samples_(bootstrap_samples), moves_(moves) {}
   void add(OfGroup group) { groups_.push_back(std::move(group)); }
   /// `acceptance` by size of step, move, depth and technique, `b` by depth, `chains`,
   /// `bootstrap_samples`.
@@ -45,6 +47,7 @@ class ChainReporter {
 
  private:
   std::uint64_t bootstrap_samples_;
+  std::span<const Move> moves_;
   std::vector<OfGroup> groups_;
 };
 

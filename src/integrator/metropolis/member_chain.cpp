@@ -77,7 +77,7 @@ void check_record(const ChainRecord& record, const PathGroup& group) {
   const std::size_t counted = record.by_technique.size();
   require(counted == 0 || counted == group.choice.size(), "a chain does not fit its population");
   const ChainStatistics& statistics = record.statistics;
-  require(statistics.moves.size() <= step_names().size(), "chains cannot have made such steps");
+  require(statistics.moves.size() <= primary_moves().size(), "chains cannot have made such steps");
   check_counts(statistics.moves);
   check_counts(record.by_technique);
   require(is_sum(statistics.large_steps.sum) && is_sum(statistics.large_steps.sum_of_squares),

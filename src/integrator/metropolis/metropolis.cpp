@@ -15,7 +15,6 @@
 #include "integrator/metropolis/chain_moves.h"
 #include "integrator/metropolis/chain_report.h"
 #include "integrator/metropolis/heuristics.h"
-#include "integrator/metropolis/plane_maps.h"
 #include "integrator/metropolis/population.h"
 #include "integrator/montecarlo/blind_spots.h"
 #include "integrator/montecarlo/path_family.h"
@@ -50,7 +49,7 @@ class MetropolisIntegrator final : public Integrator {
                        const Parameters& parameters)
       : scene_(scene),
         settings_(settings),
-        moves_(parameters, kind),
+        moves_(parameters),
         view_(view_of(scene, settings)),
         sampler_(sampler_of(settings, parameters)),
         groups_(make_path_groups(
@@ -66,13 +65,10 @@ class MetropolisIntegrator final : public Integrator {
   PreparationRound begin_preparation(int round) override;
   void prepare_item(int round, std::uint64_t item, Counters& counters) override;
   void skip_preparation() override;
-  std::vector<Warning> concerns() const override { return concerns_; }
-  bool misses_light() const override { return misses_light_; }
-  std::vector<std::string> notes() const override;
+  Findings findings() const override;
 
   std::vector<LayerSpec> layers() const override;
   std::uint64_t items_in_round() const override;
-  void begin_pass(std::uint64_t first_sample, std::uint64_t samples, Film& film) override;
   void run_item(std::uint64_t item, std::uint64_t first_sample, std::uint64_t samples, Film& film,
                 Counters& counters) override;
   bool is_of_chains(std::uint64_t /*item*/) const override { return !unprepared_; }
@@ -121,8 +117,6 @@ class MetropolisIntegrator final : public Integrator {
   std::vector<SampleBlock> blocks_;         ///< of the bootstrap
   std::vector<Item> items_;                 ///< one per chain
   std::vector<std::size_t> chains_per_;     ///< replicate
-  std::unique_ptr<PlaneMaps> maps_;         ///< null if steps do not follow the image plane
-  std::uint64_t epoch_ = 0;                 ///< samples per pixel at the last end of one
   std::unique_ptr<Integrator> unprepared_;  ///< renders if there was no time for a bootstrap
 };
 
@@ -173,10 +167,6 @@ void MetropolisIntegrator::seed() {
     chains_per_[static_cast<std::size_t>(populations_[p].replicate)] += chains;
   }
   if (items_.empty() && !groups_.empty()) concerns_.push_back(no_seeds(bootstrap_samples()));
-  if (moves_.plane.active()) {
-    maps_ = std::make_unique<PlaneMaps>(moves_.plane, view_, settings_.replicates, brightness(),
-                                        *moves_.mutation);
-  }
 }
 
 /// Without a bootstrap there is neither a seed nor b: ordinary Monte Carlo with the same techniques
@@ -189,31 +179,25 @@ void MetropolisIntegrator::skip_preparation() {
   unprepared_ = make_path_integrator(scene_, own, monte_carlo_);
 }
 
-std::vector<std::string> MetropolisIntegrator::notes() const {
+Findings MetropolisIntegrator::findings() const {
+  Findings found;
+  found.concerns = concerns_;
+  found.misses_light = misses_light_;
   if (unprepared_) {
-    return {"too little time to look for light that chains start from: plain Monte Carlo (" +
-            monte_carlo_.get_text("techniques") + ") makes this picture"};
+    found.notes = {
+        "too little time to look for light that chains start from: rendered by plain Monte Carlo "
+        "(" +
+        monte_carlo_.get_text("techniques") + ")"};
+  } else if (!items_.empty()) {
+    found.notes = {"Markov chains make all light"};
   }
-  if (items_.empty()) return {};
-  return {"Markov chains make all light"};
+  return found;
 }
 
 // ---------------------------------------------------------------- chains
 
 std::uint64_t MetropolisIntegrator::items_in_round() const {
   return unprepared_ ? unprepared_->items_in_round() : items_.size();
-}
-
-/// What steps follow on the image plane is learned at counts fixed in advance, which passes do not
-/// cross (`PassSchedule`): where they end otherwise is up to the clock.
-void MetropolisIntegrator::begin_pass(std::uint64_t first_sample, std::uint64_t /*samples*/,
-                                      Film& /*film*/) {
-  if (!maps_) return;
-  const auto replicates = static_cast<std::uint64_t>(settings_.replicates);
-  const std::uint64_t milestone = last_doubling(first_sample, replicates);
-  if (milestone <= epoch_) return;
-  epoch_ = milestone;
-  maps_->end_epoch(static_cast<double>(milestone));
 }
 
 std::uint64_t MetropolisIntegrator::steps(std::uint64_t sample, std::size_t chains) const {
@@ -236,9 +220,8 @@ void MetropolisIntegrator::run_item(std::uint64_t item, std::uint64_t first_samp
   MemberChain& member = population.chains[items_[item].chain];
   const PathGroup& group = groups_[population.group];
   const auto target = make_path_target(scene_, group, view_);
-  PrimaryRunner runner(moves_.settings, *moves_.mutation, group.shape, *target,
-                       maps_ ? maps_->moves(population.replicate) : nullptr);
-  ChainFilmSink sink(film, population.replicate, view_.importance, *target, counters, maps_.get());
+  PrimaryRunner runner(moves_.settings, *moves_.mutation, group.shape, *target);
+  ChainFilmSink sink(film, population.replicate, view_.importance, *target, counters);
   const double b = population.b.mean();
   const auto chains = static_cast<double>(population.chains.size());
   ChainStatistics statistics;
@@ -296,7 +279,7 @@ std::uint64_t MetropolisIntegrator::bootstrap_samples() const {
 
 MethodReport MetropolisIntegrator::report() const {
   if (unprepared_) return unprepared_->report();
-  ChainReporter reporter(bootstrap_samples());
+  ChainReporter reporter(bootstrap_samples(), primary_moves());
   for (std::size_t g = 0; g < groups_.size(); ++g) {
     ChainReporter::OfGroup group(groups_[g]);
     for (const MeasuredPopulation& population : populations_) {
@@ -310,15 +293,14 @@ MethodReport MetropolisIntegrator::report() const {
 }
 
 void MetropolisIntegrator::save_state(OutputArchive& archive) const {
-  archive(static_cast<std::uint64_t>(items_.size()), epoch_);
+  archive(static_cast<std::uint64_t>(items_.size()));
   for (const Item& item : items_) archive(populations_[item.population].chains[item.chain]);
-  if (maps_) maps_->save_state(archive);
 }
 
 void MetropolisIntegrator::load_state(InputArchive& archive, std::uint64_t samples) {
   std::uint64_t chains = 0;
-  archive(chains, epoch_);
-  if (chains != items_.size() || epoch_ > samples) {
+  archive(chains);
+  if (chains != items_.size()) {
     throw std::runtime_error("other chains are prepared than there were");
   }
   const auto replicates = static_cast<std::uint64_t>(settings_.replicates);
@@ -330,7 +312,6 @@ void MetropolisIntegrator::load_state(InputArchive& archive, std::uint64_t sampl
     archive(member);
     check_member(member, groups_[populations_[item.population].group], most_steps);
   }
-  if (maps_) maps_->load_state(archive);
   parallel_for(items_.size(), [&](std::size_t i) {
     const MeasuredPopulation& population = populations_[items_[i].population];
     check_state(population.chains[items_[i].chain],
@@ -347,16 +328,14 @@ void MetropolisIntegrator::serialize_news(A& archive, const WorkShare& share) {
 
 void MetropolisIntegrator::give_news(OutputArchive& archive, const WorkShare& share) {
   serialize_news(archive, share);
-  if (maps_) maps_->give_news(archive);
 }
 
 void MetropolisIntegrator::take_news(InputArchive& archive, const WorkShare& share) {
   serialize_news(archive, share);
-  if (maps_) maps_->take_news(archive);
 }
 
 std::uint64_t MetropolisIntegrator::memory_bytes() const {
-  std::uint64_t bytes = maps_ ? maps_->memory_bytes() : 0;
+  std::uint64_t bytes = 0;
   for (const MeasuredPopulation& population : populations_) {
     for (const MemberChain& member : population.chains) bytes += member.memory_bytes();
   }

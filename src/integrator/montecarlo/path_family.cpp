@@ -39,8 +39,7 @@ class PathIntegrator final : public Integrator {
     if (price_ != nullptr) sampler_settings_.camera_rest = static_cast<float>(price_->rest());
   }
   const PictureScale& scale() const { return scale_; }
-  std::vector<Warning> concerns() const override;
-  bool misses_light() const override { return !concerns().empty(); }
+  Findings findings() const override;
 
   std::vector<LayerSpec> layers() const override {
     std::vector<LayerSpec> specs = {{.name = "direct", .magnitude = scale_.mean},
@@ -231,10 +230,13 @@ class PathIntegrator final : public Integrator {
   mutable std::vector<Warning> concerns_;
 };
 
-std::vector<Warning> PathIntegrator::concerns() const {
+Findings PathIntegrator::findings() const {
   std::call_once(looked_around_,
                  [this] { concerns_ = blind_spots(scene_, settings_, sampler_settings_); });
-  return concerns_;
+  Findings found;
+  found.concerns = concerns_;
+  found.misses_light = !concerns_.empty();
+  return found;
 }
 
 class MeanSink final : public PathSink {

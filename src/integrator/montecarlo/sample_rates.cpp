@@ -7,6 +7,7 @@
 
 #include "core/archive.h"
 #include "core/random.h"
+#include "core/random_use.h"
 #include "image/visible_error.h"
 #include "integrator/montecarlo/heuristics.h"
 
@@ -22,6 +23,7 @@ constexpr double kHighest = MonteCarloHeuristics::kHighestRate;
 
 SampleRates::SampleRates(const Box2i& crop, int replicates, std::uint64_t seed)
     : crop_(crop), replicates_(static_cast<std::uint64_t>(replicates)) {
+  const std::uint64_t own = hash_numbers(seed, RandomUse::SampleRates);
   const Vec2i size = crop.size() + Vec2i(1, 1);
   cells_ = (size + Vec2i(kCellSize - 1, kCellSize - 1)) / kCellSize;
   grid_.resize(static_cast<std::size_t>(cells_.x) * static_cast<std::size_t>(cells_.y));
@@ -29,7 +31,7 @@ SampleRates::SampleRates(const Box2i& crop, int replicates, std::uint64_t seed)
   for (int y = crop.min.y; y <= crop.max.y; ++y) {
     for (int x = crop.min.x; x <= crop.max.x; ++x) {
       pixels_[cell_of({x, y})] += 1.0;
-      starts_.push_back(to_unit_float(static_cast<std::uint32_t>(hash_numbers(seed, x, y) >> 32U)));
+      starts_.push_back(to_unit_float(static_cast<std::uint32_t>(hash_numbers(own, x, y) >> 32U)));
     }
   }
 }

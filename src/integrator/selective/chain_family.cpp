@@ -7,7 +7,6 @@
 
 #include "core/milestones.h"
 #include "integrator/metropolis/chain_film_sink.h"
-#include "integrator/metropolis/plane_maps.h"
 #include "integrator/montecarlo/path_family.h"
 #include "integrator/selective/chain_archive.h"
 #include "integrator/selective/chain_bootstrap.h"
@@ -22,6 +21,7 @@
 #include "integrator/selective/chain_trial.h"
 #include "integrator/selective/heuristics.h"
 #include "integrator/selective/omc_adaptation.h"
+#include "integrator/selective/plane_maps.h"
 #include "integrator/selective/roulette_pilot.h"
 #include "integrator/selective/split_pilot.h"
 #include "integrator/selective/surface_pilot.h"
@@ -44,9 +44,7 @@ class ChainIntegrator final : public Integrator {
   PreparationRound begin_preparation(int round) override;
   void prepare_item(int round, std::uint64_t item, Counters& counters) override;
   void skip_preparation() override;
-  std::vector<Warning> concerns() const override;
-  bool misses_light() const override { return omc_ && omc_->misses_light(); }
-  std::vector<std::string> notes() const override;
+  Findings findings() const override;
 
   std::vector<LayerSpec> layers() const override;
   std::uint64_t items_in_round() const override;
@@ -64,12 +62,9 @@ class ChainIntegrator final : public Integrator {
   void give_news(OutputArchive& archive, const WorkShare& share) override;
   void take_news(InputArchive& archive, const WorkShare& share) override;
   std::uint64_t memory_bytes() const override;
-  std::vector<std::pair<std::string, Plane>> maps() const override;
-  std::optional<Plane> antialias_mask() const override {
-    return plan_.selective && pilot_ != nullptr ? pilot_->antialias_mask() : std::nullopt;
-  }
 
  private:
+  std::vector<std::pair<std::string, Plane>> maps() const;
   /// What regions and their pilot tell.
   MethodReport report_regions() const;
   void end_preparation();
@@ -204,19 +199,19 @@ void ChainIntegrator::end_preparation() {
   }
 }
 
-std::vector<Warning> ChainIntegrator::concerns() const {
-  std::vector<Warning> all = concerns_;
-  if (omc_) {
-    for (Warning& concern : omc_->concerns()) all.push_back(std::move(concern));
-  }
-  return all;
-}
-
-std::vector<std::string> ChainIntegrator::notes() const {
+Findings ChainIntegrator::findings() const {
+  Findings found = omc_ ? omc_->findings() : Findings{};
+  found.concerns.insert(found.concerns.begin(), concerns_.begin(), concerns_.end());
   const bool might_have_chains = plan_.unprepared || !plan_.groups.empty();
-  if (!might_have_chains || !concerns_.empty()) return {};
-  return notes_on(plan_, pilot_ != nullptr ? pilot_->share_of_chains() : std::nullopt,
-                  recruits_ != nullptr);
+  if (might_have_chains && concerns_.empty()) {
+    found.notes = notes_on(plan_, pilot_ != nullptr ? pilot_->share_of_chains() : std::nullopt,
+                           recruits_ != nullptr);
+  }
+  if (plan_.selective) {
+    found.maps = maps();
+    if (pilot_ != nullptr) found.antialias_mask = pilot_->antialias_mask();
+  }
+  return found;
 }
 
 void ChainIntegrator::make_omc() {
@@ -281,7 +276,6 @@ MethodReport ChainIntegrator::report_regions() const {
 }
 
 std::vector<std::pair<std::string, Plane>> ChainIntegrator::maps() const {
-  if (!plan_.selective) return {};
   std::vector<std::pair<std::string, Plane>> planes;
   if (pilot_ != nullptr) planes = pilot_->maps();
   if (!planes.empty()) return planes;
@@ -373,7 +367,7 @@ void ChainIntegrator::share_effort(std::uint64_t samples, const Film& film) {
   if (!shares) return;
   const Replicates by_chains = pictures({"indirect"});
   std::optional<ChainEffort::Seen> seen;
-  if (plan_.selective) {
+  if (plan_.selective && plan_.selective->objective == SelectiveSettings::Objective::Filtered) {
     seen = {seen_light(by_omc, crop, importance), seen_light(by_chains, crop, importance),
             stretch_.weight_until(samples), stretch_.sample_weight()};
   }

@@ -19,6 +19,9 @@ namespace {
 const PlaneMoves* moves_of(const PlaneMaps* maps, int replicate) {
   return maps != nullptr ? maps->moves(replicate) : nullptr;
 }
+PlaneMaps* gathering(PlaneMaps* maps) {
+  return maps != nullptr && maps->gathers() ? maps : nullptr;
+}
 }  // namespace
 
 void ChainItems::list(bool plain) {
@@ -95,8 +98,8 @@ void ChainItems::run_chain(const Item& item, std::uint64_t first_sample, std::ui
   const auto target = plan_.make_target(group, population.replicate);
   PrimaryRunner runner(plan_.chain_settings_of(population.replicate), *plan_.moves.mutation,
                        group.shape, *target, moves_of(maps, population.replicate));
-  ChainFilmSink sink(film, population.replicate, plan_.view.importance, *target, counters, maps,
-                     kept_by(population.replicate));
+  ChainFilmSink sink(film, population.replicate, plan_.view.importance, *target, counters,
+                     gathering(maps), kept_by(population.replicate));
   const double b = b_[item.population];
   const auto in_population = static_cast<double>(population.chains.size());
   runner.start(member.chain);
@@ -141,8 +144,8 @@ void ChainItems::run_plain(ChainPopulation& population, PlaneMaps* maps, Film& f
   const auto target = plan_.make_target(group, population.replicate);
   PrimaryRunner runner(plan_.chain_settings_of(population.replicate), *plan_.moves.mutation,
                        group.shape, *target, moves_of(maps, population.replicate));
-  ChainFilmSink sink(film, population.replicate, plan_.view.importance, *target, counters, maps,
-                     kept_by(population.replicate));
+  ChainFilmSink sink(film, population.replicate, plan_.view.importance, *target, counters,
+                     gathering(maps), kept_by(population.replicate));
   const double scale =
       later_weight_ * plan_.view.area() / static_cast<double>(count) / plan_.settings.replicates;
   SplatBuffer splats;

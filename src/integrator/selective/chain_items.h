@@ -4,11 +4,11 @@
 
 #include "core/archive_forward.h"
 #include "integrator/integrator.h"
-#include "integrator/metropolis/plane_maps.h"
 #include "integrator/selective/chain_effort.h"
 #include "integrator/selective/chain_plan.h"
 #include "integrator/selective/chain_population.h"
 #include "integrator/selective/chain_stretch.h"
+#include "integrator/selective/plane_maps.h"
 
 namespace ajar {
 

@@ -1,16 +1,15 @@
 #include <utility>
 
-#include "integrator/metropolis/chain_moves.h"
 #include "integrator/montecarlo/path_family.h"
 #include "integrator/montecarlo/path_parameters.h"
 #include "integrator/selective/chain_family.h"
+#include "integrator/selective/selective_moves.h"
 
 namespace ajar {
 
 std::vector<ParameterSpec> chain_parameters(ChainKind kind) {
   // Chains that make a part of the light only, next to independent samples, need few of their own.
-  std::vector<ParameterSpec> specs = ChainMoves::parameters(
-      {.mutation = "gaussian", .large_step = "0.1", .fine_steps = "0.2", .raster_steps = "auto"});
+  std::vector<ParameterSpec> specs = SelectiveMoves::parameters();
   specs.insert(
       specs.end(),
       {techniques_parameter("bdpt"),

@@ -6,17 +6,16 @@
 
 #include "core/parameters.h"
 #include "integrator/light_split.h"
-#include "integrator/metropolis/chain_moves.h"
 #include "integrator/metropolis/member_chain.h"
 #include "integrator/metropolis/path_group.h"
 #include "integrator/montecarlo/path_family.h"
 #include "integrator/selective/chain_family.h"
 #include "integrator/selective/heuristics.h"
 #include "integrator/selective/pilot_use.h"
+#include "integrator/selective/selective_moves.h"
 #include "integrator/selective/selective_settings.h"
 #include "integrator/strong_paths.h"
 #include "mcmc/bootstrap.h"
-#include "mcmc/primary/plane_moves.h"
 #include "mcmc/primary/primary_runner.h"
 
 namespace ajar {
@@ -113,7 +112,7 @@ struct ChainPlan {
   std::uint64_t scouted = 0;    ///< camera samples that were
   std::uint64_t wanted_chains;  ///< 0: as many as suit the picture
   SeedRule seed_rule;
-  ChainMoves moves;
+  SelectiveMoves moves;
   ChainView view;
   std::vector<PathGroup> groups;
   PathFamilyDefaults omc;             ///< of ordinary Monte Carlo

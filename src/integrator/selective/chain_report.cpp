@@ -42,16 +42,16 @@ std::vector<Warning> concerns_about(const ChainPlan& plan,
 std::vector<std::string> notes_on(const ChainPlan& plan, std::optional<double> share,
                                   bool stand_by) {
   const std::string omc = words_for(plan.omc.techniques);
-  if (plan.unlit) return {"no difficult light found: plain " + omc + " makes this picture"};
+  if (plan.unlit) return {"no difficult light found: rendered by plain " + omc};
   if (plan.unprepared) {
-    return {"too little time to look for difficult light: plain " + omc + " makes this picture"};
+    return {"too little time to look for difficult light: rendered by plain " + omc};
   }
   if (plan.standby) {
-    return {"no difficult light found: plain " + omc + " makes this picture" +
+    return {"no difficult light found: rendered by plain " + omc +
             (stand_by ? "; Markov chains only take stray bright dots" : "")};
   }
   if (plan.splits && plan.mutations == 0.0) {
-    return {"no light is left to Markov chains: plain " + omc + " makes this picture"};
+    return {"no light is left to Markov chains: rendered by plain " + omc};
   }
   if (plan.splits) {
     const std::string difficult = "difficult light (caustics, light through gaps)";
@@ -69,7 +69,7 @@ MethodReport report_chains(const ChainPlan& plan, std::span<const ChainPopulatio
                            double later_weight) {
   std::uint64_t samples = plan.scouted;
   for (const ChainPopulation& population : populations) samples += population.capped.count;
-  ChainReporter reporter(samples);
+  ChainReporter reporter(samples, primary_moves());
   for (std::size_t g = 0; g < plan.groups.size(); ++g) {
     ChainReporter::OfGroup group(plan.groups[g]);
     for (const ChainPopulation& population : populations) {

@@ -90,10 +90,6 @@ struct SelectiveHeuristics {
   /// render of 64 of door-ajar has chains in one half of the replicates alone. Half and double not
   /// measured.
   static constexpr double kDoubtfulGains = 0.15;
-  /// The same as kClearGain where chains share by regions alone.
-  /// Unit: the same. Range: (0, 1]. Source: docs/selective.md, "Whether chains pay" (a quarter);
-  /// not measured apart from kClearGain.
-  static constexpr double kClearGainByRegions = 0.75;
   /// A little is the luck of a pilot: of techniques, what has less to do is taken then.
   /// Unit: error at equal time over that of the simpler choice. Range: (0, 1]. Source:
   /// docs/selective.md, "Which techniques"; 0.9 before 8fdd9d2.
@@ -317,8 +313,12 @@ struct SelectiveHeuristics {
   static constexpr std::size_t kSeenThrough = 3;
 
   // -------------------------------------------------------- how chains move
+  /// Share of small steps that move the place on the picture alone, where `raster-steps` is auto.
+  /// Unit: share. Range: [0, 1]. Source: docs/chains.md, "Steps, and what they are worth": 0.5 and
+  /// 0.9 are worse by a few percent on pool and level on torus-in-glass.
+  static constexpr double kRasterSteps = 0.7;
   /// Share of small steps on the raster where what chains make has no islands that only other steps
-  /// would lead to. Elsewhere it is MetropolisHeuristics::kRasterSteps.
+  /// would lead to. Elsewhere it is kRasterSteps.
   /// Unit: share. Range: [0, 1]. Source: docs/chains.md, "Steps, and what they are worth": better
   /// than 0.7 by 4 to 12 % where T is 0.2, a third worse on pool.
   static constexpr double kRasterStepsOfAllLight = 0.9;

@@ -2,8 +2,6 @@
 
 #include <utility>
 
-#include "core/random.h"
-#include "core/random_use.h"
 #include "integrator/montecarlo/g_buffer.h"
 
 namespace ajar {
@@ -14,8 +12,7 @@ OmcAdaptation::OmcAdaptation(const ChainPlan& plan, const RenderSettings& settin
   const bool has_rates = plan.selective && plan.selective->adaptive && !plan.unprepared &&
                          settings.replicates > 1 && GBuffer::layers(settings.aovs, 1.F).empty();
   if (!has_rates) return;
-  rates_.emplace(settings.crop, settings.replicates,
-                 hash_numbers(settings.seed, RandomUse::SampleRates));
+  rates_.emplace(settings.crop, settings.replicates, settings.seed);
 }
 
 void OmcAdaptation::tell(PathIntegratorContext& context) const {

@@ -248,10 +248,22 @@ OfferedThresholds offer_thresholds(const PilotView& view,
   return offered;
 }
 
+/// What must be sure before chains do more than stand by.
+struct Caution {
+  double doubt = 1.0;  ///< times C
+  double clear_gain = 1.0;
+};
+
+/// Blotches of chains stay when the picture is filtered, so it takes more to speak for them.
+Caution caution_of(const ChainPlan& plan) {
+  if (plan.selective->objective == SelectiveSettings::Objective::Raw) return {};
+  return {SelectiveHeuristics::kDoubt, SelectiveHeuristics::kClearGain};
+}
+
 /// Predicted error with chains over that without, if they are as much worse as one may doubt.
 double gain_of_chains(const PilotView& view, const std::vector<double>& thresholds,
                       ThresholdCosts costs, const PathsSeen& seen) {
-  costs.correlation *= SelectiveHeuristics::kDoubt;
+  costs.correlation *= caution_of(view.plan).doubt;
   const std::vector<ThresholdEstimate> regions = estimate_thresholds(view, thresholds, seen);
   const ThresholdChoice without = predict_thresholds(
       regions, costs, std::vector<std::size_t>(regions.size(), thresholds.size()));
@@ -262,9 +274,8 @@ double gain_of_chains(const PilotView& view, const std::vector<double>& threshol
 /// it is a matter of degree: the halves of the replicates decide each for itself, and if one did
 /// with chains what the other does without, the picture would have the noise of the one at the cost
 /// of the other.
-double trust_in(double gain) {
-  return std::clamp((SelectiveHeuristics::kClearGain - gain) / SelectiveHeuristics::kDoubtfulGains,
-                    0.0, 1.0);
+double trust_in(double gain, const Caution& caution) {
+  return std::clamp((caution.clear_gain - gain) / SelectiveHeuristics::kDoubtfulGains, 0.0, 1.0);
 }
 
 /// By a pilot of which no single sample is evidence: each counts up to white, and the brightest
@@ -291,10 +302,11 @@ RegionChoice choose_thresholds(const PilotView& view) {
   // Where the pilot has found nothing for them, they cost nothing, and stay ready.
   if (view.plan.selective && of_groups.chain_light > 0.0) {
     choice.expected_error = careful_gain(view, thresholds, costs);
-    trust = trust_in(choice.expected_error);
+    const Caution caution = caution_of(view.plan);
+    trust = trust_in(choice.expected_error, caution);
     choice.off = trust == 0.0 &&
                  gain_of_chains(view, thresholds, costs, {SelectiveHeuristics::kGlaring, false}) >=
-                     SelectiveHeuristics::kClearGain;
+                     caution.clear_gain;
   }
   std::vector<std::size_t> chosen;
   chosen.reserve(regions.size());
@@ -322,13 +334,13 @@ RegionChoice choose_thresholds(const PilotView& view) {
 }
 
 /// Whether chains would clearly pay for what σ gives them, where the user has not decided.
-bool weights_would_pay(std::span<const RegionEstimate> regions, RenderCosts costs) {
-  costs.correlation *= SelectiveHeuristics::kDoubt;
+bool weights_would_pay(std::span<const RegionEstimate> regions, RenderCosts costs,
+                       const Caution& caution) {
+  costs.correlation *= caution.doubt;
   double alone = costs.omc_only_variance;
   for (const RegionEstimate& region : regions) alone += region.variance;
   alone *= costs.seconds_per_omc_sample / costs.seconds;
-  return optimal_split(regions, costs).weights.error() <
-         SelectiveHeuristics::kClearGainByRegions * alone;
+  return optimal_split(regions, costs).weights.error() < caution.clear_gain * alone;
 }
 
 /// σ of each region, and what it takes.
@@ -357,7 +369,7 @@ RegionChoice choose_weights(const PilotView& view) {
   RegionChoice choice;
   choice.correlation = costs.correlation;
   if (settings.map == SelectiveSettings::Map::Optimal && settings.painted.empty() &&
-      !weights_would_pay(estimates, costs)) {
+      !weights_would_pay(estimates, costs, caution_of(view.plan))) {
     for (RegionEstimate& estimate : estimates) estimate.maximum = estimate.minimum;
   }
   const TimeSplit split = optimal_split(estimates, costs);
@@ -384,7 +396,7 @@ void make_exclusive(const SelectiveSettings& settings, std::vector<PixelShare>& 
 bool chains_would_pay(const PilotView& view) {
   if (!view.plan.selective) return true;
   return careful_gain(view, all_thresholds(view.plan), threshold_costs(view)) <
-         SelectiveHeuristics::kClearGain;
+         caution_of(view.plan).clear_gain;
 }
 
 Plane pilot_noise(const PilotView& view) {

@@ -8,6 +8,7 @@
 #include "core/random_use.h"
 #include "integrator/montecarlo/path_family.h"
 #include "integrator/selective/heuristics.h"
+#include "transport/heuristics.h"
 #include "transport/sources.h"
 
 namespace ajar {
@@ -54,7 +55,8 @@ class RoulettePilot::Sink final : public PathSink {
            static_cast<float>(SelectiveHeuristics::kUsualPrice * brightness_);
   }
   void scattered(Stream stream, const PathVertex& vertex, const Flight& flight) override {
-    if (stream != Stream::Camera || vertex.edges < kEfficientRouletteStart) return;
+    if (stream != Stream::Camera || vertex.edges < TransportHeuristics::kEfficientRouletteStart)
+      return;
     // The scale has `worth` · Λ in it.
     const auto expected = static_cast<double>(flight.throughput.max() * flight.roulette_scale);
     departures_.push_back({expected * SelectiveHeuristics::kUsualPrice, light_, rays()});
@@ -120,7 +122,7 @@ void RoulettePilot::run(std::uint64_t item, Counters& counters) {
     Vec2 raster(0.F, 0.F);
     std::array<double, 2> light{};
     for (std::uint32_t i = 0; i < light.size(); ++i) {
-      SobolSource source({seed, i, hash_numbers(seed, 1), i});
+      SobolSource source({seed, i, hash_numbers(seed, RandomUse::RouletteScramble), i});
       if (i == 0) {
         raster = plan_.view.raster(source.get_pair({Stream::Camera, 0, kEmissionDirection}));
       }

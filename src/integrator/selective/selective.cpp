@@ -69,8 +69,8 @@ std::vector<ParameterSpec> selective_parameters() {
       if (!known) specs.push_back(std::move(spec));
     }
   }
-  mark_experts(specs,
-               {"chain", "techniques", kLightPathsPerPixel, "regions", "importance", "edges"});
+  mark_experts(specs, {"objective", "chain", "techniques", kLightPathsPerPixel, "regions",
+                       "importance", "edges"});
   return specs;
 }
 

@@ -48,6 +48,10 @@ std::vector<ParameterSpec> SelectiveSettings::parameters() {
                        "the material is matte (for omc=lt); mmlt+ and pssmlt+: division=everywhere "
                        "with these chains")};
   std::vector<ParameterSpec> of_regions = {
+      choice_parameter(
+          "objective", {"filtered", "raw"},
+          "which picture is to have the least error: the one that a filter makes, to which clumps "
+          "of chains do more harm than noise, or the one that is rendered"),
       {.name = "omc",
        .type = ParameterType::Text,
        .default_value = kOpen,
@@ -140,6 +144,7 @@ std::map<std::string, std::string> SelectiveSettings::apply_preset(
 SelectiveSettings SelectiveSettings::read(const Parameters& parameters,
                                           const RenderSettings& settings) {
   SelectiveSettings result;
+  if (parameters.get_text("objective") == "raw") result.objective = Objective::Raw;
   if (parameters.get_text("map") == "binary") result.map = Map::Binary;
   const std::string& pilot = parameters.get_text("pilot");
   result.pilot = pilot == "keep" && settings.replicates > 1 ? PilotUse::Keep

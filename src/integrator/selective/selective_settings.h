@@ -18,9 +18,16 @@ struct SelectiveSettings {
     Binary    ///< as published
   };
 
+  /// Whose error is to become least.
+  enum class Objective {
+    Filtered,  ///< of the picture without noise
+    Raw        ///< of the picture as it is rendered
+  };
+
   /// Of a parameter that is left to a pilot.
   static constexpr const char* kOpen = "auto";
 
+  Objective objective = Objective::Filtered;
   Map map = Map::Optimal;
   PilotUse pilot = PilotUse::Cross;
   std::uint64_t pilot_samples = 0;  ///< per pixel; 0: as many as suit the map

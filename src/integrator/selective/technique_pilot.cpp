@@ -151,7 +151,8 @@ std::uint64_t TechniquePilot::begin() {
     // One of each stretch, so that they lie all over the picture.
     const std::uint64_t first = i * all / count;
     const std::uint64_t last = (i + 1) * all / count;
-    tiles_.push_back(first + hash_numbers(settings.seed, i) % (last - first));
+    tiles_.push_back(first +
+                     hash_numbers(settings.seed, RandomUse::TechniqueTiles, i) % (last - first));
   }
   return tiles_.size();
 }

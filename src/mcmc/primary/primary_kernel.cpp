@@ -69,13 +69,13 @@ Proposal PrimaryKernel::propose(std::uint64_t key) {
   source_.propose(chain_->numbers, step_.kind, step_.change, counter_bits(key, 1), step_.units);
   const auto move = move_of(step_.kind);
   if (tries_often(step_)) {
-    return {move, step_.large(), tries_.propose(step_, target_, chain_->scalar)};
+    return {move, tries_.propose(step_, target_, chain_->scalar)};
   }
   candidate_.splats.clear();
   candidate_.take(target_.evaluate(source_, step_.change, candidate_.splats));
   candidate_.probability =
       metropolis_hastings(chain_->scalar, candidate_.scalar, source_.log_ratio());
-  return {move, step_.large(), {&candidate_, 1}};
+  return {move, {&candidate_, 1}};
 }
 
 void PrimaryKernel::accept(std::size_t candidate) {

@@ -39,7 +39,7 @@ class PrimaryKernel final : public Kernel {
   /// meanwhile. Raises std::logic_error if the target does not give the state its I again.
   void start(PrimaryChain& chain);
 
-  std::span<const std::string_view> moves() const override { return step_names(); }
+  std::span<const Move> moves() const override { return primary_moves(); }
   double independent_candidates() const override {
     return settings_.probabilities.large * settings_.tries;
   }

@@ -7,10 +7,10 @@
 
 namespace ajar {
 
-std::span<const std::string_view> step_names() {
-  static constexpr std::array<std::string_view, 5> kNames = {"large", "small", "camera", "light",
-                                                             "raster"};
-  return kNames;
+std::span<const Move> primary_moves() {
+  static constexpr std::array<Move, 5> kMoves = {
+      {{"large", true}, {"small"}, {"camera"}, {"light"}, {"raster"}}};
+  return kMoves;
 }
 
 void StepProbabilities::check() const {

@@ -2,8 +2,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <string_view>
 
+#include "mcmc/kernel.h"
 #include "transport/sample_source.h"
 
 namespace ajar {
@@ -13,8 +13,8 @@ namespace ajar {
 enum class StepKind : std::uint8_t { Large, SmallBoth, SmallCamera, SmallLight, SmallRaster };
 /// Its number among a kernel's moves.
 constexpr std::size_t move_of(StepKind kind) { return static_cast<std::size_t>(kind); }
-/// Names of the kinds, in this order.
-std::span<const std::string_view> step_names();
+/// The kinds, in this order.
+std::span<const Move> primary_moves();
 
 /// The numbers that a step may change.
 struct Change {

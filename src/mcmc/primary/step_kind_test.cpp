@@ -14,7 +14,7 @@ namespace {
 TEST(StepKind, IsChosenWithItsProbability) {
   const StepProbabilities probabilities{0.3, 0.5, 0.25, 0.0, 0.6};
   constexpr int kSamples = 100000;
-  std::vector<int> counts(step_names().size());
+  std::vector<int> counts(primary_moves().size());
   for (int i = 0; i < kSamples; ++i) {
     ++counts[static_cast<std::size_t>(probabilities.choose((i + 0.5) / kSamples))];
   }

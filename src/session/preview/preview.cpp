@@ -11,6 +11,7 @@
 #include <string_view>
 #include <utility>
 
+#include "session/heuristics.h"
 #include "session/preview/tev_packets.h"
 
 namespace ajar {
@@ -18,8 +19,6 @@ namespace ajar {
 namespace {
 
 constexpr int kRegionSize = 128;
-/// Of the time, for copying and developing pictures.
-constexpr double kLargestShare = 0.05;
 
 std::chrono::duration<double> seconds(double value) { return std::chrono::duration<double>(value); }
 
@@ -67,7 +66,7 @@ void Preview::hand_over(const Film& film, const JobState& state) {
   changed_.notify_all();
   const double now = clock_.seconds();
   const double cost = now - begun + seconds_to_develop_.load();
-  due_ = now + std::max(options_.every, cost / kLargestShare);
+  due_ = now + std::max(options_.every, cost / SessionHeuristics::kMostForPreviews);
 }
 
 void Preview::show_last(const Film& film, const JobState& state) {

@@ -1,4 +1,4 @@
-#include "integrator/metropolis/plane_maps.h"
+#include "integrator/selective/plane_maps.h"
 
 #include <algorithm>
 #include <cmath>

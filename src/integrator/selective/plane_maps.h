@@ -5,6 +5,7 @@
 
 #include "core/archive_forward.h"
 #include "image/film.h"
+#include "integrator/metropolis/chain_film_sink.h"
 #include "integrator/metropolis/path_target.h"
 #include "mcmc/primary/plane_moves.h"
 
@@ -21,7 +22,7 @@ namespace ajar {
 ///
 /// Published rules take all visits so far of all replicates, and adapt at the end of every epoch.
 /// (Published maps are live. Here that would make the picture depend on the number of threads.)
-class PlaneMaps {
+class PlaneMaps final : public VisitSink {
  public:
   /// `mutation` must outlive this. `magnitude`: of the light on a pixel.
   PlaneMaps(const PlaneRule& rule, const ChainView& view, int replicates, double magnitude,
@@ -29,8 +30,7 @@ class PlaneMaps {
 
   /// False once nothing more is to be learned.
   bool gathers() const { return gathers_; }
-  /// Counts a visit of this weight to the pixel of a raster position. Thread-safe.
-  void add(int replicate, const Vec2& raster, double visits, double light);
+  void add(int replicate, const Vec2& raster, double visits, double light) override;
   /// After so many mutations per pixel over all replicates. On one thread.
   void end_epoch(double mutations);
   /// All that it has learned, between passes.
