@@ -55,6 +55,16 @@ std::map<std::string, std::size_t> light_counts(const desc::SceneDesc& scene) {
   return counts;
 }
 
+std::map<std::string, std::size_t> shape_counts(const desc::SceneDesc& scene) {
+  std::map<std::string, std::size_t> counts;
+  const auto add = [&](const std::vector<desc::Shape>& shapes) {
+    for (const desc::Shape& shape : shapes) ++counts[shape.node.model().name];
+  };
+  add(scene.shapes);
+  for (const desc::Object& object : scene.objects) add(object.shapes);
+  return counts;
+}
+
 std::map<std::string, std::size_t> material_counts(const desc::SceneDesc& scene) {
   std::map<std::string, std::size_t> counts;
   for (const desc::Material& material : scene.materials) ++counts[material.node.model().name];
@@ -98,6 +108,7 @@ Json describe(const desc::SceneDesc& description, const std::string& name) {
   Json json;
   json["scene"] = name;
   json["counts"] = Json::object();
+  json["shapes"] = shape_counts(description);
   json["lights"] = light_counts(description);
   json["materials"] = material_counts(description);
   json["textures"] = texture_counts(description);
@@ -185,8 +196,7 @@ std::string text_of(const Json& j, const MemoryEstimate& memory, const Warnings&
   line("triangles",
        fmt::format("{} stored, {} with instances ({} instances)", c["triangles"].get<std::size_t>(),
                    c["instanced_triangles"].get<std::size_t>(), c["instances"].get<std::size_t>()));
-  line("shapes", fmt::format("{} quadrics, {} curves", c["quadrics"].get<std::size_t>(),
-                             c["curves"].get<std::size_t>()));
+  line("shapes", counts_text(j["shapes"]));
   line("lights", counts_text(j["lights"]));
   line("materials", counts_text(j["materials"]));
   line("textures", counts_text(j["textures"]));
