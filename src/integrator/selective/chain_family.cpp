@@ -181,7 +181,8 @@ void ChainIntegrator::end_preparation() {
   const bool is_lit =
       std::any_of(populations_.begin(), populations_.end(),
                   [](const ChainPopulation& population) { return !population.chains.empty(); });
-  if (plan_.selective && !plan_.standby && !populations_.empty() && !is_lit) {
+  if (plan_.selective && !plan_.standby && plan_.mutations > 0.0 && !populations_.empty() &&
+      !is_lit) {
     plan_.unlit = true;
     leave_to_omc();
     return;
