@@ -5,6 +5,7 @@
 
 #include "import/import.h"
 #include "import/pbrt/pbrt_import.h"
+#include "scene/desc/models.h"
 #include "session/builtin_scenes.h"
 #include "session/scene_file.h"
 #include "support/shared.h"
