@@ -188,6 +188,25 @@ TEST(RelativeError, ByScaleIsTrueForNoiseAndForClumps) {
   }
 }
 
+/// One sample of a replicate has seen the lamp: that is no firefly.
+TEST(RelativeError, OfTheEdgeOfALampIsNoFirefly) {
+  std::mt19937 generator(3);
+  std::normal_distribution<double> normal(1.0, 0.1);
+  Replicates replicates = noisy(room(), [&] { return normal(generator); });
+  const auto paint = [&](int x, std::size_t replicate, float value) {
+    for (int c = 0; c < 3; ++c) {
+      replicates[replicate][static_cast<std::size_t>(3 * (20 * kSize.x + x) + c)] = value;
+    }
+  };
+  const double before = estimate_relative_error(replicates, kSize)->value;
+  paint(10, 2, 50.F);
+  const double alone = estimate_relative_error(replicates, kSize)->value;
+  for (std::size_t r = 0; r < kReplicates; ++r) paint(11, r, 100.F);
+  const double beside_a_lamp = estimate_relative_error(replicates, kSize)->value;
+  EXPECT_GT(alone, 5.0 * before);
+  EXPECT_LT(beside_a_lamp, 1.2 * before);
+}
+
 TEST(RelativeError, OfABlackPictureIsUnknown) {
   EXPECT_TRUE(
       estimate_errors_by_scale(

@@ -84,6 +84,13 @@ class TruthGuess {
     noise_ = std::move(noise);
   }
 
+  /// Pixels of which replicates agree.
+  std::vector<bool> quiet() const {
+    std::vector<bool> all(pixels());
+    for (std::size_t pixel = 0; pixel < all.size(); ++pixel) all[pixel] = is_quiet(pixel);
+    return all;
+  }
+
   /// Of two, the lower.
   std::vector<float> medians() const {
     std::vector<float> all(kChannels * pixels());
@@ -181,37 +188,35 @@ double gain_over(std::span<const float> guess, std::span<const float> picture) {
   return of_guess > 0.0 && of_picture > 0.0 ? of_picture / of_guess : 1.0;
 }
 
-/// Of a channel of the 3×3 pixels around one.
-float brightest_around(std::span<const float> picture, Vec2i size, int x, int y, std::size_t c) {
-  float most = 0.F;
-  for (int v = std::max(y - 1, 0); v <= std::min(y + 1, size.y - 1); ++v) {
-    for (int u = std::max(x - 1, 0); u <= std::min(x + 1, size.x - 1); ++u) {
-      const auto pixel = static_cast<std::size_t>(v) * static_cast<std::size_t>(size.x) +
-                         static_cast<std::size_t>(u);
-      most = std::max(most, picture[kChannels * pixel + c]);
-    }
-  }
-  return most;
-}
-
 /// Edges of lamps are in one replicate of a few samples, and in no median: no pixel is darker than
-/// in the picture as long as one beside it is as bright.
-std::vector<float> with_bright_edges(std::span<const float> guess, std::span<const float> picture,
-                                     Vec2i size) {
-  std::vector<float> all(guess.begin(), guess.end());
-  parallel_for(size.y, [&](int y) {
-    for (int x = 0; x < size.x; ++x) {
-      for (std::size_t c = 0; c < kChannels; ++c) {
-        const auto pixel = static_cast<std::size_t>(y) * static_cast<std::size_t>(size.x) +
-                           static_cast<std::size_t>(x);
-        float& value = all[kChannels * pixel + c];
-        value = std::max(value, std::min(picture[kChannels * pixel + c],
-                                         brightest_around(guess, size, x, y, c)));
+/// in the picture as long as one beside it, of which replicates agree, is as bright.
+class BrightEdges {
+ public:
+  BrightEdges(const std::vector<bool>& quiet, std::span<const float> picture, Vec2i size)
+      : quiet_(quiet), picture_(picture), size_(size) {}
+
+  /// What a value is at least.
+  float least(int x, int y, std::size_t channel) const {
+    float most = 0.F;
+    for (int v = std::max(y - 1, 0); v <= std::min(y + 1, size_.y - 1); ++v) {
+      for (int u = std::max(x - 1, 0); u <= std::min(x + 1, size_.x - 1); ++u) {
+        const std::size_t pixel = index(u, v);
+        if (quiet_[pixel]) most = std::max(most, picture_[kChannels * pixel + channel]);
       }
     }
-  });
-  return all;
-}
+    return std::min(picture_[kChannels * index(x, y) + channel], most);
+  }
+
+ private:
+  std::size_t index(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(size_.x) +
+           static_cast<std::size_t>(x);
+  }
+
+  const std::vector<bool>& quiet_;
+  std::span<const float> picture_;
+  Vec2i size_;
+};
 
 }  // namespace
 
@@ -226,11 +231,21 @@ std::vector<float> guess_truth(Replicates replicates, Vec2i size) {
   TruthGuess guess(replicates, size, level > 0.0 ? level : 1.0);
   const std::vector<float> mean = replicate_mean(replicates);
   replicates = {};
+  const std::vector<bool> quiet = guess.quiet();
   for (const int stride : ImageHeuristics::kGuessStrides) guess.average(stride);
   std::vector<float> medians = guess.medians();
   const double gain = gain_over(medians, mean);
-  for (float& value : medians) value = static_cast<float>(gain * double{value});
-  return with_bright_edges(medians, mean, size);
+  const BrightEdges edges(quiet, mean, size);
+  parallel_for(size.y, [&](int y) {
+    for (int x = 0; x < size.x; ++x) {
+      for (std::size_t c = 0; c < kChannels; ++c) {
+        const auto row = static_cast<std::size_t>(y) * static_cast<std::size_t>(size.x);
+        float& value = medians[kChannels * (row + static_cast<std::size_t>(x)) + c];
+        value = std::max(static_cast<float>(gain * double{value}), edges.least(x, y, c));
+      }
+    }
+  });
+  return medians;
 }
 
 }  // namespace ajar

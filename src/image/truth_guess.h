@@ -18,7 +18,9 @@ namespace ajar {
 /// which may have a firefly. Each replicate is averaged for itself with the same weights, and the
 /// guess is the median of the averages (of two the lower), so that no firefly of a single replicate
 /// is in it. What rare paths bring on average is not, either: so the guess as a whole is made as
-/// bright as the picture, each pixel relative to its guess.
+/// bright as the picture, each pixel relative to its guess. The edge of a lamp, which few samples
+/// see, is in no median either: no pixel is darker than in the picture while one beside it, of
+/// which replicates agree, is as bright.
 ///
 /// Needs R ≥ 2 replicates of that size, else std::invalid_argument.
 std::vector<float> guess_truth(Replicates replicates, Vec2i size);
