@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 
 #include "image/flip.h"
@@ -161,6 +162,7 @@ int run(int count, char** texts) {
   app.add_option("--longer-side", arguments.measure.longer_side, "Pixels");
   add_measure_options(app, arguments.scenes, arguments.measure);
   CLI11_PARSE(app, count, texts);
+  if (!arguments.pictures.empty()) std::filesystem::create_directories(arguments.pictures);
   begin_csv(arguments.file, kHeader);
   return measure_each(scenes_of(arguments.scenes),
                       [&](const BenchScene& scene) { measure(scene, arguments); });
