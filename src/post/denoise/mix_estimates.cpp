@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 #include "core/parallel_for.h"
 #include "image/plane.h"
@@ -75,9 +76,17 @@ float variance(const BiasedEstimate& estimate, std::size_t value, float scale) {
   return sum / (count * (count - 1.F));
 }
 
-/// Squared error of an estimate, relative, mean over channels and patches.
-Plane squared_error(Vec2i size, const BiasedEstimate& estimate, const Replicates& unbiased,
-                    const std::vector<float>& scales) {
+/// Squared errors of an estimate, relative, mean over channels and patches.
+struct SquaredError {
+  Plane noise;
+  Plane bias;  ///< of a replicate
+
+  float of_replicates(std::size_t i) const { return noise.values[i] + bias.values[i]; }
+  /// What a filter does wrong falls with the noise that it sees: the whole has a quarter of it.
+  float of_whole(std::size_t i) const { return noise.values[i] + bias.values[i] / kParts; }
+};
+SquaredError squared_error(Vec2i size, const BiasedEstimate& estimate, const Replicates& unbiased,
+                           const std::vector<float>& scales) {
   Plane bias(size);
   Plane noise(size);
   parallel_for(size.y, [&](int y) {
@@ -94,10 +103,8 @@ Plane squared_error(Vec2i size, const BiasedEstimate& estimate, const Replicates
   const SeparableKernel kernel = gaussian_kernel(PostHeuristics::kErrorPatch);
   bias = filter_plane(bias, kernel);
   noise = filter_plane(noise, kernel);
-  for (std::size_t i = 0; i < noise.values.size(); ++i) {
-    noise.values[i] += std::max(0.F, bias.values[i]);
-  }
-  return noise;
+  for (float& value : bias.values) value = std::max(0.F, value);
+  return {std::move(noise), std::move(bias)};
 }
 
 }  // namespace
@@ -106,7 +113,7 @@ MixedEstimate mix_estimates(Vec2i size, const std::vector<BiasedEstimate>& estim
                             const Replicates& unbiased) {
   check_sizes(size, estimates, unbiased);
   const std::vector<float> scales = scales_of(estimates);
-  std::vector<Plane> errors;
+  std::vector<SquaredError> errors;
   for (const BiasedEstimate& estimate : estimates) {
     errors.push_back(squared_error(size, estimate, unbiased, scales));
   }
@@ -116,11 +123,12 @@ MixedEstimate mix_estimates(Vec2i size, const std::vector<BiasedEstimate>& estim
   mixed.shares.assign(estimates.size(), std::vector<float>(scales.size() / 3));
   for (std::size_t i = 0; i < scales.size() / 3; ++i) {
     float least = std::numeric_limits<float>::infinity();
-    for (const Plane& plane : errors) least = std::min(least, plane.values[i]);
+    for (const SquaredError& error : errors) least = std::min(least, error.of_whole(i));
     float whole = 0.F;
     for (std::size_t e = 0; e < estimates.size(); ++e) {
       // Relative to the best, which may have none.
-      const float ratio = errors[e].values[i] > least ? least / errors[e].values[i] : 1.F;
+      const float own = errors[e].of_whole(i);
+      const float ratio = own > least ? least / own : 1.F;
       mixed.shares[e][i] = ratio * ratio;
       whole += mixed.shares[e][i];
     }
@@ -128,7 +136,7 @@ MixedEstimate mix_estimates(Vec2i size, const std::vector<BiasedEstimate>& estim
     for (std::size_t e = 0; e < estimates.size(); ++e) {
       float& share = mixed.shares[e][i];
       share /= whole;
-      error += share * errors[e].values[i];
+      error += share * errors[e].of_replicates(i);
       for (std::size_t v = 3 * i; v < 3 * i + 3; ++v) {
         mixed.pixels[v] += share * estimates[e].pixels[v];
       }

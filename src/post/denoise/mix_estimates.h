@@ -30,10 +30,11 @@ struct MixedEstimate {
 ///     (D₁ − X₂) · (D₃ − X₄)
 ///
 /// is the squared bias of D without bias (ours; docs/denoising.md): that of a picture of as many
-/// samples as one replicate, so rather more than that of the whole. It is averaged over all orders
-/// of four replicates and over a patch, relative to the estimates, so that bright pixels do not
-/// decide; the spread of the replicates of D is added to it. Errors of the mixture are at most the
-/// mean of those of its parts, weighted by their shares, which is what `error` says.
+/// samples as one replicate. What a filter does wrong falls with the noise that it sees, so a
+/// quarter of that is taken for the whole. It is averaged over all orders of four replicates and
+/// over a patch, relative to the estimates, so that bright pixels do not decide; the spread of the
+/// replicates of D is added to it. Errors of the mixture are at most the mean of those of its
+/// parts, weighted by their shares, which is what `error` says, with all of a replicate's bias.
 ///
 /// `unbiased`: as many replicates as the estimates have. Raises std::invalid_argument if there are
 /// no estimates, too few replicates, or sizes that do not fit.

@@ -72,6 +72,18 @@ TEST(MixEstimates, TakesTheUnfilteredPictureWhereTheFilterHarms) {
   EXPECT_LT(error_of(mixed.pixels, stripes()), 0.1) << "the filter makes 0.5 of it";
 }
 
+/// Filters do better the less noise they see. If the bias of a replicate were that of the whole,
+/// both would have equal shares here, and grain would stay in the picture.
+TEST(MixEstimates, BelievesThatTheWholeIsFilteredBetterThanAReplicate) {
+  const std::vector<float> truth(kValues, 1.F);
+  const Replicates replicates = noisy(truth, 0.6F);
+  const std::vector<float> mean = replicate_mean(replicates);
+  const BiasedEstimate smooth{std::vector<float>(kValues, 1.15F),
+                              Replicates(4, std::vector<float>(kValues, 1.3F))};
+  const MixedEstimate mixed = mix_estimates(kSize, {smooth, {mean, replicates}}, replicates);
+  EXPECT_LT(mean_of(mixed.shares[1]), 0.25);
+}
+
 /// What would make a mixture with the unfiltered picture consistent: with less noise the share of a
 /// filter that is wrong falls faster than the variance.
 TEST(MixEstimates, LosesBiasAsNoiseFalls) {
