@@ -114,6 +114,7 @@ MixedEstimate mix_estimates(Vec2i size, const std::vector<BiasedEstimate>& estim
   check_sizes(size, estimates, unbiased);
   const std::vector<float> scales = scales_of(estimates);
   std::vector<SquaredError> errors;
+  errors.reserve(estimates.size());
   for (const BiasedEstimate& estimate : estimates) {
     errors.push_back(squared_error(size, estimate, unbiased, scales));
   }
