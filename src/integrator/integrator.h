@@ -53,6 +53,7 @@ struct PreparationRound {
   std::uint64_t items = 0;
   double effort = 1.0;
   double later_effort = 0.0;  ///< of the rounds after it
+  bool stays = false;         ///< what it renders becomes part of the picture
 };
 
 /// What a method knows since its preparation.

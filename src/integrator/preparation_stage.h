@@ -11,6 +11,8 @@ class PreparationStage {
   virtual ~PreparationStage() = default;
   /// What it takes at most, in camera samples per pixel; an estimate.
   virtual double effort() const = 0;
+  /// Whether what it renders becomes part of the picture.
+  virtual bool stays() const { return false; }
   /// Number of items; called once.
   virtual std::uint64_t begin() = 0;
   /// On any thread, in any order.

@@ -12,6 +12,9 @@ struct SessionHeuristics {
   /// Unit: share. Range: (0, 1). Source: d9bd289: with three quarters, most of a short render was
   /// thrown away; no study of others.
   static constexpr double kMostOfTime = 0.25;
+  /// The same, where the round that runs becomes part of the picture: what is cut short is lost.
+  /// Unit: share. Range: [kMostOfTime, 1). Source: set by hand, no study; as much is left to go on.
+  static constexpr double kMostOfTimeForPicture = 0.5;
   /// Of a round of a preparation, before its rate is believed.
   /// Unit: share. Range: (0, 1]. Source: 8145106; set by hand, no study.
   static constexpr double kTelling = 0.1;

@@ -3,48 +3,52 @@
 #include <tbb/enumerable_thread_specific.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "core/parallel_for.h"
 #include "session/heuristics.h"
 
 namespace ajar {
 
-PreparationEnd Preparation::must_stop() const {
+double Preparation::deadline(bool stays) const {
+  if (!limits_.seconds) return std::numeric_limits<double>::infinity();
+  return *limits_.seconds *
+         (stays ? SessionHeuristics::kMostOfTimeForPicture : SessionHeuristics::kMostOfTime);
+}
+
+PreparationEnd Preparation::must_stop(double deadline) const {
   if (limits_.interrupts != nullptr && limits_.interrupts->load(std::memory_order_relaxed) > 0) {
     return PreparationEnd::Interrupted;
   }
-  const bool is_late =
-      limits_.seconds && clock_.seconds() > SessionHeuristics::kMostOfTime * *limits_.seconds;
-  return is_late ? PreparationEnd::NoTime : PreparationEnd::Done;
+  return clock_.seconds() > deadline ? PreparationEnd::NoTime : PreparationEnd::Done;
 }
 
 PreparationEnd Preparation::must_skip() const {
-  PreparationEnd reason = must_stop();
+  PreparationEnd reason = must_stop(deadline(false));
   if (limits_.rounds == rounds_) reason = PreparationEnd::NoTime;
-  if (reason == PreparationEnd::Done && limits_.seconds && over_ > 0.0) {
+  if (reason == PreparationEnd::Done && over_ > 0.0) {
     const double expected = clock_.seconds() * all_ / over_;
-    if (expected > SessionHeuristics::kMostOfTime * *limits_.seconds)
-      reason = PreparationEnd::NoTime;
+    if (expected > deadline(false)) reason = PreparationEnd::NoTime;
   }
   if (limits_.ranks == nullptr) return reason;
   return static_cast<PreparationEnd>(limits_.ranks->maximum(static_cast<std::uint64_t>(reason)));
 }
 
-bool Preparation::will_be_late() const {
+bool Preparation::will_be_late(double deadline) const {
   const double done = static_cast<double>(items_done_) / static_cast<double>(items_);
-  if (!limits_.seconds || done < SessionHeuristics::kTelling) return false;
-  const double expected = round_began_ + (clock_.seconds() - round_began_) / done;
-  return expected > SessionHeuristics::kMostOfTime * *limits_.seconds;
+  if (done < SessionHeuristics::kTelling) return false;
+  return round_began_ + (clock_.seconds() - round_began_) / done > deadline;
 }
 
-PreparationEnd Preparation::run_round(int round, Counters& whole) {
+PreparationEnd Preparation::run_round(int round, double deadline, Counters& whole) {
   round_began_ = clock_.seconds();
   tbb::enumerable_thread_specific<Counters> counters;
   std::atomic<PreparationEnd> end = PreparationEnd::Done;
   parallel_for(items_.load(), [&](std::uint64_t item) {
     if (end != PreparationEnd::Done) return;
     if (limits_.ranks == nullptr) {
-      const PreparationEnd now = will_be_late() ? PreparationEnd::NoTime : must_stop();
+      const PreparationEnd now =
+          will_be_late(deadline) ? PreparationEnd::NoTime : must_stop(deadline);
       if (now != PreparationEnd::Done) {
         end = now;
         return;
@@ -67,7 +71,7 @@ Counters Preparation::run() {
     running_ = next.effort;
     all_ = over_ + next.effort + next.later_effort;
     end_ = must_skip();
-    if (end_ == PreparationEnd::Done) end_ = run_round(round, whole);
+    if (end_ == PreparationEnd::Done) end_ = run_round(round, deadline(next.stays), whole);
     if (end_ != PreparationEnd::Done) {
       integrator_.skip_preparation();
       return whole;

@@ -24,8 +24,10 @@ enum class PreparationEnd { Done, NoTime, Interrupted };
 
 /// Runs the rounds of an integrator's preparation on all threads that TBB may use. If the user asks
 /// to stop, or it would take more than a quarter of the time for the render, the integrator has to
-/// do without what is left of it (`Integrator::skip_preparation`). A round that shows in its first
-/// tenth that it would take longer is given up there: what it did is lost.
+/// do without what is left of it (`Integrator::skip_preparation`). A round that has begun, and of
+/// which the samples become part of the picture, is finished as long as half of the time is left
+/// then. Where a round shows in its first tenth that it would take longer, it is given up there,
+/// and what it did is lost.
 class Preparation {
  public:
   explicit Preparation(Integrator& integrator, PreparationLimits limits = {})
@@ -40,14 +42,16 @@ class Preparation {
   double seconds() const { return clock_.seconds(); }
 
  private:
-  /// Why to stop at once; `Done`: not at all.
-  PreparationEnd must_stop() const;
-  /// Whether the round that runs will be late, as far as it shows that yet.
-  bool will_be_late() const;
+  /// When to have ended, seconds.
+  double deadline(bool stays) const;
+  /// Why to stop at once, if it is to end then; `Done`: not at all.
+  PreparationEnd must_stop(double deadline) const;
+  /// Whether the round that runs will not end then, as far as it shows that yet.
+  bool will_be_late(double deadline) const;
   /// Why to do without the round that is about to begin, and the later ones; the same on all ranks.
   PreparationEnd must_skip() const;
   /// Why it was cut short; `Done`: it was not.
-  PreparationEnd run_round(int round, Counters& whole);
+  PreparationEnd run_round(int round, double deadline, Counters& whole);
 
   Integrator& integrator_;
   PreparationLimits limits_;

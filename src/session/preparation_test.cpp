@@ -30,7 +30,7 @@ class Prepared final : public Integrator {
     }
     double later = 0.0;
     for (std::size_t j = i + 1; j < efforts_.size(); ++j) later += efforts_[j];
-    return {10, efforts_[i], later};
+    return {10, efforts_[i], later, stays};
   }
   void prepare_item(int round, std::uint64_t /*item*/, Counters& counters) override {
     ++counters.rays;
@@ -49,6 +49,7 @@ class Prepared final : public Integrator {
 
   bool is_ready = false;
   bool skipped = false;
+  bool stays = false;
   std::function<void(int round)> on_item;
 
  private:
@@ -147,6 +148,21 @@ TEST(Preparation, GivesUpARoundThatShowsThatItWillBeLate) {
     EXPECT_LE(preparation.run().rays, 4U);
     EXPECT_EQ(preparation.end(), PreparationEnd::NoTime);
   });
+}
+
+/// More than a quarter of the time, and less than half.
+TEST(Preparation, FinishesWhatBecomesPartOfThePicture) {
+  for (const bool stays : {false, true}) {
+    Prepared integrator({1.0, 1.0});
+    integrator.stays = stays;
+    integrator.on_item = [](int) { std::this_thread::sleep_for(100ms); };
+    tbb::task_arena(1).execute([&] {
+      Preparation preparation(integrator, {.seconds = 3.9});
+      EXPECT_EQ(preparation.run().rays == 10U, stays);
+      EXPECT_EQ(preparation.rounds(), stays ? 1U : 0U);
+      EXPECT_EQ(preparation.end(), PreparationEnd::NoTime) << "no other round is begun";
+    });
+  }
 }
 
 TEST(Preparation, ComesAsFarAsAnEarlierRun) {

@@ -2,7 +2,6 @@
 
 #include <atomic>
 #include <filesystem>
-#include <functional>
 #include <utility>
 
 #include "session/event_teller.h"
@@ -56,23 +55,20 @@ PreviewOptions preview_options(const RenderState& state) {
   return options;
 }
 
-/// As well as it can be filtered. Empty if the user ended it.
+/// As well as it can be filtered. False if `progress` ended it.
 bool add_best_layers(const RenderState& state, const Film& film, std::uint64_t samples,
-                     Picture& picture, const std::function<void(double done)>& tell) {
+                     Picture& picture, const Denoiser::Progress& progress) {
   const PictureEstimates estimates =
       estimates_of(film, development_of(film, *state.integrator, samples), samples,
                    state.plan->record.film_scale);
-  const int before = state.interrupts;
-  return state.filter->add_best_layers(picture, estimates, [&](double done) {
-    tell(done);
-    return state.interrupts == before;
-  });
+  return state.filter->add_best_layers(picture, estimates, progress);
 }
 
+/// A user who wants to stop has to wait for it: the render would go on otherwise after a resume.
 std::optional<double> estimate_denoised_error(const RenderState& state, const Film& film,
                                               std::uint64_t samples) {
   Picture picture = develop(film, *state.integrator, samples, state.plan->record.film_scale, {});
-  if (!add_best_layers(state, film, samples, picture, [](double /*done*/) {})) return std::nullopt;
+  add_best_layers(state, film, samples, picture, {});
   return denoised_error(picture);
 }
 
@@ -124,8 +120,12 @@ void denoise_last(RenderState& state, const RenderJob& job, Picture& picture) {
       snapshot.seconds = clock.seconds();
       return snapshot;
     });
+    const int before = state.interrupts;
     is_filtered = add_best_layers(state, job.film(), state.statistics.result.samples_per_pixel,
-                                  picture, [&](double done) { fraction = done; });
+                                  picture, [&](double done) {
+                                    fraction = done;
+                                    return state.interrupts == before;
+                                  });
   }
   state.statistics.times.denoise = clock.seconds();
   if (is_filtered) {

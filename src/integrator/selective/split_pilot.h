@@ -47,7 +47,7 @@ class SplitPilot final : public PreparationStage, public StrongPathSinks {
   /// Whether `end` has been called, and there is anything to decide.
   bool is_over() const { return regions_.count() > 0; }
   /// Whether its samples stay, and may start chains in a trial, too.
-  bool stays() const { return plan_.pilot_use != PilotUse::Discard; }
+  bool stays() const override { return plan_.pilot_use != PilotUse::Discard; }
   /// Either all replicates have the same division, or the even and the odd ones (half 0 and 1) have
   /// one each.
   std::size_t halves() const { return plan_.pilot_use == PilotUse::Cross ? 2 : 1; }
