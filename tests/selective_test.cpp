@@ -1,3 +1,5 @@
+#include "support/selective.h"
+
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -15,7 +17,6 @@
 #include "core/random.h"
 #include "image/image_file.h"
 #include "image/metrics.h"
-#include "integrator/selective/region_choice.h"
 #include "support/render.h"
 #include "support/same_picture.h"
 #include "support/small_scenes.h"
@@ -27,19 +28,13 @@ namespace ajar {
 namespace {
 
 using test::expect_same;
+using test::prepared_render;
 using test::replicates_of;
+using test::report_of;
+using test::selective_options;
 
 std::unique_ptr<Scene> small_scene(const std::string& name) {
   return test::scene_from(test::small_scene(name).text);
-}
-
-/// With four replicates.
-test::RenderOptions selective_options(std::uint64_t samples) {
-  test::RenderOptions options;
-  options.integrator = "selective";
-  options.samples = samples;
-  options.replicates = 4;
-  return options;
 }
 
 class TemporaryFile {
@@ -321,21 +316,6 @@ TEST(Selective, TakesTheUsersRules) {
   }
 }
 
-/// A render that is hardly more than its preparation.
-test::Render prepared_render(const Scene& scene, std::uint64_t seed,
-                             const std::map<std::string, std::string>& parameters) {
-  test::RenderOptions options = selective_options(4);
-  options.max_depth = 8;
-  options.seed = seed;
-  options.parameters = parameters;
-  return test::render(scene, options);
-}
-
-MethodReport report_of(const Scene& scene, std::uint64_t seed,
-                       const std::map<std::string, std::string>& parameters) {
-  return prepared_render(scene, seed, parameters).integrator->report().at("selective");
-}
-
 TEST(Selective, FindsThePriceOfRaysAgainFromWhatItHasRendered) {
   const auto scene = small_scene("Room");
   const auto price_after = [&](std::uint64_t samples) {
@@ -350,135 +330,6 @@ TEST(Selective, FindsThePriceOfRaysAgainFromWhatItHasRendered) {
   EXPECT_NE(later, of_pilot);
   EXPECT_GT(later, 0.1 * of_pilot);
   EXPECT_LT(later, 10.0 * of_pilot);
-}
-
-/// In how many of `renders` a pilot has chosen this.
-int times_chosen(const std::string& scene_name, const std::string& techniques, double light_paths,
-                 std::uint64_t renders = 3) {
-  const Scene scene = test::builtin_scene(scene_name);
-  int times = 0;
-  for (std::uint64_t seed = 1; seed <= renders; ++seed) {
-    const MethodReport omc = report_of(scene, seed, {}).at("omc");
-    if (omc.at("techniques") == techniques && omc.at("light_paths_per_sample") == light_paths) {
-      ++times;
-    }
-  }
-  return times;
-}
-
-/// A pilot is small, and luck decides between what is nearly as good.
-TEST(Selective, MostlyChoosesTechniquesThatSuitTheScene) {
-  EXPECT_GE(times_chosen("cornell", "ibpt", 0.33), 2);
-  EXPECT_EQ(times_chosen("floor-lamps", "ibpt", 0.33), 0) << "lamps in shades";
-  EXPECT_GE(times_chosen("floor-lamps", "bdpt", 4.0), 1);
-  EXPECT_EQ(times_chosen("pool", "bdpt", 1.0, 8), 8)
-      << "inner connections find what chains are to start from, and what is strong stays so";
-  EXPECT_GE(times_chosen("torus-in-glass", "ibpt", 0.33, 8), 6)
-      << "strong paths are for chains here, too, but inner connections find none of them";
-}
-
-TEST(Selective, HasTheTechniquesThatTheUserWants) {
-  const Scene scene = test::builtin_scene("cornell");
-  for (const auto& [name, value] : std::map<std::string, std::string>{
-           {"techniques", "bdpt"}, {"light-paths-per-pixel", "1"}, {"omc", "bdpt"}}) {
-    const MethodReport omc = report_of(scene, 1, {{name, value}}).at("omc");
-    EXPECT_EQ(omc.at("techniques"), "bdpt") << name;
-    EXPECT_EQ(omc.at("light_paths_per_sample"), 1.0) << name;
-  }
-  EXPECT_EQ(report_of(scene, 1, {{"techniques", "pt"}}).at("omc").at("techniques"), "pt");
-  EXPECT_EQ(
-      report_of(scene, 1, {{"light-paths-per-pixel", "2"}}).at("omc").at("light_paths_per_sample"),
-      2.0);
-  EXPECT_THROW(report_of(scene, 1, {{"light-paths-per-pixel", "2"}, {"chain", "pssmlt"}}),
-               UsageError);
-}
-
-/// One convex thing under a sky has no light but what comes straight from it: there is nothing to
-/// start chains from, and nothing to warn of.
-TEST(Selective, SaysThatThereIsNothingForChains) {
-  const auto scene = test::scene_from(test::pbrt_scene(
-      "LookAt 0 -4 1  0 0 0  0 0 1\nCamera \"perspective\" \"float fov\" [45]\n", 16, 12,
-      "LightSource \"infinite\" \"rgb L\" [1 1 1]\n"
-      "Material \"matte\" \"rgb Kd\" [0.5 0.5 0.5]\nShape \"sphere\" \"float radius\" [1]\n"));
-  const test::Render render = prepared_render(*scene, 1, {});
-  EXPECT_TRUE(render.integrator->findings().concerns.empty());
-  ASSERT_EQ(render.integrator->findings().notes.size(), 1U);
-  EXPECT_EQ(render.integrator->findings().notes.front().find(
-                "no difficult light found: rendered by plain "),
-            0U);
-  EXPECT_EQ(render.counters.mutations, 0U);
-  // Half of the light of the sky, wherever the sphere is.
-  const std::vector<float> picture = render.image();
-  EXPECT_NEAR(picture[3 * (6 * 16 + 8)], 0.5, 0.1);
-}
-
-/// What a few samples predict of chains there is too good by a tenth (docs/selective.md).
-TEST(Selective, LeavesChainsOutOfACornellBox) {
-  const Scene scene = test::builtin_scene("cornell");
-  for (const std::uint64_t seed : {1, 2, 3}) {
-    const test::Render render = prepared_render(scene, seed, {});
-    ASSERT_EQ(render.integrator->findings().notes.size(), 1U);
-    EXPECT_EQ(render.integrator->findings().notes.front().find(
-                  "no difficult light found: rendered by plain "),
-              0U);
-    EXPECT_LE(render.counters.mutations, render.counters.samples / 20);
-  }
-}
-
-/// Where the two sides make other paths, or pixels are of one method alone, chains render nothing
-/// at all.
-TEST(Selective, LeavesChainsOutOfACornellBoxWhateverThePair) {
-  const Scene scene = test::builtin_scene("cornell");
-  using Settings = std::map<std::string, std::string>;
-  for (const Settings& settings :
-       {Settings{{"omc", "ibpt"}, {"techniques", "bdpt"}}, Settings{{"choice", "exclusive"}},
-        Settings{{"omc", "pt"}, {"chain", "pssmlt"}, {"techniques", "bdpt"}},
-        Settings{{"chain", "pssmlt"}}}) {
-    const test::Render render = prepared_render(scene, 1, settings);
-    EXPECT_EQ(render.integrator->findings().notes.size(), 1U) << settings.begin()->first;
-    EXPECT_EQ(render.counters.mutations, 0U) << settings.begin()->first;
-  }
-}
-
-TEST(Selective, KeepsChainsWhereTheyPayWhateverThePair) {
-  const Scene scene = test::builtin_scene("torus-in-glass");
-  using Settings = std::map<std::string, std::string>;
-  for (const Settings& settings :
-       {Settings{{"omc", "ibpt"}, {"techniques", "bdpt"}}, Settings{{"chain", "pssmlt"}}}) {
-    const test::Render render = prepared_render(scene, 1, settings);
-    ASSERT_EQ(render.integrator->findings().notes.size(), 1U) << settings.begin()->first;
-    EXPECT_NE(render.integrator->findings().notes.front().find("Markov chains make it"),
-              std::string::npos)
-        << render.integrator->findings().notes.front();
-    EXPECT_GT(render.counters.mutations, 1000U) << settings.begin()->first;
-  }
-}
-
-/// It could do with chains in one half of the replicates (thresholds near 0.1) what it does without
-/// in the other (1000). With seeds 3, 9, 13 and 20 it did, and had half to three quarters of the
-/// usual efficiency.
-TEST(Selective, DecidesAlikeInBothHalves) {
-  const Scene scene = test::builtin_scene("door-ajar");
-  for (const std::uint64_t seed : {1, 2, 3, 9, 13, 20, 21, 23}) {
-    const MethodReport halves = report_of(scene, seed, {}).at("halves");
-    ASSERT_EQ(halves.size(), 2U);
-    const double ratio =
-        halves[0].at("threshold").get<double>() / halves[1].at("threshold").get<double>();
-    EXPECT_LT(std::max(ratio, 1.0 / ratio), 10.0) << "seed " << seed << ": " << halves;
-  }
-}
-
-/// What a half decides for itself, its own samples must have no part in.
-TEST(Selective, TriesChainsForOneHalfAlone) {
-  const Scene scene = test::builtin_scene("floor-lamps");
-  const double usual = ChainCosts{}.correlation;
-  int for_one = 0;
-  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
-    const MethodReport halves = report_of(scene, seed, {}).at("halves");
-    ASSERT_EQ(halves.size(), 2U);
-    for_one += (halves[0].at("correlation") == usual) != (halves[1].at("correlation") == usual);
-  }
-  EXPECT_GE(for_one, 1);
 }
 
 /// As rules have it.
@@ -518,41 +369,6 @@ TEST(Selective, TakesNoChainsWhereTheUserWantsNone) {
   }
 }
 
-/// Rounds of a preparation that have anything to do.
-int rounds_of(const std::string& scene_name) {
-  const Scene scene = test::builtin_scene(scene_name);
-  const IntegratorInfo& info = find_integrator("selective");
-  const auto integrator =
-      info.make(scene, test::settings_of(scene, {.replicates = 4, .max_depth = 8}), info.read({}));
-  int rounds = 0;
-  for (;; ++rounds) {
-    const std::uint64_t items = integrator->begin_preparation(rounds).items;
-    if (items == 0) return rounds;
-    Counters counters;
-    for (std::uint64_t item = 0; item < items; ++item) {
-      integrator->prepare_item(rounds, item, counters);
-    }
-  }
-}
-
-TEST(Selective, KnowsThePriceOfRaysUnlessRouletteIsUsual) {
-  const Scene scene = test::builtin_scene("cornell");
-  using Settings = std::map<std::string, std::string>;
-  for (const Settings& settings : {Settings{}, Settings{{"choice", "exclusive"}},
-                                   Settings{{"omc", "ibpt"}, {"techniques", "bdpt"}},
-                                   Settings{{"chain", "pssmlt"}}, Settings{{"map", "binary"}}}) {
-    const MethodReport omc = report_of(scene, 1, settings).at("omc");
-    EXPECT_GT(omc.at("ray_price"), 0.01);
-    EXPECT_LT(omc.at("ray_price"), 1.0);
-    EXPECT_GT(omc.at("path_rest"), 0.1);
-    EXPECT_LT(omc.at("path_rest"), 10.0);
-  }
-  for (const Settings& settings :
-       {Settings{{"roulette", "usual"}}, Settings{{"preset", "published"}}}) {
-    EXPECT_EQ(report_of(scene, 1, settings).at("omc").at("ray_price"), 0.0);
-  }
-}
-
 /// Through stretches that are some way apart, so not at once; and only of the effort that is shared
 /// by what is seen.
 TEST(Selective, FindsOutHowMuchOfTheChainsErrorLasts) {
@@ -572,13 +388,6 @@ TEST(Selective, FindsOutHowMuchOfTheChainsErrorLasts) {
   EXPECT_LT(known, 0.9);
 }
 
-TEST(Selective, PreparesOnlyForWhatMayPay) {
-  // Brightness, ibpt, bdpt, roulette, what pixels show, and what is to be divided.
-  EXPECT_EQ(rounds_of("cornell"), 6);
-  // Chains on trial, too, and more light subpaths for what they could start from.
-  EXPECT_EQ(rounds_of("torus-in-glass"), 8);
-}
-
 /// Nothing is divided, and the film has no layer for it.
 TEST(Selective, RendersDirectLightAlone) {
   test::RenderOptions options;
@@ -586,17 +395,6 @@ TEST(Selective, RendersDirectLightAlone) {
   options.samples = 64;
   options.max_depth = 2;
   expect_same_as_bdpt(*small_scene("Room"), options, {{}}, "direct light");
-}
-
-TEST(Selective, LeavesChainsOutWhereTheyWouldNotPay) {
-  const auto scene = test::scene_from(test::pbrt_scene(
-      "LookAt 0 0 -3  0 0 0  0 1 0 Camera \"perspective\" \"float fov\" [40]", 32, 32,
-      "LightSource \"infinite\" \"rgb L\" [1 1 1]\nMaterial \"matte\" \"rgb Kd\" [0.5 0.5 0.5]\n"
-      "Shape \"sphere\" \"float radius\" [1]\n"
-      "Translate 0 -1 0 Rotate 90 1 0 0 Shape \"disk\" \"float radius\" [4]\n"));
-  const test::Render render = test::render(*scene, selective_options(32));
-  EXPECT_LE(render.counters.mutations, render.counters.samples / 20);
-  EXPECT_LE(render.integrator->report().at("selective").at("chains").at("ray_share"), 0.05);
 }
 
 }  // namespace

@@ -7,20 +7,13 @@
 namespace ajar {
 
 std::vector<float> blurred(std::span<const float> rgb, Vec2i size, double sigma) {
-  Plane plane(size);
-  if (rgb.size() != 3 * plane.values.size()) {
+  if (rgb.size() != 3 * static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y)) {
     throw std::invalid_argument("blurred: the picture has another size");
   }
   const SeparableKernel kernel = gaussian_kernel(sigma);
-  std::vector<float> result(rgb.size());
-  for (std::size_t channel = 0; channel < 3; ++channel) {
-    for (std::size_t i = 0; i < plane.values.size(); ++i) plane.values[i] = rgb[3 * i + channel];
-    const Plane filtered = filter_plane(plane, kernel);
-    for (std::size_t i = 0; i < plane.values.size(); ++i) {
-      result[3 * i + channel] = filtered.values[i];
-    }
-  }
-  return result;
+  std::vector<Plane> planes = planes_of(size, rgb);
+  for (Plane& plane : planes) plane = filter_plane(plane, kernel);
+  return interleaved(planes);
 }
 
 Replicates blurred(const Replicates& replicates, Vec2i size, double sigma) {

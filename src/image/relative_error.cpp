@@ -128,9 +128,10 @@ std::vector<ErrorAtScale> estimate_errors_by_scale(const Replicates& replicates,
 }
 
 std::uint64_t error_estimate_bytes(int replicates) {
-  // The replicates side by side, patterns and noise, all of it twice while it is filtered; errors.
+  // The replicates side by side, patterns and noise, all of it twice while it is filtered; errors;
+  // and the replicates as they are kept for the next scale.
   const auto pictures = static_cast<std::uint64_t>(replicates) * kChannels;
-  return sizeof(float) * (2 * (pictures + 2) + 2 * kChannels);
+  return sizeof(float) * (2 * (pictures + 2) + 2 * kChannels + pictures);
 }
 
 }  // namespace ajar

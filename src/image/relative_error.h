@@ -50,7 +50,7 @@ struct ErrorAtScale {
 };
 inline constexpr std::array<double, 4> kErrorScales = {1.0, 2.0, 4.0, 8.0};
 std::vector<ErrorAtScale> estimate_errors_by_scale(const Replicates& replicates, Vec2i size);
-/// What an estimate takes beside the replicates, bytes per pixel.
+/// What the estimates take at most, bytes per pixel.
 std::uint64_t error_estimate_bytes(int replicates);
 
 }  // namespace ajar
