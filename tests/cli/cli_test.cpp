@@ -534,7 +534,7 @@ TEST_F(Cli, APictureLargerThanItsMemoryLimitIsRefusedBeforeTheSceneIsBuilt) {
   setrlimit(RLIMIT_AS, &before);
   const Outcome outcome = finish(child);
   EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
-  EXPECT_TRUE(contains(outcome.err, "needs 3.0 GB (")) << outcome.err;
+  EXPECT_TRUE(contains(outcome.err, "film 1.7 GB, writing pictures ")) << outcome.err;
   EXPECT_TRUE(contains(outcome.err, "free here")) << outcome.err;
   EXPECT_FALSE(contains(outcome.err, "prepare")) << outcome.err;
 }
