@@ -47,7 +47,7 @@ class Comparison final : public StrongPathSinks {
       EXPECT_EQ(target->technique()->technique, path.technique);
       double expected = static_cast<double>(
           path.strength *
-          LightSplit::above(path.strength, static_cast<float>(all_.plan_.lowest_threshold())));
+          Division::above(path.strength, static_cast<float>(all_.plan_.lowest_threshold())));
       if (path.technique.s >= 2) expected *= all_.light_paths_;
       // Chains look over a larger area where filters reach beyond the film.
       if (path.technique.t == 1) expected *= all_.plan_.view.pixels / all_.plan_.view.area();
@@ -76,10 +76,10 @@ TEST(Recruits, AreStatesOfChainsThatAreWorthWhatWasFound) {
       ChainPlan plan(ChainKind::OnePath, *scene,
                      test::settings_of(*scene, {.replicates = 1, .max_depth = 6}), parameters);
       plan.brightness = 1.0;
-      plan.splits.emplace(LightSplit(plan.lowest_threshold(), plan.view.importance));
+      plan.divisions.emplace(Division(plan.lowest_threshold(), plan.view.importance));
       const Comparison comparison(plan, std::stod(setting.light_paths));
       const auto omc = plan.make_omc(plan.settings, plan.omc_depths(),
-                                     {.splits = &*plan.splits, .strong = &comparison});
+                                     {.divisions = &*plan.divisions, .strong = &comparison});
       Film film(plan.settings.resolution, plan.settings.crop, Filter::box(), 1, omc->layers());
       Counters counters;
       for (std::uint64_t item = 0; item < omc->items_in_round(); ++item) {

@@ -28,8 +28,8 @@ class RegionChoiceTest : public testing::Test {
         plan_(ChainKind::OnePath, *scene_, settings_,
               Parameters(chain_parameters(ChainKind::OnePath), {}), SelectiveSettings{}) {
     plan_.brightness = kBrightness;
-    plan_.splits.emplace(LightSplit(0.0, plan_.view.importance));
-    omc_ = plan_.make_omc(settings_, plan_.omc_depths(), {.splits = &*plan_.splits});
+    plan_.divisions.emplace(Division(0.0, plan_.view.importance));
+    omc_ = plan_.make_omc(settings_, plan_.omc_depths(), {.divisions = &*plan_.divisions});
     film_ = std::make_unique<Film>(settings_.resolution, settings_.crop, Filter::box(), 2,
                                    omc_->layers());
     const Vec2i size = settings_.crop.size() + Vec2i(1, 1);
@@ -84,7 +84,7 @@ TEST_F(RegionChoiceTest, AFireflyIsDifficultLightInItsCellAlone) {
   const Vec2i cells = (regions_.size + Vec2i(15, 15)) / 16;
   const double of_cell = 1.0 / (cells.x * cells.y);
   const auto share = [&](double threshold) {
-    return chain_share(view(10.0), LightSplits(LightSplit(threshold, plan_.view.importance)));
+    return chain_share(view(10.0), Divisions(Division(threshold, plan_.view.importance)));
   };
   // Found light that is not on the film: about half of all, to which T leaves some.
   EXPECT_GT(share(0.1), share(3.0));

@@ -52,12 +52,12 @@ class HandedBack final : public StrongPathSinks {
 /// Ordinary Monte Carlo with rates that are random, and change once, and random guesses.
 test::Render render_with_random_rates(const Scene& scene, const test::RenderOptions& options,
                                       const std::string& techniques, SampleRates& rates,
-                                      const LightSplits* splits, const StrongPathSinks* strong) {
+                                      const Divisions* divisions, const StrongPathSinks* strong) {
   const auto change = static_cast<std::uint64_t>(options.samples) / 4;
   return test::render_with(
       make_path_integrator(scene, test::settings_of(scene, options),
                            Parameters(path_family_parameters(path_family_defaults(techniques)), {}),
-                           {.splits = splits, .strong = strong, .rates = &rates}),
+                           {.divisions = divisions, .strong = strong, .rates = &rates}),
       scene, options, [&](const Film& film, std::uint64_t samples) {
         SampleRates::Guesses guesses;
         for (const double value : random_errors(film, samples)) {
@@ -73,14 +73,14 @@ TEST(SampleRates, ChangeNoExpectation) {
   for (const char* name : {"Room", "GlassAndMetal", "CroppedMitchell"}) {
     const auto [scene, options, truth] = test::known_picture(name);
     const ImportanceMap even;
-    const LightSplits splits(LightSplit(0.003, even));
+    const Divisions divisions(Division(0.003, even));
     const HandedBack strong;
     for (const char* techniques : {"pt", "ibpt", "bdpt"}) {
       for (const bool divided : {false, true}) {
         SampleRates rates(truth.film->crop(), options.replicates, 3);
         const test::Render render =
             render_with_random_rates(*scene, options, techniques, rates,
-                                     divided ? &splits : nullptr, divided ? &strong : nullptr);
+                                     divided ? &divisions : nullptr, divided ? &strong : nullptr);
         expect_same(replicates_of(render), replicates_of(truth), *render.film, 0.15,
                     std::string(name) + ", " + techniques + (divided ? ", divided" : ""));
       }

@@ -24,7 +24,7 @@ enum class RandomUse : std::uint64_t {
   RasterLength = 0x1e467,
   // The preparation of divided light.
   BrightnessPilot = 0x91107,
-  SplitPilot = 0x9e9107,
+  DivisionPilot = 0x9e9107,
   SurfacePilot = 0x50fa3,
   RouletteTrial = 0x4071e77e,
   RouletteScramble = 1,  ///< their points

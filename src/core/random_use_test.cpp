@@ -23,7 +23,7 @@ bool is_named(RandomUse use) {
     case RandomUse::RasterMove:
     case RandomUse::RasterLength:
     case RandomUse::BrightnessPilot:
-    case RandomUse::SplitPilot:
+    case RandomUse::DivisionPilot:
     case RandomUse::SurfacePilot:
     case RandomUse::RouletteTrial:
     case RandomUse::RouletteScramble:

@@ -5,7 +5,7 @@
 
 /// Above which brightness the light of each region should be left to Markov chains, and how many
 /// mutations they should make, so that the predicted error after a given time is smallest. The
-/// counterpart of optimal_weights.h where light is divided path by path (`LightSplit`): a higher
+/// counterpart of optimal_weights.h where light is divided path by path (`Division`): a higher
 /// threshold leaves ordinary Monte Carlo (OMC) no brighter fireflies than it says, a lower weight
 /// would only make them dimmer.
 ///

@@ -15,7 +15,7 @@ struct StrongPath {
   Technique technique;
   Vec2 raster;
   int replicate;
-  float strength;        ///< g of the division (`LightSplit`)
+  float strength;        ///< g of the division (`Division`)
   Spectrum value;        ///< the chains' share, as it would be splatted
   double energy;         ///< luminance · importance of it; below 0 in negative lobes of a filter
   std::uint64_t sample;  ///< names the camera sample and the light subpath that found it

@@ -25,7 +25,7 @@ class PathIntegrator final : public Integrator {
                  const PathIntegratorContext& context)
       : scene_(scene),
         settings_(settings),
-        splits_(context.splits),
+        divisions_(context.divisions),
         strong_(context.strong),
         rates_(context.rates),
         price_(context.price),
@@ -44,7 +44,7 @@ class PathIntegrator final : public Integrator {
   std::vector<LayerSpec> layers() const override {
     std::vector<LayerSpec> specs = {{.name = "direct", .magnitude = scale_.mean},
                                     {.name = "indirect", .magnitude = scale_.mean}};
-    if (splits_ != nullptr) {
+    if (divisions_ != nullptr) {
       specs.push_back({.name = kWeakLayer, .magnitude = scale_.mean, .part_of = "indirect"});
       if (settings_.other_estimates) {
         specs.push_back({.name = kStrongLayer, .magnitude = scale_.mean, .instead_of = "indirect"});
@@ -75,7 +75,7 @@ class PathIntegrator final : public Integrator {
                      std::min(low.y + kTileSize - 1, settings_.crop.max.y));
     const GBuffer g_buffer(film);
     const TechniqueLayers techniques(film);
-    SampleSink sink(film, splits_, price_, cull_below_, g_buffer, techniques, settings_.seed,
+    SampleSink sink(film, divisions_, price_, cull_below_, g_buffer, techniques, settings_.seed,
                     counters);
     PathSampler sampler(scene_, sampler_settings_);
     const auto strong = strong_ != nullptr ? strong_->make(film, counters) : nullptr;
@@ -216,7 +216,7 @@ class PathIntegrator final : public Integrator {
 
   const Scene& scene_;
   RenderSettings settings_;
-  const LightSplits* splits_;
+  const Divisions* divisions_;
   const StrongPathSinks* strong_;
   const SampleRates* rates_;
   const RayPrice* price_;

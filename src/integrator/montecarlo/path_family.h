@@ -2,7 +2,7 @@
 #include <optional>
 
 #include "integrator/integrator.h"
-#include "integrator/light_split.h"
+#include "integrator/division.h"
 #include "integrator/montecarlo/path_parameters.h"
 #include "integrator/montecarlo/ray_price.h"
 #include "integrator/montecarlo/sample_rates.h"
@@ -40,7 +40,7 @@ bool light_alone(const TechniqueSet& techniques);
 struct PathIntegratorContext {
   /// With these, it leaves Markov chains their share of long paths and puts its own into the layer
   /// `kWeakLayer`.
-  const LightSplits* splits = nullptr;
+  const Divisions* divisions = nullptr;
   const StrongPathSinks* strong = nullptr;  ///< see what it leaves to chains
   const SampleRates* rates = nullptr;       ///< of camera samples; one per pixel without
   const RayPrice* price = nullptr;          ///< saves rays by Russian roulette

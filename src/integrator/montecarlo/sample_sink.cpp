@@ -6,11 +6,11 @@
 
 namespace ajar {
 
-SampleSink::SampleSink(Film& film, const LightSplits* splits, const RayPrice* price,
+SampleSink::SampleSink(Film& film, const Divisions* divisions, const RayPrice* price,
                        double cull_below, const GBuffer& g_buffer,
                        const TechniqueLayers& techniques, std::uint64_t seed, Counters& counters)
     : film_(film),
-      splits_(splits),
+      divisions_(divisions),
       price_(price),
       worth_(static_cast<float>(1.0 / cull_below)),
       layers_{film.layer("direct"), std::max(film.layer(kWeakLayer), film.layer("indirect")),
@@ -28,7 +28,7 @@ void SampleSink::begin_pixel(Vec2i pixel, int replicate, float light_weight,
   guess_ = guess;
   put(layers_.direct, guess_.direct);
   put(layers_.indirect, guess_.indirect);
-  split_ = splits_ != nullptr ? &splits_->of(replicate) : nullptr;
+  division_ = divisions_ != nullptr ? &divisions_->of(replicate) : nullptr;
 }
 
 void SampleSink::begin_sample(const Vec2& raster, float filter_weight, float weight,
@@ -45,7 +45,7 @@ void SampleSink::begin_sample(const Vec2& raster, float filter_weight, float wei
 
 void SampleSink::add(const Contribution& whole) {
   Contribution contribution = whole;
-  if (split_ != nullptr && split_->divides(whole.technique)) {
+  if (division_ != nullptr && division_->divides(whole.technique)) {
     divide(contribution);
     if (layers_.strong >= 0) keep_strong_light(whole, contribution.value);
   }
@@ -133,7 +133,7 @@ void SampleSink::put(int layer, const Spectrum& value) {
 
 void SampleSink::divide(Contribution& contribution) {
   const Vec2& raster = contribution.technique.t == 1 ? contribution.raster : raster_;
-  const LightSplit::Parts parts = split_->parts(contribution, raster);
+  const Division::Parts parts = division_->parts(contribution, raster);
   if (keeps_strong_ && std::isfinite(parts.light) && parts.chains > 0.F) {
     keep_strong(contribution, raster, parts);
   }
@@ -141,7 +141,7 @@ void SampleSink::divide(Contribution& contribution) {
 }
 
 void SampleSink::keep_strong(const Contribution& contribution, const Vec2& raster,
-                             const LightSplit::Parts& parts) {
+                             const Division::Parts& parts) {
   StrongPath path{contribution.technique,
                   raster,
                   replicate_,

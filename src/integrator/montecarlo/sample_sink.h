@@ -4,7 +4,7 @@
 
 #include "image/film.h"
 #include "integrator/integrator.h"
-#include "integrator/light_split.h"
+#include "integrator/division.h"
 #include "integrator/montecarlo/g_buffer.h"
 #include "integrator/montecarlo/ray_price.h"
 #include "integrator/montecarlo/sample_rates.h"
@@ -22,9 +22,9 @@ namespace ajar {
 /// `indirect`. What is not finite or negative is left out and counted.
 class SampleSink final : public PathSink {
  public:
-  /// `splits` is null where nothing is left to chains; `cull_below`: what is worth a ray where
+  /// `divisions` is null where nothing is left to chains; `cull_below`: what is worth a ray where
   /// there is no `price`. What it refers to must outlive the sink.
-  SampleSink(Film& film, const LightSplits* splits, const RayPrice* price, double cull_below,
+  SampleSink(Film& film, const Divisions* divisions, const RayPrice* price, double cull_below,
              const GBuffer& g_buffer, const TechniqueLayers& techniques, std::uint64_t seed,
              Counters& counters);
 
@@ -63,13 +63,13 @@ class SampleSink final : public PathSink {
   /// Leaves chains their share.
   void divide(Contribution& contribution);
   void keep_strong(const Contribution& contribution, const Vec2& raster,
-                   const LightSplit::Parts& parts);
+                   const Division::Parts& parts);
   void keep_strong_light(const Contribution& whole, const Spectrum& weak);
   void discard(const Contribution& contribution);
 
   Film& film_;
-  const LightSplits* splits_;
-  const LightSplit* split_ = nullptr;  ///< of the replicate
+  const Divisions* divisions_;
+  const Division* division_ = nullptr;  ///< of the replicate
   const RayPrice* price_;
   float worth_;
   Layers layers_;

@@ -23,7 +23,7 @@
 #include "integrator/selective/omc_adaptation.h"
 #include "integrator/selective/plane_maps.h"
 #include "integrator/selective/roulette_pilot.h"
-#include "integrator/selective/split_pilot.h"
+#include "integrator/selective/division_pilot.h"
 #include "integrator/selective/surface_pilot.h"
 #include "integrator/selective/technique_pilot.h"
 #include "integrator/selective/weighted_errors.h"
@@ -88,7 +88,7 @@ class ChainIntegrator final : public Integrator {
   ChainPlan plan_;
   ChainEffort effort_{plan_};
   std::vector<std::unique_ptr<PreparationStage>> stages_;
-  SplitPilot* pilot_ = nullptr;  ///< one of the stages; null if there is nothing to decide
+  DivisionPilot* pilot_ = nullptr;  ///< one of the stages; null if there is nothing to decide
   ChainTrial* trial_ = nullptr;  ///< the stage after it
   std::size_t stage_ = 0;        ///< that is running
   std::vector<ChainPopulation> populations_;
@@ -123,7 +123,7 @@ ChainIntegrator::ChainIntegrator(ChainKind kind, const Scene& scene, const Rende
       surfaces = stage.get();
       stages_.push_back(std::move(stage));
     }
-    auto pilot = std::make_unique<SplitPilot>(plan_, populations_, surfaces, recruits_.get());
+    auto pilot = std::make_unique<DivisionPilot>(plan_, populations_, surfaces, recruits_.get());
     auto trial = std::make_unique<ChainTrial>(plan_, *pilot, recruits_.get());
     pilot_ = pilot.get();
     trial_ = trial.get();
@@ -188,7 +188,7 @@ void ChainIntegrator::end_preparation() {
     return;
   }
   // With a black pilot there is nothing to divide by.
-  if (!plan_.splits || plan_.mutations == 0.0) recruits_.reset();
+  if (!plan_.divisions || plan_.mutations == 0.0) recruits_.reset();
   if (plan_.mutations == 0.0) populations_.clear();
   make_omc();
   items_.list(recruits_ == nullptr);
@@ -220,7 +220,7 @@ void ChainIntegrator::make_omc() {
   if (depths.first > depths.second) return;
   const RenderSettings settings = plan_.omc_settings();
   adaptation_ = std::make_unique<OmcAdaptation>(plan_, settings);
-  PathIntegratorContext context{.splits = plan_.splits ? &*plan_.splits : nullptr,
+  PathIntegratorContext context{.divisions = plan_.divisions ? &*plan_.divisions : nullptr,
                                 .strong = recruits_.get()};
   adaptation_->tell(context);
   omc_ = plan_.make_omc(settings, depths, context);

@@ -39,7 +39,7 @@ void ChainItems::list(bool plain) {
 /// N mutations on light b leave the error C·b²/N, so N/b is the same everywhere where the sum of
 /// errors is smallest.
 void ChainItems::share_mutations() {
-  const std::size_t halves = plan_.splits ? plan_.splits->count() : 1;
+  const std::size_t halves = plan_.divisions ? plan_.divisions->count() : 1;
   const auto replicates = static_cast<std::size_t>(plan_.settings.replicates);
   std::vector<double> light(halves, 0.0);
   for (const ChainPopulation& population : populations_) {

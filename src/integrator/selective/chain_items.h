@@ -61,9 +61,9 @@ class ChainItems {
   template <typename A>
   void serialize_chains(A& archive, const WorkShare& share, std::uint64_t first);
   /// What of a chain's deposits the picture takes, if that is not all.
-  const LightSplit* kept_by(int replicate) const {
-    return plan_.selective && plan_.selective->exclusive && plan_.splits
-               ? &plan_.splits->of(replicate)
+  const Division* kept_by(int replicate) const {
+    return plan_.selective && plan_.selective->exclusive && plan_.divisions
+               ? &plan_.divisions->of(replicate)
                : nullptr;
   }
   void share_mutations();

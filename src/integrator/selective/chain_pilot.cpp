@@ -77,7 +77,7 @@ void ChainPilot::end() {
     plan_.moves.settings.large_step_cap = SelectiveHeuristics::kLargeStepCap * plan_.brightness;
   }
   if (!plan_.thresholds.empty() && plan_.brightness > 0.0) {
-    plan_.splits.emplace(LightSplit(plan_.lowest_threshold(), plan_.view.importance));
+    plan_.divisions.emplace(Division(plan_.lowest_threshold(), plan_.view.importance));
   }
   film_.reset();
   omc_.reset();

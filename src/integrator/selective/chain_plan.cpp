@@ -125,8 +125,8 @@ void ChainPlan::read_pilot() {
 PrimarySettings ChainPlan::chain_settings_of(int replicate) const {
   constexpr double kRounding = 1.001;
   PrimarySettings own = moves.settings;
-  if (moves.raster_steps_are_open && splits &&
-      static_cast<double>(splits->of(replicate).highest_threshold()) <=
+  if (moves.raster_steps_are_open && divisions &&
+      static_cast<double>(divisions->of(replicate).highest_threshold()) <=
           SelectiveHeuristics::kNearlyAllLight * kRounding * brightness) {
     own.probabilities.raster = SelectiveHeuristics::kRasterStepsOfAllLight;
   }
@@ -167,7 +167,7 @@ void ChainPlan::make_groups() {
   sampler.heuristic = heuristic_of(parameters);
   sampler.min_depth = direct == Direct::Chain
                           ? settings.min_depth
-                          : std::max(settings.min_depth, LightSplit::kDirectDepth + 1);
+                          : std::max(settings.min_depth, Division::kDirectDepth + 1);
   sampler.max_depth = settings.max_depth;
   // As ordinary Monte Carlo counts them, so that both agree about what a path brings.
   const bool is_divided = kind == ChainKind::OnePath && !thresholds.empty();
@@ -192,7 +192,7 @@ void ChainPlan::read_importance() {
 }
 
 std::unique_ptr<PathTarget> ChainPlan::make_target(const PathGroup& group, int replicate) const {
-  return make_path_target(scene, group, view, splits ? &splits->of(replicate) : nullptr);
+  return make_path_target(scene, group, view, divisions ? &divisions->of(replicate) : nullptr);
 }
 
 void ChainPlan::leave_to_omc(std::uint64_t kept) {
@@ -204,15 +204,15 @@ void ChainPlan::leave_to_omc(std::uint64_t kept) {
   mutations = 0.0;
   omc_samples = 1.0;
   pilot_kept = kept;
-  splits.emplace(
-      LightSplit(settings.crop, {{.threshold = 0.F, .target = 0.F, .kept = 0.F}}, view.importance));
+  divisions.emplace(
+      Division(settings.crop, {{.threshold = 0.F, .target = 0.F, .kept = 0.F}}, view.importance));
 }
 
 std::pair<int, int> ChainPlan::omc_depths() const {
   if (unprepared && direct == Direct::Chain) return {settings.min_depth, settings.max_depth};
   return {direct == Direct::Omc ? settings.min_depth
-                                : std::max(settings.min_depth, LightSplit::kDirectDepth + 1),
-          splits ? settings.max_depth : std::min(settings.max_depth, LightSplit::kDirectDepth)};
+                                : std::max(settings.min_depth, Division::kDirectDepth + 1),
+          divisions ? settings.max_depth : std::min(settings.max_depth, Division::kDirectDepth)};
 }
 
 RenderSettings ChainPlan::omc_settings() const {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/parameters.h"
-#include "integrator/light_split.h"
+#include "integrator/division.h"
 #include "integrator/metropolis/member_chain.h"
 #include "integrator/metropolis/path_group.h"
 #include "integrator/montecarlo/path_family.h"
@@ -117,7 +117,7 @@ struct ChainPlan {
   std::vector<PathGroup> groups;
   PathFamilyDefaults omc;             ///< of ordinary Monte Carlo
   std::optional<RayPrice> ray_price;  ///< likewise, as a pilot has found it
-  std::optional<LightSplits> splits;  ///< found by the pilot
+  std::optional<Divisions> divisions;  ///< found by the pilot
 
  private:
   /// Of the picture, from when ordinary Monte Carlo was made first, and of paths of which depths.

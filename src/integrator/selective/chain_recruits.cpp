@@ -171,13 +171,13 @@ double ChainRecruits::energy() const {
   return std::accumulate(energies.begin(), energies.end(), 0.0);
 }
 
-void ChainRecruits::divide_anew(const LightSplits& before) {
+void ChainRecruits::divide_anew(const Divisions& before) {
   for (Recruit& recruit : recruits_) {
     StrongPath& path = recruit.path;
-    const auto share_of = [&](const LightSplits& splits) {
-      return splits.of(path.replicate).chain_share(path.strength, path.raster);
+    const auto share_of = [&](const Divisions& divisions) {
+      return divisions.of(path.replicate).chain_share(path.strength, path.raster);
     };
-    const float change = share_of(*plan_.splits) / share_of(before);
+    const float change = share_of(*plan_.divisions) / share_of(before);
     path.value *= change;
     path.energy *= static_cast<double>(change);
     if (change != 1.F) recruit.scalar.reset();

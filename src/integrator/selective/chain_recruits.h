@@ -34,7 +34,7 @@ class ChainRecruits final : public StrongPathSinks {
   /// Luminance · importance of all that was found since chains were last joined.
   double energy() const;
   /// After the division has changed, from `before` to that of the plan.
-  void divide_anew(const LightSplits& before);
+  void divide_anew(const Divisions& before);
   /// Merges what was found in camera samples `first` to `last` per pixel into the populations.
   void join(std::vector<ChainPopulation>& populations, std::uint64_t first, std::uint64_t last);
   /// The same for a trial: what was found can still join others.

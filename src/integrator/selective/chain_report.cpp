@@ -50,10 +50,10 @@ std::vector<std::string> notes_on(const ChainPlan& plan, std::optional<double> s
     return {"no difficult light found: rendered by plain " + omc +
             (stand_by ? "; Markov chains only take stray bright dots" : "")};
   }
-  if (plan.splits && plan.mutations == 0.0) {
+  if (plan.divisions && plan.mutations == 0.0) {
     return {"no light is left to Markov chains: rendered by plain " + omc};
   }
-  if (plan.splits) {
+  if (plan.divisions) {
     const std::string difficult = "difficult light (caustics, light through gaps)";
     if (!share) return {"Markov chains make " + difficult + ", " + omc + " the rest"};
     return {difficult + " in " + percent(*share) + " of this picture: Markov chains make it, " +

@@ -30,7 +30,7 @@ DevelopScale scale_of_found(const PilotView& view) {
 
 }  // namespace
 
-double chain_share(const PilotView& view, const LightSplits& splits) {
+double chain_share(const PilotView& view, const Divisions& divisions) {
   const Box2i& crop = view.plan.settings.crop;
   const int width = view.regions.size.x;
   const int columns = (width + kCell - 1) / kCell;
@@ -57,9 +57,9 @@ double chain_share(const PilotView& view, const LightSplits& splits) {
     // Only `selective` puts it on the film.
     if (!view.plan.selective) cell.light += light;
     if (found.whole) continue;
-    const float left = splits.of(found.replicate).omc_share(found.strength, found.raster);
+    const float left = divisions.of(found.replicate).omc_share(found.strength, found.raster);
     cell.of_chains +=
-        light * static_cast<double>((1.F - left) / LightSplit::above(found.strength, lowest));
+        light * static_cast<double>((1.F - left) / Division::above(found.strength, lowest));
   }
   const double sum = std::accumulate(cells.begin(), cells.end(), 0.0,
                                      [](double s, const Cell& cell) { return s + cell.share(); });

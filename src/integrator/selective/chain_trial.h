@@ -8,7 +8,7 @@
 #include "integrator/selective/chain_plan.h"
 #include "integrator/selective/chain_population.h"
 #include "integrator/selective/chain_recruits.h"
-#include "integrator/selective/split_pilot.h"
+#include "integrator/selective/division_pilot.h"
 
 namespace ajar {
 
@@ -22,7 +22,7 @@ class ChainTrial final : public PreparationStage {
  public:
   /// `recruits` may be null. Without them, or if there are no thresholds to decide between, or if
   /// chains would not pay anyway, costs are taken to be typical. All must outlive it.
-  ChainTrial(const ChainPlan& plan, SplitPilot& pilot, ChainRecruits* recruits)
+  ChainTrial(const ChainPlan& plan, DivisionPilot& pilot, ChainRecruits* recruits)
       : plan_(plan), pilot_(pilot), recruits_(recruits) {}
   double effort() const override;
   std::uint64_t begin() override;
@@ -49,7 +49,7 @@ class ChainTrial final : public PreparationStage {
   ChainCosts costs_of(std::size_t h) const;
 
   const ChainPlan& plan_;
-  SplitPilot& pilot_;
+  DivisionPilot& pilot_;
   ChainRecruits* recruits_;
   std::vector<ChainPopulation> populations_;
   std::vector<Item> items_;

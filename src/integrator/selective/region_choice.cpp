@@ -9,7 +9,7 @@
 #include "image/optimal_thresholds.h"
 #include "image/optimal_weights.h"
 #include "image/pixel_at.h"
-#include "integrator/light_split.h"
+#include "integrator/division.h"
 #include "integrator/selective/heuristics.h"
 #include "integrator/selective/weighted_errors.h"
 
@@ -157,10 +157,10 @@ std::vector<ThresholdEstimate> estimate_thresholds(const PilotView& view,
     for (const SharedPath& path : paths) {
       const float above =
           i < thresholds.size()
-              ? LightSplit::above(path.strength,
+              ? Division::above(path.strength,
                                   static_cast<float>(thresholds[i] * view.plan.brightness))
               : 0.F;
-      const float more = path.light * (LightSplit::above(path.strength, lowest) - above);
+      const float more = path.light * (Division::above(path.strength, lowest) - above);
       light[path.replicate][path.pixel] += more;
       by_lot[path.pixel] += static_cast<double>(more * more * path.lot);
       regions[view.regions.labels[path.pixel]].light[i] +=

@@ -16,7 +16,7 @@ struct FoundLight {
   std::uint64_t sample;  ///< of `StrongPath`
   Vec2 raster;
   Spectrum value;  ///< what the pilot has left to chains, as it would be splatted
-  float strength;  ///< g of `LightSplit`
+  float strength;  ///< g of `Division`
   float energy;    ///< luminance · importance of all that the path brings
   float weight;    ///< paths like it that were found and not kept stand behind it; `value` has it
   std::int16_t replicate;

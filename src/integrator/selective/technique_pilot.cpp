@@ -44,8 +44,8 @@ class TechniquePilot::Candidate final : public StrongPathSinks {
   /// `plan` has the techniques of the offer.
   Candidate(const ChainPlan& plan, const RenderSettings& settings)
       : plan_(plan),
-        splits_(LightSplit(SelectiveHeuristics::kStrong * plan.brightness, plan.view.importance)),
-        omc_(plan.make_omc(settings, plan.omc_depths(), {.splits = &splits_, .strong = this})),
+        divisions_(Division(SelectiveHeuristics::kStrong * plan.brightness, plan.view.importance)),
+        omc_(plan.make_omc(settings, plan.omc_depths(), {.divisions = &divisions_, .strong = this})),
         film_(settings.resolution, settings.crop, Filter::box(), kReplicates, omc_->layers()) {}
 
   std::uint64_t tiles() const { return omc_->items_in_round(); }
@@ -97,7 +97,7 @@ class TechniquePilot::Candidate final : public StrongPathSinks {
   };
 
   const ChainPlan& plan_;
-  LightSplits splits_;
+  Divisions divisions_;
   std::unique_ptr<Integrator> omc_;
   Film film_;
   std::atomic<std::uint64_t> rays_{0};

@@ -28,34 +28,39 @@ struct PixelShare {
   float kept = 1.F;
 };
 
-/// How ordinary Monte Carlo and Markov chains share the light of long paths, path by path.
+/// How ordinary Monte Carlo and Markov chains share the light of long paths, path by path: the
+/// estimator of `selective`, in five lines. x₁ … x_n are what camera samples find, y₁ … y_N the
+/// states of chains:
 ///
-/// What a technique finds along a path, C = f/p · MIS weight, matters to its pixel in proportion to
-/// g = luminance(C) · importance. Ordinary Monte Carlo deals well with many paths of small g, and
-/// makes fireflies of few with a large one; chains follow large g. So the path's light is divided:
+///     g(x) = luminance(F(x)) · importance         of F = f/p · MIS weight, as a technique finds it
+///     w(x) = σ · g / (T + g)                      the chains' part
+///     I    = 1/n Σ F(xᵢ) (1 − w(xᵢ)) + b/N Σ F(yₖ) w(yₖ) / t(yₖ)      chains with target t = g·w
+///     b    = 1/n Σ g(xᵢ) w(xᵢ)                    of the same samples, which also start the chains
+///     T    : least X(T)/n + C·b(T)²/N             for n·c_s + N·c_m rays (optimal_thresholds.h)
 ///
-///     by chains                 C · σ · g / (T + g),
-///     by ordinary Monte Carlo   the rest; where σ is 1, C · T / (T + g), never more than T.
+/// X is the variance of a sample with what is left to it, C how many times worse a mutation is than
+/// an independent sample of the chains' light. Where σ is 1, what is left to a sample, F·T/(T + g),
+/// is never more than T.
 ///
 /// Both sides compute g from the path and its technique alone, and σ and T from its place on the
-/// film, so the parts add up to C. With σ = 1 it is the balance heuristic between independent
+/// film, so the parts add up to F. With σ = 1 it is the balance heuristic between independent
 /// samples and a chain of density g/b (Kelemen et al. 2002, section 5.2), but over what
 /// bidirectional path tracing samples anyway, and put into the chain's target, so that the chain
 /// spends no time on what it does not make. The idea to divide in path space is Bitterli & Jarosz
 /// 2019's. With T = 0 it is the division by an image σ of Frolov (docs/selective.md),
 /// and both sides may have different techniques.
-class LightSplit final : public PathPart {
+class Division final : public PathPart {
  public:
   /// Edges of the longest paths that are direct light.
   static constexpr int kDirectDepth = 2;
 
   /// Divides indirect light at g = `threshold` everywhere. `importance` must outlive this.
-  LightSplit(double threshold, const ImportanceMap& importance)
+  Division(double threshold, const ImportanceMap& importance)
       : shares_(1), highest_(static_cast<float>(threshold)), importance_(&importance) {
     shares_.front().threshold = highest_;
   }
   /// `shares`: one per pixel of `crop`, row by row.
-  LightSplit(const Box2i& crop, std::vector<PixelShare> shares, const ImportanceMap& importance)
+  Division(const Box2i& crop, std::vector<PixelShare> shares, const ImportanceMap& importance)
       : crop_(crop), shares_(std::move(shares)), importance_(&importance) {
     for (const PixelShare& share : shares_) highest_ = std::max(highest_, share.threshold);
   }
@@ -129,21 +134,21 @@ class LightSplit final : public PathPart {
 
 /// The division of each replicate: one for all, or one for the even and one for the odd ones, each
 /// found out from the samples of the others.
-class LightSplits {
+class Divisions {
  public:
-  explicit LightSplits(LightSplit all) : splits_{std::move(all)} {}
-  LightSplits(LightSplit even, LightSplit odd) : splits_{std::move(even), std::move(odd)} {}
-  const LightSplit& of(int replicate) const {
-    return splits_[static_cast<std::size_t>(replicate) % splits_.size()];
+  explicit Divisions(Division all) : divisions_{std::move(all)} {}
+  Divisions(Division even, Division odd) : divisions_{std::move(even), std::move(odd)} {}
+  const Division& of(int replicate) const {
+    return divisions_[static_cast<std::size_t>(replicate) % divisions_.size()];
   }
-  std::size_t count() const { return splits_.size(); }
+  std::size_t count() const { return divisions_.size(); }
   bool take_nothing() const {
-    return std::all_of(splits_.begin(), splits_.end(),
-                       [](const LightSplit& split) { return split.takes_nothing(); });
+    return std::all_of(divisions_.begin(), divisions_.end(),
+                       [](const Division& division) { return division.takes_nothing(); });
   }
 
  private:
-  std::vector<LightSplit> splits_;
+  std::vector<Division> divisions_;
 };
 
 }  // namespace ajar

@@ -1,4 +1,4 @@
-#include "integrator/selective/split_pilot.h"
+#include "integrator/selective/division_pilot.h"
 
 #include <algorithm>
 #include <array>
@@ -10,7 +10,7 @@
 #include "core/random.h"
 #include "core/random_use.h"
 #include "image/edges.h"
-#include "integrator/light_split.h"
+#include "integrator/division.h"
 #include "integrator/make_filter.h"
 #include "integrator/selective/chain_bootstrap.h"
 #include "integrator/selective/chain_share.h"
@@ -24,8 +24,8 @@ namespace {
 /// might at most.
 float chain_share(const PixelShare& share, const ChainPlan& plan) {
   const auto whole = static_cast<float>(plan.brightness);
-  return share.kept * LightSplit::above(whole, share.threshold) /
-         LightSplit::above(whole, static_cast<float>(plan.lowest_threshold()));
+  return share.kept * Division::above(whole, share.threshold) /
+         Division::above(whole, static_cast<float>(plan.lowest_threshold()));
 }
 
 FoundLight light_of(const StrongPath& path, float energy) {
@@ -44,9 +44,9 @@ FoundLight light_of(const StrongPath& path, float energy) {
 
 /// Keeps strong light to be divided anew, and offers it to chains. For maps of regions, it also
 /// puts it on the pilot's film, where the noise is looked for.
-class SplitPilot::Sink final : public StrongPathSink {
+class DivisionPilot::Sink final : public StrongPathSink {
  public:
-  Sink(const SplitPilot& pilot, Film& film, Counters& counters)
+  Sink(const DivisionPilot& pilot, Film& film, Counters& counters)
       : pilot_(pilot),
         film_(film),
         counters_(counters),
@@ -92,8 +92,8 @@ class SplitPilot::Sink final : public StrongPathSink {
 
   /// Of paths that carry little, only some: the others stand behind them.
   void keep(const StrongPath& path) {
-    const PixelShare& share = pilot_.plan_.splits->of(path.replicate).at(path.raster);
-    const float above = LightSplit::above(path.strength, share.threshold);
+    const PixelShare& share = pilot_.plan_.divisions->of(path.replicate).at(path.raster);
+    const float above = Division::above(path.strength, share.threshold);
     const auto energy = static_cast<float>(path.energy);
     FoundLight light = light_of(path, energy / above);
     light.weight =
@@ -104,7 +104,7 @@ class SplitPilot::Sink final : public StrongPathSink {
     found_.push_back(light);
   }
 
-  const SplitPilot& pilot_;
+  const DivisionPilot& pilot_;
   Film& film_;
   Counters& counters_;
   int layer_;
@@ -112,19 +112,19 @@ class SplitPilot::Sink final : public StrongPathSink {
   std::vector<FoundLight> found_;
 };
 
-double SplitPilot::effort() const {
+double DivisionPilot::effort() const {
   return static_cast<double>(plan_.pilot_samples) *
          ChainPlan::effort_with(plan_.omc.light_paths_per_pixel);
 }
 
-std::uint64_t SplitPilot::begin() {
+std::uint64_t DivisionPilot::begin() {
   if (!(plan_.brightness > 0.0)) return 0;
-  if (!plan_.splits) plan_.splits.emplace(LightSplit(0.0, plan_.view.importance));
+  if (!plan_.divisions) plan_.divisions.emplace(Division(0.0, plan_.view.importance));
   RenderSettings settings = plan_.omc_settings();
   constexpr int kReplicates = 4;
   if (!stays()) {
     settings.replicates = kReplicates;
-    settings.seed = hash_numbers(settings.seed, RandomUse::SplitPilot);
+    settings.seed = hash_numbers(settings.seed, RandomUse::DivisionPilot);
     settings.aovs.clear();
   }
   const auto replicates = static_cast<std::uint64_t>(settings.replicates);
@@ -132,32 +132,32 @@ std::uint64_t SplitPilot::begin() {
       std::max<std::uint64_t>(1, (plan_.pilot_samples + replicates - 1) / replicates) * replicates;
   grain_ = static_cast<float>(SelectiveHeuristics::kGrain * plan_.brightness);
   if (recruits_ != nullptr) recruits_->expect_unknown(static_cast<double>(samples_));
-  omc_ = plan_.make_omc(settings, plan_.omc_depths(), {.splits = &*plan_.splits, .strong = this});
+  omc_ = plan_.make_omc(settings, plan_.omc_depths(), {.divisions = &*plan_.divisions, .strong = this});
   film_ = std::make_unique<Film>(settings.resolution, settings.crop,
                                  make_filter(plan_.scene.film().filter), settings.replicates,
                                  omc_->layers());
   return omc_->items_in_round();
 }
 
-void SplitPilot::run(std::uint64_t item, Counters& counters) {
+void DivisionPilot::run(std::uint64_t item, Counters& counters) {
   Counters own;
   omc_->run_item(item, 0, samples_, *film_, own);
   rays_ += own.rays;
   counters.add_rays(own);
 }
 
-std::unique_ptr<StrongPathSink> SplitPilot::make(Film& film, Counters& counters) const {
+std::unique_ptr<StrongPathSink> DivisionPilot::make(Film& film, Counters& counters) const {
   return std::make_unique<Sink>(*this, film, counters);
 }
 
-bool SplitPilot::divides_anew() const { return plan_.selective || plan_.chooses_thresholds(); }
+bool DivisionPilot::divides_anew() const { return plan_.selective || plan_.chooses_thresholds(); }
 
-bool SplitPilot::offers(int replicate) const {
+bool DivisionPilot::offers(int replicate) const {
   // If the pilot does not stay, one half is for the map and the other for chains.
   return stays() || replicate % 2 == 1;
 }
 
-std::vector<int> SplitPilot::seen_by(std::size_t half) const {
+std::vector<int> DivisionPilot::seen_by(std::size_t half) const {
   const PilotUse use = plan_.pilot_use;
   std::vector<int> seen;
   for (int r = 0; r < film_->replicates(); ++r) {
@@ -169,7 +169,7 @@ std::vector<int> SplitPilot::seen_by(std::size_t half) const {
   return seen;
 }
 
-LightSplit SplitPilot::split_of(const RegionChoice& choice) const {
+Division DivisionPilot::division_of(const RegionChoice& choice) const {
   std::vector<PixelShare> shares;
   shares.reserve(regions_.labels.size());
   for (const std::uint32_t label : regions_.labels) shares.push_back(choice.shares[label]);
@@ -184,7 +184,7 @@ LightSplit SplitPilot::split_of(const RegionChoice& choice) const {
   return {plan_.settings.crop, std::move(shares), plan_.view.importance};
 }
 
-void SplitPilot::end() {
+void DivisionPilot::end() {
   if (!film_) return;
   rays_per_sample_ =
       static_cast<double>(rays_.load()) / static_cast<double>(samples_ * plan_.pixels());
@@ -195,25 +195,25 @@ void SplitPilot::end() {
   find_regions();
 }
 
-void SplitPilot::find_regions() {
+void DivisionPilot::find_regions() {
   const Vec2i size(film_->width(), film_->height());
   regions_ =
       connected_regions(size, surfaces_ != nullptr ? surfaces_->identities()
                                                    : std::vector<PixelIdentity>(plan_.pixels()));
 }
 
-PilotView SplitPilot::view(std::vector<int> replicates, const ChainCosts& costs) const {
+PilotView DivisionPilot::view(std::vector<int> replicates, const ChainCosts& costs) const {
   return {plan_, regions_, *film_, *omc_, samples_, rays_per_sample_, found_, std::move(replicates),
           costs};
 }
 
-bool SplitPilot::chains_may_pay(std::size_t half) const {
+bool DivisionPilot::chains_may_pay(std::size_t half) const {
   ChainCosts costs;
   costs.correlation = SelectiveHeuristics::kLeastCorrelation;
   return chains_would_pay(view(seen_by(half), costs));
 }
 
-void SplitPilot::decide(std::span<const ChainCosts> costs) {
+void DivisionPilot::decide(std::span<const ChainCosts> costs) {
   for (std::size_t half = 0; half < halves(); ++half) {
     choices_.push_back(choose_regions(view(seen_by(half), costs[half])));
   }
@@ -221,13 +221,13 @@ void SplitPilot::decide(std::span<const ChainCosts> costs) {
   std::iota(all.begin(), all.end(), 0);
   const PilotView whole = view(std::move(all), {});
   if (plan_.selective) noise_ = pilot_noise(whole);
-  const LightSplits before = *plan_.splits;
+  const Divisions before = *plan_.divisions;
   if (halves() > 1) {
-    plan_.splits.emplace(split_of(choices_[0]), split_of(choices_[1]));
+    plan_.divisions.emplace(division_of(choices_[0]), division_of(choices_[1]));
   } else {
-    plan_.splits.emplace(split_of(choices_[0]));
+    plan_.divisions.emplace(division_of(choices_[0]));
   }
-  if (divides_anew()) share_of_chains_ = chain_share(whole, *plan_.splits);
+  if (divides_anew()) share_of_chains_ = chain_share(whole, *plan_.divisions);
   if (recruits_ != nullptr) recruits_->divide_anew(before);
   share_effort();
   if (recruits_ != nullptr) join();
@@ -240,7 +240,7 @@ void SplitPilot::decide(std::span<const ChainCosts> costs) {
   omc_.reset();
 }
 
-void SplitPilot::share_effort() {
+void DivisionPilot::share_effort() {
   if (!plan_.shares_effort) return;
   bool off = plan_.selective && plan_.selective->painted.empty();
   double mutations = 0.0;
@@ -250,22 +250,22 @@ void SplitPilot::share_effort() {
   }
   plan_.standby = off;
   if (recruits_ != nullptr) mutations = first_mutations();
-  const bool none = (off && plan_.thresholds.empty()) || plan_.splits->take_nothing();
+  const bool none = (off && plan_.thresholds.empty()) || plan_.divisions->take_nothing();
   plan_.mutations = none ? 0.0 : ChainPlan::clamp_mutations(mutations);
 }
 
-double SplitPilot::first_mutations() const {
+double DivisionPilot::first_mutations() const {
   const double light = recruits_->energy() / recruiting_samples();
   return SelectiveHeuristics::kFirstMutations * std::min(1.0, light / plan_.brightness);
 }
 
-double SplitPilot::recruiting_samples() const {
+double DivisionPilot::recruiting_samples() const {
   const auto all = static_cast<double>(samples_ * plan_.pixels());
   // Else half of them are for the map.
   return stays() ? all : all / 2.0;
 }
 
-void SplitPilot::join() {
+void DivisionPilot::join() {
   plan_.scouted = samples_ * plan_.pixels();
   populations_ = make_populations(plan_);
   if (stays()) {
@@ -275,18 +275,18 @@ void SplitPilot::join() {
   }
 }
 
-void SplitPilot::hand_over(Film& film) {
+void DivisionPilot::hand_over(Film& film) {
   if (!film_) return;
   film.add_layers(*film_, std::array<std::string, 1>{"indirect"});
   const int weak = film.layer(kWeakLayer);
   const int strong = film.layer(kStrongLayer);
   const auto lowest = static_cast<float>(plan_.lowest_threshold());
   for (const FoundLight& found : found_) {
-    const LightSplit& split = plan_.splits->of(found.replicate);
+    const Division& division = plan_.divisions->of(found.replicate);
     // Beside the share below the lowest threshold, which is on the film already.
-    const float above = LightSplit::above(found.strength, lowest);
+    const float above = Division::above(found.strength, lowest);
     const float left =
-        found.whole ? 1.F : (above - 1.F + split.omc_share(found.strength, found.raster)) / above;
+        found.whole ? 1.F : (above - 1.F + division.omc_share(found.strength, found.raster)) / above;
     film.splat(weak, found.replicate, found.raster, found.value * left);
     if (strong >= 0) film.splat(strong, found.replicate, found.raster, found.value * -left);
   }
@@ -294,21 +294,21 @@ void SplitPilot::hand_over(Film& film) {
   film_.reset();
 }
 
-Plane SplitPilot::importance() const {
+Plane DivisionPilot::importance() const {
   Plane plane(regions_.size);
   const int width = regions_.size.x;
   for (std::size_t i = 0; i < plane.values.size(); ++i) {
     const Vec2i pixel =
         plan_.settings.crop.min + Vec2i(static_cast<int>(i) % width, static_cast<int>(i) / width);
     const Vec2 middle = Vec2(pixel) + Vec2(0.5F, 0.5F);
-    const float even = chain_share(plan_.splits->of(0).at(middle), plan_);
-    const float odd = chain_share(plan_.splits->of(1).at(middle), plan_);
+    const float even = chain_share(plan_.divisions->of(0).at(middle), plan_);
+    const float odd = chain_share(plan_.divisions->of(1).at(middle), plan_);
     plane.values[i] = 0.5F * (even + odd);
   }
   return plane;
 }
 
-std::vector<std::pair<std::string, Plane>> SplitPilot::maps() const {
+std::vector<std::pair<std::string, Plane>> DivisionPilot::maps() const {
   std::vector<std::pair<std::string, Plane>> planes;
   if (!noise_) return planes;
   const auto wanted = [&](const std::string& name) {
@@ -326,12 +326,12 @@ std::vector<std::pair<std::string, Plane>> SplitPilot::maps() const {
   return planes;
 }
 
-std::optional<Plane> SplitPilot::antialias_mask() const {
+std::optional<Plane> DivisionPilot::antialias_mask() const {
   if (!plan_.selective->antialias || choices_.empty()) return std::nullopt;
   return edges_of_map(surfaces_->edges(), importance());
 }
 
-std::vector<double> SplitPilot::thresholds() const {
+std::vector<double> DivisionPilot::thresholds() const {
   std::vector<double> thresholds;
   for (const RegionChoice& choice : choices_) {
     const auto threshold = static_cast<double>(choice.shares.front().threshold);
@@ -341,7 +341,7 @@ std::vector<double> SplitPilot::thresholds() const {
   return thresholds;
 }
 
-MethodReport SplitPilot::expectations() const {
+MethodReport DivisionPilot::expectations() const {
   MethodReport halves = MethodReport::array();
   for (const RegionChoice& choice : choices_) {
     double sum = 0.0;
@@ -356,7 +356,7 @@ MethodReport SplitPilot::expectations() const {
   return halves;
 }
 
-MethodReport SplitPilot::regions() const {
+MethodReport DivisionPilot::regions() const {
   MethodReport rows = MethodReport::array();
   if (choices_.empty()) return rows;
   // Of the pixels, which the user may have painted.

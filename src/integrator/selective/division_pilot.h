@@ -27,11 +27,11 @@ inline constexpr std::array<const char*, 4> kRegionLayers = {"noise", "regions",
 /// Renders by ordinary Monte Carlo what decides how the light is divided (region_choice.h), in the
 /// whole picture or, for `selective`, in each of its regions. Its samples are the first of the
 /// render, if they stay; what they leave to chains are the first seeds of these.
-class SplitPilot final : public PreparationStage, public StrongPathSinks {
+class DivisionPilot final : public PreparationStage, public StrongPathSinks {
  public:
   /// `surfaces` tells what the regions of `selective` are; null where there are none. `recruits`
   /// may be null, too. All must outlive it.
-  SplitPilot(ChainPlan& plan, std::vector<ChainPopulation>& populations,
+  DivisionPilot(ChainPlan& plan, std::vector<ChainPopulation>& populations,
              const SurfacePilot* surfaces, ChainRecruits* recruits)
       : plan_(plan), populations_(populations), surfaces_(surfaces), recruits_(recruits) {}
   double effort() const override;
@@ -87,7 +87,7 @@ class SplitPilot final : public PreparationStage, public StrongPathSinks {
   bool offers(int replicate) const;
   void find_regions();
   PilotView view(std::vector<int> replicates, const ChainCosts& costs) const;
-  LightSplit split_of(const RegionChoice& choice) const;
+  Division division_of(const RegionChoice& choice) const;
   void share_effort();
   /// Mutations per camera sample until the effort is shared by what the render shows of errors.
   double first_mutations() const;
