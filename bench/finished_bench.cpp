@@ -94,7 +94,7 @@ std::string lines_of(const MeasuredScene& scene, const std::string& key, const s
                      const Arguments& arguments) {
   RenderSettings settings = scene.settings;
   settings.seed = static_cast<std::uint64_t>(seed);
-  settings.other_estimates = true;
+  settings.for_filters = true;
   const TimedRender render =
       render_for({seconds}, *scene.scene, parse_variant(method), settings, interrupt_count());
   if (interrupted()) return {};
@@ -159,6 +159,8 @@ int run(int count, char** texts) {
   app.add_option("--methods", arguments.methods, "Integrators with settings, such as pt:cull=0");
   app.add_option("--filters", arguments.filters, "As --denoise of ajar takes them")->delimiter(',');
   app.add_option("--pictures", arguments.pictures, "Folder where pictures are kept");
+  app.add_flag("!--scene-filter", arguments.measure.box_filter,
+               "Films have the scenes' own filters, not boxes of one pixel");
   app.add_option("--longer-side", arguments.measure.longer_side, "Pixels");
   add_measure_options(app, arguments.scenes, arguments.measure);
   CLI11_PARSE(app, count, texts);

@@ -38,6 +38,21 @@ std::int64_t saturated_sum(std::int64_t a, std::int64_t b) {
 }
 }  // namespace
 
+std::vector<LayerSpec> light_layers(double magnitude) {
+  return {{.name = "direct", .magnitude = magnitude}, {.name = "indirect", .magnitude = magnitude}};
+}
+
+void add_box_layers(std::vector<LayerSpec>& layers, const Filter& filter) {
+  if (filter.is_box_of_pixel()) return;
+  std::vector<LayerSpec> boxes;
+  for (const LayerSpec& layer : layers) {
+    if (!layer.is_light() && layer.instead_of.empty()) continue;
+    boxes.push_back(
+        {.name = layer.name + ".box", .magnitude = layer.magnitude, .box_of = layer.name});
+  }
+  layers.insert(layers.end(), boxes.begin(), boxes.end());
+}
+
 Film::Film(Vec2i resolution, const Box2i& crop, const Filter& filter, int replicates,
            std::vector<LayerSpec> layers)
     : resolution_(resolution),
@@ -61,7 +76,15 @@ Film::Film(Vec2i resolution, const Box2i& crop, const Filter& filter, int replic
     }
     const int exponent = std::ilogb(spec.magnitude) - kFractionBits;
     storage_.push_back({size, spec.has_replicates ? plane : 0, std::ldexp(1.0, -exponent),
-                        std::ldexp(1.0, exponent)});
+                        std::ldexp(1.0, exponent), -1});
+    if (!spec.box_of.empty()) {
+      const int base = layer(spec.box_of);
+      const int own = static_cast<int>(storage_.size()) - 1;
+      if (base < 0 || base >= own) {
+        throw std::invalid_argument("Film: layer " + spec.name + " belongs to none before it");
+      }
+      storage_[static_cast<std::size_t>(base)].box = own;
+    }
     size += plane * static_cast<std::size_t>(spec.has_replicates ? replicates : 1);
   }
   sums_.assign(size, 0);
@@ -109,7 +132,26 @@ bool Film::splat(int layer, int replicate, const Vec2& raster, const Spectrum& v
   if (value.is_black()) return true;
   if (!value.is_finite() || !std::isfinite(raster.x) || !std::isfinite(raster.y)) return false;
   const Storage& storage = storage_[static_cast<std::size_t>(layer)];
+  const bool complete = splat_filtered(storage, replicate, raster, value);
+  if (storage.box < 0) return complete;
+  const Storage& box = storage_[static_cast<std::size_t>(storage.box)];
+  const bool differs = splat_filtered(box, replicate, raster, value * -1.F);
+  return splat_to_pixel(box, replicate, raster, value) && differs && complete;
+}
 
+bool Film::splat_to_pixel(const Storage& storage, int replicate, const Vec2& raster,
+                          const Spectrum& value) {
+  // Held against the crop before they are integers, which might not hold them.
+  const Vec2 pixel(std::floor(raster.x), std::floor(raster.y));
+  const Vec2 low(crop_.min);
+  const Vec2 high(crop_.max);
+  if (pixel.x < low.x || pixel.y < low.y || pixel.x > high.x || pixel.y > high.y) return true;
+  return add_at(index(storage, replicate, static_cast<int>(pixel.x), static_cast<int>(pixel.y)),
+                storage.per_quantum, value);
+}
+
+bool Film::splat_filtered(const Storage& storage, int replicate, const Vec2& raster,
+                          const Spectrum& value) {
   // Pixel j is reached if raster − (j + 0.5) is in [−r, r). In double precision these bounds are
   // exact for box filters, so that each position belongs to exactly one pixel of a 1 px box.
   struct Span {
@@ -189,7 +231,10 @@ void Film::add_layers(const Film& other, std::span<const std::string> except) {
   for (std::size_t i = 0; i < layers_.size(); ++i) {
     const std::string& name = layers_[i].name;
     const int theirs = other.layer(name);
-    if (theirs < 0 || std::find(except.begin(), except.end(), name) != except.end()) continue;
+    const auto is_excepted = [&](const std::string& of) {
+      return std::find(except.begin(), except.end(), of) != except.end();
+    };
+    if (theirs < 0 || is_excepted(name) || is_excepted(layers_[i].box_of)) continue;
     const Storage& to = storage_[i];
     const Storage& from = other.storage_[static_cast<std::size_t>(theirs)];
     if (from.quantum != to.quantum || from.stride != to.stride) {

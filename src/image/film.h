@@ -27,7 +27,26 @@ struct LayerSpec {
   /// Name of the layer that this one is another estimate of: it is no part of the picture, and not
   /// shown.
   std::string instead_of{};
+  /// Name of the layer that this one is to be added to so that its splats are as a filter of one
+  /// pixel's box would have them, which is what filters of noise want (`add_box_layers`). It is no
+  /// part of the picture, and not shown.
+  std::string box_of{};
+
+  /// Whether it is one of those that add up to the picture.
+  bool is_light() const {
+    const std::string& whole = part_of.empty() ? name : part_of;
+    return instead_of.empty() && box_of.empty() && (whole == "direct" || whole == "indirect");
+  }
 };
+
+/// The two that every picture is the sum of: light of up to two edges and of longer paths.
+std::vector<LayerSpec> light_layers(double magnitude);
+
+/// Appends a layer `box_of` each layer of light, and of those instead of one; none where `filter`
+/// is a box of one pixel itself. Camera samples are drawn from the filter, so that pixels have
+/// noise of their own; a splat of a wide filter is seen in several, and a filter of noise would
+/// take it for light.
+void add_box_layers(std::vector<LayerSpec>& layers, const Filter& filter);
 
 /// An image in the making: layers × replicates × pixels × 3 channels, each a 64-bit fixed-point
 /// sum. Integer addition is associative, so the sums are the same bits in whatever order threads,
@@ -39,6 +58,7 @@ struct LayerSpec {
 class Film {
  public:
   /// `crop`: the pixels that exist, min and max inclusive, within the resolution; `replicates` ≥ 1.
+  /// Raises std::invalid_argument for others, and for a layer that is `box_of` none before it.
   Film(Vec2i resolution, const Box2i& crop, const Filter& filter, int replicates,
        std::vector<LayerSpec> layers);
 
@@ -59,7 +79,8 @@ class Film {
   bool add(int layer, int replicate, Vec2i pixel, const Spectrum& value);
   /// Adds value · h_j(raster) to every pixel j of the crop whose filter reaches `raster`.
   /// Thread-safe. Returns false if the value or the position is not finite, or a share is too large
-  /// for its pixel, which then does not get it.
+  /// for its pixel, which then does not get it. The layer's `box_of`, if there is one, gets what
+  /// that is less than value in the pixel at `raster`.
   bool splat(int layer, int replicate, const Vec2& raster, const Spectrum& value);
 
   /// Σ_j h_j(raster) over the pixels of the crop: how densely camera samples, drawn from the
@@ -97,9 +118,14 @@ class Film {
     std::size_t stride;  ///< sums from one replicate to the next; 0 without replicates
     double per_quantum;  ///< 1 / quantum
     double quantum;
+    int box;  ///< layer that is `box_of` this one; -1 if there is none
   };
   std::size_t index(const Storage& storage, int replicate, int x, int y) const;
   bool add_at(std::size_t first_channel, double per_quantum, const Spectrum& value);
+  bool splat_filtered(const Storage& storage, int replicate, const Vec2& raster,
+                      const Spectrum& value);
+  bool splat_to_pixel(const Storage& storage, int replicate, const Vec2& raster,
+                      const Spectrum& value);
   std::vector<float> develop_range(const Storage& storage, int first, int count,
                                    const DevelopScale& scale) const;
 

@@ -226,6 +226,57 @@ TEST(Film, OnePixelBoxSplatsTouchExactlyOnePixel) {
   }
 }
 
+/// With their box layers, splats of any filter are those of a box, whatever the crop and wherever
+/// the border is; and the layers themselves are as they were.
+TEST(Film, BoxLayersMakeBoxesOfSplats) {
+  for (const auto& [name, filter] : all_filters()) {
+    if (filter.is_box_of_pixel()) continue;
+    std::vector<LayerSpec> layers = light_layers(1.0);
+    Film plain({12, 9}, Box2i({3, 0}, {11, 6}), filter, 2, layers);
+    Film boxes({12, 9}, Box2i({3, 0}, {11, 6}), Filter::box(), 2, layers);
+    add_box_layers(layers, filter);
+    Film film({12, 9}, Box2i({3, 0}, {11, 6}), filter, 2, layers);
+    Rng rng(7);
+    for (int i = 0; i < 500; ++i) {
+      const Vec2 raster(12.F * rng.next(), 9.F * rng.next());
+      for (Film* each : {&plain, &boxes, &film}) {
+        each->splat(i % 2, (i / 2) % 2, raster, {1.F + static_cast<float>(i % 7), 2.F, 3.F});
+        each->add(i % 2, 0, {5, 3}, {0.F, 1.F, 0.F});
+      }
+    }
+    for (int layer = 0; layer < 2; ++layer) {
+      for (int r = 0; r < 2; ++r) {
+        const std::vector<float> picture = film.develop_replicate(layer, r, 1.0);
+        EXPECT_EQ(picture, plain.develop_replicate(layer, r, 1.0)) << name;
+        const std::vector<float> more = film.develop_replicate(2 + layer, r, 1.0);
+        const std::vector<float> expected = boxes.develop_replicate(layer, r, 1.0);
+        for (std::size_t i = 0; i < picture.size(); ++i) {
+          EXPECT_NEAR(picture[i] + more[i], expected[i], 2e-5 * (1.0 + expected[i])) << name;
+        }
+      }
+    }
+  }
+}
+
+TEST(Film, BoxLayersAreThoseOfLightAlone) {
+  std::vector<LayerSpec> layers = light_layers(3.0);
+  layers.push_back({.name = "weak", .part_of = "indirect"});
+  layers.push_back({.name = "strong", .instead_of = "indirect"});
+  layers.push_back({.name = "albedo"});
+  const std::size_t before = layers.size();
+  add_box_layers(layers, Filter::box());
+  EXPECT_EQ(layers.size(), before);
+  add_box_layers(layers, Filter::box({1.F, 0.5F}));
+  ASSERT_EQ(layers.size(), before + 4);
+  EXPECT_EQ(layers[before].box_of, "direct");
+  EXPECT_EQ(layers[before].magnitude, 3.0);
+  EXPECT_EQ(layers.back().box_of, "strong");
+  EXPECT_FALSE(layers.back().is_light());
+  const LayerSpec alone{.name = "x.box", .box_of = "x"};
+  EXPECT_THROW(Film({2, 2}, Box2i({0, 0}, {1, 1}), Filter::box(), 1, {alone}),
+               std::invalid_argument);
+}
+
 TEST(Film, RefusesWhatIsNoNumber) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   const float inf = std::numeric_limits<float>::infinity();

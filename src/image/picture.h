@@ -23,6 +23,9 @@ struct Picture {
   Box2i crop;                 ///< inclusive; the pixels that exist
   std::vector<Layer> layers;  ///< the first is the picture
   std::map<std::string, std::string> metadata;
+  /// The picture for filters of noise: with splats as a filter of one pixel's box has them; empty
+  /// where that is the picture itself. Not in files.
+  std::vector<float> for_filters{};
   /// Where formats for the eye smooth the stairs of edges (post/antialias.h); empty if nowhere.
   std::optional<Plane> antialias_mask{};
 };

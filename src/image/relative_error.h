@@ -41,14 +41,15 @@ struct RelativeError {
 /// that size, else std::invalid_argument. Nullopt if it is black: then nothing is known. It cannot
 /// know of light that no sample has found.
 std::optional<RelativeError> estimate_relative_error(Replicates replicates, Vec2i size);
-/// By scale: the same of the picture after a Gaussian of 1, 2, 4 and 8 pixels. Noise that is
-/// independent from pixel to pixel falls with the scale; what hangs together (clumps of chains)
-/// does not, and no filter takes it away. Raises as above; empty if the picture is black.
 struct ErrorAtScale {
   double sigma;  ///< pixels
   double value;
 };
+/// Pixels.
 inline constexpr std::array<double, 4> kErrorScales = {1.0, 2.0, 4.0, 8.0};
+/// By scale: the same of the picture after Gaussians of `kErrorScales`. Noise that is
+/// independent from pixel to pixel falls with the scale; what hangs together (clumps of chains)
+/// does not, and no filter takes it away. Raises as above; empty if the picture is black.
 std::vector<ErrorAtScale> estimate_errors_by_scale(const Replicates& replicates, Vec2i size);
 /// What the estimates take at most, bytes per pixel.
 std::uint64_t error_estimate_bytes(int replicates);

@@ -30,9 +30,10 @@ struct RenderSettings {
   std::uint64_t seed = 0;
   int replicates = 4;
   std::vector<std::string> aovs;  ///< extra layers asked for
-  /// Whether what chains make is also to be estimated by independent samples, where there are any
-  /// (`LayerSpec::instead_of`): filters mix the two.
-  bool other_estimates = false;
+  /// Whether filters of noise will be fed: what chains make is then also estimated by independent
+  /// samples, where there are any (`LayerSpec::instead_of`), and splats are kept as a filter of one
+  /// pixel's box has them, too (`LayerSpec::box_of`).
+  bool for_filters = false;
 };
 
 /// Numbers every integrator counts; summed over threads by the job.

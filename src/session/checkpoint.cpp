@@ -26,7 +26,7 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "checkpoints are little-endian");
 
-constexpr std::uint32_t kCheckpointFormat = 16;
+constexpr std::uint32_t kCheckpointFormat = 17;
 constexpr std::array<char, 16> kMagic = {'A', 'j', 'a', 'r', ' ', 'c', 'h', 'e',
                                          'c', 'k', 'p', 'o', 'i', 'n', 't', '\n'};
 
@@ -118,7 +118,7 @@ std::vector<std::pair<std::string, std::string>> described(const RenderRecord& r
 bool same_layer(const LayerSpec& a, const LayerSpec& b) {
   return a.name == b.name && a.has_replicates == b.has_replicates && a.magnitude == b.magnitude &&
          a.holds_identities == b.holds_identities && a.part_of == b.part_of &&
-         a.instead_of == b.instead_of;
+         a.instead_of == b.instead_of && a.box_of == b.box_of;
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ template <Archive A>
 void serialize(A& archive, RenderSettings& settings) {
   archive(settings.resolution.x, settings.resolution.y, settings.crop.min.x, settings.crop.min.y,
           settings.crop.max.x, settings.crop.max.y, settings.min_depth, settings.max_depth,
-          settings.seed, settings.replicates, settings.aovs, settings.other_estimates);
+          settings.seed, settings.replicates, settings.aovs, settings.for_filters);
 }
 
 template <Archive A>
@@ -37,7 +37,7 @@ void serialize(A& archive, Budget& budget) {
 template <Archive A>
 void serialize(A& archive, LayerSpec& spec) {
   archive(spec.name, spec.has_replicates, spec.magnitude, spec.holds_identities, spec.part_of,
-          spec.instead_of);
+          spec.instead_of, spec.box_of);
 }
 
 template <Archive A>

@@ -83,19 +83,13 @@ void check_budget(const Budget& budget) {
   }
 }
 
-/// Whether a layer is one of those of which the error is estimated.
-bool is_light(const LayerSpec& layer) {
-  if (!layer.instead_of.empty()) return true;
-  const std::string& name = layer.part_of.empty() ? layer.name : layer.part_of;
-  return name == "direct" || name == "indirect";
-}
-
 /// `known`: the layers before it.
 void check_layer(const LayerSpec& layer, const std::set<std::string>& known) {
   require(!layer.name.empty() && !known.contains(layer.name), "a layer has no name of its own");
   require(layer.magnitude >= 1.0 / kLargestMagnitude && layer.magnitude <= kLargestMagnitude,
           "the magnitude of layer " + layer.name + " cannot be");
-  require(!is_light(layer) || (layer.has_replicates && !layer.holds_identities),
+  const bool is_of_light = layer.is_light() || !layer.instead_of.empty() || !layer.box_of.empty();
+  require(!is_of_light || (layer.has_replicates && !layer.holds_identities),
           "layer " + layer.name + " has no replicates");
   require(!layer.holds_identities || !layer.has_replicates,
           "layer " + layer.name + " has replicates");
@@ -103,6 +97,9 @@ void check_layer(const LayerSpec& layer, const std::set<std::string>& known) {
           "layer " + layer.name + " is a part of nothing");
   require(layer.instead_of.empty() || (layer.part_of.empty() && known.contains(layer.instead_of)),
           "layer " + layer.name + " estimates nothing");
+  require(layer.box_of.empty() ||
+              (layer.part_of.empty() && layer.instead_of.empty() && known.contains(layer.box_of)),
+          "layer " + layer.name + " belongs to none");
 }
 
 void check_layers(const std::vector<LayerSpec>& layers) {

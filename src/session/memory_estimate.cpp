@@ -37,8 +37,12 @@ std::uint64_t film_bytes(const Box2i& crop, int replicates, const std::vector<La
 std::uint64_t picture_bytes(const Box2i& crop, int replicates, const std::vector<LayerSpec>& layers,
                             const std::vector<std::string>& aovs) {
   std::uint64_t shown = 1;  // their sum
-  for (const LayerSpec& layer : layers)
-    shown += layer.part_of.empty() && layer.instead_of.empty() ? 1U : 0U;
+  bool has_boxes = false;
+  for (const LayerSpec& layer : layers) {
+    has_boxes = has_boxes || !layer.box_of.empty();
+    shown += layer.part_of.empty() && layer.instead_of.empty() && layer.box_of.empty() ? 1U : 0U;
+  }
+  if (has_boxes) ++shown;
   for (const std::string& name : aovs) {
     if (name == "replicates") shown += static_cast<std::uint64_t>(replicates);
     if (name == "samples" || name == "standard-error") ++shown;

@@ -33,18 +33,11 @@ int require_layer(const Film& film, const std::string& name) {
   return layer;
 }
 
-/// Whether a layer is one of those that add up to the picture.
-bool is_light(const LayerSpec& spec) {
-  if (!spec.instead_of.empty()) return false;
-  const std::string& name = spec.part_of.empty() ? spec.name : spec.part_of;
-  return name == "direct" || name == "indirect";
-}
-
 std::vector<int> light_layers(const Film& film) {
   std::vector<int> layers = {require_layer(film, "direct"), require_layer(film, "indirect")};
   for (std::size_t i = 0; i < film.layers().size(); ++i) {
     const auto layer = static_cast<int>(i);
-    if (is_light(film.layers()[i]) && layer != layers[0] && layer != layers[1]) {
+    if (film.layers()[i].is_light() && layer != layers[0] && layer != layers[1]) {
       layers.push_back(layer);
     }
   }
@@ -64,6 +57,18 @@ std::vector<int> other_light_layers(const Film& film) {
     others.push_back(layer);
   }
   return others == light_layers(film) ? std::vector<int>() : others;
+}
+
+/// These layers and what makes boxes of their splats; none if all of them have boxes as they are.
+std::vector<int> with_boxes(const Film& film, const std::vector<int>& layers) {
+  std::vector<int> all = layers;
+  for (std::size_t i = 0; i < film.layers().size(); ++i) {
+    const std::string& base = film.layers()[i].box_of;
+    const bool is_asked_for =
+        !base.empty() && std::find(layers.begin(), layers.end(), film.layer(base)) != layers.end();
+    if (is_asked_for) all.push_back(static_cast<int>(i));
+  }
+  return all.size() == layers.size() ? std::vector<int>() : all;
 }
 
 std::vector<ScaledLayer> scaled_layers(const std::vector<int>& chosen, const Development& scales,
@@ -132,7 +137,10 @@ std::optional<FinalFile> density_map_file(const Picture& picture, const std::str
 
 Development development_of(const Film& film, const Integrator& integrator, std::uint64_t samples) {
   Development scales;
-  for (const LayerSpec& spec : film.layers()) {
+  for (const LayerSpec& layer : film.layers()) {
+    const LayerSpec& spec = layer.box_of.empty()
+                                ? layer
+                                : film.layers()[static_cast<std::size_t>(film.layer(layer.box_of))];
     scales.whole.push_back(integrator.develop_scale(spec, samples, std::nullopt));
     std::vector<DevelopScale>& each = scales.replicates.emplace_back();
     for (int r = 0; spec.has_replicates && r < film.replicates(); ++r) {
@@ -171,7 +179,7 @@ Picture develop(const Film& film, const Development& scales, std::uint64_t sampl
   picture.layers.push_back({"", 3, {}});
   for (std::size_t i = 0; i < film.layers().size(); ++i) {
     const LayerSpec& spec = film.layers()[i];
-    if (!spec.instead_of.empty()) continue;
+    if (!spec.instead_of.empty() || !spec.box_of.empty()) continue;
     if (spec.holds_identities) {
       if (spec.part_of.empty()) {
         picture.layers.push_back({spec.name, 1, majority_numbers(film, spec.name)});
@@ -179,7 +187,7 @@ Picture develop(const Film& film, const Development& scales, std::uint64_t sampl
       continue;
     }
     DevelopScale scale = scales.whole[i];
-    if (is_light(spec)) scale.factor *= film_scale;
+    if (spec.is_light()) scale.factor *= film_scale;
     Picture::Layer layer{spec.name, 3, film.develop(static_cast<int>(i), scale)};
     if (!spec.part_of.empty()) {
       add_to_part(picture, spec.part_of, layer.pixels);
@@ -219,6 +227,16 @@ Picture develop(const Film& film, const Development& scales, std::uint64_t sampl
       }
     }
   }
+  for (std::size_t i = 0; i < film.layers().size(); ++i) {
+    const int base = film.layer(film.layers()[i].box_of);
+    if (base < 0 || !film.layers()[static_cast<std::size_t>(base)].is_light()) continue;
+    if (picture.for_filters.empty()) picture.for_filters = sum;
+    DevelopScale scale = scales.whole[i];
+    scale.factor *= film_scale;
+    const std::vector<float> boxes = film.develop(static_cast<int>(i), scale);
+    std::transform(boxes.begin(), boxes.end(), picture.for_filters.begin(),
+                   picture.for_filters.begin(), std::plus<>());
+  }
   picture.layers.front().pixels = std::move(sum);
   return picture;
 }
@@ -229,9 +247,15 @@ PictureEstimates estimates_of(const Film& film, const Development& scales, std::
   if (!has_replicates(film, samples)) return estimates;
   estimates.replicates =
       develop_replicates(film, scaled_layers(light_layers(film), scales, film_scale));
+  const auto developed = [&](const std::vector<int>& layers) {
+    return develop_replicates(film, scaled_layers(layers, scales, film_scale));
+  };
+  const std::vector<int> boxes = with_boxes(film, light_layers(film));
+  if (!boxes.empty()) estimates.boxes = developed(boxes);
   const std::vector<int> others = other_light_layers(film);
   if (!others.empty()) {
-    estimates.others = develop_replicates(film, scaled_layers(others, scales, film_scale));
+    const std::vector<int> other_boxes = with_boxes(film, others);
+    estimates.others = developed(other_boxes.empty() ? others : other_boxes);
   }
   return estimates;
 }

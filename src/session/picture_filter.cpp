@@ -44,6 +44,10 @@ std::vector<float> half_of(const Replicates& replicates, std::size_t first) {
   return replicate_mean(half);
 }
 
+const std::vector<float>& for_filters(const Picture& picture) {
+  return picture.for_filters.empty() ? picture.layers.front().pixels : picture.for_filters;
+}
+
 Vec2i size_of(const Picture& picture) { return picture.crop.size() + Vec2i(1, 1); }
 
 }  // namespace
@@ -99,8 +103,8 @@ bool PictureFilter::add_layers(Picture& picture, const Denoiser::Progress& progr
   const Vec2i size = size_of(picture);
   Stages stages(2, progress);
   if (!know_features(size, stages.next())) return false;
-  auto pixels = denoiser_->filter({.size = size, .colour = picture.layers.front().pixels},
-                                  prepared_, stages.next());
+  auto pixels =
+      denoiser_->filter({.size = size, .colour = for_filters(picture)}, prepared_, stages.next());
   if (!pixels) return false;
   add(picture, *std::move(pixels));
   return true;
@@ -112,6 +116,7 @@ bool PictureFilter::add_best_layers(Picture& picture, const PictureEstimates& es
   const Vec2i size = size_of(picture);
   const Replicates replicates = finite_replicates(estimates.replicates);
   const Replicates others = finite_replicates(estimates.others);
+  const Replicates boxes = finite_replicates(estimates.boxes);
   Stages stages(1 + (others.empty() ? 1 : 2) * (1 + replicates.size()), progress);
   if (!know_features(size, stages.next())) return false;
   const auto filtered = [&](const NoisyPicture& noisy) {
@@ -134,7 +139,10 @@ bool PictureFilter::add_best_layers(Picture& picture, const PictureEstimates& es
     return true;
   };
   const std::vector<float> unfiltered = finite_values(picture.layers.front().pixels);
-  if (!add_estimate(unfiltered, replicates)) return false;
+  const bool is_first_added = boxes.empty()
+                                  ? add_estimate(unfiltered, replicates)
+                                  : add_estimate(finite_values(for_filters(picture)), boxes);
+  if (!is_first_added) return false;
   if (!others.empty() && !add_estimate(replicate_mean(others), others)) return false;
   all.push_back({without_fireflies(unfiltered, replicates, all.front().pixels), replicates});
   MixedEstimate mixed = mix_estimates(size, all, replicates);

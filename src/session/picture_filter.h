@@ -15,6 +15,7 @@ namespace ajar {
 struct PictureEstimates {
   Replicates replicates;  ///< of the picture; less than two: nothing is known of its noise
   Replicates others;      ///< of its other estimate (`LayerSpec::instead_of`); may be empty
+  Replicates boxes{};     ///< of `Picture::for_filters`; may be empty
 };
 
 /// Takes the noise out of the pictures of one render. Several threads may use it.
@@ -37,7 +38,7 @@ class PictureFilter {
 
   /// Adds the layers "denoised", "denoising-albedo" and "denoising-normal" to a picture, such as
   /// one that is still being rendered: what the filter makes of it. False, and no layers, if
-  /// `progress` ended it.
+  /// `progress` ended it. Filtered is what the picture has `for_filters`.
   bool add_layers(Picture& picture, const Denoiser::Progress& progress = {});
   /// The same of a picture that is finished, for three to six times the time: the unfiltered
   /// picture and the filtered pictures of its estimates are mixed as their replicates tell

@@ -98,6 +98,24 @@ TEST(PictureFilter, FiltersTheUnfilteredPictureAndBothEstimates) {
   EXPECT_EQ(denoised_error(picture), 0.0);
 }
 
+/// What is filtered is made of boxes; what it is mixed with, and held against, is the picture.
+TEST(PictureFilter, FiltersBoxesAndMixesThemWithThePicture) {
+  const auto evener = std::make_shared<Evener>();
+  PictureFilter filter(evener, nothing);
+  Picture passing = picture_of(even(1.F));
+  passing.for_filters = even(2.F);
+  ASSERT_TRUE(filter.add_layers(passing));
+  EXPECT_EQ(layer_of(passing, kDenoisedLayer), even(2.F));
+
+  // Filtered boxes are twice what the picture's replicates agree on.
+  Picture picture = picture_of(even(1.F));
+  picture.for_filters = even(2.F);
+  const PictureEstimates estimates{
+      .replicates = Replicates(4, even(1.F)), .others = {}, .boxes = Replicates(4, even(2.F))};
+  ASSERT_TRUE(filter.add_best_layers(picture, estimates));
+  EXPECT_EQ(layer_of(picture, kDenoisedLayer), even(1.F));
+}
+
 TEST(PictureFilter, ShowsWhatItsReplicatesAgreeOn) {
   // All replicates have the squares, which are no noise.
   PictureFilter filter(std::make_shared<Evener>(), nothing);

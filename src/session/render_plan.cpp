@@ -14,10 +14,10 @@ namespace {
 RenderSetup choose_setup(const RenderOrder& order, const desc::SceneDesc& description) {
   if (!order.request) return setup_of(order.resumed->render, order.budget);
   RenderSetup setup = make_setup(*order.request, description.hints, description.film);
-  setup.settings.other_estimates = order.files.denoiser_name() != "none";
+  setup.settings.for_filters = order.files.denoiser_name() != "none";
   if (order.resumed) {
     setup.settings.replicates = order.resumed->render.settings.replicates;
-    setup.settings.other_estimates = order.resumed->render.settings.other_estimates;
+    setup.settings.for_filters = order.resumed->render.settings.for_filters;
     check_budget(setup.budget, setup.settings.replicates);
   }
   return setup;
@@ -49,7 +49,8 @@ RenderPlan make_plan(const RenderOrder& order, const desc::SceneDesc& descriptio
   if (order.share.count > 1 && setup.budget.target_error) {
     throw UsageError("--target-error cannot go with a share: all shares need the same samples");
   }
-  if (setup.budget.denoised_target && order.files.denoiser_name() == "none") {
+  if (setup.budget.target_error && setup.budget.denoised_target &&
+      order.files.denoiser_name() == "none") {
     throw UsageError("--target-error denoised:X needs a filter (--denoise auto, oidn or builtin)");
   }
   Parameters parameters = read_parameters(setup);

@@ -93,7 +93,7 @@ RenderSettings settings_of(const Scene& scene, const RenderOptions& options) {
   settings.seed = options.seed;
   settings.replicates = options.replicates;
   settings.aovs = options.aovs;
-  settings.other_estimates = options.other_estimates;
+  settings.for_filters = options.for_filters;
   return settings;
 }
 

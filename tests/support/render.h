@@ -47,7 +47,7 @@ struct RenderOptions {
   std::map<std::string, std::string> parameters{};
   std::optional<Box2i> crop{};
   std::vector<std::string> aovs{};
-  bool other_estimates = false;
+  bool for_filters = false;
   std::optional<int> skip_after{};  ///< so many rounds of the preparation, the rest of it
 };
 RenderSettings settings_of(const Scene& scene, const RenderOptions& options);

@@ -11,6 +11,7 @@
 #include "core/milestones.h"
 #include "core/parallel_for.h"
 #include "core/random_use.h"
+#include "integrator/make_filter.h"
 #include "integrator/metropolis/chain_film_sink.h"
 #include "integrator/metropolis/chain_moves.h"
 #include "integrator/metropolis/chain_report.h"
@@ -253,8 +254,8 @@ std::vector<LayerSpec> MetropolisIntegrator::layers() const {
   if (unprepared_) {
     specs = unprepared_->layers();
   } else {
-    specs = {{.name = "direct", .magnitude = brightness()},
-             {.name = "indirect", .magnitude = brightness()}};
+    specs = light_layers(brightness());
+    if (settings_.for_filters) add_box_layers(specs, make_filter(scene_.film().filter));
   }
   add_chain_layers(specs, settings_.aovs);
   return specs;

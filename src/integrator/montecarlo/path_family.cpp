@@ -4,6 +4,7 @@
 #include <mutex>
 
 #include "core/random_use.h"
+#include "integrator/make_filter.h"
 #include "integrator/montecarlo/blind_spots.h"
 #include "integrator/montecarlo/g_buffer.h"
 #include "integrator/montecarlo/heuristics.h"
@@ -42,14 +43,14 @@ class PathIntegrator final : public Integrator {
   Findings findings() const override;
 
   std::vector<LayerSpec> layers() const override {
-    std::vector<LayerSpec> specs = {{.name = "direct", .magnitude = scale_.mean},
-                                    {.name = "indirect", .magnitude = scale_.mean}};
+    std::vector<LayerSpec> specs = light_layers(scale_.mean);
     if (divisions_ != nullptr) {
       specs.push_back({.name = kWeakLayer, .magnitude = scale_.mean, .part_of = "indirect"});
-      if (settings_.other_estimates) {
+      if (settings_.for_filters) {
         specs.push_back({.name = kStrongLayer, .magnitude = scale_.mean, .instead_of = "indirect"});
       }
     }
+    if (settings_.for_filters) add_box_layers(specs, make_filter(scene_.film().filter));
     for (LayerSpec& spec : GBuffer::layers(settings_.aovs, 2.F * scene_.bounding_sphere().radius)) {
       specs.push_back(std::move(spec));
     }

@@ -4,8 +4,9 @@
 #include "support/render.h"
 #include "support/same_picture.h"
 
-/// What ordinary Monte Carlo finds of the light that chains make is another estimate of it
-/// (`LayerSpec::instead_of`), for filters to mix with theirs.
+/// What is kept for filters: of the light that chains make, another estimate
+/// (`LayerSpec::instead_of`), which they mix with theirs, and splats through boxes
+/// (`LayerSpec::box_of`).
 namespace ajar {
 namespace {
 
@@ -17,7 +18,7 @@ std::vector<std::string> methods_with_two_estimates() {
     for (const IntegratorInfo& info : *list) {
       test::RenderOptions options = known.options;
       options.integrator = info.name;
-      options.other_estimates = true;
+      options.for_filters = true;
       options.samples = 8;
       const test::Render render = test::render(*known.scene, options);
       const auto layers = render.film->layers();
@@ -43,7 +44,7 @@ TEST(OtherEstimates, HaveTheExpectationOfThePicture) {
   for (const std::string& name : names) {
     test::RenderOptions options = known.options;
     options.integrator = name;
-    options.other_estimates = true;
+    options.for_filters = true;
     const test::Render render = test::render(*known.scene, options);
     const PictureEstimates estimates = estimates_of_render(render);
     test::expect_same(estimates.others, test::replicates_of(known.truth), *render.film, 0.1,
@@ -53,6 +54,40 @@ TEST(OtherEstimates, HaveTheExpectationOfThePicture) {
   }
 }
 
+/// Splats through boxes: of methods that have nothing else, to rounding what the film of a box
+/// has. (Camera samples are drawn from the filter.)
+TEST(ForFilters, SplatsHaveBoxes) {
+  const auto scene_with = [](const std::string& filter) {
+    return test::scene_from(
+        "LookAt 0 -4 1  0 0 0  0 0 1\nCamera \"perspective\" \"float fov\" [45]\n"
+        "Film \"image\" \"integer xresolution\" [20] \"integer yresolution\" [14]\n" +
+        filter +
+        "WorldBegin\nLightSource \"point\" \"point from\" [0 -1 3] \"rgb I\" [9 9 9]\n"
+        "Material \"matte\" \"rgb Kd\" [0.5 0.5 0.5]\nShape \"sphere\"\nWorldEnd\n");
+  };
+  test::RenderOptions options;
+  options.integrator = "lt";
+  options.samples = 64;
+  options.for_filters = true;
+  const auto wide = scene_with("PixelFilter \"gaussian\" \"float xwidth\" [2]\n");
+  const auto narrow = scene_with("PixelFilter \"box\"\n");
+  const test::Render of_wide = test::render(*wide, options);
+  const test::Render of_narrow = test::render(*narrow, options);
+  const PictureEstimates boxes = estimates_of_render(of_wide);
+  ASSERT_EQ(boxes.boxes.size(), boxes.replicates.size());
+  EXPECT_TRUE(estimates_of_render(of_narrow).boxes.empty());
+  const std::vector<float> expected = of_narrow.image();
+  const std::vector<float> found = replicate_mean(boxes.boxes);
+  double off = 0.0;
+  double all = 0.0;
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    off += std::abs(static_cast<double>(found[i]) - static_cast<double>(expected[i]));
+    all += static_cast<double>(expected[i]);
+  }
+  EXPECT_GT(all, 0.0);
+  EXPECT_LT(off, 1e-4 * all);
+}
+
 /// It is beside the picture, not in it: to the bit what is rendered without.
 TEST(OtherEstimates, LeaveThePictureAsItWas) {
   const test::KnownPicture known = test::known_picture("GlassAndMetal");
@@ -60,7 +95,7 @@ TEST(OtherEstimates, LeaveThePictureAsItWas) {
   options.integrator = "selective";
   options.samples = 16;
   const std::vector<float> without = test::render(*known.scene, options).image();
-  options.other_estimates = true;
+  options.for_filters = true;
   EXPECT_EQ(test::render(*known.scene, options).image(), without);
 }
 
