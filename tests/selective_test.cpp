@@ -1,7 +1,6 @@
 #include "support/selective.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -21,6 +20,7 @@
 #include "support/same_picture.h"
 #include "support/small_scenes.h"
 #include "support/stripes.h"
+#include "support/temporary_file.h"
 
 /// The maps of `selective`. That all of its modes have the expectation of bidirectional path
 /// tracing is tested with other chains (chain_agreement_test.cpp).
@@ -32,26 +32,11 @@ using test::prepared_render;
 using test::replicates_of;
 using test::report_of;
 using test::selective_options;
+using test::TemporaryFile;
 
 std::unique_ptr<Scene> small_scene(const std::string& name) {
   return test::scene_from(test::small_scene(name).text);
 }
-
-class TemporaryFile {
- public:
-  explicit TemporaryFile(const std::string& name)
-      : path_((std::filesystem::temp_directory_path() /
-               (std::to_string(::getpid()) + "-" +
-                std::to_string(reinterpret_cast<std::uintptr_t>(this)) + "-" + name))
-                  .string()) {}
-  ~TemporaryFile() { std::filesystem::remove(path_); }
-  TemporaryFile(const TemporaryFile&) = delete;
-  TemporaryFile& operator=(const TemporaryFile&) = delete;
-  const std::string& path() const { return path_; }
-
- private:
-  std::string path_;
-};
 
 /// `weight(i)`: of pixel i, row by row.
 void write_map(const std::string& path, Vec2i size,

@@ -131,10 +131,10 @@ const std::vector<AovInfo>& aovs() {
        false},
       {"density",
        "visits of the chains per pixel and mutation per pixel: where they spend their "
-       "time (mmlt, pssmlt)",
+       "time (methods with chains)",
        false},
-      {"acceptance", "mean acceptance probability of steps that begin in a pixel (mmlt, pssmlt)",
-       false},
+      {"acceptance",
+       "mean acceptance probability of steps that begin in a pixel (methods with chains)", false},
       {"noise", "impulse noise of the pilot's indirect light (selective)", false},
       {"regions", "number of the region of a pixel, from 1 (selective)", false},
       {"importance",

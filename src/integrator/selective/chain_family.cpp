@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "core/milestones.h"
+#include "integrator/make_filter.h"
 #include "integrator/metropolis/chain_film_sink.h"
 #include "integrator/montecarlo/path_family.h"
 #include "integrator/selective/chain_archive.h"
@@ -19,11 +20,11 @@
 #include "integrator/selective/chain_report.h"
 #include "integrator/selective/chain_stretch.h"
 #include "integrator/selective/chain_trial.h"
+#include "integrator/selective/division_pilot.h"
 #include "integrator/selective/heuristics.h"
 #include "integrator/selective/omc_adaptation.h"
 #include "integrator/selective/plane_maps.h"
 #include "integrator/selective/roulette_pilot.h"
-#include "integrator/selective/division_pilot.h"
 #include "integrator/selective/surface_pilot.h"
 #include "integrator/selective/technique_pilot.h"
 #include "integrator/selective/weighted_errors.h"
@@ -89,8 +90,8 @@ class ChainIntegrator final : public Integrator {
   ChainEffort effort_{plan_};
   std::vector<std::unique_ptr<PreparationStage>> stages_;
   DivisionPilot* pilot_ = nullptr;  ///< one of the stages; null if there is nothing to decide
-  ChainTrial* trial_ = nullptr;  ///< the stage after it
-  std::size_t stage_ = 0;        ///< that is running
+  ChainTrial* trial_ = nullptr;     ///< the stage after it
+  std::size_t stage_ = 0;           ///< that is running
   std::vector<ChainPopulation> populations_;
   std::unique_ptr<OmcAdaptation> adaptation_;  ///< null if the next is
   std::unique_ptr<Integrator> omc_;            ///< null if it has nothing to render
@@ -181,12 +182,10 @@ void ChainIntegrator::end_preparation() {
   const bool is_lit =
       std::any_of(populations_.begin(), populations_.end(),
                   [](const ChainPopulation& population) { return !population.chains.empty(); });
-  if (plan_.selective && !plan_.standby && plan_.mutations > 0.0 && !populations_.empty() &&
-      !is_lit) {
-    plan_.unlit = true;
-    leave_to_omc();
-    return;
-  }
+  // Its machinery goes on all the same: that nothing was found yet counts in b, which is right on
+  // average over what is found and what is not.
+  plan_.unlit = plan_.selective && !plan_.standby && plan_.mutations > 0.0 &&
+                !populations_.empty() && !is_lit;
   // With a black pilot there is nothing to divide by.
   if (!plan_.divisions || plan_.mutations == 0.0) recruits_.reset();
   if (plan_.mutations == 0.0) populations_.clear();
@@ -302,11 +301,11 @@ std::vector<LayerSpec> ChainIntegrator::layers() const {
   if (omc_) {
     specs = omc_->layers();
     for (LayerSpec& spec : specs) {
-      if (spec.name == "indirect") spec.magnitude = magnitude;
+      if (spec.name == "indirect" || spec.box_of == "indirect") spec.magnitude = magnitude;
     }
   } else {
-    specs = {{.name = "direct", .magnitude = magnitude},
-             {.name = "indirect", .magnitude = magnitude}};
+    specs = light_layers(magnitude);
+    if (plan_.settings.for_filters) add_box_layers(specs, make_filter(plan_.scene.film().filter));
   }
   add_chain_layers(specs, plan_.settings.aovs);
   return specs;

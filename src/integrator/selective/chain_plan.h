@@ -82,8 +82,8 @@ struct ChainPlan {
   TechniqueSet techniques;
   Direct direct;
   PilotUse pilot_use = PilotUse::Keep;
-  bool unprepared = false;  ///< ordinary Monte Carlo alone renders, for want of time, or because
-  bool unlit = false;       ///< nothing was found to start chains from
+  bool unprepared = false;  ///< ordinary Monte Carlo alone renders, for want of time
+  bool unlit = false;       ///< the preparation found nothing to start chains of `selective` from
   bool standby = false;     ///< nothing is so hard that chains would pay
   /// Whether the render shares its effort anew as it goes on: a sample then has as many mutations
   /// as its halves' errors deserve.
@@ -115,8 +115,8 @@ struct ChainPlan {
   SelectiveMoves moves;
   ChainView view;
   std::vector<PathGroup> groups;
-  PathFamilyDefaults omc;             ///< of ordinary Monte Carlo
-  std::optional<RayPrice> ray_price;  ///< likewise, as a pilot has found it
+  PathFamilyDefaults omc;              ///< of ordinary Monte Carlo
+  std::optional<RayPrice> ray_price;   ///< likewise, as a pilot has found it
   std::optional<Divisions> divisions;  ///< found by the pilot
 
  private:

@@ -27,8 +27,8 @@ std::string percent(double share) {
 
 std::vector<Warning> concerns_about(const ChainPlan& plan,
                                     std::span<const ChainPopulation> populations) {
-  // Chains that stand by need not have anything to do.
-  if (plan.standby) return {};
+  // Chains that stand by need not have anything to do, nor those for which nothing is hard.
+  if (plan.standby || plan.unlit) return {};
   std::uint64_t lit = 0;
   std::uint64_t samples = plan.scouted;
   for (const ChainPopulation& population : populations) {
@@ -42,7 +42,7 @@ std::vector<Warning> concerns_about(const ChainPlan& plan,
 std::vector<std::string> notes_on(const ChainPlan& plan, std::optional<double> share,
                                   bool stand_by) {
   const std::string omc = words_for(plan.omc.techniques);
-  if (plan.unlit) return {"no difficult light found: rendered by plain " + omc};
+  if (plan.unlit) return {"no difficult light found: rendered by plain " + omc + " until some is"};
   if (plan.unprepared) {
     return {"too little time to look for difficult light: rendered by plain " + omc};
   }

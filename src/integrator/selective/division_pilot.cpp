@@ -132,7 +132,8 @@ std::uint64_t DivisionPilot::begin() {
       std::max<std::uint64_t>(1, (plan_.pilot_samples + replicates - 1) / replicates) * replicates;
   grain_ = static_cast<float>(SelectiveHeuristics::kGrain * plan_.brightness);
   if (recruits_ != nullptr) recruits_->expect_unknown(static_cast<double>(samples_));
-  omc_ = plan_.make_omc(settings, plan_.omc_depths(), {.divisions = &*plan_.divisions, .strong = this});
+  omc_ = plan_.make_omc(settings, plan_.omc_depths(),
+                        {.divisions = &*plan_.divisions, .strong = this});
   film_ = std::make_unique<Film>(settings.resolution, settings.crop,
                                  make_filter(plan_.scene.film().filter), settings.replicates,
                                  omc_->layers());
@@ -256,7 +257,7 @@ void DivisionPilot::share_effort() {
 
 double DivisionPilot::first_mutations() const {
   const double light = recruits_->energy() / recruiting_samples();
-  return SelectiveHeuristics::kFirstMutations * std::min(1.0, light / plan_.brightness);
+  return SelectiveHeuristics::kExpectedMutations * std::min(1.0, light / plan_.brightness);
 }
 
 double DivisionPilot::recruiting_samples() const {
@@ -286,7 +287,8 @@ void DivisionPilot::hand_over(Film& film) {
     // Beside the share below the lowest threshold, which is on the film already.
     const float above = Division::above(found.strength, lowest);
     const float left =
-        found.whole ? 1.F : (above - 1.F + division.omc_share(found.strength, found.raster)) / above;
+        found.whole ? 1.F
+                    : (above - 1.F + division.omc_share(found.strength, found.raster)) / above;
     film.splat(weak, found.replicate, found.raster, found.value * left);
     if (strong >= 0) film.splat(strong, found.replicate, found.raster, found.value * -left);
   }

@@ -32,7 +32,7 @@ class DivisionPilot final : public PreparationStage, public StrongPathSinks {
   /// `surfaces` tells what the regions of `selective` are; null where there are none. `recruits`
   /// may be null, too. All must outlive it.
   DivisionPilot(ChainPlan& plan, std::vector<ChainPopulation>& populations,
-             const SurfacePilot* surfaces, ChainRecruits* recruits)
+                const SurfacePilot* surfaces, ChainRecruits* recruits)
       : plan_(plan), populations_(populations), surfaces_(surfaces), recruits_(recruits) {}
   double effort() const override;
   std::uint64_t begin() override;

@@ -255,11 +255,13 @@ struct SelectiveHeuristics {
   /// Unit: chains of a replicate. Range: >= 1. Source: 9a8cb07: two depended on luck. The value has
   /// no study.
   static constexpr std::uint64_t kFewestChains = 32;
-  /// The first guess of the mutations that pay is low, and few chains for what there is to explore
-  /// leave islands of light to luck for the rest of the render: as many as if so many paid, as long
-  /// as they do not take much memory.
-  /// Unit: mutations per pixel and sample. Range: >= 0. Source: 65ab297: torus-in-glass had 128
-  /// chains where 768 left 0.87 of the error.
+  /// How many are expected to pay in a picture of which all light is the chains'. There are as many
+  /// chains as if so many paid, as long as they do not take much memory: few of them, for what
+  /// there is to explore, leave islands of light to luck for the rest of the render. And it is the
+  /// first guess of the effort: until more is known of the strongest paths, more mutations than are
+  /// worth their seeds would only repeat what the pilot happened to find. Unit: mutations per pixel
+  /// and sample. Range: > 0. Source: 65ab297: torus-in-glass had 128 chains where 768 left 0.87 of
+  /// the error; e243d5c for the first guess.
   static constexpr double kExpectedMutations = 3.0;
   /// What that rule makes at most.
   /// Unit: chains of a replicate. Range: >= kFewestChains. Source: ccdfc72, for memory.
@@ -288,13 +290,6 @@ struct SelectiveHeuristics {
   /// Unit: mutations per pixel and sample. Range: > kFewestMutations. Source: set by hand, no
   /// study.
   static constexpr double kMostMutations = 16.0;
-  /// The first guess, for a picture of which all light is the chains'. Until more is known of the
-  /// strongest paths, more mutations than are worth their seeds would only repeat what the pilot
-  /// happened to find.
-  /// Unit: mutations per pixel and sample. Range: > 0. Source: e243d5c; set by hand, no study.
-  /// kExpectedMutations has the same value for another question, how many chains; whether the two
-  /// have to be equal nobody has measured.
-  static constexpr double kFirstMutations = 3.0;
   /// Few replicates tell an error to within a factor: effort changes no more at a time.
   /// Unit: factor. Range: >= 1. Source: 771f36f; half and double not measured.
   static constexpr double kMostChange = 5.0;

@@ -158,7 +158,7 @@ std::vector<ThresholdEstimate> estimate_thresholds(const PilotView& view,
       const float above =
           i < thresholds.size()
               ? Division::above(path.strength,
-                                  static_cast<float>(thresholds[i] * view.plan.brightness))
+                                static_cast<float>(thresholds[i] * view.plan.brightness))
               : 0.F;
       const float more = path.light * (Division::above(path.strength, lowest) - above);
       light[path.replicate][path.pixel] += more;

@@ -45,7 +45,8 @@ class TechniquePilot::Candidate final : public StrongPathSinks {
   Candidate(const ChainPlan& plan, const RenderSettings& settings)
       : plan_(plan),
         divisions_(Division(SelectiveHeuristics::kStrong * plan.brightness, plan.view.importance)),
-        omc_(plan.make_omc(settings, plan.omc_depths(), {.divisions = &divisions_, .strong = this})),
+        omc_(
+            plan.make_omc(settings, plan.omc_depths(), {.divisions = &divisions_, .strong = this})),
         film_(settings.resolution, settings.crop, Filter::box(), kReplicates, omc_->layers()) {}
 
   std::uint64_t tiles() const { return omc_->items_in_round(); }

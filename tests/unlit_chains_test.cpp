@@ -1,0 +1,73 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+
+#include "support/render.h"
+#include "support/temporary_file.h"
+
+/// Where a bootstrap finds no light, that counts in the mean as much as what others find: a method
+/// that did something else then would make pictures that are too bright on average.
+namespace ajar {
+namespace {
+
+constexpr int kRenders = 300;
+
+/// A lamp behind the camera, which is seldom hit by chance.
+std::unique_ptr<Scene> rarely_lit() {
+  return test::scene_from(test::pbrt_scene(
+      "LookAt 0 0 -3  0 0 0  0 1 0\nCamera \"perspective\" \"float fov\" [60]\n", 8, 6,
+      "AttributeBegin\nTranslate 0 3 -4\nAreaLightSource \"diffuse\" \"rgb L\" [100 100 100]\n"
+      "Shape \"sphere\" \"float radius\" [0.4]\nAttributeEnd\n"
+      "Material \"matte\" \"rgb Kd\" [0.7 0.7 0.7]\n"
+      "Shape \"trianglemesh\" \"integer indices\" [0 1 2 0 2 3] "
+      "\"point P\" [-3 -1 -6  3 -1 -6  3 -1 3  -3 -1 3]\n"
+      "Shape \"trianglemesh\" \"integer indices\" [0 1 2 0 2 3] "
+      "\"point P\" [-3 -1 2  3 -1 2  3 3 2  -3 3 2]\n"));
+}
+
+TEST(UnlitChains, CountInTheMean) {
+  const test::TemporaryFile rules("rules.txt");
+  std::ofstream(rules.path()) << "object * chain\n";
+  const auto scene = rarely_lit();
+  test::RenderOptions truth;
+  truth.integrator = "bdpt";
+  truth.samples = 4096;
+  truth.min_depth = truth.max_depth = 3;
+  const double expected = test::render(*scene, truth).mean();
+
+  test::RenderOptions options;
+  options.integrator = "selective";
+  options.samples = 8;
+  options.replicates = 4;
+  options.min_depth = options.max_depth = 3;
+  // Chains make all of it, from a bootstrap by the technique that seldom finds it.
+  options.parameters = {{"chain", "pssmlt"},       {"techniques", "implicit"},
+                        {"bootstrap", "1000"},     {"regions", rules.path()},
+                        {"importance", "uniform"}, {"pilot", "discard"},
+                        {"roulette", "usual"},     {"samples", "uniform"}};
+  double sum = 0.0;
+  double squares = 0.0;
+  int unlit = 0;
+  for (int i = 0; i < kRenders; ++i) {
+    options.seed = static_cast<std::uint64_t>(i) + 1;
+    const test::Render render = test::render(*scene, options);
+    const double mean = render.mean() / expected;
+    sum += mean;
+    squares += mean * mean;
+    const Findings found = render.integrator->findings();
+    const bool is_unlit =
+        !found.notes.empty() && found.notes.front().find("no difficult light found") == 0;
+    if (is_unlit) ++unlit;
+    EXPECT_TRUE(found.concerns.empty());
+  }
+  const double mean = sum / kRenders;
+  const double error = std::sqrt((squares / kRenders - mean * mean) / (kRenders - 1));
+  EXPECT_GT(unlit, kRenders / 5) << "too few to matter";
+  EXPECT_LT(unlit, kRenders - kRenders / 5);
+  EXPECT_LT(5.0 * error, 0.5) << "too noisy to notice what it is for";
+  EXPECT_LT(std::abs(mean - 1.0), 5.0 * error) << mean << " +- " << error;
+}
+
+}  // namespace
+}  // namespace ajar
