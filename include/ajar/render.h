@@ -39,8 +39,8 @@ struct Settings {
   std::optional<std::array<int, 4>> crop;
   std::string filter;               ///< NAME or NAME:RADIUS, as of `ajar render --filter`
   std::vector<std::string> layers;  ///< beside the picture; see `ajar list aovs`
-  /// Takes the noise out of pictures: auto, oidn or none, as `ajar render --denoise`. They have the
-  /// layer "denoised" then, which `Picture::save` shows in formats for the eye.
+  /// Takes the noise out of pictures: auto, oidn, builtin or none, as `ajar render --denoise`. They
+  /// have the layer "denoised" then, which `Picture::save` shows in formats for the eye.
   std::string denoise = "none";
   std::uint64_t seed = 0;
   int threads = 0;         ///< 0: as many as the machine offers; else a limit for the whole process

@@ -1,5 +1,8 @@
 #include "import/format.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <memory>
 #include <optional>
@@ -29,6 +32,10 @@ std::string unknown_extension(const std::string& kind, const std::string& extens
   for (const Format& format : formats()) {
     if (!is_meant(format)) continue;
     valid.insert(valid.end(), format.extensions.begin(), format.extensions.end());
+  }
+  if (extension.empty()) {
+    return fmt::format("the name has no extension, which tells the {}. Valid: {}", kind,
+                       fmt::join(valid, ", "));
   }
   return unknown_name_message(kind, extension, valid);
 }

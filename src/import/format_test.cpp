@@ -55,6 +55,12 @@ TEST(Formats, MessagesListTheExtensionsAndNameTheNearest) {
     written = error.what();
   }
   EXPECT_TRUE(contains(read, "room" + mistyped + ": ")) << read;
+  try {
+    format_to_write("room");
+    ADD_FAILURE() << "has no extension";
+  } catch (const UsageError& error) {
+    EXPECT_TRUE(contains(error.what(), "no extension")) << error.what();
+  }
   for (const std::string& message : {read, written}) {
     EXPECT_TRUE(contains(message, "unknown kind of scene file")) << message;
     EXPECT_TRUE(contains(message, "did you mean \"" + usual + "\"?")) << message;

@@ -205,13 +205,22 @@ std::vector<std::string> checked_aovs(const std::vector<std::string>& names) {
     valid.push_back(aov.name);
     if (aov.part_of_all) all.push_back(aov.name);
   }
-  if (names == std::vector<std::string>{"all"}) return all;
+  valid.push_back("all");
+  std::vector<std::string> chosen;
+  const auto add = [&](const std::string& name) {
+    if (std::find(chosen.begin(), chosen.end(), name) == chosen.end()) chosen.push_back(name);
+  };
   for (const std::string& name : names) {
     if (std::find(valid.begin(), valid.end(), name) == valid.end()) {
       throw UsageError(unknown_name_message("AOV", name, valid));
     }
+    if (name == "all") {
+      std::for_each(all.begin(), all.end(), add);
+    } else {
+      add(name);
+    }
   }
-  return names;
+  return chosen;
 }
 
 const std::vector<std::string>& catalog_kinds() {

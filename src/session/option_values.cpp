@@ -132,6 +132,9 @@ TargetError parse_target_error(const std::string& option, std::string_view text)
   constexpr std::string_view kDenoised = "denoised:";
   const bool is_denoised = text.starts_with(kDenoised);
   if (is_denoised) text.remove_prefix(kDenoised.size());
+  if (text.find(':') != std::string_view::npos) {
+    reject(option, text, "a relative error such as 5%, or of the denoised picture: denoised:5%");
+  }
   return {parse_relative_error(option, text), is_denoised};
 }
 

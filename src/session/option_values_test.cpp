@@ -131,6 +131,14 @@ TEST(OptionValues, ErrorsMayBePercent) {
   EXPECT_TRUE(parse_target_error("--target-error", "denoised:5%").is_denoised);
   EXPECT_DOUBLE_EQ(parse_target_error("--target-error", "denoised:5%").value, 0.05);
   EXPECT_THROW(parse_target_error("--target-error", "denoised:"), UsageError);
+  for (const char* text : {"Denoised:5%", "raw:5%", "denoised:raw:5%"}) {
+    try {
+      parse_target_error("--target-error", text);
+      ADD_FAILURE() << text;
+    } catch (const UsageError& error) {
+      EXPECT_NE(std::string(error.what()).find("denoised:5%"), std::string::npos) << error.what();
+    }
+  }
   EXPECT_DOUBLE_EQ(parse_relative_error("--target-error", "5%"), 0.05);
   EXPECT_DOUBLE_EQ(parse_relative_error("--target-error", "100%"), 1.0);
   for (const char* text : {"", "%", "0", "0%", "-1", "nan", "5", "101%", "5 percent"}) {

@@ -34,9 +34,13 @@ PreparationEnd Preparation::must_skip() const {
   return static_cast<PreparationEnd>(limits_.ranks->maximum(static_cast<std::uint64_t>(reason)));
 }
 
-bool Preparation::will_be_late(double deadline) const {
-  const double done = static_cast<double>(items_done_) / static_cast<double>(items_);
-  if (done < SessionHeuristics::kTelling) return false;
+bool Preparation::will_be_late(double deadline) {
+  // Of those that are being worked at, half is done, on average.
+  const double done =
+      0.5 * static_cast<double>(items_begun_ + items_done_) / static_cast<double>(items_);
+  if (done < SessionHeuristics::kTelling || items_done_ == 0 || has_told_.exchange(true)) {
+    return false;
+  }
   return round_began_ + (clock_.seconds() - round_began_) / done > deadline;
 }
 
@@ -54,6 +58,7 @@ PreparationEnd Preparation::run_round(int round, double deadline, Counters& whol
         return;
       }
     }
+    ++items_begun_;
     integrator_.prepare_item(round, item, counters.local());
     ++items_done_;
   });
@@ -66,7 +71,9 @@ Counters Preparation::run() {
   for (int round = 0;; ++round) {
     const PreparationRound next = integrator_.begin_preparation(round);
     if (next.items == 0) return whole;
+    items_begun_ = 0;
     items_done_ = 0;
+    has_told_ = false;
     items_ = next.items;
     running_ = next.effort;
     all_ = over_ + next.effort + next.later_effort;

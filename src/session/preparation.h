@@ -46,8 +46,9 @@ class Preparation {
   double deadline(bool stays) const;
   /// Why to stop at once, if it is to end then; `Done`: not at all.
   PreparationEnd must_stop(double deadline) const;
-  /// Whether the round that runs will not end then, as far as it shows that yet.
-  bool will_be_late(double deadline) const;
+  /// Whether the round that runs will not end then. Asked often, it tells once, as soon as a tenth
+  /// of it is done: of many guesses the worst would decide.
+  bool will_be_late(double deadline);
   /// Why to do without the round that is about to begin, and the later ones; the same on all ranks.
   PreparationEnd must_skip() const;
   /// Why it was cut short; `Done`: it was not.
@@ -64,7 +65,9 @@ class Preparation {
   std::atomic<double> running_{0.0};
   std::atomic<double> all_{0.0};
   std::atomic<std::uint64_t> items_{1};
+  std::atomic<std::uint64_t> items_begun_{0};
   std::atomic<std::uint64_t> items_done_{0};
+  std::atomic<bool> has_told_{false};  ///< of the round, whether it will be late
 };
 
 /// The whole of it.

@@ -56,8 +56,13 @@ std::string text_of_error(const RenderSnapshot& s) {
 
 std::string left_text(const RenderSnapshot& s) {
   const std::optional<double> left = seconds_left(s);
-  // A pass may take longer than what was left; nobody should wait for "0:00".
-  if (s.finishing || (left && *left < 0.5)) return "finishing the pass";
+  // A pass may take longer than what was left, and an error is held against its target at
+  // milestones alone; nobody should wait for "0:00".
+  RenderSnapshot without_target = s;
+  without_target.budget.target_error.reset();
+  const std::optional<double> left_at_most = seconds_left(without_target);
+  if (s.finishing || (left_at_most && *left_at_most < 0.5)) return "finishing the pass";
+  if (left && *left < 0.5) return "checking the error";
   return left ? clock_text(*left) + " left" : std::string();
 }
 

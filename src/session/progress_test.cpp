@@ -79,6 +79,16 @@ TEST(Progress, NothingIsPromisedOnceTheTimeIsOver) {
   EXPECT_EQ(bar_line(s, 120).find("0:00 left"), std::string::npos);
 }
 
+/// Near the target, it may take long until enough estimates agree.
+TEST(Progress, NothingIsPromisedOnceTheErrorIsNearItsTarget) {
+  RenderSnapshot s = half_way();
+  s.total_samples = 0;
+  s.budget = {.target_error = 0.02};
+  s.relative_error = {.value = 0.01};
+  s.error_samples = 1;
+  EXPECT_TRUE(plain_line(s).ends_with("checking the error")) << plain_line(s);
+}
+
 TEST(Progress, PlainLineHasAllNumbers) {
   EXPECT_EQ(plain_line(half_way()), "0:10, 32/64 spp, 2 M rays/s, error 3.4 %, 0:10 left");
 }

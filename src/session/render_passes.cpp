@@ -88,7 +88,15 @@ RenderJobOptions job_options(RenderState& state, std::vector<PassObserver*> obse
   options.interrupts = &state.interrupts;
   options.share = state.order.share;
   options.ranks = state.order.ranks;
-  if (state.order.resumed) options.resumed = std::move(state.order.resumed->job);
+  if (state.order.resumed) {
+    options.resumed = std::move(state.order.resumed->job);
+    const bool is_of_same_picture =
+        state.order.resumed->budget.denoised_target == options.budget.denoised_target &&
+        (!options.budget.denoised_target ||
+         state.order.resumed->denoiser == state.order.files.denoiser_name());
+    // Errors of the one picture say nothing of those of the other.
+    if (!is_of_same_picture) options.resumed->recent_errors.clear();
+  }
   options.observers = std::move(observers);
   return options;
 }
@@ -141,10 +149,11 @@ RenderOutcome finish(RenderState& state, const RenderJob& job, RenderWriters& wr
   RenderOutcome outcome;
   outcome.interrupted = result.stopped_by == StopReason::Interrupted;
   if (outcome.interrupted) ++state.statistics.interruptions;
-  Picture picture = state.develop_with(job.film(), state.statistics);
+  // Before there is a picture: memory has room for one of the two.
   state.statistics.errors_by_scale = estimate_errors_by_scale(
       job.film(), development_of(job.film(), *state.integrator, result.samples_per_pixel),
       result.samples_per_pixel);
+  Picture picture = state.develop_with(job.film(), state.statistics);
   denoise_last(state, job, picture);
   state.events.phase_begun(RenderPhase::Write);
   writers.show_last(job);

@@ -58,6 +58,19 @@ TEST_F(DenoiseCli, RendersUntilTheDenoisedPictureIsGood) {
   EXPECT_TRUE(contains(unfiltered.err, "needs a filter")) << unfiltered.err;
 }
 
+/// Errors of the unfiltered picture, which a checkpoint keeps, say nothing of the filtered one.
+TEST_F(DenoiseCli, LooksAnewWhereAnotherErrorIsAskedFor) {
+  ASSERT_EQ(cornell({"--integrator", "pt", "--denoise", "builtin", "--spp", "100000",
+                     "--target-error", "30%", "--checkpoint", "a.checkpoint", "-o", "a.exr"})
+                .exit_code,
+            0);
+  const Outcome outcome = run({"resume", "a.checkpoint", "--target-error", "denoised:20%",
+                               "--stats", "b.json", "-o", "b.exr"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(statistics("b.json").at("stopped_by"), "target error");
+  EXPECT_LE(statistics("b.json").at("estimated_denoised_error"), 0.2);
+}
+
 TEST_F(DenoiseCli, FiltersPicturesOfEarlierRenders) {
   ASSERT_EQ(
       render({"--denoise", "none", "--aov", "albedo,normal,replicates", "-o", "a.exr"}).exit_code,

@@ -81,7 +81,7 @@ constexpr const char* kProgram = "Program";
 std::string denoise_help() {
   return fmt::format(
       "Take the noise out of .png and .jpg; .exr keeps both. One of {} (auto: Open Image Denoise "
-      "if it is found)",
+      "where it is found, else builtin)",
       fmt::join(denoiser_names(), ", "));
 }
 

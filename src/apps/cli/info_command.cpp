@@ -136,7 +136,11 @@ void add_built(const Scene& scene, Json& json) {
                     {"textures", textures},         {"materials", c.materials},
                     {"media", json["media"].size()}};
   const Box3& b = scene.bounds();
-  json["bounds"] = {{"min", {b.min.x, b.min.y, b.min.z}}, {"max", {b.max.x, b.max.y, b.max.z}}};
+  if (!b.isEmpty()) {
+    json["bounds"] = {{"min", {b.min.x, b.min.y, b.min.z}}, {"max", {b.max.x, b.max.y, b.max.z}}};
+  } else {
+    json["bounds"] = nullptr;
+  }
   json["memory"]["embree_bytes"] = c.embree_bytes;
   json["memory"]["peak_bytes"] = peak_memory_bytes();
   json["hash"] = fmt::format("{:016x}", scene.hash());
@@ -201,7 +205,9 @@ std::string text_of(const Json& j, const MemoryEstimate& memory, const Warnings&
   line("materials", counts_text(j["materials"]));
   line("textures", counts_text(j["textures"]));
   line("media", std::to_string(j["media"].size()));
-  line("bounds", vector_text(j["bounds"]["min"]) + " to " + vector_text(j["bounds"]["max"]));
+  line("bounds", j["bounds"].is_null()
+                     ? "none: there are no shapes"
+                     : vector_text(j["bounds"]["min"]) + " to " + vector_text(j["bounds"]["max"]));
   line("camera", j["camera"]["type"].get<std::string>() + " at " +
                      vector_text(j["camera"]["position"]) + " towards " +
                      vector_text(j["camera"]["direction"]));

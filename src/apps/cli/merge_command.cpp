@@ -73,6 +73,8 @@ int merge(const MergeArguments& a) {
   const Film film = film_of(merged, Filter::box(), first);
   merged.denoiser = a.denoiser;
   if (!a.checkpoint.empty()) write_checkpoint(a.checkpoint, merged, film.raw());
+  statistics.errors_by_scale =
+      estimate_errors_by_scale(film, merged.scales, merged.job.samples_per_pixel);
   Picture picture =
       develop(film, merged.scales, merged.job.samples_per_pixel, merged.render.film_scale, aovs);
   Warnings warnings;
@@ -83,8 +85,6 @@ int merge(const MergeArguments& a) {
   print_all_warnings(warnings);
   statistics.warnings = warnings.messages();
   statistics.warning_count = warnings.count();
-  statistics.errors_by_scale =
-      estimate_errors_by_scale(film, merged.scales, merged.job.samples_per_pixel);
   if (denoiser) {
     PictureFilter filter(std::move(denoiser),
                          [&merged](const Denoiser::Progress&) { return merged.features; });
