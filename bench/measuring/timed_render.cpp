@@ -27,15 +27,16 @@ double pass_seconds(const TimeLimit& limit, int threads) {
 
 TimedRender render_for(const TimeLimit& limit, const Scene& scene, const Variant& variant,
                        const RenderSettings& settings, const InterruptCount& user_interrupts) {
-  // Not a `Render`: the alarm must not cut the preparation short, and nobody asks how large the
-  // error is before the end.
+  // Not a `Render`: the alarm must not cut the preparation short, which has its limits of the time
+  // as in one, and nobody asks how large the error is before the end.
   const double before = cpu_seconds();
   const CpuAlarm alarm(limit.cpu_seconds, user_interrupts);
+  const int threads = limit.threads > 0 ? limit.threads : tbb::info::default_concurrency();
   const std::unique_ptr<Integrator> integrator = variant.make(scene, settings);
-  prepare(*integrator);
+  Preparation(*integrator, {.seconds = limit.cpu_seconds / threads}).run();
   Film film = film_for(scene, settings, *integrator);
   RenderJobOptions options;
-  options.threads = limit.threads > 0 ? limit.threads : tbb::info::default_concurrency();
+  options.threads = threads;
   options.pass_seconds = pass_seconds(limit, options.threads);
   options.interrupts = &alarm.interrupts();
   const RenderResult result = RenderJob(*integrator, film, options).run();
