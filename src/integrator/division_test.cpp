@@ -73,9 +73,9 @@ TEST(Division, SharesAddUpToOneWhateverTheMapAndWhereverThePath) {
       for (const float value : {1e-6F, 0.5F, 3.F, 1e5F}) {
         const Contribution path = contribution(value, {2, 3});
         const Vec2 raster(0.25F * static_cast<float>(column), 0.25F * static_cast<float>(row));
-        EXPECT_NEAR(
-            division.chain_share(path, raster) * division.kept(raster) + division.omc_share(path, raster),
-            1.F, 1e-6F);
+        EXPECT_NEAR(division.chain_share(path, raster) * division.kept(raster) +
+                        division.omc_share(path, raster),
+                    1.F, 1e-6F);
       }
     }
   }

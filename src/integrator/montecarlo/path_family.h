@@ -1,8 +1,8 @@
 #pragma once
 #include <optional>
 
-#include "integrator/integrator.h"
 #include "integrator/division.h"
+#include "integrator/integrator.h"
 #include "integrator/montecarlo/path_parameters.h"
 #include "integrator/montecarlo/ray_price.h"
 #include "integrator/montecarlo/sample_rates.h"

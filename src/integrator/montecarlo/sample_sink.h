@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "image/film.h"
-#include "integrator/integrator.h"
 #include "integrator/division.h"
+#include "integrator/integrator.h"
 #include "integrator/montecarlo/g_buffer.h"
 #include "integrator/montecarlo/ray_price.h"
 #include "integrator/montecarlo/sample_rates.h"
