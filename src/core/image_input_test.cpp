@@ -175,7 +175,10 @@ std::vector<std::pair<std::string, std::string>> liars() {
                          .text("\x2f")
                          .little({0x0fffffff}, 4)
                          .zeros(20)
-                         .result()}};
+                         .result()},
+          {"lossless-stream.webp", Bytes().text("\x2f").little({0x0fffffff}, 4).zeros(20).result()},
+          {"lossy-stream.webp",
+           Bytes().zeros(3).text("\x9d\x01\x2a").little({0x3fff, 0x3fff}, 2).zeros(20).result()}};
 }
 
 /// A folder of its own that is gone after the test.
