@@ -216,8 +216,8 @@ struct SelectiveHeuristics {
   static constexpr double kUsualCorrelation = 10.0;
 
   // -------------------------------------------------------- what things cost before it is measured
-  /// Unit: rays. Range: > 0. Source: docs/chains.md, "Steps, and what they are worth": 4.3 to 5.3
-  /// on door-ajar.
+  /// Unit: rays. Range: > 0. Source: docs/notebook/chains.md, "Steps, and what they are worth": 4.3
+  /// to 5.3 on door-ajar.
   static constexpr double kRaysPerMutation = 4.5;
   /// One technique of a path has about half the rays of all of them: a mutation, or a sample of a
   /// bootstrap.
@@ -231,7 +231,7 @@ struct SelectiveHeuristics {
   static constexpr double kCameraRaysOfSample = 10.0;
 
   // -------------------------------------------------------- bootstrap, where nothing else seeds
-  /// Unit: paths. Range: >= 1000. Source: docs/chains.md; 4ff4f9a. docs/selective.md, "The
+  /// Unit: paths. Range: >= 1000. Source: docs/chains.md; 4ff4f9a. docs/notebook/selective.md, "The
   /// study": five times as many do not help chains alone on torus-in-glass.
   static constexpr std::uint64_t kBootstrapPaths = 200000;
   /// In larger pictures.
@@ -309,13 +309,13 @@ struct SelectiveHeuristics {
 
   // -------------------------------------------------------- how chains move
   /// Share of small steps that move the place on the picture alone, where `raster-steps` is auto.
-  /// Unit: share. Range: [0, 1]. Source: docs/chains.md, "Steps, and what they are worth": 0.5 and
-  /// 0.9 are worse by a few percent on pool and level on torus-in-glass.
+  /// Unit: share. Range: [0, 1]. Source: docs/notebook/chains.md, "Steps, and what they are worth":
+  /// 0.5 and 0.9 are worse by a few percent on pool and level on torus-in-glass.
   static constexpr double kRasterSteps = 0.7;
   /// Share of small steps on the raster where what chains make has no islands that only other steps
   /// would lead to. Elsewhere it is kRasterSteps.
-  /// Unit: share. Range: [0, 1]. Source: docs/chains.md, "Steps, and what they are worth": better
-  /// than 0.7 by 4 to 12 % where T is 0.2, a third worse on pool.
+  /// Unit: share. Range: [0, 1]. Source: docs/notebook/chains.md, "Steps, and what they are worth":
+  /// better than 0.7 by 4 to 12 % where T is 0.2, a third worse on pool.
   static constexpr double kRasterStepsOfAllLight = 0.9;
   /// Threshold up to which that is so.
   /// Unit: brightness. Range: >= 0. Source: the same; a value of kThresholds.

@@ -9,14 +9,14 @@ namespace ajar {
 struct PrimaryHeuristics {
   /// How many times as long as others steps of the raster numbers alone are: up to so many, each
   /// order of magnitude as often. Where directions alone decide, light may be found again anywhere.
-  /// Unit: factor. Range: [1, StepSizes::kLargest]. Source: docs/chains.md, "Directions that stay":
-  /// FLIP on pool 0.328 with twice as long, 0.296 with six times, 0.288 with twenty times, 0.284
-  /// with 1 to 50 times.
+  /// Unit: factor. Range: [1, StepSizes::kLargest]. Source: docs/notebook/chains.md, "Directions
+  /// that stay": FLIP on pool 0.328 with twice as long, 0.296 with six times, 0.288 with twenty
+  /// times, 0.284 with 1 to 50 times.
   static constexpr double kRasterLength = 50.0;
   /// Fine steps are so many times shorter in variance, one as often as the other: 1/8 and 1/64 in
   /// length.
   /// Unit: factor. Range: whole, <= kStepUnits. Source: set by hand, no study; of their share
-  /// (`fine-steps`) docs/chains.md has one.
+  /// (`fine-steps`) docs/notebook/chains.md has one.
   static constexpr std::array<std::uint64_t, 2> kFiner = {64, 4096};
   /// Steps that follow the picture (h of He et al. 2020) are not shorter than this.
   /// Unit: factor. Range: (0, 1]. Source: ede31ab, the inverse of the longest; the paper has no
