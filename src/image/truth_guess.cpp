@@ -52,28 +52,36 @@ class TruthGuess {
     });
   }
 
+  /// With the neighbours that are `stride` pixels away and look the same.
   void average(int stride) {
     std::vector<float> pictures = pictures_;
     std::vector<float> patterns = patterns_;
     std::vector<float> noise = noise_;
     parallel_for(height_, [&](int y) {
-      for (int x = 0; x < width_; ++x) {
-        const std::size_t pixel = index(x, y);
-        if (is_quiet(pixel)) continue;
-        float* sums = &pictures[count_ * kChannels * pixel];
-        float weight = 1.F;
-        for (int dy = -stride; dy <= stride; dy += stride) {
-          for (int dx = -stride; dx <= stride; dx += stride) {
-            if ((dx == 0 && dy == 0) || !is_inside(x + dx, y + dy)) continue;
-            if (!look_the_same(x, y, dx, dy)) continue;
+      const std::vector<bool> quiet = quiet_in_row(y);
+      std::vector<float> weights(static_cast<std::size_t>(width_), 1.F);
+      PatchRow patches(width_);
+      for (int dy = -stride; dy <= stride; dy += stride) {
+        for (int dx = -stride; dx <= stride; dx += stride) {
+          if ((dx == 0 && dy == 0) || y + dy < 0 || y + dy >= height_) continue;
+          compare_patches(y, dx, dy, patches);
+          for (int x = std::max(0, -dx); x < std::min(width_, width_ - dx); ++x) {
+            if (quiet[static_cast<std::size_t>(x)] || !patches.look_the_same(x)) continue;
+            const std::size_t pixel = index(x, y);
             const std::size_t other = index(x + dx, y + dy);
-            weight += 1.F;
+            weights[static_cast<std::size_t>(x)] += 1.F;
             patterns[pixel] += patterns_[other];
             noise[pixel] += noise_[other];
+            float* sums = &pictures[count_ * kChannels * pixel];
             const float* values = values_of(other);
             for (std::size_t i = 0; i < count_ * kChannels; ++i) sums[i] += values[i];
           }
         }
+      }
+      for (int x = 0; x < width_; ++x) {
+        const std::size_t pixel = index(x, y);
+        const float weight = weights[static_cast<std::size_t>(x)];
+        float* sums = &pictures[count_ * kChannels * pixel];
         for (std::size_t i = 0; i < count_ * kChannels; ++i) sums[i] /= weight;
         patterns[pixel] /= weight;
         noise[pixel] /= weight * weight;
@@ -148,20 +156,55 @@ class TruthGuess {
     return spread.mean > 0.F && spread.variance <= square(ImageHeuristics::kQuiet * spread.mean);
   }
 
-  /// The 3×3 pixels around two places.
-  bool look_the_same(int x, int y, int dx, int dy) const {
-    float difference = 0.F;
-    float expected = 0.F;
-    for (int v = y - 1; v <= y + 1; ++v) {
-      for (int u = x - 1; u <= x + 1; ++u) {
-        if (!is_inside(u, v) || !is_inside(u + dx, v + dy)) continue;
-        const std::size_t here = index(u, v);
-        const std::size_t there = index(u + dx, v + dy);
-        difference += square(patterns_[here] - patterns_[there]);
-        expected += noise_[here] + noise_[there];
+  std::vector<bool> quiet_in_row(int y) const {
+    std::vector<bool> row(static_cast<std::size_t>(width_));
+    for (int x = 0; x < width_; ++x) row[static_cast<std::size_t>(x)] = is_quiet(index(x, y));
+    return row;
+  }
+
+  /// Of the pixels of a row, the 3×3 around each, compared with those around another.
+  class PatchRow {
+   public:
+    explicit PatchRow(int width)
+        : difference_(static_cast<std::size_t>(width) + 2), expected_(difference_.size()) {}
+    void clear() {
+      std::fill(difference_.begin(), difference_.end(), 0.F);
+      std::fill(expected_.begin(), expected_.end(), 0.F);
+    }
+    /// Of the columns of three pixels; those outside of the picture, at -1 and the width, are 0.
+    float* difference() { return difference_.data() + 1; }
+    float* expected() { return expected_.data() + 1; }
+    bool look_the_same(int x) const {
+      const auto i = static_cast<std::size_t>(x);
+      const float difference = difference_[i] + difference_[i + 1] + difference_[i + 2];
+      const float expected = expected_[i] + expected_[i + 1] + expected_[i + 2];
+      return difference <= ImageHeuristics::kSamePatch * expected;
+    }
+
+   private:
+    std::vector<float> difference_;
+    std::vector<float> expected_;
+  };
+
+  /// Row `y` with the one `dy` below, moved by `dx`. Column by column, which is a ninth of the work
+  /// of patch by patch.
+  void compare_patches(int y, int dx, int dy, PatchRow& patches) const {
+    patches.clear();
+    float* difference = patches.difference();
+    float* expected = patches.expected();
+    const int first = std::max(0, -dx);
+    const int last = std::min(width_, width_ - dx);
+    for (int v = std::max({0, y - 1, -dy}); v <= std::min({height_ - 1, y + 1, height_ - 1 - dy});
+         ++v) {
+      const float* pattern = &patterns_[index(0, v)];
+      const float* noise = &noise_[index(0, v)];
+      const float* other_pattern = &patterns_[index(0, v + dy)];
+      const float* other_noise = &noise_[index(0, v + dy)];
+      for (int u = first; u < last; ++u) {
+        difference[u] += square(pattern[u] - other_pattern[u + dx]);
+        expected[u] += noise[u] + other_noise[u + dx];
       }
     }
-    return difference <= ImageHeuristics::kSamePatch * expected;
   }
 
   int width_;
