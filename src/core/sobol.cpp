@@ -1,7 +1,7 @@
 #include "core/sobol.h"
 
-#include <algorithm>
 #include <array>
+#include <bit>
 #include <boost/random/sobol.hpp>
 
 #include "core/random.h"
@@ -20,7 +20,8 @@ constexpr std::uint32_t reverse_bits(std::uint32_t v) {
 /// Owen scrambling of a number whose bits are in reverse order: each bit is flipped depending on
 /// the bits below it only. Source: Laine & Karras 2011, in the form and with the constants of N.
 /// Vegdahl 2021, "Building a better LK hash".
-constexpr std::uint32_t scramble_reversed(std::uint32_t v, std::uint32_t seed) {
+template <typename Bits>
+constexpr Bits scramble_reversed(Bits v, Bits seed) {
   v ^= v * 0x3d20adeaU;
   v += seed;
   v *= (seed >> 16U) | 1U;
@@ -104,6 +105,34 @@ struct Seeds {
   std::uint64_t base;
 };
 
+/// Eight numbers, and four of twice their length, for one vector instruction each: compilers do not
+/// see by themselves that the coordinates of four points are eight numbers.
+using Lanes [[gnu::vector_size(32)]] = std::uint32_t;
+using SignedLanes [[gnu::vector_size(32)]] = std::int32_t;
+using FloatLanes [[gnu::vector_size(32)]] = float;
+using Bytes [[gnu::vector_size(32)]] = std::uint8_t;
+using Hashes [[gnu::vector_size(32)]] = std::uint64_t;
+
+/// As mix_bits.
+Hashes mix_lanes(Hashes v) {
+  v ^= v >> 30U;
+  v *= 0xbf58476d1ce4e5b9ULL;
+  v ^= v >> 27U;
+  v *= 0x94d049bb133111ebULL;
+  return v ^ v >> 31U;
+}
+
+/// As reverse_bits.
+Lanes reverse_lanes(Lanes v) {
+  constexpr Bytes kSwapped = {3,  2,  1,  0,  7,  6,  5,  4,  11, 10, 9,  8,  15, 14, 13, 12,
+                              19, 18, 17, 16, 23, 22, 21, 20, 27, 26, 25, 24, 31, 30, 29, 28};
+  const Bytes bytes = __builtin_shuffle(std::bit_cast<Bytes>(v), kSwapped);
+  v = std::bit_cast<Lanes>(bytes);
+  v = ((v >> 4U) & 0x0f0f0f0fU) + ((v & 0x0f0f0f0fU) << 4U);
+  v = ((v >> 2U) & 0x33333333U) + ((v & 0x33333333U) << 2U);
+  return ((v >> 1U) & 0x55555555U) + ((v & 0x55555555U) << 1U);
+}
+
 std::uint32_t shuffled(std::uint32_t index, std::uint32_t seed) {
   return reverse_bits(scramble_reversed(reverse_bits(index), seed));
 }
@@ -129,33 +158,33 @@ Vec2 sobol_2d(std::uint32_t index, std::uint64_t seed) {
   return {to_unit_float(reverse_bits(x)), to_unit_float(reverse_bits(y))};
 }
 
-void sobol_2d(std::uint32_t index, std::span<const std::uint64_t> seeds, std::span<Vec2> points) {
-  constexpr std::size_t kBlock = 8;
-  const std::size_t count = std::min(seeds.size(), points.size());
-  const std::uint32_t reversed = reverse_bits(index);
-  std::size_t done = 0;
-  for (; done + kBlock <= count; done += kBlock) {
-    // Loops that compilers turn into vector instructions: 64-bit hashes, 32-bit points, pairs.
-    std::array<std::uint32_t, kBlock> shuffle, scramble_x, scramble_y;
-    for (std::size_t k = 0; k < kBlock; ++k) {
-      const Seeds own(seeds[done + k]);
-      shuffle[k] = own.shuffle();
-      scramble_x[k] = own.coordinate(0);
-      scramble_y[k] = own.coordinate(1);
-    }
-    std::array<float, kBlock> x, y;
-    for (std::size_t k = 0; k < kBlock; ++k) {
-      const std::uint32_t i = reverse_bits(scramble_reversed(reversed, shuffle[k]));
-      const std::uint32_t bits_x = reverse_bits(scramble_reversed(i, scramble_x[k]));
-      const std::uint32_t bits_y =
-          reverse_bits(scramble_reversed(dimension_1_reversed(i), scramble_y[k]));
-      // As to_unit_float, but signed: there is no vector instruction for unsigned numbers.
-      x[k] = static_cast<float>(static_cast<std::int32_t>(bits_x >> 8U)) * 0x1p-24F;
-      y[k] = static_cast<float>(static_cast<std::int32_t>(bits_y >> 8U)) * 0x1p-24F;
-    }
-    for (std::size_t k = 0; k < kBlock; ++k) points[done + k] = {x[k], y[k]};
-  }
-  for (; done < count; ++done) points[done] = sobol_2d(index, seeds[done]);
+SobolPads sobol_pads(std::uint32_t index, const std::array<std::uint64_t, kSobolPads>& seeds) {
+  // The x of all points, then the y of all, in one vector.
+  static_assert(kSobolPads == 4);
+  constexpr Lanes kOfY = {0, 0, 0, 0, ~0U, ~0U, ~0U, ~0U};
+  Hashes base;
+  for (std::size_t k = 0; k < kSobolPads; ++k) base[k] = seeds[k];
+  base = mix_lanes(base + 0x9e3779b97f4a7c15ULL);
+  const auto halves = std::bit_cast<Lanes>(base);
+  const Hashes product = base * 0xd6e8feb86659fd93ULL;
+  const auto product_halves = std::bit_cast<Lanes>(product);
+  const Lanes scramble = __builtin_shuffle(halves, Lanes{0, 2, 4, 6, 1, 3, 5, 7});
+  const Lanes shuffle = __builtin_shuffle(product_halves, Lanes{1, 3, 5, 7, 1, 3, 5, 7});
+
+  const Lanes reversed = Lanes{} + reverse_bits(index);
+  Lanes point = reverse_lanes(scramble_reversed(reversed, shuffle));
+  point ^= (point & kOfY & 0xaaaaaaaaU) >> 1U;
+  point ^= (point & kOfY & 0xccccccccU) >> 2U;
+  point ^= (point & kOfY & 0xf0f0f0f0U) >> 4U;
+  point ^= (point & kOfY & 0xff00ff00U) >> 8U;
+  point ^= (point & kOfY & 0xffff0000U) >> 16U;
+  const Lanes bits = reverse_lanes(scramble_reversed(point, scramble));
+  // As to_unit_float, but signed: there is no vector instruction for unsigned numbers.
+  const SignedLanes fractions = std::bit_cast<SignedLanes>(bits) >> 8 & 0xffffff;
+  const FloatLanes values = __builtin_convertvector(fractions, FloatLanes) * 0x1p-24F;
+  SobolPads pads;
+  for (std::size_t k = 0; k < kSobolPads; ++k) pads[k] = {values[k], values[kSobolPads + k]};
+  return pads;
 }
 
 }  // namespace ajar

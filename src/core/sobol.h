@@ -1,6 +1,7 @@
 #pragma once
+#include <array>
+#include <cstddef>
 #include <cstdint>
-#include <span>
 
 #include "core/vector.h"
 
@@ -23,9 +24,11 @@ float sobol(std::uint32_t index, int dimension, std::uint64_t seed);
 float sobol_1d(std::uint32_t index, std::uint64_t seed);
 /// Dimensions 0 and 1 of the sequence of `seed`.
 Vec2 sobol_2d(std::uint32_t index, std::uint64_t seed);
-/// The same for many seeds at once, e.g. all pads of a path vertex: points[k] = sobol_2d(index,
-/// seeds[k]), several times faster in blocks of eight.
-void sobol_2d(std::uint32_t index, std::span<const std::uint64_t> seeds, std::span<Vec2> points);
+/// The same for the pads of a path vertex at once: point k is sobol_2d(index, seeds[k]), several
+/// times faster.
+inline constexpr std::size_t kSobolPads = 4;
+using SobolPads = std::array<Vec2, kSobolPads>;
+SobolPads sobol_pads(std::uint32_t index, const std::array<std::uint64_t, kSobolPads>& seeds);
 
 /// Point `index` of the plain Sobol' sequence as a 32-bit fraction, neither shuffled nor scrambled
 /// (for tests and for building other randomisations). Point 0 is the origin.

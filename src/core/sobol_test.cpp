@@ -39,14 +39,13 @@ TEST(Sobol, FunctionsAgree) {
   }
 }
 
-TEST(Sobol, ManySeedsAtOnceGiveTheSamePoints) {
-  std::vector<std::uint64_t> seeds;
-  for (std::uint64_t k = 0; k < 21; ++k) seeds.push_back(k * k << (3 * k));
-  for (const std::uint32_t index : {0U, 7U, 0xdeadbeefU}) {
-    for (const std::size_t count : {0U, 1U, 8U, 21U}) {
-      std::vector<Vec2> points(count);
-      sobol_2d(index, std::span(seeds).first(count), points);
-      for (std::size_t k = 0; k < count; ++k) ASSERT_EQ(points[k], sobol_2d(index, seeds[k]));
+TEST(Sobol, PadsAtOnceAreTheSamePoints) {
+  for (std::uint64_t n = 0; n < 100; ++n) {
+    std::array<std::uint64_t, kSobolPads> seeds{};
+    for (std::uint64_t k = 0; k < kSobolPads; ++k) seeds[k] = mix_bits(n) << (3 * k);
+    for (const std::uint32_t index : {0U, 7U, 0xdeadbeefU}) {
+      const SobolPads pads = sobol_pads(index, seeds);
+      for (std::size_t k = 0; k < kSobolPads; ++k) ASSERT_EQ(pads[k], sobol_2d(index, seeds[k]));
     }
   }
 }

@@ -49,10 +49,10 @@ class IndependentSource final : public SampleSource {
 };
 
 /// Owen-scrambled Sobol' points: each pair of slots of each vertex has its own scrambled and
-/// shuffled two-dimensional set ("padding"). All numbers of a vertex are made at once when the
-/// first of them is asked for. Whether connections are tried is decided by independent numbers:
-/// there are many of them, one at a time, and points so far from the first would be no better.
-/// Source: Kollig & Keller 2002; Burley 2020.
+/// shuffled two-dimensional set ("padding"). The numbers of a vertex are made at once when the
+/// first of them is asked for, but for those of media, which few paths need. Whether connections
+/// are tried is decided by independent numbers: there are many of them, one at a time, and points
+/// so far from the first would be no better. Source: Kollig & Keller 2002; Burley 2020.
 class SobolSource final : public SampleSource {
  public:
   explicit SobolSource(const SampleIdentity& identity)
@@ -60,7 +60,7 @@ class SobolSource final : public SampleSource {
 
   float get(SampleAddress address) override {
     if (address.stream() == Stream::Connection) return independent_.get(address);
-    const Vec2& pair = fetch(address);
+    const Vec2 pair = fetch(address);
     return (static_cast<unsigned>(address.slot()) & 1U) == 0 ? pair.x : pair.y;
   }
   Vec2 get_pair(SampleAddress address) override {
@@ -68,28 +68,31 @@ class SobolSource final : public SampleSource {
   }
 
  private:
-  /// Slots 2k and 2k + 1 share pad k; the batch makes eight pads in the time of a few single ones.
-  static constexpr std::size_t kPads = 8;
-  static_assert(static_cast<std::size_t>(Slot::kCount) <= 2 * kPads);
+  /// Slots 2k and 2k + 1 share pad k; these are made at once.
+  static_assert(static_cast<std::size_t>(Slot::MediumChannel) == 2 * kSobolPads);
   struct Block {
     std::uint64_t key = ~std::uint64_t{0};
-    std::array<Vec2, kPads> pads;
+    SobolPads pads;
   };
 
-  const Vec2& fetch(SampleAddress address) {
+  Vec2 fetch(SampleAddress address) {
     const bool light = address.stream() == Stream::Light;
-    Block& block = blocks_[static_cast<std::size_t>(address.stream())];
+    const std::uint32_t index = light ? identity_.light_index : identity_.camera_index;
+    const std::uint64_t base = light ? identity_.light_seed : identity_.camera_seed;
     const std::uint64_t key = vertex_key(address);
+    const auto seed = [&](std::size_t pad) {
+      return base + (key + pad + 1) * 0x9e3779b97f4a7c15ULL;
+    };
+    const std::size_t pad = static_cast<std::size_t>(address.slot()) / 2;
+    if (pad >= kSobolPads) return sobol_2d(index, seed(pad));
+    Block& block = blocks_[static_cast<std::size_t>(address.stream())];
     if (block.key != key) {
-      const std::uint64_t base = light ? identity_.light_seed : identity_.camera_seed;
-      std::array<std::uint64_t, kPads> seeds;
-      for (std::size_t k = 0; k < kPads; ++k) {
-        seeds[k] = base + (key + k + 1) * 0x9e3779b97f4a7c15ULL;
-      }
-      sobol_2d(light ? identity_.light_index : identity_.camera_index, seeds, block.pads);
+      std::array<std::uint64_t, kSobolPads> seeds;
+      for (std::size_t k = 0; k < kSobolPads; ++k) seeds[k] = seed(k);
+      block.pads = sobol_pads(index, seeds);
       block.key = key;
     }
-    return block.pads[static_cast<std::size_t>(address.slot()) / 2];
+    return block.pads[pad];
   }
 
   SampleIdentity identity_;
