@@ -247,7 +247,8 @@ struct SelectiveHeuristics {
   /// Steps that a chain makes in a short pass, if it starts from what was found.
   /// Unit: steps. Range: >= 1. Source: docs/chains.md, "Recruits": with half as many chains FLIP is
   /// 0.258 instead of 0.264 on pool, 0.070 instead of 0.066 on torus-in-glass; with about twice as
-  /// many 0.282 to 0.298 and 0.064 to 0.065.
+  /// many 0.282 to 0.298 and 0.064 to 0.065. Finished pictures are alike within a quarter and four
+  /// times as many (docs/notebook/selective.md, "Tried and left").
   static constexpr std::uint64_t kStepsOfRecruit = 144;
   /// The same without recruits.
   /// Unit: steps. Range: >= 1. Source: docs/chains.md, "Recruits": it hardly matters.
