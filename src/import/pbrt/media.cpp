@@ -3,6 +3,7 @@
 #include <array>
 #include <numeric>
 
+#include "import/common/printable.h"
 #include "import/pbrt/lexer.h"
 
 namespace ajar::pbrt {
