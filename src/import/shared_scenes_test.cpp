@@ -1,27 +1,16 @@
 // The scenes that others made, if they are here: AJAR_SHARED names the folder.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <filesystem>
 
 #include "import/import.h"
 #include "import/pbrt/pbrt_writer.h"
+#include "import/shared_scenes_test_support.h"
 
 namespace ajar {
 namespace {
 
 namespace fs = std::filesystem;
-
-fs::path scenes_folder() {
-  // Nothing in the tests changes the environment.
-  const char* shared = std::getenv("AJAR_SHARED");  // NOLINT(concurrency-mt-unsafe)
-  if (shared != nullptr) return fs::path(shared) / "scenes";
-#ifdef AJAR_SOURCE_DIR
-  return fs::path(AJAR_SOURCE_DIR) / "../shared/scenes";
-#else
-  return "../shared/scenes";
-#endif
-}
 
 struct Expected {
   const char* file;
@@ -33,15 +22,14 @@ void PrintTo(const Expected& expected, std::ostream* out) { *out << expected.fil
 class SharedScene : public testing::TestWithParam<Expected> {
  protected:
   void SetUp() override {
-    if (!fs::exists(scenes_folder()))
-      GTEST_SKIP() << "no shared scenes; set AJAR_SHARED to their folder";
+    if (!fs::exists(shared_scenes_folder())) GTEST_SKIP() << kNoSharedScenes;
   }
 };
 
 TEST_P(SharedScene, LoadsWithoutWarningsThatMatterAndSurvivesWriting) {
   Warnings warnings;
   const desc::SceneDesc scene =
-      import_scene((scenes_folder() / GetParam().file).string(), warnings);
+      import_scene((shared_scenes_folder() / GetParam().file).string(), warnings);
   for (const std::string& message : warnings.messages()) {
     // Two meshes of staircase2 come with many triangles of three equal corners.
     EXPECT_NE(message.find("triangles have no area"), std::string::npos) << message;
@@ -74,13 +62,12 @@ INSTANTIATE_TEST_SUITE_P(
         Expected{"volume-caustic/f16-22b.pbrt", 3, 2}));
 
 TEST(SharedScenes, OfPbrt4SaySo) {
-  if (!fs::exists(scenes_folder()))
-    GTEST_SKIP() << "no shared scenes; set AJAR_SHARED to their folder";
+  if (!fs::exists(shared_scenes_folder())) GTEST_SKIP() << kNoSharedScenes;
   for (const char* file : {"veach-bidir/pbrt/scene-v4.pbrt", "veach-mis/pbrt/scene-v4.pbrt",
                            "staircase2/pbrt/scene-v4.pbrt", "water-caustic/scene-v4.pbrt"}) {
     Warnings warnings;
     try {
-      import_scene((scenes_folder() / file).string(), warnings);
+      import_scene((shared_scenes_folder() / file).string(), warnings);
       ADD_FAILURE() << file << " loads";
     } catch (const SceneError& error) {
       EXPECT_NE(std::string(error.what()).find("pbrt-v4"), std::string::npos) << error.what();
@@ -94,7 +81,8 @@ TEST(ImportScene, RefusesUnknownKindsOfFiles) {
     import_scene("scene.blend", warnings);
     ADD_FAILURE();
   } catch (const SceneError& error) {
-    EXPECT_STREQ(error.what(), "scene.blend: unknown kind of scene file \".blend\". Valid: .pbrt");
+    EXPECT_STREQ(error.what(),
+                 "scene.blend: unknown kind of scene file \".blend\". Valid: .xml, .pbrt");
   }
   EXPECT_THROW(import_scene("does-not-exist.pbrt", warnings), IoError);
 }

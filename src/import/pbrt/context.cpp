@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "import/common/printable.h"
 #include "import/pbrt/lexer.h"
 
 namespace ajar::pbrt {

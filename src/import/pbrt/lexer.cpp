@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/printable_text.h"
+#include "import/common/printable.h"
 
 namespace ajar::pbrt {
 namespace {
@@ -25,15 +25,6 @@ std::errc parse(std::string_view text, T& value) {
 }
 
 }  // namespace
-
-std::string printable(std::string_view text) {
-  constexpr std::size_t kLongest = 60;
-  if (text.size() <= kLongest) return printable_line(text);
-  // Not in the middle of a character: its further bytes are 10xxxxxx.
-  std::size_t end = kLongest;
-  while (end > kLongest - 4 && (static_cast<unsigned char>(text[end]) & 0xc0U) == 0x80U) --end;
-  return printable_line(text.substr(0, end)) + "…";
-}
 
 Lexer::Lexer(std::shared_ptr<const std::string> file, std::string_view text)
     : file_(std::move(file)),

@@ -64,7 +64,4 @@ class Lexer {
   bool has_peeked_ = false;
 };
 
-/// `text` shortened and without control characters, fit for a message.
-std::string printable(std::string_view text);
-
 }  // namespace ajar::pbrt

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "import/common/printable.h"
+
 namespace ajar::pbrt {
 namespace {
 

@@ -1,8 +1,8 @@
 #include "import/pbrt/lights.h"
 
+#include "import/common/transforms.h"
 #include "import/pbrt/light_names.h"
 #include "import/pbrt/node_reader.h"
-#include "import/pbrt/transforms.h"
 
 namespace ajar::pbrt {
 namespace {

@@ -3,8 +3,8 @@
 
 #include "core/color.h"
 #include "core/spectrum.h"
+#include "import/common/metals.h"
 #include "import/pbrt/import_test_support.h"
-#include "import/pbrt/metals.h"
 #include "scene/desc/models.h"
 
 namespace ajar {
@@ -86,8 +86,8 @@ TEST(PbrtMaterials, MetalIsCopperUnlessToldOtherwise) {
   EXPECT_TRUE(m.is("conductor"));
   expect_rgb(m.color("eta"), {0.200438F, 0.924033F, 1.102212F}, 0.01F);
   expect_rgb(m.color("k"), {3.912949F, 2.452848F, 2.142188F}, 0.02F);
-  expect_rgb(m.color("eta"), desc::Rgb(*pbrt::metal_rgb("Cu", pbrt::MetalQuantity::Eta)));
-  expect_rgb(m.color("k"), desc::Rgb(*pbrt::metal_rgb("Cu", pbrt::MetalQuantity::K)));
+  expect_rgb(m.color("eta"), desc::Rgb(*metal_rgb("Cu", MetalQuantity::Eta)));
+  expect_rgb(m.color("k"), desc::Rgb(*metal_rgb("Cu", MetalQuantity::K)));
   EXPECT_EQ(m.number("roughness"), 0.01F);
   EXPECT_EQ(m.get("roughness_v"), m.get("roughness"));
   EXPECT_EQ(m.text("distribution"), "ggx");
@@ -100,8 +100,8 @@ TEST(PbrtMaterials, MetalIsCopperUnlessToldOtherwise) {
 }
 
 TEST(PbrtMaterials, MetalsAreKnownByNameUnlessTheFileExists) {
-  const desc::Rgb gold_eta(*pbrt::metal_rgb("Au", pbrt::MetalQuantity::Eta));
-  const desc::Rgb gold_k(*pbrt::metal_rgb("Au", pbrt::MetalQuantity::K));
+  const desc::Rgb gold_eta(*metal_rgb("Au", MetalQuantity::Eta));
+  const desc::Rgb gold_k(*metal_rgb("Au", MetalQuantity::K));
   EXPECT_GT(gold_k.x, gold_k.z);
   for (const auto& [eta, k] : {std::pair("spds/metals/Au.eta.spd", "spds/metals/Au.k.spd"),
                                std::pair("metal-Au-eta", "metal-Au-k")}) {

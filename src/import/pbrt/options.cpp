@@ -4,8 +4,9 @@
 #include <charconv>
 #include <cmath>
 
+#include "import/common/printable.h"
+#include "import/common/transforms.h"
 #include "import/pbrt/lexer.h"
-#include "import/pbrt/transforms.h"
 
 namespace ajar::pbrt {
 namespace {

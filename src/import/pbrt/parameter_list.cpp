@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "import/common/printable.h"
 #include "import/pbrt/lexer.h"
 
 namespace ajar::pbrt {

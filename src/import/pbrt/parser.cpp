@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "import/common/printable.h"
+
 namespace ajar::pbrt {
 namespace {
 

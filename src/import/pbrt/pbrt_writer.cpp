@@ -5,10 +5,10 @@
 
 #include "core/atomic_file.h"
 #include "core/error.h"
+#include "import/common/transforms.h"
 #include "import/mesh/ply.h"
 #include "import/pbrt/light_names.h"
 #include "import/pbrt/shape_names.h"
-#include "import/pbrt/transforms.h"
 #include "import/pbrt/writer_context.h"
 #include "scene/desc/models.h"
 
@@ -136,7 +136,7 @@ class Writer {
 
   void write_camera() {
     const desc::Camera& camera = scene_.camera;
-    const std::optional<Mat4> from_world = pbrt::inverse(camera.to_world);
+    const std::optional<Mat4> from_world = inverse(camera.to_world);
     if (!from_world)
       throw IoError("cannot write \"" + path_.string() +
                     "\": the camera's transform cannot be inverted");

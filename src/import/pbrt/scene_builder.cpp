@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "import/common/printable.h"
 #include "import/pbrt/lexer.h"
 #include "import/pbrt/lights.h"
 #include "import/pbrt/media.h"
@@ -41,7 +42,7 @@ SceneBuilder::SceneBuilder(FileAccess& files, std::string source, Warnings& warn
       context_{scene_, warnings, files, spectra_},
       textures_(context_),
       materials_(context_, textures_),
-      meshes_(context_) {
+      meshes_(files, warnings) {
   scene_.source = std::move(source);
 }
 
@@ -324,14 +325,6 @@ void SceneBuilder::shape(const SourceLocation& where, const std::string& type,
 
 // ---------------------------------------------------------------- end
 
-void SceneBuilder::remove_empty_meshes() {
-  const auto is_empty = [](const desc::Shape& shape) {
-    return shape.node.is("mesh") && shape.node.mesh("mesh")->indices.empty();
-  };
-  std::erase_if(scene_.shapes, is_empty);
-  for (desc::Object& object : scene_.objects) std::erase_if(object.shapes, is_empty);
-}
-
 void SceneBuilder::finish_realistic_camera() {
   // Half the angle of the shorter side of the film, which is what "fov" measures.
   const double aspect = static_cast<double>(scene_.film.resolution.x) / scene_.film.resolution.y;
@@ -362,7 +355,7 @@ desc::SceneDesc SceneBuilder::finish(const SourceLocation& end) {
   // level there.
   scene_.camera.medium = medium_id(state_.outside);
   meshes_.load_all();
-  remove_empty_meshes();
+  remove_empty_meshes(scene_);
   if (scene_.shapes.empty() && scene_.instances.empty())
     warnings_.add(kNoShapes, end, "there are no shapes in this scene");
   return std::move(scene_);

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "core/warnings.h"
+#include "import/mesh/mesh_loader.h"
 #include "import/pbrt/context.h"
 #include "import/pbrt/materials.h"
-#include "import/pbrt/mesh_loader.h"
 #include "import/pbrt/options.h"
 #include "import/pbrt/shapes.h"
 #include "import/pbrt/textures.h"
@@ -91,7 +91,6 @@ class SceneBuilder {
   void restore_innermost();
   desc::MediumId medium_id(const std::string& name) const;
   desc::TextureId alpha(const ParameterList& parameters, std::string_view name);
-  void remove_empty_meshes();
   void finish_realistic_camera();
 
   Warnings& warnings_;

@@ -2,7 +2,7 @@
 #include <optional>
 #include <string>
 
-#include "import/pbrt/mesh_loader.h"
+#include "import/mesh/mesh_loader.h"
 #include "import/pbrt/parameter_list.h"
 #include "import/pbrt/textures.h"
 

@@ -3,8 +3,9 @@
 #include <vector>
 
 #include "core/color.h"
+#include "import/common/metals.h"
+#include "import/common/printable.h"
 #include "import/pbrt/lexer.h"
-#include "import/pbrt/metals.h"
 
 namespace ajar::pbrt {
 namespace {

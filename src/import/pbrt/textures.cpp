@@ -1,9 +1,10 @@
 #include "import/pbrt/textures.h"
 
+#include "import/common/printable.h"
+#include "import/common/transforms.h"
 #include "import/pbrt/lexer.h"
 #include "import/pbrt/node_reader.h"
 #include "import/pbrt/texture_names.h"
-#include "import/pbrt/transforms.h"
 
 namespace ajar::pbrt {
 namespace {

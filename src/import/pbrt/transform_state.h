@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "core/warnings.h"
+#include "import/common/transforms.h"
 #include "import/pbrt/context.h"
-#include "import/pbrt/transforms.h"
 
 namespace ajar::pbrt {
 

@@ -1,4 +1,4 @@
-#include "import/pbrt/transforms.h"
+#include "import/common/transforms.h"
 
 #include <gtest/gtest.h>
 
@@ -56,9 +56,9 @@ TEST(PbrtTransforms, LookAtPutsTheCameraAtTheEyeLookingAlongZ) {
 }
 
 TEST(PbrtTransforms, LookAtKeepsUpInTheVerticalPlane) {
-  const std::optional<Mat4> m = pbrt::look_at({4.0, 3.0, -2.0}, {0.0, 1.0, 0.0}, {0.0, 2.0, 0.0});
+  const std::optional<Mat4> m = look_at({4.0, 3.0, -2.0}, {0.0, 1.0, 0.0}, {0.0, 2.0, 0.0});
   ASSERT_TRUE(m);
-  const Mat4 to_world = *pbrt::inverse(*m);
+  const Mat4 to_world = *inverse(*m);
   const Vec3 up = transform_vector(to_world, {0.F, 1.F, 0.F});
   const Vec3 right = transform_vector(to_world, {1.F, 0.F, 0.F});
   const Vec3 forward = transform_vector(to_world, {0.F, 0.F, 1.F});
@@ -121,25 +121,24 @@ TEST(PbrtTransforms, MotionIsReportedAndTheStartIsUsed) {
 
 TEST(RoundedInverse, OfTheInverseGivesTheSameBits) {
   for (int i = 1; i < 50; ++i) {
-    const Mat4 m =
-        *pbrt::look_at({0.1 * i, 3.0, -2.0 * i}, {0.3, 1.0, 1e-3 * i}, {0.1, 2.0, 0.01 * i});
-    const Mat4 first = *pbrt::rounded_inverse(m);
-    const Mat4 again = *pbrt::rounded_inverse(*pbrt::inverse(first));
+    const Mat4 m = *look_at({0.1 * i, 3.0, -2.0 * i}, {0.3, 1.0, 1e-3 * i}, {0.1, 2.0, 0.01 * i});
+    const Mat4 first = *rounded_inverse(m);
+    const Mat4 again = *rounded_inverse(*inverse(first));
     EXPECT_EQ(first, again) << i;
   }
-  EXPECT_FALSE(pbrt::rounded_inverse(pbrt::scaling({1.0, 0.0, 1.0})));
+  EXPECT_FALSE(rounded_inverse(scaling({1.0, 0.0, 1.0})));
 }
 
 TEST(ZTo, TurnsZIntoAnyDirection) {
   for (const Vec3d& d : {Vec3d(1.0, 2.0, 3.0), Vec3d(0.0, 0.0, -1.0), Vec3d(-1.0, 0.0, 0.0),
                          Vec3d(1e-20, 2e-20, 0.0)}) {
-    const Mat4 m = *pbrt::z_to(d);
+    const Mat4 m = *z_to(d);
     const Vec3 z = transform_vector(m, {0.F, 0.F, 1.F});
     EXPECT_NEAR((Vec3d(z) - d / d.length()).length(), 0.0, 1e-6);
     EXPECT_FALSE(swaps_handedness(m));
   }
-  EXPECT_EQ(*pbrt::z_to({0.0, 0.0, 5.0}), Mat4());
-  EXPECT_FALSE(pbrt::z_to({0.0, 0.0, 0.0}));
+  EXPECT_EQ(*z_to({0.0, 0.0, 5.0}), Mat4());
+  EXPECT_FALSE(z_to({0.0, 0.0, 0.0}));
 }
 
 }  // namespace

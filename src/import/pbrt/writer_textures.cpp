@@ -1,5 +1,5 @@
+#include "import/common/transforms.h"
 #include "import/pbrt/texture_names.h"
-#include "import/pbrt/transforms.h"
 #include "import/pbrt/writer_context.h"
 
 namespace ajar::pbrt {

@@ -4,7 +4,7 @@
 
 #include "core/vector.h"
 
-namespace ajar::pbrt {
+namespace ajar {
 
 enum class MetalQuantity { Eta, K };
 
@@ -16,4 +16,4 @@ std::optional<Vec3d> metal_rgb(std::string_view symbol, MetalQuantity quantity);
 /// "metal-Cu-eta". Empty if it names no metal we know.
 std::optional<Vec3d> metal_rgb_by_file_name(std::string_view name);
 
-}  // namespace ajar::pbrt
+}  // namespace ajar

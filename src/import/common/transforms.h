@@ -3,8 +3,8 @@
 
 #include "core/vector.h"
 
-/// The transforms of pbrt's directives as row-vector matrices (p' = p * M).
-namespace ajar::pbrt {
+/// Transforms as scene files describe them, as row-vector matrices (p' = p * M).
+namespace ajar {
 
 Mat4 translation(const Vec3d& offset);
 Mat4 scaling(const Vec3d& factors);
@@ -21,7 +21,6 @@ std::optional<Mat4> inverse(const Mat4& m);
 /// The inverse rounded to about 40 bits, so that inverting twice gives the same bits again: scenes
 /// that are written and read back keep their hash. Empty if the matrix cannot be inverted.
 std::optional<Mat4> rounded_inverse(const Mat4& m);
-using ajar::is_finite;
 bool is_finite(const Mat4& m);
 
-}  // namespace ajar::pbrt
+}  // namespace ajar

@@ -1,11 +1,11 @@
-#include "import/pbrt/metals.h"
+#include "import/common/metals.h"
 
 #include <array>
 #include <vector>
 
 #include "core/color.h"
 
-namespace ajar::pbrt {
+namespace ajar {
 namespace {
 
 struct Metal {
@@ -126,4 +126,4 @@ std::optional<Vec3d> metal_rgb_by_file_name(std::string_view name) {
   return metal_rgb(symbol, *quantity);
 }
 
-}  // namespace ajar::pbrt
+}  // namespace ajar

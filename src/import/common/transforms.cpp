@@ -1,9 +1,9 @@
-#include "import/pbrt/transforms.h"
+#include "import/common/transforms.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace ajar::pbrt {
+namespace ajar {
 namespace {
 
 std::optional<Vec3d> direction_of(const Vec3d& v) {
@@ -123,4 +123,4 @@ bool is_finite(const Mat4& m) {
   return true;
 }
 
-}  // namespace ajar::pbrt
+}  // namespace ajar

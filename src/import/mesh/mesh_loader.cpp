@@ -1,0 +1,73 @@
+#include "import/mesh/mesh_loader.h"
+
+#include <new>
+
+#include "core/parallel_for.h"
+#include "import/common/printable.h"
+#include "import/mesh/validate_mesh.h"
+
+namespace ajar {
+namespace {
+
+constexpr WarningKind kUnreadable{Effect::Geometry, "meshes cannot be read: left out"};
+
+}  // namespace
+
+std::shared_ptr<const desc::Mesh> MeshLoader::request(const SourceLocation& where,
+                                                      const std::string& name, MeshRecipe recipe) {
+  std::string path;
+  try {
+    path = files_.resolve(name);
+  } catch (const IoError& error) {
+    throw SceneError(where, error.what());
+  }
+  const auto [place, is_new] = known_.try_emplace({path, recipe.variant}, jobs_.size());
+  if (is_new) {
+    jobs_.push_back({where, name, path, std::move(recipe), std::make_shared<desc::Mesh>(), {}, {}});
+  }
+  return jobs_[place->second].mesh;
+}
+
+void MeshLoader::load(Job& job) const {
+  try {
+    const FileBytes bytes = files_.load(job.path);
+    *job.mesh = job.recipe.read(bytes.view(), job.name);
+    validate_mesh(*job.mesh, {std::make_shared<const std::string>(job.name), 0, 0}, job.remarks);
+    if (job.recipe.finish) job.recipe.finish(*job.mesh);
+  } catch (const Error& error) {
+    job.error = error.what();
+  } catch (const std::bad_alloc&) {
+    job.error = job.name + ": there is not enough memory for this mesh";
+  }
+}
+
+void MeshLoader::load_all(Failure failure) {
+  parallel_for(jobs_.size(), [&](std::size_t i) { load(jobs_[i]); });
+  for (const Job& job : jobs_) {
+    if (!job.error.empty()) {
+      if (failure == Failure::Raise) {
+        throw SceneError(job.where, "cannot use this mesh: " + job.error);
+      }
+      *job.mesh = {};
+      warnings_.add(kUnreadable, job.where, "cannot use this mesh: " + job.error + ": left out",
+                    printable(job.name));
+      continue;
+    }
+    for (Warning remark : job.remarks) {
+      remark.where = job.where;
+      remark.subject = printable(job.name);
+      remark.message = remark.subject + ": " + remark.message;
+      warnings_.add(std::move(remark));
+    }
+  }
+}
+
+void remove_empty_meshes(desc::SceneDesc& scene) {
+  const auto is_empty = [](const desc::Shape& shape) {
+    return shape.node.is("mesh") && shape.node.mesh("mesh")->indices.empty();
+  };
+  std::erase_if(scene.shapes, is_empty);
+  for (desc::Object& object : scene.objects) std::erase_if(object.shapes, is_empty);
+}
+
+}  // namespace ajar

@@ -1,0 +1,86 @@
+#include <cmath>
+
+#include "import/common/name_table.h"
+#include "import/mitsuba/material_plugins.h"
+
+namespace ajar::mitsuba {
+namespace {
+
+Surface diffuse(const MaterialInputs& in, const desc::Value& sigma) {
+  const desc::Value reflectance = in.textures.color(in.arguments, "reflectance", desc::Rgb(0.5F));
+  const bool is_black = reflectance == desc::Value(Vec3(0.F));
+  return {in.materials.add(
+              in.arguments.element(),
+              desc::material_node("diffuse", {{"reflectance", reflectance}, {"sigma", sigma}})),
+          desc::kNone, !is_black};
+}
+
+/// What Mitsuba calls the parameters of our principled material. The defaults are the same.
+const ModelName& principled_names() {
+  static const ModelName kNames{"principled",
+                                "principled",
+                                {{"specular_tint", {"spec_tint"}},
+                                 {"specular_transmission", {"spec_trans"}},
+                                 {"diffuse_transmission", {"diff_trans"}},
+                                 {"clearcoat_gloss", {"clearcoat_gloss"}, "0"},
+                                 {"sheen_tint", {"sheen_tint"}, "0"},
+                                 {"eta", {"eta"}},
+                                 {"thin", {}}}};
+  return kNames;
+}
+
+/// Index of refraction of Burley's "specular" from 0 to 1. Source: Burley 2015.
+float index_of_specular(float specular) { return 2.F / (1.F - std::sqrt(0.08F * specular)) - 1.F; }
+
+Surface principled(const MaterialInputs& in, bool thin) {
+  desc::Node node = desc::material_node("principled", {{"thin", thin}});
+  for (const ParameterSpec& spec : node.model().parameters) {
+    const ParameterName* names = principled_names().find(spec.name);
+    const std::string_view theirs = names == nullptr        ? std::string_view(spec.name)
+                                    : names->theirs.empty() ? std::string_view()
+                                                            : names->theirs.front();
+    if (theirs.empty()) continue;
+    std::optional<desc::Value> value = spec.type == ParameterType::Color
+                                           ? in.textures.find_color(in.arguments, theirs)
+                                           : in.textures.find_number(in.arguments, theirs);
+    if (!value && names != nullptr && !names->fallback.empty()) {
+      ParameterSpec with_fallback = spec;
+      with_fallback.default_value = names->fallback;
+      value = desc::default_value(with_fallback);
+    }
+    if (value) node.set(spec.name, *value);
+  }
+  if (const std::optional<double> specular = in.arguments.number("specular")) {
+    node.set("eta", index_of_specular(static_cast<float>(*specular)));
+  }
+  in.arguments.accept({"diffuse_reflectance_sampling_rate", "main_specular_sampling_rate",
+                       "clearcoat_sampling_rate", "specular_sampling_rate"});
+  return {in.materials.add(in.arguments.element(), std::move(node))};
+}
+
+}  // namespace
+
+Surface make_diffuse(const MaterialInputs& in) { return diffuse(in, 0.F); }
+
+Surface make_rough_diffuse(const MaterialInputs& in) {
+  // The root mean square of the facets' slopes is alpha / √2 (Mitsuba 0.6, roughdiffuse), in
+  // radians as long as it is small.
+  constexpr float kDegrees = 180.F / kPi;
+  const desc::Value alpha = in.textures.number(in.arguments, "alpha", 0.2F);
+  in.arguments.accept({"use_fast_approx"});
+  return diffuse(in, in.textures.scaled(in.where(), alpha, kDegrees / std::sqrt(2.F)));
+}
+
+Surface make_diffuse_transmitter(const MaterialInputs& in) {
+  const desc::Value share = in.textures.color(in.arguments, "transmittance", desc::Rgb(0.5F));
+  return {in.materials.add(in.arguments.element(),
+                           desc::material_node("translucent", {{"diffuse", share},
+                                                               {"glossy", Vec3(0.F)},
+                                                               {"reflectance", Vec3(0.F)},
+                                                               {"transmittance", Vec3(1.F)}}))};
+}
+
+Surface make_principled(const MaterialInputs& in) { return principled(in, false); }
+Surface make_thin_principled(const MaterialInputs& in) { return principled(in, true); }
+
+}  // namespace ajar::mitsuba

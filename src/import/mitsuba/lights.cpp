@@ -1,0 +1,178 @@
+#include "import/mitsuba/lights.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "import/common/printable.h"
+#include "import/common/transforms.h"
+#include "import/mitsuba/node_maker.h"
+
+namespace ajar::mitsuba {
+namespace {
+
+constexpr WarningKind kLeftOut{Effect::Light, "lights are left out"};
+constexpr WarningKind kNoFile{Effect::Light, "environment maps have no \"filename\": left out"};
+constexpr WarningKind kSpotTexture{Effect::Surface,
+                                   "spot lights have a texture, which is not supported"};
+constexpr WarningKind kSpotEdge{Effect::Slight,
+                                "spot lights fade in another way between beam and edge"};
+constexpr WarningKind kProjector{
+    Effect::Surface,
+    "projectors are of even intensity here, not of even irradiance on their image"};
+constexpr WarningKind kBeam{Effect::Light,
+                            "collimated beams are not supported: narrow spots stand in"};
+
+const std::vector<std::string> kKnown = {"area", "constant",    "envmap",    "point",
+                                         "spot", "directional", "projector", "collimated",
+                                         "sky",  "sun",         "sunsky"};
+
+struct Source {
+  Context& context;
+  Arguments& arguments;
+
+  desc::Node node(std::string_view model, desc::Node::Given given) const {
+    return make_node(context, arguments.where(), desc::ModelKind::Light, model, given);
+  }
+  Vec3 color(std::string_view name, float fallback) const {
+    return arguments.color(name).value_or(desc::Rgb(fallback));
+  }
+  Mat4 to_world() const { return arguments.transform("to_world").value_or(Mat4()); }
+  std::optional<desc::Light> skip(const WarningKind& kind, const std::string& reason) const {
+    context.warnings.add(kind, arguments.where(), reason + ": light left out",
+                         printable(arguments.element().type));
+    return std::nullopt;
+  }
+  desc::Light light(desc::Node node, const Mat4& to_world) const {
+    return {arguments.where(), to_world, std::move(node)};
+  }
+};
+
+std::optional<desc::Light> constant(const Source& in) {
+  return in.light(in.node("environment", {{"radiance", in.color("radiance", 1.F)}}), Mat4());
+}
+
+std::optional<desc::Light> environment(const Source& in) {
+  const std::optional<std::string> name = in.arguments.text("filename");
+  in.arguments.accept({"gamma", "cache", "mis_compensation"});
+  if (!name || name->empty()) return in.skip(kNoFile, "this envmap has no \"filename\"");
+  const Vec3 scale(in.arguments.number("scale", 1.F));
+  desc::Node node = in.node("environment", {{"radiance", scale}});
+  node.set("image", in.context.files.files().resolve(in.context.files.find(*name)));
+  // Mitsuba's map has its pole at +y and its middle at -z, with +x to the right of that; ours has
+  // its pole at +z and begins at +x toward +y.
+  const Mat4 to_mitsuba(0.0, 0.0, -1.0, 0.0,  //
+                        1.0, 0.0, 0.0, 0.0,   //
+                        0.0, 1.0, 0.0, 0.0,   //
+                        0.0, 0.0, 0.0, 1.0);
+  return in.light(std::move(node), to_mitsuba * in.to_world());
+}
+
+std::optional<desc::Light> point(const Source& in) {
+  Mat4 to_world = in.to_world();
+  if (const std::optional<Vec3d> position = in.arguments.vector("position")) {
+    to_world = translation(*position);
+  }
+  return in.light(in.node("point", {{"intensity", in.color("intensity", 1.F)}}), to_world);
+}
+
+std::optional<desc::Light> spot(const Source& in) {
+  const float cutoff = in.arguments.number("cutoff_angle", 20.F);
+  const float beam = std::min(in.arguments.number("beam_width", 0.75F * cutoff), cutoff);
+  if (in.arguments.child("texture", "texture") != nullptr ||
+      !in.arguments.children("texture").empty()) {
+    in.context.warnings.add(kSpotTexture, in.arguments.where(),
+                            "the texture of a spot light is not supported: left out");
+  }
+  if (beam < cutoff) {
+    in.context.warnings.add(kSpotEdge, in.arguments.where(),
+                            "between \"beam_width\" and \"cutoff_angle\" this light fades by the "
+                            "cosine, not by the angle");
+  }
+  return in.light(in.node("spot", {{"intensity", in.color("intensity", 1.F)},
+                                   {"cone_angle", cutoff},
+                                   {"falloff_start", beam}}),
+                  in.to_world());
+}
+
+std::optional<desc::Light> directional(const Source& in) {
+  Vec3d travels(0.0);
+  in.to_world().multDirMatrix(Vec3d(0.0, 0.0, 1.0), travels);
+  if (const std::optional<Vec3d> direction = in.arguments.vector("direction")) {
+    travels = *direction;
+  }
+  // Ours says where the light comes from.
+  const std::optional<Mat4> turn = z_to(-travels);
+  if (!turn) return in.skip(kLeftOut, "this light has no direction");
+  return in.light(in.node("distant", {{"irradiance", in.color("irradiance", 1.F)}}), *turn);
+}
+
+std::optional<desc::Light> projector(const Source& in) {
+  const float scale = in.arguments.number("scale", 1.F);
+  desc::Node node = in.node("projection", {{"fov", in.arguments.number("fov", 45.F)}});
+  if (const Element* texture = in.arguments.child("irradiance", "texture")) {
+    Arguments image(in.context, *texture);
+    if (const std::optional<std::string> name = image.text("filename")) {
+      node.set("image", in.context.files.files().resolve(in.context.files.find(*name)));
+    }
+    node.set("intensity", Vec3(scale));
+  } else {
+    node.set("intensity", in.color("irradiance", 1.F) * scale);
+  }
+  in.arguments.accept({"fov_axis", "near_clip", "far_clip", "focal_length"});
+  in.context.warnings.add(kProjector, in.arguments.where(),
+                          "this projector is of even intensity, not of even irradiance on its "
+                          "image, and \"fov\" is that of the shorter side");
+  // The image begins at +x and +y in Mitsuba, at -x and -y here.
+  return in.light(std::move(node), scaling({-1.0, -1.0, 1.0}) * in.to_world());
+}
+
+std::optional<desc::Light> collimated(const Source& in) {
+  constexpr float kHalfAngle = 0.5F;  // degrees
+  in.context.warnings.add(kBeam, in.arguments.where(),
+                          "a collimated beam is not supported: a spot of half a degree and the "
+                          "same power stands in");
+  const float solid_angle = 2.F * kPi * (1.F - std::cos(kHalfAngle * (kPi / 180.F)));
+  return in.light(in.node("spot", {{"intensity", in.color("power", 1.F) / solid_angle},
+                                   {"cone_angle", kHalfAngle},
+                                   {"falloff_start", kHalfAngle}}),
+                  in.to_world());
+}
+
+std::optional<desc::Light> make_light(const Source& in) {
+  const std::string& type = in.arguments.element().type;
+  if (type == "constant") return constant(in);
+  if (type == "envmap") return environment(in);
+  if (type == "point") return point(in);
+  if (type == "spot") return spot(in);
+  if (type == "directional") return directional(in);
+  if (type == "projector") return projector(in);
+  if (type == "collimated") return collimated(in);
+  in.arguments.accept_all();
+  if (type == "area") return in.skip(kLeftOut, "an area light must be in a shape");
+  return in.skip(kLeftOut, unknown_name_message("emitter", printable(type), kKnown));
+}
+
+}  // namespace
+
+void add_lights(Context& context, MediumTable& media, const Element& emitter) {
+  Arguments arguments(context, emitter);
+  if (emitter.type == "sun" || emitter.type == "sky" || emitter.type == "sunsky") {
+    add_sun_and_sky(context, arguments);
+    arguments.report_unused();
+    return;
+  }
+  const Source source{context, arguments};
+  std::optional<desc::Light> light = make_light(source);
+  const std::vector<const Element*> around = arguments.children("medium");
+  arguments.accept({"sampling_weight", "to_world"});
+  arguments.report_unused();
+  if (!light) return;
+  if (!around.empty()) light->medium = media.make(*around.front());
+  if (!inverse(light->to_world)) {
+    source.skip(kLeftOut, "the transform of this light cannot be inverted");
+    return;
+  }
+  context.scene.lights.push_back(std::move(*light));
+}
+
+}  // namespace ajar::mitsuba

@@ -1,0 +1,15 @@
+#pragma once
+#include "import/mitsuba/media.h"
+#include "import/mitsuba/textures.h"
+
+namespace ajar::mitsuba {
+
+/// Adds the lights of `<emitter>` in the scene, which are on no surface. What we do not have is the
+/// nearest we have, or left out, with a warning.
+void add_lights(Context& context, MediumTable& media, const Element& emitter);
+
+// In sky.cpp:
+/// Of "sun", "sky" and "sunsky": light of the sun from one direction, and a sky of one colour.
+void add_sun_and_sky(Context& context, Arguments& arguments);
+
+}  // namespace ajar::mitsuba

@@ -1,0 +1,50 @@
+#pragma once
+#include <map>
+
+#include "import/mitsuba/textures.h"
+
+namespace ajar::mitsuba {
+
+/// What a BSDF of Mitsuba is to a shape of ours.
+struct Surface {
+  desc::MaterialId material = desc::kNone;
+  desc::TextureId alpha = desc::kNone;  ///< where it is 0, there is no surface
+  /// Black from behind in Mitsuba; ours are the same from both sides.
+  bool is_one_sided = false;
+};
+
+/// The materials of the scene, each made once however often it is referred to.
+class MaterialTable {
+ public:
+  MaterialTable(Context& context, TextureTable& textures)
+      : context_(context), textures_(textures) {}
+
+  /// Of `<bsdf>`. Raises SceneError for one that refers to itself.
+  Surface make(const Element& bsdf);
+  /// A diffuse one, for shapes without any.
+  Surface diffuse(float reflectance);
+  /// Nothing but a boundary between media.
+  Surface interface();
+
+  desc::MaterialId add(const Element& element, desc::Node node);
+  /// Lets all light pass straight on: what is no surface, where it is a part of a mix.
+  desc::MaterialId pass_through();
+  /// Reflects nothing.
+  desc::MaterialId black();
+  const desc::Material& get(desc::MaterialId id) const {
+    return context_.scene.materials[static_cast<std::size_t>(id)];
+  }
+  TextureTable& textures() { return textures_; }
+
+ private:
+  desc::MaterialId add_shared(desc::MaterialId& id, desc::Node node);
+
+  Context& context_;
+  TextureTable& textures_;
+  std::map<const Element*, std::optional<Surface>> made_;
+  std::map<float, desc::MaterialId> diffuse_;
+  desc::MaterialId interface_ = desc::kNone;
+  desc::MaterialId pass_through_ = desc::kNone;
+};
+
+}  // namespace ajar::mitsuba

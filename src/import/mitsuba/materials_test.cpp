@@ -1,0 +1,188 @@
+#include "import/common/conductors.h"
+#include "import/mitsuba/import_test_support.h"
+#include "import/mitsuba/refraction.h"
+
+namespace ajar::mitsuba {
+namespace {
+
+TEST(MitsubaMaterials, DielectricsHaveTheIndexOfTheInsideRelativeToTheOutside) {
+  EXPECT_FLOAT_EQ(MaterialOf("<bsdf type=\"dielectric\"/>").node().number("eta"),
+                  1.5046F / 1.000277F);
+  const MaterialOf water(
+      "<bsdf type=\"dielectric\"><string name=\"intIOR\" value=\"Water\"/><float name=\"ext_ior\" "
+      "value=\"1\"/></bsdf>");
+  EXPECT_FLOAT_EQ(water.node().number("eta"), 1.333F);
+  EXPECT_TRUE(MaterialOf("<bsdf type=\"thindielectric\"/>").node().flag("thin"));
+  const MaterialOf unknown(
+      "<bsdf type=\"dielectric\"><string name=\"int_ior\" value=\"watr\"/></bsdf>");
+  EXPECT_TRUE(contains(unknown.warnings, "did you mean \"water\"?")) << unknown.warnings;
+}
+
+TEST(MitsubaMaterials, ConductorsKnowMetalsByName) {
+  const auto metal = [](const std::string& name) {
+    return MaterialOf("<bsdf type=\"roughconductor\"><string name=\"material\" value=\"" + name +
+                      "\"/><float name=\"ext_eta\" value=\"1\"/></bsdf>");
+  };
+  expect_near(metal("Au").node().color("eta"), conductor_named("Au")->eta);
+  expect_near(metal("VN").node().color("k"), {3.0323F, 2.0561F, 1.6163F});
+  expect_near(metal("V_palik").node().color("eta"), {4.2775F, 3.5132F, 2.7611F});
+  const MaterialOf unknown = metal("Aug");
+  EXPECT_TRUE(contains(unknown.warnings, "unknown conductor \"Aug\"")) << unknown.warnings;
+  expect_near(unknown.node().color("eta"), conductor_named("Cu")->eta);
+}
+
+TEST(MitsubaMaterials, ConductorsAreRelativeToTheOutside) {
+  const MaterialOf in_water(
+      "<bsdf type=\"roughconductor\"><rgb name=\"eta\" value=\"2\"/><rgb name=\"k\" "
+      "value=\"4\"/><float name=\"extEta\" value=\"1.25\"/></bsdf>");
+  expect_near(in_water.node().color("eta"), Vec3(1.6F));
+  expect_near(in_water.node().color("k"), Vec3(3.2F));
+}
+
+TEST(MitsubaMaterials, TintedConductorsAreMixesWithBlack) {
+  const MaterialOf tinted(
+      "<bsdf type=\"roughconductor\"><string name=\"distribution\" value=\"beckmann\"/><float "
+      "name=\"alpha\" value=\"0.2\"/><rgb name=\"specularReflectance\" value=\"0.3\"/></bsdf>");
+  ASSERT_TRUE(tinted.node().is("mix"));
+  EXPECT_EQ(tinted.node().color("amount"), Vec3(0.3F));
+  const desc::Node& metal = tinted.material(tinted.node().material("first")).node;
+  EXPECT_EQ(metal.text("distribution"), "beckmann");
+  EXPECT_EQ(metal.number("roughness"), 0.2F);
+  const desc::Node& black = tinted.material(tinted.node().material("second")).node;
+  EXPECT_EQ(black.color("reflectance"), Vec3(0.F));
+}
+
+TEST(MitsubaMaterials, PlasticReturnsAsMuchLightAsMitsubas) {
+  // Linear: what enters by chance of Fresnel is returned by the base's reflectance.
+  const MaterialOf plastic(
+      "<bsdf type=\"roughplastic\"><string name=\"distribution\" "
+      "value=\"ggx\"/><rgb name=\"diffuse_reflectance\" value=\"0.8\"/></bsdf>");
+  ASSERT_TRUE(plastic.node().is("composite"));
+  const float eta = plastic.node().number("eta");
+  EXPECT_FLOAT_EQ(eta, 1.49F / 1.000277F);
+  const float entering = 1.F - diffuse_fresnel_reflectance(eta);
+  expect_near(plastic.node().color("diffuse_reflectance"), Vec3(0.8F * entering));
+  EXPECT_EQ(plastic.node().color("glossy_reflectance"), Vec3(1.F));
+  EXPECT_EQ(MaterialOf("<bsdf type=\"plastic\"/>").node().color("mirror_reflectance"), Vec3(1.F));
+  // The colour deepens if light between base and boundary is not taken for white.
+  const MaterialOf nonlinear(
+      "<bsdf type=\"plastic\"><rgb name=\"diffuse_reflectance\" value=\"0.8 0.1 0.1\"/><boolean "
+      "name=\"nonlinear\" value=\"true\"/></bsdf>");
+  const Vec3 base = nonlinear.node().color("diffuse_reflectance");
+  EXPECT_GT(base.x / base.y, 8.5F);
+}
+
+TEST(MitsubaMaterials, FresnelReflectanceOfDiffuseLightAgreesWithPublishedValues) {
+  // d'Eon and Irving 2011: 0.0918 for 1.5 from outside, 0.5963 from inside.
+  EXPECT_NEAR(diffuse_fresnel_reflectance(1.5F), 0.0918F, 5e-4F);
+  EXPECT_NEAR(diffuse_fresnel_reflectance(1.F / 1.5F), 0.5963F, 2e-3F);
+  EXPECT_EQ(diffuse_fresnel_reflectance(1.F), 0.F);
+}
+
+TEST(MitsubaMaterials, BlendsWeighTheSecond) {
+  const MaterialOf blend(
+      "<bsdf type=\"blendbsdf\"><float name=\"weight\" value=\"0.25\"/><bsdf type=\"dielectric\"/>"
+      "<bsdf type=\"null\"/></bsdf>");
+  EXPECT_EQ(blend.node().color("amount"), Vec3(0.25F));
+  EXPECT_TRUE(blend.material(blend.node().material("second")).node.is("dielectric"));
+  // Nothing lets light pass, which a mere boundary between media in a mix does not.
+  const desc::Node& nothing = blend.material(blend.node().material("first")).node;
+  ASSERT_TRUE(nothing.is("composite"));
+  EXPECT_EQ(nothing.color("opacity"), Vec3(0.F));
+}
+
+TEST(MitsubaMaterials, MixturesKeepTheirWeights) {
+  const MaterialOf mixture(
+      "<bsdf type=\"mixturebsdf\"><string name=\"weights\" value=\"0.5, 0.25\"/>"
+      "<bsdf type=\"difftrans\"/><bsdf type=\"dielectric\"/></bsdf>");
+  ASSERT_TRUE(mixture.node().is("mix"));
+  EXPECT_NEAR(mixture.node().color("amount").x, 0.5F, 1e-6F);
+  const desc::Node& rest = mixture.material(mixture.node().material("second")).node;
+  EXPECT_NEAR(rest.color("amount").x, 0.5F, 1e-6F);  // a quarter of the half that is left
+  EXPECT_EQ(mixture.material(rest.material("second")).node.color("reflectance"), Vec3(0.F));
+}
+
+TEST(MitsubaMaterials, MasksCutAwayAndMix) {
+  const MaterialOf mask(
+      "<bsdf type=\"mask\"><texture type=\"bitmap\" name=\"opacity\"><string name=\"filename\" "
+      "value=\"leaf.png\"/></texture><bsdf type=\"difftrans\"/></bsdf>");
+  ASSERT_TRUE(mask.node().is("mix"));
+  EXPECT_EQ(mask.scene.shapes[0].alpha, mask.node().texture("amount"));
+  EXPECT_TRUE(mask.material(mask.node().material("first")).node.is("translucent"));
+}
+
+TEST(MitsubaMaterials, OnlyOpenShapesWithoutTwoSidesAreRemarked) {
+  const auto remarks = [](const std::string& shape, const std::string& bsdf) {
+    return contains(warnings_of("<shape type=\"" + shape + "\">" + bsdf + "</shape>"),
+                    "black from behind");
+  };
+  const std::string diffuse = "<bsdf type=\"diffuse\"/>";
+  EXPECT_TRUE(remarks("rectangle", diffuse));
+  EXPECT_FALSE(remarks("cube", diffuse));
+  EXPECT_FALSE(remarks("rectangle", "<bsdf type=\"twosided\">" + diffuse + "</bsdf>"));
+  EXPECT_FALSE(remarks("rectangle", "<bsdf type=\"dielectric\"/>"));
+  EXPECT_FALSE(remarks("rectangle",
+                       "<bsdf type=\"diffuse\"><rgb name=\"reflectance\" value=\"0\"/></bsdf>"));
+}
+
+TEST(MitsubaMaterials, UnknownOnesAreDiffuseWithAWarning) {
+  const MaterialOf odd(
+      "<bsdf type=\"dielectrik\"><rgb name=\"reflectance\" value=\"0.2\"/></bsdf>");
+  EXPECT_TRUE(contains(odd.warnings,
+                       "test.xml:2:22: unknown bsdf \"dielectrik\"; did you mean "
+                       "\"dielectric\"?"))
+      << odd.warnings;
+  EXPECT_EQ(odd.node().color("reflectance"), Vec3(0.2F));
+  EXPECT_TRUE(contains(MaterialOf("<bsdf type=\"ward\"/>").warnings, "\"ward\" is not supported"));
+}
+
+TEST(MitsubaMaterials, PrincipledHasMitsubasNames) {
+  const MaterialOf disney(
+      "<bsdf type=\"principled\"><rgb name=\"base_color\" value=\"0.1 0.2 0.3\"/><float "
+      "name=\"spec_trans\" value=\"0.5\"/><float name=\"specular\" value=\"0.5\"/></bsdf>");
+  EXPECT_EQ(disney.warnings, "");
+  expect_near(disney.node().color("base_color"), {0.1F, 0.2F, 0.3F});
+  EXPECT_EQ(disney.node().number("specular_transmission"), 0.5F);
+  EXPECT_NEAR(disney.node().number("eta"), 1.5F, 1e-5F);
+  EXPECT_EQ(disney.node().number("clearcoat_gloss"), 0.F);
+}
+
+TEST(MitsubaTextures, CountVFromTheTopRow) {
+  const auto bitmap = [](const std::string& more) {
+    return MaterialOf(
+        "<bsdf type=\"diffuse\"><texture type=\"bitmap\" name=\"reflectance\"><string "
+        "name=\"filename\" value=\"a.png\"/>" +
+        more + "</texture></bsdf>");
+  };
+  const MaterialOf plain = bitmap("");
+  EXPECT_EQ(plain.warnings, "");
+  // Ours counts from the bottom row: v' = 1 - v.
+  EXPECT_EQ(plain.texture("reflectance").number("scale_v"), -1.F);
+  EXPECT_EQ(plain.texture("reflectance").number("offset_v"), 1.F);
+  EXPECT_TRUE(plain.texture("reflectance").flag("decode_srgb"));
+  const MaterialOf scaled = bitmap(
+      "<float name=\"uscale\" value=\"2\"/><float name=\"vscale\" value=\"3\"/><float "
+      "name=\"voffset\" value=\"0.25\"/><float name=\"gamma\" value=\"1\"/>");
+  EXPECT_EQ(scaled.texture("reflectance").number("scale_u"), 2.F);
+  EXPECT_EQ(scaled.texture("reflectance").number("scale_v"), -3.F);
+  EXPECT_EQ(scaled.texture("reflectance").number("offset_v"), 0.75F);
+  EXPECT_FALSE(scaled.texture("reflectance").flag("decode_srgb"));
+  const MaterialOf moved = bitmap(
+      "<transform name=\"to_uv\"><scale x=\"4\" y=\"5\"/><translate x=\"0.5\"/></transform>"
+      "<boolean name=\"raw\" value=\"true\"/><string name=\"wrap_mode\" value=\"clamp\"/>");
+  EXPECT_EQ(moved.warnings, "");
+  EXPECT_EQ(moved.texture("reflectance").number("scale_u"), 4.F);
+  EXPECT_EQ(moved.texture("reflectance").number("offset_u"), 0.5F);
+  EXPECT_EQ(moved.texture("reflectance").text("wrap"), "clamp");
+  EXPECT_FALSE(moved.texture("reflectance").flag("decode_srgb"));
+}
+
+TEST(MitsubaTextures, CheckerboardsHaveTwoSquaresPerUnit) {
+  const MaterialOf board(
+      "<bsdf type=\"diffuse\"><texture type=\"checkerboard\" name=\"reflectance\"/></bsdf>");
+  EXPECT_EQ(board.texture("reflectance").number("scale_u"), 2.F);
+  EXPECT_EQ(board.texture("reflectance").color("first"), Vec3(0.4F));
+}
+
+}  // namespace
+}  // namespace ajar::mitsuba

@@ -1,0 +1,129 @@
+#include "import/mitsuba/media.h"
+
+#include <algorithm>
+
+#include "import/common/printable.h"
+#include "import/common/scattering_presets.h"
+
+namespace ajar::mitsuba {
+namespace {
+
+constexpr WarningKind kHeterogeneous{
+    Effect::Surface,
+    "media are not homogeneous, which is not supported: homogeneous ones stand in"};
+constexpr WarningKind kPreset{Effect::Surface,
+                              "media are presets: what is known of their scattering stands in"};
+constexpr WarningKind kPhase{
+    Effect::Surface, "media have a phase function that is not supported: another stands in"};
+constexpr WarningKind kNegative{Effect::Slight, "coefficients of media are negative: taken as 0"};
+
+/// A coefficient, which may be a volume that is the same everywhere.
+std::optional<desc::Rgb> coefficient(Arguments& arguments, std::string_view name) {
+  const Element* volume = arguments.child(name, "volume");
+  if (volume == nullptr) volume = arguments.child(name, "texture");
+  if (volume == nullptr) return arguments.color(name);
+  Arguments of_volume(arguments.context(), *volume);
+  const std::optional<desc::Rgb> value = of_volume.color("value");
+  of_volume.accept_all();
+  return value;
+}
+
+/// Of the preset "material"; nothing if the medium has none.
+std::optional<ScatteringPreset> preset_of(Arguments& arguments) {
+  const std::optional<std::string> name = arguments.text("material");
+  if (!name) return std::nullopt;
+  const std::optional<ScatteringPreset> preset = find_scattering_preset(*name);
+  const std::string message =
+      preset ? "the preset \"" + printable(*name) + "\" is taken from another table, with g = 0"
+             : unknown_name_message("medium preset", printable(*name), scattering_preset_names()) +
+                   ". Whole milk stands in";
+  arguments.context().warnings.add(kPreset, arguments.where(), message, printable(*name));
+  return preset ? preset : find_scattering_preset("wholemilk");
+}
+
+/// Sets absorption and scattering from whichever two coefficients are given.
+void set_coefficients(Arguments& arguments, desc::Medium& medium) {
+  const std::optional<ScatteringPreset> preset = preset_of(arguments);
+  const std::optional<desc::Rgb> sigma_a = coefficient(arguments, "sigma_a");
+  const std::optional<desc::Rgb> sigma_s = coefficient(arguments, "sigma_s");
+  const std::optional<desc::Rgb> sigma_t = coefficient(arguments, "sigma_t");
+  const std::optional<desc::Rgb> albedo = coefficient(arguments, "albedo");
+  if (sigma_t || albedo) {
+    // What Mitsuba 2 and 3 take if one of them is not said.
+    const desc::Rgb total = sigma_t.value_or(desc::Rgb(1.F));
+    const desc::Rgb share = albedo.value_or(desc::Rgb(0.75F));
+    medium.sigma_s = total * share;
+    medium.sigma_a = total - medium.sigma_s;
+  } else if (sigma_a || sigma_s) {
+    medium.sigma_a = sigma_a.value_or(desc::Rgb(0.F));
+    medium.sigma_s = sigma_s.value_or(desc::Rgb(0.F));
+  } else if (preset) {
+    medium.sigma_a = preset->sigma_a;
+    medium.sigma_s = preset->sigma_s;
+  } else {
+    medium.sigma_s = desc::Rgb(0.75F);
+    medium.sigma_a = desc::Rgb(0.25F);
+  }
+}
+
+float read_phase(Arguments& arguments) {
+  const std::vector<const Element*> phases = arguments.children("phase");
+  if (phases.empty()) return arguments.number("g", 0.F);
+  Arguments phase(arguments.context(), *phases.front());
+  const std::string& type = phase.element().type;
+  const float g = type == "hg" ? phase.number("g", 0.8F) : 0.F;
+  if (type != "hg" && type != "isotropic") {
+    arguments.context().warnings.add(
+        kPhase, phase.where(),
+        "phase function \"" + printable(type) + "\" is not supported: an isotropic one stands in",
+        printable(type));
+    phase.accept_all();
+  }
+  phase.report_unused();
+  return g;
+}
+
+}  // namespace
+
+desc::MediumId MediumTable::make(const Element& element) {
+  if (const auto known = made_.find(&element); known != made_.end()) return known->second;
+  Arguments arguments(context_, element);
+  desc::Medium medium;
+  medium.name = element.id;
+  medium.where = element.where;
+  const bool is_homogeneous = element.type == "homogeneous";
+  if (!is_homogeneous) {
+    context_.warnings.add(
+        kHeterogeneous, element.where,
+        "medium \"" + printable(element.type) + "\" is not supported: a homogeneous one stands in",
+        printable(element.type));
+  }
+  set_coefficients(arguments, medium);
+  const float scale = arguments.number("scale", 1.F);
+  for (desc::Rgb* coefficients : {&medium.sigma_a, &medium.sigma_s}) {
+    *coefficients *= scale;
+    if (!is_finite(*coefficients)) throw SceneError(element.where, "the medium is too dense");
+    const desc::Rgb given = *coefficients;
+    for (int i = 0; i < 3; ++i) (*coefficients)[i] = std::max(given[i], 0.F);
+    if (*coefficients != given) {
+      context_.warnings.add(kNegative, element.where,
+                            "a coefficient of this medium is negative: taken as 0");
+    }
+  }
+  medium.g = read_phase(arguments);
+  if (!(medium.g > -1.F && medium.g < 1.F)) {
+    throw SceneError(element.where, "\"g\" must be between -1 and 1");
+  }
+  arguments.accept({"has_spectral_extinction", "sample_emitters", "method", "strategy"});
+  if (!is_homogeneous) arguments.accept_all();
+  arguments.report_unused();
+  context_.scene.media.push_back(std::move(medium));
+  return made_[&element] = static_cast<desc::MediumId>(context_.scene.media.size()) - 1;
+}
+
+desc::MediumId MediumTable::find(Arguments& arguments, std::string_view name) {
+  const Element* medium = arguments.child(name, "medium");
+  return medium == nullptr ? desc::kNone : make(*medium);
+}
+
+}  // namespace ajar::mitsuba

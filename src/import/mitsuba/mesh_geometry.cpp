@@ -1,0 +1,68 @@
+#include <filesystem>
+
+#include "import/common/printable.h"
+#include "import/mesh/obj.h"
+#include "import/mesh/smooth_normals.h"
+#include "import/mitsuba/geometry.h"
+#include "import/mitsuba/serialized.h"
+
+namespace ajar::mitsuba {
+namespace {
+
+constexpr WarningKind kNoFile{Effect::Geometry, "meshes have no \"filename\": left out"};
+constexpr WarningKind kSmoothAngle{
+    Effect::Slight, "meshes have sharp edges by an angle, which is not supported: smooth"};
+
+void turn_texture_coordinates(desc::Mesh& mesh) {
+  for (Vec2& uv : mesh.uvs) uv.y = 1.F - uv.y;
+}
+
+std::function<desc::Mesh(std::string_view, const std::string&)> reader_of(Arguments& arguments) {
+  const std::string& type = arguments.element().type;
+  if (type == "obj") return read_obj;
+  if (type == "ply") return read_ply;
+  const long long index = arguments.integer("shape_index").value_or(0);
+  return [index](std::string_view bytes, const std::string& name) {
+    return read_serialized(bytes, name, index);
+  };
+}
+
+}  // namespace
+
+std::optional<Geometry> make_mesh_geometry(Arguments& arguments, MeshLoader& meshes) {
+  Context& context = arguments.context();
+  const std::string& type = arguments.element().type;
+  const std::optional<std::string> name = arguments.text("filename");
+  const auto shape_index = arguments.integer("shape_index").value_or(0);
+  const bool face_normals = arguments.flag("face_normals", false);
+  // Mitsuba's v counts from the top row of an image, that of OBJ files from the bottom row.
+  const bool turns_v = arguments.flag("flip_tex_coords", type == "obj");
+  if (arguments.number("max_smooth_angle")) {
+    context.warnings.add(kSmoothAngle, arguments.where(),
+                         "\"max_smooth_angle\" is not supported: the mesh is smooth all over");
+  }
+  arguments.accept({"srgb", "collapse", "load_materials", "vertex_count", "face_count"});
+  if (!name || name->empty()) {
+    context.warnings.add(kNoFile, arguments.where(), "this mesh has no \"filename\": left out");
+    return std::nullopt;
+  }
+
+  MeshRecipe recipe;
+  recipe.read = reader_of(arguments);
+  recipe.finish = [face_normals, turns_v](desc::Mesh& mesh) {
+    if (turns_v) turn_texture_coordinates(mesh);
+    if (face_normals) {
+      mesh.normals.clear();
+    } else if (mesh.normals.empty()) {
+      make_smooth_normals(mesh);
+    }
+  };
+  recipe.variant = type + " " + std::to_string(shape_index) + (face_normals ? " flat" : " smooth") +
+                   (turns_v ? " turned" : "");
+  const desc::MeshPointer mesh =
+      meshes.request(arguments.where(), context.files.find(*name), std::move(recipe));
+  return Geometry{desc::mesh_node(mesh), Mat4(), false,
+                  std::filesystem::path(*name).stem().string()};
+}
+
+}  // namespace ajar::mitsuba

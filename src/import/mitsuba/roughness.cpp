@@ -1,0 +1,51 @@
+#include "import/mitsuba/roughness.h"
+
+#include "import/common/printable.h"
+
+namespace ajar::mitsuba {
+namespace {
+
+constexpr WarningKind kDistribution{
+    Effect::Slight,
+    "rough materials have facets of a distribution that is not supported: the nearest stands in"};
+
+constexpr float kDefaultAlpha = 0.1F;
+
+void warn(const MaterialInputs& in, const std::string& given, const std::string& used) {
+  in.context().warnings.add(kDistribution, in.where(),
+                            "the distribution \"" + printable(given) +
+                                "\" of facets is not supported here: \"" + used + "\" stands in",
+                            printable(given));
+}
+
+}  // namespace
+
+void Roughness::set(desc::Node& node) const {
+  node.set("roughness", alpha);
+  if (alpha_v && node.has("roughness_v")) node.set("roughness_v", *alpha_v);
+}
+
+Roughness read_roughness(const MaterialInputs& in) {
+  Roughness result;
+  const desc::Value both = in.textures.number(in.arguments, "alpha", kDefaultAlpha);
+  result.alpha = in.textures.find_number(in.arguments, "alpha_u").value_or(both);
+  result.alpha_v = in.textures.find_number(in.arguments, "alpha_v");
+  result.distribution = in.arguments.text("distribution", "beckmann");
+  if (result.distribution != "ggx" && result.distribution != "beckmann") {
+    warn(in, result.distribution, "beckmann");
+    result.distribution = "beckmann";
+  }
+  in.arguments.accept({"sample_visible"});
+  return result;
+}
+
+Roughness read_ggx_roughness(const MaterialInputs& in) {
+  Roughness result = read_roughness(in);
+  if (result.distribution != "ggx") {
+    warn(in, result.distribution, "ggx");
+    result.distribution = "ggx";
+  }
+  return result;
+}
+
+}  // namespace ajar::mitsuba

@@ -1,0 +1,62 @@
+#include "import/mitsuba/scene_builder.h"
+
+#include "import/mitsuba/lights.h"
+#include "import/mitsuba/sensor.h"
+#include "import/mitsuba/shapes.h"
+
+namespace ajar::mitsuba {
+namespace {
+
+constexpr WarningKind kNoSensor{Effect::Light, "scenes have no sensor"};
+constexpr WarningKind kNoShapes{Effect::Geometry, "scenes have no shapes"};
+constexpr WarningKind kMoreSensors{Effect::None, "sensors are ignored: the first one is used"};
+
+void read_sensors(Context& context, MediumTable& media, Arguments& scene) {
+  const std::vector<const Element*> sensors = scene.children("sensor");
+  for (std::size_t i = 1; i < sensors.size(); ++i) {
+    context.warnings.add(kMoreSensors, sensors[i]->where,
+                         "there is more than one sensor: this one is ignored");
+  }
+  if (!sensors.empty()) return read_sensor(context, media, *sensors.front());
+  context.warnings.add(kNoSensor, context.document.end,
+                       "there is no sensor: a perspective one at the origin is used");
+  context.scene.camera.where = context.document.end;
+  context.scene.film = default_film(context.document.end);
+}
+
+}  // namespace
+
+desc::SceneDesc build_scene(const Document& document, SearchPath& files, Warnings& warnings) {
+  desc::SceneDesc scene;
+  Context context{scene, document, files, warnings};
+  Arguments arguments(context, document.scene);
+  TextureTable textures(context);
+  MaterialTable materials(context, textures);
+  MediumTable media(context);
+  MeshLoader meshes(files.files(), warnings);
+  ShapeBuilder shapes(context, textures, materials, media, meshes);
+
+  read_sensors(context, media, arguments);
+  for (const Element* integrator : arguments.children("integrator")) {
+    read_integrator(context, *integrator);
+  }
+  for (const Element* shape : arguments.children("shape")) shapes.add(*shape);
+  for (const Element* emitter : arguments.children("emitter")) {
+    add_lights(context, media, *emitter);
+  }
+  // Things that are only referred to are read where they are used.
+  for (const char* tag : {"bsdf", "texture", "medium", "spectrum", "volume", "phase", "film",
+                          "sampler", "rfilter", "subsurface"}) {
+    arguments.children(tag);
+  }
+  arguments.report_unused();
+
+  meshes.load_all(MeshLoader::Failure::LeaveEmpty);
+  remove_empty_meshes(scene);
+  if (scene.shapes.empty() && scene.instances.empty()) {
+    warnings.add(kNoShapes, document.end, "there are no shapes in this scene");
+  }
+  return scene;
+}
+
+}  // namespace ajar::mitsuba

@@ -1,0 +1,146 @@
+#include "import/mitsuba/sensor.h"
+
+#include <cmath>
+
+#include "import/common/printable.h"
+#include "import/common/transforms.h"
+#include "import/mitsuba/numbers.h"
+
+namespace ajar::mitsuba {
+namespace {
+
+constexpr WarningKind kUnknown{Effect::Light,
+                               "sensors are not supported: perspective ones stand in"};
+constexpr WarningKind kAxis{Effect::Light, "fov axes are unknown: that of x stands in"};
+
+const std::vector<std::string> kKnown = {"perspective", "thinlens", "orthographic", "telecentric",
+                                         "spherical"};
+const std::vector<std::string> kAxes = {"x", "y", "diagonal", "smaller", "larger"};
+
+double to_degrees(double radians) { return radians * 180.0 / M_PI; }
+double to_radians(double degrees) { return degrees * M_PI / 180.0; }
+
+/// Tangent of half the field of view along the width of the film.
+double half_width(Arguments& arguments, double aspect) {
+  std::string axis = arguments.text("fov_axis", "x");
+  std::optional<double> fov = arguments.number("fov");
+  if (!fov) {
+    // Of a film of 36 mm × 24 mm, along its diagonal.
+    std::string text = arguments.text("focal_length", "50mm");
+    if (text.ends_with("mm")) text.resize(text.size() - 2);
+    const std::optional<double> focal_length = parse_number(text);
+    if (!focal_length || !(*focal_length > 0.0)) {
+      throw SceneError(arguments.where(), "\"focal_length\" must be a length as in \"50mm\"");
+    }
+    fov = to_degrees(2.0 * std::atan(0.5 * std::hypot(36.0, 24.0) / *focal_length));
+    axis = "diagonal";
+  }
+  arguments.accept({"focal_length"});
+  if (!(*fov > 0.0 && *fov < 180.0)) {
+    throw SceneError(arguments.where(), "\"fov\" must be between 0 and 180 degrees");
+  }
+  const double tangent = std::tan(0.5 * to_radians(*fov));
+  if (axis == "smaller") axis = aspect > 1.0 ? "y" : "x";
+  if (axis == "larger") axis = aspect > 1.0 ? "x" : "y";
+  if (axis == "y") return tangent * aspect;
+  if (axis == "diagonal") return tangent / std::sqrt(1.0 + 1.0 / (aspect * aspect));
+  if (axis != "x") {
+    arguments.context().warnings.add(
+        kAxis, arguments.where(),
+        unknown_name_message("fov axis", printable(axis), kAxes) + ". x stands in");
+  }
+  return tangent;
+}
+
+desc::PerspectiveCamera perspective(Arguments& arguments, double aspect) {
+  desc::PerspectiveCamera camera;
+  const double width = half_width(arguments, aspect);
+  const double shorter = aspect > 1.0 ? width / aspect : width;
+  camera.fov = static_cast<float>(to_degrees(2.0 * std::atan(shorter)));
+  const float x = arguments.number("principal_point_offset_x", 0.F);
+  const float y = arguments.number("principal_point_offset_y", 0.F);
+  if (x != 0.F || y != 0.F) {
+    // Shares of the film by which the axis moves, to the right and down.
+    const auto wide = static_cast<float>(std::max(aspect, 1.0));
+    const auto high = static_cast<float>(std::max(1.0 / aspect, 1.0));
+    camera.window = desc::ScreenWindow{-wide * (1.F + 2.F * x), wide * (1.F - 2.F * x),
+                                       -high * (1.F - 2.F * y), high * (1.F + 2.F * y)};
+  }
+  return camera;
+}
+
+template <typename Camera>
+void set_lens(Arguments& arguments, Camera& camera) {
+  camera.lens_radius = arguments.number("aperture_radius", 0.F);
+  camera.focal_distance = arguments.number("focus_distance", 1e4F);
+  if (camera.lens_radius < 0.F)
+    throw SceneError(arguments.where(), "\"aperture_radius\" is negative");
+  if (!(camera.focal_distance > 0.F)) {
+    throw SceneError(arguments.where(), "\"focus_distance\" must be positive");
+  }
+}
+
+desc::OrthographicCamera orthographic(double aspect) {
+  // Mitsuba shows x from -1 to 1, whatever the shape of the film.
+  desc::OrthographicCamera camera;
+  const auto height = static_cast<float>(1.0 / aspect);
+  camera.window = desc::ScreenWindow{-1.F, 1.F, -height, height};
+  return camera;
+}
+
+/// From the space of our camera to that of Mitsuba's.
+Mat4 to_mitsuba_camera(const std::string& type) {
+  // Both look along +z with +y up, but Mitsuba's +x is to the left.
+  if (type != "spherical") return scaling({-1.0, 1.0, 1.0});
+  // Our panorama begins at +x and goes on toward +z, Mitsuba's begins at -z and goes on toward +x.
+  return {0.0, 0.0, -1.0, 0.0,  //
+          0.0, 1.0, 0.0,  0.0,  //
+          1.0, 0.0, 0.0,  0.0,  //
+          0.0, 0.0, 0.0,  1.0};
+}
+
+}  // namespace
+
+void read_sensor(Context& context, MediumTable& media, const Element& element) {
+  Arguments arguments(context, element);
+  context.scene.film = default_film(element.where);
+  for (const Element* film : arguments.children("film")) read_film(context, *film);
+  for (const Element* sampler : arguments.children("sampler")) read_sampler(context, *sampler);
+  const Vec2i size = context.scene.film.resolution;
+  const double aspect = static_cast<double>(size.x) / size.y;
+
+  desc::Camera camera;
+  camera.where = element.where;
+  if (element.type == "orthographic" || element.type == "telecentric") {
+    desc::OrthographicCamera node = orthographic(aspect);
+    if (element.type == "telecentric") set_lens(arguments, node);
+    camera.node = node;
+  } else if (element.type == "spherical") {
+    camera.node = desc::EnvironmentCamera{};
+  } else {
+    if (element.type != "perspective" && element.type != "thinlens") {
+      context.warnings.add(kUnknown, element.where,
+                           unknown_name_message("sensor", printable(element.type), kKnown) +
+                               ". A perspective one stands in",
+                           printable(element.type));
+    }
+    desc::PerspectiveCamera node = perspective(arguments, aspect);
+    if (element.type == "thinlens") set_lens(arguments, node);
+    camera.node = node;
+  }
+  const Mat4 to_world =
+      to_mitsuba_camera(element.type) * arguments.transform("to_world").value_or(Mat4());
+  const std::optional<Mat4> from_world = inverse(to_world);
+  if (!from_world) {
+    throw SceneError(element.where, "the transform of the camera cannot be inverted");
+  }
+  // Rounded, so that other formats, which say the inverse, can say the same.
+  camera.to_world = rounded_inverse(*from_world).value_or(to_world);
+  for (const Element* medium : arguments.children("medium")) camera.medium = media.make(*medium);
+  arguments.accept({"near_clip", "far_clip", "shutter_open", "shutter_close", "aperture_radius",
+                    "focus_distance", "kc", "srf"});
+  arguments.report_unused();
+  context.scene.camera = camera;
+}
+
+}  // namespace ajar::mitsuba

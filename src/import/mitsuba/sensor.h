@@ -1,0 +1,19 @@
+#pragma once
+#include "import/mitsuba/media.h"
+
+namespace ajar::mitsuba {
+
+/// Sets camera, film and sampler of the scene from `<sensor>`. Raises SceneError for what makes no
+/// sense.
+void read_sensor(Context& context, MediumTable& media, const Element& sensor);
+
+// In film.cpp:
+/// What Mitsuba takes if nothing is said.
+desc::Film default_film(const SourceLocation& where);
+void read_film(Context& context, const Element& film);
+
+// In hints.cpp:
+void read_sampler(Context& context, const Element& sampler);
+void read_integrator(Context& context, const Element& integrator);
+
+}  // namespace ajar::mitsuba

@@ -1,0 +1,176 @@
+#include "import/mitsuba/shapes.h"
+
+#include <algorithm>
+#include <span>
+
+#include "import/common/printable.h"
+#include "import/common/transforms.h"
+#include "import/mitsuba/geometry.h"
+#include "import/mitsuba/node_maker.h"
+
+namespace ajar::mitsuba {
+namespace {
+
+constexpr WarningKind kFlat{Effect::Geometry,
+                            "shapes are left out: their transforms cannot be inverted"};
+constexpr WarningKind kGroupedLight{
+    Effect::Light, "shapes of groups cannot be lights: their emission is left out"};
+constexpr WarningKind kEmitter{Effect::Light,
+                               "emitters of shapes are not supported: left out, or area lights"};
+constexpr WarningKind kSubsurface{Effect::Surface,
+                                  "shapes have subsurface scattering, which is not supported"};
+constexpr WarningKind kBack{
+    Effect::Slight,
+    "materials are black from behind in Mitsuba, unless they are twosided: alike from both sides"};
+
+constexpr WarningKind kDiskTexture{
+    Effect::Surface, "disks have textures, which run in another way: around for along the radius"};
+constexpr WarningKind kSensor{Effect::None, "sensors on shapes are not supported and left out"};
+
+constexpr int kDeepestNesting = 100;
+
+bool has_texture(const desc::Material& material) {
+  const std::span<const desc::Value> values = material.node.values();
+  return std::any_of(values.begin(), values.end(), [](const desc::Value& value) {
+    return std::holds_alternative<desc::TextureRef>(value);
+  });
+}
+
+}  // namespace
+
+void ShapeBuilder::add(const Element& shape) { add_to(shape, context_.scene.shapes, false, 0); }
+
+void ShapeBuilder::add_to(const Element& element, std::vector<desc::Shape>& shapes,
+                          bool is_in_group, int depth) {
+  if (depth > kDeepestNesting) throw SceneError(element.where, "shapes are nested too deeply");
+  if (element.type == "shapegroup" && !is_in_group) return;  // only its instances are seen
+  Arguments arguments(context_, element);
+  if (element.type == "instance") {
+    if (is_in_group) throw SceneError(element.where, "a shapegroup cannot have instances in it");
+    return add_instance(arguments);
+  }
+  if (element.type == "merge" || element.type == "shapegroup") {
+    for (const Element* part : arguments.children("shape")) {
+      add_to(*part, shapes, is_in_group, depth + 1);
+    }
+    arguments.report_unused();
+    return;
+  }
+  std::optional<Geometry> geometry = make_geometry(arguments, meshes_);
+  desc::Shape shape;
+  shape.where = element.where;
+  shape.reverse_orientation = arguments.flag("flip_normals", false);
+  const Mat4 to_world = arguments.transform("to_world").value_or(Mat4());
+  set_material(arguments, shape, geometry && geometry->is_closed);
+  set_emission(arguments, shape, is_in_group);
+  arguments.accept({"silhouette_sampling_weight"});
+  arguments.report_unused();
+  if (!geometry) return;
+  shape.name = element.id.empty() ? geometry->name : element.id;
+  shape.node = std::move(geometry->node);
+  shape.to_world = geometry->to_shape * to_world;
+  if (!inverse(shape.to_world)) {
+    context_.warnings.add(kFlat, element.where,
+                          "the transform of this shape cannot be inverted: shape left out",
+                          printable(shape.name));
+    return;
+  }
+  shapes.push_back(std::move(shape));
+}
+
+void ShapeBuilder::set_material(Arguments& arguments, desc::Shape& shape, bool is_closed) {
+  shape.inside = media_.find(arguments, "interior");
+  shape.outside = media_.find(arguments, "exterior");
+  shape.has_medium_interface = shape.inside != shape.outside;
+  const std::vector<const Element*> bsdfs = arguments.children("bsdf");
+  const bool emits = !arguments.children("emitter").empty();
+  const bool has_media = shape.inside != desc::kNone || shape.outside != desc::kNone;
+  Surface surface;
+  if (!bsdfs.empty()) {
+    surface = materials_.make(*bsdfs.back());
+    if (surface.is_one_sided && !is_closed) warn_of_back(*bsdfs.back());
+  } else if (emits) {
+    surface = materials_.diffuse(0.F);
+  } else if (has_media && context_.document.major_version == 0) {
+    surface = materials_.interface();
+  } else {
+    surface = materials_.diffuse(0.5F);
+  }
+  shape.material = surface.material;
+  shape.alpha = surface.alpha;
+  // Mitsuba's u of a disk is the radius and its v the angle; with us it is the other way round.
+  if (arguments.element().type == "disk" && has_texture(materials_.get(surface.material))) {
+    context_.warnings.add(kDiskTexture, shape.where,
+                          "the texture of this disk runs around where it should run outward");
+  }
+  if (!arguments.children("subsurface").empty()) {
+    context_.warnings.add(kSubsurface, shape.where,
+                          "subsurface scattering is not supported: this shape is opaque");
+  }
+  for (const Element* sensor : arguments.children("sensor")) {
+    context_.warnings.add(kSensor, sensor->where, "sensors on shapes are not supported: left out");
+  }
+}
+
+void ShapeBuilder::warn_of_back(const Element& bsdf) {
+  if (!warned_of_back_.insert(&bsdf).second) return;
+  context_.warnings.add(kBack, bsdf.where,
+                        "this material is black from behind in Mitsuba, as it is not twosided: "
+                        "here it is the same from both sides",
+                        printable(bsdf.id));
+}
+
+void ShapeBuilder::set_emission(Arguments& arguments, desc::Shape& shape, bool is_in_group) {
+  for (const Element* element : arguments.children("emitter")) {
+    if (is_in_group) {
+      context_.warnings.add(kGroupedLight, element->where,
+                            "shapes of groups cannot be lights: its emission is left out");
+      continue;
+    }
+    Arguments emitter(context_, *element);
+    const bool has_radiance = emitter.has("radiance");
+    if (element->type != "area") {
+      context_.warnings.add(kEmitter, element->where,
+                            "emitter \"" + printable(element->type) +
+                                "\" of a shape is not supported: " +
+                                (has_radiance ? "an area light stands in" : "left out"),
+                            printable(element->type));
+      if (!has_radiance) continue;
+    }
+    const desc::Value radiance = textures_.color(emitter, "radiance", desc::Rgb(1.F));
+    shape.emission = desc::Emission{
+        element->where, make_node(context_, element->where, desc::ModelKind::Emission, "area",
+                                  {{"radiance", radiance}})};
+    emitter.accept({"sampling_weight"});
+    emitter.report_unused();
+  }
+}
+
+desc::ObjectId ShapeBuilder::object_of(const Element& group) {
+  const auto [place, is_new] =
+      objects_.try_emplace(&group, static_cast<desc::ObjectId>(context_.scene.objects.size()));
+  if (!is_new) return place->second;
+  desc::Object object{group.id, group.where, {}};
+  context_.scene.objects.push_back(object);
+  add_to(group, object.shapes, true, 0);
+  context_.scene.objects[static_cast<std::size_t>(place->second)] = std::move(object);
+  return place->second;
+}
+
+void ShapeBuilder::add_instance(Arguments& arguments) {
+  const std::vector<const Element*> groups = arguments.children("shape");
+  if (groups.size() != 1 || groups.front()->type != "shapegroup") {
+    throw SceneError(arguments.where(), "an instance needs a reference to one shapegroup");
+  }
+  const Mat4 to_world = arguments.transform("to_world").value_or(Mat4());
+  arguments.report_unused();
+  if (!inverse(to_world)) {
+    context_.warnings.add(kFlat, arguments.where(),
+                          "the transform of this instance cannot be inverted: left out",
+                          printable(groups.front()->id));
+    return;
+  }
+  context_.scene.instances.push_back({object_of(*groups.front()), to_world, arguments.where()});
+}
+
+}  // namespace ajar::mitsuba

@@ -1,0 +1,20 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "core/vector.h"
+#include "import/mitsuba/search_path.h"
+
+/// Colours of spectra as linear RGB.
+namespace ajar::mitsuba {
+
+/// Of "400:0.1, 500:0.5, 700:1": wavelengths in nm and values. Nothing if it is not that.
+std::optional<Vec3d> parse_spectrum(std::string_view pairs);
+/// Of a black body, W·sr⁻¹·m⁻² per nm, which are Mitsuba's units.
+Vec3d blackbody(double kelvin);
+/// Of a file of lines with a wavelength and a value each; a file that is missing but has the name
+/// of a metal we know is that metal. Raises SceneError and IoError.
+Vec3d read_spectrum_of(const SearchPath& files, const std::string& name);
+
+}  // namespace ajar::mitsuba

@@ -1,0 +1,69 @@
+#include "import/mitsuba/spectrum_plugins.h"
+
+#include "core/color.h"
+#include "import/common/printable.h"
+#include "import/mitsuba/arguments.h"
+#include "import/mitsuba/numbers.h"
+#include "import/mitsuba/spectra.h"
+
+namespace ajar::mitsuba {
+namespace {
+
+/// Wavelengths and values, written side by side or, at even steps, from one to another.
+desc::Rgb sampled(Arguments& arguments) {
+  const auto list = [&](const char* name) {
+    const std::optional<std::vector<double>> numbers =
+        parse_numbers(arguments.text(name).value_or(""));
+    if (!numbers || numbers->empty()) {
+      throw SceneError(arguments.where(),
+                       "a spectrum needs numbers as \"" + std::string(name) + "\"");
+    }
+    return *numbers;
+  };
+  const std::vector<double> values = list("values");
+  std::vector<double> wavelengths;
+  if (arguments.element().type == "irregular") {
+    wavelengths = list("wavelengths");
+  } else {
+    const double first = arguments.number("wavelength_min", 360.F);
+    const double last = arguments.number("wavelength_max", 830.F);
+    const double steps = values.size() > 1 ? static_cast<double>(values.size() - 1) : 1.0;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      wavelengths.push_back(first + (last - first) * static_cast<double>(i) / steps);
+    }
+  }
+  if (wavelengths.size() != values.size()) {
+    throw SceneError(arguments.where(), "a spectrum needs as many wavelengths as values");
+  }
+  return desc::Rgb(sampled_to_rgb(wavelengths, values));
+}
+
+}  // namespace
+
+desc::Rgb evaluate_spectrum(Context& context, const Element& element) {
+  Arguments arguments(context, element);
+  const auto evaluate = [&]() -> desc::Rgb {
+    if (element.type == "uniform") return arguments.color("value").value_or(desc::Rgb(1.F));
+    if (element.type == "d65") {
+      return arguments.color("color").value_or(desc::Rgb(1.F)) * arguments.number("scale", 1.F);
+    }
+    if (element.type == "srgb" || element.type == "rgb") {
+      return arguments.color("color").value_or(desc::Rgb(1.F));
+    }
+    if (element.type == "blackbody") {
+      return desc::Rgb(blackbody(arguments.number("temperature", 5000.F))) *
+             arguments.number("scale", 1.F);
+    }
+    if (element.type == "irregular" || element.type == "regular") return sampled(arguments);
+    throw SceneError(element.where, unknown_name_message("spectrum", printable(element.type),
+                                                         std::vector<std::string>{
+                                                             "uniform", "d65", "srgb", "blackbody",
+                                                             "irregular", "regular"}));
+  };
+  const desc::Rgb color = evaluate();
+  arguments.accept({"unbounded", "wavelength_min", "wavelength_max"});
+  arguments.report_unused();
+  return color;
+}
+
+}  // namespace ajar::mitsuba

@@ -1,0 +1,186 @@
+#include "import/mitsuba/textures.h"
+
+#include "import/common/printable.h"
+#include "import/mitsuba/node_maker.h"
+#include "import/mitsuba/uv_transform.h"
+
+namespace ajar::mitsuba {
+namespace {
+
+constexpr WarningKind kNoFile{Effect::Surface, "textures have no \"filename\""};
+constexpr WarningKind kStandIn{Effect::Surface, "textures are not supported: grey stands in"};
+constexpr WarningKind kWrap{
+    Effect::Surface, "textures have a wrap mode that is not supported: the nearest stands in"};
+constexpr WarningKind kGamma{
+    Effect::Surface, "textures have a gamma of their own, which is not supported: sRGB stands in"};
+constexpr WarningKind kChannel{Effect::Surface,
+                               "textures use one channel of an image, which is not supported: all"};
+
+const std::vector<std::string> kKnown = {"bitmap", "checkerboard", "scale", "uniform", "srgb"};
+
+desc::Node constant(const desc::Rgb& value) {
+  return desc::texture_node("constant", {{"value", Vec3(value)}});
+}
+
+/// What Mitsuba calls it, and whether ours is the same.
+std::pair<std::string, bool> wrap_of(const std::string& mode) {
+  if (mode == "clamp" || mode == "repeat") return {mode, true};
+  if (mode == "zero" || mode == "black") return {"black", true};
+  return {mode == "one" || mode == "white" ? "clamp" : "repeat", false};
+}
+
+}  // namespace
+
+std::optional<desc::Value> TextureTable::find_color(Arguments& arguments, std::string_view name) {
+  if (const Element* texture = arguments.child(name, "texture")) {
+    return desc::TextureRef{make(*texture)};
+  }
+  const std::optional<desc::Rgb> color = arguments.color(name);
+  return color ? std::optional<desc::Value>(Vec3(*color)) : std::nullopt;
+}
+
+desc::Value TextureTable::color(Arguments& arguments, std::string_view name,
+                                const desc::Rgb& fallback) {
+  return find_color(arguments, name).value_or(Vec3(fallback));
+}
+
+std::optional<desc::Value> TextureTable::find_number(Arguments& arguments, std::string_view name) {
+  if (const Element* texture = arguments.child(name, "texture")) {
+    return desc::TextureRef{make(*texture)};
+  }
+  const std::optional<double> number = arguments.number(name);
+  return number ? std::optional<desc::Value>(static_cast<float>(*number)) : std::nullopt;
+}
+
+desc::Value TextureTable::number(Arguments& arguments, std::string_view name, float fallback) {
+  return find_number(arguments, name).value_or(fallback);
+}
+
+desc::Value TextureTable::scaled(const SourceLocation& where, const desc::Value& value,
+                                 const desc::Rgb& factor) {
+  if (const Vec3* color = std::get_if<Vec3>(&value)) return *color * factor;
+  if (factor == desc::Rgb(1.F)) return value;
+  context_.scene.textures.push_back(
+      {"", where, desc::texture_node("product", {{"first", value}, {"second", Vec3(factor)}})});
+  return desc::TextureRef{static_cast<desc::TextureId>(context_.scene.textures.size()) - 1};
+}
+
+desc::Value TextureTable::scaled(const SourceLocation& where, const desc::Value& value,
+                                 float factor) {
+  if (const float* number = std::get_if<float>(&value)) return *number * factor;
+  return scaled(where, value, desc::Rgb(factor));
+}
+
+desc::TextureId TextureTable::make(const Element& element) {
+  const auto [place, is_new] = made_.try_emplace(&element, desc::kNone);
+  if (!is_new) {
+    if (place->second == desc::kNone) {
+      throw SceneError(element.where, "this texture refers to itself");
+    }
+    return place->second;
+  }
+  desc::Node node = read(element);
+  const auto id = static_cast<desc::TextureId>(context_.scene.textures.size());
+  context_.scene.textures.push_back({element.id, element.where, std::move(node)});
+  made_[&element] = id;
+  return id;
+}
+
+desc::Node TextureTable::read(const Element& element) {
+  Arguments arguments(context_, element);
+  desc::Node node = [&] {
+    if (element.type == "bitmap") return bitmap(arguments);
+    if (element.type == "checkerboard") return checkerboard(arguments);
+    if (element.type == "scale") return scale(arguments);
+    if (element.type == "uniform" || element.type == "srgb") {
+      return constant(
+          arguments.color(element.type == "srgb" ? "color" : "value").value_or(desc::Rgb(1.F)));
+    }
+    return stand_in(arguments);
+  }();
+  arguments.report_unused();
+  return node;
+}
+
+desc::Node TextureTable::bitmap(Arguments& arguments) {
+  desc::Node node = desc::texture_node("image");
+  const std::optional<std::string> name = arguments.text("filename");
+  if (name && !name->empty()) {
+    node.set("file", context_.files.files().resolve(context_.files.find(*name)));
+  } else {
+    context_.warnings.add(kNoFile, arguments.where(), "this bitmap has no \"filename\"");
+  }
+
+  const std::optional<double> gamma = arguments.number("gamma");
+  const bool is_linear = arguments.flag("raw", false) || (gamma && *gamma == 1.0);
+  node.set("decode_srgb", !is_linear);
+  // Mitsuba 0.x takes -1 for "as the file says", and 2.2 is what exporters write for sRGB.
+  if (gamma && *gamma > 0.0 && *gamma != 1.0 && *gamma != 2.2) {
+    context_.warnings.add(kGamma, arguments.where(),
+                          "a gamma of its own is not supported: the image is read as sRGB");
+  }
+
+  const std::string mode =
+      arguments.text("wrap_mode", arguments.text("wrap_mode_u", std::string("repeat")));
+  const auto [wrap, is_same] = wrap_of(mode);
+  if (!is_same || arguments.text("wrap_mode_v", mode) != mode) {
+    context_.warnings.add(kWrap, arguments.where(),
+                          "wrap mode \"" + printable(mode) +
+                              "\", or one for u and another for v, is not supported: " + wrap +
+                              " stands in",
+                          printable(mode));
+  }
+  node.set("wrap", wrap);
+  if (arguments.text("filter_type", "") == "nearest") node.set("filter", std::string("nearest"));
+  if (const std::optional<std::string> channel = arguments.text("channel");
+      channel && *channel != "all") {
+    context_.warnings.add(kChannel, arguments.where(),
+                          "one channel of an image is not supported: all are used",
+                          printable(*channel));
+  }
+
+  // Mitsuba's v counts from the top row, ours from the bottom row.
+  UvTransform uv = read_uv_transform(arguments);
+  uv.scale.y = -uv.scale.y;
+  uv.offset.y = 1.F - uv.offset.y;
+  uv.set(node);
+  arguments.accept({"cache", "max_anisotropy", "format", "accel", "wrap_mode_u", "wrap_mode_v"});
+  return node;
+}
+
+desc::Node TextureTable::checkerboard(Arguments& arguments) {
+  desc::Node node(*desc::find_model(desc::ModelKind::Texture, "checkerboard"));
+  node.set("first", color(arguments, "color0", desc::Rgb(0.4F)));
+  node.set("second", color(arguments, "color1", desc::Rgb(0.2F)));
+  // Mitsuba's unit has two squares each way, ours has one.
+  UvTransform uv = read_uv_transform(arguments);
+  uv.scale *= 2.F;
+  uv.offset *= 2.F;
+  uv.set(node);
+  return node;
+}
+
+desc::Node TextureTable::scale(Arguments& arguments) {
+  const std::vector<const Element*> nested = arguments.children("texture");
+  desc::Value value = Vec3(arguments.color("value").value_or(desc::Rgb(1.F)));
+  if (!nested.empty()) value = desc::TextureRef{make(*nested.front())};
+  return desc::texture_node(
+      "product",
+      {{"first", value}, {"second", Vec3(arguments.color("scale").value_or(desc::Rgb(1.F)))}});
+}
+
+desc::Node TextureTable::stand_in(Arguments& arguments) {
+  const std::string& type = arguments.element().type;
+  context_.warnings.add(
+      kStandIn, arguments.where(),
+      unknown_name_message("texture", printable(type), kKnown) + ". Grey stands in",
+      printable(type));
+  // A grid and the like have colours: their mean is nearer than any grey.
+  const std::optional<desc::Rgb> first = arguments.color("color0");
+  const std::optional<desc::Rgb> second = arguments.color("color1");
+  arguments.accept_all();
+  if (first && second) return constant((*first + *second) * 0.5F);
+  return constant(first.value_or(desc::Rgb(0.5F)));
+}
+
+}  // namespace ajar::mitsuba

@@ -1,0 +1,43 @@
+#pragma once
+#include <map>
+#include <optional>
+#include <string_view>
+
+#include "import/mitsuba/arguments.h"
+#include "scene/desc/models.h"
+
+namespace ajar::mitsuba {
+
+/// The textures of the scene, each made once however often it is referred to.
+class TextureTable {
+ public:
+  explicit TextureTable(Context& context) : context_(context) {}
+
+  /// The colour or the texture that `name` is of a plugin; nothing if it is not given.
+  std::optional<desc::Value> find_color(Arguments& arguments, std::string_view name);
+  desc::Value color(Arguments& arguments, std::string_view name, const desc::Rgb& fallback);
+  /// The same for numbers.
+  std::optional<desc::Value> find_number(Arguments& arguments, std::string_view name);
+  desc::Value number(Arguments& arguments, std::string_view name, float fallback);
+
+  /// `factor` times a colour or a texture.
+  desc::Value scaled(const SourceLocation& where, const desc::Value& value,
+                     const desc::Rgb& factor);
+  /// `factor` times a number or a texture.
+  desc::Value scaled(const SourceLocation& where, const desc::Value& value, float factor);
+
+  /// Raises SceneError for textures that refer to themselves.
+  desc::TextureId make(const Element& element);
+
+ private:
+  desc::Node read(const Element& element);
+  desc::Node bitmap(Arguments& arguments);
+  desc::Node checkerboard(Arguments& arguments);
+  desc::Node scale(Arguments& arguments);
+  desc::Node stand_in(Arguments& arguments);
+
+  Context& context_;
+  std::map<const Element*, desc::TextureId> made_;
+};
+
+}  // namespace ajar::mitsuba

@@ -1,0 +1,203 @@
+// Lights, camera, film, and what a scene asks of the renderer.
+#include <cmath>
+
+#include "import/mitsuba/import_test_support.h"
+
+namespace ajar::mitsuba {
+namespace {
+
+desc::SceneDesc seen_by(const std::string& sensor) {
+  Warnings warnings;
+  desc::SceneDesc scene = import_with(
+      "<scene version=\"3.0.0\">" + sensor + "<shape type=\"sphere\"/></scene>", warnings);
+  for (const std::string& message : warnings.messages()) ADD_FAILURE() << message;
+  return scene;
+}
+
+const std::string kWide =
+    "<film type=\"hdrfilm\"><integer name=\"width\" value=\"400\"/><integer name=\"height\" "
+    "value=\"200\"/></film>";
+
+/// Field of view of the shorter side of a film of 400 × 200.
+float fov_of(const std::string& properties) {
+  const desc::SceneDesc scene =
+      seen_by("<sensor type=\"perspective\">" + kWide + properties + "</sensor>");
+  return std::get<desc::PerspectiveCamera>(scene.camera.node).fov;
+}
+
+float degrees(float tangent) { return 2.F * std::atan(tangent) * 180.F / kPi; }
+float tangent(float degrees) { return std::tan(0.5F * degrees * kPi / 180.F); }
+
+TEST(MitsubaView, CamerasAreNotMirrored) {
+  const desc::SceneDesc scene = seen_by(
+      "<sensor type=\"perspective\"><transform name=\"to_world\"><lookat origin=\"0, 0, 5\" "
+      "target=\"0, 0, 0\" up=\"0, 1, 0\"/></transform></sensor>");
+  // In Mitsuba's right-handed world, who looks along -z with +y up has +x to the right.
+  const Mat4& m = scene.camera.to_world;
+  expect_near(transform_point(m, {0, 0, 0}), {0, 0, 5});
+  expect_near(transform_vector(m, {0, 0, 1}), {0, 0, -1});
+  expect_near(transform_vector(m, {1, 0, 0}), {1, 0, 0});
+  expect_near(transform_vector(m, {0, 1, 0}), {0, 1, 0});
+}
+
+TEST(MitsubaView, PanoramasHaveMinusZAtTheirEdgeAndPlusXAfterAQuarter) {
+  const Mat4 m = seen_by("<sensor type=\"spherical\"/>").camera.to_world;
+  // Our panorama begins at +x and turns toward +z.
+  expect_near(transform_vector(m, {1, 0, 0}), {0, 0, -1});
+  expect_near(transform_vector(m, {0, 0, 1}), {1, 0, 0});
+  expect_near(transform_vector(m, {0, 1, 0}), {0, 1, 0});
+}
+
+TEST(MitsubaView, FieldsOfViewAreOfTheAxisThatIsNamed) {
+  const std::string sixty = "<float name=\"fov\" value=\"60\"/>";
+  const auto along = [&](const std::string& axis) {
+    return fov_of(sixty + "<string name=\"fov_axis\" value=\"" + axis + "\"/>");
+  };
+  EXPECT_NEAR(fov_of(sixty), degrees(tangent(60.F) / 2.F), 1e-3F);
+  EXPECT_NEAR(along("x"), degrees(tangent(60.F) / 2.F), 1e-3F);
+  EXPECT_NEAR(along("larger"), degrees(tangent(60.F) / 2.F), 1e-3F);
+  EXPECT_NEAR(along("y"), 60.F, 1e-3F);
+  EXPECT_NEAR(along("smaller"), 60.F, 1e-3F);
+  EXPECT_NEAR(along("diagonal"), degrees(tangent(60.F) / std::sqrt(5.F)), 1e-3F);
+}
+
+TEST(MitsubaView, FocalLengthsAreOfAFilmOf35Millimetres) {
+  const float half_diagonal = 0.5F * std::hypot(36.F, 24.F);
+  EXPECT_NEAR(fov_of("<string name=\"focalLength\" value=\"35mm\"/>"),
+              degrees(half_diagonal / 35.F / std::sqrt(5.F)), 1e-3F);
+  EXPECT_NEAR(fov_of(""), degrees(half_diagonal / 50.F / std::sqrt(5.F)), 1e-3F);
+}
+
+TEST(MitsubaView, LensesAndOrthographicWindows) {
+  const desc::SceneDesc lens = seen_by(
+      "<sensor type=\"thinlens\"><float name=\"fov\" value=\"40\"/><float name=\"aperture_radius\" "
+      "value=\"0.5\"/><float name=\"focus_distance\" value=\"7\"/></sensor>");
+  const auto& camera = std::get<desc::PerspectiveCamera>(lens.camera.node);
+  EXPECT_EQ(camera.lens_radius, 0.5F);
+  EXPECT_EQ(camera.focal_distance, 7.F);
+  const desc::SceneDesc flat = seen_by("<sensor type=\"orthographic\">" + kWide + "</sensor>");
+  const auto& window = std::get<desc::OrthographicCamera>(flat.camera.node).window;
+  EXPECT_EQ(window->x_max, 1.F);
+  EXPECT_EQ(window->y_max, 0.5F);
+}
+
+TEST(MitsubaView, FilmsHaveACropAndAFilter) {
+  const desc::SceneDesc scene = seen_by(
+      "<sensor type=\"perspective\"><film type=\"hdrfilm\"><integer name=\"width\" value=\"100\"/>"
+      "<integer name=\"height\" value=\"50\"/><integer name=\"crop_offset_x\" value=\"25\"/>"
+      "<integer name=\"crop_width\" value=\"50\"/><rfilter type=\"gaussian\"><float "
+      "name=\"stddev\" value=\"0.5\"/></rfilter></film><sampler type=\"independent\"><integer "
+      "name=\"sample_count\" value=\"32\"/></sampler></sensor>");
+  EXPECT_EQ(scene.film.resolution, Vec2i(100, 50));
+  EXPECT_EQ(scene.film.crop[0], 0.25F);
+  EXPECT_EQ(scene.film.crop[1], 0.75F);
+  EXPECT_EQ(scene.film.crop[3], 1.F);
+  EXPECT_EQ(std::get<desc::GaussianFilter>(scene.film.filter.node).falloff, 2.F);
+  EXPECT_EQ(scene.film.filter.radius, Vec2(2.F));
+  EXPECT_EQ(scene.hints.samples_per_pixel, 32);
+  EXPECT_EQ(scene.hints.sampler, "independent");
+  EXPECT_TRUE(contains(
+      error_of("<scene version=\"3.0.0\"><sensor type=\"perspective\"><film type=\"hdrfilm\">"
+               "<integer name=\"width\" value=\"0\"/></film></sensor></scene>"),
+      "\"width\" must be 1 to 65536"));
+}
+
+TEST(MitsubaView, FilmsHaveMitsubasSizeIfNothingIsSaid) {
+  for (const char* film : {"", "<film type=\"hdrfilm\"/>"}) {
+    const desc::Film seen =
+        seen_by("<sensor type=\"perspective\">" + std::string(film) + "</sensor>").film;
+    EXPECT_EQ(seen.resolution, Vec2i(768, 576));
+    EXPECT_TRUE(std::holds_alternative<desc::GaussianFilter>(seen.filter.node));
+  }
+}
+
+TEST(MitsubaView, DepthsCountEdgesAsOursDo) {
+  const auto hints = [](const std::string& integrator) { return scene_of(integrator).hints; };
+  EXPECT_EQ(hints("<integrator type=\"path\"><integer name=\"maxDepth\" value=\"5\"/></integrator>")
+                .max_depth,
+            5);
+  EXPECT_EQ(
+      hints("<integrator type=\"bdpt\"><integer name=\"max_depth\" value=\"-1\"/></integrator>")
+          .max_depth,
+      std::nullopt);
+  EXPECT_EQ(hints("<integrator type=\"direct\"/>").max_depth, 2);
+  EXPECT_EQ(hints("<integrator type=\"bdpt\"/>").integrator, "bdpt");
+  EXPECT_TRUE(contains(warnings_of("<integrator type=\"photonmapper\"/>"),
+                       "unknown integrator \"photonmapper\""));
+}
+
+// ---------------------------------------------------------------- lights
+
+desc::Light light_of(const std::string& emitter) { return scene_of(emitter).lights.front(); }
+
+TEST(MitsubaLights, PointsAreWhereTheyAre) {
+  const desc::Light point = light_of(
+      "<emitter type=\"point\"><point name=\"position\" x=\"1\" y=\"2\" z=\"3\"/><rgb "
+      "name=\"intensity\" value=\"4 5 6\"/></emitter>");
+  expect_near(transform_point(point.to_world, {0, 0, 0}), {1, 2, 3});
+  EXPECT_EQ(point.node.color("intensity"), Vec3(4.F, 5.F, 6.F));
+}
+
+TEST(MitsubaLights, SpotsShineAlongZFromTheAxisToTheirCutoff) {
+  Warnings warnings;
+  const desc::SceneDesc scene = import_with(
+      world("<emitter type=\"spot\"><float name=\"cutoffAngle\" value=\"40\"/></emitter>"),
+      warnings);
+  EXPECT_EQ(scene.lights[0].node.number("cone_angle"), 40.F);
+  EXPECT_EQ(scene.lights[0].node.number("falloff_start"), 30.F);
+}
+
+TEST(MitsubaLights, DirectionalOnesShineAlongTheirDirection) {
+  // Ours has the direction that light comes from at +z.
+  expect_near(transform_vector(light_of("<emitter type=\"directional\"><vector name=\"direction\" "
+                                        "value=\"0, -2, 0\"/></emitter>")
+                                   .to_world,
+                               {0, 0, 1}),
+              {0, 1, 0});
+  expect_near(transform_vector(light_of("<emitter type=\"directional\"><transform "
+                                        "name=\"to_world\"><rotate x=\"1\" angle=\"90\"/>"
+                                        "</transform></emitter>")
+                                   .to_world,
+                               {0, 0, 1}),
+              {0, 1, 0});
+}
+
+TEST(MitsubaLights, EnvironmentMapsHaveMinusZAtTheirEdges) {
+  const desc::Light map = light_of(
+      "<emitter type=\"envmap\"><string name=\"filename\" value=\"sky.exr\"/><float name=\"scale\" "
+      "value=\"2\"/></emitter>");
+  EXPECT_EQ(map.node.color("radiance"), Vec3(2.F));
+  EXPECT_TRUE(map.node.text("image").ends_with("sky.exr"));
+  // Our map begins at +x and turns toward +y, its upper row is at +z. Mitsuba's has u = 0 at -z,
+  // u = 1/4 at +x, and its upper row at +y.
+  expect_near(transform_vector(map.to_world, {1, 0, 0}), {0, 0, -1});
+  expect_near(transform_vector(map.to_world, {0, 1, 0}), {1, 0, 0});
+  expect_near(transform_vector(map.to_world, {0, 0, 1}), {0, 1, 0});
+}
+
+TEST(MitsubaLights, BlackBodiesHaveMitsubasUnits) {
+  const desc::Light sky = light_of(
+      "<emitter type=\"constant\"><blackbody name=\"radiance\" temperature=\"5500K\" "
+      "scale=\"0.001\"/></emitter>");
+  // Planck's law at 555 nm and 5500 K: 2.0e13 W/(m² sr m), that is 20200 per nm.
+  EXPECT_NEAR(sky.node.color("radiance").y, 20.2F, 0.6F);
+}
+
+TEST(MitsubaLights, SkiesAreStandIns) {
+  Warnings warnings;
+  const desc::SceneDesc scene =
+      import_with(world("<emitter type=\"sunsky\"><vector name=\"sunDirection\" x=\"0\" y=\"0.6\" "
+                        "z=\"0.8\"/></emitter>"),
+                  warnings);
+  ASSERT_EQ(scene.lights.size(), 2U);
+  EXPECT_TRUE(scene.lights[0].node.is("environment"));
+  expect_near(transform_vector(scene.lights[1].to_world, {0, 0, 1}), {0.F, 0.6F, 0.8F});
+  EXPECT_EQ(warnings.count(Effect::Light), 1U);
+}
+
+TEST(MitsubaLights, UnknownOnesAreLeftOutWithAWarning) {
+  EXPECT_TRUE(contains(warnings_of("<emitter type=\"pint\"/>"), "did you mean \"point\"?"));
+}
+
+}  // namespace
+}  // namespace ajar::mitsuba
