@@ -4,7 +4,7 @@
 
 #include "import/file_provider.h"
 
-namespace ajar::pbrt {
+namespace ajar {
 
 /// Finds the files that a scene refers to: relative to the folder of the scene, first at the
 /// provider, then on the disk.
@@ -27,4 +27,4 @@ class FileAccess {
   std::set<std::string> named_;
 };
 
-}  // namespace ajar::pbrt
+}  // namespace ajar

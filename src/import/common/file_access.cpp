@@ -1,10 +1,10 @@
-#include "import/pbrt/file_access.h"
+#include "import/common/file_access.h"
 
 #include <filesystem>
 
 #include "core/error.h"
 
-namespace ajar::pbrt {
+namespace ajar {
 
 std::string FileAccess::resolve(const std::string& name) {
   // A zero byte would end the name early in every call to the system.
@@ -30,4 +30,4 @@ bool FileAccess::exists(const std::string& resolved) const {
   return std::filesystem::is_regular_file(resolved, error);
 }
 
-}  // namespace ajar::pbrt
+}  // namespace ajar
