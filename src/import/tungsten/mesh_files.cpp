@@ -53,7 +53,9 @@ desc::Mesh part_of(const desc::Mesh& mesh, const std::vector<std::size_t>& trian
   };
   for (const std::size_t t : triangles) {
     const Imath::Vec3<unsigned>& of = mesh.indices[t];
-    part.indices.emplace_back(vertex(of.x), vertex(of.y), vertex(of.z));
+    const unsigned first = vertex(of.x);
+    const unsigned second = vertex(of.y);
+    part.indices.emplace_back(first, second, vertex(of.z));
   }
   return part;
 }

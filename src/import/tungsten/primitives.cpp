@@ -228,11 +228,11 @@ void PrimitiveReader::read_instances(const ObjectReader& object, const Mat4& tra
       ++lost;
       continue;
     }
-    Mat4 to_world = placed.to_world * turn;
-    to_world.setTranslation(Vec3d(0.0));
     Vec3d origin;
     transform.multVecMatrix(origin_of(placed.to_world), origin);
-    to_world.setTranslation(origin);
+    const Mat4 turned = placed.to_world * turn;
+    const Mat4 to_world =
+        from_axes(axis_of(turned, 0), axis_of(turned, 1), axis_of(turned, 2), origin);
     if (!is_invertible(to_world)) {
       ++lost;
       continue;
