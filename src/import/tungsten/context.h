@@ -3,7 +3,6 @@
 #include <string_view>
 
 #include "core/error.h"
-#include "core/printable_text.h"
 #include "core/warnings.h"
 #include "import/common/file_access.h"
 #include "import/common/located_json.h"

@@ -13,8 +13,8 @@ namespace {
 constexpr WarningKind kCap{Effect::Light,
                            "suns of some size are not supported: parallel light stands in"};
 constexpr WarningKind kSky{Effect::Light, "skies are not supported: an even blue stands in"};
-constexpr WarningKind kTextured{
-    Effect::Light, "lights have textures that are not supported: their mean stands in"};
+constexpr WarningKind kTextured{Effect::Light,
+                                "lights have textures that are not supported: even ones stand in"};
 constexpr WarningKind kUnknownPivot{Effect::Light, "lights refer to primitives that are unknown"};
 
 constexpr float kUsualCapAngle = 10.F;  // degrees
@@ -50,8 +50,7 @@ std::optional<Vec3> Source::strength(float per_power, std::string* image) const 
   const Vec3* constant = std::get_if<Vec3>(&value);
   if (constant == nullptr) {
     context.warnings.add(kTextured, json->where(),
-                         "this light cannot have a texture: an even one of half its largest value "
-                         "stands in");
+                         "this light cannot have a texture: an even light of 0.5 stands in");
   }
   const Vec3 color = not_negative(context, json->where(), constant_or(value, Vec3(0.5F)) * factor);
   if (color == Vec3(0.F)) return std::nullopt;

@@ -24,12 +24,6 @@ void require(const LocatedJson& json, Kind kind, std::string_view expected) {
 
 }  // namespace
 
-std::string shown(std::string_view text) {
-  constexpr std::size_t kLongest = 60;
-  return printable_line(text.size() <= kLongest ? std::string(text)
-                                                : std::string(text.substr(0, kLongest)) + "…");
-}
-
 float number_of(const LocatedJson& json) {
   require(json, Kind::Number, "a number");
   const auto value = static_cast<float>(json.number());

@@ -53,8 +53,6 @@ struct NamedAxes {
   }
 };
 
-Vec3d double_vector(const Vec3& v) { return Vec3d(v); }
-
 /// Around z, then x, then, the other way round, y; `degrees` holds the angles of x, y, z.
 Vec3d rotated_zxy(const Vec3d& v, const Vec3d& degrees) {
   const Vec3d c(std::cos(degrees.x * kDegree), std::cos(degrees.y * kDegree),
@@ -85,17 +83,17 @@ Mat4 from_matrix(const LocatedJson& json) {
 }  // namespace
 
 Mat4 transform_from_members(const ObjectReader& object) {
-  const Vec3d origin = double_vector(object.vector("position").value_or(Vec3(0.F)));
+  const Vec3d origin = Vec3d(object.vector("position").value_or(Vec3(0.F)));
   NamedAxes axes;
   const auto name_axis = [&](std::initializer_list<std::string_view> names, Vec3d& axis,
                              bool& has) {
     if (const std::optional<Vec3> given = object.vector(names)) {
-      axis = double_vector(*given);
+      axis = Vec3d(*given);
       has = true;
     }
   };
   if (const std::optional<Vec3> target = object.vector({"look_at", "lookAt"})) {
-    axes.z = double_vector(*target) - origin;
+    axes.z = Vec3d(*target) - origin;
     axes.has_z = true;
   }
   name_axis({"up"}, axes.y, axes.has_y);
@@ -103,8 +101,8 @@ Mat4 transform_from_members(const ObjectReader& object) {
   name_axis({"y_axis"}, axes.y, axes.has_y);
   name_axis({"z_axis"}, axes.z, axes.has_z);
   axes.complete();
-  const Vec3d scale = double_vector(object.vector("scale").value_or(Vec3(1.F)));
-  const Vec3d degrees = double_vector(object.vector("rotation").value_or(Vec3(0.F)));
+  const Vec3d scale = Vec3d(object.vector("scale").value_or(Vec3(1.F)));
+  const Vec3d degrees = Vec3d(object.vector("rotation").value_or(Vec3(0.F)));
   return from_axes(rotated_zxy(axes.x * scale.x, degrees), rotated_zxy(axes.y * scale.y, degrees),
                    rotated_zxy(axes.z * scale.z, degrees), origin);
 }
