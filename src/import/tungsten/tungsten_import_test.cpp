@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -129,12 +130,16 @@ TEST_F(OnDisk, PipesAndDevicesAreNotRead) {
   }
 }
 
-TEST(TungstenSharedScenes, MaterialTestLoads) {
+fs::path shared_scene(const char* file) {
   // Nothing in the tests changes the environment.
   const char* shared = std::getenv("AJAR_SHARED");  // NOLINT(concurrency-mt-unsafe)
-  const fs::path scenes = shared != nullptr ? fs::path(shared) / "scenes"
-                                            : fs::path(AJAR_SOURCE_DIR) / "../shared/scenes";
-  const fs::path file = scenes / "material-testball/materialtest.json";
+  const fs::path folder =
+      shared != nullptr ? fs::path(shared) : fs::path(AJAR_SOURCE_DIR) / "../shared";
+  return folder / "scenes" / file;
+}
+
+TEST(TungstenSharedScenes, MaterialTestLoads) {
+  const fs::path file = shared_scene("material-testball/materialtest.json");
   if (!fs::exists(file)) GTEST_SKIP() << "no shared scenes; set AJAR_SHARED to their folder";
   Warnings warnings;
   const desc::SceneDesc scene = import_scene(file.string(), warnings);
@@ -145,6 +150,63 @@ TEST(TungstenSharedScenes, MaterialTestLoads) {
   EXPECT_EQ(warnings.count(), 3U);
   EXPECT_EQ(warnings.count(Effect::Surface), 1U);
   EXPECT_EQ(warnings.count(Effect::Geometry), 0U);
+}
+
+/// Where the corners of a mesh are, in an order of their own.
+std::vector<Vec3> corners_of(const desc::Shape& shape) {
+  std::vector<Vec3> corners;
+  for (const Vec3& p : shape.node.mesh("mesh")->positions) {
+    corners.push_back(moved(shape.to_world, p));
+  }
+  return corners;
+}
+
+/// Distance of the point of `of` that is farthest from all of `to`.
+float farthest(const std::vector<Vec3>& of, const std::vector<Vec3>& to) {
+  float result = 0.F;
+  for (const Vec3& p : of) {
+    float nearest = 1e30F;
+    for (const Vec3& q : to) nearest = std::min(nearest, length(p - q));
+    result = std::max(result, nearest);
+  }
+  return result;
+}
+
+TEST(TungstenSharedScenes, TheCornellBoxIsWhereOtherFormatsHaveIt) {
+  const fs::path file = shared_scene("cornell-box/pbrt/scene.pbrt");
+  if (!fs::exists(file)) GTEST_SKIP() << "no shared scenes; set AJAR_SHARED to their folder";
+  const auto primitive = [](const char* type, const char* place, const char* size,
+                            const char* rotation) {
+    return std::string("{'type': '") + type + "', 'transform': {'position': " + place +
+           ", 'scale': " + size + ", 'rotation': " + rotation + "}}";
+  };
+  const std::string primitives =
+      primitive("quad", "0", "[2, 4, 2]", "[0, 90, 0]") + "," +
+      primitive("quad", "[0, 2, 0]", "[2, 4, 2]", "[0, 0, -180]") + "," +
+      primitive("quad", "[0, 1, -1]", "[2, 4, 2]", "[0, 90, 90]") + "," +
+      primitive("quad", "[1, 1, 0]", "[2, 4, 2]", "[0, 180, 90]") + "," +
+      primitive("quad", "[-1, 1, 0]", "[2, 4, 2]", "[0, 0, 90]") + "," +
+      primitive("cube", "[0.328631, 0.3, 0.374592]", "[0.594811, 0.604394, 0.6]",
+                "[90, 90, -163.36]") +
+      "," +
+      primitive("cube", "[-0.335439, 0.6, -0.291415]", "[0.607289, 0.597739, 1.2]",
+                "[90, 180, 160.812]") +
+      "," + primitive("quad", "[-0.005, 1.98, -0.03]", "[0.47, 0.1786, 0.38]", "[0, 180, 180]");
+  const desc::SceneDesc ours = scene_of(
+      "", primitives,
+      "{'fov': 19.5, 'resolution': 1024, 'transform': {'position': [0, 1, 6.8], 'look_at': "
+      "[0, 1, 0], 'up': [0, 1, 0]}}");
+  Warnings warnings;
+  const desc::SceneDesc theirs = import_scene(file.string(), warnings);
+  ASSERT_EQ(ours.shapes.size(), theirs.shapes.size());
+  for (std::size_t i = 0; i < ours.shapes.size(); ++i) {
+    const std::vector<Vec3> a = corners_of(ours.shapes[i]);
+    const std::vector<Vec3> b = corners_of(theirs.shapes[i]);
+    EXPECT_LT(std::max(farthest(a, b), farthest(b, a)), 2e-5F) << "shape " << i;
+  }
+  for (const Vec3& p : {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)}) {
+    expect_near(moved(ours.camera.to_world, p), moved(theirs.camera.to_world, p));
+  }
 }
 
 }  // namespace
