@@ -1,10 +1,10 @@
 // Any text must either import or raise one of our errors. Files are served from memory; on the disk
 // nothing is found.
-#include "import/tungsten/tungsten_import.h"
-
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
+
+#include "import/tungsten/tungsten_import.h"
 
 namespace {
 

@@ -1,6 +1,4 @@
 // Any bytes must either be a mesh and a list of instances or be refused.
-#include "import/tungsten/wo3.h"
-
 #include <cstddef>
 #include <cstdint>
 
@@ -8,6 +6,7 @@
 #include "import/mesh/smooth_normals.h"
 #include "import/mesh/validate_mesh.h"
 #include "import/tungsten/instances.h"
+#include "import/tungsten/wo3.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
