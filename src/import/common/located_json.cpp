@@ -1,0 +1,212 @@
+#include "import/common/located_json.h"
+
+#include <algorithm>
+#include <iterator>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "core/printable_text.h"
+
+namespace ajar {
+namespace {
+
+/// Characters of a text; counts those that were read.
+class CountingIterator {
+ public:
+  using iterator_category = std::input_iterator_tag;
+  using value_type = char;
+  using difference_type = std::ptrdiff_t;
+  using pointer = const char*;
+  using reference = const char&;
+
+  CountingIterator(const char* position, std::size_t* count) : position_(position), count_(count) {}
+  reference operator*() const { return *position_; }
+  CountingIterator& operator++() {
+    ++position_;
+    ++*count_;
+    return *this;
+  }
+  CountingIterator operator++(int) {
+    CountingIterator before = *this;
+    ++*this;
+    return before;
+  }
+  bool operator==(const CountingIterator& other) const { return position_ == other.position_; }
+  bool operator!=(const CountingIterator& other) const { return position_ != other.position_; }
+
+ private:
+  const char* position_;
+  std::size_t* count_;
+};
+
+/// Lines and columns of places that come in the order of the text.
+class PlaceFinder {
+ public:
+  PlaceFinder(std::string_view text, std::shared_ptr<const std::string> file)
+      : text_(text), file_(std::move(file)) {}
+
+  /// The place of byte `offset`, or of the end of the text.
+  SourceLocation at(std::size_t offset) {
+    for (offset = std::min(offset, text_.size()); position_ < offset; ++position_) {
+      if (text_[position_] != '\n') continue;
+      ++line_;
+      line_start_ = position_ + 1;
+    }
+    return {file_, line_, static_cast<int>(offset - std::min(offset, line_start_)) + 1};
+  }
+  /// The first byte from `offset` on that begins a token.
+  std::size_t next_token(std::size_t offset) const {
+    constexpr std::string_view kBetween = " \t\r\n,:";
+    return std::min(text_.find_first_not_of(kBetween, offset), text_.size());
+  }
+
+ private:
+  std::string_view text_;
+  std::shared_ptr<const std::string> file_;
+  std::size_t position_ = 0;
+  std::size_t line_start_ = 0;
+  int line_ = 1;
+};
+
+/// The part of the parser's message that says what is wrong; its own place is less exact than ours.
+std::string reason_of(const std::string& message) {
+  constexpr std::string_view kPlace = "column ";
+  std::size_t begin = message.find(kPlace);
+  begin = begin == std::string::npos ? message.find("] ") : message.find(": ", begin);
+  return printable_line(begin == std::string::npos ? message : message.substr(begin + 2));
+}
+
+constexpr int kNumberOutOfRange = 406;  // of the parser's documentation
+
+}  // namespace
+
+/// Makes the tree of what the parser finds. A token begins where the one before it ended, but for
+/// what lies between tokens; of a number the parser has read one character more.
+class LocatedJson::Builder {
+ public:
+  using number_integer_t = nlohmann::json::number_integer_t;
+  using number_unsigned_t = nlohmann::json::number_unsigned_t;
+  using number_float_t = nlohmann::json::number_float_t;
+  using string_t = nlohmann::json::string_t;
+  using binary_t = nlohmann::json::binary_t;
+
+  Builder(std::string_view text, const std::string& name)
+      : places_(text, std::make_shared<const std::string>(name)) {}
+
+  LocatedJson build(std::string_view text) {
+    nlohmann::json::sax_parse(CountingIterator(text.data(), &read_),
+                              CountingIterator(text.data() + text.size(), &read_), this);
+    return std::move(root_);
+  }
+
+  bool null() {
+    add(Kind::Null);
+    return true;
+  }
+  bool boolean(bool value) {
+    add(Kind::Bool).flag_ = value;
+    return true;
+  }
+  bool number_integer(number_integer_t value) { return number(static_cast<double>(value)); }
+  bool number_unsigned(number_unsigned_t value) { return number(static_cast<double>(value)); }
+  bool number_float(number_float_t value, const string_t& /*spelling*/) { return number(value); }
+  bool string(string_t& value) {
+    add(Kind::String).text_ = std::move(value);
+    return true;
+  }
+  bool binary(binary_t& /*value*/) { return false; }  // JSON has none
+  bool key(string_t& name) {
+    Member member{std::move(name), token_place(), {}};
+    open_.back()->members_.push_back(std::move(member));
+    return true;
+  }
+  bool start_object(std::size_t /*size*/) { return open(Kind::Object); }
+  bool start_array(std::size_t /*size*/) { return open(Kind::Array); }
+  bool end_object() { return close(); }
+  bool end_array() { return close(); }
+  bool parse_error(std::size_t position, const std::string& token,
+                   const nlohmann::detail::exception& error) {
+    if (error.id == kNumberOutOfRange) {
+      throw SceneError(token_place(), "the number " + printable_line(token.substr(0, 32)) +
+                                          " is beyond the range of numbers");
+    }
+    throw SceneError(places_.at(position == 0 ? 0 : position - 1),
+                     "this is no JSON: " + reason_of(error.what()));
+  }
+
+ private:
+  /// Where the token begins that was just read.
+  SourceLocation token_place() {
+    const SourceLocation place = places_.at(places_.next_token(token_end_));
+    token_end_ = read_;
+    return place;
+  }
+  /// A value at its place in the tree.
+  LocatedJson& add(Kind kind) {
+    LocatedJson* value = &root_;
+    if (!open_.empty()) {
+      LocatedJson& parent = *open_.back();
+      value =
+          parent.is(Kind::Object) ? &parent.members_.back().value : &parent.items_.emplace_back();
+    }
+    value->kind_ = kind;
+    value->where_ = token_place();
+    return *value;
+  }
+  bool number(double value) {
+    add(Kind::Number).number_ = value;
+    return true;
+  }
+  bool open(Kind kind) {
+    LocatedJson& value = add(kind);
+    if (open_.size() == kDeepest) {
+      throw SceneError(value.where(),
+                       "values are nested more than " + std::to_string(kDeepest) + " levels deep");
+    }
+    open_.push_back(&value);
+    return true;
+  }
+  bool close() {
+    open_.pop_back();
+    token_end_ = read_;
+    return true;
+  }
+
+  PlaceFinder places_;
+  std::size_t read_ = 0;       ///< bytes that the parser has read
+  std::size_t token_end_ = 0;  ///< bytes up to the end of the last token, or one more
+  LocatedJson root_;
+  std::vector<LocatedJson*> open_;  ///< arrays and objects around the next value
+};
+
+LocatedJson LocatedJson::parse(std::string_view text, const std::string& name) {
+  return Builder(text, name).build(text);
+}
+
+std::string_view LocatedJson::kind_name() const {
+  switch (kind_) {
+    case Kind::Null:
+      return "null";
+    case Kind::Bool:
+      return "true or false";
+    case Kind::Number:
+      return "a number";
+    case Kind::String:
+      return "a text";
+    case Kind::Array:
+      return "an array";
+    case Kind::Object:
+      return "an object";
+  }
+  return "";
+}
+
+const LocatedJson* LocatedJson::find(std::string_view name) const {
+  for (const Member& member : members_) {
+    if (member.name == name) return &member.value;
+  }
+  return nullptr;
+}
+
+}  // namespace ajar

@@ -1,0 +1,44 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "import/tungsten/bsdfs.h"
+
+namespace ajar::tungsten {
+
+/// What a bsdf is made of.
+struct BsdfInputs {
+  Context& context;
+  const ObjectReader& object;
+  TextureReader& textures;
+  BsdfTable& bsdfs;
+
+  const SourceLocation& where() const { return object.where(); }
+  /// "albedo", a colour or a texture.
+  desc::Value albedo() const { return textures.color(object, {"albedo", "color"}, Vec3(1.F)); }
+  desc::Value number(std::string_view name, float fallback) const {
+    return textures.number(object, {name}, fallback);
+  }
+  /// The material of the bsdf that a member is or names; `fallback` without one. Its opacity, if it
+  /// has one, is left out with a warning.
+  std::optional<desc::MaterialId> part(std::string_view name) const;
+  /// `node` as a part of another.
+  desc::MaterialId add(desc::Node node) const { return bsdfs.add(where(), std::move(node)); }
+  /// `node` with what it reflects multiplied by `tint`.
+  desc::Node tinted(desc::Node node, const desc::Value& tint) const;
+  void warn(const WarningKind& kind, const std::string& message) const {
+    context.warnings.add(kind, where(), message, *object.text("type"));
+  }
+};
+
+/// The material for a bsdf of this type; nothing if the type is unknown.
+std::optional<desc::Node> make_bsdf(const std::string& type, const BsdfInputs& in);
+
+/// Reads "distribution" for a material whose facets are always those of GGX: others are a warning.
+void expect_ggx(const BsdfInputs& in);
+
+/// All types that `make_bsdf` knows.
+std::vector<std::string> bsdf_types();
+
+}  // namespace ajar::tungsten

@@ -1,0 +1,162 @@
+#include "import/tungsten/bsdfs.h"
+
+#include <utility>
+
+#include "import/tungsten/bsdf_models.h"
+#include "scene/desc/models.h"
+
+namespace ajar::tungsten {
+namespace {
+
+constexpr WarningKind kUnknownName{Effect::Surface, "bsdfs have no such name: grey stands in"};
+constexpr WarningKind kUnknownType{Effect::Surface, "bsdfs are of unknown types: grey stands in"};
+constexpr WarningKind kSameName{Effect::Surface, "bsdfs have the same name: the first counts"};
+constexpr WarningKind kLoop{Effect::Surface, "bsdfs refer to themselves: grey stands in"};
+constexpr WarningKind kBump{Effect::Slight, "bumps have a height that is a guess"};
+constexpr WarningKind kCutOut{Effect::Slight,
+                              "bsdfs have an opacity by texture: they are cut away where it is 0"};
+
+using Kind = LocatedJson::Kind;
+
+/// Leaves what is not opaque out: as a whole, where a texture is 0, or by a share.
+Surface with_opacity(const BsdfInputs& in, Surface base, const desc::Value& opacity) {
+  if (const auto* texture = std::get_if<desc::TextureRef>(&opacity)) {
+    in.warn(kCutOut, "the surface is cut away where \"alpha\" is 0, and opaque elsewhere");
+    base.alpha = texture->id;
+    return base;
+  }
+  const float share = std::get<float>(opacity);
+  if (share >= 1.F) return base;
+  const desc::Node& node = in.context.scene.materials[static_cast<std::size_t>(base.material)].node;
+  // Nothing of it but a diffuse part can be mixed with what passes straight on.
+  const desc::Value diffuse =
+      node.is("diffuse") ? node.get("reflectance") : desc::Value(Vec3(0.5F));
+  if (share <= 0.F) {
+    base.material = in.add(desc::material_node("interface"));
+  } else {
+    if (!node.is("diffuse")) {
+      constexpr WarningKind kDiffuseOnly{
+          Effect::Surface, "bsdfs are partly transparent: their opaque part is a diffuse grey"};
+      in.warn(kDiffuseOnly,
+              "only diffuse bsdfs can be partly transparent: grey stands in for the "
+              "opaque part");
+    }
+    base.material = in.add(desc::material_node("composite", {{"diffuse_reflectance", diffuse},
+                                                             {"glossy_reflectance", Vec3(0.F)},
+                                                             {"opacity", Vec3(share)}}));
+  }
+  return base;
+}
+
+}  // namespace
+
+desc::MaterialId BsdfTable::add(const SourceLocation& where, desc::Node node) {
+  context_.scene.materials.push_back({"", where, desc::kNone, std::move(node)});
+  return static_cast<desc::MaterialId>(context_.scene.materials.size()) - 1;
+}
+
+desc::MaterialId BsdfTable::black() {
+  if (black_ == desc::kNone) {
+    black_ = add({}, desc::material_node("diffuse", {{"reflectance", Vec3(0.F)}}));
+  }
+  return black_;
+}
+
+Surface BsdfTable::white() {
+  if (white_ == desc::kNone) {
+    white_ = add({}, desc::material_node("diffuse", {{"reflectance", Vec3(1.F)}}));
+  }
+  return {white_};
+}
+
+Surface BsdfTable::grey(const SourceLocation& where) {
+  return {add(where, desc::material_node("diffuse"))};
+}
+
+void BsdfTable::define(const LocatedJson& list) {
+  if (!list.is(Kind::Array)) throw SceneError(list.where(), "\"bsdfs\" must be an array");
+  std::vector<Entry*> entries;
+  for (const LocatedJson& json : list.items()) {
+    const LocatedJson* name = json.find("name");
+    if (name == nullptr) continue;  // nothing can refer to it
+    const auto [place, is_new] = named_.try_emplace(text_of(*name), Entry{&json});
+    if (is_new) {
+      entries.push_back(&place->second);
+    } else {
+      context_.warnings.add(
+          kSameName, name->where(),
+          "there is another bsdf \"" + shown(name->text()) + "\" before, which counts",
+          shown(name->text()));
+    }
+  }
+  for (Entry* entry : entries) read_named(*entry);
+}
+
+Surface BsdfTable::read_named(Entry& entry) {
+  if (entry.is_done) return entry.surface;
+  if (entry.is_open || depth_ == kDeepestReference) {
+    context_.warnings.add(
+        kLoop, entry.json->where(),
+        "this bsdf refers to itself, or to too many others in a row: grey stands in");
+    return grey(entry.json->where());
+  }
+  entry.is_open = true;
+  ++depth_;
+  entry.surface = read(*entry.json);
+  --depth_;
+  entry.is_open = false;
+  entry.is_done = true;
+  return entry.surface;
+}
+
+Surface BsdfTable::resolve(const LocatedJson& json) {
+  if (!json.is(Kind::String)) return read(json);
+  const auto found = named_.find(json.text());
+  if (found != named_.end()) return read_named(found->second);
+  std::vector<std::string> names;
+  for (const auto& entry : named_) names.push_back(shown(entry.first));
+  context_.warnings.add(
+      kUnknownName, json.where(),
+      unknown_name_message("bsdf", shown(json.text()), names) + ". Grey stands in",
+      shown(json.text()));
+  return grey(json.where());
+}
+
+Surface BsdfTable::read(const LocatedJson& json) {
+  const ObjectReader object(context_, json, "a bsdf");
+  const BsdfInputs in{context_, object, textures_, *this};
+  const std::string name = object.text("name").value_or("");
+  const std::optional<std::string> type = object.text("type");
+  if (!type) throw SceneError(json.where(), "a bsdf needs \"type\"");
+
+  Surface surface;
+  if (*type == "transparency") {
+    const LocatedJson* base = object.find("base");
+    surface = with_opacity(in, base != nullptr ? resolve(*base) : white(), in.number("alpha", 1.F));
+    object.accept({"albedo", "color"});
+  } else if (std::optional<desc::Node> node = make_bsdf(*type, in)) {
+    surface.material = add(json.where(), std::move(*node));
+    if (object.find("alpha") != nullptr)
+      surface = with_opacity(in, surface, in.number("alpha", 1.F));
+  } else {
+    context_.warnings.add(
+        kUnknownType, json.where(),
+        unknown_name_message("bsdf type", shown(*type), bsdf_types()) + ". Grey stands in",
+        shown(*type));
+    return grey(json.where());
+  }
+  desc::Material& material = context_.scene.materials[static_cast<std::size_t>(surface.material)];
+  if (material.name.empty()) material.name = name;
+  // A bump that is the same everywhere is none.
+  const desc::Value bump = in.number("bump", 0.F);
+  if (const auto* texture = std::get_if<desc::TextureRef>(&bump)) {
+    material.bump = texture->id;
+    in.warn(kBump, "the height of \"bump\" depends on the number of its pixels: taken as it is");
+  }
+  if (const LocatedJson* inside = object.find("int_medium")) surface.inside = inside;
+  if (const LocatedJson* outside = object.find("ext_medium")) surface.outside = outside;
+  object.report_unknown();
+  return surface;
+}
+
+}  // namespace ajar::tungsten

@@ -1,0 +1,58 @@
+#pragma once
+#include <map>
+#include <string>
+
+#include "import/tungsten/textures.h"
+
+namespace ajar::tungsten {
+
+/// What a bsdf says of the surface that has it.
+struct Surface {
+  desc::MaterialId material = desc::kNone;
+  desc::TextureId alpha = desc::kNone;  ///< the surface is cut away where this is 0
+  /// Media of older files, which have them in bsdfs; null if there are none.
+  const LocatedJson* inside = nullptr;
+  const LocatedJson* outside = nullptr;
+};
+
+/// The bsdfs of a scene: those of the list "bsdfs", which others refer to by name, and those that
+/// stand in the place of a name.
+class BsdfTable {
+ public:
+  BsdfTable(Context& context, TextureReader& textures) : context_(context), textures_(textures) {}
+
+  /// Reads the list "bsdfs", which must outlive the table. Of two of the same name the first
+  /// counts, with a warning.
+  void define(const LocatedJson& list);
+
+  /// The bsdf that `json` is or names. Unknown names and types are warnings: grey stands in.
+  Surface resolve(const LocatedJson& json);
+  /// What primitives without a bsdf have.
+  Surface white();
+
+  /// A material without a name, for `resolve`'s parts.
+  desc::MaterialId add(const SourceLocation& where, desc::Node node);
+  /// One that reflects nothing.
+  desc::MaterialId black();
+
+ private:
+  struct Entry {
+    const LocatedJson* json;
+    bool is_open = false;  ///< being read: what it refers to must not refer to it
+    bool is_done = false;
+    Surface surface{};
+  };
+
+  Surface read(const LocatedJson& json);
+  Surface read_named(Entry& entry);
+  Surface grey(const SourceLocation& where);
+
+  Context& context_;
+  TextureReader& textures_;
+  std::map<std::string, Entry, std::less<>> named_;
+  desc::MaterialId black_ = desc::kNone;
+  desc::MaterialId white_ = desc::kNone;
+  int depth_ = 0;  ///< of references
+};
+
+}  // namespace ajar::tungsten

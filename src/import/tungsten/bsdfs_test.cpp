@@ -1,0 +1,172 @@
+#include "import/tungsten/bsdfs.h"
+
+#include <gtest/gtest.h>
+
+#include "import/tungsten/coat_optics.h"
+#include "import/tungsten/import_test_support.h"
+
+namespace ajar::tungsten {
+namespace {
+
+/// Imports a bsdf that is a warning.
+desc::SceneDesc scene_with_warning(const std::string& bsdfs, const std::string& expected) {
+  const std::string text = scene_text(bsdfs, "{'type': 'sphere', 'bsdf': 'm'}");
+  Warnings warnings;
+  desc::SceneDesc scene = import_with(text, warnings);
+  EXPECT_TRUE(contains(warnings_of(text), expected)) << warnings_of(text);
+  return scene;
+}
+
+TEST(Bsdfs, DiffuseOnes) {
+  const desc::SceneDesc lambert = scene_with_bsdf("'type': 'lambert', 'albedo': 0.3");
+  EXPECT_TRUE(material_of(lambert).is("diffuse"));
+  EXPECT_EQ(material_of(lambert).color("reflectance"), Vec3(0.3F));
+  const desc::SceneDesc rough = scene_with_bsdf("'type': 'oren_nayar', 'roughness': 0.5");
+  // σ = roughness / √2 radians.
+  EXPECT_NEAR(material_of(rough).number("sigma"), 0.5F * 0.70710678F * 180.F / kPi, 1e-4F);
+  EXPECT_EQ(material_of(scene_with_bsdf("'type': 'null'")).color("reflectance"), Vec3(0.F));
+  EXPECT_TRUE(material_of(scene_with_bsdf("'type': 'forward'")).is("interface"));
+  const desc::SceneDesc leaf =
+      scene_with_bsdf("'type': 'diffuse_transmission', 'albedo': 0.8, 'transmittance': 0.25");
+  EXPECT_EQ(material_of(leaf).color("diffuse"), Vec3(0.8F));
+  EXPECT_EQ(material_of(leaf).color("reflectance"), Vec3(0.75F));
+  EXPECT_EQ(material_of(leaf).color("transmittance"), Vec3(0.25F));
+}
+
+TEST(Bsdfs, MetalsGoByNameOrByNumbers) {
+  const desc::SceneDesc gold = scene_with_bsdf(
+      "'type': 'rough_conductor', 'material': 'Au', 'roughness': 0.2, 'distribution': 'beckmann'");
+  expect_near(material_of(gold).color("eta"), {0.143119F, 0.374957F, 1.44248F});
+  expect_near(material_of(gold).color("k"), {3.98316F, 2.38572F, 1.60322F});
+  EXPECT_EQ(material_of(gold).number("roughness"), 0.2F);
+  EXPECT_EQ(material_of(gold).text("distribution"), "beckmann");
+  const desc::SceneDesc given = scene_with_bsdf("'type': 'conductor', 'eta': [1, 2, 3], 'k': 4");
+  EXPECT_EQ(material_of(given).color("eta"), Vec3(1.F, 2.F, 3.F));
+  EXPECT_EQ(material_of(given).color("k"), Vec3(4.F));
+  EXPECT_EQ(material_of(given).number("roughness"), 0.F);
+  scene_with_warning("{'name': 'm', 'type': 'conductor', 'material': 'Aux'}",
+                     "test.json:2:11: unknown metal \"Aux\"; did you mean \"Au\"?");
+  scene_with_warning("{'name': 'm', 'type': 'rough_conductor', 'distribution': 'phong'}",
+                     "\"beckmann\", which is near, stands in");
+}
+
+TEST(Bsdfs, ATintIsABlendWithBlack) {
+  const desc::SceneDesc scene = scene_with_bsdf("'type': 'conductor', 'albedo': [1, 0.5, 0.25]");
+  const desc::Node& mix = material_of(scene);
+  ASSERT_TRUE(mix.is("mix"));
+  EXPECT_EQ(mix.color("amount"), Vec3(1.F, 0.5F, 0.25F));
+  EXPECT_TRUE(part_of(scene, mix, "first").is("conductor"));
+  EXPECT_EQ(part_of(scene, mix, "second").color("reflectance"), Vec3(0.F));
+}
+
+TEST(Bsdfs, Glass) {
+  const desc::SceneDesc glass = scene_with_bsdf("'type': 'dielectric', 'ior': 1.33");
+  EXPECT_EQ(material_of(glass).number("eta"), 1.33F);
+  EXPECT_EQ(material_of(glass).number("roughness"), 0.F);
+  EXPECT_EQ(material_of(glass).color("transmittance"), Vec3(1.F));
+  const desc::SceneDesc opaque =
+      scene_with_bsdf("'type': 'dielectric', 'enable_refraction': false");
+  EXPECT_EQ(material_of(opaque).color("transmittance"), Vec3(0.F));
+  EXPECT_EQ(material_of(scene_with_bsdf("'type': 'rough_dielectric'")).number("roughness"), 0.1F);
+  const desc::SceneDesc sheet = scene_with_bsdf("'type': 'thinsheet', 'sigma_a': 2");
+  EXPECT_TRUE(material_of(sheet).flag("thin"));
+  expect_near(material_of(sheet).color("transmittance"), Vec3(std::exp(-2.F)));
+}
+
+TEST(Bsdfs, MixturesReferToOthersOfBothKinds) {
+  const desc::SceneDesc scene = scene_of(
+      "{'name': 'm', 'type': 'mixed', 'ratio': 0.75, 'bsdf0': 'later', 'bsdf1': {'type': "
+      "'mirror'}},"
+      "{'name': 'later', 'type': 'lambert', 'albedo': 0.1}",
+      "{'type': 'sphere', 'bsdf': 'm'}");
+  const desc::Node& mix = material_of(scene);
+  EXPECT_EQ(mix.color("amount"), Vec3(0.75F));
+  EXPECT_EQ(part_of(scene, mix, "first").color("reflectance"), Vec3(0.1F));
+  EXPECT_TRUE(part_of(scene, mix, "second").is("mirror"));
+}
+
+TEST(Bsdfs, WhatIsNotOpaqueIsCutAwayOrBlended) {
+  const desc::SceneDesc half = scene_with_bsdf(
+      "'type': 'transparency', 'alpha': 0.5, 'base': {'type': 'lambert', 'albedo': 0.2}");
+  EXPECT_EQ(material_of(half).color("opacity"), Vec3(0.5F));
+  EXPECT_EQ(material_of(half).color("diffuse_reflectance"), Vec3(0.2F));
+  EXPECT_TRUE(material_of(scene_with_bsdf("'type': 'transparency', 'alpha': 0")).is("interface"));
+  const desc::SceneDesc leaf = scene_with_warning(
+      "{'name': 'm', 'type': 'transparency', 'alpha': 'a.png', 'base': {'type': 'mirror'}}",
+      "cut away where \"alpha\" is 0");
+  EXPECT_TRUE(material_of(leaf).is("mirror"));
+  const desc::TextureId alpha = leaf.shapes.at(0).alpha;
+  EXPECT_TRUE(leaf.textures.at(static_cast<std::size_t>(alpha)).node.is("image"));
+}
+
+TEST(Bsdfs, PlasticReflectsAsMuchOnAverage) {
+  const desc::SceneDesc scene = scene_with_warning(
+      "{'name': 'm', 'type': 'plastic', 'ior': 1.5, 'albedo': 0.5}", "plastic is not supported");
+  const desc::Node& node = material_of(scene);
+  EXPECT_EQ(node.color("mirror_reflectance"), Vec3(1.F));
+  // Enters, is reflected n times by the base and n − 1 times by the layer from within, and leaves.
+  const double in = 1.0 - mean_reflectance(1.5);
+  const double back = mean_internal_reflectance(1.5);
+  double expected = 0.0;
+  double inside = in;
+  for (int n = 0; n < 100; ++n) {
+    inside *= 0.5;
+    expected += inside * (1.0 - back);
+    inside *= back;
+  }
+  EXPECT_NEAR(static_cast<double>(node.color("diffuse_reflectance").x), expected, 1e-6);
+}
+
+TEST(Bsdfs, TheCoatOfABlendReflectsAsMuchAsTheLayer) {
+  const desc::SceneDesc scene = scene_with_warning(
+      "{'name': 'm', 'type': 'smooth_coat', 'ior': 1.7, 'thickness': 5, 'sigma_a': [0.1, 0.2, "
+      "0.5], "
+      "'substrate': {'type': 'rough_conductor'}}",
+      "coats are not supported");
+  const desc::Node& mix = material_of(scene);
+  const desc::Node& coat = part_of(scene, mix, "first");
+  EXPECT_TRUE(part_of(scene, mix, "second").is("conductor"));
+  const double of_coat = mean_reflectance(static_cast<double>(coat.number("eta")));
+  for (int i = 0; i < 3; ++i) {
+    const auto share = static_cast<double>(mix.color("amount")[i]);
+    EXPECT_NEAR(share * of_coat * static_cast<double>(coat.color("mirror_reflectance")[i]),
+                mean_reflectance(1.7), 1e-4);
+    const double tau = 5.0 * static_cast<double>(Vec3(0.1F, 0.2F, 0.5F)[i]);
+    EXPECT_NEAR(1.0 - share, mean_round_trip(1.7, tau), 1e-5);
+  }
+}
+
+TEST(Bsdfs, StandInsForTheRest) {
+  EXPECT_TRUE(material_of(scene_with_warning("{'name': 'm', 'type': 'hair'}", "bsdfs of fibers"))
+                  .is("diffuse"));
+  EXPECT_TRUE(material_of(scene_with_warning("{'name': 'm', 'type': 'phong', 'exponent': 100}",
+                                             "Phong's bsdf"))
+                  .is("coated_diffuse"));
+  EXPECT_TRUE(material_of(scene_with_warning("{'name': 'm', 'type': 'lamberd'}",
+                                             "unknown bsdf type \"lamberd\"; did you mean "
+                                             "\"lambert\"?"))
+                  .is("diffuse"));
+}
+
+TEST(Bsdfs, NamesThatLeadNowhereAreWarnings) {
+  scene_with_warning("{'name': 'n', 'type': 'mirror'}",
+                     "test.json:3:43: unknown bsdf \"m\"; did you mean \"n\"?");
+  scene_with_warning("{'name': 'm', 'type': 'mirror'}, {'name': 'm', 'type': 'null'}",
+                     "another bsdf \"m\" before, which counts");
+  scene_with_warning("{'name': 'm', 'type': 'mixed', 'bsdf0': 'm', 'bsdf1': 'm'}",
+                     "refers to itself");
+  scene_with_warning("{'name': 'm', 'type': 'mixed'}", "\"bsdf0\" is missing");
+}
+
+TEST(Bsdfs, LongChainsOfNamesEnd) {
+  std::string bsdfs;
+  for (int i = 0; i < 2000; ++i) {
+    bsdfs += "{'name': '" + std::string(i == 0 ? "m" : std::to_string(i)) +
+             "', 'type': 'mixed', 'bsdf0': '" + std::to_string(i + 1) +
+             "', 'bsdf1': {'type': 'null'}},";
+  }
+  scene_with_warning(bsdfs + "{'name': '2000', 'type': 'mirror'}", "too many others in a row");
+}
+
+}  // namespace
+}  // namespace ajar::tungsten

@@ -1,0 +1,25 @@
+#pragma once
+
+/// What a smooth layer of a dielectric does to light on average over all directions from which it
+/// comes, each weighted by its cosine. Layers are not among our materials; with these means, those
+/// that stand in for them reflect as much light in total.
+namespace ajar::tungsten {
+
+/// Share that is reflected at the layer, seen from outside, `ior` > 0 being the layer's index of
+/// refraction relative to outside.
+double mean_reflectance(double ior);
+
+/// The same seen from within the layer.
+double mean_internal_reflectance(double ior);
+
+/// Share that is left on one way through a layer of optical thickness `tau`.
+double mean_transmittance(double ior, double tau);
+
+/// Share of the light that arrives which goes in, is reflected by a smooth base without loss, and
+/// comes out the same way.
+double mean_round_trip(double ior, double tau);
+
+/// The index ≥ 1 with this mean reflectance, which must be below 1; at most 100.
+double ior_of_mean_reflectance(double reflectance);
+
+}  // namespace ajar::tungsten

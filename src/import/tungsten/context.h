@@ -1,0 +1,26 @@
+#pragma once
+#include <string>
+#include <string_view>
+
+#include "core/error.h"
+#include "core/warnings.h"
+#include "import/common/file_access.h"
+#include "import/common/located_json.h"
+#include "scene/desc/scene_desc.h"
+
+namespace ajar::tungsten {
+
+/// What every part of the importer works with.
+struct Context {
+  desc::SceneDesc& scene;
+  Warnings& warnings;
+  FileAccess& files;
+};
+
+/// A text of the file, shortened and fit for a message.
+std::string shown(std::string_view text);
+
+/// Bsdfs, media and textures that refer to others more than this many times in a row are refused.
+inline constexpr int kDeepestReference = 64;
+
+}  // namespace ajar::tungsten

@@ -1,0 +1,131 @@
+#include "import/tungsten/media.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace ajar::tungsten {
+namespace {
+
+constexpr WarningKind kUnknown{Effect::Surface, "media are unknown and left out"};
+constexpr WarningKind kHeterogeneous{
+    Effect::Surface, "media that vary are not supported: homogeneous ones stand in"};
+constexpr WarningKind kPhase{Effect::Slight,
+                             "phase functions are not supported: isotropic ones stand in"};
+constexpr WarningKind kTransmittance{Effect::Surface,
+                                     "media do not fade exponentially, which is not supported"};
+constexpr WarningKind kSameName{Effect::Surface, "media have the same name: the first counts"};
+
+using Kind = LocatedJson::Kind;
+
+const std::vector<std::string> kTypes = {"homogeneous", "atmosphere", "exponential", "voxel"};
+const std::vector<std::string> kPhases = {"isotropic", "henyey_greenstein", "rayleigh"};
+
+/// g of Henyey and Greenstein.
+float phase_of(const Context& context, const LocatedJson& json) {
+  const ObjectReader object(context, json, "a phase function");
+  object.accept({"name"});
+  const std::string type = object.text("type").value_or("isotropic");
+  const float g = object.number("g").value_or(0.F);
+  object.report_unknown();
+  if (type == "isotropic") return 0.F;
+  if (type != "henyey_greenstein") {
+    context.warnings.add(
+        kPhase, json.where(),
+        type == "rayleigh" ? "Rayleigh scattering is not supported: isotropic scattering, as even "
+                             "to both sides, stands in"
+                           : unknown_name_message("phase function", shown(type), kPhases) +
+                                 ". An isotropic one stands in",
+        shown(type));
+    return 0.F;
+  }
+  if (!(g > -1.F && g < 1.F)) throw SceneError(json.where(), "\"g\" must be between -1 and 1");
+  return g;
+}
+
+Vec3 coefficient(const ObjectReader& object, std::string_view name, float density) {
+  const Vec3 value = object.vector(name).value_or(Vec3(0.F)) * density;
+  if (!(value.x >= 0.F && value.y >= 0.F && value.z >= 0.F) || !is_finite(value)) {
+    throw SceneError(object.where(), "\"" + std::string(name) +
+                                         "\" times the density must be finite and not negative");
+  }
+  return value;
+}
+
+}  // namespace
+
+desc::MediumId MediumTable::read(const LocatedJson& json) {
+  const ObjectReader object(context_, json, "a medium");
+  const std::string name = object.text("name").value_or("");
+  const std::optional<std::string> type = object.text("type");
+  if (!type) throw SceneError(json.where(), "a medium needs \"type\"");
+  if (std::find(kTypes.begin(), kTypes.end(), *type) == kTypes.end()) {
+    context_.warnings.add(
+        kUnknown, json.where(),
+        unknown_name_message("medium type", shown(*type), kTypes) + ". The medium is left out",
+        shown(*type));
+    return desc::kNone;
+  }
+  if (*type != "homogeneous") {
+    context_.warnings.add(kHeterogeneous, json.where(),
+                          "media of type \"" + *type +
+                              "\" are not supported: a homogeneous one of "
+                              "its \"density\" stands in",
+                          shown(name));
+    object.accept(
+        {"pivot", "falloff_scale", "radius", "center", "unit_point", "falloff_direction", "grid"});
+  }
+  // A voxel medium has its density in a grid.
+  const LocatedJson* density_json = object.find("density");
+  const float density =
+      density_json != nullptr && density_json->is(Kind::Number) ? number_of(*density_json) : 1.F;
+  desc::Medium medium;
+  medium.name = name;
+  medium.where = json.where();
+  medium.sigma_a = coefficient(object, "sigma_a", density);
+  medium.sigma_s = coefficient(object, "sigma_s", density);
+  if (const LocatedJson* phase = object.find({"phase_function", "phase"})) {
+    medium.g = phase_of(context_, *phase);
+  }
+  if (const LocatedJson* transmittance = object.find("transmittance")) {
+    const LocatedJson* kind = transmittance->find("type");
+    if (kind == nullptr || !kind->is(Kind::String) || kind->text() != "exponential") {
+      context_.warnings.add(kTransmittance, transmittance->where(),
+                            "only exponential transmittance is supported: it stands in");
+    }
+  }
+  object.accept({"max_bounces"});
+  object.report_unknown();
+  context_.scene.media.push_back(std::move(medium));
+  return static_cast<desc::MediumId>(context_.scene.media.size()) - 1;
+}
+
+void MediumTable::define(const LocatedJson& list) {
+  if (!list.is(Kind::Array)) throw SceneError(list.where(), "\"media\" must be an array");
+  for (const LocatedJson& json : list.items()) {
+    const desc::MediumId id = read(json);
+    const LocatedJson* name = json.find("name");
+    if (name == nullptr || named_.try_emplace(text_of(*name), id).second) continue;
+    context_.warnings.add(
+        kSameName, name->where(),
+        "there is another medium \"" + shown(name->text()) + "\" before, which counts",
+        shown(name->text()));
+  }
+}
+
+desc::MediumId MediumTable::resolve(const LocatedJson& json) {
+  if (!json.is(Kind::String)) return read(json);
+  if (json.text().empty()) return desc::kNone;
+  const auto found = named_.find(json.text());
+  if (found != named_.end()) return found->second;
+  std::vector<std::string> names;
+  for (const auto& entry : named_) names.push_back(shown(entry.first));
+  context_.warnings.add(
+      kUnknown, json.where(),
+      unknown_name_message("medium", shown(json.text()), names) + ". It is left out",
+      shown(json.text()));
+  return desc::kNone;
+}
+
+}  // namespace ajar::tungsten

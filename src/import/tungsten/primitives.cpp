@@ -1,0 +1,266 @@
+#include "import/tungsten/primitives.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "import/tungsten/instances.h"
+#include "import/tungsten/transforms.h"
+#include "scene/desc/models.h"
+
+namespace ajar::tungsten {
+namespace {
+
+constexpr WarningKind kUnknown{Effect::Geometry, "primitives are of unknown types and left out"};
+constexpr WarningKind kUnsupported{Effect::Geometry, "primitives are not supported and left out"};
+constexpr WarningKind kNoFile{Effect::Geometry, "meshes name no file and are left out"};
+constexpr WarningKind kFlat{Effect::Geometry,
+                            "primitives are left out: their transforms cannot be inverted"};
+constexpr WarningKind kConeAngle{Effect::Light,
+                                 "disks shine in all directions: their cones are not supported"};
+constexpr WarningKind kCulling{Effect::Geometry,
+                               "meshes are seen from behind, too: culling is not supported"};
+constexpr WarningKind kBumpStrength{Effect::Slight,
+                                    "primitives have bumps of older files, which are ignored"};
+constexpr WarningKind kInstancedLight{Effect::Light,
+                                      "what is copied cannot be a light: its emission is left out"};
+constexpr WarningKind kNoMaster{Effect::Geometry, "instances have nothing to copy: left out"};
+constexpr WarningKind kMovingInstances{Effect::Slight,
+                                       "instances move between two files: the first counts"};
+
+using Kind = LocatedJson::Kind;
+
+const std::vector<std::string> kTypes = {
+    "mesh",         "cube",      "sphere",          "quad",
+    "disk",         "curves",    "point",           "skydome",
+    "cylinder",     "instances", "infinite_sphere", "infinite_sphere_cap",
+    "minecraft_map"};
+
+bool is_zero(const desc::Value& color) { return color == desc::Value(Vec3(0.F)); }
+
+}  // namespace
+
+// ---------------------------------------------------------------- geometry
+
+std::vector<Part> PrimitiveReader::mesh_parts(const ObjectReader& object, const Mat4& transform,
+                                              int bsdf_count) {
+  MeshTreatment treatment;
+  treatment.smooth = object.flag("smooth").value_or(false);
+  treatment.recompute_normals =
+      object.flag("recompute_normals").value_or(false) && treatment.smooth;
+  if (object.flag("backface_culling").value_or(false)) {
+    context_.warnings.add(
+        kCulling, object.where(),
+        "\"backface_culling\" is not supported: the mesh is seen from behind, too");
+  }
+  const LocatedJson* file = object.find({"file", "path"});
+  if (file == nullptr || !file->is(Kind::String) || file->text().empty()) {
+    context_.warnings.add(kNoFile, object.where(), "this mesh names no \"file\": left out");
+    return {};
+  }
+  std::vector<Part> parts;
+  for (const MeshPart& mesh : meshes_.load(*file, treatment, bsdf_count)) {
+    parts.push_back(placed_mesh(mesh.mesh, transform));
+    parts.back().bsdf = mesh.bsdf;
+  }
+  return parts;
+}
+
+std::vector<Part> PrimitiveReader::parts_of(const ObjectReader& object, const std::string& type,
+                                            const Mat4& transform, int bsdf_count) {
+  if (type == "mesh") return mesh_parts(object, transform, bsdf_count);
+  if (type == "quad") return {quad(transform)};
+  if (type == "cube") return {cube(transform)};
+  if (type == "sphere") return {sphere(transform)};
+  if (type == "cylinder") return cylinder(transform, object.flag("capped").value_or(true));
+  if (type == "disk") {
+    constexpr float kHalfSpace = 90.F;
+    if (object.number("cone_angle").value_or(kHalfSpace) < kHalfSpace) {
+      context_.warnings.add(kConeAngle, object.where(),
+                            "\"cone_angle\" is not supported: the disk shines in all directions");
+    }
+    return {disk(transform)};
+  }
+  // What is left of these are lights and copies within what is copied.
+  if (std::find(kTypes.begin(), kTypes.end(), type) != kTypes.end()) {
+    object.accept({"file", "curve_taper", "subsample", "mode", "curve_thickness", "map_path",
+                   "resource_packs", "masters", "instances", "sample"});
+    context_.warnings.add(kUnsupported, object.where(),
+                          "primitives of type \"" + type + "\" are not supported here: left out",
+                          type);
+    return {};
+  }
+  context_.warnings.add(kUnknown, object.where(),
+                        unknown_name_message("primitive type", shown(type), kTypes) + ". Left out",
+                        shown(type));
+  return {};
+}
+
+// ---------------------------------------------------------------- what surrounds it
+
+std::vector<Surface> PrimitiveReader::surfaces_of(const ObjectReader& object) {
+  const LocatedJson* json = object.find("bsdf");
+  if (json == nullptr) return {bsdfs_.white()};
+  if (!json->is(Kind::Array)) return {bsdfs_.resolve(*json)};
+  std::vector<Surface> surfaces;
+  for (const LocatedJson& item : json->items()) surfaces.push_back(bsdfs_.resolve(item));
+  if (surfaces.empty()) throw SceneError(json->where(), "the array of bsdfs is empty");
+  return surfaces;
+}
+
+std::optional<desc::Emission> PrimitiveReader::emission_of(const ObjectReader& object,
+                                                           double area) {
+  const LocatedJson* emission = object.find("emission");
+  const LocatedJson* power = object.find("power");
+  const LocatedJson* json = power != nullptr ? power : emission;
+  if (json == nullptr) return std::nullopt;
+  desc::Value radiance = textures_.color(*json);
+  if (const Vec3* constant = std::get_if<Vec3>(&radiance)) {
+    radiance = not_negative(context_, json->where(), *constant);
+  }
+  if (is_zero(radiance)) return std::nullopt;
+  // A diffuse emitter of area A and radiance L has the power πAL.
+  const double scale = power != nullptr ? 1.0 / (static_cast<double>(kPi) * area) : 1.0;
+  const Vec3 factor(static_cast<float>(scale));
+  if (!is_finite(factor)) return std::nullopt;
+  return desc::Emission{json->where(),
+                        desc::emission_node("area", {{"radiance", radiance}, {"scale", factor}})};
+}
+
+void PrimitiveReader::set_media(const ObjectReader& object, const Surface& surface,
+                                desc::Shape& shape) {
+  const LocatedJson* inside = object.find("int_medium");
+  const LocatedJson* outside = object.find("ext_medium");
+  if (inside == nullptr) inside = surface.inside;
+  if (outside == nullptr) outside = surface.outside;
+  if (inside != nullptr) shape.inside = media_.resolve(*inside);
+  if (outside != nullptr) shape.outside = media_.resolve(*outside);
+  shape.has_medium_interface = inside != nullptr || outside != nullptr;
+}
+
+void PrimitiveReader::read(const LocatedJson& json, std::vector<desc::Shape>& shapes) {
+  const ObjectReader object(context_, json, "a primitive");
+  const std::string name = object.text("name").value_or("");
+  const std::optional<std::string> type = object.text("type");
+  if (!type) throw SceneError(json.where(), "a primitive needs \"type\"");
+  const Mat4 transform = transform_of(context_, object);
+  if (!name.empty()) places_.try_emplace(name, transform);
+  const bool is_top = &shapes == &context_.scene.shapes;
+  object.accept({"bump_strength"});
+  if (object.find("bump") != nullptr) {
+    context_.warnings.add(kBumpStrength, object.where(),
+                          "bumps of primitives are not supported, only those of bsdfs: ignored");
+  }
+  if (is_top && *type == "instances") return read_instances(object, transform);
+  if (is_top && read_light(context_, textures_, object, *type, transform, places_)) {
+    return object.report_unknown();
+  }
+  const std::vector<Surface> surfaces = surfaces_of(object);
+  const std::vector<Part> parts =
+      parts_of(object, *type, transform, static_cast<int>(surfaces.size()));
+  double area = 0.0;
+  for (const Part& part : parts) area += part.area;
+  std::optional<desc::Emission> emission = emission_of(object, area);
+  if (emission && !is_top) {
+    context_.warnings.add(kInstancedLight, emission->where,
+                          "what is copied cannot be a light: its emission is left out");
+    emission.reset();
+  }
+  for (const Part& part : parts) {
+    if (!is_invertible(part.to_world) || !(part.area > 0.0)) {
+      context_.warnings.add(kFlat, json.where(),
+                            "the transform of this primitive cannot be inverted: left out",
+                            shown(name));
+      continue;
+    }
+    const Surface& surface = surfaces[static_cast<std::size_t>(part.bsdf)];
+    desc::Shape shape;
+    shape.where = json.where();
+    shape.name = name;
+    shape.node = part.node;
+    shape.to_world = part.to_world;
+    shape.reverse_orientation = part.reverse_orientation;
+    shape.material = surface.material;
+    shape.alpha = surface.alpha;
+    shape.emission = emission;
+    set_media(object, surface, shape);
+    shapes.push_back(std::move(shape));
+  }
+  object.accept({"emission", "power", "int_medium", "ext_medium"});
+  object.report_unknown();
+}
+
+// ---------------------------------------------------------------- copies
+
+desc::ObjectId PrimitiveReader::object_of(const LocatedJson& master) {
+  const LocatedJson* json = &master;
+  if (master.is(Kind::String)) {
+    const auto found = named_.find(master.text());
+    if (found == named_.end()) return desc::kNone;
+    json = found->second;
+  }
+  std::vector<desc::Shape> shapes;
+  read(*json, shapes);
+  if (shapes.empty()) return desc::kNone;
+  context_.scene.objects.push_back({shapes.front().name, json->where(), std::move(shapes)});
+  return static_cast<desc::ObjectId>(context_.scene.objects.size()) - 1;
+}
+
+void PrimitiveReader::read_instances(const ObjectReader& object, const Mat4& transform) {
+  object.accept({"bsdf", "emission", "power", "int_medium", "ext_medium"});
+  std::vector<desc::ObjectId> masters;
+  if (const LocatedJson* list = object.find("masters"); list != nullptr && list->is(Kind::Array)) {
+    for (const LocatedJson& master : list->items()) masters.push_back(object_of(master));
+  }
+  if (object.find("instancesB") != nullptr) {
+    context_.warnings.add(kMovingInstances, object.where(),
+                          "instances between two files are not supported: the first file counts");
+  }
+  object.accept({"ratio"});
+  const LocatedJson* list = object.find({"instances", "instancesA"});
+  object.report_unknown();
+  if (list == nullptr) return;
+  // As a copy is never scaled, so is what moves all of them.
+  const Mat4 turn = without_scale(transform, false);
+  std::size_t lost = 0;
+  for (const Placed& placed : read_placed(context_, *list)) {
+    const auto index = static_cast<std::size_t>(placed.master);
+    if (placed.master < 0 || index >= masters.size() || masters[index] == desc::kNone) {
+      ++lost;
+      continue;
+    }
+    Vec3d origin;
+    transform.multVecMatrix(origin_of(placed.to_world), origin);
+    const Mat4 turned = placed.to_world * turn;
+    const Mat4 to_world =
+        from_axes(axis_of(turned, 0), axis_of(turned, 1), axis_of(turned, 2), origin);
+    if (!is_invertible(to_world)) {
+      ++lost;
+      continue;
+    }
+    context_.scene.instances.push_back({masters[index], to_world, list->where()});
+  }
+  if (lost > 0) {
+    context_.warnings.add(kNoMaster, list->where(),
+                          std::to_string(lost) + " instances have nothing to copy: left out");
+  }
+}
+
+void PrimitiveReader::read_all(const LocatedJson& list) {
+  if (!list.is(Kind::Array)) throw SceneError(list.where(), "\"primitives\" must be an array");
+  for (const LocatedJson& json : list.items()) {
+    const LocatedJson* name = json.find("name");
+    if (name != nullptr && name->is(Kind::String)) named_.try_emplace(name->text(), &json);
+  }
+  // Those that may refer to the places of others come last.
+  const auto refers = [](const LocatedJson& json) {
+    const LocatedJson* type = json.find("type");
+    return type != nullptr && type->is(Kind::String) && type->text() == "infinite_sphere_cap";
+  };
+  for (const bool last : {false, true}) {
+    for (const LocatedJson& json : list.items()) {
+      if (refers(json) == last) read(json, context_.scene.shapes);
+    }
+  }
+}
+
+}  // namespace ajar::tungsten

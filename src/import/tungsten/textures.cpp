@@ -1,0 +1,174 @@
+#include "import/tungsten/textures.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "scene/desc/models.h"
+
+namespace ajar::tungsten {
+namespace {
+
+constexpr WarningKind kStandIn{Effect::Surface,
+                               "textures are not supported: constant ones stand in"};
+constexpr WarningKind kUnknown{Effect::Surface, "textures are unknown: grey stands in"};
+constexpr WarningKind kNoFile{Effect::Surface, "textures name no file: grey stands in"};
+constexpr WarningKind kNegative{Effect::Surface, "colours are negative: 0 stands in"};
+
+using Kind = LocatedJson::Kind;
+
+const std::vector<std::string> kTypes = {"constant", "bitmap", "checker",  "disk",
+                                         "blade",    "ies",    "wireframe"};
+
+/// What Tungsten reads of a texture that has no model of ours, to know mistakes from it.
+struct StandIn {
+  std::string_view type;
+  std::string_view value;  ///< member that a constant takes; empty: 1
+};
+constexpr std::array<StandIn, 4> kStandIns = {
+    {{"disk", "value"}, {"blade", "value"}, {"ies", "scale"}, {"wireframe", "fill_color"}}};
+
+const Vec3 kGrey(0.5F);
+
+float mean(const Vec3& color) { return (color.x + color.y + color.z) / 3.F; }
+
+bool is_bitmap(const LocatedJson& json) {
+  if (json.is(Kind::String)) return true;
+  const LocatedJson* type = json.find("type");
+  return type != nullptr && type->is(Kind::String) && type->text() == "bitmap";
+}
+
+}  // namespace
+
+Vec3 constant_or(const desc::Value& color, const Vec3& mean_of_textures) {
+  const Vec3* constant = std::get_if<Vec3>(&color);
+  return constant != nullptr ? *constant : mean_of_textures;
+}
+
+Vec3 not_negative(const Context& context, const SourceLocation& where, const Vec3& color) {
+  const Vec3 result(std::max(color.x, 0.F), std::max(color.y, 0.F), std::max(color.z, 0.F));
+  if (result != color)
+    context.warnings.add(kNegative, where, "the colour is negative: 0 stands in");
+  return result;
+}
+
+desc::TextureRef TextureReader::add(const SourceLocation& where, desc::Node node) {
+  context_.scene.textures.push_back({"", where, std::move(node)});
+  return {static_cast<desc::TextureId>(context_.scene.textures.size()) - 1};
+}
+
+std::string TextureReader::resolve(const LocatedJson& name) {
+  try {
+    return context_.files.resolve(text_of(name));
+  } catch (const IoError& error) {
+    throw SceneError(name.where(), error.what());
+  }
+}
+
+std::optional<Bitmap> TextureReader::bitmap(const LocatedJson& json) {
+  if (!is_bitmap(json)) return std::nullopt;
+  Bitmap result;
+  if (json.is(Kind::String)) {
+    if (!json.text().empty()) result.file = resolve(json);
+  } else {
+    const ObjectReader object(context_, json, "a bitmap");
+    object.accept({"type", "name"});
+    if (const LocatedJson* file = object.find({"file", "path"})) result.file = resolve(*file);
+    result.gamma_correct = object.flag("gamma_correct").value_or(true);
+    result.interpolate = object.flag("interpolate").value_or(true);
+    result.clamp = object.flag("clamp").value_or(false);
+    result.scale = object.number("scale").value_or(1.F);
+    object.report_unknown();
+  }
+  if (result.file.empty()) {
+    context_.warnings.add(kNoFile, json.where(), "this texture names no file: grey stands in");
+    return std::nullopt;
+  }
+  return result;
+}
+
+desc::Value TextureReader::of_object(const LocatedJson& json) {
+  const ObjectReader object(context_, json, "a texture");
+  object.accept({"name"});
+  const std::optional<std::string> type = object.text("type");
+  if (!type) throw SceneError(json.where(), "a texture needs \"type\"");
+  if (*type == "constant") {
+    const Vec3 value = object.vector("value").value_or(Vec3(0.F));
+    object.report_unknown();
+    return value;
+  }
+  if (*type == "checker") {
+    const Vec3 on = object.vector("on_color").value_or(Vec3(0.8F));
+    const Vec3 off = object.vector("off_color").value_or(Vec3(0.2F));
+    const auto cells = [&](std::string_view name) {
+      return static_cast<float>(object.integer(name).value_or(20));
+    };
+    desc::Node node = desc::texture_node(
+        "checkerboard",
+        {{"first", off}, {"second", on}, {"scale_u", cells("res_u")}, {"scale_v", cells("res_v")}});
+    object.report_unknown();
+    return add(json.where(), std::move(node));
+  }
+  const auto* known = std::find_if(kStandIns.begin(), kStandIns.end(),
+                                   [&](const StandIn& s) { return s.type == *type; });
+  if (known == kStandIns.end()) {
+    context_.warnings.add(
+        kUnknown, json.where(),
+        unknown_name_message("texture", shown(*type), kTypes) + ". Grey stands in", shown(*type));
+    return kGrey;
+  }
+  context_.warnings.add(kStandIn, json.where(),
+                        "textures of type \"" + *type +
+                            "\" are not supported: a constant one "
+                            "stands in",
+                        *type);
+  return object.vector(known->value).value_or(Vec3(1.F));
+}
+
+desc::Value TextureReader::color(const LocatedJson& json) {
+  if (json.is(Kind::Number) || json.is(Kind::Array)) return vector_of(json);
+  if (!is_bitmap(json)) return of_object(json);
+  const std::optional<Bitmap> image = bitmap(json);
+  if (!image) return kGrey;
+  return add(json.where(),
+             desc::texture_node(
+                 "image", {{"file", image->file},
+                           {"wrap", std::string(image->clamp ? "clamp" : "repeat")},
+                           {"decode_srgb", image->gamma_correct},
+                           {"scale", image->scale},
+                           {"filter", std::string(image->interpolate ? "bilinear" : "nearest")}}));
+}
+
+desc::Value TextureReader::number(const LocatedJson& json) {
+  const desc::Value value = color(json);
+  if (const Vec3* constant = std::get_if<Vec3>(&value)) return mean(*constant);
+  return value;
+}
+
+desc::Value TextureReader::color(const ObjectReader& object,
+                                 std::initializer_list<std::string_view> names,
+                                 const Vec3& fallback) {
+  const LocatedJson* json = object.find(names);
+  return json != nullptr ? color(*json) : fallback;
+}
+
+desc::Value TextureReader::number(const ObjectReader& object,
+                                  std::initializer_list<std::string_view> names, float fallback) {
+  const LocatedJson* json = object.find(names);
+  return json != nullptr ? number(*json) : fallback;
+}
+
+desc::Value TextureReader::product(const desc::Value& color, const Vec3& factor) {
+  if (const Vec3* constant = std::get_if<Vec3>(&color)) return *constant * factor;
+  if (factor == Vec3(1.F)) return color;
+  const desc::TextureId id = std::get<desc::TextureRef>(color).id;
+  const SourceLocation where = context_.scene.textures[static_cast<std::size_t>(id)].where;
+  return add(where, desc::texture_node("product", {{"first", color}, {"second", factor}}));
+}
+
+desc::Value TextureReader::product(const desc::Value& number, float factor) {
+  if (const float* constant = std::get_if<float>(&number)) return *constant * factor;
+  return product(number, Vec3(factor));
+}
+
+}  // namespace ajar::tungsten

@@ -1,0 +1,56 @@
+#pragma once
+#include <optional>
+#include <string>
+
+#include "import/tungsten/object_reader.h"
+
+namespace ajar::tungsten {
+
+/// An image file as a texture or a light refers to it.
+struct Bitmap {
+  std::string file;  ///< resolved
+  bool gamma_correct = true;
+  bool interpolate = true;
+  bool clamp = false;
+  float scale = 1.F;
+};
+
+/// Textures, which Tungsten writes in place of the value that they vary: a number, an array, the
+/// name of an image, or an object with a type.
+class TextureReader {
+ public:
+  explicit TextureReader(Context& context) : context_(context) {}
+
+  /// A colour (Vec3) or a texture (TextureRef).
+  desc::Value color(const LocatedJson& json);
+  /// A number (float) or a texture (TextureRef).
+  desc::Value number(const LocatedJson& json);
+  /// The member of an object as one of these; `fallback` without one.
+  desc::Value color(const ObjectReader& object, std::initializer_list<std::string_view> names,
+                    const Vec3& fallback);
+  desc::Value number(const ObjectReader& object, std::initializer_list<std::string_view> names,
+                     float fallback);
+
+  /// The image, if `json` is one and nothing else.
+  std::optional<Bitmap> bitmap(const LocatedJson& json);
+
+  /// A texture times a colour; a colour times a colour.
+  desc::Value product(const desc::Value& color, const Vec3& factor);
+  /// The same of numbers.
+  desc::Value product(const desc::Value& number, float factor);
+
+ private:
+  desc::TextureRef add(const SourceLocation& where, desc::Node node);
+  desc::Value of_object(const LocatedJson& json);
+  std::string resolve(const LocatedJson& name);
+
+  Context& context_;
+};
+
+/// A colour that is the same everywhere, or what stands for the mean of a texture.
+Vec3 constant_or(const desc::Value& color, const Vec3& mean);
+
+/// `color` with lanes below 0 as 0, which is a warning at `where`.
+Vec3 not_negative(const Context& context, const SourceLocation& where, const Vec3& color);
+
+}  // namespace ajar::tungsten

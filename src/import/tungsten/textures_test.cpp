@@ -1,0 +1,68 @@
+#include "import/tungsten/textures.h"
+
+#include <gtest/gtest.h>
+
+#include "import/tungsten/import_test_support.h"
+
+namespace ajar::tungsten {
+namespace {
+
+/// The reflectance of a diffuse bsdf with this albedo.
+desc::Value albedo(const std::string& text) {
+  return material_of(scene_with_bsdf("'type': 'lambert', 'albedo': " + text)).get("reflectance");
+}
+desc::Node texture_with(const std::string& text) {
+  const desc::SceneDesc scene = scene_with_bsdf("'type': 'lambert', 'albedo': " + text);
+  return scene.textures.at(static_cast<std::size_t>(material_of(scene).texture("reflectance")))
+      .node;
+}
+
+TEST(TungstenTextures, MayBeConstants) {
+  EXPECT_EQ(albedo("0.25"), desc::Value(Vec3(0.25F)));
+  EXPECT_EQ(albedo("[0.1, 0.2, 0.3]"), desc::Value(Vec3(0.1F, 0.2F, 0.3F)));
+  EXPECT_EQ(albedo("{'type': 'constant', 'value': 0.5}"), desc::Value(Vec3(0.5F)));
+}
+
+TEST(TungstenTextures, MayBeImages) {
+  const desc::Node plain = texture_with("'a.png'");
+  EXPECT_TRUE(plain.is("image"));
+  EXPECT_TRUE(contains(plain.text("file"), "a.png"));
+  EXPECT_TRUE(plain.flag("decode_srgb"));
+  EXPECT_EQ(plain.text("wrap"), "repeat");
+  EXPECT_EQ(plain.text("filter"), "bilinear");
+  const desc::Node other = texture_with(
+      "{'type': 'bitmap', 'file': 'a.png', 'gamma_correct': false, 'interpolate': false, "
+      "'clamp': true, 'scale': 2}");
+  EXPECT_FALSE(other.flag("decode_srgb"));
+  EXPECT_EQ(other.text("wrap"), "clamp");
+  EXPECT_EQ(other.text("filter"), "nearest");
+  EXPECT_EQ(other.number("scale"), 2.F);
+}
+
+TEST(TungstenTextures, CheckersAreOffAtTheOrigin) {
+  const desc::Node checker = texture_with(
+      "{'type': 'checker', 'on_color': [1, 0, 0], 'off_color': 0.5, 'res_u': 4, 'res_v': 8}");
+  EXPECT_TRUE(checker.is("checkerboard"));
+  EXPECT_EQ(checker.get("first"), desc::Value(Vec3(0.5F)));
+  EXPECT_EQ(checker.get("second"), desc::Value(Vec3(1.F, 0.F, 0.F)));
+  EXPECT_EQ(checker.number("scale_u"), 4.F);
+  EXPECT_EQ(checker.number("scale_v"), 8.F);
+}
+
+TEST(TungstenTextures, OfOtherTypesAreReplacedWithAWarning) {
+  const auto with = [](const std::string& texture) {
+    return scene_text("{'name': 'm', 'type': 'lambert', 'albedo': " + texture + "}",
+                      "{'type': 'sphere', 'bsdf': 'm'}");
+  };
+  EXPECT_TRUE(contains(warnings_of(with("{'type': 'blade'}")),
+                       "test.json:2:54: textures of type \"blade\" are not supported"))
+      << warnings_of(with("{'type': 'blade'}"));
+  EXPECT_TRUE(contains(warnings_of(with("{'type': 'chequer'}")), "did you mean \"checker\"?"));
+  EXPECT_TRUE(contains(warnings_of(with("''")), "names no file"));
+  EXPECT_TRUE(contains(error_of(with("{'res_u': 2}")), "a texture needs \"type\""));
+  EXPECT_TRUE(contains(error_of(with("true")), "expected a texture"));
+  EXPECT_TRUE(contains(error_of(with("[1, 2]")), "expected three numbers, not 2"));
+}
+
+}  // namespace
+}  // namespace ajar::tungsten

@@ -1,0 +1,85 @@
+#include "import/tungsten/tungsten_import.h"
+
+#include <filesystem>
+#include <utility>
+
+#include "import/tungsten/camera.h"
+#include "import/tungsten/primitives.h"
+#include "import/tungsten/settings.h"
+
+namespace ajar {
+namespace tungsten {
+namespace {
+
+constexpr WarningKind kNoCamera{Effect::Light, "scenes have no camera"};
+constexpr WarningKind kNoShapes{Effect::Geometry, "scenes have no shapes"};
+
+/// JSON is much else, too: studies, statistics, other programs' scenes.
+void require_scene(const LocatedJson& root) {
+  if (root.is(LocatedJson::Kind::Object)) {
+    for (const char* key : {"primitives", "bsdfs", "camera"}) {
+      if (root.find(key) != nullptr) return;
+    }
+  }
+  throw SceneError(root.where(),
+                   "this is no scene of Tungsten: it has none of \"primitives\", \"bsdfs\" and "
+                   "\"camera\"");
+}
+
+void read_scene(Context& context, const LocatedJson& root) {
+  require_scene(root);
+  const ObjectReader object(context, root, "a scene");
+  TextureReader textures(context);
+  MediumTable media(context);
+  BsdfTable bsdfs(context, textures);
+  PrimitiveReader primitives(context, textures, bsdfs, media);
+  if (const LocatedJson* list = object.find("media")) media.define(*list);
+  if (const LocatedJson* list = object.find("bsdfs")) bsdfs.define(*list);
+  if (const LocatedJson* list = object.find("primitives")) primitives.read_all(*list);
+  if (const LocatedJson* camera = object.find("camera")) {
+    read_camera(context, *camera, media, primitives.places());
+  } else {
+    context.warnings.add(kNoCamera, root.where(),
+                         "there is no \"camera\": a perspective one at the origin is used");
+    context.scene.camera.where = context.scene.film.where = root.where();
+  }
+  if (const LocatedJson* integrator = object.find("integrator")) {
+    read_integrator(context, *integrator);
+  }
+  if (const LocatedJson* renderer = object.find("renderer")) read_renderer(context, *renderer);
+  object.report_unknown();
+  if (context.scene.shapes.empty() && context.scene.instances.empty()) {
+    context.warnings.add(kNoShapes, root.where(), "there are no shapes in this scene");
+  }
+}
+
+}  // namespace
+}  // namespace tungsten
+
+desc::SceneDesc import_tungsten_text(std::string_view text, const std::string& name,
+                                     const std::string& base_folder, Warnings& warnings,
+                                     FileProvider provider) {
+  FileAccess files(base_folder, std::move(provider));
+  desc::SceneDesc scene;
+  scene.source = name;
+  tungsten::Context context{scene, warnings, files};
+  tungsten::read_scene(context, LocatedJson::parse(text, name));
+  scene.files = files.named();
+  return scene;
+}
+
+desc::SceneDesc import_tungsten(const std::string& path, Warnings& warnings,
+                                const FileProvider& provider) {
+  if (const auto text = provider ? provider(path) : std::nullopt) {
+    const std::string folder = std::filesystem::path(path).parent_path().string();
+    return import_tungsten_text(*text, path, folder, warnings, provider);
+  }
+  const FileBytes bytes = read_file(path);
+  const std::filesystem::path absolute = std::filesystem::absolute(path).lexically_normal();
+  desc::SceneDesc scene =
+      import_tungsten_text(bytes.view(), path, absolute.parent_path().string(), warnings, provider);
+  scene.files.insert(absolute.string());
+  return scene;
+}
+
+}  // namespace ajar

@@ -1,0 +1,213 @@
+#include "import/tungsten/tungsten_import.h"
+
+#include <gtest/gtest.h>
+#include <stdlib.h>
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+#include "import/import.h"
+#include "import/tungsten/import_test_support.h"
+
+namespace ajar::tungsten {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string quoted(std::string text) {
+  for (char& c : text) c = c == '\'' ? '"' : c;
+  return text;
+}
+
+TEST(TungstenImport, RefusesWhatIsNoSceneOfTungsten) {
+  for (const char* text : {"{}", "[]", "7", R"({"integrator": "pt", "seconds": 4})"}) {
+    EXPECT_TRUE(contains(error_of(text), "test.json:1:1: this is no scene of Tungsten")) << text;
+  }
+  EXPECT_EQ(error_of("{\"camera\": }").find("test.json:1:12: this is no JSON: "), 0U)
+      << error_of("{\"camera\": }");
+  EXPECT_EQ(error_of(quoted("{'camera': 7}")),
+            "test.json:1:12: expected a camera, which is an object, not a number");
+}
+
+TEST(TungstenImport, UnknownMembersAreWarningsWithTheNearestName) {
+  const std::string warnings = warnings_of(
+      quoted("{'camera': {'fow': 30},\n'bsdfs': [{'name': 'a', 'type': 'lambert', 'albdo': 1}],\n"
+             "'primitives': [{'type': 'quad', 'bsdf': 'a', 'bsdf': 'b'}], 'rendrer': {}}"));
+  EXPECT_TRUE(contains(warnings,
+                       "test.json:1:13: unknown member of a camera \"fow\"; did you mean "
+                       "\"fov\"?"))
+      << warnings;
+  EXPECT_TRUE(contains(warnings,
+                       "test.json:2:44: unknown member of a bsdf \"albdo\"; did you mean "
+                       "\"albedo\"?"))
+      << warnings;
+  EXPECT_TRUE(contains(warnings, "test.json:3:46: \"bsdf\" stands twice in a primitive"))
+      << warnings;
+  EXPECT_TRUE(contains(warnings,
+                       "unknown member of a scene \"rendrer\"; did you mean "
+                       "\"renderer\"?"))
+      << warnings;
+}
+
+TEST(TungstenImport, AsksForWhatTheFileSays) {
+  Warnings warnings;
+  const desc::SceneDesc scene = import_with(
+      quoted("{'primitives': [{'type': 'quad'}], 'camera': {}, 'integrator': {'type': "
+             "'multiplexed_mlt', 'max_bounces': 8}, 'renderer': {'spp': 12, 'stratified_sampler': "
+             "false, 'output_file': 'a.png', 'hdr_output_file': 'a.exr'}}"),
+      warnings);
+  EXPECT_EQ(warnings.count(), 0U);
+  EXPECT_EQ(scene.hints.integrator, "mmlt");
+  EXPECT_EQ(scene.hints.max_depth, 8);
+  EXPECT_EQ(scene.hints.samples_per_pixel, 12);
+  EXPECT_EQ(scene.hints.sampler, "independent");
+  EXPECT_EQ(scene.film.filename, "a.exr");
+}
+
+TEST(TungstenImport, SettingsThatHaveNoCounterpartAreWarnings) {
+  const auto with = [](const std::string& members) {
+    return warnings_of(quoted("{'primitives': [{'type': 'quad'}], 'camera': {}, 'integrator': {" +
+                              members + "}, 'renderer': {'spp': 0}}"));
+  };
+  EXPECT_TRUE(contains(with("'type': 'path_trcer'"), "did you mean \"path_tracer\"?"));
+  EXPECT_TRUE(contains(with("'min_bounces': 1"), "\"min_bounces\" is not supported"));
+  EXPECT_TRUE(contains(with("'enable_two_sided_shading': false"), "cannot be false"));
+  EXPECT_TRUE(contains(with(""), "the number of samples must be 1 or more"));
+  EXPECT_TRUE(contains(error_of(quoted("{'camera': {}, 'integrator': {'max_bounces': -1}}")),
+                       "makes no sense"));
+}
+
+TEST(TungstenImport, MediaWithoutACounterpartAreWarnings) {
+  const auto with = [](const std::string& medium) {
+    return quoted("{'camera': {'medium': {" + medium + "}}}");
+  };
+  EXPECT_TRUE(contains(warnings_of(with("'type': 'voxel', 'density': {}")),
+                       "media of type \"voxel\" are not supported"));
+  EXPECT_TRUE(contains(warnings_of(with("'type': 'fog'")), "unknown medium type \"fog\""));
+  EXPECT_TRUE(
+      contains(warnings_of(with("'type': 'homogeneous', 'phase_function': {'type': 'rayleigh'}")),
+               "Rayleigh scattering is not supported"));
+  EXPECT_TRUE(contains(error_of(with("'type': 'homogeneous', 'sigma_s': -1")), "not negative"));
+  EXPECT_TRUE(contains(warnings_of(quoted("{'camera': {'medium': 'x'}}")), "unknown medium \"x\""));
+}
+
+class OnDisk : public ::testing::Test {
+ protected:
+  OnDisk() {
+    std::string pattern = (fs::temp_directory_path() / "ajar_tungsten_XXXXXX").string();
+    folder_ = mkdtemp(pattern.data());
+  }
+  ~OnDisk() override { fs::remove_all(folder_); }
+  std::string write(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_ / name) << text;
+    return (folder_ / name).string();
+  }
+  fs::path folder_;
+};
+
+TEST_F(OnDisk, IsToldByItsExtensionAndListsItsFiles) {
+  const std::string path =
+      write("room.json", scene_text("", "{'type': 'mesh', 'file': 'sub/m.wo3'}"));
+  Warnings warnings;
+  const desc::SceneDesc scene = import_scene(path, warnings);
+  EXPECT_TRUE(scene.files.contains(path));
+  EXPECT_TRUE(scene.files.contains((folder_ / "sub/m.wo3").string()));
+  EXPECT_THROW(import_scene((folder_ / "none.json").string(), warnings), IoError);
+}
+
+TEST_F(OnDisk, PipesAndDevicesAreNotRead) {
+  ASSERT_EQ(mkfifo((folder_ / "pipe.wo3").c_str(), 0600), 0);
+  for (const char* file : {"pipe.wo3", "/dev/zero"}) {
+    Warnings warnings;
+    import_scene(write("a.json", scene_text("", std::string("{'type': 'mesh', 'file': '") + file +
+                                                    "'}, {'type': 'instances', 'instances': '" +
+                                                    file + "'}")),
+                 warnings);
+    EXPECT_GE(warnings.count(Effect::Geometry), 2U) << file;
+  }
+}
+
+fs::path shared_scene(const char* file) {
+  // Nothing in the tests changes the environment.
+  const char* shared = std::getenv("AJAR_SHARED");  // NOLINT(concurrency-mt-unsafe)
+  const fs::path folder =
+      shared != nullptr ? fs::path(shared) : fs::path(AJAR_SOURCE_DIR) / "../shared";
+  return folder / "scenes" / file;
+}
+
+TEST(TungstenSharedScenes, MaterialTestLoads) {
+  const fs::path file = shared_scene("material-testball/materialtest.json");
+  if (!fs::exists(file)) GTEST_SKIP() << "no shared scenes; set AJAR_SHARED to their folder";
+  Warnings warnings;
+  const desc::SceneDesc scene = import_scene(file.string(), warnings);
+  EXPECT_EQ(scene.shapes.size(), 4U);
+  EXPECT_EQ(scene.lights.size(), 1U);
+  EXPECT_EQ(scene.film.resolution, Vec2i(1000, 563));
+  // The coat, triangles without area, the tone map.
+  EXPECT_EQ(warnings.count(), 3U);
+  EXPECT_EQ(warnings.count(Effect::Surface), 1U);
+  EXPECT_EQ(warnings.count(Effect::Geometry), 0U);
+}
+
+/// Where the corners of a mesh are, in an order of their own.
+std::vector<Vec3> corners_of(const desc::Shape& shape) {
+  std::vector<Vec3> corners;
+  for (const Vec3& p : shape.node.mesh("mesh")->positions) {
+    corners.push_back(moved(shape.to_world, p));
+  }
+  return corners;
+}
+
+/// Distance of the point of `of` that is farthest from all of `to`.
+float farthest(const std::vector<Vec3>& of, const std::vector<Vec3>& to) {
+  float result = 0.F;
+  for (const Vec3& p : of) {
+    float nearest = 1e30F;
+    for (const Vec3& q : to) nearest = std::min(nearest, length(p - q));
+    result = std::max(result, nearest);
+  }
+  return result;
+}
+
+TEST(TungstenSharedScenes, TheCornellBoxIsWhereOtherFormatsHaveIt) {
+  const fs::path file = shared_scene("cornell-box/pbrt/scene.pbrt");
+  if (!fs::exists(file)) GTEST_SKIP() << "no shared scenes; set AJAR_SHARED to their folder";
+  const auto primitive = [](const char* type, const char* place, const char* size,
+                            const char* rotation) {
+    return std::string("{'type': '") + type + "', 'transform': {'position': " + place +
+           ", 'scale': " + size + ", 'rotation': " + rotation + "}}";
+  };
+  const std::string primitives =
+      primitive("quad", "0", "[2, 4, 2]", "[0, 90, 0]") + "," +
+      primitive("quad", "[0, 2, 0]", "[2, 4, 2]", "[0, 0, -180]") + "," +
+      primitive("quad", "[0, 1, -1]", "[2, 4, 2]", "[0, 90, 90]") + "," +
+      primitive("quad", "[1, 1, 0]", "[2, 4, 2]", "[0, 180, 90]") + "," +
+      primitive("quad", "[-1, 1, 0]", "[2, 4, 2]", "[0, 0, 90]") + "," +
+      primitive("cube", "[0.328631, 0.3, 0.374592]", "[0.594811, 0.604394, 0.6]",
+                "[90, 90, -163.36]") +
+      "," +
+      primitive("cube", "[-0.335439, 0.6, -0.291415]", "[0.607289, 0.597739, 1.2]",
+                "[90, 180, 160.812]") +
+      "," + primitive("quad", "[-0.005, 1.98, -0.03]", "[0.47, 0.1786, 0.38]", "[0, 180, 180]");
+  const desc::SceneDesc ours = scene_of(
+      "", primitives,
+      "{'fov': 19.5, 'resolution': 1024, 'transform': {'position': [0, 1, 6.8], 'look_at': "
+      "[0, 1, 0], 'up': [0, 1, 0]}}");
+  Warnings warnings;
+  const desc::SceneDesc theirs = import_scene(file.string(), warnings);
+  ASSERT_EQ(ours.shapes.size(), theirs.shapes.size());
+  for (std::size_t i = 0; i < ours.shapes.size(); ++i) {
+    const std::vector<Vec3> a = corners_of(ours.shapes[i]);
+    const std::vector<Vec3> b = corners_of(theirs.shapes[i]);
+    EXPECT_LT(std::max(farthest(a, b), farthest(b, a)), 2e-5F) << "shape " << i;
+  }
+  for (const Vec3& p : {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)}) {
+    expect_near(moved(ours.camera.to_world, p), moved(theirs.camera.to_world, p));
+  }
+}
+
+}  // namespace
+}  // namespace ajar::tungsten
