@@ -5,7 +5,7 @@
 
 #include "core/error.h"
 #include "core/warnings.h"
-#include "import/pbrt/file_access.h"
+#include "import/common/file_access.h"
 #include "import/pbrt/spectra.h"
 #include "scene/desc/scene_desc.h"
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/warnings.h"
-#include "import/pbrt/file_access.h"
+#include "import/common/file_access.h"
 #include "import/pbrt/lexer.h"
 #include "import/pbrt/scene_builder.h"
 

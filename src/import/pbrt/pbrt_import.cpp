@@ -10,7 +10,7 @@ namespace {
 desc::SceneDesc import_text(std::string_view text, const std::string& name, const std::string& path,
                             const std::string& base_folder, Warnings& warnings,
                             FileProvider provider) {
-  pbrt::FileAccess files(base_folder, std::move(provider));
+  FileAccess files(base_folder, std::move(provider));
   pbrt::SceneBuilder builder(files, name, warnings);
   const SourceLocation end = pbrt::Parser(files, builder, warnings).parse(text, name, path);
   desc::SceneDesc scene = builder.finish(end);

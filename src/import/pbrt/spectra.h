@@ -5,7 +5,7 @@
 #include <string>
 
 #include "core/warnings.h"
-#include "import/pbrt/file_access.h"
+#include "import/common/file_access.h"
 #include "import/pbrt/parameter_list.h"
 #include "scene/desc/scene_desc.h"
 

@@ -4,7 +4,7 @@
 
 #include "import/file_provider.h"
 
-namespace ajar::pbrt {
+namespace ajar {
 
 /// Finds the files that a scene refers to: relative to the folder of the scene, first at the
 /// provider, then on the disk.
@@ -15,6 +15,9 @@ class FileAccess {
 
   /// Where `name` is: as the provider knows it, or an absolute path on the disk.
   std::string resolve(const std::string& name);
+  /// The same for formats whose files come from strangers: raises IoError, with the reason, for
+  /// names that lead out of the folder of the scene. Links in it are followed.
+  std::string resolve_inside(const std::string& name);
   /// Reads what `resolve` returned. Raises IoError.
   FileBytes load(const std::string& resolved) const;
   bool exists(const std::string& resolved) const;
@@ -27,4 +30,4 @@ class FileAccess {
   std::set<std::string> named_;
 };
 
-}  // namespace ajar::pbrt
+}  // namespace ajar
