@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <stdlib.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <set>
 
@@ -40,7 +41,11 @@ TEST(Formats, AreToldByExtensionsOfTheirOwn) {
 }
 
 TEST(Formats, MessagesListTheExtensionsAndNameTheNearest) {
-  const std::string usual = formats().front().extensions.front();
+  const auto written_one =
+      std::find_if(formats().begin(), formats().end(),
+                   [](const Format& format) { return format.write != nullptr; });
+  ASSERT_NE(written_one, formats().end());
+  const std::string usual = written_one->extensions.front();
   const std::string mistyped = usual.substr(0, usual.size() - 1);
   std::string read;
   std::string written;
