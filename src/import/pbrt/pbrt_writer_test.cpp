@@ -5,7 +5,9 @@
 #include <filesystem>
 #include <fstream>
 
+#include "core/regular_file.h"
 #include "import/pbrt/import_test_support.h"
+#include "scene/desc/models.h"
 
 namespace ajar {
 namespace {
