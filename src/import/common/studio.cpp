@@ -49,19 +49,50 @@ std::array<Vec3d, 8> corners_of(const Imath::Box3d& box) {
   return corners;
 }
 
-void extend(Imath::Box3d& box, const Imath::Box3d& local, const Mat4& to_world) {
-  if (local.isEmpty()) return;
-  for (const Vec3d& corner : corners_of(local)) {
-    Vec3d placed;
-    to_world.multVecMatrix(corner, placed);
-    box.extendBy(placed);
-  }
-}
-
-/// Boxes of meshes in their own spaces, each found once.
-class LocalBoxes {
+/// The boxes of all meshes, each in its own space and with its place. The scene must not change
+/// meanwhile.
+class PlacedBoxes {
  public:
-  const Imath::Box3d& of(const desc::Shape& shape) {
+  explicit PlacedBoxes(const desc::SceneDesc& scene) {
+    for (const desc::Shape& shape : scene.shapes) add(local_box(shape), shape.to_world);
+    std::vector<Imath::Box3d> objects;
+    for (const desc::Object& object : scene.objects) {
+      Imath::Box3d& box = objects.emplace_back();
+      for (const desc::Shape& shape : object.shapes) {
+        visit_corners({local_box(shape), &shape.to_world},
+                      [&](const Vec3d& corner) { box.extendBy(corner); });
+      }
+    }
+    for (const desc::Instance& instance : scene.instances) {
+      add(objects[static_cast<std::size_t>(instance.object)], instance.to_world);
+    }
+  }
+
+  /// `visit(corner)` with each corner in the world.
+  template <typename Visit>
+  void for_each_corner(const Visit& visit) const {
+    for (const Part& part : parts_) visit_corners(part, visit);
+  }
+
+ private:
+  struct Part {
+    Imath::Box3d box;
+    const Mat4* to_world;
+  };
+
+  template <typename Visit>
+  static void visit_corners(const Part& part, const Visit& visit) {
+    if (part.box.isEmpty()) return;
+    for (const Vec3d& corner : corners_of(part.box)) {
+      Vec3d placed;
+      part.to_world->multVecMatrix(corner, placed);
+      visit(placed);
+    }
+  }
+  void add(const Imath::Box3d& box, const Mat4& to_world) {
+    if (!box.isEmpty()) parts_.push_back({box, &to_world});
+  }
+  const Imath::Box3d& local_box(const desc::Shape& shape) {
     const desc::MeshPointer mesh =
         shape.node.is("mesh") ? shape.node.mesh("mesh") : desc::MeshPointer();
     const auto [place, is_new] = boxes_.try_emplace(mesh.get());
@@ -69,8 +100,8 @@ class LocalBoxes {
     return place->second;
   }
 
- private:
   std::map<const desc::Mesh*, Imath::Box3d> boxes_;
+  std::vector<Part> parts_;
 };
 
 Mat4 frame(const Vec3d& x, const Vec3d& y, const Vec3d& z, const Vec3d& origin) {
@@ -94,8 +125,9 @@ class Studio {
     const Vec3d forward = -toward;
     const Vec3d right = forward.cross(up_direction()).normalized();
     const Vec3d up = right.cross(forward);
-    const Extent across = extent_along(right, forward);
-    const Extent upright = extent_along(up, forward);
+    const PlacedBoxes boxes(scene_);
+    const Extent across = extent_along(boxes, right, forward);
+    const Extent upright = extent_along(boxes, up, forward);
     const double distance = std::max({across.distance, upright.distance, 0.1 * radius_});
     const Vec3d eye =
         centre_ + right * across.shift + up * upright.shift - forward * (kMargin * distance);
@@ -126,22 +158,27 @@ class Studio {
   }
 
  private:
-  /// From where the box just fits into the picture along one of its axes.
+  /// From where all boxes just fit into the picture along one of its axes.
   struct Extent {
     double shift;     ///< of the eye along the axis, from the centre
     double distance;  ///< of the eye before the centre
   };
   /// With x along the axis and z forward from the centre, and slope t of the edges of the picture,
   /// x − s <= t (z + d) and s − x <= t (z + d) hold for all corners from this d on.
-  Extent extent_along(const Vec3d& axis, const Vec3d& forward) const {
+  Extent extent_along(const PlacedBoxes& boxes, const Vec3d& axis, const Vec3d& forward) const {
     const double slope = std::tan(0.5 * kFov * kDegree);
     double most = -std::numeric_limits<double>::infinity();
     double least = most;
-    for (const Vec3d& corner : corners_of(box_)) {
+    const auto add = [&](const Vec3d& corner) {
       const double x = (corner - centre_).dot(axis);
       const double depth = slope * (corner - centre_).dot(forward);
       most = std::max(most, x - depth);
       least = std::max(least, -x - depth);
+    };
+    boxes.for_each_corner(add);
+    if (!std::isfinite(most + least)) {
+      most = least = 0.0;
+      for (const Vec3d& corner : corners_of(box_)) add(corner);
     }
     return {0.5 * (most - least), 0.5 * (most + least) / slope};
   }
@@ -203,17 +240,8 @@ desc::MaterialId add_neutral_material(desc::SceneDesc& scene) {
 }
 
 Imath::Box3d bounds_of_meshes(const desc::SceneDesc& scene) {
-  LocalBoxes boxes;
   Imath::Box3d bounds;
-  for (const desc::Shape& shape : scene.shapes) extend(bounds, boxes.of(shape), shape.to_world);
-  std::vector<Imath::Box3d> objects;
-  for (const desc::Object& object : scene.objects) {
-    Imath::Box3d& box = objects.emplace_back();
-    for (const desc::Shape& shape : object.shapes) extend(box, boxes.of(shape), shape.to_world);
-  }
-  for (const desc::Instance& instance : scene.instances) {
-    extend(bounds, objects[static_cast<std::size_t>(instance.object)], instance.to_world);
-  }
+  PlacedBoxes(scene).for_each_corner([&](const Vec3d& corner) { bounds.extendBy(corner); });
   return bounds;
 }
 
