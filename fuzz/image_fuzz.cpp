@@ -21,14 +21,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (size == 0) return 0;
   const std::string path = ajar::fuzz::private_file(std::span(data, size).subspan(1),
                                                     kExtensions[data[0] % kExtensions.size()]);
-  if (ajar::image_size(path).texels > kMostTexels) return 0;
+  if (ajar::image_size({path}).texels > kMostTexels) return 0;
   try {
     const ajar::Image image = ajar::read_image(path);
     image.rgb();
   } catch (const ajar::IoError&) {
   }
   try {
-    ajar::read_texel_image(path);
+    ajar::read_texel_image({path});
   } catch (const ajar::IoError&) {
   }
   return 0;

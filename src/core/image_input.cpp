@@ -249,14 +249,16 @@ int ImageInput::strip_height() const {
   return block * static_cast<int>(std::clamp<std::uint64_t>(kStripBytes / block_bytes, 1, 1024));
 }
 
-void ImageInput::read_strip(int first, int rows, int channels, OIIO::TypeDesc type, void* values) {
+void ImageInput::read_strip(int first, int rows, int first_channel, int channels,
+                            OIIO::TypeDesc type, void* values) {
+  const int end = first_channel + channels;
   const bool is_read = guarded([&] {
     const int y = spec().y + first;
     if (spec().tile_width == 0) {
-      return input_->read_scanlines(0, 0, y, y + rows, spec().z, 0, channels, type, values);
+      return input_->read_scanlines(0, 0, y, y + rows, spec().z, first_channel, end, type, values);
     }
     return input_->read_tiles(0, 0, spec().x, spec().x + spec().width, y, y + rows, spec().z,
-                              spec().z + 1, 0, channels, type, values);
+                              spec().z + 1, first_channel, end, type, values);
   });
   if (!is_read) throw IoError(in_one_line(input_->geterror()));
 }

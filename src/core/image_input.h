@@ -28,6 +28,11 @@ class ImageInput {
   /// read, or with `extra_bytes` more need more memory than there is.
   template <typename T>
   std::vector<T> read(int channels, std::uint64_t extra_bytes = 0) {
+    return read_from<T>(0, channels, extra_bytes);
+  }
+  /// The same from channel `first_channel` on.
+  template <typename T>
+  std::vector<T> read_from(int first_channel, int channels, std::uint64_t extra_bytes = 0) {
     check_memory(bytes(channels, sizeof(T)) + decoding_bytes() + extra_bytes);
     std::vector<T> values;
     const std::size_t row =
@@ -38,7 +43,7 @@ class ImageInput {
       const int rows = std::min(strip_height(), spec().height - y);
       const std::size_t first = values.size();
       values.resize(first + row * static_cast<std::size_t>(rows));
-      read_strip(y, rows, channels, OIIO::TypeDesc(OIIO::BaseTypeFromC<T>::value),
+      read_strip(y, rows, first_channel, channels, OIIO::TypeDesc(OIIO::BaseTypeFromC<T>::value),
                  values.data() + first);
     }
     return values;
@@ -49,7 +54,8 @@ class ImageInput {
   /// What the library takes at most while it turns rows or tiles into what is asked for.
   std::uint64_t decoding_bytes() const;
   int strip_height() const;
-  void read_strip(int first, int rows, int channels, OIIO::TypeDesc type, void* values);
+  void read_strip(int first, int rows, int first_channel, int channels, OIIO::TypeDesc type,
+                  void* values);
 
   std::unique_ptr<OIIO::ImageInput> input_;
 };

@@ -20,8 +20,9 @@ struct Format {
   /// if the scene cannot be used, IoError if `path` cannot be read.
   desc::SceneDesc (*read)(const std::string& path, Warnings& warnings,
                           const FileProvider& provider);
-  /// Writes a scene such that reading it gives a description of equal `desc::hash`. Each file is
-  /// written as a whole or not at all, `path` last. Raises IoError. Null: the format is only read.
+  /// Writes a scene such that reading it gives a description of equal `desc::hash` (embedded files
+  /// become files, and have another name then). Each file is written as a whole or not at all,
+  /// `path` last. Raises IoError. Null: the format is only read.
   void (*write)(const desc::SceneDesc& scene, const std::string& path) = nullptr;
 };
 

@@ -1,11 +1,10 @@
 #include "scene/scene_memory.h"
 
 #include <map>
-#include <string>
 #include <vector>
 
 #include "scene/shape/build_shape.h"
-#include "scene/texture/image_cache.h"
+#include "scene/texture/inputs.h"
 
 namespace ajar {
 
@@ -26,19 +25,19 @@ SceneMemory estimate_memory(const desc::SceneDesc& scene) {
   memory.geometry = shape_bytes(scene.shapes);
   for (const desc::Object& object : scene.objects) memory.geometry += shape_bytes(object.shapes);
 
-  std::map<std::string, ImageSize> images;
-  const auto size_of = [&](const std::string& path) {
-    const auto [entry, is_new] = images.try_emplace(path);
-    if (is_new) entry->second = image_size(path);
+  std::map<ImageRequest, ImageSize> images;
+  const auto size_of = [&](const ImageRequest& request) {
+    const auto [entry, is_new] = images.try_emplace(request);
+    if (is_new) entry->second = image_size(request, scene.embedded_files);
     memory.images += is_new ? entry->second.bytes : 0;
     return entry->second;
   };
   for (const desc::Texture& texture : scene.textures) {
-    for (const std::string& path : texture.node.files()) size_of(path);
+    for (const ImageRequest& request : image_requests(texture.node)) size_of(request);
   }
   for (const desc::Light& light : scene.lights) {
     for (const std::string& path : light.node.files()) {
-      if (!path.empty()) memory.images += size_of(path).texels * kDensityBytesPerTexel;
+      if (!path.empty()) memory.images += size_of({path}).texels * kDensityBytesPerTexel;
     }
   }
   return memory;

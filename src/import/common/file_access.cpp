@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "core/error.h"
+#include "core/printable_text.h"
 
 namespace ajar {
 
@@ -15,6 +16,16 @@ std::string FileAccess::resolve(const std::string& name) {
   std::error_code error;
   const std::filesystem::path absolute = std::filesystem::absolute(path, error);
   return *named_.insert(error ? path.string() : absolute.lexically_normal().string()).first;
+}
+
+std::string FileAccess::resolve_inside(const std::string& name) {
+  const std::filesystem::path path(name);
+  const std::filesystem::path normal = path.lexically_normal();
+  if (path.is_absolute() || (!normal.empty() && *normal.begin() == "..")) {
+    throw IoError("\"" + printable_line(name) +
+                  "\" is outside of the folder of the scene, where files are not looked for");
+  }
+  return resolve(name);
 }
 
 FileBytes FileAccess::load(const std::string& resolved) const {

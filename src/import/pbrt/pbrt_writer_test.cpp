@@ -5,7 +5,9 @@
 #include <filesystem>
 #include <fstream>
 
+#include "core/regular_file.h"
 #include "import/pbrt/import_test_support.h"
+#include "scene/desc/models.h"
 
 namespace ajar {
 namespace {
@@ -137,6 +139,24 @@ TEST(SceneHash, ChangesWithThePictureAndNotWithNames) {
            {"WorldBegin", "WorldBegin MakeNamedMaterial \"unused\" \"string type\" \"mirror\""}}) {
     EXPECT_EQ(changed(from, to), original) << from;
   }
+}
+
+TEST(PbrtWriter, WritesEmbeddedFilesBeside) {
+  TemporaryFolder folder;
+  desc::SceneDesc scene = scene_of("");
+  scene.embedded_files["room.abc/oak.png"] = std::make_shared<const std::string>("the bytes");
+  scene.textures.emplace_back().node =
+      desc::texture_node("image", {{"file", std::string("room.abc/oak.png")}});
+  const desc::TextureRef oak{static_cast<desc::TextureId>(scene.textures.size()) - 1};
+  scene.materials.emplace_back().node = desc::material_node("diffuse", {{"reflectance", oak}});
+  const fs::path out = folder.path() / "room.pbrt";
+  write_pbrt(scene, out.string());
+  Warnings warnings;
+  const desc::SceneDesc back = import_pbrt(out.string(), warnings);
+  ASSERT_EQ(back.textures.size(), 1U);
+  const std::string& file = back.textures[0].node.text("file");
+  EXPECT_EQ(file, (folder.path() / "room_images/image_0.png").string());
+  EXPECT_EQ(read_file(file).view(), "the bytes");
 }
 
 }  // namespace

@@ -26,7 +26,8 @@ struct WriterContext {
   std::string medium_name(desc::MediumId id) const;
   /// The interface of lights and the camera, which know only the outside.
   void medium_outside(desc::MediumId outside);
-  /// Relative to the pbrt file where possible.
+  /// Relative to the pbrt file where possible. An embedded file is written, into a folder beside
+  /// it. Raises IoError.
   std::string image_path(const std::string& image) const;
 };
 

@@ -1,4 +1,5 @@
 #pragma once
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -149,9 +150,13 @@ struct RenderHints {
   std::vector<std::pair<std::string, std::string>> parameters;  ///< for `integrator`
 };
 
+/// Contents of files that are inside of others, by the names that nodes have for them.
+using EmbeddedFiles = std::map<std::string, std::shared_ptr<const std::string>>;
+
 struct SceneDesc {
   std::string source;           ///< the file it came from
   std::set<std::string> files;  ///< on the disk that it names, itself too; nothing may replace them
+  EmbeddedFiles embedded_files;
   std::vector<Texture> textures;
   std::vector<Material> materials;
   std::vector<Medium> media;

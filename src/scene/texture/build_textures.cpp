@@ -9,11 +9,13 @@ namespace ajar {
 namespace {
 
 ImageMap images_of(const desc::SceneDesc& scene) {
-  std::vector<std::string> paths;
+  std::vector<ImageRequest> requests;
   for (const desc::Texture& texture : scene.textures) {
-    for (const std::string& path : texture.node.files()) paths.push_back(path);
+    for (ImageRequest& request : image_requests(texture.node)) {
+      requests.push_back(std::move(request));
+    }
   }
-  return read_images(paths);
+  return read_images(requests, scene.embedded_files);
 }
 
 const TextureModel& model_of(const desc::Texture& texture) {

@@ -1,6 +1,7 @@
 #pragma once
 #include <half.h>
 
+#include <compare>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -8,6 +9,8 @@
 #include <string>
 #include <variant>
 #include <vector>
+
+#include "scene/desc/scene_desc.h"
 
 namespace ajar {
 
@@ -22,8 +25,19 @@ struct TexelImage {
       texels;
 };
 
-/// Reads an image; alpha is ignored, not multiplied in. Throws IoError with the reason.
-TexelImage read_texel_image(const std::string& path);
+/// What is taken of the channels of an image.
+enum class ImageChannel { Color, Red, Green, Blue, Alpha };
+
+/// An image file, or one of the scene's embedded files, and what is taken of it.
+struct ImageRequest {
+  std::string path;
+  ImageChannel channel = ImageChannel::Color;
+  auto operator<=>(const ImageRequest&) const = default;
+};
+
+/// Reads an image. Of a gray image, all colours are its gray; where there is no alpha, it is 1.
+/// Colours are not multiplied with alpha. Throws IoError with the reason.
+TexelImage read_texel_image(const ImageRequest& request, const desc::EmbeddedFiles& embedded = {});
 
 /// What an image will take in memory, as its file says.
 struct ImageSize {
@@ -31,14 +45,16 @@ struct ImageSize {
   std::uint64_t bytes = 0;
 };
 /// Without reading the texels; nothing if the file cannot be read, or not into the memory there is.
-ImageSize image_size(const std::string& path);
+ImageSize image_size(const ImageRequest& request, const desc::EmbeddedFiles& embedded = {});
 
 /// Result of reading a file: an image, or the reason why there is none.
 struct CachedImage {
   std::shared_ptr<const TexelImage> image;
   std::string error;
 };
-/// Reads every path once, several at a time.
-std::map<std::string, CachedImage> read_images(std::span<const std::string> paths);
+using ImageMap = std::map<ImageRequest, CachedImage>;
+/// Reads everything once, several at a time.
+ImageMap read_images(std::span<const ImageRequest> requests,
+                     const desc::EmbeddedFiles& embedded = {});
 
 }  // namespace ajar

@@ -164,7 +164,9 @@ TextureModel image_texture() {
            .summary = "an image file",
            .source = "",
            .parameters = declare::joined(
-               {declare::file("file", "the image; alpha is ignored"),
+               {declare::file("file", "the image"),
+                choice_parameter("channel", {"color", "red", "green", "blue", "alpha"},
+                                 "what is taken of it; alpha is 1 if it has none"),
                 choice_parameter("wrap", {"repeat", "black", "clamp"},
                                  "what is beyond the edge of the image"),
                 std::move(decode), declare::number("scale", "1", "factor of all values"),

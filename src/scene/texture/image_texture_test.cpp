@@ -124,6 +124,56 @@ TEST_F(ImageTextureTest, GrayImagesAreGrayAndAlphaIsIgnored) {
   EXPECT_NEAR(rgba[2], 0.6F, 1e-6F);
 }
 
+TEST_F(ImageTextureTest, AChannelAloneIsANumber) {
+  desc::Node node = desc::texture_node("image", {{"decode_srgb", false}});
+  const auto value = [&](const std::string& file, const char* channel) {
+    node.set("file", file);
+    node.set("channel", channel);
+    return make(node)->eval_float(at_uv(0.5F, 0.5F)) * 255.F;
+  };
+  const std::string rgba = write<std::uint8_t>("rgba.png", 1, 1, 4, {51, 102, 153, 10});
+  EXPECT_NEAR(value(rgba, "red"), 51.F, 1e-3F);
+  EXPECT_NEAR(value(rgba, "green"), 102.F, 1e-3F);
+  EXPECT_NEAR(value(rgba, "blue"), 153.F, 1e-3F);
+  EXPECT_NEAR(value(rgba, "alpha"), 10.F, 1e-3F);
+  const std::string gray_alpha = write<std::uint8_t>("ya.png", 1, 1, 2, {51, 10});
+  EXPECT_NEAR(value(gray_alpha, "blue"), 51.F, 1e-3F);
+  EXPECT_NEAR(value(gray_alpha, "alpha"), 10.F, 1e-3F);
+  const std::string rgb = write<std::uint8_t>("rgb.png", 1, 1, 3, {51, 102, 153});
+  EXPECT_NEAR(value(rgb, "alpha"), 255.F, 1e-3F) << "it has none";
+}
+
+TEST_F(ImageTextureTest, EmbeddedFilesAreReadLikeOthers) {
+  for (const char* extension : {"png", "jpg", "tif", "exr", "bmp", "webp"}) {
+    const std::string path = write<std::uint8_t>(std::string("a.") + extension, 8, 8, 3,
+                                                 std::vector<std::uint8_t>(192, 128));
+    const TexelImage expected = read_texel_image({path});
+    std::ifstream file(path, std::ios::binary);
+    const desc::EmbeddedFiles embedded = {
+        {"scene.abc#image",
+         std::make_shared<const std::string>(std::istreambuf_iterator<char>(file),
+                                             std::istreambuf_iterator<char>())}};
+    const TexelImage image = read_texel_image({"scene.abc#image"}, embedded);
+    EXPECT_EQ(image.width, 8) << extension;
+    EXPECT_EQ(image.channels, expected.channels) << extension;
+    EXPECT_TRUE(image.texels == expected.texels) << extension;
+    EXPECT_EQ(image_size({"scene.abc#image"}, embedded).texels, 64U) << extension;
+  }
+}
+
+TEST_F(ImageTextureTest, RotationTurnsFromUToVBeforeTheOffset) {
+  // Rows from the top: 10 20 30 / 40 50 60.
+  desc::Node node = desc::texture_node("image", {{"decode_srgb", false}, {"filter", "nearest"}});
+  node.set("file", write<std::uint8_t>("a.png", 3, 2, 1, six()));
+  node.set("rotation", 90.F);
+  node.set("offset_u", 1.F);
+  // (u, v) becomes (1 − v, u): the left edge of the surface shows the bottom row, from its end.
+  const auto texture = make(node);
+  EXPECT_NEAR(texture->eval_float(at_uv(0.1F, 0.1F)) * 255.F, 60.F, 1e-3F);
+  EXPECT_NEAR(texture->eval_float(at_uv(0.1F, 0.9F)) * 255.F, 40.F, 1e-3F);
+  EXPECT_NEAR(texture->eval_float(at_uv(0.9F, 0.1F)) * 255.F, 30.F, 1e-3F);
+}
+
 TEST_F(ImageTextureTest, ColourImagesUsedAsFloatsGiveLuminance) {
   desc::Node node = desc::texture_node("image");
   node.set("decode_srgb", false);
@@ -143,13 +193,13 @@ TEST_F(ImageTextureTest, InvalidTexelsBecomeBlack) {
 TEST_F(ImageTextureTest, FilesAreReadOnceForAllTextures) {
   const std::string path = write<std::uint8_t>("a.png", 3, 2, 1, six());
   const std::string missing = (folder_ / "missing.png").string();
-  const std::string paths[] = {path, missing, path, path};
-  const auto images = read_images(paths);
+  const ImageRequest requests[] = {{path}, {missing}, {path}, {path}};
+  const ImageMap images = read_images(requests);
   ASSERT_EQ(images.size(), 2U);
-  ASSERT_TRUE(images.at(path).image);
-  EXPECT_TRUE(std::holds_alternative<std::vector<std::uint8_t>>(images.at(path).image->texels));
-  EXPECT_FALSE(images.at(missing).image);
-  EXPECT_FALSE(images.at(missing).error.empty());
+  ASSERT_TRUE(images.at({path}).image);
+  EXPECT_TRUE(std::holds_alternative<std::vector<std::uint8_t>>(images.at({path}).image->texels));
+  EXPECT_FALSE(images.at({missing}).image);
+  EXPECT_FALSE(images.at({missing}).error.empty());
 }
 
 TEST_F(ImageTextureTest, UnreadableImagesAreMagentaWithALocatedWarning) {

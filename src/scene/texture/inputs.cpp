@@ -7,7 +7,23 @@ namespace {
 
 constexpr WarningKind kUnreadable{Effect::Surface, "textures cannot be read, shown as magenta"};
 
+ImageChannel channel_of(const desc::Node& node) {
+  if (!node.has("channel")) return ImageChannel::Color;
+  const std::string& name = node.text("channel");
+  return name == "red"     ? ImageChannel::Red
+         : name == "green" ? ImageChannel::Green
+         : name == "blue"  ? ImageChannel::Blue
+         : name == "alpha" ? ImageChannel::Alpha
+                           : ImageChannel::Color;
+}
+
 }  // namespace
+
+std::vector<ImageRequest> image_requests(const desc::Node& node) {
+  std::vector<ImageRequest> requests;
+  for (std::string& path : node.files()) requests.push_back({std::move(path), channel_of(node)});
+  return requests;
+}
 
 TextureSlot TextureInputs::slot(std::string_view name) const {
   const desc::Value& value = node().get(name);
@@ -20,7 +36,7 @@ TextureSlot TextureInputs::slot(std::string_view name) const {
 
 std::shared_ptr<const TexelImage> TextureInputs::image(std::string_view name) const {
   const std::string& path = node().text(name);
-  const CachedImage& cached = images_.at(path);
+  const CachedImage& cached = images_.at({path, channel_of(node())});
   if (!cached.image) {
     warnings_.add(
         kUnreadable, description_.where,

@@ -1,14 +1,16 @@
 #pragma once
-#include <map>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "scene/texture/image_cache.h"
 #include "scene/texture/registry.h"
 
 namespace ajar {
 
-using ImageMap = std::map<std::string, CachedImage>;
+/// The images that a texture is made of: its files, each with the parameter `channel` if it has
+/// one.
+std::vector<ImageRequest> image_requests(const desc::Node& node);
 
 /// The description of one texture, with what it refers to.
 class TextureInputs {

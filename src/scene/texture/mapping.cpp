@@ -17,7 +17,12 @@ TextureMapping::Mapping TextureMapping::mapping_of(const desc::Node& node) {
     return Planar{node.vector("axis_u"), node.vector("axis_v"), node.number("offset_u"),
                   node.number("offset_v")};
   }
-  return Uv{node.number("scale_u"), node.number("scale_v"), node.number("offset_u"),
+  const double angle = double{node.number("rotation")} * M_PI / 180.0;
+  return Uv{node.number("scale_u"),
+            node.number("scale_v"),
+            static_cast<float>(std::cos(angle)),
+            static_cast<float>(std::sin(angle)),
+            node.number("offset_u"),
             node.number("offset_v")};
 }
 
@@ -43,6 +48,9 @@ std::vector<ParameterSpec> mapping_parameters() {
                            "from the surface's coordinates, or from its place"),
           only_for("mapping", {"uv"}, declare::number("scale_u", "1", "repetitions along u")),
           only_for("mapping", {"uv"}, declare::number("scale_v", "1", "repetitions along v")),
+          only_for("mapping", {"uv"},
+                   declare::number("rotation", "0", "of (u, v), from u to v, before the offset",
+                                   "degrees")),
           only_for("mapping", {"uv", "planar"}, declare::number("offset_u", "0", "added to u")),
           only_for("mapping", {"uv", "planar"}, declare::number("offset_v", "0", "added to v")),
           only_for("mapping", {"planar"},

@@ -14,14 +14,16 @@ class TextureMapping {
   explicit TextureMapping(const desc::Node& node);
   Vec2 map(const SurfacePoint& at) const {
     if (const auto* uv = std::get_if<Uv>(&mapping_)) {
-      return {uv->su * at.uv.x + uv->du, uv->sv * at.uv.y + uv->dv};
+      const float u = uv->su * at.uv.x;
+      const float v = uv->sv * at.uv.y;
+      return {uv->cosine * u - uv->sine * v + uv->du, uv->sine * u + uv->cosine * v + uv->dv};
     }
     return map_position(at.p);
   }
 
  private:
   struct Uv {
-    float su, sv, du, dv;
+    float su, sv, cosine, sine, du, dv;
   };
   struct Spherical {
     Mat4 world_to_texture;

@@ -14,18 +14,19 @@ TextureModel marble_texture();
 TextureModel mix_texture();
 TextureModel product_texture();
 TextureModel solid_checkerboard_texture();
+TextureModel threshold_texture();
 TextureModel uv_texture();
 TextureModel windy_texture();
 TextureModel wrinkled_texture();
 
 const std::vector<TextureModel>& texture_models() {
-  static const std::vector<TextureModel> kModels{bilinear_texture(), checkerboard_texture(),
-                                                 constant_texture(), dots_texture(),
-                                                 fbm_texture(),      image_texture(),
-                                                 marble_texture(),   mix_texture(),
-                                                 product_texture(),  solid_checkerboard_texture(),
-                                                 uv_texture(),       windy_texture(),
-                                                 wrinkled_texture()};
+  static const std::vector<TextureModel> kModels{bilinear_texture(),  checkerboard_texture(),
+                                                 constant_texture(),  dots_texture(),
+                                                 fbm_texture(),       image_texture(),
+                                                 marble_texture(),    mix_texture(),
+                                                 product_texture(),   solid_checkerboard_texture(),
+                                                 threshold_texture(), uv_texture(),
+                                                 windy_texture(),     wrinkled_texture()};
   return kModels;
 }
 

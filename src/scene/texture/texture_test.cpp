@@ -56,6 +56,17 @@ void expect_rgb(const Spectrum& s, float r, float g, float b) {
   EXPECT_NEAR(s[2], b, 1e-5F);
 }
 
+TEST_F(TextureTest, ThresholdIsOneFromItsEdgeOn) {
+  const auto edge = [&](float at) {
+    const desc::TextureId value = add_constant(0.25F, 1.F, 1.F);
+    add("threshold", {{"value", TextureRef{value}}, {"edge", at}});
+    return built().eval_float(at_uv(0.F, 0.F));
+  };
+  EXPECT_EQ(edge(0.2F), 1.F);
+  EXPECT_EQ(edge(0.25F), 1.F);
+  EXPECT_EQ(edge(0.3F), 0.F);
+}
+
 TEST_F(TextureTest, ProductMultipliesAndFoldsConstants) {
   const auto a = add_constant(0.5F, 1.F, 2.F);
   const auto b = add_constant(0.5F, 0.25F, 3.F);

@@ -1,0 +1,27 @@
+#pragma once
+#include "scene/desc/scene_desc.h"
+
+/// What a model without camera and lights needs to be seen: a photographer's table with a large
+/// soft light above it, a smaller one behind, and a dim sky.
+namespace ajar {
+
+/// The axis of a model that points up.
+enum class UpAxis { Y, Z };
+
+/// What a scene has of its own.
+struct SceneParts {
+  bool has_camera = false;
+  bool has_lights = false;  ///< those that shine from no surface
+};
+
+/// Adds what is missing. With neither camera nor lights, all of it: surfaces that shine do not make
+/// a studio. With a camera alone, lights, unless a surface shines. With lights alone, a camera.
+void add_studio(desc::SceneDesc& scene, const SceneParts& parts, UpAxis up);
+
+/// Adds a light grey material with a soft gloss, for surfaces that have none.
+desc::MaterialId add_neutral_material(desc::SceneDesc& scene);
+
+/// The box of all meshes in the world; empty if there are none.
+Imath::Box3d bounds_of_meshes(const desc::SceneDesc& scene);
+
+}  // namespace ajar

@@ -1,0 +1,18 @@
+#pragma once
+#include "core/warnings.h"
+#include "import/common/file_access.h"
+#include "import/gltf/document.h"
+#include "scene/desc/scene_desc.h"
+
+namespace ajar::gltf {
+
+/// What every part of the importer works with.
+struct Context {
+  desc::SceneDesc& scene;
+  Warnings& warnings;
+  FileAccess& files;
+  const Document& document;
+  const std::string& path;  ///< of the file: embedded images are named after it
+};
+
+}  // namespace ajar::gltf

@@ -1,0 +1,11 @@
+#pragma once
+#include "core/warnings.h"
+#include "import/gltf/element.h"
+
+namespace ajar::gltf {
+
+/// Warns of extensions in use that are not read. Raises SceneError if the file cannot do without
+/// one that is not read, such as compressed meshes.
+void check_extensions(const Element& root, Warnings& warnings);
+
+}  // namespace ajar::gltf

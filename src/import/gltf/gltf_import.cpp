@@ -1,0 +1,60 @@
+#include "import/gltf/gltf_import.h"
+
+#include <filesystem>
+
+#include "import/common/scene_file.h"
+#include "import/common/studio.h"
+#include "import/gltf/cameras.h"
+#include "import/gltf/extensions.h"
+#include "import/gltf/lights.h"
+#include "import/gltf/mesh_placer.h"
+
+namespace ajar {
+namespace {
+
+constexpr WarningKind kAnimations{Effect::Geometry,
+                                  "animations are not played: all is shown as it is placed"};
+constexpr WarningKind kVariants{Effect::None, "variants of materials are not shown"};
+
+void warn_of_the_whole(const gltf::Element& root, Warnings& warnings) {
+  if (const auto animations = root.find("animations"); animations && animations->size() > 0) {
+    warnings.add(kAnimations, animations->where(),
+                 "animations are not played: all is shown as its nodes place it");
+  }
+  if (const auto variants = root.extension("KHR_materials_variants")) {
+    warnings.add(kVariants, variants->where(),
+                 "of the variants of materials, only the default is shown");
+  }
+}
+
+desc::SceneDesc import_bytes(const SceneFile& file, Warnings& warnings, FileAccess& files) {
+  const gltf::Document document = gltf::parse_document(file.bytes, file.name);
+  const gltf::Element root = document.root();
+  desc::SceneDesc scene;
+  scene.source = file.name;
+  gltf::Context context{scene, warnings, files, document, file.path};
+  gltf::check_extensions(root, warnings);
+  warn_of_the_whole(root, warnings);
+  const std::vector<gltf::PlacedNode> nodes = gltf::place_nodes(root);
+  gltf::MeshPlacer(context).place(nodes);
+  gltf::add_lights(context, nodes);
+  const SceneParts parts{.has_camera = gltf::set_camera(context, nodes),
+                         .has_lights = !scene.lights.empty()};
+  add_studio(scene, parts, UpAxis::Y);
+  return scene;
+}
+
+}  // namespace
+
+desc::SceneDesc import_gltf(const std::string& path, Warnings& warnings,
+                            const FileProvider& provider) {
+  return read_scene_file(path, warnings, provider, import_bytes);
+}
+
+desc::SceneDesc import_gltf_bytes(std::string_view bytes, const std::string& name,
+                                  const std::string& base_folder, Warnings& warnings,
+                                  FileProvider provider) {
+  return read_scene_bytes(bytes, name, base_folder, warnings, std::move(provider), import_bytes);
+}
+
+}  // namespace ajar

@@ -1,0 +1,83 @@
+#include "import/gltf/gltf_import.h"
+
+#include "import/gltf/gltf_test_support.h"
+
+namespace ajar::gltf {
+namespace {
+
+TEST(GltfImport, CompressedMeshesSayWhatToDo) {
+  TestFile file;
+  file.add_triangle();
+  file.json["extensionsUsed"] = {"KHR_draco_mesh_compression"};
+  EXPECT_EQ(error_of(file.text()), "no error") << "the meshes are there without it";
+  file.json["extensionsRequired"] = {"KHR_draco_mesh_compression"};
+  EXPECT_EQ(error_of(file.text()),
+            "test.gltf#/extensionsRequired/0: the meshes of this file are compressed by "
+            "KHR_draco_mesh_compression, which cannot be read: export it without compression of "
+            "meshes");
+}
+
+TEST(GltfImport, UnknownExtensionsAreErrorsOnlyIfRequired) {
+  TestFile file;
+  file.add_triangle();
+  file.json["extensionsUsed"] = {"KHR_materials_sheen", "ABC_new"};
+  const std::string warnings = warnings_of(file);
+  EXPECT_TRUE(contains(warnings, "#/extensionsUsed/0: KHR_materials_sheen is not read: cloth"));
+  EXPECT_TRUE(contains(warnings, "#/extensionsUsed/1: the extension ABC_new is not known"));
+  file.json["extensionsRequired"] = {"KHR_materials_spekular"};
+  EXPECT_TRUE(contains(error_of(file.text()), "did you mean \"KHR_materials_specular\""));
+}
+
+TEST(GltfImport, AnimationsAndVariantsAreWarnings) {
+  TestFile file;
+  file.add_triangle();
+  file.add("animations", Json::object());
+  file.json["extensions"]["KHR_materials_variants"] = Json::object();
+  const std::string warnings = warnings_of(file);
+  EXPECT_TRUE(contains(warnings, "test.gltf#/animations: animations are not played"));
+  EXPECT_TRUE(contains(warnings, "only the default is shown"));
+}
+
+TEST(GltfImport, BuffersOutsideOfTheFolderOrMissingAreErrors) {
+  TestFile file;
+  file.add_triangle();
+  for (const char* uri : {"../a.bin", "/dev/zero", "http://a/b", "missing.bin"}) {
+    Json json = Json::parse(file.text());
+    json["buffers"][0]["uri"] = uri;
+    EXPECT_TRUE(contains(error_of(json.dump()), "#/buffers/0/uri: cannot read this buffer: "))
+        << uri;
+  }
+}
+
+TEST(GltfImport, BuffersMayBeFilesAndMustBeLongEnough) {
+  TestFile file;
+  file.add_triangle();
+  Json json = Json::parse(file.text());
+  json["buffers"][0]["uri"] = "a.bin";
+  const std::string bytes = bytes_of<float>(std::vector<float>(15, 1.F));
+  Warnings warnings;
+  EXPECT_NO_THROW(import_with(json.dump(), warnings, {{"/scene/a.bin", bytes}}));
+  EXPECT_THROW(import_with(json.dump(), warnings, {{"/scene/a.bin", bytes.substr(1)}}), SceneError);
+}
+
+TEST(GltfImport, ModelsWithoutCameraAndLightsAreInAStudio) {
+  TestFile file;
+  file.add_triangle();
+  const desc::SceneDesc scene = scene_of(file);
+  EXPECT_EQ(scene.lights.size(), 1U) << "the sky";
+  EXPECT_EQ(scene.shapes.size(), 4U) << "with two softboxes and the table";
+}
+
+TEST(GltfImport, PrimitivesWithoutMaterialAreLightGrey) {
+  TestFile file;
+  file.add_triangle();
+  file.json["meshes"][0]["primitives"][0].erase("material");
+  const desc::SceneDesc scene = scene_of(file);
+  const desc::Node& node =
+      scene.materials.at(static_cast<std::size_t>(scene.shapes.front().material)).node;
+  EXPECT_TRUE(node.is("principled"));
+  EXPECT_EQ(node.number("metallic"), 0.F);
+}
+
+}  // namespace
+}  // namespace ajar::gltf

@@ -1,0 +1,63 @@
+#pragma once
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "core/error.h"
+#include "import/gltf/document.h"
+#include "import/gltf/gltf_import.h"
+
+namespace ajar::gltf {
+
+/// The bytes of numbers, as they are in memory.
+template <typename T>
+std::string bytes_of(const std::vector<T>& numbers) {
+  std::string bytes(numbers.size() * sizeof(T), '\0');
+  std::memcpy(bytes.data(), numbers.data(), bytes.size());
+  return bytes;
+}
+
+std::string encode_base64(std::string_view bytes);
+
+/// A file in the making: JSON, and one buffer.
+class TestFile {
+ public:
+  Json json = Json::parse(R"({"asset": {"version": "2.0"}})");
+
+  /// Each returns the number of what it adds.
+  std::size_t add_view(const std::string& bytes, std::size_t stride = 0);
+  std::size_t add_accessor(const std::string& bytes, int component_type, const char* type,
+                           std::size_t count, std::size_t stride = 0);
+  std::size_t add(const char* array, Json value);
+  /// Of three corners (0 0 0), (1 0 0), (0 1 0) with uv (0 0), (1 0), (0 1), in the mode
+  /// "triangles".
+  Json triangle();
+  /// A mesh of one triangle with a material, and a node at the root that has it.
+  std::size_t add_triangle(Json material = Json::object());
+
+  std::string text() const;
+  std::string glb() const;
+
+ private:
+  Json with_buffer(bool with_uri) const;
+  std::string binary_;
+};
+
+/// Imports as "test.gltf", with files beside it.
+desc::SceneDesc import_with(const std::string& bytes, Warnings& warnings,
+                            const std::map<std::string, std::string>& files = {});
+/// The same without any warning.
+desc::SceneDesc scene_of(const TestFile& file);
+/// Message of the SceneError that importing raises, or "no error".
+std::string error_of(const std::string& bytes);
+/// All warnings, one per line.
+std::string warnings_of(const TestFile& file);
+bool contains(const std::string& text, const std::string& part);
+
+/// The material of the only triangle of a file with one.
+desc::Node only_material(const Json& material);
+
+}  // namespace ajar::gltf

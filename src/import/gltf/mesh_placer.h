@@ -1,0 +1,37 @@
+#pragma once
+#include <map>
+#include <vector>
+
+#include "import/gltf/materials.h"
+#include "import/gltf/meshes.h"
+#include "import/gltf/nodes.h"
+
+namespace ajar::gltf {
+
+/// Adds the meshes of nodes to the scene: those that several nodes have as objects and instances.
+class MeshPlacer {
+ public:
+  explicit MeshPlacer(Context& context)
+      : context_(context), meshes_(context), materials_(context) {}
+
+  void place(const std::vector<PlacedNode>& nodes);
+
+ private:
+  /// Shapes of a mesh, in its own space.
+  struct Parts {
+    std::vector<desc::Shape> plain;
+    std::vector<desc::Shape> shining;  ///< which instances cannot do
+    desc::ObjectId object = desc::kNone;
+  };
+
+  Parts& parts_of(const Element& mesh);
+  void add_shapes(const std::vector<desc::Shape>& shapes, const PlacedNode& placed);
+  void add_instance(Parts& parts, const Element& mesh, const PlacedNode& placed);
+
+  Context& context_;
+  Meshes meshes_;
+  Materials materials_;
+  std::map<std::string, Parts> parts_;  ///< by JSON pointer of the mesh
+};
+
+}  // namespace ajar::gltf

@@ -1,0 +1,113 @@
+#include "import/gltf/nodes.h"
+
+#include <ImathQuat.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ajar::gltf {
+namespace {
+
+/// Columns of glTF are the rows of Imath, which multiplies vectors from the left.
+Mat4 matrix_of(const std::vector<double>& numbers) {
+  Mat4 matrix;
+  for (int row = 0; row < 4; ++row) {
+    for (int column = 0; column < 4; ++column) {
+      matrix[row][column] = numbers[static_cast<std::size_t>(4 * row + column)];
+    }
+  }
+  return matrix;
+}
+
+/// Scale, then rotation, then translation (glTF 2.0, section 3.5.3).
+Mat4 local_transform(const Element& node) {
+  if (const auto numbers = node.find_numbers("matrix", 16)) return matrix_of(*numbers);
+  Mat4 matrix;
+  if (const auto s = node.find_numbers("scale", 3)) {
+    matrix.setScale(Vec3d((*s)[0], (*s)[1], (*s)[2]));
+  }
+  if (const auto r = node.find_numbers("rotation", 4)) {
+    const Imath::Quatd rotation((*r)[3], (*r)[0], (*r)[1], (*r)[2]);
+    if (rotation.length() > 0.0) matrix = matrix * rotation.normalized().toMatrix44();
+  }
+  if (const auto t = node.find_numbers("translation", 3)) {
+    matrix[3][0] = (*t)[0];
+    matrix[3][1] = (*t)[1];
+    matrix[3][2] = (*t)[2];
+  }
+  return matrix;
+}
+
+class Forest {
+ public:
+  explicit Forest(const Element& root)
+      : root_(root), nodes_(root.elements("nodes")), is_placed_(nodes_.size()) {}
+
+  std::vector<PlacedNode> place() {
+    for (const std::size_t i : roots()) waiting_.push_back({i, Mat4()});
+    std::reverse(waiting_.begin(), waiting_.end());
+    while (!waiting_.empty()) {
+      const auto [i, parent] = waiting_.back();
+      waiting_.pop_back();
+      if (is_placed_[i]) {
+        nodes_[i].fail(
+            "this node is reached in two ways, or is its own ancestor: nodes must be "
+            "trees");
+      }
+      is_placed_[i] = true;
+      const Mat4 to_world = local_transform(nodes_[i]) * parent;
+      placed_.push_back({nodes_[i], to_world});
+      const std::vector<Element> children = nodes_[i].elements("children");
+      for (auto child = children.rbegin(); child != children.rend(); ++child) {
+        waiting_.push_back({child->index(nodes_.size()), to_world});
+      }
+    }
+    return std::move(placed_);
+  }
+
+ private:
+  /// Those of the scene that is shown; without scenes, all that are nobody's children.
+  std::vector<std::size_t> roots() const {
+    std::vector<std::size_t> roots;
+    const std::vector<Element> scenes = root_.elements("scenes");
+    if (!scenes.empty()) {
+      const std::size_t shown = root_.find_index("scene", scenes.size()).value_or(0);
+      for (const Element& node : scenes[shown].elements("nodes")) {
+        roots.push_back(node.index(nodes_.size()));
+      }
+      return roots;
+    }
+    std::vector<bool> is_child(nodes_.size());
+    for (const Element& node : nodes_) {
+      for (const Element& child : node.elements("children")) {
+        is_child[child.index(nodes_.size())] = true;
+      }
+    }
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+      if (!is_child[i]) roots.push_back(i);
+    }
+    return roots;
+  }
+
+  struct Waiting {
+    std::size_t node;
+    Mat4 parent;
+  };
+  Element root_;
+  std::vector<Element> nodes_;
+  std::vector<bool> is_placed_;
+  std::vector<Waiting> waiting_;
+  std::vector<PlacedNode> placed_;
+};
+
+}  // namespace
+
+std::vector<PlacedNode> place_nodes(const Element& root) { return Forest(root).place(); }
+
+Mat4 turned_around(const Mat4& to_world) {
+  Mat4 mirror;
+  mirror.setScale(Vec3d(1.0, 1.0, -1.0));
+  return mirror * to_world;
+}
+
+}  // namespace ajar::gltf

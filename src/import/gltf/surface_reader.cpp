@@ -1,0 +1,275 @@
+#include "import/gltf/surface_reader.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/printable_text.h"
+#include "scene/desc/models.h"
+
+namespace ajar::gltf {
+namespace {
+
+constexpr WarningKind kRange{Effect::Surface, "factors of materials are out of range: clamped"};
+constexpr WarningKind kNormalMap{Effect::Surface, "materials have normal maps: ignored"};
+constexpr WarningKind kUnlit{Effect::Light,
+                             "materials are unlit: they shine, also onto their surroundings"};
+constexpr WarningKind kSpecular{Effect::Surface,
+                                "materials have a texture or a colour of their gloss: ignored"};
+constexpr WarningKind kClearcoat{Effect::Slight,
+                                 "materials have a stronger clear coat than can be shown"};
+constexpr WarningKind kInfiniteIndex{Effect::Slight, "materials have an index of refraction of 0"};
+
+/// A share in place of a lane of a colour: `principled` has no coloured gloss of a dielectric.
+float brightness(const Vec3& color) {
+  return 0.2126F * color.x + 0.7152F * color.y + 0.0722F * color.z;
+}
+
+}  // namespace
+
+Surface SurfaceReader::read() {
+  surface_.material = with_opacity(read_base());
+  read_emission();
+  warn_of_textures();
+  surface_.uv_set = textures_.uv_set();
+  return surface_;
+}
+
+desc::MaterialId SurfaceReader::read_base() {
+  static const Json kNothing = Json::object();
+  const Element nothing(kNothing, context_.document.name,
+                        material_.pointer() + "/pbrMetallicRoughness");
+  const Element pbr = material_.find("pbrMetallicRoughness").value_or(nothing);
+  if (material_.extension("KHR_materials_unlit")) return unlit(pbr);
+  if (const auto glossiness = material_.extension("KHR_materials_pbrSpecularGlossiness")) {
+    return specular_glossiness(*glossiness);
+  }
+  const desc::MaterialId opaque = metallic_roughness(pbr);
+  const auto transmission = material_.extension("KHR_materials_transmission");
+  return transmission ? with_transmission(opaque, *transmission, pbr) : opaque;
+}
+
+desc::MaterialId SurfaceReader::metallic_roughness(const Element& pbr) {
+  const std::vector<double> base =
+      pbr.find_numbers("baseColorFactor", 4).value_or(std::vector<double>(4, 1.0));
+  const desc::Rgb color =
+      clamped_color(pbr, "baseColorFactor", Vec3(Vec3d(base[0], base[1], base[2])));
+  const desc::Value base_color = textures_.color(pbr, "baseColorTexture", color);
+  alpha_ = textures_.number(pbr, "baseColorTexture", static_cast<float>(base[3]), Channel::Alpha);
+  desc::Node node = make(pbr, "principled", {});
+  node.set("base_color", base_color);
+  node.set("metallic", textures_.number(pbr, "metallicRoughnessTexture",
+                                        clamped_number(pbr, "metallicFactor", 1.0), Channel::Blue));
+  node.set("roughness",
+           textures_.number(pbr, "metallicRoughnessTexture",
+                            clamped_number(pbr, "roughnessFactor", 1.0), Channel::Green));
+  material_.located([&] { node.set("eta", index_for_specular()); });
+  set_clearcoat(node);
+  return add(std::move(node));
+}
+
+desc::MaterialId SurfaceReader::specular_glossiness(const Element& pbr) {
+  const std::vector<double> diffuse =
+      pbr.find_numbers("diffuseFactor", 4).value_or(std::vector<double>(4, 1.0));
+  const desc::Rgb color =
+      clamped_color(pbr, "diffuseFactor", Vec3(Vec3d(diffuse[0], diffuse[1], diffuse[2])));
+  const desc::Value diffuse_color = textures_.color(pbr, "diffuseTexture", color);
+  alpha_ = textures_.number(pbr, "diffuseTexture", static_cast<float>(diffuse[3]), Channel::Alpha);
+  const desc::Value rough = textures_.complement(
+      textures_.number(pbr, "specularGlossinessTexture",
+                       clamped_number(pbr, "glossinessFactor", 1.0), Channel::Alpha));
+  const desc::Value specular = textures_.color(
+      pbr, "specularGlossinessTexture",
+      clamped_color(pbr, "specularFactor", pbr.vector_or("specularFactor", Vec3(1.F))));
+  return add(make(pbr, "coated_diffuse",
+                  {{"diffuse_reflectance", diffuse_color},
+                   {"glossy_reflectance", specular},
+                   {"roughness", textures_.product(rough, rough)}}));
+}
+
+desc::MaterialId SurfaceReader::unlit(const Element& pbr) {
+  const std::vector<double> base =
+      pbr.find_numbers("baseColorFactor", 4).value_or(std::vector<double>(4, 1.0));
+  const desc::Value color = textures_.color(
+      pbr, "baseColorTexture",
+      clamped_color(pbr, "baseColorFactor", Vec3(Vec3d(base[0], base[1], base[2]))));
+  alpha_ = textures_.number(pbr, "baseColorTexture", static_cast<float>(base[3]), Channel::Alpha);
+  surface_.emission = desc::Emission{
+      material_.where(), desc::emission_node("area", {{"radiance", color}, {"two_sided", true}})};
+  context_.warnings.add(kUnlit, material_.where(),
+                        "this material is unlit: it shines, also onto its surroundings");
+  return add(make(material_, "diffuse", {{"reflectance", Vec3(0.F)}}));
+}
+
+desc::MaterialId SurfaceReader::with_transmission(desc::MaterialId opaque,
+                                                  const Element& transmission, const Element& pbr) {
+  const desc::Value share =
+      textures_.number(transmission, "transmissionTexture",
+                       clamped_number(transmission, "transmissionFactor", 0.0), Channel::Red);
+  const desc::Node& base = context_.scene.materials[static_cast<std::size_t>(opaque)].node;
+  const desc::Value metallic = base.get("metallic");
+  const desc::Value color = base.get("base_color");
+  const desc::Value roughness = base.get("roughness");
+  const desc::Value amount = textures_.product(share, textures_.complement(metallic));
+  if (amount == desc::Value(0.F)) return opaque;
+  const auto volume = material_.extension("KHR_materials_volume");
+  const bool is_thin = !volume || !(volume->number_or("thicknessFactor", 0.0) > 0.F);
+  if (!is_thin) surface_.inside = read_medium(*volume);
+  desc::Node glass = make(pbr, "dielectric", {{"transmittance", color}, {"thin", is_thin}});
+  material_.located([&] { glass.set("eta", index_of_refraction()); });
+  glass.set("roughness", textures_.product(roughness, roughness));
+  const desc::MaterialId transparent = add(std::move(glass));
+  if (amount == desc::Value(1.F)) return transparent;
+  return add(make(transmission, "mix",
+                  {{"amount", mix_amount(amount)},
+                   {"first", desc::MaterialRef{transparent}},
+                   {"second", desc::MaterialRef{opaque}}}));
+}
+
+desc::MaterialId SurfaceReader::with_opacity(desc::MaterialId visible) {
+  static const std::vector<std::string> kModes = {"OPAQUE", "MASK", "BLEND"};
+  const std::string mode = material_.text_or("alphaMode", "OPAQUE");
+  if (mode == "OPAQUE" || alpha_ == desc::Value(1.F)) return visible;
+  if (mode == "MASK") {
+    surface_.alpha =
+        textures_.threshold(material_, alpha_, material_.number_or("alphaCutoff", 0.5));
+    return visible;
+  }
+  if (mode != "BLEND") {
+    material_.at("alphaMode").fail(unknown_name_message("alphaMode", printable_line(mode), kModes));
+  }
+  // Where nothing is to be seen the mix would be right, too, but here shadow rays pass as well.
+  surface_.alpha = textures_.texture_of(material_, alpha_);
+  const desc::MaterialId clear = add(make(material_, "composite",
+                                          {{"diffuse_reflectance", Vec3(0.F)},
+                                           {"glossy_reflectance", Vec3(0.F)},
+                                           {"opacity", Vec3(0.F)}}));
+  return add(make(material_, "mix",
+                  {{"amount", mix_amount(alpha_)},
+                   {"first", desc::MaterialRef{visible}},
+                   {"second", desc::MaterialRef{clear}}}));
+}
+
+void SurfaceReader::set_clearcoat(desc::Node& node) {
+  const auto coat = material_.extension("KHR_materials_clearcoat");
+  if (!coat) return;
+  const float strength = clamped_number(*coat, "clearcoatFactor", 0.0);
+  if (strength == 0.F) return;
+  // The coat of Burley 2012 is a quarter as strong as a layer of varnish; its gloss goes from an
+  // alpha of 0.1 to one of 0.001.
+  constexpr float kQuarter = 0.25F;
+  if (strength > kQuarter) {
+    context_.warnings.add(kClearcoat, coat->where(),
+                          "clear coats of more than 0.25 are shown as if they were 0.25");
+  }
+  node.set("clearcoat", textures_.number(*coat, "clearcoatTexture",
+                                         std::min(strength / kQuarter, 1.F), Channel::Red));
+  const float roughness = clamped_number(*coat, "clearcoatRoughnessFactor", 0.0);
+  node.set("clearcoat_gloss",
+           std::clamp((0.1F - roughness * roughness) / (0.1F - 0.001F), 0.F, 1.F));
+}
+
+float SurfaceReader::index_of_refraction() const {
+  constexpr float kUsual = 1.5F;
+  const auto extension = material_.extension("KHR_materials_ior");
+  const float index = extension ? extension->number_or("ior", kUsual) : kUsual;
+  if (index >= 1.F) return index;
+  if (index != 0.F) extension->at("ior").fail("an index of refraction is 1 or more");
+  context_.warnings.add(kInfiniteIndex, extension->where(),
+                        "an index of refraction of 0, for infinite, is taken as 1.5");
+  return kUsual;
+}
+
+float SurfaceReader::index_for_specular() {
+  const float index = index_of_refraction();
+  const auto specular = material_.extension("KHR_materials_specular");
+  if (!specular) return index;
+  const Vec3 color = specular->vector_or("specularColorFactor", Vec3(1.F));
+  if (specular->has("specularTexture") || specular->has("specularColorTexture") ||
+      color.x != color.y || color.y != color.z) {
+    context_.warnings.add(kSpecular, specular->where(),
+                          "textures and colours of the gloss are ignored");
+  }
+  const float r0 = std::pow((index - 1.F) / (index + 1.F), 2.F);
+  const float wanted = std::clamp(
+      clamped_number(*specular, "specularFactor", 1.0) * std::min(r0 * brightness(color), 1.F), 0.F,
+      0.8F);
+  const float root = std::sqrt(wanted);
+  return (1.F + root) / (1.F - root);
+}
+
+desc::MediumId SurfaceReader::read_medium(const Element& volume) {
+  const std::optional<double> distance = volume.find_number("attenuationDistance");
+  const Vec3 color =
+      clamped_color(volume, "attenuationColor", volume.vector_or("attenuationColor", Vec3(1.F)));
+  if (!distance || color == Vec3(1.F)) return desc::kNone;
+  if (!(*distance > 0.0)) volume.at("attenuationDistance").fail("this distance must be above 0");
+  constexpr float kDarkest = 1e-6F;
+  desc::Medium& medium = context_.scene.media.emplace_back();
+  medium.where = volume.where();
+  for (int lane = 0; lane < 3; ++lane) {
+    medium.sigma_a[lane] =
+        static_cast<float>(-std::log(double{std::max(color[lane], kDarkest)}) / *distance);
+  }
+  return static_cast<desc::MediumId>(context_.scene.media.size()) - 1;
+}
+
+void SurfaceReader::read_emission() {
+  const Vec3 color = material_.vector_or("emissiveFactor", Vec3(0.F));
+  if (color == Vec3(0.F) || surface_.emission) return;
+  const auto extension = material_.extension("KHR_materials_emissive_strength");
+  const float strength = extension ? extension->number_or("emissiveStrength", 1.0) : 1.F;
+  surface_.emission = desc::Emission{
+      material_.where(), material_.located([&] {
+        return desc::emission_node(
+            "area", {{"radiance", textures_.color(material_, "emissiveTexture", Vec3(1.F))},
+                     {"scale", color * strength},
+                     {"two_sided", material_.flag_or("doubleSided", false)}});
+      })};
+}
+
+void SurfaceReader::warn_of_textures() {
+  if (material_.has("normalTexture")) {
+    context_.warnings.add(kNormalMap, material_.at("normalTexture").where(),
+                          "normal maps are ignored");
+  }
+}
+
+float SurfaceReader::clamped_number(const Element& holder, std::string_view name, double fallback) {
+  return clamped_color(holder, name, Vec3(holder.number_or(name, fallback))).x;
+}
+
+desc::Rgb SurfaceReader::clamped_color(const Element& holder, std::string_view name,
+                                       const desc::Rgb& value) {
+  constexpr float kRounding = 1e-4F;
+  desc::Rgb clamped = value;
+  float excess = 0.F;
+  for (int lane = 0; lane < 3; ++lane) {
+    clamped[lane] = std::clamp(value[lane], 0.F, 1.F);
+    excess = std::max(excess, std::abs(value[lane] - clamped[lane]));
+  }
+  if (excess > kRounding) {
+    context_.warnings.add(kRange, holder.at(name).where(),
+                          "this must be from 0 to 1; what is beyond is clamped");
+  }
+  return clamped;
+}
+
+desc::Value SurfaceReader::mix_amount(const desc::Value& number) const {
+  const auto* constant = std::get_if<float>(&number);
+  return constant == nullptr ? number : desc::Value(Vec3(std::clamp(*constant, 0.F, 1.F)));
+}
+
+desc::MaterialId SurfaceReader::add(desc::Node node) {
+  desc::Material& added = context_.scene.materials.emplace_back();
+  added.name = material_.text_or("name", "");
+  added.where = material_.where();
+  added.node = std::move(node);
+  return static_cast<desc::MaterialId>(context_.scene.materials.size()) - 1;
+}
+
+desc::Node SurfaceReader::make(const Element& user, std::string_view model,
+                               desc::Node::Given given) const {
+  return user.located([&] { return desc::material_node(model, given); });
+}
+
+}  // namespace ajar::gltf

@@ -1,0 +1,49 @@
+#pragma once
+#include "import/gltf/materials.h"
+
+namespace ajar::gltf {
+
+/// Reads one material.
+class SurfaceReader {
+ public:
+  SurfaceReader(Context& context, Images& images, const Element& material)
+      : context_(context), material_(material), textures_(context, images) {}
+
+  Surface read();
+
+ private:
+  // Each is a material of its own; the surface is a mix of them.
+  desc::MaterialId read_base();
+  desc::MaterialId metallic_roughness(const Element& pbr);
+  desc::MaterialId specular_glossiness(const Element& pbr);
+  desc::MaterialId unlit(const Element& pbr);
+  desc::MaterialId with_transmission(desc::MaterialId opaque, const Element& transmission,
+                                     const Element& pbr);
+  desc::MaterialId with_opacity(desc::MaterialId visible);
+
+  void set_clearcoat(desc::Node& node);
+  float index_of_refraction() const;
+  /// What a smooth `principled` with this index reflects at normal incidence is what the material
+  /// does, with KHR_materials_specular.
+  float index_for_specular();
+  desc::MediumId read_medium(const Element& volume);
+  void read_emission();
+  void warn_of_textures();
+
+  /// The member `name`, brought into [0, 1], with a warning if it was far beyond.
+  float clamped_number(const Element& holder, std::string_view name, double fallback);
+  /// The same for `value`, which is that of the member.
+  desc::Rgb clamped_color(const Element& holder, std::string_view name, const desc::Rgb& value);
+  desc::Value mix_amount(const desc::Value& number) const;
+  desc::MaterialId add(desc::Node node);
+  desc::Node make(const Element& user, std::string_view model, desc::Node::Given given) const;
+
+  Context& context_;
+  const Element& material_;
+  Textures textures_;
+  Surface surface_;
+  /// Of the base colour: what `alphaMode` is about.
+  desc::Value alpha_ = 1.F;
+};
+
+}  // namespace ajar::gltf

@@ -1,0 +1,49 @@
+#pragma once
+#include <optional>
+#include <string>
+
+#include "import/gltf/images.h"
+
+namespace ajar::gltf {
+
+/// What a material takes of an image. Colours are sRGB-coded in glTF, single channels are linear.
+enum class Channel { Color, Red, Green, Blue, Alpha };
+
+/// Makes textures for one material. A mesh has one set of texture coordinates: that of the
+/// material's first texture; textures with another are left out, with a warning.
+class Textures {
+ public:
+  Textures(Context& context, Images& images) : context_(context), images_(images) {}
+
+  /// `factor` times the texture `name` of `holder`: a colour if there is no such texture.
+  desc::Value color(const Element& holder, std::string_view name, const desc::Rgb& factor);
+  /// The same for a number from one channel.
+  desc::Value number(const Element& holder, std::string_view name, float factor, Channel channel);
+
+  /// Textures of textures; constants are computed.
+  desc::Value product(const desc::Value& first, const desc::Value& second);
+  /// 1 − `value`.
+  desc::Value complement(const desc::Value& value);
+  /// 1 where a number is at least `edge`, else 0.
+  desc::TextureId threshold(const Element& user, const desc::Value& value, float edge);
+  /// A number as a texture.
+  desc::TextureId texture_of(const Element& user, const desc::Value& value);
+
+  /// Of TEXCOORD_n.
+  std::size_t uv_set() const { return uv_set_.value_or(0); }
+
+ private:
+  std::optional<desc::TextureId> read(const Element& holder, std::string_view name, Channel channel,
+                                      float scale);
+  std::optional<Element> image_of(const Element& texture) const;
+  void set_sampler(desc::Node& node, const Element& texture);
+  bool has_usable_uvs(const Element& info);
+  desc::TextureId add(const Element& user, desc::Node node);
+
+  Context& context_;
+  Images& images_;
+  std::optional<std::size_t> uv_set_;
+  SourceLocation where_;  ///< of the last texture that was read
+};
+
+}  // namespace ajar::gltf

@@ -1,0 +1,23 @@
+#pragma once
+#include <optional>
+#include <string>
+
+#include "import/gltf/element.h"
+
+namespace ajar::gltf {
+
+/// What a URI holds or names.
+struct UriTarget {
+  std::optional<std::string> data;  ///< of a "data:" URI
+  std::string media_type;           ///< of one; may be empty
+  std::string file;                 ///< else: a path relative to the file, decoded
+};
+
+/// Raises SceneError for damaged data, IoError, with the reason, for other schemes than "data:".
+UriTarget target_of(const Element& uri);
+
+/// The bytes that base64 stands for (RFC 4648, section 4; padding may lack); nothing if it is
+/// damaged.
+std::optional<std::string> decode_base64(std::string_view text);
+
+}  // namespace ajar::gltf

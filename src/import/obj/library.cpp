@@ -1,0 +1,82 @@
+#include "import/obj/library.h"
+
+#include <algorithm>
+
+#include "core/error.h"
+#include "core/printable_text.h"
+#include "import/obj/text_stream.h"
+
+namespace ajar::obj {
+namespace {
+
+constexpr WarningKind kNoLibrary{Effect::Surface, "files of materials cannot be read"};
+constexpr WarningKind kOddLibrary{Effect::Slight, "files of materials have contradictions"};
+
+/// Where each material begins.
+std::map<std::string, SourceLocation> places_of(std::string_view text, const std::string& name) {
+  constexpr std::string_view kKeyword = "newmtl";
+  const auto file = std::make_shared<const std::string>(name);
+  std::map<std::string, SourceLocation> places;
+  for (int line = 1; !text.empty(); ++line) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    const std::string words = trimmed(text.substr(0, end));
+    if (words.starts_with(kKeyword)) {
+      places.try_emplace(trimmed(std::string_view(words).substr(kKeyword.size())),
+                         SourceLocation{file, line, 1});
+    }
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return places;
+}
+
+}  // namespace
+
+void Library::load(const SourceLocation& where, const std::string& file) {
+  if (!loaded_.insert(file).second) return;
+  try {
+    const FileBytes bytes = files_.load(files_.resolve_inside(portable_path(file)));
+    TextStream stream(bytes.view());
+    std::map<std::string, int> numbers;
+    std::vector<tinyobj::material_t> materials;
+    std::string remarks;
+    tinyobj::LoadMtl(&numbers, &materials, &stream, &remarks, nullptr);
+    if (!remarks.empty()) {
+      warnings_.add(kOddLibrary, {std::make_shared<const std::string>(file), 0, 0},
+                    printable_line(trimmed(remarks)));
+    }
+    std::map<std::string, SourceLocation> places = places_of(bytes.view(), file);
+    for (tinyobj::material_t& material : materials) {
+      const std::string name = trimmed(material.name);
+      if (name.empty()) continue;
+      materials_.try_emplace(name, Description{std::move(material), places[name]});
+    }
+  } catch (const IoError& error) {
+    warnings_.add(kNoLibrary, where, std::string("cannot read these materials: ") + error.what(),
+                  printable_line(file));
+  }
+}
+
+const Description* Library::find(const std::string& material) const {
+  const auto found = materials_.find(material);
+  return found == materials_.end() ? nullptr : &found->second;
+}
+
+std::vector<std::string> Library::names() const {
+  std::vector<std::string> names;
+  for (const auto& [name, description] : materials_) names.push_back(printable_line(name));
+  return names;
+}
+
+std::string trimmed(std::string_view name) {
+  constexpr std::string_view kSpace = " \t\r\n";
+  const std::size_t begin = name.find_first_not_of(kSpace);
+  if (begin == name.npos) return {};
+  return std::string(name.substr(begin, name.find_last_not_of(kSpace) - begin + 1));
+}
+
+std::string portable_path(std::string path) {
+  std::replace(path.begin(), path.end(), '\\', '/');
+  return path;
+}
+
+}  // namespace ajar::obj

@@ -1,0 +1,53 @@
+#include "import/obj/obj_import.h"
+
+#include "import/common/scene_file.h"
+#include "import/common/studio.h"
+#include "import/mesh/validate_mesh.h"
+#include "import/obj/materials.h"
+#include "import/obj/reader.h"
+#include "scene/desc/models.h"
+
+namespace ajar {
+namespace {
+
+void add_shape(obj::Part& part, obj::Materials& materials, desc::SceneDesc& scene,
+               Warnings& warnings) {
+  std::vector<Warning> remarks;
+  validate_mesh(part.mesh, part.where, remarks);
+  for (Warning& remark : remarks) warnings.add(std::move(remark));
+  if (part.mesh.indices.empty()) return;
+  const obj::Surface& surface = materials.of(part.material, part.where);
+  desc::Shape& shape = scene.shapes.emplace_back();
+  shape.where = part.where;
+  shape.name = part.material;
+  shape.node = desc::mesh_node(std::make_shared<desc::Mesh>(std::move(part.mesh)));
+  shape.material = surface.material;
+  shape.alpha = surface.alpha;
+  shape.emission = surface.emission;
+}
+
+desc::SceneDesc import_file(const SceneFile& file, Warnings& warnings, FileAccess& files) {
+  desc::SceneDesc scene;
+  scene.source = file.name;
+  obj::Library library(files, warnings);
+  std::vector<obj::Part> parts = obj::read_parts(file.bytes, file.name, library);
+  obj::Materials materials(library, scene, files, warnings);
+  for (obj::Part& part : parts) add_shape(part, materials, scene, warnings);
+  add_studio(scene, {}, UpAxis::Y);
+  return scene;
+}
+
+}  // namespace
+
+desc::SceneDesc import_obj(const std::string& path, Warnings& warnings,
+                           const FileProvider& provider) {
+  return read_scene_file(path, warnings, provider, import_file);
+}
+
+desc::SceneDesc import_obj_text(std::string_view text, const std::string& name,
+                                const std::string& base_folder, Warnings& warnings,
+                                FileProvider provider) {
+  return read_scene_bytes(text, name, base_folder, warnings, std::move(provider), import_file);
+}
+
+}  // namespace ajar

@@ -1,0 +1,177 @@
+#include "import/obj/obj_import.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "core/error.h"
+
+namespace ajar {
+namespace {
+
+using Triangle = Imath::Vec3<unsigned>;
+using Files = std::map<std::string, std::string>;
+
+desc::SceneDesc import_with(const std::string& text, Warnings& warnings, const Files& files = {}) {
+  return import_obj_text(text, "test.obj", "/scene", warnings,
+                         [&](const std::string& path) -> std::optional<std::string_view> {
+                           const auto found = files.find(path);
+                           if (found == files.end()) return std::nullopt;
+                           return found->second;
+                         });
+}
+desc::SceneDesc scene_of(const std::string& text, const Files& files = {}) {
+  Warnings warnings;
+  desc::SceneDesc scene = import_with(text, warnings, files);
+  for (const std::string& message : warnings.messages()) ADD_FAILURE() << message;
+  return scene;
+}
+std::string error_of(const std::string& text) {
+  Warnings warnings;
+  try {
+    import_with(text, warnings);
+  } catch (const SceneError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+std::string warnings_of(const std::string& text, const Files& files = {}) {
+  Warnings warnings;
+  import_with(text, warnings, files);
+  std::string all;
+  for (const std::string& message : warnings.messages()) all += message + "\n";
+  return all;
+}
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+const desc::Mesh& mesh_of(const desc::SceneDesc& scene, std::size_t shape = 0) {
+  return *scene.shapes.at(shape).node.mesh("mesh");
+}
+
+const std::string kSquare = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+const std::string kFace = kSquare + "mtllib a.mtl\nusemtl m\nf 1 2 3\n";
+const std::string kTexturedFace =
+    kSquare + "vt 0 0\nvt 1 0\nvt 1 1\nmtllib a.mtl\nusemtl m\nf 1/1 2/2 3/3\n";
+
+desc::SceneDesc with_material(const std::string& description) {
+  return scene_of(kTexturedFace, {{"/scene/a.mtl", "newmtl m\n" + description}});
+}
+desc::Node material_of(const std::string& description) {
+  const desc::SceneDesc scene = with_material(description);
+  return scene.materials.at(static_cast<std::size_t>(scene.shapes[0].material)).node;
+}
+const desc::Node& texture_at(const desc::SceneDesc& scene, desc::TextureId id) {
+  return scene.textures.at(static_cast<std::size_t>(id)).node;
+}
+
+TEST(Obj, PolygonsAreFannedAndIndicesMayCountBackwards) {
+  const desc::SceneDesc scene = scene_of(kSquare + "f 1 2 3 4\nf -4 -2 -1\n");
+  EXPECT_EQ(mesh_of(scene).positions.size(), 4U);
+  EXPECT_EQ(mesh_of(scene).indices, (std::vector<Triangle>{{0, 1, 2}, {0, 2, 3}, {0, 2, 3}}));
+}
+
+TEST(Obj, CornersThatDifferAreVerticesOfTheirOwn) {
+  const desc::SceneDesc scene = scene_of(
+      kSquare + "vt 0 .25\nvt 1 0\nvn 0 0 1\nvn 0 1 0\nf 1/1/1 2/1/1 3/2/1\nf 1/1/1 2/1/2 3/2/1\n");
+  EXPECT_EQ(mesh_of(scene).positions.size(), 4U);
+  EXPECT_EQ(mesh_of(scene).uvs[0], Vec2(0.F, 0.25F)) << "v points up, as in ours";
+  EXPECT_EQ(mesh_of(scene).normals[3], Vec3(0, 1, 0));
+}
+
+TEST(Obj, FacesWithAndWithoutNormalsAreDifferentShapes) {
+  const desc::SceneDesc scene = scene_of(kSquare + "vn 0 0 1\nf 1 2 3\nf 1//1 3//1 4//1\n");
+  EXPECT_TRUE(mesh_of(scene, 0).normals.empty());
+  EXPECT_EQ(mesh_of(scene, 1).normals.size(), 3U);
+}
+
+TEST(Obj, FacesOfVerticesThatAreNotThereAreErrorsWithTheirLine) {
+  EXPECT_EQ(error_of(kSquare + "f 1 2 5\n"), "test.obj:5: this face refers to vertex 5 of 4");
+  EXPECT_EQ(error_of(kSquare + "f 1 2 -5"), "test.obj:5: this face refers to vertex -5 of 4");
+  EXPECT_EQ(error_of(kSquare + "f 1 2 x\n"), "test.obj:5: this face refers to vertex 0 of 4");
+  EXPECT_EQ(error_of(kSquare + "f 1/1 2/1 3/1\n"),
+            "test.obj:5: this face refers to texture coordinate 1 of 0");
+  EXPECT_EQ(error_of(kSquare + "f 1 2\n"), "test.obj:5: a face has three corners or more, not 2");
+  EXPECT_EQ(error_of("v 0 0 0\n"), "test.obj: there are no faces in this file");
+}
+
+TEST(Obj, MissingAndForbiddenMaterialsAreWarnings) {
+  EXPECT_TRUE(contains(warnings_of(kFace), "test.obj:5: cannot read these materials: "));
+  const std::string outside = kSquare + "mtllib ../a.mtl\nf 1 2 3\n";
+  EXPECT_TRUE(contains(warnings_of(outside), "outside of the folder of the scene"));
+  const std::string warnings = warnings_of(kFace, {{"/scene/a.mtl", "newmtl mm\nKd 1 0 0\n"}});
+  EXPECT_TRUE(contains(warnings, "test.obj:7: unknown material \"m\"; did you mean \"mm\"?"))
+      << warnings;
+}
+
+TEST(Obj, ClassicMaterialsAreDiffuseOrCoated) {
+  const desc::Node diffuse = material_of("Kd .1 .2 .3\nKs .5 .5 .5\nillum 1\n");
+  EXPECT_TRUE(diffuse.is("diffuse"));
+  EXPECT_EQ(diffuse.color("reflectance"), Vec3(0.1F, 0.2F, 0.3F));
+  const desc::Node coated = material_of("Kd .1 .2 .3\nKs .5 .5 .5\nNs 198\nillum 2\n");
+  EXPECT_TRUE(coated.is("coated_diffuse"));
+  EXPECT_NEAR(coated.number("roughness"), 0.1F, 1e-6F);
+  const desc::Node mirror = material_of("Kd 0 0 0\nKs .9 .9 .9\nillum 3\n");
+  EXPECT_TRUE(mirror.is("mirror"));
+}
+
+TEST(Obj, PhysicallyBasedMaterialsArePrincipled) {
+  const desc::Node node = material_of("Kd .1 .2 .3\nPr .4\nPm .7\n");
+  EXPECT_TRUE(node.is("principled"));
+  EXPECT_EQ(node.number("roughness"), 0.4F);
+  EXPECT_EQ(node.number("metallic"), 0.7F);
+}
+
+TEST(Obj, GlassRefracts) {
+  const desc::Node glass = material_of("Kd 1 1 1\nNi 1.33\nillum 7\n");
+  EXPECT_TRUE(glass.is("dielectric"));
+  EXPECT_EQ(glass.number("eta"), 1.33F);
+  EXPECT_TRUE(material_of("d .3\nNi 1.5\nillum 4\n").is("dielectric"));
+  EXPECT_FALSE(material_of("Kd 1 1 1\nd 1\nillum 4\n").is("dielectric"));
+}
+
+TEST(Obj, DissolveLetsLightPass) {
+  for (const char* line : {"d .25\n", "Tr .75\n"}) {
+    const desc::Node node = material_of(std::string("Kd 1 1 1\nillum 2\n") + line);
+    ASSERT_TRUE(node.is("mix")) << line;
+    EXPECT_NEAR(node.color("amount").x, 0.25F, 1e-6F) << line;
+  }
+}
+
+TEST(Obj, ImagesAreMultipliedAndPlaced) {
+  const desc::SceneDesc scene =
+      with_material("Kd 1 .5 1\nmap_Kd -s 2 3 1 -o .1 .2 0 maps\\oak.png\n");
+  const desc::Node& product =
+      texture_at(scene, scene.materials.at(static_cast<std::size_t>(scene.shapes[0].material))
+                            .node.texture("reflectance"));
+  EXPECT_EQ(product.color("first"), Vec3(1.F, 0.5F, 1.F));
+  const desc::Node& image = texture_at(scene, product.texture("second"));
+  EXPECT_EQ(image.text("file"), "/scene/maps/oak.png");
+  EXPECT_TRUE(image.flag("decode_srgb"));
+  EXPECT_EQ(image.number("scale_v"), 3.F);
+  EXPECT_EQ(image.number("offset_u"), 0.1F);
+}
+
+TEST(Obj, OpacityMapsCutAndMix) {
+  const desc::SceneDesc scene = with_material("map_Kd leaf.png\nmap_d leaf.png\n");
+  const desc::Node& alpha = texture_at(scene, scene.shapes[0].alpha);
+  EXPECT_EQ(alpha.text("channel"), "alpha");
+  EXPECT_FALSE(alpha.flag("decode_srgb"));
+}
+
+TEST(Obj, EmissionShines) {
+  const desc::SceneDesc scene = with_material("Ke 5 4 0\n");
+  ASSERT_TRUE(scene.shapes[0].emission);
+  EXPECT_EQ(scene.shapes[0].emission->node.color("scale"), Vec3(5, 4, 0));
+}
+
+TEST(Obj, MaterialsKnowTheirLine) {
+  const desc::SceneDesc scene =
+      scene_of(kFace, {{"/scene/a.mtl", "# one\nnewmtl other\n\nnewmtl m\nKd 1 1 1\n"}});
+  const desc::Material& material =
+      scene.materials.at(static_cast<std::size_t>(scene.shapes[0].material));
+  EXPECT_EQ(material.where.to_string(), "a.mtl:4:1");
+}
+
+}  // namespace
+}  // namespace ajar

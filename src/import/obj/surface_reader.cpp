@@ -1,0 +1,184 @@
+#include "import/obj/surface_reader.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.h"
+#include "core/printable_text.h"
+#include "scene/desc/models.h"
+
+namespace ajar::obj {
+namespace {
+
+constexpr WarningKind kBump{Effect::Surface, "materials have bump or normal maps: ignored"};
+constexpr WarningKind kNoImage{Effect::Surface, "images cannot be found: left out"};
+
+desc::Rgb reflectance_of(const tinyobj::real_t (&rgb)[3]) {
+  desc::Rgb color;
+  for (int lane = 0; lane < 3; ++lane) {
+    color[lane] = std::isfinite(rgb[lane]) ? std::clamp(rgb[lane], 0.F, 1.F) : 0.F;
+  }
+  return color;
+}
+
+float share_of(float value) { return std::isfinite(value) ? std::clamp(value, 0.F, 1.F) : 0.F; }
+
+/// Facets as wide as the lobe of Blinn's exponent `ns` (Walter et al. 2007, section 6).
+float alpha_of(float ns) {
+  return std::isfinite(ns) ? std::sqrt(2.F / (std::max(ns, 0.F) + 2.F)) : 0.F;
+}
+
+/// Values of `illum`.
+constexpr int kNoGloss = 1;  // and below
+constexpr int kMirror = 3;
+constexpr int kGlass = 4;
+constexpr int kRefraction = 6;
+constexpr int kFresnelRefraction = 7;
+constexpr int kGlassWithoutRays = 9;
+
+}  // namespace
+
+Surface SurfaceReader::read() {
+  Surface surface;
+  surface.material = add_material(is_glass() ? glass() : base());
+  if (!is_glass()) set_opacity(surface);
+  set_emission(surface);
+  if (!values_.bump_texname.empty() || !values_.normal_texname.empty()) {
+    warnings_.add(kBump, where_, "bump and normal maps are ignored", printable_line(values_.name));
+  }
+  return surface;
+}
+
+/// With rays that are refracted, or as glass that is not opaque: many programs write 4 for all.
+bool SurfaceReader::is_glass() const {
+  const bool is_refractive = values_.illum == kRefraction || values_.illum == kFresnelRefraction;
+  const bool is_glass = values_.illum == kGlass || values_.illum == kGlassWithoutRays;
+  return is_refractive || (is_glass && values_.dissolve < 1.F);
+}
+
+bool SurfaceReader::is_physically_based() const {
+  return values_.roughness > 0.F || values_.metallic > 0.F || !values_.roughness_texname.empty() ||
+         !values_.metallic_texname.empty();
+}
+
+desc::Node SurfaceReader::glass() const {
+  constexpr float kUsual = 1.5F;
+  constexpr float kLargest = 10.F;
+  const bool has_index = values_.ior > 1.F && values_.ior <= kLargest;
+  const desc::Rgb filter = reflectance_of(values_.transmittance);
+  return desc::material_node("dielectric",
+                             {{"eta", has_index ? values_.ior : kUsual},
+                              {"transmittance", filter == Vec3(0.F) ? Vec3(1.F) : filter}});
+}
+
+desc::Node SurfaceReader::base() {
+  const desc::Value diffuse =
+      color(reflectance_of(values_.diffuse), values_.diffuse_texname, values_.diffuse_texopt);
+  if (is_physically_based()) {
+    return desc::material_node(
+        "principled",
+        {{"base_color", diffuse},
+         {"metallic", number(values_.metallic_texname.empty() ? share_of(values_.metallic) : 1.F,
+                             values_.metallic_texname, values_.metallic_texopt, "color")},
+         {"roughness", number(values_.roughness_texname.empty() ? share_of(values_.roughness) : 1.F,
+                              values_.roughness_texname, values_.roughness_texopt, "color")}});
+  }
+  const desc::Rgb gloss = reflectance_of(values_.specular);
+  const bool has_gloss = gloss != Vec3(0.F) || !values_.specular_texname.empty();
+  if (values_.illum <= kNoGloss || !has_gloss) {
+    return desc::material_node("diffuse", {{"reflectance", diffuse}});
+  }
+  const desc::Value specular = color(gloss, values_.specular_texname, values_.specular_texopt);
+  if (values_.illum == kMirror && diffuse == desc::Value(Vec3(0.F))) {
+    return desc::material_node("mirror", {{"reflectance", specular}});
+  }
+  return desc::material_node("coated_diffuse", {{"diffuse_reflectance", diffuse},
+                                                {"glossy_reflectance", specular},
+                                                {"roughness", alpha_of(values_.shininess)}});
+}
+
+void SurfaceReader::set_opacity(Surface& surface) {
+  // The usual image of opacity is the alpha of that of the colour, or one of its own in gray.
+  const bool is_shared = values_.alpha_texname == values_.diffuse_texname;
+  const desc::Value opacity = number(share_of(values_.dissolve), values_.alpha_texname,
+                                     values_.alpha_texopt, is_shared ? "alpha" : "color");
+  if (opacity == desc::Value(1.F)) return;
+  const auto* texture = std::get_if<desc::TextureRef>(&opacity);
+  // Where nothing is to be seen the mix would be right, too, but here shadow rays pass as well.
+  if (texture != nullptr) surface.alpha = texture->id;
+  const desc::MaterialId clear =
+      add_material(desc::material_node("composite", {{"diffuse_reflectance", Vec3(0.F)},
+                                                     {"glossy_reflectance", Vec3(0.F)},
+                                                     {"opacity", Vec3(0.F)}}));
+  surface.material = add_material(desc::material_node(
+      "mix",
+      {{"amount", texture != nullptr ? opacity : desc::Value(Vec3(std::get<float>(opacity)))},
+       {"first", desc::MaterialRef{surface.material}},
+       {"second", desc::MaterialRef{clear}}}));
+}
+
+void SurfaceReader::set_emission(Surface& surface) {
+  const auto& e = values_.emission;
+  const Vec3 emission(e[0], e[1], e[2]);
+  const bool has_image = !values_.emissive_texname.empty();
+  if (!is_finite(emission) || (emission == Vec3(0.F) && !has_image)) return;
+  const Vec3 scale(std::max(e[0], 0.F), std::max(e[1], 0.F), std::max(e[2], 0.F));
+  surface.emission = desc::Emission{
+      where_, desc::emission_node("area", {{"radiance", color(Vec3(1.F), values_.emissive_texname,
+                                                              values_.emissive_texopt)},
+                                           {"scale", scale == Vec3(0.F) ? Vec3(1.F) : scale}})};
+}
+
+desc::Value SurfaceReader::color(const desc::Rgb& factor, const std::string& image,
+                                 const tinyobj::texture_option_t& options) {
+  const std::optional<desc::TextureId> texture = add_image(image, options, "color", true, 1.F);
+  if (!texture) return factor;
+  if (factor == Vec3(1.F)) return desc::TextureRef{*texture};
+  return desc::TextureRef{add_texture(
+      desc::texture_node("product", {{"first", factor}, {"second", desc::TextureRef{*texture}}}))};
+}
+
+desc::Value SurfaceReader::number(float factor, const std::string& image,
+                                  const tinyobj::texture_option_t& options, const char* channel) {
+  const std::optional<desc::TextureId> texture = add_image(image, options, channel, false, factor);
+  return texture ? desc::Value(desc::TextureRef{*texture}) : desc::Value(factor);
+}
+
+std::optional<desc::TextureId> SurfaceReader::add_image(const std::string& image,
+                                                        const tinyobj::texture_option_t& options,
+                                                        const char* channel, bool is_coded,
+                                                        float scale) {
+  if (image.empty()) return std::nullopt;
+  try {
+    const std::string path = files_.resolve_inside(portable_path(image));
+    return add_texture(
+        desc::texture_node("image", {{"file", path},
+                                     {"channel", std::string(channel)},
+                                     {"decode_srgb", is_coded},
+                                     {"scale", scale},
+                                     {"wrap", std::string(options.clamp ? "clamp" : "repeat")},
+                                     {"scale_u", options.scale[0]},
+                                     {"scale_v", options.scale[1]},
+                                     {"offset_u", options.origin_offset[0]},
+                                     {"offset_v", options.origin_offset[1]}}));
+  } catch (const IoError& error) {
+    warnings_.add(kNoImage, where_, std::string("this image is left out: ") + error.what(),
+                  printable_line(image));
+    return std::nullopt;
+  }
+}
+
+desc::TextureId SurfaceReader::add_texture(desc::Node node) {
+  scene_.textures.push_back({"", where_, std::move(node)});
+  return static_cast<desc::TextureId>(scene_.textures.size()) - 1;
+}
+
+desc::MaterialId SurfaceReader::add_material(desc::Node node) {
+  desc::Material& added = scene_.materials.emplace_back();
+  added.name = values_.name;
+  added.where = where_;
+  added.node = std::move(node);
+  return static_cast<desc::MaterialId>(scene_.materials.size()) - 1;
+}
+
+}  // namespace ajar::obj
