@@ -100,8 +100,8 @@ void read_element(const char* bytes, int components, bool normalized, Value& val
 
 }  // namespace
 
-Accessors::Accessors(const Context& context)
-    : buffers_(context), all_(context.document.root().elements("accessors")) {}
+Accessors::Accessors(const Context& context, Buffers& buffers)
+    : buffers_(buffers), all_(context.document.root().elements("accessors")) {}
 
 std::size_t Accessors::count(std::size_t accessor) const {
   const Element count = all_[accessor].at("count");

@@ -11,7 +11,7 @@ enum class ComponentType { Byte, UnsignedByte, Short, UnsignedShort, UnsignedInt
 /// The arrays of numbers that meshes are made of.
 class Accessors {
  public:
-  explicit Accessors(const Context& context);
+  Accessors(const Context& context, Buffers& buffers);
 
   /// The accessor that the value `reference` is the number of.
   std::size_t index_of(const Element& reference) const { return reference.index(all_.size()); }
@@ -44,7 +44,7 @@ class Accessors {
                    std::vector<Value>& values);
   void take_memory(const Element& user, std::uint64_t bytes);
 
-  Buffers buffers_;
+  Buffers& buffers_;
   std::vector<Element> all_;
   std::uint64_t unasked_bytes_ = 0;
 };

@@ -11,7 +11,7 @@ namespace ajar::gltf {
 /// are added to the scene.
 class Images {
  public:
-  explicit Images(Context& context) : context_(context), buffers_(context) {}
+  Images(Context& context, Buffers& buffers) : context_(context), buffers_(buffers) {}
 
   /// The image of an element of `images`; nothing, after a warning, if it cannot be read.
   std::optional<std::string> name_of(const Element& image);
@@ -21,7 +21,7 @@ class Images {
   std::string embed(const Element& image, std::string bytes, const std::string& media_type);
 
   Context& context_;
-  Buffers buffers_;
+  Buffers& buffers_;
   std::map<std::string, std::optional<std::string>> known_;  ///< by JSON pointer
 };
 

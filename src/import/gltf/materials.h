@@ -18,7 +18,7 @@ struct Surface {
 /// The materials of a file, each made when it is first asked for.
 class Materials {
  public:
-  explicit Materials(Context& context) : context_(context), images_(context) {}
+  Materials(Context& context, Buffers& buffers) : context_(context), images_(context, buffers) {}
 
   /// The material of a primitive.
   const Surface& of(const Element& primitive);

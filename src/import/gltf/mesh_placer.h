@@ -12,7 +12,10 @@ namespace ajar::gltf {
 class MeshPlacer {
  public:
   explicit MeshPlacer(Context& context)
-      : context_(context), meshes_(context), materials_(context) {}
+      : context_(context),
+        buffers_(context),
+        meshes_(context, buffers_),
+        materials_(context, buffers_) {}
 
   void place(const std::vector<PlacedNode>& nodes);
 
@@ -29,6 +32,7 @@ class MeshPlacer {
   void add_instance(Parts& parts, const Element& mesh, const PlacedNode& placed);
 
   Context& context_;
+  Buffers buffers_;
   Meshes meshes_;
   Materials materials_;
   std::map<std::string, Parts> parts_;  ///< by JSON pointer of the mesh

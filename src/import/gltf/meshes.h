@@ -10,7 +10,7 @@ namespace ajar::gltf {
 /// The triangles of primitives. What is made of the same accessors is the same mesh.
 class Meshes {
  public:
-  explicit Meshes(Context& context) : context_(context), accessors_(context) {}
+  Meshes(Context& context, Buffers& buffers) : context_(context), accessors_(context, buffers) {}
 
   /// With the texture coordinates TEXCOORD_`uv_set`, v upwards. Null, after a warning, if the
   /// primitive has no triangles. Raises SceneError if its data is damaged.
