@@ -3,7 +3,7 @@
 #include <cstdint>
 
 #include "core/error.h"
-#include "import/mesh/smooth_normals.h"
+#include "import/mesh/creased_normals.h"
 #include "import/mesh/validate_mesh.h"
 #include "import/tungsten/instances.h"
 #include "import/tungsten/wo3.h"
@@ -15,7 +15,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     ajar::tungsten::Wo3Mesh source = ajar::tungsten::read_wo3(bytes, "fuzz.wo3");
     std::vector<ajar::Warning> remarks;
     ajar::validate_mesh(source.mesh, {}, remarks);
-    ajar::with_smooth_normals(source.mesh, 0.9F);
+    ajar::with_creased_normals(source.mesh, 0.9F);
   } catch (const ajar::SceneError&) {
   }
   return 0;
