@@ -10,16 +10,17 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string_view text(reinterpret_cast<const char*>(data), size);
   ajar::Warnings warnings;
   try {
-    const ajar::desc::SceneDesc scene = ajar::import_mitsuba_text(
-        text, "fuzz.xml", "/nonexistent", warnings,
-        [&](const std::string& path) -> std::optional<std::string_view> {
-          if (path == "/nonexistent/m.obj") return "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
-          if (path == "/nonexistent/self.xml") return text;
-          if (path == "/nonexistent/self.obj") return text;
-          if (path == "/nonexistent/self.serialized") return text;
-          if (path == "/nonexistent/a.spd") return "400 0.5\n700 1\n";
-          return std::nullopt;
-        });
+    const ajar::desc::SceneDesc scene =
+        ajar::import_mitsuba_text(text, "fuzz.xml", "/nonexistent", warnings,
+                                  [&](const std::string& path) -> std::optional<std::string_view> {
+                                    if (path == "/nonexistent/m.obj")
+                                      return "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+                                    if (path == "/nonexistent/self.xml") return text;
+                                    if (path == "/nonexistent/self.obj") return text;
+                                    if (path == "/nonexistent/self.serialized") return text;
+                                    if (path == "/nonexistent/a.spd") return "400 0.5\n700 1\n";
+                                    return std::nullopt;
+                                  });
     ajar::desc::hash(scene);
   } catch (const ajar::SceneError&) {
   } catch (const ajar::IoError&) {
