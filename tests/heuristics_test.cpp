@@ -103,7 +103,6 @@ const std::multimap<std::string, Unfitted>& unfitted() {
       {"transport/path_sampler.h",
        {"limit of a parameter, size of an array", {"kMaxLightSubpaths"}}},
       {"transport/segment.cpp", {"end of what rounding could repeat for ever", {"kMaxInterfaces"}}},
-      {"transport/sources.h", {"size of an array", {"kPads"}}},
       {"transport/technique_set.h", {"marks a rule", {"kAny"}}},
       {"transport/technique_set.h", {"limit of a parameter", {"kMaxNextEventCount"}}},
       {"path/edges.cpp", {"rounding", {"kShort"}}},
