@@ -124,9 +124,10 @@ Hashes mix_lanes(Hashes v) {
 
 /// As reverse_bits.
 Lanes reverse_lanes(Lanes v) {
-  constexpr Bytes kSwapped = {3,  2,  1,  0,  7,  6,  5,  4,  11, 10, 9,  8,  15, 14, 13, 12,
-                              19, 18, 17, 16, 23, 22, 21, 20, 27, 26, 25, 24, 31, 30, 29, 28};
-  const Bytes bytes = __builtin_shuffle(std::bit_cast<Bytes>(v), kSwapped);
+  const auto mixed = std::bit_cast<Bytes>(v);
+  const Bytes bytes =
+      __builtin_shufflevector(mixed, mixed, 3, 2, 1, 0, 7, 6, 5, 4, 11, 10, 9, 8, 15, 14, 13, 12,
+                              19, 18, 17, 16, 23, 22, 21, 20, 27, 26, 25, 24, 31, 30, 29, 28);
   v = std::bit_cast<Lanes>(bytes);
   v = ((v >> 4U) & 0x0f0f0f0fU) + ((v & 0x0f0f0f0fU) << 4U);
   v = ((v >> 2U) & 0x33333333U) + ((v & 0x33333333U) << 2U);
@@ -168,8 +169,9 @@ SobolPads sobol_pads(std::uint32_t index, const std::array<std::uint64_t, kSobol
   const auto halves = std::bit_cast<Lanes>(base);
   const Hashes product = base * 0xd6e8feb86659fd93ULL;
   const auto product_halves = std::bit_cast<Lanes>(product);
-  const Lanes scramble = __builtin_shuffle(halves, Lanes{0, 2, 4, 6, 1, 3, 5, 7});
-  const Lanes shuffle = __builtin_shuffle(product_halves, Lanes{1, 3, 5, 7, 1, 3, 5, 7});
+  const Lanes scramble = __builtin_shufflevector(halves, halves, 0, 2, 4, 6, 1, 3, 5, 7);
+  const Lanes shuffle =
+      __builtin_shufflevector(product_halves, product_halves, 1, 3, 5, 7, 1, 3, 5, 7);
 
   const Lanes reversed = Lanes{} + reverse_bits(index);
   Lanes point = reverse_lanes(scramble_reversed(reversed, shuffle));
