@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <iterator>
 #include <set>
 
+#include "core/counting_iterator.h"
 #include "core/error.h"
 #include "core/regular_file.h"
 
@@ -24,35 +24,6 @@ std::string place_of(const std::string& text, std::size_t byte) {
   return fmt::format("{}:{}", line, column);
 }
 
-/// Walks through a text and tells how far it has come.
-class WatchedIterator {
- public:
-  using iterator_category = std::input_iterator_tag;
-  using value_type = char;
-  using difference_type = std::ptrdiff_t;
-  using pointer = const char*;
-  using reference = const char&;
-
-  WatchedIterator(const char* place, std::size_t* taken) : place_(place), taken_(taken) {}
-  reference operator*() const { return *place_; }
-  WatchedIterator& operator++() {
-    ++place_;
-    ++*taken_;
-    return *this;
-  }
-  WatchedIterator operator++(int) {
-    const WatchedIterator before = *this;
-    ++*this;
-    return before;
-  }
-  bool operator==(const WatchedIterator& other) const { return place_ == other.place_; }
-  bool operator!=(const WatchedIterator& other) const { return place_ != other.place_; }
-
- private:
-  const char* place_;
-  std::size_t* taken_;
-};
-
 /// Reads JSON; every error is a UsageError with file:line:column.
 class Parser {
  public:
@@ -60,8 +31,8 @@ class Parser {
 
   JsonNode::Json run() {
     try {
-      const WatchedIterator begin(text_.data(), &taken_);
-      const WatchedIterator end(text_.data() + text_.size(), &taken_);
+      const CountingIterator begin(text_.data(), &taken_);
+      const CountingIterator end(text_.data() + text_.size(), &taken_);
       return JsonNode::Json::parse(begin, end,
                                    [this](int /*depth*/, Event event, JsonNode::Json& parsed) {
                                      watch(event, parsed);

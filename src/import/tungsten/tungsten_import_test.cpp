@@ -10,6 +10,7 @@
 #include <fstream>
 
 #include "import/import.h"
+#include "import/shared_scenes_test_support.h"
 #include "import/tungsten/import_test_support.h"
 
 namespace ajar::tungsten {
@@ -130,17 +131,9 @@ TEST_F(OnDisk, PipesAndDevicesAreNotRead) {
   }
 }
 
-fs::path shared_scene(const char* file) {
-  // Nothing in the tests changes the environment.
-  const char* shared = std::getenv("AJAR_SHARED");  // NOLINT(concurrency-mt-unsafe)
-  const fs::path folder =
-      shared != nullptr ? fs::path(shared) : fs::path(AJAR_SOURCE_DIR) / "../shared";
-  return folder / "scenes" / file;
-}
-
 TEST(TungstenSharedScenes, MaterialTestLoads) {
-  const fs::path file = shared_scene("material-testball/materialtest.json");
-  if (!fs::exists(file)) GTEST_SKIP() << "no shared scenes; set AJAR_SHARED to their folder";
+  const fs::path file = shared_scenes_folder() / "material-testball/materialtest.json";
+  if (!fs::exists(file)) GTEST_SKIP() << kNoSharedScenes;
   Warnings warnings;
   const desc::SceneDesc scene = import_scene(file.string(), warnings);
   EXPECT_EQ(scene.shapes.size(), 4U);
@@ -173,8 +166,8 @@ float farthest(const std::vector<Vec3>& of, const std::vector<Vec3>& to) {
 }
 
 TEST(TungstenSharedScenes, TheCornellBoxIsWhereOtherFormatsHaveIt) {
-  const fs::path file = shared_scene("cornell-box/pbrt/scene.pbrt");
-  if (!fs::exists(file)) GTEST_SKIP() << "no shared scenes; set AJAR_SHARED to their folder";
+  const fs::path file = shared_scenes_folder() / "cornell-box/pbrt/scene.pbrt";
+  if (!fs::exists(file)) GTEST_SKIP() << kNoSharedScenes;
   const auto primitive = [](const char* type, const char* place, const char* size,
                             const char* rotation) {
     return std::string("{'type': '") + type + "', 'transform': {'position': " + place +
