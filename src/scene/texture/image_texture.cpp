@@ -30,7 +30,7 @@ DecodingTable make_table(const ToLinear& to_linear) {
 }
 template <typename T>
 DecodingTable decoding_table(const desc::Node& node) {
-  if (const float* gamma = std::get_if<float>(&node.get("gamma"))) {
+  if (const float* gamma = std::get_if<float>(&node.get("decoding_exponent"))) {
     return make_table<T>([=](float v) { return std::pow(v, *gamma); });
   }
   static const DecodingTable kLinear = make_table<T>([](float v) { return v; });
@@ -178,7 +178,7 @@ TextureModel image_texture() {
       "decode_srgb", "whether integers are sRGB-coded; files of floats are linear in any case");
   decode.default_value = "true";
   ParameterSpec gamma = declare::number(
-      "gamma", "", "exponent that decodes integers; without it, they are as decode_srgb says");
+      "decoding_exponent", "", "exponent that decodes integers; without it, they are as decode_srgb says");
   gamma.minimum = 0.0;
   return {{.name = "image",
            .summary = "an image file",

@@ -113,7 +113,7 @@ TEST_F(ImageTextureTest, IntegersAreDecodedAndFloatsAreNot) {
 
 TEST_F(ImageTextureTest, IntegersMayBeDecodedByAnExponent) {
   desc::Node node = desc::texture_node("image");
-  node.set("gamma", 2.F);
+  node.set("decoding_exponent", 2.F);
   node.set("file", write<std::uint8_t>("g.png", 1, 1, 3, {51, 255, 0}));
   const Spectrum eight = make(node)->eval(at_uv(0.5F, 0.5F));
   EXPECT_NEAR(eight[0], 0.04F, 1e-6F);
