@@ -1,9 +1,11 @@
 #include "import/pbrt/media.h"
 
+#include <algorithm>
 #include <array>
 #include <numeric>
 
 #include "import/pbrt/lexer.h"
+#include "import/pbrt/medium_presets.h"
 
 namespace ajar::pbrt {
 namespace {
@@ -13,85 +15,123 @@ constexpr WarningKind kUnknownPreset{Effect::Surface,
 constexpr WarningKind kHeterogeneous{
     Effect::Surface,
     "heterogeneous media are not supported: homogeneous ones of the mean density stand in"};
+constexpr WarningKind kUnknown{Effect::Surface, "media are unknown: clear ones stand in"};
+constexpr WarningKind kNoEmission{Effect::Light, "media emit light, which is not supported"};
 
-/// Reduced scattering and absorption coefficients, 1/mm.
-struct Preset {
-  std::string_view name;
-  float sigma_s[3];
-  float sigma_a[3];
-};
-/// Source: Jensen et al. 2001, A practical model for subsurface light transport, figure 5.
-constexpr std::array<Preset, 12> kPresets = {
-    {{"Apple", {2.29F, 2.39F, 1.97F}, {0.0030F, 0.0034F, 0.046F}},
-     {"Chicken1", {0.15F, 0.21F, 0.38F}, {0.015F, 0.077F, 0.19F}},
-     {"Chicken2", {0.19F, 0.25F, 0.32F}, {0.018F, 0.088F, 0.20F}},
-     {"Cream", {7.38F, 5.47F, 3.15F}, {0.0002F, 0.0028F, 0.0163F}},
-     {"Ketchup", {0.18F, 0.07F, 0.03F}, {0.061F, 0.97F, 1.45F}},
-     {"Marble", {2.19F, 2.62F, 3.00F}, {0.0021F, 0.0041F, 0.0071F}},
-     {"Potato", {0.68F, 0.70F, 0.55F}, {0.0024F, 0.0090F, 0.12F}},
-     {"Skimmilk", {0.70F, 1.22F, 1.90F}, {0.0014F, 0.0025F, 0.0142F}},
-     {"Skin1", {0.74F, 0.88F, 1.01F}, {0.032F, 0.17F, 0.48F}},
-     {"Skin2", {1.09F, 1.59F, 1.79F}, {0.013F, 0.070F, 0.145F}},
-     {"Spectralon", {11.6F, 20.4F, 14.9F}, {0.0F, 0.0F, 0.0F}},
-     {"Wholemilk", {2.55F, 3.21F, 3.77F}, {0.0011F, 0.0024F, 0.014F}}}};
-/// What pbrt-v3 takes if nothing is said: whole milk.
-constexpr const Preset& kDefault = kPresets[11];
+/// What pbrt-v3 takes if nothing is said.
+constexpr const char* kDefaultPreset = "Wholemilk";
 
-const Preset& preset_of(Context& context, const SourceLocation& where,
-                        const ParameterList& parameters) {
+/// What is not in a file: the mean density of pbrt-v4's cloud of density 1, by the formulas of
+/// Pharr et al. 2023, section 11.4.5, with noise whose values have the spread 0.25.
+constexpr float kMeanOfCloud = 0.39F;
+
+std::optional<MediumPreset> preset_of(Context& context, const SourceLocation& where,
+                                      const ParameterList& parameters) {
   const std::optional<std::string> name = parameters.get_string("preset");
-  if (!name || name->empty()) return kDefault;
-  std::vector<std::string> valid;
-  for (const Preset& preset : kPresets) {
-    if (preset.name == *name) return preset;
-    valid.emplace_back(preset.name);
-  }
-  context.warnings.add(kUnknownPreset, where,
-                       unknown_name_message("medium preset", printable(*name), valid) + ". " +
-                           std::string(kDefault.name) + " stands in",
-                       printable(*name));
-  return kDefault;
+  if (!name || name->empty()) return std::nullopt;
+  if (const std::optional<MediumPreset> preset = medium_preset(*name)) return preset;
+  context.warnings.add(
+      kUnknownPreset, where,
+      unknown_name_message("medium preset", printable(*name), medium_preset_names()) + ". " +
+          kDefaultPreset + " stands in",
+      printable(*name));
+  return medium_preset(kDefaultPreset);
 }
 
-/// Mean of the grid of a heterogeneous medium, 1 if there is none.
+double mean_of(const std::vector<float>& numbers) {
+  const double sum = std::accumulate(numbers.begin(), numbers.end(), 0.0);
+  return sum / static_cast<double>(numbers.size());
+}
+
+/// Mean of the numbers of a grid, 1 if there is none.
 float mean_density(const ParameterList& parameters) {
   const Parameter* density = parameters.find("density", ParameterKind::Float);
   if (density == nullptr || density->numbers.empty()) return 1.F;
-  const double sum = std::accumulate(density->numbers.begin(), density->numbers.end(), 0.0);
-  return static_cast<float>(sum / static_cast<double>(density->numbers.size()));
+  return static_cast<float>(mean_of(density->numbers));
+}
+
+/// Mean of the colours of a grid, nothing if there is none.
+std::optional<desc::Rgb> mean_color(const ParameterList& parameters, std::string_view name) {
+  const Parameter* grid = parameters.find(name, ParameterKind::Rgb);
+  if (grid == nullptr || grid->size() < 2) return std::nullopt;
+  std::array<std::vector<float>, 3> lanes;
+  for (std::size_t i = 0; i < grid->numbers.size(); ++i) lanes[i % 3].push_back(grid->numbers[i]);
+  return desc::Rgb(static_cast<float>(mean_of(lanes[0])), static_cast<float>(mean_of(lanes[1])),
+                   static_cast<float>(mean_of(lanes[2])));
+}
+
+void warn_of_grid(Context& context, const SourceLocation& where, const std::string& type,
+                  const std::string& name, const std::string& note = "") {
+  context.warnings.add(
+      kHeterogeneous, where,
+      type + " media are not supported: a homogeneous one of the mean density stands in" + note,
+      printable(name));
+}
+
+/// What a medium of a type that varies in space has in the mean, relative to "sigma_a" and
+/// "sigma_s".
+float density_of(Context& context, const SourceLocation& where, const std::string& type,
+                 const std::string& name, const ParameterList& p) {
+  p.accept({"nx", "ny", "nz", "p0", "p1", "filename", "wispiness", "frequency"});
+  if (type == "homogeneous") return 1.F;
+  if (type == "nanovdb") {
+    warn_of_grid(context, where, type, name, ", and that is taken to be 1: its file is not read");
+    return 1.F;
+  }
+  warn_of_grid(context, where, type, name);
+  if (type == "cloud") return kMeanOfCloud * p.get_float("density", 1.F);
+  return type == "rgbgrid" ? 1.F : mean_density(p);
+}
+
+void warn_of_emission(Context& context, const SourceLocation& where, const std::string& name,
+                      const ParameterList& p) {
+  const desc::Rgb emitted = context.spectra.get_positive(p, "Le", desc::Rgb(0.F), ColorRole::Light);
+  const bool glows = emitted != desc::Rgb(0.F) || p.get_float("temperaturescale").has_value();
+  p.accept({"Lescale", "LeScale", "temperaturecutoff", "temperaturescale", "temperatureoffset"});
+  if (glows) {
+    context.warnings.add(kNoEmission, where, "media that emit light are not supported: dark",
+                         printable(name));
+  }
 }
 
 }  // namespace
 
 desc::Medium make_medium(Context& context, const SourceLocation& where, const std::string& name,
                          const ParameterList& parameters) {
-  const std::optional<std::string> type = parameters.get_string("type");
-  if (!type) throw SceneError(where, "MakeNamedMedium needs \"string type\"");
-  if (*type != "homogeneous" && *type != "heterogeneous") {
-    fail_unknown(where, "medium", *type, {"homogeneous", "heterogeneous"});
-  }
-  const Preset& preset = preset_of(context, where, parameters);
-  const auto rgb = [](const float(&v)[3]) { return desc::Rgb(v[0], v[1], v[2]); };
+  static const std::vector<std::string> kTypesOfV3 = {"homogeneous", "heterogeneous"};
+  static const std::vector<std::string> kTypesOfV4 = {"homogeneous", "uniformgrid", "rgbgrid",
+                                                      "cloud", "nanovdb"};
   desc::Medium medium;
   medium.name = name;
   medium.where = where;
-  float scale = parameters.get_float("scale", 1.F);
-  medium.g = parameters.get_float("g", 0.F);
-  if (*type == "heterogeneous") {
-    context.warnings.add(
-        kHeterogeneous, where,
-        "heterogeneous media are not supported: a homogeneous one of the mean density stands in",
-        printable(name));
-    scale *= mean_density(parameters);
-    parameters.accept({"nx", "ny", "nz", "p0", "p1"});
+  const std::optional<std::string> type = parameters.get_string("type");
+  if (!type) throw SceneError(where, "MakeNamedMedium needs \"string type\"");
+  const std::vector<std::string>& types = context.is_v4() ? kTypesOfV4 : kTypesOfV3;
+  if (std::find(types.begin(), types.end(), *type) == types.end()) {
+    report_unknown(context, where, "medium", *type, types, kUnknown, "A clear one stands in");
+    return medium;
   }
+  const std::optional<MediumPreset> preset = preset_of(context, where, parameters);
+  // pbrt-v3 always starts from a preset; pbrt-v4 has 1 without one, and with one nothing else.
+  const MediumPreset defaults =
+      preset.value_or(context.is_v4() ? MediumPreset{desc::Rgb(1.F), desc::Rgb(1.F)}
+                                      : *medium_preset(kDefaultPreset));
+  const auto coefficient = [&](std::string_view parameter, const desc::Rgb& fallback) {
+    if (const std::optional<desc::Rgb> mean = mean_color(parameters, parameter)) return *mean;
+    const desc::Rgb given = context.spectra.get_positive(parameters, parameter, fallback);
+    return context.is_v4() && preset ? fallback : given;
+  };
+  const float scale =
+      parameters.get_float("scale", 1.F) * density_of(context, where, *type, name, parameters);
+  medium.g = parameters.get_float("g", 0.F);
   if (scale < 0.F) throw SceneError(where, "\"scale\" of a medium is negative");
   if (!(medium.g > -1.F && medium.g < 1.F))
     throw SceneError(where, "\"g\" must be between -1 and 1");
-  medium.sigma_a = context.spectra.get_positive(parameters, "sigma_a", rgb(preset.sigma_a)) * scale;
-  medium.sigma_s = context.spectra.get_positive(parameters, "sigma_s", rgb(preset.sigma_s)) * scale;
+  medium.sigma_a = coefficient("sigma_a", defaults.sigma_a) * scale;
+  medium.sigma_s = coefficient("sigma_s", defaults.sigma_s) * scale;
   if (!is_finite(medium.sigma_a) || !is_finite(medium.sigma_s))
     throw SceneError(where, "the medium is too dense");
+  if (context.is_v4()) warn_of_emission(context, where, name, parameters);
   parameters.report_unused(context.warnings);
   return medium;
 }
