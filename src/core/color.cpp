@@ -6,13 +6,24 @@
 #include <vector>
 
 #include "core/cie_1931.h"
+#include "core/cie_illuminants.h"
 
 namespace ajar {
 namespace {
 
-/// Integrates a spectrum against the observer at 1 nm, both piecewise linear.
+/// The same power at every wavelength.
+double equal_energy(double /*wavelength*/) { return 1.0; }
+
+double daylight(double wavelength) {
+  const double x = std::clamp((wavelength - kCieFirst) / kD65Step, 0.0, kD65Samples - 1.0);
+  const auto i = std::min(static_cast<std::size_t>(x), kD65.size() - 2);
+  const double t = x - static_cast<double>(i);
+  return (1.0 - t) * kD65[i] + t * kD65[i + 1];
+}
+
+/// Integrates a spectrum against the observer and an illuminant at 1 nm, all piecewise linear.
 template <typename Spectrum>
-Vec3d integrate(const Spectrum& spectrum) {
+Vec3d integrate(const Spectrum& spectrum, double (*illuminant)(double) = equal_energy) {
   constexpr int kSubsteps = static_cast<int>(kCieStep);
   Vec3d xyz(0.0, 0.0, 0.0);
   double y_of_one = 0.0;
@@ -21,11 +32,13 @@ Vec3d integrate(const Spectrum& spectrum) {
       const double t = static_cast<double>(s) / kSubsteps;
       const auto& a = kCie1931[static_cast<std::size_t>(i)];
       const auto& b = kCie1931[static_cast<std::size_t>(std::min(i + 1, kCieSamples - 1))];
-      const double value = spectrum(kCieFirst + kCieStep * (i + t));
+      const double wavelength = kCieFirst + kCieStep * (i + t);
+      const double light = illuminant(wavelength);
+      const double value = spectrum(wavelength) * light;
       for (unsigned c = 0; c < 3; ++c) {
         xyz[static_cast<int>(c)] += value * ((1.0 - t) * a[c] + t * b[c]);
       }
-      y_of_one += (1.0 - t) * a[1] + t * b[1];
+      y_of_one += light * ((1.0 - t) * a[1] + t * b[1]);
     }
   }
   return xyz / y_of_one;
@@ -45,7 +58,12 @@ Vec3d rgb_to_xyz(const Vec3d& rgb) {
           0.019334 * rgb.x + 0.119193 * rgb.y + 0.950227 * rgb.z};
 }
 
-Vec3d sampled_to_xyz(std::span<const double> wavelengths, std::span<const double> values) {
+namespace {
+
+/// Calls `use` with the function of wavelength that connects the samples.
+template <typename Use>
+Vec3d with_samples(std::span<const double> wavelengths, std::span<const double> values,
+                   const Use& use) {
   const std::size_t count = std::min(wavelengths.size(), values.size());
   if (count == 0) return {0.0, 0.0, 0.0};
   std::vector<std::size_t> order(count);
@@ -53,7 +71,7 @@ Vec3d sampled_to_xyz(std::span<const double> wavelengths, std::span<const double
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return wavelengths[a] < wavelengths[b]; });
   std::size_t next = 0;  // first sample beyond the wavelength, which only grows
-  return integrate([&](double wavelength) {
+  return use([&](double wavelength) {
     while (next < count && wavelengths[order[next]] <= wavelength) ++next;
     if (next == 0) return values[order[0]];
     if (next == count) return values[order[count - 1]];
@@ -62,6 +80,23 @@ Vec3d sampled_to_xyz(std::span<const double> wavelengths, std::span<const double
     const double t = (wavelength - wavelengths[a]) / (wavelengths[b] - wavelengths[a]);
     return (1.0 - t) * values[a] + t * values[b];
   });
+}
+
+}  // namespace
+
+Vec3d sampled_to_xyz(std::span<const double> wavelengths, std::span<const double> values) {
+  return with_samples(wavelengths, values,
+                      [](const auto& spectrum) { return integrate(spectrum); });
+}
+
+Vec3d sampled_to_rgb_in_daylight(std::span<const double> wavelengths,
+                                 std::span<const double> values) {
+  const Vec3d xyz = with_samples(
+      wavelengths, values, [](const auto& spectrum) { return integrate(spectrum, daylight); });
+  // Our matrix and table differ in the fifth digit of white.
+  const Vec3d white = xyz_to_rgb(integrate(equal_energy, daylight));
+  const Vec3d rgb = xyz_to_rgb(xyz);
+  return {rgb.x / white.x, rgb.y / white.y, rgb.z / white.z};
 }
 
 Vec3d sampled_to_rgb(std::span<const double> wavelengths, std::span<const double> values) {

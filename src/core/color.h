@@ -18,6 +18,11 @@ Vec3d sampled_to_xyz(std::span<const double> wavelengths, std::span<const double
 /// The same as linear RGB; lanes may be negative for colours outside of the gamut.
 Vec3d sampled_to_rgb(std::span<const double> wavelengths, std::span<const double> values);
 
+/// Linear RGB of what a spectrum makes of daylight (CIE illuminant D65), as a reflectance or an
+/// index of refraction does: the spectrum that is 1 everywhere is white.
+Vec3d sampled_to_rgb_in_daylight(std::span<const double> wavelengths,
+                                 std::span<const double> values);
+
 /// Spectral radiance of a black body, W·sr⁻¹·m⁻² per m of wavelength (Planck's law).
 double blackbody_radiance(double wavelength_nm, double kelvin);
 /// XYZ of a black body, scaled such that the peak of its spectrum is 1 (pbrt-v3, section 12.1.1).

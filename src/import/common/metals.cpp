@@ -96,16 +96,25 @@ const std::array<Metal, 7> kMetals = {{
       2.86, 2.89, 2.92, 2.94, 2.95, 2.91, 2.86, 2.78, 2.72, 2.68, 2.73, 2.79, 2.85, 2.96}},
 }};
 
-}  // namespace
+using ToRgb = Vec3d (*)(std::span<const double> wavelengths, std::span<const double> values);
 
-std::optional<Vec3d> metal_rgb(std::string_view symbol, MetalQuantity quantity) {
+std::optional<Vec3d> find(std::string_view symbol, MetalQuantity quantity, ToRgb to_rgb) {
   for (const Metal& metal : kMetals) {
     if (metal.symbol == symbol) {
-      return sampled_to_rgb(metal.wavelengths,
-                            quantity == MetalQuantity::Eta ? metal.eta : metal.k);
+      return to_rgb(metal.wavelengths, quantity == MetalQuantity::Eta ? metal.eta : metal.k);
     }
   }
   return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Vec3d> metal_rgb(std::string_view symbol, MetalQuantity quantity) {
+  return find(symbol, quantity, sampled_to_rgb);
+}
+
+std::optional<Vec3d> metal_rgb_in_daylight(std::string_view symbol, MetalQuantity quantity) {
+  return find(symbol, quantity, sampled_to_rgb_in_daylight);
 }
 
 std::optional<Vec3d> metal_rgb_by_file_name(std::string_view name) {

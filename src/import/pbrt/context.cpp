@@ -1,49 +1,35 @@
 #include "import/pbrt/context.h"
 
-#include <algorithm>
-#include <array>
-
 #include "import/common/printable.h"
 #include "import/pbrt/lexer.h"
 
 namespace ajar::pbrt {
-namespace {
 
-/// Words that only pbrt-v4 has.
-constexpr std::array<std::string_view, 22> kPbrt4Words = {"Option",
-                                                          "ColorSpace",
-                                                          "Attribute",
-                                                          "rgb",
-                                                          "gbuffer",
-                                                          "spectral",
-                                                          "diffuse",
-                                                          "conductor",
-                                                          "dielectric",
-                                                          "coateddiffuse",
-                                                          "coatedconductor",
-                                                          "thindielectric",
-                                                          "diffusetransmission",
-                                                          "measured",
-                                                          "interface",
-                                                          "bilinearmesh",
-                                                          "independent",
-                                                          "zsobol",
-                                                          "pmj02bn",
-                                                          "spherical",
-                                                          "directionmix",
-                                                          "ptex"};
+std::string unknown_message(const DialectChoice& choice, std::string_view what,
+                            std::string_view name, const std::vector<std::string>& valid) {
+  const std::optional<Dialect> other = dialect_of_word(name);
+  if (!other || *other == choice.dialect) {
+    return unknown_name_message(what, printable(name), valid);
+  }
+  std::string message = std::string(what) + " \"" + std::string(name) + "\" belongs to " +
+                        std::string(name_of(*other)) + ", but this file is read as " +
+                        std::string(name_of(choice.dialect)) + ": ";
+  message += choice.word.empty() ? "it says nothing that only another version has"
+                                 : choice.word + " at " + choice.where.to_string();
+  return message;
+}
 
-}  // namespace
+void report_unknown(const Context& context, const SourceLocation& where, std::string_view what,
+                    std::string_view name, const std::vector<std::string>& valid,
+                    const WarningKind& kind, std::string_view stand_in) {
+  const std::string message = unknown_message(context.choice, what, name, valid);
+  if (!context.is_v4()) throw SceneError(where, message);
+  context.warnings.add(kind, where, message + ". " + std::string(stand_in), printable(name));
+}
 
 void fail_unknown(const SourceLocation& where, std::string_view what, std::string_view name,
                   const std::vector<std::string>& valid) {
-  std::string message = unknown_name_message(what, printable(name), valid);
-  if (std::find(kPbrt4Words.begin(), kPbrt4Words.end(), name) != kPbrt4Words.end()) {
-    message =
-        std::string(what) + " \"" + std::string(name) +
-        "\" belongs to pbrt-v4: this looks like a pbrt-v4 scene, but only pbrt-v3 can be read";
-  }
-  throw SceneError(where, message);
+  throw SceneError(where, unknown_name_message(what, printable(name), valid));
 }
 
 }  // namespace ajar::pbrt

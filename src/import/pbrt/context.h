@@ -6,6 +6,7 @@
 #include "core/error.h"
 #include "core/warnings.h"
 #include "import/common/file_access.h"
+#include "import/pbrt/dialect.h"
 #include "import/pbrt/spectra.h"
 #include "scene/desc/scene_desc.h"
 
@@ -17,9 +18,23 @@ struct Context {
   Warnings& warnings;
   FileAccess& files;
   SpectrumReader& spectra;
+  const DialectChoice& choice;
+
+  bool is_v4() const { return choice.dialect == Dialect::V4; }
 };
 
-/// The error for a type of thing that pbrt-v3 does not have; says so if pbrt-v4 does.
+/// What is the matter with a type of thing that the file's dialect does not have: the nearest
+/// names, or that the other version of pbrt has it and why the file is taken for this one.
+std::string unknown_message(const DialectChoice& choice, std::string_view what,
+                            std::string_view name, const std::vector<std::string>& valid);
+
+/// Of pbrt-v3 files an error; of pbrt-v4 files, which may be newer than this reader, a warning that
+/// `stand_in` says what is done about, as in "a diffuse one stands in".
+void report_unknown(const Context& context, const SourceLocation& where, std::string_view what,
+                    std::string_view name, const std::vector<std::string>& valid,
+                    const WarningKind& kind, std::string_view stand_in);
+
+/// The error for a word that no version of pbrt has in this place.
 [[noreturn]] void fail_unknown(const SourceLocation& where, std::string_view what,
                                std::string_view name, const std::vector<std::string>& valid);
 

@@ -45,9 +45,10 @@ TEST(PbrtDirectives, UnknownOnesNameTheNearestWithTheirPlace) {
 }
 
 TEST(PbrtDirectives, Pbrt4IsNamedAsSuch) {
-  for (const char* text : {"Film \"rgb\"", "Option \"x\" 1", "WorldBegin Material \"diffuse\"",
+  for (const char* text : {"Option \"x\" 1", "WorldBegin Material \"dielectric\"",
                            "WorldBegin Shape \"bilinearmesh\""}) {
-    EXPECT_TRUE(contains(error_of(text), "pbrt-v4")) << text;
+    EXPECT_TRUE(contains(error_of("Film \"image\" " + std::string(text)), "belongs to pbrt-v4"))
+        << text;
   }
 }
 

@@ -2,8 +2,10 @@
 
 namespace ajar::pbrt {
 
+namespace {
+
 // Names and defaults: pbrt-v3, src/lights/*.cpp.
-const std::vector<ModelName>& light_names() {
+const std::vector<ModelName>& names_of_v3() {
   static const ParameterName kIntensity{"intensity", {"I"}};
   static const ParameterName kRadiance{"radiance", {"L"}};
   static const ParameterName kImage{"image", {"mapname"}};
@@ -19,7 +21,39 @@ const std::vector<ModelName>& light_names() {
   return kNames;
 }
 
-const std::vector<ModelName>& emission_names() {
+// Names and defaults: pbrt-v4, src/pbrt/lights.cpp. What they are scaled to, "power" and
+// "illuminance", is in lights.cpp.
+const std::vector<ModelName>& names_of_v4() {
+  static const ParameterName kIntensity{"intensity", {"I"}};
+  static const ParameterName kImage{"image", {"filename"}};
+  static const ParameterName kSquare{"projection", {}, "equal_area"};
+  static const ParameterName kPower{"power", {}};
+  static const std::vector<ModelName> kNames = {
+      {"point", "point", {kIntensity}},
+      {"spot",
+       "spot",
+       {kIntensity,
+        {"cone_angle", {"coneangle"}},
+        {"falloff_start", {}},
+        {"falloff", {}, "smoothstep"}}},
+      {"distant", "distant", {{"irradiance", {"L"}}}},
+      {"infinite", "environment", {{"radiance", {"L"}}, kImage, kSquare, {"irradiance", {}}}},
+      {"goniometric", "goniometric", {kIntensity, kImage, kSquare, kPower}},
+      {"projection", "projection", {{"intensity", {}}, kImage, {"fov", {"fov"}, "90"}, kPower}}};
+  return kNames;
+}
+
+}  // namespace
+
+const std::vector<ModelName>& light_names(Dialect dialect) {
+  return dialect == Dialect::V3 ? names_of_v3() : names_of_v4();
+}
+
+const std::vector<ModelName>& emission_names(Dialect dialect) {
+  // "scale" is a number there.
+  static const std::vector<ModelName> kNamesOfV4 = {
+      {"diffuse", "area", {{"radiance", {"L"}}, {"two_sided", {"twosided"}}, {"scale", {}}}}};
+  if (dialect == Dialect::V4) return kNamesOfV4;
   // "area" is what older files say.
   static const std::vector<ParameterName> kArea = {{"radiance", {"L"}},
                                                    {"two_sided", {"twosided"}}};

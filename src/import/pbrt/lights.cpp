@@ -1,28 +1,77 @@
 #include "import/pbrt/lights.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "import/common/transforms.h"
 #include "import/pbrt/light_names.h"
 #include "import/pbrt/node_reader.h"
+#include "scene/desc/models.h"
 
 namespace ajar::pbrt {
 namespace {
 
 constexpr WarningKind kLeftOut{Effect::Light, "lights are left out"};
 
-/// A colour times the parameter "scale".
+constexpr WarningKind kUnknown{Effect::Light, "lights are unknown and left out"};
+constexpr WarningKind kNoPortal{Effect::Slight, "lights have portals, which are ignored"};
+constexpr WarningKind kNoPower{
+    Effect::Light, "lights on surfaces have both an image and \"power\", which is ignored"};
+
+/// What pbrt-v4 wants a light to have in all; empty if it wants nothing.
+std::optional<float> target(const ParameterList& parameters, std::string_view name) {
+  const std::optional<float> value = parameters.get_float(name);
+  return value && *value > 0.F ? value : std::nullopt;
+}
+
+float cosine(float degrees) {
+  return static_cast<float>(std::cos(static_cast<double>(degrees) * 3.14159265358979323846 / 180));
+}
+
+/// What pbrt-v4's "power" and "illuminance" multiply a light with. Lights with images are scaled
+/// when the images are known: those have a parameter of their own for it.
+float target_scale(const ParameterList& p, desc::Node& node) {
+  if (node.is("distant")) return target(p, "illuminance").value_or(1.F);
+  if (node.is("environment")) {
+    if (const auto illuminance = target(p, "illuminance")) node.set("irradiance", *illuminance);
+    return 1.F;
+  }
+  const std::optional<float> power = target(p, "power");
+  if (!power) return 1.F;
+  if (node.has("power")) {
+    node.set("power", *power);
+    return 1.F;
+  }
+  if (node.is("point")) return *power / (4.F * kPi);
+  // The smooth step is a half in the mean.
+  const float edge = cosine(node.number("cone_angle"));
+  const float start = cosine(node.number("falloff_start"));
+  const float solid_angle = 2.F * kPi * ((1.F - start) + 0.5F * (start - edge));
+  return solid_angle > 0.F ? *power / solid_angle : 1.F;
+}
+
+/// A colour times the parameter "scale" and a factor.
 desc::Rgb scaled(Context& context, const SourceLocation& where, const ParameterList& parameters,
-                 const desc::Rgb& color) {
-  const desc::Rgb result =
-      color * context.spectra.get_positive(parameters, "scale", desc::Rgb(1.F));
+                 const desc::Rgb& color, float target_scale) {
+  const desc::Rgb scale = context.is_v4()
+                              ? desc::Rgb(std::max(parameters.get_float("scale", 1.F), 0.F))
+                              : context.spectra.get_positive(parameters, "scale", desc::Rgb(1.F));
+  const desc::Rgb result = color * scale * target_scale;
   if (!is_finite(result))
     throw SceneError(where, "the light is too strong: it is not a finite number");
   return result;
 }
 
 /// Where a light is; nothing if its parameters say no direction.
-std::optional<Mat4> place_of(const desc::Node& node, const ParameterList& p, const Mat4& ctm) {
-  // pbrt-v3 moves points in world space, after the current transform.
-  if (node.is("point")) return ctm * translation(Vec3d(p.get_point("from", {0.F, 0.F, 0.F})));
+std::optional<Mat4> place_of(const desc::Node& node, const ParameterList& p, const Mat4& ctm,
+                             bool is_v4) {
+  if (node.is("point")) {
+    const Mat4 move = translation(Vec3d(p.get_point("from", {0.F, 0.F, 0.F})));
+    // pbrt-v3 moves points in world space, after the current transform.
+    return is_v4 ? move * ctm : ctm * move;
+  }
+  // Row 0 of a slide is at the upper edge in pbrt-v4.
+  if (node.is("projection") && is_v4) return scaling({1.0, -1.0, 1.0}) * ctm;
   if (!node.is("spot") && !node.is("distant")) return ctm;
   const Vec3d from(p.get_point("from", {0.F, 0.F, 0.F}));
   const Vec3d to(p.get_point("to", {0.F, 0.F, 1.F}));
@@ -43,9 +92,12 @@ void set_falloff(desc::Node& spot, const ParameterList& parameters) {
 std::optional<desc::Light> make_light(Context& context, TextureTable& textures,
                                       const SourceLocation& where, const std::string& type,
                                       const ParameterList& p, const Mat4& ctm) {
-  const desc::Model* model = model_of_type(desc::ModelKind::Light, light_names(), type);
+  const std::vector<ModelName>& table = light_names(context.choice.dialect);
+  const desc::Model* model = model_of_type(desc::ModelKind::Light, table, type);
   if (model == nullptr) {
-    fail_unknown(where, "light", type, types_of(desc::ModelKind::Light, light_names()));
+    report_unknown(context, where, "light", type, types_of(desc::ModelKind::Light, table), kUnknown,
+                   "It is left out");
+    return std::nullopt;
   }
   const auto skip = [&](const std::string& reason) -> std::optional<desc::Light> {
     context.warnings.add(kLeftOut, where, reason + ": light left out", reason);
@@ -53,16 +105,20 @@ std::optional<desc::Light> make_light(Context& context, TextureTable& textures,
   };
   desc::Light light;
   light.where = where;
-  light.node = NodeReader(where, TextureParameters(context, textures, p))
-                   .read(*model, find_theirs(light_names(), type));
+  light.node = NodeReader(where, TextureParameters::of_light(context, textures, p))
+                   .read(*model, find_theirs(table, type));
+  if (light.node.is("spot")) set_falloff(light.node, p);
+  const float factor = context.is_v4() ? target_scale(p, light.node) : 1.F;
   for (const ParameterSpec& spec : model->parameters) {
     if (spec.type != ParameterType::Color) continue;
-    light.node.set(spec.name, scaled(context, where, p, light.node.color(spec.name)));
+    light.node.set(spec.name, scaled(context, where, p, light.node.color(spec.name), factor));
   }
-  if (light.node.is("spot")) set_falloff(light.node, p);
-  const std::optional<Mat4> place = place_of(light.node, p, ctm);
+  const std::optional<Mat4> place = place_of(light.node, p, ctm, context.is_v4());
   if (!place) return skip("\"from\" and \"to\" of this light are the same point");
   light.to_world = *place;
+  if (context.is_v4() && p.find("portal", ParameterKind::Point3) != nullptr) {
+    context.warnings.add(kNoPortal, where, "the portal of this light is ignored");
+  }
   p.accept({"samples", "nsamples"});
   p.report_unused(context.warnings);
   if (!is_finite(light.to_world) || !inverse(light.to_world)) {
@@ -71,18 +127,54 @@ std::optional<desc::Light> make_light(Context& context, TextureTable& textures,
   return light;
 }
 
-desc::Emission make_emission(Context& context, TextureTable& textures, const SourceLocation& where,
-                             const std::string& type, const ParameterList& p) {
-  const desc::Model* model = model_of_type(desc::ModelKind::Emission, emission_names(), type);
-  if (model == nullptr) {
-    fail_unknown(where, "area light", type, types_of(desc::ModelKind::Emission, emission_names()));
+namespace {
+
+/// pbrt-v4: an image as the radiance of a surface.
+std::optional<desc::TextureRef> emission_image(Context& context, TextureTable& textures,
+                                               const SourceLocation& where,
+                                               const ParameterList& p) {
+  const std::optional<std::string> file = p.get_string("filename");
+  if (!file || file->empty()) return std::nullopt;
+  try {
+    const desc::Node image = desc::texture_node(
+        "image", {{"file", context.files.resolve(*file)}, {"wrap", std::string("clamp")}});
+    return desc::TextureRef{textures.add(where, image)};
+  } catch (const IoError& error) {
+    throw SceneError(where, error.what());
   }
-  const TextureParameters lookup(context, textures, p);
-  desc::Emission emission{
-      where, NodeReader(where, lookup).read(*model, find_theirs(emission_names(), type))};
+}
+
+}  // namespace
+
+std::optional<AreaEmission> make_emission(Context& context, TextureTable& textures,
+                                          const SourceLocation& where, const std::string& type,
+                                          const ParameterList& p) {
+  const std::vector<ModelName>& table = emission_names(context.choice.dialect);
+  const desc::Model* model = model_of_type(desc::ModelKind::Emission, table, type);
+  if (model == nullptr) {
+    report_unknown(context, where, "area light", type, types_of(desc::ModelKind::Emission, table),
+                   kUnknown, "It is left out");
+    return std::nullopt;
+  }
+  const TextureParameters lookup = TextureParameters::of_light(context, textures, p);
+  AreaEmission result{{where, NodeReader(where, lookup).read(*model, find_theirs(table, type))},
+                      std::nullopt};
+  if (context.is_v4()) {
+    desc::Node& node = result.emission.node;
+    node.set("scale", scaled(context, where, p, desc::Rgb(1.F), 1.F));
+    result.power = target(p, "power");
+    if (const auto image = emission_image(context, textures, where, p)) {
+      node.set("radiance", *image);
+      if (result.power) {
+        context.warnings.add(kNoPower, where,
+                             "\"power\" of a light with an image is not supported: ignored");
+        result.power.reset();
+      }
+    }
+  }
   p.accept({"samples", "nsamples"});
   p.report_unused(context.warnings);
-  return emission;
+  return result;
 }
 
 }  // namespace ajar::pbrt

@@ -3,9 +3,10 @@
 namespace ajar::pbrt {
 namespace {
 
-// Names and defaults: pbrt-v3, src/materials/*.cpp.
+// Names and defaults: pbrt-v3, src/materials/*.cpp; pbrt-v4, src/pbrt/materials.cpp.
 
 const ParameterName kRemapped{"roughness_scale", {"remaproughness"}, "log", {"alpha", "log"}};
+const ParameterName kSquared{"roughness_scale", {"remaproughness"}, "square", {"alpha", "square"}};
 const ParameterName kDiffuse{"diffuse_reflectance", {"Kd"}};
 const ParameterName kGlossy{"glossy_reflectance", {"Ks"}};
 const ParameterName kIndex{"eta", {"eta", "index"}};
@@ -15,14 +16,40 @@ ParameterName roughness_v(std::vector<std::string_view> theirs, std::string_view
   return {"roughness_v", std::move(theirs), fallback, {}, "roughness"};
 }
 
-constexpr std::array<StandIn, 4> kStandIns = {{{"fourier", "", 0.5F},
-                                               {"hair", "color", 0.2F},
-                                               {"subsurface", "", 0.5F},
-                                               {"kdsubsurface", "Kd", 0.5F}}};
+/// pbrt-v4's two roughnesses of one layer, whose names start with `layer`.
+std::vector<ParameterName> layer_roughness(std::string_view ours, std::string_view ours_v,
+                                           std::array<std::string_view, 3> theirs) {
+  return {{ours, {theirs[0], theirs[2]}, "0"}, {ours_v, {theirs[1], theirs[2]}, "0"}};
+}
+std::vector<ParameterName> with_roughness(std::vector<ParameterName> parameters) {
+  for (ParameterName& name :
+       layer_roughness("roughness", "roughness_v", {"uroughness", "vroughness", "roughness"})) {
+    parameters.push_back(std::move(name));
+  }
+  parameters.push_back(kSquared);
+  return parameters;
+}
+std::vector<ParameterName> coated_conductor() {
+  std::vector<ParameterName> parameters =
+      layer_roughness("roughness", "roughness_v",
+                      {"conductor.uroughness", "conductor.vroughness", "conductor.roughness"});
+  for (ParameterName& name :
+       layer_roughness("coat_roughness", "coat_roughness_v",
+                       {"interface.uroughness", "interface.vroughness", "interface.roughness"})) {
+    parameters.push_back(std::move(name));
+  }
+  parameters.push_back({"eta", {"conductor.eta"}});
+  parameters.push_back({"k", {"conductor.k"}});
+  parameters.push_back({"coat_eta", {"interface.eta"}});
+  parameters.push_back(kSquared);
+  return parameters;
+}
 
 }  // namespace
 
-const std::vector<ModelName>& material_names() {
+namespace {
+
+const std::vector<ModelName>& names_of_v3() {
   static const std::vector<ModelName> kNames = {
       {"matte", "diffuse", {{"reflectance", {"Kd"}}}},
       {"mirror", "mirror", {{"reflectance", {"Kr"}}}},
@@ -78,16 +105,45 @@ const std::vector<ModelName>& material_names() {
   return kNames;
 }
 
-const StandIn* find_stand_in(std::string_view type) {
-  const auto found = std::find_if(kStandIns.begin(), kStandIns.end(),
-                                  [&](const StandIn& known) { return known.type == type; });
-  return found == kStandIns.end() ? nullptr : &*found;
+const std::vector<ModelName>& names_of_v4() {
+  // What a v4 material says by its type alone.
+  static const ParameterName kNoTint{"reflectance", {}};
+  static const ParameterName kNoTransmittance{"transmittance", {}};
+  static const std::vector<ModelName> kNames = {
+      {"diffuse", "diffuse", {}},
+      {"conductor", "conductor", with_roughness({{"distribution", {}}})},
+      {"dielectric", "dielectric", with_roughness({kNoTint, kNoTransmittance, {"thin", {}}})},
+      {"thindielectric",
+       "dielectric",
+       {kNoTint,
+        kNoTransmittance,
+        {"thin", {}, "true"},
+        {"roughness", {}},
+        {"roughness_v", {}},
+        {"roughness_scale", {}}}},
+      {"coateddiffuse", "coated_diffuse",
+       with_roughness({{"diffuse_reflectance", {"reflectance"}}, {"coat", {}, "dielectric"}})},
+      {"coatedconductor", "coated_conductor", coated_conductor()},
+      {"diffusetransmission",
+       "translucent",
+       {{"diffuse", {}, "1"},
+        {"glossy", {}, "0"},
+        {"reflectance", {"reflectance"}, "0.25"},
+        {"transmittance", {"transmittance"}, "0.25"},
+        {"roughness", {}},
+        {"roughness_scale", {}}}},
+      // "amount" is of the second there and of the first here; `materials.cpp` names them.
+      {"mix", "mix", {}},
+      {"interface", "interface", {}},
+      {"none", "interface", {}},
+      {"", "interface", {}}};
+  return kNames;
 }
 
-std::vector<std::string> stand_in_types() {
-  std::vector<std::string> types;
-  for (const StandIn& known : kStandIns) types.emplace_back(known.type);
-  return types;
+}  // namespace
+
+const std::vector<ModelName>& material_names(Dialect dialect) {
+  return dialect == Dialect::V3 ? names_of_v3() : names_of_v4();
 }
 
 }  // namespace ajar::pbrt

@@ -1,15 +1,22 @@
 #include "import/pbrt/materials.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "import/pbrt/material_names.h"
+#include "import/pbrt/named_spectra.h"
 #include "import/pbrt/node_reader.h"
+#include "import/pbrt/stand_ins.h"
 #include "scene/desc/models.h"
 
 namespace ajar::pbrt {
 namespace {
 
-constexpr WarningKind kStandIn{Effect::Surface, "materials are not supported: matte ones stand in"};
+constexpr WarningKind kUnknown{Effect::Surface, "materials are unknown: matte ones stand in"};
+constexpr WarningKind kNoNormalMap{Effect::Surface,
+                                   "materials have normal maps, which are not supported"};
+constexpr WarningKind kNoMediumInCoat{
+    Effect::Surface, "coated materials have an \"albedo\" in their coat, which is not supported"};
 constexpr WarningKind kNoSubsurface{
     Effect::Surface, "disney materials have subsurface scattering, which is not supported"};
 
@@ -22,20 +29,59 @@ void check_subsurface(const SourceLocation& where, const TextureParameters& p) {
       "disney: \"scatterdistance\" (subsurface scattering) is not supported: taken as 0");
 }
 
-/// Diffuse, with the nearest thing to a colour.
-desc::Node stand_in(const SourceLocation& where, const StandIn& known, const TextureParameters& p) {
-  const std::string type(known.type);
-  p.context().warnings.add(
-      kStandIn, where, "material \"" + type + "\" is not supported: a matte one stands in", type);
-  const std::optional<desc::Value> color =
-      known.color.empty() ? std::nullopt : p.find_spectrum(known.color);
-  p.accept({"bsdffile", "sigma_a", "sigma_s", "eumelanin", "pheomelanin", "eta", "beta_m", "beta_n",
-            "alpha", "name", "scale", "Kr", "Kt", "g", "mfp", "uroughness", "vroughness",
-            "remaproughness"});
-  return desc::material_node("diffuse", {{"reflectance", color.value_or(Vec3(known.fallback))}});
+/// α of a constant roughness; nothing for textures.
+std::optional<float> constant_alpha(const desc::Node& node, const char* name) {
+  const float* roughness = std::get_if<float>(&node.get(name));
+  if (roughness == nullptr) return std::nullopt;
+  const bool is_square = node.text("roughness_scale") == "square";
+  return is_square ? std::sqrt(std::max(*roughness, 0.F)) : *roughness;
 }
 
-/// Whether pbrt reads "bumpmap" for this material.
+/// pbrt-v4 takes facets with both α below 0.001 for a smooth surface (Pharr et al. 2023, section
+/// 9.6.2). Coated materials do so themselves.
+void smooth_if_nearly_so(desc::Node& node) {
+  if (!node.is("conductor") && !node.is("dielectric")) return;
+  constexpr float kEffectivelySmooth = 1e-3F;
+  const std::optional<float> u = constant_alpha(node, "roughness");
+  const std::optional<float> v = constant_alpha(node, "roughness_v");
+  if (!u || (v && *v >= kEffectivelySmooth) || *u >= kEffectivelySmooth) return;
+  node.set("roughness", 0.F);
+  node.set("roughness_v", 0.F);
+  if (node.is("conductor")) node.set("distribution", std::string("smooth"));
+}
+
+/// Metals are copper unless they say otherwise, and copper has the colours of this dialect's
+/// spectra.
+void set_default_metal(const TextureParameters& p, desc::Node& node, const std::string& prefix) {
+  if (!p.find_spectrum(prefix + "eta")) node.set("eta", Vec3(*named_metal("metal-Cu-eta")));
+  if (!p.find_spectrum(prefix + "k")) node.set("k", Vec3(*named_metal("metal-Cu-k")));
+}
+
+/// What pbrt-v4 says beside the parameters that the models have.
+void finish_v4(const SourceLocation& where, const std::string& type, const TextureParameters& p,
+               desc::Node& node) {
+  smooth_if_nearly_so(node);
+  if (type == "conductor") set_default_metal(p, node, "");
+  if (type == "coatedconductor") set_default_metal(p, node, "conductor.");
+  if (type == "diffusetransmission") {
+    const float scale = p.number("scale").value_or(1.F);
+    node.set("diffuse", Vec3(std::clamp(scale, 0.F, 1.F)));
+  }
+  if (type == "coateddiffuse" || type == "coatedconductor") {
+    const std::optional<desc::Value> albedo = p.find_spectrum("albedo");
+    if (albedo && *albedo != desc::Value(Vec3(0.F))) {
+      p.context().warnings.add(
+          kNoMediumInCoat, where,
+          type + ": \"albedo\" of the coat is not supported: taken as 0, a clear coat");
+    }
+    p.accept({"thickness", "g", "maxdepth", "nsamples", "twosided"});
+  }
+  if (const std::optional<std::string> map = p.text("normalmap"); map && !map->empty()) {
+    p.context().warnings.add(kNoNormalMap, where, "normal maps are not supported: ignored", *map);
+  }
+}
+
+/// Whether pbrt displaces this material along its normal.
 bool can_be_bumpy(const desc::Node& node) { return !node.is("interface") && !node.is("mix"); }
 
 }  // namespace
@@ -51,20 +97,41 @@ desc::MaterialId MaterialTable::part(const SourceLocation& where, const std::str
   return named(where, *name)->id;
 }
 
+desc::Node MaterialTable::make_mix(const SourceLocation& where,
+                                   const TextureParameters& parameters) const {
+  const std::vector<std::string> names = parameters.texts("materials");
+  if (names.size() != 2) {
+    throw SceneError(where, "a mix material needs \"string materials\" with two names");
+  }
+  const desc::Model& mix = *desc::find_model(desc::ModelKind::Material, "mix");
+  return NodeReader(where, parameters)
+      .with_numbers_for_colors(true)
+      .with_materials([&](std::string_view parameter) {
+        // pbrt-v4's "amount" is the share of the second, ours that of the first.
+        return named(where, names[parameter == "first" ? 1 : 0])->id;
+      })
+      .read(mix, find_theirs(material_names(Dialect::V4), "mix"));
+}
+
 desc::Node MaterialTable::make_node(const SourceLocation& where, const std::string& type,
                                     const TextureParameters& parameters) const {
-  if (const StandIn* known = find_stand_in(type)) return stand_in(where, *known, parameters);
-  const desc::Model* model = model_of_type(desc::ModelKind::Material, material_names(), type);
+  const Dialect dialect = context_.choice.dialect;
+  const std::vector<ModelName>& table = material_names(dialect);
+  if (std::optional<desc::Node> stand_in = make_stand_in(where, type, parameters)) return *stand_in;
+  const desc::Model* model = model_of_type(desc::ModelKind::Material, table, type);
   if (model == nullptr) {
-    std::vector<std::string> types = types_of(desc::ModelKind::Material, material_names());
-    for (std::string& known : stand_in_types()) types.push_back(std::move(known));
-    fail_unknown(where, "material", type, types);
+    std::vector<std::string> types = types_of(desc::ModelKind::Material, table);
+    for (std::string& known : stand_in_types(dialect)) types.push_back(std::move(known));
+    report_unknown(context_, where, "material", type, types, kUnknown, "A matte one stands in");
+    return desc::material_node("diffuse");
   }
-  const desc::Node node = NodeReader(where, parameters)
-                              .with_materials([&](std::string_view parameter) {
-                                return part(where, type, parameter, parameters);
-                              })
-                              .read(*model, find_theirs(material_names(), type));
+  if (context_.is_v4() && type == "mix") return make_mix(where, parameters);
+  desc::Node node = NodeReader(where, parameters)
+                        .with_materials([&](std::string_view parameter) {
+                          return part(where, type, parameter, parameters);
+                        })
+                        .read(*model, find_theirs(table, type));
+  if (context_.is_v4()) finish_v4(where, type, parameters, node);
   if (type == "disney") check_subsurface(where, parameters);
   return node;
 }
@@ -78,7 +145,8 @@ desc::MaterialId MaterialTable::build(const SourceLocation& where, const std::st
   material.node = make_node(where, type, parameters);
   if (can_be_bumpy(material.node)) {
     // A bump that is the same everywhere is none.
-    const std::optional<desc::Value> bump = parameters.find_number("bumpmap");
+    const std::optional<desc::Value> bump =
+        parameters.find_number(context_.is_v4() ? "displacement" : "bumpmap");
     if (bump && std::holds_alternative<desc::TextureRef>(*bump)) {
       material.bump = std::get<desc::TextureRef>(*bump).id;
     }
@@ -112,10 +180,11 @@ MaterialPointer MaterialTable::named(const SourceLocation& where, const std::str
 desc::MaterialId MaterialTable::for_shape(const SourceLocation& where, MaterialPointer current,
                                           const ParameterList& shape) {
   if (!current) {
-    if (!default_) default_ = make(where, "matte", std::make_shared<const ParameterList>());
+    const char* type = context_.is_v4() ? "diffuse" : "matte";
+    if (!default_) default_ = make(where, type, std::make_shared<const ParameterList>());
     current = default_;
   }
-  if (shape.all_used()) return current->id;
+  if (context_.is_v4() || shape.all_used()) return current->id;
   const std::size_t used = shape.used_count();
   const desc::MaterialId variant =
       build(where, current->type, current->name,

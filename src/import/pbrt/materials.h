@@ -36,14 +36,21 @@ class MaterialTable {
   desc::MaterialId for_shape(const SourceLocation& where, MaterialPointer current,
                              const ParameterList& shape);
 
-  void begin_scope() { names_.begin_scope(); }
-  void end_scope() { names_.end_scope(); }
+  /// Names of pbrt-v4 are known to the end of the file.
+  void begin_scope() {
+    if (!context_.is_v4()) names_.begin_scope();
+  }
+  void end_scope() {
+    if (!context_.is_v4()) names_.end_scope();
+  }
 
  private:
   desc::MaterialId build(const SourceLocation& where, const std::string& type,
                          const std::string& name, const TextureParameters& parameters);
   desc::Node make_node(const SourceLocation& where, const std::string& type,
                        const TextureParameters& parameters) const;
+  /// pbrt-v4's mix.
+  desc::Node make_mix(const SourceLocation& where, const TextureParameters& parameters) const;
   /// The part of a mix that a parameter names.
   desc::MaterialId part(const SourceLocation& where, const std::string& type,
                         std::string_view parameter, const TextureParameters& parameters) const;

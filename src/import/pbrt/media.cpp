@@ -1,5 +1,7 @@
 #include "import/pbrt/media.h"
 
+#include <algorithm>
+#include <array>
 #include <numeric>
 
 #include "import/common/printable.h"
@@ -14,60 +16,123 @@ constexpr WarningKind kUnknownPreset{Effect::Surface,
 constexpr WarningKind kHeterogeneous{
     Effect::Surface,
     "heterogeneous media are not supported: homogeneous ones of the mean density stand in"};
+constexpr WarningKind kUnknown{Effect::Surface, "media are unknown: clear ones stand in"};
+constexpr WarningKind kNoEmission{Effect::Light, "media emit light, which is not supported"};
 
-/// What pbrt-v3 takes if nothing is said, or nothing it knows.
-constexpr const char* kDefault = "Wholemilk";
+/// What pbrt-v3 takes if nothing is said.
+constexpr const char* kDefaultPreset = "Wholemilk";
 
-ScatteringPreset preset_of(Context& context, const SourceLocation& where,
-                           const ParameterList& parameters) {
-  const std::string name = parameters.get_string("preset", "");
-  if (const auto preset = find_scattering_preset(name.empty() ? kDefault : name)) return *preset;
+/// What is not in a file: the mean density of pbrt-v4's cloud of density 1, by the formulas of
+/// Pharr et al. 2023, section 11.4.5, with noise whose values have the spread 0.25.
+constexpr float kMeanOfCloud = 0.39F;
+
+std::optional<ScatteringPreset> preset_of(Context& context, const SourceLocation& where,
+                                          const ParameterList& parameters) {
+  const std::optional<std::string> name = parameters.get_string("preset");
+  if (!name || name->empty()) return std::nullopt;
+  if (const std::optional<ScatteringPreset> preset = find_scattering_preset(*name)) return preset;
   context.warnings.add(
       kUnknownPreset, where,
-      unknown_name_message("medium preset", printable(name), scattering_preset_names()) + ". " +
-          kDefault + " stands in",
-      printable(name));
-  return *find_scattering_preset(kDefault);
+      unknown_name_message("medium preset", printable(*name), scattering_preset_names()) + ". " +
+          kDefaultPreset + " stands in",
+      printable(*name));
+  return find_scattering_preset(kDefaultPreset);
 }
 
-/// Mean of the grid of a heterogeneous medium, 1 if there is none.
+double mean_of(const std::vector<float>& numbers) {
+  const double sum = std::accumulate(numbers.begin(), numbers.end(), 0.0);
+  return sum / static_cast<double>(numbers.size());
+}
+
+/// Mean of the numbers of a grid, 1 if there is none.
 float mean_density(const ParameterList& parameters) {
   const Parameter* density = parameters.find("density", ParameterKind::Float);
   if (density == nullptr || density->numbers.empty()) return 1.F;
-  const double sum = std::accumulate(density->numbers.begin(), density->numbers.end(), 0.0);
-  return static_cast<float>(sum / static_cast<double>(density->numbers.size()));
+  return static_cast<float>(mean_of(density->numbers));
+}
+
+/// Mean of the colours of a grid, nothing if there is none.
+std::optional<desc::Rgb> mean_color(const ParameterList& parameters, std::string_view name) {
+  const Parameter* grid = parameters.find(name, ParameterKind::Rgb);
+  if (grid == nullptr || grid->size() < 2) return std::nullopt;
+  std::array<std::vector<float>, 3> lanes;
+  for (std::size_t i = 0; i < grid->numbers.size(); ++i) lanes[i % 3].push_back(grid->numbers[i]);
+  return desc::Rgb(static_cast<float>(mean_of(lanes[0])), static_cast<float>(mean_of(lanes[1])),
+                   static_cast<float>(mean_of(lanes[2])));
+}
+
+void warn_of_grid(Context& context, const SourceLocation& where, const std::string& type,
+                  const std::string& name, const std::string& note = "") {
+  context.warnings.add(
+      kHeterogeneous, where,
+      type + " media are not supported: a homogeneous one of the mean density stands in" + note,
+      printable(name));
+}
+
+/// What a medium of a type that varies in space has in the mean, relative to "sigma_a" and
+/// "sigma_s".
+float density_of(Context& context, const SourceLocation& where, const std::string& type,
+                 const std::string& name, const ParameterList& p) {
+  p.accept({"nx", "ny", "nz", "p0", "p1", "filename", "wispiness", "frequency"});
+  if (type == "homogeneous") return 1.F;
+  if (type == "nanovdb") {
+    warn_of_grid(context, where, type, name, ", and that is taken to be 1: its file is not read");
+    return 1.F;
+  }
+  warn_of_grid(context, where, type, name);
+  if (type == "cloud") return kMeanOfCloud * p.get_float("density", 1.F);
+  return type == "rgbgrid" ? 1.F : mean_density(p);
+}
+
+void warn_of_emission(Context& context, const SourceLocation& where, const std::string& name,
+                      const ParameterList& p) {
+  const desc::Rgb emitted = context.spectra.get_positive(p, "Le", desc::Rgb(0.F), ColorRole::Light);
+  const bool glows = emitted != desc::Rgb(0.F) || p.get_float("temperaturescale").has_value();
+  p.accept({"Lescale", "LeScale", "temperaturecutoff", "temperaturescale", "temperatureoffset"});
+  if (glows) {
+    context.warnings.add(kNoEmission, where, "media that emit light are not supported: dark",
+                         printable(name));
+  }
 }
 
 }  // namespace
 
 desc::Medium make_medium(Context& context, const SourceLocation& where, const std::string& name,
                          const ParameterList& parameters) {
-  const std::optional<std::string> type = parameters.get_string("type");
-  if (!type) throw SceneError(where, "MakeNamedMedium needs \"string type\"");
-  if (*type != "homogeneous" && *type != "heterogeneous") {
-    fail_unknown(where, "medium", *type, {"homogeneous", "heterogeneous"});
-  }
-  const ScatteringPreset preset = preset_of(context, where, parameters);
+  static const std::vector<std::string> kTypesOfV3 = {"homogeneous", "heterogeneous"};
+  static const std::vector<std::string> kTypesOfV4 = {"homogeneous", "uniformgrid", "rgbgrid",
+                                                      "cloud", "nanovdb"};
   desc::Medium medium;
   medium.name = name;
   medium.where = where;
-  float scale = parameters.get_float("scale", 1.F);
-  medium.g = parameters.get_float("g", 0.F);
-  if (*type == "heterogeneous") {
-    context.warnings.add(
-        kHeterogeneous, where,
-        "heterogeneous media are not supported: a homogeneous one of the mean density stands in",
-        printable(name));
-    scale *= mean_density(parameters);
-    parameters.accept({"nx", "ny", "nz", "p0", "p1"});
+  const std::optional<std::string> type = parameters.get_string("type");
+  if (!type) throw SceneError(where, "MakeNamedMedium needs \"string type\"");
+  const std::vector<std::string>& types = context.is_v4() ? kTypesOfV4 : kTypesOfV3;
+  if (std::find(types.begin(), types.end(), *type) == types.end()) {
+    report_unknown(context, where, "medium", *type, types, kUnknown, "A clear one stands in");
+    return medium;
   }
+  const std::optional<ScatteringPreset> preset = preset_of(context, where, parameters);
+  // pbrt-v3 always starts from a preset; pbrt-v4 has 1 without one, and with one nothing else.
+  const ScatteringPreset defaults =
+      preset.value_or(context.is_v4() ? ScatteringPreset{desc::Rgb(1.F), desc::Rgb(1.F)}
+                                      : *find_scattering_preset(kDefaultPreset));
+  const auto coefficient = [&](std::string_view parameter, const desc::Rgb& fallback) {
+    if (const std::optional<desc::Rgb> mean = mean_color(parameters, parameter)) return *mean;
+    const desc::Rgb given = context.spectra.get_positive(parameters, parameter, fallback);
+    return context.is_v4() && preset ? fallback : given;
+  };
+  const float scale =
+      parameters.get_float("scale", 1.F) * density_of(context, where, *type, name, parameters);
+  medium.g = parameters.get_float("g", 0.F);
   if (scale < 0.F) throw SceneError(where, "\"scale\" of a medium is negative");
   if (!(medium.g > -1.F && medium.g < 1.F))
     throw SceneError(where, "\"g\" must be between -1 and 1");
-  medium.sigma_a = context.spectra.get_positive(parameters, "sigma_a", preset.sigma_a) * scale;
-  medium.sigma_s = context.spectra.get_positive(parameters, "sigma_s", preset.sigma_s) * scale;
+  medium.sigma_a = coefficient("sigma_a", defaults.sigma_a) * scale;
+  medium.sigma_s = coefficient("sigma_s", defaults.sigma_s) * scale;
   if (!is_finite(medium.sigma_a) || !is_finite(medium.sigma_s))
     throw SceneError(where, "the medium is too dense");
+  if (context.is_v4()) warn_of_emission(context, where, name, parameters);
   parameters.report_unused(context.warnings);
   return medium;
 }

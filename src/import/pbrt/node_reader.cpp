@@ -3,6 +3,12 @@
 #include <algorithm>
 
 namespace ajar::pbrt {
+namespace {
+
+constexpr WarningKind kUnknownValue{Effect::Surface,
+                                    "parameters have unknown values: their defaults stand in"};
+
+}  // namespace
 
 const desc::Model* model_of_type(desc::ModelKind kind, std::span<const ModelName> table,
                                  std::string_view type) {
@@ -50,6 +56,10 @@ desc::Value NodeReader::value(const ParameterSpec& spec, const ParameterName& na
       throw SceneError(where_, "\"" + std::string(theirs) + "\" " + *reason);
     }
     return *given;
+  }
+  // Where theirs is a flag, ours may have more to choose from.
+  if (!name.words[0].empty()) {
+    if (const std::optional<desc::Value> given = find(spec, spec.name)) return *given;
   }
   if (name.fallback.empty()) return desc::default_value(spec);
   ParameterSpec with_fallback = spec;
@@ -127,7 +137,9 @@ std::string NodeReader::choice(const ParameterSpec& spec, std::string_view name,
   if (std::find(spec.choices.begin(), spec.choices.end(), given) != spec.choices.end()) {
     return given;
   }
-  fail_unknown(where_, "value of \"" + std::string(name) + "\"", given, spec.choices);
+  report_unknown(parameters_.context(), where_, "value of \"" + std::string(name) + "\"", given,
+                 spec.choices, kUnknownValue, "\"" + spec.default_value + "\" stands in");
+  return spec.default_value;
 }
 
 }  // namespace ajar::pbrt

@@ -11,11 +11,13 @@
 namespace ajar::pbrt {
 namespace {
 
+constexpr WarningKind kUnknownCamera{Effect::Light,
+                                     "cameras are unknown: perspective ones stand in"};
+constexpr WarningKind kEqualAreaCamera{
+    Effect::Light,
+    "cameras with equal-area maps are not supported: longitude by latitude stands in"};
 constexpr WarningKind kRealisticCamera{
     Effect::Light, "realistic cameras are not supported: perspective ones stand in"};
-constexpr WarningKind kFilmScale{Effect::Light, "films have a scale that leaves no picture"};
-constexpr WarningKind kClamping{Effect::Slight,
-                                "films have \"maxsampleluminance\", which is not supported"};
 constexpr WarningKind kUnknownSampler{Effect::None, "samplers are unknown: others stand in"};
 constexpr WarningKind kSampleCount{Effect::Slight, "numbers of samples are below 1 and ignored"};
 constexpr WarningKind kUnknownIntegrator{Effect::Slight,
@@ -23,7 +25,13 @@ constexpr WarningKind kUnknownIntegrator{Effect::Slight,
 constexpr WarningKind kPixelBounds{Effect::Slight,
                                    "integrators have \"pixelbounds\", which is not supported"};
 
-constexpr int kLargestResolution = 65536;
+/// Those that ours stands for. "ao" and "function" of pbrt-v4 are none of them.
+const std::vector<std::string>& path_tracers(Dialect dialect) {
+  static const std::vector<std::string> kOfV3 = {"path", "volpath", "directlighting", "whitted"};
+  static const std::vector<std::string> kOfV4 = {"path",          "volpath",    "simplepath",
+                                                 "simplevolpath", "randomwalk", "lightpath"};
+  return dialect == Dialect::V3 ? kOfV3 : kOfV4;
+}
 
 std::optional<desc::ScreenWindow> screen_window(const ParameterList& p) {
   const Parameter* window = p.find("screenwindow", ParameterKind::Float);
@@ -81,12 +89,18 @@ CameraOptions make_camera(Context& context, const SourceLocation& where, const s
   const std::optional<Mat4> to_world = rounded_inverse(ctm);
   if (!to_world) throw SceneError(where, "the transform of the camera cannot be inverted");
   camera.to_world = *to_world;
+  const bool is_v4 = context.is_v4();
   if (type == "perspective") {
     camera.node = perspective(where, p);
   } else if (type == "orthographic") {
     camera.node = lens_camera<desc::OrthographicCamera>(where, p);
-  } else if (type == "environment") {
+  } else if (type == (is_v4 ? "spherical" : "environment")) {
     camera.node = desc::EnvironmentCamera{};
+    if (is_v4 && p.get_string("mapping", "equalarea") != "equirectangular") {
+      context.warnings.add(kEqualAreaCamera, where,
+                           "cameras with equal-area maps are not supported: longitude by latitude "
+                           "stands in, as \"equirectangular\" has it");
+    }
     p.accept({"lensradius", "focaldistance", "screenwindow", "frameaspectratio"});
   } else if (type == "realistic") {
     context.warnings.add(kRealisticCamera, where,
@@ -100,103 +114,44 @@ CameraOptions make_camera(Context& context, const SourceLocation& where, const s
     node.focal_distance = p.get_float("focusdistance", 10.F);
     if (!(node.focal_distance > 0.F)) throw SceneError(where, "\"focusdistance\" must be positive");
     camera.node = node;
-    p.accept({"simpleweighting"});
+    p.accept({"simpleweighting", "aperture", "scale"});
   } else {
-    fail_unknown(where, "camera", type,
-                 {"perspective", "orthographic", "environment", "realistic"});
+    report_unknown(
+        context, where, "camera", type,
+        {"perspective", "orthographic", is_v4 ? "spherical" : "environment", "realistic"},
+        kUnknownCamera, "A perspective one stands in");
+    camera.node = perspective(where, p);
+  }
+  if (is_v4) {
+    result.exposure_time = p.get_float("shutterclose", 1.F) - p.get_float("shutteropen", 0.F);
+    if (!(result.exposure_time > 0.F)) {
+      throw SceneError(where, "the shutter closes before it opens: the picture would be black");
+    }
   }
   p.accept({"shutteropen", "shutterclose"});
   p.report_unused(context.warnings);
   return result;
 }
 
-FilmOptions make_film(Context& context, const SourceLocation& where, const std::string& type,
-                      const ParameterList& p) {
-  if (type != "image") fail_unknown(where, "film", type, {"image"});
-  FilmOptions result;
-  desc::Film& film = result.film;
-  film.where = where;
-  film.resolution = Vec2i(p.get_int("xresolution", 1280), p.get_int("yresolution", 720));
-  for (const int n : {film.resolution.x, film.resolution.y}) {
-    if (n < 1 || n > kLargestResolution) {
-      throw SceneError(where, "the resolution must be 1 to " + std::to_string(kLargestResolution) +
-                                  ", not " + std::to_string(n));
-    }
-  }
-  if (const Parameter* crop = p.find("cropwindow", ParameterKind::Float)) {
-    const std::vector<float>& n = crop->numbers;
-    if (n.size() != 4)
-      throw SceneError(crop->where,
-                       "\"cropwindow\" must have four numbers: x from, to, y from, to");
-    for (std::size_t i = 0; i < 4; i += 2) {
-      film.crop[i] = std::clamp(std::min(n[i], n[i + 1]), 0.F, 1.F);
-      film.crop[i + 1] = std::clamp(std::max(n[i], n[i + 1]), 0.F, 1.F);
-      if (!(film.crop[i] < film.crop[i + 1]))
-        throw SceneError(crop->where, "the crop window is empty");
-    }
-  }
-  film.scale = p.get_float("scale", 1.F);
-  if (!(film.scale > 0.F)) {
-    context.warnings.add(kFilmScale, where,
-                         film.scale < 0.F ? "\"scale\" of the film is negative: so is the picture"
-                                          : "\"scale\" of the film is 0: the picture is black");
-  }
-  result.diagonal = p.get_float("diagonal", 35.F);
-  film.filename = p.get_string("filename", "pbrt.exr");
-  if (p.get_float("maxsampleluminance")) {
-    context.warnings.add(kClamping, where,
-                         "\"maxsampleluminance\" is not supported: samples are not clamped");
-  }
-  p.report_unused(context.warnings);
-  return result;
-}
-
-desc::Filter make_filter(Context& context, const SourceLocation& where, const std::string& type,
-                         const ParameterList& p) {
-  desc::Filter filter;
-  filter.where = where;
-  float radius = 2.F;  // pbrt-v3's default for most
-  if (type == "box") {
-    radius = 0.5F;
-    filter.node = desc::BoxFilter{};
-  } else if (type == "triangle") {
-    filter.node = desc::TriangleFilter{};
-  } else if (type == "gaussian") {
-    filter.node = desc::GaussianFilter{p.get_float("alpha", 2.F)};
-  } else if (type == "mitchell") {
-    filter.node = desc::MitchellFilter{p.get_float("B", 1.F / 3.F), p.get_float("C", 1.F / 3.F)};
-  } else if (type == "sinc") {
-    radius = 4.F;
-    filter.node = desc::SincFilter{p.get_float("tau", 3.F)};
-  } else {
-    fail_unknown(where, "filter", type, {"box", "triangle", "gaussian", "mitchell", "sinc"});
-  }
-  filter.radius = Vec2(p.get_float("xwidth", radius), p.get_float("ywidth", radius));
-  constexpr float kLargest = 64.F;
-  for (const float r : {filter.radius.x, filter.radius.y}) {
-    if (!(r > 0.F && r <= kLargest))
-      throw SceneError(where, "the filter width must be above 0 and at most 64 pixels");
-  }
-  p.report_unused(context.warnings);
-  return filter;
-}
-
 void apply_sampler(Context& context, const SourceLocation& where, const std::string& type,
                    const ParameterList& p) {
   desc::RenderHints& hints = context.scene.hints;
-  hints.sampler = type == "random" ? "independent" : "sobol";
+  hints.sampler = type == "random" || type == "independent" ? "independent" : "sobol";
   int samples = 16;
   if (type == "stratified") {
     const double product = static_cast<double>(p.get_int("xsamples", 4)) * p.get_int("ysamples", 4);
     samples = product >= 1.0 && product < 1e9 ? static_cast<int>(product) : 0;
   } else {
     samples = p.get_int("pixelsamples", 16);
-    static const std::vector<std::string> kKnown = {"random",     "halton",         "sobol",
-                                                    "02sequence", "lowdiscrepancy", "maxmindist"};
-    if (std::find(kKnown.begin(), kKnown.end(), type) == kKnown.end()) {
+    static const std::vector<std::string> kOfV3 = {"random",     "halton",         "sobol",
+                                                   "02sequence", "lowdiscrepancy", "maxmindist"};
+    static const std::vector<std::string> kOfV4 = {"halton",  "independent", "paddedsobol",
+                                                   "pmj02bn", "sobol",       "zsobol"};
+    const std::vector<std::string>& known = context.is_v4() ? kOfV4 : kOfV3;
+    if (std::find(known.begin(), known.end(), type) == known.end()) {
       context.warnings.add(
           kUnknownSampler, where,
-          unknown_name_message("sampler", printable(type), kKnown) + ". Another stands in");
+          unknown_message(context.choice, "sampler", type, known) + ". Another stands in");
     }
   }
   if (samples >= 1) {
@@ -204,7 +159,7 @@ void apply_sampler(Context& context, const SourceLocation& where, const std::str
   } else {
     context.warnings.add(kSampleCount, where, "the number of samples must be 1 or more: ignored");
   }
-  p.accept({"jitter", "dimensions", "samplepixelcenter"});
+  p.accept({"jitter", "dimensions", "samplepixelcenter", "seed", "randomization"});
   p.report_unused(context.warnings);
 }
 
@@ -228,7 +183,8 @@ void apply_integrator(Context& context, const SourceLocation& where, const std::
       hints.samples_per_pixel = given->integers.front();
   };
   hints.parameters.clear();
-  if (type == "path" || type == "volpath" || type == "directlighting" || type == "whitted") {
+  const std::vector<std::string>& paths = path_tracers(context.choice.dialect);
+  if (std::find(paths.begin(), paths.end(), type) != paths.end()) {
     hints.integrator = "pt";
   } else if (type == "bdpt") {
     hints.integrator = "bdpt";
@@ -247,12 +203,11 @@ void apply_integrator(Context& context, const SourceLocation& where, const std::
     for (const char* name : {"numiterations", "iterations"})
       samples(p.find_one(name, ParameterKind::Integer));
   } else {
+    std::vector<std::string> valid = paths;
+    valid.insert(valid.end(), {"bdpt", "mlt", "sppm"});
     context.warnings.add(
         kUnknownIntegrator, where,
-        unknown_name_message("integrator", printable(type),
-                             std::vector<std::string>{"path", "volpath", "bdpt", "mlt", "sppm",
-                                                      "directlighting", "whitted"}) +
-            ". Another stands in");
+        unknown_message(context.choice, "integrator", type, valid) + ". Another stands in");
   }
   // pbrt counts bounces, we count edges.
   const int depth = p.get_int("maxdepth", 5);
@@ -264,7 +219,8 @@ void apply_integrator(Context& context, const SourceLocation& where, const std::
                          "\"pixelbounds\" is not supported: use the crop window of the film");
   }
   p.accept({"rrthreshold", "lightsamplestrategy", "strategy", "visualizestrategies",
-            "visualizeweights", "imagewritefrequency", "quickrender"});
+            "visualizeweights", "imagewritefrequency", "quickrender", "lightsampler", "regularize",
+            "samplelights", "samplebsdf", "seed", "cossample", "maxdistance"});
   p.report_unused(context.warnings);
 }
 

@@ -5,7 +5,7 @@
 #include "import/pbrt/context.h"
 #include "import/pbrt/parameter_list.h"
 
-/// The directives before WorldBegin: camera, film, filter, sampler, integrator.
+/// The directives before WorldBegin: camera, sampler, integrator; film.h has the others.
 namespace ajar::pbrt {
 
 /// A camera, and for a "realistic" one the focal length of the perspective that stands in for it;
@@ -13,20 +13,11 @@ namespace ajar::pbrt {
 struct CameraOptions {
   desc::Camera camera;
   std::optional<double> focal_length;  ///< mm
+  float exposure_time = 1.F;           ///< pbrt-v4: pictures are as bright as it is long
 };
 /// Raises SceneError for unknown types and parameters that make no camera.
 CameraOptions make_camera(Context& context, const SourceLocation& where, const std::string& type,
                           const ParameterList& parameters, const Mat4& ctm);
-
-struct FilmOptions {
-  desc::Film film;
-  float diagonal = 35.F;  ///< mm
-};
-/// Everything but the filter.
-FilmOptions make_film(Context& context, const SourceLocation& where, const std::string& type,
-                      const ParameterList& parameters);
-desc::Filter make_filter(Context& context, const SourceLocation& where, const std::string& type,
-                         const ParameterList& parameters);
 
 void apply_sampler(Context& context, const SourceLocation& where, const std::string& type,
                    const ParameterList& parameters);

@@ -54,7 +54,8 @@ std::optional<ParameterKind> kind_from_name(std::string_view name) {
   return found->kind;
 }
 
-int numbers_per_value(ParameterKind kind) {
+int numbers_per_value(ParameterKind kind, Dialect dialect) {
+  if (kind == ParameterKind::Blackbody && dialect == Dialect::V4) return 1;
   switch (kind) {
     case ParameterKind::Point2:
     case ParameterKind::Vector2:
@@ -76,29 +77,45 @@ std::size_t Parameter::size() const {
   if (kind == ParameterKind::Integer) return integers.size();
   if (!strings.empty()) return strings.size();
   if (kind == ParameterKind::Spectrum) return numbers.empty() ? 0 : 1;  // all pairs are one curve
-  return numbers.size() / static_cast<std::size_t>(numbers_per_value(kind));
+  return numbers.size() / static_cast<std::size_t>(numbers_per_value(kind, dialect));
 }
 
 void ParameterList::add(Parameter parameter, Warnings& warnings) {
   warnings_ = &warnings;
   const auto same = std::find_if(entries_.begin(), entries_.end(), [&](const Entry& entry) {
-    return entry.parameter.name == parameter.name;
+    return entry.parameter->name == parameter.name;
   });
   if (same != entries_.end()) {
     warnings.add(kTwice, parameter.where,
                  "parameter \"" + parameter.name + "\" is given twice: the last counts",
                  parameter.name);
-    same->parameter = std::move(parameter);
+    same->parameter = std::make_shared<const Parameter>(std::move(parameter));
   } else {
-    entries_.push_back({std::move(parameter), false});
+    entries_.push_back({std::make_shared<const Parameter>(std::move(parameter)), false});
   }
+}
+
+void ParameterList::add_defaults(std::span<const ParameterPointer> defaults, Warnings& warnings) {
+  warnings_ = &warnings;
+  for (const ParameterPointer& parameter : defaults) {
+    const bool is_given = std::any_of(entries_.begin(), entries_.end(), [&](const Entry& entry) {
+      return entry.parameter->name == parameter->name;
+    });
+    if (!is_given) entries_.push_back({parameter, true});
+  }
+}
+
+std::vector<ParameterPointer> ParameterList::parameters() const {
+  std::vector<ParameterPointer> result;
+  for (const Entry& entry : entries_) result.push_back(entry.parameter);
+  return result;
 }
 
 const Parameter* ParameterList::find(std::string_view name,
                                      std::span<const ParameterKind> kinds) const {
   if (std::find(asked_.begin(), asked_.end(), name) == asked_.end()) asked_.emplace_back(name);
   for (const Entry& entry : entries_) {
-    const Parameter& p = entry.parameter;
+    const Parameter& p = *entry.parameter;
     if (p.name != name) continue;
     if (std::find(kinds.begin(), kinds.end(), p.kind) == kinds.end()) continue;
     entry.used = true;
@@ -147,6 +164,11 @@ std::optional<std::string> ParameterList::get_string(std::string_view name) cons
   return p == nullptr ? std::nullopt : std::optional(p->strings.front());
 }
 
+std::vector<std::string> ParameterList::get_strings(std::string_view name) const {
+  const Parameter* p = find(name, ParameterKind::String);
+  return p == nullptr ? std::vector<std::string>() : p->strings;
+}
+
 std::vector<Vec3> ParameterList::get_triples(std::string_view name, ParameterKind kind) const {
   const Parameter* p = find(name, kind);
   if (p == nullptr) return {};
@@ -192,7 +214,7 @@ std::vector<Vec2> ParameterList::get_point2s(std::string_view name) const {
 void ParameterList::accept(std::initializer_list<std::string_view> names) const {
   for (const std::string_view name : names) {
     for (const Entry& entry : entries_) {
-      if (entry.parameter.name == name) entry.used = true;
+      if (entry.parameter->name == name) entry.used = true;
     }
   }
 }
@@ -205,7 +227,7 @@ std::size_t ParameterList::used_count() const {
 void ParameterList::report_unused(Warnings& warnings) const {
   for (const Entry& entry : entries_) {
     if (entry.used) continue;
-    const Parameter& p = entry.parameter;
+    const Parameter& p = *entry.parameter;
     const std::string declaration =
         "\"" + std::string(kind_name(p.kind)) + " " + printable(p.name) + "\"";
     std::string message = "unused parameter " + declaration;

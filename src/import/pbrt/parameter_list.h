@@ -9,8 +9,11 @@
 #include "core/error.h"
 #include "core/vector.h"
 #include "core/warnings.h"
+#include "import/pbrt/dialect.h"
 
 namespace ajar::pbrt {
+
+class ColorSpace;
 
 enum class ParameterKind {
   Integer,
@@ -30,8 +33,8 @@ enum class ParameterKind {
 };
 std::string_view kind_name(ParameterKind kind);
 std::optional<ParameterKind> kind_from_name(std::string_view name);
-/// Numbers per value: 3 for points, 2 for black bodies (temperature, scale) …
-int numbers_per_value(ParameterKind kind);
+/// Numbers per value: 3 for points, 2 for black bodies (temperature, scale; pbrt-v4 has no scale) …
+int numbers_per_value(ParameterKind kind, Dialect dialect);
 
 /// `"float fov" [ 30 ]`: a typed, named array.
 struct Parameter {
@@ -42,14 +45,24 @@ struct Parameter {
   std::vector<float> numbers;  ///< of everything else that consists of numbers
   std::vector<std::string>
       strings;  ///< of String, Texture, Bool ("true", "false"), and file names of Spectrum
+  /// Of Rgb: that which was current where it was written; null for linear Rec. 709 (pbrt-v3).
+  const ColorSpace* color_space = nullptr;
+  Dialect dialect = Dialect::V3;
   std::size_t size() const;  ///< count of values
 };
+
+/// Shared, because one may belong to many directives and be large.
+using ParameterPointer = std::shared_ptr<const Parameter>;
 
 /// The parameters of one directive. Every lookup remembers its name: what was never asked for is
 /// reported by `report_unused`, with the nearest name that was.
 class ParameterList {
  public:
   void add(Parameter parameter, Warnings& warnings);
+  /// Parameters that `Attribute` directives have set: they count where this list has none of their
+  /// name, and may stay unused.
+  void add_defaults(std::span<const ParameterPointer> defaults, Warnings& warnings);
+  std::vector<ParameterPointer> parameters() const;
 
   /// The parameter, if it was given with one of these kinds. A different kind is a warning and
   /// counts as not given, as in pbrt-v3.
@@ -71,6 +84,7 @@ class ParameterList {
   std::optional<float> get_float(std::string_view name) const;
   std::string get_string(std::string_view name, const std::string& fallback) const;
   std::optional<std::string> get_string(std::string_view name) const;
+  std::vector<std::string> get_strings(std::string_view name) const;
   Vec3 get_point(std::string_view name, const Vec3& fallback) const;
   std::optional<Vec3> get_point(std::string_view name) const;
   std::optional<Vec3> get_vector(std::string_view name) const;
@@ -90,7 +104,7 @@ class ParameterList {
 
  private:
   struct Entry {
-    Parameter parameter;
+    ParameterPointer parameter;
     mutable bool used = false;
   };
   std::vector<Vec3> get_triples(std::string_view name, ParameterKind kind) const;

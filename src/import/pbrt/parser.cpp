@@ -1,12 +1,16 @@
 #include "import/pbrt/parser.h"
 
 #include <algorithm>
+#include <array>
 
 #include "import/common/printable.h"
+#include "import/mesh/gzip.h"
 
 namespace ajar::pbrt {
 namespace {
 
+constexpr WarningKind kUnknownDirective{Effect::Surface, "directives are unknown and skipped"};
+constexpr WarningKind kUnknownType{Effect::Surface, "parameters are of unknown types and ignored"};
 constexpr WarningKind kAfterEnd{Effect::Slight, "files go on after WorldEnd, which is ignored"};
 constexpr WarningKind kLeftOver{Effect::Slight,
                                 "parameters have numbers left over, which are ignored"};
@@ -15,43 +19,54 @@ constexpr std::size_t kDeepestInclude = 64;
 constexpr int kMostFiles = 20000;
 constexpr std::size_t kMostParameters = 1000;
 
-const std::vector<std::string> kDirectives = {"Accelerator",
-                                              "ActiveTransform",
-                                              "AreaLightSource",
-                                              "AttributeBegin",
-                                              "AttributeEnd",
-                                              "Camera",
-                                              "ConcatTransform",
-                                              "CoordinateSystem",
-                                              "CoordSysTransform",
-                                              "Film",
-                                              "Identity",
-                                              "Include",
-                                              "Integrator",
-                                              "LightSource",
-                                              "LookAt",
-                                              "MakeNamedMaterial",
-                                              "MakeNamedMedium",
-                                              "Material",
-                                              "MediumInterface",
-                                              "NamedMaterial",
-                                              "ObjectBegin",
-                                              "ObjectEnd",
-                                              "ObjectInstance",
-                                              "PixelFilter",
-                                              "ReverseOrientation",
-                                              "Rotate",
-                                              "Sampler",
-                                              "Scale",
-                                              "Shape",
-                                              "Texture",
-                                              "Transform",
-                                              "TransformBegin",
-                                              "TransformEnd",
-                                              "TransformTimes",
-                                              "Translate",
-                                              "WorldBegin",
-                                              "WorldEnd"};
+/// A file that claims to be larger than this when it is decompressed is none of ours.
+constexpr std::size_t kMostBytes = std::size_t{1} << 32;
+
+const std::vector<std::string>& directives(Dialect dialect) {
+  static const std::vector<std::string> kCommon = {"Accelerator",
+                                                   "ActiveTransform",
+                                                   "AreaLightSource",
+                                                   "AttributeBegin",
+                                                   "AttributeEnd",
+                                                   "Camera",
+                                                   "ConcatTransform",
+                                                   "CoordinateSystem",
+                                                   "CoordSysTransform",
+                                                   "Film",
+                                                   "Identity",
+                                                   "Include",
+                                                   "Integrator",
+                                                   "LightSource",
+                                                   "LookAt",
+                                                   "MakeNamedMaterial",
+                                                   "MakeNamedMedium",
+                                                   "Material",
+                                                   "MediumInterface",
+                                                   "NamedMaterial",
+                                                   "ObjectBegin",
+                                                   "ObjectEnd",
+                                                   "ObjectInstance",
+                                                   "PixelFilter",
+                                                   "ReverseOrientation",
+                                                   "Rotate",
+                                                   "Sampler",
+                                                   "Scale",
+                                                   "Shape",
+                                                   "Texture",
+                                                   "Transform",
+                                                   "TransformBegin",
+                                                   "TransformEnd",
+                                                   "TransformTimes",
+                                                   "Translate",
+                                                   "WorldBegin"};
+  static const auto kAll = [] {
+    std::array<std::vector<std::string>, 2> all = {kCommon, kCommon};
+    all[0].emplace_back("WorldEnd");
+    all[1].insert(all[1].end(), {"Attribute", "ColorSpace", "Import", "Option"});
+    return all;
+  }();
+  return kAll[dialect == Dialect::V3 ? 0 : 1];
+}
 
 Mat4 matrix_of(const std::vector<double>& n) {
   return {n[0], n[1], n[2],  n[3],  n[4],  n[5],  n[6],  n[7],
@@ -90,10 +105,42 @@ void Parser::directive(Lexer& lexer, const Token& token) {
   if (token.kind != TokenKind::Word)
     lexer.fail(token, "expected a directive, found \"" + printable(token.text) + "\"");
   if (thing_directive(lexer, token, where) || transform_directive(lexer, token, where) ||
-      block_directive(lexer, token, where)) {
+      block_directive(lexer, token, where) ||
+      (dialect_ == Dialect::V4 && directive_of_v4(lexer, token, where))) {
     return;
   }
-  fail_unknown(where, "directive", token.text, kDirectives);
+  report_unknown(builder_.context(), where, "directive", token.text, directives(dialect_),
+                 kUnknownDirective, "It is skipped");
+  skip_directive(lexer);
+}
+
+void Parser::skip_directive(Lexer& lexer) {
+  const auto starts_directive = [](const Token& token) {
+    return token.kind == TokenKind::Word && token.text[0] >= 'A' && token.text[0] <= 'Z';
+  };
+  while (lexer.peek().kind != TokenKind::End && !starts_directive(lexer.peek())) lexer.next();
+}
+
+bool Parser::directive_of_v4(Lexer& lexer, const Token& token, const SourceLocation& where) {
+  const std::string_view directive = token.text;
+  if (directive == "Attribute") {
+    const std::string target = name(lexer, token);
+    builder_.attribute(where, target, parameters(lexer));
+  } else if (directive == "ColorSpace") {
+    builder_.color_space(where, name(lexer, token));
+  } else if (directive == "Option") {
+    if (lexer.peek().kind != TokenKind::String) {
+      lexer.fail(lexer.peek(), "Option needs a parameter here, as \"type name\" value");
+    }
+    if (const std::optional<Parameter> option = parameter(lexer)) builder_.option(where, *option);
+  } else if (directive == "Import") {
+    builder_.import_begin(where);
+    include(lexer, where);
+    builder_.import_end();
+  } else {
+    return false;
+  }
+  return true;
 }
 
 bool Parser::transform_directive(Lexer& lexer, const Token& token, const SourceLocation& where) {
@@ -172,11 +219,11 @@ bool Parser::block_directive(Lexer& lexer, const Token& token, const SourceLocat
 bool Parser::thing_directive(Lexer& lexer, const Token& token, const SourceLocation& where) {
   const std::string_view directive = token.text;
   const auto shared_parameters = [&] {
-    return std::make_shared<const ParameterList>(parameters(lexer));
+    return std::make_shared<const ParameterList>(parameters(lexer, "material"));
   };
   if (directive == "Shape") {
     const std::string type = name(lexer, token);
-    builder_.shape(where, type, parameters(lexer));
+    builder_.shape(where, type, parameters(lexer, "shape"));
   } else if (directive == "Material") {
     const std::string type = name(lexer, token);
     builder_.material(where, type, shared_parameters());
@@ -190,16 +237,16 @@ bool Parser::thing_directive(Lexer& lexer, const Token& token, const SourceLocat
     const std::string texture = name(lexer, token);
     const std::string texture_class = name(lexer, token);
     const std::string type = name(lexer, token);
-    builder_.texture(where, texture, texture_class, type, parameters(lexer));
+    builder_.texture(where, texture, texture_class, type, parameters(lexer, "texture"));
   } else if (directive == "LightSource") {
     const std::string type = name(lexer, token);
-    builder_.light_source(where, type, parameters(lexer));
+    builder_.light_source(where, type, parameters(lexer, "light"));
   } else if (directive == "AreaLightSource") {
     const std::string type = name(lexer, token);
-    builder_.area_light_source(where, type, parameters(lexer));
+    builder_.area_light_source(where, type, parameters(lexer, "light"));
   } else if (directive == "MakeNamedMedium") {
     const std::string medium = name(lexer, token);
-    builder_.make_named_medium(where, medium, parameters(lexer));
+    builder_.make_named_medium(where, medium, parameters(lexer, "medium"));
   } else if (directive == "MediumInterface") {
     const std::string inside = name(lexer, token);
     const std::string outside =
@@ -229,21 +276,36 @@ bool Parser::thing_directive(Lexer& lexer, const Token& token, const SourceLocat
   return true;
 }
 
-void Parser::include(Lexer& lexer, const SourceLocation& where) {
-  const std::string included = name(lexer, {TokenKind::Word, "Include", 0, 0});
+Parser::OpenFile Parser::open(const std::string& included, const SourceLocation& where) {
   if (open_files_.size() >= kDeepestInclude)
     throw SceneError(where, "files include each other too deeply");
-  if (++files_parsed_ > kMostFiles) throw SceneError(where, "too many files are included");
   try {
     const std::string path = files_.resolve(included);
     if (std::find(open_files_.begin(), open_files_.end(), path) != open_files_.end()) {
       throw SceneError(where, "\"" + printable(included) + "\" includes itself");
     }
-    const FileBytes bytes = files_.load(path);
-    parse(bytes.view(), included, path);
+    if (peeked_ && peeked_->path == path) {
+      OpenFile file = std::move(*peeked_);
+      peeked_.reset();
+      return file;
+    }
+    if (++files_parsed_ > kMostFiles) throw SceneError(where, "too many files are included");
+    OpenFile file{included, path, files_.load(path), {}};
+    if (is_gzip(file.bytes.view())) {
+      std::optional<std::string> text = gunzip(file.bytes.view(), kMostBytes);
+      if (!text) throw IoError("\"" + printable(included) + "\" is a damaged gzip file");
+      file.decompressed = std::move(*text);
+    }
+    return file;
   } catch (const IoError& error) {
     throw SceneError(where, error.what());
   }
+}
+
+void Parser::include(Lexer& lexer, const SourceLocation& where) {
+  const std::string included = name(lexer, {TokenKind::Word, "Include", 0, 0});
+  const OpenFile file = open(included, where);
+  parse(file.text(), file.name, file.path);
 }
 
 // ---------------------------------------------------------------- pieces of directives
@@ -271,17 +333,46 @@ std::vector<double> Parser::numbers(Lexer& lexer, std::size_t count) {
   return result;
 }
 
-ParameterList Parser::parameters(Lexer& lexer) {
+ParameterList Parser::parameters(Lexer& lexer, std::string_view target) {
   ParameterList list;
   std::size_t count = 0;
-  while (lexer.peek().kind == TokenKind::String) {
-    if (++count > kMostParameters) lexer.fail(lexer.peek(), "too many parameters");
-    list.add(parameter(lexer), warnings_);
-  }
+  read_parameters(lexer, list, count);
+  if (!target.empty()) list.add_defaults(builder_.attributes(target), warnings_);
   return list;
 }
 
-Parameter Parser::parameter(Lexer& lexer) {
+void Parser::read_parameters(Lexer& lexer, ParameterList& list, std::size_t& count) {
+  do {
+    while (lexer.peek().kind == TokenKind::String) {
+      if (++count > kMostParameters) lexer.fail(lexer.peek(), "too many parameters");
+      if (std::optional<Parameter> read = parameter(lexer)) list.add(std::move(*read), warnings_);
+    }
+  } while (read_included_parameters(lexer, list, count));
+}
+
+bool Parser::read_included_parameters(Lexer& lexer, ParameterList& list, std::size_t& count) {
+  if (lexer.peek().kind != TokenKind::Word || lexer.peek().text != "Include") return false;
+  Lexer ahead = lexer;
+  const SourceLocation where = ahead.where(ahead.next());
+  if (ahead.peek().kind != TokenKind::String) return false;
+  OpenFile file = open(ahead.string_value(ahead.next()), where);
+  Lexer inner(std::make_shared<const std::string>(file.name), file.text());
+  if (inner.peek().kind != TokenKind::String) {
+    peeked_ = std::move(file);  // directives: for the Include itself
+    return false;
+  }
+  lexer = ahead;
+  open_files_.push_back(file.path);
+  read_parameters(inner, list, count);
+  open_files_.pop_back();
+  if (inner.peek().kind != TokenKind::End) {
+    inner.fail(inner.peek(), "expected parameters only, as this file starts with some, found \"" +
+                                 printable(inner.peek().text) + "\"");
+  }
+  return true;
+}
+
+std::optional<Parameter> Parser::parameter(Lexer& lexer) {
   const Token declaration = lexer.next();
   Parameter result;
   result.where = lexer.where(declaration);
@@ -302,9 +393,14 @@ Parameter Parser::parameter(Lexer& lexer) {
     static const std::vector<std::string> kValid = {
         "integer", "float",   "point2", "vector2", "point", "vector",    "normal",  "bool",
         "string",  "texture", "rgb",    "color",   "xyz",   "blackbody", "spectrum"};
-    lexer.fail(declaration, unknown_name_message("parameter type", printable(type), kValid));
+    report_unknown(builder_.context(), result.where, "parameter type", type, kValid, kUnknownType,
+                   "The parameter is ignored");
+    skip_values(lexer);
+    return std::nullopt;
   }
   result.kind = *kind;
+  result.dialect = dialect_;
+  result.color_space = builder_.color_space();
 
   const Token first = lexer.next();
   if (first.kind == TokenKind::Open) {
@@ -315,7 +411,7 @@ Parameter Parser::parameter(Lexer& lexer) {
   } else {
     value(lexer, first, result);
   }
-  const auto per_value = static_cast<std::size_t>(numbers_per_value(result.kind));
+  const auto per_value = static_cast<std::size_t>(numbers_per_value(result.kind, dialect_));
   if (const std::size_t excess = result.numbers.size() % per_value; excess > 0) {
     warnings_.add(kLeftOver, result.where,
                   "\"" + printable(text) + "\" takes " + std::to_string(per_value) +
@@ -324,6 +420,14 @@ Parameter Parser::parameter(Lexer& lexer) {
     result.numbers.resize(result.numbers.size() - excess);
   }
   return result;
+}
+
+void Parser::skip_values(Lexer& lexer) {
+  const Token first = lexer.next();
+  if (first.kind != TokenKind::Open) return;
+  for (Token token = lexer.next(); token.kind != TokenKind::Close; token = lexer.next()) {
+    if (token.kind == TokenKind::End) lexer.fail(first, "this bracket is never closed");
+  }
 }
 
 void Parser::value(Lexer& lexer, const Token& token, Parameter& parameter) {

@@ -1,4 +1,6 @@
 #pragma once
+#include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,11 +12,15 @@
 
 namespace ajar::pbrt {
 
-/// Reads directives and hands them to a builder; follows `Include`.
+/// Reads directives and hands them to a builder; follows `Include` and `Import`. The parameters of
+/// a directive may go on in a file that is included behind them.
 class Parser {
  public:
   Parser(FileAccess& files, SceneBuilder& builder, Warnings& warnings)
-      : files_(files), builder_(builder), warnings_(warnings) {}
+      : files_(files),
+        builder_(builder),
+        warnings_(warnings),
+        dialect_(builder.context().choice.dialect) {}
 
   /// Parses one file and everything it includes; stops at WorldEnd. Returns where the file ends.
   /// `path` tells files apart to find circles.
@@ -25,19 +31,40 @@ class Parser {
   bool transform_directive(Lexer& lexer, const Token& token, const SourceLocation& where);
   bool block_directive(Lexer& lexer, const Token& token, const SourceLocation& where);
   bool thing_directive(Lexer& lexer, const Token& token, const SourceLocation& where);
+  /// Those that only pbrt-v4 has.
+  bool directive_of_v4(Lexer& lexer, const Token& token, const SourceLocation& where);
   void include(Lexer& lexer, const SourceLocation& where);
+  /// A file that another one names, with its circles and limits checked. Raises SceneError.
+  struct OpenFile {
+    std::string name, path;
+    FileBytes bytes;
+    std::string decompressed;  ///< of a gzip file; else empty
+    std::string_view text() const { return decompressed.empty() ? bytes.view() : decompressed; }
+  };
+  OpenFile open(const std::string& included, const SourceLocation& where);
+  /// Skips what belongs to a directive that pbrt-v4 does not have.
+  void skip_directive(Lexer& lexer);
 
   std::string name(Lexer& lexer, const Token& directive);
   std::vector<double> numbers(Lexer& lexer, std::size_t count);
-  ParameterList parameters(Lexer& lexer);
-  Parameter parameter(Lexer& lexer);
+  /// `target`: whose attributes count, too; see SceneBuilder::attributes.
+  ParameterList parameters(Lexer& lexer, std::string_view target = {});
+  void read_parameters(Lexer& lexer, ParameterList& list, std::size_t& count);
+  /// True if an `Include` follows whose file goes on with parameters, which are read then.
+  bool read_included_parameters(Lexer& lexer, ParameterList& list, std::size_t& count);
+  /// Empty, after a warning, for types that pbrt-v4 does not have.
+  std::optional<Parameter> parameter(Lexer& lexer);
+  static void skip_values(Lexer& lexer);
   void value(Lexer& lexer, const Token& token, Parameter& parameter);
 
   FileAccess& files_;
   SceneBuilder& builder_;
   Warnings& warnings_;
+  const Dialect dialect_;
   std::vector<std::string> open_files_;
   int files_parsed_ = 0;
+  /// The file that was last looked into, for the Include that follows.
+  std::optional<OpenFile> peeked_;
 };
 
 }  // namespace ajar::pbrt

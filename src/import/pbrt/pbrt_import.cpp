@@ -11,7 +11,8 @@ desc::SceneDesc import_text(std::string_view text, const std::string& name, cons
                             const std::string& base_folder, Warnings& warnings,
                             FileProvider provider) {
   FileAccess files(base_folder, std::move(provider));
-  pbrt::SceneBuilder builder(files, name, warnings);
+  const pbrt::DialectChoice choice = pbrt::tell_dialect(text, name, files);
+  pbrt::SceneBuilder builder(files, name, choice, warnings);
   const SourceLocation end = pbrt::Parser(files, builder, warnings).parse(text, name, path);
   desc::SceneDesc scene = builder.finish(end);
   scene.files = files.named();

@@ -5,8 +5,9 @@
 #include <filesystem>
 
 #include "import/common/printable.h"
+#include "import/pbrt/bilinear_mesh.h"
+#include "import/pbrt/emitted_power.h"
 #include "import/pbrt/lexer.h"
-#include "import/pbrt/lights.h"
 #include "import/pbrt/media.h"
 
 namespace ajar::pbrt {
@@ -16,6 +17,13 @@ constexpr WarningKind kLateView{
     Effect::Light, "directives for camera and film come after WorldBegin and have no effect"};
 constexpr WarningKind kLateOption{Effect::Slight,
                                   "options come after WorldBegin and have no effect"};
+constexpr WarningKind kOption{Effect::Slight, "options are not supported and ignored"};
+constexpr WarningKind kUnknownTarget{Effect::Slight,
+                                     "attributes are for unknown targets and ignored"};
+constexpr WarningKind kUnknownColorSpace{Effect::Surface,
+                                         "colour spaces are unknown: those before stay"};
+constexpr WarningKind kTranslucentAlpha{
+    Effect::Surface, "shapes are partly transparent by \"alpha\", which is not supported: opaque"};
 constexpr WarningKind kOpenBlock{Effect::Slight, "blocks have no end"};
 constexpr WarningKind kInstanceLeftOut{
     Effect::Geometry, "instances are left out: their transforms cannot be inverted"};
@@ -28,22 +36,28 @@ constexpr WarningKind kNoCamera{Effect::Light, "scenes have no Camera"};
 constexpr WarningKind kNoShapes{Effect::Geometry, "scenes have no shapes"};
 
 constexpr std::size_t kDeepestNesting = 100000;
+/// Of one target; every directive looks at all of them.
+constexpr std::size_t kMostAttributes = 64;
 
 const char* name_of_scope(int kind) {
-  static constexpr const char* kNames[] = {"Attribute", "Transform", "Object"};
+  static constexpr const char* kNames[] = {"Attribute", "Transform", "Object", "Import"};
   return kNames[kind];
 }
 
 }  // namespace
 
-SceneBuilder::SceneBuilder(FileAccess& files, std::string source, Warnings& warnings)
-    : warnings_(warnings),
-      spectra_(files, warnings),
-      context_{scene_, warnings, files, spectra_},
+SceneBuilder::SceneBuilder(FileAccess& files, std::string source, const DialectChoice& choice,
+                           Warnings& warnings)
+    : choice_(choice),
+      warnings_(warnings),
+      spectra_(files, choice.dialect, warnings),
+      context_{scene_, warnings, files, spectra_, choice_},
       textures_(context_),
       materials_(context_, textures_),
       meshes_(files, warnings) {
   scene_.source = std::move(source);
+  scene_.film.filter = default_filter(choice.dialect);
+  if (context_.is_v4()) state_.color_space = &ColorSpace::srgb();
 }
 
 // ---------------------------------------------------------------- options
@@ -61,6 +75,7 @@ void SceneBuilder::camera(const SourceLocation& where, const std::string& type,
   if (!in_options(where, "Camera")) return;
   camera_ = make_camera(context_, where, type, parameters, transforms_.get(where, warnings_));
   transforms_.define_camera(camera_->camera.to_world);
+  camera_medium_ = state_.outside;
 }
 
 void SceneBuilder::film(const SourceLocation& where, const std::string& type,
@@ -95,6 +110,92 @@ void SceneBuilder::integrator(const SourceLocation& where, const std::string& ty
   if (in_options(where, "Integrator")) apply_integrator(context_, where, type, parameters);
 }
 
+// ---------------------------------------------------------------- pbrt-v4
+
+const std::vector<std::string>& SceneBuilder::attribute_targets() {
+  static const std::vector<std::string> kTargets = {"shape", "light", "material", "medium",
+                                                    "texture"};
+  return kTargets;
+}
+
+void SceneBuilder::attribute(const SourceLocation& where, const std::string& target,
+                             const ParameterList& parameters) {
+  const std::vector<std::string>& targets = attribute_targets();
+  if (std::find(targets.begin(), targets.end(), target) == targets.end()) {
+    report_unknown(context_, where, "target of Attribute", target, targets, kUnknownTarget,
+                   "It is ignored");
+    return;
+  }
+  std::vector<ParameterPointer> all = parameters.parameters();
+  for (const ParameterPointer& earlier : attributes(target)) {
+    const bool is_replaced =
+        std::any_of(all.begin(), all.end(),
+                    [&](const ParameterPointer& later) { return later->name == earlier->name; });
+    if (!is_replaced) all.push_back(earlier);
+  }
+  if (all.size() > kMostAttributes) throw SceneError(where, "too many attributes");
+  state_.attributes[target] = std::make_shared<const std::vector<ParameterPointer>>(std::move(all));
+}
+
+std::span<const ParameterPointer> SceneBuilder::attributes(std::string_view target) const {
+  const auto found = state_.attributes.find(std::string(target));
+  if (found == state_.attributes.end()) return {};
+  return *found->second;
+}
+
+void SceneBuilder::color_space(const SourceLocation& where, const std::string& name) {
+  if (const ColorSpace* space = ColorSpace::find(name)) {
+    state_.color_space = space;
+    return;
+  }
+  report_unknown(context_, where, "colour space", name, ColorSpace::names(), kUnknownColorSpace,
+                 "The one before stays");
+}
+
+void SceneBuilder::option(const SourceLocation& where, const Parameter& option) {
+  static const std::vector<std::string> kWithoutEffect = {"disablepixeljitter",
+                                                          "disabletexturefiltering",
+                                                          "disablewavelengthjitter",
+                                                          "displacementedgescale",
+                                                          "msereferenceimage",
+                                                          "msereferenceout",
+                                                          "rendercoordsys",
+                                                          "pixelstats",
+                                                          "seed",
+                                                          "wavefront"};
+  if (!in_options(where, "Option")) return;
+  if (option.name == "forcediffuse") {
+    warnings_.add(kOption, option.where, "the option \"forcediffuse\" is not supported: ignored");
+    return;
+  }
+  if (std::find(kWithoutEffect.begin(), kWithoutEffect.end(), option.name) ==
+      kWithoutEffect.end()) {
+    report_unknown(context_, option.where, "option", option.name, kWithoutEffect, kOption,
+                   "It is ignored");
+  }
+}
+
+void SceneBuilder::import_begin(const SourceLocation& where) {
+  require_world(where, "Import");
+  open(Scope::Import, where);
+}
+
+void SceneBuilder::import_end() {
+  if (world_ended()) return;
+  close_open_blocks(Scope::Import);
+  restore_innermost();
+}
+
+void SceneBuilder::close_open_blocks(std::optional<Scope> until) {
+  while (!scopes_.empty() && scopes_.back().kind != until) {
+    const OpenScope& scope = scopes_.back();
+    warnings_.add(
+        kOpenBlock, scope.where,
+        std::string(name_of_scope(static_cast<int>(scope.kind))) + "Begin without an end");
+    restore_innermost();
+  }
+}
+
 // ---------------------------------------------------------------- scopes
 
 void SceneBuilder::require_world(const SourceLocation& where, const char* directive) const {
@@ -110,13 +211,7 @@ void SceneBuilder::world_begin(const SourceLocation& where) {
 
 void SceneBuilder::world_end(const SourceLocation& where) {
   require_world(where, "WorldEnd");
-  while (!scopes_.empty()) {
-    const OpenScope& scope = scopes_.back();
-    warnings_.add(
-        kOpenBlock, scope.where,
-        std::string(name_of_scope(static_cast<int>(scope.kind))) + "Begin without an end");
-    restore_innermost();
-  }
+  close_open_blocks(std::nullopt);
   stage_ = Stage::Done;
 }
 
@@ -267,12 +362,11 @@ void SceneBuilder::light_source(const SourceLocation& where, const std::string& 
 void SceneBuilder::area_light_source(const SourceLocation& where, const std::string& type,
                                      const ParameterList& parameters) {
   require_world(where, "AreaLightSource");
-  if (type.empty()) {
-    state_.emission = nullptr;
-    return;
+  state_.emission = nullptr;
+  if (type.empty()) return;
+  if (auto emission = make_emission(context_, textures_, where, type, parameters)) {
+    state_.emission = std::make_shared<const AreaEmission>(std::move(*emission));
   }
-  state_.emission = std::make_shared<const desc::Emission>(
-      make_emission(context_, textures_, where, type, parameters));
 }
 
 desc::TextureId SceneBuilder::alpha(const ParameterList& parameters, std::string_view name) {
@@ -280,7 +374,21 @@ desc::TextureId SceneBuilder::alpha(const ParameterList& parameters, std::string
     return textures_.find(*reference, TextureClass::Float).value_or(desc::kNone);
   }
   // Only 0 cuts away.
-  return parameters.get_float(name, 1.F) == 0.F ? textures_.zero() : desc::kNone;
+  const float value = parameters.get_float(name, 1.F);
+  if (context_.is_v4() && value > 0.F && value < 1.F) {
+    warnings_.add(kTranslucentAlpha, parameters.find(name, ParameterKind::Float)->where,
+                  "\"" + std::string(name) + "\" between 0 and 1 is not supported: opaque");
+  }
+  return value == 0.F ? textures_.zero() : desc::kNone;
+}
+
+void SceneBuilder::emit(const SourceLocation& where, desc::Shape& shape) {
+  if (open_object_ != desc::kNone) {
+    warnings_.add(kInstancedLight, where,
+                  "shapes of objects cannot be lights: its emission is left out");
+    return;
+  }
+  shape.emission = state_.emission->emission;
 }
 
 void SceneBuilder::shape(const SourceLocation& where, const std::string& type,
@@ -303,14 +411,7 @@ void SceneBuilder::shape(const SourceLocation& where, const std::string& type,
   shape.inside = medium_id(state_.inside);
   shape.outside = medium_id(state_.outside);
   shape.has_medium_interface = shape.inside != shape.outside;
-  if (state_.emission) {
-    if (open_object_ == desc::kNone) {
-      shape.emission = *state_.emission;
-    } else {
-      warnings_.add(kInstancedLight, where,
-                    "shapes of objects cannot be lights: its emission is left out");
-    }
-  }
+  if (state_.emission) emit(where, shape);
   parameters.report_unused(warnings_);
   if (!inverse(shape.to_world)) {
     warnings_.add(kShapeLeftOut, where,
@@ -320,6 +421,11 @@ void SceneBuilder::shape(const SourceLocation& where, const std::string& type,
   std::vector<desc::Shape>& shapes =
       open_object_ == desc::kNone ? scene_.shapes
                                   : scene_.objects[static_cast<std::size_t>(open_object_)].shapes;
+  if (shape.emission && state_.emission->power) {
+    const std::size_t triangles =
+        type == "bilinearmesh" ? read_bilinear_mesh(where, parameters).triangles_per_patch : 1;
+    powered_.push_back({shapes.size(), *state_.emission->power, triangles});
+  }
   shapes.push_back(std::move(shape));
 }
 
@@ -340,11 +446,15 @@ desc::SceneDesc SceneBuilder::finish(const SourceLocation& end) {
   if (stage_ == Stage::Options)
     throw SceneError(end, "this is not a complete pbrt scene: there is no WorldBegin");
   if (stage_ == Stage::World) {
-    warnings_.add(kNoEnd, end, "there is no WorldEnd: the file may have been cut off");
+    // Files of pbrt-v4 simply end.
+    if (!context_.is_v4()) {
+      warnings_.add(kNoEnd, end, "there is no WorldEnd: the file may have been cut off");
+    }
     world_end(end);
   }
   if (camera_) {
     scene_.camera = camera_->camera;
+    scene_.film.scale *= camera_->exposure_time;
     if (camera_->focal_length) finish_realistic_camera();
   } else {
     warnings_.add(kNoCamera, end, "there is no Camera: a perspective one at the origin is used");
@@ -353,8 +463,12 @@ desc::SceneDesc SceneBuilder::finish(const SourceLocation& end) {
   if (!scene_.film.where.file) scene_.film.where = end;
   // pbrt-v3 makes the camera at WorldEnd: the medium around it is what is set outside at the top
   // level there.
-  scene_.camera.medium = medium_id(state_.outside);
+  scene_.camera.medium = medium_id(context_.is_v4() ? camera_medium_ : state_.outside);
   meshes_.load_all();
+  for (const Powered& light : powered_) {
+    scale_to_power(scene_.shapes[light.shape], light.power, light.triangles_per_primitive,
+                   warnings_);
+  }
   remove_empty_meshes(scene_);
   if (scene_.shapes.empty() && scene_.instances.empty())
     warnings_.add(kNoShapes, end, "there are no shapes in this scene");

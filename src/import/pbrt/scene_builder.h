@@ -2,12 +2,17 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/warnings.h"
 #include "import/mesh/mesh_loader.h"
+#include "import/pbrt/color_space.h"
 #include "import/pbrt/context.h"
+#include "import/pbrt/film.h"
+#include "import/pbrt/lights.h"
 #include "import/pbrt/materials.h"
 #include "import/pbrt/options.h"
 #include "import/pbrt/shapes.h"
@@ -16,11 +21,14 @@
 
 namespace ajar::pbrt {
 
-/// Turns directives, one call each and in the order of the file, into a scene description:
-/// pbrt-v3's graphics state. All calls raise SceneError at `where` for what cannot be used.
+/// Turns directives, one call each and in the order of the file, into a scene description: pbrt's
+/// graphics state. All calls raise SceneError at `where` for what cannot be used.
 class SceneBuilder {
  public:
-  SceneBuilder(FileAccess& files, std::string source, Warnings& warnings);
+  SceneBuilder(FileAccess& files, std::string source, const DialectChoice& choice,
+               Warnings& warnings);
+
+  const Context& context() const { return context_; }
 
   TransformState& transforms() { return transforms_; }
 
@@ -33,6 +41,21 @@ class SceneBuilder {
                const ParameterList& parameters);
   void integrator(const SourceLocation& where, const std::string& type,
                   const ParameterList& parameters);
+
+  // Of pbrt-v4 alone.
+  /// `Attribute`: parameters that later directives for `target` have unless they say otherwise.
+  void attribute(const SourceLocation& where, const std::string& target,
+                 const ParameterList& parameters);
+  /// Those that count now; `target` is one of `attribute_targets`.
+  std::span<const ParameterPointer> attributes(std::string_view target) const;
+  static const std::vector<std::string>& attribute_targets();
+  void color_space(const SourceLocation& where, const std::string& name);
+  /// That of colours written now; null in pbrt-v3, which has none.
+  const ColorSpace* color_space() const { return state_.color_space; }
+  void option(const SourceLocation& where, const Parameter& option);
+  /// What a file that is imported changes ends with it.
+  void import_begin(const SourceLocation& where);
+  void import_end();
 
   void world_begin(const SourceLocation& where);
   void world_end(const SourceLocation& where);
@@ -70,13 +93,22 @@ class SceneBuilder {
 
  private:
   enum class Stage { Options, World, Done };
-  enum class Scope { Attribute, Transform, Object };
+  enum class Scope { Attribute, Transform, Object, Import };
+  using Attributes = std::map<std::string, std::shared_ptr<const std::vector<ParameterPointer>>>;
   struct GraphicsState {
     MaterialPointer material;
-    std::shared_ptr<const desc::Emission> emission;
+    std::shared_ptr<const AreaEmission> emission;
     std::string inside, outside;
     SourceLocation media_where;
     bool reverse_orientation = false;
+    const ColorSpace* color_space = nullptr;
+    Attributes attributes;
+  };
+  /// A shape whose emission is scaled when its mesh is known.
+  struct Powered {
+    std::size_t shape;
+    float power;
+    std::size_t triangles_per_primitive;
   };
   struct OpenScope {
     Scope kind;
@@ -89,10 +121,15 @@ class SceneBuilder {
   void open(Scope kind, const SourceLocation& where);
   void close(Scope kind, const SourceLocation& where);
   void restore_innermost();
+  /// Ends the blocks, each with a warning, that are open in the innermost one of the kind `until`;
+  /// all, if that is nothing.
+  void close_open_blocks(std::optional<Scope> until);
   desc::MediumId medium_id(const std::string& name) const;
   desc::TextureId alpha(const ParameterList& parameters, std::string_view name);
+  void emit(const SourceLocation& where, desc::Shape& shape);
   void finish_realistic_camera();
 
+  const DialectChoice choice_;
   Warnings& warnings_;
   desc::SceneDesc scene_;
   SpectrumReader spectra_;
@@ -108,6 +145,8 @@ class SceneBuilder {
   std::map<std::string, desc::ObjectId> objects_;
   desc::ObjectId open_object_ = desc::kNone;
   std::optional<CameraOptions> camera_;
+  std::string camera_medium_;  ///< pbrt-v4: outside, where the camera is made
+  std::vector<Powered> powered_;
   float film_diagonal_ = 35.F;
 };
 

@@ -2,8 +2,8 @@
 
 namespace ajar::pbrt {
 
-// Names and defaults: pbrt-v3, src/shapes/*.cpp.
-const std::vector<ModelName>& shape_names() {
+// Names and defaults: pbrt-v3, src/shapes/*.cpp; pbrt-v4, src/pbrt/shapes.cpp, has fewer.
+const std::vector<ModelName>& shape_names(Dialect dialect) {
   static const ParameterName kPhiMax{"phi_max", {"phimax"}};
   static const ParameterName kZMin{"z_min", {"zmin"}};
   static const ParameterName kZMax{"z_max", {"zmax"}};
@@ -17,7 +17,14 @@ const std::vector<ModelName>& shape_names() {
       {"trianglemesh", "mesh", {}},
       {"loopsubdiv", "subdivision", {}},
       {"curve", "curves", {}}};
-  return kNames;
+  static const std::vector<ModelName> kNamesOfV4 = [] {
+    std::vector<ModelName> names = kNames;
+    std::erase_if(names, [](const ModelName& name) {
+      return name.theirs == "cone" || name.theirs == "paraboloid" || name.theirs == "hyperboloid";
+    });
+    return names;
+  }();
+  return dialect == Dialect::V3 ? kNames : kNamesOfV4;
 }
 
 }  // namespace ajar::pbrt

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "import/mesh/validate_mesh.h"
+#include "import/pbrt/bilinear_mesh.h"
 #include "import/pbrt/node_reader.h"
 #include "import/pbrt/shape_names.h"
 
@@ -15,6 +16,10 @@ namespace {
 
 /// Beside those that are models of ours.
 const std::vector<std::string> kOtherTypes = {"plymesh", "heightfield", "nurbs"};
+const std::vector<std::string> kOtherTypesOfV4 = {"plymesh", "bilinearmesh"};
+constexpr WarningKind kUnknown{Effect::Geometry, "shapes are unknown and left out"};
+constexpr WarningKind kDisplaced{Effect::Geometry,
+                                 "meshes are displaced by images, which is not supported"};
 constexpr WarningKind kLeftOut{Effect::Geometry, "shapes are left out"};
 constexpr WarningKind kOddIndices{Effect::Slight,
                                   "meshes have indices left over, which are ignored"};
@@ -178,6 +183,19 @@ const char* flaw_of(const desc::Node& node) {
   return node.has("z_min") && !(lower_end(node) < higher_end(node)) ? "zmin equals zmax" : nullptr;
 }
 
+/// What pbrt-v4 adds to shapes, and we cannot do.
+void report_unsupported(const Source& source, const std::string& type) {
+  const ParameterList& p = source.parameters;
+  if (type != "plymesh") return;
+  const bool is_displaced = p.get_string("displacement").has_value() ||
+                            p.find("displacement", ParameterKind::Texture) != nullptr;
+  p.accept({"edgelength", "displacement.uvscale", "uvscale", "displacement.scale"});
+  if (is_displaced) {
+    source.context.warnings.add(kDisplaced, source.where,
+                                "\"displacement\" of meshes is not supported: left as it is");
+  }
+}
+
 /// A shape that numbers describe.
 std::optional<desc::Node> plain_shape(const Source& source, TextureTable& textures,
                                       const desc::Model& model, const ModelName* names) {
@@ -193,18 +211,26 @@ std::optional<desc::Node> make_shape(Context& context, MeshLoader& meshes, Textu
                                      const SourceLocation& where, const std::string& type,
                                      const ParameterList& parameters) {
   const Source source{context, where, parameters};
+  const bool is_v4 = context.is_v4();
+  if (is_v4) report_unsupported(source, type);
+  if (type == "bilinearmesh" && is_v4) {
+    return finish_mesh(source, read_bilinear_mesh(where, parameters).mesh);
+  }
   if (type == "trianglemesh") return triangle_mesh(source);
   if (type == "plymesh") return ply_mesh(source, meshes);
   if (type == "loopsubdiv") return loop_subdivision(source);
   if (type == "curve") return make_curve(context, where, parameters);
-  if (type == "heightfield") return height_field(source);
-  if (type == "nurbs") return source.skip("nurbs are not supported");
-  if (const desc::Model* model = model_of_type(desc::ModelKind::Shape, shape_names(), type)) {
-    return plain_shape(source, textures, *model, find_theirs(shape_names(), type));
+  if (type == "heightfield" && !is_v4) return height_field(source);
+  if (type == "nurbs" && !is_v4) return source.skip("nurbs are not supported");
+  const std::vector<ModelName>& table = shape_names(context.choice.dialect);
+  if (const desc::Model* model = model_of_type(desc::ModelKind::Shape, table, type)) {
+    return plain_shape(source, textures, *model, find_theirs(table, type));
   }
-  std::vector<std::string> types = types_of(desc::ModelKind::Shape, shape_names());
-  types.insert(types.end(), kOtherTypes.begin(), kOtherTypes.end());
-  fail_unknown(where, "shape", type, types);
+  std::vector<std::string> types = types_of(desc::ModelKind::Shape, table);
+  const std::vector<std::string>& others = is_v4 ? kOtherTypesOfV4 : kOtherTypes;
+  types.insert(types.end(), others.begin(), others.end());
+  report_unknown(context, where, "shape", type, types, kUnknown, "It is left out");
+  return std::nullopt;
 }
 
 }  // namespace ajar::pbrt

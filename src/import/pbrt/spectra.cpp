@@ -1,11 +1,11 @@
 #include "import/pbrt/spectra.h"
 
-#include <vector>
-
 #include "core/color.h"
 #include "import/common/metals.h"
 #include "import/common/printable.h"
+#include "import/pbrt/color_space.h"
 #include "import/pbrt/lexer.h"
+#include "import/pbrt/named_spectra.h"
 
 namespace ajar::pbrt {
 namespace {
@@ -14,64 +14,103 @@ constexpr WarningKind kUnusable{Effect::Surface,
                                 "spectra cannot be used: what they are of has its default"};
 constexpr WarningKind kNegative{Effect::Slight, "colours are negative: taken as 0"};
 
-/// Wavelengths and values of an .spd file: pairs of numbers, # comments.
-desc::Rgb parse_spd(std::string_view text, const std::string& name) {
-  Lexer lexer(std::make_shared<const std::string>(name), text);
-  std::vector<double> wavelengths;
-  std::vector<double> values;
-  for (Token token = lexer.next(); token.kind != TokenKind::End; token = lexer.next()) {
-    wavelengths.push_back(lexer.double_value(token));
-    values.push_back(lexer.double_value(lexer.next()));
-  }
-  if (wavelengths.empty())
-    throw SceneError(lexer.where(lexer.peek()), "there is no spectrum in this file");
-  return desc::Rgb(sampled_to_rgb(wavelengths, values));
-}
-
-desc::Rgb from_samples(const std::vector<float>& pairs) {
-  std::vector<double> wavelengths;
-  std::vector<double> values;
-  for (std::size_t i = 0; i + 1 < pairs.size(); i += 2) {
-    wavelengths.push_back(pairs[i]);
-    values.push_back(pairs[i + 1]);
-  }
-  return desc::Rgb(sampled_to_rgb(wavelengths, values));
+/// Light of luminance 1.
+desc::Rgb light_of(const Vec3d& xyz) {
+  return xyz.y > 0.0 ? desc::Rgb(xyz_to_rgb(xyz / xyz.y)) : desc::Rgb(0.F);
 }
 
 }  // namespace
 
-std::optional<desc::Rgb> SpectrumReader::value(const Parameter& parameter) {
-  std::optional<desc::Rgb> rgb = unchecked_value(parameter);
+SpectrumReader::Samples SpectrumReader::samples_of(const std::vector<float>& pairs) {
+  Samples samples;
+  for (std::size_t i = 0; i + 1 < pairs.size(); i += 2) {
+    samples.wavelengths.push_back(pairs[i]);
+    samples.values.push_back(pairs[i + 1]);
+  }
+  return samples;
+}
+
+/// An .spd file: pairs of numbers, # comments.
+SpectrumReader::Samples SpectrumReader::parse_file(std::string_view text, const std::string& name) {
+  Lexer lexer(std::make_shared<const std::string>(name), text);
+  Samples samples;
+  for (Token token = lexer.next(); token.kind != TokenKind::End; token = lexer.next()) {
+    samples.wavelengths.push_back(lexer.double_value(token));
+    samples.values.push_back(lexer.double_value(lexer.next()));
+  }
+  if (samples.wavelengths.empty())
+    throw SceneError(lexer.where(lexer.peek()), "there is no spectrum in this file");
+  return samples;
+}
+
+std::optional<desc::Rgb> SpectrumReader::value(const Parameter& parameter, ColorRole role) {
+  std::optional<desc::Rgb> rgb = unchecked_value(parameter, role);
   if (rgb && !is_finite(*rgb))
     throw SceneError(parameter.where, "\"" + parameter.name + "\" is too large");
   return rgb;
 }
 
-std::optional<desc::Rgb> SpectrumReader::unchecked_value(const Parameter& parameter) {
+std::optional<desc::Rgb> SpectrumReader::unchecked_value(const Parameter& parameter,
+                                                         ColorRole role) {
   const std::vector<float>& n = parameter.numbers;
   switch (parameter.kind) {
-    case ParameterKind::Rgb:
-      return desc::Rgb(n[0], n[1], n[2]);
+    case ParameterKind::Rgb: {
+      if (parameter.color_space == nullptr) return desc::Rgb(n[0], n[1], n[2]);
+      const Vec3d rgb(n[0], n[1], n[2]);
+      return desc::Rgb(role == ColorRole::Light
+                           ? parameter.color_space->light_to_rec709(rgb)
+                           : parameter.color_space->reflectance_to_rec709(rgb));
+    }
     case ParameterKind::Xyz:
       return desc::Rgb(xyz_to_rgb(Vec3d(n[0], n[1], n[2])));
     case ParameterKind::Blackbody:
+      if (dialect_ == Dialect::V4) return light_of(blackbody_xyz(n[0]));
       return desc::Rgb(blackbody_rgb(n[0]) * static_cast<double>(n[1]));
     default:
-      return parameter.strings.empty() ? from_samples(n) : from_file(parameter);
+      if (!parameter.strings.empty()) return from_file(parameter, role);
+      return from_samples(samples_of(n), role);
   }
 }
 
-std::optional<desc::Rgb> SpectrumReader::from_file(const Parameter& parameter) {
+desc::Rgb SpectrumReader::from_samples(const Samples& samples, ColorRole role) const {
+  if (dialect_ == Dialect::V3) {
+    return desc::Rgb(sampled_to_rgb(samples.wavelengths, samples.values));
+  }
+  if (role == ColorRole::Light)
+    return light_of(sampled_to_xyz(samples.wavelengths, samples.values));
+  return desc::Rgb(sampled_to_rgb_in_daylight(samples.wavelengths, samples.values));
+}
+
+std::optional<desc::Rgb> SpectrumReader::from_name(const Parameter& parameter, ColorRole role) {
   const std::string& name = parameter.strings.front();
+  if (dialect_ == Dialect::V3) return std::nullopt;
+  if (const std::optional<Vec3d> metal = named_metal(name)) return desc::Rgb(*metal);
+  if (const std::optional<float> glass = named_glass(name)) return desc::Rgb(*glass);
+  if (const std::optional<Vec3d> illuminant = named_illuminant(name)) {
+    return role == ColorRole::Light ? light_of(*illuminant) : desc::Rgb(1.F);
+  }
+  return std::nullopt;
+}
+
+std::optional<desc::Rgb> SpectrumReader::from_file(const Parameter& parameter, ColorRole role) {
+  const std::string& name = parameter.strings.front();
+  if (const std::optional<desc::Rgb> named = from_name(parameter, role)) return named;
   try {
     const std::string path = files_.resolve(name);
     const auto known = files_read_.find(path);
-    if (known != files_read_.end()) return known->second;
+    if (known != files_read_.end()) return from_samples(known->second, role);
     if (!files_.exists(path)) {
-      if (const std::optional<Vec3d> metal = metal_rgb_by_file_name(name)) return desc::Rgb(*metal);
+      if (dialect_ == Dialect::V3) {
+        if (const std::optional<Vec3d> metal = metal_rgb_by_file_name(name))
+          return desc::Rgb(*metal);
+      } else if (const std::string near = nearest_name(name, spectrum_names()); !near.empty()) {
+        throw IoError("there is no such file, and no spectrum of this name; did you mean \"" +
+                      near + "\"?");
+      }
     }
     const FileBytes bytes = files_.load(path);
-    return files_read_.emplace(path, parse_spd(bytes.view(), path)).first->second;
+    return from_samples(files_read_.emplace(path, parse_file(bytes.view(), path)).first->second,
+                        role);
   } catch (const Error& error) {
     warnings_.add(kUnusable, parameter.where,
                   "spectrum \"" + printable(name) + "\" cannot be used (" + error.what() + "): \"" +
@@ -81,10 +120,12 @@ std::optional<desc::Rgb> SpectrumReader::from_file(const Parameter& parameter) {
   }
 }
 
-std::optional<desc::Rgb> SpectrumReader::positive_value(const Parameter& parameter) {
-  std::optional<desc::Rgb> rgb = value(parameter);
+std::optional<desc::Rgb> SpectrumReader::positive_value(const Parameter& parameter,
+                                                        ColorRole role) {
+  std::optional<desc::Rgb> rgb = value(parameter, role);
   if (!rgb || (rgb->x >= 0.F && rgb->y >= 0.F && rgb->z >= 0.F)) return rgb;
-  if (parameter.kind == ParameterKind::Rgb) {
+  const std::vector<float>& n = parameter.numbers;
+  if (parameter.kind == ParameterKind::Rgb && (n[0] < 0.F || n[1] < 0.F || n[2] < 0.F)) {
     warnings_.add(kNegative, parameter.where, "\"" + parameter.name + "\" is negative: taken as 0",
                   parameter.name);
   }
@@ -93,9 +134,9 @@ std::optional<desc::Rgb> SpectrumReader::positive_value(const Parameter& paramet
 }
 
 desc::Rgb SpectrumReader::get_positive(const ParameterList& parameters, std::string_view name,
-                                       const desc::Rgb& fallback) {
+                                       const desc::Rgb& fallback, ColorRole role) {
   const Parameter* p = parameters.find_one(name, kSpectrumKinds);
-  return p == nullptr ? fallback : positive_value(*p).value_or(fallback);
+  return p == nullptr ? fallback : positive_value(*p, role).value_or(fallback);
 }
 
 }  // namespace ajar::pbrt

@@ -3,7 +3,7 @@
 namespace ajar::pbrt {
 namespace {
 
-// Names and defaults: pbrt-v3, src/textures/*.cpp.
+// Names and defaults: pbrt-v3, src/textures/*.cpp; pbrt-v4, src/pbrt/textures.cpp.
 
 /// `parameters` and those of a mapping to two coordinates.
 std::vector<ParameterName> mapped(std::vector<ParameterName> parameters) {
@@ -19,7 +19,7 @@ const ParameterName kSecond{"second", {"tex2"}};
 
 }  // namespace
 
-const std::vector<ModelName>& texture_names() {
+const std::vector<ModelName>& texture_names(Dialect dialect) {
   static const std::vector<ModelName> kNames = {
       {"constant", "constant", {}},
       {"scale", "product", {kFirst, kSecond}},
@@ -36,7 +36,23 @@ const std::vector<ModelName>& texture_names() {
       {"wrinkled", "wrinkled", {}},
       {"windy", "windy", {}},
       {"marble", "marble", {}}};
-  return kNames;
+  static const std::vector<ModelName> kNamesOfV4 = [] {
+    std::vector<ModelName> names = kNames;
+    for (ModelName& name : names) {
+      // "encoding" and "filter" are read in textures.cpp; a product is of "tex" and a number.
+      if (name.theirs == "imagemap") {
+        name.parameters = mapped({{"file", {"filename"}},
+                                  {"decode_srgb", {}},
+                                  {"decoding_exponent", {}},
+                                  {"filter", {}}});
+      } else if (name.theirs == "scale") {
+        name.parameters = {{"first", {"tex"}}, {"second", {}}};
+      }
+    }
+    names.push_back({"directionmix", "mix", {kFirst, kSecond, {"amount", {}}}});
+    return names;
+  }();
+  return dialect == Dialect::V3 ? kNames : kNamesOfV4;
 }
 
 }  // namespace ajar::pbrt

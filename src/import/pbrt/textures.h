@@ -1,6 +1,7 @@
 #pragma once
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "import/pbrt/context.h"
 #include "import/pbrt/parameter_list.h"
@@ -27,6 +28,10 @@ class TextureTable {
   /// after a warning, if there is one of the other class only.
   std::optional<desc::TextureId> find(const Parameter& reference, TextureClass texture_class) const;
 
+  /// Adds a texture without a name.
+  desc::TextureId add(const SourceLocation& where, desc::Node node);
+
+  /// Names of pbrt-v4 are known to the end of the file.
   void begin_scope();
   void end_scope();
 
@@ -41,12 +46,17 @@ class TextureTable {
 class TextureParameters {
  public:
   TextureParameters(Context& context, TextureTable& table, const ParameterList& first,
-                    const ParameterList* second = nullptr)
-      : context_(context), table_(table), lists_{&first, second} {}
+                    const ParameterList* second = nullptr, ColorRole role = ColorRole::Other)
+      : context_(context), table_(table), lists_{&first, second}, role_(role) {}
+  /// Of a light.
+  static TextureParameters of_light(Context& context, TextureTable& table,
+                                    const ParameterList& list) {
+    return {context, table, list, nullptr, ColorRole::Light};
+  }
 
   /// A texture or a colour. `positive`: as for `color`.
   std::optional<desc::Value> find_spectrum(std::string_view name, bool positive = false) const;
-  /// A texture or a number.
+  /// A texture or a number; in pbrt-v4 also a spectrum, for dispersion, of which the mean is taken.
   std::optional<desc::Value> find_number(std::string_view name) const;
   /// `positive`: lanes below 0 are taken as 0, with a warning.
   std::optional<desc::Rgb> color(std::string_view name, bool positive) const;
@@ -56,11 +66,13 @@ class TextureParameters {
   std::optional<Vec3> point(std::string_view name) const;
   std::optional<bool> flag(std::string_view name) const;
   std::optional<std::string> text(std::string_view name) const;
+  std::vector<std::string> texts(std::string_view name) const;
   void accept(std::initializer_list<std::string_view> names) const;
 
   Context& context() const { return context_; }
 
  private:
+  std::optional<float> mean_of_spectrum(const ParameterList& list, std::string_view name) const;
   /// What `get` finds in the first list that has it.
   template <typename Get>
   auto first_of(Get get) const -> decltype(get(std::declval<const ParameterList&>())) {
@@ -74,6 +86,7 @@ class TextureParameters {
   Context& context_;
   TextureTable& table_;
   const ParameterList* lists_[2];
+  ColorRole role_;
 };
 
 }  // namespace ajar::pbrt

@@ -58,7 +58,12 @@ void write_parameters(WriterContext& context, const desc::Node& node, const Mode
     if (translated->theirs.empty()) continue;
     const std::string name(translated->theirs.front());
     if (!translated->words[0].empty()) {
-      context.out.flag(name, std::get<std::string>(value) == translated->words[1]);
+      const std::string& choice = std::get<std::string>(value);
+      if (choice == translated->words[0] || choice == translated->words[1]) {
+        context.out.flag(name, choice == translated->words[1]);
+      } else {  // more than pbrt's flag can say
+        std::visit(ValueWriter{context, spec, spec.name, numbers_for_colors}, value);
+      }
     } else if (std::holds_alternative<std::monostate>(value) && !translated->if_absent.empty()) {
       std::visit(ValueWriter{context, spec, name, numbers_for_colors},
                  node.get(translated->if_absent));

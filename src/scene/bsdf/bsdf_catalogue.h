@@ -71,6 +71,31 @@ inline std::vector<NamedBsdf> catalogue(float tilt_degrees) {
   begin("specular transmission").add(SpecularTransmission{1.5F});
   begin("pass-through").add(PassThrough{}, tint);
 
+  begin("smooth metal").add(SmoothConductor{gold});
+  begin("smooth coat").add(SmoothCoat{{1.5F}}, tint);
+  begin("rough coat").add(RoughCoat{ggx(0.2F, 0.2F), {1.5F}});
+  begin("diffuse under a smooth coat").add(CoatedDiffuse(Spectrum(1.F), {1.5F, 0.F}));
+  begin("diffuse under a rough coat").add(CoatedDiffuse(tint, {1.8F, 0.4F}));
+  begin("metal under a smooth coat").add(CoatedConductor{ggx(0.2F, 0.2F), gold, {1.5F, 0.F}});
+  begin("metal under a rough coat").add(CoatedConductor{ggx(0.1F, 0.3F), gold, {1.3F, 0.3F}});
+  begin("smooth metal under a smooth coat").add(SmoothCoatedConductor{{gold, 1.5F}});
+
+  for (const float alpha : {0.15F, 0.6F}) {
+    Bsdf& white_wall = begin("white under a coat of " + std::to_string(alpha));
+    white_wall.add(RoughCoat{ggx(alpha, alpha), {1.5F}});
+    white_wall.add(CoatedDiffuse(Spectrum(1.F), {1.5F, alpha}));
+    Bsdf& silver = begin("silver under a coat of " + std::to_string(alpha));
+    const ConductorFresnel ideal(Spectrum(1e-4F), Spectrum(1e4F));
+    silver.add(RoughCoat{ggx(alpha, alpha), {1.5F}});
+    silver.add(CoatedConductor{ggx(0.2F, 0.2F), ideal, {1.5F, alpha}});
+  }
+  Bsdf& varnish = begin("varnish");
+  varnish.add(SmoothCoat{{1.5F}});
+  varnish.add(CoatedDiffuse(tint, {1.5F, 0.F}));
+  Bsdf& lacquer = begin("lacquered metal");
+  lacquer.add(SmoothCoat{{1.5F}});
+  lacquer.add(CoatedConductor{ggx(0.2F, 0.2F), gold, {1.5F, 0.F}});
+
   Bsdf& plastic = begin("plastic");
   plastic.add(Lambert{}, tint * 0.5F);
   plastic.add(DielectricReflection{ggx(0.15F, 0.15F), {1.F / 1.5F}}, Spectrum(0.5F));

@@ -3,6 +3,7 @@
 #include <type_traits>
 #include <variant>
 
+#include "scene/bsdf/coat.h"
 #include "scene/bsdf/conductor.h"
 #include "scene/bsdf/dielectric.h"
 #include "scene/bsdf/disney_clearcoat.h"
@@ -21,7 +22,8 @@ namespace ajar {
 using Lobe = std::variant<Lambert, SmoothDielectric, Conductor, DielectricReflection, FresnelBlend,
                           RoughDielectric, Mirror, PassThrough, OrenNayar, LambertTransmission,
                           ThinDielectric, SpecularReflection, SpecularTransmission, DisneyDiffuse,
-                          DisneySpecular, DisneyClearcoat>;
+                          DisneySpecular, DisneyClearcoat, SmoothConductor, SmoothCoat, RoughCoat,
+                          CoatedDiffuse, CoatedConductor, SmoothCoatedConductor>;
 
 static_assert(std::is_trivially_copyable_v<Lobe>);
 static_assert(sizeof(Lobe) <= 48);

@@ -7,10 +7,13 @@ namespace {
 
 std::unique_ptr<Light> make_environment(const LightInputs& in) {
   const Spectrum radiance = in.color("radiance");
-  if (std::optional<Map> map = in.map("image", MapEdge::Repeat)) {
-    return make_environment_map(radiance, std::move(*map), in.at(), in.bounds());
+  const SphereProjection& projection = sphere_projection(in.node().text("projection"));
+  if (std::optional<Map> image = in.map("image", projection.edge, projection.filter)) {
+    SphereMap map(std::move(*image), projection);
+    const float scale = in.scale_to("irradiance", luminance(map.irradiance()));
+    return make_environment_map(radiance * scale, std::move(map), in.at(), in.bounds());
   }
-  return make_constant_environment(radiance, in.bounds());
+  return make_constant_environment(radiance * in.scale_to("irradiance", kPi), in.bounds());
 }
 
 }  // namespace
@@ -21,8 +24,11 @@ LightModel environment_light() {
            .source = "",
            .parameters = {declare::emission("radiance", "W/(m2 sr)",
                                             "radiance, or factor of the image"),
-                          declare::file("image",
-                                        "longitude by latitude, with the pole at z, from above")}},
+                          declare::file("image", "all directions, with the pole at z, from above"),
+                          sphere_projection_input(),
+                          declare::target("irradiance", "W/m2",
+                                          "if given, what a light of radiance 1 is scaled to: its "
+                                          "luminance on a surface that faces z")}},
           make_environment};
 }
 

@@ -2,20 +2,20 @@
 #include <utility>
 
 #include "scene/light/bounding_disk.h"
-#include "scene/light/lat_long_map.h"
 #include "scene/light/models.h"
+#include "scene/light/sphere_map.h"
 
 namespace ajar {
 
 namespace {
 
-/// Radiance from infinity by a latitude–longitude map. The vertex keeps its place in the map in
+/// Radiance from infinity by a map of all directions. The vertex keeps its place in the map in
 /// `surface.uv`: cheaper than finding it again from the direction, and a sampled vertex stays in
 /// the cell that it was sampled from, whatever the rounding. Source: pbrt-v3, sections 12.6
 /// and 14.2.4.
 class EnvironmentMap final : public Light {
  public:
-  EnvironmentMap(const Spectrum& scale, Map map, const DirectionMap& directions,
+  EnvironmentMap(const Spectrum& scale, SphereMap map, const DirectionMap& directions,
                  const BoundingSphere& bounds)
       : scale_(scale), map_(std::move(map)), directions_(directions), disk_(bounds) {}
 
@@ -24,7 +24,7 @@ class EnvironmentMap final : public Light {
   Spectrum power() const override { return scale_ * map_.integral() * disk_.area(); }
 
   EndpointPoint at_direction(const Vec3& w) const override {
-    return EndpointPoint::at_infinity(w, LatLongMap::to_uv(directions_.vector_to_local(w)));
+    return EndpointPoint::at_infinity(w, map_.to_uv(directions_.vector_to_local(w)));
   }
 
   std::optional<EmissionSample> sample_emission(const EmissionUniforms& u) const override {
@@ -65,7 +65,7 @@ class EnvironmentMap final : public Light {
 
  private:
   std::optional<ConnectionSample> sample_direction(const Vec2& u) const {
-    const LatLongMap::Sample chosen = map_.sample(u);
+    const SphereMap::Sample chosen = map_.sample(u);
     const Spectrum radiance = scale_ * map_.lookup(chosen.uv);
     if (radiance.is_black()) return std::nullopt;
     const Vec3 toward = directions_.to_world(chosen.w);
@@ -85,14 +85,14 @@ class EnvironmentMap final : public Light {
   }
 
   Spectrum scale_;
-  LatLongMap map_;
+  SphereMap map_;
   DirectionMap directions_;
   BoundingDisk disk_;
 };
 
 }  // namespace
 
-std::unique_ptr<Light> make_environment_map(const Spectrum& scale, Map map,
+std::unique_ptr<Light> make_environment_map(const Spectrum& scale, SphereMap map,
                                             const LightPlacement& at,
                                             const BoundingSphere& bounds) {
   return std::make_unique<EnvironmentMap>(scale, std::move(map), at.directions, bounds);

@@ -1,8 +1,8 @@
 #include <utility>
 
-#include "scene/light/lat_long_map.h"
 #include "scene/light/models.h"
 #include "scene/light/point_connection.h"
+#include "scene/light/sphere_map.h"
 
 namespace ajar {
 
@@ -12,7 +12,7 @@ namespace {
 /// toward +z. Source: pbrt-v3, section 12.3.3. Emission is sampled by the map.
 class GoniometricLight final : public Light {
  public:
-  GoniometricLight(const Spectrum& intensity, Map map, const LightPlacement& at)
+  GoniometricLight(const Spectrum& intensity, SphereMap map, const LightPlacement& at)
       : intensity_(intensity), map_(std::move(map)), at_(at) {}
 
   bool at_infinity() const override { return false; }
@@ -23,7 +23,7 @@ class GoniometricLight final : public Light {
   }
 
   std::optional<EmissionSample> sample_emission(const EmissionUniforms& u) const override {
-    const LatLongMap::Sample chosen = map_.sample(u.direction);
+    const SphereMap::Sample chosen = map_.sample(u.direction);
     const Spectrum intensity = intensity_ * map_.lookup(chosen.uv);
     if (intensity.is_black()) return std::nullopt;
     const Vec3 w = at_.directions.to_world(swap_axes(chosen.w));
@@ -65,18 +65,21 @@ class GoniometricLight final : public Light {
 
  private:
   static Vec3 swap_axes(const Vec3& w) { return {w.x, w.z, w.y}; }
-  static Vec2 map_uv(const Vec3& local) { return LatLongMap::to_uv(swap_axes(local)); }
+  Vec2 map_uv(const Vec3& local) const { return map_.to_uv(swap_axes(local)); }
 
   Spectrum intensity_;
-  LatLongMap map_;
+  SphereMap map_;
   LightPlacement at_;
 };
 
 std::unique_ptr<Light> make_goniometric(const LightInputs& in) {
   const Spectrum intensity = in.color("intensity");
-  std::optional<Map> map = in.map("image", MapEdge::Repeat);
-  if (!map) return make_point_light(intensity, in.at());
-  return std::make_unique<GoniometricLight>(intensity, std::move(*map), in.at());
+  const SphereProjection& projection = sphere_projection(in.node().text("projection"));
+  std::optional<Map> image = in.map("image", projection.edge, projection.filter);
+  if (!image) return make_point_light(intensity * in.scale_to("power", 4.F * kPi), in.at());
+  SphereMap map(std::move(*image), projection);
+  const float scale = in.scale_to("power", luminance(map.integral()));
+  return std::make_unique<GoniometricLight>(intensity * scale, std::move(map), in.at());
 }
 
 }  // namespace
@@ -86,7 +89,11 @@ LightModel goniometric_light() {
            .summary = "from one point, by an image of all directions",
            .source = "Pharr et al. 2016, section 12.3.3",
            .parameters = {declare::emission("intensity", "W/sr", "factor of the image"),
-                          declare::file("image", "longitude by latitude, with the pole at y")}},
+                          declare::file("image", "all directions, with the pole at y"),
+                          sphere_projection_input(),
+                          declare::target("power", "W",
+                                          "if given, the luminance of all that a light of "
+                                          "intensity 1 is scaled to emit")}},
           make_goniometric};
 }
 

@@ -1,11 +1,17 @@
 #include "scene/light/inputs.h"
 
+#include <cmath>
+#include <utility>
+
 namespace ajar {
 namespace {
 
 constexpr WarningKind kNotTurned{Effect::Light,
                                  "lights have transforms that cannot be inverted in single "
                                  "precision: their rotation is ignored"};
+
+constexpr WarningKind kNothingToScale{
+    Effect::Light, "lights have black images, which cannot be scaled to a given strength"};
 
 }  // namespace
 
@@ -24,10 +30,30 @@ LightInputs::LightInputs(const desc::Light& description, const BoundingSphere& b
   }
 }
 
-std::optional<Map> LightInputs::map(std::string_view name, MapEdge edge) const {
+std::optional<Map> LightInputs::map(std::string_view name, MapEdge edge, MapFilter filter) const {
   const std::string& path = node().text(name);
   if (path.empty()) return std::nullopt;
-  return load_map(path, edge, description_.where, warnings_);
+  return load_map(path, edge, description_.where, warnings_, filter);
 }
+
+float LightInputs::scale_to(std::string_view name, float actual) const {
+  const float* wanted = std::get_if<float>(&node().get(name));
+  if (wanted == nullptr) return 1.F;
+  const float scale = *wanted / actual;
+  if (std::isfinite(scale)) return scale;
+  warnings_.add(kNothingToScale, description_.where,
+                "\"" + std::string(name) + "\" cannot be reached: the light's image is black");
+  return 1.F;
+}
+
+namespace declare {
+
+ParameterSpec target(std::string name, std::string unit, std::string help) {
+  ParameterSpec spec = number(std::move(name), "", std::move(help), std::move(unit));
+  spec.minimum = 0.0;
+  return spec;
+}
+
+}  // namespace declare
 
 }  // namespace ajar

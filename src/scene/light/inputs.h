@@ -24,7 +24,11 @@ class LightInputs {
   const BoundingSphere& bounds() const { return bounds_; }
   Spectrum color(std::string_view name) const { return rgb_spectrum(node().color(name)); }
   /// The map of a file, as `load_map` reads it; nothing if the light has none.
-  std::optional<Map> map(std::string_view name, MapEdge edge) const;
+  std::optional<Map> map(std::string_view name, MapEdge edge,
+                         MapFilter filter = MapFilter::Bilinear) const;
+  /// What a light of the luminance `actual` is multiplied with to have that which the parameter
+  /// `name` says; 1 if it says none.
+  float scale_to(std::string_view name, float actual) const;
 
  private:
   const desc::Light& description_;
@@ -34,3 +38,10 @@ class LightInputs {
 };
 
 }  // namespace ajar
+
+namespace ajar::declare {
+
+/// A luminance that a light is scaled to, whatever its image; none by default.
+ParameterSpec target(std::string name, std::string unit, std::string help);
+
+}  // namespace ajar::declare

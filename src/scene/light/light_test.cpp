@@ -186,6 +186,24 @@ TEST(SpotLight, FadesWithTheFourthPowerOfTheCosineDifference) {
   EXPECT_EQ(at(179), 0.F);
 }
 
+TEST(SpotLight, MayFadeByASmoothStep) {
+  desc::Node spot = spot_node({2, 2, 2}, 40, 15);
+  spot.set("falloff", std::string("smoothstep"));
+  const auto light = light_of(spot, Mat4());
+  check_emission(*light);
+  check_departures(*light, cone_chart({0, 0, 1}, 1.0 - std::cos(M_PI * 45 / 180)), 24, 8);
+  const auto cosine = [](double degrees) { return std::cos(degrees * M_PI / 180); };
+  const double power = 2.0 * M_PI * 2.0 * ((1.0 - cosine(15)) + 0.5 * (cosine(15) - cosine(40)));
+  expect_mean(emitted_power(*light), power, 0.02, 1e-3);
+  EXPECT_NEAR(light->power().average(), power, 1e-4 * power);
+  const double delta = (cosine(30) - cosine(40)) / (cosine(15) - cosine(40));
+  const double a = M_PI * 30 / 180;
+  const Spectrum emitted =
+      light->emitted(EndpointPoint::at(Vec3(0.F)),
+                     {static_cast<float>(std::sin(a)), 0.F, static_cast<float>(std::cos(a))});
+  EXPECT_NEAR(emitted[0], 2.0 * delta * delta * (3.0 - 2.0 * delta), 1e-5);
+}
+
 TEST(SpotLight, ExtremeConesStayFinite) {
   for (const auto& [cone, start] : {std::pair{0.F, 0.F},
                                     {1e-3F, 0.F},

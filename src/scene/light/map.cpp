@@ -25,7 +25,7 @@ bool is_integer(const OIIO::TypeDesc& format) {
 }
 
 /// Raises IoError with the reason if the file cannot be read.
-Map read_map(const std::string& path, MapEdge edge) {
+Map read_map(const std::string& path, MapEdge edge, MapFilter filter) {
   ImageInput input(path, true);
   const OIIO::ImageSpec& spec = input.spec();
   constexpr int kMaxSide = 1 << 16;
@@ -44,12 +44,12 @@ Map read_map(const std::string& path, MapEdge edge) {
     const float* v = values.data() + i * static_cast<std::size_t>(channels);
     texels.push_back(channels == 3 ? Spectrum(v[0], v[1], v[2]) : Spectrum(v[0]));
   }
-  return {spec.width, spec.height, std::move(texels), edge};
+  return {spec.width, spec.height, std::move(texels), edge, filter};
 }
 }  // namespace
 
-Map::Map(int width, int height, std::vector<Spectrum> texels, MapEdge edge)
-    : width_(width), height_(height), edge_(edge), texels_(std::move(texels)) {
+Map::Map(int width, int height, std::vector<Spectrum> texels, MapEdge edge, MapFilter filter)
+    : width_(width), height_(height), edge_(edge), filter_(filter), texels_(std::move(texels)) {
   if (width <= 0 || height <= 0 ||
       texels_.size() != static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {
     throw std::invalid_argument("Map: texels do not fit the size");
@@ -61,11 +61,11 @@ Map::Map(int width, int height, std::vector<Spectrum> texels, MapEdge edge)
   }
 }
 
-Map load_map(const std::string& path, MapEdge edge, const SourceLocation& where,
-             Warnings& warnings) {
+Map load_map(const std::string& path, MapEdge edge, const SourceLocation& where, Warnings& warnings,
+             MapFilter filter) {
   std::string reason;
   try {
-    return read_map(path, edge);
+    return read_map(path, edge, filter);
   } catch (const std::bad_alloc&) {
     reason = "not enough memory";
   } catch (const IoError& error) {

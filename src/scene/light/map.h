@@ -15,6 +15,8 @@ namespace ajar {
 /// How a map continues beyond its left and right edge. Beyond the upper and lower edge it always
 /// keeps its edge value.
 enum class MapEdge { Repeat, Clamp };
+/// What a map is between the centres of its texels.
+enum class MapFilter { Bilinear, Nearest };
 
 /// An image that shapes the emission of a light: linear RGB, finite, not negative. Row 0 is at v =
 /// 0.
@@ -22,12 +24,18 @@ class Map {
  public:
   /// Requires width, height > 0 and texels.size() = width · height, row by row. Values that are
   /// negative or not finite become zero, those above 1e30 become that.
-  Map(int width, int height, std::vector<Spectrum> texels, MapEdge edge);
+  Map(int width, int height, std::vector<Spectrum> texels, MapEdge edge,
+      MapFilter filter = MapFilter::Bilinear);
 
   int width() const { return width_; }
   int height() const { return height_; }
-  /// Bilinear, texel centres at half-integers.
+  /// Texel centres are at half-integers.
   Spectrum lookup(const Vec2& uv) const {
+    if (filter_ == MapFilter::Nearest) {
+      const int x = static_cast<int>(uv.x * static_cast<float>(width_));
+      const int y = static_cast<int>(uv.y * static_cast<float>(height_));
+      return row(y)[std::clamp(x, 0, width_ - 1)];
+    }
     const float x = uv.x * static_cast<float>(width_) - 0.5F;
     const float y = uv.y * static_cast<float>(height_) - 0.5F;
     const float x0 = std::floor(x);
@@ -56,13 +64,14 @@ class Map {
   int width_;
   int height_;
   MapEdge edge_;
+  MapFilter filter_;
   std::vector<Spectrum> texels_;
 };
 
 /// Reads `path` as linear RGB: integer formats are decoded from sRGB, one or two channels are grey,
 /// alpha is ignored. A file that cannot be read gives one magenta texel and a warning naming it.
-Map load_map(const std::string& path, MapEdge edge, const SourceLocation& where,
-             Warnings& warnings);
+Map load_map(const std::string& path, MapEdge edge, const SourceLocation& where, Warnings& warnings,
+             MapFilter filter = MapFilter::Bilinear);
 
 /// Maps up to this size are sampled by half texels. They fit the bilinear interpolation four times
 /// better than whole ones but need four times the memory.

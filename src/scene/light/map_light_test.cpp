@@ -3,9 +3,9 @@
 #include <cmath>
 #include <fstream>
 
-#include "scene/light/lat_long_map.h"
 #include "scene/light/light_test_support.h"
 #include "scene/light/map.h"
+#include "scene/light/sphere_map.h"
 #include "scene/testing/image_file.h"
 
 /// Lights that are shaped by an image: environment, goniometric, projection.
@@ -34,9 +34,9 @@ std::vector<float> one_bright(int width, int height, int x, int y, float value) 
 /// World directions of a lat-long map, so that bins fall on its cells.
 Chart<Vec3> lat_long_chart(const Mat4& to_world) {
   const Mat4 inverse = to_world.inverse();
-  return {[=](const Vec2& s) { return transform_vector(to_world, LatLongMap::to_direction(s)); },
+  return {[=](const Vec2& s) { return transform_vector(to_world, lat_long::to_direction(s)); },
           [](const Vec2& s) { return 2.0 * M_PI * M_PI * std::sin(M_PI * s.y); },
-          [=](const Vec3& w) { return LatLongMap::to_uv(transform_vector(inverse, w)); }};
+          [=](const Vec3& w) { return lat_long::to_uv(transform_vector(inverse, w)); }};
 }
 
 TEST(Map, ReadsFloatImagesAsTheyAre) {
@@ -91,21 +91,22 @@ TEST(Map, RepeatsOrClampsAtItsSidesAndClampsAboveAndBelow) {
   EXPECT_NEAR(clamped.lookup({1.F, 1.F})[0], 5.F, 1e-6F);
 }
 
-TEST(LatLongMap, DirectionsAndCoordinatesAreInverse) {
+TEST(SphereProjection, DirectionsAndCoordinatesAreInverse) {
   Rng rng(1);
   for (int i = 0; i < 10000; ++i) {
     const Vec3 w = warp::uniform_sphere(next_pair(rng));
-    EXPECT_LT(length(LatLongMap::to_direction(LatLongMap::to_uv(w)) - w), 2e-6F);
+    EXPECT_LT(length(lat_long::to_direction(lat_long::to_uv(w)) - w), 2e-6F);
   }
-  EXPECT_LT(length(LatLongMap::to_direction({0.F, 0.5F}) - Vec3(1, 0, 0)), 1e-6F);
-  EXPECT_LT(length(LatLongMap::to_direction({0.25F, 0.5F}) - Vec3(0, 1, 0)), 1e-6F);
-  EXPECT_LT(length(LatLongMap::to_direction({0.F, 0.F}) - Vec3(0, 0, 1)), 1e-6F);
+  EXPECT_LT(length(lat_long::to_direction({0.F, 0.5F}) - Vec3(1, 0, 0)), 1e-6F);
+  EXPECT_LT(length(lat_long::to_direction({0.25F, 0.5F}) - Vec3(0, 1, 0)), 1e-6F);
+  EXPECT_LT(length(lat_long::to_direction({0.F, 0.F}) - Vec3(0, 0, 1)), 1e-6F);
 }
 
-TEST(LatLongMap, DensityIsPositiveWhereverTheMapIs) {
+TEST(SphereMap, DensityIsPositiveWhereverTheMapIs) {
   const ImageFile file(32, 16, one_bright(32, 16, 0, 5, 1e6F));
   Warnings warnings;
-  const LatLongMap map(load_map(file.path(), MapEdge::Repeat, {}, warnings));
+  const SphereMap map(load_map(file.path(), MapEdge::Repeat, {}, warnings),
+                      sphere_projection("longitude_latitude"));
   Rng rng(2);
   int bright = 0;
   for (int i = 0; i < 200000; ++i) {

@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "scene/light/inputs.h"
+#include "scene/light/sphere_map.h"
 
 /// What several models of lights are made of.
 namespace ajar {
@@ -10,7 +11,7 @@ std::unique_ptr<Light> make_point_light(const Spectrum& intensity, const LightPl
 std::unique_ptr<Light> make_constant_environment(const Spectrum& radiance,
                                                  const BoundingSphere& bounds);
 /// `scale` multiplies the map.
-std::unique_ptr<Light> make_environment_map(const Spectrum& scale, Map map,
+std::unique_ptr<Light> make_environment_map(const Spectrum& scale, SphereMap map,
                                             const LightPlacement& at, const BoundingSphere& bounds);
 
 }  // namespace ajar

@@ -25,7 +25,9 @@ class ProjectionLight final : public Light {
       return z * z * z;
     };
     distribution_ = make_map_distribution(map_, cos_cubed);
-    power_ = intensity_ * integrate_map(map_, cos_cubed) * window_area();
+    const Spectrum integral = integrate_map(map_, cos_cubed) * window_area();
+    intensity_ *= in.scale_to("power", luminance(integral));
+    power_ = intensity_ * integral;
   }
 
   bool at_infinity() const override { return false; }
@@ -140,7 +142,10 @@ LightModel projection_light() {
                           declare::number_between("fov", "45", "degrees",
                                                   "field of view along the image's shorter side",
                                                   0.0, 180.0),
-                          declare::file("image", "the slide; white, unless given")}},
+                          declare::file("image", "the slide; white, unless given"),
+                          declare::target("power", "W",
+                                          "if given, the luminance of all that a light of "
+                                          "intensity 1 is scaled to emit")}},
           make_projection};
 }
 

@@ -19,9 +19,44 @@ float one_minus_cos(const Vec3& unit) {
   return unit.z > 0.F ? sin_squared / (1.F + unit.z) : 1.F - unit.z;
 }
 
-/// A cone of light around +z that fades with the fourth power of the cosine between `falloff_start`
-/// and `cone_angle`. Source: pbrt-v3, section 12.3.1. Emission is sampled in proportion to the
-/// intensity.
+/// How a spot fades with δ: 0 at the edge of the cone, 1 where fading starts, linear in the cosine.
+/// Sources: pbrt-v3, section 12.3.1 (δ⁴); pbrt-v4, section 12.2.1 (3δ² − 2δ³).
+class Falloff {
+ public:
+  explicit Falloff(bool smoothstep) : smoothstep_(smoothstep) {}
+
+  float at(float delta) const {
+    const float squared = delta * delta;
+    return smoothstep_ ? squared * (3.F - 2.F * delta) : squared * squared;
+  }
+  /// ∫ at(δ) dδ from 0 to 1.
+  float integral() const { return smoothstep_ ? 0.5F : 0.2F; }
+  /// ∫ at(δ) dδ from 0 to `delta`, over `integral`.
+  float share(float delta) const {
+    const float cubed = delta * delta * delta;
+    return smoothstep_ ? cubed * (2.F - delta) : cubed * delta * delta;
+  }
+  /// The δ that has this share.
+  float delta_of(float share) const {
+    if (!smoothstep_) return std::pow(share, 0.2F);
+    // Newton's steps from above: the share is convex, so they never fall below the root.
+    double delta = 1.0;
+    for (int i = 0; i < 60; ++i) {
+      const double cubed = delta * delta * delta;
+      const double slope = 6.0 * delta * delta - 4.0 * cubed;
+      const double next = delta - (cubed * (2.0 - delta) - static_cast<double>(share)) / slope;
+      if (!(next < delta && next > 0.0)) break;
+      delta = next;
+    }
+    return static_cast<float>(delta);
+  }
+
+ private:
+  bool smoothstep_;
+};
+
+/// A cone of light around +z that fades between `falloff_start` and `cone_angle`. Emission is
+/// sampled in proportion to the intensity.
 class SpotLight final : public Light {
  public:
   explicit SpotLight(const LightInputs& in)
@@ -29,8 +64,8 @@ class SpotLight final : public Light {
         at_(in.at()),
         edge_(one_minus_cos(in.node().number("cone_angle"))),
         inner_(std::min(one_minus_cos(in.node().number("falloff_start")), edge_)),
-        // ∫ δ⁴ dδ = 1/5 over the fading ring.
-        solid_angle_(2.F * kPi * (inner_ + (edge_ - inner_) / 5.F)) {}
+        fading_(in.node().text("falloff") == "smoothstep"),
+        solid_angle_(2.F * kPi * (inner_ + (edge_ - inner_) * fading_.integral())) {}
 
   bool at_infinity() const override { return false; }
   bool discrete_position() const override { return true; }
@@ -51,7 +86,7 @@ class SpotLight final : public Light {
       away = inner_ * (u.direction.x / chance_inner);
     } else {
       const float v = std::min((u.direction.x - chance_inner) / (1.F - chance_inner), 1.F);
-      away = edge_ - (edge_ - inner_) * std::pow(1.F - v, 0.2F);
+      away = edge_ - (edge_ - inner_) * fading_.delta_of(1.F - v);
     }
     const float sine = std::sqrt(std::max(0.F, away * (2.F - away)));
     const float phi = 2.F * kPi * u.direction.y;
@@ -98,8 +133,7 @@ class SpotLight final : public Light {
       x = chance_inner * (away / inner_);
     } else {
       const float delta = (edge_ - away) / (edge_ - inner_);
-      const float left = (delta * delta) * (delta * delta) * delta;
-      x = chance_inner + (1.F - left) * (1.F - chance_inner);
+      x = chance_inner + (1.F - fading_.share(delta)) * (1.F - chance_inner);
     }
     return EmissionUniforms{fresh.primitive,
                             fresh.position,
@@ -131,14 +165,14 @@ class SpotLight final : public Light {
     const float away = one_minus_cos(local);
     if (!(away < edge_)) return 0.F;
     if (away <= inner_) return 1.F;
-    const float delta = (edge_ - away) / (edge_ - inner_);
-    return (delta * delta) * (delta * delta);
+    return fading_.at((edge_ - away) / (edge_ - inner_));
   }
 
   Spectrum intensity_;
   LightPlacement at_;
-  float edge_;         ///< 1 − cos of the cone's half angle
-  float inner_;        ///< 1 − cos where fading starts
+  float edge_;   ///< 1 − cos of the cone's half angle
+  float inner_;  ///< 1 − cos where fading starts
+  Falloff fading_;
   float solid_angle_;  ///< ∫ falloff dω, local
 };
 
@@ -152,7 +186,9 @@ LightModel spot_light() {
                           declare::number("cone_angle", "30", "from the axis to where it is dark",
                                           "degrees"),
                           declare::number("falloff_start", "25", "from the axis to where it fades",
-                                          "degrees")}},
+                                          "degrees"),
+                          choice_parameter("falloff", {"quartic", "smoothstep"},
+                                           "how it fades with the cosine")}},
           [](const LightInputs& in) -> std::unique_ptr<Light> {
             return std::make_unique<SpotLight>(in);
           }};

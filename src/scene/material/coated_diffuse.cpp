@@ -3,10 +3,10 @@
 namespace ajar {
 namespace {
 
-/// Diffuse base under a glossy coat.
-class CoatedDiffuse final : public Material {
+/// Diffuse base under a glossy coat that follows Schlick's formula.
+class SchlickCoatedDiffuse final : public Material {
  public:
-  explicit CoatedDiffuse(const MaterialInputs& in)
+  explicit SchlickCoatedDiffuse(const MaterialInputs& in)
       : diffuse_(in.slot("diffuse_reflectance")),
         glossy_(in.slot("glossy_reflectance")),
         roughness_(in) {
@@ -28,17 +28,60 @@ class CoatedDiffuse final : public Material {
   RoughnessSlot roughness_;
 };
 
+/// Diffuse base under a smooth or rough coat of a dielectric, with all reflections between them.
+class DielectricCoatedDiffuse final : public Material {
+ public:
+  explicit DielectricCoatedDiffuse(const MaterialInputs& in)
+      : diffuse_(in.slot("diffuse_reflectance")), eta_(in.slot("eta")), roughness_(in) {
+    needs_tangent = !roughness_.isotropic();
+  }
+  void add_lobes(const SurfacePoint& at, const Spectrum& scale, Bsdf& bsdf) const override {
+    const float eta = std::max(index_of_refraction(eta_, at), 1.F);
+    const float u = roughness_.alpha_u(at);
+    const float v = roughness_.alpha_v(at);
+    // Source of the limit: Pharr et al. 2023, section 9.6.2.
+    const bool smooth = std::max(u, v) < 1e-3F;
+    if (smooth) {
+      bsdf.add(SmoothCoat{{eta}}, scale);
+    } else {
+      bsdf.add(RoughCoat{{FacetModel::Ggx, u, v}, {eta}}, scale);
+    }
+    const Coat coat{eta, smooth ? 0.F : std::sqrt(u * v)};
+    bsdf.add(CoatedDiffuse(reflectance(diffuse_, at), coat), scale);
+  }
+  int max_lobes() const override { return 2; }
+
+ private:
+  TextureSlot diffuse_;
+  TextureSlot eta_;
+  RoughnessSlot roughness_;
+};
+
+std::unique_ptr<Material> make_coated_diffuse(const MaterialInputs& in) {
+  if (in.node().text("coat") == "dielectric") return make<DielectricCoatedDiffuse>(in);
+  return make<SchlickCoatedDiffuse>(in);
+}
+
 }  // namespace
 
 MaterialModel coated_diffuse_material() {
   return {{.name = "coated_diffuse",
-           .summary = "diffuse base under a glossy coat (Ashikhmin-Shirley)",
-           .source = "Ashikhmin and Shirley 2000",
+           .summary = "diffuse base under a glossy coat",
+           .source = "Ashikhmin and Shirley 2000; layers as in Pharr et al. 2023, section 14.3, "
+                     "in closed form",
            .parameters = declare::joined(
                {declare::reflectance("diffuse_reflectance", "0.5", "of the base"),
-                declare::reflectance("glossy_reflectance", "0.5", "of the coat, seen from above")},
+                choice_parameter("coat", {"schlick", "dielectric"},
+                                 "a coat that reflects by Schlick's formula, or one of an index "
+                                 "of refraction, with all reflections between coat and base"),
+                declare::only_for("coat", {"schlick"},
+                                  declare::reflectance("glossy_reflectance", "0.5",
+                                                       "of the coat, seen from above")),
+                declare::only_for("coat", {"dielectric"},
+                                  declare::textured_number(
+                                      "eta", "1.5", "index of refraction of the coat", 20.0))},
                roughness_inputs("0.1"))},
-          make<CoatedDiffuse>};
+          make_coated_diffuse};
 }
 
 }  // namespace ajar

@@ -1,30 +1,35 @@
 #include "scene/material/inputs.h"
+#include "scene/material/metal.h"
 
 namespace ajar {
 namespace {
 
-/// Rough conductor; copper unless told otherwise.
+/// Rough or polished conductor; copper unless told otherwise.
 class ConductorSurface final : public Material {
  public:
   explicit ConductorSurface(const MaterialInputs& in)
-      : eta_(in.slot("eta")),
-        k_(in.slot("k")),
+      : metal_(in, "eta", "k", "reflectance"),
         roughness_(in),
         model_(in.node().text("distribution") == "beckmann" ? FacetModel::Beckmann
-                                                            : FacetModel::Ggx) {
-    needs_tangent = !roughness_.isotropic();
+                                                            : FacetModel::Ggx),
+        smooth_(in.node().text("distribution") == "smooth") {
+    needs_tangent = !smooth_ && !roughness_.isotropic();
   }
   void add_lobes(const SurfacePoint& at, const Spectrum& scale, Bsdf& bsdf) const override {
-    bsdf.add(Conductor{roughness_.facets(model_, at), ConductorFresnel(eta_.eval(at), k_.eval(at))},
-             scale);
+    const ConductorFresnel fresnel(metal_.eta(at), metal_.k(at));
+    if (smooth_) {
+      bsdf.add(SmoothConductor{fresnel}, scale);
+    } else {
+      bsdf.add(Conductor{roughness_.facets(model_, at), fresnel}, scale);
+    }
   }
   int max_lobes() const override { return 1; }
 
  private:
-  TextureSlot eta_;
-  TextureSlot k_;
+  MetalSlots metal_;
   RoughnessSlot roughness_;
   FacetModel model_;
+  bool smooth_;
 };
 
 }  // namespace
@@ -34,12 +39,10 @@ MaterialModel conductor_material() {
            .summary = "rough conductor with a measured or given index of refraction",
            .source = "Walter et al. 2007",
            .parameters = declare::joined(
-               {declare::textured_color("eta", "0.200982586 0.923764288 1.10221601",
-                                        "index of refraction; copper's, unless given"),
-                declare::textured_color("k", "3.91325855 2.45303726 2.14209414",
-                                        "extinction coefficient; copper's, unless given"),
-                choice_parameter("distribution", {"ggx", "beckmann"},
-                                 "distribution of the facets' normals")},
+               declare::joined(metal_inputs("eta", "k", "reflectance"),
+                               {choice_parameter("distribution", {"ggx", "beckmann", "smooth"},
+                                                 "distribution of the facets' normals; a smooth "
+                                                 "metal has none, and no roughness")}),
                roughness_inputs("0.01"))},
           make<ConductorSurface>};
 }

@@ -12,9 +12,14 @@ constexpr WarningKind kForwardMix{
 
 ParameterSpec roughness_scale() {
   return choice_parameter(
-      "roughness_scale", {"alpha", "log"},
-      "what roughness is: the facets' alpha, or a number from 0 to 1 that alpha "
-      "follows by its logarithm");
+      "roughness_scale", {"alpha", "log", "square"},
+      "what roughness is: the facets' alpha, a number from 0 to 1 that alpha follows by its "
+      "logarithm, or alpha's square");
+}
+
+RoughnessScale scale_of(std::string_view name) {
+  if (name == "log") return RoughnessScale::Log;
+  return name == "square" ? RoughnessScale::Square : RoughnessScale::Alpha;
 }
 
 /// Gray for what cannot be found.
@@ -47,6 +52,18 @@ std::vector<ParameterSpec> roughness_inputs(std::string value) {
           roughness_scale()};
 }
 
+float microfacet_alpha(RoughnessScale scale, float roughness) {
+  switch (scale) {
+    case RoughnessScale::Log:
+      return roughness_to_alpha(roughness);
+    case RoughnessScale::Square:
+      return std::sqrt(std::max(roughness, 0.F));
+    case RoughnessScale::Alpha:
+      break;
+  }
+  return roughness;
+}
+
 const Material& MaterialInputs::material(std::string_view name) const {
   const auto* reference = std::get_if<desc::MaterialRef>(&node().get(name));
   const int id = reference == nullptr ? desc::kNone : reference->id;
@@ -58,10 +75,14 @@ const Material& MaterialInputs::material(std::string_view name) const {
 }
 
 RoughnessSlot::RoughnessSlot(const MaterialInputs& inputs)
-    : remap_(inputs.node().text("roughness_scale") == "log") {
+    : RoughnessSlot(inputs, "roughness", "roughness_v") {}
+
+RoughnessSlot::RoughnessSlot(const MaterialInputs& inputs, std::string_view name_u,
+                             std::string_view name_v)
+    : scale_(scale_of(inputs.node().text("roughness_scale"))) {
   const desc::Node& node = inputs.node();
-  const desc::Value& u = node.get("roughness");
-  const desc::Value* v = node.has("roughness_v") ? &node.get("roughness_v") : &u;
+  const desc::Value& u = node.get(name_u);
+  const desc::Value* v = node.has(name_v) ? &node.get(name_v) : &u;
   if (std::holds_alternative<std::monostate>(*v)) v = &u;
   u_ = inputs.slot_of(u);
   v_ = inputs.slot_of(*v);

@@ -59,29 +59,38 @@ inline float index_of_refraction(const TextureSlot& slot, const SurfacePoint& at
 /// narrows to nothing, must be treated as smooth.
 inline bool index_matched(float eta) { return std::abs(eta - 1.F) < 1e-3F; }
 
+/// What the roughness of a material is: the microfacets' α, pbrt-v3's artist-friendly number, or
+/// α² as pbrt-v4 has it.
+enum class RoughnessScale { Alpha, Log, Square };
+float microfacet_alpha(RoughnessScale scale, float roughness);
+
 /// Roughness along u and v, as microfacet α. Constant textures are converted only once.
 class RoughnessSlot {
  public:
   /// Reads the parameters of `roughness_inputs`, or of `isotropic_roughness_inputs` if the material
   /// has those.
   explicit RoughnessSlot(const MaterialInputs& inputs);
+  /// Of a layer with parameters of its own names; "roughness_scale" is common to all.
+  RoughnessSlot(const MaterialInputs& inputs, std::string_view name_u, std::string_view name_v);
   bool isotropic() const { return isotropic_; }
   /// True if it is the constant zero.
   bool is_smooth() const { return smooth_; }
   Microfacets facets(FacetModel model, const SurfacePoint& at) const {
-    const float u = evaluate(u_, at);
-    return {model, u, isotropic_ ? u : evaluate(v_, at)};
+    const float u = alpha_u(at);
+    return {model, u, isotropic_ ? u : alpha_v(at)};
   }
+  float alpha_u(const SurfacePoint& at) const { return evaluate(u_, at); }
+  float alpha_v(const SurfacePoint& at) const { return evaluate(v_, at); }
 
  private:
-  float alpha(float roughness) const { return remap_ ? roughness_to_alpha(roughness) : roughness; }
+  float alpha(float roughness) const { return microfacet_alpha(scale_, roughness); }
   float evaluate(const TextureSlot& slot, const SurfacePoint& at) const {
     return slot.is_constant() ? slot.eval_float(at) : alpha(slot.eval_float(at));
   }
 
   TextureSlot u_;
   TextureSlot v_;
-  bool remap_;
+  RoughnessScale scale_;
   bool smooth_;
   bool isotropic_;
 };

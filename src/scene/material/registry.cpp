@@ -4,6 +4,7 @@ namespace ajar {
 
 // Each is defined in the file of its name. A list by hand, because a linker leaves out what a
 // library registers by itself.
+MaterialModel coated_conductor_material();
 MaterialModel coated_diffuse_material();
 MaterialModel composite_material();
 MaterialModel conductor_material();
@@ -18,10 +19,10 @@ MaterialModel translucent_material();
 
 const std::vector<MaterialModel>& material_models() {
   static const std::vector<MaterialModel> kModels{
-      coated_diffuse_material(), composite_material(),  conductor_material(),
-      dielectric_material(),     diffuse_material(),    interface_material(),
-      mirror_material(),         mix_material(),        plastic_material(),
-      principled_material(),     translucent_material()};
+      coated_conductor_material(), coated_diffuse_material(), composite_material(),
+      conductor_material(),        dielectric_material(),     diffuse_material(),
+      interface_material(),        mirror_material(),         mix_material(),
+      plastic_material(),          principled_material(),     translucent_material()};
   return kModels;
 }
 

@@ -17,26 +17,32 @@ float srgb_to_linear(float v) {
 }
 
 /// Linear values of all codes of an unsigned integer type.
-template <typename T>
-const float* decoding_table(bool srgb) {
+using DecodingTable = std::shared_ptr<const std::vector<float>>;
+template <typename T, typename ToLinear>
+DecodingTable make_table(const ToLinear& to_linear) {
   constexpr std::size_t kCodes = std::size_t{1} << (8 * sizeof(T));
-  static const auto tables = [] {
-    std::array<std::vector<float>, 2> made;
-    for (std::size_t i = 0; i < kCodes; ++i) {
-      const float v = static_cast<float>(i) / static_cast<float>(kCodes - 1);
-      made[0].push_back(v);
-      made[1].push_back(srgb_to_linear(v));
-    }
-    return made;
-  }();
-  return tables[srgb ? 1 : 0].data();
+  std::vector<float> values;
+  values.reserve(kCodes);
+  for (std::size_t i = 0; i < kCodes; ++i) {
+    values.push_back(to_linear(static_cast<float>(i) / static_cast<float>(kCodes - 1)));
+  }
+  return std::make_shared<const std::vector<float>>(std::move(values));
+}
+template <typename T>
+DecodingTable decoding_table(const desc::Node& node) {
+  if (const float* gamma = std::get_if<float>(&node.get("decoding_exponent"))) {
+    return make_table<T>([=](float v) { return std::pow(v, *gamma); });
+  }
+  static const DecodingTable kLinear = make_table<T>([](float v) { return v; });
+  static const DecodingTable kSrgb = make_table<T>(srgb_to_linear);
+  return node.flag("decode_srgb") ? kSrgb : kLinear;
 }
 
 float sane(float v) { return std::isfinite(v) ? v : 0.F; }
 
 template <typename T>
 struct Decoder {
-  explicit Decoder(bool /*srgb*/) {}
+  explicit Decoder(const desc::Node& /*node*/) {}
   float operator()(T v) const { return sane(static_cast<float>(v)); }
   float gray(T r, T g, T b) const {
     return luminance(Spectrum((*this)(r), (*this)(g), (*this)(b)));
@@ -45,7 +51,7 @@ struct Decoder {
 
 template <std::unsigned_integral T>
 struct Decoder<T> {
-  explicit Decoder(bool srgb) : table(decoding_table<T>(srgb)) {}
+  explicit Decoder(const desc::Node& node) : owner(decoding_table<T>(node)), table(owner->data()) {}
   float operator()(T v) const { return table[v]; }
   /// pbrt takes the luminance of the encoded colour and decodes that.
   float gray(T r, T g, T b) const {
@@ -53,6 +59,7 @@ struct Decoder<T> {
     return table[static_cast<std::size_t>(
         std::min(y + 0.5F, static_cast<float>(std::numeric_limits<T>::max())))];
   }
+  DecodingTable owner;
   const float* table;
 };
 
@@ -73,7 +80,8 @@ class ImageTexture final : public Texture {
         scale_(node.number("scale")),
         image_(std::move(image)),
         texels_(std::get<std::vector<T>>(image_->texels).data()),
-        decode_(node.flag("decode_srgb")) {}
+        decode_(node),
+        invert_(node.flag("invert")) {}
 
   Spectrum eval(const SurfacePoint& at) const override {
     if (image_->channels == 1) return Spectrum(eval_float(at));
@@ -123,7 +131,7 @@ class ImageTexture final : public Texture {
     const Vec2 st = mapping_.map(at);
     const float x = st.x * static_cast<float>(image_->width);
     const float y = st.y * static_cast<float>(image_->height);
-    if (nearest_) return texel<Value>(floor_to_int(x), floor_to_int(y), decode) * scale_;
+    if (nearest_) return finished(texel<Value>(floor_to_int(x), floor_to_int(y), decode));
     const int x0 = floor_to_int(x - 0.5F);
     const int y0 = floor_to_int(y - 0.5F);
     const float dx = std::clamp(x - 0.5F - static_cast<float>(x0), 0.F, 1.F);
@@ -132,7 +140,15 @@ class ImageTexture final : public Texture {
         texel<Value>(x0, y0, decode) * (1.F - dx) + texel<Value>(x0 + 1, y0, decode) * dx;
     const Value high =
         texel<Value>(x0, y0 + 1, decode) * (1.F - dx) + texel<Value>(x0 + 1, y0 + 1, decode) * dx;
-    return (low * (1.F - dy) + high * dy) * scale_;
+    return finished(low * (1.F - dy) + high * dy);
+  }
+
+  float finished(float value) const {
+    return invert_ ? std::max(1.F - value * scale_, 0.F) : value * scale_;
+  }
+  Spectrum finished(const Spectrum& value) const {
+    if (!invert_) return value * scale_;
+    return map_lanes(value, [this](float lane) { return finished(lane); });
   }
 
   TextureMapping mapping_;
@@ -142,6 +158,7 @@ class ImageTexture final : public Texture {
   std::shared_ptr<const TexelImage> image_;
   const T* texels_;
   Decoder<T> decode_;
+  bool invert_;
 };
 
 std::unique_ptr<const Texture> make_image_texture(const TextureInputs& in) {
@@ -160,6 +177,10 @@ TextureModel image_texture() {
   ParameterSpec decode = declare::flag(
       "decode_srgb", "whether integers are sRGB-coded; files of floats are linear in any case");
   decode.default_value = "true";
+  ParameterSpec gamma =
+      declare::number("decoding_exponent", "",
+                      "exponent that decodes integers; without it, they are as decode_srgb says");
+  gamma.minimum = 0.0;
   return {{.name = "image",
            .summary = "an image file",
            .source = "",
@@ -169,7 +190,9 @@ TextureModel image_texture() {
                                  "what is taken of it; alpha is 1 if it has none"),
                 choice_parameter("wrap", {"repeat", "black", "clamp"},
                                  "what is beyond the edge of the image"),
-                std::move(decode), declare::number("scale", "1", "factor of all values"),
+                std::move(decode), std::move(gamma),
+                declare::number("scale", "1", "factor of all values"),
+                declare::flag("invert", "1 − value, after the scale; never below 0"),
                 choice_parameter("filter", {"bilinear", "nearest"}, "between texels")},
                mapping_parameters())},
           make_image_texture};

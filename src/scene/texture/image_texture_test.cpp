@@ -111,6 +111,29 @@ TEST_F(ImageTextureTest, IntegersAreDecodedAndFloatsAreNot) {
   EXPECT_EQ(linear[1], 7.F);
 }
 
+TEST_F(ImageTextureTest, IntegersMayBeDecodedByAnExponent) {
+  desc::Node node = desc::texture_node("image");
+  node.set("decoding_exponent", 2.F);
+  node.set("file", write<std::uint8_t>("g.png", 1, 1, 3, {51, 255, 0}));
+  const Spectrum eight = make(node)->eval(at_uv(0.5F, 0.5F));
+  EXPECT_NEAR(eight[0], 0.04F, 1e-6F);
+  EXPECT_EQ(eight[1], 1.F);
+  node.set("file", write<float>("g.exr", 1, 1, 3, {0.5F, 7.F, 0.25F}));
+  EXPECT_EQ(make(node)->eval(at_uv(0.5F, 0.5F))[0], 0.5F);
+}
+
+TEST_F(ImageTextureTest, InvertedOnesAreOneMinusTheScaledValue) {
+  desc::Node node = desc::texture_node("image");
+  node.set("decode_srgb", false);
+  node.set("invert", true);
+  node.set("scale", 2.F);
+  node.set("file", write<std::uint8_t>("i.png", 1, 1, 3, {51, 255, 0}));
+  const Spectrum inverted = make(node)->eval(at_uv(0.5F, 0.5F));
+  EXPECT_NEAR(inverted[0], 0.6F, 1e-6F);
+  EXPECT_EQ(inverted[1], 0.F);
+  EXPECT_EQ(inverted[2], 1.F);
+}
+
 TEST_F(ImageTextureTest, GrayImagesAreGrayAndAlphaIsIgnored) {
   desc::Node node = desc::texture_node("image");
   node.set("decode_srgb", false);

@@ -1,0 +1,191 @@
+// Directives, films, cameras and shapes of pbrt-v4.
+#include "import/pbrt/v4_test_support.h"
+
+namespace ajar {
+namespace {
+
+desc::SceneDesc with_options(const std::string& options) {
+  Warnings warnings;
+  desc::SceneDesc scene =
+      import_with(options + " WorldBegin Material \"diffuse\" Shape \"sphere\"", warnings);
+  for (const std::string& message : warnings.messages()) ADD_FAILURE() << message;
+  return scene;
+}
+
+TEST(Pbrt4Film, HasTheDefaultsOfPbrt) {
+  const desc::SceneDesc s = with_options("Camera \"perspective\"");
+  EXPECT_EQ(s.film.resolution, Vec2i(1280, 720));
+  EXPECT_EQ(s.film.scale, 1.F);
+  ASSERT_TRUE(std::holds_alternative<desc::GaussianFilter>(s.film.filter.node));
+  EXPECT_EQ(std::get<desc::GaussianFilter>(s.film.filter.node).falloff, 2.F);
+  EXPECT_EQ(s.film.filter.radius, Vec2(1.5F));
+}
+
+TEST(Pbrt4Film, ExposureIsIsoTimesTime) {
+  const auto scale = [](const std::string& options) { return with_options(options).film.scale; };
+  EXPECT_FLOAT_EQ(scale("Film \"rgb\" \"float iso\" 400 Camera \"perspective\""), 4.F);
+  EXPECT_FLOAT_EQ(scale("Film \"rgb\" Camera \"perspective\" \"float shutterclose\" 0.25"), 0.25F);
+  EXPECT_FLOAT_EQ(scale("Camera \"perspective\" \"float shutteropen\" 1 \"float shutterclose\" 3 "
+                        "Film \"rgb\" \"float iso\" 50"),
+                  1.F);
+  EXPECT_TRUE(contains(error_of("Film \"rgb\" Camera \"perspective\" \"float shutterclose\" 0"),
+                       "the shutter closes before it opens"));
+}
+
+TEST(Pbrt4Film, PixelBoundsAreACropWindow) {
+  const desc::SceneDesc s = with_options(
+      "Film \"rgb\" \"integer xresolution\" 200 \"integer yresolution\" 100 \"integer "
+      "pixelbounds\" [50 100 25 75] Camera \"perspective\"");
+  EXPECT_EQ(s.film.crop[0], 0.25F);
+  EXPECT_EQ(s.film.crop[1], 0.5F);
+  EXPECT_EQ(s.film.crop[2], 0.25F);
+  EXPECT_EQ(s.film.crop[3], 0.75F);
+}
+
+TEST(Pbrt4Film, FiltersHaveRadiiAndSigma) {
+  const desc::SceneDesc s = with_options(
+      "PixelFilter \"gaussian\" \"float xradius\" 3 \"float sigma\" 1 Camera \"perspective\"");
+  EXPECT_EQ(s.film.filter.radius, Vec2(3.F, 1.5F));
+  EXPECT_EQ(std::get<desc::GaussianFilter>(s.film.filter.node).falloff, 0.5F);
+}
+
+TEST(Pbrt4Options, OfPbrtAreAccepted) {
+  const desc::SceneDesc s = with_options(
+      "Option \"integer seed\" 3 Option \"bool disablepixeljitter\" true Film \"rgb\" "
+      "Sampler \"zsobol\" \"integer pixelsamples\" 8 Integrator \"volpath\" \"integer maxdepth\" 7 "
+      "Camera \"spherical\" \"string mapping\" \"equirectangular\" "
+      "ColorSpace \"srgb\" Accelerator \"bvh\"");
+  EXPECT_EQ(s.hints.samples_per_pixel, 8);
+  EXPECT_EQ(s.hints.max_depth, 8);
+  EXPECT_EQ(s.hints.integrator, "pt");
+  EXPECT_TRUE(std::holds_alternative<desc::EnvironmentCamera>(s.camera.node));
+  EXPECT_TRUE(contains(warnings_of("Option \"integer sead\" 3 Film \"rgb\" Camera \"perspective\" "
+                                   "WorldBegin Shape \"sphere\""),
+                       "test.pbrt:1:8: unknown option \"sead\"; did you mean \"seed\"?"));
+}
+
+TEST(Pbrt4Directives, NeedNoWorldEnd) { EXPECT_EQ(v4_warnings(""), ""); }
+
+TEST(Pbrt4Directives, UnknownOnesAreSkippedWithTheirPlace) {
+  const std::string told =
+      v4_warnings("Shappe \"disk\" \"float radius\" [ 3 ]\nMaterial \"diffuse\"");
+  EXPECT_TRUE(
+      contains(told, "test.pbrt:2:1: unknown directive \"Shappe\"; did you mean \"Shape\"?"))
+      << told;
+  EXPECT_TRUE(contains(v4_warnings("Shape \"torus\" \"float radius\" 3"),
+                       "test.pbrt:2:1: unknown shape \"torus\""));
+  EXPECT_TRUE(contains(v4_warnings("Shape \"sphere\" \"double radius\" 3"),
+                       "test.pbrt:2:16: unknown parameter type \"double\""));
+}
+
+TEST(Pbrt4Attribute, GivesDefaultsWithinItsBlock) {
+  const desc::SceneDesc s = v4_scene(
+      "Attribute \"shape\" \"float radius\" 5 \"float height\" 2 "
+      "Attribute \"material\" \"float eta\" 1.3 Attribute \"light\" \"float scale\" 7 "
+      "Material \"dielectric\" LightSource \"point\" "
+      "AttributeBegin Attribute \"shape\" \"float radius\" 6 "
+      "Shape \"disk\" Shape \"disk\" \"float radius\" 7 AttributeEnd Shape \"disk\"");
+  EXPECT_EQ(s.shapes[0].node.number("radius"), 6.F);
+  EXPECT_EQ(s.shapes[0].node.number("height"), 2.F);
+  EXPECT_EQ(s.shapes[1].node.number("radius"), 7.F);
+  EXPECT_EQ(s.shapes[2].node.number("radius"), 5.F);
+  EXPECT_EQ(material_node_of(s, s.shapes[0]).number("eta"), 1.3F);
+  EXPECT_EQ(s.lights[0].node.color("intensity"), desc::Rgb(7.F));
+  EXPECT_TRUE(contains(v4_warnings("Attribute \"shapes\" \"float radius\" 5"),
+                       "unknown target of Attribute \"shapes\"; did you mean \"shape\"?"));
+}
+
+TEST(Pbrt4Import, KeepsItsStateToItself) {
+  const std::map<std::string, std::string> files = {
+      {"part.pbrt", "Scale 2 2 2 Material \"dielectric\" Shape \"disk\""}};
+  const desc::SceneDesc s = v4_scene("Import \"part.pbrt\" Shape \"sphere\"", files);
+  EXPECT_TRUE(material_node_of(s, s.shapes[0]).is("dielectric"));
+  EXPECT_EQ(transform_point(s.shapes[0].to_world, Vec3(1.F)), Vec3(2.F));
+  EXPECT_TRUE(material_node_of(s, s.shapes[1]).is("diffuse"));
+  EXPECT_EQ(transform_point(s.shapes[1].to_world, Vec3(1.F)), Vec3(1.F));
+  EXPECT_TRUE(
+      contains(error_of(v4_world("Import \"loop.pbrt\""), {{"loop.pbrt", "Import \"loop.pbrt\""}}),
+               "loop.pbrt:1:1: \"loop.pbrt\" includes itself"));
+  EXPECT_TRUE(
+      contains(error_of(v4_world("AttributeBegin Import \"a.pbrt\""), {{"a.pbrt", "AttributeEnd"}}),
+               "AttributeEnd, but the innermost open block is"));
+}
+
+TEST(PbrtInclude, MayGoOnWithTheParametersOfADirective) {
+  const std::map<std::string, std::string> files = {
+      {"density.pbrt", "\"float density\" [ 1 3 ]\n\"integer ny\" 1"},
+      {"bad.pbrt", "\"float radius\" 2 Shape \"disk\""},
+      {"loop.pbrt", "\"float radius\" 2 Include \"loop.pbrt\""}};
+  Warnings warnings;
+  const desc::SceneDesc s = import_with(
+      world("MakeNamedMedium \"smoke\" \"string type\" \"heterogeneous\" \"integer nx\" 2\n"
+            "Include \"density.pbrt\" \"rgb sigma_a\" [1 1 1]"),
+      warnings, files);
+  EXPECT_EQ(warnings.count(), 1U);
+  EXPECT_EQ(s.media[0].sigma_a, desc::Rgb(2.F));
+  EXPECT_TRUE(contains(error_of(world("Shape \"sphere\" Include \"bad.pbrt\""), files),
+                       "bad.pbrt:1:18: expected parameters only"));
+  EXPECT_TRUE(contains(error_of(world("Shape \"sphere\" Include \"loop.pbrt\""), files),
+                       "includes itself"));
+}
+
+TEST(Pbrt4Shapes, BilinearMeshesAreTriangles) {
+  const auto mesh = [](const std::string& points) {
+    return v4_scene("Shape \"bilinearmesh\" \"point3 P\" [" + points + "]")
+        .shapes.at(0)
+        .node.mesh("mesh");
+  };
+  const desc::MeshPointer flat = mesh("0 0 0 1 0 0 0 1 0 1 1 0");
+  ASSERT_EQ(flat->indices.size(), 2U);
+  // The normal is ∂p/∂u × ∂p/∂v.
+  const auto& t = flat->indices[0];
+  const Vec3 normal = cross(flat->positions[t.y] - flat->positions[t.x],
+                            flat->positions[t.z] - flat->positions[t.x]);
+  EXPECT_GT(normal.z, 0.F);
+  EXPECT_EQ(flat->uvs[3], Vec2(1.F, 1.F));
+  EXPECT_EQ(flat->positions[3], Vec3(1.F, 1.F, 0.F));
+  EXPECT_EQ(mesh("0 0 0 1 0 0 0 1 0 1 1 1")->indices.size(), 128U);
+  EXPECT_TRUE(contains(error_of(v4_world("Shape \"bilinearmesh\" \"point3 P\" [0 0 0 1 0 0 0 1 0 1 "
+                                         "1 0] \"integer indices\" [0 1 2 7]")),
+                       "the index 7 is not one of 4 points"));
+}
+
+TEST(Pbrt4Shapes, PartlyTransparentOnesAreOpaqueWithAWarning) {
+  EXPECT_TRUE(contains(v4_warnings("Shape \"disk\" \"float alpha\" 0.5"),
+                       "test.pbrt:2:14: \"alpha\" between 0 and 1 is not supported: opaque"));
+}
+
+TEST(Pbrt4Media, HaveDefaultsAndPresets) {
+  const auto medium = [](const std::string& parameters) {
+    return v4_scene("MakeNamedMedium \"m\" " + parameters).media.at(0);
+  };
+  EXPECT_EQ(medium("\"string type\" \"homogeneous\"").sigma_a, desc::Rgb(1.F));
+  const desc::Medium coke = medium(
+      "\"string type\" \"homogeneous\" \"string preset\" \"Coke\" \"rgb sigma_a\" [9 9 9] \"float "
+      "scale\" 10");
+  expect_rgb(coke.sigma_a, {1.0014F, 1.6503F, 2.468F}, 1e-4F);
+  EXPECT_TRUE(contains(v4_warnings("MakeNamedMedium \"m\" \"string type\" \"nanovdb\" \"string "
+                                   "filename\" \"a.nvdb\""),
+                       "test.pbrt:2:1: nanovdb media are not supported"));
+  const desc::SceneDesc grid = v4_scene_with_warnings(
+      "MakeNamedMedium \"m\" \"string type\" \"uniformgrid\" \"integer nx\" 2 \"float density\" [1 "
+      "3] \"rgb sigma_s\" [1 2 3]");
+  EXPECT_EQ(grid.media[0].sigma_s, desc::Rgb(2.F, 4.F, 6.F));
+  const desc::SceneDesc colors = v4_scene_with_warnings(
+      "MakeNamedMedium \"m\" \"string type\" \"rgbgrid\" \"integer nx\" 2 \"rgb sigma_a\" [1 2 3 3 "
+      "4 5]");
+  EXPECT_EQ(colors.media[0].sigma_a, desc::Rgb(2.F, 3.F, 4.F));
+}
+
+TEST(Pbrt4Media, TheCamerasIsThatOutsideWhereItIsMade) {
+  Warnings warnings;
+  const desc::SceneDesc s = import_with(
+      "MakeNamedMedium \"fog\" \"string type\" \"homogeneous\" MediumInterface \"\" \"fog\" "
+      "Camera \"perspective\" MediumInterface \"\" \"\" Film \"rgb\" WorldBegin Shape \"sphere\"",
+      warnings);
+  EXPECT_EQ(s.camera.medium, 0);
+  EXPECT_EQ(s.shapes[0].outside, desc::kNone);
+}
+
+}  // namespace
+}  // namespace ajar

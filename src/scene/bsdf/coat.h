@@ -1,0 +1,170 @@
+#pragma once
+#include "scene/bsdf/fresnel_mirror.h"
+#include "scene/bsdf/microfacet_reflection.h"
+
+/// Transparent coats of a dielectric, on whatever is below: both sides of the surface are coated
+/// alike. A coat reflects part of the light and lets the rest through, twice for what the base
+/// scatters; `coat_transmittance` is that share, so that coat and base together never reflect more
+/// than comes in.
+namespace ajar {
+
+/// What is inside of a coat, seen from outside: `eta` ≥ 1 from either side.
+struct CoatFresnel {
+  float eta = 1.5F;
+  Spectrum operator()(float cos_i, bool /*front*/) const {
+    return Spectrum(fresnel_dielectric(cos_i, eta).reflectance);
+  }
+};
+
+using RoughCoat = MicrofacetReflection<CoatFresnel>;
+using SmoothCoat = FresnelMirror<CoatFresnel>;
+
+/// A coat as its base sees it. `alpha` is the roughness of its facets; 0 for a smooth one.
+struct Coat {
+  float eta = 1.5F;
+  float alpha = 0.F;
+
+  /// 1 − the directional albedo of the coat's own reflection, for the cosine of a direction
+  /// outside: Fresnel's term of a smooth coat, tabulated for rough ones (GGX, isotropic).
+  float transmittance(float cosine) const;
+  /// Mean of `transmittance` over a hemisphere, weighted by the cosine.
+  float mean_transmittance() const;
+
+  /// Direction inside of the coat that `w` is refracted from, on the same side of the surface.
+  Vec3 inside(const Vec3& w) const {
+    const float x = w.x / eta;
+    const float y = w.y / eta;
+    return {x, y, std::copysign(std::sqrt(std::max(0.F, 1.F - x * x - y * y)), w.z)};
+  }
+  /// dω inside / dω outside: cos θ / (η² cos θ').
+  float solid_angle_ratio(const Vec3& outer, const Vec3& inner) const {
+    return std::abs(outer.z / inner.z) / (eta * eta);
+  }
+};
+
+/// Diffuse base under a coat, all reflections between the two included: T(θ_o) T(θ_i) r /
+/// (π η² (1 − r F)), where F is what the coat reflects of diffuse light from inside. A white base
+/// gives all back that the coat lets through. Source: Wolff 1994, "Diffuse-reflectance model for
+/// smooth dielectric surfaces"; T of rough coats as above.
+struct CoatedDiffuse {
+  static constexpr bool kSpecular = false;
+  PackedSpectrum base;  ///< r / (η² (1 − r F))
+  Coat coat;
+
+  CoatedDiffuse() = default;
+  CoatedDiffuse(const Spectrum& reflectance, const Coat& above);
+
+  LobeValue evaluate(const Vec3& wo, const Vec3& wi, bool transmission, TransportMode) const {
+    if (transmission) return {};
+    const float through = coat.transmittance(std::abs(wo.z)) * coat.transmittance(std::abs(wi.z));
+    return {base.unpack() * (through * cosine_pdf(wi)), cosine_pdf(wi), cosine_pdf(wo)};
+  }
+  std::optional<LobeSample> sample(const Vec3& wo, const BsdfUniforms& u, const Vec3& ng,
+                                   TransportMode mode) const {
+    const Vec3 wi = cosine_around(u.direction, ng);
+    const LobeValue v = evaluate(wo, wi, false, mode);
+    if (!(v.pdf > 0.F)) return std::nullopt;
+    return LobeSample{wi, v.value / v.pdf, v.pdf, v.reverse_pdf};
+  }
+  LobeInverse inverse(const Vec3&, const Vec3& wi, float, const Vec3& ng) const {
+    return cosine_inverse(wi, ng);
+  }
+  bool is_diffuse(const Vec3&, float) const { return true; }
+  Spectrum albedo(const Vec3& wo) const {
+    return base.unpack() * (coat.transmittance(std::abs(wo.z)) * coat.mean_transmittance());
+  }
+};
+
+/// Reflectance of a metal under a coat, all reflections between the two included if both are
+/// smooth: T(θ_o) T(θ_i) R / (1 − R F), with R the metal's term inside of the coat, and F the
+/// smaller of what the coat reflects of the two directions, so that no energy is gained.
+inline Spectrum coated_reflectance(const Spectrum& metal, float through_o, float through_i) {
+  const float reflected = 1.F - std::max(through_o, through_i);
+  return map_lanes(metal, [=](float r) {
+    return through_o * through_i * r / std::max(1.F - r * reflected, 1e-6F);
+  });
+}
+
+/// Rough metal under a coat: light is refracted, reflected off the metal's facets and refracted
+/// again. What leaves the metal at an angle at which the coat reflects all of it is lost.
+struct CoatedConductor {
+  static constexpr bool kSpecular = false;
+  Microfacets facets;        ///< of the metal, with the blur of a rough coat
+  ConductorFresnel fresnel;  ///< of the metal relative to the coat
+  Coat coat;
+
+  LobeValue evaluate(const Vec3& wo, const Vec3& wi, bool transmission, TransportMode) const {
+    if (transmission || !same_hemisphere(wo, wi)) return {};
+    const Vec3 o = coat.inside(wo);
+    const Vec3 i = coat.inside(wi);
+    const HalfVector half = half_vector(o, i);
+    const float density = 0.25F * facets.density(half.h);
+    const float area_o = facets.projected_area(o);
+    const float area_i = facets.projected_area(i);
+    const float cos_o = std::abs(o.z);
+    const float cos_i = std::abs(i.z);
+    const float shadowing = facets.shadowing_over_cosines(cos_o, area_o, cos_i, area_i);
+    const float ratio = coat.solid_angle_ratio(wi, i);
+    return {weight(wo, wi, half.cosine) * (density * shadowing * cos_i * ratio),
+            density / area_o * ratio, density / area_i * coat.solid_angle_ratio(wo, o)};
+  }
+
+  std::optional<LobeSample> sample(const Vec3& wo, const BsdfUniforms& u, const Vec3&,
+                                   TransportMode) const {
+    const bool front = wo.z > 0.F;
+    const Vec3 outer_o = front ? wo : -wo;
+    const Vec3 o = coat.inside(outer_o);
+    const Vec3 h = facets.sample_visible(o, u.direction);
+    const float cos_h = dot(o, h);
+    const Vec3 i = h * (2.F * cos_h) - o;
+    const float x = i.x * coat.eta;
+    const float y = i.y * coat.eta;
+    const float squared = 1.F - x * x - y * y;
+    if (!(i.z > 0.F && cos_h > 0.F && squared > kGrazing * kGrazing)) return std::nullopt;
+    const Vec3 outer_i(x, y, std::sqrt(squared));
+    const float area_o = facets.projected_area(o);
+    const float area_i = facets.projected_area(i);
+    const float density = 0.25F * facets.density(h);
+    if (!(density > 0.F)) return std::nullopt;
+    // D and the solid angles cancel.
+    const float shadowing = facets.shadowing_over_cosines(o.z, area_o, i.z, area_i);
+    return LobeSample{front ? outer_i : -outer_i,
+                      weight(outer_o, outer_i, std::min(1.F, cos_h)) * (shadowing * area_o * i.z),
+                      density / area_o * coat.solid_angle_ratio(outer_i, i),
+                      density / area_i * coat.solid_angle_ratio(outer_o, o)};
+  }
+
+  LobeInverse inverse(const Vec3& wo, const Vec3& wi, float, const Vec3&) const {
+    if (!same_hemisphere(wo, wi)) return {};
+    const Vec3 i = coat.inside(wi);
+    LobeInverse result = mirror_inverse(facets, coat.inside(wo), i);
+    result.pdf *= coat.solid_angle_ratio(wi, i);
+    return result;
+  }
+
+  Spectrum albedo(const Vec3& wo) const {
+    return weight(wo, wo, 0.95F * std::abs(coat.inside(wo).z));
+  }
+
+ private:
+  Spectrum weight(const Vec3& wo, const Vec3& wi, float cos_h) const {
+    return coated_reflectance(fresnel(cos_h, true), coat.transmittance(std::abs(wo.z)),
+                              coat.transmittance(std::abs(wi.z)));
+  }
+};
+
+/// Both layers smooth: one mirror of what the coat and the metal below it reflect.
+struct CoatedConductorFresnel {
+  ConductorFresnel metal;  ///< relative to the coat
+  float eta = 1.5F;        ///< of the coat
+
+  Spectrum operator()(float cos_i, bool /*front*/) const {
+    const DielectricBoundary boundary = fresnel_dielectric(cos_i, eta);
+    const float through = 1.F - boundary.reflectance;
+    return Spectrum(boundary.reflectance) +
+           coated_reflectance(metal(boundary.cos_t, true), through, through);
+  }
+};
+using SmoothCoatedConductor = FresnelMirror<CoatedConductorFresnel>;
+
+}  // namespace ajar

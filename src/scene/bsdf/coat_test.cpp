@@ -1,0 +1,102 @@
+#include "scene/bsdf/coat.h"
+
+#include <gtest/gtest.h>
+
+#include "scene/bsdf/bsdf_catalogue.h"
+
+namespace ajar {
+namespace {
+
+using testing::direction;
+
+TEST(Coat, MeanTransmittanceIsThatOfFresnel) {
+  for (const float eta : {1.2F, 1.5F, 2.4F}) {
+    const Coat coat{eta, 0.F};
+    double sum = 0.0;
+    constexpr int kSteps = 20000;
+    for (int i = 0; i < kSteps; ++i) {
+      const float cosine = (static_cast<float>(i) + 0.5F) / kSteps;
+      sum += static_cast<double>(2.F * cosine * coat.transmittance(cosine)) / kSteps;
+    }
+    EXPECT_NEAR(coat.mean_transmittance(), sum, 1e-4) << eta;
+  }
+  // Glass reflects 9.2 % of diffuse light.
+  EXPECT_NEAR((Coat{1.5F, 0.F}).mean_transmittance(), 0.908F, 1e-3F);
+}
+
+TEST(Coat, OfHardlyAnyRoughnessIsLikeASmoothOne) {
+  for (const float cosine : {0.2F, 0.5F, 0.9F}) {
+    EXPECT_NEAR((Coat{1.5F, 1e-3F}).transmittance(cosine), (Coat{1.5F, 0.F}).transmittance(cosine),
+                5e-3F);
+  }
+}
+
+TEST(CoatedDiffuse, WithoutACoatIsLambert) {
+  const CoatedDiffuse lobe(Spectrum(0.7F), {1.F, 0.F});
+  const Vec3 wo = direction(40.F, 10.F);
+  const Vec3 wi = direction(60.F, 200.F);
+  const LobeValue v = lobe.evaluate(wo, wi, false, TransportMode::Radiance);
+  EXPECT_NEAR(v.value[0], 0.7F * wi.z * kInvPi, 1e-5F);
+}
+
+TEST(CoatedDiffuse, MatchesTheSeriesOfReflections) {
+  // Through the coat, r, and again after each reflection inside: T T r (1 + r F + r² F² + …) / η².
+  const float eta = 1.5F;
+  const float r = 0.6F;
+  const Coat coat{eta, 0.F};
+  const double inside = 1.0 - static_cast<double>(coat.mean_transmittance()) / (1.5 * 1.5);
+  double series = 0.0;
+  for (int i = 0; i < 100; ++i) series += std::pow(0.6 * inside, i);
+  const Vec3 wo = direction(30.F, 0.F);
+  const Vec3 wi = direction(70.F, 90.F);
+  const double expected = (1 - fresnel_dielectric(wo.z, eta).reflectance) *
+                          (1 - fresnel_dielectric(wi.z, eta).reflectance) * 0.6 * series /
+                          (M_PI * 1.5 * 1.5) * static_cast<double>(wi.z);
+  const LobeValue v =
+      CoatedDiffuse(Spectrum(r), coat).evaluate(wo, wi, false, TransportMode::Radiance);
+  EXPECT_NEAR(v.value[0], expected, 1e-5);
+}
+
+TEST(CoatedDiffuse, WhiteOnesGiveBackAllThatTheCoatLetsThrough) {
+  for (const float alpha : {0.F, 0.3F}) {
+    const Coat coat{1.5F, alpha};
+    const CoatedDiffuse lobe(Spectrum(1.F), coat);
+    for (const float theta : {5.F, 45.F, 80.F}) {
+      const Vec3 wo = direction(theta, 0.F);
+      EXPECT_NEAR(lobe.albedo(wo)[0], coat.transmittance(wo.z), 2e-3F) << alpha << " " << theta;
+    }
+  }
+}
+
+TEST(CoatedConductor, SmoothLayersReflectAsPlanesDo) {
+  // F + T R T + T R F R T + … = F + T² R / (1 − R F).
+  const ConductorFresnel metal(Spectrum(0.2F), Spectrum(2.F));
+  const CoatedConductorFresnel both{metal, 1.5F};
+  const float cosine = 0.6F;
+  const DielectricBoundary boundary = fresnel_dielectric(cosine, 1.5F);
+  const float f = boundary.reflectance;
+  const float r = metal(boundary.cos_t, true)[0];
+  float series = f;
+  float inside = (1.F - f) * r;
+  for (int i = 0; i < 50; ++i) {
+    series += inside * (1.F - f);
+    inside *= f * r;
+  }
+  EXPECT_NEAR(both(cosine, true)[0], series, 1e-5F);
+}
+
+TEST(CoatedConductor, IsTheMetalWithoutACoat) {
+  const Microfacets facets(FacetModel::Ggx, 0.3F, 0.3F);
+  const ConductorFresnel gold({0.143F, 0.375F, 1.442F}, {3.983F, 2.386F, 1.603F});
+  const Vec3 wo = direction(30.F, 0.F);
+  const Vec3 wi = direction(50.F, 170.F);
+  const LobeValue bare = Conductor{facets, gold}.evaluate(wo, wi, false, TransportMode::Radiance);
+  const LobeValue coated =
+      CoatedConductor{facets, gold, {1.F, 0.F}}.evaluate(wo, wi, false, TransportMode::Radiance);
+  EXPECT_NEAR(coated.value[0], bare.value[0], 1e-4F * bare.value[0]);
+  EXPECT_NEAR(coated.pdf, bare.pdf, 1e-4F * bare.pdf);
+  EXPECT_NEAR(coated.reverse_pdf, bare.reverse_pdf, 1e-4F * bare.reverse_pdf);
+}
+
+}  // namespace
+}  // namespace ajar
