@@ -14,7 +14,7 @@ foreach(room IN LISTS rooms)
 endforeach()
 add_library(ajar_library STATIC ${objects})
 # What the objects need beside themselves, which users of the library must have, too: cmake/ajar-config.cmake.in.
-target_link_libraries(ajar_library PRIVATE Imath::Imath embree TBB::tbb OpenImageIO::OpenImageIO fmt::fmt ZLIB::ZLIB
+target_link_libraries(ajar_library PRIVATE Imath::Imath embree TBB::tbb ${AJAR_IMAGE_LIBRARIES} fmt::fmt ZLIB::ZLIB
   pugixml::pugixml tinyobjloader::tinyobjloader)
 target_compile_features(ajar_library INTERFACE cxx_std_20)
 set_target_properties(ajar_library PROPERTIES OUTPUT_NAME ajar EXPORT_NAME ajar LINKER_LANGUAGE CXX)
@@ -29,8 +29,3 @@ install(EXPORT ajar-targets NAMESPACE ajar:: DESTINATION ${package_folder} COMPO
 install(DIRECTORY include/ajar DESTINATION include COMPONENT library FILES_MATCHING PATTERN "*.h")
 install(FILES ${CMAKE_BINARY_DIR}/generated/ajar-config.cmake ${CMAKE_BINARY_DIR}/generated/ajar-config-version.cmake
   DESTINATION ${package_folder} COMPONENT library)
-
-# The example as its reader builds it: elsewhere, with what is installed alone.
-add_test(NAME package COMMAND ${CMAKE_COMMAND}
-  -D BUILD=${CMAKE_BINARY_DIR} -D EXAMPLE=${CMAKE_SOURCE_DIR}/examples/render -D SOURCE=${CMAKE_SOURCE_DIR}
-  -D COMPILER=${CMAKE_CXX_COMPILER} -D "SANITIZE=${AJAR_SANITIZE}" -P ${CMAKE_SOURCE_DIR}/tests/package/package_test.cmake)

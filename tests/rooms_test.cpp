@@ -43,7 +43,9 @@ const std::map<std::string, std::set<std::string>>& rooms() {
     add("api", "session", {});
     may["study/report"] = {"core", "image", "post"};
     may["study"] = {"core", "image", "post", "session", "study/report"};
+    add("api/c", "api", {"api", "study", "study/report"});
     add("apps", "session", {"study", "study/report"});
+    add("apps/shared", "apps", {"apps"});
     return may;
   }();
   return kRooms;

@@ -32,6 +32,7 @@ struct Settings {
   std::optional<double> target_error;            ///< relative error of the picture, as estimated
   bool denoised_target = false;                  ///< ... of the denoised picture
   std::optional<std::array<int, 2>> resolution;  ///< width and height, pixels
+  std::optional<double> scale;                   ///< of the size that the scene asks for, instead
   // Edges of the paths: 1 is light seen directly, 2 is direct lighting.
   std::optional<int> min_depth;
   std::optional<int> max_depth;

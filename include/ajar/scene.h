@@ -23,11 +23,11 @@ class Scene {
   std::vector<std::string> warnings() const;
 
   struct Content;
-  /// For the library itself.
+  // For the library itself.
+  explicit Scene(std::shared_ptr<const Content> content);
   const Content& content() const { return *content_; }
 
  private:
-  explicit Scene(std::shared_ptr<const Content> content);
   std::shared_ptr<const Content> content_;
 };
 }  // namespace ajar::AJAR_INTERFACE

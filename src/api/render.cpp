@@ -29,6 +29,7 @@ RenderOrder order_of(const Scene::Content& scene, const Settings& settings, bool
   if (settings.resolution) {
     request.resolution = Vec2i(settings.resolution->at(0), settings.resolution->at(1));
   }
+  request.scale = settings.scale;
   if (settings.crop) {
     const auto [x0, y0, x1, y1] = *settings.crop;
     if (x0 < 0 || y0 < 0 || x1 <= x0 || y1 <= y0) {
@@ -46,7 +47,7 @@ RenderOrder order_of(const Scene::Content& scene, const Settings& settings, bool
   order.all_aovs = settings.layers == std::vector<std::string>{"all"};
   order.files.denoiser = settings.denoise;
   request.seed = settings.seed;
-  order.size_from_scene = !settings.resolution;
+  order.size_from_scene = !settings.resolution && !settings.scale;
   order.threads = settings.threads;
   if (shows_pictures) order.show_every = picture_every;
   if (settings.resume && settings.checkpoint.empty()) {

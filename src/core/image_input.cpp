@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
-#include <cstring>
 #include <exception>
 #include <filesystem>
 #include <limits>
@@ -18,6 +17,8 @@
 #include "core/available_memory.h"
 #include "core/error.h"
 #include "core/exr_header.h"
+#include "core/image_complaint.h"
+#include "core/image_packing.h"
 #include "core/png_chunks.h"
 #include "core/regular_file.h"
 
@@ -34,9 +35,6 @@ struct Claim {
   Size size;
   double pixels_per_byte;
 };
-constexpr double kDeflate = 8.0 * 1032.0;
-constexpr double kLzw = 8.0 * 2560.0;
-constexpr double kUnknown = 1 << 20;
 
 /// How a file begins.
 std::string beginning_of(const std::string& path) {
@@ -83,7 +81,7 @@ std::optional<Claim> early_claim(std::string_view bytes) {
     return bytes.size() >= place && bytes.substr(place).starts_with(text);
   };
   // The decoder does not mind the version that follows.
-  if (has("GIF", 0)) return Claim{{number_at(bytes, 6, 2), number_at(bytes, 8, 2)}, kLzw};
+  if (has("GIF", 0)) return Claim{{number_at(bytes, 6, 2), number_at(bytes, 8, 2)}, packing::kLzw};
   if (has("BM", 0) && number_at(bytes, 14, 4) >= 40) {
     const auto side = [&](std::size_t place) {
       const auto value = static_cast<std::int32_t>(number_at(bytes, place, 4));
@@ -92,47 +90,8 @@ std::optional<Claim> early_claim(std::string_view bytes) {
     constexpr double kSkips = 255.0 * 255.0 / 4.0;  // rows and columns that four bytes leave out
     return Claim{{side(18), side(22)}, kSkips};
   }
-  if (const std::optional<Size> size = size_of_webp(bytes)) return Claim{*size, kUnknown};
+  if (const std::optional<Size> size = size_of_webp(bytes)) return Claim{*size, packing::kUnknown};
   return std::nullopt;
-}
-
-/// More pixels than this cannot be packed into a byte of a file. Bounds of the formats, for one bit
-/// per pixel where they have that: deflate makes at most 1032 bytes of one, LZW 2560 (12-bit codes
-/// of a full table), runs of PackBits and the like 64. What has no such bound still says something
-/// about a row or a block of pixels: fax code spends a bit on a white row. (Of EXR, exr_header.h
-/// knows more.)
-double most_pixels_per_byte(const OIIO::ImageInput& input) {
-  constexpr double kUnpacked = 8.0;
-  constexpr double kRuns = 8.0 * 64.0;
-  constexpr double kRowTable = 8192.0;  // 8 bytes for each row of at most 65536 pixels
-  const std::string_view format = input.format_name();
-  const std::string packing = input.spec().get_string_attribute("compression");
-  if (format == "tiff") {
-    if (packing == "none") return kUnpacked;
-    if (packing == "packbits") return kRuns;
-    if (packing == "zip") return kDeflate;
-    return packing == "lzw" ? kLzw : kUnknown;
-  }
-  if (format == "bmp") return packing.empty() ? kUnpacked : kUnknown;
-  struct Bound {
-    std::string_view format;
-    double pixels;
-  };
-  constexpr std::array<Bound, 12> kBounds = {{{"png", kDeflate},
-                                              {"zfile", kDeflate},
-                                              {"pnm", kUnpacked},
-                                              {"cineon", kUnpacked},
-                                              {"fits", kUnpacked},
-                                              {"hdr", kRuns},
-                                              {"dpx", kRuns},
-                                              {"targa", kRuns},
-                                              {"psd", kRuns},
-                                              {"iff", kRuns},
-                                              {"sgi", kRowTable},
-                                              {"rla", kRowTable}}};
-  const auto found = std::find_if(kBounds.begin(), kBounds.end(),
-                                  [&](const Bound& bound) { return bound.format == format; });
-  return found == kBounds.end() ? kUnknown : found->pixels;
 }
 
 void check_claim(Size size, double pixels_per_byte, std::uint64_t file_bytes) {
@@ -140,20 +99,6 @@ void check_claim(Size size, double pixels_per_byte, std::uint64_t file_bytes) {
   if (pixels <= pixels_per_byte * static_cast<double>(file_bytes)) return;
   throw IoError(fmt::format("it claims {}x{} pixels, but has {} bytes, which cannot hold them",
                             size.width, size.height, file_bytes));
-}
-
-/// Errors of libraries come line by line, some twice.
-std::string in_one_line(std::string_view text) {
-  std::string line;
-  std::string_view before;
-  while (!text.empty()) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    const std::string_view part = text.substr(0, end);
-    if (!part.empty() && part != before) line.append(line.empty() ? "" : "; ").append(part);
-    before = part;
-    text.remove_prefix(std::min(end + 1, text.size()));
-  }
-  return line.empty() ? "the image cannot be read" : line;
 }
 
 /// Runs something of the library, whose decoders raise all kinds of exceptions.
@@ -166,17 +111,8 @@ auto guarded(const Call& call) {
   } catch (const Error&) {
     throw;
   } catch (const std::exception& error) {
-    throw IoError("the image is damaged (" + in_one_line(error.what()) + ")");
+    throw IoError("the image is damaged (" + image_complaint(error.what()) + ")");
   }
-}
-
-/// Decoders of these work row by row, or block by block; others make the picture as a whole.
-bool is_read_in_parts(const OIIO::ImageInput& input) {
-  constexpr std::array<std::string_view, 8> kFormats = {"openexr", "tiff", "jpeg",   "hdr",
-                                                        "pnm",     "dpx",  "cineon", "fits"};
-  const std::string_view format = input.format_name();
-  if (format == "png") return input.spec().get_int_attribute("png:interlaced") == 0;
-  return std::find(kFormats.begin(), kFormats.end(), format) != kFormats.end();
 }
 
 }  // namespace
@@ -201,28 +137,24 @@ ImageInput::ImageInput(const std::string& path, bool has_unassociated_alpha) {
       throw IoError(complaint);
     }
   }
-  OIIO::ImageSpec config;
-  if (has_unassociated_alpha) config.attribute("oiio:UnassociatedAlpha", 1);
-  input_ = guarded([&] { return OIIO::ImageInput::open(path, &config); });
-  if (!input_) throw IoError(in_one_line(OIIO::geterror()));
-  if (spec().width <= 0 || spec().height <= 0 || spec().depth > 1 || spec().nchannels < 1) {
+  decoder_ = guarded([&] { return open_image(path, has_unassociated_alpha); });
+  if (header().width <= 0 || header().height <= 0 || header().channels < 1) {
     throw IoError("it is not a flat image with pixels");
   }
-  check_claim({static_cast<std::uint64_t>(spec().width), static_cast<std::uint64_t>(spec().height)},
-              most_pixels_per_byte(*input_), file_bytes);
-  // The library counts them with int.
-  if (spec().scanline_bytes(true) > std::numeric_limits<int>::max()) {
-    throw IoError(fmt::format("its rows of {} pixels are too long", spec().width));
+  check_claim(
+      {static_cast<std::uint64_t>(header().width), static_cast<std::uint64_t>(header().height)},
+      decoder_->most_pixels_per_byte(), file_bytes);
+  // Libraries count them with int.
+  if (static_cast<std::uint64_t>(header().width) * decoder_->pixel_bytes() >
+      static_cast<std::uint64_t>(std::numeric_limits<int>::max())) {
+    throw IoError(fmt::format("its rows of {} pixels are too long", header().width));
   }
-}
-
-std::uint64_t ImageInput::pixels() const {
-  return static_cast<std::uint64_t>(spec().width) * static_cast<std::uint64_t>(spec().height);
 }
 
 std::uint64_t ImageInput::bytes(int channels, std::uint64_t channel_bytes) const {
-  const std::uint64_t own = pixels() * static_cast<std::uint64_t>(channels) * channel_bytes;
-  return own + (is_read_in_parts(*input_) ? 0 : pixels() * spec().pixel_bytes(true));
+  const std::uint64_t pixels = header().pixels();
+  const std::uint64_t own = pixels * static_cast<std::uint64_t>(channels) * channel_bytes;
+  return own + (decoder_->is_read_in_parts() ? 0 : pixels * decoder_->pixel_bytes());
 }
 
 void ImageInput::check_memory(std::uint64_t bytes) {
@@ -231,36 +163,19 @@ void ImageInput::check_memory(std::uint64_t bytes) {
   }
 }
 
-std::uint64_t ImageInput::decoding_bytes() const {
-  // Of rows it takes so many at a time, even if the image has fewer.
-  constexpr std::uint64_t kRows = 256;
-  if (spec().tile_width == 0) return kRows * spec().scanline_bytes(true);
-  const auto tiles = static_cast<std::uint64_t>(
-      (static_cast<std::int64_t>(spec().width) + spec().tile_width - 1) / spec().tile_width);
-  return (tiles + 1) * spec().tile_bytes(true);
-}
-
 int ImageInput::strip_height() const {
   // Whole blocks of rows, as files keep them, and enough of them to decode on all threads.
   constexpr std::uint64_t kStripBytes = std::uint64_t{1} << 26U;
-  const int block = spec().tile_width > 0 ? std::max(spec().tile_height, 1) : 64;
-  const std::uint64_t block_bytes =
-      static_cast<std::uint64_t>(block) * std::max<std::uint64_t>(spec().scanline_bytes(true), 1);
+  const int block = decoder_->block_height();
+  const std::uint64_t row = static_cast<std::uint64_t>(header().width) *
+                            std::max<std::uint64_t>(decoder_->pixel_bytes(), 1);
+  const std::uint64_t block_bytes = static_cast<std::uint64_t>(block) * row;
   return block * static_cast<int>(std::clamp<std::uint64_t>(kStripBytes / block_bytes, 1, 1024));
 }
 
-void ImageInput::read_strip(int first, int rows, int first_channel, int channels,
-                            OIIO::TypeDesc type, void* values) {
-  const int end = first_channel + channels;
-  const bool is_read = guarded([&] {
-    const int y = spec().y + first;
-    if (spec().tile_width == 0) {
-      return input_->read_scanlines(0, 0, y, y + rows, spec().z, first_channel, end, type, values);
-    }
-    return input_->read_tiles(0, 0, spec().x, spec().x + spec().width, y, y + rows, spec().z,
-                              spec().z + 1, first_channel, end, type, values);
-  });
-  if (!is_read) throw IoError(in_one_line(input_->geterror()));
+void ImageInput::read_strip(int first, int rows, int first_channel, int channels, SampleType type,
+                            void* values) {
+  guarded([&] { decoder_->read_rows(first, rows, first_channel, channels, type, values); });
 }
 
 }  // namespace ajar

@@ -1,11 +1,11 @@
 #pragma once
-#include <OpenImageIO/imageio.h>
-
 #include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
+
+#include "core/image_decoder.h"
 
 /// Image files as all rooms open them: with what a header claims held against the size of the file
 /// and the memory there is, before anything is made of that size. Errors are IoErrors whose message
@@ -19,8 +19,7 @@ class ImageInput {
   /// is no regular file, no image, or claims more pixels than its bytes can hold.
   explicit ImageInput(const std::string& path, bool has_unassociated_alpha = false);
 
-  const OIIO::ImageSpec& spec() const { return input_->spec(); }
-  std::uint64_t pixels() const;
+  const ImageHeader& header() const { return decoder_->header(); }
   /// Memory of the first `channels` channels, and of what the decoder needs for them, bytes.
   std::uint64_t bytes(int channels, std::uint64_t channel_bytes) const;
 
@@ -33,31 +32,28 @@ class ImageInput {
   /// The same from channel `first_channel` on.
   template <typename T>
   std::vector<T> read_from(int first_channel, int channels, std::uint64_t extra_bytes = 0) {
-    check_memory(bytes(channels, sizeof(T)) + decoding_bytes() + extra_bytes);
+    check_memory(bytes(channels, sizeof(T)) + decoder_->working_bytes() + extra_bytes);
     std::vector<T> values;
     const std::size_t row =
-        static_cast<std::size_t>(spec().width) * static_cast<std::size_t>(channels);
-    values.reserve(row * static_cast<std::size_t>(spec().height));
+        static_cast<std::size_t>(header().width) * static_cast<std::size_t>(channels);
+    values.reserve(row * static_cast<std::size_t>(header().height));
     // As the file gives them: memory that was only reserved is not in use yet.
-    for (int y = 0; y < spec().height; y += strip_height()) {
-      const int rows = std::min(strip_height(), spec().height - y);
+    for (int y = 0; y < header().height; y += strip_height()) {
+      const int rows = std::min(strip_height(), header().height - y);
       const std::size_t first = values.size();
       values.resize(first + row * static_cast<std::size_t>(rows));
-      read_strip(y, rows, first_channel, channels, OIIO::TypeDesc(OIIO::BaseTypeFromC<T>::value),
-                 values.data() + first);
+      read_strip(y, rows, first_channel, channels, sample_type_of<T>(), values.data() + first);
     }
     return values;
   }
 
  private:
   static void check_memory(std::uint64_t bytes);
-  /// What the library takes at most while it turns rows or tiles into what is asked for.
-  std::uint64_t decoding_bytes() const;
   int strip_height() const;
-  void read_strip(int first, int rows, int first_channel, int channels, OIIO::TypeDesc type,
+  void read_strip(int first, int rows, int first_channel, int channels, SampleType type,
                   void* values);
 
-  std::unique_ptr<OIIO::ImageInput> input_;
+  std::unique_ptr<ImageDecoder> decoder_;
 };
 
 }  // namespace ajar

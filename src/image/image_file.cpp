@@ -1,8 +1,5 @@
 #include "image/image_file.h"
 
-#include <OpenImageIO/filesystem.h>
-#include <OpenImageIO/imageio.h>
-
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -15,6 +12,7 @@
 #include "core/atomic_file.h"
 #include "core/error.h"
 #include "core/file_extension.h"
+#include "core/image_encoder.h"
 #include "core/image_input.h"
 #include "image/pfm.h"
 
@@ -44,81 +42,43 @@ void check_layers(const Picture& picture) {
   }
 }
 
-OIIO::ImageSpec make_spec(const Picture& picture, std::span<const Picture::Layer> layers,
-                          const OIIO::TypeDesc& type) {
-  OIIO::ImageSpec spec(picture.crop.max.x - picture.crop.min.x + 1,
-                       picture.crop.max.y - picture.crop.min.y + 1, 0, type);
-  spec.channelnames.clear();
+ImageLayout layout_of(const Picture& picture, std::span<const Picture::Layer> layers) {
+  ImageLayout layout;
+  layout.width = picture.crop.max.x - picture.crop.min.x + 1;
+  layout.height = picture.crop.max.y - picture.crop.min.y + 1;
+  layout.origin = picture.crop.min;
+  layout.resolution = picture.resolution;
+  layout.texts = picture.metadata;
   for (const Picture::Layer& layer : layers) {
     const std::string prefix = layer.name.empty() ? "" : layer.name + ".";
-    if (layer.channels == 1) spec.channelnames.push_back(layer.name.empty() ? "Y" : layer.name);
+    if (layer.channels == 1) layout.names.push_back(layer.name.empty() ? "Y" : layer.name);
     if (layer.channels == 3) {
-      for (const char* channel : {"R", "G", "B"}) spec.channelnames.push_back(prefix + channel);
+      for (const char* channel : {"R", "G", "B"}) layout.names.push_back(prefix + channel);
     }
   }
-  spec.nchannels = static_cast<int>(spec.channelnames.size());
-  for (const auto& [name, value] : picture.metadata) spec.attribute(name, value);
-  return spec;
+  return layout;
 }
 
-/// Encodes in memory, so that every failure of the disk is ours to see: most format libraries
-/// ignore errors of the last flush. `row(y, out)` fills one interleaved row of floats.
-template <typename T, typename Row>
-std::vector<unsigned char> encode(const std::string& path, const OIIO::ImageSpec& spec, Row row) {
-  std::vector<unsigned char> bytes;
-  OIIO::Filesystem::IOVecOutput memory(bytes);
-  const auto output = OIIO::ImageOutput::create("memory" + file_extension(path));
-  const auto fail = [&]() {
-    return IoError("cannot write \"" + path +
-                   "\": " + (output ? output->geterror() : OIIO::geterror()));
-  };
-  if (!output || !output->supports("ioproxy") || !output->set_ioproxy(&memory)) throw fail();
-  if (!output->open("memory" + file_extension(path), spec)) throw fail();
-  constexpr int kRows = 64;
-  const std::size_t stride =
-      static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.nchannels);
-  std::vector<T> strip(stride * kRows);
-  const OIIO::TypeDesc type(OIIO::BaseTypeFromC<T>::value);
-  for (int first = 0; first < spec.height; first += kRows) {
-    const int count = std::min(kRows, spec.height - first);
-    for (int i = 0; i < count; ++i)
-      row(first + i, strip.data() + stride * static_cast<std::size_t>(i));
-    if (!output->write_scanlines(spec.y + first, spec.y + first + count, 0, type, strip.data()))
-      throw fail();
-  }
-  if (!output->close()) throw fail();
-  return bytes;
-}
-
-std::vector<unsigned char> encode_exr(const std::string& path, const Picture& picture) {
-  OIIO::ImageSpec spec = make_spec(picture, picture.layers, OIIO::TypeDesc::FLOAT);
-  spec.x = picture.crop.min.x;
-  spec.y = picture.crop.min.y;
-  spec.full_x = 0;
-  spec.full_y = 0;
-  spec.full_width = picture.resolution.x;
-  spec.full_height = picture.resolution.y;
-  spec.attribute("compression", "zip");
-  const auto width = static_cast<std::size_t>(spec.width);
-  return encode<float>(path, spec, [&](int y, float* out) {
+std::vector<unsigned char> exr_bytes(const Picture& picture) {
+  const ImageLayout layout = layout_of(picture, picture.layers);
+  const auto width = static_cast<std::size_t>(layout.width);
+  return encode_exr(layout, [&](int y, float* out) {
     std::size_t channel = 0;
     for (const Picture::Layer& layer : picture.layers) {
       const auto channels = static_cast<std::size_t>(layer.channels);
       const float* in = layer.pixels.data() + static_cast<std::size_t>(y) * width * channels;
       for (std::size_t x = 0; x < width; ++x) {
-        std::copy_n(in + x * channels, channels,
-                    out + x * static_cast<std::size_t>(spec.nchannels) + channel);
+        std::copy_n(in + x * channels, channels, out + x * layout.names.size() + channel);
       }
       channel += channels;
     }
   });
 }
 
-std::vector<unsigned char> encode_hdr(const std::string& path, const Picture& picture) {
-  OIIO::ImageSpec spec =
-      make_spec(picture, std::span(picture.layers).first(1), OIIO::TypeDesc::FLOAT);
-  const std::size_t row = static_cast<std::size_t>(spec.width) * 3;
-  return encode<float>(path, spec, [&](int y, float* out) {
+std::vector<unsigned char> hdr_bytes(const Picture& picture) {
+  const ImageLayout layout = layout_of(picture, std::span(picture.layers).first(1));
+  const std::size_t row = static_cast<std::size_t>(layout.width) * 3;
+  return encode_hdr(layout, [&](int y, float* out) {
     const float* in = picture.layers[0].pixels.data() + static_cast<std::size_t>(y) * row;
     // Written so that NaN becomes zero.
     std::transform(in, in + row, out,
@@ -126,19 +86,27 @@ std::vector<unsigned char> encode_hdr(const std::string& path, const Picture& pi
   });
 }
 
-std::vector<unsigned char> encode_display(const std::string& path, const Picture& picture) {
-  OIIO::ImageSpec spec =
-      make_spec(picture, std::span(picture.layers).first(1), OIIO::TypeDesc::UINT8);
-  spec.attribute("oiio:ColorSpace", "sRGB");
-  spec.attribute("CompressionQuality", 95);
-  const std::size_t row = static_cast<std::size_t>(spec.width) * 3;
-  return encode<unsigned char>(path, spec, [&](int y, unsigned char* out) {
+std::vector<unsigned char> display_bytes(const Picture& picture, const std::string& extension) {
+  const ImageLayout layout = layout_of(picture, std::span(picture.layers).first(1));
+  const std::size_t row = static_cast<std::size_t>(layout.width) * 3;
+  const auto encode = extension == ".png" ? encode_png : encode_jpeg;
+  return encode(layout, [&](int y, unsigned char* out) {
     const float* in = picture.layers[0].pixels.data() + static_cast<std::size_t>(y) * row;
     // Written so that NaN becomes zero.
     std::transform(in, in + row, out, [](float v) {
       return static_cast<unsigned char>(v > 0.F ? std::lround(std::min(v, 1.F) * 255.F) : 0);
     });
   });
+}
+
+std::vector<unsigned char> encoded(const std::string& path, const Picture& picture) {
+  const std::string extension = file_extension(path);
+  try {
+    if (extension == ".exr") return exr_bytes(picture);
+    return is_display_format(extension) ? display_bytes(picture, extension) : hdr_bytes(picture);
+  } catch (const IoError& error) {
+    throw IoError("cannot write \"" + path + "\": " + error.what());
+  }
 }
 
 std::vector<float> gather(const Image& image, const std::array<std::ptrdiff_t, 3>& channels) {
@@ -183,22 +151,20 @@ Image read_image(const std::string& path) {
   if (file_extension(path) == ".pfm") return read_pfm(path);
   try {
     ImageInput input(path);
-    const OIIO::ImageSpec& spec = input.spec();
+    const ImageHeader& header = input.header();
     Image image;
-    image.width = spec.width;
-    image.height = spec.height;
-    image.channels = spec.nchannels;
-    image.names = spec.channelnames;
-    image.origin = Vec2i(spec.x, spec.y) - Vec2i(spec.full_x, spec.full_y);
-    image.resolution = {spec.full_width, spec.full_height};
-    image.is_display_encoded = !spec.format.is_floating_point();
+    image.width = header.width;
+    image.height = header.height;
+    image.channels = header.channels;
+    image.names = header.names;
+    image.origin = header.origin;
+    image.resolution = header.resolution;
+    image.is_display_encoded = header.is_integer;
     constexpr std::string_view kOurs = "ajar:";
-    for (const auto& attribute : spec.extra_attribs) {
-      const std::string name = attribute.name().string();
-      if (name.starts_with(kOurs))
-        image.metadata[name.substr(kOurs.size())] = attribute.get_string();
+    for (const auto& [name, text] : header.texts) {
+      if (name.starts_with(kOurs)) image.metadata[name.substr(kOurs.size())] = text;
     }
-    image.data = input.read<float>(spec.nchannels);
+    image.data = input.read<float>(header.channels);
     return image;
   } catch (const std::bad_alloc&) {
     throw IoError("cannot read \"" + path + "\": the image does not fit into memory");
@@ -230,10 +196,7 @@ void write_image(const std::string& path, const Picture& picture) {
     write_file_atomically(path, encode_pfm(size.x, size.y, picture.layers.front().pixels));
     return;
   }
-  const std::vector<unsigned char> bytes = extension == ".exr" ? encode_exr(path, picture)
-                                           : is_display_format(extension)
-                                               ? encode_display(path, picture)
-                                               : encode_hdr(path, picture);
+  const std::vector<unsigned char> bytes = encoded(path, picture);
   write_file_atomically(path, std::as_bytes(std::span(bytes)));
 }
 

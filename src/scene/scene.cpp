@@ -7,6 +7,7 @@
 #include "scene/coordinate_limit.h"
 #include "scene/emission/emission.h"
 #include "scene/geometry.h"
+#include "scene/light/make_light.h"
 
 namespace ajar {
 
@@ -133,7 +134,7 @@ void Scene::build_lights(const desc::SceneDesc& description, Warnings& warnings)
     return lights_.back().get();
   };
   for (const desc::Light& described : description.lights) {
-    auto made = make_light(described, bounding_sphere_, warnings);
+    auto made = make_light(described, bounding_sphere_, warnings, description.embedded_files);
     if (!made) continue;
     Light* light = add(std::move(made));
     light->medium = medium(described.medium);

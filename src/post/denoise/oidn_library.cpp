@@ -41,21 +41,35 @@ std::vector<fs::path> folders_in(const fs::path& folder) {
 }
 
 /// Libraries in packages of Python that are called after it, such as pyoidn/oidn/lib.
+void add_packages(const fs::path& packages, std::vector<fs::path>& places) {
+  for (const fs::path& package : folders_in(packages)) {
+    if (package.filename().string().find("oidn") == std::string::npos) continue;
+    for (const char* inside : {"oidn/lib", "lib", "."}) {
+      const fs::path file = package / inside / kName;
+      std::error_code error;
+      if (fs::exists(file, error)) places.push_back(file.lexically_normal());
+    }
+  }
+}
+
 void add_python_packages(const fs::path& prefix, std::vector<fs::path>& places) {
   if (prefix.empty()) return;
   for (const fs::path& python : folders_in(prefix / "lib")) {
     if (!python.filename().string().starts_with("python3")) continue;
     for (const char* packages : {"site-packages", "dist-packages"}) {
-      for (const fs::path& package : folders_in(python / packages)) {
-        if (package.filename().string().find("oidn") == std::string::npos) continue;
-        for (const char* inside : {"oidn/lib", "lib", "."}) {
-          const fs::path file = package / inside / kName;
-          std::error_code error;
-          if (fs::exists(file, error)) places.push_back(file.lexically_normal());
-        }
-      }
+      add_packages(python / packages, places);
     }
   }
+}
+
+/// Where the packages are that the library with this code is in, as site-packages/ajar/lib/
+/// libajar.so; empty if it is elsewhere.
+fs::path own_packages() {
+  Dl_info found{};
+  if (dladdr(reinterpret_cast<const void*>(&own_packages), &found) == 0) return {};  // NOLINT
+  const fs::path folder = fs::path(found.dli_fname).parent_path();
+  if (folder.filename() != "lib" || folder.parent_path().filename() != "ajar") return {};
+  return folder.parent_path().parent_path();
 }
 
 template <typename Function>
@@ -112,6 +126,7 @@ std::vector<fs::path> oidn_places() {
     return {fs::is_directory(given, error) ? given / kName : fs::absolute(given, error)};
   }
   std::vector<fs::path> places;
+  if (const fs::path packages = own_packages(); !packages.empty()) add_packages(packages, places);
   if (const fs::path cache = cache_folder(); !cache.empty()) {
     places.push_back(cache / "ajar" / "oidn" / "lib" / kName);
   }

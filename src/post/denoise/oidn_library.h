@@ -42,7 +42,8 @@ struct OidnLibrary {
 };
 
 /// Where it is looked for, in this order: the file or folder that the environment variable
-/// AJAR_OIDN names (then nowhere else), the cache folder into which `./dev setup` unpacks it, what
+/// AJAR_OIDN names (then nowhere else), packages of Python beside the one that this code is part
+/// of, the cache folder into which `./dev setup` unpacks it, what
 /// the system's loader finds, packages of Python.
 std::vector<std::filesystem::path> oidn_places();
 

@@ -16,10 +16,11 @@ constexpr WarningKind kNothingToScale{
 }  // namespace
 
 LightInputs::LightInputs(const desc::Light& description, const BoundingSphere& bounds,
-                         Warnings& warnings)
+                         Warnings& warnings, const desc::EmbeddedFiles& embedded)
     : description_(description),
       bounds_(bounds),
       warnings_(warnings),
+      embedded_(embedded),
       at_{transform_point(description.to_world, Vec3(0.F)), DirectionMap()} {
   if (DirectionMap::invertible(description.to_world)) {
     at_.directions = DirectionMap(description.to_world);
@@ -33,7 +34,7 @@ LightInputs::LightInputs(const desc::Light& description, const BoundingSphere& b
 std::optional<Map> LightInputs::map(std::string_view name, MapEdge edge, MapFilter filter) const {
   const std::string& path = node().text(name);
   if (path.empty()) return std::nullopt;
-  return load_map(path, edge, description_.where, warnings_, filter);
+  return load_map(path, edge, description_.where, warnings_, filter, embedded_);
 }
 
 float LightInputs::scale_to(std::string_view name, float actual) const {

@@ -17,7 +17,8 @@ struct LightPlacement {
 class LightInputs {
  public:
   /// Warns of a transform that cannot be inverted: it counts as no rotation.
-  LightInputs(const desc::Light& description, const BoundingSphere& bounds, Warnings& warnings);
+  LightInputs(const desc::Light& description, const BoundingSphere& bounds, Warnings& warnings,
+              const desc::EmbeddedFiles& embedded);
 
   const desc::Node& node() const { return description_.node; }
   const LightPlacement& at() const { return at_; }
@@ -34,6 +35,7 @@ class LightInputs {
   const desc::Light& description_;
   const BoundingSphere& bounds_;
   Warnings& warnings_;
+  const desc::EmbeddedFiles& embedded_;
   LightPlacement at_;
 };
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/image_input.h"
+#include "scene/named_file.h"
 
 namespace ajar {
 
@@ -19,23 +20,18 @@ float decode_srgb(float v) {
   return v <= 0.04045F ? v / 12.92F : std::pow((v + 0.055F) / 1.055F, 2.4F);
 }
 
-bool is_integer(const OIIO::TypeDesc& format) {
-  return format.basetype != OIIO::TypeDesc::HALF && format.basetype != OIIO::TypeDesc::FLOAT &&
-         format.basetype != OIIO::TypeDesc::DOUBLE;
-}
-
 /// Raises IoError with the reason if the file cannot be read.
 Map read_map(const std::string& path, MapEdge edge, MapFilter filter) {
   ImageInput input(path, true);
-  const OIIO::ImageSpec& spec = input.spec();
+  const ImageHeader& header = input.header();
   constexpr int kMaxSide = 1 << 16;
-  if (spec.width > kMaxSide || spec.height > kMaxSide) {
+  if (header.width > kMaxSide || header.height > kMaxSide) {
     throw IoError("it has more than 65536 pixels in a row or column");
   }
-  const int channels = std::min(spec.nchannels, 3);
-  const auto count = static_cast<std::size_t>(input.pixels());
+  const int channels = std::min(header.channels, 3);
+  const auto count = static_cast<std::size_t>(header.pixels());
   std::vector<float> values = input.read<float>(channels, count * sizeof(Spectrum));
-  if (is_integer(spec.format)) {
+  if (header.is_integer) {
     for (float& v : values) v = decode_srgb(v);
   }
   std::vector<Spectrum> texels;
@@ -44,7 +40,7 @@ Map read_map(const std::string& path, MapEdge edge, MapFilter filter) {
     const float* v = values.data() + i * static_cast<std::size_t>(channels);
     texels.push_back(channels == 3 ? Spectrum(v[0], v[1], v[2]) : Spectrum(v[0]));
   }
-  return {spec.width, spec.height, std::move(texels), edge, filter};
+  return {header.width, header.height, std::move(texels), edge, filter};
 }
 }  // namespace
 
@@ -62,10 +58,10 @@ Map::Map(int width, int height, std::vector<Spectrum> texels, MapEdge edge, MapF
 }
 
 Map load_map(const std::string& path, MapEdge edge, const SourceLocation& where, Warnings& warnings,
-             MapFilter filter) {
+             MapFilter filter, const desc::EmbeddedFiles& embedded) {
   std::string reason;
   try {
-    return read_map(path, edge, filter);
+    return read_map(NamedFile(path, embedded).path(), edge, filter);
   } catch (const std::bad_alloc&) {
     reason = "not enough memory";
   } catch (const IoError& error) {

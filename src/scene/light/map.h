@@ -9,6 +9,7 @@
 #include "core/spectrum.h"
 #include "core/vector.h"
 #include "core/warnings.h"
+#include "scene/desc/scene_desc.h"
 
 namespace ajar {
 
@@ -68,10 +69,11 @@ class Map {
   std::vector<Spectrum> texels_;
 };
 
-/// Reads `path` as linear RGB: integer formats are decoded from sRGB, one or two channels are grey,
-/// alpha is ignored. A file that cannot be read gives one magenta texel and a warning naming it.
+/// Reads `path`, which may be one of `embedded`, as linear RGB: integer formats are decoded from
+/// sRGB, one or two channels are grey, alpha is ignored. A file that cannot be read gives one
+/// magenta texel and a warning naming it.
 Map load_map(const std::string& path, MapEdge edge, const SourceLocation& where, Warnings& warnings,
-             MapFilter filter = MapFilter::Bilinear);
+             MapFilter filter = MapFilter::Bilinear, const desc::EmbeddedFiles& embedded = {});
 
 /// Maps up to this size are sampled by half texels. They fit the bilinear interpolation four times
 /// better than whole ones but need four times the memory.

@@ -1,35 +1,17 @@
 #include "scene/texture/image_cache.h"
 
-#include <algorithm>
-#include <array>
 #include <optional>
 #include <set>
 
 #include "core/available_memory.h"
 #include "core/error.h"
 #include "core/image_input.h"
-#include "core/memory_file.h"
 #include "core/parallel_for.h"
+#include "scene/named_file.h"
 
 namespace ajar {
 
 namespace {
-
-/// The file that a request names, wherever it is.
-class ImageFile {
- public:
-  ImageFile(const std::string& name, const desc::EmbeddedFiles& embedded) : path_(name) {
-    const auto held = embedded.find(name);
-    if (held == embedded.end()) return;
-    memory_.emplace(*held->second);
-    path_ = memory_->path();
-  }
-  const std::string& path() const { return path_; }
-
- private:
-  std::string path_;
-  std::optional<MemoryFile> memory_;
-};
 
 struct ChannelRange {
   int first = 0;
@@ -37,8 +19,8 @@ struct ChannelRange {
 };
 
 /// Nothing for alpha that an image does not have.
-std::optional<ChannelRange> kept_channels(const OIIO::ImageSpec& spec, ImageChannel channel) {
-  const bool is_gray = spec.nchannels < 3;
+std::optional<ChannelRange> kept_channels(const ImageHeader& header, ImageChannel channel) {
+  const bool is_gray = header.channels < 3;
   switch (channel) {
     case ImageChannel::Color:
       return ChannelRange{0, is_gray ? 1 : 3};
@@ -51,8 +33,8 @@ std::optional<ChannelRange> kept_channels(const OIIO::ImageSpec& spec, ImageChan
     case ImageChannel::Alpha:
       break;
   }
-  if (spec.alpha_channel < 0) return std::nullopt;
-  return ChannelRange{spec.alpha_channel};
+  if (header.alpha_channel < 0) return std::nullopt;
+  return ChannelRange{header.alpha_channel};
 }
 
 /// One texel of 1.
@@ -61,29 +43,29 @@ TexelImage opaque_image() { return {1, 1, 1, std::vector<std::uint8_t>{255}}; }
 }  // namespace
 
 TexelImage read_texel_image(const ImageRequest& request, const desc::EmbeddedFiles& embedded) {
-  const ImageFile file(request.path, embedded);
+  const NamedFile file(request.path, embedded);
   ImageInput input(file.path(), true);
-  const OIIO::ImageSpec& spec = input.spec();
-  const std::optional<ChannelRange> channels = kept_channels(spec, request.channel);
+  const ImageHeader& header = input.header();
+  const std::optional<ChannelRange> channels = kept_channels(header, request.channel);
   if (!channels) return opaque_image();
   TexelImage image;
-  image.width = spec.width;
-  image.height = spec.height;
+  image.width = header.width;
+  image.height = header.height;
   image.channels = channels->count;
   const auto read = [&]<typename T>(T) {
     image.texels = input.read_from<T>(channels->first, channels->count);
   };
-  switch (spec.format.basetype) {
-    case OIIO::TypeDesc::UINT8:
+  switch (header.type) {
+    case SampleType::UInt8:
       read(std::uint8_t{});
       break;
-    case OIIO::TypeDesc::UINT16:
+    case SampleType::UInt16:
       read(std::uint16_t{});
       break;
-    case OIIO::TypeDesc::HALF:
+    case SampleType::Half:
       read(Imath::half{});
       break;
-    default:
+    case SampleType::Float:
       read(float{});
   }
   return image;
@@ -91,19 +73,15 @@ TexelImage read_texel_image(const ImageRequest& request, const desc::EmbeddedFil
 
 ImageSize image_size(const ImageRequest& request, const desc::EmbeddedFiles& embedded) {
   try {
-    const ImageFile file(request.path, embedded);
+    const NamedFile file(request.path, embedded);
     const ImageInput input(file.path());
-    const OIIO::ImageSpec& spec = input.spec();
-    const std::optional<ChannelRange> kept = kept_channels(spec, request.channel);
+    const ImageHeader& header = input.header();
+    const std::optional<ChannelRange> kept = kept_channels(header, request.channel);
     if (!kept) return {1, 1};
-    constexpr std::array<unsigned char, 3> kSmallTypes = {
-        OIIO::TypeDesc::UINT8, OIIO::TypeDesc::UINT16, OIIO::TypeDesc::HALF};
-    const bool is_small_type = std::find(kSmallTypes.begin(), kSmallTypes.end(),
-                                         spec.format.basetype) != kSmallTypes.end();
-    const std::uint64_t channel_bytes = is_small_type ? spec.format.size() : sizeof(float);
+    const std::uint64_t channel_bytes = size_of(header.type);
     if (!memory_shortage(input.bytes(kept->count, channel_bytes)).empty()) return {};
     const auto channels = static_cast<std::uint64_t>(kept->count);
-    return {input.pixels(), input.pixels() * channels * channel_bytes};
+    return {header.pixels(), header.pixels() * channels * channel_bytes};
   } catch (const IoError&) {
     return {};
   }

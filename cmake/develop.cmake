@@ -1,0 +1,120 @@
+# Tests, benchmarks and fuzz targets.
+foreach(room api api_c import session study study_report)
+  ajar_compile_quickly(ajar_${room}_test)
+endforeach()
+target_link_libraries(ajar_core_test PRIVATE ZLIB::ZLIB)
+# They write the images that they read.
+target_link_libraries(ajar_image_test PRIVATE OpenImageIO::OpenImageIO)
+target_link_libraries(ajar_scene_test PRIVATE OpenImageIO::OpenImageIO)
+
+# The images that builds with few libraries have, held against those of this build.
+if(AJAR_IMAGES STREQUAL "openimageio")
+  file(GLOB small_images CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/src/core/image_small/*.cpp)
+  list(FILTER small_images EXCLUDE REGEX "/backend\\.cpp$")
+  add_executable(ajar_small_images_test ${small_images})
+  target_compile_definitions(ajar_small_images_test PRIVATE AJAR_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
+  target_link_libraries(ajar_small_images_test PRIVATE ajar_core ${small_image_libraries} OpenImageIO::OpenImageIO
+    GTest::gtest_main)
+  add_test(NAME small_images COMMAND ajar_small_images_test)
+endif()
+
+add_subdirectory(fuzz)
+
+# The command line's own.
+list(FILTER cli_unit_tests INCLUDE REGEX "_test\\.cpp$")
+add_executable(ajar_cli_unit_test ${cli_unit_tests})
+target_link_libraries(ajar_cli_unit_test PRIVATE ajar_cli GTest::gtest_main)
+ajar_compile_quickly(ajar_cli_unit_test)
+add_test(NAME cli_unit COMMAND ajar_cli_unit_test)
+
+# Tests that cross rooms.
+file(GLOB test_support CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/tests/support/*.cpp)
+add_library(ajar_test_support STATIC ${test_support})
+target_include_directories(ajar_test_support PUBLIC ${CMAKE_SOURCE_DIR}/tests)
+target_compile_definitions(ajar_test_support PRIVATE AJAR_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
+target_link_libraries(ajar_test_support PUBLIC ajar_session ajar_path GTest::gtest TBB::tbb)
+
+file(GLOB scene_tests CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/tests/*_test.cpp)
+add_executable(ajar_crossing_test ${scene_tests})
+target_link_libraries(ajar_crossing_test PRIVATE ajar_test_support GTest::gtest_main)
+target_compile_definitions(ajar_crossing_test PRIVATE AJAR_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
+# The longest of all: begun first, and in two parts, one for each processor of a small machine.
+foreach(part 0 1)
+  add_test(NAME crossing_${part} COMMAND ajar_crossing_test)
+  # Two runs of one program would write the same file of results.
+  set_tests_properties(crossing_${part} PROPERTIES COST 1000 ENVIRONMENT
+    "GTEST_TOTAL_SHARDS=2;GTEST_SHARD_INDEX=${part};GTEST_OUTPUT=json:${CMAKE_BINARY_DIR}/test-results/crossing_${part}.json")
+endforeach()
+
+# Kills renders, in forks of a process that must have no threads of its own.
+add_executable(ajar_soak_test tests/soak/soak_test.cpp)
+target_link_libraries(ajar_soak_test PRIVATE ajar_test_support GTest::gtest_main)
+add_test(NAME soak COMMAND ajar_soak_test)
+
+# The program as a user runs it.
+file(GLOB cli_tests CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/tests/cli/*_test.cpp)
+add_executable(ajar_cli_test ${cli_tests})
+target_include_directories(ajar_cli_test PRIVATE ${CMAKE_SOURCE_DIR}/tests)
+target_compile_definitions(ajar_cli_test PRIVATE AJAR_PROGRAM="$<TARGET_FILE:ajar>" AJAR_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
+target_link_libraries(ajar_cli_test PRIVATE ajar_post nlohmann_json::nlohmann_json ZLIB::ZLIB GTest::gtest_main)
+add_dependencies(ajar_cli_test ajar)
+if(TARGET ajar-mpi)
+  add_dependencies(ajar_cli_test ajar-mpi)
+  target_compile_definitions(ajar_cli_test PRIVATE AJAR_MPIRUN="${MPIEXEC_EXECUTABLE}")
+endif()
+ajar_compile_quickly(ajar_cli_test)
+add_test(NAME cli COMMAND ajar_cli_test)
+
+# The report's page in a browser, and a program that writes one to look at.
+add_library(ajar_report_content STATIC tests/report/example_content.cpp)
+target_include_directories(ajar_report_content PUBLIC ${CMAKE_SOURCE_DIR}/tests)
+target_link_libraries(ajar_report_content PUBLIC ajar_study_report)
+add_executable(ajar_report_example tests/report/example_report.cpp)
+target_link_libraries(ajar_report_example PRIVATE ajar_report_content)
+add_executable(ajar_report_page_test tests/report/page_test.cpp)
+target_compile_definitions(ajar_report_page_test PRIVATE AJAR_PAGE_DRIVERS="${CMAKE_SOURCE_DIR}/tests/report")
+target_link_libraries(ajar_report_page_test PRIVATE ajar_report_content GTest::gtest_main)
+add_test(NAME report_page COMMAND ajar_report_page_test)
+
+# What the benchmarks share, with its tests.
+file(GLOB measuring_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/bench/measuring/*.cpp)
+set(measuring_tests ${measuring_sources})
+list(FILTER measuring_sources EXCLUDE REGEX "_test\\.cpp$")
+list(FILTER measuring_tests INCLUDE REGEX "_test\\.cpp$")
+add_library(ajar_measuring STATIC ${measuring_sources})
+target_include_directories(ajar_measuring PUBLIC ${CMAKE_SOURCE_DIR}/bench)
+target_link_libraries(ajar_measuring PUBLIC ajar_test_support CLI11::CLI11)
+add_executable(ajar_measuring_test ${measuring_tests})
+target_link_libraries(ajar_measuring_test PRIVATE ajar_measuring GTest::gtest_main)
+ajar_compile_quickly(ajar_measuring_test)
+add_test(NAME measuring COMMAND ajar_measuring_test)
+
+# Counting allocations replaces operator new, so only the program that reports them has it.
+add_executable(ajar_limit_bench bench/limit_bench.cpp bench/allocations.cpp)
+target_link_libraries(ajar_limit_bench PRIVATE ajar_measuring)
+add_executable(ajar_error_bench bench/error_bench.cpp)
+target_link_libraries(ajar_error_bench PRIVATE ajar_measuring)
+add_executable(ajar_budget_bench bench/budget_bench.cpp)
+target_link_libraries(ajar_budget_bench PRIVATE ajar_measuring CLI11::CLI11)
+add_executable(ajar_estimate_bench bench/estimate_bench.cpp)
+target_link_libraries(ajar_estimate_bench PRIVATE ajar_measuring CLI11::CLI11)
+add_executable(ajar_finished_bench bench/finished_bench.cpp)
+target_link_libraries(ajar_finished_bench PRIVATE ajar_measuring CLI11::CLI11)
+add_executable(ajar_lights_bench bench/lights_bench.cpp)
+target_link_libraries(ajar_lights_bench PRIVATE ajar_measuring)
+add_executable(ajar_time_bench bench/time_bench.cpp)
+target_link_libraries(ajar_time_bench PRIVATE ajar_measuring)
+
+# The example as its reader builds it: elsewhere, with what is installed alone.
+add_test(NAME package COMMAND ${CMAKE_COMMAND}
+  -D BUILD=${CMAKE_BINARY_DIR} -D EXAMPLE=${CMAKE_SOURCE_DIR}/examples/render -D SOURCE=${CMAKE_SOURCE_DIR}
+  -D COMPILER=${CMAKE_CXX_COMPILER} -D "SANITIZE=${AJAR_SANITIZE}" -P ${CMAKE_SOURCE_DIR}/tests/package/package_test.cmake)
+
+# Python's package with the library of this build. `./dev test` makes an environment with what its tests need; without one they are
+# skipped.
+if(AJAR_SHARED)
+  find_package(Python3 COMPONENTS Interpreter REQUIRED)
+  add_test(NAME python COMMAND ${Python3_EXECUTABLE} ${CMAKE_SOURCE_DIR}/python/tests/run.py
+    $<TARGET_FILE:ajar_shared> ${CMAKE_SOURCE_DIR}/build/python-tests/bin/python)
+  set_tests_properties(python PROPERTIES SKIP_RETURN_CODE 77 COST 900)
+endif()

@@ -1,0 +1,30 @@
+# What reads and writes images: src/core/image_openimageio or src/core/image_small, by AJAR_IMAGES. AJAR_IMAGE_LIBRARIES are what that
+# needs, of AJAR_IMAGE_PACKAGES; AJAR_OTHER_IMAGES matches the sources of the other.
+set(small_image_libraries OpenEXR::OpenEXR PNG::PNG JPEG::JPEG)
+if(AJAR_IMAGES STREQUAL "small" OR AJAR_DEVELOP)
+  find_package(OpenEXR 3 REQUIRED)
+  find_package(PNG REQUIRED)
+  find_package(JPEG REQUIRED)
+endif()
+if(AJAR_IMAGES STREQUAL "openimageio" OR AJAR_DEVELOP)
+  find_package(OpenImageIO REQUIRED)
+  # Debian 12's OpenImageIO target names OpenCV's headers, which its package does not depend on; its public
+  # headers that we use do not need them, and a path that does not exist stops CMake.
+  foreach(property INTERFACE_INCLUDE_DIRECTORIES INTERFACE_SYSTEM_INCLUDE_DIRECTORIES)
+    get_target_property(paths OpenImageIO::OpenImageIO ${property})
+    list(FILTER paths EXCLUDE REGEX "opencv")
+    set_target_properties(OpenImageIO::OpenImageIO PROPERTIES ${property} "${paths}")
+  endforeach()
+endif()
+
+if(AJAR_IMAGES STREQUAL "openimageio")
+  set(AJAR_IMAGE_LIBRARIES OpenImageIO::OpenImageIO)
+  set(AJAR_IMAGE_PACKAGES OpenImageIO)
+  set(AJAR_OTHER_IMAGES "/core/image_small/")
+elseif(AJAR_IMAGES STREQUAL "small")
+  set(AJAR_IMAGE_LIBRARIES ${small_image_libraries})
+  set(AJAR_IMAGE_PACKAGES OpenEXR PNG JPEG)
+  set(AJAR_OTHER_IMAGES "/core/image_openimageio/")
+else()
+  message(FATAL_ERROR "AJAR_IMAGES is openimageio or small, not \"${AJAR_IMAGES}\"")
+endif()

@@ -1,0 +1,37 @@
+#pragma once
+#include <memory>
+#include <span>
+#include <string>
+
+#include "core/warnings.h"
+#include "import/code/json_place.h"
+#include "import/code/scene_changes.h"
+
+/// What a description has as arrays: geometry and images.
+namespace ajar::code {
+
+class ArrayReader {
+ public:
+  ArrayReader(std::span<const NumberArray> arrays, desc::EmbeddedFiles& embedded,
+              Warnings& warnings)
+      : arrays_(arrays), embedded_(embedded), warnings_(warnings) {}
+
+  /// {"positions": 0, "indices": 1, "normals": 2, "tangents": 3, "uvs": 4}: numbers of arrays, the
+  /// first two needed. Raises SceneError as `validate_mesh` does.
+  desc::MeshPointer mesh(const Json& json, const JsonPlace& place) const;
+  /// {"control_points": 0, "widths": 1, "normals": 2}.
+  desc::CurvesPointer curves(const Json& json, const JsonPlace& place) const;
+  /// {"image": 0}: rows × columns × 1 or 3, of bytes as they are shown or linear floats. The name
+  /// of an embedded file, which depends on nothing but what is in it.
+  std::string image(const Json& json, const JsonPlace& place) const;
+
+ private:
+  const NumberArray& array(const JsonPlace& part, const char* name, NumberArray::Type type,
+                           std::size_t columns) const;
+
+  std::span<const NumberArray> arrays_;
+  desc::EmbeddedFiles& embedded_;
+  Warnings& warnings_;
+};
+
+}  // namespace ajar::code

@@ -1,0 +1,39 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "core/warnings.h"
+#include "scene/desc/models.h"
+#include "scene/desc/scene_desc.h"
+
+/// Scenes that programs describe, and changes of scenes that are there. What has names and values
+/// comes as JSON (docs/c-interface.md), what is large as arrays that it refers to. Models,
+/// parameters, defaults and ranges are those of `scene/desc/models.h`.
+namespace ajar {
+
+/// Numbers of a program, row by row; `shape` says how many there are along each dimension.
+struct NumberArray {
+  enum class Type { Float32, UInt32, UInt8 };
+  Type type = Type::Float32;
+  std::vector<std::size_t> shape;
+  const void* data = nullptr;
+
+  std::size_t size() const;
+};
+
+/// `scene` with what `changes` adds to it, sets and edits. Places in messages are those that the
+/// changes give ("where": a file and a line). Raises SceneError.
+desc::SceneDesc changed_scene(desc::SceneDesc scene, std::string_view changes,
+                              std::span<const NumberArray> arrays, Warnings& warnings);
+
+/// Raises the SceneError that `changed_scene` would raise for one node by itself: `{"model": …,
+/// "parameters": …}`.
+void check_node(desc::ModelKind kind, std::string_view node);
+
+/// What `changed_scene` can edit: names, models, and parameters, as JSON.
+std::string editable_parts(const desc::SceneDesc& scene);
+
+}  // namespace ajar
