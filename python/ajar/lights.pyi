@@ -1,0 +1,59 @@
+"""All models of lights. Made by python/make_stubs.py from the library's own list."""
+
+from typing import Literal
+
+from ._types import ArrayLike, Color, File, Node, Number, TexturedColor, TexturedNumber, Transform, Vector
+
+def distant(
+    *,
+    irradiance: Color = 1.0,
+    name: str = '',
+) -> Node:
+    """parallel light from the direction of z."""
+
+def environment(
+    *,
+    radiance: Color = 1.0,
+    image: File | None = None,
+    projection: Literal["longitude_latitude", "equal_area"] = 'longitude_latitude',
+    irradiance: Number | None = None,
+    name: str = '',
+) -> Node:
+    """light from all around, the same or by an image."""
+
+def goniometric(
+    *,
+    intensity: Color = 1.0,
+    image: File | None = None,
+    projection: Literal["longitude_latitude", "equal_area"] = 'longitude_latitude',
+    power: Number | None = None,
+    name: str = '',
+) -> Node:
+    """from one point, by an image of all directions."""
+
+def point(
+    *,
+    intensity: Color = 1.0,
+    name: str = '',
+) -> Node:
+    """the same in all directions from one point."""
+
+def projection(
+    *,
+    intensity: Color = 1.0,
+    fov: Number = 45.0,
+    image: File | None = None,
+    power: Number | None = None,
+    name: str = '',
+) -> Node:
+    """a slide projector along z."""
+
+def spot(
+    *,
+    intensity: Color = 1.0,
+    cone_angle: Number = 30.0,
+    falloff_start: Number = 25.0,
+    falloff: Literal["quartic", "smoothstep"] = 'quartic',
+    name: str = '',
+) -> Node:
+    """a cone of light along z from one point, with a soft edge."""
