@@ -211,6 +211,8 @@ assert "malloc_proxy" not in mapped and "jemalloc" not in mapped
 
     def test_ends_on_ctrl_c(self):
         code = (
+            # Who is started in the background is told to ignore it.
+            "import signal; signal.signal(signal.SIGINT, signal.default_int_handler)\n"
             "import ajar\nprint('ready', flush=True)\n"
             "try:\n    ajar.load('builtin:cornell').render(time=600)\n"
             "except KeyboardInterrupt:\n    print('interrupted')\n"
