@@ -2,13 +2,15 @@
 
 Every link to a file of the repository must lead somewhere, and every line of a fenced `sh` block that starts with `ajar `
 must run: with few samples and a small picture added to renders, in a folder that is thrown away.
-Blocks that need files of the reader are marked `text`.
+Blocks that need files of the reader are marked `text`. Pages that the program writes must be as it would write them.
 """
 import os
 import re
 import subprocess
 import sys
 import tempfile
+
+import reference_pages
 
 LINK = re.compile(r"\[[^\]]*\]\(([^)#\s]+)[^)]*\)")
 BLOCK = re.compile(r"```(\w*)\n(.*?)```", re.DOTALL)
@@ -86,6 +88,7 @@ def main(repository, program):
                 text = file.read()
             problems += broken_links(path, text)
             problems += failing_commands(path, text, program, folder)
+    problems += reference_pages.stale_pages(program, os.path.join(repository, "docs", "reference"))
     for problem in problems:
         print(problem, file=sys.stderr)
     print(f"documentation: {len(problems)} problems")
