@@ -41,8 +41,9 @@ def shortest(number):
 
 def values_of(parameter):
     """What a parameter may be."""
-    if parameter.get("choices"):
-        return ", ".join(code(choice) for choice in parameter["choices"])
+    choices = ", ".join(code(choice) for choice in parameter.get("choices", []))
+    if parameter["type"] == "choice":
+        return choices
     words = parameter["type"]
     low, high = parameter.get("minimum"), parameter.get("maximum")
     if low is not None and high is not None:
@@ -55,7 +56,9 @@ def values_of(parameter):
         words += f" ({parameter['unit']})"
     if parameter.get("textured"):
         words += ", textured"
-    return in_cell(words)
+    if choices:
+        words += f", or {choices}"
+    return words
 
 
 def meaning_of(parameter):
