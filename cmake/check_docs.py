@@ -10,17 +10,18 @@ import subprocess
 import sys
 import tempfile
 
-import reference_pages
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "pages"))
+import reference_pages  # noqa: E402
 
 LINK = re.compile(r"\[[^\]]*\]\(([^)#\s]+)[^)]*\)")
 BLOCK = re.compile(r"```(\w*)\n(.*?)```", re.DOTALL)
 
 
 def documents(repository):
-    names = subprocess.run(
-        ["git", "-C", repository, "ls-files", "--cached", "--others", "--exclude-standard", "*.md"],
-        check=True, capture_output=True, text=True).stdout.split("\n")
-    return [os.path.join(repository, name) for name in names if name]
+    for root, folders, names in os.walk(repository):
+        if root == repository:
+            folders[:] = [folder for folder in folders if folder not in (".git", "build", "out")]
+        yield from (os.path.join(root, name) for name in sorted(names) if name.endswith(".md"))
 
 
 def broken_links(path, text):

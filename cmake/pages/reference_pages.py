@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The pages of docs/reference/ that the program writes itself: `reference_pages.py PROGRAM FOLDER`.
+"""The pages of docs/reference/ that the program writes itself: `cmake/pages/reference_pages.py PROGRAM FOLDER`.
 
 Writes them into FOLDER from what PROGRAM says of itself: `ajar list --json`, `ajar --help` and `ajar COMMAND --help`.
 check_docs.py compares: a parameter, model, option or layer that is added or changed shows in the reference, or the
@@ -7,15 +7,11 @@ check fails.
 """
 import json
 import os
-import re
-import subprocess
 import sys
 
-HEAD = "<!-- Written by cmake/reference_pages.py from the program: change what it says there. -->\n"
+import program_help
 
-
-def output_of(program, *arguments):
-    return subprocess.run([program, *arguments], check=True, capture_output=True, text=True).stdout
+HEAD = "<!-- Written by cmake/pages/reference_pages.py from the program: change what it says there. -->\n"
 
 
 def in_cell(text):
@@ -112,48 +108,26 @@ def model_page(title, about, models):
 
 # ---------------------------------------------------------------- commands
 
-OPTION = re.compile(r"  (\S.*?)(?:   *(\S.*))?$")
-
-
-def options_of(help_text):
-    """(heading, [(option, meaning)]) in the order of a command's help."""
-    sections = []
-    for line in help_text.split("\n"):
-        if re.match(r"\S.*:$", line):
-            sections.append((line[:-1], []))
-        elif sections and line.startswith("    ") and sections[-1][1]:
-            option, meaning = sections[-1][1][-1]
-            sections[-1][1][-1] = (option, (meaning + " " + line.strip()).strip())
-        elif sections and line.startswith("  "):
-            option, meaning = OPTION.match(line).groups()
-            sections[-1][1].append((option, meaning or ""))
-    return [section for section in sections if section[1]]
-
 
 def command_page(program):
-    general = output_of(program, "--help")
-    commands = next(rows for heading, rows in options_of(general) if heading == "Subcommands")
-    exit_codes = re.search(r"Exit codes: (.*)\.", general).group(1)
     text = f"{HEAD}# Commands\n\nWhat `ajar --help` and `ajar COMMAND --help` print.\n\n"
     text += table(("command", "what it does"),
-                  [(f"[`ajar {name}`](#ajar-{name})", in_cell(meaning)) for name, meaning in commands])
-    for name, _ in commands:
-        help_text = output_of(program, name, "--help")
-        usage = re.search(r"Usage: (.*)", help_text).group(1)
-        text += f"\n## ajar {name}\n\n    {usage}\n"
-        for heading, rows in options_of(help_text):
-            rows = [(code(option), in_cell(meaning)) for option, meaning in rows]
-            text += f"\n{heading}:\n\n" + table(("option", "meaning"), rows)
-    text += "\n## Exit codes\n\n"
-    rows = [entry.strip().split(" ", 1) for entry in exit_codes.split(", ")]
-    return text + table(("code", "meaning"), rows)
+                  [(f"[`ajar {command.name}`](#ajar-{command.name})", in_cell(command.summary))
+                   for command in program.commands])
+    for command in program.commands:
+        text += f"\n## ajar {command.name}\n\n    {command.usage}\n"
+        for section in command.sections:
+            rows = [(code(option.synopsis), in_cell(option.meaning)) for option in section.options]
+            text += f"\n{section.heading}:\n\n" + table(("option", "meaning"), rows)
+    return text + "\n## Exit codes\n\n" + table(("code", "meaning"), program.exit_codes)
 
 
 # ---------------------------------------------------------------- all pages
 
 
-def pages(program):
-    listed = json.loads(output_of(program, "list", "--json"))
+def pages(path):
+    program = program_help.Program(path)
+    listed = program.listed
     named = {"materials": "Materials", "textures": "Textures", "shapes": "Shapes"}
     result = {
         "commands.md": command_page(program),
@@ -179,7 +153,7 @@ def stale_pages(program, folder):
     for name, text in pages(program).items():
         path = os.path.join(folder, name)
         if not os.path.exists(path) or open(path, encoding="utf-8").read() != text:
-            yield f"{path}: not what the program says; python3 cmake/reference_pages.py PROGRAM docs/reference"
+            yield f"{path}: not what the program says; python3 cmake/pages/reference_pages.py PROGRAM docs/reference"
 
 
 def main(program, folder):
