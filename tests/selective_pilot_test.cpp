@@ -81,7 +81,7 @@ TEST(Selective, SaysThatThereIsNothingForChains) {
   EXPECT_NEAR(picture[3 * (6 * 16 + 8)], 0.5, 0.1);
 }
 
-/// What a few samples predict of chains there is too good by a tenth (docs/selective.md).
+/// What a few samples predict of chains there is too good by a tenth (docs/notebook/selective.md).
 TEST(Selective, LeavesChainsOutOfACornellBox) {
   const Scene scene = test::builtin_scene("cornell");
   for (const std::uint64_t seed : {1, 2, 3}) {

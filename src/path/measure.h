@@ -36,7 +36,7 @@ double technique_pdf(const Scene& scene, const Path& path, Technique technique);
 /// What the delta over the direction toward the light is of that over the direction toward the
 /// camera, at specular vertex x: (η² |cos θ_s|)_light / (η² |cos θ_s|)_camera, θ_s to the shading
 /// normal. f / p of a technique that samples x from the light has it as a factor
-/// (docs/theory.md, "Deltas").
+/// (docs/methods/notation.md, "Deltas").
 double specular_spread(const Scene& scene, const Path& path, int x);
 
 /// f / p: what one try of the technique that makes this path brings, without MIS weight. Black if

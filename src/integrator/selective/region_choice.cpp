@@ -384,7 +384,7 @@ RegionChoice choose_weights(const PilotView& view) {
 }
 
 /// What is left to ordinary Monte Carlo is made by it alone, the rest by chains alone: of each
-/// pixel one of both (Frolov; docs/selective.md).
+/// pixel one of both (Frolov; docs/methods/selective.md).
 void make_exclusive(const SelectiveSettings& settings, std::vector<PixelShare>& shares) {
   const float limit =
       settings.map == SelectiveSettings::Map::Binary ? settings.binary.epsilon : 0.5F;

@@ -144,7 +144,7 @@ struct Film {
 /// What the file asks of the renderer; the command line overrides it.
 struct RenderHints {
   std::string integrator;        ///< by its name in the registry; empty if the file says nothing
-  std::optional<int> max_depth;  ///< edges of a path (docs/theory.md)
+  std::optional<int> max_depth;  ///< edges of a path (docs/methods/notation.md)
   std::optional<int> samples_per_pixel;
   std::optional<std::string> sampler;  ///< value for the parameter `sampler` of integrators
   std::vector<std::pair<std::string, std::string>> parameters;  ///< for `integrator`
