@@ -60,9 +60,7 @@ class RegionChoiceTest : public testing::Test {
   }
 
   PilotView view(double correlation) const {
-    return {plan_,  regions_, *film_,
-            *omc_,  kSamples, 10.0,
-            found_, {0, 1},   ChainCosts{correlation, 4.5}};
+    return {plan_, regions_, *film_, *omc_, kSamples, 10.0, found_, {0, 1}, correlation};
   }
   RegionChoice choose(double correlation) const { return choose_regions(view(correlation)); }
   /// T of the first region.

@@ -30,7 +30,6 @@ enum class RandomUse : std::uint64_t {
   RouletteScramble = 1,  ///< their points
   TechniqueTrial = 0x11997,
   TechniqueTiles = 0x711e5,  ///< which of the picture it renders
-  ChainTrial = 0x791a1,
   // Recruits.
   RecruitLot = 0x6a1e,
   LightLot = 0xf09d,

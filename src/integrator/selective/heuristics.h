@@ -190,32 +190,19 @@ struct SelectiveHeuristics {
   /// that of 1000.
   static constexpr std::size_t kWorstOf = 1000;
 
-  // -------------------------------------------------------- trial of chains
-  /// Unit: mutations per pixel. Range: > 0. Source: 3ed3aa3, which halved it for a shorter
-  /// preparation; half and double not measured.
-  static constexpr double kTrialMutations = 2.0;
-  /// One of so many chains runs, for longer then.
-  /// Unit: chains. Range: >= 1. Source: 44d8408; set by hand, no study.
-  static constexpr std::uint64_t kOneChainOf = 2;
-  /// Chains of a trial are too short to show all of C: it is so many times what they show.
-  /// Unit: factor. Range: >= 1. Source: docs/notebook/chains.md, "Where to divide": with it the
-  /// thresholds chosen were those that were best in whole renders. In the end C is about twice as
-  /// large on most scenes, ten times on teapot-full.
-  static constexpr double kBeyondTrial = 2.0;
-  /// Chains turn out worse than a trial shows, and what they leave are blotches, which the eye sees
-  /// more easily than noise of the same variance. C is so many times as high where it is asked
-  /// whether they pay.
+  // -------------------------------------------------------- what mutations are worth
+  /// C, before the render shows it: what a chain's mutations leave over what as many independent
+  /// samples of its light would. Chains on trial showed 5 to 32; what follows from that is what
+  /// follows from 10.
+  /// Unit: variance over variance. Range: >= 1. Source: docs/notebook/selective.md, "Without a
+  /// trial of chains".
+  static constexpr double kCorrelation = 10.0;
+  /// Chains turn out worse in the end, and what they leave are blotches, which the eye sees more
+  /// easily than noise of the same variance. C is so many times as high where it is asked whether
+  /// they pay.
   /// Unit: factor. Range: >= 1. Source: docs/notebook/selective.md, "Whether chains pay": about 2
   /// for the one, 2.5 (C through 3x3 pixels) for the other.
   static constexpr double kDoubt = 4.0;
-  /// C below which no trial has ever come: where chains would not pay even with that there is none.
-  /// Unit: variance over variance. Range: > 0. Source: e51f759; trials on scenes of all kinds have
-  /// found between 5 and 70.
-  static constexpr double kLeastCorrelation = 4.0;
-  /// C where there is no trial.
-  /// Unit: variance over variance. Range: >= kLeastCorrelation. Source: docs/notebook/chains.md,
-  /// "Where to divide": trials found 5 to 32.
-  static constexpr double kUsualCorrelation = 10.0;
 
   // -------------------------------------------------------- what things cost before it is measured
   /// Unit: rays. Range: > 0. Source: docs/notebook/chains.md, "Steps, and what they are worth": 4.3
