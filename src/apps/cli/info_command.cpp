@@ -12,6 +12,7 @@
 #include "core/warnings.h"
 #include "scene/scene.h"
 #include "session/memory_estimate.h"
+#include "session/option_values.h"
 #include "session/progress.h"
 #include "session/render_setup.h"
 #include "session/resources.h"
@@ -231,9 +232,10 @@ std::string text_of(const Json& j, const MemoryEstimate& memory, const Warnings&
 int info(const InfoArguments& arguments) {
   Warnings warnings(Warnings::kAll);
   const Stopwatch load_clock;
-  desc::SceneDesc description = load_scene(arguments.scene, warnings);
+  desc::SceneDesc description = load_scene(arguments.scene.scene, warnings,
+                                           parse_assignments("-D", arguments.scene.definitions));
   const double load_seconds = load_clock.seconds();
-  Json json = describe(description, arguments.scene);
+  Json json = describe(description, arguments.scene.scene);
   const MemoryEstimate memory = memory_of(description);
   const std::uint64_t available = available_memory_bytes();
   json["memory"] = {{"scene_bytes", memory.scene},
