@@ -173,6 +173,16 @@ std::string vector_text(const Json& v) {
                      v[2].get<double>());
 }
 
+/// What the picture lacks, counted by what that does to it.
+Json effects_json(const Warnings& warnings) {
+  Json json = Json::object();
+  for (std::size_t i = 0; i < kEffects; ++i) {
+    const auto effect = static_cast<Effect>(i);
+    json[std::string(name_of(effect))] = warnings.count(effect);
+  }
+  return json;
+}
+
 /// "7: 2 of light, 5 of slight effect".
 std::string warnings_text(const Warnings& warnings) {
   std::string by_effect;
@@ -248,6 +258,7 @@ int info(const InfoArguments& arguments) {
   json["seconds"] = {{"load", load_seconds}, {"build", build_clock.seconds()}};
   add_built(scene, json);
   json["warnings"] = warnings.count();
+  json["warnings_by_effect"] = effects_json(warnings);
   json["warning_messages"] = warnings.messages();
   if (arguments.json) {
     print_result(json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
