@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "core/cie_1931.h"
 #include "core/cie_illuminants.h"
 #include "core/color.h"
 
@@ -98,7 +99,8 @@ Vec3d sun_illuminance(double turbidity, double zenith) {
   const double mass =
       1.0 / (std::cos(zenith) + 0.15 * std::pow(93.885 - zenith * 180.0 / M_PI, -1.253));
   std::vector<double> wavelengths, values;
-  for (double wavelength = 360.0; wavelength <= 830.0; wavelength += 5.0) {
+  for (int i = 0; i < kCieSamples; ++i) {
+    const double wavelength = kCieFirst + i * kCieStep;
     wavelengths.push_back(wavelength);
     values.push_back(blackbody_radiance(wavelength, kKelvin) * kPerNanometre * solid_angle *
                      transmittance(wavelength, turbidity, mass));

@@ -80,7 +80,7 @@ TEST_F(Definitions, ThatTheSceneDoesNotKnowAreErrors) {
   const Outcome unknown = render_glow({"-Dwidth=6", "-Dlihgt=4"});
   EXPECT_EQ(unknown.exit_code, 3);
   EXPECT_TRUE(contains(unknown.err,
-                       "glow.xml:1:2: -Dlihgt: unknown parameter \"lihgt\"; did you "
+                       "glow.xml:1:1: -Dlihgt: unknown parameter \"lihgt\"; did you "
                        "mean \"light\"?"))
       << unknown.err;
   EXPECT_EQ(render_glow({"-Dwidth"}).exit_code, 2) << "no value";

@@ -307,6 +307,7 @@ TEST(GltfMaterials, NormalMapsAreVectorsForAllPartsOfAMaterial) {
   map["scale"] = 0.5;
   const desc::SceneDesc scene = scene_of(
       textured({{"normalTexture", map},
+                {"pbrMetallicRoughness", {{"metallicFactor", 0}}},
                 {"extensions", {{"KHR_materials_transmission", {{"transmissionFactor", 0.5}}}}}}));
   int tilted = 0;
   for (const desc::Material& material : scene.materials) {

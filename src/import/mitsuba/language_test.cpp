@@ -63,9 +63,9 @@ TEST(MitsubaLanguage, ParametersFromOutsideThatNoSceneHasAreErrors) {
   EXPECT_EQ(error_with(text, {{"limit", "3"}, {"depth", "2"}}), "no error") << "defined, not used";
   EXPECT_EQ(
       error_with(text, {{"limit", "3"}, {"dept", "2"}}),
-      "test.xml:1:2: -Ddept: unknown parameter \"dept\"; did you mean \"depth\"? Valid: depth, "
+      "test.xml:1:1: -Ddept: unknown parameter \"dept\"; did you mean \"depth\"? Valid: depth, "
       "limit");
-  EXPECT_EQ(error_with(world(""), {{"a", "1"}}), "test.xml:1:2: -Da: this scene has no parameters");
+  EXPECT_EQ(error_with(world(""), {{"a", "1"}}), "test.xml:1:1: -Da: this scene has no parameters");
 }
 
 TEST(MitsubaLanguage, ParametersCannotGrowBeyondMeasure) {

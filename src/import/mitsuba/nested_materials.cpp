@@ -66,9 +66,12 @@ desc::MaterialId tilted(const MaterialInputs& in, desc::MaterialId id, desc::Tex
   return made;
 }
 
-/// The texture in this one; nothing, after a warning, if there is none.
+/// The texture in this one, or, as in the renderer of Zeltner et al. 2020, its file; nothing, after
+/// a warning, if there is none.
 std::optional<desc::TextureId> texture_of_relief(const MaterialInputs& in) {
   const std::vector<const Element*> textures = in.arguments.children("texture");
+  const std::optional<std::string> file = in.arguments.text("filename");
+  if (textures.empty() && file) return in.textures.add_vectors(in.where(), *file);
   if (textures.empty()) {
     in.context().warnings.add(
         kNoRelief, in.where(),

@@ -27,6 +27,13 @@ std::pair<std::string, bool> wrap_of(const std::string& mode) {
   return {mode == "one" || mode == "white" ? "clamp" : "repeat", false};
 }
 
+/// Mitsuba's v counts from the top row of an image, ours from the bottom row.
+void set_image_uv(desc::Node& node, UvTransform uv) {
+  uv.scale.y = -uv.scale.y;
+  uv.offset.y = 1.F - uv.offset.y;
+  uv.set(node);
+}
+
 }  // namespace
 
 std::optional<desc::Value> TextureTable::find_color(Arguments& arguments, std::string_view name) {
@@ -100,6 +107,15 @@ desc::Node TextureTable::read(const Element& element) {
   return node;
 }
 
+desc::TextureId TextureTable::add_vectors(const SourceLocation& where, const std::string& file) {
+  desc::Node node = desc::texture_node(
+      "image", {{"file", context_.files.files().resolve(context_.files.find(file))},
+                {"decode_srgb", false}});
+  set_image_uv(node, {});
+  context_.scene.textures.push_back({"", where, std::move(node)});
+  return static_cast<desc::TextureId>(context_.scene.textures.size()) - 1;
+}
+
 desc::Node TextureTable::bitmap(Arguments& arguments) {
   desc::Node node = desc::texture_node("image");
   const std::optional<std::string> name = arguments.text("filename");
@@ -143,11 +159,7 @@ desc::Node TextureTable::bitmap(Arguments& arguments) {
     }
   }
 
-  // Mitsuba's v counts from the top row, ours from the bottom row.
-  UvTransform uv = read_uv_transform(arguments);
-  uv.scale.y = -uv.scale.y;
-  uv.offset.y = 1.F - uv.offset.y;
-  uv.set(node);
+  set_image_uv(node, read_uv_transform(arguments));
   arguments.accept({"cache", "max_anisotropy", "format", "accel", "wrap_mode_u", "wrap_mode_v"});
   return node;
 }

@@ -24,8 +24,8 @@ Surface with_opacity(const BsdfInputs& in, Surface base, const desc::Value& opac
     base.material = in.add(desc::material_node("interface"));
     return base;
   }
-  const PartlyClear partly =
-      ajar::with_opacity(in.context.scene, {.where = in.object.where()}, base.material, opacity);
+  const PartlyClear partly = ajar::with_opacity(
+      in.context.scene, {.name = {}, .where = in.object.where()}, base.material, opacity);
   base.material = partly.material;
   base.alpha = partly.alpha;
   return base;
@@ -34,7 +34,7 @@ Surface with_opacity(const BsdfInputs& in, Surface base, const desc::Value& opac
 }  // namespace
 
 desc::MaterialId BsdfTable::add(const SourceLocation& where, desc::Node node) {
-  context_.scene.materials.push_back({.where = where, .node = std::move(node)});
+  context_.scene.materials.push_back({.name = {}, .where = where, .node = std::move(node)});
   return static_cast<desc::MaterialId>(context_.scene.materials.size()) - 1;
 }
 

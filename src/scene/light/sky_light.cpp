@@ -28,7 +28,7 @@ Map sky_map(double turbidity, double elevation, const SphereProjection& projecti
       const Vec3d rgb = xyz_to_rgb(sky.luminance(std::acos(std::min(w.z, 1.0)),
                                                  std::acos(std::clamp(w.dot(sun), -1.0, 1.0))));
       const auto lane = [](double value) { return static_cast<float>(std::max(value, 0.0)); };
-      texels[static_cast<std::size_t>(y * kWidth + x)] =
+      texels[static_cast<std::size_t>(y) * kWidth + static_cast<std::size_t>(x)] =
           Spectrum(lane(rgb.x), lane(rgb.y), lane(rgb.z));
     }
   }
