@@ -1,4 +1,4 @@
-#include "import/mitsuba/substitution.h"
+#include "import/mitsuba/definitions.h"
 
 #include "import/common/printable.h"
 
@@ -12,7 +12,7 @@ bool is_of_name(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
 }
 
-[[noreturn]] void fail_undefined(std::string_view rest, const Definitions& definitions,
+[[noreturn]] void fail_undefined(std::string_view rest, const SceneDefinitions& definitions,
                                  const SourceLocation& where) {
   std::size_t length = 0;
   while (length < rest.size() && is_of_name(rest[length])) ++length;
@@ -20,11 +20,12 @@ bool is_of_name(char c) {
   for (const auto& entry : definitions) valid.push_back(entry.first);
   throw SceneError(where,
                    unknown_name_message("parameter", printable(rest.substr(0, length)), valid) +
-                       ". <default> gives parameters a value");
+                       ". <default> gives parameters a value, and so does -Dname=value");
 }
 
 /// The longest name that `rest` begins with.
-Definitions::const_iterator definition_at(std::string_view rest, const Definitions& definitions) {
+SceneDefinitions::const_iterator definition_at(std::string_view rest,
+                                               const SceneDefinitions& definitions) {
   auto best = definitions.end();
   for (auto entry = definitions.begin(); entry != definitions.end(); ++entry) {
     const bool is_longer = best == definitions.end() || entry->first.size() > best->first.size();
@@ -35,8 +36,12 @@ Definitions::const_iterator definition_at(std::string_view rest, const Definitio
 
 }  // namespace
 
-std::string substitute(std::string_view text, const Definitions& definitions,
-                       const SourceLocation& where) {
+void Definitions::define(const std::string& name, const std::string& value) {
+  values_.try_emplace(name, value);
+  of_scene_.insert(name);
+}
+
+std::string Definitions::substitute(std::string_view text, const SourceLocation& where) {
   std::string result;
   while (true) {
     const std::size_t dollar = text.find('$');
@@ -47,13 +52,26 @@ std::string substitute(std::string_view text, const Definitions& definitions,
       result.back() = '$';
       continue;
     }
-    const auto definition = definition_at(text, definitions);
-    if (definition == definitions.end()) fail_undefined(text, definitions, where);
+    const auto definition = definition_at(text, values_);
+    if (definition == values_.end()) fail_undefined(text, values_, where);
+    of_scene_.insert(definition->first);
     result += definition->second;
     text.remove_prefix(definition->first.size());
     if (result.size() > kLongest) {
       throw SceneError(where, "a value made of parameters is longer than a million characters");
     }
+  }
+}
+
+void Definitions::check_given(const SourceLocation& where) const {
+  for (const auto& entry : given_) {
+    if (of_scene_.contains(entry.first)) continue;
+    const std::vector<std::string> valid(of_scene_.begin(), of_scene_.end());
+    throw SceneError(where,
+                     valid.empty()
+                         ? "-D" + printable(entry.first) + ": this scene has no parameters"
+                         : "-D" + printable(entry.first) + ": " +
+                               unknown_name_message("parameter", printable(entry.first), valid));
   }
 }
 
