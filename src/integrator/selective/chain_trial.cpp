@@ -81,7 +81,7 @@ void ChainTrial::run(std::uint64_t item, Counters& counters) {
   const auto target = plan_.make_target(group, population.replicate);
   PrimaryRunner runner(plan_.moves.settings, *plan_.moves.mutation, group.shape, *target);
   Counters discarded;
-  ChainFilmSink sink(*film_, static_cast<int>(own.picture), plan_.view.importance, *target,
+  ChainFilmSink sink(*film_, static_cast<int>(own.picture), plan_.view.importance, target.get(),
                      discarded);
   const double mutations = SelectiveHeuristics::kTrialMutations *
                            static_cast<double>(plan_.pixels()) /
