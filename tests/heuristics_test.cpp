@@ -30,6 +30,7 @@ const std::vector<std::string>& rooms_with_heuristics() {
                                                   "transport",
                                                   "session",
                                                   "mcmc/primary",
+                                                  "mcmc/path_space",
                                                   "integrator/montecarlo",
                                                   "integrator/metropolis",
                                                   "integrator/selective"};

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "integrator/metropolis/metropolis.h"
+#include "integrator/metropolis/mlt.h"
 #include "integrator/montecarlo/g_buffer.h"
 #include "integrator/montecarlo/path_family.h"
 #include "integrator/selective/selective.h"
@@ -63,6 +64,13 @@ const std::vector<IntegratorInfo>& integrators() {
                          "light tracing: paths from the lights, joined to the lens; blind to what "
                          "only mirrors show",
                          "Dutré et al. 1993"),
+      {.name = "mlt",
+       .summary =
+           "Metropolis light transport in path space, as published: chains of paths that are "
+           "changed vertex by vertex",
+       .source = "Veach & Guibas 1997",
+       .parameters = mlt_parameters(),
+       .make = make_mlt_integrator},
       metropolis(
           ChainKind::OnePath, "mmlt",
           "multiplexed Metropolis light transport, as published: chains of paths of one depth that "
