@@ -135,6 +135,12 @@ TEST(MitsubaMaterials, NormalMapsTiltWhatIsInThem) {
                           kNormalMap + "<bsdf type=\"diffuse\"/></bsdf></bsdf>")
                    .warnings,
                "the bump or normal map in this one is not supported"));
+  // The file may be its own, as in the renderer of Zeltner et al. 2020.
+  const MaterialOf file(
+      "<bsdf type=\"normalmap\"><string name=\"filename\" value=\"n.exr\"/><bsdf "
+      "type=\"diffuse\"/></bsdf>");
+  EXPECT_EQ(file.warnings, "");
+  EXPECT_NE(file.material(file.scene.shapes.front().material).normal_map.texture, desc::kNone);
   EXPECT_TRUE(
       contains(MaterialOf("<bsdf type=\"normalmap\"><bsdf type=\"diffuse\"/></bsdf>").warnings,
                "bsdf \"normalmap\" has no texture in it"));
