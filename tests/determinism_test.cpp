@@ -39,7 +39,7 @@ TEST_P(SameBits, OnAnyNumberOfThreads) {
   for (const IntegratorInfo& info : integrators()) {
     // The default bootstrap takes longer than all the rest.
     std::map<std::string, std::string> parameters;
-    if (info.name == "mlt" || info.name == "mmlt" || info.name == "pssmlt") {
+    if (info.name == "erpt" || info.name == "mlt" || info.name == "mmlt" || info.name == "pssmlt") {
       parameters["bootstrap"] = "10000";
     }
     std::vector<std::vector<std::string>> layers = {{"albedo", "depth", "object-id"}};

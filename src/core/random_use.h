@@ -24,7 +24,8 @@ enum class RandomUse : std::uint64_t {
   RasterLength = 0x1e467,
   PathMutation = 0x9a7b1,  ///< which of those of paths
   PathNumbers = 0x9a7b2,   ///< by which it makes another
-  PathSeed = 0x9a7b3,      ///< which path of a bootstrap sample
+  EnergySamples = 0xe59,
+  PathSeed = 0x9a7b3,  ///< which path of a bootstrap sample
   // The preparation of divided light.
   BrightnessPilot = 0x91107,
   DivisionPilot = 0x9e9107,

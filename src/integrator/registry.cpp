@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "integrator/metropolis/erpt.h"
 #include "integrator/metropolis/metropolis.h"
 #include "integrator/metropolis/mlt.h"
 #include "integrator/montecarlo/g_buffer.h"
@@ -56,6 +57,13 @@ const std::vector<IntegratorInfo>& integrators() {
           path_family_defaults("bdpt"),
           "bidirectional path tracing: every way to join a camera path and a light path",
           "Lafortune & Willems 1993; Veach & Guibas 1995"),
+      {.name = "erpt",
+       .summary =
+           "energy redistribution path tracing: bidirectional samples, each spread over short "
+           "chains that start from it",
+       .source = "Cline, Talbot & Egbert 2005",
+       .parameters = erpt_parameters(),
+       .make = make_erpt_integrator},
       path_family_member(
           path_family_defaults("ibpt"),
           "path tracing and light tracing combined: most of bdpt's strength at little cost",

@@ -1,12 +1,10 @@
 #pragma once
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -14,32 +12,15 @@
 #include "core/milestones.h"
 #include "core/parallel_for.h"
 #include "core/random_use.h"
-#include "integrator/make_filter.h"
 #include "integrator/metropolis/chain_film_sink.h"
+#include "integrator/metropolis/chain_method.h"
 #include "integrator/metropolis/chain_report.h"
-#include "integrator/metropolis/heuristics.h"
 #include "integrator/metropolis/population.h"
-#include "integrator/montecarlo/blind_spots.h"
-#include "integrator/montecarlo/path_family.h"
-#include "integrator/montecarlo/path_parameters.h"
 
 namespace ajar {
 
-/// What published methods whose chains make all light agree on.
-struct ChainOrder {
-  PathSamplerSettings sampler;  ///< of the bootstrap
-  std::vector<PathGroup> groups;
-  std::uint64_t bootstrap;  ///< samples, over all groups and replicates
-  std::size_t chains;       ///< over all replicates
-  Parameters monte_carlo;   ///< of what renders if there was no time for a bootstrap
-};
-
-/// The parameters `bootstrap` and `chains`.
-void add_chain_counts(std::vector<ParameterSpec>& specs);
-/// All but the groups and the start of Russian roulette, by these parameters and those of the
-/// family of path sampling.
-ChainOrder chain_order(const RenderSettings& settings, const Parameters& parameters,
-                       const std::map<std::string, std::string>& path_parameters);
+/// The parameter `chains`.
+ParameterSpec chains_parameter();
 
 /// A sample per pixel is a mutation per pixel.
 ///
@@ -60,31 +41,22 @@ ChainOrder chain_order(const RenderSettings& settings, const Parameters& paramet
 ///     moves           as its kernels number them
 ///     save, load      members in checkpoints, and what they cannot be: check, check_state
 template <typename Space>
-class ChainIntegrator final : public Integrator {
+class ChainIntegrator final : public ChainMethod {
  public:
-  ChainIntegrator(const Scene& scene, const RenderSettings& settings, ChainOrder order, Space space)
-      : scene_(scene),
-        settings_(settings),
-        space_(std::move(space)),
-        view_(view_of(scene, settings)),
-        order_(std::move(order)),
-        concerns_(blind_spots(scene, settings, order_.sampler)) {}
+  /// `chains`: over all replicates.
+  ChainIntegrator(const Scene& scene, const RenderSettings& settings, ChainOrder order,
+                  std::size_t chains, Space space)
+      : ChainMethod(scene, settings, std::move(order)), chains_(chains), space_(std::move(space)) {}
 
   PreparationRound begin_preparation(int round) override;
   void prepare_item(int round, std::uint64_t item, Counters& counters) override;
   void skip_preparation() override;
-  Findings findings() const override;
 
-  std::vector<LayerSpec> layers() const override;
   std::uint64_t items_in_round() const override;
   void run_item(std::uint64_t item, std::uint64_t first_sample, std::uint64_t samples, Film& film,
                 Counters& counters) override;
-  bool is_of_chains(std::uint64_t /*item*/) const override { return !unprepared_; }
-  DevelopScale develop_scale(const LayerSpec& layer, std::uint64_t samples,
-                             std::optional<int> replicate) const override;
   MethodReport report() const override;
 
-  bool keeps_state() const override { return !unprepared_; }
   void save_state(OutputArchive& archive) const override;
   void load_state(InputArchive& archive, std::uint64_t samples) override;
   void give_news(OutputArchive& archive, const WorkShare& share) override;
@@ -105,23 +77,16 @@ class ChainIntegrator final : public Integrator {
   /// Mutations of a chain of a replicate that has `chains` of them, from sample `sample` to the
   /// next.
   std::uint64_t steps(std::uint64_t sample, std::size_t chains) const;
-  /// b over all depths, the mean of the replicates.
-  double brightness() const;
+  double brightness() const override;
+  bool has_chains() const override { return !items_.empty(); }
   std::uint64_t bootstrap_samples() const;
 
-  const Scene& scene_;
-  RenderSettings settings_;
+  std::size_t chains_;
   Space space_;
-  ChainView view_;
-  ChainOrder order_;
-  std::vector<Warning> concerns_;
-  bool misses_light_ = !concerns_.empty();
-
   std::vector<MeasuredPopulation> populations_;
-  std::vector<SampleBlock> blocks_;         ///< of the bootstrap
-  std::vector<Item> items_;                 ///< one per chain
-  std::vector<std::size_t> chains_per_;     ///< replicate
-  std::unique_ptr<Integrator> unprepared_;  ///< renders if there was no time for a bootstrap
+  std::vector<SampleBlock> blocks_;      ///< of the bootstrap
+  std::vector<Item> items_;              ///< one per chain
+  std::vector<std::size_t> chains_per_;  ///< replicate
 };
 
 // ---------------------------------------------------------------- bootstrap
@@ -130,8 +95,8 @@ template <typename Space>
 PreparationRound ChainIntegrator<Space>::begin_preparation(int round) {
   if (round == 0) {
     populations_ =
-        make_populations<MeasuredPopulation>(order_.groups, settings_.replicates, settings_.seed);
-    blocks_ = share_bootstrap(populations_, order_.groups, settings_.replicates, order_.bootstrap);
+        make_populations<MeasuredPopulation>(groups(), settings().replicates, settings().seed);
+    blocks_ = share_bootstrap(populations_, groups(), settings().replicates, order().bootstrap);
     return {.items = blocks_.size()};
   }
   seed();
@@ -142,7 +107,7 @@ template <typename Space>
 void ChainIntegrator<Space>::prepare_item(int /*round*/, std::uint64_t item, Counters& counters) {
   MeasuredPopulation& population = populations_[blocks_[item].owner];
   sample_bootstrap(population, blocks_[item],
-                   *make_path_target(scene_, order_.groups[population.group], view_), counters);
+                   *make_path_target(scene(), groups()[population.group], view()), counters);
 }
 
 template <typename Space>
@@ -150,12 +115,12 @@ void ChainIntegrator<Space>::seed() {
   for (MeasuredPopulation& population : populations_) {
     population.b = bootstrap_moments(population.weights);
   }
-  const auto replicates = static_cast<std::size_t>(settings_.replicates);
+  const auto replicates = static_cast<std::size_t>(settings().replicates);
   share_chains(
-      populations_, order_.groups, std::max<std::size_t>(1, order_.chains / replicates),
+      populations_, groups(), std::max<std::size_t>(1, chains_ / replicates),
       [](const MeasuredPopulation& population) { return population.b.mean(); },
       [this](MeasuredPopulation& population, std::size_t chains) {
-        population.chains = space_.seed(scene_, order_.groups[population.group], view_,
+        population.chains = space_.seed(scene(), groups()[population.group], view(),
                                         population.seed, population.weights, chains);
       });
   chains_per_.assign(replicates, 0);
@@ -164,46 +129,25 @@ void ChainIntegrator<Space>::seed() {
     for (std::size_t c = 0; c < chains; ++c) items_.push_back({p, c});
     chains_per_[static_cast<std::size_t>(populations_[p].replicate)] += chains;
   }
-  if (items_.empty() && !order_.groups.empty()) concerns_.push_back(no_seeds(bootstrap_samples()));
+  if (items_.empty() && !groups().empty()) add_concern(no_seeds(bootstrap_samples()));
 }
 
-/// Without a bootstrap there is neither a seed nor b: ordinary Monte Carlo with the same techniques
-/// makes the same picture.
 template <typename Space>
 void ChainIntegrator<Space>::skip_preparation() {
   populations_.clear();
-  RenderSettings own = settings_;
-  own.max_depth = order_.sampler.max_depth;
-  std::erase_if(own.aovs, is_chain_layer);
-  unprepared_ = make_path_integrator(scene_, own, order_.monte_carlo);
-}
-
-template <typename Space>
-Findings ChainIntegrator<Space>::findings() const {
-  Findings found;
-  found.concerns = concerns_;
-  found.misses_light = misses_light_;
-  if (unprepared_) {
-    found.notes = {
-        "too little time to look for light that chains start from: rendered by plain Monte Carlo "
-        "(" +
-        order_.monte_carlo.get_text("techniques") + ")"};
-  } else if (!items_.empty()) {
-    found.notes = {"Markov chains make all light"};
-  }
-  return found;
+  ChainMethod::skip_preparation();
 }
 
 // ---------------------------------------------------------------- chains
 
 template <typename Space>
 std::uint64_t ChainIntegrator<Space>::items_in_round() const {
-  return unprepared_ ? unprepared_->items_in_round() : items_.size();
+  return unprepared() != nullptr ? unprepared()->items_in_round() : items_.size();
 }
 
 template <typename Space>
 std::uint64_t ChainIntegrator<Space>::steps(std::uint64_t sample, std::size_t chains) const {
-  const double per_sample = view_.pixels / settings_.replicates / static_cast<double>(chains);
+  const double per_sample = view().pixels / settings().replicates / static_cast<double>(chains);
   const auto upto = [&](std::uint64_t samples) {
     return static_cast<std::uint64_t>(std::ceil(static_cast<double>(samples) * per_sample));
   };
@@ -215,14 +159,14 @@ std::uint64_t ChainIntegrator<Space>::steps(std::uint64_t sample, std::size_t ch
 template <typename Space>
 void ChainIntegrator<Space>::run_item(std::uint64_t item, std::uint64_t first_sample,
                                       std::uint64_t samples, Film& film, Counters& counters) {
-  if (unprepared_) {
-    unprepared_->run_item(item, first_sample, samples, film, counters);
+  if (unprepared() != nullptr) {
+    unprepared()->run_item(item, first_sample, samples, film, counters);
     return;
   }
   MeasuredPopulation& population = populations_[items_[item].population];
   Member& member = population.chains[items_[item].chain];
-  typename Space::Walker walker(space_, scene_, order_.groups[population.group], view_);
-  ChainFilmSink sink(film, population.replicate, view_.importance, walker.target(), counters);
+  typename Space::Walker walker(space_, scene(), groups()[population.group], view());
+  ChainFilmSink sink(film, population.replicate, view().importance, walker.target(), counters);
   const double b = population.b.mean();
   const auto chains = static_cast<double>(population.chains.size());
   ChainStatistics statistics;
@@ -230,7 +174,7 @@ void ChainIntegrator<Space>::run_item(std::uint64_t item, std::uint64_t first_sa
   for (std::uint64_t sample = first_sample; sample < first_sample + samples; ++sample) {
     const std::uint64_t n =
         steps(sample, chains_per_[static_cast<std::size_t>(population.replicate)]);
-    sink.begin(b * view_.area() / (static_cast<double>(n) * chains) / settings_.replicates,
+    sink.begin(b * view().area() / (static_cast<double>(n) * chains) / settings().replicates,
                member.record.by_technique.empty() ? nullptr : &member.record.by_technique);
     const ChainStatistics of_sample = walker.go_on(member, n, sink, b);
     member.record.statistics += of_sample;
@@ -245,31 +189,7 @@ template <typename Space>
 double ChainIntegrator<Space>::brightness() const {
   double b = 0.0;
   for (const MeasuredPopulation& population : populations_) b += population.b.mean();
-  b /= settings_.replicates;
-  return b > 0.0 && std::isfinite(b) ? b : 1.0;
-}
-
-template <typename Space>
-std::vector<LayerSpec> ChainIntegrator<Space>::layers() const {
-  std::vector<LayerSpec> specs;
-  if (unprepared_) {
-    specs = unprepared_->layers();
-  } else {
-    specs = light_layers(brightness());
-    if (settings_.for_filters) add_box_layers(specs, make_filter(scene_.film().filter));
-  }
-  add_chain_layers(specs, settings_.aovs);
-  return specs;
-}
-
-template <typename Space>
-DevelopScale ChainIntegrator<Space>::develop_scale(const LayerSpec& layer, std::uint64_t samples,
-                                                   std::optional<int> replicate) const {
-  if (samples == 0) return 0.0;
-  const double scale = 1.0 / static_cast<double>(samples);
-  if (is_chain_layer(layer.name)) return scale;
-  if (unprepared_) return unprepared_->develop_scale(layer, samples, replicate);
-  return replicate ? scale * settings_.replicates : scale;
+  return b / settings().replicates;
 }
 
 // ---------------------------------------------------------------- report, state
@@ -283,13 +203,13 @@ std::uint64_t ChainIntegrator<Space>::bootstrap_samples() const {
 
 template <typename Space>
 MethodReport ChainIntegrator<Space>::report() const {
-  if (unprepared_) return unprepared_->report();
+  if (unprepared() != nullptr) return unprepared()->report();
   ChainReporter reporter(bootstrap_samples(), space_.moves());
-  for (std::size_t g = 0; g < order_.groups.size(); ++g) {
-    ChainReporter::OfGroup group(order_.groups[g]);
+  for (std::size_t g = 0; g < groups().size(); ++g) {
+    ChainReporter::OfGroup group(groups()[g]);
     for (const MeasuredPopulation& population : populations_) {
       if (population.group != g) continue;
-      group.add_b(population.b.mean(), population.b.standard_error(), settings_.replicates);
+      group.add_b(population.b.mean(), population.b.standard_error(), settings().replicates);
       for (const Member& member : population.chains) group.add_chain(member.record);
     }
     reporter.add(std::move(group));
@@ -301,7 +221,7 @@ template <typename Space>
 void ChainIntegrator<Space>::save_state(OutputArchive& archive) const {
   archive(static_cast<std::uint64_t>(items_.size()));
   for (const Item& item : items_) {
-    space_.save(archive, scene_, populations_[item.population].chains[item.chain]);
+    space_.save(archive, scene(), populations_[item.population].chains[item.chain]);
   }
 }
 
@@ -312,18 +232,18 @@ void ChainIntegrator<Space>::load_state(InputArchive& archive, std::uint64_t sam
   if (chains != items_.size()) {
     throw std::runtime_error("other chains are prepared than there were");
   }
-  const auto replicates = static_cast<std::uint64_t>(settings_.replicates);
+  const auto replicates = static_cast<std::uint64_t>(settings().replicates);
   // A pass that was cut short may have come as far as this; each sample has a step at least.
   const double most_steps =
-      static_cast<double>(milestone_after(samples, replicates)) * (1.0 + view_.pixels);
+      static_cast<double>(milestone_after(samples, replicates)) * (1.0 + view().pixels);
   for (const Item& item : items_) {
     Member& member = populations_[item.population].chains[item.chain];
-    space_.load(archive, scene_, member);
-    space_.check(member, order_.groups[populations_[item.population].group], most_steps);
+    space_.load(archive, scene(), member);
+    space_.check(member, groups()[populations_[item.population].group], most_steps);
   }
   parallel_for(items_.size(), [&](std::size_t i) {
     const MeasuredPopulation& population = populations_[items_[i].population];
-    space_.check_state(scene_, order_.groups[population.group], view_,
+    space_.check_state(scene(), groups()[population.group], view(),
                        population.chains[items_[i].chain]);
   });
 }
@@ -332,7 +252,7 @@ template <typename Space>
 void ChainIntegrator<Space>::give_news(OutputArchive& archive, const WorkShare& share) {
   for (std::size_t i = 0; i < items_.size(); ++i) {
     if (!share.has(i)) continue;
-    space_.save(archive, scene_, populations_[items_[i].population].chains[items_[i].chain]);
+    space_.save(archive, scene(), populations_[items_[i].population].chains[items_[i].chain]);
   }
 }
 
@@ -340,7 +260,7 @@ template <typename Space>
 void ChainIntegrator<Space>::take_news(InputArchive& archive, const WorkShare& share) {
   for (std::size_t i = 0; i < items_.size(); ++i) {
     if (!share.has(i)) continue;
-    space_.load(archive, scene_, populations_[items_[i].population].chains[items_[i].chain]);
+    space_.load(archive, scene(), populations_[items_[i].population].chains[items_[i].chain]);
   }
 }
 
