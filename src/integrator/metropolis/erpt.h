@@ -6,8 +6,8 @@
 
 namespace ajar {
 
-/// Energy redistribution path tracing (docs/mlt.md): independent samples, what each of them brings
-/// spread over short chains that start from it. Source: Cline, Talbot & Egbert 2005.
+/// Energy redistribution path tracing (docs/methods/mlt.md): independent samples, what each of them
+/// brings spread over short chains that start from it. Source: Cline, Talbot & Egbert 2005.
 std::vector<ParameterSpec> erpt_parameters();
 
 /// Raises UsageError for parameters that cannot be used.

@@ -6,8 +6,8 @@
 
 namespace ajar {
 
-/// Metropolis light transport in path space (docs/mlt.md): chains whose states are explicit paths.
-/// Source: Veach & Guibas 1997; Veach 1997, chapter 11.
+/// Metropolis light transport in path space (docs/methods/mlt.md): chains whose states are explicit
+/// paths. Source: Veach & Guibas 1997; Veach 1997, chapter 11.
 std::vector<ParameterSpec> mlt_parameters();
 
 /// Raises UsageError for parameters that cannot be used.

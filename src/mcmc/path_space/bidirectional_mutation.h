@@ -8,7 +8,7 @@ namespace ajar {
 
 /// Takes vertices out of a path, or the whole path, or only the edge between two vertices, lets its
 /// two ends grow, by other numbers of vertices as a rule, and joins them again: paths of all
-/// lengths are reached from each (docs/mlt.md). Source: Veach 1997, section 11.4.2.
+/// lengths are reached from each (docs/methods/mlt.md). Source: Veach 1997, section 11.4.2.
 class BidirectionalMutation final : public PathMutation {
  public:
   struct Depths {

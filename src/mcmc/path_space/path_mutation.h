@@ -14,8 +14,8 @@ struct Kept {
   int camera = 0;
 };
 
-/// A way to change paths (docs/mlt.md): vertices in the midst of a path, or at its ends, give way
-/// to others. Holds the scratch memory of one thread. Source: Veach 1997, section 11.4.
+/// A way to change paths (docs/methods/mlt.md): vertices in the midst of a path, or at its ends,
+/// give way to others. Holds the scratch memory of one thread. Source: Veach 1997, section 11.4.
 class PathMutation {
  public:
   virtual ~PathMutation() = default;
