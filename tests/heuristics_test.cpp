@@ -101,6 +101,7 @@ const std::multimap<std::string, Unfitted>& unfitted() {
       {"scene/light/map.cpp", {"limit of a parameter, of a type", {"kMaxSide", "kLargest"}}},
       {"scene/light/map.h", {"precision of an estimate", {"kLeastPoints"}}},
       {"scene/light/spot_light.cpp", {"precision of an integral", {"kSteps"}}},
+      {"scene/light/sky_light.cpp", {"precision of a table", {"kWidth", "kHeight"}}},
       {"transport/path_sampler.h",
        {"limit of a parameter, size of an array", {"kMaxLightSubpaths"}}},
       {"transport/segment.cpp", {"end of what rounding could repeat for ever", {"kMaxInterfaces"}}},

@@ -83,8 +83,10 @@ std::string corners_of(const Wall& wall) {
 }
 
 std::string pbrt_camera() {
-  return fmt::format("LookAt 0 1 3.5  0 1 0  0 1 0\nCamera \"perspective\" \"float fov\" {}\n",
-                     kFov);
+  // Its cameras are left-handed: without it x would go to the left.
+  return fmt::format(
+      "Scale -1 1 1\nLookAt 0 1 3.5  0 1 0  0 1 0\nCamera \"perspective\" \"float fov\" {}\n",
+      kFov);
 }
 
 }  // namespace

@@ -28,7 +28,6 @@ std::vector<ParameterSpec> PathSpace::parameters(std::string_view without) {
                      .choices = {},
                      .minimum = 0.0,
                      .maximum = 1000.0});
-    specs.back().expert = true;
   }
   return specs;
 }
