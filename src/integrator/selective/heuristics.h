@@ -197,12 +197,13 @@ struct SelectiveHeuristics {
   /// Unit: variance over variance. Range: >= 1. Source: docs/notebook/selective.md, "Without a
   /// trial of chains".
   static constexpr double kCorrelation = 10.0;
-  /// Chains turn out worse in the end, and what they leave are blotches, which the eye sees more
-  /// easily than noise of the same variance. C is so many times as high where it is asked whether
-  /// they pay.
-  /// Unit: factor. Range: >= 1. Source: docs/notebook/selective.md, "Whether chains pay": about 2
-  /// for the one, 2.5 (C through 3x3 pixels) for the other.
-  static constexpr double kDoubt = 4.0;
+  /// Chains of some scenes cluster more than of others, they turn out worse in the end, and what
+  /// they leave are blotches, which the eye sees more easily than noise of the same variance. C is
+  /// so many times as high where it is asked whether they pay.
+  /// Unit: factor. Range: >= 1. Source: docs/notebook/selective.md, "Without a trial of chains":
+  /// about 2 for the first, 2 for the second, 2.5 (C through 3x3 pixels) for the third. With 4, the
+  /// halves of one render in eight of door-ajar disagree.
+  static constexpr double kDoubt = 8.0;
 
   // -------------------------------------------------------- what things cost before it is measured
   /// Unit: rays. Range: > 0. Source: docs/notebook/chains.md, "Steps, and what they are worth": 4.3
