@@ -2,7 +2,7 @@
 
 Every link to a file of the repository must lead somewhere, and every line of a fenced `sh` block that starts with `ajar `
 must run: with few samples and a small picture added to renders, in a folder that is thrown away.
-Blocks that need files of the reader are marked `text`.
+Blocks that need files of the reader are marked `text`. Pages that the program writes must be as it would write them.
 """
 import os
 import re
@@ -10,15 +10,18 @@ import subprocess
 import sys
 import tempfile
 
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "pages"))
+import reference_pages  # noqa: E402
+
 LINK = re.compile(r"\[[^\]]*\]\(([^)#\s]+)[^)]*\)")
 BLOCK = re.compile(r"```(\w*)\n(.*?)```", re.DOTALL)
 
 
 def documents(repository):
-    names = subprocess.run(
-        ["git", "-C", repository, "ls-files", "--cached", "--others", "--exclude-standard", "*.md"],
-        check=True, capture_output=True, text=True).stdout.split("\n")
-    return [os.path.join(repository, name) for name in names if name]
+    for root, folders, names in os.walk(repository):
+        if root == repository:
+            folders[:] = [folder for folder in folders if folder not in (".git", "build", "out")]
+        yield from (os.path.join(root, name) for name in sorted(names) if name.endswith(".md"))
 
 
 def broken_links(path, text):
@@ -86,6 +89,7 @@ def main(repository, program):
                 text = file.read()
             problems += broken_links(path, text)
             problems += failing_commands(path, text, program, folder)
+    problems += reference_pages.stale_pages(program, os.path.join(repository, "docs", "reference"))
     for problem in problems:
         print(problem, file=sys.stderr)
     print(f"documentation: {len(problems)} problems")

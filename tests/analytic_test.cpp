@@ -186,7 +186,7 @@ class FromTheLight : public ::testing::TestWithParam<std::string> {
   test::RenderOptions options(int count) const {
     test::RenderOptions result = samples(count);
     result.integrator = GetParam();
-    if (!test::has_parameter(GetParam(), "mutation")) {
+    if (!test::has_chains(GetParam())) {
       result.parameters = {{"light-paths-per-pixel", "1"}};
     }
     return result;

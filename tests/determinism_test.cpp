@@ -39,7 +39,9 @@ TEST_P(SameBits, OnAnyNumberOfThreads) {
   for (const IntegratorInfo& info : integrators()) {
     // The default bootstrap takes longer than all the rest.
     std::map<std::string, std::string> parameters;
-    if (info.name == "mmlt" || info.name == "pssmlt") parameters["bootstrap"] = "10000";
+    if (info.name == "erpt" || info.name == "mlt" || info.name == "mmlt" || info.name == "pssmlt") {
+      parameters["bootstrap"] = "10000";
+    }
     std::vector<std::vector<std::string>> layers = {{"albedo", "depth", "object-id"}};
     // Which has as many camera samples everywhere with these.
     if (info.name == "selective") layers.push_back({"density"});

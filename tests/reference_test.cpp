@@ -130,7 +130,7 @@ std::vector<Case> cases() {
     for (const std::string& method : test::methods_but({})) {
       // Their errors hang together from pixel to pixel: replicates are compared instead
       // (chain_agreement_test.cpp).
-      if (test::has_parameter(method, "mutation")) excused.emplace(method, "chains");
+      if (test::has_chains(method)) excused.emplace(method, "chains");
     }
     for (const std::string& method : test::methods_but(excused)) {
       // A sample of bdpt is worth, and costs, more.

@@ -60,9 +60,7 @@ class RegionChoiceTest : public testing::Test {
   }
 
   PilotView view(double correlation) const {
-    return {plan_,  regions_, *film_,
-            *omc_,  kSamples, 10.0,
-            found_, {0, 1},   ChainCosts{correlation, 4.5}};
+    return {plan_, regions_, *film_, *omc_, kSamples, 10.0, found_, {0, 1}, correlation};
   }
   RegionChoice choose(double correlation) const { return choose_regions(view(correlation)); }
   /// T of the first region.
@@ -113,7 +111,7 @@ TEST_F(RegionChoiceTest, NoSingleSampleTurnsTheDecision) {
 }
 
 TEST_F(RegionChoiceTest, SeveralSamplesDo) {
-  constexpr double kFair = 10.0;
+  constexpr double kFair = 5.0;
   const double before = threshold(kFair);
   for (std::size_t i = 0; i < found_.size(); i += 49) found_[i] = path(i, 100.F);
   EXPECT_LT(threshold(kFair), 0.5 * before);

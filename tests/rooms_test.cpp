@@ -34,8 +34,10 @@ const std::map<std::string, std::set<std::string>>& rooms() {
       may[room] = std::move(others);
     };
     add("path", "transport", {});
-    add("mcmc", "path", {});
-    add("integrator", "mcmc", {"image"});
+    // Numbers and their sources are all that chains of numbers need of transport.
+    add("mcmc", "transport", {});
+    add("mcmc/path_space", "path", {"mcmc"});
+    add("integrator", "mcmc/path_space", {"image"});
     add("integrator/montecarlo", "integrator", {});
     add("integrator/metropolis", "integrator/montecarlo", {});
     add("integrator/selective", "integrator/metropolis", {});

@@ -22,6 +22,10 @@ enum class RandomUse : std::uint64_t {
   StepLength = 0x1e46,  ///< of small steps; beyond the keys of tries
   RasterMove = 0x7a57e7,
   RasterLength = 0x1e467,
+  PathMutation = 0x9a7b1,  ///< which of those of paths
+  PathNumbers = 0x9a7b2,   ///< by which it makes another
+  EnergySamples = 0xe59,
+  PathSeed = 0x9a7b3,  ///< which path of a bootstrap sample
   // The preparation of divided light.
   BrightnessPilot = 0x91107,
   DivisionPilot = 0x9e9107,
@@ -30,7 +34,6 @@ enum class RandomUse : std::uint64_t {
   RouletteScramble = 1,  ///< their points
   TechniqueTrial = 0x11997,
   TechniqueTiles = 0x711e5,  ///< which of the picture it renders
-  ChainTrial = 0x791a1,
   // Recruits.
   RecruitLot = 0x6a1e,
   LightLot = 0xf09d,

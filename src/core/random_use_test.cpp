@@ -29,7 +29,6 @@ bool is_named(RandomUse use) {
     case RandomUse::RouletteScramble:
     case RandomUse::TechniqueTrial:
     case RandomUse::TechniqueTiles:
-    case RandomUse::ChainTrial:
     case RandomUse::RecruitLot:
     case RandomUse::LightLot:
     case RandomUse::RecruitReplicate:

@@ -54,7 +54,8 @@ void add_box_layers(std::vector<LayerSpec>& layers, const Filter& filter);
 /// 2^-25 of a typical contribution. A single contribution may be 2^30 times the magnitude, and a
 /// sum can reach 2^38 times the magnitude before contributions to its pixel are refused.
 ///
-/// Pixel values are unbiased estimates of ∫ h_j(x) L(x) dx with ∫ h_j = 1 (docs/theory.md).
+/// Pixel values are unbiased estimates of ∫ h_j(x) L(x) dx with ∫ h_j = 1
+/// (docs/methods/notation.md).
 class Film {
  public:
   /// `crop`: the pixels that exist, min and max inclusive, within the resolution; `replicates` ≥ 1.

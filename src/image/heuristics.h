@@ -5,17 +5,17 @@
 namespace ajar {
 
 /// The fitted numbers of this room. Those of published metrics (FLIP, SSIM) and of definitions
-/// (docs/estimated-error.md) stay where they are.
+/// (docs/methods/error-estimate.md) stay where they are.
 struct ImageHeuristics {
   // -------------------------------------------------------- estimated error
   /// Places over which the squared error is summed: as wide as what filters make of one splat.
-  /// Unit: pixels across. Range: >= 1. Source: docs/estimated-error.md; 51b6652, half and double
-  /// not measured.
+  /// Unit: pixels across. Range: >= 1. Source: docs/methods/error-estimate.md; 51b6652, half and
+  /// double not measured.
   static constexpr std::size_t kPlace = 4;
   /// With fewer places the relative standard deviation of the value is more than 16 % (of a sum of
   /// n equal squares: sqrt(1/n), half of that of its root), and what is rare is rarer than that.
-  /// Unit: places. Range: >= 1. Source: docs/estimated-error.md; 51b6652, half and double not
-  /// measured.
+  /// Unit: places. Range: >= 1. Source: docs/methods/error-estimate.md; 51b6652, half and double
+  /// not measured.
   static constexpr double kFewestPlaces = 10.0;
   /// Small pictures do not have so many: this share of their places instead.
   /// Unit: share. Range: (0, 1]. Source: 51b6652; set by hand, no study.

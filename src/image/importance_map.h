@@ -8,9 +8,9 @@
 namespace ajar {
 
 /// A positive weight per pixel that a Markov chain multiplies into its target and divides out of
-/// its splats (docs/chains.md): where it is large, the chain spends more of its time,
-/// while the picture's expectation does not change. Piecewise constant; weights beyond the border
-/// are those of the nearest pixel.
+/// its splats (docs/methods/divided-light.md): where it is large, the chain spends more of its
+/// time, while the picture's expectation does not change. Piecewise constant; weights beyond the
+/// border are those of the nearest pixel.
 class ImportanceMap {
  public:
   /// The same weight everywhere.

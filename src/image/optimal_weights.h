@@ -3,7 +3,7 @@
 #include <vector>
 
 /// How much of each region's light Markov chains should render, and for how long, so that the
-/// predicted error of the sum of both halves is smallest (docs/selective.md).
+/// predicted error of the sum of both halves is smallest (docs/methods/selective.md).
 ///
 /// The model. Ordinary Monte Carlo (OMC) of n samples per pixel renders the share 1 − σ of the
 /// light I_j of pixel j; N mutations render σ·I_j with target I·σ·q, where q is an importance map

@@ -46,7 +46,7 @@ std::vector<float> threshold_map(std::span<const RegionNoise> noise,
 /// of few samples (`indirect`: row by row, channels side by side).
 ///
 /// Source: Frolov, "Selective application of Metropolis Light Transport for hard sampling
-/// illumination phenomena" (docs/selective.md).
+/// illumination phenomena" (docs/methods/selective.md).
 std::vector<float> region_map(std::span<const float> indirect, const Regions& regions,
                               const RegionMapSettings& settings);
 

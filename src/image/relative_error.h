@@ -14,10 +14,10 @@ namespace ajar {
 ///
 ///     sqrt( mean over values of  (x − t)² / (t² + 0.01 μ²) ),   μ = median of the lit |t|,
 ///
-/// i.e. the square root of relMSE (docs/estimated-error.md) of the picture exposed so that μ is 1.
-/// 0.01 is "1 %". Relative per pixel, because ‖error‖/‖picture‖ is decided by a few visible lamps;
-/// floored, because dark pixels would have infinite relative error; the floor hangs on the median,
-/// because it must depend neither on the units of the scene nor on the lamps.
+/// i.e. the square root of relMSE (docs/methods/error-estimate.md) of the picture exposed so that μ
+/// is 1. 0.01 is "1 %". Relative per pixel, because ‖error‖/‖picture‖ is decided by a few visible
+/// lamps; floored, because dark pixels would have infinite relative error; the floor hangs on the
+/// median, because it must depend neither on the units of the scene nor on the lamps.
 ///
 /// Of a picture whose truth t is known: all have the same number of values, else
 /// std::invalid_argument; nullopt if t is black.

@@ -4,6 +4,7 @@
 
 #include "core/warnings.h"
 #include "import/file_provider.h"
+#include "import/scene_definitions.h"
 #include "scene/desc/scene_desc.h"
 
 namespace ajar {
@@ -20,6 +21,11 @@ struct Format {
   /// if the scene cannot be used, IoError if `path` cannot be read.
   desc::SceneDesc (*read)(const std::string& path, Warnings& warnings,
                           const FileProvider& provider);
+  /// The same with values for what scenes of the format leave open. Raises SceneError, too, for
+  /// names that this scene does not have. Null: the format has no such thing.
+  desc::SceneDesc (*read_defined)(const std::string& path, Warnings& warnings,
+                                  const FileProvider& provider,
+                                  const SceneDefinitions& definitions) = nullptr;
   /// Writes a scene such that reading it gives a description of equal `desc::hash` (embedded files
   /// become files, and have another name then). Each file is written as a whole or not at all,
   /// `path` last. Raises IoError. Null: the format is only read.

@@ -1,13 +1,12 @@
 #include "import/format.h"
 
-#include <gtest/gtest.h>
 #include <stdlib.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <set>
 
-#include "core/error.h"
+#include "import/testing/import_checks.h"
 #include "scene/desc/models.h"
 #include "scene/testing/another_value.h"
 
@@ -15,10 +14,6 @@ namespace ajar {
 namespace {
 
 namespace fs = std::filesystem;
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 TEST(Formats, AreToldByExtensionsOfTheirOwn) {
   ASSERT_FALSE(formats().empty());

@@ -4,14 +4,17 @@
 #include "core/error.h"
 #include "core/warnings.h"
 #include "import/file_provider.h"
+#include "import/scene_definitions.h"
 #include "scene/desc/scene_desc.h"
 
 namespace ajar {
 
 /// Reads a scene file of any format we know (`format.h`), told by its extension. Raises SceneError
 /// if the extension is none of ours or the scene cannot be used, IoError if the file cannot be
-/// read.
+/// read. `definitions` give a value to what the scene leaves open; a UsageError if its format has
+/// no such thing.
 desc::SceneDesc import_scene(const std::string& path, Warnings& warnings,
-                             const FileProvider& provider = {});
+                             const FileProvider& provider = {},
+                             const SceneDefinitions& definitions = {});
 
 }  // namespace ajar

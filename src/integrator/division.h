@@ -47,7 +47,7 @@ struct PixelShare {
 /// samples and a chain of density g/b (Kelemen et al. 2002, section 5.2), but over what
 /// bidirectional path tracing samples anyway, and put into the chain's target, so that the chain
 /// spends no time on what it does not make. The idea to divide in path space is Bitterli & Jarosz
-/// 2019's. With T = 0 it is the division by an image σ of Frolov (docs/selective.md),
+/// 2019's. With T = 0 it is the division by an image σ of Frolov (docs/methods/selective.md),
 /// and both sides may have different techniques.
 class Division final : public PathPart {
  public:

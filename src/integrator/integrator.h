@@ -25,7 +25,7 @@ namespace ajar {
 struct RenderSettings {
   Vec2i resolution{0, 0};  ///< of the full image
   Box2i crop;              ///< pixels to render, min and max inclusive
-  int min_depth = 1;       ///< path edges (docs/theory.md)
+  int min_depth = 1;       ///< path edges (docs/methods/notation.md)
   int max_depth = 100;
   std::uint64_t seed = 0;
   int replicates = 4;

@@ -1,6 +1,8 @@
 #include <algorithm>
 
+#include "integrator/metropolis/erpt.h"
 #include "integrator/metropolis/metropolis.h"
+#include "integrator/metropolis/mlt.h"
 #include "integrator/montecarlo/g_buffer.h"
 #include "integrator/montecarlo/path_family.h"
 #include "integrator/selective/selective.h"
@@ -55,6 +57,13 @@ const std::vector<IntegratorInfo>& integrators() {
           path_family_defaults("bdpt"),
           "bidirectional path tracing: every way to join a camera path and a light path",
           "Lafortune & Willems 1993; Veach & Guibas 1995"),
+      {.name = "erpt",
+       .summary =
+           "energy redistribution path tracing: bidirectional samples, each spread over short "
+           "chains that start from it",
+       .source = "Cline, Talbot & Egbert 2005",
+       .parameters = erpt_parameters(),
+       .make = make_erpt_integrator},
       path_family_member(
           path_family_defaults("ibpt"),
           "path tracing and light tracing combined: most of bdpt's strength at little cost",
@@ -63,6 +72,13 @@ const std::vector<IntegratorInfo>& integrators() {
                          "light tracing: paths from the lights, joined to the lens; blind to what "
                          "only mirrors show",
                          "Dutré et al. 1993"),
+      {.name = "mlt",
+       .summary =
+           "Metropolis light transport in path space, as published: chains of paths that are "
+           "changed vertex by vertex",
+       .source = "Veach & Guibas 1997",
+       .parameters = mlt_parameters(),
+       .make = make_mlt_integrator},
       metropolis(
           ChainKind::OnePath, "mmlt",
           "multiplexed Metropolis light transport, as published: chains of paths of one depth that "

@@ -1,5 +1,9 @@
 #include "path/measure.h"
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
 namespace ajar {
 
 namespace {
@@ -42,38 +46,34 @@ const Medium* scattered_in(const Path& path, int x) {
   return x == 0 || x == path.depth() ? nullptr : path.vertex(x).scattered_in();
 }
 
+/// Densities with which camera subpaths start as `path` does. Wide filters draw rays from beyond
+/// the border of the image, where the camera says that it sees nothing.
+EmissionPdf camera_start(const Scene& scene, const Path& path) {
+  const Camera& camera = scene.camera();
+  const int k = path.depth();
+  const Vec3 away = path.toward_light(scene, k);
+  const EmissionPdf pdf = camera.emission_pdf(path.camera_point, away);
+  if (pdf.departure.value() > 0.F || inside_image(scene, path.raster)) return pdf;
+  const Vec3 reference = path.camera_point.surface.p + away;
+  const auto lens = camera.invert_connection(reference, path.camera_point, {0.F, Vec2(0.5F, 0.5F)});
+  if (!lens) return pdf;
+  const auto ray =
+      camera.sample_emission({0.F, lens->position, path.raster / Vec2(camera.resolution())});
+  return ray ? EmissionPdf{ray->position_pdf, ray->departure_pdf} : pdf;
+}
+
 /// Density with which a subpath of `count` ≥ 2 vertices from the light is sampled.
 double light_side(const Scene& scene, const Path& path, int count) {
-  const Light& light = *path.light;
-  const EmissionPdf emission = light.emission_pdf(path.light_point, path.toward_camera(scene, 0));
-  double pdf = double{emission.position.value()} *
-               double{scene.light_sampler().emitter_probability(light).value()} *
-               double{emission.departure.value()};
-  for (int x = 1; x < count; ++x) {  // from x − 1 to x
-    if (x > 1) {
-      pdf *=
-          path.vertex(x - 1).pdf(path.toward_light(scene, x - 1), path.toward_camera(scene, x - 1));
-    }
-    pdf *= spread(scene, path, x - 1, x) *
-           double{path.segment(x - 1).distance_pdf(scattered_in(path, x))};
-  }
+  double pdf = 1.0;
+  for (int x = 0; x < count; ++x) pdf *= light_step_pdf(scene, path, x);
   return pdf;
 }
 
 /// The same from the camera, for `count` ≥ 1.
 double camera_side(const Scene& scene, const Path& path, int count) {
-  const int k = path.depth();
-  const EmissionPdf emission =
-      scene.camera().emission_pdf(path.camera_point, path.toward_light(scene, k));
-  double pdf = emission.position.value();
-  if (count > 1) pdf *= double{emission.departure.value()};
-  for (int x = k - 1; x > k - count; --x) {  // from x + 1 to x
-    if (x + 1 < k) {
-      pdf *=
-          path.vertex(x + 1).pdf(path.toward_camera(scene, x + 1), path.toward_light(scene, x + 1));
-    }
-    pdf *=
-        spread(scene, path, x + 1, x) * double{path.segment(x).distance_pdf(scattered_in(path, x))};
+  double pdf = 1.0;
+  for (int x = path.depth(); x > path.depth() - count; --x) {
+    pdf *= camera_step_pdf(scene, path, x);
   }
   return pdf;
 }
@@ -87,21 +87,83 @@ ScaledSpectrum& ScaledSpectrum::operator*=(const Spectrum& factor) {
     return *this;
   }
   spectrum *= factor / size;
-  scale *= static_cast<double>(size);
+  *this *= static_cast<double>(size);
   const float left = spectrum.max();
   if (left > 0.F && left < 1e-6F) {
     spectrum /= left;
-    scale *= static_cast<double>(left);
+    *this *= static_cast<double>(left);
   }
   return *this;
+}
+
+ScaledSpectrum& ScaledSpectrum::operator*=(double factor) {
+  int power = 0;
+  scale = std::frexp(scale * factor, &power);
+  exponent += power;
+  return *this;
+}
+
+double ScaledSpectrum::whole_scale() const {
+  // Far beyond what doubles hold, where ldexp says infinity or 0.
+  return std::ldexp(scale, static_cast<int>(std::clamp<std::int64_t>(exponent, -100000, 100000)));
+}
+
+double ScaledSpectrum::log_luminance() const {
+  return std::log(static_cast<double>(ajar::luminance(spectrum)) * scale) +
+         static_cast<double>(exponent) * std::numbers::ln2;
+}
+
+bool inside_image(const Scene& scene, const Vec2& raster) {
+  const Vec2 size(scene.camera().resolution());
+  return raster.x >= 0.F && raster.y >= 0.F && raster.x < size.x && raster.y < size.y;
+}
+
+double arrival_pdf(const Scene& scene, const Path& path, int from, int to) {
+  const int edge = std::min(from, to);
+  return spread(scene, path, from, to) *
+         double{path.segment(edge).distance_pdf(scattered_in(path, to))};
+}
+
+double light_step_pdf(const Scene& scene, const Path& path, int x) {
+  if (x <= 1) {
+    const Light& light = *path.light;
+    const EmissionPdf emission = light.emission_pdf(path.light_point, path.toward_camera(scene, 0));
+    if (x == 1) return double{emission.departure.value()} * arrival_pdf(scene, path, 0, 1);
+    return double{emission.position.value()} *
+           double{scene.light_sampler().emitter_probability(light).value()};
+  }
+  return path.vertex(x - 1).pdf(path.toward_light(scene, x - 1), path.toward_camera(scene, x - 1)) *
+         arrival_pdf(scene, path, x - 1, x);
+}
+
+double camera_step_pdf(const Scene& scene, const Path& path, int x) {
+  const int k = path.depth();
+  if (x >= k - 1) {
+    const EmissionPdf emission = camera_start(scene, path);
+    if (x == k) return double{emission.position.value()};
+    return double{emission.departure.value()} * arrival_pdf(scene, path, k, x);
+  }
+  return path.vertex(x + 1).pdf(path.toward_camera(scene, x + 1), path.toward_light(scene, x + 1)) *
+         arrival_pdf(scene, path, x + 1, x);
+}
+
+double next_event_pdf(const Scene& scene, const Path& path) {
+  const Vec3& reference = path.vertex(1).p();
+  return double{path.light->connection_pdf(reference, path.light_point).value()} *
+         double{scene.light_sampler().probability(reference, *path.light).value()};
 }
 
 ScaledSpectrum contribution(const Scene& scene, const Path& path) {
   const int k = path.depth();
   const Vec3 away = path.toward_light(scene, k);
   ScaledSpectrum f;
-  f *= scene.camera().emitted(path.camera_point, away);
-  f *= endpoint_cosine(path.camera_point, away);
+  if (inside_image(scene, path.raster)) {
+    f *= scene.camera().emitted(path.camera_point, away);
+    f *= endpoint_cosine(path.camera_point, away);
+  } else {  // rays that the camera samples weigh one
+    const EmissionPdf start = camera_start(scene, path);
+    f *= double{start.position.value()} * double{start.departure.value()};
+  }
   for (int x = k - 1; x >= 0; --x) {  // from x + 1 to x, and what happens there
     f *= path.segment(x).transmittance;
     f *= spread(scene, path, x + 1, x);
@@ -131,10 +193,7 @@ double technique_pdf(const Scene& scene, const Path& path, Technique technique) 
     if (x >= 1 && x < k && path.vertex(x).event.specular()) return 0.0;
   }
   if (s > 1) return light_side(scene, path, s) * camera_side(scene, path, t);
-  const Vec3& reference = path.vertex(1).p();
-  return double{path.light->connection_pdf(reference, path.light_point).value()} *
-         double{scene.light_sampler().probability(reference, *path.light).value()} *
-         camera_side(scene, path, t);
+  return next_event_pdf(scene, path) * camera_side(scene, path, t);
 }
 
 double specular_spread(const Scene& scene, const Path& path, int x) {
@@ -160,9 +219,7 @@ Spectrum throughput(const Scene& scene, const Path& path, Technique technique) {
 
 double mis_weight(const Scene& scene, const PathSamplerSettings& settings, const Path& path,
                   Technique technique) {
-  const Vec2 size(scene.camera().resolution());
-  const bool inside = path.raster.x >= 0.F && path.raster.y >= 0.F && path.raster.x < size.x &&
-                      path.raster.y < size.y;
+  const bool inside = inside_image(scene, path.raster);
   const auto share = [&](Technique other) {
     if (!settings.techniques.enabled(other) || (other.t == 1 && !inside)) return 0.0;
     return h(settings.heuristic, tries(settings, other) * technique_pdf(scene, path, other));

@@ -1,4 +1,6 @@
 #pragma once
+#include <cstdint>
+
 #include "path/path.h"
 #include "transport/path_sampler.h"
 
@@ -6,18 +8,23 @@
 /// linear in the length of the path. Sources: Veach 1997, sections 8.3 and 10.2.
 namespace ajar {
 
-/// A spectrum whose size floats do not hold: products over many edges.
+/// A spectrum whose size neither floats nor doubles hold: products over many edges.
 struct ScaledSpectrum {
-  Spectrum spectrum{1.F};  ///< of the order of one
-  double scale = 1.0;
+  Spectrum spectrum{1.F};     ///< of the order of one
+  double scale = 1.0;         ///< 0, or within [1/2, 1) after a multiplication
+  std::int64_t exponent = 0;  ///< of the power of two that multiplies it
   ScaledSpectrum& operator*=(const Spectrum& factor);
-  ScaledSpectrum& operator*=(double factor) {
-    scale *= factor;
-    return *this;
-  }
+  ScaledSpectrum& operator*=(double factor);
   bool is_black() const { return scale == 0.0 || spectrum.is_black(); }
-  Spectrum value() const { return spectrum * static_cast<float>(scale); }
-  double luminance() const { return static_cast<double>(ajar::luminance(spectrum)) * scale; }
+  Spectrum value() const { return spectrum * static_cast<float>(whole_scale()); }
+  double luminance() const {
+    return static_cast<double>(ajar::luminance(spectrum)) * whole_scale();
+  }
+  /// Natural logarithm of the luminance; −∞ if that is 0.
+  double log_luminance() const;
+
+ private:
+  double whole_scale() const;
 };
 
 /// The measurement contribution f(x) = L_e · Π f_s · Π G · V · W_e, in the product of the vertices'
@@ -28,15 +35,33 @@ struct ScaledSpectrum {
 /// toward the camera, is left out (see `specular_spread`).
 ScaledSpectrum contribution(const Scene& scene, const Path& path);
 
-/// Density, in the same measure, with which technique (s, t) makes this path in one try; 0 if it
-/// cannot. At specular vertices it has the probability of the event, whichever end they are sampled
-/// from: the deltas are left out, as in MIS weights. Roulette is not in it.
+/// Whether a place on the film is one that light tracing, technique (s, 1), reaches.
+bool inside_image(const Scene& scene, const Vec2& raster);
+
+// Densities of single vertices, of which those of techniques are products. Vertices are what they
+// are to the side that is sampled from: those before are given.
+
+/// What turns the density of the direction in which `from` is left (of endpoints at infinity: of
+/// the place where the ray crosses a plane) into that of its neighbour `to`, in the measure of that
+/// vertex: |cos θ| / d², and the probability to get there through what lies between.
+double arrival_pdf(const Scene& scene, const Path& path, int from, int to);
+/// With which a subpath from the light goes on to vertex `x`; of x_0: with which it starts there.
+double light_step_pdf(const Scene& scene, const Path& path, int x);
+/// The same from the camera, whose x_k is where it starts. Raster positions are uniform over the
+/// full image.
+double camera_step_pdf(const Scene& scene, const Path& path, int x);
+/// With which x_0 is chosen to light x_1.
+double next_event_pdf(const Scene& scene, const Path& path);
+
+/// Density, in the same measure as `contribution`, with which technique (s, t) makes this path in
+/// one try; 0 if it cannot. At specular vertices it has the probability of the event, whichever end
+/// they are sampled from: the deltas are left out, as in MIS weights. Roulette is not in it.
 double technique_pdf(const Scene& scene, const Path& path, Technique technique);
 
 /// What the delta over the direction toward the light is of that over the direction toward the
 /// camera, at specular vertex x: (η² |cos θ_s|)_light / (η² |cos θ_s|)_camera, θ_s to the shading
 /// normal. f / p of a technique that samples x from the light has it as a factor
-/// (docs/theory.md, "Deltas").
+/// (docs/methods/notation.md, "Deltas").
 double specular_spread(const Scene& scene, const Path& path, int x);
 
 /// f / p: what one try of the technique that makes this path brings, without MIS weight. Black if

@@ -36,4 +36,14 @@ Vec3 Path::toward_camera(const Scene& scene, int x) const {
   return x == 0 && light->at_infinity() ? -light_point.toward : -toward_light(scene, x + 1);
 }
 
+void mark_sides(const Scene& scene, Path& path) {
+  for (int x = 1; x < path.depth(); ++x) {
+    InnerVertex& vertex = path.vertices[static_cast<std::size_t>(x - 1)];
+    if (vertex.event.specular()) continue;
+    const float sides = dot(path.toward_light(scene, x), vertex.hit.point.ng) *
+                        dot(path.toward_camera(scene, x), vertex.hit.point.ng);
+    vertex.event.transmission = !vertex.in_medium && sides < 0.F;
+  }
+}
+
 }  // namespace ajar

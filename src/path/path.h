@@ -71,4 +71,8 @@ struct Path {
   const Vec3& position(int x) const;
 };
 
+/// Sets `event.transmission` of the vertices that scatter by rough lobes: what no one has sampled
+/// says nothing of it.
+void mark_sides(const Scene& scene, Path& path);
+
 }  // namespace ajar

@@ -61,15 +61,13 @@ void PathRecorder::assemble(const Contribution& contribution) {
   for (int i = of_camera - 1; i >= 0; --i) {
     path_.vertices.push_back(camera_.vertices[static_cast<std::size_t>(i)]);
   }
-  for (int x = 1; x < path_.depth(); ++x) {
-    InnerVertex& vertex = path_.vertices[static_cast<std::size_t>(x - 1)];
-    // The connection scatters at both of its ends by all rough lobes, however the subpath went on.
-    if (s > 0 && (x == s - 1 || x == s)) vertex.event = {};
-    if (vertex.event.specular()) continue;
-    const float sides = dot(path_.toward_light(scene_, x), vertex.hit.point.ng) *
-                        dot(path_.toward_camera(scene_, x), vertex.hit.point.ng);
-    vertex.event.transmission = !vertex.in_medium && sides < 0.F;
+  // The connection scatters at both of its ends by all rough lobes, however the subpath went on.
+  for (const int x : {s - 1, s}) {
+    if (s > 0 && x >= 1 && x < path_.depth()) {
+      path_.vertices[static_cast<std::size_t>(x - 1)].event = {};
+    }
   }
+  mark_sides(scene_, path_);
 }
 
 }  // namespace ajar

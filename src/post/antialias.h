@@ -22,7 +22,7 @@ namespace ajar {
 ///
 /// Source: the ideas of Lottes 2009, "FXAA" (search along the edge in luma, one neighbour blended)
 /// and Reshetov 2009, "Morphological antialiasing" (areas under a line through the stairs); that
-/// such a filter hides the seams of `selective` is Frolov's (docs/selective.md).
+/// such a filter hides the seams of `selective` is Frolov's (docs/methods/selective.md).
 std::vector<float> antialias(Vec2i size, std::span<const float> pixels, const Plane& mask);
 
 }  // namespace ajar

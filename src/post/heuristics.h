@@ -32,7 +32,7 @@ struct PostHeuristics {
 
   // -------------------------------------------------------- denoising
   //
-  // Studies: docs/denoising.md.
+  // Studies: docs/notebook/denoising.md, "What is mixed".
 
   /// Patch over which the errors of estimates are averaged.
   /// Unit: pixels, standard deviation of a Gaussian. Range: [1, 32]. Source: 5def0ef; with double
@@ -50,34 +50,35 @@ struct PostHeuristics {
 
   // -------------------------------------------------------- the built-in filter
   //
-  // Studies: docs/denoising.md, "The built-in filter".
+  // Studies: docs/notebook/denoising.md, "The built-in filter".
 
   /// Window of the regression.
-  /// Unit: pixels to either side. Range: [2, 16]. Source: docs/denoising.md.
+  /// Unit: pixels to either side. Range: [2, 16]. Source: docs/notebook/denoising.md.
   static constexpr int kRegressionWindow = 5;
   /// Patches that are compared.
-  /// Unit: pixels to either side. Range: [0, 4]. Source: docs/denoising.md.
+  /// Unit: pixels to either side. Range: [0, 4]. Source: docs/notebook/denoising.md.
   static constexpr int kRegressionPatch = 1;
   /// Differences that count as large.
-  /// Unit: standard deviations. Range: (0, 4]. Source: docs/denoising.md.
+  /// Unit: standard deviations. Range: (0, 4]. Source: docs/notebook/denoising.md.
   static constexpr float kRegressionTolerance = 0.7F;
   /// Added to the variance of what explains the light: slopes that little supports are small.
-  /// Unit: features and windows squared. Range: (0, 1]. Source: docs/denoising.md.
+  /// Unit: features and windows squared. Range: (0, 1]. Source: docs/notebook/denoising.md.
   static constexpr float kRidge = 1e-3F;
   /// Patch over which the variance of a pixel is averaged.
-  /// Unit: pixels to either side. Range: [1, 8]. Source: docs/denoising.md.
+  /// Unit: pixels to either side. Range: [1, 8]. Source: docs/notebook/denoising.md.
   static constexpr int kVariancePatch = 2;
   /// A pixel counts at most as so much light as those around it.
-  /// Unit: their mean. Range: >= 2. Source: docs/denoising.md.
+  /// Unit: their mean. Range: >= 2. Source: docs/notebook/denoising.md.
   static constexpr float kBrightestPixel = 10.F;
   /// Those around it.
-  /// Unit: pixels to either side. Range: [1, 8]. Source: docs/denoising.md.
+  /// Unit: pixels to either side. Range: [1, 8]. Source: docs/notebook/denoising.md.
   static constexpr int kAroundPixel = 3;
   /// Patch over which a finer picture is compared with a coarser one.
-  /// Unit: pixels of the coarser one to either side. Range: [1, 16]. Source: docs/denoising.md.
+  /// Unit: pixels of the coarser one to either side. Range: [1, 16]. Source:
+  /// docs/notebook/denoising.md.
   static constexpr int kScalePatch = 5;
   /// What must be beyond doubt for the finer one to be right.
-  /// Unit: standard errors. Range: >= 0. Source: docs/denoising.md.
+  /// Unit: standard errors. Range: >= 0. Source: docs/notebook/denoising.md.
   static constexpr float kScaleDoubt = 2.F;
 };
 

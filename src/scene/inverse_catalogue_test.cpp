@@ -181,6 +181,7 @@ struct AllLights {
     add("distant", distant_node({1, 2, 3}));
     add("constant environment", environment_node({1, 2, 3}));
     add("environment map", environment_node({1, 1, 1}, map(8, 6)));
+    add("sky", desc::light_node("sky", {{"elevation", 20.F}}));
     add("goniometric", goniometric_node({1, 1, 1}, map(6, 5)));
     add("projection", projection_node({1, 1, 1}, 60, map(7, 4)));
   }

@@ -18,7 +18,8 @@ namespace ajar {
 
 /// What is rendered, and how: all that decides the bits of a picture but for the number of samples.
 struct RenderRecord {
-  std::string scene;  ///< absolute path, or builtin:NAME
+  std::string scene;                               ///< absolute path, or builtin:NAME
+  std::map<std::string, std::string> definitions;  ///< for `load_scene`
   std::uint64_t scene_hash = 0;
   std::string integrator;
   std::map<std::string, std::string> parameters;  ///< all that matter, defaults too

@@ -20,8 +20,9 @@ void serialize(A& archive, RenderSettings& settings) {
 
 template <Archive A>
 void serialize(A& archive, RenderRecord& record) {
-  archive(record.scene, record.scene_hash, record.integrator, record.parameters, record.given,
-          record.settings, record.aovs, record.filter, record.film_scale, record.share);
+  archive(record.scene, record.definitions, record.scene_hash, record.integrator, record.parameters,
+          record.given, record.settings, record.aovs, record.filter, record.film_scale,
+          record.share);
 }
 
 template <Archive A>

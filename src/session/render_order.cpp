@@ -38,6 +38,7 @@ void resume_from(const std::string& path, RenderOrder& order) {
   order.resumed_from = path;
   const Checkpoint& checkpoint = *order.resumed;
   if (order.scene.empty()) order.scene = checkpoint.render.scene;
+  order.definitions = checkpoint.render.definitions;
   order.share = checkpoint.render.share;
   if (order.budget.is_empty()) order.budget = checkpoint.budget;
   RenderFiles& files = order.files;

@@ -1,5 +1,6 @@
 #pragma once
 #include <limits>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -47,6 +48,7 @@ struct RenderFiles {
 struct RenderOrder {
   /// A file, or builtin:NAME (`load_scene`). If it is `loaded`: what that is called.
   std::string scene;
+  std::map<std::string, std::string> definitions;  ///< for `load_scene`
   /// Ready, and shared with other renders of it; null: `scene` is loaded for this one.
   std::shared_ptr<LoadedScene> loaded;
   /// What was asked for; empty: go on with `resumed` as it was, within `budget`.

@@ -54,7 +54,7 @@ RenderPlan make_plan(const RenderOrder& order, const desc::SceneDesc& descriptio
     throw UsageError("--target-error denoised:X needs a filter (--denoise auto, oidn or builtin)");
   }
   Parameters parameters = read_parameters(setup);
-  RenderRecord record = record_of(setup, parameters, order.scene, order.share);
+  RenderRecord record = record_of(setup, parameters, order.scene, order.definitions, order.share);
   record.filter = filter_of(order);
   record.film_scale = static_cast<double>(description.film.scale);
   if (order.resumed) check_same_render(order.resumed->render, record, order.resumed_from);

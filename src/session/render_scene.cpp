@@ -37,7 +37,8 @@ desc::SceneDesc load_description(RenderState& state) {
   if (state.order.loaded) return state.order.loaded->description();
   state.events.phase_begun(RenderPhase::Load);
   const Stopwatch clock;
-  desc::SceneDesc description = load_scene(state.order.scene, state.warnings);
+  desc::SceneDesc description =
+      load_scene(state.order.scene, state.warnings, state.order.definitions);
   state.statistics.times.load = clock.seconds();
   return description;
 }

@@ -198,9 +198,12 @@ RenderSetup setup_of(const RenderRecord& record, const Budget& budget) {
 }
 
 RenderRecord record_of(const RenderSetup& setup, const Parameters& parameters,
-                       const std::string& scene, const WorkShare& share) {
+                       const std::string& scene,
+                       const std::map<std::string, std::string>& definitions,
+                       const WorkShare& share) {
   RenderRecord record;
   record.scene = absolute_scene(scene);
+  record.definitions = definitions;
   record.integrator = setup.integrator->name;
   for (const ParameterSpec& spec : setup.integrator->parameters) {
     if (parameters.matters(spec)) record.parameters[spec.name] = parameters.values().at(spec.name);

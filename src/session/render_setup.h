@@ -55,7 +55,9 @@ void check_budget(const Budget& budget, int replicates);
 RenderSetup setup_of(const RenderRecord& record, const Budget& budget);
 /// What a setup makes of a scene, for checkpoints; `parameters` are the integrator's.
 RenderRecord record_of(const RenderSetup& setup, const Parameters& parameters,
-                       const std::string& scene, const WorkShare& share);
+                       const std::string& scene,
+                       const std::map<std::string, std::string>& definitions,
+                       const WorkShare& share);
 
 /// For the whole picture of a scene that was built, all else as by default.
 RenderSettings settings_for(const Scene& scene);

@@ -101,7 +101,7 @@ TEST(RenderSetup, RecordsHaveTheParametersThatMatter) {
     request.integrator = integrator;
     const RenderSetup setup = make_setup(request, {}, {});
     const Parameters parameters = setup.integrator->read(setup.parameters);
-    return record_of(setup, parameters, "builtin:cornell", {}).parameters;
+    return record_of(setup, parameters, "builtin:cornell", {}, {}).parameters;
   };
   const auto regions = recorded("selective");
   const auto everywhere = recorded("mmlt+");

@@ -15,14 +15,16 @@ namespace {
 
 constexpr std::string_view kBuiltin = "builtin:";
 
-desc::SceneDesc load_builtin(const std::string& name, Warnings& warnings) {
+desc::SceneDesc load_builtin(const std::string& name, Warnings& warnings,
+                             const SceneDefinitions& definitions) {
   const EmbeddedFile* file = builtin_scene(name);
   if (file == nullptr) {
     throw UsageError(unknown_name_message("built-in scene", name, builtin_scene_names()));
   }
   const std::string path = std::string(kBuiltin) + name + "/" + std::string(file->path);
   desc::SceneDesc scene = import_scene(
-      path, warnings, [name](const std::string& wanted) { return builtin_file(name, wanted); });
+      path, warnings, [name](const std::string& wanted) { return builtin_file(name, wanted); },
+      definitions);
   // The file must name a method to have a depth: one that its format has, for those who convert
   // the scene. Here it would hide the program's own choice.
   scene.hints.integrator.clear();
@@ -40,10 +42,13 @@ void check_readable(const std::string& path) {
 
 }  // namespace
 
-desc::SceneDesc load_scene(const std::string& scene, Warnings& warnings) {
-  if (scene.starts_with(kBuiltin)) return load_builtin(scene.substr(kBuiltin.size()), warnings);
+desc::SceneDesc load_scene(const std::string& scene, Warnings& warnings,
+                           const SceneDefinitions& definitions) {
+  if (scene.starts_with(kBuiltin)) {
+    return load_builtin(scene.substr(kBuiltin.size()), warnings, definitions);
+  }
   check_readable(scene);
-  return import_scene(scene, warnings);
+  return import_scene(scene, warnings, {}, definitions);
 }
 
 std::string hash_of_scene(const std::string& scene) {

@@ -3,14 +3,17 @@
 
 #include "core/error.h"
 #include "core/warnings.h"
+#include "import/scene_definitions.h"
 #include "scene/desc/scene_desc.h"
 
 namespace ajar {
 
 /// Reads a scene: a file in any format that can be imported, or `builtin:NAME`, which asks for no
-/// integrator. Raises UsageError for an unknown built-in scene, IoError if the file cannot be read,
+/// integrator. `definitions` as in `import_scene`. Raises UsageError for an unknown built-in scene,
+/// and for definitions where there is nothing to define, IoError if the file cannot be read,
 /// SceneError if it cannot be used.
-desc::SceneDesc load_scene(const std::string& scene, Warnings& warnings);
+desc::SceneDesc load_scene(const std::string& scene, Warnings& warnings,
+                           const SceneDefinitions& definitions = {});
 
 /// Which scene it is, in 16 hexadecimal digits, as checkpoints and studies name it. Raises as
 /// `load_scene` does; warnings are left to who renders it.

@@ -6,8 +6,8 @@ namespace ajar {
 struct TransportHeuristics {
   /// Edges from which efficiency-aware roulette may end a walk. What the first surface reflects is
   /// as different as surfaces are: no one number says what that brings.
-  /// Unit: edges. Range: >= 1. Source: docs/selective.md, "Which rays are traced": from 1 on,
-  /// veach-mis has 1.5 times the error of ibpt, from 2 on 0.86; 4 not measured.
+  /// Unit: edges. Range: >= 1. Source: docs/notebook/selective.md, "Which rays are traced": from 1
+  /// on, veach-mis has 1.5 times the error of ibpt, from 2 on 0.86; 4 not measured.
   static constexpr int kEfficientRouletteStart = 2;
 };
 

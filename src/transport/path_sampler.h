@@ -76,8 +76,9 @@ struct PathSamplerSettings {
   float camera_rest = 0.F;
 };
 
-/// Samples paths by any set of techniques (docs/techniques.md) as a deterministic function of a
-/// primary vector. Holds the scratch memory of one thread; nothing is allocated after construction.
+/// Samples paths by any set of techniques (docs/methods/bidirectional.md) as a deterministic
+/// function of a primary vector. Holds the scratch memory of one thread; nothing is allocated after
+/// construction.
 ///
 /// Random decisions of a connection between the camera vertex of e edges and the light vertex of l
 /// edges are addressed by `Stream::Connection`, vertex 256 (l mod 256) + (e mod 256).

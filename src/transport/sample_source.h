@@ -54,8 +54,8 @@ class SampleAddress {
   std::uint32_t bits_;
 };
 
-/// The primary vector (docs/chains.md): all randomness of a path comes from here. Numbers are
-/// in [0, 1).
+/// The primary vector (docs/methods/pssmlt.md): all randomness of a path comes from here. Numbers
+/// are in [0, 1).
 class SampleSource {
  public:
   virtual ~SampleSource() = default;

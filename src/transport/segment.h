@@ -40,8 +40,9 @@ struct DistanceUniforms {
   float distance;
 };
 /// The numbers by which `trace_segment` ends a segment that crosses a scattering medium at a vertex
-/// in `medium`, or on a surface (null). What it forgets is taken from `fresh` (docs/inverses.md);
-/// the density of the numbers is `Segment::distance_pdf`. Empty if it never does.
+/// in `medium`, or on a surface (null). What it forgets is taken from `fresh`
+/// (docs/methods/inverses.md); the density of the numbers is `Segment::distance_pdf`. Empty if it
+/// never does.
 std::optional<DistanceUniforms> invert_distance(const Segment& segment, const Medium* medium,
                                                 const DistanceUniforms& fresh);
 

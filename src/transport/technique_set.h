@@ -6,7 +6,8 @@
 
 namespace ajar {
 
-/// How a path is built: s vertices from the light, t from the camera (docs/techniques.md).
+/// How a path is built: s vertices from the light, t from the camera
+/// (docs/methods/bidirectional.md).
 struct Technique {
   int s;
   int t;

@@ -63,7 +63,8 @@ std::vector<std::string> small_render(const std::string& integrator, const std::
 }
 
 TEST_F(MpiCli, AnyNumberOfRanksGivesTheSameFile) {
-  for (const std::string integrator : {"bdpt", "pssmlt", "mmlt", "mmlt+", "selective"}) {
+  for (const std::string integrator :
+       {"bdpt", "pssmlt", "mmlt", "mlt", "erpt", "mmlt+", "selective"}) {
     ASSERT_EQ(run(small_render(integrator, "one.pfm")).exit_code, 0);
     const json alone = statistics();
     for (const int count : {2, 3}) {

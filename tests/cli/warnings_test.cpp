@@ -85,6 +85,11 @@ TEST_F(FaultyScenes, AreListedByInfoWithoutLeavingOutAny) {
   const json info = json::parse(run({"info", "scene.pbrt", "--json"}).out);
   EXPECT_EQ(info.at("warnings"), kAll);
   EXPECT_EQ(info.at("warning_messages").size(), kAll);
+  std::size_t by_effect = 0;
+  for (const auto& [effect, count] : info.at("warnings_by_effect").items()) {
+    by_effect += count.get<std::size_t>();
+  }
+  EXPECT_EQ(by_effect, kAll);
 }
 
 TEST_F(FaultyScenes, HaveWhatMattersFirstInTheStatistics) {

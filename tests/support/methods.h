@@ -9,6 +9,7 @@ namespace ajar::test {
 /// with the reason. Whoever adds a method has it tested. Raises std::logic_error for the excuse of
 /// a method that is no more.
 std::vector<std::string> methods_but(const std::map<std::string, std::string>& excused);
+bool has_chains(const std::string& method);
 /// Excuses for all methods without chains.
 std::map<std::string, std::string> those_without_chains(const std::string& reason);
 

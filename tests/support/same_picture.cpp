@@ -36,9 +36,10 @@ void expect_same(const Replicates& a, const Replicates& b, const Film& film, dou
   const BlockGrid grid{.width = film.width(), .height = film.height(), .block = 8};
   const BlockComparison comparison = compare_blocks(a, b, grid);
   EXPECT_TRUE(comparison.equal()) << name << ": worst block at " << comparison.worst_block.min.x
-                                  << ", " << comparison.worst_block.min.y << ", z "
-                                  << comparison.worst_z << ", mean z " << comparison.mean_z
-                                  << ", relative " << comparison.mean_relative_difference;
+                                  << ", " << comparison.worst_block.min.y << " by "
+                                  << comparison.worst_difference << ", z " << comparison.worst_z
+                                  << ", mean z " << comparison.mean_z << ", relative "
+                                  << comparison.mean_relative_difference;
   const Estimate mean = image_mean(b);
   const double error = std::hypot(mean.standard_error, image_mean(a).standard_error);
   EXPECT_LT(5.0 * error / mean.value, power) << name << ": too noisy to notice what it should";

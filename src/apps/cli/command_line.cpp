@@ -171,9 +171,19 @@ void add_run(CLI::App* command, RunArguments& a, const std::string& output_defau
       ->group(kProgram);
 }
 
+void add_scene(CLI::App* command, SceneArguments& a) {
+  command->add_option("SCENE", a.scene, kSceneHelp)->required();
+  command
+      ->add_option("-D,--define", a.definitions,
+                   "Give a parameter that the scene leaves open a value ($NAME in scenes of "
+                   "Mitsuba); may be given several times")
+      ->allow_extra_args(false)
+      ->type_name("NAME=VALUE");
+}
+
 void add_render(CLI::App& app, RenderArguments& a) {
   CLI::App* command = app.add_subcommand("render", "Render a scene to pictures");
-  command->add_option("SCENE", a.scene, kSceneHelp)->required();
+  add_scene(command, a.scene);
   add_run(command, a.run, "SCENE.exr and SCENE.png here", "the scene's samples per pixel");
   command
       ->add_option("--resolution", a.resolution, "Size of the picture in pixels, such as 640x480")
@@ -304,11 +314,11 @@ void add_denoise(CLI::App& app, DenoiseArguments& a) {
 
 void add_others(CLI::App& app, Request& request) {
   CLI::App* info = app.add_subcommand("info", "Print what is in a scene");
-  info->add_option("SCENE", request.info.scene, kSceneHelp)->required();
+  add_scene(info, request.info.scene);
   info->add_flag("--json", request.info.json, "Print JSON");
 
   CLI::App* convert = app.add_subcommand("convert", "Write a scene as a file of its own");
-  convert->add_option("SCENE", request.convert.scene, kSceneHelp)->required();
+  add_scene(convert, request.convert.scene);
   convert
       ->add_option("OUT", request.convert.output,
                    "File to write, in the format of its extension: " + writable_formats())

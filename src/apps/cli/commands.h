@@ -32,8 +32,14 @@ struct RunArguments {
   Ranks* ranks = nullptr;  ///< who render together; null: this process alone
 };
 
-struct RenderArguments {
+/// A scene as the user names it.
+struct SceneArguments {
   std::string scene;
+  std::vector<std::string> definitions;  ///< KEY=VALUE
+};
+
+struct RenderArguments {
+  SceneArguments scene;
   RunArguments run;
   std::string integrator;
   std::vector<std::string> assignments;  ///< KEY=VALUE
@@ -74,13 +80,13 @@ struct DenoiseArguments {
 int denoise(const DenoiseArguments& arguments);
 
 struct InfoArguments {
-  std::string scene;
+  SceneArguments scene;
   bool json = false;
 };
 int info(const InfoArguments& arguments);
 
 struct ConvertArguments {
-  std::string scene;
+  SceneArguments scene;
   std::string output;
 };
 int convert(const ConvertArguments& arguments);

@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "core/warnings.h"
 #include "import/format.h"
+#include "session/option_values.h"
 #include "session/output.h"
 #include "session/scene_file.h"
 #include "session/written_paths.h"
@@ -13,9 +14,10 @@ int convert(const ConvertArguments& arguments) {
   const Format& format = format_to_write(arguments.output);
   check_writable(arguments.output);
   Warnings warnings;
-  const desc::SceneDesc scene = load_scene(arguments.scene, warnings);
+  const desc::SceneDesc scene = load_scene(arguments.scene.scene, warnings,
+                                           parse_assignments("-D", arguments.scene.definitions));
   check_spares({arguments.output}, scene.files);
-  print_warnings(warnings, arguments.scene);
+  print_warnings(warnings, arguments.scene.scene);
   format.write(scene, arguments.output);
   print_path(arguments.output);
   return 0;

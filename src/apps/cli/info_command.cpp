@@ -12,6 +12,7 @@
 #include "core/warnings.h"
 #include "scene/scene.h"
 #include "session/memory_estimate.h"
+#include "session/option_values.h"
 #include "session/progress.h"
 #include "session/render_setup.h"
 #include "session/resources.h"
@@ -172,6 +173,16 @@ std::string vector_text(const Json& v) {
                      v[2].get<double>());
 }
 
+/// What the picture lacks, counted by what that does to it.
+Json effects_json(const Warnings& warnings) {
+  Json json = Json::object();
+  for (std::size_t i = 0; i < kEffects; ++i) {
+    const auto effect = static_cast<Effect>(i);
+    json[std::string(name_of(effect))] = warnings.count(effect);
+  }
+  return json;
+}
+
 /// "7: 2 of light, 5 of slight effect".
 std::string warnings_text(const Warnings& warnings) {
   std::string by_effect;
@@ -231,9 +242,10 @@ std::string text_of(const Json& j, const MemoryEstimate& memory, const Warnings&
 int info(const InfoArguments& arguments) {
   Warnings warnings(Warnings::kAll);
   const Stopwatch load_clock;
-  desc::SceneDesc description = load_scene(arguments.scene, warnings);
+  desc::SceneDesc description = load_scene(arguments.scene.scene, warnings,
+                                           parse_assignments("-D", arguments.scene.definitions));
   const double load_seconds = load_clock.seconds();
-  Json json = describe(description, arguments.scene);
+  Json json = describe(description, arguments.scene.scene);
   const MemoryEstimate memory = memory_of(description);
   const std::uint64_t available = available_memory_bytes();
   json["memory"] = {{"scene_bytes", memory.scene},
@@ -246,6 +258,7 @@ int info(const InfoArguments& arguments) {
   json["seconds"] = {{"load", load_seconds}, {"build", build_clock.seconds()}};
   add_built(scene, json);
   json["warnings"] = warnings.count();
+  json["warnings_by_effect"] = effects_json(warnings);
   json["warning_messages"] = warnings.messages();
   if (arguments.json) {
     print_result(json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");

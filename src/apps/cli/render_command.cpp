@@ -49,7 +49,8 @@ RenderRequest request_of(const RenderArguments& a, const Budget& budget) {
 
 int render(const RenderArguments& a) {
   RenderOrder order = order_of(a.run);
-  order.scene = a.scene;
+  order.scene = a.scene.scene;
+  order.definitions = parse_assignments("-D", a.scene.definitions);
   if (order.files.denoiser.empty()) order.files.denoiser = "auto";
   order.request = request_of(a, order.budget);
   order.all_aovs = parse_list(a.aovs) == std::vector<std::string>{"all"};

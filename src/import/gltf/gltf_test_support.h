@@ -1,14 +1,11 @@
 #pragma once
-#include <gtest/gtest.h>
-
 #include <cstring>
-#include <map>
 #include <string>
 #include <vector>
 
-#include "core/error.h"
 #include "import/gltf/document.h"
 #include "import/gltf/gltf_import.h"
+#include "import/testing/import_checks.h"
 
 namespace ajar::gltf {
 
@@ -47,15 +44,13 @@ class TestFile {
 };
 
 /// Imports as "test.gltf", with files beside it.
-desc::SceneDesc import_with(const std::string& bytes, Warnings& warnings,
-                            const std::map<std::string, std::string>& files = {});
+desc::SceneDesc import_with(const std::string& bytes, Warnings& warnings, const Files& files = {});
 /// The same without any warning.
 desc::SceneDesc scene_of(const TestFile& file);
 /// Message of the SceneError that importing raises, or "no error".
 std::string error_of(const std::string& bytes);
 /// All warnings, one per line.
 std::string warnings_of(const TestFile& file);
-bool contains(const std::string& text, const std::string& part);
 
 /// The material of the only triangle of a file with one.
 desc::Node only_material(const Json& material);

@@ -84,43 +84,23 @@ std::string TestFile::glb() const {
   return bytes;
 }
 
-desc::SceneDesc import_with(const std::string& bytes, Warnings& warnings,
-                            const std::map<std::string, std::string>& files) {
-  return import_gltf_bytes(bytes, "test.gltf", "/scene", warnings,
-                           [&](const std::string& path) -> std::optional<std::string_view> {
-                             const auto found = files.find(path);
-                             if (found == files.end()) return std::nullopt;
-                             return found->second;
-                           });
+desc::SceneDesc import_with(const std::string& bytes, Warnings& warnings, const Files& files) {
+  return import_gltf_bytes(bytes, "test.gltf", "/scene", warnings, provider_of(files));
 }
 
 desc::SceneDesc scene_of(const TestFile& file) {
   Warnings warnings;
   desc::SceneDesc scene = import_with(file.text(), warnings);
-  for (const std::string& message : warnings.messages()) ADD_FAILURE() << message;
+  expect_none(warnings);
   return scene;
 }
 
 std::string error_of(const std::string& bytes) {
-  Warnings warnings;
-  try {
-    import_with(bytes, warnings);
-  } catch (const SceneError& error) {
-    return error.what();
-  }
-  return "no error";
+  return error_in([&](Warnings& warnings) { import_with(bytes, warnings); });
 }
 
 std::string warnings_of(const TestFile& file) {
-  Warnings warnings;
-  import_with(file.text(), warnings);
-  std::string all;
-  for (const std::string& message : warnings.messages()) all += message + "\n";
-  return all;
-}
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
+  return warnings_in([&](Warnings& warnings) { import_with(file.text(), warnings); });
 }
 
 desc::Node only_material(const Json& material) {

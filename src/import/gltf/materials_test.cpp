@@ -302,9 +302,30 @@ TEST(GltfMaterials, FactorsBeyondTheirRangeAreClampedWithAWarning) {
   EXPECT_TRUE(contains(error_of(file.text()), "this must be a number, not \"rough\""));
 }
 
-TEST(GltfMaterials, NormalMapsAreWarnings) {
-  EXPECT_TRUE(contains(warnings_of(textured({{"normalTexture", texture(0)}})),
-                       "#/materials/0/normalTexture: normal maps are ignored"));
+TEST(GltfMaterials, NormalMapsAreVectorsForAllPartsOfAMaterial) {
+  Json map = texture(1);
+  map["scale"] = 0.5;
+  const desc::SceneDesc scene = scene_of(
+      textured({{"normalTexture", map},
+                {"pbrMetallicRoughness", {{"metallicFactor", 0}}},
+                {"extensions", {{"KHR_materials_transmission", {{"transmissionFactor", 0.5}}}}}}));
+  int tilted = 0;
+  for (const desc::Material& material : scene.materials) {
+    if (material.node.is("mix")) continue;
+    const desc::NormalMap& normals = material.normal_map;
+    if (normals.texture == desc::kNone) continue;
+    ++tilted;
+    EXPECT_EQ(normals.strength, 0.5F);
+    EXPECT_FALSE(normals.right_handed);
+    EXPECT_FALSE(texture_at(scene, normals.texture).flag("decode_srgb"));
+    EXPECT_EQ(texture_at(scene, normals.texture).text("channel"), "color");
+  }
+  EXPECT_EQ(tilted, 2) << "the opaque part and the glass";
+  EXPECT_TRUE(contains(
+      warnings_of(
+          textured({{"extensions",
+                     {{"KHR_materials_clearcoat", {{"clearcoatNormalTexture", texture(0)}}}}}})),
+      "the coat has the normals of what it is on"));
 }
 
 TEST(GltfMaterials, ReferencesThatLeadNowhereAreErrors) {

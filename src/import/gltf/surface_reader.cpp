@@ -4,13 +4,14 @@
 #include <cmath>
 
 #include "core/printable_text.h"
+#include "import/common/opacity.h"
 #include "scene/desc/models.h"
 
 namespace ajar::gltf {
 namespace {
 
 constexpr WarningKind kRange{Effect::Surface, "factors of materials are out of range: clamped"};
-constexpr WarningKind kNormalMap{Effect::Surface, "materials have normal maps: ignored"};
+constexpr WarningKind kCoatNormals{Effect::Slight, "clear coats have normal maps: ignored"};
 constexpr WarningKind kUnlit{Effect::Light,
                              "materials are unlit: they shine, also onto their surroundings"};
 constexpr WarningKind kSpecular{Effect::Surface,
@@ -27,9 +28,10 @@ float brightness(const Vec3& color) {
 }  // namespace
 
 Surface SurfaceReader::read() {
+  const std::size_t first_made = context_.scene.materials.size();
   surface_.material = with_opacity(read_base());
   read_emission();
-  warn_of_textures();
+  read_normals(first_made);
   surface_.uv_set = textures_.uv_set();
   return surface_;
 }
@@ -137,16 +139,11 @@ desc::MaterialId SurfaceReader::with_opacity(desc::MaterialId visible) {
   if (mode != "BLEND") {
     material_.at("alphaMode").fail(unknown_name_message("alphaMode", printable_line(mode), kModes));
   }
-  // Where nothing is to be seen the mix would be right, too, but here shadow rays pass as well.
-  surface_.alpha = textures_.texture_of(material_, alpha_);
-  const desc::MaterialId clear = add(make(material_, "composite",
-                                          {{"diffuse_reflectance", Vec3(0.F)},
-                                           {"glossy_reflectance", Vec3(0.F)},
-                                           {"opacity", Vec3(0.F)}}));
-  return add(make(material_, "mix",
-                  {{"amount", mix_amount(alpha_)},
-                   {"first", desc::MaterialRef{visible}},
-                   {"second", desc::MaterialRef{clear}}}));
+  const PartlyClear partly = ajar::with_opacity(
+      context_.scene, {.name = material_.text_or("name", ""), .where = material_.where()}, visible,
+      alpha_);
+  surface_.alpha = partly.alpha;
+  return partly.material;
 }
 
 void SurfaceReader::set_clearcoat(desc::Node& node) {
@@ -227,10 +224,20 @@ void SurfaceReader::read_emission() {
       })};
 }
 
-void SurfaceReader::warn_of_textures() {
-  if (material_.has("normalTexture")) {
-    context_.warnings.add(kNormalMap, material_.at("normalTexture").where(),
-                          "normal maps are ignored");
+void SurfaceReader::read_normals(std::size_t first_made) {
+  const auto coat = material_.extension("KHR_materials_clearcoat");
+  if (coat && coat->has("clearcoatNormalTexture")) {
+    context_.warnings.add(kCoatNormals, coat->where(),
+                          "the coat has the normals of what it is on: its own are ignored");
+  }
+  const std::optional<desc::TextureId> texture = textures_.vectors(material_, "normalTexture");
+  if (!texture) return;
+  const desc::NormalMap normals{.texture = *texture,
+                                .strength = material_.at("normalTexture").number_or("scale", 1.0)};
+  for (std::size_t i = first_made; i < context_.scene.materials.size(); ++i) {
+    desc::Material& made = context_.scene.materials[i];
+    // A mix has those of its parts.
+    if (!made.node.is("mix")) made.normal_map = normals;
   }
 }
 

@@ -28,7 +28,8 @@ class SurfaceReader {
   float index_for_specular();
   desc::MediumId read_medium(const Element& volume);
   void read_emission();
-  void warn_of_textures();
+  /// Normals for all materials from number `first_made` on.
+  void read_normals(std::size_t first_made);
 
   /// The member `name`, brought into [0, 1], with a warning if it was far beyond.
   float clamped_number(const Element& holder, std::string_view name, double fallback);

@@ -19,7 +19,7 @@ constexpr std::uint64_t kRepeat = 10497;
 constexpr std::uint64_t kNearest = 9728;
 
 std::string name_of(Channel channel) {
-  static constexpr const char* kNames[] = {"color", "red", "green", "blue", "alpha"};
+  static constexpr const char* kNames[] = {"color", "red", "green", "blue", "alpha", "color"};
   return kNames[static_cast<std::size_t>(channel)];
 }
 
@@ -86,11 +86,6 @@ desc::Value Textures::complement(const desc::Value& value) {
 
 desc::TextureId Textures::threshold(const Element& user, const desc::Value& value, float edge) {
   return add(user, desc::texture_node("threshold", {{"value", value}, {"edge", edge}}));
-}
-
-desc::TextureId Textures::texture_of(const Element& user, const desc::Value& value) {
-  if (const auto* texture = std::get_if<desc::TextureRef>(&value)) return texture->id;
-  return add(user, desc::texture_node("constant", {{"value", Vec3(std::get<float>(value))}}));
 }
 
 desc::TextureId Textures::add(const Element& user, desc::Node node) {

@@ -6,8 +6,9 @@
 
 namespace ajar::gltf {
 
-/// What a material takes of an image. Colours are sRGB-coded in glTF, single channels are linear.
-enum class Channel { Color, Red, Green, Blue, Alpha };
+/// What a material takes of an image. Colours are sRGB-coded in glTF, single channels and vectors
+/// are linear.
+enum class Channel { Color, Red, Green, Blue, Alpha, Vector };
 
 /// Makes textures for one material. A mesh has one set of texture coordinates: that of the
 /// material's first texture; textures with another are left out, with a warning.
@@ -20,14 +21,17 @@ class Textures {
   /// The same for a number from one channel.
   desc::Value number(const Element& holder, std::string_view name, float factor, Channel channel);
 
+  /// The vectors of the texture `name` of `holder`, as they are in the image.
+  std::optional<desc::TextureId> vectors(const Element& holder, std::string_view name) {
+    return read(holder, name, Channel::Vector, 1.F);
+  }
+
   /// Textures of textures; constants are computed.
   desc::Value product(const desc::Value& first, const desc::Value& second);
   /// 1 − `value`.
   desc::Value complement(const desc::Value& value);
   /// 1 where a number is at least `edge`, else 0.
   desc::TextureId threshold(const Element& user, const desc::Value& value, float edge);
-  /// A number as a texture.
-  desc::TextureId texture_of(const Element& user, const desc::Value& value);
 
   /// Of TEXCOORD_n.
   std::size_t uv_set() const { return uv_set_.value_or(0); }

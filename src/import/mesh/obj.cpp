@@ -1,135 +1,243 @@
 #include "import/mesh/obj.h"
 
-#include <tiny_obj_loader.h>
-
-#include <istream>
+#include <map>
 #include <memory>
-#include <span>
-#include <streambuf>
-#include <unordered_map>
+#include <utility>
 
-#include "core/error.h"
+#include "core/printable_text.h"
+#include "import/mesh/corner_table.h"
+#include "import/mesh/text_lines.h"
 
 namespace ajar {
 namespace {
 
-/// Lets a stream read memory that stays where it is.
-class MemoryBuffer final : public std::streambuf {
- public:
-  explicit MemoryBuffer(std::string_view bytes) {
-    char* begin = const_cast<char*>(bytes.data());
-    setg(begin, begin, begin + bytes.size());
-  }
-};
+constexpr std::uint32_t kNone = CornerTable::kNone;
 
-/// A corner of a face: which position, texture coordinates and normal it has, counted from 0; -1
-/// for none.
 struct Corner {
-  int position = -1, uv = -1, normal = -1;
-  bool operator==(const Corner&) const = default;
-};
-struct CornerHash {
-  std::size_t operator()(const Corner& corner) const {
-    std::size_t hash = static_cast<unsigned>(corner.position);
-    for (const int index : {corner.uv, corner.normal}) {
-      hash = hash * 0x9e3779b97f4a7c15U + static_cast<unsigned>(index);
-    }
-    return hash;
-  }
+  std::uint32_t position = kNone, uv = kNone, normal = kNone;
 };
 
 class ObjReader {
  public:
-  explicit ObjReader(const std::string& name) : name_(name) {}
+  ObjReader(std::string_view text, const std::string& name)
+      : lines_(text), name_(std::make_shared<const std::string>(name)) {}
+  virtual ~ObjReader() = default;
 
-  desc::Mesh read(std::string_view bytes) {
-    tinyobj::callback_t calls;
-    calls.vertex_cb = [](void* self, float x, float y, float z, float /*w*/) {
-      static_cast<ObjReader*>(self)->positions_.emplace_back(x, y, z);
-    };
-    calls.normal_cb = [](void* self, float x, float y, float z) {
-      static_cast<ObjReader*>(self)->normals_.emplace_back(x, y, z);
-    };
-    calls.texcoord_cb = [](void* self, float u, float v, float /*w*/) {
-      static_cast<ObjReader*>(self)->uvs_.emplace_back(u, v);
-    };
-    calls.index_cb = [](void* self, tinyobj::index_t* corners, int count) {
-      static_cast<ObjReader*>(self)->add_face({corners, static_cast<std::size_t>(count)});
-    };
-    MemoryBuffer buffer(bytes);
-    std::istream stream(&buffer);
-    tinyobj::LoadObjWithCallback(stream, calls, this);
-    if (faces_ == 0) fail("there are no faces in this file");
+  void read() {
+    while (lines_.next()) read_line();
+    if (!has_faces_) throw SceneError({name_, 0, 0}, "there are no faces in this file");
+  }
+
+ protected:
+  /// What a face is added to.
+  struct Target {
+    desc::Mesh& mesh;
+    std::uint32_t number;  ///< of the mesh
+    bool has_uvs, has_normals;
+  };
+  virtual Target target_of(bool has_uvs, bool has_normals) = 0;
+  virtual void use_material(std::string_view /*name*/) {}
+  virtual void add_library(std::string_view /*files*/) {}
+
+  /// `column` 0: the line.
+  SourceLocation here(int column = 0) const { return {name_, lines_.number(), column}; }
+
+ private:
+  void read_line() {
+    LineWords words(lines_.line());
+    const std::string_view keyword = words.word();
+    if (keyword == "v") {
+      positions_.push_back(vector(words));
+    } else if (keyword == "vn") {
+      normals_.push_back(vector(words));
+    } else if (keyword == "vt") {
+      const float u = number(words);
+      // v may be left out.
+      const bool is_last = words.rest().empty();
+      uvs_.emplace_back(u, is_last ? 0.F : number(words));
+    } else if (keyword == "f") {
+      read_face(words);
+    } else if (keyword == "usemtl") {
+      use_material(words.rest());
+    } else if (keyword == "mtllib") {
+      add_library(words.rest());
+    }
+  }
+
+  float number(LineWords& words) const {
+    const int column = words.column();
+    const std::string_view word = words.word();
+    const std::optional<float> value = number_in(word);
+    if (value) return *value;
+    throw SceneError(here(column), word.empty()
+                                       ? "here a number is missing"
+                                       : "this is no number: \"" + printable_line(word) + "\"");
+  }
+  Vec3 vector(LineWords& words) const {
+    const float x = number(words);
+    const float y = number(words);
+    return {x, y, number(words)};
+  }
+
+  /// Numbers count from 1, or backwards from the last one.
+  std::uint32_t resolve(long long written, std::size_t count, const char* what, int column) const {
+    const auto available = static_cast<long long>(count);
+    const long long place = written > 0 ? written - 1 : available + written;
+    if (written == 0 || place < 0 || place >= available) {
+      throw SceneError(here(column), "this face refers to " + std::string(what) + " " +
+                                         std::to_string(written) + " of " + std::to_string(count));
+    }
+    return static_cast<std::uint32_t>(place);
+  }
+
+  /// "position", "position/uv", "position//normal" or "position/uv/normal".
+  Corner corner_in(std::string_view word, int column) const {
+    long long numbers[3] = {0, 0, 0};
+    const char* place = word.data();
+    const char* end = place + word.size();
+    for (int i = 0; i < 3; ++i) {
+      const bool is_left_out = i > 0 && (place == end || *place == '/');
+      if (!is_left_out) {
+        const auto [stopped, error] = std::from_chars(place, end, numbers[i]);
+        if (error != std::errc() || (stopped != end && *stopped != '/')) break;
+        place = stopped;
+      }
+      if (place == end || i == 2) break;
+      ++place;
+    }
+    if (place != end) {
+      throw SceneError(here(column),
+                       "this is no corner of a face: \"" + printable_line(word) + "\"");
+    }
+    Corner corner;
+    corner.position = resolve(numbers[0], positions_.size(), "vertex", column);
+    if (numbers[1] != 0) {
+      corner.uv = resolve(numbers[1], uvs_.size(), "texture coordinate", column);
+    }
+    if (numbers[2] != 0) corner.normal = resolve(numbers[2], normals_.size(), "normal", column);
+    return corner;
+  }
+
+  void read_face(LineWords& words) {
+    corners_.clear();
+    bool has_uvs = true;
+    bool has_normals = true;
+    while (true) {
+      const int column = words.column();
+      const std::string_view word = words.word();
+      if (word.empty() || word.starts_with('#')) break;
+      corners_.push_back(corner_in(word, column));
+      has_uvs &= corners_.back().uv != kNone;
+      has_normals &= corners_.back().normal != kNone;
+    }
+    if (corners_.size() < 3) return;
+    has_faces_ = true;
+    const Target target = target_of(has_uvs, has_normals);
+    const unsigned first = vertex_of(target, corners_[0]);
+    unsigned previous = vertex_of(target, corners_[1]);
+    for (std::size_t i = 2; i < corners_.size(); ++i) {
+      const unsigned next = vertex_of(target, corners_[i]);
+      target.mesh.indices.emplace_back(first, previous, next);
+      previous = next;
+    }
+  }
+
+  unsigned vertex_of(const Target& target, Corner corner) {
+    if (!target.has_uvs) corner.uv = kNone;
+    if (!target.has_normals) corner.normal = kNone;
+    desc::Mesh& mesh = target.mesh;
+    const auto [vertex, is_new] =
+        vertices_.try_emplace({corner.position, corner.uv, corner.normal, target.number},
+                              static_cast<std::uint32_t>(mesh.positions.size()));
+    if (is_new) {
+      mesh.positions.push_back(positions_[corner.position]);
+      if (target.has_uvs) mesh.uvs.push_back(corner.uv == kNone ? Vec2(0.F) : uvs_[corner.uv]);
+      if (target.has_normals) {
+        mesh.normals.push_back(corner.normal == kNone ? Vec3(0.F) : normals_[corner.normal]);
+      }
+    }
+    return vertex;
+  }
+
+  TextLines lines_;
+  std::shared_ptr<const std::string> name_;
+  std::vector<Vec3> positions_, normals_;
+  std::vector<Vec2> uvs_;
+  CornerTable vertices_;
+  std::vector<Corner> corners_;
+  bool has_faces_ = false;
+};
+
+class OneMesh final : public ObjReader {
+ public:
+  using ObjReader::ObjReader;
+
+  desc::Mesh result() {
     if (lacks_normals_) mesh_.normals.clear();
     if (!has_uvs_) mesh_.uvs.clear();
     return std::move(mesh_);
   }
 
  private:
-  [[noreturn]] void fail(const std::string& message) const {
-    throw SceneError({std::make_shared<const std::string>(name_), 0, 0}, message);
+  Target target_of(bool has_uvs, bool has_normals) override {
+    has_uvs_ |= has_uvs;
+    lacks_normals_ |= !has_normals;
+    return {mesh_, 0, true, true};
   }
 
-  /// From a number as the file has it: from 1 on, or backwards from the last one; 0 for none.
-  int index_of(int written, std::size_t count, const char* what) const {
-    if (written == 0) return -1;
-    const auto available = static_cast<std::int64_t>(count);
-    const std::int64_t index = written > 0 ? written - std::int64_t{1} : available + written;
-    if (index < 0 || index >= available) {
-      fail("face " + std::to_string(faces_) + " refers to " + what + " " + std::to_string(written) +
-           ", but there are " + std::to_string(count) + " before it");
-    }
-    return static_cast<int>(index);
-  }
-
-  void add_face(std::span<const tinyobj::index_t> corners) {
-    ++faces_;
-    polygon_.clear();
-    for (const tinyobj::index_t& written : corners) {
-      const Corner corner{index_of(written.vertex_index, positions_.size(), "vertex"),
-                          index_of(written.texcoord_index, uvs_.size(), "texture coordinate"),
-                          index_of(written.normal_index, normals_.size(), "normal")};
-      if (corner.position < 0) {
-        fail("face " + std::to_string(faces_) + " has a corner that is not a vertex number");
-      }
-      polygon_.push_back(vertex_of(corner));
-    }
-    for (std::size_t i = 2; i < polygon_.size(); ++i) {
-      mesh_.indices.emplace_back(polygon_[0], polygon_[i - 1], polygon_[i]);
-    }
-  }
-
-  unsigned vertex_of(const Corner& corner) {
-    const auto [place, is_new] =
-        vertices_.try_emplace(corner, static_cast<unsigned>(mesh_.positions.size()));
-    if (!is_new) return place->second;
-    const auto at = [](const auto& values, int index) {
-      using Value = std::decay_t<decltype(values[0])>;
-      return index < 0 ? Value(0.F) : values[static_cast<std::size_t>(index)];
-    };
-    mesh_.positions.push_back(at(positions_, corner.position));
-    mesh_.normals.push_back(at(normals_, corner.normal));
-    mesh_.uvs.push_back(at(uvs_, corner.uv));
-    lacks_normals_ |= corner.normal < 0;
-    has_uvs_ |= corner.uv >= 0;
-    return place->second;
-  }
-
-  const std::string& name_;
-  std::vector<Vec3> positions_, normals_;
-  std::vector<Vec2> uvs_;
-  std::unordered_map<Corner, unsigned, CornerHash> vertices_;
-  std::vector<unsigned> polygon_;
   desc::Mesh mesh_;
-  std::size_t faces_ = 0;
-  bool lacks_normals_ = false;
   bool has_uvs_ = false;
+  bool lacks_normals_ = false;
+};
+
+class Parts final : public ObjReader {
+ public:
+  Parts(std::string_view text, const std::string& name,
+        const std::function<void(const SourceLocation&, std::string_view)>& on_library)
+      : ObjReader(text, name), on_library_(on_library) {}
+
+  std::vector<ObjPart> result() { return std::move(parts_); }
+
+ private:
+  Target target_of(bool has_uvs, bool has_normals) override {
+    const int kind = (has_uvs ? 1 : 0) + (has_normals ? 2 : 0);
+    if (current_ == kNone || kind != kind_) {
+      const auto [place, is_new] =
+          by_kind_.try_emplace({material_, kind}, static_cast<std::uint32_t>(parts_.size()));
+      if (is_new) parts_.push_back({material_, here(), {}});
+      current_ = place->second;
+      kind_ = kind;
+    }
+    return {parts_[current_].mesh, current_, has_uvs, has_normals};
+  }
+  void use_material(std::string_view name) override {
+    material_ = name;
+    current_ = kNone;
+  }
+  void add_library(std::string_view files) override { on_library_(here(), files); }
+
+  const std::function<void(const SourceLocation&, std::string_view)>& on_library_;
+  std::string material_;
+  std::vector<ObjPart> parts_;
+  std::map<std::pair<std::string, int>, std::uint32_t> by_kind_;
+  std::uint32_t current_ = kNone;
+  int kind_ = 0;
 };
 
 }  // namespace
 
 desc::Mesh read_obj(std::string_view bytes, const std::string& name) {
-  return ObjReader(name).read(bytes);
+  OneMesh reader(bytes, name);
+  reader.read();
+  return reader.result();
+}
+
+std::vector<ObjPart> read_obj_parts(
+    std::string_view bytes, const std::string& name,
+    const std::function<void(const SourceLocation&, std::string_view)>& on_library) {
+  Parts reader(bytes, name, on_library);
+  reader.read();
+  return reader.result();
 }
 
 }  // namespace ajar

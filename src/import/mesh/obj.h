@@ -1,18 +1,33 @@
 #pragma once
+#include <functional>
 #include <string>
 #include <string_view>
+#include <vector>
 
-#include "scene/desc/scene_desc.h"
+#include "core/error.h"
+#include "scene/desc/shape_data.h"
 
+/// Wavefront OBJ files: `v`, `vt`, `vn`, `f`, `usemtl` and `mtllib`; curves, colours and smoothing
+/// groups are skipped. Polygons are fanned into triangles, faces of fewer than three corners left
+/// out. Texture coordinates stay as they are, v from the bottom row of an image, as textures have
+/// it. Numbers are not judged: see `validate_mesh`. Both raise SceneError, with line and column,
+/// for what is no number, for faces that refer to what the file does not have before them, and if
+/// there are no faces. Source: Wavefront, Advanced Visualizer manual, appendix B1.
 namespace ajar {
 
-/// Reads the geometry of all groups and objects of a Wavefront OBJ file as one mesh: `v`, `vt`,
-/// `vn` and `f`; materials, curves and colours are skipped. Corners with the same three indices
-/// become one vertex; polygons are fanned into triangles. Texture coordinates stay as they are, v
-/// from the bottom row of an image, as textures have it; a corner without some has (0, 0). Normals
-/// are kept if every corner has one. Numbers are not judged: see `validate_mesh`. Raises
-/// SceneError, with `name` as its file, if a face refers to what the file does
-/// not have before it, or if there are no faces.
+/// All faces of all groups as one mesh. Corners with the same three indices become one vertex; a
+/// corner without texture coordinates has (0, 0). Normals are kept if every corner has one.
 desc::Mesh read_obj(std::string_view bytes, const std::string& name);
+
+/// All faces that have one material, and texture coordinates and normals, or not.
+struct ObjPart {
+  std::string material;  ///< empty if none is named
+  SourceLocation where;  ///< of its first face
+  desc::Mesh mesh;
+};
+/// In the order of their first faces. `on_library` is told what `mtllib` says, at its place.
+std::vector<ObjPart> read_obj_parts(
+    std::string_view bytes, const std::string& name,
+    const std::function<void(const SourceLocation&, std::string_view)>& on_library);
 
 }  // namespace ajar

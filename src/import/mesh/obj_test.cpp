@@ -55,19 +55,53 @@ TEST(Obj, NormalsAreLeftOutUnlessAllCornersHaveThem) {
 }
 
 TEST(Obj, ReadsLineEndsOfAnySystemAndAFileWithoutTheLastOne) {
-  EXPECT_EQ(read_obj("v 0 0 0\r\nv 1 0 0\r\nv 0 1 0\r\nf 1 2 3", "m.obj").indices.size(), 1U);
+  for (const std::string end : {"\r\n", "\n", "\r"}) {
+    const std::string text = "v 0 0 0" + end + "v 1 0 0" + end + "v 0 1 0" + end + "f 1 2 3";
+    EXPECT_EQ(read_obj(text, "m.obj").indices.size(), 1U);
+    EXPECT_EQ(error_in(text + end + "f 1 2 9"), "m.obj:5:7: this face refers to vertex 9 of 3");
+  }
+  EXPECT_EQ(
+      read_obj("\xEF\xBB\xBFv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 \\\n3\n", "m.obj").indices.size(), 1U)
+      << "a byte order mark, and a line that goes on";
+}
+
+TEST(Obj, ReadsNumbersAsTheyAreWritten) {
+  const desc::Mesh mesh = read_obj(
+      "v  1e2\t-.5 +3 0.5 0.5\nv 0 1 0\nv 0 0 1 # last\nvt .25\nf 1/1 2/1 3/1 # all\n", "m.obj");
+  EXPECT_EQ(mesh.positions[0], Vec3(100.F, -0.5F, 3.F));
+  EXPECT_EQ(mesh.uvs[0], Vec2(0.25F, 0.F));
+  EXPECT_EQ(error_in("v 1 2\n"), "m.obj:1:6: here a number is missing");
+  EXPECT_EQ(error_in("\nv 1 2 3,5\n"), "m.obj:2:7: this is no number: \"3,5\"");
+}
+
+TEST(Obj, ManyCornersKeepTheirVertices) {
+  // A strip long enough that the table of corners grows many times.
+  constexpr unsigned kCount = 5000;
+  std::string text;
+  for (unsigned i = 0; i < kCount; ++i) text += "v " + std::to_string(i) + " 0 0\n";
+  for (unsigned i = 3; i <= kCount; ++i)
+    text += "f -" + std::to_string(i) + " -" + std::to_string(i - 1) + " -" +
+            std::to_string(i - 2) + "\n";
+  const desc::Mesh mesh = read_obj(text, "m.obj");
+  ASSERT_EQ(mesh.positions.size(), kCount);
+  ASSERT_EQ(mesh.indices.size(), kCount - 2);
+  for (const Triangle& t : mesh.indices) {
+    EXPECT_EQ(mesh.positions[t.y].x, mesh.positions[t.x].x + 1.F);
+    EXPECT_EQ(mesh.positions[t.z].x, mesh.positions[t.x].x + 2.F);
+  }
 }
 
 TEST(Obj, FacesThatReferToNothingAreErrors) {
   const std::string vertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\n";
   EXPECT_EQ(error_in(vertices + "f 1 2 3\nf 1 2 4\n"),
-            "m.obj: face 2 refers to vertex 4, but there are 3 before it");
-  EXPECT_EQ(error_in(vertices + "f 1 2 -4\n"),
-            "m.obj: face 1 refers to vertex -4, but there are 3 before it");
+            "m.obj:6:7: this face refers to vertex 4 of 3");
+  EXPECT_EQ(error_in(vertices + "f 1 2 -4\n"), "m.obj:5:7: this face refers to vertex -4 of 3");
   EXPECT_EQ(error_in(vertices + "f 1//1 2//1 3//2\n"),
-            "m.obj: face 1 refers to normal 2, but there are 1 before it");
+            "m.obj:5:13: this face refers to normal 2 of 1");
   EXPECT_EQ(error_in(vertices + "f 1 2 three\n"),
-            "m.obj: face 1 has a corner that is not a vertex number");
+            "m.obj:5:7: this is no corner of a face: \"three\"");
+  EXPECT_EQ(error_in(vertices + "f 1/1/1/1 2 3\n"),
+            "m.obj:5:3: this is no corner of a face: \"1/1/1/1\"");
   EXPECT_EQ(error_in(vertices), "m.obj: there are no faces in this file");
   EXPECT_EQ(error_in(""), "m.obj: there are no faces in this file");
 }

@@ -9,13 +9,19 @@ desc::SceneDesc read(const std::string& path, Warnings& warnings, const FileProv
   return import_mitsuba(path, warnings, provider);
 }
 
+desc::SceneDesc read_defined(const std::string& path, Warnings& warnings,
+                             const FileProvider& provider, const SceneDefinitions& definitions) {
+  return import_mitsuba(path, warnings, provider, definitions);
+}
+
 }  // namespace
 
 Format format() {
   return {.name = "mitsuba",
           .summary = "scenes of Mitsuba 0.5, 0.6, 2 and 3",
           .extensions = {".xml"},
-          .read = read};
+          .read = read,
+          .read_defined = read_defined};
 }
 
 }  // namespace ajar::mitsuba

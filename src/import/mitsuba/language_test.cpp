@@ -49,7 +49,23 @@ TEST(MitsubaLanguage, ParametersWithoutValueAreErrorsWithTheNearestName) {
                      "  <integrator type=\"path\"><integer name=\"max_depth\" value=\"$dept\"/>"
                      "</integrator></scene>"),
             "test.xml:3:27: unknown parameter \"dept\"; did you mean \"depth\"? Valid: depth. "
-            "<default> gives parameters a value");
+            "<default> gives parameters a value, and so does -Dname=value");
+}
+
+TEST(MitsubaLanguage, ParametersFromOutsideThatNoSceneHasAreErrors) {
+  const auto error_with = [](const std::string& text, const SceneDefinitions& definitions) {
+    return error_in([&](Warnings& warnings) { import_with(text, warnings, {}, definitions); });
+  };
+  const std::string text = world(
+      "<default name=\"depth\" value=\"4\"/><integrator type=\"path\">"
+      "<integer name=\"max_depth\" value=\"$limit\"/></integrator>");
+  EXPECT_EQ(error_with(text, {{"limit", "3"}}), "no error") << "used, not defined by the scene";
+  EXPECT_EQ(error_with(text, {{"limit", "3"}, {"depth", "2"}}), "no error") << "defined, not used";
+  EXPECT_EQ(
+      error_with(text, {{"limit", "3"}, {"dept", "2"}}),
+      "test.xml:1:1: -Ddept: unknown parameter \"dept\"; did you mean \"depth\"? Valid: depth, "
+      "limit");
+  EXPECT_EQ(error_with(world(""), {{"a", "1"}}), "test.xml:1:1: -Da: this scene has no parameters");
 }
 
 TEST(MitsubaLanguage, ParametersCannotGrowBeyondMeasure) {

@@ -9,7 +9,7 @@ namespace ajar::mitsuba {
 void add_lights(Context& context, MediumTable& media, const Element& emitter);
 
 // In sky.cpp:
-/// Of "sun", "sky" and "sunsky": light of the sun from one direction, and a sky of one colour.
+/// Of "sun", "sky" and "sunsky": light of the sun from one direction, and a clear sky.
 void add_sun_and_sky(Context& context, Arguments& arguments);
 
 }  // namespace ajar::mitsuba

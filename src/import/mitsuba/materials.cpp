@@ -1,5 +1,6 @@
 #include "import/mitsuba/materials.h"
 
+#include "import/common/opacity.h"
 #include "import/common/printable.h"
 #include "import/mitsuba/material_plugins.h"
 
@@ -71,7 +72,7 @@ Surface MaterialTable::interface() {
 }
 
 desc::MaterialId MaterialTable::pass_through() {
-  return add_shared(pass_through_, desc::material_node("composite", {{"opacity", Vec3(0.F)}}));
+  return add_shared(pass_through_, clear_material());
 }
 
 desc::MaterialId MaterialTable::black() { return diffuse(0.F).material; }

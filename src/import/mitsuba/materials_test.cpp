@@ -111,6 +111,41 @@ TEST(MitsubaMaterials, MasksCutAwayAndMix) {
   EXPECT_TRUE(mask.material(mask.node().material("first")).node.is("translucent"));
 }
 
+const std::string kNormalMap =
+    "<texture type=\"bitmap\"><string name=\"filename\" value=\"n.png\"/><boolean name=\"raw\" "
+    "value=\"true\"/></texture>";
+
+TEST(MitsubaMaterials, NormalMapsTiltWhatIsInThem) {
+  const MaterialOf tilted("<bsdf type=\"normalmap\">" + kNormalMap +
+                          "<bsdf type=\"diffuse\"/></bsdf>");
+  EXPECT_EQ(tilted.warnings, "");
+  const desc::NormalMap& map = tilted.material(tilted.scene.shapes.front().material).normal_map;
+  ASSERT_NE(map.texture, desc::kNone);
+  EXPECT_TRUE(map.right_handed);
+  EXPECT_EQ(map.strength, 1.F);
+  EXPECT_FALSE(
+      tilted.scene.textures[static_cast<std::size_t>(map.texture)].node.flag("decode_srgb"));
+  // The relief of a mix is that of its first part.
+  const MaterialOf mask("<bsdf type=\"normalmap\">" + kNormalMap +
+                        "<bsdf type=\"mask\"><bsdf type=\"diffuse\"/></bsdf></bsdf>");
+  ASSERT_TRUE(mask.node().is("mix"));
+  EXPECT_NE(mask.material(mask.node().material("first")).normal_map.texture, desc::kNone);
+  EXPECT_TRUE(
+      contains(MaterialOf("<bsdf type=\"normalmap\">" + kNormalMap + "<bsdf type=\"bumpmap\">" +
+                          kNormalMap + "<bsdf type=\"diffuse\"/></bsdf></bsdf>")
+                   .warnings,
+               "the bump or normal map in this one is not supported"));
+  // The file may be its own, as in the renderer of Zeltner et al. 2020.
+  const MaterialOf file(
+      "<bsdf type=\"normalmap\"><string name=\"filename\" value=\"n.exr\"/><bsdf "
+      "type=\"diffuse\"/></bsdf>");
+  EXPECT_EQ(file.warnings, "");
+  EXPECT_NE(file.material(file.scene.shapes.front().material).normal_map.texture, desc::kNone);
+  EXPECT_TRUE(
+      contains(MaterialOf("<bsdf type=\"normalmap\"><bsdf type=\"diffuse\"/></bsdf>").warnings,
+               "bsdf \"normalmap\" has no texture in it"));
+}
+
 TEST(MitsubaMaterials, OnlyOpenShapesWithoutTwoSidesAreRemarked) {
   const auto remarks = [](const std::string& shape, const std::string& bsdf) {
     return contains(warnings_of("<shape type=\"" + shape + "\">" + bsdf + "</shape>"),

@@ -11,7 +11,7 @@ namespace {
 /// `path` tells the file apart from those it includes.
 desc::SceneDesc import_text(std::string_view text, const std::string& name, const std::string& path,
                             const std::string& base_folder, Warnings& warnings,
-                            FileProvider provider, const mitsuba::Definitions& definitions) {
+                            FileProvider provider, const SceneDefinitions& definitions) {
   FileAccess files(base_folder, std::move(provider));
   mitsuba::SearchPath search(files);
   const mitsuba::Document document =
@@ -25,8 +25,7 @@ desc::SceneDesc import_text(std::string_view text, const std::string& name, cons
 }  // namespace
 
 desc::SceneDesc import_mitsuba(const std::string& path, Warnings& warnings,
-                               const FileProvider& provider,
-                               const mitsuba::Definitions& definitions) {
+                               const FileProvider& provider, const SceneDefinitions& definitions) {
   if (const auto text = provider ? provider(path) : std::nullopt) {
     const std::string folder = std::filesystem::path(path).parent_path().string();
     return import_mitsuba_text(*text, path, folder, warnings, provider, definitions);
@@ -42,8 +41,7 @@ desc::SceneDesc import_mitsuba(const std::string& path, Warnings& warnings,
 
 desc::SceneDesc import_mitsuba_text(std::string_view text, const std::string& name,
                                     const std::string& base_folder, Warnings& warnings,
-                                    FileProvider provider,
-                                    const mitsuba::Definitions& definitions) {
+                                    FileProvider provider, const SceneDefinitions& definitions) {
   const std::string path = (std::filesystem::path(base_folder) / name).lexically_normal().string();
   return import_text(text, name, path, base_folder, warnings, std::move(provider), definitions);
 }

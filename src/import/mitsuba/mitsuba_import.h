@@ -4,7 +4,7 @@
 
 #include "core/warnings.h"
 #include "import/file_provider.h"
-#include "import/mitsuba/substitution.h"
+#include "import/scene_definitions.h"
 #include "scene/desc/scene_desc.h"
 
 namespace ajar {
@@ -17,13 +17,13 @@ namespace ajar {
 /// https://mitsuba.readthedocs.io
 desc::SceneDesc import_mitsuba(const std::string& path, Warnings& warnings,
                                const FileProvider& provider = {},
-                               const mitsuba::Definitions& definitions = {});
+                               const SceneDefinitions& definitions = {});
 
 /// The same for text in memory. `name` stands in messages; other files are looked up relative to
 /// `base_folder`, at `provider` first, then on the disk.
 desc::SceneDesc import_mitsuba_text(std::string_view text, const std::string& name,
                                     const std::string& base_folder, Warnings& warnings,
                                     FileProvider provider = {},
-                                    const mitsuba::Definitions& definitions = {});
+                                    const SceneDefinitions& definitions = {});
 
 }  // namespace ajar

@@ -1,5 +1,6 @@
 #include <numeric>
 
+#include "import/common/opacity.h"
 #include "import/mitsuba/material_plugins.h"
 #include "import/mitsuba/numbers.h"
 
@@ -8,9 +9,10 @@ namespace {
 
 constexpr WarningKind kTwoMaterials{
     Effect::Surface, "materials have another one behind, which is not supported: both sides alike"};
-constexpr WarningKind kNormalMap{Effect::Surface,
-                                 "normal maps are not supported: surfaces are smooth"};
-constexpr WarningKind kNoBump{Effect::Surface, "bump maps have no texture: surfaces are smooth"};
+constexpr WarningKind kTwoReliefs{
+    Effect::Surface, "bump or normal maps are inside of others: only the outer ones count"};
+constexpr WarningKind kNoRelief{Effect::Surface,
+                                "bump or normal maps have no texture: surfaces are smooth"};
 
 /// The materials in this one, `count` or more of them.
 std::vector<Surface> parts_of(const MaterialInputs& in, std::size_t count) {
@@ -45,6 +47,50 @@ desc::Value as_color(const desc::Value& value) {
   return value;
 }
 
+/// A copy of a material with this relief; of a mix, whose relief is that of its first part, with
+/// that tilted.
+desc::MaterialId tilted(const MaterialInputs& in, desc::MaterialId id, desc::TextureId bump,
+                        const desc::NormalMap& normal_map) {
+  desc::Node node = in.materials.get(id).node;
+  if (node.is("mix")) {
+    node.set("first", desc::MaterialRef{tilted(in, node.material("first"), bump, normal_map)});
+    return in.materials.add(in.arguments.element(), std::move(node));
+  }
+  if (in.materials.get(id).has_relief()) {
+    in.context().warnings.add(kTwoReliefs, in.where(),
+                              "the bump or normal map in this one is not supported: left out");
+  }
+  const desc::MaterialId made = in.materials.add(in.arguments.element(), std::move(node));
+  in.context().scene.materials.back().bump = bump;
+  in.context().scene.materials.back().normal_map = normal_map;
+  return made;
+}
+
+/// The texture in this one, or, as in the renderer of Zeltner et al. 2020, its file; nothing, after
+/// a warning, if there is none.
+std::optional<desc::TextureId> texture_of_relief(const MaterialInputs& in) {
+  const std::vector<const Element*> textures = in.arguments.children("texture");
+  const std::optional<std::string> file = in.arguments.text("filename");
+  if (textures.empty() && file) return in.textures.add_vectors(in.where(), *file);
+  if (textures.empty()) {
+    in.context().warnings.add(
+        kNoRelief, in.where(),
+        "bsdf \"" + in.arguments.element().type + "\" has no texture in it: the surface is smooth");
+    return std::nullopt;
+  }
+  return in.textures.make(*textures.front());
+}
+
+/// The material in this one with this relief.
+Surface with_relief(const MaterialInputs& in, desc::TextureId bump,
+                    const desc::NormalMap& normal_map) {
+  Surface result = parts_of(in, 1).front();
+  const bool is_none = bump == desc::kNone && normal_map.texture == desc::kNone;
+  if (is_none || in.materials.get(result.material).node.is("interface")) return result;
+  result.material = tilted(in, result.material, bump, normal_map);
+  return result;
+}
+
 }  // namespace
 
 Surface make_null(const MaterialInputs& in) { return in.materials.interface(); }
@@ -66,36 +112,25 @@ Surface make_mask(const MaterialInputs& in) {
   const desc::Value opacity = in.textures.color(in.arguments, "opacity", desc::Rgb(0.5F));
   if (opacity == desc::Value(Vec3(1.F))) return result;
   if (opacity == desc::Value(Vec3(0.F))) return in.materials.interface();
-  // What is cut away does not stop light on its way from a lamp; the rest is a mix.
-  if (const auto* texture = std::get_if<desc::TextureRef>(&opacity)) result.alpha = texture->id;
-  result.material = mix(in, opacity, {result.material}, {in.materials.pass_through()});
+  const PartlyClear partly =
+      with_opacity(in.context().scene, {.name = in.arguments.element().id, .where = in.where()},
+                   result.material, opacity);
+  result.material = partly.material;
+  if (partly.alpha != desc::kNone) result.alpha = partly.alpha;
   return result;
 }
 
 Surface make_bump_map(const MaterialInputs& in) {
-  Surface result = parts_of(in, 1).front();
-  const std::vector<const Element*> textures = in.arguments.children("texture");
   const float scale = in.arguments.number("scale", 1.F);
-  if (textures.empty()) {
-    in.context().warnings.add(kNoBump, in.where(), "this bump map has no texture: ignored");
-    return result;
-  }
-  const desc::Value bump =
-      in.textures.scaled(in.where(), desc::TextureRef{in.textures.make(*textures.front())}, scale);
-  const desc::Material& inner = in.materials.get(result.material);
-  if (inner.node.is("interface")) return result;
-  const desc::Node node = inner.node;
-  result.material = in.materials.add(in.arguments.element(), node);
-  in.context().scene.materials.back().bump = std::get<desc::TextureRef>(bump).id;
-  return result;
+  const std::optional<desc::TextureId> height = texture_of_relief(in);
+  if (!height) return with_relief(in, desc::kNone, {});
+  const desc::Value scaled = in.textures.scaled(in.where(), desc::TextureRef{*height}, scale);
+  return with_relief(in, std::get<desc::TextureRef>(scaled).id, {});
 }
 
 Surface make_normal_map(const MaterialInputs& in) {
-  const Surface result = parts_of(in, 1).front();
-  in.context().warnings.add(kNormalMap, in.where(),
-                            "normal maps are not supported: the surface is smooth");
-  in.arguments.accept_all();
-  return result;
+  const desc::TextureId normals = texture_of_relief(in).value_or(desc::kNone);
+  return with_relief(in, desc::kNone, {.texture = normals, .right_handed = true});
 }
 
 Surface make_blend(const MaterialInputs& in) {

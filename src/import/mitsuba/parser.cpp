@@ -53,6 +53,7 @@ Document Parser::parse(std::string_view text, const std::string& name, const std
   document_.scene.tag = "scene";
   document_.scene.where = file.where(source.node);
   read_content(source, document_.scene, 0);
+  definitions_.check_given(document_.scene.where);
   for (const Alias& alias : aliases_) {
     document_.resolve(Child{"", alias.where, nullptr, alias.id});  // raises if there is none
     document_.by_id.emplace(alias.name, document_.by_id.at(alias.id));
@@ -161,8 +162,7 @@ void Parser::include(const Source& source, Element& parent, int depth) {
 }
 
 void Parser::define(const Source& source) {
-  // What was defined before, or from outside, counts.
-  definitions_.try_emplace(required(source, "name"), attribute(source, "value"));
+  definitions_.define(required(source, "name"), attribute(source, "value"));
 }
 
 void Parser::add_alias(const Source& source) {
@@ -172,12 +172,12 @@ void Parser::add_alias(const Source& source) {
 
 void Parser::add_path(const Source& source) { files_.add(required(source, "value")); }
 
-std::string Parser::attribute(const Source& source, const char* name) const {
-  return substitute(source.node.attribute(name).value(), definitions_,
-                    source.file.where(source.node));
+std::string Parser::attribute(const Source& source, const char* name) {
+  return definitions_.substitute(source.node.attribute(name).value(),
+                                 source.file.where(source.node));
 }
 
-std::string Parser::required(const Source& source, const char* name) const {
+std::string Parser::required(const Source& source, const char* name) {
   std::string value = attribute(source, name);
   if (value.empty()) {
     throw SceneError(source.file.where(source.node), "<" + printable(source.node.name()) +

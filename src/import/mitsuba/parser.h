@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "core/warnings.h"
+#include "import/mitsuba/definitions.h"
 #include "import/mitsuba/document.h"
 #include "import/mitsuba/search_path.h"
-#include "import/mitsuba/substitution.h"
 #include "import/mitsuba/xml_file.h"
 
 namespace ajar::mitsuba {
@@ -16,7 +16,7 @@ namespace ajar::mitsuba {
 class Parser {
  public:
   /// `given` takes precedence over what files define by `<default>`.
-  Parser(SearchPath& files, Warnings& warnings, Definitions given)
+  Parser(SearchPath& files, Warnings& warnings, SceneDefinitions given)
       : files_(files), warnings_(warnings), definitions_(std::move(given)) {}
 
   /// `name` stands in messages, `path` tells files apart. Raises SceneError.
@@ -47,9 +47,9 @@ class Parser {
   void add_id(const std::string& id, ElementPointer element);
 
   /// Empty if there is no such attribute.
-  std::string attribute(const Source& source, const char* name) const;
+  std::string attribute(const Source& source, const char* name);
   /// Raises SceneError if there is no such attribute.
-  std::string required(const Source& source, const char* name) const;
+  std::string required(const Source& source, const char* name);
 
   SearchPath& files_;
   Warnings& warnings_;

@@ -152,7 +152,7 @@ Mat4 PropertyReader::read_look_at(const pugi::xml_node& node) const {
 // ---------------------------------------------------------------- attributes
 
 std::string PropertyReader::text(const pugi::xml_node& node, const char* attribute) const {
-  return substitute(node.attribute(attribute).value(), definitions_, file_.where(node));
+  return definitions_.substitute(node.attribute(attribute).value(), file_.where(node));
 }
 
 double PropertyReader::number(const pugi::xml_node& node, const char* attribute,

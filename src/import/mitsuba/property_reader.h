@@ -4,9 +4,9 @@
 #include <string_view>
 
 #include "core/warnings.h"
+#include "import/mitsuba/definitions.h"
 #include "import/mitsuba/document.h"
 #include "import/mitsuba/search_path.h"
-#include "import/mitsuba/substitution.h"
 #include "import/mitsuba/xml_file.h"
 
 namespace ajar::mitsuba {
@@ -17,7 +17,7 @@ bool is_property_tag(std::string_view tag);
 /// Reads the value of properties: numbers, colours in all their spellings, transforms.
 class PropertyReader {
  public:
-  PropertyReader(const XmlFile& file, const Definitions& definitions, const SearchPath& files,
+  PropertyReader(const XmlFile& file, Definitions& definitions, const SearchPath& files,
                  Warnings& warnings)
       : file_(file), definitions_(definitions), files_(files), warnings_(warnings) {}
 
@@ -46,7 +46,7 @@ class PropertyReader {
                                const std::string& expected) const;
 
   const XmlFile& file_;
-  const Definitions& definitions_;
+  Definitions& definitions_;
   const SearchPath& files_;
   Warnings& warnings_;
 };

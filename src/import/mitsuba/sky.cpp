@@ -1,46 +1,87 @@
 #include <algorithm>
 #include <cmath>
 
+#include "import/common/clear_sky.h"
 #include "import/common/transforms.h"
 #include "import/mitsuba/lights.h"
-#include "import/mitsuba/node_maker.h"
+#include "import/mitsuba/sun_position.h"
 
 namespace ajar::mitsuba {
 namespace {
 
-constexpr WarningKind kSky{
-    Effect::Light,
-    "skies are not supported: a sky of one brightness and a sun of about the right "
-    "strength stand in"};
+constexpr WarningKind kSky{Effect::Light,
+                           "skies are those of Preetham et al., not of Hosek and Wilkie"};
+constexpr WarningKind kSun{Effect::Slight, "suns are points: shadows are sharp"};
+constexpr WarningKind kTurbidity{Effect::Light, "skies have a turbidity that the model has not"};
+constexpr WarningKind kStretched{Effect::Light,
+                                 "skies go on below the horizon, which is not supported"};
+constexpr WarningKind kNight{Effect::Light, "suns are below the horizon: there is no light"};
+constexpr WarningKind kNoPlace{Effect::Light, "skies have a transform without inverse: left out"};
 
-/// Mitsuba's radiance is per nanometre: that of an even spectrum of so many candela per square
-/// metre is 1 / (683 lm/W · ∫ ȳ dλ).
-constexpr double kPerCandela = 1.0 / (683.0 * 106.857);
-/// Where the sun is, unless the scene says so.
-constexpr double kElevation = 45.0;  // degrees
+SunTime read_time(Arguments& arguments) {
+  SunTime time;
+  const auto whole = [&](const char* name, int& value) {
+    constexpr long long kMost = 100000;
+    const std::optional<long long> given = arguments.integer(name);
+    if (given) value = static_cast<int>(std::clamp(*given, -kMost, kMost));
+  };
+  const auto number = [&](const char* name, double& value) {
+    const std::optional<double> given = arguments.number(name);
+    if (given && std::abs(*given) < 1e6) value = *given;
+  };
+  whole("year", time.year);
+  whole("month", time.month);
+  whole("day", time.day);
+  number("hour", time.hour);
+  number("minute", time.minute);
+  number("second", time.second);
+  number("latitude", time.latitude);
+  number("longitude", time.longitude);
+  number("timezone", time.timezone);
+  return time;
+}
 
-/// Unit vector to the sun, in the space of the emitter.
-Vec3d direction_to_sun(Arguments& arguments, bool z_is_up) {
+/// In the space of the emitter: east is +x and north −z in Mitsuba 0.x, whose up is y; north is −x
+/// and east −y in Mitsuba 3, whose up is z. Source: sunmodel.h of the one, sunsky.h of the other.
+Vec3d direction_of(const SunPosition& sun, bool z_is_up) {
+  const double north = std::sin(sun.zenith) * std::cos(sun.azimuth);
+  const double east = std::sin(sun.zenith) * std::sin(sun.azimuth);
+  const double up = std::cos(sun.zenith);
+  return z_is_up ? Vec3d(-north, -east, up) : Vec3d(east, up, -north);
+}
+
+/// What there is in the world. "sun_direction" is in world space, whatever the transform.
+Daylight read_daylight(Arguments& arguments, bool z_is_up, const Mat4& to_world) {
+  Daylight daylight;
+  daylight.turbidity = arguments.number("turbidity", 3.F);
+  to_world.multDirMatrix(z_is_up ? Vec3d(0.0, 0.0, 1.0) : Vec3d(0.0, 1.0, 0.0), daylight.up);
+  const SunTime time = read_time(arguments);
   const std::optional<Vec3d> given = arguments.vector("sun_direction");
-  if (given && given->length() > 0.0) return given->normalized();
-  const double height = std::sin(kElevation * M_PI / 180.0);
-  const double away = std::cos(kElevation * M_PI / 180.0);
-  return z_is_up ? Vec3d(0.0, -away, height) : Vec3d(0.0, height, -away);
+  if (given && given->length() > 0.0) {
+    daylight.to_sun = *given;
+  } else {
+    to_world.multDirMatrix(direction_of(sun_position(time), z_is_up), daylight.to_sun);
+  }
+  return daylight;
 }
 
-/// Luminance of a clear sky at the zenith, cd/m². Source: Preetham et al. 1999, A practical
-/// analytic model for daylight, appendix A.2.
-double zenith_luminance(double turbidity, double zenith_angle) {
-  const double chi = (4.0 / 9.0 - turbidity / 120.0) * (M_PI - 2.0 * zenith_angle);
-  const double kilo = (4.0453 * turbidity - 4.9710) * std::tan(chi) - 0.2155 * turbidity + 2.4192;
-  return std::max(kilo, 0.1) * 1000.0;
-}
-
-/// Illuminance of the sun on a surface that faces it, lx. Source: IESNA Lighting Handbook, 9th
-/// edition, chapter 8: clear sky.
-double sun_illuminance(double cosine) {
-  constexpr double kExtinction = 0.21;
-  return 127500.0 * std::exp(-kExtinction / std::max(cosine, 0.05));
+void warn(Context& context, Arguments& arguments, const Daylight& daylight) {
+  const std::string& type = arguments.element().type;
+  const auto add = [&](const WarningKind& kind, const std::string& message) {
+    context.warnings.add(kind, arguments.where(), message, type);
+  };
+  if (type != "sun") {
+    add(kSky,
+        "the sky is that of Preetham et al. 1999, without light from the ground: near that of "
+        "Hosek and Wilkie");
+  }
+  if (type != "sky") add(kSun, "the sun is a point: shadows are sharp, and it is not seen");
+  if (!(daylight.turbidity >= 2.0 && daylight.turbidity <= 10.0)) {
+    add(kTurbidity, "this turbidity is not supported: the nearest from 2 to 10 stands in");
+  }
+  if (arguments.number("stretch", 1.F) != 1.F || arguments.flag("extend", false)) {
+    add(kStretched, "a sky below the horizon is not supported: it is black there");
+  }
 }
 
 }  // namespace
@@ -48,39 +89,28 @@ double sun_illuminance(double cosine) {
 void add_sun_and_sky(Context& context, Arguments& arguments) {
   const std::string& type = arguments.element().type;
   const Mat4 to_world = arguments.transform("to_world").value_or(Mat4());
-  const bool z_is_up = context.document.major_version >= 3;
-  const Vec3d sun = direction_to_sun(arguments, z_is_up);
-  const double cosine = std::clamp(z_is_up ? sun.z : sun.y, 0.0, 1.0);
-  const double turbidity = arguments.number("turbidity", 3.F);
+  const Daylight daylight = read_daylight(arguments, context.document.major_version >= 3, to_world);
   const double scale = arguments.number("scale", 1.F);
   const double sun_scale = arguments.number("sun_scale", 1.F) * scale;
   const double sky_scale = arguments.number("sky_scale", 1.F) * scale;
-  arguments.accept_all();
-  context.warnings.add(kSky, arguments.where(),
-                       "emitter \"" + type +
-                           "\" is not supported: a sky of one brightness, a sun of about the right "
-                           "strength, or both stand in",
-                       type);
-  const auto add = [&](std::string_view model, const char* parameter, const Vec3& value,
-                       const Mat4& place) {
-    context.scene.lights.push_back({arguments.where(), place,
-                                    make_node(context, arguments.where(), desc::ModelKind::Light,
-                                              model, {{parameter, value}})});
+  warn(context, arguments, daylight);
+  // Of the disk of the sun, of the ground, and of how both are computed.
+  arguments.accept({"sun_radius_scale", "sun_aperture", "albedo", "resolution", "sampling_weight",
+                    "complex_sun"});
+  if (!inverse(to_world) || !(daylight.to_sun.length() > 0.0)) {
+    context.warnings.add(kNoPlace, arguments.where(),
+                         "the transform of this light cannot be inverted: left out");
+    return;
+  }
+  if (daylight.elevation() < 0.0) {
+    context.warnings.add(kNight, arguments.where(), "the sun is below the horizon: left out");
+    return;
+  }
+  const auto add = [&](std::optional<desc::Light> light) {
+    if (light) context.scene.lights.push_back(std::move(*light));
   };
-  if (type != "sun") {
-    const double luminance = zenith_luminance(turbidity, std::acos(cosine)) * sky_scale;
-    const Vec3 blue(0.7F, 0.97F, 1.6F);  // of luminance 1, about the colour of a clear sky
-    add("environment", "radiance", blue * static_cast<float>(luminance * kPerCandela), Mat4());
-  }
-  if (type != "sky" && cosine > 0.0) {
-    Vec3d toward(0.0);
-    to_world.multDirMatrix(sun, toward);
-    const Vec3 yellow(1.1F, 0.99F, 0.8F);  // the same for the sun
-    const std::optional<Mat4> place = z_to(toward);
-    if (!place) return;
-    add("distant", "irradiance",
-        yellow * static_cast<float>(sun_illuminance(cosine) * kPerCandela * sun_scale), *place);
-  }
+  if (type != "sun") add(sky_light(arguments.where(), daylight, sky_scale));
+  if (type != "sky") add(sun_light(arguments.where(), daylight, sun_scale));
 }
 
 }  // namespace ajar::mitsuba

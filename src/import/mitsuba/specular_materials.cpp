@@ -8,8 +8,6 @@ namespace {
 
 constexpr WarningKind kUnknownConductor{Effect::Surface,
                                         "conductors have unknown names: copper stands in"};
-constexpr WarningKind kSmoothConductor{Effect::None,
-                                       "conductors are perfectly smooth, which ours are not quite"};
 
 desc::Node dielectric(const MaterialInputs& in, bool thin) {
   desc::Node node = desc::material_node("dielectric", {{"thin", thin}});
@@ -88,10 +86,8 @@ Surface make_rough_dielectric(const MaterialInputs& in) {
 
 Surface make_conductor(const MaterialInputs& in) {
   if (is_ideal_mirror(in)) return mirror(in);
-  in.context().warnings.add(kSmoothConductor, in.where(),
-                            "a perfectly smooth conductor is not supported: a very smooth one "
-                            "stands in");
-  desc::Node node = desc::material_node("conductor", {{"roughness", 0.F}});
+  desc::Node node = desc::material_node(
+      "conductor", {{"roughness", 0.F}, {"distribution", std::string("smooth")}});
   set_index(in, node);
   return tinted(in, std::move(node));
 }

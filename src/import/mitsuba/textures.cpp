@@ -11,10 +11,8 @@ constexpr WarningKind kNoFile{Effect::Surface, "textures have no \"filename\""};
 constexpr WarningKind kStandIn{Effect::Surface, "textures are not supported: grey stands in"};
 constexpr WarningKind kWrap{
     Effect::Surface, "textures have a wrap mode that is not supported: the nearest stands in"};
-constexpr WarningKind kGamma{
-    Effect::Surface, "textures have a gamma of their own, which is not supported: sRGB stands in"};
 constexpr WarningKind kChannel{Effect::Surface,
-                               "textures use one channel of an image, which is not supported: all"};
+                               "textures use a channel of an image that is not supported: all"};
 
 const std::vector<std::string> kKnown = {"bitmap", "checkerboard", "scale", "uniform", "srgb"};
 
@@ -27,6 +25,13 @@ std::pair<std::string, bool> wrap_of(const std::string& mode) {
   if (mode == "clamp" || mode == "repeat") return {mode, true};
   if (mode == "zero" || mode == "black") return {"black", true};
   return {mode == "one" || mode == "white" ? "clamp" : "repeat", false};
+}
+
+/// Mitsuba's v counts from the top row of an image, ours from the bottom row.
+void set_image_uv(desc::Node& node, UvTransform uv) {
+  uv.scale.y = -uv.scale.y;
+  uv.offset.y = 1.F - uv.offset.y;
+  uv.set(node);
 }
 
 }  // namespace
@@ -102,6 +107,15 @@ desc::Node TextureTable::read(const Element& element) {
   return node;
 }
 
+desc::TextureId TextureTable::add_vectors(const SourceLocation& where, const std::string& file) {
+  desc::Node node = desc::texture_node(
+      "image", {{"file", context_.files.files().resolve(context_.files.find(file))},
+                {"decode_srgb", false}});
+  set_image_uv(node, {});
+  context_.scene.textures.push_back({"", where, std::move(node)});
+  return static_cast<desc::TextureId>(context_.scene.textures.size()) - 1;
+}
+
 desc::Node TextureTable::bitmap(Arguments& arguments) {
   desc::Node node = desc::texture_node("image");
   const std::optional<std::string> name = arguments.text("filename");
@@ -115,9 +129,8 @@ desc::Node TextureTable::bitmap(Arguments& arguments) {
   const bool is_linear = arguments.flag("raw", false) || (gamma && *gamma == 1.0);
   node.set("decode_srgb", !is_linear);
   // Mitsuba 0.x takes -1 for "as the file says", and 2.2 is what exporters write for sRGB.
-  if (gamma && *gamma > 0.0 && *gamma != 1.0 && *gamma != 2.2) {
-    context_.warnings.add(kGamma, arguments.where(),
-                          "a gamma of its own is not supported: the image is read as sRGB");
+  if (!is_linear && gamma && *gamma > 0.0 && *gamma != 2.2) {
+    node.set("decoding_exponent", static_cast<float>(*gamma));
   }
 
   const std::string mode =
@@ -134,16 +147,19 @@ desc::Node TextureTable::bitmap(Arguments& arguments) {
   if (arguments.text("filter_type", "") == "nearest") node.set("filter", std::string("nearest"));
   if (const std::optional<std::string> channel = arguments.text("channel");
       channel && *channel != "all") {
-    context_.warnings.add(kChannel, arguments.where(),
-                          "one channel of an image is not supported: all are used",
-                          printable(*channel));
+    static const std::map<std::string, std::string> kChannels = {
+        {"r", "red"}, {"g", "green"}, {"b", "blue"}, {"a", "alpha"}};
+    const auto known = kChannels.find(*channel);
+    if (known != kChannels.end()) {
+      node.set("channel", known->second);
+    } else {
+      context_.warnings.add(kChannel, arguments.where(),
+                            "this channel of an image is not supported: all are used",
+                            printable(*channel));
+    }
   }
 
-  // Mitsuba's v counts from the top row, ours from the bottom row.
-  UvTransform uv = read_uv_transform(arguments);
-  uv.scale.y = -uv.scale.y;
-  uv.offset.y = 1.F - uv.offset.y;
-  uv.set(node);
+  set_image_uv(node, read_uv_transform(arguments));
   arguments.accept({"cache", "max_anisotropy", "format", "accel", "wrap_mode_u", "wrap_mode_v"});
   return node;
 }

@@ -26,6 +26,9 @@ class TextureTable {
   /// `factor` times a number or a texture.
   desc::Value scaled(const SourceLocation& where, const desc::Value& value, float factor);
 
+  /// An image file as it is, without decoding.
+  desc::TextureId add_vectors(const SourceLocation& where, const std::string& file);
+
   /// Raises SceneError for textures that refer to themselves.
   desc::TextureId make(const Element& element);
 

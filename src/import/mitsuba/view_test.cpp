@@ -183,16 +183,60 @@ TEST(MitsubaLights, BlackBodiesHaveMitsubasUnits) {
   EXPECT_NEAR(sky.node.color("radiance").y, 20.2F, 0.6F);
 }
 
-TEST(MitsubaLights, SkiesAreStandIns) {
+/// Elevation of the sun, for skies; where the light of the sun comes from, for suns.
+desc::SceneDesc daylight_of(const std::string& inside, const std::string& version = "3.0.0") {
   Warnings warnings;
-  const desc::SceneDesc scene =
-      import_with(world("<emitter type=\"sunsky\"><vector name=\"sunDirection\" x=\"0\" y=\"0.6\" "
-                        "z=\"0.8\"/></emitter>"),
-                  warnings);
-  ASSERT_EQ(scene.lights.size(), 2U);
-  EXPECT_TRUE(scene.lights[0].node.is("environment"));
-  expect_near(transform_vector(scene.lights[1].to_world, {0, 0, 1}), {0.F, 0.6F, 0.8F});
-  EXPECT_EQ(warnings.count(Effect::Light), 1U);
+  return import_with("<scene version=\"" + version + "\"><emitter type=\"sunsky\">" + inside +
+                         "</emitter><sensor type=\"perspective\"/><shape type=\"sphere\"/></scene>",
+                     warnings);
+}
+
+TEST(MitsubaLights, SkiesAreClearOnesWithTheSunInTheWorldsDirection) {
+  for (const std::string transform :
+       {"", "<transform name=\"to_world\"><rotate x=\"1\" angle=\"-90\"/></transform>"}) {
+    const desc::SceneDesc scene =
+        daylight_of("<vector name=\"sunDirection\" x=\"0\" y=\"0.6\" z=\"0.8\"/>" + transform);
+    ASSERT_EQ(scene.lights.size(), 2U);
+    const desc::Light& sky = scene.lights[0];
+    ASSERT_TRUE(sky.node.is("sky"));
+    EXPECT_EQ(sky.node.number("turbidity"), 3.F);
+    // The pole is z, turned to y by the transform; the sun is over x.
+    const Vec3 up = transform.empty() ? Vec3(0, 0, 1) : Vec3(0, 1, 0);
+    const float height = dot(up, Vec3(0.F, 0.6F, 0.8F));
+    expect_near(transform_vector(sky.to_world, {0, 0, 1}), up);
+    expect_near(transform_vector(sky.to_world, {1, 0, 0}),
+                normalize(Vec3(0.F, 0.6F, 0.8F) - up * height));
+    EXPECT_NEAR(std::sin(sky.node.number("elevation") * kPi / 180.F), height, 1e-5F);
+    expect_near(transform_vector(scene.lights[1].to_world, {0, 0, 1}), {0.F, 0.6F, 0.8F});
+  }
+}
+
+TEST(MitsubaLights, SunsStandWhereTheDateHasThem) {
+  // Noon at the equator in June: the sun is in the north, 23.4 degrees from the zenith.
+  const std::string june =
+      "<integer name=\"month\" value=\"6\"/><integer name=\"day\" value=\"21\"/><float "
+      "name=\"hour\" "
+      "value=\"12\"/><float name=\"latitude\" value=\"0\"/><float name=\"longitude\" value=\"0\"/>"
+      "<float name=\"timezone\" value=\"0\"/>";
+  const float sine = std::sin(23.44F * kPi / 180.F);
+  const float cosine = std::cos(23.44F * kPi / 180.F);
+  const auto toward = [&](const std::string& version) {
+    return transform_vector(daylight_of(june, version).lights.at(1).to_world, {0, 0, 1});
+  };
+  expect_near(toward("0.6.0"), {0.F, cosine, -sine}, 0.02F);
+  expect_near(toward("3.0.0"), {-sine, 0.F, cosine}, 0.02F);
+  // By night there is nothing.
+  EXPECT_TRUE(daylight_of("<float name=\"hour\" value=\"0\"/>").lights.empty());
+}
+
+TEST(MitsubaLights, SkiesSayWhatStandsIn) {
+  const std::string said = warnings_of(
+      "<emitter type=\"sunsky\"><float name=\"turbidity\" value=\"1\"/><float name=\"stretch\" "
+      "value=\"1.5\"/><float name=\"turbidty\" value=\"1\"/></emitter>");
+  for (const char* part : {"Preetham", "the sun is a point", "the nearest from 2 to 10",
+                           "black there", "did you mean \"turbidity\"?"}) {
+    EXPECT_TRUE(contains(said, part)) << part << "\n" << said;
+  }
 }
 
 TEST(MitsubaLights, UnknownOnesAreLeftOutWithAWarning) {

@@ -1,10 +1,11 @@
 #include "import/obj/library.h"
 
 #include <algorithm>
+#include <sstream>
 
 #include "core/error.h"
 #include "core/printable_text.h"
-#include "import/obj/text_stream.h"
+#include "import/mesh/text_lines.h"
 
 namespace ajar::obj {
 namespace {
@@ -31,11 +32,29 @@ std::map<std::string, SourceLocation> places_of(std::string_view text, const std
 
 }  // namespace
 
-void Library::load(const SourceLocation& where, const std::string& file) {
-  if (!loaded_.insert(file).second) return;
+void Library::load(const SourceLocation& where, std::string_view names) {
+  std::string reason;
+  const auto load = [&](const std::string& file) {
+    if (loaded_.contains(file)) return true;
+    if (!load_if_there(file, reason)) return false;
+    loaded_.insert(file);
+    return true;
+  };
+  if (load(trimmed(names))) return;
+  LineWords words(names);
+  for (std::string_view word = words.word(); !word.empty(); word = words.word()) {
+    const std::string file(word);
+    if (load(file)) continue;
+    loaded_.insert(file);  // to be missed once
+    warnings_.add(kNoLibrary, where, "cannot read these materials: " + reason,
+                  printable_line(file));
+  }
+}
+
+bool Library::load_if_there(const std::string& file, std::string& reason) {
   try {
     const FileBytes bytes = files_.load(files_.resolve_inside(portable_path(file)));
-    TextStream stream(bytes.view());
+    std::istringstream stream{std::string(bytes.view())};
     std::map<std::string, int> numbers;
     std::vector<tinyobj::material_t> materials;
     std::string remarks;
@@ -50,9 +69,10 @@ void Library::load(const SourceLocation& where, const std::string& file) {
       if (name.empty()) continue;
       materials_.try_emplace(name, Description{std::move(material), places[name]});
     }
+    return true;
   } catch (const IoError& error) {
-    warnings_.add(kNoLibrary, where, std::string("cannot read these materials: ") + error.what(),
-                  printable_line(file));
+    reason = error.what();
+    return false;
   }
 }
 

@@ -4,6 +4,7 @@
 #include <map>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/warnings.h"
@@ -22,13 +23,17 @@ class Library {
  public:
   Library(FileAccess& files, Warnings& warnings) : files_(files), warnings_(warnings) {}
 
-  /// Reads a file, once; warns if it is not there. `where` names it.
-  void load(const SourceLocation& where, const std::string& file);
+  /// Reads the files that a line names, each once; warns of those that are not there. `where` names
+  /// them. A name may have spaces in it if it is the only one of its line.
+  void load(const SourceLocation& where, std::string_view names);
   /// Null if no file has it.
   const Description* find(const std::string& material) const;
   std::vector<std::string> names() const;
 
  private:
+  /// Whether there is such a file; its materials are known then.
+  bool load_if_there(const std::string& file, std::string& reason);
+
   FileAccess& files_;
   Warnings& warnings_;
   std::set<std::string> loaded_;

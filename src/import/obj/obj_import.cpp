@@ -2,15 +2,15 @@
 
 #include "import/common/scene_file.h"
 #include "import/common/studio.h"
+#include "import/mesh/obj.h"
 #include "import/mesh/validate_mesh.h"
 #include "import/obj/materials.h"
-#include "import/obj/reader.h"
 #include "scene/desc/models.h"
 
 namespace ajar {
 namespace {
 
-void add_shape(obj::Part& part, obj::Materials& materials, desc::SceneDesc& scene,
+void add_shape(ObjPart& part, obj::Materials& materials, desc::SceneDesc& scene,
                Warnings& warnings) {
   std::vector<Warning> remarks;
   validate_mesh(part.mesh, part.where, remarks);
@@ -30,9 +30,11 @@ desc::SceneDesc import_file(const SceneFile& file, Warnings& warnings, FileAcces
   desc::SceneDesc scene;
   scene.source = file.name;
   obj::Library library(files, warnings);
-  std::vector<obj::Part> parts = obj::read_parts(file.bytes, file.name, library);
+  std::vector<ObjPart> parts = read_obj_parts(
+      file.bytes, file.name,
+      [&](const SourceLocation& where, std::string_view names) { library.load(where, names); });
   obj::Materials materials(library, scene, files, warnings);
-  for (obj::Part& part : parts) add_shape(part, materials, scene, warnings);
+  for (ObjPart& part : parts) add_shape(part, materials, scene, warnings);
   add_studio(scene, {}, UpAxis::Y);
   return scene;
 }

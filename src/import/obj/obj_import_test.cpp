@@ -1,49 +1,26 @@
 #include "import/obj/obj_import.h"
 
-#include <gtest/gtest.h>
-
-#include <map>
-
-#include "core/error.h"
+#include "import/testing/import_checks.h"
 
 namespace ajar {
 namespace {
 
 using Triangle = Imath::Vec3<unsigned>;
-using Files = std::map<std::string, std::string>;
 
 desc::SceneDesc import_with(const std::string& text, Warnings& warnings, const Files& files = {}) {
-  return import_obj_text(text, "test.obj", "/scene", warnings,
-                         [&](const std::string& path) -> std::optional<std::string_view> {
-                           const auto found = files.find(path);
-                           if (found == files.end()) return std::nullopt;
-                           return found->second;
-                         });
+  return import_obj_text(text, "test.obj", "/scene", warnings, provider_of(files));
 }
 desc::SceneDesc scene_of(const std::string& text, const Files& files = {}) {
   Warnings warnings;
   desc::SceneDesc scene = import_with(text, warnings, files);
-  for (const std::string& message : warnings.messages()) ADD_FAILURE() << message;
+  expect_none(warnings);
   return scene;
 }
 std::string error_of(const std::string& text) {
-  Warnings warnings;
-  try {
-    import_with(text, warnings);
-  } catch (const SceneError& error) {
-    return error.what();
-  }
-  return "no error";
+  return error_in([&](Warnings& warnings) { import_with(text, warnings); });
 }
 std::string warnings_of(const std::string& text, const Files& files = {}) {
-  Warnings warnings;
-  import_with(text, warnings, files);
-  std::string all;
-  for (const std::string& message : warnings.messages()) all += message + "\n";
-  return all;
-}
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
+  return warnings_in([&](Warnings& warnings) { import_with(text, warnings, files); });
 }
 const desc::Mesh& mesh_of(const desc::SceneDesc& scene, std::size_t shape = 0) {
   return *scene.shapes.at(shape).node.mesh("mesh");
@@ -86,13 +63,27 @@ TEST(Obj, FacesWithAndWithoutNormalsAreDifferentShapes) {
 }
 
 TEST(Obj, FacesOfVerticesThatAreNotThereAreErrorsWithTheirLine) {
-  EXPECT_EQ(error_of(kSquare + "f 1 2 5\n"), "test.obj:5: this face refers to vertex 5 of 4");
-  EXPECT_EQ(error_of(kSquare + "f 1 2 -5"), "test.obj:5: this face refers to vertex -5 of 4");
-  EXPECT_EQ(error_of(kSquare + "f 1 2 x\n"), "test.obj:5: this face refers to vertex 0 of 4");
+  EXPECT_EQ(error_of(kSquare + "f 1 2 5\n"), "test.obj:5:7: this face refers to vertex 5 of 4");
+  EXPECT_EQ(error_of(kSquare + "f 1 2 -5"), "test.obj:5:7: this face refers to vertex -5 of 4");
+  EXPECT_EQ(error_of(kSquare + "f 1 2 x\n"), "test.obj:5:7: this is no corner of a face: \"x\"");
   EXPECT_EQ(error_of(kSquare + "f 1/1 2/1 3/1\n"),
-            "test.obj:5: this face refers to texture coordinate 1 of 0");
-  EXPECT_EQ(error_of(kSquare + "f 1 2\n"), "test.obj:5: a face has three corners or more, not 2");
+            "test.obj:5:3: this face refers to texture coordinate 1 of 0");
+  EXPECT_EQ(error_of(kSquare + "f 1 2\n"), "test.obj: there are no faces in this file");
   EXPECT_EQ(error_of("v 0 0 0\n"), "test.obj: there are no faces in this file");
+}
+
+TEST(Obj, FilesOfMaterialsMayHaveSpacesInTheirNamesOrBeSeveral) {
+  const Files files = {{"/scene/my red.mtl", "newmtl m\nKd 1 0 0\n"},
+                       {"/scene/b.mtl", "newmtl b\n"},
+                       {"/scene/c.mtl", "newmtl m\nKd 0 1 0\n"}};
+  const auto color_of = [&](const std::string& line) {
+    const desc::SceneDesc scene =
+        scene_of(kSquare + "mtllib " + line + "\nusemtl m\nf 1 2 3\n", files);
+    return scene.materials.at(static_cast<std::size_t>(scene.shapes[0].material))
+        .node.color("reflectance");
+  };
+  EXPECT_EQ(color_of("my red.mtl"), Vec3(1, 0, 0));
+  EXPECT_EQ(color_of("b.mtl c.mtl"), Vec3(0, 1, 0));
 }
 
 TEST(Obj, MissingAndForbiddenMaterialsAreWarnings) {
@@ -120,6 +111,20 @@ TEST(Obj, PhysicallyBasedMaterialsArePrincipled) {
   EXPECT_TRUE(node.is("principled"));
   EXPECT_EQ(node.number("roughness"), 0.4F);
   EXPECT_EQ(node.number("metallic"), 0.7F);
+}
+
+TEST(Obj, NormalMapsAreVectorsAndBumpsAreWarnings) {
+  const Files files = {{"/scene/a.mtl", "newmtl m\nd .5\nnorm n.png\n"}, {"/scene/n.png", ""}};
+  const desc::SceneDesc scene = scene_of(kTexturedFace, files);
+  const desc::Node& mix =
+      scene.materials.at(static_cast<std::size_t>(scene.shapes[0].material)).node;
+  ASSERT_TRUE(mix.is("mix"));
+  const desc::NormalMap& map =
+      scene.materials.at(static_cast<std::size_t>(mix.material("first"))).normal_map;
+  ASSERT_NE(map.texture, desc::kNone);
+  EXPECT_FALSE(texture_at(scene, map.texture).flag("decode_srgb"));
+  EXPECT_TRUE(contains(warnings_of(kTexturedFace, {{"/scene/a.mtl", "newmtl m\nbump b.png\n"}}),
+                       "bump maps, whose height has no unit, are ignored"));
 }
 
 TEST(Obj, GlassRefracts) {

@@ -5,12 +5,13 @@
 
 #include "core/error.h"
 #include "core/printable_text.h"
+#include "import/common/opacity.h"
 #include "scene/desc/models.h"
 
 namespace ajar::obj {
 namespace {
 
-constexpr WarningKind kBump{Effect::Surface, "materials have bump or normal maps: ignored"};
+constexpr WarningKind kBump{Effect::Surface, "materials have bump maps: ignored"};
 constexpr WarningKind kNoImage{Effect::Surface, "images cannot be found: left out"};
 
 desc::Rgb reflectance_of(const tinyobj::real_t (&rgb)[3]) {
@@ -41,10 +42,15 @@ constexpr int kGlassWithoutRays = 9;
 Surface SurfaceReader::read() {
   Surface surface;
   surface.material = add_material(is_glass() ? glass() : base());
+  if (const auto normals =
+          add_image(values_.normal_texname, values_.normal_texopt, "color", false, 1.F)) {
+    scene_.materials.back().normal_map.texture = *normals;
+  }
   if (!is_glass()) set_opacity(surface);
   set_emission(surface);
-  if (!values_.bump_texname.empty() || !values_.normal_texname.empty()) {
-    warnings_.add(kBump, where_, "bump and normal maps are ignored", printable_line(values_.name));
+  if (!values_.bump_texname.empty()) {
+    warnings_.add(kBump, where_, "bump maps, whose height has no unit, are ignored",
+                  printable_line(values_.name));
   }
   return surface;
 }
@@ -103,18 +109,10 @@ void SurfaceReader::set_opacity(Surface& surface) {
   const desc::Value opacity = number(share_of(values_.dissolve), values_.alpha_texname,
                                      values_.alpha_texopt, is_shared ? "alpha" : "color");
   if (opacity == desc::Value(1.F)) return;
-  const auto* texture = std::get_if<desc::TextureRef>(&opacity);
-  // Where nothing is to be seen the mix would be right, too, but here shadow rays pass as well.
-  if (texture != nullptr) surface.alpha = texture->id;
-  const desc::MaterialId clear =
-      add_material(desc::material_node("composite", {{"diffuse_reflectance", Vec3(0.F)},
-                                                     {"glossy_reflectance", Vec3(0.F)},
-                                                     {"opacity", Vec3(0.F)}}));
-  surface.material = add_material(desc::material_node(
-      "mix",
-      {{"amount", texture != nullptr ? opacity : desc::Value(Vec3(std::get<float>(opacity)))},
-       {"first", desc::MaterialRef{surface.material}},
-       {"second", desc::MaterialRef{clear}}}));
+  const PartlyClear partly =
+      with_opacity(scene_, {.name = values_.name, .where = where_}, surface.material, opacity);
+  surface.material = partly.material;
+  surface.alpha = partly.alpha;
 }
 
 void SurfaceReader::set_emission(Surface& surface) {

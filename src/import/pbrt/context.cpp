@@ -32,4 +32,12 @@ void fail_unknown(const SourceLocation& where, std::string_view what, std::strin
   throw SceneError(where, unknown_name_message(what, printable(name), valid));
 }
 
+std::string resolve_file(Context& context, const SourceLocation& where, const std::string& name) {
+  try {
+    return context.files.resolve(name);
+  } catch (const IoError& error) {
+    throw SceneError(where, error.what());
+  }
+}
+
 }  // namespace ajar::pbrt

@@ -38,4 +38,7 @@ void report_unknown(const Context& context, const SourceLocation& where, std::st
 [[noreturn]] void fail_unknown(const SourceLocation& where, std::string_view what,
                                std::string_view name, const std::vector<std::string>& valid);
 
+/// Where a file is that the scene names at `where`, as `FileAccess::resolve`. Raises SceneError.
+std::string resolve_file(Context& context, const SourceLocation& where, const std::string& name);
+
 }  // namespace ajar::pbrt

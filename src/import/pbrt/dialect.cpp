@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "import/common/printable.h"
 #include "import/pbrt/lexer.h"
 
 namespace ajar::pbrt {

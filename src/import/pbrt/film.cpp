@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "import/common/printable.h"
 #include "import/pbrt/lexer.h"
 
 namespace ajar::pbrt {

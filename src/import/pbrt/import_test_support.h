@@ -1,26 +1,17 @@
 #pragma once
-#include <gtest/gtest.h>
-
 #include <filesystem>
-#include <map>
 #include <string>
 #include <string_view>
 
-#include "core/error.h"
-#include "core/warnings.h"
 #include "import/pbrt/pbrt_import.h"
+#include "import/testing/import_checks.h"
 
 namespace ajar {
 
 /// Imports text as "test.pbrt", with the given files beside it.
 inline desc::SceneDesc import_with(std::string_view text, Warnings& warnings,
-                                   const std::map<std::string, std::string>& files = {}) {
-  return import_pbrt_text(text, "test.pbrt", "", warnings,
-                          [&](const std::string& path) -> std::optional<std::string_view> {
-                            const auto found = files.find(path);
-                            if (found == files.end()) return std::nullopt;
-                            return found->second;
-                          });
+                                   const Files& files = {}) {
+  return import_pbrt_text(text, "test.pbrt", "", warnings, provider_of(files));
 }
 
 /// A world with `body` in it; there must be no warnings but the one about missing shapes.
@@ -29,37 +20,20 @@ inline std::string world(const std::string& body) {
 }
 
 /// Message of the SceneError that importing raises, or "no error".
-inline std::string error_of(std::string_view text,
-                            const std::map<std::string, std::string>& files = {}) {
-  Warnings warnings;
-  try {
-    import_with(text, warnings, files);
-  } catch (const SceneError& error) {
-    return error.what();
-  }
-  return "no error";
+inline std::string error_of(std::string_view text, const Files& files = {}) {
+  return error_in([&](Warnings& warnings) { import_with(text, warnings, files); });
 }
 
 /// All warnings of importing, one per line.
-inline std::string warnings_of(std::string_view text,
-                               const std::map<std::string, std::string>& files = {}) {
-  Warnings warnings;
-  import_with(text, warnings, files);
-  std::string result;
-  for (const std::string& message : warnings.messages()) result += message + "\n";
-  return result;
-}
-
-inline bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
+inline std::string warnings_of(std::string_view text, const Files& files = {}) {
+  return warnings_in([&](Warnings& warnings) { import_with(text, warnings, files); });
 }
 
 /// Imports a world without any warning.
-inline desc::SceneDesc scene_of(const std::string& body,
-                                const std::map<std::string, std::string>& files = {}) {
+inline desc::SceneDesc scene_of(const std::string& body, const Files& files = {}) {
   Warnings warnings;
   desc::SceneDesc scene = import_with(world(body), warnings, files);
-  for (const std::string& message : warnings.messages()) ADD_FAILURE() << body << "\n" << message;
+  expect_none(warnings, body + "\n");
   return scene;
 }
 /// The material of a shape, or of the last one.

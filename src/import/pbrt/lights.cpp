@@ -135,13 +135,9 @@ std::optional<desc::TextureRef> emission_image(Context& context, TextureTable& t
                                                const ParameterList& p) {
   const std::optional<std::string> file = p.get_string("filename");
   if (!file || file->empty()) return std::nullopt;
-  try {
-    const desc::Node image = desc::texture_node(
-        "image", {{"file", context.files.resolve(*file)}, {"wrap", std::string("clamp")}});
-    return desc::TextureRef{textures.add(where, image)};
-  } catch (const IoError& error) {
-    throw SceneError(where, error.what());
-  }
+  const desc::Node image = desc::texture_node(
+      "image", {{"file", resolve_file(context, where, *file)}, {"wrap", std::string("clamp")}});
+  return desc::TextureRef{textures.add(where, image)};
 }
 
 }  // namespace

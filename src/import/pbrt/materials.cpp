@@ -13,8 +13,6 @@ namespace ajar::pbrt {
 namespace {
 
 constexpr WarningKind kUnknown{Effect::Surface, "materials are unknown: matte ones stand in"};
-constexpr WarningKind kNoNormalMap{Effect::Surface,
-                                   "materials have normal maps, which are not supported"};
 constexpr WarningKind kNoMediumInCoat{
     Effect::Surface, "coated materials have an \"albedo\" in their coat, which is not supported"};
 constexpr WarningKind kNoSubsurface{
@@ -76,13 +74,28 @@ void finish_v4(const SourceLocation& where, const std::string& type, const Textu
     }
     p.accept({"thickness", "g", "maxdepth", "nsamples", "twosided"});
   }
-  if (const std::optional<std::string> map = p.text("normalmap"); map && !map->empty()) {
-    p.context().warnings.add(kNoNormalMap, where, "normal maps are not supported: ignored", *map);
-  }
 }
 
-/// Whether pbrt displaces this material along its normal.
-bool can_be_bumpy(const desc::Node& node) { return !node.is("interface") && !node.is("mix"); }
+/// A file of normals in pbrt-v4; a texture in pbrt-v3, which has no word for them: ours.
+desc::NormalMap read_normal_map(const SourceLocation& where, const TextureParameters& p,
+                                TextureTable& textures) {
+  if (p.context().is_v4()) {
+    const std::optional<std::string> file = p.text("normalmap");
+    if (!file || file->empty()) return {};
+    const desc::Node image = desc::texture_node(
+        "image", {{"file", resolve_file(p.context(), where, *file)}, {"decode_srgb", false}});
+    return {.texture = textures.add(where, image), .right_handed = true};
+  }
+  const std::optional<desc::Value> normals = p.find_spectrum("normal_map");
+  const auto* texture = normals ? std::get_if<desc::TextureRef>(&*normals) : nullptr;
+  if (texture == nullptr) return {};
+  return {.texture = texture->id,
+          .strength = p.number("normal_strength").value_or(1.F),
+          .right_handed = p.flag("normal_right_handed").value_or(false)};
+}
+
+/// Whether pbrt tilts the normals of this material.
+bool can_have_relief(const desc::Node& node) { return !node.is("interface") && !node.is("mix"); }
 
 }  // namespace
 
@@ -143,13 +156,14 @@ desc::MaterialId MaterialTable::build(const SourceLocation& where, const std::st
   material.name = name;
   material.where = where;
   material.node = make_node(where, type, parameters);
-  if (can_be_bumpy(material.node)) {
+  if (can_have_relief(material.node)) {
     // A bump that is the same everywhere is none.
     const std::optional<desc::Value> bump =
         parameters.find_number(context_.is_v4() ? "displacement" : "bumpmap");
     if (bump && std::holds_alternative<desc::TextureRef>(*bump)) {
       material.bump = std::get<desc::TextureRef>(*bump).id;
     }
+    material.normal_map = read_normal_map(where, parameters, textures_);
   }
   context_.scene.materials.push_back(std::move(material));
   return static_cast<desc::MaterialId>(context_.scene.materials.size()) - 1;

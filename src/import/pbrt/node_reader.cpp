@@ -125,11 +125,7 @@ std::optional<desc::Value> NodeReader::find_color(const ParameterSpec& spec,
 std::optional<desc::Value> NodeReader::find_file(std::string_view name) const {
   const std::optional<std::string> given = parameters_.text(name);
   if (!given || given->empty()) return std::nullopt;
-  try {
-    return parameters_.context().files.resolve(*given);
-  } catch (const IoError& error) {
-    throw SceneError(where_, error.what());
-  }
+  return resolve_file(parameters_.context(), where_, *given);
 }
 
 std::string NodeReader::choice(const ParameterSpec& spec, std::string_view name,

@@ -43,7 +43,7 @@ Texture "marble" "spectrum" "marble" "integer octaves" 4
 Texture "fbm" "float" "fbm" Texture "wrinkled" "float" "wrinkled" Texture "windy" "float" "windy"
 Texture "uv" "spectrum" "uv" Texture "bilerp" "spectrum" "bilerp" "rgb v00" [.1 .2 .3]
 MakeNamedMaterial "a" "string type" "matte" "texture Kd" "dots" "texture sigma" "chk" "texture bumpmap" "bumps"
-MakeNamedMaterial "b" "string type" "metal" "spectrum eta" "Au.eta.spd" "texture uroughness" "fbm"
+MakeNamedMaterial "b" "string type" "metal" "spectrum eta" "Au.eta.spd" "texture uroughness" "fbm" "texture normal_map" "img" "float normal_strength" .7 "bool normal_right_handed" true
 MakeNamedMaterial "mix" "string type" "mix" "string namedmaterial1" "a" "string namedmaterial2" "b" "texture amount" "marble"
 AttributeBegin MakeNamedMaterial "a" "string type" "glass" "float eta" 1.4 "bool thin" true NamedMaterial "a" Shape "disk" AttributeEnd
 NamedMaterial "mix"

@@ -111,12 +111,21 @@ TEST(Pbrt4Materials, ThatWeLackHaveStandInsThatLookLikeThem) {
 TEST(Pbrt4Materials, WhatCannotBeDoneIsSaidWithItsPlace) {
   EXPECT_TRUE(contains(v4_warnings("Material \"difuse\""),
                        "test.pbrt:2:1: unknown material \"difuse\"; did you mean \"diffuse\"?"));
-  EXPECT_TRUE(contains(v4_warnings("Material \"diffuse\" \"string normalmap\" \"n.png\""),
-                       "normal maps are not supported"));
   EXPECT_TRUE(
       contains(v4_warnings("Material \"coateddiffuse\" \"rgb albedo\" [.5 .5 .5]"), "\"albedo\""));
   EXPECT_TRUE(contains(v4_warnings("Material \"diffuse\" \"float rougness\" 1"),
                        "unused parameter \"float rougness\""));
+}
+
+TEST(Pbrt4Materials, NormalMapsAreFilesOfVectors) {
+  const desc::SceneDesc s =
+      v4_scene("Material \"diffuse\" \"string normalmap\" \"n.png\"", {{"n.png", ""}});
+  const desc::NormalMap& map =
+      s.materials[static_cast<std::size_t>(s.shapes.back().material)].normal_map;
+  ASSERT_EQ(map.texture, 0);
+  EXPECT_TRUE(map.right_handed);
+  EXPECT_EQ(s.textures[0].node.text("file"), "n.png");
+  EXPECT_FALSE(s.textures[0].node.flag("decode_srgb"));
 }
 
 TEST(Pbrt4Materials, DisplacementIsABump) {

@@ -10,17 +10,15 @@ inline std::string v4_world(const std::string& body, const std::string& options 
 }
 
 /// Imports it without any warning.
-inline desc::SceneDesc v4_scene(const std::string& body,
-                                const std::map<std::string, std::string>& files = {},
+inline desc::SceneDesc v4_scene(const std::string& body, const Files& files = {},
                                 const std::string& options = "") {
   Warnings warnings;
   desc::SceneDesc scene = import_with(v4_world(body, options), warnings, files);
-  for (const std::string& message : warnings.messages()) ADD_FAILURE() << body << "\n" << message;
+  expect_none(warnings, body + "\n");
   return scene;
 }
 /// The same, whatever the warnings.
-inline desc::SceneDesc v4_scene_with_warnings(
-    const std::string& body, const std::map<std::string, std::string>& files = {}) {
+inline desc::SceneDesc v4_scene_with_warnings(const std::string& body, const Files& files = {}) {
   Warnings warnings;
   return import_with(v4_world(body), warnings, files);
 }
@@ -29,8 +27,7 @@ inline desc::Node v4_material(const std::string& body) {
   const desc::SceneDesc scene = v4_scene(body);
   return material_node_of(scene, scene.shapes.back());
 }
-inline std::string v4_warnings(const std::string& body,
-                               const std::map<std::string, std::string>& files = {}) {
+inline std::string v4_warnings(const std::string& body, const Files& files = {}) {
   return warnings_of(v4_world(body), files);
 }
 

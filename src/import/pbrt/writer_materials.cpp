@@ -12,6 +12,11 @@ void write_material(WriterContext& context, std::size_t i) {
                         names == nullptr ? material.node.model().name : names->theirs);
   write_parameters(context, material.node, names);
   context.reference("bumpmap", material.bump);
+  const desc::NormalMap& normals = material.normal_map;
+  if (normals.texture == desc::kNone) return;
+  context.reference("normal_map", normals.texture);
+  context.out.parameter("float normal_strength", normals.strength);
+  context.out.parameter("bool normal_right_handed", normals.right_handed ? "true" : "false");
 }
 
 }  // namespace

@@ -10,6 +10,7 @@ class UseFinder {
   std::vector<TextureUse> run() {
     for (const desc::Material& material : scene_.materials) {
       floats(material.bump);
+      mark(material.normal_map.texture, {false, true});
       visit(material.node, {false, true});
     }
     for (const desc::Shape& shape : scene_.shapes) visit(shape);

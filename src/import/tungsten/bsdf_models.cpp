@@ -108,7 +108,7 @@ desc::Node conductor(const BsdfInputs& in, const desc::Value& roughness, std::st
                    in.albedo());
 }
 
-desc::Node smooth_conductor(const BsdfInputs& in) { return conductor(in, 0.F, "ggx"); }
+desc::Node smooth_conductor(const BsdfInputs& in) { return conductor(in, 0.F, "smooth"); }
 
 desc::Node rough_conductor(const BsdfInputs& in) {
   return conductor(in, in.number("roughness", 0.1F), distribution_of(in));

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "import/common/opacity.h"
 #include "import/tungsten/bsdf_models.h"
 #include "scene/desc/models.h"
 
@@ -13,45 +14,27 @@ constexpr WarningKind kUnknownType{Effect::Surface, "bsdfs are of unknown types:
 constexpr WarningKind kSameName{Effect::Surface, "bsdfs have the same name: the first counts"};
 constexpr WarningKind kLoop{Effect::Surface, "bsdfs refer to themselves: grey stands in"};
 constexpr WarningKind kBump{Effect::Slight, "bumps have a height that is a guess"};
-constexpr WarningKind kCutOut{Effect::Slight,
-                              "bsdfs have an opacity by texture: they are cut away where it is 0"};
 
 using Kind = LocatedJson::Kind;
 
-/// Leaves what is not opaque out: as a whole, where a texture is 0, or by a share.
 Surface with_opacity(const BsdfInputs& in, Surface base, const desc::Value& opacity) {
-  if (const auto* texture = std::get_if<desc::TextureRef>(&opacity)) {
-    in.warn(kCutOut, "the surface is cut away where \"alpha\" is 0, and opaque elsewhere");
-    base.alpha = texture->id;
+  const float* share = std::get_if<float>(&opacity);
+  if (share != nullptr && *share >= 1.F) return base;
+  if (share != nullptr && *share <= 0.F) {
+    base.material = in.add(desc::material_node("interface"));
     return base;
   }
-  const float share = std::get<float>(opacity);
-  if (share >= 1.F) return base;
-  const desc::Node& node = in.context.scene.materials[static_cast<std::size_t>(base.material)].node;
-  // Nothing of it but a diffuse part can be mixed with what passes straight on.
-  const desc::Value diffuse =
-      node.is("diffuse") ? node.get("reflectance") : desc::Value(Vec3(0.5F));
-  if (share <= 0.F) {
-    base.material = in.add(desc::material_node("interface"));
-  } else {
-    if (!node.is("diffuse")) {
-      constexpr WarningKind kDiffuseOnly{
-          Effect::Surface, "bsdfs are partly transparent: their opaque part is a diffuse grey"};
-      in.warn(kDiffuseOnly,
-              "only diffuse bsdfs can be partly transparent: grey stands in for the "
-              "opaque part");
-    }
-    base.material = in.add(desc::material_node("composite", {{"diffuse_reflectance", diffuse},
-                                                             {"glossy_reflectance", Vec3(0.F)},
-                                                             {"opacity", Vec3(share)}}));
-  }
+  const PartlyClear partly = ajar::with_opacity(
+      in.context.scene, {.name = {}, .where = in.object.where()}, base.material, opacity);
+  base.material = partly.material;
+  base.alpha = partly.alpha;
   return base;
 }
 
 }  // namespace
 
 desc::MaterialId BsdfTable::add(const SourceLocation& where, desc::Node node) {
-  context_.scene.materials.push_back({"", where, desc::kNone, std::move(node)});
+  context_.scene.materials.push_back({.name = {}, .where = where, .node = std::move(node)});
   return static_cast<desc::MaterialId>(context_.scene.materials.size()) - 1;
 }
 

@@ -86,17 +86,19 @@ TEST(Bsdfs, MixturesReferToOthersOfBothKinds) {
 }
 
 TEST(Bsdfs, WhatIsNotOpaqueIsCutAwayOrBlended) {
-  const desc::SceneDesc half = scene_with_bsdf(
-      "'type': 'transparency', 'alpha': 0.5, 'base': {'type': 'lambert', 'albedo': 0.2}");
-  EXPECT_EQ(material_of(half).color("opacity"), Vec3(0.5F));
-  EXPECT_EQ(material_of(half).color("diffuse_reflectance"), Vec3(0.2F));
+  const desc::SceneDesc half =
+      scene_with_bsdf("'type': 'transparency', 'alpha': 0.5, 'base': {'type': 'conductor'}");
+  EXPECT_EQ(material_of(half).color("amount"), Vec3(0.5F));
+  EXPECT_TRUE(part_of(half, material_of(half), "first").is("conductor"));
+  EXPECT_EQ(part_of(half, material_of(half), "second").color("opacity"), Vec3(0.F));
+  EXPECT_EQ(half.shapes.at(0).alpha, desc::kNone);
   EXPECT_TRUE(material_of(scene_with_bsdf("'type': 'transparency', 'alpha': 0")).is("interface"));
-  const desc::SceneDesc leaf = scene_with_warning(
-      "{'name': 'm', 'type': 'transparency', 'alpha': 'a.png', 'base': {'type': 'mirror'}}",
-      "cut away where \"alpha\" is 0");
-  EXPECT_TRUE(material_of(leaf).is("mirror"));
+  const desc::SceneDesc leaf =
+      scene_with_bsdf("'type': 'transparency', 'alpha': 'a.png', 'base': {'type': 'mirror'}");
+  EXPECT_TRUE(part_of(leaf, material_of(leaf), "first").is("mirror"));
   const desc::TextureId alpha = leaf.shapes.at(0).alpha;
   EXPECT_TRUE(leaf.textures.at(static_cast<std::size_t>(alpha)).node.is("image"));
+  EXPECT_EQ(material_of(leaf).texture("amount"), alpha);
 }
 
 TEST(Bsdfs, PlasticReflectsAsMuchOnAverage) {

@@ -1,50 +1,27 @@
 #pragma once
-#include <gtest/gtest.h>
-
-#include <map>
 #include <string>
 #include <string_view>
 #include <variant>
 
+#include "import/testing/import_checks.h"
 #include "import/tungsten/tungsten_import.h"
 
 namespace ajar::tungsten {
 
-using Files = std::map<std::string, std::string>;
-
 /// Imports text as "test.json", with the given files beside it.
 inline desc::SceneDesc import_with(std::string_view text, Warnings& warnings,
                                    const Files& files = {}) {
-  return import_tungsten_text(text, "test.json", "", warnings,
-                              [&](const std::string& path) -> std::optional<std::string_view> {
-                                const auto found = files.find(path);
-                                if (found == files.end()) return std::nullopt;
-                                return found->second;
-                              });
+  return import_tungsten_text(text, "test.json", "", warnings, provider_of(files));
 }
 
 /// Message of the SceneError that importing raises, or "no error".
 inline std::string error_of(std::string_view text, const Files& files = {}) {
-  Warnings warnings;
-  try {
-    import_with(text, warnings, files);
-  } catch (const SceneError& error) {
-    return error.what();
-  }
-  return "no error";
+  return error_in([&](Warnings& warnings) { import_with(text, warnings, files); });
 }
 
 /// All warnings of importing, one per line.
 inline std::string warnings_of(std::string_view text, const Files& files = {}) {
-  Warnings warnings;
-  import_with(text, warnings, files);
-  std::string result;
-  for (const std::string& message : warnings.messages()) result += message + "\n";
-  return result;
-}
-
-inline bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
+  return warnings_in([&](Warnings& warnings) { import_with(text, warnings, files); });
 }
 
 /// A scene with these members of "bsdfs" and "primitives", written with ' in place of ".
@@ -61,7 +38,7 @@ inline desc::SceneDesc scene_of(const std::string& bsdfs, const std::string& pri
                                 const std::string& camera = "{}", const Files& files = {}) {
   Warnings warnings;
   desc::SceneDesc scene = import_with(scene_text(bsdfs, primitives, camera), warnings, files);
-  for (const std::string& message : warnings.messages()) ADD_FAILURE() << message;
+  expect_none(warnings);
   return scene;
 }
 
@@ -77,9 +54,6 @@ inline const desc::Node& part_of(const desc::SceneDesc& scene, const desc::Node&
   return scene.materials.at(static_cast<std::size_t>(node.material(name))).node;
 }
 
-inline void expect_near(const Vec3& actual, const Vec3& expected, float tolerance = 1e-5F) {
-  for (int i = 0; i < 3; ++i) EXPECT_NEAR(actual[i], expected[i], tolerance) << "lane " << i;
-}
 inline Vec3 moved(const Mat4& transform, const Vec3& point) {
   return transform_point(transform, point);
 }

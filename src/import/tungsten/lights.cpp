@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "import/common/clear_sky.h"
 #include "import/tungsten/transforms.h"
 #include "scene/desc/models.h"
 
@@ -12,7 +13,9 @@ namespace {
 
 constexpr WarningKind kCap{Effect::Light,
                            "suns of some size are not supported: parallel light stands in"};
-constexpr WarningKind kSky{Effect::Light, "skies are not supported: an even blue stands in"};
+constexpr WarningKind kSky{Effect::Light,
+                           "skies are those of Preetham et al., not of Hosek and Wilkie"};
+constexpr WarningKind kNight{Effect::Light, "suns are below the horizon: skies are left out"};
 constexpr WarningKind kTextured{Effect::Light,
                                 "lights have textures that are not supported: even ones stand in"};
 constexpr WarningKind kUnknownPivot{Effect::Light, "lights refer to primitives that are unknown"};
@@ -100,14 +103,20 @@ void infinite_sphere_cap(const Source& source, const PrimitivePlaces& places) {
 }
 
 void skydome(const Source& source) {
-  source.object.accept(
-      {"temperature", "gamma_scale", "turbidity", "sample", "bsdf", "emission", "power"});
-  source.context.warnings.add(kSky, source.object.where(),
-                              "the model of the sky is not supported: an even blue stands in");
-  const float intensity = std::max(source.object.number("intensity").value_or(2.F), 0.F);
-  // A clear sky beside its sun, for intensity 1.
-  const Vec3 blue(0.15F, 0.25F, 0.45F);
-  source.add(desc::light_node("environment", {{"radiance", blue * intensity}}), Mat4());
+  source.object.accept({"temperature", "gamma_scale", "sample", "bsdf", "emission", "power"});
+  const Daylight daylight{.turbidity = source.object.number("turbidity").value_or(3.F),
+                          .to_sun = axis_of(source.transform, 1)};
+  const double intensity = std::max(source.object.number("intensity").value_or(2.F), 0.F);
+  if (!(daylight.to_sun.length() > 0.0) || daylight.elevation() < 0.0) {
+    source.context.warnings.add(kNight, source.object.where(),
+                                "the sun is below the horizon: the sky is left out");
+    return;
+  }
+  source.context.warnings.add(
+      kSky, source.object.where(),
+      "the sky is that of Preetham et al. 1999, of turbidity 2 to 10, under our sun and without "
+      "light from the ground: near that of Hosek and Wilkie");
+  source.context.scene.lights.push_back(*sky_light(source.object.where(), daylight, intensity));
 }
 
 void point(const Source& source) {

@@ -164,6 +164,26 @@ TEST(Primitives, ASunOfSomeSizeIsParallelLightOfTheSameIrradiance) {
   expect_near(transform_vector(scene.lights.at(0).to_world, {0, 0, 1}), {1, 0, 0});
 }
 
+TEST(Primitives, SkydomesAreClearSkiesWithTheSunAtTheirY) {
+  const std::string text = scene_text("",
+                                      "{'type': 'skydome', 'turbidity': 4, 'intensity': 3, "
+                                      "'transform': {'rotation': [0, 0, 30]}}, {'type': 'quad'}");
+  EXPECT_TRUE(contains(warnings_of(text), "Preetham"));
+  Warnings warnings;
+  const desc::SceneDesc scene = import_with(text, warnings);
+  const desc::Light& sky = scene.lights.at(0);
+  ASSERT_TRUE(sky.node.is("sky"));
+  EXPECT_EQ(sky.node.number("turbidity"), 4.F);
+  EXPECT_NEAR(sky.node.number("elevation"), 60.F, 1e-3F);
+  // Per kcd/m²: that of an even spectrum, in units per nanometre.
+  EXPECT_NEAR(sky.node.number("scale"), 3.F * 1000.F / (683.F * 106.857F), 1e-5F);
+  expect_near(transform_vector(sky.to_world, {0, 0, 1}), {0, 1, 0});
+  expect_near(transform_vector(sky.to_world, {1, 0, 0}), {-1, 0, 0});
+  const std::string night = scene_text(
+      "", "{'type': 'skydome', 'transform': {'rotation': [0, 0, 120]}}, {'type': 'quad'}");
+  EXPECT_TRUE(contains(warnings_of(night), "the sun is below the horizon"));
+}
+
 TEST(Primitives, SeparateMedia) {
   std::string text =
       "{'media': [{'name': 'fog', 'type': 'homogeneous', 'sigma_a': 1, 'sigma_s': [1, 2, 3], "

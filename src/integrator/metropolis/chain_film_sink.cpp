@@ -13,7 +13,7 @@ void add_chain_layers(std::vector<LayerSpec>& specs, const std::vector<std::stri
 }
 
 ChainFilmSink::ChainFilmSink(Film& film, int replicate, const ImportanceMap& importance,
-                             const PathTarget& target, Counters& counters, VisitSink* visits,
+                             const PathTarget* target, Counters& counters, VisitSink* visits,
                              const PathPart* part)
     : film_(film),
       light_{film.layer("direct"), film.layer("indirect")},
@@ -45,8 +45,8 @@ void ChainFilmSink::deposit(std::span<const Splat> splats, double factor) {
 }
 
 void ChainFilmSink::proposed(std::span<const Splat> current, double acceptance) {
-  if (by_technique_ != nullptr && target_.technique() != nullptr) {
-    auto& kind = (*by_technique_)[target_.technique()->number];
+  if (by_technique_ != nullptr && target_ != nullptr && target_->technique() != nullptr) {
+    auto& kind = (*by_technique_)[target_->technique()->number];
     ++kind.proposals;
     kind.acceptances += acceptance;
   }

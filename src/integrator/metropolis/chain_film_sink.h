@@ -31,8 +31,9 @@ class VisitSink {
 /// there.
 class ChainFilmSink final : public DepositSink {
  public:
+  /// `target` is null for states that are of no technique.
   ChainFilmSink(Film& film, int replicate, const ImportanceMap& importance,
-                const PathTarget& target, Counters& counters, VisitSink* visits = nullptr,
+                const PathTarget* target, Counters& counters, VisitSink* visits = nullptr,
                 const PathPart* part = nullptr);
 
   /// `scale` multiplies what is deposited; what is `proposed` is counted in `by_technique`.
@@ -50,7 +51,7 @@ class ChainFilmSink final : public DepositSink {
   int acceptance_;
   int replicate_;
   const ImportanceMap& importance_;
-  const PathTarget& target_;
+  const PathTarget* target_;
   Counters& counters_;
   VisitSink* visits_;
   const PathPart* part_;

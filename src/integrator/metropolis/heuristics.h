@@ -10,6 +10,9 @@ struct MetropolisHeuristics {
   /// Of the bootstrap of each population, however little light its paths are expected to carry.
   /// Unit: paths. Range: >= 1. Source: a1480d1; set by hand, no study.
   static constexpr double kFewestBootstrapPaths = 64.0;
+  /// Parts of the samples of a replicate of `erpt`, which threads share.
+  /// Unit: items. Range: >= 1. Source: set by hand, for machines of up to 256 processors; no study.
+  static constexpr double kMostItems = 64.0;
 };
 
 }  // namespace ajar

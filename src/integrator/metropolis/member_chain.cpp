@@ -7,7 +7,6 @@
 #include "core/random_use.h"
 #include "mcmc/primary/bootstrap_source.h"
 #include "mcmc/primary/chain_source.h"
-#include "mcmc/primary/step_kind.h"
 #include "mcmc/primary/step_sizes.h"
 
 namespace ajar {
@@ -58,26 +57,26 @@ std::vector<MemberChain> seed_chains(const PathGroup& group, std::uint64_t boots
   return chains;
 }
 
-void count_steps(const MemberChain& member, const ChainStatistics& statistics,
-                 const PathTarget& target, Counters& counters) {
+void count_steps(std::uint64_t origin, const ChainStatistics& statistics, const RayCounts& rays,
+                 Counters& counters) {
   counters.mutations += statistics.steps;
-  counters.add_rays(target.ray_counts());
+  counters.add_rays(rays);
   counters.discarded_nan += statistics.discarded_nan;
   counters.discarded_infinite += statistics.discarded_infinite;
   counters.discarded_negative += statistics.discarded_negative;
   if (statistics.first_discarded && counters.first_discarded.empty()) {
     const auto& place = *statistics.first_discarded;
     counters.first_discarded = "proposal of the chain with seed " + std::to_string(place.seed) +
-                               ", origin " + std::to_string(member.chain.origin) + ", after " +
+                               ", origin " + std::to_string(origin) + ", after " +
                                std::to_string(place.step) + " steps";
   }
 }
 
-void check_record(const ChainRecord& record, const PathGroup& group) {
+void check_record(const ChainRecord& record, const PathGroup& group, std::size_t moves) {
   const std::size_t counted = record.by_technique.size();
   require(counted == 0 || counted == group.choice.size(), "a chain does not fit its population");
   const ChainStatistics& statistics = record.statistics;
-  require(statistics.moves.size() <= primary_moves().size(), "chains cannot have made such steps");
+  require(statistics.moves.size() <= moves, "chains cannot have made such steps");
   check_counts(statistics.moves);
   check_counts(record.by_technique);
   require(is_sum(statistics.large_steps.sum) && is_sum(statistics.large_steps.sum_of_squares),

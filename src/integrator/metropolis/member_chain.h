@@ -9,6 +9,7 @@
 #include "mcmc/bootstrap.h"
 #include "mcmc/chain_statistics.h"
 #include "mcmc/primary/primary_chain.h"
+#include "mcmc/primary/step_kind.h"
 
 namespace ajar {
 
@@ -68,15 +69,16 @@ std::vector<MemberChain> seed_chains(const PathGroup& group, std::uint64_t boots
                                      std::span<const double> weights, std::size_t count,
                                      const SeedRule& rule = {});
 
-/// Counts what a chain has done in an item, of which `target` is. Its own record is for who runs
-/// it: block by block, since sums depend on their order, and where passes are cut is up to the
-/// clock.
-void count_steps(const MemberChain& member, const ChainStatistics& statistics,
-                 const PathTarget& target, Counters& counters);
+/// Counts what a chain of this origin has done in an item, and the rays it took. Its own record is
+/// for who runs it: block by block, since sums depend on their order, and where passes are cut is
+/// up to the clock.
+void count_steps(std::uint64_t origin, const ChainStatistics& statistics, const RayCounts& rays,
+                 Counters& counters);
 
 /// Raise std::runtime_error for what chains that were read cannot have done, such as more than
-/// `most_steps` steps.
-void check_record(const ChainRecord& record, const PathGroup& group);
+/// `most_steps` steps, or more kinds of moves than there are.
+void check_record(const ChainRecord& record, const PathGroup& group,
+                  std::size_t moves = primary_moves().size());
 void check_member(const MemberChain& member, const PathGroup& group, double most_steps);
 /// Where a chain is, its target must say so, too: `ChainRunner` relies on it.
 void check_state(const MemberChain& member, PathTarget& target);

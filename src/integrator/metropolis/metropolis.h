@@ -7,9 +7,9 @@
 
 namespace ajar {
 
-/// Metropolis light transport in primary sample space as published (docs/chains.md): `pssmlt`
-/// (Kelemen et al. 2002) and `mmlt` (Hachisuka, Kaplanyan & Dachsbacher 2014), the baseline that
-/// papers compare with. Markov chains make all light.
+/// Metropolis light transport in primary sample space as published (docs/methods/pssmlt.md,
+/// docs/methods/mmlt.md): `pssmlt` (Kelemen et al. 2002) and `mmlt` (Hachisuka, Kaplanyan &
+/// Dachsbacher 2014), the baseline that papers compare with. Markov chains make all light.
 std::vector<ParameterSpec> metropolis_parameters(ChainKind kind);
 
 /// Raises UsageError for parameters that cannot be used.

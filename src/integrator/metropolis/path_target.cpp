@@ -58,12 +58,6 @@ Vec2 raster_of(SampleSource& numbers, const ChainView& view) {
 
 }  // namespace
 
-Vec2 ChainView::place(const Vec2& at) const {
-  const auto within = [](float u) { return std::clamp(u, 0.F, 1.F - 0x1p-24F); };
-  const Vec2 offset = at - low;
-  return {within(offset.x / size.x), within(offset.y / size.y)};
-}
-
 float TechniqueChoice::number_of(Technique technique, float u) const {
   // Off the ends, where rounding would choose a neighbour.
   constexpr float kEnd = 0x1p-12F;

@@ -7,29 +7,19 @@
 #include "image/importance_map.h"
 #include "integrator/path_part.h"
 #include "mcmc/primary/target.h"
+#include "path/raster_area.h"
 #include "transport/path_sampler.h"
 
 namespace ajar {
 
 /// Where chains look for light: a rectangle of raster positions, the film's pixels and as far
 /// beyond as their filter reaches, and how much each place matters.
-struct ChainView {
-  Vec2 low{0.F, 0.F};
-  Vec2 size{1.F, 1.F};
+struct ChainView : RasterArea {
   ImportanceMap importance;
   /// Number of the film's pixels: ordinary Monte Carlo traces one light subpath for each (and only
   /// those count), chains look over the whole area.
   double pixels = 1.0;
 
-  Vec2 raster(const Vec2& u) const { return low + u * size; }
-  /// The inverse, within [0, 1).
-  Vec2 place(const Vec2& raster) const;
-  bool contains(const Vec2& raster) const {
-    return raster.x >= low.x && raster.y >= low.y && raster.x < low.x + size.x &&
-           raster.y < low.y + size.y;
-  }
-  /// Pixels².
-  double area() const { return static_cast<double>(size.x) * static_cast<double>(size.y); }
   /// By which a mean over the film's pixels is larger than b, a mean over all the area.
   double area_per_pixel() const { return area() / pixels; }
 };

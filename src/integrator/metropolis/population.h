@@ -13,14 +13,17 @@
 /// Populations, their bootstraps and their seeds. `P`: what a method knows of one beyond this.
 namespace ajar {
 
-/// The chains of one group of paths in one replicate, with a bootstrap of their own.
-struct Population {
+/// The chains of one group of paths in one replicate, with a bootstrap of their own. `Member`: one
+/// of them and its record.
+template <typename Member>
+struct PopulationOf {
   std::size_t group = 0;
   int replicate = 0;
   std::uint64_t seed = 0;       ///< of its bootstrap
   std::vector<double> weights;  ///< I of the bootstrap samples; emptied once chains are seeded
-  std::vector<MemberChain> chains;
+  std::vector<Member> chains;
 };
+using Population = PopulationOf<MemberChain>;
 
 /// One for each replicate and group, group by group of a replicate, without chains yet. `seed`: of
 /// the render.
@@ -57,28 +60,40 @@ std::vector<SampleBlock> share_bootstrap(std::vector<P>& populations,
 }
 
 /// A block of a population's bootstrap; `target` is of its group.
-inline void sample_bootstrap(Population& population, const SampleBlock& block, PathTarget& target,
-                             Counters& counters) {
+template <typename Member>
+void sample_bootstrap(PopulationOf<Member>& population, const SampleBlock& block,
+                      PathTarget& target, Counters& counters) {
   sample_bootstrap(target, population.seed, block.first, block.last,
                    std::span(population.weights).subspan(block.first));
   counters.add_rays(target.ray_counts());
 }
 
-/// Seeds all of them, `chains` in each replicate, shared among its depths in proportion to b, so
-/// that each chain stands for about as much light. `b_of`: of a population.
-template <typename P, typename B>
-void seed_populations(std::vector<P>& populations, std::span<const PathGroup> groups,
-                      std::size_t chains, const B& b_of, const SeedRule& rule = {}) {
+/// Shares `chains` in each replicate among its depths in proportion to b, so that each chain stands
+/// for about as much light, and has each population seed its own. `b_of`: of a population; `seed`:
+/// of a population and a number.
+template <typename P, typename B, typename S>
+void share_chains(std::vector<P>& populations, std::span<const PathGroup> groups,
+                  std::size_t chains, const B& b_of, const S& seed) {
   for (std::size_t first = 0; first < populations.size(); first += groups.size()) {
     const std::span<P> own = std::span(populations).subspan(first, groups.size());
     std::vector<double> b;
     for (const P& population : own) b.push_back(b_of(population));
     const std::vector<std::size_t> shares = apportion(b, chains);
     for (std::size_t g = 0; g < own.size(); ++g) {
-      own[g].chains = seed_chains(groups[g], own[g].seed, own[g].weights, shares[g], rule);
+      seed(own[g], shares[g]);
       own[g].weights = {};
     }
   }
+}
+
+/// The same for chains of primary numbers.
+template <typename P, typename B>
+void seed_populations(std::vector<P>& populations, std::span<const PathGroup> groups,
+                      std::size_t chains, const B& b_of, const SeedRule& rule = {}) {
+  share_chains(populations, groups, chains, b_of, [&](P& population, std::size_t count) {
+    population.chains =
+        seed_chains(groups[population.group], population.seed, population.weights, count, rule);
+  });
 }
 
 }  // namespace ajar

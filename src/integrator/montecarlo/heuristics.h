@@ -9,8 +9,8 @@ struct MonteCarloHeuristics {
   // -------------------------------------------------------- rates of camera samples
   /// Squares of the picture that have one rate, which is found over them and those around: four
   /// replicates tell little of one pixel.
-  /// Unit: pixels across. Range: >= 1. Source: docs/selective.md, "Where camera samples go"; half
-  /// and double not measured.
+  /// Unit: pixels across. Range: >= 1. Source: docs/notebook/selective.md, "Where camera samples
+  /// go"; half and double not measured.
   static constexpr int kRateCell = 4;
   /// What a few samples say of noise is not believed beyond these.
   /// Unit: rate over the mean rate. Range: (0, 1]. Source: the same.
@@ -31,7 +31,7 @@ struct MonteCarloHeuristics {
 
   // -------------------------------------------------------- features
   /// Camera rays of a pixel by which filters get to know the scene.
-  /// Unit: rays. Range: >= 1. Source: docs/denoising.md, "What is mixed": half
+  /// Unit: rays. Range: >= 1. Source: docs/notebook/denoising.md, "What is mixed": half
   /// and double not told from it.
   static constexpr std::uint32_t kFeatureSamples = 16;
 

@@ -47,8 +47,9 @@ struct PathIntegratorContext {
   std::optional<PictureScale> scale{};      ///< measured unless it is known
 };
 
-/// Ordinary Monte Carlo with one set of techniques (docs/techniques.md): `pt`, `lt`, `ibpt`, `bdpt`
-/// are four names of it. Raises UsageError if the parameter `techniques` cannot be read.
+/// Ordinary Monte Carlo with one set of techniques (docs/methods/bidirectional.md): `pt`, `lt`,
+/// `ibpt`, `bdpt` are four names of it. Raises UsageError if the parameter `techniques` cannot be
+/// read.
 std::unique_ptr<Integrator> make_path_integrator(const Scene& scene, const RenderSettings& settings,
                                                  const Parameters& parameters,
                                                  const PathIntegratorContext& context = {});

@@ -10,7 +10,7 @@ inline std::vector<ChainPopulation> make_populations(const ChainPlan& plan) {
                                            plan.settings.seed);
 }
 
-/// Finds b and seeds for the chains of every depth and replicate (docs/chains.md).
+/// Finds b and seeds for the chains of every depth and replicate (docs/methods/divided-light.md).
 class ChainBootstrap final : public PreparationStage {
  public:
   /// Fills `populations`, unless they are there already.

@@ -19,7 +19,6 @@
 #include "integrator/selective/chain_recruits.h"
 #include "integrator/selective/chain_report.h"
 #include "integrator/selective/chain_stretch.h"
-#include "integrator/selective/chain_trial.h"
 #include "integrator/selective/division_pilot.h"
 #include "integrator/selective/heuristics.h"
 #include "integrator/selective/omc_adaptation.h"
@@ -90,7 +89,6 @@ class ChainIntegrator final : public Integrator {
   ChainEffort effort_{plan_};
   std::vector<std::unique_ptr<PreparationStage>> stages_;
   DivisionPilot* pilot_ = nullptr;  ///< one of the stages; null if there is nothing to decide
-  ChainTrial* trial_ = nullptr;     ///< the stage after it
   std::size_t stage_ = 0;           ///< that is running
   std::vector<ChainPopulation> populations_;
   std::unique_ptr<OmcAdaptation> adaptation_;  ///< null if the next is
@@ -125,11 +123,8 @@ ChainIntegrator::ChainIntegrator(ChainKind kind, const Scene& scene, const Rende
       stages_.push_back(std::move(stage));
     }
     auto pilot = std::make_unique<DivisionPilot>(plan_, populations_, surfaces, recruits_.get());
-    auto trial = std::make_unique<ChainTrial>(plan_, *pilot, recruits_.get());
     pilot_ = pilot.get();
-    trial_ = trial.get();
     stages_.push_back(std::move(pilot));
-    stages_.push_back(std::move(trial));
   }
   stages_.push_back(std::make_unique<ChainBootstrap>(plan_, populations_));
 }
@@ -157,12 +152,6 @@ void ChainIntegrator::prepare_item(int /*round*/, std::uint64_t item, Counters& 
 
 void ChainIntegrator::skip_preparation() {
   if (stages_.empty()) return;
-  if (pilot_ != nullptr && pilot_->is_over() && recruits_) {
-    // The pilot has found what chains start from: they can do without a trial.
-    trial_->give_up();
-    begin_preparation(1);
-    return;
-  }
   leave_to_omc();
 }
 

@@ -98,7 +98,7 @@ void ChainItems::run_chain(const Item& item, std::uint64_t first_sample, std::ui
   const auto target = plan_.make_target(group, population.replicate);
   PrimaryRunner runner(plan_.chain_settings_of(population.replicate), *plan_.moves.mutation,
                        group.shape, *target, moves_of(maps, population.replicate));
-  ChainFilmSink sink(film, population.replicate, plan_.view.importance, *target, counters,
+  ChainFilmSink sink(film, population.replicate, plan_.view.importance, target.get(), counters,
                      gathering(maps), kept_by(population.replicate));
   const double b = b_[item.population];
   const auto in_population = static_cast<double>(population.chains.size());
@@ -118,7 +118,7 @@ void ChainItems::run_chain(const Item& item, std::uint64_t first_sample, std::ui
     statistics += of_block;
   }
   effort_.count_chains(target->rays() - rays_to_start, statistics.steps);
-  count_steps(member, statistics, *target, counters);
+  count_steps(member.chain.origin, statistics, target->ray_counts(), counters);
 }
 
 /// A population whose bootstrap found no light has no chain to run. Its paths are sampled
@@ -144,7 +144,7 @@ void ChainItems::run_plain(ChainPopulation& population, PlaneMaps* maps, Film& f
   const auto target = plan_.make_target(group, population.replicate);
   PrimaryRunner runner(plan_.chain_settings_of(population.replicate), *plan_.moves.mutation,
                        group.shape, *target, moves_of(maps, population.replicate));
-  ChainFilmSink sink(film, population.replicate, plan_.view.importance, *target, counters,
+  ChainFilmSink sink(film, population.replicate, plan_.view.importance, target.get(), counters,
                      gathering(maps), kept_by(population.replicate));
   const double scale =
       later_weight_ * plan_.view.area() / static_cast<double>(count) / plan_.settings.replicates;

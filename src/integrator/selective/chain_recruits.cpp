@@ -206,18 +206,13 @@ std::vector<std::vector<const ChainRecruits::Recruit*>> ChainRecruits::sorted_re
 
 void ChainRecruits::join(std::vector<ChainPopulation>& populations, std::uint64_t first,
                          std::uint64_t last) {
-  join_for_trial(populations, first, last);
-  recruits_.clear();
-}
-
-void ChainRecruits::join_for_trial(std::vector<ChainPopulation>& populations, std::uint64_t first,
-                                   std::uint64_t last) {
   const auto found = sorted_recruits(populations);
   const auto replicates = static_cast<std::uint64_t>(plan_.settings.replicates);
   for (std::uint64_t replicate = 0; replicate < replicates; ++replicate) {
     const std::uint64_t samples = samples_of(replicate, replicates, first, last) * plan_.pixels();
     join_replicate(populations, found, static_cast<int>(replicate), static_cast<double>(samples));
   }
+  recruits_.clear();
 }
 
 void ChainRecruits::join_scattered(std::vector<ChainPopulation>& populations,

@@ -37,9 +37,6 @@ class ChainRecruits final : public StrongPathSinks {
   void divide_anew(const Divisions& before);
   /// Merges what was found in camera samples `first` to `last` per pixel into the populations.
   void join(std::vector<ChainPopulation>& populations, std::uint64_t first, std::uint64_t last);
-  /// The same for a trial: what was found can still join others.
-  void join_for_trial(std::vector<ChainPopulation>& populations, std::uint64_t first,
-                      std::uint64_t last);
   /// The same for so many camera samples of no replicate, which are scattered over all.
   void join_scattered(std::vector<ChainPopulation>& populations, double camera_samples);
 

@@ -194,6 +194,7 @@ void DivisionPilot::end() {
     return std::tie(a.sample, a.t, a.s) < std::tie(b.sample, b.t, b.s);
   });
   find_regions();
+  decide();
 }
 
 void DivisionPilot::find_regions() {
@@ -203,24 +204,18 @@ void DivisionPilot::find_regions() {
                                                    : std::vector<PixelIdentity>(plan_.pixels()));
 }
 
-PilotView DivisionPilot::view(std::vector<int> replicates, const ChainCosts& costs) const {
-  return {plan_, regions_, *film_, *omc_, samples_, rays_per_sample_, found_, std::move(replicates),
-          costs};
+PilotView DivisionPilot::view(std::vector<int> replicates) const {
+  return {plan_,    regions_,         *film_, *omc_,
+          samples_, rays_per_sample_, found_, std::move(replicates)};
 }
 
-bool DivisionPilot::chains_may_pay(std::size_t half) const {
-  ChainCosts costs;
-  costs.correlation = SelectiveHeuristics::kLeastCorrelation;
-  return chains_would_pay(view(seen_by(half), costs));
-}
-
-void DivisionPilot::decide(std::span<const ChainCosts> costs) {
+void DivisionPilot::decide() {
   for (std::size_t half = 0; half < halves(); ++half) {
-    choices_.push_back(choose_regions(view(seen_by(half), costs[half])));
+    choices_.push_back(choose_regions(view(seen_by(half))));
   }
   std::vector<int> all(static_cast<std::size_t>(film_->replicates()));
   std::iota(all.begin(), all.end(), 0);
-  const PilotView whole = view(std::move(all), {});
+  const PilotView whole = view(std::move(all));
   if (plan_.selective) noise_ = pilot_noise(whole);
   const Divisions before = *plan_.divisions;
   if (halves() > 1) {
@@ -350,8 +345,7 @@ MethodReport DivisionPilot::expectations() const {
     for (const std::uint32_t label : regions_.labels) {
       sum += std::log(static_cast<double>(choice.shares[label].threshold) / plan_.brightness);
     }
-    halves.push_back({{"correlation", choice.correlation},
-                      {"expected_error", choice.expected_error},
+    halves.push_back({{"expected_error", choice.expected_error},
                       {"threshold", std::exp(sum / static_cast<double>(regions_.labels.size()))},
                       {"stands_by", choice.off}});
   }

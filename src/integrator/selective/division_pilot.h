@@ -4,7 +4,6 @@
 #include <memory>
 #include <mutex>
 #include <optional>
-#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -42,22 +41,9 @@ class DivisionPilot final : public PreparationStage, public StrongPathSinks {
 
   void hand_over(Film& film) override;
 
-  /// After `end`: whether there is anything to decide.
-  bool has_rendered() const { return film_ != nullptr; }
   /// Whether `end` has been called, and there is anything to decide.
   bool is_over() const { return regions_.count() > 0; }
-  /// Whether its samples stay, and may start chains in a trial, too.
   bool stays() const override { return plan_.pilot_use != PilotUse::Discard; }
-  /// Either all replicates have the same division, or the even and the odd ones (half 0 and 1) have
-  /// one each.
-  std::size_t halves() const { return plan_.pilot_use == PilotUse::Cross ? 2 : 1; }
-  /// Replicates, of those of the pilot, from which the division of a half is decided.
-  std::vector<int> seen_by(std::size_t half) const;
-  /// After `end`: whether chains might bring more than they cost to a half, if mutations were worth
-  /// as much as they are at best.
-  bool chains_may_pay(std::size_t half) const;
-  /// Decides how the light is divided, and seeds the chains. `costs`: for each half.
-  void decide(std::span<const ChainCosts> costs);
 
   /// Those of `kRegionLayers` that were asked for; none if there was nothing to decide.
   std::vector<std::pair<std::string, Plane>> maps() const;
@@ -69,10 +55,9 @@ class DivisionPilot final : public PreparationStage, public StrongPathSinks {
   /// Of the picture, as `chain_share` has it; empty if it was not looked at or is not decided.
   std::optional<double> share_of_chains() const { return share_of_chains_; }
   /// What each half of the replicates expects of chains, or all of them, by what the pilot has
-  /// shown: `correlation` C of a mutation, that of a trial or the usual one; `expected_error`,
-  /// squared, with (bad) chains over that without, 1 if it is not known; `threshold` T, relative to
-  /// the brightness, geometric mean over pixels; whether chains `stand_by`. Empty if nothing is
-  /// decided.
+  /// shown: `expected_error`, squared, with (bad) chains over that without, 1 if it is not known;
+  /// `threshold` T, relative to the brightness, geometric mean over pixels; whether chains
+  /// `stand_by`. Empty if nothing is decided.
   MethodReport expectations() const;
   /// A row for each region, the largest first: its number in the layer "regions", pixels, object
   /// and material, noise of the pilot's indirect light (½(mean + largest) above T), importance as
@@ -85,8 +70,15 @@ class DivisionPilot final : public PreparationStage, public StrongPathSinks {
   bool divides_anew() const;
   /// Whether what a replicate finds may start chains.
   bool offers(int replicate) const;
+  /// Either all replicates have the same division, or the even and the odd ones (half 0 and 1) have
+  /// one each.
+  std::size_t halves() const { return plan_.pilot_use == PilotUse::Cross ? 2 : 1; }
+  /// Replicates, of those of the pilot, from which the division of a half is decided.
+  std::vector<int> seen_by(std::size_t half) const;
   void find_regions();
-  PilotView view(std::vector<int> replicates, const ChainCosts& costs) const;
+  PilotView view(std::vector<int> replicates) const;
+  /// How the light is divided, and what chains start from.
+  void decide();
   Division division_of(const RegionChoice& choice) const;
   void share_effort();
   /// Mutations per camera sample until the effort is shared by what the render shows of errors.

@@ -18,12 +18,12 @@ struct SelectiveHeuristics {
   // white, nobody has measured; nor whether one number would do for several.
 
   /// Thresholds T that a pilot may choose from for chains that start from what was found.
-  /// Unit: brightness. Range: > 0, ascending. Source: docs/chains.md, "Where to divide": the best
-  /// of them is 0.1 on door-ajar and 10 on bathroom.
+  /// Unit: brightness. Range: > 0, ascending. Source: docs/notebook/chains.md, "Where to divide":
+  /// the best of them is 0.1 on door-ajar and 10 on bathroom.
   static constexpr std::array<double, 5> kThresholds = {0.1, 0.3, 1.0, 3.0, 10.0};
   /// One more where regions choose: what is shared by the error that is seen deserves fewer chains.
-  /// Unit: brightness. Range: > the last of kThresholds. Source: docs/selective.md, "How": without
-  /// it, up to 10, torus-in-glass has 1/0.98 of error and FLIP.
+  /// Unit: brightness. Range: > the last of kThresholds. Source: docs/notebook/selective.md, "How":
+  /// without it, up to 10, torus-in-glass has 1/0.98 of error and FLIP.
   static constexpr double kHighestThreshold = 30.0;
   /// Those where nothing found can seed chains (`pssmlt`), whose worth is not tried.
   /// Unit: brightness. Range: > 0, ascending. Source: set by hand, no study.
@@ -48,19 +48,19 @@ struct SelectiveHeuristics {
   /// Unit: brightness. Range: > 0. Source: set by hand, no study.
   static constexpr double kBrightPath = 3.0;
   /// For how much a path counts at most where it is asked what light subpaths find.
-  /// Unit: brightness. Range: >= kMostOfError. Source: docs/selective.md, "Which techniques"; half
-  /// and double not measured.
+  /// Unit: brightness. Range: >= kMostOfError. Source: docs/notebook/selective.md, "Which
+  /// techniques"; half and double not measured.
   static constexpr double kMostOfFinds = 30.0;
   /// A firefly cannot look worse than white, so that a brighter one is no better reason for a low
   /// threshold.
-  /// Unit: brightness. Range: > kHighestThreshold. Source: docs/selective.md, "Whether chains pay",
-  /// as the next one.
+  /// Unit: brightness. Range: > kHighestThreshold. Source: docs/notebook/selective.md, "Whether
+  /// chains pay", as the next one.
   static constexpr double kWhite = 100.0;
   /// T of chains that stand by: a firefly of so many times the brightness looks no worse than
   /// white. With a number for `split`, so many times that.
-  /// Unit: brightness. Range: > kHighestThreshold. Source: docs/selective.md, "Whether chains pay":
-  /// efficiency with 30, 100 and 1000 is 5.8, 5.8 and 2.1 on torus-in-glass, 169, 173 and 176 on
-  /// cornell.
+  /// Unit: brightness. Range: > kHighestThreshold. Source: docs/notebook/selective.md, "Whether
+  /// chains pay": efficiency with 30, 100 and 1000 is 5.8, 5.8 and 2.1 on torus-in-glass, 169, 173
+  /// and 176 on cornell.
   static constexpr double kStandby = kWhite;
   /// Beyond it, what a large step brings is not learned from: only the bootstrap knows of it.
   /// Unit: brightness. Range: > 0. Source: effe5b4: without a cap, a path a thousand times brighter
@@ -81,8 +81,9 @@ struct SelectiveHeuristics {
   /// Chains should bring clearly more than they cost, since what they leave are blotches: of a gain
   /// of 0.8, as predicted and found on door-ajar and floor-lamps, nothing is seen, and after a blur
   /// of four pixels the error is up to six times as large.
-  /// Unit: predicted error with chains over that without. Range: (0, 1]. Source: docs/selective.md,
-  /// "Whether chains pay": on door-ajar FLIP is 0.141 with such chains, 0.127 without. 0.9 before.
+  /// Unit: predicted error with chains over that without. Range: (0, 1]. Source:
+  /// docs/notebook/selective.md, "Whether chains pay": on door-ajar FLIP is 0.141 with such chains,
+  /// 0.127 without. 0.9 before.
   static constexpr double kClearGain = 0.7;
   /// Around a gain that is clear enough it is a matter of degree: below kClearGain by this much,
   /// chains are trusted altogether.
@@ -92,7 +93,7 @@ struct SelectiveHeuristics {
   static constexpr double kDoubtfulGains = 0.15;
   /// A little is the luck of a pilot: of techniques, what has less to do is taken then.
   /// Unit: error at equal time over that of the simpler choice. Range: (0, 1]. Source:
-  /// docs/selective.md, "Which techniques"; 0.9 before 8fdd9d2.
+  /// docs/notebook/selective.md, "Which techniques"; 0.9 before 8fdd9d2.
   static constexpr double kClearlyBetterTechniques = 0.95;
   /// Strong paths are no rarer with inner connections than without, if these find so much of them.
   /// Unit: strong squares over strong squares. Range: (0, 1]. Source: 70ce179: two of six renders
@@ -102,7 +103,8 @@ struct SelectiveHeuristics {
   // -------------------------------------------------------- how large a share is much
   //
   // All of squares over the variance of weak light (up to kStrong), in the pilot of techniques:
-  // docs/selective.md, "Which techniques", of pool and torus-in-glass with ten pilots each.
+  // docs/notebook/selective.md, "Which techniques", of pool and torus-in-glass with ten pilots
+  // each.
 
   /// There are so many strong paths that they are for chains.
   /// Unit: share. Range: > 0. Source: 70ce179; half and double not measured.
@@ -135,9 +137,9 @@ struct SelectiveHeuristics {
   /// Unit: pixels. Range: >= kFewestTrialPixels. Source: the same.
   static constexpr double kMostTrialPixels = 4096.0;
   /// Light subpaths per camera sample where one is better than few.
-  /// Unit: subpaths, as a parameter has them. Range: > 1. Source: docs/selective.md, "Which
-  /// techniques": error on floor-lamps 0.74 with 2, 0.69 with 4; on veach-bidir 0.95, 1.0 and (8)
-  /// 1.1.
+  /// Unit: subpaths, as a parameter has them. Range: > 1. Source: docs/notebook/selective.md,
+  /// "Which techniques": error on floor-lamps 0.74 with 2, 0.69 with 4; on veach-bidir 0.95, 1.0
+  /// and (8) 1.1.
   static constexpr const char* kManyLightSubpaths = "4";
 
   // -------------------------------------------------------- pilot of roulette
@@ -149,8 +151,8 @@ struct SelectiveHeuristics {
   static constexpr std::uint64_t kPairsOfItem = 128;
   /// The price that the pilot itself has, which is its Λ: what it is about in most scenes, so that
   /// roulette is much as it will be.
-  /// Unit: brightness. Range: > 0. Source: docs/selective.md, "Which rays are traced": it turns out
-  /// to be 0.1 to 0.5.
+  /// Unit: brightness. Range: > 0. Source: docs/notebook/selective.md, "Which rays are traced": it
+  /// turns out to be 0.1 to 0.5.
   static constexpr double kUsualPrice = 0.3;
   /// Λ for what is left of a subpath alone would end too many: samples that roulette has thinned
   /// are not as evenly spread as all were.
@@ -170,8 +172,8 @@ struct SelectiveHeuristics {
   /// Unit: samples per pixel. Range: >= kFewestOfPixel. Source: the same; double not measured.
   static constexpr std::uint64_t kMostOfPixel = 16;
   /// For the published binary map.
-  /// Unit: samples per pixel. Range: >= 2. Source: docs/selective.md, "Settings"; set by hand, no
-  /// study.
+  /// Unit: samples per pixel. Range: >= 2. Source: docs/methods/selective.md, "Parameters"; set by
+  /// hand, no study.
   static constexpr std::uint64_t kPilotSamplesOfBinary = 16;
   /// Paths that carry less are kept now and then only. What is drawn by lot is noise in the few
   /// samples of a pilot. So fine a grain keeps about one path per sample.
@@ -188,32 +190,20 @@ struct SelectiveHeuristics {
   /// that of 1000.
   static constexpr std::size_t kWorstOf = 1000;
 
-  // -------------------------------------------------------- trial of chains
-  /// Unit: mutations per pixel. Range: > 0. Source: 3ed3aa3, which halved it for a shorter
-  /// preparation; half and double not measured.
-  static constexpr double kTrialMutations = 2.0;
-  /// One of so many chains runs, for longer then.
-  /// Unit: chains. Range: >= 1. Source: 44d8408; set by hand, no study.
-  static constexpr std::uint64_t kOneChainOf = 2;
-  /// Chains of a trial are too short to show all of C: it is so many times what they show.
-  /// Unit: factor. Range: >= 1. Source: docs/chains.md, "Where to divide": with it the thresholds
-  /// chosen were those that were best in whole renders. In the end C is about twice as large on
-  /// most scenes, ten times on teapot-full.
-  static constexpr double kBeyondTrial = 2.0;
-  /// Chains turn out worse than a trial shows, and what they leave are blotches, which the eye sees
-  /// more easily than noise of the same variance. C is so many times as high where it is asked
-  /// whether they pay.
-  /// Unit: factor. Range: >= 1. Source: docs/selective.md, "Whether chains pay": about 2 for the
-  /// one, 2.5 (C through 3x3 pixels) for the other.
-  static constexpr double kDoubt = 4.0;
-  /// C below which no trial has ever come: where chains would not pay even with that there is none.
-  /// Unit: variance over variance. Range: > 0. Source: e51f759; trials on scenes of all kinds have
-  /// found between 5 and 70.
-  static constexpr double kLeastCorrelation = 4.0;
-  /// C where there is no trial.
-  /// Unit: variance over variance. Range: >= kLeastCorrelation. Source: docs/chains.md, "Where to
-  /// divide": trials found 5 to 32.
-  static constexpr double kUsualCorrelation = 10.0;
+  // -------------------------------------------------------- what mutations are worth
+  /// C, before the render shows it: what a chain's mutations leave over what as many independent
+  /// samples of its light would. Chains on trial showed 5 to 32; what follows from that is what
+  /// follows from 10.
+  /// Unit: variance over variance. Range: >= 1. Source: docs/notebook/selective.md, "Without a
+  /// trial of chains".
+  static constexpr double kCorrelation = 10.0;
+  /// Chains of some scenes cluster more than of others, they turn out worse in the end, and what
+  /// they leave are blotches, which the eye sees more easily than noise of the same variance. C is
+  /// so many times as high where it is asked whether they pay.
+  /// Unit: factor. Range: >= 1. Source: docs/notebook/selective.md, "Without a trial of chains":
+  /// about 2 for the first, 2 for the second, 2.5 (C through 3x3 pixels) for the third. With 4, the
+  /// halves of one render in eight of door-ajar disagree.
+  static constexpr double kDoubt = 8.0;
 
   // -------------------------------------------------------- what things cost before it is measured
   /// Unit: rays. Range: > 0. Source: docs/notebook/chains.md, "Steps, and what they are worth": 4.3
@@ -231,8 +221,9 @@ struct SelectiveHeuristics {
   static constexpr double kCameraRaysOfSample = 10.0;
 
   // -------------------------------------------------------- bootstrap, where nothing else seeds
-  /// Unit: paths. Range: >= 1000. Source: docs/chains.md; 4ff4f9a. docs/notebook/selective.md, "The
-  /// study": five times as many do not help chains alone on torus-in-glass.
+  /// Unit: paths. Range: >= 1000. Source: docs/methods/divided-light.md; 4ff4f9a.
+  /// docs/notebook/selective.md, "The study": five times as many do not help chains alone on
+  /// torus-in-glass.
   static constexpr std::uint64_t kBootstrapPaths = 200000;
   /// In larger pictures.
   /// Unit: paths per pixel. Range: > 0. Source: the same.
@@ -245,13 +236,13 @@ struct SelectiveHeuristics {
   // Small pictures have more, down to one step, because few chains depend on luck, too.
 
   /// Steps that a chain makes in a short pass, if it starts from what was found.
-  /// Unit: steps. Range: >= 1. Source: docs/chains.md, "Recruits": with half as many chains FLIP is
-  /// 0.258 instead of 0.264 on pool, 0.070 instead of 0.066 on torus-in-glass; with about twice as
-  /// many 0.282 to 0.298 and 0.064 to 0.065. Finished pictures are alike within a quarter and four
-  /// times as many (docs/notebook/selective.md, "Tried and left").
+  /// Unit: steps. Range: >= 1. Source: docs/notebook/chains.md, "Recruits": with half as many
+  /// chains FLIP is 0.258 instead of 0.264 on pool, 0.070 instead of 0.066 on torus-in-glass; with
+  /// about twice as many 0.282 to 0.298 and 0.064 to 0.065. Finished pictures are alike within a
+  /// quarter and four times as many (docs/notebook/selective.md, "Tried and left").
   static constexpr std::uint64_t kStepsOfRecruit = 144;
   /// The same without recruits.
-  /// Unit: steps. Range: >= 1. Source: docs/chains.md, "Recruits": it hardly matters.
+  /// Unit: steps. Range: >= 1. Source: docs/notebook/chains.md, "Recruits": it hardly matters.
   static constexpr std::uint64_t kStepsOfSeed = 16;
   /// Unit: chains of a replicate. Range: >= 1. Source: 9a8cb07: two depended on luck. The value has
   /// no study.
@@ -271,7 +262,8 @@ struct SelectiveHeuristics {
   // -------------------------------------------------------- recruits
   /// Recruits kept per chain, on average. They are drawn at random one by one, and then chosen from
   /// systematically: with few of them the total would be noisy, with many they take memory.
-  /// Unit: paths. Range: >= 1. Source: docs/chains.md, "Recruits"; half and double not measured.
+  /// Unit: paths. Range: >= 1. Source: docs/notebook/chains.md, "Recruits"; half and double not
+  /// measured.
   static constexpr std::uint64_t kRecruitsPerChain = 4;
   /// Before anything is known of the chains' light it is taken to be this.
   /// Unit: share of the brightness. Range: (0, 1]. Source: e243d5c; set by hand, no study.
@@ -296,16 +288,16 @@ struct SelectiveHeuristics {
   static constexpr double kMostChange = 5.0;
   /// Share of the chains' error that lasts, before stretches can be compared: between what hard
   /// scenes have.
-  /// Unit: share. Range: [0, 1]. Source: docs/selective.md, "What mutations are worth": 0.2 to 0.4
-  /// on torus-in-glass, up to 0.2 on pool.
+  /// Unit: share. Range: [0, 1]. Source: docs/notebook/selective.md, "What mutations are worth":
+  /// 0.2 to 0.4 on torus-in-glass, up to 0.2 on pool.
   static constexpr double kUsuallyLasts = 0.2;
   /// So many stretches lie between two that are compared.
   /// Unit: stretches. Range: >= 0. Source: ad634ee: on pool, neighbours are alike by 0.25, with one
   /// between by 0.13, with two by 0.09; on torus-in-glass by 0.45, 0.33 and 0.33.
   static constexpr std::size_t kStretchesBetween = 2;
   /// Errors are seen through a square of this side: the eye smooths noise, not blotches.
-  /// Unit: pixels. Range: odd, >= 1. Source: docs/selective.md, "What mutations are worth"; 5 not
-  /// measured.
+  /// Unit: pixels. Range: odd, >= 1. Source: docs/notebook/selective.md, "What mutations are
+  /// worth"; 5 not measured.
   static constexpr std::size_t kSeenThrough = 3;
 
   // -------------------------------------------------------- how chains move

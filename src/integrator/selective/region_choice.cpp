@@ -50,7 +50,7 @@ double omc_cost(const PilotView& view) {
 
 /// A state of `pssmlt` is a whole sample.
 double rays_per_mutation(const PilotView& view) {
-  return view.plan.kind == ChainKind::WholePath ? view.rays : view.costs.rays_per_mutation;
+  return view.plan.kind == ChainKind::WholePath ? view.rays : SelectiveHeuristics::kRaysPerMutation;
 }
 
 /// What rules and presets fix.
@@ -286,7 +286,7 @@ double careful_gain(const PilotView& view, const std::vector<double>& thresholds
 }
 
 ThresholdCosts threshold_costs(const PilotView& view) {
-  return {omc_cost(view), rays_per_mutation(view), view.costs.correlation, 0.0};
+  return {omc_cost(view), rays_per_mutation(view), view.correlation, 0.0};
 }
 
 RegionChoice choose_thresholds(const PilotView& view) {
@@ -297,7 +297,6 @@ RegionChoice choose_thresholds(const PilotView& view) {
   const OfferedThresholds offered = offer_thresholds(view, regions);
   const ThresholdChoice of_groups = optimal_thresholds(offered.groups, costs);
   RegionChoice choice;
-  choice.correlation = costs.correlation;
   double trust = 1.0;
   // Where the pilot has found nothing for them, they cost nothing, and stay ready.
   if (view.plan.selective && of_groups.chain_light > 0.0) {
@@ -364,10 +363,9 @@ RegionChoice choose_weights(const PilotView& view) {
     if (!weight && settings.map == SelectiveSettings::Map::Binary) weight = published[r];
     if (weight) estimates[r].minimum = estimates[r].maximum = static_cast<double>(*weight);
   }
-  const RenderCosts costs{1.0, omc_cost(view), rays_per_mutation(view), view.costs.correlation,
+  const RenderCosts costs{1.0, omc_cost(view), rays_per_mutation(view), view.correlation,
                           sum_of(sample_errors(view, {"direct"}).variance)};
   RegionChoice choice;
-  choice.correlation = costs.correlation;
   if (settings.map == SelectiveSettings::Map::Optimal && settings.painted.empty() &&
       !weights_would_pay(estimates, costs, caution_of(view.plan))) {
     for (RegionEstimate& estimate : estimates) estimate.maximum = estimate.minimum;
@@ -384,7 +382,7 @@ RegionChoice choose_weights(const PilotView& view) {
 }
 
 /// What is left to ordinary Monte Carlo is made by it alone, the rest by chains alone: of each
-/// pixel one of both (Frolov; docs/selective.md).
+/// pixel one of both (Frolov; docs/methods/selective.md).
 void make_exclusive(const SelectiveSettings& settings, std::vector<PixelShare>& shares) {
   const float limit =
       settings.map == SelectiveSettings::Map::Binary ? settings.binary.epsilon : 0.5F;
@@ -392,12 +390,6 @@ void make_exclusive(const SelectiveSettings& settings, std::vector<PixelShare>& 
 }
 
 }  // namespace
-
-bool chains_would_pay(const PilotView& view) {
-  if (!view.plan.selective) return true;
-  return careful_gain(view, all_thresholds(view.plan), threshold_costs(view)) <
-         caution_of(view.plan).clear_gain;
-}
 
 Plane pilot_noise(const PilotView& view) {
   return impulse_noise(view.regions.size,

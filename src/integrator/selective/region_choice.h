@@ -25,13 +25,6 @@ struct FoundLight {
   bool whole = false;  ///< chains cannot make any of it
 };
 
-/// What is expected of chains.
-struct ChainCosts {
-  /// C of optimal_weights.h: chains land in clusters.
-  double correlation = SelectiveHeuristics::kUsualCorrelation;
-  double rays_per_mutation = SelectiveHeuristics::kRaysPerMutation;
-};
-
 /// What some replicates of the pilot say.
 struct PilotView {
   const ChainPlan& plan;
@@ -42,7 +35,8 @@ struct PilotView {
   double rays;            ///< per camera sample
   std::span<const FoundLight> found;
   std::vector<int> replicates;  ///< that are seen; the others are as if they were not there
-  ChainCosts costs;
+  /// C of optimal_weights.h: chains land in clusters.
+  double correlation = SelectiveHeuristics::kCorrelation;
 };
 
 /// How the regions of a picture are divided.
@@ -50,7 +44,6 @@ struct RegionChoice {
   std::vector<PixelShare> shares;  ///< of each region
   std::vector<float> noise;        ///< of each region: ½(mean + largest) of that at or above T
   double mutations = 0.0;          ///< per camera sample, for least predicted error
-  double correlation = 0.0;        ///< C, as it was taken to be
   /// Predicted error with chains over that without, where the light is divided by thresholds; with
   /// C higher than it was taken to be, and without the sample that speaks for chains most.
   double expected_error = 1.0;
@@ -63,9 +56,6 @@ struct RegionChoice {
 /// optimal_thresholds.h where light is divided path by path), or as `SelectiveSettings` has it, if
 /// there are any: by the published rule (region_map.h); rules and presets have the last word.
 RegionChoice choose_regions(const PilotView& view);
-
-/// Whether chains would clearly pay, where the light is divided by thresholds.
-bool chains_would_pay(const PilotView& view);
 
 /// Noise of the indirect light that the replicates show (noise.h).
 Plane pilot_noise(const PilotView& view);

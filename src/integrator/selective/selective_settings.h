@@ -11,7 +11,7 @@
 
 namespace ajar {
 
-/// What `selective` is told beyond the parameters of its chains (docs/selective.md).
+/// What `selective` is told beyond the parameters of its chains (docs/methods/selective.md).
 struct SelectiveSettings {
   enum class Map {
     Optimal,  ///< of least predicted error

@@ -12,8 +12,8 @@
 
 namespace ajar {
 
-/// How small steps follow the image plane (docs/mutations.md), with the constants of He et al.
-/// 2020.
+/// How small steps follow the image plane (docs/methods/mutations.md), with the constants of He et
+/// al. 2020.
 struct PlaneRule {
   bool adaptive = false;    ///< step sizes follow the evenness of the visits
   bool neighbours = false;  ///< densely visited pixels are left for a neighbour

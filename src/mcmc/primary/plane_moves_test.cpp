@@ -141,7 +141,7 @@ TEST(PlaneMoves, ExactRulesKeepTheDistributionToTheLastDigits) {
 }
 
 TEST(PlaneMoves, PublishedRulesDoNot) {
-  // The table of docs/mutations.md.
+  // The table of docs/notebook/mutations.md.
   struct Expected {
     double large;
     double left_half;

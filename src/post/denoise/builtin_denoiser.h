@@ -15,7 +15,8 @@ namespace ajar {
 /// 4. Pixels much brighter than those around are cut for the finest scales, and keep their light
 ///    for the coarser ones.
 ///
-/// docs/denoising.md measures it against Open Image Denoise. The same pixels on any threads.
+/// docs/notebook/denoising.md measures it against Open Image Denoise. The same pixels on any
+/// threads.
 class BuiltinDenoiser final : public Denoiser {
  public:
   std::string name() const override { return "builtin 1"; }

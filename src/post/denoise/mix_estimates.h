@@ -24,13 +24,13 @@ struct MixedEstimate {
 
 /// Mixes estimates in inverse proportion to the squares of their squared errors, patch by patch:
 /// that to the squared errors themselves, best for estimates that know nothing of each other, gives
-/// those that are worse too much (docs/denoising.md). With replicates X
+/// those that are worse too much (docs/notebook/denoising.md). With replicates X
 /// that are unbiased, and estimates D of them, none of which has seen what it is compared with,
 ///
 ///     (D₁ − X₂) · (D₃ − X₄)
 ///
-/// is the squared bias of D without bias (ours; docs/denoising.md): that of a picture of as many
-/// samples as one replicate. What a filter does wrong falls with the noise that it sees, so a
+/// is the squared bias of D without bias (ours; docs/methods/denoising.md): that of a picture of as
+/// many samples as one replicate. What a filter does wrong falls with the noise that it sees, so a
 /// quarter of that is taken for the whole. It is averaged over all orders of four replicates and
 /// over a patch, relative to the estimates, so that bright pixels do not decide; the spread of the
 /// replicates of D is added to it. Errors of the mixture are at most the mean of those of its

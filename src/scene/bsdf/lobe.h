@@ -14,7 +14,7 @@
 ///     std::optional<LobeSample> sample(wo, u, ng, mode) const;
 ///     Spectrum albedo(wo) const;
 ///
-/// and what undoes `sample` (docs/inverses.md):
+/// and what undoes `sample` (docs/methods/inverses.md):
 ///
 ///     LobeInverse inverse(wo, wi, u_lobe, ng) const;              // not if kSpecular
 ///     UnitInterval choices(wo, wi, transmission, float& u) const; // only if it looks at u.lobe

@@ -55,6 +55,7 @@ void validate_references(const desc::SceneDesc& scene) {
   }
   for (const desc::Material& material : scene.materials) {
     check(material.bump, scene.textures.size(), "texture", material.where);
+    check(material.normal_map.texture, scene.textures.size(), "texture", material.where);
     check_node(scene, material.node, material.where);
   }
   for (const desc::Light& light : scene.lights) {

@@ -183,6 +183,8 @@ class SceneHasher {
     Hasher h;
     node(h, m.node);
     texture(h, m.bump);
+    texture(h, m.normal_map.texture);
+    if (m.normal_map.texture != kNone) h.add(m.normal_map.strength, m.normal_map.right_handed);
     return h.result();
   }
   std::uint64_t hash_mesh(const Mesh& mesh) {

@@ -25,11 +25,23 @@ struct Texture {
   Node node;  ///< refers only to textures with a smaller id
 };
 
+/// Shading normals by a texture: its colour c stands for 2c − 1 along dp/du, across it and along
+/// the normal.
+struct NormalMap {
+  TextureId texture = kNone;
+  float strength = 1;  ///< multiplies the first two lanes of 2c − 1
+  bool right_handed =
+      false;  ///< across is the normal × dp/du, even where dp/dv is on the other side
+};
+
 struct Material {
   std::string name;
   SourceLocation where;
   TextureId bump = kNone;  ///< displacement along the normal, scene units
-  Node node;               ///< refers only to materials with a smaller id
+  NormalMap normal_map{};  ///< of no meaning beside a bump
+  Node node{};             ///< refers only to materials with a smaller id
+
+  bool has_relief() const { return bump != kNone || normal_map.texture != kNone; }
 };
 
 // ---------------------------------------------------------------- media
@@ -144,7 +156,7 @@ struct Film {
 /// What the file asks of the renderer; the command line overrides it.
 struct RenderHints {
   std::string integrator;        ///< by its name in the registry; empty if the file says nothing
-  std::optional<int> max_depth;  ///< edges of a path (docs/theory.md)
+  std::optional<int> max_depth;  ///< edges of a path (docs/methods/notation.md)
   std::optional<int> samples_per_pixel;
   std::optional<std::string> sampler;  ///< value for the parameter `sampler` of integrators
   std::vector<std::pair<std::string, std::string>> parameters;  ///< for `integrator`

@@ -32,9 +32,9 @@ class LightSampler {
   /// For next event estimation at `reference`; requires !empty().
   ChosenLight choose(const Vec3& reference, float u) const;
   Pdf<Discrete> probability(const Vec3& reference, const Light& light) const;
-  /// A number by which `choose` gives `light`, made of the fresh number `u` (docs/inverses.md); its
-  /// density is that of `probability`. Empty if there is none: the probability is 0, or less than
-  /// uniform numbers resolve.
+  /// A number by which `choose` gives `light`, made of the fresh number `u`
+  /// (docs/methods/inverses.md); its density is that of `probability`. Empty if there is none: the
+  /// probability is 0, or less than uniform numbers resolve.
   std::optional<float> invert(const Vec3& reference, const Light& light, float u) const;
   /// For the start of a light subpath; requires !empty().
   ChosenLight choose_emitter(float u) const;

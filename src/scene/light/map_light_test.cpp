@@ -3,6 +3,8 @@
 #include <cmath>
 #include <fstream>
 
+#include "core/color.h"
+#include "core/daylight.h"
 #include "scene/light/light_test_support.h"
 #include "scene/light/map.h"
 #include "scene/light/sphere_map.h"
@@ -135,6 +137,61 @@ TEST(Map, DistributionByWholeTexelsIsPositiveWhereverTheMapIs) {
     integral.add(map.lookup(sample.uv)[0] / sample.pdf);
   }
   expect_mean(integral, 1e6 / (32 * 16), 0.02, 1e-3);
+}
+
+TEST(SkyLight, IsTheClearSkyAboveTheHorizonAndBlackBelow) {
+  const double sun_zenith = 60.0 * M_PI / 180.0;
+  const Mat4 to_world = rotation({1, 2, -0.5F}, 0.8);
+  const auto light =
+      light_of(desc::light_node("sky", {{"turbidity", 2.5F}, {"elevation", 30.F}, {"scale", 7.F}}),
+               to_world);
+  const ClearSky sky(2.5, sun_zenith);
+  const Vec3d sun(std::sin(sun_zenith), 0.0, std::cos(sun_zenith));
+  Rng rng(3);
+  int above = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const Vec3 w = warp::uniform_sphere(next_pair(rng));
+    const Vec3 toward = transform_vector(to_world, w);
+    const Spectrum radiance = light->emitted(light->at_direction(toward), -toward);
+    if (w.z < -0.02F) {
+      EXPECT_TRUE(radiance.is_black());
+    }
+    if (w.z < 0.02F) continue;
+    ++above;
+    const Vec3d rgb =
+        xyz_to_rgb(sky.luminance(std::acos(double{w.z}),
+                                 std::acos(std::clamp(Vec3d(w).dot(sun), -1.0, 1.0)))) *
+        7.0;
+    // The cusp around the sun is as narrow as a texel; elsewhere interpolation is nearly exact.
+    const double tolerance = (Vec3d(w).dot(sun) > 0.999 ? 0.03 : 0.002) * rgb.y;
+    EXPECT_NEAR(static_cast<double>(radiance[1]), rgb.y, tolerance)
+        << w.x << " " << w.y << " " << w.z;
+    EXPECT_NEAR(static_cast<double>(radiance[2]), rgb.z, tolerance * 3.0);
+  }
+  EXPECT_GT(above, 800);
+}
+
+TEST(SkyLight, ShinesAsMuchAsItsRadianceSays) {
+  const auto light = light_of(desc::light_node("sky", {{"elevation", 50.F}}), Mat4());
+  const ClearSky sky(3.0, 40.0 * M_PI / 180.0);
+  const Vec3d sun(std::sin(40.0 * M_PI / 180.0), 0.0, std::cos(40.0 * M_PI / 180.0));
+  // ∫ L cosθ dω by midpoints, in the mean of the lanes.
+  double expected = 0.0;
+  constexpr int kSteps = 300;
+  for (int i = 0; i < kSteps; ++i) {
+    const double zenith = (i + 0.5) / kSteps * M_PI / 2.0;
+    for (int j = 0; j < kSteps; ++j) {
+      const double azimuth = (j + 0.5) / kSteps * 2.0 * M_PI;
+      const Vec3d w(std::sin(zenith) * std::cos(azimuth), std::sin(zenith) * std::sin(azimuth),
+                    std::cos(zenith));
+      const Vec3d rgb =
+          xyz_to_rgb(sky.luminance(zenith, std::acos(std::clamp(w.dot(sun), -1.0, 1.0))));
+      expected += (rgb.x + rgb.y + rgb.z) / 3.0 * std::sin(zenith) * std::cos(zenith);
+    }
+  }
+  expected *= M_PI / 2.0 / kSteps * 2.0 * M_PI / kSteps;
+  // Five standard errors are below 1 %: a lane or a factor of π would show.
+  expect_mean(connected_irradiance(*light, {0, 0, 0}, {0, 0, 1}, 160000), expected, 0.01, 2e-3);
 }
 
 TEST(EnvironmentMap, BrightTexelShinesFromPbrtsDirection) {

@@ -15,10 +15,8 @@ std::unique_ptr<Material> make_material(const desc::Material& description,
   std::unique_ptr<Material> material =
       model->make(MaterialInputs(description, textures, made, warnings));
   material->name = description.name;
-  if (description.bump >= 0) {
-    material->bump = TextureSlot(textures.at(static_cast<std::size_t>(description.bump)).get());
-    material->has_bump = !material->bump.is_constant();
-  }
+  // That of a mix is that of its first part, unless it has one of its own.
+  if (description.has_relief()) material->relief = Relief(description, textures);
   return material;
 }
 

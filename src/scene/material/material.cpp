@@ -1,18 +1,15 @@
 #include "scene/material/material.h"
 
 #include <memory>
-
-#include "scene/material/bump.h"
-
 namespace ajar {
 
 void Material::bsdf(const SurfacePoint& at, Bsdf& result) const {
   Vec3 ns = at.ns;
   Vec3 tangent = at.dpdu;
-  if (has_bump) {
-    const BumpedFrame bumped = bump_frame(bump, at);
-    ns = bumped.ns;
-    tangent = bumped.dpdu;
+  if (!relief.is_flat()) {
+    const ReliefFrame tilted = relief.frame(at);
+    ns = tilted.ns;
+    tangent = tilted.dpdu;
   }
   // In place: most of a Bsdf is room for lobes that few materials use.
   std::construct_at(&result, needs_tangent ? Frame::around(ns, tangent) : Frame::around(ns), at.ng);

@@ -6,6 +6,7 @@
 #include "core/warnings.h"
 #include "scene/bsdf/bsdf.h"
 #include "scene/desc/scene_desc.h"
+#include "scene/material/relief.h"
 #include "scene/texture/texture.h"
 
 namespace ajar {
@@ -19,7 +20,7 @@ class Material {
   virtual void add_lobes(const SurfacePoint& at, const Spectrum& scale, Bsdf& bsdf) const = 0;
   /// The most lobes that `add_lobes` can append, anywhere.
   virtual int max_lobes() const = 0;
-  /// The BSDF at `at`, bump mapping applied.
+  /// The BSDF at `at`, around the normal that the relief makes of its own.
   void bsdf(const SurfacePoint& at, Bsdf& result) const;
   Bsdf bsdf(const SurfacePoint& at) const {
     Bsdf result;
@@ -32,11 +33,10 @@ class Material {
   virtual bool is_interface() const { return false; }
 
   /// True if `bsdf` reads the derivatives of a surface point.
-  bool needs_derivatives() const { return has_bump || needs_tangent; }
+  bool needs_derivatives() const { return !relief.is_flat() || needs_tangent; }
 
   std::string name;
-  TextureSlot bump;
-  bool has_bump = false;
+  Relief relief;
   /// True if the x axis of the shading frame must follow dp/du (anisotropic roughness).
   bool needs_tangent = false;
 };

@@ -8,7 +8,7 @@
 
 #include "scene/bsdf/bsdf_catalogue.h"
 #include "scene/desc/models.h"
-#include "scene/material/bump.h"
+#include "scene/material/relief.h"
 
 namespace ajar {
 namespace {
@@ -326,7 +326,7 @@ TEST(Materials, AnisotropyFollowsTheTangent) {
 
 TEST(Bump, TiltsTheNormalAgainstTheSlope) {
   const Ramp ramp(0.5F);
-  const BumpedFrame bumped = bump_frame(TextureSlot(&ramp), flat_point());
+  const ReliefFrame bumped = bump_frame(TextureSlot(&ramp), flat_point());
   const Vec3 expected = normalize(Vec3(-0.5F, 0.F, 1.F));
   EXPECT_LT(length(bumped.ns - expected), 1e-3F);
   EXPECT_NEAR(dot(bumped.ns, normalize(bumped.dpdu)), 0.F, 1e-3F);
@@ -353,6 +353,58 @@ TEST(Bump, KeepsTheNormalOnItsSideAndWhereItIsDegenerate) {
   SurfacePoint pinched = flat_point();
   pinched.dpdv = pinched.dpdu;
   EXPECT_EQ(bump_frame(TextureSlot(&ramp), pinched).ns, Vec3(0.F, 0.F, 1.F));
+}
+
+/// The colour that stands for a vector in a normal map.
+TextureSlot code_of(const Vec3& n) {
+  const Vec3 c = (n + Vec3(1.F)) * 0.5F;
+  return TextureSlot(Spectrum(c.x, c.y, c.z));
+}
+
+TEST(NormalMap, TurnsItsVectorsIntoTheFrameOfTheSurface) {
+  // A surface whose u runs along y, slanted, and whose v is mirrored: along +x.
+  SurfacePoint at = flat_point();
+  at.dpdu = {0.F, 2.F, 1.F};
+  at.dpdv = {3.F, 0.5F, 0.F};
+  const Vec3 n = normalize(Vec3(0.2F, -0.4F, 0.8F));
+  const auto ns_of = [&](float strength, bool right_handed) {
+    return normal_map_frame(code_of(n), strength, right_handed, at).ns;
+  };
+  // x of the map is the world's y, z its z, and y the side of v; or z × y = −x whatever v is.
+  EXPECT_LT(length(ns_of(1.F, false) - Vec3(n.y, n.x, n.z)), 1e-6F);
+  EXPECT_LT(length(ns_of(1.F, true) - Vec3(-n.y, n.x, n.z)), 1e-6F);
+  EXPECT_LT(length(ns_of(0.5F, false) - normalize(Vec3(0.5F * n.y, 0.5F * n.x, n.z))), 1e-6F);
+  EXPECT_EQ(ns_of(0.F, false), at.ns);
+}
+
+TEST(NormalMap, KeepsTheNormalOnItsSideAndWhereItIsNoDirection) {
+  const Vec3 up(0.F, 0.F, 1.F);
+  const auto ns_of = [](const TextureSlot& normals, const SurfacePoint& at) {
+    return normal_map_frame(normals, 1.F, false, at).ns;
+  };
+  EXPECT_GT(ns_of(code_of({0.6F, 0.F, -0.8F}), flat_point()).z, 0.F);
+  EXPECT_EQ(ns_of(code_of({0.F, 0.F, 0.F}), flat_point()), up);
+  EXPECT_EQ(ns_of(code_of({1.F, 0.F, 0.F}), flat_point()), up) << "grazing";
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_EQ(ns_of(code_of({nan, 0.F, 1.F}), flat_point()), up);
+}
+
+TEST(NormalMap, TiltsWhatAMaterialReflects) {
+  Fixture f;
+  // The map in a texture: a constant one tilts, too, as a constant bump does not.
+  const Vec3 n(0.6F, 0.F, 0.8F);
+  f.scene.textures.resize(1);
+  f.scene.textures[0].node = desc::texture_node("constant", {{"value", (n + Vec3(1.F)) * 0.5F}});
+  f.textures = build_textures(f.scene, f.warnings);
+  f.scene.materials.resize(2);
+  f.scene.materials[0].normal_map.texture = 0;
+  f.scene.materials[0].node = desc::material_node("diffuse", {{"reflectance", Vec3(0.5F)}});
+  f.scene.materials[1].node = mix_of(0, 0);
+  for (const std::size_t material : {0U, 1U}) {
+    EXPECT_LT(length(f.bsdf(material).ns() - n), 1e-6F);
+    EXPECT_EQ(f.bsdf(material).ng(), Vec3(0.F, 0.F, 1.F));
+    EXPECT_TRUE(f.materials[material]->needs_derivatives());
+  }
 }
 
 }  // namespace

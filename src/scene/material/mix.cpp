@@ -9,15 +9,14 @@ constexpr WarningKind kTooManyLobes{
 /// `amount` of one material and the rest of another, lane by lane.
 class Mix final : public Material {
  public:
-  /// The materials outlive the mix. As in pbrt-v3, bumps are those of `a` unless the mix has its
-  /// own.
+  /// The materials outlive the mix. As in pbrt-v3, the relief is that of `a` unless the mix has one
+  /// of its own.
   Mix(const TextureSlot& amount, const Material& a, const Material& b)
       : amount_(amount),
         a_(a),
         b_(b),
         max_lobes_(std::max(1, a.max_lobes()) + std::max(1, b.max_lobes())) {
-    bump = a.bump;
-    has_bump = a.has_bump;
+    relief = a.relief;
     needs_tangent = a.needs_tangent || b.needs_tangent;
   }
   void add_lobes(const SurfacePoint& at, const Spectrum& scale, Bsdf& bsdf) const override {
@@ -41,8 +40,7 @@ class FirstOfMix final : public Material {
  public:
   /// `first` outlives this, and is none of these itself, so that they cannot nest.
   explicit FirstOfMix(const Material& first) : first_(first) {
-    bump = first.bump;
-    has_bump = first.has_bump;
+    relief = first.relief;
     needs_tangent = first.needs_tangent;
   }
   void add_lobes(const SurfacePoint& at, const Spectrum& scale, Bsdf& bsdf) const override {

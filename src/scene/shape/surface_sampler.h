@@ -41,7 +41,7 @@ class SurfaceSampler {
                                                      const SurfaceUniforms& u) const;
   virtual Pdf<Area> pdf_toward(const Vec3& reference, const SurfacePoint& point) const;
   /// The numbers by which `sample` and `sample_toward` give `point`; what they forget is taken from
-  /// `fresh` (docs/inverses.md). Empty if they never do.
+  /// `fresh` (docs/methods/inverses.md). Empty if they never do.
   virtual std::optional<SurfaceUniforms> invert(const SurfacePoint& point,
                                                 const SurfaceUniforms& fresh) const = 0;
   virtual std::optional<SurfaceUniforms> invert_toward(const Vec3& reference,

@@ -16,7 +16,7 @@ inline desc::Value another_value(const ParameterSpec& spec) {
     case ParameterType::Int:
       return std::get<int>(desc::default_value(spec)) + 1;
     case ParameterType::Float:
-      return 0.375F;
+      return 0.375F + static_cast<float>(spec.minimum > 0.375 ? spec.minimum : 0.0);
     case ParameterType::Color:
     case ParameterType::Vector:
     case ParameterType::Point:

@@ -10,7 +10,7 @@
 
 #include "core/random.h"
 
-/// What every inverse of a sampling routine must satisfy (docs/inverses.md).
+/// What every inverse of a sampling routine must satisfy (docs/methods/inverses.md).
 namespace ajar::testing {
 
 /// The uniform numbers of one sample; routines use as many as they need, from the front.

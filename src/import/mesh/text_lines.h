@@ -1,0 +1,106 @@
+#pragma once
+#include <charconv>
+#include <cstring>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace ajar {
+
+/// The lines of a text, with the line ends of any system; a backslash at the end of one joins it
+/// with the next.
+class TextLines {
+ public:
+  explicit TextLines(std::string_view text) : rest_(text) {
+    constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+    if (rest_.starts_with(kByteOrderMark)) rest_.remove_prefix(kByteOrderMark.size());
+  }
+
+  /// False at the end. What `line` gives is there until the next call.
+  bool next() {
+    if (rest_.empty()) return false;
+    line_ = take();
+    number_ = ++lines_;
+    if (!line_.ends_with('\\')) return true;
+    joined_.clear();
+    for (;; line_ = take(), ++lines_) {
+      const bool goes_on = line_.ends_with('\\');
+      joined_ += line_.substr(0, line_.size() - (goes_on ? 1 : 0));
+      if (!goes_on || rest_.empty()) break;
+      joined_ += ' ';
+    }
+    line_ = joined_;
+    return true;
+  }
+  std::string_view line() const { return line_; }
+  /// Of its beginning, counted from 1.
+  int number() const { return number_; }
+
+ private:
+  std::string_view take() {
+    const std::size_t end = std::min(rest_.find('\n'), rest_.size());
+    std::string_view line = rest_.substr(0, end);
+    const std::size_t carriage_return = line.find('\r');
+    if (carriage_return == line.npos || carriage_return + 1 == line.size()) {
+      rest_.remove_prefix(std::min(end + 1, rest_.size()));
+      if (carriage_return != line.npos) line.remove_suffix(1);
+      return line;
+    }
+    rest_.remove_prefix(carriage_return + 1);
+    return line.substr(0, carriage_return);
+  }
+
+  std::string_view rest_;
+  std::string_view line_;
+  std::string joined_;
+  int lines_ = 0;
+  int number_ = 0;
+};
+
+/// The words of a line.
+class LineWords {
+ public:
+  explicit LineWords(std::string_view line) : line_(line), rest_(line) {}
+
+  /// What is before the next space; empty at the end of the line.
+  std::string_view word() {
+    skip_spaces();
+    std::size_t length = 0;
+    while (length < rest_.size() && !is_space(rest_[length])) ++length;
+    const std::string_view word = rest_.substr(0, length);
+    rest_.remove_prefix(length);
+    return word;
+  }
+  /// All that is left, without the spaces around it.
+  std::string_view rest() {
+    skip_spaces();
+    while (!rest_.empty() && is_space(rest_.back())) rest_.remove_suffix(1);
+    return rest_;
+  }
+  /// Of what comes next, counted from 1.
+  int column() {
+    skip_spaces();
+    return static_cast<int>(rest_.data() - line_.data()) + 1;
+  }
+
+ private:
+  static bool is_space(char c) { return c == ' ' || c == '\t'; }
+  void skip_spaces() {
+    while (!rest_.empty() && is_space(rest_.front())) rest_.remove_prefix(1);
+  }
+
+  std::string_view line_;
+  std::string_view rest_;
+};
+
+/// The number that `word` is; nothing if it is none, or beyond what a double holds.
+inline std::optional<float> number_in(std::string_view word) {
+  if (word.starts_with('+')) word.remove_prefix(1);
+  double value = 0.0;
+  const char* end = word.data() + word.size();
+  const auto [stopped, error] = std::from_chars(word.data(), end, value);
+  if (error != std::errc() || stopped != end) return std::nullopt;
+  return static_cast<float>(value);
+}
+
+}  // namespace ajar

@@ -1,0 +1,65 @@
+#pragma once
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "integrator/integrator.h"
+#include "integrator/metropolis/path_group.h"
+
+namespace ajar {
+
+/// What published methods whose chains make all light agree on.
+struct ChainOrder {
+  PathSamplerSettings sampler;  ///< of the bootstrap
+  std::vector<PathGroup> groups;
+  std::uint64_t bootstrap = 0;  ///< samples, over all groups and replicates
+  Parameters monte_carlo;       ///< of what renders if there was no time for a bootstrap
+};
+
+/// All but the groups, by the parameter `bootstrap` and those of the family of path sampling.
+ChainOrder chain_order(const RenderSettings& settings, const Parameters& parameters,
+                       const std::map<std::string, std::string>& path_parameters);
+
+/// The parameter of that name.
+ParameterSpec bootstrap_parameter();
+
+/// What they have in common, beside their chains: the film, and what they say.
+class ChainMethod : public Integrator {
+ public:
+  ChainMethod(const Scene& scene, const RenderSettings& settings, ChainOrder order);
+
+  void skip_preparation() override;
+  Findings findings() const override;
+  std::vector<LayerSpec> layers() const override;
+  bool is_of_chains(std::uint64_t /*item*/) const override { return !unprepared_; }
+  DevelopScale develop_scale(const LayerSpec& layer, std::uint64_t samples,
+                             std::optional<int> replicate) const override;
+  bool keeps_state() const override { return !unprepared_; }
+
+ protected:
+  /// Light of the picture, the mean over its pixels; 0 if none was found.
+  virtual double brightness() const = 0;
+  virtual bool has_chains() const = 0;
+
+  const Scene& scene() const { return scene_; }
+  const RenderSettings& settings() const { return settings_; }
+  const ChainView& view() const { return view_; }
+  const ChainOrder& order() const { return order_; }
+  std::span<const PathGroup> groups() const { return order_.groups; }
+  void add_concern(Warning concern) { concerns_.push_back(std::move(concern)); }
+  /// What renders if there was no time for a bootstrap; else null.
+  Integrator* unprepared() const { return unprepared_.get(); }
+
+ private:
+  const Scene& scene_;
+  RenderSettings settings_;
+  ChainView view_;
+  ChainOrder order_;
+  std::vector<Warning> concerns_;
+  bool misses_light_ = !concerns_.empty();
+  std::unique_ptr<Integrator> unprepared_;
+};
+
+}  // namespace ajar

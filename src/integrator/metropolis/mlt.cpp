@@ -1,0 +1,30 @@
+#include "integrator/metropolis/mlt.h"
+
+#include <utility>
+
+#include "integrator/metropolis/chain_integrator.h"
+#include "integrator/metropolis/path_space.h"
+#include "integrator/montecarlo/path_parameters.h"
+
+namespace ajar {
+
+std::vector<ParameterSpec> mlt_parameters() {
+  std::vector<ParameterSpec> specs = PathSpace::parameters();
+  specs.push_back(bootstrap_parameter());
+  specs.push_back(chains_parameter());
+  specs.push_back(roulette_start_parameter("3"));
+  specs.back().expert = true;
+  return specs;
+}
+
+std::unique_ptr<Integrator> make_mlt_integrator(const Scene& scene, const RenderSettings& settings,
+                                                const Parameters& parameters) {
+  ChainOrder order = chain_order(settings, parameters, {{"techniques", "bdpt"}});
+  order.groups =
+      make_path_groups(ChainKind::WholePath, order.sampler, parameters.get_int("roulette-start"));
+  const auto chains = static_cast<std::size_t>(parameters.get_int("chains"));
+  return std::make_unique<ChainIntegrator<PathSpace>>(scene, settings, std::move(order), chains,
+                                                      PathSpace(parameters));
+}
+
+}  // namespace ajar

@@ -1,0 +1,82 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "core/archive_forward.h"
+#include "core/parameters.h"
+#include "integrator/metropolis/member_chain.h"
+#include "integrator/metropolis/sample_of_chains.h"
+#include "mcmc/chain_runner.h"
+#include "mcmc/path_space/make_path_mutations.h"
+
+namespace ajar {
+
+/// A chain in path space, and what it has done.
+struct PathMember {
+  PathChain chain;
+  ChainRecord record;
+
+  std::uint64_t memory_bytes() const {
+    return sizeof(PathMember) + chain.path.vertices.capacity() * sizeof(InnerVertex) +
+           chain.path.segments.capacity() * sizeof(Segment);
+  }
+};
+
+/// Chains of explicit paths.
+class PathSpace {
+ public:
+  using Member = PathMember;
+
+  /// A weight for each mutation, by name. `without`: those that are switched off by default.
+  static std::vector<ParameterSpec> parameters(std::string_view without = "");
+  /// Raises UsageError if all are switched off.
+  explicit PathSpace(const Parameters& parameters);
+
+  static std::span<const Move> moves() { return path_moves(); }
+
+  static std::vector<Member> seed(const Scene& scene, const PathGroup& group, const ChainView& view,
+                                  std::uint64_t bootstrap_seed, std::span<const double> weights,
+                                  std::size_t chains);
+
+  /// Chain `number` of those that start from a sample; empty if it has no path for one.
+  static std::optional<Member> start(const Scene& scene, const PathGroup& group,
+                                     const ChainView& view, const SampleOfChains& sample,
+                                     std::uint64_t number);
+
+  class Walker {
+   public:
+    Walker(const PathSpace& space, const Scene& scene, const PathGroup& group,
+           const ChainView& view)
+        : bounds_{view, group.sampler.min_depth, group.sampler.max_depth},
+          kernel_(make_path_kernel(scene, bounds_, space.weights_, splat_layer)),
+          runner_(kernel_) {}
+    Walker(const Walker&) = delete;
+    Walker& operator=(const Walker&) = delete;
+
+    void start(Member& member) { kernel_.start(member.chain); }
+    ChainStatistics go_on(Member& member, std::uint64_t steps, DepositSink& sink, double /*b*/) {
+      return runner_.go_on(member.chain, steps, sink);
+    }
+    static const PathTarget* target() { return nullptr; }
+    RayCounts ray_counts() const { return kernel_.ray_counts(); }
+
+   private:
+    PathBounds bounds_;
+    PathKernel kernel_;
+    ChainRunner runner_;
+  };
+
+  static void save(OutputArchive& archive, const Scene& scene, const Member& member);
+  static void load(InputArchive& archive, const Scene& scene, Member& member);
+  static void check(const Member& member, const PathGroup& group, double most_steps);
+  static void check_state(const Scene& scene, const PathGroup& group, const ChainView& view,
+                          const Member& member);
+
+ private:
+  std::vector<double> weights_;  ///< of the mutations
+};
+
+}  // namespace ajar

@@ -1,0 +1,98 @@
+#include "mcmc/path_space/camera_perturbation.h"
+
+#include <cmath>
+#include <limits>
+
+#include "mcmc/path_space/heuristics.h"
+#include "mcmc/path_space/path_form.h"
+#include "mcmc/primary/bootstrap_source.h"
+#include "path/measure.h"
+
+namespace ajar {
+
+namespace {
+
+/// The light, if paths run into it.
+std::optional<int> light_of(const Path& path) {
+  return path.light->discrete_position() ? std::nullopt : std::optional(0);
+}
+
+}  // namespace
+
+std::optional<int> LensPerturbation::end_of(const Path& path) const {
+  const int rough = first_rough_from_camera(path);
+  if (rough == 0) return light_of(path);
+  return can_join(path, rough) ? std::optional(rough) : std::nullopt;
+}
+
+std::optional<int> MultiChainPerturbation::end_of(const Path& path) const {
+  const int first = first_rough_from_camera(path);
+  if (first == 0 || can_join(path, first)) return std::nullopt;
+  int x = first - 1;
+  while (x > 0 && !can_join(path, x)) --x;
+  return x > 0 ? x : light_of(path);
+}
+
+CameraPerturbation::CameraPerturbation(const Scene& scene, const RasterArea& area)
+    : scene_(scene),
+      area_(area),
+      raster_(raster_law(scene.camera().resolution())),
+      direction_{PathSpaceHeuristics::kSmallestTurn, PathSpaceHeuristics::kLargestTurn},
+      growing_(scene, area) {}
+
+bool CameraPerturbation::grow(const Path& x, int end, const Vec2& raster, SampleSource& source) {
+  GrowingEnd& camera = growing_.camera;
+  if (!growing_.look(raster)) return false;
+  for (int vertex = x.depth() - 1; vertex >= end; --vertex) {
+    if (vertex == 0) return growing_.run_into_light(source);
+    if (!camera.arrive(source)) return false;
+    if (vertex == end) return true;
+    const ScatterEvent& event = x.vertex(vertex).event;
+    if (!event.specular()) {
+      const SampleAddress address(Stream::Camera, camera.size() - 1, Slot::BsdfDirectionX);
+      camera.go(direction_.around(x.toward_light(scene_, vertex), source.get_pair(address)));
+    } else if (!camera.follow(event)) {
+      return false;
+    }
+  }
+  return false;
+}
+
+std::optional<Kept> CameraPerturbation::propose(const Path& x, std::uint64_t key, Path& y) {
+  const Kept kept{*end_of(x), 1};
+  BootstrapSource source(key, 0);
+  const Vec2 raster =
+      x.raster + raster_.in_plane(source.get_pair({Stream::Camera, 0, kEmissionDirection}));
+  if (!area_.contains(raster)) return std::nullopt;
+  growing_.begin(x, kept.light, kept.camera);
+  const bool made = grow(x, kept.light, raster, source) && growing_.finish(y);
+  rays_ = growing_.ray_counts();
+  return made ? std::optional(kept) : std::nullopt;
+}
+
+double CameraPerturbation::log_density(const Path& x, const Path& y, const Kept& kept) const {
+  constexpr double kNever = -std::numeric_limits<double>::infinity();
+  const int k = y.depth();
+  const int end = kept.light;
+  if (end > 0 && !can_join(y, end)) return kNever;
+  const Vec2i pixels = scene_.camera().resolution();
+  double sum = raster_.log_density_in_plane(static_cast<double>((y.raster - x.raster).length())) +
+               std::log(static_cast<double>(pixels.x) * static_cast<double>(pixels.y)) +
+               std::log(camera_step_pdf(scene_, y, k - 1));
+  for (int vertex = k - 1; vertex > end; --vertex) {
+    const ScatterEvent& event = x.vertex(vertex).event;
+    const ScatterEvent& other = y.vertex(vertex).event;
+    if (event.specular() ? event != other : other.specular()) return kNever;
+    if (!event.specular()) {
+      sum += direction_.log_density_around(
+          small_angle(x.toward_light(scene_, vertex), y.toward_light(scene_, vertex)));
+    }
+    sum += std::log(arrival_pdf(scene_, y, vertex, vertex - 1));
+  }
+  if (end == 0 && y.light->at_infinity()) {
+    sum -= std::log(static_cast<double>(scene_.infinite_lights().size()));
+  }
+  return sum;
+}
+
+}  // namespace ajar

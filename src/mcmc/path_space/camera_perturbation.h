@@ -1,0 +1,60 @@
+#pragma once
+#include "mcmc/path_space/growing_path.h"
+#include "mcmc/path_space/path_mutation.h"
+#include "mcmc/path_space/perturbation_law.h"
+
+namespace ajar {
+
+/// What the perturbations that begin at the camera have in common: the place on the film moves by a
+/// little, mostly a very little; specular events stay what they are; where the path scatters
+/// otherwise on its way, the direction is turned by a little, too. The vertex at the end of all
+/// that is joined to the rest of the path, which stays, or is the light that the path runs into.
+class CameraPerturbation : public PathMutation {
+ public:
+  /// `scene` and `area` must outlive it.
+  CameraPerturbation(const Scene& scene, const RasterArea& area);
+
+  bool suitable(const Path& path) const final { return end_of(path).has_value(); }
+  std::optional<Kept> propose(const Path& x, std::uint64_t key, Path& y) final;
+  double log_density(const Path& x, const Path& y, const Kept& kept) const final;
+  const RayCounts& ray_counts() const final { return rays_; }
+
+ protected:
+  /// The vertex that is the last to move; empty if the path is not of the kind.
+  virtual std::optional<int> end_of(const Path& path) const = 0;
+
+ private:
+  bool grow(const Path& x, int end, const Vec2& raster, SampleSource& source);
+
+  const Scene& scene_;
+  const RasterArea& area_;
+  PerturbationLaw raster_;
+  PerturbationLaw direction_;
+  GrowingPath growing_;
+  RayCounts rays_;
+};
+
+/// Up to the first vertex that is not specular: for paths (L|D) D S* E, and L S* E. Source: Veach
+/// 1997, section 11.4.3.1; lights that are seen directly, or in mirrors, are ours.
+class LensPerturbation final : public CameraPerturbation {
+ public:
+  using CameraPerturbation::CameraPerturbation;
+  std::string_view name() const override { return "lens"; }
+
+ private:
+  std::optional<int> end_of(const Path& path) const override;
+};
+
+/// Through more than one specular chain, up to the first vertex that is joined to another that is
+/// not specular, or to the light: for paths (L|D) D S+ … D S* E, and L S+ D … S* E. Source: Veach
+/// 1997, section 11.4.3.3; chains that end on a light are ours.
+class MultiChainPerturbation final : public CameraPerturbation {
+ public:
+  using CameraPerturbation::CameraPerturbation;
+  std::string_view name() const override { return "multi-chain"; }
+
+ private:
+  std::optional<int> end_of(const Path& path) const override;
+};
+
+}  // namespace ajar

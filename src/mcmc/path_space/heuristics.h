@@ -1,0 +1,47 @@
+#pragma once
+
+namespace ajar {
+
+/// The numbers of moves in path space that say how often they do what, beside parameters, which
+/// tell their own ranges. No picture's expectation hangs on them.
+struct PathSpaceHeuristics {
+  /// How often a bidirectional mutation takes the whole path.
+  /// Unit: probability. Range: (0, 1). Source: Veach 1997, 11.4.2.1 has a quarter at least for what
+  /// is taken most often; of a tenth, no study.
+  static constexpr double kWholePath = 0.1;
+  /// How often it takes no vertex at all, only an edge; r > 1 vertices have 2^−(r+1).
+  /// Unit: weight. Range: > 0. Source: Veach 1997, 11.4.2.1.
+  static constexpr double kNoVertex = 0.25;
+  /// How often it takes one vertex.
+  /// Unit: weight, as above. Range: > 0. Source: Veach 1997, 11.4.2.1.
+  static constexpr double kOneVertex = 0.5;
+  /// How often the path stays as long as it is.
+  /// Unit: weight. Range: > 0. Source: Veach 1997, 11.4.2.2.
+  static constexpr double kSameDepth = 0.5;
+  /// How often it gets an edge longer, and an edge shorter.
+  /// Unit: weight, as above. Range: > 0. Source: Veach 1997, 11.4.2.2.
+  static constexpr double kNextDepth = 0.15;
+  /// How often it gets j > 1 edges longer or shorter, times 2^−j.
+  /// Unit: weight, as above. Range: > 0. Source: Veach 1997, 11.4.2.2.
+  static constexpr double kOtherDepth = 0.2;
+  /// It never gets longer or shorter by more edges.
+  /// Unit: edges. Range: >= 2. Source: set by hand: one in 2^20.
+  static constexpr int kMostEdgesAtOnce = 20;
+  /// Perturbations move places on the film by no less than this.
+  /// Unit: pixels. Range: > 0. Source: Veach 1997, 11.4.3.1.
+  static constexpr double kSmallestRasterMove = 0.1;
+  /// And by no more than the radius of a disc of this size.
+  /// Unit: share of the image's area. Range: (0, 1]. Source: Veach 1997, 11.4.3.1.
+  static constexpr double kLargestRasterDisc = 0.05;
+  /// Perturbations between two specular chains turn directions by no less than this.
+  /// Unit: radians. Range: > 0. Source: Veach 1997, 11.4.3.3.
+  static constexpr double kSmallestTurn = 0.0001;
+  /// And by no more than this.
+  /// Unit: radians. Range: (0, π). Source: Veach 1997, 11.4.3.3.
+  static constexpr double kLargestTurn = 0.1;
+  /// Caustic perturbations turn directions by no more, however near the light is to where it falls.
+  /// Unit: radians. Range: (0, π/2). Source: set by hand, no study.
+  static constexpr double kWidestTurn = 1.0;
+};
+
+}  // namespace ajar

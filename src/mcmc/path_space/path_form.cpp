@@ -1,0 +1,25 @@
+#include "mcmc/path_space/path_form.h"
+
+namespace ajar {
+
+int first_rough_from_camera(const Path& path) {
+  int x = path.depth() - 1;
+  while (x > 0 && path.vertex(x).event.specular()) --x;
+  return x;
+}
+
+bool can_join(const Path& path, int x) {
+  const auto is_rough = [&](int vertex) {
+    return vertex == 0 || vertex == path.depth() || !path.vertex(vertex).event.specular();
+  };
+  return is_rough(x - 1) && is_rough(x);
+}
+
+bool same_events(const Path& a, const Path& b, int first, int last) {
+  for (int x = first; x <= last; ++x) {
+    if (!a.vertex(x).event.specular() || a.vertex(x).event != b.vertex(x).event) return false;
+  }
+  return true;
+}
+
+}  // namespace ajar

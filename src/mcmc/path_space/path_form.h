@@ -1,0 +1,13 @@
+#pragma once
+#include "path/path.h"
+
+namespace ajar {
+
+/// The first vertex in the scene, from the camera, that is not specular; 0 if there is none.
+int first_rough_from_camera(const Path& path);
+/// Whether an edge between x − 1 and x could have been made by joining two subpaths.
+bool can_join(const Path& path, int x);
+/// Whether both scatter by the same specular events at the vertices `first` to `last`.
+bool same_events(const Path& a, const Path& b, int first, int last);
+
+}  // namespace ajar

@@ -1,0 +1,110 @@
+#include "mcmc/path_space/path_kernel.h"
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+
+#include "core/random_use.h"
+#include "mcmc/counter_random.h"
+#include "path/measure.h"
+
+namespace ajar {
+
+double light_on(const Scene& scene, const Path& path, const RasterArea& area, std::int32_t layer,
+                SplatBuffer& splats) {
+  constexpr double kDark = -std::numeric_limits<double>::infinity();
+  if (!area.contains(path.raster)) return kDark;
+  const ScaledSpectrum f = contribution(scene, path);
+  if (f.spectrum.min() < 0.F) return std::numeric_limits<double>::quiet_NaN();
+  const double light = f.log_luminance();
+  if (std::isfinite(light)) {
+    splats.push_back({path.raster, layer, f.spectrum / luminance(f.spectrum)});
+  }
+  return light;
+}
+
+PathKernel::PathKernel(const Scene& scene, const RasterArea& area,
+                       std::vector<MixedMutation> mutations, std::int32_t (*layer)(int depth))
+    : scene_(scene), area_(area), mutations_(std::move(mutations)), layer_(layer) {
+  for (const MixedMutation& mixed : mutations_) moves_.push_back({mixed.mutation->name(), false});
+}
+
+double PathKernel::suitable_weight(const Path& path) const {
+  double weight = 0.0;
+  for (const MixedMutation& mixed : mutations_) {
+    if (mixed.mutation->suitable(path)) weight += mixed.weight;
+  }
+  return weight;
+}
+
+void PathKernel::start(PathChain& chain) {
+  chain_ = &chain;
+  splats_.clear();
+  const Path& path = chain.path;
+  current_.log_light = light_on(scene_, path, area_, layer_(path.depth()), splats_);
+  current_.weight = suitable_weight(path);
+  if (!std::isfinite(current_.log_light)) {
+    throw std::logic_error("bug: the path of a Markov chain is dark. To replay: seed " +
+                           std::to_string(chain.seed) + ", origin " + std::to_string(chain.origin) +
+                           ", " + std::to_string(chain.step) + " steps");
+  }
+}
+
+Proposal PathKernel::propose(std::uint64_t key) {
+  candidate_.splats.clear();
+  candidate_.take(0.0);
+  candidate_.probability = 0.0;
+  consider(key);
+  return {move_, {&candidate_, 1}};
+}
+
+void PathKernel::consider(std::uint64_t key) {
+  const Path& x = chain_->path;
+  double left =
+      to_unit_double(counter_bits(hash_numbers(key, RandomUse::PathMutation), 0)) * current_.weight;
+  const MixedMutation* chosen = nullptr;
+  move_ = 0;
+  for (std::size_t i = 0; i < mutations_.size(); ++i) {
+    const MixedMutation& mixed = mutations_[i];
+    if (!(mixed.weight > 0.0) || !mixed.mutation->suitable(x)) continue;
+    chosen = &mixed;
+    move_ = i;
+    if (left < mixed.weight) break;
+    left -= mixed.weight;
+  }
+  if (chosen == nullptr) return;
+  PathMutation& mutation = *chosen->mutation;
+  const auto kept = mutation.propose(x, hash_numbers(key, RandomUse::PathNumbers), path_);
+  if (!kept) return;
+  proposed_.log_light = light_on(scene_, path_, area_, layer_(path_.depth()), candidate_.splats);
+  if (!std::isfinite(proposed_.log_light)) {
+    // Of what is no number chains keep count.
+    if (proposed_.log_light != -std::numeric_limits<double>::infinity()) {
+      candidate_.take(proposed_.log_light);
+    }
+    return;
+  }
+  if (!mutation.suitable(path_)) return;
+  proposed_.weight = suitable_weight(path_);
+  const double forth = mutation.log_density(x, path_, *kept);
+  const double back = mutation.log_density(path_, x, *kept);
+  const double log_ratio = proposed_.log_light - current_.log_light + back - forth +
+                           std::log(current_.weight / proposed_.weight);
+  candidate_.take(1.0);
+  if (std::isfinite(forth)) candidate_.probability = metropolis_hastings(1.0, 1.0, log_ratio);
+}
+
+void PathKernel::accept(std::size_t /*candidate*/) {
+  std::swap(chain_->path, path_);
+  current_ = proposed_;
+  std::swap(splats_, candidate_.splats);
+}
+
+RayCounts PathKernel::ray_counts() const {
+  RayCounts rays;
+  for (const MixedMutation& mixed : mutations_) rays.add_rays(mixed.mutation->ray_counts());
+  return rays;
+}
+
+}  // namespace ajar

@@ -1,0 +1,68 @@
+#pragma once
+#include <memory>
+#include <vector>
+
+#include "mcmc/kernel.h"
+#include "mcmc/path_space/path_chain.h"
+#include "mcmc/path_space/path_mutation.h"
+#include "path/raster_area.h"
+
+namespace ajar {
+
+/// A mutation, and how often it is tried beside others that are suitable.
+struct MixedMutation {
+  std::unique_ptr<PathMutation> mutation;
+  double weight;
+};
+
+/// Steps in path space (Veach 1997, chapter 11): the state is a path, its density in proportion to
+/// the luminance of what it brings to a place in an area of the film. A step chooses among the
+/// mutations that are suitable, by weights that are made to sum to one there; each keeps the
+/// density by itself, so only how often it was chosen counts on both sides.
+class PathKernel final : public Kernel {
+ public:
+  /// `scene` must outlive it; at least one mutation. `layer`: of the film, by the number of edges.
+  PathKernel(const Scene& scene, const RasterArea& area, std::vector<MixedMutation> mutations,
+             std::int32_t (*layer)(int depth));
+
+  /// Goes on with a chain, which must stay where it is meanwhile. Raises std::logic_error if there
+  /// is no light on its path.
+  void start(PathChain& chain);
+
+  std::span<const Move> moves() const override { return moves_; }
+  std::span<const Splat> current() const override { return splats_; }
+  Proposal propose(std::uint64_t key) override;
+  void accept(std::size_t candidate) override;
+  void reject() override {}
+
+  RayCounts ray_counts() const;
+
+ private:
+  /// What is known of a path as long as it is a state.
+  struct State {
+    double log_light = 0.0;  ///< ln f*
+    double weight = 0.0;     ///< of all suitable mutations
+  };
+  double suitable_weight(const Path& path) const;
+  void consider(std::uint64_t key);
+
+  const Scene& scene_;
+  RasterArea area_;
+  std::vector<MixedMutation> mutations_;
+  std::vector<Move> moves_;
+  std::int32_t (*layer_)(int depth);
+  PathChain* chain_ = nullptr;
+  State current_;
+  State proposed_;
+  SplatBuffer splats_;  ///< of the current one
+  Path path_;           ///< that is proposed
+  std::size_t move_ = 0;
+  Candidate candidate_;
+};
+
+/// ln f* of a path and what it splats at I = 1: nothing, and −∞, if no light is on it; NaN if what
+/// is on it is no number, or negative.
+double light_on(const Scene& scene, const Path& path, const RasterArea& area, std::int32_t layer,
+                SplatBuffer& splats);
+
+}  // namespace ajar

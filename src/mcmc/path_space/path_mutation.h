@@ -1,0 +1,38 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "path/path.h"
+
+namespace ajar {
+
+/// What a mutation leaves of a path: so many vertices at its two ends, the endpoints among them. A
+/// camera end of one vertex is the place on the lens: where on the film the path lands may change.
+struct Kept {
+  int light = 0;
+  int camera = 0;
+};
+
+/// A way to change paths (docs/methods/mlt.md): vertices in the midst of a path, or at its ends,
+/// give way to others. Holds the scratch memory of one thread. Source: Veach 1997, section 11.4.
+class PathMutation {
+ public:
+  virtual ~PathMutation() = default;
+  virtual std::string_view name() const = 0;
+  /// Whether it is for paths like this one, for which it then finds something to change.
+  virtual bool suitable(const Path& path) const = 0;
+  /// Makes `y` of `x`, which is another object, by the randomness that `key` names; whether there
+  /// is any light on it has not been asked. Empty if the attempt came to nothing: then `y` is
+  /// anything.
+  virtual std::optional<Kept> propose(const Path& x, std::uint64_t key, Path& y) = 0;
+  /// ln T(x → y): of the density with which `propose` puts the vertices of `y` that are not `kept`
+  /// in the place of those of `x`, over all ways to come there. In the measure of
+  /// `contribution`: the deltas of specular vertices, which are to be those over the direction
+  /// toward the light, are left out. −∞ if it never does.
+  virtual double log_density(const Path& x, const Path& y, const Kept& kept) const = 0;
+  /// Rays traced so far.
+  virtual const RayCounts& ray_counts() const = 0;
+};
+
+}  // namespace ajar
