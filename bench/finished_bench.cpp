@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "image/blur.h"
 #include "image/flip.h"
 #include "image/metrics.h"
 #include "image/relative_error.h"
@@ -16,6 +17,7 @@
 #include "measuring/bench_scenes.h"
 #include "measuring/csv_keys.h"
 #include "measuring/measured_scene.h"
+#include "measuring/reference.h"
 #include "measuring/timed_render.h"
 #include "post/denoise/denoiser.h"
 #include "session/interrupts.h"
@@ -64,13 +66,17 @@ std::vector<ReadyFilter> make_filters(const MeasuredScene& scene, const Argument
 
 std::string raw_columns(const MeasuredScene& scene, const TimedRender& render) {
   const std::vector<float>& picture = render.picture;
+  const auto& [first, second] = scene.references;
+  const Vec2i size = scene.settings.resolution;
   const auto at_scale = [&](double sigma) {
-    return relative_mse_at_scale(picture, scene.truth, scene.settings.resolution, sigma);
+    return own_error(blurred(picture, size, sigma), blurred(first, size, sigma),
+                     blurred(second, size, sigma))
+        .plain;
   };
+  const OwnError error = own_error(picture, first, second);
   return fmt::format(
       "{:.2f},{},{:.4g},{:.4g},{:.4g},{:.4g},{:.4g},{:.4g},{:.4g},{:.4g},{:.4g}",
-      render.cpu_seconds, render.samples, scene.truth_floor.plain,
-      relative_mse(picture, scene.truth), relative_mse_trimmed(picture, scene.truth),
+      render.cpu_seconds, render.samples, scene.truth_floor.plain, error.plain, error.trimmed,
       relative_mse_quantile(picture, scene.truth), at_scale(1.0), at_scale(2.0), at_scale(4.0),
       at_scale(8.0),
       map_mean(flip_map(to_ldr(picture), to_ldr(scene.truth), scene.settings.resolution)));
@@ -80,9 +86,9 @@ std::string raw_columns(const MeasuredScene& scene, const TimedRender& render) {
 std::string filtered_columns(const MeasuredScene& scene, const Picture& picture) {
   const std::vector<float>& pixels = shown_layer(picture).pixels;
   const std::optional<double> estimate = denoised_error(picture);
+  const OwnError error = own_error(pixels, scene.references[0], scene.references[1]);
   return fmt::format(
-      "{:.4g},{:.4g},{:.4g},{:.4g},{}", relative_mse(pixels, scene.truth),
-      relative_mse_trimmed(pixels, scene.truth),
+      "{:.4g},{:.4g},{:.4g},{:.4g},{}", error.plain, error.trimmed,
       map_mean(flip_map(to_ldr(pixels), to_ldr(scene.truth), scene.settings.resolution)),
       relative_error(pixels, scene.truth).value_or(0.0),
       estimate ? fmt::format("{:.4g}", *estimate) : "");

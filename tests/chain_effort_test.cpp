@@ -5,7 +5,6 @@
 #include <cmath>
 #include <memory>
 #include <optional>
-#include <random>
 #include <vector>
 
 #include "integrator/selective/chain_family.h"
@@ -59,39 +58,10 @@ class ChainEffortTest : public testing::Test {
     // More than are left out of sums of squares.
     for (std::size_t i = 0; i < pixels_ / 100; ++i) of_chains.variance[i] = 1e4;
     std::optional<ChainEffort::Seen> seen;
-    if (by_eye) seen = {pictures_of(of_omc.variance), pictures_of(of_chains.variance), 16.0, 16.0};
+    if (by_eye) seen = {pictures_of(of_omc.variance), pictures_of(of_chains.variance)};
     effort_.adjust(16, of_omc, of_chains, seen);
     return mutations_after(16);
   }
-  /// If chains leave as much error as ordinary Monte Carlo, in each stretch of 16 samples the same
-  /// or another.
-  double mutations_with_errors_that(bool last) {
-    std::mt19937 random(5);
-    std::normal_distribution<float> normal;
-    Pictures sums(2, std::vector<float>(pixels_, 0.F));
-    Pictures errors_of_stretch = sums;
-    const auto draw = [&] {
-      for (std::vector<float>& picture : errors_of_stretch) {
-        for (float& error : picture) error = normal(random);
-      }
-    };
-    draw();
-    constexpr std::uint64_t kStretches = 8;
-    for (std::uint64_t i = 1; i <= kStretches; ++i) {
-      if (!last) draw();
-      Pictures mean(2, std::vector<float>(pixels_));
-      for (std::size_t r = 0; r < 2; ++r) {
-        for (std::size_t j = 0; j < pixels_; ++j) {
-          sums[r][j] += errors_of_stretch[r][j];
-          mean[r][j] = sums[r][j] / static_cast<float>(i);
-        }
-      }
-      const ChainEffort::Seen seen{mean, mean, static_cast<double>(i), 1.0};
-      effort_.adjust(16 * i, errors(1.0), errors(1.0), seen);
-    }
-    return mutations_after(16 * kStretches);
-  }
-
   std::unique_ptr<Scene> scene_;
   ChainPlan plan_;
   std::size_t pixels_;
@@ -106,10 +76,6 @@ TEST_F(ChainEffortTest, IsForTheLeastThatCanBeSeen) {
   EXPECT_LT(mutations_with_few_bad_pixels(true), 0.5);
 }
 
-TEST_F(ChainEffortTest, SparesMutationsThatDoNotHelp) {
-  EXPECT_LT(mutations_with_errors_that(true), 0.02);
-}
-
 TEST_F(ChainEffortTest, GivesReplicatesTheirShares) {
   constexpr std::size_t kChains = 4;
   const std::uint64_t usual = effort_.steps(7, kChains, 1.0);
@@ -118,8 +84,6 @@ TEST_F(ChainEffortTest, GivesReplicatesTheirShares) {
               2.0);
   EXPECT_EQ(effort_.steps(7, kChains, 0.0), 1U) << "chains stay on the move";
 }
-
-TEST_F(ChainEffortTest, IsForMutationsThatDo) { EXPECT_GT(mutations_with_errors_that(false), 0.5); }
 
 }  // namespace
 }  // namespace ajar

@@ -105,6 +105,21 @@ TEST(SceneFeatures, OfACropAreThoseOfTheWhole) {
   }
 }
 
+TEST(SceneFeatures, AreOfOneRayForAPixelWhereSomebodyWaits) {
+  // Glass that mirrors or lets through by chance: of sixteen rays few pixels see the same.
+  const auto scene = scene_of("Material \"glass\" Translate 0 0 4 Shape \"sphere\"\n" +
+                              std::string(kRed) + wall(5.F));
+  const RenderSettings settings = settings_for(*scene);
+  const Features rough = *trace_features(*scene, settings, {}, true);
+  int whole = 0;
+  for (std::size_t i = 0; i < rough.normal.size(); i += 3) {
+    const Vec3 normal(rough.normal[i], rough.normal[i + 1], rough.normal[i + 2]);
+    // Of one surface, or of none: a mean of several would be shorter than either.
+    whole += std::abs(normal.length() - 1.F) < 1e-5F || normal.length() < 1e-5F ? 1 : 0;
+  }
+  EXPECT_EQ(whole, static_cast<int>(rough.normal.size() / 3));
+}
+
 TEST(SceneFeatures, EndWhenTheyAreTold) {
   const auto scene = scene_of(kRed + wall(5.F));
   double last = 0.0;

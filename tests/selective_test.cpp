@@ -354,25 +354,6 @@ TEST(Selective, TakesNoChainsWhereTheUserWantsNone) {
   }
 }
 
-/// Through stretches that are some way apart, so not at once; and only of the effort that is shared
-/// by what is seen.
-TEST(Selective, FindsOutHowMuchOfTheChainsErrorLasts) {
-  const auto scene = small_scene("RoughGlass");
-  test::RenderOptions options = selective_options(12);
-  options.parameters = {{"split", "0.1"}, {"bootstrap", "3000"}};
-  options.max_depth = 6;
-  const auto lasting = [&] {
-    const MethodReport report = test::render(*scene, options).integrator->report();
-    return report.at("selective").at("chains").at("lasting_error");
-  };
-  EXPECT_TRUE(lasting().is_null());
-  options.samples = 32;
-  const MethodReport known = lasting();
-  ASSERT_FALSE(known.is_null());
-  EXPECT_GT(known, 0.0);
-  EXPECT_LT(known, 0.9);
-}
-
 /// Nothing is divided, and the film has no layer for it.
 TEST(Selective, RendersDirectLightAlone) {
   test::RenderOptions options;

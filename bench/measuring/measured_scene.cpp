@@ -51,11 +51,13 @@ void average(const std::vector<ReferencePart>& parts, MeasuredScene& scene) {
 }
 
 /// False if interrupted.
-bool render_reference(const MeasuredScene& scene, const char* method, double cpu_seconds,
+bool render_reference(const MeasuredScene& scene, std::size_t which, double cpu_seconds,
                       const ReferenceStore& store) {
+  const char* method = kMethods[which];
   fmt::print(stderr, "{}: reference by {}, {:.0f} CPU-seconds\n", scene.name, method, cpu_seconds);
   RenderSettings settings = scene.settings;
-  settings.seed = kReferenceSeed;
+  // Both make some of the light alike: with one seed, they would have the same noise in it.
+  settings.seed = kReferenceSeed + which;
   TimedRender render =
       render_for({cpu_seconds}, *scene.scene, parse_variant(method), settings, interrupt_count());
   if (interrupt_count() > 0) return false;
@@ -82,15 +84,18 @@ std::optional<MeasuredScene> measure_scene(const BenchScene& bench_scene,
   scene.settings = settings_for(*scene.scene);
   scene.settings.max_depth = max_depth;
   std::vector<ReferencePart> parts;
-  for (const char* method : kMethods) {
-    const ReferenceStore store(measure.folder,
-                               {scene.name, size, scene.settings.max_depth,
-                                measure.box_filter ? "box" : "scene", method, scene.scene->hash()});
+  for (std::size_t which = 0; which < kMethods.size(); ++which) {
+    const ReferenceStore store(measure.folder, {scene.name, size, scene.settings.max_depth,
+                                                measure.box_filter ? "box" : "scene",
+                                                kMethods[which], scene.scene->hash()});
     if (store.count() == 0 &&
-        !render_reference(scene, method, measure.reference_seconds / kMethods.size(), store)) {
+        !render_reference(scene, which, measure.reference_seconds / kMethods.size(), store)) {
       return std::nullopt;
     }
-    for (ReferencePart& part : store.load()) parts.push_back(std::move(part));
+    const std::vector<ReferencePart> own = store.load();
+    const Reference reference = average(own);
+    scene.references[which] = reference.picture;
+    parts.insert(parts.end(), own.begin(), own.end());
   }
   average(parts, scene);
   return scene;

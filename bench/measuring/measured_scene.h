@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
@@ -24,7 +25,9 @@ struct MeasuredScene {
   desc::SceneDesc description;
   std::unique_ptr<Scene> scene;  ///< built of it
   RenderSettings settings;
-  std::vector<float> truth;
+  /// By one method each, independent of one another.
+  std::array<std::vector<float>, 2> references;
+  std::vector<float> truth;  ///< their average
   double truth_error = 0.0;  ///< `relative_error` of its own noise
   NoiseFloor truth_floor;    ///< what that noise alone adds to the relMSE of a picture
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "image/metrics.h"
 
@@ -15,6 +16,27 @@ double unexplained(double difference, double explained) {
   return std::max(difference - explained, kLeastShare * difference);
 }
 
+/// A pixel as it is measured.
+struct PixelError {
+  double own = 0.0;         ///< the product of its differences from both references
+  double seen = 0.0;        ///< squared difference from their mean
+  double references = 0.0;  ///< squared difference between them
+};
+
+/// Keeps the pixels of which `value` is least, all but a share of them.
+void leave_out(std::vector<PixelError>& pixels, double share, double PixelError::*value) {
+  const auto kept = static_cast<std::ptrdiff_t>(std::ceil((1.0 - share) * pixels.size()));
+  std::nth_element(pixels.begin(), pixels.begin() + kept - 1, pixels.end(),
+                   [&](const PixelError& a, const PixelError& b) { return a.*value < b.*value; });
+  pixels.resize(static_cast<std::size_t>(kept));
+}
+
+double mean_own(const std::vector<PixelError>& pixels) {
+  double sum = 0.0;
+  for (const PixelError& pixel : pixels) sum += pixel.own;
+  return sum / static_cast<double>(pixels.size());
+}
+
 /// Floor of (1 − weight)·a + weight·b.
 double mixed_floor(double a, double b, double weight) {
   return (1.0 - weight) * (1.0 - weight) * a + weight * weight * b;
@@ -26,6 +48,34 @@ NoiseFloor noise_floor(std::span<const float> picture, std::span<const float> st
   std::vector<float> off_by_one_error(picture.begin(), picture.end());
   for (std::size_t i = 0; i < picture.size(); ++i) off_by_one_error[i] += standard_error[i];
   return {relative_mse(off_by_one_error, picture), relative_mse_trimmed(off_by_one_error, picture)};
+}
+
+OwnError own_error(std::span<const float> picture, std::span<const float> first,
+                   std::span<const float> second) {
+  constexpr std::size_t kChannels = 3;
+  constexpr double kDisputed = 0.01;
+  constexpr double kWorst = 0.001;
+  if (picture.empty() || picture.size() % kChannels != 0 || first.size() != picture.size() ||
+      second.size() != picture.size()) {
+    throw std::invalid_argument("own error: a picture and references of different sizes");
+  }
+  std::vector<PixelError> pixels(picture.size() / kChannels);
+  for (std::size_t i = 0; i < picture.size(); ++i) {
+    const double a = picture[i] - double{first[i]};
+    const double b = picture[i] - double{second[i]};
+    const double mean = 0.5 * (double{first[i]} + double{second[i]});
+    const double unit = kChannels * (mean * mean + kRelativeMseEpsilon);
+    PixelError& pixel = pixels[i / kChannels];
+    pixel.own += a * b / unit;
+    pixel.seen += 0.25 * (a + b) * (a + b) / unit;
+    pixel.references += (a - b) * (a - b) / unit;
+  }
+  leave_out(pixels, kDisputed, &PixelError::references);
+  OwnError error;
+  error.plain = mean_own(pixels);
+  leave_out(pixels, kWorst, &PixelError::seen);
+  error.trimmed = mean_own(pixels);
+  return error;
 }
 
 Reference average(std::span<const ReferencePart> parts) {

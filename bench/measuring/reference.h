@@ -33,6 +33,20 @@ struct Reference {
 /// the trimmed one does not depend on it.
 NoiseFloor noise_floor(std::span<const float> picture, std::span<const float> standard_error);
 
+/// relMSE of a picture without what the noise of references adds to it.
+struct OwnError {
+  double plain = 0.0;
+  double trimmed = 0.0;  ///< without the 0.1 % of the pixels that differ most from the references
+};
+
+/// Mean of (a − r₁)(a − r₂)/(r² + 0.01), r being the mean of the references r₁ and r₂. Their noise
+/// is in no square, so that it adds nothing on average, if all three pictures are independent. The
+/// hundredth of the pixels in which the references differ most is left out, whatever the picture is
+/// there; that leaves a twenty-fifth of the squared noise of one reference in the error. Raises
+/// std::invalid_argument if they have not as many values, by threes.
+OwnError own_error(std::span<const float> picture, std::span<const float> first,
+                   std::span<const float> second);
+
 /// Mean of independent renders by one method, weighted by samples. There must be at least one.
 Reference average(std::span<const ReferencePart> parts);
 

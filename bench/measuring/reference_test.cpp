@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <random>
+#include <stdexcept>
 
 #include "image/metrics.h"
 
@@ -33,6 +34,37 @@ TEST(Reference, PartsAreWeightedBySamples) {
   EXPECT_EQ(reference.parts, 2U);
   // Variance of the first value: (3/4·0.1)² + (1/4·0.3)².
   EXPECT_NEAR(reference.floor.plain, 2 * 0.075 * 0.075 / 4.01 / 3, 1e-7);
+}
+
+TEST(Reference, NoiseIsNotInAPicturesOwnError) {
+  constexpr double kSigma = 0.05;
+  const std::vector<float> picture = noisy(kValues, kSigma, 1);
+  const double own = kSigma * kSigma / 1.01;
+  for (const double noise : {0.0, 0.05, 0.1}) {
+    const std::vector<float> first = noisy(kValues, noise, 2);
+    const std::vector<float> second = noisy(kValues, noise, 3);
+    const OwnError error = own_error(picture, first, second);
+    // Products are known to (own + noise²)/245, and five times that is allowed, beside what is left
+    // where the references do not agree.
+    const double allowed = 5.0 * (own + noise * noise) / 245.0 + 0.04 * noise * noise;
+    EXPECT_NEAR(error.plain, own, allowed) << noise;
+    EXPECT_LT(error.trimmed, error.plain);
+    EXPECT_GT(error.trimmed, 0.97 * error.plain);
+  }
+}
+
+TEST(Reference, OwnErrorKnowsFirefliesOfThePictureFromThoseOfReferences) {
+  std::vector<float> picture(kValues, 1.F);
+  std::vector<float> first = picture;
+  const std::vector<float> second = picture;
+  first[300] = 1e4F;
+  EXPECT_EQ(own_error(picture, first, second).plain, 0.0);
+  picture[600] = 101.F;
+  const OwnError error = own_error(picture, first, second);
+  EXPECT_NEAR(error.plain, 1e4 / 1.01 / (0.99 * kValues), 1e-6);
+  EXPECT_EQ(error.trimmed, 0.0);
+  EXPECT_THROW(own_error(picture, first, {}), std::invalid_argument);
+  EXPECT_THROW(own_error({}, {}, {}), std::invalid_argument);
 }
 
 TEST(Reference, FloorIsTheErrorThatItsNoiseCauses) {

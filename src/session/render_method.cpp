@@ -108,13 +108,13 @@ void make_filter(RenderState& state) {
   const RenderSettings& settings = state.plan->setup.settings;
   Features known;
   if (state.order.resumed) known = state.order.resumed->features;
-  const auto look = [&scene = *state.scene, settings,
+  const auto look = [&scene = *state.scene, settings, roughly = !state.has_begun,
                      known = std::move(known)](const Denoiser::Progress& progress) {
-    return known.empty() ? trace_features(scene, settings, progress) : known;
+    return known.empty() ? trace_features(scene, settings, progress, roughly) : known;
   };
   state.filter = std::make_shared<PictureFilter>(std::move(denoiser), look);
   // Those who merge checkpoints have no scene to look at.
-  if (state.order.files.checkpoint.empty()) return;
+  if (state.order.files.checkpoint.empty() || !state.has_begun) return;
   const int before = state.interrupts;
   state.filter->know_features(settings.crop.size() + Vec2i(1, 1),
                               [&](double /*done*/) { return state.interrupts == before; });

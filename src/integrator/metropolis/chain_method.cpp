@@ -73,7 +73,7 @@ Findings ChainMethod::findings() const {
     found.notes = {
         "too little time to look for light that chains start from: rendered by plain Monte Carlo "
         "(" +
-        order_.monte_carlo.get_text("techniques") + ")"};
+        order_.monte_carlo.get_text("techniques") + "); for chains, begin anew with more time"};
   } else if (has_chains()) {
     found.notes = {"Markov chains make all light"};
   }

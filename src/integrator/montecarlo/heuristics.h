@@ -12,11 +12,9 @@ struct MonteCarloHeuristics {
   /// Unit: pixels across. Range: >= 1. Source: docs/notebook/selective.md, "Where camera samples
   /// go"; half and double not measured.
   static constexpr int kRateCell = 4;
-  /// What a few samples say of noise is not believed beyond these.
-  /// Unit: rate over the mean rate. Range: (0, 1]. Source: the same.
-  static constexpr double kLowestRate = 0.25;
-  /// Unit: rate over the mean rate. Range: >= 1. Source: the same.
-  static constexpr double kHighestRate = 8.0;
+  /// What a few samples say of noise is not believed beyond this, nor below one over it.
+  /// Unit: rate over the mean rate. Range: >= 1. Source: docs/notebook/selective.md, "Constants".
+  static constexpr double kMostRate = 8.0;
 
   // -------------------------------------------------------- scale of a picture
   //

@@ -16,8 +16,7 @@ namespace ajar {
 namespace {
 
 constexpr int kCellSize = MonteCarloHeuristics::kRateCell;
-constexpr double kLowest = MonteCarloHeuristics::kLowestRate;
-constexpr double kHighest = MonteCarloHeuristics::kHighestRate;
+constexpr double kMost = MonteCarloHeuristics::kMostRate;
 
 }  // namespace
 
@@ -124,7 +123,7 @@ void SampleRates::adjust(std::span<const double> variance, Guesses guesses, std:
     for (double& rate : rates) rate = all > 0.0 && std::isfinite(all) ? rate / all : 1.0;
   };
   make_mean_one();
-  for (double& rate : rates) rate = std::clamp(rate, kLowest, kHighest);
+  for (double& rate : rates) rate = std::clamp(rate, 1.0 / kMost, kMost);
   make_mean_one();
   for (std::size_t i = 0; i < grid_.size(); ++i) grid_[i].rate = rates[i];
   light_weight_ = static_cast<float>(1.0 / mean(rates));
@@ -165,9 +164,9 @@ void SampleRates::load_state(InputArchive& archive, std::uint64_t samples) {
   for (Cell& cell : grid_) {
     archive(cell.before, cell.inverse, cell.rate);
     // What is clamped is then divided by its mean, which is within the same bounds.
-    constexpr double kMost = kHighest / kLowest;
-    const double most = kMost * static_cast<double>(since_);
-    if (!(cell.rate * kMost >= 1.0 && cell.rate <= kMost && cell.before >= 0.0 &&
+    constexpr double kBeyond = kMost * kMost;
+    const double most = kBeyond * static_cast<double>(since_);
+    if (!(cell.rate * kBeyond >= 1.0 && cell.rate <= kBeyond && cell.before >= 0.0 &&
           cell.before <= most && cell.inverse >= 0.0 && cell.inverse <= most)) {
       throw std::runtime_error("a rate of samples that cannot be");
     }

@@ -79,7 +79,9 @@ Sight look(const Scene& scene, SampleSource& source, const Vec2& raster, int max
 }  // namespace
 
 std::optional<Features> trace_features(const Scene& scene, const RenderSettings& settings,
-                                       const std::function<bool(double done)>& progress) {
+                                       const std::function<bool(double done)>& progress,
+                                       bool roughly) {
+  const std::uint32_t samples = roughly ? 1 : MonteCarloHeuristics::kFeatureSamples;
   const Vec2i size = settings.crop.size() + Vec2i(1, 1);
   const std::size_t values =
       3 * static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
@@ -93,7 +95,7 @@ std::optional<Features> trace_features(const Scene& scene, const RenderSettings&
       const Vec2i pixel = settings.crop.min + Vec2i(x, y);
       Spectrum albedo(0.F);
       Vec3 normal(0.F);
-      for (std::uint32_t i = 0; i < MonteCarloHeuristics::kFeatureSamples; ++i) {
+      for (std::uint32_t i = 0; i < samples; ++i) {
         const std::uint64_t own = hash_numbers(seed, pixel.x, pixel.y);
         SobolSource source({own, i, own, i});
         const Vec2 offset = source.get_pair({Stream::Camera, 0, kEmissionDirection});
@@ -106,10 +108,8 @@ std::optional<Features> trace_features(const Scene& scene, const RenderSettings&
                static_cast<std::size_t>(x));
       for (int c = 0; c < 3; ++c) {
         const std::size_t index = first + static_cast<std::size_t>(c);
-        features.albedo[index] =
-            albedo[c] / static_cast<float>(MonteCarloHeuristics::kFeatureSamples);
-        features.normal[index] =
-            normal[c] / static_cast<float>(MonteCarloHeuristics::kFeatureSamples);
+        features.albedo[index] = albedo[c] / static_cast<float>(samples);
+        features.normal[index] = normal[c] / static_cast<float>(samples);
       }
     }
     const double done = static_cast<double>(++rows) / size.y;

@@ -11,8 +11,9 @@ namespace ajar {
 /// by chance as Fresnel's equations have it, to the first surface that scatters, each pixel's mean
 /// over its own square. On all threads, of the crop; by the picture's seed, whatever the integrator
 /// does. Any thread tells `progress` how much is done, in [0, 1]; false ends it, and there is
-/// nothing.
+/// nothing. `roughly`: with one ray for each pixel, where somebody waits.
 std::optional<Features> trace_features(const Scene& scene, const RenderSettings& settings,
-                                       const std::function<bool(double done)>& progress = {});
+                                       const std::function<bool(double done)>& progress = {},
+                                       bool roughly = false);
 
 }  // namespace ajar

@@ -41,7 +41,6 @@ void ChainEffort::count_chains(std::uint64_t rays, std::uint64_t mutations) {
 
 void ChainEffort::adjust(std::uint64_t samples, const WeightedErrors& of_omc,
                          const WeightedErrors& of_chains, const std::optional<Seen>& seen) {
-  if (seen) lasting_.see(seen->of_chains, seen->weight, seen->samples_behind);
   const double error = sum_of(trimmed(of_chains.variance));
   const double light = sum_of(of_chains.light);
   const double omc_error = sum_of(trimmed(of_omc.variance));
@@ -52,8 +51,6 @@ void ChainEffort::adjust(std::uint64_t samples, const WeightedErrors& of_omc,
   const ThresholdCosts costs{
       static_cast<double>(omc_rays_) / static_cast<double>(omc_samples_) * pixels,
       static_cast<double>(chain_rays_) / static_cast<double>(mutations_), correlation_, 0.0};
-  const double lowest = ChainPlan::clamp_mutations(rate() / SelectiveHeuristics::kMostChange);
-  const double highest = ChainPlan::clamp_mutations(rate() * SelectiveHeuristics::kMostChange);
   double best = 0.0;
   if (seen) {
     const auto done = static_cast<double>(omc_samples(samples));
@@ -64,9 +61,9 @@ void ChainEffort::adjust(std::uint64_t samples, const WeightedErrors& of_omc,
     };
     best = mutations_of_least_visible_error(
                of_one_sample(seen->of_omc), of_one_sample(seen->of_chains),
-               lasting_.share().value_or(SelectiveHeuristics::kUsuallyLasts),
                mutations(samples) / done * pixels, costs.omc_sample, costs.mutation,
-               lowest * pixels, highest * pixels) /
+               SelectiveHeuristics::kFewestMutations * pixels,
+               SelectiveHeuristics::kMostMutations * pixels) /
            pixels;
   } else {
     best = best_mutations(omc_error * static_cast<double>(omc_samples(samples)), light, costs) /
@@ -75,7 +72,8 @@ void ChainEffort::adjust(std::uint64_t samples, const WeightedErrors& of_omc,
   // Sums that saturate may leave nothing to compare.
   if (!std::isfinite(best)) return;
   before_ = mutations(samples);
-  adjusted_ = std::clamp(best, lowest, highest);
+  adjusted_ = ChainPlan::clamp_mutations(std::clamp(best, rate() / SelectiveHeuristics::kMostChange,
+                                                    rate() * SelectiveHeuristics::kMostChange));
   since_ = samples;
 }
 
@@ -83,7 +81,6 @@ ChainEffort::Known ChainEffort::known() const {
   const double all = static_cast<double>(omc_rays_ + chain_rays_);
   Known known{.mutations_per_sample = rate(),
               .correlation = std::nullopt,
-              .lasting_error = lasting_.share(),
               .chain_rays = all > 0.0 ? static_cast<double>(chain_rays_) / all : 0.0,
               .chain_error = std::nullopt};
   if (correlation_ > 0.0) {
@@ -102,7 +99,6 @@ void ChainEffort::set_counts(const std::array<std::uint64_t, 4>& counts) {
 
 void ChainEffort::save_state(OutputArchive& archive) const {
   archive(adjusted_, since_, before_, correlation_, chain_error_, counts());
-  lasting_.save_state(archive);
 }
 
 void ChainEffort::load_state(InputArchive& archive, std::uint64_t samples) {
@@ -117,7 +113,6 @@ void ChainEffort::load_state(InputArchive& archive, std::uint64_t samples) {
     throw std::runtime_error("an effort of chains that cannot be");
   }
   set_counts(known_);
-  lasting_.load_state(archive);
 }
 
 void ChainEffort::give_news(OutputArchive& archive) {

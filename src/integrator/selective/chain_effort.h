@@ -7,7 +7,6 @@
 
 #include "core/archive_forward.h"
 #include "integrator/selective/chain_plan.h"
-#include "integrator/selective/lasting_error.h"
 #include "integrator/selective/weighted_errors.h"
 
 namespace ajar {
@@ -17,8 +16,7 @@ namespace ajar {
 class ChainEffort {
  public:
   /// The plan must outlive it; to be asked after the preparation.
-  explicit ChainEffort(const ChainPlan& plan)
-      : plan_(plan), lasting_(plan.pixels(), plan.settings.replicates) {}
+  explicit ChainEffort(const ChainPlan& plan) : plan_(plan) {}
 
   /// Camera samples of ordinary Monte Carlo per pixel that belong to the first `samples`; those of
   /// a pilot that stays come before.
@@ -44,8 +42,6 @@ class ChainEffort {
   struct Seen {
     std::vector<std::vector<float>> of_omc;
     std::vector<std::vector<float>> of_chains;
-    double weight;          ///< that stretches of chains add up to, as `LastingError` has it
-    double samples_behind;  ///< likewise
   };
   /// Shares the effort anew, by the errors that replicates show after `samples` samples of what
   /// either half makes: for the least that can be seen, or if that is not given, for the least
@@ -56,13 +52,11 @@ class ChainEffort {
   /// What it knows, if it does.
   struct Known {
     double mutations_per_sample;
-    std::optional<double> correlation;    ///< variance of chains over that of as many samples
-    std::optional<double> lasting_error;  ///< share of their error that mutations do not make less
-    double chain_rays;                    ///< share of the rays
-    std::optional<double> chain_error;    ///< share of the squared error, luminance · importance
+    std::optional<double> correlation;  ///< variance of chains over that of as many samples
+    double chain_rays;                  ///< share of the rays
+    std::optional<double> chain_error;  ///< share of the squared error, luminance · importance
   };
   Known known() const;
-  std::uint64_t memory_bytes() const { return lasting_.memory_bytes(); }
 
   /// Between passes.
   void save_state(OutputArchive& archive) const;
@@ -90,7 +84,6 @@ class ChainEffort {
   std::atomic<std::uint64_t> chain_rays_{0};
   std::atomic<std::uint64_t> mutations_{0};
   std::array<std::uint64_t, 4> known_{};  ///< of these four, what all processes have
-  LastingError lasting_;
   double correlation_ = 0.0;
   double chain_error_ = 0.0;  ///< share of the squared error
 };

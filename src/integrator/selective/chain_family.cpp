@@ -250,9 +250,7 @@ MethodReport ChainIntegrator::report_regions() const {
           {"mutations_per_sample", known.mutations_per_sample},
           {"correlation", or_null(known.correlation)},
           {"chains",
-           {{"lasting_error", or_null(known.lasting_error)},
-            {"ray_share", known.chain_rays},
-            {"squared_error_share", or_null(known.chain_error)}}},
+           {{"ray_share", known.chain_rays}, {"squared_error_share", or_null(known.chain_error)}}},
           {"omc",
            {{"techniques", plan_.omc.techniques},
             {"light_paths_per_sample", std::stod(plan_.omc.light_paths_per_pixel)},
@@ -357,8 +355,7 @@ void ChainIntegrator::share_effort(std::uint64_t samples, const Film& film) {
   const Replicates by_chains = pictures({"indirect"});
   std::optional<ChainEffort::Seen> seen;
   if (plan_.selective && plan_.selective->objective == SelectiveSettings::Objective::Filtered) {
-    seen = {seen_light(by_omc, crop, importance), seen_light(by_chains, crop, importance),
-            stretch_.weight_until(samples), stretch_.sample_weight()};
+    seen = {seen_light(by_omc, crop, importance), seen_light(by_chains, crop, importance)};
   }
   effort_.adjust(samples, of_omc, weighted_errors(by_chains, crop, importance), seen);
 }
@@ -437,13 +434,12 @@ void ChainIntegrator::take_news(InputArchive& archive, const WorkShare& share) {
 }
 
 std::uint64_t ChainIntegrator::memory_bytes() const {
-  std::uint64_t bytes = effort_.memory_bytes() + (maps_ ? maps_->memory_bytes() : 0);
+  std::uint64_t bytes = maps_ ? maps_->memory_bytes() : 0;
   if (adaptation_) bytes += adaptation_->memory_bytes();
   for (const ChainPopulation& population : populations_) {
     for (const MemberChain& member : population.chains) {
-      // Of recruits there are a few per chain, which are as large.
-      bytes += (recruits_ ? 1 + SelectiveHeuristics::kRecruitsPerChain : 1) *
-               member.chain.memory_bytes();
+      // Of recruits there is one per chain, on average, which is as large.
+      bytes += (recruits_ ? 2 : 1) * member.chain.memory_bytes();
       bytes += sizeof(MemberChain) - sizeof(PrimaryChain);
     }
   }

@@ -74,7 +74,7 @@ void ChainPilot::end() {
   }
   plan_.brightness = mean_strength(picture, crop, plan_.view.importance);
   if (plan_.brightness > 0.0) {
-    plan_.moves.settings.large_step_cap = SelectiveHeuristics::kLargeStepCap * plan_.brightness;
+    plan_.moves.settings.large_step_cap = SelectiveHeuristics::kWhite * plan_.brightness;
   }
   if (!plan_.thresholds.empty() && plan_.brightness > 0.0) {
     plan_.divisions.emplace(Division(plan_.lowest_threshold(), plan_.view.importance));

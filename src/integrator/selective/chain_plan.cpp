@@ -70,7 +70,7 @@ void ChainPlan::read_split() {
   const std::optional<double> fixed = parameters.get_number("split");
   const bool by_regions_alone = selective && (!selective->omc_shares || selective->exclusive);
   if (direct == Direct::Chain || by_regions_alone || (fixed && *fixed == 0.0)) return;
-  standby_threshold = SelectiveHeuristics::kStandby * fixed.value_or(1.0);
+  standby_threshold = SelectiveHeuristics::kWhite * fixed.value_or(1.0);
   const auto offer = [&](std::span<const double> offers) {
     thresholds.assign(offers.begin(), offers.end());
   };

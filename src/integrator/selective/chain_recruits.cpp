@@ -22,12 +22,10 @@ namespace ajar {
 
 namespace {
 
-/// Paths that are alike in technique and place lie side by side, so that systematic resampling
-/// spreads chains evenly over them. The key makes the order unique.
+/// Paths of one technique lie side by side, so that systematic resampling spreads chains evenly
+/// over them. The key makes the order unique.
 auto order_of(const StrongPath& path) {
-  constexpr float kTile = SelectiveHeuristics::kRecruitTile;
-  return std::tuple(path.technique.depth(), std::floor(path.raster.y / kTile),
-                    std::floor(path.raster.x / kTile), path.technique.s, path.key());
+  return std::tuple(path.technique.depth(), path.technique.s, path.key());
 }
 
 /// Samples of one replicate among the samples `first` to `last` of a pixel.
@@ -143,12 +141,11 @@ void ChainRecruits::take_news(InputArchive& archive) { load_recruits(archive, sh
 void ChainRecruits::set_grain(double per_sample, double camera_samples) {
   const double whole =
       per_sample * camera_samples * static_cast<double>(plan_.pixels()) / plan_.settings.replicates;
-  grain_ = whole / static_cast<double>(SelectiveHeuristics::kRecruitsPerChain *
-                                       plan_.chains_per_replicate());
+  grain_ = whole / static_cast<double>(plan_.chains_per_replicate());
 }
 
 void ChainRecruits::expect_unknown(double camera_samples) {
-  set_grain(SelectiveHeuristics::kTypicalShareOfChains * plan_.brightness, camera_samples);
+  set_grain(plan_.brightness, camera_samples);
 }
 
 void ChainRecruits::expect(const std::vector<ChainPopulation>& populations, double camera_samples) {

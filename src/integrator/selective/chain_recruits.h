@@ -27,9 +27,9 @@ class ChainRecruits final : public StrongPathSinks {
   explicit ChainRecruits(const ChainPlan& plan) : plan_(plan) {}
 
   /// Prepares for a stretch of the render: of the paths found in so many camera samples per pixel,
-  /// it keeps a few per chain, on average.
+  /// it keeps one per chain, on average.
   void expect(const std::vector<ChainPopulation>& populations, double camera_samples);
-  /// The same before anything is known of the chains' light.
+  /// The same before anything is known of the chains' light, which may be all there is.
   void expect_unknown(double camera_samples);
   /// Luminance · importance of all that was found since chains were last joined.
   double energy() const;

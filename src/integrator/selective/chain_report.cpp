@@ -44,7 +44,8 @@ std::vector<std::string> notes_on(const ChainPlan& plan, std::optional<double> s
   const std::string omc = words_for(plan.omc.techniques);
   if (plan.unlit) return {"no difficult light found: rendered by plain " + omc + " until some is"};
   if (plan.unprepared) {
-    return {"too little time to look for difficult light: rendered by plain " + omc};
+    return {"too little time to look for difficult light: rendered by plain " + omc +
+            "; for Markov chains, begin anew with more time"};
   }
   if (plan.standby) {
     return {"no difficult light found: rendered by plain " + omc +

@@ -11,11 +11,7 @@ namespace ajar {
 struct SelectiveHeuristics {
   // -------------------------------------------------------- how bright is too bright
   //
-  // One idea, a path that is bright for its picture, with seven values: 1, 3 and 3, 30, 100 and
-  // 100, 1000. All are in units of the brightness (mean luminance · importance of the picture).
-  // Some differ for a reason: 1 is what a pixel has anyway, 100 is white for the eye, and 30 asks
-  // what is found, not what is seen. Why 3 and 3 are equal, and whether 1000 has to be ten times
-  // white, nobody has measured; nor whether one number would do for several.
+  // All are in units of the brightness (mean luminance · importance of the picture).
 
   /// Thresholds T that a pilot may choose from for chains that start from what was found.
   /// Unit: brightness. Range: > 0, ascending. Source: docs/notebook/chains.md, "Where to divide":
@@ -36,47 +32,23 @@ struct SelectiveHeuristics {
   /// Unit: factor. Range: >= 1, ascending, the first 1. Source: set by hand, no study.
   static constexpr std::array<double, 3> kThresholdsOverGiven = {1.0, 3.0, 10.0};
 
-  /// Paths that bring more are strong for the pilot of techniques: they are looked at one by one.
-  /// Unit: brightness. Range: > 0. Source: set by hand, no study.
-  static constexpr double kStrong = 1.0;
-  /// For how much a path counts at most when a pilot measures errors: what is brighter is rare, and
-  /// for chains to deal with.
-  /// Unit: brightness. Range: >= kStrong. Source: cbffe58: without a bound, fireflies decided
-  /// between ibpt and bdpt on bathroom. Half and double not measured.
-  static constexpr double kMostOfError = 3.0;
-  /// Paths that bring more are evidence of what a region has for chains (kFewestOfRegion).
-  /// Unit: brightness. Range: > 0. Source: set by hand, no study.
-  static constexpr double kBrightPath = 3.0;
-  /// For how much a path counts at most where it is asked what light subpaths find.
-  /// Unit: brightness. Range: >= kMostOfError. Source: docs/notebook/selective.md, "Which
-  /// techniques"; half and double not measured.
-  static constexpr double kMostOfFinds = 30.0;
-  /// A firefly cannot look worse than white, so that a brighter one is no better reason for a low
-  /// threshold.
-  /// Unit: brightness. Range: > kHighestThreshold. Source: docs/notebook/selective.md, "Whether
-  /// chains pay", as the next one.
-  static constexpr double kWhite = 100.0;
-  /// T of chains that stand by: a firefly of so many times the brightness looks no worse than
-  /// white. With a number for `split`, so many times that.
+  /// Paths that bring more are evidence of what a region has for chains (kFewestOfRegion), and count
+  /// as this where a pilot measures errors: what is brighter is rare, and for chains to deal with.
+  /// Unit: brightness. Range: > 0. Source: docs/notebook/selective.md, "Constants"; cbffe58: without
+  /// a bound, fireflies decided between ibpt and bdpt on bathroom.
+  static constexpr double kBright = 3.0;
+  /// What looks no worse if it is brighter: chains that stand by have it for T (with a number for
+  /// `split`, so many times that), large steps do not learn from more, and paths count up to it
+  /// where it is asked whether chains pay.
   /// Unit: brightness. Range: > kHighestThreshold. Source: docs/notebook/selective.md, "Whether
   /// chains pay": efficiency with 30, 100 and 1000 is 5.8, 5.8 and 2.1 on torus-in-glass, 169, 173
-  /// and 176 on cornell.
-  static constexpr double kStandby = kWhite;
-  /// Beyond it, what a large step brings is not learned from: only the bootstrap knows of it.
-  /// Unit: brightness. Range: > 0. Source: effe5b4: without a cap, a path a thousand times brighter
-  /// than its pixel left door-ajar seven times worse than bdpt on one seed. The value has no study,
-  /// nor whether it has to be kWhite.
-  static constexpr double kLargeStepCap = 100.0;
-  /// For how much a path counts where it is asked whether chains that stand by would be idle. Of
-  /// light that is found in one sample of ten thousand, a pilot sees one or two paths. They are far
-  /// brighter than white, and keep such chains busy.
-  /// Unit: brightness. Range: > kWhite. Source: set by hand, no study.
-  static constexpr double kGlaring = 1000.0;
+  /// and 176 on cornell; "Constants".
+  static constexpr double kWhite = 100.0;
 
   // -------------------------------------------------------- how clear a gain has to be
   //
-  // One idea as well, error over error: 0.7 and 0.75 for chains, of which blotches are to be
-  // feared, 0.95 and 0.8 between techniques of ordinary Monte Carlo, which all leave even noise.
+  // Error over error, of chains, of which blotches are to be feared. Techniques of ordinary Monte
+  // Carlo all leave even noise: of them the better one is taken.
 
   /// Chains should bring clearly more than they cost, since what they leave are blotches: of a gain
   /// of 0.8, as predicted and found on door-ajar and floor-lamps, nothing is seen, and after a blur
@@ -91,21 +63,21 @@ struct SelectiveHeuristics {
   /// render of 64 of door-ajar has chains in one half of the replicates alone. Half and double not
   /// measured.
   static constexpr double kDoubtfulGains = 0.15;
-  /// A little is the luck of a pilot: of techniques, what has less to do is taken then.
-  /// Unit: error at equal time over that of the simpler choice. Range: (0, 1]. Source:
-  /// docs/notebook/selective.md, "Which techniques"; 0.9 before 8fdd9d2.
-  static constexpr double kClearlyBetterTechniques = 0.95;
+  // -------------------------------------------------------- first pilot: how bright it is
+  /// Pictures of fewer pixels have two samples of each, to show how bright they are; others one.
+  /// Unit: pixels. Range: > 0. Source: e51f759, for a shorter preparation; half and double not
+  /// measured.
+  static constexpr std::uint64_t kPixelsToTellBrightness = 8192;
+
+  // -------------------------------------------------------- pilot of techniques
+  //
+  // Shares are of squares over the variance of weak light (up to the brightness):
+  // docs/notebook/selective.md, "Which techniques", of pool and torus-in-glass with ten pilots each.
+
   /// Strong paths are no rarer with inner connections than without, if these find so much of them.
   /// Unit: strong squares over strong squares. Range: (0, 1]. Source: 70ce179: two of six renders
   /// of pool had ibpt, with two to three times the error. The value has no study.
   static constexpr double kNoRarer = 0.8;
-
-  // -------------------------------------------------------- how large a share is much
-  //
-  // All of squares over the variance of weak light (up to kStrong), in the pilot of techniques:
-  // docs/notebook/selective.md, "Which techniques", of pool and torus-in-glass with ten pilots
-  // each.
-
   /// There are so many strong paths that they are for chains.
   /// Unit: share. Range: > 0. Source: 70ce179; half and double not measured.
   static constexpr double kMuchStrong = 0.3;
@@ -119,14 +91,6 @@ struct SelectiveHeuristics {
   /// Unit: share. Range: >= 0. Source: e431c44: each of ten pilots finds that much on pool, none on
   /// torus-in-glass and teapot-full.
   static constexpr double kAnyInner = 0.005;
-
-  // -------------------------------------------------------- first pilot: how bright it is
-  /// Pictures of fewer pixels have two samples of each, to show how bright they are; others one.
-  /// Unit: pixels. Range: > 0. Source: e51f759, for a shorter preparation; half and double not
-  /// measured.
-  static constexpr std::uint64_t kPixelsToTellBrightness = 8192;
-
-  // -------------------------------------------------------- pilot of techniques
   /// The pixels of a picture that are rendered with each offer are one of so many, within the
   /// bounds that follow: enough to tell errors that differ by a tenth.
   /// Unit: pixels per pixel. Range: >= 1. Source: 8fdd9d2: with 16 it missed what four light
@@ -154,12 +118,6 @@ struct SelectiveHeuristics {
   /// Unit: brightness. Range: > 0. Source: docs/notebook/selective.md, "Which rays are traced": it
   /// turns out to be 0.1 to 0.5.
   static constexpr double kUsualPrice = 0.3;
-  /// Λ for what is left of a subpath alone would end too many: samples that roulette has thinned
-  /// are not as evenly spread as all were.
-  /// Unit: factor. Range: >= 1. Source: a9a5f8c: 1.5 to 2 is best on bathroom, cornell-box and
-  /// torus-in-glass.
-  static constexpr double kThinned = 1.5;
-
   // -------------------------------------------------------- pilot of the division
   /// Camera samples of a whole picture that tell enough about it: a small picture tells as much as
   /// others by more samples of each pixel. Of mmlt+, the default of `bootstrap`.
@@ -182,7 +140,7 @@ struct SelectiveHeuristics {
   static constexpr double kGrain = 0.25;
   /// Regions with fewer bright paths choose together with others of their material, or with all:
   /// their choice would follow the pilot's noise.
-  /// Unit: paths (kBrightPath). Range: > 0. Source: 771f36f; half and double not measured.
+  /// Unit: paths (kBright). Range: > 0. Source: 771f36f; half and double not measured.
   static constexpr std::size_t kFewestOfRegion = 50;
   /// Of variances of pixels, the worst of so many are left out: what chains leave is in few pixels.
   /// Unit: pixels. Range: > 1. Source: 3ed3aa3: trials on door-ajar, torus-in-glass, pool
@@ -260,20 +218,9 @@ struct SelectiveHeuristics {
   static constexpr std::uint64_t kMostExpectedChains = 8192;
 
   // -------------------------------------------------------- recruits
-  /// Recruits kept per chain, on average. They are drawn at random one by one, and then chosen from
-  /// systematically: with few of them the total would be noisy, with many they take memory.
-  /// Unit: paths. Range: >= 1. Source: docs/notebook/chains.md, "Recruits"; half and double not
-  /// measured.
-  static constexpr std::uint64_t kRecruitsPerChain = 4;
-  /// Before anything is known of the chains' light it is taken to be this.
-  /// Unit: share of the brightness. Range: (0, 1]. Source: e243d5c; set by hand, no study.
-  static constexpr double kTypicalShareOfChains = 0.25;
   /// What chains make of a picture is at least this share of it, as far as memory is concerned.
   /// Unit: share of the brightness. Range: (0, 1]. Source: e243d5c; set by hand, no study.
   static constexpr double kLeastShareOfChains = 0.02;
-  /// Recruits are resampled in the order of squares of the picture that have this side.
-  /// Unit: pixels. Range: > 0. Source: e243d5c; set by hand, no study.
-  static constexpr float kRecruitTile = 8.F;
 
   // -------------------------------------------------------- effort, as the render goes on
   /// Between this and the next one, neither half is forgotten.
@@ -286,15 +233,6 @@ struct SelectiveHeuristics {
   /// Few replicates tell an error to within a factor: effort changes no more at a time.
   /// Unit: factor. Range: >= 1. Source: 771f36f; half and double not measured.
   static constexpr double kMostChange = 5.0;
-  /// Share of the chains' error that lasts, before stretches can be compared: between what hard
-  /// scenes have.
-  /// Unit: share. Range: [0, 1]. Source: docs/notebook/selective.md, "What mutations are worth":
-  /// 0.2 to 0.4 on torus-in-glass, up to 0.2 on pool.
-  static constexpr double kUsuallyLasts = 0.2;
-  /// So many stretches lie between two that are compared.
-  /// Unit: stretches. Range: >= 0. Source: ad634ee: on pool, neighbours are alike by 0.25, with one
-  /// between by 0.13, with two by 0.09; on torus-in-glass by 0.45, 0.33 and 0.33.
-  static constexpr std::size_t kStretchesBetween = 2;
   /// Errors are seen through a square of this side: the eye smooths noise, not blotches.
   /// Unit: pixels. Range: odd, >= 1. Source: docs/notebook/selective.md, "What mutations are
   /// worth"; 5 not measured.

@@ -41,7 +41,7 @@ class RoulettePilot::Sink final : public PathSink {
     const bool from_light = contribution.technique.t == 1;
     const float importance = view_.importance(from_light ? contribution.raster : raster_);
     const double light = std::min(static_cast<double>(luminance(contribution.value) * importance),
-                                  SelectiveHeuristics::kMostOfError * brightness_);
+                                  SelectiveHeuristics::kBright * brightness_);
     if (!(light > 0.0)) return;
     if (from_light) {
       sums_.variance += light_subpaths_ * light * light;
@@ -152,7 +152,7 @@ void RoulettePilot::end() {
   }
   if (!(all.variance > 0.0 && all.brought > 0.0 && all.taken > 0.0)) return;
   plan_.ray_price.emplace(plan_.view.importance, std::sqrt(all.variance / all.rays),
-                          SelectiveHeuristics::kThinned * std::sqrt(all.brought / all.taken));
+                          std::sqrt(all.brought / all.taken));
 }
 
 }  // namespace ajar

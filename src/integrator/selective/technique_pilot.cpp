@@ -44,7 +44,7 @@ class TechniquePilot::Candidate final : public StrongPathSinks {
   /// `plan` has the techniques of the offer.
   Candidate(const ChainPlan& plan, const RenderSettings& settings)
       : plan_(plan),
-        divisions_(Division(SelectiveHeuristics::kStrong * plan.brightness, plan.view.importance)),
+        divisions_(Division(plan.brightness, plan.view.importance)),
         omc_(
             plan.make_omc(settings, plan.omc_depths(), {.divisions = &divisions_, .strong = this})),
         film_(settings.resolution, settings.crop, Filter::box(), kReplicates, omc_->layers()) {}
@@ -82,9 +82,9 @@ class TechniquePilot::Candidate final : public StrongPathSinks {
     explicit Sink(const Candidate& candidate) : candidate_(candidate) {}
     bool spread(SampleSource& /*numbers*/, StrongPath& path) override {
       const double light = std::abs(path.energy) / candidate_.plan_.brightness;
-      candidate_.strong_ += square(std::min(light, SelectiveHeuristics::kMostOfError));
+      candidate_.strong_ += square(std::min(light, SelectiveHeuristics::kBright));
       if (path.technique.s < 2) return true;
-      const std::uint64_t find = square(std::min(light, SelectiveHeuristics::kMostOfFinds));
+      const std::uint64_t find = square(std::min(light, SelectiveHeuristics::kHighestThreshold));
       candidate_.from_light_ += find;
       if (path.technique.t >= 2) candidate_.inner_ += find;
       return true;
@@ -181,10 +181,7 @@ void TechniquePilot::choose() const {
        }));
   std::size_t best = needs_usual ? kUsual : 0;
   for (std::size_t i = best + 1; i < found.size(); ++i) {
-    if (found[i].after_equal_time() <
-        SelectiveHeuristics::kClearlyBetterTechniques * found[best].after_equal_time()) {
-      best = i;
-    }
+    if (found[i].after_equal_time() < found[best].after_equal_time()) best = i;
   }
   // One light subpath per sample may have found nothing by chance.
   findings_->decided = found.size() == offers().size() || (best < kUsual && !for_chains);
