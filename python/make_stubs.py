@@ -9,7 +9,7 @@ import sys
 import textwrap
 
 from ajar._catalog import catalog
-from ajar._nodes import GEOMETRY, default_of
+from ajar._nodes import GEOMETRY, RELIEFS, default_of
 
 KINDS = ("material", "texture", "light", "emission", "shape")
 
@@ -39,7 +39,7 @@ def lines_of(kind, entry):
         parameters.append(f"{spec['name']}: {kind_of_it} = {default!r}")
     parameters.append("name: str = ''")
     if kind == "material":
-        parameters.append("bump: Node | None = None")
+        parameters.extend(f"{relief}: Node | None = None" for relief in RELIEFS)
     yield f"def {entry['name']}("
     yield "    *,"
     yield from (f"    {parameter}," for parameter in parameters)

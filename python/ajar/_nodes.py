@@ -17,6 +17,9 @@ GEOMETRY = {
     "mesh": ("positions", "indices", "normals", "tangents", "uvs"),
     "curves": ("control_points", "widths", "normals"),
 }
+RELIEFS = ("bump", "normal_map")
+"""What any material may have: textures that tilt its normals."""
+
 _PACKAGE = os.path.dirname(os.path.abspath(__file__))
 
 
@@ -31,14 +34,14 @@ def calling_place():
 class Node:
     """A part of a scene: of a model, with the parameters that were given. It never changes."""
 
-    __slots__ = ("kind", "model", "parameters", "name", "bump", "where")
+    __slots__ = ("kind", "model", "parameters", "name", "relief", "where")
 
-    def __init__(self, kind, model, parameters, name="", bump=None):
+    def __init__(self, kind, model, parameters, name="", relief=None):
         self.kind = kind
         self.model = model
         self.parameters = parameters
         self.name = name
-        self.bump = bump
+        self.relief = relief or {}
         self.where = calling_place()
 
     def __repr__(self):
@@ -125,7 +128,8 @@ def _signature(kind, specs):
             parameters.append(inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, default=default))
     parameters.append(inspect.Parameter("name", inspect.Parameter.KEYWORD_ONLY, default=""))
     if kind == "material":
-        parameters.append(inspect.Parameter("bump", inspect.Parameter.KEYWORD_ONLY, default=None))
+        for relief in RELIEFS:
+            parameters.append(inspect.Parameter(relief, inspect.Parameter.KEYWORD_ONLY, default=None))
     return inspect.Signature(parameters)
 
 
@@ -166,12 +170,13 @@ def _function(kind, entry):
     model = entry["name"]
     specs = entry["parameters"]
 
-    def make(*, name="", bump=None, **parameters):
-        if bump is not None and kind != "material":
-            parameters["bump"] = bump
-            bump = None
+    def make(*, name="", **parameters):
+        relief = {}
+        if kind == "material":
+            relief = {what: parameters.pop(what) for what in RELIEFS if what in parameters}
+            relief = {what: texture for what, texture in relief.items() if texture is not None}
         _check(kind, model, parameters, specs)
-        return Node(kind, model, parameters, name, bump)
+        return Node(kind, model, parameters, name, relief)
 
     make.__name__ = make.__qualname__ = model
     make.__module__ = f"ajar.{kind}s"

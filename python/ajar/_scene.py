@@ -92,8 +92,8 @@ class _Changes:
             made = self.node(node)
             if node.name:
                 made["name"] = node.name
-            if node.bump is not None:
-                made["bump"] = self.reference(node.bump)
+            for what, texture in node.relief.items():
+                made[what] = self.reference(texture)
             things = self.json[node.kind + "s"]
             things.append(made)
             self._known[id(node)] = (len(things) - 1, node)

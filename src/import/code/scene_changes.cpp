@@ -159,10 +159,13 @@ class Changer {
   }
 
   void add_material(const Json& json, const std::string& what) {
-    const JsonPlace place(json, what, {"name", "model", "parameters", "bump"});
-    desc::Material material{place.text("name"), place.where(),
-                            reference(place, "bump", references_.texture),
-                            code::read_node(ModelKind::Material, place, arrays_, references_)};
+    const JsonPlace place(json, what, {"name", "model", "parameters", "bump", "normal_map"});
+    desc::Material material;
+    material.name = place.text("name");
+    material.where = place.where();
+    material.bump = reference(place, "bump", references_.texture);
+    material.normal_map.texture = reference(place, "normal_map", references_.texture);
+    material.node = code::read_node(ModelKind::Material, place, arrays_, references_);
     scene_.materials.push_back(std::move(material));
   }
 
