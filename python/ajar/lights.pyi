@@ -48,6 +48,15 @@ def projection(
 ) -> Node:
     """a slide projector along z."""
 
+def sky(
+    *,
+    turbidity: Number = 3.0,
+    elevation: Number = 45.0,
+    scale: Number = 1.0,
+    name: str = '',
+) -> Node:
+    """the clear sky without its sun, which is over x; up is z."""
+
 def spot(
     *,
     intensity: Color = 1.0,

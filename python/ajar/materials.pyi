@@ -17,6 +17,7 @@ def coated_conductor(
     roughness_scale: Literal["alpha", "log", "square"] = 'alpha',
     name: str = '',
     bump: Node | None = None,
+    normal_map: Node | None = None,
 ) -> Node:
     """metal under a transparent coat, smooth or rough."""
 
@@ -31,6 +32,7 @@ def coated_diffuse(
     roughness_scale: Literal["alpha", "log", "square"] = 'alpha',
     name: str = '',
     bump: Node | None = None,
+    normal_map: Node | None = None,
 ) -> Node:
     """diffuse base under a glossy coat."""
 
@@ -47,6 +49,7 @@ def composite(
     roughness_scale: Literal["alpha", "log", "square"] = 'alpha',
     name: str = '',
     bump: Node | None = None,
+    normal_map: Node | None = None,
 ) -> Node:
     """diffuse, glossy, mirror and transparent parts with opacity."""
 
@@ -61,6 +64,7 @@ def conductor(
     roughness_scale: Literal["alpha", "log", "square"] = 'alpha',
     name: str = '',
     bump: Node | None = None,
+    normal_map: Node | None = None,
 ) -> Node:
     """rough conductor with a measured or given index of refraction."""
 
@@ -75,6 +79,7 @@ def dielectric(
     roughness_scale: Literal["alpha", "log", "square"] = 'alpha',
     name: str = '',
     bump: Node | None = None,
+    normal_map: Node | None = None,
 ) -> Node:
     """smooth or rough dielectric boundary, such as glass or water."""
 
@@ -84,6 +89,7 @@ def diffuse(
     sigma: TexturedNumber = 0.0,
     name: str = '',
     bump: Node | None = None,
+    normal_map: Node | None = None,
 ) -> Node:
     """diffuse (Lambert), or rough diffuse (Oren-Nayar)."""
 
@@ -91,6 +97,7 @@ def interface(
     *,
     name: str = '',
     bump: Node | None = None,
+    normal_map: Node | None = None,
 ) -> Node:
     """no surface: only separates media."""
 
@@ -99,6 +106,7 @@ def mirror(
     reflectance: TexturedColor = 0.9,
     name: str = '',
     bump: Node | None = None,
+    normal_map: Node | None = None,
 ) -> Node:
     """perfect mirror."""
 
@@ -109,6 +117,7 @@ def mix(
     second: Node | None = None,
     name: str = '',
     bump: Node | None = None,
+    normal_map: Node | None = None,
 ) -> Node:
     """blend of two materials by a texture."""
 
@@ -120,6 +129,7 @@ def plastic(
     roughness_scale: Literal["alpha", "log", "square"] = 'alpha',
     name: str = '',
     bump: Node | None = None,
+    normal_map: Node | None = None,
 ) -> Node:
     """diffuse base with a rough dielectric gloss."""
 
@@ -141,6 +151,7 @@ def principled(
     thin: bool = False,
     name: str = '',
     bump: Node | None = None,
+    normal_map: Node | None = None,
 ) -> Node:
     """Disney's principled material."""
 
@@ -154,5 +165,6 @@ def translucent(
     roughness_scale: Literal["alpha", "log", "square"] = 'alpha',
     name: str = '',
     bump: Node | None = None,
+    normal_map: Node | None = None,
 ) -> Node:
     """diffuse and glossy reflection and transmission."""

@@ -195,6 +195,7 @@ class Process(unittest.TestCase):
         outcome = run_python(
             """
 import re
+import numpy  # which asks for a signal of the C library's own
 def state():
     text = open("/proc/self/status").read()
     return re.findall(r"Sig(?:Cgt|Ign|Blk):\\s*(\\w+)", text)
