@@ -10,7 +10,7 @@ target_link_options(ajar_shared PRIVATE "LINKER:--version-script=${CMAKE_SOURCE_
   LINKER:--exclude-libs,ALL LINKER:--no-undefined LINKER:--gc-sections)
 
 add_executable(ajar_shared_program src/apps/shared/program.cpp)
-target_link_libraries(ajar_shared_program PRIVATE ajar_shared)
+target_link_libraries(ajar_shared_program PRIVATE ajar_options ajar_shared)
 set_target_properties(ajar_shared_program PROPERTIES OUTPUT_NAME ajar INSTALL_RPATH "$ORIGIN/../lib"
   BUILD_WITH_INSTALL_RPATH ON RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/shared/bin)
 
