@@ -3,7 +3,7 @@
 
     python3 bench/finished_table.py finished.csv
 
-Means over seeds. Filters with "+mix" are what `ajar render` shows: mixed from several estimates.
+Means over seeds; first `selective` beside the best of the others. Filters with "+mix" are what `ajar render` shows: mixed from several estimates.
 """
 import csv
 import statistics
@@ -36,11 +36,48 @@ def print_table(scene, rows, filters):
         print("| " + " | ".join(cells) + " |")
 
 
+def print_summary(rows, filter, ours="selective"):
+    """One method over the best of the others in each scene, by what people look at first."""
+    columns = [("filtered_trimmed", "relMSE trimmed"), ("filtered_flip", "ꟻLIP")]
+    names = ["scene", "seeds"]
+    for _, name in columns:
+        names += [name, "best other", "ratio"]
+    print(f"Finished by {filter.removesuffix('+mix')}: `{ours}`, and the best of the others; ± half of what seeds "
+          "differ by\n")
+    print("| " + " | ".join(names) + " |")
+    print("|" + "---|" * len(names))
+    lines = []
+    for scene in dict.fromkeys(row["scene"] for row in rows):
+        by_method = {}
+        for row in rows:
+            if row["scene"] == scene and row["filter"] == filter:
+                by_method.setdefault(row["method"], []).append(row)
+        own = by_method.pop(ours)
+        cells = [scene, str(len(own))]
+        for column, _ in columns:
+            means = {method: statistics.mean(float(row[column]) for row in of_method)
+                     for method, of_method in by_method.items()}
+            best = min(means, key=means.get)
+            ratios = [float(row[column]) / means[best] for row in own]
+            spread = (max(ratios) - min(ratios)) / 2
+            mean = statistics.mean(ratios)
+            cells += [f"{mean * means[best]:.2g}", f"{means[best]:.2g} (`{best}`)", f"{mean:.2f} ± {spread:.2f}"]
+            if column == columns[0][0]:
+                order = mean
+        lines.append((order, "| " + " | ".join(cells) + " |"))
+    for _, line in sorted(lines):
+        print(line)
+
+
 def main():
     with open(sys.argv[1], newline="", encoding="utf-8") as file:
         rows = list(csv.DictReader(file))
     filters = [name for name in dict.fromkeys(row["filter"] for row in rows)
                if name.endswith("+mix")]
+    for filter in filters:
+        for seconds in dict.fromkeys(row["cpu_seconds"] for row in rows):
+            print(f"\n## After {seconds} seconds\n")
+            print_summary([row for row in rows if row["cpu_seconds"] == seconds], filter)
     tables = {}
     for row in rows:
         tables.setdefault((row["scene"], row["cpu_seconds"]), []).append(row)

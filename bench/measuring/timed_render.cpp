@@ -33,7 +33,10 @@ TimedRender render_for(const TimeLimit& limit, const Scene& scene, const Variant
   const CpuAlarm alarm(limit.cpu_seconds, user_interrupts);
   const int threads = limit.threads > 0 ? limit.threads : tbb::info::default_concurrency();
   const std::unique_ptr<Integrator> integrator = variant.make(scene, settings);
-  Preparation(*integrator, {.seconds = limit.cpu_seconds / threads}).run();
+  // On a machine that others use, the wall's clock would leave it no time.
+  Preparation(*integrator, {.seconds = limit.cpu_seconds / threads,
+                            .clock = [&] { return cpu_seconds() / threads; }})
+      .run();
   Film film = film_for(scene, settings, *integrator);
   RenderJobOptions options;
   options.threads = threads;

@@ -20,14 +20,14 @@ PreparationEnd Preparation::must_stop(double deadline) const {
   if (limits_.interrupts != nullptr && limits_.interrupts->load(std::memory_order_relaxed) > 0) {
     return PreparationEnd::Interrupted;
   }
-  return clock_.seconds() > deadline ? PreparationEnd::NoTime : PreparationEnd::Done;
+  return seconds() > deadline ? PreparationEnd::NoTime : PreparationEnd::Done;
 }
 
 PreparationEnd Preparation::must_skip() const {
   PreparationEnd reason = must_stop(deadline(false));
   if (limits_.rounds == rounds_) reason = PreparationEnd::NoTime;
   if (reason == PreparationEnd::Done && over_ > 0.0) {
-    const double expected = clock_.seconds() * all_ / over_;
+    const double expected = seconds() * all_ / over_;
     if (expected > deadline(false)) reason = PreparationEnd::NoTime;
   }
   if (limits_.ranks == nullptr) return reason;
@@ -41,11 +41,11 @@ bool Preparation::will_be_late(double deadline) {
   if (done < SessionHeuristics::kTelling || items_done_ == 0 || has_told_.exchange(true)) {
     return false;
   }
-  return round_began_ + (clock_.seconds() - round_began_) / done > deadline;
+  return round_began_ + (seconds() - round_began_) / done > deadline;
 }
 
 PreparationEnd Preparation::run_round(int round, double deadline, Counters& whole) {
-  round_began_ = clock_.seconds();
+  round_began_ = seconds();
   tbb::enumerable_thread_specific<Counters> counters;
   std::atomic<PreparationEnd> end = PreparationEnd::Done;
   parallel_for(items_.load(), [&](std::uint64_t item) {

@@ -1,7 +1,9 @@
 #pragma once
 #include <atomic>
 #include <cstdint>
+#include <functional>
 #include <optional>
+#include <utility>
 
 #include "integrator/integrator.h"
 #include "session/interrupts.h"
@@ -13,6 +15,8 @@ namespace ajar {
 /// What may keep a preparation from its end.
 struct PreparationLimits {
   std::optional<double> seconds = std::nullopt;  ///< for this and the render together
+  /// That measures them, from any start; the wall's clock if there is none.
+  std::function<double()> clock = {};
   /// So many as an earlier run came to, which had no time for more.
   std::optional<std::uint64_t> rounds = std::nullopt;
   const InterruptCount* interrupts = nullptr;
@@ -31,7 +35,9 @@ enum class PreparationEnd { Done, NoTime, Interrupted };
 class Preparation {
  public:
   explicit Preparation(Integrator& integrator, PreparationLimits limits = {})
-      : integrator_(integrator), limits_(limits) {}
+      : integrator_(integrator),
+        limits_(std::move(limits)),
+        began_(limits_.clock ? limits_.clock() : 0.0) {}
   /// To be called once. What was spent.
   Counters run();
   PreparationEnd end() const { return end_; }
@@ -39,7 +45,7 @@ class Preparation {
   std::uint64_t rounds() const { return rounds_; }
   /// At any time, from any thread: estimate, 0…1.
   double fraction_done() const;
-  double seconds() const { return clock_.seconds(); }
+  double seconds() const { return limits_.clock ? limits_.clock() - began_ : clock_.seconds(); }
 
  private:
   /// When to have ended, seconds.
@@ -57,6 +63,7 @@ class Preparation {
   Integrator& integrator_;
   PreparationLimits limits_;
   const Stopwatch clock_;
+  const double began_;  ///< by the limits' clock
   PreparationEnd end_ = PreparationEnd::Done;
   std::uint64_t rounds_ = 0;
   double round_began_ = 0.0;  ///< seconds

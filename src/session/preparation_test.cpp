@@ -4,6 +4,7 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <functional>
 #include <mutex>
@@ -116,6 +117,19 @@ TEST(Preparation, IsSkippedOnceItsFirstRoundShowsThatItTakesTooLong) {
     Preparation preparation(integrator, {.seconds = 1000.0});
     EXPECT_EQ(preparation.run().rays, later > 0.0 ? 10U : 20U);
     EXPECT_EQ(preparation.end(), later > 0.0 ? PreparationEnd::NoTime : PreparationEnd::Done);
+  }
+}
+
+TEST(Preparation, TakesItsTimeByTheClockThatItIsGiven) {
+  for (const double per_item : {0.001, 1.0}) {
+    Prepared integrator({1.0});
+    std::atomic<double> now = 1e6;
+    integrator.on_item = [&](int) { now = now + per_item; };
+    Preparation preparation(integrator, {.seconds = 10.0, .clock = [&] { return now.load(); }});
+    preparation.run();
+    EXPECT_EQ(preparation.end(), per_item < 0.1 ? PreparationEnd::Done : PreparationEnd::NoTime);
+    EXPECT_GT(preparation.seconds(), 0.0);
+    EXPECT_LT(preparation.seconds(), 12.0);
   }
 }
 
