@@ -52,6 +52,8 @@ def print_summary(rows, filter, ours="selective"):
         for row in rows:
             if row["scene"] == scene and row["filter"] == filter:
                 by_method.setdefault(row["method"], []).append(row)
+        if ours not in by_method or len(by_method) < 2:
+            continue
         own = by_method.pop(ours)
         cells = [scene, str(len(own))]
         for column, _ in columns:

@@ -32,10 +32,10 @@ struct SelectiveHeuristics {
   /// Unit: factor. Range: >= 1, ascending, the first 1. Source: set by hand, no study.
   static constexpr std::array<double, 3> kThresholdsOverGiven = {1.0, 3.0, 10.0};
 
-  /// Paths that bring more are evidence of what a region has for chains (kFewestOfRegion), and count
-  /// as this where a pilot measures errors: what is brighter is rare, and for chains to deal with.
-  /// Unit: brightness. Range: > 0. Source: docs/notebook/selective.md, "Constants"; cbffe58: without
-  /// a bound, fireflies decided between ibpt and bdpt on bathroom.
+  /// Paths that bring more are evidence of what a region has for chains (kFewestOfRegion), and
+  /// count as this where a pilot measures errors: what is brighter is rare, and for chains to deal
+  /// with. Unit: brightness. Range: > 0. Source: docs/notebook/selective.md, "Constants"; cbffe58:
+  /// without a bound, fireflies decided between ibpt and bdpt on bathroom.
   static constexpr double kBright = 3.0;
   /// What looks no worse if it is brighter: chains that stand by have it for T (with a number for
   /// `split`, so many times that), large steps do not learn from more, and paths count up to it
@@ -44,6 +44,12 @@ struct SelectiveHeuristics {
   /// chains pay": efficiency with 30, 100 and 1000 is 5.8, 5.8 and 2.1 on torus-in-glass, 169, 173
   /// and 176 on cornell; "Constants".
   static constexpr double kWhite = 100.0;
+  /// For how much a path counts where it is asked whether chains that stand by would be idle. Of
+  /// light that is found in one sample of ten thousand, a pilot sees one or two paths. They are far
+  /// brighter than white, and keep such chains busy.
+  /// Unit: brightness. Range: > kWhite. Source: with kWhite instead, one of eight seeds of
+  /// torus-in-glass at 48x36 pixels has nothing difficult in it.
+  static constexpr double kGlaring = 1000.0;
 
   // -------------------------------------------------------- how clear a gain has to be
   //
@@ -72,7 +78,8 @@ struct SelectiveHeuristics {
   // -------------------------------------------------------- pilot of techniques
   //
   // Shares are of squares over the variance of weak light (up to the brightness):
-  // docs/notebook/selective.md, "Which techniques", of pool and torus-in-glass with ten pilots each.
+  // docs/notebook/selective.md, "Which techniques", of pool and torus-in-glass with ten pilots
+  // each.
 
   /// Strong paths are no rarer with inner connections than without, if these find so much of them.
   /// Unit: strong squares over strong squares. Range: (0, 1]. Source: 70ce179: two of six renders

@@ -93,8 +93,11 @@ struct SharedPath {
   float lot;    ///< share of its square that is due to its being drawn by lot
 };
 
-/// Which paths of the pilot count, each up to white.
-enum class PathsSeen { All, AllButBrightest };
+/// Which paths of the pilot count.
+struct PathsSeen {
+  double most;             ///< for no more than so many times the brightness of the picture
+  bool without_brightest;  ///< camera sample
+};
 
 /// Leaves out all paths of the sample that brings most. They are in the order of samples.
 void erase_brightest(std::vector<SharedPath>& paths) {
@@ -117,8 +120,8 @@ void erase_brightest(std::vector<SharedPath>& paths) {
   paths.erase(first, last);
 }
 
-std::vector<SharedPath> shared_paths(const PilotView& view, PathsSeen seen) {
-  const auto most = static_cast<float>(SelectiveHeuristics::kWhite * view.plan.brightness);
+std::vector<SharedPath> shared_paths(const PilotView& view, const PathsSeen& seen) {
+  const auto most = static_cast<float>(seen.most * view.plan.brightness);
   const auto scale =
       static_cast<float>(static_cast<double>(view.replicates.size()) / seen_samples(view));
   std::vector<SharedPath> paths;
@@ -130,14 +133,14 @@ std::vector<SharedPath> shared_paths(const PilotView& view, PathsSeen seen) {
                      std::clamp(found.energy, -most, most) * found.weight * scale,
                      1.F - 1.F / found.weight});
   }
-  if (seen == PathsSeen::AllButBrightest) erase_brightest(paths);
+  if (seen.without_brightest) erase_brightest(paths);
   return paths;
 }
 
 /// Variance and light that each of `thresholds`, and none, would leave to either side.
 std::vector<ThresholdEstimate> estimate_thresholds(const PilotView& view,
                                                    const std::vector<double>& thresholds,
-                                                   PathsSeen seen) {
+                                                   const PathsSeen& seen) {
   const std::size_t count = thresholds.size() + 1;
   std::vector<ThresholdEstimate> regions(view.regions.count(),
                                          {std::vector<double>(count), std::vector<double>(count)});
@@ -258,7 +261,7 @@ Caution caution_of(const ChainPlan& plan) {
 
 /// Predicted error with chains over that without, if they are as much worse as one may doubt.
 double gain_of_chains(const PilotView& view, const std::vector<double>& thresholds,
-                      ThresholdCosts costs, PathsSeen seen) {
+                      ThresholdCosts costs, const PathsSeen& seen) {
   costs.correlation *= caution_of(view.plan).doubt;
   const std::vector<ThresholdEstimate> regions = estimate_thresholds(view, thresholds, seen);
   const ThresholdChoice without = predict_thresholds(
@@ -281,7 +284,7 @@ ThresholdCosts threshold_costs(const PilotView& view) {
 RegionChoice choose_thresholds(const PilotView& view) {
   const std::vector<double> thresholds = all_thresholds(view.plan);
   const std::vector<ThresholdEstimate> regions =
-      estimate_thresholds(view, thresholds, PathsSeen::All);
+      estimate_thresholds(view, thresholds, {SelectiveHeuristics::kWhite, false});
   const ThresholdCosts costs = threshold_costs(view);
   const OfferedThresholds offered = offer_thresholds(view, regions);
   const ThresholdChoice of_groups = optimal_thresholds(offered.groups, costs);
@@ -290,11 +293,13 @@ RegionChoice choose_thresholds(const PilotView& view) {
   // Where the pilot has found nothing for them, they cost nothing, and stay ready.
   if (view.plan.selective && of_groups.chain_light > 0.0) {
     // No single sample is evidence.
-    choice.expected_error = gain_of_chains(view, thresholds, costs, PathsSeen::AllButBrightest);
+    choice.expected_error =
+        gain_of_chains(view, thresholds, costs, {SelectiveHeuristics::kWhite, true});
     const Caution caution = caution_of(view.plan);
     trust = trust_in(choice.expected_error, caution);
     choice.off = trust == 0.0 &&
-                 gain_of_chains(view, thresholds, costs, PathsSeen::All) >= caution.clear_gain;
+                 gain_of_chains(view, thresholds, costs, {SelectiveHeuristics::kGlaring, false}) >=
+                     caution.clear_gain;
   }
   std::vector<std::size_t> chosen;
   chosen.reserve(regions.size());
