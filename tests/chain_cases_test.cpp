@@ -348,15 +348,16 @@ TEST(ChainReports, SayWhatChainsDid) {
 
 TEST(ChainReports, EffortIsSharedByErrorsUnlessItIsFixed) {
   // Hardly any light is above the division, so mutations beyond the first guess would be wasted.
-  const auto scene = scene_from(pbrt_scene(kCamera, 24, 16, kPoints + kFloor));
+  // There is enough of it for each replicate to have chains from the beginning.
+  const auto scene = scene_from(pbrt_scene(kCamera, 72, 48, kPoints + kFloor));
   const auto mutations = [&](const char* omc_samples) {
     test::RenderOptions options = options_of("mmlt+");
     options.samples = 64;
     options.replicates = 4;
     options.parameters["split"] = "100";
-    options.parameters["chains"] = "64";
+    options.parameters["chains"] = "512";
     options.parameters["omc-samples"] = omc_samples;
-    return static_cast<double>(test::render(*scene, options).counters.mutations) / (24 * 16);
+    return static_cast<double>(test::render(*scene, options).counters.mutations) / (72 * 48);
   };
   EXPECT_NEAR(mutations("1"), 64.0, 6.4);
   EXPECT_LT(mutations("0"), 32.0);

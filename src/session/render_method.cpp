@@ -138,8 +138,11 @@ void make_film(RenderState& state) {
   }
   check_memory(memory, state.order, state.scene->film().where);
   if (state.order.resumed) take_state(state);
-  if (state.order.resumed && state.order.is_root()) {
+  if (state.order.resumed) {
+    // All ranks: a method that has gone on takes other magnitudes for its layers, and sums of
+    // different quanta cannot be added.
     state.film.emplace(film_of(*state.order.resumed, state.plan->filter, state.order.resumed_from));
+    if (!state.order.is_root()) state.film->clear();
   } else {
     state.film.emplace(film_for(*state.scene, setup.settings, *state.integrator));
   }
