@@ -1,9 +1,12 @@
 """Checks the documentation: `check_docs.py REPOSITORY PROGRAM`.
 
-Every link to a file of the repository must lead somewhere, and every line of a fenced `sh` block that starts with `ajar `
-must run: with few samples and a small picture added to renders, in a folder that is thrown away.
+Every link to a file of the repository must lead somewhere, to a heading where it names one. So must every comment that
+cites a page (`docs/page.md, "Heading"`). Every line of a fenced `sh` block that starts with `ajar ` must run: with few
+samples and a small picture added to renders, in a folder that is thrown away.
 Blocks that need files of the reader are marked `text`. Pages that the program writes must be as it would write them.
 """
+import difflib
+import functools
 import os
 import re
 import subprocess
@@ -13,7 +16,9 @@ import tempfile
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "pages"))
 import reference_pages  # noqa: E402
 
-LINK = re.compile(r"\[[^\]]*\]\(([^)#\s]+)[^)]*\)")
+LINK = re.compile(r"\[[^\]]*\]\(([^)#\s]*)#?([^)\s]*)[^)]*\)")
+CITATION = re.compile(r'(docs/[\w/-]+\.md)(?:,[\s/]*"([^"]+)")?')
+HEADING = re.compile(r"^#{1,6} +(.*?)(?: +#+)? *$", re.MULTILINE)
 BLOCK = re.compile(r"```(\w*)\n(.*?)```", re.DOTALL)
 
 
@@ -24,12 +29,50 @@ def documents(repository):
         yield from (os.path.join(root, name) for name in sorted(names) if name.endswith(".md"))
 
 
+def prose(text):
+    """The page with its fenced blocks empty, so that lines keep their numbers."""
+    return BLOCK.sub(lambda block: "\n" * block[0].count("\n"), text)
+
+
+def anchor(heading):
+    """What GitHub calls a heading in links."""
+    heading = re.sub(r"\[([^\]]*)\]\([^)]*\)", r"\1", heading)
+    return re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-")
+
+
+@functools.cache
+def anchors(path):
+    with open(path, encoding="utf-8") as file:
+        headings = HEADING.findall(prose(file.read()))
+    found = []
+    for name in map(anchor, headings):
+        numbered = (f"{name}-{count}" for count in range(1, len(headings)))
+        found.append(name if name not in found else next(n for n in numbered if n not in found))
+    return found
+
+
+def missing_anchor(path, name):
+    """Nothing if the page has this anchor, else what to say of it."""
+    if name in anchors(path):
+        return ""
+    nearest = difflib.get_close_matches(name, anchors(path), 1, 0)
+    return f"has no heading #{name}" + (f"; the nearest is #{nearest[0]}" if nearest else "")
+
+
+def line_of(match):
+    return match.string.count("\n", 0, match.start()) + 1
+
+
 def broken_links(path, text):
-    for target in LINK.findall(BLOCK.sub("", text)):
+    for link in LINK.finditer(prose(text)):
+        target, name = link.groups()
         if re.match(r"[a-z]+:", target):
             continue
-        if not os.path.exists(os.path.join(os.path.dirname(path), target)):
-            yield f"{path}: the link to {target} leads nowhere"
+        file = os.path.join(os.path.dirname(path), target) if target else path
+        if not os.path.exists(file):
+            yield f"{path}:{line_of(link)}: the link to {target} leads nowhere"
+        elif name and file.endswith(".md") and (missing := missing_anchor(file, name)):
+            yield f"{path}:{line_of(link)}: {target or 'this page'} {missing}"
 
 
 def commands(text):
@@ -67,15 +110,20 @@ def sources(repository):
 
 
 def broken_citations(repository, path):
-    """Pages that comments cite and a reader cannot open."""
+    """Pages and headings that comments cite and a reader cannot open."""
     with open(path, encoding="utf-8") as file:
-        lines = file.read().splitlines()
-    for number, line in enumerate(lines, 1):
-        for page in re.findall(r"docs/[\w/-]+\.md", line):
-            if not os.path.exists(os.path.join(repository, page)):
-                yield f"{path}:{number}: cites {page}, which does not exist"
-        for name in re.findall(r"\b(?:METHODS|DESIGN|PEERS)\b", line):
-            yield f"{path}:{number}: cites {name}, which is not in the repository"
+        text = file.read()
+    for citation in CITATION.finditer(text):
+        page, heading = citation.groups()
+        file = os.path.join(repository, page)
+        if not os.path.exists(file):
+            yield f"{path}:{line_of(citation)}: cites {page}, which does not exist"
+        elif heading:
+            name = anchor(re.sub(r"\s+(//+<? *)?", " ", heading))
+            if missing := missing_anchor(file, name):
+                yield f"{path}:{line_of(citation)}: {page} {missing}"
+    for name in re.finditer(r"\b(?:METHODS|DESIGN|PEERS)\b", text):
+        yield f"{path}:{line_of(name)}: cites {name[0]}, which is not in the repository"
 
 
 def main(repository, program):
