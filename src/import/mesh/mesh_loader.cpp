@@ -41,13 +41,10 @@ void MeshLoader::load(Job& job) const {
   }
 }
 
-void MeshLoader::load_all(Failure failure) {
+void MeshLoader::load_all() {
   parallel_for(jobs_.size(), [&](std::size_t i) { load(jobs_[i]); });
   for (const Job& job : jobs_) {
     if (!job.error.empty()) {
-      if (failure == Failure::Raise) {
-        throw SceneError(job.where, "cannot use this mesh: " + job.error);
-      }
       *job.mesh = {};
       warnings_.add(kUnreadable, job.where, "cannot use this mesh: " + job.error + ": left out",
                     printable(job.name));

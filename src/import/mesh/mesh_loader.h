@@ -27,17 +27,13 @@ struct MeshRecipe {
 /// parallel afterwards, each once.
 class MeshLoader {
  public:
-  /// What becomes of files that are missing or damaged.
-  enum class Failure { Raise, LeaveEmpty };
-
   MeshLoader(FileAccess& files, Warnings& warnings) : files_(files), warnings_(warnings) {}
 
   /// An empty mesh that `load_all` fills. `where` is the place that first names the file.
   std::shared_ptr<const desc::Mesh> request(const SourceLocation& where, const std::string& name,
                                             MeshRecipe recipe = {});
-  /// For files that are missing or damaged: raises SceneError for the first, in order of request,
-  /// or leaves their meshes empty, each with a warning.
-  void load_all(Failure failure = Failure::Raise);
+  /// Leaves the meshes of files that are missing or damaged empty, each with a warning.
+  void load_all();
 
  private:
   struct Job {

@@ -51,7 +51,7 @@ desc::SceneDesc build_scene(const Document& document, SearchPath& files, Warning
   }
   arguments.report_unused();
 
-  meshes.load_all(MeshLoader::Failure::LeaveEmpty);
+  meshes.load_all();
   remove_empty_meshes(scene);
   if (scene.shapes.empty() && scene.instances.empty()) {
     warnings.add(kNoShapes, document.end, "there are no shapes in this scene");

@@ -66,7 +66,10 @@ TEST(PbrtDirectives, WhatIsNoSceneIsAnError) {
 
 TEST(PbrtDirectives, WorldEndMayBeMissing) {
   EXPECT_EQ(warnings_of("Camera \"perspective\" WorldBegin Shape \"sphere\""),
-            "test.pbrt:1:47: there is no WorldEnd: the file may have been cut off\n");
+            "test.pbrt:1:47: there is no WorldEnd: the file may have been cut off, or be meant as "
+            "pbrt-v4, of which it has no word\n");
+  EXPECT_EQ(warnings_of("Camera \"perspective\" Film \"image\" WorldBegin Shape \"sphere\""),
+            "test.pbrt:1:60: there is no WorldEnd: the file may have been cut off\n");
   EXPECT_TRUE(contains(warnings_of(world("") + " Shape \"sphere\""),
                        "everything after WorldEnd is ignored"));
 }

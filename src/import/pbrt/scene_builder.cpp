@@ -448,7 +448,10 @@ desc::SceneDesc SceneBuilder::finish(const SourceLocation& end) {
   if (stage_ == Stage::World) {
     // Files of pbrt-v4 simply end.
     if (!context_.is_v4()) {
-      warnings_.add(kNoEnd, end, "there is no WorldEnd: the file may have been cut off");
+      const bool is_told = context_.choice.where.file != nullptr;
+      warnings_.add(kNoEnd, end,
+                    std::string("there is no WorldEnd: the file may have been cut off") +
+                        (is_told ? "" : ", or be meant as pbrt-v4, of which it has no word"));
     }
     world_end(end);
   }

@@ -110,19 +110,26 @@ TEST(PbrtShapes, MeshFilesAreReadOnceAndShared) {
   EXPECT_EQ(s.shapes[0].name, "tri");
 }
 
-TEST(PbrtShapes, BadMeshFilesAreErrorsAtTheFirstShapeThatNamesOne) {
+TEST(PbrtShapes, ThoseOfBadMeshFilesAreLeftOutWithAWarning) {
   const std::string two = world(
       "Shape \"plymesh\" \"string filename\" \"a.ply\"\nShape \"plymesh\" \"string filename\" "
       "\"b.ply\"");
-  EXPECT_TRUE(contains(error_of(two), "test.pbrt:2:1: cannot use this mesh: cannot open"));
+  const std::string none = warnings_of(two);
+  EXPECT_TRUE(contains(none, "test.pbrt:2:1: cannot use this mesh: cannot open")) << none;
+  EXPECT_TRUE(contains(none, "test.pbrt:3:1: cannot use this mesh: cannot open")) << none;
   std::string bad = kTriangle;
   bad.replace(bad.find("3 0 1 2"), 7, "3 0 1 7");
-  const std::string error = error_of(two, {{"a.ply", kTriangle}, {"b.ply", bad}});
-  EXPECT_EQ(error,
-            "test.pbrt:3:1: cannot use this mesh: b.ply: mesh triangle 0 refers to vertex 7 of 3");
+  EXPECT_EQ(warnings_of(two, {{"a.ply", kTriangle}, {"b.ply", bad}}),
+            "test.pbrt:3:1: cannot use this mesh: b.ply: mesh triangle 0 refers to vertex 7 of 3: "
+            "left out\n");
   const std::string cut =
-      error_of(two, {{"a.ply", kTriangle.substr(0, kTriangle.size() - 6)}, {"b.ply", bad}});
+      warnings_of(two, {{"a.ply", kTriangle.substr(0, kTriangle.size() - 6)}, {"b.ply", bad}});
   EXPECT_TRUE(contains(cut, "test.pbrt:2:1: cannot use this mesh: a.ply: the file")) << cut;
+
+  Warnings warnings;
+  const desc::SceneDesc s = import_with(two, warnings, {{"a.ply", kTriangle}});
+  ASSERT_EQ(s.shapes.size(), 2U);  // the sphere of every world, and one of two
+  EXPECT_EQ(s.shapes[0].name, "a");
 }
 
 TEST(PbrtShapes, CurvesBecomeBezierSegments) {
