@@ -38,11 +38,19 @@ IntegratorInfo metropolis(ChainKind kind, std::string name, std::string summary,
 
 IntegratorInfo selective_preset(const std::string& name, const std::string& source) {
   const std::string chain = name.substr(0, name.size() - 1);
+  const std::map<std::string, std::string> values =
+      SelectiveSettings::apply_preset({{"preset", name}});
+  std::vector<ParameterSpec> specs = selective_parameters();
+  for (ParameterSpec& spec : specs) {
+    if (const auto own = values.find(spec.name); own != values.end()) {
+      spec.default_value = own->second;
+    }
+  }
   return {.name = name,
           .summary = "selective with preset=" + name + ": ordinary Monte Carlo and chains of " +
                      chain + " share the light alike everywhere",
           .source = "after " + source,
-          .parameters = selective_parameters(),
+          .parameters = std::move(specs),
           .make = make_selective_integrator,
           .complete = [name](std::map<std::string, std::string> given) {
             given.emplace("preset", name);
