@@ -2,11 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#pragma GCC diagnostic error "-Wswitch"
+
 namespace ajar {
 namespace {
 
-/// Two uses of one number would be the same label twice, which does not compile; one that is
-/// missing here is a warning.
+/// Two uses of one number would be the same label twice, and one that is missing here would be no
+/// label: neither compiles.
 bool is_named(RandomUse use) {
   switch (use) {
     case RandomUse::LightSubpaths:
@@ -22,6 +24,10 @@ bool is_named(RandomUse use) {
     case RandomUse::StepLength:
     case RandomUse::RasterMove:
     case RandomUse::RasterLength:
+    case RandomUse::PathMutation:
+    case RandomUse::PathNumbers:
+    case RandomUse::EnergySamples:
+    case RandomUse::PathSeed:
     case RandomUse::BrightnessPilot:
     case RandomUse::DivisionPilot:
     case RandomUse::SurfacePilot:
