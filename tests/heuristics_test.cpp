@@ -10,8 +10,8 @@
 #include <vector>
 
 /// Fitted numbers have one place in each room, and say where they come from
-/// (docs/develop/architecture.md). Constants only: a literal in the midst of an expression is for
-/// readers to find.
+/// (docs/develop/style.md, "Constants"). Constants only: a literal in the midst of an expression is
+/// for readers to find.
 namespace ajar {
 namespace {
 
