@@ -11,11 +11,11 @@
 #include "measuring/split_arguments.h"
 #include "measuring/variant.h"
 
-/// The limit ratio (docs/performance.md): time of a render over the time Embree alone needs for
-/// exactly the rays the render traced. Both are measured in turn, in one run on one thread, so that
-/// the machine's mood cancels; medians are printed. With them: heap allocations per sample, how
-/// much faster two threads are than one, and what a sample per pixel costs compared with the first
-/// variant.
+/// The limit ratio (docs/develop/performance.md): time of a render over the time Embree alone needs
+/// for exactly the rays the render traced. Both are measured in turn, in one run on one thread, so
+/// that the machine's mood cancels; medians are printed. With them: heap allocations per sample,
+/// how much faster two threads are than one, and what a sample per pixel costs compared with the
+/// first variant.
 namespace ajar::bench {
 namespace {
 

@@ -9,8 +9,9 @@
 #include <string>
 #include <vector>
 
-/// Fitted numbers have one place in each room, and say where they come from (docs/architecture.md).
-/// Constants only: a literal in the midst of an expression is for readers to find.
+/// Fitted numbers have one place in each room, and say where they come from
+/// (docs/develop/style.md, "Constants"). Constants only: a literal in the midst of an expression is
+/// for readers to find.
 namespace ajar {
 namespace {
 

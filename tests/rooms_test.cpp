@@ -8,8 +8,8 @@
 #include <sstream>
 #include <string>
 
-/// Rooms are walls: what may be included from where, as docs/architecture.md has it, and where
-/// formats of scene files are named.
+/// Rooms are walls: what may be included from where, as docs/develop/architecture.md has it, and
+/// where formats of scene files are named.
 namespace ajar {
 namespace {
 
