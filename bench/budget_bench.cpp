@@ -59,8 +59,10 @@ Found render_for(double seconds, const MeasuredScene& measured, const Variant& v
   found.first_picture = first.seconds();
   found.samples = static_cast<double>(outcome.statistics.result.samples_per_pixel);
   const double error =
-      relative_error(outcome.picture->layers.front().pixels, measured.truth).value_or(0.0);
-  found.squared_error = std::max(0.0, error * error - measured.truth_error * measured.truth_error);
+      relative_error(outcome.picture->layers.front().pixels, measured.references.mean)
+          .value_or(0.0);
+  found.squared_error =
+      std::max(0.0, error * error - measured.references.error * measured.references.error);
   return found;
 }
 

@@ -46,11 +46,11 @@ std::string line_of(const MeasuredScene& scene, const std::string& key,
   settings.seed = static_cast<std::uint64_t>(seed);
   const TimedRender render =
       render_for({seconds}, *scene.scene, parse_variant(integrator), settings, interrupt_count());
-  const double against = relative_error(render.picture, scene.truth).value_or(0.0);
+  const double against = relative_error(render.picture, scene.references.mean).value_or(0.0);
   const double true_error =
-      std::sqrt(std::max(0.0, against * against - scene.truth_error * scene.truth_error));
+      std::sqrt(std::max(0.0, against * against - scene.references.error * scene.references.error));
   const std::string about = fmt::format("{},{:.2f},{},{:.5g},{:.5g}", key, render.cpu_seconds,
-                                        render.samples, true_error, scene.truth_error);
+                                        render.samples, true_error, scene.references.error);
   if (!render.estimate) return about + ",,,,\n";
   return fmt::format("{},{:.5g},{:d},{:d},{:.4g}\n", about, render.estimate->value,
                      render.estimate->has_fireflies, render.estimate->misses_light,

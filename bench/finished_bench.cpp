@@ -66,7 +66,7 @@ std::vector<ReadyFilter> make_filters(const MeasuredScene& scene, const Argument
 
 std::string raw_columns(const MeasuredScene& scene, const TimedRender& render) {
   const std::vector<float>& picture = render.picture;
-  const auto& [first, second] = scene.references;
+  const auto& [first, second] = scene.references.halves;
   const Vec2i size = scene.settings.resolution;
   const auto at_scale = [&](double sigma) {
     return own_error(blurred(picture, size, sigma), blurred(first, size, sigma),
@@ -74,23 +74,23 @@ std::string raw_columns(const MeasuredScene& scene, const TimedRender& render) {
         .plain;
   };
   const OwnError error = own_error(picture, first, second);
-  return fmt::format(
-      "{:.2f},{},{:.4g},{:.4g},{:.4g},{:.4g},{:.4g},{:.4g},{:.4g},{:.4g},{:.4g}",
-      render.cpu_seconds, render.samples, scene.truth_floor.plain, error.plain, error.trimmed,
-      relative_mse_quantile(picture, scene.truth), at_scale(1.0), at_scale(2.0), at_scale(4.0),
-      at_scale(8.0),
-      map_mean(flip_map(to_ldr(picture), to_ldr(scene.truth), scene.settings.resolution)));
+  return fmt::format("{:.2f},{},{:.4g},{:.4g},{:.4g},{:.4g},{:.4g},{:.4g},{:.4g},{:.4g},{:.4g}",
+                     render.cpu_seconds, render.samples, scene.references.floor.plain, error.plain,
+                     error.trimmed, relative_mse_quantile(picture, scene.references.mean),
+                     at_scale(1.0), at_scale(2.0), at_scale(4.0), at_scale(8.0),
+                     map_mean(flip_map(to_ldr(picture), to_ldr(scene.references.mean),
+                                       scene.settings.resolution)));
 }
 
 /// With the error that is estimated of it, if any is, and the true one.
 std::string filtered_columns(const MeasuredScene& scene, const Picture& picture) {
   const std::vector<float>& pixels = shown_layer(picture).pixels;
   const std::optional<double> estimate = denoised_error(picture);
-  const OwnError error = own_error(pixels, scene.references[0], scene.references[1]);
+  const OwnError error = own_error(pixels, scene.references.halves[0], scene.references.halves[1]);
   return fmt::format(
       "{:.4g},{:.4g},{:.4g},{:.4g},{}", error.plain, error.trimmed,
-      map_mean(flip_map(to_ldr(pixels), to_ldr(scene.truth), scene.settings.resolution)),
-      relative_error(pixels, scene.truth).value_or(0.0),
+      map_mean(flip_map(to_ldr(pixels), to_ldr(scene.references.mean), scene.settings.resolution)),
+      relative_error(pixels, scene.references.mean).value_or(0.0),
       estimate ? fmt::format("{:.4g}", *estimate) : "");
 }
 

@@ -6,8 +6,6 @@
 #include <array>
 #include <cmath>
 
-#include "image/metrics.h"
-#include "image/relative_error.h"
 #include "measuring/reference_store.h"
 #include "measuring/timed_render.h"
 #include "session/render_setup.h"
@@ -22,42 +20,14 @@ constexpr int kDefaultDepth = 16;
 constexpr std::uint64_t kReferenceSeed = 2'000'000;
 constexpr std::array<const char*, 2> kMethods = {"bdpt", "mmlt+"};
 
-void average(const std::vector<ReferencePart>& parts, MeasuredScene& scene) {
-  std::vector<double> weights;
-  double whole = 0.0;
-  for (const ReferencePart& part : parts) {
-    const double noise = noise_floor(part.picture, part.standard_error).trimmed;
-    weights.push_back(1.0 / std::max(1e-12, noise));
-    whole += weights.back();
-  }
-  const std::size_t values = parts.front().picture.size();
-  scene.truth.resize(values);
-  std::vector<float> off_by_one_error(values);
-  for (std::size_t i = 0; i < values; ++i) {
-    double sum = 0.0;
-    double variance = 0.0;
-    for (std::size_t p = 0; p < parts.size(); ++p) {
-      const double weight = weights[p] / whole;
-      const double error = weight * double{parts[p].standard_error[i]};
-      sum += weight * double{parts[p].picture[i]};
-      variance += error * error;
-    }
-    scene.truth[i] = static_cast<float>(sum);
-    off_by_one_error[i] = static_cast<float>(sum + std::sqrt(variance));
-  }
-  scene.truth_floor = {relative_mse(off_by_one_error, scene.truth),
-                       relative_mse_trimmed(off_by_one_error, scene.truth)};
-  scene.truth_error = relative_error(off_by_one_error, scene.truth).value_or(0.0);
-}
-
-/// False if interrupted.
-bool render_reference(const MeasuredScene& scene, std::size_t which, double cpu_seconds,
-                      const ReferenceStore& store) {
+/// The next part of a reference by one of the methods. False if interrupted.
+bool render_part(const MeasuredScene& scene, std::size_t which, double cpu_seconds,
+                 const ReferenceStore& store) {
   const char* method = kMethods[which];
   fmt::print(stderr, "{}: reference by {}, {:.0f} CPU-seconds\n", scene.name, method, cpu_seconds);
   RenderSettings settings = scene.settings;
   // Both make some of the light alike: with one seed, they would have the same noise in it.
-  settings.seed = kReferenceSeed + which;
+  settings.seed = kReferenceSeed + which + kMethods.size() * store.count();
   TimedRender render =
       render_for({cpu_seconds}, *scene.scene, parse_variant(method), settings, interrupt_count());
   if (interrupt_count() > 0) return false;
@@ -83,21 +53,24 @@ std::optional<MeasuredScene> measure_scene(const BenchScene& bench_scene,
   scene.scene = std::make_unique<Scene>(std::move(description), BuildOptions{size}, warnings);
   scene.settings = settings_for(*scene.scene);
   scene.settings.max_depth = max_depth;
-  std::vector<ReferencePart> parts;
+  std::vector<std::array<std::vector<float>, 2>> by_method;
   for (std::size_t which = 0; which < kMethods.size(); ++which) {
     const ReferenceStore store(measure.folder, {scene.name, size, scene.settings.max_depth,
                                                 measure.box_filter ? "box" : "scene",
                                                 kMethods[which], scene.scene->hash()});
-    if (store.count() == 0 &&
-        !render_reference(scene, which, measure.reference_seconds / kMethods.size(), store)) {
-      return std::nullopt;
+    constexpr std::size_t kHalves = 2;
+    const double part_seconds = measure.reference_seconds / (kHalves * kMethods.size());
+    while (store.count() < kHalves) {
+      if (!render_part(scene, which, part_seconds, store)) return std::nullopt;
     }
-    const std::vector<ReferencePart> own = store.load();
-    const Reference reference = average(own);
-    scene.references[which] = reference.picture;
-    parts.insert(parts.end(), own.begin(), own.end());
+    std::array<std::vector<ReferencePart>, kHalves> parts;
+    for (ReferencePart& part : store.load()) {
+      std::vector<ReferencePart>& half = parts[0].size() > parts[1].size() ? parts[1] : parts[0];
+      half.push_back(std::move(part));
+    }
+    by_method.push_back({average(parts[0]).picture, average(parts[1]).picture});
   }
-  average(parts, scene);
+  scene.references = make_pair(by_method);
   return scene;
 }
 

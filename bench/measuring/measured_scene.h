@@ -1,5 +1,4 @@
 #pragma once
-#include <array>
 #include <memory>
 #include <optional>
 #include <string>
@@ -16,7 +15,7 @@ struct MeasureOptions {
   int longer_side = 0;      ///< pixels, in the scene's own shape; 0: 160×120 for all
   bool box_filter = false;  ///< one pixel wide, instead of the scene's own
   std::string folder = "build/measured-scenes";  ///< where references are kept
-  double reference_seconds = 400.0;              ///< of CPU, of both methods together
+  double reference_seconds = 400.0;              ///< of CPU, of all that is rendered
 };
 
 /// A scene, and what a picture of it should be.
@@ -25,16 +24,11 @@ struct MeasuredScene {
   desc::SceneDesc description;
   std::unique_ptr<Scene> scene;  ///< built of it
   RenderSettings settings;
-  /// By one method each, independent of one another.
-  std::array<std::vector<float>, 2> references;
-  std::vector<float> truth;  ///< their average
-  double truth_error = 0.0;  ///< `relative_error` of its own noise
-  NoiseFloor truth_floor;    ///< what that noise alone adds to the relMSE of a picture
+  ReferencePair references;  ///< of bdpt and mmlt+, which fail in different places
 };
 
-/// Its truth is the average of references by two methods that fail in different places, bdpt and
-/// mmlt+, weighted by how noisy they are as a whole. They are loaded from the folder, or rendered
-/// and kept there. Empty if interrupted. Raises IoError.
+/// References are loaded from the folder, or rendered and kept there: two pictures by each method,
+/// with seeds of their own. Empty if interrupted. Raises IoError.
 std::optional<MeasuredScene> measure_scene(const BenchScene& bench_scene,
                                            const MeasureOptions& options);
 

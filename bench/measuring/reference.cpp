@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
 
 #include "image/metrics.h"
+#include "image/relative_error.h"
 
 namespace ajar::bench {
 
@@ -76,6 +78,39 @@ OwnError own_error(std::span<const float> picture, std::span<const float> first,
   leave_out(pixels, kWorst, &PixelError::seen);
   error.trimmed = mean_own(pixels);
   return error;
+}
+
+ReferencePair make_pair(std::span<const std::array<std::vector<float>, 2>> by_method) {
+  if (by_method.empty()) throw std::invalid_argument("references: by no method");
+  const std::size_t values = by_method.front()[0].size();
+  std::vector<double> weights;
+  for (const auto& [first, second] : by_method) {
+    if (first.size() != values || second.size() != values) {
+      throw std::invalid_argument("references: pictures of different sizes");
+    }
+    constexpr double kNone = 1e-12;
+    weights.push_back(1.0 / std::max(kNone, relative_mse_trimmed(first, second)));
+  }
+  const double all = std::accumulate(weights.begin(), weights.end(), 0.0);
+  ReferencePair pair;
+  for (std::vector<float>& half : pair.halves) half.resize(values);
+  pair.mean.resize(values);
+  std::vector<float> off_by_one_error(values);
+  for (std::size_t i = 0; i < values; ++i) {
+    std::array<double, 2> sums{};
+    for (std::size_t m = 0; m < by_method.size(); ++m) {
+      for (std::size_t h = 0; h < sums.size(); ++h) {
+        sums[h] += weights[m] / all * double{by_method[m][h][i]};
+      }
+    }
+    for (std::size_t h = 0; h < sums.size(); ++h) pair.halves[h][i] = static_cast<float>(sums[h]);
+    pair.mean[i] = static_cast<float>(0.5 * (sums[0] + sums[1]));
+    off_by_one_error[i] = pair.mean[i] + static_cast<float>(0.5 * std::abs(sums[0] - sums[1]));
+  }
+  pair.floor = {relative_mse(off_by_one_error, pair.mean),
+                relative_mse_trimmed(off_by_one_error, pair.mean)};
+  pair.error = relative_error(off_by_one_error, pair.mean).value_or(0.0);
+  return pair;
 }
 
 Reference average(std::span<const ReferencePart> parts) {

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -46,6 +47,20 @@ struct OwnError {
 /// std::invalid_argument if they have not as many values, by threes.
 OwnError own_error(std::span<const float> picture, std::span<const float> first,
                    std::span<const float> second);
+
+/// Two references that are independent of one another, and alike in what they are made of.
+struct ReferencePair {
+  std::array<std::vector<float>, 2> halves;
+  std::vector<float> mean;  ///< of both
+  NoiseFloor floor;         ///< of the mean, as the halves differ
+  double error = 0.0;       ///< of the mean, as `relative_error` has it; 0 if all is black
+};
+
+/// By methods that fail in different places. Each has made two pictures, with seeds of their own;
+/// `by_method[m][h]` goes into half h. Methods are weighted by how little their two pictures
+/// differ, both halves alike: one that misses light, or has it as fireflies, counts little in
+/// either. Raises std::invalid_argument if there is none, or for pictures of different sizes.
+ReferencePair make_pair(std::span<const std::array<std::vector<float>, 2>> by_method);
 
 /// Mean of independent renders by one method, weighted by samples. There must be at least one.
 Reference average(std::span<const ReferencePart> parts);

@@ -36,6 +36,33 @@ TEST(Reference, PartsAreWeightedBySamples) {
   EXPECT_NEAR(reference.floor.plain, 2 * 0.075 * 0.075 / 4.01 / 3, 1e-7);
 }
 
+TEST(Reference, HalvesOfAPairAreIndependentAndWeighMethodsAlike) {
+  // Light of a hundredth of the pixels, which the second method has as fireflies in others.
+  std::vector<float> truth(kValues, 1.F);
+  for (std::size_t i = 0; i < kValues; i += 300) truth[i] = truth[i + 1] = truth[i + 2] = 5.F;
+  const auto by_good = [&](unsigned seed) {
+    std::vector<float> picture = noisy(kValues, 0.05, seed);
+    for (std::size_t i = 0; i < kValues; ++i) picture[i] += truth[i] - 1.F;
+    return picture;
+  };
+  const auto by_bad = [&](unsigned seed) {
+    std::vector<float> picture = noisy(kValues, 0.05, seed);
+    for (std::size_t i = seed * 90; i < kValues; i += 600) picture[i] += 2400.F;
+    return picture;
+  };
+  const std::vector<std::array<std::vector<float>, 2>> both = {{by_good(2), by_good(3)},
+                                                               {by_bad(4), by_bad(5)}};
+  const ReferencePair pair = make_pair(both);
+  // A picture without that light has that as its error, not the nothing that the second sees.
+  const std::vector<float> dark(kValues, 1.F);
+  const double missing = 0.01 * 16.0 / 25.01;
+  EXPECT_NEAR(own_error(dark, both[1][0], both[1][1]).trimmed, 0.0, 0.2 * missing);
+  EXPECT_NEAR(own_error(dark, pair.halves[0], pair.halves[1]).plain, missing, 0.1 * missing);
+  // The mean of two has half of the squared noise of either.
+  EXPECT_NEAR(pair.floor.trimmed, 0.05 * 0.05 / 2.0 / 1.01, 1e-4);
+  EXPECT_THROW(make_pair({}), std::invalid_argument);
+}
+
 TEST(Reference, NoiseIsNotInAPicturesOwnError) {
   constexpr double kSigma = 0.05;
   const std::vector<float> picture = noisy(kValues, kSigma, 1);
