@@ -15,10 +15,9 @@ import time
 import outcome
 from mutate import mutate
 
-INTEGRATORS = ["pt", "lt", "ibpt", "bdpt", "pssmlt", "mmlt", "mmlt+", "selective"]
+INTEGRATORS = ["pt", "lt", "ibpt", "bdpt", "pssmlt", "mmlt", "mlt", "erpt", "mmlt+", "selective"]
 SMALL = ["--resolution", "16x12", "--spp", "4", "--threads", "2", "--progress", "none"]
-LIGHT = {"pssmlt": ["--set", "bootstrap=2000"], "mmlt": ["--set", "bootstrap=2000"], "mmlt+": ["--set", "bootstrap=2000"],
-         "selective": ["--set", "bootstrap=2000"]}
+LIGHT = {name: ["--set", "bootstrap=2000"] for name in ("pssmlt", "mmlt", "mlt", "erpt", "mmlt+", "selective")}
 
 
 class Trials:

@@ -170,14 +170,19 @@ Lobe random_lobe(Rng& rng) {
   const PackedSpectrum b(random_color(rng));
   const float eta = extreme(rng, 0.05F, 20.F);
   const float rough_eta = std::abs(eta - 1.F) < 1e-3F ? 1.5F : eta;
-  switch (static_cast<int>(rng.next() * 16.F)) {
+  const ConductorFresnel metal(Spectrum(extreme(rng, 1e-5F, 1e5F)),
+                               Spectrum(extreme(rng, 1e-9F, 1e5F)));
+  const float coat_eta = extreme(rng, 1.F, 20.F);
+  const Coat coat{coat_eta, rng.next() < 0.5F ? 0.F : alpha};
+  constexpr std::size_t kLobes = std::variant_size_v<Lobe>;
+  static_assert(kLobes == 22, "each lobe has a case here");
+  switch (static_cast<int>(rng.next() * static_cast<float>(kLobes))) {
     case 0:
       return Lambert{};
     case 1:
       return SmoothDielectric{a, b, eta};
     case 2:
-      return Conductor{facets,
-                       {Spectrum(extreme(rng, 1e-5F, 1e5F)), Spectrum(extreme(rng, 1e-9F, 1e5F))}};
+      return Conductor{facets, metal};
     case 3:
       return DielectricReflection{facets, {eta}};
     case 4:
@@ -202,8 +207,20 @@ Lobe random_lobe(Rng& rng) {
       return DisneyDiffuse{a, b, rng.next(), rng.next(), rng.next()};
     case 14:
       return DisneySpecular{facets, {a, rng.next(), eta}};
-    default:
+    case 15:
       return DisneyClearcoat{extreme(rng, 0.001F, 0.1F)};
+    case 16:
+      return SmoothConductor{metal};
+    case 17:
+      return SmoothCoat{{coat_eta}};
+    case 18:
+      return RoughCoat{facets, {coat_eta}};
+    case 19:
+      return CoatedDiffuse(a.unpack(), coat);
+    case 20:
+      return CoatedConductor{facets, metal, coat};
+    default:
+      return SmoothCoatedConductor{{metal, coat_eta}};
   }
 }
 

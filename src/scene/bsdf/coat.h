@@ -30,11 +30,10 @@ struct Coat {
   /// Mean of `transmittance` over a hemisphere, weighted by the cosine.
   float mean_transmittance() const;
 
-  /// Direction inside of the coat that `w` is refracted from, on the same side of the surface.
+  /// Direction inside of the coat that `w` is refracted from, on the same side of the surface. Its
+  /// cosine is written so that nothing cancels where both are small (η near 1, grazing angles).
   Vec3 inside(const Vec3& w) const {
-    const float x = w.x / eta;
-    const float y = w.y / eta;
-    return {x, y, std::copysign(std::sqrt(std::max(0.F, 1.F - x * x - y * y)), w.z)};
+    return {w.x / eta, w.y / eta, std::copysign(std::sqrt(eta * eta - 1.F + w.z * w.z) / eta, w.z)};
   }
   /// dω inside / dω outside: cos θ / (η² cos θ').
   float solid_angle_ratio(const Vec3& outer, const Vec3& inner) const {
@@ -120,7 +119,7 @@ struct CoatedConductor {
     const float x = i.x * coat.eta;
     const float y = i.y * coat.eta;
     const float squared = 1.F - x * x - y * y;
-    if (!(i.z > 0.F && cos_h > 0.F && squared > kGrazing * kGrazing)) return std::nullopt;
+    if (!(i.z >= kGrazing && cos_h > 0.F && squared > kGrazing * kGrazing)) return std::nullopt;
     const Vec3 outer_i(x, y, std::sqrt(squared));
     const float area_o = facets.projected_area(o);
     const float area_i = facets.projected_area(i);
