@@ -2,9 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "measuring/reference_store.h"
 #include "measuring/timed_render.h"
@@ -70,7 +68,7 @@ std::optional<MeasuredScene> measure_scene(const BenchScene& bench_scene,
     }
     by_method.push_back({average(parts[0]).picture, average(parts[1]).picture});
   }
-  scene.references = make_pair(by_method);
+  scene.references = reference_pair(by_method);
   return scene;
 }
 

@@ -80,7 +80,7 @@ OwnError own_error(std::span<const float> picture, std::span<const float> first,
   return error;
 }
 
-ReferencePair make_pair(std::span<const std::array<std::vector<float>, 2>> by_method) {
+ReferencePair reference_pair(std::span<const std::array<std::vector<float>, 2>> by_method) {
   if (by_method.empty()) throw std::invalid_argument("references: by no method");
   const std::size_t values = by_method.front()[0].size();
   std::vector<double> weights;

@@ -60,7 +60,7 @@ struct ReferencePair {
 /// `by_method[m][h]` goes into half h. Methods are weighted by how little their two pictures
 /// differ, both halves alike: one that misses light, or has it as fireflies, counts little in
 /// either. Raises std::invalid_argument if there is none, or for pictures of different sizes.
-ReferencePair make_pair(std::span<const std::array<std::vector<float>, 2>> by_method);
+ReferencePair reference_pair(std::span<const std::array<std::vector<float>, 2>> by_method);
 
 /// Mean of independent renders by one method, weighted by samples. There must be at least one.
 Reference average(std::span<const ReferencePart> parts);

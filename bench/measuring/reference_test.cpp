@@ -52,7 +52,7 @@ TEST(Reference, HalvesOfAPairAreIndependentAndWeighMethodsAlike) {
   };
   const std::vector<std::array<std::vector<float>, 2>> both = {{by_good(2), by_good(3)},
                                                                {by_bad(4), by_bad(5)}};
-  const ReferencePair pair = make_pair(both);
+  const ReferencePair pair = reference_pair(both);
   // A picture without that light has that as its error, not the nothing that the second sees.
   const std::vector<float> dark(kValues, 1.F);
   const double missing = 0.01 * 16.0 / 25.01;
@@ -60,7 +60,7 @@ TEST(Reference, HalvesOfAPairAreIndependentAndWeighMethodsAlike) {
   EXPECT_NEAR(own_error(dark, pair.halves[0], pair.halves[1]).plain, missing, 0.1 * missing);
   // The mean of two has half of the squared noise of either.
   EXPECT_NEAR(pair.floor.trimmed, 0.05 * 0.05 / 2.0 / 1.01, 1e-4);
-  EXPECT_THROW(make_pair({}), std::invalid_argument);
+  EXPECT_THROW(reference_pair({}), std::invalid_argument);
 }
 
 TEST(Reference, NoiseIsNotInAPicturesOwnError) {

@@ -59,12 +59,13 @@ void MeshLoader::load_all() {
   }
 }
 
+bool is_empty_mesh(const desc::Shape& shape) {
+  return shape.node.is("mesh") && shape.node.mesh("mesh")->indices.empty();
+}
+
 void remove_empty_meshes(desc::SceneDesc& scene) {
-  const auto is_empty = [](const desc::Shape& shape) {
-    return shape.node.is("mesh") && shape.node.mesh("mesh")->indices.empty();
-  };
-  std::erase_if(scene.shapes, is_empty);
-  for (desc::Object& object : scene.objects) std::erase_if(object.shapes, is_empty);
+  std::erase_if(scene.shapes, is_empty_mesh);
+  for (desc::Object& object : scene.objects) std::erase_if(object.shapes, is_empty_mesh);
 }
 
 }  // namespace ajar

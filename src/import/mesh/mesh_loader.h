@@ -53,7 +53,9 @@ class MeshLoader {
   std::map<std::pair<std::string, std::string>, std::size_t> known_;  ///< by path and variant
 };
 
-/// Leaves out shapes whose meshes have no triangles, as those of files that could not be read.
+/// Whether it is a mesh without triangles, as those of files that could not be read.
+bool is_empty_mesh(const desc::Shape& shape);
+/// Leaves out such shapes.
 void remove_empty_meshes(desc::SceneDesc& scene);
 
 }  // namespace ajar

@@ -469,8 +469,9 @@ desc::SceneDesc SceneBuilder::finish(const SourceLocation& end) {
   scene_.camera.medium = medium_id(context_.is_v4() ? camera_medium_ : state_.outside);
   meshes_.load_all();
   for (const Powered& light : powered_) {
-    scale_to_power(scene_.shapes[light.shape], light.power, light.triangles_per_primitive,
-                   warnings_);
+    desc::Shape& shape = scene_.shapes[light.shape];
+    if (is_empty_mesh(shape)) continue;
+    scale_to_power(shape, light.power, light.triangles_per_primitive, warnings_);
   }
   remove_empty_meshes(scene_);
   if (scene_.shapes.empty() && scene_.instances.empty())

@@ -1,6 +1,8 @@
 // Shapes and mesh files: pbrt-v3's defaults and meanings.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "import/pbrt/import_test_support.h"
 #include "scene/desc/models.h"
 
@@ -130,6 +132,14 @@ TEST(PbrtShapes, ThoseOfBadMeshFilesAreLeftOutWithAWarning) {
   const desc::SceneDesc s = import_with(two, warnings, {{"a.ply", kTriangle}});
   ASSERT_EQ(s.shapes.size(), 2U);  // the sphere of every world, and one of two
   EXPECT_EQ(s.shapes[0].name, "a");
+}
+
+TEST(PbrtShapes, OfALampWhoseMeshIsMissingNothingElseIsSaid) {
+  const std::string told = warnings_of(
+      "Film \"rgb\" Camera \"perspective\" WorldBegin Shape \"sphere\" AreaLightSource \"diffuse\" "
+      "\"float power\" 100 Shape \"plymesh\" \"string filename\" \"a.ply\"");
+  EXPECT_TRUE(contains(told, "cannot use this mesh")) << told;
+  EXPECT_EQ(std::count(told.begin(), told.end(), '\n'), 1) << told;
 }
 
 TEST(PbrtShapes, CurvesBecomeBezierSegments) {

@@ -119,7 +119,7 @@ struct CoatedConductor {
     const float x = i.x * coat.eta;
     const float y = i.y * coat.eta;
     const float squared = 1.F - x * x - y * y;
-    if (!(i.z >= kGrazing && cos_h > 0.F && squared > kGrazing * kGrazing)) return std::nullopt;
+    if (!(i.z > 0.F && cos_h > 0.F && squared > kGrazing * kGrazing)) return std::nullopt;
     const Vec3 outer_i(x, y, std::sqrt(squared));
     const float area_o = facets.projected_area(o);
     const float area_i = facets.projected_area(i);
