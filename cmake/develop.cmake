@@ -2,21 +2,13 @@
 foreach(room api api_c import session study study_report)
   ajar_compile_quickly(ajar_${room}_test)
 endforeach()
-target_link_libraries(ajar_core_test PRIVATE ZLIB::ZLIB)
 # They write the images that they read.
+target_link_libraries(ajar_core_test PRIVATE ZLIB::ZLIB PNG::PNG OpenImageIO::OpenImageIO)
 target_link_libraries(ajar_image_test PRIVATE OpenImageIO::OpenImageIO)
 target_link_libraries(ajar_scene_test PRIVATE OpenImageIO::OpenImageIO)
-
-# The images that builds with few libraries have, held against those of this build.
-if(AJAR_IMAGES STREQUAL "openimageio")
-  file(GLOB small_images CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/src/core/image_small/*.cpp)
-  list(FILTER small_images EXCLUDE REGEX "/backend\\.cpp$")
-  add_executable(ajar_small_images_test ${small_images})
-  target_compile_definitions(ajar_small_images_test PRIVATE AJAR_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
-  target_link_libraries(ajar_small_images_test PRIVATE ajar_core ${small_image_libraries} OpenImageIO::OpenImageIO
-    GTest::gtest_main)
-  add_test(NAME small_images COMMAND ajar_small_images_test)
-endif()
+foreach(room core image scene import)
+  add_dependencies(ajar_${room}_test ajar_openimageio)
+endforeach()
 
 add_subdirectory(fuzz)
 

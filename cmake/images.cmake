@@ -1,12 +1,11 @@
-# What reads and writes images: src/core/image_openimageio or src/core/image_small, by AJAR_IMAGES. AJAR_IMAGE_LIBRARIES are what that
-# needs, of AJAR_IMAGE_PACKAGES; AJAR_OTHER_IMAGES matches the sources of the other.
-set(small_image_libraries OpenEXR::OpenEXR PNG::PNG JPEG::JPEG)
-if(AJAR_IMAGES STREQUAL "small" OR AJAR_DEVELOP)
-  find_package(OpenEXR 3 REQUIRED)
-  find_package(PNG REQUIRED)
-  find_package(JPEG REQUIRED)
-endif()
-if(AJAR_IMAGES STREQUAL "openimageio" OR AJAR_DEVELOP)
+# What reads and writes images: src/core/image_formats, and for the formats that it leaves out OpenImageIO, in a library of its own
+# that is loaded when one of them is read (src/core/image_openimageio).
+set(AJAR_IMAGE_LIBRARIES OpenEXR::OpenEXR PNG::PNG JPEG::JPEG)
+set(AJAR_IMAGE_PACKAGES OpenEXR PNG JPEG)
+find_package(OpenEXR 3 REQUIRED)
+find_package(PNG REQUIRED)
+find_package(JPEG REQUIRED)
+if(AJAR_OPENIMAGEIO)
   find_package(OpenImageIO REQUIRED)
   # Debian 12's OpenImageIO target names OpenCV's headers, which its package does not depend on; its public
   # headers that we use do not need them, and a path that does not exist stops CMake.
@@ -17,14 +16,14 @@ if(AJAR_IMAGES STREQUAL "openimageio" OR AJAR_DEVELOP)
   endforeach()
 endif()
 
-if(AJAR_IMAGES STREQUAL "openimageio")
-  set(AJAR_IMAGE_LIBRARIES OpenImageIO::OpenImageIO)
-  set(AJAR_IMAGE_PACKAGES OpenImageIO)
-  set(AJAR_OTHER_IMAGES "/core/image_small/")
-elseif(AJAR_IMAGES STREQUAL "small")
-  set(AJAR_IMAGE_LIBRARIES ${small_image_libraries})
-  set(AJAR_IMAGE_PACKAGES OpenEXR PNG JPEG)
-  set(AJAR_OTHER_IMAGES "/core/image_openimageio/")
-else()
-  message(FATAL_ERROR "AJAR_IMAGES is openimageio or small, not \"${AJAR_IMAGES}\"")
-endif()
+# What is loaded goes where src/core/image_openimageio/openimageio_module.cpp looks for it.
+function(ajar_openimageio_module)
+  add_library(ajar_openimageio MODULE src/core/image_openimageio/module/decoder.cpp)
+  target_link_libraries(ajar_openimageio PRIVATE ajar_core OpenImageIO::OpenImageIO)
+  # Nothing of what it shares with the program is to be seen from outside.
+  set_target_properties(ajar_openimageio PROPERTIES CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
+  target_link_options(ajar_openimageio PRIVATE LINKER:--exclude-libs,ALL)
+  install(TARGETS ajar_openimageio LIBRARY DESTINATION lib/ajar)
+  install(TARGETS ajar_openimageio LIBRARY DESTINATION lib/ajar COMPONENT library EXCLUDE_FROM_ALL)
+  install(TARGETS ajar_openimageio LIBRARY DESTINATION lib/ajar COMPONENT python EXCLUDE_FROM_ALL)
+endfunction()

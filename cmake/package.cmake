@@ -14,7 +14,7 @@ foreach(room IN LISTS rooms)
 endforeach()
 add_library(ajar_library STATIC ${objects})
 # What the objects need beside themselves, which users of the library must have, too: cmake/ajar-config.cmake.in.
-target_link_libraries(ajar_library PRIVATE Imath::Imath embree TBB::tbb ${AJAR_IMAGE_LIBRARIES} fmt::fmt ZLIB::ZLIB
+target_link_libraries(ajar_library PRIVATE Imath::Imath embree TBB::tbb ${AJAR_IMAGE_LIBRARIES} ${CMAKE_DL_LIBS} fmt::fmt ZLIB::ZLIB
   pugixml::pugixml tinyobjloader::tinyobjloader)
 target_compile_features(ajar_library INTERFACE cxx_std_20)
 set_target_properties(ajar_library PROPERTIES OUTPUT_NAME ajar EXPORT_NAME ajar LINKER_LANGUAGE CXX)

@@ -5,9 +5,8 @@
 
 #include "core/image_header.h"
 
-/// What reads the formats of image files, chosen when the build is configured (AJAR_IMAGES):
-/// `image_openimageio/`, or `image_small/`, which needs few libraries. All but `ImageInput` open
-/// images through that.
+/// What reads the formats of image files: `image_formats/`, and OpenImageIO (`image_openimageio/`)
+/// for those that it leaves out. All but `ImageInput` open images through that.
 namespace ajar {
 
 /// An open image file.

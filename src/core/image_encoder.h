@@ -7,7 +7,7 @@
 #include "core/vector.h"
 
 /// What writes the formats of image files, in memory, so that every failure of the disk is ours to
-/// see: most format libraries ignore errors of the last flush. Chosen as `image_decoder.h` says.
+/// see: most format libraries ignore errors of the last flush. In `image_formats/`.
 namespace ajar {
 
 /// An image to be encoded, but for its pixels.

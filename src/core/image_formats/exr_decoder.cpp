@@ -10,10 +10,10 @@
 #include <tuple>
 
 #include "core/error.h"
+#include "core/image_formats/image_formats.h"
 #include "core/image_packing.h"
-#include "core/image_small/small_images.h"
 
-namespace ajar::small_images {
+namespace ajar::image_formats {
 
 namespace {
 
@@ -43,7 +43,7 @@ class ExrDecoder final : public ImageDecoder {
     for (auto channel = from.channels().begin(); channel != from.channels().end(); ++channel) {
       to.names.emplace_back(channel.name());
       if (channel.channel().xSampling != 1 || channel.channel().ySampling != 1) {
-        throw IoError("this build of Ajar reads no EXR with subsampled channels");
+        throw ForeignImage("an EXR with subsampled channels");
       }
       if (channel.channel().type != Imf::HALF) to.type = SampleType::Float;
     }
@@ -103,4 +103,4 @@ std::unique_ptr<ImageDecoder> open_exr(const std::string& path) {
   return std::make_unique<ExrDecoder>(path);
 }
 
-}  // namespace ajar::small_images
+}  // namespace ajar::image_formats

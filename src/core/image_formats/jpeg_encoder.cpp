@@ -1,9 +1,9 @@
 #include <array>
 
-#include "core/image_small/jpeg_library.h"
-#include "core/image_small/small_images.h"
+#include "core/image_encoder.h"
+#include "core/image_formats/jpeg_library.h"
 
-namespace ajar::small_images {
+namespace ajar {
 
 namespace {
 
@@ -41,7 +41,7 @@ class MemoryTarget : public jpeg_destination_mgr {
 /// Gone with all that it holds, however it is left.
 struct Compressor : jpeg_compress_struct {
   explicit Compressor(jpeg_error_mgr& errors) : jpeg_compress_struct{} {
-    err = raise_errors(errors);
+    err = image_formats::raise_errors(errors);
     jpeg_create_compress(this);
   }
   ~Compressor() { jpeg_destroy_compress(this); }
@@ -76,4 +76,4 @@ std::vector<unsigned char> encode_jpeg(const ImageLayout& layout,
   return bytes;
 }
 
-}  // namespace ajar::small_images
+}  // namespace ajar

@@ -2,9 +2,9 @@
 #include <array>
 #include <cmath>
 
-#include "core/image_small/small_images.h"
+#include "core/image_encoder.h"
 
-namespace ajar::small_images {
+namespace ajar {
 
 namespace {
 
@@ -79,4 +79,4 @@ Bytes encode_hdr(const ImageLayout& layout, const RowSource<float>& row) {
   return bytes;
 }
 
-}  // namespace ajar::small_images
+}  // namespace ajar

@@ -6,7 +6,7 @@
 
 #include "core/error.h"
 #include "core/image_complaint.h"
-#include "core/image_decoder.h"
+#include "core/image_openimageio/module/entry.h"
 #include "core/image_packing.h"
 
 namespace ajar {
@@ -132,12 +132,12 @@ class OpenImageIoDecoder final : public ImageDecoder {
 
 }  // namespace
 
-std::unique_ptr<ImageDecoder> open_image(const std::string& path, bool has_unassociated_alpha) {
+}  // namespace ajar
+
+ajar::ImageDecoder* ajar_open_image_by_openimageio(const char* path, bool has_unassociated_alpha) {
   OIIO::ImageSpec config;
   if (has_unassociated_alpha) config.attribute("oiio:UnassociatedAlpha", 1);
   auto input = OIIO::ImageInput::open(path, &config);
-  if (!input) throw IoError(image_complaint(OIIO::geterror()));
-  return std::make_unique<OpenImageIoDecoder>(std::move(input));
+  if (!input) throw ajar::IoError(ajar::image_complaint(OIIO::geterror()));
+  return std::make_unique<ajar::OpenImageIoDecoder>(std::move(input)).release();
 }
-
-}  // namespace ajar

@@ -10,7 +10,7 @@
 
 #include "core/error.h"
 
-namespace ajar::small_images {
+namespace ajar::image_formats {
 
 /// What libjpeg says, as exceptions: on x86-64 they pass through its functions, which all have
 /// unwind tables. Warnings mean lost data, of which it would make grey.
@@ -29,4 +29,4 @@ inline jpeg_error_mgr* raise_errors(jpeg_error_mgr& manager) {
   return &manager;
 }
 
-}  // namespace ajar::small_images
+}  // namespace ajar::image_formats

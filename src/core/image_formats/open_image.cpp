@@ -1,13 +1,14 @@
-#include "core/image_small/small_images.h"
-
 #include <array>
 #include <cerrno>
 #include <string_view>
 #include <system_error>
 
-#include "core/error.h"
+#include "core/image_formats/image_formats.h"
+#include "core/image_openimageio/openimageio_module.h"
 
-namespace ajar::small_images {
+namespace ajar {
+
+namespace image_formats {
 
 namespace {
 
@@ -41,17 +42,29 @@ File open_file(const std::string& path) {
   return file;
 }
 
-std::unique_ptr<ImageDecoder> open_image(const std::string& path, bool has_unassociated_alpha) {
+std::unique_ptr<ImageDecoder> open_own(const std::string& path, bool has_unassociated_alpha) {
   const std::string bytes = beginning_of(path);
   if (bytes.starts_with("\x76\x2f\x31\x01")) return open_exr(path);
   if (bytes.starts_with("\x89PNG")) return open_png(path, has_unassociated_alpha);
   if (bytes.starts_with("\xff\xd8")) return open_jpeg(path);
   if (bytes.starts_with("#?")) return open_hdr(path);
-  std::string what = "it is none of the images that this build of Ajar reads (EXR, PNG, JPEG, HDR)";
   for (const Signature& other : kOthers) {
-    if (bytes.starts_with(other.bytes)) what += ", but " + std::string(other.format);
+    if (bytes.starts_with(other.bytes)) throw ForeignImage(std::string(other.format));
   }
-  throw IoError(what + "; a build with OpenImageIO reads more");
+  throw ForeignImage("something unknown");
 }
 
-}  // namespace ajar::small_images
+}  // namespace image_formats
+
+std::unique_ptr<ImageDecoder> open_image(const std::string& path, bool has_unassociated_alpha) {
+  try {
+    return image_formats::open_own(path, has_unassociated_alpha);
+  } catch (const image_formats::ForeignImage& image) {
+    if (auto decoder = open_with_openimageio(path, has_unassociated_alpha)) return decoder;
+    throw IoError(std::string("it is ") + image.what() +
+                  ", which only builds of Ajar with OpenImageIO read; EXR, PNG, JPEG and HDR are "
+                  "read by all");
+  }
+}
+
+}  // namespace ajar

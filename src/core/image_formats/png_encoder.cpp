@@ -1,9 +1,9 @@
 #include <png.h>
 
 #include "core/error.h"
-#include "core/image_small/small_images.h"
+#include "core/image_encoder.h"
 
-namespace ajar::small_images {
+namespace ajar {
 
 namespace {
 
@@ -55,4 +55,4 @@ std::vector<unsigned char> encode_png(const ImageLayout& layout,
   return bytes;
 }
 
-}  // namespace ajar::small_images
+}  // namespace ajar

@@ -1,8 +1,8 @@
+#include "core/image_formats/image_formats.h"
+#include "core/image_formats/jpeg_library.h"
 #include "core/image_packing.h"
-#include "core/image_small/jpeg_library.h"
-#include "core/image_small/small_images.h"
 
-namespace ajar::small_images {
+namespace ajar::image_formats {
 
 namespace {
 
@@ -39,7 +39,7 @@ class JpegReader {
     jpeg_stdio_src(&codec_, file_.get());
     jpeg_read_header(&codec_, TRUE);
     if (codec_.jpeg_color_space == JCS_CMYK || codec_.jpeg_color_space == JCS_YCCK) {
-      throw IoError("this build of Ajar reads no JPEG in CMYK");
+      throw ForeignImage("a JPEG in CMYK");
     }
     // A few bytes each, and every one a walk over all pixels.
     progress_.progress_monitor = [](j_common_ptr codec) {
@@ -114,4 +114,4 @@ std::unique_ptr<ImageDecoder> open_jpeg(const std::string& path) {
   return std::make_unique<JpegDecoder>(path);
 }
 
-}  // namespace ajar::small_images
+}  // namespace ajar::image_formats

@@ -9,9 +9,9 @@
 #include <exception>
 
 #include "core/error.h"
-#include "core/image_small/small_images.h"
+#include "core/image_encoder.h"
 
-namespace ajar::small_images {
+namespace ajar {
 
 namespace {
 
@@ -84,4 +84,4 @@ std::vector<unsigned char> encode_exr(const ImageLayout& layout, const RowSource
   return bytes;
 }
 
-}  // namespace ajar::small_images
+}  // namespace ajar

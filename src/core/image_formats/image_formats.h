@@ -4,26 +4,25 @@
 #include <string>
 #include <vector>
 
+#include "core/error.h"
 #include "core/image_decoder.h"
-#include "core/image_encoder.h"
 
-/// Images with few libraries: README.md.
-namespace ajar::small_images {
+/// Images by the libraries of their own formats: README.md.
+namespace ajar::image_formats {
 
-// As those of `ajar` (`image_decoder.h`, `image_encoder.h`).
-std::unique_ptr<ImageDecoder> open_image(const std::string& path, bool has_unassociated_alpha);
-std::vector<unsigned char> encode_exr(const ImageLayout& layout, const RowSource<float>& row);
-std::vector<unsigned char> encode_hdr(const ImageLayout& layout, const RowSource<float>& row);
-std::vector<unsigned char> encode_png(const ImageLayout& layout,
-                                      const RowSource<unsigned char>& row);
-std::vector<unsigned char> encode_jpeg(const ImageLayout& layout,
-                                       const RowSource<unsigned char>& row);
+/// An image that nothing in this folder reads, but OpenImageIO may; the text says what it is.
+class ForeignImage : public IoError {
+ public:
+  using IoError::IoError;
+};
 
-// One for each format.
+// One for each format. Raise ForeignImage, IoError, and what the libraries raise.
 std::unique_ptr<ImageDecoder> open_exr(const std::string& path);
 std::unique_ptr<ImageDecoder> open_png(const std::string& path, bool has_unassociated_alpha);
 std::unique_ptr<ImageDecoder> open_jpeg(const std::string& path);
 std::unique_ptr<ImageDecoder> open_hdr(const std::string& path);
+/// By what the file begins with. Raises ForeignImage for all other formats.
+std::unique_ptr<ImageDecoder> open_own(const std::string& path, bool has_unassociated_alpha);
 
 struct CloseFile {
   void operator()(std::FILE* file) const { std::fclose(file); }
@@ -69,4 +68,4 @@ class ChannelPicker {
   SampleType wanted_;
 };
 
-}  // namespace ajar::small_images
+}  // namespace ajar::image_formats

@@ -3,10 +3,10 @@
 #include <string>
 
 #include "core/error.h"
+#include "core/image_formats/image_formats.h"
 #include "core/image_packing.h"
-#include "core/image_small/small_images.h"
 
-namespace ajar::small_images {
+namespace ajar::image_formats {
 
 namespace {
 
@@ -158,4 +158,4 @@ std::unique_ptr<ImageDecoder> open_png(const std::string& path, bool has_unassoc
   return std::make_unique<PngDecoder>(path, has_unassociated_alpha);
 }
 
-}  // namespace ajar::small_images
+}  // namespace ajar::image_formats

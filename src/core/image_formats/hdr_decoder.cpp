@@ -5,10 +5,10 @@
 #include <string_view>
 
 #include "core/error.h"
+#include "core/image_formats/image_formats.h"
 #include "core/image_packing.h"
-#include "core/image_small/small_images.h"
 
-namespace ajar::small_images {
+namespace ajar::image_formats {
 
 namespace {
 
@@ -25,7 +25,7 @@ class HdrReader {
   explicit HdrReader(const std::string& path) : file_(open_file(path)) {
     for (std::string line = read_line(); !line.empty(); line = read_line()) {
       if (line.starts_with("FORMAT=") && line != "FORMAT=32-bit_rle_rgbe") {
-        throw IoError("this build of Ajar reads no HDR of the format " + line.substr(7));
+        throw ForeignImage("an HDR of the format " + line.substr(7));
       }
     }
     read_size(read_line());
@@ -71,7 +71,7 @@ class HdrReader {
   void read_size(std::string_view text) {
     const std::size_t second = text.find(" +X ");
     if (!text.starts_with("-Y ") || second == std::string_view::npos) {
-      throw IoError("this build of Ajar reads no HDR that does not run from the top left");
+      throw ForeignImage("an HDR that does not run from the top left");
     }
     const auto number = [&](std::string_view digits) {
       int value = 0;
@@ -181,4 +181,4 @@ std::unique_ptr<ImageDecoder> open_hdr(const std::string& path) {
   return std::make_unique<HdrDecoder>(path);
 }
 
-}  // namespace ajar::small_images
+}  // namespace ajar::image_formats
