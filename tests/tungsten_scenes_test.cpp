@@ -1,58 +1,27 @@
 // Scenes of Tungsten whose pictures are known in closed form: its units, sides and directions.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <string>
 
 #include "import/tungsten/tungsten_import.h"
-#include "support/render.h"
-#include "support/temporary_file.h"
+#include "support/tiny_picture.h"
 
 namespace ajar {
 namespace {
 
-/// A picture of a scene that is written with ' in place of ".
-struct Picture {
-  std::vector<float> pixels;
-  Vec2i size;
+using test::expect_color;
+using test::FourColors;
+using test::MayWarn;
+using test::TinyPicture;
 
-  /// Mean over the part of the picture between these shares of its width and height.
-  Vec3 mean(float x0 = 0.F, float x1 = 1.F, float y0 = 0.F, float y1 = 1.F) const {
-    Vec3 sum(0.F);
-    float count = 0.F;
-    for (int y = 0; y < size.y; ++y) {
-      for (int x = 0; x < size.x; ++x) {
-        const Vec2 at((static_cast<float>(x) + 0.5F) / static_cast<float>(size.x),
-                      (static_cast<float>(y) + 0.5F) / static_cast<float>(size.y));
-        if (at.x < x0 || at.x > x1 || at.y < y0 || at.y > y1) continue;
-        const std::size_t i = 3 * static_cast<std::size_t>(y * size.x + x);
-        sum += Vec3(pixels[i], pixels[i + 1], pixels[i + 2]);
-        count += 1.F;
-      }
-    }
-    return sum / count;
-  }
-};
-
-Picture picture_of(std::string text, int samples, bool may_warn = false) {
-  std::replace(text.begin(), text.end(), '\'', '"');
-  Warnings warnings;
-  desc::SceneDesc description = import_tungsten_text(text, "test.json", ".", warnings);
-  const Scene scene(std::move(description), BuildOptions{}, warnings);
-  if (!may_warn) {
-    for (const std::string& message : warnings.messages()) ADD_FAILURE() << message;
-  }
-  test::RenderOptions options;
-  options.samples = samples;
-  return {test::render(scene, options).image(), scene.camera().resolution()};
-}
-
-void expect_color(const Vec3& actual, const Vec3& expected, float relative) {
-  for (int i = 0; i < 3; ++i) {
-    EXPECT_NEAR(actual[i], expected[i], relative * expected[i] + 1e-4F) << "lane " << i;
-  }
+/// Of a scene that is written with ' in place of ".
+TinyPicture picture_of(const std::string& text, int samples, MayWarn may_warn = MayWarn::No) {
+  return test::picture_of(
+      [&](Warnings& warnings) {
+        return import_tungsten_text(test::with_quotes(text), "test.json", ".", warnings);
+      },
+      samples, may_warn);
 }
 
 /// `camera` looks at the origin from `distance` along +z, and sees `width` there.
@@ -68,22 +37,6 @@ std::string wall(float width, const std::string& members) {
   return "{'type': 'quad', 'transform': {'rotation': [90, 0, 0], 'scale': " +
          std::to_string(width) + "}, " + members + "}";
 }
-
-/// Red and green above, blue and white below.
-class FourColors {
- public:
-  explicit FourColors(const std::string& extension) : file_("colors." + extension) {
-    std::ofstream out(file_.path(), std::ios::binary);
-    // Portable float maps begin with the lowest row.
-    const float texels[] = {0, 0, 1, 1, 1, 1, 1, 0, 0, 0, 1, 0};
-    out << "PF\n2 2\n-1.0\n";
-    out.write(reinterpret_cast<const char*>(texels), sizeof(texels));
-  }
-  const std::string& path() const { return file_.path(); }
-
- private:
-  test::TemporaryFile file_;
-};
 
 TEST(TungstenScenes, ClosedFurnaceSumsAllBounces) {
   // Within walls that emit L and reflect ρ everything has the radiance L / (1 − ρ).
@@ -103,7 +56,7 @@ TEST(TungstenScenes, ClosedFurnaceSumsAllBounces) {
              text + ", 'position': [" + std::to_string(out.x) + "," + std::to_string(out.y) + "," +
              std::to_string(out.z) + "]}}";
   }
-  const Picture picture = picture_of(
+  const TinyPicture picture = picture_of(
       "{'bsdfs': [{'name': 'half', 'type': 'lambert', 'albedo': 0.5}], 'primitives': [" + walls +
           "], 'camera': {'resolution': 8, 'fov': 90, 'transform': {'rotation': [10, 20, 30]}}}",
       256);
@@ -129,10 +82,10 @@ TEST(TungstenScenes, ShapesEmitFromTheirOutsideOnly) {
     const std::string primitive = "{" + std::string(shape) +
                                   ", 'emission': 3, 'bsdf': {'type': "
                                   "'null'}}";
-    const Picture front =
+    const TinyPicture front =
         picture_of("{" + camera(5.F, 0.5F) + ", 'primitives': [" + primitive + "]}", 1);
     expect_color(front.mean(), Vec3(3.F), 1e-4F);
-    const Picture inside = picture_of(
+    const TinyPicture inside = picture_of(
         "{'camera': {'resolution': 16, 'fov': 5, 'transform': {'position': [0, 0, -0.1], "
         "'look_at': "
         "[0, 0, -1]}}, 'primitives': [" +
@@ -144,7 +97,7 @@ TEST(TungstenScenes, ShapesEmitFromTheirOutsideOnly) {
 
 TEST(TungstenScenes, PointLightLightsAWallByTheInverseSquare) {
   // E = I / d² below a lamp of power Φ = 4π I.
-  const Picture picture =
+  const TinyPicture picture =
       picture_of("{" + camera(5.F, 0.05F) + ", 'primitives': [" +
                      wall(4.F, "'bsdf': {'type': 'lambert', 'albedo': 0.5}") +
                      ", {'type': 'point', 'power': 100, 'transform': {'position': [0, 0, 2]}}]}",
@@ -161,7 +114,7 @@ TEST(TungstenScenes, ASquareLampLightsAFloor) {
   const float h = std::sqrt(a * a + d * d);
   const float corner = a / h * std::atan(a / h) / kPi;
   const float form_factor = 4.F * corner;
-  const Picture picture = picture_of(
+  const TinyPicture picture = picture_of(
       "{'camera': {'resolution': 8, 'reconstruction_filter': 'box', 'fov': 1, 'transform': "
       "{'position': [3, 3, 0], 'look_at': [0, 0, 0], 'up': [0, 1, 0]}}, 'primitives': ["
       "{'type': 'quad', 'transform': {'scale': 4}, 'bsdf': {'type': 'lambert', 'albedo': 0.5}},"
@@ -177,7 +130,7 @@ TEST(TungstenScenes, PicturesAreNotMirrored) {
     return std::string("{'type': 'sphere', 'emission': ") + color +
            ", 'bsdf': {'type': 'null'}, 'transform': {'scale': 0.4, 'position': " + place + "}}";
   };
-  const Picture picture = picture_of(
+  const TinyPicture picture = picture_of(
       "{" + camera(20.F, 4.F) + ", 'primitives': [" + at("[1, 0, 0]", "[1, 0, 0]") + "," +
           at("[-1, 0, 0]", "[0, 1, 0]") + "," + at("[0, 1, 0]", "[0, 0, 1]") + "]}",
       4);
@@ -189,8 +142,8 @@ TEST(TungstenScenes, PicturesAreNotMirrored) {
 }
 
 TEST(TungstenScenes, ImagesAreUprightOnSquares) {
-  const FourColors image("pfm");
-  const Picture picture = picture_of(
+  const FourColors image;
+  const TinyPicture picture = picture_of(
       "{" + camera(20.F, 2.F) + ", 'primitives': [" +
           wall(2.F,
                "'bsdf': {'type': 'null'}, 'emission': {'type': 'bitmap', 'interpolate': false, "
@@ -198,34 +151,31 @@ TEST(TungstenScenes, ImagesAreUprightOnSquares) {
                    image.path() + "'}") +
           "]}",
       1);
-  expect_color(picture.mean(0.1F, 0.4F, 0.1F, 0.4F), {1, 0, 0}, 1e-3F);
-  expect_color(picture.mean(0.6F, 0.9F, 0.1F, 0.4F), {0, 1, 0}, 1e-3F);
-  expect_color(picture.mean(0.1F, 0.4F, 0.6F, 0.9F), {0, 0, 1}, 1e-3F);
-  expect_color(picture.mean(0.6F, 0.9F, 0.6F, 0.9F), {1, 1, 1}, 1e-3F);
+  test::expect_four_colors(picture);
 }
 
 TEST(TungstenScenes, CheckersAreOffAtTheOriginOfTheTexture) {
   // The lower left of a square that is seen upright.
-  const Picture picture = picture_of(
+  const TinyPicture picture = picture_of(
       "{" + camera(20.F, 2.F) + ", 'primitives': [" +
           wall(2.F,
                "'bsdf': {'type': 'null'}, 'emission': {'type': 'checker', 'res_u': 2, 'res_v': "
                "2, 'on_color': [1, 0, 0], 'off_color': [0, 0, 1]}") +
           "]}",
       1);
-  expect_color(picture.mean(0.1F, 0.4F, 0.6F, 0.9F), {0, 0, 1}, 1e-3F);
-  expect_color(picture.mean(0.6F, 0.9F, 0.6F, 0.9F), {1, 0, 0}, 1e-3F);
+  expect_color(picture.lower_left(), {0, 0, 1});
+  expect_color(picture.lower_right(), {1, 0, 0});
 }
 
 TEST(TungstenScenes, EnvironmentsHaveTheirColumnsWhereTungstenHasThem) {
   // u = atan2(z, x) / 2π + 1/2: the left half of the image is at z < 0, its upper half at y > 0.
-  const FourColors image("pfm");
+  const FourColors image;
   const auto towards = [&](const char* place) {
     return picture_of("{'camera': {'resolution': 4, 'fov': 0.01, 'transform': {'look_at': " +
                           std::string(place) +
                           "}}, 'primitives': [{'type': 'infinite_sphere', 'emission': '" +
                           image.path() + "'}]}",
-                      1, true)
+                      1, MayWarn::Yes)
         .mean();
   };
   expect_color(towards("[0, 1, -1]"), {1, 0, 0}, 1e-2F);
@@ -237,8 +187,8 @@ TEST(TungstenScenes, EnvironmentsHaveTheirColumnsWhereTungstenHasThem) {
 TEST(TungstenScenes, SpheresHaveTheirTexturesWhereTungstenHasThem) {
   // u = atan2(y, x) / 2π + 1/2 and v = acos(z) / π: with v from the bottom of the image, its lower
   // half is at z > 0, its right half at y > 0.
-  const FourColors image("pfm");
-  const Picture picture = picture_of(
+  const FourColors image;
+  const TinyPicture picture = picture_of(
       "{'camera': {'resolution': 32, 'fov': 3, 'reconstruction_filter': 'box', 'transform': "
       "{'position': [20, 0, 0], 'look_at': [0, 0, 0], 'up': [0, 1, 0]}}, 'primitives': ["
       "{'type': 'sphere', 'bsdf': {'type': 'null'}, 'emission': {'type': 'bitmap', 'interpolate': "
@@ -246,32 +196,27 @@ TEST(TungstenScenes, SpheresHaveTheirTexturesWhereTungstenHasThem) {
           image.path() + "'}}]}",
       1);
   // Seen from +x, −z is to the right.
-  expect_color(picture.mean(0.1F, 0.4F, 0.1F, 0.4F), {1, 1, 1}, 1e-3F);
-  expect_color(picture.mean(0.6F, 0.9F, 0.1F, 0.4F), {0, 1, 0}, 1e-3F);
-  expect_color(picture.mean(0.1F, 0.4F, 0.6F, 0.9F), {0, 0, 1}, 1e-3F);
-  expect_color(picture.mean(0.6F, 0.9F, 0.6F, 0.9F), {1, 0, 0}, 1e-3F);
+  expect_color(picture.upper_left(), {1, 1, 1});
+  expect_color(picture.upper_right(), {0, 1, 0});
+  expect_color(picture.lower_left(), {0, 0, 1});
+  expect_color(picture.lower_right(), {1, 0, 0});
 }
 
 TEST(TungstenScenes, MetalsReflectByTheirIndices) {
-  // Fresnel at normal incidence: ((n − 1)² + k²) / ((n + 1)² + k²).
-  const float n[] = {0.143119F, 0.374957F, 1.44248F};
-  const float k[] = {3.98316F, 2.38572F, 1.60322F};
-  Vec3 expected;
-  for (int i = 0; i < 3; ++i) {
-    expected[i] =
-        ((n[i] - 1.F) * (n[i] - 1.F) + k[i] * k[i]) / ((n[i] + 1.F) * (n[i] + 1.F) + k[i] * k[i]);
-  }
-  const Picture picture =
+  const Vec3 gold(test::normal_reflectance(0.143119F, 3.98316F),
+                  test::normal_reflectance(0.374957F, 2.38572F),
+                  test::normal_reflectance(1.44248F, 1.60322F));
+  const TinyPicture picture =
       picture_of("{" + camera(5.F, 0.02F) + ", 'primitives': [" +
                      wall(4.F, "'bsdf': {'type': 'conductor', 'material': 'Au'}") +
                      ", {'type': 'infinite_sphere', 'emission': 1}]}",
                  16);
-  expect_color(picture.mean(), expected, 5e-3F);
+  expect_color(picture.mean(), gold, 5e-3F);
 }
 
 TEST(TungstenScenes, SurfacesLookTheSameFromBehind) {
   for (const char* rotation : {"[90, 0, 0]", "[-90, 0, 0]"}) {
-    const Picture picture =
+    const TinyPicture picture =
         picture_of("{" + camera(5.F, 1.F) +
                        ", 'primitives': [{'type': 'quad', 'transform': {'scale': 4, "
                        "'rotation': " +
@@ -287,10 +232,10 @@ TEST(TungstenScenes, CoatsAndPlasticsKeepTheLightThatTheyReflectOnAverage) {
   // A convex body in an even environment reflects its mean albedo, seen from all sides: a sphere
   // shows each angle with the weight of its cosine.
   const auto mean_albedo = [](const std::string& bsdf) {
-    const Picture picture = picture_of("{" + camera(200.F, 2.F) +
-                                           ", 'primitives': [{'type': 'sphere', 'bsdf': " + bsdf +
-                                           "}, {'type': 'infinite_sphere', 'emission': 1}]}",
-                                       256, true);
+    const TinyPicture picture = picture_of(
+        "{" + camera(200.F, 2.F) + ", 'primitives': [{'type': 'sphere', 'bsdf': " + bsdf +
+            "}, {'type': 'infinite_sphere', 'emission': 1}]}",
+        256, MayWarn::Yes);
     const Vec3 all = picture.mean();
     const float disk = kPi / 4.F;
     return (all.x - (1.F - disk)) / disk;

@@ -115,6 +115,15 @@ std::size_t Accessors::count(std::size_t accessor) const {
 std::vector<Vec3> Accessors::read_vec3(std::size_t accessor) { return read<Vec3>(accessor, 3); }
 std::vector<Vec2> Accessors::read_vec2(std::size_t accessor) { return read<Vec2>(accessor, 2); }
 
+std::vector<Imath::V4f> Accessors::read_colors(std::size_t accessor) {
+  if (all_[accessor].at("type").text() == "VEC4") return read<Imath::V4f>(accessor, 4);
+  std::vector<Imath::V4f> colors;
+  for (const Vec3& color : read_vec3(accessor)) {
+    colors.emplace_back(color.x, color.y, color.z, 1.F);
+  }
+  return colors;
+}
+
 std::vector<unsigned> Accessors::read_indices(std::size_t accessor) {
   const Element type = all_[accessor].at("componentType");
   const ComponentType component = component_type_of(all_[accessor]);

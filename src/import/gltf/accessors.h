@@ -21,6 +21,8 @@ class Accessors {
   /// SceneError for other than three (two) components, and for bytes that are not there.
   std::vector<Vec3> read_vec3(std::size_t accessor);
   std::vector<Vec2> read_vec2(std::size_t accessor);
+  /// Of three components or four; the fourth is 1 if there is none.
+  std::vector<Imath::V4f> read_colors(std::size_t accessor);
   /// Scalars of an unsigned type. Raises as the others.
   std::vector<unsigned> read_indices(std::size_t accessor);
 

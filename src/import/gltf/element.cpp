@@ -173,4 +173,21 @@ Vec3 Element::vector_or(std::string_view name, const Vec3& fallback) const {
   return numbers ? Vec3(Vec3d((*numbers)[0], (*numbers)[1], (*numbers)[2])) : fallback;
 }
 
+bool Element::mentions(std::string_view end_of_name) const {
+  std::vector<const Json*> left{value_};
+  while (!left.empty()) {
+    const Json& value = *left.back();
+    left.pop_back();
+    if (value.is_object()) {
+      for (const auto& [name, member] : value.items()) {
+        if (name.ends_with(end_of_name)) return true;
+        left.push_back(&member);
+      }
+    } else if (value.is_array()) {
+      for (const Json& element : value) left.push_back(&element);
+    }
+  }
+  return false;
+}
+
 }  // namespace ajar::gltf

@@ -57,6 +57,8 @@ class Element {
   /// The member `name` of the member `extensions`.
   std::optional<Element> extension(std::string_view name) const;
   bool has(std::string_view name) const { return find(name).has_value(); }
+  /// Whether it, or anything in it, has a member whose name ends with this.
+  bool mentions(std::string_view end_of_name) const;
 
   std::optional<double> find_number(std::string_view name) const;
   std::optional<std::string> find_text(std::string_view name) const;

@@ -13,14 +13,21 @@ constexpr WarningKind kUnknown{Effect::Slight, "extensions are not known and ign
 constexpr WarningKind kMissingShapes{Effect::Geometry,
                                      "extensions that place or change meshes are not read"};
 
-constexpr std::array<std::string_view, 13> kRead = {
-    "EXT_texture_webp",        "KHR_lights_punctual",
-    "KHR_materials_clearcoat", "KHR_materials_emissive_strength",
-    "KHR_materials_ior",       "KHR_materials_pbrSpecularGlossiness",
-    "KHR_materials_specular",  "KHR_materials_transmission",
-    "KHR_materials_unlit",     "KHR_materials_variants",
-    "KHR_materials_volume",    "KHR_mesh_quantization",
-    "KHR_texture_transform"};
+constexpr std::array<std::string_view, 15> kRead = {"EXT_texture_webp",
+                                                    "KHR_lights_punctual",
+                                                    "KHR_materials_clearcoat",
+                                                    "KHR_materials_diffuse_transmission",
+                                                    "KHR_materials_emissive_strength",
+                                                    "KHR_materials_ior",
+                                                    "KHR_materials_pbrSpecularGlossiness",
+                                                    "KHR_materials_sheen",
+                                                    "KHR_materials_specular",
+                                                    "KHR_materials_transmission",
+                                                    "KHR_materials_unlit",
+                                                    "KHR_materials_variants",
+                                                    "KHR_materials_volume",
+                                                    "KHR_mesh_quantization",
+                                                    "KHR_texture_transform"};
 
 /// What the picture lacks without them.
 struct Unread {
@@ -28,12 +35,10 @@ struct Unread {
   std::string_view consequence;
   const WarningKind& kind;
 };
-constexpr std::array<Unread, 8> kUnreadExtensions = {
+constexpr std::array<Unread, 6> kUnreadExtensions = {
     {{"KHR_materials_anisotropy", "gloss is the same in all directions", kUnread},
-     {"KHR_materials_diffuse_transmission", "no light shines through diffusely", kUnread},
      {"KHR_materials_dispersion", "glass has one index of refraction for all colours", kUnread},
      {"KHR_materials_iridescence", "thin films have no colours", kUnread},
-     {"KHR_materials_sheen", "cloth has no sheen", kUnread},
      {"KHR_texture_basisu", "textures that have no other image are left out", kUnread},
      {"EXT_mesh_gpu_instancing", "meshes are placed once", kMissingShapes},
      {"KHR_node_visibility", "hidden nodes are shown", kMissingShapes}}};

@@ -20,9 +20,10 @@ TEST(GltfImport, CompressedMeshesSayWhatToDo) {
 TEST(GltfImport, UnknownExtensionsAreErrorsOnlyIfRequired) {
   TestFile file;
   file.add_triangle();
-  file.json["extensionsUsed"] = {"KHR_materials_sheen", "ABC_new"};
+  file.json["extensionsUsed"] = {"KHR_materials_iridescence", "ABC_new"};
   const std::string warnings = warnings_of(file);
-  EXPECT_TRUE(contains(warnings, "#/extensionsUsed/0: KHR_materials_sheen is not read: cloth"));
+  EXPECT_TRUE(
+      contains(warnings, "#/extensionsUsed/0: KHR_materials_iridescence is not read: thin"));
   EXPECT_TRUE(contains(warnings, "#/extensionsUsed/1: the extension ABC_new is not known"));
   file.json["extensionsRequired"] = {"KHR_materials_spekular"};
   EXPECT_TRUE(contains(error_of(file.text()), "did you mean \"KHR_materials_specular\""));

@@ -5,17 +5,33 @@
 
 namespace ajar::gltf {
 
-const Surface& Materials::of(const Element& primitive) {
+std::optional<Element> Materials::find(const Element& primitive) const {
   const std::optional<Element> reference = primitive.find("material");
-  if (!reference) {
-    if (none_.material == desc::kNone) none_.material = add_neutral_material(context_.scene);
-    return none_;
-  }
-  const Element material = reference->referred(context_.document.root(), "materials");
-  const auto made = made_.find(material.pointer());
+  if (!reference) return std::nullopt;
+  return reference->referred(context_.document.root(), "materials");
+}
+
+bool Materials::has_textures(const Element& primitive) const {
+  const std::optional<Element> material = find(primitive);
+  return material && material->mentions("Texture");
+}
+
+const Surface& Materials::of(const Element& primitive, const VertexColors* colors) {
+  const std::optional<Element> material = find(primitive);
+  const std::pair key(material ? material->pointer() : "", colors == nullptr ? "" : colors->name);
+  const auto made = made_.find(key);
   if (made != made_.end()) return made->second;
-  SurfaceReader reader(context_, images_, material);
-  return made_.emplace(material.pointer(), reader.read()).first->second;
+  return made_.emplace(key, make(material, colors)).first->second;
+}
+
+Surface Materials::make(const std::optional<Element>& material, const VertexColors* colors) {
+  if (material) return SurfaceReader(context_, images_, *material, colors).read();
+  Surface surface;
+  surface.material = add_neutral_material(context_.scene);
+  if (colors != nullptr) {
+    context_.scene.materials.back().node.set("base_color", colors->value);
+  }
+  return surface;
 }
 
 }  // namespace ajar::gltf

@@ -2,6 +2,7 @@
 #include <map>
 #include <optional>
 
+#include "import/gltf/meshes.h"
 #include "import/gltf/textures.h"
 
 namespace ajar::gltf {
@@ -20,14 +21,18 @@ class Materials {
  public:
   Materials(Context& context, Buffers& buffers) : context_(context), images_(context, buffers) {}
 
-  /// The material of a primitive.
-  const Surface& of(const Element& primitive);
+  /// Whether the material of a primitive refers to any texture.
+  bool has_textures(const Element& primitive) const;
+  /// The material of a primitive, with `colors`, or null, on its base colour.
+  const Surface& of(const Element& primitive, const VertexColors* colors);
 
  private:
+  std::optional<Element> find(const Element& primitive) const;
+  Surface make(const std::optional<Element>& material, const VertexColors* colors);
+
   Context& context_;
   Images images_;
-  std::map<std::string, Surface> made_;  ///< by JSON pointer
-  Surface none_;                         ///< of primitives that have no material
+  std::map<std::pair<std::string, std::string>, Surface> made_;  ///< by JSON pointer and colours
 };
 
 }  // namespace ajar::gltf

@@ -198,6 +198,20 @@ TEST(GltfMaterials, SolidGlassAbsorbsWithDistance) {
   EXPECT_EQ(medium.sigma_s, Vec3(0.F));
 }
 
+TEST(GltfMaterials, SheenIsAsStrongAsItsBrightestLane) {
+  TestFile file;
+  Json material;
+  material["extensions"]["KHR_materials_sheen"]["sheenColorFactor"] = {0.25, 0.5, 0.125};
+  file.add_triangle(material);
+  Warnings warnings;
+  const desc::SceneDesc scene = import_with(file.text(), warnings);
+  const desc::Node& node =
+      scene.materials[static_cast<std::size_t>(scene.shapes.front().material)].node;
+  EXPECT_EQ(node.number("sheen"), 0.5F);
+  EXPECT_EQ(node.number("sheen_tint"), 1.F);
+  EXPECT_TRUE(contains(lines_of(warnings), "a sheen stands in that has the hue of the base"));
+}
+
 TEST(GltfMaterials, PartialTransmissionIsAMixWithoutTheMetal) {
   Json material = glass(0.5);
   material["pbrMetallicRoughness"]["metallicFactor"] = 0.25;

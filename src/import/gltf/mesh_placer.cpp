@@ -43,8 +43,9 @@ MeshPlacer::Parts& MeshPlacer::parts_of(const Element& mesh) {
   Parts& parts = place->second;
   if (!is_new) return parts;
   for (const Element& primitive : mesh.elements("primitives")) {
-    const Surface& surface = materials_.of(primitive);
-    desc::MeshPointer triangles = meshes_.read(primitive, surface.uv_set);
+    const VertexColors* colors = meshes_.colors_of(primitive, materials_.has_textures(primitive));
+    const Surface& surface = materials_.of(primitive, colors);
+    desc::MeshPointer triangles = meshes_.read(primitive, surface.uv_set, colors);
     if (!triangles) continue;
     desc::Shape& shape = (surface.emission ? parts.shining : parts.plain).emplace_back();
     shape.where = primitive.where();

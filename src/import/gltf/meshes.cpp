@@ -1,8 +1,11 @@
 #include "import/gltf/meshes.h"
 
+#include <algorithm>
 #include <numeric>
 
+#include "import/common/vertex_colors.h"
 #include "import/mesh/validate_mesh.h"
+#include "scene/desc/models.h"
 
 namespace ajar::gltf {
 namespace {
@@ -11,7 +14,12 @@ using Triangle = Imath::Vec3<unsigned>;
 
 constexpr WarningKind kNoTriangles{Effect::Geometry,
                                    "primitives are points or lines and are left out"};
-constexpr WarningKind kColors{Effect::Surface, "primitives have colours of vertices: ignored"};
+constexpr WarningKind kColorsBesideTexture{
+    Effect::Surface, "primitives have colours of vertices beside a texture: their mean is used"};
+constexpr WarningKind kOtherCount{Effect::Surface,
+                                  "primitives have not as many colours as vertices: ignored"};
+constexpr WarningKind kVertexAlpha{Effect::Surface,
+                                   "primitives have vertices that are partly clear: opaque"};
 constexpr WarningKind kMorphs{Effect::Geometry,
                               "primitives have morph targets, and are shown without them"};
 
@@ -50,7 +58,49 @@ std::size_t Meshes::accessor_of(const std::optional<Element>& reference) const {
   return reference ? accessors_.index_of(*reference) : kNoAccessor;
 }
 
-desc::MeshPointer Meshes::read(const Element& primitive, std::size_t uv_set) {
+const VertexColors* Meshes::colors_of(const Element& primitive, bool is_textured) {
+  const Element attributes = primitive.at("attributes");
+  const std::optional<Element> reference = attributes.find("COLOR_0");
+  if (!reference) return nullptr;
+  const ColorKey key{accessors_.index_of(*reference), accessor_of(primitive.find("indices")),
+                     primitive.whole_or("mode", kTriangles), is_textured};
+  const auto [place, is_new] = colors_.try_emplace(key);
+  if (is_new) place->second = make_colors(attributes, is_textured);
+  return place->second ? &*place->second : nullptr;
+}
+
+std::optional<VertexColors> Meshes::make_colors(const Element& attributes, bool is_textured) {
+  const Element reference = attributes.at("COLOR_0");
+  const std::size_t vertices = accessors_.count(accessors_.index_of(attributes.at("POSITION")));
+  const std::vector<Imath::V4f> colors = accessors_.read_colors(accessors_.index_of(reference));
+  if (colors.size() != vertices || vertices == 0) {
+    context_.warnings.add(kOtherCount, reference.where(),
+                          "there are " + std::to_string(colors.size()) + " colours for " +
+                              std::to_string(vertices) + " vertices: ignored");
+    return std::nullopt;
+  }
+  Vec3d sum(0.0);
+  for (const Imath::V4f& color : colors) sum += Vec3d(color.x, color.y, color.z);
+  if (std::any_of(colors.begin(), colors.end(), [](const auto& color) { return color.w < 1.F; })) {
+    context_.warnings.add(kVertexAlpha, reference.where(),
+                          "the alpha of vertices is not supported: they are opaque");
+  }
+  VertexColors result{Vec3(sum / static_cast<double>(vertices)),
+                      context_.path + reference.pointer() + ".exr"};
+  if (is_textured) {
+    context_.warnings.add(kColorsBesideTexture, reference.where(),
+                          "beside a texture, the mean of these colours is used");
+    return result;
+  }
+  context_.scene.textures.push_back(
+      {"", reference.where(),
+       desc::texture_node("image", {{"file", result.name}, {"wrap", std::string("clamp")}})});
+  result.value = desc::TextureRef{static_cast<desc::TextureId>(context_.scene.textures.size()) - 1};
+  return result;
+}
+
+desc::MeshPointer Meshes::read(const Element& primitive, std::size_t uv_set,
+                               const VertexColors* colors) {
   const std::uint64_t mode = primitive.whole_or("mode", kTriangles);
   if (mode > kFan) primitive.at("mode").fail("modes are from 0 to 6, not " + std::to_string(mode));
   if (mode < kTriangles) {
@@ -59,19 +109,26 @@ desc::MeshPointer Meshes::read(const Element& primitive, std::size_t uv_set) {
     return nullptr;
   }
   const Element attributes = primitive.at("attributes");
-  const Key key{accessor_of(attributes.at("POSITION")), accessor_of(attributes.find("NORMAL")),
+  const Key key{accessor_of(attributes.at("POSITION")),
+                accessor_of(attributes.find("NORMAL")),
                 accessor_of(attributes.find(uv_name(uv_set))),
-                accessor_of(primitive.find("indices")), mode};
+                colors != nullptr && colors->is_image() ? accessor_of(attributes.find("COLOR_0"))
+                                                        : kNoAccessor,
+                accessor_of(primitive.find("indices")),
+                mode};
   const auto [place, is_new] = made_.try_emplace(key);
   if (is_new) {
-    place->second = make(primitive, key);
-    warn_of_attributes(primitive, attributes);
+    place->second = make(primitive, key, colors);
+    if (primitive.has("targets")) {
+      context_.warnings.add(kMorphs, primitive.where(), "morph targets are not applied");
+    }
   }
   return place->second;
 }
 
-desc::MeshPointer Meshes::make(const Element& primitive, const Key& key) {
-  const auto [positions, normals, uvs, indices, mode] = key;
+desc::MeshPointer Meshes::make(const Element& primitive, const Key& key,
+                               const VertexColors* image) {
+  const auto [positions, normals, uvs, colors, indices, mode] = key;
   auto mesh = std::make_shared<desc::Mesh>();
   mesh->positions = accessors_.read_vec3(positions);
   if (normals != kNoAccessor) mesh->normals = accessors_.read_vec3(normals);
@@ -89,16 +146,16 @@ desc::MeshPointer Meshes::make(const Element& primitive, const Key& key) {
   std::vector<Warning> remarks;
   validate_mesh(*mesh, primitive.where(), remarks);
   for (Warning& remark : remarks) context_.warnings.add(std::move(remark));
-  return mesh->indices.empty() ? nullptr : mesh;
-}
-
-void Meshes::warn_of_attributes(const Element& primitive, const Element& attributes) {
-  if (attributes.has("COLOR_0")) {
-    context_.warnings.add(kColors, primitive.where(), "colours of vertices are ignored");
+  if (mesh->indices.empty()) return nullptr;
+  if (colors == kNoAccessor) return mesh;
+  std::vector<Vec3> linear;
+  for (const Imath::V4f& color : accessors_.read_colors(colors)) {
+    linear.emplace_back(color.x, color.y, color.z);
   }
-  if (primitive.has("targets")) {
-    context_.warnings.add(kMorphs, primitive.where(), "morph targets are not applied");
-  }
+  PaintedMesh result = painted(*mesh, linear);
+  context_.scene.embedded_files[image->name] =
+      std::make_shared<const std::string>(std::move(result.image));
+  return std::make_shared<const desc::Mesh>(std::move(result.mesh));
 }
 
 }  // namespace ajar::gltf

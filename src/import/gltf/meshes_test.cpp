@@ -153,16 +153,58 @@ TEST(GltfMeshes, TypesOfAccessorsAreChecked) {
   EXPECT_TRUE(contains(error_of(file_of(primitive, file).text()), "did you mean \"VEC"));
 }
 
-TEST(GltfMeshes, PointsColoursAndMorphTargetsAreWarnings) {
+TEST(GltfMeshes, PointsAndMorphTargetsAreWarnings) {
   TestFile file = five_corners();
-  Json attributes = file.json["extras"]["attributes"];
+  const Json attributes = file.json["extras"]["attributes"];
   EXPECT_TRUE(contains(warnings_of(file_of({{"attributes", attributes}, {"mode", 0}}, file)),
                        "#/meshes/0/primitives/0: this primitive is made of points or lines"));
-  attributes["COLOR_0"] = 0;
   const std::string warnings =
       warnings_of(file_of({{"attributes", attributes}, {"targets", Json::array()}}, file));
-  EXPECT_TRUE(contains(warnings, "colours of vertices are ignored")) << warnings;
   EXPECT_TRUE(contains(warnings, "morph targets are not applied")) << warnings;
+}
+
+/// Three corners, with the material if there is one.
+TestFile colored(const std::vector<float>& rgba, const char* type, const Json& material = {}) {
+  TestFile file;
+  Json primitive = file.triangle();
+  primitive["attributes"]["COLOR_0"] =
+      file.add_accessor(bytes_of(rgba), 5126, type, rgba.size() / (type[3] == '4' ? 4 : 3));
+  if (!material.is_null()) primitive["material"] = file.add("materials", material);
+  file.add("meshes", {{"primitives", Json::array({primitive})}});
+  file.add("nodes", {{"mesh", 0}});
+  return file;
+}
+
+TEST(GltfMeshes, ColorsOfVerticesAreAnImageOfTheirOwn) {
+  const TestFile file = colored({1, 0, 0, 0, 1, 0, 0, 0, 1}, "VEC3");
+  const desc::SceneDesc scene = scene_of(file);
+  const desc::Shape& shape = scene.shapes.front();
+  const desc::Node& material = scene.materials[static_cast<std::size_t>(shape.material)].node;
+  const desc::Node& image =
+      scene.textures[static_cast<std::size_t>(material.texture("base_color"))].node;
+  EXPECT_EQ(image.text("file"), "/scene/test.gltf/meshes/0/primitives/0/attributes/COLOR_0.exr");
+  EXPECT_EQ(scene.embedded_files.count(image.text("file")), 1U);
+  EXPECT_EQ(shape.node.mesh("mesh")->uvs.size(), 3U);
+}
+
+TEST(GltfMeshes, ColorsOfVerticesThatCannotBeShownAreWarnings) {
+  EXPECT_TRUE(contains(warnings_of(colored({1, 0, 0, 0, 1, 0}, "VEC3")),
+                       "#/meshes/0/primitives/0/attributes/COLOR_0: there are 2 colours for 3 "
+                       "vertices: ignored"));
+  EXPECT_TRUE(contains(warnings_of(colored({1, 0, 0, 1, 0, 1, 0, 0.5F, 0, 0, 1, 1}, "VEC4")),
+                       "the alpha of vertices is not supported"));
+  TestFile file = colored({1, 0, 0, 0, 1, 0, 0, 0, 1}, "VEC3",
+                          {{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}}});
+  file.add("images", {{"uri", "a.png"}});
+  file.add("textures", {{"source", 0}});
+  Warnings warnings;
+  const desc::SceneDesc scene = import_with(file.text(), warnings, {{"a.png", ""}});
+  EXPECT_TRUE(contains(lines_of(warnings), "beside a texture, the mean of these colours is used"));
+  const desc::Material& material =
+      scene.materials[static_cast<std::size_t>(scene.shapes.front().material)];
+  const desc::Node& product =
+      scene.textures[static_cast<std::size_t>(material.node.texture("base_color"))].node;
+  expect_near(product.vector("second"), Vec3(1.F / 3));
 }
 
 TEST(GltfMeshes, OfTheSameAccessorsAreTheSameMesh) {

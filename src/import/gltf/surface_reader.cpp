@@ -18,6 +18,9 @@ constexpr WarningKind kSpecular{Effect::Surface,
                                 "materials have a texture or a colour of their gloss: ignored"};
 constexpr WarningKind kClearcoat{Effect::Slight,
                                  "materials have a stronger clear coat than can be shown"};
+constexpr WarningKind kSheen{Effect::Slight, "materials have a sheen: another one stands in"};
+constexpr WarningKind kDiffuseTransmission{
+    Effect::Surface, "materials let light shine through diffusely: in their base colour"};
 constexpr WarningKind kInfiniteIndex{Effect::Slight, "materials have an index of refraction of 0"};
 
 /// A share in place of a lane of a colour: `principled` has no coloured gloss of a dielectric.
@@ -51,12 +54,7 @@ desc::MaterialId SurfaceReader::read_base() {
 }
 
 desc::MaterialId SurfaceReader::metallic_roughness(const Element& pbr) {
-  const std::vector<double> base =
-      pbr.find_numbers("baseColorFactor", 4).value_or(std::vector<double>(4, 1.0));
-  const desc::Rgb color =
-      clamped_color(pbr, "baseColorFactor", Vec3(Vec3d(base[0], base[1], base[2])));
-  const desc::Value base_color = textures_.color(pbr, "baseColorTexture", color);
-  alpha_ = textures_.number(pbr, "baseColorTexture", static_cast<float>(base[3]), Channel::Alpha);
+  const desc::Value base_color = read_color(pbr, "baseColorFactor", "baseColorTexture");
   desc::Node node = make(pbr, "principled", {});
   node.set("base_color", base_color);
   node.set("metallic", textures_.number(pbr, "metallicRoughnessTexture",
@@ -66,16 +64,13 @@ desc::MaterialId SurfaceReader::metallic_roughness(const Element& pbr) {
                             clamped_number(pbr, "roughnessFactor", 1.0), Channel::Green));
   material_.located([&] { node.set("eta", index_for_specular()); });
   set_clearcoat(node);
+  set_sheen(node);
+  set_diffuse_transmission(node);
   return add(std::move(node));
 }
 
 desc::MaterialId SurfaceReader::specular_glossiness(const Element& pbr) {
-  const std::vector<double> diffuse =
-      pbr.find_numbers("diffuseFactor", 4).value_or(std::vector<double>(4, 1.0));
-  const desc::Rgb color =
-      clamped_color(pbr, "diffuseFactor", Vec3(Vec3d(diffuse[0], diffuse[1], diffuse[2])));
-  const desc::Value diffuse_color = textures_.color(pbr, "diffuseTexture", color);
-  alpha_ = textures_.number(pbr, "diffuseTexture", static_cast<float>(diffuse[3]), Channel::Alpha);
+  const desc::Value diffuse_color = read_color(pbr, "diffuseFactor", "diffuseTexture");
   const desc::Value rough = textures_.complement(
       textures_.number(pbr, "specularGlossinessTexture",
                        clamped_number(pbr, "glossinessFactor", 1.0), Channel::Alpha));
@@ -89,12 +84,7 @@ desc::MaterialId SurfaceReader::specular_glossiness(const Element& pbr) {
 }
 
 desc::MaterialId SurfaceReader::unlit(const Element& pbr) {
-  const std::vector<double> base =
-      pbr.find_numbers("baseColorFactor", 4).value_or(std::vector<double>(4, 1.0));
-  const desc::Value color = textures_.color(
-      pbr, "baseColorTexture",
-      clamped_color(pbr, "baseColorFactor", Vec3(Vec3d(base[0], base[1], base[2]))));
-  alpha_ = textures_.number(pbr, "baseColorTexture", static_cast<float>(base[3]), Channel::Alpha);
+  const desc::Value color = read_color(pbr, "baseColorFactor", "baseColorTexture");
   surface_.emission = desc::Emission{
       material_.where(), desc::emission_node("area", {{"radiance", color}, {"two_sided", true}})};
   context_.warnings.add(kUnlit, material_.where(),
@@ -163,6 +153,31 @@ void SurfaceReader::set_clearcoat(desc::Node& node) {
   const float roughness = clamped_number(*coat, "clearcoatRoughnessFactor", 0.0);
   node.set("clearcoat_gloss",
            std::clamp((0.1F - roughness * roughness) / (0.1F - 0.001F), 0.F, 1.F));
+}
+
+void SurfaceReader::set_sheen(desc::Node& node) {
+  const auto sheen = material_.extension("KHR_materials_sheen");
+  if (!sheen) return;
+  const Vec3 color =
+      clamped_color(*sheen, "sheenColorFactor", sheen->vector_or("sheenColorFactor", Vec3(0.F)));
+  const float strength = std::max({color.x, color.y, color.z});
+  if (strength == 0.F) return;
+  context_.warnings.add(kSheen, sheen->where(),
+                        "a sheen stands in that has the hue of the base colour and no roughness");
+  node.set("sheen", strength);
+  node.set("sheen_tint", color == Vec3(strength) ? 0.F : 1.F);
+}
+
+void SurfaceReader::set_diffuse_transmission(desc::Node& node) {
+  const auto transmission = material_.extension("KHR_materials_diffuse_transmission");
+  if (!transmission) return;
+  const float share = clamped_number(*transmission, "diffuseTransmissionFactor", 0.0);
+  if (share == 0.F) return;
+  context_.warnings.add(kDiffuseTransmission, transmission->where(),
+                        "what shines through has the base colour, and no texture of its own");
+  // Twice the share: as much on either side at 1.
+  node.set("thin", true);
+  node.set("diffuse_transmission", 2.F * share);
 }
 
 float SurfaceReader::index_of_refraction() const {
@@ -239,6 +254,16 @@ void SurfaceReader::read_normals(std::size_t first_made) {
     // A mix has those of its parts.
     if (!made.node.is("mix")) made.normal_map = normals;
   }
+}
+
+desc::Value SurfaceReader::read_color(const Element& holder, const char* factor,
+                                      const char* texture) {
+  const std::vector<double> base =
+      holder.find_numbers(factor, 4).value_or(std::vector<double>(4, 1.0));
+  const desc::Rgb color = clamped_color(holder, factor, Vec3(Vec3d(base[0], base[1], base[2])));
+  const desc::Value result = textures_.color(holder, texture, color);
+  alpha_ = textures_.number(holder, texture, static_cast<float>(base[3]), Channel::Alpha);
+  return colors_ == nullptr ? result : textures_.product(result, colors_->value);
 }
 
 float SurfaceReader::clamped_number(const Element& holder, std::string_view name, double fallback) {

@@ -6,8 +6,10 @@ namespace ajar::gltf {
 /// Reads one material.
 class SurfaceReader {
  public:
-  SurfaceReader(Context& context, Images& images, const Element& material)
-      : context_(context), material_(material), textures_(context, images) {}
+  /// The base colour is multiplied with `colors`, or null.
+  SurfaceReader(Context& context, Images& images, const Element& material,
+                const VertexColors* colors)
+      : context_(context), material_(material), colors_(colors), textures_(context, images) {}
 
   Surface read();
 
@@ -22,6 +24,8 @@ class SurfaceReader {
   desc::MaterialId with_opacity(desc::MaterialId visible);
 
   void set_clearcoat(desc::Node& node);
+  void set_sheen(desc::Node& node);
+  void set_diffuse_transmission(desc::Node& node);
   float index_of_refraction() const;
   /// What a smooth `principled` with this index reflects at normal incidence is what the material
   /// does, with KHR_materials_specular.
@@ -31,6 +35,9 @@ class SurfaceReader {
   /// Normals for all materials from number `first_made` on.
   void read_normals(std::size_t first_made);
 
+  /// The colour that the member `factor`, of four numbers, and the texture `texture` of `holder`
+  /// say. Their alpha becomes that of the surface.
+  desc::Value read_color(const Element& holder, const char* factor, const char* texture);
   /// The member `name`, brought into [0, 1], with a warning if it was far beyond.
   float clamped_number(const Element& holder, std::string_view name, double fallback);
   /// The same for `value`, which is that of the member.
@@ -41,6 +48,7 @@ class SurfaceReader {
 
   Context& context_;
   const Element& material_;
+  const VertexColors* colors_;
   Textures textures_;
   Surface surface_;
   /// Of the base colour: what `alphaMode` is about.

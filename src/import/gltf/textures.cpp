@@ -64,6 +64,10 @@ desc::Value Textures::product(const desc::Value& first, const desc::Value& secon
   if (a != nullptr && b != nullptr) return *a * *b;
   if (a != nullptr && *a == 1.F) return second;
   if (b != nullptr && *b == 1.F) return first;
+  const auto* first_color = std::get_if<Vec3>(&first);
+  const auto* second_color = std::get_if<Vec3>(&second);
+  if (first_color != nullptr && second_color != nullptr) return *first_color * *second_color;
+  if (first == desc::Value(Vec3(1.F))) return second;
   desc::Node node = desc::texture_node("product");
   const auto set = [&](const char* name, const desc::Value& value) {
     const auto* number = std::get_if<float>(&value);

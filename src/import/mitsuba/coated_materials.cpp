@@ -12,6 +12,8 @@ constexpr WarningKind kPlastic{
     "plastics have a base that light enters and leaves by the laws of refraction: a "
     "diffuse one of the same mean brightness stands in"};
 constexpr WarningKind kCoat{Effect::Surface, "materials have a coat, which is left out"};
+constexpr WarningKind kClearCoat{Effect::Surface,
+                                 "coats absorb light in Mitsuba: clear ones stand in"};
 constexpr WarningKind kOldGloss{
     Effect::Surface, "materials are phong or ward, which are not supported: coated ones stand in"};
 
@@ -62,7 +64,11 @@ Surface coating(const MaterialInputs& in, bool is_rough) {
   if (nested.empty()) throw SceneError(in.where(), "a coating needs a bsdf in it");
   const Surface inner = in.materials.make(*nested.front());
   const desc::Material base = in.materials.get(inner.material);
-  in.arguments.accept({"thickness", "sigma_a"});
+  if (in.arguments.color("sigma_a").value_or(desc::Rgb(0.F)) != desc::Rgb(0.F)) {
+    in.context().warnings.add(kClearCoat, in.where(),
+                              "\"sigma_a\" of a coat is not supported: it is clear");
+  }
+  in.arguments.accept({"thickness"});
   if (!base.node.is("diffuse")) {
     in.context().warnings.add(kCoat, in.where(),
                               "a coat is only supported on diffuse materials: left out");

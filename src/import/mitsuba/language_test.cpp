@@ -188,7 +188,7 @@ TEST(MitsubaLanguage, ColorsHaveManySpellings) {
   const double values[] = {0.1, 0.2, 0.6, 0.8};
   expect_near(
       color_of("<spectrum name=\"reflectance\" value=\"400:0.1, 500:0.2 600:0.6,700:0.8\"/>"),
-      Vec3(sampled_to_rgb(wavelengths, values)));
+      Vec3(sampled_to_rgb_in_daylight(wavelengths, values)));
 }
 
 TEST(MitsubaLanguage, TheLastStepOfATransformIsAppliedLast) {

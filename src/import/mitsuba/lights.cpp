@@ -58,8 +58,8 @@ std::optional<desc::Light> environment(const Source& in) {
   const Vec3 scale(in.arguments.number("scale", 1.F));
   desc::Node node = in.node("environment", {{"radiance", scale}});
   node.set("image", in.context.files.files().resolve(in.context.files.find(*name)));
-  // Mitsuba's map has its pole at +y and its middle at -z, with +x to the right of that; ours has
-  // its pole at +z and begins at +x toward +y.
+  // Mitsuba's map has its pole at +y and begins at -z toward +x; ours has its pole at +z and begins
+  // at +x toward +y.
   const Mat4 to_mitsuba(0.0, 0.0, -1.0, 0.0,  //
                         1.0, 0.0, 0.0, 0.0,   //
                         0.0, 1.0, 0.0, 0.0,   //

@@ -219,5 +219,11 @@ TEST(MitsubaTextures, CheckerboardsHaveTwoSquaresPerUnit) {
   EXPECT_EQ(board.texture("reflectance").color("first"), Vec3(0.4F));
 }
 
+TEST(MitsubaMaterials, CoatsThatAbsorbAreWarnedOf) {
+  const std::string coat =
+      "<bsdf type=\"coating\"><rgb name=\"sigma_a\" value=\"1\"/><bsdf type=\"diffuse\"/></bsdf>";
+  EXPECT_TRUE(contains(MaterialOf(coat).warnings, "\"sigma_a\" of a coat is not supported"));
+}
+
 }  // namespace
 }  // namespace ajar::mitsuba

@@ -7,7 +7,6 @@
 #include "import/common/printable.h"
 #include "import/common/transforms.h"
 #include "import/mitsuba/numbers.h"
-#include "import/mitsuba/spectra.h"
 
 namespace ajar::mitsuba {
 namespace {
@@ -71,7 +70,7 @@ std::optional<desc::Rgb> PropertyReader::read_spectrum(const pugi::xml_node& nod
   if (node.attribute("filename")) return read_spectrum_file(node);
   const std::string value = text(node, "value");
   const std::optional<Vec3d> color =
-      value.find(':') == std::string::npos ? parse_triple(value) : parse_spectrum(value);
+      value.find(':') == std::string::npos ? parse_triple(value) : parse_spectrum(value, seen_);
   if (!color)
     fail_value(node, "value", "a number, or wavelengths with values as in \"400:1, 700:0\"");
   return desc::Rgb(*color);
@@ -80,7 +79,7 @@ std::optional<desc::Rgb> PropertyReader::read_spectrum(const pugi::xml_node& nod
 std::optional<desc::Rgb> PropertyReader::read_spectrum_file(const pugi::xml_node& node) const {
   const std::string name = text(node, "filename");
   try {
-    return desc::Rgb(read_spectrum_of(files_, name));
+    return desc::Rgb(read_spectrum_of(files_, name, seen_));
   } catch (const Error& error) {
     warnings_.add(kUnusableSpectrum, file_.where(node),
                   "spectrum \"" + printable(name) + "\" cannot be used (" + error.what() + "): \"" +

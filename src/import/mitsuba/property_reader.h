@@ -7,6 +7,7 @@
 #include "import/mitsuba/definitions.h"
 #include "import/mitsuba/document.h"
 #include "import/mitsuba/search_path.h"
+#include "import/mitsuba/spectra.h"
 #include "import/mitsuba/xml_file.h"
 
 namespace ajar::mitsuba {
@@ -18,8 +19,8 @@ bool is_property_tag(std::string_view tag);
 class PropertyReader {
  public:
   PropertyReader(const XmlFile& file, Definitions& definitions, const SearchPath& files,
-                 Warnings& warnings)
-      : file_(file), definitions_(definitions), files_(files), warnings_(warnings) {}
+                 Warnings& warnings, Seen seen)
+      : file_(file), definitions_(definitions), files_(files), warnings_(warnings), seen_(seen) {}
 
   /// Raises SceneError for values that are not what the tag says. Nothing, after a warning, if the
   /// value is in a file that cannot be used.
@@ -49,6 +50,7 @@ class PropertyReader {
   Definitions& definitions_;
   const SearchPath& files_;
   Warnings& warnings_;
+  Seen seen_;  ///< how its spectra are
 };
 
 }  // namespace ajar::mitsuba

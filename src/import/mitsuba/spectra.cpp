@@ -9,7 +9,17 @@
 
 namespace ajar::mitsuba {
 
-std::optional<Vec3d> parse_spectrum(std::string_view pairs) {
+namespace {
+
+Vec3d color_of(const std::vector<double>& wavelengths, const std::vector<double>& values,
+               Seen seen) {
+  return seen == Seen::InDaylight ? sampled_to_rgb_in_daylight(wavelengths, values)
+                                  : sampled_to_rgb(wavelengths, values);
+}
+
+}  // namespace
+
+std::optional<Vec3d> parse_spectrum(std::string_view pairs, Seen seen) {
   std::vector<double> wavelengths;
   std::vector<double> values;
   for (const std::string_view pair : words_of(pairs)) {
@@ -21,7 +31,7 @@ std::optional<Vec3d> parse_spectrum(std::string_view pairs) {
     wavelengths.push_back(*wavelength);
     values.push_back(*value);
   }
-  return sampled_to_rgb(wavelengths, values);
+  return color_of(wavelengths, values, seen);
 }
 
 Vec3d blackbody(double kelvin) {
@@ -37,7 +47,7 @@ Vec3d blackbody(double kelvin) {
   return {std::max(rgb.x, 0.0), std::max(rgb.y, 0.0), std::max(rgb.z, 0.0)};
 }
 
-Vec3d read_spectrum_of(const SearchPath& files, const std::string& name) {
+Vec3d read_spectrum_of(const SearchPath& files, const std::string& name, Seen seen) {
   const std::string path = files.files().resolve(files.find(name));
   if (!files.files().exists(path)) {
     if (const std::optional<Vec3d> metal = metal_rgb_by_file_name(name)) return *metal;
@@ -65,7 +75,7 @@ Vec3d read_spectrum_of(const SearchPath& files, const std::string& name) {
     throw SceneError({std::make_shared<const std::string>(name), 0, 0},
                      "there is no spectrum in this file");
   }
-  return sampled_to_rgb(wavelengths, values);
+  return color_of(wavelengths, values, seen);
 }
 
 }  // namespace ajar::mitsuba

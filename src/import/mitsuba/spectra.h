@@ -9,12 +9,17 @@
 /// Colours of spectra as linear RGB.
 namespace ajar::mitsuba {
 
+/// How a spectrum becomes a colour: as light, or as what it makes of daylight (CIE D65). Mitsuba 3
+/// sees all but emitters in daylight, so that what is even is grey; 0.x and 2 see all as light.
+/// Source: `Properties::get_texture_impl`, `spectrum_list_to_srgb` of Mitsuba 3.
+enum class Seen { AsLight, InDaylight };
+
 /// Of "400:0.1, 500:0.5, 700:1": wavelengths in nm and values. Nothing if it is not that.
-std::optional<Vec3d> parse_spectrum(std::string_view pairs);
+std::optional<Vec3d> parse_spectrum(std::string_view pairs, Seen seen);
 /// Of a black body, W·sr⁻¹·m⁻² per nm, which are Mitsuba's units.
 Vec3d blackbody(double kelvin);
 /// Of a file of lines with a wavelength and a value each; a file that is missing but has the name
 /// of a metal we know is that metal. Raises SceneError and IoError.
-Vec3d read_spectrum_of(const SearchPath& files, const std::string& name);
+Vec3d read_spectrum_of(const SearchPath& files, const std::string& name, Seen seen);
 
 }  // namespace ajar::mitsuba
