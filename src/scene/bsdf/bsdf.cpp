@@ -1,6 +1,7 @@
 #include "scene/bsdf/bsdf.h"
 
 #include <algorithm>
+#include <limits>
 #include <type_traits>
 
 namespace ajar {
@@ -49,7 +50,8 @@ Bsdf::Weights Bsdf::weights(const Vec3& local_wo) const {
     result.probability[k] = weight;
     sum += weight;
   }
-  const float scale = sum > 0.F ? 1.F / sum : 0.F;
+  // One over a number that is not normal may be infinite.
+  const float scale = sum >= std::numeric_limits<float>::min() ? 1.F / sum : 0.F;
   for (int k = 0; k < count_; ++k) result.probability[k] *= scale;
   return result;
 }

@@ -33,6 +33,16 @@ TEST(Bsdf, IgnoresBlackLobesAndLobesBeyondTheLimit) {
   EXPECT_NEAR(bsdf.albedo(kUp)[0], 0.1F * Bsdf::kMaxLobes, 1e-5F);
 }
 
+TEST(Bsdf, OfNextToNothingScattersNothing) {
+  Bsdf bsdf(Frame(), Vec3(0.F, 0.F, 1.F));
+  bsdf.add(Lambert{}, Spectrum(1e-40F));
+  bsdf.add(Mirror{}, Spectrum(1e-40F));
+  bsdf.add(RoughCoat{Microfacets(FacetModel::Ggx, 0.2F, 0.2F), {1.F}});
+  const Vec3 wo = direction(40.F, 10.F);
+  EXPECT_EQ(bsdf.pdf(wo, direction(70.F, 30.F)).value(), 0.F);
+  EXPECT_FALSE(bsdf.sample(wo, {0.5F, {0.3F, 0.7F}}, TransportMode::Radiance));
+}
+
 TEST(Bsdf, AdjointPairsAgree) {
   // eval(a, b, Importance) |a·ng| = eval(b, a, Radiance) |b·ng|, refraction and tilted normals
   // included.
