@@ -233,7 +233,7 @@ TEST_P(FromTheLight, ClosedRoomSumsAllBounces) {
                  "Material \"matte\" \"rgb Kd\" [0.5 0.5 0.5]\nReverseOrientation\nAreaLightSource "
                  "\"diffuse\" \"rgb L\" [1 1 1]\n"
                  "Shape \"sphere\" \"float radius\" [2]"));
-  expect_mean_of(1024, *scene, 2.0);
+  expect_mean_of(512, *scene, 2.0);
 }
 
 TEST_P(FromTheLight, ThroughAMirrorChain) {

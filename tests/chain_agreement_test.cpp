@@ -246,11 +246,11 @@ TEST(ChainAgreementInARangeOfDepths, HoldsForPathsOfFourAndFiveEdges) {
     options.replicates = kReplicates;
     options.min_depth = 4;
     options.max_depth = 5;
-    options.samples = 640;
+    options.samples = 320;
     options.integrator = "bdpt";
     const Replicates truth = replicates_of(test::render(*scene, options));
     options.seed = 2;
-    options.parameters["bootstrap"] = "1600000";
+    options.parameters["bootstrap"] = "800000";
     for (const char* integrator : {"mmlt+", "pssmlt+"}) {
       options.integrator = integrator;
       const test::Render render = test::render(*scene, options);

@@ -69,11 +69,11 @@ TEST_P(Importance, LeavesTheExpectationAsItIs) {
   const Vec2i size = small.crop ? small.crop->max - small.crop->min + Vec2i(1, 1) : resolution;
   const NoiseMap noise(size.x, size.y);
   options.seed = 2;
-  options.samples = 896;
+  options.samples = 224;
   for (const char* integrator : {"mmlt+", "pssmlt+"}) {
     options.integrator = integrator;
     for (const std::string& map : {std::string("relative"), noise.path()}) {
-      options.parameters = {{"importance", map}, {"bootstrap", "400000"}};
+      options.parameters = {{"importance", map}, {"bootstrap", "100000"}};
       const test::Render render = test::render(*scene, options);
       expect_same(replicates_of(render, "indirect"), truth, *render.film, 0.4,
                   std::string(integrator) + ", importance " + map);
@@ -129,7 +129,7 @@ TEST_P(OverSeeds, BrightnessScattersAsErrorBarsSay) {
   test::RenderOptions options;
   options.replicates = 8;
   options.max_depth = 6;
-  options.samples = 64;
+  options.samples = 40;
   options.integrator = GetParam();
   options.parameters = {{"bootstrap", "8000"}};
   const Scatter chains = scatter(*scene, options, kSeeds);

@@ -12,14 +12,13 @@ namespace {
 
 /// All methods of the registry that have one.
 std::vector<std::string> methods_with_two_estimates() {
-  const test::KnownPicture known = test::known_picture("GlassAndMetal");
+  const test::KnownPicture known = test::known_picture("GlassAndMetal", 8);
   std::vector<std::string> names;
   for (const auto* list : {&integrators(), &integrator_presets()}) {
     for (const IntegratorInfo& info : *list) {
       test::RenderOptions options = known.options;
       options.integrator = info.name;
       options.for_filters = true;
-      options.samples = 8;
       const test::Render render = test::render(*known.scene, options);
       const auto layers = render.film->layers();
       const bool has_other = std::any_of(layers.begin(), layers.end(), [](const LayerSpec& layer) {
@@ -40,7 +39,7 @@ PictureEstimates estimates_of_render(const test::Render& render) {
 TEST(OtherEstimates, HaveTheExpectationOfThePicture) {
   const std::vector<std::string> names = methods_with_two_estimates();
   EXPECT_GE(names.size(), 3U);
-  const test::KnownPicture known = test::known_picture("GlassAndMetal");
+  const test::KnownPicture known = test::known_picture("GlassAndMetal", 128);
   for (const std::string& name : names) {
     test::RenderOptions options = known.options;
     options.integrator = name;
@@ -90,10 +89,9 @@ TEST(ForFilters, SplatsHaveBoxes) {
 
 /// It is beside the picture, not in it: to the bit what is rendered without.
 TEST(OtherEstimates, LeaveThePictureAsItWas) {
-  const test::KnownPicture known = test::known_picture("GlassAndMetal");
+  const test::KnownPicture known = test::known_picture("GlassAndMetal", 16);
   test::RenderOptions options = known.options;
   options.integrator = "selective";
-  options.samples = 16;
   const std::vector<float> without = test::render(*known.scene, options).image();
   options.for_filters = true;
   EXPECT_EQ(test::render(*known.scene, options).image(), without);

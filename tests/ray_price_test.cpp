@@ -49,7 +49,7 @@ test::Render render_at_price(const Scene& scene, const test::RenderOptions& opti
 
 TEST(RayPrice, OfAnyHeightChangesNoExpectation) {
   for (const char* name : {"Room", "GlassAndMetal", "CroppedMitchell"}) {
-    const auto [scene, options, truth] = test::known_picture(name);
+    const auto [scene, options, truth] = test::known_picture(name, 256);
     const ImportanceMap importance = random_importance(truth.film->crop());
     const double brightness = truth.mean();
     for (const char* techniques : {"pt", "ibpt", "bdpt"}) {

@@ -71,7 +71,7 @@ test::Render render_with_random_rates(const Scene& scene, const test::RenderOpti
 
 TEST(SampleRates, ChangeNoExpectation) {
   for (const char* name : {"Room", "GlassAndMetal", "CroppedMitchell"}) {
-    const auto [scene, options, truth] = test::known_picture(name);
+    const auto [scene, options, truth] = test::known_picture(name, 128);
     const ImportanceMap even;
     const Divisions divisions(Division(0.003, even));
     const HandedBack strong;

@@ -158,7 +158,7 @@ MeanAndError truth_of(const Scene& scene, test::RenderOptions options) {
   options.replicates = 4;
   options.integrator = "bdpt";
   options.samples = 512;
-  return summary(means(scene, options, 24));
+  return summary(means(scene, options, 8));
 }
 
 // Pixels that show two objects count as one of them, whatever the picture's own samples see there:

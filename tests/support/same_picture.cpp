@@ -17,14 +17,14 @@ Replicates replicates_of(const Render& render, const std::string& layer) {
   return replicates;
 }
 
-KnownPicture known_picture(const std::string& name) {
+KnownPicture known_picture(const std::string& name, int samples) {
   const SmallScene small = small_scene(name);
   KnownPicture known;
   known.scene = scene_from(small.text);
   known.options.integrator = "bdpt";
   known.options.replicates = 16;
   known.options.max_depth = 6;
-  known.options.samples = 512;
+  known.options.samples = samples;
   known.options.crop = small.crop;
   known.truth = render(*known.scene, known.options);
   known.options.seed = 2;

@@ -16,7 +16,7 @@ struct KnownPicture {
   RenderOptions options;  ///< of renders to compare with it: another seed
   Render truth;
 };
-KnownPicture known_picture(const std::string& small_scene);
+KnownPicture known_picture(const std::string& small_scene, int samples);
 
 /// Claims that replicates of two pictures of a film's size have the same expectation: each block of
 /// 8×8 pixels and the mean, within 5 standard errors (a right program fails with a chance of 2e-6);
