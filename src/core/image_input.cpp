@@ -12,6 +12,7 @@
 #include <limits>
 #include <new>
 #include <optional>
+#include <stdexcept>
 #include <string_view>
 
 #include "core/available_memory.h"
@@ -175,6 +176,10 @@ int ImageInput::strip_height() const {
 
 void ImageInput::read_strip(int first, int rows, int first_channel, int channels, SampleType type,
                             void* values) {
+  // Decoders write values of the size that they have, wherever they were asked for others.
+  if (type != header().type && type != SampleType::Float) {
+    throw std::invalid_argument("ImageInput: asked for values of a type that the file has not");
+  }
   guarded([&] { decoder_->read_rows(first, rows, first_channel, channels, type, values); });
 }
 

@@ -23,8 +23,9 @@ class ImageInput {
   /// Memory of the first `channels` channels, and of what the decoder needs for them, bytes.
   std::uint64_t bytes(int channels, std::uint64_t channel_bytes) const;
 
-  /// The first `channels` channels of all pixels, interleaved. Raises IoError if they cannot be
-  /// read, or with `extra_bytes` more need more memory than there is.
+  /// The first `channels` channels of all pixels, interleaved, as floats or as the file has them;
+  /// other types raise std::invalid_argument. Raises IoError if they cannot be read, or with
+  /// `extra_bytes` more need more memory than there is.
   template <typename T>
   std::vector<T> read(int channels, std::uint64_t extra_bytes = 0) {
     return read_from<T>(0, channels, extra_bytes);

@@ -231,6 +231,17 @@ TEST_F(ImageInputTest, LargeCanvasesOfSmallPicturesAreBelieved) {
   EXPECT_EQ(ImageInput(write("canvas.gif", small)).header().width, 3000);
 }
 
+TEST_F(ImageInputTest, IsAskedForFloatsOrWhatTheFileHas) {
+  const std::string file = path("half.exr");
+  const auto output = OIIO::ImageOutput::create(file);
+  const std::vector<float> values = {0.25F, 0.5F, 0.75F};
+  ASSERT_TRUE(output && output->open(file, OIIO::ImageSpec(1, 1, 3, OIIO::TypeDesc::HALF)) &&
+              output->write_image(OIIO::TypeDesc::FLOAT, values.data()) && output->close());
+  EXPECT_EQ(ImageInput(file).read<float>(3), values);
+  EXPECT_EQ(ImageInput(file).read<Imath::half>(3).at(1), Imath::half(0.5F));
+  EXPECT_THROW(ImageInput(file).read<std::uint8_t>(3), std::invalid_argument);
+}
+
 TEST_F(ImageInputTest, FlatPicturesAreBelieved) {
   // As small as files of so many pixels get.
   constexpr int kFlat = 1000;
