@@ -188,16 +188,16 @@ class Inverter {
     walk.x += walk.step;
     ++walk.edges;
     const bool is_inner = walk.x > 0 && walk.x < path_.depth();
-    const Medium* medium = is_inner ? path_.vertex(walk.x).scattered_in() : nullptr;
+    const MediumPoint end = is_inner ? path_.vertex(walk.x).scattered_in() : MediumPoint{};
     if (!segment.scattering_depth.is_black()) {
       const auto u =
-          invert_distance(segment, medium, {numbers.get(channel), numbers.get(distance)});
+          invert_distance(segment, end.medium, {numbers.get(channel), numbers.get(distance)});
       if (!u) return false;
       numbers.set(channel, u->channel);
       numbers.set(distance, u->distance);
     }
-    walk.throughput *= segment.transmittance / segment.distance_pdf(medium);
-    if (medium != nullptr) walk.throughput *= medium->sigma_s();
+    walk.throughput *= segment.transmittance / segment.distance_pdf(end);
+    if (end.medium != nullptr) walk.throughput *= end.sigma_s();
     return true;
   }
 

@@ -42,8 +42,8 @@ double spread(const Scene& scene, const Path& path, int x, int y) {
   return cosine / std::max(squared_distance(path, x, y), 1e-36);
 }
 
-const Medium* scattered_in(const Path& path, int x) {
-  return x == 0 || x == path.depth() ? nullptr : path.vertex(x).scattered_in();
+MediumPoint scattered_in(const Path& path, int x) {
+  return x == 0 || x == path.depth() ? MediumPoint{} : path.vertex(x).scattered_in();
 }
 
 /// Densities with which camera subpaths start as `path` does. Wide filters draw rays from beyond
@@ -170,7 +170,7 @@ ScaledSpectrum contribution(const Scene& scene, const Path& path) {
     if (x == 0) break;
     const InnerVertex& vertex = path.vertex(x);
     const Vec3 wo = path.toward_camera(scene, x);
-    if (vertex.in_medium) f *= vertex.medium->sigma_s();
+    if (vertex.in_medium) f *= vertex.scattered_in().sigma_s();
     if (vertex.event.specular()) {
       const auto sample = vertex.bsdf.specular(wo, vertex.event, TransportMode::Radiance);
       f *= sample ? sample->weight * sample->pdf.value() : Spectrum();

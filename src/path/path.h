@@ -34,8 +34,8 @@ struct InnerVertex {
   float cosine(const Vec3& w) const { return in_medium ? 1.F : abs_dot(hit.point.ng, w); }
   /// The medium that a ray leaving along `w` is in.
   const Medium* medium_toward(const Vec3& w) const;
-  /// The medium it scatters in; null on surfaces.
-  const Medium* scattered_in() const { return in_medium ? medium : nullptr; }
+  /// Of no medium on surfaces.
+  MediumPoint scattered_in() const { return {in_medium ? medium : nullptr, p()}; }
   /// Where a ray leaving along `w` starts.
   Vec3 ray_origin(const Vec3& w) const {
     return in_medium ? p() : offset_ray_origin(p(), hit.point.ng, w);

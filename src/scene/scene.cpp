@@ -34,9 +34,10 @@ BoundingSphere sphere_around(const Box3& box) {
 std::vector<std::unique_ptr<const Medium>> build_media(const desc::SceneDesc& description) {
   std::vector<std::unique_ptr<const Medium>> media;
   for (const desc::Medium& m : description.media) {
-    media.push_back(
-        std::make_unique<const Medium>(m.name, Spectrum(m.sigma_a.x, m.sigma_a.y, m.sigma_a.z),
-                                       Spectrum(m.sigma_s.x, m.sigma_s.y, m.sigma_s.z), m.g));
+    media.push_back(std::make_unique<const Medium>(
+        m.name, Spectrum(m.sigma_a.x, m.sigma_a.y, m.sigma_a.z),
+        Spectrum(m.sigma_s.x, m.sigma_s.y, m.sigma_s.z), m.g,
+        m.density ? std::make_unique<const DensityField>(*m.density) : nullptr));
   }
   return media;
 }

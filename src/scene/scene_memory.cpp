@@ -3,6 +3,7 @@
 #include <map>
 #include <vector>
 
+#include "scene/medium/density_field.h"
 #include "scene/shape/build_shape.h"
 #include "scene/texture/inputs.h"
 
@@ -34,6 +35,11 @@ SceneMemory estimate_memory(const desc::SceneDesc& scene) {
   };
   for (const desc::Texture& texture : scene.textures) {
     for (const ImageRequest& request : image_requests(texture.node)) size_of(request);
+  }
+  for (const desc::Medium& medium : scene.media) {
+    if (medium.density && medium.density->grid) {
+      memory.media += DensityField::memory(*medium.density->grid);
+    }
   }
   for (const desc::Light& light : scene.lights) {
     for (const std::string& path : light.node.files()) {

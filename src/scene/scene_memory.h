@@ -11,6 +11,7 @@ struct SceneMemory {
   /// Vertices in their final place, and Embree's tree of them with what it needs while it grows.
   std::uint64_t geometry = 0;
   std::uint64_t images = 0;  ///< texels as their files store them; those of lights with densities
+  std::uint64_t media = 0;   ///< beside grids of density, which are shared
 };
 
 /// Looks at the sizes of image files, not into them; those that cannot be read count nothing.

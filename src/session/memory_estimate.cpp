@@ -55,7 +55,7 @@ std::uint64_t picture_bytes(const Box2i& crop, int replicates, const std::vector
 
 std::uint64_t scene_bytes(const desc::SceneDesc& scene) {
   const SceneMemory memory = estimate_memory(scene);
-  return memory.geometry + memory.images;
+  return memory.geometry + memory.images + memory.media;
 }
 
 std::string memory_text(const MemoryEstimate& estimate) {

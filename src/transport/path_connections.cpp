@@ -154,7 +154,7 @@ void PathSampler::connect_to_light(const PathVertex& vertex, SampleSource& sourc
     if (implicit > 0.0 && !light.discrete_position()) {
       const double reverse = static_cast<double>(scattered.pdf.value()) *
                              endpoint_geometry(light, sample->point, sample->w, distance) *
-                             static_cast<double>(segment.distance_pdf(nullptr));
+                             static_cast<double>(segment.distance_pdf());
       others += implicit * h(heuristic, reverse / connection_density);
     }
     if (settings_.techniques.needs_light_subpath()) {
@@ -164,7 +164,7 @@ void PathSampler::connect_to_light(const PathVertex& vertex, SampleSource& sourc
       const double arrival =
           arrival_density(emission.departure, light.at_infinity(), distance,
                           vertex.cosine(sample->w)) *
-          static_cast<double>(segment.distance_pdf(vertex.in_medium ? vertex.medium : nullptr));
+          static_cast<double>(segment.distance_pdf(vertex.scattered_in()));
       others += h(heuristic, position / connection_density) *
                 camera_mis(vertex, technique.depth())
                     .sum(heuristic, arrival, vertex.pdf(sample->w, vertex.wo).value());
@@ -206,7 +206,7 @@ void PathSampler::connect_to_camera(const PathVertex& vertex, SampleSource& sour
     const double arrival =
         arrival_density(emission.departure, camera.at_infinity(),
                         static_cast<double>(sample->distance), vertex.cosine(sample->w)) *
-        static_cast<double>(segment.distance_pdf(vertex.in_medium ? vertex.medium : nullptr));
+        static_cast<double>(segment.distance_pdf(vertex.scattered_in()));
     const double others =
         light_mis(vertex, technique.depth())
             .sum(settings_.heuristic, arrival, vertex.pdf(sample->w, vertex.wo).value());
@@ -250,12 +250,10 @@ void PathSampler::connect_inner(const PathVertex& camera_vertex, const PathVerte
     const double inverse_square = 1.0 / static_cast<double>(distance_squared);
     const double to_camera_vertex = static_cast<double>(at_light_vertex.pdf.value()) *
                                     static_cast<double>(camera_vertex.cosine(w)) * inverse_square *
-                                    static_cast<double>(segment.distance_pdf(
-                                        camera_vertex.in_medium ? camera_vertex.medium : nullptr));
+                                    static_cast<double>(segment.distance_pdf(camera_vertex.scattered_in()));
     const double to_light_vertex = static_cast<double>(at_camera_vertex.pdf.value()) *
                                    static_cast<double>(light_vertex.cosine(w)) * inverse_square *
-                                   static_cast<double>(segment.distance_pdf(
-                                       light_vertex.in_medium ? light_vertex.medium : nullptr));
+                                   static_cast<double>(segment.distance_pdf(light_vertex.scattered_in()));
     const int depth = technique.depth();
     const double others =
         camera_mis(camera_vertex, depth)

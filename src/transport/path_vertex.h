@@ -38,6 +38,8 @@ struct PathVertex {
   bool connectible() const { return in_medium || bsdf.connectible(); }
   /// |cos θ| of the geometric normal with `w`; 1 inside media, which have no orientation.
   float cosine(const Vec3& w) const { return in_medium ? 1.F : abs_dot(bsdf.ng(), w); }
+  /// Of no medium on surfaces.
+  MediumPoint scattered_in() const { return {in_medium ? medium : nullptr, p}; }
   /// The medium that a ray leaving along `w` is in.
   const Medium* medium_toward(const Vec3& w) const {
     if (in_medium || !media->changes) return medium;

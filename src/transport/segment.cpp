@@ -14,12 +14,16 @@ const Medium* medium_beyond(const Hit& hit, const Vec3& direction, const Medium*
   return dot(direction, hit.point.ng) > 0.F ? hit.media->outside : hit.media->inside;
 }
 
-void cross_medium(const Medium* medium, float distance, Segment& segment) {
-  if (medium == nullptr) return;
+/// `column`: integral of the medium's density along what is crossed.
+void cross_column(const Medium& medium, float column, Segment& segment) {
   // Infinite distances would make 0 · ∞ of lanes without extinction.
-  distance = std::min(distance, std::numeric_limits<float>::max());
-  segment.transmittance *= medium->transmittance(distance);
-  if (medium->scatters()) segment.scattering_depth += medium->sigma_t() * distance;
+  column = std::min(column, std::numeric_limits<float>::max());
+  segment.transmittance *= medium.transmittance(column);
+  if (medium.scatters()) segment.scattering_depth += medium.sigma_t() * column;
+}
+
+void cross_medium(const Medium* medium, const Ray& ray, float distance, Segment& segment) {
+  if (medium != nullptr) cross_column(*medium, medium->along(ray, distance).density, segment);
 }
 
 /// Whether a ray that met nothing was not traced at all, which is counted.
@@ -30,9 +34,9 @@ bool was_lost(const Scene& scene, const Ray& ray, RayCounts& rays) {
 }
 }  // namespace
 
-float Segment::distance_pdf_in_medium(const Medium* medium) const {
+float Segment::distance_pdf_in_medium(const MediumPoint& end) const {
   const Spectrum survival = exp(scattering_depth * -1.F);
-  return medium == nullptr ? survival.average() : (survival * medium->sigma_t()).average();
+  return end.medium == nullptr ? survival.average() : (survival * end.sigma_t()).average();
 }
 
 std::optional<DistanceUniforms> invert_distance(const Segment& segment, const Medium* medium,
@@ -79,6 +83,7 @@ SegmentEnd trace_segment(const Scene& scene, Ray ray, const Medium* medium,
     }
     return end;
   }
+  const Vec3 origin = ray.origin;
   int lane = -1;           // to sample distances by; chosen when the first scattering medium is met
   float depth_left = 0.F;  // optical depth in `lane` until the next event
   float travelled = 0.F;
@@ -98,21 +103,24 @@ SegmentEnd trace_segment(const Scene& scene, Ray ray, const Medium* medium,
         depth_left = -std::log(1.F - u.distance);
       }
       const float sigma_t = medium->sigma_t()[lane];
-      const float scatter_distance =
+      const float column_left =
           sigma_t > 0.F ? depth_left / sigma_t : std::numeric_limits<float>::infinity();
-      if (scatter_distance < distance) {
-        cross_medium(medium, scatter_distance, end.segment);
+      const Column column = medium->along(ray, distance, column_left);
+      cross_column(*medium, column.density, end.segment);
+      if (column.reached) {
         end.medium = medium;
-        end.distance = travelled + scatter_distance;
+        end.distance = travelled + column.distance;
         end.scattered = true;
         end.hit.reset();
+        const MediumPoint here{medium, origin + ray.direction * end.distance};
         end.weight =
-            end.segment.transmittance * medium->sigma_s() / end.segment.distance_pdf(medium);
+            end.segment.transmittance * here.sigma_s() / end.segment.distance_pdf(here);
         return end;
       }
-      depth_left -= sigma_t * distance;
+      depth_left -= sigma_t * column.density;
+    } else {
+      cross_medium(medium, ray, distance, end.segment);
     }
-    cross_medium(medium, distance, end.segment);
     travelled += distance;
     if (!found || !hit.material->is_interface()) break;
     medium = medium_beyond(hit, ray.direction, medium);
@@ -122,14 +130,14 @@ SegmentEnd trace_segment(const Scene& scene, Ray ray, const Medium* medium,
   if (!found) end.hit.reset();
   end.medium = medium;
   end.distance = found ? travelled : std::numeric_limits<float>::infinity();
-  end.weight = end.segment.transmittance / end.segment.distance_pdf(nullptr);
+  end.weight = end.segment.transmittance / end.segment.distance_pdf();
   return end;
 }
 
 std::optional<Segment> unobstructed(const Scene& scene, const Ray& ray, const Medium* medium) {
   if (scene.has_interfaces()) return std::nullopt;
   Segment segment;
-  cross_medium(medium, ray.t_max, segment);
+  cross_medium(medium, ray, ray.t_max, segment);
   return segment;
 }
 
@@ -153,11 +161,11 @@ std::optional<Segment> connect(const Scene& scene, Ray ray, const Medium* medium
     const std::optional<Hit> hit = scene.intersect(ray);
     if (!hit) {
       if (was_lost(scene, ray, rays)) return std::nullopt;
-      cross_medium(medium, ray.t_max, segment);
+      cross_medium(medium, ray, ray.t_max, segment);
       return segment;
     }
     if (!hit->material->is_interface()) return std::nullopt;
-    cross_medium(medium, hit->t, segment);
+    cross_medium(medium, ray, hit->t, segment);
     medium = medium_beyond(*hit, ray.direction, medium);
     const Vec3 next = offset_ray_origin(hit->point.p, hit->point.ng, ray.direction);
     if (bounded) {

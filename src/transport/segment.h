@@ -14,14 +14,14 @@ struct Segment {
   /// media that merely absorb just attenuate.
   Spectrum scattering_depth;
 
-  /// Density of `sample_distance` ending at a vertex in `medium` (null: on a surface) at the end of
-  /// this segment, 1/(scene unit) or a probability.
-  float distance_pdf(const Medium* medium) const {
-    return medium == nullptr && scattering_depth.is_black() ? 1.F : distance_pdf_in_medium(medium);
+  /// Density of `sample_distance` ending at `end`, at the end of this segment: 1/(scene unit) in a
+  /// medium, else a probability.
+  float distance_pdf(const MediumPoint& end = {}) const {
+    return end.medium == nullptr && scattering_depth.is_black() ? 1.F : distance_pdf_in_medium(end);
   }
 
  private:
-  float distance_pdf_in_medium(const Medium* medium) const;
+  float distance_pdf_in_medium(const MediumPoint& end) const;
 };
 
 /// Where a traced segment ended.
@@ -42,7 +42,7 @@ struct DistanceUniforms {
 /// The numbers by which `trace_segment` ends a segment that crosses a scattering medium at a vertex
 /// in `medium`, or on a surface (null). What it forgets is taken from `fresh`
 /// (docs/methods/inverses.md); the density of the numbers is `Segment::distance_pdf`. Empty if it
-/// never does.
+/// never does. How dense the medium is there decides nothing: lanes share the density.
 std::optional<DistanceUniforms> invert_distance(const Segment& segment, const Medium* medium,
                                                 const DistanceUniforms& fresh);
 

@@ -7,7 +7,7 @@
 namespace ajar {
 
 MisStep mis_step(const Flight& flight, const Segment& segment, float distance, float cosine_at_end,
-                 const Medium* end_medium, bool at_infinity, double class_coefficient) {
+                 const MediumPoint& end, bool at_infinity, double class_coefficient) {
   // Scattering events of a medium can fall on the very float coordinates of the vertex before.
   const double apart = std::max(static_cast<double>(distance), 1e-18);
   const double inverse_square = at_infinity ? 1.0 : 1.0 / (apart * apart);
@@ -19,11 +19,11 @@ MisStep mis_step(const Flight& flight, const Segment& segment, float distance, f
   step.reverse_previous = flight.reverse_previous;
   step.forward = static_cast<double>(flight.departure) * forward_geometry *
                  (at_infinity ? 1.0 : static_cast<double>(cosine_at_end)) *
-                 static_cast<double>(segment.distance_pdf(end_medium));
+                 static_cast<double>(segment.distance_pdf(end));
   step.backward_geometry = flight.from_infinity
-                               ? static_cast<double>(segment.distance_pdf(nullptr))
+                               ? static_cast<double>(segment.distance_pdf())
                                : static_cast<double>(flight.cosine) * inverse_square *
-                                     static_cast<double>(segment.distance_pdf(flight.scattered_in));
+                                     static_cast<double>(segment.distance_pdf({flight.scattered_in, flight.reference}));
   step.class_coefficient = class_coefficient;
   return step;
 }
@@ -59,7 +59,7 @@ void arrive(const WalkSettings& settings, const Flight& flight, const SegmentEnd
   // surface.
   const float distance = flight.from_infinity ? end.distance : length(vertex.p - flight.reference);
   const MisStep step = mis_step(flight, end.segment, distance, vertex.cosine(vertex.wo),
-                                end.scattered ? end.medium : nullptr, false, class_coefficient);
+                                vertex.scattered_in(), false, class_coefficient);
   vertex.mis = mis_extend(settings.heuristic, flight.mis, step);
   if (settings.trail != nullptr) {
     settings.trail[vertex.edges] = mis_trail_entry(settings.heuristic, vertex.mis, step);

@@ -61,10 +61,10 @@ void arrive(const WalkSettings& settings, const Flight& flight, const SegmentEnd
             double class_coefficient, PathVertex& vertex);
 
 /// h-recursion step of a flight over `distance` to a vertex where the direction of flight has
-/// cosine `cosine_at_end`; `end_medium` is the medium the vertex scatters in, null on a surface;
-/// pass `at_infinity` if it left the scene.
+/// cosine `cosine_at_end`; `end` is where it scatters in a medium; pass
+/// `at_infinity` if it left the scene.
 MisStep mis_step(const Flight& flight, const Segment& segment, float distance, float cosine_at_end,
-                 const Medium* end_medium, bool at_infinity, double class_coefficient);
+                 const MediumPoint& end, bool at_infinity, double class_coefficient);
 
 /// Scatters at `vertex` and sets off again; false if the subpath ends (absorbed, or Russian
 /// roulette, which leaves the expectation unchanged: survivors are divided by the probability to

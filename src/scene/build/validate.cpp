@@ -64,6 +64,11 @@ void validate_references(const desc::SceneDesc& scene) {
   for (const desc::Instance& instance : scene.instances) {
     check(std::max(instance.object, 0), scene.objects.size(), "object", instance.where);
   }
+  for (const desc::Medium& medium : scene.media) {
+    if (!medium.density) continue;
+    const std::optional<std::string> complaint = desc::complaint(*medium.density);
+    if (complaint) throw SceneError(medium.where, "the medium " + *complaint);
+  }
   check(scene.camera.medium, scene.media.size(), "medium", scene.camera.where);
 }
 

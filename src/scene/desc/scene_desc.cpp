@@ -84,9 +84,7 @@ class SceneHasher {
     for (const Texture& texture : scene.textures) textures_.push_back(hash_texture(texture));
     for (const Material& material : scene.materials) materials_.push_back(hash_material(material));
     for (const Medium& medium : scene.media) {
-      Hasher h;
-      h.add(medium.sigma_a, medium.sigma_s, medium.g);
-      media_.push_back(h.result());
+      media_.push_back(hash_medium(medium));
     }
   }
 
@@ -185,6 +183,16 @@ class SceneHasher {
     texture(h, m.bump);
     texture(h, m.normal_map.texture);
     if (m.normal_map.texture != kNone) h.add(m.normal_map.strength, m.normal_map.right_handed);
+    return h.result();
+  }
+  std::uint64_t hash_medium(const Medium& medium) const {
+    Hasher h;
+    h.add(medium.sigma_a, medium.sigma_s, medium.g);
+    if (medium.density && medium.density->grid) {
+      const DensityGrid& grid = *medium.density->grid;
+      h.add(medium.density->to_world, grid.resolution, grid.points, grid.border);
+      h.array(grid.values);
+    }
     return h.result();
   }
   std::uint64_t hash_mesh(const Mesh& mesh) {

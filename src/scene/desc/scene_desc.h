@@ -9,6 +9,7 @@
 
 #include "core/error.h"
 #include "core/vector.h"
+#include "scene/desc/density_grid.h"
 #include "scene/desc/node.h"
 #include "scene/desc/shape_data.h"
 
@@ -46,13 +47,14 @@ struct Material {
 
 // ---------------------------------------------------------------- media
 
-/// Homogeneous medium: absorption and scattering coefficients in 1/(scene unit), Henyey–Greenstein
-/// g.
+/// Absorption and scattering coefficients in 1/(scene unit), Henyey–Greenstein g. Homogeneous, or
+/// with coefficients times a density.
 struct Medium {
   std::string name;
   SourceLocation where;
   Rgb sigma_a{0, 0, 0}, sigma_s{0, 0, 0};
   float g = 0;
+  std::optional<Density> density{};
 };
 
 // ---------------------------------------------------------------- shapes

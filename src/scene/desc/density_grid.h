@@ -1,0 +1,41 @@
+#pragma once
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/vector.h"
+
+namespace ajar::desc {
+
+using Vec3i = Imath::V3i;
+
+/// How dense a medium is from place to place in the unit cube: factors of its coefficients, at the
+/// points of a lattice and trilinear between them. Outside of the cube there is no medium.
+struct DensityGrid {
+  /// Where in the cube the points are: in the middle of as many cells as there are points, or at
+  /// the corners of cells, the outer ones on the faces of the cube.
+  enum class Points { Centers, Corners };
+  /// Between the points in the middle of the outer cells and the faces of the cube, density goes on
+  /// as if there were points of density 0 beyond, or of that of the nearest point.
+  enum class Border { Zero, Clamp };
+
+  Vec3i resolution{1, 1, 1};
+  std::vector<float> values;  ///< x varies fastest, then y; finite, not negative
+  Points points = Points::Centers;
+  Border border = Border::Zero;
+};
+/// Shared, because grids are large.
+using DensityGridPointer = std::shared_ptr<const DensityGrid>;
+
+/// A grid in its place.
+struct Density {
+  DensityGridPointer grid;
+  Mat4 to_world;  ///< of the unit cube
+};
+
+/// Why no medium can have `density`, as in "has 3 values of density, not 2 × 2 × 2"; nothing if one
+/// can.
+std::optional<std::string> complaint(const Density& density);
+
+}  // namespace ajar::desc
