@@ -180,6 +180,44 @@ TEST(Media, FogThatAbsorbsNothingIsInvisibleInAFurnace) {
   expect_mean(render(*scene, options), 1.0, 0.02);
 }
 
+TEST(Media, SmokeThatAbsorbsNothingIsInvisibleInAFurnace) {
+  const auto scene = scene_from(pbrt_scene(
+      "MakeNamedMedium \"smoke\" \"string type\" \"heterogeneous\" \"rgb sigma_a\" [0 0 0] "
+      "\"rgb sigma_s\" [1 0.5 0.2] \"float g\" [0.5] \"integer nx\" 2 \"integer ny\" 2 "
+      "\"integer nz\" 2 \"float density\" [0 3 1 0 2 0 5 1] \"point p0\" [-1 -1 -1]\n" +
+          std::string(kCamera),
+      8, 8,
+      "LightSource \"infinite\" \"rgb L\" [1 1 1]\nMediumInterface \"smoke\" "
+      "\"\"\nMaterial \"\"\nShape \"sphere\" \"float radius\" [2]"));
+  test::RenderOptions options = samples(512);
+  options.max_depth = 1000;
+  expect_mean(render(*scene, options), 1.0, 0.02);
+}
+
+TEST(Media, SmokeOfTheSameDensityEverywhereIsFog) {
+  const auto picture = [](const std::string& type, const std::string& integrator) {
+    const auto scene = scene_from(pbrt_scene(
+        "MakeNamedMedium \"m\" \"rgb sigma_a\" [0.2 0.1 0.3] \"rgb sigma_s\" [1 0.5 0.2] " + type +
+            "\n" + std::string(kCamera),
+        8, 8,
+        "LightSource \"infinite\" \"rgb L\" [1 1 1]\nMediumInterface \"m\" \"\"\nMaterial "
+        "\"\"\nShape \"sphere\" \"float radius\" [1]"));
+    test::RenderOptions options = samples(512);
+    options.integrator = integrator;
+    return render(*scene, options).mean();
+  };
+  // Values at points outside of the box are 0: it is much larger than the ball.
+  const std::string smoke =
+      "\"string type\" \"heterogeneous\" \"integer nx\" 3 \"integer ny\" 3 \"integer nz\" 3 "
+      "\"point p0\" [-9 -9 -9] \"point p1\" [9 9 9] \"float density\" "
+      "[2 2 2 2 2 2 2 2 2 2 2 2 2 2 2 2 2 2 2 2 2 2 2 2 2 2 2]";
+  const std::string fog = "\"string type\" \"homogeneous\" \"float scale\" 2";
+  const double expected = picture(fog, "pt");
+  for (const char* integrator : {"pt", "bdpt"}) {
+    EXPECT_NEAR(picture(smoke, integrator), expected, 0.01 * expected) << integrator;
+  }
+}
+
 /// Techniques that start at the light against closed forms, whole pictures at a time.
 class FromTheLight : public ::testing::TestWithParam<std::string> {
  protected:

@@ -78,6 +78,24 @@ class Pbrt : public testing::TestWithParam<Version> {
 };
 INSTANTIATE_TEST_SUITE_P(Versions, Pbrt, testing::Values(kV3, kV4));
 
+TEST_P(Pbrt, SmokeAbsorbsByTheIntegralOfItsDensity) {
+  // From 0.5 to 1 in a quarter of the box, to 3 in half of it, to 1.5 in the last quarter.
+  const float integral = 0.25F * 0.75F + 0.5F * 2.F + 0.25F * 2.25F;
+  const std::string medium = fmt::format(
+      "AttributeBegin Translate 0.5 0 0 Scale 0.5 0.5 0.5\nMakeNamedMedium 'smoke' 'string type' "
+      "'{}' "
+      "'rgb sigma_a' [0.4 1 2] 'rgb sigma_s' [0 0 0] 'float scale' 0.5 'integer nz' 2\n"
+      "'{} p0' [-2 -1 -1] '{} p1' [0 1 1] 'float density' [1 3] AttributeEnd\n",
+      is_v4() ? "uniformgrid" : "heterogeneous", is_v4() ? "point3" : "point",
+      is_v4() ? "point3" : "point");
+  const TinyPicture picture = this->picture(
+      camera(6, 0.001F), medium + "LightSource 'infinite' 'rgb L' [1 1 1]\nMaterial '" +
+                             (is_v4() ? "interface" : "") +
+                             "'\nMediumInterface 'smoke' '' Shape 'sphere' 'float radius' 2\n");
+  expect_color(picture.mean(),
+               {std::exp(-0.2F * integral), std::exp(-0.5F * integral), std::exp(-1.F * integral)});
+}
+
 TEST_P(Pbrt, ClosedFurnaceSumsAllBounces) {
   // Within walls that emit L and reflect ρ everything has the radiance L / (1 − ρ).
   const TinyPicture inside =

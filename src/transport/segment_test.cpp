@@ -66,14 +66,32 @@ struct TwoNumbers final : SampleSource {
   Vec2 numbers;
 };
 
-TEST(Segments, DistancesAreInverted) {
-  // From fog through an interface into thicker fog, up to a ball; or past both, to infinity.
+/// Of the cube around the ball and more, denser to one side and empty in a corner.
+desc::Density smoke() {
+  desc::DensityGrid grid{{3, 2, 3}, {}, desc::DensityGrid::Points::Centers, {}};
+  for (int i = 0; i < 18; ++i) grid.values.push_back(i < 3 ? 0.F : 0.1F * static_cast<float>(i));
+  Mat4 to_world;
+  to_world.setScale(Vec3d(3.5));
+  to_world[3][0] = to_world[3][1] = to_world[3][2] = -1.75;
+  return {std::make_shared<const desc::DensityGrid>(std::move(grid)), to_world};
+}
+
+class SegmentsThrough : public ::testing::TestWithParam<const char*> {
+ protected:
+  bool is_smoke() const { return std::string(GetParam()) == "smoke"; }
+};
+INSTANTIATE_TEST_SUITE_P(Media, SegmentsThrough, ::testing::Values("fog", "smoke"));
+
+TEST_P(SegmentsThrough, DistancesAreInverted) {
+  // From fog through an interface into thicker fog or smoke, up to a ball; or past both, to
+  // infinity.
   desc::SceneDesc description;
   description.shapes.emplace_back().node = testing::sphere_node();
   description.materials.emplace_back().node = desc::material_node("interface");
   description.media.emplace_back().sigma_s = {0.7F, 0.5F, 0.2F};
   description.media.emplace_back().sigma_s = {2.F, 1.F, 0.F};
   description.media.back().sigma_a = {0.F, 0.3F, 0.1F};
+  if (is_smoke()) description.media.back().density = smoke();
   desc::Shape& around = description.shapes.emplace_back();
   around.node = testing::sphere_node(2, -2, 2, 360);
   around.material = 0;

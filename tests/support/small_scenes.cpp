@@ -46,6 +46,24 @@ const std::string kMilk = R"(
 MakeNamedMedium "milk" "string type" "homogeneous" "rgb sigma_a" [0.1 0.2 0.3] "rgb sigma_s" [3 2 1]
 )";
 
+/// A cloud that is dense in the middle of its box and empty in the corners.
+std::string smoke() {
+  constexpr int kSide = 5;
+  std::string values;
+  for (int i = 0; i < kSide * kSide * kSide; ++i) {
+    const auto away = [](int at) { return std::abs(at - kSide / 2) / (0.5 * kSide); };
+    const double x = away(i % kSide);
+    const double y = away(i / kSide % kSide);
+    const double z = away(i / kSide / kSide);
+    values += " " + std::to_string(std::max(0.0, 1.0 - x * x - y * y - z * z));
+  }
+  return "MakeNamedMedium \"smoke\" \"string type\" \"heterogeneous\" \"rgb sigma_a\" [0.5 1 2] "
+         "\"rgb sigma_s\" [6 4 5] \"float g\" [0.3] \"integer nx\" 5 \"integer ny\" 5 \"integer "
+         "nz\" 5 "
+         "\"point p0\" [-0.6 0 -0.3] \"point p1\" [0.6 1.2 0.9] \"float density\" [" +
+         values + "]\n";
+}
+
 const std::string kSun =
     "LightSource \"distant\" \"rgb L\" [0.4 0.4 0.5] \"point from\" [1 3 -1] \"point to\" [0 0 "
     "0]\n";
@@ -153,6 +171,9 @@ std::vector<SmallScene> small_scenes() {
       {.name = "MilkBall",
        .text = pbrt_scene(kMilk + kPinhole, 24, 24,
                           kRoom + ball("MediumInterface \"milk\" \"\" Material \"\"", 0.6F, 0.F))},
+      {.name = "Smoke",
+       .text = pbrt_scene(smoke() + kPinhole, 24, 24,
+                          kRoom + ball("MediumInterface \"smoke\" \"\" Material \"\"", 0.6F, 0.F))},
   };
 }
 

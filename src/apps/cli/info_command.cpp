@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <type_traits>
@@ -114,6 +115,9 @@ Json describe(const desc::SceneDesc& description, const std::string& name) {
   json["materials"] = material_counts(description);
   json["textures"] = texture_counts(description);
   json["media"] = Json::array();
+  json["density_grids"] =
+      std::count_if(description.media.begin(), description.media.end(),
+                    [](const desc::Medium& medium) { return medium.density.has_value(); });
   for (const desc::Medium& medium : description.media) json["media"].push_back(medium.name);
   json["camera"] = camera_json(description.camera);
   const desc::Film& film = description.film;

@@ -252,16 +252,43 @@ TEST(PbrtMedia, InterfacesFollowTheGraphicsState) {
   EXPECT_FALSE(scene.shapes[2].has_medium_interface);
 }
 
-TEST(PbrtMedia, UnknownOnesAndUnsupportedOnes) {
+TEST(PbrtMedia, UnknownOnesAreErrors) {
   EXPECT_TRUE(contains(error_of(world("MediumInterface \"x\" \"\"")),
                        "test.pbrt:2:1: unknown medium \"x\""));
+}
+
+std::string grid_medium(const std::string& parameters) {
+  return world(
+      "Translate 1 0 0 MakeNamedMedium \"m\" \"string type\" \"heterogeneous\" \"rgb "
+      "sigma_a\" [1 1 1] \"integer nx\" 2 " +
+      parameters);
+}
+
+TEST(PbrtMedia, HaveGridsOfDensity) {
   Warnings warnings;
-  const desc::SceneDesc scene =
-      import_with(world("MakeNamedMedium \"m\" \"string type\" \"heterogeneous\" \"integer nx\" 2 "
-                        "\"float density\" [1 3] \"rgb sigma_a\" [1 1 1]"),
-                  warnings);
+  const desc::SceneDesc scene = import_with(
+      grid_medium("\"float density\" [1 3] \"float scale\" 2 \"point p1\" [2 3 4]"), warnings);
+  EXPECT_EQ(warnings.count(), 0U);
+  const desc::Medium& medium = scene.media[0];
+  EXPECT_EQ(medium.sigma_a, desc::Rgb(2.F));
+  ASSERT_TRUE(medium.density);
+  EXPECT_EQ(medium.density->grid->values, (std::vector<float>{1.F, 3.F}));
+  EXPECT_EQ(medium.density->grid->resolution, desc::Vec3i(2, 1, 1));
+  EXPECT_EQ(transform_point(medium.density->to_world, Vec3(1.F)), Vec3(3.F, 3.F, 4.F));
+}
+
+TEST(PbrtMedia, OfBadGridsAreErrorsAndOfBadDensitiesWarnings) {
+  EXPECT_TRUE(contains(error_of(grid_medium("\"float density\" [1 3 5]")),
+                       "has 3 values of density, not 2 × 1 × 1"));
+  EXPECT_TRUE(contains(error_of(grid_medium("")), "has 0 values of density"));
+  EXPECT_TRUE(contains(error_of(grid_medium("\"integer ny\" -1 \"float density\" [1 3]")),
+                       "fewer than 1 along an axis"));
+  EXPECT_TRUE(contains(error_of(grid_medium("\"float density\" [1 3] \"point p1\" [0 1 1]")),
+                       "box without volume"));
+  Warnings warnings;
+  const desc::SceneDesc scene = import_with(grid_medium("\"float density\" [-1 3]"), warnings);
   EXPECT_EQ(warnings.count(), 1U);
-  EXPECT_EQ(scene.media[0].sigma_a, desc::Rgb(2.F));
+  EXPECT_EQ(scene.media[0].density->grid->values[0], 0.F);
 }
 
 }  // namespace

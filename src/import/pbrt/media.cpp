@@ -4,8 +4,10 @@
 #include <array>
 #include <numeric>
 
+#include "import/common/density.h"
 #include "import/common/printable.h"
 #include "import/common/scattering_presets.h"
+#include "import/common/transforms.h"
 #include "import/pbrt/lexer.h"
 
 namespace ajar::pbrt {
@@ -16,6 +18,8 @@ constexpr WarningKind kUnknownPreset{Effect::Surface,
 constexpr WarningKind kHeterogeneous{
     Effect::Surface,
     "heterogeneous media are not supported: homogeneous ones of the mean density stand in"};
+constexpr WarningKind kColors{
+    Effect::Surface, "media have colours that vary, which is not supported: the mean stands in"};
 constexpr WarningKind kUnknown{Effect::Surface, "media are unknown: clear ones stand in"};
 constexpr WarningKind kNoEmission{Effect::Light, "media emit light, which is not supported"};
 
@@ -44,13 +48,6 @@ double mean_of(const std::vector<float>& numbers) {
   return sum / static_cast<double>(numbers.size());
 }
 
-/// Mean of the numbers of a grid, 1 if there is none.
-float mean_density(const ParameterList& parameters) {
-  const Parameter* density = parameters.find("density", ParameterKind::Float);
-  if (density == nullptr || density->numbers.empty()) return 1.F;
-  return static_cast<float>(mean_of(density->numbers));
-}
-
 /// Mean of the colours of a grid, nothing if there is none.
 std::optional<desc::Rgb> mean_color(const ParameterList& parameters, std::string_view name) {
   const Parameter* grid = parameters.find(name, ParameterKind::Rgb);
@@ -61,6 +58,55 @@ std::optional<desc::Rgb> mean_color(const ParameterList& parameters, std::string
                    static_cast<float>(mean_of(lanes[2])));
 }
 
+/// Whether the coefficient `name` is a grid of colours.
+const Parameter* color_grid(const ParameterList& parameters, std::string_view name) {
+  const Parameter* grid = parameters.find(name, ParameterKind::Rgb);
+  return grid != nullptr && grid->size() > 1 ? grid : nullptr;
+}
+
+/// Extinction of a grid of colours, mean over its lanes and relative to the mean of the grid.
+std::vector<float> relative_extinction(const SourceLocation& where,
+                                       const ParameterList& parameters) {
+  std::vector<float> values;
+  for (const char* name : {"sigma_a", "sigma_s"}) {
+    const Parameter* grid = color_grid(parameters, name);
+    if (grid == nullptr) continue;
+    if (values.empty()) values.resize(grid->size(), 0.F);
+    if (values.size() != grid->size()) {
+      throw SceneError(where, "\"sigma_a\" and \"sigma_s\" of the medium differ in size");
+    }
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const float* rgb = grid->numbers.data() + 3 * i;
+      values[i] += rgb[0] + rgb[1] + rgb[2];
+    }
+  }
+  const double mean = values.empty() ? 0.0 : mean_of(values);
+  for (float& value : values) value = mean > 0.0 ? static_cast<float>(value / mean) : 1.F;
+  return values;
+}
+
+/// Values at the middles of the cells of a box; 0 beyond. Source: pbrt-v3, media/grid.cpp, and
+/// pbrt-v4, media.h and util/containers.h (SampledGrid).
+desc::Density read_grid(Context& context, const SourceLocation& where, const std::string& type,
+                        const std::string& name, const ParameterList& p, const Mat4& to_world) {
+  desc::DensityGrid grid;
+  grid.resolution = {p.get_int("nx", 1), p.get_int("ny", 1), p.get_int("nz", 1)};
+  if (type == "rgbgrid") {
+    grid.values = relative_extinction(where, p);
+    if (grid.values.empty()) grid.values.push_back(1.F);
+    context.warnings.add(kColors, where,
+                         "colours of media that vary are not supported: the density varies, and "
+                         "the mean of the colours stands in",
+                         printable(name));
+  } else if (const Parameter* density = p.find("density", ParameterKind::Float)) {
+    grid.values = density->numbers;
+  }
+  const Vec3d low(p.get_point("p0", Vec3(0.F)));
+  const Vec3d high(p.get_point("p1", Vec3(1.F)));
+  return make_density(std::move(grid), scaling(high - low) * translation(low) * to_world, where,
+                      name, context.warnings);
+}
+
 void warn_of_grid(Context& context, const SourceLocation& where, const std::string& type,
                   const std::string& name, const std::string& note = "") {
   context.warnings.add(
@@ -69,19 +115,17 @@ void warn_of_grid(Context& context, const SourceLocation& where, const std::stri
       printable(name));
 }
 
-/// What a medium of a type that varies in space has in the mean, relative to "sigma_a" and
-/// "sigma_s".
-float density_of(Context& context, const SourceLocation& where, const std::string& type,
-                 const std::string& name, const ParameterList& p) {
-  p.accept({"nx", "ny", "nz", "p0", "p1", "filename", "wispiness", "frequency"});
+/// What a medium that is homogeneous, or is made so, has relative to "sigma_a" and "sigma_s".
+float mean_density(Context& context, const SourceLocation& where, const std::string& type,
+                   const std::string& name, const ParameterList& p) {
   if (type == "homogeneous") return 1.F;
+  p.accept({"p0", "p1", "filename", "wispiness", "frequency"});
   if (type == "nanovdb") {
     warn_of_grid(context, where, type, name, ", and that is taken to be 1: its file is not read");
     return 1.F;
   }
   warn_of_grid(context, where, type, name);
-  if (type == "cloud") return kMeanOfCloud * p.get_float("density", 1.F);
-  return type == "rgbgrid" ? 1.F : mean_density(p);
+  return kMeanOfCloud * p.get_float("density", 1.F);
 }
 
 void warn_of_emission(Context& context, const SourceLocation& where, const std::string& name,
@@ -98,7 +142,7 @@ void warn_of_emission(Context& context, const SourceLocation& where, const std::
 }  // namespace
 
 desc::Medium make_medium(Context& context, const SourceLocation& where, const std::string& name,
-                         const ParameterList& parameters) {
+                         const ParameterList& parameters, const Mat4& to_world) {
   static const std::vector<std::string> kTypesOfV3 = {"homogeneous", "heterogeneous"};
   static const std::vector<std::string> kTypesOfV4 = {"homogeneous", "uniformgrid", "rgbgrid",
                                                       "cloud", "nanovdb"};
@@ -122,8 +166,12 @@ desc::Medium make_medium(Context& context, const SourceLocation& where, const st
     const desc::Rgb given = context.spectra.get_positive(parameters, parameter, fallback);
     return context.is_v4() && preset ? fallback : given;
   };
-  const float scale =
-      parameters.get_float("scale", 1.F) * density_of(context, where, *type, name, parameters);
+  float scale = parameters.get_float("scale", 1.F);
+  if (*type == "heterogeneous" || *type == "uniformgrid" || *type == "rgbgrid") {
+    medium.density = read_grid(context, where, *type, name, parameters, to_world);
+  } else {
+    scale *= mean_density(context, where, *type, name, parameters);
+  }
   medium.g = parameters.get_float("g", 0.F);
   if (scale < 0.F) throw SceneError(where, "\"scale\" of a medium is negative");
   if (!(medium.g > -1.F && medium.g < 1.F))

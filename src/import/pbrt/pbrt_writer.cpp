@@ -1,5 +1,6 @@
 #include "import/pbrt/pbrt_writer.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 
@@ -77,15 +78,57 @@ class Writer {
     out_.parameter("float scale", film.scale);
     if (!film.filename.empty()) out_.parameter("string filename", film.filename);
     write_camera();
-    for (std::size_t i = 0; i < scene_.media.size(); ++i) {
-      const desc::Medium& medium = scene_.media[i];
-      out_.line("MakeNamedMedium")
-          .quoted(context_.medium_names[i])
-          .parameter("string type", "homogeneous");
-      out_.rgb("sigma_a", medium.sigma_a)
-          .rgb("sigma_s", medium.sigma_s)
-          .parameter("float g", medium.g);
+    for (std::size_t i = 0; i < scene_.media.size(); ++i) write_medium(i);
+  }
+
+  void write_medium(std::size_t i) {
+    const desc::Medium& medium = scene_.media[i];
+    if (medium.density) out_.line("Transform").matrix(medium.density->to_world);
+    out_.line("MakeNamedMedium")
+        .quoted(context_.medium_names[i])
+        .parameter("string type", medium.density ? "heterogeneous" : "homogeneous");
+    out_.rgb("sigma_a", medium.sigma_a)
+        .rgb("sigma_s", medium.sigma_s)
+        .parameter("float g", medium.g);
+    if (medium.density) write_density(*medium.density->grid);
+  }
+
+  /// Of the nearest point.
+  static float value_near(const desc::DensityGrid& grid, const desc::Vec3i& point) {
+    const desc::Vec3i& n = grid.resolution;
+    std::size_t index = 0;
+    for (int axis = 2; axis >= 0; --axis) {
+      index = index * static_cast<std::size_t>(n[axis]) +
+              static_cast<std::size_t>(std::clamp(point[axis], 0, n[axis] - 1));
     }
+    return grid.values[index];
+  }
+
+  /// pbrt has densities at the middles of cells, and 0 beyond them. What other grids have in their
+  /// box is the same with a larger one; beyond it there is some of the medium, too, unless a
+  /// surface bounds it, as those formats ask for.
+  void write_density(const desc::DensityGrid& grid) {
+    const bool at_corners = grid.points == desc::DensityGrid::Points::Corners;
+    const bool is_extended = !at_corners && grid.border == desc::DensityGrid::Border::Clamp;
+    const int more = is_extended ? 1 : 0;
+    const desc::Vec3i& n = grid.resolution;
+    out_.parameter("integer nx", n.x + 2 * more)
+        .parameter("integer ny", n.y + 2 * more)
+        .parameter("integer nz", n.z + 2 * more);
+    if (at_corners || is_extended) {
+      // Half a cell, of a grid of corners or of centres, or a whole one.
+      const Vec3 beyond = at_corners ? Vec3(0.5F) / Vec3(n - desc::Vec3i(1)) : Vec3(1.F) / Vec3(n);
+      out_.point("p0", Vec3(0.F) - beyond).point("p1", Vec3(1.F) + beyond);
+    }
+    out_.quoted("float density").line("  [");
+    for (int z = -more; z < n.z + more; ++z) {
+      for (int y = -more; y < n.y + more; ++y) {
+        for (int x = -more; x < n.x + more; ++x) {
+          out_.number(value_near(grid, {x, y, z}));
+        }
+      }
+    }
+    out_.line("  ]");
   }
 
   void write_integrator() {

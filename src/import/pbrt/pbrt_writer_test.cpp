@@ -22,6 +22,9 @@ Film "image" "integer xresolution" 31 "integer yresolution" 17 "float cropwindow
 LookAt 1.1 2.2 3.3  0.4 -0.5 0.6  0.1 1 0.2
 Scale -1 1 1
 MakeNamedMedium "fog" "string type" "homogeneous" "rgb sigma_a" [.1 .2 .3] "rgb sigma_s" [.4 .5 .6] "float g" .3
+Rotate 20 1 2 3
+MakeNamedMedium "smoke" "string type" "heterogeneous" "rgb sigma_a" [.1 .2 .3] "rgb sigma_s" [.4 .5 .6] "integer nx" 2 "integer nz" 2 "float density" [0 .1 .2 .7] "point p0" [-1 -2 0] "point p1" [1 2 3]
+Rotate -20 1 2 3
 MediumInterface "" "fog"
 Camera "perspective" "float fov" 33.3 "float lensradius" .01 "float focaldistance" 7 "float screenwindow" [-1 1.5 -2 2.5] "float frameaspectratio" 1.1
 WorldBegin
@@ -50,6 +53,7 @@ NamedMaterial "mix"
 AttributeBegin AreaLightSource "diffuse" "rgb L" [5 6 7] "bool twosided" true ReverseOrientation Shape "cylinder" "float phimax" 77 AttributeEnd
 AttributeBegin AreaLightSource "diffuse" "texture L" "uv" "rgb scale" [3 3 3] Shape "cone" AttributeEnd
 AttributeBegin Material "none" MediumInterface "fog" "" Shape "sphere" "float zmax" .4 "texture alpha" "windy" AttributeEnd
+AttributeBegin Material "none" MediumInterface "smoke" "fog" Shape "sphere" AttributeEnd
 Material "uber" "texture Kr" "bilerp" Shape "paraboloid" "float shadowalpha" 0
 Material "disney" "texture color" "marble" "texture roughness" "wrinkled" Shape "hyperboloid"
 Material "plastic" Shape "trianglemesh" "integer indices" [0 1 2] "point P" [0 0 0 1 .1 0 0 1 .3] "rgb Kd" [.3 .2 .1]
@@ -117,6 +121,8 @@ TEST(SceneHash, ChangesWithThePictureAndNotWithNames) {
   };
   for (const auto& [from, to] : std::vector<std::pair<std::string, std::string>>{
            {"[.4 .5 .6]", "[.4 .5 .7]"},
+           {"[0 .1 .2 .7]", "[0 .1 .2 .8]"},
+           {"[-1 -2 0]", "[-1 -2 1]"},
            {"\"float fov\" 33.3", "\"float fov\" 33.4"},
            {"1.1 2.2 3.3", "1.1 2.2 3.4"},
            {"\"float phimax\" 77", "\"float phimax\" 78"},

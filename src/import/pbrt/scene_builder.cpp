@@ -327,7 +327,8 @@ void SceneBuilder::named_material(const SourceLocation& where, const std::string
 
 void SceneBuilder::make_named_medium(const SourceLocation& where, const std::string& name,
                                      const ParameterList& parameters) {
-  scene_.media.push_back(make_medium(context_, where, name, parameters));
+  scene_.media.push_back(
+      make_medium(context_, where, name, parameters, transforms_.get(where, warnings_)));
   media_[name] = static_cast<desc::MediumId>(scene_.media.size()) - 1;
 }
 

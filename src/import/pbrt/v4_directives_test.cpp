@@ -121,8 +121,8 @@ TEST(PbrtInclude, MayGoOnWithTheParametersOfADirective) {
       world("MakeNamedMedium \"smoke\" \"string type\" \"heterogeneous\" \"integer nx\" 2\n"
             "Include \"density.pbrt\" \"rgb sigma_a\" [1 1 1]"),
       warnings, files);
-  EXPECT_EQ(warnings.count(), 1U);
-  EXPECT_EQ(s.media[0].sigma_a, desc::Rgb(2.F));
+  EXPECT_EQ(warnings.count(), 0U);
+  EXPECT_EQ(s.media[0].density->grid->values.size(), 2U);
   EXPECT_TRUE(contains(error_of(world("Shape \"sphere\" Include \"bad.pbrt\""), files),
                        "bad.pbrt:1:18: expected parameters only"));
   EXPECT_TRUE(contains(error_of(world("Shape \"sphere\" Include \"loop.pbrt\""), files),
@@ -167,14 +167,17 @@ TEST(Pbrt4Media, HaveDefaultsAndPresets) {
   EXPECT_TRUE(contains(v4_warnings("MakeNamedMedium \"m\" \"string type\" \"nanovdb\" \"string "
                                    "filename\" \"a.nvdb\""),
                        "test.pbrt:2:1: nanovdb media are not supported"));
-  const desc::SceneDesc grid = v4_scene_with_warnings(
+  const desc::SceneDesc grid = v4_scene(
       "MakeNamedMedium \"m\" \"string type\" \"uniformgrid\" \"integer nx\" 2 \"float density\" [1 "
       "3] \"rgb sigma_s\" [1 2 3]");
-  EXPECT_EQ(grid.media[0].sigma_s, desc::Rgb(2.F, 4.F, 6.F));
+  EXPECT_EQ(grid.media[0].sigma_s, desc::Rgb(1.F, 2.F, 3.F));
+  EXPECT_EQ(grid.media[0].density->grid->values, (std::vector<float>{1.F, 3.F}));
   const desc::SceneDesc colors = v4_scene_with_warnings(
       "MakeNamedMedium \"m\" \"string type\" \"rgbgrid\" \"integer nx\" 2 \"rgb sigma_a\" [1 2 3 3 "
       "4 5]");
   EXPECT_EQ(colors.media[0].sigma_a, desc::Rgb(2.F, 3.F, 4.F));
+  EXPECT_NEAR(colors.media[0].density->grid->values[0], 6.0 / 9.0, 1e-6) << "of the mean";
+  EXPECT_NEAR(colors.media[0].density->grid->values[1], 12.0 / 9.0, 1e-6);
 }
 
 TEST(Pbrt4Media, TheCamerasIsThatOutsideWhereItIsMade) {

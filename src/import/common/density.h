@@ -1,0 +1,17 @@
+#pragma once
+#include <string>
+
+#include "core/error.h"
+#include "core/warnings.h"
+#include "scene/desc/density_grid.h"
+
+namespace ajar {
+
+/// The density of the medium `name`, which is made at `where`. Values that are negative or no
+/// numbers count as 0, with a warning. Raises SceneError for grids and places that no medium can
+/// have.
+desc::Density make_density(desc::DensityGrid grid, const Mat4& to_world,
+                           const SourceLocation& where, const std::string& name,
+                           Warnings& warnings);
+
+}  // namespace ajar
