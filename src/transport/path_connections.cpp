@@ -161,10 +161,9 @@ void PathSampler::connect_to_light(const PathVertex& vertex, SampleSource& sourc
       const EmissionPdf emission = light.emission_pdf(sample->point, -sample->w);
       const double position = static_cast<double>(emission.position.value()) *
                               static_cast<double>(lights.emitter_probability(light).value());
-      const double arrival =
-          arrival_density(emission.departure, light.at_infinity(), distance,
-                          vertex.cosine(sample->w)) *
-          static_cast<double>(segment.distance_pdf(vertex.scattered_in()));
+      const double arrival = arrival_density(emission.departure, light.at_infinity(), distance,
+                                             vertex.cosine(sample->w)) *
+                             static_cast<double>(segment.distance_pdf(vertex.scattered_in()));
       others += h(heuristic, position / connection_density) *
                 camera_mis(vertex, technique.depth())
                     .sum(heuristic, arrival, vertex.pdf(sample->w, vertex.wo).value());
@@ -248,12 +247,14 @@ void PathSampler::connect_inner(const PathVertex& camera_vertex, const PathVerte
   const auto weight_of = [&](const Segment& segment) {
     const Heuristic heuristic = settings_.heuristic;
     const double inverse_square = 1.0 / static_cast<double>(distance_squared);
-    const double to_camera_vertex = static_cast<double>(at_light_vertex.pdf.value()) *
-                                    static_cast<double>(camera_vertex.cosine(w)) * inverse_square *
-                                    static_cast<double>(segment.distance_pdf(camera_vertex.scattered_in()));
-    const double to_light_vertex = static_cast<double>(at_camera_vertex.pdf.value()) *
-                                   static_cast<double>(light_vertex.cosine(w)) * inverse_square *
-                                   static_cast<double>(segment.distance_pdf(light_vertex.scattered_in()));
+    const double to_camera_vertex =
+        static_cast<double>(at_light_vertex.pdf.value()) *
+        static_cast<double>(camera_vertex.cosine(w)) * inverse_square *
+        static_cast<double>(segment.distance_pdf(camera_vertex.scattered_in()));
+    const double to_light_vertex =
+        static_cast<double>(at_camera_vertex.pdf.value()) *
+        static_cast<double>(light_vertex.cosine(w)) * inverse_square *
+        static_cast<double>(segment.distance_pdf(light_vertex.scattered_in()));
     const int depth = technique.depth();
     const double others =
         camera_mis(camera_vertex, depth)

@@ -215,8 +215,8 @@ bool PathSampler::start_camera(SampleSource& source, const Vec2& raster, PathSin
 void PathSampler::leave_scene(const Flight& flight, const SegmentEnd& end, PathSink& sink) const {
   if (end.lost) return;
   const int edges = flight.edges + 1;
-  const MisStep step = mis_step(flight, end.segment, end.distance, 1.F, {}, true,
-                                camera_side_coefficient(edges));
+  const MisStep step =
+      mis_step(flight, end.segment, end.distance, 1.F, {}, true, camera_side_coefficient(edges));
   MisState mis = mis_extend(settings_.heuristic, flight.mis, step);
   if (camera_walk_.trail != nullptr) {
     camera_walk_.trail[edges] = mis_trail_entry(settings_.heuristic, mis, step);

@@ -113,8 +113,7 @@ SegmentEnd trace_segment(const Scene& scene, Ray ray, const Medium* medium,
         end.scattered = true;
         end.hit.reset();
         const MediumPoint here{medium, origin + ray.direction * end.distance};
-        end.weight =
-            end.segment.transmittance * here.sigma_s() / end.segment.distance_pdf(here);
+        end.weight = end.segment.transmittance * here.sigma_s() / end.segment.distance_pdf(here);
         return end;
       }
       depth_left -= sigma_t * column.density;

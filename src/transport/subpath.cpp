@@ -20,10 +20,11 @@ MisStep mis_step(const Flight& flight, const Segment& segment, float distance, f
   step.forward = static_cast<double>(flight.departure) * forward_geometry *
                  (at_infinity ? 1.0 : static_cast<double>(cosine_at_end)) *
                  static_cast<double>(segment.distance_pdf(end));
-  step.backward_geometry = flight.from_infinity
-                               ? static_cast<double>(segment.distance_pdf())
-                               : static_cast<double>(flight.cosine) * inverse_square *
-                                     static_cast<double>(segment.distance_pdf({flight.scattered_in, flight.reference}));
+  step.backward_geometry =
+      flight.from_infinity
+          ? static_cast<double>(segment.distance_pdf())
+          : static_cast<double>(flight.cosine) * inverse_square *
+                static_cast<double>(segment.distance_pdf({flight.scattered_in, flight.reference}));
   step.class_coefficient = class_coefficient;
   return step;
 }

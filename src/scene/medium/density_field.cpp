@@ -104,8 +104,8 @@ float DensityField::value(int x, int y, int z) const {
     y = std::clamp(y, 0, n.y - 1);
     z = std::clamp(z, 0, n.z - 1);
   }
-  const auto row = static_cast<std::size_t>(z) * static_cast<std::size_t>(n.y) +
-                   static_cast<std::size_t>(y);
+  const auto row =
+      static_cast<std::size_t>(z) * static_cast<std::size_t>(n.y) + static_cast<std::size_t>(y);
   return grid_->values[row * static_cast<std::size_t>(n.x) + static_cast<std::size_t>(x)];
 }
 

@@ -20,7 +20,8 @@ class DensityField {
   explicit DensityField(const desc::Density& density);
 
   /// Density at a point of the world, positive: what lies outside of the box counts as the nearest
-  /// point in it, and vacuum as very thin. Light scatters at neither, but rounding puts points there.
+  /// point in it, and vacuum as very thin. Light scatters at neither, but rounding puts points
+  /// there.
   float at(const Vec3& p) const;
   /// Along `ray` for `distance`, or until the integral of the density is `most`. Infinite distances
   /// end where the box does, for the integral.
@@ -57,8 +58,8 @@ class DensityField {
 
   desc::DensityGridPointer grid_;
   Mat4 lattice_from_world_;
-  Vec3d low_, high_;         ///< the box, in the lattice
-  Cell first_, last_;        ///< cells that the box overlaps: cell i is between points i and i + 1
+  Vec3d low_, high_;   ///< the box, in the lattice
+  Cell first_, last_;  ///< cells that the box overlaps: cell i is between points i and i + 1
   desc::Vec3i brick_count_;
   std::vector<Brick> bricks_;
   float largest_ = 0.F;
