@@ -189,7 +189,7 @@ TEST(Media, SmokeThatAbsorbsNothingIsInvisibleInAFurnace) {
       8, 8,
       "LightSource \"infinite\" \"rgb L\" [1 1 1]\nMediumInterface \"smoke\" "
       "\"\"\nMaterial \"\"\nShape \"sphere\" \"float radius\" [2]"));
-  test::RenderOptions options = samples(512);
+  test::RenderOptions options = samples(2048);
   options.max_depth = 1000;
   expect_mean(render(*scene, options), 1.0, 0.02);
 }
