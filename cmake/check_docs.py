@@ -4,6 +4,7 @@ Every link to a file of the repository must lead somewhere, to a heading where i
 cites a page (`docs/page.md, "Heading"`). Every line of a fenced `sh` block that starts with `ajar ` must run: with few
 samples and a small picture added to renders, in a folder that is thrown away.
 Blocks that need files of the reader are marked `text`. Pages that the program writes must be as it would write them.
+What names the version must name that of CMakeLists.txt.
 """
 import difflib
 import functools
@@ -126,9 +127,31 @@ def broken_citations(repository, path):
         yield f"{path}:{line_of(name)}: cites {name[0]}, which is not in the repository"
 
 
+# Where the version is written by hand beside CMakeLists.txt.
+VERSIONED = {
+    "CHANGELOG.md": r"^## (\d\S*)",
+    "CITATION.cff": r"^version: (\S+)",
+    "docs/library.md": r"find_package\(ajar (\S+)",
+    "examples/render/CMakeLists.txt": r"find_package\(ajar (\S+)",
+}
+
+
+def other_versions(repository):
+    """Files that name another version than the build; they may leave out its last number."""
+    def named(file, pattern):
+        with open(os.path.join(repository, file), encoding="utf-8") as text:
+            found = re.search(pattern, text.read(), re.MULTILINE)
+        return found[1] if found else ""
+
+    version = named("CMakeLists.txt", r"project\(ajar VERSION (\S+)")
+    for file, pattern in VERSIONED.items():
+        if (name := named(file, pattern)) not in (version, version.rpartition(".")[0]):
+            yield f"{os.path.join(repository, file)}: names version {name}, but the build is {version}"
+
+
 def main(repository, program):
     program = os.path.abspath(program)
-    problems = []
+    problems = list(other_versions(repository))
     for path in sources(repository):
         problems += broken_citations(repository, path)
     with tempfile.TemporaryDirectory() as folder:

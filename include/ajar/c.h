@@ -52,7 +52,7 @@ typedef struct ajar_picture ajar_picture;
 /* Grows with every function or member of JSON that is added. */
 #define AJAR_C_VERSION 1
 AJAR_API int ajar_c_version(void);
-/* Of the library, such as "0.1.0". */
+/* Of the library, such as "0.2.0". */
 AJAR_API const char* ajar_version(void);
 /* Of the function that failed last on this thread; valid until the next call there. */
 AJAR_API const char* ajar_last_error(void);

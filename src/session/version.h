@@ -3,7 +3,7 @@
 
 namespace ajar {
 
-/// Version of this program, e.g. "0.1.0".
+/// Version of this program, e.g. "0.2.0".
 const std::string& version();
 
 }  // namespace ajar
