@@ -55,6 +55,8 @@ struct PreparationRound {
   double effort = 1.0;
   double later_effort = 0.0;  ///< of the rounds after it
   bool stays = false;         ///< what it renders becomes part of the picture
+  /// What it finds serves the render even if none of the later rounds runs.
+  bool serves_alone = false;
 };
 
 /// What a method knows since its preparation.

@@ -13,6 +13,8 @@ class PreparationStage {
   virtual double effort() const = 0;
   /// Whether what it renders becomes part of the picture.
   virtual bool stays() const { return false; }
+  /// Whether what it finds serves the render even if no later stage runs.
+  virtual bool serves_alone() const { return false; }
   /// Number of items; called once.
   virtual std::uint64_t begin() = 0;
   /// On any thread, in any order.

@@ -23,11 +23,12 @@ PreparationEnd Preparation::must_stop(double deadline) const {
   return seconds() > deadline ? PreparationEnd::NoTime : PreparationEnd::Done;
 }
 
-PreparationEnd Preparation::must_skip() const {
+PreparationEnd Preparation::must_skip(const PreparationRound& next) const {
   PreparationEnd reason = must_stop(deadline(false));
   if (limits_.rounds == rounds_) reason = PreparationEnd::NoTime;
   if (reason == PreparationEnd::Done && over_ > 0.0) {
-    const double expected = seconds() * all_ / over_;
+    const double effort = next.serves_alone ? over_ + next.effort : all_.load();
+    const double expected = seconds() * effort / over_;
     if (expected > deadline(false)) reason = PreparationEnd::NoTime;
   }
   if (limits_.ranks == nullptr) return reason;
@@ -77,7 +78,7 @@ Counters Preparation::run() {
     items_ = next.items;
     running_ = next.effort;
     all_ = over_ + next.effort + next.later_effort;
-    end_ = must_skip();
+    end_ = must_skip(next);
     if (end_ == PreparationEnd::Done) end_ = run_round(round, deadline(next.stays), whole);
     if (end_ != PreparationEnd::Done) {
       integrator_.skip_preparation();

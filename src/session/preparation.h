@@ -28,7 +28,8 @@ enum class PreparationEnd { Done, NoTime, Interrupted };
 
 /// Runs the rounds of an integrator's preparation on all threads that TBB may use. If the user asks
 /// to stop, or it would take more than a quarter of the time for the render, the integrator has to
-/// do without what is left of it (`Integrator::skip_preparation`). A round that has begun, and of
+/// do without what is left of it (`Integrator::skip_preparation`). Rounds that serve alone run as
+/// long as they themselves end in that time. A round that has begun, and of
 /// which the samples become part of the picture, is finished as long as half of the time is left
 /// then. Where a round shows in its first tenth that it would take longer, it is given up there,
 /// and what it did is lost.
@@ -56,7 +57,7 @@ class Preparation {
   /// of it is done: of many guesses the worst would decide.
   bool will_be_late(double deadline);
   /// Why to do without the round that is about to begin, and the later ones; the same on all ranks.
-  PreparationEnd must_skip() const;
+  PreparationEnd must_skip(const PreparationRound& next) const;
   /// Why it was cut short; `Done`: it was not.
   PreparationEnd run_round(int round, double deadline, Counters& whole);
 

@@ -31,7 +31,7 @@ class Prepared final : public Integrator {
     }
     double later = 0.0;
     for (std::size_t j = i + 1; j < efforts_.size(); ++j) later += efforts_[j];
-    return {10, efforts_[i], later, stays};
+    return {10, efforts_[i], later, stays, serves_alone};
   }
   void prepare_item(int round, std::uint64_t /*item*/, Counters& counters) override {
     ++counters.rays;
@@ -51,6 +51,7 @@ class Prepared final : public Integrator {
   bool is_ready = false;
   bool skipped = false;
   bool stays = false;
+  bool serves_alone = false;
   std::function<void(int round)> on_item;
 
  private:
@@ -176,6 +177,19 @@ TEST(Preparation, FinishesWhatBecomesPartOfThePicture) {
       EXPECT_EQ(preparation.rounds(), stays ? 1U : 0U);
       EXPECT_EQ(preparation.end(), PreparationEnd::NoTime) << "no other round is begun";
     });
+  }
+}
+
+/// What comes after it would take too long in either case.
+TEST(Preparation, RunsRoundsThatServeAlone) {
+  for (const bool alone : {false, true}) {
+    Prepared integrator({1.0, 1.0, 1e9});
+    integrator.serves_alone = alone;
+    integrator.on_item = [](int) { std::this_thread::sleep_for(1ms); };
+    Preparation preparation(integrator, {.seconds = 1000.0});
+    EXPECT_EQ(preparation.run().rays, alone ? 20U : 10U);
+    EXPECT_TRUE(integrator.skipped);
+    EXPECT_EQ(preparation.end(), PreparationEnd::NoTime);
   }
 }
 

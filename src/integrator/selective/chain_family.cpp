@@ -136,7 +136,7 @@ PreparationRound ChainIntegrator::begin_preparation(int round) {
     PreparationStage& stage = *stages_[stage_];
     const std::uint64_t items = stage.begin();
     if (items == 0) continue;
-    PreparationRound next{items, stage.effort(), 0.0, stage.stays()};
+    PreparationRound next{items, stage.effort(), 0.0, stage.stays(), stage.serves_alone()};
     for (std::size_t i = stage_ + 1; i < stages_.size(); ++i) {
       next.later_effort += stages_[i]->effort();
     }

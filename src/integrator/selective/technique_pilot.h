@@ -24,6 +24,7 @@ class TechniquePilot final : public PreparationStage {
   TechniquePilot(const TechniquePilot&) = delete;
   TechniquePilot& operator=(const TechniquePilot&) = delete;
   double effort() const override;
+  bool serves_alone() const override { return true; }
   std::uint64_t begin() override;
   void run(std::uint64_t item, Counters& counters) override;
   void end() override;
