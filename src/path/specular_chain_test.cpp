@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <utility>
@@ -63,8 +64,8 @@ std::vector<Case> cases() {
           {"Egg", {egg}, {true, true}, 1.33},
           {"MirrorBall", {ball}, {false}},
           {"InsideOfBall", {ball}, {true, false, true}},
-          {"Slab", {pane(0.5, 0.0), pane(-0.4, 0.0)}, {true, true}},
-          {"Prism", {pane(0.5, 0.2), pane(-0.4, -0.1)}, {true, true}},
+          {"Slab", {pane(0.5, 0.0), pane(-0.4, std::numbers::pi)}, {true, true}},
+          {"Prism", {pane(0.5, 0.2), pane(-0.4, std::numbers::pi - 0.1)}, {true, true}},
           {"Waves", {testing::mesh_shape(waves())}, {true}, 1.33}};
 }
 
@@ -166,8 +167,7 @@ TEST(SpecularChain, SpreadAndMovesAreThoseOfRaysBeside) {
   }
 }
 
-/// With one lens, light goes back as it came: of chains without shading normals dω_a / dA_b is
-/// (η_b / η_a)² dω_b / dA_a.
+/// Étendue is kept: of chains without shading normals η_a² dω_a / dA_b is η_b² dω_b / dA_a.
 TEST(SpecularChain, SpreadIsReciprocal) {
   for (const Case& c : cases()) {
     if (c.name == "Waves") continue;  // with normals that are not those of the triangles
@@ -231,7 +231,8 @@ TEST(ManifoldWalk, ComesToAChainThatASearchFindsAndBack) {
     const auto scene = scene_of(c);
     const auto from = trace(*scene, c.start, Vec3d(c.direction), c.transmissions);
     ASSERT_TRUE(from);
-    const Vec3d old_end = from->last + from->w * 1.2;
+    // Of a ball, before its focus: beyond there are several chains, and walks may come to any.
+    const Vec3d old_end = from->last + from->w * 0.3;
     ChainStart start;
     start.end = {Vec3d(c.start)};
     ManifoldWalk walk(*scene);
@@ -247,10 +248,11 @@ TEST(ManifoldWalk, ComesToAChainThatASearchFindsAndBack) {
       for (const Vec3d& solution : search(*scene, c, Vec3d(target))) {
         nearest = std::min(nearest, (solution - direction).length());
       }
-      EXPECT_LT(nearest, 1e-4) << "by " << by;
+      EXPECT_LT(nearest, 2e-5 + walk.uncertainty()) << "by " << by;
       ASSERT_TRUE(walk.walk(start, there, Vec3(old_end)));
+      const auto near = static_cast<float>(2e-5 + walk.uncertainty());
       for (std::size_t i = 0; i < there.size(); ++i) {
-        EXPECT_LT((walk.vertices()[i].p() - from->vertices[i].p()).length(), 1e-4F);
+        EXPECT_LT((walk.vertices()[i].p() - from->vertices[i].p()).length(), near);
       }
     }
     EXPECT_GE(walked, 3);
