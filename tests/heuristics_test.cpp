@@ -29,6 +29,7 @@ const std::vector<std::string>& rooms_with_heuristics() {
   static const std::vector<std::string> kRooms = {"image",
                                                   "post",
                                                   "transport",
+                                                  "path",
                                                   "session",
                                                   "mcmc/primary",
                                                   "mcmc/path_space",

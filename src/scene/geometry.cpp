@@ -5,6 +5,7 @@
 
 #include "scene/geometry_records.h"
 #include "scene/shape/make_surface_sampler.h"
+#include "scene/surface_derivatives.h"
 
 namespace ajar {
 
@@ -93,6 +94,34 @@ bool Geometry::intersect(const Ray& ray, GeometryHit& hit) const {
   }
   if (instance != nullptr) place_point(*instance, record.derivatives, hit.point);
   return true;
+}
+
+std::optional<SurfaceDerivatives> Geometry::derivatives(const GeometryHit& hit) const {
+  const ShapeRecord& record = shapes_[hit.shape];
+  const Placement* instance =
+      hit.instance_id == 0 ? nullptr : &*instances_[hit.instance_id - 1].placement;
+  Vec3d p(hit.point.p);
+  if (instance != nullptr) p = instance->point_to_object(p);
+  std::optional<SurfaceDerivatives> result;
+  if (record.mesh) {
+    result = record.mesh->derivatives(hit.point.primitive, p);
+  } else if (record.quadric) {
+    const Quadric& quadric = *record.quadric;
+    const Vec3d on_surface = quadric.project(record.placement->point_to_object(p));
+    const Quadric::Point at = quadric.at(quadric.parameters(on_surface));
+    result = placed({at.n, at.dpdu, at.dpdv, at.dndu, at.dndv}, *record.placement);
+  } else {
+    result = record.curve->derivatives(hit.point.primitive, double{hit.point.uv.x}, p);
+  }
+  if (!result) return result;
+  if (instance != nullptr) result = placed(*result, *instance);
+  if (!is_usable(*result)) return std::nullopt;
+  if (result->n.dot(Vec3d(hit.point.ns)) < 0.0) {
+    result->n = -result->n;
+    result->dndu = -result->dndu;
+    result->dndv = -result->dndv;
+  }
+  return result;
 }
 
 bool Geometry::occluded(const Ray& ray) const {

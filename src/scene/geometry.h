@@ -2,6 +2,7 @@
 #include <atomic>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/error.h"
@@ -24,6 +25,7 @@ namespace ajar {
 struct InstanceRecord;
 struct QueryContext;
 struct ShapeRecord;
+struct SurfaceDerivatives;
 
 /// Everything rays can hit, committed to Embree; knows shapes and alpha textures but neither
 /// materials nor lights. Immutable, shared by all threads.
@@ -45,6 +47,9 @@ class Geometry {
   /// True if anything lies on `ray`, alpha and shadow alpha textures applied, or if the ray cannot
   /// be traced.
   bool occluded(const Ray& ray) const;
+  /// How the surface goes on around a hit; empty where it is not smooth: on curves that face the
+  /// ray, ribbons, and triangles without area. Of a triangle what is smooth is its inside.
+  std::optional<SurfaceDerivatives> derivatives(const GeometryHit& hit) const;
   /// False if coordinates of `ray` are not numbers or so large that Embree must not be given them,
   /// in the world or in the space of an instance. Everything that Embree traces was asked here.
   bool can_trace(const Ray& ray) const {

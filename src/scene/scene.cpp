@@ -8,6 +8,7 @@
 #include "scene/emission/emission.h"
 #include "scene/geometry.h"
 #include "scene/light/make_light.h"
+#include "scene/surface_derivatives.h"
 
 namespace ajar {
 
@@ -196,6 +197,11 @@ std::optional<Hit> Scene::recall(const GeometryHit& hit) const {
   static_cast<GeometryHit&>(*result) = hit;
   complete(*result);
   return result;
+}
+
+std::optional<SurfaceDerivatives> Scene::derivatives(const Hit& hit) const {
+  if (!hit.material->relief.is_flat()) return std::nullopt;
+  return geometry_->derivatives(hit);
 }
 
 void Scene::complete(Hit& hit) const {

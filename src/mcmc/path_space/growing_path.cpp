@@ -129,6 +129,27 @@ bool GrowingPath::finish(Path& path) {
   return true;
 }
 
+bool GrowingPath::finish_through(std::span<const InnerVertex> chain, Path& path) {
+  for (GrowingEnd* end : {&light, &camera}) {
+    if (end->vertices.empty()) continue;
+    if (!end->vertices.back().connectible()) return false;
+    end->vertices.back().event = {};
+  }
+  assemble(path);
+  const auto light_vertices = static_cast<std::ptrdiff_t>(light.vertices.size());
+  path.vertices.insert(path.vertices.begin() + light_vertices, chain.begin(), chain.end());
+  path.segments.insert(path.segments.begin() + light_vertices, chain.size(), Segment{});
+  if (!area_.contains(path.raster)) return false;
+  mark_sides(scene_, path);
+  const int first = light.size() - 1;
+  for (int edge = first; edge <= first + static_cast<int>(chain.size()); ++edge) {
+    const auto segment = look_along(scene_, path, edge, joints_);
+    if (!segment) return false;
+    path.segments[static_cast<std::size_t>(edge)] = *segment;
+  }
+  return true;
+}
+
 const RayCounts& GrowingPath::ray_counts() {
   all_ = joints_;
   all_.add_rays(light.ray_counts());

@@ -1,5 +1,6 @@
 #pragma once
 #include <optional>
+#include <span>
 
 #include "mcmc/path_space/growing_end.h"
 #include "path/raster_area.h"
@@ -35,6 +36,10 @@ class GrowingPath {
   /// vertex can scatter as it should. A camera end of one vertex is seen from its place on the
   /// lens; then only the image itself can be looked at.
   bool finish(Path& path);
+
+  /// The same by a specular chain between the ends, in the order from the light; both have vertices
+  /// of the scene, or an endpoint at the light. All edges of the chain have to be open.
+  bool finish_through(std::span<const InnerVertex> chain, Path& path);
 
   const RayCounts& ray_counts();
 

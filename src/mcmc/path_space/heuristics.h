@@ -42,6 +42,12 @@ struct PathSpaceHeuristics {
   /// Caustic perturbations turn directions by no more, however near the light is to where it falls.
   /// Unit: radians. Range: (0, π/2). Source: set by hand, no study.
   static constexpr double kWidestTurn = 1.0;
+  /// A manifold walk leads back if it misses no vertex by more than this, beside what the tolerance
+  /// of walks makes of it.
+  /// Unit: share of the longest move of a vertex, or of the shortest edge if that is less. Range:
+  /// (0, 1). Source: set by hand, no study; two solutions are about as far from each other as the
+  /// move.
+  static constexpr double kWayBack = 0.001;
 };
 
 }  // namespace ajar

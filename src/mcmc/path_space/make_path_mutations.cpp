@@ -6,6 +6,7 @@
 #include "mcmc/path_space/camera_perturbation.h"
 #include "mcmc/path_space/caustic_perturbation.h"
 #include "mcmc/path_space/lens_subpath_mutation.h"
+#include "mcmc/path_space/manifold_perturbation.h"
 
 namespace ajar {
 
@@ -52,6 +53,11 @@ constexpr std::array kMutations = {
                      "moves the place on the film and the directions between specular chains a "
                      "little",
                      "1", &make<MultiChainPerturbation>},
+    PathMutationInfo{
+        "manifold",
+        "moves the place on the film a little and lets the specular chain between what "
+        "is seen and the light follow",
+        "1", &make<ManifoldPerturbation>},
 };
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "core/error.h"
 #include "scene/desc/shape_data.h"
 #include "scene/shape/placement.h"
+#include "scene/surface_derivatives.h"
 #include "scene/surface_point.h"
 
 namespace ajar {
@@ -32,6 +33,10 @@ class CurveShape {
   /// u runs along the segment, v across it from 0 to 1. Flat curves face the ray.
   SurfacePoint surface_point(std::uint32_t segment, float u, const Vec3& origin,
                              const Vec3& direction, float t, const Vec3& ng) const;
+  /// Around a point `p` of a round curve, by the curve's own parameter and the angle around it;
+  /// empty for others, and where the curve has no direction.
+  std::optional<SurfaceDerivatives> derivatives(std::uint32_t segment, double u,
+                                                const Vec3d& p) const;
   /// Hits nearer than this are the curve itself: where a ray leaves a curve, that curve is not a
   /// surface with two sides, but turns with the ray (flat) or is met with Newton's tolerance
   /// (others).

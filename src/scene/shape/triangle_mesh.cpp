@@ -366,6 +366,31 @@ void TriangleMesh::find_point(std::uint32_t triangle, float b1, float b2,
 template void TriangleMesh::find_point<true>(std::uint32_t, float, float, SurfacePoint&) const;
 template void TriangleMesh::find_point<false>(std::uint32_t, float, float, SurfacePoint&) const;
 
+SurfaceDerivatives TriangleMesh::derivatives(std::uint32_t triangle, const Vec3d& p) const {
+  const Triangle& t = triangles_[triangle];
+  const Vec3d p0(position(t.x));
+  const Vec3d e1 = Vec3d(position(t.y)) - p0;
+  const Vec3d e2 = Vec3d(position(t.z)) - p0;
+  const Vec3d area = e1.cross(e2);
+  SurfaceDerivatives result{area.normalized(), e1, e2, Vec3d(0.0), Vec3d(0.0)};
+  if (!has_normals_) return result;
+  const double squared = area.dot(area);
+  const double b1 = (p - p0).cross(e2).dot(area) / squared;
+  const double b2 = e1.cross(p - p0).dot(area) / squared;
+  const Vec3d n0(vertices_[t.x].n);
+  const Vec3d a = Vec3d(vertices_[t.y].n) - n0;
+  const Vec3d b = Vec3d(vertices_[t.z].n) - n0;
+  const Vec3d n = n0 + a * b1 + b * b2;
+  const double size = n.length();
+  // As hits have it: where normals cancel, that of the triangle.
+  if (!(size > 1e-15)) return result;
+  result.n = n / size;
+  const auto of_unit = [&](const Vec3d& dn) { return (dn - result.n * result.n.dot(dn)) / size; };
+  result.dndu = of_unit(a);
+  result.dndv = of_unit(b);
+  return result;
+}
+
 double TriangleMesh::triangle_area(std::uint32_t triangle) const {
   const Triangle& t = triangles_[triangle];
   const Vec3d p0(position(t.x));

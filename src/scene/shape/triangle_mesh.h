@@ -7,6 +7,7 @@
 #include "core/warnings.h"
 #include "scene/desc/scene_desc.h"
 #include "scene/shape/placement.h"
+#include "scene/surface_derivatives.h"
 #include "scene/surface_point.h"
 
 namespace ajar {
@@ -42,6 +43,9 @@ class TriangleMesh {
   }
   /// Only position and texture coordinates.
   void texture_point(std::uint32_t triangle, float b1, float b2, SurfacePoint& point) const;
+  /// By barycentric coordinates, around a point `p` in the plane of a triangle; authored tangents
+  /// do not count. Not usable if the triangle has no area.
+  SurfaceDerivatives derivatives(std::uint32_t triangle, const Vec3d& p) const;
   double triangle_area(std::uint32_t triangle) const;
   /// (b1, b2) of a point in the plane of a triangle that has an area.
   Vec2 barycentric(std::uint32_t triangle, const Vec3& p) const;

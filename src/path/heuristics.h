@@ -1,0 +1,17 @@
+#pragma once
+
+namespace ajar {
+
+/// The numbers of walks on specular manifolds. No picture's expectation hangs on them, as long as
+/// walks that do not lead back are rejected.
+struct PathHeuristics {
+  /// A walk has arrived when the end of its chain is as near to its target as this.
+  /// Unit: share of the length of the chain. Range: > 1e-6, where roundings of rays are. Source:
+  /// set by hand, no study.
+  static constexpr double kWalkTolerance = 1e-5;
+  /// It gives up after so many steps, those that are halved among them.
+  /// Unit: steps. Range: >= 1. Source: set by hand, no study.
+  static constexpr int kMostWalkSteps = 20;
+};
+
+}  // namespace ajar

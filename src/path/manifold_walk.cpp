@@ -1,0 +1,129 @@
+#include "path/manifold_walk.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "path/heuristics.h"
+
+namespace ajar {
+
+namespace {
+
+/// Numbers by which rays cross every medium: the way is given, and scattering on it is no choice.
+class Unscattered final : public SampleSource {
+ public:
+  float get(SampleAddress /*address*/) override { return 1.F; }
+  Vec2 get_pair(SampleAddress /*address*/) override { return Vec2(1.F); }
+};
+
+}  // namespace
+
+ChainStart chain_start(const Scene& scene, const Path& path, int x) {
+  ChainStart start{chain_end(scene, path, x), nullptr, Vec3(0.F), nullptr};
+  if (x == 0) {
+    start.ng = path.light_point.surface.ng;
+    start.medium = path.light->medium;
+  } else if (x == path.depth()) {
+    start.medium = scene.camera().medium;
+  } else {
+    start.vertex = &path.vertex(x);
+  }
+  return start;
+}
+
+bool ManifoldWalk::trace(const ChainStart& start, const Vec3d& through,
+                         std::span<const InnerVertex> events) {
+  Ray ray;
+  const Medium* medium = start.medium;
+  if (start.end.at_infinity) {
+    const BoundingSphere& sphere = scene_.bounding_sphere();
+    const Vec3d toward = start.end.toward;
+    // From outside of the scene.
+    const double way = (Vec3d(sphere.center) - through).dot(toward) + 1.001 * double{sphere.radius};
+    ray = {Vec3(through + toward * std::max(way, 0.0)), Vec3(-toward)};
+  } else {
+    const Vec3 w((through - start.end.p).normalized());
+    if (start.vertex != nullptr) {
+      ray = {start.vertex->ray_origin(w), w};
+      medium = start.vertex->medium_toward(w);
+    } else {
+      ray = {offset_ray_origin(Vec3(start.end.p), start.ng, w), w};
+    }
+  }
+  Unscattered numbers;
+  traced_.clear();
+  for (std::size_t i = 0; i < events.size(); ++i) {
+    const SegmentEnd end =
+        trace_segment(scene_, ray, medium, {numbers, Stream::Light, 0, 0}, rays_);
+    if (!end.hit) return false;
+    InnerVertex& vertex = traced_.emplace_back();
+    vertex.hit = *end.hit;
+    vertex.medium = end.medium;
+    vertex.event = events[i].event;
+    vertex.hit.material->bsdf(vertex.hit.point, vertex.bsdf);
+    if (i + 1 == events.size()) break;
+    const auto sample = vertex.bsdf.specular(-ray.direction, vertex.event, TransportMode::Radiance);
+    if (!sample) return false;
+    ray = {vertex.ray_origin(sample->wi), sample->wi};
+    medium = vertex.medium_toward(sample->wi);
+  }
+  return true;
+}
+
+bool ManifoldWalk::measure(const ChainStart& start, std::span<const InnerVertex> vertices,
+                           const Vec3d& target) {
+  const InnerVertex& last = vertices.back();
+  const Vec3d p(last.p());
+  Vec3d back = start.end.toward;
+  if (vertices.size() > 1) {
+    back = (Vec3d(vertices[vertices.size() - 2].p()) - p).normalized();
+  } else if (!start.end.at_infinity) {
+    back = (start.end.p - p).normalized();
+  }
+  const auto sample = last.bsdf.specular(Vec3(back), last.event, TransportMode::Radiance);
+  if (!sample) return false;
+  const Vec3d w = Vec3d(sample->wi).normalized();
+  const double ahead = (target - p).dot(w);
+  if (!(ahead > 0.0)) return false;
+  miss_ = target - p - w * ahead;
+  length_ = ahead;
+  for (std::size_t i = 1; i < vertices.size(); ++i) {
+    length_ += (Vec3d(vertices[i].p()) - Vec3d(vertices[i - 1].p())).length();
+  }
+  if (!start.end.at_infinity) length_ += (Vec3d(vertices.front().p()) - start.end.p).length();
+  return true;
+}
+
+bool ManifoldWalk::walk(const ChainStart& start, std::span<const InnerVertex> vertices,
+                        const Vec3& target) {
+  const Vec3d goal(target);
+  vertices_.assign(vertices.begin(), vertices.end());
+  if (vertices_.empty() || !measure(start, vertices_, goal)) return false;
+  double step = 1.0;
+  bool moved = true;
+  for (int i = 0; i < PathHeuristics::kMostWalkSteps; ++i) {
+    if (moved && !linear_.set(start.end, vertices_, {goal - miss_, Vec3d(0.0), false}))
+      return false;
+    const double tolerance = PathHeuristics::kWalkTolerance * length_;
+    const Vec3d miss = miss_;
+    const double length = length_;
+    if (miss.length() <= tolerance) {
+      uncertainty_ = tolerance * linear_.largest_move();
+      return true;
+    }
+    const Vec3d through = Vec3d(vertices_.front().p()) + linear_.moved(0, miss) * step;
+    moved = trace(start, through, vertices_) && measure(start, traced_, goal) &&
+            miss_.length() < miss.length();
+    if (moved) {
+      std::swap(vertices_, traced_);
+      step = std::min(1.0, 2.0 * step);
+    } else {
+      miss_ = miss;
+      length_ = length;
+      step *= 0.5;
+    }
+  }
+  return false;
+}
+
+}  // namespace ajar

@@ -1,0 +1,54 @@
+#pragma once
+#include <span>
+#include <vector>
+
+#include "path/path.h"
+#include "path/specular_chain.h"
+
+namespace ajar {
+
+/// What the rays of a chain set off from: a vertex of a path.
+struct ChainStart {
+  ChainEnd end;
+  const InnerVertex* vertex = nullptr;  ///< null: an endpoint
+  Vec3 ng{0.F};                         ///< of an endpoint; 0 without a surface
+  const Medium* medium = nullptr;       ///< around an endpoint
+};
+/// Vertex `x` of `path`, which must outlive it.
+ChainStart chain_start(const Scene& scene, const Path& path, int x);
+
+/// Moves the end b of a specular chain a, s₁ … sₙ, b to another place while a stays, by Newton's
+/// method: steps in the tangent plane of s₁, from which the chain is traced again from a, by the
+/// same specular events (lobe and side) at whatever surfaces rays meet; a step that does not bring
+/// the end nearer is halved. What comes of it depends on nothing else: no number is random. Source:
+/// Jakob & Marschner 2012, "Manifold exploration", section 4.2; that the end need not be on a
+/// surface is ours. Holds the scratch memory of one thread.
+class ManifoldWalk {
+ public:
+  explicit ManifoldWalk(const Scene& scene) : scene_(scene), linear_(scene) {}
+
+  /// Walks from `vertices` (in the order from the start), which lead to some place, to those that
+  /// lead to `target`: false if none were found. Whether the last edge is open has not been asked.
+  bool walk(const ChainStart& start, std::span<const InnerVertex> vertices, const Vec3& target);
+  /// Where the walk came to, in the order from the start.
+  std::span<const InnerVertex> vertices() const { return vertices_; }
+  /// By how much these may miss what leads to `target` exactly, by the tolerance of walks.
+  double uncertainty() const { return uncertainty_; }
+
+  const RayCounts& ray_counts() const { return rays_; }
+
+ private:
+  bool trace(const ChainStart& start, const Vec3d& through, std::span<const InnerVertex> events);
+  bool measure(const ChainStart& start, std::span<const InnerVertex> vertices, const Vec3d& target);
+
+  const Scene& scene_;
+  SpecularChain linear_;
+  std::vector<InnerVertex> vertices_;
+  std::vector<InnerVertex> traced_;
+  Vec3d miss_{0.0};      ///< from where a chain ends to the target, across the last ray
+  double length_ = 0.0;  ///< of the edges, from s₁ on, or from a if it is a point
+  double uncertainty_ = 0.0;
+  RayCounts rays_;
+};
+
+}  // namespace ajar
