@@ -128,7 +128,6 @@ const std::multimap<std::string, Unfitted>& unfitted() {
        {"numbers of a protocol", {"kCreateImage", "kUpdateImage"}}},
       {"session/render_setup.h",
        {"defaults of parameters", {"kDefaultSamples", "kDefaultMaxDepth", "kReplicates"}}},
-      {"mcmc/path_space/path_mutation.h", {"a number", {"kNever"}}},
       {"mcmc/primary/chain_numbers.h", {"streams", {"kStreams"}}},
       {"mcmc/primary/chain_source.h", {"index", {"kRasterBlock"}}},
       {"mcmc/primary/gaussian_mutation.cpp", {"the same as uniform beyond", {"kWidest"}}},
