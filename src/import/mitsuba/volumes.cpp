@@ -59,7 +59,7 @@ std::optional<VolumeFile> load(Arguments& grid) {
   const std::string name = grid.text("filename", "");
   std::string reason = "it has no \"filename\"";
   if (!name.empty()) {
-    const SourceLocation in_file{std::make_shared<const std::string>(name), 0, 0};
+    const SourceLocation in_file{std::make_shared<const std::string>(printable(name)), 0, 0};
     try {
       FileAccess& files = context.files.files();
       const std::string path = files.resolve(context.files.find(name));
@@ -69,7 +69,7 @@ std::optional<VolumeFile> load(Arguments& grid) {
     }
   }
   context.warnings.add(kUnreadable, grid.where(),
-                       "this grid cannot be read (" + printable(reason) + "): it counts as empty",
+                       "this grid cannot be read (" + reason + "): it counts as empty",
                        printable(name));
   return std::nullopt;
 }

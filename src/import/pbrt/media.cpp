@@ -9,6 +9,7 @@
 #include "import/common/scattering_presets.h"
 #include "import/common/transforms.h"
 #include "import/pbrt/lexer.h"
+#include "import/pbrt/nanovdb_file.h"
 
 namespace ajar::pbrt {
 namespace {
@@ -18,6 +19,8 @@ constexpr WarningKind kUnknownPreset{Effect::Surface,
 constexpr WarningKind kHeterogeneous{
     Effect::Surface,
     "heterogeneous media are not supported: homogeneous ones of the mean density stand in"};
+constexpr WarningKind kUnreadable{Effect::Surface,
+                                  "grids of media cannot be read: they count as empty"};
 constexpr WarningKind kColors{
     Effect::Surface, "media have colours that vary, which is not supported: the mean stands in"};
 constexpr WarningKind kUnknown{Effect::Surface, "media are unknown: clear ones stand in"};
@@ -107,36 +110,59 @@ desc::Density read_grid(Context& context, const SourceLocation& where, const std
                       name, context.warnings);
 }
 
-void warn_of_grid(Context& context, const SourceLocation& where, const std::string& type,
-                  const std::string& name, const std::string& note = "") {
-  context.warnings.add(
-      kHeterogeneous, where,
-      type + " media are not supported: a homogeneous one of the mean density stands in" + note,
-      printable(name));
+void warn_of_emission(Context& context, const SourceLocation& where, const std::string& name) {
+  context.warnings.add(kNoEmission, where, "media that emit light are not supported: dark",
+                       printable(name));
 }
 
-/// What a medium that is homogeneous, or is made so, has relative to "sigma_a" and "sigma_s".
-float mean_density(Context& context, const SourceLocation& where, const std::string& type,
-                   const std::string& name, const ParameterList& p) {
-  if (type == "homogeneous") return 1.F;
-  p.accept({"p0", "p1", "filename", "wispiness", "frequency"});
-  if (type == "nanovdb") {
-    warn_of_grid(context, where, type, name, ", and that is taken to be 1: its file is not read");
-    return 1.F;
+/// The density of a file of NanoVDB; nothing, after a warning, if it cannot be read.
+/// Source: pbrt-v4, media.h and media.cpp (NanoVDBMedium).
+std::optional<desc::Density> read_voxels(Context& context, const SourceLocation& where,
+                                         const std::string& name, const ParameterList& p,
+                                         const Mat4& to_world) {
+  const std::string file = p.get_string("filename").value_or("");
+  std::string reason = "it has no \"filename\"";
+  if (!file.empty()) {
+    const SourceLocation in_file{std::make_shared<const std::string>(printable(file)), 0, 0};
+    try {
+      const FileBytes bytes = context.files.load(context.files.resolve(file));
+      const float emitted = p.get_float("LeScale", p.get_float("Lescale", 1.F));
+      if (emitted > 0.F && has_nanovdb_grid(bytes.view(), "temperature", in_file)) {
+        warn_of_emission(context, where, name);
+      }
+      if (std::optional<VoxelGrid> voxels = read_nanovdb(bytes.view(), "density", in_file)) {
+        return make_density(std::move(voxels->grid), voxels->to_world * to_world, where, name,
+                            context.warnings);
+      }
+      reason = "it has no grid \"density\"";
+    } catch (const Error& error) {
+      reason = error.what();
+    }
   }
-  warn_of_grid(context, where, type, name);
+  context.warnings.add(
+      kUnreadable, where,
+      "the grid of this medium cannot be read (" + reason + "): it counts as empty",
+      printable(name));
+  return std::nullopt;
+}
+
+/// What the homogeneous medium that stands in for a cloud has relative to "sigma_a" and "sigma_s".
+float mean_of_cloud(Context& context, const SourceLocation& where, const std::string& name,
+                    const ParameterList& p) {
+  p.accept({"p0", "p1", "wispiness", "frequency"});
+  context.warnings.add(
+      kHeterogeneous, where,
+      "cloud media are not supported: a homogeneous one of the mean density stands in",
+      printable(name));
   return kMeanOfCloud * p.get_float("density", 1.F);
 }
 
-void warn_of_emission(Context& context, const SourceLocation& where, const std::string& name,
-                      const ParameterList& p) {
+void warn_of_parameters_that_emit(Context& context, const SourceLocation& where,
+                                  const std::string& name, const ParameterList& p) {
   const desc::Rgb emitted = context.spectra.get_positive(p, "Le", desc::Rgb(0.F), ColorRole::Light);
   const bool glows = emitted != desc::Rgb(0.F) || p.get_float("temperaturescale").has_value();
   p.accept({"Lescale", "LeScale", "temperaturecutoff", "temperaturescale", "temperatureoffset"});
-  if (glows) {
-    context.warnings.add(kNoEmission, where, "media that emit light are not supported: dark",
-                         printable(name));
-  }
+  if (glows) warn_of_emission(context, where, name);
 }
 
 }  // namespace
@@ -169,8 +195,11 @@ desc::Medium make_medium(Context& context, const SourceLocation& where, const st
   float scale = parameters.get_float("scale", 1.F);
   if (*type == "heterogeneous" || *type == "uniformgrid" || *type == "rgbgrid") {
     medium.density = read_grid(context, where, *type, name, parameters, to_world);
-  } else {
-    scale *= mean_density(context, where, *type, name, parameters);
+  } else if (*type == "nanovdb") {
+    medium.density = read_voxels(context, where, name, parameters, to_world);
+    if (!medium.density) scale = 0.F;
+  } else if (*type == "cloud") {
+    scale *= mean_of_cloud(context, where, name, parameters);
   }
   medium.g = parameters.get_float("g", 0.F);
   if (scale < 0.F) throw SceneError(where, "\"scale\" of a medium is negative");
@@ -180,7 +209,7 @@ desc::Medium make_medium(Context& context, const SourceLocation& where, const st
   medium.sigma_s = coefficient("sigma_s", defaults.sigma_s) * scale;
   if (!is_finite(medium.sigma_a) || !is_finite(medium.sigma_s))
     throw SceneError(where, "the medium is too dense");
-  if (context.is_v4()) warn_of_emission(context, where, name, parameters);
+  if (context.is_v4()) warn_of_parameters_that_emit(context, where, name, parameters);
   parameters.report_unused(context.warnings);
   return medium;
 }

@@ -164,9 +164,6 @@ TEST(Pbrt4Media, HaveDefaultsAndPresets) {
       "\"string type\" \"homogeneous\" \"string preset\" \"Coke\" \"rgb sigma_a\" [9 9 9] \"float "
       "scale\" 10");
   expect_rgb(coke.sigma_a, {1.0014F, 1.6503F, 2.468F}, 1e-4F);
-  EXPECT_TRUE(contains(v4_warnings("MakeNamedMedium \"m\" \"string type\" \"nanovdb\" \"string "
-                                   "filename\" \"a.nvdb\""),
-                       "test.pbrt:2:1: nanovdb media are not supported"));
   const desc::SceneDesc grid = v4_scene(
       "MakeNamedMedium \"m\" \"string type\" \"uniformgrid\" \"integer nx\" 2 \"float density\" [1 "
       "3] \"rgb sigma_s\" [1 2 3]");
