@@ -8,6 +8,7 @@
 #include "import/common/printable.h"
 #include "import/common/scattering_presets.h"
 #include "import/common/transforms.h"
+#include "import/pbrt/cloud.h"
 #include "import/pbrt/lexer.h"
 #include "import/pbrt/nanovdb_file.h"
 
@@ -16,9 +17,8 @@ namespace {
 
 constexpr WarningKind kUnknownPreset{Effect::Surface,
                                      "media have unknown presets: Wholemilk stands in"};
-constexpr WarningKind kHeterogeneous{
-    Effect::Surface,
-    "heterogeneous media are not supported: homogeneous ones of the mean density stand in"};
+constexpr WarningKind kCloud{Effect::Slight,
+                             "clouds are finer than the grids that are made of them"};
 constexpr WarningKind kUnreadable{Effect::Surface,
                                   "grids of media cannot be read: they count as empty"};
 constexpr WarningKind kColors{
@@ -28,10 +28,6 @@ constexpr WarningKind kNoEmission{Effect::Light, "media emit light, which is not
 
 /// What pbrt-v3 takes if nothing is said.
 constexpr const char* kDefaultPreset = "Wholemilk";
-
-/// What is not in a file: the mean density of pbrt-v4's cloud of density 1, by the formulas of
-/// Pharr et al. 2023, section 11.4.5, with noise whose values have the spread 0.25.
-constexpr float kMeanOfCloud = 0.39F;
 
 std::optional<ScatteringPreset> preset_of(Context& context, const SourceLocation& where,
                                           const ParameterList& parameters) {
@@ -146,15 +142,25 @@ std::optional<desc::Density> read_voxels(Context& context, const SourceLocation&
   return std::nullopt;
 }
 
-/// What the homogeneous medium that stands in for a cloud has relative to "sigma_a" and "sigma_s".
-float mean_of_cloud(Context& context, const SourceLocation& where, const std::string& name,
-                    const ParameterList& p) {
-  p.accept({"p0", "p1", "wispiness", "frequency"});
-  context.warnings.add(
-      kHeterogeneous, where,
-      "cloud media are not supported: a homogeneous one of the mean density stands in",
-      printable(name));
-  return kMeanOfCloud * p.get_float("density", 1.F);
+desc::Density read_cloud(Context& context, const SourceLocation& where, const std::string& name,
+                         const ParameterList& p, const Mat4& to_world) {
+  Cloud cloud;
+  cloud.density = p.get_float("density", cloud.density);
+  cloud.wispiness = p.get_float("wispiness", cloud.wispiness);
+  cloud.frequency = p.get_float("frequency", cloud.frequency);
+  cloud.low = p.get_point("p0", cloud.low);
+  cloud.high = p.get_point("p1", cloud.high);
+  if (is_finer_than_grids(cloud)) {
+    context.warnings.add(
+        kCloud, where,
+        "the noise of this cloud is finer than the grids that are made of it: a coarser one "
+        "stands in",
+        printable(name));
+  }
+  return make_density(
+      tabulate(cloud),
+      scaling(Vec3d(cloud.high - cloud.low)) * translation(Vec3d(cloud.low)) * to_world, where,
+      name, context.warnings);
 }
 
 void warn_of_parameters_that_emit(Context& context, const SourceLocation& where,
@@ -199,7 +205,7 @@ desc::Medium make_medium(Context& context, const SourceLocation& where, const st
     medium.density = read_voxels(context, where, name, parameters, to_world);
     if (!medium.density) scale = 0.F;
   } else if (*type == "cloud") {
-    scale *= mean_of_cloud(context, where, name, parameters);
+    medium.density = read_cloud(context, where, name, parameters, to_world);
   }
   medium.g = parameters.get_float("g", 0.F);
   if (scale < 0.F) throw SceneError(where, "\"scale\" of a medium is negative");

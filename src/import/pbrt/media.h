@@ -7,9 +7,8 @@
 
 namespace ajar::pbrt {
 
-/// `MakeNamedMedium "name" parameters` where `to_world` is current. Clouds become homogeneous media
-/// of their mean density, and nanovdb media without a file that can be read clear ones, with a
-/// warning.
+/// `MakeNamedMedium "name" parameters` where `to_world` is current. Clouds become grids, and media
+/// whose file cannot be read clear ones, with a warning.
 desc::Medium make_medium(Context& context, const SourceLocation& where, const std::string& name,
                          const ParameterList& parameters, const Mat4& to_world);
 
