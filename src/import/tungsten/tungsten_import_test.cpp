@@ -85,8 +85,11 @@ TEST(TungstenImport, MediaWithoutACounterpartAreWarnings) {
   const auto with = [](const std::string& medium) {
     return quoted("{'camera': {'medium': {" + medium + "}}}");
   };
-  EXPECT_TRUE(contains(warnings_of(with("'type': 'voxel', 'density': {}")),
-                       "media of type \"voxel\" are not supported"));
+  const std::string voxels = warnings_of(
+      with("'type': 'voxel', 'grid': {'type': 'vdb', 'file': 'a.vdb', 'grid_nam': 'density'}"));
+  EXPECT_TRUE(contains(voxels, "of density 1, not that of \"a.vdb\", which is not read, stands in"))
+      << voxels;
+  EXPECT_TRUE(contains(voxels, "did you mean \"grid_name\"")) << voxels;
   EXPECT_TRUE(contains(warnings_of(with("'type': 'fog'")), "unknown medium type \"fog\""));
   EXPECT_TRUE(
       contains(warnings_of(with("'type': 'homogeneous', 'phase_function': {'type': 'rayleigh'}")),
