@@ -76,6 +76,7 @@ TEST(TungstenImport, SettingsThatHaveNoCounterpartAreWarnings) {
   EXPECT_TRUE(contains(with("'type': 'path_trcer'"), "did you mean \"path_tracer\"?"));
   EXPECT_TRUE(contains(with("'min_bounces': 1"), "\"min_bounces\" is not supported"));
   EXPECT_TRUE(contains(with("'enable_two_sided_shading': false"), "cannot be false"));
+  EXPECT_TRUE(contains(with("'include_surfaces': false"), "all light is rendered"));
   EXPECT_TRUE(contains(with(""), "the number of samples must be 1 or more"));
   EXPECT_TRUE(contains(error_of(quoted("{'camera': {}, 'integrator': {'max_bounces': -1}}")),
                        "makes no sense"));
