@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
 #include <string>
 
 #include "import/mitsuba/mitsuba_import.h"
+#include "support/temporary_file.h"
 #include "support/tiny_picture.h"
 
 namespace ajar {
@@ -316,6 +318,34 @@ TEST_P(Mitsuba, FieldOfViewIsThatOfTheWidth) {
   // Of its height: the disk cut at half its radius on both sides.
   EXPECT_NEAR(covered("<string name='" + axis + "' value='y'/>"),
               0.5F * std::sqrt(0.75F) + kPi / 6.F, 0.005F);
+}
+
+TEST_P(Mitsuba, GridsAbsorbByTheIntegralOfTheirDensity) {
+  // From 1 to 3 along z in a box of depth 2, half as wide as the cube around it.
+  const test::TemporaryFile file("density.vol");
+  const std::int32_t header[] = {1, 2, 2, 2, 1};
+  const float numbers[] = {-0.5F, -1, -1, 0.5F, 1, 1, 1, 1, 1, 1, 3, 3, 3, 3};
+  std::ofstream(file.path(), std::ios::binary)
+      << "VOL\x03" << std::string_view(reinterpret_cast<const char*>(header), sizeof(header))
+      << std::string_view(reinterpret_cast<const char*>(numbers), sizeof(numbers));
+  const bool is_old = GetParam().number[0] == '0';
+  const std::string volume = fmt::format(
+      "<volume name='{}' type='gridvolume'><string name='filename' value='{}'/>{}</volume>",
+      is_old ? "density" : "sigma_t", file.path(),
+      is_old ? "" : placed("<scale x='1' y='2' z='2'/><translate x='-0.5' y='-1' z='-1'/>"));
+  const std::string smoke =
+      "<shape type='cube'><bsdf type='null'/><medium name='interior' type='heterogeneous'>" +
+      volume +
+      "<volume name='albedo' type='constvolume'><rgb name='value' value='0'/></volume>"
+      "<float name='scale' value='0.5'/></medium></shape>";
+  const auto along = [&](float x) {
+    return picture(view(0.01F, fmt::format("{}, 0, 5", x), fmt::format("{}, 0, 0", x)) + smoke +
+                       kEvenLight,
+                   64)
+        .mean();
+  };
+  expect_color(along(0.25F), Vec3(std::exp(-2.F)), 0.1F);
+  expect_color(along(0.75F), Vec3(1.F));
 }
 
 }  // namespace

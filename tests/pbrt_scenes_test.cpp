@@ -415,5 +415,18 @@ TEST(PbrtV3Scenes, ReflectancesAreAsTheyAreNamed) {
                Vec3(1.F), 0.02F);
 }
 
+TEST(Pbrt4, AlphaIsTheShareThatIsThere) {
+  // A quarter of what the wall shines, and three quarters of what is behind it.
+  for (const std::string alpha : {"'float alpha' 0.25", "'texture alpha' 'quarter'"}) {
+    const TinyPicture seen = picture_of(
+        kV4, camera(5, 1),
+        "LightSource 'infinite' 'rgb L' [4 8 12]\nTexture 'quarter' 'float' 'constant' 'float "
+        "value' 0.25\nMaterial 'diffuse' 'rgb reflectance' [0 0 0]\n" +
+            std::string(kWall4) + alpha,
+        256);
+    expect_color(seen.mean(), {3, 6, 9}, 0.02F);
+  }
+}
+
 }  // namespace
 }  // namespace ajar

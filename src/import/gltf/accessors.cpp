@@ -124,6 +124,12 @@ std::vector<Imath::V4f> Accessors::read_colors(std::size_t accessor) {
   return colors;
 }
 
+std::vector<Vec3> Accessors::read_tangents(std::size_t accessor) {
+  std::vector<Vec3> tangents;
+  for (const Imath::V4f& t : read<Imath::V4f>(accessor, 4)) tangents.emplace_back(t.x, t.y, t.z);
+  return tangents;
+}
+
 std::vector<unsigned> Accessors::read_indices(std::size_t accessor) {
   const Element type = all_[accessor].at("componentType");
   const ComponentType component = component_type_of(all_[accessor]);

@@ -23,6 +23,9 @@ class Accessors {
   std::vector<Vec2> read_vec2(std::size_t accessor);
   /// Of three components or four; the fourth is 1 if there is none.
   std::vector<Imath::V4f> read_colors(std::size_t accessor);
+  /// The first three of four components: the fourth tells on which side of the normal × tangent v
+  /// grows, which texture coordinates say, too.
+  std::vector<Vec3> read_tangents(std::size_t accessor);
   /// Scalars of an unsigned type. Raises as the others.
   std::vector<unsigned> read_indices(std::size_t accessor);
 

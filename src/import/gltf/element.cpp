@@ -173,6 +173,13 @@ Vec3 Element::vector_or(std::string_view name, const Vec3& fallback) const {
   return numbers ? Vec3(Vec3d((*numbers)[0], (*numbers)[1], (*numbers)[2])) : fallback;
 }
 
+std::vector<std::string> Element::names() const {
+  std::vector<std::string> names;
+  if (!value_->is_object()) return names;
+  for (const auto& [name, member] : value_->items()) names.push_back(name);
+  return names;
+}
+
 bool Element::mentions(std::string_view end_of_name) const {
   std::vector<const Json*> left{value_};
   while (!left.empty()) {

@@ -57,6 +57,9 @@ class Element {
   /// The member `name` of the member `extensions`.
   std::optional<Element> extension(std::string_view name) const;
   bool has(std::string_view name) const { return find(name).has_value(); }
+  /// The names of the members of an object; none of anything else.
+  std::vector<std::string> names() const;
+  bool is_array() const { return value_->is_array(); }
   /// Whether it, or anything in it, has a member whose name ends with this.
   bool mentions(std::string_view end_of_name) const;
 

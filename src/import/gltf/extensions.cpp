@@ -71,24 +71,24 @@ void check_required(const Element& element) {
                                     std::vector<std::string>(kRead.begin(), kRead.end())));
 }
 
-void warn_of(const Element& element, Warnings& warnings) {
-  const std::string name = element.text();
+}  // namespace
+
+void warn_of_extension(const std::string& name, const SourceLocation& where, Warnings& warnings) {
   if (contains(kRead, name) || contains(kSilent, name) || contains(kCompressions, name)) return;
   const std::string shown = printable_line(name);
   if (const Unread* unread = find_unread(name)) {
-    warnings.add(unread->kind, element.where(),
-                 shown + " is not read: " + std::string(unread->consequence), shown);
-  } else {
-    warnings.add(kUnknown, element.where(), "the extension " + shown + " is not known: ignored",
+    warnings.add(unread->kind, where, shown + " is not read: " + std::string(unread->consequence),
                  shown);
+  } else {
+    warnings.add(kUnknown, where, "the extension " + shown + " is not known: ignored", shown);
   }
 }
 
-}  // namespace
-
 void check_extensions(const Element& root, Warnings& warnings) {
   for (const Element& element : root.elements("extensionsRequired")) check_required(element);
-  for (const Element& element : root.elements("extensionsUsed")) warn_of(element, warnings);
+  for (const Element& element : root.elements("extensionsUsed")) {
+    warn_of_extension(element.text(), element.where(), warnings);
+  }
 }
 
 }  // namespace ajar::gltf

@@ -8,4 +8,7 @@ namespace ajar::gltf {
 /// one that is not read, such as compressed meshes.
 void check_extensions(const Element& root, Warnings& warnings);
 
+/// Warns of an extension that is there, unless it is read or changes nothing.
+void warn_of_extension(const std::string& name, const SourceLocation& where, Warnings& warnings);
+
 }  // namespace ajar::gltf

@@ -7,6 +7,7 @@
 #include "import/gltf/cameras.h"
 #include "import/gltf/extensions.h"
 #include "import/gltf/lights.h"
+#include "import/gltf/members.h"
 #include "import/gltf/mesh_placer.h"
 
 namespace ajar {
@@ -34,6 +35,7 @@ desc::SceneDesc import_bytes(const SceneFile& file, Warnings& warnings, FileAcce
   scene.source = file.name;
   gltf::Context context{scene, warnings, files, document, file.path};
   gltf::check_extensions(root, warnings);
+  gltf::check_members(root, warnings);
   warn_of_the_whole(root, warnings);
   const std::vector<gltf::PlacedNode> nodes = gltf::place_nodes(root);
   gltf::MeshPlacer(context).place(nodes);

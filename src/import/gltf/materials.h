@@ -7,15 +7,6 @@
 
 namespace ajar::gltf {
 
-/// All that a material says of the shapes that have it.
-struct Surface {
-  desc::MaterialId material = desc::kNone;
-  desc::TextureId alpha = desc::kNone;
-  std::optional<desc::Emission> emission;
-  desc::MediumId inside = desc::kNone;
-  std::size_t uv_set = 0;
-};
-
 /// The materials of a file, each made when it is first asked for.
 class Materials {
  public:

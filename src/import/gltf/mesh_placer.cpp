@@ -45,7 +45,7 @@ MeshPlacer::Parts& MeshPlacer::parts_of(const Element& mesh) {
   for (const Element& primitive : mesh.elements("primitives")) {
     const VertexColors* colors = meshes_.colors_of(primitive, materials_.has_textures(primitive));
     const Surface& surface = materials_.of(primitive, colors);
-    desc::MeshPointer triangles = meshes_.read(primitive, surface.uv_set, colors);
+    desc::MeshPointer triangles = meshes_.read(primitive, surface, colors);
     if (!triangles) continue;
     desc::Shape& shape = (surface.emission ? parts.shining : parts.plain).emplace_back();
     shape.where = primitive.where();

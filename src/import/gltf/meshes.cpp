@@ -99,7 +99,7 @@ std::optional<VertexColors> Meshes::make_colors(const Element& attributes, bool 
   return result;
 }
 
-desc::MeshPointer Meshes::read(const Element& primitive, std::size_t uv_set,
+desc::MeshPointer Meshes::read(const Element& primitive, const Surface& surface,
                                const VertexColors* colors) {
   const std::uint64_t mode = primitive.whole_or("mode", kTriangles);
   if (mode > kFan) primitive.at("mode").fail("modes are from 0 to 6, not " + std::to_string(mode));
@@ -109,13 +109,15 @@ desc::MeshPointer Meshes::read(const Element& primitive, std::size_t uv_set,
     return nullptr;
   }
   const Element attributes = primitive.at("attributes");
-  const Key key{accessor_of(attributes.at("POSITION")),
-                accessor_of(attributes.find("NORMAL")),
-                accessor_of(attributes.find(uv_name(uv_set))),
-                colors != nullptr && colors->is_image() ? accessor_of(attributes.find("COLOR_0"))
-                                                        : kNoAccessor,
-                accessor_of(primitive.find("indices")),
-                mode};
+  const bool is_painted = colors != nullptr && colors->is_image();
+  const Key key{
+      .positions = accessor_of(attributes.at("POSITION")),
+      .normals = accessor_of(attributes.find("NORMAL")),
+      .tangents = surface.has_normal_map ? accessor_of(attributes.find("TANGENT")) : kNoAccessor,
+      .uvs = accessor_of(attributes.find(uv_name(surface.uv_set))),
+      .colors = is_painted ? accessor_of(attributes.find("COLOR_0")) : kNoAccessor,
+      .indices = accessor_of(primitive.find("indices")),
+      .mode = mode};
   const auto [place, is_new] = made_.try_emplace(key);
   if (is_new) {
     place->second = make(primitive, key, colors);
@@ -128,28 +130,28 @@ desc::MeshPointer Meshes::read(const Element& primitive, std::size_t uv_set,
 
 desc::MeshPointer Meshes::make(const Element& primitive, const Key& key,
                                const VertexColors* image) {
-  const auto [positions, normals, uvs, colors, indices, mode] = key;
   auto mesh = std::make_shared<desc::Mesh>();
-  mesh->positions = accessors_.read_vec3(positions);
-  if (normals != kNoAccessor) mesh->normals = accessors_.read_vec3(normals);
-  if (uvs != kNoAccessor) {
-    mesh->uvs = accessors_.read_vec2(uvs);
+  mesh->positions = accessors_.read_vec3(key.positions);
+  if (key.normals != kNoAccessor) mesh->normals = accessors_.read_vec3(key.normals);
+  if (key.tangents != kNoAccessor) mesh->tangents = accessors_.read_tangents(key.tangents);
+  if (key.uvs != kNoAccessor) {
+    mesh->uvs = accessors_.read_vec2(key.uvs);
     for (Vec2& uv : mesh->uvs) uv.y = 1.F - uv.y;
   }
-  if (indices != kNoAccessor) {
-    mesh->indices = assembled(accessors_.read_indices(indices), mode);
+  if (key.indices != kNoAccessor) {
+    mesh->indices = assembled(accessors_.read_indices(key.indices), key.mode);
   } else {
     std::vector<unsigned> all(mesh->positions.size());
     std::iota(all.begin(), all.end(), 0U);
-    mesh->indices = assembled(all, mode);
+    mesh->indices = assembled(all, key.mode);
   }
   std::vector<Warning> remarks;
   validate_mesh(*mesh, primitive.where(), remarks);
   for (Warning& remark : remarks) context_.warnings.add(std::move(remark));
   if (mesh->indices.empty()) return nullptr;
-  if (colors == kNoAccessor) return mesh;
+  if (key.colors == kNoAccessor) return mesh;
   std::vector<Vec3> linear;
-  for (const Imath::V4f& color : accessors_.read_colors(colors)) {
+  for (const Imath::V4f& color : accessors_.read_colors(key.colors)) {
     linear.emplace_back(color.x, color.y, color.z);
   }
   PaintedMesh result = painted(*mesh, linear);

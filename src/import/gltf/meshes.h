@@ -6,15 +6,9 @@
 #include <vector>
 
 #include "import/gltf/accessors.h"
+#include "import/gltf/surface.h"
 
 namespace ajar::gltf {
-
-/// What `COLOR_0` multiplies the base colour of a primitive with: a texture, or a colour.
-struct VertexColors {
-  desc::Value value;
-  std::string name;  ///< tells them from others; of the image, if it is one
-  bool is_image() const { return std::holds_alternative<desc::TextureRef>(value); }
-};
 
 /// The triangles of primitives. What is made of the same accessors is the same mesh.
 class Meshes {
@@ -25,16 +19,20 @@ class Meshes {
   /// textured, as a mesh has one set of texture coordinates.
   const VertexColors* colors_of(const Element& primitive, bool is_textured);
 
-  /// With the texture coordinates TEXCOORD_`uv_set`, v upwards, or those of the image `colors`, if
-  /// it is one. Null, after a warning, if the primitive has no triangles. Raises SceneError if its
-  /// data is damaged.
-  desc::MeshPointer read(const Element& primitive, std::size_t uv_set, const VertexColors* colors);
+  /// With the texture coordinates of `surface`, v upwards, or those of the image `colors`, if it is
+  /// one, and with tangents if there is a normal map. Null, after a warning, if the primitive has
+  /// no triangles. Raises SceneError if its data is damaged.
+  desc::MeshPointer read(const Element& primitive, const Surface& surface,
+                         const VertexColors* colors);
 
  private:
   static constexpr std::size_t kNoAccessor = static_cast<std::size_t>(-1);
-  /// POSITION, NORMAL, TEXCOORD, COLOR_0 if it is an image, indices, mode.
-  using Key =
-      std::tuple<std::size_t, std::size_t, std::size_t, std::size_t, std::size_t, std::uint64_t>;
+  /// Numbers of accessors, and the mode.
+  struct Key {
+    std::size_t positions, normals, tangents, uvs, colors, indices;
+    std::uint64_t mode;
+    auto operator<=>(const Key&) const = default;
+  };
   /// COLOR_0, indices, mode, whether it is textured.
   using ColorKey = std::tuple<std::size_t, std::size_t, std::uint64_t, bool>;
 

@@ -221,5 +221,25 @@ TEST(GltfMeshes, OfTheSameAccessorsAreTheSameMesh) {
   EXPECT_NE(scene.shapes[0].material, scene.shapes[1].material);
 }
 
+TEST(GltfMeshes, HaveTangentsWhereANormalMapNeedsThem) {
+  const auto tangents_of = [](const Json& material) {
+    TestFile file;
+    Json triangle = file.triangle();
+    triangle["attributes"]["TANGENT"] =
+        file.add_accessor(bytes_of<float>({0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, -1}), 5126, "VEC4", 3);
+    triangle["material"] = file.add("materials", material);
+    file.add("images", {{"uri", "a.png"}});
+    file.add("textures", {{"source", 0}});
+    file.add("meshes", {{"primitives", Json::array({triangle})}});
+    file.add("nodes", {{"mesh", 0}});
+    Warnings warnings;
+    const desc::SceneDesc scene = import_with(file.text(), warnings, {{"a.png", ""}});
+    expect_none(warnings);
+    return mesh_of(scene).tangents;
+  };
+  EXPECT_EQ(tangents_of({{"normalTexture", {{"index", 0}}}}), std::vector<Vec3>(3, {0, 1, 0}));
+  EXPECT_TRUE(tangents_of(Json::object()).empty());
+}
+
 }  // namespace
 }  // namespace ajar::gltf

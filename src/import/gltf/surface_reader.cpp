@@ -13,6 +13,8 @@ namespace {
 constexpr WarningKind kFactorRange{Effect::Surface,
                                    "factors of materials are out of range: clamped"};
 constexpr WarningKind kCoatNormals{Effect::Slight, "clear coats have normal maps: ignored"};
+constexpr WarningKind kCoatRoughness{Effect::Slight,
+                                     "clear coats have a texture of their roughness: ignored"};
 constexpr WarningKind kUnlit{Effect::Light,
                              "materials are unlit: they shine, also onto their surroundings"};
 constexpr WarningKind kSpecular{Effect::Surface,
@@ -151,6 +153,10 @@ void SurfaceReader::set_clearcoat(desc::Node& node) {
   }
   node.set("clearcoat", textures_.number(*coat, "clearcoatTexture",
                                          std::min(strength / kQuarter, 1.F), Channel::Red));
+  if (coat->has("clearcoatRoughnessTexture")) {
+    context_.warnings.add(kCoatRoughness, coat->where(),
+                          "the texture of the roughness of the coat is ignored");
+  }
   const float roughness = clamped_number(*coat, "clearcoatRoughnessFactor", 0.0);
   node.set("clearcoat_gloss",
            std::clamp((0.1F - roughness * roughness) / (0.1F - 0.001F), 0.F, 1.F));
@@ -248,6 +254,7 @@ void SurfaceReader::read_normals(std::size_t first_made) {
   }
   const std::optional<desc::TextureId> texture = textures_.vectors(material_, "normalTexture");
   if (!texture) return;
+  surface_.has_normal_map = true;
   const desc::NormalMap normals{.texture = *texture,
                                 .strength = material_.at("normalTexture").number_or("scale", 1.0)};
   for (std::size_t i = first_made; i < context_.scene.materials.size(); ++i) {

@@ -2,6 +2,7 @@
 
 #include <map>
 #include <memory>
+#include <set>
 #include <utility>
 
 #include "core/printable_text.h"
@@ -38,6 +39,8 @@ class ObjReader {
   virtual Target target_of(bool has_uvs, bool has_normals) = 0;
   virtual void use_material(std::string_view /*name*/) {}
   virtual void add_library(std::string_view /*files*/) {}
+  virtual void leave_out(std::string_view /*keyword*/) {}
+  virtual void leave_out_colors() {}
 
   /// `column` 0: the line.
   SourceLocation here(int column = 0) const { return {name_, lines_.number(), column}; }
@@ -48,6 +51,8 @@ class ObjReader {
     const std::string_view keyword = words.word();
     if (keyword == "v") {
       positions_.push_back(vector(words));
+      // A fourth number is a weight.
+      if (!words.word().empty() && !words.rest().empty()) leave_out_colors();
     } else if (keyword == "vn") {
       normals_.push_back(vector(words));
     } else if (keyword == "vt") {
@@ -61,6 +66,8 @@ class ObjReader {
       use_material(words.rest());
     } else if (keyword == "mtllib") {
       add_library(words.rest());
+    } else if (!keyword.empty() && keyword.front() != '#') {
+      leave_out(keyword);
     }
   }
 
@@ -192,9 +199,8 @@ class OneMesh final : public ObjReader {
 
 class Parts final : public ObjReader {
  public:
-  Parts(std::string_view text, const std::string& name,
-        const std::function<void(const SourceLocation&, std::string_view)>& on_library)
-      : ObjReader(text, name), on_library_(on_library) {}
+  Parts(std::string_view text, const std::string& name, const ObjEvents& events)
+      : ObjReader(text, name), events_(events) {}
 
   std::vector<ObjPart> result() { return std::move(parts_); }
 
@@ -214,9 +220,18 @@ class Parts final : public ObjReader {
     material_ = name;
     current_ = kNone;
   }
-  void add_library(std::string_view files) override { on_library_(here(), files); }
+  void add_library(std::string_view files) override { events_.on_library(here(), files); }
+  void leave_out(std::string_view keyword) override {
+    if (!unread_.emplace(keyword).second) return;
+    events_.on_unread(here(1), keyword);
+  }
+  void leave_out_colors() override {
+    if (!std::exchange(has_colors_, true)) events_.on_colors(here(1), {});
+  }
 
-  const std::function<void(const SourceLocation&, std::string_view)>& on_library_;
+  const ObjEvents& events_;
+  std::set<std::string, std::less<>> unread_;
+  bool has_colors_ = false;
   std::string material_;
   std::vector<ObjPart> parts_;
   std::map<std::pair<std::string, int>, std::uint32_t> by_kind_;
@@ -232,10 +247,9 @@ desc::Mesh read_obj(std::string_view bytes, const std::string& name) {
   return reader.result();
 }
 
-std::vector<ObjPart> read_obj_parts(
-    std::string_view bytes, const std::string& name,
-    const std::function<void(const SourceLocation&, std::string_view)>& on_library) {
-  Parts reader(bytes, name, on_library);
+std::vector<ObjPart> read_obj_parts(std::string_view bytes, const std::string& name,
+                                    const ObjEvents& events) {
+  Parts reader(bytes, name, events);
   reader.read();
   return reader.result();
 }

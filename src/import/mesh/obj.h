@@ -25,9 +25,15 @@ struct ObjPart {
   SourceLocation where;  ///< of its first face
   desc::Mesh mesh;
 };
-/// In the order of their first faces. `on_library` is told what `mtllib` says, at its place.
-std::vector<ObjPart> read_obj_parts(
-    std::string_view bytes, const std::string& name,
-    const std::function<void(const SourceLocation&, std::string_view)>& on_library);
+/// Told of at its place while a file is read; none may be empty.
+struct ObjEvents {
+  using Event = std::function<void(const SourceLocation&, std::string_view)>;
+  Event on_library;  ///< with what `mtllib` says
+  Event on_unread;   ///< with the first word of a line that is not read, the first time
+  Event on_colors;   ///< of vertices, which are not read, the first time; with nothing
+};
+/// In the order of their first faces.
+std::vector<ObjPart> read_obj_parts(std::string_view bytes, const std::string& name,
+                                    const ObjEvents& events);
 
 }  // namespace ajar

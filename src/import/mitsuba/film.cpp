@@ -7,6 +7,7 @@
 namespace ajar::mitsuba {
 namespace {
 
+constexpr WarningKind kLuminance{Effect::Surface, "pictures of luminance are not supported"};
 constexpr WarningKind kFilter{Effect::Slight, "filters are unknown: gaussian ones stand in"};
 
 constexpr int kLargestResolution = 65536;
@@ -106,10 +107,14 @@ void read_film(Context& context, const Element& element) {
     film.filter = make_filter(of_filter);
     of_filter.report_unused();
   }
+  if (arguments.text("pixel_format", "rgb").starts_with("luminance")) {
+    context.warnings.add(kLuminance, element.where,
+                         "pictures of luminance are not supported: this one has colours");
+  }
   // How the finished picture is written is for whoever asks for it.
-  arguments.accept({"file_format", "pixel_format", "component_format", "gamma", "banner",
-                    "high_quality_edges", "attach_log", "exposure", "key", "burn", "tonemap_method",
-                    "sample_border", "compensate", "variable", "digits"});
+  arguments.accept({"file_format", "component_format", "gamma", "banner", "high_quality_edges",
+                    "attach_log", "exposure", "key", "burn", "tonemap_method", "sample_border",
+                    "compensate", "variable", "digits"});
   arguments.report_unused();
   context.scene.film = film;
 }

@@ -45,7 +45,8 @@ void read_sampler(Context& context, const Element& element) {
     }
   }
   // How a sampler of another kind distributes its numbers has no meaning for ours.
-  arguments.accept_all();
+  arguments.accept({"seed", "scramble", "dimension", "jitter", "strength", "sample_shuffle"});
+  arguments.report_unused();
 }
 
 void read_integrator(Context& context, const Element& element) {
@@ -80,7 +81,38 @@ void read_integrator(Context& context, const Element& element) {
     context.warnings.add(kHideEmitters, element.where,
                          "\"hide_emitters\" is not supported: lights can be seen");
   }
-  arguments.accept_all();
+  // What only the methods themselves know.
+  arguments.accept({"rr_depth",
+                    "strict_normals",
+                    "shading_samples",
+                    "emitter_samples",
+                    "bsdf_samples",
+                    "light_samples",
+                    "luminaire_samples",
+                    "samples_per_pass",
+                    "block_size",
+                    "timeout",
+                    "light_image",
+                    "sample_direct",
+                    "bidirectional",
+                    "direct_samples",
+                    "separate_direct",
+                    "luminance_samples",
+                    "two_stage",
+                    "p_large",
+                    "bidirectional_mutation",
+                    "lens_perturbation",
+                    "multi_chain_perturbation",
+                    "caustic_perturbation",
+                    "manifold_perturbation",
+                    "lambda",
+                    "num_chains",
+                    "max_chains",
+                    "chain_length",
+                    "granularity",
+                    "brute_force"});
+  if (known == kIntegrators.end()) arguments.accept_all();
+  arguments.report_unused();
 }
 
 }  // namespace ajar::mitsuba

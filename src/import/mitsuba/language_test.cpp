@@ -201,5 +201,34 @@ TEST(MitsubaLanguage, TheLastStepOfATransformIsAppliedLast) {
       {7, 8, 9});
 }
 
+TEST(MitsubaLanguage, AttributesAndPropertiesThatMeanNothingAreWarnings) {
+  const auto expect_warning = [](const std::string& body, const std::string& text) {
+    const std::string warnings = warnings_of(body);
+    EXPECT_TRUE(contains(warnings, "test.xml:2:") && contains(warnings, text)) << warnings;
+  };
+  expect_warning("<shape type=\"sphere\" nam=\"a\"/>",
+                 "<shape> has no attribute \"nam\"; did you mean \"name\"?");
+  expect_warning(
+      "<shape type=\"sphere\"><transform name=\"to_world\"><rotate x=\"1\" "
+      "angel=\"9\"/></transform></shape>",
+      "<rotate> has no attribute \"angel\"; did you mean \"angle\"?");
+  expect_warning("<integrator type=\"path\"><integer name=\"max_deph\" value=\"3\"/></integrator>",
+                 "has no property \"max_deph\"; did you mean \"max_depth\"?");
+  expect_warning(
+      "<sensor type=\"perspective\"><sampler type=\"independent\"><integer "
+      "name=\"sampel_count\" value=\"3\"/></sampler></sensor>",
+      "did you mean \"sample_count\"?");
+  expect_warning(
+      "<sensor type=\"perspective\"><film type=\"hdrfilm\"><string "
+      "name=\"pixel_format\" value=\"luminance\"/></film></sensor>",
+      "pictures of luminance are not supported");
+  expect_warning("<sensor type=\"perspective\"><float name=\"near_clip\" value=\"1\"/></sensor>",
+                 "what is nearer or farther is seen, too");
+  expect_warning(
+      "<emitter type=\"envmap\"><string name=\"filename\" value=\"a.png\"/><float "
+      "name=\"gamma\" value=\"2.2\"/></emitter>",
+      "\"gamma\" is not supported");
+}
+
 }  // namespace
 }  // namespace ajar::mitsuba

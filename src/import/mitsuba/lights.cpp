@@ -16,6 +16,7 @@ constexpr WarningKind kSpotTexture{Effect::Surface,
                                    "spot lights have a texture, which is not supported"};
 constexpr WarningKind kSpotEdge{Effect::Slight,
                                 "spot lights fade in another way between beam and edge"};
+constexpr WarningKind kGamma{Effect::Slight, "environment maps have a gamma: not supported"};
 constexpr WarningKind kProjector{
     Effect::Surface,
     "projectors are of even intensity here, not of even irradiance on their image"};
@@ -53,7 +54,12 @@ std::optional<desc::Light> constant(const Source& in) {
 
 std::optional<desc::Light> environment(const Source& in) {
   const std::optional<std::string> name = in.arguments.text("filename");
-  in.arguments.accept({"gamma", "cache", "mis_compensation"});
+  const float gamma = in.arguments.number("gamma", 1.F);
+  if (gamma > 0.F && gamma != 1.F) {
+    in.context.warnings.add(kGamma, in.arguments.where(),
+                            "\"gamma\" is not supported: the image is decoded as its format says");
+  }
+  in.arguments.accept({"cache", "mis_compensation"});
   if (!name || name->empty()) return in.skip(kNoMapFile, "this envmap has no \"filename\"");
   const Vec3 scale(in.arguments.number("scale", 1.F));
   desc::Node node = in.node("environment", {{"radiance", scale}});
@@ -117,6 +123,10 @@ std::optional<desc::Light> projector(const Source& in) {
     node.set("intensity", Vec3(scale));
   } else {
     node.set("intensity", in.color("irradiance", 1.F) * scale);
+  }
+  if (in.arguments.has("focal_length")) {
+    in.context.warnings.add(kProjector, in.arguments.where(),
+                            "\"focal_length\" of projectors is not supported, only \"fov\"");
   }
   in.arguments.accept({"fov_axis", "near_clip", "far_clip", "focal_length"});
   in.context.warnings.add(kProjector, in.arguments.where(),

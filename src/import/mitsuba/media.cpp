@@ -4,29 +4,17 @@
 
 #include "import/common/printable.h"
 #include "import/common/scattering_presets.h"
+#include "import/mitsuba/volumes.h"
 
 namespace ajar::mitsuba {
 namespace {
 
-constexpr WarningKind kHeterogeneous{
-    Effect::Surface,
-    "media are not homogeneous, which is not supported: homogeneous ones stand in"};
+constexpr WarningKind kUnknown{Effect::Surface, "media are unknown: homogeneous ones stand in"};
 constexpr WarningKind kPreset{Effect::Surface,
                               "media are presets: what is known of their scattering stands in"};
 constexpr WarningKind kPhase{
     Effect::Surface, "media have a phase function that is not supported: another stands in"};
 constexpr WarningKind kNegative{Effect::Slight, "coefficients of media are negative: taken as 0"};
-
-/// A coefficient, which may be a volume that is the same everywhere.
-std::optional<desc::Rgb> coefficient(Arguments& arguments, std::string_view name) {
-  const Element* volume = arguments.child(name, "volume");
-  if (volume == nullptr) volume = arguments.child(name, "texture");
-  if (volume == nullptr) return arguments.color(name);
-  Arguments of_volume(arguments.context(), *volume);
-  const std::optional<desc::Rgb> value = of_volume.color("value");
-  of_volume.accept_all();
-  return value;
-}
 
 /// Of the preset "material"; nothing if the medium has none.
 std::optional<ScatteringPreset> preset_of(Arguments& arguments) {
@@ -41,19 +29,29 @@ std::optional<ScatteringPreset> preset_of(Arguments& arguments) {
   return preset ? preset : find_scattering_preset("wholemilk");
 }
 
+/// What Mitsuba 2 and 3 take if nothing is said.
+constexpr float kDefaultExtinction = 1.F;
+constexpr float kDefaultAlbedo = 0.75F;
+
+/// Sets absorption and scattering from extinction and albedo.
+void set_extinction(desc::Medium& medium, std::optional<VolumeValue> sigma_t,
+                    const std::optional<desc::Rgb>& albedo) {
+  const desc::Rgb total = sigma_t ? sigma_t->color : desc::Rgb(kDefaultExtinction);
+  if (sigma_t) medium.density = std::move(sigma_t->density);
+  medium.sigma_s = total * albedo.value_or(desc::Rgb(kDefaultAlbedo));
+  medium.sigma_a = total - medium.sigma_s;
+}
+
 /// Sets absorption and scattering from whichever two coefficients are given.
 void set_coefficients(Arguments& arguments, desc::Medium& medium) {
   const std::optional<ScatteringPreset> preset = preset_of(arguments);
-  const std::optional<desc::Rgb> sigma_a = coefficient(arguments, "sigma_a");
-  const std::optional<desc::Rgb> sigma_s = coefficient(arguments, "sigma_s");
-  const std::optional<desc::Rgb> sigma_t = coefficient(arguments, "sigma_t");
-  const std::optional<desc::Rgb> albedo = coefficient(arguments, "albedo");
+  const std::optional<desc::Rgb> sigma_a = find_coefficient(arguments, "sigma_a");
+  const std::optional<desc::Rgb> sigma_s = find_coefficient(arguments, "sigma_s");
+  std::optional<VolumeValue> sigma_t = find_density(arguments, "sigma_t");
+  const std::optional<desc::Rgb> albedo = find_coefficient(arguments, "albedo");
+  if (!sigma_t && arguments.has("density")) sigma_t = find_density(arguments, "density");
   if (sigma_t || albedo) {
-    // What Mitsuba 2 and 3 take if one of them is not said.
-    const desc::Rgb total = sigma_t.value_or(desc::Rgb(1.F));
-    const desc::Rgb share = albedo.value_or(desc::Rgb(0.75F));
-    medium.sigma_s = total * share;
-    medium.sigma_a = total - medium.sigma_s;
+    set_extinction(medium, std::move(sigma_t), albedo);
   } else if (sigma_a || sigma_s) {
     medium.sigma_a = sigma_a.value_or(desc::Rgb(0.F));
     medium.sigma_s = sigma_s.value_or(desc::Rgb(0.F));
@@ -61,8 +59,7 @@ void set_coefficients(Arguments& arguments, desc::Medium& medium) {
     medium.sigma_a = preset->sigma_a;
     medium.sigma_s = preset->sigma_s;
   } else {
-    medium.sigma_s = desc::Rgb(0.75F);
-    medium.sigma_a = desc::Rgb(0.25F);
+    set_extinction(medium, std::nullopt, std::nullopt);
   }
 }
 
@@ -91,12 +88,13 @@ desc::MediumId MediumTable::make(const Element& element) {
   desc::Medium medium;
   medium.name = element.id;
   medium.where = element.where;
-  const bool is_homogeneous = element.type == "homogeneous";
-  if (!is_homogeneous) {
-    context_.warnings.add(
-        kHeterogeneous, element.where,
-        "medium \"" + printable(element.type) + "\" is not supported: a homogeneous one stands in",
-        printable(element.type));
+  const bool is_known = element.type == "homogeneous" || element.type == "heterogeneous";
+  if (!is_known) {
+    static const std::vector<std::string> kTypes = {"homogeneous", "heterogeneous"};
+    context_.warnings.add(kUnknown, element.where,
+                          unknown_name_message("medium", printable(element.type), kTypes) +
+                              ". A homogeneous one stands in",
+                          printable(element.type));
   }
   set_coefficients(arguments, medium);
   const float scale = arguments.number("scale", 1.F);
@@ -115,7 +113,7 @@ desc::MediumId MediumTable::make(const Element& element) {
     throw SceneError(element.where, "\"g\" must be between -1 and 1");
   }
   arguments.accept({"has_spectral_extinction", "sample_emitters", "method", "strategy"});
-  if (!is_homogeneous) arguments.accept_all();
+  if (!is_known) arguments.accept_all();
   arguments.report_unused();
   context_.scene.media.push_back(std::move(medium));
   return made_[&element] = static_cast<desc::MediumId>(context_.scene.media.size()) - 1;

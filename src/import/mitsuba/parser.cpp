@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "import/common/printable.h"
+#include "import/mitsuba/attributes.h"
 #include "import/mitsuba/names.h"
 #include "import/mitsuba/numbers.h"
 #include "import/mitsuba/property_reader.h"
@@ -49,6 +50,7 @@ Document Parser::parse(std::string_view text, const std::string& name, const std
                                                   ">, not with <scene>");
   }
   read_version(file);
+  check_attributes(file, warnings_);
   open_files_.push_back(path);
   document_.scene.tag = "scene";
   document_.scene.where = file.where(source.node);
@@ -152,6 +154,7 @@ void Parser::include(const Source& source, Element& parent, int depth) {
     throw SceneError(where, std::string("cannot include this file: ") + error.what());
   }
   const XmlFile file(bytes->view(), name);
+  check_attributes(file, warnings_);
   files_.add(std::filesystem::path(name).parent_path().string());
   open_files_.push_back(path);
   const Source root{file, file.root()};

@@ -11,6 +11,7 @@ namespace {
 
 constexpr WarningKind kUnknownSensor{Effect::Light,
                                      "sensors are not supported: perspective ones stand in"};
+constexpr WarningKind kClipped{Effect::Slight, "cameras have clip planes: not supported"};
 constexpr WarningKind kAxis{Effect::Light, "fov axes are unknown: that of x stands in"};
 
 const std::vector<std::string> kKnownSensors = {"perspective", "thinlens", "orthographic",
@@ -137,8 +138,19 @@ void read_sensor(Context& context, MediumTable& media, const Element& element) {
   // Rounded, so that other formats, which say the inverse, can say the same.
   camera.to_world = rounded_inverse(*from_world).value_or(to_world);
   for (const Element* medium : arguments.children("medium")) camera.medium = media.make(*medium);
-  arguments.accept({"near_clip", "far_clip", "shutter_open", "shutter_close", "aperture_radius",
-                    "focus_distance", "kc", "srf"});
+  // What Mitsuba takes if nothing is said cuts nothing off that is usual.
+  constexpr float kNear = 1e-2F;
+  constexpr float kFar = 1e4F;
+  if (arguments.number("near_clip", kNear) > kNear || arguments.number("far_clip", kFar) < kFar) {
+    context.warnings.add(
+        kClipped, element.where,
+        "\"" +
+            std::string(context.document.major_version == 0 ? "nearClip\" and \"farClip"
+                                                            : "near_clip\" and \"far_clip") +
+            "\" are not supported: what is nearer or farther is seen, too");
+  }
+  arguments.accept(
+      {"shutter_open", "shutter_close", "aperture_radius", "focus_distance", "kc", "srf"});
   arguments.report_unused();
   context.scene.camera = camera;
 }

@@ -6,6 +6,7 @@
 #include "core/error.h"
 #include "core/printable_text.h"
 #include "import/mesh/text_lines.h"
+#include "import/obj/words.h"
 
 namespace ajar::obj {
 namespace {
@@ -63,6 +64,7 @@ bool Library::load_if_there(const std::string& file, std::string& reason) {
       warnings_.add(kOddLibrary, {std::make_shared<const std::string>(file), 0, 0},
                     printable_line(trimmed(remarks)));
     }
+    check_material_words(bytes.view(), file, warnings_);
     std::map<std::string, SourceLocation> places = places_of(bytes.view(), file);
     for (tinyobj::material_t& material : materials) {
       const std::string name = trimmed(material.name);

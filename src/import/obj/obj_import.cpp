@@ -5,10 +5,14 @@
 #include "import/mesh/obj.h"
 #include "import/mesh/validate_mesh.h"
 #include "import/obj/materials.h"
+#include "import/obj/words.h"
 #include "scene/desc/models.h"
 
 namespace ajar {
 namespace {
+
+constexpr WarningKind kUnread{Effect::Geometry, "kinds of lines of OBJ files are not read"};
+constexpr WarningKind kColors{Effect::Surface, "OBJ files have colours of vertices: not read"};
 
 void add_shape(ObjPart& part, obj::Materials& materials, desc::SceneDesc& scene,
                Warnings& warnings) {
@@ -30,9 +34,19 @@ desc::SceneDesc import_file(const SceneFile& file, Warnings& warnings, FileAcces
   desc::SceneDesc scene;
   scene.source = file.name;
   obj::Library library(files, warnings);
-  std::vector<ObjPart> parts = read_obj_parts(
-      file.bytes, file.name,
-      [&](const SourceLocation& where, std::string_view names) { library.load(where, names); });
+  std::vector<ObjPart> parts =
+      read_obj_parts(file.bytes, file.name,
+                     {.on_library = [&](const SourceLocation& where,
+                                        std::string_view names) { library.load(where, names); },
+                      .on_unread =
+                          [&](const SourceLocation& where, std::string_view word) {
+                            const std::string remark = obj::remark_on_unread(word);
+                            if (!remark.empty()) warnings.add(kUnread, where, remark);
+                          },
+                      .on_colors =
+                          [&](const SourceLocation& where, std::string_view) {
+                            warnings.add(kColors, where, "colours of vertices are not read");
+                          }});
   obj::Materials materials(library, scene, files, warnings);
   for (ObjPart& part : parts) add_shape(part, materials, scene, warnings);
   add_studio(scene, {}, UpAxis::Y);

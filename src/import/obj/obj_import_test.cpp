@@ -178,5 +178,33 @@ TEST(Obj, MaterialsKnowTheirLine) {
   EXPECT_EQ(material.where.to_string(), "a.mtl:4:1");
 }
 
+TEST(Obj, WordsThatAreNotReadAreWarnings) {
+  const std::string lines =
+      warnings_of(kSquare +
+                  "v 1 1 1 0.5\nv 0 0 1 1 0 0\nv 0 0 1 1 0 0\ng a\ns off\nl 1 2\n"
+                  "l 2 3\nfase 1 2 3\nf 1 2 3\n");
+  EXPECT_TRUE(contains(lines, "test.obj:6:1: colours of vertices are not read")) << lines;
+  EXPECT_TRUE(contains(lines, "test.obj:10:1: \"l\": points, lines")) << lines;
+  EXPECT_TRUE(contains(lines, "test.obj:12:1: \"fase\" is no word of OBJ files")) << lines;
+  EXPECT_EQ(std::count(lines.begin(), lines.end(), '\n'), 3) << lines;
+}
+
+TEST(Obj, WordsOfMaterialsThatMeanNothingHereAreWarnings) {
+  const std::string text = warnings_of(
+      kTexturedFace, {{"/scene/a.mtl",
+                       "newmtl m\nKa 1 1 1\nPs 0.0\nPc 0.5\naniso 0\nmap_Ns a.png\nkd 1 1 1\n"
+                       "map_Kd -s 2 2 2 -mm 0 2 -bm 1 a.png\nillum 12\nrefl -type sphere a.png\n"},
+                      {"/scene/a.png", ""}});
+  for (const char* part :
+       {"a.mtl:4:1: \"Pc\" is not supported", "a.mtl:6:1: \"map_Ns\" is not supported",
+        "a.mtl:7:1: \"kd\" is no word of material files; did you mean \"Kd\"?",
+        "a.mtl:8:1: the option \"-mm\"", "a.mtl:10:1: \"refl\" is not supported",
+        "\"illum\" is from 0 to 10, not 12"}) {
+    EXPECT_TRUE(contains(text, part)) << part << "\n" << text;
+  }
+  EXPECT_FALSE(contains(text, "\"Ps\"") || contains(text, "aniso") || contains(text, "-bm"))
+      << text;
+}
+
 }  // namespace
 }  // namespace ajar

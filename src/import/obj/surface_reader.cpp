@@ -12,6 +12,7 @@ namespace ajar::obj {
 namespace {
 
 constexpr WarningKind kBump{Effect::Surface, "materials have bump maps: ignored"};
+constexpr WarningKind kModel{Effect::Surface, "materials have an unknown \"illum\""};
 constexpr WarningKind kNoImage{Effect::Surface, "images cannot be found: left out"};
 
 desc::Rgb reflectance_of(const tinyobj::real_t (&rgb)[3]) {
@@ -36,11 +37,18 @@ constexpr int kGlass = 4;
 constexpr int kRefraction = 6;
 constexpr int kFresnelRefraction = 7;
 constexpr int kGlassWithoutRays = 9;
+constexpr int kLastModel = 10;
 
 }  // namespace
 
 Surface SurfaceReader::read() {
   Surface surface;
+  if (values_.illum < 0 || values_.illum > kLastModel) {
+    warnings_.add(kModel, where_,
+                  "\"illum\" is from 0 to 10, not " + std::to_string(values_.illum) +
+                      ": a material with gloss stands in",
+                  printable_line(values_.name));
+  }
   surface.material = add_material(is_glass() ? glass() : base());
   if (const auto normals =
           add_image(values_.normal_texname, values_.normal_texopt, "color", false, 1.F)) {

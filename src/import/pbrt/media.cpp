@@ -8,16 +8,19 @@
 #include "import/common/printable.h"
 #include "import/common/scattering_presets.h"
 #include "import/common/transforms.h"
+#include "import/pbrt/cloud.h"
 #include "import/pbrt/lexer.h"
+#include "import/pbrt/nanovdb_file.h"
 
 namespace ajar::pbrt {
 namespace {
 
 constexpr WarningKind kUnknownPreset{Effect::Surface,
                                      "media have unknown presets: Wholemilk stands in"};
-constexpr WarningKind kHeterogeneous{
-    Effect::Surface,
-    "heterogeneous media are not supported: homogeneous ones of the mean density stand in"};
+constexpr WarningKind kCloud{Effect::Slight,
+                             "clouds are finer than the grids that are made of them"};
+constexpr WarningKind kUnreadable{Effect::Surface,
+                                  "grids of media cannot be read: they count as empty"};
 constexpr WarningKind kColors{
     Effect::Surface, "media have colours that vary, which is not supported: the mean stands in"};
 constexpr WarningKind kUnknownMedium{Effect::Surface, "media are unknown: clear ones stand in"};
@@ -25,10 +28,6 @@ constexpr WarningKind kNoEmission{Effect::Light, "media emit light, which is not
 
 /// What pbrt-v3 takes if nothing is said.
 constexpr const char* kDefaultPreset = "Wholemilk";
-
-/// What is not in a file: the mean density of pbrt-v4's cloud of density 1, by the formulas of
-/// Pharr et al. 2023, section 11.4.5, with noise whose values have the spread 0.25.
-constexpr float kMeanOfCloud = 0.39F;
 
 std::optional<ScatteringPreset> preset_of(Context& context, const SourceLocation& where,
                                           const ParameterList& parameters) {
@@ -107,36 +106,71 @@ desc::Density read_grid(Context& context, const SourceLocation& where, const std
                       name, context.warnings);
 }
 
-void warn_of_grid(Context& context, const SourceLocation& where, const std::string& type,
-                  const std::string& name, const std::string& note = "") {
+void warn_of_emission(Context& context, const SourceLocation& where, const std::string& name) {
+  context.warnings.add(kNoEmission, where, "media that emit light are not supported: dark",
+                       printable(name));
+}
+
+/// The density of a file of NanoVDB; nothing, after a warning, if it cannot be read.
+/// Source: pbrt-v4, media.h and media.cpp (NanoVDBMedium).
+std::optional<desc::Density> read_voxels(Context& context, const SourceLocation& where,
+                                         const std::string& name, const ParameterList& p,
+                                         const Mat4& to_world) {
+  const std::string file = p.get_string("filename").value_or("");
+  std::string reason = "it has no \"filename\"";
+  if (!file.empty()) {
+    const SourceLocation in_file{std::make_shared<const std::string>(printable(file)), 0, 0};
+    try {
+      const FileBytes bytes = context.files.load(context.files.resolve(file));
+      const float emitted = p.get_float("LeScale", p.get_float("Lescale", 1.F));
+      if (emitted > 0.F && has_nanovdb_grid(bytes.view(), "temperature", in_file)) {
+        warn_of_emission(context, where, name);
+      }
+      if (std::optional<VoxelGrid> voxels = read_nanovdb(bytes.view(), "density", in_file)) {
+        return make_density(std::move(voxels->grid), voxels->to_world * to_world, where, name,
+                            context.warnings);
+      }
+      reason = "it has no grid \"density\"";
+    } catch (const Error& error) {
+      reason = error.what();
+    }
+  }
   context.warnings.add(
-      kHeterogeneous, where,
-      type + " media are not supported: a homogeneous one of the mean density stands in" + note,
+      kUnreadable, where,
+      "the grid of this medium cannot be read (" + reason + "): it counts as empty",
       printable(name));
+  return std::nullopt;
 }
 
-/// What a medium that is homogeneous, or is made so, has relative to "sigma_a" and "sigma_s".
-float mean_density(Context& context, const SourceLocation& where, const std::string& type,
-                   const std::string& name, const ParameterList& p) {
-  if (type == "homogeneous") return 1.F;
-  p.accept({"p0", "p1", "filename", "wispiness", "frequency"});
-  if (type == "nanovdb") {
-    warn_of_grid(context, where, type, name, ", and that is taken to be 1: its file is not read");
-    return 1.F;
+desc::Density read_cloud(Context& context, const SourceLocation& where, const std::string& name,
+                         const ParameterList& p, const Mat4& to_world) {
+  Cloud cloud;
+  cloud.density = p.get_float("density", cloud.density);
+  cloud.wispiness = p.get_float("wispiness", cloud.wispiness);
+  cloud.frequency = p.get_float("frequency", cloud.frequency);
+  cloud.low = p.get_point("p0", cloud.low);
+  cloud.high = p.get_point("p1", cloud.high);
+  if (is_finer_than_grids(cloud)) {
+    context.warnings.add(
+        kCloud, where,
+        "the noise of this cloud is finer than the grids that are made of it: a coarser one "
+        "stands in",
+        printable(name));
   }
-  warn_of_grid(context, where, type, name);
-  return kMeanOfCloud * p.get_float("density", 1.F);
+  return make_density(
+      tabulate(cloud),
+      scaling(Vec3d(cloud.high - cloud.low)) * translation(Vec3d(cloud.low)) * to_world, where,
+      name, context.warnings);
 }
 
-void warn_of_emission(Context& context, const SourceLocation& where, const std::string& name,
-                      const ParameterList& p) {
+void warn_of_parameters_that_emit(Context& context, const SourceLocation& where,
+                                  const std::string& name, const ParameterList& p) {
   const desc::Rgb emitted = context.spectra.get_positive(p, "Le", desc::Rgb(0.F), ColorRole::Light);
-  const bool glows = emitted != desc::Rgb(0.F) || p.get_float("temperaturescale").has_value();
+  const Parameter* temperatures = p.find("temperature", ParameterKind::Float);
+  const bool glows = emitted != desc::Rgb(0.F) || temperatures != nullptr ||
+                     p.get_float("temperaturescale").has_value();
   p.accept({"Lescale", "LeScale", "temperaturecutoff", "temperaturescale", "temperatureoffset"});
-  if (glows) {
-    context.warnings.add(kNoEmission, where, "media that emit light are not supported: dark",
-                         printable(name));
-  }
+  if (glows) warn_of_emission(context, where, name);
 }
 
 }  // namespace
@@ -169,8 +203,11 @@ desc::Medium make_medium(Context& context, const SourceLocation& where, const st
   float scale = parameters.get_float("scale", 1.F);
   if (*type == "heterogeneous" || *type == "uniformgrid" || *type == "rgbgrid") {
     medium.density = read_grid(context, where, *type, name, parameters, to_world);
-  } else {
-    scale *= mean_density(context, where, *type, name, parameters);
+  } else if (*type == "nanovdb") {
+    medium.density = read_voxels(context, where, name, parameters, to_world);
+    if (!medium.density) scale = 0.F;
+  } else if (*type == "cloud") {
+    medium.density = read_cloud(context, where, name, parameters, to_world);
   }
   medium.g = parameters.get_float("g", 0.F);
   if (scale < 0.F) throw SceneError(where, "\"scale\" of a medium is negative");
@@ -180,7 +217,7 @@ desc::Medium make_medium(Context& context, const SourceLocation& where, const st
   medium.sigma_s = coefficient("sigma_s", defaults.sigma_s) * scale;
   if (!is_finite(medium.sigma_a) || !is_finite(medium.sigma_s))
     throw SceneError(where, "the medium is too dense");
-  if (context.is_v4()) warn_of_emission(context, where, name, parameters);
+  if (context.is_v4()) warn_of_parameters_that_emit(context, where, name, parameters);
   parameters.report_unused(context.warnings);
   return medium;
 }

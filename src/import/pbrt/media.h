@@ -7,8 +7,8 @@
 
 namespace ajar::pbrt {
 
-/// `MakeNamedMedium "name" parameters` where `to_world` is current. Clouds and nanovdb media become
-/// homogeneous ones of their mean density, with a warning.
+/// `MakeNamedMedium "name" parameters` where `to_world` is current. Clouds become grids, and media
+/// whose file cannot be read clear ones, with a warning.
 desc::Medium make_medium(Context& context, const SourceLocation& where, const std::string& name,
                          const ParameterList& parameters, const Mat4& to_world);
 

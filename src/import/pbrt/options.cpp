@@ -22,6 +22,8 @@ constexpr WarningKind kUnknownSampler{Effect::None, "samplers are unknown: other
 constexpr WarningKind kSampleCount{Effect::Slight, "numbers of samples are below 1 and ignored"};
 constexpr WarningKind kUnknownIntegrator{Effect::Slight,
                                          "integrators are unknown: others stand in"};
+constexpr WarningKind kRegularize{Effect::Slight,
+                                  "integrators make materials rougher, which is not supported"};
 constexpr WarningKind kPixelBounds{Effect::Slight,
                                    "integrators have \"pixelbounds\", which is not supported"};
 
@@ -218,8 +220,12 @@ void apply_integrator(Context& context, const SourceLocation& where, const std::
     context.warnings.add(kPixelBounds, where,
                          "\"pixelbounds\" is not supported: use the crop window of the film");
   }
+  if (p.get_bool("regularize", false)) {
+    context.warnings.add(kRegularize, where,
+                         "\"regularize\" is not supported: no material is made rougher");
+  }
   p.accept({"rrthreshold", "lightsamplestrategy", "strategy", "visualizestrategies",
-            "visualizeweights", "imagewritefrequency", "quickrender", "lightsampler", "regularize",
+            "visualizeweights", "imagewritefrequency", "quickrender", "lightsampler",
             "samplelights", "samplebsdf", "seed", "cossample", "maxdistance"});
   p.report_unused(context.warnings);
 }

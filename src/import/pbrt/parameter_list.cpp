@@ -213,6 +213,7 @@ std::vector<Vec2> ParameterList::get_point2s(std::string_view name) const {
 
 void ParameterList::accept(std::initializer_list<std::string_view> names) const {
   for (const std::string_view name : names) {
+    asked_.emplace_back(name);
     for (const Entry& entry : entries_) {
       if (entry.parameter->name == name) entry.used = true;
     }

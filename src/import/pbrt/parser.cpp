@@ -9,6 +9,7 @@
 namespace ajar::pbrt {
 namespace {
 
+constexpr WarningKind kAccelerator{Effect::None, "accelerators are unknown: ignored"};
 constexpr WarningKind kUnknownDirective{Effect::Surface, "directives are unknown and skipped"};
 constexpr WarningKind kUnknownType{Effect::Surface, "parameters are of unknown types and ignored"};
 constexpr WarningKind kAfterEnd{Effect::Slight, "files go on after WorldEnd, which is ignored"};
@@ -268,8 +269,16 @@ bool Parser::thing_directive(Lexer& lexer, const Token& token, const SourceLocat
     const std::string type = name(lexer, token);
     builder_.integrator(where, type, parameters(lexer));
   } else if (directive == "Accelerator") {
-    name(lexer, token);  // ours is Embree, whatever the file wants
-    parameters(lexer);
+    // Ours is Embree, whatever the file wants.
+    const std::string type = name(lexer, token);
+    const ParameterList list = parameters(lexer);
+    if (type != "bvh" && type != "kdtree") {
+      warnings_.add(kAccelerator, where,
+                    "unknown accelerator \"" + printable(type) + "\": ignored");
+    }
+    list.accept({"maxnodeprims", "splitmethod", "intersectcost", "traversalcost", "emptybonus",
+                 "maxprims", "maxdepth"});
+    list.report_unused(warnings_);
   } else {
     return false;
   }

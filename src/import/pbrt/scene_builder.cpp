@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "import/common/opacity.h"
 #include "import/common/printable.h"
 #include "import/pbrt/bilinear_mesh.h"
 #include "import/pbrt/emitted_power.h"
@@ -22,8 +23,8 @@ constexpr WarningKind kUnknownTarget{Effect::Slight,
                                      "attributes are for unknown targets and ignored"};
 constexpr WarningKind kUnknownColorSpace{Effect::Surface,
                                          "colour spaces are unknown: those before stay"};
-constexpr WarningKind kTranslucentAlpha{
-    Effect::Surface, "shapes are partly transparent by \"alpha\", which is not supported: opaque"};
+constexpr WarningKind kTranslucentLamp{
+    Effect::Light, "lamps are partly transparent by a texture: they shine as if they were not"};
 constexpr WarningKind kOpenBlock{Effect::Slight, "blocks have no end"};
 constexpr WarningKind kInstanceLeftOut{
     Effect::Geometry, "instances are left out: their transforms cannot be inverted"};
@@ -375,12 +376,32 @@ desc::TextureId SceneBuilder::alpha(const ParameterList& parameters, std::string
     return textures_.find(*reference, TextureClass::Float).value_or(desc::kNone);
   }
   // Only 0 cuts away.
-  const float value = parameters.get_float(name, 1.F);
-  if (context_.is_v4() && value > 0.F && value < 1.F) {
-    warnings_.add(kTranslucentAlpha, parameters.find(name, ParameterKind::Float)->where,
-                  "\"" + std::string(name) + "\" between 0 and 1 is not supported: opaque");
+  return parameters.get_float(name, 1.F) == 0.F ? textures_.zero() : desc::kNone;
+}
+
+void SceneBuilder::make_partly_clear(const ParameterList& parameters, desc::Shape& shape) {
+  const float number = std::clamp(parameters.get_float("alpha", 1.F), 0.F, 1.F);
+  const bool is_textured = parameters.find_one("alpha", ParameterKind::Texture) != nullptr;
+  if (is_textured ? shape.alpha == desc::kNone : number == 0.F || number == 1.F) return;
+  if (shape.emission && is_textured) {
+    warnings_.add(kTranslucentLamp, shape.where,
+                  "where \"alpha\" of this lamp is between 0 and 1, it shines as if it were 1");
+  } else if (shape.emission) {
+    desc::Node& node = shape.emission->node;
+    node.set("scale", node.color("scale") * number);
   }
-  return value == 0.F ? textures_.zero() : desc::kNone;
+  const auto material = static_cast<std::size_t>(shape.material);
+  if (shape.material == desc::kNone || scene_.materials[material].node.is("interface")) return;
+  const desc::Value opacity =
+      is_textured ? desc::Value(desc::TextureRef{shape.alpha}) : desc::Value(number);
+  const auto [made, is_new] =
+      partly_clear_.try_emplace({shape.material, shape.alpha, is_textured ? 1.F : number});
+  if (is_new) {
+    const desc::Material like{.name = scene_.materials[material].name,
+                              .where = scene_.materials[material].where};
+    made->second = with_opacity(scene_, like, shape.material, opacity).material;
+  }
+  shape.material = made->second;
 }
 
 void SceneBuilder::emit(const SourceLocation& where, desc::Shape& shape) {
@@ -413,6 +434,7 @@ void SceneBuilder::shape(const SourceLocation& where, const std::string& type,
   shape.outside = medium_id(state_.outside);
   shape.has_medium_interface = shape.inside != shape.outside;
   if (state_.emission) emit(where, shape);
+  if (context_.is_v4()) make_partly_clear(parameters, shape);
   parameters.report_unused(warnings_);
   if (!inverse(shape.to_world)) {
     warnings_.add(kShapeLeftOut, where,

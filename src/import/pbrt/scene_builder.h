@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <vector>
 
 #include "core/warnings.h"
@@ -127,6 +128,8 @@ class SceneBuilder {
   desc::MediumId medium_id(const std::string& name) const;
   desc::TextureId alpha(const ParameterList& parameters, std::string_view name);
   void emit(const SourceLocation& where, desc::Shape& shape);
+  /// pbrt-v4: of a shape with an "alpha" that is not 0 or 1 everywhere, the rest lets light pass.
+  void make_partly_clear(const ParameterList& parameters, desc::Shape& shape);
   void finish_realistic_camera();
 
   const DialectChoice choice_;
@@ -147,6 +150,8 @@ class SceneBuilder {
   std::optional<CameraOptions> camera_;
   std::string camera_medium_;  ///< pbrt-v4: outside, where the camera is made
   std::vector<Powered> powered_;
+  /// By the material, and the texture or the number of their opacity.
+  std::map<std::tuple<desc::MaterialId, desc::TextureId, float>, desc::MaterialId> partly_clear_;
   float film_diagonal_ = 35.F;
 };
 

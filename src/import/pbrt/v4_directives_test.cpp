@@ -150,9 +150,33 @@ TEST(Pbrt4Shapes, BilinearMeshesAreTriangles) {
                        "the index 7 is not one of 4 points"));
 }
 
-TEST(Pbrt4Shapes, PartlyTransparentOnesAreOpaqueWithAWarning) {
-  EXPECT_TRUE(contains(v4_warnings("Shape \"disk\" \"float alpha\" 0.5"),
-                       "test.pbrt:2:14: \"alpha\" between 0 and 1 is not supported: opaque"));
+TEST(Pbrt4Shapes, PartlyTransparentOnesAreMixesWithNothing) {
+  const desc::SceneDesc s = v4_scene(
+      "Material \"conductor\" AttributeBegin AreaLightSource \"diffuse\" \"rgb L\" [4 4 4] Shape "
+      "\"disk\" \"float alpha\" 0.5 AttributeEnd Shape \"disk\" \"float alpha\" 0.5 Shape \"disk\" "
+      "\"float alpha\" 1 Shape \"disk\" \"float alpha\" 0");
+  const desc::Node mix = material_node_of(s, s.shapes[0]);
+  ASSERT_TRUE(mix.is("mix"));
+  EXPECT_EQ(mix.color("amount"), Vec3(0.5F));
+  EXPECT_TRUE(s.materials.at(static_cast<std::size_t>(mix.material("first"))).node.is("conductor"));
+  EXPECT_EQ(s.shapes[1].material, s.shapes[0].material) << "made once";
+  EXPECT_EQ(
+      s.shapes[0].emission->node.color("scale") * s.shapes[0].emission->node.color("radiance"),
+      Vec3(2.F));
+  EXPECT_TRUE(material_node_of(s, s.shapes[2]).is("conductor"));
+  EXPECT_TRUE(material_node_of(s, s.shapes[3]).is("conductor"));
+  EXPECT_NE(s.shapes[3].alpha, desc::kNone);
+  const desc::SceneDesc textured = v4_scene(
+      "Texture \"t\" \"float\" \"checkerboard\" \"float tex1\" 0.25 Material \"diffuse\" Shape "
+      "\"disk\" "
+      "\"texture alpha\" \"t\"");
+  EXPECT_TRUE(material_node_of(textured, textured.shapes[0]).is("mix"));
+  EXPECT_NE(textured.shapes[0].alpha, desc::kNone);
+  EXPECT_TRUE(contains(
+      v4_warnings(
+          "Texture \"t\" \"float\" \"checkerboard\" AreaLightSource \"diffuse\" Shape \"disk\" "
+          "\"texture alpha\" \"t\""),
+      "it shines as if it were 1"));
 }
 
 TEST(Pbrt4Media, HaveDefaultsAndPresets) {
@@ -164,9 +188,6 @@ TEST(Pbrt4Media, HaveDefaultsAndPresets) {
       "\"string type\" \"homogeneous\" \"string preset\" \"Coke\" \"rgb sigma_a\" [9 9 9] \"float "
       "scale\" 10");
   expect_rgb(coke.sigma_a, {1.0014F, 1.6503F, 2.468F}, 1e-4F);
-  EXPECT_TRUE(contains(v4_warnings("MakeNamedMedium \"m\" \"string type\" \"nanovdb\" \"string "
-                                   "filename\" \"a.nvdb\""),
-                       "test.pbrt:2:1: nanovdb media are not supported"));
   const desc::SceneDesc grid = v4_scene(
       "MakeNamedMedium \"m\" \"string type\" \"uniformgrid\" \"integer nx\" 2 \"float density\" [1 "
       "3] \"rgb sigma_s\" [1 2 3]");
@@ -188,6 +209,24 @@ TEST(Pbrt4Media, TheCamerasIsThatOutsideWhereItIsMade) {
       warnings);
   EXPECT_EQ(s.camera.medium, 0);
   EXPECT_EQ(s.shapes[0].outside, desc::kNone);
+}
+
+TEST(Pbrt4Options, ThatAreNotSupportedAreWarnings) {
+  const auto warnings = [](const std::string& options) {
+    return warnings_of(v4_world("", options));
+  };
+  EXPECT_TRUE(contains(warnings("Integrator \"path\" \"bool regularize\" true"),
+                       "\"regularize\" is not supported"));
+  EXPECT_EQ(warnings("Integrator \"path\" \"bool regularize\" false"), "");
+  EXPECT_TRUE(contains(warnings("Accelerator \"bvh\" \"string splitmetod\" \"sah\""),
+                       "unused parameter \"string splitmetod\"; did you mean \"splitmethod\"?"));
+  EXPECT_TRUE(contains(warnings("Accelerator \"octree\""), "unknown accelerator \"octree\""));
+}
+
+TEST(Pbrt4Media, ThatGlowAreDarkWithAWarning) {
+  EXPECT_TRUE(contains(v4_warnings("MakeNamedMedium \"m\" \"string type\" \"uniformgrid\" \"float "
+                                   "density\" 1 \"float temperature\" 900"),
+                       "test.pbrt:2:1: media that emit light are not supported: dark"));
 }
 
 }  // namespace

@@ -54,6 +54,19 @@ Vec3 coefficient(const ObjectReader& object, std::string_view name, float densit
   return value;
 }
 
+/// What the grid of a voxel medium is called in messages. Its members are checked, though it is not
+/// read: OpenVDB's files need OpenVDB.
+std::string grid_of(const ObjectReader& medium) {
+  const LocatedJson* json = medium.find("grid");
+  if (json == nullptr) return "a grid";
+  const ObjectReader grid(medium.context(), *json, "a grid");
+  const std::string file = grid.text("file").value_or("");
+  grid.accept(
+      {"type", "grid_name", "integration_method", "sampling_method", "step_size", "transform"});
+  grid.report_unknown();
+  return "\"" + shown(file) + "\", which is not read,";
+}
+
 }  // namespace
 
 desc::MediumId MediumTable::read(const LocatedJson& json) {
@@ -70,9 +83,10 @@ desc::MediumId MediumTable::read(const LocatedJson& json) {
   }
   if (*type != "homogeneous") {
     context_.warnings.add(kHeterogeneous, json.where(),
-                          "media of type \"" + *type +
-                              "\" are not supported: a homogeneous one of "
-                              "its \"density\" stands in",
+                          "media of type \"" + *type + "\" are not supported: a homogeneous one " +
+                              (*type == "voxel" ? "of density 1, not that of " + grid_of(object)
+                                                : "of its \"density\"") +
+                              " stands in",
                           shown(name));
     object.accept(
         {"pivot", "falloff_scale", "radius", "center", "unit_point", "falloff_direction", "grid"});

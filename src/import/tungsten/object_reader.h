@@ -17,6 +17,7 @@ class ObjectReader {
   /// `what` stands in messages, as in "a quad". Raises SceneError if `json` is no object.
   ObjectReader(const Context& context, const LocatedJson& json, std::string what);
 
+  const Context& context() const { return context_; }
   const SourceLocation& where() const { return json_.where(); }
   const std::string& what() const { return what_; }
 

@@ -10,6 +10,8 @@ constexpr WarningKind kUnknownIntegrator{Effect::Slight,
                                          "integrators are unknown: others stand in"};
 constexpr WarningKind kMinimum{Effect::Light,
                                "integrators leave short paths out, which is not supported"};
+constexpr WarningKind kPartOfLight{Effect::Light,
+                                   "integrators leave out a part of light: not supported"};
 constexpr WarningKind kOneSided{Effect::Surface,
                                 "surfaces are to be black from behind, which is not supported"};
 constexpr WarningKind kSampleCount{Effect::Slight, "numbers of samples are below 1 and ignored"};
@@ -67,12 +69,15 @@ void read_integrator(Context& context, const LocatedJson& json) {
         "\"enable_two_sided_shading\" cannot be false: surfaces look the same from "
         "behind");
   }
+  for (const char* name : {"low_order_scattering", "include_surfaces"}) {
+    if (object.flag(name).value_or(true)) continue;
+    context.warnings.add(kPartOfLight, json.where(),
+                         "\"" + std::string(name) + "\" cannot be false: all light is rendered");
+  }
   // What only the methods themselves know.
   object.accept({"enable_light_sampling",
                  "enable_volume_light_sampling",
                  "enable_consistency_checks",
-                 "low_order_scattering",
-                 "include_surfaces",
                  "initial_sample_pool",
                  "bidirectional",
                  "large_step_probability",

@@ -76,6 +76,7 @@ TEST(TungstenImport, SettingsThatHaveNoCounterpartAreWarnings) {
   EXPECT_TRUE(contains(with("'type': 'path_trcer'"), "did you mean \"path_tracer\"?"));
   EXPECT_TRUE(contains(with("'min_bounces': 1"), "\"min_bounces\" is not supported"));
   EXPECT_TRUE(contains(with("'enable_two_sided_shading': false"), "cannot be false"));
+  EXPECT_TRUE(contains(with("'include_surfaces': false"), "all light is rendered"));
   EXPECT_TRUE(contains(with(""), "the number of samples must be 1 or more"));
   EXPECT_TRUE(contains(error_of(quoted("{'camera': {}, 'integrator': {'max_bounces': -1}}")),
                        "makes no sense"));
@@ -85,8 +86,11 @@ TEST(TungstenImport, MediaWithoutACounterpartAreWarnings) {
   const auto with = [](const std::string& medium) {
     return quoted("{'camera': {'medium': {" + medium + "}}}");
   };
-  EXPECT_TRUE(contains(warnings_of(with("'type': 'voxel', 'density': {}")),
-                       "media of type \"voxel\" are not supported"));
+  const std::string voxels = warnings_of(
+      with("'type': 'voxel', 'grid': {'type': 'vdb', 'file': 'a.vdb', 'grid_nam': 'density'}"));
+  EXPECT_TRUE(contains(voxels, "of density 1, not that of \"a.vdb\", which is not read, stands in"))
+      << voxels;
+  EXPECT_TRUE(contains(voxels, "did you mean \"grid_name\"")) << voxels;
   EXPECT_TRUE(contains(warnings_of(with("'type': 'fog'")), "unknown medium type \"fog\""));
   EXPECT_TRUE(
       contains(warnings_of(with("'type': 'homogeneous', 'phase_function': {'type': 'rayleigh'}")),

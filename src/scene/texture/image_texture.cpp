@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "core/floor_to_int.h"
 #include "scene/texture/constant_texture.h"
 #include "scene/texture/inputs.h"
 #include "scene/texture/mapping.h"

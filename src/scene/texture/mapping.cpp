@@ -64,9 +64,4 @@ ParameterSpec texture_space() {
   return declare::transform("world_to_texture", "from the world into the texture's own space");
 }
 
-int floor_to_int(float x) {
-  constexpr float kLimit = 1e9F;
-  return static_cast<int>(std::floor(std::isnan(x) ? 0.F : std::clamp(x, -kLimit, kLimit)));
-}
-
 }  // namespace ajar

@@ -48,7 +48,4 @@ std::vector<ParameterSpec> mapping_parameters();
 /// What textures declare that have a space of their own.
 ParameterSpec texture_space();
 
-/// Greatest integer not above x, for coordinates of any size (NaN gives 0).
-int floor_to_int(float x);
-
 }  // namespace ajar

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 
+#include "core/noise.h"
 #include "scene/texture/inputs.h"
 #include "scene/texture/mapping.h"
-#include "scene/texture/noise.h"
 
 namespace ajar {
 

@@ -1,10 +1,10 @@
-#include "scene/texture/noise.h"
+#include "core/noise.h"
 
 #include <array>
 #include <cmath>
 #include <cstdint>
 
-#include "scene/texture/mapping.h"
+#include "core/floor_to_int.h"
 
 namespace ajar {
 

@@ -1,4 +1,4 @@
-#include "scene/texture/noise.h"
+#include "core/noise.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,223 @@
+#include "import/gltf/members.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "core/printable_text.h"
+#include "import/gltf/extensions.h"
+
+namespace ajar::gltf {
+namespace {
+
+constexpr WarningKind kUnknown{Effect::Slight, "members are unknown and ignored"};
+
+/// Of an object, or in an array of that name, objects of a kind; without a kind nothing that has
+/// members, or what is not read.
+struct Member {
+  std::string name;
+  std::string_view kind = {};
+};
+using Kinds = std::map<std::string_view, std::vector<Member>>;
+
+/// Source: the JSON schemas of glTF 2.0 and of the extensions.
+const Kinds& kinds() {
+  static const Kinds kKinds = {
+      {"a file",
+       {{"accessors", "an accessor"},
+        {"animations"},
+        {"asset", "an asset"},
+        {"buffers", "a buffer"},
+        {"bufferViews", "a view of a buffer"},
+        {"cameras", "a camera"},
+        {"extensionsRequired"},
+        {"extensionsUsed"},
+        {"images", "an image"},
+        {"materials", "a material"},
+        {"meshes", "a mesh"},
+        {"nodes", "a node"},
+        {"samplers", "a sampler"},
+        {"scene"},
+        {"scenes", "a scene"},
+        {"skins"},
+        {"textures", "a texture"}}},
+      {"an asset", {{"copyright"}, {"generator"}, {"version"}, {"minVersion"}}},
+      {"an accessor",
+       {{"bufferView"},
+        {"byteOffset"},
+        {"componentType"},
+        {"normalized"},
+        {"count"},
+        {"type"},
+        {"max"},
+        {"min"},
+        {"sparse", "sparse values"},
+        {"name"}}},
+      {"sparse values", {{"count"}, {"indices", "a part"}, {"values", "a part"}}},
+      {"a part", {{"bufferView"}, {"byteOffset"}, {"componentType"}}},
+      {"a buffer", {{"uri"}, {"byteLength"}, {"name"}}},
+      {"a view of a buffer",
+       {{"buffer"}, {"byteOffset"}, {"byteLength"}, {"byteStride"}, {"target"}, {"name"}}},
+      {"a camera",
+       {{"type"}, {"orthographic", "a projection"}, {"perspective", "a projection"}, {"name"}}},
+      {"a projection", {{"aspectRatio"}, {"yfov"}, {"xmag"}, {"ymag"}, {"zfar"}, {"znear"}}},
+      {"an image", {{"uri"}, {"mimeType"}, {"bufferView"}, {"name"}}},
+      {"a material",
+       {{"name"},
+        {"pbrMetallicRoughness", "pbrMetallicRoughness"},
+        {"normalTexture", "a use of a texture"},
+        {"occlusionTexture", "a use of a texture"},
+        {"emissiveTexture", "a use of a texture"},
+        {"emissiveFactor"},
+        {"alphaMode"},
+        {"alphaCutoff"},
+        {"doubleSided"}}},
+      {"pbrMetallicRoughness",
+       {{"baseColorFactor"},
+        {"baseColorTexture", "a use of a texture"},
+        {"metallicFactor"},
+        {"roughnessFactor"},
+        {"metallicRoughnessTexture", "a use of a texture"}}},
+      {"a use of a texture", {{"index"}, {"texCoord"}, {"scale"}, {"strength"}}},
+      {"a mesh", {{"primitives", "a primitive"}, {"weights"}, {"name"}}},
+      {"a primitive",
+       {{"attributes", "attributes"}, {"indices"}, {"material"}, {"mode"}, {"targets"}}},
+      {"attributes", {{"POSITION"}, {"NORMAL"}, {"TANGENT"}}},
+      {"a node",
+       {{"camera"},
+        {"children"},
+        {"skin"},
+        {"matrix"},
+        {"mesh"},
+        {"rotation"},
+        {"scale"},
+        {"translation"},
+        {"weights"},
+        {"name"}}},
+      {"a sampler", {{"magFilter"}, {"minFilter"}, {"wrapS"}, {"wrapT"}, {"name"}}},
+      {"a scene", {{"nodes"}, {"name"}}},
+      {"a texture", {{"sampler"}, {"source"}, {"name"}}},
+      {"a light",
+       {{"name"}, {"color"}, {"intensity"}, {"type"}, {"range"}, {"spot", "cone angles"}}},
+      {"cone angles", {{"innerConeAngle"}, {"outerConeAngle"}}}};
+  return kKinds;
+}
+
+/// Of the extensions that are read and have members that are.
+const Kinds& extension_kinds() {
+  static const Kinds kKinds = {
+      {"EXT_texture_webp", {{"source"}}},
+      {"KHR_lights_punctual", {{"lights", "a light"}, {"light"}}},
+      {"KHR_materials_clearcoat",
+       {{"clearcoatFactor"},
+        {"clearcoatTexture", "a use of a texture"},
+        {"clearcoatRoughnessFactor"},
+        {"clearcoatRoughnessTexture", "a use of a texture"},
+        {"clearcoatNormalTexture", "a use of a texture"}}},
+      {"KHR_materials_diffuse_transmission",
+       {{"diffuseTransmissionFactor"},
+        {"diffuseTransmissionTexture", "a use of a texture"},
+        {"diffuseTransmissionColorFactor"},
+        {"diffuseTransmissionColorTexture", "a use of a texture"}}},
+      {"KHR_materials_emissive_strength", {{"emissiveStrength"}}},
+      {"KHR_materials_ior", {{"ior"}}},
+      {"KHR_materials_pbrSpecularGlossiness",
+       {{"diffuseFactor"},
+        {"diffuseTexture", "a use of a texture"},
+        {"specularFactor"},
+        {"glossinessFactor"},
+        {"specularGlossinessTexture", "a use of a texture"}}},
+      {"KHR_materials_sheen",
+       {{"sheenColorFactor"},
+        {"sheenColorTexture", "a use of a texture"},
+        {"sheenRoughnessFactor"},
+        {"sheenRoughnessTexture", "a use of a texture"}}},
+      {"KHR_materials_specular",
+       {{"specularFactor"},
+        {"specularTexture", "a use of a texture"},
+        {"specularColorFactor"},
+        {"specularColorTexture", "a use of a texture"}}},
+      {"KHR_materials_transmission",
+       {{"transmissionFactor"}, {"transmissionTexture", "a use of a texture"}}},
+      {"KHR_materials_unlit", {}},
+      {"KHR_materials_volume",
+       {{"thicknessFactor"},
+        {"thicknessTexture", "a use of a texture"},
+        {"attenuationDistance"},
+        {"attenuationColor"}}},
+      {"KHR_texture_transform", {{"offset"}, {"rotation"}, {"scale"}, {"texCoord"}}}};
+  return kKinds;
+}
+
+/// Attributes that may come in several sets, and those of an application.
+bool is_numbered_attribute(std::string_view name) {
+  constexpr std::string_view kSets[] = {"_", "TEXCOORD_", "COLOR_", "JOINTS_", "WEIGHTS_"};
+  return std::any_of(std::begin(kSets), std::end(kSets),
+                     [&](std::string_view set) { return name.starts_with(set); });
+}
+
+class MemberCheck {
+ public:
+  MemberCheck(const Element& root, Warnings& warnings) : warnings_(warnings) {
+    for (const Element& name : root.elements("extensionsUsed")) told_.insert(name.text());
+  }
+
+  void check(const Element& object, std::string_view kind, const std::vector<Member>& members) {
+    for (const std::string& name : object.names()) {
+      if (name == "extras") continue;
+      if (name == "extensions") {
+        check_extensions(object.at(name));
+        continue;
+      }
+      const auto known = std::find_if(members.begin(), members.end(),
+                                      [&](const Member& member) { return member.name == name; });
+      if (known != members.end()) {
+        if (!known->kind.empty()) check_all(object.at(name), known->kind);
+      } else if (kind != "attributes" || !is_numbered_attribute(name)) {
+        warn(object, kind, name, members);
+      }
+    }
+  }
+
+ private:
+  void check_all(const Element& value, std::string_view kind) {
+    const std::vector<Member>& members = kinds().at(kind);
+    if (!value.is_array()) return check(value, kind, members);
+    for (std::size_t i = 0; i < value.size(); ++i) check(value[i], kind, members);
+  }
+
+  void check_extensions(const Element& extensions) {
+    for (const std::string& name : extensions.names()) {
+      const Element extension = extensions.at(name);
+      const auto read = extension_kinds().find(name);
+      if (read != extension_kinds().end()) {
+        check(extension, read->first, read->second);
+      } else if (told_.insert(name).second) {
+        warn_of_extension(name, extension.where(), warnings_);
+      }
+    }
+  }
+
+  void warn(const Element& object, std::string_view kind, const std::string& name,
+            const std::vector<Member>& members) {
+    std::vector<std::string> valid;
+    for (const Member& member : members) valid.push_back(member.name);
+    const std::string shown = printable_line(name);
+    const std::string nearest = nearest_name(name, valid);
+    warnings_.add(kUnknown, object.where(),
+                  std::string(kind) + " has no member \"" + shown + "\"" +
+                      (nearest.empty() ? "" : "; did you mean \"" + nearest + "\"?") + ": ignored",
+                  shown);
+  }
+
+  Warnings& warnings_;
+  std::set<std::string> told_;  ///< extensions that there is a warning of, if need be
+};
+
+}  // namespace
+
+void check_members(const Element& root, Warnings& warnings) {
+  MemberCheck(root, warnings).check(root, "a file", kinds().at("a file"));
+}
+
+}  // namespace ajar::gltf

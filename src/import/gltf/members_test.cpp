@@ -1,0 +1,63 @@
+#include "import/gltf/members.h"
+
+#include "import/gltf/gltf_test_support.h"
+
+namespace ajar::gltf {
+namespace {
+
+TEST(GltfMembers, OfNoMeaningAreWarnings) {
+  const auto expect_warning = [](const std::string& place, const Json& member,
+                                 const std::string& text) {
+    TestFile file;
+    file.add_triangle();
+    file.json[Json::json_pointer(place)].update(member);
+    const std::string warnings = warnings_of(file);
+    EXPECT_TRUE(
+        contains(warnings, "test.gltf" + (place.empty() ? ": " : "#" + place + ": ") + text))
+        << warnings;
+  };
+  expect_warning("", {{"sceens", Json::array()}},
+                 "a file has no member \"sceens\"; did you mean \"scene\"?: ignored");
+  expect_warning("/asset", {{"auther", "x"}}, "an asset has no member \"auther\"");
+  expect_warning("/materials/0", {{"alphaCutof", 0.5}},
+                 "a material has no member \"alphaCutof\"; did you mean \"alphaCutoff\"");
+  expect_warning("/meshes/0/primitives/0/attributes", {{"TANGENTS", 0}},
+                 "attributes has no member \"TANGENTS\"; did you mean \"TANGENT\"");
+  expect_warning("/nodes/0", {{"translate", Json::array({1, 2, 3})}},
+                 "a node has no member \"translate\"");
+  expect_warning("/accessors/0", {{"stride", 4}}, "an accessor has no member \"stride\"");
+}
+
+TEST(GltfMembers, OfExtensionsAreKnown) {
+  TestFile file;
+  file.add_triangle({{"extensions",
+                      {{"KHR_materials_ior", {{"ior", 1.4}, {"index", 1.4}}},
+                       {"KHR_materials_iridescence", Json::object()},
+                       {"XYZ_glow", Json::object()}}}});
+  file.add_triangle({{"extensions", {{"XYZ_glow", Json::object()}}}});
+  const std::string warnings = warnings_of(file);
+  EXPECT_TRUE(contains(warnings,
+                       "test.gltf#/materials/0/extensions/KHR_materials_ior: KHR_materials_ior has "
+                       "no member \"index\""))
+      << warnings;
+  EXPECT_TRUE(contains(warnings, "KHR_materials_iridescence is not read")) << warnings;
+  EXPECT_TRUE(contains(
+      warnings, "test.gltf#/materials/0/extensions/XYZ_glow: the extension XYZ_glow is not known"))
+      << warnings;
+  EXPECT_FALSE(contains(warnings, "/materials/1/")) << "told once: " << warnings;
+}
+
+TEST(GltfMembers, OfApplicationsAreNotLookedInto) {
+  TestFile file;
+  Json triangle = file.triangle();
+  triangle["attributes"]["_ID"] = 0;
+  triangle["attributes"]["TEXCOORD_1"] = 1;
+  triangle["extras"] = {{"anything", 1}};
+  triangle["material"] = file.add("materials", Json::object());
+  file.add("meshes", {{"primitives", Json::array({triangle})}});
+  file.add("nodes", {{"mesh", 0}});
+  scene_of(file);
+}
+
+}  // namespace
+}  // namespace ajar::gltf

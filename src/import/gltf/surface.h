@@ -1,0 +1,27 @@
+#pragma once
+#include <cstddef>
+#include <optional>
+#include <string>
+
+#include "scene/desc/scene_desc.h"
+
+namespace ajar::gltf {
+
+/// What `COLOR_0` multiplies the base colour of a primitive with: a texture, or a colour.
+struct VertexColors {
+  desc::Value value;
+  std::string name;  ///< tells them from others; of the image, if it is one
+  bool is_image() const { return std::holds_alternative<desc::TextureRef>(value); }
+};
+
+/// All that a material says of the shapes that have it.
+struct Surface {
+  desc::MaterialId material = desc::kNone;
+  desc::TextureId alpha = desc::kNone;
+  std::optional<desc::Emission> emission;
+  desc::MediumId inside = desc::kNone;
+  std::size_t uv_set = 0;
+  bool has_normal_map = false;
+};
+
+}  // namespace ajar::gltf

@@ -1,0 +1,122 @@
+#include "import/obj/words.h"
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <set>
+#include <vector>
+
+#include "core/printable_text.h"
+#include "import/mesh/text_lines.h"
+
+namespace ajar::obj {
+namespace {
+
+constexpr WarningKind kUnused{Effect::Surface, "words of materials are not supported: ignored"};
+constexpr WarningKind kUnknown{Effect::Slight, "words of materials are unknown and ignored"};
+constexpr WarningKind kOption{Effect::Surface,
+                              "options of images are not supported: the images are as they are"};
+
+/// Words that are read, or have no meaning in a renderer: light is not ambient here.
+const std::vector<std::string> kRead = {
+    "newmtl", "Ka",     "Kd",     "Ks",     "Ke",     "Kt",     "Tf",    "Ni",       "Ns",
+    "d",      "Tr",     "illum",  "Pr",     "Pm",     "norm",   "bump",  "map_bump", "map_Bump",
+    "map_Ka", "map_Kd", "map_Ks", "map_Ke", "map_Pr", "map_Pm", "map_d", "map_aat",  "sharpness"};
+/// Words with a meaning that is not supported. A number of 0 has none.
+const std::vector<std::string> kNotSupported = {
+    "Ps", "Pc", "Pcr", "aniso", "anisor", "map_Ps", "map_Ns", "disp", "decal", "refl", "map_refl"};
+/// Options of images, with those that are ignored without a loss.
+constexpr std::array<std::string_view, 8> kOptions = {"-s",      "-o",      "-clamp", "-blendu",
+                                                      "-blendv", "-texres", "-cc",    "-bm"};
+
+bool contains(const std::vector<std::string>& names, std::string_view name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+std::vector<std::string> all_words() {
+  std::vector<std::string> all = kRead;
+  all.insert(all.end(), kNotSupported.begin(), kNotSupported.end());
+  return all;
+}
+
+bool is_image(std::string_view keyword) {
+  return keyword.starts_with("map_") || keyword == "bump" || keyword == "norm";
+}
+
+class Check {
+ public:
+  Check(const std::string& name, Warnings& warnings)
+      : file_(std::make_shared<const std::string>(name)), warnings_(warnings) {}
+
+  void line(int number, std::string_view line) {
+    LineWords words(line);
+    const std::string keyword(words.word());
+    if (keyword.empty() || keyword.starts_with('#')) return;
+    const SourceLocation where{file_, number, 1};
+    const std::string shown = printable_line(keyword);
+    if (contains(kNotSupported, keyword)) {
+      const std::string_view rest = words.rest();
+      const std::optional<float> value = number_in(rest);
+      if (value && *value == 0.F) return;
+      tell(keyword, kUnused, where, "\"" + shown + "\" is not supported: ignored", shown);
+    } else if (!contains(kRead, keyword)) {
+      const std::string nearest = nearest_name(keyword, all_words());
+      tell(keyword, kUnknown, where,
+           "\"" + shown + "\" is no word of material files" +
+               (nearest.empty() ? "" : "; did you mean \"" + nearest + "\"?") + ": ignored",
+           shown);
+    } else if (is_image(keyword)) {
+      options(where, words);
+    }
+  }
+
+ private:
+  void options(const SourceLocation& where, LineWords& words) {
+    for (std::string_view word = words.word(); !word.empty(); word = words.word()) {
+      const bool is_option = word.size() > 1 && word[0] == '-' && word[1] >= 'a' && word[1] <= 'z';
+      if (!is_option || std::find(kOptions.begin(), kOptions.end(), word) != kOptions.end()) {
+        continue;
+      }
+      const std::string shown = printable_line(word);
+      tell(std::string(word), kOption, where,
+           "the option \"" + shown + "\" of this image is not supported: ignored", shown);
+    }
+  }
+
+  void tell(const std::string& word, const WarningKind& kind, const SourceLocation& where,
+            const std::string& message, const std::string& shown) {
+    if (told_.insert(word).second) warnings_.add(kind, where, message, shown);
+  }
+
+  std::shared_ptr<const std::string> file_;
+  Warnings& warnings_;
+  std::set<std::string> told_;
+};
+
+}  // namespace
+
+void check_material_words(std::string_view text, const std::string& name, Warnings& warnings) {
+  Check check(name, warnings);
+  TextLines lines(text);
+  while (lines.next()) check.line(lines.number(), lines.line());
+}
+
+std::string remark_on_unread(std::string_view keyword) {
+  // Names and groups, and parts of what has been told of before.
+  static const std::vector<std::string> kNoLoss = {
+      "o",     "g",        "s",        "mg",         "usemap",    "maplib", "lod",
+      "bevel", "c_interp", "d_interp", "shadow_obj", "trace_obj", "cstype", "deg",
+      "bmat",  "step",     "parm",     "trim",       "hole",      "scrv",   "sp",
+      "end",   "con",      "ctech",    "stech",      "vp"};
+  static const std::vector<std::string> kShapes = {"l", "p", "curv", "curv2", "surf"};
+  static const std::vector<std::string> kAll = {"v", "vt", "vn", "f", "usemtl", "mtllib"};
+  if (contains(kNoLoss, keyword)) return {};
+  if (contains(kShapes, keyword)) {
+    return "\"" + std::string(keyword) + "\": points, lines, curves and free surfaces are left out";
+  }
+  const std::string nearest = nearest_name(keyword, kAll);
+  return "\"" + printable_line(keyword) + "\" is no word of OBJ files" +
+         (nearest.empty() ? "" : "; did you mean \"" + nearest + "\"?") + ": ignored";
+}
+
+}  // namespace ajar::obj

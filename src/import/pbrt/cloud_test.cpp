@@ -1,0 +1,60 @@
+#include "import/pbrt/cloud.h"
+
+#include <algorithm>
+
+#include "import/pbrt/v4_test_support.h"
+
+namespace ajar::pbrt {
+namespace {
+
+TEST(PbrtCloud, IsDenseBelowAndEndsAbove) {
+  const Cloud cloud;
+  for (float x = 0.05F; x < 1.F; x += 0.1F) {
+    EXPECT_EQ(cloud.at({x, 0.F, 0.3F}), 1.F);
+    EXPECT_GE(cloud.at({x, 0.25F, 0.3F}), 0.5F);
+    EXPECT_EQ(cloud.at({x, 1.F, 0.3F}), 0.F);
+  }
+}
+
+TEST(PbrtCloud, HasTheNoiseAloneInTheUpperHalfWithoutWisps) {
+  // Noise is 0 at the origin, which is where the frequency 0 has all points.
+  Cloud cloud;
+  cloud.wispiness = 0.F;
+  cloud.frequency = 0.F;
+  EXPECT_EQ(cloud.at({0.3F, 0.75F, 0.3F}), 0.F);
+  cloud.frequency = 4.F;
+  cloud.density = 100.F;
+  float least = 1.F;
+  float most = 0.F;
+  for (float x = 0.F; x < 1.F; x += 0.01F) {
+    least = std::min(least, cloud.at({x, 0.75F, 0.3F}));
+    most = std::max(most, cloud.at({x, 0.75F, 0.3F}));
+  }
+  EXPECT_EQ(least, 0.F);
+  EXPECT_EQ(most, 1.F);
+}
+
+TEST(PbrtCloud, IsInTheGridAsItIs) {
+  Cloud cloud;
+  cloud.low = {-1, 0.25F, 0};
+  cloud.high = {0, 0.75F, 0.5F};
+  cloud.frequency = 2.F;
+  const desc::DensityGrid grid = tabulate(cloud);
+  // 2 · 2 · 1.99⁴ = 62.7 cells in a unit.
+  EXPECT_EQ(grid.resolution, desc::Vec3i(64, 33, 33));
+  EXPECT_EQ(grid.values.front(), cloud.at(cloud.low));
+  EXPECT_NEAR(grid.values.back(), cloud.at(cloud.high), 1e-4F);
+  const std::size_t middle = (16U * 33U + 8U) * 64U + 21U;
+  EXPECT_NEAR(grid.values[middle], cloud.at({-1 + 21.F / 63.F, 0.25F + 8.F / 64.F, 0.25F}), 1e-3F);
+}
+
+TEST(PbrtCloud, OfFinerNoiseIsCoarserWithAWarning) {
+  const std::string medium = "MakeNamedMedium \"m\" \"string type\" \"cloud\" ";
+  const desc::SceneDesc usual = v4_scene(medium + "\"float density\" 2 \"float frequency\" 1");
+  EXPECT_EQ(usual.media.at(0).density->grid->resolution, desc::Vec3i(33));
+  const std::string text = v4_warnings(medium + "\"float frequency\" 10 \"point p1\" [1 .01 .01]");
+  EXPECT_TRUE(contains(text, "test.pbrt:2:1: the noise of this cloud is finer")) << text;
+}
+
+}  // namespace
+}  // namespace ajar::pbrt

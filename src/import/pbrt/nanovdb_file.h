@@ -1,0 +1,28 @@
+#pragma once
+#include <optional>
+#include <string_view>
+
+#include "core/error.h"
+#include "scene/desc/density_grid.h"
+
+namespace ajar::pbrt {
+
+/// A grid of floats, at the resolution of its voxels, and where the file places it.
+struct VoxelGrid {
+  desc::DensityGrid grid;
+  Mat4 to_world;  ///< of the unit cube
+};
+
+/// The grid called `grid_name` in the bytes of a NanoVDB file, where its voxels are active; nothing
+/// if there is none of this name. Blocks may be uncompressed or compressed by zlib. Raises
+/// SceneError, at `where`, for other ones, for grids of other numbers, for what is damaged, and for
+/// grids that have more voxels than memory can hold.
+/// Between voxels and around them density is what pbrt-v4 has by trilinear interpolation.
+std::optional<VoxelGrid> read_nanovdb(std::string_view bytes, std::string_view grid_name,
+                                      const SourceLocation& where);
+
+/// Whether the file has a grid of this name. Raises SceneError.
+bool has_nanovdb_grid(std::string_view bytes, std::string_view grid_name,
+                      const SourceLocation& where);
+
+}  // namespace ajar::pbrt
