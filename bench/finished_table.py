@@ -6,6 +6,7 @@
 Means over seeds; first `selective` beside the best of the others. Filters with "+mix" are what `ajar render` shows: mixed from several estimates.
 """
 import csv
+import math
 import statistics
 import sys
 
@@ -15,8 +16,26 @@ FILTERED = [("filtered_relmse", "relMSE"), ("filtered_trimmed", "trimmed"),
             ("filtered_flip", "ꟻLIP")]
 
 
+# 97.5 % of Student's t, by degrees of freedom from 1.
+STUDENT = [12.71, 4.30, 3.18, 2.78, 2.57, 2.45, 2.36, 2.31, 2.26, 2.23, 2.20, 2.18, 2.16, 2.14]
+
+
 def mean_of(rows, column):
     return f"{statistics.mean(float(row[column]) for row in rows):.3g}"
+
+
+def ratio_of(ours, others):
+    """Ratio of two means with its 95 % interval, as `ajar study` has it: its logarithm is taken as normal, with Welch's degrees
+    of freedom."""
+    ratio = statistics.mean(ours) / statistics.mean(others)
+    parts = [statistics.variance(values) / (len(values) * statistics.mean(values) ** 2) if len(values) > 1 else 0.0
+             for values in (ours, others)]
+    variance = sum(parts)
+    if variance == 0.0:
+        return f"{ratio:.2f}"
+    freedom = variance ** 2 / sum(part ** 2 / (len(values) - 1) for part, values in zip(parts, (ours, others)) if part > 0.0)
+    width = STUDENT[min(int(freedom), len(STUDENT)) - 1] * math.sqrt(variance)
+    return f"{ratio:.2f} ({ratio * math.exp(-width):.2f}–{ratio * math.exp(width):.2f})"
 
 
 def print_table(scene, rows, filters):
@@ -42,8 +61,7 @@ def print_summary(rows, filter, ours="selective"):
     names = ["scene", "seeds"]
     for _, name in columns:
         names += [name, "best other", "ratio"]
-    print(f"Finished by {filter.removesuffix('+mix')}: `{ours}`, and the best of the others; ± half of what seeds "
-          "differ by\n")
+    print(f"Finished by {filter.removesuffix('+mix')}: `{ours}`, and the best of the others; ratios with 95 % intervals\n")
     print("| " + " | ".join(names) + " |")
     print("|" + "---|" * len(names))
     lines = []
@@ -57,15 +75,13 @@ def print_summary(rows, filter, ours="selective"):
         own = by_method.pop(ours)
         cells = [scene, str(len(own))]
         for column, _ in columns:
-            means = {method: statistics.mean(float(row[column]) for row in of_method)
-                     for method, of_method in by_method.items()}
-            best = min(means, key=means.get)
-            ratios = [float(row[column]) / means[best] for row in own]
-            spread = (max(ratios) - min(ratios)) / 2
-            mean = statistics.mean(ratios)
-            cells += [f"{mean * means[best]:.2g}", f"{means[best]:.2g} (`{best}`)", f"{mean:.2f} ± {spread:.2f}"]
+            values = {method: [float(row[column]) for row in of_method] for method, of_method in by_method.items()}
+            best = min(values, key=lambda method: statistics.mean(values[method]))
+            ours_here = [float(row[column]) for row in own]
+            mean, of_best = statistics.mean(ours_here), statistics.mean(values[best])
+            cells += [f"{mean:.2g}", f"{of_best:.2g} (`{best}`)", ratio_of(ours_here, values[best])]
             if column == columns[0][0]:
-                order = mean
+                order = mean / of_best
         lines.append((order, "| " + " | ".join(cells) + " |"))
     for _, line in sorted(lines):
         print(line)

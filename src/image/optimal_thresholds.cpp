@@ -1,21 +1,18 @@
 #include "image/optimal_thresholds.h"
 
 #include <cmath>
-#include <stdexcept>
 #include <utility>
+
+#include "image/check_argument.h"
 
 namespace ajar {
 
 namespace {
 
-void check(bool condition, const char* message) {
-  if (!condition) throw std::invalid_argument(message);
-}
-
 void check_costs(const ThresholdCosts& costs) {
-  check(costs.omc_sample > 0.0 && costs.mutation > 0.0 && costs.correlation > 0.0 &&
-            costs.base_variance >= 0.0,
-        "optimal thresholds: costs are not positive");
+  check_argument(costs.omc_sample > 0.0 && costs.mutation > 0.0 && costs.correlation > 0.0 &&
+                     costs.base_variance >= 0.0,
+                 "optimal thresholds: costs are not positive");
 }
 
 /// Lets each region take what is best for it while X and b stay about what they are.
@@ -44,7 +41,8 @@ std::vector<std::size_t> respond(std::span<const ThresholdEstimate> regions,
 ThresholdChoice predict_thresholds(std::span<const ThresholdEstimate> regions,
                                    const ThresholdCosts& costs, std::vector<std::size_t> chosen) {
   check_costs(costs);
-  check(chosen.size() == regions.size(), "optimal thresholds: there is not one per region");
+  check_argument(chosen.size() == regions.size(),
+                 "optimal thresholds: there is not one per region");
   ThresholdChoice choice{std::move(chosen), costs.base_variance, 0.0, 0.0};
   for (std::size_t r = 0; r < regions.size(); ++r) {
     choice.variance += regions[r].variance.at(choice.chosen[r]);
@@ -60,10 +58,10 @@ ThresholdChoice optimal_thresholds(std::span<const ThresholdEstimate> regions,
                                    const ThresholdCosts& costs) {
   if (regions.empty()) return predict_thresholds(regions, costs, {});
   const std::size_t count = regions.front().light.size();
-  check(count > 0, "optimal thresholds: there are none to choose from");
+  check_argument(count > 0, "optimal thresholds: there are none to choose from");
   for (const ThresholdEstimate& region : regions) {
-    check(region.light.size() == count && region.variance.size() == count,
-          "optimal thresholds: regions have different numbers of them");
+    check_argument(region.light.size() == count && region.variance.size() == count,
+                   "optimal thresholds: regions have different numbers of them");
   }
   ThresholdChoice best;
   for (std::size_t start = 0; start < count; ++start) {

@@ -3,34 +3,33 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <stdexcept>
+
+#include "image/check_argument.h"
 
 namespace ajar {
 
 namespace {
 
-void check(bool condition, const char* message) {
-  if (!condition) throw std::invalid_argument(message);
-}
-
 void check_regions(std::span<const RegionEstimate> regions) {
   for (const RegionEstimate& region : regions) {
     // Written so that NaN fails.
-    check(region.variance >= 0.0, "optimal weights: a variance is negative or not a number");
-    check(region.light >= 0.0 && std::isfinite(region.light),
-          "optimal weights: the light of a region is negative or not finite");
-    check(0.0 <= region.minimum && region.minimum <= region.maximum && region.maximum <= 1.0,
-          "optimal weights: the bounds of a region are not an interval in [0, 1]");
+    check_argument(region.variance >= 0.0,
+                   "optimal weights: a variance is negative or not a number");
+    check_argument(region.light >= 0.0 && std::isfinite(region.light),
+                   "optimal weights: the light of a region is negative or not finite");
+    check_argument(
+        0.0 <= region.minimum && region.minimum <= region.maximum && region.maximum <= 1.0,
+        "optimal weights: the bounds of a region are not an interval in [0, 1]");
   }
 }
 
 bool is_positive(double value) { return value > 0.0 && std::isfinite(value); }
 
 void check_effort(const Effort& effort) {
-  check(is_positive(effort.omc_samples) && is_positive(effort.mutations),
-        "optimal weights: both halves need samples");
-  check(effort.correlation >= 0.0 && std::isfinite(effort.correlation),
-        "optimal weights: the correlation of the chains is negative or not finite");
+  check_argument(is_positive(effort.omc_samples) && is_positive(effort.mutations),
+                 "optimal weights: both halves need samples");
+  check_argument(effort.correlation >= 0.0 && std::isfinite(effort.correlation),
+                 "optimal weights: the correlation of the chains is negative or not finite");
 }
 
 /// Best σ of a region if the chains' light is `chain_light`; `slope` is C·n/N, or half of it.
@@ -55,7 +54,8 @@ OptimalWeights predict_error(std::span<const RegionEstimate> regions, const Effo
                              std::span<const double> weights) {
   check_regions(regions);
   check_effort(effort);
-  check(weights.size() == regions.size(), "optimal weights: there is not one weight per region");
+  check_argument(weights.size() == regions.size(),
+                 "optimal weights: there is not one weight per region");
   OptimalWeights result{{weights.begin(), weights.end()}, 0.0, 0.0, 0.0};
   for (std::size_t r = 0; r < regions.size(); ++r) {
     const double rest = 1.0 - weights[r];
@@ -92,10 +92,11 @@ OptimalWeights optimal_weights(std::span<const RegionEstimate> regions, const Ef
 }
 
 TimeSplit optimal_split(std::span<const RegionEstimate> regions, const RenderCosts& costs) {
-  check(is_positive(costs.seconds) && is_positive(costs.seconds_per_omc_sample) &&
-            is_positive(costs.seconds_per_mutation),
-        "optimal split: times are not positive");
-  check(costs.omc_only_variance >= 0.0, "optimal split: a variance is negative or not a number");
+  check_argument(is_positive(costs.seconds) && is_positive(costs.seconds_per_omc_sample) &&
+                     is_positive(costs.seconds_per_mutation),
+                 "optimal split: times are not positive");
+  check_argument(costs.omc_only_variance >= 0.0,
+                 "optimal split: a variance is negative or not a number");
   const auto split_at = [&](double share) {
     TimeSplit split;
     split.omc_share = share;

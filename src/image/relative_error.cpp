@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "image/blur.h"
+#include "image/channels.h"
 #include "image/heuristics.h"
 #include "image/truth_guess.h"
 
@@ -17,7 +18,6 @@ namespace ajar {
 
 namespace {
 
-constexpr std::size_t kChannels = 3;
 constexpr std::size_t kPlace = ImageHeuristics::kPlace;
 
 /// t² + 0.01 μ².

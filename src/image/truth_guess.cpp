@@ -8,13 +8,13 @@
 #include <utility>
 
 #include "core/parallel_for.h"
+#include "image/channels.h"
 #include "image/heuristics.h"
 
 namespace ajar {
 
 namespace {
 
-constexpr std::size_t kChannels = 3;
 /// Relative to the median: squares of what is brighter might not be finite.
 constexpr double kMost = 1e17;
 

@@ -13,14 +13,14 @@
 #include "post/exposure.h"
 #include "session/catalog.h"
 #include "session/filter_option.h"
+#include "session/limits.h"
 
 namespace ajar {
 
 namespace {
 
 /// What the command line and scenes allow.
-constexpr int kMaxResolution = 65536;
-constexpr int kMaxDepth = 1000001;
+constexpr int kMostEdges = 1000001;
 constexpr std::uint64_t kMaxShares = 1000000;
 /// Far beyond any light, and far from where powers of two end.
 constexpr double kLargestMagnitude = 1e100;
@@ -48,7 +48,7 @@ void check_settings(const RenderSettings& settings) {
   }
   require(is_inside(settings.crop, settings.resolution), "its crop is not inside the picture");
   require(settings.min_depth >= 1 && settings.min_depth <= settings.max_depth &&
-              settings.max_depth <= kMaxDepth,
+              settings.max_depth <= kMostEdges,
           "its depths cannot be");
   require(settings.replicates >= 1, "it has no replicates");
 }

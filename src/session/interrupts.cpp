@@ -10,14 +10,14 @@ namespace {
 
 constexpr int kExitInterrupted = 130;
 
-InterruptCount count{0};
+InterruptCount interrupts{0};
 InterruptCount pictures{0};
 std::atomic<bool> rendering{false};
 static_assert(InterruptCount::is_always_lock_free, "needed in a signal handler");
 
 extern "C" void count_signal(int) {
   if (!rendering.load(std::memory_order_relaxed)) _exit(kExitInterrupted);
-  if (count.fetch_add(1, std::memory_order_relaxed) >= 2) _exit(kExitInterrupted);
+  if (interrupts.fetch_add(1, std::memory_order_relaxed) >= 2) _exit(kExitInterrupted);
 }
 
 extern "C" void count_picture(int) { pictures.fetch_add(1, std::memory_order_relaxed); }
@@ -43,7 +43,7 @@ void install_interrupt_handlers() {
 
 void begin_render() { rendering = true; }
 
-InterruptCount& interrupt_count() { return count; }
+InterruptCount& interrupt_count() { return interrupts; }
 const InterruptCount& picture_requests() { return pictures; }
 
 }  // namespace ajar

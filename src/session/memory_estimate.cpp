@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/available_memory.h"
+#include "image/channels.h"
 #include "image/relative_error.h"
 #include "scene/scene_memory.h"
 
@@ -14,7 +15,6 @@ namespace ajar {
 
 namespace {
 
-constexpr std::uint64_t kChannels = 3;
 /// A layer as it is developed, gathered with the others for the file, and in the file's bytes.
 constexpr std::uint64_t kPictureCopies = 3;
 

@@ -9,12 +9,12 @@
 
 #include "core/error.h"
 #include "post/exposure.h"
+#include "session/limits.h"
 
 namespace ajar {
 
 namespace {
 
-constexpr int kMaxResolution = 65536;
 constexpr int kMaxDepth = 1000;
 
 [[noreturn]] void reject(const std::string& option, std::string_view text,

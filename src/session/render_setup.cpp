@@ -8,13 +8,13 @@
 #include "core/error.h"
 #include "integrator/make_filter.h"
 #include "session/catalog.h"
+#include "session/limits.h"
 #include "session/scene_file.h"
 
 namespace ajar {
 
 namespace {
 
-constexpr int kMaxResolution = 65536;
 constexpr const char* kDefaultIntegrator = "selective";
 /// What files of other renderers ask for if nobody chose: not a wish.
 constexpr const char* kPlain = "pt";

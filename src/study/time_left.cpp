@@ -3,7 +3,7 @@
 namespace ajar::study {
 
 namespace {
-struct Mean {
+struct RunningMean {
   double sum = 0;
   double count = 0;
   void add(double value, double weight) {
@@ -21,8 +21,8 @@ double samples_of(const StudyPlan& plan, const StudyRun& run) {
 std::optional<double> seconds_left(const StudyPlan& plan, const std::vector<StudyRun>& runs,
                                    const std::vector<std::optional<RunRecord>>& records,
                                    std::size_t next) {
-  Mean all;
-  std::map<std::pair<std::size_t, std::size_t>, Mean> per_sample;
+  RunningMean all;
+  std::map<std::pair<std::size_t, std::size_t>, RunningMean> per_sample;
   for (std::size_t i = 0; i < runs.size(); ++i) {
     if (!records[i]) continue;
     const double seconds = records[i]->json.value("seconds", 0.0);

@@ -1,5 +1,6 @@
 #include "apps/cli/commands.h"
 #include "apps/cli/denoise_progress.h"
+#include "apps/cli/exit_codes.h"
 #include "apps/cli/messages.h"
 #include "apps/cli/render_report.h"
 #include "core/error.h"
@@ -9,13 +10,6 @@
 #include "session/written_paths.h"
 
 namespace ajar::cli {
-
-namespace {
-
-constexpr int kExitFile = 4;
-constexpr int kExitInterrupted = 130;
-
-}  // namespace
 
 int denoise(const DenoiseArguments& a) {
   const Display wanted{tone_map_by_name(a.tone_map), a.exposure};

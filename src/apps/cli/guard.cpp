@@ -5,15 +5,13 @@
 #include <new>
 #include <string>
 
+#include "apps/cli/exit_codes.h"
 #include "apps/cli/messages.h"
 #include "core/error.h"
 
 namespace ajar::cli {
 
 namespace {
-constexpr int kExitScene = 3;
-constexpr int kExitFile = 4;
-
 int run_guarded(const std::function<int()>& command, bool& raised) {
   raised = true;
   try {

@@ -4,6 +4,7 @@
 
 #include "apps/cli/commands.h"
 #include "apps/cli/denoise_progress.h"
+#include "apps/cli/exit_codes.h"
 #include "apps/cli/messages.h"
 #include "apps/cli/render_report.h"
 #include "core/error.h"
@@ -19,9 +20,6 @@
 namespace ajar::cli {
 
 namespace {
-
-constexpr int kExitFile = 4;
-
 RenderStatistics statistics_of_merged(const Checkpoint& merged) {
   RenderStatistics statistics = statistics_of(merged.render);
   statistics.preparation = merged.preparation;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "apps/cli/console.h"
+#include "apps/cli/exit_codes.h"
 #include "session/interrupts.h"
 #include "session/option_values.h"
 #include "session/render.h"
@@ -12,10 +13,6 @@
 namespace ajar::cli {
 
 namespace {
-
-constexpr int kExitFile = 4;
-constexpr int kExitInterrupted = 130;
-
 RenderFiles files_of(const RunArguments& a) {
   RenderFiles files;
   files.pictures = a.outputs;

@@ -1,6 +1,7 @@
 #include <filesystem>
 
 #include "apps/cli/commands.h"
+#include "apps/cli/exit_codes.h"
 #include "apps/cli/messages.h"
 #include "core/error.h"
 #include "core/file_lock.h"
@@ -13,9 +14,6 @@ namespace ajar::cli {
 
 namespace {
 namespace fs = std::filesystem;
-
-constexpr int kExitFailedRuns = 1;
-constexpr int kExitInterrupted = 130;
 
 fs::path make_folder(const std::string& path) {
   std::error_code error;

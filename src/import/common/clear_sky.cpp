@@ -5,13 +5,13 @@
 
 #include "core/color.h"
 #include "core/daylight.h"
+#include "import/common/degree.h"
 #include "import/common/transforms.h"
 #include "scene/desc/models.h"
 
 namespace ajar {
 namespace {
 
-constexpr double kDegree = M_PI / 180.0;
 /// As the light `sky` has them.
 constexpr double kLeastTurbidity = 2.0;
 constexpr double kMostTurbidity = 10.0;

@@ -51,7 +51,7 @@ constexpr std::array<Conductor, 33> kConductors = {
      {"VC", {3.6576, 2.7527, 2.5327}, {3.0684, 2.1987, 1.9632}},
      {"VN", {2.8656, 2.1192, 1.9401}, {3.0323, 2.0561, 1.6163}}}};
 
-constexpr std::array<std::string_view, 7> kMetals = {"Ag", "Al", "Au", "Cr", "Cu", "Ni", "W"};
+constexpr std::array<std::string_view, 7> kMetalNames = {"Ag", "Al", "Au", "Cr", "Cu", "Ni", "W"};
 
 }  // namespace
 
@@ -69,7 +69,7 @@ std::optional<ComplexIndex> conductor_named(std::string_view name) {
 }
 
 std::vector<std::string> conductor_names() {
-  std::vector<std::string> names(kMetals.begin(), kMetals.end());
+  std::vector<std::string> names(kMetalNames.begin(), kMetalNames.end());
   for (const Conductor& entry : kConductors) names.emplace_back(entry.name);
   std::sort(names.begin(), names.end());
   return names;

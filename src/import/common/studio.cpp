@@ -6,12 +6,11 @@
 #include <limits>
 #include <map>
 
+#include "import/common/degree.h"
 #include "scene/desc/models.h"
 
 namespace ajar {
 namespace {
-
-constexpr double kDegree = M_PI / 180.0;
 
 /// Of the camera: seen from the front, to the right, and above. High enough that the table reaches
 /// beyond the upper edge of the picture.

@@ -9,7 +9,7 @@ namespace ajar::gltf {
 namespace {
 
 constexpr WarningKind kUnread{Effect::Surface, "extensions of materials are not read"};
-constexpr WarningKind kUnknown{Effect::Slight, "extensions are not known and ignored"};
+constexpr WarningKind kUnknownExtension{Effect::Slight, "extensions are not known and ignored"};
 constexpr WarningKind kMissingShapes{Effect::Geometry,
                                      "extensions that place or change meshes are not read"};
 
@@ -80,7 +80,8 @@ void warn_of_extension(const std::string& name, const SourceLocation& where, War
     warnings.add(unread->kind, where, shown + " is not read: " + std::string(unread->consequence),
                  shown);
   } else {
-    warnings.add(kUnknown, where, "the extension " + shown + " is not known: ignored", shown);
+    warnings.add(kUnknownExtension, where, "the extension " + shown + " is not known: ignored",
+                 shown);
   }
 }
 

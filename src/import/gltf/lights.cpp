@@ -8,7 +8,8 @@
 namespace ajar::gltf {
 namespace {
 
-constexpr WarningKind kRange{Effect::Slight, "lights have a range, beyond which they shine, too"};
+constexpr WarningKind kLightRange{Effect::Slight,
+                                  "lights have a range, beyond which they shine, too"};
 constexpr const char* kExtension = "KHR_lights_punctual";
 
 float degrees(double radians) { return static_cast<float>(radians * 180.0 / M_PI); }
@@ -52,7 +53,7 @@ void add_lights(Context& context, const std::vector<PlacedNode>& nodes) {
     // Spots shine along −z here and along +z there; a `distant` light comes from +z in both.
     added.to_world = added.node.is("spot") ? turned_around(placed.to_world) : placed.to_world;
     if (light.has("range")) {
-      context.warnings.add(kRange, light.where(), "the range of this light is ignored");
+      context.warnings.add(kLightRange, light.where(), "the range of this light is ignored");
     }
   }
 }

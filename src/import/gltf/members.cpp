@@ -10,7 +10,7 @@
 namespace ajar::gltf {
 namespace {
 
-constexpr WarningKind kUnknown{Effect::Slight, "members are unknown and ignored"};
+constexpr WarningKind kUnknownMember{Effect::Slight, "members are unknown and ignored"};
 
 /// Of an object, or in an array of that name, objects of a kind; without a kind nothing that has
 /// members, or what is not read.
@@ -204,7 +204,7 @@ class MemberCheck {
     for (const Member& member : members) valid.push_back(member.name);
     const std::string shown = printable_line(name);
     const std::string nearest = nearest_name(name, valid);
-    warnings_.add(kUnknown, object.where(),
+    warnings_.add(kUnknownMember, object.where(),
                   std::string(kind) + " has no member \"" + shown + "\"" +
                       (nearest.empty() ? "" : "; did you mean \"" + nearest + "\"?") + ": ignored",
                   shown);

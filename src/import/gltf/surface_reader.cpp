@@ -10,7 +10,8 @@
 namespace ajar::gltf {
 namespace {
 
-constexpr WarningKind kRange{Effect::Surface, "factors of materials are out of range: clamped"};
+constexpr WarningKind kFactorRange{Effect::Surface,
+                                   "factors of materials are out of range: clamped"};
 constexpr WarningKind kCoatNormals{Effect::Slight, "clear coats have normal maps: ignored"};
 constexpr WarningKind kCoatRoughness{Effect::Slight,
                                      "clear coats have a texture of their roughness: ignored"};
@@ -287,7 +288,7 @@ desc::Rgb SurfaceReader::clamped_color(const Element& holder, std::string_view n
     excess = std::max(excess, std::abs(value[lane] - clamped[lane]));
   }
   if (excess > kRounding) {
-    context_.warnings.add(kRange, holder.at(name).where(),
+    context_.warnings.add(kFactorRange, holder.at(name).where(),
                           "this must be from 0 to 1; what is beyond is clamped");
   }
   return clamped;

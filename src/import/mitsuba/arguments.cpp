@@ -11,7 +11,7 @@ namespace {
 
 constexpr WarningKind kOtherKind{Effect::Surface,
                                  "properties are of another kind than expected and ignored"};
-constexpr WarningKind kUnknown{Effect::Slight, "properties are unknown and ignored"};
+constexpr WarningKind kUnknownProperty{Effect::Slight, "properties are unknown and ignored"};
 
 }  // namespace
 
@@ -156,7 +156,7 @@ void Arguments::report_unused() const {
   const auto report = [&](const SourceLocation& where, const std::string& name) {
     const std::string shown = printable(spelled(name));
     const std::string nearest = nearest_name(spelled(name), valid);
-    context_.warnings.add(kUnknown, where,
+    context_.warnings.add(kUnknownProperty, where,
                           owner + " has no property \"" + shown + "\"" +
                               (nearest.empty() ? "" : "; did you mean \"" + nearest + "\"?") +
                               ": ignored",

@@ -11,7 +11,7 @@
 namespace ajar::mitsuba {
 namespace {
 
-constexpr WarningKind kUnknown{Effect::Slight, "attributes are unknown and ignored"};
+constexpr WarningKind kUnknownAttribute{Effect::Slight, "attributes are unknown and ignored"};
 
 using Names = std::vector<std::string>;
 
@@ -75,7 +75,7 @@ void check(const XmlFile& file, const pugi::xml_node& node, Warnings& warnings) 
       continue;
     }
     const std::string nearest = nearest_name(name, known->second);
-    warnings.add(kUnknown, file.where(node),
+    warnings.add(kUnknownAttribute, file.where(node),
                  "<" + std::string(known->first) + "> has no attribute \"" + printable(name) +
                      "\"" + (nearest.empty() ? "" : "; did you mean \"" + nearest + "\"?") +
                      ": ignored",

@@ -9,10 +9,10 @@
 namespace ajar::mitsuba {
 namespace {
 
-constexpr WarningKind kLeftOut{Effect::Geometry, "shapes are left out"};
+constexpr WarningKind kShapesLeftOut{Effect::Geometry, "shapes are left out"};
 
 std::optional<Geometry> skip(const Arguments& arguments, const std::string& reason) {
-  arguments.context().warnings.add(kLeftOut, arguments.where(), reason + ": shape left out",
+  arguments.context().warnings.add(kShapesLeftOut, arguments.where(), reason + ": shape left out",
                                    printable(arguments.element().type));
   return std::nullopt;
 }

@@ -10,8 +10,8 @@
 namespace ajar::mitsuba {
 namespace {
 
-constexpr WarningKind kLeftOut{Effect::Light, "lights are left out"};
-constexpr WarningKind kNoFile{Effect::Light, "environment maps have no \"filename\": left out"};
+constexpr WarningKind kLightsLeftOut{Effect::Light, "lights are left out"};
+constexpr WarningKind kNoMapFile{Effect::Light, "environment maps have no \"filename\": left out"};
 constexpr WarningKind kSpotTexture{Effect::Surface,
                                    "spot lights have a texture, which is not supported"};
 constexpr WarningKind kSpotEdge{Effect::Slight,
@@ -23,9 +23,9 @@ constexpr WarningKind kProjector{
 constexpr WarningKind kBeam{Effect::Light,
                             "collimated beams are not supported: narrow spots stand in"};
 
-const std::vector<std::string> kKnown = {"area", "constant",    "envmap",    "point",
-                                         "spot", "directional", "projector", "collimated",
-                                         "sky",  "sun",         "sunsky"};
+const std::vector<std::string> kKnownLights = {"area", "constant",    "envmap",    "point",
+                                               "spot", "directional", "projector", "collimated",
+                                               "sky",  "sun",         "sunsky"};
 
 struct Source {
   Context& context;
@@ -60,7 +60,7 @@ std::optional<desc::Light> environment(const Source& in) {
                             "\"gamma\" is not supported: the image is decoded as its format says");
   }
   in.arguments.accept({"cache", "mis_compensation"});
-  if (!name || name->empty()) return in.skip(kNoFile, "this envmap has no \"filename\"");
+  if (!name || name->empty()) return in.skip(kNoMapFile, "this envmap has no \"filename\"");
   const Vec3 scale(in.arguments.number("scale", 1.F));
   desc::Node node = in.node("environment", {{"radiance", scale}});
   node.set("image", in.context.files.files().resolve(in.context.files.find(*name)));
@@ -108,7 +108,7 @@ std::optional<desc::Light> directional(const Source& in) {
   }
   // Ours says where the light comes from.
   const std::optional<Mat4> turn = z_to(-travels);
-  if (!turn) return in.skip(kLeftOut, "this light has no direction");
+  if (!turn) return in.skip(kLightsLeftOut, "this light has no direction");
   return in.light(in.node("distant", {{"irradiance", in.color("irradiance", 1.F)}}), *turn);
 }
 
@@ -158,8 +158,8 @@ std::optional<desc::Light> make_light(const Source& in) {
   if (type == "projector") return projector(in);
   if (type == "collimated") return collimated(in);
   in.arguments.accept_all();
-  if (type == "area") return in.skip(kLeftOut, "an area light must be in a shape");
-  return in.skip(kLeftOut, unknown_name_message("emitter", printable(type), kKnown));
+  if (type == "area") return in.skip(kLightsLeftOut, "an area light must be in a shape");
+  return in.skip(kLightsLeftOut, unknown_name_message("emitter", printable(type), kKnownLights));
 }
 
 }  // namespace
@@ -179,7 +179,7 @@ void add_lights(Context& context, MediumTable& media, const Element& emitter) {
   if (!light) return;
   if (!around.empty()) light->medium = media.make(*around.front());
   if (!inverse(light->to_world)) {
-    source.skip(kLeftOut, "the transform of this light cannot be inverted");
+    source.skip(kLightsLeftOut, "the transform of this light cannot be inverted");
     return;
   }
   context.scene.lights.push_back(std::move(*light));

@@ -7,8 +7,8 @@
 namespace ajar::mitsuba {
 namespace {
 
-constexpr WarningKind kStandIn{Effect::Surface,
-                               "materials are not supported: diffuse ones stand in"};
+constexpr WarningKind kMaterialStandIn{Effect::Surface,
+                                       "materials are not supported: diffuse ones stand in"};
 
 /// Diffuse, with the nearest thing to a colour.
 Surface stand_in(const MaterialInputs& in) {
@@ -16,7 +16,7 @@ Surface stand_in(const MaterialInputs& in) {
   std::vector<std::string> known;
   for (const MaterialPlugin& plugin : material_plugins()) known.emplace_back(plugin.type);
   in.arguments.context().warnings.add(
-      kStandIn, in.arguments.where(),
+      kMaterialStandIn, in.arguments.where(),
       unknown_name_message("bsdf", printable(type), known) + ". A diffuse one stands in",
       printable(type));
   desc::Value color = Vec3(0.5F);

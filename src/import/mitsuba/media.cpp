@@ -9,7 +9,8 @@
 namespace ajar::mitsuba {
 namespace {
 
-constexpr WarningKind kUnknown{Effect::Surface, "media are unknown: homogeneous ones stand in"};
+constexpr WarningKind kUnknownMedium{Effect::Surface,
+                                     "media are unknown: homogeneous ones stand in"};
 constexpr WarningKind kPreset{Effect::Surface,
                               "media are presets: what is known of their scattering stands in"};
 constexpr WarningKind kPhase{
@@ -91,7 +92,7 @@ desc::MediumId MediumTable::make(const Element& element) {
   const bool is_known = element.type == "homogeneous" || element.type == "heterogeneous";
   if (!is_known) {
     static const std::vector<std::string> kTypes = {"homogeneous", "heterogeneous"};
-    context_.warnings.add(kUnknown, element.where,
+    context_.warnings.add(kUnknownMedium, element.where,
                           unknown_name_message("medium", printable(element.type), kTypes) +
                               ". A homogeneous one stands in",
                           printable(element.type));

@@ -9,7 +9,7 @@
 namespace ajar::mitsuba {
 namespace {
 
-constexpr WarningKind kNoFile{Effect::Geometry, "meshes have no \"filename\": left out"};
+constexpr WarningKind kNoMeshFile{Effect::Geometry, "meshes have no \"filename\": left out"};
 constexpr WarningKind kSmoothAngle{
     Effect::Slight, "meshes have sharp edges by an angle, which is not supported: smooth"};
 
@@ -43,7 +43,7 @@ std::optional<Geometry> make_mesh_geometry(Arguments& arguments, MeshLoader& mes
   }
   arguments.accept({"srgb", "collapse", "load_materials", "vertex_count", "face_count"});
   if (!name || name->empty()) {
-    context.warnings.add(kNoFile, arguments.where(), "this mesh has no \"filename\": left out");
+    context.warnings.add(kNoMeshFile, arguments.where(), "this mesh has no \"filename\": left out");
     return std::nullopt;
   }
 

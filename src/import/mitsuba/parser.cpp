@@ -17,7 +17,7 @@ constexpr WarningKind kUnknownTag{Effect::Slight, "elements are unknown and igno
 constexpr WarningKind kNoVersion{Effect::None, "scenes do not say for which version they are"};
 constexpr WarningKind kSameId{Effect::Surface, "ids are given twice: the later ones count"};
 
-constexpr int kDeepestNesting = 100;
+constexpr int kDeepestElements = 100;
 constexpr int kMostFiles = 1000;
 
 /// Elements that are plugins.
@@ -76,7 +76,7 @@ void Parser::read_version(const XmlFile& file) {
 }
 
 void Parser::read_content(const Source& source, Element& parent, int depth) {
-  if (depth > kDeepestNesting) {
+  if (depth > kDeepestElements) {
     throw SceneError(source.file.where(source.node), "elements are nested too deeply");
   }
   for (const pugi::xml_node& node : source.node.children()) {

@@ -9,13 +9,13 @@
 namespace ajar::mitsuba {
 namespace {
 
-constexpr WarningKind kUnknown{Effect::Light,
-                               "sensors are not supported: perspective ones stand in"};
+constexpr WarningKind kUnknownSensor{Effect::Light,
+                                     "sensors are not supported: perspective ones stand in"};
 constexpr WarningKind kClipped{Effect::Slight, "cameras have clip planes: not supported"};
 constexpr WarningKind kAxis{Effect::Light, "fov axes are unknown: that of x stands in"};
 
-const std::vector<std::string> kKnown = {"perspective", "thinlens", "orthographic", "telecentric",
-                                         "spherical"};
+const std::vector<std::string> kKnownSensors = {"perspective", "thinlens", "orthographic",
+                                                "telecentric", "spherical"};
 const std::vector<std::string> kAxes = {"x", "y", "diagonal", "smaller", "larger"};
 
 double to_degrees(double radians) { return radians * 180.0 / M_PI; }
@@ -120,8 +120,8 @@ void read_sensor(Context& context, MediumTable& media, const Element& element) {
     camera.node = desc::EnvironmentCamera{};
   } else {
     if (element.type != "perspective" && element.type != "thinlens") {
-      context.warnings.add(kUnknown, element.where,
-                           unknown_name_message("sensor", printable(element.type), kKnown) +
+      context.warnings.add(kUnknownSensor, element.where,
+                           unknown_name_message("sensor", printable(element.type), kKnownSensors) +
                                ". A perspective one stands in",
                            printable(element.type));
     }

@@ -28,7 +28,7 @@ constexpr WarningKind kDiskTexture{
     Effect::Surface, "disks have textures, which run in another way: around for along the radius"};
 constexpr WarningKind kSensor{Effect::None, "sensors on shapes are not supported and left out"};
 
-constexpr int kDeepestNesting = 100;
+constexpr int kDeepestGroups = 100;
 
 bool has_texture(const desc::Material& material) {
   const std::span<const desc::Value> values = material.node.values();
@@ -43,7 +43,7 @@ void ShapeBuilder::add(const Element& shape) { add_to(shape, context_.scene.shap
 
 void ShapeBuilder::add_to(const Element& element, std::vector<desc::Shape>& shapes,
                           bool is_in_group, int depth) {
-  if (depth > kDeepestNesting) throw SceneError(element.where, "shapes are nested too deeply");
+  if (depth > kDeepestGroups) throw SceneError(element.where, "shapes are nested too deeply");
   if (element.type == "shapegroup" && !is_in_group) return;  // only its instances are seen
   Arguments arguments(context_, element);
   if (element.type == "instance") {

@@ -7,15 +7,17 @@
 namespace ajar::mitsuba {
 namespace {
 
-constexpr WarningKind kNoFile{Effect::Surface, "textures have no \"filename\""};
-constexpr WarningKind kStandIn{Effect::Surface, "textures are not supported: grey stands in"};
+constexpr WarningKind kNoImageFile{Effect::Surface, "textures have no \"filename\""};
+constexpr WarningKind kTextureStandIn{Effect::Surface,
+                                      "textures are not supported: grey stands in"};
 constexpr WarningKind kWrap{
     Effect::Surface, "textures have a wrap mode that is not supported: the nearest stands in"};
 constexpr WarningKind kFilter{Effect::Slight, "textures have an unknown filter: bilinear"};
 constexpr WarningKind kChannel{Effect::Surface,
                                "textures use a channel of an image that is not supported: all"};
 
-const std::vector<std::string> kKnown = {"bitmap", "checkerboard", "scale", "uniform", "srgb"};
+const std::vector<std::string> kKnownTextures = {"bitmap", "checkerboard", "scale", "uniform",
+                                                 "srgb"};
 
 desc::Node constant(const desc::Rgb& value) {
   return desc::texture_node("constant", {{"value", Vec3(value)}});
@@ -123,7 +125,7 @@ desc::Node TextureTable::bitmap(Arguments& arguments) {
   if (name && !name->empty()) {
     node.set("file", context_.files.files().resolve(context_.files.find(*name)));
   } else {
-    context_.warnings.add(kNoFile, arguments.where(), "this bitmap has no \"filename\"");
+    context_.warnings.add(kNoImageFile, arguments.where(), "this bitmap has no \"filename\"");
   }
 
   const std::optional<double> gamma = arguments.number("gamma");
@@ -198,8 +200,8 @@ desc::Node TextureTable::scale(Arguments& arguments) {
 desc::Node TextureTable::stand_in(Arguments& arguments) {
   const std::string& type = arguments.element().type;
   context_.warnings.add(
-      kStandIn, arguments.where(),
-      unknown_name_message("texture", printable(type), kKnown) + ". Grey stands in",
+      kTextureStandIn, arguments.where(),
+      unknown_name_message("texture", printable(type), kKnownTextures) + ". Grey stands in",
       printable(type));
   // A grid and the like have colours: their mean is nearer than any grey.
   const std::optional<desc::Rgb> first = arguments.color("color0");

@@ -14,8 +14,8 @@ namespace {
 
 constexpr WarningKind kUnreadable{Effect::Surface,
                                   "grids of media cannot be read: they count as empty"};
-constexpr WarningKind kUnknown{Effect::Surface,
-                               "volumes are not supported: one value for all stands in"};
+constexpr WarningKind kUnknownVolume{Effect::Surface,
+                                     "volumes are not supported: one value for all stands in"};
 constexpr WarningKind kColors{
     Effect::Surface, "media have colours that vary, which is not supported: the mean stands in"};
 constexpr WarningKind kLookup{Effect::Slight,
@@ -43,7 +43,7 @@ std::optional<desc::Rgb> constant(Arguments& volume, const char* fallback) {
   const std::string& type = volume.element().type;
   const std::optional<desc::Rgb> value = volume.color(type == "srgb" ? "color" : "value");
   if (type != "constvolume" && type != "uniform" && type != "srgb") {
-    volume.context().warnings.add(kUnknown, volume.where(),
+    volume.context().warnings.add(kUnknownVolume, volume.where(),
                                   unknown_name_message("volume", printable(type), kTypes) + ". " +
                                       (value ? "Its \"value\"" : fallback) + " stands in",
                                   printable(type));

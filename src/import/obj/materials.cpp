@@ -7,7 +7,8 @@
 namespace ajar::obj {
 namespace {
 
-constexpr WarningKind kUnknown{Effect::Surface, "materials are not known: a light grey stands in"};
+constexpr WarningKind kUnknownMaterial{Effect::Surface,
+                                       "materials are not known: a light grey stands in"};
 
 }  // namespace
 
@@ -19,7 +20,7 @@ const Surface& Materials::of(const std::string& material, const SourceLocation& 
     return place->second;
   }
   if (!material.empty()) {
-    warnings_.add(kUnknown, where,
+    warnings_.add(kUnknownMaterial, where,
                   unknown_name_message("material", printable_line(material), library_.names()) +
                       "; a light grey stands in",
                   printable_line(material));

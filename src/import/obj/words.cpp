@@ -13,7 +13,7 @@ namespace ajar::obj {
 namespace {
 
 constexpr WarningKind kUnused{Effect::Surface, "words of materials are not supported: ignored"};
-constexpr WarningKind kUnknown{Effect::Slight, "words of materials are unknown and ignored"};
+constexpr WarningKind kUnknownWord{Effect::Slight, "words of materials are unknown and ignored"};
 constexpr WarningKind kOption{Effect::Surface,
                               "options of images are not supported: the images are as they are"};
 
@@ -61,7 +61,7 @@ class Check {
       tell(keyword, kUnused, where, "\"" + shown + "\" is not supported: ignored", shown);
     } else if (!contains(kRead, keyword)) {
       const std::string nearest = nearest_name(keyword, all_words());
-      tell(keyword, kUnknown, where,
+      tell(keyword, kUnknownWord, where,
            "\"" + shown + "\" is no word of material files" +
                (nearest.empty() ? "" : "; did you mean \"" + nearest + "\"?") + ": ignored",
            shown);

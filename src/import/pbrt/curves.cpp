@@ -7,7 +7,7 @@
 namespace ajar::pbrt {
 namespace {
 
-constexpr WarningKind kLeftOut{Effect::Geometry, "curves are left out"};
+constexpr WarningKind kCurvesLeftOut{Effect::Geometry, "curves are left out"};
 constexpr WarningKind kNormals{
     Effect::Slight,
     "curves have normals \"N\", which are ignored: only those of \"ribbon\" have any"};
@@ -52,7 +52,7 @@ Vec3 between(float t, const Vec3& from, const Vec3& to) {
 std::optional<desc::Node> make_curve(Context& context, const SourceLocation& where,
                                      const ParameterList& p) {
   const auto skip = [&](const std::string& reason) -> std::optional<desc::Node> {
-    context.warnings.add(kLeftOut, where, reason + ": shape left out", reason);
+    context.warnings.add(kCurvesLeftOut, where, reason + ": shape left out", reason);
     return std::nullopt;
   };
   desc::Curves curves;

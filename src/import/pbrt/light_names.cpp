@@ -5,7 +5,7 @@ namespace ajar::pbrt {
 namespace {
 
 // Names and defaults: pbrt-v3, src/lights/*.cpp.
-const std::vector<ModelName>& names_of_v3() {
+const std::vector<ModelName>& lights_of_v3() {
   static const ParameterName kIntensity{"intensity", {"I"}};
   static const ParameterName kRadiance{"radiance", {"L"}};
   static const ParameterName kImage{"image", {"mapname"}};
@@ -23,7 +23,7 @@ const std::vector<ModelName>& names_of_v3() {
 
 // Names and defaults: pbrt-v4, src/pbrt/lights.cpp. What they are scaled to, "power" and
 // "illuminance", is in lights.cpp.
-const std::vector<ModelName>& names_of_v4() {
+const std::vector<ModelName>& lights_of_v4() {
   static const ParameterName kIntensity{"intensity", {"I"}};
   static const ParameterName kImage{"image", {"filename"}};
   static const ParameterName kSquare{"projection", {}, "equal_area"};
@@ -46,7 +46,7 @@ const std::vector<ModelName>& names_of_v4() {
 }  // namespace
 
 const std::vector<ModelName>& light_names(Dialect dialect) {
-  return dialect == Dialect::V3 ? names_of_v3() : names_of_v4();
+  return dialect == Dialect::V3 ? lights_of_v3() : lights_of_v4();
 }
 
 const std::vector<ModelName>& emission_names(Dialect dialect) {

@@ -11,9 +11,9 @@
 namespace ajar::pbrt {
 namespace {
 
-constexpr WarningKind kLeftOut{Effect::Light, "lights are left out"};
+constexpr WarningKind kLightsLeftOut{Effect::Light, "lights are left out"};
 
-constexpr WarningKind kUnknown{Effect::Light, "lights are unknown and left out"};
+constexpr WarningKind kUnknownLight{Effect::Light, "lights are unknown and left out"};
 constexpr WarningKind kNoPortal{Effect::Slight, "lights have portals, which are ignored"};
 constexpr WarningKind kNoPower{
     Effect::Light, "lights on surfaces have both an image and \"power\", which is ignored"};
@@ -95,12 +95,12 @@ std::optional<desc::Light> make_light(Context& context, TextureTable& textures,
   const std::vector<ModelName>& table = light_names(context.choice.dialect);
   const desc::Model* model = model_of_type(desc::ModelKind::Light, table, type);
   if (model == nullptr) {
-    report_unknown(context, where, "light", type, types_of(desc::ModelKind::Light, table), kUnknown,
-                   "It is left out");
+    report_unknown(context, where, "light", type, types_of(desc::ModelKind::Light, table),
+                   kUnknownLight, "It is left out");
     return std::nullopt;
   }
   const auto skip = [&](const std::string& reason) -> std::optional<desc::Light> {
-    context.warnings.add(kLeftOut, where, reason + ": light left out", reason);
+    context.warnings.add(kLightsLeftOut, where, reason + ": light left out", reason);
     return std::nullopt;
   };
   desc::Light light;
@@ -149,7 +149,7 @@ std::optional<AreaEmission> make_emission(Context& context, TextureTable& textur
   const desc::Model* model = model_of_type(desc::ModelKind::Emission, table, type);
   if (model == nullptr) {
     report_unknown(context, where, "area light", type, types_of(desc::ModelKind::Emission, table),
-                   kUnknown, "It is left out");
+                   kUnknownLight, "It is left out");
     return std::nullopt;
   }
   const TextureParameters lookup = TextureParameters::of_light(context, textures, p);

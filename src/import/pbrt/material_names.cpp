@@ -49,7 +49,7 @@ std::vector<ParameterName> coated_conductor() {
 
 namespace {
 
-const std::vector<ModelName>& names_of_v3() {
+const std::vector<ModelName>& materials_of_v3() {
   static const std::vector<ModelName> kNames = {
       {"matte", "diffuse", {{"reflectance", {"Kd"}}}},
       {"mirror", "mirror", {{"reflectance", {"Kr"}}}},
@@ -105,7 +105,7 @@ const std::vector<ModelName>& names_of_v3() {
   return kNames;
 }
 
-const std::vector<ModelName>& names_of_v4() {
+const std::vector<ModelName>& materials_of_v4() {
   // What a v4 material says by its type alone.
   static const ParameterName kNoTint{"reflectance", {}};
   static const ParameterName kNoTransmittance{"transmittance", {}};
@@ -143,7 +143,7 @@ const std::vector<ModelName>& names_of_v4() {
 }  // namespace
 
 const std::vector<ModelName>& material_names(Dialect dialect) {
-  return dialect == Dialect::V3 ? names_of_v3() : names_of_v4();
+  return dialect == Dialect::V3 ? materials_of_v3() : materials_of_v4();
 }
 
 }  // namespace ajar::pbrt

@@ -12,10 +12,11 @@
 namespace ajar::pbrt {
 namespace {
 
-constexpr WarningKind kUnknown{Effect::Surface, "materials are unknown: matte ones stand in"};
+constexpr WarningKind kUnknownMaterial{Effect::Surface,
+                                       "materials are unknown: matte ones stand in"};
 constexpr WarningKind kNoMediumInCoat{
     Effect::Surface, "coated materials have an \"albedo\" in their coat, which is not supported"};
-constexpr WarningKind kNoSubsurface{
+constexpr WarningKind kNoDisneySubsurface{
     Effect::Surface, "disney materials have subsurface scattering, which is not supported"};
 
 /// Warns of what pbrt's disney material has and ours has not.
@@ -23,7 +24,7 @@ void check_subsurface(const SourceLocation& where, const TextureParameters& p) {
   const std::optional<desc::Value> distance = p.find_spectrum("scatterdistance");
   if (!distance || *distance == desc::Value(Vec3(0.F))) return;
   p.context().warnings.add(
-      kNoSubsurface, where,
+      kNoDisneySubsurface, where,
       "disney: \"scatterdistance\" (subsurface scattering) is not supported: taken as 0");
 }
 
@@ -135,7 +136,8 @@ desc::Node MaterialTable::make_node(const SourceLocation& where, const std::stri
   if (model == nullptr) {
     std::vector<std::string> types = types_of(desc::ModelKind::Material, table);
     for (std::string& known : stand_in_types(dialect)) types.push_back(std::move(known));
-    report_unknown(context_, where, "material", type, types, kUnknown, "A matte one stands in");
+    report_unknown(context_, where, "material", type, types, kUnknownMaterial,
+                   "A matte one stands in");
     return desc::material_node("diffuse");
   }
   if (context_.is_v4() && type == "mix") return make_mix(where, parameters);

@@ -23,7 +23,7 @@ constexpr WarningKind kUnreadable{Effect::Surface,
                                   "grids of media cannot be read: they count as empty"};
 constexpr WarningKind kColors{
     Effect::Surface, "media have colours that vary, which is not supported: the mean stands in"};
-constexpr WarningKind kUnknown{Effect::Surface, "media are unknown: clear ones stand in"};
+constexpr WarningKind kUnknownMedium{Effect::Surface, "media are unknown: clear ones stand in"};
 constexpr WarningKind kNoEmission{Effect::Light, "media emit light, which is not supported"};
 
 /// What pbrt-v3 takes if nothing is said.
@@ -187,7 +187,7 @@ desc::Medium make_medium(Context& context, const SourceLocation& where, const st
   if (!type) throw SceneError(where, "MakeNamedMedium needs \"string type\"");
   const std::vector<std::string>& types = context.is_v4() ? kTypesOfV4 : kTypesOfV3;
   if (std::find(types.begin(), types.end(), *type) == types.end()) {
-    report_unknown(context, where, "medium", *type, types, kUnknown, "A clear one stands in");
+    report_unknown(context, where, "medium", *type, types, kUnknownMedium, "A clear one stands in");
     return medium;
   }
   const std::optional<ScatteringPreset> preset = preset_of(context, where, parameters);

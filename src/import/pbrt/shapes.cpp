@@ -17,10 +17,10 @@ namespace {
 /// Beside those that are models of ours.
 const std::vector<std::string> kOtherTypes = {"plymesh", "heightfield", "nurbs"};
 const std::vector<std::string> kOtherTypesOfV4 = {"plymesh", "bilinearmesh"};
-constexpr WarningKind kUnknown{Effect::Geometry, "shapes are unknown and left out"};
+constexpr WarningKind kUnknownShape{Effect::Geometry, "shapes are unknown and left out"};
 constexpr WarningKind kDisplaced{Effect::Geometry,
                                  "meshes are displaced by images, which is not supported"};
-constexpr WarningKind kLeftOut{Effect::Geometry, "shapes are left out"};
+constexpr WarningKind kShapesLeftOut{Effect::Geometry, "shapes are left out"};
 constexpr WarningKind kOddIndices{Effect::Slight,
                                   "meshes have indices left over, which are ignored"};
 /// More triangles than this are certainly a mistake in the file.
@@ -33,7 +33,7 @@ struct Source {
   const ParameterList& parameters;
 
   std::optional<desc::Node> skip(const std::string& reason) const {
-    context.warnings.add(kLeftOut, where, reason + ": shape left out", reason);
+    context.warnings.add(kShapesLeftOut, where, reason + ": shape left out", reason);
     return std::nullopt;
   }
 };
@@ -229,7 +229,7 @@ std::optional<desc::Node> make_shape(Context& context, MeshLoader& meshes, Textu
   std::vector<std::string> types = types_of(desc::ModelKind::Shape, table);
   const std::vector<std::string>& others = is_v4 ? kOtherTypesOfV4 : kOtherTypes;
   types.insert(types.end(), others.begin(), others.end());
-  report_unknown(context, where, "shape", type, types, kUnknown, "It is left out");
+  report_unknown(context, where, "shape", type, types, kUnknownShape, "It is left out");
   return std::nullopt;
 }
 

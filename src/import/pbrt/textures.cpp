@@ -14,7 +14,7 @@ namespace ajar::pbrt {
 namespace {
 
 constexpr WarningKind kNoFile{Effect::Surface, "image textures have no \"string filename\""};
-constexpr WarningKind kUnknown{Effect::Surface, "textures are unknown: grey stands in"};
+constexpr WarningKind kUnknownTexture{Effect::Surface, "textures are unknown: grey stands in"};
 constexpr WarningKind kUnsupported{Effect::Surface, "textures are not supported: others stand in"};
 constexpr WarningKind kUnknownEncoding{Effect::Surface,
                                        "image textures have unknown encodings: sRGB stands in"};
@@ -155,7 +155,7 @@ void TextureTable::define(const SourceLocation& where, const std::string& name,
   }
   if (model == nullptr) {
     report_unknown(context_, where, "texture", type, types_of(desc::ModelKind::Texture, table),
-                   kUnknown, "Grey stands in");
+                   kUnknownTexture, "Grey stands in");
     return define_as(desc::texture_node("constant", {{"value", Vec3(0.5F)}}));
   }
   const TextureParameters lookup(context_, *this, parameters);

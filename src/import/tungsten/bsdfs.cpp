@@ -11,7 +11,7 @@ namespace {
 
 constexpr WarningKind kUnknownName{Effect::Surface, "bsdfs have no such name: grey stands in"};
 constexpr WarningKind kUnknownType{Effect::Surface, "bsdfs are of unknown types: grey stands in"};
-constexpr WarningKind kSameName{Effect::Surface, "bsdfs have the same name: the first counts"};
+constexpr WarningKind kSameBsdfName{Effect::Surface, "bsdfs have the same name: the first counts"};
 constexpr WarningKind kLoop{Effect::Surface, "bsdfs refer to themselves: grey stands in"};
 constexpr WarningKind kBump{Effect::Slight, "bumps have a height that is a guess"};
 
@@ -67,7 +67,7 @@ void BsdfTable::define(const LocatedJson& list) {
       entries.push_back(&place->second);
     } else {
       context_.warnings.add(
-          kSameName, name->where(),
+          kSameBsdfName, name->where(),
           "there is another bsdf \"" + shown(name->text()) + "\" before, which counts",
           shown(name->text()));
     }

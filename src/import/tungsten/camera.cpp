@@ -17,12 +17,12 @@ constexpr WarningKind kDirac{Effect::Slight,
                              "filters of one point are not supported: boxes stand in"};
 constexpr WarningKind kAperture{Effect::Slight,
                                 "lenses have a shape of their own, which is ignored: round"};
-constexpr WarningKind kUnknownPivot{Effect::Surface,
+constexpr WarningKind kUnknownFocus{Effect::Surface,
                                     "cameras focus on primitives that are unknown"};
 constexpr WarningKind kTonemap{Effect::None, "tone maps of the scene are not used"};
 
 constexpr int kLargestResolution = 65536;
-const std::vector<std::string> kTypes = {"pinhole", "thinlens", "equirectangular", "cubemap"};
+const std::vector<std::string> kCameraTypes = {"pinhole", "thinlens", "equirectangular", "cubemap"};
 const std::vector<std::string> kFilters = {
     "dirac", "box", "tent", "gaussian", "mitchell_netravali", "catmull_rom", "lanczos"};
 
@@ -99,7 +99,7 @@ float focus_of(const Context& context, const ObjectReader& object, const Vec3d& 
   const auto found = places.find(*pivot);
   if (found == places.end()) {
     context.warnings.add(
-        kUnknownPivot, object.where(),
+        kUnknownFocus, object.where(),
         "there is no primitive \"" + shown(*pivot) + "\" to focus on: \"focus_distance\" counts");
     return distance;
   }
@@ -164,10 +164,10 @@ void read_camera(Context& context, const LocatedJson& json, MediumTable& media,
         from_axes(axis_of(frame, 0), axis_of(frame, 1), -axis_of(frame, 2), origin_of(frame));
     object.accept({"fov"});
   } else {
-    if (std::find(kTypes.begin(), kTypes.end(), type) == kTypes.end()) {
+    if (std::find(kCameraTypes.begin(), kCameraTypes.end(), type) == kCameraTypes.end()) {
       context.warnings.add(
           kUnknownCamera, json.where(),
-          unknown_name_message("camera", shown(type), kTypes) + ". A pinhole stands in",
+          unknown_name_message("camera", shown(type), kCameraTypes) + ". A pinhole stands in",
           shown(type));
     }
     desc::PerspectiveCamera node;

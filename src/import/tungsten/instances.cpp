@@ -10,8 +10,8 @@
 namespace ajar::tungsten {
 namespace {
 
-constexpr WarningKind kUnreadable{Effect::Geometry,
-                                  "files of instances cannot be read: they are left out"};
+constexpr WarningKind kUnreadableInstances{Effect::Geometry,
+                                           "files of instances cannot be read: they are left out"};
 
 struct Header {
   std::uint32_t count;
@@ -106,7 +106,7 @@ std::vector<Placed> read_placed(const Context& context, const LocatedJson& json)
     } catch (const IoError& error) {
       reason = error.what();
     }
-    context.warnings.add(kUnreadable, json.where(),
+    context.warnings.add(kUnreadableInstances, json.where(),
                          "cannot read these instances: " + reason + ". They are left out",
                          shown(json.text()));
     return {};

@@ -21,7 +21,7 @@ constexpr WarningKind kTextured{Effect::Light,
 constexpr WarningKind kUnknownPivot{Effect::Light, "lights refer to primitives that are unknown"};
 
 constexpr float kUsualCapAngle = 10.F;  // degrees
-constexpr float kDegree = kPi / 180.F;
+constexpr float kRadiansPerDegree = kPi / 180.F;
 
 struct Source {
   Context& context;
@@ -88,9 +88,9 @@ void infinite_sphere_cap(const Source& source, const PrimitivePlaces& places) {
   }
   const float angle =
       std::clamp(source.object.number("cap_angle").value_or(kUsualCapAngle), 0.01F, 90.F);
-  const float sine = std::sin(angle * kDegree);
+  const float sine = std::sin(angle * kRadiansPerDegree);
   const std::optional<Vec3> radiance =
-      source.strength(1.F / (2.F * kPi * (1.F - std::cos(angle * kDegree))));
+      source.strength(1.F / (2.F * kPi * (1.F - std::cos(angle * kRadiansPerDegree))));
   if (!radiance) return;
   source.context.warnings.add(kCap, source.object.where(),
                               "lights from a part of the sky are not supported: parallel light of "

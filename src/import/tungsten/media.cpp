@@ -8,18 +8,19 @@
 namespace ajar::tungsten {
 namespace {
 
-constexpr WarningKind kUnknown{Effect::Surface, "media are unknown and left out"};
+constexpr WarningKind kUnknownMedium{Effect::Surface, "media are unknown and left out"};
 constexpr WarningKind kHeterogeneous{
     Effect::Surface, "media that vary are not supported: homogeneous ones stand in"};
 constexpr WarningKind kPhase{Effect::Slight,
                              "phase functions are not supported: isotropic ones stand in"};
 constexpr WarningKind kTransmittance{Effect::Surface,
                                      "media do not fade exponentially, which is not supported"};
-constexpr WarningKind kSameName{Effect::Surface, "media have the same name: the first counts"};
+constexpr WarningKind kSameMediumName{Effect::Surface,
+                                      "media have the same name: the first counts"};
 
 using Kind = LocatedJson::Kind;
 
-const std::vector<std::string> kTypes = {"homogeneous", "atmosphere", "exponential", "voxel"};
+const std::vector<std::string> kMediumTypes = {"homogeneous", "atmosphere", "exponential", "voxel"};
 const std::vector<std::string> kPhases = {"isotropic", "henyey_greenstein", "rayleigh"};
 
 /// g of Henyey and Greenstein.
@@ -73,11 +74,11 @@ desc::MediumId MediumTable::read(const LocatedJson& json) {
   const std::string name = object.text("name").value_or("");
   const std::optional<std::string> type = object.text("type");
   if (!type) throw SceneError(json.where(), "a medium needs \"type\"");
-  if (std::find(kTypes.begin(), kTypes.end(), *type) == kTypes.end()) {
-    context_.warnings.add(
-        kUnknown, json.where(),
-        unknown_name_message("medium type", shown(*type), kTypes) + ". The medium is left out",
-        shown(*type));
+  if (std::find(kMediumTypes.begin(), kMediumTypes.end(), *type) == kMediumTypes.end()) {
+    context_.warnings.add(kUnknownMedium, json.where(),
+                          unknown_name_message("medium type", shown(*type), kMediumTypes) +
+                              ". The medium is left out",
+                          shown(*type));
     return desc::kNone;
   }
   if (*type != "homogeneous") {
@@ -122,7 +123,7 @@ void MediumTable::define(const LocatedJson& list) {
     const LocatedJson* name = json.find("name");
     if (name == nullptr || named_.try_emplace(text_of(*name), id).second) continue;
     context_.warnings.add(
-        kSameName, name->where(),
+        kSameMediumName, name->where(),
         "there is another medium \"" + shown(name->text()) + "\" before, which counts",
         shown(name->text()));
   }
@@ -136,7 +137,7 @@ desc::MediumId MediumTable::resolve(const LocatedJson& json) {
   std::vector<std::string> names;
   for (const auto& entry : named_) names.push_back(shown(entry.first));
   context_.warnings.add(
-      kUnknown, json.where(),
+      kUnknownMedium, json.where(),
       unknown_name_message("medium", shown(json.text()), names) + ". It is left out",
       shown(json.text()));
   return desc::kNone;

@@ -16,7 +16,7 @@
 namespace ajar::tungsten {
 namespace {
 
-constexpr WarningKind kUnreadable{Effect::Geometry, "meshes cannot be read and are left out"};
+constexpr WarningKind kUnreadableMesh{Effect::Geometry, "meshes cannot be read and are left out"};
 
 /// Triangles that meet at less than this angle are smooth: Tungsten's 27 degrees.
 constexpr float kCosOfEdges = 0.891006524F;
@@ -83,7 +83,8 @@ std::vector<MeshPart> MeshFiles::read(const LocatedJson& name, const std::string
                                       const MeshTreatment& treatment, int count) const {
   const std::string subject = shown(text_of(name));
   const auto unreadable = [&](const std::string& reason) {
-    context_.warnings.add(kUnreadable, name.where(), "cannot use this mesh: " + reason, subject);
+    context_.warnings.add(kUnreadableMesh, name.where(), "cannot use this mesh: " + reason,
+                          subject);
   };
   try {
     Wo3Mesh source = read_mesh(context_.files.load(path).view(), path);

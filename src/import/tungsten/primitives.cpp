@@ -10,11 +10,12 @@
 namespace ajar::tungsten {
 namespace {
 
-constexpr WarningKind kUnknown{Effect::Geometry, "primitives are of unknown types and left out"};
+constexpr WarningKind kUnknownPrimitive{Effect::Geometry,
+                                        "primitives are of unknown types and left out"};
 constexpr WarningKind kUnsupported{Effect::Geometry, "primitives are not supported and left out"};
-constexpr WarningKind kNoFile{Effect::Geometry, "meshes name no file and are left out"};
 constexpr WarningKind kMoreBsdfs{Effect::Surface,
                                  "primitives have more bsdfs than they can: the first counts"};
+constexpr WarningKind kNoMeshFile{Effect::Geometry, "meshes name no file and are left out"};
 constexpr WarningKind kFlat{Effect::Geometry,
                             "primitives are left out: their transforms cannot be inverted"};
 constexpr WarningKind kConeAngle{Effect::Light,
@@ -31,7 +32,7 @@ constexpr WarningKind kMovingInstances{Effect::Slight,
 
 using Kind = LocatedJson::Kind;
 
-const std::vector<std::string> kTypes = {
+const std::vector<std::string> kPrimitiveTypes = {
     "mesh",         "cube",      "sphere",          "quad",
     "disk",         "curves",    "point",           "skydome",
     "cylinder",     "instances", "infinite_sphere", "infinite_sphere_cap",
@@ -56,7 +57,7 @@ std::vector<Part> PrimitiveReader::mesh_parts(const ObjectReader& object, const 
   }
   const LocatedJson* file = object.find({"file", "path"});
   if (file == nullptr || !file->is(Kind::String) || file->text().empty()) {
-    context_.warnings.add(kNoFile, object.where(), "this mesh names no \"file\": left out");
+    context_.warnings.add(kNoMeshFile, object.where(), "this mesh names no \"file\": left out");
     return {};
   }
   std::vector<Part> parts;
@@ -83,7 +84,7 @@ std::vector<Part> PrimitiveReader::parts_of(const ObjectReader& object, const st
     return {disk(transform)};
   }
   // What is left of these are lights and copies within what is copied.
-  if (std::find(kTypes.begin(), kTypes.end(), type) != kTypes.end()) {
+  if (std::find(kPrimitiveTypes.begin(), kPrimitiveTypes.end(), type) != kPrimitiveTypes.end()) {
     object.accept({"file", "curve_taper", "subsample", "mode", "curve_thickness", "map_path",
                    "resource_packs", "masters", "instances", "sample"});
     context_.warnings.add(kUnsupported, object.where(),
@@ -91,9 +92,10 @@ std::vector<Part> PrimitiveReader::parts_of(const ObjectReader& object, const st
                           type);
     return {};
   }
-  context_.warnings.add(kUnknown, object.where(),
-                        unknown_name_message("primitive type", shown(type), kTypes) + ". Left out",
-                        shown(type));
+  context_.warnings.add(
+      kUnknownPrimitive, object.where(),
+      unknown_name_message("primitive type", shown(type), kPrimitiveTypes) + ". Left out",
+      shown(type));
   return {};
 }
 

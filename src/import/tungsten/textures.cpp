@@ -11,14 +11,14 @@ namespace {
 
 constexpr WarningKind kStandIn{Effect::Surface,
                                "textures are not supported: constant ones stand in"};
-constexpr WarningKind kUnknown{Effect::Surface, "textures are unknown: grey stands in"};
-constexpr WarningKind kNoFile{Effect::Surface, "textures name no file: grey stands in"};
+constexpr WarningKind kUnknownTexture{Effect::Surface, "textures are unknown: grey stands in"};
+constexpr WarningKind kNoImageFile{Effect::Surface, "textures name no file: grey stands in"};
 constexpr WarningKind kNegative{Effect::Surface, "colours are negative: 0 stands in"};
 
 using Kind = LocatedJson::Kind;
 
-const std::vector<std::string> kTypes = {"constant", "bitmap", "checker",  "disk",
-                                         "blade",    "ies",    "wireframe"};
+const std::vector<std::string> kTextureTypes = {"constant", "bitmap", "checker",  "disk",
+                                                "blade",    "ies",    "wireframe"};
 
 /// What Tungsten reads of a texture that has no model of ours, to know mistakes from it.
 struct StandIn {
@@ -81,7 +81,7 @@ std::optional<Bitmap> TextureReader::bitmap(const LocatedJson& json) {
     object.report_unknown();
   }
   if (result.file.empty()) {
-    context_.warnings.add(kNoFile, json.where(), "this texture names no file: grey stands in");
+    context_.warnings.add(kNoImageFile, json.where(), "this texture names no file: grey stands in");
     return std::nullopt;
   }
   return result;
@@ -113,8 +113,9 @@ desc::Value TextureReader::of_object(const LocatedJson& json) {
                                    [&](const StandIn& s) { return s.type == *type; });
   if (known == kStandIns.end()) {
     context_.warnings.add(
-        kUnknown, json.where(),
-        unknown_name_message("texture", shown(*type), kTypes) + ". Grey stands in", shown(*type));
+        kUnknownTexture, json.where(),
+        unknown_name_message("texture", shown(*type), kTextureTypes) + ". Grey stands in",
+        shown(*type));
     return kGrey;
   }
   context_.warnings.add(kStandIn, json.where(),

@@ -3,10 +3,10 @@
 #include <cmath>
 #include <optional>
 
+#include "import/common/degree.h"
+
 namespace ajar::tungsten {
 namespace {
-
-constexpr double kDegree = 3.14159265358979323846 / 180.0;
 
 Vec3d normalized(const Vec3d& v) {
   const double length = std::sqrt(v.dot(v));

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "core/random_use.h"
 #include "mcmc/counter_random.h"
@@ -13,8 +12,6 @@
 namespace ajar {
 
 namespace {
-
-constexpr double kNever = -std::numeric_limits<double>::infinity();
 
 /// How often so many vertices are taken, of a path that has more; not normalised.
 double removal_weight(int vertices) {

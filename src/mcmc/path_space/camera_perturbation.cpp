@@ -1,7 +1,6 @@
 #include "mcmc/path_space/camera_perturbation.h"
 
 #include <cmath>
-#include <limits>
 
 #include "mcmc/path_space/heuristics.h"
 #include "mcmc/path_space/path_form.h"
@@ -71,7 +70,6 @@ std::optional<Kept> CameraPerturbation::propose(const Path& x, std::uint64_t key
 }
 
 double CameraPerturbation::log_density(const Path& x, const Path& y, const Kept& kept) const {
-  constexpr double kNever = -std::numeric_limits<double>::infinity();
   const int k = y.depth();
   const int end = kept.light;
   if (end > 0 && !can_join(y, end)) return kNever;

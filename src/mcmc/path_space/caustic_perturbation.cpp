@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "mcmc/path_space/heuristics.h"
 #include "mcmc/path_space/path_form.h"
@@ -105,7 +104,6 @@ std::optional<Kept> CausticPerturbation::propose(const Path& x, std::uint64_t ke
 }
 
 double CausticPerturbation::log_density(const Path& x, const Path& y, const Kept& kept) const {
-  constexpr double kNever = -std::numeric_limits<double>::infinity();
   const int k = y.depth();
   const int from = kept.light - 1;
   if (y.vertex(k - 1).event.specular() || !same_events(x, y, from + 1, k - 2) ||

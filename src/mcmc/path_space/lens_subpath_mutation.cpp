@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "mcmc/path_space/path_form.h"
 #include "mcmc/primary/bootstrap_source.h"
@@ -102,7 +101,6 @@ std::optional<Kept> LensSubpathMutation::propose(const Path& x, std::uint64_t ke
 }
 
 double LensSubpathMutation::log_density(const Path& /*x*/, const Path& y, const Kept& kept) const {
-  constexpr double kNever = -std::numeric_limits<double>::infinity();
   const int k = y.depth();
   const int rough = kept.light;
   if (first_rough_from_camera(y) != rough || !can_join(y, rough)) return kNever;

@@ -34,7 +34,6 @@ double squared_distance(const Path& path, int x, int y) {
 /// ln of the density with which the chain between two vertices, which are given, is what it is:
 /// Π |cos θ| / d² of its edges over the chain's generalised geometric term (docs/methods/mlt.md).
 double log_chain_density(const Scene& scene, const Path& path, int fixed, int moved) {
-  constexpr double kNever = -std::numeric_limits<double>::infinity();
   std::vector<InnerVertex> chain;
   chain_from_camera(path, fixed, moved, chain);
   SpecularChain linear(scene);
@@ -124,7 +123,6 @@ std::optional<Kept> ManifoldPerturbation::propose(const Path& x, std::uint64_t k
 }
 
 double ManifoldPerturbation::log_density(const Path& x, const Path& y, const Kept& kept) const {
-  constexpr double kNever = -std::numeric_limits<double>::infinity();
   const int k = y.depth();
   const auto span = span_of(y);
   const auto other = span_of(x);

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string_view>
 
@@ -13,6 +14,9 @@ struct Kept {
   int light = 0;
   int camera = 0;
 };
+
+/// ln of the density of what never happens.
+inline constexpr double kNever = -std::numeric_limits<double>::infinity();
 
 /// A way to change paths (docs/methods/mlt.md): vertices in the midst of a path, or at its ends,
 /// give way to others. Holds the scratch memory of one thread. Source: Veach 1997, section 11.4.
@@ -29,7 +33,7 @@ class PathMutation {
   /// ln T(x → y): of the density with which `propose` puts the vertices of `y` that are not `kept`
   /// in the place of those of `x`, over all ways to come there. In the measure of
   /// `contribution`: the deltas of specular vertices, which are to be those over the direction
-  /// toward the light, are left out. −∞ if it never does.
+  /// toward the light, are left out. `kNever` if it never does.
   virtual double log_density(const Path& x, const Path& y, const Kept& kept) const = 0;
   /// Rays traced so far.
   virtual const RayCounts& ray_counts() const = 0;

@@ -10,6 +10,7 @@
 
 #include "core/parallel_for.h"
 #include "core/spectrum.h"
+#include "image/channels.h"
 #include "image/plane.h"
 #include "image/statistics.h"
 #include "post/denoise/local_regression.h"
@@ -20,7 +21,6 @@ namespace ajar {
 namespace {
 
 using Planes = std::vector<Plane>;
-constexpr std::size_t kColours = 3;
 /// What surfaces reflect at least, so that light is not divided by nothing.
 constexpr float kBlackest = 0.01F;
 /// Of the picture's level: differences of light this dark are none.
@@ -110,7 +110,7 @@ Halves regress(const Halves& halves, const Planes& features, float level, Work& 
   const Planes second = each(halves.second, seen);
   const SeparableKernel box = box_kernel(PostHeuristics::kVariancePatch);
   Planes variance;
-  for (std::size_t c = 0; c < kColours; ++c) {
+  for (std::size_t c = 0; c < kChannels; ++c) {
     const Plane squares = pixel_by_pixel(first[c].size, [&](std::size_t i) {
       const float difference = first[c].values[i] - second[c].values[i];
       return 0.5F * difference * difference;
@@ -133,7 +133,7 @@ Plane share_of_coarse(const Halves& fine, const Halves& coarse, const Halves& no
   parallel_for(size.y, [&](int y) {
     const std::size_t begin = static_cast<std::size_t>(y) * static_cast<std::size_t>(size.x);
     for (std::size_t i = begin; i < begin + static_cast<std::size_t>(size.x); ++i) {
-      for (std::size_t c = 0; c < kColours; ++c) {
+      for (std::size_t c = 0; c < kChannels; ++c) {
         const float d1 = fine.first[c].values[i];
         const float d2 = fine.second[c].values[i];
         const float c1 = coarse.first[c].values[i];
@@ -166,7 +166,7 @@ Plane share_of_coarse(const Halves& fine, const Halves& coarse, const Halves& no
 Planes replace_light(const Planes& fine, const Planes& halved_fine, const Planes& coarse,
                      const Plane& share) {
   Planes result;
-  for (std::size_t c = 0; c < kColours; ++c) {
+  for (std::size_t c = 0; c < kChannels; ++c) {
     const Plane difference = pixel_by_pixel(share.size, [&](std::size_t i) {
       return share.values[i] * (coarse[c].values[i] - halved_fine[c].values[i]);
     });
@@ -199,7 +199,7 @@ Halves filter_level(const Halves& noisy, const Planes& features, float level, Wo
 Halves as_chessboard(const Planes& picture) {
   Halves halves{picture, picture};
   const Vec2i size = picture.front().size;
-  for (std::size_t c = 0; c < kColours; ++c) {
+  for (std::size_t c = 0; c < kChannels; ++c) {
     for (int y = 0; y < size.y; ++y) {
       for (int x = 0; x < size.x; ++x) {
         float sum = 0.F;
@@ -246,7 +246,7 @@ std::optional<std::vector<float>> BuiltinDenoiser::filter(const NoisyPicture& pi
     throw std::invalid_argument("denoise: sizes do not fit");
   }
   Planes known;
-  Planes reflectance(kColours, pixel_by_pixel(size, [](std::size_t) { return 1.F; }));
+  Planes reflectance(kChannels, pixel_by_pixel(size, [](std::size_t) { return 1.F; }));
   if (!features.empty()) {
     reflectance = each(planes_of(size, features.albedo), [&](const Plane& albedo) {
       return pixel_by_pixel(
@@ -257,7 +257,7 @@ std::optional<std::vector<float>> BuiltinDenoiser::filter(const NoisyPicture& pi
   }
   const auto light_of = [&](std::span<const float> colour) {
     Planes light = planes_of(size, finite_values(colour));
-    for (std::size_t c = 0; c < kColours; ++c) {
+    for (std::size_t c = 0; c < kChannels; ++c) {
       for (std::size_t i = 0; i < pixels; ++i) light[c].values[i] /= reflectance[c].values[i];
     }
     return light;
@@ -271,7 +271,7 @@ std::optional<std::vector<float>> BuiltinDenoiser::filter(const NoisyPicture& pi
   Work work(pixels, progress);
   Halves filtered = filter_level(halves, known, level, work);
   if (work.is_ended()) return std::nullopt;
-  for (std::size_t c = 0; c < kColours; ++c) {
+  for (std::size_t c = 0; c < kChannels; ++c) {
     for (std::size_t i = 0; i < pixels; ++i) {
       float& value = filtered.first[c].values[i];
       value = 0.5F * (value + filtered.second[c].values[i]) * reflectance[c].values[i];

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/parallel_for.h"
+#include "image/channels.h"
 #include "post/heuristics.h"
 
 namespace ajar {
@@ -18,9 +19,8 @@ constexpr int kPatch = PostHeuristics::kRegressionPatch;
 constexpr int kWidth = 32;
 constexpr int kHeight = 16;
 constexpr std::size_t kPixels = std::size_t{kWidth} * kHeight;
-constexpr std::size_t kColours = 3;
 constexpr std::size_t kMostSlopes = 8;
-constexpr std::size_t kLevels = 1 + kColours;  ///< sums of weights, and of weighted colours
+constexpr std::size_t kLevels = 1 + kChannels;  ///< sums of weights, and of weighted colours
 
 /// Differences of the guide that are smaller than its root are none.
 constexpr float kLeastVariance = 1e-4F;
@@ -66,7 +66,7 @@ class PatchDistance {
   void find(Vec2i offset, Lanes& distance) {
     for (int y = 0; y < kRows; ++y) {
       std::array<float, kRowWidth> row{};
-      for (std::size_t c = 0; c < kColours; ++c) add_differences(c, y - kPatch, offset, row);
+      for (std::size_t c = 0; c < kChannels; ++c) add_differences(c, y - kPatch, offset, row);
       for (int x = 0; x < kWidth; ++x) {
         float sum = 0.F;
         for (int i = 0; i <= 2 * kPatch; ++i) sum += row[static_cast<std::size_t>(x + i)];
@@ -74,7 +74,7 @@ class PatchDistance {
       }
     }
     constexpr int kSide = 2 * kPatch + 1;
-    constexpr float kScale = 1.F / static_cast<float>(kSide * kSide * static_cast<int>(kColours));
+    constexpr float kScale = 1.F / static_cast<float>(kSide * kSide * static_cast<int>(kChannels));
     for (std::size_t i = 0; i < kPixels; ++i) {
       float sum = 0.F;
       for (std::size_t k = 0; k < kSide; ++k) sum += sums_[i + k * kWidth];
@@ -116,7 +116,7 @@ class Sums {
 
   /// `x`: explanatory values of the pixels at an offset, relative to those here.
   void add(const Lanes& weight, const std::array<Lanes, kMostSlopes>& x,
-           const std::array<Lanes, kColours>& colour) {
+           const std::array<Lanes, kChannels>& colour) {
     std::size_t at = 0;
     add_lanes(weight, sums_[at++]);
     for (const Lanes& c : colour) add_product(weight, c, sums_[at++]);
@@ -129,24 +129,24 @@ class Sums {
   }
 
   /// What the models say at a pixel.
-  std::array<float, kColours> solve(std::size_t pixel) const {
+  std::array<float, kChannels> solve(std::size_t pixel) const {
     const float whole = sums_[0][pixel];
     std::size_t at = 1;
     const auto next = [&] { return sums_[at++][pixel] / whole; };
-    std::array<float, kColours> mean{};
+    std::array<float, kChannels> mean{};
     for (float& value : mean) value = next();
     std::array<float, kMostSlopes> centre{};
-    std::array<std::array<float, kColours>, kMostSlopes> right{};
+    std::array<std::array<float, kChannels>, kMostSlopes> right{};
     std::array<std::array<float, kMostSlopes>, kMostSlopes> matrix{};
     for (std::size_t i = 0; i < slopes_; ++i) {
       centre[i] = next();
-      for (std::size_t c = 0; c < kColours; ++c) right[i][c] = next() - centre[i] * mean[c];
+      for (std::size_t c = 0; c < kChannels; ++c) right[i][c] = next() - centre[i] * mean[c];
       for (std::size_t j = 0; j <= i; ++j) matrix[i][j] = next() - centre[i] * centre[j];
       matrix[i][i] = std::max(matrix[i][i], 0.F) + PostHeuristics::kRidge;
     }
     factorize(matrix);
-    std::array<float, kColours> value = mean;
-    for (std::size_t c = 0; c < kColours; ++c) {
+    std::array<float, kChannels> value = mean;
+    for (std::size_t c = 0; c < kChannels; ++c) {
       // Only the constant is asked for: mean − centreᵀ (L Lᵀ)⁻¹ right.
       std::array<float, kMostSlopes> a{};
       std::array<float, kMostSlopes> b{};
@@ -224,7 +224,7 @@ void fit_tile(const RegressionInput& input, Vec2i corner, std::vector<Plane>& re
   Lanes distance{};
   Lanes weight{};
   std::array<Lanes, kMostSlopes> x{};
-  std::array<Lanes, kColours> there{};
+  std::array<Lanes, kChannels> there{};
   const auto lanes_of = [](const Part& part, std::size_t plane, Vec2i offset, Lanes& lanes) {
     for (int y = 0; y < kHeight; ++y) {
       std::copy_n(part.row(plane, offset.x, y + offset.y), kWidth, lanes.data() + y * kWidth);
@@ -238,7 +238,7 @@ void fit_tile(const RegressionInput& input, Vec2i corner, std::vector<Plane>& re
       distances.find(offset, distance);
       weights_of(distance, weight);
       cut(size, corner + offset, weight);
-      for (std::size_t c = 0; c < kColours; ++c) lanes_of(colour, c, offset, there[c]);
+      for (std::size_t c = 0; c < kChannels; ++c) lanes_of(colour, c, offset, there[c]);
       for (std::size_t f = 0; f < of_features; ++f) {
         lanes_of(features, f, offset, x[f]);
         for (std::size_t k = 0; k < kPixels; ++k) x[f][k] -= here[f][k];
@@ -251,7 +251,7 @@ void fit_tile(const RegressionInput& input, Vec2i corner, std::vector<Plane>& re
   for (int y = 0; y < std::min(kHeight, size.y - corner.y); ++y) {
     for (int px = 0; px < std::min(kWidth, size.x - corner.x); ++px) {
       const auto value = sums.solve(static_cast<std::size_t>(y * kWidth + px));
-      for (std::size_t c = 0; c < kColours; ++c) {
+      for (std::size_t c = 0; c < kChannels; ++c) {
         result[c].at(corner.x + px, corner.y + y) = value[c];
       }
     }
@@ -263,7 +263,7 @@ void fit_tile(const RegressionInput& input, Vec2i corner, std::vector<Plane>& re
 std::vector<Plane> local_regression(const RegressionInput& input,
                                     const std::function<bool(int pixels)>& proceeds) {
   const Vec2i size = input.colour.front().size;
-  std::vector<Plane> result(kColours, Plane(size));
+  std::vector<Plane> result(kChannels, Plane(size));
   const int columns = (size.x + kWidth - 1) / kWidth;
   const int rows = (size.y + kHeight - 1) / kHeight;
   std::atomic<bool> is_ended = false;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <numbers>
 #include <unordered_map>
 
 namespace ajar {
@@ -13,7 +14,6 @@ constexpr WarningKind kNotSubdivided{
 constexpr WarningKind kStopped{Effect::Slight,
                                "subdivision surfaces have fewer levels than they should"};
 
-constexpr double kPiD = 3.14159265358979323846;
 constexpr int kNoEdge = -1;
 /// More triangles than this are surely a mistake in the number of levels.
 constexpr std::size_t kMaxTriangles = std::size_t{1} << 27;
@@ -150,8 +150,8 @@ Vec3d ControlMesh::limit_normal(int vertex, const std::vector<int>& neighbours) 
   Vec3d t(0.0);
   if (!on_boundary(vertex)) {
     for (int i = 0; i < n; ++i) {
-      s += ring_point(i) * std::cos(2.0 * kPiD * i / n);
-      t += ring_point(i) * std::sin(2.0 * kPiD * i / n);
+      s += ring_point(i) * std::cos(2.0 * std::numbers::pi * i / n);
+      t += ring_point(i) * std::sin(2.0 * std::numbers::pi * i / n);
     }
     return t.cross(s);
   }
@@ -163,7 +163,7 @@ Vec3d ControlMesh::limit_normal(int vertex, const std::vector<int>& neighbours) 
   } else if (n == 4) {
     t = (ring_point(1) + ring_point(2) - center) * 2.0 - ring_point(0) - ring_point(3);
   } else {
-    const double theta = kPiD / (n - 1);
+    const double theta = std::numbers::pi / (n - 1);
     t = (ring_point(0) + ring_point(n - 1)) * -std::sin(theta);
     for (int i = 1; i < n - 1; ++i) {
       t += ring_point(i) * ((2.0 - 2.0 * std::cos(theta)) * std::sin(i * theta));

@@ -1,6 +1,7 @@
 #include "scene/shape/quadric.h"
 
 #include <algorithm>
+#include <numbers>
 
 #include "scene/shape/quadric_math.h"
 
@@ -8,12 +9,11 @@ namespace ajar {
 
 namespace {
 
-constexpr double kPiD = 3.14159265358979323846;
 /// Where the surface meets its axis derivatives vanish; they are taken at this fraction of its
 /// radius.
 constexpr double kPole = 1e-5;
 
-double radians(double degrees) { return degrees * (kPiD / 180.0); }
+double radians(double degrees) { return degrees * (std::numbers::pi / 180.0); }
 Vec3d turned(const Vec3d& v, double cos_phi, double sin_phi) {
   return {cos_phi * v.x - sin_phi * v.y, sin_phi * v.x + cos_phi * v.y, v.z};
 }
@@ -222,7 +222,7 @@ Imath::V2d Quadric::parameters(const Vec3d& p) const {
       break;
     }
   }
-  if (phi < 0.0) phi += 2.0 * kPiD;
+  if (phi < 0.0) phi += 2.0 * std::numbers::pi;
   return {phi / phi_max_, std::clamp(v, 0.0, 1.0)};
 }
 
@@ -231,7 +231,7 @@ double Quadric::clamped_v(double v) const {
   switch (kind_) {
     case Kind::Sphere: {
       const double range = theta_max_ - theta_min_;
-      const double theta = std::clamp(theta_min_ + v * range, kPole, kPiD - kPole);
+      const double theta = std::clamp(theta_min_ + v * range, kPole, std::numbers::pi - kPole);
       return (theta - theta_min_) / range;
     }
     case Kind::Disk: {
