@@ -6,6 +6,13 @@
 
 #include "import/mitsuba/mitsuba_import.h"
 
+using namespace std::string_view_literals;
+/// Of one number, 1.
+constexpr std::string_view kGrid =
+    "VOL\3\1\0\0\0\1\0\0\0\1\0\0\0\1\0\0\0\1\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\x80?\0\0\x80?"
+    "\0\0\x80?"
+    "\0\0\x80?"sv;
+
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view text(reinterpret_cast<const char*>(data), size);
   ajar::Warnings warnings;
@@ -18,6 +25,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
                                     if (path == "/nonexistent/self.xml") return text;
                                     if (path == "/nonexistent/self.obj") return text;
                                     if (path == "/nonexistent/self.serialized") return text;
+                                    if (path == "/nonexistent/a.vol") return kGrid;
                                     if (path == "/nonexistent/a.spd") return "400 0.5\n700 1\n";
                                     return std::nullopt;
                                   });

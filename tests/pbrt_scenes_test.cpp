@@ -2,6 +2,8 @@
 // colours.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <nanovdb/util/GridBuilder.h>
+#include <nanovdb/util/IO.h>
 
 #include <cmath>
 #include <string>
@@ -413,6 +415,28 @@ TEST(PbrtV3Scenes, ReflectancesAreAsTheyAreNamed) {
   expect_color(reflected("Material 'uber' 'rgb Kd' [1 1 1] 'rgb Ks' [0 0 0] 'rgb opacity' "
                          "[0.5 0.5 0.5]\n"),
                Vec3(1.F), 0.02F);
+}
+
+TEST(Pbrt4, NanoVdbAbsorbsByTheIntegralOfItsVoxels) {
+  // Along z from 0.5 to 1 in the first unit and to 0 in the second.
+  const float integral = 0.75F + 0.5F;
+  nanovdb::GridBuilder<float> builder(0.F);
+  auto voxels = builder.getAccessor();
+  for (int i = 0; i < 4; ++i) {
+    voxels.setValue(nanovdb::Coord(i % 2, i / 2, 0), 0.5F);
+    voxels.setValue(nanovdb::Coord(i % 2, i / 2, 1), 1.F);
+  }
+  const test::TemporaryFile file("smoke.nvdb");
+  nanovdb::io::writeGrid(file.path(),
+                         builder.getHandle<>(1.0, nanovdb::Vec3d(-0.5, -0.5, 0), "density"));
+  const TinyPicture seen = picture_of(
+      kV4, camera(6, 0.001F),
+      "MakeNamedMedium 'smoke' 'string type' 'nanovdb' 'string filename' '" + file.path() +
+          "' 'rgb sigma_a' [0.4 1 2] 'rgb sigma_s' [0 0 0]\nLightSource 'infinite' 'rgb L' [1 1 "
+          "1]\n"
+          "Material 'interface' MediumInterface 'smoke' '' Shape 'sphere' 'float radius' 4\n");
+  expect_color(seen.mean(),
+               {std::exp(-0.4F * integral), std::exp(-integral), std::exp(-2.F * integral)}, 0.01F);
 }
 
 TEST(Pbrt4, AlphaIsTheShareThatIsThere) {

@@ -36,12 +36,16 @@ int slot_of(const std::string& name) {
   return kUnusedSlot;
 }
 
+bool is_index_list(const PlyProperty& property) {
+  return property.is_list && (property.name == "vertex_indices" || property.name == "vertex_index");
+}
+
 class PlyReader {
  public:
   PlyReader(std::string_view bytes, const std::string& name)
       : bytes_(bytes), name_(name), header_(parse_ply_header(bytes, name)) {}
 
-  desc::Mesh read() {
+  PlyContents read() {
     const std::string_view body = bytes_.substr(header_.size);
     if (header_.format == PlyFormat::Ascii) {
       read_elements(PlyAsciiCursor(body));
@@ -50,10 +54,26 @@ class PlyReader {
     }
     if (!has_vertices_) fail("there is no element \"vertex\" with x, y and z");
     if (!has_faces_) fail("there is no element \"face\" with a list \"vertex_indices\"");
-    return std::move(mesh_);
+    return {std::move(mesh_), skipped()};
   }
 
  private:
+  std::vector<std::string> skipped() const {
+    std::vector<std::string> names;
+    for (const PlyElement& element : header_.elements) {
+      if (element.name != "vertex" && element.name != "face") {
+        if (element.count > 0) names.push_back(element.name);
+        continue;
+      }
+      for (const PlyProperty& property : element.properties) {
+        const bool is_read = element.name == "vertex" ? slot_of(property.name) != kUnusedSlot
+                                                      : is_index_list(property);
+        if (!is_read) names.push_back(property.name);
+      }
+    }
+    return names;
+  }
+
   [[noreturn]] void fail(const std::string& message) const {
     throw SceneError({std::make_shared<const std::string>(name_), 0, 0}, message);
   }
@@ -216,10 +236,7 @@ class PlyReader {
     if (has_faces_) fail("there are two elements \"face\"");
     std::size_t which = element.properties.size();
     for (std::size_t p = 0; p < element.properties.size(); ++p) {
-      const PlyProperty& property = element.properties[p];
-      if (property.is_list &&
-          (property.name == "vertex_indices" || property.name == "vertex_index"))
-        which = p;
+      if (is_index_list(element.properties[p])) which = p;
     }
     if (which == element.properties.size())
       fail("the element \"face\" lacks the list \"vertex_indices\"");
@@ -297,6 +314,10 @@ void append(std::string& out, const void* data, std::size_t size) {
 }  // namespace
 
 desc::Mesh read_ply(std::string_view bytes, const std::string& name) {
+  return read_ply_contents(bytes, name).mesh;
+}
+
+PlyContents read_ply_contents(std::string_view bytes, const std::string& name) {
   if (!is_gzip(bytes)) return PlyReader(bytes, name).read();
   const std::optional<std::string> unpacked = gunzip(bytes, bytes.size() * kMaxGzipRatio + 4096);
   if (!unpacked) {

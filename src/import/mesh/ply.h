@@ -1,6 +1,7 @@
 #pragma once
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "scene/desc/scene_desc.h"
 
@@ -13,6 +14,13 @@ namespace ajar {
 /// `validate_mesh`. Raises SceneError, with `name` as its file, if the data is not a complete PLY
 /// file.
 desc::Mesh read_ply(std::string_view bytes, const std::string& name);
+
+/// A mesh, and what of its file is skipped: "red" of a vertex, or "tristrips" for an element.
+struct PlyContents {
+  desc::Mesh mesh;
+  std::vector<std::string> skipped;
+};
+PlyContents read_ply_contents(std::string_view bytes, const std::string& name);
 
 /// Little-endian binary PLY of positions, normals, uvs and indices (tangents have no place in PLY).
 std::string write_ply(const desc::Mesh& mesh);

@@ -248,5 +248,16 @@ TEST(ValidateMesh, KeepsTrianglesThatAreOnlySmall) {
   EXPECT_TRUE(remarks.empty());
 }
 
+TEST(Ply, WhatIsSkippedIsNamed) {
+  const PlyContents contents = read_ply_contents(
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float "
+      "z\nproperty uchar red\nelement face 1\nproperty list uchar int vertex_indices\nproperty int "
+      "flags\nelement edge 1\nproperty int a\nend_header\n0 0 0 9\n1 0 0 9\n0 1 0 9\n3 0 1 2 "
+      "7\n5\n",
+      "a.ply");
+  EXPECT_EQ(contents.skipped, (std::vector<std::string>{"red", "flags", "edge"}));
+  EXPECT_EQ(contents.mesh.indices.size(), 1U);
+}
+
 }  // namespace
 }  // namespace ajar

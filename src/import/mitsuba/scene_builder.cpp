@@ -1,5 +1,6 @@
 #include "import/mitsuba/scene_builder.h"
 
+#include "import/common/printable.h"
 #include "import/mitsuba/lights.h"
 #include "import/mitsuba/sensor.h"
 #include "import/mitsuba/shapes.h"
@@ -8,6 +9,7 @@ namespace ajar::mitsuba {
 namespace {
 
 constexpr WarningKind kNoSensor{Effect::Light, "scenes have no sensor"};
+constexpr WarningKind kNotReferred{Effect::Slight, "things are in nothing and have no id: ignored"};
 constexpr WarningKind kNoShapes{Effect::Geometry, "scenes have no shapes"};
 constexpr WarningKind kMoreSensors{Effect::None, "sensors are ignored: the first one is used"};
 
@@ -47,7 +49,13 @@ desc::SceneDesc build_scene(const Document& document, SearchPath& files, Warning
   // Things that are only referred to are read where they are used.
   for (const char* tag : {"bsdf", "texture", "medium", "spectrum", "volume", "phase", "film",
                           "sampler", "rfilter", "subsurface"}) {
-    arguments.children(tag);
+    for (const Element* element : arguments.children(tag)) {
+      if (!element->id.empty()) continue;
+      warnings.add(
+          kNotReferred, element->where,
+          "this <" + element->tag + "> is in nothing, and nothing can refer to it: ignored",
+          printable(element->type));
+    }
   }
   arguments.report_unused();
 

@@ -13,6 +13,7 @@ namespace {
 
 constexpr WarningKind kFlat{Effect::Geometry,
                             "shapes are left out: their transforms cannot be inverted"};
+constexpr WarningKind kTwice{Effect::Surface, "shapes have two bsdfs or emitters: the last counts"};
 constexpr WarningKind kGroupedLight{
     Effect::Light, "shapes of groups cannot be lights: their emission is left out"};
 constexpr WarningKind kEmitter{Effect::Light,
@@ -86,6 +87,10 @@ void ShapeBuilder::set_material(Arguments& arguments, desc::Shape& shape, bool i
   const bool emits = !arguments.children("emitter").empty();
   const bool has_media = shape.inside != desc::kNone || shape.outside != desc::kNone;
   Surface surface;
+  for (std::size_t i = 0; i + 1 < bsdfs.size(); ++i) {
+    context_.warnings.add(kTwice, bsdfs[i]->where,
+                          "this shape has another bsdf, which counts instead of this one");
+  }
   if (!bsdfs.empty()) {
     surface = materials_.make(*bsdfs.back());
     if (surface.is_one_sided && !is_closed) warn_of_back(*bsdfs.back());
@@ -126,6 +131,10 @@ void ShapeBuilder::set_emission(Arguments& arguments, desc::Shape& shape, bool i
       context_.warnings.add(kGroupedLight, element->where,
                             "shapes of groups cannot be lights: its emission is left out");
       continue;
+    }
+    if (shape.emission) {
+      context_.warnings.add(kTwice, shape.emission->where,
+                            "this shape has another emitter, which counts instead of this one");
     }
     Arguments emitter(context_, *element);
     const bool has_radiance = emitter.has("radiance");

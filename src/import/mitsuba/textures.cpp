@@ -12,6 +12,7 @@ constexpr WarningKind kTextureStandIn{Effect::Surface,
                                       "textures are not supported: grey stands in"};
 constexpr WarningKind kWrap{
     Effect::Surface, "textures have a wrap mode that is not supported: the nearest stands in"};
+constexpr WarningKind kFilter{Effect::Slight, "textures have an unknown filter: bilinear"};
 constexpr WarningKind kChannel{Effect::Surface,
                                "textures use a channel of an image that is not supported: all"};
 
@@ -146,7 +147,16 @@ desc::Node TextureTable::bitmap(Arguments& arguments) {
                           printable(mode));
   }
   node.set("wrap", wrap);
-  if (arguments.text("filter_type", "") == "nearest") node.set("filter", std::string("nearest"));
+  const std::string filter = arguments.text("filter_type", "bilinear");
+  if (filter == "nearest") {
+    node.set("filter", filter);
+  } else if (filter != "bilinear" && filter != "trilinear" && filter != "ewa") {
+    static const std::vector<std::string> kFilters = {"bilinear", "nearest", "trilinear", "ewa"};
+    context_.warnings.add(
+        kFilter, arguments.where(),
+        unknown_name_message("filter_type", printable(filter), kFilters) + ". Bilinear stands in",
+        printable(filter));
+  }
   if (const std::optional<std::string> channel = arguments.text("channel");
       channel && *channel != "all") {
     static const std::map<std::string, std::string> kChannels = {

@@ -21,7 +21,6 @@ namespace {
 using Index = Imath::Vec3<std::int64_t>;
 using Root = nanovdb::NanoRoot<float>;
 
-constexpr double kMostVoxels = 1 << 30;
 constexpr std::string_view kDamaged = "the file is damaged or ends early";
 
 [[noreturn]] void fail(const SourceLocation& where, std::string_view message) {
@@ -124,8 +123,8 @@ AlignedBytes unpack(const PackedGrid& packed, const SourceLocation& where) {
 /// lead; here every one is checked before.
 class TreeReader {
  public:
-  TreeReader(const AlignedBytes& bytes, const SourceLocation& where)
-      : bytes_(bytes), where_(where) {}
+  TreeReader(const AlignedBytes& bytes, const SourceLocation& where, std::uint64_t most_voxels)
+      : bytes_(bytes), where_(where), most_voxels_(most_voxels) {}
 
   VoxelGrid read() {
     const auto& grid = at<nanovdb::GridData>(0);
@@ -183,11 +182,10 @@ class TreeReader {
       if (active.max()[i] < active.min()[i]) fail(where_, "no voxel of the grid is active");
       count *= static_cast<double>(high_[i] - low_[i]);
     }
-    if (count > kMostVoxels) {
+    if (count > static_cast<double>(most_voxels_)) {
       fail(where_, "the grid has " + std::to_string(high_.x - low_.x) + " × " +
                        std::to_string(high_.y - low_.y) + " × " + std::to_string(high_.z - low_.z) +
-                       " voxels, which are more than " +
-                       std::to_string(static_cast<long long>(kMostVoxels)));
+                       " voxels, which are more than " + std::to_string(most_voxels_));
     }
     count_ = static_cast<std::uint64_t>(count);
     const std::string shortage = memory_shortage(count_ * sizeof(float));
@@ -279,6 +277,7 @@ class TreeReader {
 
   const AlignedBytes& bytes_;
   const SourceLocation& where_;
+  const std::uint64_t most_voxels_;
   Index low_{0, 0, 0}, high_{0, 0, 0};  ///< of the points that are read: [low, high)
   std::uint64_t count_ = 0;
   std::vector<float> values_;
@@ -287,11 +286,11 @@ class TreeReader {
 }  // namespace
 
 std::optional<VoxelGrid> read_nanovdb(std::string_view bytes, std::string_view grid_name,
-                                      const SourceLocation& where) {
+                                      const SourceLocation& where, std::uint64_t most_voxels) {
   const std::optional<PackedGrid> packed = find_grid(bytes, grid_name, where);
   if (!packed) return std::nullopt;
   const AlignedBytes unpacked = unpack(*packed, where);
-  return TreeReader(unpacked, where).read();
+  return TreeReader(unpacked, where, most_voxels).read();
 }
 
 bool has_nanovdb_grid(std::string_view bytes, std::string_view grid_name,

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <optional>
 #include <string_view>
 
@@ -16,10 +17,11 @@ struct VoxelGrid {
 /// The grid called `grid_name` in the bytes of a NanoVDB file, where its voxels are active; nothing
 /// if there is none of this name. Blocks may be uncompressed or compressed by zlib. Raises
 /// SceneError, at `where`, for other ones, for grids of other numbers, for what is damaged, and for
-/// grids that have more voxels than memory can hold.
+/// grids of more than `most_voxels` or than memory can hold.
 /// Between voxels and around them density is what pbrt-v4 has by trilinear interpolation.
 std::optional<VoxelGrid> read_nanovdb(std::string_view bytes, std::string_view grid_name,
-                                      const SourceLocation& where);
+                                      const SourceLocation& where,
+                                      std::uint64_t most_voxels = std::uint64_t{1} << 30);
 
 /// Whether the file has a grid of this name. Raises SceneError.
 bool has_nanovdb_grid(std::string_view bytes, std::string_view grid_name,

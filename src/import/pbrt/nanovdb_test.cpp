@@ -140,7 +140,7 @@ TEST(NanoVdb, DamageIsFoundWhereverItIs) {
       std::string bad = good;
       std::memcpy(bad.data() + place, &number, sizeof(number));
       try {
-        pbrt::read_nanovdb(bad, "density", {});
+        pbrt::read_nanovdb(bad, "density", {}, 1 << 20);
       } catch (const Error&) {
         ++refused;
       }

@@ -13,6 +13,8 @@ namespace {
 constexpr WarningKind kUnknownPrimitive{Effect::Geometry,
                                         "primitives are of unknown types and left out"};
 constexpr WarningKind kUnsupported{Effect::Geometry, "primitives are not supported and left out"};
+constexpr WarningKind kMoreBsdfs{Effect::Surface,
+                                 "primitives have more bsdfs than they can: the first counts"};
 constexpr WarningKind kNoMeshFile{Effect::Geometry, "meshes name no file and are left out"};
 constexpr WarningKind kFlat{Effect::Geometry,
                             "primitives are left out: their transforms cannot be inverted"};
@@ -160,7 +162,15 @@ void PrimitiveReader::read(const LocatedJson& json, std::vector<desc::Shape>& sh
   const std::vector<Part> parts =
       parts_of(object, *type, transform, static_cast<int>(surfaces.size()));
   double area = 0.0;
-  for (const Part& part : parts) area += part.area;
+  int bsdfs_in_use = 0;
+  for (const Part& part : parts) {
+    area += part.area;
+    bsdfs_in_use = std::max(bsdfs_in_use, part.bsdf + 1);
+  }
+  if (*type != "mesh" && bsdfs_in_use < static_cast<int>(surfaces.size())) {
+    context_.warnings.add(kMoreBsdfs, json.where(),
+                          "only meshes can have several bsdfs: the first counts", shown(name));
+  }
   std::optional<desc::Emission> emission = emission_of(object, area);
   if (emission && !is_top) {
     context_.warnings.add(kInstancedLight, emission->where,

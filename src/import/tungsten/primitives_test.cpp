@@ -116,6 +116,10 @@ TEST(Primitives, MeshFilesThatCannotBeUsedAreLeftOutWithAWarning) {
     EXPECT_TRUE(contains(warnings, "test.json:3:41: cannot use this mesh: ")) << warnings;
   }
   EXPECT_TRUE(contains(warnings_of(scene_text("", "{'type': 'mesh'}")), "names no \"file\""));
+  EXPECT_TRUE(
+      contains(warnings_of(scene_text(
+                   "", "{'type': 'sphere', 'bsdf': [{'type': 'lambert'}, {'type': 'mirror'}]}")),
+               "only meshes can have several bsdfs"));
 }
 
 TEST(Primitives, EmitRadianceOrPower) {
