@@ -23,9 +23,7 @@ struct ChainRunner::Run {
   }
   void count(const Proposal& proposal, bool independent, double acceptance, double cap) {
     ++statistics.steps;
-    MoveCount& move = statistics.moves[proposal.move];
-    ++move.proposals;
-    move.acceptances += acceptance;
+    statistics.moves[proposal.move].count(proposal, acceptance);
     for (const Candidate& candidate : proposal.candidates) {
       statistics.count(candidate, {chain.seed, chain.step});
       if (independent) statistics.large_steps.add(std::min(candidate.scalar, cap));

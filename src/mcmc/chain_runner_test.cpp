@@ -272,6 +272,10 @@ TEST(ChainRunner, CountsDiscardedProposalsAndNeverAcceptsThem) {
     EXPECT_NEAR(static_cast<double>(statistics.discarded_infinite), 1000.0, 150.0);
     EXPECT_NEAR(static_cast<double>(statistics.discarded_negative), 1000.0, 150.0);
     EXPECT_NEAR(static_cast<double>(statistics.zero), 2000.0, 5.0 * 40.0);
+    MoveRecord all;
+    for (const MoveRecord& move : statistics.moves) all += move;
+    EXPECT_EQ(all.dark, statistics.zero + statistics.discarded_nan + statistics.discarded_infinite +
+                            statistics.discarded_negative);
     ASSERT_TRUE(statistics.first_discarded);
     EXPECT_EQ(statistics.first_discarded->seed, 17U);
     EXPECT_LT(statistics.first_discarded->step, 100U);

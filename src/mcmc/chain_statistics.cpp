@@ -4,9 +4,25 @@
 
 namespace ajar {
 
-void add_counts(std::vector<MoveCount>& counts, const std::vector<MoveCount>& others) {
-  counts.resize(std::max(counts.size(), others.size()));
-  for (std::size_t i = 0; i < others.size(); ++i) counts[i] += others[i];
+void MoveRecord::count(const Proposal& proposal, double acceptance) {
+  ++proposals;
+  acceptances += acceptance;
+  rays += proposal.rays;
+  if (std::all_of(proposal.candidates.begin(), proposal.candidates.end(),
+                  [](const Candidate& candidate) { return candidate.scalar == 0.0; })) {
+    ++dark;
+  }
+  if (proposal.walk == WalkEnd::Lost) ++lost_walks;
+  if (proposal.walk == WalkEnd::OneWay) ++one_way_walks;
+}
+
+MoveRecord& MoveRecord::operator+=(const MoveRecord& other) {
+  MoveCount::operator+=(other);
+  dark += other.dark;
+  rays += other.rays;
+  lost_walks += other.lost_walks;
+  one_way_walks += other.one_way_walks;
+  return *this;
 }
 
 void ChainStatistics::count(const Candidate& candidate, const ChainPlace& place) {

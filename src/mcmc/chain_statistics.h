@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -28,8 +29,28 @@ struct MoveCount {
   }
 };
 
+/// What became of a move, and what it cost.
+struct MoveRecord : MoveCount {
+  std::uint64_t dark = 0;  ///< proposals without light, or that came to nothing
+  std::uint64_t rays = 0;  ///< 0 where kernels do not know
+  std::uint64_t lost_walks = 0;
+  std::uint64_t one_way_walks = 0;
+
+  /// Counts a proposal, which is accepted with this probability.
+  void count(const Proposal& proposal, double acceptance);
+  MoveRecord& operator+=(const MoveRecord& other);
+  template <typename Archive>
+  void serialize(Archive& archive) {
+    archive(proposals, acceptances, dark, rays, lost_walks, one_way_walks);
+  }
+};
+
 /// Adds each count to that of the same place; the shorter of both is filled up.
-void add_counts(std::vector<MoveCount>& counts, const std::vector<MoveCount>& others);
+template <typename Count>
+void add_counts(std::vector<Count>& counts, const std::vector<Count>& others) {
+  counts.resize(std::max(counts.size(), others.size()));
+  for (std::size_t i = 0; i < others.size(); ++i) counts[i] += others[i];
+}
 
 /// Enough to replay a step: the chain's seed, and how many steps lie before it.
 struct ChainPlace {
@@ -43,7 +64,7 @@ struct ChainPlace {
 
 /// What happened in steps of chains; summable over runs.
 struct ChainStatistics {
-  std::vector<MoveCount> moves;  ///< numbered as in `Kernel::moves`; empty if there was no step
+  std::vector<MoveRecord> moves;  ///< numbered as in `Kernel::moves`; empty if there was no step
   std::uint64_t steps = 0;
   std::uint64_t zero = 0;  ///< proposals with I = 0, not counting the discarded
   std::uint64_t discarded_nan = 0;

@@ -31,10 +31,19 @@ struct Move {
   bool independent = false;
 };
 
+/// What became of the walk of a move that walks to its proposal.
+enum class WalkEnd : std::uint8_t {
+  None,    ///< it was not tried, or led there and back
+  Lost,    ///< it did not arrive
+  OneWay,  ///< one from the proposal did not come back to the current state
+};
+
 /// What one step proposes: one state, or several of which one at most becomes the next.
 struct Proposal {
   std::size_t move;  ///< in `Kernel::moves`
   std::span<const Candidate> candidates;
+  std::uint64_t rays = 0;  ///< that it took; 0 where kernels do not know
+  WalkEnd walk = WalkEnd::None;
 };
 
 /// A transition of Markov chains that keeps the density I / b: proposes from the state that it is

@@ -3,12 +3,28 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
 
 namespace ajar {
 
 namespace {
 constexpr WarningKind kNoSeeds{Effect::Light, "methods have found no light to start chains from"};
+
+MethodReport report_of(const MoveRecord& move, std::string_view name) {
+  const auto proposals = static_cast<double>(move.proposals);
+  MethodReport report{{"move", name},
+                      {"proposals", move.proposals},
+                      {"acceptance", move.acceptance()},
+                      {"dark", static_cast<double>(move.dark) / proposals}};
+  if (move.rays > 0) report["rays"] = static_cast<double>(move.rays) / proposals;
+  if (move.lost_walks + move.one_way_walks > 0) {
+    report["lost_walks"] = move.lost_walks;
+    report["one_way_walks"] = move.one_way_walks;
+  }
+  return report;
 }
+
+}  // namespace
 
 Warning no_seeds(std::uint64_t samples) {
   return {kNoSeeds,
@@ -41,7 +57,7 @@ MethodReport ChainReporter::report() const {
         group.group_->depth > 0 ? MethodReport(group.group_->depth) : MethodReport();
     const ChainStatistics& own = group.record_.statistics;
     MoveCount all;
-    for (const MoveCount& move : own.moves) all += move;
+    for (const MoveRecord& move : own.moves) all += move;
     by_depth.push_back({{"depth", depth},
                         {"chains", group.chains_},
                         {"mutations", group.plain_ + own.steps},
@@ -65,11 +81,9 @@ MethodReport ChainReporter::report() const {
   MoveCount small;
   MoveCount large;
   for (std::size_t i = 0; i < whole.moves.size(); ++i) {
-    const MoveCount& move = whole.moves[i];
+    const MoveRecord& move = whole.moves[i];
     if (move.proposals == 0) continue;
-    by_move.push_back({{"move", moves_[i].name},
-                       {"proposals", move.proposals},
-                       {"acceptance", move.acceptance()}});
+    by_move.push_back(report_of(move, moves_[i].name));
     (moves_[i].independent ? large : small) += move;
   }
   return {{"acceptance",

@@ -41,8 +41,8 @@ class ChainReporter {
   ChainReporter(std::uint64_t bootstrap_samples, std::span<const Move> moves)
       : bootstrap_samples_(bootstrap_samples), moves_(moves) {}
   void add(OfGroup group) { groups_.push_back(std::move(group)); }
-  /// `acceptance` by size of step, move, depth and technique, `b` by depth, `chains`,
-  /// `bootstrap_samples`.
+  /// `acceptance` by size of step, move (with what moves cost, as far as kernels know), depth and
+  /// technique, `b` by depth, `chains`, `bootstrap_samples`.
   MethodReport report() const;
 
  private:

@@ -19,7 +19,8 @@ void require(bool holds, const char* otherwise) {
 
 bool is_sum(double value) { return value >= 0.0 && std::isfinite(value); }
 
-void check_counts(std::span<const MoveCount> counts) {
+template <typename Count>
+void check_counts(const std::vector<Count>& counts) {
   for (const MoveCount& count : counts) {
     require(is_sum(count.acceptances), "what chains have accepted cannot be");
   }

@@ -100,15 +100,19 @@ bool ManifoldPerturbation::leads_back(const Path& x, const Span& span, double un
 
 bool ManifoldPerturbation::walk(const Path& x, const Span& span, const InnerVertex& target) {
   const ChainStart start = chain_start(scene_, x, span.fixed);
+  walk_end_ = WalkEnd::Lost;
   if (!walk_.walk(start, chain_from_light(x, span.fixed, span.moved), target.p())) return false;
   chain_.assign(walk_.vertices().begin(), walk_.vertices().end());
-  return walk_.walk(start, chain_, x.position(span.moved)) &&
-         leads_back(x, span, walk_.uncertainty());
+  const bool back =
+      walk_.walk(start, chain_, x.position(span.moved)) && leads_back(x, span, walk_.uncertainty());
+  walk_end_ = back ? WalkEnd::None : WalkEnd::OneWay;
+  return back;
 }
 
 std::optional<Kept> ManifoldPerturbation::propose(const Path& x, std::uint64_t key, Path& y) {
   const Span span = *span_of(x);
   const Kept kept{span.fixed + 1, 1};
+  walk_end_ = WalkEnd::None;
   BootstrapSource source(key, 0);
   const Vec2 raster =
       x.raster + raster_.in_plane(source.get_pair({Stream::Camera, 0, kEmissionDirection}));

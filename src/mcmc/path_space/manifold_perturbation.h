@@ -20,6 +20,7 @@ class ManifoldPerturbation final : public PathMutation {
   bool suitable(const Path& path) const override { return span_of(path).has_value(); }
   std::optional<Kept> propose(const Path& x, std::uint64_t key, Path& y) override;
   double log_density(const Path& x, const Path& y, const Kept& kept) const override;
+  WalkEnd walk_end() const override { return walk_end_; }
   const RayCounts& ray_counts() const override { return rays_; }
 
  private:
@@ -40,6 +41,7 @@ class ManifoldPerturbation final : public PathMutation {
   GrowingPath growing_;
   ManifoldWalk walk_;
   std::vector<InnerVertex> chain_;
+  WalkEnd walk_end_ = WalkEnd::None;
   RayCounts rays_;
 };
 

@@ -55,26 +55,32 @@ Proposal PathKernel::propose(std::uint64_t key) {
   candidate_.splats.clear();
   candidate_.take(0.0);
   candidate_.probability = 0.0;
-  consider(key);
-  return {move_, {&candidate_, 1}};
+  PathMutation* const mutation = choose(key);
+  if (mutation == nullptr) return {move_, {&candidate_, 1}};
+  const std::uint64_t rays_before = mutation->ray_counts().rays;
+  consider(*mutation, key);
+  return {move_, {&candidate_, 1}, mutation->ray_counts().rays - rays_before, mutation->walk_end()};
 }
 
-void PathKernel::consider(std::uint64_t key) {
+PathMutation* PathKernel::choose(std::uint64_t key) {
   const Path& x = chain_->path;
   double left =
       to_unit_double(counter_bits(hash_numbers(key, RandomUse::PathMutation), 0)) * current_.weight;
-  const MixedMutation* chosen = nullptr;
+  PathMutation* chosen = nullptr;
   move_ = 0;
   for (std::size_t i = 0; i < mutations_.size(); ++i) {
     const MixedMutation& mixed = mutations_[i];
     if (!(mixed.weight > 0.0) || !mixed.mutation->suitable(x)) continue;
-    chosen = &mixed;
+    chosen = mixed.mutation.get();
     move_ = i;
     if (left < mixed.weight) break;
     left -= mixed.weight;
   }
-  if (chosen == nullptr) return;
-  PathMutation& mutation = *chosen->mutation;
+  return chosen;
+}
+
+void PathKernel::consider(PathMutation& mutation, std::uint64_t key) {
+  const Path& x = chain_->path;
   const auto kept = mutation.propose(x, hash_numbers(key, RandomUse::PathNumbers), path_);
   if (!kept) return;
   proposed_.log_light = light_on(scene_, path_, area_, layer_(path_.depth()), candidate_.splats);

@@ -44,7 +44,9 @@ class PathKernel final : public Kernel {
     double weight = 0.0;     ///< of all suitable mutations
   };
   double suitable_weight(const Path& path) const;
-  void consider(std::uint64_t key);
+  /// The mutation that a step from the current path tries; null if none is for it.
+  PathMutation* choose(std::uint64_t key);
+  void consider(PathMutation& mutation, std::uint64_t key);
 
   const Scene& scene_;
   RasterArea area_;

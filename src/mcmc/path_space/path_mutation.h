@@ -4,6 +4,7 @@
 #include <optional>
 #include <string_view>
 
+#include "mcmc/kernel.h"
 #include "path/path.h"
 
 namespace ajar {
@@ -35,6 +36,8 @@ class PathMutation {
   /// `contribution`: the deltas of specular vertices, which are to be those over the direction
   /// toward the light, are left out. `kNever` if it never does.
   virtual double log_density(const Path& x, const Path& y, const Kept& kept) const = 0;
+  /// What became of the walk of the last proposal, for mutations that walk.
+  virtual WalkEnd walk_end() const { return WalkEnd::None; }
   /// Rays traced so far.
   virtual const RayCounts& ray_counts() const = 0;
 };
