@@ -311,6 +311,40 @@ TEST(ChainLayers, DensityCountsPlainSamplesAsVisitsWhateverTheyWeigh) {
   }
 }
 
+TEST(ChainReports, SayWhatMovesCost) {
+  const auto scene = scene_from(pbrt_scene(
+      kCamera, 24, 16,
+      kPoints + kFloor +
+          "Material \"glass\"\nTranslate 0 0.8 0\nShape \"sphere\" \"float radius\" [0.4]\n"));
+  test::RenderOptions options = options_of("mlt");
+  options.max_depth = 6;
+  options.parameters["bootstrap"] = "20000";
+  options.samples = 64;
+  const test::Render render = test::render(*scene, options);
+  std::uint64_t proposals = 0;
+  double rays = 0.0;
+  bool walked = false;
+  const MethodReport report = render.integrator->report();
+  for (const auto& move : report.at("acceptance").at("by_move")) {
+    const auto tries = move.at("proposals").get<std::uint64_t>();
+    proposals += tries;
+    EXPECT_GT(move.at("rays"), 0.0);
+    EXPECT_GT(move.at("dark"), 0.0);
+    EXPECT_LE(move.at("dark"), 1.0 - move.at("acceptance").get<double>());
+    rays += move.at("rays").get<double>() * static_cast<double>(tries);
+    if (!move.contains("lost_walks")) continue;
+    walked = true;
+    EXPECT_EQ(move.at("move"), "manifold");
+    const auto failed =
+        move.at("lost_walks").get<std::uint64_t>() + move.at("one_way_walks").get<std::uint64_t>();
+    EXPECT_LE(static_cast<double>(failed), move.at("dark").get<double>() * tries * (1.0 + 1e-9));
+  }
+  EXPECT_TRUE(walked);
+  EXPECT_EQ(proposals, render.counters.mutations);
+  // The others are those of the bootstrap.
+  EXPECT_LT(rays, static_cast<double>(render.counters.rays) * (1.0 + 1e-9));
+}
+
 TEST(ChainReports, SayWhatChainsDid) {
   const auto scene = scene_from(pbrt_scene(kCamera, 24, 16, kPoints + kFloor));
   test::RenderOptions options = options_of("mmlt+");
