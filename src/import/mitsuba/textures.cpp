@@ -12,7 +12,7 @@ constexpr WarningKind kTextureStandIn{Effect::Surface,
                                       "textures are not supported: grey stands in"};
 constexpr WarningKind kWrap{
     Effect::Surface, "textures have a wrap mode that is not supported: the nearest stands in"};
-constexpr WarningKind kFilter{Effect::Slight, "textures have an unknown filter: bilinear"};
+constexpr WarningKind kTextureFilter{Effect::Slight, "textures have an unknown filter: bilinear"};
 constexpr WarningKind kChannel{Effect::Surface,
                                "textures use a channel of an image that is not supported: all"};
 
@@ -153,7 +153,7 @@ desc::Node TextureTable::bitmap(Arguments& arguments) {
   } else if (filter != "bilinear" && filter != "trilinear" && filter != "ewa") {
     static const std::vector<std::string> kFilters = {"bilinear", "nearest", "trilinear", "ewa"};
     context_.warnings.add(
-        kFilter, arguments.where(),
+        kTextureFilter, arguments.where(),
         unknown_name_message("filter_type", printable(filter), kFilters) + ". Bilinear stands in",
         printable(filter));
   }
