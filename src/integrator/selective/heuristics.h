@@ -187,8 +187,8 @@ struct SelectiveHeuristics {
 
   // -------------------------------------------------------- bootstrap, where nothing else seeds
   /// Unit: paths. Range: >= 1000. Source: docs/methods/divided-light.md; 4ff4f9a.
-  /// docs/notebook/selective.md, "The study": five times as many do not help chains alone on
-  /// torus-in-glass.
+  /// docs/notebook/selective.md, "The published order": five times as many do not help chains alone
+  /// on torus-in-glass.
   static constexpr std::uint64_t kBootstrapPaths = 200000;
   /// In larger pictures.
   /// Unit: paths per pixel. Range: > 0. Source: the same.
