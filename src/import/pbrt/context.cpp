@@ -4,6 +4,9 @@
 #include "import/pbrt/lexer.h"
 
 namespace ajar::pbrt {
+namespace {
+constexpr WarningKind kSameName{Effect::Slight, "things have the names of others before them"};
+}
 
 std::string unknown_message(const DialectChoice& choice, std::string_view what,
                             std::string_view name, const std::vector<std::string>& valid) {
@@ -25,6 +28,14 @@ void report_unknown(const Context& context, const SourceLocation& where, std::st
   const std::string message = unknown_message(context.choice, what, name, valid);
   if (!context.is_v4()) throw SceneError(where, message);
   context.warnings.add(kind, where, message + ". " + std::string(stand_in), printable(name));
+}
+
+void warn_of_same_name(const Context& context, const SourceLocation& where, std::string_view what,
+                       std::string_view name) {
+  context.warnings.add(kSameName, where,
+                       "there is a " + std::string(what) + " \"" + printable(name) +
+                           "\" already: from here on this one counts",
+                       printable(name));
 }
 
 void fail_unknown(const SourceLocation& where, std::string_view what, std::string_view name,

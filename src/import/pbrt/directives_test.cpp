@@ -37,6 +37,22 @@ TEST(PbrtWarnings, CountTheTrianglesOfAllMeshes) {
   EXPECT_EQ(warnings.groups().front().first.where.line, 2);
 }
 
+TEST(PbrtWarnings, TellOfNamesThatAreTakenTwice) {
+  const std::string texture = "Texture \"t\" \"float\" \"constant\"\n";
+  const std::string material = "MakeNamedMaterial \"m\" \"string type\" \"matte\"\n";
+  const std::string medium = "MakeNamedMedium \"fog\" \"string type\" \"homogeneous\"\n";
+  const std::string object = "ObjectBegin \"o\" ObjectEnd\n";
+  const std::string once = texture + material + medium + object;
+  EXPECT_EQ(warnings_of(world(once)).find("already"), std::string::npos);
+  const std::string told = warnings_of(world(once + once));
+  for (const char* name : {"texture \"t\"", "material \"m\"", "medium \"fog\"", "object \"o\""}) {
+    EXPECT_NE(told.find(std::string("there is a ") + name + " already"), std::string::npos) << told;
+  }
+  // Within a scope a name may mean something else.
+  const std::string inside = "AttributeBegin " + texture + material + "AttributeEnd ";
+  EXPECT_EQ(warnings_of(world(once + inside + inside)).find("already"), std::string::npos);
+}
+
 TEST(PbrtDirectives, UnknownOnesNameTheNearestWithTheirPlace) {
   const std::string error = error_of("WorldBegin\n  Shpae \"sphere\"");
   EXPECT_TRUE(

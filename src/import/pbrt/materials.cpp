@@ -185,6 +185,7 @@ void MaterialTable::make_named(const SourceLocation& where, const std::string& n
                                std::shared_ptr<const ParameterList> parameters) {
   const std::optional<std::string> type = parameters->get_string("type");
   if (!type) throw SceneError(where, "MakeNamedMaterial needs \"string type\"");
+  if (names_.is_from_here(name)) warn_of_same_name(context_, where, "material", name);
   names_.set(name, make(where, *type, std::move(parameters), name));
 }
 

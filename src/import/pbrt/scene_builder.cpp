@@ -268,7 +268,9 @@ void SceneBuilder::object_begin(const SourceLocation& where, const std::string& 
   if (open_object_ != desc::kNone) throw SceneError(where, "ObjectBegin inside of another object");
   open(Scope::Object, where);
   open_object_ = static_cast<desc::ObjectId>(scene_.objects.size());
-  objects_[name] = open_object_;
+  if (!objects_.insert_or_assign(name, open_object_).second) {
+    warn_of_same_name(context_, where, "object", name);
+  }
   scene_.objects.push_back({name, where, {}});
 }
 
@@ -330,7 +332,10 @@ void SceneBuilder::make_named_medium(const SourceLocation& where, const std::str
                                      const ParameterList& parameters) {
   scene_.media.push_back(
       make_medium(context_, where, name, parameters, transforms_.get(where, warnings_)));
-  media_[name] = static_cast<desc::MediumId>(scene_.media.size()) - 1;
+  const auto id = static_cast<desc::MediumId>(scene_.media.size()) - 1;
+  if (!media_.insert_or_assign(name, id).second) {
+    warn_of_same_name(context_, where, "medium", name);
+  }
 }
 
 void SceneBuilder::medium_interface(const SourceLocation& where, const std::string& inside,

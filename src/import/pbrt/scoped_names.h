@@ -1,4 +1,6 @@
 #pragma once
+#include <algorithm>
+#include <cstddef>
 #include <map>
 #include <optional>
 #include <string>
@@ -35,6 +37,13 @@ class ScopedNames {
   const Value* find(const std::string& name) const {
     const auto found = names_.find(name);
     return found == names_.end() ? nullptr : &found->second;
+  }
+  /// Whether the name was given in the innermost scope.
+  bool is_from_here(const std::string& name) const {
+    if (find(name) == nullptr) return false;
+    if (marks_.empty()) return true;
+    const auto first = log_.begin() + static_cast<std::ptrdiff_t>(marks_.back());
+    return std::any_of(first, log_.end(), [&](const auto& entry) { return entry.first == name; });
   }
   std::vector<std::string> names() const {
     std::vector<std::string> result;

@@ -137,8 +137,9 @@ void TextureTable::define(const SourceLocation& where, const std::string& name,
                                  ? model_of_type(desc::ModelKind::Texture, table, type)
                                  : desc::find_model(desc::ModelKind::Texture, names->ours);
   const auto define_as = [&](desc::Node node) {
-    (is_float ? floats_ : spectra_)
-        .set(name, static_cast<desc::TextureId>(context_.scene.textures.size()));
+    ScopedNames<desc::TextureId>& names_of_class = is_float ? floats_ : spectra_;
+    if (names_of_class.is_from_here(name)) warn_of_same_name(context_, where, "texture", name);
+    names_of_class.set(name, static_cast<desc::TextureId>(context_.scene.textures.size()));
     context_.scene.textures.push_back({name, where, std::move(node)});
   };
   if (context_.is_v4() && type == "ptex") {

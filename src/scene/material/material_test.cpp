@@ -138,6 +138,20 @@ TEST(Materials, NodesOfNoModelAreLocatedErrors) {
   }
 }
 
+TEST(Materials, WarnOfColorsThatAreClamped) {
+  const auto warnings_of = [](const Vec3& reflectance) {
+    Fixture f;
+    f.bsdf(f.add("diffuse", {{"reflectance", reflectance}}));
+    return f.warnings.messages().empty() ? std::string() : f.warnings.messages().front();
+  };
+  EXPECT_EQ(warnings_of({0.F, 0.5F, 1.F}), "");
+  EXPECT_EQ(warnings_of({0.F, 0.5F, std::nextafter(1.F, 2.F)}), "");
+  for (const Vec3& color : {Vec3(2.F, 0.5F, 0.5F), Vec3(0.5F, 0.5F, -0.3F)}) {
+    EXPECT_NE(warnings_of(color).find("\"reflectance\" of a diffuse material"), std::string::npos)
+        << warnings_of(color);
+  }
+}
+
 TEST(Materials, RoughnessOnTheLogScaleIsRemapped) {
   Fixture f;
   const auto remapped = f.add("plastic", {{"roughness", 0.3F}, {"roughness_scale", "log"}});
