@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/spectrum.h"
+#include "core/srgb.h"
 
 namespace ajar {
 
@@ -14,14 +15,6 @@ enum class ToneMap { Srgb, Filmic };
 
 /// By name, "srgb" or "filmic"; raises UsageError listing both.
 ToneMap tone_map_by_name(std::string_view name);
-
-/// Display encoding of a linear value in [0, 1] and its inverse. Source: IEC 61966-2-1 (piecewise).
-inline float srgb_from_linear(float linear) {
-  return linear <= 0.0031308F ? 12.92F * linear : 1.055F * std::pow(linear, 1.F / 2.4F) - 0.055F;
-}
-inline float linear_from_srgb(float encoded) {
-  return encoded <= 0.04045F ? encoded / 12.92F : std::pow((encoded + 0.055F) / 1.055F, 2.4F);
-}
 
 /// Film-like shoulder and toe on a linear value ≥ 0; the result, still linear, is in [0, 1].
 /// Source: Narkowicz 2016, "ACES filmic tone mapping curve", with the factor 0.6 on the input that

@@ -6,6 +6,7 @@
 #include <limits>
 #include <memory>
 
+#include "core/srgb.h"
 #include "import/mesh/gzip.h"
 #include "import/mesh/ply_cursor.h"
 #include "import/mesh/ply_header.h"
@@ -15,8 +16,9 @@ namespace {
 
 /// gzip cannot compress better than this.
 constexpr std::size_t kMaxGzipRatio = 1040;
-/// Property of a vertex that becomes component `slot` of: x y z nx ny nz u v.
-constexpr int kSlots = 8;
+/// Property of a vertex that becomes component `slot` of: x y z nx ny nz u v red green blue.
+constexpr int kSlots = 11;
+constexpr int kFirstColor = 8;
 constexpr int kUnusedSlot = -1;
 
 int slot_of(const std::string& name) {
@@ -28,12 +30,36 @@ int slot_of(const std::string& name) {
        {"ny"},
        {"nz"},
        {"u", "s", "texture_u", "texture_s"},
-       {"v", "t", "texture_v", "texture_t"}}};
+       {"v", "t", "texture_v", "texture_t"},
+       {"red", "r", "diffuse_red"},
+       {"green", "g", "diffuse_green"},
+       {"blue", "b", "diffuse_blue"}}};
   for (int slot = 0; slot < kSlots; ++slot) {
     const auto& names = kNames[static_cast<std::size_t>(slot)];
     if (std::find(names.begin(), names.end(), name) != names.end()) return slot;
   }
   return kUnusedSlot;
+}
+
+/// What stands for 1 in a colour.
+float full_color(PlyType type) {
+  switch (type) {
+    case PlyType::Int8:
+      return std::numeric_limits<std::int8_t>::max();
+    case PlyType::UInt8:
+      return std::numeric_limits<std::uint8_t>::max();
+    case PlyType::Int16:
+      return std::numeric_limits<std::int16_t>::max();
+    case PlyType::UInt16:
+      return std::numeric_limits<std::uint16_t>::max();
+    case PlyType::Int32:
+    case PlyType::UInt32:
+      return std::numeric_limits<std::uint8_t>::max();
+    case PlyType::Float32:
+    case PlyType::Float64:
+      break;
+  }
+  return 1.F;
 }
 
 bool is_index_list(const PlyProperty& property) {
@@ -54,7 +80,7 @@ class PlyReader {
     }
     if (!has_vertices_) fail("there is no element \"vertex\" with x, y and z");
     if (!has_faces_) fail("there is no element \"face\" with a list \"vertex_indices\"");
-    return {std::move(mesh_), skipped()};
+    return {std::move(mesh_), std::move(colors_), skipped()};
   }
 
  private:
@@ -66,8 +92,10 @@ class PlyReader {
         continue;
       }
       for (const PlyProperty& property : element.properties) {
-        const bool is_read = element.name == "vertex" ? slot_of(property.name) != kUnusedSlot
-                                                      : is_index_list(property);
+        const int slot = slot_of(property.name);
+        const bool is_read = element.name == "vertex"
+                                 ? slot != kUnusedSlot && (slot < kFirstColor || has_colors_)
+                                 : is_index_list(property);
         if (!is_read) names.push_back(property.name);
       }
     }
@@ -134,15 +162,34 @@ class PlyReader {
     if (!has[0] || !has[1] || !has[2]) fail("the element \"vertex\" lacks x, y or z");
     has_normals_ = has[3] && has[4] && has[5];
     has_uvs_ = has[6] && has[7];
+    has_colors_ = has[8] && has[9] && has[10];
     mesh_.positions.resize(count);
     if (has_normals_) mesh_.normals.resize(count);
     if (has_uvs_) mesh_.uvs.resize(count);
+    if (has_colors_) colors_.resize(count);
+  }
+
+  /// Colours as the file has them become linear.
+  void decode_colors(const PlyElement& element) {
+    if (!has_colors_) return;
+    float full = 1.F;
+    for (const PlyProperty& property : element.properties) {
+      if (slot_of(property.name) == kFirstColor) full = full_color(property.type);
+    }
+    for (Vec3& color : colors_) {
+      for (int lane = 0; lane < 3; ++lane) {
+        const float encoded = color[lane] / full;
+        // Written so that NaN becomes 0.
+        color[lane] = encoded > 0.F ? linear_from_srgb(std::min(encoded, 1.F)) : 0.F;
+      }
+    }
   }
 
   void store(std::size_t i, const std::array<float, kSlots>& values) {
     mesh_.positions[i] = Vec3(values[0], values[1], values[2]);
     if (has_normals_) mesh_.normals[i] = Vec3(values[3], values[4], values[5]);
     if (has_uvs_) mesh_.uvs[i] = Vec2(values[6], values[7]);
+    if (has_colors_) colors_[i] = Vec3(values[8], values[9], values[10]);
   }
 
   /// Records of any kind.
@@ -165,6 +212,7 @@ class PlyReader {
         if (count > cursor.left() / Cursor::record_size(element)) fail_in(element, count);
         resize_attributes(has, count);
         read_fixed_vertices(element, slots, cursor);
+        decode_colors(element);
         return;
       }
     }
@@ -183,6 +231,7 @@ class PlyReader {
       }
       store(i, values);
     }
+    decode_colors(element);
   }
 
   /// Binary records of one size: all values are at known places.
@@ -228,6 +277,7 @@ class PlyReader {
     fill(mesh_.positions, 0, 3);
     if (has_normals_) fill(mesh_.normals, 3, 3);
     if (has_uvs_) fill(mesh_.uvs, 6, 2);
+    if (has_colors_) fill(colors_, kFirstColor, 3);
     cursor.advance(stride * static_cast<std::size_t>(element.count));
   }
 
@@ -305,6 +355,8 @@ class PlyReader {
   bool has_faces_ = false;
   bool has_normals_ = false;
   bool has_uvs_ = false;
+  bool has_colors_ = false;
+  std::vector<Vec3> colors_;
 };
 
 void append(std::string& out, const void* data, std::size_t size) {

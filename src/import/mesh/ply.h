@@ -15,9 +15,12 @@ namespace ajar {
 /// file.
 desc::Mesh read_ply(std::string_view bytes, const std::string& name);
 
-/// A mesh, and what of its file is skipped: "red" of a vertex, or "tristrips" for an element.
+/// A mesh with what no mesh of a scene has: colours of its vertices, which are those of a display
+/// in the file and linear here, if it has any; and what of the file is skipped, "flags" of a face
+/// or "tristrips" for an element.
 struct PlyContents {
   desc::Mesh mesh;
+  std::vector<Vec3> colors;
   std::vector<std::string> skipped;
 };
 PlyContents read_ply_contents(std::string_view bytes, const std::string& name);

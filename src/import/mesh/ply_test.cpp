@@ -248,6 +248,29 @@ TEST(ValidateMesh, KeepsTrianglesThatAreOnlySmall) {
   EXPECT_TRUE(remarks.empty());
 }
 
+/// Half of the light is 188 of 255.
+TEST(Ply, ColorsOfVerticesAreThoseOfADisplay) {
+  const auto file = [](const std::string& type, const std::string& half) {
+    std::string text = "ply\nformat ascii 1.0\nelement vertex 3\n";
+    for (const char* axis : {"x", "y", "z"}) text += std::string("property float ") + axis + "\n";
+    for (const char* lane : {"red", "green", "blue"})
+      text += "property " + type + " " + lane + "\n";
+    text += "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
+    return text + "0 0 0 0 0 0\n1 0 0 " + half + " 0 0\n0 1 0 0 0 " + half + "\n3 0 1 2\n";
+  };
+  for (const auto& [type, half] : {std::pair("uchar", "188"), std::pair("float", "0.7374")}) {
+    const PlyContents contents = read_ply_contents(file(type, half), "a.ply");
+    ASSERT_EQ(contents.colors.size(), 3U);
+    EXPECT_EQ(contents.colors[0], Vec3(0.F));
+    EXPECT_NEAR(contents.colors[1].x, 0.503F, 2e-3F);
+    EXPECT_EQ(contents.colors[1].y, 0.F);
+    EXPECT_NEAR(contents.colors[2].z, 0.503F, 2e-3F);
+    EXPECT_TRUE(contents.skipped.empty());
+  }
+  const PlyContents odd = read_ply_contents(file("float", "nan"), "a.ply");
+  EXPECT_EQ(odd.colors[1], Vec3(0.F));
+}
+
 TEST(Ply, WhatIsSkippedIsNamed) {
   const PlyContents contents = read_ply_contents(
       "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float "

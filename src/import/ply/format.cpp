@@ -7,27 +7,23 @@
 namespace ajar::ply {
 namespace {
 
-constexpr WarningKind kColors{Effect::Surface, "PLY files have colours of vertices: not read"};
 constexpr WarningKind kSkipped{Effect::Slight, "elements and properties of PLY files are not read"};
 
 void warn_of_skipped(const std::vector<std::string>& names, const SceneFile& file,
                      Warnings& warnings) {
   const SourceLocation where{std::make_shared<const std::string>(file.name), 0, 0};
   std::string list;
-  bool has_colors = false;
   for (const std::string& name : names) {
-    const std::string shown = printable(name);
-    has_colors |= name == "r" || name.ends_with("red");
-    list += (list.empty() ? "\"" : ", \"") + shown + "\"";
+    list += (list.empty() ? "\"" : ", \"") + printable(name) + "\"";
   }
   if (list.empty()) return;
-  warnings.add(has_colors ? kColors : kSkipped, where, "not read of this file: " + list);
+  warnings.add(kSkipped, where, "not read of this file: " + list);
 }
 
 desc::SceneDesc read_bytes(const SceneFile& file, Warnings& warnings, FileAccess& /*files*/) {
   PlyContents contents = read_ply_contents(file.bytes, file.name);
   warn_of_skipped(contents.skipped, file, warnings);
-  return scene_of_mesh(std::move(contents.mesh), file, warnings, UpAxis::Y);
+  return scene_of_mesh(std::move(contents.mesh), contents.colors, file, warnings, UpAxis::Y);
 }
 
 desc::SceneDesc read(const std::string& path, Warnings& warnings, const FileProvider& provider) {

@@ -7,7 +7,7 @@ namespace ajar::stl {
 namespace {
 
 desc::SceneDesc read_bytes(const SceneFile& file, Warnings& warnings, FileAccess& /*files*/) {
-  return scene_of_mesh(read_stl(file.bytes, file.name), file, warnings, UpAxis::Z);
+  return scene_of_mesh(read_stl(file.bytes, file.name), {}, file, warnings, UpAxis::Z);
 }
 
 desc::SceneDesc read(const std::string& path, Warnings& warnings, const FileProvider& provider) {

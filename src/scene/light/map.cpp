@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/image_input.h"
+#include "core/srgb.h"
 #include "scene/named_file.h"
 
 namespace ajar {
@@ -14,11 +15,6 @@ namespace ajar {
 namespace {
 constexpr WarningKind kUnreadable{Effect::Light,
                                   "light maps (skies, spots) cannot be read: the light is magenta"};
-
-/// IEC 61966-2-1.
-float decode_srgb(float v) {
-  return v <= 0.04045F ? v / 12.92F : std::pow((v + 0.055F) / 1.055F, 2.4F);
-}
 
 /// Raises IoError with the reason if the file cannot be read.
 Map read_map(const std::string& path, MapEdge edge, MapFilter filter) {
@@ -32,7 +28,7 @@ Map read_map(const std::string& path, MapEdge edge, MapFilter filter) {
   const auto count = static_cast<std::size_t>(header.pixels());
   std::vector<float> values = input.read<float>(channels, count * sizeof(Spectrum));
   if (header.is_integer) {
-    for (float& v : values) v = decode_srgb(v);
+    for (float& v : values) v = linear_from_srgb(v);
   }
   std::vector<Spectrum> texels;
   texels.reserve(count);

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "core/floor_to_int.h"
+#include "core/srgb.h"
 #include "scene/texture/constant_texture.h"
 #include "scene/texture/inputs.h"
 #include "scene/texture/mapping.h"
@@ -11,11 +12,6 @@
 namespace ajar {
 
 namespace {
-
-/// IEC 61966-2-1.
-float srgb_to_linear(float v) {
-  return v <= 0.04045F ? v / 12.92F : std::pow((v + 0.055F) / 1.055F, 2.4F);
-}
 
 /// Linear values of all codes of an unsigned integer type.
 using DecodingTable = std::shared_ptr<const std::vector<float>>;
@@ -35,7 +31,7 @@ DecodingTable decoding_table(const desc::Node& node) {
     return make_table<T>([=](float v) { return std::pow(v, *gamma); });
   }
   static const DecodingTable kLinear = make_table<T>([](float v) { return v; });
-  static const DecodingTable kSrgb = make_table<T>(srgb_to_linear);
+  static const DecodingTable kSrgb = make_table<T>(linear_from_srgb);
   return node.flag("decode_srgb") ? kSrgb : kLinear;
 }
 
