@@ -1,5 +1,6 @@
 #pragma once
 #include <cmath>
+#include <concepts>
 
 namespace ajar {
 
@@ -7,8 +8,10 @@ namespace ajar {
 inline float srgb_from_linear(float linear) {
   return linear <= 0.0031308F ? 12.92F * linear : 1.055F * std::pow(linear, 1.F / 2.4F) - 0.055F;
 }
-inline float linear_from_srgb(float encoded) {
-  return encoded <= 0.04045F ? encoded / 12.92F : std::pow((encoded + 0.055F) / 1.055F, 2.4F);
+template <std::floating_point Real>
+Real linear_from_srgb(Real encoded) {
+  return encoded <= Real(0.04045) ? encoded / Real(12.92)
+                                  : std::pow((encoded + Real(0.055)) / Real(1.055), Real(2.4));
 }
 
 }  // namespace ajar

@@ -3,6 +3,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "core/srgb.h"
+
 namespace ajar::mitsuba {
 namespace {
 
@@ -80,10 +82,7 @@ std::optional<Vec3d> parse_triple(std::string_view text) {
 }
 
 Vec3d srgb_to_linear(const Vec3d& srgb) {
-  const auto lane = [](double v) {
-    return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
-  };
-  return {lane(srgb.x), lane(srgb.y), lane(srgb.z)};
+  return {linear_from_srgb(srgb.x), linear_from_srgb(srgb.y), linear_from_srgb(srgb.z)};
 }
 
 }  // namespace ajar::mitsuba

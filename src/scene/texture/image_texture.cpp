@@ -31,7 +31,7 @@ DecodingTable decoding_table(const desc::Node& node) {
     return make_table<T>([=](float v) { return std::pow(v, *gamma); });
   }
   static const DecodingTable kLinear = make_table<T>([](float v) { return v; });
-  static const DecodingTable kSrgb = make_table<T>(linear_from_srgb);
+  static const DecodingTable kSrgb = make_table<T>(linear_from_srgb<float>);
   return node.flag("decode_srgb") ? kSrgb : kLinear;
 }
 
