@@ -95,13 +95,17 @@ std::vector<BenchScene> choose_scenes(const std::vector<BenchScene>& scenes,
     const auto found = std::find_if(scenes.begin(), scenes.end(), [&name](const BenchScene& scene) {
       return scene.name == name;
     });
-    if (found == scenes.end()) {
+    if (found != scenes.end()) {
+      chosen.push_back(*found);
+    } else if (std::filesystem::is_regular_file(name)) {
+      chosen.push_back({std::filesystem::path(name).stem().string(),
+                        [name](Warnings& warnings) { return import_scene(name, warnings); }});
+    } else {
       std::vector<std::string> valid;
       valid.reserve(scenes.size());
       for (const BenchScene& scene : scenes) valid.push_back(scene.name);
       throw UsageError(unknown_name_message("scene", name, valid));
     }
-    chosen.push_back(*found);
   }
   return chosen;
 }

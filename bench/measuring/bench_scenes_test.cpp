@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
+
 #include "core/error.h"
 
 namespace ajar::bench {
@@ -14,6 +17,19 @@ TEST(BenchScenes, AreChosenByNameInTheOrderAsked) {
   ASSERT_EQ(chosen.size(), 2U);
   EXPECT_EQ(chosen[0].name, "third");
   EXPECT_EQ(chosen[1].name, "first");
+}
+
+TEST(BenchScenes, AreAlsoFiles) {
+  const std::filesystem::path file =
+      std::filesystem::path(testing::TempDir()) / "one_sphere_for_benches.pbrt";
+  std::ofstream(file) << "Camera \"perspective\"\nWorldBegin\nShape \"sphere\"\nWorldEnd\n";
+  const std::vector<BenchScene> chosen = choose_scenes(kScenes, {"second", file.string()});
+  ASSERT_EQ(chosen.size(), 2U);
+  EXPECT_EQ(chosen[0].name, "second");
+  EXPECT_EQ(chosen[1].name, "one_sphere_for_benches");
+  Warnings warnings;
+  EXPECT_EQ(chosen[1].load(warnings).shapes.size(), 1U);
+  std::filesystem::remove(file);
 }
 
 TEST(BenchScenes, UnknownNamesAreRefused) {
