@@ -84,6 +84,8 @@ class Geometry {
 
   /// Empty box if there is nothing.
   const Box3& bounds() const { return bounds_; }
+  /// Box around everything that emits nothing. Empty if there is nothing.
+  const Box3& receivers() const { return receivers_; }
   /// The geometric part of the counts.
   const SceneCounts& counts() const { return counts_; }
 
@@ -99,7 +101,8 @@ class Geometry {
                       Warnings& warnings);
   void prepare_instances(const desc::SceneDesc& description, Warnings& warnings);
   SceneHandle commit(std::size_t first, std::size_t count, bool with_instances) const;
-  void check_instances(const desc::SceneDesc& description);
+  /// Raises SceneError for instances that are too large or too far away.
+  void find_receivers(const desc::SceneDesc& description);
   void count(std::size_t object_count);
 
   SourceLocation where_;  ///< the scene's file, for errors that no shape is to blame for
@@ -112,6 +115,7 @@ class Geometry {
   std::vector<SceneHandle> objects_;
   SceneHandle top_;
   Box3 bounds_;
+  Box3 receivers_;
   float max_ray_coordinate_ = kMaxRayCoordinate;  ///< less if an instance makes rays longer
   SceneCounts counts_;
   RayLog* ray_log_ = nullptr;

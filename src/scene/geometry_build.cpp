@@ -133,6 +133,43 @@ Box3 bounds_of(RTCScene scene) {
   return is_finite(low) && is_finite(high) && low.x <= high.x ? Box3(low, high) : Box3();
 }
 
+/// The box of a placed box: half its width is that of the box times the absolute matrix.
+void placed_bounds(const Box3& box, const Placement& placement, Vec3d& low, Vec3d& high) {
+  const Vec3d half = (Vec3d(box.max) - Vec3d(box.min)) * 0.5;
+  const Vec3d center = placement.point(Vec3d(box.min) + half);
+  Vec3d placed_half(0.0);
+  for (int row = 0; row < 3; ++row) {
+    for (int k = 0; k < 3; ++k) {
+      placed_half[k] += half[row] * std::abs(placement.to_world()[row][k]);
+    }
+  }
+  low = center - placed_half;
+  high = center + placed_half;
+}
+
+void extend(Box3& box, const ShapeRecord& shape) {
+  if (shape.mesh) {
+    const char* position = reinterpret_cast<const char*>(shape.mesh->positions());
+    for (std::size_t i = 0; i < shape.mesh->vertex_count(); ++i) {
+      box.extendBy(*reinterpret_cast<const Vec3*>(position));
+      position += shape.mesh->position_stride();
+    }
+  } else if (shape.curve) {
+    // Bézier curves lie among their control points.
+    for (std::size_t i = 0; i < shape.curve->vertex_count(); ++i) {
+      const auto& [x, y, z, radius] = shape.curve->vertices()[i];
+      box.extendBy(Vec3(x - radius, y - radius, z - radius));
+      box.extendBy(Vec3(x + radius, y + radius, z + radius));
+    }
+  } else if (shape.quadric) {
+    Vec3d low;
+    Vec3d high;
+    placed_bounds(*shape.quadric, *shape.placement, low, high);
+    box.extendBy(Vec3(low));
+    box.extendBy(Vec3(high));
+  }
+}
+
 void attach(RTCScene scene, RTCGeometry geometry, std::size_t id) {
   rtcCommitGeometry(geometry);
   rtcAttachGeometryByID(scene, geometry, static_cast<unsigned>(id));
@@ -159,7 +196,7 @@ Geometry::Geometry(desc::SceneDesc& description, const TextureList& textures, Wa
                     [&](const InstanceRecord& i) { return i.placement && i.object == object; });
     objects_.push_back(used ? commit(first, object_base_[object + 1] - first, false) : nullptr);
   }
-  check_instances(description);
+  find_receivers(description);
   top_ = commit(0, object_base_.front(), true);
   count(description.objects.size());
 }
@@ -258,7 +295,10 @@ Geometry::SceneHandle Geometry::commit(std::size_t first, std::size_t shape_coun
   return scene;
 }
 
-void Geometry::check_instances(const desc::SceneDesc& description) {
+void Geometry::find_receivers(const desc::SceneDesc& description) {
+  for (std::size_t i = 0; i < description.shapes.size(); ++i) {
+    if (!description.shapes[i].emission) extend(receivers_, shapes_[i]);
+  }
   std::vector<Box3> boxes;
   for (const SceneHandle& object : objects_) {
     boxes.push_back(object ? bounds_of(object.get()) : Box3());
@@ -270,17 +310,12 @@ void Geometry::check_instances(const desc::SceneDesc& description) {
     max_ray_coordinate_ = std::min(max_ray_coordinate_, static_cast<float>(limit));
     const Box3& box = boxes[instances_[i].object];
     if (box.isEmpty()) continue;
-    // The box of the placed box: half its width is that of the box times the absolute matrix.
-    const Vec3d half = (Vec3d(box.max) - Vec3d(box.min)) * 0.5;
-    const Vec3d center = placement.point(Vec3d(box.min) + half);
-    Vec3d placed_half(0.0);
-    for (int row = 0; row < 3; ++row) {
-      for (int k = 0; k < 3; ++k) {
-        placed_half[k] += half[row] * std::abs(placement.to_world()[row][k]);
-      }
-    }
-    check_reach(description.instances[i].where, "the instance",
-                reach_of(center - placed_half, center + placed_half));
+    Vec3d low;
+    Vec3d high;
+    placed_bounds(box, placement, low, high);
+    check_reach(description.instances[i].where, "the instance", reach_of(low, high));
+    receivers_.extendBy(Vec3(low));
+    receivers_.extendBy(Vec3(high));
   }
 }
 

@@ -143,6 +143,9 @@ void add_endpoint(std::vector<InverseCase>& all, const std::string& name, const 
   }
 }
 
+/// Away from all lights, for those that are aimed.
+constexpr BoundingSphere kReceivers{Vec3(0.F, 0.F, -12.F), 4.F};
+
 /// Lights of every model, and what they stand on.
 struct AllLights {
   std::vector<std::unique_ptr<ImageFile>> images;
@@ -175,6 +178,10 @@ struct AllLights {
       return images.back()->path();
     };
     add("point", point_node({1, 2, 3}));
+    lights.emplace_back(
+        "aimed point " + space,
+        make_point_light(Spectrum(1.F), {transform_point(at, Vec3(0.F)), DirectionMap()},
+                         Aim(kReceivers)));
     add("spot", spot_node({1, 2, 3}, 40, 25));
     add("sharp spot", spot_node({1, 2, 3}, 40, 40));
     add("soft spot", spot_node({1, 2, 3}, 100, 0));
@@ -228,6 +235,9 @@ struct AllLights {
       models.insert(&emission.node.model());
       lights.emplace_back(name + (two_sided ? ", two sides" : ""),
                           make_surface_light(emission, *surfaces.back(), {}));
+      if (name != "mesh" && name != "turned sphere") continue;
+      lights.emplace_back(name + ", aimed" + (two_sided ? ", two sides" : ""),
+                          make_surface_light(emission, *surfaces.back(), {}, kReceivers));
     }
   }
 };

@@ -130,13 +130,16 @@ void Scene::name_things(const desc::SceneDesc& description) {
 }
 
 void Scene::build_lights(const desc::SceneDesc& description, Warnings& warnings) {
+  std::optional<BoundingSphere> receivers;
+  if (!geometry_->receivers().isEmpty()) receivers = sphere_around(geometry_->receivers());
   const auto add = [this](std::unique_ptr<Light> light) {
     light->index = static_cast<std::uint32_t>(lights_.size());
     lights_.push_back(std::move(light));
     return lights_.back().get();
   };
   for (const desc::Light& described : description.lights) {
-    auto made = make_light(described, bounding_sphere_, warnings, description.embedded_files);
+    auto made =
+        make_light(described, {bounding_sphere_, receivers, description.embedded_files}, warnings);
     if (!made) continue;
     Light* light = add(std::move(made));
     light->medium = medium(described.medium);
@@ -158,7 +161,7 @@ void Scene::build_lights(const desc::SceneDesc& description, Warnings& warnings)
           is_curve ? "curves cannot emit light" : "the surface has no area and emits no light");
       continue;
     }
-    auto light = make_surface_light(*shape.emission, *sampler, textures_);
+    auto light = make_surface_light(*shape.emission, *sampler, textures_, receivers);
     emitters_.push_back(std::move(sampler));
     if (!light) continue;
     light->medium = medium(shape.outside);

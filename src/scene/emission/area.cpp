@@ -3,6 +3,7 @@
 #include "core/frame.h"
 #include "core/warp.h"
 #include "scene/emission/inputs.h"
+#include "scene/light/aim.h"
 
 namespace ajar {
 
@@ -12,11 +13,12 @@ namespace {
 class AreaLight final : public Light {
  public:
   AreaLight(const Spectrum& radiance, TextureSlot texture, bool two_sided,
-            const SurfaceSampler& surface)
+            const SurfaceSampler& surface, const Aim& aim)
       : radiance_(radiance),
         texture_(texture),
         two_sided_(two_sided),
         surface_(surface),
+        aim_(aim),
         power_(mean_radiance() * (kPi * surface.area() * (two_sided ? 2.F : 1.F))) {}
 
   bool at_infinity() const override { return false; }
@@ -36,22 +38,16 @@ class AreaLight final : public Light {
 
   std::optional<EmissionSample> sample_emission(const EmissionUniforms& u) const override {
     const SurfaceSample at = surface_.sample({u.primitive, u.position});
-    Vec2 square = u.direction;
-    float side = 1.F;
-    if (two_sided_) {
-      const bool back = square.x >= 0.5F;
-      square.x = std::min(2.F * square.x - (back ? 1.F : 0.F), kOneMinusEpsilon);
-      side = back ? -1.F : 1.F;
-    }
-    const Vec3 local = warp::cosine_hemisphere(square);
-    const Vec3 w = Frame::around(at.point.ng).to_world({local.x, local.y, side * local.z});
+    const Vec3 w = aim_.sample(at.point.p, u.direction, [&](const Vec2& square) {
+      return cosine_direction(at.point, square);
+    });
     const Pdf<Departure> departure = departure_pdf(at.point, w);
     const Spectrum radiance = radiance_at(at.point);
     if (departure.value() == 0.F || at.pdf.value() == 0.F || radiance.is_black()) {
       return std::nullopt;
     }
-    // |cos θ| / departure pdf is π, or 2π for two sides.
-    const Spectrum weight = radiance * ((two_sided_ ? 2.F : 1.F) * kPi / at.pdf.value());
+    const Spectrum weight =
+        radiance * (std::abs(dot(at.point.ng, w)) / departure.value() / at.pdf.value());
     return EmissionSample{{at.point, Vec3(0.F)},
                           at.point.p,
                           w,
@@ -104,11 +100,13 @@ class AreaLight final : public Light {
                                                   const Vec3& /*through*/, const Vec3& w,
                                                   const EmissionUniforms& fresh) const override {
     const auto at = surface_.invert(point.surface, {fresh.primitive, fresh.position});
-    if (!at || departure_pdf(point.surface, w).value() == 0.F) return std::nullopt;
+    const Pdf<Departure> own = cosine_pdf(point.surface, w);
+    if (!at || own.value() == 0.F) return std::nullopt;
     const Vec3 local = Frame::around(point.surface.ng).to_local(w);
     Vec2 square = warp::uniform_disk_inverse({local.x, local.y});
     if (two_sided_) square.x = 0.5F * square.x + (local.z < 0.F ? 0.5F : 0.F);
-    return EmissionUniforms{at->primitive, at->position, square};
+    return EmissionUniforms{at->primitive, at->position,
+                            aim_.invert(point.surface.p, w, own, square, fresh.direction.x)};
   }
   std::optional<ConnectionUniforms> invert_connection(
       const Vec3& reference, const EndpointPoint& point,
@@ -123,6 +121,21 @@ class AreaLight final : public Light {
   Spectrum radiance_at(const SurfacePoint& at) const { return radiance_ * texture_.eval(at); }
 
   Pdf<Departure> departure_pdf(const SurfacePoint& at, const Vec3& w) const {
+    const Pdf<Departure> own = cosine_pdf(at, w);
+    // Aimed directions that the surface does not shine in carry nothing.
+    return own.value() == 0.F ? own : aim_.pdf(at.p, w, own);
+  }
+  Vec3 cosine_direction(const SurfacePoint& at, Vec2 square) const {
+    float side = 1.F;
+    if (two_sided_) {
+      const bool back = square.x >= 0.5F;
+      square.x = std::min(2.F * square.x - (back ? 1.F : 0.F), kOneMinusEpsilon);
+      side = back ? -1.F : 1.F;
+    }
+    const Vec3 local = warp::cosine_hemisphere(square);
+    return Frame::around(at.ng).to_world({local.x, local.y, side * local.z});
+  }
+  Pdf<Departure> cosine_pdf(const SurfacePoint& at, const Vec3& w) const {
     const float cosine = dot(at.ng, w);
     if (two_sided_) return Pdf<Departure>(std::abs(cosine) * (0.5F * kInvPi));
     return Pdf<Departure>(warp::cosine_hemisphere_pdf(cosine));
@@ -153,6 +166,7 @@ class AreaLight final : public Light {
   TextureSlot texture_;
   bool two_sided_;
   const SurfaceSampler& surface_;
+  Aim aim_;
   Spectrum power_;
 };
 
@@ -167,7 +181,7 @@ std::unique_ptr<Light> make_area_light(const EmissionInputs& in) {
   }
   const TextureSlot texture = is_textured ? in.slot("radiance") : TextureSlot(Spectrum(1.F));
   return std::make_unique<AreaLight>(rgb_spectrum(color), texture, in.node().flag("two_sided"),
-                                     in.surface());
+                                     in.surface(), Aim(in.receivers()));
 }
 
 }  // namespace

@@ -15,12 +15,11 @@ constexpr WarningKind kNothingToScale{
 
 }  // namespace
 
-LightInputs::LightInputs(const desc::Light& description, const BoundingSphere& bounds,
-                         Warnings& warnings, const desc::EmbeddedFiles& embedded)
+LightInputs::LightInputs(const desc::Light& description, const LightSurroundings& surroundings,
+                         Warnings& warnings)
     : description_(description),
-      bounds_(bounds),
+      surroundings_(surroundings),
       warnings_(warnings),
-      embedded_(embedded),
       at_{transform_point(description.to_world, Vec3(0.F)), DirectionMap()} {
   if (DirectionMap::invertible(description.to_world)) {
     at_.directions = DirectionMap(description.to_world);
@@ -34,7 +33,7 @@ LightInputs::LightInputs(const desc::Light& description, const BoundingSphere& b
 std::optional<Map> LightInputs::map(std::string_view name, MapEdge edge, MapFilter filter) const {
   const std::string& path = node().text(name);
   if (path.empty()) return std::nullopt;
-  return load_map(path, edge, description_.where, warnings_, filter, embedded_);
+  return load_map(path, edge, description_.where, warnings_, filter, surroundings_.embedded);
 }
 
 float LightInputs::scale_to(std::string_view name, float actual) const {

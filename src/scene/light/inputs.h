@@ -2,6 +2,8 @@
 #include <string>
 
 #include "scene/direction_map.h"
+#include "scene/light/aim.h"
+#include "scene/light/make_light.h"
 #include "scene/light/map.h"
 #include "scene/light/registry.h"
 
@@ -17,12 +19,13 @@ struct LightPlacement {
 class LightInputs {
  public:
   /// Warns of a transform that cannot be inverted: it counts as no rotation.
-  LightInputs(const desc::Light& description, const BoundingSphere& bounds, Warnings& warnings,
-              const desc::EmbeddedFiles& embedded);
+  LightInputs(const desc::Light& description, const LightSurroundings& surroundings,
+              Warnings& warnings);
 
   const desc::Node& node() const { return description_.node; }
   const LightPlacement& at() const { return at_; }
-  const BoundingSphere& bounds() const { return bounds_; }
+  const BoundingSphere& bounds() const { return surroundings_.bounds; }
+  Aim aim() const { return Aim(surroundings_.receivers); }
   Spectrum color(std::string_view name) const { return rgb_spectrum(node().color(name)); }
   /// The map of a file, as `load_map` reads it; nothing if the light has none.
   std::optional<Map> map(std::string_view name, MapEdge edge,
@@ -33,9 +36,8 @@ class LightInputs {
 
  private:
   const desc::Light& description_;
-  const BoundingSphere& bounds_;
+  const LightSurroundings& surroundings_;
   Warnings& warnings_;
-  const desc::EmbeddedFiles& embedded_;
   LightPlacement at_;
 };
 

@@ -12,17 +12,17 @@ EndpointPoint Light::at_direction(const Vec3& w) const { return EndpointPoint::a
 
 std::unique_ptr<Light> make_light(const desc::Light& light, const BoundingSphere& bounds,
                                   Warnings& warnings) {
-  return make_light(light, bounds, warnings, {});
+  return make_light(light, {bounds, std::nullopt, {}}, warnings);
 }
 
-std::unique_ptr<Light> make_light(const desc::Light& light, const BoundingSphere& bounds,
-                                  Warnings& warnings, const desc::EmbeddedFiles& embedded) {
+std::unique_ptr<Light> make_light(const desc::Light& light, const LightSurroundings& surroundings,
+                                  Warnings& warnings) {
   const std::vector<LightModel>& models = light_models();
   const auto model = std::find_if(models.begin(), models.end(), [&](const LightModel& registered) {
     return light.node.is(registered.model.name);
   });
   if (model == models.end()) throw SceneError(light.where, "this light has no model");
-  auto made = model->make(LightInputs(light, bounds, warnings, embedded));
+  auto made = model->make(LightInputs(light, surroundings, warnings));
   if (const auto extent = made->bounds())
     check_reach(light.where, "the light", reach_of(extent->box));
   return made;

@@ -16,7 +16,7 @@ using namespace testing;
 LightList point_lights(const std::vector<float>& intensities) {
   LightList lights;
   for (const float intensity : intensities) {
-    lights.push_back(make_point_light(Spectrum(intensity), {Vec3(0.F), DirectionMap()}));
+    lights.push_back(make_point_light(Spectrum(intensity), {Vec3(0.F), DirectionMap()}, Aim()));
     lights.back()->index = static_cast<std::uint32_t>(lights.size() - 1);
   }
   return lights;

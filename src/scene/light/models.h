@@ -7,7 +7,8 @@
 /// What several models of lights are made of.
 namespace ajar {
 
-std::unique_ptr<Light> make_point_light(const Spectrum& intensity, const LightPlacement& at);
+std::unique_ptr<Light> make_point_light(const Spectrum& intensity, const LightPlacement& at,
+                                        const Aim& aim);
 std::unique_ptr<Light> make_constant_environment(const Spectrum& radiance,
                                                  const BoundingSphere& bounds);
 /// `scale` multiplies the map.
