@@ -24,18 +24,23 @@ def mean_of(rows, column):
     return f"{statistics.mean(float(row[column]) for row in rows):.3g}"
 
 
-def ratio_of(ours, others):
-    """Ratio of two means with its 95 % interval, as `ajar study` has it: its logarithm is taken as normal, with Welch's degrees
-    of freedom."""
+def interval_of(ours, others):
+    """Ratio of two means with the ends of its 95 % interval, as `ajar study` has it: its logarithm is taken as normal, with
+    Welch's degrees of freedom."""
     ratio = statistics.mean(ours) / statistics.mean(others)
     parts = [statistics.variance(values) / (len(values) * statistics.mean(values) ** 2) if len(values) > 1 else 0.0
              for values in (ours, others)]
     variance = sum(parts)
     if variance == 0.0:
-        return f"{ratio:.2f}"
+        return ratio, ratio, ratio
     freedom = variance ** 2 / sum(part ** 2 / (len(values) - 1) for part, values in zip(parts, (ours, others)) if part > 0.0)
     width = STUDENT[min(int(freedom), len(STUDENT)) - 1] * math.sqrt(variance)
-    return f"{ratio:.2f} ({ratio * math.exp(-width):.2f}–{ratio * math.exp(width):.2f})"
+    return ratio, ratio * math.exp(-width), ratio * math.exp(width)
+
+
+def ratio_of(ours, others):
+    ratio, low, high = interval_of(ours, others)
+    return f"{ratio:.2f}" if low == high else f"{ratio:.2f} ({low:.2f}–{high:.2f})"
 
 
 def print_table(scene, rows, filters):
@@ -103,4 +108,5 @@ def main():
         print_table(scene, own, filters)
 
 
-main()
+if __name__ == "__main__":
+    main()

@@ -80,6 +80,8 @@ add_executable(ajar_measuring_test ${measuring_tests})
 target_link_libraries(ajar_measuring_test PRIVATE ajar_measuring GTest::gtest_main)
 ajar_compile_quickly(ajar_measuring_test)
 add_test(NAME measuring COMMAND ajar_measuring_test)
+find_package(Python3 REQUIRED COMPONENTS Interpreter)
+add_test(NAME finished_table COMMAND ${Python3_EXECUTABLE} -B ${CMAKE_SOURCE_DIR}/bench/finished_table_test.py)
 
 # Counting allocations replaces operator new, so only the program that reports them has it.
 add_executable(ajar_limit_bench bench/limit_bench.cpp bench/allocations.cpp)
@@ -105,7 +107,6 @@ add_test(NAME package COMMAND ${CMAKE_COMMAND}
 # Python's package with the library of this build. `./dev test` makes an environment with what its tests need; without one they are
 # skipped.
 if(AJAR_SHARED)
-  find_package(Python3 COMPONENTS Interpreter REQUIRED)
   add_test(NAME python COMMAND ${Python3_EXECUTABLE} ${CMAKE_SOURCE_DIR}/python/tests/run.py
     $<TARGET_FILE:ajar_shared> ${CMAKE_SOURCE_DIR}/build/python-tests/bin/python)
   set_tests_properties(python PROPERTIES SKIP_RETURN_CODE 77 COST 900)
