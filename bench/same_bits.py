@@ -23,6 +23,7 @@ VARIANTS = [
     ("mmlt+", ["seeds=filtered", "importance=uniform", "mis-large-steps=true", "techniques=ibpt"]),
     ("pssmlt+", ["split=0", "mis-large-steps=true", "mutation=slemmlt"]),
     ("selective", ["chain=pssmlt"]),
+    ("selective", ["chain=mlt"]),
     ("selective", ["preset=published"]),
 ]
 COUNTED = ["rays", "samples", "mutations", "b", "discarded", "estimated_relative_error"]

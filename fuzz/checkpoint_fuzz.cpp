@@ -62,7 +62,8 @@ const std::vector<Method>& methods() {
       {"pt", {}},
       {"mmlt+", {{"step", "adaptive"}, {"m1", "1"}, {"bootstrap", "1000"}}},
       {"pssmlt+", {{"mutation", "kelemen"}, {"bootstrap", "1000"}}},
-      {"selective", {{"split", "0.1"}, {"pilot-samples", "8"}}}};
+      {"selective", {{"split", "0.1"}, {"pilot-samples", "8"}}},
+      {"selective", {{"chain", "mlt"}, {"split", "0.1"}, {"pilot-samples", "8"}}}};
   return kMethods;
 }
 

@@ -72,6 +72,22 @@ TEST_P(SameBits, OfChainsWithAllTheirOptionsOnAnyNumberOfThreads) {
   }
 }
 
+TEST_P(SameBits, OfChainsOfExplicitPathsOnAnyNumberOfThreads) {
+  const auto scene = test::scene_from(GetParam().text);
+  const IntegratorInfo& info = find_integrator("selective");
+  using Settings = std::map<std::string, std::string>;
+  for (const Settings& more :
+       {Settings{{"split", "0.3"}}, Settings{{"omc", "pt"}, {"bootstrap", "5000"}}}) {
+    Settings parameters = more;
+    parameters["chain"] = "mlt";
+    const std::vector<std::int64_t> one = sums(*scene, info, 1, {"density"}, parameters);
+    for (const int threads : {2, 5}) {
+      EXPECT_EQ(sums(*scene, info, threads, {"density"}, parameters), one)
+          << more.begin()->second << ", " << threads << " threads";
+    }
+  }
+}
+
 TEST_P(SameBits, OfChainsThatFollowTheImagePlaneOnAnyNumberOfThreads) {
   const std::string& name = GetParam().name;
   if (name != "Room" && name != "CroppedMitchell" && name != "Fog") return;

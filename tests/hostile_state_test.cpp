@@ -38,6 +38,10 @@ std::vector<Method> methods() {
       methods.back().parameters = {{"split", "0.1"}, {"pilot-samples", "8"}};
     }
   }
+  methods.push_back(
+      {"paths",
+       "selective",
+       {{"chain", "mlt"}, {"split", "0.1"}, {"pilot-samples", "8"}, {"bootstrap", "1000"}}});
   methods.push_back({"maps", "mmlt+", {{"step", "adaptive"}, {"m1", "1"}, {"bootstrap", "1000"}}});
   return methods;
 }

@@ -40,6 +40,8 @@ std::vector<Method> methods() {
   methods.push_back({"mmlt+", {{"step", "adaptive"}, {"m1", "1"}}});
   methods.push_back({"pssmlt+", {{"mutation", "fusion"}, {"rule", "published"}, {"m1", "1"}}});
   methods.push_back({"selective", {{"map", "binary"}, {"chain", "pssmlt"}}});
+  methods.push_back({"selective", {{"chain", "mlt"}, {"split", "0.1"}}, {"density"}});
+  methods.push_back({"selective", {{"chain", "mlt"}, {"omc", "pt"}}});
   // Without layers that want as many camera samples everywhere; and until more than three stretches
   // tell how much of the chains' error lasts.
   methods.push_back({"selective", {}, {"density"}});

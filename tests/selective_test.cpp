@@ -92,6 +92,43 @@ TEST(Selective, HasTheSameExpectationForAnyMap) {
   }
 }
 
+/// Pairs of methods whose chains are of explicit paths: with the same techniques light is divided
+/// path by path, with others by regions alone.
+std::vector<std::map<std::string, std::string>> pairs_with_paths() {
+  return {{{"omc", "bdpt"}, {"split", "0.5"}},
+          {{"omc", "ibpt"}, {"techniques", "ibpt"}, {"split", "0.3"}},
+          {{"omc", "pt"}, {"techniques", "pt"}, {"split", "0.5"}},
+          {{"omc", "bdpt"}, {"light-paths-per-pixel", "3"}, {"split", "0.2"}},
+          {{"omc", "pt"}, {"bootstrap", "120000"}},
+          {{"omc", "ibpt"}, {"bootstrap", "120000"}}};
+}
+
+TEST(Selective, HasTheSameExpectationForAnyMapWithChainsOfPaths) {
+  for (const char* name : {"Room", "GlassAndMetal", "CroppedMitchell"}) {
+    const auto scene = small_scene(name);
+    const Vec2i size = scene->camera().resolution();
+    const TemporaryFile random("random.pfm");
+    write_map(random.path(), size, [](std::uint64_t i) {
+      const float u = to_unit_float(static_cast<std::uint32_t>(hash_numbers(6, i) >> 32U));
+      return u < 0.33F ? 0.F : u > 0.67F ? 1.F : u;
+    });
+    // Neighbours never have the same method.
+    const TemporaryFile binary("binary.pfm");
+    write_map(binary.path(), size, [&](std::uint64_t i) {
+      const auto width = static_cast<std::uint64_t>(size.x);
+      return (i % width + i / width) % 2 == 0 ? 1.F : 0.F;
+    });
+    std::vector<std::map<std::string, std::string>> settings;
+    for (const TemporaryFile* map : {&random, &binary}) {
+      for (auto pair : pairs_with_paths()) {
+        pair.insert({{"chain", "mlt"}, {"regions", map->path()}});
+        settings.push_back(std::move(pair));
+      }
+    }
+    expect_same_as_bdpt(*scene, options_for_maps(), settings, name);
+  }
+}
+
 // Chains have less than all of the light of each pixel in their target, and the picture takes all
 // of it from them, or nothing.
 TEST(Selective, HasTheSameExpectationWherePixelsAreOfOneMethodAlone) {
@@ -102,10 +139,13 @@ TEST(Selective, HasTheSameExpectationWherePixelsAreOfOneMethodAlone) {
   write_map(high.path(), scene->camera().resolution(), [](std::uint64_t) { return 0.6F; });
   std::vector<std::map<std::string, std::string>> settings;
   for (const TemporaryFile* map : {&low, &high}) {
-    settings.push_back({{"choice", "exclusive"},
-                        {"omc", "bdpt"},
-                        {"regions", map->path()},
-                        {"bootstrap", "120000"}});
+    for (const char* chain : {"mmlt", "mlt"}) {
+      settings.push_back({{"choice", "exclusive"},
+                          {"omc", "bdpt"},
+                          {"chain", chain},
+                          {"regions", map->path()},
+                          {"bootstrap", "120000"}});
+    }
   }
   expect_same_as_bdpt(*scene, options_for_maps(), settings, "exclusive");
 }
@@ -237,6 +277,7 @@ TEST(Selective, TakesPresetsAndEveryMutation) {
   const std::vector<std::map<std::string, std::string>> settings = {
       {{"preset", "published"}},
       {{"preset", "published"}, {"omc", "lt"}},
+      {{"preset", "published"}, {"omc", "pt"}, {"chain", "mlt"}},
       {{"preset", "lambertian-out"}, {"omc", "lt"}},
       {{"mutation", "kelemen"}},
       {{"mutation", "fusion"}},
@@ -248,6 +289,11 @@ TEST(Selective, TakesPresetsAndEveryMutation) {
     EXPECT_TRUE(render.integrator->report().contains("selective")) << one.begin()->second;
   }
   options.parameters = {{"mutation", "kelemen"}, {"fine-steps", "0.1"}};
+  EXPECT_THROW(test::render(*scene, options), UsageError);
+  // Of other chains.
+  options.parameters = {{"chain", "mlt"}, {"large-step", "0.2"}};
+  EXPECT_THROW(test::render(*scene, options), UsageError);
+  options.parameters = {{"caustic", "0"}};
   EXPECT_THROW(test::render(*scene, options), UsageError);
 }
 

@@ -108,6 +108,9 @@ class Division final : public PathPart {
   float share(const Contribution& contribution, const Vec2& raster) const override {
     return divides(contribution.technique) ? chain_share(contribution, raster) : 1.F;
   }
+  float share(Technique technique, float light, const Vec2& raster) const override {
+    return divides(technique) ? chain_share(light * (*importance_)(raster), raster) : 1.F;
+  }
   float kept(const Vec2& raster) const override {
     const PixelShare& share = at(raster);
     return share.target > 0.F ? share.kept / share.target : 0.F;

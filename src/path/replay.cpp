@@ -34,4 +34,23 @@ std::optional<Path> replay(const Scene& scene, const PathSamplerSettings& settin
   return std::move(first.found);
 }
 
+std::optional<Path> replay_halves(const Scene& scene, const PathSamplerSettings& settings,
+                                  SampleSource& numbers, const Vec2& raster, Technique technique,
+                                  RayCounts& rays) {
+  PathSampler sampler(scene, settings);
+  FirstOf first(scene, settings, technique);
+  first.begin(raster);
+  const auto [s, t] = technique;
+  PathVertex light_end{};
+  PathVertex camera_end{};
+  if (s == 0) {
+    sampler.sample_implicit(numbers, raster, t, first, &first);
+  } else if ((t == 1 || sampler.trace_camera_half(numbers, raster, t, camera_end, &first)) &&
+             (s == 1 || sampler.trace_light_half(numbers, s, light_end, &first))) {
+    sampler.connect_halves(technique, light_end, camera_end, numbers, first);
+  }
+  rays.add_rays(sampler.ray_counts());
+  return std::move(first.found);
+}
+
 }  // namespace ajar

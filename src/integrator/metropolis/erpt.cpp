@@ -299,7 +299,7 @@ std::vector<ParameterSpec> erpt_parameters() {
                    .minimum = 1,
                    .maximum = 1000000});
   specs.back().expert = true;
-  for (ParameterSpec& spec : PathSpace::parameters("bidirectional")) {
+  for (ParameterSpec& spec : path_mutation_parameters("bidirectional")) {
     specs.push_back(std::move(spec));
   }
   for (ParameterSpec& spec : ChainMoves::parameters(kMoves)) {

@@ -12,7 +12,7 @@ std::vector<PathGroup> make_path_groups(ChainKind kind, PathSamplerSettings samp
                                         int roulette_start) {
   std::vector<PathGroup> groups;
   if (sampler.min_depth > sampler.max_depth) return groups;
-  if (kind == ChainKind::WholePath) {
+  if (kind != ChainKind::OnePath) {
     sampler.roulette_start = roulette_start;
     groups.push_back({0,
                       sampler,

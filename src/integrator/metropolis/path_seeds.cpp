@@ -13,17 +13,22 @@ namespace {
 /// Keeps one of the paths that it is told of.
 class PathLot final : public PathRecorder {
  public:
-  PathLot(const Scene& scene, const PathSamplerSettings& settings, const ChainView& view, double u)
-      : PathRecorder(scene, settings), view_(view), u_(u) {}
+  PathLot(const Scene& scene, const PathSamplerSettings& settings, const ChainView& view, double u,
+          const PathPart* part, PathWeight* weight)
+      : PathRecorder(scene, settings), view_(view), part_(part), weight_(weight), u_(u) {}
 
   bool reaches(const Vec2& raster) const override { return view_.contains(raster); }
 
   void record(const Path& path, const Contribution& contribution) override {
-    auto brings = static_cast<double>(luminance(contribution.value));
+    auto brings =
+        static_cast<double>(luminance(contribution.value) * view_.importance(path.raster));
+    if (part_ != nullptr) {
+      brings *= static_cast<double>(part_->share(contribution, path.raster));
+    }
     if (contribution.technique.t == 1) brings /= view_.area_per_pixel();
     if (!(brings > 0.0) || !std::isfinite(brings)) return;
     splats_.clear();
-    if (!std::isfinite(light_on(scene(), path, view_, 0, splats_))) return;
+    if (!std::isfinite(light_on(scene(), path, view_, 0, splats_, weight_))) return;
     total_ += brings;
     // The number that is left of u is uniform again, whichever way this goes.
     const double share = brings / total_;
@@ -38,6 +43,8 @@ class PathLot final : public PathRecorder {
 
  private:
   const ChainView& view_;
+  const PathPart* part_;
+  PathWeight* weight_;
   double u_;
   double total_ = 0.0;
   SplatBuffer splats_;
@@ -46,9 +53,10 @@ class PathLot final : public PathRecorder {
 }  // namespace
 
 std::optional<Path> choose_path(const Scene& scene, const PathGroup& group, const ChainView& view,
-                                std::uint64_t seed, std::uint64_t index, double u) {
+                                std::uint64_t seed, std::uint64_t index, double u,
+                                const PathPart* part, PathWeight* weight) {
   PathSampler sampler(scene, group.sampler);
-  PathLot lot(scene, group.sampler, view, u);
+  PathLot lot(scene, group.sampler, view, u, part, weight);
   BootstrapSource numbers(seed, index);
   const Vec2 raster = view.raster(numbers.get_pair({Stream::Camera, 0, kEmissionDirection}));
   lot.begin(raster);

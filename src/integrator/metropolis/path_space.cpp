@@ -16,7 +16,7 @@
 
 namespace ajar {
 
-std::vector<ParameterSpec> PathSpace::parameters(std::string_view without) {
+std::vector<ParameterSpec> path_mutation_parameters(std::string_view without) {
   std::vector<ParameterSpec> specs;
   for (const PathMutationInfo& mutation : path_mutations()) {
     specs.push_back({.name = std::string(mutation.name),
@@ -32,13 +32,15 @@ std::vector<ParameterSpec> PathSpace::parameters(std::string_view without) {
   return specs;
 }
 
-PathSpace::PathSpace(const Parameters& parameters) {
+std::vector<double> path_mutation_weights(const Parameters& parameters) {
+  std::vector<double> weights;
   for (const PathMutationInfo& mutation : path_mutations()) {
-    weights_.push_back(parameters.get_float(std::string(mutation.name)));
+    weights.push_back(parameters.get_float(std::string(mutation.name)));
   }
-  if (*std::max_element(weights_.begin(), weights_.end()) == 0.0) {
+  if (*std::max_element(weights.begin(), weights.end()) == 0.0) {
     throw UsageError("bidirectional: chains need a mutation that is not switched off");
   }
+  return weights;
 }
 
 std::optional<PathMember> PathSpace::start(const Scene& scene, const PathGroup& group,

@@ -25,15 +25,18 @@ struct PathMember {
   }
 };
 
+/// A weight for each mutation of paths, by name. `without`: those that are switched off by default.
+std::vector<ParameterSpec> path_mutation_parameters(std::string_view without = "");
+/// Their values, by number. Raises UsageError if all are switched off.
+std::vector<double> path_mutation_weights(const Parameters& parameters);
+
 /// Chains of explicit paths.
 class PathSpace {
  public:
   using Member = PathMember;
 
-  /// A weight for each mutation, by name. `without`: those that are switched off by default.
-  static std::vector<ParameterSpec> parameters(std::string_view without = "");
-  /// Raises UsageError if all are switched off.
-  explicit PathSpace(const Parameters& parameters);
+  /// Those of `path_mutation_parameters`. Raises UsageError.
+  explicit PathSpace(const Parameters& parameters) : weights_(path_mutation_weights(parameters)) {}
 
   static std::span<const Move> moves() { return path_moves(); }
 

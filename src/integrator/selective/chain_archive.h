@@ -1,5 +1,6 @@
 #pragma once
 #include "core/archive.h"
+#include "integrator/selective/chain_plan.h"
 #include "integrator/selective/chain_population.h"
 #include "integrator/strong_paths.h"
 
@@ -18,9 +19,9 @@ void serialize_plain(A& archive, Population& population) {
   archive(population.plain_samples, population.plain_statistics);
 }
 
-/// All that has happened to a population since the preparation. `shape`: of its chains' numbers.
+/// All that has happened to a population of a plan since the preparation.
 template <Archive A, typename Population>
-void serialize_population(A& archive, Population& population, const PrimaryShape& shape) {
+void serialize_population(A& archive, Population& population, const ChainPlan& plan) {
   serialize_plain(archive, population);
   archive(population.retired, population.samples_behind, population.joined);
   auto chains = static_cast<std::uint64_t>(population.chains.size());
@@ -28,9 +29,12 @@ void serialize_population(A& archive, Population& population, const PrimaryShape
   if constexpr (A::is_loading::value) population.chains.clear();
   for (std::uint64_t i = 0; i < chains; ++i) {
     if constexpr (A::is_loading::value) {
-      population.chains.push_back({PrimaryChain(shape, 0, 0, 0.0), {}, 1.0});
+      SelectiveChain& chain = population.chains.emplace_back();
+      if (plan.kind != ChainKind::ExplicitPath) {
+        chain.state = PrimaryChain(plan.groups[population.group].shape, 0, 0, 0.0);
+      }
     }
-    archive(population.chains[static_cast<std::size_t>(i)]);
+    serialize_chain(archive, plan.scene, population.chains[static_cast<std::size_t>(i)]);
   }
 }
 

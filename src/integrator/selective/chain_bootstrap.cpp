@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "integrator/selective/chain_starts.h"
 #include "integrator/selective/heuristics.h"
 
 namespace ajar {
@@ -35,9 +36,12 @@ void ChainBootstrap::end() {
       population.excess.add(weight - capped);
     }
   }
-  seed_populations(
+  share_chains(
       populations_, plan_.groups, plan_.chains_per_replicate(),
-      [](const ChainPopulation& population) { return population.b(0.0); }, plan_.seed_rule);
+      [](const ChainPopulation& population) { return population.b(0.0); },
+      [&](ChainPopulation& population, std::size_t count) {
+        population.chains = seed_chains_of(plan_, population, count);
+      });
 }
 
 }  // namespace ajar

@@ -6,6 +6,7 @@
 
 #include "core/milestones.h"
 #include "core/parallel_for.h"
+#include "integrator/selective/chain_starts.h"
 #include "integrator/selective/heuristics.h"
 
 namespace ajar {
@@ -29,8 +30,7 @@ void check_population(const ChainPopulation& population, const ChainPlan& plan,
       passes * (1.0 + std::max(plan.mutations, SelectiveHeuristics::kMostMutations) *
                           static_cast<double>(plan.pixels()));
   const PathGroup& group = plan.groups[population.group];
-  for (const MemberChain& member : population.chains) check_member(member, group, most_steps);
-  check_record(population.retired, group);
+  check_record(population.retired, group, plan.chain_moves().size());
   check_record({population.plain_statistics, {}}, group);
   constexpr double kMostSamples = 0x1p63;
   require(population.samples_behind >= 0.0 && population.samples_behind < kMostSamples,
@@ -41,7 +41,7 @@ void check_population(const ChainPopulation& population, const ChainPlan& plan,
             "the brightness of chains cannot be");
   }
   parallel_for(population.chains.size(), [&](std::size_t i) {
-    check_state(population.chains[i], *plan.make_target(group, population.replicate));
+    check_chain(plan, population, population.chains[i], most_steps);
   });
 }
 

@@ -386,7 +386,7 @@ void ChainIntegrator::save_state(OutputArchive& archive) const {
   items_.save_state(archive);
   archive(doubled_at_, stretch_);
   for (const ChainPopulation& population : populations_) {
-    serialize_population(archive, population, plan_.groups[population.group].shape);
+    serialize_population(archive, population, plan_);
   }
   effort_.save_state(archive);
   if (adaptation_) adaptation_->save_state(archive);
@@ -407,8 +407,7 @@ void ChainIntegrator::load_state(InputArchive& archive, std::uint64_t samples) {
     throw std::runtime_error("chains of another time");
   }
   for (ChainPopulation& population : populations_) {
-    const PathGroup& group = plan_.groups[population.group];
-    serialize_population(archive, population, group.shape);
+    serialize_population(archive, population, plan_);
     check_population(population, plan_, samples);
   }
   items_.check_b();
@@ -437,10 +436,10 @@ std::uint64_t ChainIntegrator::memory_bytes() const {
   std::uint64_t bytes = maps_ ? maps_->memory_bytes() : 0;
   if (adaptation_) bytes += adaptation_->memory_bytes();
   for (const ChainPopulation& population : populations_) {
-    for (const MemberChain& member : population.chains) {
+    for (const SelectiveChain& member : population.chains) {
       // Of recruits there is one per chain, on average, which is as large.
-      bytes += (recruits_ ? 2 : 1) * member.chain.memory_bytes();
-      bytes += sizeof(MemberChain) - sizeof(PrimaryChain);
+      bytes += (recruits_ ? 2 : 1) * member.memory_bytes();
+      bytes += sizeof(SelectiveChain) - sizeof(member.state);
     }
   }
   return bytes;

@@ -9,6 +9,7 @@
 #include "core/random_use.h"
 #include "integrator/metropolis/chain_film_sink.h"
 #include "integrator/selective/chain_archive.h"
+#include "integrator/selective/chain_walker.h"
 #include "integrator/selective/heuristics.h"
 #include "mcmc/primary/bootstrap_source.h"
 #include "mcmc/primary/primary_runner.h"
@@ -92,19 +93,17 @@ void ChainItems::run(std::uint64_t item, std::uint64_t first_sample, std::uint64
 void ChainItems::run_chain(const Item& item, std::uint64_t first_sample, std::uint64_t samples,
                            PlaneMaps* maps, Film& film, Counters& counters) {
   ChainPopulation& population = populations_[item.population];
-  MemberChain& member = population.chains[item.chain];
-  const PathGroup& group = plan_.groups[population.group];
+  SelectiveChain& member = population.chains[item.chain];
   const std::size_t chains = chains_in(population.replicate);
-  const auto target = plan_.make_target(group, population.replicate);
-  PrimaryRunner runner(plan_.chain_settings_of(population.replicate), *plan_.moves.mutation,
-                       group.shape, *target, moves_of(maps, population.replicate));
-  ChainFilmSink sink(film, population.replicate, plan_.view.importance, target.get(), counters,
+  const auto walker = make_chain_walker(plan_, plan_.groups[population.group], population.replicate,
+                                        moves_of(maps, population.replicate));
+  ChainFilmSink sink(film, population.replicate, plan_.view.importance, walker->target(), counters,
                      gathering(maps), kept_by(population.replicate));
   const double b = b_[item.population];
   const auto in_population = static_cast<double>(population.chains.size());
-  runner.start(member.chain);
+  walker->start(member);
   // How often chains are started is up to the clock, which must not share the effort.
-  const std::uint64_t rays_to_start = target->rays();
+  const std::uint64_t rays_to_start = walker->ray_counts().rays;
   ChainStatistics statistics;
   for (std::uint64_t block = first_sample; block < first_sample + samples; ++block) {
     const std::uint64_t steps = effort_.steps(block, chains, share_of(population.replicate));
@@ -112,13 +111,13 @@ void ChainItems::run_chain(const Item& item, std::uint64_t first_sample, std::ui
     sink.begin(stretch_.sample_weight() * member.weight * b * plan_.view.area() * per_step /
                    plan_.settings.replicates,
                member.record.by_technique.empty() ? nullptr : &member.record.by_technique);
-    const ChainStatistics of_block = runner.go_on(
-        member.chain, steps, sink, plan_.moves.mis_large_steps ? std::optional(b) : std::nullopt);
+    const ChainStatistics of_block = walker->go_on(member, steps, sink, b);
     member.record.statistics += of_block;
     statistics += of_block;
   }
-  effort_.count_chains(target->rays() - rays_to_start, statistics.steps);
-  count_steps(member.chain.origin, statistics, target->ray_counts(), counters);
+  const RayCounts rays = walker->ray_counts();
+  effort_.count_chains(rays.rays - rays_to_start, statistics.steps);
+  count_steps(member.origin(), statistics, rays, counters);
 }
 
 /// A population whose bootstrap found no light has no chain to run. Its paths are sampled
@@ -203,7 +202,7 @@ void ChainItems::serialize_chains(A& archive, const WorkShare& share, std::uint6
     if (population.chains.empty()) {
       serialize_plain(archive, population);
     } else {
-      archive(population.chains[items_[i].chain]);
+      serialize_chain(archive, plan_.scene, population.chains[items_[i].chain]);
     }
   }
 }

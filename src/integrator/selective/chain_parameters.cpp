@@ -1,5 +1,6 @@
 #include <utility>
 
+#include "integrator/metropolis/path_space.h"
 #include "integrator/montecarlo/path_family.h"
 #include "integrator/montecarlo/path_parameters.h"
 #include "integrator/selective/chain_family.h"
@@ -20,7 +21,8 @@ std::vector<ParameterSpec> chain_parameters(ChainKind kind) {
         .unit = "samples",
         .help =
             "independent samples from which chains are seeded: of ordinary Monte Carlo, where it "
-            "shares the light with mmlt (split), else paths over all depths and replicates; 0: as "
+            "shares the light with mmlt or mlt (split), else paths over all depths and replicates; "
+            "0: as "
             "many as suit the picture",
         .choices = {},
         .minimum = 0,
@@ -65,7 +67,7 @@ std::vector<ParameterSpec> chain_parameters(ChainKind kind) {
            1e6, {"auto"}),
        {.name = "omc-samples",
         .type = ParameterType::Float,
-        .default_value = kind == ChainKind::OnePath ? "0" : "0.5",
+        .default_value = kind == ChainKind::WholePath ? "0.5" : "0",
         .unit = "",
         .help =
             "camera samples of ordinary Monte Carlo per mutation; 0: a sample is one camera sample "
@@ -82,12 +84,18 @@ std::vector<ParameterSpec> chain_parameters(ChainKind kind) {
             "(equal relative error everywhere), or an image file whose brightness is the weight",
         .choices = {}}});
   mark_experts(specs, {"techniques", "large-step", "bootstrap", "direct", "importance"});
-  if (kind == ChainKind::OnePath) {
+  if (kind == ChainKind::ExplicitPath) {
+    for (ParameterSpec& spec : path_mutation_parameters()) {
+      spec.expert = true;
+      specs.push_back(std::move(spec));
+    }
+  }
+  if (kind != ChainKind::WholePath) {
     specs.push_back(light_paths_parameter(
         "1",
         "light subpaths of ordinary Monte Carlo per camera sample, if the techniques have any"));
   }
-  if (kind == ChainKind::WholePath) {
+  if (kind != ChainKind::OnePath) {
     specs.push_back(roulette_start_parameter("3"));
     specs.back().expert = true;
   }

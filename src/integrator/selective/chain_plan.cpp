@@ -7,6 +7,7 @@
 
 #include "integrator/metropolis/chain_film_sink.h"
 #include "integrator/metropolis/heuristics.h"
+#include "integrator/metropolis/path_space.h"
 #include "integrator/montecarlo/path_family.h"
 #include "integrator/montecarlo/path_parameters.h"
 #include "integrator/selective/crop_weights.h"
@@ -44,6 +45,7 @@ ChainPlan::ChainPlan(ChainKind chain_kind, const Scene& the_scene,
       wanted_chains(static_cast<std::uint64_t>(parameters.get_int("chains"))),
       seed_rule{seed_filter_of(parameters.get_text("seeds")), parameters.get_float("seed-spread")},
       moves(parameters, kind) {
+  if (kind == ChainKind::ExplicitPath) path_mutations = path_mutation_weights(parameters);
   if (selective) check_region_rules(selective->rules, scene.object_names(), scene.material_names());
   settings.max_depth = std::min(settings.max_depth, MetropolisHeuristics::kMostEdges);
   read_split();
@@ -80,7 +82,7 @@ void ChainPlan::read_split() {
     }
   } else if (fixed) {
     thresholds = {*fixed};
-  } else if (kind == ChainKind::OnePath) {
+  } else if (kind != ChainKind::WholePath) {
     offer(SelectiveHeuristics::kThresholds);
     if (selective) thresholds.push_back(SelectiveHeuristics::kHighestThreshold);
   } else if (selective) {
@@ -96,7 +98,7 @@ void ChainPlan::read_omc() {
   const bool tells_light_paths = parameters.given().contains(kLightPathsPerPixel);
   if (tells_light_paths) omc.light_paths_per_pixel = parameters.get_text(kLightPathsPerPixel);
   chooses_omc = selective && selective->chooses_omc && !thresholds.empty() &&
-                kind == ChainKind::OnePath && !tells_light_paths;
+                kind != ChainKind::WholePath && !tells_light_paths;
 }
 
 void ChainPlan::set_omc(const PathFamilyDefaults& choice) {
@@ -155,9 +157,10 @@ std::size_t ChainPlan::chains_per_replicate() const {
 }
 
 const PathGroup& ChainPlan::group_of(int depth) const {
-  const auto group = std::find_if(groups.begin(), groups.end(),
+  const auto& own = kind == ChainKind::OnePath ? groups : depth_groups_;
+  const auto group = std::find_if(own.begin(), own.end(),
                                   [&](const PathGroup& one) { return one.depth == depth; });
-  if (group == groups.end()) throw std::logic_error("bug: no chains for paths of this depth");
+  if (group == own.end()) throw std::logic_error("bug: no chains for paths of this depth");
   return *group;
 }
 
@@ -170,14 +173,19 @@ void ChainPlan::make_groups() {
                           : std::max(settings.min_depth, Division::kDirectDepth + 1);
   sampler.max_depth = settings.max_depth;
   // As ordinary Monte Carlo counts them, so that both agree about what a path brings.
-  const bool is_divided = kind == ChainKind::OnePath && !thresholds.empty();
-  if (is_divided) sampler.light_subpaths = std::stod(omc.light_paths_per_pixel);
+  if (has_recruits()) sampler.light_subpaths = std::stod(omc.light_paths_per_pixel);
   sampler.light_paths_per_pixel =
       sampler.light_subpaths * static_cast<double>(pixels()) /
       (static_cast<double>(settings.resolution.x) * settings.resolution.y);
-  const int roulette_start =
-      kind == ChainKind::WholePath ? parameters.get_int("roulette-start") : 0;
+  const int roulette_start = kind == ChainKind::OnePath ? 0 : parameters.get_int("roulette-start");
   groups = make_path_groups(kind, sampler, roulette_start);
+  if (kind == ChainKind::ExplicitPath) {
+    depth_groups_ = make_path_groups(ChainKind::OnePath, sampler, 0);
+  }
+}
+
+std::span<const Move> ChainPlan::chain_moves() const {
+  return kind == ChainKind::ExplicitPath ? path_moves() : primary_moves();
 }
 
 void ChainPlan::read_importance() {
@@ -192,7 +200,7 @@ void ChainPlan::read_importance() {
 }
 
 std::unique_ptr<PathTarget> ChainPlan::make_target(const PathGroup& group, int replicate) const {
-  return make_path_target(scene, group, view, divisions ? &divisions->of(replicate) : nullptr);
+  return make_path_target(scene, group, view, part_of(replicate));
 }
 
 void ChainPlan::leave_to_omc(std::uint64_t kept) {

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "core/parameters.h"
@@ -31,7 +32,14 @@ struct ChainPlan {
 
   /// A target of one thread, for chains of a replicate; the plan must outlive it.
   std::unique_ptr<PathTarget> make_target(const PathGroup& group, int replicate) const;
+  /// For paths of one depth as ordinary Monte Carlo finds them, technique by technique.
   const PathGroup& group_of(int depth) const;
+  /// The division of a replicate; null if there is none.
+  const PathPart* part_of(int replicate) const {
+    return divisions ? &divisions->of(replicate) : nullptr;
+  }
+  /// Of the kernels that the chains run with.
+  std::span<const Move> chain_moves() const;
   /// Of the crop.
   std::uint64_t pixels() const;
   /// In the units of `PixelShare`; 0 if light is not divided path by path.
@@ -40,7 +48,7 @@ struct ChainPlan {
   }
   /// Whether chains start from what ordinary Monte Carlo finds: it divides light path by path and
   /// makes the same paths.
-  bool has_recruits() const { return !thresholds.empty() && kind == ChainKind::OnePath; }
+  bool has_recruits() const { return !thresholds.empty() && kind != ChainKind::WholePath; }
   /// Whether a pilot decides between thresholds; else, if at all, it decides by regions alone.
   bool chooses_thresholds() const {
     return thresholds.size() > 1 &&
@@ -115,11 +123,13 @@ struct ChainPlan {
   SelectiveMoves moves;
   ChainView view;
   std::vector<PathGroup> groups;
+  std::vector<double> path_mutations;  ///< weights, of chains of explicit paths
   PathFamilyDefaults omc;              ///< of ordinary Monte Carlo
   std::optional<RayPrice> ray_price;   ///< likewise, as a pilot has found it
   std::optional<Divisions> divisions;  ///< found by the pilot
 
  private:
+  std::vector<PathGroup> depth_groups_;  ///< where those of the chains hold several depths
   /// Of the picture, from when ordinary Monte Carlo was made first, and of paths of which depths.
   mutable std::optional<PictureScale> scale_;
   mutable std::pair<int, int> scale_depths_;

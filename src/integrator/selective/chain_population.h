@@ -4,12 +4,13 @@
 #include <optional>
 
 #include "integrator/metropolis/population.h"
+#include "integrator/selective/selective_chain.h"
 #include "mcmc/moments.h"
 
 namespace ajar {
 
 /// What chains that share the light with ordinary Monte Carlo know beyond.
-struct ChainPopulation : Population {
+struct ChainPopulation : PopulationOf<SelectiveChain> {
   // Of I over the bootstrap, in two parts: min(I, cap) and the rest.
   Moments capped;
   Moments excess;
@@ -30,7 +31,7 @@ struct ChainPopulation : Population {
   /// Of min(I, cap) over large steps, or over the samples taken instead: independent, too.
   Moments later_moments() const {
     Moments all = plain_statistics.large_steps;
-    for (const MemberChain& member : chains) all += member.record.statistics.large_steps;
+    for (const SelectiveChain& member : chains) all += member.record.statistics.large_steps;
     return all;
   }
   /// b, if later samples have the weight `later_weight` in what is capped. The rest is the

@@ -13,10 +13,10 @@
 #include "core/random_use.h"
 #include "integrator/montecarlo/path_family.h"
 #include "integrator/selective/chain_archive.h"
+#include "integrator/selective/chain_starts.h"
 #include "integrator/selective/heuristics.h"
 #include "mcmc/bootstrap.h"
 #include "mcmc/counter_random.h"
-#include "mcmc/primary/chain_source.h"
 
 namespace ajar {
 
@@ -47,8 +47,7 @@ class ChainRecruits::Sink final : public StrongPathSink {
   double grain() const override { return recruits_.grain_; }
   bool spread(SampleSource& numbers, StrongPath& path) override {
     Recruit recruit{path, PathNumbers(numbers, path), {}};
-    splats_.clear();
-    recruit.scalar = recruits_.evaluate(recruit, splats_, counters_);
+    recruit.scalar = recruits_.evaluate(recruit, counters_);
     // Rounding may have moved the path off an edge.
     if (!(*recruit.scalar > 0.0 && std::isfinite(*recruit.scalar))) return false;
     recruits_.keep(std::move(recruit));
@@ -58,17 +57,11 @@ class ChainRecruits::Sink final : public StrongPathSink {
  private:
   const ChainRecruits& recruits_;
   Counters& counters_;
-  SplatBuffer splats_;
 };
 
-double ChainRecruits::evaluate(const Recruit& recruit, SplatBuffer& splats, RayCounts& rays) const {
-  const PathGroup& group = plan_.group_of(recruit.path.technique.depth());
-  const PrimaryChain chain = recruit.numbers.start_chain(plan_, group, recruit.path);
-  const auto target = plan_.make_target(group, recruit.path.replicate);
-  ReplaySource replay(chain.numbers);
-  const double scalar = target->evaluate(replay, Change{}, splats);
-  rays.add_rays(target->ray_counts());
-  return scalar;
+double ChainRecruits::evaluate(const Recruit& recruit, RayCounts& rays) const {
+  const auto chain = start_chain_of(plan_, recruit.numbers, recruit.path, std::nullopt, rays);
+  return chain ? chain->chain().scalar : 0.0;
 }
 
 std::unique_ptr<StrongPathSink> ChainRecruits::make(Film& /*film*/, Counters& counters) const {
@@ -103,9 +96,8 @@ void ChainRecruits::check_recruit(const Recruit& recruit) const {
     throw std::runtime_error("a path that was found cannot be");
   }
   // A chain that starts there must have what `ChainRunner` sees there.
-  SplatBuffer splats;
   RayCounts rays;
-  const double scalar = evaluate(recruit, splats, rays);
+  const double scalar = evaluate(recruit, rays);
   if (!(scalar > 0.0 && std::isnormal(scalar)) || (recruit.scalar && *recruit.scalar != scalar)) {
     throw std::runtime_error("a path that was found leads elsewhere");
   }
@@ -193,10 +185,12 @@ std::vector<std::vector<const ChainRecruits::Recruit*>> ChainRecruits::sorted_re
     by_replicate_and_depth[{populations[p].replicate, plan_.groups[populations[p].group].depth}] =
         p;
   }
+  const bool by_depth = plan_.kind == ChainKind::OnePath;
   std::vector<std::vector<const Recruit*>> found(populations.size());
   for (const Recruit& recruit : recruits_) {
     const StrongPath& path = recruit.path;
-    found[by_replicate_and_depth.at({path.replicate, path.technique.depth()})].push_back(&recruit);
+    const int depth = by_depth ? path.technique.depth() : 0;
+    found[by_replicate_and_depth.at({path.replicate, depth})].push_back(&recruit);
   }
   return found;
 }
@@ -269,13 +263,13 @@ void ChainRecruits::resample(ChainPopulation& population,
                              const std::vector<const Recruit*>& recruits,
                              std::size_t chains) const {
   const ChainPopulation::Joined& joined = *population.joined;
-  std::vector<MemberChain> old = std::move(population.chains);
+  std::vector<SelectiveChain> old = std::move(population.chains);
   population.chains.clear();
   std::vector<double> masses;
   masses.reserve(old.size() + recruits.size());
   double of_old = 0.0;
-  for (const MemberChain& member : old) of_old += std::abs(member.weight);
-  for (const MemberChain& member : old) {
+  for (const SelectiveChain& member : old) of_old += std::abs(member.weight);
+  for (const SelectiveChain& member : old) {
     masses.push_back(joined.of_chains * std::abs(member.weight) / of_old);
   }
   for (const Recruit* recruit : recruits) {
@@ -284,13 +278,10 @@ void ChainRecruits::resample(ChainPopulation& population,
   const std::uint64_t seed = hash_numbers(population.seed, RandomUse::RecruitSeeds,
                                           static_cast<std::uint64_t>(population.samples_behind));
   const double u = to_unit_double(hash_numbers(seed, RandomUse::Seeds));
-  const PathGroup& group = plan_.groups[population.group];
-  ChainRecord empty;
-  empty.by_technique.resize(group.choice.size());
   std::size_t last = masses.size();
   std::uint64_t twins = 0;
   std::vector<bool> stays(old.size(), false);
-  SplatBuffer splats;
+  RayCounts rays;
   for (const std::size_t index : choose_seeds(masses, chains, u)) {
     if (index == last) {
       // The one before may be a twin itself: each is told apart by the number from the first.
@@ -302,16 +293,16 @@ void ChainRecruits::resample(ChainPopulation& population,
     twins = 0;
     if (index < old.size()) {
       stays[index] = true;
-      MemberChain& member = population.chains.emplace_back(std::move(old[index]));
+      SelectiveChain& member = population.chains.emplace_back(std::move(old[index]));
       member.weight = std::copysign(1.0, member.weight);
     } else {
       const Recruit& recruit = *recruits[index - old.size()];
-      PrimaryChain chain = recruit.numbers.start_chain(plan_, group, recruit.path);
-      RayCounts rays;
-      splats.clear();
-      chain.scalar = recruit.scalar ? *recruit.scalar : evaluate(recruit, splats, rays);
-      population.chains.push_back(
-          {std::move(chain), empty, std::copysign(1.0, recruit.path.energy)});
+      auto chain = start_chain_of(plan_, recruit.numbers, recruit.path, recruit.scalar, rays);
+      if (chain) {
+        population.chains.push_back(std::move(*chain));
+      } else {
+        last = masses.size();
+      }
     }
   }
   for (std::size_t i = 0; i < old.size(); ++i) {

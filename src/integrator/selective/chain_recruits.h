@@ -62,7 +62,8 @@ class ChainRecruits final : public StrongPathSinks {
     }
   };
 
-  double evaluate(const Recruit& recruit, SplatBuffer& splats, RayCounts& rays) const;
+  /// I of a chain that starts there; 0 if none can.
+  double evaluate(const Recruit& recruit, RayCounts& rays) const;
   void set_grain(double per_sample, double camera_samples);
   void join_replicate(std::vector<ChainPopulation>& populations,
                       const std::vector<std::vector<const Recruit*>>& found, int replicate,

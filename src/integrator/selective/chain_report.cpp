@@ -70,7 +70,7 @@ MethodReport report_chains(const ChainPlan& plan, std::span<const ChainPopulatio
                            double later_weight) {
   std::uint64_t samples = plan.scouted;
   for (const ChainPopulation& population : populations) samples += population.capped.count;
-  ChainReporter reporter(samples, primary_moves());
+  ChainReporter reporter(samples, plan.chain_moves());
   for (std::size_t g = 0; g < plan.groups.size(); ++g) {
     ChainReporter::OfGroup group(plan.groups[g]);
     for (const ChainPopulation& population : populations) {
@@ -79,7 +79,7 @@ MethodReport report_chains(const ChainPlan& plan, std::span<const ChainPopulatio
                   plan.settings.replicates);
       group.add_plain(population.plain_samples);
       group.add_retired(population.retired);
-      for (const MemberChain& member : population.chains) group.add_chain(member.record);
+      for (const SelectiveChain& member : population.chains) group.add_chain(member.record);
     }
     reporter.add(std::move(group));
   }

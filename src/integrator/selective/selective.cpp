@@ -3,11 +3,15 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <span>
 #include <string_view>
+#include <vector>
 
 #include "core/error.h"
+#include "integrator/metropolis/path_space.h"
 #include "integrator/montecarlo/path_family.h"
 #include "integrator/selective/chain_family.h"
+#include "integrator/selective/selective_moves.h"
 #include "integrator/selective/selective_settings.h"
 
 namespace ajar {
@@ -36,7 +40,26 @@ void leave_open(ParameterSpec& spec) {
 }
 
 ChainKind chain_kind(const Parameters& parameters) {
-  return parameters.get_text("chain") == "mmlt" ? ChainKind::OnePath : ChainKind::WholePath;
+  const std::string& chain = parameters.get_text("chain");
+  if (chain == "mlt") return ChainKind::ExplicitPath;
+  return chain == "mmlt" ? ChainKind::OnePath : ChainKind::WholePath;
+}
+
+bool has(std::span<const ParameterSpec> specs, const std::string& name) {
+  return std::any_of(specs.begin(), specs.end(),
+                     [&](const ParameterSpec& spec) { return spec.name == name; });
+}
+
+/// Parameters of one kind of chains mean nothing for others: how numbers move, and which samples
+/// of a bootstrap are seeds, for explicit paths; how these do, for numbers.
+void limit_to_chains(ParameterSpec& spec) {
+  const bool of_numbers =
+      has(SelectiveMoves::parameters(), spec.name) || spec.name.starts_with("seed");
+  const bool of_paths = has(path_mutation_parameters(), spec.name);
+  if (!of_numbers && !of_paths) return;
+  spec.depends_on = "chain";
+  spec.matters_for =
+      of_paths ? std::vector<std::string>{"mlt"} : std::vector<std::string>{"mmlt", "pssmlt"};
 }
 
 bool divides_regions(const Parameters& parameters) {
@@ -56,16 +79,15 @@ void check_division(const Parameters& parameters) {
 std::vector<ParameterSpec> selective_parameters() {
   std::vector<ParameterSpec> specs = SelectiveSettings::parameters();
   // Defaults are shown as mmlt has them.
-  for (const ChainKind kind : {ChainKind::OnePath, ChainKind::WholePath}) {
+  for (const ChainKind kind : {ChainKind::OnePath, ChainKind::ExplicitPath, ChainKind::WholePath}) {
     for (ParameterSpec& spec : chain_parameters(kind)) {
-      const bool known = std::any_of(specs.begin(), specs.end(), [&](const ParameterSpec& other) {
-        return other.name == spec.name;
-      });
+      const bool known = has(specs, spec.name);
       if (can_be_open(spec.name)) leave_open(spec);
       if (is_of_no_regions(spec.name)) {
         spec.depends_on = "division";
         spec.matters_for = {"everywhere"};
       }
+      limit_to_chains(spec);
       if (!known) specs.push_back(std::move(spec));
     }
   }
@@ -82,7 +104,7 @@ std::unique_ptr<Integrator> make_selective_integrator(const Scene& scene,
   const bool has_light_paths = parameters.get_text(kLightPathsPerPixel) != SelectiveSettings::kOpen;
   if (has_light_paths && kind == ChainKind::WholePath) {
     throw UsageError(kLightPathsPerPixel +
-                     ": only with chain=mmlt; a state of pssmlt has one light subpath");
+                     ": only with chain=mmlt or mlt; a state of pssmlt has one light subpath");
   }
   const std::vector<ParameterSpec> specs = chain_parameters(kind);
   std::map<std::string, std::string> chain;

@@ -100,6 +100,11 @@ SelectiveMoves::SelectiveMoves(const Parameters& parameters, ChainKind kind)
     : ChainMoves(parameters, base_mutation(parameters.get_text("mutation"))),
       plane(plane_rule(parameters)) {
   StepProbabilities& probabilities = settings.probabilities;
+  if (kind == ChainKind::ExplicitPath) {
+    // Such chains have no numbers that could move, nor a step that is independent of their state.
+    probabilities = {.large = 0.0};
+    return;
+  }
   probabilities.camera_half = parameters.get_float("camera-steps");
   probabilities.light_half = parameters.get_float("light-steps");
   settings.tries = parameters.get_int("multi-try");

@@ -42,7 +42,7 @@ std::vector<ParameterSpec> SelectiveSettings::parameters() {
           "how the light is divided: path by path and by regions of the picture, as a "
           "pilot finds; or alike everywhere, which leaves all that follows from regions "
           "out (presets mmlt+ and pssmlt+)"),
-      choice_parameter("chain", {"mmlt", "pssmlt"}, "the Markov chains"),
+      choice_parameter("chain", {"mmlt", "pssmlt", "mlt"}, "the Markov chains"),
       choice_parameter("preset", {"none", "published", "lambertian-out", "mmlt+", "pssmlt+"},
                        "published: everything as in the paper; lambertian-out: no chains where "
                        "the material is matte (for omc=lt); mmlt+ and pssmlt+: division=everywhere "
@@ -133,6 +133,10 @@ std::map<std::string, std::string> SelectiveSettings::apply_preset(
     values = {{"omc", "ibpt"},        {"map", "binary"},         {"pilot", "keep"},
               {"split", "0"},         {"importance", "uniform"}, {"mutation", "kelemen"},
               {"samples", "uniform"}, {"roulette", "usual"}};
+    // How numbers move, of which chains of explicit paths have none.
+    if (const auto chain = given.find("chain"); chain != given.end() && chain->second == "mlt") {
+      values.erase("mutation");
+    }
   } else if (preset->second.ends_with("+")) {
     values = {{"division", "everywhere"},
               {"chain", preset->second.substr(0, preset->second.size() - 1)}};

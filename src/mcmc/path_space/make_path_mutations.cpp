@@ -74,12 +74,13 @@ std::span<const Move> path_moves() {
 }
 
 PathKernel make_path_kernel(const Scene& scene, const PathBounds& bounds,
-                            std::span<const double> weights, std::int32_t (*layer)(int depth)) {
+                            std::span<const double> weights, std::int32_t (*layer)(int depth),
+                            PathWeight* weight) {
   std::vector<MixedMutation> mutations;
   for (std::size_t i = 0; i < kMutations.size(); ++i) {
     mutations.push_back({kMutations[i].make(scene, bounds), weights[i]});
   }
-  return {scene, bounds.area, std::move(mutations), layer};
+  return {scene, bounds.area, std::move(mutations), layer, weight};
 }
 
 }  // namespace ajar

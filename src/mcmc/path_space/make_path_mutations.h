@@ -29,8 +29,9 @@ std::span<const PathMutationInfo> path_mutations();
 std::span<const Move> path_moves();
 
 /// A kernel that mixes all of them, by number; weights may be 0. `scene` and `bounds` must outlive
-/// it. `layer`: see PathKernel.
+/// it. `layer` and `weight`: see PathKernel.
 PathKernel make_path_kernel(const Scene& scene, const PathBounds& bounds,
-                            std::span<const double> weights, std::int32_t (*layer)(int depth));
+                            std::span<const double> weights, std::int32_t (*layer)(int depth),
+                            PathWeight* weight = nullptr);
 
 }  // namespace ajar

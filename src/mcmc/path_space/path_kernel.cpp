@@ -12,21 +12,28 @@
 namespace ajar {
 
 double light_on(const Scene& scene, const Path& path, const RasterArea& area, std::int32_t layer,
-                SplatBuffer& splats) {
+                SplatBuffer& splats, PathWeight* weight) {
   constexpr double kDark = -std::numeric_limits<double>::infinity();
   if (!area.contains(path.raster)) return kDark;
   const ScaledSpectrum f = contribution(scene, path);
   if (f.spectrum.min() < 0.F) return std::numeric_limits<double>::quiet_NaN();
-  const double light = f.log_luminance();
+  double light = f.log_luminance();
+  float importance = 1.F;
+  if (weight != nullptr && std::isfinite(light)) {
+    const double part = weight->part(path, light);
+    importance = weight->importance(path.raster);
+    light += std::log(part * static_cast<double>(importance));
+  }
   if (std::isfinite(light)) {
-    splats.push_back({path.raster, layer, f.spectrum / luminance(f.spectrum)});
+    splats.push_back({path.raster, layer, f.spectrum / (luminance(f.spectrum) * importance)});
   }
   return light;
 }
 
 PathKernel::PathKernel(const Scene& scene, const RasterArea& area,
-                       std::vector<MixedMutation> mutations, std::int32_t (*layer)(int depth))
-    : scene_(scene), area_(area), mutations_(std::move(mutations)), layer_(layer) {
+                       std::vector<MixedMutation> mutations, std::int32_t (*layer)(int depth),
+                       PathWeight* weight)
+    : scene_(scene), area_(area), mutations_(std::move(mutations)), layer_(layer), weight_(weight) {
   for (const MixedMutation& mixed : mutations_) moves_.push_back({mixed.mutation->name(), false});
 }
 
@@ -42,7 +49,7 @@ void PathKernel::start(PathChain& chain) {
   chain_ = &chain;
   splats_.clear();
   const Path& path = chain.path;
-  current_.log_light = light_on(scene_, path, area_, layer_(path.depth()), splats_);
+  current_.log_light = light_on(scene_, path, area_, layer_(path.depth()), splats_, weight_);
   current_.weight = suitable_weight(path);
   if (!std::isfinite(current_.log_light)) {
     throw std::logic_error("bug: the path of a Markov chain is dark. To replay: seed " +
@@ -83,7 +90,8 @@ void PathKernel::consider(PathMutation& mutation, std::uint64_t key) {
   const Path& x = chain_->path;
   const auto kept = mutation.propose(x, hash_numbers(key, RandomUse::PathNumbers), path_);
   if (!kept) return;
-  proposed_.log_light = light_on(scene_, path_, area_, layer_(path_.depth()), candidate_.splats);
+  proposed_.log_light =
+      light_on(scene_, path_, area_, layer_(path_.depth()), candidate_.splats, weight_);
   if (!std::isfinite(proposed_.log_light)) {
     // Of what is no number chains keep count.
     if (proposed_.log_light != -std::numeric_limits<double>::infinity()) {

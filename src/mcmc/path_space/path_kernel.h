@@ -5,6 +5,7 @@
 #include "mcmc/kernel.h"
 #include "mcmc/path_space/path_chain.h"
 #include "mcmc/path_space/path_mutation.h"
+#include "mcmc/path_space/path_weight.h"
 #include "path/raster_area.h"
 
 namespace ajar {
@@ -22,8 +23,9 @@ struct MixedMutation {
 class PathKernel final : public Kernel {
  public:
   /// `scene` must outlive it; at least one mutation. `layer`: of the film, by the number of edges.
+  /// `weight`, which must outlive it as well, multiplies the light: null for 1.
   PathKernel(const Scene& scene, const RasterArea& area, std::vector<MixedMutation> mutations,
-             std::int32_t (*layer)(int depth));
+             std::int32_t (*layer)(int depth), PathWeight* weight = nullptr);
 
   /// Goes on with a chain, which must stay where it is meanwhile. Raises std::logic_error if there
   /// is no light on its path.
@@ -40,7 +42,7 @@ class PathKernel final : public Kernel {
  private:
   /// What is known of a path as long as it is a state.
   struct State {
-    double log_light = 0.0;  ///< ln f*
+    double log_light = 0.0;  ///< ln f*, times `PathWeight`
     double weight = 0.0;     ///< of all suitable mutations
   };
   double suitable_weight(const Path& path) const;
@@ -53,6 +55,7 @@ class PathKernel final : public Kernel {
   std::vector<MixedMutation> mutations_;
   std::vector<Move> moves_;
   std::int32_t (*layer_)(int depth);
+  PathWeight* weight_;
   PathChain* chain_ = nullptr;
   State current_;
   State proposed_;
@@ -62,9 +65,9 @@ class PathKernel final : public Kernel {
   Candidate candidate_;
 };
 
-/// ln f* of a path and what it splats at I = 1: nothing, and −∞, if no light is on it; NaN if what
-/// is on it is no number, or negative.
+/// ln f* of a path, times `weight` if that is not null, and what it splats at I = 1: nothing, and
+/// −∞, if no light is on it; NaN if what is on it is no number, or negative.
 double light_on(const Scene& scene, const Path& path, const RasterArea& area, std::int32_t layer,
-                SplatBuffer& splats);
+                SplatBuffer& splats, PathWeight* weight = nullptr);
 
 }  // namespace ajar

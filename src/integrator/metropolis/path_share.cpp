@@ -1,0 +1,23 @@
+#include "integrator/metropolis/path_share.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace ajar {
+
+double PathShare::part(const Path& path, double log_light) {
+  constexpr auto kMost = static_cast<double>(std::numeric_limits<float>::max());
+  double sum = 0.0;
+  int s = 0;
+  for (const TechniqueParts::Part& own : parts_.of(path, log_light)) {
+    const Technique technique{s, path.depth() + 1 - s};
+    ++s;
+    if (own.weight == 0.0) continue;
+    const auto light = static_cast<float>(std::min(own.light, kMost));
+    const float share = part_ != nullptr ? part_->share(technique, light, path.raster) : 1.F;
+    sum += own.weight * static_cast<double>(share);
+  }
+  return sum;
+}
+
+}  // namespace ajar

@@ -1,0 +1,34 @@
+#pragma once
+#include <utility>
+
+#include "image/importance_map.h"
+#include "integrator/path_part.h"
+#include "mcmc/path_space/path_weight.h"
+#include "path/technique_parts.h"
+
+namespace ajar {
+
+/// The part of explicit paths that chains make where others make the rest of what each technique
+/// finds (docs/methods/selective.md, "States without a technique"):
+///
+///     W(x) = Σ_t w_t · share(g_t)
+///
+/// over the techniques of a sampler, with what `PathPart` leaves of each, and w_t its MIS weight.
+class PathShare final : public PathWeight {
+ public:
+  /// What is referred to must outlive it; `part` is null if techniques leave all they find: then W
+  /// is 1 on paths that any of them makes, and 0 elsewhere.
+  PathShare(const Scene& scene, PathSamplerSettings settings, const ImportanceMap& importance,
+            const PathPart* part)
+      : parts_(scene, std::move(settings)), importance_(importance), part_(part) {}
+
+  double part(const Path& path, double log_light) override;
+  float importance(const Vec2& raster) const override { return importance_(raster); }
+
+ private:
+  TechniqueParts parts_;
+  const ImportanceMap& importance_;
+  const PathPart* part_;
+};
+
+}  // namespace ajar

@@ -1,0 +1,39 @@
+#pragma once
+#include <span>
+#include <vector>
+
+#include "path/path.h"
+#include "transport/path_sampler.h"
+
+namespace ajar {
+
+/// What each technique of a sampler's set finds of one path: all of them together in time linear in
+/// the length of the path, where `mis_weight` and `throughput` (measure.h) take that for one.
+class TechniqueParts {
+ public:
+  /// For samplers with these settings. The scene must outlive it.
+  TechniqueParts(const Scene& scene, PathSamplerSettings settings)
+      : scene_(scene), settings_(std::move(settings)) {}
+
+  struct Part {
+    double weight = 0.0;  ///< MIS weight; 0 if the technique does not make the path
+    /// Luminance of what one try brings, as `Contribution::value` has it: MIS weight in it, what is
+    /// owed to chance not.
+    double light = 0.0;
+  };
+  /// Of technique (s, k + 1 − s), for s = 0 … k; valid until it is asked again. `log_light`: ln
+  /// luminance(f), f the `contribution` of the path.
+  std::span<const Part> of(const Path& path, double log_light);
+
+ private:
+  void find_densities(const Path& path);
+
+  const Scene& scene_;
+  PathSamplerSettings settings_;
+  // By s, logarithms: no double holds the densities of long paths.
+  std::vector<double> densities_;  ///< tries · density, as MIS weights have it
+  std::vector<double> spreads_;    ///< what deltas that are sampled from the light multiply f by
+  std::vector<Part> parts_;
+};
+
+}  // namespace ajar
