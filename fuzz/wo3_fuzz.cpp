@@ -1,4 +1,4 @@
-// Any bytes must either be a mesh and a list of instances or be refused.
+// Any bytes must either be a mesh, a list of instances and curves or be refused.
 #include <cstddef>
 #include <cstdint>
 
@@ -6,6 +6,7 @@
 #include "import/mesh/creased_normals.h"
 #include "import/mesh/validate_mesh.h"
 #include "import/tungsten/instances.h"
+#include "import/tungsten/strands.h"
 #include "import/tungsten/wo3.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -17,6 +18,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     ajar::validate_mesh(source.mesh, {}, remarks);
     ajar::with_creased_normals(source.mesh, 0.9F);
   } catch (const ajar::SceneError&) {
+  }
+  for (const char* name : {"fuzz.fiber", "fuzz.hair"}) {
+    try {
+      ajar::tungsten::curves_of(ajar::tungsten::read_strands(bytes, name), {.tapers = true});
+    } catch (const ajar::SceneError&) {
+    }
   }
   return 0;
 }

@@ -11,6 +11,8 @@
 namespace ajar::gltf {
 namespace {
 
+constexpr int kMatrix = 16;
+
 /// Runs `body` with a value of the C++ type of a component.
 template <typename Body>
 auto with_type(ComponentType type, const Body& body) {
@@ -65,7 +67,8 @@ void check_type(const Element& accessor, int components) {
   if (found == kTypes.end()) {
     type.fail(unknown_name_message("type of accessor", printable_line(name), kTypes));
   }
-  const std::string& expected = kTypes[static_cast<std::size_t>(components) - 1];
+  const std::string& expected =
+      components == kMatrix ? kTypes.back() : kTypes[static_cast<std::size_t>(components) - 1];
   if (name != expected) type.fail("a " + expected + " is needed here, not a " + name);
 }
 
@@ -79,6 +82,7 @@ float as_float(T value, bool normalized) {
 }
 
 unsigned& component(unsigned& value, int /*c*/) { return value; }
+float& component(Imath::M44f& matrix, int c) { return matrix[c / 4][c % 4]; }
 template <typename Vector>
 float& component(Vector& vector, int c) {
   return vector[c];
@@ -114,6 +118,14 @@ std::size_t Accessors::count(std::size_t accessor) const {
 
 std::vector<Vec3> Accessors::read_vec3(std::size_t accessor) { return read<Vec3>(accessor, 3); }
 std::vector<Vec2> Accessors::read_vec2(std::size_t accessor) { return read<Vec2>(accessor, 2); }
+
+std::vector<Imath::V4f> Accessors::read_vec4(std::size_t accessor) {
+  return read<Imath::V4f>(accessor, 4);
+}
+std::vector<Imath::M44f> Accessors::read_matrices(std::size_t accessor) {
+  // Columns of glTF are the rows of Imath, which multiplies vectors from the left.
+  return read<Imath::M44f>(accessor, kMatrix);
+}
 
 std::vector<Imath::V4f> Accessors::read_colors(std::size_t accessor) {
   if (all_[accessor].at("type").text() == "VEC4") return read<Imath::V4f>(accessor, 4);

@@ -21,6 +21,9 @@ class Accessors {
   /// SceneError for other than three (two) components, and for bytes that are not there.
   std::vector<Vec3> read_vec3(std::size_t accessor);
   std::vector<Vec2> read_vec2(std::size_t accessor);
+  std::vector<Imath::V4f> read_vec4(std::size_t accessor);
+  /// Of 4 × 4 numbers, for vectors that are multiplied from the left.
+  std::vector<Imath::M44f> read_matrices(std::size_t accessor);
   /// Of three components or four; the fourth is 1 if there is none.
   std::vector<Imath::V4f> read_colors(std::size_t accessor);
   /// The first three of four components: the fourth tells on which side of the normal × tangent v

@@ -5,47 +5,52 @@
 namespace ajar::gltf {
 namespace {
 
-constexpr WarningKind kSkinned{Effect::Geometry,
-                               "meshes have skeletons, and are shown as they were bound to them"};
-
 std::optional<Element> mesh_of(const Element& root, const PlacedNode& placed) {
   const std::optional<Element> reference = placed.node.find("mesh");
   return reference ? std::optional(reference->referred(root, "meshes")) : std::nullopt;
 }
 
+std::string key_of(const Element& mesh, const Pose& pose) { return mesh.pointer() + pose.name; }
+
 }  // namespace
 
 void MeshPlacer::place(const std::vector<PlacedNode>& nodes) {
   const Element root = context_.document.root();
+  Poses poses(context_, accessors_, nodes);
+  struct Use {
+    Element mesh;
+    Pose pose;
+    PlacedNode placed;
+  };
+  std::vector<Use> all;
   std::map<std::string, std::size_t> uses;
-  for (const PlacedNode& placed : nodes) {
-    if (const auto mesh = mesh_of(root, placed)) ++uses[mesh->pointer()];
-  }
   for (const PlacedNode& placed : nodes) {
     const std::optional<Element> mesh = mesh_of(root, placed);
     if (!mesh) continue;
-    if (placed.node.has("skin")) {
-      context_.warnings.add(kSkinned, placed.node.where(),
-                            "this mesh is shown as it was bound to its skeleton");
-    }
-    Parts& parts = parts_of(*mesh);
-    add_shapes(parts.shining, placed);
-    if (uses[mesh->pointer()] == 1) {
-      add_shapes(parts.plain, placed);
+    Use& use = all.emplace_back(Use{*mesh, poses.of(placed, *mesh), placed});
+    if (use.pose.joints != nullptr) use.placed.to_world = Mat4();
+    ++uses[key_of(use.mesh, use.pose)];
+  }
+  for (const Use& use : all) {
+    Parts& parts = parts_of(use.mesh, use.pose);
+    add_shapes(parts.shining, use.placed);
+    if (uses[key_of(use.mesh, use.pose)] == 1) {
+      add_shapes(parts.plain, use.placed);
     } else {
-      add_instance(parts, *mesh, placed);
+      add_instance(parts, use.mesh, use.placed);
     }
   }
 }
 
-MeshPlacer::Parts& MeshPlacer::parts_of(const Element& mesh) {
-  const auto [place, is_new] = parts_.try_emplace(mesh.pointer());
+MeshPlacer::Parts& MeshPlacer::parts_of(const Element& mesh, const Pose& pose) {
+  const auto [place, is_new] = parts_.try_emplace(key_of(mesh, pose));
   Parts& parts = place->second;
   if (!is_new) return parts;
   for (const Element& primitive : mesh.elements("primitives")) {
-    const VertexColors* colors = meshes_.colors_of(primitive, materials_.has_textures(primitive));
+    const VertexColors* colors =
+        meshes_.colors_of(primitive, pose, materials_.has_textures(primitive));
     const Surface& surface = materials_.of(primitive, colors);
-    desc::MeshPointer triangles = meshes_.read(primitive, surface, colors);
+    desc::MeshPointer triangles = meshes_.read(primitive, pose, surface, colors);
     if (!triangles) continue;
     desc::Shape& shape = (surface.emission ? parts.shining : parts.plain).emplace_back();
     shape.where = primitive.where();

@@ -14,28 +14,30 @@ class MeshPlacer {
   explicit MeshPlacer(Context& context)
       : context_(context),
         buffers_(context),
-        meshes_(context, buffers_),
+        accessors_(context, buffers_),
+        meshes_(context, accessors_),
         materials_(context, buffers_) {}
 
   void place(const std::vector<PlacedNode>& nodes);
 
  private:
-  /// Shapes of a mesh, in its own space.
+  /// Shapes of a mesh in a pose, in its own space.
   struct Parts {
     std::vector<desc::Shape> plain;
     std::vector<desc::Shape> shining;  ///< which instances cannot do
     desc::ObjectId object = desc::kNone;
   };
 
-  Parts& parts_of(const Element& mesh);
+  Parts& parts_of(const Element& mesh, const Pose& pose);
   void add_shapes(const std::vector<desc::Shape>& shapes, const PlacedNode& placed);
   void add_instance(Parts& parts, const Element& mesh, const PlacedNode& placed);
 
   Context& context_;
   Buffers buffers_;
+  Accessors accessors_;
   Meshes meshes_;
   Materials materials_;
-  std::map<std::string, Parts> parts_;  ///< by JSON pointer of the mesh
+  std::map<std::string, Parts> parts_;  ///< by JSON pointer of the mesh, and its pose
 };
 
 }  // namespace ajar::gltf

@@ -20,8 +20,6 @@ constexpr WarningKind kOtherCount{Effect::Surface,
                                   "primitives have not as many colours as vertices: ignored"};
 constexpr WarningKind kVertexAlpha{Effect::Surface,
                                    "primitives have vertices that are partly clear: opaque"};
-constexpr WarningKind kMorphs{Effect::Geometry,
-                              "primitives have morph targets, and are shown without them"};
 
 /// Values of `mode` (glTF 2.0, section 5.24.4).
 constexpr std::uint64_t kTriangles = 4;
@@ -50,6 +48,11 @@ std::vector<Triangle> assembled(const std::vector<unsigned>& indices, std::uint6
   return triangles;
 }
 
+/// Of a pose at a primitive; empty if there is none.
+std::string key_of(const Pose& pose, const Element& primitive) {
+  return pose.name.empty() ? "" : primitive.pointer() + pose.name;
+}
+
 std::string uv_name(std::size_t set) { return "TEXCOORD_" + std::to_string(set); }
 
 }  // namespace
@@ -58,18 +61,24 @@ std::size_t Meshes::accessor_of(const std::optional<Element>& reference) const {
   return reference ? accessors_.index_of(*reference) : kNoAccessor;
 }
 
-const VertexColors* Meshes::colors_of(const Element& primitive, bool is_textured) {
+const VertexColors* Meshes::colors_of(const Element& primitive, const Pose& pose,
+                                      bool is_textured) {
   const Element attributes = primitive.at("attributes");
   const std::optional<Element> reference = attributes.find("COLOR_0");
   if (!reference) return nullptr;
-  const ColorKey key{accessors_.index_of(*reference), accessor_of(primitive.find("indices")),
-                     primitive.whole_or("mode", kTriangles), is_textured};
+  const ColorKey key{accessors_.index_of(*reference),
+                     accessors_.index_of(attributes.at("POSITION")),
+                     accessor_of(primitive.find("indices")),
+                     primitive.whole_or("mode", kTriangles),
+                     key_of(pose, primitive),
+                     is_textured};
   const auto [place, is_new] = colors_.try_emplace(key);
-  if (is_new) place->second = make_colors(attributes, is_textured);
+  if (is_new) place->second = make_colors(attributes, pose.name, is_textured);
   return place->second ? &*place->second : nullptr;
 }
 
-std::optional<VertexColors> Meshes::make_colors(const Element& attributes, bool is_textured) {
+std::optional<VertexColors> Meshes::make_colors(const Element& attributes, const std::string& pose,
+                                                bool is_textured) {
   const Element reference = attributes.at("COLOR_0");
   const std::size_t vertices = accessors_.count(accessors_.index_of(attributes.at("POSITION")));
   const std::vector<Imath::V4f> colors = accessors_.read_colors(accessors_.index_of(reference));
@@ -86,7 +95,7 @@ std::optional<VertexColors> Meshes::make_colors(const Element& attributes, bool 
                           "the alpha of vertices is not supported: they are opaque");
   }
   VertexColors result{Vec3(sum / static_cast<double>(vertices)),
-                      context_.path + reference.pointer() + ".exr"};
+                      context_.path + reference.pointer() + pose + ".exr"};
   if (is_textured) {
     context_.warnings.add(kColorsBesideTexture, reference.where(),
                           "beside a texture, the mean of these colours is used");
@@ -99,7 +108,7 @@ std::optional<VertexColors> Meshes::make_colors(const Element& attributes, bool 
   return result;
 }
 
-desc::MeshPointer Meshes::read(const Element& primitive, const Surface& surface,
+desc::MeshPointer Meshes::read(const Element& primitive, const Pose& pose, const Surface& surface,
                                const VertexColors* colors) {
   const std::uint64_t mode = primitive.whole_or("mode", kTriangles);
   if (mode > kFan) primitive.at("mode").fail("modes are from 0 to 6, not " + std::to_string(mode));
@@ -117,18 +126,14 @@ desc::MeshPointer Meshes::read(const Element& primitive, const Surface& surface,
       .uvs = accessor_of(attributes.find(uv_name(surface.uv_set))),
       .colors = is_painted ? accessor_of(attributes.find("COLOR_0")) : kNoAccessor,
       .indices = accessor_of(primitive.find("indices")),
-      .mode = mode};
+      .mode = mode,
+      .pose = key_of(pose, primitive)};
   const auto [place, is_new] = made_.try_emplace(key);
-  if (is_new) {
-    place->second = make(primitive, key, colors);
-    if (primitive.has("targets")) {
-      context_.warnings.add(kMorphs, primitive.where(), "morph targets are not applied");
-    }
-  }
+  if (is_new) place->second = make(primitive, pose, key, colors);
   return place->second;
 }
 
-desc::MeshPointer Meshes::make(const Element& primitive, const Key& key,
+desc::MeshPointer Meshes::make(const Element& primitive, const Pose& pose, const Key& key,
                                const VertexColors* image) {
   auto mesh = std::make_shared<desc::Mesh>();
   mesh->positions = accessors_.read_vec3(key.positions);
@@ -145,6 +150,7 @@ desc::MeshPointer Meshes::make(const Element& primitive, const Key& key,
     std::iota(all.begin(), all.end(), 0U);
     mesh->indices = assembled(all, key.mode);
   }
+  apply(pose, primitive, context_, accessors_, *mesh);
   std::vector<Warning> remarks;
   validate_mesh(*mesh, primitive.where(), remarks);
   for (Warning& remark : remarks) context_.warnings.add(std::move(remark));

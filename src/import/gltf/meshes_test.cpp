@@ -153,14 +153,11 @@ TEST(GltfMeshes, TypesOfAccessorsAreChecked) {
   EXPECT_TRUE(contains(error_of(file_of(primitive, file).text()), "did you mean \"VEC"));
 }
 
-TEST(GltfMeshes, PointsAndMorphTargetsAreWarnings) {
+TEST(GltfMeshes, PointsAreWarnings) {
   TestFile file = five_corners();
   const Json attributes = file.json["extras"]["attributes"];
   EXPECT_TRUE(contains(warnings_of(file_of({{"attributes", attributes}, {"mode", 0}}, file)),
                        "#/meshes/0/primitives/0: this primitive is made of points or lines"));
-  const std::string warnings =
-      warnings_of(file_of({{"attributes", attributes}, {"targets", Json::array()}}, file));
-  EXPECT_TRUE(contains(warnings, "morph targets are not applied")) << warnings;
 }
 
 /// Three corners, with the material if there is one.

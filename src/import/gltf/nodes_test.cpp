@@ -97,11 +97,6 @@ TEST(GltfNodes, WhatShinesIsRepeatedInsteadOfInstanced) {
   EXPECT_EQ(scene.shapes[0].node.mesh("mesh"), scene.shapes[1].node.mesh("mesh"));
 }
 
-TEST(GltfNodes, SkinsAreWarnings) {
-  EXPECT_TRUE(contains(warnings_of(with_node({{"skin", 0}})),
-                       "#/nodes/0: this mesh is shown as it was bound to its skeleton"));
-}
-
 // ---------------------------------------------------------------- cameras
 
 TestFile with_camera(const Json& camera, const Json& node = Json::object()) {

@@ -1,5 +1,9 @@
 #include "import/mesh/obj.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
 #include <map>
 #include <memory>
 #include <set>
@@ -7,12 +11,18 @@
 
 #include "core/printable_text.h"
 #include "import/mesh/corner_table.h"
+#include "import/mesh/display_color.h"
 #include "import/mesh/text_lines.h"
 
 namespace ajar {
 namespace {
 
 constexpr std::uint32_t kNone = CornerTable::kNone;
+
+/// Of vertices that have none; no colour of a file.
+constexpr float kNoColor = std::numeric_limits<float>::quiet_NaN();
+
+bool is_colored(const Vec3& color) { return !std::isnan(color.x); }
 
 struct Corner {
   std::uint32_t position = kNone, uv = kNone, normal = kNone;
@@ -40,19 +50,41 @@ class ObjReader {
   virtual void use_material(std::string_view /*name*/) {}
   virtual void add_library(std::string_view /*files*/) {}
   virtual void leave_out(std::string_view /*keyword*/) {}
-  virtual void leave_out_colors() {}
+  virtual void leave_out_numbers(std::string_view /*numbers*/) {}
+  /// A vertex of the mesh that the last face was added to.
+  virtual void add_vertex(std::uint32_t /*position*/) {}
 
   /// `column` 0: the line.
   SourceLocation here(int column = 0) const { return {name_, lines_.number(), column}; }
 
+  /// Linear, of the positions up to the last that has one.
+  std::vector<Vec3> take_colors() {
+    const float full = are_bytes() ? 255.F : 1.F;
+    for (Vec3& color : colors_) {
+      if (is_colored(color)) color = from_display(color / full);
+    }
+    return std::move(colors_);
+  }
+
  private:
+  bool are_bytes() const {
+    bool has_large = false;
+    for (const Vec3& color : colors_) {
+      if (!is_colored(color)) continue;
+      for (int lane = 0; lane < 3; ++lane) {
+        if (std::trunc(color[lane]) != color[lane]) return false;
+        has_large |= color[lane] > 1.F;
+      }
+    }
+    return has_large;
+  }
+
   void read_line() {
     LineWords words(lines_.line());
     const std::string_view keyword = words.word();
     if (keyword == "v") {
       positions_.push_back(vector(words));
-      // A fourth number is a weight.
-      if (!words.word().empty() && !words.rest().empty()) leave_out_colors();
+      read_color(words);
     } else if (keyword == "vn") {
       normals_.push_back(vector(words));
     } else if (keyword == "vt") {
@@ -69,6 +101,23 @@ class ObjReader {
     } else if (!keyword.empty() && keyword.front() != '#') {
       leave_out(keyword);
     }
+  }
+
+  /// What follows a position: nothing, a weight, a colour, or both.
+  void read_color(LineWords& words) {
+    const std::string_view rest = words.rest();
+    std::array<float, 4> numbers{};
+    std::size_t count = 0;
+    for (std::string_view word = words.word(); !word.empty() && !word.starts_with('#');
+         word = words.word()) {
+      const std::optional<float> value = number_in(word);
+      if (!value || count == numbers.size()) return leave_out_numbers(rest);
+      numbers[count++] = *value;
+    }
+    if (count == 2) return leave_out_numbers(rest);
+    if (count < 3) return;
+    colors_.resize(positions_.size(), Vec3(kNoColor));
+    colors_.back() = Vec3(numbers[count - 3], numbers[count - 2], numbers[count - 1]);
   }
 
   float number(LineWords& words) const {
@@ -158,6 +207,7 @@ class ObjReader {
                               static_cast<std::uint32_t>(mesh.positions.size()));
     if (is_new) {
       mesh.positions.push_back(positions_[corner.position]);
+      add_vertex(corner.position);
       if (target.has_uvs) mesh.uvs.push_back(corner.uv == kNone ? Vec2(0.F) : uvs_[corner.uv]);
       if (target.has_normals) {
         mesh.normals.push_back(corner.normal == kNone ? Vec3(0.F) : normals_[corner.normal]);
@@ -169,6 +219,7 @@ class ObjReader {
   TextLines lines_;
   std::shared_ptr<const std::string> name_;
   std::vector<Vec3> positions_, normals_;
+  std::vector<Vec3> colors_;  ///< as in the file, of the positions up to the last that has one
   std::vector<Vec2> uvs_;
   CornerTable vertices_;
   std::vector<Corner> corners_;
@@ -202,7 +253,19 @@ class Parts final : public ObjReader {
   Parts(std::string_view text, const std::string& name, const ObjEvents& events)
       : ObjReader(text, name), events_(events) {}
 
-  std::vector<ObjPart> result() { return std::move(parts_); }
+  std::vector<ObjPart> result() {
+    const std::vector<Vec3> colors = take_colors();
+    for (std::size_t i = 0; i < parts_.size(); ++i) {
+      bool has_some = false;
+      for (const std::uint32_t position : positions_[i]) {
+        const bool has_color = position < colors.size() && is_colored(colors[position]);
+        has_some |= has_color;
+        parts_[i].colors.push_back(has_color ? colors[position] : Vec3(1.F));
+      }
+      if (!has_some) parts_[i].colors.clear();
+    }
+    return std::move(parts_);
+  }
 
  private:
   Target target_of(bool has_uvs, bool has_normals) override {
@@ -210,7 +273,10 @@ class Parts final : public ObjReader {
     if (current_ == kNone || kind != kind_) {
       const auto [place, is_new] =
           by_kind_.try_emplace({material_, kind}, static_cast<std::uint32_t>(parts_.size()));
-      if (is_new) parts_.push_back({material_, here(), {}});
+      if (is_new) {
+        parts_.push_back({material_, here(), {}, {}});
+        positions_.emplace_back();
+      }
       current_ = place->second;
       kind_ = kind;
     }
@@ -225,15 +291,17 @@ class Parts final : public ObjReader {
     if (!unread_.emplace(keyword).second) return;
     events_.on_unread(here(1), keyword);
   }
-  void leave_out_colors() override {
-    if (!std::exchange(has_colors_, true)) events_.on_colors(here(1), {});
+  void leave_out_numbers(std::string_view numbers) override {
+    if (!std::exchange(has_odd_numbers_, true)) events_.on_numbers(here(1), numbers);
   }
+  void add_vertex(std::uint32_t position) override { positions_[current_].push_back(position); }
 
   const ObjEvents& events_;
   std::set<std::string, std::less<>> unread_;
-  bool has_colors_ = false;
+  bool has_odd_numbers_ = false;
   std::string material_;
   std::vector<ObjPart> parts_;
+  std::vector<std::vector<std::uint32_t>> positions_;  ///< in the file, of the vertices of each
   std::map<std::pair<std::string, int>, std::uint32_t> by_kind_;
   std::uint32_t current_ = kNone;
   int kind_ = 0;

@@ -7,12 +7,12 @@
 #include "core/error.h"
 #include "scene/desc/shape_data.h"
 
-/// Wavefront OBJ files: `v`, `vt`, `vn`, `f`, `usemtl` and `mtllib`; curves, colours and smoothing
-/// groups are skipped. Polygons are fanned into triangles, faces of fewer than three corners left
-/// out. Texture coordinates stay as they are, v from the bottom row of an image, as textures have
-/// it. Numbers are not judged: see `validate_mesh`. Both raise SceneError, with line and column,
-/// for what is no number, for faces that refer to what the file does not have before them, and if
-/// there are no faces. Source: Wavefront, Advanced Visualizer manual, appendix B1.
+/// Wavefront OBJ files: `v`, `vt`, `vn`, `f`, `usemtl` and `mtllib`; curves and smoothing groups
+/// are skipped. Polygons are fanned into triangles, faces of fewer than three corners left out.
+/// Texture coordinates stay as they are, v from the bottom row of an image, as textures have it.
+/// Numbers are not judged: see `validate_mesh`. Both raise SceneError, with line and column, for
+/// what is no number, for faces that refer to what the file does not have before them, and if there
+/// are no faces. Source: Wavefront, Advanced Visualizer manual, appendix B1.
 namespace ajar {
 
 /// All faces of all groups as one mesh. Corners with the same three indices become one vertex; a
@@ -24,13 +24,17 @@ struct ObjPart {
   std::string material;  ///< empty if none is named
   SourceLocation where;  ///< of its first face
   desc::Mesh mesh;
+  /// Of the vertices, linear, if a vertex of the file has one; white where it has none. `v x y z r
+  /// g b` has that of a display, from 0 to 1, or from 0 to 255 if all of the file are whole numbers
+  /// and one is above 1. Source: what MeshLab and Blender write; Wavefront's manual has no colours.
+  std::vector<Vec3> colors;
 };
 /// Told of at its place while a file is read; none may be empty.
 struct ObjEvents {
   using Event = std::function<void(const SourceLocation&, std::string_view)>;
   Event on_library;  ///< with what `mtllib` says
   Event on_unread;   ///< with the first word of a line that is not read, the first time
-  Event on_colors;   ///< of vertices, which are not read, the first time; with nothing
+  Event on_numbers;  ///< of a vertex that nobody knows what to do with, the first time; with these
 };
 /// In the order of their first faces.
 std::vector<ObjPart> read_obj_parts(std::string_view bytes, const std::string& name,

@@ -91,6 +91,35 @@ TEST(Obj, ManyCornersKeepTheirVertices) {
   }
 }
 
+/// Half of the light is 188 of 255.
+TEST(Obj, ColorsOfVerticesAreThoseOfADisplay) {
+  std::string odd;
+  const auto ignore = [](const SourceLocation&, std::string_view) {};
+  const ObjEvents events = {ignore, ignore,
+                            [&](const SourceLocation& where, std::string_view text) {
+                              odd += where.to_string() + ": " + std::string(text);
+                            }};
+  const auto colors_of = [&](const std::string& vertices) {
+    return read_obj_parts(vertices + "f 3 2 1\n", "m.obj", events).at(0).colors;
+  };
+  for (const auto& [full, half] : {std::pair("1", "0.7374"), std::pair("255", "188")}) {
+    const auto vertex = [](const std::string& color) { return "v 0 0 0 " + color + "\n"; };
+    const std::vector<Vec3> colors =
+        colors_of(vertex(std::string(full) + " 0 " + half) + "v 1 0 0\n" +
+                  vertex("1.0 0 0 " + std::string(half) + " # weight before the colour"));
+    ASSERT_EQ(colors.size(), 3U);
+    EXPECT_NEAR(colors[0].z, 0.503F, 2e-3F);
+    EXPECT_EQ(colors[0].x, 0.F);
+    EXPECT_EQ(colors[1], Vec3(1.F)) << "has none";
+    EXPECT_EQ(colors[2].x, 1.F);
+    EXPECT_EQ(colors[2].y, 0.F);
+  }
+  EXPECT_TRUE(colors_of("v 0 0 0\nv 1 0 0 0.5\nv 1 1 0\n").empty()) << "weights alone";
+  EXPECT_EQ(odd, "");
+  EXPECT_TRUE(colors_of("v 0 0 0 1 2\nv 1 0 0\nv 1 1 0\n").empty());
+  EXPECT_EQ(odd, "m.obj:1:1: 1 2");
+}
+
 TEST(Obj, FacesThatReferToNothingAreErrors) {
   const std::string vertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\n";
   EXPECT_EQ(error_in(vertices + "f 1 2 3\nf 1 2 4\n"),

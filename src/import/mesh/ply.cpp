@@ -6,7 +6,7 @@
 #include <limits>
 #include <memory>
 
-#include "core/srgb.h"
+#include "import/mesh/display_color.h"
 #include "import/mesh/gzip.h"
 #include "import/mesh/ply_cursor.h"
 #include "import/mesh/ply_header.h"
@@ -176,13 +176,7 @@ class PlyReader {
     for (const PlyProperty& property : element.properties) {
       if (slot_of(property.name) == kFirstColor) full = full_color(property.type);
     }
-    for (Vec3& color : colors_) {
-      for (int lane = 0; lane < 3; ++lane) {
-        const float encoded = color[lane] / full;
-        // Written so that NaN becomes 0.
-        color[lane] = encoded > 0.F ? linear_from_srgb(std::min(encoded, 1.F)) : 0.F;
-      }
-    }
+    for (Vec3& color : colors_) color = from_display(color / full);
   }
 
   void store(std::size_t i, const std::array<float, kSlots>& values) {

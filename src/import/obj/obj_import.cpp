@@ -1,5 +1,9 @@
 #include "import/obj/obj_import.h"
 
+#include <algorithm>
+
+#include "core/printable_text.h"
+#include "import/common/painted_mesh.h"
 #include "import/common/scene_file.h"
 #include "import/common/studio.h"
 #include "import/mesh/obj.h"
@@ -12,7 +16,15 @@ namespace ajar {
 namespace {
 
 constexpr WarningKind kUnread{Effect::Geometry, "kinds of lines of OBJ files are not read"};
-constexpr WarningKind kColors{Effect::Surface, "OBJ files have colours of vertices: not read"};
+constexpr WarningKind kNumbers{Effect::Slight,
+                               "vertices of OBJ files have numbers that are not read"};
+constexpr WarningKind kColors{Effect::Surface,
+                              "shapes have colours of vertices beside a material: not shown"};
+
+bool is_white(const std::vector<Vec3>& colors) {
+  return std::all_of(colors.begin(), colors.end(),
+                     [](const Vec3& color) { return color == Vec3(1.F); });
+}
 
 void add_shape(ObjPart& part, obj::Materials& materials, desc::SceneDesc& scene,
                Warnings& warnings) {
@@ -20,10 +32,22 @@ void add_shape(ObjPart& part, obj::Materials& materials, desc::SceneDesc& scene,
   validate_mesh(part.mesh, part.where, remarks);
   for (Warning& remark : remarks) warnings.add(std::move(remark));
   if (part.mesh.indices.empty()) return;
-  const obj::Surface& surface = materials.of(part.material, part.where);
   desc::Shape& shape = scene.shapes.emplace_back();
   shape.where = part.where;
   shape.name = part.material;
+  const bool has_material = materials.knows(part.material);
+  if (!part.colors.empty() && !has_material) {
+    if (!part.material.empty()) materials.of(part.material, part.where);
+    return paint_shape(shape, part.mesh, part.colors,
+                       scene.source + "." + std::to_string(scene.shapes.size()), scene);
+  }
+  if (!is_white(part.colors)) {
+    warnings.add(kColors, part.where,
+                 "the material \"" + printable_line(part.material) +
+                     "\" counts: the colours of the vertices are not shown",
+                 printable_line(part.material));
+  }
+  const obj::Surface& surface = materials.of(part.material, part.where);
   shape.node = desc::mesh_node(std::make_shared<desc::Mesh>(std::move(part.mesh)));
   shape.material = surface.material;
   shape.alpha = surface.alpha;
@@ -43,9 +67,12 @@ desc::SceneDesc import_file(const SceneFile& file, Warnings& warnings, FileAcces
                             const std::string remark = obj::remark_on_unread(word);
                             if (!remark.empty()) warnings.add(kUnread, where, remark);
                           },
-                      .on_colors =
-                          [&](const SourceLocation& where, std::string_view) {
-                            warnings.add(kColors, where, "colours of vertices are not read");
+                      .on_numbers =
+                          [&](const SourceLocation& where, std::string_view numbers) {
+                            warnings.add(kNumbers, where,
+                                         "a vertex has a weight, a colour or both behind its "
+                                         "position: \"" +
+                                             printable_line(numbers) + "\" is not read");
                           }});
   obj::Materials materials(library, scene, files, warnings);
   for (ObjPart& part : parts) add_shape(part, materials, scene, warnings);

@@ -181,12 +181,32 @@ TEST(Obj, MaterialsKnowTheirLine) {
 TEST(Obj, WordsThatAreNotReadAreWarnings) {
   const std::string lines =
       warnings_of(kSquare +
-                  "v 1 1 1 0.5\nv 0 0 1 1 0 0\nv 0 0 1 1 0 0\ng a\ns off\nl 1 2\n"
+                  "v 1 1 1 0.5\nv 0 0 1 1 0\nv 0 0 1 1 0 red\ng a\ns off\nl 1 2\n"
                   "l 2 3\nfase 1 2 3\nf 1 2 3\n");
-  EXPECT_TRUE(contains(lines, "test.obj:6:1: colours of vertices are not read")) << lines;
+  EXPECT_TRUE(contains(lines,
+                       "test.obj:6:1: a vertex has a weight, a colour or both behind its "
+                       "position: \"1 0\" is not read"))
+      << lines;
   EXPECT_TRUE(contains(lines, "test.obj:10:1: \"l\": points, lines")) << lines;
   EXPECT_TRUE(contains(lines, "test.obj:12:1: \"fase\" is no word of OBJ files")) << lines;
   EXPECT_EQ(std::count(lines.begin(), lines.end(), '\n'), 3) << lines;
+}
+
+TEST(Obj, ColorsOfVerticesAreThoseOfWhatHasNoMaterial) {
+  const std::string colored = "v 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 1 1 0 0 0 1\n";
+  const desc::SceneDesc scene = scene_of(colored + "f 1 2 3\n");
+  const desc::Node& material =
+      scene.materials.at(static_cast<std::size_t>(scene.shapes[0].material)).node;
+  const desc::Node& image = texture_at(scene, material.texture("base_color"));
+  EXPECT_EQ(scene.embedded_files.count(image.text("file")), 1U);
+
+  const Files files = {{"/scene/a.mtl", "newmtl m\nKd 1 0 0\n"}};
+  const std::string with_material = "mtllib a.mtl\nusemtl m\nf 1 2 3\n";
+  EXPECT_TRUE(contains(warnings_of(colored + with_material, files),
+                       "test.obj:6: the material \"m\" counts: the colours of the vertices are "
+                       "not shown"));
+  EXPECT_TRUE(contains(warnings_of(colored + "usemtl n\nf 1 2 3\n"), "unknown material \"n\""));
+  scene_of("v 0 0 0 1 1 1\nv 1 0 0 1 1 1\nv 1 1 0 1 1 1\n" + with_material, files);
 }
 
 TEST(Obj, WordsOfMaterialsThatMeanNothingHereAreWarnings) {

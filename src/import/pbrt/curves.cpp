@@ -1,6 +1,6 @@
-#include <array>
 #include <cmath>
 
+#include "import/common/spline_segments.h"
 #include "import/pbrt/shapes.h"
 #include "scene/desc/models.h"
 
@@ -12,15 +12,7 @@ constexpr WarningKind kNormals{
     Effect::Slight,
     "curves have normals \"N\", which are ignored: only those of \"ribbon\" have any"};
 
-using Segment = std::array<Vec3, 4>;
-
-Vec3 lerp(float t, const Vec3& a, const Vec3& b) { return a * (1.F - t) + b * t; }
-float lerp(float t, float a, float b) { return a * (1.F - t) + b * t; }
-
-/// Degree elevation of a quadratic Bézier segment.
-Segment elevate(const Vec3& a, const Vec3& b, const Vec3& c) {
-  return {a, lerp(2.F / 3.F, a, b), lerp(1.F / 3.F, b, c), c};
-}
+using Segment = CubicSegment<Vec3>;
 
 /// Bézier segment of a uniform cubic B-spline with control points p[0..3], by blossoming:
 /// neighbours compute their common point from the same numbers, so that it has the same bits in
@@ -31,10 +23,6 @@ Segment cubic_spline_segment(const Vec3* p) {
   const Vec3 p233 = lerp(2.F / 3.F, p[1], p[2]);
   const Vec3 p334 = lerp(1.F / 3.F, p[2], p[3]);
   return {lerp(0.5F, p122, p223), p223, p233, lerp(0.5F, p233, p334)};
-}
-
-Segment quadratic_spline_segment(const Vec3* p) {
-  return elevate(lerp(0.5F, p[0], p[1]), p[1], lerp(0.5F, p[1], p[2]));
 }
 
 /// Direction between two normals, at constant angular speed.
@@ -102,7 +90,7 @@ std::optional<desc::Node> make_curve(Context& context, const SourceLocation& whe
     Segment segment;
     if (is_bezier) {
       segment = degree == 3 ? Segment{first[0], first[1], first[2], first[3]}
-                            : elevate(first[0], first[1], first[2]);
+                            : elevated(first[0], first[1], first[2]);
     } else {
       segment = degree == 3 ? cubic_spline_segment(first) : quadratic_spline_segment(first);
     }

@@ -12,7 +12,7 @@ struct Part {
   Mat4 to_world;
   bool reverse_orientation = false;
   int bsdf = 0;       ///< index into the bsdfs of the primitive
-  double area = 0.0;  ///< in the world
+  double area = 0.0;  ///< in the world; that of curves, which cannot shine, is not known
 };
 
 /// The primitives that are described by their place alone. Flat ones, whose place may have a scale

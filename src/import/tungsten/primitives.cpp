@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "import/tungsten/instances.h"
+#include "import/tungsten/strands.h"
 #include "import/tungsten/transforms.h"
 #include "scene/desc/models.h"
 
@@ -16,6 +17,14 @@ constexpr WarningKind kUnsupported{Effect::Geometry, "primitives are not support
 constexpr WarningKind kMoreBsdfs{Effect::Surface,
                                  "primitives have more bsdfs than they can: the first counts"};
 constexpr WarningKind kNoMeshFile{Effect::Geometry, "meshes name no file and are left out"};
+constexpr WarningKind kNoCurves{Effect::Geometry, "curves cannot be read and are left out"};
+constexpr WarningKind kCurveMode{Effect::Slight,
+                                 "curves are bands that turn with no normals: they face the ray"};
+constexpr WarningKind kSubsample{Effect::Slight,
+                                 "a share of curves is to be left out: all of them are there"};
+constexpr WarningKind kUnlitCurves{Effect::Light, "curves cannot shine: their emission is ignored"};
+constexpr WarningKind kHair{Effect::Surface,
+                            "curves have no bsdf, which makes them hair: white ones stand in"};
 constexpr WarningKind kFlat{Effect::Geometry,
                             "primitives are left out: their transforms cannot be inverted"};
 constexpr WarningKind kConeAngle{Effect::Light,
@@ -68,9 +77,61 @@ std::vector<Part> PrimitiveReader::mesh_parts(const ObjectReader& object, const 
   return parts;
 }
 
+std::vector<Part> PrimitiveReader::curve_parts(const ObjectReader& object, const Mat4& transform) {
+  static const std::vector<std::string> kModes = {"half_cylinder", "cylinder", "bcsdf_cylinder",
+                                                  "ribbon"};
+  const std::string mode = object.text("mode").value_or(kModes.front());
+  if (std::find(kModes.begin(), kModes.end(), mode) == kModes.end()) {
+    throw SceneError(object.where(), unknown_name_message("curve mode", shown(mode), kModes));
+  }
+  if (mode == "ribbon") {
+    context_.warnings.add(kCurveMode, object.where(),
+                          "ribbons that turn at random are not supported: they face the ray");
+  }
+  if (object.number("subsample").value_or(0.F) > 0.F) {
+    context_.warnings.add(kSubsample, object.where(),
+                          "\"subsample\" is not supported: all curves are there");
+  }
+  if (object.find("emission") != nullptr || object.find("power") != nullptr) {
+    context_.warnings.add(kUnlitCurves, object.where(),
+                          "curves cannot shine: their emission is ignored");
+  }
+  if (object.find("bsdf") == nullptr) {
+    context_.warnings.add(kHair, object.where(),
+                          "curves without a \"bsdf\" are hair: a white diffuse stands in");
+  }
+  const StrandTreatment treatment{.radius = object.number("curve_thickness"),
+                                  .tapers = object.flag("curve_taper").value_or(false)};
+  const LocatedJson* file = object.find({"file", "path"});
+  const auto leave_out = [&](const std::string& reason) {
+    context_.warnings.add(kNoCurves, object.where(), "cannot use these curves: " + reason,
+                          file == nullptr ? "" : shown(text_of(*file)));
+    return std::vector<Part>();
+  };
+  if (file == nullptr) return leave_out("they name no \"file\"");
+  desc::Curves curves;
+  try {
+    const std::string path = context_.files.resolve(text_of(*file));
+    curves = curves_of(read_strands(context_.files.load(path).view(), path), treatment);
+  } catch (const Error& error) {
+    return leave_out(error.what());
+  }
+  if (std::all_of(curves.widths.begin(), curves.widths.end(), [](float w) { return w == 0.F; })) {
+    return leave_out("none has three nodes and a width");
+  }
+  const bool faces_ray = mode == "ribbon" || mode == "bcsdf_cylinder";
+  Part part;
+  part.node = desc::shape_node(
+      "curves", {{"type", std::string(faces_ray ? "flat" : "cylinder")},
+                 {"curves", std::make_shared<const desc::Curves>(std::move(curves))}});
+  part.to_world = transform;
+  return {part};
+}
+
 std::vector<Part> PrimitiveReader::parts_of(const ObjectReader& object, const std::string& type,
                                             const Mat4& transform, int bsdf_count) {
   if (type == "mesh") return mesh_parts(object, transform, bsdf_count);
+  if (type == "curves") return curve_parts(object, transform);
   if (type == "quad") return {quad(transform)};
   if (type == "cube") return {cube(transform)};
   if (type == "sphere") return {sphere(transform)};
@@ -85,8 +146,7 @@ std::vector<Part> PrimitiveReader::parts_of(const ObjectReader& object, const st
   }
   // What is left of these are lights and copies within what is copied.
   if (std::find(kPrimitiveTypes.begin(), kPrimitiveTypes.end(), type) != kPrimitiveTypes.end()) {
-    object.accept({"file", "curve_taper", "subsample", "mode", "curve_thickness", "map_path",
-                   "resource_packs", "masters", "instances", "sample"});
+    object.accept({"map_path", "resource_packs", "masters", "instances", "sample"});
     context_.warnings.add(kUnsupported, object.where(),
                           "primitives of type \"" + type + "\" are not supported here: left out",
                           type);
@@ -171,14 +231,16 @@ void PrimitiveReader::read(const LocatedJson& json, std::vector<desc::Shape>& sh
     context_.warnings.add(kMoreBsdfs, json.where(),
                           "only meshes can have several bsdfs: the first counts", shown(name));
   }
-  std::optional<desc::Emission> emission = emission_of(object, area);
+  const bool can_shine = *type != "curves";
+  std::optional<desc::Emission> emission;
+  if (can_shine) emission = emission_of(object, area);
   if (emission && !is_top) {
     context_.warnings.add(kInstancedLight, emission->where,
                           "what is copied cannot be a light: its emission is left out");
     emission.reset();
   }
   for (const Part& part : parts) {
-    if (!is_invertible(part.to_world) || !(part.area > 0.0)) {
+    if (!is_invertible(part.to_world) || (can_shine && !(part.area > 0.0))) {
       context_.warnings.add(kFlat, json.where(),
                             "the transform of this primitive cannot be inverted: left out",
                             shown(name));

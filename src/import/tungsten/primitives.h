@@ -28,6 +28,7 @@ class PrimitiveReader {
   std::vector<Part> parts_of(const ObjectReader& object, const std::string& type,
                              const Mat4& transform, int bsdf_count);
   std::vector<Part> mesh_parts(const ObjectReader& object, const Mat4& transform, int bsdf_count);
+  std::vector<Part> curve_parts(const ObjectReader& object, const Mat4& transform);
   std::vector<Surface> surfaces_of(const ObjectReader& object);
   std::optional<desc::Emission> emission_of(const ObjectReader& object, double area);
   void set_media(const ObjectReader& object, const Surface& surface, desc::Shape& shape);

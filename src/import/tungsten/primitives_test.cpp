@@ -269,8 +269,8 @@ TEST(InstanceFiles, MayRoundPlaces) {
 TEST(Primitives, UnknownOrUnsupportedOnesAreLeftOut) {
   EXPECT_TRUE(contains(warnings_of(scene_text("", "{'type': 'qad'}")),
                        "test.json:3:16: unknown primitive type \"qad\"; did you mean \"quad\"?"));
-  EXPECT_TRUE(contains(warnings_of(scene_text("", "{'type': 'curves', 'file': 'h.fiber'}")),
-                       "\"curves\" are not supported"));
+  EXPECT_TRUE(contains(warnings_of(scene_text("", "{'type': 'minecraft_map'}")),
+                       "\"minecraft_map\" are not supported"));
   EXPECT_TRUE(contains(warnings_of(scene_text("", "{'type': 'sphere', 'transform': {'scale': 0}}")),
                        "cannot be inverted: left out"));
   EXPECT_TRUE(contains(error_of(scene_text("", "{'name': 'a'}")), "a primitive needs \"type\""));

@@ -1,0 +1,28 @@
+#pragma once
+#include <array>
+
+namespace ajar {
+
+/// Between `a` and `b`, points or numbers.
+template <typename Value>
+Value lerp(float t, const Value& a, const Value& b) {
+  return a * (1.F - t) + b * t;
+}
+
+/// Control points of a cubic Bézier segment.
+template <typename Value>
+using CubicSegment = std::array<Value, 4>;
+
+/// Degree elevation of a quadratic Bézier segment.
+template <typename Value>
+CubicSegment<Value> elevated(const Value& a, const Value& b, const Value& c) {
+  return {a, lerp(2.F / 3.F, a, b), lerp(1.F / 3.F, b, c), c};
+}
+
+/// Segment of a uniform quadratic B-spline with control points p[0..2].
+template <typename Value>
+CubicSegment<Value> quadratic_spline_segment(const Value* p) {
+  return elevated(lerp(0.5F, p[0], p[1]), p[1], lerp(0.5F, p[1], p[2]));
+}
+
+}  // namespace ajar

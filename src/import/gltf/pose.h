@@ -1,0 +1,48 @@
+#pragma once
+#include <map>
+#include <string>
+#include <vector>
+
+#include "import/gltf/accessors.h"
+#include "import/gltf/nodes.h"
+
+namespace ajar::gltf {
+
+/// What moves the vertices of a mesh at one node. Sources: glTF 2.0, sections 3.7.2.2 (morph
+/// targets) and 3.7.3 (skins).
+struct Pose {
+  /// Tells the mesh from the same one at other nodes; empty if nothing moves its vertices.
+  std::string name;
+  /// Of its morph targets: those that it lacks are 0. Null: all are.
+  const std::vector<double>* weights = nullptr;
+  /// Of each joint, from the mesh as it was bound to the world; null without a skin. With one, the
+  /// place of the node does not count.
+  const std::vector<Mat4>* joints = nullptr;
+};
+
+/// The poses of nodes as the file places them: animations are not played. Poses refer to it.
+class Poses {
+ public:
+  Poses(Context& context, Accessors& accessors, const std::vector<PlacedNode>& nodes);
+
+  /// `mesh` is that of the node.
+  Pose of(const PlacedNode& placed, const Element& mesh);
+
+ private:
+  /// Null if all are 0.
+  const std::vector<double>* weights_of(const Element& holder);
+  const std::vector<Mat4>* joints_of(const Element& skin);
+  std::vector<Mat4> read_joints(const Element& skin);
+
+  Context& context_;
+  Accessors& accessors_;
+  std::map<std::string, Mat4> places_;                  ///< of nodes, by JSON pointer
+  std::map<std::string, std::vector<double>> weights_;  ///< by JSON pointer of what has them
+  std::map<std::string, std::vector<Mat4>> skins_;      ///< by JSON pointer
+};
+
+/// Moves the vertices of `mesh`, which is what the attributes of `primitive` say.
+void apply(const Pose& pose, const Element& primitive, Context& context, Accessors& accessors,
+           desc::Mesh& mesh);
+
+}  // namespace ajar::gltf

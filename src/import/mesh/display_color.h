@@ -1,0 +1,20 @@
+#pragma once
+#include <algorithm>
+
+#include "core/srgb.h"
+#include "core/vector.h"
+
+namespace ajar {
+
+/// The linear value of a colour that a display shows, each lane from 0 to 1: what is beyond is
+/// clamped, and NaN is 0. Vertices of files that have no word for it have such colours: they come
+/// from the bytes of photographs.
+inline Vec3 from_display(Vec3 color) {
+  for (int lane = 0; lane < 3; ++lane) {
+    // Written so that NaN becomes 0.
+    color[lane] = color[lane] > 0.F ? linear_from_srgb(std::min(color[lane], 1.F)) : 0.F;
+  }
+  return color;
+}
+
+}  // namespace ajar
