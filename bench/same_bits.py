@@ -24,6 +24,7 @@ VARIANTS = [
     ("pssmlt+", ["split=0", "mis-large-steps=true", "mutation=slemmlt"]),
     ("selective", ["chain=pssmlt"]),
     ("selective", ["chain=mlt"]),
+    ("selective", ["chain=erpt"]),
     ("selective", ["preset=published"]),
 ]
 COUNTED = ["rays", "samples", "mutations", "b", "discarded", "estimated_relative_error"]

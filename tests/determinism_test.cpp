@@ -76,14 +76,14 @@ TEST_P(SameBits, OfChainsOfExplicitPathsOnAnyNumberOfThreads) {
   const auto scene = test::scene_from(GetParam().text);
   const IntegratorInfo& info = find_integrator("selective");
   using Settings = std::map<std::string, std::string>;
-  for (const Settings& more :
-       {Settings{{"split", "0.3"}}, Settings{{"omc", "pt"}, {"bootstrap", "5000"}}}) {
-    Settings parameters = more;
-    parameters["chain"] = "mlt";
+  for (const Settings& parameters :
+       {Settings{{"chain", "mlt"}, {"split", "0.3"}},
+        Settings{{"chain", "mlt"}, {"omc", "pt"}, {"bootstrap", "5000"}},
+        Settings{{"chain", "erpt"}, {"split", "0.3"}}}) {
     const std::vector<std::int64_t> one = sums(*scene, info, 1, {"density"}, parameters);
     for (const int threads : {2, 5}) {
       EXPECT_EQ(sums(*scene, info, threads, {"density"}, parameters), one)
-          << more.begin()->second << ", " << threads << " threads";
+          << parameters.begin()->second << ", " << threads << " threads";
     }
   }
 }

@@ -42,6 +42,7 @@ std::vector<Method> methods() {
   methods.push_back({"selective", {{"map", "binary"}, {"chain", "pssmlt"}}});
   methods.push_back({"selective", {{"chain", "mlt"}, {"split", "0.1"}}, {"density"}});
   methods.push_back({"selective", {{"chain", "mlt"}, {"omc", "pt"}}});
+  methods.push_back({"selective", {{"chain", "erpt"}, {"split", "0.1"}}});
   // Without layers that want as many camera samples everywhere; and until more than three stretches
   // tell how much of the chains' error lasts.
   methods.push_back({"selective", {}, {"density"}});

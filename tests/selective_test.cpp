@@ -99,32 +99,35 @@ std::vector<std::map<std::string, std::string>> pairs_with_paths() {
           {{"omc", "ibpt"}, {"techniques", "ibpt"}, {"split", "0.3"}},
           {{"omc", "pt"}, {"techniques", "pt"}, {"split", "0.5"}},
           {{"omc", "bdpt"}, {"light-paths-per-pixel", "3"}, {"split", "0.2"}},
+          {{"omc", "ibpt"}, {"chain", "erpt"}, {"split", "0.3"}},
+          {{"omc", "bdpt"}, {"chain", "erpt"}, {"split", "0.5"}},
           {{"omc", "pt"}, {"bootstrap", "120000"}},
           {{"omc", "ibpt"}, {"bootstrap", "120000"}}};
 }
 
 TEST(Selective, HasTheSameExpectationForAnyMapWithChainsOfPaths) {
+  bool first_is_random = true;
   for (const char* name : {"Room", "GlassAndMetal", "CroppedMitchell"}) {
     const auto scene = small_scene(name);
     const Vec2i size = scene->camera().resolution();
     const TemporaryFile random("random.pfm");
-    write_map(random.path(), size, [](std::uint64_t i) {
-      const float u = to_unit_float(static_cast<std::uint32_t>(hash_numbers(6, i) >> 32U));
+    const auto width = static_cast<std::uint64_t>(size.x);
+    // Cells as wide as blocks that are compared, so that light that chains take elsewhere shows.
+    write_map(random.path(), size, [&](std::uint64_t i) {
+      const std::uint64_t cell = i % width / 6 + 100 * (i / width / 6);
+      const float u = to_unit_float(static_cast<std::uint32_t>(hash_numbers(6, cell) >> 32U));
       return u < 0.33F ? 0.F : u > 0.67F ? 1.F : u;
     });
-    // Neighbours never have the same method.
     const TemporaryFile binary("binary.pfm");
-    write_map(binary.path(), size, [&](std::uint64_t i) {
-      const auto width = static_cast<std::uint64_t>(size.x);
-      return (i % width + i / width) % 2 == 0 ? 1.F : 0.F;
-    });
-    std::vector<std::map<std::string, std::string>> settings;
-    for (const TemporaryFile* map : {&random, &binary}) {
-      for (auto pair : pairs_with_paths()) {
-        pair.insert({{"chain", "mlt"}, {"regions", map->path()}});
-        settings.push_back(std::move(pair));
-      }
+    write_map(binary.path(), size,
+              [&](std::uint64_t i) { return i % width < width / 2 ? 1.F : 0.F; });
+    std::vector<std::map<std::string, std::string>> settings = pairs_with_paths();
+    for (std::size_t i = 0; i < settings.size(); ++i) {
+      // Each pair has both of them in one scene or another.
+      const TemporaryFile& map = (i % 2 == 0) == first_is_random ? random : binary;
+      settings[i].insert({{"chain", "mlt"}, {"regions", map.path()}});
     }
+    first_is_random = !first_is_random;
     expect_same_as_bdpt(*scene, options_for_maps(), settings, name);
   }
 }
@@ -229,6 +232,64 @@ TEST(Selective, RegionsDoNotFollowFromSamplesThatStay) {
   }
 }
 
+/// Two boxes without lids, side by side: in the left one a wide lamp, which rays run into, in the
+/// right one a small one, which they have to be sent to.
+std::unique_ptr<Scene> scene_of_two_lamps() {
+  const std::string faces = "\"integer indices\" [0 2 1 0 3 2]\n";
+  return test::scene_from(test::pbrt_scene(
+      "LookAt 0 3.5 -4.5  0 0.3 0.4  0 1 0 Camera \"perspective\" \"float fov\" [40]", 24, 12,
+      "Material \"matte\" \"rgb Kd\" [0.7 0.7 0.7]\n"
+      "Shape \"trianglemesh\" \"point P\" [-2 0 -1  2 0 -1  2 0 1  -2 0 1] " +
+          faces + "Shape \"trianglemesh\" \"point P\" [-2 0 1  2 0 1  2 1.5 1  -2 1.5 1] " + faces +
+          "Shape \"trianglemesh\" \"point P\" [0 0 -1  0 0 1  0 1.5 1  0 1.5 -1] " + faces +
+          "AttributeBegin AreaLightSource \"diffuse\" \"rgb L\" [2 2 2]\n"
+          "Shape \"trianglemesh\" \"point P\" [-2 0 -1  -2 0 1  -2 1.5 1  -2 1.5 -1] " +
+          faces +
+          "AttributeEnd AttributeBegin AreaLightSource \"diffuse\" \"rgb L\" [900 900 900]\n"
+          "Translate 1 0.7 0 Shape \"sphere\" \"float radius\" [0.02] AttributeEnd\n"));
+}
+
+/// Means of the left and the right half of the indirect light.
+std::pair<double, double> halves_of(const test::Render& render) {
+  const std::vector<float> pixels = render.layer("indirect");
+  std::pair<double, double> means;
+  for (std::size_t i = 0; i < pixels.size(); ++i) {
+    const bool is_left = i / 3 % 24 < 12;
+    (is_left ? means.first : means.second) += static_cast<double>(pixels[i]);
+  }
+  return means;
+}
+
+// b comes from independent samples, so chains with a wrong part of each path only move light about.
+// Few long chains have time to. With what rays into the lamp leave alone, or with their strength
+// for all techniques, a fifth of the light went from the right half of the picture to the left.
+TEST(Selective, LeavesLightWhereItIsWhicheverTechniquesFindIt) {
+  const auto scene = scene_of_two_lamps();
+  test::RenderOptions options;
+  options.min_depth = 3;
+  options.max_depth = 3;
+  options.samples = 4096;
+  options.replicates = 4;
+  options.integrator = "bdpt";
+  const auto [left, right] = halves_of(test::render(*scene, options));
+  options.samples = 64;
+  options.integrator = "mmlt+";
+  for (const char* split : {"0.3", "3"}) {
+    options.parameters = {{"chain", "mlt"}, {"techniques", "pt"},      {"split", split},
+                          {"chains", "8"},  {"importance", "uniform"}, {"omc-samples", "0.125"}};
+    std::vector<double> shares;
+    for (std::uint64_t i = 0; i < 24; ++i) {
+      options.seed = 300 + i;
+      const auto [own_left, own_right] = halves_of(test::render(*scene, options));
+      shares.push_back(own_left / (own_left + own_right));
+    }
+    const MeanAndError own = summary(shares);
+    const double truth = left / (left + right);
+    EXPECT_LT(5.0 * own.error, 0.13) << split << ": too noisy to notice a bias";
+    EXPECT_LT(std::abs(own.mean - truth), 5.0 * own.error) << split;
+  }
+}
+
 TEST(Selective, IsBiasedByAPilotThatIsKeptOnly) {
   const auto scene = scene_of_fireflies();
   test::RenderOptions options;
@@ -278,6 +339,7 @@ TEST(Selective, TakesPresetsAndEveryMutation) {
       {{"preset", "published"}},
       {{"preset", "published"}, {"omc", "lt"}},
       {{"preset", "published"}, {"omc", "pt"}, {"chain", "mlt"}},
+      {{"chain", "erpt"}, {"caustic", "0.5"}, {"split", "0.3"}},
       {{"preset", "lambertian-out"}, {"omc", "lt"}},
       {{"mutation", "kelemen"}},
       {{"mutation", "fusion"}},
@@ -293,6 +355,10 @@ TEST(Selective, TakesPresetsAndEveryMutation) {
   // Of other chains.
   options.parameters = {{"chain", "mlt"}, {"large-step", "0.2"}};
   EXPECT_THROW(test::render(*scene, options), UsageError);
+  options.parameters = {{"chain", "erpt"}, {"techniques", "bdpt"}, {"omc", "pt"}};
+  EXPECT_THROW(test::render(*scene, options), UsageError) << "nothing starts its chains";
+  options.parameters = {{"chain", "erpt"}, {"split", "0"}};
+  EXPECT_THROW(test::render(*scene, options), UsageError) << "nothing starts its chains";
   options.parameters = {{"caustic", "0"}};
   EXPECT_THROW(test::render(*scene, options), UsageError);
 }

@@ -14,10 +14,14 @@ namespace ajar {
 
 /// How the states of a chain are made of paths.
 enum class ChainKind {
-  WholePath,    ///< `pssmlt`: a camera and a light subpath with all their connections
-  OnePath,      ///< `mmlt`: one path of one depth and technique
-  ExplicitPath  ///< `mlt`: one path of any depth, and of no technique
+  WholePath,     ///< `pssmlt`: a camera and a light subpath with all their connections
+  OnePath,       ///< `mmlt`: one path of one depth and technique
+  ExplicitPath,  ///< `mlt`: one path of any depth, and of no technique
+  SpreadPath     ///< `erpt`: the same, in chains that end before others begin
 };
+constexpr bool is_explicit(ChainKind kind) {
+  return kind == ChainKind::ExplicitPath || kind == ChainKind::SpreadPath;
+}
 
 /// What all chains of one kind of path share: the depth, or all depths.
 struct PathGroup {
@@ -28,8 +32,8 @@ struct PathGroup {
 };
 
 /// Groups for the paths of a sampler, which has everything but the start of Russian roulette:
-/// `roulette_start` unless it is OnePath; paths of a given depth gain nothing from ending early. An
-/// ExplicitPath starts from connections of two subpaths. Empty if there are no such paths.
+/// `roulette_start` unless it is OnePath; paths of a given depth gain nothing from ending early.
+/// Explicit paths start from connections of two subpaths. Empty if there are no such paths.
 std::vector<PathGroup> make_path_groups(ChainKind kind, PathSamplerSettings sampler,
                                         int roulette_start);
 /// The share of all bootstrap samples that a group gets: long paths carry little light and cost

@@ -30,7 +30,7 @@ void serialize_population(A& archive, Population& population, const ChainPlan& p
   for (std::uint64_t i = 0; i < chains; ++i) {
     if constexpr (A::is_loading::value) {
       SelectiveChain& chain = population.chains.emplace_back();
-      if (plan.kind != ChainKind::ExplicitPath) {
+      if (!is_explicit(plan.kind)) {
         chain.state = PrimaryChain(plan.groups[population.group].shape, 0, 0, 0.0);
       }
     }

@@ -45,10 +45,15 @@ ChainPlan::ChainPlan(ChainKind chain_kind, const Scene& the_scene,
       wanted_chains(static_cast<std::uint64_t>(parameters.get_int("chains"))),
       seed_rule{seed_filter_of(parameters.get_text("seeds")), parameters.get_float("seed-spread")},
       moves(parameters, kind) {
-  if (kind == ChainKind::ExplicitPath) path_mutations = path_mutation_weights(parameters);
+  if (is_explicit(kind)) path_mutations = path_mutation_weights(parameters);
   if (selective) check_region_rules(selective->rules, scene.object_names(), scene.material_names());
   settings.max_depth = std::min(settings.max_depth, MetropolisHeuristics::kMostEdges);
   read_split();
+  if (kind == ChainKind::SpreadPath && thresholds.empty()) {
+    throw UsageError(
+        "chain=erpt: only where ordinary Monte Carlo finds the paths that chains start from, so "
+        "with the same techniques and without split=0, choice=exclusive and direct=chain");
+  }
   view = view_of(scene, settings);
   if (bootstrap > 0 && bootstrap < 1000) {
     throw UsageError(
@@ -179,13 +184,13 @@ void ChainPlan::make_groups() {
       (static_cast<double>(settings.resolution.x) * settings.resolution.y);
   const int roulette_start = kind == ChainKind::OnePath ? 0 : parameters.get_int("roulette-start");
   groups = make_path_groups(kind, sampler, roulette_start);
-  if (kind == ChainKind::ExplicitPath) {
+  if (is_explicit(kind)) {
     depth_groups_ = make_path_groups(ChainKind::OnePath, sampler, 0);
   }
 }
 
 std::span<const Move> ChainPlan::chain_moves() const {
-  return kind == ChainKind::ExplicitPath ? path_moves() : primary_moves();
+  return is_explicit(kind) ? path_moves() : primary_moves();
 }
 
 void ChainPlan::read_importance() {

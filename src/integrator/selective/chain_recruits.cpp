@@ -230,6 +230,7 @@ void ChainRecruits::join_replicate(std::vector<ChainPopulation>& populations,
   for (std::size_t p = 0; p < populations.size(); ++p) {
     if (populations[p].replicate != replicate) continue;
     own.push_back(p);
+    if (plan_.kind == ChainKind::SpreadPath) end_chains(populations[p]);
     merge(populations[p], found[p], samples);
     b.push_back(populations[p].joined->b);
   }
@@ -237,6 +238,14 @@ void ChainRecruits::join_replicate(std::vector<ChainPopulation>& populations,
   for (std::size_t i = 0; i < own.size(); ++i) {
     resample(populations[own[i]], found[own[i]], shares[i]);
   }
+}
+
+/// What chains of `erpt` start from is spread by them alone.
+void ChainRecruits::end_chains(ChainPopulation& population) {
+  for (const SelectiveChain& chain : population.chains) population.retired.add(chain.record);
+  population.chains.clear();
+  population.joined.reset();
+  population.samples_behind = 0.0;
 }
 
 void ChainRecruits::merge(ChainPopulation& population, const std::vector<const Recruit*>& recruits,

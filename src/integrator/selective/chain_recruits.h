@@ -71,6 +71,7 @@ class ChainRecruits final : public StrongPathSinks {
   /// Of each population, in an order that does not depend on threads.
   std::vector<std::vector<const Recruit*>> sorted_recruits(
       const std::vector<ChainPopulation>& populations);
+  static void end_chains(ChainPopulation& population);
   void merge(ChainPopulation& population, const std::vector<const Recruit*>& recruits,
              double samples) const;
   void resample(ChainPopulation& population, const std::vector<const Recruit*>& recruits,

@@ -89,7 +89,7 @@ void check_path_chain(const ChainPlan& plan, const ChainPopulation& population,
 
 std::vector<SelectiveChain> seed_chains_of(const ChainPlan& plan, const ChainPopulation& population,
                                            std::size_t count) {
-  if (plan.kind == ChainKind::ExplicitPath) return seed_paths(plan, population, count);
+  if (is_explicit(plan.kind)) return seed_paths(plan, population, count);
   std::vector<SelectiveChain> chains;
   for (MemberChain& member : seed_chains(plan.groups[population.group], population.seed,
                                          population.weights, count, plan.seed_rule)) {
@@ -103,7 +103,7 @@ std::optional<SelectiveChain> start_chain_of(const ChainPlan& plan, const PathNu
                                              RayCounts& rays) {
   SelectiveChain start;
   start.weight = std::copysign(1.0, found.energy);
-  if (plan.kind == ChainKind::ExplicitPath) {
+  if (is_explicit(plan.kind)) {
     std::optional<PathChain> chain = path_chain_at(plan, numbers, found, known.has_value(), rays);
     if (!chain) return std::nullopt;
     start.state = std::move(*chain);
@@ -127,7 +127,7 @@ std::optional<SelectiveChain> start_chain_of(const ChainPlan& plan, const PathNu
 
 void check_chain(const ChainPlan& plan, const ChainPopulation& population,
                  const SelectiveChain& chain, double most_steps) {
-  if (plan.kind == ChainKind::ExplicitPath) {
+  if (is_explicit(plan.kind)) {
     check_path_chain(plan, population, chain, most_steps);
     return;
   }

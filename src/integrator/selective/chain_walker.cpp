@@ -60,7 +60,7 @@ class PathWalker final : public ChainWalker {
 
 std::unique_ptr<ChainWalker> make_chain_walker(const ChainPlan& plan, const PathGroup& group,
                                                int replicate, const PlaneMoves* plane) {
-  if (plan.kind == ChainKind::ExplicitPath) {
+  if (is_explicit(plan.kind)) {
     return std::make_unique<PathWalker>(plan, group, replicate);
   }
   return std::make_unique<PrimaryWalker>(plan, group, replicate, plane);

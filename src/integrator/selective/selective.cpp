@@ -42,6 +42,7 @@ void leave_open(ParameterSpec& spec) {
 ChainKind chain_kind(const Parameters& parameters) {
   const std::string& chain = parameters.get_text("chain");
   if (chain == "mlt") return ChainKind::ExplicitPath;
+  if (chain == "erpt") return ChainKind::SpreadPath;
   return chain == "mmlt" ? ChainKind::OnePath : ChainKind::WholePath;
 }
 
@@ -58,8 +59,8 @@ void limit_to_chains(ParameterSpec& spec) {
   const bool of_paths = has(path_mutation_parameters(), spec.name);
   if (!of_numbers && !of_paths) return;
   spec.depends_on = "chain";
-  spec.matters_for =
-      of_paths ? std::vector<std::string>{"mlt"} : std::vector<std::string>{"mmlt", "pssmlt"};
+  spec.matters_for = of_paths ? std::vector<std::string>{"mlt", "erpt"}
+                              : std::vector<std::string>{"mmlt", "pssmlt"};
 }
 
 bool divides_regions(const Parameters& parameters) {
@@ -104,7 +105,7 @@ std::unique_ptr<Integrator> make_selective_integrator(const Scene& scene,
   const bool has_light_paths = parameters.get_text(kLightPathsPerPixel) != SelectiveSettings::kOpen;
   if (has_light_paths && kind == ChainKind::WholePath) {
     throw UsageError(kLightPathsPerPixel +
-                     ": only with chain=mmlt or mlt; a state of pssmlt has one light subpath");
+                     ": not with chain=pssmlt, of which a state has one light subpath");
   }
   const std::vector<ParameterSpec> specs = chain_parameters(kind);
   std::map<std::string, std::string> chain;
@@ -115,7 +116,10 @@ std::unique_ptr<Integrator> make_selective_integrator(const Scene& scene,
     if (!is_open) chain[spec.name] = value->second;
   }
   std::optional<SelectiveSettings> regions;
-  if (divides_regions(parameters)) regions = SelectiveSettings::read(parameters, settings);
+  if (divides_regions(parameters)) {
+    regions = SelectiveSettings::read(parameters, settings);
+    chain.emplace("techniques", regions->techniques);
+  }
   return make_chain_integrator(kind, scene, settings, Parameters(specs, chain), std::move(regions));
 }
 

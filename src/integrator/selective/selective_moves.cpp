@@ -100,7 +100,7 @@ SelectiveMoves::SelectiveMoves(const Parameters& parameters, ChainKind kind)
     : ChainMoves(parameters, base_mutation(parameters.get_text("mutation"))),
       plane(plane_rule(parameters)) {
   StepProbabilities& probabilities = settings.probabilities;
-  if (kind == ChainKind::ExplicitPath) {
+  if (is_explicit(kind)) {
     // Such chains have no numbers that could move, nor a step that is independent of their state.
     probabilities = {.large = 0.0};
     return;

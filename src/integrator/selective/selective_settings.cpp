@@ -42,7 +42,10 @@ std::vector<ParameterSpec> SelectiveSettings::parameters() {
           "how the light is divided: path by path and by regions of the picture, as a "
           "pilot finds; or alike everywhere, which leaves all that follows from regions "
           "out (presets mmlt+ and pssmlt+)"),
-      choice_parameter("chain", {"mmlt", "pssmlt", "mlt"}, "the Markov chains"),
+      choice_parameter("chain", {"mmlt", "pssmlt", "mlt", "erpt"},
+                       "the Markov chains: of one path, of one camera and light subpath, of "
+                       "explicit paths; erpt: those of mlt, begun anew again and again by what "
+                       "ordinary Monte Carlo has found since"),
       choice_parameter("preset", {"none", "published", "lambertian-out", "mmlt+", "pssmlt+"},
                        "published: everything as in the paper; lambertian-out: no chains where "
                        "the material is matte (for omc=lt); mmlt+ and pssmlt+: division=everywhere "
@@ -126,21 +129,23 @@ std::vector<ParameterSpec> SelectiveSettings::parameters() {
 
 std::map<std::string, std::string> SelectiveSettings::apply_preset(
     std::map<std::string, std::string> given) {
-  const auto preset = given.find("preset");
-  if (preset == given.end()) return given;
+  const auto value_of = [&](const std::string& name) {
+    const auto value = given.find(name);
+    return value == given.end() ? std::string() : value->second;
+  };
+  const std::string preset = value_of("preset");
   std::map<std::string, std::string> values;
-  if (preset->second == "published") {
+  if (preset == "published") {
     values = {{"omc", "ibpt"},        {"map", "binary"},         {"pilot", "keep"},
               {"split", "0"},         {"importance", "uniform"}, {"mutation", "kelemen"},
               {"samples", "uniform"}, {"roulette", "usual"}};
     // How numbers move, of which chains of explicit paths have none.
-    if (const auto chain = given.find("chain"); chain != given.end() && chain->second == "mlt") {
-      values.erase("mutation");
-    }
-  } else if (preset->second.ends_with("+")) {
-    values = {{"division", "everywhere"},
-              {"chain", preset->second.substr(0, preset->second.size() - 1)}};
+    if (value_of("chain") == "mlt") values.erase("mutation");
+  } else if (preset.ends_with("+")) {
+    values = {{"division", "everywhere"}, {"chain", preset.substr(0, preset.size() - 1)}};
   }
+  // As in the method of that name: chains that soon end need not reach all paths.
+  if (value_of("chain") == "erpt") values["bidirectional"] = "0";
   given.insert(values.begin(), values.end());
   return given;
 }
@@ -169,7 +174,11 @@ SelectiveSettings SelectiveSettings::read(const Parameters& parameters,
   result.antialias = parameters.get_text("edges") == "antialias";
   const bool chains_are_open = parameters.get_text("techniques") == kOpen;
   const bool omc_is_open = parameters.get_text("omc") == kOpen;
-  const std::string techniques = chains_are_open ? "bdpt" : parameters.get_text("techniques");
+  const bool spreads = parameters.get_text("chain") == "erpt";
+  const std::string& techniques = result.techniques;
+  result.techniques = !chains_are_open          ? parameters.get_text("techniques")
+                      : spreads && !omc_is_open ? parameters.get_text("omc")
+                                                : "bdpt";
   result.omc = omc_is_open ? techniques : parameters.get_text("omc");
   result.chooses_omc = omc_is_open && chains_are_open;
   result.omc_shares = TechniqueSet::parse(result.omc) == TechniqueSet::parse(techniques);

@@ -37,6 +37,7 @@ struct SelectiveSettings {
   bool exclusive = false;          ///< each pixel's light is of one method alone
   bool diffuse_out = false;        ///< no chains where a pixel shows a diffuse material
   bool antialias = false;          ///< along edges where the map has a step
+  std::string techniques{};        ///< of the chains
   std::string omc{};               ///< techniques of ordinary Monte Carlo
   bool chooses_omc = false;        ///< they are for a pilot to find, and those of chains as well
   bool omc_shares = true;  ///< they are the chains', so that light can be divided path by path
@@ -45,7 +46,7 @@ struct SelectiveSettings {
 
   /// Parameters other than those of chains.
   static std::vector<ParameterSpec> parameters();
-  /// `given` with what a preset sets and the user has not.
+  /// `given` with what a preset, or a kind of chains, sets and the user has not.
   static std::map<std::string, std::string> apply_preset(std::map<std::string, std::string> given);
   /// Raises UsageError, SceneError (rules) or IoError (files).
   static SelectiveSettings read(const Parameters& parameters, const RenderSettings& settings);
