@@ -10,10 +10,9 @@ namespace {
 
 constexpr WarningKind kUnread{Effect::Surface, "extensions of materials are not read"};
 constexpr WarningKind kUnknownExtension{Effect::Slight, "extensions are not known and ignored"};
-constexpr WarningKind kMissingShapes{Effect::Geometry,
-                                     "extensions that place or change meshes are not read"};
 
-constexpr std::array<std::string_view, 15> kRead = {"EXT_texture_webp",
+constexpr std::array<std::string_view, 17> kRead = {"EXT_mesh_gpu_instancing",
+                                                    "EXT_texture_webp",
                                                     "KHR_lights_punctual",
                                                     "KHR_materials_clearcoat",
                                                     "KHR_materials_diffuse_transmission",
@@ -27,6 +26,7 @@ constexpr std::array<std::string_view, 15> kRead = {"EXT_texture_webp",
                                                     "KHR_materials_variants",
                                                     "KHR_materials_volume",
                                                     "KHR_mesh_quantization",
+                                                    "KHR_node_visibility",
                                                     "KHR_texture_transform"};
 
 /// What the picture lacks without them.
@@ -35,13 +35,11 @@ struct Unread {
   std::string_view consequence;
   const WarningKind& kind;
 };
-constexpr std::array<Unread, 6> kUnreadExtensions = {
+constexpr std::array<Unread, 4> kUnreadExtensions = {
     {{"KHR_materials_anisotropy", "gloss is the same in all directions", kUnread},
      {"KHR_materials_dispersion", "glass has one index of refraction for all colours", kUnread},
      {"KHR_materials_iridescence", "thin films have no colours", kUnread},
-     {"KHR_texture_basisu", "textures that have no other image are left out", kUnread},
-     {"EXT_mesh_gpu_instancing", "meshes are placed once", kMissingShapes},
-     {"KHR_node_visibility", "hidden nodes are shown", kMissingShapes}}};
+     {"KHR_texture_basisu", "textures that have no other image are left out", kUnread}}};
 
 /// Of no effect on what is read: files that need not have them have the same meshes beside.
 constexpr std::array<std::string_view, 3> kCompressions = {

@@ -45,7 +45,7 @@ void add_lights(Context& context, const std::vector<PlacedNode>& nodes) {
       extension ? extension->elements("lights") : std::vector<Element>();
   for (const PlacedNode& placed : nodes) {
     const std::optional<Element> reference = placed.node.extension(kExtension);
-    if (!reference) continue;
+    if (!reference || !placed.is_visible) continue;
     const Element& light = lights[reference->at("light").index(lights.size())];
     desc::Light& added = context.scene.lights.emplace_back();
     added.where = light.where();

@@ -92,6 +92,7 @@ const Kinds& kinds() {
         {"mode"},
         {"targets", "attributes"}}},
       {"attributes", {{"POSITION"}, {"NORMAL"}, {"TANGENT"}}},
+      {"attributes of instances", {{"TRANSLATION"}, {"ROTATION"}, {"SCALE"}}},
       {"a node",
        {{"camera"},
         {"children"},
@@ -115,6 +116,7 @@ const Kinds& kinds() {
 /// Of the extensions that are read and have members that are.
 const Kinds& extension_kinds() {
   static const Kinds kKinds = {
+      {"EXT_mesh_gpu_instancing", {{"attributes", "attributes of instances"}}},
       {"EXT_texture_webp", {{"source"}}},
       {"KHR_lights_punctual", {{"lights", "a light"}, {"light"}}},
       {"KHR_materials_clearcoat",
@@ -154,6 +156,7 @@ const Kinds& extension_kinds() {
         {"thicknessTexture", "a use of a texture"},
         {"attenuationDistance"},
         {"attenuationColor"}}},
+      {"KHR_node_visibility", {{"visible"}}},
       {"KHR_texture_transform", {{"offset"}, {"rotation"}, {"scale"}, {"texCoord"}}}};
   return kKinds;
 }
@@ -182,7 +185,7 @@ class MemberCheck {
                                       [&](const Member& member) { return member.name == name; });
       if (known != members.end()) {
         if (!known->kind.empty()) check_all(object.at(name), known->kind);
-      } else if (kind != "attributes" || !is_numbered_attribute(name)) {
+      } else if (!kind.starts_with("attributes") || !is_numbered_attribute(name)) {
         warn(object, kind, name, members);
       }
     }

@@ -20,24 +20,29 @@ void MeshPlacer::place(const std::vector<PlacedNode>& nodes) {
   struct Use {
     Element mesh;
     Pose pose;
-    PlacedNode placed;
+    std::vector<Mat4> places;
+    Element node;
   };
   std::vector<Use> all;
   std::map<std::string, std::size_t> uses;
   for (const PlacedNode& placed : nodes) {
     const std::optional<Element> mesh = mesh_of(root, placed);
-    if (!mesh) continue;
-    Use& use = all.emplace_back(Use{*mesh, poses.of(placed, *mesh), placed});
-    if (use.pose.joints != nullptr) use.placed.to_world = Mat4();
-    ++uses[key_of(use.mesh, use.pose)];
+    if (!mesh || !placed.is_visible) continue;
+    Use& use = all.emplace_back(
+        Use{*mesh, poses.of(placed, *mesh), places_of_mesh(placed, accessors_), placed.node});
+    // Joints are in the world.
+    if (use.pose.joints != nullptr) use.places.assign(1, Mat4());
+    uses[key_of(use.mesh, use.pose)] += use.places.size();
   }
   for (const Use& use : all) {
     Parts& parts = parts_of(use.mesh, use.pose);
-    add_shapes(parts.shining, use.placed);
-    if (uses[key_of(use.mesh, use.pose)] == 1) {
-      add_shapes(parts.plain, use.placed);
-    } else {
-      add_instance(parts, use.mesh, use.placed);
+    for (const Mat4& to_world : use.places) {
+      add_shapes(parts.shining, to_world, use.node);
+      if (uses[key_of(use.mesh, use.pose)] == 1) {
+        add_shapes(parts.plain, to_world, use.node);
+      } else {
+        add_instance(parts, use.mesh, to_world, use.node);
+      }
     }
   }
 }
@@ -65,25 +70,27 @@ MeshPlacer::Parts& MeshPlacer::parts_of(const Element& mesh, const Pose& pose) {
   return parts;
 }
 
-void MeshPlacer::add_shapes(const std::vector<desc::Shape>& shapes, const PlacedNode& placed) {
+void MeshPlacer::add_shapes(const std::vector<desc::Shape>& shapes, const Mat4& to_world,
+                            const Element& node) {
   // A few kilobytes of nodes and primitives multiply to any number of shapes.
   constexpr std::size_t kMostShapes = 1'000'000;
   if (context_.scene.shapes.size() + shapes.size() > kMostShapes) {
-    placed.node.fail("the scene has more than " + std::to_string(kMostShapes) + " shapes");
+    node.fail("the scene has more than " + std::to_string(kMostShapes) + " shapes");
   }
   for (const desc::Shape& shape : shapes) {
     context_.scene.shapes.push_back(shape);
-    context_.scene.shapes.back().to_world = placed.to_world;
+    context_.scene.shapes.back().to_world = to_world;
   }
 }
 
-void MeshPlacer::add_instance(Parts& parts, const Element& mesh, const PlacedNode& placed) {
+void MeshPlacer::add_instance(Parts& parts, const Element& mesh, const Mat4& to_world,
+                              const Element& node) {
   if (parts.plain.empty()) return;
   if (parts.object == desc::kNone) {
     parts.object = static_cast<desc::ObjectId>(context_.scene.objects.size());
     context_.scene.objects.push_back({mesh.text_or("name", ""), mesh.where(), parts.plain});
   }
-  context_.scene.instances.push_back({parts.object, placed.to_world, placed.node.where()});
+  context_.scene.instances.push_back({parts.object, to_world, node.where()});
 }
 
 }  // namespace ajar::gltf

@@ -29,8 +29,9 @@ class MeshPlacer {
   };
 
   Parts& parts_of(const Element& mesh, const Pose& pose);
-  void add_shapes(const std::vector<desc::Shape>& shapes, const PlacedNode& placed);
-  void add_instance(Parts& parts, const Element& mesh, const PlacedNode& placed);
+  void add_shapes(const std::vector<desc::Shape>& shapes, const Mat4& to_world,
+                  const Element& node);
+  void add_instance(Parts& parts, const Element& mesh, const Mat4& to_world, const Element& node);
 
   Context& context_;
   Buffers buffers_;

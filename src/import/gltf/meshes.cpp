@@ -18,6 +18,8 @@ constexpr WarningKind kColorsBesideTexture{
     Effect::Surface, "primitives have colours of vertices beside a texture: their mean is used"};
 constexpr WarningKind kOtherCount{Effect::Surface,
                                   "primitives have not as many colours as vertices: ignored"};
+constexpr WarningKind kNoUvs{Effect::Surface,
+                             "primitives have textures, but no texture coordinates for them"};
 constexpr WarningKind kVertexAlpha{Effect::Surface,
                                    "primitives have vertices that are partly clear: opaque"};
 
@@ -123,11 +125,17 @@ desc::MeshPointer Meshes::read(const Element& primitive, const Pose& pose, const
       .positions = accessor_of(attributes.at("POSITION")),
       .normals = accessor_of(attributes.find("NORMAL")),
       .tangents = surface.has_normal_map ? accessor_of(attributes.find("TANGENT")) : kNoAccessor,
-      .uvs = accessor_of(attributes.find(uv_name(surface.uv_set))),
+      .uvs = accessor_of(attributes.find(uv_name(surface.uv_set.value_or(0)))),
       .colors = is_painted ? accessor_of(attributes.find("COLOR_0")) : kNoAccessor,
       .indices = accessor_of(primitive.find("indices")),
       .mode = mode,
       .pose = key_of(pose, primitive)};
+  if (surface.uv_set && key.uvs == kNoAccessor) {
+    context_.warnings.add(kNoUvs, primitive.where(),
+                          "this primitive has no " + uv_name(*surface.uv_set) +
+                              ", which the textures of its material use: each triangle shows half "
+                              "of an image");
+  }
   const auto [place, is_new] = made_.try_emplace(key);
   if (is_new) place->second = make(primitive, pose, key, colors);
   return place->second;

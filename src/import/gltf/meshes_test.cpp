@@ -204,6 +204,19 @@ TEST(GltfMeshes, ColorsOfVerticesThatCannotBeShownAreWarnings) {
   expect_near(product.vector("second"), Vec3(1.F / 3));
 }
 
+TEST(GltfMeshes, WithTexturesAndWithoutTheirCoordinatesAreWarnings) {
+  TestFile file;
+  file.add_triangle(
+      {{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}, {"texCoord", 1}}}}}});
+  file.add("images", {{"uri", "data:image/png;base64,AAAA"}});
+  file.add("textures", {{"source", 0}});
+  const std::string told = "#/meshes/0/primitives/0: this primitive has no TEXCOORD_1";
+  EXPECT_TRUE(contains(warnings_of(file), told)) << warnings_of(file);
+  Json& attributes = file.json["meshes"][0]["primitives"][0]["attributes"];
+  attributes["TEXCOORD_1"] = attributes["TEXCOORD_0"];
+  EXPECT_FALSE(contains(warnings_of(file), told));
+}
+
 TEST(GltfMeshes, OfTheSameAccessorsAreTheSameMesh) {
   TestFile file;
   const Json triangle = file.triangle();

@@ -19,6 +19,12 @@ Mat4 matrix_of(const std::vector<double>& numbers) {
   return matrix;
 }
 
+/// Of a quaternion; that of 0 turns nothing.
+Mat4 rotation_of(double x, double y, double z, double w) {
+  const Imath::Quatd rotation(w, x, y, z);
+  return rotation.length() > 0.0 ? rotation.normalized().toMatrix44() : Mat4();
+}
+
 /// Scale, then rotation, then translation (glTF 2.0, section 3.5.3).
 Mat4 local_transform(const Element& node) {
   if (const auto numbers = node.find_numbers("matrix", 16)) return matrix_of(*numbers);
@@ -27,8 +33,7 @@ Mat4 local_transform(const Element& node) {
     matrix.setScale(Vec3d((*s)[0], (*s)[1], (*s)[2]));
   }
   if (const auto r = node.find_numbers("rotation", 4)) {
-    const Imath::Quatd rotation((*r)[3], (*r)[0], (*r)[1], (*r)[2]);
-    if (rotation.length() > 0.0) matrix = matrix * rotation.normalized().toMatrix44();
+    matrix = matrix * rotation_of((*r)[0], (*r)[1], (*r)[2], (*r)[3]);
   }
   if (const auto t = node.find_numbers("translation", 3)) {
     matrix[3][0] = (*t)[0];
@@ -38,16 +43,21 @@ Mat4 local_transform(const Element& node) {
   return matrix;
 }
 
+bool says_visible(const Element& node) {
+  const std::optional<Element> visibility = node.extension("KHR_node_visibility");
+  return !visibility || visibility->flag_or("visible", true);
+}
+
 class Forest {
  public:
   explicit Forest(const Element& root)
       : root_(root), nodes_(root.elements("nodes")), is_placed_(nodes_.size()) {}
 
   std::vector<PlacedNode> place() {
-    for (const std::size_t i : roots()) waiting_.push_back({i, Mat4()});
+    for (const std::size_t i : roots()) waiting_.push_back({i, Mat4(), true});
     std::reverse(waiting_.begin(), waiting_.end());
     while (!waiting_.empty()) {
-      const auto [i, parent] = waiting_.back();
+      const auto [i, parent, parent_is_visible] = waiting_.back();
       waiting_.pop_back();
       if (is_placed_[i]) {
         nodes_[i].fail(
@@ -56,10 +66,11 @@ class Forest {
       }
       is_placed_[i] = true;
       const Mat4 to_world = local_transform(nodes_[i]) * parent;
-      placed_.push_back({nodes_[i], to_world});
+      const bool is_visible = parent_is_visible && says_visible(nodes_[i]);
+      placed_.push_back({nodes_[i], to_world, is_visible});
       const std::vector<Element> children = nodes_[i].elements("children");
       for (auto child = children.rbegin(); child != children.rend(); ++child) {
-        waiting_.push_back({child->index(nodes_.size()), to_world});
+        waiting_.push_back({child->index(nodes_.size()), to_world, is_visible});
       }
     }
     return std::move(placed_);
@@ -92,6 +103,7 @@ class Forest {
   struct Waiting {
     std::size_t node;
     Mat4 parent;
+    bool parent_is_visible;
   };
   Element root_;
   std::vector<Element> nodes_;
@@ -103,6 +115,43 @@ class Forest {
 }  // namespace
 
 std::vector<PlacedNode> place_nodes(const Element& root) { return Forest(root).place(); }
+
+std::vector<Mat4> places_of_mesh(const PlacedNode& placed, Accessors& accessors) {
+  const std::optional<Element> extension = placed.node.extension("EXT_mesh_gpu_instancing");
+  if (!extension) return {placed.to_world};
+  const Element attributes = extension->at("attributes");
+  std::vector<Mat4> places;
+  // In the order in which they are applied.
+  for (const char* name : {"SCALE", "ROTATION", "TRANSLATION"}) {
+    const std::optional<Element> reference = attributes.find(name);
+    if (!reference) continue;
+    const std::size_t accessor = accessors.index_of(*reference);
+    const bool is_rotation = std::string_view(name) == "ROTATION";
+    std::vector<Mat4> steps;
+    if (is_rotation) {
+      for (const Imath::V4f& r : accessors.read_vec4(accessor)) {
+        steps.push_back(rotation_of(r.x, r.y, r.z, r.w));
+      }
+    } else {
+      for (const Vec3& v : accessors.read_vec3(accessor)) {
+        Mat4& step = steps.emplace_back();
+        if (std::string_view(name) == "SCALE") {
+          step.setScale(Vec3d(v));
+        } else {
+          step.setTranslation(Vec3d(v));
+        }
+      }
+    }
+    if (places.empty()) places.resize(steps.size());
+    if (places.size() != steps.size()) {
+      reference->fail("there are " + std::to_string(steps.size()) + " values for " +
+                      std::to_string(places.size()) + " instances");
+    }
+    for (std::size_t i = 0; i < places.size(); ++i) places[i] = places[i] * steps[i];
+  }
+  for (Mat4& place : places) place = place * placed.to_world;
+  return places;
+}
 
 Mat4 turned_around(const Mat4& to_world) {
   Mat4 mirror;

@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "import/gltf/context.h"
+#include "import/gltf/accessors.h"
 
 namespace ajar::gltf {
 
@@ -9,11 +9,15 @@ namespace ajar::gltf {
 struct PlacedNode {
   Element node;
   Mat4 to_world;
+  bool is_visible = true;  ///< by its own word and that of those above (KHR_node_visibility)
 };
 
 /// All nodes of the scene that the file shows, parents before their children. Raises SceneError if
 /// they are no trees.
 std::vector<PlacedNode> place_nodes(const Element& root);
+
+/// Where the mesh of a node is: in one place, or where EXT_mesh_gpu_instancing has it.
+std::vector<Mat4> places_of_mesh(const PlacedNode& placed, Accessors& accessors);
 
 /// `to_world` of what looks or shines along +z in a `SceneDesc`, and along −z in glTF.
 Mat4 turned_around(const Mat4& to_world);

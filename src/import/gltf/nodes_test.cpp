@@ -97,6 +97,41 @@ TEST(GltfNodes, WhatShinesIsRepeatedInsteadOfInstanced) {
   EXPECT_EQ(scene.shapes[0].node.mesh("mesh"), scene.shapes[1].node.mesh("mesh"));
 }
 
+TEST(GltfNodes, MayHaveTheirMeshInManyPlaces) {
+  TestFile file = with_node({{"translation", {0, 0, 7}}});
+  Json& attributes = file.json["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"];
+  attributes["TRANSLATION"] =
+      file.add_accessor(bytes_of<float>({1, 0, 0, 2, 0, 0}), 5126, "VEC3", 2);
+  attributes["SCALE"] = file.add_accessor(bytes_of<float>({1, 1, 1, 3, 3, 3}), 5126, "VEC3", 2);
+  // The second is turned by 90 degrees about z.
+  attributes["ROTATION"] = file.add_accessor(
+      bytes_of<float>({0, 0, 0, 1, 0, 0, std::sqrt(0.5F), std::sqrt(0.5F)}), 5126, "VEC4", 2);
+  file.json["extensionsUsed"] = {"EXT_mesh_gpu_instancing"};
+  const desc::SceneDesc scene = scene_of(file);
+  ASSERT_EQ(scene.instances.size(), 2U);
+  expect_near(placed(scene.instances[0].to_world, {1, 0, 0}), {2, 0, 7});
+  expect_near(placed(scene.instances[1].to_world, {1, 0, 0}), {2, 3, 7});
+  attributes["SCALE"] = 0;
+  EXPECT_TRUE(
+      contains(error_of(file.text()), "/attributes/ROTATION: there are 2 values for 3 instances"));
+}
+
+TEST(GltfNodes, MayBeHiddenWithAllBelow) {
+  TestFile file = with_node({{"translation", {1, 0, 0}}});
+  file.add_triangle();
+  file.add("nodes",
+           {{"children", {0}}, {"extensions", {{"KHR_node_visibility", {{"visible", false}}}}}});
+  file.add("scenes", {{"nodes", {1, 2}}});
+  const desc::SceneDesc scene = scene_of(file);
+  const auto is_first = [](const desc::Shape& shape) {
+    return shape.where.file != nullptr && contains(*shape.where.file, "#/meshes/0");
+  };
+  EXPECT_EQ(std::count_if(scene.shapes.begin(), scene.shapes.end(), is_first), 0);
+  file.json["nodes"][2]["extensions"]["KHR_node_visibility"]["visible"] = true;
+  const desc::SceneDesc all = scene_of(file);
+  EXPECT_EQ(std::count_if(all.shapes.begin(), all.shapes.end(), is_first), 1);
+}
+
 // ---------------------------------------------------------------- cameras
 
 TestFile with_camera(const Json& camera, const Json& node = Json::object()) {

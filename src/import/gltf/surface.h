@@ -20,7 +20,8 @@ struct Surface {
   desc::TextureId alpha = desc::kNone;
   std::optional<desc::Emission> emission;
   desc::MediumId inside = desc::kNone;
-  std::size_t uv_set = 0;
+  /// The texture coordinates that its textures have; nothing if it has none.
+  std::optional<std::size_t> uv_set;
   bool has_normal_map = false;
 };
 

@@ -33,8 +33,8 @@ class Textures {
   /// 1 where a number is at least `edge`, else 0.
   desc::TextureId threshold(const Element& user, const desc::Value& value, float edge);
 
-  /// Of TEXCOORD_n.
-  std::size_t uv_set() const { return uv_set_.value_or(0); }
+  /// The n of TEXCOORD_n, if there are textures.
+  std::optional<std::size_t> uv_set() const { return uv_set_; }
 
  private:
   std::optional<desc::TextureId> read(const Element& holder, std::string_view name, Channel channel,

@@ -8,6 +8,8 @@ namespace ajar::mitsuba {
 namespace {
 
 constexpr WarningKind kLuminance{Effect::Surface, "pictures of luminance are not supported"};
+constexpr WarningKind kSpectralFilm{Effect::Slight, "pictures of wavelengths are not supported"};
+constexpr WarningKind kToneMap{Effect::Light, "tone maps are not supported: pictures are linear"};
 constexpr WarningKind kFilter{Effect::Slight, "filters are unknown: gaussian ones stand in"};
 
 constexpr int kLargestResolution = 65536;
@@ -83,6 +85,24 @@ desc::Filter make_filter(Arguments& arguments) {
   return filter;
 }
 
+/// Of the film that makes pictures for displays.
+void read_tone(Arguments& arguments, desc::Film& film) {
+  const std::string method = arguments.text("tonemap_method", "gamma");
+  const float stops = arguments.number("exposure", 0.F);
+  arguments.accept({"key", "burn"});
+  if (method != "gamma") {
+    arguments.context().warnings.add(
+        kToneMap, arguments.where(),
+        "the tone map \"" + printable(method) + "\" is not supported: the picture is linear",
+        printable(method));
+    return;
+  }
+  film.scale = std::exp2(stops);
+  if (!(film.scale > 0.F) || !std::isfinite(film.scale)) {
+    throw SceneError(arguments.where(), "the \"exposure\" is beyond what a float holds");
+  }
+}
+
 }  // namespace
 
 desc::Film default_film(const SourceLocation& where) {
@@ -111,10 +131,14 @@ void read_film(Context& context, const Element& element) {
     context.warnings.add(kLuminance, element.where,
                          "pictures of luminance are not supported: this one has colours");
   }
+  if (element.type == "ldrfilm") read_tone(arguments, film);
+  if (element.type == "specfilm") {
+    context.warnings.add(kSpectralFilm, element.where,
+                         "pictures of wavelengths are not supported: this one has colours");
+  }
   // How the finished picture is written is for whoever asks for it.
   arguments.accept({"file_format", "component_format", "gamma", "banner", "high_quality_edges",
-                    "attach_log", "exposure", "key", "burn", "tonemap_method", "sample_border",
-                    "compensate", "variable", "digits"});
+                    "attach_log", "sample_border", "compensate", "variable", "digits"});
   arguments.report_unused();
   context.scene.film = film;
 }

@@ -10,6 +10,8 @@ namespace ajar::mitsuba {
 namespace {
 
 constexpr WarningKind kNoMeshFile{Effect::Geometry, "meshes have no \"filename\": left out"};
+constexpr WarningKind kMaterials{Effect::Surface,
+                                 "materials of OBJ files are not read: grey stands in"};
 constexpr WarningKind kSmoothAngle{
     Effect::Slight, "meshes have sharp edges by an angle, which is not supported: smooth"};
 
@@ -17,8 +19,30 @@ void turn_texture_coordinates(desc::Mesh& mesh) {
   for (Vec2& uv : mesh.uvs) uv.y = 1.F - uv.y;
 }
 
+bool names_materials(std::string_view obj) {
+  constexpr std::string_view kWord = "mtllib ";
+  return obj.starts_with(kWord) || obj.find("\n" + std::string(kWord)) != obj.npos;
+}
+
+/// Mitsuba 0.x takes the materials that an OBJ file names where the scene gives no bsdf.
+bool wants_materials(Arguments& arguments) {
+  return arguments.element().type == "obj" && arguments.context().document.major_version == 0 &&
+         arguments.flag("load_materials", true) && arguments.children("bsdf").empty();
+}
+
 std::function<desc::Mesh(std::string_view, const std::string&)> reader_of(Arguments& arguments) {
   const std::string& type = arguments.element().type;
+  if (wants_materials(arguments)) {
+    return [&warnings = arguments.context().warnings, where = arguments.where()](
+               std::string_view bytes, const std::string& name) {
+      if (names_materials(bytes)) {
+        warnings.add(kMaterials, where,
+                     "the materials that this file names are not read: grey stands in",
+                     printable(name));
+      }
+      return read_obj(bytes, name);
+    };
+  }
   if (type == "obj") return read_obj;
   if (type == "ply") return read_ply;
   const long long index = arguments.integer("shape_index").value_or(0);
@@ -58,7 +82,8 @@ std::optional<Geometry> make_mesh_geometry(Arguments& arguments, MeshLoader& mes
     }
   };
   recipe.variant = type + " " + std::to_string(shape_index) + (face_normals ? " flat" : " smooth") +
-                   (turns_v ? " turned" : "");
+                   (turns_v ? " turned" : "") +
+                   (wants_materials(arguments) ? " with materials" : "");
   const desc::MeshPointer mesh =
       meshes.request(arguments.where(), context.files.find(*name), std::move(recipe));
   return Geometry{desc::mesh_node(mesh), Mat4(), false,

@@ -30,6 +30,27 @@ TEST(MitsubaShapes, ObjFilesCountVFromTheBottomRow) {
   EXPECT_EQ(mesh_of("<boolean name=\"flipTexCoords\" value=\"false\"/>")->uvs[3], Vec2(0.F, 0.25F));
 }
 
+/// Mitsuba 3 does not read them.
+TEST(MitsubaShapes, MaterialsOfObjFilesAreWarningsWhereTheirShapesHaveNone) {
+  const Files files = {{"m.obj", "mtllib m.mtl\n" + kQuad}, {"q.obj", kQuad}};
+  const auto warnings_with = [&](const std::string& version, const std::string& properties,
+                                 const std::string& file = "m.obj") {
+    return warnings_in([&](Warnings& warnings) {
+      import_with("<scene version=\"" + version + "\"><sensor type=\"perspective\"/>" +
+                      "<shape type=\"obj\"><string name=\"filename\" value=\"" + file + "\"/>" +
+                      properties + "</shape></scene>",
+                  warnings, files);
+    });
+  };
+  const std::string told = "the materials that this file names are not read";
+  EXPECT_TRUE(contains(warnings_with("0.6.0", ""), told));
+  EXPECT_FALSE(contains(warnings_with("0.6.0", "", "q.obj"), told));
+  EXPECT_FALSE(contains(warnings_with("0.6.0", "<bsdf type=\"dielectric\"/>"), told));
+  EXPECT_FALSE(
+      contains(warnings_with("0.6.0", "<boolean name=\"loadMaterials\" value=\"false\"/>"), told));
+  EXPECT_FALSE(contains(warnings_with("3.0.0", ""), told));
+}
+
 TEST(MitsubaShapes, MissingMeshesAreLeftOutWithAWarning) {
   Warnings warnings;
   const desc::SceneDesc scene = import_with(

@@ -102,6 +102,28 @@ TEST(MitsubaView, FilmsHaveACropAndAFilter) {
       "\"width\" must be 1 to 65536"));
 }
 
+std::string with_film(const std::string& film) {
+  return "<scene version=\"0.6.0\"><sensor type=\"perspective\">" + film +
+         "</sensor><shape type=\"sphere\"/></scene>";
+}
+
+TEST(MitsubaFilm, ExposureOfDisplaysMultipliesAndToneMapsAreWarnings) {
+  Warnings warnings;
+  const desc::SceneDesc scene = import_with(
+      with_film("<film type=\"ldrfilm\"><float name=\"exposure\" value=\"-2\"/></film>"), warnings);
+  EXPECT_EQ(scene.film.scale, 0.25F);
+  const auto warnings_with = [](const std::string& film) {
+    return warnings_in([&](Warnings& remarks) { import_with(with_film(film), remarks); });
+  };
+  EXPECT_TRUE(contains(warnings_with("<film type=\"ldrfilm\"><string name=\"tonemapMethod\" "
+                                     "value=\"reinhard\"/></film>"),
+                       "the tone map \"reinhard\" is not supported"));
+  EXPECT_TRUE(contains(warnings_with("<film type=\"specfilm\"/>"), "pictures of wavelengths"));
+  EXPECT_TRUE(contains(
+      error_of(with_film("<film type=\"ldrfilm\"><float name=\"exposure\" value=\"999\"/></film>")),
+      "beyond what a float holds"));
+}
+
 TEST(MitsubaView, FilmsHaveMitsubasSizeIfNothingIsSaid) {
   for (const char* film : {"", "<film type=\"hdrfilm\"/>"}) {
     const desc::Film seen =

@@ -165,7 +165,10 @@ desc::Density read_cloud(Context& context, const SourceLocation& where, const st
 
 void warn_of_parameters_that_emit(Context& context, const SourceLocation& where,
                                   const std::string& name, const ParameterList& p) {
-  const desc::Rgb emitted = context.spectra.get_positive(p, "Le", desc::Rgb(0.F), ColorRole::Light);
+  const bool has_grid = color_grid(p, "Le") != nullptr;
+  const desc::Rgb emitted =
+      has_grid ? desc::Rgb(1.F)
+               : context.spectra.get_positive(p, "Le", desc::Rgb(0.F), ColorRole::Light);
   const Parameter* temperatures = p.find("temperature", ParameterKind::Float);
   const bool glows = emitted != desc::Rgb(0.F) || temperatures != nullptr ||
                      p.get_float("temperaturescale").has_value();

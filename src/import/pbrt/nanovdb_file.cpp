@@ -19,7 +19,6 @@ namespace ajar::pbrt {
 namespace {
 
 using Index = Imath::Vec3<std::int64_t>;
-using Root = nanovdb::NanoRoot<float>;
 
 constexpr std::string_view kDamaged = "the file is damaged or ends early";
 
@@ -129,28 +128,26 @@ class TreeReader {
   VoxelGrid read() {
     const auto& grid = at<nanovdb::GridData>(0);
     if (grid.mMagic != NANOVDB_MAGIC_NUMBER) fail(where_, kDamaged);
-    if (grid.mGridType != nanovdb::GridType::Float) {
-      fail(where_,
-           std::string("grids of numbers of the type \"") +
-               (grid.mGridType < nanovdb::GridType::End ? nanovdb::toStr(grid.mGridType) : "?") +
-               "\" are not supported, only of \"float\"");
+    switch (grid.mGridType) {
+      case nanovdb::GridType::Float:
+        return read_tree<float>(grid);
+      case nanovdb::GridType::Double:
+        return read_tree<double>(grid);
+      case nanovdb::GridType::Fp4:
+        return read_tree<nanovdb::Fp4>(grid);
+      case nanovdb::GridType::Fp8:
+        return read_tree<nanovdb::Fp8>(grid);
+      case nanovdb::GridType::Fp16:
+        return read_tree<nanovdb::Fp16>(grid);
+      case nanovdb::GridType::FpN:
+        return read_tree<nanovdb::FpN>(grid);
+      default:
+        break;
     }
-    const std::int64_t tree_place = sizeof(nanovdb::GridData);
-    const std::int64_t root_place =
-        behind(tree_place, at<nanovdb::TreeData<3>>(tree_place).mNodeOffset[3]);
-    const auto& root = at<Root::DataType>(root_place);
-    set_box(root.mBBox);
-    values_.assign(static_cast<std::size_t>(count_), root.mBackground);
-    read_tiles(root_place, root.mTableSize);
-
-    VoxelGrid result;
-    result.grid.points = desc::DensityGrid::Points::Corners;
-    result.grid.border = desc::DensityGrid::Border::Clamp;
-    for (int i = 0; i < 3; ++i) result.grid.resolution[i] = static_cast<int>(high_[i] - low_[i]);
-    result.grid.values = std::move(values_);
-    const Index size = high_ - low_ - Index(1);
-    result.to_world = scaling(Vec3d(size)) * translation(Vec3d(low_)) * matrix_of(grid.mMap);
-    return result;
+    fail(where_,
+         std::string("grids of numbers of the type \"") +
+             (grid.mGridType < nanovdb::GridType::End ? nanovdb::toStr(grid.mGridType) : "?") +
+             "\" are not supported");
   }
 
  private:
@@ -170,6 +167,28 @@ class TreeReader {
     const auto size = static_cast<std::int64_t>(bytes_.size());
     if (distance < -size || distance > size) fail(where_, kDamaged);
     return place + distance;
+  }
+
+  /// `Number`: what NanoVDB calls the type of the build, which is also that of leaves.
+  template <typename Number>
+  VoxelGrid read_tree(const nanovdb::GridData& grid) {
+    using Root = nanovdb::NanoRoot<Number>;
+    const std::int64_t tree_place = sizeof(nanovdb::GridData);
+    const std::int64_t root_place =
+        behind(tree_place, at<nanovdb::TreeData<3>>(tree_place).mNodeOffset[3]);
+    const auto& root = at<typename Root::DataType>(root_place);
+    set_box(root.mBBox);
+    values_.assign(static_cast<std::size_t>(count_), static_cast<float>(root.mBackground));
+    read_tiles<Root>(root_place, root.mTableSize);
+
+    VoxelGrid result;
+    result.grid.points = desc::DensityGrid::Points::Corners;
+    result.grid.border = desc::DensityGrid::Border::Clamp;
+    for (int i = 0; i < 3; ++i) result.grid.resolution[i] = static_cast<int>(high_[i] - low_[i]);
+    result.grid.values = std::move(values_);
+    const Index size = high_ - low_ - Index(1);
+    result.to_world = scaling(Vec3d(size)) * translation(Vec3d(low_)) * matrix_of(grid.mMap);
+    return result;
   }
 
   /// Points from the first active voxel to the one behind the last, which is where pbrt-v4's box
@@ -192,20 +211,22 @@ class TreeReader {
     if (!shortage.empty()) fail(where_, "the grid " + shortage);
   }
 
+  template <typename Root>
   void read_tiles(std::int64_t root_place, std::uint32_t count) {
-    const std::int64_t first = root_place + static_cast<std::int64_t>(sizeof(Root::DataType));
+    using Data = typename Root::DataType;
+    const std::int64_t first = root_place + static_cast<std::int64_t>(sizeof(Data));
     std::set<std::tuple<int, int, int>> places;
     for (std::uint32_t i = 0; i < count; ++i) {
-      const auto& tile = at<Root::DataType::Tile>(
-          first + std::int64_t{i} * static_cast<std::int64_t>(sizeof(Root::DataType::Tile)));
-      const nanovdb::Coord corner = Root::DataType::KeyToCoord(tile.key);
+      const auto& tile = at<typename Data::Tile>(
+          first + std::int64_t{i} * static_cast<std::int64_t>(sizeof(typename Data::Tile)));
+      const nanovdb::Coord corner = Data::KeyToCoord(tile.key);
       // No file of use has two in one place, and work would have no bound.
       if (!places.emplace(corner[0], corner[1], corner[2]).second) fail(where_, kDamaged);
       const Index origin(corner[0], corner[1], corner[2]);
       if (tile.child == 0) {
-        fill(origin, Root::ChildNodeType::DIM, tile.value);
+        fill(origin, Root::ChildNodeType::DIM, static_cast<float>(tile.value));
       } else {
-        read_node<Root::ChildNodeType>(behind(root_place, tile.child), origin);
+        read_node<typename Root::ChildNodeType>(behind(root_place, tile.child), origin);
       }
     }
   }
@@ -239,7 +260,7 @@ class TreeReader {
       const auto n = static_cast<std::uint32_t>((i.x << (2 * kLog)) | (i.y << kLog) | i.z);
       const Index corner = origin + i * kSide;
       if (!node.mChildMask.isOn(n)) {
-        fill(corner, kSide, node.mTable[n].value);
+        fill(corner, kSide, static_cast<float>(node.mTable[n].value));
       } else if constexpr (Child::LEVEL == 0) {
         read_leaf<Child>(behind(place, node.mTable[n].child), corner);
       } else {
@@ -250,9 +271,17 @@ class TreeReader {
   template <typename Leaf>
   void read_leaf(std::int64_t place, const Index& origin) {
     constexpr auto kLog = static_cast<int>(Leaf::LOG2DIM);
-    const auto& leaf = at<typename Leaf::DataType>(place);
+    using Data = typename Leaf::DataType;
+    const auto& leaf = at<Data>(place);
+    if constexpr (!Data::FIXED_SIZE) {
+      // Of variable width: the numbers are behind.
+      if (leaf.memUsage() > bytes_.size() - static_cast<std::uint64_t>(place)) {
+        fail(where_, kDamaged);
+      }
+    }
     for_overlap(origin, 1, 1 << kLog, [&](const Index& i) {
-      value(origin + i) = leaf.mValues[(i.x << (2 * kLog)) | (i.y << kLog) | i.z];
+      const auto n = static_cast<std::uint32_t>((i.x << (2 * kLog)) | (i.y << kLog) | i.z);
+      value(origin + i) = static_cast<float>(leaf.getValue(n));
     });
   }
   void fill(const Index& origin, std::int64_t side, float with) {

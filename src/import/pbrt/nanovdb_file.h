@@ -8,16 +8,17 @@
 
 namespace ajar::pbrt {
 
-/// A grid of floats, at the resolution of its voxels, and where the file places it.
+/// A grid, at the resolution of its voxels, and where the file places it.
 struct VoxelGrid {
   desc::DensityGrid grid;
   Mat4 to_world;  ///< of the unit cube
 };
 
 /// The grid called `grid_name` in the bytes of a NanoVDB file, where its voxels are active; nothing
-/// if there is none of this name. Blocks may be uncompressed or compressed by zlib. Raises
-/// SceneError, at `where`, for other ones, for grids of other numbers, for what is damaged, and for
-/// grids of more than `most_voxels` or than memory can hold.
+/// if there is none of this name. Numbers may be floats, doubles, or floats in 4, 8, 16 or any
+/// number of bits, blocks uncompressed or compressed by zlib. Raises SceneError, at `where`, for
+/// other ones, for what is damaged, and for grids of more than `most_voxels` or than memory can
+/// hold.
 /// Between voxels and around them density is what pbrt-v4 has by trilinear interpolation.
 std::optional<VoxelGrid> read_nanovdb(std::string_view bytes, std::string_view grid_name,
                                       const SourceLocation& where,

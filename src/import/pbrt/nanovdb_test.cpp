@@ -96,6 +96,32 @@ TEST(NanoVdb, TilesAreFilled) {
   EXPECT_EQ(std::count(read->grid.values.begin(), read->grid.values.end(), 0.5F), 32 * 32 * 32);
 }
 
+/// Four values of one leaf, to the steps that each type has between 0 and 0.75.
+template <typename Number>
+void expect_quantized(float step) {
+  nanovdb::GridBuilder<float, Number> builder(0.F);
+  auto accessor = builder.getAccessor();
+  const std::vector<Voxel> voxels = {
+      {{0, 0, 0}, 0.75F}, {{1, 0, 0}, 0.3F}, {{2, 0, 0}, 0.1F}, {{3, 0, 0}, 0.6F}};
+  for (const Voxel& voxel : voxels) accessor.setValue(voxel.at, voxel.density);
+  const auto read = pbrt::read_nanovdb(
+      file_of(builder.template getHandle<>(1.0, nanovdb::Vec3d(0), "density")), "density", {});
+  ASSERT_TRUE(read);
+  ASSERT_EQ(read->grid.resolution, desc::Vec3i(5, 2, 2));
+  for (std::size_t i = 0; i < voxels.size(); ++i) {
+    EXPECT_NEAR(read->grid.values[i], voxels[i].density, step) << i;
+  }
+}
+
+TEST(NanoVdb, NumbersMayHaveFewBitsOrMany) {
+  expect_quantized<nanovdb::Fp4>(0.75F / 15);
+  expect_quantized<nanovdb::Fp8>(0.75F / 255);
+  expect_quantized<nanovdb::Fp16>(0.75F / 65535);
+  expect_quantized<nanovdb::FpN>(0.02F);
+  const auto doubles = pbrt::read_nanovdb(file_of(grid_of<double>(kTwo)), "density", {});
+  EXPECT_EQ(doubles->grid.values[2], 0.75F);
+}
+
 TEST(NanoVdb, TemperaturesAreNotSeenWithAWarning) {
   std::vector<Handle> grids;
   grids.push_back(grid_of(kTwo, "temperature"));
@@ -114,7 +140,8 @@ TEST(NanoVdb, FilesThatCannotBeReadCountAsEmpty) {
   };
   expect_remark("", "damaged or ends early");
   expect_remark(std::string(1000, 'x'), "this is no NanoVDB file");
-  expect_remark(file_of(grid_of<double>(kTwo)), "type \"double\" are not supported");
+  expect_remark(file_of(grid_of<std::int32_t>({{{0, 0, 0}, 1}})),
+                "type \"int32\" are not supported");
   expect_remark(file_of(grid_of({})), "no voxel of the grid is active");
   expect_remark(file_of(grid_of({{{-100000, 0, 0}, 1}, {{100000, 100000, 0}, 1}})),
                 "voxels, which are more than");

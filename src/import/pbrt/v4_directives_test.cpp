@@ -227,6 +227,10 @@ TEST(Pbrt4Media, ThatGlowAreDarkWithAWarning) {
   EXPECT_TRUE(contains(v4_warnings("MakeNamedMedium \"m\" \"string type\" \"uniformgrid\" \"float "
                                    "density\" 1 \"float temperature\" 900"),
                        "test.pbrt:2:1: media that emit light are not supported: dark"));
+  EXPECT_TRUE(
+      contains(v4_warnings("MakeNamedMedium \"m\" \"string type\" \"rgbgrid\" \"integer nx\" "
+                           "2 \"rgb sigma_a\" [1 1 1 1 1 1] \"rgb Le\" [0 0 0 1 1 1]"),
+               "test.pbrt:2:1: media that emit light are not supported: dark"));
 }
 
 }  // namespace

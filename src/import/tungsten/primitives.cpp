@@ -222,12 +222,8 @@ void PrimitiveReader::read(const LocatedJson& json, std::vector<desc::Shape>& sh
   const std::vector<Part> parts =
       parts_of(object, *type, transform, static_cast<int>(surfaces.size()));
   double area = 0.0;
-  int bsdfs_in_use = 0;
-  for (const Part& part : parts) {
-    area += part.area;
-    bsdfs_in_use = std::max(bsdfs_in_use, part.bsdf + 1);
-  }
-  if (*type != "mesh" && bsdfs_in_use < static_cast<int>(surfaces.size())) {
+  for (const Part& part : parts) area += part.area;
+  if (*type != "mesh" && surfaces.size() > 1) {
     context_.warnings.add(kMoreBsdfs, json.where(),
                           "only meshes can have several bsdfs: the first counts", shown(name));
   }

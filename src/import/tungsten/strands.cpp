@@ -148,15 +148,16 @@ Strands read_hair(std::string_view bytes, const std::string& name) {
   if ((has & kPoints) == 0) cursor.fail("it has no points");
   if (curve_count > node_count) cursor.fail("there are more curves than points");
   Strands strands;
+  std::vector<std::uint16_t> segments;
+  if ((has & kSegments) != 0) segments = cursor.array<std::uint16_t>(curve_count);
+  // Before memory is taken for what only the header promises.
+  strands.nodes = cursor.array<Vec3>(node_count);
   if ((has & kSegments) != 0) {
-    for (const std::uint16_t segments : cursor.array<std::uint16_t>(curve_count)) {
-      strands.counts.push_back(segments + 1U);
-    }
+    for (const std::uint16_t count : segments) strands.counts.push_back(count + 1U);
   } else {
     // More than there are is refused with the sum of all.
     strands.counts.assign(curve_count, std::min(usual_segments, node_count) + 1);
   }
-  strands.nodes = cursor.array<Vec3>(node_count);
   strands.radii = (has & kThickness) != 0 ? cursor.array<float>(node_count)
                                           : std::vector<float>(node_count, usual_thickness);
   return strands;

@@ -115,6 +115,9 @@ TEST(Strands, DamagedFilesAreErrors) {
       contains(error_in(fiber_of(7, 2, places + many)), "they have 8 nodes, but there are 7"));
   EXPECT_TRUE(contains(error_in(fiber_of(1ULL << 60U, 2, places)), "there are 7 positions of"));
   EXPECT_TRUE(contains(error_in(fiber_of(7, 1ULL << 60U, places)), "more curves than nodes"));
+  std::string promising = hair;
+  for (std::size_t i = 4; i < 12; ++i) promising[i] = '\xff';
+  EXPECT_TRUE(contains(error_in(promising, "a.hair"), "the file ends too early"));
   EXPECT_TRUE(contains(error_in("HAIR", "a.obj"), "unknown kind of file of curves"));
 }
 
