@@ -11,7 +11,8 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   std::vector<ajar::Warning> remarks;
   try {
-    ajar::desc::Mesh mesh = ajar::read_stl({reinterpret_cast<const char*>(data), size}, "fuzz.stl");
+    ajar::desc::Mesh mesh =
+        ajar::read_stl({reinterpret_cast<const char*>(data), size}, "fuzz.stl").mesh;
     ajar::validate_mesh(mesh, {}, remarks);
   } catch (const ajar::SceneError&) {
   }

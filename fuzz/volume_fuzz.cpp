@@ -1,9 +1,10 @@
-// Any bytes must either be a grid of Mitsuba's or raise one of our errors.
+// Any bytes must either be a grid or curves of Mitsuba's or raise one of our errors.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 #include <string_view>
 
+#include "import/mitsuba/curve_file.h"
 #include "import/mitsuba/volume_file.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -16,6 +17,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
                               static_cast<std::size_t>(file.channels);
     if (count != file.values.size()) std::abort();
   } catch (const ajar::SceneError&) {
+  }
+  for (const bool has_radii : {false, true}) {
+    using namespace ajar::mitsuba;
+    try {
+      curves_of(read_curve_file({reinterpret_cast<const char*>(data), size}, "a", has_radii),
+                has_radii ? CurveKind::CubicSpline : CurveKind::Corners);
+    } catch (const ajar::SceneError&) {
+    }
   }
   return 0;
 }

@@ -25,4 +25,15 @@ CubicSegment<Value> quadratic_spline_segment(const Value* p) {
   return elevated(lerp(0.5F, p[0], p[1]), p[1], lerp(0.5F, p[1], p[2]));
 }
 
+/// Segment of a uniform cubic B-spline with control points p[0..3], by blossoming: neighbours
+/// compute their common point from the same numbers, so that it has the same bits in both.
+template <typename Value>
+CubicSegment<Value> cubic_spline_segment(const Value* p) {
+  const Value p122 = lerp(2.F / 3.F, p[0], p[1]);
+  const Value p223 = lerp(1.F / 3.F, p[1], p[2]);
+  const Value p233 = lerp(2.F / 3.F, p[1], p[2]);
+  const Value p334 = lerp(1.F / 3.F, p[2], p[3]);
+  return {lerp(0.5F, p122, p223), p223, p233, lerp(0.5F, p233, p334)};
+}
+
 }  // namespace ajar

@@ -12,6 +12,7 @@
 #include "core/printable_text.h"
 #include "import/mesh/corner_table.h"
 #include "import/mesh/display_color.h"
+#include "import/mesh/polygon.h"
 #include "import/mesh/text_lines.h"
 
 namespace ajar {
@@ -189,12 +190,18 @@ class ObjReader {
     if (corners_.size() < 3) return;
     has_faces_ = true;
     const Target target = target_of(has_uvs, has_normals);
-    const unsigned first = vertex_of(target, corners_[0]);
-    unsigned previous = vertex_of(target, corners_[1]);
-    for (std::size_t i = 2; i < corners_.size(); ++i) {
-      const unsigned next = vertex_of(target, corners_[i]);
-      target.mesh.indices.emplace_back(first, previous, next);
-      previous = next;
+    face_.clear();
+    for (const Corner& corner : corners_) face_.push_back(vertex_of(target, corner));
+    if (corners_.size() == 3) {
+      target.mesh.indices.emplace_back(face_[0], face_[1], face_[2]);
+      return;
+    }
+    places_.clear();
+    for (const Corner& corner : corners_) places_.push_back(positions_[corner.position]);
+    triangles_.clear();
+    triangulate(places_, triangles_);
+    for (const auto& t : triangles_) {
+      target.mesh.indices.emplace_back(face_[t[0]], face_[t[1]], face_[t[2]]);
     }
   }
 
@@ -222,7 +229,10 @@ class ObjReader {
   std::vector<Vec3> colors_;  ///< as in the file, of the positions up to the last that has one
   std::vector<Vec2> uvs_;
   CornerTable vertices_;
-  std::vector<Corner> corners_;
+  std::vector<Corner> corners_;  ///< of the face that is read, and what is made of it:
+  std::vector<unsigned> face_;
+  std::vector<Vec3> places_;
+  std::vector<std::array<std::uint32_t, 3>> triangles_;
   bool has_faces_ = false;
 };
 

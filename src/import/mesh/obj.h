@@ -8,11 +8,11 @@
 #include "scene/desc/shape_data.h"
 
 /// Wavefront OBJ files: `v`, `vt`, `vn`, `f`, `usemtl` and `mtllib`; curves and smoothing groups
-/// are skipped. Polygons are fanned into triangles, faces of fewer than three corners left out.
-/// Texture coordinates stay as they are, v from the bottom row of an image, as textures have it.
-/// Numbers are not judged: see `validate_mesh`. Both raise SceneError, with line and column, for
-/// what is no number, for faces that refer to what the file does not have before them, and if there
-/// are no faces. Source: Wavefront, Advanced Visualizer manual, appendix B1.
+/// are skipped. Polygons become triangles (`polygon.h`); those of fewer than three corners are left
+/// out. Texture coordinates stay as they are, v from the bottom row of an image, as textures have
+/// it. Numbers are not judged: see `validate_mesh`. Both raise SceneError, with line and column,
+/// for what is no number, for faces that refer to what the file does not have before them, and if
+/// there are no faces. Source: Wavefront, Advanced Visualizer manual, appendix B1.
 namespace ajar {
 
 /// All faces of all groups as one mesh. Corners with the same three indices become one vertex; a

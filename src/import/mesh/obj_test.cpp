@@ -30,6 +30,20 @@ TEST(Obj, PolygonsAreFannedAndTextureCoordinatesKept) {
   EXPECT_EQ(mesh.indices, (std::vector<Triangle>{{0, 1, 2}, {0, 2, 3}}));
 }
 
+TEST(Obj, PolygonsWithADentAreCutAtIt) {
+  // A fan from the first corner would cover (0 0.5 0), which is outside.
+  const desc::Mesh mesh =
+      read_obj("v 0 2 0\nv -1 0 0\nv 0 1 0\nv 1 0 0\nv 0 0 0\nf 2 3 4 1\n", "m.obj");
+  double area = 0.0;
+  for (const Triangle& t : mesh.indices) {
+    const Vec3 a = mesh.positions[t.x];
+    area += 0.5F * cross(mesh.positions[t.y] - a, mesh.positions[t.z] - a).z;
+  }
+  EXPECT_EQ(mesh.indices.size(), 2U);
+  EXPECT_NEAR(area, 1.0, 1e-6);
+  for (const Triangle& t : mesh.indices) EXPECT_TRUE(t.x == 1 || t.y == 1 || t.z == 1) << t;
+}
+
 TEST(Obj, NegativeIndicesCountBackwardsFromTheFace) {
   const desc::Mesh mesh = read_obj(
       "v 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -1\nv 5 0 0\nv 6 0 0\nv 5 1 0\nf -3 -2 -1\n", "m.obj");

@@ -10,6 +10,7 @@
 #include "import/mesh/gzip.h"
 #include "import/mesh/ply_cursor.h"
 #include "import/mesh/ply_header.h"
+#include "import/mesh/polygon.h"
 
 namespace ajar {
 namespace {
@@ -336,8 +337,19 @@ class PlyReader {
       }
       polygon.push_back(static_cast<unsigned>(*value));
     }
-    for (std::size_t i = 2; i < polygon.size(); ++i) {
-      mesh_.indices.emplace_back(polygon[0], polygon[i - 1], polygon[i]);
+    if (polygon.size() == 3) {
+      mesh_.indices.emplace_back(polygon[0], polygon[1], polygon[2]);
+      return;
+    }
+    // Vertices that are not there are an error later, and may follow the faces.
+    places_.clear();
+    for (const unsigned vertex : polygon) {
+      places_.push_back(vertex < mesh_.positions.size() ? mesh_.positions[vertex] : Vec3(0.F));
+    }
+    triangles_.clear();
+    triangulate(places_, triangles_);
+    for (const auto& t : triangles_) {
+      mesh_.indices.emplace_back(polygon[t[0]], polygon[t[1]], polygon[t[2]]);
     }
   }
 
@@ -351,6 +363,8 @@ class PlyReader {
   bool has_uvs_ = false;
   bool has_colors_ = false;
   std::vector<Vec3> colors_;
+  std::vector<Vec3> places_;  ///< of a face, and what is made of it
+  std::vector<std::array<std::uint32_t, 3>> triangles_;
 };
 
 void append(std::string& out, const void* data, std::size_t size) {

@@ -90,6 +90,9 @@ std::optional<Geometry> make_geometry(Arguments& arguments, MeshLoader& meshes) 
   if (type == "obj" || type == "ply" || type == "serialized") {
     return make_mesh_geometry(arguments, meshes);
   }
+  if (type == "hair" || type == "linearcurve" || type == "bsplinecurve") {
+    return make_curve_geometry(arguments);
+  }
   if (type == "rectangle") return rectangle();
   if (type == "cube") return cube();
   if (type == "sphere") return sphere(arguments);
@@ -97,8 +100,8 @@ std::optional<Geometry> make_geometry(Arguments& arguments, MeshLoader& meshes) 
   if (type == "cylinder") return cylinder(arguments);
   arguments.accept_all();
   static const std::vector<std::string> kKnown = {
-      "obj",  "ply",      "serialized", "rectangle",  "cube", "sphere",
-      "disk", "cylinder", "instance",   "shapegroup", "merge"};
+      "obj",      "ply",  "serialized",  "rectangle",    "cube",     "sphere",     "disk",
+      "cylinder", "hair", "linearcurve", "bsplinecurve", "instance", "shapegroup", "merge"};
   return skip(arguments, unknown_name_message("shape", printable(type), kKnown));
 }
 

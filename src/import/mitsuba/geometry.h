@@ -22,4 +22,8 @@ std::optional<Geometry> make_geometry(Arguments& arguments, MeshLoader& meshes);
 /// obj, ply and serialized.
 std::optional<Geometry> make_mesh_geometry(Arguments& arguments, MeshLoader& meshes);
 
+// In curve_geometry.cpp:
+/// hair, linearcurve and bsplinecurve.
+std::optional<Geometry> make_curve_geometry(Arguments& arguments);
+
 }  // namespace ajar::mitsuba

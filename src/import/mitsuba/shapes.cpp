@@ -18,6 +18,7 @@ constexpr WarningKind kGroupedLight{
     Effect::Light, "shapes of groups cannot be lights: their emission is left out"};
 constexpr WarningKind kEmitter{Effect::Light,
                                "emitters of shapes are not supported: left out, or area lights"};
+constexpr WarningKind kUnlitCurves{Effect::Light, "curves cannot shine: their emission is ignored"};
 constexpr WarningKind kSubsurface{Effect::Surface,
                                   "shapes have subsurface scattering, which is not supported"};
 constexpr WarningKind kBack{
@@ -69,6 +70,11 @@ void ShapeBuilder::add_to(const Element& element, std::vector<desc::Shape>& shap
   if (!geometry) return;
   shape.name = element.id.empty() ? geometry->name : element.id;
   shape.node = std::move(geometry->node);
+  if (shape.emission && shape.node.is("curves")) {
+    context_.warnings.add(kUnlitCurves, shape.emission->where,
+                          "curves cannot shine: their emission is ignored");
+    shape.emission.reset();
+  }
   shape.to_world = geometry->to_shape * to_world;
   if (!inverse(shape.to_world)) {
     context_.warnings.add(kFlat, element.where,

@@ -162,7 +162,7 @@ TEST(MitsubaShapes, TexturesOfDisksAreRemarked) {
 }
 
 TEST(MitsubaShapes, WhatCannotBeDrawnIsLeftOut) {
-  EXPECT_TRUE(contains(warnings_of("<shape type=\"hair\"/>"), "unknown shape \"hair\""));
+  EXPECT_TRUE(contains(warnings_of("<shape type=\"sdfgrid\"/>"), "unknown shape \"sdfgrid\""));
   EXPECT_TRUE(contains(warnings_of("<shape type=\"sphere\"><transform name=\"to_world\"><scale "
                                    "x=\"0\"/></transform></shape>"),
                        "cannot be inverted"));

@@ -6,6 +6,7 @@
 #include "core/error.h"
 #include "core/printable_text.h"
 #include "import/mesh/text_lines.h"
+#include "import/obj/material_text.h"
 #include "import/obj/words.h"
 
 namespace ajar::obj {
@@ -16,17 +17,13 @@ constexpr WarningKind kOddLibrary{Effect::Slight, "files of materials have contr
 
 /// Where each material begins.
 std::map<std::string, SourceLocation> places_of(std::string_view text, const std::string& name) {
-  constexpr std::string_view kKeyword = "newmtl";
   const auto file = std::make_shared<const std::string>(name);
   std::map<std::string, SourceLocation> places;
-  for (int line = 1; !text.empty(); ++line) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    const std::string words = trimmed(text.substr(0, end));
-    if (words.starts_with(kKeyword)) {
-      places.try_emplace(trimmed(std::string_view(words).substr(kKeyword.size())),
-                         SourceLocation{file, line, 1});
-    }
-    text.remove_prefix(std::min(end + 1, text.size()));
+  TextLines lines(text);
+  while (lines.next()) {
+    LineWords words(lines.line());
+    if (words.word() != "newmtl") continue;
+    places.try_emplace(std::string(words.rest()), SourceLocation{file, lines.number(), 1});
   }
   return places;
 }
@@ -55,7 +52,7 @@ void Library::load(const SourceLocation& where, std::string_view names) {
 bool Library::load_if_there(const std::string& file, std::string& reason) {
   try {
     const FileBytes bytes = files_.load(files_.resolve_inside(portable_path(file)));
-    std::istringstream stream{std::string(bytes.view())};
+    std::istringstream stream{understood_materials(bytes.view(), file, warnings_)};
     std::map<std::string, int> numbers;
     std::vector<tinyobj::material_t> materials;
     std::string remarks;

@@ -113,6 +113,37 @@ TEST(Obj, PhysicallyBasedMaterialsArePrincipled) {
   EXPECT_EQ(node.number("metallic"), 0.7F);
 }
 
+TEST(Obj, OneNumberForAColorIsAGrey) {
+  EXPECT_EQ(material_of("Kd .25\n").color("reflectance"), Vec3(0.25F));
+  EXPECT_EQ(material_of("Kd .25 .5 .75 # three\n").color("reflectance"), Vec3(0.25F, 0.5F, 0.75F));
+}
+
+TEST(Obj, ImagesWithoutAFactorHaveOne) {
+  for (const char* word : {"map_Kd", "Kd 1 1 1\nmap_Kd"}) {
+    const desc::SceneDesc scene = with_material(std::string(word) + " oak.png\n");
+    const desc::Node& node =
+        scene.materials.at(static_cast<std::size_t>(scene.shapes[0].material)).node;
+    EXPECT_TRUE(texture_at(scene, node.texture("reflectance")).is("image")) << word;
+  }
+  EXPECT_TRUE(material_of("Kd 0 0 0\nKs .5 .5 .5\nNs 10\n").is("coated_diffuse"))
+      << "gloss without a model";
+}
+
+TEST(Obj, ValuesOfMaterialsThatAreNoneAreWarnings) {
+  const std::string text =
+      warnings_of(kTexturedFace,
+                  {{"/scene/a.mtl",
+                    "\xEF\xBB\xBFnewmtl m\nKd spectral a.rfl\nd -halo .3\nKs 2 0 0\nnewmtl m\n"}});
+  for (const char* part :
+       {"a.mtl:2:1: the value of \"Kd\" is no number: \"spectral a.rfl\" is ignored",
+        "a.mtl:3:1: the value of \"d\" is no number", "a.mtl:4:1: \"Ks\" must be between 0 and 1",
+        "a.mtl:5:1: there is a material \"m\" before this one"}) {
+    EXPECT_TRUE(contains(text, part)) << part << "\n" << text;
+  }
+  EXPECT_FALSE(contains(text, "unknown material")) << text;
+  EXPECT_TRUE(material_of("Kd 1 1 1\nTr 0\n").is("diffuse"));
+}
+
 TEST(Obj, NormalMapsAreVectorsAndBumpsAreWarnings) {
   const Files files = {{"/scene/a.mtl", "newmtl m\nd .5\nnorm n.png\n"}, {"/scene/n.png", ""}};
   const desc::SceneDesc scene = scene_of(kTexturedFace, files);

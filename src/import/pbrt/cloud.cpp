@@ -30,6 +30,18 @@ Vec3 wanted_cells(const Cloud& cloud) {
   return cells;
 }
 
+/// Of the lattice that is made, along the axes.
+desc::Vec3i cells_of(const Cloud& cloud) {
+  const Vec3 wanted = wanted_cells(cloud);
+  desc::Vec3i cells;
+  for (int i = 0; i < 3; ++i) {
+    // What is no number asks for one cell.
+    cells[i] = static_cast<int>(
+        std::clamp(wanted[i] >= 1.F ? wanted[i] : 1.F, 1.F, static_cast<float>(kMostCells)));
+  }
+  return cells;
+}
+
 }  // namespace
 
 float Cloud::at(const Vec3& p) const {
@@ -61,18 +73,22 @@ bool is_finer_than_grids(const Cloud& cloud) {
   return !(std::max({cells.x, cells.y, cells.z}) <= static_cast<float>(kMostCells));
 }
 
+std::uint64_t grid_bytes(const Cloud& cloud) {
+  const desc::Vec3i cells = cells_of(cloud);
+  std::uint64_t bytes = sizeof(float);
+  for (int i = 0; i < 3; ++i) bytes *= static_cast<std::uint64_t>(cells[i]) + 1;
+  return bytes;
+}
+
 desc::DensityGrid tabulate(const Cloud& cloud) {
   desc::DensityGrid grid;
   grid.points = desc::DensityGrid::Points::Corners;
   grid.border = desc::DensityGrid::Border::Clamp;
-  const Vec3 wanted = wanted_cells(cloud);
+  const desc::Vec3i cells = cells_of(cloud);
   Vec3 step(0.F);
   for (int i = 0; i < 3; ++i) {
-    // What is no number asks for one cell.
-    const float cells =
-        std::clamp(wanted[i] >= 1.F ? wanted[i] : 1.F, 1.F, static_cast<float>(kMostCells));
-    grid.resolution[i] = static_cast<int>(cells) + 1;
-    step[i] = (cloud.high[i] - cloud.low[i]) / cells;
+    grid.resolution[i] = cells[i] + 1;
+    step[i] = (cloud.high[i] - cloud.low[i]) / static_cast<float>(cells[i]);
   }
   const desc::Vec3i& n = grid.resolution;
   const auto row = static_cast<std::size_t>(n.x);

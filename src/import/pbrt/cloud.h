@@ -1,4 +1,6 @@
 #pragma once
+#include <cstdint>
+
 #include "scene/desc/density_grid.h"
 
 namespace ajar::pbrt {
@@ -14,6 +16,9 @@ struct Cloud {
 
 /// Whether a grid that shows the finest noise of the cloud is larger than one that is made.
 bool is_finer_than_grids(const Cloud& cloud);
+
+/// Of the grid that is made.
+std::uint64_t grid_bytes(const Cloud& cloud);
 
 /// The density at the points of a lattice, two for each period of the finest noise, or fewer. Its
 /// unit cube is the box.

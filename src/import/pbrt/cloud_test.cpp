@@ -42,6 +42,7 @@ TEST(PbrtCloud, IsInTheGridAsItIs) {
   const desc::DensityGrid grid = tabulate(cloud);
   // 2 · 2 · 1.99⁴ = 62.7 cells in a unit.
   EXPECT_EQ(grid.resolution, desc::Vec3i(64, 33, 33));
+  EXPECT_EQ(grid_bytes(cloud), sizeof(float) * grid.values.size());
   EXPECT_EQ(grid.values.front(), cloud.at(cloud.low));
   EXPECT_NEAR(grid.values.back(), cloud.at(cloud.high), 1e-4F);
   const std::size_t middle = (16U * 33U + 8U) * 64U + 21U;

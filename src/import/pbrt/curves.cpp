@@ -14,17 +14,6 @@ constexpr WarningKind kNormals{
 
 using Segment = CubicSegment<Vec3>;
 
-/// Bézier segment of a uniform cubic B-spline with control points p[0..3], by blossoming:
-/// neighbours compute their common point from the same numbers, so that it has the same bits in
-/// both.
-Segment cubic_spline_segment(const Vec3* p) {
-  const Vec3 p122 = lerp(2.F / 3.F, p[0], p[1]);
-  const Vec3 p223 = lerp(1.F / 3.F, p[1], p[2]);
-  const Vec3 p233 = lerp(2.F / 3.F, p[1], p[2]);
-  const Vec3 p334 = lerp(1.F / 3.F, p[2], p[3]);
-  return {lerp(0.5F, p122, p223), p223, p233, lerp(0.5F, p233, p334)};
-}
-
 /// Direction between two normals, at constant angular speed.
 Vec3 between(float t, const Vec3& from, const Vec3& to) {
   const Vec3 a = normalize(from);

@@ -4,6 +4,7 @@
 #include <array>
 #include <numeric>
 
+#include "core/available_memory.h"
 #include "import/common/density.h"
 #include "import/common/printable.h"
 #include "import/common/scattering_presets.h"
@@ -156,6 +157,9 @@ desc::Density read_cloud(Context& context, const SourceLocation& where, const st
         "the noise of this cloud is finer than the grids that are made of it: a coarser one "
         "stands in",
         printable(name));
+  }
+  if (const std::string shortage = memory_shortage(grid_bytes(cloud)); !shortage.empty()) {
+    throw SceneError(where, "the grid of this cloud " + shortage);
   }
   return make_density(
       tabulate(cloud),

@@ -23,6 +23,7 @@ constexpr WarningKind kUnknownTarget{Effect::Slight,
                                      "attributes are for unknown targets and ignored"};
 constexpr WarningKind kUnknownColorSpace{Effect::Surface,
                                          "colour spaces are unknown: those before stay"};
+constexpr WarningKind kHiddenLamp{Effect::Light, "lamps that should not be seen are seen"};
 constexpr WarningKind kTranslucentLamp{
     Effect::Light, "lamps are partly transparent by a texture: they shine as if they were not"};
 constexpr WarningKind kOpenBlock{Effect::Slight, "blocks have no end"};
@@ -387,6 +388,7 @@ desc::TextureId SceneBuilder::alpha(const ParameterList& parameters, std::string
 void SceneBuilder::make_partly_clear(const ParameterList& parameters, desc::Shape& shape) {
   const float number = std::clamp(parameters.get_float("alpha", 1.F), 0.F, 1.F);
   const bool is_textured = parameters.find_one("alpha", ParameterKind::Texture) != nullptr;
+  if (shape.emission && !is_textured && number == 0.F) return show_hidden_lamp(shape);
   if (is_textured ? shape.alpha == desc::kNone : number == 0.F || number == 1.F) return;
   if (shape.emission && is_textured) {
     warnings_.add(kTranslucentLamp, shape.where,
@@ -407,6 +409,16 @@ void SceneBuilder::make_partly_clear(const ParameterList& parameters, desc::Shap
     made->second = with_opacity(scene_, like, shape.material, opacity).material;
   }
   shape.material = made->second;
+}
+
+void SceneBuilder::show_hidden_lamp(desc::Shape& shape) {
+  warnings_.add(kHiddenLamp, shape.where,
+                "with \"alpha\" 0 this lamp shines but is not seen in pbrt-v4: here it is seen");
+  shape.alpha = desc::kNone;
+  desc::Material& clear = scene_.materials.emplace_back();
+  clear.where = shape.where;
+  clear.node = desc::material_node("interface");
+  shape.material = static_cast<desc::MaterialId>(scene_.materials.size()) - 1;
 }
 
 void SceneBuilder::emit(const SourceLocation& where, desc::Shape& shape) {

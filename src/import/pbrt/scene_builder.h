@@ -130,6 +130,8 @@ class SceneBuilder {
   void emit(const SourceLocation& where, desc::Shape& shape);
   /// pbrt-v4: of a shape with an "alpha" that is not 0 or 1 everywhere, the rest lets light pass.
   void make_partly_clear(const ParameterList& parameters, desc::Shape& shape);
+  /// pbrt-v4 has lamps that only light: ours are seen, and let light pass.
+  void show_hidden_lamp(desc::Shape& shape);
   void finish_realistic_camera();
 
   const DialectChoice choice_;

@@ -223,6 +223,17 @@ TEST(Pbrt4Options, ThatAreNotSupportedAreWarnings) {
   EXPECT_TRUE(contains(warnings("Accelerator \"octree\""), "unknown accelerator \"octree\""));
 }
 
+TEST(Pbrt4Lamps, ThatShouldNotBeSeenAreSeenInsteadOfLeftOut) {
+  Warnings warnings;
+  const desc::SceneDesc scene = import_with(
+      v4_world("AreaLightSource \"diffuse\" Shape \"disk\" \"float alpha\" 0"), warnings);
+  EXPECT_TRUE(contains(lines_of(warnings), "this lamp shines but is not seen in pbrt-v4"));
+  const desc::Shape& lamp = scene.shapes.at(0);
+  EXPECT_TRUE(lamp.emission);
+  EXPECT_EQ(lamp.alpha, desc::kNone);
+  EXPECT_TRUE(scene.materials.at(static_cast<std::size_t>(lamp.material)).node.is("interface"));
+}
+
 TEST(Pbrt4Media, ThatGlowAreDarkWithAWarning) {
   EXPECT_TRUE(contains(v4_warnings("MakeNamedMedium \"m\" \"string type\" \"uniformgrid\" \"float "
                                    "density\" 1 \"float temperature\" 900"),

@@ -7,7 +7,8 @@ namespace ajar::stl {
 namespace {
 
 desc::SceneDesc read_bytes(const SceneFile& file, Warnings& warnings, FileAccess& /*files*/) {
-  return scene_of_mesh(read_stl(file.bytes, file.name), {}, file, warnings, UpAxis::Z);
+  StlContents contents = read_stl(file.bytes, file.name);
+  return scene_of_mesh(std::move(contents.mesh), contents.colors, file, warnings, UpAxis::Z);
 }
 
 desc::SceneDesc read(const std::string& path, Warnings& warnings, const FileProvider& provider) {

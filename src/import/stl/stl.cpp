@@ -5,9 +5,11 @@
 #include <cstdint>
 #include <cstring>
 #include <memory>
+#include <utility>
 
 #include "core/error.h"
 #include "core/printable_text.h"
+#include "import/mesh/display_color.h"
 
 namespace ajar {
 namespace {
@@ -37,8 +39,46 @@ bool is_complete_binary(std::string_view bytes) {
   return (bytes.size() - kFirstRecord) / kRecordSize >= count_of(bytes);
 }
 
-desc::Mesh read_binary(std::string_view bytes) {
+/// What the two bytes behind a triangle say of its colour.
+class FacetColors {
+ public:
+  explicit FacetColors(std::string_view header) {
+    constexpr std::string_view kWord = "COLOR=";
+    const std::size_t place = header.find(kWord);
+    if (place == header.npos || place + kWord.size() + 3 > header.size()) return;
+    red_is_first_ = true;
+    for (int lane = 0; lane < 3; ++lane) {
+      const auto byte =
+          static_cast<unsigned char>(header[place + kWord.size() + static_cast<std::size_t>(lane)]);
+      usual_[lane] = static_cast<float>(byte) / 255.F;
+    }
+    has_some_ = true;
+  }
+
+  void add(std::uint16_t bits) {
+    constexpr unsigned kFlag = 1U << 15U;
+    const bool counts = ((bits & kFlag) != 0) != red_is_first_;
+    has_some_ |= counts;
+    Vec3 color = usual_;
+    for (int i = 0; counts && i < 3; ++i) {
+      constexpr float kFull = 31.F;
+      color[red_is_first_ ? i : 2 - i] =
+          static_cast<float>(bits >> (5U * static_cast<unsigned>(i)) & 31U) / kFull;
+    }
+    colors_.insert(colors_.end(), 3, from_display(color));
+  }
+  std::vector<Vec3> take() { return has_some_ ? std::move(colors_) : std::vector<Vec3>(); }
+
+ private:
+  bool red_is_first_ = false;
+  bool has_some_ = false;
+  Vec3 usual_{1.F};
+  std::vector<Vec3> colors_;  ///< of three vertices for each triangle
+};
+
+StlContents read_binary(std::string_view bytes) {
   desc::Mesh mesh;
+  FacetColors colors(bytes.substr(0, kHeaderSize));
   const std::uint32_t count = count_of(bytes);
   mesh.positions.reserve(std::size_t{3} * count);
   mesh.indices.reserve(count);
@@ -50,8 +90,11 @@ desc::Mesh read_binary(std::string_view bytes) {
                              {numbers[3], numbers[4], numbers[5]},
                              {numbers[6], numbers[7], numbers[8]}};
     add_triangle(mesh, corners);
+    std::uint16_t bits = 0;
+    std::memcpy(&bits, record + kRecordSize - sizeof(bits), sizeof(bits));
+    colors.add(bits);
   }
-  return mesh;
+  return {std::move(mesh), colors.take()};
 }
 
 /// Reads the words of an ASCII file.
@@ -145,9 +188,9 @@ class AsciiReader {
 
 }  // namespace
 
-desc::Mesh read_stl(std::string_view bytes, const std::string& name) {
+StlContents read_stl(std::string_view bytes, const std::string& name) {
   if (is_complete_binary(bytes)) return read_binary(bytes);
-  if (bytes.starts_with("solid")) return AsciiReader(bytes, name).read();
+  if (bytes.starts_with("solid")) return {AsciiReader(bytes, name).read(), {}};
   const SourceLocation where{std::make_shared<const std::string>(name), 0, 0};
   if (bytes.size() < kFirstRecord) {
     throw SceneError(where,

@@ -1,0 +1,122 @@
+#include "import/obj/material_text.h"
+
+#include <algorithm>
+#include <memory>
+#include <set>
+#include <vector>
+
+#include "core/printable_text.h"
+#include "import/mesh/text_lines.h"
+
+namespace ajar::obj {
+namespace {
+
+constexpr WarningKind kNoNumber{Effect::Surface, "values of materials are no numbers: ignored"};
+constexpr WarningKind kRange{Effect::Surface, "colours of materials are beyond 0 to 1: clamped"};
+constexpr WarningKind kTwice{Effect::Surface, "materials are there twice: the first counts"};
+
+template <typename Names>
+bool contains(const Names& names, std::string_view name) {
+  return std::find(std::begin(names), std::end(names), name) != std::end(names);
+}
+
+constexpr std::string_view kColors[] = {"Ka", "Kd", "Ks", "Ke", "Kt", "Tf"};
+constexpr std::string_view kShares[] = {"Kd", "Ks", "Kt", "Tf"};
+constexpr std::string_view kNumbers[] = {"Ni", "Ns", "d", "Tr", "Pr", "Pm", "illum"};
+
+class Text {
+ public:
+  Text(const std::string& name, Warnings& warnings)
+      : file_(std::make_shared<const std::string>(name)), warnings_(warnings) {}
+
+  void add(int number, std::string_view line) {
+    LineWords words(line);
+    const std::string keyword(words.word());
+    where_ = {file_, number, 1};
+    if (keyword == "newmtl") {
+      end_material();
+      begin_material(words.rest());
+    } else if (contains(kColors, keyword)) {
+      return add_color(keyword, words.rest(), line);
+    } else if (contains(kNumbers, keyword) && !has_number(keyword, words.rest())) {
+      return;
+    }
+    if (!keyword.empty()) words_.insert(keyword);
+    append(line);
+  }
+  std::string take() {
+    end_material();
+    return std::move(text_);
+  }
+
+ private:
+  void append(std::string_view line) {
+    text_ += line;
+    text_ += '\n';
+  }
+
+  void begin_material(std::string_view name) {
+    if (materials_.insert(std::string(name)).second) return;
+    const std::string shown = printable_line(name);
+    warnings_.add(kTwice, where_,
+                  "there is a material \"" + shown + "\" before this one, which counts", shown);
+  }
+
+  void end_material() {
+    if (words_.contains("map_Kd") && !words_.contains("Kd")) append("Kd 1 1 1");
+    if (words_.contains("map_Ks") && !words_.contains("Ks")) append("Ks 1 1 1");
+    const bool has_gloss = words_.contains("Ks") || words_.contains("map_Ks");
+    if (has_gloss && !words_.contains("illum")) append("illum 2");
+    words_.clear();
+  }
+
+  bool has_number(const std::string& keyword, std::string_view values) {
+    LineWords words(values);
+    if (number_in(words.word())) return true;
+    warnings_.add(kNoNumber, where_,
+                  "the value of \"" + keyword + "\" is no number: \"" + printable_line(values) +
+                      "\" is ignored",
+                  keyword);
+    return false;
+  }
+
+  void add_color(const std::string& keyword, std::string_view values, std::string_view line) {
+    if (!has_number(keyword, values)) return;
+    words_.insert(keyword);
+    std::vector<float> numbers;
+    LineWords words(values);
+    for (std::string_view word = words.word(); numbers.size() < 3; word = words.word()) {
+      const std::optional<float> number = number_in(word);
+      if (!number) break;
+      numbers.push_back(*number);
+    }
+    constexpr float kRounding = 1e-4F;
+    const auto is_beyond = [](float v) { return !(v >= -kRounding && v <= 1.F + kRounding); };
+    if (contains(kShares, keyword) && std::any_of(numbers.begin(), numbers.end(), is_beyond)) {
+      warnings_.add(kRange, where_, "\"" + keyword + "\" must be between 0 and 1: clamped",
+                    keyword);
+    }
+    if (numbers.size() > 1) return append(line);
+    const std::string grey(LineWords(values).word());
+    append(keyword + " " + grey + " " + grey + " " + grey);
+  }
+
+  std::shared_ptr<const std::string> file_;
+  Warnings& warnings_;
+  SourceLocation where_;  ///< of the line
+  std::string text_;
+  std::set<std::string, std::less<>> words_;  ///< of the material
+  std::set<std::string, std::less<>> materials_;
+};
+
+}  // namespace
+
+std::string understood_materials(std::string_view text, const std::string& name,
+                                 Warnings& warnings) {
+  Text result(name, warnings);
+  TextLines lines(text);
+  while (lines.next()) result.add(lines.number(), lines.line());
+  return result.take();
+}
+
+}  // namespace ajar::obj

@@ -1,0 +1,20 @@
+#pragma once
+#include <string>
+#include <string_view>
+
+#include "core/warnings.h"
+
+namespace ajar::obj {
+
+/// A material file with what tinyobjloader takes in another way said as it takes it:
+///
+/// - one number for a colour is a grey, not a red,
+/// - an image without its factor has the factor 1,
+/// - a colour of gloss without `illum` is a material with gloss.
+///
+/// Lines whose value is no number, as `Kd spectral` and `d -halo`, are left out, with a warning.
+/// There are warnings of colours beyond 0 to 1, and of materials that are there twice.
+std::string understood_materials(std::string_view text, const std::string& name,
+                                 Warnings& warnings);
+
+}  // namespace ajar::obj
