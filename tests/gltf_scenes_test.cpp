@@ -135,6 +135,30 @@ TEST_F(Gltf, EmissionIsRadianceOfTheFrontUnlessDoubleSided) {
   expect_color(picture().mean(), {1, 2, 3});
 }
 
+TEST_F(Gltf, WallsGoWhereWeightsAndJointsMoveThem) {
+  add_square(shining({0.1, 0.2, 0.3}, 10));
+  Json& primitive = json_["meshes"][0]["primitives"][0];
+  const std::vector<float> shift = {4, 0, 0, 4, 0, 0, 4, 0, 0, 4, 0, 0};
+  primitive["targets"] = Json::array({{{"POSITION", add_accessor(shift, "VEC3", 4)}}});
+  const auto expect_seen = [&](bool left, bool right) {
+    const TinyPicture seen = picture(16);
+    expect_color(seen.mean(0.F, 0.45F), left ? Vec3(1, 2, 3) : Vec3(0.F), 1e-3F);
+    expect_color(seen.mean(0.55F, 1.F), right ? Vec3(1, 2, 3) : Vec3(0.F), 1e-3F);
+  };
+  expect_seen(true, true);
+  json_["meshes"][0]["weights"] = {0.5};
+  expect_seen(false, true);
+  // A joint that is 4 to the left of where it was bound, and so 2 to the left in all.
+  primitive["attributes"]["JOINTS_0"] =
+      add_accessor(std::vector<std::uint8_t>(16, 0), "VEC4", 4, 5121);
+  const std::vector<float> whole = {1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0};
+  primitive["attributes"]["WEIGHTS_0"] = add_accessor(whole, "VEC4", 4);
+  json_["nodes"].push_back({{"translation", {-4, 0, 0}}});
+  json_["skins"] = Json::array({{{"joints", {json_["nodes"].size() - 1}}}});
+  json_["nodes"][1]["skin"] = 0;
+  expect_seen(true, false);
+}
+
 TEST_F(Gltf, PointLightLightsAWallByTheInverseSquare) {
   // E = I / d² of I candela; the diffuse part of Burley 2012 is a share 1 / π where light comes
   // back.

@@ -74,6 +74,62 @@ TEST(TungstenScenes, EmissionIsRadianceAndPowerIsFlux) {
                Vec3(1.F / kPi), 1e-4F);
 }
 
+/// A tube of the radius 1/2 across the picture, in Tungsten's file of curves.
+std::string file_of_tube() {
+  std::string bytes =
+      "\x80\xBF\x80"
+      "FIBER";
+  const auto add = [&](auto value) {
+    bytes.append(reinterpret_cast<const char*>(&value), sizeof(value));
+  };
+  const auto attribute = [&](std::string name, std::uint16_t of_curves, std::uint8_t type,
+                             std::uint8_t lanes, std::uint64_t size) {
+    name += '\0';
+    add(std::uint64_t{20 + name.size()});
+    add(size);
+    add(of_curves);
+    add(type);
+    add(lanes);
+    bytes += name;
+  };
+  add(std::uint32_t{1});  // version 1.0
+  add(std::uint32_t{0});
+  for (const std::uint64_t number : {40, 4, 1}) add(number);
+  attribute("num_vertices", 1, 3, 1, 2);
+  add(std::uint16_t{4});
+  attribute("position", 0, 8, 3, 48);
+  for (const float y : {-9.F, -3.F, 3.F, 9.F}) {
+    for (const float value : {0.F, y, 0.F}) add(value);
+  }
+  attribute("width", 0, 8, 1, 4);
+  add(0.5F);
+  add(std::uint64_t{0});
+  return bytes;
+}
+
+TEST(TungstenScenes, CurvesAreTubesOfTheirWidthAsRadius) {
+  const std::string file = file_of_tube();
+  const TinyPicture picture = test::picture_of(
+      [&](Warnings& warnings) {
+        return import_tungsten_text(
+            test::with_quotes("{" + camera(5.F, 2.F) +
+                              ", 'bsdfs': [{'name': 'm', 'type': 'lambert', 'albedo': 0.5}], "
+                              "'primitives': [{'type': 'curves', 'file': 'tube.fiber', 'bsdf': "
+                              "'m'}, {'type': 'infinite_sphere', 'emission': 1}]}"),
+            "test.json", ".", warnings,
+            [&](const std::string& path) -> std::optional<std::string_view> {
+              if (path.ends_with("tube.fiber")) return file;
+              return std::nullopt;
+            });
+      },
+      256);
+  // Nothing else hides the sky from a tube. Its outline is at r / √(d² − r²) of the distance.
+  const float share = 5.F * 0.5F / std::sqrt(25.F - 0.25F);
+  expect_color(picture.mean(0.3F, 0.7F), Vec3(0.5F), 0.01F);
+  expect_color(picture.mean(0.F, 0.2F), Vec3(1.F), 1e-4F);
+  expect_color(picture.mean(), Vec3(1.F - 0.5F * share), 0.01F);
+}
+
 TEST(TungstenScenes, ShapesEmitFromTheirOutsideOnly) {
   for (const char* shape : {"'type': 'sphere'", "'type': 'cube'", "'type': 'cylinder'",
                             "'type': 'sphere', 'transform': {'scale': [-1, 1, 1]}",

@@ -1,5 +1,7 @@
 #include "import/gltf/materials.h"
 
+#include <algorithm>
+
 #include "import/common/studio.h"
 #include "import/gltf/surface_reader.h"
 
@@ -13,7 +15,13 @@ std::optional<Element> Materials::find(const Element& primitive) const {
 
 bool Materials::has_textures(const Element& primitive) const {
   const std::optional<Element> material = find(primitive);
-  return material && material->mentions("Texture");
+  if (!material) return false;
+  const std::vector<std::string> names = material->names();
+  return std::any_of(names.begin(), names.end(), [&](const std::string& name) {
+    // That of occlusion is not read.
+    if (name == "occlusionTexture" || name == "extras") return false;
+    return name.ends_with("Texture") || material->at(name).mentions("Texture");
+  });
 }
 
 const Surface& Materials::of(const Element& primitive, const VertexColors* colors) {

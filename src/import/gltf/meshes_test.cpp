@@ -184,6 +184,15 @@ TEST(GltfMeshes, ColorsOfVerticesAreAnImageOfTheirOwn) {
   EXPECT_EQ(shape.node.mesh("mesh")->uvs.size(), 3U);
 }
 
+TEST(GltfMeshes, ColorsOfVerticesAreShownBesideATextureOfOcclusion) {
+  TestFile file =
+      colored({1, 0, 0, 0, 1, 0, 0, 0, 1}, "VEC3", {{"occlusionTexture", {{"index", 0}}}});
+  file.add("images", {{"uri", "a.png"}});
+  file.add("textures", {{"source", 0}});
+  const desc::SceneDesc scene = scene_of(file);
+  EXPECT_EQ(scene.embedded_files.size(), 1U);
+}
+
 TEST(GltfMeshes, ColorsOfVerticesThatCannotBeShownAreWarnings) {
   EXPECT_TRUE(contains(warnings_of(colored({1, 0, 0, 0, 1, 0}, "VEC3")),
                        "#/meshes/0/primitives/0/attributes/COLOR_0: there are 2 colours for 3 "

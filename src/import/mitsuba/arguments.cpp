@@ -1,6 +1,7 @@
 #include "import/mitsuba/arguments.h"
 
 #include <algorithm>
+#include <map>
 
 #include "import/common/printable.h"
 #include "import/mitsuba/names.h"
@@ -11,6 +12,7 @@ namespace {
 
 constexpr WarningKind kOtherKind{Effect::Surface,
                                  "properties are of another kind than expected and ignored"};
+constexpr WarningKind kSameProperty{Effect::Surface, "properties are there twice: the last counts"};
 constexpr WarningKind kUnknownProperty{Effect::Slight, "properties are unknown and ignored"};
 
 }  // namespace
@@ -162,9 +164,18 @@ void Arguments::report_unused() const {
                               ": ignored",
                           shown);
   };
+  std::map<std::string_view, std::size_t> last;
+  for (std::size_t i = 0; i < used_properties_.size(); ++i) last[element_.properties[i].name] = i;
   for (std::size_t i = 0; i < used_properties_.size(); ++i) {
     const Property& property = element_.properties[i];
-    if (!used_properties_[i]) report(property.where, property.name);
+    if (!used_properties_[i]) {
+      report(property.where, property.name);
+    } else if (last[property.name] != i) {
+      const std::string shown = printable(spelled(property.name));
+      context_.warnings.add(kSameProperty, property.where,
+                            owner + " has another \"" + shown + "\", which counts instead of this",
+                            shown);
+    }
   }
   for (std::size_t i = 0; i < used_children_.size(); ++i) {
     const Child& child = element_.children[i];

@@ -230,5 +230,32 @@ TEST(MitsubaLanguage, AttributesAndPropertiesThatMeanNothingAreWarnings) {
       "\"gamma\" is not supported");
 }
 
+TEST(MitsubaLanguage, WhatIsThereTwiceIsAWarning) {
+  EXPECT_TRUE(
+      contains(warnings_of("<shape type=\"sphere\"><float name=\"radius\" value=\"1\"/><float "
+                           "name=\"radius\" value=\"2\"/></shape>"),
+               "test.xml:2:22: <shape type=\"sphere\"> has another \"radius\", which counts "
+               "instead of this"));
+  EXPECT_TRUE(contains(warnings_of("<integrator type=\"path\"/><integrator type=\"direct\"/>"),
+                       "there is more than one integrator: this one is ignored"));
+}
+
+TEST(MitsubaLanguage, SpectraThatAreUnknownHaveAStandIn) {
+  const auto radiance = [](const std::string& spectrum, Warnings& warnings) {
+    const desc::SceneDesc scene =
+        import_with(world("<emitter type=\"constant\">" + spectrum + "</emitter>"), warnings);
+    return scene.lights.at(0).node.color("radiance");
+  };
+  Warnings none;
+  EXPECT_EQ(radiance("<spectrum name=\"radiance\" type=\"rawconstant\"><rgb name=\"value\" "
+                     "value=\"1,2,3\"/></spectrum>",
+                     none),
+            Vec3(1, 2, 3));
+  expect_none(none);
+  Warnings warnings;
+  radiance("<spectrum name=\"radiance\" type=\"rainbow\"/>", warnings);
+  EXPECT_TRUE(contains(lines_of(warnings), "unknown spectrum \"rainbow\""));
+}
+
 }  // namespace
 }  // namespace ajar::mitsuba

@@ -11,6 +11,8 @@ namespace {
 constexpr WarningKind kNoSensor{Effect::Light, "scenes have no sensor"};
 constexpr WarningKind kNotReferred{Effect::Slight, "things are in nothing and have no id: ignored"};
 constexpr WarningKind kNoShapes{Effect::Geometry, "scenes have no shapes"};
+constexpr WarningKind kMoreIntegrators{Effect::None,
+                                       "integrators are ignored: the first one is used"};
 constexpr WarningKind kMoreSensors{Effect::None, "sensors are ignored: the first one is used"};
 
 void read_sensors(Context& context, MediumTable& media, Arguments& scene) {
@@ -39,8 +41,14 @@ desc::SceneDesc build_scene(const Document& document, SearchPath& files, Warning
   ShapeBuilder shapes(context, textures, materials, media, meshes);
 
   read_sensors(context, media, arguments);
-  for (const Element* integrator : arguments.children("integrator")) {
-    read_integrator(context, *integrator);
+  const std::vector<const Element*> integrators = arguments.children("integrator");
+  for (std::size_t i = 0; i < integrators.size(); ++i) {
+    if (i > 0) {
+      warnings.add(kMoreIntegrators, integrators[i]->where,
+                   "there is more than one integrator: this one is ignored");
+    } else {
+      read_integrator(context, *integrators[i]);
+    }
   }
   for (const Element* shape : arguments.children("shape")) shapes.add(*shape);
   for (const Element* emitter : arguments.children("emitter")) {

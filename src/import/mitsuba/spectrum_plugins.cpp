@@ -9,6 +9,8 @@
 namespace ajar::mitsuba {
 namespace {
 
+constexpr WarningKind kUnknownSpectrum{Effect::Surface, "spectra are unknown: others stand in"};
+
 /// Wavelengths and values, written side by side or, at even steps, from one to another.
 desc::Rgb sampled(Arguments& arguments) {
   const auto list = [&](const char* name) {
@@ -55,10 +57,16 @@ desc::Rgb evaluate_spectrum(Context& context, const Element& element) {
              arguments.number("scale", 1.F);
     }
     if (element.type == "irregular" || element.type == "regular") return sampled(arguments);
-    throw SceneError(element.where, unknown_name_message("spectrum", printable(element.type),
-                                                         std::vector<std::string>{
-                                                             "uniform", "d65", "srgb", "blackbody",
-                                                             "irregular", "regular"}));
+    const desc::Rgb value = arguments.color("value").value_or(desc::Rgb(1.F));
+    if (element.type == "rawconstant") return value;
+    static const std::vector<std::string> kKnown = {
+        "uniform", "d65", "srgb", "blackbody", "irregular", "regular", "rawconstant"};
+    context.warnings.add(kUnknownSpectrum, element.where,
+                         unknown_name_message("spectrum", printable(element.type), kKnown) +
+                             ". Its \"value\", or 1, stands in",
+                         printable(element.type));
+    arguments.accept_all();
+    return value;
   };
   const desc::Rgb color = evaluate();
   arguments.accept({"unbounded", "wavelength_min", "wavelength_max"});

@@ -16,8 +16,8 @@ constexpr WarningKind kImageFilter{Effect::Slight, "textures have an unknown fil
 constexpr WarningKind kChannel{Effect::Surface,
                                "textures use a channel of an image that is not supported: all"};
 
-const std::vector<std::string> kKnownTextures = {"bitmap", "checkerboard", "scale", "uniform",
-                                                 "srgb"};
+const std::vector<std::string> kKnownTextures = {"bitmap",  "checkerboard", "scale",
+                                                 "uniform", "srgb",         "rawconstant"};
 
 desc::Node constant(const desc::Rgb& value) {
   return desc::texture_node("constant", {{"value", Vec3(value)}});
@@ -100,7 +100,7 @@ desc::Node TextureTable::read(const Element& element) {
     if (element.type == "bitmap") return bitmap(arguments);
     if (element.type == "checkerboard") return checkerboard(arguments);
     if (element.type == "scale") return scale(arguments);
-    if (element.type == "uniform" || element.type == "srgb") {
+    if (element.type == "uniform" || element.type == "srgb" || element.type == "rawconstant") {
       return constant(
           arguments.color(element.type == "srgb" ? "color" : "value").value_or(desc::Rgb(1.F)));
     }
