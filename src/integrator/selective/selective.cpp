@@ -71,7 +71,10 @@ bool divides_regions(const Parameters& parameters) {
 void check_division(const Parameters& parameters) {
   for (const ParameterSpec& spec : selective_parameters()) {
     if (parameters.matters(spec) || !parameters.given().contains(spec.name)) continue;
-    throw UsageError(spec.name + ": only with " + spec.depends_on + "=" + spec.matters_for.front());
+    std::string values = spec.matters_for.front();
+    for (std::size_t i = 1; i < spec.matters_for.size(); ++i)
+      values += " or " + spec.matters_for[i];
+    throw UsageError(spec.name + ": only with " + spec.depends_on + "=" + values);
   }
 }
 
