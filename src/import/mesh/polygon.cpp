@@ -27,8 +27,7 @@ Vec3d mean_normal(std::span<const Vec3> corners) {
 
 /// As seen against the normal, so that they are counterclockwise; distances along its largest axis
 /// are left out, which keeps what is inside of what.
-std::vector<Point> projected(std::span<const Vec3> corners) {
-  const Vec3d normal = mean_normal(corners);
+std::vector<Point> projected(std::span<const Vec3> corners, const Vec3d& normal) {
   int axis = 0;
   for (int i = 1; i < 3; ++i) {
     if (std::abs(normal[i]) > std::abs(normal[axis])) axis = i;
@@ -43,10 +42,16 @@ std::vector<Point> projected(std::span<const Vec3> corners) {
   return points;
 }
 
-bool is_convex(const std::vector<Point>& points) {
-  const std::size_t n = points.size();
-  for (std::size_t i = 0; i < n; ++i) {
-    if (doubled_area(points[i], points[(i + 1) % n], points[(i + 2) % n]) < 0.0) return false;
+/// As seen along the normal. Takes no memory: most polygons are.
+bool is_convex(std::span<const Vec3> corners, const Vec3d& normal) {
+  const std::size_t n = corners.size();
+  Vec3d here(corners[n - 1]);
+  Vec3d arriving = here - Vec3d(corners[n - 2]);
+  for (const Vec3& corner : corners) {
+    const Vec3d leaving = Vec3d(corner) - here;
+    if (arriving.cross(leaving).dot(normal) < 0.0) return false;
+    here = Vec3d(corner);
+    arriving = leaving;
   }
   return true;
 }
@@ -111,8 +116,11 @@ class EarCutter {
 void triangulate(std::span<const Vec3> corners,
                  std::vector<std::array<std::uint32_t, 3>>& triangles) {
   if (corners.size() > 3 && corners.size() <= kMostCorners) {
-    const std::vector<Point> points = projected(corners);
-    if (!is_convex(points)) return EarCutter(points, triangles).cut();
+    const Vec3d normal = mean_normal(corners);
+    if (!is_convex(corners, normal)) {
+      const std::vector<Point> points = projected(corners, normal);
+      return EarCutter(points, triangles).cut();
+    }
   }
   for (std::uint32_t i = 2; i < corners.size(); ++i) triangles.push_back({0, i - 1, i});
 }
