@@ -9,6 +9,10 @@ namespace ajar::gltf {
 namespace {
 
 constexpr WarningKind kUnread{Effect::Surface, "extensions of materials are not read"};
+constexpr WarningKind kUnknownMaterial{Effect::Surface,
+                                       "extensions of materials are not known and ignored"};
+constexpr WarningKind kUnknownLight{Effect::Light,
+                                    "extensions of lights are not known and ignored"};
 constexpr WarningKind kUnknownExtension{Effect::Slight, "extensions are not known and ignored"};
 
 constexpr std::array<std::string_view, 17> kRead = {"EXT_mesh_gpu_instancing",
@@ -57,6 +61,13 @@ const Unread* find_unread(std::string_view name) {
   return found == kUnreadExtensions.end() ? nullptr : &*found;
 }
 
+/// What it would change, as far as its name says.
+const WarningKind& kind_of_unknown(std::string_view name) {
+  if (name.find("_materials_") != name.npos) return kUnknownMaterial;
+  if (name.find("_lights_") != name.npos) return kUnknownLight;
+  return kUnknownExtension;
+}
+
 void check_required(const Element& element) {
   const std::string name = element.text();
   if (contains(kCompressions, name)) {
@@ -78,7 +89,7 @@ void warn_of_extension(const std::string& name, const SourceLocation& where, War
     warnings.add(unread->kind, where, shown + " is not read: " + std::string(unread->consequence),
                  shown);
   } else {
-    warnings.add(kUnknownExtension, where, "the extension " + shown + " is not known: ignored",
+    warnings.add(kind_of_unknown(name), where, "the extension " + shown + " is not known: ignored",
                  shown);
   }
 }

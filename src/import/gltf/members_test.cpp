@@ -47,6 +47,19 @@ TEST(GltfMembers, OfExtensionsAreKnown) {
   EXPECT_FALSE(contains(warnings, "/materials/1/")) << "told once: " << warnings;
 }
 
+TEST(GltfMembers, OfUnknownExtensionsHaveTheEffectThatTheirNameSays) {
+  for (const auto& [name, effect] : {std::pair("EXT_lights_image_based", Effect::Light),
+                                     std::pair("KHR_materials_volume_scatter", Effect::Surface),
+                                     std::pair("MSFT_lod", Effect::Slight)}) {
+    TestFile file;
+    file.add_triangle();
+    file.json["extensionsUsed"] = {name};
+    Warnings warnings;
+    import_with(file.text(), warnings);
+    EXPECT_EQ(warnings.count(effect), 1U) << name;
+  }
+}
+
 TEST(GltfMembers, OfApplicationsAreNotLookedInto) {
   TestFile file;
   Json triangle = file.triangle();

@@ -25,6 +25,9 @@ void MeshPlacer::place(const std::vector<PlacedNode>& nodes) {
   };
   std::vector<Use> all;
   std::map<std::string, std::size_t> uses;
+  // A few kilobytes of nodes that share an accessor multiply to any number.
+  constexpr std::size_t kMostPlaces = 1'000'000;
+  std::size_t total = 0;
   for (const PlacedNode& placed : nodes) {
     const std::optional<Element> mesh = mesh_of(root, placed);
     if (!mesh || !placed.is_visible) continue;
@@ -33,6 +36,11 @@ void MeshPlacer::place(const std::vector<PlacedNode>& nodes) {
     // Joints are in the world.
     if (use.pose.joints != nullptr) use.places.assign(1, Mat4());
     uses[key_of(use.mesh, use.pose)] += use.places.size();
+    total += use.places.size();
+    if (total > kMostPlaces) {
+      placed.node.fail("the meshes of the scene are in more than " + std::to_string(kMostPlaces) +
+                       " places");
+    }
   }
   for (const Use& use : all) {
     Parts& parts = parts_of(use.mesh, use.pose);

@@ -116,6 +116,19 @@ TEST(GltfNodes, MayHaveTheirMeshInManyPlaces) {
       contains(error_of(file.text()), "/attributes/ROTATION: there are 2 values for 3 instances"));
 }
 
+TEST(GltfNodes, HaveTheirMeshesInSoManyPlacesOnly) {
+  TestFile file = with_node(Json::object());
+  // Zeros without bytes, as many as the file has bytes.
+  const std::string zeros(60'000, '\0');
+  const std::size_t places = file.add_accessor(zeros, 5120, "VEC3", 20'000, 4);
+  file.json["accessors"][places].erase("bufferView");
+  const Json instanced = {
+      {"mesh", 0},
+      {"extensions", {{"EXT_mesh_gpu_instancing", {{"attributes", {{"TRANSLATION", places}}}}}}}};
+  for (int i = 0; i < 51; ++i) file.add("nodes", instanced);
+  EXPECT_TRUE(contains(error_of(file.text()), "in more than 1000000 places"));
+}
+
 TEST(GltfNodes, MayBeHiddenWithAllBelow) {
   TestFile file = with_node({{"translation", {1, 0, 0}}});
   file.add_triangle();

@@ -21,6 +21,8 @@ constexpr std::size_t kMaxGzipRatio = 1040;
 constexpr int kSlots = 11;
 constexpr int kFirstColor = 8;
 constexpr int kUnusedSlot = -1;
+/// The element that strips of triangles are in.
+constexpr std::string_view kStrips = "tristrips";
 
 int slot_of(const std::string& name) {
   static const std::array<std::vector<std::string>, kSlots> kNames = {
@@ -88,7 +90,7 @@ class PlyReader {
   std::vector<std::string> skipped() const {
     std::vector<std::string> names;
     for (const PlyElement& element : header_.elements) {
-      if (element.name != "vertex" && element.name != "face") {
+      if (element.name != "vertex" && element.name != "face" && element.name != kStrips) {
         if (element.count > 0) names.push_back(element.name);
         continue;
       }
@@ -116,7 +118,7 @@ class PlyReader {
     for (const PlyElement& element : header_.elements) {
       if (element.count == 0 || element.properties.empty()) {
         has_vertices_ |= element.name == "vertex";
-        has_faces_ |= element.name == "face";
+        has_faces_ |= element.name == "face" || element.name == kStrips;
         continue;
       }
       // Refuses counts that cannot be true before any memory is taken for them.
@@ -128,6 +130,8 @@ class PlyReader {
         read_vertices(element, cursor);
       } else if (element.name == "face") {
         read_faces(element, cursor);
+      } else if (element.name == kStrips) {
+        read_strips(element, cursor);
       } else {
         for (std::uint64_t i = 0; i < element.count; ++i) skip_record(element, cursor, i);
       }
@@ -276,15 +280,71 @@ class PlyReader {
     cursor.advance(stride * static_cast<std::size_t>(element.count));
   }
 
-  template <typename Cursor>
-  void read_faces(const PlyElement& element, Cursor& cursor) {
-    if (has_faces_) fail("there are two elements \"face\"");
+  /// The number of the property that has the indices of the vertices.
+  std::size_t index_list_of(const PlyElement& element) const {
+    if (has_faces_) fail("there are two elements \"face\" or \"tristrips\"");
     std::size_t which = element.properties.size();
     for (std::size_t p = 0; p < element.properties.size(); ++p) {
       if (is_index_list(element.properties[p])) which = p;
     }
-    if (which == element.properties.size())
-      fail("the element \"face\" lacks the list \"vertex_indices\"");
+    if (which == element.properties.size()) {
+      fail("the element \"" + element.name + "\" lacks the list \"vertex_indices\"");
+    }
+    return which;
+  }
+
+  unsigned vertex_number(const PlyElement& element, std::uint64_t record, double value) const {
+    if (!(value >= 0.0) || value > 4294967295.0 || value != std::floor(value)) {
+      fail(element.name + " " + std::to_string(record) +
+           " has an index that is not a vertex number");
+    }
+    return static_cast<unsigned>(value);
+  }
+
+  template <typename Cursor>
+  void read_strips(const PlyElement& element, Cursor& cursor) {
+    const std::size_t which = index_list_of(element);
+    has_faces_ = true;
+    for (std::uint64_t i = 0; i < element.count; ++i) {
+      for (std::size_t p = 0; p < element.properties.size(); ++p) {
+        if (p == which) {
+          read_strip(element, element.properties[p], cursor, i);
+        } else {
+          skip_property(element, element.properties[p], cursor, i);
+        }
+      }
+    }
+  }
+
+  /// Each vertex but the first two makes a triangle with those before it, every other one turned;
+  /// -1 begins anew.
+  template <typename Cursor>
+  void read_strip(const PlyElement& element, const PlyProperty& p, Cursor& cursor,
+                  std::uint64_t record) {
+    const std::uint64_t count = list_size(element, p, cursor, record);
+    if (count > cursor.left()) fail_in(element, record);
+    std::array<unsigned, 2> before{};
+    std::uint64_t length = 0;
+    for (std::uint64_t i = 0; i < count; ++i) {
+      const std::optional<double> value = cursor.read(p.type);
+      if (!value) fail_in(element, record);
+      if (*value == -1.0) {
+        length = 0;
+        continue;
+      }
+      const unsigned vertex = vertex_number(element, record, *value);
+      const bool is_triangle =
+          length >= 2 && vertex != before[0] && vertex != before[1] && before[0] != before[1];
+      if (is_triangle && length % 2 == 0) mesh_.indices.emplace_back(before[0], before[1], vertex);
+      if (is_triangle && length % 2 == 1) mesh_.indices.emplace_back(before[1], before[0], vertex);
+      before = {before[1], vertex};
+      ++length;
+    }
+  }
+
+  template <typename Cursor>
+  void read_faces(const PlyElement& element, Cursor& cursor) {
+    const std::size_t which = index_list_of(element);
     has_faces_ = true;
     mesh_.indices.reserve(static_cast<std::size_t>(element.count));
     std::uint64_t done = 0;
@@ -332,10 +392,7 @@ class PlyReader {
     for (std::uint64_t i = 0; i < count; ++i) {
       const std::optional<double> value = cursor.read(p.type);
       if (!value) fail_in(element, record);
-      if (!(*value >= 0.0) || *value > 4294967295.0 || *value != std::floor(*value)) {
-        fail("face " + std::to_string(record) + " has an index that is not a vertex number");
-      }
-      polygon.push_back(static_cast<unsigned>(*value));
+      polygon.push_back(vertex_number(element, record, *value));
     }
     if (polygon.size() == 3) {
       mesh_.indices.emplace_back(polygon[0], polygon[1], polygon[2]);

@@ -9,15 +9,15 @@ namespace ajar {
 
 /// Reads a mesh in Stanford PLY format: ascii or binary of either byte order, optionally compressed
 /// by gzip. Takes x y z, nx ny nz, and u v | s t | texture_u texture_v | texture_s texture_t of the
-/// element `vertex`, and the list `vertex_indices` or `vertex_index` of the element `face`;
-/// polygons are fanned into triangles. Everything else is skipped. Numbers are not judged: see
-/// `validate_mesh`. Raises SceneError, with `name` as its file, if the data is not a complete PLY
-/// file.
+/// element `vertex`, and the list `vertex_indices` or `vertex_index` of the element `face`,
+/// whose polygons become triangles (`polygon.h`), or of `tristrips`. Everything else is skipped.
+/// Numbers are not judged: see `validate_mesh`. Raises SceneError, with `name` as its file, if the
+/// data is not a complete PLY file.
 desc::Mesh read_ply(std::string_view bytes, const std::string& name);
 
 /// A mesh with what no mesh of a scene has: colours of its vertices, which are those of a display
 /// in the file and linear here, if it has any; and what of the file is skipped, "flags" of a face
-/// or "tristrips" for an element.
+/// or "edge" for an element.
 struct PlyContents {
   desc::Mesh mesh;
   std::vector<Vec3> colors;

@@ -271,6 +271,20 @@ TEST(Ply, ColorsOfVerticesAreThoseOfADisplay) {
   EXPECT_EQ(odd.colors[1], Vec3(0.F));
 }
 
+TEST(Ply, StripsAreTriangles) {
+  const std::string vertices =
+      "ply\nformat ascii 1.0\nelement vertex 6\nproperty float x\nproperty float y\nproperty float "
+      "z\n"
+      "element tristrips 1\nproperty list int int vertex_indices\nend_header\n"
+      "0 0 0\n0 1 0\n1 0 0\n1 1 0\n2 0 0\n2 1 0\n";
+  const PlyContents contents = read_ply_contents(vertices + "10 0 2 1 3 -1 4 4 5 3 2\n", "a.ply");
+  // The second strip has a triangle of no area in it.
+  EXPECT_EQ(contents.mesh.indices,
+            (std::vector<Imath::Vec3<unsigned>>{{0, 2, 1}, {1, 2, 3}, {5, 4, 3}, {5, 3, 2}}));
+  EXPECT_TRUE(contents.skipped.empty());
+  EXPECT_NE(error_in(vertices + "3 0 1 -2\n").find("tristrips 0 has an index"), std::string::npos);
+}
+
 TEST(Ply, WhatIsSkippedIsNamed) {
   const PlyContents contents = read_ply_contents(
       "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float "
