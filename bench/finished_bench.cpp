@@ -163,7 +163,9 @@ int run(int count, char** texts) {
   app.add_option("--seconds", arguments.seconds, "CPU-seconds of a render")->delimiter(',');
   app.add_option("--seeds", arguments.seeds, "Seeds, from 1");
   app.add_option("--methods", arguments.methods, "Integrators with settings, such as pt:cull=0");
-  app.add_option("--filters", arguments.filters, "As --denoise of ajar takes them")->delimiter(',');
+  app.add_option("--filters", arguments.filters, "As --denoise of ajar takes them, but for none")
+      ->delimiter(',')
+      ->check(CLI::IsMember({"auto", "oidn", "builtin"}));
   app.add_option("--pictures", arguments.pictures, "Folder where pictures are kept");
   app.add_flag("!--scene-filter", arguments.measure.box_filter,
                "Films have the scenes' own filters, not boxes of one pixel");
