@@ -101,8 +101,10 @@ class Geometry {
                       Warnings& warnings);
   void prepare_instances(const desc::SceneDesc& description, Warnings& warnings);
   SceneHandle commit(std::size_t first, std::size_t count, bool with_instances) const;
-  /// Raises SceneError for instances that are too large or too far away.
-  void find_receivers(const desc::SceneDesc& description);
+  /// Boxes in the world, empty of what is dropped.
+  std::vector<Box3> instance_boxes() const;
+  void check_instances(const desc::SceneDesc& description, const std::vector<Box3>& boxes);
+  void find_receivers(const desc::SceneDesc& description, const std::vector<Box3>& instances);
   void count(std::size_t object_count);
 
   SourceLocation where_;  ///< the scene's file, for errors that no shape is to blame for

@@ -196,7 +196,9 @@ Geometry::Geometry(desc::SceneDesc& description, const TextureList& textures, Wa
                     [&](const InstanceRecord& i) { return i.placement && i.object == object; });
     objects_.push_back(used ? commit(first, object_base_[object + 1] - first, false) : nullptr);
   }
-  find_receivers(description);
+  const std::vector<Box3> instances = instance_boxes();
+  check_instances(description, instances);
+  find_receivers(description, instances);
   top_ = commit(0, object_base_.front(), true);
   count(description.objects.size());
 }
@@ -295,28 +297,35 @@ Geometry::SceneHandle Geometry::commit(std::size_t first, std::size_t shape_coun
   return scene;
 }
 
-void Geometry::find_receivers(const desc::SceneDesc& description) {
-  for (std::size_t i = 0; i < description.shapes.size(); ++i) {
-    if (!description.shapes[i].emission) extend(receivers_, shapes_[i]);
-  }
-  std::vector<Box3> boxes;
-  for (const SceneHandle& object : objects_) {
-    boxes.push_back(object ? bounds_of(object.get()) : Box3());
-  }
+std::vector<Box3> Geometry::instance_boxes() const {
+  std::vector<Box3> boxes(instances_.size());
   for (std::size_t i = 0; i < instances_.size(); ++i) {
     if (!instances_[i].placement) continue;
-    const Placement& placement = *instances_[i].placement;
-    const double limit = *max_ray_coordinate(placement);
-    max_ray_coordinate_ = std::min(max_ray_coordinate_, static_cast<float>(limit));
-    const Box3& box = boxes[instances_[i].object];
+    const Box3 box = bounds_of(objects_[instances_[i].object].get());
     if (box.isEmpty()) continue;
     Vec3d low;
     Vec3d high;
-    placed_bounds(box, placement, low, high);
-    check_reach(description.instances[i].where, "the instance", reach_of(low, high));
-    receivers_.extendBy(Vec3(low));
-    receivers_.extendBy(Vec3(high));
+    placed_bounds(box, *instances_[i].placement, low, high);
+    boxes[i] = Box3(Vec3(low), Vec3(high));
   }
+  return boxes;
+}
+
+void Geometry::check_instances(const desc::SceneDesc& description, const std::vector<Box3>& boxes) {
+  for (std::size_t i = 0; i < instances_.size(); ++i) {
+    if (!instances_[i].placement) continue;
+    const double limit = *max_ray_coordinate(*instances_[i].placement);
+    max_ray_coordinate_ = std::min(max_ray_coordinate_, static_cast<float>(limit));
+    check_reach(description.instances[i].where, "the instance", reach_of(boxes[i]));
+  }
+}
+
+void Geometry::find_receivers(const desc::SceneDesc& description,
+                              const std::vector<Box3>& instances) {
+  for (std::size_t i = 0; i < description.shapes.size(); ++i) {
+    if (!description.shapes[i].emission) extend(receivers_, shapes_[i]);
+  }
+  for (const Box3& box : instances) receivers_.extendBy(box);
 }
 
 void Geometry::require_reach(double reach, const desc::SceneDesc& description) const {

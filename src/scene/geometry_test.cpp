@@ -52,6 +52,32 @@ TEST(Geometry, ReportsDistanceShapeAndPoint) {
   EXPECT_LE((world.geometry->bounds().max - Vec3(1, 1, 6)).length(), 1e-4F);
 }
 
+void expect_box(const Box3& box, const Vec3& low, const Vec3& high) {
+  EXPECT_LT(length(box.min - low), 1e-4F) << box.min;
+  EXPECT_LT(length(box.max - high), 1e-4F) << box.max;
+}
+
+TEST(Geometry, KnowsTheBoxOfWhatEmitsNothing) {
+  EXPECT_TRUE(world_of({}).geometry->receivers().isEmpty());
+  desc::Shape sun = shape(testing::sphere_node(), translation(0, 0, 90));
+  sun.emission = desc::Emission{{}, desc::emission_node("area")};
+  EXPECT_TRUE(world_of({sun}).geometry->receivers().isEmpty());
+  expect_box(world_of({sun, mesh_shape(cube())}).geometry->receivers(), Vec3(-1.F), Vec3(1.F));
+  expect_box(
+      world_of({shape(testing::sphere_node(), translation(5, 0, 0)), sun}).geometry->receivers(),
+      {4, -1, -1}, {6, 1, 1});
+
+  // Instances do not emit, whatever their shapes say.
+  desc::SceneDesc scene;
+  scene.shapes = {sun, mesh_shape(cube())};
+  desc::Object object;
+  object.shapes = {mesh_shape(cube())};
+  object.shapes.front().emission = sun.emission;
+  scene.objects.push_back(object);
+  scene.instances.push_back({.object = 0, .to_world = translation(0, 7, 0)});
+  expect_box(World(std::move(scene)).geometry->receivers(), Vec3(-1.F), {1, 8, 1});
+}
+
 TEST(Geometry, OcclusionRespectsTheEndOfTheRay) {
   const World world = world_of({shape(testing::disk_node(0, 1, 0, 360))});
   EXPECT_TRUE(world.occluded({0, 0, -1}, {0, 0, 1}));
