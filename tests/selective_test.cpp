@@ -9,6 +9,7 @@
 #include <functional>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -349,6 +350,25 @@ TEST(Selective, SharesPathsAmongChainsByWhatTheyAreLike) {
   }
 }
 
+// Either kind moves as it does elsewhere.
+TEST(Selective, MovesEachKindOfChainByItsOwnMoves) {
+  const auto scene = scene_of_panes();
+  test::RenderOptions options;
+  options.min_depth = 4;
+  options.max_depth = 5;
+  options.samples = 8;
+  options.replicates = 4;
+  options.integrator = "selective";
+  options.parameters = {{"omc", "bdpt"}, {"split", "0.05"}};
+  const MethodReport report = test::render(*scene, options).integrator->report();
+  std::set<std::string> moves;
+  for (const auto& move : report["acceptance"]["by_move"]) moves.insert(move["move"]);
+  for (const char* move : {"large", "small", "raster", "bidirectional", "multi-chain"}) {
+    EXPECT_TRUE(moves.contains(move)) << move;
+  }
+  EXPECT_FALSE(moves.contains("caustic")) << "paths that no connection makes have no such form";
+}
+
 TEST(Selective, IsBiasedByAPilotThatIsKeptOnly) {
   const auto scene = scene_of_fireflies();
   test::RenderOptions options;
@@ -418,7 +438,7 @@ TEST(Selective, TakesPresetsAndEveryMutation) {
   EXPECT_THROW(test::render(*scene, options), UsageError) << "nothing starts its chains";
   options.parameters = {{"chain", "erpt"}, {"split", "0"}};
   EXPECT_THROW(test::render(*scene, options), UsageError) << "nothing starts its chains";
-  options.parameters = {{"caustic", "0"}};
+  options.parameters = {{"chain", "mmlt"}, {"caustic", "0"}};
   EXPECT_THROW(test::render(*scene, options), UsageError);
 }
 

@@ -23,6 +23,14 @@ enum class ChainKind {
 constexpr bool is_explicit(ChainKind kind) {
   return kind == ChainKind::ExplicitPath || kind == ChainKind::SpreadPath;
 }
+/// Whether there are chains of one path of one depth and technique.
+constexpr bool has_one_path(ChainKind kind) {
+  return kind == ChainKind::OnePath || kind == ChainKind::ByPath;
+}
+/// Whether there are chains of explicit paths.
+constexpr bool has_explicit(ChainKind kind) {
+  return is_explicit(kind) || kind == ChainKind::ByPath;
+}
 
 /// What all chains of one kind of path share: the depth, or all depths.
 struct PathGroup {

@@ -45,9 +45,7 @@ ChainPlan::ChainPlan(ChainKind chain_kind, const Scene& the_scene,
       wanted_chains(static_cast<std::uint64_t>(parameters.get_int("chains"))),
       seed_rule{seed_filter_of(parameters.get_text("seeds")), parameters.get_float("seed-spread")},
       moves(parameters, kind) {
-  if (is_explicit(kind) || kind == ChainKind::ByPath) {
-    path_mutations = path_mutation_weights(parameters);
-  }
+  if (has_explicit(kind)) path_mutations = path_mutation_weights(parameters);
   if (selective) check_region_rules(selective->rules, scene.object_names(), scene.material_names());
   settings.max_depth = std::min(settings.max_depth, MetropolisHeuristics::kMostEdges);
   read_split();
