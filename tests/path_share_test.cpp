@@ -23,6 +23,7 @@ namespace {
 struct Found {
   Path path;
   Technique technique;
+  bool hit_only;
   double light;  ///< luminance, MIS weight in it
 };
 
@@ -32,7 +33,7 @@ class Collector final : public PathRecorder {
   void record(const Path& path, const Contribution& contribution) override {
     if (!Division::divides(contribution.technique)) return;
     const auto light = static_cast<double>(luminance(contribution.value) / contribution.chance);
-    if (light > 0.0) found.push_back({path, contribution.technique, light});
+    if (light > 0.0) found.push_back({path, contribution.technique, contribution.hit_only, light});
   }
   std::vector<Found> found;
 };
@@ -108,15 +109,23 @@ TEST_P(PathShareOf, IsTheSumOverAllTechniques) {
       const PathSamplerSettings settings = settings_of(techniques, heuristic);
       PathShare share(*scene, settings, importance, &division);
       PathShare whole(*scene, settings, importance, nullptr);
+      PathShare connectible(*scene, settings, importance, nullptr, PathClass::Connectible);
+      PathShare hit(*scene, settings, importance, nullptr, PathClass::HitOnly);
       TechniqueParts parts(*scene, settings);
       std::size_t different = 0;
       std::size_t by_several = 0;
+      std::size_t hit_only_ones = 0;
       const std::vector<Found> found = found_in(*scene, settings);
-      for (const auto& [path, technique, light] : found) {
+      for (const auto& [path, technique, hit_only, light] : found) {
         const double log_light = contribution(*scene, path).log_luminance();
         const double slow = slow_share(*scene, settings, path, division);
         ASSERT_NEAR(share.part(path, log_light), slow, 1e-4 * slow + 1e-12);
         ASSERT_NEAR(whole.part(path, log_light), 1.0, 1e-9);
+        // A path is of one class or the other, whoever looks.
+        ASSERT_NEAR(hit.part(path, log_light), hit_only ? 1.0 : 0.0, 1e-9);
+        ASSERT_NEAR(connectible.part(path, log_light), hit_only ? 0.0 : 1.0, 1e-9);
+        ASSERT_TRUE(!hit_only || technique.s == 0);
+        hit_only_ones += hit_only ? 1 : 0;
         // And what the technique that found it leaves is one of the terms.
         const double own = parts.of(path, log_light)[static_cast<std::size_t>(technique.s)].light;
         if (!(std::abs(own - light) <= 0.01 * light)) ++different;
@@ -125,6 +134,9 @@ TEST_P(PathShareOf, IsTheSumOverAllTechniques) {
         }
       }
       EXPECT_GT(found.size(), 100U) << techniques;
+      if (GetParam().name == std::string("GlassAndMetal")) {
+        EXPECT_GT(hit_only_ones, 0U);
+      }
       EXPECT_GT(by_several, found.size() / 20) << techniques << ": nothing is divided";
       // Rounding moves a path off an edge now and then.
       EXPECT_LE(different, found.size() / 100) << techniques;

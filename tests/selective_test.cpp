@@ -9,6 +9,7 @@
 #include <functional>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -290,6 +291,84 @@ TEST(Selective, LeavesLightWhereItIsWhicheverTechniquesFindIt) {
   }
 }
 
+/// Seen through a pane: on the left a wide lamp behind another pane, of which no connection makes
+/// the light that has been scattered once; on the right one without, of which connections make all.
+std::unique_ptr<Scene> scene_of_panes() {
+  const std::string faces = "\"integer indices\" [0 2 1 0 3 2]\n";
+  const auto mesh = [&](const std::string& points) {
+    return "Shape \"trianglemesh\" \"point P\" [" + points + "] " + faces;
+  };
+  return test::scene_from(test::pbrt_scene(
+      "LookAt 0 3.5 -4.5  0 0.3 0.4  0 1 0 Camera \"perspective\" \"float fov\" [40]", 24, 12,
+      "Material \"matte\" \"rgb Kd\" [0.7 0.7 0.7]\n" + mesh("-2 0 -1  2 0 -1  2 0 1  -2 0 1") +
+          mesh("-2 0 1  2 0 1  2 1.5 1  -2 1.5 1") + mesh("0 0 -1  0 0 1  0 1.5 1  0 1.5 -1") +
+          "AttributeBegin AreaLightSource \"diffuse\" \"rgb L\" [2 2 2]\n" +
+          mesh("-2 0 -1  -2 0 1  -2 1.5 1  -2 1.5 -1") + mesh("2 0 1  2 0 -1  2 1.5 -1  2 1.5 1") +
+          "AttributeEnd Material \"glass\" \"float index\" [1.1]\n" +
+          mesh("-1.9 0 -1  -1.9 0 1  -1.9 1.5 1  -1.9 1.5 -1") +
+          mesh("-2 1 -3  2 1 -3  2 4.5 -3  -2 4.5 -3")));
+}
+
+struct OfHalves {
+  MeanAndError left;
+  MeanAndError right;
+};
+OfHalves halves_of_seeds(const Scene& scene, test::RenderOptions options, std::uint64_t seeds) {
+  std::vector<double> lefts;
+  std::vector<double> rights;
+  for (std::uint64_t i = 0; i < seeds; ++i) {
+    options.seed = 500 + i;
+    const auto [left, right] = halves_of(test::render(scene, options));
+    lefts.push_back(left);
+    rights.push_back(right);
+  }
+  return {summary(lefts), summary(rights)};
+}
+
+// Whatever kind of chain makes which paths: none is made twice, and none is left out. A tenth of
+// either half would show.
+TEST(Selective, SharesPathsAmongChainsByWhatTheyAreLike) {
+  const auto scene = scene_of_panes();
+  test::RenderOptions options;
+  options.min_depth = 4;
+  options.max_depth = 5;
+  options.samples = 256;
+  options.replicates = 4;
+  options.integrator = "bdpt";
+  const OfHalves truth = halves_of_seeds(*scene, options, 8);
+  options.samples = 16;
+  options.integrator = "selective";
+  for (const char* chain : {"auto", "mmlt"}) {
+    options.parameters = {{"chain", chain}, {"omc", "bdpt"}, {"split", "0.05"}};
+    const OfHalves own = halves_of_seeds(*scene, options, 24);
+    for (const auto& [mine, right] :
+         {std::pair(own.left, truth.left), std::pair(own.right, truth.right)}) {
+      const double error = 5.0 * std::hypot(mine.error, right.error);
+      EXPECT_LT(error, 0.1 * right.mean) << chain << ": too noisy to notice a bias";
+      EXPECT_LT(std::abs(mine.mean - right.mean), error) << chain;
+    }
+  }
+}
+
+// Either kind moves as it does elsewhere.
+TEST(Selective, MovesEachKindOfChainByItsOwnMoves) {
+  const auto scene = scene_of_panes();
+  test::RenderOptions options;
+  options.min_depth = 4;
+  options.max_depth = 5;
+  options.samples = 8;
+  options.replicates = 4;
+  options.integrator = "selective";
+  options.parameters = {{"omc", "bdpt"}, {"split", "0.05"}};
+  const MethodReport report = test::render(*scene, options).integrator->report();
+  std::set<std::string> moves;
+  for (const auto& move : report["acceptance"]["by_move"]) moves.insert(move["move"]);
+  for (const char* move : {"large", "small", "raster", "bidirectional", "multi-chain"}) {
+    EXPECT_TRUE(moves.contains(move)) << move;
+  }
+  EXPECT_FALSE(moves.contains("caustic")) << "paths that no connection makes have no such form";
+}
+
 TEST(Selective, IsBiasedByAPilotThatIsKeptOnly) {
   const auto scene = scene_of_fireflies();
   test::RenderOptions options;
@@ -359,7 +438,7 @@ TEST(Selective, TakesPresetsAndEveryMutation) {
   EXPECT_THROW(test::render(*scene, options), UsageError) << "nothing starts its chains";
   options.parameters = {{"chain", "erpt"}, {"split", "0"}};
   EXPECT_THROW(test::render(*scene, options), UsageError) << "nothing starts its chains";
-  options.parameters = {{"caustic", "0"}};
+  options.parameters = {{"chain", "mmlt"}, {"caustic", "0"}};
   EXPECT_THROW(test::render(*scene, options), UsageError);
 }
 

@@ -21,6 +21,7 @@ struct StrongPath {
   std::uint64_t sample;  ///< names the camera sample and the light subpath that found it
   /// Which of the sample's light subpaths, if s ≥ 2. Not kept: the path's numbers are.
   int light_subpath = 0;
+  bool hit_only = false;  ///< of `Contribution`
   /// Names the randomness of what is done with it.
   std::uint64_t key() const {
     return hash_numbers(sample, static_cast<std::uint64_t>(technique.s),

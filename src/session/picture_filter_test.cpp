@@ -133,6 +133,14 @@ TEST(PictureFilter, TakesTheOtherEstimateWhereItIsBetter) {
   EXPECT_NEAR(layer_of(picture, kDenoisedLayer)[0], 1.F, 0.02F);
 }
 
+TEST(PictureFilter, DoesNotTakeTheOtherEstimateWhereItMissesLight) {
+  PictureFilter filter(std::make_shared<Evener>(), nothing);
+  Picture picture = picture_of(even(1.F));
+  const Replicates replicates = {even(0.8F), even(1.2F), even(0.8F), even(1.2F)};
+  ASSERT_TRUE(filter.add_best_layers(picture, {replicates, Replicates(4, even(0.7F))}));
+  EXPECT_NEAR(layer_of(picture, kDenoisedLayer)[0], 1.F, 0.02F);
+}
+
 TEST(PictureFilter, WithFewReplicatesMixesNothing) {
   const auto evener = std::make_shared<Evener>();
   PictureFilter filter(evener, nothing);

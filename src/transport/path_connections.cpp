@@ -104,6 +104,7 @@ void PathSampler::hit_light(const Flight& flight, const SegmentEnd& end, const M
             .technique = {0, edges + 1},
             .mis_weight = mis_weight,
             .chance = flight.roulette,
+            .hit_only = flight.specular && !flight.has_rough_edge,
             .light_point = &point,
             .light = &light});
 }

@@ -19,6 +19,9 @@ struct Contribution {
   /// weak connections multiply survivors by. Without it, `value` is a function of the path and its
   /// technique.
   float chance = 1.F;
+  /// Technique (0, t) only: no edge of the path could have been made by a connection, since one end
+  /// of each scatters by a specular lobe.
+  bool hit_only = false;
   int light_subpath = 0;  ///< which of the sample's, if s ≥ 2
   /// Technique (s, 1) only: where on the film it lands. All others belong to the camera ray's own
   /// place.

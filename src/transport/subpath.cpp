@@ -104,7 +104,9 @@ bool scatter(const WalkSettings& settings, const PathVertex& vertex, SampleSourc
   flight.mis = vertex.mis;
   flight.departure = sample->pdf.value();
   flight.from_infinity = false;
-  flight.specular = sample->pdf.discrete();
+  const bool specular = sample->pdf.discrete();
+  flight.has_rough_edge = flight.has_rough_edge || (!flight.specular && !specular);
+  flight.specular = specular;
   flight.event = sample->event();
   flight.reverse_previous = sample->reverse_pdf.value();
   flight.cosine = vertex.cosine(sample->wi);

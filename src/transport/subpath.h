@@ -25,6 +25,7 @@ struct Flight {
                           ///< of the position
   bool from_infinity = false;
   bool specular = false;                 ///< the scattering event at z_i
+  bool has_rough_edge = false;           ///< both ends of an edge so far are not specular
   ScatterEvent event;                    ///< the same, in full
   float reverse_previous = 0.F;          ///< r_{i-1}
   float cosine = 1.F;                    ///< |cos θ_i| at z_i; 1 where there is no surface

@@ -204,9 +204,9 @@ std::uint64_t ChainIntegrator<Space>::bootstrap_samples() const {
 template <typename Space>
 MethodReport ChainIntegrator<Space>::report() const {
   if (unprepared() != nullptr) return unprepared()->report();
-  ChainReporter reporter(bootstrap_samples(), space_.moves());
+  ChainReporter reporter(bootstrap_samples());
   for (std::size_t g = 0; g < groups().size(); ++g) {
-    ChainReporter::OfGroup group(groups()[g]);
+    ChainReporter::OfGroup group(groups()[g], space_.moves());
     for (const MeasuredPopulation& population : populations_) {
       if (population.group != g) continue;
       group.add_b(population.b.mean(), population.b.standard_error(), settings().replicates);

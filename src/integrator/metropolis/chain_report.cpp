@@ -1,9 +1,11 @@
 #include "integrator/metropolis/chain_report.h"
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace ajar {
 
@@ -51,13 +53,23 @@ MethodReport ChainReporter::report() const {
   MethodReport by_move = MethodReport::array();
   MethodReport b = MethodReport::array();
   std::uint64_t chains = 0;
-  ChainStatistics whole;
+  std::uint64_t longest_streak = 0;
+  // Groups may have different ones.
+  std::vector<std::pair<const Move*, MoveRecord>> moves;
+  const auto record_of = [&](const Move& move) -> MoveRecord& {
+    const auto known = std::find_if(moves.begin(), moves.end(),
+                                    [&](const auto& other) { return other.first == &move; });
+    return known != moves.end() ? known->second : moves.emplace_back(&move, MoveRecord()).second;
+  };
   for (const OfGroup& group : groups_) {
     const MethodReport depth =
         group.group_->depth > 0 ? MethodReport(group.group_->depth) : MethodReport();
     const ChainStatistics& own = group.record_.statistics;
     MoveCount all;
-    for (const MoveRecord& move : own.moves) all += move;
+    for (std::size_t i = 0; i < own.moves.size(); ++i) {
+      all += own.moves[i];
+      record_of(group.moves_[i]) += own.moves[i];
+    }
     by_depth.push_back({{"depth", depth},
                         {"chains", group.chains_},
                         {"mutations", group.plain_ + own.steps},
@@ -76,15 +88,14 @@ MethodReport ChainReporter::report() const {
                               {"acceptance", count.acceptance()}});
     }
     chains += group.chains_;
-    whole += own;
+    longest_streak = std::max(longest_streak, own.longest_streak);
   }
   MoveCount small;
   MoveCount large;
-  for (std::size_t i = 0; i < whole.moves.size(); ++i) {
-    const MoveRecord& move = whole.moves[i];
-    if (move.proposals == 0) continue;
-    by_move.push_back(report_of(move, moves_[i].name));
-    (moves_[i].independent ? large : small) += move;
+  for (const auto& [move, record] : moves) {
+    if (record.proposals == 0) continue;
+    by_move.push_back(report_of(record, move->name));
+    (move->independent ? large : small) += record;
   }
   return {{"acceptance",
            {{"small", small.acceptance()},
@@ -92,7 +103,7 @@ MethodReport ChainReporter::report() const {
             {"by_move", by_move},
             {"by_depth", by_depth},
             {"by_technique", by_technique},
-            {"longest_rejection_streak", whole.longest_streak}}},
+            {"longest_rejection_streak", longest_streak}}},
           {"b", b},
           {"chains", chains},
           {"bootstrap_samples", bootstrap_samples_}};

@@ -18,7 +18,8 @@ class ChainReporter {
   /// The chains of all replicates whose paths are of one group, which must outlive this.
   class OfGroup {
    public:
-    explicit OfGroup(const PathGroup& group) : group_(&group) {}
+    /// `moves`: of the kernel that the chains run with.
+    OfGroup(const PathGroup& group, std::span<const Move> moves) : group_(&group), moves_(moves) {}
     /// What is known of b in one of so many replicates.
     void add_b(double b, double standard_error, int replicates);
     void add_chain(const ChainRecord& record);
@@ -30,6 +31,7 @@ class ChainReporter {
    private:
     friend class ChainReporter;
     const PathGroup* group_;
+    std::span<const Move> moves_;
     ChainRecord record_;
     std::uint64_t chains_ = 0;
     std::uint64_t plain_ = 0;
@@ -37,9 +39,7 @@ class ChainReporter {
     double b_variance_ = 0.0;
   };
 
-  /// `moves`: of the kernel that the chains run with.
-  ChainReporter(std::uint64_t bootstrap_samples, std::span<const Move> moves)
-      : bootstrap_samples_(bootstrap_samples), moves_(moves) {}
+  explicit ChainReporter(std::uint64_t bootstrap_samples) : bootstrap_samples_(bootstrap_samples) {}
   void add(OfGroup group) { groups_.push_back(std::move(group)); }
   /// `acceptance` by size of step, move (with what moves cost, as far as kernels know), depth and
   /// technique, `b` by depth, `chains`, `bootstrap_samples`.
@@ -47,7 +47,6 @@ class ChainReporter {
 
  private:
   std::uint64_t bootstrap_samples_;
-  std::span<const Move> moves_;
   std::vector<OfGroup> groups_;
 };
 

@@ -217,10 +217,10 @@ MethodReport EnergyRedistribution<Space>::report() const {
   if (unprepared() != nullptr) return unprepared()->report();
   std::uint64_t samples = 0;
   for (const Moments& b : b_) samples += b.count;
-  ChainReporter reporter(samples, space_.moves());
+  ChainReporter reporter(samples);
   std::uint64_t chains = 0;
   if (!groups().empty()) {
-    ChainReporter::OfGroup group(groups().front());
+    ChainReporter::OfGroup group(groups().front(), space_.moves());
     for (const Moments& b : b_) {
       group.add_b(b.mean(), b.standard_error(), settings().replicates);
     }

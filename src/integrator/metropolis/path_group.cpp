@@ -8,18 +8,21 @@
 
 namespace ajar {
 
-std::vector<PathGroup> make_path_groups(ChainKind kind, PathSamplerSettings sampler,
-                                        int roulette_start) {
+namespace {
+
+PathGroup group_of_all_depths(ChainKind kind, PathClass paths, PathSamplerSettings sampler,
+                              int roulette_start) {
+  sampler.roulette_start = roulette_start;
+  return {kind,
+          paths,
+          0,
+          sampler,
+          TechniqueChoice(sampler.techniques, 0),
+          {sampler.max_depth + 1, sampler.max_depth + 1}};
+}
+
+std::vector<PathGroup> groups_by_depth(PathClass paths, PathSamplerSettings sampler) {
   std::vector<PathGroup> groups;
-  if (sampler.min_depth > sampler.max_depth) return groups;
-  if (kind != ChainKind::OnePath) {
-    sampler.roulette_start = roulette_start;
-    groups.push_back({0,
-                      sampler,
-                      TechniqueChoice(sampler.techniques, 0),
-                      {sampler.max_depth + 1, sampler.max_depth + 1}});
-    return groups;
-  }
   sampler.roulette_start = MetropolisHeuristics::kMostEdges + 1;
   for (int depth = sampler.min_depth; depth <= sampler.max_depth; ++depth) {
     const TechniqueChoice choice(sampler.techniques, depth);
@@ -27,8 +30,26 @@ std::vector<PathGroup> make_path_groups(ChainKind kind, PathSamplerSettings samp
     PathSamplerSettings own = sampler;
     own.min_depth = depth;
     own.max_depth = depth;
-    groups.push_back({depth, own, choice, {depth + 1, depth + 1}});
+    groups.push_back({ChainKind::OnePath, paths, depth, own, choice, {depth + 1, depth + 1}});
   }
+  return groups;
+}
+
+}  // namespace
+
+std::vector<PathGroup> make_path_groups(ChainKind kind, PathSamplerSettings sampler,
+                                        int roulette_start) {
+  if (sampler.min_depth > sampler.max_depth) return {};
+  if (kind == ChainKind::OnePath) return groups_by_depth(PathClass::All, sampler);
+  if (kind != ChainKind::ByPath) {
+    return {group_of_all_depths(kind, PathClass::All, sampler, roulette_start)};
+  }
+  if (!sampler.techniques.any(TechniqueClass::Implicit)) {
+    return groups_by_depth(PathClass::All, sampler);
+  }
+  std::vector<PathGroup> groups = groups_by_depth(PathClass::Connectible, sampler);
+  groups.push_back(
+      group_of_all_depths(ChainKind::ExplicitPath, PathClass::HitOnly, sampler, roulette_start));
   return groups;
 }
 
@@ -52,9 +73,10 @@ ChainView view_of(const Scene& scene, const RenderSettings& settings) {
 std::unique_ptr<PathTarget> make_path_target(const Scene& scene, const PathGroup& group,
                                              const ChainView& view, const PathPart* part) {
   if (group.depth == 0) {
-    return std::make_unique<WholePathTarget>(scene, group.sampler, view, part);
+    return std::make_unique<WholePathTarget>(scene, group.sampler, view, part, group.paths);
   }
-  return std::make_unique<OnePathTarget>(scene, group.sampler, group.choice, view, part);
+  return std::make_unique<OnePathTarget>(scene, group.sampler, group.choice, view, part,
+                                         group.paths);
 }
 
 TechniqueSet techniques_of_chains(const Parameters& parameters) {

@@ -17,14 +17,25 @@ enum class ChainKind {
   WholePath,     ///< `pssmlt`: a camera and a light subpath with all their connections
   OnePath,       ///< `mmlt`: one path of one depth and technique
   ExplicitPath,  ///< `mlt`: one path of any depth, and of no technique
-  SpreadPath     ///< `erpt`: the same, in chains that end before others begin
+  SpreadPath,    ///< `erpt`: the same, in chains that end before others begin
+  ByPath         ///< OnePath, and ExplicitPath for `PathClass::HitOnly`
 };
 constexpr bool is_explicit(ChainKind kind) {
   return kind == ChainKind::ExplicitPath || kind == ChainKind::SpreadPath;
 }
+/// Whether there are chains of one path of one depth and technique.
+constexpr bool has_one_path(ChainKind kind) {
+  return kind == ChainKind::OnePath || kind == ChainKind::ByPath;
+}
+/// Whether there are chains of explicit paths.
+constexpr bool has_explicit(ChainKind kind) {
+  return is_explicit(kind) || kind == ChainKind::ByPath;
+}
 
 /// What all chains of one kind of path share: the depth, or all depths.
 struct PathGroup {
+  ChainKind kind;
+  PathClass paths;
   int depth;  ///< edges; 0: all
   PathSamplerSettings sampler;
   TechniqueChoice choice;  ///< if there is one depth
@@ -33,7 +44,8 @@ struct PathGroup {
 
 /// Groups for the paths of a sampler, which has everything but the start of Russian roulette:
 /// `roulette_start` unless it is OnePath; paths of a given depth gain nothing from ending early.
-/// Explicit paths start from connections of two subpaths. Empty if there are no such paths.
+/// Explicit paths start from connections of two subpaths. Of ByPath, the last group is of explicit
+/// paths, if the sampler hits lights at all. Empty if there are no such paths.
 std::vector<PathGroup> make_path_groups(ChainKind kind, PathSamplerSettings sampler,
                                         int roulette_start);
 /// The share of all bootstrap samples that a group gets: long paths carry little light and cost

@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "image/importance_map.h"
+#include "integrator/metropolis/path_class.h"
 #include "integrator/path_part.h"
 #include "mcmc/path_space/path_weight.h"
 #include "path/technique_parts.h"
@@ -17,10 +18,10 @@ namespace ajar {
 class PathShare final : public PathWeight {
  public:
   /// What is referred to must outlive it; `part` is null if techniques leave all they find: then W
-  /// is 1 on paths that any of them makes, and 0 elsewhere.
+  /// is 1 on paths that any of them makes, and 0 elsewhere. Outside of `paths` it is 0, too.
   PathShare(const Scene& scene, PathSamplerSettings settings, const ImportanceMap& importance,
-            const PathPart* part)
-      : parts_(scene, std::move(settings)), importance_(importance), part_(part) {}
+            const PathPart* part, PathClass paths = PathClass::All)
+      : parts_(scene, std::move(settings)), importance_(importance), part_(part), paths_(paths) {}
 
   double part(const Path& path, double log_light) override;
   float importance(const Vec2& raster) const override { return importance_(raster); }
@@ -29,6 +30,7 @@ class PathShare final : public PathWeight {
   TechniqueParts parts_;
   const ImportanceMap& importance_;
   const PathPart* part_;
+  PathClass paths_;
 };
 
 }  // namespace ajar

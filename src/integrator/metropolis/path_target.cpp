@@ -11,16 +11,18 @@ namespace {
 class SplatSink final : public PathSink {
  public:
   /// A light subpath stands for so many that ordinary Monte Carlo has per camera sample.
-  SplatSink(const ChainView& view, const PathPart* part, double light_subpaths, const Vec2& raster,
-            SplatBuffer& splats)
+  SplatSink(const ChainView& view, const PathPart* part, PathClass paths, double light_subpaths,
+            const Vec2& raster, SplatBuffer& splats)
       : view_(view),
         part_(part),
+        paths_(paths),
         light_subpaths_(static_cast<float>(light_subpaths)),
         raster_(raster),
         splats_(splats),
         first_(splats.size()) {}
 
   void add(const Contribution& contribution) override {
+    if (!has_paths(paths_, contribution.hit_only)) return;
     const std::int32_t layer = splat_layer(contribution.technique.depth());
     const bool from_light = contribution.technique.t == 1;
     const Vec2& raster = from_light ? contribution.raster : raster_;
@@ -46,6 +48,7 @@ class SplatSink final : public PathSink {
  private:
   const ChainView& view_;
   const PathPart* part_;
+  PathClass paths_;
   float light_subpaths_;
   Vec2 raster_;
   SplatBuffer& splats_;
@@ -78,9 +81,10 @@ double contribution(std::span<const Splat> splats, const ImportanceMap& importan
 }
 
 WholePathTarget::WholePathTarget(const Scene& scene, const PathSamplerSettings& settings,
-                                 const ChainView& view, const PathPart* part)
+                                 const ChainView& view, const PathPart* part, PathClass paths)
     : view_(view),
       part_(part),
+      paths_(paths),
       light_alone_(settings.techniques.any(TechniqueClass::Light) &&
                    !settings.techniques.any(TechniqueClass::Inner)),
       sampler_(scene, settings),
@@ -92,7 +96,7 @@ double WholePathTarget::evaluate(SampleSource& numbers, const Change& change, Sp
   directions_.begin();
   directions_.trace(change.raster);
   const Vec2 raster = raster_of(numbers, view_);
-  SplatSink sink(view_, part_, 1.0, raster, splats);
+  SplatSink sink(view_, part_, paths_, 1.0, raster, splats);
   if (light_alone_) sampler_.sample_light(numbers, sink);
   sampler_.sample(numbers, raster, sink);
   return contribution(splats, view_.importance);
@@ -112,9 +116,10 @@ TechniqueChoice::Chosen TechniqueChoice::choose(float u) const {
 
 OnePathTarget::OnePathTarget(const Scene& scene, const PathSamplerSettings& settings,
                              const TechniqueChoice& choice, const ChainView& view,
-                             const PathPart* part)
+                             const PathPart* part, PathClass paths)
     : view_(view),
       part_(part),
+      paths_(paths),
       light_subpaths_(settings.light_subpaths),
       sampler_(scene, settings),
       choice_(choice),
@@ -144,7 +149,7 @@ double OnePathTarget::evaluate(SampleSource& numbers, const Change& change, Spla
   const int s = chosen_.technique.s;
   const int t = chosen_.technique.t;
   const Vec2 raster = t >= 2 ? raster_of(numbers, view_) : Vec2(0.F, 0.F);
-  SplatSink sink(view_, part_, light_subpaths_, raster, splats);
+  SplatSink sink(view_, part_, paths_, light_subpaths_, raster, splats);
   if (s == 0) {
     directions_.trace(change.raster);
     sampler_.sample_implicit(numbers, raster, t, sink, nullptr);

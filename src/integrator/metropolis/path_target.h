@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "image/importance_map.h"
+#include "integrator/metropolis/path_class.h"
 #include "integrator/path_part.h"
 #include "mcmc/primary/target.h"
 #include "path/raster_area.h"
@@ -74,7 +75,7 @@ class WholePathTarget final : public PathTarget {
  public:
   /// `view`, and `part` if it is not null, must outlive the target.
   WholePathTarget(const Scene& scene, const PathSamplerSettings& settings, const ChainView& view,
-                  const PathPart* part = nullptr);
+                  const PathPart* part = nullptr, PathClass paths = PathClass::All);
   double evaluate(SampleSource& numbers, const Change& change, SplatBuffer& splats) override;
   void accepted() override { directions_.accept(); }
   const RayCounts& ray_counts() const override { return sampler_.ray_counts(); }
@@ -82,6 +83,7 @@ class WholePathTarget final : public PathTarget {
  private:
   const ChainView& view_;
   const PathPart* part_;
+  PathClass paths_;
   bool light_alone_;
   PathSampler sampler_;
   KeptDirections directions_;
@@ -97,7 +99,7 @@ class OnePathTarget final : public PathTarget {
   /// `settings.light_subpaths` of ordinary Monte Carlo.
   OnePathTarget(const Scene& scene, const PathSamplerSettings& settings,
                 const TechniqueChoice& choice, const ChainView& view,
-                const PathPart* part = nullptr);
+                const PathPart* part = nullptr, PathClass paths = PathClass::All);
   double evaluate(SampleSource& numbers, const Change& change, SplatBuffer& splats) override;
   void accepted() override;
   void rejected() override;
@@ -126,6 +128,7 @@ class OnePathTarget final : public PathTarget {
 
   const ChainView& view_;
   const PathPart* part_;
+  PathClass paths_;
   double light_subpaths_;
   PathSampler sampler_;
   const TechniqueChoice& choice_;

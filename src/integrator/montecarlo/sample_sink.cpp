@@ -149,7 +149,8 @@ void SampleSink::keep_strong(const Contribution& contribution, const Vec2& raste
                   Spectrum(),
                   static_cast<double>(parts.light * parts.chains),
                   origin_ + static_cast<std::uint64_t>(contribution.light_subpath),
-                  contribution.light_subpath};
+                  contribution.light_subpath,
+                  contribution.hit_only};
   const float weight = path.technique.t == 1 ? light_weight_ : weight_;
   path.energy *= static_cast<double>(weight);
   const double lot = draw_lot(path.energy, grain_, path.key());

@@ -30,7 +30,7 @@ void serialize_population(A& archive, Population& population, const ChainPlan& p
   for (std::uint64_t i = 0; i < chains; ++i) {
     if constexpr (A::is_loading::value) {
       SelectiveChain& chain = population.chains.emplace_back();
-      if (!is_explicit(plan.kind)) {
+      if (!is_explicit(plan.groups[population.group].kind)) {
         chain.state = PrimaryChain(plan.groups[population.group].shape, 0, 0, 0.0);
       }
     }
@@ -47,7 +47,7 @@ void serialize(A& archive, StrongPath& path) {
     archive(value);
     path.value.set(lane, value);
   }
-  archive(path.energy, path.sample);
+  archive(path.energy, path.sample, path.hit_only);
 }
 
 }  // namespace ajar

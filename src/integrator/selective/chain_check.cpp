@@ -7,6 +7,7 @@
 #include "core/milestones.h"
 #include "core/parallel_for.h"
 #include "integrator/selective/chain_starts.h"
+#include "integrator/selective/chain_walker.h"
 #include "integrator/selective/heuristics.h"
 
 namespace ajar {
@@ -30,7 +31,7 @@ void check_population(const ChainPopulation& population, const ChainPlan& plan,
       passes * (1.0 + std::max(plan.mutations, SelectiveHeuristics::kMostMutations) *
                           static_cast<double>(plan.pixels()));
   const PathGroup& group = plan.groups[population.group];
-  check_record(population.retired, group, plan.chain_moves().size());
+  check_record(population.retired, group, moves_of(group).size());
   check_record({population.plain_statistics, {}}, group);
   constexpr double kMostSamples = 0x1p63;
   require(population.samples_behind >= 0.0 && population.samples_behind < kMostSamples,

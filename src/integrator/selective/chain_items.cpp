@@ -97,8 +97,10 @@ void ChainItems::run_chain(const Item& item, std::uint64_t first_sample, std::ui
   const std::size_t chains = chains_in(population.replicate);
   const auto walker = make_chain_walker(plan_, plan_.groups[population.group], population.replicate,
                                         moves_of(maps, population.replicate));
+  // Steps of explicit paths do not follow the plane.
   ChainFilmSink sink(film, population.replicate, plan_.view.importance, walker->target(), counters,
-                     gathering(maps), kept_by(population.replicate));
+                     walker->target() != nullptr ? gathering(maps) : nullptr,
+                     kept_by(population.replicate));
   const double b = b_[item.population];
   const auto in_population = static_cast<double>(population.chains.size());
   walker->start(member);

@@ -84,7 +84,7 @@ std::vector<ParameterSpec> chain_parameters(ChainKind kind) {
             "(equal relative error everywhere), or an image file whose brightness is the weight",
         .choices = {}}});
   mark_experts(specs, {"techniques", "large-step", "bootstrap", "direct", "importance"});
-  if (is_explicit(kind)) {
+  if (has_explicit(kind)) {
     for (ParameterSpec& spec : path_mutation_parameters()) {
       spec.expert = true;
       specs.push_back(std::move(spec));

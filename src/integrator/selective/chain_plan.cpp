@@ -45,10 +45,11 @@ ChainPlan::ChainPlan(ChainKind chain_kind, const Scene& the_scene,
       wanted_chains(static_cast<std::uint64_t>(parameters.get_int("chains"))),
       seed_rule{seed_filter_of(parameters.get_text("seeds")), parameters.get_float("seed-spread")},
       moves(parameters, kind) {
-  if (is_explicit(kind)) path_mutations = path_mutation_weights(parameters);
+  if (has_explicit(kind)) path_mutations = path_mutation_weights(parameters);
   if (selective) check_region_rules(selective->rules, scene.object_names(), scene.material_names());
   settings.max_depth = std::min(settings.max_depth, MetropolisHeuristics::kMostEdges);
   read_split();
+  if (kind == ChainKind::ByPath && !has_recruits()) kind = ChainKind::OnePath;
   if (kind == ChainKind::SpreadPath && thresholds.empty()) {
     throw UsageError(
         "chain=erpt: only where ordinary Monte Carlo finds the paths that chains start from, so "
@@ -162,11 +163,17 @@ std::size_t ChainPlan::chains_per_replicate() const {
 }
 
 const PathGroup& ChainPlan::group_of(int depth) const {
-  const auto& own = kind == ChainKind::OnePath ? groups : depth_groups_;
+  const auto& own = is_explicit(kind) ? depth_groups_ : groups;
   const auto group = std::find_if(own.begin(), own.end(),
                                   [&](const PathGroup& one) { return one.depth == depth; });
   if (group == own.end()) throw std::logic_error("bug: no chains for paths of this depth");
   return *group;
+}
+
+const PathGroup& ChainPlan::group_of(const StrongPath& found) const {
+  const PathGroup& last = groups.back();
+  if (is_explicit(last.kind) && has_paths(last.paths, found.hit_only)) return last;
+  return group_of(found.technique.depth());
 }
 
 void ChainPlan::make_groups() {
@@ -187,10 +194,6 @@ void ChainPlan::make_groups() {
   if (is_explicit(kind)) {
     depth_groups_ = make_path_groups(ChainKind::OnePath, sampler, 0);
   }
-}
-
-std::span<const Move> ChainPlan::chain_moves() const {
-  return is_explicit(kind) ? path_moves() : primary_moves();
 }
 
 void ChainPlan::read_importance() {

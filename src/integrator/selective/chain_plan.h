@@ -38,8 +38,8 @@ struct ChainPlan {
   const PathPart* part_of(int replicate) const {
     return divisions ? &divisions->of(replicate) : nullptr;
   }
-  /// Of the kernels that the chains run with.
-  std::span<const Move> chain_moves() const;
+  /// The group whose chains make what was found.
+  const PathGroup& group_of(const StrongPath& found) const;
   /// Of the crop.
   std::uint64_t pixels() const;
   /// In the units of `PixelShare`; 0 if light is not divided path by path.

@@ -180,17 +180,14 @@ std::vector<std::vector<const ChainRecruits::Recruit*>> ChainRecruits::sorted_re
   shared_.clear();
   std::sort(recruits_.begin(), recruits_.end(),
             [](const Recruit& a, const Recruit& b) { return order_of(a.path) < order_of(b.path); });
-  std::map<std::pair<int, int>, std::size_t> by_replicate_and_depth;
+  std::map<std::pair<int, const PathGroup*>, std::size_t> by_replicate_and_group;
   for (std::size_t p = 0; p < populations.size(); ++p) {
-    by_replicate_and_depth[{populations[p].replicate, plan_.groups[populations[p].group].depth}] =
-        p;
+    by_replicate_and_group[{populations[p].replicate, &plan_.groups[populations[p].group]}] = p;
   }
-  const bool by_depth = plan_.kind == ChainKind::OnePath;
   std::vector<std::vector<const Recruit*>> found(populations.size());
   for (const Recruit& recruit : recruits_) {
     const StrongPath& path = recruit.path;
-    const int depth = by_depth ? path.technique.depth() : 0;
-    found[by_replicate_and_depth.at({path.replicate, depth})].push_back(&recruit);
+    found[by_replicate_and_group.at({path.replicate, &plan_.group_of(path)})].push_back(&recruit);
   }
   return found;
 }

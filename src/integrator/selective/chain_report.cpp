@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "integrator/metropolis/chain_report.h"
+#include "integrator/selective/chain_walker.h"
 
 namespace ajar {
 
@@ -70,9 +71,9 @@ MethodReport report_chains(const ChainPlan& plan, std::span<const ChainPopulatio
                            double later_weight) {
   std::uint64_t samples = plan.scouted;
   for (const ChainPopulation& population : populations) samples += population.capped.count;
-  ChainReporter reporter(samples, plan.chain_moves());
+  ChainReporter reporter(samples);
   for (std::size_t g = 0; g < plan.groups.size(); ++g) {
-    ChainReporter::OfGroup group(plan.groups[g]);
+    ChainReporter::OfGroup group(plan.groups[g], moves_of(plan.groups[g]));
     for (const ChainPopulation& population : populations) {
       if (population.group != g) continue;
       group.add_b(population.b(later_weight), population.b_standard_error(),

@@ -29,7 +29,7 @@ std::optional<PathChain> seed_path(const ChainPlan& plan, const ChainPopulation&
                                    const SampleOfChains& sample, std::uint64_t number) {
   const double which =
       to_unit_double(hash_numbers(sample.seed, RandomUse::PathSeed, sample.index, number));
-  PathShare share = path_share_of(plan, population.replicate);
+  PathShare share = path_share_of(plan, plan.groups[population.group], population.replicate);
   std::optional<Path> path =
       choose_path(plan.scene, plan.groups[population.group], plan.view, sample.seed, sample.index,
                   which, plan.part_of(population.replicate), &share);
@@ -54,33 +54,33 @@ std::vector<SelectiveChain> seed_paths(const ChainPlan& plan, const ChainPopulat
 }
 
 /// Whether a chain of explicit paths can be there.
-bool is_lit(const ChainPlan& plan, int replicate, const Path& path) {
-  PathShare share = path_share_of(plan, replicate);
+bool is_lit(const ChainPlan& plan, const PathGroup& group, int replicate, const Path& path) {
+  PathShare share = path_share_of(plan, group, replicate);
   SplatBuffer splats;
   return std::isfinite(light_on(plan.scene, path, plan.view, 0, splats, &share));
 }
 
 std::optional<PathChain> path_chain_at(const ChainPlan& plan, const PathNumbers& numbers,
                                        const StrongPath& found, bool known, RayCounts& rays) {
-  const PathGroup& group = plan.group_of(found.technique.depth());
-  const PrimaryChain chain = numbers.start_chain(plan, group, found);
+  const PathGroup& of_depth = plan.group_of(found.technique.depth());
+  const PrimaryChain chain = numbers.start_chain(plan, of_depth, found);
   ReplaySource source(chain.numbers);
   std::optional<Path> path =
-      replay_halves(plan.scene, group.sampler, source, found.raster, found.technique, rays);
+      replay_halves(plan.scene, of_depth.sampler, source, found.raster, found.technique, rays);
   if (!path) return std::nullopt;
-  if (!known && !is_lit(plan, found.replicate, *path)) return std::nullopt;
+  if (!known && !is_lit(plan, plan.group_of(found), found.replicate, *path)) return std::nullopt;
   return chain_at(std::move(*path), chain.seed, chain.origin);
 }
 
 void check_path_chain(const ChainPlan& plan, const ChainPopulation& population,
                       const SelectiveChain& chain, double most_steps) {
   const PathGroup& group = plan.groups[population.group];
-  check_record(chain.record, group, plan.chain_moves().size());
+  check_record(chain.record, group, moves_of(group).size());
   const auto& own = std::get<PathChain>(chain.state);
   const int depth = own.path.depth();
   if (static_cast<double>(own.step) > most_steps || own.scalar != 1.0 || chain.weight == 0.0 ||
       !std::isfinite(chain.weight) || depth < group.sampler.min_depth ||
-      depth > group.sampler.max_depth || !is_lit(plan, population.replicate, own.path)) {
+      depth > group.sampler.max_depth || !is_lit(plan, group, population.replicate, own.path)) {
     throw std::runtime_error("a chain is where it cannot be");
   }
 }
@@ -89,7 +89,7 @@ void check_path_chain(const ChainPlan& plan, const ChainPopulation& population,
 
 std::vector<SelectiveChain> seed_chains_of(const ChainPlan& plan, const ChainPopulation& population,
                                            std::size_t count) {
-  if (is_explicit(plan.kind)) return seed_paths(plan, population, count);
+  if (is_explicit(plan.groups[population.group].kind)) return seed_paths(plan, population, count);
   std::vector<SelectiveChain> chains;
   for (MemberChain& member : seed_chains(plan.groups[population.group], population.seed,
                                          population.weights, count, plan.seed_rule)) {
@@ -103,13 +103,13 @@ std::optional<SelectiveChain> start_chain_of(const ChainPlan& plan, const PathNu
                                              RayCounts& rays) {
   SelectiveChain start;
   start.weight = std::copysign(1.0, found.energy);
-  if (is_explicit(plan.kind)) {
+  const PathGroup& group = plan.group_of(found);
+  if (is_explicit(group.kind)) {
     std::optional<PathChain> chain = path_chain_at(plan, numbers, found, known.has_value(), rays);
     if (!chain) return std::nullopt;
     start.state = std::move(*chain);
     return start;
   }
-  const PathGroup& group = plan.group_of(found.technique.depth());
   PrimaryChain chain = numbers.start_chain(plan, group, found);
   if (known) {
     chain.scalar = *known;
@@ -127,11 +127,11 @@ std::optional<SelectiveChain> start_chain_of(const ChainPlan& plan, const PathNu
 
 void check_chain(const ChainPlan& plan, const ChainPopulation& population,
                  const SelectiveChain& chain, double most_steps) {
-  if (is_explicit(plan.kind)) {
+  const PathGroup& group = plan.groups[population.group];
+  if (is_explicit(group.kind)) {
     check_path_chain(plan, population, chain, most_steps);
     return;
   }
-  const PathGroup& group = plan.groups[population.group];
   const MemberChain member{std::get<PrimaryChain>(chain.state), chain.record, chain.weight};
   check_member(member, group, most_steps);
   check_state(member, *plan.make_target(group, population.replicate));

@@ -37,7 +37,7 @@ class PrimaryWalker final : public ChainWalker {
 class PathWalker final : public ChainWalker {
  public:
   PathWalker(const ChainPlan& plan, const PathGroup& group, int replicate)
-      : share_(path_share_of(plan, replicate)),
+      : share_(path_share_of(plan, group, replicate)),
         bounds_{plan.view, group.sampler.min_depth, group.sampler.max_depth},
         kernel_(make_path_kernel(plan.scene, bounds_, plan.path_mutations, splat_layer, &share_)),
         runner_(kernel_) {}
@@ -60,14 +60,18 @@ class PathWalker final : public ChainWalker {
 
 std::unique_ptr<ChainWalker> make_chain_walker(const ChainPlan& plan, const PathGroup& group,
                                                int replicate, const PlaneMoves* plane) {
-  if (is_explicit(plan.kind)) {
+  if (is_explicit(group.kind)) {
     return std::make_unique<PathWalker>(plan, group, replicate);
   }
   return std::make_unique<PrimaryWalker>(plan, group, replicate, plane);
 }
 
-PathShare path_share_of(const ChainPlan& plan, int replicate) {
-  return {plan.scene, plan.groups.front().sampler, plan.view.importance, plan.part_of(replicate)};
+std::span<const Move> moves_of(const PathGroup& group) {
+  return is_explicit(group.kind) ? path_moves() : primary_moves();
+}
+
+PathShare path_share_of(const ChainPlan& plan, const PathGroup& group, int replicate) {
+  return {plan.scene, group.sampler, plan.view.importance, plan.part_of(replicate), group.paths};
 }
 
 }  // namespace ajar

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <memory>
+#include <span>
 
 #include "integrator/metropolis/path_share.h"
 #include "integrator/selective/chain_plan.h"
@@ -30,7 +31,11 @@ class ChainWalker {
 std::unique_ptr<ChainWalker> make_chain_walker(const ChainPlan& plan, const PathGroup& group,
                                                int replicate, const PlaneMoves* plane);
 
-/// What chains of explicit paths make of them in a replicate. The plan must outlive it.
-PathShare path_share_of(const ChainPlan& plan, int replicate);
+/// How the chains of a group move.
+std::span<const Move> moves_of(const PathGroup& group);
+
+/// What chains of explicit paths, of one group, make of them in a replicate. The plan must outlive
+/// it.
+PathShare path_share_of(const ChainPlan& plan, const PathGroup& group, int replicate);
 
 }  // namespace ajar

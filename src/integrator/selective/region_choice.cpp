@@ -247,22 +247,18 @@ OfferedThresholds offer_thresholds(const PilotView& view,
   return offered;
 }
 
-/// What must be sure before chains do more than stand by.
-struct Caution {
-  double doubt = 1.0;  ///< times C
-  double clear_gain = 1.0;
-};
-
-/// Blotches of chains stay when the picture is filtered, so it takes more to speak for them.
-Caution caution_of(const ChainPlan& plan) {
-  if (plan.selective->objective == SelectiveSettings::Objective::Raw) return {};
-  return {SelectiveHeuristics::kDoubt, SelectiveHeuristics::kClearGain};
+/// Predicted error with chains over that without, from which on they only stand by. Blotches of
+/// chains stay when the picture is filtered, so it takes more to speak for them.
+double clear_gain(const ChainPlan& plan) {
+  return plan.selective->objective == SelectiveSettings::Objective::Raw
+             ? 1.0
+             : SelectiveHeuristics::kClearGain;
 }
 
 /// Predicted error with chains over that without, if they are as much worse as one may doubt.
 double gain_of_chains(const PilotView& view, const std::vector<double>& thresholds,
                       ThresholdCosts costs, const PathsSeen& seen) {
-  costs.correlation *= caution_of(view.plan).doubt;
+  costs.correlation *= SelectiveHeuristics::kDoubt;
   const std::vector<ThresholdEstimate> regions = estimate_thresholds(view, thresholds, seen);
   const ThresholdChoice without = predict_thresholds(
       regions, costs, std::vector<std::size_t>(regions.size(), thresholds.size()));
@@ -273,8 +269,8 @@ double gain_of_chains(const PilotView& view, const std::vector<double>& threshol
 /// it is a matter of degree: the halves of the replicates decide each for itself, and if one did
 /// with chains what the other does without, the picture would have the noise of the one at the cost
 /// of the other.
-double trust_in(double gain, const Caution& caution) {
-  return std::clamp((caution.clear_gain - gain) / SelectiveHeuristics::kDoubtfulGains, 0.0, 1.0);
+double trust_in(double gain, double clear) {
+  return std::clamp((clear - gain) / SelectiveHeuristics::kDoubtfulGains, 0.0, 1.0);
 }
 
 ThresholdCosts threshold_costs(const PilotView& view) {
@@ -295,11 +291,10 @@ RegionChoice choose_thresholds(const PilotView& view) {
     // No single sample is evidence.
     choice.expected_error =
         gain_of_chains(view, thresholds, costs, {SelectiveHeuristics::kWhite, true});
-    const Caution caution = caution_of(view.plan);
-    trust = trust_in(choice.expected_error, caution);
-    choice.off = trust == 0.0 &&
-                 gain_of_chains(view, thresholds, costs, {SelectiveHeuristics::kGlaring, false}) >=
-                     caution.clear_gain;
+    const double clear = clear_gain(view.plan);
+    trust = trust_in(choice.expected_error, clear);
+    choice.off = trust == 0.0 && gain_of_chains(view, thresholds, costs,
+                                                {SelectiveHeuristics::kGlaring, false}) >= clear;
   }
   std::vector<std::size_t> chosen;
   chosen.reserve(regions.size());
@@ -327,13 +322,12 @@ RegionChoice choose_thresholds(const PilotView& view) {
 }
 
 /// Whether chains would clearly pay for what σ gives them, where the user has not decided.
-bool weights_would_pay(std::span<const RegionEstimate> regions, RenderCosts costs,
-                       const Caution& caution) {
-  costs.correlation *= caution.doubt;
+bool weights_would_pay(std::span<const RegionEstimate> regions, RenderCosts costs, double clear) {
+  costs.correlation *= SelectiveHeuristics::kDoubt;
   double alone = costs.omc_only_variance;
   for (const RegionEstimate& region : regions) alone += region.variance;
   alone *= costs.seconds_per_omc_sample / costs.seconds;
-  return optimal_split(regions, costs).weights.error() < caution.clear_gain * alone;
+  return optimal_split(regions, costs).weights.error() < clear * alone;
 }
 
 /// σ of each region, and what it takes.
@@ -361,7 +355,7 @@ RegionChoice choose_weights(const PilotView& view) {
                           sum_of(sample_errors(view, {"direct"}).variance)};
   RegionChoice choice;
   if (settings.map == SelectiveSettings::Map::Optimal && settings.painted.empty() &&
-      !weights_would_pay(estimates, costs, caution_of(view.plan))) {
+      !weights_would_pay(estimates, costs, clear_gain(view.plan))) {
     for (RegionEstimate& estimate : estimates) estimate.maximum = estimate.minimum;
   }
   const TimeSplit split = optimal_split(estimates, costs);

@@ -43,7 +43,8 @@ ChainKind chain_kind(const Parameters& parameters) {
   const std::string& chain = parameters.get_text("chain");
   if (chain == "mlt") return ChainKind::ExplicitPath;
   if (chain == "erpt") return ChainKind::SpreadPath;
-  return chain == "mmlt" ? ChainKind::OnePath : ChainKind::WholePath;
+  if (chain == "pssmlt") return ChainKind::WholePath;
+  return chain == "mmlt" ? ChainKind::OnePath : ChainKind::ByPath;
 }
 
 bool has(std::span<const ParameterSpec> specs, const std::string& name) {
@@ -59,8 +60,8 @@ void limit_to_chains(ParameterSpec& spec) {
   const bool of_paths = has(path_mutation_parameters(), spec.name);
   if (!of_numbers && !of_paths) return;
   spec.depends_on = "chain";
-  spec.matters_for = of_paths ? std::vector<std::string>{"mlt", "erpt"}
-                              : std::vector<std::string>{"mmlt", "pssmlt"};
+  spec.matters_for = of_paths ? std::vector<std::string>{"auto", "mlt", "erpt"}
+                              : std::vector<std::string>{"auto", "mmlt", "pssmlt"};
 }
 
 bool divides_regions(const Parameters& parameters) {

@@ -123,7 +123,7 @@ SelectiveMoves::SelectiveMoves(const Parameters& parameters, ChainKind kind)
   }
   if (const std::optional<double> share = parameters.get_number("raster-steps")) {
     probabilities.raster = *share;
-  } else if (kind == ChainKind::OnePath && settings.tries == 1 && !plane.active()) {
+  } else if (has_one_path(kind) && settings.tries == 1 && !plane.active()) {
     // What they leave as it is, a state of pssmlt would trace again.
     probabilities.raster = SelectiveHeuristics::kRasterSteps;
     raster_steps_are_open = true;

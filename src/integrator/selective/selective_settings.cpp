@@ -42,10 +42,12 @@ std::vector<ParameterSpec> SelectiveSettings::parameters() {
           "how the light is divided: path by path and by regions of the picture, as a "
           "pilot finds; or alike everywhere, which leaves all that follows from regions "
           "out (presets mmlt+ and pssmlt+)"),
-      choice_parameter("chain", {"mmlt", "pssmlt", "mlt", "erpt"},
-                       "the Markov chains: of one path, of one camera and light subpath, of "
-                       "explicit paths; erpt: those of mlt, begun anew again and again by what "
-                       "ordinary Monte Carlo has found since"),
+      choice_parameter("chain", {"auto", "mmlt", "pssmlt", "mlt", "erpt"},
+                       "the Markov chains: mmlt, of one path; pssmlt, of one camera and light "
+                       "subpath; mlt, of explicit paths; erpt: those of mlt, begun anew again and "
+                       "again by what ordinary Monte Carlo has found since; auto: mlt for paths "
+                       "that no connection makes (a lamp seen by way of glass, a matte surface "
+                       "and glass), mmlt for the others"),
       choice_parameter("preset", {"none", "published", "lambertian-out", "mmlt+", "pssmlt+"},
                        "published: everything as in the paper; lambertian-out: no chains where "
                        "the material is matte (for omc=lt); mmlt+ and pssmlt+: division=everywhere "

@@ -15,6 +15,13 @@ bool can_join(const Path& path, int x) {
   return is_rough(x - 1) && is_rough(x);
 }
 
+bool is_hit_only(const Path& path) {
+  for (int x = 1; x <= path.depth(); ++x) {
+    if (can_join(path, x)) return false;
+  }
+  return true;
+}
+
 bool same_events(const Path& a, const Path& b, int first, int last) {
   for (int x = first; x <= last; ++x) {
     if (!a.vertex(x).event.specular() || a.vertex(x).event != b.vertex(x).event) return false;

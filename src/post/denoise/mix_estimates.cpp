@@ -80,10 +80,12 @@ float variance(const BiasedEstimate& estimate, std::size_t value, float scale) {
 struct SquaredError {
   Plane noise;
   Plane bias;  ///< of a replicate
+  bool improves = true;
 
   float of_replicates(std::size_t i) const { return noise.values[i] + bias.values[i]; }
-  /// What a filter does wrong falls with the noise that it sees: the whole has a quarter of it.
-  float of_whole(std::size_t i) const { return noise.values[i] + bias.values[i] / kParts; }
+  float of_whole(std::size_t i) const {
+    return noise.values[i] + (improves ? bias.values[i] / kParts : bias.values[i]);
+  }
 };
 SquaredError squared_error(Vec2i size, const BiasedEstimate& estimate, const Replicates& unbiased,
                            const std::vector<float>& scales) {
@@ -104,7 +106,7 @@ SquaredError squared_error(Vec2i size, const BiasedEstimate& estimate, const Rep
   bias = filter_plane(bias, kernel);
   noise = filter_plane(noise, kernel);
   for (float& value : bias.values) value = std::max(0.F, value);
-  return {std::move(noise), std::move(bias)};
+  return {std::move(noise), std::move(bias), estimate.improves};
 }
 
 }  // namespace

@@ -84,6 +84,17 @@ TEST(MixEstimates, BelievesThatTheWholeIsFilteredBetterThanAReplicate) {
   EXPECT_LT(mean_of(mixed.shares[1]), 0.25);
 }
 
+/// Light that a quarter of the samples has not found, all of them need not have found either.
+TEST(MixEstimates, TakesLittleOfWhatMissesLight) {
+  const Replicates replicates = noisy(std::vector<float>(kValues, 1.F), 0.3F);
+  const BiasedEstimate noise{replicate_mean(replicates), replicates};
+  BiasedEstimate dark{std::vector<float>(kValues, 0.8F),
+                      Replicates(4, std::vector<float>(kValues, 0.8F))};
+  EXPECT_GT(mean_of(mix_estimates(kSize, {dark, noise}, replicates).shares[0]), 0.75);
+  dark.improves = false;
+  EXPECT_LT(mean_of(mix_estimates(kSize, {dark, noise}, replicates).shares[0]), 0.45);
+}
+
 /// What would make a mixture with the unfiltered picture consistent: with less noise the share of a
 /// filter that is wrong falls faster than the variance.
 TEST(MixEstimates, LosesBiasAsNoiseFalls) {

@@ -1,0 +1,16 @@
+#pragma once
+
+namespace ajar {
+
+/// Which paths chains are over. What a path is like decides, not how it was found.
+enum class PathClass {
+  All,
+  Connectible,  ///< with an edge that a connection could make: neither end of it is specular
+  HitOnly       ///< without: only those find them who hit the light by chance
+};
+
+constexpr bool has_paths(PathClass paths, bool hit_only) {
+  return paths == PathClass::All || (paths == PathClass::HitOnly) == hit_only;
+}
+
+}  // namespace ajar
