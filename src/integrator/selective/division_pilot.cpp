@@ -20,6 +20,9 @@ namespace ajar {
 
 namespace {
 
+/// Of a pilot of which nothing stays.
+constexpr int kReplicatesOfTrial = 4;
+
 /// What chains make of a path that brings as much as the whole of its pixel, relative to what they
 /// might at most.
 float chain_share(const PixelShare& share, const ChainPlan& plan) {
@@ -112,8 +115,15 @@ class DivisionPilot::Sink final : public StrongPathSink {
   std::vector<FoundLight> found_;
 };
 
+std::uint64_t DivisionPilot::planned_samples() const {
+  const auto replicates =
+      static_cast<std::uint64_t>(stays() ? plan_.settings.replicates : kReplicatesOfTrial);
+  return std::max<std::uint64_t>(1, (plan_.pilot_samples + replicates - 1) / replicates) *
+         replicates;
+}
+
 double DivisionPilot::effort() const {
-  return static_cast<double>(plan_.pilot_samples) *
+  return static_cast<double>(planned_samples()) *
          ChainPlan::effort_with(plan_.omc.light_paths_per_pixel);
 }
 
@@ -121,15 +131,12 @@ std::uint64_t DivisionPilot::begin() {
   if (!(plan_.brightness > 0.0)) return 0;
   if (!plan_.divisions) plan_.divisions.emplace(Division(0.0, plan_.view.importance));
   RenderSettings settings = plan_.omc_settings();
-  constexpr int kReplicates = 4;
   if (!stays()) {
-    settings.replicates = kReplicates;
+    settings.replicates = kReplicatesOfTrial;
     settings.seed = hash_numbers(settings.seed, RandomUse::DivisionPilot);
     settings.aovs.clear();
   }
-  const auto replicates = static_cast<std::uint64_t>(settings.replicates);
-  samples_ =
-      std::max<std::uint64_t>(1, (plan_.pilot_samples + replicates - 1) / replicates) * replicates;
+  samples_ = planned_samples();
   grain_ = static_cast<float>(SelectiveHeuristics::kGrain * plan_.brightness);
   if (recruits_ != nullptr) recruits_->expect_unknown(static_cast<double>(samples_));
   omc_ = plan_.make_omc(settings, plan_.omc_depths(),
