@@ -20,9 +20,6 @@ namespace ajar {
 
 namespace {
 
-/// Of a pilot of which nothing stays.
-constexpr int kReplicatesOfTrial = 4;
-
 /// What chains make of a path that brings as much as the whole of its pixel, relative to what they
 /// might at most.
 float chain_share(const PixelShare& share, const ChainPlan& plan) {
@@ -115,11 +112,14 @@ class DivisionPilot::Sink final : public StrongPathSink {
   std::vector<FoundLight> found_;
 };
 
+int DivisionPilot::replicates() const {
+  constexpr int kReplicates = 4;
+  return stays() ? plan_.settings.replicates : kReplicates;
+}
+
 std::uint64_t DivisionPilot::planned_samples() const {
-  const auto replicates =
-      static_cast<std::uint64_t>(stays() ? plan_.settings.replicates : kReplicatesOfTrial);
-  return std::max<std::uint64_t>(1, (plan_.pilot_samples + replicates - 1) / replicates) *
-         replicates;
+  const auto of_each = static_cast<std::uint64_t>(replicates());
+  return std::max<std::uint64_t>(1, (plan_.pilot_samples + of_each - 1) / of_each) * of_each;
 }
 
 double DivisionPilot::effort() const {
@@ -131,8 +131,8 @@ std::uint64_t DivisionPilot::begin() {
   if (!(plan_.brightness > 0.0)) return 0;
   if (!plan_.divisions) plan_.divisions.emplace(Division(0.0, plan_.view.importance));
   RenderSettings settings = plan_.omc_settings();
+  settings.replicates = replicates();
   if (!stays()) {
-    settings.replicates = kReplicatesOfTrial;
     settings.seed = hash_numbers(settings.seed, RandomUse::DivisionPilot);
     settings.aovs.clear();
   }
