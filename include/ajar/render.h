@@ -87,8 +87,9 @@ class Render {
   /// Ends it after the pass that runs; called twice, within it.
   void stop();
   Progress progress() const;
-  /// The picture as it is: waits for the end of the pass that runs. Empty before the first pass,
-  /// and in callbacks.
+  /// The picture as it is: waits for the end of the pass that runs. Before the first pass, a rough
+  /// look of 0 samples per pixel if the method has one, without other layers; else empty, and so in
+  /// callbacks.
   std::optional<Picture> picture() const;
   /// All that is known, as JSON with the keys of `ajar render --stats`; waits likewise.
   std::string statistics() const;

@@ -117,7 +117,8 @@ class Session:
         return self.progress().done
 
     def picture(self):
-        """The picture as it is; None before the first pass. Waits for the end of the pass that runs."""
+        """The picture as it is. Waits for the end of the pass that runs. Before the first pass, a rough look of 0 samples
+        per pixel if the method has one, without other layers; else None."""
         done = self.done
         pointer = call_for_handle("ajar_render_picture", self._handle.pointer)
         if pointer is None:

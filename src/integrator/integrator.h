@@ -49,15 +49,22 @@ struct Counters : RayCounts {
   Counters& operator+=(const Counters& other);
 };
 
-/// Efforts are relative to each other.
+/// One of a preparation. Efforts are in camera samples per pixel.
 struct PreparationRound {
   std::uint64_t items = 0;
   double effort = 1.0;
   double later_effort = 0.0;  ///< of the rounds after it
+  double later_stays = 0.0;   ///< of that, what becomes part of the picture
   bool stays = false;         ///< what it renders becomes part of the picture
   /// What it finds serves the render even if none of the later rounds runs.
   bool serves_alone = false;
+  /// Effort of one sample per pixel of the render. 0: however few there are, the preparation comes
+  /// to its end, since without it another method would render than was asked for.
+  double sample_effort = 0.0;
 };
+
+/// Of what a render had too little for its whole preparation.
+enum class Shortage : bool { Time, Samples };
 
 /// What a method knows since its preparation.
 struct Findings {
@@ -85,10 +92,14 @@ class Integrator {
   /// preparation. Called once per round, after all items of the round before.
   virtual PreparationRound begin_preparation(int /*round*/) { return {}; }
   virtual void prepare_item(int /*round*/, std::uint64_t /*item*/, Counters& /*counters*/) {}
-  /// There is no time for the rest of the preparation: the integrator renders as well as it can
-  /// without. Called once a round has begun, of which any items may have run; the picture depends
-  /// on the number of the round only.
-  virtual void skip_preparation() {}
+  /// There is too little of something for the rest of the preparation: the integrator renders as
+  /// well as it can without. Called once a round has begun, of which any items may have run; the
+  /// picture depends on the number of the round only.
+  virtual void skip_preparation(Shortage /*of*/) {}
+  /// What the preparation has seen of the picture: RGB in the film's unit, row by row of the crop;
+  /// empty if there is nothing to look at, or nothing new since this was asked last. Asked between
+  /// the rounds of the preparation. For the eye only: none of it need be in the picture.
+  virtual std::vector<float> take_first_look() { return {}; }
   virtual Findings findings() const { return {}; }
 
   /// Layers of the film, known after the preparation; includes "direct" and "indirect".

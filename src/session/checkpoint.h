@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -55,7 +56,7 @@ struct Checkpoint {
   JobState job;
   std::string integrator_state;          ///< what `Integrator::save_state` wrote
   Counters preparation;                  ///< of the first run
-  bool prepared = true;                  ///< false: it was cut short
+  std::optional<Shortage> unprepared;    ///< why it was cut short, if it was
   std::uint64_t preparation_rounds = 0;  ///< that came to their end
   double other_seconds = 0.0;            ///< of building and preparing, all runs together
   std::uint32_t resumptions = 0;

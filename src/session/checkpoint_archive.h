@@ -111,13 +111,19 @@ void serialize(A& archive, JobState& job) {
 /// All but the film's sums.
 template <Archive A>
 void serialize(A& archive, Checkpoint& checkpoint) {
+  bool unprepared = checkpoint.unprepared.has_value();
+  bool of_samples = checkpoint.unprepared == Shortage::Samples;
   archive(checkpoint.version, checkpoint.render, checkpoint.budget, checkpoint.outputs,
           checkpoint.tone_map, checkpoint.exposure.automatic, checkpoint.exposure.stops,
           checkpoint.denoiser, checkpoint.features.albedo, checkpoint.features.normal,
           checkpoint.layers, checkpoint.scales, checkpoint.job, checkpoint.integrator_state,
-          checkpoint.preparation, checkpoint.prepared, checkpoint.preparation_rounds,
+          checkpoint.preparation, unprepared, of_samples, checkpoint.preparation_rounds,
           checkpoint.other_seconds, checkpoint.resumptions, checkpoint.interruptions,
           checkpoint.merged);
+  if constexpr (A::is_loading::value) {
+    checkpoint.unprepared.reset();
+    if (unprepared) checkpoint.unprepared = of_samples ? Shortage::Samples : Shortage::Time;
+  }
 }
 
 }  // namespace ajar

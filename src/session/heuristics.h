@@ -8,13 +8,20 @@ namespace ajar {
 /// expectation hangs on them.
 struct SessionHeuristics {
   // -------------------------------------------------------- time
-  /// Of the time for a render, what its preparation may take.
+  /// Of the time for a render, what its preparation may take; and of the effort of a render of so
+  /// many samples, what may be spent on samples that are not of its picture.
   /// Unit: share. Range: (0, 1). Source: d9bd289: with three quarters, most of a short render was
   /// thrown away; no study of others.
   static constexpr double kMostOfTime = 0.25;
-  /// The same, where the round that runs becomes part of the picture: what is cut short is lost.
+  /// The same, where the round that runs becomes part of the picture: what is cut short is lost;
+  /// and of the effort, what the whole preparation may be.
   /// Unit: share. Range: [kMostOfTime, 1). Source: set by hand, no study; as much is left to go on.
   static constexpr double kMostOfTimeForPicture = 0.5;
+  /// A preparation of so few camera samples is never too much for a render of few samples: those
+  /// of pictures of up to 160x120 pixels have no more.
+  /// Unit: camera samples. Range: >= 0. Source: docs/results/speed.md, "The first picture": they
+  /// take 0.5 to 0.6 CPU-seconds in small scenes. Half and double not measured.
+  static constexpr double kFewToPrepare = 163840.0;
   /// Of a round of a preparation, before its rate is believed.
   /// Unit: share. Range: (0, 1]. Source: 8145106; set by hand, no study.
   static constexpr double kTelling = 0.1;

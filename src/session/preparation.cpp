@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
+#include <vector>
 
 #include "core/parallel_for.h"
 #include "session/heuristics.h"
@@ -23,9 +25,28 @@ PreparationEnd Preparation::must_stop(double deadline) const {
   return seconds() > deadline ? PreparationEnd::NoTime : PreparationEnd::Done;
 }
 
+bool Preparation::has_few_samples(const PreparationRound& next) const {
+  if (!limits_.samples || next.sample_effort == 0.0) return false;
+  double effort = over_ + next.effort;
+  double stays = stays_ + (next.stays ? next.effort : 0.0);
+  if (!next.serves_alone) {
+    effort += next.later_effort;
+    stays += next.later_stays;
+  }
+  const double lost = effort - stays;
+  const double whole = static_cast<double>(*limits_.samples) * next.sample_effort + lost;
+  const double few = SessionHeuristics::kFewToPrepare / static_cast<double>(limits_.pixels);
+  return lost > std::max(few, SessionHeuristics::kMostOfTime * whole) ||
+         effort > std::max(few, SessionHeuristics::kMostOfTimeForPicture * whole);
+}
+
 PreparationEnd Preparation::must_skip(const PreparationRound& next) const {
   PreparationEnd reason = must_stop(deadline(false));
-  if (limits_.rounds == rounds_) reason = PreparationEnd::NoTime;
+  if (reason == PreparationEnd::Done && has_few_samples(next)) reason = PreparationEnd::FewSamples;
+  if (limits_.earlier && limits_.earlier->rounds == rounds_) {
+    const bool of_time = limits_.earlier->of == Shortage::Time;
+    reason = of_time ? PreparationEnd::NoTime : PreparationEnd::FewSamples;
+  }
   if (reason == PreparationEnd::Done && over_ > 0.0) {
     const double effort = next.serves_alone ? over_ + next.effort : all_.load();
     const double expected = seconds() * effort / over_;
@@ -71,6 +92,8 @@ Counters Preparation::run() {
   Counters whole;
   for (int round = 0;; ++round) {
     const PreparationRound next = integrator_.begin_preparation(round);
+    std::vector<float> look = integrator_.take_first_look();
+    if (show_ && !look.empty()) show_(std::move(look));
     if (next.items == 0) return whole;
     items_begun_ = 0;
     items_done_ = 0;
@@ -81,10 +104,12 @@ Counters Preparation::run() {
     end_ = must_skip(next);
     if (end_ == PreparationEnd::Done) end_ = run_round(round, deadline(next.stays), whole);
     if (end_ != PreparationEnd::Done) {
-      integrator_.skip_preparation();
+      integrator_.skip_preparation(end_ == PreparationEnd::FewSamples ? Shortage::Samples
+                                                                      : Shortage::Time);
       return whole;
     }
     over_ = over_ + next.effort;
+    if (next.stays) stays_ += next.effort;
     running_ = 0.0;
     ++rounds_;
   }

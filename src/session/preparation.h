@@ -4,6 +4,7 @@
 #include <functional>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "integrator/integrator.h"
 #include "session/interrupts.h"
@@ -17,14 +18,21 @@ struct PreparationLimits {
   std::optional<double> seconds = std::nullopt;  ///< for this and the render together
   /// That measures them, from any start; the wall's clock if there is none.
   std::function<double()> clock = {};
-  /// So many as an earlier run came to, which had no time for more.
-  std::optional<std::uint64_t> rounds = std::nullopt;
+  /// Of the picture, per pixel, if they end the render.
+  std::optional<std::uint64_t> samples = std::nullopt;
+  std::uint64_t pixels = 1;  ///< of the picture
+  /// What an earlier run came to; then this one comes as far.
+  struct CutShort {
+    std::uint64_t rounds = 0;
+    Shortage of = Shortage::Time;
+  };
+  std::optional<CutShort> earlier = std::nullopt;
   const InterruptCount* interrupts = nullptr;
   Ranks* ranks = nullptr;  ///< who render together; they look at the limits between rounds only
 };
 
-/// How a preparation came to its end: `NoTime` and `Interrupted` mean that it was cut short.
-enum class PreparationEnd { Done, NoTime, Interrupted };
+/// How a preparation came to its end: all but `Done` mean that it was cut short.
+enum class PreparationEnd { Done, FewSamples, NoTime, Interrupted };
 
 /// Runs the rounds of an integrator's preparation on all threads that TBB may use. If the user asks
 /// to stop, or it would take more than a quarter of the time for the render, the integrator has to
@@ -33,11 +41,21 @@ enum class PreparationEnd { Done, NoTime, Interrupted };
 /// which the samples become part of the picture, is finished as long as half of the time is left
 /// then. Where a round shows in its first tenth that it would take longer, it is given up there,
 /// and what it did is lost.
+///
+/// Of a render that so many samples end, likewise: no round begins if samples that are not of the
+/// picture would be more than a quarter of all effort, or the whole preparation more than half of
+/// it. That is known before, by counting, so that it is the same wherever the render runs. Small
+/// pictures are prepared all the same (`SessionHeuristics::kFewToPrepare`).
 class Preparation {
  public:
-  explicit Preparation(Integrator& integrator, PreparationLimits limits = {})
+  /// Is shown what the integrator has seen so far (`Integrator::take_first_look`), on the thread of
+  /// `run`.
+  using Show = std::function<void(std::vector<float> rgb)>;
+
+  explicit Preparation(Integrator& integrator, PreparationLimits limits = {}, Show show = {})
       : integrator_(integrator),
         limits_(std::move(limits)),
+        show_(std::move(show)),
         began_(limits_.clock ? limits_.clock() : 0.0) {}
   /// To be called once. What was spent.
   Counters run();
@@ -56,6 +74,9 @@ class Preparation {
   /// Whether the round that runs will not end then. Asked often, it tells once, as soon as a tenth
   /// of it is done: of many guesses the worst would decide.
   bool will_be_late(double deadline);
+  /// Whether the picture has too few samples for the round that is about to begin, and for the
+  /// later ones if it needs them.
+  bool has_few_samples(const PreparationRound& next) const;
   /// Why to do without the round that is about to begin, and the later ones; the same on all ranks.
   PreparationEnd must_skip(const PreparationRound& next) const;
   /// Why it was cut short; `Done`: it was not.
@@ -63,10 +84,12 @@ class Preparation {
 
   Integrator& integrator_;
   PreparationLimits limits_;
+  Show show_;
   const Stopwatch clock_;
   const double began_;  ///< by the limits' clock
   PreparationEnd end_ = PreparationEnd::Done;
   std::uint64_t rounds_ = 0;
+  double stays_ = 0.0;        ///< effort, of rounds that are over
   double round_began_ = 0.0;  ///< seconds
   // Efforts: of rounds that are over, of the one that runs, and of all.
   std::atomic<double> over_{0.0};

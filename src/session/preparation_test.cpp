@@ -8,9 +8,11 @@
 #include <chrono>
 #include <functional>
 #include <mutex>
+#include <string>
 #include <thread>
 #include <vector>
 
+#include "session/heuristics.h"
 #include "session/testing/thread_ranks.h"
 
 namespace ajar {
@@ -29,15 +31,31 @@ class Prepared final : public Integrator {
       is_ready = true;
       return {};
     }
-    double later = 0.0;
-    for (std::size_t j = i + 1; j < efforts_.size(); ++j) later += efforts_[j];
-    return {10, efforts_[i], later, stays, serves_alone};
+    PreparationRound next{.items = 10,
+                          .effort = efforts_[i],
+                          .stays = stays_from <= i,
+                          .serves_alone = serves_alone,
+                          .sample_effort = sample_effort};
+    for (std::size_t j = i + 1; j < efforts_.size(); ++j) {
+      next.later_effort += efforts_[j];
+      if (stays_from <= j) next.later_stays += efforts_[j];
+    }
+    return next;
+  }
+  /// After each round, its number.
+  std::vector<float> take_first_look() override {
+    if (!has_looks) return {};
+    return looks_++ == 0 ? std::vector<float>{}
+                         : std::vector<float>{static_cast<float>(looks_ - 1)};
   }
   void prepare_item(int round, std::uint64_t /*item*/, Counters& counters) override {
     ++counters.rays;
     if (on_item) on_item(round);
   }
-  void skip_preparation() override { skipped = true; }
+  void skip_preparation(Shortage of) override {
+    skipped = true;
+    shortage = of;
+  }
 
   std::vector<LayerSpec> layers() const override { return {}; }
   std::uint64_t items_in_round() const override { return 0; }
@@ -50,12 +68,16 @@ class Prepared final : public Integrator {
 
   bool is_ready = false;
   bool skipped = false;
-  bool stays = false;
+  Shortage shortage = Shortage::Time;
+  std::size_t stays_from = 1000;  ///< round
+  double sample_effort = 1.0;
+  bool has_looks = false;
   bool serves_alone = false;
   std::function<void(int round)> on_item;
 
  private:
   std::vector<double> efforts_;
+  int looks_ = 0;
 };
 
 TEST(Preparation, RunsAllRounds) {
@@ -169,7 +191,7 @@ TEST(Preparation, GivesUpARoundThatShowsThatItWillBeLate) {
 TEST(Preparation, FinishesWhatBecomesPartOfThePicture) {
   for (const bool stays : {false, true}) {
     Prepared integrator({1.0, 1.0});
-    integrator.stays = stays;
+    integrator.stays_from = stays ? 0 : 1000;
     integrator.on_item = [](int) { std::this_thread::sleep_for(100ms); };
     tbb::task_arena(1).execute([&] {
       Preparation preparation(integrator, {.seconds = 3.9});
@@ -193,16 +215,92 @@ TEST(Preparation, RunsRoundsThatServeAlone) {
   }
 }
 
+TEST(Preparation, IsSkippedWhereThePictureHasFewSamples) {
+  struct Case {
+    const char* what;
+    std::vector<double> efforts;
+    std::uint64_t enough;  ///< samples; one less is too few
+    std::size_t stays_from = 1000;
+    double sample_effort = 1.0;
+  };
+  const std::vector<Case> cases = {
+      // What is lost is a quarter of all effort at most: 3 of 9 + 3.
+      {"nothing stays", {1.0, 2.0}, 9},
+      // 7 of 11 + 3.
+      {"half of all", {3.0, 4.0}, 11, 1},
+      {"hardly anything is lost", {0.1, 4.0}, 9, 1},
+      {"dear samples", {3.0}, 5, 1000, 2.0},
+  };
+  for (const Case& c : cases) {
+    for (const std::uint64_t samples : {c.enough - 1, c.enough}) {
+      SCOPED_TRACE(std::string(c.what) + ", " + std::to_string(samples));
+      Prepared integrator(c.efforts);
+      integrator.stays_from = c.stays_from;
+      integrator.sample_effort = c.sample_effort;
+      PreparationLimits limits{.samples = samples, .pixels = 1000000000};
+      Preparation preparation(integrator, limits);
+      const std::uint64_t rays = preparation.run().rays;
+      const bool enough = samples == c.enough;
+      EXPECT_EQ(rays, enough ? 10 * c.efforts.size() : 0U);
+      EXPECT_EQ(preparation.end(), enough ? PreparationEnd::Done : PreparationEnd::FewSamples);
+      EXPECT_EQ(integrator.skipped, !enough);
+      if (!enough) {
+        EXPECT_EQ(integrator.shortage, Shortage::Samples);
+      }
+    }
+  }
+}
+
+TEST(Preparation, IsNotSkippedForWantOfSamplesIfItIsShortOrWasAskedFor) {
+  for (const bool few : {true, false}) {
+    for (const double sample_effort : {1.0, 0.0}) {
+      Prepared integrator({2.0});
+      integrator.sample_effort = sample_effort;
+      const auto pixels = static_cast<std::uint64_t>(SessionHeuristics::kFewToPrepare / 2.0);
+      Preparation preparation(integrator, {.samples = 1, .pixels = few ? pixels : pixels + 1});
+      preparation.run();
+      const bool runs = few || sample_effort == 0.0;
+      EXPECT_EQ(preparation.end(), runs ? PreparationEnd::Done : PreparationEnd::FewSamples);
+    }
+  }
+}
+
+/// What comes after it would be too much in either case.
+TEST(Preparation, RunsRoundsThatServeAloneOfFewSamples) {
+  for (const bool alone : {false, true}) {
+    Prepared integrator({1.0, 1.0, 1e9});
+    integrator.serves_alone = alone;
+    Preparation preparation(integrator, {.samples = 9, .pixels = 1000000000});
+    EXPECT_EQ(preparation.run().rays, alone ? 20U : 0U);
+    EXPECT_EQ(preparation.end(), PreparationEnd::FewSamples);
+  }
+}
+
+TEST(Preparation, ShowsWhatItHasSeen) {
+  Prepared integrator({1.0, 1.0});
+  integrator.has_looks = true;
+  std::vector<float> seen;
+  Preparation preparation(integrator, {}, [&](const std::vector<float>& rgb) {
+    seen.insert(seen.end(), rgb.begin(), rgb.end());
+  });
+  preparation.run();
+  EXPECT_EQ(seen, (std::vector<float>{1.F, 2.F}));
+}
+
 TEST(Preparation, ComesAsFarAsAnEarlierRun) {
   for (const std::uint64_t rounds : {0, 1, 2, 3}) {
     Prepared integrator({1.0, 1.0, 1.0});
     PreparationLimits limits;
-    limits.rounds = rounds;
+    limits.earlier = {rounds, rounds % 2 == 0 ? Shortage::Time : Shortage::Samples};
     Preparation preparation(integrator, limits);
     EXPECT_EQ(preparation.run().rays, 10 * rounds);
     EXPECT_EQ(preparation.rounds(), rounds);
     EXPECT_EQ(integrator.skipped, rounds < 3);
     EXPECT_EQ(integrator.is_ready, rounds == 3);
+    if (rounds == 3) continue;
+    EXPECT_EQ(integrator.shortage, limits.earlier->of);
+    EXPECT_EQ(preparation.end(),
+              rounds % 2 == 0 ? PreparationEnd::NoTime : PreparationEnd::FewSamples);
   }
 }
 

@@ -66,6 +66,8 @@ const RenderOutcome& Render::run() {
     outcome = render_passes(state);
   } else {
     outcome.interrupted = true;
+    state.preview.reset();
+    state.watch.know(std::shared_ptr<const Picture>());  // what was seen before is no result
     outcome.statistics = state.statistics;
   }
   state.events.finished(outcome);

@@ -41,8 +41,9 @@ class Render {
   void stop();
   /// How far it is.
   RenderSnapshot snapshot() const;
-  /// The picture as it is, all layers: waits for the end of the pass that runs. Null before the
-  /// first pass, and on the thread that renders, which has `RenderEvents::picture`.
+  /// The picture as it is, all layers: waits for the end of the pass that runs. Before there are
+  /// passes, what the preparation has seen, without other layers and of 0 samples per pixel; null
+  /// before that, and among passes on the thread that renders, which has `RenderEvents::picture`.
   std::shared_ptr<const Picture> picture();
   /// All that is known: waits likewise, except where there would be no picture.
   RenderStatistics statistics();

@@ -1,10 +1,13 @@
 #include "session/render_method.h"
 
 #include <exception>
+#include <utility>
+#include <vector>
 
 #include "core/archive.h"
 #include "core/error.h"
 #include "integrator/montecarlo/scene_features.h"
+#include "session/first_look.h"
 #include "session/preparation.h"
 
 namespace ajar {
@@ -23,12 +26,20 @@ PreparationLimits preparation_limits(const RenderState& state) {
   PreparationLimits limits;
   if (state.order.resumed) {
     // Once more as it was: the checkpoint holds what came after it.
-    if (!state.order.resumed->prepared) limits.rounds = state.order.resumed->preparation_rounds;
+    if (const auto& shortage = state.order.resumed->unprepared) {
+      limits.earlier = {state.order.resumed->preparation_rounds, *shortage};
+    }
   } else {
     // A share of a render must be prepared like the others, or refused like them.
     if (state.order.share.count > 1) return limits;
-    limits.seconds = state.plan->setup.budget.seconds;
+    const RenderSetup& setup = state.plan->setup;
+    limits.seconds = setup.budget.seconds;
     if (limits.seconds) *limits.seconds -= state.statistics.times.build;
+    if (setup.budget.samples_per_pixel) {
+      limits.samples = PassSchedule(setup.budget, setup.settings.replicates, 0.0).total();
+    }
+    const Vec2i size = setup.settings.crop.size() + Vec2i(1, 1);
+    limits.pixels = static_cast<std::uint64_t>(size.x) * static_cast<std::uint64_t>(size.y);
   }
   limits.interrupts = &state.interrupts;
   limits.ranks = state.order.ranks;
@@ -38,12 +49,21 @@ PreparationLimits preparation_limits(const RenderState& state) {
 void prepare(RenderState& state) {
   const RenderSetup& setup = state.plan->setup;
   state.integrator = setup.integrator->make(*state.scene, setup.settings, state.plan->parameters);
-  Preparation preparation(*state.integrator, preparation_limits(state));
+  open_preview(state);
+  Preparation::Show show;
+  if (state.order.is_root()) {
+    show = [&state](std::vector<float> rgb) { show_first_look(state, std::move(rgb)); };
+  }
+  Preparation preparation(*state.integrator, preparation_limits(state), std::move(show));
   {
     const AtWork at_work(state, [&] { return snapshot_of(preparation); });
     state.statistics.preparation = preparation.run();
   }
   state.statistics.prepared = preparation.end() == PreparationEnd::Done;
+  if (!state.statistics.prepared) {
+    state.unprepared =
+        preparation.end() == PreparationEnd::FewSamples ? Shortage::Samples : Shortage::Time;
+  }
   state.preparation_rounds = preparation.rounds();
   state.has_begun = preparation.end() != PreparationEnd::Interrupted;
 }

@@ -9,7 +9,6 @@
 #include "session/render_concerns.h"
 #include "session/render_writers.h"
 #include "session/resources.h"
-#include "session/scene_file.h"
 #include "session/statistics_of.h"
 #include "session/version.h"
 
@@ -38,21 +37,12 @@ Checkpoint checkpoint_base(const RenderState& state) {
   base.layers.assign(state.film->layers().begin(), state.film->layers().end());
   base.preparation =
       state.order.resumed ? state.order.resumed->preparation : state.statistics.preparation;
-  base.prepared = state.statistics.prepared;
+  base.unprepared = state.unprepared;
   base.preparation_rounds = state.preparation_rounds;
   base.other_seconds = state.other_seconds;
   base.resumptions = state.statistics.resumptions;
   base.interruptions = state.statistics.interruptions;
   return base;
-}
-
-PreviewOptions preview_options(const RenderState& state) {
-  PreviewOptions options;
-  options.name = "ajar: " + scene_stem(state.order.scene);
-  options.film_scale = state.plan->record.film_scale;
-  options.aovs = state.plan->setup.aovs;
-  options.filter = state.filter;
-  return options;
 }
 
 /// As well as it can be filtered. False if `progress` ended it.
@@ -195,14 +185,19 @@ RenderOutcome render_passes(RenderState& state) {
   if (state.order.is_root()) {
     std::optional<Checkpoint> base;
     if (state.has_begun && !state.order.files.checkpoint.empty()) base = checkpoint_base(state);
-    writers.emplace(state.order, *state.integrator, std::move(base), preview_options(state),
+    if (state.preview) state.preview->filter_by(state.filter);
+    writers.emplace(state.order, *state.integrator, std::move(base), std::move(state.preview),
                     develop, state.events);
     observers = writers->observers();
     observers.insert(observers.end(), {&teller, &state.watch.passes});
   }
   RenderJob job(*state.integrator, *state.film, job_options(state, std::move(observers)));
   std::optional<OpenPasses> open;
-  if (writers) open.emplace(state.watch.passes);
+  if (writers) {
+    open.emplace(state.watch.passes);
+    // From now on they have the picture. What the preparation has seen takes memory.
+    state.watch.know(std::shared_ptr<const Picture>());
+  }
   {
     const AtWork at_work(state, [&job] { return job.snapshot(); });
     state.statistics.result = job.run();

@@ -8,6 +8,7 @@
 #include "image/film.h"
 #include "scene/scene.h"
 #include "session/picture_filter.h"
+#include "session/preview/preview.h"
 #include "session/render_events.h"
 #include "session/render_order.h"
 #include "session/render_plan.h"
@@ -31,12 +32,14 @@ struct RenderState {
   std::unique_ptr<Integrator> integrator{};
   std::optional<Film> film{};
   std::shared_ptr<PictureFilter> filter{};  ///< null: pictures are as they were rendered
+  std::unique_ptr<Preview> preview{};  ///< null: there is none; the writers' once there are passes
   /// False if the user stopped it while it was prepared: what is shown then is another picture, by
   /// ordinary Monte Carlo alone, which no checkpoint must go on with.
   bool has_begun = true;
   std::uint64_t preparation_rounds = 0;
-  double other_seconds = 0.0;       ///< of building and preparing, all runs together
-  std::uint64_t passes_before = 0;  ///< of earlier runs
+  std::optional<Shortage> unprepared{};  ///< why the preparation was cut short, if it was
+  double other_seconds = 0.0;            ///< of building and preparing, all runs together
+  std::uint64_t passes_before = 0;       ///< of earlier runs
 
   /// Tells it, and keeps it for the statistics.
   void warn(const Warning& warning);

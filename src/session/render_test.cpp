@@ -3,16 +3,20 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <filesystem>
 #include <future>
+#include <numeric>
 #include <stdexcept>
 #include <thread>
 #include <vector>
 
 #include "core/error.h"
+#include "core/testing/wait_until.h"
 #include "import/pbrt/pbrt_import.h"
 #include "session/scene_file.h"
+#include "session/testing/fake_viewer.h"
 #include "session/testing/thread_ranks.h"
 
 namespace ajar {
@@ -61,7 +65,13 @@ struct Listener final : RenderEvents {
   std::function<void(const RenderSnapshot&)> on_progress;
   std::atomic<bool> has_passes{false};
 
-  void phase_begun(RenderPhase phase) override { phases.emplace_back(to_string(phase)); }
+  std::function<void(RenderPhase)> on_phase;
+  std::function<void()> on_picture;
+
+  void phase_begun(RenderPhase phase) override {
+    phases.emplace_back(to_string(phase));
+    if (on_phase) on_phase(phase);
+  }
   void work_begun(const std::function<RenderSnapshot()>&) override { at_work = true; }
   void work_ended() noexcept override { at_work = false; }
   void progress(const RenderSnapshot& snapshot) override {
@@ -73,6 +83,7 @@ struct Listener final : RenderEvents {
   void picture(const Picture& picture) override {
     EXPECT_FALSE(picture.layers.empty());
     ++pictures;
+    if (on_picture) on_picture();
   }
   void note(const std::string& text) override { notes.push_back(text); }
   void finished(const RenderOutcome&) override { ++finishes; }
@@ -226,6 +237,101 @@ TEST(Render, HasNoPictureBeforeItsFirstPass) {
   EXPECT_TRUE(render.run().picture);
 }
 
+/// A preparation of eight samples per pixel, or one that is far too long for these.
+RenderOrder selective_order(bool prepared = true) {
+  RenderOrder order = small_order();
+  order.request->integrator = "selective";
+  order.request->depth.maximum = 3;
+  if (!prepared) order.request->parameters = {{"pilot-samples", "400"}};
+  return order;
+}
+
+bool has_note(const Listener& listener, const std::string& part) {
+  return std::any_of(listener.notes.begin(), listener.notes.end(),
+                     [&](const std::string& note) { return note.find(part) != std::string::npos; });
+}
+
+constexpr const char* kFewSamples = "too few samples to look for difficult light";
+
+TEST(Render, OfFewSamplesDoesWithoutALongPreparation) {
+  std::vector<std::vector<float>> pictures;
+  for (const int threads : {1, 2}) {
+    RenderOrder order = selective_order(false);
+    order.threads = threads;
+    Listener listener;
+    Render render(std::move(order), listener);
+    const RenderOutcome& outcome = render.run();
+    EXPECT_TRUE(has_note(listener, kFewSamples));
+    EXPECT_FALSE(outcome.statistics.prepared);
+    EXPECT_EQ(outcome.statistics.preparation.rays, 0U);
+    pictures.push_back(pixels_of(*outcome.picture));
+  }
+  EXPECT_EQ(pictures[0], pictures[1]);
+}
+
+TEST(Render, OfFewSamplesIsPreparedIfThatIsShort) {
+  Listener listener;
+  Render render(selective_order(), listener);
+  EXPECT_TRUE(render.run().statistics.prepared);
+  EXPECT_FALSE(has_note(listener, kFewSamples));
+}
+
+/// Of more camera samples than are few.
+TEST(Render, HasTheChainsThatWereAskedForByName) {
+  RenderOrder order = small_order(1);
+  order.request->integrator = "mmlt";
+  order.request->parameters = {{"bootstrap", "200000"}};
+  order.request->depth.maximum = 3;
+  Listener listener;
+  Render render(std::move(order), listener);
+  EXPECT_TRUE(render.run().statistics.prepared);
+  EXPECT_TRUE(has_note(listener, "Markov chains make all light"));
+}
+
+TEST(Render, ShowsWhatItsPreparationHasSeen) {
+  RenderOrder order = selective_order();
+  order.show_every = 1e3;
+  FakeViewer viewer(FakeViewer::Manners::Good);
+  order.files.preview = ViewerAddress{"127.0.0.1", std::to_string(viewer.port())};
+  Listener listener;
+  Render render(std::move(order), listener);
+  std::shared_ptr<const Picture> look;
+  listener.on_phase = [&](RenderPhase phase) {
+    if (phase != RenderPhase::Render) return;
+    EXPECT_EQ(listener.pictures, 1);
+    look = render.picture();
+    EXPECT_TRUE(wait_until([&] { return viewer.picture("ajar: cornell").updates == 1; }));
+    EXPECT_EQ(viewer.picture("ajar: cornell").channels.size(), 3U);
+  };
+  const RenderOutcome& outcome = render.run();
+  ASSERT_TRUE(look);
+  EXPECT_EQ(samples_of(*look), 0U);
+  EXPECT_EQ(look->layers.size(), 1U);
+  const std::vector<float>& final = pixels_of(*outcome.picture);
+  ASSERT_EQ(pixels_of(*look).size(), final.size());
+  const auto mean = [](const std::vector<float>& values) {
+    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+  };
+  EXPECT_NEAR(mean(pixels_of(*look)), mean(final), 0.3 * mean(final));
+  EXPECT_EQ(final, rendered(selective_order())) << "who looks changes nothing";
+  EXPECT_EQ(render.picture(), outcome.picture);
+  EXPECT_EQ(viewer.fault(), "");
+}
+
+TEST(Render, HasNoPictureIfItEndsWithWhatItsPreparationHasSeen) {
+  RenderOrder order = selective_order();
+  order.show_every = 1e3;
+  Listener listener;
+  Render render(std::move(order), listener);
+  listener.on_picture = [&] {
+    render.stop();
+    render.stop();
+  };
+  EXPECT_FALSE(render.run().picture);
+  EXPECT_EQ(listener.pictures, 1);
+  EXPECT_FALSE(render.picture());
+}
+
 TEST(Render, ShowsPicturesToItsListener) {
   RenderOrder order = small_order(64);
   order.show_every = 0.0;
@@ -337,6 +443,34 @@ TEST(Render, WritesFilesAndGoesOn) {
   resume_from(checkpoint, second);
   EXPECT_EQ(second.scene, "builtin:cornell");
   EXPECT_EQ(rendered(std::move(second)), rendered(small_order(16)));
+
+  // With more samples there would be enough for the preparation; but it was begun without.
+  const std::string of_few = (folder / "few.ckpt").string();
+  RenderOrder few = selective_order(false);
+  few.files.checkpoint = of_few;
+  lock_checkpoint_of(few);
+  rendered(std::move(few));
+  RenderOrder whole = selective_order(false);
+  whole.request->budget.samples_per_pixel = 16;
+  const std::vector<float> expected = rendered(std::move(whole));
+  for (const std::uint64_t samples : {16, 1024}) {
+    RenderOrder more;
+    more.budget.samples_per_pixel = samples;
+    resume_from(of_few, more);
+    Listener listener;
+    Render render(std::move(more), listener);
+    const RenderOutcome& outcome = render.run();
+    if (samples == 16) {
+      EXPECT_EQ(pixels_of(*outcome.picture), expected);
+    }
+    EXPECT_TRUE(has_note(listener, kFewSamples));
+    EXPECT_FALSE(outcome.statistics.prepared);
+  }
+  Listener listener;
+  RenderOrder enough = selective_order(false);
+  enough.request->budget.samples_per_pixel = 1024;
+  Render render(std::move(enough), listener);
+  EXPECT_TRUE(render.run().statistics.prepared) << "what was not to be gone back on";
   fs::remove_all(folder);
 }
 

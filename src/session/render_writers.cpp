@@ -9,9 +9,9 @@
 namespace ajar {
 
 RenderWriters::RenderWriters(const RenderOrder& order, const Integrator& integrator,
-                             std::optional<Checkpoint> base, PreviewOptions preview,
+                             std::optional<Checkpoint> base, std::unique_ptr<Preview> preview,
                              PictureWriter::Develop develop, RenderEvents& events)
-    : files_(order.files), events_(events) {
+    : files_(order.files), events_(events), preview_(std::move(preview)) {
   const auto trouble = [&events](const std::string& text) { events.trouble(text); };
   const auto note = [&events](const std::string& text) { events.note(text); };
   if (!files_.checkpoint.empty() && base) {
@@ -22,11 +22,6 @@ RenderWriters::RenderWriters(const RenderOrder& order, const Integrator& integra
     pictures_ = std::make_unique<PictureWriter>(files_.pictures, files_.pictures_every,
                                                 order.picture_requests, files_.display(),
                                                 std::move(develop), trouble, note);
-  }
-  if (files_.preview) {
-    preview.viewer = *files_.preview;
-    preview.note = note;
-    preview_ = std::make_unique<Preview>(std::move(preview), integrator);
   }
 }
 

@@ -15,10 +15,10 @@ namespace ajar {
 /// The files of a render, written while it runs and in the end, and its viewer.
 class RenderWriters {
  public:
-  /// `base`: of the checkpoints; empty: none are written. `preview`: if there is to be one. Tells
-  /// `events` what goes wrong. All that is referred to must outlive this.
+  /// `base`: of the checkpoints; empty: none are written. `preview`: may be null. Tells `events`
+  /// what goes wrong. All that is referred to must outlive this.
   RenderWriters(const RenderOrder& order, const Integrator& integrator,
-                std::optional<Checkpoint> base, PreviewOptions preview,
+                std::optional<Checkpoint> base, std::unique_ptr<Preview> preview,
                 PictureWriter::Develop develop, RenderEvents& events);
 
   /// To be told of each pass.

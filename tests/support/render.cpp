@@ -74,7 +74,7 @@ void skip_preparation_after(int rounds, Integrator& integrator) {
       integrator.prepare_item(round, item, counters);
     }
   }
-  integrator.skip_preparation();
+  integrator.skip_preparation(Shortage::Time);
 }
 
 std::vector<float> Render::image() const { return light(*this, std::nullopt); }

@@ -50,7 +50,7 @@ class ChainIntegrator final : public ChainMethod {
 
   PreparationRound begin_preparation(int round) override;
   void prepare_item(int round, std::uint64_t item, Counters& counters) override;
-  void skip_preparation() override;
+  void skip_preparation(Shortage of) override;
 
   std::uint64_t items_in_round() const override;
   void run_item(std::uint64_t item, std::uint64_t first_sample, std::uint64_t samples, Film& film,
@@ -97,7 +97,7 @@ PreparationRound ChainIntegrator<Space>::begin_preparation(int round) {
     populations_ =
         make_populations<MeasuredPopulation>(groups(), settings().replicates, settings().seed);
     blocks_ = share_bootstrap(populations_, groups(), settings().replicates, order().bootstrap);
-    return {.items = blocks_.size()};
+    return {.items = blocks_.size(), .effort = bootstrap_effort()};
   }
   seed();
   return {};
@@ -133,9 +133,9 @@ void ChainIntegrator<Space>::seed() {
 }
 
 template <typename Space>
-void ChainIntegrator<Space>::skip_preparation() {
+void ChainIntegrator<Space>::skip_preparation(Shortage of) {
   populations_.clear();
-  ChainMethod::skip_preparation();
+  ChainMethod::skip_preparation(of);
 }
 
 // ---------------------------------------------------------------- chains

@@ -30,7 +30,7 @@ class ChainMethod : public Integrator {
  public:
   ChainMethod(const Scene& scene, const RenderSettings& settings, ChainOrder order);
 
-  void skip_preparation() override;
+  void skip_preparation(Shortage of) override;
   Findings findings() const override;
   std::vector<LayerSpec> layers() const override;
   bool is_of_chains(std::uint64_t /*item*/) const override { return !unprepared_; }
@@ -48,6 +48,8 @@ class ChainMethod : public Integrator {
   const ChainView& view() const { return view_; }
   const ChainOrder& order() const { return order_; }
   std::span<const PathGroup> groups() const { return order_.groups; }
+  /// In camera samples per pixel, if a path of the bootstrap is as dear as one.
+  double bootstrap_effort() const { return static_cast<double>(order_.bootstrap) / view_.pixels; }
   void add_concern(Warning concern) { concerns_.push_back(std::move(concern)); }
   /// What renders if there was no time for a bootstrap; else null.
   Integrator* unprepared() const { return unprepared_.get(); }

@@ -98,7 +98,7 @@ PreparationRound EnergyRedistribution<Space>::begin_preparation(int round) {
   if (round == 0) {
     populations_ = make_populations<Measured>(groups(), settings().replicates, settings().seed);
     blocks_ = share_bootstrap(populations_, groups(), settings().replicates, order().bootstrap);
-    return {.items = blocks_.size()};
+    return {.items = blocks_.size(), .effort = bootstrap_effort()};
   }
   std::uint64_t samples = 0;
   for (Measured& population : populations_) {

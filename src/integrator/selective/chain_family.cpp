@@ -43,7 +43,8 @@ class ChainIntegrator final : public Integrator {
 
   PreparationRound begin_preparation(int round) override;
   void prepare_item(int round, std::uint64_t item, Counters& counters) override;
-  void skip_preparation() override;
+  void skip_preparation(Shortage of) override;
+  std::vector<float> take_first_look() override { return std::exchange(plan_.first_look, {}); }
   Findings findings() const override;
 
   std::vector<LayerSpec> layers() const override;
@@ -69,7 +70,7 @@ class ChainIntegrator final : public Integrator {
   MethodReport report_regions() const;
   void end_preparation();
   /// Does without chains.
-  void leave_to_omc();
+  void leave_to_omc(Shortage shortage);
   void make_omc();
   /// Whether ordinary Monte Carlo does, as the render goes on.
   bool learns() const { return adaptation_ && adaptation_->learns(); }
@@ -136,9 +137,17 @@ PreparationRound ChainIntegrator::begin_preparation(int round) {
     PreparationStage& stage = *stages_[stage_];
     const std::uint64_t items = stage.begin();
     if (items == 0) continue;
-    PreparationRound next{items, stage.effort(), 0.0, stage.stays(), stage.serves_alone()};
+    PreparationRound next{.items = items,
+                          .effort = stage.effort(),
+                          .stays = stage.stays(),
+                          .serves_alone = stage.serves_alone()};
     for (std::size_t i = stage_ + 1; i < stages_.size(); ++i) {
       next.later_effort += stages_[i]->effort();
+      if (stages_[i]->stays()) next.later_stays += stages_[i]->effort();
+    }
+    // Whoever names mmlt+ or another of these wants chains; `selective` is to choose.
+    if (plan_.selective) {
+      next.sample_effort = ChainPlan::effort_with(plan_.omc.light_paths_per_pixel);
     }
     return next;
   }
@@ -150,14 +159,14 @@ void ChainIntegrator::prepare_item(int /*round*/, std::uint64_t item, Counters& 
   stages_[stage_]->run(item, counters);
 }
 
-void ChainIntegrator::skip_preparation() {
+void ChainIntegrator::skip_preparation(Shortage of) {
   if (stages_.empty()) return;
-  leave_to_omc();
+  leave_to_omc(of);
 }
 
-void ChainIntegrator::leave_to_omc() {
+void ChainIntegrator::leave_to_omc(Shortage shortage) {
   const bool is_kept = pilot_ != nullptr && pilot_->is_over() && pilot_->stays();
-  plan_.leave_to_omc(is_kept ? pilot_->samples() : 0);
+  plan_.leave_to_omc(shortage, is_kept ? pilot_->samples() : 0);
   std::erase_if(stages_, [&](const std::unique_ptr<PreparationStage>& stage) {
     return plan_.pilot_kept == 0 || stage.get() != pilot_;
   });
@@ -191,7 +200,7 @@ void ChainIntegrator::end_preparation() {
 Findings ChainIntegrator::findings() const {
   Findings found = omc_ ? omc_->findings() : Findings{};
   found.concerns.insert(found.concerns.begin(), concerns_.begin(), concerns_.end());
-  const bool might_have_chains = plan_.unprepared || !plan_.groups.empty();
+  const bool might_have_chains = plan_.unprepared.has_value() || !plan_.groups.empty();
   if (might_have_chains && concerns_.empty()) {
     found.notes = notes_on(plan_, pilot_ != nullptr ? pilot_->share_of_chains() : std::nullopt,
                            recruits_ != nullptr);

@@ -1,6 +1,8 @@
 #include "integrator/selective/chain_pilot.h"
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "core/random.h"
 #include "core/random_use.h"
@@ -54,20 +56,21 @@ void ChainPilot::run(std::uint64_t item, Counters& counters) {
   counters.add_rays(own);
 }
 
-std::vector<float> ChainPilot::luminances() const {
-  std::vector<float> sum(plan_.pixels());
-  const double scale = 1.0 / static_cast<double>(pilot_samples(plan_));
-  for (const char* name : {"direct", "indirect"}) {
-    const std::vector<float> colors = film_->develop(film_->layer(name), scale);
-    for (std::size_t i = 0; i < sum.size(); ++i) {
-      sum[i] += luminance(Spectrum(colors[3 * i], colors[3 * i + 1], colors[3 * i + 2]));
-    }
-  }
-  return sum;
+std::vector<float> ChainPilot::colors(const char* layer) const {
+  return film_->develop(film_->layer(layer), 1.0 / static_cast<double>(pilot_samples(plan_)));
 }
 
 void ChainPilot::end() {
-  const std::vector<float> picture = luminances();
+  std::vector<float> picture(plan_.pixels());
+  plan_.first_look.assign(3 * picture.size(), 0.F);
+  for (const char* layer : {"direct", "indirect"}) {
+    const std::vector<float> light = colors(layer);
+    for (std::size_t i = 0; i < picture.size(); ++i) {
+      picture[i] += luminance(Spectrum(light[3 * i], light[3 * i + 1], light[3 * i + 2]));
+    }
+    std::transform(light.begin(), light.end(), plan_.first_look.begin(), plan_.first_look.begin(),
+                   std::plus<>());
+  }
   const Box2i& crop = plan_.settings.crop;
   if (plan_.parameters.get_text("importance") == "relative") {
     plan_.view.importance = ImportanceMap::relative(crop, picture);

@@ -17,7 +17,8 @@ class ChainPilot final : public PreparationStage {
   void end() override;
 
  private:
-  std::vector<float> luminances() const;
+  /// RGB; of "direct" or "indirect" light.
+  std::vector<float> colors(const char* layer) const;
 
   ChainPlan& plan_;
   std::unique_ptr<Integrator> omc_;

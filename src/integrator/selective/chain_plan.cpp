@@ -211,8 +211,8 @@ std::unique_ptr<PathTarget> ChainPlan::make_target(const PathGroup& group, int r
   return make_path_target(scene, group, view, part_of(replicate));
 }
 
-void ChainPlan::leave_to_omc(std::uint64_t kept) {
-  unprepared = true;
+void ChainPlan::leave_to_omc(Shortage shortage, std::uint64_t kept) {
+  unprepared = shortage;
   ray_price.reset();
   // What is kept has been summed up in its units.
   if (kept == 0) scale_.reset();

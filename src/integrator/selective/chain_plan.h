@@ -64,7 +64,7 @@ struct ChainPlan {
   }
   /// Does without chains, and without what a preparation would find out. `kept`: camera samples
   /// per pixel that a pilot has rendered.
-  void leave_to_omc(std::uint64_t kept);
+  void leave_to_omc(Shortage shortage, std::uint64_t kept);
   /// How its chains move: where they make nearly all light, steps on the raster pay more.
   PrimarySettings chain_settings_of(int replicate) const;
   static double clamp_mutations(double mutations) {
@@ -90,9 +90,9 @@ struct ChainPlan {
   TechniqueSet techniques;
   Direct direct;
   PilotUse pilot_use = PilotUse::Keep;
-  bool unprepared = false;  ///< ordinary Monte Carlo alone renders, for want of time
-  bool unlit = false;       ///< the preparation found nothing to start chains of `selective` from
-  bool standby = false;     ///< nothing is so hard that chains would pay
+  std::optional<Shortage> unprepared;  ///< for want of which ordinary Monte Carlo alone renders
+  bool unlit = false;    ///< the preparation found nothing to start chains of `selective` from
+  bool standby = false;  ///< nothing is so hard that chains would pay
   /// Whether the render shares its effort anew as it goes on: a sample then has as many mutations
   /// as its halves' errors deserve.
   bool shares_effort = false;
@@ -114,6 +114,9 @@ struct ChainPlan {
   std::uint64_t pilot_kept = 0;  ///< camera samples per pixel that the preparation has rendered
   /// Of the pilot: mean luminance · importance of its pixels.
   double brightness = 0.0;
+  /// What that pilot has seen, for users to look at: RGB, row by row of the crop; empty once it was
+  /// taken.
+  std::vector<float> first_look;
   /// Samples from which chains are seeded: camera samples where the light is divided, else paths
   /// over all depths and replicates.
   std::uint64_t bootstrap;

@@ -45,8 +45,10 @@ std::vector<std::string> notes_on(const ChainPlan& plan, std::optional<double> s
   const std::string omc = words_for(plan.omc.techniques);
   if (plan.unlit) return {"no difficult light found: rendered by plain " + omc + " until some is"};
   if (plan.unprepared) {
-    return {"too little time to look for difficult light: rendered by plain " + omc +
-            "; for Markov chains, begin anew with more time"};
+    const bool of_time = plan.unprepared == Shortage::Time;
+    return {std::string(of_time ? "too little time" : "too few samples") +
+            " to look for difficult light: rendered by plain " + omc +
+            "; for Markov chains, begin anew with more " + (of_time ? "time" : "samples")};
   }
   if (plan.standby) {
     return {"no difficult light found: rendered by plain " + omc +

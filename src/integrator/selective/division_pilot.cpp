@@ -112,8 +112,18 @@ class DivisionPilot::Sink final : public StrongPathSink {
   std::vector<FoundLight> found_;
 };
 
+int DivisionPilot::replicates() const {
+  constexpr int kReplicates = 4;
+  return stays() ? plan_.settings.replicates : kReplicates;
+}
+
+std::uint64_t DivisionPilot::planned_samples() const {
+  const auto of_each = static_cast<std::uint64_t>(replicates());
+  return std::max<std::uint64_t>(1, (plan_.pilot_samples + of_each - 1) / of_each) * of_each;
+}
+
 double DivisionPilot::effort() const {
-  return static_cast<double>(plan_.pilot_samples) *
+  return static_cast<double>(planned_samples()) *
          ChainPlan::effort_with(plan_.omc.light_paths_per_pixel);
 }
 
@@ -121,15 +131,12 @@ std::uint64_t DivisionPilot::begin() {
   if (!(plan_.brightness > 0.0)) return 0;
   if (!plan_.divisions) plan_.divisions.emplace(Division(0.0, plan_.view.importance));
   RenderSettings settings = plan_.omc_settings();
-  constexpr int kReplicates = 4;
+  settings.replicates = replicates();
   if (!stays()) {
-    settings.replicates = kReplicates;
     settings.seed = hash_numbers(settings.seed, RandomUse::DivisionPilot);
     settings.aovs.clear();
   }
-  const auto replicates = static_cast<std::uint64_t>(settings.replicates);
-  samples_ =
-      std::max<std::uint64_t>(1, (plan_.pilot_samples + replicates - 1) / replicates) * replicates;
+  samples_ = planned_samples();
   grain_ = static_cast<float>(SelectiveHeuristics::kGrain * plan_.brightness);
   if (recruits_ != nullptr) recruits_->expect_unknown(static_cast<double>(samples_));
   omc_ = plan_.make_omc(settings, plan_.omc_depths(),

@@ -66,6 +66,10 @@ class DivisionPilot final : public PreparationStage, public StrongPathSinks {
 
  private:
   class Sink;
+  /// Of the pilot; those of the render, if it stays.
+  int replicates() const;
+  /// Per pixel: each replicate has as many.
+  std::uint64_t planned_samples() const;
   /// Whether what it leaves to chains may become ordinary Monte Carlo's by its decisions.
   bool divides_anew() const;
   /// Whether what a replicate finds may start chains.

@@ -39,6 +39,19 @@ Preview::~Preview() {
   thread_.join();
 }
 
+void Preview::filter_by(std::shared_ptr<PictureFilter> filter) {
+  const std::lock_guard lock(mutex_);
+  filter_ = std::move(filter);
+}
+
+void Preview::show(Picture picture) {
+  {
+    const std::lock_guard lock(mutex_);
+    look_ = std::move(picture);
+  }
+  changed_.notify_all();
+}
+
 bool Preview::wants_picture(const JobState& /*state*/) {
   return ready_.load(std::memory_order_relaxed) && clock_.seconds() >= due_;
 }
@@ -53,6 +66,7 @@ void Preview::hand_over(const Film& film, const JobState& state) {
     const std::lock_guard lock(mutex_);
     // The viewer may have gone since.
     if (!ready_) return;
+    look_.reset();
     film_ = film;
     samples_ = state.mean_samples();
     scales_ = development_of(film, integrator_, samples_);
@@ -118,20 +132,26 @@ void Preview::serve_connection() {
     ready_ = true;
   }
   while (keeps_going() && stream_.is_open()) {
+    std::optional<Picture> look;
     {
       std::unique_lock lock(mutex_);
-      const bool woken =
-          changed_.wait_for(lock, seconds(0.25), [this] { return has_picture_ || !keeps_going(); });
-      if (!woken || !has_picture_) {
+      changed_.wait_for(lock, seconds(0.25),
+                        [this] { return has_picture_ || look_ || !keeps_going(); });
+      look = std::exchange(look_, std::nullopt);
+      if (!has_picture_ && !look) {
         lock.unlock();
         stream_.drain();
         continue;
       }
     }
+    if (look) {
+      if (!send(*look)) return;
+      continue;
+    }
     const Stopwatch clock;
     Picture picture = develop(*film_, scales_, samples_, options_.film_scale, options_.aovs);
-    if (options_.filter) {
-      options_.filter->add_layers(picture, [this](double) { return keeps_going(); });
+    if (filter_) {
+      filter_->add_layers(picture, [this](double) { return keeps_going(); });
     }
     seconds_to_develop_ = clock.seconds();
     if (!send(picture)) return;
@@ -146,11 +166,13 @@ void Preview::serve_connection() {
 
 bool Preview::send(const Picture& picture) {
   const TcpStream::KeepGoing keep_going = [this] { return keeps_going(); };
-  const bool is_first = regions_.empty();
-  if (is_first &&
-      !stream_.write(create_image_packet(options_.name, picture.resolution, channel_names(picture)),
-                     keep_going)) {
-    return false;
+  const std::vector<std::string> channels = channel_names(picture);
+  const bool is_first = regions_.empty() || channels != channels_;
+  if (is_first) {
+    regions_.clear();
+    channels_ = channels;
+    const std::string packet = create_image_packet(options_.name, picture.resolution, channels);
+    if (!stream_.write(packet, keep_going)) return false;
   }
   std::size_t number = 0;
   const Box2i& crop = picture.crop;

@@ -20,12 +20,11 @@ struct PreviewOptions {
   ViewerAddress viewer;
   std::string name;  ///< of the picture, in the viewer
   double film_scale = 1.0;
-  std::vector<std::string> aovs;          ///< see `develop`
-  std::shared_ptr<PictureFilter> filter;  ///< null: pictures are as they were rendered
-  double every = 1.0;                     ///< seconds, at least, between pictures
-  double patience = 2.0;                  ///< seconds that the last picture may take to be sent
-  double seconds_to_retry = 2.0;          ///< if there is no viewer
-  RepeatedWriting::Say note;              ///< tells the user
+  std::vector<std::string> aovs;  ///< see `develop`
+  double every = 1.0;             ///< seconds, at least, between pictures
+  double patience = 2.0;          ///< seconds that the last picture may take to be sent
+  double seconds_to_retry = 2.0;  ///< if there is no viewer
+  RepeatedWriting::Say note;      ///< tells the user
 };
 
 /// Shows the picture while it is rendered, in a viewer that speaks tev's protocol. The render only
@@ -41,6 +40,13 @@ class Preview final : public PassObserver {
   ~Preview() override;
   Preview(const Preview&) = delete;
   Preview& operator=(const Preview&) = delete;
+
+  /// What pictures go through from now on, but those of `show`; null: they are as they were
+  /// rendered.
+  void filter_by(std::shared_ptr<PictureFilter> filter);
+  /// A picture of its own, before there is one of the film: as soon as a viewer is there, unless
+  /// another comes first.
+  void show(Picture picture);
 
   bool wants_picture(const JobState& state) override;
   void see_picture(const Film& film, const JobState& state) override;
@@ -67,12 +73,15 @@ class Preview final : public PassObserver {
   std::condition_variable changed_;
   bool has_picture_ =
       false;  ///< guarded: `film_` and what follows are the thread's until it is not
+  std::optional<Picture> look_;  ///< guarded: of `show`, not yet taken
+  std::shared_ptr<PictureFilter> filter_;
   std::optional<Film> film_;
   Development scales_;
   std::uint64_t samples_ = 0;
 
-  TcpStream stream_;                  ///< the thread's, as all below
-  std::vector<std::size_t> regions_;  ///< hashes of what the viewer has
+  TcpStream stream_;                   ///< the thread's, as all below
+  std::vector<std::string> channels_;  ///< of the picture that the viewer has
+  std::vector<std::size_t> regions_;   ///< hashes of it
   std::thread thread_;
 };
 

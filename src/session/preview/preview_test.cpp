@@ -117,6 +117,24 @@ TEST_F(PreviewTest, OnlyRegionsThatChangedAreSentAgain) {
   EXPECT_GT(shown.channels.at("R")[20 * 300 + 200], 0.F);
 }
 
+TEST_F(PreviewTest, ShowsAPictureOfItsOwnBeforeThatOfTheFilm) {
+  Picture look;
+  look.resolution = kSize;
+  look.crop = kCrop;
+  look.layers.push_back({"", 3, std::vector<float>(3U * 280 * 158, 0.5F)});
+  FakeViewer viewer(Manners::Good);
+  const auto sender = preview(viewer.port());
+  sender->show(look);
+  ASSERT_TRUE(wait_until([&] { return viewer.picture("room").updates == 6; }));
+  EXPECT_EQ(viewer.picture("room").channels.size(), 3U);
+  EXPECT_EQ(viewer.picture("room").channels.at("G")[20 * 300 + 200], 0.5F);
+  show(*sender);
+  ASSERT_TRUE(wait_until([&] { return viewer.picture("room").channels.size() == 10; }));
+  ASSERT_TRUE(wait_until([&] { return viewer.picture("room").updates == 12; }));
+  EXPECT_EQ(viewer.picture("room").channels.at("G")[20 * 300 + 200], 0.F);
+  EXPECT_EQ(viewer.fault(), "");
+}
+
 TEST_F(PreviewTest, NobodyIsAskedForAPictureWithoutAViewer) {
   std::unique_ptr<Preview> sender;
   int port = 0;
