@@ -25,32 +25,38 @@ PreparationEnd Preparation::must_stop(double deadline) const {
   return seconds() > deadline ? PreparationEnd::NoTime : PreparationEnd::Done;
 }
 
-bool Preparation::has_few_samples(const PreparationRound& next) const {
-  if (!limits_.samples || next.sample_effort == 0.0) return false;
-  double effort = over_ + next.effort;
+Preparation::Efforts Preparation::efforts_with(const PreparationRound& next) const {
+  double all = over_ + next.effort;
   double stays = stays_ + (next.stays ? next.effort : 0.0);
   if (!next.serves_alone) {
-    effort += next.later_effort;
+    all += next.later_effort;
     stays += next.later_stays;
   }
-  const double lost = effort - stays;
+  return {all, all - stays};
+}
+
+bool Preparation::has_few_samples(const PreparationRound& next) const {
+  if (!limits_.samples || next.sample_effort == 0.0) return false;
+  const auto [all, lost] = efforts_with(next);
   const double whole = static_cast<double>(*limits_.samples) * next.sample_effort + lost;
   const double few = SessionHeuristics::kFewToPrepare / static_cast<double>(limits_.pixels);
   return lost > std::max(few, SessionHeuristics::kMostOfTime * whole) ||
-         effort > std::max(few, SessionHeuristics::kMostOfTimeForPicture * whole);
+         all > std::max(few, SessionHeuristics::kMostOfTimeForPicture * whole);
 }
 
 PreparationEnd Preparation::must_skip(const PreparationRound& next) const {
-  PreparationEnd reason = must_stop(deadline(false));
+  PreparationEnd reason = must_stop(deadline(next.stays));
   if (reason == PreparationEnd::Done && has_few_samples(next)) reason = PreparationEnd::FewSamples;
   if (limits_.earlier && limits_.earlier->rounds == rounds_) {
     const bool of_time = limits_.earlier->of == Shortage::Time;
     reason = of_time ? PreparationEnd::NoTime : PreparationEnd::FewSamples;
   }
   if (reason == PreparationEnd::Done && over_ > 0.0) {
-    const double effort = next.serves_alone ? over_ + next.effort : all_.load();
-    const double expected = seconds() * effort / over_;
-    if (expected > deadline(false)) reason = PreparationEnd::NoTime;
+    const auto [all, lost] = efforts_with(next);
+    const double per_effort = seconds() / over_;
+    if (per_effort * lost > deadline(false) || per_effort * all > deadline(true)) {
+      reason = PreparationEnd::NoTime;
+    }
   }
   if (limits_.ranks == nullptr) return reason;
   return static_cast<PreparationEnd>(limits_.ranks->maximum(static_cast<std::uint64_t>(reason)));

@@ -35,12 +35,11 @@ struct PreparationLimits {
 enum class PreparationEnd { Done, FewSamples, NoTime, Interrupted };
 
 /// Runs the rounds of an integrator's preparation on all threads that TBB may use. If the user asks
-/// to stop, or it would take more than a quarter of the time for the render, the integrator has to
-/// do without what is left of it (`Integrator::skip_preparation`). Rounds that serve alone run as
-/// long as they themselves end in that time. A round that has begun, and of
-/// which the samples become part of the picture, is finished as long as half of the time is left
-/// then. Where a round shows in its first tenth that it would take longer, it is given up there,
-/// and what it did is lost.
+/// to stop, or what does not become part of the picture would take more than a quarter of the time
+/// for the render, or the whole more than half of it, the integrator has to do without what is left
+/// (`Integrator::skip_preparation`). Rounds that serve alone run as long as they themselves end in
+/// that time. Where a round shows in its first tenth that it would take longer, it is given up
+/// there, and what it did is lost.
 ///
 /// Of a render that so many samples end, likewise: no round begins if samples that are not of the
 /// picture would be more than a quarter of all effort, or the whole preparation more than half of
@@ -74,6 +73,12 @@ class Preparation {
   /// Whether the round that runs will not end then. Asked often, it tells once, as soon as a tenth
   /// of it is done: of many guesses the worst would decide.
   bool will_be_late(double deadline);
+  /// Up to the end of the round that is about to begin, or of the last if it needs that.
+  struct Efforts {
+    double all;
+    double lost;  ///< of that, what does not become part of the picture
+  };
+  Efforts efforts_with(const PreparationRound& next) const;
   /// Whether the picture has too few samples for the round that is about to begin, and for the
   /// later ones if it needs them.
   bool has_few_samples(const PreparationRound& next) const;

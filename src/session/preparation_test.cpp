@@ -202,6 +202,19 @@ TEST(Preparation, FinishesWhatBecomesPartOfThePicture) {
   }
 }
 
+/// A round that is lost, and four times as much that is not.
+TEST(Preparation, MayTakeHalfOfTheTimeForWhatStays) {
+  for (const bool stays : {false, true}) {
+    Prepared integrator({1.0, 4.0});
+    integrator.stays_from = stays ? 1 : 1000;
+    std::atomic<double> now = 0.0;
+    integrator.on_item = [&](int round) { now = now + (round == 0 ? 0.1 : 0.4); };
+    Preparation preparation(integrator, {.seconds = 12.0, .clock = [&] { return now.load(); }});
+    EXPECT_EQ(preparation.run().rays, stays ? 20U : 10U);
+    EXPECT_EQ(preparation.end(), stays ? PreparationEnd::Done : PreparationEnd::NoTime);
+  }
+}
+
 /// What comes after it would take too long in either case.
 TEST(Preparation, RunsRoundsThatServeAlone) {
   for (const bool alone : {false, true}) {
