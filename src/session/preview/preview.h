@@ -71,9 +71,9 @@ class Preview final : public PassObserver {
 
   std::mutex mutex_;
   std::condition_variable changed_;
-  bool has_picture_ =
-      false;  ///< guarded: `film_` and what follows are the thread's until it is not
   std::optional<Picture> look_;  ///< guarded: of `show`, not yet taken
+  bool has_picture_ =
+      false;  ///< guarded: `filter_` and what follows are the thread's until it is not
   std::shared_ptr<PictureFilter> filter_;
   std::optional<Film> film_;
   Development scales_;
