@@ -77,7 +77,7 @@ TEST_P(SameBits, OfChainsOfExplicitPathsOnAnyNumberOfThreads) {
   const IntegratorInfo& info = find_integrator("selective");
   using Settings = std::map<std::string, std::string>;
   for (const Settings& parameters :
-       {Settings{{"chain", "mlt"}, {"split", "0.3"}},
+       {Settings{{"chain", "auto"}, {"split", "0.1"}}, Settings{{"chain", "mlt"}, {"split", "0.3"}},
         Settings{{"chain", "mlt"}, {"omc", "pt"}, {"bootstrap", "5000"}},
         Settings{{"chain", "erpt"}, {"split", "0.3"}}}) {
     const std::vector<std::int64_t> one = sums(*scene, info, 1, {"density"}, parameters);
