@@ -247,14 +247,6 @@ OfferedThresholds offer_thresholds(const PilotView& view,
   return offered;
 }
 
-/// Predicted error with chains over that without, from which on they only stand by. Blotches of
-/// chains stay when the picture is filtered, so it takes more to speak for them.
-double clear_gain(const ChainPlan& plan) {
-  return plan.selective->objective == SelectiveSettings::Objective::Raw
-             ? 1.0
-             : SelectiveHeuristics::kClearGain;
-}
-
 /// Predicted error with chains over that without, if they are as much worse as one may doubt.
 double gain_of_chains(const PilotView& view, const std::vector<double>& thresholds,
                       ThresholdCosts costs, const PathsSeen& seen) {
@@ -269,8 +261,9 @@ double gain_of_chains(const PilotView& view, const std::vector<double>& threshol
 /// it is a matter of degree: the halves of the replicates decide each for itself, and if one did
 /// with chains what the other does without, the picture would have the noise of the one at the cost
 /// of the other.
-double trust_in(double gain, double clear) {
-  return std::clamp((clear - gain) / SelectiveHeuristics::kDoubtfulGains, 0.0, 1.0);
+double trust_in(double gain) {
+  return std::clamp((SelectiveHeuristics::kClearGain - gain) / SelectiveHeuristics::kDoubtfulGains,
+                    0.0, 1.0);
 }
 
 ThresholdCosts threshold_costs(const PilotView& view) {
@@ -291,10 +284,10 @@ RegionChoice choose_thresholds(const PilotView& view) {
     // No single sample is evidence.
     choice.expected_error =
         gain_of_chains(view, thresholds, costs, {SelectiveHeuristics::kWhite, true});
-    const double clear = clear_gain(view.plan);
-    trust = trust_in(choice.expected_error, clear);
-    choice.off = trust == 0.0 && gain_of_chains(view, thresholds, costs,
-                                                {SelectiveHeuristics::kGlaring, false}) >= clear;
+    trust = trust_in(choice.expected_error);
+    choice.off = trust == 0.0 &&
+                 gain_of_chains(view, thresholds, costs, {SelectiveHeuristics::kGlaring, false}) >=
+                     SelectiveHeuristics::kClearGain;
   }
   std::vector<std::size_t> chosen;
   chosen.reserve(regions.size());
@@ -322,12 +315,12 @@ RegionChoice choose_thresholds(const PilotView& view) {
 }
 
 /// Whether chains would clearly pay for what σ gives them, where the user has not decided.
-bool weights_would_pay(std::span<const RegionEstimate> regions, RenderCosts costs, double clear) {
+bool weights_would_pay(std::span<const RegionEstimate> regions, RenderCosts costs) {
   costs.correlation *= SelectiveHeuristics::kDoubt;
   double alone = costs.omc_only_variance;
   for (const RegionEstimate& region : regions) alone += region.variance;
   alone *= costs.seconds_per_omc_sample / costs.seconds;
-  return optimal_split(regions, costs).weights.error() < clear * alone;
+  return optimal_split(regions, costs).weights.error() < SelectiveHeuristics::kClearGain * alone;
 }
 
 /// σ of each region, and what it takes.
@@ -355,7 +348,7 @@ RegionChoice choose_weights(const PilotView& view) {
                           sum_of(sample_errors(view, {"direct"}).variance)};
   RegionChoice choice;
   if (settings.map == SelectiveSettings::Map::Optimal && settings.painted.empty() &&
-      !weights_would_pay(estimates, costs, clear_gain(view.plan))) {
+      !weights_would_pay(estimates, costs)) {
     for (RegionEstimate& estimate : estimates) estimate.maximum = estimate.minimum;
   }
   const TimeSplit split = optimal_split(estimates, costs);
