@@ -124,15 +124,13 @@ bool PictureFilter::add_best_layers(Picture& picture, const PictureEstimates& es
   };
   std::vector<BiasedEstimate> all;
   // False if `progress` ended it.
-  const auto add_estimate = [&](const std::vector<float>& pixels, const Replicates& parts,
-                                bool improves) {
+  const auto add_estimate = [&](const std::vector<float>& pixels, const Replicates& parts) {
     const std::vector<float> first = half_of(parts, 0);
     const std::vector<float> second = half_of(parts, 1);
     auto whole = filtered({.size = size, .colour = pixels, .halves = {first, second}});
     if (!whole) return false;
     BiasedEstimate& estimate = all.emplace_back();
     estimate.pixels = *std::move(whole);
-    estimate.improves = improves;
     for (const std::vector<float>& part : parts) {
       auto result = filtered({.size = size, .colour = part, .roughly = true});
       if (!result) return false;
@@ -142,11 +140,14 @@ bool PictureFilter::add_best_layers(Picture& picture, const PictureEstimates& es
   };
   const std::vector<float> unfiltered = finite_values(picture.layers.front().pixels);
   const bool is_first_added = boxes.empty()
-                                  ? add_estimate(unfiltered, replicates, true)
-                                  : add_estimate(finite_values(for_filters(picture)), boxes, true);
+                                  ? add_estimate(unfiltered, replicates)
+                                  : add_estimate(finite_values(for_filters(picture)), boxes);
   if (!is_first_added) return false;
   // Independent samples alone may not have found yet what chains have.
-  if (!others.empty() && !add_estimate(replicate_mean(others), others, false)) return false;
+  if (!others.empty()) {
+    if (!add_estimate(replicate_mean(others), others)) return false;
+    all.back().found = others;
+  }
   all.push_back({without_fireflies(unfiltered, replicates, all.front().pixels), replicates});
   MixedEstimate mixed = mix_estimates(size, all, replicates);
   add(picture, std::move(mixed.pixels));

@@ -25,10 +25,11 @@ void check_sizes(Vec2i size, const std::vector<BiasedEstimate>& estimates,
   const auto all_fit = [&](const Replicates& replicates) {
     return replicates.size() >= kParts && std::all_of(replicates.begin(), replicates.end(), fits);
   };
-  const bool fine = !estimates.empty() && all_fit(unbiased) &&
-                    std::all_of(estimates.begin(), estimates.end(), [&](const BiasedEstimate& e) {
-                      return fits(e.pixels) && all_fit(e.replicates);
-                    });
+  const bool fine =
+      !estimates.empty() && all_fit(unbiased) &&
+      std::all_of(estimates.begin(), estimates.end(), [&](const BiasedEstimate& e) {
+        return fits(e.pixels) && all_fit(e.replicates) && (e.found.empty() || all_fit(e.found));
+      });
   if (!fine) throw std::invalid_argument("mix_estimates: sizes do not fit");
 }
 
@@ -46,11 +47,11 @@ std::vector<float> scales_of(const std::vector<BiasedEstimate>& estimates) {
 }
 
 /// (D_a − X_b) · (D_c − X_d) of one value, relative, over all orders of four.
-float squared_bias(const BiasedEstimate& estimate, const Replicates& unbiased, std::size_t value,
+float squared_bias(const Replicates& biased, const Replicates& unbiased, std::size_t value,
                    float scale) {
   const auto difference = [&](std::size_t a, std::size_t b) {
     // A firefly of one replicate is no sign of bias.
-    return std::clamp((estimate.replicates[a][value] - unbiased[b][value]) * scale,
+    return std::clamp((biased[a][value] - unbiased[b][value]) * scale,
                       -PostHeuristics::kMostDifference, PostHeuristics::kMostDifference);
   };
   // Whoever is compared with whom, the other two are free.
@@ -79,25 +80,29 @@ float variance(const BiasedEstimate& estimate, std::size_t value, float scale) {
 /// Squared errors of an estimate, relative, mean over channels and patches.
 struct SquaredError {
   Plane noise;
-  Plane bias;  ///< of a replicate
-  bool improves = true;
+  Plane bias;     ///< of a replicate
+  Plane missing;  ///< of that, what it had before the filter
 
   float of_replicates(std::size_t i) const { return noise.values[i] + bias.values[i]; }
   float of_whole(std::size_t i) const {
-    return noise.values[i] + (improves ? bias.values[i] / kParts : bias.values[i]);
+    return noise.values[i] + missing.values[i] + (bias.values[i] - missing.values[i]) / kParts;
   }
 };
 SquaredError squared_error(Vec2i size, const BiasedEstimate& estimate, const Replicates& unbiased,
                            const std::vector<float>& scales) {
   Plane bias(size);
   Plane noise(size);
+  Plane missing(size);
   parallel_for(size.y, [&](int y) {
     for (int x = 0; x < size.x; ++x) {
       const std::size_t first =
           3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(size.x) +
                static_cast<std::size_t>(x));
       for (std::size_t v = first; v < first + 3; ++v) {
-        bias.at(x, y) += squared_bias(estimate, unbiased, v, scales[v]) / 3.F;
+        bias.at(x, y) += squared_bias(estimate.replicates, unbiased, v, scales[v]) / 3.F;
+        if (!estimate.found.empty()) {
+          missing.at(x, y) += squared_bias(estimate.found, unbiased, v, scales[v]) / 3.F;
+        }
         noise.at(x, y) += variance(estimate, v, scales[v]) / 3.F;
       }
     }
@@ -105,8 +110,12 @@ SquaredError squared_error(Vec2i size, const BiasedEstimate& estimate, const Rep
   const SeparableKernel kernel = gaussian_kernel(PostHeuristics::kErrorPatch);
   bias = filter_plane(bias, kernel);
   noise = filter_plane(noise, kernel);
-  for (float& value : bias.values) value = std::max(0.F, value);
-  return {std::move(noise), std::move(bias), estimate.improves};
+  if (!estimate.found.empty()) missing = filter_plane(missing, kernel);
+  for (std::size_t i = 0; i < bias.values.size(); ++i) {
+    bias.values[i] = std::max(0.F, bias.values[i]);
+    missing.values[i] = std::clamp(missing.values[i], 0.F, bias.values[i]);
+  }
+  return {std::move(noise), std::move(bias), std::move(missing)};
 }
 
 }  // namespace

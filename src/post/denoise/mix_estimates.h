@@ -10,9 +10,8 @@ namespace ajar {
 struct BiasedEstimate {
   std::vector<float> pixels;
   Replicates replicates;  ///< the same made of each replicate alone; at least four
-  /// Whether its bias falls with the noise, as what a filter does wrong. Light that has not been
-  /// found yet does not come with fewer dots.
-  bool improves = true;
+  /// What they were made of, if that may lack light which the unbiased replicates have; else empty.
+  Replicates found{};
 };
 
 /// Several estimates of one picture as one.
@@ -33,8 +32,10 @@ struct MixedEstimate {
 ///     (D₁ − X₂) · (D₃ − X₄)
 ///
 /// is the squared bias of D without bias (ours; docs/methods/denoising.md): that of a picture of as
-/// many samples as one replicate. For the whole, a quarter of that is taken of an estimate that
-/// improves, and all of it of others. It is averaged over all orders of four replicates and
+/// many samples as one replicate. What a filter does wrong falls with the noise that it sees, so a
+/// quarter of that is taken for the whole. Light that has not been found yet does not come with
+/// fewer dots: all of the squared bias counts that the estimate had before the filter. It is
+/// averaged over all orders of four replicates and
 /// over a patch, relative to the estimates, so that bright pixels do not decide; the spread of the
 /// replicates of D is added to it. Errors of the mixture are at most the mean of those of its
 /// parts, weighted by their shares, which is what `error` says, with all of a replicate's bias.

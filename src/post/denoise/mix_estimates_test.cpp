@@ -91,7 +91,10 @@ TEST(MixEstimates, TakesLittleOfWhatMissesLight) {
   BiasedEstimate dark{std::vector<float>(kValues, 0.8F),
                       Replicates(4, std::vector<float>(kValues, 0.8F))};
   EXPECT_GT(mean_of(mix_estimates(kSize, {dark, noise}, replicates).shares[0]), 0.75);
-  dark.improves = false;
+  // Not if it is the filter's fault.
+  dark.found = replicates;
+  EXPECT_GT(mean_of(mix_estimates(kSize, {dark, noise}, replicates).shares[0]), 0.75);
+  dark.found = dark.replicates;
   EXPECT_LT(mean_of(mix_estimates(kSize, {dark, noise}, replicates).shares[0]), 0.45);
 }
 
@@ -173,6 +176,8 @@ TEST(MixEstimates, RefusesWhatDoesNotFit) {
   const Replicates four(4, picture);
   EXPECT_THROW(mix_estimates(kSize, {}, four), std::invalid_argument);
   EXPECT_THROW(mix_estimates(kSize, {{picture, Replicates(3, picture)}}, four),
+               std::invalid_argument);
+  EXPECT_THROW(mix_estimates(kSize, {{picture, four, Replicates(3, picture)}}, four),
                std::invalid_argument);
   EXPECT_THROW(mix_estimates({95, 96}, {{picture, four}}, four), std::invalid_argument);
 }
