@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <fstream>
+#include <nlohmann/json.hpp>
 
 #include "support/render.h"
 #include "support/temporary_file.h"
@@ -67,6 +68,51 @@ TEST(UnlitChains, CountInTheMean) {
   EXPECT_LT(unlit, kRenders - kRenders / 5);
   EXPECT_LT(5.0 * error, 0.5) << "too noisy to notice what it is for";
   EXPECT_LT(std::abs(mean - 1.0), 5.0 * error) << mean << " +- " << error;
+}
+
+/// The lamp behind a pane, and all seen through another: no connection makes any of its light.
+std::unique_ptr<Scene> rarely_lit_through_panes() {
+  return test::scene_from(test::pbrt_scene(
+      "LookAt 0 0 -3  0 0 0  0 1 0\nCamera \"perspective\" \"float fov\" [60]\n", 8, 6,
+      "AttributeBegin\nTranslate 0 3 -4\nAreaLightSource \"diffuse\" \"rgb L\" [100 100 100]\n"
+      "Shape \"sphere\" \"float radius\" [0.5]\nAttributeEnd\n"
+      "Material \"matte\" \"rgb Kd\" [0.7 0.7 0.7]\n"
+      "Shape \"trianglemesh\" \"integer indices\" [0 1 2 0 2 3] "
+      "\"point P\" [-3 -1 -6  3 -1 -6  3 -1 3  -3 -1 3]\n"
+      "Material \"glass\" \"float index\" [1.1]\n"
+      "Shape \"trianglemesh\" \"integer indices\" [0 1 2 0 2 3] "
+      "\"point P\" [-9 2 -9  9 2 -9  9 2 9  -9 2 9]\n"
+      "Shape \"trianglemesh\" \"integer indices\" [0 1 2 0 2 3] "
+      "\"point P\" [-9 -9 -2.5  9 -9 -2.5  9 1.9 -2.5  -9 1.9 -2.5]\n"));
+}
+
+/// Where a pilot finds nothing, plain samples stand in for chains without seeds. They are of
+/// numbers and not of explicit paths, and count as what chains of the same kind would.
+TEST(UnlitChains, OfABlackPilotAreAllOfOneKind) {
+  const auto scene = rarely_lit_through_panes();
+  test::RenderOptions options;
+  options.integrator = "selective";
+  options.samples = 8;
+  options.replicates = 4;
+  options.min_depth = 4;
+  options.max_depth = 6;
+  options.parameters = {{"bootstrap", "1000"}, {"omc", "bdpt"}};
+  int black = 0;
+  int lit = 0;
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    options.seed = seed;
+    const MethodReport report = test::render(*scene, options).integrator->report();
+    const bool is_black = report["selective"]["pilot_samples_per_pixel"] == 0;
+    ++(is_black ? black : lit);
+    for (const auto& group : report["acceptance"]["by_depth"]) {
+      // Explicit paths are of all depths.
+      if (is_black) {
+        EXPECT_FALSE(group["depth"].is_null()) << "seed " << seed;
+      }
+    }
+  }
+  EXPECT_GT(black, 4);
+  EXPECT_GT(lit, 4);
 }
 
 }  // namespace

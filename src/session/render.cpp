@@ -25,6 +25,22 @@ std::unique_ptr<tbb::global_control> thread_limit(int threads) {
                                                static_cast<std::size_t>(threads));
 }
 
+/// Whether there is anything to render. If not, or on an error, what was seen before is no result.
+bool is_prepared(RenderState& state) {
+  const auto forget = [&] {
+    state.preview.reset();
+    state.watch.know(std::shared_ptr<const Picture>());
+  };
+  try {
+    if (prepare_method(state)) return true;
+  } catch (...) {
+    forget();
+    throw;
+  }
+  forget();
+  return false;
+}
+
 }  // namespace
 
 struct Render::Parts {
@@ -62,12 +78,10 @@ const RenderOutcome& Render::run() {
   state.plan.emplace(make_plan(state.order, description));
   complete_files(state.order, description);
   build_scene(state, std::move(description));
-  if (prepare_method(state)) {
+  if (is_prepared(state)) {
     outcome = render_passes(state);
   } else {
     outcome.interrupted = true;
-    state.preview.reset();
-    state.watch.know(std::shared_ptr<const Picture>());  // what was seen before is no result
     outcome.statistics = state.statistics;
   }
   state.events.finished(outcome);

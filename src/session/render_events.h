@@ -10,7 +10,8 @@ namespace ajar {
 
 struct RenderOutcome;
 
-/// What a render tells while it runs, on the thread that runs it. What a listener raises ends the
+/// What a render tells while it runs, on the thread that runs it; notes of a viewer come from
+/// another thread. What a listener raises ends the
 /// render, as an error of its own would; but what `picture` raises is told as trouble.
 class RenderEvents {
  public:

@@ -51,7 +51,8 @@ void prepare(RenderState& state) {
   state.integrator = setup.integrator->make(*state.scene, setup.settings, state.plan->parameters);
   open_preview(state);
   Preparation::Show show;
-  if (state.order.is_root()) {
+  // A render that goes on has had better pictures.
+  if (state.order.is_root() && !state.order.resumed) {
     show = [&state](std::vector<float> rgb) { show_first_look(state, std::move(rgb)); };
   }
   Preparation preparation(*state.integrator, preparation_limits(state), std::move(show));

@@ -61,6 +61,7 @@ struct Listener final : RenderEvents {
   int pictures = 0;
   int finishes = 0;
   std::vector<std::string> notes;
+  std::mutex mutex;
   bool at_work = false;
   std::function<void(const RenderSnapshot&)> on_progress;
   std::atomic<bool> has_passes{false};
@@ -85,7 +86,10 @@ struct Listener final : RenderEvents {
     ++pictures;
     if (on_picture) on_picture();
   }
-  void note(const std::string& text) override { notes.push_back(text); }
+  void note(const std::string& text) override {
+    const std::lock_guard lock(mutex);  // those of a viewer come from its thread
+    notes.push_back(text);
+  }
   void finished(const RenderOutcome&) override { ++finishes; }
 };
 

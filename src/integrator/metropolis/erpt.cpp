@@ -314,9 +314,10 @@ std::vector<ParameterSpec> erpt_parameters() {
 std::unique_ptr<Integrator> make_erpt_integrator(const Scene& scene, const RenderSettings& settings,
                                                  const Parameters& parameters) {
   ChainOrder order = chain_order(settings, parameters, {{"techniques", "bdpt"}});
-  order.groups =
-      make_path_groups(ChainKind::WholePath, order.sampler, parameters.get_int("roulette-start"));
-  if (parameters.get_text("chain") == "mlt") {
+  const bool of_paths = parameters.get_text("chain") == "mlt";
+  order.groups = make_path_groups(of_paths ? ChainKind::SpreadPath : ChainKind::WholePath,
+                                  order.sampler, parameters.get_int("roulette-start"));
+  if (of_paths) {
     return std::make_unique<EnergyRedistribution<PathSpace>>(scene, settings, std::move(order),
                                                              parameters, PathSpace(parameters));
   }
