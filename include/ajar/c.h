@@ -97,8 +97,8 @@ AJAR_API int ajar_render_start(const ajar_scene* scene, const char* settings, aj
 AJAR_API int ajar_render_wait(ajar_render* render, double seconds, int* done);
 /* Ends it after the pass that runs; called twice, within it. Does not wait. */
 AJAR_API int ajar_render_stop(ajar_render* render);
-/* The picture as it is; waits for the end of the pass that runs. Before the first pass, a rough look
-   of 0 samples per pixel if the method has one, without other layers; else NULL. */
+/* The picture as it is; waits for the end of the pass that runs. Before the first pass, a rough
+   look of 0 samples per pixel if the method has one, without other layers; else NULL. */
 AJAR_API int ajar_render_picture(ajar_render* render, ajar_picture** picture);
 /* How far it is: preparing, seconds, samples_per_pixel, fraction, estimated_error,
    error_is_lower_bound, done. */

@@ -37,7 +37,7 @@ std::vector<PathGroup> groups_by_depth(PathClass paths, PathSamplerSettings samp
 
 }  // namespace
 
-std::vector<PathGroup> make_path_groups(ChainKind kind, PathSamplerSettings sampler,
+std::vector<PathGroup> make_path_groups(ChainKind kind, const PathSamplerSettings& sampler,
                                         int roulette_start) {
   if (sampler.min_depth > sampler.max_depth) return {};
   if (kind == ChainKind::OnePath) return groups_by_depth(PathClass::All, sampler);

@@ -46,7 +46,7 @@ struct PathGroup {
 /// `roulette_start` unless it is OnePath; paths of a given depth gain nothing from ending early.
 /// Explicit paths start from connections of two subpaths. Of ByPath, the last group is of explicit
 /// paths, if the sampler hits lights at all. Empty if there are no such paths.
-std::vector<PathGroup> make_path_groups(ChainKind kind, PathSamplerSettings sampler,
+std::vector<PathGroup> make_path_groups(ChainKind kind, const PathSamplerSettings& sampler,
                                         int roulette_start);
 /// The share of all bootstrap samples that a group gets: long paths carry little light and cost
 /// much.
