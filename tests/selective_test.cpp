@@ -233,21 +233,27 @@ TEST(Selective, RegionsDoNotFollowFromSamplesThatStay) {
   }
 }
 
-/// Two boxes without lids, side by side: in the left one a wide lamp, which rays run into, in the
-/// right one a small one, which they have to be sent to.
-std::unique_ptr<Scene> scene_of_two_lamps() {
-  const std::string faces = "\"integer indices\" [0 2 1 0 3 2]\n";
+std::string quad(const std::string& points) {
+  return "Shape \"trianglemesh\" \"point P\" [" + points + "] \"integer indices\" [0 2 1 0 3 2]\n";
+}
+
+/// Two boxes without lids, side by side, in the left one a wide lamp; and what else there is.
+std::unique_ptr<Scene> scene_of_two_boxes(const std::string& lamps, const std::string& rest) {
   return test::scene_from(test::pbrt_scene(
       "LookAt 0 3.5 -4.5  0 0.3 0.4  0 1 0 Camera \"perspective\" \"float fov\" [40]", 24, 12,
-      "Material \"matte\" \"rgb Kd\" [0.7 0.7 0.7]\n"
-      "Shape \"trianglemesh\" \"point P\" [-2 0 -1  2 0 -1  2 0 1  -2 0 1] " +
-          faces + "Shape \"trianglemesh\" \"point P\" [-2 0 1  2 0 1  2 1.5 1  -2 1.5 1] " + faces +
-          "Shape \"trianglemesh\" \"point P\" [0 0 -1  0 0 1  0 1.5 1  0 1.5 -1] " + faces +
-          "AttributeBegin AreaLightSource \"diffuse\" \"rgb L\" [2 2 2]\n"
-          "Shape \"trianglemesh\" \"point P\" [-2 0 -1  -2 0 1  -2 1.5 1  -2 1.5 -1] " +
-          faces +
-          "AttributeEnd AttributeBegin AreaLightSource \"diffuse\" \"rgb L\" [900 900 900]\n"
-          "Translate 1 0.7 0 Shape \"sphere\" \"float radius\" [0.02] AttributeEnd\n"));
+      "Material \"matte\" \"rgb Kd\" [0.7 0.7 0.7]\n" + quad("-2 0 -1  2 0 -1  2 0 1  -2 0 1") +
+          quad("-2 0 1  2 0 1  2 1.5 1  -2 1.5 1") + quad("0 0 -1  0 0 1  0 1.5 1  0 1.5 -1") +
+          "AttributeBegin AreaLightSource \"diffuse\" \"rgb L\" [2 2 2]\n" +
+          quad("-2 0 -1  -2 0 1  -2 1.5 1  -2 1.5 -1") + lamps + "AttributeEnd\n" + rest));
+}
+
+/// The wide lamp is one that rays run into; in the right box is a small one, which they have to be
+/// sent to.
+std::unique_ptr<Scene> scene_of_two_lamps() {
+  return scene_of_two_boxes(
+      "",
+      "AttributeBegin AreaLightSource \"diffuse\" \"rgb L\" [900 900 900]\n"
+      "Translate 1 0.7 0 Shape \"sphere\" \"float radius\" [0.02] AttributeEnd\n");
 }
 
 /// Means of the left and the right half of the indirect light.
@@ -291,22 +297,13 @@ TEST(Selective, LeavesLightWhereItIsWhicheverTechniquesFindIt) {
   }
 }
 
-/// Seen through a pane: on the left a wide lamp behind another pane, of which no connection makes
+/// Seen through a pane: on the left the wide lamp behind another pane, of which no connection makes
 /// the light that has been scattered once; on the right one without, of which connections make all.
 std::unique_ptr<Scene> scene_of_panes() {
-  const std::string faces = "\"integer indices\" [0 2 1 0 3 2]\n";
-  const auto mesh = [&](const std::string& points) {
-    return "Shape \"trianglemesh\" \"point P\" [" + points + "] " + faces;
-  };
-  return test::scene_from(test::pbrt_scene(
-      "LookAt 0 3.5 -4.5  0 0.3 0.4  0 1 0 Camera \"perspective\" \"float fov\" [40]", 24, 12,
-      "Material \"matte\" \"rgb Kd\" [0.7 0.7 0.7]\n" + mesh("-2 0 -1  2 0 -1  2 0 1  -2 0 1") +
-          mesh("-2 0 1  2 0 1  2 1.5 1  -2 1.5 1") + mesh("0 0 -1  0 0 1  0 1.5 1  0 1.5 -1") +
-          "AttributeBegin AreaLightSource \"diffuse\" \"rgb L\" [2 2 2]\n" +
-          mesh("-2 0 -1  -2 0 1  -2 1.5 1  -2 1.5 -1") + mesh("2 0 1  2 0 -1  2 1.5 -1  2 1.5 1") +
-          "AttributeEnd Material \"glass\" \"float index\" [1.1]\n" +
-          mesh("-1.9 0 -1  -1.9 0 1  -1.9 1.5 1  -1.9 1.5 -1") +
-          mesh("-2 1 -3  2 1 -3  2 4.5 -3  -2 4.5 -3")));
+  return scene_of_two_boxes(quad("2 0 1  2 0 -1  2 1.5 -1  2 1.5 1"),
+                            "Material \"glass\" \"float index\" [1.1]\n" +
+                                quad("-1.9 0 -1  -1.9 0 1  -1.9 1.5 1  -1.9 1.5 -1") +
+                                quad("-2 1 -3  2 1 -3  2 4.5 -3  -2 4.5 -3"));
 }
 
 struct OfHalves {

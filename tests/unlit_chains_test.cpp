@@ -3,6 +3,7 @@
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <string>
 
 #include "support/render.h"
 #include "support/temporary_file.h"
@@ -14,23 +15,26 @@ namespace {
 
 constexpr int kRenders = 300;
 
-/// A lamp behind the camera, which is seldom hit by chance.
-std::unique_ptr<Scene> rarely_lit() {
+std::string quad(const std::string& points) {
+  return "Shape \"trianglemesh\" \"integer indices\" [0 1 2 0 2 3] \"point P\" [" + points + "]\n";
+}
+
+/// A lamp behind the camera, which is seldom hit by chance, above a floor; and what else there is.
+std::unique_ptr<Scene> rarely_lit(const std::string& radius, const std::string& rest) {
   return test::scene_from(test::pbrt_scene(
       "LookAt 0 0 -3  0 0 0  0 1 0\nCamera \"perspective\" \"float fov\" [60]\n", 8, 6,
       "AttributeBegin\nTranslate 0 3 -4\nAreaLightSource \"diffuse\" \"rgb L\" [100 100 100]\n"
-      "Shape \"sphere\" \"float radius\" [0.4]\nAttributeEnd\n"
-      "Material \"matte\" \"rgb Kd\" [0.7 0.7 0.7]\n"
-      "Shape \"trianglemesh\" \"integer indices\" [0 1 2 0 2 3] "
-      "\"point P\" [-3 -1 -6  3 -1 -6  3 -1 3  -3 -1 3]\n"
-      "Shape \"trianglemesh\" \"integer indices\" [0 1 2 0 2 3] "
-      "\"point P\" [-3 -1 2  3 -1 2  3 3 2  -3 3 2]\n"));
+      "Shape \"sphere\" \"float radius\" [" +
+          radius +
+          "]\nAttributeEnd\n"
+          "Material \"matte\" \"rgb Kd\" [0.7 0.7 0.7]\n" +
+          quad("-3 -1 -6  3 -1 -6  3 -1 3  -3 -1 3") + rest));
 }
 
 TEST(UnlitChains, CountInTheMean) {
   const test::TemporaryFile rules("rules.txt");
   std::ofstream(rules.path()) << "object * chain\n";
-  const auto scene = rarely_lit();
+  const auto scene = rarely_lit("0.4", quad("-3 -1 2  3 -1 2  3 3 2  -3 3 2"));
   test::RenderOptions truth;
   truth.integrator = "bdpt";
   truth.samples = 4096;
@@ -72,18 +76,9 @@ TEST(UnlitChains, CountInTheMean) {
 
 /// The lamp behind a pane, and all seen through another: no connection makes any of its light.
 std::unique_ptr<Scene> rarely_lit_through_panes() {
-  return test::scene_from(test::pbrt_scene(
-      "LookAt 0 0 -3  0 0 0  0 1 0\nCamera \"perspective\" \"float fov\" [60]\n", 8, 6,
-      "AttributeBegin\nTranslate 0 3 -4\nAreaLightSource \"diffuse\" \"rgb L\" [100 100 100]\n"
-      "Shape \"sphere\" \"float radius\" [0.5]\nAttributeEnd\n"
-      "Material \"matte\" \"rgb Kd\" [0.7 0.7 0.7]\n"
-      "Shape \"trianglemesh\" \"integer indices\" [0 1 2 0 2 3] "
-      "\"point P\" [-3 -1 -6  3 -1 -6  3 -1 3  -3 -1 3]\n"
-      "Material \"glass\" \"float index\" [1.1]\n"
-      "Shape \"trianglemesh\" \"integer indices\" [0 1 2 0 2 3] "
-      "\"point P\" [-9 2 -9  9 2 -9  9 2 9  -9 2 9]\n"
-      "Shape \"trianglemesh\" \"integer indices\" [0 1 2 0 2 3] "
-      "\"point P\" [-9 -9 -2.5  9 -9 -2.5  9 1.9 -2.5  -9 1.9 -2.5]\n"));
+  return rarely_lit("0.5", "Material \"glass\" \"float index\" [1.1]\n" +
+                               quad("-9 2 -9  9 2 -9  9 2 9  -9 2 9") +
+                               quad("-9 -9 -2.5  9 -9 -2.5  9 1.9 -2.5  -9 1.9 -2.5"));
 }
 
 /// Where a pilot finds nothing, plain samples stand in for chains without seeds. They are of

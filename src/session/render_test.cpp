@@ -7,6 +7,7 @@
 #include <atomic>
 #include <filesystem>
 #include <future>
+#include <mutex>
 #include <numeric>
 #include <stdexcept>
 #include <thread>
@@ -68,6 +69,7 @@ struct Listener final : RenderEvents {
 
   std::function<void(RenderPhase)> on_phase;
   std::function<void()> on_picture;
+  std::function<void()> on_note;
 
   void phase_begun(RenderPhase phase) override {
     phases.emplace_back(to_string(phase));
@@ -89,6 +91,7 @@ struct Listener final : RenderEvents {
   void note(const std::string& text) override {
     const std::lock_guard lock(mutex);  // those of a viewer come from its thread
     notes.push_back(text);
+    if (on_note) on_note();
   }
   void finished(const RenderOutcome&) override { ++finishes; }
 };
@@ -333,6 +336,38 @@ TEST(Render, HasNoPictureIfItEndsWithWhatItsPreparationHasSeen) {
   };
   EXPECT_FALSE(render.run().picture);
   EXPECT_EQ(listener.pictures, 1);
+  EXPECT_FALSE(render.picture());
+}
+
+/// Who renders on has had better pictures.
+TEST(Render, DoesNotShowWhatItsPreparationSeesAgain) {
+  const std::string checkpoint =
+      (std::filesystem::temp_directory_path() / ("ajar-look-" + std::to_string(::getpid())))
+          .string();
+  RenderOrder order = selective_order();
+  order.files.checkpoint = checkpoint;
+  Render(std::move(order)).run();
+  RenderOrder on;
+  on.budget.samples_per_pixel = 16;
+  on.show_every = 1e3;
+  resume_from(checkpoint, on);
+  Listener listener;
+  Render render(std::move(on), listener);
+  std::shared_ptr<const Picture> look;
+  listener.on_phase = [&](RenderPhase phase) {
+    if (phase == RenderPhase::Render) look = render.picture();
+  };
+  EXPECT_TRUE(render.run().picture);
+  EXPECT_FALSE(look);
+  EXPECT_EQ(listener.pictures, 0);
+  std::filesystem::remove(checkpoint);
+}
+
+TEST(Render, HasNoPictureIfItFailsAfterItsPreparation) {
+  Listener listener;
+  listener.on_note = [] { throw std::runtime_error("enough"); };
+  Render render(selective_order(), listener);
+  EXPECT_THROW(render.run(), std::runtime_error);
   EXPECT_FALSE(render.picture());
 }
 
