@@ -8,7 +8,9 @@
 
 #include "core/random.h"
 #include "integrator/division.h"
+#include "integrator/metropolis/path_target.h"
 #include "mcmc/counter_random.h"
+#include "mcmc/primary/bootstrap_source.h"
 #include "path/measure.h"
 #include "path/recorder.h"
 #include "support/render.h"
@@ -142,6 +144,43 @@ TEST_P(PathShareOf, IsTheSumOverAllTechniques) {
       EXPECT_LE(different, found.size() / 100) << techniques;
     }
   }
+}
+
+/// What a state of numbers brings is of one class of paths or the other.
+TEST(PathClasses, MakeAllOfAStateTogether) {
+  const auto scene = test::scene_from(test::small_scene("Environment").text);
+  const Vec2i size = scene->camera().resolution();
+  ChainView view;
+  view.size = Vec2(size);
+  view.pixels = static_cast<double>(size.x) * static_cast<double>(size.y);
+  PathSamplerSettings settings = settings_of("bdpt", Heuristic::Power);
+  settings.min_depth = settings.max_depth = 3;
+  const TechniqueChoice choice(settings.techniques, 3);
+  const auto target_of = [&](PathClass paths) {
+    return OnePathTarget(*scene, settings, choice, view, nullptr, paths);
+  };
+  OnePathTarget all = target_of(PathClass::All);
+  OnePathTarget connectible = target_of(PathClass::Connectible);
+  OnePathTarget hit_only = target_of(PathClass::HitOnly);
+  std::size_t some_connectible = 0;
+  std::size_t some_hit_only = 0;
+  for (std::uint64_t i = 0; i < 50000; ++i) {
+    const auto evaluate = [&](OnePathTarget& target) {
+      BootstrapSource numbers(5, i);
+      SplatBuffer splats;
+      const double scalar = target.evaluate(numbers, Change{}, splats);
+      target.rejected();
+      return scalar;
+    };
+    const double whole = evaluate(all);
+    const double of_connectible = evaluate(connectible);
+    const double of_hit_only = evaluate(hit_only);
+    ASSERT_EQ(of_connectible + of_hit_only, whole);
+    if (of_connectible > 0.0) ++some_connectible;
+    if (of_hit_only > 0.0) ++some_hit_only;
+  }
+  EXPECT_GT(some_connectible, 1000U);
+  EXPECT_GT(some_hit_only, 10U);
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, PathShareOf, ::testing::ValuesIn(test::small_scenes()),
