@@ -17,77 +17,42 @@
 #include "mcmc/path_space/make_path_mutations.h"
 #include "path/edges.h"
 #include "path/measure.h"
-#include "path/recorder.h"
+#include "support/path_samples.h"
 #include "support/render.h"
 #include "support/small_scenes.h"
-#include "transport/sources.h"
 
 /// Mutations of paths: each by itself leaves the distribution of light as it
 /// is, region by region, and its densities are those of what it does.
 namespace ajar {
 namespace {
 
-constexpr int kMaxDepth = 6;
+constexpr int kMaxDepth = test::kPathSampleDepth;
 
-PathBounds bounds_of(const Scene& scene) {
-  return {{Vec2(0.F), Vec2(scene.camera().resolution())}, 1, kMaxDepth};
-}
+PathBounds bounds_of(const Scene& scene) { return test::path_sample_bounds(scene); }
 
-PathSamplerSettings sampler_settings() {
-  PathSamplerSettings settings;
-  settings.techniques = TechniqueSet::bdpt();
-  settings.max_depth = kMaxDepth;
-  settings.roulette_start = kMaxDepth + 1;
-  return settings;
-}
+using test::for_samples;
+using test::WeightedPath;
 
-struct WeightedPath {
-  Path path;
-  double weight;  ///< luminance of what it brings
-};
-
-/// All paths of a sample of bidirectional path tracing.
-class Collector final : public PathRecorder {
- public:
-  using PathRecorder::PathRecorder;
-  void record(const Path& path, const Contribution& contribution) override {
-    const auto weight = static_cast<double>(luminance(contribution.value));
-    if (weight > 0.0 && std::isfinite(weight)) paths.push_back({path, weight});
-  }
-  std::vector<WeightedPath> paths;
-};
-
-/// Tells each sample's paths: in proportion to their weights, they are
-/// distributed as light is.
-template <typename Each>
-void for_samples(const Scene& scene, std::uint32_t samples, const Each& each) {
-  const PathSamplerSettings settings = sampler_settings();
-  PathSampler sampler(scene, settings);
-  Collector collector(scene, settings);
-  const Vec2 size(scene.camera().resolution());
-  for (std::uint32_t i = 0; i < samples; ++i) {
-    IndependentSource source({7, i, 8, i});
-    const Vec2 raster = source.get_pair({Stream::Camera, 0, kEmissionDirection}) * size;
-    collector.paths.clear();
-    collector.begin(raster);
-    sampler.sample(source, raster, collector);
-    each(i, collector.paths);
-  }
-}
+/// Cosine.
+constexpr float kSteep = 0.8F;
 
 std::int32_t one_layer(int /*depth*/) { return 0; }
 
-constexpr std::size_t kRegions = 3 * 2 * kMaxDepth * 3;
+constexpr std::size_t kRegions = 3 * 2 * kMaxDepth * 3 * 2;
 
-/// By the place on the film, the length, and what the camera sees: a specular
-/// vertex, another, or the light.
+/// By the place on the film, the length, what the camera sees (a specular
+/// vertex, another, or the light), and whether light falls steeply on the first
+/// vertex.
 std::size_t region_of(const Scene& scene, const Path& path) {
   const Vec2 place = path.raster / Vec2(scene.camera().resolution());
   const auto column = static_cast<std::size_t>(std::clamp(place.x * 3.F, 0.F, 2.F));
   const auto row = static_cast<std::size_t>(std::clamp(place.y * 2.F, 0.F, 1.F));
   const int k = path.depth();
   const std::size_t seen = k == 1 ? 2 : path.vertex(k - 1).event.specular() ? 1 : 0;
-  return ((column * 2 + row) * kMaxDepth + static_cast<std::size_t>(k - 1)) * 3 + seen;
+  const bool steep = k > 1 && path.vertex(1).cosine(path.toward_light(scene, 1)) > kSteep;
+  const std::size_t place_and_depth =
+      (column * 2 + row) * kMaxDepth + static_cast<std::size_t>(k - 1);
+  return (place_and_depth * 3 + seen) * 2 + (steep ? 1 : 0);
 }
 
 /// What one step makes of the share of light in each region: nothing on
@@ -196,7 +161,53 @@ Shape "sphere"
 )");
 }
 
+/// A ball of frosted glass between a small lamp and the floor, and a brushed metal ball, in which
+/// that is seen.
+std::string gloss() {
+  return test::pbrt_scene(
+      "LookAt 0 1.1 -2.4  0 0.3 0.2  0 1 0\nCamera "
+      "\"perspective\" \"float fov\" [38]",
+      24, 16, R"(
+AttributeBegin
+  AreaLightSource "diffuse" "rgb L" [80 70 60]
+  Shape "trianglemesh" "point P" [-0.2 2.2 0  0.1 2.2 0  0.1 2.2 0.3  -0.2 2.2 0.3]
+    "integer indices" [0 1 2 0 2 3] "normal N" [0 -1 0  0 -1 0  0 -1 0  0 -1 0]
+AttributeEnd
+Material "matte" "rgb Kd" [0.7 0.6 0.5]
+Shape "trianglemesh" "point P" [-2 0 -2  2 0 -2  2 0 2  -2 0 2] "integer indices" [0 2 1 0 3 2]
+AttributeBegin
+  Material "glass" "float index" [1.3] "float uroughness" [0.12] "float vroughness" [0.12]
+    "bool remaproughness" "false"
+  Translate -0.2 1 0.2 Scale 0.5 0.3 0.5
+  Shape "sphere"
+AttributeEnd
+Material "metal" "float uroughness" [0.2] "float vroughness" [0.1] "bool remaproughness" "false"
+Translate 0.5 0.4 0.3 Scale 0.4 0.4 0.4
+Shape "sphere"
+)");
+}
+
+/// A ball of rough metal throws the light of a spot on a floor under water, whose surface
+/// refracts it smoothly, as it does what is seen.
+std::string gloss_over_water() {
+  return test::pbrt_scene(
+      "LookAt 0 1.5 -0.6  0 0 0.1  0 1 0\nCamera \"perspective\" \"float fov\" [60]", 24, 16, R"(
+LightSource "spot" "point from" [0.9 0.5 -0.4] "point to" [0 0.6 0.1] "rgb I" [8 7 6]
+  "float coneangle" [15] "float conedeltaangle" [2]
+Material "matte" "rgb Kd" [0.7 0.6 0.5]
+Shape "trianglemesh" "point P" [-2 0 -2  2 0 -2  2 0 2  -2 0 2] "integer indices" [0 2 1 0 3 2]
+Material "glass" "float index" [1.33]
+Shape "trianglemesh" "point P" [-2 0.1 -2  2 0.1 -2  2 0.1 2  -2 0.1 2] "integer indices" [0 2 1 0 3 2]
+  "normal N" [0.2 1 0  -0.2 1 0.1  0.1 1 -0.2  0 1 0.1]
+Material "metal" "float roughness" [0.25] "bool remaproughness" "false"
+Translate 0 0.6 0.1 Scale 0.3 0.3 0.3
+Shape "sphere"
+)");
+}
+
 std::unique_ptr<Scene> scene_of(const std::string& name) {
+  if (name == "Gloss") return test::scene_from(gloss());
+  if (name == "GlossOverWater") return test::scene_from(gloss_over_water());
   if (name == "Pool") return test::scene_from(pool());
   if (name == "BurningGlass") {
     return test::scene_from(burning_glass(R"(
@@ -222,8 +233,9 @@ double least_flow(const std::string& mutation, const std::string& scene) {
     if (scene == "BurningGlassInTheSun") return 0.001;
     return scene == "Pool" || scene == "Lenses" ? 0.0005 : 0.0;
   }
+  if (mutation == "half-vector") return scene.starts_with("Gloss") ? 0.005 : 0.0;
   if (scene.starts_with("BurningGlass")) return 0.0;
-  if (scene == "Lenses") return 0.0005;
+  if (scene == "Lenses" || scene == "GlossOverWater") return 0.0005;
   if (mutation != "multi-chain") return 0.002;
   return scene == "Pool" ? 0.0005 : 0.0;  // elsewhere its paths are too long, or too few
 }
@@ -235,12 +247,13 @@ class KeepsTheDistribution : public ::testing::TestWithParam<const char*> {};
 /// fail with 60 000.
 TEST_P(KeepsTheDistribution, OfLightRegionByRegion) {
   const auto scene = scene_of(GetParam());
-  // Few samples of the pool bring any light.
   const std::string_view scene_name = GetParam();
-  const std::uint32_t samples = scene_name == "Pool"                     ? 60000
-                                : scene_name == "Lenses"                 ? 20000
-                                : scene_name.starts_with("BurningGlass") ? 20000
-                                                                         : 4000;
+  std::uint32_t samples = 4000;
+  // Few samples of these bring any light that moves.
+  for (const char* name : {"Lenses", "BurningGlass", "BurningGlassInTheSun", "Gloss"}) {
+    if (scene_name == name) samples = 20000;
+  }
+  if (scene_name == "Pool" || scene_name == "GlossOverWater") samples = 60000;
   for (std::size_t m = 0; m < path_mutations().size(); ++m) {
     const std::string name(path_mutations()[m].name);
     SCOPED_TRACE(name);
@@ -257,9 +270,10 @@ TEST_P(KeepsTheDistribution, OfLightRegionByRegion) {
 
 INSTANTIATE_TEST_SUITE_P(Scenes, KeepsTheDistribution,
                          ::testing::Values("Pool", "Lenses", "BurningGlass", "BurningGlassInTheSun",
-                                           "GlassAndMetal", "ThinLens", "Environment", "Distant",
-                                           "PointAndSpot", "ShadingNormals", "Orthographic",
-                                           "EnvironmentCamera", "Fog", "MilkBall"),
+                                           "Gloss", "GlossOverWater", "GlassAndMetal", "ThinLens",
+                                           "Environment", "Distant", "PointAndSpot",
+                                           "ShadingNormals", "Orthographic", "EnvironmentCamera",
+                                           "Fog", "MilkBall"),
                          [](const auto& test) { return std::string(test.param); });
 
 /// A square on the floor or the back wall of the small room, by its middle and
@@ -422,10 +436,9 @@ TEST(PathMutations, KeepVerticesAndKnowTheWayBack) {
           for (int v = 0; v + 1 < kept->camera; ++v) {
             EXPECT_EQ(y.position(y.depth() - 1 - v), x.position(x.depth() - 1 - v));
           }
+          if (!mutation->suitable(y)) continue;  // as chains do
           if (!std::isfinite(mutation->log_density(x, y, *kept))) ++unknown;
-          if (mutation->suitable(y) && !std::isfinite(mutation->log_density(y, x, *kept))) {
-            ++one_way;
-          }
+          if (!std::isfinite(mutation->log_density(y, x, *kept))) ++one_way;
           Path again = y;
           if (!look_along_all(*scene, again, rays)) ++blocked;
         }
@@ -435,10 +448,11 @@ TEST(PathMutations, KeepVerticesAndKnowTheWayBack) {
       // At the ends of its reach, which roundings of the edges of a path may
       // pass.
       EXPECT_LE(unknown, proposed / 200) << "of " << proposed;
-      // The reach of caustic perturbations is not that of the way back. No
-      // mutation leads back to specular vertices right after the light, if the
-      // light is kept.
-      const bool leads_back = info.name != "caustic" && info.name != "bidirectional";
+      // The reach of caustic and half-vector perturbations is not that of the
+      // way back. No mutation leads back to specular vertices right after the
+      // light, if the light is kept.
+      const bool leads_back =
+          info.name != "caustic" && info.name != "half-vector" && info.name != "bidirectional";
       EXPECT_LE(one_way, leads_back ? 0 : proposed / 3) << "of " << proposed;
     }
   }

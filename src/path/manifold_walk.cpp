@@ -31,6 +31,16 @@ ChainStart chain_start(const Scene& scene, const Path& path, int x) {
   return start;
 }
 
+std::optional<Vec3d> ManifoldWalk::onward(const InnerVertex& vertex, std::size_t i,
+                                          const Vec3d& back) const {
+  if (!vertex.event.specular()) {
+    return offsets_.empty() ? std::nullopt
+                            : turn(vertex, vertex.event.transmission, offsets_[i], back);
+  }
+  const auto sample = vertex.bsdf.specular(Vec3(back), vertex.event, TransportMode::Radiance);
+  return sample ? std::optional(Vec3d(sample->wi)) : std::nullopt;
+}
+
 bool ManifoldWalk::trace(const ChainStart& start, const Vec3d& through,
                          std::span<const InnerVertex> events) {
   Ray ray;
@@ -62,10 +72,11 @@ bool ManifoldWalk::trace(const ChainStart& start, const Vec3d& through,
     vertex.event = events[i].event;
     vertex.hit.material->bsdf(vertex.hit.point, vertex.bsdf);
     if (i + 1 == events.size()) break;
-    const auto sample = vertex.bsdf.specular(-ray.direction, vertex.event, TransportMode::Radiance);
-    if (!sample) return false;
-    ray = {vertex.ray_origin(sample->wi), sample->wi};
-    medium = vertex.medium_toward(sample->wi);
+    const auto way = onward(vertex, i, Vec3d(-ray.direction));
+    if (!way) return false;
+    const Vec3 w(*way);
+    ray = {vertex.ray_origin(w), w};
+    medium = vertex.medium_toward(w);
   }
   return true;
 }
@@ -80,9 +91,9 @@ bool ManifoldWalk::measure(const ChainStart& start, std::span<const InnerVertex>
   } else if (!start.end.at_infinity) {
     back = (start.end.p - p).normalized();
   }
-  const auto sample = last.bsdf.specular(Vec3(back), last.event, TransportMode::Radiance);
-  if (!sample) return false;
-  const Vec3d w = Vec3d(sample->wi).normalized();
+  const auto way = onward(last, vertices.size() - 1, back);
+  if (!way) return false;
+  const Vec3d w = way->normalized();
   const double ahead = (target - p).dot(w);
   if (!(ahead > 0.0)) return false;
   miss_ = target - p - w * ahead;
@@ -95,15 +106,22 @@ bool ManifoldWalk::measure(const ChainStart& start, std::span<const InnerVertex>
 }
 
 bool ManifoldWalk::walk(const ChainStart& start, std::span<const InnerVertex> vertices,
-                        const Vec3& target) {
+                        const Vec3& target, std::span<const OffsetNormal> offsets) {
   const Vec3d goal(target);
+  offsets_ = offsets;
   vertices_.assign(vertices.begin(), vertices.end());
-  if (vertices_.empty() || !measure(start, vertices_, goal)) return false;
+  if (vertices_.empty()) return false;
+  if (!offsets_.empty()) {
+    if (!trace(start, Vec3d(vertices_.front().p()), vertices)) return false;
+    std::swap(vertices_, traced_);
+  }
+  if (!measure(start, vertices_, goal)) return false;
   double step = 1.0;
   bool moved = true;
   for (int i = 0; i < PathHeuristics::kMostWalkSteps; ++i) {
-    if (moved && !linear_.set(start.end, vertices_, {goal - miss_, Vec3d(0.0), false}))
+    if (moved && !linear_.set(start.end, vertices_, {goal - miss_, Vec3d(0.0), false}, offsets_)) {
       return false;
+    }
     const double tolerance = PathHeuristics::kWalkTolerance * length_;
     const Vec3d miss = miss_;
     const double length = length_;

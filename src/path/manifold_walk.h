@@ -19,17 +19,21 @@ ChainStart chain_start(const Scene& scene, const Path& path, int x);
 
 /// Moves the end b of a specular chain a, s₁ … sₙ, b to another place while a stays, by Newton's
 /// method: steps in the tangent plane of s₁, from which the chain is traced again from a, by the
-/// same specular events (lobe and side) at whatever surfaces rays meet; a step that does not bring
-/// the end nearer is halved. What comes of it depends on nothing else: no number is random. Source:
-/// Jakob & Marschner 2012, "Manifold exploration", section 4.2; that the end need not be on a
-/// surface is ours. Holds the scratch memory of one thread.
+/// same specular events (lobe and side), and by facets of the same offset normals at rough
+/// vertices, at whatever surfaces rays meet; a step that does not bring the end nearer is halved.
+/// What comes of it depends on nothing else: no number is random. Source: Jakob & Marschner 2012,
+/// "Manifold exploration", section 4.2; that the end need not be on a surface is ours. Holds the
+/// scratch memory of one thread.
 class ManifoldWalk {
  public:
   explicit ManifoldWalk(const Scene& scene) : scene_(scene), linear_(scene) {}
 
   /// Walks from `vertices` (in the order from the start), which lead to some place, to those that
   /// lead to `target`: false if none were found. Whether the last edge is open has not been asked.
-  bool walk(const ChainStart& start, std::span<const InnerVertex> vertices, const Vec3& target);
+  /// `offsets`: those that rough vertices come to have, other than what they have at first; none if
+  /// all are specular.
+  bool walk(const ChainStart& start, std::span<const InnerVertex> vertices, const Vec3& target,
+            std::span<const OffsetNormal> offsets = {});
   /// Where the walk came to, in the order from the start.
   std::span<const InnerVertex> vertices() const { return vertices_; }
   /// By how much these may miss what leads to `target` exactly, by the tolerance of walks.
@@ -40,11 +44,14 @@ class ManifoldWalk {
  private:
   bool trace(const ChainStart& start, const Vec3d& through, std::span<const InnerVertex> events);
   bool measure(const ChainStart& start, std::span<const InnerVertex> vertices, const Vec3d& target);
+  /// Where vertex `i` of a chain sends what comes from the direction `back`.
+  std::optional<Vec3d> onward(const InnerVertex& vertex, std::size_t i, const Vec3d& back) const;
 
   const Scene& scene_;
   SpecularChain linear_;
   std::vector<InnerVertex> vertices_;
   std::vector<InnerVertex> traced_;
+  std::span<const OffsetNormal> offsets_;  ///< of the walk that is on
   Vec3d miss_{0.0};      ///< from where a chain ends to the target, across the last ray
   double length_ = 0.0;  ///< of the edges, from s₁ on, or from a if it is a point
   double uncertainty_ = 0.0;

@@ -11,16 +11,6 @@ namespace {
 
 using Block = std::array<double, 4>;
 
-struct Plane {
-  Vec3d x, y;
-};
-/// Perpendicular to a unit vector.
-Plane across(const Vec3d& w) {
-  const Vec3d helper = std::abs(w.x) < 0.7 ? Vec3d(1.0, 0.0, 0.0) : Vec3d(0.0, 1.0, 0.0);
-  const Vec3d x = (helper - w * w.dot(helper)).normalized();
-  return {x, w.cross(x)};
-}
-
 Block product(const Block& a, const Block& b) {
   return {a[0] * b[0] + a[1] * b[2], a[0] * b[1] + a[1] * b[3], a[2] * b[0] + a[3] * b[2],
           a[2] * b[1] + a[3] * b[3]};
@@ -38,7 +28,7 @@ std::optional<Block> inverse(const Block& a) {
   return Block{a[3] / d, -a[1] / d, -a[2] / d, a[0] / d};
 }
 /// rowsᵀ · (vectors of `columns`).
-Block project(const Plane& rows, const Vec3d& first, const Vec3d& second) {
+Block project(const TangentPlane& rows, const Vec3d& first, const Vec3d& second) {
   return {rows.x.dot(first), rows.x.dot(second), rows.y.dot(first), rows.y.dot(second)};
 }
 
@@ -67,6 +57,10 @@ struct Optics {
   bool straight;
 };
 std::optional<Optics> optics_of(const InnerVertex& vertex, const Vec3d& to_start) {
+  if (!vertex.event.specular()) {
+    const auto eta = relative_index(vertex, vertex.event.transmission, to_start);
+    return eta ? std::optional(Optics{*eta, false}) : std::nullopt;
+  }
   const auto sample = vertex.bsdf.specular(Vec3(to_start), vertex.event, TransportMode::Radiance);
   if (!sample) return std::nullopt;
   return Optics{double{sample->eta}, sample->transmission && sample->eta == 1.F};
@@ -80,6 +74,46 @@ Vec3d normal_change(const SurfaceDerivatives& surface, const Vec3d& along) {
          surface.dndv * (surface.dpdu.cross(along).dot(area) / squared);
 }
 
+/// Whether a vertex is one that chains may have.
+bool can_hold(const InnerVertex& vertex, bool has_offset) {
+  if (vertex.in_medium) return false;
+  return vertex.event.specular() ? vertex.hit.material->relief.is_flat() : has_offset;
+}
+
+/// With the opposite shading normal.
+SurfaceDerivatives turned(SurfaceDerivatives surface) {
+  for (Vec3d* normal : {&surface.n, &surface.dndu, &surface.dndv}) *normal = -*normal;
+  return surface;
+}
+
+/// The normal that a vertex holds, and how it turns with the shading normal.
+class HeldNormal {
+ public:
+  HeldNormal(const Vec3d& n, const OffsetNormal& offset)
+      : n_(n),
+        plane_(plane_across(n)),
+        offset_(offset),
+        height_(std::sqrt(1.0 - offset.x * offset.x - offset.y * offset.y)) {}
+  Vec3d unit() const { return combined(plane_.x, plane_.y, n_); }
+  /// When the shading normal moves by `dn`.
+  Vec3d change(const Vec3d& dn) const {
+    // The tangents are functions of n: the first is what is left of a fixed axis.
+    const Vec3d axis = std::abs(n_.x) < 0.7 ? Vec3d(1.0, 0.0, 0.0) : Vec3d(0.0, 1.0, 0.0);
+    const double length = (axis - n_ * n_.dot(axis)).length();
+    const Vec3d dx = part_across((dn * -n_.dot(axis) - n_ * dn.dot(axis)) / length, plane_.x);
+    return combined(dx, dn.cross(plane_.x) + n_.cross(dx), dn);
+  }
+
+ private:
+  Vec3d combined(const Vec3d& x, const Vec3d& y, const Vec3d& n) const {
+    return x * offset_.x + y * offset_.y + n * height_;
+  }
+  Vec3d n_;
+  TangentPlane plane_;
+  OffsetNormal offset_;
+  double height_;
+};
+
 }  // namespace
 
 ChainEnd chain_end(const Scene& scene, const Path& path, int x) {
@@ -92,16 +126,18 @@ ChainEnd chain_end(const Scene& scene, const Path& path, int x) {
 }
 
 bool SpecularChain::set(const ChainEnd& start, std::span<const InnerVertex> vertices,
-                        const ChainEnd& end) {
+                        const ChainEnd& end, std::span<const OffsetNormal> offsets) {
   const std::size_t count = vertices.size();
   links_.resize(count);
   std::vector<SurfaceDerivatives> surfaces;
   for (std::size_t i = 0; i < count; ++i) {
-    if (vertices[i].in_medium || !vertices[i].event.specular()) return false;
-    const auto surface = scene_.derivatives(vertices[i].hit);
+    if (!can_hold(vertices[i], !offsets.empty())) return false;
+    auto surface = scene_.derivatives(vertices[i].hit);
     if (!surface) return false;
+    // Offset normals are on the side of that of the hit.
+    if (surface->n.dot(Vec3d(vertices[i].hit.point.ns)) < 0.0) surface = turned(*surface);
     surfaces.push_back(*surface);
-    const Plane tangents = across(surface->dpdu.cross(surface->dpdv).normalized());
+    const TangentPlane tangents = plane_across(surface->dpdu.cross(surface->dpdv).normalized());
     links_[i].x = tangents.x;
     links_[i].y = tangents.y;
   }
@@ -114,13 +150,16 @@ bool SpecularChain::set(const ChainEnd& start, std::span<const InnerVertex> vert
     if (!optics) return false;
     b.eta = optics->eta;
     const SurfaceDerivatives& surface = surfaces[i];
-    const Plane plane = across(optics->straight ? a.w : surface.n);
+    const HeldNormal held(surface.n, offsets.empty() ? OffsetNormal() : offsets[i]);
+    const Vec3d normal = held.unit();
+    const TangentPlane plane = plane_across(optics->straight ? a.w : normal);
     const auto change = [&](const Ray3& ray, const Vec3d& move) {
       return part_across(move, ray.w) * (ray.eta * ray.per_move);
     };
-    const double along_normal = optics->straight ? 0.0 : (a.w * a.eta + b.w * b.eta).dot(surface.n);
+    const double along_normal = optics->straight ? 0.0 : (a.w * a.eta + b.w * b.eta).dot(normal);
     const auto own = [&](const Vec3d& move) {
-      return -change(a, move) - change(b, move) - normal_change(surface, move) * along_normal;
+      const Vec3d turning = held.change(normal_change(surface, move));
+      return -change(a, move) - change(b, move) - turning * along_normal;
     };
     link.own = project(plane, own(link.x), own(link.y));
     if (i > 0) {
@@ -133,7 +172,7 @@ bool SpecularChain::set(const ChainEnd& start, std::span<const InnerVertex> vert
       link.after = project(plane, change(b, links_[i + 1].x), change(b, links_[i + 1].y));
       continue;
     }
-    const Plane last = across(b.w);
+    const TangentPlane last = plane_across(b.w);
     end_x_ = last.x;
     end_y_ = last.y;
     // Of an end at infinity the direction itself is what moves.
@@ -180,7 +219,7 @@ double SpecularChain::largest_move() const {
 
 double SpecularChain::spread() const {
   const Link& link = links_.front();
-  const Plane plane = across(away_);
+  const TangentPlane plane = plane_across(away_);
   return std::abs(determinant(product(project(plane, link.x, link.y), link.by_end))) /
          (distance_ * distance_);
 }

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "path/path.h"
+#include "path/offset_normal.h"
 
 namespace ajar {
 
@@ -20,17 +20,20 @@ ChainEnd chain_end(const Scene& scene, const Path& path, int x);
 /// A specular chain a, s₁ … sₙ, b, to first order: how its vertices move with its end b while a
 /// stays. Each vertex holds the constraint that its generalised half vector η_a ω_a + η_b ω_b has
 /// no part across the shading normal (events that go straight on: that it vanishes); of the
-/// constraints the derivatives by the vertices are block-tridiagonal. Source: Jakob & Marschner
-/// 2012, "Manifold exploration", section 4; half vectors that are not normalised, and straight
-/// events, are ours.
+/// constraints the derivatives by the vertices are block-tridiagonal. Rough vertices may be among
+/// them: these hold their offset normal, which turns with the surface, in place of the shading
+/// normal. Source: Jakob & Marschner 2012, "Manifold exploration", section 4; half vectors that are
+/// not normalised, and straight events, are ours.
 class SpecularChain {
  public:
   explicit SpecularChain(const Scene& scene) : scene_(scene) {}
 
-  /// `vertices` in the order from `start`. False if some vertex is not smooth
-  /// (`Scene::derivatives`), has no such event, or if the chain is singular: at the borders of
+  /// `vertices` in the order from `start`, with the offset normals of those that are rough; none if
+  /// all are specular. False if some vertex is not smooth (`Scene::derivatives`; specular ones with
+  /// a bump or a normal map), has no such event, or if the chain is singular: at the borders of
   /// caustics.
-  bool set(const ChainEnd& start, std::span<const InnerVertex> vertices, const ChainEnd& end);
+  bool set(const ChainEnd& start, std::span<const InnerVertex> vertices, const ChainEnd& end,
+           std::span<const OffsetNormal> offsets = {});
 
   /// By how much s_{i+1} moves (i from 0) if the end moves by `by`, of which what is along the last
   /// ray does not count; of an end at infinity: the direction `toward` it.

@@ -203,7 +203,6 @@ std::optional<Hit> Scene::recall(const GeometryHit& hit) const {
 }
 
 std::optional<SurfaceDerivatives> Scene::derivatives(const Hit& hit) const {
-  if (!hit.material->relief.is_flat()) return std::nullopt;
   return geometry_->derivatives(hit);
 }
 

@@ -50,8 +50,8 @@ class Scene {
   bool intersect(const Ray& ray, Hit& hit) const;
   /// A hit that was found before, with what belongs to its shape; empty if there is no such shape.
   std::optional<Hit> recall(const GeometryHit& hit) const;
-  /// How the surface and its shading normal go on around a hit (scene/surface_derivatives.h); empty
-  /// where that is not known: see Geometry, and where bumps or normal maps tilt the normal.
+  /// How the surface and its shading normal, that before bumps and normal maps, go on around a hit
+  /// (scene/surface_derivatives.h); empty where that is not known: see Geometry.
   std::optional<SurfaceDerivatives> derivatives(const Hit& hit) const;
   /// True if anything at all lies between (interfaces too; see `transmittance` of transport for
   /// those), or if the ray cannot be traced.

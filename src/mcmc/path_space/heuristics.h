@@ -42,6 +42,13 @@ struct PathSpaceHeuristics {
   /// Caustic perturbations turn directions by no more, however near the light is to where it falls.
   /// Unit: radians. Range: (0, π/2). Source: set by hand, no study.
   static constexpr double kWidestTurn = 1.0;
+  /// Perturbations move offset normals of glossy vertices by no less than this.
+  /// Unit: radius of a disc of normals over which their light would spread evenly; of microfacets
+  /// about their roughness. Range: > 0. Source: set by hand, no study.
+  static constexpr double kSmallestOffsetMove = 0.01;
+  /// And by no more than this.
+  /// Unit: the same. Range: > kSmallestOffsetMove. Source: set by hand, no study.
+  static constexpr double kLargestOffsetMove = 1.0;
   /// A manifold walk leads back if it misses no vertex by more than this, beside what the tolerance
   /// of walks makes of it.
   /// Unit: share of the longest move of a vertex, or of the shortest edge if that is less. Range:

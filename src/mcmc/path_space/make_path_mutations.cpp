@@ -5,6 +5,7 @@
 #include "mcmc/path_space/bidirectional_mutation.h"
 #include "mcmc/path_space/camera_perturbation.h"
 #include "mcmc/path_space/caustic_perturbation.h"
+#include "mcmc/path_space/half_vector_perturbation.h"
 #include "mcmc/path_space/lens_subpath_mutation.h"
 #include "mcmc/path_space/manifold_perturbation.h"
 
@@ -58,6 +59,10 @@ constexpr std::array kMutations = {
         "moves the place on the film a little and lets the specular chain between what "
         "is seen and the light follow",
         "1", &make<ManifoldPerturbation>},
+    PathMutationInfo{
+        "half-vector",
+        "does the same with glossy vertices in the chain, whose half vectors move a little", "1",
+        &make<HalfVectorPerturbation>},
 };
 
 }  // namespace

@@ -56,6 +56,13 @@ Bsdf::Weights Bsdf::weights(const Vec3& local_wo) const {
   return result;
 }
 
+float Bsdf::rough_eta() const {
+  for (int k = 0; k < count_; ++k) {
+    if (const auto* lobe = std::get_if<RoughDielectric>(&entry(k).lobe)) return lobe->eta;
+  }
+  return 1.F;
+}
+
 Spectrum Bsdf::value(int index, const Pair& pair, TransportMode mode) const {
   const Entry& e = entry(index);
   return e.scale * visit_lobe(e.lobe, [&](const auto& l) {

@@ -114,6 +114,9 @@ class Bsdf {
   /// False if all lobes are specular (or there are none): connecting to this point is pointless.
   bool connectible() const { return connectible_; }
   bool empty() const { return count_ == 0; }
+  /// Index of refraction behind the surface over that in front, as the first of the rough lobes
+  /// that refract has it; 1 if none does.
+  float rough_eta() const;
   /// Approximate directional albedo for direction `wo`: what the albedo AOV shows.
   Spectrum albedo(const Vec3& wo) const;
 
