@@ -61,7 +61,7 @@ constexpr std::array kMutations = {
         "1", &make<ManifoldPerturbation>},
     PathMutationInfo{
         "half-vector",
-        "does the same with glossy vertices in the chain, whose half vectors move a little", "1",
+        "does the same with glossy vertices in the chain, whose half vectors move a little", "0.25",
         &make<HalfVectorPerturbation>},
 };
 
