@@ -4,12 +4,10 @@
 #include <array>
 #include <numeric>
 
-#include "core/available_memory.h"
 #include "import/common/density.h"
 #include "import/common/printable.h"
 #include "import/common/scattering_presets.h"
 #include "import/common/transforms.h"
-#include "import/pbrt/cloud.h"
 #include "import/pbrt/lexer.h"
 #include "import/pbrt/nanovdb_file.h"
 
@@ -18,8 +16,6 @@ namespace {
 
 constexpr WarningKind kUnknownPreset{Effect::Surface,
                                      "media have unknown presets: Wholemilk stands in"};
-constexpr WarningKind kCloud{Effect::Slight,
-                             "clouds are finer than the grids that are made of them"};
 constexpr WarningKind kUnreadable{Effect::Surface,
                                   "grids of media cannot be read: they count as empty"};
 constexpr WarningKind kColors{
@@ -151,20 +147,9 @@ desc::Density read_cloud(Context& context, const SourceLocation& where, const st
   cloud.frequency = p.get_float("frequency", cloud.frequency);
   cloud.low = p.get_point("p0", cloud.low);
   cloud.high = p.get_point("p1", cloud.high);
-  if (is_finer_than_grids(cloud)) {
-    context.warnings.add(
-        kCloud, where,
-        "the noise of this cloud is finer than the grids that are made of it: a coarser one "
-        "stands in",
-        printable(name));
-  }
-  if (const std::string shortage = memory_shortage(grid_bytes(cloud)); !shortage.empty()) {
-    throw SceneError(where, "the grid of this cloud " + shortage);
-  }
-  return make_density(
-      tabulate(cloud),
-      scaling(Vec3d(cloud.high - cloud.low)) * translation(Vec3d(cloud.low)) * to_world, where,
-      name, context.warnings);
+  return place_grid(
+      context.clouds.get(cloud, where, name, context.warnings),
+      scaling(Vec3d(cloud.high - cloud.low)) * translation(Vec3d(cloud.low)) * to_world, where);
 }
 
 void warn_of_parameters_that_emit(Context& context, const SourceLocation& where,
