@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "import/common/printable.h"
+#include "scene/desc/node.h"
 
 namespace ajar {
 
@@ -15,10 +16,16 @@ constexpr WarningKind kNoDensity{Effect::Surface,
 desc::DensityGridPointer make_grid(desc::DensityGrid grid, const SourceLocation& where,
                                    const std::string& name, Warnings& warnings) {
   std::size_t replaced = 0;
-  for (float& value : grid.values) {
-    if (value >= 0.F && std::isfinite(value)) continue;
+  const auto repair = [&](float& value) {
+    if (value >= 0.F && std::isfinite(value)) return;
     value = 0.F;
     ++replaced;
+  };
+  for (float& value : grid.values) repair(value);
+  for (std::vector<desc::Rgb>* colors : {&grid.absorption, &grid.scattering}) {
+    for (desc::Rgb& color : *colors) {
+      for (int lane = 0; lane < 3; ++lane) repair(color[lane]);
+    }
   }
   if (replaced > 0) {
     warnings.add(kNoDensity, where,
