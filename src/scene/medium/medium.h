@@ -29,7 +29,8 @@ class Medium {
   /// box are infinitely deep at an infinite distance, as far as floats go.
   Crossing along(const Ray& ray, float distance, int lane = 0,
                  float most = std::numeric_limits<float>::infinity()) const {
-    if (colors_ != nullptr) return colors_->along(ray, distance, lane, most);
+    if (colors_ != nullptr) [[unlikely]]
+      return colors_->along(ray, distance, lane, most);
     const Column column = column_along(ray, distance, column_of(lane, most));
     // Infinite distances would make 0 · ∞ of lanes without extinction.
     const float density = std::min(column.density, std::numeric_limits<float>::max());
@@ -37,15 +38,20 @@ class Medium {
   }
   /// False if it only absorbs: then rays cross it without any choice to sample.
   bool scatters() const {
-    if (colors_ != nullptr) return colors_->scatters();
+    if (colors_ != nullptr) [[unlikely]]
+      return colors_->scatters();
     return !sigma_s_.is_black() && (field_ == nullptr || !field_->is_vacuum());
   }
   /// Where light has scattered: positive in lanes in which it may.
   Spectrum sigma_t(const Vec3& p) const {
-    return colors_ != nullptr ? colors_->sigma_t(p) : sigma_t_ * density(p);
+    if (colors_ != nullptr) [[unlikely]]
+      return colors_->sigma_t(p);
+    return sigma_t_ * density(p);
   }
   Spectrum sigma_s(const Vec3& p) const {
-    return colors_ != nullptr ? colors_->sigma_s(p) : sigma_s_ * density(p);
+    if (colors_ != nullptr) [[unlikely]]
+      return colors_->sigma_s(p);
+    return sigma_s_ * density(p);
   }
   /// Proportional to `sigma_t(p)`, without looking up a density that lanes share.
   Spectrum sigma_t_of_lanes(const Vec3& p) const {
