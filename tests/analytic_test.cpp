@@ -194,6 +194,22 @@ TEST(Media, SmokeThatAbsorbsNothingIsInvisibleInAFurnace) {
   expect_mean(render(*scene, options), 1.0, 0.02);
 }
 
+TEST(Media, SmokeOfManyColorsThatAbsorbsNothingIsInvisibleInAFurnace) {
+  // Lanes differ in every cell, and some have nothing in the way of others that have much.
+  const auto scene = scene_from(pbrt_scene(
+      "MakeNamedMedium \"smoke\" \"string type\" \"rgbgrid\" \"float g\" [0.5] \"integer nx\" 2 "
+      "\"integer ny\" 2 \"integer nz\" 2 \"rgb sigma_a\" [0 0 0  0 0 0  0 0 0  0 0 0  0 0 0  0 0 0 "
+      " 0 0 0  0 0 0] \"rgb sigma_s\" [2 0 0  0 1 0  0 0 1  2 1 0  0 0 2  1 0 1  1 2 0.5  0 0 0] "
+      "\"point p0\" [-1 -1 -1]\n" +
+          std::string(kCamera),
+      8, 8,
+      "LightSource \"infinite\" \"rgb L\" [1 1 1]\nMediumInterface \"smoke\" "
+      "\"\"\nMaterial \"\"\nShape \"sphere\" \"float radius\" [2]"));
+  test::RenderOptions options = samples(2048);
+  options.max_depth = 1000;
+  expect_mean(render(*scene, options), 1.0, 0.02);
+}
+
 TEST(Media, SmokeOfTheSameDensityEverywhereIsFog) {
   const auto picture = [](const std::string& type, const std::string& integrator) {
     const auto scene = scene_from(pbrt_scene(

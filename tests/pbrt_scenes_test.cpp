@@ -98,6 +98,18 @@ TEST_P(Pbrt, SmokeAbsorbsByTheIntegralOfItsDensity) {
                {std::exp(-0.2F * integral), std::exp(-0.5F * integral), std::exp(-1.F * integral)});
 }
 
+TEST(Pbrt4Scenes, ColorsOfSmokeVaryAlongTheWay) {
+  // The first point of the box absorbs red, the second one blue; green is not absorbed.
+  const float integral = 0.25F * 0.75F + 0.5F * 0.5F;
+  const TinyPicture picture = picture_of(
+      kV4, camera(6, 0.001F),
+      "MakeNamedMedium 'smoke' 'string type' 'rgbgrid' 'rgb sigma_a' [3 0 0 0 0 2] 'rgb sigma_s' "
+      "[0 0 0 0 0 0] 'float scale' 0.5 'integer nz' 2 'point3 p0' [-1 -1 -1] 'point3 p1' [1 1 1]\n"
+      "LightSource 'infinite' 'rgb L' [1 1 1]\nMaterial 'interface'\nMediumInterface 'smoke' '' "
+      "Shape 'sphere' 'float radius' 2\n");
+  expect_color(picture.mean(), {std::exp(-3.F * integral), 1.F, std::exp(-2.F * integral)});
+}
+
 TEST_P(Pbrt, ClosedFurnaceSumsAllBounces) {
   // Within walls that emit L and reflect ρ everything has the radiance L / (1 − ρ).
   const TinyPicture inside =

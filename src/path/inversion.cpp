@@ -190,8 +190,7 @@ class Inverter {
     const bool is_inner = walk.x > 0 && walk.x < path_.depth();
     const MediumPoint end = is_inner ? path_.vertex(walk.x).scattered_in() : MediumPoint{};
     if (!segment.scattering_depth.is_black()) {
-      const auto u =
-          invert_distance(segment, end.medium, {numbers.get(channel), numbers.get(distance)});
+      const auto u = invert_distance(segment, end, {numbers.get(channel), numbers.get(distance)});
       if (!u) return false;
       numbers.set(channel, u->channel);
       numbers.set(distance, u->distance);

@@ -35,10 +35,16 @@ BoundingSphere sphere_around(const Box3& box) {
 std::vector<std::unique_ptr<const Medium>> build_media(const desc::SceneDesc& description) {
   std::vector<std::unique_ptr<const Medium>> media;
   for (const desc::Medium& m : description.media) {
-    media.push_back(std::make_unique<const Medium>(
-        m.name, Spectrum(m.sigma_a.x, m.sigma_a.y, m.sigma_a.z),
-        Spectrum(m.sigma_s.x, m.sigma_s.y, m.sigma_s.z), m.g,
-        m.density ? std::make_unique<const DensityField>(*m.density) : nullptr));
+    const Spectrum sigma_a(m.sigma_a.x, m.sigma_a.y, m.sigma_a.z);
+    const Spectrum sigma_s(m.sigma_s.x, m.sigma_s.y, m.sigma_s.z);
+    if (m.density && m.density->grid->is_colored()) {
+      media.push_back(std::make_unique<const Medium>(
+          m.name, m.g, std::make_unique<const ColorField>(*m.density, sigma_a, sigma_s)));
+    } else {
+      media.push_back(std::make_unique<const Medium>(
+          m.name, sigma_a, sigma_s, m.g,
+          m.density ? std::make_unique<const DensityField>(*m.density) : nullptr));
+    }
   }
   return media;
 }

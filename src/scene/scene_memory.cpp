@@ -3,7 +3,7 @@
 #include <map>
 #include <vector>
 
-#include "scene/medium/density_field.h"
+#include "scene/medium/medium.h"
 #include "scene/shape/build_shape.h"
 #include "scene/texture/inputs.h"
 
@@ -38,7 +38,8 @@ SceneMemory estimate_memory(const desc::SceneDesc& scene) {
   }
   for (const desc::Medium& medium : scene.media) {
     if (medium.density && medium.density->grid) {
-      memory.media += DensityField::memory(*medium.density->grid);
+      const desc::DensityGrid& grid = *medium.density->grid;
+      memory.media += grid.is_colored() ? ColorField::memory(grid) : DensityField::memory(grid);
     }
   }
   for (const desc::Light& light : scene.lights) {

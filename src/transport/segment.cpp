@@ -14,16 +14,14 @@ const Medium* medium_beyond(const Hit& hit, const Vec3& direction, const Medium*
   return dot(direction, hit.point.ng) > 0.F ? hit.media->outside : hit.media->inside;
 }
 
-/// `column`: integral of the medium's density along what is crossed.
-void cross_column(const Medium& medium, float column, Segment& segment) {
-  // Infinite distances would make 0 · ∞ of lanes without extinction.
-  column = std::min(column, std::numeric_limits<float>::max());
-  segment.transmittance *= medium.transmittance(column);
-  if (medium.scatters()) segment.scattering_depth += medium.sigma_t() * column;
+/// `depth` of what is crossed (Beer–Lambert).
+void cross_depth(const Medium& medium, const Spectrum& depth, Segment& segment) {
+  segment.transmittance *= exp(depth * -1.F);
+  if (medium.scatters()) segment.scattering_depth += depth;
 }
 
 void cross_medium(const Medium* medium, const Ray& ray, float distance, Segment& segment) {
-  if (medium != nullptr) cross_column(*medium, medium->along(ray, distance).density, segment);
+  if (medium != nullptr) cross_depth(*medium, medium->along(ray, distance).depth, segment);
 }
 
 /// Whether a ray that met nothing was not traced at all, which is counted.
@@ -39,17 +37,17 @@ float Segment::distance_pdf_in_medium(const MediumPoint& end) const {
   return end.medium == nullptr ? survival.average() : (survival * end.sigma_t()).average();
 }
 
-std::optional<DistanceUniforms> invert_distance(const Segment& segment, const Medium* medium,
+std::optional<DistanceUniforms> invert_distance(const Segment& segment, const MediumPoint& end,
                                                 const DistanceUniforms& fresh) {
   // Any lane can have been the one that the distance was sampled by.
   double survival[3];
   double shares[3];
   double sum = 0.0;
+  const bool is_inside = end.medium != nullptr;
+  const Spectrum per_distance = is_inside ? end.medium->sigma_t_of_lanes(end.p) : Spectrum(1.F);
   for (int lane = 0; lane < 3; ++lane) {
     survival[lane] = std::exp(-static_cast<double>(segment.scattering_depth[lane]));
-    const double per_distance =
-        medium == nullptr ? 1.0 : static_cast<double>(medium->sigma_t()[lane]);
-    shares[lane] = survival[lane] * per_distance;
+    shares[lane] = survival[lane] * static_cast<double>(per_distance[lane]);
     sum += shares[lane];
   }
   if (!(sum > 0.0)) return std::nullopt;
@@ -62,9 +60,8 @@ std::optional<DistanceUniforms> invert_distance(const Segment& segment, const Me
   if (!(shares[lane] > 0.0)) return std::nullopt;
   u.channel = UnitInterval{lane / 3.0, 1.0 / 3.0}.at(u.channel);
   // On surfaces all distances beyond are one.
-  u.distance = medium == nullptr
-                   ? UnitInterval{1.0 - survival[lane], survival[lane]}.at(u.distance)
-                   : std::min(static_cast<float>(1.0 - survival[lane]), kOneMinusEpsilon);
+  u.distance = is_inside ? std::min(static_cast<float>(1.0 - survival[lane]), kOneMinusEpsilon)
+                         : UnitInterval{1.0 - survival[lane], survival[lane]}.at(u.distance);
   return u;
 }
 
@@ -102,21 +99,18 @@ SegmentEnd trace_segment(const Scene& scene, Ray ray, const Medium* medium,
         lane = std::min(static_cast<int>(u.channel * 3.F), 2);
         depth_left = -std::log(1.F - u.distance);
       }
-      const float sigma_t = medium->sigma_t()[lane];
-      const float column_left =
-          sigma_t > 0.F ? depth_left / sigma_t : std::numeric_limits<float>::infinity();
-      const Column column = medium->along(ray, distance, column_left);
-      cross_column(*medium, column.density, end.segment);
-      if (column.reached) {
+      const Crossing crossing = medium->along(ray, distance, lane, depth_left);
+      cross_depth(*medium, crossing.depth, end.segment);
+      if (crossing.reached) {
         end.medium = medium;
-        end.distance = travelled + column.distance;
+        end.distance = travelled + crossing.distance;
         end.scattered = true;
         end.hit.reset();
         const MediumPoint here{medium, origin + ray.direction * end.distance};
         end.weight = end.segment.transmittance * here.sigma_s() / end.segment.distance_pdf(here);
         return end;
       }
-      depth_left -= sigma_t * column.density;
+      depth_left -= crossing.depth[lane];
     } else {
       cross_medium(medium, ray, distance, end.segment);
     }

@@ -39,11 +39,10 @@ struct DistanceUniforms {
   float channel;
   float distance;
 };
-/// The numbers by which `trace_segment` ends a segment that crosses a scattering medium at a vertex
-/// in `medium`, or on a surface (null). What it forgets is taken from `fresh`
-/// (docs/methods/inverses.md); the density of the numbers is `Segment::distance_pdf`. Empty if it
-/// never does. How dense the medium is there decides nothing: lanes share the density.
-std::optional<DistanceUniforms> invert_distance(const Segment& segment, const Medium* medium,
+/// The numbers by which `trace_segment` ends a segment that crosses a scattering medium at `end`.
+/// What it forgets is taken from `fresh` (docs/methods/inverses.md); the density of the numbers is
+/// `Segment::distance_pdf`. Empty if it never does.
+std::optional<DistanceUniforms> invert_distance(const Segment& segment, const MediumPoint& end,
                                                 const DistanceUniforms& fresh);
 
 /// Where a segment gets its numbers if it crosses a scattering medium; most do not.

@@ -76,11 +76,20 @@ desc::Density smoke() {
   return {std::make_shared<const desc::DensityGrid>(std::move(grid)), to_world};
 }
 
-class SegmentsThrough : public ::testing::TestWithParam<const char*> {
- protected:
-  bool is_smoke() const { return std::string(GetParam()) == "smoke"; }
-};
-INSTANTIATE_TEST_SUITE_P(Media, SegmentsThrough, ::testing::Values("fog", "smoke"));
+/// Red where the other is thin, blue where it is dense.
+desc::Density colored_smoke() {
+  const desc::Density plain = smoke();
+  desc::DensityGrid grid = *plain.grid;
+  for (const float value : grid.values) {
+    grid.absorption.emplace_back(value, 1.8F - value, 0.5F);
+    grid.scattering.emplace_back(1.8F - value, value, value);
+  }
+  grid.values.clear();
+  return {std::make_shared<const desc::DensityGrid>(std::move(grid)), plain.to_world};
+}
+
+class SegmentsThrough : public ::testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(Media, SegmentsThrough, ::testing::Values("fog", "smoke", "colours"));
 
 TEST_P(SegmentsThrough, DistancesAreInverted) {
   // From fog through an interface into thicker fog or smoke, up to a ball; or past it, to
@@ -91,7 +100,8 @@ TEST_P(SegmentsThrough, DistancesAreInverted) {
   description.media.emplace_back().sigma_s = {0.7F, 0.5F, 0.2F};
   description.media.emplace_back().sigma_s = {2.F, 1.F, 0.F};
   description.media.back().sigma_a = {0.F, 0.3F, 0.1F};
-  if (is_smoke()) description.media.back().density = smoke();
+  if (GetParam() == std::string("smoke")) description.media.back().density = smoke();
+  if (GetParam() == std::string("colours")) description.media.back().density = colored_smoke();
   desc::Shape& around = description.shapes.emplace_back();
   around.node = testing::sphere_node(2, -2, 2, 360);
   around.material = 0;
@@ -112,8 +122,9 @@ TEST_P(SegmentsThrough, DistancesAreInverted) {
          [&](const testing::InverseNumbers& u,
              const testing::InverseNumbers& v) -> std::optional<testing::RoundTrip> {
            const SegmentEnd end = trace({u[0], u[1]});
-           const auto n =
-               invert_distance(end.segment, end.scattered ? end.medium : nullptr, {v[0], v[1]});
+           const MediumPoint place{end.scattered ? end.medium : nullptr,
+                                   ray.origin + ray.direction * end.distance};
+           const auto n = invert_distance(end.segment, place, {v[0], v[1]});
            if (!n) return testing::RoundTrip{};
            const SegmentEnd again = trace({n->channel, n->distance});
            const bool same = again.scattered == end.scattered && again.medium == end.medium;

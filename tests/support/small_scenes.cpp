@@ -64,6 +64,23 @@ std::string smoke() {
          values + "]\n";
 }
 
+/// A cloud that turns from red to blue from left to right: what does not scatter absorbs.
+std::string colored_smoke() {
+  constexpr int kSide = 3;
+  std::string absorption;
+  std::string scattering;
+  for (int i = 0; i < kSide * kSide * kSide; ++i) {
+    const char* const kColors[] = {" 0.5 4 6", " 1 2 1", " 6 3 0"};
+    const char* const kOpposites[] = {" 6 2 0.5", " 3 5 3", " 0.5 3 7"};
+    absorption += kColors[i % kSide];
+    scattering += kOpposites[i % kSide];
+  }
+  return "MakeNamedMedium \"smoke\" \"string type\" \"rgbgrid\" \"rgb sigma_a\" [" + absorption +
+         "] \"rgb sigma_s\" [" + scattering +
+         "] \"float g\" [0.3] \"integer nx\" 3 \"integer ny\" 3 \"integer nz\" 3 "
+         "\"point p0\" [-0.6 0 -0.3] \"point p1\" [0.6 1.2 0.9]\n";
+}
+
 const std::string kSun =
     "LightSource \"distant\" \"rgb L\" [0.4 0.4 0.5] \"point from\" [1 3 -1] \"point to\" [0 0 "
     "0]\n";
@@ -173,6 +190,9 @@ std::vector<SmallScene> small_scenes() {
                           kRoom + ball("MediumInterface \"milk\" \"\" Material \"\"", 0.6F, 0.F))},
       {.name = "Smoke",
        .text = pbrt_scene(smoke() + kPinhole, 24, 24,
+                          kRoom + ball("MediumInterface \"smoke\" \"\" Material \"\"", 0.6F, 0.F))},
+      {.name = "ColoredSmoke",
+       .text = pbrt_scene(colored_smoke() + kPinhole, 24, 24,
                           kRoom + ball("MediumInterface \"smoke\" \"\" Material \"\"", 0.6F, 0.F))},
   };
 }

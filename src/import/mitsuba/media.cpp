@@ -34,25 +34,19 @@ std::optional<ScatteringPreset> preset_of(Arguments& arguments) {
 constexpr float kDefaultExtinction = 1.F;
 constexpr float kDefaultAlbedo = 0.75F;
 
-/// Sets absorption and scattering from extinction and albedo.
-void set_extinction(desc::Medium& medium, std::optional<VolumeValue> sigma_t,
-                    const std::optional<desc::Rgb>& albedo) {
-  const desc::Rgb total = sigma_t ? sigma_t->color : desc::Rgb(kDefaultExtinction);
-  if (sigma_t) medium.density = std::move(sigma_t->density);
-  medium.sigma_s = total * albedo.value_or(desc::Rgb(kDefaultAlbedo));
-  medium.sigma_a = total - medium.sigma_s;
-}
-
 /// Sets absorption and scattering from whichever two coefficients are given.
 void set_coefficients(Arguments& arguments, desc::Medium& medium) {
   const std::optional<ScatteringPreset> preset = preset_of(arguments);
   const std::optional<desc::Rgb> sigma_a = find_coefficient(arguments, "sigma_a");
   const std::optional<desc::Rgb> sigma_s = find_coefficient(arguments, "sigma_s");
   std::optional<VolumeValue> sigma_t = find_density(arguments, "sigma_t");
-  const std::optional<desc::Rgb> albedo = find_coefficient(arguments, "albedo");
+  const std::optional<VolumeValue> albedo = find_albedo(arguments, "albedo");
   if (!sigma_t && arguments.has("density")) sigma_t = find_density(arguments, "density");
+  const VolumeValue usual_extinction{desc::Rgb(kDefaultExtinction)};
+  const VolumeValue usual_albedo{desc::Rgb(kDefaultAlbedo)};
   if (sigma_t || albedo) {
-    set_extinction(medium, std::move(sigma_t), albedo);
+    set_extinction(arguments, medium, sigma_t.value_or(usual_extinction),
+                   albedo.value_or(usual_albedo));
   } else if (sigma_a || sigma_s) {
     medium.sigma_a = sigma_a.value_or(desc::Rgb(0.F));
     medium.sigma_s = sigma_s.value_or(desc::Rgb(0.F));
@@ -60,7 +54,7 @@ void set_coefficients(Arguments& arguments, desc::Medium& medium) {
     medium.sigma_a = preset->sigma_a;
     medium.sigma_s = preset->sigma_s;
   } else {
-    set_extinction(medium, std::nullopt, std::nullopt);
+    set_extinction(arguments, medium, usual_extinction, usual_albedo);
   }
 }
 

@@ -105,20 +105,70 @@ TEST(MitsubaMedia, BytesAreFractionsOf255) {
   EXPECT_EQ(medium.density->grid->resolution, desc::Vec3i(1, 1, 2));
 }
 
-TEST(MitsubaMedia, ColorsOfGridsBecomeTheirMean) {
+TEST(MitsubaMedia, ColorsOfGridsVary) {
   const std::string colors = grid_file(1, {2, 1, 1}, 3, floats({0, 0, 0.25F, 0, 0.5F, 0.25F}));
-  const Files files = {{"a.vol", colors}};
+  const std::string scale = "<float name=\"scale\" value=\"3\"/>";
+  for (const char* version : {"0.6.0", "3.0.0"}) {
+    // Version 0 has grids with points at corners: none of one point.
+    const bool is_0 = version[0] == '0';
+    const std::string file =
+        is_0 ? grid_file(1, {2, 2, 2}, 3,
+                         floats({0, 0, 0.25F, 0, 0.5F, 0.25F, 0, 0, 0.25F, 0, 0.5F, 0.25F,
+                                 0, 0, 0.25F, 0, 0.5F, 0.25F, 0, 0, 0.25F, 0, 0.5F, 0.25F}))
+             : colors;
+    const desc::Medium medium = imported(
+        version, grid_named(is_0 ? "density" : "sigma_t") + grid_named("albedo") + scale, file);
+    const desc::DensityGrid& grid = *medium.density->grid;
+    EXPECT_TRUE(grid.values.empty());
+    EXPECT_EQ(grid.border, desc::DensityGrid::Border::Clamp);
+    expect_near(medium.sigma_a, Vec3(3.F));
+    expect_near(medium.sigma_s, Vec3(3.F));
+    expect_near(grid.scattering.at(0), {0, 0, 0.0625F});
+    expect_near(grid.scattering.at(1), {0, 0.25F, 0.0625F});
+    expect_near(grid.absorption.at(0), {0, 0, 0.1875F});
+    expect_near(grid.absorption.at(1), {0, 0.25F, 0.1875F});
+  }
+  const desc::Medium of_constant_albedo =
+      imported("3.0.0", grid_named("sigma_t") + "<rgb name=\"albedo\" value=\"0.5 0 1\"/>", colors);
+  expect_near(of_constant_albedo.density->grid->scattering.at(1), {0, 0, 0.25F});
+  expect_near(of_constant_albedo.density->grid->absorption.at(1), {0, 0.5F, 0});
+}
+
+TEST(MitsubaMedia, AlbedosOfAnotherGridAreLookedUpAtThePointsOfTheDensity) {
+  const std::string albedo =
+      "<volume type=\"gridvolume\" name=\"albedo\"><string name=\"filename\" value=\"b.vol\"/>"
+      "<transform name=\"to_world\"><translate x=\"0.25\"/></transform></volume>";
+  const Files files = {
+      {"a.vol", grid_file(1, {4, 1, 1}, 1, floats({1, 1, 1, 2}))},
+      {"b.vol", grid_file(1, {2, 1, 1}, 3, floats({0.25F, 0, 0, 0.75F, 1, 0.5F}))}};
   Warnings warnings;
   const desc::Medium medium =
-      import_with(world(medium_of(grid_named("sigma_t") + grid_named("albedo"))), warnings, files)
-          .media.at(0);
-  EXPECT_EQ(medium.density->grid->values, (std::vector<float>{0.25F / 3.F, 0.25F}));
-  expect_near(medium.sigma_s + medium.sigma_a, {0, 1.5F, 1.5F});
-  expect_near(medium.sigma_s, {0, 0.375F, 0.375F});
+      import_with(world(medium_of(grid_named("sigma_t") + albedo)), warnings, files).media.at(0);
+  // Points of the density are at 1/8, 3/8 …; those of the albedo at 1/2 and 1.
+  const std::vector<Vec3>& scattering = medium.density->grid->scattering;
+  expect_near(scattering.at(0), {0.25F, 0, 0});
+  expect_near(scattering.at(1), {0.25F, 0, 0});
+  expect_near(scattering.at(2), {0.375F, 0.25F, 0.125F});
+  expect_near(scattering.at(3), {1.25F, 1.5F, 0.75F});
   const std::string text = lines_of(warnings);
-  EXPECT_TRUE(contains(text, "test.xml:2:")) << text;
-  EXPECT_TRUE(contains(text, "several channels are not supported")) << text;
-  EXPECT_TRUE(contains(text, "the mean of this grid stands in")) << text;
+  EXPECT_TRUE(contains(text, "test.xml:2:") && contains(text, "in another grid")) << text;
+}
+
+TEST(MitsubaMedia, WhatVariesBesideAConstantDensityIsItsMeanWithAWarning) {
+  const Files files = {
+      {"a.vol", grid_file(1, {2, 1, 1}, 3, floats({0, 0, 0.25F, 0.5F, 0.5F, 0.25F}))}};
+  Warnings warnings;
+  const desc::Medium medium =
+      import_with(world(medium_of("<float name=\"sigma_t\" value=\"2\"/>" + grid_named("albedo"))),
+                  warnings, files)
+          .media.at(0);
+  EXPECT_FALSE(medium.density);
+  expect_near(medium.sigma_s, {0.5F, 0.5F, 0.5F});
+  expect_near(medium.sigma_a, {1.5F, 1.5F, 1.5F});
+  const std::string text = lines_of(warnings);
+  EXPECT_TRUE(contains(text, "test.xml:2:") && contains(text, "the mean of the grid")) << text;
+  const std::string two = remarks(grid_file(1, {1, 1, 1}, 2, floats({0, 1})));
+  EXPECT_TRUE(contains(two, "grids of 2 channels are not supported")) << two;
 }
 
 TEST(MitsubaMedia, GridsThatCannotBeReadCountAsEmpty) {

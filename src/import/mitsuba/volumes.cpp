@@ -16,8 +16,10 @@ constexpr WarningKind kUnreadable{Effect::Surface,
                                   "grids of media cannot be read: they count as empty"};
 constexpr WarningKind kUnknownVolume{Effect::Surface,
                                      "volumes are not supported: one value for all stands in"};
-constexpr WarningKind kColors{
-    Effect::Surface, "media have colours that vary, which is not supported: the mean stands in"};
+constexpr WarningKind kVaries{Effect::Surface,
+                              "media vary in what is not supported to: the mean stands in"};
+constexpr WarningKind kLattice{
+    Effect::Slight, "albedos of media vary in another grid than their density: in that of it"};
 constexpr WarningKind kLookup{Effect::Slight,
                               "grids of media are not looked up as they should be: trilinearly"};
 
@@ -74,19 +76,6 @@ std::optional<VolumeFile> load(Arguments& grid) {
   return std::nullopt;
 }
 
-/// Mean of each channel; of one channel three times the same. What is not finite does not count.
-desc::Rgb mean_of(const VolumeFile& file) {
-  Vec3d sum(0.0);
-  const auto channels = static_cast<std::size_t>(file.channels);
-  for (std::size_t i = 0; i < file.values.size(); i += channels) {
-    for (int lane = 0; lane < 3; ++lane) {
-      const float value = file.values[i + (channels == 3 ? static_cast<std::size_t>(lane) : 0)];
-      if (std::isfinite(value)) sum[lane] += static_cast<double>(value);
-    }
-  }
-  return desc::Rgb(sum * (static_cast<double>(channels) / static_cast<double>(file.values.size())));
-}
-
 /// One number for each point: the mean of its channels.
 std::vector<float> mean_channels(const VolumeFile& file) {
   const auto channels = static_cast<std::size_t>(file.channels);
@@ -132,7 +121,7 @@ void read_lookup(Arguments& grid, bool has_border) {
                                   "\": such a one stands in");
 }
 
-VolumeValue grid_density(Arguments& grid) {
+VolumeValue read_grid(Arguments& grid) {
   const std::optional<VolumeFile> file = load(grid);
   const bool is_version_0 = grid.context().document.major_version == 0;
   read_lookup(grid, !is_version_0);
@@ -140,36 +129,36 @@ VolumeValue grid_density(Arguments& grid) {
   grid.report_unused();
   if (!file) return {};
 
-  VolumeValue result{desc::Rgb(1.F)};
-  if (file->channels > 1) {
-    const desc::Rgb mean = mean_of(*file);
-    const float grey = (mean[0] + mean[1] + mean[2]) / 3.F;
-    if (grey > 0.F && std::isfinite(grey)) result.color = mean / grey;
-    grid.context().warnings.add(kColors, grid.where(),
-                                "densities of several channels are not supported: their mean "
-                                "varies, in the mean of the colours",
+  VolumeGrid result;
+  const bool is_usual = file->channels == 1 || file->channels == 3;
+  if (!is_usual) {
+    grid.context().warnings.add(kVaries, grid.where(),
+                                "grids of " + std::to_string(file->channels) +
+                                    " channels are not supported: the mean of the channels stands "
+                                    "in",
                                 printable(grid.text("filename", "")));
   }
-  desc::DensityGrid density;
-  density.resolution = file->resolution;
-  density.values = mean_channels(*file);
-  using Grid = desc::DensityGrid;
-  density.points = is_version_0 ? Grid::Points::Corners : Grid::Points::Centers;
-  density.border = Grid::Border::Clamp;
-  result.density = make_density(std::move(density), to_world, grid.where(),
-                                grid.text("filename", ""), grid.context().warnings);
-  return result;
+  result.resolution = file->resolution;
+  result.channels = is_usual ? file->channels : 1;
+  result.values = is_usual ? file->values : mean_channels(*file);
+  using Points = desc::DensityGrid::Points;
+  result.points = is_version_0 ? Points::Corners : Points::Centers;
+  result.to_world = to_world;
+  // Also of albedos, whose points decide no places: damaged ones are errors here.
+  desc::DensityGrid lattice = lattice_of(result);
+  lattice.values.resize(result.point_count());
+  place_grid(std::make_shared<const desc::DensityGrid>(std::move(lattice)), to_world, grid.where());
+  return {desc::Rgb(1.F), std::move(result)};
 }
 
-desc::Rgb grid_mean(Arguments& grid) {
-  const std::optional<VolumeFile> file = load(grid);
-  grid.accept_all();
-  if (!file) return desc::Rgb(0.F);
-  grid.context().warnings.add(kColors, grid.where(),
-                              "coefficients that vary are not supported, but for the density: the "
-                              "mean of this grid stands in",
-                              printable(grid.text("filename", "")));
-  return mean_of(*file);
+/// Instead of a grid.
+desc::Rgb mean_of(Arguments& arguments, const VolumeValue& value, const char* what) {
+  if (!value.grid) return value.color;
+  arguments.context().warnings.add(kVaries, arguments.where(),
+                                   std::string(what) +
+                                       " that vary are not supported here: the mean of the grid "
+                                       "stands in");
+  return value.color * value.grid->mean();
 }
 
 }  // namespace
@@ -177,8 +166,17 @@ desc::Rgb grid_mean(Arguments& grid) {
 std::optional<VolumeValue> find_density(Arguments& medium, std::string_view name) {
   if (const Element* volume = find_volume(medium, name)) {
     Arguments of_volume(medium.context(), *volume);
-    if (is_grid(*volume)) return grid_density(of_volume);
+    if (is_grid(*volume)) return read_grid(of_volume);
     return VolumeValue{constant(of_volume, "A density of 1").value_or(desc::Rgb(1.F))};
+  }
+  const std::optional<desc::Rgb> color = find_coefficient(medium, name);
+  return color ? std::optional(VolumeValue{*color}) : std::nullopt;
+}
+
+std::optional<VolumeValue> find_albedo(Arguments& medium, std::string_view name) {
+  if (const Element* volume = find_volume(medium, name); volume != nullptr && is_grid(*volume)) {
+    Arguments of_volume(medium.context(), *volume);
+    return read_grid(of_volume);
   }
   const std::optional<desc::Rgb> color = find_coefficient(medium, name);
   return color ? std::optional(VolumeValue{*color}) : std::nullopt;
@@ -189,8 +187,34 @@ std::optional<desc::Rgb> find_coefficient(Arguments& medium, std::string_view na
   if (volume == nullptr) volume = medium.child(name, "texture");
   if (volume == nullptr) return medium.color(name);
   Arguments of_volume(medium.context(), *volume);
-  if (is_grid(*volume)) return grid_mean(of_volume);
+  if (is_grid(*volume)) return mean_of(of_volume, read_grid(of_volume), "coefficients");
   return constant(of_volume, "The default");
+}
+
+void set_extinction(Arguments& arguments, desc::Medium& medium, const VolumeValue& sigma_t,
+                    const VolumeValue& albedo) {
+  Warnings& warnings = arguments.context().warnings;
+  const std::string& name = medium.name;
+  if (sigma_t.grid && (sigma_t.grid->is_colored() || albedo.grid)) {
+    const VolumeGrid* albedos = albedo.grid ? &*albedo.grid : nullptr;
+    if (albedos != nullptr && !albedos->has_lattice_of(*sigma_t.grid)) {
+      warnings.add(kLattice, arguments.where(),
+                   "the albedo of this medium varies in another grid than its density: it is "
+                   "looked up at the points of that");
+    }
+    medium.density = make_density(color_grid(sigma_t.color, *sigma_t.grid, albedo.color, albedos),
+                                  sigma_t.grid->to_world, arguments.where(), name, warnings);
+    medium.sigma_a = medium.sigma_s = desc::Rgb(1.F);
+    return;
+  }
+  if (sigma_t.grid) {
+    desc::DensityGrid density = lattice_of(*sigma_t.grid);
+    density.values = sigma_t.grid->values;
+    medium.density =
+        make_density(std::move(density), sigma_t.grid->to_world, arguments.where(), name, warnings);
+  }
+  medium.sigma_s = sigma_t.color * mean_of(arguments, albedo, "albedos of constant densities");
+  medium.sigma_a = sigma_t.color - medium.sigma_s;
 }
 
 }  // namespace ajar::mitsuba

@@ -3,14 +3,14 @@
 #include <string_view>
 
 #include "import/mitsuba/arguments.h"
-#include "scene/desc/density_grid.h"
+#include "import/mitsuba/volume_grid.h"
 
 namespace ajar::mitsuba {
 
 /// What a medium has of a `<volume>`.
 struct VolumeValue {
-  desc::Rgb color{0, 0, 0};                ///< the same everywhere, or the mean
-  std::optional<desc::Density> density{};  ///< factors of `color`
+  desc::Rgb color{0, 0, 0};
+  std::optional<VolumeGrid> grid{};  ///< factors of `color`
 };
 
 /// The density that a medium calls `name`: a colour, a number, or a volume. Volumes that are not
@@ -18,8 +18,16 @@ struct VolumeValue {
 /// Nothing if the medium does not say it.
 std::optional<VolumeValue> find_density(Arguments& medium, std::string_view name);
 
+/// The albedo of a medium, in the same way. The default stands in for what is not supported.
+std::optional<VolumeValue> find_albedo(Arguments& medium, std::string_view name);
+
 /// A coefficient that may not vary in space: the mean of a volume that does stands in, with a
 /// warning.
 std::optional<desc::Rgb> find_coefficient(Arguments& medium, std::string_view name);
+
+/// Gives a medium the extinction and the albedo, as densities or colours if they vary. That of an
+/// albedo which varies where the extinction does not is its mean, with a warning.
+void set_extinction(Arguments& arguments, desc::Medium& medium, const VolumeValue& sigma_t,
+                    const VolumeValue& albedo);
 
 }  // namespace ajar::mitsuba

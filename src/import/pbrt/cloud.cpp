@@ -1,17 +1,24 @@
 #include "import/pbrt/cloud.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
+#include "core/available_memory.h"
 #include "core/noise.h"
 #include "core/parallel_for.h"
+#include "import/common/density.h"
+#include "import/common/printable.h"
 
 namespace ajar::pbrt {
 namespace {
 
 constexpr float kLacunarity = 1.99F;
 constexpr int kOctaves = 5;
-constexpr int kMostCells = 255;  ///< along an axis: 64 MB
+constexpr int kMostCells = 255;  ///< along an axis
+
+constexpr WarningKind kCloud{Effect::Slight,
+                             "clouds are finer than the grids that are made of them"};
 
 /// Gradient of the noise, by differences.
 Vec3 slope_of_noise(const Vec3& p) {
@@ -30,16 +37,20 @@ Vec3 wanted_cells(const Cloud& cloud) {
   return cells;
 }
 
-/// Of the lattice that is made, along the axes.
-desc::Vec3i cells_of(const Cloud& cloud) {
-  const Vec3 wanted = wanted_cells(cloud);
-  desc::Vec3i cells;
+/// Points of the lattice that has them, but at most `most_cells` cells, along each axis.
+desc::Vec3i lattice_within(const Vec3& wanted, int most_cells) {
+  desc::Vec3i points;
   for (int i = 0; i < 3; ++i) {
     // What is no number asks for one cell.
-    cells[i] = static_cast<int>(
-        std::clamp(wanted[i] >= 1.F ? wanted[i] : 1.F, 1.F, static_cast<float>(kMostCells)));
+    points[i] = 1 + static_cast<int>(std::clamp(wanted[i] >= 1.F ? wanted[i] : 1.F, 1.F,
+                                                static_cast<float>(most_cells)));
   }
-  return cells;
+  return points;
+}
+
+std::uint64_t product(const desc::Vec3i& n) {
+  return static_cast<std::uint64_t>(n.x) * static_cast<std::uint64_t>(n.y) *
+         static_cast<std::uint64_t>(n.z);
 }
 
 }  // namespace
@@ -68,29 +79,29 @@ float Cloud::at(const Vec3& p) const {
   return std::clamp(wisps + 2.F * std::max(0.F, 0.5F - p.y), 0.F, 1.F);
 }
 
-bool is_finer_than_grids(const Cloud& cloud) {
-  const Vec3 cells = wanted_cells(cloud);
-  return !(std::max({cells.x, cells.y, cells.z}) <= static_cast<float>(kMostCells));
+desc::Vec3i lattice_of(const Cloud& cloud, std::uint64_t most_points) {
+  const Vec3 wanted = wanted_cells(cloud);
+  int most_cells = kMostCells;
+  while (most_cells > 1 && product(lattice_within(wanted, most_cells)) > most_points) --most_cells;
+  return lattice_within(wanted, most_cells);
 }
 
-std::uint64_t grid_bytes(const Cloud& cloud) {
-  const desc::Vec3i cells = cells_of(cloud);
-  std::uint64_t bytes = sizeof(float);
-  for (int i = 0; i < 3; ++i) bytes *= static_cast<std::uint64_t>(cells[i]) + 1;
-  return bytes;
+bool is_finer_than_grids(const Cloud& cloud, std::uint64_t most_points) {
+  const Vec3 wanted = wanted_cells(cloud);
+  const desc::Vec3i points = lattice_of(cloud, most_points);
+  for (int i = 0; i < 3; ++i) {
+    if (!(wanted[i] <= static_cast<float>(points[i] - 1))) return true;
+  }
+  return false;
 }
 
-desc::DensityGrid tabulate(const Cloud& cloud) {
+desc::DensityGrid tabulate(const Cloud& cloud, std::uint64_t most_points) {
   desc::DensityGrid grid;
   grid.points = desc::DensityGrid::Points::Corners;
   grid.border = desc::DensityGrid::Border::Clamp;
-  const desc::Vec3i cells = cells_of(cloud);
-  Vec3 step(0.F);
-  for (int i = 0; i < 3; ++i) {
-    grid.resolution[i] = cells[i] + 1;
-    step[i] = (cloud.high[i] - cloud.low[i]) / static_cast<float>(cells[i]);
-  }
+  grid.resolution = lattice_of(cloud, most_points);
   const desc::Vec3i& n = grid.resolution;
+  const Vec3 step = (cloud.high - cloud.low) / Vec3(n - desc::Vec3i(1));
   const auto row = static_cast<std::size_t>(n.x);
   const std::size_t layer = row * static_cast<std::size_t>(n.y);
   grid.values.resize(layer * static_cast<std::size_t>(n.z));
@@ -102,6 +113,37 @@ desc::DensityGrid tabulate(const Cloud& cloud) {
     }
   });
   return grid;
+}
+
+CloudGrids::Key CloudGrids::key_of(const Cloud& cloud) {
+  const std::array<float, 9> parameters = {
+      cloud.density, cloud.wispiness, cloud.frequency, cloud.low.x,  cloud.low.y,
+      cloud.low.z,   cloud.high.x,    cloud.high.y,    cloud.high.z,
+  };
+  return std::bit_cast<Key>(parameters);
+}
+
+desc::DensityGridPointer CloudGrids::get(const Cloud& cloud, const SourceLocation& where,
+                                         const std::string& name, Warnings& warnings) {
+  const auto [entry, is_new] = made_.try_emplace(key_of(cloud));
+  Entry& made = entry->second;
+  if (is_new) {
+    const std::uint64_t most_points = points_left_ / 4;
+    const std::uint64_t points = product(lattice_of(cloud, most_points));
+    if (const std::string shortage = memory_shortage(sizeof(float) * points); !shortage.empty()) {
+      throw SceneError(where, "the grid of this cloud " + shortage);
+    }
+    made.is_coarse = is_finer_than_grids(cloud, most_points);
+    made.grid = make_grid(tabulate(cloud, most_points), where, name, warnings);
+    points_left_ -= std::min(points, points_left_);
+  }
+  if (made.is_coarse) {
+    warnings.add(kCloud, where,
+                 "the noise of this cloud is finer than the grids that are made of it: a coarser "
+                 "one stands in",
+                 printable(name));
+  }
+  return made.grid;
 }
 
 }  // namespace ajar::pbrt

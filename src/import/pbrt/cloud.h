@@ -1,6 +1,11 @@
 #pragma once
+#include <array>
 #include <cstdint>
+#include <map>
+#include <string>
 
+#include "core/error.h"
+#include "core/warnings.h"
 #include "scene/desc/density_grid.h"
 
 namespace ajar::pbrt {
@@ -14,14 +19,42 @@ struct Cloud {
   float at(const Vec3& p) const;
 };
 
-/// Whether a grid that shows the finest noise of the cloud is larger than one that is made.
-bool is_finer_than_grids(const Cloud& cloud);
+/// Along the axes, of the lattice that has two points for each period of the finest noise, or fewer
+/// so that there are at most `most_points` in all, which is at least 8.
+desc::Vec3i lattice_of(const Cloud& cloud, std::uint64_t most_points);
 
-/// Of the grid that is made.
-std::uint64_t grid_bytes(const Cloud& cloud);
+/// Whether that lattice is too coarse for the finest noise.
+bool is_finer_than_grids(const Cloud& cloud, std::uint64_t most_points);
 
-/// The density at the points of a lattice, two for each period of the finest noise, or fewer. Its
-/// unit cube is the box.
-desc::DensityGrid tabulate(const Cloud& cloud);
+/// The density at the points of that lattice. Its unit cube is the box.
+desc::DensityGrid tabulate(const Cloud& cloud, std::uint64_t most_points);
+
+/// The grids of all clouds of a file. Those that are the same share one. A new one has at most a
+/// quarter of the points that are left, so that no number of clouds makes more points than there
+/// are at first, but for the 8 that the least one has.
+class CloudGrids {
+ public:
+  /// Of a file: the first cloud alone has up to 256³.
+  static constexpr std::uint64_t kMostPoints = std::uint64_t{1} << 26U;
+
+  explicit CloudGrids(std::uint64_t most_points = kMostPoints) : points_left_(most_points) {}
+
+  /// That of `cloud`, which is made at `where` as the medium `name`. Those that are coarser than
+  /// the noise have a warning. Raises SceneError if there is no memory for it.
+  desc::DensityGridPointer get(const Cloud& cloud, const SourceLocation& where,
+                               const std::string& name, Warnings& warnings);
+
+ private:
+  struct Entry {
+    desc::DensityGridPointer grid;
+    bool is_coarse;
+  };
+  using Key = std::array<std::uint32_t, 9>;  ///< bits of the parameters
+
+  static Key key_of(const Cloud& cloud);
+
+  std::uint64_t points_left_;
+  std::map<Key, Entry> made_;
+};
 
 }  // namespace ajar::pbrt

@@ -6,6 +6,7 @@
 #include "core/error.h"
 #include "core/warnings.h"
 #include "import/common/file_access.h"
+#include "import/pbrt/cloud.h"
 #include "import/pbrt/dialect.h"
 #include "import/pbrt/spectra.h"
 #include "scene/desc/scene_desc.h"
@@ -18,6 +19,7 @@ struct Context {
   Warnings& warnings;
   FileAccess& files;
   SpectrumReader& spectra;
+  CloudGrids& clouds;
   const DialectChoice& choice;
 
   bool is_v4() const { return choice.dialect == Dialect::V4; }

@@ -1,15 +1,11 @@
 #include "import/pbrt/media.h"
 
 #include <algorithm>
-#include <array>
-#include <numeric>
 
-#include "core/available_memory.h"
 #include "import/common/density.h"
 #include "import/common/printable.h"
 #include "import/common/scattering_presets.h"
 #include "import/common/transforms.h"
-#include "import/pbrt/cloud.h"
 #include "import/pbrt/lexer.h"
 #include "import/pbrt/nanovdb_file.h"
 
@@ -18,12 +14,8 @@ namespace {
 
 constexpr WarningKind kUnknownPreset{Effect::Surface,
                                      "media have unknown presets: Wholemilk stands in"};
-constexpr WarningKind kCloud{Effect::Slight,
-                             "clouds are finer than the grids that are made of them"};
 constexpr WarningKind kUnreadable{Effect::Surface,
                                   "grids of media cannot be read: they count as empty"};
-constexpr WarningKind kColors{
-    Effect::Surface, "media have colours that vary, which is not supported: the mean stands in"};
 constexpr WarningKind kUnknownMedium{Effect::Surface, "media are unknown: clear ones stand in"};
 constexpr WarningKind kNoEmission{Effect::Light, "media emit light, which is not supported"};
 
@@ -43,46 +35,27 @@ std::optional<ScatteringPreset> preset_of(Context& context, const SourceLocation
   return find_scattering_preset(kDefaultPreset);
 }
 
-double mean_of(const std::vector<float>& numbers) {
-  const double sum = std::accumulate(numbers.begin(), numbers.end(), 0.0);
-  return sum / static_cast<double>(numbers.size());
-}
-
-/// Mean of the colours of a grid, nothing if there is none.
-std::optional<desc::Rgb> mean_color(const ParameterList& parameters, std::string_view name) {
-  const Parameter* grid = parameters.find(name, ParameterKind::Rgb);
-  if (grid == nullptr || grid->size() < 2) return std::nullopt;
-  std::array<std::vector<float>, 3> lanes;
-  for (std::size_t i = 0; i < grid->numbers.size(); ++i) lanes[i % 3].push_back(grid->numbers[i]);
-  return desc::Rgb(static_cast<float>(mean_of(lanes[0])), static_cast<float>(mean_of(lanes[1])),
-                   static_cast<float>(mean_of(lanes[2])));
-}
-
 /// Whether the coefficient `name` is a grid of colours.
 const Parameter* color_grid(const ParameterList& parameters, std::string_view name) {
   const Parameter* grid = parameters.find(name, ParameterKind::Rgb);
   return grid != nullptr && grid->size() > 1 ? grid : nullptr;
 }
 
-/// Extinction of a grid of colours, mean over its lanes and relative to the mean of the grid.
-std::vector<float> relative_extinction(const SourceLocation& where,
-                                       const ParameterList& parameters) {
-  std::vector<float> values;
-  for (const char* name : {"sigma_a", "sigma_s"}) {
-    const Parameter* grid = color_grid(parameters, name);
-    if (grid == nullptr) continue;
-    if (values.empty()) values.resize(grid->size(), 0.F);
-    if (values.size() != grid->size()) {
-      throw SceneError(where, "\"sigma_a\" and \"sigma_s\" of the medium differ in size");
-    }
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      const float* rgb = grid->numbers.data() + 3 * i;
-      values[i] += rgb[0] + rgb[1] + rgb[2];
-    }
+/// Factors of 1 for each lane. Source: pbrt-v4, media.h and media.cpp (RGBGridMedium).
+void read_colors(const SourceLocation& where, const ParameterList& parameters,
+                 desc::DensityGrid& grid) {
+  const Parameter* sigma_a = parameters.find("sigma_a", ParameterKind::Rgb);
+  const Parameter* sigma_s = parameters.find("sigma_s", ParameterKind::Rgb);
+  if (sigma_a != nullptr) grid.absorption = SpectrumReader::colors(*sigma_a);
+  if (sigma_s != nullptr) grid.scattering = SpectrumReader::colors(*sigma_s);
+  if (!grid.is_colored()) {
+    throw SceneError(where,
+                     "a medium of type \"rgbgrid\" needs \"rgb sigma_a\" or \"rgb sigma_s\"");
   }
-  const double mean = values.empty() ? 0.0 : mean_of(values);
-  for (float& value : values) value = mean > 0.0 ? static_cast<float>(value / mean) : 1.F;
-  return values;
+  if (sigma_a != nullptr && sigma_s != nullptr &&
+      grid.absorption.size() != grid.scattering.size()) {
+    throw SceneError(where, "\"sigma_a\" and \"sigma_s\" of the medium differ in size");
+  }
 }
 
 /// Values at the middles of the cells of a box; 0 beyond. Source: pbrt-v3, media/grid.cpp, and
@@ -92,12 +65,7 @@ desc::Density read_grid(Context& context, const SourceLocation& where, const std
   desc::DensityGrid grid;
   grid.resolution = {p.get_int("nx", 1), p.get_int("ny", 1), p.get_int("nz", 1)};
   if (type == "rgbgrid") {
-    grid.values = relative_extinction(where, p);
-    if (grid.values.empty()) grid.values.push_back(1.F);
-    context.warnings.add(kColors, where,
-                         "colours of media that vary are not supported: the density varies, and "
-                         "the mean of the colours stands in",
-                         printable(name));
+    read_colors(where, p, grid);
   } else if (const Parameter* density = p.find("density", ParameterKind::Float)) {
     grid.values = density->numbers;
   }
@@ -151,20 +119,9 @@ desc::Density read_cloud(Context& context, const SourceLocation& where, const st
   cloud.frequency = p.get_float("frequency", cloud.frequency);
   cloud.low = p.get_point("p0", cloud.low);
   cloud.high = p.get_point("p1", cloud.high);
-  if (is_finer_than_grids(cloud)) {
-    context.warnings.add(
-        kCloud, where,
-        "the noise of this cloud is finer than the grids that are made of it: a coarser one "
-        "stands in",
-        printable(name));
-  }
-  if (const std::string shortage = memory_shortage(grid_bytes(cloud)); !shortage.empty()) {
-    throw SceneError(where, "the grid of this cloud " + shortage);
-  }
-  return make_density(
-      tabulate(cloud),
-      scaling(Vec3d(cloud.high - cloud.low)) * translation(Vec3d(cloud.low)) * to_world, where,
-      name, context.warnings);
+  return place_grid(
+      context.clouds.get(cloud, where, name, context.warnings),
+      scaling(Vec3d(cloud.high - cloud.low)) * translation(Vec3d(cloud.low)) * to_world, where);
 }
 
 void warn_of_parameters_that_emit(Context& context, const SourceLocation& where,
@@ -184,7 +141,8 @@ void warn_of_parameters_that_emit(Context& context, const SourceLocation& where,
 
 desc::Medium make_medium(Context& context, const SourceLocation& where, const std::string& name,
                          const ParameterList& parameters, const Mat4& to_world) {
-  static const std::vector<std::string> kTypesOfV3 = {"homogeneous", "heterogeneous"};
+  // pbrt-v3 has no grids of colours: the word is ours there, for those that we write.
+  static const std::vector<std::string> kTypesOfV3 = {"homogeneous", "heterogeneous", "rgbgrid"};
   static const std::vector<std::string> kTypesOfV4 = {"homogeneous", "uniformgrid", "rgbgrid",
                                                       "cloud", "nanovdb"};
   desc::Medium medium;
@@ -203,7 +161,6 @@ desc::Medium make_medium(Context& context, const SourceLocation& where, const st
       preset.value_or(context.is_v4() ? ScatteringPreset{desc::Rgb(1.F), desc::Rgb(1.F)}
                                       : *find_scattering_preset(kDefaultPreset));
   const auto coefficient = [&](std::string_view parameter, const desc::Rgb& fallback) {
-    if (const std::optional<desc::Rgb> mean = mean_color(parameters, parameter)) return *mean;
     const desc::Rgb given = context.spectra.get_positive(parameters, parameter, fallback);
     return context.is_v4() && preset ? fallback : given;
   };
@@ -220,8 +177,9 @@ desc::Medium make_medium(Context& context, const SourceLocation& where, const st
   if (scale < 0.F) throw SceneError(where, "\"scale\" of a medium is negative");
   if (!(medium.g > -1.F && medium.g < 1.F))
     throw SceneError(where, "\"g\" must be between -1 and 1");
-  medium.sigma_a = coefficient("sigma_a", defaults.sigma_a) * scale;
-  medium.sigma_s = coefficient("sigma_s", defaults.sigma_s) * scale;
+  const bool is_colored = medium.density && medium.density->grid->is_colored();
+  medium.sigma_a = is_colored ? desc::Rgb(scale) : coefficient("sigma_a", defaults.sigma_a) * scale;
+  medium.sigma_s = is_colored ? desc::Rgb(scale) : coefficient("sigma_s", defaults.sigma_s) * scale;
   if (!is_finite(medium.sigma_a) || !is_finite(medium.sigma_s))
     throw SceneError(where, "the medium is too dense");
   if (context.is_v4()) warn_of_parameters_that_emit(context, where, name, parameters);

@@ -84,32 +84,63 @@ class Writer {
   void write_medium(std::size_t i) {
     const desc::Medium& medium = scene_.media[i];
     if (medium.density) out_.line("Transform").matrix(medium.density->to_world);
+    const bool is_colored = medium.density && medium.density->grid->is_colored();
     out_.line("MakeNamedMedium")
         .quoted(context_.medium_names[i])
-        .parameter("string type", medium.density ? "heterogeneous" : "homogeneous");
-    out_.rgb("sigma_a", medium.sigma_a)
-        .rgb("sigma_s", medium.sigma_s)
+        .parameter("string type", is_colored       ? "rgbgrid"
+                                  : medium.density ? "heterogeneous"
+                                                   : "homogeneous")
         .parameter("float g", medium.g);
-    if (medium.density) write_density(*medium.density->grid);
-  }
-
-  /// Of the nearest point.
-  static float value_near(const desc::DensityGrid& grid, const desc::Vec3i& point) {
-    const desc::Vec3i& n = grid.resolution;
-    std::size_t index = 0;
-    for (int axis = 2; axis >= 0; --axis) {
-      index = index * static_cast<std::size_t>(n[axis]) +
-              static_cast<std::size_t>(std::clamp(point[axis], 0, n[axis] - 1));
+    if (is_colored) {
+      write_colors(medium);
+      return;
     }
-    return grid.values[index];
+    out_.rgb("sigma_a", medium.sigma_a).rgb("sigma_s", medium.sigma_s);
+    if (!medium.density) return;
+    const desc::DensityGrid& grid = *medium.density->grid;
+    const int more = write_box(grid, is_clamped(grid));
+    write_points(grid, more, "float density",
+                 [&](std::size_t point, bool) { out_.number(grid.values[point]); });
   }
 
-  /// pbrt has densities at the middles of cells, and 0 beyond them. What other grids have in their
+  /// As pbrt-v4 does. A coefficient that does not vary is 1 there, which leaves `scale`; what is no
+  /// grey becomes a grid.
+  void write_colors(const desc::Medium& medium) {
+    const desc::DensityGrid& grid = *medium.density->grid;
+    const desc::Rgb* constant = grid.absorption.empty()   ? &medium.sigma_a
+                                : grid.scattering.empty() ? &medium.sigma_s
+                                                          : nullptr;
+    const bool is_scale =
+        constant != nullptr && constant->x > 0.F && *constant == desc::Rgb(constant->x);
+    const float scale = is_scale ? constant->x : 1.F;
+    const int more = write_box(grid, is_clamped(grid) || (constant != nullptr && !is_scale));
+    if (is_scale) out_.parameter("float scale", scale);
+    const auto write = [&](const char* name, const desc::Rgb& sigma,
+                           const std::vector<desc::Rgb>& factors) {
+      if (factors.empty() && is_scale) return;
+      write_points(grid, more, name, [&](std::size_t point, bool is_beyond) {
+        desc::Rgb value = sigma / scale;
+        if (!factors.empty()) {
+          value *= is_beyond && !is_clamped(grid) ? desc::Rgb(0.F) : factors[point];
+        }
+        for (int lane = 0; lane < 3; ++lane) out_.number(value[lane]);
+      });
+    };
+    write("rgb sigma_a", medium.sigma_a, grid.absorption);
+    write("rgb sigma_s", medium.sigma_s, grid.scattering);
+  }
+
+  static bool is_clamped(const desc::DensityGrid& grid) {
+    return grid.border == desc::DensityGrid::Border::Clamp;
+  }
+
+  /// pbrt has values at the middles of cells, and 0 beyond them. What other grids have in their
   /// box is the same with a larger one; beyond it there is some of the medium, too, unless a
-  /// surface bounds it, as those formats ask for.
-  void write_density(const desc::DensityGrid& grid) {
+  /// surface bounds it, as those formats ask for. Returns how many points are added at each side,
+  /// which is 1 if points in the middle of cells go on to the faces.
+  int write_box(const desc::DensityGrid& grid, bool goes_on) {
     const bool at_corners = grid.points == desc::DensityGrid::Points::Corners;
-    const bool is_extended = !at_corners && grid.border == desc::DensityGrid::Border::Clamp;
+    const bool is_extended = !at_corners && goes_on;
     const int more = is_extended ? 1 : 0;
     const desc::Vec3i& n = grid.resolution;
     out_.parameter("integer nx", n.x + 2 * more)
@@ -120,11 +151,27 @@ class Writer {
       const Vec3 beyond = at_corners ? Vec3(0.5F) / Vec3(n - desc::Vec3i(1)) : Vec3(1.F) / Vec3(n);
       out_.point("p0", Vec3(0.F) - beyond).point("p1", Vec3(1.F) + beyond);
     }
-    out_.quoted("float density").line("  [");
+    return more;
+  }
+
+  /// `write(point, is_beyond)` of all points, with the nearest one of those that are added.
+  template <typename Write>
+  void write_points(const desc::DensityGrid& grid, int more, const char* declaration,
+                    const Write& write) {
+    const desc::Vec3i& n = grid.resolution;
+    out_.quoted(declaration).line("  [");
     for (int z = -more; z < n.z + more; ++z) {
       for (int y = -more; y < n.y + more; ++y) {
         for (int x = -more; x < n.x + more; ++x) {
-          out_.number(value_near(grid, {x, y, z}));
+          const desc::Vec3i point(x, y, z);
+          std::size_t index = 0;
+          bool is_beyond = false;
+          for (int axis = 2; axis >= 0; --axis) {
+            const int near = std::clamp(point[axis], 0, n[axis] - 1);
+            is_beyond = is_beyond || near != point[axis];
+            index = index * static_cast<std::size_t>(n[axis]) + static_cast<std::size_t>(near);
+          }
+          write(index, is_beyond);
         }
       }
     }

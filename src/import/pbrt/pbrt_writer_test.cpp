@@ -6,8 +6,10 @@
 #include <fstream>
 
 #include "core/regular_file.h"
+#include "import/common/transforms.h"
 #include "import/pbrt/import_test_support.h"
 #include "scene/desc/models.h"
+#include "scene/medium/color_field.h"
 
 namespace ajar {
 namespace {
@@ -24,6 +26,7 @@ Scale -1 1 1
 MakeNamedMedium "fog" "string type" "homogeneous" "rgb sigma_a" [.1 .2 .3] "rgb sigma_s" [.4 .5 .6] "float g" .3
 Rotate 20 1 2 3
 MakeNamedMedium "smoke" "string type" "heterogeneous" "rgb sigma_a" [.1 .2 .3] "rgb sigma_s" [.4 .5 .6] "integer nx" 2 "integer nz" 2 "float density" [0 .1 .2 .7] "point p0" [-1 -2 0] "point p1" [1 2 3]
+MakeNamedMedium "dye" "string type" "rgbgrid" "rgb sigma_a" [.1 .2 .3 .4 .5 .6] "integer nx" 2 "float scale" 3
 Rotate -20 1 2 3
 MediumInterface "" "fog"
 Camera "perspective" "float fov" 33.3 "float lensradius" .01 "float focaldistance" 7 "float screenwindow" [-1 1.5 -2 2.5] "float frameaspectratio" 1.1
@@ -53,7 +56,7 @@ NamedMaterial "mix"
 AttributeBegin AreaLightSource "diffuse" "rgb L" [5 6 7] "bool twosided" true ReverseOrientation Shape "cylinder" "float phimax" 77 AttributeEnd
 AttributeBegin AreaLightSource "diffuse" "texture L" "uv" "rgb scale" [3 3 3] Shape "cone" AttributeEnd
 AttributeBegin Material "none" MediumInterface "fog" "" Shape "sphere" "float zmax" .4 "texture alpha" "windy" AttributeEnd
-AttributeBegin Material "none" MediumInterface "smoke" "fog" Shape "sphere" AttributeEnd
+AttributeBegin Material "none" MediumInterface "smoke" "dye" Shape "sphere" AttributeEnd
 Material "uber" "texture Kr" "bilerp" Shape "paraboloid" "float shadowalpha" 0
 Material "disney" "texture color" "marble" "texture roughness" "wrinkled" Shape "hyperboloid"
 Material "plastic" Shape "trianglemesh" "integer indices" [0 1 2] "point P" [0 0 0 1 .1 0 0 1 .3] "rgb Kd" [.3 .2 .1]
@@ -85,6 +88,69 @@ TEST(PbrtWriter, WhatItWritesReadsBackAsTheSameScene) {
   EXPECT_EQ(back.hints.samples_per_pixel, 5);
   EXPECT_EQ(back.hints.parameters, scene.hints.parameters);
   EXPECT_EQ(back.lights[3].node.text("image"), (folder.path() / "scene/sky.exr").string());
+}
+
+/// A scene with a medium, there and back.
+desc::Medium written_and_read(const desc::Medium& medium) {
+  const TemporaryFolder folder;
+  const std::string file = (folder.path() / "scene.pbrt").string();
+  desc::SceneDesc scene;
+  scene.shapes.emplace_back().node = desc::shape_node("sphere");
+  scene.media.push_back(medium);
+  write_pbrt(scene, file);
+  Warnings warnings;
+  desc::SceneDesc back = import_pbrt(file, warnings);
+  for (const std::string& message : warnings.messages()) ADD_FAILURE() << message;
+  return back.media.at(0);
+}
+
+/// Coefficients of both at places in the box.
+void expect_same_colors(const desc::Medium& a, const desc::Medium& b) {
+  const auto field = [](const desc::Medium& m) {
+    return ColorField(*m.density, Spectrum(m.sigma_a.x, m.sigma_a.y, m.sigma_a.z),
+                      Spectrum(m.sigma_s.x, m.sigma_s.y, m.sigma_s.z));
+  };
+  const ColorField first = field(a);
+  const ColorField second = field(b);
+  for (int i = 0; i < 343; ++i) {
+    const Vec3 in_cube =
+        Vec3(static_cast<float>(i % 7), static_cast<float>(i / 7 % 7), static_cast<float>(i / 49)) /
+            6.2F +
+        Vec3(0.01F);
+    const Vec3 p = transform_point(a.density->to_world, in_cube);
+    for (int lane = 0; lane < 3; ++lane) {
+      ASSERT_NEAR(first.sigma_t(p)[lane], second.sigma_t(p)[lane], 1e-5F) << in_cube;
+      ASSERT_NEAR(first.sigma_s(p)[lane], second.sigma_s(p)[lane], 1e-5F) << in_cube;
+    }
+  }
+}
+
+TEST(PbrtWriter, WritesColorsOfMediaWhateverTheirGrid) {
+  using Grid = desc::DensityGrid;
+  for (const auto points : {Grid::Points::Centers, Grid::Points::Corners}) {
+    for (const auto border : {Grid::Border::Zero, Grid::Border::Clamp}) {
+      for (const std::string& given : {"both", "absorption", "scattering"}) {
+        for (const desc::Rgb& sigma : {desc::Rgb(0.7F), desc::Rgb(1.F, 0.5F, 0.F)}) {
+          SCOPED_TRACE(given);
+          desc::Medium medium;
+          medium.sigma_a = medium.sigma_s = sigma;
+          medium.g = 0.5F;
+          Grid grid{{2, 3, 2}, {}, points, border};
+          for (int i = 0; i < 12; ++i) {
+            const auto x = static_cast<float>(i);
+            if (given != "scattering") grid.absorption.emplace_back(x, 1.F, 12.F - x);
+            if (given != "absorption") grid.scattering.emplace_back(1.F, x, 2.F);
+          }
+          Mat4 to_world = Mat4().setScale(Vec3d(2, 3, 4));
+          to_world[3][0] = -1;
+          medium.density = {std::make_shared<const Grid>(std::move(grid)), to_world};
+          const desc::Medium back = written_and_read(medium);
+          EXPECT_EQ(back.g, medium.g);
+          expect_same_colors(medium, back);
+        }
+      }
+    }
+  }
 }
 
 TEST(PbrtWriter, LeavesNoTemporaryFilesAndRefersToImagesRelatively) {
@@ -122,6 +188,8 @@ TEST(SceneHash, ChangesWithThePictureAndNotWithNames) {
   for (const auto& [from, to] : std::vector<std::pair<std::string, std::string>>{
            {"[.4 .5 .6]", "[.4 .5 .7]"},
            {"[0 .1 .2 .7]", "[0 .1 .2 .8]"},
+           {"[.1 .2 .3 .4 .5 .6]", "[.1 .2 .3 .4 .5 .7]"},
+           {"\"rgb sigma_a\" [.1 .2 .3 .4", "\"rgb sigma_s\" [.1 .2 .3 .4"},
            {"[-1 -2 0]", "[-1 -2 1]"},
            {"\"float fov\" 33.3", "\"float fov\" 33.4"},
            {"1.1 2.2 3.3", "1.1 2.2 3.4"},

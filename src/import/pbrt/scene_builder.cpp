@@ -53,7 +53,7 @@ SceneBuilder::SceneBuilder(FileAccess& files, std::string source, const DialectC
     : choice_(choice),
       warnings_(warnings),
       spectra_(files, choice.dialect, warnings),
-      context_{scene_, warnings, files, spectra_, choice_},
+      context_{scene_, warnings, files, spectra_, clouds_, choice_},
       textures_(context_),
       materials_(context_, textures_),
       meshes_(files, warnings) {

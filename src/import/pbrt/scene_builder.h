@@ -138,6 +138,7 @@ class SceneBuilder {
   Warnings& warnings_;
   desc::SceneDesc scene_;
   SpectrumReader spectra_;
+  CloudGrids clouds_;
   Context context_;
   TransformState transforms_;
   TextureTable textures_;

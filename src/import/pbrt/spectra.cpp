@@ -1,5 +1,7 @@
 #include "import/pbrt/spectra.h"
 
+#include <algorithm>
+
 #include "core/color.h"
 #include "import/common/metals.h"
 #include "import/common/printable.h"
@@ -17,6 +19,13 @@ constexpr WarningKind kNegative{Effect::Slight, "colours are negative: taken as 
 /// Light of luminance 1.
 desc::Rgb light_of(const Vec3d& xyz) {
   return xyz.y > 0.0 ? desc::Rgb(xyz_to_rgb(xyz / xyz.y)) : desc::Rgb(0.F);
+}
+
+desc::Rgb rec709(const ColorSpace* space, const float* rgb, ColorRole role) {
+  if (space == nullptr) return {rgb[0], rgb[1], rgb[2]};
+  const Vec3d given(rgb[0], rgb[1], rgb[2]);
+  return desc::Rgb(role == ColorRole::Light ? space->light_to_rec709(given)
+                                            : space->reflectance_to_rec709(given));
 }
 
 }  // namespace
@@ -54,13 +63,8 @@ std::optional<desc::Rgb> SpectrumReader::unchecked_value(const Parameter& parame
                                                          ColorRole role) {
   const std::vector<float>& n = parameter.numbers;
   switch (parameter.kind) {
-    case ParameterKind::Rgb: {
-      if (parameter.color_space == nullptr) return desc::Rgb(n[0], n[1], n[2]);
-      const Vec3d rgb(n[0], n[1], n[2]);
-      return desc::Rgb(role == ColorRole::Light
-                           ? parameter.color_space->light_to_rec709(rgb)
-                           : parameter.color_space->reflectance_to_rec709(rgb));
-    }
+    case ParameterKind::Rgb:
+      return rec709(parameter.color_space, n.data(), role);
     case ParameterKind::Xyz:
       return desc::Rgb(xyz_to_rgb(Vec3d(n[0], n[1], n[2])));
     case ParameterKind::Blackbody:
@@ -137,6 +141,18 @@ desc::Rgb SpectrumReader::get_positive(const ParameterList& parameters, std::str
                                        const desc::Rgb& fallback, ColorRole role) {
   const Parameter* p = parameters.find_one(name, kSpectrumKinds);
   return p == nullptr ? fallback : positive_value(*p, role).value_or(fallback);
+}
+
+std::vector<desc::Rgb> SpectrumReader::colors(const Parameter& parameter, ColorRole role) {
+  std::vector<desc::Rgb> result;
+  result.reserve(parameter.size());
+  for (std::size_t i = 0; i < parameter.size(); ++i) {
+    const float* given = parameter.numbers.data() + 3 * i;
+    desc::Rgb& color = result.emplace_back(rec709(parameter.color_space, given, role));
+    if (std::min({given[0], given[1], given[2]}) < 0.F) continue;
+    for (int lane = 0; lane < 3; ++lane) color[lane] = std::max(color[lane], 0.F);
+  }
+  return result;
 }
 
 }  // namespace ajar::pbrt

@@ -43,6 +43,9 @@ class SpectrumReader {
                                           ColorRole role = ColorRole::Other);
   desc::Rgb get_positive(const ParameterList& parameters, std::string_view name,
                          const desc::Rgb& fallback, ColorRole role = ColorRole::Other);
+  /// All values of an RGB parameter. Lanes are negative only where the file says so itself.
+  static std::vector<desc::Rgb> colors(const Parameter& parameter,
+                                       ColorRole role = ColorRole::Other);
 
  private:
   /// Wavelengths, nm, and values.

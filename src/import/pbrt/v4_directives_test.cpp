@@ -193,12 +193,36 @@ TEST(Pbrt4Media, HaveDefaultsAndPresets) {
       "3] \"rgb sigma_s\" [1 2 3]");
   EXPECT_EQ(grid.media[0].sigma_s, desc::Rgb(1.F, 2.F, 3.F));
   EXPECT_EQ(grid.media[0].density->grid->values, (std::vector<float>{1.F, 3.F}));
-  const desc::SceneDesc colors = v4_scene_with_warnings(
-      "MakeNamedMedium \"m\" \"string type\" \"rgbgrid\" \"integer nx\" 2 \"rgb sigma_a\" [1 2 3 3 "
-      "4 5]");
-  EXPECT_EQ(colors.media[0].sigma_a, desc::Rgb(2.F, 3.F, 4.F));
-  EXPECT_NEAR(colors.media[0].density->grid->values[0], 6.0 / 9.0, 1e-6) << "of the mean";
-  EXPECT_NEAR(colors.media[0].density->grid->values[1], 12.0 / 9.0, 1e-6);
+}
+
+TEST(Pbrt4Media, HaveGridsOfColors) {
+  const std::string medium = "MakeNamedMedium \"m\" \"string type\" \"rgbgrid\" \"integer nx\" 2 ";
+  const desc::SceneDesc one = v4_scene(medium + "\"rgb sigma_a\" [1 2 3 3 4 5] \"float scale\" 2");
+  EXPECT_EQ(one.media[0].sigma_a, desc::Rgb(2.F));
+  EXPECT_EQ(one.media[0].sigma_s, desc::Rgb(2.F));
+  const desc::DensityGrid& grid = *one.media[0].density->grid;
+  EXPECT_TRUE(grid.values.empty());
+  EXPECT_EQ(grid.absorption, (std::vector<Vec3>{{1, 2, 3}, {3, 4, 5}}));
+  EXPECT_TRUE(grid.scattering.empty()) << "1 everywhere";
+  const desc::SceneDesc both =
+      v4_scene(medium + "\"rgb sigma_a\" [1 2 3 3 4 5] \"rgb sigma_s\" [0 1 0 1 0 2]");
+  EXPECT_EQ(both.media[0].density->grid->scattering, (std::vector<Vec3>{{0, 1, 0}, {1, 0, 2}}));
+  const desc::SceneDesc wide =
+      v4_scene("ColorSpace \"rec2020\" " + medium + "\"rgb sigma_a\" [0 1 0 1 1 1]");
+  const std::vector<Vec3>& colors = wide.media[0].density->grid->absorption;
+  EXPECT_EQ(colors[0].x, 0.F) << "what Rec. 709 has as negative";
+  expect_rgb(colors[1], desc::Rgb(1.F), 1e-3F);
+
+  EXPECT_TRUE(contains(v4_warnings(medium + "\"rgb sigma_a\" [-1 2 3 3 -4 5]"),
+                       "test.pbrt:2:1: 2 densities of this medium are negative"));
+  const auto error = [&](const std::string& parameters) {
+    return error_of(v4_world(medium + parameters));
+  };
+  EXPECT_TRUE(contains(error(""), "test.pbrt:2:1: a medium of type \"rgbgrid\" needs"));
+  EXPECT_TRUE(contains(error("\"rgb sigma_a\" [1 2 3]"),
+                       "test.pbrt:2:1: the medium has 1 colours of absorption, not 2 × 1 × 1"));
+  EXPECT_TRUE(
+      contains(error("\"rgb sigma_a\" [1 2 3] \"rgb sigma_s\" [0 1 0 1 0 2]"), "differ in size"));
 }
 
 TEST(Pbrt4Media, TheCamerasIsThatOutsideWhereItIsMade) {

@@ -5,6 +5,13 @@
 
 namespace ajar::desc {
 
+namespace {
+
+bool is_fit(float value) { return value >= 0.F && std::isfinite(value); }
+bool is_fit(const Vec3& value) { return is_fit(value.x) && is_fit(value.y) && is_fit(value.z); }
+
+}  // namespace
+
 std::optional<std::string> complaint(const Density& density) {
   if (density.grid == nullptr) return "has no grid";
   const DensityGrid& grid = *density.grid;
@@ -18,13 +25,26 @@ std::optional<std::string> complaint(const Density& density) {
   }
   // In doubles: products of three integers may be beyond what integers hold.
   const double count = double{1} * n.x * n.y * n.z;
-  if (count != static_cast<double>(grid.values.size())) {
-    return "has " + std::to_string(grid.values.size()) + " values of density, not " + size;
+  const auto check = [&](const auto& values, const std::string& many,
+                         const std::string& one) -> std::optional<std::string> {
+    if (count != static_cast<double>(values.size())) {
+      return "has " + std::to_string(values.size()) + " " + many + ", not " + size;
+    }
+    for (const auto& value : values) {
+      if (!is_fit(value)) return "has " + one + " that is negative or no number";
+    }
+    return std::nullopt;
+  };
+  if (grid.is_colored() && !grid.values.empty()) return "has both densities and colours";
+  std::optional<std::string> wrong;
+  if (!grid.is_colored()) wrong = check(grid.values, "values of density", "a density");
+  if (!grid.absorption.empty()) {
+    wrong = check(grid.absorption, "colours of absorption", "an absorption");
   }
-  const auto is_fit = [](float value) { return value >= 0.F && std::isfinite(value); };
-  if (!std::all_of(grid.values.begin(), grid.values.end(), is_fit)) {
-    return "has a density that is negative or no number";
+  if (!wrong && !grid.scattering.empty()) {
+    wrong = check(grid.scattering, "colours of scattering", "a scattering");
   }
+  if (wrong) return wrong;
   const double volume = density.to_world.determinant();
   if (!std::isfinite(volume) || volume == 0.0) return "has its density in a box without volume";
   return std::nullopt;

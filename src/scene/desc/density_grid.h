@@ -24,6 +24,11 @@ struct DensityGrid {
   std::vector<float> values;  ///< x varies fastest, then y; finite, not negative
   Points points = Points::Centers;
   Border border = Border::Zero;
+  /// Instead of `values`, of media whose colour varies: factors of the lanes of sigma_a and of
+  /// sigma_s. If one of them is empty, it is 1 everywhere in the cube, up to the faces.
+  std::vector<Vec3> absorption{}, scattering{};
+
+  bool is_colored() const { return !absorption.empty() || !scattering.empty(); }
 };
 /// Shared, because grids are large.
 using DensityGridPointer = std::shared_ptr<const DensityGrid>;

@@ -192,6 +192,10 @@ class SceneHasher {
       const DensityGrid& grid = *medium.density->grid;
       h.add(medium.density->to_world, grid.resolution, grid.points, grid.border);
       h.array(grid.values);
+      if (grid.is_colored()) {
+        h.array(grid.absorption);
+        h.array(grid.scattering);
+      }
     }
     return h.result();
   }

@@ -48,7 +48,7 @@ struct Material {
 // ---------------------------------------------------------------- media
 
 /// Absorption and scattering coefficients in 1/(scene unit), Henyey–Greenstein g. Homogeneous, or
-/// with coefficients times a density.
+/// with coefficients times a density or colours from place to place.
 struct Medium {
   std::string name;
   SourceLocation where;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/spectrum.h"
+
 namespace ajar {
 
 /// What light meets of a medium along a piece of a ray.
@@ -7,6 +9,13 @@ struct Column {
   float distance;  ///< length of the piece, scene units
   float density;   ///< integral of the density along it, scene units; where it is 1, the length
   bool reached;    ///< ends because the integral is what was asked for
+};
+
+/// The same with coefficients.
+struct Crossing {
+  float distance;  ///< length of the piece, scene units
+  Spectrum depth;  ///< optical depth per lane: integral of the extinction along it, finite
+  bool reached;    ///< ends because the depth of a lane is what was asked for
 };
 
 }  // namespace ajar

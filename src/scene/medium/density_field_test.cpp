@@ -190,11 +190,12 @@ TEST(DensityField, SamplesDistancesByTheirDensity) {
     for (int i = 0; i < kPoints; ++i) {
       const float t =
           kLength * (static_cast<float>(bin) + (static_cast<float>(i) + 0.5F) / kPoints) / kBins;
-      const float survival = medium.transmittance(medium.along(ray, t).density)[0];
-      const bool is_inside = medium.along(ray, t + 1e-3F).density > medium.along(ray, t).density;
+      const float depth = medium.along(ray, t).depth[0];
+      const bool is_inside = medium.along(ray, t + 1e-3F).depth[0] > depth;
       if (!is_inside) continue;
       expected[static_cast<std::size_t>(bin)] +=
-          static_cast<double>(survival * 2.F * medium.density(ray.origin + ray.direction * t)) *
+          static_cast<double>(std::exp(-depth) *
+                              medium.sigma_t(ray.origin + ray.direction * t)[0]) *
           static_cast<double>(kLength / kBins / kPoints);
     }
   }
@@ -202,9 +203,9 @@ TEST(DensityField, SamplesDistancesByTheirDensity) {
   std::array<double, kBins> found{};
   Rng rng(5);
   for (int i = 0; i < kSamples; ++i) {
-    const Column column = medium.along(ray, kForEver, -std::log(1.F - rng.next()) / 2.F);
-    if (!column.reached) continue;
-    found[static_cast<std::size_t>(column.distance / kLength * kBins)] += 1.0 / kSamples;
+    const Crossing crossing = medium.along(ray, kForEver, 0, -std::log(1.F - rng.next()));
+    if (!crossing.reached) continue;
+    found[static_cast<std::size_t>(crossing.distance / kLength * kBins)] += 1.0 / kSamples;
   }
   double sum = 0.0;
   for (std::size_t bin = 0; bin < kBins; ++bin) {
@@ -240,6 +241,28 @@ TEST(DensityGrids, HaveComplaints) {
   EXPECT_NE(complaint_of({1, 1, 2}, {1, -1}, kCenters, unit).find("negative"), std::string::npos);
   EXPECT_NE(complaint_of({1, 1, 2}, {1, 0}, kCenters, flat).find("without volume"),
             std::string::npos);
+}
+
+TEST(DensityGrids, OfColorsHaveComplaints) {
+  const auto complaint_of = [](std::vector<float> values, std::vector<Vec3> absorption,
+                               std::vector<Vec3> scattering) {
+    DensityGrid grid{{1, 1, 2}, std::move(values)};
+    grid.absorption = std::move(absorption);
+    grid.scattering = std::move(scattering);
+    return desc::complaint({std::make_shared<const DensityGrid>(std::move(grid)), Mat4()})
+        .value_or("none");
+  };
+  const Vec3 red(1, 0, 0);
+  EXPECT_EQ(complaint_of({}, {red, red}, {red, red}), "none");
+  EXPECT_EQ(complaint_of({}, {}, {red, red}), "none");
+  EXPECT_EQ(complaint_of({}, {red, red}, {}), "none");
+  EXPECT_EQ(complaint_of({1, 1}, {red, red}, {}), "has both densities and colours");
+  EXPECT_EQ(complaint_of({}, {red}, {red, red}), "has 1 colours of absorption, not 1 × 1 × 2");
+  EXPECT_EQ(complaint_of({}, {red, red}, {red}), "has 1 colours of scattering, not 1 × 1 × 2");
+  EXPECT_EQ(complaint_of({}, {red, {0, 0, -1}}, {}),
+            "has an absorption that is negative or no number");
+  EXPECT_EQ(complaint_of({}, {red, red}, {red, {0, std::nanf(""), 1}}),
+            "has a scattering that is negative or no number");
 }
 
 }  // namespace

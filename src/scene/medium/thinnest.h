@@ -1,0 +1,9 @@
+#pragma once
+
+namespace ajar {
+
+/// What stands for vacuum at vertices, relative to the largest density: densities of paths are
+/// divided by it.
+inline constexpr float kThinnest = 1e-12F;
+
+}  // namespace ajar
