@@ -259,7 +259,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, KeepsTheDistribution,
                          ::testing::Values("Pool", "Lenses", "BurningGlass", "BurningGlassInTheSun",
                                            "GlassAndMetal", "ThinLens", "Environment", "Distant",
                                            "PointAndSpot", "ShadingNormals", "Orthographic",
-                                           "EnvironmentCamera", "Fog", "MilkBall"),
+                                           "EnvironmentCamera", "Fog", "MilkBall", "ColoredSmoke"),
                          [](const auto& test) { return std::string(test.param); });
 
 /// A square on the floor or the back wall of the small room, by its middle and
