@@ -273,7 +273,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, KeepsTheDistribution,
                                            "Gloss", "GlossOverWater", "GlassAndMetal", "ThinLens",
                                            "Environment", "Distant", "PointAndSpot",
                                            "ShadingNormals", "Orthographic", "EnvironmentCamera",
-                                           "Fog", "MilkBall"),
+                                           "Fog", "MilkBall", "ColoredSmoke"),
                          [](const auto& test) { return std::string(test.param); });
 
 /// A square on the floor or the back wall of the small room, by its middle and

@@ -183,7 +183,7 @@ TEST(ColorField, WithoutOneOfItsGridsHasThatCoefficientUpToTheFaces) {
   EXPECT_NEAR(whole[1], 0.5 + 0.5 * 1.0 + 0.25 * 1.5, 1e-6);
   EXPECT_NEAR(field.sigma_t({0.F, 0.5F, 0.5F})[0], 0.5 + 0.5, 1e-6);
   EXPECT_TRUE(field.scatters());
-  DensityGrid red{{1, 1, 1}};
+  DensityGrid red{{1, 1, 1}, {}};
   red.absorption = {{1, 0, 0}};
   EXPECT_FALSE(ColorField(placed(red), Spectrum(1.F), Spectrum(0.F)).scatters());
   EXPECT_TRUE(ColorField(placed(red), Spectrum(1.F), Spectrum(1.F)).scatters());
