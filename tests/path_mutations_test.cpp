@@ -205,7 +205,24 @@ Shape "sphere"
 )");
 }
 
+/// Frosted glass in the sun, seen by a lens.
+std::string gloss_in_the_sun() {
+  return test::pbrt_scene(
+      "LookAt 0 0.9 -2  0.15 0 0.1  0 1 0\nCamera \"perspective\" \"float fov\" [30] "
+      "\"float lensradius\" [0.02] \"float focaldistance\" [2.2]",
+      24, 16, R"(
+LightSource "distant" "point from" [0.3 1 0.1] "point to" [0 0 0]
+Material "matte" "rgb Kd" [0.7 0.6 0.5]
+Shape "trianglemesh" "point P" [-2 0 -2  2 0 -2  2 0 2  -2 0 2] "integer indices" [0 2 1 0 3 2]
+Material "glass" "float index" [1.5] "float uroughness" [0.1] "float vroughness" [0.1]
+  "bool remaproughness" "false"
+Translate 0 1.1 0.1 Scale 0.5 0.3 0.5
+Shape "sphere"
+)");
+}
+
 std::unique_ptr<Scene> scene_of(const std::string& name) {
+  if (name == "GlossInTheSun") return test::scene_from(gloss_in_the_sun());
   if (name == "Gloss") return test::scene_from(gloss());
   if (name == "GlossOverWater") return test::scene_from(gloss_over_water());
   if (name == "Pool") return test::scene_from(pool());
@@ -250,7 +267,8 @@ TEST_P(KeepsTheDistribution, OfLightRegionByRegion) {
   const std::string_view scene_name = GetParam();
   std::uint32_t samples = 4000;
   // Few samples of these bring any light that moves.
-  for (const char* name : {"Lenses", "BurningGlass", "BurningGlassInTheSun", "Gloss"}) {
+  for (const char* name :
+       {"Lenses", "BurningGlass", "BurningGlassInTheSun", "Gloss", "GlossInTheSun"}) {
     if (scene_name == name) samples = 20000;
   }
   if (scene_name == "Pool" || scene_name == "GlossOverWater") samples = 60000;
@@ -270,10 +288,10 @@ TEST_P(KeepsTheDistribution, OfLightRegionByRegion) {
 
 INSTANTIATE_TEST_SUITE_P(Scenes, KeepsTheDistribution,
                          ::testing::Values("Pool", "Lenses", "BurningGlass", "BurningGlassInTheSun",
-                                           "Gloss", "GlossOverWater", "GlassAndMetal", "ThinLens",
-                                           "Environment", "Distant", "PointAndSpot",
-                                           "ShadingNormals", "Orthographic", "EnvironmentCamera",
-                                           "Fog", "MilkBall", "ColoredSmoke"),
+                                           "Gloss", "GlossOverWater", "GlossInTheSun",
+                                           "GlassAndMetal", "ThinLens", "Environment", "Distant",
+                                           "PointAndSpot", "ShadingNormals", "Orthographic",
+                                           "EnvironmentCamera", "Fog", "MilkBall", "ColoredSmoke"),
                          [](const auto& test) { return std::string(test.param); });
 
 /// A square on the floor or the back wall of the small room, by its middle and

@@ -18,24 +18,32 @@ std::optional<Half> half_of(const InnerVertex& vertex, const Vec3d& a, const Vec
   const Vec3d sum = a + b * *eta;
   const double length = sum.length();
   if (!(length > 0.0)) return std::nullopt;
+  // No facet refracts to the side that it is seen from.
+  if ((a.dot(sum) * b.dot(sum) < 0.0) != vertex.event.transmission) return std::nullopt;
   const double side = std::copysign(length, sum.dot(Vec3d(vertex.hit.point.ns)));
   return Half{sum / side, length, *eta};
 }
 
-Vec3d shading_normal(const InnerVertex& vertex) { return Vec3d(vertex.hit.point.ns).normalized(); }
-
 }  // namespace
 
+Vec3d axis_beside(const Vec3d& n) {
+  return std::abs(n.x) < 0.7 ? Vec3d(1.0, 0.0, 0.0) : Vec3d(0.0, 1.0, 0.0);
+}
+
 TangentPlane plane_across(const Vec3d& n) {
-  const Vec3d helper = std::abs(n.x) < 0.7 ? Vec3d(1.0, 0.0, 0.0) : Vec3d(0.0, 1.0, 0.0);
-  const Vec3d x = (helper - n * n.dot(helper)).normalized();
+  const Vec3d axis = axis_beside(n);
+  const Vec3d x = (axis - n * n.dot(axis)).normalized();
   return {x, n.cross(x)};
+}
+
+Vec3d normal_before_bumps(const InnerVertex& vertex) {
+  return Vec3d(vertex.hit.point.ns).normalized();
 }
 
 std::optional<Vec3d> facet_normal(const InnerVertex& vertex, const OffsetNormal& offset) {
   const double squared = offset.x * offset.x + offset.y * offset.y;
   if (!(squared < 1.0)) return std::nullopt;
-  const Vec3d n = shading_normal(vertex);
+  const Vec3d n = normal_before_bumps(vertex);
   const TangentPlane plane = plane_across(n);
   return plane.x * offset.x + plane.y * offset.y + n * std::sqrt(1.0 - squared);
 }
@@ -51,7 +59,7 @@ std::optional<OffsetNormal> offset_normal(const InnerVertex& vertex, const Vec3d
                                           const Vec3d& b) {
   const auto half = half_of(vertex, a, b);
   if (!half) return std::nullopt;
-  const TangentPlane plane = plane_across(shading_normal(vertex));
+  const TangentPlane plane = plane_across(normal_before_bumps(vertex));
   return OffsetNormal{plane.x.dot(half->h), plane.y.dot(half->h)};
 }
 
@@ -79,7 +87,7 @@ double offset_change(const InnerVertex& vertex, const Vec3d& a, const Vec3d& b) 
   if (!half) return 0.0;
   // The half vector's length is ω_a·h + η_b ω_b·h.
   return half->eta * half->eta * std::abs(b.dot(half->h)) / (half->length * half->length) *
-         half->h.dot(shading_normal(vertex));
+         half->h.dot(normal_before_bumps(vertex));
 }
 
 }  // namespace ajar

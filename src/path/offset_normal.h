@@ -9,6 +9,8 @@ namespace ajar {
 struct TangentPlane {
   Vec3d x, y;
 };
+/// The axis of which the first tangent is what is left across `n`: x, or y where n is near x.
+Vec3d axis_beside(const Vec3d& n);
 /// Perpendicular to a unit vector, which alone decides them.
 TangentPlane plane_across(const Vec3d& n);
 
@@ -23,6 +25,9 @@ struct OffsetNormal {
   double y = 0.0;
 };
 
+/// The shading normal n, before bumps.
+Vec3d normal_before_bumps(const InnerVertex& vertex);
+
 /// As a unit vector of the world; empty if {x, y} is not within the unit circle.
 std::optional<Vec3d> facet_normal(const InnerVertex& vertex, const OffsetNormal& offset);
 
@@ -35,7 +40,8 @@ std::optional<double> relative_index(const InnerVertex& vertex, bool transmissio
 std::optional<OffsetNormal> offset_normal(const InnerVertex& vertex, const Vec3d& a,
                                           const Vec3d& b);
 
-/// Where such a facet turns `w`; empty if that is on the wrong side of the surface.
+/// Where such a facet turns `w`; empty if there is no such facet, if it reflects totally, or if the
+/// way is on the wrong side of the surface.
 std::optional<Vec3d> turn(const InnerVertex& vertex, bool transmission, const OffsetNormal& offset,
                           const Vec3d& w);
 

@@ -75,6 +75,8 @@ TEST(OffsetNormal, OfNoFacetThereIsNone) {
   EXPECT_FALSE(turn(vertex, true, {0.9, -0.2}, kBelow)) << "total reflection";
   EXPECT_FALSE(turn(vertex, false, {0.7, -0.1}, Vec3d(-0.9, 0.0, 0.1).normalized()))
       << "into the surface";
+  EXPECT_FALSE(offset_normal(vertex, kAbove, Vec3d(-0.9, 0.3, -0.1).normalized()))
+      << "refracted too far";
   InnerVertex matte = vertex;
   matte.bsdf = Bsdf(Frame::around(vertex.hit.point.ns), vertex.hit.point.ng);
   EXPECT_FALSE(relative_index(matte, true, kAbove)) << "nothing refracts";

@@ -76,14 +76,8 @@ Vec3d normal_change(const SurfaceDerivatives& surface, const Vec3d& along) {
 
 /// Whether a vertex is one that chains may have.
 bool can_hold(const InnerVertex& vertex, bool has_offset) {
-  if (vertex.in_medium) return false;
+  if (vertex.in_medium || vertex.hit.material->index_varies) return false;
   return vertex.event.specular() ? vertex.hit.material->relief.is_flat() : has_offset;
-}
-
-/// With the opposite shading normal.
-SurfaceDerivatives turned(SurfaceDerivatives surface) {
-  for (Vec3d* normal : {&surface.n, &surface.dndu, &surface.dndv}) *normal = -*normal;
-  return surface;
 }
 
 /// The normal that a vertex holds, and how it turns with the shading normal.
@@ -98,7 +92,7 @@ class HeldNormal {
   /// When the shading normal moves by `dn`.
   Vec3d change(const Vec3d& dn) const {
     // The tangents are functions of n: the first is what is left of a fixed axis.
-    const Vec3d axis = std::abs(n_.x) < 0.7 ? Vec3d(1.0, 0.0, 0.0) : Vec3d(0.0, 1.0, 0.0);
+    const Vec3d axis = axis_beside(n_);
     const double length = (axis - n_ * n_.dot(axis)).length();
     const Vec3d dx = part_across((dn * -n_.dot(axis) - n_ * dn.dot(axis)) / length, plane_.x);
     return combined(dx, dn.cross(plane_.x) + n_.cross(dx), dn);
@@ -132,10 +126,8 @@ bool SpecularChain::set(const ChainEnd& start, std::span<const InnerVertex> vert
   std::vector<SurfaceDerivatives> surfaces;
   for (std::size_t i = 0; i < count; ++i) {
     if (!can_hold(vertices[i], !offsets.empty())) return false;
-    auto surface = scene_.derivatives(vertices[i].hit);
+    const auto surface = scene_.derivatives(vertices[i].hit);
     if (!surface) return false;
-    // Offset normals are on the side of that of the hit.
-    if (surface->n.dot(Vec3d(vertices[i].hit.point.ns)) < 0.0) surface = turned(*surface);
     surfaces.push_back(*surface);
     const TangentPlane tangents = plane_across(surface->dpdu.cross(surface->dpdv).normalized());
     links_[i].x = tangents.x;
@@ -150,7 +142,10 @@ bool SpecularChain::set(const ChainEnd& start, std::span<const InnerVertex> vert
     if (!optics) return false;
     b.eta = optics->eta;
     const SurfaceDerivatives& surface = surfaces[i];
-    const HeldNormal held(surface.n, offsets.empty() ? OffsetNormal() : offsets[i]);
+    // Offset normals are around the normal of the hit, which is rounded.
+    const HeldNormal held = vertices[i].event.specular()
+                                ? HeldNormal(surface.n, OffsetNormal())
+                                : HeldNormal(normal_before_bumps(vertices[i]), offsets[i]);
     const Vec3d normal = held.unit();
     const TangentPlane plane = plane_across(optics->straight ? a.w : normal);
     const auto change = [&](const Ray3& ray, const Vec3d& move) {

@@ -30,8 +30,8 @@ class SpecularChain {
 
   /// `vertices` in the order from `start`, with the offset normals of those that are rough; none if
   /// all are specular. False if some vertex is not smooth (`Scene::derivatives`; specular ones with
-  /// a bump or a normal map), has no such event, or if the chain is singular: at the borders of
-  /// caustics.
+  /// a bump or a normal map), has a texture as its index of refraction, has no such event, or if
+  /// the chain is singular: at the borders of caustics.
   bool set(const ChainEnd& start, std::span<const InnerVertex> vertices, const ChainEnd& end,
            std::span<const OffsetNormal> offsets = {});
 

@@ -82,7 +82,7 @@ std::vector<Case> cases() {
            {{0.3, -0.2}}}};
 }
 
-std::unique_ptr<Scene> scene_of(const Case& c) {
+desc::SceneDesc description_of(const Case& c) {
   desc::SceneDesc scene;
   scene.shapes = c.shapes;
   desc::Material& glass = scene.materials.emplace_back();
@@ -94,8 +94,12 @@ std::unique_ptr<Scene> scene_of(const Case& c) {
   light.node = desc::light_node("point", {{"intensity", Vec3(1.F)}});
   scene.camera.node = desc::PerspectiveCamera{60.F, 0.F, 1e6F, {}, {}};
   scene.film.resolution = {4, 4};
+  return scene;
+}
+
+std::unique_ptr<Scene> scene_of(const Case& c) {
   Warnings warnings;
-  return std::make_unique<Scene>(std::move(scene), BuildOptions{}, warnings);
+  return std::make_unique<Scene>(description_of(c), BuildOptions{}, warnings);
 }
 
 /// What a ray does: its vertices, and the ray that leaves the last of them.
@@ -187,6 +191,22 @@ TEST(SpecularChain, SpreadAndMovesAreThoseOfRaysBeside) {
     const double area = ends[0].cross(ends[1]).length();
     EXPECT_NEAR(chain.spread() * area / (4.0 * kTurn * kTurn), 1.0, 1e-2);
   }
+}
+
+/// Its derivatives would have to know how the index goes on.
+TEST(SpecularChain, IsNoneWhereTheIndexOfRefractionIsATexture) {
+  const Case c = cases().front();
+  desc::SceneDesc description = description_of(c);
+  desc::Texture& squares = description.textures.emplace_back();
+  squares.node =
+      desc::texture_node("checkerboard", {{"first", Vec3(1.5F)}, {"second", Vec3(1.3F)}});
+  description.materials[0].node = desc::material_node("dielectric", {{"eta", desc::TextureRef{0}}});
+  Warnings warnings;
+  const Scene scene(std::move(description), BuildOptions{}, warnings);
+  const auto traced = trace(scene, c, Vec3d(c.direction));
+  ASSERT_TRUE(traced);
+  SpecularChain chain(scene);
+  EXPECT_FALSE(chain.set({Vec3d(c.start)}, traced->vertices, {traced->last + traced->w * 2.0}));
 }
 
 /// Étendue is kept: of chains without shading normals η_a² dω_a / dA_b is η_b² dω_b / dA_a.

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "mcmc/path_space/heuristics.h"
-#include "mcmc/path_space/path_form.h"
 #include "mcmc/primary/bootstrap_source.h"
 #include "path/measure.h"
 

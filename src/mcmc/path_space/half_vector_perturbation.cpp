@@ -1,7 +1,8 @@
 #include "mcmc/path_space/half_vector_perturbation.h"
 
+#include <cstdint>
+
 #include "core/frame.h"
-#include "mcmc/path_space/path_form.h"
 
 namespace ajar {
 

@@ -61,8 +61,9 @@ constexpr std::array kMutations = {
         "1", &make<ManifoldPerturbation>},
     PathMutationInfo{
         "half-vector",
-        "does the same with glossy vertices in the chain, whose half vectors move a little", "0.25",
-        &make<HalfVectorPerturbation>},
+        "moves the place on the film and the half vectors of glossy vertices a little, and lets "
+        "the chain follow",
+        "0.25", &make<HalfVectorPerturbation>},
 };
 
 }  // namespace

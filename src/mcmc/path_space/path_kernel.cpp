@@ -40,7 +40,7 @@ PathKernel::PathKernel(const Scene& scene, const RasterArea& area,
 double PathKernel::suitable_weight(const Path& path) const {
   double weight = 0.0;
   for (const MixedMutation& mixed : mutations_) {
-    if (mixed.mutation->suitable(path)) weight += mixed.weight;
+    if (mixed.weight > 0.0 && mixed.mutation->suitable(path)) weight += mixed.weight;
   }
   return weight;
 }

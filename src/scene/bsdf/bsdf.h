@@ -114,8 +114,8 @@ class Bsdf {
   /// False if all lobes are specular (or there are none): connecting to this point is pointless.
   bool connectible() const { return connectible_; }
   bool empty() const { return count_ == 0; }
-  /// Index of refraction behind the surface over that in front, as the first of the rough lobes
-  /// that refract has it; 1 if none does.
+  /// Index of refraction behind the surface over that in front, as the first rough dielectric among
+  /// the lobes has it; 1 if there is none.
   float rough_eta() const;
   /// Approximate directional albedo for direction `wo`: what the albedo AOV shows.
   Spectrum albedo(const Vec3& wo) const;

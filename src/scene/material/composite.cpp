@@ -15,6 +15,7 @@ class Composite final : public Material {
         roughness_(in),
         eta_(in.slot("eta")),
         opacity_(in.slot("opacity")) {
+    index_varies = !eta_.is_constant();
     needs_tangent = !roughness_.isotropic();
   }
   void add_lobes(const SurfacePoint& at, const Spectrum& scale, Bsdf& bsdf) const override {

@@ -17,6 +17,7 @@ class Dielectric final : public Material {
         roughness_(in),
         rough_(!roughness_.is_smooth()),
         thin_(in.node().flag("thin")) {
+    index_varies = !eta_.is_constant();
     needs_tangent = rough_ && !thin_ && !roughness_.isotropic();
     if (thin_ && rough_) {
       in.warn(kSmoothThinGlass, "thin glass is always smooth: its roughness is ignored");

@@ -39,6 +39,8 @@ class Material {
   Relief relief;
   /// True if the x axis of the shading frame must follow dp/du (anisotropic roughness).
   bool needs_tangent = false;
+  /// True if its index of refraction is not the same everywhere.
+  bool index_varies = false;
 };
 
 using MaterialList = std::vector<std::unique_ptr<const Material>>;

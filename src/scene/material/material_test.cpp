@@ -403,6 +403,22 @@ TEST(NormalMap, KeepsTheNormalOnItsSideAndWhereItIsNoDirection) {
   EXPECT_EQ(ns_of(code_of({nan, 0.F, 1.F}), flat_point()), up);
 }
 
+TEST(Material, KnowsWhetherItsIndexVaries) {
+  Fixture f;
+  const auto glass = f.add("dielectric", {{"eta", f.constant(1.4F)}});
+  const auto layered = f.add("dielectric", {{"eta", f.ramp(2.F)}});
+  const auto uber = f.add("composite", {{"eta", f.ramp(2.F)}});
+  f.add(mix_of(glass, layered));
+  f.materials = build_materials(f.scene, f.textures, f.warnings);
+  const auto varies = [&](desc::MaterialId id) {
+    return f.materials[static_cast<std::size_t>(id)]->index_varies;
+  };
+  EXPECT_FALSE(varies(glass));
+  EXPECT_TRUE(varies(layered));
+  EXPECT_TRUE(varies(uber));
+  EXPECT_TRUE(f.materials.back()->index_varies) << "of one of two";
+}
+
 TEST(NormalMap, TiltsWhatAMaterialReflects) {
   Fixture f;
   // The map in a texture: a constant one tilts, too, as a constant bump does not.

@@ -18,6 +18,7 @@ class Mix final : public Material {
         max_lobes_(std::max(1, a.max_lobes()) + std::max(1, b.max_lobes())) {
     relief = a.relief;
     needs_tangent = a.needs_tangent || b.needs_tangent;
+    index_varies = a.index_varies || b.index_varies;
   }
   void add_lobes(const SurfacePoint& at, const Spectrum& scale, Bsdf& bsdf) const override {
     const Spectrum amount = reflectance(amount_, at);
@@ -42,6 +43,7 @@ class FirstOfMix final : public Material {
   explicit FirstOfMix(const Material& first) : first_(first) {
     relief = first.relief;
     needs_tangent = first.needs_tangent;
+    index_varies = first.index_varies;
   }
   void add_lobes(const SurfacePoint& at, const Spectrum& scale, Bsdf& bsdf) const override {
     first_.add_lobes(at, scale, bsdf);
