@@ -128,7 +128,7 @@ desc::DensityGridPointer CloudGrids::get(const Cloud& cloud, const SourceLocatio
   const auto [entry, is_new] = made_.try_emplace(key_of(cloud));
   Entry& made = entry->second;
   if (is_new) {
-    const std::uint64_t most_points = points_left_ / 4;
+    const std::uint64_t most_points = points_left_ / 2;
     const std::uint64_t points = product(lattice_of(cloud, most_points));
     if (const std::string shortage = memory_shortage(sizeof(float) * points); !shortage.empty()) {
       throw SceneError(where, "the grid of this cloud " + shortage);

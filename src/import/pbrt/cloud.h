@@ -29,13 +29,13 @@ bool is_finer_than_grids(const Cloud& cloud, std::uint64_t most_points);
 /// The density at the points of that lattice. Its unit cube is the box.
 desc::DensityGrid tabulate(const Cloud& cloud, std::uint64_t most_points);
 
-/// The grids of all clouds of a file. Those that are the same share one. A new one has at most a
-/// quarter of the points that are left, so that no number of clouds makes more points than there
+/// The grids of all clouds of a file. Those that are the same share one. A new one has at most half
+/// of the points that are left, so that no number of clouds makes more points than there
 /// are at first, but for the 8 that the least one has.
 class CloudGrids {
  public:
   /// Of a file: the first cloud alone has up to 256³.
-  static constexpr std::uint64_t kMostPoints = std::uint64_t{1} << 26U;
+  static constexpr std::uint64_t kMostPoints = std::uint64_t{1} << 25U;
 
   explicit CloudGrids(std::uint64_t most_points = kMostPoints) : points_left_(most_points) {}
 

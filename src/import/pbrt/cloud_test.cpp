@@ -66,8 +66,8 @@ Cloud fine_cloud(float density) {
 
 TEST(PbrtCloud, AloneInItsFileIsAsFineAsGridsMayBe) {
   const Cloud cloud = fine_cloud(1.F);
-  EXPECT_EQ(lattice_of(cloud, CloudGrids::kMostPoints / 4), desc::Vec3i(256));
-  EXPECT_EQ(lattice_of(cloud, CloudGrids::kMostPoints / 4 - 1), desc::Vec3i(255));
+  EXPECT_EQ(lattice_of(cloud, CloudGrids::kMostPoints / 2), desc::Vec3i(256));
+  EXPECT_EQ(lattice_of(cloud, CloudGrids::kMostPoints / 2 - 1), desc::Vec3i(255));
   EXPECT_EQ(lattice_of(cloud, 0), desc::Vec3i(2));
 }
 
@@ -77,7 +77,7 @@ TEST(PbrtCloud, OfWhichThereAreManyAreCoarserOneByOne) {
   CloudGrids grids(kBudget);
   Warnings warnings;
   std::uint64_t sum = 0;
-  std::size_t before = kBudget / 4;
+  std::size_t before = kBudget / 2;
   for (std::uint64_t i = 0; i < kClouds; ++i) {
     const auto grid = grids.get(fine_cloud(static_cast<float>(i)), {}, "cloud", warnings);
     sum += grid->values.size();
