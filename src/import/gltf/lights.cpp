@@ -23,7 +23,8 @@ desc::Node spot_node(const Element& light, const Vec3& intensity) {
   }
   return desc::light_node("spot", {{"intensity", intensity},
                                    {"cone_angle", degrees(outer)},
-                                   {"falloff_start", degrees(inner)}});
+                                   {"falloff_start", degrees(inner)},
+                                   {"falloff", std::string("quadratic")}});
 }
 
 desc::Node node_of(const Element& light) {

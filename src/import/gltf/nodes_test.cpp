@@ -237,6 +237,7 @@ TEST(GltfLights, SpotsShineAlongMinusZ) {
   const desc::Node& spot = scene.lights[0].node;
   EXPECT_NEAR(spot.number("cone_angle"), 0.6F * 180.F / kPi, 1e-4F);
   EXPECT_NEAR(spot.number("falloff_start"), 0.1F * 180.F / kPi, 1e-4F);
+  EXPECT_EQ(spot.text("falloff"), "quadratic");
   expect_near(transform_vector(scene.lights[0].to_world, {0, 0, 1}), {0, 0, -1});
   EXPECT_TRUE(
       contains(error_of(with_light({{"type", "spot"}, {"spot", {{"innerConeAngle", 2}}}}).text()),

@@ -224,6 +224,9 @@ TEST(MitsubaLanguage, AttributesAndPropertiesThatMeanNothingAreWarnings) {
       "pictures of luminance are not supported");
   expect_warning("<sensor type=\"perspective\"><float name=\"near_clip\" value=\"1\"/></sensor>",
                  "what is nearer or farther is seen, too");
+  EXPECT_FALSE(contains(warnings_of("<sensor type=\"perspective\"><float name=\"near_clip\" "
+                                    "value=\"1\"/><float name=\"far_clip\" value=\"2\"/></sensor>"),
+                        "has no property"));
   expect_warning(
       "<emitter type=\"envmap\"><string name=\"filename\" value=\"a.png\"/><float "
       "name=\"gamma\" value=\"2.2\"/></emitter>",

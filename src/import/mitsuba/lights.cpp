@@ -92,11 +92,13 @@ std::optional<desc::Light> spot(const Source& in) {
   if (beam < cutoff) {
     in.context.warnings.add(kSpotEdge, in.arguments.where(),
                             "between \"beam_width\" and \"cutoff_angle\" this light fades by the "
-                            "cosine, not by the angle");
+                            "square of the cosine, not by the angle");
   }
   return in.light(in.node("spot", {{"intensity", in.color("intensity", 1.F)},
                                    {"cone_angle", cutoff},
-                                   {"falloff_start", beam}}),
+                                   {"falloff_start", beam},
+                                   // The nearest to what is linear in the angle.
+                                   {"falloff", std::string("quadratic")}}),
                   in.to_world());
 }
 

@@ -31,6 +31,23 @@ TEST(MitsubaMaterials, ConductorsKnowMetalsByName) {
   expect_near(unknown.node().color("eta"), conductor_named("Cu")->eta);
 }
 
+TEST(MitsubaMaterials, ConductorsWithoutAMetalAreIdealMirrorsAndCopperBeforeVersion2) {
+  EXPECT_TRUE(MaterialOf("<bsdf type=\"conductor\"/>").node().is("mirror"));
+  const MaterialOf rough("<bsdf type=\"roughconductor\"/>");
+  EXPECT_EQ(rough.node().color("eta"), Vec3(0.F));
+  EXPECT_NEAR(rough.node().color("k").x, 1.F, 1e-3F);
+  const MaterialOf half("<bsdf type=\"conductor\"><rgb name=\"eta\" value=\"2\"/></bsdf>");
+  EXPECT_NEAR(half.node().color("eta").x, 2.F, 1e-3F);
+  EXPECT_NEAR(half.node().color("k").x, 1.F, 1e-3F);
+  Warnings warnings;
+  std::string text = world(sphere_of("<bsdf type=\"conductor\"/>"));
+  text.replace(text.find("3.0.0"), 5, "0.6.0");
+  const desc::SceneDesc old = import_with(text, warnings, {});
+  expect_near(old.materials[static_cast<std::size_t>(old.shapes.front().material)].node.color("k") *
+                  1.000277F,
+              conductor_named("Cu")->k);
+}
+
 TEST(MitsubaMaterials, ConductorsAreRelativeToTheOutside) {
   const MaterialOf in_water(
       "<bsdf type=\"roughconductor\"><rgb name=\"eta\" value=\"2\"/><rgb name=\"k\" "

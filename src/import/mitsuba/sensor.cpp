@@ -61,11 +61,12 @@ desc::PerspectiveCamera perspective(Arguments& arguments, double aspect) {
   const float x = arguments.number("principal_point_offset_x", 0.F);
   const float y = arguments.number("principal_point_offset_y", 0.F);
   if (x != 0.F || y != 0.F) {
-    // Shares of the film by which the axis moves, to the right and down.
+    // Shares of the film by which what is seen moves, to the left and up. Source: Mitsuba 3,
+    // perspective.cpp, which adds them to the place on the film.
     const auto wide = static_cast<float>(std::max(aspect, 1.0));
     const auto high = static_cast<float>(std::max(1.0 / aspect, 1.0));
-    camera.window = desc::ScreenWindow{-wide * (1.F + 2.F * x), wide * (1.F - 2.F * x),
-                                       -high * (1.F - 2.F * y), high * (1.F + 2.F * y)};
+    camera.window = desc::ScreenWindow{-wide * (1.F - 2.F * x), wide * (1.F + 2.F * x),
+                                       -high * (1.F + 2.F * y), high * (1.F - 2.F * y)};
   }
   return camera;
 }
@@ -141,7 +142,9 @@ void read_sensor(Context& context, MediumTable& media, const Element& element) {
   // What Mitsuba takes if nothing is said cuts nothing off that is usual.
   constexpr float kNear = 1e-2F;
   constexpr float kFar = 1e4F;
-  if (arguments.number("near_clip", kNear) > kNear || arguments.number("far_clip", kFar) < kFar) {
+  const float near_clip = arguments.number("near_clip", kNear);
+  const float far_clip = arguments.number("far_clip", kFar);
+  if (near_clip > kNear || far_clip < kFar) {
     context.warnings.add(
         kClipped, element.where,
         "\"" +

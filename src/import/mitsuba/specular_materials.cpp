@@ -18,8 +18,22 @@ desc::Node dielectric(const MaterialInputs& in, bool thin) {
   return node;
 }
 
-ComplexIndex index_by_name(const MaterialInputs& in) {
-  const std::string name = in.arguments.text("material", "Cu");
+/// What a scene says of the index of a metal, relative to vacuum.
+struct GivenIndex {
+  std::string material;
+  std::optional<desc::Value> eta, k;
+
+  /// An extinction that is beyond all others: everything is reflected at any angle.
+  bool is_of_ideal_mirror() const { return material == "none" && !eta && !k; }
+};
+GivenIndex given_index(const MaterialInputs& in) {
+  const char* const usual = in.context().document.major_version == 0 ? "Cu" : "none";
+  return {in.arguments.text("material", usual), in.textures.find_color(in.arguments, "eta"),
+          in.textures.find_color(in.arguments, "k")};
+}
+
+ComplexIndex index_by_name(const MaterialInputs& in, const std::string& name) {
+  if (name == "none") return {Vec3(0.F), Vec3(1.F)};
   if (const std::optional<ComplexIndex> index = conductor_named(name)) return *index;
   in.context().warnings.add(
       kUnknownConductor, in.where(),
@@ -29,18 +43,15 @@ ComplexIndex index_by_name(const MaterialInputs& in) {
 }
 
 /// Sets "eta" and "k", both relative to the outside.
-void set_index(const MaterialInputs& in, desc::Node& node) {
+void set_index(const MaterialInputs& in, GivenIndex given, desc::Node& node) {
   const float outside = index_of_refraction(in.arguments, "ext_eta", "air");
-  std::optional<desc::Value> eta = in.textures.find_color(in.arguments, "eta");
-  std::optional<desc::Value> k = in.textures.find_color(in.arguments, "k");
-  if (!eta || !k) {
-    const ComplexIndex named = index_by_name(in);
-    if (!eta) eta = named.eta;
-    if (!k) k = named.k;
+  if (!given.eta || !given.k) {
+    const ComplexIndex named = index_by_name(in, given.material);
+    if (!given.eta) given.eta = named.eta;
+    if (!given.k) given.k = named.k;
   }
-  in.arguments.accept({"material"});
-  node.set("eta", in.textures.scaled(in.where(), *eta, desc::Rgb(1.F / outside)));
-  node.set("k", in.textures.scaled(in.where(), *k, desc::Rgb(1.F / outside)));
+  node.set("eta", in.textures.scaled(in.where(), *given.eta, desc::Rgb(1.F / outside)));
+  node.set("k", in.textures.scaled(in.where(), *given.k, desc::Rgb(1.F / outside)));
 }
 
 /// A metal that reflects only a share of what it should: a mix with black.
@@ -54,10 +65,6 @@ Surface tinted(const MaterialInputs& in, desc::Node metal) {
                                                        {"first", desc::MaterialRef{id}},
                                                        {"second", desc::MaterialRef{black}}})),
           desc::kNone, true};
-}
-
-bool is_ideal_mirror(const MaterialInputs& in) {
-  return in.arguments.text("material", "") == "none";
 }
 
 Surface mirror(const MaterialInputs& in) {
@@ -85,10 +92,11 @@ Surface make_rough_dielectric(const MaterialInputs& in) {
 }
 
 Surface make_conductor(const MaterialInputs& in) {
-  if (is_ideal_mirror(in)) return mirror(in);
+  GivenIndex index = given_index(in);
+  if (index.is_of_ideal_mirror()) return mirror(in);
   desc::Node node = desc::material_node(
       "conductor", {{"roughness", 0.F}, {"distribution", std::string("smooth")}});
-  set_index(in, node);
+  set_index(in, std::move(index), node);
   return tinted(in, std::move(node));
 }
 
@@ -97,13 +105,7 @@ Surface make_rough_conductor(const MaterialInputs& in) {
   const Roughness roughness = read_roughness(in);
   roughness.set(node);
   node.set("distribution", roughness.distribution);
-  if (is_ideal_mirror(in)) {
-    // An extinction that is beyond all others reflects everything at any angle.
-    node.set("eta", Vec3(0.F));
-    node.set("k", Vec3(1.F));
-  } else {
-    set_index(in, node);
-  }
+  set_index(in, given_index(in), node);
   return tinted(in, std::move(node));
 }
 

@@ -68,6 +68,19 @@ TEST(MitsubaView, FocalLengthsAreOfAFilmOf35Millimetres) {
   EXPECT_NEAR(fov_of(""), degrees(half_diagonal / 50.F / std::sqrt(5.F)), 1e-3F);
 }
 
+/// An offset is added to the place on the film, as fractions of it from the upper left corner.
+TEST(MitsubaView, PrincipalPointsMoveWhatIsSeenToTheLeftAndUp) {
+  const desc::SceneDesc scene =
+      seen_by("<sensor type=\"perspective\">" + kWide +
+              "<float name=\"principal_point_offset_x\" value=\"0.25\"/>"
+              "<float name=\"principal_point_offset_y\" value=\"0.125\"/></sensor>");
+  const auto& window = std::get<desc::PerspectiveCamera>(scene.camera.node).window;
+  ASSERT_TRUE(window);
+  // The axis is a quarter of the film from its left edge, and 3/8 of it from the upper one.
+  EXPECT_FLOAT_EQ(-window->x_min / (window->x_max - window->x_min), 0.25F);
+  EXPECT_FLOAT_EQ(window->y_max / (window->y_max - window->y_min), 0.375F);
+}
+
 TEST(MitsubaView, LensesAndOrthographicWindows) {
   const desc::SceneDesc lens = seen_by(
       "<sensor type=\"thinlens\"><float name=\"fov\" value=\"40\"/><float name=\"aperture_radius\" "

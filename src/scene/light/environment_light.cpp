@@ -7,11 +7,9 @@ namespace {
 
 std::unique_ptr<Light> make_environment(const LightInputs& in) {
   const Spectrum radiance = in.color("radiance");
-  const SphereProjection& projection = sphere_projection(in.node().text("projection"));
-  if (std::optional<Map> image = in.map("image", projection.edge, projection.filter)) {
-    SphereMap map(std::move(*image), projection);
-    const float scale = in.scale_to("irradiance", luminance(map.irradiance()));
-    return make_environment_map(radiance * scale, std::move(map), in.at(), in.bounds());
+  if (std::optional<SphereMap> map = in.sphere_map()) {
+    const float scale = in.scale_to("irradiance", luminance(map->irradiance()));
+    return make_environment_map(radiance * scale, std::move(*map), in.at(), in.bounds());
   }
   return make_constant_environment(radiance * in.scale_to("irradiance", kPi), in.bounds());
 }

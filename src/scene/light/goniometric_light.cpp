@@ -74,13 +74,10 @@ class GoniometricLight final : public Light {
 
 std::unique_ptr<Light> make_goniometric(const LightInputs& in) {
   const Spectrum intensity = in.color("intensity");
-  const SphereProjection& projection = sphere_projection(in.node().text("projection"));
-  std::optional<Map> image = in.map("image", projection.edge, projection.filter);
-  if (!image)
-    return make_point_light(intensity * in.scale_to("power", 4.F * kPi), in.at(), in.aim());
-  SphereMap map(std::move(*image), projection);
-  const float scale = in.scale_to("power", luminance(map.integral()));
-  return std::make_unique<GoniometricLight>(intensity * scale, std::move(map), in.at());
+  std::optional<SphereMap> map = in.sphere_map();
+  if (!map) return make_point_light(intensity * in.scale_to("power", 4.F * kPi), in.at(), in.aim());
+  const float scale = in.scale_to("power", luminance(map->integral()));
+  return std::make_unique<GoniometricLight>(intensity * scale, std::move(*map), in.at());
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "scene/light/inputs.h"
 
 #include <cmath>
+#include <string>
 #include <utility>
 
 namespace ajar {
@@ -12,6 +13,10 @@ constexpr WarningKind kNotTurned{Effect::Light,
 
 constexpr WarningKind kNothingToScale{
     Effect::Light, "lights have black images, which cannot be scaled to a given strength"};
+
+constexpr WarningKind kNotSquare{
+    Effect::Light,
+    "lights have equal-area images that are not square: they count as images of latitudes"};
 
 }  // namespace
 
@@ -34,6 +39,20 @@ std::optional<Map> LightInputs::map(std::string_view name, MapEdge edge, MapFilt
   const std::string& path = node().text(name);
   if (path.empty()) return std::nullopt;
   return load_map(path, edge, description_.where, warnings_, filter, surroundings_.embedded);
+}
+
+std::optional<SphereMap> LightInputs::sphere_map() const {
+  const SphereProjection& wanted = sphere_projection(node().text("projection"));
+  std::optional<Map> image = map("image", wanted.edge, wanted.filter);
+  if (!image) return std::nullopt;
+  const SphereProjection& latitudes = sphere_projection("longitude_latitude");
+  const bool is_square = image->width() == image->height();
+  if (is_square || wanted.to_uv == latitudes.to_uv) return SphereMap(std::move(*image), wanted);
+  warnings_.add(kNotSquare, description_.where,
+                "the image of this light is " + std::to_string(image->width()) + " × " +
+                    std::to_string(image->height()) +
+                    ", though equal-area images are square: it counts as one of latitudes");
+  return SphereMap(*map("image", latitudes.edge, latitudes.filter), latitudes);
 }
 
 float LightInputs::scale_to(std::string_view name, float actual) const {

@@ -6,6 +6,7 @@
 #include "scene/light/make_light.h"
 #include "scene/light/map.h"
 #include "scene/light/registry.h"
+#include "scene/light/sphere_map.h"
 
 namespace ajar {
 
@@ -30,6 +31,9 @@ class LightInputs {
   /// The map of a file, as `load_map` reads it; nothing if the light has none.
   std::optional<Map> map(std::string_view name, MapEdge edge,
                          MapFilter filter = MapFilter::Bilinear) const;
+  /// The map "image" of all directions, spread as "projection" says; nothing if the light has none.
+  /// An equal-area map that is not square counts as one of latitudes, with a warning.
+  std::optional<SphereMap> sphere_map() const;
   /// What a light of the luminance `actual` is multiplied with to have that which the parameter
   /// `name` says; 1 if it says none.
   float scale_to(std::string_view name, float actual) const;

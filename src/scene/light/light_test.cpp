@@ -186,14 +186,16 @@ TEST(SpotLight, FadesWithTheFourthPowerOfTheCosineDifference) {
   EXPECT_EQ(at(179), 0.F);
 }
 
-TEST(SpotLight, MayFadeByASmoothStep) {
+/// A cone of 40 degrees that fades from 15 on, by a curve with this value at δ and this integral.
+void check_fading(const std::string& name, double (*at)(double), double integral) {
   desc::Node spot = spot_node({2, 2, 2}, 40, 15);
-  spot.set("falloff", std::string("smoothstep"));
+  spot.set("falloff", name);
   const auto light = light_of(spot, Mat4());
   check_emission(*light);
   check_departures(*light, cone_chart({0, 0, 1}, 1.0 - std::cos(M_PI * 45 / 180)), 24, 8);
   const auto cosine = [](double degrees) { return std::cos(degrees * M_PI / 180); };
-  const double power = 2.0 * M_PI * 2.0 * ((1.0 - cosine(15)) + 0.5 * (cosine(15) - cosine(40)));
+  const double power =
+      2.0 * M_PI * 2.0 * ((1.0 - cosine(15)) + integral * (cosine(15) - cosine(40)));
   expect_mean(emitted_power(*light), power, 0.02, 1e-3);
   EXPECT_NEAR(light->power().average(), power, 1e-4 * power);
   const double delta = (cosine(30) - cosine(40)) / (cosine(15) - cosine(40));
@@ -201,7 +203,17 @@ TEST(SpotLight, MayFadeByASmoothStep) {
   const Spectrum emitted =
       light->emitted(EndpointPoint::at(Vec3(0.F)),
                      {static_cast<float>(std::sin(a)), 0.F, static_cast<float>(std::cos(a))});
-  EXPECT_NEAR(emitted[0], 2.0 * delta * delta * (3.0 - 2.0 * delta), 1e-5);
+  EXPECT_NEAR(emitted[0], 2.0 * at(delta), 1e-5);
+}
+
+TEST(SpotLight, MayFadeByASmoothStep) {
+  check_fading(
+      "smoothstep", [](double delta) { return delta * delta * (3.0 - 2.0 * delta); }, 0.5);
+}
+
+TEST(SpotLight, MayFadeByASquare) {
+  check_fading(
+      "quadratic", [](double delta) { return delta * delta; }, 1.0 / 3.0);
 }
 
 TEST(SpotLight, ExtremeConesStayFinite) {

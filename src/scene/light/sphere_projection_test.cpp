@@ -80,6 +80,19 @@ TEST(SquareEnvironment, BrightTexelShinesFromItsDirection) {
   EXPECT_EQ(light->emitted(light->at_direction(mirrored), -mirrored)[0], 0.F);
 }
 
+TEST(SquareEnvironment, IsOneOfLatitudesWhereItIsNotSquare) {
+  std::vector<float> rgb(std::size_t{3} * 16 * 8, 0.F);
+  for (std::size_t c = 0; c < 3; ++c) rgb[3 * (16 * 2 + 5) + c] = 100.F;
+  const ImageFile file(16, 8, rgb);
+  Warnings warnings;
+  desc::Light description;
+  description.node = square_sky(file.path());
+  const auto light = make_light(description, kBounds, warnings);
+  EXPECT_EQ(warnings.count(), 1U);
+  const Vec3 toward = lat_long::to_direction({5.5F / 16.F, 2.5F / 8.F});
+  EXPECT_NEAR(light->emitted(light->at_direction(toward), -toward)[0], 100.F, 1e-2F);
+}
+
 TEST(SquareEnvironment, IsSampledByItsTexels) {
   const ImageFile file(8, 8, square_with_bright(6, 6));
   const auto light = light_of(square_sky(file.path()), Mat4());

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "core/warp.h"
 #include "scene/light/models.h"
@@ -20,25 +21,29 @@ float one_minus_cos(const Vec3& unit) {
 }
 
 /// How a spot fades with δ: 0 at the edge of the cone, 1 where fading starts, linear in the cosine.
-/// Sources: pbrt-v3, section 12.3.1 (δ⁴); pbrt-v4, section 12.2.1 (3δ² − 2δ³).
+/// Sources: pbrt-v3, section 12.3.1 (δ⁴); pbrt-v4, section 12.2.1 (3δ² − 2δ³); glTF's
+/// KHR_lights_punctual (δ²).
 class Falloff {
  public:
-  explicit Falloff(bool smoothstep) : smoothstep_(smoothstep) {}
+  explicit Falloff(const std::string& name)
+      : smoothstep_(name == "smoothstep"), exponent_(name == "quadratic" ? 2 : 4) {}
 
   float at(float delta) const {
     const float squared = delta * delta;
-    return smoothstep_ ? squared * (3.F - 2.F * delta) : squared * squared;
+    if (smoothstep_) return squared * (3.F - 2.F * delta);
+    return exponent_ == 2 ? squared : squared * squared;
   }
   /// ∫ at(δ) dδ from 0 to 1.
-  float integral() const { return smoothstep_ ? 0.5F : 0.2F; }
+  float integral() const { return smoothstep_ ? 0.5F : 1.F / static_cast<float>(exponent_ + 1); }
   /// ∫ at(δ) dδ from 0 to `delta`, over `integral`.
   float share(float delta) const {
     const float cubed = delta * delta * delta;
-    return smoothstep_ ? cubed * (2.F - delta) : cubed * delta * delta;
+    if (smoothstep_) return cubed * (2.F - delta);
+    return exponent_ == 2 ? cubed : cubed * delta * delta;
   }
   /// The δ that has this share.
   float delta_of(float share) const {
-    if (!smoothstep_) return std::pow(share, 0.2F);
+    if (!smoothstep_) return exponent_ == 2 ? std::cbrt(share) : std::pow(share, 0.2F);
     // Newton's steps from above: the share is convex, so they never fall below the root.
     double delta = 1.0;
     for (int i = 0; i < 60; ++i) {
@@ -53,6 +58,7 @@ class Falloff {
 
  private:
   bool smoothstep_;
+  int exponent_;  ///< 2 or 4, unless it is a smooth step
 };
 
 /// A cone of light around +z that fades between `falloff_start` and `cone_angle`. Emission is
@@ -64,7 +70,7 @@ class SpotLight final : public Light {
         at_(in.at()),
         edge_(one_minus_cos(in.node().number("cone_angle"))),
         inner_(std::min(one_minus_cos(in.node().number("falloff_start")), edge_)),
-        fading_(in.node().text("falloff") == "smoothstep"),
+        fading_(in.node().text("falloff")),
         solid_angle_(2.F * kPi * (inner_ + (edge_ - inner_) * fading_.integral())) {}
 
   bool at_infinity() const override { return false; }
@@ -187,7 +193,7 @@ LightModel spot_light() {
                                           "degrees"),
                           declare::number("falloff_start", "25", "from the axis to where it fades",
                                           "degrees"),
-                          choice_parameter("falloff", {"quartic", "smoothstep"},
+                          choice_parameter("falloff", {"quartic", "smoothstep", "quadratic"},
                                            "how it fades with the cosine")}},
           [](const LightInputs& in) -> std::unique_ptr<Light> {
             return std::make_unique<SpotLight>(in);
