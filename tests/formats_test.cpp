@@ -7,6 +7,7 @@
 #include "import/import.h"
 #include "import/pbrt/pbrt_writer.h"
 #include "import/shared_scenes_test_support.h"
+#include "import/testing/temporary_folder.h"
 #include "support/render.h"
 #include "support/room_formats.h"
 #include "support/same_picture.h"
@@ -20,13 +21,7 @@ using test::RoomSurface;
 /// A folder that is gone after the test.
 class Formats : public testing::Test {
  protected:
-  void SetUp() override {
-    std::string pattern = (fs::temp_directory_path() / "ajar_formats_XXXXXX").string();
-    folder_ = mkdtemp(pattern.data());
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
-  fs::path folder_;
+  TemporaryFolder folder_;
 };
 
 /// At 96×72 pixels through a box, which formats have by default, or not.
@@ -64,29 +59,31 @@ void expect_same_room(const test::Render& truth, const std::vector<std::string>&
 }
 
 TEST_F(Formats, HaveTheSameDiffuseRoom) {
-  const test::Render truth = render(test::write_pbrt3_room(folder_, RoomSurface::Diffuse), 1, 64);
-  expect_same_room(truth, {test::write_pbrt4_room(folder_),
-                           test::write_mitsuba_room(folder_, "0.6.0", RoomSurface::Diffuse),
-                           test::write_mitsuba_room(folder_, "3.0.0", RoomSurface::Diffuse),
-                           test::write_tungsten_room(folder_)});
+  const test::Render truth =
+      render(test::write_pbrt3_room(folder_.path(), RoomSurface::Diffuse), 1, 64);
+  expect_same_room(truth, {test::write_pbrt4_room(folder_.path()),
+                           test::write_mitsuba_room(folder_.path(), "0.6.0", RoomSurface::Diffuse),
+                           test::write_mitsuba_room(folder_.path(), "3.0.0", RoomSurface::Diffuse),
+                           test::write_tungsten_room(folder_.path())});
 }
 
 TEST_F(Formats, HaveTheSamePrincipledRoom) {
   const test::Render truth =
-      render(test::write_pbrt3_room(folder_, RoomSurface::Principled), 1, 64);
-  expect_same_room(truth, {test::write_mitsuba_room(folder_, "3.0.0", RoomSurface::Principled),
-                           test::write_gltf_room(folder_)});
+      render(test::write_pbrt3_room(folder_.path(), RoomSurface::Principled), 1, 64);
+  expect_same_room(truth,
+                   {test::write_mitsuba_room(folder_.path(), "3.0.0", RoomSurface::Principled),
+                    test::write_gltf_room(folder_.path())});
 }
 
 TEST_F(Formats, AreConvertedToTheSameScene) {
   for (const std::string& path :
-       {test::write_pbrt4_room(folder_), test::write_tungsten_room(folder_),
-        test::write_mitsuba_room(folder_, "3.0.0", RoomSurface::Principled),
-        test::write_gltf_room(folder_)}) {
+       {test::write_pbrt4_room(folder_.path()), test::write_tungsten_room(folder_.path()),
+        test::write_mitsuba_room(folder_.path(), "3.0.0", RoomSurface::Principled),
+        test::write_gltf_room(folder_.path())}) {
     Warnings warnings;
     const desc::SceneDesc scene = import_scene(path, warnings);
-    const std::string copy = (folder_ / "copy" / "scene.pbrt").string();
-    fs::create_directories(folder_ / "copy");
+    const std::string copy = (folder_.path() / "copy" / "scene.pbrt").string();
+    fs::create_directories(folder_.path() / "copy");
     write_pbrt(scene, copy);
     EXPECT_EQ(desc::hash(import_scene(copy, warnings)), desc::hash(scene)) << path;
     EXPECT_EQ(warnings.count(), 0U) << path;

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "import/testing/import_checks.h"
+#include "import/testing/temporary_folder.h"
 #include "scene/desc/models.h"
 #include "scene/testing/another_value.h"
 
@@ -93,12 +94,11 @@ desc::SceneDesc small_scene() {
 }
 
 TEST(Formats, ThatAreWrittenAreReadBackAsTheSameScene) {
-  std::string pattern = (fs::temp_directory_path() / "ajar_formats_XXXXXX").string();
-  const fs::path folder = mkdtemp(pattern.data());
+  const TemporaryFolder folder;
   const desc::SceneDesc scene = small_scene();
   for (const Format& format : formats()) {
     if (format.write == nullptr) continue;
-    const std::string file = (folder / ("scene" + format.extensions.front())).string();
+    const std::string file = (folder.path() / ("scene" + format.extensions.front())).string();
     format.write(scene, file);
     Warnings warnings;
     const desc::SceneDesc back = format.read(file, warnings, {});
@@ -106,7 +106,6 @@ TEST(Formats, ThatAreWrittenAreReadBackAsTheSameScene) {
     EXPECT_EQ(desc::hash(back), desc::hash(scene)) << format.name;
     EXPECT_TRUE(back.files.contains(file)) << format.name;
   }
-  fs::remove_all(folder);
 }
 
 }  // namespace

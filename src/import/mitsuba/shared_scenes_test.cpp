@@ -6,6 +6,7 @@
 #include "import/import.h"
 #include "import/pbrt/pbrt_writer.h"
 #include "import/shared_scenes_test_support.h"
+#include "import/testing/temporary_folder.h"
 
 namespace ajar {
 namespace {
@@ -39,13 +40,12 @@ TEST_P(SharedMitsubaScene, LoadsAndSurvivesWriting) {
                 warnings.count(Effect::Surface),
             expected.that_matter);
 
-  std::string pattern = (fs::temp_directory_path() / "ajar_shared_XXXXXX").string();
-  const fs::path folder = mkdtemp(pattern.data());
-  write_pbrt(scene, (folder / "copy.pbrt").string());
+  const TemporaryFolder folder;
+  write_pbrt(scene, (folder.path() / "copy.pbrt").string());
   Warnings of_copy;
-  EXPECT_EQ(desc::hash(import_scene((folder / "copy.pbrt").string(), of_copy)), desc::hash(scene));
+  EXPECT_EQ(desc::hash(import_scene((folder.path() / "copy.pbrt").string(), of_copy)),
+            desc::hash(scene));
   EXPECT_EQ(of_copy.count(), 0U);
-  fs::remove_all(folder);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, SharedMitsubaScene,

@@ -5,6 +5,7 @@
 
 #include "import/pbrt/pbrt_import.h"
 #include "import/testing/import_checks.h"
+#include "import/testing/temporary_folder.h"
 
 namespace ajar {
 
@@ -59,21 +60,5 @@ inline void expect_rgb(const desc::Rgb& actual, const desc::Rgb& expected,
                        float tolerance = 1e-6F) {
   for (int i = 0; i < 3; ++i) EXPECT_NEAR(actual[i], expected[i], tolerance) << i;
 }
-
-/// A folder that disappears at the end of the test.
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    std::string pattern = (std::filesystem::temp_directory_path() / "ajar_writer_XXXXXX").string();
-    path_ = mkdtemp(pattern.data());
-  }
-  ~TemporaryFolder() { std::filesystem::remove_all(path_); }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
 
 }  // namespace ajar

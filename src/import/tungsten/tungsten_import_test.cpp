@@ -11,6 +11,7 @@
 
 #include "import/import.h"
 #include "import/shared_scenes_test_support.h"
+#include "import/testing/temporary_folder.h"
 #include "import/tungsten/import_test_support.h"
 
 namespace ajar::tungsten {
@@ -101,16 +102,11 @@ TEST(TungstenImport, MediaWithoutACounterpartAreWarnings) {
 
 class OnDisk : public ::testing::Test {
  protected:
-  OnDisk() {
-    std::string pattern = (fs::temp_directory_path() / "ajar_tungsten_XXXXXX").string();
-    folder_ = mkdtemp(pattern.data());
-  }
-  ~OnDisk() override { fs::remove_all(folder_); }
   std::string write(const std::string& name, const std::string& text) const {
-    std::ofstream(folder_ / name) << text;
-    return (folder_ / name).string();
+    std::ofstream(folder_.path() / name) << text;
+    return (folder_.path() / name).string();
   }
-  fs::path folder_;
+  TemporaryFolder folder_;
 };
 
 TEST_F(OnDisk, IsToldByItsExtensionAndListsItsFiles) {
@@ -119,12 +115,12 @@ TEST_F(OnDisk, IsToldByItsExtensionAndListsItsFiles) {
   Warnings warnings;
   const desc::SceneDesc scene = import_scene(path, warnings);
   EXPECT_TRUE(scene.files.contains(path));
-  EXPECT_TRUE(scene.files.contains((folder_ / "sub/m.wo3").string()));
-  EXPECT_THROW(import_scene((folder_ / "none.json").string(), warnings), IoError);
+  EXPECT_TRUE(scene.files.contains((folder_.path() / "sub/m.wo3").string()));
+  EXPECT_THROW(import_scene((folder_.path() / "none.json").string(), warnings), IoError);
 }
 
 TEST_F(OnDisk, PipesAndDevicesAreNotRead) {
-  ASSERT_EQ(mkfifo((folder_ / "pipe.wo3").c_str(), 0600), 0);
+  ASSERT_EQ(mkfifo((folder_.path() / "pipe.wo3").c_str(), 0600), 0);
   for (const char* file : {"pipe.wo3", "/dev/zero"}) {
     Warnings warnings;
     import_scene(write("a.json", scene_text("", std::string("{'type': 'mesh', 'file': '") + file +
