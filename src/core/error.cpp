@@ -59,7 +59,7 @@ std::string unknown_name_message(std::string_view kind, std::string_view name,
   } else {
     text += ".";
   }
-  if (valid.empty()) return text + " There are none.";
+  if (valid.empty()) return text + " There are none";
   text += " Valid: ";
   for (std::size_t i = 0; i < valid.size(); ++i) text += (i > 0 ? ", " : "") + valid[i];
   return text;

@@ -163,6 +163,12 @@ TEST(GltfMaterials, SpecularGlossinessIsACoatedBase) {
   EXPECT_EQ(node.color("diffuse_reflectance"), Vec3(0.1F, 0.2F, 0.3F));
   EXPECT_EQ(node.color("glossy_reflectance"), Vec3(0.4F, 0.5F, 0.6F));
   EXPECT_NEAR(node.number("roughness"), 0.0625F, 1e-6F) << "alpha = (1 - glossiness)^2";
+  const desc::SceneDesc matte = scene_of(
+      textured({{"extensions",
+                 {{"KHR_materials_pbrSpecularGlossiness",
+                   {{"diffuseFactor", {0.1, 0.2, 0.3, 1}}, {"specularFactor", {0, 0, 0}}}}}}}));
+  EXPECT_TRUE(node_of(matte).is("diffuse"));
+  EXPECT_EQ(node_of(matte).color("reflectance"), Vec3(0.1F, 0.2F, 0.3F));
 }
 
 Json glass(double transmission, const Json& volume = nullptr) {

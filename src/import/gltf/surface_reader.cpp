@@ -80,6 +80,9 @@ desc::MaterialId SurfaceReader::specular_glossiness(const Element& pbr) {
   const desc::Value specular = textures_.color(
       pbr, "specularGlossinessTexture",
       clamped_color(pbr, "specularFactor", pbr.vector_or("specularFactor", Vec3(1.F))));
+  if (specular == desc::Value(Vec3(0.F))) {
+    return add(make(pbr, "diffuse", {{"reflectance", diffuse_color}}));
+  }
   return add(make(pbr, "coated_diffuse",
                   {{"diffuse_reflectance", diffuse_color},
                    {"glossy_reflectance", specular},

@@ -7,7 +7,12 @@ namespace ajar::mitsuba {
 namespace {
 
 Surface diffuse(const MaterialInputs& in, const desc::Value& sigma) {
-  const desc::Value reflectance = in.textures.color(in.arguments, "reflectance", desc::Rgb(0.5F));
+  // Mitsuba 0.x takes either name.
+  const bool is_long_name = !in.arguments.has("reflectance") &&
+                            in.arguments.has("diffuse_reflectance") &&
+                            in.context().document.major_version == 0;
+  const desc::Value reflectance = in.textures.color(
+      in.arguments, is_long_name ? "diffuse_reflectance" : "reflectance", desc::Rgb(0.5F));
   const bool is_black = reflectance == desc::Value(Vec3(0.F));
   return {in.materials.add(
               in.arguments.element(),

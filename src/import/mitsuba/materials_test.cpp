@@ -1,3 +1,4 @@
+#include "core/spectrum.h"
 #include "import/common/conductors.h"
 #include "import/mitsuba/import_test_support.h"
 #include "import/mitsuba/refraction.h"
@@ -108,6 +109,26 @@ TEST(MitsubaMaterials, BlendsWeighTheSecond) {
   EXPECT_EQ(nothing.color("opacity"), Vec3(0.F));
 }
 
+TEST(MitsubaMaterials, ColoursAreNumbersByLuminanceAndBeforeVersion2ByTheirMean) {
+  const std::string image =
+      "<texture type=\"bitmap\" name=\"weight\"><string name=\"filename\" "
+      "value=\"a.png\"/></texture>";
+  const auto blend = [](const std::string& weight) {
+    return "<bsdf type=\"blendbsdf\">" + weight +
+           "<bsdf type=\"dielectric\"/><bsdf type=\"null\"/></bsdf>";
+  };
+  const auto channel = [](const desc::SceneDesc& scene) {
+    return scene.textures.front().node.text("channel");
+  };
+  EXPECT_EQ(channel(MaterialOf(blend(image)).scene), "luminance");
+  EXPECT_NEAR(MaterialOf(blend("<rgb name=\"weight\" value=\"1 0 0\"/>")).node().color("amount").y,
+              luminance(Spectrum(1.F, 0.F, 0.F)), 1e-6F);
+  Warnings warnings;
+  std::string text = world(sphere_of(blend(image)));
+  text.replace(text.find("3.0.0"), 5, "0.6.0");
+  EXPECT_EQ(channel(import_with(text, warnings, {{"a.png", ""}})), "mean");
+}
+
 TEST(MitsubaMaterials, MixturesKeepTheirWeights) {
   const MaterialOf mixture(
       "<bsdf type=\"mixturebsdf\"><string name=\"weights\" value=\"0.5, 0.25\"/>"
@@ -126,6 +147,9 @@ TEST(MitsubaMaterials, MasksCutAwayAndMix) {
   ASSERT_TRUE(mask.node().is("mix"));
   EXPECT_EQ(mask.scene.shapes[0].alpha, mask.node().texture("amount"));
   EXPECT_TRUE(mask.material(mask.node().material("first")).node.is("translucent"));
+  EXPECT_EQ(mask.scene.textures.at(static_cast<std::size_t>(mask.node().texture("amount")))
+                .node.text("channel"),
+            "luminance");
 }
 
 const std::string kNormalMap =

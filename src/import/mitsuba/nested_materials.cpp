@@ -109,7 +109,10 @@ Surface make_two_sided(const MaterialInputs& in) {
 
 Surface make_mask(const MaterialInputs& in) {
   Surface result = parts_of(in, 1).front();
-  const desc::Value opacity = in.textures.color(in.arguments, "opacity", desc::Rgb(0.5F));
+  // A number since Mitsuba 2.
+  const desc::Value opacity = in.context().document.major_version == 0
+                                  ? in.textures.color(in.arguments, "opacity", desc::Rgb(0.5F))
+                                  : as_color(in.textures.number(in.arguments, "opacity", 0.5F));
   if (opacity == desc::Value(Vec3(1.F))) return result;
   if (opacity == desc::Value(Vec3(0.F))) return in.materials.interface();
   const PartlyClear partly =

@@ -1,5 +1,6 @@
 #include "import/mitsuba/textures.h"
 
+#include "core/spectrum.h"
 #include "import/common/printable.h"
 #include "import/mitsuba/node_maker.h"
 #include "import/mitsuba/uv_transform.h"
@@ -54,10 +55,13 @@ desc::Value TextureTable::color(Arguments& arguments, std::string_view name,
 
 std::optional<desc::Value> TextureTable::find_number(Arguments& arguments, std::string_view name) {
   if (const Element* texture = arguments.child(name, "texture")) {
-    return desc::TextureRef{make(*texture)};
+    return desc::TextureRef{make(*texture, Role::Number)};
   }
-  const std::optional<double> number = arguments.number(name);
-  return number ? std::optional<desc::Value>(static_cast<float>(*number)) : std::nullopt;
+  const std::optional<desc::Rgb> color = arguments.color(name);
+  if (!color) return std::nullopt;
+  if (color->x == color->y && color->y == color->z) return color->x;
+  const Spectrum lanes(color->x, color->y, color->z);
+  return context_.document.major_version == 0 ? lanes.average() : luminance(lanes);
 }
 
 desc::Value TextureTable::number(Arguments& arguments, std::string_view name, float fallback) {
@@ -79,27 +83,27 @@ desc::Value TextureTable::scaled(const SourceLocation& where, const desc::Value&
   return scaled(where, value, desc::Rgb(factor));
 }
 
-desc::TextureId TextureTable::make(const Element& element) {
-  const auto [place, is_new] = made_.try_emplace(&element, desc::kNone);
+desc::TextureId TextureTable::make(const Element& element, Role role) {
+  const auto [place, is_new] = made_.try_emplace({&element, role}, desc::kNone);
   if (!is_new) {
     if (place->second == desc::kNone) {
       throw SceneError(element.where, "this texture refers to itself");
     }
     return place->second;
   }
-  desc::Node node = read(element);
+  desc::Node node = read(element, role);
   const auto id = static_cast<desc::TextureId>(context_.scene.textures.size());
   context_.scene.textures.push_back({element.id, element.where, std::move(node)});
-  made_[&element] = id;
+  made_[{&element, role}] = id;
   return id;
 }
 
-desc::Node TextureTable::read(const Element& element) {
+desc::Node TextureTable::read(const Element& element, Role role) {
   Arguments arguments(context_, element);
   desc::Node node = [&] {
-    if (element.type == "bitmap") return bitmap(arguments);
+    if (element.type == "bitmap") return bitmap(arguments, role);
     if (element.type == "checkerboard") return checkerboard(arguments);
-    if (element.type == "scale") return scale(arguments);
+    if (element.type == "scale") return scale(arguments, role);
     if (element.type == "uniform" || element.type == "srgb" || element.type == "rawconstant") {
       return constant(
           arguments.color(element.type == "srgb" ? "color" : "value").value_or(desc::Rgb(1.F)));
@@ -119,7 +123,7 @@ desc::TextureId TextureTable::add_vectors(const SourceLocation& where, const std
   return static_cast<desc::TextureId>(context_.scene.textures.size()) - 1;
 }
 
-desc::Node TextureTable::bitmap(Arguments& arguments) {
+desc::Node TextureTable::bitmap(Arguments& arguments, Role role) {
   desc::Node node = desc::texture_node("image");
   const std::optional<std::string> name = arguments.text("filename");
   if (name && !name->empty()) {
@@ -157,6 +161,9 @@ desc::Node TextureTable::bitmap(Arguments& arguments) {
         unknown_name_message("filter_type", printable(filter), kFilters) + ". Bilinear stands in",
         printable(filter));
   }
+  if (role == Role::Number) {
+    node.set("channel", context_.document.major_version == 0 ? "mean" : "luminance");
+  }
   if (const std::optional<std::string> channel = arguments.text("channel");
       channel && *channel != "all") {
     static const std::map<std::string, std::string> kChannels = {
@@ -188,10 +195,10 @@ desc::Node TextureTable::checkerboard(Arguments& arguments) {
   return node;
 }
 
-desc::Node TextureTable::scale(Arguments& arguments) {
+desc::Node TextureTable::scale(Arguments& arguments, Role role) {
   const std::vector<const Element*> nested = arguments.children("texture");
   desc::Value value = Vec3(arguments.color("value").value_or(desc::Rgb(1.F)));
-  if (!nested.empty()) value = desc::TextureRef{make(*nested.front())};
+  if (!nested.empty()) value = desc::TextureRef{make(*nested.front(), role)};
   return desc::texture_node(
       "product",
       {{"first", value}, {"second", Vec3(arguments.color("scale").value_or(desc::Rgb(1.F)))}});

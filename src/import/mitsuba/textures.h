@@ -2,6 +2,7 @@
 #include <map>
 #include <optional>
 #include <string_view>
+#include <utility>
 
 #include "import/mitsuba/arguments.h"
 #include "scene/desc/models.h"
@@ -16,7 +17,8 @@ class TextureTable {
   /// The colour or the texture that `name` is of a plugin; nothing if it is not given.
   std::optional<desc::Value> find_color(Arguments& arguments, std::string_view name);
   desc::Value color(Arguments& arguments, std::string_view name, const desc::Rgb& fallback);
-  /// The same for numbers.
+  /// The same for numbers. Of a colour Mitsuba 0.x takes the mean as a number, later ones the
+  /// luminance.
   std::optional<desc::Value> find_number(Arguments& arguments, std::string_view name);
   desc::Value number(Arguments& arguments, std::string_view name, float fallback);
 
@@ -29,18 +31,20 @@ class TextureTable {
   /// An image file as it is, without decoding.
   desc::TextureId add_vectors(const SourceLocation& where, const std::string& file);
 
-  /// Raises SceneError for textures that refer to themselves.
-  desc::TextureId make(const Element& element);
+  /// A texture of colours. Raises SceneError for textures that refer to themselves.
+  desc::TextureId make(const Element& element) { return make(element, Role::Color); }
 
  private:
-  desc::Node read(const Element& element);
-  desc::Node bitmap(Arguments& arguments);
+  enum class Role { Color, Number };
+  desc::TextureId make(const Element& element, Role role);
+  desc::Node read(const Element& element, Role role);
+  desc::Node bitmap(Arguments& arguments, Role role);
   desc::Node checkerboard(Arguments& arguments);
-  desc::Node scale(Arguments& arguments);
+  desc::Node scale(Arguments& arguments, Role role);
   desc::Node stand_in(Arguments& arguments);
 
   Context& context_;
-  std::map<const Element*, desc::TextureId> made_;
+  std::map<std::pair<const Element*, Role>, desc::TextureId> made_;
 };
 
 }  // namespace ajar::mitsuba

@@ -42,12 +42,12 @@ const Parameter* color_grid(const ParameterList& parameters, std::string_view na
 }
 
 /// Factors of 1 for each lane. Source: pbrt-v4, media.h and media.cpp (RGBGridMedium).
-void read_colors(const SourceLocation& where, const ParameterList& parameters,
+void read_colors(Context& context, const SourceLocation& where, const ParameterList& parameters,
                  desc::DensityGrid& grid) {
   const Parameter* sigma_a = parameters.find("sigma_a", ParameterKind::Rgb);
   const Parameter* sigma_s = parameters.find("sigma_s", ParameterKind::Rgb);
-  if (sigma_a != nullptr) grid.absorption = SpectrumReader::colors(*sigma_a);
-  if (sigma_s != nullptr) grid.scattering = SpectrumReader::colors(*sigma_s);
+  if (sigma_a != nullptr) grid.absorption = context.spectra.colors(*sigma_a);
+  if (sigma_s != nullptr) grid.scattering = context.spectra.colors(*sigma_s);
   if (!grid.is_colored()) {
     throw SceneError(where,
                      "a medium of type \"rgbgrid\" needs \"rgb sigma_a\" or \"rgb sigma_s\"");
@@ -65,7 +65,7 @@ desc::Density read_grid(Context& context, const SourceLocation& where, const std
   desc::DensityGrid grid;
   grid.resolution = {p.get_int("nx", 1), p.get_int("ny", 1), p.get_int("nz", 1)};
   if (type == "rgbgrid") {
-    read_colors(where, p, grid);
+    read_colors(context, where, p, grid);
   } else if (const Parameter* density = p.find("density", ParameterKind::Float)) {
     grid.values = density->numbers;
   }

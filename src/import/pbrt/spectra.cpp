@@ -15,6 +15,8 @@ namespace {
 constexpr WarningKind kUnusable{Effect::Surface,
                                 "spectra cannot be used: what they are of has its default"};
 constexpr WarningKind kNegative{Effect::Slight, "colours are negative: taken as 0"};
+constexpr WarningKind kOutOfGamut{Effect::Slight,
+                                  "colours are more saturated than sRGB can show: clipped"};
 
 /// Light of luminance 1.
 desc::Rgb light_of(const Vec3d& xyz) {
@@ -132,9 +134,21 @@ std::optional<desc::Rgb> SpectrumReader::positive_value(const Parameter& paramet
   if (parameter.kind == ParameterKind::Rgb && (n[0] < 0.F || n[1] < 0.F || n[2] < 0.F)) {
     warnings_.add(kNegative, parameter.where, "\"" + parameter.name + "\" is negative: taken as 0",
                   parameter.name);
+  } else if (parameter.kind == ParameterKind::Rgb) {
+    warn_of_gamut(parameter, *rgb);
   }
   for (int i = 0; i < 3; ++i) (*rgb)[i] = std::max((*rgb)[i], 0.F);
   return rgb;
+}
+
+void SpectrumReader::warn_of_gamut(const Parameter& parameter, const desc::Rgb& color) {
+  // Less is the rounding of the matrices of colour spaces.
+  constexpr float kVisible = 1e-3F;
+  const float most = std::max({color.x, color.y, color.z});
+  if (std::min({color.x, color.y, color.z}) >= -kVisible * most) return;
+  warnings_.add(kOutOfGamut, parameter.where,
+                "\"" + parameter.name + "\" is more saturated than sRGB can show: clipped",
+                parameter.name);
 }
 
 desc::Rgb SpectrumReader::get_positive(const ParameterList& parameters, std::string_view name,
@@ -150,6 +164,7 @@ std::vector<desc::Rgb> SpectrumReader::colors(const Parameter& parameter, ColorR
     const float* given = parameter.numbers.data() + 3 * i;
     desc::Rgb& color = result.emplace_back(rec709(parameter.color_space, given, role));
     if (std::min({given[0], given[1], given[2]}) < 0.F) continue;
+    warn_of_gamut(parameter, color);
     for (int lane = 0; lane < 3; ++lane) color[lane] = std::max(color[lane], 0.F);
   }
   return result;

@@ -38,14 +38,13 @@ class SpectrumReader {
   /// refers to a file that cannot be used. Raises SceneError if it is not finite.
   std::optional<desc::Rgb> value(const Parameter& parameter, ColorRole role = ColorRole::Other);
   /// The same for what cannot be negative (light, scattering): such lanes become 0, with a warning
-  /// if the file says so itself.
+  /// if the file says so itself or in a wider colour space than ours.
   std::optional<desc::Rgb> positive_value(const Parameter& parameter,
                                           ColorRole role = ColorRole::Other);
   desc::Rgb get_positive(const ParameterList& parameters, std::string_view name,
                          const desc::Rgb& fallback, ColorRole role = ColorRole::Other);
   /// All values of an RGB parameter. Lanes are negative only where the file says so itself.
-  static std::vector<desc::Rgb> colors(const Parameter& parameter,
-                                       ColorRole role = ColorRole::Other);
+  std::vector<desc::Rgb> colors(const Parameter& parameter, ColorRole role = ColorRole::Other);
 
  private:
   /// Wavelengths, nm, and values.
@@ -59,6 +58,8 @@ class SpectrumReader {
   std::optional<desc::Rgb> from_file(const Parameter& parameter, ColorRole role);
   /// Empty for names that pbrt-v4 does not have.
   std::optional<desc::Rgb> from_name(const Parameter& parameter, ColorRole role);
+  /// Tells of a colour of a wider space, which `color` is in ours.
+  void warn_of_gamut(const Parameter& parameter, const desc::Rgb& color);
   desc::Rgb from_samples(const Samples& samples, ColorRole role) const;
 
   FileAccess& files_;

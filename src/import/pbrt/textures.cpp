@@ -98,7 +98,8 @@ void set_encoding(const Context& context, const SourceLocation& where, desc::Nod
 
 /// What pbrt-v4 says of images.
 void finish_image(const Context& context, const SourceLocation& where,
-                  const ParameterList& parameters, desc::Node& image) {
+                  const ParameterList& parameters, bool is_float, desc::Node& image) {
+  if (is_float) image.set("channel", "varying_alpha_or_mean");
   set_encoding(context, where, image, parameters.get_string("encoding", "sRGB"));
   if (parameters.get_string("filter", "bilinear") == "point") {
     image.set("filter", std::string("nearest"));
@@ -166,7 +167,7 @@ void TextureTable::define(const SourceLocation& where, const std::string& name,
     if (node.text("file").empty()) {
       context_.warnings.add(kNoFile, where, "this image texture has no \"string filename\"");
     }
-    if (context_.is_v4()) finish_image(context_, where, parameters, node);
+    if (context_.is_v4()) finish_image(context_, where, parameters, is_float, node);
     parameters.accept({"trilinear", "maxanisotropy", "filter"});
   } else if (node.is("product") && context_.is_v4()) {
     finish_product(lookup, node);

@@ -42,11 +42,14 @@ TEST(Pbrt4Colors, SpacesMapTheirPrimaries) {
 }
 
 TEST(Pbrt4Colors, AreOfTheSpaceThatIsCurrentWhereTheyAreWritten) {
-  const desc::SceneDesc scene = v4_scene(
+  const std::string two_lights =
       "AttributeBegin ColorSpace \"rec2020\" LightSource \"point\" \"rgb I\" [0 1 0] AttributeEnd "
-      "LightSource \"point\" \"rgb I\" [0 1 0]");
+      "LightSource \"point\" \"rgb I\" [0 1 0]";
+  const desc::SceneDesc scene = v4_scene_with_warnings(two_lights);
   expect_rgb(scene.lights[0].node.color("intensity"), {0.F, 1.1329F, 0.F}, 2e-3F);
   EXPECT_EQ(scene.lights[1].node.color("intensity"), desc::Rgb(0.F, 1.F, 0.F));
+  EXPECT_TRUE(contains(v4_warnings(two_lights), "\"I\" is more saturated than sRGB can show"));
+  EXPECT_EQ(v4_warnings("ColorSpace \"rec2020\" LightSource \"point\" \"rgb I\" [.4 .5 .4]"), "");
   EXPECT_TRUE(
       contains(v4_warnings("ColorSpace \"rec2022\""),
                "test.pbrt:2:1: unknown colour space \"rec2022\"; did you mean \"rec2020\""));

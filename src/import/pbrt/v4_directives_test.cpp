@@ -208,7 +208,7 @@ TEST(Pbrt4Media, HaveGridsOfColors) {
       v4_scene(medium + "\"rgb sigma_a\" [1 2 3 3 4 5] \"rgb sigma_s\" [0 1 0 1 0 2]");
   EXPECT_EQ(both.media[0].density->grid->scattering, (std::vector<Vec3>{{0, 1, 0}, {1, 0, 2}}));
   const desc::SceneDesc wide =
-      v4_scene("ColorSpace \"rec2020\" " + medium + "\"rgb sigma_a\" [0 1 0 1 1 1]");
+      v4_scene_with_warnings("ColorSpace \"rec2020\" " + medium + "\"rgb sigma_a\" [0 1 0 1 1 1]");
   const std::vector<Vec3>& colors = wide.media[0].density->grid->absorption;
   EXPECT_EQ(colors[0].x, 0.F) << "what Rec. 709 has as negative";
   expect_rgb(colors[1], desc::Rgb(1.F), 1e-3F);

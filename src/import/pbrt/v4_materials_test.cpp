@@ -134,12 +134,10 @@ TEST(Pbrt4Materials, DisplacementIsABump) {
   EXPECT_EQ(s.materials[static_cast<std::size_t>(s.shapes.back().material)].bump, 0);
 }
 
-desc::Node image(const std::string& parameters) {
-  return named_texture(
-      v4_scene("Texture \"t\" \"spectrum\" \"imagemap\" \"string filename\" "
-               "\"a.png\" " +
-                   parameters,
-               {{"a.png", ""}}));
+desc::Node image(const std::string& parameters, const std::string& kind = "spectrum") {
+  return named_texture(v4_scene(
+      "Texture \"t\" \"" + kind + "\" \"imagemap\" \"string filename\" \"a.png\" " + parameters,
+      {{"a.png", ""}}));
 }
 
 TEST(Pbrt4Textures, ImagesHaveEncodings) {
@@ -155,6 +153,11 @@ TEST(Pbrt4Textures, ImagesHaveEncodings) {
                                    "\"a.png\" \"string encoding\" \"gamma\"",
                                    {{"a.png", ""}}),
                        "test.pbrt:2:1: unknown encoding \"gamma\""));
+}
+
+TEST(Pbrt4Textures, ImagesOfNumbersAreAlphaOrTheMean) {
+  EXPECT_EQ(image("").text("channel"), "color");
+  EXPECT_EQ(image("", "float").text("channel"), "varying_alpha_or_mean");
 }
 
 TEST(Pbrt4Textures, ScaleIsAProductWithANumber) {

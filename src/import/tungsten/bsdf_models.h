@@ -20,6 +20,11 @@ struct BsdfInputs {
   desc::Value number(std::string_view name, float fallback) const {
     return textures.number(object, {name}, fallback);
   }
+  /// "alpha", a number or a texture.
+  desc::Value opacity() const {
+    const LocatedJson* json = object.find("alpha");
+    return json != nullptr ? textures.opacity(*json) : 1.F;
+  }
   /// The material of the bsdf that a member is or names; `fallback` without one. Its opacity, if it
   /// has one, is left out with a warning.
   std::optional<desc::MaterialId> part(std::string_view name) const;

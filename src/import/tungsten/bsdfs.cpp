@@ -115,12 +115,11 @@ Surface BsdfTable::read(const LocatedJson& json) {
   Surface surface;
   if (*type == "transparency") {
     const LocatedJson* base = object.find("base");
-    surface = with_opacity(in, base != nullptr ? resolve(*base) : white(), in.number("alpha", 1.F));
+    surface = with_opacity(in, base != nullptr ? resolve(*base) : white(), in.opacity());
     object.accept({"albedo", "color"});
   } else if (std::optional<desc::Node> node = make_bsdf(*type, in)) {
     surface.material = add(json.where(), std::move(*node));
-    if (object.find("alpha") != nullptr)
-      surface = with_opacity(in, surface, in.number("alpha", 1.F));
+    if (object.find("alpha") != nullptr) surface = with_opacity(in, surface, in.opacity());
   } else {
     context_.warnings.add(
         kUnknownType, json.where(),

@@ -97,7 +97,9 @@ TEST(Bsdfs, WhatIsNotOpaqueIsCutAwayOrBlended) {
       scene_with_bsdf("'type': 'transparency', 'alpha': 'a.png', 'base': {'type': 'mirror'}");
   EXPECT_TRUE(part_of(leaf, material_of(leaf), "first").is("mirror"));
   const desc::TextureId alpha = leaf.shapes.at(0).alpha;
-  EXPECT_TRUE(leaf.textures.at(static_cast<std::size_t>(alpha)).node.is("image"));
+  const desc::Node& image = leaf.textures.at(static_cast<std::size_t>(alpha)).node;
+  EXPECT_EQ(image.text("channel"), "alpha_or_mean");
+  EXPECT_FALSE(image.flag("decode_srgb"));
   EXPECT_EQ(material_of(leaf).texture("amount"), alpha);
 }
 

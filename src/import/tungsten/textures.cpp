@@ -30,8 +30,6 @@ constexpr std::array<StandIn, 4> kStandIns = {
 
 const Vec3 kGrey(0.5F);
 
-float mean(const Vec3& color) { return (color.x + color.y + color.z) / 3.F; }
-
 bool is_bitmap(const LocatedJson& json) {
   if (json.is(Kind::String)) return true;
   const LocatedJson* type = json.find("type");
@@ -131,18 +129,35 @@ desc::Value TextureReader::color(const LocatedJson& json) {
   if (!is_bitmap(json)) return of_object(json);
   const std::optional<Bitmap> image = bitmap(json);
   if (!image) return kGrey;
-  return add(json.where(),
-             desc::texture_node(
-                 "image", {{"file", image->file},
-                           {"wrap", std::string(image->clamp ? "clamp" : "repeat")},
-                           {"decode_srgb", image->gamma_correct},
-                           {"scale", image->scale},
-                           {"filter", std::string(image->interpolate ? "bilinear" : "nearest")}}));
+  return add_image(json.where(), *image, image->gamma_correct, "color");
 }
 
-desc::Value TextureReader::number(const LocatedJson& json) {
+desc::TextureRef TextureReader::add_image(const SourceLocation& where, const Bitmap& image,
+                                          bool decode, const std::string& channel) {
+  return add(where,
+             desc::texture_node(
+                 "image", {{"file", image.file},
+                           {"channel", channel},
+                           {"wrap", std::string(image.clamp ? "clamp" : "repeat")},
+                           {"decode_srgb", decode},
+                           {"scale", image.scale},
+                           {"filter", std::string(image.interpolate ? "bilinear" : "nearest")}}));
+}
+
+desc::Value TextureReader::number(const LocatedJson& json, const std::string& channel) {
+  if (is_bitmap(json)) {
+    if (const std::optional<Bitmap> image = bitmap(json))
+      return add_image(json.where(), *image, false, channel);
+    return kGrey.x;
+  }
+  // Of colours that are no image Tungsten takes the first number.
   const desc::Value value = color(json);
-  if (const Vec3* constant = std::get_if<Vec3>(&value)) return mean(*constant);
+  if (const Vec3* constant = std::get_if<Vec3>(&value)) return constant->x;
+  const desc::TextureId id = std::get<desc::TextureRef>(value).id;
+  desc::Node& checkerboard = context_.scene.textures[static_cast<std::size_t>(id)].node;
+  for (const char* name : {"first", "second"}) {
+    checkerboard.set(name, Vec3(checkerboard.color(name).x));
+  }
   return value;
 }
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "import/tungsten/import_test_support.h"
+#include "scene/desc/models.h"
 
 namespace ajar::tungsten {
 namespace {
@@ -37,6 +38,26 @@ TEST(TungstenTextures, MayBeImages) {
   EXPECT_EQ(other.text("wrap"), "clamp");
   EXPECT_EQ(other.text("filter"), "nearest");
   EXPECT_EQ(other.number("scale"), 2.F);
+}
+
+TEST(TungstenTextures, AsNumbersAreNotDecoded) {
+  const auto ratio = [](const std::string& text) {
+    const desc::SceneDesc scene = scene_with_bsdf(
+        "'type': 'mixed', 'bsdf0': {'type': 'mirror'}, 'bsdf1': {'type': 'null'}, 'ratio': " +
+        text);
+    const desc::Value& value = material_of(scene).get("amount");
+    const auto* texture = std::get_if<desc::TextureRef>(&value);
+    return texture == nullptr ? desc::texture_node("constant", {{"value", value}})
+                              : scene.textures.at(static_cast<std::size_t>(texture->id)).node;
+  };
+  const desc::Node image = ratio("{'type': 'bitmap', 'file': 'a.png', 'scale': 0.5}");
+  EXPECT_EQ(image.text("channel"), "mean");
+  EXPECT_FALSE(image.flag("decode_srgb"));
+  EXPECT_EQ(image.number("scale"), 0.5F);
+  EXPECT_EQ(ratio("[0.25, 0.5, 1]").color("value"), Vec3(0.25F)) << "the first, not the mean";
+  const desc::Node checker = ratio("{'type': 'checker', 'on_color': [1, 0, 0], 'off_color': 0.5}");
+  EXPECT_EQ(checker.color("first"), Vec3(0.5F));
+  EXPECT_EQ(checker.color("second"), Vec3(1.F));
 }
 
 TEST(TungstenTextures, CheckersAreOffAtTheOrigin) {

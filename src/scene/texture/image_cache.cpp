@@ -1,7 +1,10 @@
 #include "scene/texture/image_cache.h"
 
+#include <algorithm>
+#include <limits>
 #include <optional>
 #include <set>
+#include <type_traits>
 
 #include "core/available_memory.h"
 #include "core/error.h"
@@ -21,15 +24,20 @@ struct ChannelRange {
 /// Nothing for alpha that an image does not have.
 std::optional<ChannelRange> kept_channels(const ImageHeader& header, ImageChannel channel) {
   const bool is_gray = header.channels < 3;
+  const ChannelRange color{0, is_gray ? 1 : 3};
   switch (channel) {
     case ImageChannel::Color:
-      return ChannelRange{0, is_gray ? 1 : 3};
+      return color;
     case ImageChannel::Red:
       return ChannelRange{0};
     case ImageChannel::Green:
       return ChannelRange{is_gray ? 0 : 1};
     case ImageChannel::Blue:
       return ChannelRange{is_gray ? 0 : 2};
+    case ImageChannel::AlphaOrColor:
+    case ImageChannel::VaryingAlphaOrColor:
+      if (header.alpha_channel < 0) return color;
+      break;
     case ImageChannel::Alpha:
       break;
   }
@@ -39,6 +47,17 @@ std::optional<ChannelRange> kept_channels(const ImageHeader& header, ImageChanne
 
 /// One texel of 1.
 TexelImage opaque_image() { return {1, 1, 1, std::vector<std::uint8_t>{255}}; }
+
+/// Whether each texel is 1.
+bool is_opaque(const TexelImage& image) {
+  return std::visit(
+      []<typename T>(const std::vector<T>& texels) {
+        T opaque(1);
+        if constexpr (std::is_integral_v<T>) opaque = std::numeric_limits<T>::max();
+        return std::all_of(texels.begin(), texels.end(), [&](T v) { return v == opaque; });
+      },
+      image.texels);
+}
 
 }  // namespace
 
@@ -67,6 +86,10 @@ TexelImage read_texel_image(const ImageRequest& request, const desc::EmbeddedFil
       break;
     case SampleType::Float:
       read(float{});
+  }
+  if (request.channel == ImageChannel::VaryingAlphaOrColor &&
+      channels->first == header.alpha_channel && is_opaque(image)) {
+    return read_texel_image({request.path, ImageChannel::Color}, embedded);
   }
   return image;
 }

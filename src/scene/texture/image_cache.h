@@ -26,7 +26,15 @@ struct TexelImage {
 };
 
 /// What is taken of the channels of an image.
-enum class ImageChannel { Color, Red, Green, Blue, Alpha };
+enum class ImageChannel {
+  Color,
+  Red,
+  Green,
+  Blue,
+  Alpha,
+  AlphaOrColor,        ///< alpha; the colours if there is none
+  VaryingAlphaOrColor  ///< the same, but the colours also where alpha is 1 everywhere
+};
 
 /// An image file, or one of the scene's embedded files, and what is taken of it.
 struct ImageRequest {

@@ -50,7 +50,7 @@ template <std::unsigned_integral T>
 struct Decoder<T> {
   explicit Decoder(const desc::Node& node) : owner(decoding_table<T>(node)), table(owner->data()) {}
   float operator()(T v) const { return table[v]; }
-  /// pbrt takes the luminance of the encoded colour and decodes that.
+  /// pbrt-v3 takes the luminance of the encoded colour and decodes that.
   float gray(T r, T g, T b) const {
     const float y = luminance(Spectrum(r, g, b));
     return table[static_cast<std::size_t>(
@@ -67,12 +67,28 @@ Wrap wrap_of(const desc::Node& node) {
   return name == "black" ? Wrap::Black : name == "clamp" ? Wrap::Clamp : Wrap::Repeat;
 }
 
+/// How the colours of an image become one number.
+enum class Reduction {
+  None,       ///< they do not, but where a number is asked for: luminance as pbrt-v3 takes it
+  Mean,       ///< of the decoded values
+  Luminance,  ///< of the decoded values
+};
+
+Reduction reduction_of(const desc::Node& node) {
+  const std::string& name = node.text("channel");
+  if (name == "luminance") return Reduction::Luminance;
+  return name == "mean" || name == "alpha_or_mean" || name == "varying_alpha_or_mean"
+             ? Reduction::Mean
+             : Reduction::None;
+}
+
 template <typename T>
 class ImageTexture final : public Texture {
  public:
   ImageTexture(const desc::Node& node, std::shared_ptr<const TexelImage> image)
       : mapping_(node),
         wrap_(wrap_of(node)),
+        reduction_(reduction_of(node)),
         nearest_(node.text("filter") == "nearest"),
         scale_(node.number("scale")),
         image_(std::move(image)),
@@ -81,21 +97,25 @@ class ImageTexture final : public Texture {
         invert_(node.flag("invert")) {}
 
   Spectrum eval(const SurfacePoint& at) const override {
-    if (image_->channels == 1) return Spectrum(eval_float(at));
+    if (image_->channels == 1 || reduction_ != Reduction::None) return Spectrum(eval_float(at));
     return filtered<Spectrum>(at, [this](const T* texel) {
       return Spectrum(decode_(texel[0]), decode_(texel[1]), decode_(texel[2]));
     });
   }
-  /// Of a colour image: luminance, as pbrt does.
   float eval_float(const SurfacePoint& at) const override {
     if (image_->channels == 1) {
       return filtered<float>(at, [this](const T* texel) { return decode_(*texel); });
     }
-    return filtered<float>(
-        at, [this](const T* texel) { return decode_.gray(texel[0], texel[1], texel[2]); });
+    return filtered<float>(at, [this](const T* texel) { return reduced(texel); });
   }
 
  private:
+  float reduced(const T* texel) const {
+    if (reduction_ == Reduction::None) return decode_.gray(texel[0], texel[1], texel[2]);
+    const Spectrum color(decode_(texel[0]), decode_(texel[1]), decode_(texel[2]));
+    return reduction_ == Reduction::Mean ? color.average() : luminance(color);
+  }
+
   /// Index into a row or column, or −1 outside of a black border.
   int wrapped(int i, int size) const {
     if (i >= 0 && i < size) return i;
@@ -150,6 +170,7 @@ class ImageTexture final : public Texture {
 
   TextureMapping mapping_;
   Wrap wrap_;
+  Reduction reduction_;
   bool nearest_;
   float scale_;
   std::shared_ptr<const TexelImage> image_;
@@ -183,8 +204,12 @@ TextureModel image_texture() {
            .source = "",
            .parameters = declare::joined(
                {declare::file("file", "the image"),
-                choice_parameter("channel", {"color", "red", "green", "blue", "alpha"},
-                                 "what is taken of it; alpha is 1 if it has none"),
+                choice_parameter("channel",
+                                 {"color", "red", "green", "blue", "alpha", "mean", "luminance",
+                                  "alpha_or_mean", "varying_alpha_or_mean"},
+                                 "what is taken of it: all colours, one of them, alpha (1 if it "
+                                 "has none), the mean or the luminance of the colours, or alpha "
+                                 "and without it (or where it is 1 everywhere) the mean"),
                 choice_parameter("wrap", {"repeat", "black", "clamp"},
                                  "what is beyond the edge of the image"),
                 std::move(decode), std::move(gamma),

@@ -166,6 +166,42 @@ TEST_F(ImageTextureTest, AChannelAloneIsANumber) {
   EXPECT_NEAR(value(rgb, "alpha"), 255.F, 1e-3F) << "it has none";
 }
 
+TEST_F(ImageTextureTest, ColoursMayBeANumberByTheirMeanOrLuminance) {
+  desc::Node node = desc::texture_node("image", {{"decoding_exponent", 2.F}});
+  node.set("file", write<std::uint8_t>("rgb.png", 1, 1, 3, {51, 102, 204}));
+  const auto of = [&](const char* channel) {
+    node.set("channel", channel);
+    const std::unique_ptr<const Texture> texture = make(node);
+    const float value = texture->eval_float(at_uv(0.5F, 0.5F));
+    EXPECT_EQ(texture->eval(at_uv(0.5F, 0.5F)), Spectrum(value)) << channel;
+    return value;
+  };
+  // Decoded: .04, .16, .64.
+  EXPECT_NEAR(of("mean"), 0.28F, 1e-6F);
+  EXPECT_NEAR(of("alpha_or_mean"), 0.28F, 1e-6F) << "no alpha";
+  EXPECT_NEAR(of("luminance"), luminance(Spectrum(0.04F, 0.16F, 0.64F)), 1e-6F);
+}
+
+TEST_F(ImageTextureTest, AlphaComesBeforeColours) {
+  desc::Node node = desc::texture_node("image", {{"decode_srgb", false}, {"filter", "nearest"}});
+  const auto second_of = [&](const std::string& file, const char* channel) {
+    node.set("file", file);
+    node.set("channel", channel);
+    return make(node)->eval_float(at_uv(0.75F, 0.5F)) * 255.F;
+  };
+  const std::string clear =
+      write<std::uint8_t>("clear.png", 2, 1, 4, {0, 0, 0, 10, 30, 60, 90, 255});
+  const std::string opaque =
+      write<std::uint8_t>("opaque.png", 2, 1, 4, {0, 0, 0, 255, 30, 60, 90, 255});
+  const std::string floats =
+      write<float>("opaque.exr", 2, 1, 4, {0.F, 0.F, 0.F, 1.F, 0.1F, 0.2F, 0.3F, 1.F});
+  EXPECT_NEAR(second_of(clear, "alpha_or_mean"), 255.F, 1e-3F);
+  EXPECT_NEAR(second_of(clear, "varying_alpha_or_mean"), 255.F, 1e-3F);
+  EXPECT_NEAR(second_of(opaque, "alpha_or_mean"), 255.F, 1e-3F);
+  EXPECT_NEAR(second_of(opaque, "varying_alpha_or_mean"), 60.F, 1e-3F);
+  EXPECT_NEAR(second_of(floats, "varying_alpha_or_mean"), 0.2F * 255.F, 1e-3F);
+}
+
 TEST_F(ImageTextureTest, EmbeddedFilesAreReadLikeOthers) {
   for (const char* extension : {"png", "jpg", "tif", "exr", "bmp", "webp"}) {
     const std::string path = write<std::uint8_t>(std::string("a.") + extension, 8, 8, 3,

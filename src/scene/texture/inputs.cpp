@@ -10,11 +10,13 @@ constexpr WarningKind kUnreadable{Effect::Surface, "textures cannot be read, sho
 ImageChannel channel_of(const desc::Node& node) {
   if (!node.has("channel")) return ImageChannel::Color;
   const std::string& name = node.text("channel");
-  return name == "red"     ? ImageChannel::Red
-         : name == "green" ? ImageChannel::Green
-         : name == "blue"  ? ImageChannel::Blue
-         : name == "alpha" ? ImageChannel::Alpha
-                           : ImageChannel::Color;
+  return name == "red"                     ? ImageChannel::Red
+         : name == "green"                 ? ImageChannel::Green
+         : name == "blue"                  ? ImageChannel::Blue
+         : name == "alpha"                 ? ImageChannel::Alpha
+         : name == "alpha_or_mean"         ? ImageChannel::AlphaOrColor
+         : name == "varying_alpha_or_mean" ? ImageChannel::VaryingAlphaOrColor
+                                           : ImageChannel::Color;
 }
 
 }  // namespace
