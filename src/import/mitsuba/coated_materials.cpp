@@ -7,56 +7,73 @@
 namespace ajar::mitsuba {
 namespace {
 
-constexpr WarningKind kPlastic{
-    Effect::Slight,
-    "plastics have a base that light enters and leaves by the laws of refraction: a "
-    "diffuse one of the same mean brightness stands in"};
 constexpr WarningKind kCoat{Effect::Surface, "materials have a coat, which is left out"};
 constexpr WarningKind kClearCoat{Effect::Surface,
                                  "coats absorb light in Mitsuba: clear ones stand in"};
+constexpr WarningKind kCoatedMetal{
+    Effect::Slight, "metals have a coat: light that goes to and fro between the two is shown"};
+constexpr WarningKind kTintedCoat{Effect::Surface,
+                                  "coats of metals have a tint, which is left out"};
+constexpr WarningKind kBeckmannBelow{
+    Effect::Slight, "metals below a coat have facets of a distribution that is not supported"};
 constexpr WarningKind kOldGloss{
     Effect::Surface, "materials are phong or ward, which are not supported: coated ones stand in"};
 
-/// Share of light that a diffuse base of reflectance `base` under a smooth boundary returns to all
-/// sides. `again`: the share of what the boundary reflects back that is counted.
-float returned_share(float eta, float again) {
-  const float enters = 1.F - diffuse_fresnel_reflectance(eta);
-  const float turned_back = diffuse_fresnel_reflectance(1.F / eta);
-  return enters * (1.F - turned_back) / (1.F - again * turned_back);
+bool is_constant(const desc::Node& node, const char* name) {
+  return std::holds_alternative<Vec3>(node.get(name));
 }
 
-/// Of a plastic's base. Unless "nonlinear", Mitsuba takes the base for white where light goes to
-/// and fro below the boundary, so that its colour does not change.
-desc::Value base_of_plastic(const MaterialInputs& in, float eta) {
-  const desc::Value base = in.textures.color(in.arguments, "diffuse_reflectance", desc::Rgb(0.5F));
-  const bool nonlinear = in.arguments.flag("nonlinear", false);
-  if (!nonlinear) return in.textures.scaled(in.where(), base, desc::Rgb(returned_share(eta, 1.F)));
-  // Of a texture, as if it were of medium brightness.
-  const Vec3* color = std::get_if<Vec3>(&base);
-  const Vec3 again = color == nullptr ? Vec3(0.5F) : *color;
-  const desc::Rgb share(returned_share(eta, again.x), returned_share(eta, again.y),
-                        returned_share(eta, again.z));
-  return in.textures.scaled(in.where(), base, share);
-}
-
-/// Diffuse under a boundary. `gloss` is the parameter that the boundary is tinted by.
-desc::Node coated(const MaterialInputs& in, float eta, const desc::Value& base, const char* gloss) {
+/// Diffuse under a coat. Mitsuba knows three: `inner_reflections` of our model.
+desc::Node coated_diffuse(const MaterialInputs& in, float eta, const desc::Value& base,
+                          const std::string& inner_reflections, bool is_rough) {
   desc::Node node = desc::material_node(
-      "composite", {{"diffuse_reflectance", base}, {"glossy_reflectance", Vec3(0.F)}});
-  node.set("eta", eta);
-  node.set(gloss, in.textures.color(in.arguments, "specular_reflectance", desc::Rgb(1.F)));
+      "coated_diffuse", {{"coat", std::string("dielectric")},
+                         {"eta", eta},
+                         {"diffuse_reflectance", base},
+                         {"coat_reflectance",
+                          in.textures.color(in.arguments, "specular_reflectance", desc::Rgb(1.F))},
+                         {"inner_reflections", inner_reflections},
+                         {"roughness", 0.F}});
+  if (is_rough) read_ggx_roughness(in).set(node);
   return node;
 }
 
+/// Unless "nonlinear", Mitsuba takes the base for white where light goes to and fro below the
+/// boundary, so that its colour does not change.
 Surface plastic(const MaterialInputs& in, bool is_rough) {
-  in.context().warnings.add(kPlastic, in.where(),
-                            "the base of plastic is diffuse in itself here, of the same mean "
-                            "brightness");
   const float eta = relative_index(in.arguments, "polypropylene");
-  desc::Node node = coated(in, eta, base_of_plastic(in, eta),
-                           is_rough ? "glossy_reflectance" : "mirror_reflectance");
-  if (is_rough) read_ggx_roughness(in).set(node);
+  const desc::Value base = in.textures.color(in.arguments, "diffuse_reflectance", desc::Rgb(0.5F));
+  const std::string inner = in.arguments.flag("nonlinear", false) ? "base" : "white";
+  desc::Node node = coated_diffuse(in, eta, base, inner, is_rough);
   return {in.materials.add(in.arguments.element(), std::move(node)), desc::kNone, true};
+}
+
+/// A metal under a coat. Mitsuba's has the index of refraction that it has in air.
+desc::Node coated_conductor(const MaterialInputs& in, float eta, const desc::Node& metal,
+                            bool is_rough) {
+  in.context().warnings.add(kCoatedMetal, in.where(),
+                            "what goes to and fro between a metal and its coat is shown here");
+  if (in.textures.color(in.arguments, "specular_reflectance", desc::Rgb(1.F)) !=
+      desc::Value(Vec3(1.F))) {
+    in.context().warnings.add(kTintedCoat, in.where(),
+                              "\"specular_reflectance\" of a coat on metal is not supported: 1");
+  }
+  desc::Node node = desc::material_node(
+      "coated_conductor",
+      {{"eta", metal.color("eta") * eta}, {"k", metal.color("k") * eta}, {"coat_eta", eta}});
+  const bool is_smooth = metal.text("distribution") == "smooth";
+  node.set("roughness", is_smooth ? desc::Value(0.F) : metal.get("roughness"));
+  if (!is_smooth) node.set("roughness_v", metal.get("roughness_v"));
+  if (metal.text("distribution") == "beckmann") {
+    in.context().warnings.add(kBeckmannBelow, in.where(),
+                              "the facets of a metal below a coat are those of \"ggx\" here");
+  }
+  if (is_rough) {
+    const Roughness coat = read_ggx_roughness(in);
+    node.set("coat_roughness", coat.alpha);
+    if (coat.alpha_v) node.set("coat_roughness_v", *coat.alpha_v);
+  }
+  return node;
 }
 
 Surface coating(const MaterialInputs& in, bool is_rough) {
@@ -69,22 +86,23 @@ Surface coating(const MaterialInputs& in, bool is_rough) {
                               "\"sigma_a\" of a coat is not supported: it is clear");
   }
   in.arguments.accept({"thickness"});
-  if (!base.node.is("diffuse")) {
-    in.context().warnings.add(kCoat, in.where(),
-                              "a coat is only supported on diffuse materials: left out");
-    in.arguments.accept_all();
-    return inner;
-  }
-  in.context().warnings.add(kPlastic, in.where(),
-                            "the base below a coat is diffuse in itself here, of the same mean "
-                            "brightness");
   const float eta = relative_index(in.arguments, "bk7");
-  const desc::Value color = in.textures.scaled(in.where(), base.node.get("reflectance"),
-                                               desc::Rgb(returned_share(eta, 0.F)));
-  desc::Node node = coated(in, eta, color, is_rough ? "glossy_reflectance" : "mirror_reflectance");
-  if (is_rough) read_ggx_roughness(in).set(node);
-  const desc::MaterialId id = in.materials.add(in.arguments.element(), std::move(node));
-  return {id, inner.alpha, inner.is_one_sided};
+  const auto finished = [&](desc::Node node) {
+    const desc::MaterialId id = in.materials.add(in.arguments.element(), std::move(node));
+    in.context().scene.materials.back().bump = base.bump;
+    in.context().scene.materials.back().normal_map = base.normal_map;
+    return Surface{id, inner.alpha, inner.is_one_sided};
+  };
+  if (base.node.is("diffuse") && base.node.get("sigma") == desc::Value(0.F)) {
+    return finished(coated_diffuse(in, eta, base.node.get("reflectance"), "none", is_rough));
+  }
+  if (base.node.is("conductor") && is_constant(base.node, "eta") && is_constant(base.node, "k")) {
+    return finished(coated_conductor(in, eta, base.node, is_rough));
+  }
+  in.context().warnings.add(kCoat, in.where(),
+                            "a coat is only supported on diffuse materials and metals: left out");
+  in.arguments.accept_all();
+  return inner;
 }
 
 /// A gloss over a diffuse base, both given by their colours alone.

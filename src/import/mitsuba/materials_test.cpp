@@ -1,7 +1,6 @@
 #include "core/spectrum.h"
 #include "import/common/conductors.h"
 #include "import/mitsuba/import_test_support.h"
-#include "import/mitsuba/refraction.h"
 
 namespace ajar::mitsuba {
 namespace {
@@ -70,31 +69,51 @@ TEST(MitsubaMaterials, TintedConductorsAreMixesWithBlack) {
   EXPECT_EQ(black.color("reflectance"), Vec3(0.F));
 }
 
-TEST(MitsubaMaterials, PlasticReturnsAsMuchLightAsMitsubas) {
-  // Linear: what enters by chance of Fresnel is returned by the base's reflectance.
+TEST(MitsubaMaterials, PlasticIsACoatedBase) {
   const MaterialOf plastic(
-      "<bsdf type=\"roughplastic\"><string name=\"distribution\" "
-      "value=\"ggx\"/><rgb name=\"diffuse_reflectance\" value=\"0.8\"/></bsdf>");
-  ASSERT_TRUE(plastic.node().is("composite"));
-  const float eta = plastic.node().number("eta");
-  EXPECT_FLOAT_EQ(eta, 1.49F / 1.000277F);
-  const float entering = 1.F - diffuse_fresnel_reflectance(eta);
-  expect_near(plastic.node().color("diffuse_reflectance"), Vec3(0.8F * entering));
-  EXPECT_EQ(plastic.node().color("glossy_reflectance"), Vec3(1.F));
-  EXPECT_EQ(MaterialOf("<bsdf type=\"plastic\"/>").node().color("mirror_reflectance"), Vec3(1.F));
-  // The colour deepens if light between base and boundary is not taken for white.
+      "<bsdf type=\"roughplastic\"><string name=\"distribution\" value=\"ggx\"/><float "
+      "name=\"alpha\" value=\"0.3\"/><rgb name=\"diffuse_reflectance\" value=\"0.8\"/><rgb "
+      "name=\"specular_reflectance\" value=\"0.5\"/></bsdf>");
+  EXPECT_EQ(plastic.warnings, "");
+  ASSERT_TRUE(plastic.node().is("coated_diffuse"));
+  EXPECT_EQ(plastic.node().text("coat"), "dielectric");
+  EXPECT_FLOAT_EQ(plastic.node().number("eta"), 1.49F / 1.000277F);
+  EXPECT_EQ(plastic.node().color("diffuse_reflectance"), Vec3(0.8F));
+  EXPECT_EQ(plastic.node().color("coat_reflectance"), Vec3(0.5F));
+  EXPECT_EQ(plastic.node().number("roughness"), 0.3F);
+  EXPECT_EQ(plastic.node().text("inner_reflections"), "white");
+  const MaterialOf smooth("<bsdf type=\"plastic\"/>");
+  EXPECT_EQ(smooth.warnings, "");
+  EXPECT_EQ(smooth.node().number("roughness"), 0.F);
   const MaterialOf nonlinear(
-      "<bsdf type=\"plastic\"><rgb name=\"diffuse_reflectance\" value=\"0.8 0.1 0.1\"/><boolean "
-      "name=\"nonlinear\" value=\"true\"/></bsdf>");
-  const Vec3 base = nonlinear.node().color("diffuse_reflectance");
-  EXPECT_GT(base.x / base.y, 8.5F);
+      "<bsdf type=\"plastic\"><boolean name=\"nonlinear\" value=\"true\"/></bsdf>");
+  EXPECT_EQ(nonlinear.node().text("inner_reflections"), "base");
 }
 
-TEST(MitsubaMaterials, FresnelReflectanceOfDiffuseLightAgreesWithPublishedValues) {
-  // d'Eon and Irving 2011: 0.0918 for 1.5 from outside, 0.5963 from inside.
-  EXPECT_NEAR(diffuse_fresnel_reflectance(1.5F), 0.0918F, 5e-4F);
-  EXPECT_NEAR(diffuse_fresnel_reflectance(1.F / 1.5F), 0.5963F, 2e-3F);
-  EXPECT_EQ(diffuse_fresnel_reflectance(1.F), 0.F);
+TEST(MitsubaMaterials, CoatsAreLayers) {
+  const MaterialOf wood(
+      "<bsdf type=\"coating\"><float name=\"int_ior\" value=\"1.5\"/><float name=\"ext_ior\" "
+      "value=\"1\"/><bsdf type=\"diffuse\"/></bsdf>");
+  ASSERT_TRUE(wood.node().is("coated_diffuse"));
+  EXPECT_EQ(wood.node().text("inner_reflections"), "none");
+  EXPECT_EQ(wood.node().number("roughness"), 0.F);
+  const MaterialOf lacquer(
+      "<bsdf type=\"roughcoating\"><float name=\"int_ior\" value=\"1.5\"/><float name=\"ext_ior\" "
+      "value=\"1\"/><float name=\"alpha\" value=\"0.2\"/><string name=\"distribution\" "
+      "value=\"ggx\"/><bsdf type=\"roughconductor\"><rgb name=\"eta\" value=\"2\"/><rgb name=\"k\" "
+      "value=\"4\"/><float name=\"ext_eta\" value=\"1\"/><float name=\"alpha\" "
+      "value=\"0.1\"/></bsdf></bsdf>");
+  ASSERT_TRUE(lacquer.node().is("coated_conductor"));
+  expect_near(lacquer.node().color("eta"), Vec3(3.F));
+  expect_near(lacquer.node().color("k"), Vec3(6.F));
+  EXPECT_EQ(lacquer.node().number("coat_eta"), 1.5F);
+  EXPECT_EQ(lacquer.node().number("coat_roughness"), 0.2F);
+  EXPECT_EQ(lacquer.node().number("roughness"), 0.1F);
+  EXPECT_TRUE(contains(lacquer.warnings, "to and fro between a metal and its coat"));
+  EXPECT_TRUE(contains(lacquer.warnings, "those of \"ggx\" here"));
+  const MaterialOf glass("<bsdf type=\"coating\"><bsdf type=\"dielectric\"/></bsdf>");
+  EXPECT_TRUE(glass.node().is("dielectric"));
+  EXPECT_TRUE(contains(glass.warnings, "left out"));
 }
 
 TEST(MitsubaMaterials, BlendsWeighTheSecond) {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "import/common/printable.h"
 
@@ -32,16 +31,6 @@ std::optional<float> index_named(std::string_view name) {
   const auto found = std::find_if(kIndices.begin(), kIndices.end(),
                                   [&](const NamedIndex& entry) { return entry.name == name; });
   return found == kIndices.end() ? std::nullopt : std::optional<float>(found->index);
-}
-
-/// Reflectance of unpolarised light; `eta` is the index beyond, relative to here.
-double fresnel(double cosine, double eta) {
-  const double sine_squared = (1.0 - cosine * cosine) / (eta * eta);
-  if (sine_squared >= 1.0) return 1.0;
-  const double beyond = std::sqrt(1.0 - sine_squared);
-  const double parallel = (eta * cosine - beyond) / (eta * cosine + beyond);
-  const double across = (cosine - eta * beyond) / (cosine + eta * beyond);
-  return 0.5 * (parallel * parallel + across * across);
 }
 
 }  // namespace
@@ -75,17 +64,6 @@ float index_of_refraction(Arguments& arguments, std::string_view parameter,
 float relative_index(Arguments& arguments, std::string_view interior) {
   const float inside = index_of_refraction(arguments, "int_ior", interior);
   return inside / index_of_refraction(arguments, "ext_ior", "air");
-}
-
-float diffuse_fresnel_reflectance(float eta) {
-  // ∫ F(θ) 2 sin θ cos θ dθ, by the midpoint rule in sin² θ.
-  constexpr int kSteps = 1024;
-  double sum = 0.0;
-  for (int i = 0; i < kSteps; ++i) {
-    const double sine_squared = (i + 0.5) / kSteps;
-    sum += fresnel(std::sqrt(1.0 - sine_squared), static_cast<double>(eta));
-  }
-  return static_cast<float>(sum / kSteps);
 }
 
 }  // namespace ajar::mitsuba

@@ -13,8 +13,4 @@ float index_of_refraction(Arguments& arguments, std::string_view parameter,
 /// "ext_ior". `interior` is the default of the first; that of the second is air.
 float relative_index(Arguments& arguments, std::string_view interior);
 
-/// Share of diffuse light that a smooth boundary reflects, from the side where the index is 1 (or,
-/// with `eta` below 1, from the denser side). Source: numerical integral of the Fresnel equations.
-float diffuse_fresnel_reflectance(float eta);
-
 }  // namespace ajar::mitsuba

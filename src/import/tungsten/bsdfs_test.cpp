@@ -103,22 +103,48 @@ TEST(Bsdfs, WhatIsNotOpaqueIsCutAwayOrBlended) {
   EXPECT_EQ(material_of(leaf).texture("amount"), alpha);
 }
 
-TEST(Bsdfs, PlasticReflectsAsMuchOnAverage) {
-  const desc::SceneDesc scene = scene_with_warning(
-      "{'name': 'm', 'type': 'plastic', 'ior': 1.5, 'albedo': 0.5}", "plastic is not supported");
-  const desc::Node& node = material_of(scene);
-  EXPECT_EQ(node.color("mirror_reflectance"), Vec3(1.F));
-  // Enters, is reflected n times by the base and n − 1 times by the layer from within, and leaves.
-  const double in = 1.0 - mean_reflectance(1.5);
-  const double back = mean_internal_reflectance(1.5);
-  double expected = 0.0;
-  double inside = in;
-  for (int n = 0; n < 100; ++n) {
-    inside *= 0.5;
-    expected += inside * (1.0 - back);
-    inside *= back;
+TEST(Bsdfs, PlasticIsACoatedBase) {
+  const desc::Node plastic =
+      material_of(scene_with_bsdf("'type': 'plastic', 'ior': 1.4, 'albedo': [0.5, 0.2, 1]"));
+  ASSERT_TRUE(plastic.is("coated_diffuse"));
+  EXPECT_EQ(plastic.text("coat"), "dielectric");
+  EXPECT_FLOAT_EQ(plastic.number("eta"), 1.4F);
+  EXPECT_EQ(plastic.number("roughness"), 0.F);
+  EXPECT_EQ(plastic.text("inner_reflections"), "base");
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_NEAR(plastic.color("diffuse_reflectance")[i], Vec3(0.5F, 0.2F, 1.F)[i], 1e-6F);
   }
-  EXPECT_NEAR(static_cast<double>(node.color("diffuse_reflectance").x), expected, 1e-6);
+  const desc::Node rough =
+      material_of(scene_with_bsdf("'type': 'rough_plastic', 'roughness': 0.25, 'albedo': 'a.png'"));
+  EXPECT_EQ(rough.number("roughness"), 0.25F);
+  EXPECT_NE(rough.texture("diffuse_reflectance"), desc::kNone);
+}
+
+TEST(Bsdfs, LayersThatAbsorbWeakenWhatLeaves) {
+  const desc::Node node = material_of(scene_with_warning(
+      "{'name': 'm', 'type': 'plastic', 'ior': 1.5, 'albedo': 0.5, 'sigma_a': 0.3, 'thickness': 2}",
+      "absorbs as much light from all sides"));
+  const double back = mean_internal_reflectance(1.5);
+  const double once = mean_transmittance(1.0, 0.6);
+  const auto base = static_cast<double>(node.color("diffuse_reflectance").x);
+  EXPECT_NEAR(base / (1.0 - base * back), once * once * 0.5 / (1.0 - 0.5 * back), 1e-6);
+}
+
+TEST(Bsdfs, CoatsOnMatteAndMetalAreLayers) {
+  const desc::Node wood = material_of(scene_with_bsdf(
+      "'type': 'rough_coat', 'roughness': 0.2, 'substrate': {'type': 'lambert', 'albedo': 0.5}"));
+  ASSERT_TRUE(wood.is("coated_diffuse"));
+  EXPECT_FLOAT_EQ(wood.number("eta"), 1.3F);
+  EXPECT_EQ(wood.number("roughness"), 0.2F);
+  EXPECT_EQ(wood.text("inner_reflections"), "none");
+  const desc::Node lacquer = material_of(scene_with_warning(
+      "{'name': 'm', 'type': 'smooth_coat', 'ior': 1.5, 'substrate': {'type': 'conductor', 'eta': "
+      "[2, 2, 2], 'k': [4, 4, 4]}}",
+      "to and fro between a metal and its coat"));
+  ASSERT_TRUE(lacquer.is("coated_conductor"));
+  EXPECT_EQ(lacquer.color("eta"), Vec3(3.F));
+  EXPECT_EQ(lacquer.number("roughness"), 0.F);
+  EXPECT_EQ(lacquer.number("coat_roughness"), 0.F);
 }
 
 TEST(Bsdfs, TheCoatOfABlendReflectsAsMuchAsTheLayer) {
@@ -126,7 +152,7 @@ TEST(Bsdfs, TheCoatOfABlendReflectsAsMuchAsTheLayer) {
       "{'name': 'm', 'type': 'smooth_coat', 'ior': 1.7, 'thickness': 5, 'sigma_a': [0.1, 0.2, "
       "0.5], "
       "'substrate': {'type': 'rough_conductor'}}",
-      "coats are not supported");
+      "a coat of this is not supported");
   const desc::Node& mix = material_of(scene);
   const desc::Node& coat = part_of(scene, mix, "first");
   EXPECT_TRUE(part_of(scene, mix, "second").is("conductor"));

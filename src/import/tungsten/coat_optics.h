@@ -1,8 +1,8 @@
 #pragma once
 
 /// What a smooth layer of a dielectric does to light on average over all directions from which it
-/// comes, each weighted by its cosine. Layers are not among our materials; with these means, those
-/// that stand in for them reflect as much light in total.
+/// comes, each weighted by its cosine. With these means, what stands in for layers that our
+/// materials do not have reflects as much light in total.
 namespace ajar::tungsten {
 
 /// Share that is reflected at the layer, seen from outside, `ior` > 0 being the layer's index of

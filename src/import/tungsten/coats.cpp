@@ -11,8 +11,12 @@
 namespace ajar::tungsten {
 namespace {
 
-constexpr WarningKind kPlastic{Effect::Slight,
-                               "plastics are not supported: a diffuse base with a gloss stands in"};
+constexpr WarningKind kAbsorption{Effect::Slight,
+                                  "layers absorb light: as much from all sides stands in"};
+constexpr WarningKind kCoatedMetal{
+    Effect::Slight, "metals have a coat: light that goes to and fro between the two is shown"};
+constexpr WarningKind kBeckmannBelow{
+    Effect::Slight, "metals below a coat have facets of a distribution that is not supported"};
 constexpr WarningKind kCoat{Effect::Surface, "coats are not supported: blends stand in"};
 
 /// A layer of a dielectric.
@@ -37,60 +41,88 @@ Vec3 per_lane(const Vec3& lanes, Function function) {
           static_cast<float>(function(static_cast<double>(lanes.z)))};
 }
 
-/// Share of the light that a diffuse base of this albedo sends back through the layer. What the
-/// layer reflects back to the base comes again, which makes a dark base darker still.
-double returned_share(const Layer& layer, double albedo) {
-  const double back = mean_internal_reflectance(layer.ior);
-  return (1.0 - mean_reflectance(layer.ior)) * (1.0 - back) / (1.0 - albedo * back);
+/// Share of light that goes through the layer to a white diffuse base and out again, without what
+/// the layer turns back.
+double passed_once(const Layer& layer) {
+  return (1.0 - mean_reflectance(layer.ior)) * (1.0 - mean_internal_reflectance(layer.ior));
 }
 
-/// `gloss` is what the layer itself reflects, "glossy_reflectance" or "mirror_reflectance".
-desc::Node base_under_gloss(const BsdfInputs& in, std::string_view gloss,
-                            const desc::Value& roughness) {
-  in.warn(kPlastic,
-          "plastic is not supported: a diffuse base with a gloss, of the same share of "
-          "reflected light, stands in");
-  const Layer layer = layer_of(in, 1.5F);
-  const desc::Value albedo = in.albedo();
-  // A texture can only be scaled: rightly for what is half as bright as white.
-  const Vec3 shares = per_lane(constant_or(albedo, Vec3(0.5F)), [&](double lane) {
-    return returned_share(layer, std::clamp(lane, 0.0, 1.0));
-  });
-  // Tungsten measures the way through the layer by the directions outside of it.
-  const Vec3 left = per_lane(layer.tau, [](double tau) {
-    const double once = mean_transmittance(1.0, tau);
+/// Share of light that a layer leaves on the way in and out, on average over all directions. `ior`
+/// is 1 if the way is measured by the directions outside of the layer.
+Vec3 left_by(const Layer& layer, double ior) {
+  return per_lane(layer.tau, [&](double tau) {
+    const double once = mean_transmittance(ior, tau);
     return once * once;
   });
-  desc::Node node = desc::material_node(
-      "composite", {{"diffuse_reflectance", in.textures.product(albedo, shares * left)},
-                    {"glossy_reflectance", Vec3(0.F)},
-                    {"eta", static_cast<float>(layer.ior)},
-                    {"roughness", roughness}});
-  node.set(gloss, Vec3(1.F));
-  return node;
+}
+
+void warn_of_absorption(const BsdfInputs& in, const Layer& layer) {
+  if (layer.tau != Vec3(0.F)) {
+    in.warn(kAbsorption, "a layer absorbs as much light from all sides here");
+  }
+}
+
+desc::Node coated_diffuse(const Layer& layer, const desc::Value& albedo,
+                          const desc::Value& roughness, const std::string& inner_reflections) {
+  return desc::material_node("coated_diffuse", {{"coat", std::string("dielectric")},
+                                                {"eta", static_cast<float>(layer.ior)},
+                                                {"diffuse_reflectance", albedo},
+                                                {"roughness", roughness},
+                                                {"inner_reflections", inner_reflections}});
+}
+
+desc::Node plastic_of(const BsdfInputs& in, const desc::Value& roughness) {
+  const Layer layer = layer_of(in, 1.5F);
+  warn_of_absorption(in, layer);
+  // Tungsten measures the way through the layer by the directions outside of it.
+  const Vec3 left = left_by(layer, 1.0);
+  desc::Value albedo = in.albedo();
+  if (const Vec3* constant = std::get_if<Vec3>(&albedo)) {
+    // Only what leaves is weakened there, not what goes to and fro.
+    const double back = mean_internal_reflectance(layer.ior);
+    Vec3 weaker;
+    for (int lane = 0; lane < 3; ++lane) {
+      const double base = std::clamp(static_cast<double>((*constant)[lane]), 0.0, 1.0);
+      const double leaves = static_cast<double>(left[lane]) * base / (1.0 - base * back);
+      weaker[lane] = static_cast<float>(leaves / (1.0 + leaves * back));
+    }
+    albedo = weaker;
+  } else {
+    albedo = in.textures.product(albedo, left);
+  }
+  return coated_diffuse(layer, albedo, roughness, "base");
+}
+
+desc::Node coated_metal(const BsdfInputs& in, const Layer& layer, const desc::Node& metal,
+                        const desc::Value& roughness) {
+  in.warn(kCoatedMetal, "what goes to and fro between a metal and its coat is shown here");
+  const bool is_smooth = metal.text("distribution") == "smooth";
+  if (metal.text("distribution") == "beckmann") {
+    in.warn(kBeckmannBelow, "the facets of a metal below a coat are those of \"ggx\" here");
+  }
+  // Tungsten's metal has the index of refraction that it has in air.
+  const auto eta = static_cast<float>(layer.ior);
+  return desc::material_node("coated_conductor",
+                             {{"eta", metal.color("eta") * eta},
+                              {"k", metal.color("k") * eta},
+                              {"roughness", is_smooth ? desc::Value(0.F) : metal.get("roughness")},
+                              {"coat_eta", eta},
+                              {"coat_roughness", roughness}});
 }
 
 /// A blend whose first part, the coat, reflects more than the layer does by as much as the blend
 /// weakens it, since only blends of two materials exist and no sums.
-desc::Node coated(const BsdfInputs& in, std::string_view gloss, const desc::Value& roughness) {
+desc::Node blended_coat(const BsdfInputs& in, const Layer& layer, desc::MaterialId base,
+                        const desc::Value& roughness) {
   in.warn(kCoat,
-          "coats are not supported: a blend of a gloss and of what is under it, of the same "
-          "share of reflected light, stands in");
-  in.object.accept({"albedo", "color"});
-  const Layer layer = layer_of(in, 1.3F);
-  const std::optional<desc::MaterialId> given = in.part("substrate");
-  const desc::MaterialId base =
-      given
-          ? *given
-          : in.add(desc::material_node(
-                "conductor",
-                {{"eta", find_metal("Cu")->eta}, {"k", find_metal("Cu")->k}, {"roughness", 0.1F}}));
+          "a coat of this is not supported: a blend of a gloss and of what is under it, of the "
+          "same share of reflected light, stands in");
   const bool is_diffuse =
       in.context.scene.materials[static_cast<std::size_t>(base)].node.is("diffuse");
   const Vec3 coat_share = per_lane(layer.tau, [&](double tau) {
     const double once = mean_transmittance(layer.ior, tau);
     const double through =
-        is_diffuse ? returned_share(layer, 0.0) * once * once : mean_round_trip(layer.ior, tau);
+        is_diffuse ? passed_once(layer) * once * once : mean_round_trip(layer.ior, tau);
     return 1.0 - through;
   });
   const float least = std::min({coat_share.x, coat_share.y, coat_share.z});
@@ -100,9 +132,11 @@ desc::Node coated(const BsdfInputs& in, std::string_view gloss, const desc::Valu
   desc::Node coat = desc::material_node(
       "composite", {{"diffuse_reflectance", Vec3(0.F)},
                     {"glossy_reflectance", Vec3(0.F)},
-                    {"eta", static_cast<float>(ior_of_mean_reflectance(reflected))},
-                    {"roughness", roughness}});
-  coat.set(gloss, per_lane(coat_share, [&](double share) {
+                    {"eta", static_cast<float>(ior_of_mean_reflectance(reflected))}});
+  const bool is_smooth = roughness == desc::Value(0.F);
+  if (!is_smooth) coat.set("roughness", roughness);
+  coat.set(is_smooth ? "mirror_reflectance" : "glossy_reflectance",
+           per_lane(coat_share, [&](double share) {
              return std::min(static_cast<double>(least) / std::max(share, 1e-6), 1.0);
            }));
   const desc::MaterialId coat_id = in.add(std::move(coat));
@@ -111,22 +145,46 @@ desc::Node coated(const BsdfInputs& in, std::string_view gloss, const desc::Valu
                                      {"second", desc::MaterialRef{base}}});
 }
 
+desc::Node coated(const BsdfInputs& in, const desc::Value& roughness) {
+  in.object.accept({"albedo", "color"});
+  const Layer layer = layer_of(in, 1.3F);
+  const std::optional<desc::MaterialId> given = in.part("substrate");
+  const desc::MaterialId base =
+      given
+          ? *given
+          : in.add(desc::material_node(
+                "conductor",
+                {{"eta", find_metal("Cu")->eta}, {"k", find_metal("Cu")->k}, {"roughness", 0.1F}}));
+  const desc::Material& substrate = in.context.scene.materials[static_cast<std::size_t>(base)];
+  const desc::Node below = substrate.node;
+  // The relief of a substrate is not that of its coat.
+  if (substrate.has_relief()) return blended_coat(in, layer, base, roughness);
+  if (below.is("diffuse") && below.get("sigma") == desc::Value(0.F)) {
+    warn_of_absorption(in, layer);
+    const desc::Value albedo =
+        in.textures.product(below.get("reflectance"), left_by(layer, layer.ior));
+    return coated_diffuse(layer, albedo, roughness, "none");
+  }
+  if (below.is("conductor") && layer.tau == Vec3(0.F)) {
+    return coated_metal(in, layer, below, roughness);
+  }
+  return blended_coat(in, layer, base, roughness);
+}
+
 }  // namespace
 
-desc::Node plastic(const BsdfInputs& in) {
-  return base_under_gloss(in, "mirror_reflectance", 0.1F);
-}
+desc::Node plastic(const BsdfInputs& in) { return plastic_of(in, 0.F); }
 
 desc::Node rough_plastic(const BsdfInputs& in) {
   expect_ggx(in);
-  return base_under_gloss(in, "glossy_reflectance", in.number("roughness", 0.02F));
+  return plastic_of(in, in.number("roughness", 0.02F));
 }
 
-desc::Node smooth_coat(const BsdfInputs& in) { return coated(in, "mirror_reflectance", 0.1F); }
+desc::Node smooth_coat(const BsdfInputs& in) { return coated(in, 0.F); }
 
 desc::Node rough_coat(const BsdfInputs& in) {
   expect_ggx(in);
-  return coated(in, "glossy_reflectance", in.number("roughness", 0.02F));
+  return coated(in, in.number("roughness", 0.02F));
 }
 
 }  // namespace ajar::tungsten

@@ -47,11 +47,18 @@ struct Coat {
 /// smooth dielectric surfaces"; T of rough coats as above.
 struct CoatedDiffuse {
   static constexpr bool kSpecular = false;
-  PackedSpectrum base;  ///< r / (η² (1 − r F))
+  PackedSpectrum base;  ///< r / (η² (1 − r F)), or r / η²
   Coat coat;
 
   CoatedDiffuse() = default;
   CoatedDiffuse(const Spectrum& reflectance, const Coat& above);
+  /// Without what the coat turns back: r / η².
+  static CoatedDiffuse seen_once(const Spectrum& reflectance, const Coat& above) {
+    CoatedDiffuse lobe;
+    lobe.base = PackedSpectrum(reflectance / (above.eta * above.eta));
+    lobe.coat = above;
+    return lobe;
+  }
 
   LobeValue evaluate(const Vec3& wo, const Vec3& wi, bool transmission, TransportMode) const {
     if (transmission) return {};

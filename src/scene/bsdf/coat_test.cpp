@@ -57,6 +57,17 @@ TEST(CoatedDiffuse, MatchesTheSeriesOfReflections) {
   EXPECT_NEAR(v.value[0], expected, 1e-5);
 }
 
+TEST(CoatedDiffuse, SeenOnceIsTheFirstTermOfTheSeries) {
+  const float eta = 1.5F;
+  const Vec3 wo = direction(30.F, 0.F);
+  const Vec3 wi = direction(70.F, 90.F);
+  const float once = (1.F - fresnel_dielectric(wo.z, eta).reflectance) *
+                     (1.F - fresnel_dielectric(wi.z, eta).reflectance) * 0.6F / (eta * eta);
+  const LobeValue v = CoatedDiffuse::seen_once(Spectrum(0.6F), {eta, 0.F})
+                          .evaluate(wo, wi, false, TransportMode::Radiance);
+  EXPECT_NEAR(v.value[0], once * wi.z * kInvPi, 1e-6F);
+}
+
 TEST(CoatedDiffuse, WhiteOnesGiveBackAllThatTheCoatLetsThrough) {
   for (const float alpha : {0.F, 0.3F}) {
     const Coat coat{1.5F, alpha};

@@ -28,11 +28,25 @@ class SchlickCoatedDiffuse final : public Material {
   RoughnessSlot roughness_;
 };
 
-/// Diffuse base under a smooth or rough coat of a dielectric, with all reflections between them.
+/// What light meets that the coat turns back to the base.
+enum class InnerReflections { Base, White, None };
+
+InnerReflections inner_reflections(const desc::Node& node) {
+  const std::string& name = node.text("inner_reflections");
+  return name == "white"  ? InnerReflections::White
+         : name == "none" ? InnerReflections::None
+                          : InnerReflections::Base;
+}
+
+/// Diffuse base under a smooth or rough coat of a dielectric.
 class DielectricCoatedDiffuse final : public Material {
  public:
   explicit DielectricCoatedDiffuse(const MaterialInputs& in)
-      : diffuse_(in.slot("diffuse_reflectance")), eta_(in.slot("eta")), roughness_(in) {
+      : diffuse_(in.slot("diffuse_reflectance")),
+        gloss_(in.slot("coat_reflectance")),
+        eta_(in.slot("eta")),
+        roughness_(in),
+        inner_(inner_reflections(in.node())) {
     needs_tangent = !roughness_.isotropic();
   }
   void add_lobes(const SurfacePoint& at, const Spectrum& scale, Bsdf& bsdf) const override {
@@ -41,20 +55,31 @@ class DielectricCoatedDiffuse final : public Material {
     const float v = roughness_.alpha_v(at);
     // Source of the limit: Pharr et al. 2023, section 9.6.2.
     const bool smooth = std::max(u, v) < 1e-3F;
+    const Spectrum gloss = scale * reflectance(gloss_, at);
     if (smooth) {
-      bsdf.add(SmoothCoat{{eta}}, scale);
+      bsdf.add(SmoothCoat{{eta}}, gloss);
     } else {
-      bsdf.add(RoughCoat{{FacetModel::Ggx, u, v}, {eta}}, scale);
+      bsdf.add(RoughCoat{{FacetModel::Ggx, u, v}, {eta}}, gloss);
     }
     const Coat coat{eta, smooth ? 0.F : std::sqrt(u * v)};
-    bsdf.add(CoatedDiffuse(reflectance(diffuse_, at), coat), scale);
+    const Spectrum base = reflectance(diffuse_, at);
+    switch (inner_) {
+      case InnerReflections::Base:
+        return bsdf.add(CoatedDiffuse(base, coat), scale);
+      case InnerReflections::White:
+        return bsdf.add(CoatedDiffuse(Spectrum(1.F), coat), scale * base);
+      case InnerReflections::None:
+        return bsdf.add(CoatedDiffuse::seen_once(base, coat), scale);
+    }
   }
   int max_lobes() const override { return 2; }
 
  private:
   TextureSlot diffuse_;
+  TextureSlot gloss_;
   TextureSlot eta_;
   RoughnessSlot roughness_;
+  InnerReflections inner_;
 };
 
 std::unique_ptr<Material> make_coated_diffuse(const MaterialInputs& in) {
@@ -65,23 +90,32 @@ std::unique_ptr<Material> make_coated_diffuse(const MaterialInputs& in) {
 }  // namespace
 
 MaterialModel coated_diffuse_material() {
-  return {{.name = "coated_diffuse",
-           .summary = "diffuse base under a glossy coat",
-           .source = "Ashikhmin and Shirley 2000; layers as in Pharr et al. 2023, section 14.3, "
-                     "in closed form",
-           .parameters = declare::joined(
-               {declare::reflectance("diffuse_reflectance", "0.5", "of the base"),
-                choice_parameter("coat", {"schlick", "dielectric"},
-                                 "a coat that reflects by Schlick's formula, or one of an index "
-                                 "of refraction, with all reflections between coat and base"),
-                declare::only_for("coat", {"schlick"},
-                                  declare::reflectance("glossy_reflectance", "0.5",
-                                                       "of the coat, seen from above")),
-                declare::only_for("coat", {"dielectric"},
-                                  declare::textured_number(
-                                      "eta", "1.5", "index of refraction of the coat", 20.0))},
-               roughness_inputs("0.1"))},
-          make_coated_diffuse};
+  return {
+      {.name = "coated_diffuse",
+       .summary = "diffuse base under a glossy coat",
+       .source = "Ashikhmin and Shirley 2000; layers as in Pharr et al. 2023, section 14.3, "
+                 "in closed form",
+       .parameters = declare::joined(
+           {declare::reflectance("diffuse_reflectance", "0.5", "of the base"),
+            choice_parameter("coat", {"schlick", "dielectric"},
+                             "a coat that reflects by Schlick's formula, or one of an index "
+                             "of refraction, with all reflections between coat and base"),
+            declare::only_for(
+                "coat", {"schlick"},
+                declare::reflectance("glossy_reflectance", "0.5", "of the coat, seen from above")),
+            declare::only_for(
+                "coat", {"dielectric"},
+                declare::textured_number("eta", "1.5", "index of refraction of the coat", 20.0)),
+            declare::only_for(
+                "coat", {"dielectric"},
+                declare::reflectance("coat_reflectance", "1", "tint of what the coat reflects")),
+            declare::only_for(
+                "coat", {"dielectric"},
+                choice_parameter("inner_reflections", {"base", "white", "none"},
+                                 "what light meets that the coat turns back: the base; a white "
+                                 "one, so that its colour does not deepen; nothing"))},
+           roughness_inputs("0.1"))},
+      make_coated_diffuse};
 }
 
 }  // namespace ajar
