@@ -14,8 +14,6 @@ constexpr WarningKind kLightsLeftOut{Effect::Light, "lights are left out"};
 constexpr WarningKind kNoMapFile{Effect::Light, "environment maps have no \"filename\": left out"};
 constexpr WarningKind kSpotTexture{Effect::Surface,
                                    "spot lights have a texture, which is not supported"};
-constexpr WarningKind kSpotEdge{Effect::Slight,
-                                "spot lights fade in another way between beam and edge"};
 constexpr WarningKind kGamma{Effect::Slight, "environment maps have a gamma: not supported"};
 constexpr WarningKind kProjector{
     Effect::Surface,
@@ -89,16 +87,10 @@ std::optional<desc::Light> spot(const Source& in) {
     in.context.warnings.add(kSpotTexture, in.arguments.where(),
                             "the texture of a spot light is not supported: left out");
   }
-  if (beam < cutoff) {
-    in.context.warnings.add(kSpotEdge, in.arguments.where(),
-                            "between \"beam_width\" and \"cutoff_angle\" this light fades by the "
-                            "square of the cosine, not by the angle");
-  }
   return in.light(in.node("spot", {{"intensity", in.color("intensity", 1.F)},
                                    {"cone_angle", cutoff},
                                    {"falloff_start", beam},
-                                   // The nearest to what is linear in the angle.
-                                   {"falloff", std::string("quadratic")}}),
+                                   {"falloff", std::string("angle")}}),
                   in.to_world());
 }
 

@@ -180,6 +180,7 @@ TEST(MitsubaLights, SpotsShineAlongZFromTheAxisToTheirCutoff) {
       warnings);
   EXPECT_EQ(scene.lights[0].node.number("cone_angle"), 40.F);
   EXPECT_EQ(scene.lights[0].node.number("falloff_start"), 30.F);
+  EXPECT_EQ(scene.lights[0].node.text("falloff"), "angle");
 }
 
 TEST(MitsubaLights, DirectionalOnesShineAlongTheirDirection) {

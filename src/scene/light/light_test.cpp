@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "scene/light/light_test_support.h"
+#include "scene/light/spot_falloff.h"
 
 /// Claims that hold for all kinds of lights, and closed forms for each.
 namespace ajar {
@@ -216,6 +217,47 @@ TEST(SpotLight, MayFadeByASquare) {
       "quadratic", [](double delta) { return delta * delta; }, 1.0 / 3.0);
 }
 
+TEST(SpotLight, MayFadeWithTheAngle) {
+  desc::Node spot = spot_node({2, 2, 2}, 40, 15);
+  spot.set("falloff", "angle");
+  const auto light = light_of(spot, Mat4());
+  check_emission(*light);
+  check_departures(*light, cone_chart({0, 0, 1}, 1.0 - std::cos(M_PI * 45 / 180)), 24, 8);
+  const auto radians = [](double degrees) { return degrees * M_PI / 180; };
+  // ∫ (θe − θ) sin θ dθ / (θe − θi), from θi to θe.
+  const double width = radians(25);
+  const double fading =
+      std::cos(radians(15)) - (std::sin(radians(40)) - std::sin(radians(15))) / width;
+  const double power = 2.0 * M_PI * 2.0 * (1.0 - std::cos(radians(15)) + fading);
+  expect_mean(emitted_power(*light), power, 0.02, 1e-3);
+  EXPECT_NEAR(light->power().average(), power, 1e-4 * power);
+  const Spectrum emitted = light->emitted(
+      EndpointPoint::at(Vec3(0.F)),
+      {static_cast<float>(std::sin(radians(30))), 0.F, static_cast<float>(std::cos(radians(30)))});
+  EXPECT_NEAR(emitted[0], 2.0 * 10.0 / 25.0, 1e-5);
+}
+
+TEST(SpotFalloff, SharesAreInverted) {
+  for (const char* name : {"quartic", "smoothstep", "quadratic", "angle"}) {
+    for (const float edge : {1e-6F, 0.2F, 2.F}) {
+      const SpotFalloff falloff(name, 0.3F * edge, edge);
+      EXPECT_NEAR(falloff.at(0.3F * edge), 1.F, 1e-5F) << name;
+      EXPECT_NEAR(falloff.at(edge), 0.F, 1e-5F) << name;
+      for (const float share : {0.1F, 0.5F, 0.9F}) {
+        EXPECT_NEAR(falloff.share(falloff.with_share(share)), share, 1e-4F) << name << " " << edge;
+      }
+      // By the trapezium rule.
+      double sum = 0.0;
+      constexpr int kSteps = 4000;
+      for (int i = 0; i < kSteps; ++i) {
+        const float a = edge * (0.3F + 0.7F * (static_cast<float>(i) + 0.5F) / kSteps);
+        sum += static_cast<double>(falloff.at(a)) * 0.7 * static_cast<double>(edge) / kSteps;
+      }
+      EXPECT_NEAR(static_cast<double>(falloff.integral()) / sum, 1.0, 1e-3) << name << " " << edge;
+    }
+  }
+}
+
 TEST(SpotLight, ExtremeConesStayFinite) {
   for (const auto& [cone, start] : {std::pair{0.F, 0.F},
                                     {1e-3F, 0.F},
@@ -223,14 +265,18 @@ TEST(SpotLight, ExtremeConesStayFinite) {
                                     {30.F, 30.F},
                                     {180.F, 0.F},
                                     {30.F, 60.F}}) {
-    const auto light = light_of(spot_node({1, 1, 1}, cone, start), Mat4());
-    if (cone == 0.F) {
-      EXPECT_FALSE(light->sample_emission({0.5F, {0.5F, 0.5F}, {0.5F, 0.5F}}));
-      continue;
+    for (const char* falloff : {"quartic", "angle"}) {
+      desc::Node spot = spot_node({1, 1, 1}, cone, start);
+      spot.set("falloff", falloff);
+      const auto light = light_of(spot, Mat4());
+      if (cone == 0.F) {
+        EXPECT_FALSE(light->sample_emission({0.5F, {0.5F, 0.5F}, {0.5F, 0.5F}}));
+        continue;
+      }
+      // Directions in float cannot resolve the rim of the narrowest cones.
+      check_emission(*light, 5000, 50);
+      expect_mean(emitted_power(*light, 20000), light->power().average(), 0.1, 0.01);
     }
-    // Directions in float cannot resolve the rim of the narrowest cones.
-    check_emission(*light, 5000, 50);
-    expect_mean(emitted_power(*light, 20000), light->power().average(), 0.1, 0.01);
   }
 }
 

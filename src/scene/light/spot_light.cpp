@@ -5,6 +5,7 @@
 #include "core/warp.h"
 #include "scene/light/models.h"
 #include "scene/light/point_connection.h"
+#include "scene/light/spot_falloff.h"
 
 namespace ajar {
 
@@ -20,47 +21,6 @@ float one_minus_cos(const Vec3& unit) {
   return unit.z > 0.F ? sin_squared / (1.F + unit.z) : 1.F - unit.z;
 }
 
-/// How a spot fades with δ: 0 at the edge of the cone, 1 where fading starts, linear in the cosine.
-/// Sources: pbrt-v3, section 12.3.1 (δ⁴); pbrt-v4, section 12.2.1 (3δ² − 2δ³); glTF's
-/// KHR_lights_punctual (δ²).
-class Falloff {
- public:
-  explicit Falloff(const std::string& name)
-      : smoothstep_(name == "smoothstep"), exponent_(name == "quadratic" ? 2 : 4) {}
-
-  float at(float delta) const {
-    const float squared = delta * delta;
-    if (smoothstep_) return squared * (3.F - 2.F * delta);
-    return exponent_ == 2 ? squared : squared * squared;
-  }
-  /// ∫ at(δ) dδ from 0 to 1.
-  float integral() const { return smoothstep_ ? 0.5F : 1.F / static_cast<float>(exponent_ + 1); }
-  /// ∫ at(δ) dδ from 0 to `delta`, over `integral`.
-  float share(float delta) const {
-    const float cubed = delta * delta * delta;
-    if (smoothstep_) return cubed * (2.F - delta);
-    return exponent_ == 2 ? cubed : cubed * delta * delta;
-  }
-  /// The δ that has this share.
-  float delta_of(float share) const {
-    if (!smoothstep_) return exponent_ == 2 ? std::cbrt(share) : std::pow(share, 0.2F);
-    // Newton's steps from above: the share is convex, so they never fall below the root.
-    double delta = 1.0;
-    for (int i = 0; i < 60; ++i) {
-      const double cubed = delta * delta * delta;
-      const double slope = 6.0 * delta * delta - 4.0 * cubed;
-      const double next = delta - (cubed * (2.0 - delta) - static_cast<double>(share)) / slope;
-      if (!(next < delta && next > 0.0)) break;
-      delta = next;
-    }
-    return static_cast<float>(delta);
-  }
-
- private:
-  bool smoothstep_;
-  int exponent_;  ///< 2 or 4, unless it is a smooth step
-};
-
 /// A cone of light around +z that fades between `falloff_start` and `cone_angle`. Emission is
 /// sampled in proportion to the intensity.
 class SpotLight final : public Light {
@@ -70,8 +30,8 @@ class SpotLight final : public Light {
         at_(in.at()),
         edge_(one_minus_cos(in.node().number("cone_angle"))),
         inner_(std::min(one_minus_cos(in.node().number("falloff_start")), edge_)),
-        fading_(in.node().text("falloff")),
-        solid_angle_(2.F * kPi * (inner_ + (edge_ - inner_) * fading_.integral())) {}
+        falloff_(in.node().text("falloff"), inner_, edge_),
+        solid_angle_(2.F * kPi * (inner_ + falloff_.integral())) {}
 
   bool at_infinity() const override { return false; }
   bool discrete_position() const override { return true; }
@@ -92,7 +52,7 @@ class SpotLight final : public Light {
       away = inner_ * (u.direction.x / chance_inner);
     } else {
       const float v = std::min((u.direction.x - chance_inner) / (1.F - chance_inner), 1.F);
-      away = edge_ - (edge_ - inner_) * fading_.delta_of(1.F - v);
+      away = falloff_.with_share(1.F - v);
     }
     const float sine = std::sqrt(std::max(0.F, away * (2.F - away)));
     const float phi = 2.F * kPi * u.direction.y;
@@ -138,8 +98,7 @@ class SpotLight final : public Light {
     if (away < inner_) {
       x = chance_inner * (away / inner_);
     } else {
-      const float delta = (edge_ - away) / (edge_ - inner_);
-      x = chance_inner + (1.F - fading_.share(delta)) * (1.F - chance_inner);
+      x = chance_inner + (1.F - falloff_.share(away)) * (1.F - chance_inner);
     }
     return EmissionUniforms{fresh.primitive,
                             fresh.position,
@@ -171,33 +130,34 @@ class SpotLight final : public Light {
     const float away = one_minus_cos(local);
     if (!(away < edge_)) return 0.F;
     if (away <= inner_) return 1.F;
-    return fading_.at((edge_ - away) / (edge_ - inner_));
+    return falloff_.at(away);
   }
 
   Spectrum intensity_;
   LightPlacement at_;
   float edge_;   ///< 1 − cos of the cone's half angle
   float inner_;  ///< 1 − cos where fading starts
-  Falloff fading_;
+  SpotFalloff falloff_;
   float solid_angle_;  ///< ∫ falloff dω, local
 };
 
 }  // namespace
 
 LightModel spot_light() {
-  return {{.name = "spot",
-           .summary = "a cone of light along z from one point, with a soft edge",
-           .source = "Pharr et al. 2016, section 12.3.1",
-           .parameters = {declare::emission("intensity", "W/sr", "radiant intensity in the middle"),
-                          declare::number("cone_angle", "30", "from the axis to where it is dark",
-                                          "degrees"),
-                          declare::number("falloff_start", "25", "from the axis to where it fades",
-                                          "degrees"),
-                          choice_parameter("falloff", {"quartic", "smoothstep", "quadratic"},
-                                           "how it fades with the cosine")}},
-          [](const LightInputs& in) -> std::unique_ptr<Light> {
-            return std::make_unique<SpotLight>(in);
-          }};
+  return {
+      {.name = "spot",
+       .summary = "a cone of light along z from one point, with a soft edge",
+       .source = "Pharr et al. 2016, section 12.3.1",
+       .parameters = {declare::emission("intensity", "W/sr", "radiant intensity in the middle"),
+                      declare::number("cone_angle", "30", "from the axis to where it is dark",
+                                      "degrees"),
+                      declare::number("falloff_start", "25", "from the axis to where it fades",
+                                      "degrees"),
+                      choice_parameter("falloff", {"quartic", "smoothstep", "quadratic", "angle"},
+                                       "how it fades: with the cosine, or with the angle")}},
+      [](const LightInputs& in) -> std::unique_ptr<Light> {
+        return std::make_unique<SpotLight>(in);
+      }};
 }
 
 }  // namespace ajar
