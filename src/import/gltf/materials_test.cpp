@@ -299,17 +299,20 @@ TEST(GltfMaterials, SpecularStrengthIsAnIndexOfTheSameReflection) {
   EXPECT_NEAR(std::pow((eta - 1.F) / (eta + 1.F), 2.F), 0.02F, 1e-6F);
 }
 
-TEST(GltfMaterials, ClearcoatOfAQuarterIsThatOfBurley) {
+TEST(GltfMaterials, ClearcoatIsACoat) {
   Json material;
-  material["extensions"]["KHR_materials_clearcoat"] = {{"clearcoatFactor", 0.125},
-                                                       {"clearcoatRoughnessFactor", 0.0}};
-  const desc::Node node = only_material(material);
-  EXPECT_EQ(node.number("clearcoat"), 0.5F);
-  EXPECT_EQ(node.number("clearcoat_gloss"), 1.F);
-  material["extensions"]["KHR_materials_clearcoat"]["clearcoatFactor"] = 1;
-  TestFile file;
-  file.add_triangle(material);
-  EXPECT_TRUE(contains(warnings_of(file), "clear coats of more than 0.25"));
+  material["extensions"]["KHR_materials_clearcoat"] = {{"clearcoatFactor", 0.75},
+                                                       {"clearcoatRoughnessFactor", 0.25}};
+  const desc::Node node = node_of(scene_of(textured(material)));
+  EXPECT_EQ(node.number("coat"), 0.75F);
+  EXPECT_EQ(node.number("coat_roughness"), 0.25F);
+  EXPECT_EQ(node.number("clearcoat"), 0.F);
+  material["extensions"]["KHR_materials_clearcoat"]["clearcoatRoughnessTexture"] = texture(0);
+  const desc::SceneDesc scene = scene_of(textured(material));
+  const desc::Node& rough =
+      scene.textures.at(static_cast<std::size_t>(node_of(scene).texture("coat_roughness"))).node;
+  EXPECT_EQ(rough.text("channel"), "green");
+  EXPECT_EQ(rough.number("scale"), 0.25F);
 }
 
 TEST(GltfMaterials, FactorsBeyondTheirRangeAreClampedWithAWarning) {

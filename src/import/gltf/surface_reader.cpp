@@ -13,14 +13,10 @@ namespace {
 constexpr WarningKind kFactorRange{Effect::Surface,
                                    "factors of materials are out of range: clamped"};
 constexpr WarningKind kCoatNormals{Effect::Slight, "clear coats have normal maps: ignored"};
-constexpr WarningKind kCoatRoughness{Effect::Slight,
-                                     "clear coats have a texture of their roughness: ignored"};
 constexpr WarningKind kUnlit{Effect::Light,
                              "materials are unlit: they shine, also onto their surroundings"};
 constexpr WarningKind kSpecular{Effect::Surface,
                                 "materials have a texture or a colour of their gloss: ignored"};
-constexpr WarningKind kClearcoat{Effect::Slight,
-                                 "materials have a stronger clear coat than can be shown"};
 constexpr WarningKind kSheen{Effect::Slight, "materials have a sheen: another one stands in"};
 constexpr WarningKind kDiffuseTransmission{
     Effect::Surface, "materials let light shine through diffusely: in their base colour"};
@@ -147,22 +143,11 @@ void SurfaceReader::set_clearcoat(desc::Node& node) {
   if (!coat) return;
   const float strength = clamped_number(*coat, "clearcoatFactor", 0.0);
   if (strength == 0.F) return;
-  // The coat of Burley 2012 is a quarter as strong as a layer of varnish; its gloss goes from an
-  // alpha of 0.1 to one of 0.001.
-  constexpr float kQuarter = 0.25F;
-  if (strength > kQuarter) {
-    context_.warnings.add(kClearcoat, coat->where(),
-                          "clear coats of more than 0.25 are shown as if they were 0.25");
-  }
-  node.set("clearcoat", textures_.number(*coat, "clearcoatTexture",
-                                         std::min(strength / kQuarter, 1.F), Channel::Red));
-  if (coat->has("clearcoatRoughnessTexture")) {
-    context_.warnings.add(kCoatRoughness, coat->where(),
-                          "the texture of the roughness of the coat is ignored");
-  }
-  const float roughness = clamped_number(*coat, "clearcoatRoughnessFactor", 0.0);
-  node.set("clearcoat_gloss",
-           std::clamp((0.1F - roughness * roughness) / (0.1F - 0.001F), 0.F, 1.F));
+  node.set("coat", textures_.number(*coat, "clearcoatTexture", strength, Channel::Red));
+  node.set(
+      "coat_roughness",
+      textures_.number(*coat, "clearcoatRoughnessTexture",
+                       clamped_number(*coat, "clearcoatRoughnessFactor", 0.0), Channel::Green));
 }
 
 void SurfaceReader::set_sheen(desc::Node& node) {

@@ -29,6 +29,8 @@ const ModelName& principled_names() {
                                  {"diffuse_transmission", {"diff_trans"}},
                                  {"clearcoat_gloss", {"clearcoat_gloss"}, "0"},
                                  {"sheen_tint", {"sheen_tint"}, "0"},
+                                 {"coat", {}},
+                                 {"coat_roughness", {}},
                                  {"eta", {"eta"}},
                                  {"thin", {}}}};
   return kNames;

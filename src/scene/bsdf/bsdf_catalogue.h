@@ -80,6 +80,15 @@ inline std::vector<NamedBsdf> catalogue(float tilt_degrees) {
   begin("metal under a rough coat").add(CoatedConductor{ggx(0.1F, 0.3F), gold, {1.3F, 0.3F}});
   begin("smooth metal under a smooth coat").add(SmoothCoatedConductor{{gold, 1.5F}});
 
+  begin("disney specular under a coat")
+      .add(UnderVarnish<DisneySpecular>{
+          {{FacetModel::GgxSeparable, 0.2F, 0.4F}, {PackedSpectrum(tint), 1.F}}, 0.1F, 0.7F});
+  Bsdf& car_paint = begin("car paint");
+  car_paint.add(SmoothCoat{{1.5F}}, Spectrum(0.8F));
+  car_paint.add(UnderVarnish<DisneyDiffuse>{{PackedSpectrum(tint), {}, 1.F, 0.F, 0.4F}, 0.F, 0.8F});
+  // As the diffuse lobe by itself.
+  all.back().conserves_energy = false;
+
   for (const float alpha : {0.15F, 0.6F}) {
     Bsdf& white_wall = begin("white under a coat of " + std::to_string(alpha));
     white_wall.add(RoughCoat{ggx(alpha, alpha), {1.5F}});

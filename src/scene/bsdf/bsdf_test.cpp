@@ -185,7 +185,7 @@ Lobe random_lobe(Rng& rng) {
   const float coat_eta = extreme(rng, 1.F, 20.F);
   const Coat coat{coat_eta, rng.next() < 0.5F ? 0.F : alpha};
   constexpr std::size_t kLobes = std::variant_size_v<Lobe>;
-  static_assert(kLobes == 22, "each lobe has a case here");
+  static_assert(kLobes == 24, "each lobe has a case here");
   switch (static_cast<int>(rng.next() * static_cast<float>(kLobes))) {
     case 0:
       return Lambert{};
@@ -229,6 +229,11 @@ Lobe random_lobe(Rng& rng) {
       return CoatedDiffuse(a.unpack(), coat);
     case 20:
       return CoatedConductor{facets, metal, coat};
+    case 21:
+      return UnderVarnish<DisneyDiffuse>{
+          {a, b, rng.next(), rng.next(), rng.next()}, coat.alpha, rng.next()};
+    case 22:
+      return UnderVarnish<DisneySpecular>{{facets, {a, rng.next(), eta}}, coat.alpha, rng.next()};
     default:
       return SmoothCoatedConductor{{metal, coat_eta}};
   }

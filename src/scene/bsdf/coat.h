@@ -159,6 +159,56 @@ struct CoatedConductor {
   }
 };
 
+/// Index of refraction of varnish. Source: KHR_materials_clearcoat.
+inline constexpr float kVarnishIndex = 1.5F;
+
+template <typename Base>
+concept MayBeDiffuse = requires(const Base& base, const Vec3& wo) {
+  base.is_diffuse(wo, 0.F);
+};
+
+/// Any lobe, of which a share is under varnish: that share is seen through it, on the way in and
+/// out, and what the varnish turns back is lost. Light is not bent.
+template <typename Base>
+struct UnderVarnish {
+  static constexpr bool kSpecular = false;
+  static_assert(!Base::kSpecular);
+  Base base;
+  float alpha = 0.F;  ///< of the varnish; 0 for a smooth one
+  float share = 1.F;
+
+  LobeValue evaluate(const Vec3& wo, const Vec3& wi, bool transmission, TransportMode mode) const {
+    LobeValue v = base.evaluate(wo, wi, transmission, mode);
+    v.value *= left(wo, wi);
+    return v;
+  }
+  std::optional<LobeSample> sample(const Vec3& wo, const BsdfUniforms& u, const Vec3& ng,
+                                   TransportMode mode) const {
+    std::optional<LobeSample> s = base.sample(wo, u, ng, mode);
+    if (s) s->weight *= left(wo, s->wi);
+    return s;
+  }
+  LobeInverse inverse(const Vec3& wo, const Vec3& wi, float u_lobe, const Vec3& ng) const {
+    return base.inverse(wo, wi, u_lobe, ng);
+  }
+  bool is_diffuse(const Vec3& wo, float u_lobe) const requires MayBeDiffuse<Base> {
+    return base.is_diffuse(wo, u_lobe);
+  }
+  Spectrum albedo(const Vec3& wo) const {
+    const Coat coat = varnish();
+    return base.albedo(wo) *
+           covered(coat.transmittance(std::abs(wo.z)) * coat.mean_transmittance());
+  }
+
+ private:
+  Coat varnish() const { return {kVarnishIndex, alpha}; }
+  float covered(float through) const { return 1.F + share * (through - 1.F); }
+  float left(const Vec3& wo, const Vec3& wi) const {
+    const Coat coat = varnish();
+    return covered(coat.transmittance(std::abs(wo.z)) * coat.transmittance(std::abs(wi.z)));
+  }
+};
+
 /// Both layers smooth: one mirror of what the coat and the metal below it reflect.
 struct CoatedConductorFresnel {
   ConductorFresnel metal;  ///< relative to the coat

@@ -79,6 +79,20 @@ TEST(CoatedDiffuse, WhiteOnesGiveBackAllThatTheCoatLetsThrough) {
   }
 }
 
+TEST(UnderVarnish, IsSeenThroughTheCoatWhereItIs) {
+  const DisneySpecular metal{{FacetModel::GgxSeparable, 0.3F, 0.3F},
+                             {PackedSpectrum(Spectrum(0.9F)), 1.F}};
+  const Vec3 wo = direction(30.F, 0.F);
+  const Vec3 wi = direction(50.F, 170.F);
+  const float through = (1.F - fresnel_dielectric(wo.z, 1.5F).reflectance) *
+                        (1.F - fresnel_dielectric(wi.z, 1.5F).reflectance);
+  const LobeValue bare = metal.evaluate(wo, wi, false, TransportMode::Radiance);
+  const LobeValue under = UnderVarnish<DisneySpecular>{metal, 0.F, 0.4F}.evaluate(
+      wo, wi, false, TransportMode::Radiance);
+  EXPECT_NEAR(under.value[0], bare.value[0] * (0.6F + 0.4F * through), 1e-5F * bare.value[0]);
+  EXPECT_EQ(under.pdf, bare.pdf);
+}
+
 TEST(CoatedConductor, SmoothLayersReflectAsPlanesDo) {
   // F + T R T + T R F R T + … = F + T² R / (1 − R F).
   const ConductorFresnel metal(Spectrum(0.2F), Spectrum(2.F));

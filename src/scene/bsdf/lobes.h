@@ -23,7 +23,8 @@ using Lobe = std::variant<Lambert, SmoothDielectric, Conductor, DielectricReflec
                           RoughDielectric, Mirror, PassThrough, OrenNayar, LambertTransmission,
                           ThinDielectric, SpecularReflection, SpecularTransmission, DisneyDiffuse,
                           DisneySpecular, DisneyClearcoat, SmoothConductor, SmoothCoat, RoughCoat,
-                          CoatedDiffuse, CoatedConductor, SmoothCoatedConductor>;
+                          CoatedDiffuse, CoatedConductor, SmoothCoatedConductor,
+                          UnderVarnish<DisneyDiffuse>, UnderVarnish<DisneySpecular>>;
 
 static_assert(std::is_trivially_copyable_v<Lobe>);
 static_assert(sizeof(Lobe) <= 48);

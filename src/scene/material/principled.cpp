@@ -21,11 +21,28 @@ class Principled final : public Material {
   int max_lobes() const override;
 
  private:
+  /// The varnish, and how much of the surface has it.
+  struct Varnish {
+    float share = 0.F;
+    float alpha = 0.F;
+
+    template <typename Base>
+    void add_below(const Base& base, const Spectrum& scale, Bsdf& bsdf) const {
+      if (share > 0.F) {
+        bsdf.add(UnderVarnish<Base>{base, alpha, share}, scale);
+      } else {
+        bsdf.add(base, scale);
+      }
+    }
+  };
+  Varnish add_varnish(const SurfacePoint& at, const Spectrum& scale, Bsdf& bsdf) const;
   void add_diffuse(const SurfacePoint& at, const Spectrum& scale, const Spectrum& color,
-                   const Spectrum& tint, float roughness, float share, Bsdf& bsdf) const;
+                   const Spectrum& tint, float roughness, float share, const Varnish& varnish,
+                   Bsdf& bsdf) const;
 
   TextureSlot color_, metallic_, eta_, roughness_, specular_tint_, anisotropic_, sheen_,
-      sheen_tint_, clearcoat_, clearcoat_gloss_, spec_trans_, flatness_, diff_trans_;
+      sheen_tint_, clearcoat_, clearcoat_gloss_, coat_, coat_roughness_, spec_trans_, flatness_,
+      diff_trans_;
   bool thin_;
 };
 
@@ -40,6 +57,8 @@ Principled::Principled(const MaterialInputs& in)
       sheen_tint_(in.slot("sheen_tint")),
       clearcoat_(in.slot("clearcoat")),
       clearcoat_gloss_(in.slot("clearcoat_gloss")),
+      coat_(in.slot("coat")),
+      coat_roughness_(in.slot("coat_roughness")),
       spec_trans_(in.slot("specular_transmission")),
       flatness_(in.slot("flatness")),
       diff_trans_(in.slot("diffuse_transmission")),
@@ -57,9 +76,10 @@ void Principled::add_lobes(const SurfacePoint& at, const Spectrum& scale, Bsdf& 
   // Hue and saturation alone.
   const Spectrum tint = brightness > 0.F ? color / brightness : Spectrum(1.F);
 
+  const Varnish varnish = add_varnish(at, scale, bsdf);
   const float diffuse_share = (1.F - metallic) * (1.F - transmission);
   if (diffuse_share > 0.F) {
-    add_diffuse(at, scale, color, tint, roughness, diffuse_share, bsdf);
+    add_diffuse(at, scale, color, tint, roughness, diffuse_share, varnish, bsdf);
   }
 
   const float aspect = std::sqrt(1.F - 0.9F * weight(anisotropic_, at));
@@ -68,7 +88,7 @@ void Principled::add_lobes(const SurfacePoint& at, const Spectrum& scale, Bsdf& 
   const float tinted = weight(specular_tint_, at);
   const Spectrum white_r0 = dielectric_r0 * (Spectrum(1.F) + (tint - Spectrum(1.F)) * tinted);
   const Spectrum r0 = white_r0 * (1.F - metallic) + color * metallic;
-  bsdf.add(DisneySpecular{facets, {PackedSpectrum(r0), metallic, eta}}, scale);
+  varnish.add_below(DisneySpecular{facets, {PackedSpectrum(r0), metallic, eta}}, scale, bsdf);
 
   const float clearcoat = weight(clearcoat_, at);
   if (clearcoat > 0.F) {
@@ -96,8 +116,23 @@ void Principled::add_lobes(const SurfacePoint& at, const Spectrum& scale, Bsdf& 
   }
 }
 
+Principled::Varnish Principled::add_varnish(const SurfacePoint& at, const Spectrum& scale,
+                                            Bsdf& bsdf) const {
+  const float share = weight(coat_, at);
+  if (!(share > 0.F)) return {};
+  const float alpha = square(weight(coat_roughness_, at));
+  // Source of the limit: Pharr et al. 2023, section 9.6.2.
+  if (alpha < 1e-3F) {
+    bsdf.add(SmoothCoat{{kVarnishIndex}}, scale * share);
+    return {share, 0.F};
+  }
+  bsdf.add(RoughCoat{{FacetModel::Ggx, alpha, alpha}, {kVarnishIndex}}, scale * share);
+  return {share, alpha};
+}
+
 void Principled::add_diffuse(const SurfacePoint& at, const Spectrum& scale, const Spectrum& color,
-                             const Spectrum& tint, float roughness, float share, Bsdf& bsdf) const {
+                             const Spectrum& tint, float roughness, float share,
+                             const Varnish& varnish, Bsdf& bsdf) const {
   const float sheen = weight(sheen_, at);
   const float sheen_tint = weight(sheen_tint_, at);
   const Spectrum sheen_color = (Spectrum(1.F) + (tint - Spectrum(1.F)) * sheen_tint) * sheen;
@@ -109,11 +144,12 @@ void Principled::add_diffuse(const SurfacePoint& at, const Spectrum& scale, cons
     lobe.fake_subsurface = flatness * reflected;
   }
   if (color.is_black() && sheen == 0.F) return;
-  bsdf.add(lobe, scale * share);
+  varnish.add_below(lobe, scale * share, bsdf);
 }
 
 int Principled::max_lobes() const {
-  return 2 + (clearcoat_.is_black() ? 0 : 1) + (spec_trans_.is_black() ? 0 : 1) + (thin_ ? 1 : 0);
+  return 2 + (clearcoat_.is_black() ? 0 : 1) + (coat_.is_black() ? 0 : 1) +
+         (spec_trans_.is_black() ? 0 : 1) + (thin_ ? 1 : 0);
 }
 
 }  // namespace
@@ -138,6 +174,9 @@ MaterialModel principled_material() {
                                      1.0),
             declare::textured_number("clearcoat", "0", "a second gloss above all", 1.0),
             declare::textured_number("clearcoat_gloss", "1", "how smooth the clearcoat is", 1.0),
+            declare::textured_number(
+                "coat", "0", "share that is under a varnish of index 1.5; glass never is", 1.0),
+            declare::textured_number("coat_roughness", "0", "root of the alpha of its facets", 1.0),
             declare::textured_number("specular_transmission", "0",
                                      "share of light that is refracted", 1.0),
             declare::textured_number("flatness", "0",
