@@ -62,7 +62,7 @@ def spot(
     intensity: Color = 1.0,
     cone_angle: Number = 30.0,
     falloff_start: Number = 25.0,
-    falloff: Literal["quartic", "smoothstep", "quadratic"] = 'quartic',
+    falloff: Literal["quartic", "smoothstep", "quadratic", "angle"] = 'quartic',
     name: str = '',
 ) -> Node:
     """a cone of light along z from one point, with a soft edge."""

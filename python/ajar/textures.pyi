@@ -76,7 +76,7 @@ def fbm(
 def image(
     *,
     file: File | None = None,
-    channel: Literal["color", "red", "green", "blue", "alpha"] = 'color',
+    channel: Literal["color", "red", "green", "blue", "alpha", "mean", "luminance", "alpha_or_mean", "varying_alpha_or_mean"] = 'color',
     wrap: Literal["repeat", "black", "clamp"] = 'repeat',
     decode_srgb: bool = True,
     decoding_exponent: Number | None = None,
