@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "import/common/coated_metal.h"
 #include "import/mitsuba/node_maker.h"
 #include "import/mitsuba/refraction.h"
 #include "import/mitsuba/roughness.h"
@@ -48,9 +49,8 @@ Surface plastic(const MaterialInputs& in, bool is_rough) {
   return {in.materials.add(in.arguments.element(), std::move(node)), desc::kNone, true};
 }
 
-/// A metal under a coat. Mitsuba's has the index of refraction that it has in air.
-desc::Node coated_conductor(const MaterialInputs& in, float eta, const desc::Node& metal,
-                            bool is_rough) {
+desc::Node metal_below(const MaterialInputs& in, float eta, const desc::Node& metal,
+                       bool is_rough) {
   in.context().warnings.add(kCoatedMetal, in.where(),
                             "what goes to and fro between a metal and its coat is shown here");
   if (in.textures.color(in.arguments, "specular_reflectance", desc::Rgb(1.F)) !=
@@ -58,16 +58,11 @@ desc::Node coated_conductor(const MaterialInputs& in, float eta, const desc::Nod
     in.context().warnings.add(kTintedCoat, in.where(),
                               "\"specular_reflectance\" of a coat on metal is not supported: 1");
   }
-  desc::Node node = desc::material_node(
-      "coated_conductor",
-      {{"eta", metal.color("eta") * eta}, {"k", metal.color("k") * eta}, {"coat_eta", eta}});
-  const bool is_smooth = metal.text("distribution") == "smooth";
-  node.set("roughness", is_smooth ? desc::Value(0.F) : metal.get("roughness"));
-  if (!is_smooth) node.set("roughness_v", metal.get("roughness_v"));
   if (metal.text("distribution") == "beckmann") {
     in.context().warnings.add(kBeckmannBelow, in.where(),
                               "the facets of a metal below a coat are those of \"ggx\" here");
   }
+  desc::Node node = coated_metal(metal, eta);
   if (is_rough) {
     const Roughness coat = read_ggx_roughness(in);
     node.set("coat_roughness", coat.alpha);
@@ -97,7 +92,7 @@ Surface coating(const MaterialInputs& in, bool is_rough) {
     return finished(coated_diffuse(in, eta, base.node.get("reflectance"), "none", is_rough));
   }
   if (base.node.is("conductor") && is_constant(base.node, "eta") && is_constant(base.node, "k")) {
-    return finished(coated_conductor(in, eta, base.node, is_rough));
+    return finished(metal_below(in, eta, base.node, is_rough));
   }
   in.context().warnings.add(kCoat, in.where(),
                             "a coat is only supported on diffuse materials and metals: left out");

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "import/common/coated_metal.h"
 #include "import/tungsten/coat_optics.h"
 #include "import/tungsten/metals.h"
 #include "scene/desc/models.h"
@@ -93,21 +94,15 @@ desc::Node plastic_of(const BsdfInputs& in, const desc::Value& roughness) {
   return coated_diffuse(layer, albedo, roughness, "base");
 }
 
-desc::Node coated_metal(const BsdfInputs& in, const Layer& layer, const desc::Node& metal,
-                        const desc::Value& roughness) {
+desc::Node metal_below(const BsdfInputs& in, const Layer& layer, const desc::Node& metal,
+                       const desc::Value& roughness) {
   in.warn(kCoatedMetal, "what goes to and fro between a metal and its coat is shown here");
-  const bool is_smooth = metal.text("distribution") == "smooth";
   if (metal.text("distribution") == "beckmann") {
     in.warn(kBeckmannBelow, "the facets of a metal below a coat are those of \"ggx\" here");
   }
-  // Tungsten's metal has the index of refraction that it has in air.
-  const auto eta = static_cast<float>(layer.ior);
-  return desc::material_node("coated_conductor",
-                             {{"eta", metal.color("eta") * eta},
-                              {"k", metal.color("k") * eta},
-                              {"roughness", is_smooth ? desc::Value(0.F) : metal.get("roughness")},
-                              {"coat_eta", eta},
-                              {"coat_roughness", roughness}});
+  desc::Node node = coated_metal(metal, static_cast<float>(layer.ior));
+  node.set("coat_roughness", roughness);
+  return node;
 }
 
 /// A blend whose first part, the coat, reflects more than the layer does by as much as the blend
@@ -166,7 +161,7 @@ desc::Node coated(const BsdfInputs& in, const desc::Value& roughness) {
     return coated_diffuse(layer, albedo, roughness, "none");
   }
   if (below.is("conductor") && layer.tau == Vec3(0.F)) {
-    return coated_metal(in, layer, below, roughness);
+    return metal_below(in, layer, below, roughness);
   }
   return blended_coat(in, layer, base, roughness);
 }
