@@ -299,6 +299,22 @@ TEST(GltfMaterials, SpecularStrengthIsAnIndexOfTheSameReflection) {
   EXPECT_NEAR(std::pow((eta - 1.F) / (eta + 1.F), 2.F), 0.02F, 1e-6F);
 }
 
+TEST(GltfMaterials, BlendsWeighWhatShines) {
+  const auto emission = [](const Json& pbr) {
+    TestFile file = textured({{"alphaMode", "BLEND"},
+                              {"emissiveFactor", {1, 0.5, 0.25}},
+                              {"pbrMetallicRoughness", pbr}});
+    const desc::SceneDesc scene = scene_of(file);
+    return std::pair(shape_of(scene).emission->node, scene);
+  };
+  const auto [constant, first] = emission({{"baseColorFactor", {1, 1, 1, 0.5}}});
+  EXPECT_EQ(constant.color("scale"), Vec3(0.5F, 0.25F, 0.125F));
+  const auto [varied, scene] = emission({{"baseColorTexture", texture(0)}});
+  const desc::Node& alpha =
+      scene.textures.at(static_cast<std::size_t>(varied.texture("radiance"))).node;
+  EXPECT_EQ(alpha.text("channel"), "alpha");
+}
+
 TEST(GltfMaterials, ClearcoatIsACoat) {
   Json material;
   material["extensions"]["KHR_materials_clearcoat"] = {{"clearcoatFactor", 0.75},

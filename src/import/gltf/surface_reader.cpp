@@ -13,6 +13,8 @@ namespace {
 constexpr WarningKind kFactorRange{Effect::Surface,
                                    "factors of materials are out of range: clamped"};
 constexpr WarningKind kCoatNormals{Effect::Slight, "clear coats have normal maps: ignored"};
+constexpr WarningKind kNoCoat{Effect::Surface,
+                              "clear coats of glass and of old or unlit materials: left out"};
 constexpr WarningKind kUnlit{Effect::Light,
                              "materials are unlit: they shine, also onto their surroundings"};
 constexpr WarningKind kSpecular{Effect::Surface,
@@ -31,8 +33,9 @@ float brightness(const Vec3& color) {
 
 Surface SurfaceReader::read() {
   const std::size_t first_made = context_.scene.materials.size();
-  surface_.material = with_opacity(read_base());
+  const desc::MaterialId base = read_base();
   read_emission();
+  surface_.material = with_opacity(base);
   read_normals(first_made);
   surface_.uv_set = textures_.uv_set();
   return surface_;
@@ -43,12 +46,17 @@ desc::MaterialId SurfaceReader::read_base() {
   const Element nothing(kNothing, context_.document.name,
                         material_.pointer() + "/pbrMetallicRoughness");
   const Element pbr = material_.find("pbrMetallicRoughness").value_or(nothing);
-  if (material_.extension("KHR_materials_unlit")) return unlit(pbr);
+  if (material_.extension("KHR_materials_unlit")) {
+    warn_of_coat();
+    return unlit(pbr);
+  }
   if (const auto glossiness = material_.extension("KHR_materials_pbrSpecularGlossiness")) {
+    warn_of_coat();
     return specular_glossiness(*glossiness);
   }
   const desc::MaterialId opaque = metallic_roughness(pbr);
   const auto transmission = material_.extension("KHR_materials_transmission");
+  if (transmission) warn_of_coat();
   return transmission ? with_transmission(opaque, *transmission, pbr) : opaque;
 }
 
@@ -135,7 +143,25 @@ desc::MaterialId SurfaceReader::with_opacity(desc::MaterialId visible) {
       context_.scene, {.name = material_.text_or("name", ""), .where = material_.where()}, visible,
       alpha_);
   surface_.alpha = partly.alpha;
+  // A blend is of all that is seen, of what shines, too.
+  if (surface_.emission) {
+    desc::Node& emission = surface_.emission->node;
+    const auto* share = std::get_if<float>(&alpha_);
+    if (share != nullptr) {
+      emission.set("scale", emission.color("scale") * *share);
+    } else {
+      emission.set("radiance", textures_.product(emission.get("radiance"), alpha_));
+    }
+  }
   return partly.material;
+}
+
+void SurfaceReader::warn_of_coat() {
+  const auto coat = material_.extension("KHR_materials_clearcoat");
+  if (!coat || coat->number_or("clearcoatFactor", 0.0) == 0.F) return;
+  context_.warnings.add(kNoCoat, coat->where(),
+                        "a clear coat is only supported on metals and opaque dielectrics: left out "
+                        "elsewhere");
 }
 
 void SurfaceReader::set_clearcoat(desc::Node& node) {

@@ -10,13 +10,19 @@ namespace {
 
 constexpr WarningKind kCoat{Effect::Surface, "materials have a coat, which is left out"};
 constexpr WarningKind kClearCoat{Effect::Surface,
-                                 "coats absorb light in Mitsuba: clear ones stand in"};
+                                 "coats of metals absorb light in Mitsuba: clear ones stand in"};
 constexpr WarningKind kCoatedMetal{
     Effect::Slight, "metals have a coat: light that goes to and fro between the two is shown"};
 constexpr WarningKind kTintedCoat{Effect::Surface,
                                   "coats of metals have a tint, which is left out"};
 constexpr WarningKind kBeckmannBelow{
     Effect::Slight, "metals below a coat have facets of a distribution that is not supported"};
+constexpr WarningKind kThinCoat{Effect::Surface,
+                                "coats are thinner than what is outside: no gloss"};
+constexpr WarningKind kTiltedCoat{Effect::Slight,
+                                  "bump or normal maps below a coat tilt the coat, too"};
+constexpr WarningKind kSmoothBelow{Effect::Slight,
+                                   "rough diffuse bases below coats are shown as smooth ones"};
 constexpr WarningKind kOldGloss{
     Effect::Surface, "materials are phong or ward, which are not supported: coated ones stand in"};
 
@@ -24,16 +30,27 @@ bool is_constant(const desc::Node& node, const char* name) {
   return std::holds_alternative<Vec3>(node.get(name));
 }
 
-/// Diffuse under a coat. Mitsuba knows three: `inner_reflections` of our model.
+/// Index of a coat. What is below has no gloss if the coat is the thinner medium.
+float index_of_coat(const MaterialInputs& in, std::string_view usual) {
+  const float eta = relative_index(in.arguments, usual);
+  if (eta < 1.F) {
+    in.context().warnings.add(
+        kThinCoat, in.where(),
+        "a coat that is thinner than what is outside is not supported: it has "
+        "no gloss");
+  }
+  return eta;
+}
+
+/// Diffuse under a coat.
 desc::Node coated_diffuse(const MaterialInputs& in, float eta, const desc::Value& base,
-                          const std::string& inner_reflections, bool is_rough) {
+                          bool is_rough) {
   desc::Node node = desc::material_node(
       "coated_diffuse", {{"coat", std::string("dielectric")},
                          {"eta", eta},
                          {"diffuse_reflectance", base},
                          {"coat_reflectance",
                           in.textures.color(in.arguments, "specular_reflectance", desc::Rgb(1.F))},
-                         {"inner_reflections", inner_reflections},
                          {"roughness", 0.F}});
   if (is_rough) read_ggx_roughness(in).set(node);
   return node;
@@ -42,10 +59,10 @@ desc::Node coated_diffuse(const MaterialInputs& in, float eta, const desc::Value
 /// Unless "nonlinear", Mitsuba takes the base for white where light goes to and fro below the
 /// boundary, so that its colour does not change.
 Surface plastic(const MaterialInputs& in, bool is_rough) {
-  const float eta = relative_index(in.arguments, "polypropylene");
+  const float eta = index_of_coat(in, "polypropylene");
   const desc::Value base = in.textures.color(in.arguments, "diffuse_reflectance", desc::Rgb(0.5F));
-  const std::string inner = in.arguments.flag("nonlinear", false) ? "base" : "white";
-  desc::Node node = coated_diffuse(in, eta, base, inner, is_rough);
+  desc::Node node = coated_diffuse(in, eta, base, is_rough);
+  if (!in.arguments.flag("nonlinear", false)) node.set("inner_reflections", std::string("white"));
   return {in.materials.add(in.arguments.element(), std::move(node)), desc::kNone, true};
 }
 
@@ -76,22 +93,34 @@ Surface coating(const MaterialInputs& in, bool is_rough) {
   if (nested.empty()) throw SceneError(in.where(), "a coating needs a bsdf in it");
   const Surface inner = in.materials.make(*nested.front());
   const desc::Material base = in.materials.get(inner.material);
-  if (in.arguments.color("sigma_a").value_or(desc::Rgb(0.F)) != desc::Rgb(0.F)) {
-    in.context().warnings.add(kClearCoat, in.where(),
-                              "\"sigma_a\" of a coat is not supported: it is clear");
+  const desc::Rgb depth = in.arguments.color("sigma_a").value_or(desc::Rgb(0.F)) *
+                          in.arguments.number("thickness", 1.F);
+  const float eta = index_of_coat(in, "bk7");
+  if (base.has_relief()) {
+    in.context().warnings.add(kTiltedCoat, in.where(),
+                              "the bump or normal map below this coat tilts the coat, too");
   }
-  in.arguments.accept({"thickness"});
-  const float eta = relative_index(in.arguments, "bk7");
   const auto finished = [&](desc::Node node) {
     const desc::MaterialId id = in.materials.add(in.arguments.element(), std::move(node));
     in.context().scene.materials.back().bump = base.bump;
     in.context().scene.materials.back().normal_map = base.normal_map;
     return Surface{id, inner.alpha, inner.is_one_sided};
   };
-  if (base.node.is("diffuse") && base.node.get("sigma") == desc::Value(0.F)) {
-    return finished(coated_diffuse(in, eta, base.node.get("reflectance"), "none", is_rough));
+  if (base.node.is("diffuse")) {
+    if (base.node.get("sigma") != desc::Value(0.F)) {
+      in.context().warnings.add(kSmoothBelow, in.where(),
+                                "a rough diffuse base below a coat is shown as a smooth one");
+    }
+    desc::Node node = coated_diffuse(in, eta, base.node.get("reflectance"), is_rough);
+    node.set("coat_depth", Vec3(depth));
+    node.set("bounces", 1);
+    return finished(std::move(node));
   }
   if (base.node.is("conductor") && is_constant(base.node, "eta") && is_constant(base.node, "k")) {
+    if (depth != desc::Rgb(0.F)) {
+      in.context().warnings.add(kClearCoat, in.where(),
+                                "\"sigma_a\" of a coat on metal is not supported: it is clear");
+    }
     return finished(metal_below(in, eta, base.node, is_rough));
   }
   in.context().warnings.add(kCoat, in.where(),

@@ -14,9 +14,11 @@ Surface diffuse(const MaterialInputs& in, const desc::Value& sigma) {
   const desc::Value reflectance = in.textures.color(
       in.arguments, is_long_name ? "diffuse_reflectance" : "reflectance", desc::Rgb(0.5F));
   const bool is_black = reflectance == desc::Value(Vec3(0.F));
-  return {in.materials.add(
-              in.arguments.element(),
-              desc::material_node("diffuse", {{"reflectance", reflectance}, {"sigma", sigma}})),
+  const bool is_rough = sigma != desc::Value(0.F);
+  return {in.materials.add(in.arguments.element(),
+                           desc::material_node("diffuse", {{"reflectance", reflectance},
+                                                           {"sigma", sigma},
+                                                           {"between_facets", is_rough}})),
           desc::kNone, !is_black};
 }
 
@@ -29,6 +31,7 @@ const ModelName& principled_names() {
                                  {"diffuse_transmission", {"diff_trans"}},
                                  {"clearcoat_gloss", {"clearcoat_gloss"}, "0"},
                                  {"sheen_tint", {"sheen_tint"}, "0"},
+                                 {"blend", {}},
                                  {"coat", {}},
                                  {"coat_roughness", {}},
                                  {"eta", {"eta"}},

@@ -95,7 +95,8 @@ TEST(MitsubaMaterials, CoatsAreLayers) {
       "<bsdf type=\"coating\"><float name=\"int_ior\" value=\"1.5\"/><float name=\"ext_ior\" "
       "value=\"1\"/><bsdf type=\"diffuse\"/></bsdf>");
   ASSERT_TRUE(wood.node().is("coated_diffuse"));
-  EXPECT_EQ(wood.node().text("inner_reflections"), "none");
+  EXPECT_EQ(wood.node().integer("bounces"), 1);
+  EXPECT_EQ(wood.node().get("coat_depth"), desc::Value(Vec3(0.F)));
   EXPECT_EQ(wood.node().number("roughness"), 0.F);
   const MaterialOf lacquer(
       "<bsdf type=\"roughcoating\"><float name=\"int_ior\" value=\"1.5\"/><float name=\"ext_ior\" "
@@ -280,9 +281,16 @@ TEST(MitsubaTextures, CheckerboardsHaveTwoSquaresPerUnit) {
 }
 
 TEST(MitsubaMaterials, CoatsThatAbsorbAreWarnedOf) {
-  const std::string coat =
-      "<bsdf type=\"coating\"><rgb name=\"sigma_a\" value=\"1\"/><bsdf type=\"diffuse\"/></bsdf>";
-  EXPECT_TRUE(contains(MaterialOf(coat).warnings, "\"sigma_a\" of a coat is not supported"));
+  const auto coat = [](const std::string& base) {
+    return MaterialOf(
+        "<bsdf type=\"coating\"><rgb name=\"sigma_a\" value=\"1 2 3\"/><float "
+        "name=\"thickness\" value=\"2\"/><bsdf type=\"" +
+        base + "\"/></bsdf>");
+  };
+  EXPECT_EQ(coat("diffuse").node().get("coat_depth"), desc::Value(Vec3(2.F, 4.F, 6.F)));
+  EXPECT_TRUE(contains(coat("roughconductor").warnings, "\"sigma_a\" of a coat on metal"));
+  EXPECT_TRUE(contains(coat("roughdiffuse").warnings, "rough diffuse base below a coat"));
+  EXPECT_TRUE(coat("roughdiffuse").node().is("coated_diffuse"));
 }
 
 }  // namespace

@@ -68,7 +68,7 @@ desc::MaterialId tilted(const MaterialInputs& in, desc::MaterialId id, desc::Tex
 
 /// The texture in this one, or, as in the renderer of Zeltner et al. 2020, its file; nothing, after
 /// a warning, if there is none.
-std::optional<desc::TextureId> texture_of_relief(const MaterialInputs& in) {
+std::optional<desc::TextureId> texture_of_relief(const MaterialInputs& in, bool is_height) {
   const std::vector<const Element*> textures = in.arguments.children("texture");
   const std::optional<std::string> file = in.arguments.text("filename");
   if (textures.empty() && file) return in.textures.add_vectors(in.where(), *file);
@@ -78,7 +78,8 @@ std::optional<desc::TextureId> texture_of_relief(const MaterialInputs& in) {
         "bsdf \"" + in.arguments.element().type + "\" has no texture in it: the surface is smooth");
     return std::nullopt;
   }
-  return in.textures.make(*textures.front());
+  return is_height ? in.textures.make_height(*textures.front())
+                   : in.textures.make(*textures.front());
 }
 
 /// The material in this one with this relief.
@@ -125,14 +126,14 @@ Surface make_mask(const MaterialInputs& in) {
 
 Surface make_bump_map(const MaterialInputs& in) {
   const float scale = in.arguments.number("scale", 1.F);
-  const std::optional<desc::TextureId> height = texture_of_relief(in);
+  const std::optional<desc::TextureId> height = texture_of_relief(in, true);
   if (!height) return with_relief(in, desc::kNone, {});
   const desc::Value scaled = in.textures.scaled(in.where(), desc::TextureRef{*height}, scale);
   return with_relief(in, std::get<desc::TextureRef>(scaled).id, {});
 }
 
 Surface make_normal_map(const MaterialInputs& in) {
-  const desc::TextureId normals = texture_of_relief(in).value_or(desc::kNone);
+  const desc::TextureId normals = texture_of_relief(in, false).value_or(desc::kNone);
   return with_relief(in, desc::kNone, {.texture = normals, .right_handed = true});
 }
 

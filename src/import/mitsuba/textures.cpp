@@ -38,7 +38,18 @@ void set_image_uv(desc::Node& node, UvTransform uv) {
   uv.set(node);
 }
 
+/// A colour as one number: the mean or the luminance of its lanes.
+float number_of(const desc::Rgb& color, bool mean) {
+  if (color.x == color.y && color.y == color.z) return color.x;
+  const Spectrum lanes(color.x, color.y, color.z);
+  return mean ? lanes.average() : luminance(lanes);
+}
+
 }  // namespace
+
+TextureTable::Role TextureTable::number_role() const {
+  return context_.document.major_version == 0 ? Role::Mean : Role::Luminance;
+}
 
 std::optional<desc::Value> TextureTable::find_color(Arguments& arguments, std::string_view name) {
   if (const Element* texture = arguments.child(name, "texture")) {
@@ -55,13 +66,11 @@ desc::Value TextureTable::color(Arguments& arguments, std::string_view name,
 
 std::optional<desc::Value> TextureTable::find_number(Arguments& arguments, std::string_view name) {
   if (const Element* texture = arguments.child(name, "texture")) {
-    return desc::TextureRef{make(*texture, Role::Number)};
+    return desc::TextureRef{make(*texture, number_role())};
   }
   const std::optional<desc::Rgb> color = arguments.color(name);
   if (!color) return std::nullopt;
-  if (color->x == color->y && color->y == color->z) return color->x;
-  const Spectrum lanes(color->x, color->y, color->z);
-  return context_.document.major_version == 0 ? lanes.average() : luminance(lanes);
+  return number_of(*color, number_role() == Role::Mean);
 }
 
 desc::Value TextureTable::number(Arguments& arguments, std::string_view name, float fallback) {
@@ -92,6 +101,14 @@ desc::TextureId TextureTable::make(const Element& element, Role role) {
     return place->second;
   }
   desc::Node node = read(element, role);
+  if (role != Role::Color) {
+    for (const char* name : {"value", "first", "second"}) {
+      if (!node.has(name)) continue;
+      if (const Vec3* color = std::get_if<Vec3>(&node.get(name))) {
+        node.set(name, Vec3(number_of(*color, role == Role::Mean)));
+      }
+    }
+  }
   const auto id = static_cast<desc::TextureId>(context_.scene.textures.size());
   context_.scene.textures.push_back({element.id, element.where, std::move(node)});
   made_[{&element, role}] = id;
@@ -161,8 +178,8 @@ desc::Node TextureTable::bitmap(Arguments& arguments, Role role) {
         unknown_name_message("filter_type", printable(filter), kFilters) + ". Bilinear stands in",
         printable(filter));
   }
-  if (role == Role::Number) {
-    node.set("channel", context_.document.major_version == 0 ? "mean" : "luminance");
+  if (role != Role::Color) {
+    node.set("channel", std::string(role == Role::Mean ? "mean" : "luminance"));
   }
   if (const std::optional<std::string> channel = arguments.text("channel");
       channel && *channel != "all") {

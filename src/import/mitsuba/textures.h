@@ -33,9 +33,13 @@ class TextureTable {
 
   /// A texture of colours. Raises SceneError for textures that refer to themselves.
   desc::TextureId make(const Element& element) { return make(element, Role::Color); }
+  /// One of heights, of which all versions take the luminance.
+  desc::TextureId make_height(const Element& element) { return make(element, Role::Luminance); }
 
  private:
-  enum class Role { Color, Number };
+  enum class Role { Color, Mean, Luminance };
+  /// Of what is one number.
+  Role number_role() const;
   desc::TextureId make(const Element& element, Role role);
   desc::Node read(const Element& element, Role role);
   desc::Node bitmap(Arguments& arguments, Role role);

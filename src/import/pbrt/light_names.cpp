@@ -38,7 +38,7 @@ const std::vector<ModelName>& lights_of_v4() {
         {"falloff", {}, "smoothstep"}}},
       {"distant", "distant", {{"irradiance", {"L"}}}},
       {"infinite", "environment", {{"radiance", {"L"}}, kImage, kSquare, {"irradiance", {}}}},
-      {"goniometric", "goniometric", {kIntensity, kImage, kSquare, kPower}},
+      {"goniometric", "goniometric", {kIntensity, kImage, {"gray", {}, "true"}, kSquare, kPower}},
       {"projection", "projection", {{"intensity", {}}, kImage, {"fov", {"fov"}, "90"}, kPower}}};
   return kNames;
 }

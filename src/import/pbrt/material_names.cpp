@@ -41,6 +41,7 @@ std::vector<ParameterName> coated_conductor() {
   parameters.push_back({"eta", {"conductor.eta"}});
   parameters.push_back({"k", {"conductor.k"}});
   parameters.push_back({"coat_eta", {"interface.eta"}});
+  parameters.push_back({"coat_depth", {}});
   parameters.push_back(kSquared);
   return parameters;
 }
@@ -98,7 +99,8 @@ const std::vector<ModelName>& materials_of_v3() {
         {"sheen_tint", {"sheentint"}},
         {"clearcoat_gloss", {"clearcoatgloss"}},
         {"specular_transmission", {"spectrans"}},
-        {"diffuse_transmission", {"difftrans"}}}},
+        {"diffuse_transmission", {"difftrans"}},
+        {"blend", {"blend"}, "pbrt-v3"}}},
       {"mix", "mix", {{"first", {"namedmaterial1"}}, {"second", {"namedmaterial2"}}}},
       {"none", "interface", {}},
       {"", "interface", {}}};
@@ -122,7 +124,12 @@ const std::vector<ModelName>& materials_of_v4() {
         {"roughness_v", {}},
         {"roughness_scale", {}}}},
       {"coateddiffuse", "coated_diffuse",
-       with_roughness({{"diffuse_reflectance", {"reflectance"}}, {"coat", {}, "dielectric"}})},
+       with_roughness({{"diffuse_reflectance", {"reflectance"}},
+                       {"coat", {}, "dielectric"},
+                       {"coat_reflectance", {}},
+                       {"coat_depth", {}},
+                       {"bounces", {}},
+                       {"inner_reflections", {}}})},
       {"coatedconductor", "coated_conductor", coated_conductor()},
       {"diffusetransmission",
        "translucent",

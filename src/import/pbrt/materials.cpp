@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "import/common/opacity.h"
 #include "import/pbrt/material_names.h"
 #include "import/pbrt/named_spectra.h"
 #include "import/pbrt/node_reader.h"
@@ -73,7 +74,15 @@ void finish_v4(const SourceLocation& where, const std::string& type, const Textu
           kNoMediumInCoat, where,
           type + ": \"albedo\" of the coat is not supported: taken as 0, a clear coat");
     }
-    p.accept({"thickness", "g", "maxdepth", "nsamples", "twosided"});
+    // Even a clear coat weakens light there, by exp(−thickness / cos θ) on each way through it; and
+    // a walk ends after that many ways, of which every second meets the base.
+    desc::Value depth = p.find_number("thickness").value_or(0.01F);
+    const float* number = std::get_if<float>(&depth);
+    if (node.is("coated_diffuse") && number != nullptr) depth = Vec3(*number);
+    node.set("coat_depth", depth);
+    const int ways = p.integer("maxdepth").value_or(10);
+    if (node.is("coated_diffuse")) node.set("bounces", std::clamp(ways / 2, 1, 1000));
+    p.accept({"g", "nsamples", "twosided"});
   }
 }
 
@@ -111,6 +120,13 @@ desc::MaterialId MaterialTable::part(const SourceLocation& where, const std::str
   return named(where, *name)->id;
 }
 
+desc::MaterialId MaterialTable::part_of_mix(desc::MaterialId id) const {
+  std::vector<desc::Material>& all = context_.scene.materials;
+  if (!all[static_cast<std::size_t>(id)].node.is("interface")) return id;
+  all.push_back({.name = {}, .where = {}, .node = clear_material()});
+  return static_cast<desc::MaterialId>(all.size()) - 1;
+}
+
 desc::Node MaterialTable::make_mix(const SourceLocation& where,
                                    const TextureParameters& parameters) const {
   const std::vector<std::string> names = parameters.texts("materials");
@@ -122,7 +138,7 @@ desc::Node MaterialTable::make_mix(const SourceLocation& where,
       .with_numbers_for_colors(true)
       .with_materials([&](std::string_view parameter) {
         // pbrt-v4's "amount" is the share of the second, ours that of the first.
-        return named(where, names[parameter == "first" ? 1 : 0])->id;
+        return part_of_mix(named(where, names[parameter == "first" ? 1 : 0])->id);
       })
       .read(mix, find_theirs(material_names(Dialect::V4), "mix"));
 }

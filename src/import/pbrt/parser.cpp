@@ -122,6 +122,23 @@ void Parser::skip_directive(Lexer& lexer) {
   while (lexer.peek().kind != TokenKind::End && !starts_directive(lexer.peek())) lexer.next();
 }
 
+void Parser::option(Lexer& lexer, const SourceLocation& where) {
+  // pbrt writes the name alone: Option "seed" 3. As a parameter, "integer seed", it is read, too.
+  const Token named = lexer.peek();
+  const std::string text = lexer.string_value(named);
+  if (text.find(' ') != std::string::npos) {
+    if (const std::optional<Parameter> given = parameter(lexer)) {
+      const bool is_off = !given->strings.empty() && given->strings.front() == "false";
+      builder_.option(where, given->where, given->name, !is_off);
+    }
+    return;
+  }
+  lexer.next();
+  const bool is_on = lexer.peek().text != "false";
+  skip_values(lexer);
+  builder_.option(where, lexer.where(named), text, is_on);
+}
+
 bool Parser::directive_of_v4(Lexer& lexer, const Token& token, const SourceLocation& where) {
   const std::string_view directive = token.text;
   if (directive == "Attribute") {
@@ -133,7 +150,7 @@ bool Parser::directive_of_v4(Lexer& lexer, const Token& token, const SourceLocat
     if (lexer.peek().kind != TokenKind::String) {
       lexer.fail(lexer.peek(), "Option needs a parameter here, as \"type name\" value");
     }
-    if (const std::optional<Parameter> option = parameter(lexer)) builder_.option(where, *option);
+    option(lexer, where);
   } else if (directive == "Import") {
     builder_.import_begin(where);
     include(lexer, where);

@@ -54,6 +54,7 @@ class Parser {
   bool read_included_parameters(Lexer& lexer, ParameterList& list, std::size_t& count);
   /// Empty, after a warning, for types that pbrt-v4 does not have.
   std::optional<Parameter> parameter(Lexer& lexer);
+  void option(Lexer& lexer, const SourceLocation& where);
   static void skip_values(Lexer& lexer);
   void value(Lexer& lexer, const Token& token, Parameter& parameter);
 

@@ -154,7 +154,8 @@ void SceneBuilder::color_space(const SourceLocation& where, const std::string& n
                  "The one before stays");
 }
 
-void SceneBuilder::option(const SourceLocation& where, const Parameter& option) {
+void SceneBuilder::option(const SourceLocation& where, const SourceLocation& place,
+                          const std::string& name, bool is_on) {
   static const std::vector<std::string> kWithoutEffect = {"disablepixeljitter",
                                                           "disabletexturefiltering",
                                                           "disablewavelengthjitter",
@@ -166,14 +167,13 @@ void SceneBuilder::option(const SourceLocation& where, const Parameter& option) 
                                                           "seed",
                                                           "wavefront"};
   if (!in_options(where, "Option")) return;
-  if (option.name == "forcediffuse") {
-    warnings_.add(kOption, option.where, "the option \"forcediffuse\" is not supported: ignored");
+  if (name == "forcediffuse") {
+    if (!is_on) return;
+    warnings_.add(kOption, place, "the option \"forcediffuse\" is not supported: ignored");
     return;
   }
-  if (std::find(kWithoutEffect.begin(), kWithoutEffect.end(), option.name) ==
-      kWithoutEffect.end()) {
-    report_unknown(context_, option.where, "option", option.name, kWithoutEffect, kOption,
-                   "It is ignored");
+  if (std::find(kWithoutEffect.begin(), kWithoutEffect.end(), name) == kWithoutEffect.end()) {
+    report_unknown(context_, place, "option", name, kWithoutEffect, kOption, "It is ignored");
   }
 }
 

@@ -53,7 +53,9 @@ class SceneBuilder {
   void color_space(const SourceLocation& where, const std::string& name);
   /// That of colours written now; null in pbrt-v3, which has none.
   const ColorSpace* color_space() const { return state_.color_space; }
-  void option(const SourceLocation& where, const Parameter& option);
+  /// `place`: that of the name; `is_on`: unless the value is "false".
+  void option(const SourceLocation& where, const SourceLocation& place, const std::string& name,
+              bool is_on);
   /// What a file that is imported changes ends with it.
   void import_begin(const SourceLocation& where);
   void import_end();

@@ -141,14 +141,15 @@ std::optional<desc::Rgb> SpectrumReader::positive_value(const Parameter& paramet
   return rgb;
 }
 
-void SpectrumReader::warn_of_gamut(const Parameter& parameter, const desc::Rgb& color) {
+bool SpectrumReader::warn_of_gamut(const Parameter& parameter, const desc::Rgb& color) {
   // Less is the rounding of the matrices of colour spaces.
   constexpr float kVisible = 1e-3F;
   const float most = std::max({color.x, color.y, color.z});
-  if (std::min({color.x, color.y, color.z}) >= -kVisible * most) return;
+  if (std::min({color.x, color.y, color.z}) >= -kVisible * most) return false;
   warnings_.add(kOutOfGamut, parameter.where,
                 "\"" + parameter.name + "\" is more saturated than sRGB can show: clipped",
                 parameter.name);
+  return true;
 }
 
 desc::Rgb SpectrumReader::get_positive(const ParameterList& parameters, std::string_view name,
@@ -160,11 +161,12 @@ desc::Rgb SpectrumReader::get_positive(const ParameterList& parameters, std::str
 std::vector<desc::Rgb> SpectrumReader::colors(const Parameter& parameter, ColorRole role) {
   std::vector<desc::Rgb> result;
   result.reserve(parameter.size());
+  bool is_told = false;
   for (std::size_t i = 0; i < parameter.size(); ++i) {
     const float* given = parameter.numbers.data() + 3 * i;
     desc::Rgb& color = result.emplace_back(rec709(parameter.color_space, given, role));
     if (std::min({given[0], given[1], given[2]}) < 0.F) continue;
-    warn_of_gamut(parameter, color);
+    if (!is_told) is_told = warn_of_gamut(parameter, color);
     for (int lane = 0; lane < 3; ++lane) color[lane] = std::max(color[lane], 0.F);
   }
   return result;

@@ -99,7 +99,12 @@ void set_encoding(const Context& context, const SourceLocation& where, desc::Nod
 /// What pbrt-v4 says of images.
 void finish_image(const Context& context, const SourceLocation& where,
                   const ParameterList& parameters, bool is_float, desc::Node& image) {
-  if (is_float) image.set("channel", "varying_alpha_or_mean");
+  if (is_float && image.text("channel") == "color") {
+    // What pbrt does not interpolate is its first channel.
+    const std::string filter = parameters.get_string("filter", "bilinear");
+    const bool is_first = filter == "point" || filter == "ewa";
+    image.set("channel", is_first ? "red" : "varying_alpha_or_mean");
+  }
   set_encoding(context, where, image, parameters.get_string("encoding", "sRGB"));
   if (parameters.get_string("filter", "bilinear") == "point") {
     image.set("filter", std::string("nearest"));

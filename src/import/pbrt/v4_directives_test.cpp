@@ -59,6 +59,14 @@ TEST(Pbrt4Options, OfPbrtAreAccepted) {
   EXPECT_EQ(s.hints.max_depth, 8);
   EXPECT_EQ(s.hints.integrator, "pt");
   EXPECT_TRUE(std::holds_alternative<desc::EnvironmentCamera>(s.camera.node));
+  EXPECT_EQ(v4_warnings("", {}), "");
+  const std::string rest = " Film \"rgb\" Camera \"perspective\" WorldBegin Shape \"sphere\"";
+  EXPECT_EQ(warnings_of("Option \"seed\" 3 Option \"disablepixeljitter\" true Option "
+                        "\"rendercoordsys\" \"world\" Option \"forcediffuse\" false" +
+                        rest),
+            "");
+  EXPECT_TRUE(contains(warnings_of("Option \"forcediffuse\" true" + rest),
+                       "test.pbrt:1:8: the option \"forcediffuse\" is not supported"));
   EXPECT_TRUE(contains(warnings_of("Option \"integer sead\" 3 Film \"rgb\" Camera \"perspective\" "
                                    "WorldBegin Shape \"sphere\""),
                        "test.pbrt:1:8: unknown option \"sead\"; did you mean \"seed\"?"));

@@ -16,9 +16,15 @@ TEST(Pbrt4Materials, HaveTheDefaultsOfPbrt) {
     EXPECT_EQ(m.number("roughness"), 0.F);
     EXPECT_EQ(m.number("roughness_v"), 0.F);
     EXPECT_EQ(m.text("roughness_scale"), "square");
+    EXPECT_EQ(m.get("coat_depth"), desc::Value(Vec3(0.01F)));
+    EXPECT_EQ(m.integer("bounces"), 5);
+    EXPECT_EQ(v4_material("Material \"coateddiffuse\" \"integer maxdepth\" 2 \"float thickness\" 1")
+                  .integer("bounces"),
+              1);
   }
   {
     const desc::Node m = v4_material("Material \"coatedconductor\"");
+    EXPECT_EQ(m.number("coat_depth"), 0.01F);
     EXPECT_TRUE(m.is("coated_conductor"));
     EXPECT_EQ(m.number("coat_eta"), 1.5F);
     EXPECT_EQ(m.number("coat_roughness"), 0.F);
@@ -73,7 +79,10 @@ TEST(Pbrt4Materials, AmountOfAMixIsThatOfTheSecond) {
       "Material \"mix\" \"string materials\" [\"a\" \"b\"] \"float amount\" .25");
   const desc::Node& mix = material_node_of(s, s.shapes.back());
   EXPECT_EQ(mix.color("amount"), desc::Rgb(0.25F));
-  EXPECT_EQ(s.materials[static_cast<std::size_t>(mix.material("first"))].name, "b");
+  // A mere boundary between media lets nothing pass in a mix.
+  const desc::Node& clear = s.materials[static_cast<std::size_t>(mix.material("first"))].node;
+  ASSERT_TRUE(clear.is("composite"));
+  EXPECT_EQ(clear.color("opacity"), desc::Rgb(0.F));
   EXPECT_EQ(s.materials[static_cast<std::size_t>(mix.material("second"))].name, "a");
   EXPECT_TRUE(contains(error_of(v4_world("Material \"mix\"")), "needs \"string materials\""));
 }

@@ -47,9 +47,10 @@ desc::Node forward(const BsdfInputs& in) {
 desc::Node oren_nayar(const BsdfInputs& in) {
   // Tungsten's roughness 1 is a spread of 1/√2 radians.
   constexpr float kDegrees = 40.5142342F;
-  return desc::material_node(
-      "diffuse", {{"reflectance", in.albedo()},
-                  {"sigma", in.textures.product(in.number("roughness", 1.F), kDegrees)}});
+  return desc::material_node("diffuse",
+                             {{"reflectance", in.albedo()},
+                              {"sigma", in.textures.product(in.number("roughness", 1.F), kDegrees)},
+                              {"between_facets", true}});
 }
 
 desc::Node diffuse_transmission(const BsdfInputs& in) {

@@ -95,10 +95,14 @@ TEST(Bsdfs, WhatIsNotOpaqueIsCutAwayOrBlended) {
   EXPECT_TRUE(material_of(scene_with_bsdf("'type': 'transparency', 'alpha': 0")).is("interface"));
   const desc::SceneDesc leaf =
       scene_with_bsdf("'type': 'transparency', 'alpha': 'a.png', 'base': {'type': 'mirror'}");
+  EXPECT_EQ(scene_with_bsdf("'type': 'transparency', 'alpha': 'a.exr', 'base': {'type': 'mirror'}")
+                .textures.back()
+                .node.text("channel"),
+            "alpha_or_mean");
   EXPECT_TRUE(part_of(leaf, material_of(leaf), "first").is("mirror"));
   const desc::TextureId alpha = leaf.shapes.at(0).alpha;
   const desc::Node& image = leaf.textures.at(static_cast<std::size_t>(alpha)).node;
-  EXPECT_EQ(image.text("channel"), "alpha_or_mean");
+  EXPECT_EQ(image.text("channel"), "alpha");
   EXPECT_FALSE(image.flag("decode_srgb"));
   EXPECT_EQ(material_of(leaf).texture("amount"), alpha);
 }
@@ -128,6 +132,11 @@ TEST(Bsdfs, LayersThatAbsorbWeakenWhatLeaves) {
   const double once = mean_transmittance(1.0, 0.6);
   const auto base = static_cast<double>(node.color("diffuse_reflectance").x);
   EXPECT_NEAR(base / (1.0 - base * back), once * once * 0.5 / (1.0 - 0.5 * back), 1e-6);
+  const desc::SceneDesc textured = scene_with_warning(
+      "{'name': 'm', 'type': 'plastic', 'ior': 1.5, 'albedo': 'a.png', 'sigma_a': 0.3, "
+      "'thickness': 2}",
+      "absorbs as much light from all sides");
+  EXPECT_NEAR(0.5F * textured.textures.back().node.color("second").x, base, 1e-6);
 }
 
 TEST(Bsdfs, CoatsOnMatteAndMetalAreLayers) {
@@ -136,7 +145,7 @@ TEST(Bsdfs, CoatsOnMatteAndMetalAreLayers) {
   ASSERT_TRUE(wood.is("coated_diffuse"));
   EXPECT_FLOAT_EQ(wood.number("eta"), 1.3F);
   EXPECT_EQ(wood.number("roughness"), 0.2F);
-  EXPECT_EQ(wood.text("inner_reflections"), "none");
+  EXPECT_EQ(wood.integer("bounces"), 1);
   const desc::Node lacquer = material_of(scene_with_warning(
       "{'name': 'm', 'type': 'smooth_coat', 'ior': 1.5, 'substrate': {'type': 'conductor', 'eta': "
       "[2, 2, 2], 'k': [4, 4, 4]}}",

@@ -12,6 +12,8 @@
 namespace ajar::tungsten {
 namespace {
 
+constexpr WarningKind kThinLayer{Effect::Surface,
+                                 "layers have an index of refraction below 1: no gloss"};
 constexpr WarningKind kAbsorption{Effect::Slight,
                                   "layers absorb light: as much from all sides stands in"};
 constexpr WarningKind kCoatedMetal{
@@ -31,6 +33,8 @@ Layer layer_of(const BsdfInputs& in, float usual_ior) {
   if (!(ior > 0.F)) throw SceneError(in.where(), "\"ior\" must be positive");
   const Vec3 sigma = in.object.vector("sigma_a").value_or(Vec3(0.F));
   const float thickness = in.object.number("thickness").value_or(1.F);
+  if (ior < 1.F)
+    in.warn(kThinLayer, "an \"ior\" below 1 is not supported for a layer: 1, no gloss");
   return {static_cast<double>(ior), not_negative(in.context, in.where(), sigma * thickness)};
 }
 
@@ -48,11 +52,11 @@ double passed_once(const Layer& layer) {
   return (1.0 - mean_reflectance(layer.ior)) * (1.0 - mean_internal_reflectance(layer.ior));
 }
 
-/// Share of light that a layer leaves on the way in and out, on average over all directions. `ior`
-/// is 1 if the way is measured by the directions outside of the layer.
-Vec3 left_by(const Layer& layer, double ior) {
+/// Share of light that a plastic's layer leaves on the way in and out, on average over all
+/// directions: Tungsten measures the way by those outside of the layer.
+Vec3 left_by(const Layer& layer) {
   return per_lane(layer.tau, [&](double tau) {
-    const double once = mean_transmittance(ior, tau);
+    const double once = mean_transmittance(1.0, tau);
     return once * once;
   });
 }
@@ -64,34 +68,35 @@ void warn_of_absorption(const BsdfInputs& in, const Layer& layer) {
 }
 
 desc::Node coated_diffuse(const Layer& layer, const desc::Value& albedo,
-                          const desc::Value& roughness, const std::string& inner_reflections) {
+                          const desc::Value& roughness) {
   return desc::material_node("coated_diffuse", {{"coat", std::string("dielectric")},
                                                 {"eta", static_cast<float>(layer.ior)},
                                                 {"diffuse_reflectance", albedo},
-                                                {"roughness", roughness},
-                                                {"inner_reflections", inner_reflections}});
+                                                {"roughness", roughness}});
 }
 
 desc::Node plastic_of(const BsdfInputs& in, const desc::Value& roughness) {
   const Layer layer = layer_of(in, 1.5F);
   warn_of_absorption(in, layer);
-  // Tungsten measures the way through the layer by the directions outside of it.
-  const Vec3 left = left_by(layer, 1.0);
-  desc::Value albedo = in.albedo();
-  if (const Vec3* constant = std::get_if<Vec3>(&albedo)) {
-    // Only what leaves is weakened there, not what goes to and fro.
-    const double back = mean_internal_reflectance(layer.ior);
-    Vec3 weaker;
+  const Vec3 left = left_by(layer);
+  const desc::Value albedo = in.albedo();
+  // Only what leaves is weakened there, not what goes to and fro.
+  const double back = mean_internal_reflectance(layer.ior);
+  const auto weakened = [&](const Vec3& color) {
+    Vec3 result;
     for (int lane = 0; lane < 3; ++lane) {
-      const double base = std::clamp(static_cast<double>((*constant)[lane]), 0.0, 1.0);
+      const double base = std::clamp(static_cast<double>(color[lane]), 0.0, 1.0);
       const double leaves = static_cast<double>(left[lane]) * base / (1.0 - base * back);
-      weaker[lane] = static_cast<float>(leaves / (1.0 + leaves * back));
+      result[lane] = static_cast<float>(leaves / (1.0 + leaves * back));
     }
-    albedo = weaker;
-  } else {
-    albedo = in.textures.product(albedo, left);
-  }
-  return coated_diffuse(layer, albedo, roughness, "base");
+    return result;
+  };
+  const Vec3* constant = std::get_if<Vec3>(&albedo);
+  // A texture can only be scaled: rightly for what is half as bright as white.
+  const desc::Value base = constant != nullptr
+                               ? desc::Value(weakened(*constant))
+                               : in.textures.product(albedo, weakened(Vec3(0.5F)) * 2.F);
+  return coated_diffuse(layer, base, roughness);
 }
 
 desc::Node metal_below(const BsdfInputs& in, const Layer& layer, const desc::Node& metal,
@@ -155,10 +160,10 @@ desc::Node coated(const BsdfInputs& in, const desc::Value& roughness) {
   // The relief of a substrate is not that of its coat.
   if (substrate.has_relief()) return blended_coat(in, layer, base, roughness);
   if (below.is("diffuse") && below.get("sigma") == desc::Value(0.F)) {
-    warn_of_absorption(in, layer);
-    const desc::Value albedo =
-        in.textures.product(below.get("reflectance"), left_by(layer, layer.ior));
-    return coated_diffuse(layer, albedo, roughness, "none");
+    desc::Node node = coated_diffuse(layer, below.get("reflectance"), roughness);
+    node.set("coat_depth", layer.tau);
+    node.set("bounces", 1);
+    return node;
   }
   if (below.is("conductor") && layer.tau == Vec3(0.F)) {
     return metal_below(in, layer, below, roughness);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
+#include <filesystem>
 #include <utility>
 
 #include "scene/desc/models.h"
@@ -34,6 +36,13 @@ bool is_bitmap(const LocatedJson& json) {
   if (json.is(Kind::String)) return true;
   const LocatedJson* type = json.find("type");
   return type != nullptr && type->is(Kind::String) && type->text() == "bitmap";
+}
+
+/// Tungsten's readers of these formats make an alpha of 1 where a file has none.
+bool always_has_alpha(const std::string& file) {
+  std::string extension = std::filesystem::path(file).extension().string();
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return extension == ".png" || extension == ".jpg" || extension == ".jpeg";
 }
 
 }  // namespace
@@ -146,8 +155,11 @@ desc::TextureRef TextureReader::add_image(const SourceLocation& where, const Bit
 
 desc::Value TextureReader::number(const LocatedJson& json, const std::string& channel) {
   if (is_bitmap(json)) {
-    if (const std::optional<Bitmap> image = bitmap(json))
-      return add_image(json.where(), *image, false, channel);
+    if (const std::optional<Bitmap> image = bitmap(json)) {
+      const bool is_opacity = channel == "alpha_or_mean";
+      return add_image(json.where(), *image, false,
+                       is_opacity && always_has_alpha(image->file) ? "alpha" : channel);
+    }
     return kGrey.x;
   }
   // Of colours that are no image Tungsten takes the first number.

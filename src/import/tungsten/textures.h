@@ -26,7 +26,7 @@ class TextureReader {
   /// A number (float) or a texture (TextureRef). Of an image, the mean of the colours as they are
   /// stored: Tungsten decodes only what it reads as a colour.
   desc::Value number(const LocatedJson& json) { return number(json, "mean"); }
-  /// The same, but of an image with an alpha channel that.
+  /// The same, but of an image with an alpha channel that; PNG and JPEG files always have one.
   desc::Value opacity(const LocatedJson& json) { return number(json, "alpha_or_mean"); }
   /// The member of an object as one of these; `fallback` without one.
   desc::Value color(const ObjectReader& object, std::initializer_list<std::string_view> names,

@@ -80,11 +80,25 @@ inline std::vector<NamedBsdf> catalogue(float tilt_degrees) {
   begin("metal under a rough coat").add(CoatedConductor{ggx(0.1F, 0.3F), gold, {1.3F, 0.3F}});
   begin("smooth metal under a smooth coat").add(SmoothCoatedConductor{{gold, 1.5F}});
 
-  begin("disney specular under a coat")
-      .add(UnderVarnish<DisneySpecular>{
-          {{FacetModel::GgxSeparable, 0.2F, 0.4F}, {PackedSpectrum(tint), 1.F}}, 0.1F, 0.7F});
+  begin("diffuse under an amber coat")
+      .add(CoatedDiffuse(tint, {1.5F, 0.F}, {Spectrum(0.1F, 0.3F, 1.F), 2}));
+  begin("full oren-nayar").add(FullOrenNayar(tint, 0.5F));
+  for (const float alpha : {0.F, 0.3F}) {
+    // A mirror and a white wall, of which the varnish adds to neither.
+    Bsdf& varnished = begin("varnished mirror " + std::to_string(alpha));
+    if (alpha > 0.F) {
+      varnished.add(RoughCoat{ggx(alpha, alpha), {kVarnishIndex}}, Spectrum(0.7F));
+    } else {
+      varnished.add(SmoothCoat{{kVarnishIndex}}, Spectrum(0.7F));
+    }
+    varnished.add(UnderVarnish<DisneySpecular>{
+        {{FacetModel::GgxSeparable, 0.2F, 0.4F}, {white, 1.F}}, alpha, 0.7F});
+  }
+  Bsdf& lampshade = begin("varnished lampshade");
+  lampshade.add(SmoothCoat{{kVarnishIndex}}, Spectrum(0.8F));
+  lampshade.add(UnderVarnish<LambertTransmission>{{}, 0.F, 0.8F});
   Bsdf& car_paint = begin("car paint");
-  car_paint.add(SmoothCoat{{1.5F}}, Spectrum(0.8F));
+  car_paint.add(SmoothCoat{{kVarnishIndex}}, Spectrum(0.8F));
   car_paint.add(UnderVarnish<DisneyDiffuse>{{PackedSpectrum(tint), {}, 1.F, 0.F, 0.4F}, 0.F, 0.8F});
   // As the diffuse lobe by itself.
   all.back().conserves_energy = false;

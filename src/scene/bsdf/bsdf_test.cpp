@@ -185,7 +185,7 @@ Lobe random_lobe(Rng& rng) {
   const float coat_eta = extreme(rng, 1.F, 20.F);
   const Coat coat{coat_eta, rng.next() < 0.5F ? 0.F : alpha};
   constexpr std::size_t kLobes = std::variant_size_v<Lobe>;
-  static_assert(kLobes == 24, "each lobe has a case here");
+  static_assert(kLobes == 26, "each lobe has a case here");
   switch (static_cast<int>(rng.next() * static_cast<float>(kLobes))) {
     case 0:
       return Lambert{};
@@ -226,7 +226,7 @@ Lobe random_lobe(Rng& rng) {
     case 18:
       return RoughCoat{facets, {coat_eta}};
     case 19:
-      return CoatedDiffuse(a.unpack(), coat);
+      return CoatedDiffuse(a.unpack(), coat, {b.unpack(), static_cast<int>(rng.next() * 3.F)});
     case 20:
       return CoatedConductor{facets, metal, coat};
     case 21:
@@ -234,6 +234,10 @@ Lobe random_lobe(Rng& rng) {
           {a, b, rng.next(), rng.next(), rng.next()}, coat.alpha, rng.next()};
     case 22:
       return UnderVarnish<DisneySpecular>{{facets, {a, rng.next(), eta}}, coat.alpha, rng.next()};
+    case 23:
+      return UnderVarnish<LambertTransmission>{{}, coat.alpha, rng.next()};
+    case 24:
+      return FullOrenNayar(a.unpack(), extreme(rng, 1e-4F, kPi / 2.F));
     default:
       return SmoothCoatedConductor{{metal, coat_eta}};
   }

@@ -117,6 +117,14 @@ double diffuse_reflectance(double eta) {
          8.0 * n4 * (n4 + 1.0) / ((n2 + 1.0) * (n4 - 1.0) * (n4 - 1.0)) * std::log(eta);
 }
 
+/// What is left of diffuse light on one way through a layer of this optical thickness x:
+/// ∫ exp(−x/μ) 2μ dμ = (1 − x) exp(−x) + x² E₁(x).
+float mean_left(float thickness) {
+  if (!(thickness > 0.F)) return 1.F;
+  const auto x = static_cast<double>(std::min(thickness, 80.F));
+  return static_cast<float>((1.0 - x) * std::exp(-x) - x * x * std::expint(-x));
+}
+
 }  // namespace
 
 float Coat::transmittance(float cosine) const {
@@ -129,12 +137,22 @@ float Coat::mean_transmittance() const {
   return static_cast<float>(1.0 - diffuse_reflectance(static_cast<double>(eta)));
 }
 
-CoatedDiffuse::CoatedDiffuse(const Spectrum& reflectance, const Coat& above) : coat(above) {
+CoatedDiffuse::CoatedDiffuse(const Spectrum& reflectance, const Coat& above,
+                             const CoatInside& inside)
+    : coat(above), depth(inside.depth) {
   // By reciprocity the coat lets through 1 − F = mean transmittance / η² of diffuse light inside.
   const float squared = above.eta * above.eta;
-  const float inside = 1.F - above.mean_transmittance() / squared;
-  base = PackedSpectrum(map_lanes(
-      reflectance, [=](float r) { return r / (squared * std::max(1.F - r * inside, 1e-6F)); }));
+  const float turned_back = 1.F - above.mean_transmittance() / squared;
+  const auto lane = [&](float r, float thickness) {
+    const float left = mean_left(thickness);
+    const float x = r * turned_back * left * left;
+    const float bounces =
+        inside.bounces > 0 ? 1.F - std::pow(x, static_cast<float>(inside.bounces)) : 1.F;
+    return r * bounces / (squared * std::max(1.F - x, 1e-6F));
+  };
+  const Spectrum& d = inside.depth;
+  base = PackedSpectrum(
+      {lane(reflectance[0], d[0]), lane(reflectance[1], d[1]), lane(reflectance[2], d[2])});
 }
 
 }  // namespace ajar

@@ -4,7 +4,7 @@
 
 /// Transparent coats of a dielectric, on whatever is below: both sides of the surface are coated
 /// alike. A coat reflects part of the light and lets the rest through, twice for what the base
-/// scatters; `coat_transmittance` is that share, so that coat and base together never reflect more
+/// scatters; `Coat::transmittance` is that share, so that coat and base together never reflect more
 /// than comes in.
 namespace ajar {
 
@@ -41,29 +41,30 @@ struct Coat {
   }
 };
 
-/// Diffuse base under a coat, all reflections between the two included: T(θ_o) T(θ_i) r /
-/// (π η² (1 − r F)), where F is what the coat reflects of diffuse light from inside. A white base
-/// gives all back that the coat lets through. Source: Wolff 1994, "Diffuse-reflectance model for
-/// smooth dielectric surfaces"; T of rough coats as above.
+/// What happens to light between a coat and a diffuse base.
+struct CoatInside {
+  Spectrum depth{0.F};  ///< optical thickness of the coat, along the normal
+  int bounces = 0;      ///< off the base, at most; 0: any number
+};
+
+/// Diffuse base under a coat, with the reflections between the two: T(θ_o) T(θ_i) r (1 + x + x² +
+/// …) / (π η²), x = r F a², where F is what the coat reflects of diffuse light from inside and a
+/// what one way through it leaves of that. T is weakened by exp(−depth / cos θ'), θ' being the
+/// refracted angle. A white base gives all back that a clear coat lets through. Source: Wolff 1994,
+/// "Diffuse-reflectance model for smooth dielectric surfaces"; T of rough coats as above.
 struct CoatedDiffuse {
   static constexpr bool kSpecular = false;
-  PackedSpectrum base;  ///< r / (η² (1 − r F)), or r / η²
+  PackedSpectrum base;  ///< r (1 + x + x² + …) / η²
   Coat coat;
+  PackedSpectrum depth;
 
   CoatedDiffuse() = default;
-  CoatedDiffuse(const Spectrum& reflectance, const Coat& above);
-  /// Without what the coat turns back: r / η².
-  static CoatedDiffuse seen_once(const Spectrum& reflectance, const Coat& above) {
-    CoatedDiffuse lobe;
-    lobe.base = PackedSpectrum(reflectance / (above.eta * above.eta));
-    lobe.coat = above;
-    return lobe;
-  }
+  CoatedDiffuse(const Spectrum& reflectance, const Coat& above, const CoatInside& inside = {});
 
   LobeValue evaluate(const Vec3& wo, const Vec3& wi, bool transmission, TransportMode) const {
     if (transmission) return {};
-    const float through = coat.transmittance(std::abs(wo.z)) * coat.transmittance(std::abs(wi.z));
-    return {base.unpack() * (through * cosine_pdf(wi)), cosine_pdf(wi), cosine_pdf(wo)};
+    return {base.unpack() * passed(wo) * passed(wi) * cosine_pdf(wi), cosine_pdf(wi),
+            cosine_pdf(wo)};
   }
   std::optional<LobeSample> sample(const Vec3& wo, const BsdfUniforms& u, const Vec3& ng,
                                    TransportMode mode) const {
@@ -77,7 +78,18 @@ struct CoatedDiffuse {
   }
   bool is_diffuse(const Vec3&, float) const { return true; }
   Spectrum albedo(const Vec3& wo) const {
-    return base.unpack() * (coat.transmittance(std::abs(wo.z)) * coat.mean_transmittance());
+    return base.unpack() * passed(wo) * left(0.8F) * coat.mean_transmittance();
+  }
+
+ private:
+  /// What the coat leaves on a way at this cosine.
+  Spectrum left(float cosine) const {
+    const Spectrum thickness = depth.unpack();
+    if (thickness.is_black()) return Spectrum(1.F);
+    return map_lanes(thickness, [=](float x) { return std::exp(-x / std::max(cosine, kGrazing)); });
+  }
+  Spectrum passed(const Vec3& w) const {
+    return left(std::abs(coat.inside(w).z)) * coat.transmittance(std::abs(w.z));
   }
 };
 
@@ -167,8 +179,9 @@ concept MayBeDiffuse = requires(const Base& base, const Vec3& wo) {
   base.is_diffuse(wo, 0.F);
 };
 
-/// Any lobe, of which a share is under varnish: that share is seen through it, on the way in and
-/// out, and what the varnish turns back is lost. Light is not bent.
+/// Any lobe, of which a share is under varnish. KHR_materials_clearcoat weakens it once, by what
+/// the varnish reflects; here that is the more of the two directions, so that the lobe stays
+/// reciprocal and varnish and base together reflect no more than the base does.
 template <typename Base>
 struct UnderVarnish {
   static constexpr bool kSpecular = false;
@@ -197,15 +210,15 @@ struct UnderVarnish {
   Spectrum albedo(const Vec3& wo) const {
     const Coat coat = varnish();
     return base.albedo(wo) *
-           covered(coat.transmittance(std::abs(wo.z)) * coat.mean_transmittance());
+           covered(std::min(coat.transmittance(std::abs(wo.z)), coat.mean_transmittance()));
   }
 
  private:
   Coat varnish() const { return {kVarnishIndex, alpha}; }
   float covered(float through) const { return 1.F + share * (through - 1.F); }
   float left(const Vec3& wo, const Vec3& wi) const {
-    const Coat coat = varnish();
-    return covered(coat.transmittance(std::abs(wo.z)) * coat.transmittance(std::abs(wi.z)));
+    // What the varnish lets through grows with the cosine.
+    return covered(varnish().transmittance(std::min(std::abs(wo.z), std::abs(wi.z))));
   }
 };
 
@@ -213,12 +226,14 @@ struct UnderVarnish {
 struct CoatedConductorFresnel {
   ConductorFresnel metal;  ///< relative to the coat
   float eta = 1.5F;        ///< of the coat
+  float depth = 0.F;       ///< optical thickness of the coat, along the normal
 
   Spectrum operator()(float cos_i, bool /*front*/) const {
     const DielectricBoundary boundary = fresnel_dielectric(cos_i, eta);
     const float through = 1.F - boundary.reflectance;
+    const float left = depth > 0.F ? std::exp(-2.F * depth / boundary.cos_t) : 1.F;
     return Spectrum(boundary.reflectance) +
-           coated_reflectance(metal(boundary.cos_t, true), through, through);
+           coated_reflectance(metal(boundary.cos_t, true) * left, through, through);
   }
 };
 using SmoothCoatedConductor = FresnelMirror<CoatedConductorFresnel>;

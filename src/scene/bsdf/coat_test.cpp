@@ -57,15 +57,51 @@ TEST(CoatedDiffuse, MatchesTheSeriesOfReflections) {
   EXPECT_NEAR(v.value[0], expected, 1e-5);
 }
 
-TEST(CoatedDiffuse, SeenOnceIsTheFirstTermOfTheSeries) {
+TEST(CoatedDiffuse, WithSoManyBouncesIsThatManyTermsOfTheSeries) {
   const float eta = 1.5F;
+  const Coat coat{eta, 0.F};
   const Vec3 wo = direction(30.F, 0.F);
   const Vec3 wi = direction(70.F, 90.F);
   const float once = (1.F - fresnel_dielectric(wo.z, eta).reflectance) *
                      (1.F - fresnel_dielectric(wi.z, eta).reflectance) * 0.6F / (eta * eta);
-  const LobeValue v = CoatedDiffuse::seen_once(Spectrum(0.6F), {eta, 0.F})
-                          .evaluate(wo, wi, false, TransportMode::Radiance);
-  EXPECT_NEAR(v.value[0], once * wi.z * kInvPi, 1e-6F);
+  const float x = 0.6F * (1.F - coat.mean_transmittance() / (eta * eta));
+  const auto value = [&](int bounces) {
+    return CoatedDiffuse(Spectrum(0.6F), coat, {Spectrum(0.F), bounces})
+        .evaluate(wo, wi, false, TransportMode::Radiance)
+        .value[0];
+  };
+  EXPECT_NEAR(value(1), once * wi.z * kInvPi, 1e-6F);
+  EXPECT_NEAR(value(3), once * (1.F + x + x * x) * wi.z * kInvPi, 1e-6F);
+}
+
+TEST(CoatedDiffuse, AbsorbsAlongTheRefractedWays) {
+  const float eta = 1.5F;
+  const Coat coat{eta, 0.F};
+  const Vec3 wo = direction(30.F, 0.F);
+  const Vec3 wi = direction(70.F, 90.F);
+  const auto value = [&](float depth) {
+    return CoatedDiffuse(Spectrum(0.6F), coat, {Spectrum(depth), 1})
+        .evaluate(wo, wi, false, TransportMode::Radiance)
+        .value[0];
+  };
+  const auto inner = [&](const Vec3& w) {
+    return std::sqrt(1.F - (1.F - w.z * w.z) / (eta * eta));
+  };
+  EXPECT_NEAR(value(0.4F) / value(0.F), std::exp(-0.4F / inner(wo) - 0.4F / inner(wi)), 1e-5F);
+  // In between, diffuse light crosses the coat twice for each further bounce: 2 E₃ each time.
+  const auto all = [&](float depth) {
+    return CoatedDiffuse(Spectrum(0.6F), coat, {Spectrum(depth), 0}).base.lanes[0] * eta * eta /
+           0.6F;
+  };
+  double left = 0.0;
+  constexpr int kSteps = 20000;
+  for (int i = 0; i < kSteps; ++i) {
+    const double mu = (i + 0.5) / kSteps;
+    left += std::exp(-0.4 / mu) * 2.0 * mu / kSteps;
+  }
+  const double x =
+      0.6 * (1.0 - static_cast<double>(coat.mean_transmittance()) / 2.25) * left * left;
+  EXPECT_NEAR(all(0.4F), 1.0 / (1.0 - x), 1e-4);
 }
 
 TEST(CoatedDiffuse, WhiteOnesGiveBackAllThatTheCoatLetsThrough) {
@@ -84,8 +120,8 @@ TEST(UnderVarnish, IsSeenThroughTheCoatWhereItIs) {
                              {PackedSpectrum(Spectrum(0.9F)), 1.F}};
   const Vec3 wo = direction(30.F, 0.F);
   const Vec3 wi = direction(50.F, 170.F);
-  const float through = (1.F - fresnel_dielectric(wo.z, 1.5F).reflectance) *
-                        (1.F - fresnel_dielectric(wi.z, 1.5F).reflectance);
+  // That at the flatter of the two directions.
+  const float through = 1.F - fresnel_dielectric(wi.z, 1.5F).reflectance;
   const LobeValue bare = metal.evaluate(wo, wi, false, TransportMode::Radiance);
   const LobeValue under = UnderVarnish<DisneySpecular>{metal, 0.F, 0.4F}.evaluate(
       wo, wi, false, TransportMode::Radiance);

@@ -10,6 +10,7 @@
 #include "scene/bsdf/disney_diffuse.h"
 #include "scene/bsdf/disney_specular.h"
 #include "scene/bsdf/fresnel_blend.h"
+#include "scene/bsdf/full_oren_nayar.h"
 #include "scene/bsdf/lambert.h"
 #include "scene/bsdf/microfacet_reflection.h"
 #include "scene/bsdf/oren_nayar.h"
@@ -19,12 +20,13 @@
 namespace ajar {
 
 /// The closed set of lobes, common ones first.
-using Lobe = std::variant<Lambert, SmoothDielectric, Conductor, DielectricReflection, FresnelBlend,
-                          RoughDielectric, Mirror, PassThrough, OrenNayar, LambertTransmission,
-                          ThinDielectric, SpecularReflection, SpecularTransmission, DisneyDiffuse,
-                          DisneySpecular, DisneyClearcoat, SmoothConductor, SmoothCoat, RoughCoat,
-                          CoatedDiffuse, CoatedConductor, SmoothCoatedConductor,
-                          UnderVarnish<DisneyDiffuse>, UnderVarnish<DisneySpecular>>;
+using Lobe =
+    std::variant<Lambert, SmoothDielectric, Conductor, DielectricReflection, FresnelBlend,
+                 RoughDielectric, Mirror, PassThrough, OrenNayar, LambertTransmission,
+                 ThinDielectric, SpecularReflection, SpecularTransmission, DisneyDiffuse,
+                 DisneySpecular, DisneyClearcoat, SmoothConductor, SmoothCoat, RoughCoat,
+                 CoatedDiffuse, CoatedConductor, SmoothCoatedConductor, UnderVarnish<DisneyDiffuse>,
+                 UnderVarnish<DisneySpecular>, UnderVarnish<LambertTransmission>, FullOrenNayar>;
 
 static_assert(std::is_trivially_copyable_v<Lobe>);
 static_assert(sizeof(Lobe) <= 48);

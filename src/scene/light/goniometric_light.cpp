@@ -74,7 +74,7 @@ class GoniometricLight final : public Light {
 
 std::unique_ptr<Light> make_goniometric(const LightInputs& in) {
   const Spectrum intensity = in.color("intensity");
-  std::optional<SphereMap> map = in.sphere_map();
+  std::optional<SphereMap> map = in.sphere_map(in.node().flag("gray"));
   if (!map) return make_point_light(intensity * in.scale_to("power", 4.F * kPi), in.at(), in.aim());
   const float scale = in.scale_to("power", luminance(map->integral()));
   return std::make_unique<GoniometricLight>(intensity * scale, std::move(*map), in.at());
@@ -88,6 +88,7 @@ LightModel goniometric_light() {
            .source = "Pharr et al. 2016, section 12.3.3",
            .parameters = {declare::emission("intensity", "W/sr", "factor of the image"),
                           declare::file("image", "all directions, with the pole at y"),
+                          declare::flag("gray", "take the mean of its colours"),
                           sphere_projection_input(),
                           declare::target("power", "W",
                                           "if given, the luminance of all that a light of "

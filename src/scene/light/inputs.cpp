@@ -41,9 +41,14 @@ std::optional<Map> LightInputs::map(std::string_view name, MapEdge edge, MapFilt
   return load_map(path, edge, description_.where, warnings_, filter, surroundings_.embedded);
 }
 
-std::optional<SphereMap> LightInputs::sphere_map() const {
+std::optional<SphereMap> LightInputs::sphere_map(bool gray) const {
+  const auto load = [&](const SphereProjection& projection) {
+    std::optional<Map> image = map("image", projection.edge, projection.filter);
+    if (image && gray) image->make_gray();
+    return image;
+  };
   const SphereProjection& wanted = sphere_projection(node().text("projection"));
-  std::optional<Map> image = map("image", wanted.edge, wanted.filter);
+  std::optional<Map> image = load(wanted);
   if (!image) return std::nullopt;
   const SphereProjection& latitudes = sphere_projection("longitude_latitude");
   const bool is_square = image->width() == image->height();
@@ -52,7 +57,7 @@ std::optional<SphereMap> LightInputs::sphere_map() const {
                 "the image of this light is " + std::to_string(image->width()) + " × " +
                     std::to_string(image->height()) +
                     ", though equal-area images are square: it counts as one of latitudes");
-  return SphereMap(*map("image", latitudes.edge, latitudes.filter), latitudes);
+  return SphereMap(*load(latitudes), latitudes);
 }
 
 float LightInputs::scale_to(std::string_view name, float actual) const {

@@ -33,7 +33,8 @@ class LightInputs {
                          MapFilter filter = MapFilter::Bilinear) const;
   /// The map "image" of all directions, spread as "projection" says; nothing if the light has none.
   /// An equal-area map that is not square counts as one of latitudes, with a warning.
-  std::optional<SphereMap> sphere_map() const;
+  /// `gray`: each texel is the mean of its colours.
+  std::optional<SphereMap> sphere_map(bool gray = false) const;
   /// What a light of the luminance `actual` is multiplied with to have that which the parameter
   /// `name` says; 1 if it says none.
   float scale_to(std::string_view name, float actual) const;

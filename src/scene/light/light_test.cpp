@@ -246,7 +246,7 @@ TEST(SpotFalloff, SharesAreInverted) {
       for (const float share : {0.1F, 0.5F, 0.9F}) {
         EXPECT_NEAR(falloff.share(falloff.with_share(share)), share, 1e-4F) << name << " " << edge;
       }
-      // By the trapezium rule.
+      // By the midpoint rule.
       double sum = 0.0;
       constexpr int kSteps = 4000;
       for (int i = 0; i < kSteps; ++i) {

@@ -28,6 +28,11 @@ class Map {
   Map(int width, int height, std::vector<Spectrum> texels, MapEdge edge,
       MapFilter filter = MapFilter::Bilinear);
 
+  /// Makes each texel the mean of its colours.
+  void make_gray() {
+    for (Spectrum& texel : texels_) texel = Spectrum(texel.average());
+  }
+
   int width() const { return width_; }
   int height() const { return height_; }
   /// Texel centres are at half-integers.

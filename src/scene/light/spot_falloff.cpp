@@ -32,7 +32,8 @@ SpotFalloff::SpotFalloff(const std::string& name, float inner, float edge)
       inner_(inner),
       edge_(edge),
       inner_angle_(angle_of(static_cast<double>(inner))),
-      edge_angle_(angle_of(static_cast<double>(edge))) {
+      edge_angle_(angle_of(static_cast<double>(edge))),
+      all_beyond_(beyond(inner_angle_)) {
   const float width = edge - inner;
   switch (kind_) {
     case Kind::Quartic:
@@ -45,9 +46,8 @@ SpotFalloff::SpotFalloff(const std::string& name, float inner, float edge)
       integral_ = width / 3.F;
       break;
     case Kind::Angle:
-      integral_ = width > 0.F
-                      ? static_cast<float>(beyond(inner_angle_) / (edge_angle_ - inner_angle_))
-                      : 0.F;
+      integral_ =
+          width > 0.F ? static_cast<float>(all_beyond_ / (edge_angle_ - inner_angle_)) : 0.F;
   }
 }
 
@@ -73,7 +73,7 @@ float SpotFalloff::at(float a) const {
 
 float SpotFalloff::share(float a) const {
   if (kind_ == Kind::Angle) {
-    return static_cast<float>(beyond(angle_of(static_cast<double>(a))) / beyond(inner_angle_));
+    return static_cast<float>(beyond(angle_of(static_cast<double>(a))) / all_beyond_);
   }
   const float d = delta(a);
   const float cubed = d * d * d;
@@ -84,15 +84,21 @@ float SpotFalloff::share(float a) const {
 float SpotFalloff::with_share(float share) const {
   const auto wanted = static_cast<double>(share);
   if (kind_ == Kind::Angle) {
-    // Halvings: the share falls all the way.
+    // Newton's steps, halved where they leave what is known: the share falls all the way.
     double low = inner_angle_;
     double high = edge_angle_;
-    const double all = beyond(inner_angle_);
-    for (int i = 0; i < 50; ++i) {
-      const double middle = 0.5 * (low + high);
-      (beyond(middle) > wanted * all ? low : high) = middle;
+    const double sought = wanted * all_beyond_;
+    double theta = low + (high - low) * (1.0 - std::sqrt(wanted));
+    for (int i = 0; i < 40; ++i) {
+      const double excess = beyond(theta) - sought;
+      (excess > 0.0 ? low : high) = theta;
+      const double slope = -(edge_angle_ - theta) * std::sin(theta);
+      const double next = theta - excess / slope;
+      const double last = theta;
+      theta = next > low && next < high ? next : 0.5 * (low + high);
+      if (std::abs(theta - last) <= 1e-9 * edge_angle_) break;
     }
-    return one_minus_cos(0.5 * (low + high));
+    return one_minus_cos(theta);
   }
   double delta = 1.0;
   if (kind_ == Kind::Smoothstep) {

@@ -33,6 +33,7 @@ class SpotFalloff {
   float edge_;
   double inner_angle_;  ///< radians
   double edge_angle_;
+  double all_beyond_;  ///< from the inner angle on
   float integral_;
 };
 

@@ -18,7 +18,8 @@ class CoatedConductorSurface final : public Material {
       : metal_(in, "eta", "k", "reflectance"),
         roughness_(in),
         coat_eta_(in.slot("coat_eta")),
-        coat_roughness_(in, "coat_roughness", "coat_roughness_v") {
+        coat_roughness_(in, "coat_roughness", "coat_roughness_v"),
+        depth_(in.slot("coat_depth")) {
     needs_tangent = !roughness_.isotropic() || !coat_roughness_.isotropic();
   }
   void add_lobes(const SurfacePoint& at, const Spectrum& scale, Bsdf& bsdf) const override {
@@ -29,8 +30,9 @@ class CoatedConductorSurface final : public Material {
     const float coat_u = coat_roughness_.alpha_u(at);
     const float coat_v = coat_roughness_.alpha_v(at);
     const bool smooth_coat = is_smooth(coat_u, coat_v);
+    const float depth = within(depth_.eval_float(at), 0.F, 80.F);
     if (smooth_coat && is_smooth(u, v)) {
-      bsdf.add(SmoothCoatedConductor{{metal, eta}}, scale);
+      bsdf.add(SmoothCoatedConductor{{metal, eta, depth}}, scale);
       return;
     }
     Coat coat{eta, 0.F};
@@ -42,11 +44,18 @@ class CoatedConductorSurface final : public Material {
     }
     const float blurred_u = blurred(u, smooth_coat ? 0.F : coat_u, eta);
     const float blurred_v = blurred(v, smooth_coat ? 0.F : coat_v, eta);
-    bsdf.add(CoatedConductor{{FacetModel::Ggx, blurred_u, blurred_v}, metal, coat}, scale);
+    bsdf.add(CoatedConductor{{FacetModel::Ggx, blurred_u, blurred_v}, metal, coat},
+             scale * std::exp(-2.F * depth * mean_way(eta)));
   }
   int max_lobes() const override { return 2; }
 
  private:
+  /// 1 / cos θ' on average over the cosine-weighted directions outside, θ' being the angle inside:
+  /// how much longer than along the normal the ways through the coat are.
+  static float mean_way(float eta) {
+    // 2η² (1 − √(1 − 1/η²)), written so that nothing cancels.
+    return 2.F / (1.F + std::sqrt(1.F - 1.F / (eta * eta)));
+  }
   /// α of facets that blur as much as those of the metal, seen through a coat with facets of its
   /// own: a facet tilted by δ turns what it refracts by (1 − 1/η) δ, on the way in and out, and
   /// what a mirror does by 2δ; variances add up.
@@ -59,6 +68,7 @@ class CoatedConductorSurface final : public Material {
   RoughnessSlot roughness_;
   TextureSlot coat_eta_;
   RoughnessSlot coat_roughness_;
+  TextureSlot depth_;
 };
 
 }  // namespace
@@ -75,6 +85,9 @@ MaterialModel coated_conductor_material() {
                                          20.0),
                 declare::textured_number("coat_roughness", "0",
                                          "roughness of the coat, or that along u", 1.0),
+                declare::textured_number("coat_depth", "0",
+                                         "optical thickness of the coat, along the normal: how "
+                                         "much it absorbs"),
                 declare::textured_number("coat_roughness_v", "",
                                          "along v; without it, the same in all directions", 1.0)}),
            roughness_inputs("0"))},

@@ -28,15 +28,8 @@ class SchlickCoatedDiffuse final : public Material {
   RoughnessSlot roughness_;
 };
 
-/// What light meets that the coat turns back to the base.
-enum class InnerReflections { Base, White, None };
-
-InnerReflections inner_reflections(const desc::Node& node) {
-  const std::string& name = node.text("inner_reflections");
-  return name == "white"  ? InnerReflections::White
-         : name == "none" ? InnerReflections::None
-                          : InnerReflections::Base;
-}
+/// Beyond it a coat is black.
+constexpr float kMostDepth = 80.F;
 
 /// Diffuse base under a smooth or rough coat of a dielectric.
 class DielectricCoatedDiffuse final : public Material {
@@ -46,7 +39,9 @@ class DielectricCoatedDiffuse final : public Material {
         gloss_(in.slot("coat_reflectance")),
         eta_(in.slot("eta")),
         roughness_(in),
-        inner_(inner_reflections(in.node())) {
+        depth_(in.slot("coat_depth")),
+        bounces_(in.node().integer("bounces")),
+        is_white_inside_(in.node().text("inner_reflections") == "white") {
     needs_tangent = !roughness_.isotropic();
   }
   void add_lobes(const SurfacePoint& at, const Spectrum& scale, Bsdf& bsdf) const override {
@@ -63,13 +58,12 @@ class DielectricCoatedDiffuse final : public Material {
     }
     const Coat coat{eta, smooth ? 0.F : std::sqrt(u * v)};
     const Spectrum base = reflectance(diffuse_, at);
-    switch (inner_) {
-      case InnerReflections::Base:
-        return bsdf.add(CoatedDiffuse(base, coat), scale);
-      case InnerReflections::White:
-        return bsdf.add(CoatedDiffuse(Spectrum(1.F), coat), scale * base);
-      case InnerReflections::None:
-        return bsdf.add(CoatedDiffuse::seen_once(base, coat), scale);
+    const CoatInside inside{
+        map_lanes(depth_.eval(at), [](float x) { return within(x, 0.F, kMostDepth); }), bounces_};
+    if (is_white_inside_) {
+      bsdf.add(CoatedDiffuse(Spectrum(1.F), coat, inside), scale * base);
+    } else {
+      bsdf.add(CoatedDiffuse(base, coat, inside), scale);
     }
   }
   int max_lobes() const override { return 2; }
@@ -79,7 +73,9 @@ class DielectricCoatedDiffuse final : public Material {
   TextureSlot gloss_;
   TextureSlot eta_;
   RoughnessSlot roughness_;
-  InnerReflections inner_;
+  TextureSlot depth_;
+  int bounces_;
+  bool is_white_inside_;
 };
 
 std::unique_ptr<Material> make_coated_diffuse(const MaterialInputs& in) {
@@ -109,11 +105,20 @@ MaterialModel coated_diffuse_material() {
             declare::only_for(
                 "coat", {"dielectric"},
                 declare::reflectance("coat_reflectance", "1", "tint of what the coat reflects")),
+            declare::only_for("coat", {"dielectric"},
+                              declare::textured_color("coat_depth", "0",
+                                                      "optical thickness of the coat, along "
+                                                      "the normal: how much it absorbs")),
             declare::only_for(
                 "coat", {"dielectric"},
-                choice_parameter("inner_reflections", {"base", "white", "none"},
-                                 "what light meets that the coat turns back: the base; a white "
-                                 "one, so that its colour does not deepen; nothing"))},
+                declare::integer("bounces", "0",
+                                 "how often light may meet the base; 0: any number of times", 0,
+                                 1000)),
+            declare::only_for(
+                "coat", {"dielectric"},
+                choice_parameter("inner_reflections", {"base", "white"},
+                                 "what light meets that the coat turns back: the base, or a "
+                                 "white one, so that its colour does not deepen"))},
            roughness_inputs("0.1"))},
       make_coated_diffuse};
 }

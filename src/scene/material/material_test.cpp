@@ -92,6 +92,120 @@ const Vec3 kWo = direction(50.F, 200.F);
 const Vec3 kWi = direction(35.F, 20.F);
 constexpr TransportMode kRadiance = TransportMode::Radiance;
 
+TEST(CoatedDiffuseMaterial, ReflectsBelowTheCoatAsItSays) {
+  const Spectrum color(0.2F, 0.5F, 0.9F);
+  const float eta = 1.5F;
+  const auto value = [&](desc::Node::Given given) {
+    Fixture f;
+    desc::Node node = desc::material_node("coated_diffuse", given);
+    node.set("coat", "dielectric");
+    node.set("eta", eta);
+    node.set("roughness", 0.F);
+    node.set("diffuse_reflectance", Vec3(color[0], color[1], color[2]));
+    const desc::MaterialId id = f.add(node);
+    return f.bsdf(id).eval(kWo, kWi, kRadiance) / (kInvPi * kWi.z);
+  };
+  const float through = (1.F - fresnel_dielectric(kWo.z, eta).reflectance) *
+                        (1.F - fresnel_dielectric(kWi.z, eta).reflectance) / (eta * eta);
+  const float back = 1.F - Coat{eta, 0.F}.mean_transmittance() / (eta * eta);
+  const Spectrum base = value({});
+  const Spectrum white = value({{"inner_reflections", "white"}});
+  const Spectrum once = value({{"bounces", 1}, {"coat_reflectance", Vec3(0.F)}});
+  const Spectrum dark = value({{"bounces", 1}, {"coat_depth", Vec3(0.F, 0.F, 0.7F)}});
+  const auto inner = [&](const Vec3& w) {
+    return std::sqrt(1.F - (1.F - w.z * w.z) / (eta * eta));
+  };
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_NEAR(base[i], through * color[i] / (1.F - color[i] * back), 1e-5F);
+    EXPECT_NEAR(white[i], through * color[i] / (1.F - back), 1e-5F);
+    EXPECT_NEAR(once[i], through * color[i], 1e-5F);
+  }
+  EXPECT_NEAR(dark[1], once[1], 1e-6F);
+  EXPECT_NEAR(dark[2] / once[2], std::exp(-0.7F / inner(kWo) - 0.7F / inner(kWi)), 1e-5F);
+}
+
+TEST(CoatedDiffuseMaterial, TintsOnlyWhatTheCoatReflects) {
+  const auto mirror_of = [](const Vec3& tint) {
+    Fixture f;
+    const desc::MaterialId id = f.add("coated_diffuse", {{"coat", "dielectric"},
+                                                         {"roughness", 0.F},
+                                                         {"diffuse_reflectance", Vec3(0.F)},
+                                                         {"coat_reflectance", tint}});
+    return f.bsdf(id).sample(kWo, {0.5F, {0.5F, 0.5F}}, kRadiance)->weight;
+  };
+  const float f = fresnel_dielectric(kWo.z, 1.5F).reflectance;
+  EXPECT_NEAR(mirror_of(Vec3(1.F))[0], f, 1e-5F);
+  EXPECT_NEAR(mirror_of(Vec3(0.25F, 1.F, 1.F))[0], 0.25F * f, 1e-5F);
+}
+
+TEST(CoatedConductorMaterial, IsDarkerBelowACoatThatAbsorbs) {
+  const auto albedo = [](float depth, float roughness) {
+    Fixture f;
+    const desc::MaterialId id =
+        f.add("coated_conductor",
+              {{"coat_depth", depth}, {"roughness", roughness}, {"reflectance", Vec3(0.9F)}});
+    return f.bsdf(id).albedo(Vec3(0.F, 0.F, 1.F))[0];
+  };
+  const float f = fresnel_dielectric(1.F, 1.5F).reflectance;
+  for (const float roughness : {0.F, 0.3F}) {
+    const float clear = albedo(0.F, roughness) - f;
+    const float dark = albedo(0.5F, roughness) - f;
+    // Along the normal, or on average 1.146 times as long a way.
+    const float least = std::exp(-1.F * 1.15F);
+    EXPECT_GT(dark / clear, 0.95F * least) << roughness;
+    EXPECT_LT(dark / clear, 1.05F * std::exp(-1.F)) << roughness;
+  }
+}
+
+TEST(Principled, BlendsMetalAndDielectricOnceUnlessAsPbrt) {
+  const Vec3 color(1.F, 0.5F, 0.1F);
+  const auto gloss = [&](float metallic, float tint, const char* blend) {
+    Fixture f;
+    const desc::MaterialId id = f.add("principled", {{"base_color", color},
+                                                     {"metallic", metallic},
+                                                     {"specular_tint", tint},
+                                                     {"roughness", 0.5F},
+                                                     {"blend", blend}});
+    const desc::MaterialId black =
+        f.add("principled", {{"base_color", Vec3(0.F)}, {"metallic", 0.F}, {"roughness", 0.5F}});
+    const desc::MaterialId white =
+        f.add("principled", {{"base_color", Vec3(1.F)}, {"metallic", 1.F}, {"roughness", 0.5F}});
+    const Vec3 up(0.F, 0.F, 1.F);
+    const float none = f.bsdf(black).eval(up, up, kRadiance)[0];  // 0.04 D G
+    const float all = f.bsdf(white).eval(up, up, kRadiance)[0];   // D G
+    const Spectrum diffuse = rgb_spectrum(color) * ((1.F - metallic) * kInvPi);
+    EXPECT_NEAR(none / all, 0.04F, 1e-4F);
+    return (f.bsdf(id).eval(up, up, kRadiance) - diffuse) / all;
+  };
+  const Spectrum once = gloss(0.5F, 0.F, "once");
+  const Spectrum pbrt = gloss(0.5F, 0.F, "pbrt-v3");
+  const Spectrum tinted = gloss(0.F, 1.F, "once");
+  const float brightness = luminance(rgb_spectrum(color));
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_NEAR(once[i], 0.5F * 0.04F + 0.5F * color[i], 2e-3F);
+    EXPECT_NEAR(pbrt[i], 0.5F * 0.04F + 0.5F * (0.5F * 0.04F + 0.5F * color[i]), 2e-3F);
+    EXPECT_NEAR(tinted[i], 0.04F * color[i] / brightness, 2e-3F);
+  }
+}
+
+TEST(Principled, VarnishIsNotOnGlass) {
+  const auto mirror_of = [](float transmission) {
+    Fixture f;
+    const desc::MaterialId id =
+        f.add("principled",
+              {{"base_color", Vec3(0.F)}, {"coat", 1.F}, {"specular_transmission", transmission}});
+    float sum = 0.F;
+    for (int i = 0; i < 1000; ++i) {
+      const auto s = f.bsdf(id).sample(kWo, {(static_cast<float>(i) + 0.5F) / 1000.F, {0.3F, 0.3F}},
+                                       kRadiance);
+      if (s && s->event().specular() && !s->transmission) sum += s->weight[0] / 1000.F;
+    }
+    return sum;
+  };
+  EXPECT_NEAR(mirror_of(0.F), fresnel_dielectric(kWo.z, 1.5F).reflectance, 5e-3F);
+  EXPECT_EQ(mirror_of(1.F), 0.F);
+}
+
 TEST(Materials, HaveDefaults) {
   Fixture f;
   const auto matte = f.add("diffuse");

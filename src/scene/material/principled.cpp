@@ -12,8 +12,8 @@ Microfacets stretched_facets(FacetModel model, float roughness, float aspect) {
   return {model, alpha / aspect, alpha * aspect};
 }
 
-/// Disney's "principled" model. Sources: Burley 2012 and 2015, combined as pbrt-v3 does. (From
-/// behind, where pbrt's Schlick term is 1 at any angle, ours is the same as from the front.)
+/// Disney's "principled" model. Sources: Burley 2012 and 2015, combined as Mitsuba 3 or pbrt-v3 do.
+/// (From behind, where pbrt's Schlick term is 1 at any angle, ours is the same as from the front.)
 class Principled final : public Material {
  public:
   explicit Principled(const MaterialInputs& in);
@@ -35,7 +35,9 @@ class Principled final : public Material {
       }
     }
   };
-  Varnish add_varnish(const SurfacePoint& at, const Spectrum& scale, Bsdf& bsdf) const;
+  Varnish add_varnish(const SurfacePoint& at, const Spectrum& scale, float most, Bsdf& bsdf) const;
+  DisneyFresnel fresnel(const SurfacePoint& at, const Spectrum& color, const Spectrum& tint,
+                        float metallic, float eta) const;
   void add_diffuse(const SurfacePoint& at, const Spectrum& scale, const Spectrum& color,
                    const Spectrum& tint, float roughness, float share, const Varnish& varnish,
                    Bsdf& bsdf) const;
@@ -44,6 +46,7 @@ class Principled final : public Material {
       sheen_tint_, clearcoat_, clearcoat_gloss_, coat_, coat_roughness_, spec_trans_, flatness_,
       diff_trans_;
   bool thin_;
+  bool as_pbrt_;
 };
 
 Principled::Principled(const MaterialInputs& in)
@@ -62,7 +65,8 @@ Principled::Principled(const MaterialInputs& in)
       spec_trans_(in.slot("specular_transmission")),
       flatness_(in.slot("flatness")),
       diff_trans_(in.slot("diffuse_transmission")),
-      thin_(in.node().flag("thin")) {
+      thin_(in.node().flag("thin")),
+      as_pbrt_(in.node().text("blend") == "pbrt-v3") {
   needs_tangent = !anisotropic_.is_black();
 }
 
@@ -76,7 +80,7 @@ void Principled::add_lobes(const SurfacePoint& at, const Spectrum& scale, Bsdf& 
   // Hue and saturation alone.
   const Spectrum tint = brightness > 0.F ? color / brightness : Spectrum(1.F);
 
-  const Varnish varnish = add_varnish(at, scale, bsdf);
+  const Varnish varnish = add_varnish(at, scale, 1.F - transmission, bsdf);
   const float diffuse_share = (1.F - metallic) * (1.F - transmission);
   if (diffuse_share > 0.F) {
     add_diffuse(at, scale, color, tint, roughness, diffuse_share, varnish, bsdf);
@@ -84,11 +88,7 @@ void Principled::add_lobes(const SurfacePoint& at, const Spectrum& scale, Bsdf& 
 
   const float aspect = std::sqrt(1.F - 0.9F * weight(anisotropic_, at));
   const Microfacets facets = stretched_facets(FacetModel::GgxSeparable, roughness, aspect);
-  const float dielectric_r0 = square((eta - 1.F) / (eta + 1.F));
-  const float tinted = weight(specular_tint_, at);
-  const Spectrum white_r0 = dielectric_r0 * (Spectrum(1.F) + (tint - Spectrum(1.F)) * tinted);
-  const Spectrum r0 = white_r0 * (1.F - metallic) + color * metallic;
-  varnish.add_below(DisneySpecular{facets, {PackedSpectrum(r0), metallic, eta}}, scale, bsdf);
+  varnish.add_below(DisneySpecular{facets, fresnel(at, color, tint, metallic, eta)}, scale, bsdf);
 
   const float clearcoat = weight(clearcoat_, at);
   if (clearcoat > 0.F) {
@@ -112,13 +112,31 @@ void Principled::add_lobes(const SurfacePoint& at, const Spectrum& scale, Bsdf& 
   }
   if (thin_) {
     const float transmitted = within(0.5F * diff_trans_.eval_float(at), 0.F, 1.F);
-    bsdf.add(LambertTransmission{}, scale * color * transmitted);
+    varnish.add_below(LambertTransmission{}, scale * color * transmitted, bsdf);
   }
 }
 
+/// A dielectric and a metal, which have their shares of the surface. The tinted share of the
+/// dielectric follows Schlick's formula, as the metal does. pbrt-v3 takes the same of a colour that
+/// is a blend of both already.
+DisneyFresnel Principled::fresnel(const SurfacePoint& at, const Spectrum& color,
+                                  const Spectrum& tint, float metallic, float eta) const {
+  const float dielectric_r0 = square((eta - 1.F) / (eta + 1.F));
+  const float tinted = weight(specular_tint_, at);
+  if (as_pbrt_) {
+    const Spectrum white_r0 = dielectric_r0 * (Spectrum(1.F) + (tint - Spectrum(1.F)) * tinted);
+    return {PackedSpectrum(white_r0 * (1.F - metallic) + color * metallic), metallic, eta};
+  }
+  const float tinted_share = (1.F - metallic) * tinted;
+  const float by_schlick = metallic + tinted_share;
+  if (!(by_schlick > 0.F)) return {PackedSpectrum(), 0.F, eta};
+  const Spectrum r0 = (color * metallic + tint * (dielectric_r0 * tinted_share)) / by_schlick;
+  return {PackedSpectrum(r0), by_schlick, eta};
+}
+
 Principled::Varnish Principled::add_varnish(const SurfacePoint& at, const Spectrum& scale,
-                                            Bsdf& bsdf) const {
-  const float share = weight(coat_, at);
+                                            float most, Bsdf& bsdf) const {
+  const float share = weight(coat_, at) * most;
   if (!(share > 0.F)) return {};
   const float alpha = square(weight(coat_roughness_, at));
   // Source of the limit: Pharr et al. 2023, section 9.6.2.
@@ -137,8 +155,8 @@ void Principled::add_diffuse(const SurfacePoint& at, const Spectrum& scale, cons
   const float sheen_tint = weight(sheen_tint_, at);
   const Spectrum sheen_color = (Spectrum(1.F) + (tint - Spectrum(1.F)) * sheen_tint) * sheen;
   DisneyDiffuse lobe{PackedSpectrum(color), PackedSpectrum(sheen_color), 1.F, 0.F, roughness};
-  if (thin_) {
-    const float reflected = 1.F - within(0.5F * diff_trans_.eval_float(at), 0.F, 1.F);
+  if (thin_ || !as_pbrt_) {
+    const float reflected = thin_ ? 1.F - within(0.5F * diff_trans_.eval_float(at), 0.F, 1.F) : 1.F;
     const float flatness = weight(flatness_, at);
     lobe.diffuse = (1.F - flatness) * reflected;
     lobe.fake_subsurface = flatness * reflected;
@@ -179,11 +197,13 @@ MaterialModel principled_material() {
             declare::textured_number("coat_roughness", "0", "root of the alpha of its facets", 1.0),
             declare::textured_number("specular_transmission", "0",
                                      "share of light that is refracted", 1.0),
-            declare::textured_number("flatness", "0",
-                                     "of thin ones: share of flat diffuse reflection", 1.0),
+            declare::textured_number("flatness", "0", "share of flat diffuse reflection", 1.0),
             declare::textured_number("diffuse_transmission", "1",
                                      "of thin ones: diffuse transmission; 2 is all of it", 2.0),
-            declare::flag("thin", "a sheet without thickness")}},
+            declare::flag("thin", "a sheet without thickness"),
+            choice_parameter("blend", {"once", "pbrt-v3"},
+                             "shares of metal and dielectric; pbrt-v3 weighs the colour of a metal "
+                             "twice, and has flatness for thin sheets only")}},
       make<Principled>};
 }
 

@@ -35,8 +35,10 @@ std::optional<ChannelRange> kept_channels(const ImageHeader& header, ImageChanne
     case ImageChannel::Blue:
       return ChannelRange{is_gray ? 0 : 2};
     case ImageChannel::AlphaOrColor:
-    case ImageChannel::VaryingAlphaOrColor:
       if (header.alpha_channel < 0) return color;
+      break;
+    case ImageChannel::VaryingAlphaOrColor:
+      if (header.alpha_channel < 0 || is_gray) return color;
       break;
     case ImageChannel::Alpha:
       break;
@@ -103,7 +105,8 @@ ImageSize image_size(const ImageRequest& request, const desc::EmbeddedFiles& emb
     if (!kept) return {1, 1};
     const std::uint64_t channel_bytes = size_of(header.type);
     if (!memory_shortage(input.bytes(kept->count, channel_bytes)).empty()) return {};
-    const auto channels = static_cast<std::uint64_t>(kept->count);
+    const bool may_be_color = request.channel == ImageChannel::VaryingAlphaOrColor;
+    const auto channels = static_cast<std::uint64_t>(may_be_color ? 3 : kept->count);
     return {header.pixels(), header.pixels() * channels * channel_bytes};
   } catch (const IoError&) {
     return {};

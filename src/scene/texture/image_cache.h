@@ -33,7 +33,7 @@ enum class ImageChannel {
   Blue,
   Alpha,
   AlphaOrColor,        ///< alpha; the colours if there is none
-  VaryingAlphaOrColor  ///< the same, but the colours also where alpha is 1 everywhere
+  VaryingAlphaOrColor  ///< alpha beside three colours, unless it is 1 everywhere; else the colours
 };
 
 /// An image file, or one of the scene's embedded files, and what is taken of it.

@@ -208,8 +208,10 @@ TextureModel image_texture() {
                                  {"color", "red", "green", "blue", "alpha", "mean", "luminance",
                                   "alpha_or_mean", "varying_alpha_or_mean"},
                                  "what is taken of it: all colours, one of them, alpha (1 if it "
-                                 "has none), the mean or the luminance of the colours, or alpha "
-                                 "and without it (or where it is 1 everywhere) the mean"),
+                                 "has none), the mean or the luminance of the colours; "
+                                 "alpha_or_mean: alpha, or the mean if it has none; "
+                                 "varying_alpha_or_mean: the mean also where alpha is 1 "
+                                 "everywhere, or beside a gray"),
                 choice_parameter("wrap", {"repeat", "black", "clamp"},
                                  "what is beyond the edge of the image"),
                 std::move(decode), std::move(gamma),

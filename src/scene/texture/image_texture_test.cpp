@@ -200,6 +200,9 @@ TEST_F(ImageTextureTest, AlphaComesBeforeColours) {
   EXPECT_NEAR(second_of(opaque, "alpha_or_mean"), 255.F, 1e-3F);
   EXPECT_NEAR(second_of(opaque, "varying_alpha_or_mean"), 60.F, 1e-3F);
   EXPECT_NEAR(second_of(floats, "varying_alpha_or_mean"), 0.2F * 255.F, 1e-3F);
+  const std::string gray = write<std::uint8_t>("gray.png", 2, 1, 2, {10, 20, 30, 40});
+  EXPECT_NEAR(second_of(gray, "alpha_or_mean"), 40.F, 1e-3F);
+  EXPECT_NEAR(second_of(gray, "varying_alpha_or_mean"), 30.F, 1e-3F);
 }
 
 TEST_F(ImageTextureTest, EmbeddedFilesAreReadLikeOthers) {
