@@ -25,6 +25,7 @@ def goniometric(
     *,
     intensity: Color = 1.0,
     image: File | None = None,
+    gray: bool = False,
     projection: Literal["longitude_latitude", "equal_area"] = 'longitude_latitude',
     power: Number | None = None,
     name: str = '',
