@@ -157,7 +157,7 @@ def principled(
     flatness: TexturedNumber = 0.0,
     diffuse_transmission: TexturedNumber = 1.0,
     thin: bool = False,
-    blend: Literal["once", "pbrt-v3"] = 'once',
+    blend: Literal["once", "twice"] = 'once',
     name: str = '',
     bump: Node | None = None,
     normal_map: Node | None = None,

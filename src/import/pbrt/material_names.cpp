@@ -100,7 +100,7 @@ const std::vector<ModelName>& materials_of_v3() {
         {"clearcoat_gloss", {"clearcoatgloss"}},
         {"specular_transmission", {"spectrans"}},
         {"diffuse_transmission", {"difftrans"}},
-        {"blend", {"blend"}, "pbrt-v3"}}},
+        {"blend", {"blend"}, "twice"}}},
       {"mix", "mix", {{"first", {"namedmaterial1"}}, {"second", {"namedmaterial2"}}}},
       {"none", "interface", {}},
       {"", "interface", {}}};

@@ -157,7 +157,7 @@ TEST(CoatedConductorMaterial, IsDarkerBelowACoatThatAbsorbs) {
   }
 }
 
-TEST(Principled, BlendsMetalAndDielectricOnceUnlessAsPbrt) {
+TEST(Principled, BlendsMetalAndDielectricOnceUnlessTwice) {
   const Vec3 color(1.F, 0.5F, 0.1F);
   const auto gloss = [&](float metallic, float tint, const char* blend) {
     Fixture f;
@@ -178,12 +178,12 @@ TEST(Principled, BlendsMetalAndDielectricOnceUnlessAsPbrt) {
     return (f.bsdf(id).eval(up, up, kRadiance) - diffuse) / all;
   };
   const Spectrum once = gloss(0.5F, 0.F, "once");
-  const Spectrum pbrt = gloss(0.5F, 0.F, "pbrt-v3");
+  const Spectrum twice = gloss(0.5F, 0.F, "twice");
   const Spectrum tinted = gloss(0.F, 1.F, "once");
   const float brightness = luminance(rgb_spectrum(color));
   for (int i = 0; i < 3; ++i) {
     EXPECT_NEAR(once[i], 0.5F * 0.04F + 0.5F * color[i], 2e-3F);
-    EXPECT_NEAR(pbrt[i], 0.5F * 0.04F + 0.5F * (0.5F * 0.04F + 0.5F * color[i]), 2e-3F);
+    EXPECT_NEAR(twice[i], 0.5F * 0.04F + 0.5F * (0.5F * 0.04F + 0.5F * color[i]), 2e-3F);
     EXPECT_NEAR(tinted[i], 0.04F * color[i] / brightness, 2e-3F);
   }
 }

@@ -46,7 +46,7 @@ class Principled final : public Material {
       sheen_tint_, clearcoat_, clearcoat_gloss_, coat_, coat_roughness_, spec_trans_, flatness_,
       diff_trans_;
   bool thin_;
-  bool as_pbrt_;
+  bool colors_twice_;
 };
 
 Principled::Principled(const MaterialInputs& in)
@@ -66,7 +66,7 @@ Principled::Principled(const MaterialInputs& in)
       flatness_(in.slot("flatness")),
       diff_trans_(in.slot("diffuse_transmission")),
       thin_(in.node().flag("thin")),
-      as_pbrt_(in.node().text("blend") == "pbrt-v3") {
+      colors_twice_(in.node().text("blend") == "twice") {
   needs_tangent = !anisotropic_.is_black();
 }
 
@@ -123,7 +123,7 @@ DisneyFresnel Principled::fresnel(const SurfacePoint& at, const Spectrum& color,
                                   const Spectrum& tint, float metallic, float eta) const {
   const float dielectric_r0 = square((eta - 1.F) / (eta + 1.F));
   const float tinted = weight(specular_tint_, at);
-  if (as_pbrt_) {
+  if (colors_twice_) {
     const Spectrum white_r0 = dielectric_r0 * (Spectrum(1.F) + (tint - Spectrum(1.F)) * tinted);
     return {PackedSpectrum(white_r0 * (1.F - metallic) + color * metallic), metallic, eta};
   }
@@ -155,7 +155,7 @@ void Principled::add_diffuse(const SurfacePoint& at, const Spectrum& scale, cons
   const float sheen_tint = weight(sheen_tint_, at);
   const Spectrum sheen_color = (Spectrum(1.F) + (tint - Spectrum(1.F)) * sheen_tint) * sheen;
   DisneyDiffuse lobe{PackedSpectrum(color), PackedSpectrum(sheen_color), 1.F, 0.F, roughness};
-  if (thin_ || !as_pbrt_) {
+  if (thin_ || !colors_twice_) {
     const float reflected = thin_ ? 1.F - within(0.5F * diff_trans_.eval_float(at), 0.F, 1.F) : 1.F;
     const float flatness = weight(flatness_, at);
     lobe.diffuse = (1.F - flatness) * reflected;
@@ -201,9 +201,9 @@ MaterialModel principled_material() {
             declare::textured_number("diffuse_transmission", "1",
                                      "of thin ones: diffuse transmission; 2 is all of it", 2.0),
             declare::flag("thin", "a sheet without thickness"),
-            choice_parameter("blend", {"once", "pbrt-v3"},
-                             "shares of metal and dielectric; pbrt-v3 weighs the colour of a metal "
-                             "twice, and has flatness for thin sheets only")}},
+            choice_parameter("blend", {"once", "twice"},
+                             "shares of metal and dielectric: once; or twice, for the metal's "
+                             "colour, and flatness for thin sheets only")}},
       make<Principled>};
 }
 
