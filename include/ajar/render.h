@@ -67,7 +67,7 @@ struct Callbacks {
   std::function<void(const Progress&)> progress;  ///< after each pass
   /// As it is; at first, a rough look of 0 samples per pixel, which has no other layers.
   std::function<void(const Picture&)> picture;
-  double picture_every = 1.0;                     ///< seconds, at least
+  double picture_every = 1.0;  ///< seconds, at least
   std::function<void(const std::string&)> warning;
   std::function<void(const std::string&)> note;
 };

@@ -25,8 +25,8 @@ inline std::string warnings_of(std::string_view text, const Files& files = {}) {
 }
 
 /// A scene with these members of "bsdfs" and "primitives", written with ' in place of ".
-inline std::string scene_text(std::string bsdfs, std::string primitives,
-                              std::string camera = "{}") {
+inline std::string scene_text(const std::string& bsdfs, const std::string& primitives,
+                              const std::string& camera = "{}") {
   std::string text =
       "{'camera': " + camera + ",\n'bsdfs': [" + bsdfs + "],\n'primitives': [" + primitives + "]}";
   for (char& c : text) c = c == '\'' ? '"' : c;

@@ -163,7 +163,7 @@ desc::Value TextureReader::number(const LocatedJson& json, const std::string& ch
     return kGrey.x;
   }
   // Of colours that are no image Tungsten takes the first number.
-  const desc::Value value = color(json);
+  desc::Value value = color(json);
   if (const Vec3* constant = std::get_if<Vec3>(&value)) return constant->x;
   const desc::TextureId id = std::get<desc::TextureRef>(value).id;
   desc::Node& checkerboard = context_.scene.textures[static_cast<std::size_t>(id)].node;
