@@ -69,7 +69,7 @@ TEST(GltfImport, ModelsWithoutCameraAndLightsAreInAStudio) {
   EXPECT_EQ(scene.shapes.size(), 4U) << "with two softboxes and the table";
 }
 
-TEST(GltfImport, PrimitivesWithoutMaterialAreLightGrey) {
+TEST(GltfImport, PrimitivesWithoutMaterialHaveThatOfTheSpecification) {
   TestFile file;
   file.add_triangle();
   file.json["meshes"][0]["primitives"][0].erase("material");
@@ -77,7 +77,9 @@ TEST(GltfImport, PrimitivesWithoutMaterialAreLightGrey) {
   const desc::Node& node =
       scene.materials.at(static_cast<std::size_t>(scene.shapes.front().material)).node;
   EXPECT_TRUE(node.is("principled"));
-  EXPECT_EQ(node.number("metallic"), 0.F);
+  EXPECT_EQ(node.color("base_color"), Vec3(1.F));
+  EXPECT_EQ(node.number("metallic"), 1.F);
+  EXPECT_EQ(node.number("roughness"), 1.F);
 }
 
 }  // namespace

@@ -33,13 +33,10 @@ const Surface& Materials::of(const Element& primitive, const VertexColors* color
 }
 
 Surface Materials::make(const std::optional<Element>& material, const VertexColors* colors) {
-  if (material) return SurfaceReader(context_, images_, *material, colors).read();
-  Surface surface;
-  surface.material = add_neutral_material(context_.scene);
-  if (colors != nullptr) {
-    context_.scene.materials.back().node.set("base_color", colors->value);
-  }
-  return surface;
+  // Without one all has its defaults, which are those of a white metal.
+  static const Json kDefaults = Json::object();
+  const Element defaults(kDefaults, context_.document.name, "/materials");
+  return SurfaceReader(context_, images_, material ? *material : defaults, colors).read();
 }
 
 }  // namespace ajar::gltf

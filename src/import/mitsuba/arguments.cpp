@@ -78,7 +78,7 @@ std::optional<double> Arguments::number(std::string_view name) {
   return std::nullopt;
 }
 
-std::optional<desc::Rgb> Arguments::color(std::string_view name) {
+std::optional<desc::Rgb> Arguments::color(std::string_view name, const char* expected) {
   if (const Element* spectrum = child(name, "spectrum")) {
     return evaluate_spectrum(context_, *spectrum);
   }
@@ -91,7 +91,7 @@ std::optional<desc::Rgb> Arguments::color(std::string_view name) {
   if (const long long* value = std::get_if<long long>(&property->value)) {
     return desc::Rgb(static_cast<float>(*value));
   }
-  warn_kind(*property, "a colour");
+  warn_kind(*property, expected);
   return std::nullopt;
 }
 

@@ -26,7 +26,8 @@ class Arguments {
   std::optional<long long> integer(std::string_view name);
   std::optional<std::string> text(std::string_view name);
   /// A colour or a number, which is grey; or a child <spectrum>.
-  std::optional<desc::Rgb> color(std::string_view name);
+  /// `expected` is what a warning calls it.
+  std::optional<desc::Rgb> color(std::string_view name, const char* expected = "a colour");
   std::optional<Vec3d> vector(std::string_view name);
   std::optional<Mat4> transform(std::string_view name);
   /// The same for what has a default.

@@ -1,4 +1,5 @@
 #include <filesystem>
+#include <utility>
 
 #include "import/common/printable.h"
 #include "import/mesh/obj.h"
@@ -71,18 +72,22 @@ std::optional<Geometry> make_mesh_geometry(Arguments& arguments, MeshLoader& mes
     return std::nullopt;
   }
 
+  const bool is_mirrored = swaps_handedness(arguments.transform("to_world").value_or(Mat4()));
   MeshRecipe recipe;
   recipe.read = reader_of(arguments);
-  recipe.finish = [face_normals, turns_v](desc::Mesh& mesh) {
+  recipe.finish = [face_normals, turns_v, is_mirrored](desc::Mesh& mesh) {
     if (turns_v) turn_texture_coordinates(mesh);
-    if (face_normals) {
-      mesh.normals.clear();
-    } else if (mesh.normals.empty()) {
-      make_smooth_normals(mesh);
+    if (face_normals) mesh.normals.clear();
+    if (!mesh.normals.empty()) return;
+    // Mitsuba makes normals by the winding that vertices have in the world; ours are turned with
+    // the transform, which a mirror makes the opposite.
+    if (is_mirrored) {
+      for (auto& triangle : mesh.indices) std::swap(triangle.y, triangle.z);
     }
+    if (!face_normals) make_smooth_normals(mesh);
   };
   recipe.variant = type + " " + std::to_string(shape_index) + (face_normals ? " flat" : " smooth") +
-                   (turns_v ? " turned" : "") +
+                   (turns_v ? " turned" : "") + (is_mirrored ? " mirrored" : "") +
                    (wants_materials(arguments) ? " with materials" : "");
   const desc::MeshPointer mesh =
       meshes.request(arguments.where(), context.files.find(*name), std::move(recipe));

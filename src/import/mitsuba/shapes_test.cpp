@@ -25,6 +25,17 @@ TEST(MitsubaShapes, MeshesAreSmoothUnlessTheyAskForFaces) {
   EXPECT_TRUE(mesh_of("<boolean name=\"faceNormals\" value=\"true\"/>")->normals.empty());
 }
 
+TEST(MitsubaShapes, MirrorsDoNotTurnNormalsThatNoFileHas) {
+  // Mitsuba takes them of the vertices in the world: a mirror across z leaves this quad as it is.
+  const auto mirrored = [](const std::string& properties) {
+    return mesh_of("<transform name=\"to_world\"><scale z=\"-1\"/></transform>" + properties);
+  };
+  EXPECT_EQ(mirrored("")->normals.front(), Vec3(0.F, 0.F, -1.F)) << "the mirror turns it back";
+  const auto flat = mirrored("<boolean name=\"faceNormals\" value=\"true\"/>");
+  const auto plain = mesh_of("<boolean name=\"faceNormals\" value=\"true\"/>");
+  EXPECT_EQ(flat->indices.front().y, plain->indices.front().z);
+}
+
 TEST(MitsubaShapes, ObjFilesCountVFromTheBottomRow) {
   EXPECT_EQ(mesh_of("")->uvs[3], Vec2(0.F, 0.75F));
   EXPECT_EQ(mesh_of("<boolean name=\"flipTexCoords\" value=\"false\"/>")->uvs[3], Vec2(0.F, 0.25F));

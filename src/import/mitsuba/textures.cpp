@@ -68,7 +68,7 @@ std::optional<desc::Value> TextureTable::find_number(Arguments& arguments, std::
   if (const Element* texture = arguments.child(name, "texture")) {
     return desc::TextureRef{make(*texture, number_role())};
   }
-  const std::optional<desc::Rgb> color = arguments.color(name);
+  const std::optional<desc::Rgb> color = arguments.color(name, "a number");
   if (!color) return std::nullopt;
   return number_of(*color, number_role() == Role::Mean);
 }

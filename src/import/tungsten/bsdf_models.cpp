@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "import/common/opacity.h"
 #include "import/tungsten/coats.h"
 #include "import/tungsten/metals.h"
 #include "scene/desc/models.h"
@@ -159,7 +160,11 @@ desc::Node thin_sheet(const BsdfInputs& in) {
 
 desc::Node mixed(const BsdfInputs& in) {
   const auto part = [&](std::string_view name) {
-    if (const std::optional<desc::MaterialId> found = in.part(name)) return *found;
+    if (const std::optional<desc::MaterialId> found = in.part(name)) {
+      // What lets all light pass must do so as a part, too.
+      const desc::Material& made = in.context.scene.materials[static_cast<std::size_t>(*found)];
+      return made.node.is("interface") ? in.add(clear_material()) : *found;
+    }
     in.warn(kNoPart, "\"" + std::string(name) + "\" is missing: grey stands in");
     return in.add(desc::material_node("diffuse"));
   };

@@ -107,6 +107,14 @@ TEST(Bsdfs, WhatIsNotOpaqueIsCutAwayOrBlended) {
   EXPECT_EQ(material_of(leaf).texture("amount"), alpha);
 }
 
+TEST(Bsdfs, ForwardInAMixLetsLightPass) {
+  const desc::SceneDesc scene =
+      scene_with_bsdf("'type': 'mixed', 'bsdf0': {'type': 'forward'}, 'bsdf1': {'type': 'mirror'}");
+  const desc::Node clear = part_of(scene, material_of(scene), "first");
+  ASSERT_TRUE(clear.is("composite"));
+  EXPECT_EQ(clear.color("opacity"), Vec3(0.F));
+}
+
 TEST(Bsdfs, PlasticIsACoatedBase) {
   const desc::Node plastic =
       material_of(scene_with_bsdf("'type': 'plastic', 'ior': 1.4, 'albedo': [0.5, 0.2, 1]"));
