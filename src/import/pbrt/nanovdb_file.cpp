@@ -274,7 +274,9 @@ class TreeReader {
     using Data = typename Leaf::DataType;
     const auto& leaf = at<Data>(place);
     if constexpr (!Data::FIXED_SIZE) {
-      // Of variable width: the numbers are behind.
+      // Of variable width, up to 16 bits: the numbers are behind.
+      constexpr int kMostBits = 16;
+      if (leaf.bitWidth() > kMostBits) fail(where_, kDamaged);
       if (leaf.memUsage() > bytes_.size() - static_cast<std::uint64_t>(place)) {
         fail(where_, kDamaged);
       }
