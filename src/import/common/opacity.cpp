@@ -9,7 +9,8 @@ namespace ajar {
 namespace {
 
 desc::MaterialId add(desc::SceneDesc& scene, const desc::Material& like, desc::Node node) {
-  scene.materials.push_back({.name = like.name, .where = like.where, .node = std::move(node)});
+  desc::Material made{.name = like.name, .where = like.where, .node = std::move(node)};
+  scene.materials.push_back(std::move(made));
   return static_cast<desc::MaterialId>(scene.materials.size()) - 1;
 }
 
@@ -19,6 +20,11 @@ desc::Node clear_material() {
   return desc::material_node("composite", {{"diffuse_reflectance", Vec3(0.F)},
                                            {"glossy_reflectance", Vec3(0.F)},
                                            {"opacity", Vec3(0.F)}});
+}
+
+desc::MaterialId part_of_mix(desc::SceneDesc& scene, desc::MaterialId id) {
+  const desc::Material& part = scene.materials[static_cast<std::size_t>(id)];
+  return part.node.is("interface") ? add(scene, part, clear_material()) : id;
 }
 
 PartlyClear with_opacity(desc::SceneDesc& scene, const desc::Material& like,

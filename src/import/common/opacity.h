@@ -6,6 +6,10 @@ namespace ajar {
 /// Lets all light pass straight on: what is no surface, where it is a part of a mix.
 desc::Node clear_material();
 
+/// The material `id` as a part of a mix: what is nothing but a boundary between media would let no
+/// light pass there, and is a clear material instead.
+desc::MaterialId part_of_mix(desc::SceneDesc& scene, desc::MaterialId id);
+
 /// A surface of which not all is there.
 struct PartlyClear {
   desc::MaterialId material = desc::kNone;

@@ -11,12 +11,8 @@ namespace {
 constexpr WarningKind kCoat{Effect::Surface, "materials have a coat, which is left out"};
 constexpr WarningKind kClearCoat{Effect::Surface,
                                  "coats of metals absorb light in Mitsuba: clear ones stand in"};
-constexpr WarningKind kCoatedMetal{
-    Effect::Slight, "metals have a coat: light that goes to and fro between the two is shown"};
 constexpr WarningKind kTintedCoat{Effect::Surface,
                                   "coats of metals have a tint, which is left out"};
-constexpr WarningKind kBeckmannBelow{
-    Effect::Slight, "metals below a coat have facets of a distribution that is not supported"};
 constexpr WarningKind kThinCoat{Effect::Surface,
                                 "coats are thinner than what is outside: no gloss"};
 constexpr WarningKind kTiltedCoat{Effect::Slight,
@@ -68,18 +64,12 @@ Surface plastic(const MaterialInputs& in, bool is_rough) {
 
 desc::Node metal_below(const MaterialInputs& in, float eta, const desc::Node& metal,
                        bool is_rough) {
-  in.context().warnings.add(kCoatedMetal, in.where(),
-                            "what goes to and fro between a metal and its coat is shown here");
   if (in.textures.color(in.arguments, "specular_reflectance", desc::Rgb(1.F)) !=
       desc::Value(Vec3(1.F))) {
     in.context().warnings.add(kTintedCoat, in.where(),
                               "\"specular_reflectance\" of a coat on metal is not supported: 1");
   }
-  if (metal.text("distribution") == "beckmann") {
-    in.context().warnings.add(kBeckmannBelow, in.where(),
-                              "the facets of a metal below a coat are those of \"ggx\" here");
-  }
-  desc::Node node = coated_metal(metal, eta);
+  desc::Node node = coated_metal(metal, eta, in.where(), in.context().warnings);
   if (is_rough) {
     const Roughness coat = read_ggx_roughness(in);
     node.set("coat_roughness", coat.alpha);

@@ -1,6 +1,5 @@
 #include "import/mitsuba/materials.h"
 
-#include "import/common/opacity.h"
 #include "import/common/printable.h"
 #include "import/mitsuba/material_plugins.h"
 
@@ -69,10 +68,6 @@ Surface MaterialTable::diffuse(float reflectance) {
 
 Surface MaterialTable::interface() {
   return {add_shared(interface_, desc::material_node("interface"))};
-}
-
-desc::MaterialId MaterialTable::pass_through() {
-  return add_shared(pass_through_, clear_material());
 }
 
 desc::MaterialId MaterialTable::black() { return diffuse(0.F).material; }

@@ -27,8 +27,6 @@ class MaterialTable {
   Surface interface();
 
   desc::MaterialId add(const Element& element, desc::Node node);
-  /// Lets all light pass straight on: what is no surface, where it is a part of a mix.
-  desc::MaterialId pass_through();
   /// Reflects nothing.
   desc::MaterialId black();
   const desc::Material& get(desc::MaterialId id) const {
@@ -44,7 +42,6 @@ class MaterialTable {
   std::map<const Element*, std::optional<Surface>> made_;
   std::map<float, desc::MaterialId> diffuse_;
   desc::MaterialId interface_ = desc::kNone;
-  desc::MaterialId pass_through_ = desc::kNone;
 };
 
 }  // namespace ajar::mitsuba

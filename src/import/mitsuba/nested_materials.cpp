@@ -27,10 +27,8 @@ std::vector<Surface> parts_of(const MaterialInputs& in, std::size_t count) {
   return parts;
 }
 
-/// The material of a part of a mix, where nothing must let light pass.
-desc::MaterialRef part_of_mix(const MaterialInputs& in, const Surface& part) {
-  const bool is_nothing = in.materials.get(part.material).node.is("interface");
-  return {is_nothing ? in.materials.pass_through() : part.material};
+desc::MaterialRef part_of(const MaterialInputs& in, const Surface& surface) {
+  return {part_of_mix(in.context().scene, surface.material)};
 }
 
 /// `amount` of the first material, the rest of the second.
@@ -140,7 +138,7 @@ Surface make_normal_map(const MaterialInputs& in) {
 Surface make_blend(const MaterialInputs& in) {
   const std::vector<Surface> parts = parts_of(in, 2);
   const desc::Value weight = as_color(in.textures.number(in.arguments, "weight", 0.5F));
-  return {mix(in, weight, part_of_mix(in, parts[1]), part_of_mix(in, parts[0])), desc::kNone,
+  return {mix(in, weight, part_of(in, parts[1]), part_of(in, parts[0])), desc::kNone,
           parts[0].is_one_sided || parts[1].is_one_sided};
 }
 
@@ -158,12 +156,12 @@ Surface make_mixture(const MaterialInputs& in) {
   if (!(rest > 0.0)) return {in.materials.black()};
   // What the weights leave is absorbed; what is too much is taken from all.
   const double absorbed = std::max(1.0 - rest, 0.0);
-  Surface result{absorbed > 0.0 ? in.materials.black() : part_of_mix(in, parts.back()).id};
+  Surface result{absorbed > 0.0 ? in.materials.black() : part_of(in, parts.back()).id};
   rest = absorbed > 0.0 ? absorbed : weights->back();
   for (std::size_t i = parts.size() - (absorbed > 0.0 ? 0U : 1U); i-- > 0;) {
     rest += (*weights)[i];
     const auto share = static_cast<float>(rest > 0.0 ? (*weights)[i] / rest : 0.0);
-    result.material = mix(in, Vec3(share), part_of_mix(in, parts[i]), {result.material});
+    result.material = mix(in, Vec3(share), part_of(in, parts[i]), {result.material});
   }
   for (const Surface& part : parts) result.is_one_sided |= part.is_one_sided;
   return result;

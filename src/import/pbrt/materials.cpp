@@ -120,13 +120,6 @@ desc::MaterialId MaterialTable::part(const SourceLocation& where, const std::str
   return named(where, *name)->id;
 }
 
-desc::MaterialId MaterialTable::part_of_mix(desc::MaterialId id) const {
-  std::vector<desc::Material>& all = context_.scene.materials;
-  if (!all[static_cast<std::size_t>(id)].node.is("interface")) return id;
-  all.push_back({.name = {}, .where = {}, .node = clear_material()});
-  return static_cast<desc::MaterialId>(all.size()) - 1;
-}
-
 desc::Node MaterialTable::make_mix(const SourceLocation& where,
                                    const TextureParameters& parameters) const {
   const std::vector<std::string> names = parameters.texts("materials");
@@ -138,7 +131,7 @@ desc::Node MaterialTable::make_mix(const SourceLocation& where,
       .with_numbers_for_colors(true)
       .with_materials([&](std::string_view parameter) {
         // pbrt-v4's "amount" is the share of the second, ours that of the first.
-        return part_of_mix(named(where, names[parameter == "first" ? 1 : 0])->id);
+        return part_of_mix(context_.scene, named(where, names[parameter == "first" ? 1 : 0])->id);
       })
       .read(mix, find_theirs(material_names(Dialect::V4), "mix"));
 }

@@ -52,8 +52,6 @@ class MaterialTable {
   /// pbrt-v4's mix.
   desc::Node make_mix(const SourceLocation& where, const TextureParameters& parameters) const;
   /// The part of a mix that a parameter names.
-  /// `id` as a part of a mix, where nothing must let light pass.
-  desc::MaterialId part_of_mix(desc::MaterialId id) const;
   desc::MaterialId part(const SourceLocation& where, const std::string& type,
                         std::string_view parameter, const TextureParameters& parameters) const;
 

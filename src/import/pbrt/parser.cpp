@@ -84,6 +84,10 @@ void refuse_binary(std::string_view text, const std::shared_ptr<const std::strin
                    "this is not a pbrt scene: it is a binary file, with a zero byte here");
 }
 
+bool starts_directive(const Token& token) {
+  return token.kind == TokenKind::Word && token.text[0] >= 'A' && token.text[0] <= 'Z';
+}
+
 }  // namespace
 
 SourceLocation Parser::parse(std::string_view text, const std::string& name,
@@ -116,9 +120,6 @@ void Parser::directive(Lexer& lexer, const Token& token) {
 }
 
 void Parser::skip_directive(Lexer& lexer) {
-  const auto starts_directive = [](const Token& token) {
-    return token.kind == TokenKind::Word && token.text[0] >= 'A' && token.text[0] <= 'Z';
-  };
   while (lexer.peek().kind != TokenKind::End && !starts_directive(lexer.peek())) lexer.next();
 }
 
@@ -134,7 +135,11 @@ void Parser::option(Lexer& lexer, const SourceLocation& where) {
     return;
   }
   lexer.next();
-  const bool is_on = lexer.peek().text != "false";
+  const Token value = lexer.peek();
+  if (value.kind == TokenKind::End || starts_directive(value)) {
+    lexer.fail(named, "the option \"" + printable(text) + "\" has no value");
+  }
+  const bool is_on = value.text != "false";
   skip_values(lexer);
   builder_.option(where, lexer.where(named), text, is_on);
 }

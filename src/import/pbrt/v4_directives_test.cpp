@@ -65,6 +65,8 @@ TEST(Pbrt4Options, OfPbrtAreAccepted) {
                         "\"rendercoordsys\" \"world\" Option \"forcediffuse\" false" +
                         rest),
             "");
+  EXPECT_TRUE(contains(error_of("Option \"seed\"" + rest),
+                       "test.pbrt:1:8: the option \"seed\" has no value"));
   EXPECT_TRUE(contains(warnings_of("Option \"forcediffuse\" true" + rest),
                        "test.pbrt:1:8: the option \"forcediffuse\" is not supported"));
   EXPECT_TRUE(contains(warnings_of("Option \"integer sead\" 3 Film \"rgb\" Camera \"perspective\" "

@@ -161,9 +161,7 @@ desc::Node thin_sheet(const BsdfInputs& in) {
 desc::Node mixed(const BsdfInputs& in) {
   const auto part = [&](std::string_view name) {
     if (const std::optional<desc::MaterialId> found = in.part(name)) {
-      // What lets all light pass must do so as a part, too.
-      const desc::Material& made = in.context.scene.materials[static_cast<std::size_t>(*found)];
-      return made.node.is("interface") ? in.add(clear_material()) : *found;
+      return part_of_mix(in.context.scene, *found);
     }
     in.warn(kNoPart, "\"" + std::string(name) + "\" is missing: grey stands in");
     return in.add(desc::material_node("diffuse"));

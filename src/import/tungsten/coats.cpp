@@ -16,10 +16,6 @@ constexpr WarningKind kThinLayer{Effect::Surface,
                                  "layers have an index of refraction below 1: no gloss"};
 constexpr WarningKind kAbsorption{Effect::Slight,
                                   "layers absorb light: as much from all sides stands in"};
-constexpr WarningKind kCoatedMetal{
-    Effect::Slight, "metals have a coat: light that goes to and fro between the two is shown"};
-constexpr WarningKind kBeckmannBelow{
-    Effect::Slight, "metals below a coat have facets of a distribution that is not supported"};
 constexpr WarningKind kCoat{Effect::Surface, "coats are not supported: blends stand in"};
 
 /// A layer of a dielectric.
@@ -101,11 +97,8 @@ desc::Node plastic_of(const BsdfInputs& in, const desc::Value& roughness) {
 
 desc::Node metal_below(const BsdfInputs& in, const Layer& layer, const desc::Node& metal,
                        const desc::Value& roughness) {
-  in.warn(kCoatedMetal, "what goes to and fro between a metal and its coat is shown here");
-  if (metal.text("distribution") == "beckmann") {
-    in.warn(kBeckmannBelow, "the facets of a metal below a coat are those of \"ggx\" here");
-  }
-  desc::Node node = coated_metal(metal, static_cast<float>(layer.ior));
+  desc::Node node =
+      coated_metal(metal, static_cast<float>(layer.ior), in.where(), in.context.warnings);
   node.set("coat_roughness", roughness);
   return node;
 }

@@ -153,12 +153,13 @@ desc::TextureRef TextureReader::add_image(const SourceLocation& where, const Bit
                            {"filter", std::string(image.interpolate ? "bilinear" : "nearest")}}));
 }
 
-desc::Value TextureReader::number(const LocatedJson& json, const std::string& channel) {
+desc::Value TextureReader::number(const LocatedJson& json, NumberRole role) {
   if (is_bitmap(json)) {
     if (const std::optional<Bitmap> image = bitmap(json)) {
-      const bool is_opacity = channel == "alpha_or_mean";
-      return add_image(json.where(), *image, false,
-                       is_opacity && always_has_alpha(image->file) ? "alpha" : channel);
+      const char* const channel = role == NumberRole::Number      ? "mean"
+                                  : always_has_alpha(image->file) ? "alpha"
+                                                                  : "alpha_or_mean";
+      return add_image(json.where(), *image, false, channel);
     }
     return kGrey.x;
   }

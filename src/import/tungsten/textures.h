@@ -25,9 +25,9 @@ class TextureReader {
   desc::Value color(const LocatedJson& json);
   /// A number (float) or a texture (TextureRef). Of an image, the mean of the colours as they are
   /// stored: Tungsten decodes only what it reads as a colour.
-  desc::Value number(const LocatedJson& json) { return number(json, "mean"); }
+  desc::Value number(const LocatedJson& json) { return number(json, NumberRole::Number); }
   /// The same, but of an image with an alpha channel that; PNG and JPEG files always have one.
-  desc::Value opacity(const LocatedJson& json) { return number(json, "alpha_or_mean"); }
+  desc::Value opacity(const LocatedJson& json) { return number(json, NumberRole::Opacity); }
   /// The member of an object as one of these; `fallback` without one.
   desc::Value color(const ObjectReader& object, std::initializer_list<std::string_view> names,
                     const Vec3& fallback);
@@ -45,7 +45,8 @@ class TextureReader {
  private:
   desc::TextureRef add(const SourceLocation& where, desc::Node node);
   desc::Value of_object(const LocatedJson& json);
-  desc::Value number(const LocatedJson& json, const std::string& channel);
+  enum class NumberRole { Number, Opacity };
+  desc::Value number(const LocatedJson& json, NumberRole role);
   desc::TextureRef add_image(const SourceLocation& where, const Bitmap& image, bool decode,
                              const std::string& channel);
   std::string resolve(const LocatedJson& name);

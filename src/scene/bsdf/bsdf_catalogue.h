@@ -84,7 +84,7 @@ inline std::vector<NamedBsdf> catalogue(float tilt_degrees) {
       .add(CoatedDiffuse(tint, {1.5F, 0.F}, {Spectrum(0.1F, 0.3F, 1.F), 2}));
   begin("full oren-nayar").add(FullOrenNayar(tint, 0.5F));
   for (const float alpha : {0.F, 0.3F}) {
-    // A mirror and a white wall, of which the varnish adds to neither.
+    // White: what the varnish reflects must be missing below.
     Bsdf& varnished = begin("varnished mirror " + std::to_string(alpha));
     if (alpha > 0.F) {
       varnished.add(RoughCoat{ggx(alpha, alpha), {kVarnishIndex}}, Spectrum(0.7F));

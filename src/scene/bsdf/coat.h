@@ -181,7 +181,7 @@ concept MayBeDiffuse = requires(const Base& base, const Vec3& wo) {
 
 /// Any lobe, of which a share is under varnish. KHR_materials_clearcoat weakens it once, by what
 /// the varnish reflects; here that is the more of the two directions, so that the lobe stays
-/// reciprocal and varnish and base together reflect no more than the base does.
+/// reciprocal, and reflects no more than comes in together with the varnish.
 template <typename Base>
 struct UnderVarnish {
   static constexpr bool kSpecular = false;

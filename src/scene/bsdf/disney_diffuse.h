@@ -1,32 +1,27 @@
 #pragma once
-#include "scene/bsdf/lobe.h"
+#include "scene/bsdf/cosine_sampled.h"
 
 namespace ajar {
 
 /// All reflecting diffuse-like parts of Disney's model in one lobe: diffuse with Fresnel falloff,
 /// flattened "fake subsurface", retro-reflection of rough surfaces, and sheen.
 /// Sources: Burley 2012, 2015; combined as pbrt-v3 does.
-struct DisneyDiffuse {
-  static constexpr bool kSpecular = false;
+struct DisneyDiffuse : CosineSampled<DisneyDiffuse> {
   PackedSpectrum color;
   PackedSpectrum sheen;
   float diffuse = 1.F;          ///< share of the plain diffuse part
   float fake_subsurface = 0.F;  ///< share of the flattened part
   float roughness = 0.5F;
 
-  LobeValue evaluate(const Vec3& wo, const Vec3& wi, bool transmission, TransportMode) const {
-    if (transmission) return {};
-    return {times_pi(wo, wi) * cosine_pdf(wi), cosine_pdf(wi), cosine_pdf(wo)};
-  }
-  std::optional<LobeSample> sample(const Vec3& wo, const BsdfUniforms& u, const Vec3& ng,
-                                   TransportMode) const {
-    const Vec3 wi = cosine_around(u.direction, ng);
-    return LobeSample{wi, times_pi(wo, wi), cosine_pdf(wi), cosine_pdf(wo)};
-  }
-  LobeInverse inverse(const Vec3&, const Vec3& wi, float, const Vec3& ng) const {
-    return cosine_inverse(wi, ng);
-  }
-  bool is_diffuse(const Vec3&, float) const { return true; }
+  DisneyDiffuse() = default;
+  DisneyDiffuse(const PackedSpectrum& its_color, const PackedSpectrum& its_sheen, float plain = 1.F,
+                float flat = 0.F, float its_roughness = 0.5F)
+      : color(its_color),
+        sheen(its_sheen),
+        diffuse(plain),
+        fake_subsurface(flat),
+        roughness(its_roughness) {}
+
   Spectrum albedo(const Vec3& wo) const {
     const float grazing = schlick_weight(std::abs(wo.z));
     const float base = (diffuse + fake_subsurface) * (1.F - 0.5F * grazing) +
@@ -34,8 +29,6 @@ struct DisneyDiffuse {
     // ∫ (1 − cos θ_d)⁵ cos θ_i dω_i is about 0.04 for a view along the normal, 0.8 at grazing.
     return color.unpack() * base + sheen.unpack() * (0.04F + 0.76F * grazing);
   }
-
- private:
   /// π f(wo, wi).
   Spectrum times_pi(const Vec3& wo, const Vec3& wi) const {
     const float cos_o = std::abs(wo.z);

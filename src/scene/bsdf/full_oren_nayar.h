@@ -1,12 +1,11 @@
 #pragma once
-#include "scene/bsdf/lobe.h"
+#include "scene/bsdf/cosine_sampled.h"
 
 namespace ajar {
 
 /// Rough diffuse reflection: Lambertian facets with Gaussian slopes, with the light that they send
 /// to each other. Source: Oren & Nayar 1994, section 4.4 (the functional approximation).
-struct FullOrenNayar {
-  static constexpr bool kSpecular = false;
+struct FullOrenNayar : CosineSampled<FullOrenNayar> {
   PackedSpectrum reflectance;
   float variance = 0.F;  ///< of the facets' slope angle, radians²
 
@@ -14,27 +13,12 @@ struct FullOrenNayar {
   /// `sigma`: standard deviation of the facets' slope angle, radians.
   FullOrenNayar(const Spectrum& color, float sigma) : reflectance(color), variance(sigma * sigma) {}
 
-  LobeValue evaluate(const Vec3& wo, const Vec3& wi, bool transmission, TransportMode) const {
-    if (transmission) return {};
-    return {times_pi(wo, wi) * cosine_pdf(wi), cosine_pdf(wi), cosine_pdf(wo)};
-  }
-  std::optional<LobeSample> sample(const Vec3& wo, const BsdfUniforms& u, const Vec3& ng,
-                                   TransportMode) const {
-    const Vec3 wi = cosine_around(u.direction, ng);
-    return LobeSample{wi, times_pi(wo, wi), cosine_pdf(wi), cosine_pdf(wo)};
-  }
-  LobeInverse inverse(const Vec3&, const Vec3& wi, float, const Vec3& ng) const {
-    return cosine_inverse(wi, ng);
-  }
-  bool is_diffuse(const Vec3&, float) const { return true; }
   /// That of light from the viewer's side, roughly.
   Spectrum albedo(const Vec3&) const {
     const Spectrum color = reflectance.unpack();
     return color * (1.F - 0.45F * variance / (variance + 0.33F)) +
            color * color * (0.15F * variance / (variance + 0.13F));
   }
-
- private:
   /// π f = ρ (C₁ + cos Δφ C₂ tan β + (1 − |cos Δφ|) C₃ tan ((α + β) / 2)) + ρ² 0.17 σ² / (σ² +
   /// 0.13) (1 − cos Δφ (2β/π)²), with α and β the larger and the smaller of the two angles.
   Spectrum times_pi(const Vec3& wo, const Vec3& wi) const {

@@ -1,12 +1,11 @@
 #pragma once
-#include "scene/bsdf/lobe.h"
+#include "scene/bsdf/cosine_sampled.h"
 
 namespace ajar {
 
 /// Rough diffuse reflection: Lambertian facets with Gaussian slopes. Source: Oren & Nayar 1994, the
 /// "qualitative" model, in the form of pbrt-v3, section 8.4.1.
-struct OrenNayar {
-  static constexpr bool kSpecular = false;
+struct OrenNayar : CosineSampled<OrenNayar> {
   float a = 1.F;
   float b = 0.F;
 
@@ -16,27 +15,12 @@ struct OrenNayar {
       : a(1.F - sigma * sigma / (2.F * (sigma * sigma + 0.33F))),
         b(0.45F * sigma * sigma / (sigma * sigma + 0.09F)) {}
 
-  LobeValue evaluate(const Vec3& wo, const Vec3& wi, bool transmission, TransportMode) const {
-    if (transmission) return {};
-    return {Spectrum(factor(wo, wi) * cosine_pdf(wi)), cosine_pdf(wi), cosine_pdf(wo)};
-  }
-  std::optional<LobeSample> sample(const Vec3& wo, const BsdfUniforms& u, const Vec3& ng,
-                                   TransportMode) const {
-    const Vec3 wi = cosine_around(u.direction, ng);
-    return LobeSample{wi, Spectrum(factor(wo, wi)), cosine_pdf(wi), cosine_pdf(wo)};
-  }
-  LobeInverse inverse(const Vec3&, const Vec3& wi, float, const Vec3& ng) const {
-    return cosine_inverse(wi, ng);
-  }
-  bool is_diffuse(const Vec3&, float) const { return true; }
   Spectrum albedo(const Vec3&) const { return Spectrum(a + 0.13F * b); }
-
- private:
   /// π f = A + B max(0, cos Δφ) sin α tan β. Since {α, β} are the larger and the smaller of the two
   /// angles, cos Δφ sin α tan β is the product of the tangential parts over the larger cosine.
-  float factor(const Vec3& wo, const Vec3& wi) const {
+  Spectrum times_pi(const Vec3& wo, const Vec3& wi) const {
     const float tangential = std::max(0.F, wo.x * wi.x + wo.y * wi.y);
-    return a + b * tangential / std::max(std::abs(wo.z), std::abs(wi.z));
+    return Spectrum(a + b * tangential / std::max(std::abs(wo.z), std::abs(wi.z)));
   }
 };
 
