@@ -315,6 +315,14 @@ TEST(GltfMaterials, BlendsWeighWhatShines) {
   EXPECT_EQ(alpha.text("channel"), "alpha");
 }
 
+TEST(GltfMaterials, ClearcoatsOfGlassAreLeftOutWithAWarning) {
+  Json material = glass(0.5);
+  material["extensions"]["KHR_materials_clearcoat"] = {{"clearcoatFactor", 1}};
+  TestFile file;
+  file.add_triangle(material);
+  EXPECT_TRUE(contains(warnings_of(file), "a clear coat is only supported on metals"));
+}
+
 TEST(GltfMaterials, ClearcoatIsACoat) {
   Json material;
   material["extensions"]["KHR_materials_clearcoat"] = {{"clearcoatFactor", 0.75},

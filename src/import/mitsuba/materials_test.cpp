@@ -149,6 +149,55 @@ TEST(MitsubaMaterials, ColoursAreNumbersByLuminanceAndBeforeVersion2ByTheirMean)
   EXPECT_EQ(channel(import_with(text, warnings, {{"a.png", ""}})), "mean");
 }
 
+TEST(MitsubaMaterials, PatternsAreNumbersAsImagesAre) {
+  const MaterialOf blend(
+      "<bsdf type=\"blendbsdf\"><texture type=\"checkerboard\" name=\"weight\"><rgb "
+      "name=\"color0\" "
+      "value=\"1 0 0\"/><rgb name=\"color1\" value=\"0 1 0\"/></texture>"
+      "<bsdf type=\"dielectric\"/><bsdf type=\"null\"/></bsdf>");
+  const desc::Node& weight = blend.texture("amount");
+  EXPECT_NEAR(weight.color("first").z, luminance(Spectrum(1.F, 0.F, 0.F)), 1e-6F);
+  EXPECT_NEAR(weight.color("second").x, luminance(Spectrum(0.F, 1.F, 0.F)), 1e-6F);
+}
+
+TEST(MitsubaMaterials, HeightsAreLuminances) {
+  const MaterialOf bumpy(
+      "<bsdf type=\"bumpmap\"><texture type=\"bitmap\"><string name=\"filename\" value=\"h.png\"/>"
+      "</texture><bsdf type=\"diffuse\"/></bsdf>");
+  const desc::TextureId height = bumpy.material(bumpy.scene.shapes.front().material).bump;
+  EXPECT_EQ(bumpy.scene.textures.at(static_cast<std::size_t>(height)).node.text("channel"),
+            "luminance");
+}
+
+TEST(MitsubaMaterials, OpacitiesOfColoursAreNumbersSinceVersion2) {
+  const std::string mask =
+      "<bsdf type=\"mask\"><rgb name=\"opacity\" value=\"1 0 0\"/><bsdf type=\"diffuse\"/></bsdf>";
+  EXPECT_NEAR(MaterialOf(mask).node().color("amount").y, luminance(Spectrum(1.F, 0.F, 0.F)), 1e-6F);
+  Warnings warnings;
+  std::string text = world(sphere_of(mask));
+  text.replace(text.find("3.0.0"), 5, "0.6.0");
+  const desc::SceneDesc old = import_with(text, warnings, {});
+  const auto material = static_cast<std::size_t>(old.shapes.front().material);
+  EXPECT_EQ(old.materials[material].node.color("amount"), Vec3(1.F, 0.F, 0.F));
+}
+
+TEST(MitsubaMaterials, WhatCoatsCannotShowIsSaid) {
+  const auto warnings = [](const std::string& bsdf) { return MaterialOf(bsdf).warnings; };
+  EXPECT_TRUE(
+      contains(warnings("<bsdf type=\"plastic\"><float name=\"int_ior\" value=\"1\"/><float "
+                        "name=\"ext_ior\" value=\"1.3\"/></bsdf>"),
+               "it has no gloss"));
+  EXPECT_TRUE(contains(
+      warnings(
+          "<bsdf type=\"coating\"><bsdf type=\"bumpmap\"><texture type=\"bitmap\"><string "
+          "name=\"filename\" value=\"h.png\"/></texture><bsdf type=\"diffuse\"/></bsdf></bsdf>"),
+      "tilts the coat, too"));
+  EXPECT_TRUE(contains(
+      warnings("<bsdf type=\"coating\"><rgb name=\"specular_reflectance\" value=\"0.5\"/><bsdf "
+               "type=\"roughconductor\"><string name=\"material\" value=\"Au\"/></bsdf></bsdf>"),
+      "\"specular_reflectance\" of a coat on metal is not supported"));
+}
+
 TEST(MitsubaMaterials, MixturesKeepTheirWeights) {
   const MaterialOf mixture(
       "<bsdf type=\"mixturebsdf\"><string name=\"weights\" value=\"0.5, 0.25\"/>"

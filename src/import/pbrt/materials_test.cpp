@@ -41,6 +41,7 @@ TEST(PbrtMaterials, HaveTheDefaultsOfPbrt) {
     EXPECT_EQ(m.number("roughness_v"), 0.4F);
   }
   {
+    EXPECT_EQ(material_of("Material \"disney\"").text("blend"), "twice");
     const desc::Node m = material_of("Material \"disney\" \"color color\" [.1 .2 .3]");
     EXPECT_TRUE(m.is("principled"));
     EXPECT_EQ(m.color("base_color"), desc::Rgb(0.1F, 0.2F, 0.3F));

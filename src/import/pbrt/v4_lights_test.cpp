@@ -33,6 +33,8 @@ TEST(Pbrt4Lights, PowerIsThatOfAllThatALightEmits) {
 }
 
 TEST(Pbrt4Lights, PowerOfImagesIsLeftToThoseWhoReadThem) {
+  EXPECT_TRUE(
+      light_of("LightSource \"goniometric\" \"string filename\" \"sky.exr\"").node.flag("gray"));
   EXPECT_EQ(light_of("LightSource \"goniometric\" \"string filename\" \"sky.exr\" "
                      "\"float power\" 5")
                 .node.number("power"),

@@ -167,6 +167,10 @@ TEST(Pbrt4Textures, ImagesHaveEncodings) {
 TEST(Pbrt4Textures, ImagesOfNumbersAreAlphaOrTheMean) {
   EXPECT_EQ(image("").text("channel"), "color");
   EXPECT_EQ(image("", "float").text("channel"), "varying_alpha_or_mean");
+  EXPECT_EQ(image("\"string filter\" \"trilinear\"", "float").text("channel"),
+            "varying_alpha_or_mean");
+  EXPECT_EQ(image("\"string filter\" \"point\"", "float").text("channel"), "red");
+  EXPECT_EQ(image("\"string channel\" \"green\"", "float").text("channel"), "green");
 }
 
 TEST(Pbrt4Textures, ScaleIsAProductWithANumber) {

@@ -132,6 +132,10 @@ TEST(Bsdfs, PlasticIsACoatedBase) {
   EXPECT_NE(rough.texture("diffuse_reflectance"), desc::kNone);
 }
 
+TEST(Bsdfs, LayersThinnerThanAirHaveNoGlossWithAWarning) {
+  scene_with_warning("{'name': 'm', 'type': 'plastic', 'ior': 0.8}", "an \"ior\" below 1");
+}
+
 TEST(Bsdfs, LayersThatAbsorbWeakenWhatLeaves) {
   const desc::Node node = material_of(scene_with_warning(
       "{'name': 'm', 'type': 'plastic', 'ior': 1.5, 'albedo': 0.5, 'sigma_a': 0.3, 'thickness': 2}",

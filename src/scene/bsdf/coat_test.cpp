@@ -31,6 +31,17 @@ TEST(Coat, OfHardlyAnyRoughnessIsLikeASmoothOne) {
   }
 }
 
+TEST(Coat, LetsMoreThroughNearerToTheNormal) {
+  for (const float alpha : {0.F, 0.05F, 0.15F, 0.3F, 0.6F, 0.8F, 1.F}) {
+    float before = 0.F;
+    for (int i = 1; i <= 200; ++i) {
+      const float through = Coat{kVarnishIndex, alpha}.transmittance(static_cast<float>(i) / 200.F);
+      EXPECT_GE(through, before - 1e-6F) << alpha << " at " << i;
+      before = through;
+    }
+  }
+}
+
 TEST(CoatedDiffuse, WithoutACoatIsLambert) {
   const CoatedDiffuse lobe(Spectrum(0.7F), {1.F, 0.F});
   const Vec3 wo = direction(40.F, 10.F);

@@ -34,6 +34,33 @@ TEST(OrenNayar, MatchesItsPublishedForm) {
   EXPECT_NEAR(v.value[0], f * std::cos(ti), 1e-6);
 }
 
+TEST(FullOrenNayar, MatchesItsPublishedForm) {
+  const double variance = 0.5;
+  const double c1 = 1 - 0.5 * variance / (variance + 0.33);
+  const double narrow = variance / (variance + 0.09);
+  const double twice = 0.17 * variance / (variance + 0.13);
+  const double ti = 35 * kPi / 180;  // the smaller angle, β
+  const double to = 50 * kPi / 180;
+  const auto pi_f = [&](double cos_turn) {
+    const double r = 2 * ti / kPi;
+    const double c2 = 0.45 * narrow * (std::sin(to) - (cos_turn < 0 ? r * r * r : 0));
+    const double c3 = 0.125 * narrow * std::pow(4 * to * ti / (kPi * kPi), 2);
+    const double single =
+        c1 + cos_turn * c2 * std::tan(ti) + (1 - std::abs(cos_turn)) * c3 * std::tan((to + ti) / 2);
+    return std::pair(single, twice * (1 - cos_turn * r * r));
+  };
+  const FullOrenNayar lobe(Spectrum(0.5F, 0.9F, 0.F), std::sqrt(0.5F));
+  for (const float turn : {0.F, 60.F, 90.F, 140.F, 180.F}) {
+    const auto [single, both] = pi_f(std::cos(static_cast<double>(turn) * kPi / 180));
+    const Spectrum value =
+        lobe.evaluate(direction(50.F, 20.F + turn), direction(35.F, 20.F), false, kRadiance).value *
+        (kPi / std::cos(static_cast<float>(ti)));
+    EXPECT_NEAR(value[0], 0.5 * single + 0.25 * both, 1e-5) << turn;
+    EXPECT_NEAR(value[1], 0.9 * single + 0.81 * both, 1e-5) << turn;
+    EXPECT_EQ(value[2], 0.F);
+  }
+}
+
 /// G of pbrt-v3 for isotropic GGX in terms of angles.
 double ggx_lambda(double theta, double alpha) {
   const double t = alpha * std::tan(theta);

@@ -352,6 +352,18 @@ TEST(GoniometricLight, YIsThePole) {
   EXPECT_TRUE(light->emitted(point, {0, -1, 0}).is_black());
 }
 
+TEST(GoniometricLight, MayTakeTheMeanOfColours) {
+  std::vector<float> rgb;
+  for (int i = 0; i < 8 * 4; ++i) rgb.insert(rgb.end(), {0.3F, 0.6F, 1.5F});
+  const ImageFile file(8, 4, rgb);
+  desc::Node node = goniometric_node({1, 2, 3}, file.path());
+  node.set("gray", true);
+  const Spectrum seen = light_of(node, Mat4())->emitted(EndpointPoint::at(Vec3(0.F)), {0, 0, 1});
+  EXPECT_NEAR(seen[0], 0.8F, 1e-5F);
+  EXPECT_NEAR(seen[1], 1.6F, 1e-5F);
+  EXPECT_NEAR(seen[2], 2.4F, 1e-5F);
+}
+
 TEST(GoniometricLight, WithoutImageIsAPointLight) {
   const auto light = light_of(goniometric_node({2, 2, 2}), Mat4());
   EXPECT_NEAR(light->power().average(), 8.0 * M_PI, 1e-4);

@@ -92,6 +92,20 @@ const Vec3 kWo = direction(50.F, 200.F);
 const Vec3 kWi = direction(35.F, 20.F);
 constexpr TransportMode kRadiance = TransportMode::Radiance;
 
+TEST(Diffuse, MayCountTheLightBetweenFacets) {
+  const auto albedo = [](bool between) {
+    Fixture f;
+    const desc::MaterialId id = f.add("diffuse", {{"reflectance", Vec3(0.5F)},
+                                                  {"sigma", 40.5142342F},  // variance ½
+                                                  {"between_facets", between}});
+    const Vec3 up(0.F, 0.F, 1.F);
+    return f.bsdf(id).eval(up, kWi, kRadiance)[0] / (kInvPi * kWi.z);
+  };
+  const float c1 = 1.F - 0.5F * 0.5F / 0.83F;
+  EXPECT_NEAR(albedo(false), 0.5F * c1, 1e-5F);
+  EXPECT_NEAR(albedo(true), 0.5F * c1 + 0.25F * 0.17F * 0.5F / 0.63F, 1e-5F);
+}
+
 TEST(CoatedDiffuseMaterial, ReflectsBelowTheCoatAsItSays) {
   const Spectrum color(0.2F, 0.5F, 0.9F);
   const float eta = 1.5F;
