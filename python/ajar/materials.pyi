@@ -11,7 +11,7 @@ def coated_conductor(
     reflectance: TexturedColor | None = None,
     coat_eta: TexturedNumber = 1.5,
     coat_roughness: TexturedNumber = 0.0,
-    coat_depth: TexturedNumber = 0.0,
+    coat_depth: TexturedColor = 0.0,
     coat_roughness_v: TexturedNumber | None = None,
     roughness: TexturedNumber = 0.0,
     roughness_v: TexturedNumber | None = None,

@@ -9,8 +9,6 @@ namespace ajar::mitsuba {
 namespace {
 
 constexpr WarningKind kCoat{Effect::Surface, "materials have a coat, which is left out"};
-constexpr WarningKind kClearCoat{Effect::Surface,
-                                 "coats of metals absorb light in Mitsuba: clear ones stand in"};
 constexpr WarningKind kTintedCoat{Effect::Surface,
                                   "coats of metals have a tint, which is left out"};
 constexpr WarningKind kThinCoat{Effect::Surface,
@@ -107,11 +105,9 @@ Surface coating(const MaterialInputs& in, bool is_rough) {
     return finished(std::move(node));
   }
   if (base.node.is("conductor") && is_constant(base.node, "eta") && is_constant(base.node, "k")) {
-    if (depth != desc::Rgb(0.F)) {
-      in.context().warnings.add(kClearCoat, in.where(),
-                                "\"sigma_a\" of a coat on metal is not supported: it is clear");
-    }
-    return finished(metal_below(in, eta, base.node, is_rough));
+    desc::Node node = metal_below(in, eta, base.node, is_rough);
+    node.set("coat_depth", Vec3(depth));
+    return finished(std::move(node));
   }
   in.context().warnings.add(kCoat, in.where(),
                             "a coat is only supported on diffuse materials and metals: left out");

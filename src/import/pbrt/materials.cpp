@@ -78,7 +78,7 @@ void finish_v4(const SourceLocation& where, const std::string& type, const Textu
     // a walk ends after that many ways, of which every second meets the base.
     desc::Value depth = p.find_number("thickness").value_or(0.01F);
     const float* number = std::get_if<float>(&depth);
-    if (node.is("coated_diffuse") && number != nullptr) depth = Vec3(*number);
+    if (number != nullptr) depth = Vec3(*number);
     node.set("coat_depth", depth);
     const int ways = p.integer("maxdepth").value_or(10);
     if (node.is("coated_diffuse")) node.set("bounces", std::clamp(ways / 2, 1, 1000));

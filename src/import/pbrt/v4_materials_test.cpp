@@ -24,7 +24,7 @@ TEST(Pbrt4Materials, HaveTheDefaultsOfPbrt) {
   }
   {
     const desc::Node m = v4_material("Material \"coatedconductor\"");
-    EXPECT_EQ(m.number("coat_depth"), 0.01F);
+    EXPECT_EQ(m.get("coat_depth"), desc::Value(Vec3(0.01F)));
     EXPECT_TRUE(m.is("coated_conductor"));
     EXPECT_EQ(m.number("coat_eta"), 1.5F);
     EXPECT_EQ(m.number("coat_roughness"), 0.F);

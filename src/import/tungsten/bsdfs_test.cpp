@@ -159,24 +159,27 @@ TEST(Bsdfs, CoatsOnMatteAndMetalAreLayers) {
   EXPECT_EQ(wood.number("roughness"), 0.2F);
   EXPECT_EQ(wood.integer("bounces"), 1);
   const desc::Node lacquer = material_of(scene_with_warning(
-      "{'name': 'm', 'type': 'smooth_coat', 'ior': 1.5, 'substrate': {'type': 'conductor', 'eta': "
+      "{'name': 'm', 'type': 'smooth_coat', 'ior': 1.5, 'sigma_a': [0, 1, 2], 'thickness': 0.5, "
+      "'substrate': {'type': 'conductor', 'eta': "
       "[2, 2, 2], 'k': [4, 4, 4]}}",
       "to and fro between a metal and its coat"));
   ASSERT_TRUE(lacquer.is("coated_conductor"));
   EXPECT_EQ(lacquer.color("eta"), Vec3(3.F));
   EXPECT_EQ(lacquer.number("roughness"), 0.F);
   EXPECT_EQ(lacquer.number("coat_roughness"), 0.F);
+  EXPECT_EQ(lacquer.get("coat_depth"), desc::Value(Vec3(0.F, 0.5F, 1.F)));
 }
 
 TEST(Bsdfs, TheCoatOfABlendReflectsAsMuchAsTheLayer) {
   const desc::SceneDesc scene = scene_with_warning(
       "{'name': 'm', 'type': 'smooth_coat', 'ior': 1.7, 'thickness': 5, 'sigma_a': [0.1, 0.2, "
       "0.5], "
-      "'substrate': {'type': 'rough_conductor'}}",
+      "'substrate': {'type': 'mixed', 'bsdf0': {'type': 'rough_conductor'}, 'bsdf1': {'type': "
+      "'rough_conductor'}}}",
       "a coat of this is not supported");
   const desc::Node& mix = material_of(scene);
   const desc::Node& coat = part_of(scene, mix, "first");
-  EXPECT_TRUE(part_of(scene, mix, "second").is("conductor"));
+  EXPECT_TRUE(part_of(scene, mix, "second").is("mix"));
   const double of_coat = mean_reflectance(static_cast<double>(coat.number("eta")));
   for (int i = 0; i < 3; ++i) {
     const auto share = static_cast<double>(mix.color("amount")[i]);

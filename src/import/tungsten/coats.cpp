@@ -99,6 +99,7 @@ desc::Node metal_below(const BsdfInputs& in, const Layer& layer, const desc::Nod
                        const desc::Value& roughness) {
   desc::Node node =
       coated_metal(metal, static_cast<float>(layer.ior), in.where(), in.context.warnings);
+  node.set("coat_depth", layer.tau);
   node.set("coat_roughness", roughness);
   return node;
 }
@@ -158,9 +159,7 @@ desc::Node coated(const BsdfInputs& in, const desc::Value& roughness) {
     node.set("bounces", 1);
     return node;
   }
-  if (below.is("conductor") && layer.tau == Vec3(0.F)) {
-    return metal_below(in, layer, below, roughness);
-  }
+  if (below.is("conductor")) return metal_below(in, layer, below, roughness);
   return blended_coat(in, layer, base, roughness);
 }
 

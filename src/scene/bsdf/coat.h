@@ -226,12 +226,14 @@ struct UnderVarnish {
 struct CoatedConductorFresnel {
   ConductorFresnel metal;  ///< relative to the coat
   float eta = 1.5F;        ///< of the coat
-  float depth = 0.F;       ///< optical thickness of the coat, along the normal
+  PackedSpectrum depth;    ///< optical thickness of the coat, along the normal
 
   Spectrum operator()(float cos_i, bool /*front*/) const {
     const DielectricBoundary boundary = fresnel_dielectric(cos_i, eta);
     const float through = 1.F - boundary.reflectance;
-    const float left = depth > 0.F ? std::exp(-2.F * depth / boundary.cos_t) : 1.F;
+    const Spectrum left = map_lanes(depth.unpack(), [&](float x) {
+      return x > 0.F ? std::exp(-2.F * x / boundary.cos_t) : 1.F;
+    });
     return Spectrum(boundary.reflectance) +
            coated_reflectance(metal(boundary.cos_t, true) * left, through, through);
   }

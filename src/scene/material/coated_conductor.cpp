@@ -30,9 +30,9 @@ class CoatedConductorSurface final : public Material {
     const float coat_u = coat_roughness_.alpha_u(at);
     const float coat_v = coat_roughness_.alpha_v(at);
     const bool smooth_coat = is_smooth(coat_u, coat_v);
-    const float depth = within(depth_.eval_float(at), 0.F, 80.F);
+    const Spectrum depth = coat_depth(depth_, at);
     if (smooth_coat && is_smooth(u, v)) {
-      bsdf.add(SmoothCoatedConductor{{metal, eta, depth}}, scale);
+      bsdf.add(SmoothCoatedConductor{{metal, eta, PackedSpectrum(depth)}}, scale);
       return;
     }
     Coat coat{eta, 0.F};
@@ -45,7 +45,7 @@ class CoatedConductorSurface final : public Material {
     const float blurred_u = blurred(u, smooth_coat ? 0.F : coat_u, eta);
     const float blurred_v = blurred(v, smooth_coat ? 0.F : coat_v, eta);
     bsdf.add(CoatedConductor{{FacetModel::Ggx, blurred_u, blurred_v}, metal, coat},
-             scale * std::exp(-2.F * depth * mean_way(eta)));
+             scale * map_lanes(depth, [&](float x) { return std::exp(-2.F * x * mean_way(eta)); }));
   }
   int max_lobes() const override { return 2; }
 
@@ -85,9 +85,7 @@ MaterialModel coated_conductor_material() {
                                          20.0),
                 declare::textured_number("coat_roughness", "0",
                                          "roughness of the coat, or that along u", 1.0),
-                declare::textured_number("coat_depth", "0",
-                                         "optical thickness of the coat, along the normal: how "
-                                         "much it absorbs"),
+                coat_depth_input(),
                 declare::textured_number("coat_roughness_v", "",
                                          "along v; without it, the same in all directions", 1.0)}),
            roughness_inputs("0"))},

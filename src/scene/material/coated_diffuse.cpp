@@ -28,9 +28,6 @@ class SchlickCoatedDiffuse final : public Material {
   RoughnessSlot roughness_;
 };
 
-/// Beyond it a coat is black.
-constexpr float kMostDepth = 80.F;
-
 /// Diffuse base under a smooth or rough coat of a dielectric.
 class DielectricCoatedDiffuse final : public Material {
  public:
@@ -58,8 +55,7 @@ class DielectricCoatedDiffuse final : public Material {
     }
     const Coat coat{eta, smooth ? 0.F : std::sqrt(u * v)};
     const Spectrum base = reflectance(diffuse_, at);
-    const CoatInside inside{
-        map_lanes(depth_.eval(at), [](float x) { return within(x, 0.F, kMostDepth); }), bounces_};
+    const CoatInside inside{coat_depth(depth_, at), bounces_};
     if (is_white_inside_) {
       bsdf.add(CoatedDiffuse(Spectrum(1.F), coat, inside), scale * base);
     } else {
@@ -105,10 +101,7 @@ MaterialModel coated_diffuse_material() {
             declare::only_for(
                 "coat", {"dielectric"},
                 declare::reflectance("coat_reflectance", "1", "tint of what the coat reflects")),
-            declare::only_for("coat", {"dielectric"},
-                              declare::textured_color("coat_depth", "0",
-                                                      "optical thickness of the coat, along "
-                                                      "the normal: how much it absorbs")),
+            declare::only_for("coat", {"dielectric"}, coat_depth_input()),
             declare::only_for(
                 "coat", {"dielectric"},
                 declare::integer("bounces", "0",

@@ -34,6 +34,11 @@ const Material& fallback() {
 
 }  // namespace
 
+ParameterSpec coat_depth_input() {
+  return declare::textured_color(
+      "coat_depth", "0", "optical thickness of the coat, along the normal: how much it absorbs");
+}
+
 ParameterSpec index_input() {
   return declare::textured_number("eta", "1.5", "index of refraction inside, relative to outside",
                                   20.0);

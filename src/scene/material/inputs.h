@@ -36,6 +36,8 @@ class MaterialInputs {
 
 /// An index of refraction, or a texture.
 ParameterSpec index_input();
+/// "coat_depth", what `coat_depth` reads.
+ParameterSpec coat_depth_input();
 /// "roughness" and "roughness_scale".
 std::vector<ParameterSpec> isotropic_roughness_inputs(std::string value);
 /// "roughness", "roughness_v" and "roughness_scale".
@@ -54,6 +56,10 @@ inline float weight(const TextureSlot& slot, const SurfacePoint& at) {
 inline float index_of_refraction(const TextureSlot& slot, const SurfacePoint& at) {
   const float eta = slot.eval_float(at);
   return eta > 0.F ? std::clamp(eta, 0.05F, 20.F) : 1.F;
+}
+/// Optical thickness of a coat; beyond 80 it is black.
+inline Spectrum coat_depth(const TextureSlot& slot, const SurfacePoint& at) {
+  return map_lanes(slot.eval(at), [](float x) { return within(x, 0.F, 80.F); });
 }
 /// True if a boundary with this index bends light so little that rough refraction, whose lobe then
 /// narrows to nothing, must be treated as smooth.

@@ -155,9 +155,9 @@ TEST(CoatedDiffuseMaterial, TintsOnlyWhatTheCoatReflects) {
 TEST(CoatedConductorMaterial, IsDarkerBelowACoatThatAbsorbs) {
   const auto albedo = [](float depth, float roughness) {
     Fixture f;
-    const desc::MaterialId id =
-        f.add("coated_conductor",
-              {{"coat_depth", depth}, {"roughness", roughness}, {"reflectance", Vec3(0.9F)}});
+    const desc::MaterialId id = f.add("coated_conductor", {{"coat_depth", Vec3(depth, 0.F, 0.F)},
+                                                           {"roughness", roughness},
+                                                           {"reflectance", Vec3(0.9F)}});
     return f.bsdf(id).albedo(Vec3(0.F, 0.F, 1.F))[0];
   };
   const float f = fresnel_dielectric(1.F, 1.5F).reflectance;
