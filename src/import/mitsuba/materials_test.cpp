@@ -64,6 +64,11 @@ TEST(MitsubaMaterials, TintedConductorsAreMixesWithBlack) {
   EXPECT_EQ(tinted.node().color("amount"), Vec3(0.3F));
   const desc::Node& metal = tinted.material(tinted.node().material("first")).node;
   EXPECT_EQ(metal.text("distribution"), "beckmann");
+  EXPECT_EQ(metal.text("masking"), "separable");
+  const MaterialOf glass("<bsdf type=\"roughdielectric\"/>");
+  EXPECT_EQ(glass.node().text("distribution"), "beckmann");
+  EXPECT_EQ(glass.node().text("masking"), "separable");
+  EXPECT_EQ(glass.warnings, "");
   EXPECT_EQ(metal.number("roughness"), 0.2F);
   const desc::Node& black = tinted.material(tinted.node().material("second")).node;
   EXPECT_EQ(black.color("reflectance"), Vec3(0.F));

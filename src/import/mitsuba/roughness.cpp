@@ -23,6 +23,9 @@ void warn(const MaterialInputs& in, const std::string& given, const std::string&
 void Roughness::set(desc::Node& node) const {
   node.set("roughness", alpha);
   if (alpha_v && node.has("roughness_v")) node.set("roughness_v", *alpha_v);
+  if (!node.has("masking")) return;
+  node.set("distribution", distribution);
+  node.set("masking", std::string("separable"));
 }
 
 Roughness read_roughness(const MaterialInputs& in) {

@@ -87,7 +87,7 @@ Surface make_thin_dielectric(const MaterialInputs& in) {
 
 Surface make_rough_dielectric(const MaterialInputs& in) {
   desc::Node node = dielectric(in, false);
-  read_ggx_roughness(in).set(node);
+  read_roughness(in).set(node);
   return {in.materials.add(in.arguments.element(), std::move(node))};
 }
 
@@ -102,9 +102,7 @@ Surface make_conductor(const MaterialInputs& in) {
 
 Surface make_rough_conductor(const MaterialInputs& in) {
   desc::Node node = desc::material_node("conductor");
-  const Roughness roughness = read_roughness(in);
-  roughness.set(node);
-  node.set("distribution", roughness.distribution);
+  read_roughness(in).set(node);
   set_index(in, given_index(in), node);
   return tinted(in, std::move(node));
 }

@@ -72,7 +72,10 @@ desc::Node fiber(const BsdfInputs& in) {
 
 // ---------------------------------------------------------------- metals
 
-/// "distribution", as our models of conductors name it.
+/// Tungsten's facets hide each other by each side alone.
+const std::string kMasking = "separable";
+
+/// "distribution", as our models of conductors and glass name it.
 std::string distribution_of(const BsdfInputs& in) {
   const std::string name = in.object.text("distribution").value_or("ggx");
   if (name == "ggx" || name == "beckmann") return name;
@@ -106,7 +109,8 @@ desc::Node conductor(const BsdfInputs& in, const desc::Value& roughness, std::st
   return in.tinted(desc::material_node("conductor", {{"eta", ior.eta},
                                                      {"k", ior.k},
                                                      {"roughness", roughness},
-                                                     {"distribution", std::move(distribution)}}),
+                                                     {"distribution", std::move(distribution)},
+                                                     {"masking", kMasking}}),
                    in.albedo());
 }
 
@@ -129,14 +133,16 @@ desc::Node dielectric_of(const BsdfInputs& in, const desc::Value& roughness) {
                              {{"reflectance", tint},
                               {"transmittance", refracts ? tint : desc::Value(Vec3(0.F))},
                               {"eta", in.object.number("ior").value_or(1.5F)},
-                              {"roughness", roughness}});
+                              {"roughness", roughness},
+                              {"masking", kMasking}});
 }
 
 desc::Node dielectric(const BsdfInputs& in) { return dielectric_of(in, 0.F); }
 
 desc::Node rough_dielectric(const BsdfInputs& in) {
-  expect_ggx(in);
-  return dielectric_of(in, in.number("roughness", 0.1F));
+  desc::Node node = dielectric_of(in, in.number("roughness", 0.1F));
+  node.set("distribution", distribution_of(in));
+  return node;
 }
 
 desc::Node thin_sheet(const BsdfInputs& in) {

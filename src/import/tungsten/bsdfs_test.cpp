@@ -40,6 +40,7 @@ TEST(Bsdfs, MetalsGoByNameOrByNumbers) {
   expect_near(material_of(gold).color("k"), {3.98316F, 2.38572F, 1.60322F});
   EXPECT_EQ(material_of(gold).number("roughness"), 0.2F);
   EXPECT_EQ(material_of(gold).text("distribution"), "beckmann");
+  EXPECT_EQ(material_of(gold).text("masking"), "separable");
   const desc::SceneDesc given = scene_with_bsdf("'type': 'conductor', 'eta': [1, 2, 3], 'k': 4");
   EXPECT_EQ(material_of(given).color("eta"), Vec3(1.F, 2.F, 3.F));
   EXPECT_EQ(material_of(given).color("k"), Vec3(4.F));

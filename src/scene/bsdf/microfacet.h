@@ -7,9 +7,10 @@ namespace ajar {
 
 /// How the normals of microfacets are spread, and how they hide each other.
 enum class FacetModel : std::uint8_t {
-  Ggx,           ///< Trowbridge–Reitz; height-correlated Smith masking
-  GgxSeparable,  ///< the same with G = G1·G1, as Disney's model has it
-  Beckmann,      ///< Gaussian slopes; height-correlated Smith masking
+  Ggx,                ///< Trowbridge–Reitz; height-correlated Smith masking
+  GgxSeparable,       ///< the same with G = G1·G1, as Disney's model has it
+  Beckmann,           ///< Gaussian slopes; height-correlated Smith masking
+  BeckmannSeparable,  ///< the same with G = G1·G1
 };
 
 /// Distribution of microfacet normals with roughness `alpha_x`, `alpha_y` along the local x and y
@@ -33,7 +34,7 @@ class Microfacets {
     const float y = h.y / alpha_y_;
     const float z2 = h.z * h.z;
     const float area = kPi * alpha_x_ * alpha_y_;
-    if (model_ != FacetModel::Beckmann) {
+    if (!is_beckmann()) {
       const float e = x * x + y * y + z2;
       return 1.F / (area * e * e);
     }
@@ -48,13 +49,13 @@ class Microfacets {
     const float x = alpha_x_ * w.x;
     const float y = alpha_y_ * w.y;
     const float s2 = x * x + y * y;
-    if (model_ != FacetModel::Beckmann) return 0.5F * (z + std::sqrt(z * z + s2));
+    if (!is_beckmann()) return 0.5F * (z + std::sqrt(z * z + s2));
     return beckmann_projected_area(z, std::sqrt(s2));
   }
 
   /// G2(wo, wi) / (|cos θ_o| |cos θ_i|), from the directions' |cosines| and projected areas.
   float shadowing_over_cosines(float cos_o, float area_o, float cos_i, float area_i) const {
-    if (model_ == FacetModel::GgxSeparable) return 1.F / (area_o * area_i);
+    if (is_separable()) return 1.F / (area_o * area_i);
     return 1.F / (cos_i * area_o + cos_o * area_i - cos_o * cos_i);
   }
 
@@ -62,8 +63,7 @@ class Microfacets {
   Vec2 invert_visible(const Vec3& w, const Vec3& h) const {
     const Vec3 stretched = normalize(Vec3(alpha_x_ * w.x, alpha_y_ * w.y, w.z));
     const Vec3 m = normalize(Vec3(h.x / alpha_x_, h.y / alpha_y_, h.z));
-    return model_ == FacetModel::Beckmann ? beckmann_inverse(stretched, m)
-                                          : ggx_inverse(stretched, m);
+    return is_beckmann() ? beckmann_inverse(stretched, m) : ggx_inverse(stretched, m);
   }
 
   /// A facet normal (h.z ≥ 0) that is visible from `w` (w.z > 0), with density
@@ -71,12 +71,17 @@ class Microfacets {
   Vec3 sample_visible(const Vec3& w, const Vec2& u) const {
     // Both models are stretched versions of their isotropic forms with α = 1.
     const Vec3 stretched = normalize(Vec3(alpha_x_ * w.x, alpha_y_ * w.y, w.z));
-    const Vec3 h =
-        model_ == FacetModel::Beckmann ? beckmann_visible(stretched, u) : ggx_visible(stretched, u);
+    const Vec3 h = is_beckmann() ? beckmann_visible(stretched, u) : ggx_visible(stretched, u);
     return normalize(Vec3(alpha_x_ * h.x, alpha_y_ * h.y, std::max(h.z, 1e-12F)));
   }
 
  private:
+  bool is_beckmann() const {
+    return model_ == FacetModel::Beckmann || model_ == FacetModel::BeckmannSeparable;
+  }
+  bool is_separable() const {
+    return model_ == FacetModel::GgxSeparable || model_ == FacetModel::BeckmannSeparable;
+  }
   static float clamp_alpha(float alpha) {
     return alpha > kMinAlpha ? std::min(alpha, kMaxAlpha) : kMinAlpha;  // also catches NaN
   }

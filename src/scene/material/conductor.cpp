@@ -10,8 +10,7 @@ class ConductorSurface final : public Material {
   explicit ConductorSurface(const MaterialInputs& in)
       : metal_(in, "eta", "k", "reflectance"),
         roughness_(in),
-        model_(in.node().text("distribution") == "beckmann" ? FacetModel::Beckmann
-                                                            : FacetModel::Ggx),
+        model_(facet_model(in.node())),
         smooth_(in.node().text("distribution") == "smooth") {
     needs_tangent = !smooth_ && !roughness_.isotropic();
   }
@@ -39,10 +38,7 @@ MaterialModel conductor_material() {
            .summary = "rough conductor with a measured or given index of refraction",
            .source = "Walter et al. 2007",
            .parameters = declare::joined(
-               declare::joined(metal_inputs("eta", "k", "reflectance"),
-                               {choice_parameter("distribution", {"ggx", "beckmann", "smooth"},
-                                                 "distribution of the facets' normals; a smooth "
-                                                 "metal has none, and no roughness")}),
+               declare::joined(metal_inputs("eta", "k", "reflectance"), facet_inputs({"smooth"})),
                roughness_inputs("0.01"))},
           make<ConductorSurface>};
 }

@@ -15,6 +15,7 @@ class Dielectric final : public Material {
         transmittance_(in.slot("transmittance")),
         eta_(in.slot("eta")),
         roughness_(in),
+        model_(facet_model(in.node())),
         rough_(!roughness_.is_smooth()),
         thin_(in.node().flag("thin")) {
     index_varies = !eta_.is_constant();
@@ -31,7 +32,7 @@ class Dielectric final : public Material {
     if (thin_) {
       bsdf.add(ThinDielectric{kr, kt, eta}, scale);
     } else if (rough_ && !index_matched(eta)) {
-      bsdf.add(RoughDielectric{roughness_.facets(FacetModel::Ggx, at), kr, kt, eta}, scale);
+      bsdf.add(RoughDielectric{roughness_.facets(model_, at), kr, kt, eta}, scale);
     } else {
       bsdf.add(SmoothDielectric{kr, kt, eta}, scale);
     }
@@ -43,6 +44,7 @@ class Dielectric final : public Material {
   TextureSlot transmittance_;
   TextureSlot eta_;
   RoughnessSlot roughness_;
+  FacetModel model_;
   bool rough_;
   bool thin_;
 };
@@ -50,16 +52,18 @@ class Dielectric final : public Material {
 }  // namespace
 
 MaterialModel dielectric_material() {
-  return {
-      {.name = "dielectric",
-       .summary = "smooth or rough dielectric boundary, such as glass or water",
-       .source = "Walter et al. 2007",
-       .parameters = declare::joined(
-           {declare::reflectance("reflectance", "1", "tint of what is reflected"),
-            declare::reflectance("transmittance", "1", "tint of what is refracted"), index_input(),
-            declare::flag("thin", "a pane without thickness: transmits straight on")},
-           roughness_inputs("0"))},
-      make<Dielectric>};
+  return {{.name = "dielectric",
+           .summary = "smooth or rough dielectric boundary, such as glass or water",
+           .source = "Walter et al. 2007",
+           .parameters = declare::joined(
+               declare::joined(
+                   {declare::reflectance("reflectance", "1", "tint of what is reflected"),
+                    declare::reflectance("transmittance", "1", "tint of what is refracted"),
+                    index_input(),
+                    declare::flag("thin", "a pane without thickness: transmits straight on")},
+                   facet_inputs()),
+               roughness_inputs("0"))},
+          make<Dielectric>};
 }
 
 }  // namespace ajar

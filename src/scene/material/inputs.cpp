@@ -1,6 +1,7 @@
 #include "scene/material/inputs.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "scene/desc/models.h"
 
@@ -55,6 +56,25 @@ std::vector<ParameterSpec> roughness_inputs(std::string value) {
           declare::textured_number(
               "roughness_v", "", "roughness along v; without it, the same in all directions", 1.0),
           roughness_scale()};
+}
+
+std::vector<ParameterSpec> facet_inputs(std::vector<std::string> others) {
+  std::vector<std::string> distributions = {"ggx", "beckmann"};
+  std::move(others.begin(), others.end(), std::back_inserter(distributions));
+  return {
+      choice_parameter("distribution", std::move(distributions),
+                       "distribution of the facets' normals; a smooth surface has none"),
+      choice_parameter("masking", {"joint", "separable"},
+                       "whether facets hide each other from both sides together or by each side "
+                       "alone, which is darker at grazing angles")};
+}
+
+FacetModel facet_model(const desc::Node& node) {
+  const bool is_separable = node.text("masking") == "separable";
+  if (node.text("distribution") == "beckmann") {
+    return is_separable ? FacetModel::BeckmannSeparable : FacetModel::Beckmann;
+  }
+  return is_separable ? FacetModel::GgxSeparable : FacetModel::Ggx;
 }
 
 float microfacet_alpha(RoughnessScale scale, float roughness) {

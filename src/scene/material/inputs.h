@@ -1,5 +1,7 @@
 #pragma once
 #include <cstddef>
+#include <string>
+#include <vector>
 
 #include "scene/bsdf/microfacet.h"
 #include "scene/material/registry.h"
@@ -42,6 +44,10 @@ ParameterSpec coat_depth_input();
 std::vector<ParameterSpec> isotropic_roughness_inputs(std::string value);
 /// "roughness", "roughness_v" and "roughness_scale".
 std::vector<ParameterSpec> roughness_inputs(std::string value);
+
+/// "distribution", with `others` beside those of facets, and "masking": what `facet_model` reads.
+std::vector<ParameterSpec> facet_inputs(std::vector<std::string> others = {});
+FacetModel facet_model(const desc::Node& node);
 
 /// `x` in [low, high]; NaN becomes `low`.
 inline float within(float x, float low, float high) { return x > low ? std::min(x, high) : low; }
