@@ -348,6 +348,45 @@ TEST(Dielectric, IsRoughThinOrTintedAsAsked) {
   EXPECT_NEAR(s->weight[2] / s->weight[0], 0.25F, 1e-5F);
 }
 
+TEST(Facets, HideEachOtherTogetherOrAlone) {
+  Fixture f;
+  const auto metal = [&](const char* distribution, const char* masking) {
+    return f.add("conductor", {{"roughness", 0.5F},
+                               {"distribution", std::string(distribution)},
+                               {"masking", std::string(masking)}});
+  };
+  // Of the same directions, only the masking differs. Source: Heitz 2014, equations 23 and 99, with
+  // Λ of both directions alike.
+  const Vec3 wo = direction(75.F, 0.F);
+  const Vec3 wi = direction(75.F, 180.F);
+  const auto expect_ratio = [&](const char* distribution, double lambda) {
+    const auto joint = metal(distribution, "joint");
+    const auto separable = metal(distribution, "separable");
+    EXPECT_NEAR(
+        f.bsdf(separable).eval(wo, wi, kRadiance)[1] / f.bsdf(joint).eval(wo, wi, kRadiance)[1],
+        (1.0 + 2.0 * lambda) / ((1.0 + lambda) * (1.0 + lambda)), 1e-4)
+        << distribution;
+  };
+  const double slope = std::tan(75.0 * M_PI / 180.0) * 0.5;
+  expect_ratio("ggx", 0.5 * (std::sqrt(1.0 + slope * slope) - 1.0));
+  const double a = 1.0 / slope;
+  expect_ratio("beckmann",
+               0.5 * (std::erf(a) - 1.0) + std::exp(-a * a) / (2.0 * a * std::sqrt(M_PI)));
+  // Glass has the same facets.
+  const auto glass = [&](const char* masking) {
+    return f.add("dielectric", {{"roughness", 0.5F}, {"masking", std::string(masking)}});
+  };
+  const double lambda = 0.5 * (std::sqrt(1.0 + slope * slope) - 1.0);
+  const auto joint = glass("joint");
+  const auto separable = glass("separable");
+  EXPECT_NEAR(
+      f.bsdf(separable).eval(wo, wi, kRadiance)[1] / f.bsdf(joint).eval(wo, wi, kRadiance)[1],
+      (1.0 + 2.0 * lambda) / ((1.0 + lambda) * (1.0 + lambda)), 1e-4);
+  const auto beckmann =
+      f.add("dielectric", {{"roughness", 0.5F}, {"distribution", std::string("beckmann")}});
+  EXPECT_NE(f.bsdf(beckmann).eval(wo, wi, kRadiance)[1], f.bsdf(joint).eval(wo, wi, kRadiance)[1]);
+}
+
 TEST(Dielectric, WithoutContrastIsSmooth) {
   Fixture f;
   const auto id = f.add("dielectric", {{"roughness", 0.3F}, {"eta", f.constant(1.F)}});
@@ -481,6 +520,20 @@ TEST(Bump, TiltsTheNormalAgainstTheSlope) {
   EXPECT_LT(length(f.bsdf(0).ns() - expected), 1e-3F);
   EXPECT_LT(length(f.bsdf(1).ns() - expected), 1e-3F);
   EXPECT_EQ(f.bsdf(0).ng(), Vec3(0.F, 0.F, 1.F));
+}
+
+TEST(Bump, OfNoHeightKeepsTheNormalsOfASmoothMesh) {
+  // A facet of a round mesh: its tangents are in its own plane, not in that of the shading normal.
+  SurfacePoint round = flat_point();
+  round.ns = normalize(Vec3(0.3F, -0.2F, 1.F));
+  const Ramp level(0.F);
+  EXPECT_LT(length(bump_frame(TextureSlot(&level), round).ns - round.ns), 1e-6F);
+  // What of dp/du is along the shading plane goes up with the slope.
+  const Ramp ramp(0.5F);
+  const Vec3 u = Vec3(1.F, 0.F, 0.F) - round.ns * round.ns.x;
+  const Vec3 v = Vec3(0.F, 1.F, 0.F) - round.ns * round.ns.y;
+  const Vec3 expected = normalize(cross(u + round.ns * 0.5F, v));
+  EXPECT_LT(length(bump_frame(TextureSlot(&ramp), round).ns - expected), 1e-3F);
 }
 
 TEST(Bump, KeepsTheNormalOnItsSideAndWhereItIsDegenerate) {

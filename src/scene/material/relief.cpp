@@ -24,14 +24,22 @@ Vec3 usable_normal(const Vec3& n, const SurfacePoint& at) {
   return abs_dot(ns, at.ng) >= kGrazing ? ns : at.ns;
 }
 
+/// What of `tangent` is in the plane of the shading normal: without this, a mesh with smooth
+/// normals would show its facets.
+Vec3 along_surface(const Vec3& tangent, const SurfacePoint& at) {
+  return tangent - at.ns * dot(tangent, at.ns);
+}
+
 }  // namespace
 
 ReliefFrame bump_frame(const TextureSlot& displacement, const SurfacePoint& at) {
   const float here = displacement.eval_float(at);
   const float along_u = displacement.eval_float(shifted(at, at.dpdu, Vec2(1.F, 0.F)));
   const float along_v = displacement.eval_float(shifted(at, at.dpdv, Vec2(0.F, 1.F)));
-  const Vec3 dpdu = at.dpdu + at.ns * ((along_u - here) / kStep) + at.dndu * here;
-  const Vec3 dpdv = at.dpdv + at.ns * ((along_v - here) / kStep) + at.dndv * here;
+  const Vec3 dpdu =
+      along_surface(at.dpdu, at) + at.ns * ((along_u - here) / kStep) + at.dndu * here;
+  const Vec3 dpdv =
+      along_surface(at.dpdv, at) + at.ns * ((along_v - here) / kStep) + at.dndv * here;
   const Vec3 ns = usable_normal(cross(dpdu, dpdv), at);
   return {ns, ns == at.ns ? at.dpdu : dpdu};
 }
@@ -58,7 +66,10 @@ Relief::Relief(const desc::Material& description, const TextureList& textures)
     if (!texture_.is_constant()) kind_ = Kind::Bump;
   } else if (description.normal_map.texture >= 0) {
     texture_ = slot(description.normal_map.texture);
-    kind_ = Kind::Normals;
+    // The normals of a file that cannot be read are those of the surface.
+    const bool is_known =
+        !textures.at(static_cast<std::size_t>(description.normal_map.texture))->is_stand_in();
+    if (is_known) kind_ = Kind::Normals;
   }
 }
 
