@@ -38,6 +38,9 @@ struct ImageHeader {
   /// As the file has them; Float for what is none of the others.
   SampleType type = SampleType::Float;
   bool is_integer = false;
+  /// Whether its red, green and blue are said to be others than those of Rec. 709, as which all
+  /// colours are taken.
+  bool has_other_primaries = false;
   Vec2i origin{0, 0};      ///< of the first pixel in the whole picture
   Vec2i resolution{0, 0};  ///< of the whole picture
   std::map<std::string, std::string> texts;

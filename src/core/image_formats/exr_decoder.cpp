@@ -2,6 +2,7 @@
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
 #include <ImfInputFile.h>
+#include <ImfStandardAttributes.h>
 #include <ImfStringAttribute.h>
 #include <ImfTileDescriptionAttribute.h>
 
@@ -28,6 +29,14 @@ std::tuple<std::string_view, std::size_t, std::string_view> rank_of(const std::s
   return {text.substr(0, start), std::min(color, kColors.size()), last};
 }
 
+/// Whether red, green, blue and white are about those that are meant where a file says nothing.
+bool is_rec709(const Imf::Chromaticities& given) {
+  constexpr float kNear = 2e-3F;
+  const Imf::Chromaticities usual;
+  return (given.red - usual.red).length() < kNear && (given.green - usual.green).length() < kNear &&
+         (given.blue - usual.blue).length() < kNear && (given.white - usual.white).length() < kNear;
+}
+
 class ExrDecoder final : public ImageDecoder {
  public:
   explicit ExrDecoder(const std::string& path) : file_(path.c_str(), 0) {
@@ -52,6 +61,8 @@ class ExrDecoder final : public ImageDecoder {
     to.channels = static_cast<int>(to.names.size());
     const auto alpha = std::find(to.names.begin(), to.names.end(), "A");
     if (alpha != to.names.end()) to.alpha_channel = static_cast<int>(alpha - to.names.begin());
+    if (Imf::hasChromaticities(from))
+      to.has_other_primaries = !is_rec709(Imf::chromaticities(from));
     for (auto attribute = from.begin(); attribute != from.end(); ++attribute) {
       const auto* text = dynamic_cast<const Imf::StringAttribute*>(&attribute.attribute());
       if (text != nullptr) to.texts[attribute.name()] = text->value();

@@ -48,7 +48,7 @@ std::optional<ChannelRange> kept_channels(const ImageHeader& header, ImageChanne
 }
 
 /// One texel of 1.
-TexelImage opaque_image() { return {1, 1, 1, std::vector<std::uint8_t>{255}}; }
+TexelImage opaque_image() { return {1, 1, 1, false, std::vector<std::uint8_t>{255}}; }
 
 /// Whether each texel is 1.
 bool is_opaque(const TexelImage& image) {
@@ -73,6 +73,7 @@ TexelImage read_texel_image(const ImageRequest& request, const desc::EmbeddedFil
   image.width = header.width;
   image.height = header.height;
   image.channels = channels->count;
+  image.has_other_primaries = image.channels == 3 && header.has_other_primaries;
   const auto read = [&]<typename T>(T) {
     image.texels = input.read_from<T>(channels->first, channels->count);
   };

@@ -94,7 +94,8 @@ class ImageTexture final : public Texture {
         image_(std::move(image)),
         texels_(std::get<std::vector<T>>(image_->texels).data()),
         decode_(node),
-        invert_(node.flag("invert")) {}
+        invert_(node.flag("invert")),
+        clamp_(node.flag("clamp")) {}
 
   Spectrum eval(const SurfacePoint& at) const override {
     if (image_->channels == 1 || reduction_ != Reduction::None) return Spectrum(eval_float(at));
@@ -161,10 +162,11 @@ class ImageTexture final : public Texture {
   }
 
   float finished(float value) const {
-    return invert_ ? std::max(1.F - value * scale_, 0.F) : value * scale_;
+    const float scaled = invert_ ? std::max(1.F - value * scale_, 0.F) : value * scale_;
+    return clamp_ ? std::clamp(scaled, 0.F, 1.F) : scaled;
   }
   Spectrum finished(const Spectrum& value) const {
-    if (!invert_) return value * scale_;
+    if (!invert_ && !clamp_) return value * scale_;
     return map_lanes(value, [this](float lane) { return finished(lane); });
   }
 
@@ -177,11 +179,17 @@ class ImageTexture final : public Texture {
   const T* texels_;
   Decoder<T> decode_;
   bool invert_;
+  bool clamp_;
 };
 
 std::unique_ptr<const Texture> make_image_texture(const TextureInputs& in) {
   const std::shared_ptr<const TexelImage> image = in.image("file");
-  if (!image) return std::make_unique<ConstantTexture>(Spectrum(1.F, 0.F, 1.F));
+  if (!image) {
+    // A number is best as what leaves the rest of its material as it is.
+    const bool is_color = in.node().text("channel") == "color";
+    return std::make_unique<ConstantTexture>(is_color ? Spectrum(1.F, 0.F, 1.F) : Spectrum(1.F),
+                                             true);
+  }
   return std::visit(
       [&]<typename T>(const std::vector<T>&) -> std::unique_ptr<const Texture> {
         return std::make_unique<ImageTexture<T>>(in.node(), image);
@@ -217,6 +225,7 @@ TextureModel image_texture() {
                 std::move(decode), std::move(gamma),
                 declare::number("scale", "1", "factor of all values"),
                 declare::flag("invert", "1 − value, after the scale; never below 0"),
+                declare::flag("clamp", "to 0 and 1, after all this"),
                 choice_parameter("filter", {"bilinear", "nearest"}, "between texels")},
                mapping_parameters())},
           make_image_texture};

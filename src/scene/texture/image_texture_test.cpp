@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "scene/desc/models.h"
+#include "scene/material/relief.h"
 #include "scene/texture/image_cache.h"
 #include "scene/texture/texture.h"
 
@@ -132,6 +133,17 @@ TEST_F(ImageTextureTest, InvertedOnesAreOneMinusTheScaledValue) {
   EXPECT_NEAR(inverted[0], 0.6F, 1e-6F);
   EXPECT_EQ(inverted[1], 0.F);
   EXPECT_EQ(inverted[2], 1.F);
+}
+
+TEST_F(ImageTextureTest, MayBeClampedAfterTheScale) {
+  desc::Node node = desc::texture_node("image");
+  node.set("scale", 2.F);
+  node.set("clamp", true);
+  node.set("file", write<float>("c.exr", 1, 1, 3, {0.25F, 0.75F, -1.F}));
+  const Spectrum clamped = make(node)->eval(at_uv(0.5F, 0.5F));
+  EXPECT_EQ(clamped[0], 0.5F);
+  EXPECT_EQ(clamped[1], 1.F);
+  EXPECT_EQ(clamped[2], 0.F);
 }
 
 TEST_F(ImageTextureTest, GrayImagesAreGrayAndAlphaIsIgnored) {
@@ -286,6 +298,24 @@ TEST_F(ImageTextureTest, UnreadableImagesAreMagentaWithALocatedWarning) {
   }
   ASSERT_EQ(warnings.count(), 2U);
   EXPECT_EQ(warnings.messages().front().rfind("scene.pbrt:12:3: ", 0), 0U);
+}
+
+TEST_F(ImageTextureTest, UnreadableImagesOfNumbersChangeNothingElse) {
+  desc::SceneDesc scene;
+  desc::Node node = desc::texture_node("image", {{"channel", std::string("alpha_or_mean")}});
+  node.set("file", (folder_ / "missing.exr").string());
+  scene.textures.push_back({"", {}, node});
+  desc::Node normals = desc::texture_node("image", {{"decode_srgb", false}});
+  normals.set("file", (folder_ / "missing.exr").string());
+  scene.textures.push_back({"", {}, normals});
+  Warnings warnings;
+  const TextureList textures = build_textures(scene, warnings);
+  EXPECT_EQ(textures[0]->eval(at_uv(0.3F, 0.3F)), Spectrum(1.F));
+  EXPECT_TRUE(warnings.messages().front().ends_with("it is replaced by 1"));
+  // Nor does a normal map tilt what it should.
+  desc::Material material;
+  material.normal_map.texture = 1;
+  EXPECT_TRUE(Relief(material, textures).is_flat());
 }
 
 }  // namespace

@@ -6,6 +6,10 @@ namespace ajar {
 namespace {
 
 constexpr WarningKind kUnreadable{Effect::Surface, "textures cannot be read, shown as magenta"};
+constexpr WarningKind kOtherPrimaries{
+    Effect::Surface,
+    "textures are files with a red, green and blue of their own, which is not "
+    "supported"};
 
 ImageChannel channel_of(const desc::Node& node) {
   if (!node.has("channel")) return ImageChannel::Color;
@@ -42,8 +46,18 @@ std::shared_ptr<const TexelImage> TextureInputs::image(std::string_view name) co
   if (!cached.image) {
     warnings_.add(
         kUnreadable, description_.where,
-        "cannot read image \"" + path + "\" (" + cached.error + "); it is replaced by magenta",
+        "cannot read image \"" + path + "\" (" + cached.error + "); it is replaced by " +
+            (channel_of(node()) == ImageChannel::Color && node().text("channel") == "color"
+                 ? "magenta"
+                 : "1"),
         std::filesystem::path(path).filename().string());
+  }
+  if (cached.image && cached.image->has_other_primaries) {
+    warnings_.add(kOtherPrimaries, description_.where,
+                  "image \"" + path +
+                      "\" has red, green and blue of its own (\"chromaticities\"): "
+                      "they are taken for those of Rec. 709",
+                  std::filesystem::path(path).filename().string());
   }
   return cached.image;
 }

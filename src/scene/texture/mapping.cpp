@@ -12,7 +12,9 @@ TextureMapping::TextureMapping(const desc::Node& node) : mapping_(mapping_of(nod
 TextureMapping::Mapping TextureMapping::mapping_of(const desc::Node& node) {
   const std::string& kind = node.text("mapping");
   if (kind == "spherical") return Spherical{node.transform("world_to_texture")};
-  if (kind == "cylindrical") return Cylindrical{node.transform("world_to_texture")};
+  if (kind == "cylindrical") {
+    return Cylindrical{node.transform("world_to_texture"), node.text("height") == "cosine"};
+  }
   if (kind == "planar") {
     return Planar{node.vector("axis_u"), node.vector("axis_v"), node.number("offset_u"),
                   node.number("offset_v")};
@@ -35,7 +37,7 @@ Vec2 TextureMapping::map_position(const Vec3& p) const {
   }
   if (const auto* m = std::get_if<Cylindrical>(&mapping_)) {
     const Vec3 d = transform_point(m->world_to_texture, p);
-    const float size = length(d);
+    const float size = m->is_direction ? length(d) : 1.F;
     return {(kPi + std::atan2(d.y, d.x)) * (0.5F * kInvPi), size > 0.F ? d.z / size : 0.F};
   }
   const auto& m = std::get<Planar>(mapping_);
@@ -57,6 +59,9 @@ std::vector<ParameterSpec> mapping_parameters() {
                    declare::vector("axis_u", "1 0 0", "u is the place times this")),
           only_for("mapping", {"planar"},
                    declare::vector("axis_v", "0 1 0", "v is the place times this")),
+          only_for("mapping", {"cylindrical"},
+                   choice_parameter("height", {"cosine", "place"},
+                                    "v is the cosine to the axis, or how far along it")),
           only_for("mapping", {"spherical", "cylindrical"}, texture_space())};
 }
 

@@ -30,6 +30,7 @@ class TextureMapping {
   };
   struct Cylindrical {
     Mat4 world_to_texture;
+    bool is_direction;
   };
   struct Planar {
     Vec3 vs, vt;

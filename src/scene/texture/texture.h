@@ -21,6 +21,8 @@ class Texture {
   virtual float eval_float(const SurfacePoint& at) const { return eval(at)[0]; }
   /// The value, if it is the same everywhere.
   virtual const Spectrum* constant() const { return nullptr; }
+  /// Whether it stands for a file that could not be read.
+  virtual bool is_stand_in() const { return false; }
 };
 
 /// A texture or a constant, without a virtual call in the common case. Copyable, does not own.

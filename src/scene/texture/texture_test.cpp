@@ -181,6 +181,8 @@ TEST_F(TextureTest, MappingsFollowTheirDefinitions) {
 
   add("uv", {{"mapping", "cylindrical"}});
   expect_rgb(built().eval(at_position({0.F, 3.F, 4.F})), 0.75F, 0.8F, 0.F);
+  add("uv", {{"mapping", "cylindrical"}, {"height", "place"}});
+  expect_rgb(built().eval(at_position({0.F, 3.F, 4.375F})), 0.75F, 0.375F, 0.F);
 
   add("uv", {{"mapping", "planar"},
              {"axis_u", Vec3(0.5F, 0, 0)},
