@@ -39,6 +39,17 @@ Imath::Box3d box_of(const desc::Mesh& mesh) {
   return box;
 }
 
+/// Of a sphere, disk or cylinder, whole turns of them.
+Imath::Box3d box_of_quadric(const desc::Node& node) {
+  const double radius = node.number("radius");
+  const auto z = [&](const char* name, double otherwise) {
+    if (node.is("disk")) return static_cast<double>(node.number("height"));
+    const float* given = node.has(name) ? std::get_if<float>(&node.get(name)) : nullptr;
+    return given == nullptr ? otherwise : static_cast<double>(*given);
+  };
+  return {{-radius, -radius, z("z_min", -radius)}, {radius, radius, z("z_max", radius)}};
+}
+
 std::array<Vec3d, 8> corners_of(const Imath::Box3d& box) {
   std::array<Vec3d, 8> corners;
   for (std::size_t i = 0; i < 8; ++i) {
@@ -48,8 +59,8 @@ std::array<Vec3d, 8> corners_of(const Imath::Box3d& box) {
   return corners;
 }
 
-/// The boxes of all meshes, each in its own space and with its place. The scene must not change
-/// meanwhile.
+/// The boxes of all meshes and quadrics, each in its own space and with its place. The scene must
+/// not change meanwhile.
 class PlacedBoxes {
  public:
   explicit PlacedBoxes(const desc::SceneDesc& scene) {
@@ -91,7 +102,8 @@ class PlacedBoxes {
   void add(const Imath::Box3d& box, const Mat4& to_world) {
     if (!box.isEmpty()) parts_.push_back({box, &to_world});
   }
-  const Imath::Box3d& local_box(const desc::Shape& shape) {
+  Imath::Box3d local_box(const desc::Shape& shape) {
+    if (shape.node.has("radius")) return box_of_quadric(shape.node);
     const desc::MeshPointer mesh =
         shape.node.is("mesh") ? shape.node.mesh("mesh") : desc::MeshPointer();
     const auto [place, is_new] = boxes_.try_emplace(mesh.get());
@@ -111,7 +123,7 @@ Mat4 frame(const Vec3d& x, const Vec3d& y, const Vec3d& z, const Vec3d& origin) 
 class Studio {
  public:
   Studio(desc::SceneDesc& scene, UpAxis up) : scene_(scene), up_(up) {
-    box_ = bounds_of_meshes(scene);
+    box_ = bounds_of_shapes(scene);
     if (box_.isEmpty() || !std::isfinite(box_.size().length()))
       box_ = Imath::Box3d(Vec3d(-1.0), Vec3d(1.0));
     centre_ = box_.center();
@@ -238,7 +250,7 @@ desc::MaterialId add_neutral_material(desc::SceneDesc& scene) {
   return static_cast<desc::MaterialId>(scene.materials.size()) - 1;
 }
 
-Imath::Box3d bounds_of_meshes(const desc::SceneDesc& scene) {
+Imath::Box3d bounds_of_shapes(const desc::SceneDesc& scene) {
   Imath::Box3d bounds;
   PlacedBoxes(scene).for_each_corner([&](const Vec3d& corner) { bounds.extendBy(corner); });
   return bounds;

@@ -29,6 +29,19 @@ std::size_t count_of(const desc::SceneDesc& scene, const std::string& name) {
   return count;
 }
 
+TEST(Studio, KnowsTheBoundsOfQuadrics) {
+  desc::SceneDesc scene;
+  Mat4 move;
+  move.setTranslation(Vec3d(5.0, 0.0, 0.0));
+  scene.shapes.emplace_back().node = desc::shape_node("sphere", {{"radius", 2.F}});
+  scene.shapes.back().to_world = move;
+  scene.shapes.emplace_back().node =
+      desc::shape_node("cylinder", {{"radius", 1.F}, {"z_min", -3.F}, {"z_max", 4.F}});
+  scene.shapes.emplace_back().node = desc::shape_node("disk", {{"radius", 0.5F}, {"height", -6.F}});
+  EXPECT_EQ(bounds_of_shapes(scene).min, Vec3d(-1, -2, -6));
+  EXPECT_EQ(bounds_of_shapes(scene).max, Vec3d(7, 2, 4));
+}
+
 TEST(Studio, AddsOnlyWhatIsMissing) {
   struct Case {
     SceneParts parts;
@@ -105,7 +118,7 @@ TEST(Studio, InstancesCountForTheBounds) {
   far.setTranslation(Vec3d(10, 0, 0));
   scene.instances.push_back({0, Mat4(), {}});
   scene.instances.push_back({0, far, {}});
-  EXPECT_EQ(bounds_of_meshes(scene).max, Vec3d(11, 1, 1));
+  EXPECT_EQ(bounds_of_shapes(scene).max, Vec3d(11, 1, 1));
 }
 
 TEST(Studio, ScenesWithoutMeshesAndPointsHaveOneToo) {

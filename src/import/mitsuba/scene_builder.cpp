@@ -10,6 +10,8 @@ namespace {
 
 constexpr WarningKind kNoSensor{Effect::Light, "scenes have no sensor"};
 constexpr WarningKind kNotReferred{Effect::Slight, "things are in nothing and have no id: ignored"};
+constexpr WarningKind kNoMedia{Effect::Light,
+                               "integrators leave out media, which the scene has: they are shown"};
 constexpr WarningKind kNoShapes{Effect::Geometry, "scenes have no shapes"};
 constexpr WarningKind kMoreIntegrators{Effect::None,
                                        "integrators are ignored: the first one is used"};
@@ -23,9 +25,18 @@ void read_sensors(Context& context, MediumTable& media, Arguments& scene) {
   }
   if (!sensors.empty()) return read_sensor(context, media, *sensors.front());
   context.warnings.add(kNoSensor, context.document.end,
-                       "there is no sensor: a perspective one at the origin is used");
-  context.scene.camera.where = context.document.end;
-  context.scene.film = default_film(context.document.end);
+                       "there is no sensor: a perspective one that looks along z at all is used");
+}
+
+/// Warns if the integrator, in Mitsuba, leaves out media that the scene has.
+void check_media(Context& context, const std::vector<const Element*>& integrators) {
+  if (context.scene.media.empty() || integrators.empty()) return;
+  const std::string& type = integrators.front()->type;
+  if (type != "path" && type != "direct") return;
+  context.warnings.add(kNoMedia, integrators.front()->where,
+                       "\"" + type +
+                           "\" of Mitsuba leaves out media, of which this scene has some: "
+                           "here they are shown");
 }
 
 }  // namespace
@@ -69,6 +80,8 @@ desc::SceneDesc build_scene(const Document& document, SearchPath& files, Warning
 
   meshes.load_all();
   remove_empty_meshes(scene);
+  if (arguments.children("sensor").empty()) look_at_everything(context);
+  check_media(context, integrators);
   if (scene.shapes.empty() && scene.instances.empty()) {
     warnings.add(kNoShapes, document.end, "there are no shapes in this scene");
   }

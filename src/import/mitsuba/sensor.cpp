@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "import/common/printable.h"
+#include "import/common/studio.h"
 #include "import/common/transforms.h"
 #include "import/mitsuba/numbers.h"
 
@@ -102,6 +103,26 @@ Mat4 to_mitsuba_camera(const std::string& type) {
 }
 
 }  // namespace
+
+void look_at_everything(Context& context) {
+  constexpr double kFov = 45.0;  // along the width
+  desc::SceneDesc& scene = context.scene;
+  scene.film = default_film(context.document.end);
+  const Vec2i size = scene.film.resolution;
+  const double half = std::tan(0.5 * to_radians(kFov));
+  desc::PerspectiveCamera camera;
+  camera.fov = static_cast<float>(to_degrees(2.0 * std::atan(half * size.y / size.x)));
+  scene.camera.node = camera;
+  scene.camera.where = context.document.end;
+  const Imath::Box3d box = bounds_of_shapes(scene);
+  Vec3d eye(0.0);
+  if (!box.isEmpty()) {
+    const Vec3d extent = box.size();
+    const double distance = std::max({extent.x, extent.y, extent.z}) / (2.0 * half);
+    eye = Vec3d(box.center().x, box.center().y, box.min.z - distance);
+  }
+  scene.camera.to_world = to_mitsuba_camera("perspective") * translation(eye);
+}
 
 void read_sensor(Context& context, MediumTable& media, const Element& element) {
   Arguments arguments(context, element);

@@ -40,6 +40,31 @@ TEST(MitsubaView, CamerasAreNotMirrored) {
   expect_near(transform_vector(m, {0, 1, 0}), {0, 1, 0});
 }
 
+TEST(MitsubaView, WithoutASensorAllIsSeenAlongZ) {
+  Warnings warnings;
+  const desc::SceneDesc scene = import_with(
+      "<scene version=\"3.0.0\"><shape type=\"sphere\"><point name=\"center\" x=\"5\" y=\"1\" "
+      "z=\"2\"/><float name=\"radius\" value=\"3\"/></shape></scene>",
+      warnings);
+  EXPECT_TRUE(contains(warnings.messages().front(), "there is no sensor"));
+  const Mat4& m = scene.camera.to_world;
+  expect_near(transform_point(m, {0, 0, 0}), {5, 1, -1 - 3 / tangent(45.F)});
+  expect_near(transform_vector(m, {0, 0, 1}), {0, 0, 1});
+  expect_near(transform_vector(m, {0, 1, 0}), {0, 1, 0});
+  EXPECT_NEAR(std::get<desc::PerspectiveCamera>(scene.camera.node).fov,
+              degrees(tangent(45.F) * 0.75F), 1e-3F);
+}
+
+TEST(MitsubaView, IntegratorsThatLeaveOutMediaAreAWarning) {
+  const auto warnings = [](const std::string& integrator) {
+    return warnings_of("<integrator type=\"" + integrator +
+                       "\"/><shape type=\"sphere\"><medium name=\"interior\" "
+                       "type=\"homogeneous\"/></shape>");
+  };
+  EXPECT_TRUE(contains(warnings("path"), "\"path\" of Mitsuba leaves out media"));
+  EXPECT_FALSE(contains(warnings("volpath"), "leaves out media"));
+}
+
 TEST(MitsubaView, PanoramasHaveMinusZAtTheirEdgeAndPlusXAfterAQuarter) {
   const Mat4 m = seen_by("<sensor type=\"spherical\"/>").camera.to_world;
   // Our panorama begins at +x and turns toward +z.
