@@ -35,6 +35,7 @@ TinyPicture picture_of(const Version& version, const std::string& camera, const 
                        int samples = 1, MayWarn may_warn = MayWarn::No) {
   const std::string text = fmt::format(
       "{}\nFilm '{}' 'integer xresolution' [16] 'integer yresolution' [16]\nPixelFilter 'box'\n"
+      "Integrator 'volpath' 'integer maxdepth' 99\n"
       "WorldBegin\n{}\n{}\n",
       camera, version.film, world, version.end);
   return test::picture_of(
@@ -449,6 +450,19 @@ TEST(Pbrt4, NanoVdbAbsorbsByTheIntegralOfItsVoxels) {
           "Material 'interface' MediumInterface 'smoke' '' Shape 'sphere' 'float radius' 4\n");
   expect_color(seen.mean(),
                {std::exp(-0.4F * integral), std::exp(-integral), std::exp(-2.F * integral)}, 0.01F);
+}
+
+TEST(PbrtV4Scenes, LampsThatShouldNotBeSeenShineAndLetLightPass) {
+  const auto wall = [](int radiance, float z) {
+    return fmt::format(
+        "AttributeBegin Translate 0 0 {} AreaLightSource 'diffuse' 'rgb L' [{} {} {}]\n{}", z,
+        radiance, radiance, radiance, kWall4);
+  };
+  const TinyPicture seen =
+      picture_of(kV4, camera(4, 1),
+                 wall(1, 0) + "'float alpha' 0 AttributeEnd\n" + wall(2, 1) + "AttributeEnd\n", 4,
+                 MayWarn::Yes);
+  expect_color(seen.mean(), {3, 3, 3}, 1e-4F);
 }
 
 TEST(Pbrt4, AlphaIsTheShareThatIsThere) {

@@ -112,7 +112,7 @@ void choose_depth(const RenderRequest& request, const desc::RenderHints& hints,
   RenderSettings& settings = setup.settings;
   settings.min_depth = request.depth.minimum.value_or(1);
   settings.max_depth =
-      request.depth.maximum.value_or(hints.max_depth.value_or(RenderSetup::kDefaultMaxDepth));
+      request.depth.maximum.value_or(hints.max_depth.value_or(desc::RenderHints::kDefaultMaxDepth));
   if (settings.min_depth > settings.max_depth) {
     throw UsageError(fmt::format("--depth: the minimum {} is above the maximum {}{}",
                                  settings.min_depth, settings.max_depth,

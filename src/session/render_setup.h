@@ -31,7 +31,6 @@ struct RenderRequest {
 /// A request and a scene's wishes put together, complete and checked.
 struct RenderSetup {
   static constexpr int kDefaultSamples = 64;
-  static constexpr int kDefaultMaxDepth = 100;
   static constexpr int kReplicates = 4;
 
   const IntegratorInfo* integrator = nullptr;

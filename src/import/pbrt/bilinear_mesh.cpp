@@ -20,11 +20,14 @@ Vector bilinear(const std::vector<Vector>& corners, const Patch& patch, float u,
          (corners[patch[2]] * (1.F - u) + corners[patch[3]] * u) * v;
 }
 
-/// True if two triangles show the patch as it is, with its coordinates: parallelograms.
-bool is_parallelogram(const std::vector<Vec3>& p, const Patch& patch) {
-  const Vec3 twist = p[patch[0]] - p[patch[1]] - p[patch[2]] + p[patch[3]];
-  const float size = length(p[patch[3]] - p[patch[0]]) + length(p[patch[2]] - p[patch[1]]);
-  return length(twist) <= 1e-4F * size;
+/// True if the corners, where there are any, are those of a parallelogram: two triangles show it as
+/// it is.
+template <typename Vector>
+bool is_parallelogram(const std::vector<Vector>& p, const Patch& patch) {
+  if (p.empty()) return true;
+  const Vector twist = p[patch[0]] - p[patch[1]] - p[patch[2]] + p[patch[3]];
+  const float size = (p[patch[3]] - p[patch[0]]).length() + (p[patch[2]] - p[patch[1]]).length();
+  return twist.length() <= 1e-4F * size;
 }
 
 std::vector<Patch> patches_of(const SourceLocation& where, const ParameterList& p,
@@ -90,7 +93,10 @@ BilinearMesh read_bilinear_mesh(const SourceLocation& where, const ParameterList
   }
   const std::vector<Patch> patches = patches_of(where, p, vertices);
   bool flat = true;
-  for (const Patch& patch : patches) flat = flat && is_parallelogram(corners.positions, patch);
+  for (const Patch& patch : patches) {
+    flat = flat && is_parallelogram(corners.positions, patch) &&
+           is_parallelogram(corners.normals, patch) && is_parallelogram(corners.uvs, patch);
+  }
   const unsigned steps = flat ? 1 : kSteps;
   BilinearMesh result;
   result.triangles_per_patch = std::size_t{2} * steps * steps;

@@ -43,6 +43,17 @@ void fail_unknown(const SourceLocation& where, std::string_view what, std::strin
   throw SceneError(where, unknown_name_message(what, printable(name), valid));
 }
 
+void warn_of_unknown_name(const Context& context, const WarningKind& kind,
+                          const SourceLocation& where, std::string_view what,
+                          const std::string& name, const std::vector<std::string>& valid,
+                          std::string_view stand_in) {
+  const char* order = context.is_v4() ? ". It must be made before it is named" : "";
+  context.warnings.add(
+      kind, where,
+      unknown_name_message(what, printable(name), valid) + order + ". " + std::string(stand_in),
+      printable(name));
+}
+
 std::string resolve_file(Context& context, const SourceLocation& where, const std::string& name) {
   try {
     return context.files.resolve(name);

@@ -40,6 +40,12 @@ void report_unknown(const Context& context, const SourceLocation& where, std::st
 void warn_of_same_name(const Context& context, const SourceLocation& where, std::string_view what,
                        std::string_view name);
 
+/// Warns of a name that nothing has that was made before; `stand_in` as for `report_unknown`.
+void warn_of_unknown_name(const Context& context, const WarningKind& kind,
+                          const SourceLocation& where, std::string_view what,
+                          const std::string& name, const std::vector<std::string>& valid,
+                          std::string_view stand_in);
+
 /// The error for a word that no version of pbrt has in this place.
 [[noreturn]] void fail_unknown(const SourceLocation& where, std::string_view what,
                                std::string_view name, const std::vector<std::string>& valid);

@@ -67,8 +67,7 @@ constexpr std::array<Word, 43> kTypes = {{{"matte", Dialect::V3},
                                           {"zsobol", Dialect::V4},
                                           {"spherical", Dialect::V4},
                                           {"bilinearmesh", Dialect::V4},
-                                          {"directionmix", Dialect::V4},
-                                          {"ptex", Dialect::V4}}};
+                                          {"directionmix", Dialect::V4}}};
 /// Words that both versions have, but not behind the same directives.
 struct Typed {
   std::string_view directive, word;

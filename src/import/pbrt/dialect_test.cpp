@@ -43,7 +43,9 @@ TEST(PbrtDialect, TheFirstNameThatOneVersionHasDecidesWithoutDirectives) {
   EXPECT_EQ(told("PixelFilter \"box\" \"float xradius\" 1").dialect, Dialect::V4);
   EXPECT_EQ(told("PixelFilter \"box\" \"float xwidth\" 1").dialect, Dialect::V3);
   EXPECT_EQ(told("WorldBegin Shape \"bilinearmesh\"").dialect, Dialect::V4);
-  EXPECT_EQ(told("WorldBegin Texture \"a\" \"spectrum\" \"ptex\"").dialect, Dialect::V4);
+  EXPECT_EQ(told("WorldBegin Texture \"a\" \"spectrum\" \"directionmix\"").dialect, Dialect::V4);
+  // Both have this one.
+  EXPECT_EQ(told("WorldBegin Texture \"a\" \"spectrum\" \"ptex\"").word, "");
 }
 
 TEST(PbrtDialect, NamesThatAuthorsChooseDecideNothing) {

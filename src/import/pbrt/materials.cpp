@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "import/common/opacity.h"
+#include "import/common/relief_of_mix.h"
 #include "import/pbrt/material_names.h"
 #include "import/pbrt/named_spectra.h"
 #include "import/pbrt/node_reader.h"
@@ -15,6 +16,8 @@ namespace {
 
 constexpr WarningKind kUnknownMaterial{Effect::Surface,
                                        "materials are unknown: matte ones stand in"};
+constexpr WarningKind kUnknownName{Effect::Surface,
+                                   "materials are named that were not made: matte ones stand in"};
 constexpr WarningKind kNoMediumInCoat{
     Effect::Surface, "coated materials have an \"albedo\" in their coat, which is not supported"};
 constexpr WarningKind kNoDisneySubsurface{
@@ -92,8 +95,9 @@ desc::NormalMap read_normal_map(const SourceLocation& where, const TextureParame
   if (p.context().is_v4()) {
     const std::optional<std::string> file = p.text("normalmap");
     if (!file || file->empty()) return {};
-    const desc::Node image = desc::texture_node(
-        "image", {{"file", resolve_file(p.context(), where, *file)}, {"decode_srgb", false}});
+    const desc::Node image =
+        desc::texture_node("image", {{"file", resolve_file(p.context(), where, *file)},
+                                     {"decode_srgb", !obeys_encoding(*file)}});
     return {.texture = textures.add(where, image), .right_handed = true};
   }
   const std::optional<desc::Value> normals = p.find_spectrum("normal_map");
@@ -111,7 +115,7 @@ bool can_have_relief(const desc::Node& node) { return !node.is("interface") && !
 
 desc::MaterialId MaterialTable::part(const SourceLocation& where, const std::string& type,
                                      std::string_view parameter,
-                                     const TextureParameters& parameters) const {
+                                     const TextureParameters& parameters) {
   const std::optional<std::string> name = parameters.text(parameter);
   if (!name) {
     throw SceneError(where,
@@ -121,11 +125,13 @@ desc::MaterialId MaterialTable::part(const SourceLocation& where, const std::str
 }
 
 desc::Node MaterialTable::make_mix(const SourceLocation& where,
-                                   const TextureParameters& parameters) const {
+                                   const TextureParameters& parameters) {
   const std::vector<std::string> names = parameters.texts("materials");
   if (names.size() != 2) {
     throw SceneError(where, "a mix material needs \"string materials\" with two names");
   }
+  check_relief_of_mix(context_.scene, named(where, names[1])->id, named(where, names[0])->id, where,
+                      context_.warnings);
   const desc::Model& mix = *desc::find_model(desc::ModelKind::Material, "mix");
   return NodeReader(where, parameters)
       .with_numbers_for_colors(true)
@@ -137,7 +143,7 @@ desc::Node MaterialTable::make_mix(const SourceLocation& where,
 }
 
 desc::Node MaterialTable::make_node(const SourceLocation& where, const std::string& type,
-                                    const TextureParameters& parameters) const {
+                                    const TextureParameters& parameters) {
   const Dialect dialect = context_.choice.dialect;
   const std::vector<ModelName>& table = material_names(dialect);
   if (std::optional<desc::Node> stand_in = make_stand_in(where, type, parameters)) return *stand_in;
@@ -175,6 +181,8 @@ desc::MaterialId MaterialTable::build(const SourceLocation& where, const std::st
       material.bump = std::get<desc::TextureRef>(*bump).id;
     }
     material.normal_map = read_normal_map(where, parameters, textures_);
+    // Of pbrt-v4's two kinds of relief the normals count.
+    if (context_.is_v4() && material.normal_map.texture != desc::kNone) material.bump = desc::kNone;
   }
   context_.scene.materials.push_back(std::move(material));
   return static_cast<desc::MaterialId>(context_.scene.materials.size()) - 1;
@@ -198,18 +206,22 @@ void MaterialTable::make_named(const SourceLocation& where, const std::string& n
   names_.set(name, make(where, *type, std::move(parameters), name));
 }
 
-MaterialPointer MaterialTable::named(const SourceLocation& where, const std::string& name) const {
+MaterialPointer MaterialTable::named(const SourceLocation& where, const std::string& name) {
   if (const MaterialPointer* found = names_.find(name)) return *found;
-  throw SceneError(where, unknown_name_message("named material", name, names_.names()));
+  warn_of_unknown_name(context_, kUnknownName, where, "named material", name, names_.names(),
+                       "A matte one stands in");
+  return default_material(where);
+}
+
+MaterialPointer MaterialTable::default_material(const SourceLocation& where) {
+  const char* type = context_.is_v4() ? "diffuse" : "matte";
+  if (!default_) default_ = make(where, type, std::make_shared<const ParameterList>());
+  return default_;
 }
 
 desc::MaterialId MaterialTable::for_shape(const SourceLocation& where, MaterialPointer current,
                                           const ParameterList& shape) {
-  if (!current) {
-    const char* type = context_.is_v4() ? "diffuse" : "matte";
-    if (!default_) default_ = make(where, type, std::make_shared<const ParameterList>());
-    current = default_;
-  }
+  if (!current) current = default_material(where);
   if (context_.is_v4() || shape.all_used()) return current->id;
   const std::size_t used = shape.used_count();
   const desc::MaterialId variant =

@@ -29,8 +29,8 @@ class MaterialTable {
   /// `MakeNamedMaterial "name" "string type" … `.
   void make_named(const SourceLocation& where, const std::string& name,
                   std::shared_ptr<const ParameterList> parameters);
-  /// Raises SceneError for unknown names.
-  MaterialPointer named(const SourceLocation& where, const std::string& name) const;
+  /// For a name that no material has yet, after a warning, pbrt's default.
+  MaterialPointer named(const SourceLocation& where, const std::string& name);
   /// Material of a shape: `current` (null: pbrt's default, matte), or a variant of it if the
   /// shape's parameters override some.
   desc::MaterialId for_shape(const SourceLocation& where, MaterialPointer current,
@@ -45,15 +45,16 @@ class MaterialTable {
   }
 
  private:
+  MaterialPointer default_material(const SourceLocation& where);
   desc::MaterialId build(const SourceLocation& where, const std::string& type,
                          const std::string& name, const TextureParameters& parameters);
   desc::Node make_node(const SourceLocation& where, const std::string& type,
-                       const TextureParameters& parameters) const;
+                       const TextureParameters& parameters);
   /// pbrt-v4's mix.
-  desc::Node make_mix(const SourceLocation& where, const TextureParameters& parameters) const;
+  desc::Node make_mix(const SourceLocation& where, const TextureParameters& parameters);
   /// The part of a mix that a parameter names.
   desc::MaterialId part(const SourceLocation& where, const std::string& type,
-                        std::string_view parameter, const TextureParameters& parameters) const;
+                        std::string_view parameter, const TextureParameters& parameters);
 
   Context& context_;
   TextureTable& textures_;

@@ -141,9 +141,13 @@ TEST(PbrtMaterials, NamedOnesAreScopedAndMixed) {
     EXPECT_TRUE(s.materials.at(static_cast<std::size_t>(mix.material(part))).node.is("mirror"));
   }
   EXPECT_EQ(mix.color("amount"), desc::Rgb(0.5F));
-  EXPECT_TRUE(contains(error_of("WorldBegin MakeNamedMaterial \"glas\" \"string type\" \"glass\" "
-                                "NamedMaterial \"glass\""),
+  const std::string misspelt =
+      "MakeNamedMaterial \"glas\" \"string type\" \"glass\" NamedMaterial \"glass\"";
+  EXPECT_TRUE(contains(warnings_of(world(misspelt)),
                        "unknown named material \"glass\"; did you mean \"glas\"?"));
+  Warnings warnings;
+  const desc::SceneDesc unknown = import_with(world(misspelt), warnings);
+  EXPECT_EQ(material_node_of(unknown, unknown.shapes.at(0)), desc::material_node("diffuse"));
   EXPECT_TRUE(contains(error_of("WorldBegin MakeNamedMaterial \"x\""), "needs \"string type\""));
   EXPECT_TRUE(contains(error_of("WorldBegin Material \"mix\""),
                        "a mix material needs \"string namedmaterial1\""));
@@ -246,6 +250,17 @@ TEST(PbrtTextures, HaveTheDefaultsOfPbrt) {
   EXPECT_EQ(texture_of("Texture \"t\" \"float\" \"constant\"").color("value"), desc::Rgb(1.F));
 }
 
+TEST(PbrtTextures, PtexIsGrayWithAWarning) {
+  const std::string body =
+      "Texture \"t\" \"color\" \"ptex\" \"string filename\" \"a.ptx\" Material \"matte\" \"texture "
+      "Kd\" \"t\"";
+  EXPECT_TRUE(
+      contains(warnings_of(world(body)), "ptex textures are not supported: grey stands in"));
+  Warnings warnings;
+  const desc::SceneDesc scene = import_with(world(body), warnings);
+  EXPECT_EQ(scene.textures.at(0).node.get("value"), desc::Value(Vec3(0.5F)));
+}
+
 TEST(PbrtTextures, OfOtherTypesAndValuesAreErrors) {
   EXPECT_TRUE(contains(error_of(world("Texture \"t\" \"float\" \"marbel\"")),
                        "2:1: unknown texture \"marbel\"; did you mean \"marble\"?"));
@@ -319,7 +334,7 @@ TEST(PbrtTextures, FloatAndSpectrumOnesAreDifferentEvenOfOneName) {
       warnings_of(
           world("Texture \"f\" \"float\" \"constant\" Material \"matte\" \"texture Kd\" \"f\"")),
       "needs a spectrum texture"));
-  EXPECT_TRUE(contains(error_of(world("Material \"matte\" \"texture Kd\" \"none\"")),
+  EXPECT_TRUE(contains(warnings_of(world("Material \"matte\" \"texture Kd\" \"none\"")),
                        "2:18: unknown spectrum texture \"none\""));
 }
 
@@ -327,7 +342,7 @@ TEST(PbrtTextures, EndWithTheirScope) {
   const std::string inner =
       "AttributeBegin Texture \"t\" \"float\" \"constant\" AttributeEnd Material \"matte\" "
       "\"texture sigma\" \"t\"";
-  EXPECT_TRUE(contains(error_of(world(inner)), "unknown float texture"));
+  EXPECT_TRUE(contains(warnings_of(world(inner)), "unknown float texture"));
   const desc::SceneDesc s =
       scene_of("Texture \"t\" \"float\" \"constant\" \"float value\" 3 " + inner);
   expect_rgb(constant(s, s.materials[0].node.texture("sigma")), desc::Rgb(3.F));

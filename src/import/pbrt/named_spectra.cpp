@@ -12,14 +12,18 @@ struct Glass {
   std::string_view name;
   float index;
 };
-/// n at 587.6 nm. Source: Schott, optical glass data sheets.
-constexpr std::array<Glass, 7> kGlasses = {{{"BK7", 1.5168F},
-                                            {"BAF10", 1.67003F},
-                                            {"FK51A", 1.48656F},
-                                            {"LASF9", 1.85025F},
-                                            {"SF5", 1.67271F},
-                                            {"SF10", 1.72828F},
-                                            {"SF11", 1.78472F}}};
+/// n at 587.6 nm. Source: Schott, optical glass data sheets. Three of the dense flints have a name
+/// in pbrt-v4 without the S of the manufacturer's.
+constexpr std::array<Glass, 10> kGlasses = {{{"BK7", 1.5168F},
+                                             {"BAF10", 1.67003F},
+                                             {"FK51A", 1.48656F},
+                                             {"LASF9", 1.85025F},
+                                             {"SF5", 1.67271F},
+                                             {"SF10", 1.72828F},
+                                             {"SF11", 1.78472F},
+                                             {"F5", 1.67271F},
+                                             {"F10", 1.72828F},
+                                             {"F11", 1.78472F}}};
 
 /// Substances beside the measured metals. Sources: Querry 1985 (brass of 70 % copper); Stephens and
 /// Malitson 1952 (magnesia), Devore 1951 (rutile, ordinary ray), at 611, 549 and 464 nm.

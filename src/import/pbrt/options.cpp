@@ -22,10 +22,17 @@ constexpr WarningKind kUnknownSampler{Effect::None, "samplers are unknown: other
 constexpr WarningKind kSampleCount{Effect::Slight, "numbers of samples are below 1 and ignored"};
 constexpr WarningKind kUnknownIntegrator{Effect::Slight,
                                          "integrators are unknown: others stand in"};
+constexpr WarningKind kDirectOnly{
+    Effect::Light, "integrators leave out light that diffuse surfaces pass on: it is shown"};
+constexpr WarningKind kNoMedia{Effect::Light,
+                               "integrators leave out media, which the scene has: they are shown"};
 constexpr WarningKind kRegularize{Effect::Slight,
                                   "integrators make materials rougher, which is not supported"};
 constexpr WarningKind kPixelBounds{Effect::Slight,
                                    "integrators have \"pixelbounds\", which is not supported"};
+
+/// Where a file does not say "maxdepth", or has no Integrator.
+constexpr int kDefaultBounces = 5;
 
 /// Those that ours stands for. "ao" and "function" of pbrt-v4 are none of them.
 const std::vector<std::string>& path_tracers(Dialect dialect) {
@@ -34,6 +41,9 @@ const std::vector<std::string>& path_tracers(Dialect dialect) {
                                                  "simplevolpath", "randomwalk", "lightpath"};
   return dialect == Dialect::V3 ? kOfV3 : kOfV4;
 }
+
+/// pbrt counts bounces, we count edges.
+int edges_of(int bounces) { return bounces + 1; }
 
 std::optional<desc::ScreenWindow> screen_window(const ParameterList& p) {
   const Parameter* window = p.find("screenwindow", ParameterKind::Float);
@@ -135,6 +145,10 @@ CameraOptions make_camera(Context& context, const SourceLocation& where, const s
   return result;
 }
 
+void apply_no_integrator(Context& context) {
+  context.scene.hints.max_depth = edges_of(kDefaultBounces);
+}
+
 void apply_sampler(Context& context, const SourceLocation& where, const std::string& type,
                    const ParameterList& p) {
   desc::RenderHints& hints = context.scene.hints;
@@ -211,11 +225,16 @@ void apply_integrator(Context& context, const SourceLocation& where, const std::
         kUnknownIntegrator, where,
         unknown_message(context.choice, "integrator", type, valid) + ". Another stands in");
   }
-  // pbrt counts bounces, we count edges.
-  const int depth = p.get_int("maxdepth", 5);
+  if (type == "directlighting" || type == "whitted") {
+    context.warnings.add(kDirectOnly, where,
+                         "\"" + type +
+                             "\" of pbrt-v3 leaves out light that diffuse surfaces pass "
+                             "on: here it is shown");
+  }
+  const int depth = p.get_int("maxdepth", kDefaultBounces);
   if (depth < 0 || depth > 1000000)
     throw SceneError(where, "\"maxdepth\" of " + std::to_string(depth) + " makes no sense");
-  hints.max_depth = depth + 1;
+  hints.max_depth = edges_of(depth);
   if (p.find("pixelbounds", ParameterKind::Integer) != nullptr) {
     context.warnings.add(kPixelBounds, where,
                          "\"pixelbounds\" is not supported: use the crop window of the film");
@@ -228,6 +247,20 @@ void apply_integrator(Context& context, const SourceLocation& where, const std::
             "visualizeweights", "imagewritefrequency", "quickrender", "lightsampler",
             "samplelights", "samplebsdf", "seed", "cossample", "maxdistance"});
   p.report_unused(context.warnings);
+}
+
+void check_media(Context& context, const SourceLocation& where, const std::string& type) {
+  // Those of pbrt that know media; "" is the one of pbrt-v3 or pbrt-v4 where a file names none.
+  static const std::vector<std::string> kOfV3 = {"volpath", "bdpt", "mlt"};
+  static const std::vector<std::string> kOfV4 = {"",     "volpath", "simplevolpath",
+                                                 "bdpt", "mlt",     "lightpath"};
+  const std::vector<std::string>& know = context.is_v4() ? kOfV4 : kOfV3;
+  if (context.scene.media.empty() || std::find(know.begin(), know.end(), type) != know.end())
+    return;
+  context.warnings.add(
+      kNoMedia, where,
+      "\"" + (type.empty() ? "path" : printable(type)) +
+          "\" of pbrt leaves out media, of which this scene has some: here they are shown");
 }
 
 }  // namespace ajar::pbrt

@@ -99,7 +99,7 @@ TEST(PbrtOptions, AbsurdOnesAreLocatedErrors) {
 
 TEST(PbrtHints, MapIntegratorsToOurs) {
   EXPECT_EQ(with_options("").hints.integrator, "");
-  EXPECT_FALSE(with_options("").hints.max_depth);
+  EXPECT_EQ(with_options("").hints.max_depth, 6);
   const desc::RenderHints path =
       with_options("Integrator \"path\" \"integer maxdepth\" 65 \"float rrthreshold\" 1").hints;
   EXPECT_EQ(path.integrator, "pt");
@@ -119,6 +119,24 @@ TEST(PbrtHints, MapIntegratorsToOurs) {
   EXPECT_EQ(with_options("Integrator \"sppm\" \"integer numiterations\" 77 \"float radius\" .1")
                 .hints.samples_per_pixel,
             77);
+}
+
+TEST(PbrtHints, WarnOfLightThatTheirIntegratorsLeaveOut) {
+  const auto warnings = [](const std::string& options, const std::string& medium = "") {
+    return warnings_of(options + " Camera \"perspective\" WorldBegin " + medium +
+                       " Shape \"sphere\" WorldEnd");
+  };
+  const std::string fog = "MakeNamedMedium \"fog\" \"string type\" \"homogeneous\"";
+  EXPECT_TRUE(contains(warnings("Integrator \"whitted\""),
+                       "\"whitted\" of pbrt-v3 leaves out light that diffuse surfaces pass on"));
+  EXPECT_TRUE(contains(warnings("Integrator \"path\"", fog),
+                       "test.pbrt:1:1: \"path\" of pbrt leaves out media"));
+  EXPECT_TRUE(contains(warnings("", fog), "\"path\" of pbrt leaves out media"));
+  EXPECT_EQ(warnings("Integrator \"volpath\"", fog), "");
+  EXPECT_EQ(warnings("Integrator \"path\""), "");
+  EXPECT_EQ(
+      warnings_of("Film \"rgb\" Camera \"perspective\" WorldBegin " + fog + " Shape \"sphere\""),
+      "");
 }
 
 TEST(PbrtHints, MapSamplersToOurs) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 
 #include "import/common/printable.h"
 #include "import/mesh/gzip.h"
@@ -13,6 +14,7 @@ constexpr WarningKind kAccelerator{Effect::None, "accelerators are unknown: igno
 constexpr WarningKind kUnknownDirective{Effect::Surface, "directives are unknown and skipped"};
 constexpr WarningKind kUnknownType{Effect::Surface, "parameters are of unknown types and ignored"};
 constexpr WarningKind kAfterEnd{Effect::Slight, "files go on after WorldEnd, which is ignored"};
+constexpr WarningKind kNoInclude{Effect::Geometry, "files to include are missing: left out"};
 constexpr WarningKind kLeftOver{Effect::Slight,
                                 "parameters have numbers left over, which are ignored"};
 
@@ -307,6 +309,15 @@ bool Parser::thing_directive(Lexer& lexer, const Token& token, const SourceLocat
   return true;
 }
 
+bool Parser::is_missing(const std::string& included) const {
+  try {
+    const std::string path = files_.resolve(included);
+    return !files_.exists(path) && !std::filesystem::exists(std::filesystem::symlink_status(path));
+  } catch (const std::runtime_error&) {
+    return false;  // `open` says what is the matter
+  }
+}
+
 Parser::OpenFile Parser::open(const std::string& included, const SourceLocation& where) {
   if (open_files_.size() >= kDeepestInclude)
     throw SceneError(where, "files include each other too deeply");
@@ -335,6 +346,13 @@ Parser::OpenFile Parser::open(const std::string& included, const SourceLocation&
 
 void Parser::include(Lexer& lexer, const SourceLocation& where) {
   const std::string included = name(lexer, {TokenKind::Word, "Include", 0, 0});
+  if (is_missing(included)) {
+    warnings_.add(
+        kNoInclude, where,
+        "\"" + printable(included) + "\" is not there: what it should include is left out",
+        printable(included));
+    return;
+  }
   const OpenFile file = open(included, where);
   parse(file.text(), file.name, file.path);
 }
@@ -386,7 +404,9 @@ bool Parser::read_included_parameters(Lexer& lexer, ParameterList& list, std::si
   Lexer ahead = lexer;
   const SourceLocation where = ahead.where(ahead.next());
   if (ahead.peek().kind != TokenKind::String) return false;
-  OpenFile file = open(ahead.string_value(ahead.next()), where);
+  const std::string included = ahead.string_value(ahead.next());
+  if (is_missing(included)) return false;  // directives: for the Include itself
+  OpenFile file = open(included, where);
   Lexer inner(std::make_shared<const std::string>(file.name), file.text());
   if (inner.peek().kind != TokenKind::String) {
     peeked_ = std::move(file);  // directives: for the Include itself

@@ -42,6 +42,7 @@ class Parser {
     std::string_view text() const { return decompressed.empty() ? bytes.view() : decompressed; }
   };
   OpenFile open(const std::string& included, const SourceLocation& where);
+  bool is_missing(const std::string& included) const;
   /// Skips what belongs to a directive that pbrt-v4 does not have.
   void skip_directive(Lexer& lexer);
 

@@ -183,14 +183,15 @@ class Writer {
     static const std::map<std::string, std::string> kNames = {
         {"", "path"}, {"pt", "path"}, {"bdpt", "bdpt"}, {"mmlt", "mlt"}, {"sppm", "sppm"}};
     const auto name = kNames.find(hints.integrator);
-    if (hints.integrator.empty() && !hints.max_depth) return;
     const bool has_media =
         !scene_.media.empty() && (name == kNames.end() || name->second == "path");
     out_.line("Integrator")
         .quoted(has_media              ? "volpath"
                 : name == kNames.end() ? "path"
                                        : name->second);
-    if (hints.max_depth) out_.parameter("integer maxdepth", *hints.max_depth - 1);
+    // Always: readers of the format stop after few bounces where a file says nothing.
+    out_.parameter("integer maxdepth",
+                   hints.max_depth.value_or(desc::RenderHints::kDefaultMaxDepth) - 1);
     if (name == kNames.end()) return;
     for (const auto& [parameter, value] : hints.parameters) {
       const bool is_float =

@@ -90,6 +90,17 @@ TEST(PbrtWriter, WhatItWritesReadsBackAsTheSameScene) {
   EXPECT_EQ(back.lights[3].node.text("image"), (folder.path() / "scene/sky.exr").string());
 }
 
+TEST(PbrtWriter, WritesADepthWhereASceneSaysNone) {
+  const TemporaryFolder folder;
+  const std::string file = (folder.path() / "scene.pbrt").string();
+  desc::SceneDesc scene;
+  scene.shapes.emplace_back().node = desc::shape_node("sphere");
+  write_pbrt(scene, file);
+  Warnings warnings;
+  // Without it, readers would stop after five bounces.
+  EXPECT_EQ(import_pbrt(file, warnings).hints.max_depth, desc::RenderHints::kDefaultMaxDepth);
+}
+
 /// A scene with a medium, there and back.
 desc::Medium written_and_read(const desc::Medium& medium) {
   const TemporaryFolder folder;

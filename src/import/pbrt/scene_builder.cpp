@@ -31,6 +31,10 @@ constexpr WarningKind kInstanceLeftOut{
     Effect::Geometry, "instances are left out: their transforms cannot be inverted"};
 constexpr WarningKind kShapeLeftOut{Effect::Geometry,
                                     "shapes are left out: their transforms cannot be inverted"};
+constexpr WarningKind kUnknownObject{Effect::Geometry,
+                                     "instances of objects that were not made are left out"};
+constexpr WarningKind kUnknownMedium{Effect::Surface,
+                                     "media are named that were not made: there are none"};
 constexpr WarningKind kInstancedLight{
     Effect::Light, "shapes of objects cannot be lights: their emission is left out"};
 constexpr WarningKind kNoEnd{Effect::Geometry, "files have no WorldEnd"};
@@ -109,7 +113,9 @@ void SceneBuilder::sampler(const SourceLocation& where, const std::string& type,
 
 void SceneBuilder::integrator(const SourceLocation& where, const std::string& type,
                               const ParameterList& parameters) {
-  if (in_options(where, "Integrator")) apply_integrator(context_, where, type, parameters);
+  if (!in_options(where, "Integrator")) return;
+  apply_integrator(context_, where, type, parameters);
+  integrator_ = {type, where};
 }
 
 // ---------------------------------------------------------------- pbrt-v4
@@ -156,8 +162,7 @@ void SceneBuilder::color_space(const SourceLocation& where, const std::string& n
 
 void SceneBuilder::option(const SourceLocation& where, const SourceLocation& place,
                           const std::string& name, bool is_on) {
-  static const std::vector<std::string> kWithoutEffect = {"disablepixeljitter",
-                                                          "disabletexturefiltering",
+  static const std::vector<std::string> kWithoutEffect = {"disabletexturefiltering",
                                                           "disablewavelengthjitter",
                                                           "displacementedgescale",
                                                           "msereferenceimage",
@@ -167,9 +172,9 @@ void SceneBuilder::option(const SourceLocation& where, const SourceLocation& pla
                                                           "seed",
                                                           "wavefront"};
   if (!in_options(where, "Option")) return;
-  if (name == "forcediffuse") {
+  if (name == "forcediffuse" || name == "disablepixeljitter") {
     if (!is_on) return;
-    warnings_.add(kOption, place, "the option \"forcediffuse\" is not supported: ignored");
+    warnings_.add(kOption, place, "the option \"" + name + "\" is not supported: ignored", name);
     return;
   }
   if (std::find(kWithoutEffect.begin(), kWithoutEffect.end(), name) == kWithoutEffect.end()) {
@@ -220,7 +225,8 @@ void SceneBuilder::world_end(const SourceLocation& where) {
 void SceneBuilder::open(Scope kind, const SourceLocation& where) {
   if (scopes_.size() >= kDeepestNesting) throw SceneError(where, "blocks are nested too deeply");
   transforms_.push();
-  if (kind == Scope::Transform) {
+  // In pbrt-v4 such a block is one of attributes.
+  if (kind == Scope::Transform && !context_.is_v4()) {
     scopes_.push_back({kind, where, std::nullopt});
     return;
   }
@@ -287,7 +293,8 @@ void SceneBuilder::object_instance(const SourceLocation& where, const std::strin
   if (found == objects_.end()) {
     std::vector<std::string> valid;
     for (const auto& entry : objects_) valid.push_back(entry.first);
-    throw SceneError(where, unknown_name_message("object", name, valid));
+    return warn_of_unknown_name(context_, kUnknownObject, where, "object", name, valid,
+                                "The instance is left out");
   }
   const Mat4& to_world = transforms_.get(where, warnings_);
   if (!inverse(to_world)) {
@@ -346,13 +353,15 @@ void SceneBuilder::medium_interface(const SourceLocation& where, const std::stri
   state_.media_where = where;
 }
 
-desc::MediumId SceneBuilder::medium_id(const std::string& name) const {
+desc::MediumId SceneBuilder::medium_id(const std::string& name) {
   if (name.empty()) return desc::kNone;
   const auto found = media_.find(name);
   if (found != media_.end()) return found->second;
   std::vector<std::string> valid;
   for (const auto& entry : media_) valid.push_back(entry.first);
-  throw SceneError(state_.media_where, unknown_name_message("medium", name, valid));
+  warn_of_unknown_name(context_, kUnknownMedium, state_.media_where, "medium", name, valid,
+                       "There is none in its place");
+  return desc::kNone;
 }
 
 // ---------------------------------------------------------------- lights and shapes
@@ -415,9 +424,10 @@ void SceneBuilder::show_hidden_lamp(desc::Shape& shape) {
   warnings_.add(kHiddenLamp, shape.where,
                 "with \"alpha\" 0 this lamp shines but is not seen in pbrt-v4: here it is seen");
   shape.alpha = desc::kNone;
+  // What is nothing but a boundary between media cannot shine.
   desc::Material& clear = scene_.materials.emplace_back();
   clear.where = shape.where;
-  clear.node = desc::material_node("interface");
+  clear.node = clear_material();
   shape.material = static_cast<desc::MaterialId>(scene_.materials.size()) - 1;
 }
 
@@ -504,6 +514,9 @@ desc::SceneDesc SceneBuilder::finish(const SourceLocation& end) {
     scene_.camera.where = end;
   }
   if (!scene_.film.where.file) scene_.film.where = end;
+  if (!integrator_) apply_no_integrator(context_);
+  const auto& [integrator, integrator_where] = integrator_.value_or(std::pair(std::string(), end));
+  check_media(context_, integrator_where, integrator);
   // pbrt-v3 makes the camera at WorldEnd: the medium around it is what is set outside at the top
   // level there.
   scene_.camera.medium = medium_id(context_.is_v4() ? camera_medium_ : state_.outside);

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "core/warnings.h"
@@ -127,7 +128,8 @@ class SceneBuilder {
   /// Ends the blocks, each with a warning, that are open in the innermost one of the kind `until`;
   /// all, if that is nothing.
   void close_open_blocks(std::optional<Scope> until);
-  desc::MediumId medium_id(const std::string& name) const;
+  /// None for "", and, after a warning, for a name that no medium has yet.
+  desc::MediumId medium_id(const std::string& name);
   desc::TextureId alpha(const ParameterList& parameters, std::string_view name);
   void emit(const SourceLocation& where, desc::Shape& shape);
   /// pbrt-v4: of a shape with an "alpha" that is not 0 or 1 everywhere, the rest lets light pass.
@@ -153,6 +155,7 @@ class SceneBuilder {
   std::map<std::string, desc::ObjectId> objects_;
   desc::ObjectId open_object_ = desc::kNone;
   std::optional<CameraOptions> camera_;
+  std::optional<std::pair<std::string, SourceLocation>> integrator_;  ///< its type
   std::string camera_medium_;  ///< pbrt-v4: outside, where the camera is made
   std::vector<Powered> powered_;
   /// By the material, and the texture or the number of their opacity.

@@ -44,6 +44,7 @@ const std::vector<ModelName>& texture_names(Dialect dialect) {
         name.parameters = mapped({{"file", {"filename"}},
                                   {"decode_srgb", {}},
                                   {"decoding_exponent", {}},
+                                  {"clamp", {}},
                                   {"filter", {}}});
       } else if (name.theirs == "scale") {
         name.parameters = {{"first", {"tex"}}, {"second", {}}};

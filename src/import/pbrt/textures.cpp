@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/file_extension.h"
 #include "import/common/printable.h"
 #include "import/common/transforms.h"
 #include "import/pbrt/lexer.h"
@@ -20,6 +21,8 @@ constexpr WarningKind kUnknownEncoding{Effect::Surface,
                                        "image textures have unknown encodings: sRGB stands in"};
 constexpr WarningKind kNoDispersion{
     Effect::Slight, "indices of refraction depend on the wavelength, which is not supported"};
+constexpr WarningKind kUnknownName{Effect::Surface,
+                                   "textures are named that were not made: defaults stand in"};
 constexpr WarningKind kOtherKind{
     Effect::Surface, "textures are used where those of another kind belong, and ignored"};
 
@@ -70,6 +73,7 @@ void set_place(const Context& context, desc::Node& node, const SourceLocation& w
   const std::string& mapping = node.text("mapping");
   if (mapping == "planar" && context.is_v4()) return move_plane(node, where, ctm);
   if (mapping != "spherical" && mapping != "cylindrical") return;
+  if (mapping == "cylindrical" && context.is_v4()) node.set("height", std::string("place"));
   node.set(kPlace, std::make_shared<const Mat4>(inverse_place(where, ctm)));
 }
 
@@ -105,7 +109,15 @@ void finish_image(const Context& context, const SourceLocation& where,
     const bool is_first = filter == "point" || filter == "ewa";
     image.set("channel", is_first ? "red" : "varying_alpha_or_mean");
   }
-  set_encoding(context, where, image, parameters.get_string("encoding", "sRGB"));
+  const std::string encoding = parameters.get_string("encoding", "sRGB");
+  if (obeys_encoding(image.text("file"))) {
+    set_encoding(context, where, image, encoding);
+  } else if (is_float && image.text("channel") == "varying_alpha_or_mean") {
+    image.set("channel", std::string("mean"));
+  }
+  // Whatever light a colour lets through or returns is at most all of it. Only a scale, or a file
+  // of floats, has more.
+  if (!is_float) image.set("clamp", true);
   if (parameters.get_string("filter", "bilinear") == "point") {
     image.set("filter", std::string("nearest"));
   }
@@ -120,6 +132,12 @@ void finish_product(const TextureParameters& lookup, desc::Node& product) {
 }
 
 }  // namespace
+
+bool obeys_encoding(const std::string& file) {
+  const std::string extension = file_extension(file);
+  return extension != ".jpg" && extension != ".jpeg" && extension != ".tga" &&
+         extension != ".bmp" && extension != ".gif";
+}
 
 desc::TextureId TextureTable::zero() {
   if (zero_ == desc::kNone) {
@@ -148,9 +166,11 @@ void TextureTable::define(const SourceLocation& where, const std::string& name,
     names_of_class.set(name, static_cast<desc::TextureId>(context_.scene.textures.size()));
     context_.scene.textures.push_back({name, where, std::move(node)});
   };
-  if (context_.is_v4() && type == "ptex") {
+  if (type == "ptex") {
     context_.warnings.add(kUnsupported, where, "ptex textures are not supported: grey stands in",
                           name);
+    parameters.accept({"filename", "gamma", "encoding", "scale"});
+    parameters.report_unused(context_.warnings);
     return define_as(desc::texture_node("constant", {{"value", Vec3(0.5F)}}));
   }
   if (context_.is_v4() && type == "directionmix") {
@@ -194,9 +214,10 @@ std::optional<desc::TextureId> TextureTable::find(const Parameter& reference,
                           printable(name));
     return std::nullopt;
   }
-  throw SceneError(reference.where,
-                   unknown_name_message(is_float ? "float texture" : "spectrum texture",
-                                        printable(name), (is_float ? floats_ : spectra_).names()));
+  warn_of_unknown_name(context_, kUnknownName, reference.where,
+                       is_float ? "float texture" : "spectrum texture", name,
+                       (is_float ? floats_ : spectra_).names(), "The default stands in");
+  return std::nullopt;
 }
 
 desc::TextureId TextureTable::add(const SourceLocation& where, desc::Node node) {

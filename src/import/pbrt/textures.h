@@ -12,6 +12,10 @@ namespace ajar::pbrt {
 /// pbrt keeps textures of numbers and of colours apart, even under the same name.
 enum class TextureClass { Float, Spectrum };
 
+/// Whether pbrt-v4 reads an image of this name as its encoding says. The formats that it leaves to
+/// a library are three channels of sRGB in any case.
+bool obeys_encoding(const std::string& file);
+
 /// The textures of the scene, and their names in the current scope.
 class TextureTable {
  public:
@@ -24,8 +28,8 @@ class TextureTable {
   void define(const SourceLocation& where, const std::string& name,
               const std::string& texture_class, const std::string& type,
               const ParameterList& parameters, const Mat4& ctm);
-  /// The texture that a parameter names. Raises SceneError if there is none of this name; empty,
-  /// after a warning, if there is one of the other class only.
+  /// The texture that a parameter names; empty, after a warning, if there is none of this name and
+  /// class.
   std::optional<desc::TextureId> find(const Parameter& reference, TextureClass texture_class) const;
 
   /// Adds a texture without a name.

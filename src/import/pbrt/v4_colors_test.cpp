@@ -100,6 +100,14 @@ TEST(Pbrt4Colors, MetalsHaveNames) {
 
 TEST(Pbrt4Colors, GlassesHaveOneIndex) {
   const std::string glass = "Material \"dielectric\" \"spectrum eta\" \"glass-BK7\"";
+  const auto index = [](const std::string& name) {
+    const desc::SceneDesc scene =
+        v4_scene_with_warnings("Material \"dielectric\" \"spectrum eta\" \"glass-" + name + "\"");
+    return material_node_of(scene, scene.shapes.back()).number("eta");
+  };
+  EXPECT_NEAR(index("F11"), 1.78472F, 1e-4F);
+  EXPECT_EQ(index("F5"), index("SF5"));
+  EXPECT_EQ(index("F10"), index("SF10"));
   EXPECT_TRUE(contains(v4_warnings(glass), "test.pbrt:2:23: dispersion is not supported"));
   const desc::SceneDesc scene = v4_scene_with_warnings(glass);
   EXPECT_NEAR(material_node_of(scene, scene.shapes.back()).number("eta"), 1.5168F, 1e-4F);

@@ -1,4 +1,5 @@
 // Directives, films, cameras and shapes of pbrt-v4.
+#include "import/common/opacity.h"
 #include "import/pbrt/v4_test_support.h"
 
 namespace ajar {
@@ -155,6 +156,13 @@ TEST(Pbrt4Shapes, BilinearMeshesAreTriangles) {
   EXPECT_EQ(flat->uvs[3], Vec2(1.F, 1.F));
   EXPECT_EQ(flat->positions[3], Vec3(1.F, 1.F, 0.F));
   EXPECT_EQ(mesh("0 0 0 1 0 0 0 1 0 1 1 1")->indices.size(), 128U);
+  // Flat, but with an image that is not.
+  EXPECT_EQ(v4_scene("Shape \"bilinearmesh\" \"point3 P\" [0 0 0 1 0 0 0 1 0 1 1 0] \"point2 uv\" "
+                     "[0 0 1 0 0 1 .5 .5]")
+                .shapes.at(0)
+                .node.mesh("mesh")
+                ->indices.size(),
+            128U);
   EXPECT_TRUE(contains(error_of(v4_world("Shape \"bilinearmesh\" \"point3 P\" [0 0 0 1 0 0 0 1 0 1 "
                                          "1 0] \"integer indices\" [0 1 2 7]")),
                        "the index 7 is not one of 4 points"));
@@ -245,6 +253,24 @@ TEST(Pbrt4Media, TheCamerasIsThatOutsideWhereItIsMade) {
   EXPECT_EQ(s.shapes[0].outside, desc::kNone);
 }
 
+TEST(Pbrt4Directives, TransformBlocksKeepAllOfTheState) {
+  const std::string body =
+      "TransformBegin Material \"conductor\" AreaLightSource \"diffuse\" "
+      "ReverseOrientation Scale 2 2 2 TransformEnd";
+  const desc::SceneDesc scene = v4_scene(body);
+  const desc::Shape& after = scene.shapes.back();
+  EXPECT_TRUE(material_node_of(scene, after).is("diffuse"));
+  EXPECT_FALSE(after.emission);
+  EXPECT_FALSE(after.reverse_orientation);
+  EXPECT_EQ(after.to_world, Mat4());
+  // In pbrt-v3 only the transform comes back.
+  Warnings warnings;
+  const desc::SceneDesc v3 =
+      import_with(world("TransformBegin Material \"mirror\" Scale 2 2 2 TransformEnd"), warnings);
+  EXPECT_TRUE(material_node_of(v3, v3.shapes.back()).is("mirror"));
+  EXPECT_EQ(v3.shapes.back().to_world, Mat4());
+}
+
 TEST(Pbrt4Options, ThatAreNotSupportedAreWarnings) {
   const auto warnings = [](const std::string& options) {
     return warnings_of(v4_world("", options));
@@ -265,7 +291,8 @@ TEST(Pbrt4Lamps, ThatShouldNotBeSeenAreSeenInsteadOfLeftOut) {
   const desc::Shape& lamp = scene.shapes.at(0);
   EXPECT_TRUE(lamp.emission);
   EXPECT_EQ(lamp.alpha, desc::kNone);
-  EXPECT_TRUE(scene.materials.at(static_cast<std::size_t>(lamp.material)).node.is("interface"));
+  // What is nothing but a boundary between media would not shine.
+  EXPECT_EQ(material_node_of(scene, lamp), clear_material());
 }
 
 TEST(Pbrt4Media, ThatGlowAreDarkWithAWarning) {

@@ -137,6 +137,30 @@ TEST(Pbrt4Materials, NormalMapsAreFilesOfVectors) {
   EXPECT_FALSE(s.textures[0].node.flag("decode_srgb"));
 }
 
+TEST(Pbrt4Materials, NormalMapsComeBeforeBumps) {
+  const desc::SceneDesc s = v4_scene(
+      "Texture \"t\" \"float\" \"fbm\" Material \"diffuse\" \"texture displacement\" "
+      "\"t\" \"string normalmap\" \"n.png\"",
+      {{"n.png", ""}});
+  const desc::Material& both = s.materials[static_cast<std::size_t>(s.shapes.back().material)];
+  EXPECT_EQ(both.bump, desc::kNone);
+  EXPECT_NE(both.normal_map.texture, desc::kNone);
+}
+
+TEST(Pbrt4Materials, MixesOfPartsWithOtherReliefsAreAWarning) {
+  const auto warnings = [](const std::string& second) {
+    return v4_warnings(
+        "Texture \"t\" \"float\" \"fbm\" MakeNamedMaterial \"bumpy\" \"string type\" \"diffuse\" "
+        "\"texture displacement\" \"t\" MakeNamedMaterial \"plain\" \"string type\" \"diffuse\"\n"
+        "Material \"mix\" \"string materials\" [\"bumpy\" \"" +
+        second + "\"]");
+  };
+  EXPECT_TRUE(contains(warnings("plain"),
+                       "test.pbrt:3:1: the parts of this mix differ in their bump or normal map: "
+                       "that of \"plain\" counts for both"));
+  EXPECT_EQ(warnings("bumpy"), "");
+}
+
 TEST(Pbrt4Materials, DisplacementIsABump) {
   const desc::SceneDesc s = v4_scene(
       "Texture \"t\" \"float\" \"fbm\" Material \"diffuse\" \"texture displacement\" \"t\"");
@@ -147,6 +171,29 @@ desc::Node image(const std::string& parameters, const std::string& kind = "spect
   return named_texture(v4_scene(
       "Texture \"t\" \"" + kind + "\" \"imagemap\" \"string filename\" \"a.png\" " + parameters,
       {{"a.png", ""}}));
+}
+
+TEST(Pbrt4Textures, ColorsOfImagesAreAtMostOne) {
+  EXPECT_TRUE(image("").flag("clamp"));
+  EXPECT_FALSE(image("", "float").flag("clamp"));
+}
+
+TEST(Pbrt4Textures, CylindersMeasureAlongTheirAxis) {
+  EXPECT_EQ(named_texture(v4_scene("Texture \"t\" \"spectrum\" \"uv\" \"string mapping\" "
+                                   "\"cylindrical\""))
+                .text("height"),
+            "place");
+}
+
+TEST(Pbrt4Textures, ImagesOfOtherFormatsThanItsOwnAreSrgb) {
+  const auto jpeg = [](const std::string& kind) {
+    return named_texture(v4_scene("Texture \"t\" \"" + kind +
+                                      "\" \"imagemap\" \"string filename\" \"a.JPG\" \"string "
+                                      "encoding\" \"linear\"",
+                                  {{"a.JPG", ""}}));
+  };
+  EXPECT_TRUE(jpeg("spectrum").flag("decode_srgb"));
+  EXPECT_EQ(jpeg("float").text("channel"), "mean");
 }
 
 TEST(Pbrt4Textures, ImagesHaveEncodings) {

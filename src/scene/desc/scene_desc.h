@@ -157,6 +157,9 @@ struct Film {
 
 /// What the file asks of the renderer; the command line overrides it.
 struct RenderHints {
+  /// Where neither a scene nor a user says one.
+  static constexpr int kDefaultMaxDepth = 100;
+
   std::string integrator;        ///< by its name in the registry; empty if the file says nothing
   std::optional<int> max_depth;  ///< edges of a path (docs/methods/notation.md)
   std::optional<int> samples_per_pixel;
