@@ -103,7 +103,7 @@ TEST(Bsdfs, WhatIsNotOpaqueIsCutAwayOrBlended) {
   const desc::TextureId alpha = leaf.shapes.at(0).alpha;
   const desc::Node& image = leaf.textures.at(static_cast<std::size_t>(alpha)).node;
   EXPECT_EQ(image.text("channel"), "alpha");
-  EXPECT_FALSE(image.flag("decode_srgb"));
+  EXPECT_EQ(image.number("decoding_exponent"), 1.F);
   EXPECT_EQ(material_of(leaf).texture("amount"), alpha);
 }
 

@@ -155,6 +155,26 @@ TEST(Primitives, LightsWithoutASurface) {
   EXPECT_EQ(scene.lights[2].node.color("radiance"), Vec3(0.5F));
 }
 
+TEST(Primitives, ImagesOfAnInfiniteSphereAreDecodedAsTheySay) {
+  const auto light = [](const std::string& image) {
+    return scene_of("", "{'type': 'infinite_sphere', 'emission': " + image + "}, {'type': 'quad'}")
+        .lights.at(0)
+        .node;
+  };
+  const desc::Node plain = light("'a.png'");
+  EXPECT_EQ(plain.number("decoding_exponent"), 2.2F);
+  EXPECT_FALSE(plain.flag("nearest"));
+  const desc::Node raw =
+      light("{'type': 'bitmap', 'file': 'a.png', 'gamma_correct': false, 'interpolate': false}");
+  EXPECT_EQ(raw.number("decoding_exponent"), 1.F);
+  EXPECT_TRUE(raw.flag("nearest"));
+  EXPECT_TRUE(contains(
+      warnings_of(scene_text("",
+                             "{'type': 'infinite_sphere', 'emission': {'type': 'bitmap', 'file': "
+                             "'a.png', 'clamp': true}}, {'type': 'quad'}")),
+      "test.json:3:56: \"clamp\" is not supported here"));
+}
+
 TEST(Primitives, ASunOfSomeSizeIsParallelLightOfTheSameIrradiance) {
   const std::string text = scene_text(
       "",
