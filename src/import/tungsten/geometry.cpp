@@ -67,6 +67,7 @@ Part disk_at(const Mat4& frame, double radius, double height) {
 Part quad(const Mat4& transform) {
   desc::Mesh mesh;
   add_rectangle(mesh, origin_of(transform), axis_of(transform, 0), -axis_of(transform, 2));
+  for (Vec2& uv : mesh.uvs) uv.y = 1.F - uv.y;  // v along z, but the normal is y
   return mesh_part(std::move(mesh));
 }
 

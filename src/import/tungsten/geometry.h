@@ -18,7 +18,8 @@ struct Part {
 /// The primitives that are described by their place alone. Flat ones, whose place may have a scale
 /// of 0, are meshes in the world. Source: Tungsten, src/core/primitives.
 
-/// The square from -1/2 to 1/2 in x and z. Its normal is y; u runs along x, v against z.
+/// The square from -1/2 to 1/2 in x and z. Its normal is y; u runs along x, v along z, as in
+/// Tungsten from b39576b on; before, v ran against z.
 Part quad(const Mat4& transform);
 /// The cube from -1/2 to 1/2; a face across an axis has the next one as its u.
 Part cube(const Mat4& transform);

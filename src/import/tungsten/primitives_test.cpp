@@ -24,13 +24,13 @@ Vec3 normal_of(const desc::Mesh& mesh, std::size_t triangle) {
       cross(mesh.positions[t.y] - mesh.positions[t.x], mesh.positions[t.z] - mesh.positions[t.x]));
 }
 
-TEST(Primitives, QuadsFaceYWithVAgainstZ) {
+TEST(Primitives, QuadsFaceYWithVAlongZ) {
   const desc::SceneDesc scene = scene_with("'type': 'quad', 'transform': {'scale': [2, 0, 4]}");
   const desc::Mesh& mesh = mesh_of(scene.shapes.at(0));
   ASSERT_EQ(mesh.positions.size(), 4U);
   for (std::size_t i = 0; i < 4; ++i) {
     expect_near(mesh.positions[i],
-                {2.F * (mesh.uvs[i].x - 0.5F), 0.F, 4.F * (0.5F - mesh.uvs[i].y)});
+                {2.F * (mesh.uvs[i].x - 0.5F), 0.F, 4.F * (mesh.uvs[i].y - 0.5F)});
   }
   expect_near(normal_of(mesh, 0), {0, 1, 0});
   expect_near(normal_of(mesh, 1), {0, 1, 0});
