@@ -130,9 +130,10 @@ std::vector<Part> cylinder(const Mat4& transform, bool capped) {
 Part placed_mesh(desc::MeshPointer mesh, const Mat4& transform) {
   Part part;
   part.area = area_of(*mesh, transform);
+  const bool is_mirrored = swaps_handedness(transform);
+  (mesh->normals.empty() ? part.reverse_orientation : part.has_turned_winding) = is_mirrored;
   part.node = desc::mesh_node(std::move(mesh));
   part.to_world = transform;
-  part.reverse_orientation = swaps_handedness(transform);
   return part;
 }
 

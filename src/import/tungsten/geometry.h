@@ -11,6 +11,9 @@ struct Part {
   desc::Node node;
   Mat4 to_world;
   bool reverse_orientation = false;
+  /// A mirror has turned the winding over, and not the normals, which say what is outside for
+  /// glass; emission and media go by the winding.
+  bool has_turned_winding = false;
   int bsdf = 0;       ///< index into the bsdfs of the primitive
   double area = 0.0;  ///< in the world; that of curves, which cannot shine, is not known
 };
@@ -30,8 +33,8 @@ Part disk(const Mat4& transform);
 /// Radius 1/2 around y, from -1/2 to 1/2, with lids if it is `capped`.
 std::vector<Part> cylinder(const Mat4& transform, bool capped);
 
-/// A mesh file at its place. Its sides are those of its triangles in the world, whatever mirrors
-/// them.
+/// A mesh file at its place. Its sides are those of its normals. Without normals they are those of
+/// its triangles in the world, whatever mirrors them.
 Part placed_mesh(desc::MeshPointer mesh, const Mat4& transform);
 
 }  // namespace ajar::tungsten

@@ -253,6 +253,14 @@ void PrimitiveReader::read(const LocatedJson& json, std::vector<desc::Shape>& sh
     shape.alpha = surface.alpha;
     shape.emission = emission;
     set_media(object, surface, shape);
+    if (part.has_turned_winding) {
+      // What is opaque is the same from both sides, so that the side that shines counts.
+      if (emission) {
+        shape.reverse_orientation = true;
+      } else {
+        std::swap(shape.inside, shape.outside);
+      }
+    }
     shapes.push_back(std::move(shape));
   }
   object.accept({"emission", "power", "int_medium", "ext_medium"});

@@ -106,6 +106,26 @@ TEST(Primitives, MirroredMeshesKeepTheSideOfTheirTrianglesInTheWorld) {
                   .reverse_orientation);
 }
 
+TEST(Primitives, MirroredSmoothMeshesAreOutsideWhereTheirNormalsAre) {
+  const Files files = {{"m.wo3", wo3_of_two_materials()}};
+  const auto shape_with = [&](const std::string& rest) {
+    return scene_with(
+               "'type': 'mesh', 'file': 'm.wo3', 'smooth': true, 'transform': {'scale': [-1, "
+               "1, 1]}, 'int_medium': {'type': 'homogeneous', 'sigma_a': 1}" +
+                   rest,
+               files)
+        .shapes.at(0);
+  };
+  const desc::Shape glass = shape_with("");
+  ASSERT_FALSE(mesh_of(glass).normals.empty());
+  EXPECT_FALSE(glass.reverse_orientation) << "normals are turned with the mesh, not turned over";
+  EXPECT_EQ(glass.inside, desc::kNone) << "media go by the winding";
+  EXPECT_EQ(glass.outside, 0);
+  const desc::Shape lamp = shape_with(", 'emission': 1");
+  EXPECT_TRUE(lamp.reverse_orientation) << "emission goes by the winding";
+  EXPECT_EQ(lamp.inside, 0);
+}
+
 TEST(Primitives, MeshFilesThatCannotBeUsedAreLeftOutWithAWarning) {
   const Files files = {{"bad.wo3", "short"}, {"m.stl", ""}, {"o.obj", "f 1 2 3\n"}};
   const auto with = [](const std::string& file) {
