@@ -63,7 +63,8 @@ desc::SceneDesc import_tungsten_text(std::string_view text, const std::string& n
   desc::SceneDesc scene;
   scene.source = name;
   tungsten::Context context{scene, warnings, files};
-  tungsten::read_scene(context, LocatedJson::parse(text, name));
+  tungsten::read_scene(context,
+                       LocatedJson::parse(text, name, JsonExtras::CommentsAndTrailingCommas));
   scene.files = files.named();
   return scene;
 }

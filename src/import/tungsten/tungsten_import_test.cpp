@@ -34,6 +34,18 @@ TEST(TungstenImport, RefusesWhatIsNoSceneOfTungsten) {
             "test.json:1:12: expected a camera, which is an object, not a number");
 }
 
+TEST(TungstenImport, FilesMayHaveCommentsAndTrailingCommas) {
+  Warnings warnings;
+  const desc::SceneDesc scene = import_with(
+      quoted("{'camera': {}, // where we are\n'primitives': [{'type': 'quad'}, /* no more */],}"),
+      warnings);
+  EXPECT_EQ(warnings.count(), 0U);
+  EXPECT_EQ(scene.shapes.size(), 1U);
+  EXPECT_EQ(error_of(quoted("/* a */ {'camera':\n// b\n NaN}")).find("test.json:3:2: this is no"),
+            0U)
+      << error_of(quoted("/* a */ {'camera':\n// b\n NaN}"));
+}
+
 TEST(TungstenImport, UnknownMembersAreWarningsWithTheNearestName) {
   const std::string warnings = warnings_of(
       quoted("{'camera': {'fow': 30},\n'bsdfs': [{'name': 'a', 'type': 'lambert', 'albdo': 1}],\n"
