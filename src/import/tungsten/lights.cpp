@@ -142,6 +142,11 @@ void point(const Source& source) {
 
 }  // namespace
 
+void add_default_light(Context& context, const SourceLocation& where) {
+  context.scene.lights.push_back(
+      {where, Mat4(), desc::light_node("environment", {{"radiance", Vec3(1.F)}})});
+}
+
 bool read_light(Context& context, TextureReader& textures, const ObjectReader& object,
                 const std::string& type, const Mat4& transform, const PrimitivePlaces& places) {
   const Source source{context, textures, object, transform};

@@ -47,6 +47,19 @@ const std::vector<std::string> kPrimitiveTypes = {
     "cylinder",     "instances", "infinite_sphere", "infinite_sphere_cap",
     "minecraft_map"};
 
+/// Whether it is a colour or texture of which Tungsten makes light.
+bool is_bright(const LocatedJson& json) {
+  if (json.is(Kind::Number) || json.is(Kind::Array)) {
+    const Vec3 color = vector_of(json);
+    return std::max({color.x, color.y, color.z}) > 0.F;
+  }
+  const LocatedJson* type = json.find("type");
+  const bool is_constant = type != nullptr && type->is(Kind::String) && type->text() == "constant";
+  if (!is_constant) return true;
+  const LocatedJson* value = json.find("value");
+  return value != nullptr && is_bright(*value);
+}
+
 bool is_zero(const desc::Value& color) { return color == desc::Value(Vec3(0.F)); }
 
 }  // namespace
@@ -209,6 +222,10 @@ void PrimitiveReader::read(const LocatedJson& json, std::vector<desc::Shape>& sh
   const Mat4 transform = transform_of(context_, object);
   if (!name.empty()) places_.try_emplace(name, transform);
   const bool is_top = &shapes == &context_.scene.shapes;
+  if (is_top) {
+    const LocatedJson* light = object.find({"power", "emission"});
+    if (*type == "skydome" || (light != nullptr && is_bright(*light))) has_light_ = true;
+  }
   object.accept({"bump_strength"});
   if (object.find("bump") != nullptr) {
     context_.warnings.add(kBumpStrength, object.where(),

@@ -20,6 +20,9 @@ class PrimitiveReader {
   /// Reads the list "primitives".
   void read_all(const LocatedJson& list);
 
+  /// Whether Tungsten would find any light in the list, one that is left out here, too.
+  bool has_light() const { return has_light_; }
+
   /// Where the named primitives are.
   const PrimitivePlaces& places() const { return places_; }
 
@@ -44,6 +47,7 @@ class PrimitiveReader {
   MediumTable& media_;
   MeshFiles meshes_;
   PrimitivePlaces places_;
+  bool has_light_ = false;
   std::map<std::string, const LocatedJson*, std::less<>> named_;
 };
 

@@ -175,6 +175,25 @@ TEST(Primitives, LightsWithoutASurface) {
   EXPECT_EQ(scene.lights[2].node.color("radiance"), Vec3(0.5F));
 }
 
+TEST(Primitives, ScenesWithoutLightAreInAnEvenOne) {
+  const auto lights = [](const std::string& primitives) {
+    Warnings warnings;
+    return import_with(scene_text("", primitives), warnings).lights;
+  };
+  for (const char* dark :
+       {"{'type': 'quad'}", "{'type': 'quad', 'emission': 0}", "{'type': 'infinite_sphere'}",
+        "{'type': 'quad', 'power': {'type': 'constant', 'value': 0}}"}) {
+    ASSERT_EQ(lights(dark).size(), 1U) << dark;
+    EXPECT_TRUE(lights(dark)[0].node.is("environment"));
+    EXPECT_EQ(lights(dark)[0].node.color("radiance"), Vec3(1.F));
+  }
+  EXPECT_TRUE(lights("{'type': 'quad', 'emission': [0, 0, 1]}").empty());
+  EXPECT_TRUE(lights("{'type': 'quad', 'emission': {'type': 'checker'}}").empty());
+  // A light of Tungsten's that is left out here.
+  EXPECT_TRUE(lights("{'type': 'skydome', 'transform': {'rotation': [0, 0, 120]}}").empty());
+  EXPECT_EQ(lights("{'type': 'point', 'emission': 2}").size(), 1U);
+}
+
 TEST(Primitives, ImagesOfAnInfiniteSphereAreDecodedAsTheySay) {
   const auto light = [](const std::string& image) {
     return scene_of("", "{'type': 'infinite_sphere', 'emission': " + image + "}, {'type': 'quad'}")

@@ -36,6 +36,7 @@ void read_scene(Context& context, const LocatedJson& root) {
   if (const LocatedJson* list = object.find("media")) media.define(*list);
   if (const LocatedJson* list = object.find("bsdfs")) bsdfs.define(*list);
   if (const LocatedJson* list = object.find("primitives")) primitives.read_all(*list);
+  if (!primitives.has_light()) add_default_light(context, root.where());
   if (const LocatedJson* camera = object.find("camera")) {
     read_camera(context, *camera, media, primitives.places());
   } else {
