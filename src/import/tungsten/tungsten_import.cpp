@@ -29,6 +29,10 @@ void require_scene(const LocatedJson& root) {
 void read_scene(Context& context, const LocatedJson& root) {
   require_scene(root);
   const ObjectReader object(context, root, "a scene");
+  // First: how long paths are matters to media.
+  if (const LocatedJson* integrator = object.find("integrator")) {
+    read_integrator(context, *integrator);
+  }
   TextureReader textures(context);
   MediumTable media(context);
   BsdfTable bsdfs(context, textures);
@@ -43,9 +47,6 @@ void read_scene(Context& context, const LocatedJson& root) {
     context.warnings.add(kNoCamera, root.where(),
                          "there is no \"camera\": a perspective one at the origin is used");
     context.scene.camera.where = context.scene.film.where = root.where();
-  }
-  if (const LocatedJson* integrator = object.find("integrator")) {
-    read_integrator(context, *integrator);
   }
   if (const LocatedJson* renderer = object.find("renderer")) read_renderer(context, *renderer);
   object.report_unknown();

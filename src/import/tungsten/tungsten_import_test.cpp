@@ -112,6 +112,23 @@ TEST(TungstenImport, MediaWithoutACounterpartAreWarnings) {
   EXPECT_TRUE(contains(warnings_of(quoted("{'camera': {'medium': 'x'}}")), "unknown medium \"x\""));
 }
 
+TEST(TungstenImport, MediaThatEndPathsEarlierAreWarnings) {
+  const auto with = [](const std::string& medium, const std::string& integrator) {
+    return warnings_of(
+        quoted("{'primitives': [{'type': 'quad'}],\n'camera': {'medium': {'type': "
+               "'homogeneous', " +
+               medium + "}}, 'integrator': {" + integrator + "}}"));
+  };
+  EXPECT_TRUE(contains(with("'sigma_s': 1, 'max_bounces': 8", ""),
+                       "test.json:2:75: paths that scatter more than 8 times"))
+      << with("'sigma_s': 1, 'max_bounces': 8", "");
+  EXPECT_TRUE(contains(with("'sigma_s': 1", "'max_bounces': 2000"),
+                       "test.json:2:22: paths that scatter more than 1024 times"));
+  EXPECT_EQ(with("'sigma_s': 1, 'max_bounces': 8", "'max_bounces': 8"), "");
+  EXPECT_EQ(with("'sigma_a': 1, 'max_bounces': 0", ""), "") << "what only absorbs ends no path";
+  EXPECT_EQ(with("'sigma_s': 1", ""), "");
+}
+
 class OnDisk : public ::testing::Test {
  protected:
   std::string write(const std::string& name, const std::string& text) const {
