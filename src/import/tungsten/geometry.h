@@ -28,9 +28,10 @@ Part quad(const Mat4& transform);
 Part cube(const Mat4& transform);
 /// Radius 1; the largest scale counts for all axes. The pole of its texture is z.
 Part sphere(const Mat4& transform);
-/// Radius 1 across y; the larger scale of x and z counts for both.
+/// Radius 1 across y; the larger scale of x and z counts for both. v runs from the centre.
 Part disk(const Mat4& transform);
-/// Radius 1/2 around y, from -1/2 to 1/2, with lids if it is `capped`.
+/// Radius 1/2 around y, from -1/2 to 1/2, with lids if it is `capped`: Tungsten's textures run
+/// across those, ours around.
 std::vector<Part> cylinder(const Mat4& transform, bool capped);
 
 /// A mesh file at its place. Its sides are those of its normals. Without normals they are those of

@@ -34,6 +34,8 @@ class PrimitiveReader {
   std::vector<Part> curve_parts(const ObjectReader& object, const Mat4& transform);
   std::vector<Surface> surfaces_of(const ObjectReader& object);
   std::optional<desc::Emission> emission_of(const ObjectReader& object, double area);
+  void warn_of_lids(const ObjectReader& object, const Surface& surface,
+                    const std::optional<desc::Emission>& emission);
   void set_media(const ObjectReader& object, const Surface& surface, desc::Shape& shape);
 
   /// Adds shapes to `shapes`; lights only at the top level, where `shapes` are the scene's.

@@ -78,6 +78,39 @@ TEST(Primitives, CylindersHaveLids) {
   }
 }
 
+TEST(Primitives, TexturesOfDisksAndCylindersGoAroundAsInTungsten) {
+  // Ours have u = 0 along x and u = 1/4 along y.
+  const auto place = [](const std::string& members) { return scene_with(members).shapes.at(0); };
+  const desc::Shape disk = place("'type': 'disk', 'transform': {'scale': 2}");
+  EXPECT_EQ(disk.node.text("coordinates"), "angle_then_radius");
+  // u = atan2(p · t, p · b) / 2π + 1/2, with t = x and b = −z around the normal y.
+  expect_near(moved(disk.to_world, {1, 0, 0}), {0, 0, 2});
+  expect_near(moved(disk.to_world, {0, 1, 0}), {-2, 0, 0});
+  // The frame is one of the normal, here z: t = x, b = y.
+  const desc::Shape turned = place("'type': 'disk', 'transform': {'rotation': [90, 0, 0]}");
+  expect_near(transform_vector(turned.to_world, {0, 0, 1}), {0, 0, 1});
+  expect_near(moved(turned.to_world, {1, 0, 0}), {0, -1, 0});
+  expect_near(moved(turned.to_world, {0, 1, 0}), {-1, 0, 0});
+  // u = atan2(z, x) / 2π + 1/2, and v along y.
+  const desc::Shape side = place("'type': 'cylinder', 'transform': {'scale': [2, 6, 2]}");
+  expect_near(moved(side.to_world, {1, 0, 0}), {-1, 0, 0});
+  expect_near(moved(side.to_world, {0, 1, 0}), {0, 0, -1});
+  expect_near(moved(side.to_world, {0, 0, 1}), {0, 3, 0});
+}
+
+TEST(Primitives, TexturesOnLidsAreWarnings) {
+  const auto with = [](const std::string& members) {
+    return warnings_of(
+        scene_text("{'name': 'm', 'type': 'mixed', 'bsdf0': {'type': 'lambert', "
+                   "'albedo': 'a.png'}, 'bsdf1': {'type': 'mirror'}}",
+                   "{'type': 'cylinder', " + members + "}"));
+  };
+  EXPECT_TRUE(contains(with("'bsdf': 'm'"), "test.json:3:16: the texture runs around the lids"));
+  EXPECT_TRUE(contains(with("'emission': {'type': 'checker'}"), "runs around the lids"));
+  EXPECT_EQ(with("'bsdf': 'm', 'capped': false"), "");
+  EXPECT_EQ(with("'emission': 1"), "");
+}
+
 TEST(Primitives, MeshesOfSeveralMaterialsAreSplit) {
   const Files files = {{"m.wo3", wo3_of_two_materials()}};
   const desc::SceneDesc scene =
