@@ -23,6 +23,10 @@ constexpr WarningKind kFiber{Effect::Surface,
                              "bsdfs of fibers are not supported: diffuse ones stand in"};
 constexpr WarningKind kNoInterference{Effect::Slight,
                                       "thin sheets have interference, which is not supported"};
+constexpr WarningKind kThickness{Effect::Surface,
+                                 "thin sheets have a textured thickness: 0.5 stands in"};
+constexpr WarningKind kHalfTransmitted{
+    Effect::Surface, "diffuse transmission has a share, though half is transmitted in any case"};
 constexpr WarningKind kPartOpacity{Effect::Surface,
                                    "parts of bsdfs have an opacity, which is ignored"};
 constexpr WarningKind kNoPart{Effect::Surface, "bsdfs lack a part: grey stands in"};
@@ -55,7 +59,12 @@ desc::Node oren_nayar(const BsdfInputs& in) {
 }
 
 desc::Node diffuse_transmission(const BsdfInputs& in) {
-  const float share = std::clamp(in.object.number("transmittance").value_or(0.5F), 0.F, 1.F);
+  // No version of Tungsten that is known reads another share.
+  constexpr float share = 0.5F;
+  if (in.object.number("transmittance").value_or(share) != share) {
+    in.warn(kHalfTransmitted,
+            "Tungsten does not read \"transmittance\" and transmits half, as is done here");
+  }
   return desc::material_node("translucent", {{"diffuse", in.albedo()},
                                              {"glossy", Vec3(0.F)},
                                              {"reflectance", Vec3(1.F - share)},

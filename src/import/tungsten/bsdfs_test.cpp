@@ -27,10 +27,15 @@ TEST(Bsdfs, DiffuseOnes) {
   EXPECT_EQ(material_of(scene_with_bsdf("'type': 'null'")).color("reflectance"), Vec3(0.F));
   EXPECT_TRUE(material_of(scene_with_bsdf("'type': 'forward'")).is("interface"));
   const desc::SceneDesc leaf =
-      scene_with_bsdf("'type': 'diffuse_transmission', 'albedo': 0.8, 'transmittance': 0.25");
+      scene_with_bsdf("'type': 'diffuse_transmission', 'albedo': 0.8, 'transmittance': 0.5");
   EXPECT_EQ(material_of(leaf).color("diffuse"), Vec3(0.8F));
-  EXPECT_EQ(material_of(leaf).color("reflectance"), Vec3(0.75F));
-  EXPECT_EQ(material_of(leaf).color("transmittance"), Vec3(0.25F));
+  const desc::SceneDesc other = scene_with_warning(
+      "{'name': 'm', 'type': 'diffuse_transmission', 'transmittance': 0.25}",
+      "test.json:2:11: Tungsten does not read \"transmittance\" and transmits half");
+  for (const desc::SceneDesc* scene : {&leaf, &other}) {
+    EXPECT_EQ(material_of(*scene).color("reflectance"), Vec3(0.5F));
+    EXPECT_EQ(material_of(*scene).color("transmittance"), Vec3(0.5F));
+  }
 }
 
 TEST(Bsdfs, MetalsGoByNameOrByNumbers) {
