@@ -76,6 +76,12 @@ TEST(Bsdfs, Glass) {
   const desc::SceneDesc sheet = scene_with_bsdf("'type': 'thinsheet', 'sigma_a': 2");
   EXPECT_TRUE(material_of(sheet).flag("thin"));
   expect_near(material_of(sheet).color("transmittance"), Vec3(std::exp(-2.F)));
+  EXPECT_TRUE(material_of(sheet).flag("along_normal"));
+  EXPECT_TRUE(material_of(sheet).flag("polarised"));
+  scene_with_warning("{'name': 'm', 'type': 'thinsheet', 'sigma_a': 2, 'thickness': 'a.png'}",
+                     "test.json:2:11: a texture of \"thickness\" is not supported");
+  // Without absorption the thickness does not matter.
+  scene_with_bsdf("'type': 'thinsheet', 'thickness': 'a.png'");
 }
 
 TEST(Bsdfs, MixturesReferToOthersOfBothKinds) {
