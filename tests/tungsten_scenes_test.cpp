@@ -32,7 +32,7 @@ std::string camera(float distance, float width, const std::string& rest = "") {
          "], 'look_at': [0, 0, 0], 'up': [0, 1, 0]}" + rest + "}";
 }
 
-/// A square that faces the camera and fills its picture; images are upright on it.
+/// A square that faces the camera and fills its picture; images on it are upside down.
 std::string wall(float width, const std::string& members) {
   return "{'type': 'quad', 'transform': {'rotation': [90, 0, 0], 'scale': " +
          std::to_string(width) + "}, " + members + "}";
@@ -197,7 +197,7 @@ TEST(TungstenScenes, PicturesAreNotMirrored) {
   EXPECT_LT(picture.mean(0.F, 1.F, 0.55F, 1.F).z, 1e-6F);
 }
 
-TEST(TungstenScenes, ImagesAreUprightOnSquares) {
+TEST(TungstenScenes, ImagesOnSquaresRiseAlongZ) {
   const FourColors image;
   const TinyPicture picture = picture_of(
       "{" + camera(20.F, 2.F) + ", 'primitives': [" +
@@ -207,11 +207,15 @@ TEST(TungstenScenes, ImagesAreUprightOnSquares) {
                    image.path() + "'}") +
           "]}",
       1);
-  test::expect_four_colors(picture);
+  // v runs along z, which is down here.
+  expect_color(picture.lower_left(), {1, 0, 0});
+  expect_color(picture.lower_right(), {0, 1, 0});
+  expect_color(picture.upper_left(), {0, 0, 1});
+  expect_color(picture.upper_right(), {1, 1, 1});
 }
 
 TEST(TungstenScenes, CheckersAreOffAtTheOriginOfTheTexture) {
-  // The lower left of a square that is seen upright.
+  // The upper left of a square whose z is down.
   const TinyPicture picture = picture_of(
       "{" + camera(20.F, 2.F) + ", 'primitives': [" +
           wall(2.F,
@@ -219,8 +223,8 @@ TEST(TungstenScenes, CheckersAreOffAtTheOriginOfTheTexture) {
                "2, 'on_color': [1, 0, 0], 'off_color': [0, 0, 1]}") +
           "]}",
       1);
-  expect_color(picture.lower_left(), {0, 0, 1});
-  expect_color(picture.lower_right(), {1, 0, 0});
+  expect_color(picture.upper_left(), {0, 0, 1});
+  expect_color(picture.upper_right(), {1, 0, 0});
 }
 
 TEST(TungstenScenes, EnvironmentsHaveTheirColumnsWhereTungstenHasThem) {

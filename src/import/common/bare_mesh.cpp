@@ -6,7 +6,7 @@
 
 namespace ajar {
 
-desc::SceneDesc scene_of_mesh(desc::Mesh mesh, std::span<const Vec3> colors, const SceneFile& file,
+desc::SceneDesc scene_of_mesh(desc::Mesh mesh, const Paint& paint, const SceneFile& file,
                               Warnings& warnings, UpAxis up) {
   const SourceLocation where{std::make_shared<const std::string>(file.name), 0, 0};
   std::vector<Warning> remarks;
@@ -17,11 +17,15 @@ desc::SceneDesc scene_of_mesh(desc::Mesh mesh, std::span<const Vec3> colors, con
   if (!mesh.indices.empty()) {
     desc::Shape& shape = scene.shapes.emplace_back();
     shape.where = where;
-    if (colors.empty()) {
+    if (paint.colors.empty() || !paint.image.empty()) {
       shape.material = add_neutral_material(scene);
+      if (!paint.image.empty()) {
+        scene.textures.push_back({"", where, desc::texture_node("image", {{"file", paint.image}})});
+        scene.materials.back().node.set("base_color", desc::TextureRef{0});
+      }
       shape.node = desc::mesh_node(std::make_shared<desc::Mesh>(std::move(mesh)));
     } else {
-      paint_shape(shape, mesh, colors, scene.source, scene);
+      paint_shape(shape, mesh, paint.colors, scene.source, scene);
     }
   }
   add_studio(scene, {}, up);

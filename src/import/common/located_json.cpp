@@ -20,6 +20,46 @@ std::string reason_of(const std::string& message) {
   return printable_line(begin == std::string::npos ? message : message.substr(begin + 2));
 }
 
+/// Where the string ends that begins at `i`.
+std::size_t end_of_string(std::string_view text, std::size_t i) {
+  for (std::size_t k = i + 1; k < text.size(); ++k) {
+    if (text[k] == '"') return k + 1;
+    if (text[k] == '\\') ++k;
+  }
+  return text.size();
+}
+/// The same of a comment; `i` if it is none, or has no end.
+std::size_t end_of_comment(std::string_view text, std::size_t i) {
+  if (text.substr(i, 2) == "//") return std::min(text.find('\n', i), text.size());
+  const std::size_t end = text.substr(i, 2) == "/*" ? text.find("*/", i + 2) : text.npos;
+  return end == text.npos ? i : end + 2;
+}
+
+/// The text with spaces in place of what JSON has not, so that all else stays where it is.
+std::string without_extras(std::string_view text) {
+  std::string result(text);
+  char last = '\0';  // of what is neither space nor comment
+  constexpr std::size_t kNoComma = std::string_view::npos;
+  std::size_t comma = kNoComma;  // the last, if only spaces and comments are behind it
+  for (std::size_t i = 0; i < text.size();) {
+    const char c = text[i];
+    if (const std::size_t end = c == '/' ? end_of_comment(text, i) : i; end > i) {
+      for (; i < end; ++i) {
+        if (text[i] != '\n') result[i] = ' ';
+      }
+      continue;
+    }
+    if (std::string_view(" \t\r\n").find(c) == std::string_view::npos) {
+      if ((c == ']' || c == '}') && comma != kNoComma) result[comma] = ' ';
+      const bool follows_value = last != '\0' && std::string_view("[{,:").find(last) == kNoComma;
+      comma = c == ',' && follows_value ? i : kNoComma;
+      last = c;
+    }
+    i = c == '"' ? end_of_string(text, i) : i + 1;
+  }
+  return result;
+}
+
 constexpr int kNumberOutOfRange = 406;  // of the parser's documentation
 
 }  // namespace
@@ -123,7 +163,10 @@ class LocatedJson::Builder {
   std::vector<LocatedJson*> open_;  ///< arrays and objects around the next value
 };
 
-LocatedJson LocatedJson::parse(std::string_view text, const std::string& name) {
+LocatedJson LocatedJson::parse(std::string_view text, const std::string& name, JsonExtras extras) {
+  if (extras == JsonExtras::CommentsAndTrailingCommas) {
+    return parse(without_extras(text), name);
+  }
   return Builder(text, name).build(text);
 }
 

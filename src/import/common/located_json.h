@@ -7,6 +7,10 @@
 
 namespace ajar {
 
+/// What a file may have that JSON has not: remarks, `// …` and `/* … */`, and a comma behind the
+/// last part of an array or object.
+enum class JsonExtras { None, CommentsAndTrailingCommas };
+
 /// A value of a JSON file that knows where it was read. Objects keep the order of the file, and
 /// members of the same name.
 class LocatedJson {
@@ -17,7 +21,8 @@ class LocatedJson {
   /// Reads a whole file. `name` stands in messages. Raises SceneError, with line and column, for
   /// text that is no JSON, for numbers beyond the range of doubles, and for values nested more than
   /// `kDeepest` levels.
-  static LocatedJson parse(std::string_view text, const std::string& name);
+  static LocatedJson parse(std::string_view text, const std::string& name,
+                           JsonExtras extras = JsonExtras::None);
   static constexpr std::size_t kDeepest = 100;
 
   Kind kind() const { return kind_; }

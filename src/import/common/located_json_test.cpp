@@ -72,6 +72,35 @@ TEST(LocatedJson, PlacesWhatIsNoJson) {
   }
 }
 
+LocatedJson parse_with_extras(std::string_view text) {
+  return LocatedJson::parse(text, "a.json", JsonExtras::CommentsAndTrailingCommas);
+}
+
+TEST(LocatedJson, LeavesCommentsAndTrailingCommasOutIfTheyAreAllowed) {
+  const LocatedJson root = parse_with_extras(
+      "// a remark, with \"\n"
+      "{\"a\": /* two,\n"
+      " lines ] */ [1, 2, // \u00fc\n"
+      "  ], \"b//\": \"/* ,] \\\" */\" , /* } */ }\n");
+  ASSERT_EQ(root.members().size(), 2U);
+  const LocatedJson& a = root.members()[0].value;
+  ASSERT_EQ(a.items().size(), 2U);
+  EXPECT_EQ(place(a), "a.json:3:13");
+  EXPECT_EQ(place(a.items()[1]), "a.json:3:17");
+  EXPECT_EQ(root.members()[1].name, "b//");
+  EXPECT_EQ(root.members()[1].where.to_string(), "a.json:4:6");
+  EXPECT_EQ(root.members()[1].value.text(), "/* ,] \" */");
+}
+
+TEST(LocatedJson, RefusesOtherCommasAndCommentsWithoutAnEnd) {
+  for (const char* text : {"[,]", "{,}", "[1,,]", "[1] /* ", "[1 / 2]", "[1,", "[NaN]", "\"a"}) {
+    EXPECT_THROW(parse_with_extras(text), SceneError) << text;
+  }
+  EXPECT_NE(error_in("[1, /* no */ 2]").find("a.json:1:5: this is no JSON"), std::string::npos)
+      << error_in("[1, /* no */ 2]");
+  EXPECT_NE(error_in("{\"a\": 1,}"), "no error");
+}
+
 TEST(LocatedJson, RefusesNumbersBeyondDoubles) {
   EXPECT_EQ(error_in("[1,\n 1e999]"),
             "a.json:2:2: the number 1e999 is beyond the range of numbers");

@@ -10,16 +10,23 @@ namespace {
 
 constexpr WarningKind kLightRange{Effect::Slight,
                                   "lights have a range, beyond which they shine, too"};
+constexpr WarningKind kHardSpot{Effect::Slight,
+                                "spots have two cone angles that are the same: hard edges"};
 constexpr const char* kExtension = "KHR_lights_punctual";
 
 float degrees(double radians) { return static_cast<float>(radians * 180.0 / M_PI); }
 
-desc::Node spot_node(const Element& light, const Vec3& intensity) {
+desc::Node spot_node(Context& context, const Element& light, const Vec3& intensity) {
   const std::optional<Element> spot = light.find("spot");
   const double inner = spot ? spot->find_number("innerConeAngle").value_or(0.0) : 0.0;
   const double outer = spot ? spot->find_number("outerConeAngle").value_or(M_PI / 4) : M_PI / 4;
-  if (!(inner >= 0.0 && inner < outer && outer <= M_PI / 2 + 1e-6)) {
+  if (!(inner >= 0.0 && inner <= outer && outer > 0.0 && outer <= M_PI / 2 + 1e-6)) {
     spot->fail("its cone angles must be 0 <= inner < outer <= pi/2");
+  }
+  if (inner == outer) {
+    context.warnings.add(kHardSpot, spot->where(),
+                         "its cone angles are the same, though the inner must be smaller: a cone "
+                         "with a hard edge stands in");
   }
   return desc::light_node("spot", {{"intensity", intensity},
                                    {"cone_angle", degrees(outer)},
@@ -27,14 +34,14 @@ desc::Node spot_node(const Element& light, const Vec3& intensity) {
                                    {"falloff", std::string("quadratic")}});
 }
 
-desc::Node node_of(const Element& light) {
+desc::Node node_of(Context& context, const Element& light) {
   static const std::vector<std::string> kTypes = {"directional", "point", "spot"};
   const Element type = light.at("type");
   const std::string name = type.text();
   const Vec3 strength = light.vector_or("color", Vec3(1.F)) * light.number_or("intensity", 1.0);
   if (name == "directional") return desc::light_node("distant", {{"irradiance", strength}});
   if (name == "point") return desc::light_node("point", {{"intensity", strength}});
-  if (name == "spot") return spot_node(light, strength);
+  if (name == "spot") return spot_node(context, light, strength);
   type.fail(unknown_name_message("type of light", printable_line(name), kTypes));
 }
 
@@ -50,7 +57,7 @@ void add_lights(Context& context, const std::vector<PlacedNode>& nodes) {
     const Element& light = lights[reference->at("light").index(lights.size())];
     desc::Light& added = context.scene.lights.emplace_back();
     added.where = light.where();
-    added.node = light.located([&] { return node_of(light); });
+    added.node = light.located([&] { return node_of(context, light); });
     // Spots shine along −z here and along +z there; a `distant` light comes from +z in both.
     added.to_world = added.node.is("spot") ? turned_around(placed.to_world) : placed.to_world;
     if (light.has("range")) {

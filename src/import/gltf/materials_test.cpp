@@ -292,11 +292,31 @@ TEST(GltfMaterials, UnlitOnesShineWithAWarning) {
   EXPECT_EQ(node_of(scene).color("reflectance"), Vec3(0.F));
 }
 
-TEST(GltfMaterials, SpecularStrengthIsAnIndexOfTheSameReflection) {
-  const desc::Node node =
-      only_material({{"extensions", {{"KHR_materials_specular", {{"specularFactor", 0.5}}}}}});
-  const float eta = node.number("eta");
+TEST(GltfMaterials, SpecularFactorIsAFactorAndItsColourAnIndex) {
+  const auto with = [](const Json& specular) {
+    return only_material({{"extensions", {{"KHR_materials_specular", specular}}}});
+  };
+  const desc::Node half = with({{"specularFactor", 0.5}});
+  EXPECT_EQ(half.number("specular_strength"), 0.5F);
+  EXPECT_NEAR(half.number("eta"), 1.5F, 1e-6F);
+  const float eta = with({{"specularColorFactor", {0.5, 0.5, 0.5}}}).number("eta");
   EXPECT_NEAR(std::pow((eta - 1.F) / (eta + 1.F), 2.F), 0.02F, 1e-6F);
+  EXPECT_EQ(only_material(Json::object()).number("specular_strength"), 1.F);
+  const desc::SceneDesc scene = scene_of(
+      textured({{"extensions", {{"KHR_materials_specular", {{"specularTexture", texture(0)}}}}}}));
+  const desc::Node& image = texture_at(scene, node_of(scene).texture("specular_strength"));
+  EXPECT_EQ(image.text("channel"), "alpha");
+}
+
+TEST(GltfMaterials, SpecularFactorWeakensTheReflectionOfGlass) {
+  Json material = glass(1.0);
+  material["extensions"]["KHR_materials_specular"]["specularFactor"] = 0.25;
+  TestFile file;
+  file.add_triangle(material);
+  EXPECT_TRUE(contains(warnings_of(file), "#/materials/0: the factor of its gloss weakens"));
+  Warnings warnings;
+  const desc::SceneDesc scene = import_with(file.text(), warnings);
+  EXPECT_EQ(node_of(scene).color("reflectance"), Vec3(0.25F));
 }
 
 TEST(GltfMaterials, BlendsWeighWhatShines) {

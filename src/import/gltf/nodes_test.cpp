@@ -234,6 +234,10 @@ TEST(GltfLights, LuxAreWattsPerSquareMetreFromPlusZ) {
 TEST(GltfLights, SpotsShineAlongMinusZ) {
   const desc::SceneDesc scene = scene_of(
       with_light({{"type", "spot"}, {"spot", {{"innerConeAngle", 0.1}, {"outerConeAngle", 0.6}}}}));
+  const TestFile hard =
+      with_light({{"type", "spot"}, {"spot", {{"innerConeAngle", 0.5}, {"outerConeAngle", 0.5}}}});
+  EXPECT_TRUE(contains(warnings_of(hard), "/lights/0/spot: its cone angles are the same"))
+      << warnings_of(hard);
   const desc::Node& spot = scene.lights[0].node;
   EXPECT_NEAR(spot.number("cone_angle"), 0.6F * 180.F / kPi, 1e-4F);
   EXPECT_NEAR(spot.number("falloff_start"), 0.1F * 180.F / kPi, 1e-4F);

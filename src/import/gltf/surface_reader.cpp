@@ -17,8 +17,9 @@ constexpr WarningKind kNoCoat{Effect::Surface,
                               "clear coats of glass and of old or unlit materials: left out"};
 constexpr WarningKind kUnlit{Effect::Light,
                              "materials are unlit: they shine, also onto their surroundings"};
-constexpr WarningKind kSpecular{Effect::Surface,
-                                "materials have a texture or a colour of their gloss: ignored"};
+constexpr WarningKind kSpecular{Effect::Surface, "materials have a colour of their gloss: ignored"};
+constexpr WarningKind kWeakGlass{Effect::Slight,
+                                 "glass has a factor of its gloss: what is not reflected is lost"};
 constexpr WarningKind kSheen{Effect::Slight, "materials have a sheen: another one stands in"};
 constexpr WarningKind kDiffuseTransmission{
     Effect::Surface, "materials let light shine through diffusely: in their base colour"};
@@ -70,6 +71,7 @@ desc::MaterialId SurfaceReader::metallic_roughness(const Element& pbr) {
            textures_.number(pbr, "metallicRoughnessTexture",
                             clamped_number(pbr, "roughnessFactor", 1.0), Channel::Green));
   material_.located([&] { node.set("eta", index_for_specular()); });
+  node.set("specular_strength", specular_strength());
   set_clearcoat(node);
   set_sheen(node);
   set_diffuse_transmission(node);
@@ -119,6 +121,13 @@ desc::MaterialId SurfaceReader::with_transmission(desc::MaterialId opaque,
   desc::Node glass = make(pbr, "dielectric", {{"transmittance", color}, {"thin", is_thin}});
   material_.located([&] { glass.set("eta", index_of_refraction()); });
   glass.set("roughness", textures_.product(roughness, roughness));
+  if (const desc::Value strength = specular_strength(); strength != desc::Value(1.F)) {
+    context_.warnings.add(
+        kWeakGlass, material_.where(),
+        "the factor of its gloss weakens what glass reflects, and does not add to "
+        "what it transmits");
+    glass.set("reflectance", mix_amount(strength));
+  }
   const desc::MaterialId transparent = add(std::move(glass));
   if (amount == desc::Value(1.F)) return transparent;
   return add(make(transmission, "mix",
@@ -217,17 +226,20 @@ float SurfaceReader::index_for_specular() {
   const auto specular = material_.extension("KHR_materials_specular");
   if (!specular) return index;
   const Vec3 color = specular->vector_or("specularColorFactor", Vec3(1.F));
-  if (specular->has("specularTexture") || specular->has("specularColorTexture") ||
-      color.x != color.y || color.y != color.z) {
-    context_.warnings.add(kSpecular, specular->where(),
-                          "textures and colours of the gloss are ignored");
+  if (specular->has("specularColorTexture") || color.x != color.y || color.y != color.z) {
+    context_.warnings.add(kSpecular, specular->where(), "colours of the gloss are ignored");
   }
   const float r0 = std::pow((index - 1.F) / (index + 1.F), 2.F);
-  const float wanted = std::clamp(
-      clamped_number(*specular, "specularFactor", 1.0) * std::min(r0 * brightness(color), 1.F), 0.F,
-      0.8F);
+  const float wanted = std::clamp(r0 * brightness(color), 0.F, 0.8F);
   const float root = std::sqrt(wanted);
   return (1.F + root) / (1.F - root);
+}
+
+desc::Value SurfaceReader::specular_strength() {
+  const auto specular = material_.extension("KHR_materials_specular");
+  if (!specular) return 1.F;
+  return textures_.number(*specular, "specularTexture",
+                          clamped_number(*specular, "specularFactor", 1.0), Channel::Alpha);
 }
 
 desc::MediumId SurfaceReader::read_medium(const Element& volume) {

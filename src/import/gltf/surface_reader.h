@@ -30,8 +30,10 @@ class SurfaceReader {
   void set_diffuse_transmission(desc::Node& node);
   float index_of_refraction() const;
   /// What a smooth `principled` with this index reflects at normal incidence is what the material
-  /// does, with KHR_materials_specular.
+  /// does, with the colour of KHR_materials_specular.
   float index_for_specular();
+  /// The factor of KHR_materials_specular: of all that is reflected, at any angle.
+  desc::Value specular_strength();
   desc::MediumId read_medium(const Element& volume);
   void read_emission();
   /// Normals for all materials from number `first_made` on.

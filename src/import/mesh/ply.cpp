@@ -9,7 +9,6 @@
 #include "import/mesh/display_color.h"
 #include "import/mesh/gzip.h"
 #include "import/mesh/ply_cursor.h"
-#include "import/mesh/ply_header.h"
 #include "import/mesh/polygon.h"
 
 namespace ajar {
@@ -83,7 +82,7 @@ class PlyReader {
     }
     if (!has_vertices_) fail("there is no element \"vertex\" with x, y and z");
     if (!has_faces_) fail("there is no element \"face\" with a list \"vertex_indices\"");
-    return {std::move(mesh_), std::move(colors_), skipped()};
+    return {std::move(mesh_), std::move(colors_), header_.images, skipped()};
   }
 
  private:

@@ -3,6 +3,7 @@
 #include <string_view>
 #include <vector>
 
+#include "import/mesh/ply_header.h"
 #include "scene/desc/scene_desc.h"
 
 namespace ajar {
@@ -16,11 +17,12 @@ namespace ajar {
 desc::Mesh read_ply(std::string_view bytes, const std::string& name);
 
 /// A mesh with what no mesh of a scene has: colours of its vertices, which are those of a display
-/// in the file and linear here, if it has any; and what of the file is skipped, "flags" of a face
-/// or "edge" for an element.
+/// in the file and linear here, if it has any; images that remarks of the header name; and what of
+/// the file is skipped, "flags" of a face or "edge" for an element.
 struct PlyContents {
   desc::Mesh mesh;
   std::vector<Vec3> colors;
+  std::vector<PlyImage> images;
   std::vector<std::string> skipped;
 };
 PlyContents read_ply_contents(std::string_view bytes, const std::string& name);

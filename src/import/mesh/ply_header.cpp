@@ -120,7 +120,14 @@ PlyHeader parse_ply_header(std::string_view bytes, const std::string& name) {
   bool has_format = false;
   std::size_t properties = 0;
   while (true) {
-    const std::vector<std::string_view> words = words_of(reader.next_line());
+    const std::string_view line = reader.next_line();
+    const std::vector<std::string_view> words = words_of(line);
+    if (words.size() > 2 && words[0] == "comment" && words[1] == "TextureFile") {
+      // All of the rest: names may have spaces.
+      const auto begin = static_cast<std::size_t>(words[2].data() - line.data());
+      const std::size_t end = line.find_last_not_of(" \t") + 1;
+      header.images.push_back({std::string(line.substr(begin, end - begin)), reader.line()});
+    }
     if (words.empty() || words[0] == "comment" || words[0] == "obj_info") continue;
     if (words[0] == "end_header") break;
     if (words[0] == "format" && words.size() >= 2) {

@@ -22,11 +22,17 @@ struct PlyElement {
   std::uint64_t count = 0;
   std::vector<PlyProperty> properties;
 };
+/// An image that a remark names, as MeshLab and scanners write it.
+struct PlyImage {
+  std::string file;
+  int line = 0;
+};
 struct PlyHeader {
   PlyFormat format = PlyFormat::Ascii;
   std::vector<PlyElement> elements;
   std::size_t size = 0;  ///< bytes up to and including the line break after end_header
   int lines = 0;
+  std::vector<PlyImage> images;
 };
 
 /// Raises SceneError with file and line.

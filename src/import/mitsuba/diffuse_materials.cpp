@@ -31,6 +31,7 @@ const ModelName& principled_names() {
                                  {"diffuse_transmission", {"diff_trans"}},
                                  {"clearcoat_gloss", {"clearcoat_gloss"}, "0"},
                                  {"sheen_tint", {"sheen_tint"}, "0"},
+                                 {"specular_strength", {}},
                                  {"blend", {}},
                                  {"coat", {}},
                                  {"coat_roughness", {}},

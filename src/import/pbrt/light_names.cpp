@@ -37,7 +37,14 @@ const std::vector<ModelName>& lights_of_v4() {
         {"falloff_start", {}},
         {"falloff", {}, "smoothstep"}}},
       {"distant", "distant", {{"irradiance", {"L"}}}},
-      {"infinite", "environment", {{"radiance", {"L"}}, kImage, kSquare, {"irradiance", {}}}},
+      {"infinite",
+       "environment",
+       {{"radiance", {"L"}},
+        kImage,
+        kSquare,
+        {"irradiance", {}},
+        {"decoding_exponent", {}},
+        {"nearest", {}}}},
       {"goniometric", "goniometric", {kIntensity, kImage, {"gray", {}, "true"}, kSquare, kPower}},
       {"projection", "projection", {{"intensity", {}}, kImage, {"fov", {"fov"}, "90"}, kPower}}};
   return kNames;

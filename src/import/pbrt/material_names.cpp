@@ -111,15 +111,20 @@ const std::vector<ModelName>& materials_of_v4() {
   // What a v4 material says by its type alone.
   static const ParameterName kNoTint{"reflectance", {}};
   static const ParameterName kNoTransmittance{"transmittance", {}};
+  static const ParameterName kNotPolarised{"polarised", {}};
+  static const ParameterName kNotSlanted{"along_normal", {}};
   static const std::vector<ModelName> kNames = {
       {"diffuse", "diffuse", {}},
       {"conductor", "conductor", with_roughness({{"distribution", {}}})},
-      {"dielectric", "dielectric", with_roughness({kNoTint, kNoTransmittance, {"thin", {}}})},
+      {"dielectric", "dielectric",
+       with_roughness({kNoTint, kNoTransmittance, {"thin", {}}, kNotPolarised, kNotSlanted})},
       {"thindielectric",
        "dielectric",
        {kNoTint,
         kNoTransmittance,
         {"thin", {}, "true"},
+        kNotPolarised,
+        kNotSlanted,
         {"roughness", {}},
         {"roughness_v", {}},
         {"roughness_scale", {}}}},

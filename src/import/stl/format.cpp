@@ -8,7 +8,8 @@ namespace {
 
 desc::SceneDesc read_bytes(const SceneFile& file, Warnings& warnings, FileAccess& /*files*/) {
   StlContents contents = read_stl(file.bytes, file.name);
-  return scene_of_mesh(std::move(contents.mesh), contents.colors, file, warnings, UpAxis::Z);
+  return scene_of_mesh(std::move(contents.mesh), {.colors = contents.colors}, file, warnings,
+                       UpAxis::Z);
 }
 
 desc::SceneDesc read(const std::string& path, Warnings& warnings, const FileProvider& provider) {

@@ -23,6 +23,10 @@ constexpr WarningKind kFiber{Effect::Surface,
                              "bsdfs of fibers are not supported: diffuse ones stand in"};
 constexpr WarningKind kNoInterference{Effect::Slight,
                                       "thin sheets have interference, which is not supported"};
+constexpr WarningKind kThickness{Effect::Surface,
+                                 "thin sheets have a textured thickness: 0.5 stands in"};
+constexpr WarningKind kHalfTransmitted{
+    Effect::Surface, "diffuse transmission has a share, though half is transmitted in any case"};
 constexpr WarningKind kPartOpacity{Effect::Surface,
                                    "parts of bsdfs have an opacity, which is ignored"};
 constexpr WarningKind kNoPart{Effect::Surface, "bsdfs lack a part: grey stands in"};
@@ -55,11 +59,16 @@ desc::Node oren_nayar(const BsdfInputs& in) {
 }
 
 desc::Node diffuse_transmission(const BsdfInputs& in) {
-  const float share = std::clamp(in.object.number("transmittance").value_or(0.5F), 0.F, 1.F);
+  // No version of Tungsten that is known reads another share.
+  constexpr float kShare = 0.5F;
+  if (in.object.number("transmittance").value_or(kShare) != kShare) {
+    in.warn(kHalfTransmitted,
+            "Tungsten does not read \"transmittance\" and transmits half, as is done here");
+  }
   return desc::material_node("translucent", {{"diffuse", in.albedo()},
                                              {"glossy", Vec3(0.F)},
-                                             {"reflectance", Vec3(1.F - share)},
-                                             {"transmittance", Vec3(share)}});
+                                             {"reflectance", Vec3(1.F - kShare)},
+                                             {"transmittance", Vec3(kShare)}});
 }
 
 desc::Node fiber(const BsdfInputs& in) {
@@ -154,12 +163,16 @@ desc::Node thin_sheet(const BsdfInputs& in) {
   const float* constant = std::get_if<float>(&thickness);
   const float depth = 2.F * (constant != nullptr ? *constant : 0.5F);
   in.object.accept({"albedo", "color"});
-  // Absorption as of light that goes straight through.
+  if (constant == nullptr && sigma != Vec3(0.F)) {
+    in.warn(kThickness, "a texture of \"thickness\" is not supported: 0.5 stands in");
+  }
   const Vec3 left(std::exp(-sigma.x * depth), std::exp(-sigma.y * depth),
                   std::exp(-sigma.z * depth));
-  return desc::material_node(
-      "dielectric",
-      {{"transmittance", left}, {"eta", in.object.number("ior").value_or(1.5F)}, {"thin", true}});
+  return desc::material_node("dielectric", {{"transmittance", left},
+                                            {"eta", in.object.number("ior").value_or(1.5F)},
+                                            {"thin", true},
+                                            {"polarised", true},
+                                            {"along_normal", true}});
 }
 
 // ---------------------------------------------------------------- mixtures

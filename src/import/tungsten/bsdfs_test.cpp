@@ -27,10 +27,15 @@ TEST(Bsdfs, DiffuseOnes) {
   EXPECT_EQ(material_of(scene_with_bsdf("'type': 'null'")).color("reflectance"), Vec3(0.F));
   EXPECT_TRUE(material_of(scene_with_bsdf("'type': 'forward'")).is("interface"));
   const desc::SceneDesc leaf =
-      scene_with_bsdf("'type': 'diffuse_transmission', 'albedo': 0.8, 'transmittance': 0.25");
+      scene_with_bsdf("'type': 'diffuse_transmission', 'albedo': 0.8, 'transmittance': 0.5");
   EXPECT_EQ(material_of(leaf).color("diffuse"), Vec3(0.8F));
-  EXPECT_EQ(material_of(leaf).color("reflectance"), Vec3(0.75F));
-  EXPECT_EQ(material_of(leaf).color("transmittance"), Vec3(0.25F));
+  const desc::SceneDesc other = scene_with_warning(
+      "{'name': 'm', 'type': 'diffuse_transmission', 'transmittance': 0.25}",
+      "test.json:2:11: Tungsten does not read \"transmittance\" and transmits half");
+  for (const desc::SceneDesc* scene : {&leaf, &other}) {
+    EXPECT_EQ(material_of(*scene).color("reflectance"), Vec3(0.5F));
+    EXPECT_EQ(material_of(*scene).color("transmittance"), Vec3(0.5F));
+  }
 }
 
 TEST(Bsdfs, MetalsGoByNameOrByNumbers) {
@@ -72,6 +77,12 @@ TEST(Bsdfs, Glass) {
   const desc::SceneDesc sheet = scene_with_bsdf("'type': 'thinsheet', 'sigma_a': 2");
   EXPECT_TRUE(material_of(sheet).flag("thin"));
   expect_near(material_of(sheet).color("transmittance"), Vec3(std::exp(-2.F)));
+  EXPECT_TRUE(material_of(sheet).flag("along_normal"));
+  EXPECT_TRUE(material_of(sheet).flag("polarised"));
+  scene_with_warning("{'name': 'm', 'type': 'thinsheet', 'sigma_a': 2, 'thickness': 'a.png'}",
+                     "test.json:2:11: a texture of \"thickness\" is not supported");
+  // Without absorption the thickness does not matter.
+  scene_with_bsdf("'type': 'thinsheet', 'thickness': 'a.png'");
 }
 
 TEST(Bsdfs, MixturesReferToOthersOfBothKinds) {
@@ -104,7 +115,7 @@ TEST(Bsdfs, WhatIsNotOpaqueIsCutAwayOrBlended) {
   const desc::TextureId alpha = leaf.shapes.at(0).alpha;
   const desc::Node& image = leaf.textures.at(static_cast<std::size_t>(alpha)).node;
   EXPECT_EQ(image.text("channel"), "alpha");
-  EXPECT_FALSE(image.flag("decode_srgb"));
+  EXPECT_EQ(image.number("decoding_exponent"), 1.F);
   EXPECT_EQ(material_of(leaf).texture("amount"), alpha);
 }
 

@@ -5,6 +5,7 @@
 #include <memory>
 #include <utility>
 
+#include "core/frame.h"
 #include "import/tungsten/transforms.h"
 #include "scene/desc/models.h"
 
@@ -67,6 +68,7 @@ Part disk_at(const Mat4& frame, double radius, double height) {
 Part quad(const Mat4& transform) {
   desc::Mesh mesh;
   add_rectangle(mesh, origin_of(transform), axis_of(transform, 0), -axis_of(transform, 2));
+  for (Vec2& uv : mesh.uvs) uv.y = 1.F - uv.y;  // v along z, but the normal is y
   return mesh_part(std::move(mesh));
 }
 
@@ -103,7 +105,16 @@ Part sphere(const Mat4& transform) {
 
 Part disk(const Mat4& transform) {
   const Vec3d scale = scale_of(transform);
-  return disk_at(without_scale(transform, true), std::max(scale.x, scale.z), 0.0);
+  const Mat4 frame = without_scale(transform, true);
+  const double radius = std::max(scale.x, scale.z);
+  Part part = disk_at(frame, radius, 0.0);
+  // The angle of its texture does not turn with the disk: it begins half a turn from the second
+  // axis of a frame around the normal, by Duff et al. 2017, and goes to the first.
+  const Frame around = Frame::around(Vec3(axis_of(frame, 1)));
+  part.node.set("coordinates", std::string("angle_then_radius"));
+  part.to_world = from_axes(Vec3d(around.y) * -radius, Vec3d(around.x) * -radius,
+                            axis_of(frame, 1) * radius, origin_of(frame));
+  return part;
 }
 
 std::vector<Part> cylinder(const Mat4& transform, bool capped) {
@@ -113,14 +124,16 @@ std::vector<Part> cylinder(const Mat4& transform, bool capped) {
   const Mat4 frame = without_scale(transform, true);
   const Vec3d x = axis_of(frame, 0);
   const Vec3d y = axis_of(frame, 1);
+  const Vec3d z = axis_of(frame, 2);
   Part side;
   side.node = desc::shape_node("cylinder");
-  side.to_world = from_axes(x * radius, y.cross(x) * radius, y * half_height, origin_of(frame));
+  // u begins half a turn from x and goes to z.
+  side.to_world = from_axes(x * -radius, z * -radius, y * half_height, origin_of(frame));
   side.area = 4.0 * kPiDouble * radius * half_height;
   std::vector<Part> parts = {std::move(side)};
   if (capped) {
     parts.push_back(disk_at(frame, radius, half_height));
-    const Mat4 upside_down = from_axes(x, -y, -axis_of(frame, 2), origin_of(frame));
+    const Mat4 upside_down = from_axes(x, -y, -z, origin_of(frame));
     parts.push_back(disk_at(upside_down, radius, half_height));
   }
   return parts;
@@ -129,9 +142,10 @@ std::vector<Part> cylinder(const Mat4& transform, bool capped) {
 Part placed_mesh(desc::MeshPointer mesh, const Mat4& transform) {
   Part part;
   part.area = area_of(*mesh, transform);
+  const bool is_mirrored = swaps_handedness(transform);
+  (mesh->normals.empty() ? part.reverse_orientation : part.has_turned_winding) = is_mirrored;
   part.node = desc::mesh_node(std::move(mesh));
   part.to_world = transform;
-  part.reverse_orientation = swaps_handedness(transform);
   return part;
 }
 

@@ -20,6 +20,9 @@ constexpr WarningKind kTextured{Effect::Light,
                                 "lights have textures that are not supported: even ones stand in"};
 constexpr WarningKind kUnknownPivot{Effect::Light, "lights refer to primitives that are unknown"};
 
+constexpr WarningKind kSeam{Effect::Slight,
+                            "images of lights are to end at their edges: both sides join"};
+
 constexpr float kUsualCapAngle = 10.F;  // degrees
 constexpr float kRadiansPerDegree = kPi / 180.F;
 
@@ -34,19 +37,23 @@ struct Source {
   }
   /// "emission", or "power" times `per_power`, as a colour; nothing if it gives none. `image` takes
   /// the place of a texture, if the light can have one.
-  std::optional<Vec3> strength(float per_power, std::string* image = nullptr) const;
+  std::optional<Vec3> strength(float per_power, std::optional<Bitmap>* image = nullptr) const;
 };
 
-std::optional<Vec3> Source::strength(float per_power, std::string* image) const {
+std::optional<Vec3> Source::strength(float per_power, std::optional<Bitmap>* image) const {
   const LocatedJson* power = object.find("power");
   const LocatedJson* emission = object.find("emission");
   const LocatedJson* json = power != nullptr ? power : emission;
   if (json == nullptr) return std::nullopt;
   const float factor = power != nullptr ? per_power : 1.F;
   if (image != nullptr) {
-    if (const std::optional<Bitmap> bitmap = textures.bitmap(*json)) {
-      *image = bitmap->file;
-      return not_negative(context, json->where(), Vec3(bitmap->scale * factor));
+    if ((*image = textures.bitmap(*json))) {
+      if ((*image)->clamp) {
+        context.warnings.add(kSeam, json->where(),
+                             "\"clamp\" is not supported here: the left and the right edge of the "
+                             "image join");
+      }
+      return not_negative(context, json->where(), Vec3((*image)->scale * factor));
     }
   }
   const desc::Value value = textures.color(*json);
@@ -62,14 +69,19 @@ std::optional<Vec3> Source::strength(float per_power, std::string* image) const 
 
 void infinite_sphere(const Source& source) {
   source.object.accept({"sample", "bsdf"});
-  std::string image;
+  std::optional<Bitmap> image;
   const std::optional<Vec3> radiance = source.strength(1.F / (4.F * kPi), &image);
   if (!radiance) return;
   // Tungsten's image has its upper edge at +y and begins at −x, going by −z; ours at +z and +x, by
   // +y.
   const Mat4 turn = from_axes({-1.0, 0.0, 0.0}, {0.0, 0.0, -1.0}, {0.0, 1.0, 0.0}, Vec3d(0.0));
-  source.add(desc::light_node("environment", {{"radiance", *radiance}, {"image", image}}),
-             turn * without_scale(source.transform, false));
+  desc::Node node = desc::light_node("environment", {{"radiance", *radiance}});
+  if (image) {
+    node.set("image", image->file);
+    node.set("decoding_exponent", image->decoding_exponent());
+    node.set("nearest", !image->interpolate);
+  }
+  source.add(std::move(node), turn * without_scale(source.transform, false));
 }
 
 void infinite_sphere_cap(const Source& source, const PrimitivePlaces& places) {
@@ -129,6 +141,11 @@ void point(const Source& source) {
 }
 
 }  // namespace
+
+void add_default_light(Context& context, const SourceLocation& where) {
+  context.scene.lights.push_back(
+      {where, Mat4(), desc::light_node("environment", {{"radiance", Vec3(1.F)}})});
+}
 
 bool read_light(Context& context, TextureReader& textures, const ObjectReader& object,
                 const std::string& type, const Mat4& transform, const PrimitivePlaces& places) {

@@ -5,6 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "import/tungsten/settings.h"
+
 namespace ajar::tungsten {
 namespace {
 
@@ -15,6 +17,8 @@ constexpr WarningKind kPhase{Effect::Slight,
                              "phase functions are not supported: isotropic ones stand in"};
 constexpr WarningKind kTransmittance{Effect::Surface,
                                      "media do not fade exponentially, which is not supported"};
+constexpr WarningKind kShortPaths{Effect::Light,
+                                  "media end paths that scatter often: here they go on"};
 constexpr WarningKind kSameMediumName{Effect::Surface,
                                       "media have the same name: the first counts"};
 
@@ -110,7 +114,17 @@ desc::MediumId MediumTable::read(const LocatedJson& json) {
                             "only exponential transmittance is supported: it stands in");
     }
   }
-  object.accept({"max_bounces"});
+  constexpr int kUsualMaxBounces = 1024;
+  const int bounces = object.integer("max_bounces").value_or(kUsualMaxBounces);
+  const int longest = context_.scene.hints.max_depth.value_or(kUsualPathBounces);
+  if (bounces < longest && medium.sigma_s != Vec3(0.F)) {
+    const LocatedJson* limit = object.find("max_bounces");
+    context_.warnings.add(kShortPaths, limit != nullptr ? limit->where() : json.where(),
+                          "paths that scatter more than " + std::to_string(bounces) +
+                              " times in this medium go on here, up to the " +
+                              std::to_string(longest) + " of the integrator",
+                          shown(name));
+  }
   object.report_unknown();
   context_.scene.media.push_back(std::move(medium));
   return static_cast<desc::MediumId>(context_.scene.media.size()) - 1;

@@ -33,6 +33,8 @@ constexpr WarningKind kCulling{Effect::Geometry,
                                "meshes are seen from behind, too: culling is not supported"};
 constexpr WarningKind kBumpStrength{Effect::Slight,
                                     "primitives have bumps of older files, which are ignored"};
+constexpr WarningKind kLids{Effect::Surface,
+                            "cylinders have textures on their lids: they run around, not across"};
 constexpr WarningKind kInstancedLight{Effect::Light,
                                       "what is copied cannot be a light: its emission is left out"};
 constexpr WarningKind kNoMaster{Effect::Geometry, "instances have nothing to copy: left out"};
@@ -46,6 +48,30 @@ const std::vector<std::string> kPrimitiveTypes = {
     "disk",         "curves",    "point",           "skydome",
     "cylinder",     "instances", "infinite_sphere", "infinite_sphere_cap",
     "minecraft_map"};
+
+/// Whether it is a colour or texture of which Tungsten makes light.
+bool is_bright(const LocatedJson& json) {
+  if (json.is(Kind::Number) || json.is(Kind::Array)) {
+    const Vec3 color = vector_of(json);
+    return std::max({color.x, color.y, color.z}) > 0.F;
+  }
+  const LocatedJson* type = json.find("type");
+  const bool is_constant = type != nullptr && type->is(Kind::String) && type->text() == "constant";
+  if (!is_constant) return true;
+  const LocatedJson* value = json.find("value");
+  return value != nullptr && is_bright(*value);
+}
+
+bool has_texture(const desc::SceneDesc& scene, desc::MaterialId id) {
+  const desc::Material& material = scene.materials[static_cast<std::size_t>(id)];
+  if (material.bump != desc::kNone) return true;
+  for (const desc::Value& value : material.node.values()) {
+    if (std::holds_alternative<desc::TextureRef>(value)) return true;
+    const auto* part = std::get_if<desc::MaterialRef>(&value);
+    if (part != nullptr && part->id != desc::kNone && has_texture(scene, part->id)) return true;
+  }
+  return false;
+}
 
 bool is_zero(const desc::Value& color) { return color == desc::Value(Vec3(0.F)); }
 
@@ -201,6 +227,16 @@ void PrimitiveReader::set_media(const ObjectReader& object, const Surface& surfa
   shape.has_medium_interface = inside != nullptr || outside != nullptr;
 }
 
+void PrimitiveReader::warn_of_lids(const ObjectReader& object, const Surface& surface,
+                                   const std::optional<desc::Emission>& emission) {
+  const bool has_any =
+      has_texture(context_.scene, surface.material) || surface.alpha != desc::kNone ||
+      (emission && std::holds_alternative<desc::TextureRef>(emission->node.get("radiance")));
+  if (!has_any) return;
+  context_.warnings.add(kLids, object.where(),
+                        "the texture runs around the lids of this cylinder, not across them");
+}
+
 void PrimitiveReader::read(const LocatedJson& json, std::vector<desc::Shape>& shapes) {
   const ObjectReader object(context_, json, "a primitive");
   const std::string name = object.text("name").value_or("");
@@ -209,6 +245,10 @@ void PrimitiveReader::read(const LocatedJson& json, std::vector<desc::Shape>& sh
   const Mat4 transform = transform_of(context_, object);
   if (!name.empty()) places_.try_emplace(name, transform);
   const bool is_top = &shapes == &context_.scene.shapes;
+  if (is_top) {
+    const LocatedJson* light = object.find({"power", "emission"});
+    if (*type == "skydome" || (light != nullptr && is_bright(*light))) has_light_ = true;
+  }
   object.accept({"bump_strength"});
   if (object.find("bump") != nullptr) {
     context_.warnings.add(kBumpStrength, object.where(),
@@ -235,6 +275,7 @@ void PrimitiveReader::read(const LocatedJson& json, std::vector<desc::Shape>& sh
                           "what is copied cannot be a light: its emission is left out");
     emission.reset();
   }
+  if (*type == "cylinder" && parts.size() > 1) warn_of_lids(object, surfaces.front(), emission);
   for (const Part& part : parts) {
     if (!is_invertible(part.to_world) || (can_shine && !(part.area > 0.0))) {
       context_.warnings.add(kFlat, json.where(),
@@ -253,6 +294,14 @@ void PrimitiveReader::read(const LocatedJson& json, std::vector<desc::Shape>& sh
     shape.alpha = surface.alpha;
     shape.emission = emission;
     set_media(object, surface, shape);
+    if (part.has_turned_winding) {
+      // What is opaque is the same from both sides, so that the side that shines counts.
+      if (emission) {
+        shape.reverse_orientation = true;
+      } else {
+        std::swap(shape.inside, shape.outside);
+      }
+    }
     shapes.push_back(std::move(shape));
   }
   object.accept({"emission", "power", "int_medium", "ext_medium"});

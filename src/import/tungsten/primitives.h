@@ -20,6 +20,9 @@ class PrimitiveReader {
   /// Reads the list "primitives".
   void read_all(const LocatedJson& list);
 
+  /// Whether Tungsten would find any light in the list, one that is left out here, too.
+  bool has_light() const { return has_light_; }
+
   /// Where the named primitives are.
   const PrimitivePlaces& places() const { return places_; }
 
@@ -31,6 +34,8 @@ class PrimitiveReader {
   std::vector<Part> curve_parts(const ObjectReader& object, const Mat4& transform);
   std::vector<Surface> surfaces_of(const ObjectReader& object);
   std::optional<desc::Emission> emission_of(const ObjectReader& object, double area);
+  void warn_of_lids(const ObjectReader& object, const Surface& surface,
+                    const std::optional<desc::Emission>& emission);
   void set_media(const ObjectReader& object, const Surface& surface, desc::Shape& shape);
 
   /// Adds shapes to `shapes`; lights only at the top level, where `shapes` are the scene's.
@@ -44,6 +49,7 @@ class PrimitiveReader {
   MediumTable& media_;
   MeshFiles meshes_;
   PrimitivePlaces places_;
+  bool has_light_ = false;
   std::map<std::string, const LocatedJson*, std::less<>> named_;
 };
 

@@ -24,13 +24,13 @@ Vec3 normal_of(const desc::Mesh& mesh, std::size_t triangle) {
       cross(mesh.positions[t.y] - mesh.positions[t.x], mesh.positions[t.z] - mesh.positions[t.x]));
 }
 
-TEST(Primitives, QuadsFaceYWithVAgainstZ) {
+TEST(Primitives, QuadsFaceYWithVAlongZ) {
   const desc::SceneDesc scene = scene_with("'type': 'quad', 'transform': {'scale': [2, 0, 4]}");
   const desc::Mesh& mesh = mesh_of(scene.shapes.at(0));
   ASSERT_EQ(mesh.positions.size(), 4U);
   for (std::size_t i = 0; i < 4; ++i) {
     expect_near(mesh.positions[i],
-                {2.F * (mesh.uvs[i].x - 0.5F), 0.F, 4.F * (0.5F - mesh.uvs[i].y)});
+                {2.F * (mesh.uvs[i].x - 0.5F), 0.F, 4.F * (mesh.uvs[i].y - 0.5F)});
   }
   expect_near(normal_of(mesh, 0), {0, 1, 0});
   expect_near(normal_of(mesh, 1), {0, 1, 0});
@@ -78,6 +78,39 @@ TEST(Primitives, CylindersHaveLids) {
   }
 }
 
+TEST(Primitives, TexturesOfDisksAndCylindersGoAroundAsInTungsten) {
+  // Ours have u = 0 along x and u = 1/4 along y.
+  const auto place = [](const std::string& members) { return scene_with(members).shapes.at(0); };
+  const desc::Shape disk = place("'type': 'disk', 'transform': {'scale': 2}");
+  EXPECT_EQ(disk.node.text("coordinates"), "angle_then_radius");
+  // u = atan2(p · t, p · b) / 2π + 1/2, with t = x and b = −z around the normal y.
+  expect_near(moved(disk.to_world, {1, 0, 0}), {0, 0, 2});
+  expect_near(moved(disk.to_world, {0, 1, 0}), {-2, 0, 0});
+  // The frame is one of the normal, here z: t = x, b = y.
+  const desc::Shape turned = place("'type': 'disk', 'transform': {'rotation': [90, 0, 0]}");
+  expect_near(transform_vector(turned.to_world, {0, 0, 1}), {0, 0, 1});
+  expect_near(moved(turned.to_world, {1, 0, 0}), {0, -1, 0});
+  expect_near(moved(turned.to_world, {0, 1, 0}), {-1, 0, 0});
+  // u = atan2(z, x) / 2π + 1/2, and v along y.
+  const desc::Shape side = place("'type': 'cylinder', 'transform': {'scale': [2, 6, 2]}");
+  expect_near(moved(side.to_world, {1, 0, 0}), {-1, 0, 0});
+  expect_near(moved(side.to_world, {0, 1, 0}), {0, 0, -1});
+  expect_near(moved(side.to_world, {0, 0, 1}), {0, 3, 0});
+}
+
+TEST(Primitives, TexturesOnLidsAreWarnings) {
+  const auto with = [](const std::string& members) {
+    return warnings_of(
+        scene_text("{'name': 'm', 'type': 'mixed', 'bsdf0': {'type': 'lambert', "
+                   "'albedo': 'a.png'}, 'bsdf1': {'type': 'mirror'}}",
+                   "{'type': 'cylinder', " + members + "}"));
+  };
+  EXPECT_TRUE(contains(with("'bsdf': 'm'"), "test.json:3:16: the texture runs around the lids"));
+  EXPECT_TRUE(contains(with("'emission': {'type': 'checker'}"), "runs around the lids"));
+  EXPECT_EQ(with("'bsdf': 'm', 'capped': false"), "");
+  EXPECT_EQ(with("'emission': 1"), "");
+}
+
 TEST(Primitives, MeshesOfSeveralMaterialsAreSplit) {
   const Files files = {{"m.wo3", wo3_of_two_materials()}};
   const desc::SceneDesc scene =
@@ -104,6 +137,26 @@ TEST(Primitives, MirroredMeshesKeepTheSideOfTheirTrianglesInTheWorld) {
   EXPECT_TRUE(scene_with(mesh + ", 'transform': {'scale': [-1, 1, 1]}", files)
                   .shapes.at(0)
                   .reverse_orientation);
+}
+
+TEST(Primitives, MirroredSmoothMeshesAreOutsideWhereTheirNormalsAre) {
+  const Files files = {{"m.wo3", wo3_of_two_materials()}};
+  const auto shape_with = [&](const std::string& rest) {
+    return scene_with(
+               "'type': 'mesh', 'file': 'm.wo3', 'smooth': true, 'transform': {'scale': [-1, "
+               "1, 1]}, 'int_medium': {'type': 'homogeneous', 'sigma_a': 1}" +
+                   rest,
+               files)
+        .shapes.at(0);
+  };
+  const desc::Shape glass = shape_with("");
+  ASSERT_FALSE(mesh_of(glass).normals.empty());
+  EXPECT_FALSE(glass.reverse_orientation) << "normals are turned with the mesh, not turned over";
+  EXPECT_EQ(glass.inside, desc::kNone) << "media go by the winding";
+  EXPECT_EQ(glass.outside, 0);
+  const desc::Shape lamp = shape_with(", 'emission': 1");
+  EXPECT_TRUE(lamp.reverse_orientation) << "emission goes by the winding";
+  EXPECT_EQ(lamp.inside, 0);
 }
 
 TEST(Primitives, MeshFilesThatCannotBeUsedAreLeftOutWithAWarning) {
@@ -153,6 +206,45 @@ TEST(Primitives, LightsWithoutASurface) {
   expect_near(moved(scene.lights[0].to_world, {0, 0, 0}), {1, 2, 3});
   EXPECT_TRUE(contains(scene.lights[1].node.text("image"), "a.hdr"));
   EXPECT_EQ(scene.lights[2].node.color("radiance"), Vec3(0.5F));
+}
+
+TEST(Primitives, ScenesWithoutLightAreInAnEvenOne) {
+  const auto lights = [](const std::string& primitives) {
+    Warnings warnings;
+    return import_with(scene_text("", primitives), warnings).lights;
+  };
+  for (const char* dark :
+       {"{'type': 'quad'}", "{'type': 'quad', 'emission': 0}", "{'type': 'infinite_sphere'}",
+        "{'type': 'quad', 'power': {'type': 'constant', 'value': 0}}"}) {
+    ASSERT_EQ(lights(dark).size(), 1U) << dark;
+    EXPECT_TRUE(lights(dark)[0].node.is("environment"));
+    EXPECT_EQ(lights(dark)[0].node.color("radiance"), Vec3(1.F));
+  }
+  EXPECT_TRUE(lights("{'type': 'quad', 'emission': [0, 0, 1]}").empty());
+  EXPECT_TRUE(lights("{'type': 'quad', 'emission': {'type': 'checker'}}").empty());
+  // A light of Tungsten's that is left out here.
+  EXPECT_TRUE(lights("{'type': 'skydome', 'transform': {'rotation': [0, 0, 120]}}").empty());
+  EXPECT_EQ(lights("{'type': 'point', 'emission': 2}").size(), 1U);
+}
+
+TEST(Primitives, ImagesOfAnInfiniteSphereAreDecodedAsTheySay) {
+  const auto light = [](const std::string& image) {
+    return scene_of("", "{'type': 'infinite_sphere', 'emission': " + image + "}, {'type': 'quad'}")
+        .lights.at(0)
+        .node;
+  };
+  const desc::Node plain = light("'a.png'");
+  EXPECT_EQ(plain.number("decoding_exponent"), 2.2F);
+  EXPECT_FALSE(plain.flag("nearest"));
+  const desc::Node raw =
+      light("{'type': 'bitmap', 'file': 'a.png', 'gamma_correct': false, 'interpolate': false}");
+  EXPECT_EQ(raw.number("decoding_exponent"), 1.F);
+  EXPECT_TRUE(raw.flag("nearest"));
+  EXPECT_TRUE(contains(
+      warnings_of(scene_text("",
+                             "{'type': 'infinite_sphere', 'emission': {'type': 'bitmap', 'file': "
+                             "'a.png', 'clamp': true}}, {'type': 'quad'}")),
+      "test.json:3:56: \"clamp\" is not supported here"));
 }
 
 TEST(Primitives, ASunOfSomeSizeIsParallelLightOfTheSameIrradiance) {

@@ -31,7 +31,6 @@ constexpr std::array<IntegratorName, 10> kIntegrators = {{{"path_tracer", "pt"},
                                                           {"multiplexed_mlt", "mmlt"},
                                                           {"reversible_jump_mlt", "mmlt"}}};
 
-constexpr int kUsualMaxBounces = 64;
 constexpr int kMostBounces = 1000000;
 
 }  // namespace
@@ -53,7 +52,7 @@ void read_integrator(Context& context, const LocatedJson& json) {
         shown(type));
   }
   // A path that meets one surface, a light, has one bounce for Tungsten, and one edge.
-  const int bounces = object.integer("max_bounces").value_or(kUsualMaxBounces);
+  const int bounces = object.integer("max_bounces").value_or(kUsualPathBounces);
   if (bounces < 0 || bounces > kMostBounces) {
     throw SceneError(json.where(),
                      "\"max_bounces\" of " + std::to_string(bounces) + " makes no sense");

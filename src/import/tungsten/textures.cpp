@@ -138,17 +138,17 @@ desc::Value TextureReader::color(const LocatedJson& json) {
   if (!is_bitmap(json)) return of_object(json);
   const std::optional<Bitmap> image = bitmap(json);
   if (!image) return kGrey;
-  return add_image(json.where(), *image, image->gamma_correct, "color");
+  return add_image(json.where(), *image, image->decoding_exponent(), "color");
 }
 
 desc::TextureRef TextureReader::add_image(const SourceLocation& where, const Bitmap& image,
-                                          bool decode, const std::string& channel) {
+                                          float decoding_exponent, const std::string& channel) {
   return add(where,
              desc::texture_node(
                  "image", {{"file", image.file},
                            {"channel", channel},
                            {"wrap", std::string(image.clamp ? "clamp" : "repeat")},
-                           {"decode_srgb", decode},
+                           {"decoding_exponent", decoding_exponent},
                            {"scale", image.scale},
                            {"filter", std::string(image.interpolate ? "bilinear" : "nearest")}}));
 }
@@ -159,7 +159,7 @@ desc::Value TextureReader::number(const LocatedJson& json, NumberRole role) {
       const char* const channel = role == NumberRole::Number      ? "mean"
                                   : always_has_alpha(image->file) ? "alpha"
                                                                   : "alpha_or_mean";
-      return add_image(json.where(), *image, false, channel);
+      return add_image(json.where(), *image, 1.F, channel);
     }
     return kGrey.x;
   }

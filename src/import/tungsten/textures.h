@@ -13,6 +13,9 @@ struct Bitmap {
   bool interpolate = true;
   bool clamp = false;
   float scale = 1.F;
+
+  /// What decodes its integers as colours.
+  float decoding_exponent() const { return gamma_correct ? 2.2F : 1.F; }
 };
 
 /// Textures, which Tungsten writes in place of the value that they vary: a number, an array, the
@@ -47,8 +50,8 @@ class TextureReader {
   desc::Value of_object(const LocatedJson& json);
   enum class NumberRole { Number, Opacity };
   desc::Value number(const LocatedJson& json, NumberRole role);
-  desc::TextureRef add_image(const SourceLocation& where, const Bitmap& image, bool decode,
-                             const std::string& channel);
+  desc::TextureRef add_image(const SourceLocation& where, const Bitmap& image,
+                             float decoding_exponent, const std::string& channel);
   std::string resolve(const LocatedJson& name);
 
   Context& context_;

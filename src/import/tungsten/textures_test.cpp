@@ -28,13 +28,13 @@ TEST(TungstenTextures, MayBeImages) {
   const desc::Node plain = texture_with("'a.png'");
   EXPECT_TRUE(plain.is("image"));
   EXPECT_TRUE(contains(plain.text("file"), "a.png"));
-  EXPECT_TRUE(plain.flag("decode_srgb"));
+  EXPECT_EQ(plain.number("decoding_exponent"), 2.2F) << "colours are not sRGB";
   EXPECT_EQ(plain.text("wrap"), "repeat");
   EXPECT_EQ(plain.text("filter"), "bilinear");
   const desc::Node other = texture_with(
       "{'type': 'bitmap', 'file': 'a.png', 'gamma_correct': false, 'interpolate': false, "
       "'clamp': true, 'scale': 2}");
-  EXPECT_FALSE(other.flag("decode_srgb"));
+  EXPECT_EQ(other.number("decoding_exponent"), 1.F);
   EXPECT_EQ(other.text("wrap"), "clamp");
   EXPECT_EQ(other.text("filter"), "nearest");
   EXPECT_EQ(other.number("scale"), 2.F);
@@ -52,7 +52,7 @@ TEST(TungstenTextures, AsNumbersAreNotDecoded) {
   };
   const desc::Node image = ratio("{'type': 'bitmap', 'file': 'a.png', 'scale': 0.5}");
   EXPECT_EQ(image.text("channel"), "mean");
-  EXPECT_FALSE(image.flag("decode_srgb"));
+  EXPECT_EQ(image.number("decoding_exponent"), 1.F);
   EXPECT_EQ(image.number("scale"), 0.5F);
   EXPECT_EQ(ratio("[0.25, 0.5, 1]").color("value"), Vec3(0.25F)) << "the first, not the mean";
   const desc::Node checker = ratio("{'type': 'checker', 'on_color': [1, 0, 0], 'off_color': 0.5}");

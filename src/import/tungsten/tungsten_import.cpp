@@ -29,6 +29,10 @@ void require_scene(const LocatedJson& root) {
 void read_scene(Context& context, const LocatedJson& root) {
   require_scene(root);
   const ObjectReader object(context, root, "a scene");
+  // First: how long paths are matters to media.
+  if (const LocatedJson* integrator = object.find("integrator")) {
+    read_integrator(context, *integrator);
+  }
   TextureReader textures(context);
   MediumTable media(context);
   BsdfTable bsdfs(context, textures);
@@ -36,15 +40,13 @@ void read_scene(Context& context, const LocatedJson& root) {
   if (const LocatedJson* list = object.find("media")) media.define(*list);
   if (const LocatedJson* list = object.find("bsdfs")) bsdfs.define(*list);
   if (const LocatedJson* list = object.find("primitives")) primitives.read_all(*list);
+  if (!primitives.has_light()) add_default_light(context, root.where());
   if (const LocatedJson* camera = object.find("camera")) {
     read_camera(context, *camera, media, primitives.places());
   } else {
     context.warnings.add(kNoCamera, root.where(),
                          "there is no \"camera\": a perspective one at the origin is used");
     context.scene.camera.where = context.scene.film.where = root.where();
-  }
-  if (const LocatedJson* integrator = object.find("integrator")) {
-    read_integrator(context, *integrator);
   }
   if (const LocatedJson* renderer = object.find("renderer")) read_renderer(context, *renderer);
   object.report_unknown();
@@ -63,7 +65,8 @@ desc::SceneDesc import_tungsten_text(std::string_view text, const std::string& n
   desc::SceneDesc scene;
   scene.source = name;
   tungsten::Context context{scene, warnings, files};
-  tungsten::read_scene(context, LocatedJson::parse(text, name));
+  tungsten::read_scene(context,
+                       LocatedJson::parse(text, name, JsonExtras::CommentsAndTrailingCommas));
   scene.files = files.named();
   return scene;
 }

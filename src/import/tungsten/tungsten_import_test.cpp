@@ -34,6 +34,18 @@ TEST(TungstenImport, RefusesWhatIsNoSceneOfTungsten) {
             "test.json:1:12: expected a camera, which is an object, not a number");
 }
 
+TEST(TungstenImport, FilesMayHaveCommentsAndTrailingCommas) {
+  Warnings warnings;
+  const desc::SceneDesc scene = import_with(
+      quoted("{'camera': {}, // where we are\n'primitives': [{'type': 'quad'}, /* no more */],}"),
+      warnings);
+  EXPECT_EQ(warnings.count(), 0U);
+  EXPECT_EQ(scene.shapes.size(), 1U);
+  EXPECT_EQ(error_of(quoted("/* a */ {'camera':\n// b\n NaN}")).find("test.json:3:2: this is no"),
+            0U)
+      << error_of(quoted("/* a */ {'camera':\n// b\n NaN}"));
+}
+
 TEST(TungstenImport, UnknownMembersAreWarningsWithTheNearestName) {
   const std::string warnings = warnings_of(
       quoted("{'camera': {'fow': 30},\n'bsdfs': [{'name': 'a', 'type': 'lambert', 'albdo': 1}],\n"
@@ -98,6 +110,23 @@ TEST(TungstenImport, MediaWithoutACounterpartAreWarnings) {
                "Rayleigh scattering is not supported"));
   EXPECT_TRUE(contains(error_of(with("'type': 'homogeneous', 'sigma_s': -1")), "not negative"));
   EXPECT_TRUE(contains(warnings_of(quoted("{'camera': {'medium': 'x'}}")), "unknown medium \"x\""));
+}
+
+TEST(TungstenImport, MediaThatEndPathsEarlierAreWarnings) {
+  const auto with = [](const std::string& medium, const std::string& integrator) {
+    return warnings_of(
+        quoted("{'primitives': [{'type': 'quad'}],\n'camera': {'medium': {'type': "
+               "'homogeneous', " +
+               medium + "}}, 'integrator': {" + integrator + "}}"));
+  };
+  EXPECT_TRUE(contains(with("'sigma_s': 1, 'max_bounces': 8", ""),
+                       "test.json:2:75: paths that scatter more than 8 times"))
+      << with("'sigma_s': 1, 'max_bounces': 8", "");
+  EXPECT_TRUE(contains(with("'sigma_s': 1", "'max_bounces': 2000"),
+                       "test.json:2:22: paths that scatter more than 1024 times"));
+  EXPECT_EQ(with("'sigma_s': 1, 'max_bounces': 8", "'max_bounces': 8"), "");
+  EXPECT_EQ(with("'sigma_a': 1, 'max_bounces': 0", ""), "") << "what only absorbs ends no path";
+  EXPECT_EQ(with("'sigma_s': 1", ""), "");
 }
 
 class OnDisk : public ::testing::Test {

@@ -67,6 +67,7 @@ inline std::vector<NamedBsdf> catalogue(float tilt_degrees) {
   begin("smooth glass").add(SmoothDielectric{white, white, 1.5F});
   begin("tinted smooth glass").add(SmoothDielectric{white, PackedSpectrum(tint), 0.7F});
   begin("pane").add(ThinDielectric{white, white, 1.5F});
+  begin("pane that absorbs").add(ThinDielectric{white, PackedSpectrum(tint), 1.5F, true, true});
   begin("specular reflection").add(SpecularReflection{1.5F});
   begin("specular transmission").add(SpecularTransmission{1.5F});
   begin("pass-through").add(PassThrough{}, tint);

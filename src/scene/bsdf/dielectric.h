@@ -58,38 +58,57 @@ struct SmoothDielectric {
 
 /// Pane without thickness: two parallel boundaries with all reflections between them. Transmits
 /// straight on, and radiance is not scaled, because the same medium is on both sides.
-/// The series R + T R T + T R³ T + … sums to 2R/(1+R) for T = 1 − R.
+/// The series R + T R T + T R³ T + … sums to 2R/(1+R) for T = 1 − R. Boundaries that are parallel
+/// keep the polarisations apart, each with a series of its own; renderers often take that of the
+/// mean.
 struct ThinDielectric {
   static constexpr bool kSpecular = true;
   PackedSpectrum reflect;
   PackedSpectrum transmit;
   float eta = 1.5F;  ///< index of the pane over that around it
+  bool polarised = false;
+  bool along_normal = false;  ///< `transmit` is that along the normal, of what absorbs on the way
 
   std::optional<LobeSample> sample(const Vec3& wo, const BsdfUniforms& u, const Vec3&,
                                    TransportMode) const {
-    const float reflectance = pane_reflectance(wo);
-    const float p = reflection_probability(reflectance, reflect, transmit);
+    const auto [reflectance, through] = crossing(wo);
+    const float p = reflection_probability(reflectance, reflect, through);
     if (!(p >= 0.F)) return std::nullopt;
     if (u.lobe < p) {
       return LobeSample{{-wo.x, -wo.y, wo.z}, reflect.unpack() * (reflectance / p), p, p};
     }
     const float q = 1.F - p;
     if (!(q > 0.F)) return std::nullopt;
-    return LobeSample{-wo, transmit.unpack() * ((1.F - reflectance) / q), q, q, true};
+    return LobeSample{-wo, through.unpack() * ((1.F - reflectance) / q), q, q, true};
   }
   UnitInterval choices(const Vec3& wo, const Vec3&, bool transmission, float&) const {
-    return reflection_choices(reflection_probability(pane_reflectance(wo), reflect, transmit),
-                              transmission);
+    const auto [reflectance, through] = crossing(wo);
+    return reflection_choices(reflection_probability(reflectance, reflect, through), transmission);
   }
   Spectrum albedo(const Vec3& wo) const {
-    const float reflectance = pane_reflectance(wo);
-    return reflect.unpack() * reflectance + transmit.unpack() * (1.F - reflectance);
+    const auto [reflectance, through] = crossing(wo);
+    return reflect.unpack() * reflectance + through.unpack() * (1.F - reflectance);
   }
 
  private:
-  float pane_reflectance(const Vec3& wo) const {
-    const float r = fresnel_dielectric(std::abs(wo.z), eta).reflectance;
-    return 2.F * r / (1.F + r);
+  struct Crossing {
+    float reflectance;
+    PackedSpectrum transmit;
+  };
+  Crossing crossing(const Vec3& wo) const {
+    const auto series = [](float r) { return 2.F * r / (1.F + r); };
+    const float cos_i = std::abs(wo.z);
+    const DielectricBoundary boundary = fresnel_dielectric(cos_i, eta);
+    const float cos_t = boundary.cos_t;
+    float reflectance = series(boundary.reflectance);
+    if (!(cos_t > 0.F)) return {reflectance, transmit};
+    if (polarised) {
+      const auto [parallel, perpendicular] = fresnel_polarised(cos_i, cos_t, eta);
+      reflectance = 0.5F * (series(parallel) + series(perpendicular));
+    }
+    if (!along_normal) return {reflectance, transmit};
+    const auto slanted = [=](float t) { return t > 0.F ? std::pow(t, 1.F / cos_t) : 0.F; };
+    return {reflectance, PackedSpectrum(map_lanes(transmit.unpack(), slanted))};
   }
 };
 

@@ -9,13 +9,24 @@ struct DielectricBoundary {
   float cos_t;        ///< cosine of the refracted angle, ≥ 0; 0 under total internal reflection
 };
 
+/// Of light that swings in the plane of incidence, and across it.
+struct PolarisedReflectance {
+  float parallel;
+  float perpendicular;
+};
+
 /// Fresnel's equations with both angles known: `cos_i` in front of the boundary, `cos_t` behind it,
 /// both ≥ 0 and not both 0. Unlike `fresnel_dielectric` it keeps its digits close to total
 /// reflection, and gives the same seen from either side.
-inline float fresnel_reflectance(float cos_i, float cos_t, float eta) {
+inline PolarisedReflectance fresnel_polarised(float cos_i, float cos_t, float eta) {
   const float parallel = (eta * cos_i - cos_t) / (eta * cos_i + cos_t);
   const float perpendicular = (cos_i - eta * cos_t) / (cos_i + eta * cos_t);
-  return 0.5F * (parallel * parallel + perpendicular * perpendicular);
+  return {parallel * parallel, perpendicular * perpendicular};
+}
+/// The mean of both, of light that is not polarised.
+inline float fresnel_reflectance(float cos_i, float cos_t, float eta) {
+  const auto [parallel, perpendicular] = fresnel_polarised(cos_i, cos_t, eta);
+  return 0.5F * (parallel + perpendicular);
 }
 
 /// Exact Fresnel equations. `cos_i` in [0, 1]; `eta` is the index of refraction behind the boundary

@@ -201,6 +201,29 @@ TEST(ThinDielectric, SumsItsInternalReflections) {
   EXPECT_EQ(through->eta, 1.F);
 }
 
+TEST(ThinDielectric, MayKeepPolarisationsApartAndAbsorbOnTheWay) {
+  // At Brewster's angle one polarisation goes through alone, and the angles are complementary.
+  const float eta = 1.5F;
+  const float cos_i = 1.F / std::sqrt(1.F + eta * eta);
+  const float cos_t = std::sqrt(1.F - cos_i * cos_i);
+  const float sine = (eta * eta - 1.F) / (eta * eta + 1.F);
+  const float perpendicular = sine * sine;
+  const Spectrum along(0.5F, 0.25F, 0.F);
+  const ThinDielectric pane{PackedSpectrum(Spectrum(1.F)), PackedSpectrum(along), eta, true, true};
+  const Vec3 wo(std::sqrt(1.F - cos_i * cos_i), 0.F, cos_i);
+  const float reflected = perpendicular / (1.F + perpendicular);
+  // cos θt = sin θi there.
+  EXPECT_NEAR(cos_t, eta * cos_i, 1e-6F);
+  const float way = 1.F / (eta * cos_i);
+  const Spectrum albedo = pane.albedo(wo);
+  EXPECT_NEAR(albedo[0], reflected + (1.F - reflected) * std::pow(0.5F, way), 1e-6F);
+  EXPECT_NEAR(albedo[1], reflected + (1.F - reflected) * std::pow(0.25F, way), 1e-6F);
+  EXPECT_NEAR(albedo[2], reflected, 1e-6F);
+  const auto through = pane.sample(wo, {0.999F, {0.F, 0.F}}, kUp, kRadiance);
+  ASSERT_TRUE(through);
+  EXPECT_NEAR(through->weight[0] * through->pdf, (1.F - reflected) * std::pow(0.5F, way), 1e-6F);
+}
+
 TEST(SpecularTransmission, IsEmptyUnderTotalReflection) {
   EXPECT_FALSE(SpecularTransmission{1.5F}.sample(direction(130.F, 0.F), {0.5F, {0.5F, 0.5F}}, kUp,
                                                  kRadiance));

@@ -7,7 +7,11 @@ namespace {
 
 std::unique_ptr<Light> make_environment(const LightInputs& in) {
   const Spectrum radiance = in.color("radiance");
-  if (std::optional<SphereMap> map = in.sphere_map()) {
+  TexelTreatment texels{.nearest = in.node().flag("nearest")};
+  if (const float* exponent = std::get_if<float>(&in.node().get("decoding_exponent"))) {
+    texels.decoding_exponent = *exponent;
+  }
+  if (std::optional<SphereMap> map = in.sphere_map(texels)) {
     const float scale = in.scale_to("irradiance", luminance(map->irradiance()));
     return make_environment_map(radiance * scale, std::move(*map), in.at(), in.bounds());
   }
@@ -17,13 +21,19 @@ std::unique_ptr<Light> make_environment(const LightInputs& in) {
 }  // namespace
 
 LightModel environment_light() {
+  ParameterSpec exponent = declare::number(
+      "decoding_exponent", "", "exponent that decodes integers of the image; without it, sRGB");
+  exponent.minimum = 0.0;
   return {{.name = "environment",
            .summary = "light from all around, the same or by an image",
            .source = "",
            .parameters = {declare::emission("radiance", "W/(m2 sr)",
                                             "radiance, or factor of the image"),
                           declare::file("image", "all directions, with the pole at z, from above"),
-                          sphere_projection_input(),
+                          sphere_projection_input(), std::move(exponent),
+                          declare::flag("nearest",
+                                        "take the nearest texel of the image, as of all that are "
+                                        "equal_area, and do not interpolate"),
                           declare::target("irradiance", "W/m2",
                                           "if given, what a light of radiance 1 is scaled to: its "
                                           "luminance on a surface that faces z")}},

@@ -74,7 +74,7 @@ class GoniometricLight final : public Light {
 
 std::unique_ptr<Light> make_goniometric(const LightInputs& in) {
   const Spectrum intensity = in.color("intensity");
-  std::optional<SphereMap> map = in.sphere_map(in.node().flag("gray"));
+  std::optional<SphereMap> map = in.sphere_map({.gray = in.node().flag("gray")});
   if (!map) return make_point_light(intensity * in.scale_to("power", 4.F * kPi), in.at(), in.aim());
   const float scale = in.scale_to("power", luminance(map->integral()));
   return std::make_unique<GoniometricLight>(intensity * scale, std::move(*map), in.at());

@@ -35,16 +35,19 @@ LightInputs::LightInputs(const desc::Light& description, const LightSurroundings
   }
 }
 
-std::optional<Map> LightInputs::map(std::string_view name, MapEdge edge, MapFilter filter) const {
+std::optional<Map> LightInputs::map(std::string_view name, MapEdge edge, MapFilter filter,
+                                    std::optional<float> decoding_exponent) const {
   const std::string& path = node().text(name);
   if (path.empty()) return std::nullopt;
-  return load_map(path, edge, description_.where, warnings_, filter, surroundings_.embedded);
+  return load_map(path, edge, description_.where, warnings_, filter, surroundings_.embedded,
+                  decoding_exponent);
 }
 
-std::optional<SphereMap> LightInputs::sphere_map(bool gray) const {
+std::optional<SphereMap> LightInputs::sphere_map(const TexelTreatment& texels) const {
   const auto load = [&](const SphereProjection& projection) {
-    std::optional<Map> image = map("image", projection.edge, projection.filter);
-    if (image && gray) image->make_gray();
+    const MapFilter filter = texels.nearest ? MapFilter::Nearest : projection.filter;
+    std::optional<Map> image = map("image", projection.edge, filter, texels.decoding_exponent);
+    if (image && texels.gray) image->make_gray();
     return image;
   };
   const SphereProjection& wanted = sphere_projection(node().text("projection"));

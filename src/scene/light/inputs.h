@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <string>
 
 #include "scene/direction_map.h"
@@ -16,6 +17,13 @@ struct LightPlacement {
   DirectionMap directions;
 };
 
+/// What becomes of the texels of a map.
+struct TexelTreatment {
+  bool gray = false;     ///< each is the mean of its colours
+  bool nearest = false;  ///< no interpolation, whatever the projection
+  std::optional<float> decoding_exponent = std::nullopt;  ///< of integers; without one: sRGB
+};
+
 /// The description of one light, with what it needs to know of the scene.
 class LightInputs {
  public:
@@ -30,11 +38,11 @@ class LightInputs {
   Spectrum color(std::string_view name) const { return rgb_spectrum(node().color(name)); }
   /// The map of a file, as `load_map` reads it; nothing if the light has none.
   std::optional<Map> map(std::string_view name, MapEdge edge,
-                         MapFilter filter = MapFilter::Bilinear) const;
+                         MapFilter filter = MapFilter::Bilinear,
+                         std::optional<float> decoding_exponent = std::nullopt) const;
   /// The map "image" of all directions, spread as "projection" says; nothing if the light has none.
   /// An equal-area map that is not square counts as one of latitudes, with a warning.
-  /// `gray`: each texel is the mean of its colours.
-  std::optional<SphereMap> sphere_map(bool gray = false) const;
+  std::optional<SphereMap> sphere_map(const TexelTreatment& texels = {}) const;
   /// What a light of the luminance `actual` is multiplied with to have that which the parameter
   /// `name` says; 1 if it says none.
   float scale_to(std::string_view name, float actual) const;

@@ -17,7 +17,8 @@ constexpr WarningKind kUnreadable{Effect::Light,
                                   "light maps (skies, spots) cannot be read: the light is magenta"};
 
 /// Raises IoError with the reason if the file cannot be read.
-Map read_map(const std::string& path, MapEdge edge, MapFilter filter) {
+Map read_map(const std::string& path, MapEdge edge, MapFilter filter,
+             std::optional<float> decoding_exponent) {
   ImageInput input(path, true);
   const ImageHeader& header = input.header();
   constexpr int kMaxSide = 1 << 16;
@@ -28,7 +29,9 @@ Map read_map(const std::string& path, MapEdge edge, MapFilter filter) {
   const auto count = static_cast<std::size_t>(header.pixels());
   std::vector<float> values = input.read<float>(channels, count * sizeof(Spectrum));
   if (header.is_integer) {
-    for (float& v : values) v = linear_from_srgb(v);
+    for (float& v : values) {
+      v = decoding_exponent ? std::pow(v, *decoding_exponent) : linear_from_srgb(v);
+    }
   }
   std::vector<Spectrum> texels;
   texels.reserve(count);
@@ -54,10 +57,11 @@ Map::Map(int width, int height, std::vector<Spectrum> texels, MapEdge edge, MapF
 }
 
 Map load_map(const std::string& path, MapEdge edge, const SourceLocation& where, Warnings& warnings,
-             MapFilter filter, const desc::EmbeddedFiles& embedded) {
+             MapFilter filter, const desc::EmbeddedFiles& embedded,
+             std::optional<float> decoding_exponent) {
   std::string reason;
   try {
-    return read_map(NamedFile(path, embedded).path(), edge, filter);
+    return read_map(NamedFile(path, embedded).path(), edge, filter, decoding_exponent);
   } catch (const std::bad_alloc&) {
     reason = "not enough memory";
   } catch (const IoError& error) {

@@ -1,6 +1,7 @@
 #pragma once
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -74,11 +75,12 @@ class Map {
   std::vector<Spectrum> texels_;
 };
 
-/// Reads `path`, which may be one of `embedded`, as linear RGB: integer formats are decoded from
-/// sRGB, one or two channels are grey, alpha is ignored. A file that cannot be read gives one
-/// magenta texel and a warning naming it.
+/// Reads `path`, which may be one of `embedded`, as linear RGB: integer formats are decoded by
+/// `decoding_exponent`, without one from sRGB; one or two channels are grey, alpha is ignored. A
+/// file that cannot be read gives one magenta texel and a warning naming it.
 Map load_map(const std::string& path, MapEdge edge, const SourceLocation& where, Warnings& warnings,
-             MapFilter filter = MapFilter::Bilinear, const desc::EmbeddedFiles& embedded = {});
+             MapFilter filter = MapFilter::Bilinear, const desc::EmbeddedFiles& embedded = {},
+             std::optional<float> decoding_exponent = std::nullopt);
 
 /// Maps up to this size are sampled by half texels. They fit the bilinear interpolation four times
 /// better than whole ones but need four times the memory.

@@ -60,6 +60,35 @@ TEST(Map, DecodesIntegersFromSrgb) {
   EXPECT_FLOAT_EQ(value[2], 1.F);
 }
 
+TEST(Map, DecodesIntegersByAnExponent) {
+  const ImageFile file(1, 1, {0.5F, 0.F, 1.F}, ".png", OIIO::TypeDesc::UINT8);
+  const auto value = [&](float exponent) {
+    desc::Node node = environment_node(Vec3(1.F), file.path());
+    node.set("decoding_exponent", exponent);
+    const auto light = light_of(node, Mat4());
+    return light->emitted(light->at_direction({1, 0, 0}), {-1, 0, 0});
+  };
+  constexpr float kCode = 128.F / 255.F;
+  EXPECT_NEAR(value(1.F)[0], kCode, 1e-6F);
+  EXPECT_NEAR(value(2.2F)[0], std::pow(kCode, 2.2F), 1e-6F);
+  EXPECT_EQ(value(2.2F)[1], 0.F);
+  EXPECT_FLOAT_EQ(value(2.2F)[2], 1.F);
+}
+
+TEST(EnvironmentMap, MayTakeTheNearestTexel) {
+  const ImageFile file(4, 2, {1, 1, 1, 2, 2, 2, 3, 3, 3, 4, 4, 4,  //
+                              5, 5, 5, 6, 6, 6, 7, 7, 7, 8, 8, 8});
+  desc::Node node = environment_node(Vec3(1.F), file.path());
+  node.set("nearest", true);
+  const auto light = light_of(node, Mat4());
+  check_connection(*light, {{0, 0, 0}});
+  for (const Vec2& uv : {Vec2(0.01F, 0.1F), Vec2(0.24F, 0.49F), Vec2(0.76F, 0.51F)}) {
+    const Vec3 w = lat_long::to_direction(uv);
+    const float texel = 1.F + std::floor(4.F * uv.x) + 4.F * std::floor(2.F * uv.y);
+    EXPECT_EQ(light->emitted(light->at_direction(w), -w)[0], texel);
+  }
+}
+
 TEST(Map, SpreadsOneChannelOverAllLanes) {
   const ImageFile file(2, 1, {0.25F, 0.5F}, ".exr", OIIO::TypeDesc::FLOAT, 1);
   Warnings warnings;

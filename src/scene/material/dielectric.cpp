@@ -17,7 +17,9 @@ class Dielectric final : public Material {
         roughness_(in),
         model_(facet_model(in.node())),
         rough_(!roughness_.is_smooth()),
-        thin_(in.node().flag("thin")) {
+        thin_(in.node().flag("thin")),
+        polarised_(in.node().flag("polarised")),
+        along_normal_(in.node().flag("along_normal")) {
     index_varies = !eta_.is_constant();
     needs_tangent = rough_ && !thin_ && !roughness_.isotropic();
     if (thin_ && rough_) {
@@ -30,7 +32,7 @@ class Dielectric final : public Material {
     if (kr.average() == 0.F && kt.average() == 0.F) return;
     const float eta = index_of_refraction(eta_, at);
     if (thin_) {
-      bsdf.add(ThinDielectric{kr, kt, eta}, scale);
+      bsdf.add(ThinDielectric{kr, kt, eta, polarised_, along_normal_}, scale);
     } else if (rough_ && !index_matched(eta)) {
       bsdf.add(RoughDielectric{roughness_.facets(model_, at), kr, kt, eta}, scale);
     } else {
@@ -47,6 +49,8 @@ class Dielectric final : public Material {
   FacetModel model_;
   bool rough_;
   bool thin_;
+  bool polarised_;
+  bool along_normal_;
 };
 
 }  // namespace
@@ -60,7 +64,15 @@ MaterialModel dielectric_material() {
                    {declare::reflectance("reflectance", "1", "tint of what is reflected"),
                     declare::reflectance("transmittance", "1", "tint of what is refracted"),
                     index_input(),
-                    declare::flag("thin", "a pane without thickness: transmits straight on")},
+                    declare::flag("thin", "a pane without thickness: transmits straight on"),
+                    declare::flag(
+                        "polarised",
+                        "of thin ones: between its sides both polarisations go to and fro apart, "
+                        "not their mean"),
+                    declare::flag(
+                        "along_normal",
+                        "of thin ones: transmittance is that along the normal, and less on longer "
+                        "ways")},
                    facet_inputs()),
                roughness_inputs("0"))},
           make<Dielectric>};

@@ -202,6 +202,31 @@ TEST(Principled, BlendsMetalAndDielectricOnceUnlessTwice) {
   }
 }
 
+TEST(Principled, SpecularStrengthIsAFactorOfTheDielectricAtAllAngles) {
+  const auto gloss = [](float metallic, float tint, float strength, const Vec3& wo,
+                        const Vec3& wi) {
+    Fixture f;
+    const auto with = [&](float factor) {
+      return f
+          .bsdf(f.add("principled", {{"base_color", Vec3(0.5F)},
+                                     {"metallic", metallic},
+                                     {"specular_tint", tint},
+                                     {"specular_strength", factor}}))
+          .eval(wo, wi, kRadiance)[0];
+    };
+    const float none = with(0.F);
+    return std::pair((with(strength) - none) / (with(1.F) - none), none);
+  };
+  const Vec3 grazing = direction(85.F, 0.F);
+  for (const float tint : {0.F, 0.5F}) {
+    EXPECT_NEAR(gloss(0.F, tint, 0.25F, kWo, kWi).first, 0.25F, 1e-4F);
+    EXPECT_NEAR(gloss(0.F, tint, 0.25F, grazing, direction(85.F, 180.F)).first, 0.25F, 1e-4F);
+    EXPECT_NEAR(gloss(0.5F, tint, 0.25F, grazing, direction(85.F, 180.F)).first, 0.25F, 1e-4F);
+  }
+  EXPECT_GT(gloss(0.5F, 0.F, 0.25F, grazing, direction(85.F, 180.F)).second, 0.1F)
+      << "the metal keeps its own";
+}
+
 TEST(Principled, VarnishIsNotOnGlass) {
   const auto mirror_of = [](float transmission) {
     Fixture f;

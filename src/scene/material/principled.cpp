@@ -42,9 +42,9 @@ class Principled final : public Material {
                    const Spectrum& tint, float roughness, float share, const Varnish& varnish,
                    Bsdf& bsdf) const;
 
-  TextureSlot color_, metallic_, eta_, roughness_, specular_tint_, anisotropic_, sheen_,
-      sheen_tint_, clearcoat_, clearcoat_gloss_, coat_, coat_roughness_, spec_trans_, flatness_,
-      diff_trans_;
+  TextureSlot color_, metallic_, eta_, roughness_, specular_strength_, specular_tint_, anisotropic_,
+      sheen_, sheen_tint_, clearcoat_, clearcoat_gloss_, coat_, coat_roughness_, spec_trans_,
+      flatness_, diff_trans_;
   bool thin_;
   bool colors_twice_;
 };
@@ -54,6 +54,7 @@ Principled::Principled(const MaterialInputs& in)
       metallic_(in.slot("metallic")),
       eta_(in.slot("eta")),
       roughness_(in.slot("roughness")),
+      specular_strength_(in.slot("specular_strength")),
       specular_tint_(in.slot("specular_tint")),
       anisotropic_(in.slot("anisotropic")),
       sheen_(in.slot("sheen")),
@@ -123,15 +124,18 @@ DisneyFresnel Principled::fresnel(const SurfacePoint& at, const Spectrum& color,
                                   const Spectrum& tint, float metallic, float eta) const {
   const float dielectric_r0 = square((eta - 1.F) / (eta + 1.F));
   const float tinted = weight(specular_tint_, at);
+  const float strength = weight(specular_strength_, at);
   if (colors_twice_) {
     const Spectrum white_r0 = dielectric_r0 * (Spectrum(1.F) + (tint - Spectrum(1.F)) * tinted);
-    return {PackedSpectrum(white_r0 * (1.F - metallic) + color * metallic), metallic, eta};
+    return {PackedSpectrum(white_r0 * (strength * (1.F - metallic)) + color * metallic), metallic,
+            eta, strength * (1.F - metallic)};
   }
-  const float tinted_share = (1.F - metallic) * tinted;
+  const float share = (1.F - metallic) * strength;
+  const float tinted_share = share * tinted;
   const float by_schlick = metallic + tinted_share;
-  if (!(by_schlick > 0.F)) return {PackedSpectrum(), 0.F, eta};
+  if (!(by_schlick > 0.F)) return {PackedSpectrum(), 0.F, eta, share};
   const Spectrum r0 = (color * metallic + tint * (dielectric_r0 * tinted_share)) / by_schlick;
-  return {PackedSpectrum(r0), by_schlick, eta};
+  return {PackedSpectrum(r0), by_schlick, eta, share - tinted_share};
 }
 
 Principled::Varnish Principled::add_varnish(const SurfacePoint& at, const Spectrum& scale,
@@ -182,6 +186,8 @@ MaterialModel principled_material() {
             declare::textured_number("metallic", "0", "from dielectric to metal", 1.0),
             index_input(),
             declare::textured_number("roughness", "0.5", "root of the facets' alpha", 1.0),
+            declare::textured_number("specular_strength", "1",
+                                     "factor of the gloss of the dielectric, at all angles", 1.0),
             declare::textured_number("specular_tint", "0", "share of the base colour in the gloss",
                                      1.0),
             declare::textured_number("anisotropic", "0", "how much longer along u the gloss is",
