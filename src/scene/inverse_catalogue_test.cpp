@@ -205,6 +205,8 @@ struct AllLights {
     add("sphere", sphere_node());
     add("partial sphere", sphere_node(1, -0.4F, 0.9F, 200));
     add("disk", disk_node(0.3F, 1.2F, 0.4F, 300));
+    add("disk of radii and angles", disk_node_of("radius_then_angle"));
+    add("disk of angles and radii", disk_node_of("angle_then_radius"));
     add("cylinder", cylinder_node(0.6F, -1, 1, 360));
     add("cone", cone_node(0.8F, 1.5F, 360));
     add("paraboloid", paraboloid_node(1, 0, 1.3F, 270));

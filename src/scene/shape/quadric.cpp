@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numbers>
+#include <utility>
 
 #include "scene/shape/quadric_math.h"
 
@@ -39,10 +40,11 @@ std::optional<Quadric> Quadric::sphere(float radius, float z_min, float z_max, f
   return q;
 }
 
-std::optional<Quadric> Quadric::disk(float height, float radius, float inner_radius,
-                                     float phi_max) {
+std::optional<Quadric> Quadric::disk(float height, float radius, float inner_radius, float phi_max,
+                                     DiskCoordinates coordinates) {
   Quadric q;
   q.kind_ = Kind::Disk;
+  q.coordinates_ = coordinates;
   q.radius_ = radius;
   q.inner_radius_ = std::max(0.F, inner_radius);
   q.z_min_ = q.z_max_ = height;
@@ -132,7 +134,7 @@ bool Quadric::in_range(const Vec3d& p) const {
     const double v = (p.z - p1_.z) / edge_.z;
     if (v < 0.0 || v > 1.0) return false;
   }
-  return full_turn_ || parameters(p).x <= 1.0;
+  return full_turn_ || place_of(p).turn <= 1.0;
 }
 
 Quadric::Roots Quadric::intersect(const Vec3d& origin, const Vec3d& direction) const {
@@ -202,7 +204,33 @@ Vec3d Quadric::project(const Vec3d& p) const {
   return {p.x * scale, p.y * scale, p.z};
 }
 
-Imath::V2d Quadric::parameters(const Vec3d& p) const {
+Imath::V2d Quadric::parameters(const Vec3d& p) const { return parameters_at(place_of(p)); }
+
+Imath::V2d Quadric::parameters_at(const Place& place) const {
+  switch (coordinates_) {
+    case DiskCoordinates::RadiusThenAngle:
+      return {1.0 - place.v, place.turn};
+    case DiskCoordinates::AngleThenRadius:
+      return {place.turn, 1.0 - place.v};
+    case DiskCoordinates::AngleThenRadiusInward:
+      break;
+  }
+  return {place.turn, place.v};
+}
+
+Quadric::Place Quadric::place_at(const Imath::V2d& uv) const {
+  switch (coordinates_) {
+    case DiskCoordinates::RadiusThenAngle:
+      return {uv.y, 1.0 - uv.x};
+    case DiskCoordinates::AngleThenRadius:
+      return {uv.x, 1.0 - uv.y};
+    case DiskCoordinates::AngleThenRadiusInward:
+      break;
+  }
+  return {uv.x, uv.y};
+}
+
+Quadric::Place Quadric::place_of(const Vec3d& p) const {
   double v = 0.0;
   double phi = std::atan2(p.y, p.x);
   switch (kind_) {
@@ -251,13 +279,14 @@ double Quadric::clamped_v(double v) const {
 }
 
 Quadric::Point Quadric::at(const Imath::V2d& uv) const {
-  const double phi = uv.x * phi_max_;
+  const Place place = place_at(uv);
+  const double phi = place.turn * phi_max_;
   const double c = std::cos(phi);
   const double s = std::sin(phi);
   Point result;
-  result.p = turned(profile(uv.y), c, s);
+  result.p = turned(profile(place.v), c, s);
 
-  const double v = clamped_v(uv.y);
+  const double v = clamped_v(place.v);
   const Vec3d q = turned(profile(v), c, s);
   const Vec3d u_axis(-q.y, q.x, 0.0);  // ∂P/∂φ
   result.dpdu = u_axis * phi_max_;
@@ -275,6 +304,9 @@ Quadric::Point Quadric::at(const Imath::V2d& uv) const {
   const Vec3d n = result.dpdu.cross(result.dpdv).normalized();
   result.n = kind_ == Kind::Sphere ? result.p.normalized() : n;
   weingarten(result.dpdu, result.dpdv, n, d2uu, d2uv, d2vv, result.dndu, result.dndv);
+  // Disks are flat: their normals have no derivatives to exchange.
+  if (coordinates_ != DiskCoordinates::AngleThenRadiusInward) result.dpdv = -result.dpdv;
+  if (coordinates_ == DiskCoordinates::RadiusThenAngle) std::swap(result.dpdu, result.dpdv);
   return result;
 }
 
@@ -302,6 +334,15 @@ double Quadric::area() const {
       break;
   }
   return phi_max_ * ruled_area(1.0);
+}
+
+Imath::V2d Quadric::uniform_parameters(const Imath::V2d& x) const {
+  return parameters_at({x.x, uniform_v(x.y)});
+}
+
+Imath::V2d Quadric::uniforms_of(const Imath::V2d& uv) const {
+  const Place place = place_at(uv);
+  return {place.turn, area_share(place.v)};
 }
 
 double Quadric::uniform_v(double x) const {

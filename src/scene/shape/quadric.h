@@ -7,14 +7,20 @@
 
 namespace ajar {
 
+/// What u and v of a disk are. The angle is given as its share of φ_max, the radius as its share of
+/// the way from the hole to the rim.
+enum class DiskCoordinates { AngleThenRadiusInward, RadiusThenAngle, AngleThenRadius };
+
 /// A piece of a surface of revolution about z, in object space and double precision. Every point is
-/// P(u, v) = R_z(u · φ_max) c(v) with a profile curve c; parameters as in pbrt-v3, chapter 3.
+/// P(u, v) = R_z(u · φ_max) c(v) with a profile curve c; parameters as in Pharr et al. 2016,
+/// chapter
+/// 3. Disks may have them in another order.
 class Quadric {
  public:
   /// Point and derivatives at some (u, v).
   struct Point {
     Vec3d p;
-    Vec3d n;  ///< unit, on the side of ∂P/∂u × ∂P/∂v
+    Vec3d n;  ///< unit, outward of a sphere, toward +z of a disk; ∂P/∂u × ∂P/∂v or its opposite
     Vec3d dpdu, dpdv;
     Vec3d dndu, dndv;
   };
@@ -27,7 +33,9 @@ class Quadric {
   /// Empty, as all below, if the shape has no area (radius or height or angle of zero) or is not
   /// finite. Pieces between `z_min` and `z_max`, in either order, up to `phi_max` (degrees).
   static std::optional<Quadric> sphere(float radius, float z_min, float z_max, float phi_max);
-  static std::optional<Quadric> disk(float height, float radius, float inner_radius, float phi_max);
+  static std::optional<Quadric> disk(
+      float height, float radius, float inner_radius, float phi_max,
+      DiskCoordinates coordinates = DiskCoordinates::AngleThenRadiusInward);
   /// `radius` is that at the upper end.
   static std::optional<Quadric> paraboloid(float radius, float z_min, float z_max, float phi_max);
   /// What the line from `p1` to `p2` makes that turns around z.
@@ -38,16 +46,16 @@ class Quadric {
   /// The nearest point on the surface to a point close to it (moved along the radius or axis), and
   /// its (u, v).
   Vec3d project(const Vec3d& p) const;
-  /// Parameters of a point on the surface; u may exceed 1 where a part is cut away.
+  /// Parameters of a point on the surface; the angle may exceed 1 where a part is cut away.
   Imath::V2d parameters(const Vec3d& p) const;
   Point at(const Imath::V2d& uv) const;
 
   /// Exact area in object space.
   double area() const;
-  /// v such that uniform `x` in [0, 1) gives uniform area.
-  double uniform_v(double x) const;
-  /// Its inverse: the share of the area between v = 0 and v.
-  double area_share(double v) const;
+  /// (u, v) such that uniform `x` in [0, 1)² gives uniform area.
+  Imath::V2d uniform_parameters(const Imath::V2d& x) const;
+  /// Its inverse.
+  Imath::V2d uniforms_of(const Imath::V2d& uv) const;
   /// Box that contains the surface, in object space.
   void bounds(Vec3d& low, Vec3d& high) const;
 
@@ -59,6 +67,17 @@ class Quadric {
  private:
   enum class Kind { Sphere, Disk, Ruled, Paraboloid };
 
+  /// Share of φ_max and place on the profile curve, the (u, v) of all but some disks.
+  struct Place {
+    double turn = 0.0;
+    double v = 0.0;
+  };
+  Place place_of(const Vec3d& p) const;
+  Place place_at(const Imath::V2d& uv) const;
+  Imath::V2d parameters_at(const Place& place) const;
+  double uniform_v(double x) const;
+  /// The share of the area between v = 0 and v.
+  double area_share(double v) const;
   bool in_range(const Vec3d& p) const;
   /// Cumulative area from v = 0, per radian (ruled surfaces).
   double ruled_area(double v) const;
@@ -71,7 +90,8 @@ class Quadric {
   bool full_turn_ = true;
   double radius_ = 0.0;        ///< sphere, paraboloid (at z_max): radius; disk: outer radius
   double inner_radius_ = 0.0;  ///< disk
-  double z_min_ = 0.0;         ///< disk: its height
+  DiskCoordinates coordinates_ = DiskCoordinates::AngleThenRadiusInward;
+  double z_min_ = 0.0;  ///< disk: its height
   double z_max_ = 0.0;
   double theta_min_ = 0.0;  ///< sphere: polar angle at v = 0
   double theta_max_ = 0.0;

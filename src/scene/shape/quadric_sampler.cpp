@@ -39,7 +39,7 @@ class QuadricSampler final : public SurfaceSampler {
     return extent;
   }
   SurfaceSample sample(const SurfaceUniforms& u) const override {
-    const Imath::V2d uv(u.position.x, quadric_.uniform_v(u.position.y));
+    const Imath::V2d uv = quadric_.uniform_parameters({u.position.x, u.position.y});
     SurfaceSample result;
     result.point = quadric_surface_point(quadric_, placement_, reversed_, uv);
     result.pdf = density(uv);
@@ -50,8 +50,9 @@ class QuadricSampler final : public SurfaceSampler {
   }
   std::optional<SurfaceUniforms> invert(const SurfacePoint& point,
                                         const SurfaceUniforms& fresh) const override {
-    const auto share = static_cast<float>(quadric_.area_share(static_cast<double>(point.uv.y)));
-    return SurfaceUniforms{fresh.primitive, {unit(point.uv.x), unit(share)}};
+    const Imath::V2d x = quadric_.uniforms_of({point.uv.x, point.uv.y});
+    return SurfaceUniforms{fresh.primitive,
+                           {unit(static_cast<float>(x.x)), unit(static_cast<float>(x.y))}};
   }
 
  private:
@@ -66,7 +67,7 @@ class QuadricSampler final : public SurfaceSampler {
     constexpr int kSteps = 256;
     double sum = 0.0;
     for (int j = 0; j < kSteps; ++j) {
-      const double v = quadric_.uniform_v((j + 0.5) / kSteps);
+      const double v = quadric_.uniform_parameters({0.5, (j + 0.5) / kSteps}).y;
       for (int i = 0; i < kSteps; ++i) {
         sum += placement_.area_stretch(quadric_.at({(i + 0.5) / kSteps, v}).n);
       }

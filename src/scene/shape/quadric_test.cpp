@@ -34,12 +34,15 @@ std::vector<Case> cases() {
                  [](const Vec3d&) { return true; }});
   all.push_back({"partial sphere", *testing::quadric_of(testing::sphere_node(2, -1, 1.5F, 220)),
                  sphere, [](const Vec3d& p) { return p.z > -1 && p.z < 1.5 && angle(p) < 220; }});
-  all.push_back({"disk", *testing::quadric_of(testing::disk_node(0.5F, 2, 0.7F, 250)),
-                 [](const Vec3d& p) { return p.z - 0.5; },
-                 [](const Vec3d& p) {
-                   const double r = std::hypot(p.x, p.y);
-                   return r < 2 && r > 0.7F && angle(p) < 250;
-                 }});
+  for (const std::string coordinates :
+       {"angle_then_radius_inward", "radius_then_angle", "angle_then_radius"}) {
+    all.push_back({"disk, " + coordinates, *testing::quadric_of(testing::disk_node_of(coordinates)),
+                   [](const Vec3d& p) { return p.z - 0.5; },
+                   [](const Vec3d& p) {
+                     const double r = std::hypot(p.x, p.y);
+                     return r < 2 && r > 0.7F && angle(p) < 250;
+                   }});
+  }
   all.push_back({"cylinder", *testing::quadric_of(testing::cylinder_node(1.5F, -1, 2, 300)),
                  [](const Vec3d& p) { return p.x * p.x + p.y * p.y - 2.25; },
                  [](const Vec3d& p) { return p.z > -1 && p.z < 2 && angle(p) < 300; }});
@@ -136,6 +139,22 @@ TEST(Quadric, ParametersInvertPosition) {
   }
 }
 
+TEST(Quadric, DisksHaveTheCoordinatesThatTheyName) {
+  // A quarter of the way from the hole (0.7) to the rim (2), a fifth of 250 degrees around.
+  const double phi = 50.0 * double{kPi} / 180.0;
+  const double r = 0.7F + (2.0 - 0.7F) * 0.25;
+  const Vec3d p(r * std::cos(phi), r * std::sin(phi), 0.5);
+  const auto expect = [&](const std::string& coordinates, double u, double v) {
+    const Quadric disk = *testing::quadric_of(testing::disk_node_of(coordinates));
+    EXPECT_NEAR((disk.parameters(p) - Imath::V2d(u, v)).length(), 0.0, 1e-7) << coordinates;
+    EXPECT_NEAR((disk.at({u, v}).p - p).length(), 0.0, 1e-7) << coordinates;
+    EXPECT_EQ(disk.at({u, v}).n.z, 1.0) << coordinates;
+  };
+  expect("angle_then_radius_inward", 0.2, 0.75);
+  expect("radius_then_angle", 0.25, 0.2);
+  expect("angle_then_radius", 0.2, 0.25);
+}
+
 TEST(Quadric, DerivativesMatchDifferences) {
   Rng rng(3);
   constexpr double kStep = 1e-5;
@@ -152,7 +171,8 @@ TEST(Quadric, DerivativesMatchDifferences) {
       EXPECT_NEAR(((v1.p - v0.p) * scale - at.dpdv).length(), 0.0, 1e-5) << c.name;
       EXPECT_NEAR(((u1.n - u0.n) * scale - at.dndu).length(), 0.0, 1e-4) << c.name;
       EXPECT_NEAR(((v1.n - v0.n) * scale - at.dndv).length(), 0.0, 1e-4) << c.name;
-      EXPECT_NEAR(at.n.dot(at.dpdu.cross(at.dpdv).normalized()), 1.0, 1e-9) << c.name;
+      const double side = at.n.dot(at.dpdu.cross(at.dpdv).normalized());
+      EXPECT_NEAR(side, c.name == "disk, angle_then_radius" ? -1.0 : 1.0, 1e-9) << c.name;
     }
   }
 }
@@ -177,7 +197,9 @@ TEST(Quadric, AreaMatchesQuadrature) {
     constexpr int kSteps = 2000;
     double sum = 0.0;
     for (int i = 0; i < kSteps; ++i) {
-      const Quadric::Point at = c.quadric.at({0.37, (i + 0.5) / kSteps});
+      // Along the diagonal, which crosses the profile whichever coordinate that is.
+      const double x = (i + 0.5) / kSteps;
+      const Quadric::Point at = c.quadric.at({x, x});
       sum += at.dpdu.cross(at.dpdv).length() / kSteps;
     }
     EXPECT_NEAR(sum, c.quadric.area(), 1e-5 * sum) << c.name;

@@ -33,6 +33,8 @@ std::vector<std::pair<std::string, Quadric>> quadrics() {
   return {{"sphere", *testing::quadric_of(testing::sphere_node())},
           {"partial sphere", *testing::quadric_of(testing::sphere_node(1, -0.4F, 0.9F, 200))},
           {"disk", *testing::quadric_of(testing::disk_node(0.3F, 1.2F, 0.4F, 300))},
+          {"disk of radii and angles",
+           *testing::quadric_of(testing::disk_node_of("radius_then_angle"))},
           {"cylinder", *testing::quadric_of(testing::cylinder_node(0.6F, -1, 1, 360))},
           {"cone", *testing::quadric_of(testing::cone_node(0.8F, 1.5F, 360))},
           {"paraboloid", *testing::quadric_of(testing::paraboloid_node(1, 0, 1.3F, 270))},

@@ -1,5 +1,6 @@
 #pragma once
 #include <optional>
+#include <string>
 
 #include "scene/desc/models.h"
 #include "scene/shape/build_shape.h"
@@ -28,6 +29,11 @@ inline desc::Node disk_node(float height = 0, float radius = 1, float inner_radi
                                    {"radius", radius},
                                    {"inner_radius", inner_radius},
                                    {"phi_max", phi_max}});
+}
+inline desc::Node disk_node_of(const std::string& coordinates) {
+  desc::Node node = disk_node(0.5F, 2, 0.7F, 250);
+  node.set("coordinates", coordinates);
+  return node;
 }
 inline desc::Node cylinder_node(float radius = 1, float z_min = -1, float z_max = 1,
                                 float phi_max = 360) {
