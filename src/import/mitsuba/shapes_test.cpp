@@ -162,14 +162,12 @@ TEST(MitsubaShapes, MediaOfVersion0NeedNoMaterial) {
   EXPECT_EQ(now.media[0].g, 0.5F);
 }
 
-TEST(MitsubaShapes, TexturesOfDisksAreRemarked) {
-  const auto remarks = [](const std::string& property) {
-    return contains(warnings_of("<shape type=\"disk\"><bsdf type=\"difftrans\">" + property +
-                                "</bsdf></shape>"),
-                    "the texture of this disk");
-  };
-  EXPECT_TRUE(remarks("<texture name=\"transmittance\" type=\"checkerboard\"/>"));
-  EXPECT_FALSE(remarks("<rgb name=\"transmittance\" value=\"0.5\"/>"));
+TEST(MitsubaShapes, TexturesOfDisksRunOutwardAndThenAround) {
+  const std::string board = "type=\"checkerboard\"/>";
+  const desc::SceneDesc scene = scene_of(
+      "<shape type=\"disk\"><bsdf type=\"difftrans\"><texture name=\"transmittance\" " + board +
+      "</bsdf><emitter type=\"area\"><texture name=\"radiance\" " + board + "</emitter></shape>");
+  EXPECT_EQ(scene.shapes[0].node.text("coordinates"), "radius_then_angle");
 }
 
 TEST(MitsubaShapes, WhatCannotBeDrawnIsLeftOut) {
