@@ -228,6 +228,11 @@ TEST(SerializedMeshes, OfBothVersionsAreFoundByTheirIndex) {
   EXPECT_EQ(read_serialized(serialized(4, 3.F), "m", 0).positions[0].x, 3.F);
 }
 
+TEST(SerializedMeshes, KeepTheirNormalsWhateverTheyAreCalled) {
+  const desc::Mesh faceted = read_serialized(serialized(4, 0.F, 0x11U), "m", 0);
+  EXPECT_EQ(faceted.normals, std::vector<Vec3>(3, Vec3(0.F, 0.F, 1.F)));
+}
+
 TEST(SerializedMeshes, ThatAreDamagedAreRefused) {
   const std::string file = two_meshes<std::uint64_t>(4);
   for (std::size_t size = 0; size < serialized(4, 5.F).size(); ++size) {
