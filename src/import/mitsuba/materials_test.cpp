@@ -155,9 +155,10 @@ TEST(MitsubaMaterials, PatternsAreNumbersAsImagesAre) {
       "name=\"color0\" "
       "value=\"1 0 0\"/><rgb name=\"color1\" value=\"0 1 0\"/></texture>"
       "<bsdf type=\"dielectric\"/><bsdf type=\"null\"/></bsdf>");
+  // As numbers, checkerboards have their colours the other way round since version 2.
   const desc::Node& weight = blend.texture("amount");
-  EXPECT_NEAR(weight.color("first").z, luminance(Spectrum(1.F, 0.F, 0.F)), 1e-6F);
-  EXPECT_NEAR(weight.color("second").x, luminance(Spectrum(0.F, 1.F, 0.F)), 1e-6F);
+  EXPECT_NEAR(weight.color("second").z, luminance(Spectrum(1.F, 0.F, 0.F)), 1e-6F);
+  EXPECT_NEAR(weight.color("first").x, luminance(Spectrum(0.F, 1.F, 0.F)), 1e-6F);
 }
 
 TEST(MitsubaMaterials, HeightsAreLuminances) {
@@ -327,6 +328,13 @@ TEST(MitsubaTextures, CheckerboardsHaveTwoSquaresPerUnit) {
       "<bsdf type=\"diffuse\"><texture type=\"checkerboard\" name=\"reflectance\"/></bsdf>");
   EXPECT_EQ(board.texture("reflectance").number("scale_u"), 2.F);
   EXPECT_EQ(board.texture("reflectance").color("first"), Vec3(0.4F));
+  Warnings warnings;
+  std::string text = world(
+      sphere_of("<bsdf type=\"blendbsdf\"><texture type=\"checkerboard\" name=\"weight\"/><bsdf "
+                "type=\"dielectric\"/><bsdf type=\"null\"/></bsdf>"));
+  text.replace(text.find("3.0.0"), 5, "0.6.0");
+  const desc::Node weight = import_with(text, warnings).textures.at(0).node;
+  EXPECT_NEAR(weight.color("first").x, 0.4F, 1e-6F) << "the same as a number before version 2";
 }
 
 TEST(MitsubaMaterials, CoatsThatAbsorbAreWarnedOf) {

@@ -119,7 +119,7 @@ desc::Node TextureTable::read(const Element& element, Role role) {
   Arguments arguments(context_, element);
   desc::Node node = [&] {
     if (element.type == "bitmap") return bitmap(arguments, role);
-    if (element.type == "checkerboard") return checkerboard(arguments);
+    if (element.type == "checkerboard") return checkerboard(arguments, role);
     if (element.type == "scale") return scale(arguments, role);
     if (element.type == "uniform" || element.type == "srgb" || element.type == "rawconstant") {
       return constant(
@@ -200,10 +200,12 @@ desc::Node TextureTable::bitmap(Arguments& arguments, Role role) {
   return node;
 }
 
-desc::Node TextureTable::checkerboard(Arguments& arguments) {
+desc::Node TextureTable::checkerboard(Arguments& arguments, Role role) {
   desc::Node node(*desc::find_model(desc::ModelKind::Texture, "checkerboard"));
-  node.set("first", color(arguments, "color0", desc::Rgb(0.4F)));
-  node.set("second", color(arguments, "color1", desc::Rgb(0.2F)));
+  // As a number, Mitsuba's has its colours the other way round since version 2.
+  const bool is_exchanged = role != Role::Color && context_.document.major_version != 0;
+  node.set(is_exchanged ? "second" : "first", color(arguments, "color0", desc::Rgb(0.4F)));
+  node.set(is_exchanged ? "first" : "second", color(arguments, "color1", desc::Rgb(0.2F)));
   // Mitsuba's unit has two squares each way, ours has one.
   UvTransform uv = read_uv_transform(arguments);
   uv.scale *= 2.F;
