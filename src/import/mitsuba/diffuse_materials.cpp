@@ -1,10 +1,14 @@
 #include <cmath>
 
 #include "import/common/name_table.h"
+#include "import/common/printable.h"
 #include "import/mitsuba/material_plugins.h"
 
 namespace ajar::mitsuba {
 namespace {
+
+constexpr WarningKind kInside{
+    Effect::Slight, "materials are mere glass from within in Mitsuba: alike from both sides"};
 
 Surface diffuse(const MaterialInputs& in, const desc::Value& sigma) {
   // Mitsuba 0.x takes either name.
@@ -39,6 +43,26 @@ const ModelName& principled_names() {
   return kNames;
 }
 
+/// Whether a value is a number for all points, and which.
+bool is_number(const desc::Value& value, float number) {
+  const float* given = std::get_if<float>(&value);
+  return given != nullptr && *given == number;
+}
+
+/// From behind, Mitsuba's has the gloss and the refraction of glass, in their share, and nothing
+/// else.
+bool is_dark_from_behind(const MaterialInputs& in, const desc::Node& node) {
+  const desc::Value& transmission = node.get("specular_transmission");
+  if (is_number(transmission, 0.F) || is_number(node.get("metallic"), 1.F)) return true;
+  if (!is_number(transmission, 1.F) || !is_number(node.get("metallic"), 0.F)) {
+    in.context().warnings.add(kInside, in.where(),
+                              "from within, this material reflects what it reflects from outside; "
+                              "in Mitsuba it is mere glass there",
+                              printable(in.arguments.element().id));
+  }
+  return false;
+}
+
 /// Index of refraction of Burley's "specular" from 0 to 1. Source: Burley 2015.
 float index_of_specular(float specular) { return 2.F / (1.F - std::sqrt(0.08F * specular)) - 1.F; }
 
@@ -65,7 +89,8 @@ Surface principled(const MaterialInputs& in, bool thin) {
   }
   in.arguments.accept({"diffuse_reflectance_sampling_rate", "main_specular_sampling_rate",
                        "clearcoat_sampling_rate", "specular_sampling_rate"});
-  return {in.materials.add(in.arguments.element(), std::move(node))};
+  const bool is_one_sided = !thin && is_dark_from_behind(in, node);
+  return {in.materials.add(in.arguments.element(), std::move(node)), desc::kNone, is_one_sided};
 }
 
 }  // namespace

@@ -286,11 +286,29 @@ TEST(MitsubaMaterials, PrincipledHasMitsubasNames) {
   const MaterialOf disney(
       "<bsdf type=\"principled\"><rgb name=\"base_color\" value=\"0.1 0.2 0.3\"/><float "
       "name=\"spec_trans\" value=\"0.5\"/><float name=\"specular\" value=\"0.5\"/></bsdf>");
-  EXPECT_EQ(disney.warnings, "");
   expect_near(disney.node().color("base_color"), {0.1F, 0.2F, 0.3F});
   EXPECT_EQ(disney.node().number("specular_transmission"), 0.5F);
   EXPECT_NEAR(disney.node().number("eta"), 1.5F, 1e-5F);
   EXPECT_EQ(disney.node().number("clearcoat_gloss"), 0.F);
+}
+
+TEST(MitsubaMaterials, PrincipledIsDarkFromBehindOrMereGlassThere) {
+  const auto warnings = [](const std::string& numbers) {
+    return warnings_of("<shape type=\"rectangle\"><bsdf type=\"principled\">" + numbers +
+                       "</bsdf></shape>");
+  };
+  const auto number = [](const std::string& name, const std::string& value) {
+    return "<float name=\"" + name + "\" value=\"" + value + "\"/>";
+  };
+  EXPECT_TRUE(contains(warnings(""), "test.xml:2:25: this material is black from behind"));
+  EXPECT_TRUE(
+      contains(warnings(number("metallic", "1") + number("spec_trans", "1")), "black from behind"));
+  EXPECT_EQ(warnings(number("spec_trans", "1")), "");
+  EXPECT_TRUE(contains(warnings(number("spec_trans", "0.5")), "mere glass there"));
+  EXPECT_EQ(warnings_of("<shape type=\"rectangle\"><bsdf type=\"twosided\"><bsdf "
+                        "type=\"principled\"/></bsdf></shape>"),
+            "");
+  EXPECT_EQ(warnings_of("<shape type=\"rectangle\"><bsdf type=\"principledthin\"/></shape>"), "");
 }
 
 TEST(MitsubaTextures, CountVFromTheTopRow) {
