@@ -107,7 +107,10 @@ Surface make_rough_diffuse(const MaterialInputs& in) {
 }
 
 Surface make_diffuse_transmitter(const MaterialInputs& in) {
-  const desc::Value share = in.textures.color(in.arguments, "transmittance", desc::Rgb(0.5F));
+  // Mitsuba 0.x takes either name.
+  const bool is_long_name = in.arguments.has("diffuse_transmittance");
+  const desc::Value share = in.textures.color(
+      in.arguments, is_long_name ? "diffuse_transmittance" : "transmittance", desc::Rgb(0.5F));
   return {in.materials.add(in.arguments.element(),
                            desc::material_node("translucent", {{"diffuse", share},
                                                                {"glossy", Vec3(0.F)},

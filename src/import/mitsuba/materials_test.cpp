@@ -311,6 +311,13 @@ TEST(MitsubaMaterials, PrincipledIsDarkFromBehindOrMereGlassThere) {
   EXPECT_EQ(warnings_of("<shape type=\"rectangle\"><bsdf type=\"principledthin\"/></shape>"), "");
 }
 
+TEST(MitsubaMaterials, TransmittersHaveTwoNamesForTheirTransmittance) {
+  const MaterialOf leaf(
+      "<bsdf type=\"difftrans\"><rgb name=\"diffuseTransmittance\" value=\"0.25\"/></bsdf>");
+  EXPECT_EQ(leaf.warnings, "");
+  EXPECT_EQ(leaf.node().color("diffuse"), Vec3(0.25F));
+}
+
 TEST(MitsubaTextures, CountVFromTheTopRow) {
   const auto bitmap = [](const std::string& more) {
     return MaterialOf(
@@ -331,6 +338,13 @@ TEST(MitsubaTextures, CountVFromTheTopRow) {
   EXPECT_EQ(scaled.texture("reflectance").number("scale_v"), -3.F);
   EXPECT_EQ(scaled.texture("reflectance").number("offset_v"), 0.75F);
   EXPECT_FALSE(scaled.texture("reflectance").flag("decode_srgb"));
+  EXPECT_EQ(bitmap("<float name=\"gamma\" value=\"2.2\"/>")
+                .texture("reflectance")
+                .get("decoding_exponent"),
+            desc::Value(2.2F));
+  EXPECT_FALSE(std::holds_alternative<float>(bitmap("<float name=\"gamma\" value=\"-1\"/>")
+                                                 .texture("reflectance")
+                                                 .get("decoding_exponent")));
   const MaterialOf moved = bitmap(
       "<transform name=\"to_uv\"><scale x=\"4\" y=\"5\"/><translate x=\"0.5\"/></transform>"
       "<boolean name=\"raw\" value=\"true\"/><string name=\"wrap_mode\" value=\"clamp\"/>");

@@ -152,8 +152,8 @@ desc::Node TextureTable::bitmap(Arguments& arguments, Role role) {
   const std::optional<double> gamma = arguments.number("gamma");
   const bool is_linear = arguments.flag("raw", false) || (gamma && *gamma == 1.0);
   node.set("decode_srgb", !is_linear);
-  // Mitsuba 0.x takes -1 for "as the file says", and 2.2 is what exporters write for sRGB.
-  if (!is_linear && gamma && *gamma > 0.0 && *gamma != 2.2) {
+  // Mitsuba 0.x takes -1 for the curve of sRGB, and 0 for what the file says.
+  if (!is_linear && gamma && *gamma > 0.0) {
     node.set("decoding_exponent", static_cast<float>(*gamma));
   }
 

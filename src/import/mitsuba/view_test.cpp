@@ -88,6 +88,11 @@ TEST(MitsubaView, LensesAndOrthographicWindows) {
   const auto& camera = std::get<desc::PerspectiveCamera>(lens.camera.node);
   EXPECT_EQ(camera.lens_radius, 0.5F);
   EXPECT_EQ(camera.focal_distance, 7.F);
+  const desc::SceneDesc far = seen_by(
+      "<sensor type=\"thinlens\"><float name=\"aperture_radius\" value=\"0.5\"/><float "
+      "name=\"farClip\" value=\"20000\"/></sensor>");
+  EXPECT_EQ(std::get<desc::PerspectiveCamera>(far.camera.node).focal_distance, 2e4F)
+      << "sharp at the far clip plane if nothing is said";
   const desc::SceneDesc flat = seen_by("<sensor type=\"orthographic\">" + kWide + "</sensor>");
   const auto& window = std::get<desc::OrthographicCamera>(flat.camera.node).window;
   EXPECT_EQ(window->x_max, 1.F);
