@@ -311,6 +311,25 @@ TEST(MitsubaMaterials, PrincipledIsDarkFromBehindOrMereGlassThere) {
   EXPECT_EQ(warnings_of("<shape type=\"rectangle\"><bsdf type=\"principledthin\"/></shape>"), "");
 }
 
+TEST(MitsubaMaterials, WordsMayHaveCapitals) {
+  const MaterialOf rough(
+      "<bsdf type=\"roughconductor\"><string name=\"distribution\" value=\"GGX\"/><string "
+      "name=\"material\" value=\"None\"/></bsdf>");
+  EXPECT_EQ(rough.warnings, "");
+  EXPECT_EQ(rough.node().text("distribution"), "ggx");
+  EXPECT_NEAR(rough.node().color("k").x, 1.F, 1e-3F);
+  const MaterialOf image(
+      "<bsdf type=\"diffuse\"><texture type=\"bitmap\" name=\"reflectance\"><string "
+      "name=\"filename\" value=\"a.png\"/><string name=\"filterType\" value=\"Nearest\"/><string "
+      "name=\"wrapMode\" value=\"Clamp\"/><string name=\"channel\" value=\"R\"/><boolean "
+      "name=\"raw\" value=\"TRUE\"/></texture></bsdf>");
+  EXPECT_EQ(image.warnings, "");
+  EXPECT_EQ(image.texture("reflectance").text("filter"), "nearest");
+  EXPECT_EQ(image.texture("reflectance").text("wrap"), "clamp");
+  EXPECT_EQ(image.texture("reflectance").text("channel"), "red");
+  EXPECT_FALSE(image.texture("reflectance").flag("decode_srgb"));
+}
+
 TEST(MitsubaMaterials, TransmittersHaveTwoNamesForTheirTransmittance) {
   const MaterialOf leaf(
       "<bsdf type=\"difftrans\"><rgb name=\"diffuseTransmittance\" value=\"0.25\"/></bsdf>");

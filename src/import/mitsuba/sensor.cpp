@@ -23,7 +23,7 @@ double to_radians(double degrees) { return degrees * M_PI / 180.0; }
 
 /// Tangent of half the field of view along the width of the film.
 double half_width(Arguments& arguments, double aspect) {
-  std::string axis = arguments.text("fov_axis", "x");
+  std::string axis = arguments.word("fov_axis", "x");
   std::optional<double> fov = arguments.number("fov");
   if (!fov) {
     // Of a film of 36 mm × 24 mm, along its diagonal.

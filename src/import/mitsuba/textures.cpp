@@ -158,9 +158,9 @@ desc::Node TextureTable::bitmap(Arguments& arguments, Role role) {
   }
 
   const std::string mode =
-      arguments.text("wrap_mode", arguments.text("wrap_mode_u", std::string("repeat")));
+      arguments.word("wrap_mode", arguments.word("wrap_mode_u", std::string("repeat")));
   const auto [wrap, is_same] = wrap_of(mode);
-  if (!is_same || arguments.text("wrap_mode_v", mode) != mode) {
+  if (!is_same || arguments.word("wrap_mode_v", mode) != mode) {
     context_.warnings.add(kWrap, arguments.where(),
                           "wrap mode \"" + printable(mode) +
                               "\", or one for u and another for v, is not supported: " + wrap +
@@ -168,7 +168,7 @@ desc::Node TextureTable::bitmap(Arguments& arguments, Role role) {
                           printable(mode));
   }
   node.set("wrap", wrap);
-  const std::string filter = arguments.text("filter_type", "bilinear");
+  const std::string filter = arguments.word("filter_type", "bilinear");
   if (filter == "nearest") {
     node.set("filter", filter);
   } else if (filter != "bilinear" && filter != "trilinear" && filter != "ewa") {
@@ -181,17 +181,16 @@ desc::Node TextureTable::bitmap(Arguments& arguments, Role role) {
   if (role != Role::Color) {
     node.set("channel", std::string(role == Role::Mean ? "mean" : "luminance"));
   }
-  if (const std::optional<std::string> channel = arguments.text("channel");
-      channel && *channel != "all") {
+  if (const std::string channel = arguments.word("channel", "all"); channel != "all") {
     static const std::map<std::string, std::string> kChannels = {
         {"r", "red"}, {"g", "green"}, {"b", "blue"}, {"a", "alpha"}};
-    const auto known = kChannels.find(*channel);
+    const auto known = kChannels.find(channel);
     if (known != kChannels.end()) {
       node.set("channel", known->second);
     } else {
       context_.warnings.add(kChannel, arguments.where(),
                             "this channel of an image is not supported: all are used",
-                            printable(*channel));
+                            printable(channel));
     }
   }
 

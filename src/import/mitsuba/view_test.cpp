@@ -61,6 +61,12 @@ TEST(MitsubaView, FieldsOfViewAreOfTheAxisThatIsNamed) {
   EXPECT_NEAR(along("diagonal"), degrees(tangent(60.F) / std::sqrt(5.F)), 1e-3F);
 }
 
+TEST(MitsubaView, AxesMayHaveCapitals) {
+  const std::string fov = "<float name=\"fov\" value=\"60\"/><string name=\"fovAxis\" value=";
+  EXPECT_EQ(fov_of(fov + "\"Y\"/>"), fov_of(fov + "\"y\"/>"));
+  EXPECT_NE(fov_of(fov + "\"Y\"/>"), fov_of(fov + "\"x\"/>"));
+}
+
 TEST(MitsubaView, FocalLengthsAreOfAFilmOf35Millimetres) {
   const float half_diagonal = 0.5F * std::hypot(36.F, 24.F);
   EXPECT_NEAR(fov_of("<string name=\"focalLength\" value=\"35mm\"/>"),
