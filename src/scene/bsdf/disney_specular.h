@@ -9,9 +9,10 @@ struct DisneyFresnel {
   PackedSpectrum r0;
   float metallic = 0.F;
   float eta = 1.5F;
+  bool is_sheet = false;  ///< the same medium on both sides
 
   Spectrum operator()(float cos_i, bool front) const {
-    const Spectrum dielectric = DielectricFresnel{eta}(cos_i, front);
+    const Spectrum dielectric = DielectricFresnel{eta}(cos_i, front || is_sheet);
     const Spectrum base = r0.unpack();
     const Spectrum metal = base + schlick_weight(cos_i) * (Spectrum(1.F) - base);
     return dielectric * (1.F - metallic) + metal * metallic;
