@@ -27,20 +27,28 @@ Surface diffuse(const MaterialInputs& in, const desc::Value& sigma) {
 }
 
 /// What Mitsuba calls the parameters of our principled material. The defaults are the same.
-const ModelName& principled_names() {
-  static const ModelName kNames{"principled",
-                                "principled",
-                                {{"specular_tint", {"spec_tint"}},
-                                 {"specular_transmission", {"spec_trans"}},
-                                 {"diffuse_transmission", {"diff_trans"}},
-                                 {"clearcoat_gloss", {"clearcoat_gloss"}, "0"},
-                                 {"sheen_tint", {"sheen_tint"}, "0"},
-                                 {"blend", {}},
-                                 {"coat", {}},
-                                 {"coat_roughness", {}},
-                                 {"eta", {"eta"}},
-                                 {"thin", {}}}};
-  return kNames;
+ModelName principled_names(bool thin) {
+  ModelName names{"principled",
+                  "principled",
+                  {{"specular_tint", {"spec_tint"}},
+                   {"specular_transmission", {"spec_trans"}},
+                   {"sheen_tint", {"sheen_tint"}, "0"},
+                   {"blend", {}},
+                   {"sheet", {}},
+                   {"coat", {}},
+                   {"coat_roughness", {}},
+                   {"eta", {"eta"}},
+                   {"thin", {}}}};
+  if (thin) {
+    names.parameters.push_back({"diffuse_transmission", {"diff_trans"}, "0"});
+    for (const char* name : {"metallic", "clearcoat", "clearcoat_gloss"}) {
+      names.parameters.push_back({name, {}});
+    }
+  } else {
+    names.parameters.push_back({"diffuse_transmission", {}});
+    names.parameters.push_back({"clearcoat_gloss", {"clearcoat_gloss"}, "0"});
+  }
+  return names;
 }
 
 /// Whether a value is a number for all points, and which.
@@ -67,9 +75,12 @@ bool is_dark_from_behind(const MaterialInputs& in, const desc::Node& node) {
 float index_of_specular(float specular) { return 2.F / (1.F - std::sqrt(0.08F * specular)) - 1.F; }
 
 Surface principled(const MaterialInputs& in, bool thin) {
-  desc::Node node = desc::material_node("principled", {{"thin", thin}});
+  static const ModelName kSolidNames = principled_names(false);
+  static const ModelName kThinNames = principled_names(true);
+  desc::Node node = desc::material_node(
+      "principled", {{"thin", thin}, {"sheet", std::string(thin ? "split" : "glossy")}});
   for (const ParameterSpec& spec : node.model().parameters) {
-    const ParameterName* names = principled_names().find(spec.name);
+    const ParameterName* names = (thin ? kThinNames : kSolidNames).find(spec.name);
     const std::string_view theirs = names == nullptr        ? std::string_view(spec.name)
                                     : names->theirs.empty() ? std::string_view()
                                                             : names->theirs.front();
@@ -84,11 +95,17 @@ Surface principled(const MaterialInputs& in, bool thin) {
     }
     if (value) node.set(spec.name, *value);
   }
-  if (const std::optional<double> specular = in.arguments.number("specular")) {
-    node.set("eta", index_of_specular(static_cast<float>(*specular)));
+  if (thin) {
+    in.arguments.accept({"diffuse_reflectance_sampling_rate", "diffuse_transmittance_sampling_rate",
+                         "specular_reflectance_sampling_rate",
+                         "specular_transmittance_sampling_rate"});
+  } else {
+    if (const std::optional<double> specular = in.arguments.number("specular")) {
+      node.set("eta", index_of_specular(static_cast<float>(*specular)));
+    }
+    in.arguments.accept({"diffuse_reflectance_sampling_rate", "main_specular_sampling_rate",
+                         "clearcoat_sampling_rate", "specular_sampling_rate"});
   }
-  in.arguments.accept({"diffuse_reflectance_sampling_rate", "main_specular_sampling_rate",
-                       "clearcoat_sampling_rate", "specular_sampling_rate"});
   const bool is_one_sided = !thin && is_dark_from_behind(in, node);
   return {in.materials.add(in.arguments.element(), std::move(node)), desc::kNone, is_one_sided};
 }

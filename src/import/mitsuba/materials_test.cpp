@@ -292,6 +292,32 @@ TEST(MitsubaMaterials, PrincipledHasMitsubasNames) {
   EXPECT_EQ(disney.node().number("clearcoat_gloss"), 0.F);
 }
 
+TEST(MitsubaMaterials, ThinPrincipledIsASplitSheet) {
+  const auto number = [](const std::string& name) {
+    return "<float name=\"" + name + "\" value=\"0.25\"/>";
+  };
+  const MaterialOf plain("<bsdf type=\"principledthin\"/>");
+  EXPECT_EQ(plain.warnings, "");
+  EXPECT_TRUE(plain.node().flag("thin"));
+  EXPECT_EQ(plain.node().text("sheet"), "split");
+  EXPECT_EQ(plain.node().number("diffuse_transmission"), 0.F);
+  const MaterialOf leaf("<bsdf type=\"principledthin\">" + number("diff_trans") +
+                        number("spec_trans") + number("specular_reflectance_sampling_rate") +
+                        number("specular_transmittance_sampling_rate") +
+                        number("diffuse_reflectance_sampling_rate") +
+                        number("diffuse_transmittance_sampling_rate") + "</bsdf>");
+  EXPECT_EQ(leaf.warnings, "");
+  EXPECT_EQ(leaf.node().number("diffuse_transmission"), 0.25F);
+  EXPECT_EQ(leaf.node().number("specular_transmission"), 0.25F);
+  // What only one of the two has.
+  EXPECT_TRUE(contains(
+      MaterialOf("<bsdf type=\"principledthin\">" + number("metallic") + "</bsdf>").warnings,
+      "has no property \"metallic\""));
+  EXPECT_TRUE(
+      contains(MaterialOf("<bsdf type=\"principled\">" + number("diff_trans") + "</bsdf>").warnings,
+               "has no property \"diff_trans\""));
+}
+
 TEST(MitsubaMaterials, PrincipledIsDarkFromBehindOrMereGlassThere) {
   const auto warnings = [](const std::string& numbers) {
     return warnings_of("<shape type=\"rectangle\"><bsdf type=\"principled\">" + numbers +
