@@ -6,6 +6,7 @@
 #include <limits>
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -37,7 +38,7 @@ class ObjReader {
 
   void read() {
     while (lines_.next()) read_line();
-    if (!has_faces_) throw SceneError({name_, 0, 0}, "there are no faces in this file");
+    if (!has_faces_) throw SceneError(whole_file(), "there are no faces in this file");
   }
 
  protected:
@@ -57,6 +58,7 @@ class ObjReader {
 
   /// `column` 0: the line.
   SourceLocation here(int column = 0) const { return {name_, lines_.number(), column}; }
+  SourceLocation whole_file() const { return {name_, 0, 0}; }
 
   /// Linear, of the positions up to the last that has one.
   std::vector<Vec3> take_colors() {
@@ -236,11 +238,16 @@ class ObjReader {
   bool has_faces_ = false;
 };
 
+/// All runs of faces, or one of them.
 class OneMesh final : public ObjReader {
  public:
-  using ObjReader::ObjReader;
+  OneMesh(std::string_view text, const std::string& name, std::optional<std::uint32_t> run = {})
+      : ObjReader(text, name), wanted_(run) {}
 
   desc::Mesh result() {
+    if (mesh_.indices.empty() && wanted_) {
+      throw SceneError(whole_file(), "there is no run of faces " + std::to_string(*wanted_));
+    }
     if (lacks_normals_) mesh_.normals.clear();
     if (!has_uvs_) mesh_.uvs.clear();
     return std::move(mesh_);
@@ -248,12 +255,24 @@ class OneMesh final : public ObjReader {
 
  private:
   Target target_of(bool has_uvs, bool has_normals) override {
+    is_begun_ = true;
+    if (wanted_ && *wanted_ != run_) return {others_, 1, false, false};
     has_uvs_ |= has_uvs;
     lacks_normals_ |= !has_normals;
     return {mesh_, 0, true, true};
   }
+  void use_material(std::string_view /*name*/) override { begin_run(); }
+  void leave_out(std::string_view keyword) override {
+    if (keyword == "g") begin_run();
+  }
+  void begin_run() {
+    if (std::exchange(is_begun_, false)) ++run_;
+  }
 
-  desc::Mesh mesh_;
+  std::optional<std::uint32_t> wanted_;
+  std::uint32_t run_ = 0;
+  bool is_begun_ = false;  ///< this run has faces
+  desc::Mesh mesh_, others_;
   bool has_uvs_ = false;
   bool lacks_normals_ = false;
 };
@@ -321,6 +340,12 @@ class Parts final : public ObjReader {
 
 desc::Mesh read_obj(std::string_view bytes, const std::string& name) {
   OneMesh reader(bytes, name);
+  reader.read();
+  return reader.result();
+}
+
+desc::Mesh read_obj_run(std::string_view bytes, const std::string& name, std::uint32_t index) {
+  OneMesh reader(bytes, name, index);
   reader.read();
   return reader.result();
 }

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -10,7 +11,7 @@
 /// Wavefront OBJ files: `v`, `vt`, `vn`, `f`, `usemtl` and `mtllib`; curves and smoothing groups
 /// are skipped. Polygons become triangles (`polygon.h`); those of fewer than three corners are left
 /// out. Texture coordinates stay as they are, v from the bottom row of an image, as textures have
-/// it. Numbers are not judged: see `validate_mesh`. Both raise SceneError, with line and column,
+/// it. Numbers are not judged: see `validate_mesh`. All raise SceneError, with line and column,
 /// for what is no number, for faces that refer to what the file does not have before them, and if
 /// there are no faces. Source: Wavefront, Advanced Visualizer manual, appendix B1.
 namespace ajar {
@@ -18,6 +19,10 @@ namespace ajar {
 /// All faces of all groups as one mesh. Corners with the same three indices become one vertex; a
 /// corner without texture coordinates has (0, 0). Normals are kept if every corner has one.
 desc::Mesh read_obj(std::string_view bytes, const std::string& name);
+
+/// The same of one run of faces, counted from 0: `g` and `usemtl` begin another if there are faces
+/// before them. Raises SceneError, too, if there are not so many.
+desc::Mesh read_obj_run(std::string_view bytes, const std::string& name, std::uint32_t index);
 
 /// All faces that have one material, and texture coordinates and normals, or not.
 struct ObjPart {

@@ -55,6 +55,10 @@ std::optional<std::string> Arguments::text(std::string_view name) {
   return get<std::string>(name, "a string");
 }
 
+std::string Arguments::word(std::string_view name, const std::string& fallback) {
+  return lower_case(text(name, fallback));
+}
+
 std::optional<Vec3d> Arguments::vector(std::string_view name) {
   return get<Vec3d>(name, "a point or a vector");
 }

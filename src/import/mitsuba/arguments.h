@@ -38,6 +38,8 @@ class Arguments {
   std::string text(std::string_view name, const std::string& fallback) {
     return text(name).value_or(fallback);
   }
+  /// One of some words, in small letters: capitals make no difference.
+  std::string word(std::string_view name, const std::string& fallback);
 
   /// Whether a property or a child of this name is there, of whatever kind.
   bool has(std::string_view name) const;

@@ -50,7 +50,8 @@ CurveFile read_text(std::string_view bytes, const std::string& name, bool has_ra
   CurveFile curves(1);
   while (lines.next()) {
     LineWords words(lines.line());
-    if (words.rest().empty()) {
+    const bool is_remark = !has_radii && words.rest().starts_with('#');
+    if (words.rest().empty() || is_remark) {
       if (!curves.back().empty()) curves.emplace_back();
       continue;
     }

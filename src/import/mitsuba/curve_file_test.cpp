@@ -36,6 +36,14 @@ TEST(MitsubaCurves, OfHairAreStraightBetweenTheirPoints) {
   }
 }
 
+TEST(MitsubaCurves, OfHairBeginAnewAtARemark) {
+  const CurveFile curves =
+      read_curve_file("0 0 0\n1 0 0\n# second\n2 0 0\n3 0 0\n", "h.txt", false);
+  ASSERT_EQ(curves.size(), 2U);
+  EXPECT_EQ(curves[1][0].place, Vec3(2, 0, 0));
+  EXPECT_EQ(error_in("# none\n", true), "h.txt:1:1: this is no finite number: \"#\"");
+}
+
 TEST(MitsubaCurves, OfSplinesHaveRadii) {
   const CurveFile file =
       read_curve_file("0 0 0 1\n3 0 0 1\n6 0 0 4\n9 0 0 1\n12 0 0 1\n", "c.txt", true);
@@ -57,7 +65,25 @@ TEST(MitsubaCurves, DamagedFilesAreErrorsWithTheirPlace) {
   EXPECT_EQ(error_in(kHair), "no error");
 }
 
-TEST(MitsubaCurves, OfShapesHaveTheirRadiusInTheWorld) {
+TEST(MitsubaCurves, OfHairGrowAsZDoesAndSplinesDoNot) {
+  const Files files = {{"h.txt", kHair}, {"c.txt", "0 0 0 1\n3 0 0 1\n"}};
+  const auto width = [&](const std::string& type, const std::string& file,
+                         const std::string& scale) {
+    return scene_of("<shape type=\"" + type + "\"><string name=\"filename\" value=\"" + file +
+                        "\"/><transform name=\"to_world\"><scale " + scale +
+                        "/></transform></shape>",
+                    files)
+        .shapes[0]
+        .node.curves("curves")
+        ->widths[0];
+  };
+  // What is in the shape's space grows by the cube root of the volume, 2.
+  EXPECT_FLOAT_EQ(width("hair", "h.txt", "z=\"8\""), 2.F * 0.025F * 8.F / 2.F);
+  EXPECT_FLOAT_EQ(width("hair", "h.txt", "x=\"8\""), 2.F * 0.025F / 2.F);
+  EXPECT_FLOAT_EQ(width("linearcurve", "c.txt", "z=\"8\""), 2.F / 2.F);
+}
+
+TEST(MitsubaCurves, OfShapesMoveWithThem) {
   const Files files = {{"h.txt", kHair}};
   const std::string hair = "<shape type=\"hair\"><string name=\"filename\" value=\"h.txt\"/>";
   const desc::SceneDesc scene =
@@ -66,7 +92,7 @@ TEST(MitsubaCurves, OfShapesHaveTheirRadiusInTheWorld) {
                    "<scale value=\"4\"/></transform></shape>",
                files);
   EXPECT_EQ(scene.shapes[0].node.text("type"), "cylinder");
-  EXPECT_FLOAT_EQ(scene.shapes[0].node.curves("curves")->widths[0], 0.25F);
+  EXPECT_FLOAT_EQ(scene.shapes[0].node.curves("curves")->widths[0], 1.F);
   expect_near(transform_point(scene.shapes[0].to_world, {1, 0, 0}), {4, 0, 0});
   const std::string warnings = warnings_of(
       hair + "<float name=\"reduction\" value=\"0.5\"/><emitter type=\"area\"/></shape>" +

@@ -31,8 +31,11 @@ std::optional<Geometry> make_curve_geometry(Arguments& arguments) {
     return std::nullopt;
   };
   if (name.empty()) return leave_out("they have no \"filename\"");
-  // Points move with the shape, radii are in the world.
+  // Points move with the shape. Radii are in the world; that of hair grows as z does.
   const Mat4 to_world = arguments.transform("to_world").value_or(Mat4());
+  Vec3d z;
+  to_world.multDirMatrix(Vec3d(0.0, 0.0, 1.0), z);
+  const auto hair_scale = static_cast<float>(z.length());
   const auto scale = static_cast<float>(std::cbrt(std::abs(to_world.determinant())));
   if (!(scale > 0.F) || !std::isfinite(1.F / scale)) {
     return leave_out("their transform cannot be inverted");
@@ -44,7 +47,7 @@ std::optional<Geometry> make_curve_geometry(Arguments& arguments) {
     CurveFile file = read_curve_file(files.load(path).view(), name, !is_hair);
     for (std::vector<CurvePoint>& curve : file) {
       for (CurvePoint& point : curve) {
-        point.radius = (is_hair ? hair_radius : std::abs(point.radius)) / scale;
+        point.radius = (is_hair ? hair_radius * hair_scale : std::abs(point.radius)) / scale;
       }
     }
     curves = curves_of(file, type == "bsplinecurve" ? CurveKind::CubicSpline : CurveKind::Corners);

@@ -1,10 +1,14 @@
 #include <cmath>
 
 #include "import/common/name_table.h"
+#include "import/common/printable.h"
 #include "import/mitsuba/material_plugins.h"
 
 namespace ajar::mitsuba {
 namespace {
+
+constexpr WarningKind kInside{
+    Effect::Slight, "materials are mere glass from within in Mitsuba: alike from both sides"};
 
 Surface diffuse(const MaterialInputs& in, const desc::Value& sigma) {
   // Mitsuba 0.x takes either name.
@@ -23,30 +27,60 @@ Surface diffuse(const MaterialInputs& in, const desc::Value& sigma) {
 }
 
 /// What Mitsuba calls the parameters of our principled material. The defaults are the same.
-const ModelName& principled_names() {
-  static const ModelName kNames{"principled",
-                                "principled",
-                                {{"specular_tint", {"spec_tint"}},
-                                 {"specular_transmission", {"spec_trans"}},
-                                 {"diffuse_transmission", {"diff_trans"}},
-                                 {"clearcoat_gloss", {"clearcoat_gloss"}, "0"},
-                                 {"sheen_tint", {"sheen_tint"}, "0"},
-                                 {"specular_strength", {}},
-                                 {"blend", {}},
-                                 {"coat", {}},
-                                 {"coat_roughness", {}},
-                                 {"eta", {"eta"}},
-                                 {"thin", {}}}};
-  return kNames;
+ModelName principled_names(bool thin) {
+  ModelName names{"principled",
+                  "principled",
+                  {{"specular_tint", {"spec_tint"}},
+                   {"specular_transmission", {"spec_trans"}},
+                   {"sheen_tint", {"sheen_tint"}, "0"},
+                   {"blend", {}},
+                   {"sheet", {}},
+                   {"coat", {}},
+                   {"coat_roughness", {}},
+                   {"eta", {"eta"}},
+                   {"thin", {}}}};
+  if (thin) {
+    names.parameters.push_back({"diffuse_transmission", {"diff_trans"}, "0"});
+    for (const char* name : {"metallic", "clearcoat", "clearcoat_gloss"}) {
+      names.parameters.push_back({name, {}});
+    }
+  } else {
+    names.parameters.push_back({"diffuse_transmission", {}});
+    names.parameters.push_back({"clearcoat_gloss", {"clearcoat_gloss"}, "0"});
+  }
+  return names;
+}
+
+/// Whether a value is a number for all points, and which.
+bool is_number(const desc::Value& value, float number) {
+  const float* given = std::get_if<float>(&value);
+  return given != nullptr && *given == number;
+}
+
+/// From behind, Mitsuba's has the gloss and the refraction of glass, in their share, and nothing
+/// else.
+bool is_dark_from_behind(const MaterialInputs& in, const desc::Node& node) {
+  const desc::Value& transmission = node.get("specular_transmission");
+  if (is_number(transmission, 0.F) || is_number(node.get("metallic"), 1.F)) return true;
+  if (!is_number(transmission, 1.F) || !is_number(node.get("metallic"), 0.F)) {
+    in.context().warnings.add(kInside, in.where(),
+                              "from within, this material reflects what it reflects from outside; "
+                              "in Mitsuba it is mere glass there",
+                              printable(in.arguments.element().id));
+  }
+  return false;
 }
 
 /// Index of refraction of Burley's "specular" from 0 to 1. Source: Burley 2015.
 float index_of_specular(float specular) { return 2.F / (1.F - std::sqrt(0.08F * specular)) - 1.F; }
 
 Surface principled(const MaterialInputs& in, bool thin) {
-  desc::Node node = desc::material_node("principled", {{"thin", thin}});
+  static const ModelName kSolidNames = principled_names(false);
+  static const ModelName kThinNames = principled_names(true);
+  desc::Node node = desc::material_node(
+      "principled", {{"thin", thin}, {"sheet", std::string(thin ? "split" : "glossy")}});
   for (const ParameterSpec& spec : node.model().parameters) {
-    const ParameterName* names = principled_names().find(spec.name);
+    const ParameterName* names = (thin ? kThinNames : kSolidNames).find(spec.name);
     const std::string_view theirs = names == nullptr        ? std::string_view(spec.name)
                                     : names->theirs.empty() ? std::string_view()
                                                             : names->theirs.front();
@@ -61,12 +95,19 @@ Surface principled(const MaterialInputs& in, bool thin) {
     }
     if (value) node.set(spec.name, *value);
   }
-  if (const std::optional<double> specular = in.arguments.number("specular")) {
-    node.set("eta", index_of_specular(static_cast<float>(*specular)));
+  if (thin) {
+    in.arguments.accept({"diffuse_reflectance_sampling_rate", "diffuse_transmittance_sampling_rate",
+                         "specular_reflectance_sampling_rate",
+                         "specular_transmittance_sampling_rate"});
+  } else {
+    if (const std::optional<double> specular = in.arguments.number("specular")) {
+      node.set("eta", index_of_specular(static_cast<float>(*specular)));
+    }
+    in.arguments.accept({"diffuse_reflectance_sampling_rate", "main_specular_sampling_rate",
+                         "clearcoat_sampling_rate", "specular_sampling_rate"});
   }
-  in.arguments.accept({"diffuse_reflectance_sampling_rate", "main_specular_sampling_rate",
-                       "clearcoat_sampling_rate", "specular_sampling_rate"});
-  return {in.materials.add(in.arguments.element(), std::move(node))};
+  const bool is_one_sided = !thin && is_dark_from_behind(in, node);
+  return {in.materials.add(in.arguments.element(), std::move(node)), desc::kNone, is_one_sided};
 }
 
 }  // namespace
@@ -83,7 +124,10 @@ Surface make_rough_diffuse(const MaterialInputs& in) {
 }
 
 Surface make_diffuse_transmitter(const MaterialInputs& in) {
-  const desc::Value share = in.textures.color(in.arguments, "transmittance", desc::Rgb(0.5F));
+  // Mitsuba 0.x takes either name.
+  const bool is_long_name = in.arguments.has("diffuse_transmittance");
+  const desc::Value share = in.textures.color(
+      in.arguments, is_long_name ? "diffuse_transmittance" : "transmittance", desc::Rgb(0.5F));
   return {in.materials.add(in.arguments.element(),
                            desc::material_node("translucent", {{"diffuse", share},
                                                                {"glossy", Vec3(0.F)},

@@ -87,7 +87,7 @@ desc::Filter make_filter(Arguments& arguments) {
 
 /// Of the film that makes pictures for displays.
 void read_tone(Arguments& arguments, desc::Film& film) {
-  const std::string method = arguments.text("tonemap_method", "gamma");
+  const std::string method = arguments.word("tonemap_method", "gamma");
   const float stops = arguments.number("exposure", 0.F);
   arguments.accept({"key", "burn"});
   if (method != "gamma") {
@@ -127,7 +127,7 @@ void read_film(Context& context, const Element& element) {
     film.filter = make_filter(of_filter);
     of_filter.report_unused();
   }
-  if (arguments.text("pixel_format", "rgb").starts_with("luminance")) {
+  if (arguments.word("pixel_format", "rgb").starts_with("luminance")) {
     context.warnings.add(kLuminance, element.where,
                          "pictures of luminance are not supported: this one has colours");
   }

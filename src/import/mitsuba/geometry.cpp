@@ -67,7 +67,9 @@ std::optional<Geometry> sphere(Arguments& arguments) {
                   scaling({1.0, 1.0, -1.0}) * translation(center), true};
 }
 
-Geometry disk() { return {desc::shape_node("disk"), Mat4()}; }
+Geometry disk() {
+  return {desc::shape_node("disk", {{"coordinates", std::string("radius_then_angle")}}), Mat4()};
+}
 
 std::optional<Geometry> cylinder(Arguments& arguments) {
   const float radius = arguments.number("radius", 1.F);

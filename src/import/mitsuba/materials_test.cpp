@@ -160,9 +160,10 @@ TEST(MitsubaMaterials, PatternsAreNumbersAsImagesAre) {
       "name=\"color0\" "
       "value=\"1 0 0\"/><rgb name=\"color1\" value=\"0 1 0\"/></texture>"
       "<bsdf type=\"dielectric\"/><bsdf type=\"null\"/></bsdf>");
+  // As numbers, checkerboards have their colours the other way round since version 2.
   const desc::Node& weight = blend.texture("amount");
-  EXPECT_NEAR(weight.color("first").z, luminance(Spectrum(1.F, 0.F, 0.F)), 1e-6F);
-  EXPECT_NEAR(weight.color("second").x, luminance(Spectrum(0.F, 1.F, 0.F)), 1e-6F);
+  EXPECT_NEAR(weight.color("second").z, luminance(Spectrum(1.F, 0.F, 0.F)), 1e-6F);
+  EXPECT_NEAR(weight.color("first").x, luminance(Spectrum(0.F, 1.F, 0.F)), 1e-6F);
 }
 
 TEST(MitsubaMaterials, HeightsAreLuminances) {
@@ -290,11 +291,81 @@ TEST(MitsubaMaterials, PrincipledHasMitsubasNames) {
   const MaterialOf disney(
       "<bsdf type=\"principled\"><rgb name=\"base_color\" value=\"0.1 0.2 0.3\"/><float "
       "name=\"spec_trans\" value=\"0.5\"/><float name=\"specular\" value=\"0.5\"/></bsdf>");
-  EXPECT_EQ(disney.warnings, "");
   expect_near(disney.node().color("base_color"), {0.1F, 0.2F, 0.3F});
   EXPECT_EQ(disney.node().number("specular_transmission"), 0.5F);
   EXPECT_NEAR(disney.node().number("eta"), 1.5F, 1e-5F);
   EXPECT_EQ(disney.node().number("clearcoat_gloss"), 0.F);
+}
+
+TEST(MitsubaMaterials, ThinPrincipledIsASplitSheet) {
+  const auto number = [](const std::string& name) {
+    return "<float name=\"" + name + "\" value=\"0.25\"/>";
+  };
+  const MaterialOf plain("<bsdf type=\"principledthin\"/>");
+  EXPECT_EQ(plain.warnings, "");
+  EXPECT_TRUE(plain.node().flag("thin"));
+  EXPECT_EQ(plain.node().text("sheet"), "split");
+  EXPECT_EQ(plain.node().number("diffuse_transmission"), 0.F);
+  const MaterialOf leaf("<bsdf type=\"principledthin\">" + number("diff_trans") +
+                        number("spec_trans") + number("specular_reflectance_sampling_rate") +
+                        number("specular_transmittance_sampling_rate") +
+                        number("diffuse_reflectance_sampling_rate") +
+                        number("diffuse_transmittance_sampling_rate") + "</bsdf>");
+  EXPECT_EQ(leaf.warnings, "");
+  EXPECT_EQ(leaf.node().number("diffuse_transmission"), 0.25F);
+  EXPECT_EQ(leaf.node().number("specular_transmission"), 0.25F);
+  // What only one of the two has.
+  EXPECT_TRUE(contains(
+      MaterialOf("<bsdf type=\"principledthin\">" + number("metallic") + "</bsdf>").warnings,
+      "has no property \"metallic\""));
+  EXPECT_TRUE(
+      contains(MaterialOf("<bsdf type=\"principled\">" + number("diff_trans") + "</bsdf>").warnings,
+               "has no property \"diff_trans\""));
+}
+
+TEST(MitsubaMaterials, PrincipledIsDarkFromBehindOrMereGlassThere) {
+  const auto warnings = [](const std::string& numbers) {
+    return warnings_of("<shape type=\"rectangle\"><bsdf type=\"principled\">" + numbers +
+                       "</bsdf></shape>");
+  };
+  const auto number = [](const std::string& name, const std::string& value) {
+    return "<float name=\"" + name + "\" value=\"" + value + "\"/>";
+  };
+  EXPECT_TRUE(contains(warnings(""), "test.xml:2:25: this material is black from behind"));
+  EXPECT_TRUE(
+      contains(warnings(number("metallic", "1") + number("spec_trans", "1")), "black from behind"));
+  EXPECT_EQ(warnings(number("spec_trans", "1")), "");
+  EXPECT_TRUE(contains(warnings(number("spec_trans", "0.5")), "mere glass there"));
+  EXPECT_EQ(warnings_of("<shape type=\"rectangle\"><bsdf type=\"twosided\"><bsdf "
+                        "type=\"principled\"/></bsdf></shape>"),
+            "");
+  EXPECT_EQ(warnings_of("<shape type=\"rectangle\"><bsdf type=\"principledthin\"/></shape>"), "");
+}
+
+TEST(MitsubaMaterials, WordsMayHaveCapitals) {
+  const MaterialOf rough(
+      "<bsdf type=\"roughconductor\"><string name=\"distribution\" value=\"GGX\"/><string "
+      "name=\"material\" value=\"None\"/></bsdf>");
+  EXPECT_EQ(rough.warnings, "");
+  EXPECT_EQ(rough.node().text("distribution"), "ggx");
+  EXPECT_NEAR(rough.node().color("k").x, 1.F, 1e-3F);
+  const MaterialOf image(
+      "<bsdf type=\"diffuse\"><texture type=\"bitmap\" name=\"reflectance\"><string "
+      "name=\"filename\" value=\"a.png\"/><string name=\"filterType\" value=\"Nearest\"/><string "
+      "name=\"wrapMode\" value=\"Clamp\"/><string name=\"channel\" value=\"R\"/><boolean "
+      "name=\"raw\" value=\"TRUE\"/></texture></bsdf>");
+  EXPECT_EQ(image.warnings, "");
+  EXPECT_EQ(image.texture("reflectance").text("filter"), "nearest");
+  EXPECT_EQ(image.texture("reflectance").text("wrap"), "clamp");
+  EXPECT_EQ(image.texture("reflectance").text("channel"), "red");
+  EXPECT_FALSE(image.texture("reflectance").flag("decode_srgb"));
+}
+
+TEST(MitsubaMaterials, TransmittersHaveTwoNamesForTheirTransmittance) {
+  const MaterialOf leaf(
+      "<bsdf type=\"difftrans\"><rgb name=\"diffuseTransmittance\" value=\"0.25\"/></bsdf>");
+  EXPECT_EQ(leaf.warnings, "");
+  EXPECT_EQ(leaf.node().color("diffuse"), Vec3(0.25F));
 }
 
 TEST(MitsubaTextures, CountVFromTheTopRow) {
@@ -317,6 +388,13 @@ TEST(MitsubaTextures, CountVFromTheTopRow) {
   EXPECT_EQ(scaled.texture("reflectance").number("scale_v"), -3.F);
   EXPECT_EQ(scaled.texture("reflectance").number("offset_v"), 0.75F);
   EXPECT_FALSE(scaled.texture("reflectance").flag("decode_srgb"));
+  EXPECT_EQ(bitmap("<float name=\"gamma\" value=\"2.2\"/>")
+                .texture("reflectance")
+                .get("decoding_exponent"),
+            desc::Value(2.2F));
+  EXPECT_FALSE(std::holds_alternative<float>(bitmap("<float name=\"gamma\" value=\"-1\"/>")
+                                                 .texture("reflectance")
+                                                 .get("decoding_exponent")));
   const MaterialOf moved = bitmap(
       "<transform name=\"to_uv\"><scale x=\"4\" y=\"5\"/><translate x=\"0.5\"/></transform>"
       "<boolean name=\"raw\" value=\"true\"/><string name=\"wrap_mode\" value=\"clamp\"/>");
@@ -332,6 +410,13 @@ TEST(MitsubaTextures, CheckerboardsHaveTwoSquaresPerUnit) {
       "<bsdf type=\"diffuse\"><texture type=\"checkerboard\" name=\"reflectance\"/></bsdf>");
   EXPECT_EQ(board.texture("reflectance").number("scale_u"), 2.F);
   EXPECT_EQ(board.texture("reflectance").color("first"), Vec3(0.4F));
+  Warnings warnings;
+  std::string text = world(
+      sphere_of("<bsdf type=\"blendbsdf\"><texture type=\"checkerboard\" name=\"weight\"/><bsdf "
+                "type=\"dielectric\"/><bsdf type=\"null\"/></bsdf>"));
+  text.replace(text.find("3.0.0"), 5, "0.6.0");
+  const desc::Node weight = import_with(text, warnings).textures.at(0).node;
+  EXPECT_NEAR(weight.color("first").x, 0.4F, 1e-6F) << "the same as a number before version 2";
 }
 
 TEST(MitsubaMaterials, CoatsThatAbsorbAreWarnedOf) {

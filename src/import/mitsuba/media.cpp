@@ -4,6 +4,7 @@
 
 #include "import/common/printable.h"
 #include "import/common/scattering_presets.h"
+#include "import/mitsuba/names.h"
 #include "import/mitsuba/volumes.h"
 
 namespace ajar::mitsuba {
@@ -11,45 +12,68 @@ namespace {
 
 constexpr WarningKind kUnknownMedium{Effect::Surface,
                                      "media are unknown: homogeneous ones stand in"};
-constexpr WarningKind kPreset{Effect::Surface,
-                              "media are presets: what is known of their scattering stands in"};
+constexpr WarningKind kPreset{Effect::Surface, "media are unknown presets: skin stands in"};
 constexpr WarningKind kPhase{
     Effect::Surface, "media have a phase function that is not supported: another stands in"};
 constexpr WarningKind kNegative{Effect::Slight, "coefficients of media are negative: taken as 0"};
 
-/// Of the preset "material"; nothing if the medium has none.
-std::optional<ScatteringPreset> preset_of(Arguments& arguments) {
-  const std::optional<std::string> name = arguments.text("material");
-  if (!name) return std::nullopt;
-  const std::optional<ScatteringPreset> preset = find_scattering_preset(*name);
-  const std::string message =
-      preset ? "the preset \"" + printable(*name) + "\" is taken from another table, with g = 0"
-             : unknown_name_message("medium preset", printable(*name), scattering_preset_names()) +
-                   ". Whole milk stands in";
-  arguments.context().warnings.add(kPreset, arguments.where(), message, printable(*name));
-  return preset ? preset : find_scattering_preset("wholemilk");
+constexpr const char* kUsualPreset = "Skin1";
+
+/// What Mitsuba 0.x has by a name in small letters: the coefficients of the sources by 100, but for
+/// a digit; the scattering is the reduced one, and isotropic. Source: its table of materials.
+std::optional<ScatteringPreset> find_preset(const std::string& name) {
+  const bool is_beer = name == "budweiser beder";
+  const bool is_orange = name == "orange juice powder";
+  std::optional<ScatteringPreset> preset = find_scattering_preset(is_beer     ? "Budweiser Beer"
+                                                                  : is_orange ? "Orange Powder"
+                                                                              : name);
+  if (!preset) return preset;
+  if (name == "chicken1") preset->sigma_a.x = 0.0015F;
+  if (name == "chicken2") preset->sigma_a.x = 0.0018F;
+  preset->sigma_s *= 100.F;
+  preset->sigma_a *= 100.F;
+  return preset;
+}
+
+/// Of the preset "material", or of skin, which Mitsuba 0.x takes if nothing is said.
+ScatteringPreset preset_of(Arguments& arguments) {
+  const std::string name = arguments.text("material", kUsualPreset);
+  if (const std::optional<ScatteringPreset> preset = find_preset(lower_case(name))) return *preset;
+  arguments.context().warnings.add(
+      kPreset, arguments.where(),
+      unknown_name_message("medium preset", printable(name), scattering_preset_names()) +
+          ". Skin1 stands in",
+      printable(name));
+  return *find_preset(lower_case(kUsualPreset));
 }
 
 /// What Mitsuba 2 and 3 take if nothing is said.
 constexpr float kDefaultExtinction = 1.F;
 constexpr float kDefaultAlbedo = 0.75F;
 
+bool has_presets(const Arguments& arguments) {
+  return arguments.context().document.major_version == 0 &&
+         arguments.element().type != "heterogeneous";
+}
+
 /// Sets absorption and scattering from whichever two coefficients are given.
 void set_coefficients(Arguments& arguments, desc::Medium& medium) {
-  const std::optional<ScatteringPreset> preset = preset_of(arguments);
+  std::optional<ScatteringPreset> preset;
+  if (has_presets(arguments)) preset = preset_of(arguments);
   const std::optional<desc::Rgb> sigma_a = find_coefficient(arguments, "sigma_a");
   const std::optional<desc::Rgb> sigma_s = find_coefficient(arguments, "sigma_s");
   std::optional<VolumeValue> sigma_t = find_density(arguments, "sigma_t");
   const std::optional<VolumeValue> albedo = find_albedo(arguments, "albedo");
   if (!sigma_t && arguments.has("density")) sigma_t = find_density(arguments, "density");
-  const VolumeValue usual_extinction{desc::Rgb(kDefaultExtinction)};
-  const VolumeValue usual_albedo{desc::Rgb(kDefaultAlbedo)};
+  const desc::Rgb sum = preset ? preset->sigma_s + preset->sigma_a : desc::Rgb(kDefaultExtinction);
+  const VolumeValue usual_extinction{sum};
+  const VolumeValue usual_albedo{preset ? preset->sigma_s / sum : desc::Rgb(kDefaultAlbedo)};
   if (sigma_t || albedo) {
     set_extinction(arguments, medium, sigma_t.value_or(usual_extinction),
                    albedo.value_or(usual_albedo));
   } else if (sigma_a || sigma_s) {
-    medium.sigma_a = sigma_a.value_or(desc::Rgb(0.F));
-    medium.sigma_s = sigma_s.value_or(desc::Rgb(0.F));
+    medium.sigma_a = sigma_a.value_or(preset ? preset->sigma_a : desc::Rgb(0.F));
+    medium.sigma_s = sigma_s.value_or(preset ? preset->sigma_s : desc::Rgb(0.F));
   } else if (preset) {
     medium.sigma_a = preset->sigma_a;
     medium.sigma_s = preset->sigma_s;
@@ -58,9 +82,22 @@ void set_coefficients(Arguments& arguments, desc::Medium& medium) {
   }
 }
 
+/// Mitsuba 0.x takes a "g" of the medium for how much less it scatters, not for its phase function.
+void reduce_scattering(Arguments& arguments, desc::Medium& medium) {
+  const desc::Rgb g = arguments.color("g", "a number").value_or(desc::Rgb(0.F));
+  for (int i = 0; i < 3; ++i) {
+    if (!(g[i] > -1.F && g[i] < 1.F)) {
+      throw SceneError(arguments.where(), "\"g\" must be between -1 and 1");
+    }
+  }
+  if (has_presets(arguments)) medium.sigma_s *= desc::Rgb(1.F) - g;
+}
+
 float read_phase(Arguments& arguments) {
   const std::vector<const Element*> phases = arguments.children("phase");
-  if (phases.empty()) return arguments.number("g", 0.F);
+  if (phases.empty()) {
+    return arguments.context().document.major_version == 0 ? 0.F : arguments.number("g", 0.F);
+  }
   Arguments phase(arguments.context(), *phases.front());
   const std::string& type = phase.element().type;
   const float g = type == "hg" ? phase.number("g", 0.8F) : 0.F;
@@ -92,6 +129,7 @@ desc::MediumId MediumTable::make(const Element& element) {
                           printable(element.type));
   }
   set_coefficients(arguments, medium);
+  if (context_.document.major_version == 0) reduce_scattering(arguments, medium);
   const float scale = arguments.number("scale", 1.F);
   for (desc::Rgb* coefficients : {&medium.sigma_a, &medium.sigma_s}) {
     *coefficients *= scale;

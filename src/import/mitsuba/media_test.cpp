@@ -191,6 +191,66 @@ TEST(MitsubaMedia, GridsThatCannotBeReadCountAsEmpty) {
   EXPECT_TRUE(contains(missing, "it counts as empty")) << missing;
 }
 
+desc::Medium homogeneous(const std::string& parts) {
+  Warnings warnings;
+  const desc::SceneDesc scene = import_with(
+      "<scene version=\"0.6.0\"><shape type=\"cube\"><medium type=\"homogeneous\" "
+      "name=\"interior\">" +
+          parts + "</medium></shape><sensor type=\"perspective\"/></scene>",
+      warnings);
+  expect_none(warnings);
+  return scene.media.at(0);
+}
+
+TEST(MitsubaMedia, PresetsOfVersion0AreAHundredTimesTheirSources) {
+  const auto preset = [](const std::string& name) {
+    return homogeneous("<string name=\"material\" value=\"" + name + "\"/>");
+  };
+  expect_near(preset("Apple").sigma_s, {229, 239, 197}, 1e-3F);
+  expect_near(preset("apple").sigma_a, {0.3F, 0.34F, 4.6F});
+  expect_near(preset("Chicken1").sigma_a, {0.15F, 7.7F, 19});
+  expect_near(preset("Chicken2").sigma_a, {0.18F, 8.8F, 20});
+  // 7.78262 (1 - 0.907) and so on: the reduced scattering, which is isotropic.
+  expect_near(preset("Espresso").sigma_s, {72.378F, 84.557F, 102.47F}, 1e-2F);
+  EXPECT_EQ(preset("Espresso").g, 0.F);
+  expect_near(preset("Orange Juice Powder").sigma_a, preset("orange powder").sigma_a);
+  expect_near(
+      homogeneous(
+          "<string name=\"material\" value=\"Apple\"/><float name=\"scale\" value=\"0.01\"/>")
+          .sigma_s,
+      {2.29F, 2.39F, 1.97F});
+}
+
+TEST(MitsubaMedia, WhatVersion0IsNotToldIsSkin) {
+  const Vec3 skin_s(74, 88, 101);
+  const Vec3 skin_a(3.2F, 17, 48);
+  expect_near(homogeneous("").sigma_s, skin_s, 1e-3F);
+  expect_near(homogeneous("").sigma_a, skin_a, 1e-4F);
+  const desc::Medium scattering = homogeneous("<rgb name=\"sigmaS\" value=\"1 2 3\"/>");
+  expect_near(scattering.sigma_s, {1, 2, 3});
+  expect_near(scattering.sigma_a, skin_a, 1e-4F);
+  const desc::Medium absorbing = homogeneous("<rgb name=\"sigmaA\" value=\"1 2 3\"/>");
+  expect_near(absorbing.sigma_s, skin_s, 1e-3F);
+  const desc::Medium thin = homogeneous("<float name=\"sigmaT\" value=\"2\"/>");
+  expect_near(thin.sigma_s, skin_s / (skin_s + skin_a) * 2.F, 1e-5F);
+  const desc::Medium white = homogeneous("<float name=\"albedo\" value=\"1\"/>");
+  expect_near(white.sigma_s, skin_s + skin_a, 1e-3F);
+  const desc::Medium forward =
+      homogeneous("<float name=\"sigmaS\" value=\"4\"/><float name=\"g\" value=\"0.25\"/>");
+  expect_near(forward.sigma_s, Vec3(3.F));
+  EXPECT_EQ(forward.g, 0.F);
+}
+
+TEST(MitsubaMedia, UnknownPresetsAreSkinWithAWarning) {
+  const std::string medium =
+      "<scene version=\"0.6.0\"><shape type=\"cube\"><medium type=\"homogeneous\" "
+      "name=\"interior\"><string name=\"material\" value=\"skin3\"/></medium></shape><sensor "
+      "type=\"perspective\"/></scene>";
+  const std::string text = warnings_in([&](Warnings& remarks) { import_with(medium, remarks); });
+  EXPECT_TRUE(contains(text, "unknown medium preset \"skin3\"")) << text;
+  EXPECT_TRUE(contains(text, "Skin1 stands in")) << text;
+}
+
 TEST(MitsubaMedia, OtherVolumesAndLookupsAreWarnings) {
   const std::string other = remarks(kTwoByTwo, "<volume type=\"hgridvolume\" name=\"sigma_t\"/>");
   EXPECT_TRUE(contains(other, "unknown volume \"hgridvolume\"")) << other;

@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <filesystem>
+#include <limits>
 #include <utility>
 
 #include "import/common/printable.h"
@@ -31,24 +33,39 @@ bool wants_materials(Arguments& arguments) {
          arguments.flag("load_materials", true) && arguments.children("bsdf").empty();
 }
 
-std::function<desc::Mesh(std::string_view, const std::string&)> reader_of(Arguments& arguments) {
+/// Which of several meshes of a file is meant; nothing for all of them.
+std::optional<long long> index_of(Arguments& arguments) {
+  const std::string& type = arguments.element().type;
+  if (type == "serialized") return arguments.integer("shape_index").value_or(0);
+  if (type != "obj" || arguments.context().document.major_version != 0) return std::nullopt;
+  const std::optional<long long> index = arguments.integer("shape_index");
+  return !index || *index < 0 || arguments.flag("collapse", false) ? std::nullopt : index;
+}
+
+desc::Mesh read_part(std::string_view bytes, const std::string& name,
+                     std::optional<long long> index) {
+  if (!index) return read_obj(bytes, name);
+  constexpr long long kMost = std::numeric_limits<std::uint32_t>::max();
+  return read_obj_run(bytes, name, static_cast<std::uint32_t>(std::min(*index, kMost)));
+}
+
+std::function<desc::Mesh(std::string_view, const std::string&)> reader_of(
+    Arguments& arguments, std::optional<long long> index) {
   const std::string& type = arguments.element().type;
   if (wants_materials(arguments)) {
-    return [&warnings = arguments.context().warnings, where = arguments.where()](
+    return [&warnings = arguments.context().warnings, where = arguments.where(), index](
                std::string_view bytes, const std::string& name) {
       if (names_materials(bytes)) {
         warnings.add(kMaterials, where,
                      "the materials that this file names are not read: grey stands in",
                      printable(name));
       }
-      return read_obj(bytes, name);
+      return read_part(bytes, name, index);
     };
   }
-  if (type == "obj") return read_obj;
   if (type == "ply") return read_ply;
-  const long long index = arguments.integer("shape_index").value_or(0);
-  return [index](std::string_view bytes, const std::string& name) {
-    return read_serialized(bytes, name, index);
+  return [index, is_obj = type == "obj"](std::string_view bytes, const std::string& name) {
+    return is_obj ? read_part(bytes, name, index) : read_serialized(bytes, name, *index);
   };
 }
 
@@ -58,7 +75,7 @@ std::optional<Geometry> make_mesh_geometry(Arguments& arguments, MeshLoader& mes
   Context& context = arguments.context();
   const std::string& type = arguments.element().type;
   const std::optional<std::string> name = arguments.text("filename");
-  const auto shape_index = arguments.integer("shape_index").value_or(0);
+  const std::optional<long long> index = index_of(arguments);
   const bool face_normals = arguments.flag("face_normals", false);
   // Mitsuba's v counts from the top row of an image, that of OBJ files from the bottom row.
   const bool turns_v = arguments.flag("flip_tex_coords", type == "obj");
@@ -74,7 +91,7 @@ std::optional<Geometry> make_mesh_geometry(Arguments& arguments, MeshLoader& mes
 
   const bool is_mirrored = swaps_handedness(arguments.transform("to_world").value_or(Mat4()));
   MeshRecipe recipe;
-  recipe.read = reader_of(arguments);
+  recipe.read = reader_of(arguments, index);
   recipe.finish = [face_normals, turns_v, is_mirrored](desc::Mesh& mesh) {
     if (turns_v) turn_texture_coordinates(mesh);
     if (face_normals) mesh.normals.clear();
@@ -86,8 +103,9 @@ std::optional<Geometry> make_mesh_geometry(Arguments& arguments, MeshLoader& mes
     }
     if (!face_normals) make_smooth_normals(mesh);
   };
-  recipe.variant = type + " " + std::to_string(shape_index) + (face_normals ? " flat" : " smooth") +
-                   (turns_v ? " turned" : "") + (is_mirrored ? " mirrored" : "") +
+  recipe.variant = type + " " + (index ? std::to_string(*index) : "all") +
+                   (face_normals ? " flat" : " smooth") + (turns_v ? " turned" : "") +
+                   (is_mirrored ? " mirrored" : "") +
                    (wants_materials(arguments) ? " with materials" : "");
   const desc::MeshPointer mesh =
       meshes.request(arguments.where(), context.files.find(*name), std::move(recipe));

@@ -9,6 +9,12 @@ char raised(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 
 
 }  // namespace
 
+std::string lower_case(std::string_view text) {
+  std::string result(text);
+  for (char& c : result) c = lowered(c);
+  return result;
+}
+
 std::string snake_case(std::string_view name) {
   std::string result;
   for (std::size_t i = 0; i < name.size(); ++i) {

@@ -9,5 +9,7 @@ namespace ajar::mitsuba {
 std::string snake_case(std::string_view name);
 /// The way back, for messages about files of Mitsuba 0.x.
 std::string camel_case(std::string_view name);
+/// In small letters.
+std::string lower_case(std::string_view text);
 
 }  // namespace ajar::mitsuba

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/srgb.h"
+#include "import/mitsuba/names.h"
 
 namespace ajar::mitsuba {
 namespace {
@@ -55,9 +56,9 @@ std::optional<double> parse_number(std::string_view text) {
 std::optional<long long> parse_integer(std::string_view text) { return parse<long long>(text); }
 
 std::optional<bool> parse_boolean(std::string_view text) {
-  text = trimmed(text);
-  if (text == "true" || text == "True") return true;
-  if (text == "false" || text == "False") return false;
+  const std::string word = lower_case(trimmed(text));
+  if (word == "true") return true;
+  if (word == "false") return false;
   return std::nullopt;
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "import/common/printable.h"
+#include "import/mitsuba/names.h"
 
 namespace ajar::mitsuba {
 namespace {
@@ -47,9 +48,7 @@ float index_of_refraction(Arguments& arguments, std::string_view parameter,
     return static_cast<float>(*index);
   }
   const std::string name = *arguments.text(parameter);
-  std::string small = name;
-  for (char& c : small) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  if (const std::optional<float> index = index_named(small)) return *index;
+  if (const std::optional<float> index = index_named(lower_case(name))) return *index;
   std::vector<std::string> valid;
   for (const NamedIndex& entry : kIndices) valid.emplace_back(entry.name);
   arguments.context().warnings.add(

@@ -33,7 +33,7 @@ Roughness read_roughness(const MaterialInputs& in) {
   const desc::Value both = in.textures.number(in.arguments, "alpha", kDefaultAlpha);
   result.alpha = in.textures.find_number(in.arguments, "alpha_u").value_or(both);
   result.alpha_v = in.textures.find_number(in.arguments, "alpha_v");
-  result.distribution = in.arguments.text("distribution", "beckmann");
+  result.distribution = in.arguments.word("distribution", "beckmann");
   if (result.distribution != "ggx" && result.distribution != "beckmann") {
     warn(in, result.distribution, "beckmann");
     result.distribution = "beckmann";

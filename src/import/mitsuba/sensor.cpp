@@ -24,7 +24,7 @@ double to_radians(double degrees) { return degrees * M_PI / 180.0; }
 
 /// Tangent of half the field of view along the width of the film.
 double half_width(Arguments& arguments, double aspect) {
-  std::string axis = arguments.text("fov_axis", "x");
+  std::string axis = arguments.word("fov_axis", "x");
   std::optional<double> fov = arguments.number("fov");
   if (!fov) {
     // Of a film of 36 mm × 24 mm, along its diagonal.
@@ -72,10 +72,13 @@ desc::PerspectiveCamera perspective(Arguments& arguments, double aspect) {
   return camera;
 }
 
+constexpr float kNear = 1e-2F;
+constexpr float kFar = 1e4F;
+
 template <typename Camera>
 void set_lens(Arguments& arguments, Camera& camera) {
   camera.lens_radius = arguments.number("aperture_radius", 0.F);
-  camera.focal_distance = arguments.number("focus_distance", 1e4F);
+  camera.focal_distance = arguments.number("focus_distance", arguments.number("far_clip", kFar));
   if (camera.lens_radius < 0.F)
     throw SceneError(arguments.where(), "\"aperture_radius\" is negative");
   if (!(camera.focal_distance > 0.F)) {
@@ -161,8 +164,6 @@ void read_sensor(Context& context, MediumTable& media, const Element& element) {
   camera.to_world = rounded_inverse(*from_world).value_or(to_world);
   for (const Element* medium : arguments.children("medium")) camera.medium = media.make(*medium);
   // What Mitsuba takes if nothing is said cuts nothing off that is usual.
-  constexpr float kNear = 1e-2F;
-  constexpr float kFar = 1e4F;
   const float near_clip = arguments.number("near_clip", kNear);
   const float far_clip = arguments.number("far_clip", kFar);
   if (near_clip > kNear || far_clip < kFar) {

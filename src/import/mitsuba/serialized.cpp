@@ -20,7 +20,6 @@ constexpr std::uint16_t kMagic = 0x041C;
 constexpr std::uint32_t kHasNormals = 0x0001;
 constexpr std::uint32_t kHasUvs = 0x0002;
 constexpr std::uint32_t kHasColors = 0x0008;
-constexpr std::uint32_t kFaceNormals = 0x0010;
 constexpr std::uint32_t kDoublePrecision = 0x2000;
 /// zlib cannot compress better than this.
 constexpr std::size_t kMaxRatio = 1040;
@@ -157,7 +156,7 @@ desc::Mesh read_serialized(std::string_view bytes, const std::string& name, long
   if ((flags & kHasUvs) != 0) mesh.uvs = body.take_vectors<Vec2>(vertices, 2, is_double);
   if ((flags & kHasColors) != 0) body.skip_vectors(vertices, 3, is_double);
   mesh.indices = take_triangles(body, triangles, vertices > 0xFFFFFFFFU);
-  if ((flags & kFaceNormals) != 0) mesh.normals.clear();
+  // The flag 0x10 says that the mesh is faceted; what renders these files goes by the normals.
   return mesh;
 }
 

@@ -1,8 +1,5 @@
 #include "import/mitsuba/shapes.h"
 
-#include <algorithm>
-#include <span>
-
 #include "import/common/printable.h"
 #include "import/common/transforms.h"
 #include "import/mitsuba/geometry.h"
@@ -25,18 +22,9 @@ constexpr WarningKind kBack{
     Effect::Slight,
     "materials are black from behind in Mitsuba, unless they are twosided: alike from both sides"};
 
-constexpr WarningKind kDiskTexture{
-    Effect::Surface, "disks have textures, which run in another way: around for along the radius"};
 constexpr WarningKind kSensor{Effect::None, "sensors on shapes are not supported and left out"};
 
 constexpr int kDeepestGroups = 100;
-
-bool has_texture(const desc::Material& material) {
-  const std::span<const desc::Value> values = material.node.values();
-  return std::any_of(values.begin(), values.end(), [](const desc::Value& value) {
-    return std::holds_alternative<desc::TextureRef>(value);
-  });
-}
 
 }  // namespace
 
@@ -109,11 +97,6 @@ void ShapeBuilder::set_material(Arguments& arguments, desc::Shape& shape, bool i
   }
   shape.material = surface.material;
   shape.alpha = surface.alpha;
-  // Mitsuba's u of a disk is the radius and its v the angle; with us it is the other way round.
-  if (arguments.element().type == "disk" && has_texture(materials_.get(surface.material))) {
-    context_.warnings.add(kDiskTexture, shape.where,
-                          "the texture of this disk runs around where it should run outward");
-  }
   if (!arguments.children("subsurface").empty()) {
     context_.warnings.add(kSubsurface, shape.where,
                           "subsurface scattering is not supported: this shape is opaque");

@@ -74,6 +74,35 @@ TEST(MitsubaShapes, MissingMeshesAreLeftOutWithAWarning) {
   EXPECT_TRUE(told);
 }
 
+TEST(MitsubaShapes, ObjFilesOfVersion0HaveAMeshForEachGroupAndMaterial) {
+  const Files files = {{"m.obj",
+                        "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\ng a\nusemtl x\nf 1 2 3\nusemtl y\n"
+                        "f 1 2 4\nf 2 3 4\ng b\ng c\nf 1 3 4\n"}};
+  const auto import = [&](const std::string& more, Warnings& warnings) {
+    return import_with(
+        "<scene version=\"0.6.0\"><shape type=\"obj\"><string name=\"filename\" value=\"m.obj\"/>" +
+            more + "</shape><sensor type=\"perspective\"/></scene>",
+        warnings, files);
+  };
+  const auto triangles = [&](const std::string& more) {
+    Warnings warnings;
+    const desc::SceneDesc scene = import(more, warnings);
+    expect_none(warnings, more);
+    return scene.shapes.at(0).node.mesh("mesh")->indices.size();
+  };
+  const auto index = [](int i) {
+    return "<integer name=\"shapeIndex\" value=\"" + std::to_string(i) + "\"/>";
+  };
+  EXPECT_EQ(triangles(""), 4U);
+  EXPECT_EQ(triangles(index(-1)), 4U);
+  EXPECT_EQ(triangles(index(0)), 1U);
+  EXPECT_EQ(triangles(index(1)), 2U);
+  EXPECT_EQ(triangles(index(2)), 1U);
+  Warnings warnings;
+  EXPECT_TRUE(import(index(3), warnings).shapes.empty());
+  EXPECT_TRUE(contains(lines_of(warnings), "there is no run of faces 3")) << lines_of(warnings);
+}
+
 TEST(MitsubaShapes, SquaresFaceOutward) {
   for (const char* type : {"rectangle", "cube"}) {
     const desc::SceneDesc scene =
@@ -162,14 +191,12 @@ TEST(MitsubaShapes, MediaOfVersion0NeedNoMaterial) {
   EXPECT_EQ(now.media[0].g, 0.5F);
 }
 
-TEST(MitsubaShapes, TexturesOfDisksAreRemarked) {
-  const auto remarks = [](const std::string& property) {
-    return contains(warnings_of("<shape type=\"disk\"><bsdf type=\"difftrans\">" + property +
-                                "</bsdf></shape>"),
-                    "the texture of this disk");
-  };
-  EXPECT_TRUE(remarks("<texture name=\"transmittance\" type=\"checkerboard\"/>"));
-  EXPECT_FALSE(remarks("<rgb name=\"transmittance\" value=\"0.5\"/>"));
+TEST(MitsubaShapes, TexturesOfDisksRunOutwardAndThenAround) {
+  const std::string board = "type=\"checkerboard\"/>";
+  const desc::SceneDesc scene = scene_of(
+      "<shape type=\"disk\"><bsdf type=\"difftrans\"><texture name=\"transmittance\" " + board +
+      "</bsdf><emitter type=\"area\"><texture name=\"radiance\" " + board + "</emitter></shape>");
+  EXPECT_EQ(scene.shapes[0].node.text("coordinates"), "radius_then_angle");
 }
 
 TEST(MitsubaShapes, WhatCannotBeDrawnIsLeftOut) {
@@ -228,6 +255,11 @@ TEST(SerializedMeshes, OfBothVersionsAreFoundByTheirIndex) {
     EXPECT_THROW(read_serialized(file, "m", -1), SceneError);
   }
   EXPECT_EQ(read_serialized(serialized(4, 3.F), "m", 0).positions[0].x, 3.F);
+}
+
+TEST(SerializedMeshes, KeepTheirNormalsWhateverTheyAreCalled) {
+  const desc::Mesh faceted = read_serialized(serialized(4, 0.F, 0x11U), "m", 0);
+  EXPECT_EQ(faceted.normals, std::vector<Vec3>(3, Vec3(0.F, 0.F, 1.F)));
 }
 
 TEST(SerializedMeshes, ThatAreDamagedAreRefused) {

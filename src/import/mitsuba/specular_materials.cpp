@@ -1,5 +1,6 @@
 #include "import/common/conductors.h"
 #include "import/common/printable.h"
+#include "import/mitsuba/names.h"
 #include "import/mitsuba/refraction.h"
 #include "import/mitsuba/roughness.h"
 
@@ -24,7 +25,8 @@ struct GivenIndex {
   std::optional<desc::Value> eta, k;
 
   /// An extinction that is beyond all others: everything is reflected at any angle.
-  bool is_of_ideal_mirror() const { return material == "none" && !eta && !k; }
+  bool is_none() const { return lower_case(material) == "none"; }
+  bool is_of_ideal_mirror() const { return is_none() && !eta && !k; }
 };
 GivenIndex given_index(const MaterialInputs& in) {
   const char* const usual = in.context().document.major_version == 0 ? "Cu" : "none";
@@ -33,7 +35,6 @@ GivenIndex given_index(const MaterialInputs& in) {
 }
 
 ComplexIndex index_by_name(const MaterialInputs& in, const std::string& name) {
-  if (name == "none") return {Vec3(0.F), Vec3(1.F)};
   if (const std::optional<ComplexIndex> index = conductor_named(name)) return *index;
   in.context().warnings.add(
       kUnknownConductor, in.where(),
@@ -46,7 +47,8 @@ ComplexIndex index_by_name(const MaterialInputs& in, const std::string& name) {
 void set_index(const MaterialInputs& in, GivenIndex given, desc::Node& node) {
   const float outside = index_of_refraction(in.arguments, "ext_eta", "air");
   if (!given.eta || !given.k) {
-    const ComplexIndex named = index_by_name(in, given.material);
+    const ComplexIndex named =
+        given.is_none() ? ComplexIndex{Vec3(0.F), Vec3(1.F)} : index_by_name(in, given.material);
     if (!given.eta) given.eta = named.eta;
     if (!given.k) given.k = named.k;
   }

@@ -119,7 +119,7 @@ desc::Node TextureTable::read(const Element& element, Role role) {
   Arguments arguments(context_, element);
   desc::Node node = [&] {
     if (element.type == "bitmap") return bitmap(arguments, role);
-    if (element.type == "checkerboard") return checkerboard(arguments);
+    if (element.type == "checkerboard") return checkerboard(arguments, role);
     if (element.type == "scale") return scale(arguments, role);
     if (element.type == "uniform" || element.type == "srgb" || element.type == "rawconstant") {
       return constant(
@@ -152,15 +152,15 @@ desc::Node TextureTable::bitmap(Arguments& arguments, Role role) {
   const std::optional<double> gamma = arguments.number("gamma");
   const bool is_linear = arguments.flag("raw", false) || (gamma && *gamma == 1.0);
   node.set("decode_srgb", !is_linear);
-  // Mitsuba 0.x takes -1 for "as the file says", and 2.2 is what exporters write for sRGB.
-  if (!is_linear && gamma && *gamma > 0.0 && *gamma != 2.2) {
+  // Mitsuba 0.x takes -1 for the curve of sRGB, and 0 for what the file says.
+  if (!is_linear && gamma && *gamma > 0.0) {
     node.set("decoding_exponent", static_cast<float>(*gamma));
   }
 
   const std::string mode =
-      arguments.text("wrap_mode", arguments.text("wrap_mode_u", std::string("repeat")));
+      arguments.word("wrap_mode", arguments.word("wrap_mode_u", std::string("repeat")));
   const auto [wrap, is_same] = wrap_of(mode);
-  if (!is_same || arguments.text("wrap_mode_v", mode) != mode) {
+  if (!is_same || arguments.word("wrap_mode_v", mode) != mode) {
     context_.warnings.add(kWrap, arguments.where(),
                           "wrap mode \"" + printable(mode) +
                               "\", or one for u and another for v, is not supported: " + wrap +
@@ -168,7 +168,7 @@ desc::Node TextureTable::bitmap(Arguments& arguments, Role role) {
                           printable(mode));
   }
   node.set("wrap", wrap);
-  const std::string filter = arguments.text("filter_type", "bilinear");
+  const std::string filter = arguments.word("filter_type", "bilinear");
   if (filter == "nearest") {
     node.set("filter", filter);
   } else if (filter != "bilinear" && filter != "trilinear" && filter != "ewa") {
@@ -181,17 +181,16 @@ desc::Node TextureTable::bitmap(Arguments& arguments, Role role) {
   if (role != Role::Color) {
     node.set("channel", std::string(role == Role::Mean ? "mean" : "luminance"));
   }
-  if (const std::optional<std::string> channel = arguments.text("channel");
-      channel && *channel != "all") {
+  if (const std::string channel = arguments.word("channel", "all"); channel != "all") {
     static const std::map<std::string, std::string> kChannels = {
         {"r", "red"}, {"g", "green"}, {"b", "blue"}, {"a", "alpha"}};
-    const auto known = kChannels.find(*channel);
+    const auto known = kChannels.find(channel);
     if (known != kChannels.end()) {
       node.set("channel", known->second);
     } else {
       context_.warnings.add(kChannel, arguments.where(),
                             "this channel of an image is not supported: all are used",
-                            printable(*channel));
+                            printable(channel));
     }
   }
 
@@ -200,10 +199,12 @@ desc::Node TextureTable::bitmap(Arguments& arguments, Role role) {
   return node;
 }
 
-desc::Node TextureTable::checkerboard(Arguments& arguments) {
+desc::Node TextureTable::checkerboard(Arguments& arguments, Role role) {
   desc::Node node(*desc::find_model(desc::ModelKind::Texture, "checkerboard"));
-  node.set("first", color(arguments, "color0", desc::Rgb(0.4F)));
-  node.set("second", color(arguments, "color1", desc::Rgb(0.2F)));
+  // As a number, Mitsuba's has its colours the other way round since version 2.
+  const bool is_exchanged = role != Role::Color && context_.document.major_version != 0;
+  node.set(is_exchanged ? "second" : "first", color(arguments, "color0", desc::Rgb(0.4F)));
+  node.set(is_exchanged ? "first" : "second", color(arguments, "color1", desc::Rgb(0.2F)));
   // Mitsuba's unit has two squares each way, ours has one.
   UvTransform uv = read_uv_transform(arguments);
   uv.scale *= 2.F;

@@ -43,7 +43,7 @@ class TextureTable {
   desc::TextureId make(const Element& element, Role role);
   desc::Node read(const Element& element, Role role);
   desc::Node bitmap(Arguments& arguments, Role role);
-  desc::Node checkerboard(Arguments& arguments);
+  desc::Node checkerboard(Arguments& arguments, Role role);
   desc::Node scale(Arguments& arguments, Role role);
   desc::Node stand_in(Arguments& arguments);
 

@@ -86,6 +86,12 @@ TEST(MitsubaView, FieldsOfViewAreOfTheAxisThatIsNamed) {
   EXPECT_NEAR(along("diagonal"), degrees(tangent(60.F) / std::sqrt(5.F)), 1e-3F);
 }
 
+TEST(MitsubaView, AxesMayHaveCapitals) {
+  const std::string fov = "<float name=\"fov\" value=\"60\"/><string name=\"fovAxis\" value=";
+  EXPECT_EQ(fov_of(fov + "\"Y\"/>"), fov_of(fov + "\"y\"/>"));
+  EXPECT_NE(fov_of(fov + "\"Y\"/>"), fov_of(fov + "\"x\"/>"));
+}
+
 TEST(MitsubaView, FocalLengthsAreOfAFilmOf35Millimetres) {
   const float half_diagonal = 0.5F * std::hypot(36.F, 24.F);
   EXPECT_NEAR(fov_of("<string name=\"focalLength\" value=\"35mm\"/>"),
@@ -113,6 +119,11 @@ TEST(MitsubaView, LensesAndOrthographicWindows) {
   const auto& camera = std::get<desc::PerspectiveCamera>(lens.camera.node);
   EXPECT_EQ(camera.lens_radius, 0.5F);
   EXPECT_EQ(camera.focal_distance, 7.F);
+  const desc::SceneDesc far = seen_by(
+      "<sensor type=\"thinlens\"><float name=\"aperture_radius\" value=\"0.5\"/><float "
+      "name=\"farClip\" value=\"20000\"/></sensor>");
+  EXPECT_EQ(std::get<desc::PerspectiveCamera>(far.camera.node).focal_distance, 2e4F)
+      << "sharp at the far clip plane if nothing is said";
   const desc::SceneDesc flat = seen_by("<sensor type=\"orthographic\">" + kWide + "</sensor>");
   const auto& window = std::get<desc::OrthographicCamera>(flat.camera.node).window;
   EXPECT_EQ(window->x_max, 1.F);

@@ -57,11 +57,18 @@ inline std::vector<NamedBsdf> catalogue(float tilt_degrees) {
   begin("substrate 0.2 × 0.5")
       .add(FresnelBlend{ggx(0.2F, 0.5F), PackedSpectrum(tint), PackedSpectrum(Spectrum(0.5F))});
   begin("disney diffuse")
-      .add(DisneyDiffuse{PackedSpectrum(tint), PackedSpectrum(Spectrum(0.3F)), 0.6F, 0.4F, 0.4F});
+      .add(DisneyDiffuse{
+          PackedSpectrum(tint), PackedSpectrum(Spectrum(0.3F)), {0.6F, 0.4F, 0.8F}, 0.4F});
   // Burley's diffuse lobe gains up to a tenth at grazing angles.
   all.back().conserves_energy = false;
   begin("disney specular")
       .add(DisneySpecular{{FacetModel::GgxSeparable, 0.2F, 0.4F}, {PackedSpectrum(tint), 0.5F}});
+  begin("gloss of a sheet")
+      .add(DisneySpecular{{FacetModel::GgxSeparable, 0.2F, 0.4F},
+                          {PackedSpectrum(tint), 0.5F, 1.5F, true}});
+  begin("sheet 0.3 × 0.1")
+      .add(SheetTransmission{{FacetModel::GgxSeparable, 0.3F, 0.1F}, 1.5F}, tint);
+  begin("sheet of air").add(SheetTransmission{ggx(0.4F, 0.4F), 0.75F});
   begin("disney clearcoat").add(DisneyClearcoat{0.1F});
   begin("mirror").add(Mirror{}, tint);
   begin("smooth glass").add(SmoothDielectric{white, white, 1.5F});
@@ -100,7 +107,7 @@ inline std::vector<NamedBsdf> catalogue(float tilt_degrees) {
   lampshade.add(UnderVarnish<LambertTransmission>{{}, 0.F, 0.8F});
   Bsdf& car_paint = begin("car paint");
   car_paint.add(SmoothCoat{{kVarnishIndex}}, Spectrum(0.8F));
-  car_paint.add(UnderVarnish<DisneyDiffuse>{{PackedSpectrum(tint), {}, 1.F, 0.F, 0.4F}, 0.F, 0.8F});
+  car_paint.add(UnderVarnish<DisneyDiffuse>{{PackedSpectrum(tint), {}, {}, 0.4F}, 0.F, 0.8F});
   // As the diffuse lobe by itself.
   all.back().conserves_energy = false;
 
@@ -135,7 +142,7 @@ inline std::vector<NamedBsdf> catalogue(float tilt_degrees) {
   translucent.add(RoughDielectric{ggx(0.2F, 0.2F), PackedSpectrum(tint), white, 1.5F},
                   Spectrum(0.5F));
   Bsdf& disney = begin("disney");
-  disney.add(DisneyDiffuse{PackedSpectrum(tint), {}, 1.F, 0.F, 0.4F}, Spectrum(0.5F));
+  disney.add(DisneyDiffuse{PackedSpectrum(tint), {}, {}, 0.4F}, Spectrum(0.5F));
   disney.add(DisneySpecular{{FacetModel::GgxSeparable, 0.16F, 0.16F}, {white, 0.2F}});
   disney.add(DisneyClearcoat{0.1F}, Spectrum(0.7F));
   disney.add(RoughDielectric{{FacetModel::GgxSeparable, 0.16F, 0.16F}, {}, white, 1.5F},

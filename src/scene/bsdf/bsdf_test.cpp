@@ -185,7 +185,7 @@ Lobe random_lobe(Rng& rng) {
   const float coat_eta = extreme(rng, 1.F, 20.F);
   const Coat coat{coat_eta, rng.next() < 0.5F ? 0.F : alpha};
   constexpr std::size_t kLobes = std::variant_size_v<Lobe>;
-  static_assert(kLobes == 26, "each lobe has a case here");
+  static_assert(kLobes == 27, "each lobe has a case here");
   switch (static_cast<int>(rng.next() * static_cast<float>(kLobes))) {
     case 0:
       return Lambert{};
@@ -214,9 +214,9 @@ Lobe random_lobe(Rng& rng) {
     case 12:
       return SpecularTransmission{eta};
     case 13:
-      return DisneyDiffuse{a, b, rng.next(), rng.next(), rng.next()};
+      return DisneyDiffuse{a, b, {rng.next(), rng.next(), rng.next()}, rng.next()};
     case 14:
-      return DisneySpecular{facets, {a, rng.next(), eta}};
+      return DisneySpecular{facets, {a, rng.next(), eta, rng.next(), rng.next() < 0.5F}};
     case 15:
       return DisneyClearcoat{extreme(rng, 0.001F, 0.1F)};
     case 16:
@@ -231,13 +231,15 @@ Lobe random_lobe(Rng& rng) {
       return CoatedConductor{facets, metal, coat};
     case 21:
       return UnderVarnish<DisneyDiffuse>{
-          {a, b, rng.next(), rng.next(), rng.next()}, coat.alpha, rng.next()};
+          {a, b, {rng.next(), rng.next(), rng.next()}, rng.next()}, coat.alpha, rng.next()};
     case 22:
       return UnderVarnish<DisneySpecular>{{facets, {a, rng.next(), eta}}, coat.alpha, rng.next()};
     case 23:
       return UnderVarnish<LambertTransmission>{{}, coat.alpha, rng.next()};
     case 24:
       return FullOrenNayar(a.unpack(), extreme(rng, 1e-4F, kPi / 2.F));
+    case 25:
+      return SheetTransmission{facets, eta};
     default:
       return SmoothCoatedConductor{{metal, coat_eta}};
   }

@@ -5,27 +5,37 @@ namespace ajar {
 
 /// All reflecting diffuse-like parts of Disney's model in one lobe: diffuse with Fresnel falloff,
 /// flattened "fake subsurface", retro-reflection of rough surfaces, and sheen.
-/// Sources: Burley 2012, 2015; combined as pbrt-v3 does.
+/// Sources: Burley 2012, 2015.
 struct DisneyDiffuse : CosineSampled<DisneyDiffuse> {
-  PackedSpectrum color;
+  PackedSpectrum color;  ///< times the share of the plain diffuse part
   PackedSpectrum sheen;
-  float diffuse = 1.F;          ///< share of the plain diffuse part
-  float fake_subsurface = 0.F;  ///< share of the flattened part
+  float fake_subsurface = 0.F;  ///< share of the flattened part, over that of the plain one
+  float retro = 1.F;            ///< share of the retro-reflection, over that of the plain part
   float roughness = 0.5F;
 
+  /// Shares of the three parts that have the colour.
+  struct Shares {
+    float plain = 1.F;
+    float flat = 0.F;
+    float retro = 1.F;
+  };
+
   DisneyDiffuse() = default;
-  DisneyDiffuse(const PackedSpectrum& its_color, const PackedSpectrum& its_sheen, float plain = 1.F,
-                float flat = 0.F, float its_roughness = 0.5F)
-      : color(its_color),
-        sheen(its_sheen),
-        diffuse(plain),
-        fake_subsurface(flat),
-        roughness(its_roughness) {}
+  DisneyDiffuse(const PackedSpectrum& its_color, const PackedSpectrum& its_sheen,
+                const Shares& shares, float its_roughness = 0.5F)
+      : sheen(its_sheen), roughness(its_roughness) {
+    // Three shares and a colour have one number more than the lobe has room for.
+    constexpr float kLeast = 1e-6F;
+    const float plain = std::max(shares.plain, kLeast);
+    color = PackedSpectrum(its_color.unpack() * plain);
+    fake_subsurface = shares.flat / plain;
+    retro = shares.retro / plain;
+  }
 
   Spectrum albedo(const Vec3& wo) const {
     const float grazing = schlick_weight(std::abs(wo.z));
-    const float base = (diffuse + fake_subsurface) * (1.F - 0.5F * grazing) +
-                       roughness * (0.05F + 0.95F * grazing);
+    const float base = (1.F + fake_subsurface) * (1.F - 0.5F * grazing) +
+                       retro * roughness * (0.05F + 0.95F * grazing);
     // ∫ (1 − cos θ_d)⁵ cos θ_i dω_i is about 0.04 for a view along the normal, 0.8 at grazing.
     return color.unpack() * base + sheen.unpack() * (0.04F + 0.76F * grazing);
   }
@@ -39,8 +49,7 @@ struct DisneyDiffuse : CosineSampled<DisneyDiffuse> {
     const float cos2_d = std::clamp(0.5F * (1.F + dot(wo, wi)), 0.F, 1.F);
     const float plain = (1.F - 0.5F * fo) * (1.F - 0.5F * fi);
     const float rr = 2.F * roughness * cos2_d;
-    const float retro = rr * (fo + fi + fo * fi * (rr - 1.F));
-    float base = diffuse * plain + retro;
+    float base = plain + retro * (rr * (fo + fi + fo * fi * (rr - 1.F)));
     if (fake_subsurface > 0.F) {
       const float fss90 = cos2_d * roughness;
       const float fss = (1.F + fo * (fss90 - 1.F)) * (1.F + fi * (fss90 - 1.F));

@@ -10,9 +10,10 @@ struct DisneyFresnel {
   float metallic = 0.F;
   float eta = 1.5F;
   float dielectric_share = 1.F - metallic;
+  bool is_sheet = false;  ///< the same medium on both sides
 
   Spectrum operator()(float cos_i, bool front) const {
-    const Spectrum dielectric = DielectricFresnel{eta}(cos_i, front);
+    const Spectrum dielectric = DielectricFresnel{eta}(cos_i, front || is_sheet);
     const Spectrum base = r0.unpack();
     const Spectrum metal = base + schlick_weight(cos_i) * (Spectrum(1.F) - base);
     return dielectric * dielectric_share + metal * metallic;

@@ -15,18 +15,19 @@
 #include "scene/bsdf/microfacet_reflection.h"
 #include "scene/bsdf/oren_nayar.h"
 #include "scene/bsdf/rough_dielectric.h"
+#include "scene/bsdf/sheet_transmission.h"
 #include "scene/bsdf/specular.h"
 
 namespace ajar {
 
 /// The closed set of lobes, common ones first.
-using Lobe =
-    std::variant<Lambert, SmoothDielectric, Conductor, DielectricReflection, FresnelBlend,
-                 RoughDielectric, Mirror, PassThrough, OrenNayar, LambertTransmission,
-                 ThinDielectric, SpecularReflection, SpecularTransmission, DisneyDiffuse,
-                 DisneySpecular, DisneyClearcoat, SmoothConductor, SmoothCoat, RoughCoat,
-                 CoatedDiffuse, CoatedConductor, SmoothCoatedConductor, UnderVarnish<DisneyDiffuse>,
-                 UnderVarnish<DisneySpecular>, UnderVarnish<LambertTransmission>, FullOrenNayar>;
+using Lobe = std::variant<Lambert, SmoothDielectric, Conductor, DielectricReflection, FresnelBlend,
+                          RoughDielectric, Mirror, PassThrough, OrenNayar, LambertTransmission,
+                          ThinDielectric, SpecularReflection, SpecularTransmission, DisneyDiffuse,
+                          DisneySpecular, DisneyClearcoat, SmoothConductor, SmoothCoat, RoughCoat,
+                          CoatedDiffuse, CoatedConductor, SmoothCoatedConductor,
+                          UnderVarnish<DisneyDiffuse>, UnderVarnish<DisneySpecular>,
+                          UnderVarnish<LambertTransmission>, FullOrenNayar, SheetTransmission>;
 
 static_assert(std::is_trivially_copyable_v<Lobe>);
 static_assert(sizeof(Lobe) <= 48);

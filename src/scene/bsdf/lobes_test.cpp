@@ -262,10 +262,48 @@ TEST(DisneyDiffuse, MatchesBurley) {
   const double fss = (1 + fo * (fss90 - 1)) * (1 + fi * (fss90 - 1));
   const double flat = 1.25 * (fss * (1 / (wo.z + wi.z) - 0.5) + 0.5);
   const double sheen = 0.3 * std::pow(1 - cos_d, 5);
-  const double f = 0.8 / kPi * (0.25 * plain + 0.75 * flat + retro) + sheen;
-  const DisneyDiffuse lobe{PackedSpectrum(Spectrum(0.8F)), PackedSpectrum(Spectrum(0.3F)), 0.25F,
-                           0.75F, 0.7F};
-  EXPECT_NEAR(lobe.evaluate(wo, wi, false, kRadiance).value[0], f * wi.z, 1e-5);
+  using Shares = DisneyDiffuse::Shares;
+  for (const Shares& shares :
+       {Shares{}, Shares{0.25F, 0.75F, 1.F}, Shares{0.25F, 0.75F, 0.25F}, Shares{0.F, 1.F, 0.F}}) {
+    const double f = 0.8 / kPi *
+                         (double{shares.plain} * plain + double{shares.flat} * flat +
+                          double{shares.retro} * retro) +
+                     sheen;
+    const DisneyDiffuse lobe{PackedSpectrum(Spectrum(0.8F)), PackedSpectrum(Spectrum(0.3F)), shares,
+                             0.7F};
+    EXPECT_NEAR(lobe.evaluate(wo, wi, false, kRadiance).value[0], f * wi.z, 1e-5);
+  }
+}
+
+TEST(SheetTransmission, IsTheReflectionOfItsFacetsOnTheOtherSide) {
+  const Microfacets facets(FacetModel::GgxSeparable, 0.3F, 0.5F);
+  const Vec3 wo = direction(50.F, 200.F);
+  const Vec3 up = direction(35.F, 60.F);
+  const Vec3 below(up.x, up.y, -up.z);
+  const HalfVector half = half_vector(wo, up);
+  const float fresnel = fresnel_dielectric(half.cosine, 1.5F).reflectance;
+  const auto masking = [&](const Vec3& w) { return w.z / facets.projected_area(w); };
+  const float expected =
+      (1.F - fresnel) * facets.density(half.h) * masking(wo) * masking(up) / (4.F * wo.z);
+  const SheetTransmission sheet{facets, 1.5F};
+  EXPECT_NEAR(sheet.evaluate(wo, below, true, kRadiance).value[0], expected, 1e-5F * expected);
+  EXPECT_NEAR(sheet.evaluate(-wo, -below, true, kImportance).value[0], expected, 1e-5F * expected)
+      << "the same from behind";
+  EXPECT_TRUE(sheet.evaluate(wo, up, false, kRadiance).value.is_black());
+  // Nearly smooth ones let light pass straight on.
+  const SheetTransmission smooth{Microfacets(FacetModel::Ggx, 1e-3F, 1e-3F), 1.5F};
+  const auto s = smooth.sample(wo, {0.5F, {0.3F, 0.3F}}, kUp, kRadiance);
+  ASSERT_TRUE(s);
+  EXPECT_LT(length(s->wi + wo), 0.01F);
+  EXPECT_TRUE(s->transmission);
+  EXPECT_EQ(s->eta, 1.F);
+}
+
+TEST(DisneyFresnel, OfASheetIsTheSameFromBehind) {
+  const DisneyFresnel sheet{PackedSpectrum(), 0.F, 1.5F, 1.F, true};
+  EXPECT_EQ(sheet(0.4F, true), sheet(0.4F, false));
+  const DisneyFresnel solid{PackedSpectrum(), 0.F, 1.5F};
+  EXPECT_EQ(solid(0.4F, false)[0], 1.F) << "beyond the critical angle";
 }
 
 TEST(VisitLobe, ReachesEveryAlternative) {

@@ -470,6 +470,103 @@ TEST(Principled, ThinSheetsTransmitDiffusely) {
   EXPECT_NEAR(f.bsdf(id).eval(kWo, below, kRadiance)[0], 0.6F * 0.7F * kInvPi * kWi.z, 1e-5F);
 }
 
+/// f |cos θ_i| of a principled material.
+Spectrum principled_value(desc::Node::Given given, const Vec3& wo, const Vec3& wi) {
+  Fixture f;
+  const desc::MaterialId id = f.add("principled", given);
+  return f.bsdf(id).eval(wo, wi, kRadiance);
+}
+const Vec3 kBelow(kWi.x, kWi.y, -kWi.z);
+
+TEST(Principled, MetalRefractsNothingUnlessItIsBlendedTwice) {
+  const auto through = [](float metallic, const char* blend) {
+    return principled_value({{"base_color", Vec3(0.25F)},
+                             {"specular_transmission", 0.5F},
+                             {"metallic", metallic},
+                             {"blend", blend}},
+                            kWo, kBelow)[0];
+  };
+  EXPECT_GT(through(0.F, "once"), 0.F);
+  EXPECT_NEAR(through(0.75F, "once"), 0.25F * through(0.F, "once"), 1e-6F);
+  EXPECT_NEAR(through(0.75F, "twice"), through(0.F, "once"), 1e-6F);
+}
+
+TEST(Principled, MetalTransmitsNothingUnlessItIsBlendedTwice) {
+  const auto through = [](const char* blend) {
+    return principled_value(
+        {{"base_color", Vec3(0.5F)}, {"thin", true}, {"metallic", 0.75F}, {"blend", blend}}, kWo,
+        kBelow)[0];
+  };
+  EXPECT_NEAR(through("once"), 0.25F * 0.5F * 0.5F * kInvPi * kWi.z, 1e-6F);
+  EXPECT_NEAR(through("twice"), 0.5F * 0.5F * kInvPi * kWi.z, 1e-6F);
+}
+
+TEST(Principled, SheenIsOnGlassToo) {
+  const auto sheen = [](const char* blend) {
+    const auto value = [&](float strength) {
+      return principled_value({{"sheen", strength},
+                               {"sheen_tint", 0.F},
+                               {"specular_transmission", 0.75F},
+                               {"metallic", 0.5F},
+                               {"blend", blend}},
+                              kWo, kWi)[0];
+    };
+    return value(1.F) - value(0.F);
+  };
+  const float whole = schlick_weight(half_vector(kWo, kWi).cosine) * kWi.z;
+  EXPECT_NEAR(sheen("once"), 0.5F * whole, 1e-6F);
+  EXPECT_NEAR(sheen("twice"), 0.5F * 0.25F * whole, 1e-6F) << "on what is opaque alone";
+}
+
+TEST(Principled, FlatnessSparesRetroReflectionIfItIsBlendedTwice) {
+  const Vec3 wo = direction(75.F, 20.F);
+  const Vec3 wi = direction(70.F, 50.F);
+  const auto value = [&](float flatness, const char* blend) {
+    return principled_value({{"base_color", Vec3(0.5F)},
+                             {"roughness", 0.7F},
+                             {"flatness", flatness},
+                             {"thin", true},
+                             {"diffuse_transmission", 0.F},
+                             {"blend", blend}},
+                            wo, wi)[0];
+  };
+  const float cos_d = half_vector(wo, wi).cosine;
+  const float rr = 2.F * 0.7F * cos_d * cos_d;
+  const float fo = schlick_weight(wo.z);
+  const float fi = schlick_weight(wi.z);
+  const float retro = 0.5F * kInvPi * rr * (fo + fi + fo * fi * (rr - 1.F)) * wi.z;
+  ASSERT_GT(retro, 0.01F);
+  EXPECT_NEAR(value(0.F, "twice"), value(0.F, "once"), 1e-6F);
+  EXPECT_NEAR(value(0.75F, "twice") - value(0.75F, "once"), 0.75F * retro, 1e-5F);
+  EXPECT_NEAR(value(1.F, "twice") - value(1.F, "once"), retro, 1e-5F);
+}
+
+TEST(Principled, SplitSheetsAreClearAndGlossyOrDiffuse) {
+  const auto value = [](float clear, const Vec3& color, const Vec3& wo, const Vec3& wi) {
+    return principled_value({{"thin", true},
+                             {"sheet", "split"},
+                             {"base_color", color},
+                             {"specular_transmission", clear},
+                             {"diffuse_transmission", 0.5F},
+                             {"roughness", 0.6F}},
+                            wo, wi)[0];
+  };
+  const Vec3 black(0.F);
+  const Vec3 grey(0.25F);
+  const float gloss = principled_value({{"base_color", black}, {"roughness", 0.6F}}, kWo, kWi)[0];
+  EXPECT_NEAR(value(0.5F, black, kWo, kWi), 0.5F * gloss, 1e-6F);
+  EXPECT_EQ(value(0.F, black, kWo, kWi), 0.F) << "no gloss where nothing is clear";
+  EXPECT_NEAR(value(0.5F, grey, -kWo, -kWi), value(0.5F, grey, kWo, kWi), 1e-6F);
+
+  // A quarter of the diffuse light goes through, and all of the clear share but for its gloss.
+  const float diffuse = 0.25F * 0.25F * kInvPi * kWi.z;
+  EXPECT_NEAR(value(0.F, grey, kWo, kBelow), diffuse, 1e-6F);
+  const float alpha = std::pow((0.65F * 1.5F - 0.35F) * 0.6F, 2.F);
+  const SheetTransmission sheet{Microfacets(FacetModel::GgxSeparable, alpha, alpha), 1.5F};
+  const float clear = 0.25F * sheet.evaluate(kWo, kBelow, true, kRadiance).value[0];
+  EXPECT_NEAR(value(0.5F, grey, kWo, kBelow), 0.5F * diffuse + 0.5F * clear, 1e-6F);
+}
+
 TEST(Principled, MetalHasTheColourOfTheBaseAtNormalIncidence) {
   Fixture f;
   const auto id = f.add("principled", {{"metallic", 1.F},

@@ -36,16 +36,24 @@ class Principled final : public Material {
     }
   };
   Varnish add_varnish(const SurfacePoint& at, const Spectrum& scale, float most, Bsdf& bsdf) const;
-  DisneyFresnel fresnel(const SurfacePoint& at, const Spectrum& color, const Spectrum& tint,
-                        float metallic, float eta) const;
-  void add_diffuse(const SurfacePoint& at, const Spectrum& scale, const Spectrum& color,
-                   const Spectrum& tint, float roughness, float share, const Varnish& varnish,
-                   Bsdf& bsdf) const;
+  /// What is known of a point before its lobes are.
+  struct Point {
+    const SurfacePoint& at;
+    Spectrum color;
+    Spectrum tint;  ///< hue and saturation of the colour alone
+    float metallic, transmission, eta, roughness, aspect;
+    float behind;  ///< share of the diffuse light that leaves on the other side
+  };
+  Point point(const SurfacePoint& at) const;
+  DisneyFresnel fresnel(const Point& p) const;
+  void add_diffuse(const Point& p, const Spectrum& scale, const Varnish& varnish, Bsdf& bsdf) const;
+  void add_transmission(const Point& p, const Spectrum& scale, Bsdf& bsdf) const;
 
   TextureSlot color_, metallic_, eta_, roughness_, specular_strength_, specular_tint_, anisotropic_,
       sheen_, sheen_tint_, clearcoat_, clearcoat_gloss_, coat_, coat_roughness_, spec_trans_,
       flatness_, diff_trans_;
   bool thin_;
+  bool is_split_;  ///< thin, and either clear or diffuse
   bool colors_twice_;
 };
 
@@ -67,75 +75,87 @@ Principled::Principled(const MaterialInputs& in)
       flatness_(in.slot("flatness")),
       diff_trans_(in.slot("diffuse_transmission")),
       thin_(in.node().flag("thin")),
+      is_split_(thin_ && in.node().text("sheet") == "split"),
       colors_twice_(in.node().text("blend") == "twice") {
   needs_tangent = !anisotropic_.is_black();
 }
 
-void Principled::add_lobes(const SurfacePoint& at, const Spectrum& scale, Bsdf& bsdf) const {
+Principled::Point Principled::point(const SurfacePoint& at) const {
   const Spectrum color = reflectance(color_, at);
-  const float metallic = weight(metallic_, at);
-  const float transmission = weight(spec_trans_, at);
-  const float eta = index_of_refraction(eta_, at);
-  const float roughness = weight(roughness_, at);
   const float brightness = luminance(color);
-  // Hue and saturation alone.
-  const Spectrum tint = brightness > 0.F ? color / brightness : Spectrum(1.F);
+  return {.at = at,
+          .color = color,
+          .tint = brightness > 0.F ? color / brightness : Spectrum(1.F),
+          .metallic = weight(metallic_, at),
+          .transmission = weight(spec_trans_, at),
+          .eta = index_of_refraction(eta_, at),
+          .roughness = weight(roughness_, at),
+          .aspect = std::sqrt(1.F - 0.9F * weight(anisotropic_, at)),
+          .behind = thin_ ? within(0.5F * diff_trans_.eval_float(at), 0.F, 1.F) : 0.F};
+}
 
-  const Varnish varnish = add_varnish(at, scale, 1.F - transmission, bsdf);
-  const float diffuse_share = (1.F - metallic) * (1.F - transmission);
-  if (diffuse_share > 0.F) {
-    add_diffuse(at, scale, color, tint, roughness, diffuse_share, varnish, bsdf);
-  }
+void Principled::add_lobes(const SurfacePoint& at, const Spectrum& scale, Bsdf& bsdf) const {
+  const Point p = point(at);
+  const Varnish varnish = add_varnish(at, scale, 1.F - p.transmission, bsdf);
+  add_diffuse(p, scale, varnish, bsdf);
 
-  const float aspect = std::sqrt(1.F - 0.9F * weight(anisotropic_, at));
-  const Microfacets facets = stretched_facets(FacetModel::GgxSeparable, roughness, aspect);
-  varnish.add_below(DisneySpecular{facets, fresnel(at, color, tint, metallic, eta)}, scale, bsdf);
+  const Microfacets facets = stretched_facets(FacetModel::GgxSeparable, p.roughness, p.aspect);
+  varnish.add_below(DisneySpecular{facets, fresnel(p)}, is_split_ ? scale * p.transmission : scale,
+                    bsdf);
 
   const float clearcoat = weight(clearcoat_, at);
   if (clearcoat > 0.F) {
     const float alpha = mix(0.1F, 0.001F, weight(clearcoat_gloss_, at));
     bsdf.add(DisneyClearcoat{alpha}, scale * clearcoat);
   }
-
-  if (transmission > 0.F) {
-    // The square root, so that light that enters and leaves has the colour once.
-    const Spectrum through = sqrt(color) * transmission;
-    if (index_matched(eta)) {
-      bsdf.add(SpecularTransmission{eta}, scale * through);
-    } else {
-      // Thin sheets blur less than a solid of that roughness (Burley 2015, figure 15).
-      const Microfacets thin_facets =
-          stretched_facets(FacetModel::Ggx, (0.65F * eta - 0.35F) * roughness, aspect);
-      bsdf.add(RoughDielectric{thin_ ? thin_facets : facets, PackedSpectrum(),
-                               PackedSpectrum(through), eta},
-               scale);
-    }
-  }
+  if (p.transmission > 0.F) add_transmission(p, scale, bsdf);
   if (thin_) {
-    const float transmitted = within(0.5F * diff_trans_.eval_float(at), 0.F, 1.F);
-    varnish.add_below(LambertTransmission{}, scale * color * transmitted, bsdf);
+    // Metal and what is clear let no diffuse light through; all of a sheet does that is glossy and
+    // blended twice.
+    const bool is_whole = colors_twice_ && !is_split_;
+    const float share = is_whole ? 1.F : (1.F - p.metallic) * (1.F - p.transmission);
+    varnish.add_below(LambertTransmission{}, scale * p.color * (p.behind * share), bsdf);
   }
+}
+
+void Principled::add_transmission(const Point& p, const Spectrum& scale, Bsdf& bsdf) const {
+  const float share = colors_twice_ ? p.transmission : p.transmission * (1.F - p.metallic);
+  // Thin sheets blur less than a solid of that roughness (Burley 2015, figure 15).
+  const float thin_roughness = (0.65F * p.eta - 0.35F) * p.roughness;
+  if (is_split_) {
+    const Microfacets facets = stretched_facets(FacetModel::GgxSeparable, thin_roughness, p.aspect);
+    bsdf.add(SheetTransmission{facets, p.eta}, scale * p.color * share);
+    return;
+  }
+  // The square root, so that light that enters and leaves has the colour once.
+  const Spectrum through = sqrt(p.color) * share;
+  if (index_matched(p.eta)) {
+    bsdf.add(SpecularTransmission{p.eta}, scale * through);
+    return;
+  }
+  const Microfacets facets =
+      thin_ ? stretched_facets(FacetModel::Ggx, thin_roughness, p.aspect)
+            : stretched_facets(FacetModel::GgxSeparable, p.roughness, p.aspect);
+  bsdf.add(RoughDielectric{facets, PackedSpectrum(), PackedSpectrum(through), p.eta}, scale);
 }
 
 /// A dielectric and a metal, which have their shares of the surface. The tinted share of the
 /// dielectric follows Schlick's formula, as the metal does. pbrt-v3 takes the same of a colour that
 /// is a blend of both already.
-DisneyFresnel Principled::fresnel(const SurfacePoint& at, const Spectrum& color,
-                                  const Spectrum& tint, float metallic, float eta) const {
-  const float dielectric_r0 = square((eta - 1.F) / (eta + 1.F));
-  const float tinted = weight(specular_tint_, at);
-  const float strength = weight(specular_strength_, at);
+DisneyFresnel Principled::fresnel(const Point& p) const {
+  const float dielectric_r0 = square((p.eta - 1.F) / (p.eta + 1.F));
+  const float tinted = weight(specular_tint_, p.at);
+  const float share = (1.F - p.metallic) * weight(specular_strength_, p.at);
   if (colors_twice_) {
-    const Spectrum white_r0 = dielectric_r0 * (Spectrum(1.F) + (tint - Spectrum(1.F)) * tinted);
-    return {PackedSpectrum(white_r0 * (strength * (1.F - metallic)) + color * metallic), metallic,
-            eta, strength * (1.F - metallic)};
+    const Spectrum white_r0 = dielectric_r0 * (Spectrum(1.F) + (p.tint - Spectrum(1.F)) * tinted);
+    return {PackedSpectrum(white_r0 * share + p.color * p.metallic), p.metallic, p.eta, share,
+            is_split_};
   }
-  const float share = (1.F - metallic) * strength;
   const float tinted_share = share * tinted;
-  const float by_schlick = metallic + tinted_share;
-  if (!(by_schlick > 0.F)) return {PackedSpectrum(), 0.F, eta, share};
-  const Spectrum r0 = (color * metallic + tint * (dielectric_r0 * tinted_share)) / by_schlick;
-  return {PackedSpectrum(r0), by_schlick, eta, share - tinted_share};
+  const float by_schlick = p.metallic + tinted_share;
+  if (!(by_schlick > 0.F)) return {PackedSpectrum(), 0.F, p.eta, share, is_split_};
+  const Spectrum r0 = (p.color * p.metallic + p.tint * (dielectric_r0 * tinted_share)) / by_schlick;
+  return {PackedSpectrum(r0), by_schlick, p.eta, share - tinted_share, is_split_};
 }
 
 Principled::Varnish Principled::add_varnish(const SurfacePoint& at, const Spectrum& scale,
@@ -152,21 +172,23 @@ Principled::Varnish Principled::add_varnish(const SurfacePoint& at, const Spectr
   return {share, alpha};
 }
 
-void Principled::add_diffuse(const SurfacePoint& at, const Spectrum& scale, const Spectrum& color,
-                             const Spectrum& tint, float roughness, float share,
-                             const Varnish& varnish, Bsdf& bsdf) const {
-  const float sheen = weight(sheen_, at);
-  const float sheen_tint = weight(sheen_tint_, at);
-  const Spectrum sheen_color = (Spectrum(1.F) + (tint - Spectrum(1.F)) * sheen_tint) * sheen;
-  DisneyDiffuse lobe{PackedSpectrum(color), PackedSpectrum(sheen_color), 1.F, 0.F, roughness};
-  if (thin_ || !colors_twice_) {
-    const float reflected = thin_ ? 1.F - within(0.5F * diff_trans_.eval_float(at), 0.F, 1.F) : 1.F;
-    const float flatness = weight(flatness_, at);
-    lobe.diffuse = (1.F - flatness) * reflected;
-    lobe.fake_subsurface = flatness * reflected;
-  }
-  if (color.is_black() && sheen == 0.F) return;
-  varnish.add_below(lobe, scale * share, bsdf);
+void Principled::add_diffuse(const Point& p, const Spectrum& scale, const Varnish& varnish,
+                             Bsdf& bsdf) const {
+  const float opaque = 1.F - p.transmission;
+  const float sheen = weight(sheen_, p.at);
+  const float sheen_tint = weight(sheen_tint_, p.at);
+  const Spectrum sheen_color = (Spectrum(1.F) + (p.tint - Spectrum(1.F)) * sheen_tint) * sheen;
+  const float flatness = thin_ || !colors_twice_ ? weight(flatness_, p.at) : 0.F;
+  const float ahead = 1.F - p.behind;
+  DisneyDiffuse::Shares shares{(1.F - flatness) * ahead, flatness * ahead, 1.F};
+  if (!colors_twice_) shares.retro = shares.plain;
+  float share_of_sheen = 1.F;
+  if (is_split_) share_of_sheen = opaque * ahead;
+  if (colors_twice_) share_of_sheen = opaque;
+  const DisneyDiffuse lobe{PackedSpectrum(p.color * opaque),
+                           PackedSpectrum(sheen_color * share_of_sheen), shares, p.roughness};
+  if ((opaque == 0.F || p.color.is_black()) && (sheen == 0.F || share_of_sheen == 0.F)) return;
+  varnish.add_below(lobe, scale * (1.F - p.metallic), bsdf);
 }
 
 int Principled::max_lobes() const {
@@ -207,9 +229,14 @@ MaterialModel principled_material() {
             declare::textured_number("diffuse_transmission", "1",
                                      "of thin ones: diffuse transmission; 2 is all of it", 2.0),
             declare::flag("thin", "a sheet without thickness"),
+            choice_parameter("sheet", {"glossy", "split"},
+                             "of thin ones: gloss all over, over what is refracted; or a share, "
+                             "specular_transmission, that is clear and glossy, without bending, "
+                             "and a diffuse rest"),
             choice_parameter("blend", {"once", "twice"},
                              "shares of metal and dielectric: once; or twice, for the metal's "
-                             "colour, and flatness for thin sheets only")}},
+                             "colour. Then flatness is for thin sheets only and spares "
+                             "retro-reflection, sheen is on what is opaque, and metal refracts")}},
       make<Principled>};
 }
 
