@@ -18,6 +18,16 @@ void warn(const MaterialInputs& in, const std::string& given, const std::string&
                             printable(given));
 }
 
+Roughness read(const MaterialInputs& in) {
+  Roughness result;
+  const desc::Value both = in.textures.number(in.arguments, "alpha", kDefaultAlpha);
+  result.alpha = in.textures.find_number(in.arguments, "alpha_u").value_or(both);
+  result.alpha_v = in.textures.find_number(in.arguments, "alpha_v");
+  result.distribution = in.arguments.word("distribution", "beckmann");
+  in.arguments.accept({"sample_visible"});
+  return result;
+}
+
 }  // namespace
 
 void Roughness::set(desc::Node& node) const {
@@ -29,21 +39,16 @@ void Roughness::set(desc::Node& node) const {
 }
 
 Roughness read_roughness(const MaterialInputs& in) {
-  Roughness result;
-  const desc::Value both = in.textures.number(in.arguments, "alpha", kDefaultAlpha);
-  result.alpha = in.textures.find_number(in.arguments, "alpha_u").value_or(both);
-  result.alpha_v = in.textures.find_number(in.arguments, "alpha_v");
-  result.distribution = in.arguments.word("distribution", "beckmann");
+  Roughness result = read(in);
   if (result.distribution != "ggx" && result.distribution != "beckmann") {
     warn(in, result.distribution, "beckmann");
     result.distribution = "beckmann";
   }
-  in.arguments.accept({"sample_visible"});
   return result;
 }
 
 Roughness read_ggx_roughness(const MaterialInputs& in) {
-  Roughness result = read_roughness(in);
+  Roughness result = read(in);
   if (result.distribution != "ggx") {
     warn(in, result.distribution, "ggx");
     result.distribution = "ggx";

@@ -16,8 +16,8 @@ namespace {
 
 constexpr WarningKind kUnknownMaterial{Effect::Surface,
                                        "materials are unknown: matte ones stand in"};
-constexpr WarningKind kUnknownName{Effect::Surface,
-                                   "materials are named that were not made: matte ones stand in"};
+constexpr WarningKind kMaterialNotMade{
+    Effect::Surface, "materials are named that were not made: matte ones stand in"};
 constexpr WarningKind kNoMediumInCoat{
     Effect::Surface, "coated materials have an \"albedo\" in their coat, which is not supported"};
 constexpr WarningKind kNoDisneySubsurface{
@@ -208,7 +208,7 @@ void MaterialTable::make_named(const SourceLocation& where, const std::string& n
 
 MaterialPointer MaterialTable::named(const SourceLocation& where, const std::string& name) {
   if (const MaterialPointer* found = names_.find(name)) return *found;
-  warn_of_unknown_name(context_, kUnknownName, where, "named material", name, names_.names(),
+  warn_of_unknown_name(context_, kMaterialNotMade, where, "named material", name, names_.names(),
                        "A matte one stands in");
   return default_material(where);
 }

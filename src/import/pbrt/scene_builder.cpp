@@ -31,9 +31,9 @@ constexpr WarningKind kInstanceLeftOut{
     Effect::Geometry, "instances are left out: their transforms cannot be inverted"};
 constexpr WarningKind kShapeLeftOut{Effect::Geometry,
                                     "shapes are left out: their transforms cannot be inverted"};
-constexpr WarningKind kUnknownObject{Effect::Geometry,
+constexpr WarningKind kObjectNotMade{Effect::Geometry,
                                      "instances of objects that were not made are left out"};
-constexpr WarningKind kUnknownMedium{Effect::Surface,
+constexpr WarningKind kMediumNotMade{Effect::Surface,
                                      "media are named that were not made: there are none"};
 constexpr WarningKind kInstancedLight{
     Effect::Light, "shapes of objects cannot be lights: their emission is left out"};
@@ -293,7 +293,7 @@ void SceneBuilder::object_instance(const SourceLocation& where, const std::strin
   if (found == objects_.end()) {
     std::vector<std::string> valid;
     for (const auto& entry : objects_) valid.push_back(entry.first);
-    return warn_of_unknown_name(context_, kUnknownObject, where, "object", name, valid,
+    return warn_of_unknown_name(context_, kObjectNotMade, where, "object", name, valid,
                                 "The instance is left out");
   }
   const Mat4& to_world = transforms_.get(where, warnings_);
@@ -359,7 +359,7 @@ desc::MediumId SceneBuilder::medium_id(const std::string& name) {
   if (found != media_.end()) return found->second;
   std::vector<std::string> valid;
   for (const auto& entry : media_) valid.push_back(entry.first);
-  warn_of_unknown_name(context_, kUnknownMedium, state_.media_where, "medium", name, valid,
+  warn_of_unknown_name(context_, kMediumNotMade, state_.media_where, "medium", name, valid,
                        "There is none in its place");
   return desc::kNone;
 }

@@ -21,8 +21,8 @@ constexpr WarningKind kUnknownEncoding{Effect::Surface,
                                        "image textures have unknown encodings: sRGB stands in"};
 constexpr WarningKind kNoDispersion{
     Effect::Slight, "indices of refraction depend on the wavelength, which is not supported"};
-constexpr WarningKind kUnknownName{Effect::Surface,
-                                   "textures are named that were not made: defaults stand in"};
+constexpr WarningKind kTextureNotMade{Effect::Surface,
+                                      "textures are named that were not made: defaults stand in"};
 constexpr WarningKind kOtherKind{
     Effect::Surface, "textures are used where those of another kind belong, and ignored"};
 
@@ -214,7 +214,7 @@ std::optional<desc::TextureId> TextureTable::find(const Parameter& reference,
                           printable(name));
     return std::nullopt;
   }
-  warn_of_unknown_name(context_, kUnknownName, reference.where,
+  warn_of_unknown_name(context_, kTextureNotMade, reference.where,
                        is_float ? "float texture" : "spectrum texture", name,
                        (is_float ? floats_ : spectra_).names(), "The default stands in");
   return std::nullopt;

@@ -13,6 +13,8 @@ namespace {
 constexpr WarningKind kUnknownMedium{Effect::Surface, "media are unknown and left out"};
 constexpr WarningKind kHeterogeneous{
     Effect::Surface, "media that vary are not supported: homogeneous ones stand in"};
+constexpr WarningKind kNoGrid{Effect::Surface,
+                              "media of voxels have grids that are not read: they count as empty"};
 constexpr WarningKind kPhase{Effect::Slight,
                              "phase functions are not supported: isotropic ones stand in"};
 constexpr WarningKind kTransmittance{Effect::Surface,
@@ -58,17 +60,18 @@ Vec3 coefficient(const ObjectReader& object, std::string_view name, float densit
   return value;
 }
 
-/// What the grid of a voxel medium is called in messages. Its members are checked, though it is not
+/// What a voxel medium needs, as messages say it. Its members are checked, though it is not
 /// read: OpenVDB's files need OpenVDB.
 std::string grid_of(const ObjectReader& medium) {
   const LocatedJson* json = medium.find("grid");
   if (json == nullptr) return "a grid";
   const ObjectReader grid(medium.context(), *json, "a grid");
   const std::string file = grid.text("file").value_or("");
-  grid.accept(
-      {"type", "grid_name", "integration_method", "sampling_method", "step_size", "transform"});
+  grid.accept({"type", "grid_name", "density_name", "density_scale", "emission_name",
+               "emission_scale", "scale_emission_by_density", "normalize_size",
+               "integration_method", "sampling_method", "step_size", "transform"});
   grid.report_unknown();
-  return "\"" + shown(file) + "\", which is not read,";
+  return "the grid \"" + shown(file) + "\", which is not read";
 }
 
 }  // namespace
@@ -85,20 +88,23 @@ desc::MediumId MediumTable::read(const LocatedJson& json) {
                           shown(*type));
     return desc::kNone;
   }
-  if (*type != "homogeneous") {
-    context_.warnings.add(kHeterogeneous, json.where(),
-                          "media of type \"" + *type + "\" are not supported: a homogeneous one " +
-                              (*type == "voxel" ? "of density 1, not that of " + grid_of(object)
-                                                : "of its \"density\"") +
-                              " stands in",
+  if (*type == "voxel") {
+    // Without its grid nobody knows how far it reaches; a camera may be in it.
+    context_.warnings.add(kNoGrid, json.where(),
+                          "a medium of voxels needs " + grid_of(object) + ": it counts as empty",
                           shown(name));
-    object.accept(
-        {"pivot", "falloff_scale", "radius", "center", "unit_point", "falloff_direction", "grid"});
+    return desc::kNone;
   }
-  // A voxel medium has its density in a grid.
-  const LocatedJson* density_json = object.find("density");
-  const float density =
-      density_json != nullptr && density_json->is(Kind::Number) ? number_of(*density_json) : 1.F;
+  if (*type != "homogeneous") {
+    context_.warnings.add(
+        kHeterogeneous, json.where(),
+        "media of type \"" + *type +
+            "\" are not supported: a homogeneous one of its \"density\" stands in",
+        shown(name));
+    object.accept(
+        {"pivot", "falloff_scale", "radius", "center", "unit_point", "falloff_direction"});
+  }
+  const float density = object.number("density").value_or(1.F);
   desc::Medium medium;
   medium.name = name;
   medium.where = json.where();

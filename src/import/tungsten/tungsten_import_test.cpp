@@ -101,7 +101,7 @@ TEST(TungstenImport, MediaWithoutACounterpartAreWarnings) {
   };
   const std::string voxels = warnings_of(
       with("'type': 'voxel', 'grid': {'type': 'vdb', 'file': 'a.vdb', 'grid_nam': 'density'}"));
-  EXPECT_TRUE(contains(voxels, "of density 1, not that of \"a.vdb\", which is not read, stands in"))
+  EXPECT_TRUE(contains(voxels, "needs the grid \"a.vdb\", which is not read: it counts as empty"))
       << voxels;
   EXPECT_TRUE(contains(voxels, "did you mean \"grid_name\"")) << voxels;
   EXPECT_TRUE(contains(warnings_of(with("'type': 'fog'")), "unknown medium type \"fog\""));

@@ -64,8 +64,8 @@ inline std::vector<NamedBsdf> catalogue(float tilt_degrees) {
   begin("disney specular")
       .add(DisneySpecular{{FacetModel::GgxSeparable, 0.2F, 0.4F}, {PackedSpectrum(tint), 0.5F}});
   begin("gloss of a sheet")
-      .add(DisneySpecular{{FacetModel::GgxSeparable, 0.2F, 0.4F},
-                          {PackedSpectrum(tint), 0.5F, 1.5F, true}});
+      .add(SheetSpecular{{FacetModel::GgxSeparable, 0.2F, 0.4F},
+                         {{PackedSpectrum(tint), 0.5F, 1.5F, 0.5F}}});
   begin("sheet 0.3 × 0.1")
       .add(SheetTransmission{{FacetModel::GgxSeparable, 0.3F, 0.1F}, 1.5F}, tint);
   begin("sheet of air").add(SheetTransmission{ggx(0.4F, 0.4F), 0.75F});

@@ -185,7 +185,7 @@ Lobe random_lobe(Rng& rng) {
   const float coat_eta = extreme(rng, 1.F, 20.F);
   const Coat coat{coat_eta, rng.next() < 0.5F ? 0.F : alpha};
   constexpr std::size_t kLobes = std::variant_size_v<Lobe>;
-  static_assert(kLobes == 27, "each lobe has a case here");
+  static_assert(kLobes == 28, "each lobe has a case here");
   switch (static_cast<int>(rng.next() * static_cast<float>(kLobes))) {
     case 0:
       return Lambert{};
@@ -216,7 +216,7 @@ Lobe random_lobe(Rng& rng) {
     case 13:
       return DisneyDiffuse{a, b, {rng.next(), rng.next(), rng.next()}, rng.next()};
     case 14:
-      return DisneySpecular{facets, {a, rng.next(), eta, rng.next(), rng.next() < 0.5F}};
+      return DisneySpecular{facets, {a, rng.next(), eta, rng.next()}};
     case 15:
       return DisneyClearcoat{extreme(rng, 0.001F, 0.1F)};
     case 16:
@@ -240,6 +240,8 @@ Lobe random_lobe(Rng& rng) {
       return FullOrenNayar(a.unpack(), extreme(rng, 1e-4F, kPi / 2.F));
     case 25:
       return SheetTransmission{facets, eta};
+    case 26:
+      return SheetSpecular{facets, {{a, rng.next(), eta, rng.next()}}};
     default:
       return SmoothCoatedConductor{{metal, coat_eta}};
   }

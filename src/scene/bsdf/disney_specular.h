@@ -10,17 +10,24 @@ struct DisneyFresnel {
   float metallic = 0.F;
   float eta = 1.5F;
   float dielectric_share = 1.F - metallic;
-  bool is_sheet = false;  ///< the same medium on both sides
 
   Spectrum operator()(float cos_i, bool front) const {
-    const Spectrum dielectric = DielectricFresnel{eta}(cos_i, front || is_sheet);
+    const Spectrum dielectric = DielectricFresnel{eta}(cos_i, front);
     const Spectrum base = r0.unpack();
     const Spectrum metal = base + schlick_weight(cos_i) * (Spectrum(1.F) - base);
     return dielectric * dielectric_share + metal * metallic;
   }
 };
 
+/// The same of a sheet without thickness, with the same medium on both sides.
+struct DisneySheetFresnel : DisneyFresnel {
+  Spectrum operator()(float cos_i, bool /*front*/) const {
+    return DisneyFresnel::operator()(cos_i, true);
+  }
+};
+
 /// Main highlight of Disney's model.
 using DisneySpecular = MicrofacetReflection<DisneyFresnel>;
+using SheetSpecular = MicrofacetReflection<DisneySheetFresnel>;
 
 }  // namespace ajar

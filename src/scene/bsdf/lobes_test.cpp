@@ -299,8 +299,8 @@ TEST(SheetTransmission, IsTheReflectionOfItsFacetsOnTheOtherSide) {
   EXPECT_EQ(s->eta, 1.F);
 }
 
-TEST(DisneyFresnel, OfASheetIsTheSameFromBehind) {
-  const DisneyFresnel sheet{PackedSpectrum(), 0.F, 1.5F, 1.F, true};
+TEST(DisneySheetFresnel, IsTheSameFromBehind) {
+  const DisneySheetFresnel sheet{{PackedSpectrum(), 0.F, 1.5F}};
   EXPECT_EQ(sheet(0.4F, true), sheet(0.4F, false));
   const DisneyFresnel solid{PackedSpectrum(), 0.F, 1.5F};
   EXPECT_EQ(solid(0.4F, false)[0], 1.F) << "beyond the critical angle";

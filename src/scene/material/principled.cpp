@@ -100,8 +100,11 @@ void Principled::add_lobes(const SurfacePoint& at, const Spectrum& scale, Bsdf& 
   add_diffuse(p, scale, varnish, bsdf);
 
   const Microfacets facets = stretched_facets(FacetModel::GgxSeparable, p.roughness, p.aspect);
-  varnish.add_below(DisneySpecular{facets, fresnel(p)}, is_split_ ? scale * p.transmission : scale,
-                    bsdf);
+  if (is_split_) {
+    bsdf.add(SheetSpecular{facets, {fresnel(p)}}, scale * p.transmission);
+  } else {
+    varnish.add_below(DisneySpecular{facets, fresnel(p)}, scale, bsdf);
+  }
 
   const float clearcoat = weight(clearcoat_, at);
   if (clearcoat > 0.F) {
@@ -148,19 +151,18 @@ DisneyFresnel Principled::fresnel(const Point& p) const {
   const float share = (1.F - p.metallic) * weight(specular_strength_, p.at);
   if (colors_twice_) {
     const Spectrum white_r0 = dielectric_r0 * (Spectrum(1.F) + (p.tint - Spectrum(1.F)) * tinted);
-    return {PackedSpectrum(white_r0 * share + p.color * p.metallic), p.metallic, p.eta, share,
-            is_split_};
+    return {PackedSpectrum(white_r0 * share + p.color * p.metallic), p.metallic, p.eta, share};
   }
   const float tinted_share = share * tinted;
   const float by_schlick = p.metallic + tinted_share;
-  if (!(by_schlick > 0.F)) return {PackedSpectrum(), 0.F, p.eta, share, is_split_};
+  if (!(by_schlick > 0.F)) return {PackedSpectrum(), 0.F, p.eta, share};
   const Spectrum r0 = (p.color * p.metallic + p.tint * (dielectric_r0 * tinted_share)) / by_schlick;
-  return {PackedSpectrum(r0), by_schlick, p.eta, share - tinted_share, is_split_};
+  return {PackedSpectrum(r0), by_schlick, p.eta, share - tinted_share};
 }
 
 Principled::Varnish Principled::add_varnish(const SurfacePoint& at, const Spectrum& scale,
                                             float most, Bsdf& bsdf) const {
-  const float share = weight(coat_, at) * most;
+  const float share = is_split_ ? 0.F : weight(coat_, at) * most;
   if (!(share > 0.F)) return {};
   const float alpha = square(weight(coat_roughness_, at));
   // Source of the limit: Pharr et al. 2023, section 9.6.2.
@@ -220,8 +222,10 @@ MaterialModel principled_material() {
                                      1.0),
             declare::textured_number("clearcoat", "0", "a second gloss above all", 1.0),
             declare::textured_number("clearcoat_gloss", "1", "how smooth the clearcoat is", 1.0),
-            declare::textured_number(
-                "coat", "0", "share that is under a varnish of index 1.5; glass never is", 1.0),
+            declare::textured_number("coat", "0",
+                                     "share that is under a varnish of index 1.5; glass and split "
+                                     "sheets never are",
+                                     1.0),
             declare::textured_number("coat_roughness", "0", "root of the alpha of its facets", 1.0),
             declare::textured_number("specular_transmission", "0",
                                      "share of light that is refracted", 1.0),
