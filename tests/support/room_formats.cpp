@@ -167,8 +167,9 @@ std::string write_mitsuba_room(const fs::path& folder, const std::string& versio
     text += is_diffuse
                 ? "<bsdf type=\"twosided\"><bsdf type=\"diffuse\">" + value + "</bsdf></bsdf>"
                 : fmt::format(
-                      "<bsdf type=\"principled\"><float name=\"roughness\" value=\"{}\"/>"
-                      "<float name=\"specular\" value=\"0\"/>{}</bsdf>",
+                      "<bsdf type=\"twosided\"><bsdf type=\"principled\"><float "
+                      "name=\"roughness\" value=\"{}\"/><float name=\"specular\" "
+                      "value=\"0\"/>{}</bsdf></bsdf>",
                       kRoughness, value);
     if (is_lamp(wall)) {
       text += "<emitter type=\"area\"><rgb name=\"radiance\" value=\"" + list(wall.emission) +
