@@ -19,7 +19,7 @@ constexpr WarningKind kUnlitCurves{Effect::Light, "curves cannot shine: their em
 constexpr WarningKind kSubsurface{Effect::Surface,
                                   "shapes have subsurface scattering, which is not supported"};
 constexpr WarningKind kBack{
-    Effect::Surface,
+    Effect::Slight,
     "materials are black from behind in Mitsuba, unless they are twosided: alike from both sides"};
 
 constexpr WarningKind kSensor{Effect::None, "sensors on shapes are not supported and left out"};

@@ -197,7 +197,7 @@ TEST(PbrtInclude, ReadsOtherFilesAndNamesThemInMessages) {
 
 TEST(PbrtInclude, OfMissingFilesIsAWarning) {
   EXPECT_EQ(warnings_of(world("Include \"missing-file\" Shape \"disk\"")),
-            "test.pbrt:2:1: \"missing-file\" is not there: what it should include is left out");
+            "test.pbrt:2:1: \"missing-file\" is not there: what it should include is left out\n");
   // Also where parameters of a directive could go on in it.
   Warnings warnings;
   const desc::SceneDesc scene = import_with(
@@ -249,14 +249,16 @@ TEST(PbrtObjects, CannotEmitAndAreLeftOutIfNotMade) {
       world("ObjectBegin \"o\" AreaLightSource \"diffuse\" Shape \"disk\" ObjectEnd"), warnings);
   EXPECT_FALSE(scene.objects[0].shapes[0].emission);
   EXPECT_EQ(warnings.count(), 1U);
-  EXPECT_TRUE(contains(warnings_of(world("ObjectInstance \"o\"")),
-                       "test.pbrt:2:1: unknown object \"o\". The instance is left out"));
+  EXPECT_TRUE(
+      contains(warnings_of(world("ObjectInstance \"o\"")),
+               "test.pbrt:2:1: unknown object \"o\". There are none. The instance is left out"));
 }
 
 TEST(PbrtMedia, InterfacesFollowTheGraphicsState) {
   Warnings warnings;
   const desc::SceneDesc scene = import_with(
-      "MakeNamedMedium \"fog\" \"string type\" \"homogeneous\" \"rgb sigma_a\" [1 2 3] \"rgb "
+      "Integrator \"volpath\" MakeNamedMedium \"fog\" \"string type\" \"homogeneous\" \"rgb "
+      "sigma_a\" [1 2 3] \"rgb "
       "sigma_s\" [4 5 6] "
       "\"float scale\" 2 \"float g\" 0.5 MediumInterface \"\" \"fog\" Camera \"perspective\" "
       "WorldBegin "

@@ -17,7 +17,8 @@ inline desc::SceneDesc import_with(std::string_view text, Warnings& warnings,
 
 /// A world with `body` in it; there must be no warnings but the one about missing shapes.
 inline std::string world(const std::string& body) {
-  return "Camera \"perspective\" WorldBegin\n" + body + "\nShape \"sphere\" WorldEnd";
+  return "Integrator \"volpath\" Camera \"perspective\" WorldBegin\n" + body +
+         "\nShape \"sphere\" WorldEnd";
 }
 
 /// Message of the SceneError that importing raises, or "no error".

@@ -100,6 +100,12 @@ void set_encoding(const Context& context, const SourceLocation& where, desc::Nod
       printable(encoding));
 }
 
+bool may_exceed_one(const desc::Node& image) {
+  const std::string extension = file_extension(image.text("file"));
+  return image.number("scale") > 1.F || extension == ".exr" || extension == ".hdr" ||
+         extension == ".pfm";
+}
+
 /// What pbrt-v4 says of images.
 void finish_image(const Context& context, const SourceLocation& where,
                   const ParameterList& parameters, bool is_float, desc::Node& image) {
@@ -115,9 +121,8 @@ void finish_image(const Context& context, const SourceLocation& where,
   } else if (is_float && image.text("channel") == "varying_alpha_or_mean") {
     image.set("channel", std::string("mean"));
   }
-  // Whatever light a colour lets through or returns is at most all of it. Only a scale, or a file
-  // of floats, has more.
-  if (!is_float) image.set("clamp", true);
+  // Whatever light a colour returns is at most all of it.
+  if (!is_float && may_exceed_one(image)) image.set("clamp", true);
   if (parameters.get_string("filter", "bilinear") == "point") {
     image.set("filter", std::string("nearest"));
   }

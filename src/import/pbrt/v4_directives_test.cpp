@@ -52,7 +52,7 @@ TEST(Pbrt4Film, FiltersHaveRadiiAndSigma) {
 
 TEST(Pbrt4Options, OfPbrtAreAccepted) {
   const desc::SceneDesc s = with_options(
-      "Option \"integer seed\" 3 Option \"bool disablepixeljitter\" true Film \"rgb\" "
+      "Option \"integer seed\" 3 Option \"bool disablepixeljitter\" false Film \"rgb\" "
       "Sampler \"zsobol\" \"integer pixelsamples\" 8 Integrator \"volpath\" \"integer maxdepth\" 7 "
       "Camera \"spherical\" \"string mapping\" \"equirectangular\" "
       "ColorSpace \"srgb\" Accelerator \"bvh\"");
@@ -62,10 +62,12 @@ TEST(Pbrt4Options, OfPbrtAreAccepted) {
   EXPECT_TRUE(std::holds_alternative<desc::EnvironmentCamera>(s.camera.node));
   EXPECT_EQ(v4_warnings("", {}), "");
   const std::string rest = " Film \"rgb\" Camera \"perspective\" WorldBegin Shape \"sphere\"";
-  EXPECT_EQ(warnings_of("Option \"seed\" 3 Option \"disablepixeljitter\" true Option "
+  EXPECT_EQ(warnings_of("Option \"seed\" 3 Option \"disablepixeljitter\" false Option "
                         "\"rendercoordsys\" \"world\" Option \"forcediffuse\" false" +
                         rest),
             "");
+  EXPECT_TRUE(contains(warnings_of("Option \"disablepixeljitter\" true" + rest),
+                       "the option \"disablepixeljitter\" is not supported"));
   EXPECT_TRUE(contains(error_of("Option \"seed\"" + rest),
                        "test.pbrt:1:8: the option \"seed\" has no value"));
   EXPECT_TRUE(contains(warnings_of("Option \"forcediffuse\" true" + rest),

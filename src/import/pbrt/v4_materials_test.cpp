@@ -174,8 +174,13 @@ desc::Node image(const std::string& parameters, const std::string& kind = "spect
 }
 
 TEST(Pbrt4Textures, ColorsOfImagesAreAtMostOne) {
-  EXPECT_TRUE(image("").flag("clamp"));
-  EXPECT_FALSE(image("", "float").flag("clamp"));
+  EXPECT_TRUE(image("\"float scale\" 2").flag("clamp"));
+  EXPECT_FALSE(image("").flag("clamp"));  // has none above
+  EXPECT_FALSE(image("\"float scale\" 2", "float").flag("clamp"));
+  EXPECT_TRUE(named_texture(v4_scene("Texture \"t\" \"spectrum\" \"imagemap\" \"string filename\" "
+                                     "\"a.exr\"",
+                                     {{"a.exr", ""}}))
+                  .flag("clamp"));
 }
 
 TEST(Pbrt4Textures, CylindersMeasureAlongTheirAxis) {
