@@ -58,7 +58,7 @@ INSTANTIATE_TEST_SUITE_P(All, SharedMitsubaScene,
                                          Expected{"staircase2/scene.xml", 32, 13, 2},
                                          Expected{"water-caustic/scene.xml", 10, 1, 12},
                                          Expected{"volumetric-caustic/scene.xml", 8, 1, 10},
-                                         Expected{"cbox-with-bulb/scene-nosphere.xml", 8, 1, 8},
+                                         Expected{"cbox-with-bulb/scene-nosphere.xml", 9, 1, 8},
                                          // A mesh is not there.
                                          Expected{"cbox-with-bulb/scene.xml", 9, 1, 9, 1},
                                          Expected{"cbox-with-bulb/simple.xml", 9, 1, 10, 1},

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/file_extension.h"
 #include "import/common/transforms.h"
 #include "import/pbrt/light_names.h"
 #include "import/pbrt/node_reader.h"
@@ -13,6 +14,8 @@ namespace {
 
 constexpr WarningKind kLightsLeftOut{Effect::Light, "lights are left out"};
 
+constexpr WarningKind kDecoded{
+    Effect::Light, "lights have images of integers, which are decoded as sRGB: pbrt-v3 does not"};
 constexpr WarningKind kUnknownLight{Effect::Light, "lights are unknown and left out"};
 constexpr WarningKind kNoPortal{Effect::Slight, "lights have portals, which are ignored"};
 constexpr WarningKind kNoPower{
@@ -89,6 +92,20 @@ void set_falloff(desc::Node& spot, const ParameterList& parameters) {
 
 }  // namespace
 
+namespace {
+
+/// pbrt-v3 shows what integers of such an image are, and not what they stand for.
+void check_codes(Context& context, const SourceLocation& where, const desc::Node& light) {
+  if (!light.has("image")) return;
+  const std::string extension = file_extension(light.text("image"));
+  if (extension != ".png" && extension != ".tga") return;
+  context.warnings.add(kDecoded, where,
+                       "pbrt-v3 takes the integers of a light's image for light: here they are "
+                       "decoded as sRGB, which is darker");
+}
+
+}  // namespace
+
 std::optional<desc::Light> make_light(Context& context, TextureTable& textures,
                                       const SourceLocation& where, const std::string& type,
                                       const ParameterList& p, const Mat4& ctm) {
@@ -108,6 +125,7 @@ std::optional<desc::Light> make_light(Context& context, TextureTable& textures,
   light.node = NodeReader(where, TextureParameters::of_light(context, textures, p))
                    .read(*model, find_theirs(table, type));
   if (light.node.is("spot")) set_falloff(light.node, p);
+  if (!context.is_v4()) check_codes(context, where, light.node);
   const float factor = context.is_v4() ? target_scale(p, light.node) : 1.F;
   for (const ParameterSpec& spec : model->parameters) {
     if (spec.type != ParameterType::Color) continue;

@@ -72,6 +72,14 @@ TEST(PbrtLights, MapsAreResolved) {
                        "\"L\" is negative"));
 }
 
+TEST(PbrtLights, ImagesOfIntegersAreDecodedWithAWarning) {
+  const auto warnings = [](const std::string& file) {
+    return warnings_of(world("LightSource \"infinite\" \"string mapname\" \"" + file + "\""));
+  };
+  EXPECT_TRUE(contains(warnings("sky.PNG"), "test.pbrt:2:1: pbrt-v3 takes the integers"));
+  EXPECT_EQ(warnings("sky.exr"), "");
+}
+
 TEST(PbrtLights, WhatCannotBeUsedHasAPlace) {
   EXPECT_TRUE(contains(error_of(world("LightSource \"projection\" \"float fov\" 180")),
                        "2:1: \"fov\" must be between 0 and 180, both excluded, not 180"));
