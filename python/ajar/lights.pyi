@@ -16,6 +16,8 @@ def environment(
     radiance: Color = 1.0,
     image: File | None = None,
     projection: Literal["longitude_latitude", "equal_area"] = 'longitude_latitude',
+    decoding_exponent: Number | None = None,
+    nearest: bool = False,
     irradiance: Number | None = None,
     name: str = '',
 ) -> Node:

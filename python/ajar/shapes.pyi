@@ -39,6 +39,7 @@ def disk(
     radius: Number = 1.0,
     inner_radius: Number = 0.0,
     phi_max: Number = 360.0,
+    coordinates: Literal["angle_then_radius_inward", "radius_then_angle", "angle_then_radius"] = 'angle_then_radius_inward',
     name: str = '',
 ) -> Node:
     """a disk across z, with or without a hole."""

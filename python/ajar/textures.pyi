@@ -18,6 +18,7 @@ def bilinear(
     offset_v: Number = 0.0,
     axis_u: Vector = (1.0, 0.0, 0.0),
     axis_v: Vector = (0.0, 1.0, 0.0),
+    height: Literal["cosine", "place"] = 'cosine',
     world_to_texture: Transform | None = None,
     name: str = '',
 ) -> Node:
@@ -35,6 +36,7 @@ def checkerboard(
     offset_v: Number = 0.0,
     axis_u: Vector = (1.0, 0.0, 0.0),
     axis_v: Vector = (0.0, 1.0, 0.0),
+    height: Literal["cosine", "place"] = 'cosine',
     world_to_texture: Transform | None = None,
     name: str = '',
 ) -> Node:
@@ -59,6 +61,7 @@ def dots(
     offset_v: Number = 0.0,
     axis_u: Vector = (1.0, 0.0, 0.0),
     axis_v: Vector = (0.0, 1.0, 0.0),
+    height: Literal["cosine", "place"] = 'cosine',
     world_to_texture: Transform | None = None,
     name: str = '',
 ) -> Node:
@@ -82,6 +85,7 @@ def image(
     decoding_exponent: Number | None = None,
     scale: Number = 1.0,
     invert: bool = False,
+    clamp: bool = False,
     filter: Literal["bilinear", "nearest"] = 'bilinear',
     mapping: Literal["uv", "spherical", "cylindrical", "planar"] = 'uv',
     scale_u: Number = 1.0,
@@ -91,6 +95,7 @@ def image(
     offset_v: Number = 0.0,
     axis_u: Vector = (1.0, 0.0, 0.0),
     axis_v: Vector = (0.0, 1.0, 0.0),
+    height: Literal["cosine", "place"] = 'cosine',
     world_to_texture: Transform | None = None,
     name: str = '',
 ) -> Node:
@@ -151,6 +156,7 @@ def uv(
     offset_v: Number = 0.0,
     axis_u: Vector = (1.0, 0.0, 0.0),
     axis_v: Vector = (0.0, 1.0, 0.0),
+    height: Literal["cosine", "place"] = 'cosine',
     world_to_texture: Transform | None = None,
     name: str = '',
 ) -> Node:

@@ -39,6 +39,13 @@ Imath::Box3d box_of(const desc::Mesh& mesh) {
   return box;
 }
 
+/// Their control points hold them, but for their width.
+Imath::Box3d box_of(const desc::Curves& curves) {
+  Imath::Box3d box;
+  for (const Vec3& point : curves.control_points) box.extendBy(Vec3d(point));
+  return box;
+}
+
 /// Of a sphere, disk or cylinder, whole turns of them.
 Imath::Box3d box_of_quadric(const desc::Node& node) {
   const double radius = node.number("radius");
@@ -103,7 +110,9 @@ class PlacedBoxes {
     if (!box.isEmpty()) parts_.push_back({box, &to_world});
   }
   Imath::Box3d local_box(const desc::Shape& shape) {
-    if (shape.node.has("radius")) return box_of_quadric(shape.node);
+    const desc::Node& node = shape.node;
+    if (node.is("sphere") || node.is("disk") || node.is("cylinder")) return box_of_quadric(node);
+    if (node.is("curves")) return box_of(*node.curves("curves"));
     const desc::MeshPointer mesh =
         shape.node.is("mesh") ? shape.node.mesh("mesh") : desc::MeshPointer();
     const auto [place, is_new] = boxes_.try_emplace(mesh.get());

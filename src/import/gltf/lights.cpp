@@ -21,7 +21,7 @@ desc::Node spot_node(Context& context, const Element& light, const Vec3& intensi
   const double inner = spot ? spot->find_number("innerConeAngle").value_or(0.0) : 0.0;
   const double outer = spot ? spot->find_number("outerConeAngle").value_or(M_PI / 4) : M_PI / 4;
   if (!(inner >= 0.0 && inner <= outer && outer > 0.0 && outer <= M_PI / 2 + 1e-6)) {
-    spot->fail("its cone angles must be 0 <= inner < outer <= pi/2");
+    spot->fail("its cone angles must be 0 <= inner <= outer <= pi/2, the outer above 0");
   }
   if (inner == outer) {
     context.warnings.add(kHardSpot, spot->where(),

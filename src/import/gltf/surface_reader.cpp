@@ -17,7 +17,7 @@ constexpr WarningKind kNoCoat{Effect::Surface,
                               "clear coats of glass and of old or unlit materials: left out"};
 constexpr WarningKind kUnlit{Effect::Light,
                              "materials are unlit: they shine, also onto their surroundings"};
-constexpr WarningKind kSpecular{Effect::Surface, "materials have a colour of their gloss: ignored"};
+constexpr WarningKind kSpecular{Effect::Surface, "materials have a hue of their gloss: ignored"};
 constexpr WarningKind kWeakGlass{Effect::Slight,
                                  "glass has a factor of its gloss: what is not reflected is lost"};
 constexpr WarningKind kSheen{Effect::Slight, "materials have a sheen: another one stands in"};
@@ -227,7 +227,8 @@ float SurfaceReader::index_for_specular() {
   if (!specular) return index;
   const Vec3 color = specular->vector_or("specularColorFactor", Vec3(1.F));
   if (specular->has("specularColorTexture") || color.x != color.y || color.y != color.z) {
-    context_.warnings.add(kSpecular, specular->where(), "colours of the gloss are ignored");
+    context_.warnings.add(kSpecular, specular->where(),
+                          "the hue of the gloss is ignored, on glass its brightness, too");
   }
   const float r0 = std::pow((index - 1.F) / (index + 1.F), 2.F);
   const float wanted = std::clamp(r0 * brightness(color), 0.F, 0.8F);

@@ -13,6 +13,8 @@ namespace {
 constexpr WarningKind kUnknownMedium{Effect::Surface,
                                      "media are unknown: homogeneous ones stand in"};
 constexpr WarningKind kPreset{Effect::Surface, "media are unknown presets: skin stands in"};
+constexpr WarningKind kPresetAnisotropy{
+    Effect::Surface, "media have a \"g\" beside that of their preset: they scatter too little"};
 constexpr WarningKind kPhase{
     Effect::Surface, "media have a phase function that is not supported: another stands in"};
 constexpr WarningKind kNegative{Effect::Slight, "coefficients of media are negative: taken as 0"};
@@ -90,7 +92,13 @@ void reduce_scattering(Arguments& arguments, desc::Medium& medium) {
       throw SceneError(arguments.where(), "\"g\" must be between -1 and 1");
     }
   }
-  if (has_presets(arguments)) medium.sigma_s *= desc::Rgb(1.F) - g;
+  if (!has_presets(arguments)) return;
+  if (arguments.has("g") && arguments.has("material")) {
+    arguments.context().warnings.add(
+        kPresetAnisotropy, arguments.where(),
+        "the \"g\" of a preset is counted already, and that of the file beside it");
+  }
+  medium.sigma_s *= desc::Rgb(1.F) - g;
 }
 
 float read_phase(Arguments& arguments) {

@@ -1,6 +1,7 @@
 #include "import/mitsuba/scene_builder.h"
 
 #include "import/common/printable.h"
+#include "import/common/used_media.h"
 #include "import/mitsuba/lights.h"
 #include "import/mitsuba/sensor.h"
 #include "import/mitsuba/shapes.h"
@@ -30,7 +31,7 @@ void read_sensors(Context& context, MediumTable& media, Arguments& scene) {
 
 /// Warns if the integrator, in Mitsuba, leaves out media that the scene has.
 void check_media(Context& context, const std::vector<const Element*>& integrators) {
-  if (context.scene.media.empty() || integrators.empty()) return;
+  if (!uses_media(context.scene) || integrators.empty()) return;
   const std::string& type = integrators.front()->type;
   if (type != "path" && type != "direct") return;
   context.warnings.add(kNoMedia, integrators.front()->where,

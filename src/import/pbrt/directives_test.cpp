@@ -284,6 +284,8 @@ TEST(PbrtMedia, InterfacesFollowTheGraphicsState) {
 TEST(PbrtMedia, UnknownOnesAreNone) {
   const std::string body = "MediumInterface \"x\" \"\"";
   EXPECT_TRUE(contains(warnings_of(world(body)), "test.pbrt:2:1: unknown medium \"x\""));
+  // Once, not for each shape.
+  EXPECT_EQ(warnings_of(world(body + " Shape \"disk\" Shape \"disk\"")), warnings_of(world(body)));
   Warnings warnings;
   EXPECT_EQ(import_with(world(body), warnings).shapes.at(0).inside, desc::kNone);
 }

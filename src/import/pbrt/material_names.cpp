@@ -111,18 +111,28 @@ const std::vector<ModelName>& materials_of_v4() {
   // What a v4 material says by its type alone.
   static const ParameterName kNoTint{"reflectance", {}};
   static const ParameterName kNoTransmittance{"transmittance", {}};
+  static const ParameterName kFacets{"distribution", {}};
+  static const ParameterName kMasking{"masking", {}};
   static const ParameterName kNotPolarised{"polarised", {}};
   static const ParameterName kNotSlanted{"along_normal", {}};
   static const std::vector<ModelName> kNames = {
       {"diffuse", "diffuse", {}},
-      {"conductor", "conductor", with_roughness({{"distribution", {}}})},
+      {"conductor", "conductor", with_roughness({kFacets, kMasking})},
       {"dielectric", "dielectric",
-       with_roughness({kNoTint, kNoTransmittance, {"thin", {}}, kNotPolarised, kNotSlanted})},
+       with_roughness({kNoTint,
+                       kNoTransmittance,
+                       {"thin", {}},
+                       kFacets,
+                       kMasking,
+                       kNotPolarised,
+                       kNotSlanted})},
       {"thindielectric",
        "dielectric",
        {kNoTint,
         kNoTransmittance,
         {"thin", {}, "true"},
+        kFacets,
+        kMasking,
         kNotPolarised,
         kNotSlanted,
         {"roughness", {}},

@@ -60,12 +60,26 @@ void set_default_metal(const TextureParameters& p, desc::Node& node, const std::
   if (!p.find_spectrum(prefix + "k")) node.set("k", Vec3(*named_metal("metal-Cu-k")));
 }
 
+/// Indices are no reflectances: an image of them may be above 1.
+void unclamp(const SourceLocation& where, TextureTable& textures, Context& context,
+             const char* parameter, desc::Node& node) {
+  const auto* texture = std::get_if<desc::TextureRef>(&node.get(parameter));
+  if (texture == nullptr) return;
+  desc::Node image = context.scene.textures[static_cast<std::size_t>(texture->id)].node;
+  if (!image.is("image") || !image.flag("clamp")) return;
+  image.set("clamp", false);
+  node.set(parameter, desc::TextureRef{textures.add(where, std::move(image))});
+}
+
 /// What pbrt-v4 says beside the parameters that the models have.
 void finish_v4(const SourceLocation& where, const std::string& type, const TextureParameters& p,
-               desc::Node& node) {
+               TextureTable& textures, desc::Node& node) {
   smooth_if_nearly_so(node);
   if (type == "conductor") set_default_metal(p, node, "");
   if (type == "coatedconductor") set_default_metal(p, node, "conductor.");
+  if (node.is("conductor") || node.is("coated_conductor")) {
+    for (const char* index : {"eta", "k"}) unclamp(where, textures, p.context(), index, node);
+  }
   if (type == "diffusetransmission") {
     const float scale = p.number("scale").value_or(1.F);
     node.set("diffuse", Vec3(std::clamp(scale, 0.F, 1.F)));
@@ -130,14 +144,15 @@ desc::Node MaterialTable::make_mix(const SourceLocation& where,
   if (names.size() != 2) {
     throw SceneError(where, "a mix material needs \"string materials\" with two names");
   }
-  check_relief_of_mix(context_.scene, named(where, names[1])->id, named(where, names[0])->id, where,
-                      context_.warnings);
+  // pbrt-v4's "amount" is the share of the second, ours that of the first.
+  const desc::MaterialId first = named(where, names[1])->id;
+  const desc::MaterialId second = named(where, names[0])->id;
+  check_relief_of_mix(context_.scene, first, second, where, context_.warnings);
   const desc::Model& mix = *desc::find_model(desc::ModelKind::Material, "mix");
   return NodeReader(where, parameters)
       .with_numbers_for_colors(true)
       .with_materials([&](std::string_view parameter) {
-        // pbrt-v4's "amount" is the share of the second, ours that of the first.
-        return part_of_mix(context_.scene, named(where, names[parameter == "first" ? 1 : 0])->id);
+        return part_of_mix(context_.scene, parameter == "first" ? first : second);
       })
       .read(mix, find_theirs(material_names(Dialect::V4), "mix"));
 }
@@ -161,7 +176,7 @@ desc::Node MaterialTable::make_node(const SourceLocation& where, const std::stri
                           return part(where, type, parameter, parameters);
                         })
                         .read(*model, find_theirs(table, type));
-  if (context_.is_v4()) finish_v4(where, type, parameters, node);
+  if (context_.is_v4()) finish_v4(where, type, parameters, textures_, node);
   if (type == "disney") check_subsurface(where, parameters);
   return node;
 }

@@ -6,6 +6,7 @@
 
 #include "import/common/printable.h"
 #include "import/common/transforms.h"
+#include "import/common/used_media.h"
 #include "import/pbrt/lexer.h"
 
 namespace ajar::pbrt {
@@ -252,11 +253,9 @@ void apply_integrator(Context& context, const SourceLocation& where, const std::
 void check_media(Context& context, const SourceLocation& where, const std::string& type) {
   // Those of pbrt that know media; "" is the one of pbrt-v3 or pbrt-v4 where a file names none.
   static const std::vector<std::string> kOfV3 = {"volpath", "bdpt", "mlt"};
-  static const std::vector<std::string> kOfV4 = {"",     "volpath", "simplevolpath",
-                                                 "bdpt", "mlt",     "lightpath"};
+  static const std::vector<std::string> kOfV4 = {"", "volpath", "simplevolpath", "bdpt", "mlt"};
   const std::vector<std::string>& know = context.is_v4() ? kOfV4 : kOfV3;
-  if (context.scene.media.empty() || std::find(know.begin(), know.end(), type) != know.end())
-    return;
+  if (!uses_media(context.scene) || std::find(know.begin(), know.end(), type) != know.end()) return;
   context.warnings.add(
       kNoMedia, where,
       "\"" + (type.empty() ? "path" : printable(type)) +

@@ -126,7 +126,8 @@ TEST(PbrtHints, WarnOfLightThatTheirIntegratorsLeaveOut) {
     return warnings_of(options + " Camera \"perspective\" WorldBegin " + medium +
                        " Shape \"sphere\" WorldEnd");
   };
-  const std::string fog = "MakeNamedMedium \"fog\" \"string type\" \"homogeneous\"";
+  const std::string fog =
+      "MakeNamedMedium \"fog\" \"string type\" \"homogeneous\" MediumInterface \"fog\" \"\"";
   EXPECT_TRUE(contains(warnings("Integrator \"whitted\""),
                        "\"whitted\" of pbrt-v3 leaves out light that diffuse surfaces pass on"));
   EXPECT_TRUE(contains(warnings("Integrator \"path\"", fog),
@@ -134,6 +135,8 @@ TEST(PbrtHints, WarnOfLightThatTheirIntegratorsLeaveOut) {
   EXPECT_TRUE(contains(warnings("", fog), "\"path\" of pbrt leaves out media"));
   EXPECT_EQ(warnings("Integrator \"volpath\"", fog), "");
   EXPECT_EQ(warnings("Integrator \"path\""), "");
+  EXPECT_EQ(
+      warnings("Integrator \"path\"", "MakeNamedMedium \"a\" \"string type\" \"homogeneous\""), "");
   EXPECT_EQ(
       warnings_of("Film \"rgb\" Camera \"perspective\" WorldBegin " + fog + " Shape \"sphere\""),
       "");

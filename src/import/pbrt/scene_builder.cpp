@@ -359,6 +359,7 @@ desc::MediumId SceneBuilder::medium_id(const std::string& name) {
   if (found != media_.end()) return found->second;
   std::vector<std::string> valid;
   for (const auto& entry : media_) valid.push_back(entry.first);
+  if (!unknown_media_.insert(name).second) return desc::kNone;
   warn_of_unknown_name(context_, kMediumNotMade, state_.media_where, "medium", name, valid,
                        "There is none in its place");
   return desc::kNone;
@@ -515,11 +516,11 @@ desc::SceneDesc SceneBuilder::finish(const SourceLocation& end) {
   }
   if (!scene_.film.where.file) scene_.film.where = end;
   if (!integrator_) apply_no_integrator(context_);
-  const auto& [integrator, integrator_where] = integrator_.value_or(std::pair(std::string(), end));
-  check_media(context_, integrator_where, integrator);
   // pbrt-v3 makes the camera at WorldEnd: the medium around it is what is set outside at the top
   // level there.
   scene_.camera.medium = medium_id(context_.is_v4() ? camera_medium_ : state_.outside);
+  const auto& [integrator, integrator_where] = integrator_.value_or(std::pair(std::string(), end));
+  check_media(context_, integrator_where, integrator);
   meshes_.load_all();
   for (const Powered& light : powered_) {
     desc::Shape& shape = scene_.shapes[light.shape];

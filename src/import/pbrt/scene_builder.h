@@ -2,6 +2,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -152,6 +153,7 @@ class SceneBuilder {
   GraphicsState state_;
   std::vector<OpenScope> scopes_;
   std::map<std::string, desc::MediumId> media_;
+  std::set<std::string> unknown_media_;  ///< that were warned of
   std::map<std::string, desc::ObjectId> objects_;
   desc::ObjectId open_object_ = desc::kNone;
   std::optional<CameraOptions> camera_;

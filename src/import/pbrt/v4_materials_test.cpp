@@ -137,6 +137,15 @@ TEST(Pbrt4Materials, NormalMapsAreFilesOfVectors) {
   EXPECT_FALSE(s.textures[0].node.flag("decode_srgb"));
 }
 
+TEST(Pbrt4Materials, ImagesOfIndicesMayBeAboveOne) {
+  const desc::SceneDesc s = v4_scene(
+      "Texture \"k\" \"spectrum\" \"imagemap\" \"string filename\" \"k.exr\" Material "
+      "\"conductor\" \"texture k\" \"k\"",
+      {{"k.exr", ""}});
+  const desc::TextureId k = material_node_of(s, s.shapes.back()).texture("k");
+  EXPECT_FALSE(s.textures.at(static_cast<std::size_t>(k)).node.flag("clamp"));
+}
+
 TEST(Pbrt4Materials, NormalMapsComeBeforeBumps) {
   const desc::SceneDesc s = v4_scene(
       "Texture \"t\" \"float\" \"fbm\" Material \"diffuse\" \"texture displacement\" "
@@ -159,6 +168,12 @@ TEST(Pbrt4Materials, MixesOfPartsWithOtherReliefsAreAWarning) {
                        "test.pbrt:3:1: the parts of this mix differ in their bump or normal map: "
                        "that of \"plain\" counts for both"));
   EXPECT_EQ(warnings("bumpy"), "");
+  // The same file is the same relief.
+  const std::string map = "\"string type\" \"diffuse\" \"string normalmap\" \"n.png\" ";
+  EXPECT_EQ(v4_warnings("MakeNamedMaterial \"a\" " + map + "MakeNamedMaterial \"b\" " + map +
+                            "Material \"mix\" \"string materials\" [\"a\" \"b\"]",
+                        {{"n.png", ""}}),
+            "");
 }
 
 TEST(Pbrt4Materials, DisplacementIsABump) {

@@ -16,9 +16,13 @@ namespace {
 constexpr WarningKind kUnreadable{Effect::Light,
                                   "light maps (skies, spots) cannot be read: the light is magenta"};
 
+constexpr WarningKind kOtherPrimaries{
+    Effect::Light,
+    "light maps are files with a red, green and blue of their own, which is not supported"};
+
 /// Raises IoError with the reason if the file cannot be read.
 Map read_map(const std::string& path, MapEdge edge, MapFilter filter,
-             std::optional<float> decoding_exponent) {
+             std::optional<float> decoding_exponent, bool* has_other_primaries) {
   ImageInput input(path, true);
   const ImageHeader& header = input.header();
   constexpr int kMaxSide = 1 << 16;
@@ -26,6 +30,7 @@ Map read_map(const std::string& path, MapEdge edge, MapFilter filter,
     throw IoError("it has more than 65536 pixels in a row or column");
   }
   const int channels = std::min(header.channels, 3);
+  *has_other_primaries = channels == 3 && header.has_other_primaries;
   const auto count = static_cast<std::size_t>(header.pixels());
   std::vector<float> values = input.read<float>(channels, count * sizeof(Spectrum));
   if (header.is_integer) {
@@ -61,7 +66,16 @@ Map load_map(const std::string& path, MapEdge edge, const SourceLocation& where,
              std::optional<float> decoding_exponent) {
   std::string reason;
   try {
-    return read_map(NamedFile(path, embedded).path(), edge, filter, decoding_exponent);
+    bool has_other_primaries = false;
+    Map map = read_map(NamedFile(path, embedded).path(), edge, filter, decoding_exponent,
+                       &has_other_primaries);
+    if (has_other_primaries) {
+      warnings.add(kOtherPrimaries, where,
+                   "light map \"" + path + "\" has red, green and blue of its own " +
+                       "(\"chromaticities\"): they are taken for those of Rec. 709",
+                   std::filesystem::path(path).filename().string());
+    }
+    return map;
   } catch (const std::bad_alloc&) {
     reason = "not enough memory";
   } catch (const IoError& error) {

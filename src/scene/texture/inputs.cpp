@@ -6,6 +6,8 @@ namespace ajar {
 namespace {
 
 constexpr WarningKind kUnreadable{Effect::Surface, "textures cannot be read, shown as magenta"};
+constexpr WarningKind kUnreadableNumbers{
+    Effect::Surface, "textures of numbers cannot be read: 1 stands in for them"};
 constexpr WarningKind kOtherPrimaries{
     Effect::Surface,
     "textures are files with a red, green and blue of their own, which is not "
@@ -42,22 +44,23 @@ TextureSlot TextureInputs::slot(std::string_view name) const {
 
 std::shared_ptr<const TexelImage> TextureInputs::image(std::string_view name) const {
   const std::string& path = node().text(name);
+  const std::string file = std::filesystem::path(path).filename().string();
   const CachedImage& cached = images_.at({path, channel_of(node())});
+  const bool is_color = !node().has("channel") || node().text("channel") == "color";
   if (!cached.image) {
-    warnings_.add(
-        kUnreadable, description_.where,
-        "cannot read image \"" + path + "\" (" + cached.error + "); it is replaced by " +
-            (channel_of(node()) == ImageChannel::Color && node().text("channel") == "color"
-                 ? "magenta"
-                 : "1"),
-        std::filesystem::path(path).filename().string());
+    warnings_.add(is_color ? kUnreadable : kUnreadableNumbers, description_.where,
+                  "cannot read image \"" + path + "\" (" + cached.error + "); it is replaced by " +
+                      (is_color ? "magenta, or left out if it says normals" : "1"),
+                  file);
   }
-  if (cached.image && cached.image->has_other_primaries) {
+  // Vectors and numbers have no primaries.
+  const bool is_light = is_color && (!node().has("decode_srgb") || node().flag("decode_srgb"));
+  if (cached.image && cached.image->has_other_primaries && is_light) {
     warnings_.add(kOtherPrimaries, description_.where,
                   "image \"" + path +
-                      "\" has red, green and blue of its own (\"chromaticities\"): "
-                      "they are taken for those of Rec. 709",
-                  std::filesystem::path(path).filename().string());
+                      "\" has red, green and blue of its own (\"chromaticities\"): they are taken "
+                      "for those of Rec. 709",
+                  file);
   }
   return cached.image;
 }
