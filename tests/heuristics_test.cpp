@@ -131,6 +131,7 @@ const std::multimap<std::string, Unfitted>& unfitted() {
       {"session/preview/tev_packets.cpp",
        {"numbers of a protocol", {"kCreateImage", "kUpdateImage"}}},
       {"session/render_setup.h", {"defaults of parameters", {"kDefaultSamples", "kReplicates"}}},
+      {"mcmc/path_space/perturbation_law.h", {"rounding", {"kRounding"}}},
       {"mcmc/primary/chain_numbers.h", {"streams", {"kStreams"}}},
       {"mcmc/primary/chain_source.h", {"index", {"kRasterBlock"}}},
       {"mcmc/primary/gaussian_mutation.cpp", {"the same as uniform beyond", {"kWidest"}}},

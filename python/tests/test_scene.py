@@ -20,6 +20,7 @@ LookAt 0.5 2 5  0 0.4 0  0 1 0
 Camera "perspective" "float fov" 40
 Film "image" "integer xresolution" 24 "integer yresolution" 18
 PixelFilter "box"
+Integrator "path" "integer maxdepth" 99
 WorldBegin
 LightSource "point" "rgb I" [3 3 3] "point from" [0 3 1]
 Material "matte" "rgb Kd" [0.8 0.1 0.1]

@@ -34,9 +34,11 @@ Scene builtin_scene(const std::string& name) {
 
 std::string pbrt_scene(const std::string& camera, int width, int height, const std::string& world,
                        const std::string& filter) {
-  return camera + "\nFilm \"image\" \"integer xresolution\" [" + std::to_string(width) +
-         "] \"integer yresolution\" [" + std::to_string(height) + "]\n" + filter +
-         "\nWorldBegin\n" + world + "\nWorldEnd\n";
+  return camera +
+         "\nIntegrator \"volpath\" \"integer maxdepth\" 99 Film \"image\" \"integer xresolution\" "
+         "[" +
+         std::to_string(width) + "] \"integer yresolution\" [" + std::to_string(height) + "]\n" +
+         filter + "\nWorldBegin\n" + world + "\nWorldEnd\n";
 }
 
 std::vector<float> Render::layer(const std::string& name, std::optional<int> replicate) const {
