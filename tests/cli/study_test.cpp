@@ -68,7 +68,10 @@ TEST_F(StudyCli, RendersMeasuresAndSummarises) {
 }
 
 TEST_F(StudyCli, ScenesOfEqualFileNamesHaveReportsOfTheirOwn) {
-  const std::string scene = "WorldBegin\nLightSource \"point\"\nShape \"sphere\"\nWorldEnd\n";
+  const std::string scene =
+      "Integrator \"path\" \"integer maxdepth\" 99\nWorldBegin\nLightSource \"point\"\nShape "
+      "\"sphere\"\n"
+      "WorldEnd\n";
   for (const char* name : {"one", "two"}) {
     fs::create_directories(folder_ / name);
     std::ofstream(folder_ / name / "room.pbrt") << scene;
