@@ -66,7 +66,7 @@ std::array<Vec3d, 8> corners_of(const Imath::Box3d& box) {
   return corners;
 }
 
-/// The boxes of all meshes and quadrics, each in its own space and with its place. The scene must
+/// The boxes of what has one, each in its own space and with its place. The scene must
 /// not change meanwhile.
 class PlacedBoxes {
  public:

@@ -21,7 +21,8 @@ void add_studio(desc::SceneDesc& scene, const SceneParts& parts, UpAxis up);
 /// Adds a light grey material with a soft gloss, for surfaces that have none.
 desc::MaterialId add_neutral_material(desc::SceneDesc& scene);
 
-/// The box in the world of all meshes, spheres, disks and cylinders; empty if there are none.
+/// The box in the world of all meshes, spheres, disks, cylinders and curves; empty if there are
+/// none.
 Imath::Box3d bounds_of_shapes(const desc::SceneDesc& scene);
 
 }  // namespace ajar

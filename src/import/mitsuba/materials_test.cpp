@@ -241,6 +241,15 @@ TEST(MitsubaMaterials, NormalMapsTiltWhatIsInThem) {
   EXPECT_EQ(map.strength, 1.F);
   EXPECT_FALSE(
       tilted.scene.textures[static_cast<std::size_t>(map.texture)].node.flag("decode_srgb"));
+  // The relief of a mix is that of its first part: where the other has another, that is said.
+  const auto blend = [](const std::string& second) {
+    return MaterialOf("<bsdf type=\"blendbsdf\"><bsdf type=\"normalmap\">" + kNormalMap +
+                          "<bsdf type=\"diffuse\"/></bsdf>" + second + "</bsdf>",
+                      {{"n.png", ""}})
+        .warnings;
+  };
+  EXPECT_TRUE(contains(blend("<bsdf type=\"diffuse\"/>"), "differ in their bump or normal map"));
+  EXPECT_FALSE(contains(blend("<bsdf type=\"null\"/>"), "differ in their bump or normal map"));
   // The relief of a mix is that of its first part.
   const MaterialOf mask("<bsdf type=\"normalmap\">" + kNormalMap +
                         "<bsdf type=\"mask\"><bsdf type=\"diffuse\"/></bsdf></bsdf>");

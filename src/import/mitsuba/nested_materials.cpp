@@ -1,6 +1,7 @@
 #include <numeric>
 
 #include "import/common/opacity.h"
+#include "import/common/relief_of_mix.h"
 #include "import/mitsuba/material_plugins.h"
 #include "import/mitsuba/numbers.h"
 
@@ -37,6 +38,12 @@ desc::MaterialId mix(const MaterialInputs& in, const desc::Value& amount, desc::
   return in.materials.add(
       in.arguments.element(),
       desc::material_node("mix", {{"amount", amount}, {"first", first}, {"second", second}}));
+}
+
+/// Warns if the parts of a mix, whose first this is to be, have reliefs of their own.
+void check_relief(const MaterialInputs& in, const Surface& first, const Surface& other) {
+  check_relief_of_mix(in.context().scene, first.material, other.material, in.where(),
+                      in.context().warnings);
 }
 
 /// A number as the colour that `mix` wants.
@@ -137,6 +144,7 @@ Surface make_normal_map(const MaterialInputs& in) {
 
 Surface make_blend(const MaterialInputs& in) {
   const std::vector<Surface> parts = parts_of(in, 2);
+  check_relief(in, parts[1], parts[0]);
   const desc::Value weight = as_color(in.textures.number(in.arguments, "weight", 0.5F));
   return {mix(in, weight, part_of(in, parts[1]), part_of(in, parts[0])), desc::kNone,
           parts[0].is_one_sided || parts[1].is_one_sided};
@@ -151,6 +159,7 @@ Surface make_mixture(const MaterialInputs& in) {
   for (const double weight : *weights) {
     if (!(weight >= 0.0)) throw SceneError(in.where(), "a weight of this mixture is negative");
   }
+  for (std::size_t i = 1; i < parts.size(); ++i) check_relief(in, parts[0], parts[i]);
   in.arguments.accept({"ensure_energy_conservation"});
   double rest = std::accumulate(weights->begin(), weights->end(), 0.0);
   if (!(rest > 0.0)) return {in.materials.black()};

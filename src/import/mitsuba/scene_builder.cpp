@@ -1,7 +1,7 @@
 #include "import/mitsuba/scene_builder.h"
 
+#include "import/common/left_out_media.h"
 #include "import/common/printable.h"
-#include "import/common/used_media.h"
 #include "import/mitsuba/lights.h"
 #include "import/mitsuba/sensor.h"
 #include "import/mitsuba/shapes.h"
@@ -11,8 +11,6 @@ namespace {
 
 constexpr WarningKind kNoSensor{Effect::Light, "scenes have no sensor"};
 constexpr WarningKind kNotReferred{Effect::Slight, "things are in nothing and have no id: ignored"};
-constexpr WarningKind kNoMedia{Effect::Light,
-                               "integrators leave out media, which the scene has: they are shown"};
 constexpr WarningKind kNoShapes{Effect::Geometry, "scenes have no shapes"};
 constexpr WarningKind kMoreIntegrators{Effect::None,
                                        "integrators are ignored: the first one is used"};
@@ -31,13 +29,11 @@ void read_sensors(Context& context, MediumTable& media, Arguments& scene) {
 
 /// Warns if the integrator, in Mitsuba, leaves out media that the scene has.
 void check_media(Context& context, const std::vector<const Element*>& integrators) {
-  if (!uses_media(context.scene) || integrators.empty()) return;
-  const std::string& type = integrators.front()->type;
-  if (type != "path" && type != "direct") return;
-  context.warnings.add(kNoMedia, integrators.front()->where,
-                       "\"" + type +
-                           "\" of Mitsuba leaves out media, of which this scene has some: "
-                           "here they are shown");
+  if (integrators.empty()) return;
+  const Element& integrator = *integrators.front();
+  if (integrator.type != "path" && integrator.type != "direct") return;
+  warn_of_left_out_media(context.scene, integrator.where, integrator.type, "Mitsuba",
+                         context.warnings);
 }
 
 }  // namespace

@@ -90,10 +90,6 @@ void set_falloff(desc::Node& spot, const ParameterList& parameters) {
                                                static_cast<double>(delta)));
 }
 
-}  // namespace
-
-namespace {
-
 /// pbrt-v3 shows what integers of such an image are, and not what they stand for.
 void check_codes(Context& context, const SourceLocation& where, const desc::Node& light) {
   if (!light.has("image")) return;

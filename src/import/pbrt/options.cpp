@@ -4,9 +4,9 @@
 #include <charconv>
 #include <cmath>
 
+#include "import/common/left_out_media.h"
 #include "import/common/printable.h"
 #include "import/common/transforms.h"
-#include "import/common/used_media.h"
 #include "import/pbrt/lexer.h"
 
 namespace ajar::pbrt {
@@ -25,8 +25,6 @@ constexpr WarningKind kUnknownIntegrator{Effect::Slight,
                                          "integrators are unknown: others stand in"};
 constexpr WarningKind kDirectOnly{
     Effect::Light, "integrators leave out light that diffuse surfaces pass on: it is shown"};
-constexpr WarningKind kNoMedia{Effect::Light,
-                               "integrators leave out media, which the scene has: they are shown"};
 constexpr WarningKind kRegularize{Effect::Slight,
                                   "integrators make materials rougher, which is not supported"};
 constexpr WarningKind kPixelBounds{Effect::Slight,
@@ -255,11 +253,9 @@ void check_media(Context& context, const SourceLocation& where, const std::strin
   static const std::vector<std::string> kOfV3 = {"volpath", "bdpt", "mlt"};
   static const std::vector<std::string> kOfV4 = {"", "volpath", "simplevolpath", "bdpt", "mlt"};
   const std::vector<std::string>& know = context.is_v4() ? kOfV4 : kOfV3;
-  if (!uses_media(context.scene) || std::find(know.begin(), know.end(), type) != know.end()) return;
-  context.warnings.add(
-      kNoMedia, where,
-      "\"" + (type.empty() ? "path" : printable(type)) +
-          "\" of pbrt leaves out media, of which this scene has some: here they are shown");
+  if (std::find(know.begin(), know.end(), type) != know.end()) return;
+  warn_of_left_out_media(context.scene, where, type.empty() ? "path" : type, "pbrt",
+                         context.warnings);
 }
 
 }  // namespace ajar::pbrt
