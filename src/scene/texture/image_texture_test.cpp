@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "scene/desc/models.h"
+#include "scene/light/map.h"
 #include "scene/material/relief.h"
 #include "scene/texture/image_cache.h"
 #include "scene/texture/texture.h"
@@ -298,6 +299,36 @@ TEST_F(ImageTextureTest, UnreadableImagesAreMagentaWithALocatedWarning) {
   }
   ASSERT_EQ(warnings.count(), 2U);
   EXPECT_EQ(warnings.messages().front().rfind("scene.pbrt:12:3: ", 0), 0U);
+}
+
+TEST_F(ImageTextureTest, PrimariesOfTheirOwnAreAWarningForColours) {
+  // Red, green, blue and white of Rec. 2020 and of Rec. 709.
+  const float wide[] = {0.708F, 0.292F, 0.17F, 0.797F, 0.131F, 0.046F, 0.3127F, 0.329F};
+  const float usual[] = {0.64F, 0.33F, 0.3F, 0.6F, 0.15F, 0.06F, 0.3127F, 0.329F};
+  const auto warnings = [&](const float* primaries, const desc::Node& settings) {
+    const std::string path = (folder_ / "p.exr").string();
+    const auto output = OIIO::ImageOutput::create(path);
+    OIIO::ImageSpec spec(1, 1, 3, OIIO::TypeDesc::FLOAT);
+    spec.attribute("chromaticities", OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, 8), primaries);
+    const float texel[] = {1.F, 0.5F, 0.25F};
+    EXPECT_TRUE(output->open(path, spec));
+    EXPECT_TRUE(output->write_image(OIIO::TypeDesc::FLOAT, texel));
+    output->close();
+    desc::SceneDesc scene;
+    desc::Node node = settings;
+    node.set("file", path);
+    scene.textures.push_back({"", {}, node});
+    Warnings found;
+    build_textures(scene, found);
+    load_map(path, MapEdge::Clamp, {}, found);
+    return found.count();
+  };
+  // Of the texture, and of a light with the same file.
+  EXPECT_EQ(warnings(wide, desc::texture_node("image")), 2U);
+  EXPECT_EQ(warnings(usual, desc::texture_node("image")), 0U);
+  // Normals and numbers have none.
+  EXPECT_EQ(warnings(wide, desc::texture_node("image", {{"decode_srgb", false}})), 1U);
+  EXPECT_EQ(warnings(wide, desc::texture_node("image", {{"channel", std::string("mean")}})), 1U);
 }
 
 TEST_F(ImageTextureTest, UnreadableImagesOfNumbersChangeNothingElse) {
