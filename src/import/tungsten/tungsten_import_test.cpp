@@ -104,6 +104,10 @@ TEST(TungstenImport, MediaWithoutACounterpartAreWarnings) {
   EXPECT_TRUE(contains(voxels, "needs the grid \"a.vdb\", which is not read: it counts as empty"))
       << voxels;
   EXPECT_TRUE(contains(voxels, "did you mean \"grid_name\"")) << voxels;
+  // What Tungsten reads of a grid is known, though it has no effect.
+  EXPECT_FALSE(contains(
+      warnings_of(with("'type': 'voxel', 'grid': {'density_name': 'd', 'normalize_size': true}")),
+      "density_name"));
   EXPECT_TRUE(contains(warnings_of(with("'type': 'fog'")), "unknown medium type \"fog\""));
   EXPECT_TRUE(
       contains(warnings_of(with("'type': 'homogeneous', 'phase_function': {'type': 'rayleigh'}")),
