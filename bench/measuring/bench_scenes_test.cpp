@@ -21,7 +21,7 @@ TEST(BenchScenes, AreChosenByNameInTheOrderAsked) {
 
 TEST(BenchScenes, AreAlsoFiles) {
   const std::filesystem::path file =
-      std::filesystem::path(testing::TempDir()) / "one_sphere_for_benches.pbrt";
+      std::filesystem::path(::testing::TempDir()) / "one_sphere_for_benches.pbrt";
   std::ofstream(file) << "Camera \"perspective\"\nWorldBegin\nShape \"sphere\"\nWorldEnd\n";
   const std::vector<BenchScene> chosen = choose_scenes(kScenes, {"second", file.string()});
   ASSERT_EQ(chosen.size(), 2U);

@@ -14,7 +14,7 @@ namespace ajar {
 namespace {
 namespace fs = std::filesystem;
 
-class AtomicFile : public testing::Test {
+class AtomicFile : public ::testing::Test {
  protected:
   AtomicFile()
       : folder_(fs::temp_directory_path() / ("ajar_atomic_" + std::to_string(::getpid()))) {

@@ -42,7 +42,7 @@ std::string colours() {
   return attribute("channels", "chlist", static_cast<std::uint32_t>(list.size()), list);
 }
 
-class ExrHeader : public testing::Test {
+class ExrHeader : public ::testing::Test {
  protected:
   void TearDown() override { fs::remove(path_); }
   /// Of a file with these attributes and some pixels.

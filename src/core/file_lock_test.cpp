@@ -12,10 +12,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class FileLockTest : public testing::Test {
+class FileLockTest : public ::testing::Test {
  protected:
   void SetUp() override {
-    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+    const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
     folder_ = fs::temp_directory_path() /
               ("ajar-lock-" + std::string(test->name()) + "-" + std::to_string(getpid()));
     fs::create_directories(folder_);

@@ -183,7 +183,7 @@ std::vector<std::pair<std::string, std::string>> liars() {
 }
 
 /// A folder of its own that is gone after the test.
-class ImageInputTest : public testing::Test {
+class ImageInputTest : public ::testing::Test {
  protected:
   void SetUp() override { fs::create_directories(folder_); }
   void TearDown() override { fs::remove_all(folder_); }

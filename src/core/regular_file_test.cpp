@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// A folder of its own that is gone after the test.
-class RegularFile : public testing::Test {
+class RegularFile : public ::testing::Test {
  protected:
   void SetUp() override { fs::create_directories(folder_); }
   void TearDown() override { fs::remove_all(folder_); }
@@ -25,7 +25,7 @@ class RegularFile : public testing::Test {
   fs::path folder_ = fs::temp_directory_path() / ("ajar-regular-file-" + std::to_string(getpid()));
 };
 
-std::string error_of(const std::string& path) {
+std::string refusal_of(const std::string& path) {
   try {
     read_file(path);
   } catch (const IoError& error) {
@@ -53,9 +53,9 @@ TEST_F(RegularFile, IsTheOnlyKindThatIsRead) {
                                                        {folder_.string(), "it is a folder"}};
   for (const auto& [name, kind] : kinds) {
     EXPECT_EQ(reading_complaint(name), kind + ", and only regular files can be read");
-    EXPECT_EQ(error_of(name), "cannot read \"" + name + "\": " + reading_complaint(name));
+    EXPECT_EQ(refusal_of(name), "cannot read \"" + name + "\": " + reading_complaint(name));
   }
-  EXPECT_EQ(error_of(path("absent")),
+  EXPECT_EQ(refusal_of(path("absent")),
             "cannot open \"" + path("absent") + "\": No such file or directory");
   EXPECT_EQ(reading_complaint(path("absent")), "No such file or directory");
 }
@@ -66,7 +66,7 @@ TEST_F(RegularFile, LargerThanTheMemoryIsRefusedBeforeItIsRead) {
   std::error_code error;
   fs::resize_file(path("holes"), std::uintmax_t{1} << 43U, error);
   if (error) GTEST_SKIP() << "this file system has no files with holes";
-  EXPECT_NE(error_of(path("holes")).find("needs 8796.1 GB of memory, and "), std::string::npos);
+  EXPECT_NE(refusal_of(path("holes")).find("needs 8796.1 GB of memory, and "), std::string::npos);
 }
 
 TEST(AvailableMemory, IsFewerThanSomeNumberOfBytes) {

@@ -31,7 +31,7 @@ class Redirected {
   int before_;
 };
 
-class StandardStreams : public testing::Test {
+class StandardStreams : public ::testing::Test {
  protected:
   void SetUp() override {
     std::signal(SIGPIPE, SIG_IGN);
@@ -43,7 +43,7 @@ class StandardStreams : public testing::Test {
   }
   std::string read_some() const {
     std::string text(1 << 20, '\0');
-    const ssize_t size = read(ends_[0], text.data(), text.size());
+    const ssize_t size = ::read(ends_[0], text.data(), text.size());
     text.resize(size > 0 ? static_cast<std::size_t>(size) : 0);
     return text;
   }

@@ -4,20 +4,19 @@
 
 #include <deque>
 
+#include "core/testing/warning_kinds.h"
+
 namespace ajar {
 namespace {
 
-constexpr std::size_t kScreen = 20;
-constexpr WarningKind kLamp{Effect::Light, "lamps are out"};
-constexpr WarningKind kImage{Effect::Surface, "textures cannot be read, shown as magenta"};
-constexpr WarningKind kParameter{Effect::Slight, "parameters are ignored"};
-constexpr WarningKind kTriangle{Effect::None, "triangles have no area", "meshes"};
-constexpr WarningKind kSpare{Effect::None, "spares are left"};
+using testing::kImage;
+using testing::kLamp;
+using testing::kParameter;
+using testing::kTriangle;
+using testing::line;
 
-SourceLocation line(int number) {
-  static const auto file = std::make_shared<const std::string>("a.pbrt");
-  return {file, number, 1};
-}
+constexpr std::size_t kScreen = 20;
+constexpr WarningKind kSpare{Effect::None, "spares are left"};
 
 using Lines = std::vector<std::string>;
 

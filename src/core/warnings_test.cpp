@@ -4,19 +4,18 @@
 
 #include <thread>
 
+#include "core/testing/warning_kinds.h"
+
 namespace ajar {
 namespace {
 
-constexpr WarningKind kLamp{Effect::Light, "lamps are out"};
-constexpr WarningKind kImage{Effect::Surface, "images are gone"};
-constexpr WarningKind kParameter{Effect::Slight, "parameters are ignored"};
-constexpr WarningKind kOther{Effect::Slight, "others are ignored"};
-constexpr WarningKind kTriangle{Effect::None, "triangles have no area", "meshes"};
+using testing::kImage;
+using testing::kLamp;
+using testing::kParameter;
+using testing::kTriangle;
+using testing::line;
 
-SourceLocation line(int number) {
-  static const auto file = std::make_shared<const std::string>("a.pbrt");
-  return {file, number, 1};
-}
+constexpr WarningKind kOther{Effect::Slight, "others are ignored"};
 
 TEST(Warnings, CountsAllAndKeepsSome) {
   Warnings warnings;

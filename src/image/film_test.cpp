@@ -17,7 +17,7 @@
 namespace ajar {
 namespace {
 
-std::vector<std::pair<std::string, Filter>> all_filters() {
+std::vector<std::pair<std::string, Filter>> filters_by_name() {
   return {{"box", Filter::box()},
           {"box wide", Filter::box({1.3F, 0.7F})},
           {"triangle", Filter::triangle({2.F, 1.5F})},
@@ -27,15 +27,15 @@ std::vector<std::pair<std::string, Filter>> all_filters() {
 }
 
 /// Not square, and a crop that touches one border only.
-constexpr int kWidth = 12;
-constexpr int kHeight = 7;
+constexpr int kFilmWidth = 12;
+constexpr int kFilmHeight = 7;
 Film make_film(const Filter& filter, int replicates = 1) {
-  return Film({kWidth, kHeight}, Box2i({5, 0}, {10, 3}), filter, replicates,
+  return Film({kFilmWidth, kFilmHeight}, Box2i({5, 0}, {10, 3}), filter, replicates,
               {{"direct"}, {"indirect"}});
 }
 
 TEST(Film, KeepsItsShape) {
-  const Film film({kWidth, kHeight}, Box2i({5, 0}, {10, 3}), Filter::box(), 4,
+  const Film film({kFilmWidth, kFilmHeight}, Box2i({5, 0}, {10, 3}), Filter::box(), 4,
                   {{"direct"}, {"albedo", false}, {"indirect"}});
   EXPECT_EQ(film.width(), 6);
   EXPECT_EQ(film.height(), 4);
@@ -107,7 +107,7 @@ TEST(Film, SumsAreTheSameBitsInAnyOrderOnAnyThreads) {
 }
 
 TEST(Film, ConstantLightGivesAConstantImageThroughEveryFilter) {
-  for (const auto& [name, filter] : all_filters()) {
+  for (const auto& [name, filter] : filters_by_name()) {
     Film film = make_film(filter);
     // Camera samples on a regular grid of uniform numbers. Where h changes its sign, so does the
     // weight, and the grid misplaces this by up to half a step: 1.3 % of the sum for sinc.
@@ -150,7 +150,7 @@ TEST(Film, SplatsAndCameraSamplesEstimateTheSameImage) {
                     p.x > 8.4F ? 2.F : 0.1F);
   };
   constexpr int kReplicates = 16;
-  for (const auto& [name, filter] : all_filters()) {
+  for (const auto& [name, filter] : filters_by_name()) {
     Film film = make_film(filter, kReplicates);
     constexpr int kPerPixel = 250;
     constexpr int kSplats = 20000;
@@ -229,7 +229,7 @@ TEST(Film, OnePixelBoxSplatsTouchExactlyOnePixel) {
 /// With their box layers, splats of any filter are those of a box, whatever the crop and wherever
 /// the border is; and the layers themselves are as they were.
 TEST(Film, BoxLayersMakeBoxesOfSplats) {
-  for (const auto& [name, filter] : all_filters()) {
+  for (const auto& [name, filter] : filters_by_name()) {
     if (filter.is_box_of_pixel()) continue;
     std::vector<LayerSpec> layers = light_layers(1.0);
     Film plain({12, 9}, Box2i({3, 0}, {11, 6}), filter, 2, layers);

@@ -10,8 +10,8 @@
 namespace ajar {
 namespace {
 
-constexpr int kWidth = 3;
-constexpr int kHeight = 2;
+constexpr int kPictureWidth = 3;
+constexpr int kPictureHeight = 2;
 
 /// Not square, and a crop in the middle of a larger picture.
 Film make_film(std::initializer_list<const char*> names) {
@@ -19,7 +19,8 @@ Film make_film(std::initializer_list<const char*> names) {
   for (const char* name : names) {
     for (LayerSpec& spec : IdentityLayers::specs(name)) specs.push_back(std::move(spec));
   }
-  return Film({9, 7}, Box2i({4, 3}, {4 + kWidth - 1, 3 + kHeight - 1}), Filter::box(), 4, specs);
+  return Film({9, 7}, Box2i({4, 3}, {4 + kPictureWidth - 1, 3 + kPictureHeight - 1}), Filter::box(),
+              4, specs);
 }
 
 /// What the samples of a pixel saw, in order.
@@ -32,7 +33,7 @@ void add(Film& film, const std::string& name, Vec2i pixel, const std::vector<uns
 float majority_of(const std::vector<unsigned>& numbers) {
   Film film = make_film({"object-id"});
   add(film, "object-id", {5, 4}, numbers);
-  return majority_numbers(film, "object-id")[kWidth + 1];
+  return majority_numbers(film, "object-id")[kPictureWidth + 1];
 }
 
 TEST(MajorityNumbers, AreWhatMostSamplesSaw) {
@@ -48,7 +49,8 @@ TEST(MajorityNumbers, AreThoseOfNothingWhereTheFilmHoldsNone) {
        {std::int64_t{1} << 23, -(std::int64_t{1} << 60), std::int64_t{1} << 60}) {
     Film film = make_film({"object-id"});
     std::fill(film.raw().begin(), film.raw().end(), sum);
-    EXPECT_EQ(majority_numbers(film, "object-id"), std::vector<float>(kWidth * kHeight, 0.F));
+    EXPECT_EQ(majority_numbers(film, "object-id"),
+              std::vector<float>(kPictureWidth * kPictureHeight, 0.F));
   }
 }
 
@@ -79,8 +81,8 @@ TEST(MajorityNumbers, AreExactForLargeNumbers) {
 
 TEST(MajorityNumbers, BelongToTheirPixels) {
   Film film = make_film({"object-id"});
-  for (int y = 0; y < kHeight; ++y) {
-    for (int x = 0; x < kWidth; ++x) {
+  for (int y = 0; y < kPictureHeight; ++y) {
+    for (int x = 0; x < kPictureWidth; ++x) {
       const auto number = static_cast<unsigned>(10 * y + x + 1);
       add(film, "object-id", {4 + x, 3 + y}, {99, number, number});
     }

@@ -21,7 +21,7 @@ namespace ajar {
 namespace {
 namespace fs = std::filesystem;
 
-class ImageFile : public testing::Test {
+class ImageFile : public ::testing::Test {
  protected:
   ImageFile() : folder_(fs::temp_directory_path() / ("ajar_image_" + std::to_string(::getpid()))) {
     fs::create_directories(folder_);

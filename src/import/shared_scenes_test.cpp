@@ -22,7 +22,7 @@ struct Expected {
 };
 void PrintTo(const Expected& expected, std::ostream* out) { *out << expected.file; }
 
-class SharedScene : public testing::TestWithParam<Expected> {
+class SharedScene : public ::testing::TestWithParam<Expected> {
  protected:
   void SetUp() override {
     if (!fs::exists(shared_scenes_folder())) GTEST_SKIP() << kNoSharedScenes;
@@ -52,7 +52,7 @@ TEST_P(SharedScene, LoadsWithoutWarningsThatMatterAndSurvivesWriting) {
 
 INSTANTIATE_TEST_SUITE_P(
     All, SharedScene,
-    testing::Values(
+    ::testing::Values(
         Expected{"cornell-box/pbrt/scene.pbrt", 8, 1},
         Expected{"veach-bidir/pbrt/scene.pbrt", 14, 2},
         Expected{"veach-bidir/pbrt/scene-v4.pbrt", 14, 2},
@@ -67,7 +67,7 @@ INSTANTIATE_TEST_SUITE_P(
         Expected{"volume-caustic/f16-22a.pbrt", 3, 2},
         Expected{"volume-caustic/f16-22b.pbrt", 3, 2}));
 
-class SharedMesh : public testing::TestWithParam<const char*> {};
+class SharedMesh : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(SharedMesh, OpensBareInAStudio) {
   const fs::path file = shared_scenes_folder() / GetParam();
@@ -85,10 +85,10 @@ TEST_P(SharedMesh, OpensBareInAStudio) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, SharedMesh,
-                         testing::Values("cbox-with-bulb/meshes/bulb_shell.obj",
-                                         "veach-bidir/models/Mesh002.obj",
-                                         "teapot-full/models/Mesh001.ply",
-                                         "water-caustic/models/Mesh001.ply"));
+                         ::testing::Values("cbox-with-bulb/meshes/bulb_shell.obj",
+                                           "veach-bidir/models/Mesh002.obj",
+                                           "teapot-full/models/Mesh001.ply",
+                                           "water-caustic/models/Mesh001.ply"));
 
 TEST(SharedScenes, LoadWhateverTheirVersion) {
   if (!fs::exists(shared_scenes_folder())) GTEST_SKIP() << kNoSharedScenes;

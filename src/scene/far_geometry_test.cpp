@@ -17,6 +17,7 @@ using testing::cube;
 using testing::kInfinity;
 using testing::mesh_shape;
 using testing::scaling;
+using testing::scene_of;
 using testing::shape;
 using testing::translation;
 using testing::World;
@@ -32,12 +33,6 @@ std::string error_of(desc::SceneDesc scene) {
     return error.what();
   }
   return {};
-}
-
-desc::SceneDesc scene_of(std::vector<desc::Shape> shapes) {
-  desc::SceneDesc scene;
-  scene.shapes = std::move(shapes);
-  return scene;
 }
 
 TEST(FarGeometry, ShapesBeyondTheLimitAreLocatedErrors) {

@@ -15,6 +15,7 @@ namespace ajar {
 namespace {
 
 using testing::kInfinity;
+using testing::scene_of;
 
 struct Case {
   std::string name;
@@ -36,12 +37,6 @@ desc::Mesh leaning_square() {
 Mat4 skewed() {
   return testing::scaling(1.0, 1.7, 0.6) * testing::rotation({1.F, 2.F, 3.F}, 0.7) *
          testing::translation(0.2, -0.1, 0.3);
-}
-
-desc::SceneDesc scene_of(std::vector<desc::Shape> shapes) {
-  desc::SceneDesc scene;
-  scene.shapes = std::move(shapes);
-  return scene;
 }
 
 desc::SceneDesc instanced(desc::Shape shape, const Mat4& to_world) {

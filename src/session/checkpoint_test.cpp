@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class CheckpointFile : public testing::Test {
+class CheckpointFile : public ::testing::Test {
  protected:
   void SetUp() override {
     folder_ = fs::temp_directory_path() / ("ajar-checkpoint-" + std::to_string(getpid()));

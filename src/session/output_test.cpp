@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 const Vec2i kSize(4, 3);
 
 /// A folder of its own that is gone after the test; the current folder meanwhile.
-class OutputTest : public testing::Test {
+class OutputTest : public ::testing::Test {
  protected:
   void SetUp() override {
     previous_ = fs::current_path();

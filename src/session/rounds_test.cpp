@@ -86,7 +86,7 @@ class ThreeRounds final : public Integrator {
   std::uint64_t sum_ = 0;
 };
 
-Film make_film() {
+Film film_of_rounds() {
   return {kSize, Box2i(Vec2i(0, 0), kSize - Vec2i(1, 1)), Filter::box(), 4, ThreeRounds().layers()};
 }
 
@@ -103,7 +103,7 @@ Sums sums_of(const Film& film) { return {film.raw().begin(), film.raw().end()}; 
 
 Sums rendered(int threads) {
   ThreeRounds integrator;
-  Film film = make_film();
+  Film film = film_of_rounds();
   RenderJob job(integrator, film, one_sample_a_pass(threads));
   const RenderResult result = job.run();
   EXPECT_TRUE(result.complete);
@@ -127,7 +127,7 @@ TEST(Rounds, GiveTheSameBitsOnAnyNumberOfRanks) {
     for (int rank = 0; rank < count; ++rank) {
       threads.emplace_back([&, rank] {
         ThreeRounds integrator;
-        Film film = make_film();
+        Film film = film_of_rounds();
         RenderJobOptions options = one_sample_a_pass(2);
         options.ranks = &ranks.member(rank);
         RenderJob job(integrator, film, options);
@@ -148,7 +148,7 @@ TEST(Rounds, GiveTheSameBitsAfterAResumeInAnyOfThem) {
     integrator.on_item = [&](int now, std::uint64_t item, std::uint64_t first_sample) {
       if (now == round && first_sample == 3 && item == (round == 1 ? 0 : 20)) interrupts = 2;
     };
-    Film film = make_film();
+    Film film = film_of_rounds();
     RenderJobOptions options = one_sample_a_pass(2);
     options.interrupts = &interrupts;
     RenderJob cut(integrator, film, options);
@@ -171,7 +171,7 @@ TEST(Rounds, GiveTheSameBitsAfterAResumeInAnyOfThem) {
 
 TEST(Rounds, OfAnotherMethodCannotBeGoneOnWith) {
   ThreeRounds integrator;
-  Film film = make_film();
+  Film film = film_of_rounds();
   RenderJobOptions options = one_sample_a_pass(1);
   integrator.begin_pass(0, 1, film);
   options.resumed.emplace();

@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class Child : public testing::Test {
+class Child : public ::testing::Test {
  protected:
   void SetUp() override {
     folder_ = fs::temp_directory_path() / ("ajar-child-" + std::to_string(getpid()));

@@ -102,7 +102,7 @@ TEST(AlignedTable, PadsEveryCell) {
   EXPECT_EQ(aligned_table({{"name", "x"}, {"a", "12.5"}}), "name     x\na     12.5\n");
 }
 
-class Files : public testing::Test {
+class Files : public ::testing::Test {
  protected:
   void SetUp() override {
     folder_ = fs::temp_directory_path() / ("ajar-comparison-" + std::to_string(getpid()));

@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class StudyFile : public testing::Test {
+class StudyFile : public ::testing::Test {
  protected:
   void SetUp() override {
     folder_ = fs::temp_directory_path() / ("ajar-study-plan-" + std::to_string(getpid()));

@@ -28,10 +28,10 @@ cp reference.exr "$picture"
 echo "{\"threads\": 1, \"cpu_seconds\": $cpu, \"seconds\": {\"prepare\": 0, \"render\": 1}}" > "$statistics"
 )";
 
-class StudyRunner : public testing::Test {
+class StudyRunner : public ::testing::Test {
  protected:
   void SetUp() override {
-    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+    const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
     folder_ = fs::temp_directory_path() /
               ("ajar-study-runner-" + std::string(test->name()) + "-" + std::to_string(getpid()));
     fs::create_directories(folder_);

@@ -62,7 +62,7 @@ TEST(EfficiencyRatio, ItsIntervalCoversTheTruth) {
 }
 
 /// A study of one scene and budget with methods "a" (the baseline) and "b", made of numbers.
-class Summary : public testing::Test {
+class Summary : public ::testing::Test {
  protected:
   Summary() {
     plan_.name = "numbers";

@@ -34,10 +34,10 @@ struct Outcome {
 };
 
 /// Runs the program in a folder of its own that is gone after the test.
-class Cli : public testing::Test {
+class Cli : public ::testing::Test {
  protected:
   void SetUp() override {
-    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+    const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
     folder_ = fs::temp_directory_path() / ("ajar-cli-" + std::string(test->test_suite_name()) +
                                            "-" + test->name() + "-" + std::to_string(getpid()));
     fs::create_directories(folder_);

@@ -108,7 +108,8 @@ class FarScenes : public Cli {
  protected:
   Outcome render_with(const std::string& scene, const std::string& integrator) const {
     return run({"render", scene, "--integrator", integrator, "--spp", "2", "--threads", "1",
-                "--depth", "1:4", "--progress", "none", "--stats", "stats.json", "-o", "a.pfm"});
+                "--depth", "1:4", "--denoise", "none", "--progress", "none", "--stats",
+                "stats.json", "-o", "a.pfm"});
   }
 };
 

@@ -19,11 +19,11 @@ TEST(ProgressReporter, StyleDependsOnTheTerminalOnlyWhenAutomatic) {
 }
 
 TEST(ProgressReporter, EndsWithALineOfItsOwn) {
-  testing::internal::CaptureStderr();
+  ::testing::internal::CaptureStderr();
   {
     const ProgressReporter reporter(ProgressStyle::Json, [] { return RenderSnapshot(); });
   }
-  const std::string text = testing::internal::GetCapturedStderr();
+  const std::string text = ::testing::internal::GetCapturedStderr();
   EXPECT_EQ(nlohmann::json::parse(text).at("event"), "done");
 }
 

@@ -24,7 +24,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class ImageFormats : public testing::Test {
+class ImageFormats : public ::testing::Test {
  protected:
   ImageFormats()
       : folder_(fs::temp_directory_path() / ("ajar_small_" + std::to_string(::getpid()))) {
@@ -256,8 +256,8 @@ TEST_F(ImageFormats, ReadEveryKindOfPng) {
                              {PNG_COLOR_TYPE_RGB, 8, false},
                              {PNG_COLOR_TYPE_RGB_ALPHA, 8, false},
                              {PNG_COLOR_TYPE_RGB_ALPHA, 16, false}}) {
-      SCOPED_TRACE(testing::Message() << "type " << kind.type << ", bits " << kind.bits
-                                      << (interlaced ? ", interlaced" : ""));
+      SCOPED_TRACE(::testing::Message() << "type " << kind.type << ", bits " << kind.bits
+                                        << (interlaced ? ", interlaced" : ""));
       expect_same(png_of(path(std::to_string(number++) + ".png"), kind.type, kind.bits, interlaced,
                          kind.transparent));
     }

@@ -47,6 +47,13 @@ class TestFile {
 desc::SceneDesc import_with(const std::string& bytes, Warnings& warnings, const Files& files = {});
 /// The same without any warning.
 desc::SceneDesc scene_of(const TestFile& file);
+/// Of a shape that is one.
+inline const desc::Mesh& mesh_of(const desc::SceneDesc& scene, std::size_t shape = 0) {
+  return *scene.shapes.at(shape).node.mesh("mesh");
+}
+inline void expect_near(const Vec3& actual, const Vec3& expected) {
+  EXPECT_LT(length(actual - expected), 1e-5F) << actual << " is not " << expected;
+}
 /// Message of the SceneError that importing raises, or "no error".
 std::string error_of(const std::string& bytes);
 /// All warnings, one per line.

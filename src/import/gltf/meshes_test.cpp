@@ -15,9 +15,6 @@ TestFile file_of(const Json& primitive, TestFile file) {
   file.add("nodes", {{"mesh", 0}});
   return file;
 }
-const desc::Mesh& mesh_of(const desc::SceneDesc& scene) {
-  return *scene.shapes.front().node.mesh("mesh");
-}
 
 /// Five positions (i, i², 0) and no indices.
 TestFile five_corners(const char* attribute = "POSITION") {

@@ -6,9 +6,6 @@ namespace ajar::gltf {
 namespace {
 
 Vec3 placed(const Mat4& to_world, const Vec3& p) { return transform_point(to_world, p); }
-void expect_near(const Vec3& actual, const Vec3& expected) {
-  EXPECT_LT(length(actual - expected), 1e-5F) << actual << " is not " << expected;
-}
 
 TestFile with_node(const Json& members) {
   TestFile file;

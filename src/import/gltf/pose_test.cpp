@@ -5,14 +5,8 @@
 namespace ajar::gltf {
 namespace {
 
-const desc::Mesh& mesh_of(const desc::SceneDesc& scene, std::size_t shape = 0) {
-  return *scene.shapes.at(shape).node.mesh("mesh");
-}
 Vec3 corner(const desc::SceneDesc& scene, std::size_t i, std::size_t shape = 0) {
   return transform_point(scene.shapes.at(shape).to_world, mesh_of(scene, shape).positions.at(i));
-}
-void expect_near(const Vec3& actual, const Vec3& expected) {
-  EXPECT_LT(length(actual - expected), 1e-5F) << actual << " is not " << expected;
 }
 
 // ---------------------------------------------------------------- morph targets

@@ -9,7 +9,7 @@ namespace {
 
 using Triangle = Imath::Vec3<unsigned>;
 
-std::string error_in(std::string_view bytes) {
+std::string obj_error_in(std::string_view bytes) {
   try {
     read_obj(bytes, "m.obj");
   } catch (const SceneError& error) {
@@ -72,7 +72,7 @@ TEST(Obj, ReadsLineEndsOfAnySystemAndAFileWithoutTheLastOne) {
   for (const std::string end : {"\r\n", "\n", "\r"}) {
     const std::string text = "v 0 0 0" + end + "v 1 0 0" + end + "v 0 1 0" + end + "f 1 2 3";
     EXPECT_EQ(read_obj(text, "m.obj").indices.size(), 1U);
-    EXPECT_EQ(error_in(text + end + "f 1 2 9"), "m.obj:5:7: this face refers to vertex 9 of 3");
+    EXPECT_EQ(obj_error_in(text + end + "f 1 2 9"), "m.obj:5:7: this face refers to vertex 9 of 3");
   }
   EXPECT_EQ(
       read_obj("\xEF\xBB\xBFv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 \\\n3\n", "m.obj").indices.size(), 1U)
@@ -84,8 +84,8 @@ TEST(Obj, ReadsNumbersAsTheyAreWritten) {
       "v  1e2\t-.5 +3 0.5 0.5\nv 0 1 0\nv 0 0 1 # last\nvt .25\nf 1/1 2/1 3/1 # all\n", "m.obj");
   EXPECT_EQ(mesh.positions[0], Vec3(100.F, -0.5F, 3.F));
   EXPECT_EQ(mesh.uvs[0], Vec2(0.25F, 0.F));
-  EXPECT_EQ(error_in("v 1 2\n"), "m.obj:1:6: here a number is missing");
-  EXPECT_EQ(error_in("\nv 1 2 3,5\n"), "m.obj:2:7: this is no number: \"3,5\"");
+  EXPECT_EQ(obj_error_in("v 1 2\n"), "m.obj:1:6: here a number is missing");
+  EXPECT_EQ(obj_error_in("\nv 1 2 3,5\n"), "m.obj:2:7: this is no number: \"3,5\"");
 }
 
 TEST(Obj, ManyCornersKeepTheirVertices) {
@@ -136,17 +136,17 @@ TEST(Obj, ColorsOfVerticesAreThoseOfADisplay) {
 
 TEST(Obj, FacesThatReferToNothingAreErrors) {
   const std::string vertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\n";
-  EXPECT_EQ(error_in(vertices + "f 1 2 3\nf 1 2 4\n"),
+  EXPECT_EQ(obj_error_in(vertices + "f 1 2 3\nf 1 2 4\n"),
             "m.obj:6:7: this face refers to vertex 4 of 3");
-  EXPECT_EQ(error_in(vertices + "f 1 2 -4\n"), "m.obj:5:7: this face refers to vertex -4 of 3");
-  EXPECT_EQ(error_in(vertices + "f 1//1 2//1 3//2\n"),
+  EXPECT_EQ(obj_error_in(vertices + "f 1 2 -4\n"), "m.obj:5:7: this face refers to vertex -4 of 3");
+  EXPECT_EQ(obj_error_in(vertices + "f 1//1 2//1 3//2\n"),
             "m.obj:5:13: this face refers to normal 2 of 1");
-  EXPECT_EQ(error_in(vertices + "f 1 2 three\n"),
+  EXPECT_EQ(obj_error_in(vertices + "f 1 2 three\n"),
             "m.obj:5:7: this is no corner of a face: \"three\"");
-  EXPECT_EQ(error_in(vertices + "f 1/1/1/1 2 3\n"),
+  EXPECT_EQ(obj_error_in(vertices + "f 1/1/1/1 2 3\n"),
             "m.obj:5:3: this is no corner of a face: \"1/1/1/1\"");
-  EXPECT_EQ(error_in(vertices), "m.obj: there are no faces in this file");
-  EXPECT_EQ(error_in(""), "m.obj: there are no faces in this file");
+  EXPECT_EQ(obj_error_in(vertices), "m.obj: there are no faces in this file");
+  EXPECT_EQ(obj_error_in(""), "m.obj: there are no faces in this file");
 }
 
 }  // namespace

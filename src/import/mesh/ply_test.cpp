@@ -32,7 +32,7 @@ void expect_quad(const desc::Mesh& mesh) {
   EXPECT_EQ(mesh.indices[1], Imath::Vec3<unsigned>(0, 2, 3));
 }
 
-std::string error_in(std::string_view bytes) {
+std::string ply_error_in(std::string_view bytes) {
   try {
     read_ply(bytes, "m.ply");
   } catch (const SceneError& error) {
@@ -141,7 +141,7 @@ TEST(Ply, ReadsFacesOfMixedSizes) {
 TEST(Ply, ReadsGzip) {
   expect_quad(read_ply(gzip(kAsciiQuad), "m.ply.gz"));
   const std::string half = gzip(kAsciiQuad).substr(0, 60);
-  EXPECT_EQ(error_in(half), "m.ply: the gzip data is damaged or ends early");
+  EXPECT_EQ(ply_error_in(half), "m.ply: the gzip data is damaged or ends early");
   expect_quad(read_ply(gzip(kAsciiQuad.substr(0, 100)) + gzip(kAsciiQuad.substr(100)), "members"));
 }
 
@@ -177,35 +177,35 @@ TEST(Gzip, StopsWhereTheMemoryEnds) {
 TEST(Ply, EveryTruncationIsAnError) {
   const std::string binary = write_ply(read_ply(kAsciiQuad, "m.ply"));
   for (std::size_t size = 0; size < binary.size(); ++size) {
-    EXPECT_NE(error_in(binary.substr(0, size)), "no error") << size;
+    EXPECT_NE(ply_error_in(binary.substr(0, size)), "no error") << size;
   }
   // The last line break of an ascii file may be missing.
   for (std::size_t size = 0; size + 2 < kAsciiQuad.size(); ++size) {
-    EXPECT_NE(error_in(kAsciiQuad.substr(0, size)), "no error") << size;
+    EXPECT_NE(ply_error_in(kAsciiQuad.substr(0, size)), "no error") << size;
   }
 }
 
 TEST(Ply, CountsThatCannotBeTrueAreRefusedBeforeMemoryIsTaken) {
   std::string bomb = kAsciiQuad;
   bomb.replace(bomb.find("vertex 4"), 8, "vertex 1000000000000");
-  EXPECT_NE(error_in(bomb).find("1000000000000 × vertex cannot fit"), std::string::npos);
+  EXPECT_NE(ply_error_in(bomb).find("1000000000000 × vertex cannot fit"), std::string::npos);
   bomb = kAsciiQuad;
   bomb.replace(bomb.find("face 1"), 6, "face 18446744073709551615");
-  EXPECT_NE(error_in(bomb), "no error");
+  EXPECT_NE(ply_error_in(bomb), "no error");
   bomb.replace(bomb.find("face 1"), 25, "face 99999999999999999999");
-  EXPECT_NE(error_in(bomb).find("malformed PLY element count"), std::string::npos);
+  EXPECT_NE(ply_error_in(bomb).find("malformed PLY element count"), std::string::npos);
 }
 
 TEST(Ply, HeaderErrorsNameTheLine) {
-  EXPECT_EQ(error_in("solid stl\n"), "m.ply: this is not a PLY file");
-  EXPECT_NE(error_in("ply\nformat ascii 1.0\nelement vertex x\nend_header\n")
+  EXPECT_EQ(ply_error_in("solid stl\n"), "m.ply: this is not a PLY file");
+  EXPECT_NE(ply_error_in("ply\nformat ascii 1.0\nelement vertex x\nend_header\n")
                 .find("m.ply:3: malformed PLY element count"),
             std::string::npos);
-  EXPECT_NE(error_in("ply\nformat utf7 1.0\n").find("m.ply:2: unknown PLY format"),
+  EXPECT_NE(ply_error_in("ply\nformat utf7 1.0\n").find("m.ply:2: unknown PLY format"),
             std::string::npos);
-  EXPECT_NE(error_in("ply\nformat ascii 1.0\nproperty float x\n").find("m.ply:3"),
+  EXPECT_NE(ply_error_in("ply\nformat ascii 1.0\nproperty float x\n").find("m.ply:3"),
             std::string::npos);
-  EXPECT_NE(error_in("ply\nformat ascii 1.0\nend_header\n").find("no element \"vertex\""),
+  EXPECT_NE(ply_error_in("ply\nformat ascii 1.0\nend_header\n").find("no element \"vertex\""),
             std::string::npos);
 }
 
@@ -282,7 +282,8 @@ TEST(Ply, StripsAreTriangles) {
   EXPECT_EQ(contents.mesh.indices,
             (std::vector<Imath::Vec3<unsigned>>{{0, 2, 1}, {1, 2, 3}, {5, 4, 3}, {5, 3, 2}}));
   EXPECT_TRUE(contents.skipped.empty());
-  EXPECT_NE(error_in(vertices + "3 0 1 -2\n").find("tristrips 0 has an index"), std::string::npos);
+  EXPECT_NE(ply_error_in(vertices + "3 0 1 -2\n").find("tristrips 0 has an index"),
+            std::string::npos);
 }
 
 TEST(Ply, WhatIsSkippedIsNamed) {

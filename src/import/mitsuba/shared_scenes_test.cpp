@@ -23,7 +23,7 @@ struct Expected {
 };
 void PrintTo(const Expected& expected, std::ostream* out) { *out << expected.file; }
 
-class SharedMitsubaScene : public testing::TestWithParam<Expected> {};
+class SharedMitsubaScene : public ::testing::TestWithParam<Expected> {};
 
 TEST_P(SharedMitsubaScene, LoadsAndSurvivesWriting) {
   if (!fs::exists(shared_scenes_folder())) GTEST_SKIP() << kNoSharedScenes;
@@ -49,24 +49,24 @@ TEST_P(SharedMitsubaScene, LoadsAndSurvivesWriting) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, SharedMitsubaScene,
-                         testing::Values(Expected{"cornell-box/scene.xml", 8, 1, 8},
-                                         Expected{"cornell-box/scene-mitsuba3.xml", 8, 1, 1},
-                                         Expected{"veach-bidir/scene.xml", 14, 2, 7},
-                                         Expected{"veach-bidir/scene-mitsuba3.xml", 14, 2, 1},
-                                         Expected{"veach-mis/scene.xml", 9, 3, 5},
-                                         Expected{"veach-mis/scene-mitsuba3.xml", 9, 3, 1},
-                                         Expected{"staircase2/scene.xml", 32, 13, 2},
-                                         Expected{"water-caustic/scene.xml", 10, 1, 12},
-                                         Expected{"volumetric-caustic/scene.xml", 8, 1, 10},
-                                         Expected{"cbox-with-bulb/scene-nosphere.xml", 9, 1, 8},
-                                         // A mesh is not there.
-                                         Expected{"cbox-with-bulb/scene.xml", 9, 1, 9, 1},
-                                         Expected{"cbox-with-bulb/simple.xml", 9, 1, 10, 1},
-                                         Expected{"sms-ring/ring.xml", 3, 1, 5},
-                                         Expected{"sms-ring/ring_notebook_simple.xml", 3, 1, 3},
-                                         Expected{"sms-ring/ring_notebook_normalmapped.xml", 3, 1,
-                                                  3},
-                                         Expected{"sms-ring/ring_paths.xml", 9, 7, 2}));
+                         ::testing::Values(Expected{"cornell-box/scene.xml", 8, 1, 8},
+                                           Expected{"cornell-box/scene-mitsuba3.xml", 8, 1, 1},
+                                           Expected{"veach-bidir/scene.xml", 14, 2, 7},
+                                           Expected{"veach-bidir/scene-mitsuba3.xml", 14, 2, 1},
+                                           Expected{"veach-mis/scene.xml", 9, 3, 5},
+                                           Expected{"veach-mis/scene-mitsuba3.xml", 9, 3, 1},
+                                           Expected{"staircase2/scene.xml", 32, 13, 2},
+                                           Expected{"water-caustic/scene.xml", 10, 1, 12},
+                                           Expected{"volumetric-caustic/scene.xml", 8, 1, 10},
+                                           Expected{"cbox-with-bulb/scene-nosphere.xml", 9, 1, 8},
+                                           // A mesh is not there.
+                                           Expected{"cbox-with-bulb/scene.xml", 9, 1, 9, 1},
+                                           Expected{"cbox-with-bulb/simple.xml", 9, 1, 10, 1},
+                                           Expected{"sms-ring/ring.xml", 3, 1, 5},
+                                           Expected{"sms-ring/ring_notebook_simple.xml", 3, 1, 3},
+                                           Expected{"sms-ring/ring_notebook_normalmapped.xml", 3, 1,
+                                                    3},
+                                           Expected{"sms-ring/ring_paths.xml", 9, 7, 2}));
 
 }  // namespace
 }  // namespace ajar

@@ -6,7 +6,7 @@
 namespace ajar {
 namespace {
 
-desc::SceneDesc with_options(const std::string& options) {
+desc::SceneDesc with_v3_options(const std::string& options) {
   Warnings warnings;
   desc::SceneDesc scene =
       import_with(options + (contains(options, "Camera") ? "" : " Camera \"perspective\"") +
@@ -19,22 +19,22 @@ desc::SceneDesc with_options(const std::string& options) {
 
 TEST(PbrtOptions, CamerasHaveTheDefaultsOfPbrt) {
   const auto p =
-      std::get<desc::PerspectiveCamera>(with_options("Camera \"perspective\"").camera.node);
+      std::get<desc::PerspectiveCamera>(with_v3_options("Camera \"perspective\"").camera.node);
   EXPECT_EQ(p.fov, 90.F);
   EXPECT_EQ(p.lens_radius, 0.F);
   EXPECT_EQ(p.focal_distance, 1e6F);
   EXPECT_FALSE(p.window);
   const auto half = std::get<desc::PerspectiveCamera>(
-      with_options("Camera \"perspective\" \"float halffov\" 20 \"float frameaspectratio\" 2 "
-                   "\"float shutteropen\" 0")
+      with_v3_options("Camera \"perspective\" \"float halffov\" 20 \"float frameaspectratio\" 2 "
+                      "\"float shutteropen\" 0")
           .camera.node);
   EXPECT_EQ(half.fov, 40.F);
   EXPECT_EQ(*half.aspect, 2.F);
   const auto o = std::get<desc::OrthographicCamera>(
-      with_options("Camera \"orthographic\" \"float screenwindow\" [-1 1 -2 2]").camera.node);
+      with_v3_options("Camera \"orthographic\" \"float screenwindow\" [-1 1 -2 2]").camera.node);
   EXPECT_EQ(o.window->y_max, 2.F);
   EXPECT_TRUE(std::holds_alternative<desc::EnvironmentCamera>(
-      with_options("Camera \"environment\"").camera.node));
+      with_v3_options("Camera \"environment\"").camera.node));
 }
 
 TEST(PbrtOptions, TheRealisticCameraSeesAboutTheSame) {
@@ -52,11 +52,11 @@ TEST(PbrtOptions, TheRealisticCameraSeesAboutTheSame) {
 }
 
 TEST(PbrtOptions, FilmAndFilters) {
-  const desc::SceneDesc none = with_options("");
+  const desc::SceneDesc none = with_v3_options("");
   EXPECT_EQ(none.film.resolution, Vec2i(1280, 720));
   EXPECT_TRUE(std::holds_alternative<desc::BoxFilter>(none.film.filter.node));
   EXPECT_EQ(none.film.filter.radius, Vec2(0.5F, 0.5F));
-  const desc::SceneDesc s = with_options(
+  const desc::SceneDesc s = with_v3_options(
       "PixelFilter \"gaussian\" \"float xwidth\" 3 Film \"image\" \"float cropwindow\" [.7 .3 .4 "
       "1.5] \"float scale\" 1.5 \"float diagonal\" 20");
   EXPECT_EQ(s.film.crop[0], 0.3F);
@@ -64,16 +64,16 @@ TEST(PbrtOptions, FilmAndFilters) {
   EXPECT_EQ(s.film.scale, 1.5F);
   EXPECT_EQ(s.film.filter.radius, Vec2(3.F, 2.F));
   EXPECT_EQ(std::get<desc::GaussianFilter>(s.film.filter.node).falloff, 2.F);
-  EXPECT_EQ(with_options("PixelFilter \"sinc\"").film.filter.radius, Vec2(4.F, 4.F));
-  EXPECT_EQ(with_options("PixelFilter \"mitchell\" \"float B\" 0").film.filter.radius,
+  EXPECT_EQ(with_v3_options("PixelFilter \"sinc\"").film.filter.radius, Vec2(4.F, 4.F));
+  EXPECT_EQ(with_v3_options("PixelFilter \"mitchell\" \"float B\" 0").film.filter.radius,
             Vec2(2.F, 2.F));
 }
 
 TEST(PbrtOptions, FiltersKnowTheirPlaceAndFilmsTheOneWhereTheyAreMissing) {
-  const desc::SceneDesc scene = with_options("\nPixelFilter \"gaussian\" \"float alpha\" -1");
+  const desc::SceneDesc scene = with_v3_options("\nPixelFilter \"gaussian\" \"float alpha\" -1");
   EXPECT_EQ(scene.film.filter.where.to_string(), "test.pbrt:2:1");
   EXPECT_EQ(scene.film.where.to_string(), "test.pbrt:2:96");
-  const desc::SceneDesc both = with_options("PixelFilter \"box\"\nFilm \"image\"");
+  const desc::SceneDesc both = with_v3_options("PixelFilter \"box\"\nFilm \"image\"");
   EXPECT_EQ(both.film.filter.where.to_string(), "test.pbrt:1:1");
   EXPECT_EQ(both.film.where.to_string(), "test.pbrt:2:1");
 }
@@ -98,15 +98,15 @@ TEST(PbrtOptions, AbsurdOnesAreLocatedErrors) {
 }
 
 TEST(PbrtHints, MapIntegratorsToOurs) {
-  EXPECT_EQ(with_options("").hints.integrator, "");
-  EXPECT_EQ(with_options("").hints.max_depth, 6);
+  EXPECT_EQ(with_v3_options("").hints.integrator, "");
+  EXPECT_EQ(with_v3_options("").hints.max_depth, 6);
   const desc::RenderHints path =
-      with_options("Integrator \"path\" \"integer maxdepth\" 65 \"float rrthreshold\" 1").hints;
+      with_v3_options("Integrator \"path\" \"integer maxdepth\" 65 \"float rrthreshold\" 1").hints;
   EXPECT_EQ(path.integrator, "pt");
   EXPECT_EQ(path.max_depth, 66);
-  EXPECT_EQ(with_options("Integrator \"volpath\"").hints.max_depth, 6);
-  EXPECT_EQ(with_options("Integrator \"bdpt\"").hints.integrator, "bdpt");
-  const desc::RenderHints mlt = with_options(
+  EXPECT_EQ(with_v3_options("Integrator \"volpath\"").hints.max_depth, 6);
+  EXPECT_EQ(with_v3_options("Integrator \"bdpt\"").hints.integrator, "bdpt");
+  const desc::RenderHints mlt = with_v3_options(
                                     "Integrator \"mlt\" \"integer mutationsperpixel\" 1024 \"float "
                                     "sigma\" .02 Sampler \"random\" \"integer pixelsamples\" 3")
                                     .hints;
@@ -116,7 +116,7 @@ TEST(PbrtHints, MapIntegratorsToOurs) {
   const std::vector<std::pair<std::string, std::string>> expected = {{"mutationsperpixel", "1024"},
                                                                      {"sigma", "0.02"}};
   EXPECT_EQ(mlt.parameters, expected);
-  EXPECT_EQ(with_options("Integrator \"sppm\" \"integer numiterations\" 77 \"float radius\" .1")
+  EXPECT_EQ(with_v3_options("Integrator \"sppm\" \"integer numiterations\" 77 \"float radius\" .1")
                 .hints.samples_per_pixel,
             77);
 }
@@ -144,15 +144,16 @@ TEST(PbrtHints, WarnOfLightThatTheirIntegratorsLeaveOut) {
 
 TEST(PbrtHints, MapSamplersToOurs) {
   const desc::RenderHints halton =
-      with_options("Sampler \"halton\" \"integer pixelsamples\" 32").hints;
+      with_v3_options("Sampler \"halton\" \"integer pixelsamples\" 32").hints;
   EXPECT_EQ(halton.sampler, "sobol");
   EXPECT_EQ(halton.samples_per_pixel, 32);
-  EXPECT_EQ(with_options("Sampler \"stratified\" \"integer xsamples\" 3 \"integer ysamples\" 5")
+  EXPECT_EQ(with_v3_options("Sampler \"stratified\" \"integer xsamples\" 3 \"integer ysamples\" 5")
                 .hints.samples_per_pixel,
             15);
-  EXPECT_EQ(with_options("Sampler \"02sequence\"").hints.samples_per_pixel, 16);
-  EXPECT_EQ(with_options("Accelerator \"bvh\" \"integer maxnodeprims\" 4").hints.samples_per_pixel,
-            std::nullopt);
+  EXPECT_EQ(with_v3_options("Sampler \"02sequence\"").hints.samples_per_pixel, 16);
+  EXPECT_EQ(
+      with_v3_options("Accelerator \"bvh\" \"integer maxnodeprims\" 4").hints.samples_per_pixel,
+      std::nullopt);
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 namespace ajar {
 namespace {
 
-desc::SceneDesc with_options(const std::string& options) {
+desc::SceneDesc with_v4_options(const std::string& options) {
   Warnings warnings;
   desc::SceneDesc scene =
       import_with(options + " WorldBegin Material \"diffuse\" Shape \"sphere\"", warnings);
@@ -14,7 +14,7 @@ desc::SceneDesc with_options(const std::string& options) {
 }
 
 TEST(Pbrt4Film, HasTheDefaultsOfPbrt) {
-  const desc::SceneDesc s = with_options("Camera \"perspective\"");
+  const desc::SceneDesc s = with_v4_options("Camera \"perspective\"");
   EXPECT_EQ(s.film.resolution, Vec2i(1280, 720));
   EXPECT_EQ(s.film.scale, 1.F);
   ASSERT_TRUE(std::holds_alternative<desc::GaussianFilter>(s.film.filter.node));
@@ -23,7 +23,7 @@ TEST(Pbrt4Film, HasTheDefaultsOfPbrt) {
 }
 
 TEST(Pbrt4Film, ExposureIsIsoTimesTime) {
-  const auto scale = [](const std::string& options) { return with_options(options).film.scale; };
+  const auto scale = [](const std::string& options) { return with_v4_options(options).film.scale; };
   EXPECT_FLOAT_EQ(scale("Film \"rgb\" \"float iso\" 400 Camera \"perspective\""), 4.F);
   EXPECT_FLOAT_EQ(scale("Film \"rgb\" Camera \"perspective\" \"float shutterclose\" 0.25"), 0.25F);
   EXPECT_FLOAT_EQ(scale("Camera \"perspective\" \"float shutteropen\" 1 \"float shutterclose\" 3 "
@@ -34,7 +34,7 @@ TEST(Pbrt4Film, ExposureIsIsoTimesTime) {
 }
 
 TEST(Pbrt4Film, PixelBoundsAreACropWindow) {
-  const desc::SceneDesc s = with_options(
+  const desc::SceneDesc s = with_v4_options(
       "Film \"rgb\" \"integer xresolution\" 200 \"integer yresolution\" 100 \"integer "
       "pixelbounds\" [50 100 25 75] Camera \"perspective\"");
   EXPECT_EQ(s.film.crop[0], 0.25F);
@@ -44,14 +44,14 @@ TEST(Pbrt4Film, PixelBoundsAreACropWindow) {
 }
 
 TEST(Pbrt4Film, FiltersHaveRadiiAndSigma) {
-  const desc::SceneDesc s = with_options(
+  const desc::SceneDesc s = with_v4_options(
       "PixelFilter \"gaussian\" \"float xradius\" 3 \"float sigma\" 1 Camera \"perspective\"");
   EXPECT_EQ(s.film.filter.radius, Vec2(3.F, 1.5F));
   EXPECT_EQ(std::get<desc::GaussianFilter>(s.film.filter.node).falloff, 0.5F);
 }
 
 TEST(Pbrt4Options, OfPbrtAreAccepted) {
-  const desc::SceneDesc s = with_options(
+  const desc::SceneDesc s = with_v4_options(
       "Option \"integer seed\" 3 Option \"bool disablepixeljitter\" false Film \"rgb\" "
       "Sampler \"zsobol\" \"integer pixelsamples\" 8 Integrator \"volpath\" \"integer maxdepth\" 7 "
       "Camera \"spherical\" \"string mapping\" \"equirectangular\" "

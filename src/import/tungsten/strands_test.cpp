@@ -56,7 +56,7 @@ std::string hair_of(std::uint32_t bits, const std::string& arrays) {
   return bytes + arrays;
 }
 
-std::string error_in(std::string_view bytes, const std::string& name = "a.fiber") {
+std::string fiber_error_in(std::string_view bytes, const std::string& name = "a.fiber") {
   try {
     read_strands(bytes, name);
   } catch (const SceneError& error) {
@@ -103,22 +103,23 @@ TEST(Strands, TaperToTheirEnd) {
 TEST(Strands, DamagedFilesAreErrors) {
   const std::string whole = two_curves();
   for (std::size_t size = 0; size < whole.size(); ++size) {
-    EXPECT_NE(error_in(whole.substr(0, size)), "no error") << size;
+    EXPECT_NE(fiber_error_in(whole.substr(0, size)), "no error") << size;
   }
   const std::string hair = hair_of(2, bytes_of(kPlaces));
   for (std::size_t size = 0; size < hair.size(); ++size) {
-    EXPECT_NE(error_in(hair.substr(0, size), "a.hair"), "no error") << size;
+    EXPECT_NE(fiber_error_in(hair.substr(0, size), "a.hair"), "no error") << size;
   }
   const std::string places = attribute("position", false, 8, 3, bytes_of(kPlaces));
   const std::string many = attribute("num_vertices", true, 3, 1, bytes_of<std::uint16_t>({4}));
+  EXPECT_TRUE(contains(fiber_error_in(fiber_of(7, 2, places + many)),
+                       "they have 8 nodes, but there are 7"));
   EXPECT_TRUE(
-      contains(error_in(fiber_of(7, 2, places + many)), "they have 8 nodes, but there are 7"));
-  EXPECT_TRUE(contains(error_in(fiber_of(1ULL << 60U, 2, places)), "there are 7 positions of"));
-  EXPECT_TRUE(contains(error_in(fiber_of(7, 1ULL << 60U, places)), "more curves than nodes"));
+      contains(fiber_error_in(fiber_of(1ULL << 60U, 2, places)), "there are 7 positions of"));
+  EXPECT_TRUE(contains(fiber_error_in(fiber_of(7, 1ULL << 60U, places)), "more curves than nodes"));
   std::string promising = hair;
   for (std::size_t i = 4; i < 12; ++i) promising[i] = '\xff';
-  EXPECT_TRUE(contains(error_in(promising, "a.hair"), "the file ends too early"));
-  EXPECT_TRUE(contains(error_in("HAIR", "a.obj"), "unknown kind of file of curves"));
+  EXPECT_TRUE(contains(fiber_error_in(promising, "a.hair"), "the file ends too early"));
+  EXPECT_TRUE(contains(fiber_error_in("HAIR", "a.obj"), "unknown kind of file of curves"));
 }
 
 TEST(Strands, OfPrimitivesAreTubesInTheirPlace) {

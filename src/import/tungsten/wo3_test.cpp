@@ -8,7 +8,7 @@
 namespace ajar::tungsten {
 namespace {
 
-std::string error_in(std::string_view bytes) {
+std::string wo3_error_in(std::string_view bytes) {
   try {
     read_wo3(bytes, "m.wo3");
   } catch (const SceneError& error) {
@@ -31,19 +31,19 @@ TEST(Wo3, HasVerticesAndTrianglesWithMaterials) {
 TEST(Wo3, RefusesFilesThatEndTooEarlyAtAnyByte) {
   const std::string whole = wo3_of_two_materials();
   for (std::size_t size = 0; size < whole.size(); ++size) {
-    EXPECT_NE(error_in(whole.substr(0, size)).find("m.wo3: this is no complete .wo3 mesh"),
+    EXPECT_NE(wo3_error_in(whole.substr(0, size)).find("m.wo3: this is no complete .wo3 mesh"),
               std::string::npos)
         << size;
   }
-  EXPECT_EQ(error_in(whole), "no error");
+  EXPECT_EQ(wo3_error_in(whole), "no error");
 }
 
 TEST(Wo3, RefusesCountsThatNoFileCanHold) {
   std::string bytes = wo3_of_two_materials();
   for (std::size_t i = 0; i < 8; ++i) bytes[i] = '\xff';
-  EXPECT_NE(error_in(bytes).find("ends before its 18446744073709551615 vertices"),
+  EXPECT_NE(wo3_error_in(bytes).find("ends before its 18446744073709551615 vertices"),
             std::string::npos)
-      << error_in(bytes);
+      << wo3_error_in(bytes);
 }
 
 }  // namespace

@@ -16,12 +16,9 @@
 namespace ajar {
 namespace {
 
+using testing::Nowhere;
 using testing::Toy;
 using testing::ToyTarget;
-
-struct Nowhere final : DepositSink {
-  void deposit(std::span<const Splat>, double) override {}
-};
 
 /// Chi-square of the last states. With 40,000 chains, a bin of 5 % that gains or loses 10 % of its
 /// share alone adds 20 to the statistic, one of 20 %, 80.

@@ -18,6 +18,7 @@ namespace ajar {
 namespace {
 
 using testing::bias_of;
+using testing::Nowhere;
 using testing::PlaneBias;
 using testing::Toy;
 using testing::ToyTarget;
@@ -237,10 +238,6 @@ Toy placed_or_not() {
   toy.fractions.push_back(0.22 / toy.mean);
   return toy;
 }
-
-struct Nowhere final : DepositSink {
-  void deposit(std::span<const Splat>, double) override {}
-};
 
 constexpr std::uint64_t kChains = 40000;
 

@@ -53,6 +53,11 @@ class Histogram final : public DepositSink {
   std::vector<double> sums_;
 };
 
+/// Of chains whose last states alone matter.
+struct Nowhere final : DepositSink {
+  void deposit(std::span<const Splat>, double) override {}
+};
+
 inline constexpr SampleAddress kCameraX{Stream::Camera, 0, Slot::BsdfDirectionX};
 inline constexpr SampleAddress kCameraY{Stream::Camera, 0, Slot::BsdfDirectionY};
 inline constexpr SampleAddress kInner{Stream::Camera, 1, Slot::BsdfLobe};

@@ -12,13 +12,13 @@
 namespace ajar {
 namespace {
 
-constexpr Vec2i kSize{70, 50};
-constexpr std::size_t kPixels = std::size_t{70} * 50;
+constexpr Vec2i kRampSize{70, 50};
+constexpr std::size_t kRampPixels = std::size_t{70} * 50;
 
 /// Light of which only a filter that looks at several scales makes an even slope.
 std::vector<float> ramp() {
   std::vector<float> values;
-  for (std::size_t i = 0; i < kPixels; ++i) {
+  for (std::size_t i = 0; i < kRampPixels; ++i) {
     const float value = 1.F + static_cast<float>(i % 70) / 70.F;
     values.insert(values.end(), {value, 0.5F * value, value});
   }
@@ -57,8 +57,8 @@ struct Filtered {
                     const Denoiser::Progress& progress = {})
       : first(noisy(truth, 1)), second(noisy(truth, 2)), whole(mean_of(first, second)) {
     const BuiltinDenoiser denoiser;
-    result = denoiser.filter({.size = kSize, .colour = whole, .halves = {first, second}},
-                             denoiser.prepare(kSize, features), progress);
+    result = denoiser.filter({.size = kRampSize, .colour = whole, .halves = {first, second}},
+                             denoiser.prepare(kRampSize, features), progress);
   }
   std::vector<float> first;
   std::vector<float> second;
@@ -76,7 +76,7 @@ TEST(BuiltinDenoiser, TakesNoiseAndKeepsLight) {
 TEST(BuiltinDenoiser, DoesWithoutHalves) {
   const std::vector<float> truth = ramp();
   const std::vector<float> picture = noisy(truth, 1);
-  const auto result = BuiltinDenoiser().filter({.size = kSize, .colour = picture}, {}, {});
+  const auto result = BuiltinDenoiser().filter({.size = kRampSize, .colour = picture}, {}, {});
   EXPECT_LT(squared_error(*result, truth), 0.05 * squared_error(picture, truth));
 }
 
@@ -86,16 +86,17 @@ TEST(BuiltinDenoiser, LeavesAPictureWithoutNoiseAsItIs) {
   for (std::size_t i = 0; i < truth.size(); ++i) {
     if (i / 3 / 70 > 25) truth[i] *= 0.1F;
   }
-  const auto result =
-      BuiltinDenoiser().filter({.size = kSize, .colour = truth, .halves = {truth, truth}}, {}, {});
+  const auto result = BuiltinDenoiser().filter(
+      {.size = kRampSize, .colour = truth, .halves = {truth, truth}}, {}, {});
   EXPECT_LT(squared_error(*result, truth), 1e-4);
 }
 
 TEST(BuiltinDenoiser, KeepsEdgesThatFeaturesKnow) {
   // Two walls, one of which faces less light than the noise of a pixel can tell.
   std::vector<float> truth = ramp();
-  Features features{std::vector<float>(3 * kPixels, 0.5F), std::vector<float>(3 * kPixels, 0.F)};
-  for (std::size_t i = 0; i < kPixels; ++i) {
+  Features features{std::vector<float>(3 * kRampPixels, 0.5F),
+                    std::vector<float>(3 * kRampPixels, 0.F)};
+  for (std::size_t i = 0; i < kRampPixels; ++i) {
     const bool faces_light = i % 70 < 35;
     features.normal[3 * i + (faces_light ? 0 : 1)] = 1.F;
     for (std::size_t v = 3 * i; v < 3 * i + 3; ++v) truth[v] *= faces_light ? 1.F : 0.7F;
@@ -120,8 +121,8 @@ TEST(BuiltinDenoiser, KeepsTheLightOfFirefliesButNotTheirPixels) {
   const std::size_t firefly = std::size_t{3} * (70 * 25 + 35);
   for (std::size_t v = firefly; v < firefly + 3; ++v) first[v] = 200.F;
   const std::vector<float> whole = mean_of(first, second);
-  const auto result =
-      BuiltinDenoiser().filter({.size = kSize, .colour = whole, .halves = {first, second}}, {}, {});
+  const auto result = BuiltinDenoiser().filter(
+      {.size = kRampSize, .colour = whole, .halves = {first, second}}, {}, {});
   EXPECT_LT((*result)[firefly], 3.F);
   EXPECT_NEAR(light_of(*result) / light_of(whole), 1.0, 0.02);
 }
@@ -139,10 +140,10 @@ TEST(BuiltinDenoiser, TakesValuesThatAreNoNumbersAsBlack) {
   std::vector<float> picture = ramp();
   picture[0] = std::numeric_limits<float>::quiet_NaN();
   picture[100] = std::numeric_limits<float>::infinity();
-  const auto result = BuiltinDenoiser().filter({.size = kSize, .colour = picture}, {}, {});
+  const auto result = BuiltinDenoiser().filter({.size = kRampSize, .colour = picture}, {}, {});
   for (const float value : *result) ASSERT_TRUE(std::isfinite(value));
-  const std::vector<float> black(3 * kPixels, 0.F);
-  EXPECT_EQ(light_of(*BuiltinDenoiser().filter({.size = kSize, .colour = black}, {}, {})), 0.0);
+  const std::vector<float> black(3 * kRampPixels, 0.F);
+  EXPECT_EQ(light_of(*BuiltinDenoiser().filter({.size = kRampSize, .colour = black}, {}, {})), 0.0);
 }
 
 TEST(BuiltinDenoiser, MakesTheSamePixelsOnAnyThreads) {

@@ -11,8 +11,8 @@
 namespace ajar {
 namespace {
 
-constexpr Vec2i kSize{96, 96};
-constexpr std::size_t kValues = std::size_t{3} * 96 * 96;
+constexpr Vec2i kMixedSize{96, 96};
+constexpr std::size_t kMixedValues = std::size_t{3} * 96 * 96;
 
 /// Four pictures of `truth` with relative noise.
 Replicates noisy(const std::vector<float>& truth, float noise) {
@@ -28,14 +28,15 @@ Replicates noisy(const std::vector<float>& truth, float noise) {
 /// A filter, and none.
 std::vector<BiasedEstimate> smooth_and_raw(const Replicates& replicates) {
   const std::vector<float> mean = replicate_mean(replicates);
-  BiasedEstimate smooth{blurred(mean, kSize, 4.0), {}};
-  for (const auto& picture : replicates) smooth.replicates.push_back(blurred(picture, kSize, 4.0));
+  BiasedEstimate smooth{blurred(mean, kMixedSize, 4.0), {}};
+  for (const auto& picture : replicates)
+    smooth.replicates.push_back(blurred(picture, kMixedSize, 4.0));
   return {std::move(smooth), {mean, replicates}};
 }
 
 MixedEstimate mixture_of(const std::vector<float>& truth, float noise) {
   const Replicates replicates = noisy(truth, noise);
-  return mix_estimates(kSize, smooth_and_raw(replicates), replicates);
+  return mix_estimates(kMixedSize, smooth_and_raw(replicates), replicates);
 }
 
 double mean_of(const std::vector<float>& values) {
@@ -54,13 +55,13 @@ double error_of(const std::vector<float>& picture, const std::vector<float>& tru
 
 /// Stripes of two pixels: a blur of four takes all of them away.
 std::vector<float> stripes() {
-  std::vector<float> truth(kValues);
-  for (std::size_t i = 0; i < kValues; ++i) truth[i] = i / 3 % 4 < 2 ? 1.5F : 0.5F;
+  std::vector<float> truth(kMixedValues);
+  for (std::size_t i = 0; i < kMixedValues; ++i) truth[i] = i / 3 % 4 < 2 ? 1.5F : 0.5F;
   return truth;
 }
 
 TEST(MixEstimates, TakesTheFilterWhereItIsRight) {
-  const std::vector<float> truth(kValues, 0.7F);
+  const std::vector<float> truth(kMixedValues, 0.7F);
   const MixedEstimate mixed = mixture_of(truth, 0.5F);
   EXPECT_GT(mean_of(mixed.shares[0]), 0.9);
   EXPECT_LT(error_of(mixed.pixels, truth), 0.035) << "the mean has 0.175";
@@ -75,27 +76,27 @@ TEST(MixEstimates, TakesTheUnfilteredPictureWhereTheFilterHarms) {
 /// Filters do better the less noise they see. If the bias of a replicate were that of the whole,
 /// both would have equal shares here, and grain would stay in the picture.
 TEST(MixEstimates, BelievesThatTheWholeIsFilteredBetterThanAReplicate) {
-  const std::vector<float> truth(kValues, 1.F);
+  const std::vector<float> truth(kMixedValues, 1.F);
   const Replicates replicates = noisy(truth, 0.6F);
   const std::vector<float> mean = replicate_mean(replicates);
-  const BiasedEstimate smooth{std::vector<float>(kValues, 1.15F),
-                              Replicates(4, std::vector<float>(kValues, 1.3F))};
-  const MixedEstimate mixed = mix_estimates(kSize, {smooth, {mean, replicates}}, replicates);
+  const BiasedEstimate smooth{std::vector<float>(kMixedValues, 1.15F),
+                              Replicates(4, std::vector<float>(kMixedValues, 1.3F))};
+  const MixedEstimate mixed = mix_estimates(kMixedSize, {smooth, {mean, replicates}}, replicates);
   EXPECT_LT(mean_of(mixed.shares[1]), 0.25);
 }
 
 /// Light that a quarter of the samples has not found, all of them need not have found either.
 TEST(MixEstimates, TakesLittleOfWhatMissesLight) {
-  const Replicates replicates = noisy(std::vector<float>(kValues, 1.F), 0.3F);
+  const Replicates replicates = noisy(std::vector<float>(kMixedValues, 1.F), 0.3F);
   const BiasedEstimate noise{replicate_mean(replicates), replicates};
-  BiasedEstimate dark{std::vector<float>(kValues, 0.8F),
-                      Replicates(4, std::vector<float>(kValues, 0.8F))};
-  EXPECT_GT(mean_of(mix_estimates(kSize, {dark, noise}, replicates).shares[0]), 0.75);
+  BiasedEstimate dark{std::vector<float>(kMixedValues, 0.8F),
+                      Replicates(4, std::vector<float>(kMixedValues, 0.8F))};
+  EXPECT_GT(mean_of(mix_estimates(kMixedSize, {dark, noise}, replicates).shares[0]), 0.75);
   // Not if it is the filter's fault.
   dark.found = replicates;
-  EXPECT_GT(mean_of(mix_estimates(kSize, {dark, noise}, replicates).shares[0]), 0.75);
+  EXPECT_GT(mean_of(mix_estimates(kMixedSize, {dark, noise}, replicates).shares[0]), 0.75);
   dark.found = dark.replicates;
-  EXPECT_LT(mean_of(mix_estimates(kSize, {dark, noise}, replicates).shares[0]), 0.45);
+  EXPECT_LT(mean_of(mix_estimates(kMixedSize, {dark, noise}, replicates).shares[0]), 0.45);
 }
 
 /// What would make a mixture with the unfiltered picture consistent: with less noise the share of a
@@ -110,16 +111,16 @@ TEST(MixEstimates, LosesBiasAsNoiseFalls) {
 
 TEST(MixEstimates, ChoosesByPatch) {
   // The one is too bright by half on the left, the other on the right.
-  const std::vector<float> truth(kValues, 1.F);
+  const std::vector<float> truth(kMixedValues, 1.F);
   const Replicates replicates = noisy(truth, 0.3F);
   std::vector<BiasedEstimate> estimates(2, {truth, Replicates(4, truth)});
-  for (std::size_t i = 0; i < kValues; ++i) {
+  for (std::size_t i = 0; i < kMixedValues; ++i) {
     BiasedEstimate& wrong = estimates[i / 3 % 96 < 48 ? 0 : 1];
     wrong.pixels[i] = 1.5F;
     for (std::vector<float>& picture : wrong.replicates) picture[i] = 1.5F;
   }
-  const MixedEstimate mixed = mix_estimates(kSize, estimates, replicates);
-  for (std::size_t i = 0; i < kValues; ++i) {
+  const MixedEstimate mixed = mix_estimates(kMixedSize, estimates, replicates);
+  for (std::size_t i = 0; i < kMixedValues; ++i) {
     const std::size_t x = i / 3 % 96;
     if (x > 36 && x < 60) continue;
     ASSERT_NEAR(mixed.pixels[i], 1.F, 0.1F) << "at column " << x;
@@ -129,7 +130,7 @@ TEST(MixEstimates, ChoosesByPatch) {
 TEST(MixEstimates, KnowsTheErrorThatIsLeft) {
   for (const float noise : {0.1F, 0.4F}) {
     const MixedEstimate mixed = mixture_of(stripes(), noise);
-    const double said = error_of(mixed.error, std::vector<float>(kValues, 0.F));
+    const double said = error_of(mixed.error, std::vector<float>(kMixedValues, 0.F));
     // A bound: errors of the two parts cancel in part.
     const double real = error_of(mixed.pixels, stripes());
     EXPECT_GT(said, 0.9 * real) << noise;
@@ -140,21 +141,22 @@ TEST(MixEstimates, KnowsTheErrorThatIsLeft) {
 /// The squared bias is estimated without bias: of a filter that is right it is nothing on average,
 /// so that no more than the spread of the filtered replicates is said.
 TEST(MixEstimates, SaysNothingOfABiasThatIsNotThere) {
-  const std::vector<float> truth(kValues, 1.F);
+  const std::vector<float> truth(kMixedValues, 1.F);
   const Replicates replicates = noisy(truth, 0.5F);
-  const MixedEstimate mixed = mix_estimates(kSize, {{truth, Replicates(4, truth)}}, replicates);
+  const MixedEstimate mixed =
+      mix_estimates(kMixedSize, {{truth, Replicates(4, truth)}}, replicates);
   // 0.25 for each of the products' factors over the square root of the pixels in a patch (100 of 3
   // values) and of the twelve orders, which hang together; half of it is negative.
-  EXPECT_LT(error_of(mixed.error, std::vector<float>(kValues, 0.F)), 0.1);
+  EXPECT_LT(error_of(mixed.error, std::vector<float>(kMixedValues, 0.F)), 0.1);
 }
 
 TEST(MixEstimates, TakesNoFireflyForLightThatTheFilterLost) {
-  const std::vector<float> truth(kValues, 1.F);
+  const std::vector<float> truth(kMixedValues, 1.F);
   Replicates replicates(4, truth);
   replicates[2][3 * (48 * 96 + 48) + 1] = 1000.F;
   const std::vector<BiasedEstimate> estimates = {{truth, Replicates(4, truth)},
                                                  {replicate_mean(replicates), replicates}};
-  const MixedEstimate mixed = mix_estimates(kSize, estimates, replicates);
+  const MixedEstimate mixed = mix_estimates(kMixedSize, estimates, replicates);
   EXPECT_LT(mixed.pixels[3 * (48 * 96 + 48) + 1], 1.1F);
 }
 
@@ -172,12 +174,12 @@ TEST(MixEstimates, FirefliesAreWhatMostReplicatesDoNotSee) {
 }
 
 TEST(MixEstimates, RefusesWhatDoesNotFit) {
-  const std::vector<float> picture(kValues, 1.F);
+  const std::vector<float> picture(kMixedValues, 1.F);
   const Replicates four(4, picture);
-  EXPECT_THROW(mix_estimates(kSize, {}, four), std::invalid_argument);
-  EXPECT_THROW(mix_estimates(kSize, {{picture, Replicates(3, picture)}}, four),
+  EXPECT_THROW(mix_estimates(kMixedSize, {}, four), std::invalid_argument);
+  EXPECT_THROW(mix_estimates(kMixedSize, {{picture, Replicates(3, picture)}}, four),
                std::invalid_argument);
-  EXPECT_THROW(mix_estimates(kSize, {{picture, four, Replicates(3, picture)}}, four),
+  EXPECT_THROW(mix_estimates(kMixedSize, {{picture, four, Replicates(3, picture)}}, four),
                std::invalid_argument);
   EXPECT_THROW(mix_estimates({95, 96}, {{picture, four}}, four), std::invalid_argument);
 }

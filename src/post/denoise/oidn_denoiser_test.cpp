@@ -33,7 +33,7 @@ double squared_error(const std::vector<float>& values) {
   return sum / static_cast<double>(kPixels);
 }
 
-class OidnDenoiserTest : public testing::Test {
+class OidnDenoiserTest : public ::testing::Test {
  protected:
   void SetUp() override {
     std::string trouble;

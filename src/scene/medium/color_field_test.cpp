@@ -13,7 +13,7 @@ namespace {
 
 using desc::DensityGrid;
 
-constexpr float kForEver = std::numeric_limits<float>::infinity();
+constexpr float kNoEnd = std::numeric_limits<float>::infinity();
 
 desc::Density placed(DensityGrid grid, const Mat4& to_world = Mat4()) {
   return {std::make_shared<const DensityGrid>(std::move(grid)), to_world};
@@ -51,7 +51,7 @@ const Ray kAxis{{-1.F, 0.3F, 0.6F}, {1.F, 0.F, 0.F}};
 TEST(ColorField, HasTheDepthsOfItsClosedForm) {
   const ColorField field(two_colors(DensityGrid::Border::Clamp), kSigmaA, kSigmaS);
   for (double x = 0.05; x < 1.0; x += 0.1) {
-    const Crossing crossing = field.along(kAxis, static_cast<float>(1.0 + x), 0, kForEver);
+    const Crossing crossing = field.along(kAxis, static_cast<float>(1.0 + x), 0, kNoEnd);
     EXPECT_FALSE(crossing.reached);
     const Vec3 place(static_cast<float>(x), 0.3F, 0.6F);
     for (int lane = 0; lane < 3; ++lane) {
@@ -59,8 +59,8 @@ TEST(ColorField, HasTheDepthsOfItsClosedForm) {
       EXPECT_NEAR(field.sigma_t(place)[lane], extinction(lane, x), 1e-6) << x << ' ' << lane;
     }
   }
-  const Crossing whole = field.along(kAxis, kForEver, 0, kForEver);
-  EXPECT_EQ(whole.distance, kForEver);
+  const Crossing whole = field.along(kAxis, kNoEnd, 0, kNoEnd);
+  EXPECT_EQ(whole.distance, kNoEnd);
   for (int lane = 0; lane < 3; ++lane) EXPECT_NEAR(whole.depth[lane], depth(lane, 1.0), 1e-6);
   EXPECT_NEAR(field.sigma_s({0.5F, 0.F, 0.F})[1], 0.5 * (2.0 + 0.5), 1e-6);
   EXPECT_NEAR(field.sigma_s({0.5F, 0.F, 0.F})[2], 0.5 * 0.25 * 2.0, 1e-6);
@@ -72,7 +72,7 @@ TEST(ColorField, EndsWhereTheDepthOfALaneIsWhatWasAskedFor) {
   for (int lane = 0; lane < 3; ++lane) {
     for (double x = 0.05; x < 1.0; x += 0.1) {
       const auto asked = static_cast<float>(depth(lane, x));
-      const Crossing crossing = field.along(kAxis, kForEver, lane, asked);
+      const Crossing crossing = field.along(kAxis, kNoEnd, lane, asked);
       if (lane == 2 && x < 0.25) continue;  // there is nothing
       ASSERT_TRUE(crossing.reached) << lane << ' ' << x;
       EXPECT_NEAR(crossing.distance, 1.0 + x, 1e-5) << lane;
@@ -82,7 +82,7 @@ TEST(ColorField, EndsWhereTheDepthOfALaneIsWhatWasAskedFor) {
       }
     }
     const auto beyond = static_cast<float>(depth(lane, 1.0) * 1.0001);
-    EXPECT_FALSE(field.along(kAxis, kForEver, lane, beyond).reached);
+    EXPECT_FALSE(field.along(kAxis, kNoEnd, lane, beyond).reached);
   }
 }
 
@@ -97,7 +97,7 @@ TEST(ColorField, SamplesDistancesByTheMeanOfTheLanes) {
   Rng rng(3);
   for (int i = 0; i < kSamples; ++i) {
     const int lane = std::min(static_cast<int>(rng.next() * 3.F), 2);
-    const Crossing end = medium.along(kAxis, kForEver, lane, -std::log(1.F - rng.next()));
+    const Crossing end = medium.along(kAxis, kNoEnd, lane, -std::log(1.F - rng.next()));
     const double x = static_cast<double>(end.distance) - 1.0;
     ++found[end.reached ? std::min(static_cast<std::size_t>(x * kBins), kBins - 1) : kBins];
   }
@@ -160,8 +160,8 @@ TEST(ColorField, OfOneColorIsADensity) {
     expect_same(colors.sigma_s(target), grey.sigma_s(target));
     const int lane = i % 3;
     const float most = rng.next();
-    const Crossing expected = grey.along(ray, kForEver, lane, most);
-    const Crossing found = colors.along(ray, kForEver, lane, most);
+    const Crossing expected = grey.along(ray, kNoEnd, lane, most);
+    const Crossing found = colors.along(ray, kNoEnd, lane, most);
     ASSERT_EQ(found.reached, expected.reached);
     expect_same(found.depth, expected.depth);
     if (!found.reached) continue;
@@ -177,7 +177,7 @@ TEST(ColorField, WithoutOneOfItsGridsHasThatCoefficientUpToTheFaces) {
   const ColorField field(placed(std::move(grid)), Spectrum(0.5F), Spectrum(1.F));
   const Ray middle{{-1.F, 0.5F, 0.5F}, {1.F, 0.F, 0.F}};
   // Half a cell inside of each face the scattering falls to its half; absorption never does.
-  const Spectrum whole = field.along(middle, kForEver, 0, kForEver).depth;
+  const Spectrum whole = field.along(middle, kNoEnd, 0, kNoEnd).depth;
   EXPECT_NEAR(whole[2], 0.5, 1e-6);
   EXPECT_NEAR(whole[0], 0.5 + 0.5 + 2.0 * 0.25 * 0.75, 1e-6);
   EXPECT_NEAR(whole[1], 0.5 + 0.5 * 1.0 + 0.25 * 1.5, 1e-6);

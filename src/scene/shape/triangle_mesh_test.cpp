@@ -28,7 +28,7 @@ std::shared_ptr<desc::Mesh> triangle() {
   return mesh;
 }
 
-class TriangleMeshTest : public testing::Test {
+class TriangleMeshTest : public ::testing::Test {
  protected:
   TriangleMesh make(std::shared_ptr<const desc::Mesh> mesh, const Mat4& m = Mat4(),
                     bool reversed = false) {

@@ -73,10 +73,13 @@ struct World {
   std::unique_ptr<Geometry> geometry;
 };
 
-inline World world_of(std::vector<desc::Shape> shapes) {
+inline desc::SceneDesc scene_of(std::vector<desc::Shape> shapes) {
   desc::SceneDesc scene;
   scene.shapes = std::move(shapes);
-  return World(std::move(scene));
+  return scene;
+}
+inline World world_of(std::vector<desc::Shape> shapes) {
+  return World(scene_of(std::move(shapes)));
 }
 
 }  // namespace ajar::testing

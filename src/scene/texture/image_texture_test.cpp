@@ -7,6 +7,7 @@
 #include "scene/desc/models.h"
 #include "scene/light/map.h"
 #include "scene/material/relief.h"
+#include "scene/testing/texture_points.h"
 #include "scene/texture/image_cache.h"
 #include "scene/texture/texture.h"
 
@@ -14,17 +15,12 @@ namespace ajar {
 namespace {
 
 namespace fs = std::filesystem;
+using testing::at_uv;
 
-SurfacePoint at_uv(float u, float v) {
-  SurfacePoint point{};
-  point.uv = {u, v};
-  return point;
-}
-
-class ImageTextureTest : public testing::Test {
+class ImageTextureTest : public ::testing::Test {
  protected:
   void SetUp() override {
-    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+    const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
     folder_ = fs::temp_directory_path() / (std::string("ajar_image_texture_") + test->name());
     fs::create_directories(folder_);
   }

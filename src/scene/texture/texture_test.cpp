@@ -6,17 +6,14 @@
 #include "core/warnings.h"
 #include "scene/desc/models.h"
 #include "scene/desc/scene_desc.h"
+#include "scene/testing/texture_points.h"
 
 namespace ajar {
 namespace {
 
 using desc::TextureRef;
+using testing::at_uv;
 
-SurfacePoint at_uv(float u, float v) {
-  SurfacePoint point{};
-  point.uv = {u, v};
-  return point;
-}
 SurfacePoint at_position(const Vec3& p) {
   SurfacePoint point{};
   point.p = p;
@@ -24,7 +21,7 @@ SurfacePoint at_position(const Vec3& p) {
 }
 
 /// Builds a description's textures and evaluates the last.
-class TextureTest : public testing::Test {
+class TextureTest : public ::testing::Test {
  protected:
   desc::TextureId add(std::string_view model, desc::Node::Given given = {}) {
     scene_.textures.emplace_back().node = desc::texture_node(model, given);

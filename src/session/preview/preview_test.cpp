@@ -23,7 +23,7 @@ const Vec2i kSize(300, 170);
 const Box2i kCrop(Vec2i(5, 3), Vec2i(284, 160));  // 3 × 2 regions
 constexpr int kReplicates = 4;
 
-class PreviewTest : public testing::Test {
+class PreviewTest : public ::testing::Test {
  protected:
   PreviewTest()
       : integrator_(kCrop.size() + Vec2i(1, 1), kReplicates),

@@ -27,18 +27,18 @@ constexpr Thing kBall{'b', 0.006F};
 constexpr Thing kFloor{'f', 0.025F};
 constexpr Thing kWall{'w', 0.09F};
 constexpr Thing kPane{'p', 0.015F};
-const char* const kCamera =
+const char* const kFrontCamera =
     "LookAt 0 0.9 -1  0 0 0.1  0 1 0\nCamera \"perspective\" \"float fov\" [50]";
 const Vec3 kMiddle(0.F, 0.6F, 0.1F);  ///< of the ball
 
-struct Case {
+struct HalfVectorCase {
   const char* name;
   std::string things;     ///< pbrt-v3
   std::vector<Thing> on;  ///< what the vertices of the path are on, from the light
   std::size_t glossy;     ///< which of them
 };
 
-void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
+void PrintTo(const HalfVectorCase& c, std::ostream* out) { *out << c.name; }
 
 const std::string kMatte = "Material \"matte\" \"rgb Kd\" [0.7 0.6 0.5]\n";
 const std::string kMetal =
@@ -61,7 +61,7 @@ std::string spot_on(const std::string& place, const std::string& from = "0.6 1.4
          place + "] \"point from\" [" + from + "]\n";
 }
 
-std::vector<Case> cases() {
+std::vector<HalfVectorCase> cases() {
   const std::string wall = R"(Shape "trianglemesh" "integer indices" [0 2 1 0 3 2]
   "point P" [-3 0 1.5  3 0 1.5  3 3 1.5  -3 3 1.5])";
   return {
@@ -102,7 +102,7 @@ OffsetNormal offset_of(const Path& path, std::size_t v) {
 }
 
 /// One of the case, away from the edges of the picture, with half vectors near the normals.
-Path path_of(const Scene& scene, const Case& c, const PathMutation& mutation) {
+Path path_of(const Scene& scene, const HalfVectorCase& c, const PathMutation& mutation) {
   std::optional<Path> found;
   test::for_samples(
       scene, 200000, [&](std::uint32_t, const std::vector<test::WeightedPath>& paths) {
@@ -124,10 +124,10 @@ Path path_of(const Scene& scene, const Case& c, const PathMutation& mutation) {
   return *found;
 }
 
-class HalfVector : public ::testing::TestWithParam<Case> {};
+class HalfVector : public ::testing::TestWithParam<HalfVectorCase> {};
 
 /// A move of `x` that is neither near the least nor near the largest.
-Path moved(const Path& x, const Case& c, PathMutation& mutation) {
+Path moved(const Path& x, const HalfVectorCase& c, PathMutation& mutation) {
   const OffsetNormal old = offset_of(x, c.glossy);
   Path y;
   for (std::uint64_t i = 0; i < 100000; ++i) {
@@ -143,8 +143,8 @@ Path moved(const Path& x, const Case& c, PathMutation& mutation) {
 /// The mean over proposals of 1/T is the size of the region that they are in, if T is their
 /// density: here the product of discs, which have the same area on a sphere as on a plane.
 TEST_P(HalfVector, MovesAsDenselyAsItSays) {
-  const Case& c = GetParam();
-  const auto scene = test::scene_from(test::pbrt_scene(kCamera, 48, 32, c.things));
+  const HalfVectorCase& c = GetParam();
+  const auto scene = test::scene_from(test::pbrt_scene(kFrontCamera, 48, 32, c.things));
   const PathBounds bounds = test::path_sample_bounds(*scene);
   HalfVectorPerturbation mutation(*scene, bounds.area);
   const Path x = path_of(*scene, c, mutation);

@@ -9,7 +9,7 @@
 namespace ajar {
 namespace {
 
-class ChainPlanTest : public testing::Test {
+class ChainPlanTest : public ::testing::Test {
  protected:
   std::vector<double> thresholds(std::optional<SelectiveSettings> selective,
                                  const std::map<std::string, std::string>& given = {}) {

@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 using test::RoomSurface;
 
 /// A folder that is gone after the test.
-class Formats : public testing::Test {
+class Formats : public ::testing::Test {
  protected:
   TemporaryFolder folder_;
 };
@@ -97,7 +97,7 @@ struct SharedPair {
 };
 void PrintTo(const SharedPair& pair, std::ostream* out) { *out << pair.second; }
 
-class SharedFormats : public testing::TestWithParam<SharedPair> {};
+class SharedFormats : public ::testing::TestWithParam<SharedPair> {};
 
 TEST_P(SharedFormats, AreTheSamePicture) {
   const fs::path first = shared_scenes_folder() / GetParam().first;
@@ -111,11 +111,11 @@ TEST_P(SharedFormats, AreTheSamePicture) {
 
 INSTANTIATE_TEST_SUITE_P(
     All, SharedFormats,
-    testing::Values(SharedPair{"cornell-box/pbrt/scene.pbrt", "cornell-box/scene.xml"},
-                    SharedPair{"cornell-box/pbrt/scene.pbrt", "cornell-box/scene-mitsuba3.xml"},
-                    SharedPair{"veach-mis/pbrt/scene.pbrt", "veach-mis/pbrt/scene-v4.pbrt"},
-                    // Whose metals reflect 0.3 of what those of the pbrt files do.
-                    SharedPair{"veach-mis/scene.xml", "veach-mis/scene-mitsuba3.xml"}));
+    ::testing::Values(SharedPair{"cornell-box/pbrt/scene.pbrt", "cornell-box/scene.xml"},
+                      SharedPair{"cornell-box/pbrt/scene.pbrt", "cornell-box/scene-mitsuba3.xml"},
+                      SharedPair{"veach-mis/pbrt/scene.pbrt", "veach-mis/pbrt/scene-v4.pbrt"},
+                      // Whose metals reflect 0.3 of what those of the pbrt files do.
+                      SharedPair{"veach-mis/scene.xml", "veach-mis/scene-mitsuba3.xml"}));
 
 }  // namespace
 }  // namespace ajar

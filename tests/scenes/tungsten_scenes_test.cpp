@@ -25,7 +25,7 @@ TinyPicture picture_of(const std::string& text, int samples, MayWarn may_warn = 
 }
 
 /// `camera` looks at the origin from `distance` along +z, and sees `width` there.
-std::string camera(float distance, float width, const std::string& rest = "") {
+std::string camera_at(float distance, float width, const std::string& rest = "") {
   const float fov = 2.F * std::atan(0.5F * width / distance) * 180.F / kPi;
   return "'camera': {'resolution': 16, 'reconstruction_filter': 'box', 'fov': " +
          std::to_string(fov) + ", 'transform': {'position': [0, 0, " + std::to_string(distance) +
@@ -66,11 +66,11 @@ TEST(TungstenScenes, ClosedFurnaceSumsAllBounces) {
 TEST(TungstenScenes, EmissionIsRadianceAndPowerIsFlux) {
   const std::string wall_of_light = wall(4.F, "'emission': [1, 2, 3], 'bsdf': {'type': 'null'}");
   expect_color(
-      picture_of("{" + camera(5.F, 2.F) + ", 'primitives': [" + wall_of_light + "]}", 1).mean(),
+      picture_of("{" + camera_at(5.F, 2.F) + ", 'primitives': [" + wall_of_light + "]}", 1).mean(),
       {1, 2, 3}, 1e-4F);
   // Φ = π A L.
   const std::string flux = wall(4.F, "'power': 16, 'bsdf': {'type': 'null'}");
-  expect_color(picture_of("{" + camera(5.F, 2.F) + ", 'primitives': [" + flux + "]}", 1).mean(),
+  expect_color(picture_of("{" + camera_at(5.F, 2.F) + ", 'primitives': [" + flux + "]}", 1).mean(),
                Vec3(1.F / kPi), 1e-4F);
 }
 
@@ -112,7 +112,7 @@ TEST(TungstenScenes, CurvesAreTubesOfTheirWidthAsRadius) {
   const TinyPicture picture = test::picture_of(
       [&](Warnings& warnings) {
         return import_tungsten_text(
-            test::with_quotes("{" + camera(5.F, 2.F) +
+            test::with_quotes("{" + camera_at(5.F, 2.F) +
                               ", 'bsdfs': [{'name': 'm', 'type': 'lambert', 'albedo': 0.5}], "
                               "'primitives': [{'type': 'curves', 'file': 'tube.fiber', 'bsdf': "
                               "'m'}, {'type': 'infinite_sphere', 'emission': 1}]}"),
@@ -139,7 +139,7 @@ TEST(TungstenScenes, ShapesEmitFromTheirOutsideOnly) {
                                   ", 'emission': 3, 'bsdf': {'type': "
                                   "'null'}}";
     const TinyPicture front =
-        picture_of("{" + camera(5.F, 0.5F) + ", 'primitives': [" + primitive + "]}", 1);
+        picture_of("{" + camera_at(5.F, 0.5F) + ", 'primitives': [" + primitive + "]}", 1);
     expect_color(front.mean(), Vec3(3.F), 1e-4F);
     const TinyPicture inside = picture_of(
         "{'camera': {'resolution': 16, 'fov': 5, 'transform': {'position': [0, 0, -0.1], "
@@ -154,7 +154,7 @@ TEST(TungstenScenes, ShapesEmitFromTheirOutsideOnly) {
 TEST(TungstenScenes, PointLightLightsAWallByTheInverseSquare) {
   // E = I / d² below a lamp of power Φ = 4π I.
   const TinyPicture picture =
-      picture_of("{" + camera(5.F, 0.05F) + ", 'primitives': [" +
+      picture_of("{" + camera_at(5.F, 0.05F) + ", 'primitives': [" +
                      wall(4.F, "'bsdf': {'type': 'lambert', 'albedo': 0.5}") +
                      ", {'type': 'point', 'power': 100, 'transform': {'position': [0, 0, 2]}}]}",
                  4);
@@ -187,7 +187,7 @@ TEST(TungstenScenes, PicturesAreNotMirrored) {
            ", 'bsdf': {'type': 'null'}, 'transform': {'scale': 0.4, 'position': " + place + "}}";
   };
   const TinyPicture picture = picture_of(
-      "{" + camera(20.F, 4.F) + ", 'primitives': [" + at("[1, 0, 0]", "[1, 0, 0]") + "," +
+      "{" + camera_at(20.F, 4.F) + ", 'primitives': [" + at("[1, 0, 0]", "[1, 0, 0]") + "," +
           at("[-1, 0, 0]", "[0, 1, 0]") + "," + at("[0, 1, 0]", "[0, 0, 1]") + "]}",
       4);
   EXPECT_GT(picture.mean(0.5F, 1.F).x, 0.05F);
@@ -200,7 +200,7 @@ TEST(TungstenScenes, PicturesAreNotMirrored) {
 TEST(TungstenScenes, ImagesOnSquaresRiseAlongZ) {
   const FourColors image;
   const TinyPicture picture = picture_of(
-      "{" + camera(20.F, 2.F) + ", 'primitives': [" +
+      "{" + camera_at(20.F, 2.F) + ", 'primitives': [" +
           wall(2.F,
                "'bsdf': {'type': 'null'}, 'emission': {'type': 'bitmap', 'interpolate': false, "
                "'file': '" +
@@ -217,7 +217,7 @@ TEST(TungstenScenes, ImagesOnSquaresRiseAlongZ) {
 TEST(TungstenScenes, CheckersAreOffAtTheOriginOfTheTexture) {
   // The upper left of a square whose z is down.
   const TinyPicture picture = picture_of(
-      "{" + camera(20.F, 2.F) + ", 'primitives': [" +
+      "{" + camera_at(20.F, 2.F) + ", 'primitives': [" +
           wall(2.F,
                "'bsdf': {'type': 'null'}, 'emission': {'type': 'checker', 'res_u': 2, 'res_v': "
                "2, 'on_color': [1, 0, 0], 'off_color': [0, 0, 1]}") +
@@ -267,7 +267,7 @@ TEST(TungstenScenes, MetalsReflectByTheirIndices) {
                   test::normal_reflectance(0.374957F, 2.38572F),
                   test::normal_reflectance(1.44248F, 1.60322F));
   const TinyPicture picture =
-      picture_of("{" + camera(5.F, 0.02F) + ", 'primitives': [" +
+      picture_of("{" + camera_at(5.F, 0.02F) + ", 'primitives': [" +
                      wall(4.F, "'bsdf': {'type': 'conductor', 'material': 'Au'}") +
                      ", {'type': 'infinite_sphere', 'emission': 1}]}",
                  16);
@@ -277,7 +277,7 @@ TEST(TungstenScenes, MetalsReflectByTheirIndices) {
 TEST(TungstenScenes, SurfacesLookTheSameFromBehind) {
   for (const char* rotation : {"[90, 0, 0]", "[-90, 0, 0]"}) {
     const TinyPicture picture =
-        picture_of("{" + camera(5.F, 1.F) +
+        picture_of("{" + camera_at(5.F, 1.F) +
                        ", 'primitives': [{'type': 'quad', 'transform': {'scale': 4, "
                        "'rotation': " +
                        rotation +
@@ -293,7 +293,7 @@ TEST(TungstenScenes, CoatsAndPlasticsKeepTheLightThatTheyReflectOnAverage) {
   // shows each angle with the weight of its cosine.
   const auto mean_albedo = [](const std::string& bsdf) {
     const TinyPicture picture = picture_of(
-        "{" + camera(200.F, 2.F) + ", 'primitives': [{'type': 'sphere', 'bsdf': " + bsdf +
+        "{" + camera_at(200.F, 2.F) + ", 'primitives': [{'type': 'sphere', 'bsdf': " + bsdf +
             "}, {'type': 'infinite_sphere', 'emission': 1}]}",
         256, MayWarn::Yes);
     const Vec3 all = picture.mean();

@@ -18,7 +18,7 @@ namespace {
 using Pictures = std::vector<std::vector<float>>;
 
 /// One mutation per pixel and sample, until the effort is shared. Two replicates.
-class ChainEffortTest : public testing::Test {
+class ChainEffortTest : public ::testing::Test {
  protected:
   ChainEffortTest()
       : scene_(test::scene_from(test::small_scene("Room").text)),

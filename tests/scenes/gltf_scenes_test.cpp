@@ -21,7 +21,7 @@ constexpr int kNearest = 9728;
 
 /// A camera at z = 5 that sees a width of 4 of the plane z = 0, and squares of 4 × 4 that face it,
 /// images upright on them.
-class Gltf : public testing::Test {
+class Gltf : public ::testing::Test {
  protected:
   Gltf() {
     const std::vector<float> corners = {-2, -2, 0, 2, -2, 0, 2, 2, 0, -2, 2, 0};

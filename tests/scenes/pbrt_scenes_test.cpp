@@ -20,19 +20,19 @@ using test::MayWarn;
 using test::TinyPicture;
 
 /// What the same thing is called.
-struct Version {
+struct PbrtVersion {
   const char* name;
   const char* film;
   const char* end;
   const char* diffuse;  ///< of reflectance, opened: "Material …" up to its parameter
 };
-const Version kV3{"v3", "image", "WorldEnd", "Material 'matte' 'rgb Kd' "};
-const Version kV4{"v4", "rgb", "", "Material 'diffuse' 'rgb reflectance' "};
-void PrintTo(const Version& version, std::ostream* out) { *out << version.name; }
+const PbrtVersion kV3{"v3", "image", "WorldEnd", "Material 'matte' 'rgb Kd' "};
+const PbrtVersion kV4{"v4", "rgb", "", "Material 'diffuse' 'rgb reflectance' "};
+void PrintTo(const PbrtVersion& version, std::ostream* out) { *out << version.name; }
 
 /// A scene that is written with ' in place of ".
-TinyPicture picture_of(const Version& version, const std::string& camera, const std::string& world,
-                       int samples = 1, MayWarn may_warn = MayWarn::No) {
+TinyPicture picture_of(const PbrtVersion& version, const std::string& camera,
+                       const std::string& world, int samples = 1, MayWarn may_warn = MayWarn::No) {
   const std::string text = fmt::format(
       "{}\nFilm '{}' 'integer xresolution' [16] 'integer yresolution' [16]\nPixelFilter 'box'\n"
       "Integrator 'volpath' 'integer maxdepth' 99\n"
@@ -68,9 +68,9 @@ const char* const kWall4 =
     "Shape 'trianglemesh' 'integer indices' [0 2 1 0 3 2] 'point3 P' [-2 -2 0 2 -2 0 2 2 0 -2 2 0] "
     "'point2 uv' [0 0 1 0 1 1 0 1]\n";
 
-class Pbrt : public testing::TestWithParam<Version> {
+class Pbrt : public ::testing::TestWithParam<PbrtVersion> {
  protected:
-  const Version& version() const { return GetParam(); }
+  const PbrtVersion& version() const { return GetParam(); }
   bool is_v4() const { return &version() == &kV4 || std::string(version().name) == "v4"; }
   std::string wall() const { return is_v4() ? kWall4 : kWall; }
   std::string matte(const std::string& rgb) const { return version().diffuse + rgb + "\n"; }
@@ -79,7 +79,7 @@ class Pbrt : public testing::TestWithParam<Version> {
     return picture_of(version(), camera, world, samples, may_warn);
   }
 };
-INSTANTIATE_TEST_SUITE_P(Versions, Pbrt, testing::Values(kV3, kV4));
+INSTANTIATE_TEST_SUITE_P(Versions, Pbrt, ::testing::Values(kV3, kV4));
 
 TEST_P(Pbrt, SmokeAbsorbsByTheIntegralOfItsDensity) {
   // From 0.5 to 1 in a quarter of the box, to 3 in half of it, to 1.5 in the last quarter.

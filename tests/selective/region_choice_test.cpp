@@ -18,7 +18,7 @@ namespace {
 
 /// A picture of which two replicates have seen even noise alone, so that bad chains would only
 /// cost.
-class RegionChoiceTest : public testing::Test {
+class RegionChoiceTest : public ::testing::Test {
  protected:
   static constexpr double kBrightness = 1.0;
   static constexpr std::uint64_t kSamples = 4;

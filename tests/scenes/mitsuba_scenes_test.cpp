@@ -19,15 +19,15 @@ using test::MayWarn;
 using test::TinyPicture;
 
 /// What the same thing is called.
-struct Version {
+struct MitsubaVersion {
   const char* number;
   const char* to_world;
 };
-const Version kOld{"0.6.0", "toWorld"};
-const Version kNew{"3.0.0", "to_world"};
-void PrintTo(const Version& version, std::ostream* out) { *out << version.number; }
+const MitsubaVersion kOld{"0.6.0", "toWorld"};
+const MitsubaVersion kNew{"3.0.0", "to_world"};
+void PrintTo(const MitsubaVersion& version, std::ostream* out) { *out << version.number; }
 
-class Mitsuba : public testing::TestWithParam<Version> {
+class Mitsuba : public ::testing::TestWithParam<MitsubaVersion> {
  protected:
   /// Of a scene that is written with ' in place of ".
   TinyPicture picture(const std::string& body, int samples = 1,
@@ -77,7 +77,7 @@ class Mitsuba : public testing::TestWithParam<Version> {
   static constexpr const char* kEvenLight =
       "<emitter type='constant'><rgb name='radiance' value='1'/></emitter>";
 };
-INSTANTIATE_TEST_SUITE_P(Versions, Mitsuba, testing::Values(kOld, kNew));
+INSTANTIATE_TEST_SUITE_P(Versions, Mitsuba, ::testing::Values(kOld, kNew));
 
 std::string lamp(const std::string& rgb) {
   return "<emitter type='area'><rgb name='radiance' value='" + rgb + "'/></emitter>";

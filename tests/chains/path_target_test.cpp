@@ -17,12 +17,14 @@
 namespace ajar {
 namespace {
 
-struct Case {
+struct TargetCase {
   const char* scene;
   int depth;
-  friend void PrintTo(const Case& c, std::ostream* out) { *out << c.scene << ", " << c.depth; }
+  friend void PrintTo(const TargetCase& c, std::ostream* out) {
+    *out << c.scene << ", " << c.depth;
+  }
 };
-class HalfReuse : public ::testing::TestWithParam<Case> {
+class HalfReuse : public ::testing::TestWithParam<TargetCase> {
  protected:
   HalfReuse() {
     for (const test::SmallScene& small : test::small_scenes()) {
@@ -153,10 +155,11 @@ TEST_P(HalfReuse, GivesTheBitsOfATargetThatTracesEverything) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, HalfReuse,
-                         ::testing::Values(Case{"Room", 3}, Case{"Room", 6},
-                                           Case{"GlassAndMetal", 5}, Case{"ThinLens", 4},
-                                           Case{"Environment", 4}, Case{"Fog", 4},
-                                           Case{"MilkBall", 6}, Case{"EnvironmentCamera", 3}));
+                         ::testing::Values(TargetCase{"Room", 3}, TargetCase{"Room", 6},
+                                           TargetCase{"GlassAndMetal", 5},
+                                           TargetCase{"ThinLens", 4}, TargetCase{"Environment", 4},
+                                           TargetCase{"Fog", 4}, TargetCase{"MilkBall", 6},
+                                           TargetCase{"EnvironmentCamera", 3}));
 
 TEST(WholePathTarget, KeepsDirectionsInStepsOfTheRasterNumbersAlone) {
   const auto scene = test::scene_from(test::small_scene("Room").text);
