@@ -10,12 +10,12 @@
 namespace ajar {
 namespace {
 
-constexpr Vec2i kSize{96, 80};
+constexpr Vec2i kBlurredSize{96, 80};
 
 TEST(Blur, SpreadsAPointAsAGaussianOfItsWidth) {
   std::vector<float> point(std::size_t{3} * 96 * 80);
   point[3 * (40 * 96 + 50) + 1] = 1.F;
-  const std::vector<float> spread = blurred(point, kSize, 3.0);
+  const std::vector<float> spread = blurred(point, kBlurredSize, 3.0);
   double sum = 0.0;
   double square = 0.0;
   for (int y = 0; y < 80; ++y) {
@@ -32,7 +32,7 @@ TEST(Blur, SpreadsAPointAsAGaussianOfItsWidth) {
 
 TEST(Blur, KeepsAnEvenPicture) {
   for (const float value :
-       blurred(std::vector<float>(std::size_t{3} * 96 * 80, 0.7F), kSize, 8.0)) {
+       blurred(std::vector<float>(std::size_t{3} * 96 * 80, 0.7F), kBlurredSize, 8.0)) {
     ASSERT_NEAR(value, 0.7F, 1e-5F);
   }
 }
@@ -59,7 +59,7 @@ TEST(Blur, LeavesOfIndependentNoiseWhatTheoryLeaves) {
 }
 
 TEST(Blur, RefusesAnotherSize) {
-  EXPECT_THROW(blurred(std::vector<float>(12), kSize, 1.0), std::invalid_argument);
+  EXPECT_THROW(blurred(std::vector<float>(12), kBlurredSize, 1.0), std::invalid_argument);
 }
 
 }  // namespace

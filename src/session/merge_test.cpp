@@ -12,7 +12,7 @@
 namespace ajar {
 namespace {
 
-const Vec2i kSize(13, 7);
+const Vec2i kMergedSize(13, 7);
 constexpr int kReplicates = 4;
 
 NamedCheckpoint part(std::uint64_t seed, std::uint64_t samples, WorkShare share = {},
@@ -21,17 +21,17 @@ NamedCheckpoint part(std::uint64_t seed, std::uint64_t samples, WorkShare share 
   Checkpoint& checkpoint = named.checkpoint;
   checkpoint.version = version();
   RenderSettings& settings = checkpoint.render.settings;
-  settings.resolution = kSize;
-  settings.crop = Box2i(Vec2i(0, 0), kSize - Vec2i(1, 1));
+  settings.resolution = kMergedSize;
+  settings.crop = Box2i(Vec2i(0, 0), kMergedSize - Vec2i(1, 1));
   settings.replicates = kReplicates;
   settings.seed = seed;
   checkpoint.render.share = share;
-  TestIntegrator integrator(kSize, kReplicates);
+  TestIntegrator integrator(kMergedSize, kReplicates);
   integrator.uneven = uneven;
   integrator.first_number = seed * 100000;
   std::vector<LayerSpec> layers = integrator.layers();
   for (LayerSpec& layer : layers) layer.magnitude = magnitude;
-  Film film(kSize, settings.crop, Filter::box(), kReplicates, layers);
+  Film film(kMergedSize, settings.crop, Filter::box(), kReplicates, layers);
   RenderJobOptions options;
   options.budget.samples_per_pixel = samples;
   options.threads = 2;

@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const Vec2i kSize(4, 3);
+const Vec2i kOutputSize(4, 3);
 
 /// A folder of its own that is gone after the test; the current folder meanwhile.
 class OutputTest : public ::testing::Test {
@@ -36,7 +36,8 @@ class OutputTest : public ::testing::Test {
 };
 
 Film rendered_film(TestIntegrator& integrator, std::uint64_t samples) {
-  Film film(kSize, Box2i(Vec2i(0, 0), kSize - Vec2i(1, 1)), Filter::box(), 4, integrator.layers());
+  Film film(kOutputSize, Box2i(Vec2i(0, 0), kOutputSize - Vec2i(1, 1)), Filter::box(), 4,
+            integrator.layers());
   Counters counters;
   for (std::uint64_t i = 0; i < integrator.items_in_round(); ++i) {
     integrator.run_item(i, 0, samples, film, counters);
@@ -45,7 +46,7 @@ Film rendered_film(TestIntegrator& integrator, std::uint64_t samples) {
 }
 
 TEST_F(OutputTest, PictureIsTheMeanOfSamplesTimesTheFilmScale) {
-  TestIntegrator integrator(kSize, 4);
+  TestIntegrator integrator(kOutputSize, 4);
   const Film film = rendered_film(integrator, 8);
   const Picture picture = develop(film, integrator, 8, 3.0, {"samples", "standard-error"});
   double mean = 0.25;
@@ -60,7 +61,7 @@ TEST_F(OutputTest, PictureIsTheMeanOfSamplesTimesTheFilmScale) {
 }
 
 TEST_F(OutputTest, PartsOfALayerAreShownInItAndInThePicture) {
-  TestIntegrator integrator(kSize, 4);
+  TestIntegrator integrator(kOutputSize, 4);
   integrator.has_part = true;
   const Film film = rendered_film(integrator, 8);
   const Picture picture = develop(film, integrator, 8, 1.0, {"standard-error"});
@@ -84,7 +85,7 @@ double mean_seen(const TestIntegrator& integrator, std::uint64_t pixel, std::uin
 }
 
 TEST_F(OutputTest, PixelsOfUnevenNumbersOfSamplesAreMeansOfTheirOwn) {
-  TestIntegrator integrator(kSize, 4);
+  TestIntegrator integrator(kOutputSize, 4);
   integrator.uneven = true;
   const Film film = rendered_film(integrator, 8);
   const Picture picture = develop(film, integrator, 8, 3.0, {"standard-error", "replicates"});
@@ -109,10 +110,10 @@ TEST_F(OutputTest, PixelsOfUnevenNumbersOfSamplesAreMeansOfTheirOwn) {
 }
 
 TEST_F(OutputTest, IdentifiersAreMajoritiesAndOneLayerWhateverTheFilmKeeps) {
-  TestIntegrator integrator(kSize, 4);
+  TestIntegrator integrator(kOutputSize, 4);
   std::vector<LayerSpec> specs = integrator.layers();
   for (LayerSpec& spec : IdentityLayers::specs("object-id")) specs.push_back(std::move(spec));
-  Film film(kSize, Box2i(Vec2i(0, 0), kSize - Vec2i(1, 1)), Filter::box(), 4, specs);
+  Film film(kOutputSize, Box2i(Vec2i(0, 0), kOutputSize - Vec2i(1, 1)), Filter::box(), 4, specs);
   const IdentityLayers identities(film, "object-id");
   const std::array<std::uint32_t, 4> seen = {7, 3, 0, 3};
   for (std::uint64_t i = 0; i < seen.size(); ++i) identities.add(film, {1, 2}, i, seen[i]);
@@ -126,7 +127,7 @@ TEST_F(OutputTest, IdentifiersAreMajoritiesAndOneLayerWhateverTheFilmKeeps) {
 }
 
 TEST_F(OutputTest, StandardErrorComesFromTheReplicates) {
-  TestIntegrator integrator(kSize, 4);
+  TestIntegrator integrator(kOutputSize, 4);
   const Film film = rendered_film(integrator, 4);
   const Picture picture = develop(film, integrator, 4, 1.0, {"standard-error"});
   double mean = 0.0;
@@ -139,7 +140,7 @@ TEST_F(OutputTest, StandardErrorComesFromTheReplicates) {
 }
 
 TEST_F(OutputTest, ReplicatesAverageToThePicture) {
-  TestIntegrator integrator(kSize, 4);
+  TestIntegrator integrator(kOutputSize, 4);
   const Film film = rendered_film(integrator, 8);
   const Picture picture = develop(film, integrator, 8, 3.0, {"replicates"});
   ASSERT_EQ(picture.layers.size(), 3U + 4U);
@@ -173,7 +174,7 @@ TEST_F(OutputTest, NamesTooLongForTheFolderAreFoundBeforeRendering) {
 }
 
 TEST_F(OutputTest, WritesWhatWasAskedFor) {
-  TestIntegrator integrator(kSize, 4);
+  TestIntegrator integrator(kOutputSize, 4);
   const Picture picture = develop(rendered_film(integrator, 4), integrator, 4, 1.0, {});
   const auto files = write_final_files(picture_files(picture, {"a.exr", "a.png"}, {}), nullptr);
   ASSERT_EQ(files.size(), 2U);
@@ -187,7 +188,7 @@ TEST_F(OutputTest, WritesWhatWasAskedFor) {
 }
 
 TEST_F(OutputTest, APictureThatCannotBeWrittenIsRescued) {
-  TestIntegrator integrator(kSize, 4);
+  TestIntegrator integrator(kOutputSize, 4);
   const Picture picture = develop(rendered_film(integrator, 4), integrator, 4, 1.0, {});
   // The folder vanishes while the render runs.
   const auto files = write_final_files(picture_files(picture, {"gone/a.exr"}, {}), nullptr);

@@ -35,7 +35,7 @@ class Evener final : public Denoiser {
   mutable std::vector<float> albedo;
 };
 
-constexpr Vec2i kSize{40, 30};
+constexpr Vec2i kFilteredSize{40, 30};
 constexpr std::size_t kValues = std::size_t{3} * 40 * 30;
 
 std::vector<float> even(float value) { return std::vector<float>(kValues, value); }
@@ -48,8 +48,8 @@ std::vector<float> chequered() {
 
 Picture picture_of(std::vector<float> pixels) {
   Picture picture;
-  picture.resolution = kSize;
-  picture.crop = Box2i({0, 0}, kSize - Vec2i(1, 1));
+  picture.resolution = kFilteredSize;
+  picture.crop = Box2i({0, 0}, kFilteredSize - Vec2i(1, 1));
   picture.layers.push_back({"", 3, std::move(pixels)});
   return picture;
 }

@@ -5,11 +5,11 @@
 namespace ajar {
 namespace {
 
-const Vec2i kSize(2, 1);
+const Vec2i kRangeSize(2, 1);
 
 /// A film whose first pixel has this much light, and what is wrong with its picture.
 std::string complaint_of(float light, double film_scale) {
-  Film film(kSize, Box2i(Vec2i(0, 0), kSize - Vec2i(1, 1)), Filter::box(), 1,
+  Film film(kRangeSize, Box2i(Vec2i(0, 0), kRangeSize - Vec2i(1, 1)), Filter::box(), 1,
             {LayerSpec{.name = "direct", .magnitude = light > 0.F ? double{light} : 1.0},
              LayerSpec{.name = "indirect"}});
   film.add(0, 0, Vec2i(0, 0), Spectrum(light));

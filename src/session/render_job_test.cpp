@@ -21,16 +21,16 @@ RelativeError error_after(std::uint64_t samples) {
   return {.value = 1.0 / std::sqrt(static_cast<double>(samples))};
 }
 
-const Vec2i kSize(13, 7);
+const Vec2i kJobSize(13, 7);
 
 Film make_film(const TestIntegrator& integrator, int replicates) {
-  return {kSize, Box2i(Vec2i(0, 0), kSize - Vec2i(1, 1)), Filter::box(), replicates,
+  return {kJobSize, Box2i(Vec2i(0, 0), kJobSize - Vec2i(1, 1)), Filter::box(), replicates,
           integrator.layers()};
 }
 
 std::vector<std::int64_t> render(RenderJobOptions options, int replicates = 4,
                                  RenderResult* result = nullptr) {
-  TestIntegrator integrator(kSize, replicates);
+  TestIntegrator integrator(kJobSize, replicates);
   Film film = make_film(integrator, replicates);
   RenderJob job(integrator, film, std::move(options));
   const RenderResult r = job.run();
@@ -58,7 +58,7 @@ TEST(RenderJob, GivesTheSameBitsOnAnyNumberOfThreads) {
 }
 
 TEST(RenderJob, CountsTheProcessorTimeOfChainsAndNotTheirWaiting) {
-  TestIntegrator integrator(kSize, 1);
+  TestIntegrator integrator(kJobSize, 1);
   integrator.has_chains = true;
   // As on a machine that is busy with something else.
   integrator.on_item = [](auto...) { std::this_thread::sleep_for(std::chrono::milliseconds(1)); };
@@ -80,7 +80,7 @@ TEST(RenderJob, DoesNotDependOnHowSamplesAreCutIntoPasses) {
 }
 
 TEST(RenderJob, TakesEverySampleOfEveryPixelOnce) {
-  TestIntegrator integrator(kSize, 4);
+  TestIntegrator integrator(kJobSize, 4);
   std::mutex mutex;
   std::set<std::pair<std::uint64_t, std::uint64_t>> seen;
   bool twice = false;
@@ -205,7 +205,7 @@ TEST(RenderJob, DoesNotTrustAnErrorFromVeryFewSamples) {
 }
 
 TEST(RenderJob, FinishesThePassAtTheFirstInterrupt) {
-  TestIntegrator integrator(kSize, 4);
+  TestIntegrator integrator(kJobSize, 4);
   InterruptCount interrupts{0};
   integrator.on_item = [&](std::uint64_t item, std::uint64_t first, std::uint64_t) {
     if (item == 20 && first >= 8) interrupts = 1;
@@ -231,7 +231,7 @@ TEST(RenderJob, FinishesThePassAtTheFirstInterrupt) {
 }
 
 TEST(RenderJob, SkipsWhatHasNotBegunAtTheSecondInterrupt) {
-  TestIntegrator integrator(kSize, 4);
+  TestIntegrator integrator(kJobSize, 4);
   InterruptCount interrupts{0};
   integrator.on_item = [&](std::uint64_t, std::uint64_t first, std::uint64_t) {
     if (first >= 8) interrupts = 2;
@@ -249,7 +249,7 @@ TEST(RenderJob, SkipsWhatHasNotBegunAtTheSecondInterrupt) {
 }
 
 TEST(RenderJob, PassesOnWhatAnItemRaises) {
-  TestIntegrator integrator(kSize, 4);
+  TestIntegrator integrator(kJobSize, 4);
   integrator.on_item = [](std::uint64_t item, std::uint64_t, std::uint64_t) {
     if (item == 17) throw std::bad_alloc();
   };
@@ -267,10 +267,10 @@ TEST(RenderJob, KeepsTheFirstDiscardedContribution) {
 
 /// Renders to `total` samples in pieces: from pass to pass, each time as a new job.
 std::vector<std::int64_t> render_in_pieces(std::uint64_t total, int replicates, int* pieces) {
-  Film film = make_film(TestIntegrator(kSize, replicates), replicates);
+  Film film = make_film(TestIntegrator(kJobSize, replicates), replicates);
   JobState state;
   for (*pieces = 0; state.samples_per_pixel < total; ++*pieces) {
-    TestIntegrator integrator(kSize, replicates);
+    TestIntegrator integrator(kJobSize, replicates);
     Film next = make_film(integrator, replicates);
     next.take_raw({film.raw().begin(), film.raw().end()});
     RenderJobOptions options = with_samples(total, 1 + *pieces % 3);
@@ -299,7 +299,7 @@ TEST(RenderJob, ResumedAfterEveryPassGivesTheSameBits) {
 
 TEST(RenderJob, ResumedInTheMiddleOfAPassGivesTheSameBits) {
   for (const int threads : {1, 4}) {
-    TestIntegrator integrator(kSize, 4);
+    TestIntegrator integrator(kJobSize, 4);
     InterruptCount interrupts{0};
     integrator.on_item = [&](std::uint64_t item, std::uint64_t first, std::uint64_t) {
       if (item == 20 && first >= 8) interrupts = 2;
@@ -323,7 +323,7 @@ TEST(RenderJob, ResumedInTheMiddleOfAPassGivesTheSameBits) {
 }
 
 TEST(RenderJob, SecondsAndSpeedOfEarlierRunsAreKeptApart) {
-  TestIntegrator integrator(kSize, 4);
+  TestIntegrator integrator(kJobSize, 4);
   Film film = make_film(integrator, 4);
   RenderJobOptions options;
   options.budget.seconds = 100.0;
@@ -351,7 +351,7 @@ TEST(RenderJob, StopsAtTheSameSampleWhenResumed) {
     options.resumed = std::move(state);
     return options;
   };
-  TestIntegrator integrator(kSize, 4);
+  TestIntegrator integrator(kJobSize, 4);
   for (const std::uint64_t stop : {4U, 44U, 48U, 56U, 64U, 100U, 128U}) {
     Film film = make_film(integrator, 4);
     RenderJob first(integrator, film, options_to(std::nullopt, stop));
@@ -372,7 +372,7 @@ std::vector<std::int64_t> render_on_ranks(int count, const RenderJobOptions& opt
   threads.reserve(static_cast<std::size_t>(count));
   for (int rank = 0; rank < count; ++rank) {
     threads.emplace_back([&, rank] {
-      TestIntegrator integrator(kSize, 4);
+      TestIntegrator integrator(kJobSize, 4);
       Film film = make_film(integrator, 4);
       RenderJobOptions own = options;
       own.ranks = &ranks.member(rank);
@@ -453,7 +453,7 @@ class CountingObserver final : public PassObserver {
 };
 
 TEST(RenderJob, ShowsThePictureToThoseWhoWantIt) {
-  TestIntegrator integrator(kSize, 4);
+  TestIntegrator integrator(kJobSize, 4);
   Film film = make_film(integrator, 4);
   RenderJobOptions options = with_samples(16, 2);
   options.pass_seconds = 0.0;
@@ -467,7 +467,7 @@ TEST(RenderJob, ShowsThePictureToThoseWhoWantIt) {
 }
 
 TEST(RenderJob, SnapshotSaysWhereTheRenderStands) {
-  TestIntegrator integrator(kSize, 4);
+  TestIntegrator integrator(kJobSize, 4);
   Film film = make_film(integrator, 4);
   RenderJob job(integrator, film, with_samples(16, 2));
   EXPECT_EQ(job.snapshot().samples_done, 0.0);

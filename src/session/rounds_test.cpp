@@ -15,7 +15,7 @@
 namespace ajar {
 namespace {
 
-const Vec2i kSize(13, 7);
+const Vec2i kRoundsSize(13, 7);
 constexpr std::uint64_t kPhotons = 37;
 using Sums = std::vector<std::int64_t>;
 
@@ -36,7 +36,7 @@ class ThreeRounds final : public Integrator {
   void begin_round(int round) override { round_ = round; }
   std::uint64_t items_in_round() const override {
     if (round_ == 0) return kPhotons;
-    return round_ == 1 ? 1 : static_cast<std::uint64_t>(kSize.x * kSize.y);
+    return round_ == 1 ? 1 : static_cast<std::uint64_t>(kRoundsSize.x * kRoundsSize.y);
   }
   void run_item(std::uint64_t item, std::uint64_t first_sample, std::uint64_t samples, Film& film,
                 Counters& counters) override {
@@ -48,7 +48,7 @@ class ThreeRounds final : public Integrator {
     }
     if (round_ < 2) return;
     EXPECT_NE(sum_, 0U) << "the barrier was passed";
-    const auto width = static_cast<std::uint64_t>(kSize.x);
+    const auto width = static_cast<std::uint64_t>(kRoundsSize.x);
     const Vec2i pixel(static_cast<int>(item % width), static_cast<int>(item / width));
     for (std::uint64_t i = first_sample; i < first_sample + samples; ++i) {
       film.add(1, static_cast<int>(i % 4), pixel, Spectrum(static_cast<float>(sum_ % (item + 9))));
@@ -87,7 +87,8 @@ class ThreeRounds final : public Integrator {
 };
 
 Film film_of_rounds() {
-  return {kSize, Box2i(Vec2i(0, 0), kSize - Vec2i(1, 1)), Filter::box(), 4, ThreeRounds().layers()};
+  return {kRoundsSize, Box2i(Vec2i(0, 0), kRoundsSize - Vec2i(1, 1)), Filter::box(), 4,
+          ThreeRounds().layers()};
 }
 
 /// Passes depend on the clock, and what is seen by their photons on them: one sample each.

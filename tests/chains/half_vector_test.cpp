@@ -24,7 +24,7 @@ struct Thing {
   float radius;
 };
 constexpr Thing kBall{'b', 0.006F};
-constexpr Thing kFloor{'f', 0.025F};
+constexpr Thing kPlainFloor{'f', 0.025F};
 constexpr Thing kWall{'w', 0.09F};
 constexpr Thing kPane{'p', 0.015F};
 const char* const kFrontCamera =
@@ -67,15 +67,15 @@ std::vector<HalfVectorCase> cases() {
   return {
       {"MetalBallBeforeFloor",
        spot_on("0 0.6 0.1", "0.8 0.3 -0.5") + kMatte + square_at("0") + kMetal + kSphere,
-       {kBall, kFloor},
+       {kBall, kPlainFloor},
        0},
       {"WallInMetalFloor",
        spot_on("0 0.5 1.5") + kMetal + square_at("0") + kMatte + wall,
-       {kWall, kFloor},
+       {kWall, kPlainFloor},
        1},
       {"FloorUnderFrost",
        spot_on("0 0.6 0.1") + kMatte + square_at("0") + kFrosted + square_at("1"),
-       {kPane, kFloor},
+       {kPane, kPlainFloor},
        0},
   };
 }

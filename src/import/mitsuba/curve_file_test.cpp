@@ -10,7 +10,7 @@ namespace {
 std::string bytes_of(const std::vector<float>& numbers) {
   return {reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(float)};
 }
-std::string error_in(const std::string& bytes, bool has_radii = false) {
+std::string curve_error_in(const std::string& bytes, bool has_radii = false) {
   try {
     read_curve_file(bytes, "h.txt", has_radii);
   } catch (const SceneError& error) {
@@ -41,7 +41,7 @@ TEST(MitsubaCurves, OfHairBeginAnewAtARemark) {
       read_curve_file("0 0 0\n1 0 0\n# second\n2 0 0\n3 0 0\n", "h.txt", false);
   ASSERT_EQ(curves.size(), 2U);
   EXPECT_EQ(curves[1][0].place, Vec3(2, 0, 0));
-  EXPECT_EQ(error_in("# none\n", true), "h.txt:1:1: this is no finite number: \"#\"");
+  EXPECT_EQ(curve_error_in("# none\n", true), "h.txt:1:1: this is no finite number: \"#\"");
 }
 
 TEST(MitsubaCurves, OfSplinesHaveRadii) {
@@ -57,12 +57,13 @@ TEST(MitsubaCurves, OfSplinesHaveRadii) {
 }
 
 TEST(MitsubaCurves, DamagedFilesAreErrorsWithTheirPlace) {
-  EXPECT_EQ(error_in("0 0 0\n0 0 x\n"), "h.txt:2:5: this is no finite number: \"x\"");
-  EXPECT_EQ(error_in("0 0 0\n", true), "h.txt:1:6: here a number is missing");
-  EXPECT_EQ(error_in("inf 0 0\n"), "h.txt:1:1: this is no finite number: \"inf\"");
-  EXPECT_TRUE(contains(error_in("BINARY_HAIR"), "the file ends too early"));
-  EXPECT_TRUE(contains(error_in(std::string("BINARY_HAIR\xff\xff\xff\xff", 15)), "too early"));
-  EXPECT_EQ(error_in(kHair), "no error");
+  EXPECT_EQ(curve_error_in("0 0 0\n0 0 x\n"), "h.txt:2:5: this is no finite number: \"x\"");
+  EXPECT_EQ(curve_error_in("0 0 0\n", true), "h.txt:1:6: here a number is missing");
+  EXPECT_EQ(curve_error_in("inf 0 0\n"), "h.txt:1:1: this is no finite number: \"inf\"");
+  EXPECT_TRUE(contains(curve_error_in("BINARY_HAIR"), "the file ends too early"));
+  EXPECT_TRUE(
+      contains(curve_error_in(std::string("BINARY_HAIR\xff\xff\xff\xff", 15)), "too early"));
+  EXPECT_EQ(curve_error_in(kHair), "no error");
 }
 
 TEST(MitsubaCurves, OfHairGrowAsZDoesAndSplinesDoNot) {

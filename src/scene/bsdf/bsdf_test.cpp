@@ -15,22 +15,22 @@ using testing::NamedBsdf;
 using testing::random_direction;
 using testing::random_uniforms;
 
-constexpr Vec3 kUp(0.F, 0.F, 1.F);
+constexpr Vec3 kZenith(0.F, 0.F, 1.F);
 
 TEST(Bsdf, IsSmallAndCopiesAsBytes) {
   EXPECT_TRUE(std::is_trivially_copyable_v<Bsdf>);
   EXPECT_LE(sizeof(Bsdf), 640U);
   EXPECT_TRUE(Bsdf().empty());
   EXPECT_FALSE(Bsdf().connectible());
-  EXPECT_FALSE(Bsdf().sample(kUp, {0.5F, {0.5F, 0.5F}}, TransportMode::Radiance));
+  EXPECT_FALSE(Bsdf().sample(kZenith, {0.5F, {0.5F, 0.5F}}, TransportMode::Radiance));
 }
 
 TEST(Bsdf, IgnoresBlackLobesAndLobesBeyondTheLimit) {
-  Bsdf bsdf(Frame(), kUp);
+  Bsdf bsdf(Frame(), kZenith);
   bsdf.add(Lambert{}, Spectrum(0.F));
   EXPECT_TRUE(bsdf.empty());
   for (int k = 0; k < 20; ++k) bsdf.add(Lambert{}, Spectrum(0.1F));
-  EXPECT_NEAR(bsdf.albedo(kUp)[0], 0.1F * Bsdf::kMaxLobes, 1e-5F);
+  EXPECT_NEAR(bsdf.albedo(kZenith)[0], 0.1F * Bsdf::kMaxLobes, 1e-5F);
 }
 
 TEST(Bsdf, OfNextToNothingScattersNothing) {
@@ -83,8 +83,8 @@ TEST(Bsdf, AdjointPairsOfSpecularLobesAgree) {
               std::abs(back->eta * s->eta - 1.F) > 1e-4F) {
             continue;
           }
-          const float forward_cosines = std::abs(dot(x, kUp) * dot(s->wi, b.bsdf.ns()));
-          const float backward_cosines = std::abs(dot(s->wi, kUp) * dot(x, b.bsdf.ns()));
+          const float forward_cosines = std::abs(dot(x, kZenith) * dot(s->wi, b.bsdf.ns()));
+          const float backward_cosines = std::abs(dot(s->wi, kZenith) * dot(x, b.bsdf.ns()));
           const Spectrum left = s->weight * (s->pdf.value() * s->eta * s->eta * forward_cosines);
           const Spectrum right = back->weight * (back->pdf.value() * backward_cosines);
           EXPECT_NEAR(left[0], right[0], 5e-3F * left[0] + 1e-5F) << b.name << x << s->wi;
@@ -123,10 +123,10 @@ TEST(Bsdf, ReflectsAndTransmitsNoMoreThanItGets) {
 TEST(Bsdf, LeaksNoLightThroughTiltedNormals) {
   Rng rng(14);
   for (const NamedBsdf& b : catalogue(60.F)) {
-    Bsdf opaque(b.bsdf.frame(), kUp);
+    Bsdf opaque(b.bsdf.frame(), kZenith);
     opaque.add(Lambert{});
     opaque.add(Conductor{{FacetModel::Ggx, 0.5F, 0.5F}, {Spectrum(0.2F), Spectrum(3.F)}});
-    Bsdf curtain(b.bsdf.frame(), kUp);
+    Bsdf curtain(b.bsdf.frame(), kZenith);
     curtain.add(LambertTransmission{});
     for (int k = 0; k < 1000; ++k) {
       const Vec3 wo = random_direction(rng);
@@ -144,7 +144,7 @@ TEST(Bsdf, LeaksNoLightThroughTiltedNormals) {
 }
 
 TEST(Bsdf, DiffuseLobesAreNotBlackBehindTheShadingNormal) {
-  Bsdf bsdf(testing::tilted_frame(40.F), kUp);
+  Bsdf bsdf(testing::tilted_frame(40.F), kZenith);
   bsdf.add(Lambert{});
   const Vec3 wo = normalize(Vec3(-0.8F, -0.6F, 0.3F));
   ASSERT_LT(dot(wo, bsdf.ns()), 0.F);
