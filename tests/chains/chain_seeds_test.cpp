@@ -74,7 +74,7 @@ TEST(SeedsOfUnequalWeight, WalkEquallyFarFromABootstrap) {
   options.parameters["split"] = "0";
   options.parameters["bootstrap"] = "1000";
   options.parameters["chains"] = "20000";
-  expect_none(excess_of_dark_stripes(*scene, options, 60), 0.3);
+  expect_none(excess_of_dark_stripes(*scene, options, 20), 0.3);
 }
 
 // Light that a camera sample finds by luck starts as many chains as it stands for. When it was one
