@@ -1,6 +1,7 @@
 #include "import/tungsten/primitives.h"
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 #include "import/tungsten/instances.h"
@@ -22,7 +23,8 @@ constexpr WarningKind kCurveMode{Effect::Slight,
                                  "curves are bands that turn with no normals: they face the ray"};
 constexpr WarningKind kSubsample{Effect::Slight,
                                  "a share of curves is to be left out: all of them are there"};
-constexpr WarningKind kUnlitCurves{Effect::Light, "curves cannot shine: their emission is ignored"};
+constexpr WarningKind kUnlitCurves{Effect::Light,
+                                   "curves cannot shine: their emission is left out"};
 constexpr WarningKind kHair{Effect::Surface,
                             "curves have no bsdf, which makes them hair: white ones stand in"};
 constexpr WarningKind kFlat{Effect::Geometry,
@@ -37,6 +39,8 @@ constexpr WarningKind kLids{Effect::Surface,
                             "cylinders have textures on their lids: they run around, not across"};
 constexpr WarningKind kInstancedLight{Effect::Light,
                                       "what is copied cannot be a light: its emission is left out"};
+constexpr WarningKind kUnlitInstances{Effect::Light,
+                                      "instances cannot shine: their own emission is left out"};
 constexpr WarningKind kNoMaster{Effect::Geometry, "instances have nothing to copy: left out"};
 constexpr WarningKind kMovingInstances{Effect::Slight,
                                        "instances move between two files: the first counts"};
@@ -62,13 +66,21 @@ bool is_bright(const LocatedJson& json) {
   return value != nullptr && is_bright(*value);
 }
 
-bool has_texture(const desc::SceneDesc& scene, desc::MaterialId id) {
-  const desc::Material& material = scene.materials[static_cast<std::size_t>(id)];
-  if (material.bump != desc::kNone) return true;
-  for (const desc::Value& value : material.node.values()) {
-    if (std::holds_alternative<desc::TextureRef>(value)) return true;
-    const auto* part = std::get_if<desc::MaterialRef>(&value);
-    if (part != nullptr && part->id != desc::kNone && has_texture(scene, part->id)) return true;
+/// Whether a material, or a part of it, has a texture. Each is looked at once: mixes may name the
+/// same parts in many ways.
+bool has_texture(const desc::SceneDesc& scene, desc::MaterialId whole) {
+  std::set<desc::MaterialId> known = {whole};
+  std::vector<desc::MaterialId> left = {whole};
+  while (!left.empty()) {
+    const desc::Material& material = scene.materials[static_cast<std::size_t>(left.back())];
+    left.pop_back();
+    if (material.bump != desc::kNone) return true;
+    for (const desc::Value& value : material.node.values()) {
+      if (std::holds_alternative<desc::TextureRef>(value)) return true;
+      const auto* part = std::get_if<desc::MaterialRef>(&value);
+      if (part == nullptr || part->id == desc::kNone) continue;
+      if (known.insert(part->id).second) left.push_back(part->id);
+    }
   }
   return false;
 }
@@ -118,9 +130,11 @@ std::vector<Part> PrimitiveReader::curve_parts(const ObjectReader& object, const
     context_.warnings.add(kSubsample, object.where(),
                           "\"subsample\" is not supported: all curves are there");
   }
-  if (object.find("emission") != nullptr || object.find("power") != nullptr) {
-    context_.warnings.add(kUnlitCurves, object.where(),
-                          "curves cannot shine: their emission is ignored");
+  if (const LocatedJson* light = object.find({"power", "emission"});
+      light != nullptr && is_bright(*light)) {
+    context_.warnings.add(kUnlitCurves, light->where(),
+                          "curves cannot shine: their emission is left out, and no even light "
+                          "stands in for it");
   }
   if (object.find("bsdf") == nullptr) {
     context_.warnings.add(kHair, object.where(),
@@ -325,7 +339,13 @@ desc::ObjectId PrimitiveReader::object_of(const LocatedJson& master) {
 }
 
 void PrimitiveReader::read_instances(const ObjectReader& object, const Mat4& transform) {
-  object.accept({"bsdf", "emission", "power", "int_medium", "ext_medium"});
+  object.accept({"bsdf", "int_medium", "ext_medium"});
+  if (const LocatedJson* light = object.find({"power", "emission"});
+      light != nullptr && is_bright(*light)) {
+    context_.warnings.add(kUnlitInstances, light->where(),
+                          "instances cannot shine: their own emission is left out, and no even "
+                          "light stands in for it");
+  }
   std::vector<desc::ObjectId> masters;
   if (const LocatedJson* list = object.find("masters"); list != nullptr && list->is(Kind::Array)) {
     for (const LocatedJson& master : list->items()) masters.push_back(object_of(master));

@@ -111,6 +111,29 @@ TEST(Primitives, TexturesOnLidsAreWarnings) {
   EXPECT_EQ(with("'emission': 1"), "");
 }
 
+TEST(Primitives, MixesOfMixesAreLookedThroughOnce) {
+  // Each twice in the next: 2^60 ways to the first.
+  std::string bsdfs = "{'name': '0', 'type': 'mirror'}";
+  for (int i = 1; i <= 60; ++i) {
+    const std::string part = "'" + std::to_string(i - 1) + "'";
+    bsdfs += ",{'name': '" + std::to_string(i) + "', 'type': 'mixed', 'bsdf0': " + part +
+             ", 'bsdf1': " + part + "}";
+  }
+  EXPECT_EQ(warnings_of(scene_text(bsdfs, "{'type': 'cylinder', 'bsdf': '60'}")), "");
+}
+
+TEST(Primitives, NormalsAreThoseOfTheFileOrNew) {
+  const Files files = {{"m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 1 0 0\nf 1//1 2//1 3//1\n"}};
+  const auto normals = [&](const std::string& members) {
+    return mesh_of(scene_with("'type': 'mesh', 'file': 'm.obj'" + members, files).shapes.at(0))
+        .normals;
+  };
+  EXPECT_TRUE(normals("").empty());
+  expect_near(normals(", 'smooth': true").at(0), {1, 0, 0});
+  expect_near(normals(", 'smooth': true, 'recompute_normals': true").at(0), {0, 0, 1});
+  EXPECT_TRUE(normals(", 'recompute_normals': true").empty());
+}
+
 TEST(Primitives, MeshesOfSeveralMaterialsAreSplit) {
   const Files files = {{"m.wo3", wo3_of_two_materials()}};
   const desc::SceneDesc scene =
@@ -224,6 +247,8 @@ TEST(Primitives, ScenesWithoutLightAreInAnEvenOne) {
   EXPECT_TRUE(lights("{'type': 'quad', 'emission': {'type': 'checker'}}").empty());
   // A light of Tungsten's that is left out here.
   EXPECT_TRUE(lights("{'type': 'skydome', 'transform': {'rotation': [0, 0, 120]}}").empty());
+  EXPECT_TRUE(
+      lights("{'type': 'instances', 'masters': ['a'], 'instances': [], 'emission': 1}").empty());
   EXPECT_EQ(lights("{'type': 'point', 'emission': 2}").size(), 1U);
 }
 
