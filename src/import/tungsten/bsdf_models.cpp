@@ -27,8 +27,8 @@ constexpr WarningKind kThickness{Effect::Surface,
                                  "thin sheets have a textured thickness: 0.5 stands in"};
 constexpr WarningKind kHalfTransmitted{
     Effect::Surface, "diffuse transmission has a share, though half is transmitted in any case"};
-constexpr WarningKind kPartOpacity{Effect::Surface,
-                                   "parts of bsdfs have an opacity, which is ignored"};
+constexpr WarningKind kPartMedia{Effect::Surface,
+                                 "parts of bsdfs have media, which do not count: ignored"};
 constexpr WarningKind kNoPart{Effect::Surface, "bsdfs lack a part: grey stands in"};
 
 desc::Node diffuse(const desc::Value& reflectance) {
@@ -251,11 +251,12 @@ std::optional<desc::MaterialId> BsdfInputs::part(std::string_view name) const {
   const LocatedJson* json = object.find(name);
   if (json == nullptr) return std::nullopt;
   const Surface surface = bsdfs.resolve(*json);
-  if (surface.alpha != desc::kNone) {
-    context.warnings.add(kPartOpacity, json->where(),
-                         "a part of a bsdf cannot have an opacity of its own: ignored");
+  if (surface.inside != nullptr || surface.outside != nullptr) {
+    context.warnings.add(kPartMedia, json->where(),
+                         "the media of a part of a bsdf are ignored: those of the whole count, "
+                         "and those of the primitive");
   }
-  return surface.material;
+  return bsdfs.without_relief(surface.material);
 }
 
 desc::Node BsdfInputs::tinted(desc::Node node, const desc::Value& tint) const {

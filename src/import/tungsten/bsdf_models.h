@@ -25,8 +25,8 @@ struct BsdfInputs {
     const LocatedJson* json = object.find("alpha");
     return json != nullptr ? textures.opacity(*json) : 1.F;
   }
-  /// The material of the bsdf that a member is or names; `fallback` without one. Its opacity, if it
-  /// has one, is left out with a warning.
+  /// The material of the bsdf that a member is or names, if there is one. As in Tungsten, only the
+  /// whole has bumps and media: bumps of parts are left out, and media are, with a warning.
   std::optional<desc::MaterialId> part(std::string_view name) const;
   /// `node` as a part of another.
   desc::MaterialId add(desc::Node node) const { return bsdfs.add(where(), std::move(node)); }

@@ -38,6 +38,15 @@ desc::MaterialId BsdfTable::add(const SourceLocation& where, desc::Node node) {
   return static_cast<desc::MaterialId>(context_.scene.materials.size()) - 1;
 }
 
+desc::Material& BsdfTable::material_at(desc::MaterialId id) {
+  return context_.scene.materials[static_cast<std::size_t>(id)];
+}
+
+desc::MaterialId BsdfTable::without_relief(desc::MaterialId id) {
+  const desc::Material& whole = material_at(id);
+  return whole.bump == desc::kNone ? id : add(whole.where, whole.node);
+}
+
 desc::MaterialId BsdfTable::black() {
   if (black_ == desc::kNone) {
     black_ = add({}, desc::material_node("diffuse", {{"reflectance", Vec3(0.F)}}));
@@ -114,8 +123,13 @@ Surface BsdfTable::read(const LocatedJson& json) {
 
   Surface surface;
   if (*type == "transparency") {
-    const LocatedJson* base = object.find("base");
-    surface = with_opacity(in, base != nullptr ? resolve(*base) : white(), in.opacity());
+    const std::optional<desc::MaterialId> base = in.part("base");
+    const desc::MaterialId visible = base ? *base : white().material;
+    surface = with_opacity(in, {visible}, in.opacity());
+    // What is opaque is its base, which others may have, too.
+    if (surface.material == visible) {
+      surface.material = add(json.where(), material_at(visible).node);
+    }
     object.accept({"albedo", "color"});
   } else if (std::optional<desc::Node> node = make_bsdf(*type, in)) {
     surface.material = add(json.where(), std::move(*node));
@@ -127,8 +141,8 @@ Surface BsdfTable::read(const LocatedJson& json) {
         shown(*type));
     return grey(json.where());
   }
-  desc::Material& material = context_.scene.materials[static_cast<std::size_t>(surface.material)];
-  if (material.name.empty()) material.name = name;
+  desc::Material& material = material_at(surface.material);
+  material.name = name;
   // A bump that is the same everywhere is none.
   const desc::Value bump = in.number("bump", 0.F);
   if (const auto* texture = std::get_if<desc::TextureRef>(&bump)) {

@@ -32,6 +32,8 @@ class BsdfTable {
 
   /// A material without a name, for `resolve`'s parts.
   desc::MaterialId add(const SourceLocation& where, desc::Node node);
+  /// The same material, without the bump that it may have.
+  desc::MaterialId without_relief(desc::MaterialId id);
   /// One that reflects nothing.
   desc::MaterialId black();
 
@@ -43,6 +45,7 @@ class BsdfTable {
     Surface surface{};
   };
 
+  desc::Material& material_at(desc::MaterialId id);
   Surface read(const LocatedJson& json);
   Surface read_named(Entry& entry);
   Surface grey(const SourceLocation& where);

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "import/tungsten/coat_optics.h"
 #include "import/tungsten/import_test_support.h"
 
@@ -125,6 +127,71 @@ TEST(Bsdfs, ForwardInAMixLetsLightPass) {
   const desc::Node clear = part_of(scene, material_of(scene), "first");
   ASSERT_TRUE(clear.is("composite"));
   EXPECT_EQ(clear.color("opacity"), Vec3(0.F));
+}
+
+TEST(Bsdfs, OnlyTheWholeHasABump) {
+  // In Tungsten the surface asks the bsdf that it has, and no part of it.
+  const std::string parts =
+      "'type': 'mixed', 'bsdf0': 'bumpy', 'bsdf1': {'type': 'transparency', 'base': 'bumpy'}},"
+      "{'name': 'bumpy', 'type': 'lambert', 'bump': 'b.png'}";
+  const auto material = [](const desc::SceneDesc& scene, desc::MaterialId id) {
+    return scene.materials.at(static_cast<std::size_t>(id));
+  };
+  const desc::SceneDesc flat =
+      scene_with_warning("{'name': 'm', " + parts, "the height of \"bump\"");
+  const desc::SceneDesc bumpy =
+      scene_with_warning("{'name': 'm', 'bump': 'c.png', " + parts, "the height of \"bump\"");
+  EXPECT_FALSE(material(flat, flat.shapes.at(0).material).has_relief());
+  EXPECT_TRUE(material(bumpy, bumpy.shapes.at(0).material).has_relief());
+  for (const desc::SceneDesc* scene : {&flat, &bumpy}) {
+    for (const char* part : {"first", "second"}) {
+      EXPECT_FALSE(material(*scene, material_of(*scene).material(part)).has_relief()) << part;
+    }
+    EXPECT_EQ(std::count_if(scene->materials.begin(), scene->materials.end(),
+                            [](const desc::Material& m) { return m.has_relief(); }),
+              scene == &flat ? 1 : 2)
+        << "what has the name alone keeps its own";
+  }
+}
+
+TEST(Bsdfs, WhatIsOpaqueDoesNotChangeItsBase) {
+  const std::string bsdfs =
+      "{'name': 'm', 'type': 'transparency', 'base': 'n', 'bump': 'b.png'},"
+      "{'name': 'n', 'type': 'lambert'}";
+  Warnings warnings;
+  const desc::SceneDesc scene = import_with(
+      scene_text(bsdfs, "{'type': 'sphere', 'bsdf': 'm'}, {'type': 'cube', 'bsdf': 'n'}"),
+      warnings);
+  const auto has_relief = [&](std::size_t shape) {
+    return scene.materials.at(static_cast<std::size_t>(scene.shapes.at(shape).material))
+        .has_relief();
+  };
+  EXPECT_TRUE(has_relief(0));
+  EXPECT_FALSE(has_relief(1));
+}
+
+TEST(Bsdfs, MediaOfPartsAreWarnings) {
+  for (const char* whole :
+       {"'type': 'mixed', 'bsdf1': {'type': 'null'}, 'bsdf0'", "'type': 'transparency', 'base'",
+        "'type': 'rough_coat', 'substrate'"}) {
+    const desc::SceneDesc scene = scene_with_warning(
+        "{'name': 'm', 'ext_medium': {'type': 'homogeneous', 'sigma_a': 2}, " + std::string(whole) +
+            ": {'type': 'lambert', 'int_medium': {'type': 'homogeneous', 'sigma_a': 1}}}",
+        "the media of a part of a bsdf are ignored");
+    EXPECT_EQ(scene.shapes.at(0).inside, desc::kNone) << whole;
+    ASSERT_NE(scene.shapes.at(0).outside, desc::kNone) << whole;
+    EXPECT_EQ(scene.media.at(static_cast<std::size_t>(scene.shapes[0].outside)).sigma_a, Vec3(2.F));
+  }
+}
+
+TEST(Bsdfs, OpacityOfPartsIsThere) {
+  const desc::SceneDesc scene = scene_with_bsdf(
+      "'type': 'mixed', 'bsdf0': {'type': 'transparency', 'alpha': 'a.png'}, 'bsdf1': {'type': "
+      "'mirror'}");
+  const desc::Node part = part_of(scene, material_of(scene), "first");
+  ASSERT_TRUE(part.is("mix"));
+  EXPECT_NE(part.texture("amount"), desc::kNone);
+  EXPECT_EQ(scene.shapes.at(0).alpha, desc::kNone) << "the other part is not cut away";
 }
 
 TEST(Bsdfs, PlasticIsACoatedBase) {

@@ -149,10 +149,7 @@ desc::Node coated(const BsdfInputs& in, const desc::Value& roughness) {
           : in.add(desc::material_node(
                 "conductor",
                 {{"eta", find_metal("Cu")->eta}, {"k", find_metal("Cu")->k}, {"roughness", 0.1F}}));
-  const desc::Material& substrate = in.context.scene.materials[static_cast<std::size_t>(base)];
-  const desc::Node below = substrate.node;
-  // The relief of a substrate is not that of its coat.
-  if (substrate.has_relief()) return blended_coat(in, layer, base, roughness);
+  const desc::Node below = in.context.scene.materials[static_cast<std::size_t>(base)].node;
   if (below.is("diffuse") && below.get("sigma") == desc::Value(0.F)) {
     desc::Node node = coated_diffuse(layer, below.get("reflectance"), roughness);
     node.set("coat_depth", layer.tau);
