@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "import/tungsten/textures.h"
 #include "import/tungsten/transforms.h"
 
 namespace ajar::tungsten {
@@ -119,6 +120,7 @@ desc::PerspectiveCamera thin_lens(const Context& context, const ObjectReader& ob
   const LocatedJson* type = aperture == nullptr ? nullptr : aperture->find("type");
   const bool is_round =
       type != nullptr && type->is(LocatedJson::Kind::String) && type->text() == "disk";
+  if (aperture != nullptr) check_texture(context, *aperture);
   if ((aperture != nullptr && !is_round) || object.number("cateye").value_or(0.F) > 0.F) {
     context.warnings.add(kAperture, object.where(),
                          "only round lenses are supported, without \"cateye\": one stands in");

@@ -19,12 +19,15 @@ constexpr WarningKind kNight{Effect::Light, "suns are below the horizon: skies a
 constexpr WarningKind kTextured{Effect::Light,
                                 "lights have textures that are not supported: even ones stand in"};
 constexpr WarningKind kUnknownPivot{Effect::Light, "lights refer to primitives that are unknown"};
-
 constexpr WarningKind kSeam{Effect::Slight,
                             "images of lights are to end at their edges: both sides join"};
 
+constexpr WarningKind kSunTemperature{Effect::Light,
+                                      "suns of skies have a temperature of their own: ignored"};
+
 constexpr float kUsualCapAngle = 10.F;  // degrees
 constexpr float kRadiansPerDegree = kPi / 180.F;
+constexpr float kUsualTemperature = 5777.F;  // of the sun, in kelvin
 
 struct Source {
   Context& context;
@@ -115,7 +118,13 @@ void infinite_sphere_cap(const Source& source, const PrimitivePlaces& places) {
 }
 
 void skydome(const Source& source) {
-  source.object.accept({"temperature", "gamma_scale", "sample", "bsdf", "emission", "power"});
+  // Tungsten reads "gamma_scale", and uses 1.
+  source.object.accept({"gamma_scale", "sample", "bsdf", "emission", "power"});
+  if (source.object.number("temperature").value_or(kUsualTemperature) != kUsualTemperature) {
+    source.context.warnings.add(
+        kSunTemperature, source.object.where(),
+        "\"temperature\" is not supported: the sky is that of our sun, of 5777 kelvin");
+  }
   const Daylight daylight{.turbidity = source.object.number("turbidity").value_or(3.F),
                           .to_sun = axis_of(source.transform, 1)};
   const double intensity = std::max(source.object.number("intensity").value_or(2.F), 0.F);

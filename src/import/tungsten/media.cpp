@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "import/tungsten/settings.h"
+#include "import/tungsten/transmittance.h"
 
 namespace ajar::tungsten {
 namespace {
@@ -17,8 +18,6 @@ constexpr WarningKind kNoGrid{Effect::Surface,
                               "media of voxels have grids that are not read: they count as empty"};
 constexpr WarningKind kPhase{Effect::Slight,
                              "phase functions are not supported: isotropic ones stand in"};
-constexpr WarningKind kTransmittance{Effect::Surface,
-                                     "media do not fade exponentially, which is not supported"};
 constexpr WarningKind kShortPaths{Effect::Light,
                                   "media end paths that scatter often: here they go on"};
 constexpr WarningKind kSameMediumName{Effect::Surface,
@@ -93,6 +92,9 @@ desc::MediumId MediumTable::read(const LocatedJson& json) {
     context_.warnings.add(kNoGrid, json.where(),
                           "a medium of voxels needs " + grid_of(object) + ": it counts as empty",
                           shown(name));
+    object.accept({"sigma_a", "sigma_s", "density", "phase_function", "phase", "transmittance",
+                   "max_bounces"});
+    object.report_unknown();
     return desc::kNone;
   }
   if (*type != "homogeneous") {
@@ -114,11 +116,7 @@ desc::MediumId MediumTable::read(const LocatedJson& json) {
     medium.g = phase_of(context_, *phase);
   }
   if (const LocatedJson* transmittance = object.find("transmittance")) {
-    const LocatedJson* kind = transmittance->find("type");
-    if (kind == nullptr || !kind->is(Kind::String) || kind->text() != "exponential") {
-      context_.warnings.add(kTransmittance, transmittance->where(),
-                            "only exponential transmittance is supported: it stands in");
-    }
+    check_transmittance(context_, *transmittance);
   }
   constexpr int kUsualMaxBounces = 1024;
   const int bounces = object.integer("max_bounces").value_or(kUsualMaxBounces);

@@ -99,7 +99,7 @@ std::optional<Vec3> ObjectReader::vector(std::initializer_list<std::string_view>
   return found != nullptr ? std::optional(vector_of(*found)) : std::nullopt;
 }
 
-void ObjectReader::accept(std::initializer_list<std::string_view> names) const {
+void ObjectReader::accept(std::span<const std::string_view> names) const {
   for (const std::string_view name : names) {
     if (std::find(known_.begin(), known_.end(), name) == known_.end()) known_.emplace_back(name);
   }

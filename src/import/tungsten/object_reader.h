@@ -1,6 +1,7 @@
 #pragma once
 #include <initializer_list>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -34,7 +35,10 @@ class ObjectReader {
   std::optional<Vec3> vector(std::string_view name) const { return vector({name}); }
 
   /// Names that have no meaning for us but are no mistakes.
-  void accept(std::initializer_list<std::string_view> names) const;
+  void accept(std::span<const std::string_view> names) const;
+  void accept(std::initializer_list<std::string_view> names) const {
+    accept(std::span(names.begin(), names.size()));
+  }
   /// Warns of each member that was not asked for, and of each that stands there twice.
   void report_unknown() const;
 

@@ -1,10 +1,10 @@
 #include "import/tungsten/textures.h"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <filesystem>
 #include <utility>
+#include <vector>
 
 #include "scene/desc/models.h"
 
@@ -19,16 +19,33 @@ constexpr WarningKind kNegative{Effect::Surface, "colours are negative: 0 stands
 
 using Kind = LocatedJson::Kind;
 
-const std::vector<std::string> kTextureTypes = {"constant", "bitmap", "checker",  "disk",
-                                                "blade",    "ies",    "wireframe"};
-
-/// What Tungsten reads of a texture that has no model of ours, to know mistakes from it.
-struct StandIn {
-  std::string_view type;
-  std::string_view value;  ///< member that a constant takes; empty: 1
+/// What Tungsten reads of each type of texture, to know mistakes from it.
+struct TextureType {
+  std::string_view name;
+  std::vector<std::string_view> members;
+  /// Has no model of ours: this member stands in, as a constant; without one 1.
+  std::string_view stand_in = {};
 };
-constexpr std::array<StandIn, 4> kStandIns = {
-    {{"disk", "value"}, {"blade", "value"}, {"ies", "scale"}, {"wireframe", "fill_color"}}};
+const std::vector<TextureType> kTextureTypes = {
+    {"constant", {"value"}},
+    {"bitmap", {"file", "path", "gamma_correct", "interpolate", "clamp", "scale"}},
+    {"checker", {"on_color", "off_color", "res_u", "res_v"}},
+    {"disk", {"value"}, "value"},
+    {"blade", {"value", "blades", "angle"}, "value"},
+    {"ies", {"file", "resolution", "scale"}, "scale"},
+    {"wireframe", {"fill_color", "line_color", "line_width"}, "fill_color"}};
+
+const TextureType* texture_type(std::string_view name) {
+  const auto found = std::find_if(kTextureTypes.begin(), kTextureTypes.end(),
+                                  [&](const TextureType& type) { return type.name == name; });
+  return found == kTextureTypes.end() ? nullptr : &*found;
+}
+
+std::vector<std::string> names_of_texture_types() {
+  std::vector<std::string> names;
+  for (const TextureType& type : kTextureTypes) names.emplace_back(type.name);
+  return names;
+}
 
 const Vec3 kGrey(0.5F);
 
@@ -57,6 +74,17 @@ Vec3 not_negative(const Context& context, const SourceLocation& where, const Vec
   if (result != color)
     context.warnings.add(kNegative, where, "the colour is negative: 0 stands in");
   return result;
+}
+
+void check_texture(const Context& context, const LocatedJson& json) {
+  const LocatedJson* name = json.find("type");
+  const TextureType* type =
+      name != nullptr && name->is(Kind::String) ? texture_type(name->text()) : nullptr;
+  if (type == nullptr) return;
+  const ObjectReader object(context, json, "a texture");
+  object.accept({"name", "type"});
+  object.accept(type->members);
+  object.report_unknown();
 }
 
 desc::TextureRef TextureReader::add(const SourceLocation& where, desc::Node node) {
@@ -116,13 +144,12 @@ desc::Value TextureReader::of_object(const LocatedJson& json) {
     object.report_unknown();
     return add(json.where(), std::move(node));
   }
-  const auto* known = std::find_if(kStandIns.begin(), kStandIns.end(),
-                                   [&](const StandIn& s) { return s.type == *type; });
-  if (known == kStandIns.end()) {
-    context_.warnings.add(
-        kUnknownTexture, json.where(),
-        unknown_name_message("texture", shown(*type), kTextureTypes) + ". Grey stands in",
-        shown(*type));
+  const TextureType* known = texture_type(*type);
+  if (known == nullptr) {
+    context_.warnings.add(kUnknownTexture, json.where(),
+                          unknown_name_message("texture", shown(*type), names_of_texture_types()) +
+                              ". Grey stands in",
+                          shown(*type));
     return kGrey;
   }
   context_.warnings.add(kStandIn, json.where(),
@@ -130,7 +157,9 @@ desc::Value TextureReader::of_object(const LocatedJson& json) {
                             "\" are not supported: a constant one "
                             "stands in",
                         *type);
-  return object.vector(known->value).value_or(Vec3(1.F));
+  object.accept(known->members);
+  object.report_unknown();
+  return object.vector(known->stand_in).value_or(Vec3(1.F));
 }
 
 desc::Value TextureReader::color(const LocatedJson& json) {

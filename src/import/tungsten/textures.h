@@ -60,6 +60,9 @@ class TextureReader {
 /// A colour that is the same everywhere, or what stands for the mean of a texture.
 Vec3 constant_or(const desc::Value& color, const Vec3& mean);
 
+/// Warns of members that a texture of a known type does not have, without making one.
+void check_texture(const Context& context, const LocatedJson& json);
+
 /// `color` with lanes below 0 as 0, which is a warning at `where`.
 Vec3 not_negative(const Context& context, const SourceLocation& where, const Vec3& color);
 
