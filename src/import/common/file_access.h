@@ -16,7 +16,7 @@ class FileAccess {
   /// Where `name` is: as the provider knows it, or an absolute path on the disk.
   std::string resolve(const std::string& name);
   /// The same for formats whose files come from strangers: raises IoError, with the reason, for
-  /// names that lead out of the folder of the scene. Links in it are followed.
+  /// names that lead out of the folder of the scene, by themselves or by links.
   std::string resolve_inside(const std::string& name);
   /// Reads what `resolve` returned. Raises IoError.
   FileBytes load(const std::string& resolved) const;

@@ -2,7 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
+
 #include "core/error.h"
+#include "import/testing/temporary_folder.h"
 
 namespace ajar {
 namespace {
@@ -20,6 +24,31 @@ TEST(FileAccess, RefusesNamesThatLeadOutOfTheFolder) {
     EXPECT_THROW(files.resolve_inside(name), IoError) << name;
   }
   EXPECT_TRUE(files.named().empty());
+}
+
+TEST(FileAccess, RefusesLinksThatLeadOutOfTheFolder) {
+  namespace fs = std::filesystem;
+  const TemporaryFolder folder;
+  fs::create_directories(folder.path() / "scene/sub");
+  fs::create_directory(folder.path() / "other");
+  for (const char* file : {"other/secret", "scene/sub/a.png"}) {
+    std::ofstream(folder.path() / file) << "text";
+  }
+  fs::create_symlink("../other/secret", folder.path() / "scene/out");
+  fs::create_directory_symlink("../other", folder.path() / "scene/away");
+  fs::create_symlink("sub/a.png", folder.path() / "scene/in");
+  fs::create_directory_symlink("scene", folder.path() / "by-link");
+  for (const char* base : {"scene", "by-link", "scene/"}) {
+    FileAccess files((folder.path() / base).string(), {});
+    for (const char* name : {"in", "sub/a.png"}) {
+      EXPECT_EQ(files.load(files.resolve_inside(name)).view(), "text") << base << " " << name;
+    }
+    for (const char* name : {"out", "away/secret", "away/none"}) {
+      EXPECT_THROW(files.resolve_inside(name), IoError) << base << " " << name;
+    }
+    EXPECT_NO_THROW(files.resolve_inside("sub/none.png")) << "it is missed later";
+    EXPECT_EQ(files.load(files.resolve("out")).view(), "text") << "formats that name any file";
+  }
 }
 
 TEST(FileAccess, AsksTheProviderBeforeTheDisk) {
