@@ -1,6 +1,5 @@
 #include "import/gltf/document.h"
 
-#include <algorithm>
 #include <bit>
 #include <cstring>
 
@@ -70,36 +69,6 @@ class Container {
   std::shared_ptr<const std::string> name_;
 };
 
-SourceLocation location_of(std::string_view text, std::size_t place,
-                           std::shared_ptr<const std::string> name) {
-  const std::string_view before = text.substr(0, place);
-  const auto line = 1 + std::count(before.begin(), before.end(), '\n');
-  const std::size_t start = before.rfind('\n') + 1;  // 0 if there is none
-  return {std::move(name), static_cast<int>(line), static_cast<int>(before.size() - start) + 1};
-}
-
-/// The library's message without its own code and place: "[json…] parse error at line 1, column 2:
-/// reason".
-std::string reason_of(const Json::exception& error) {
-  std::string_view text = error.what();
-  if (const std::size_t end = text.find("] "); end != text.npos) text.remove_prefix(end + 2);
-  if (text.starts_with("parse error")) {
-    if (const std::size_t end = text.find(": "); end != text.npos) text.remove_prefix(end + 2);
-  }
-  return printable_line(text);
-}
-
-Json parse_json(std::string_view text, const std::shared_ptr<const std::string>& name) {
-  try {
-    return Json::parse(text);
-  } catch (const Json::parse_error& error) {
-    const std::size_t place = error.byte > 0 ? error.byte - 1 : 0;
-    throw SceneError(location_of(text, place, name), "this is not valid JSON: " + reason_of(error));
-  } catch (const Json::exception& error) {
-    throw SceneError({name, 0, 0}, "this is not valid JSON: " + reason_of(error));
-  }
-}
-
 void check_version(const Element& root) {
   const Element version = root.at("asset").at("version");
   const std::string text = version.text();
@@ -110,12 +79,14 @@ void check_version(const Element& root) {
 }  // namespace
 
 Document parse_document(std::string_view bytes, const std::string& name) {
-  Document document;
-  document.name = std::make_shared<const std::string>(name);
+  const auto shared_name = std::make_shared<const std::string>(name);
   Chunks chunks{bytes, {}};
-  if (bytes.starts_with(kMagic)) chunks = Container(bytes, document.name).read();
+  if (bytes.starts_with(kMagic)) chunks = Container(bytes, shared_name).read();
+  PlacedJson json = parse_placed_json(chunks.json, shared_name);
+  Document document;
+  document.origin = std::make_shared<const Origin>(Origin{name, std::move(json.places)});
+  document.json = std::move(json.value);
   document.binary = chunks.binary;
-  document.json = parse_json(chunks.json, document.name);
   check_version(document.root());
   return document;
 }

@@ -8,10 +8,10 @@ namespace ajar::gltf {
 
 /// A parsed file.
 struct Document {
-  std::shared_ptr<const std::string> name;  ///< for messages
+  std::shared_ptr<const Origin> origin;
   Json json;
   std::string_view binary;  ///< the chunk of a .glb that buffers refer to without a URI
-  Element root() const { return {json, name, ""}; }
+  Element root() const { return {json, origin, ""}; }
 };
 
 /// Parses JSON text, or a .glb container, told by its first bytes. Views of `bytes` are kept.

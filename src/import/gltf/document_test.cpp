@@ -6,8 +6,59 @@ namespace ajar::gltf {
 namespace {
 
 TEST(GltfDocument, SyntaxErrorsHaveLineAndColumn) {
-  const std::string error = error_of("{\n  \"asset\": {\"version\": \"2.0\"},\n  \"nodes\": [}\n}");
+  const std::string text = "{\n  \"asset\": {\"version\": \"2.0\"},\n  \"nodes\": [}\n}";
+  const std::string error = error_in([&](Warnings& warnings) { import_with(text, warnings); });
   EXPECT_EQ(error.rfind("test.gltf:3:13: this is not valid JSON: ", 0), 0U) << error;
+}
+
+TEST(GltfDocument, MessagesHaveLineColumnAndElement) {
+  const std::string text =
+      "{\n  \"asset\": {\"version\": \"2.0\", \"b/d\": {}},\n  \"scene\": 0,\n"
+      "  \"scenes\": [{\"nodes\": [0, 1]}, {\"nods\": [7]}],\n"
+      "  \"nodes\": [{}, { \"mash\" : [[], 3, {\"x\": 1}] }],\n  \"asset\": {\"version\": "
+      "\"2.0\"}\n}";
+  const auto warnings_in_text = [](const std::string& bytes) {
+    return warnings_in([&](Warnings& warnings) { import_with(bytes, warnings); });
+  };
+  const std::string warnings = warnings_in_text(text);
+  for (const char* part : {"test.gltf:1:1: \"asset\" stands twice in this object: the last counts",
+                           "test.gltf:4:33#/scenes/1: a scene has no member \"nods\"",
+                           "test.gltf:4:13#/scenes: of these 2 scenes only number 0",
+                           "test.gltf:5:17#/nodes/1: a node has no member \"mash\""}) {
+    EXPECT_TRUE(contains(warnings, part)) << part << "\n" << warnings;
+  }
+  EXPECT_FALSE(contains(warnings, "b/d")) << "the first of the two is not looked into";
+  // Those of a container count in its JSON.
+  std::string padded = text;
+  while (padded.size() % 4 != 0) padded += ' ';
+  const auto number = [](std::size_t value) {
+    return bytes_of<std::uint32_t>({static_cast<std::uint32_t>(value)});
+  };
+  EXPECT_EQ(warnings_in_text("glTF" + number(2) + number(20 + padded.size()) +
+                             number(padded.size()) + "JSON" + padded),
+            warnings);
+}
+
+TEST(GltfDocument, KnowsWhereEveryValueIs) {
+  const auto name = std::make_shared<const std::string>("a");
+  const PlacedJson json = parse_placed_json(
+      "[ {\"a\": [1,\n 2, \"three\"], \"b~/\": -1.5e3,\"c\":null},\n\t[[true] ] ]", name);
+  const auto at = [&](const char* pointer) {
+    const JsonPlaces::Place place = json.places.at(pointer);
+    return std::pair(place.line, place.column);
+  };
+  EXPECT_EQ(at(""), std::pair(1, 1));
+  EXPECT_EQ(at("/0"), std::pair(1, 3));
+  EXPECT_EQ(at("/0/a"), std::pair(1, 9));
+  EXPECT_EQ(at("/0/a/1"), std::pair(1, 9)) << "numbers are where their array is";
+  EXPECT_EQ(at("/0/a/2"), std::pair(2, 5));
+  EXPECT_EQ(at("/0/b~0~1"), std::pair(2, 22));
+  EXPECT_EQ(at("/0/c"), std::pair(2, 33));
+  EXPECT_EQ(at("/1/0/0"), std::pair(3, 4));
+  EXPECT_EQ(at("/0/none/x"), std::pair(1, 3)) << "what is around it";
+  EXPECT_EQ(at("/1/7"), std::pair(3, 2));
+  EXPECT_EQ(json.value, Json::parse("[{\"a\": [1, 2, \"three\"], \"b~/\": -1500.0, \"c\": null}, "
+                                    "[[true]]]"));
 }
 
 TEST(GltfDocument, NumbersBeyondDoublesAreErrors) {

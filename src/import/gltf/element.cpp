@@ -17,25 +17,13 @@ std::optional<std::uint64_t> whole_of(const Json& value) {
   return static_cast<std::uint64_t>(number);
 }
 
-std::string escaped(std::string_view name) {
-  std::string text;
-  for (const char c : name) {
-    if (c == '~') {
-      text += "~0";
-    } else if (c == '/') {
-      text += "~1";
-    } else {
-      text += c;
-    }
-  }
-  return printable_line(text);
-}
-
 }  // namespace
 
 SourceLocation Element::where() const {
-  if (pointer_.empty()) return {file_, 0, 0};
-  return {std::make_shared<const std::string>(*file_ + "#" + pointer_), 0, 0};
+  const JsonPlaces::Place place = origin_->places.at(pointer_);
+  std::string text = origin_->name + ":" + std::to_string(place.line) + ":" +
+                     std::to_string(place.column) + (pointer_.empty() ? "" : "#" + pointer_);
+  return {std::make_shared<const std::string>(std::move(text)), 0, 0};
 }
 
 void Element::fail(const std::string& message) const { throw SceneError(where(), message); }
@@ -59,7 +47,7 @@ std::size_t Element::size() const {
 }
 
 Element Element::operator[](std::size_t i) const {
-  return {(*value_)[i], file_, pointer_ + "/" + std::to_string(i)};
+  return {(*value_)[i], origin_, pointer_ + "/" + std::to_string(i)};
 }
 
 std::string Element::text() const {
@@ -97,7 +85,7 @@ std::optional<Element> Element::find(std::string_view name) const {
   check_object();
   const auto member = value_->find(name);
   if (member == value_->end()) return std::nullopt;
-  return Element(*member, file_, pointer_ + "/" + escaped(name));
+  return Element(*member, origin_, pointer_ + "/" + pointer_part(name));
 }
 
 Element Element::at(std::string_view name) const {

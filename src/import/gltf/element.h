@@ -9,20 +9,28 @@
 
 #include "core/error.h"
 #include "core/vector.h"
+#include "import/gltf/json_places.h"
 
 namespace ajar::gltf {
 
 using Json = nlohmann::json;
+
+/// The file that elements are of.
+struct Origin {
+  std::string name;  ///< for messages
+  JsonPlaces places;
+};
 
 /// A value in the JSON of a file that knows where it is. Accessors raise SceneError, located, for
 /// values of another type.
 class Element {
  public:
   /// `pointer`: JSON pointer (RFC 6901) of the value; empty for the whole.
-  Element(const Json& value, std::shared_ptr<const std::string> file, std::string pointer)
-      : value_(&value), file_(std::move(file)), pointer_(std::move(pointer)) {}
+  Element(const Json& value, std::shared_ptr<const Origin> origin, std::string pointer)
+      : value_(&value), origin_(std::move(origin)), pointer_(std::move(pointer)) {}
 
-  /// The JSON pointer as the fragment of a URI: `room.glb#/materials/3`.
+  /// Line and column, and the JSON pointer as the fragment of a URI:
+  /// `room.gltf:12:5#/materials/3`. Those of a .glb count in its JSON.
   SourceLocation where() const;
   const std::string& pointer() const { return pointer_; }
   [[noreturn]] void fail(const std::string& message) const;
@@ -80,7 +88,7 @@ class Element {
   [[noreturn]] void fail_type(const char* expected) const;
 
   const Json* value_;
-  std::shared_ptr<const std::string> file_;
+  std::shared_ptr<const Origin> origin_;
   std::string pointer_;
 };
 

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "import/common/printable.h"
 #include "import/common/scene_file.h"
 #include "import/common/studio.h"
 #include "import/gltf/cameras.h"
@@ -15,9 +16,26 @@ namespace {
 
 constexpr WarningKind kAnimations{Effect::Geometry,
                                   "animations are not played: all is shown as it is placed"};
+constexpr WarningKind kOtherScenes{Effect::None, "files have several scenes: one is shown"};
+constexpr WarningKind kRepeated{Effect::Slight, "members stand twice: the last counts"};
 constexpr WarningKind kVariants{Effect::None, "variants of materials are not shown"};
 
+void warn_of_repeated_members(const gltf::Document& document, Warnings& warnings) {
+  for (const gltf::JsonPlaces::Repeated& repeated : document.origin->places.repeated()) {
+    const gltf::Element holder(document.json, document.origin, repeated.pointer);
+    const std::string name = printable(repeated.name);
+    warnings.add(kRepeated, holder.where(),
+                 "\"" + name + "\" stands twice in this object: the last counts", name);
+  }
+}
+
 void warn_of_the_whole(const gltf::Element& root, Warnings& warnings) {
+  if (const auto scenes = root.find("scenes"); scenes && scenes->size() > 1) {
+    warnings.add(kOtherScenes, scenes->where(),
+                 "of these " + std::to_string(scenes->size()) + " scenes only number " +
+                     std::to_string(root.find_index("scene", scenes->size()).value_or(0)) +
+                     ", counted from 0, is shown");
+  }
   if (const auto animations = root.find("animations"); animations && animations->size() > 0) {
     warnings.add(kAnimations, animations->where(),
                  "animations are not played: all is shown as its nodes place it");
@@ -36,6 +54,7 @@ desc::SceneDesc import_bytes(const SceneFile& file, Warnings& warnings, FileAcce
   gltf::Context context{scene, warnings, files, document, file.path};
   gltf::check_extensions(root, warnings);
   gltf::check_members(root, warnings);
+  warn_of_repeated_members(document, warnings);
   warn_of_the_whole(root, warnings);
   const std::vector<gltf::PlacedNode> nodes = gltf::place_nodes(root);
   gltf::MeshPlacer(context).place(nodes);

@@ -29,6 +29,41 @@ TEST(GltfImport, UnknownExtensionsAreErrorsOnlyIfRequired) {
   EXPECT_TRUE(contains(error_of(file.text()), "did you mean \"KHR_materials_specular\""));
 }
 
+/// What docs/reference/formats-gltf.md says of extensions.
+TEST(GltfImport, ExtensionsThatAreNotReadSayWhatThePictureLacks) {
+  for (const auto& [name, says] :
+       {std::pair("KHR_materials_anisotropy", "gloss is the same in all directions"),
+        std::pair("KHR_materials_dispersion", "glass has one index of refraction for all colours"),
+        std::pair("KHR_materials_iridescence", "thin films have no colours"),
+        std::pair("KHR_texture_basisu", "textures that have no other image are left out")}) {
+    TestFile file;
+    file.add_triangle();
+    file.json["extensionsUsed"] = {name};
+    file.json["extensionsRequired"] = {name};
+    EXPECT_EQ(warnings_of(file),
+              std::string("test.gltf#/extensionsUsed/0: ") + name + " is not read: " + says + "\n");
+  }
+  for (const char* name :
+       {"KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_meshopt_compression"}) {
+    TestFile file;
+    file.add_triangle();
+    file.json["extensionsUsed"] = {name};
+    EXPECT_EQ(warnings_of(file), "") << name;
+    file.json["extensionsRequired"] = {name};
+    EXPECT_TRUE(contains(error_of(file.text()), std::string("compressed by ") + name)) << name;
+  }
+}
+
+TEST(GltfImport, OtherScenesAreWarnings) {
+  TestFile file;
+  file.add_triangle();
+  file.add("scenes", {{"nodes", Json::array({0})}});
+  EXPECT_EQ(warnings_of(file), "");
+  file.add("scenes", {{"nodes", Json::array()}});
+  EXPECT_EQ(warnings_of(file),
+            "test.gltf#/scenes: of these 2 scenes only number 0, counted from 0, is shown\n");
+}
+
 TEST(GltfImport, AnimationsAndVariantsAreWarnings) {
   TestFile file;
   file.add_triangle();

@@ -54,9 +54,11 @@ inline const desc::Mesh& mesh_of(const desc::SceneDesc& scene, std::size_t shape
 inline void expect_near(const Vec3& actual, const Vec3& expected) {
   EXPECT_LT(length(actual - expected), 1e-5F) << actual << " is not " << expected;
 }
-/// Message of the SceneError that importing raises, or "no error".
+/// Messages without lines and columns, which in the text of a TestFile say little.
+std::string without_places(const std::string& messages);
+/// Message of the SceneError that importing raises, or "no error"; without its place.
 std::string error_of(const std::string& bytes);
-/// All warnings, one per line.
+/// All warnings, one per line, without their places.
 std::string warnings_of(const TestFile& file);
 
 /// The material of the only triangle of a file with one.

@@ -35,7 +35,7 @@ const Surface& Materials::of(const Element& primitive, const VertexColors* color
 Surface Materials::make(const std::optional<Element>& material, const VertexColors* colors) {
   // Without one all has its defaults, which are those of a white metal.
   static const Json kDefaults = Json::object();
-  const Element defaults(kDefaults, context_.document.name, "/materials");
+  const Element defaults(kDefaults, context_.document.origin, "/materials");
   return SurfaceReader(context_, images_, material ? *material : defaults, colors).read();
 }
 

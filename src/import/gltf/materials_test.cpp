@@ -341,6 +341,72 @@ TEST(GltfMaterials, ClearcoatsOfGlassAreLeftOutWithAWarning) {
   TestFile file;
   file.add_triangle(material);
   EXPECT_TRUE(contains(warnings_of(file), "a clear coat is only supported on metals"));
+  file.json["materials"][0]["extensions"]["KHR_materials_sheen"] = {
+      {"sheenColorFactor", {1, 1, 1}}};
+  EXPECT_TRUE(contains(warnings_of(file), "a sheen is only supported on metals"));
+}
+
+/// All that can be added to a material.
+Json all_layers() {
+  return {{"KHR_materials_clearcoat", {{"clearcoatFactor", 1}}},
+          {"KHR_materials_sheen", {{"sheenColorFactor", {0, 0.5, 0}}}},
+          {"KHR_materials_transmission", {{"transmissionFactor", 1}}},
+          {"KHR_materials_diffuse_transmission", {{"diffuseTransmissionFactor", 0.5}}}};
+}
+
+TEST(GltfMaterials, LayersOfOldAndUnlitMaterialsAreLeftOutWithAWarning) {
+  for (const char* model : {"KHR_materials_unlit", "KHR_materials_pbrSpecularGlossiness"}) {
+    Json material = {{"extensions", all_layers()}};
+    material["extensions"][model] = Json::object();
+    TestFile file;
+    file.add_triangle(material);
+    const std::string warnings = warnings_of(file);
+    const Json layers = all_layers();
+    for (const auto& layer : layers.items()) {
+      EXPECT_TRUE(contains(warnings, "#/materials/0/extensions/" + layer.key() + ": "))
+          << model << "\n"
+          << warnings;
+    }
+    for (auto& layer : file.json["materials"][0]["extensions"]) {
+      for (auto& member : layer) member = member.is_array() ? Json({0, 0, 0}) : Json(0);
+    }
+    EXPECT_FALSE(contains(warnings_of(file), "left out")) << "what is 0 adds nothing";
+  }
+}
+
+TEST(GltfMaterials, VolumesOfWhatIsNoGlassAreLeftOutWithAWarning) {
+  const auto warnings_with = [](const Json& more) {
+    Json material = {{"pbrMetallicRoughness", {{"metallicFactor", 0}}}, {"extensions", more}};
+    material["extensions"]["KHR_materials_volume"] = {
+        {"thicknessFactor", 1}, {"attenuationDistance", 1}, {"attenuationColor", {0.5, 1, 1}}};
+    TestFile file;
+    file.add_triangle(material);
+    return warnings_of(file);
+  };
+  EXPECT_TRUE(contains(
+      warnings_with({{"KHR_materials_diffuse_transmission", {{"diffuseTransmissionFactor", 0.5}}}}),
+      "KHR_materials_volume: a volume is only supported behind KHR_materials_transmission"));
+  EXPECT_TRUE(contains(warnings_with(Json::object()), "a volume of what lets no light in"));
+  EXPECT_TRUE(contains(warnings_with({{"KHR_materials_transmission", {{"transmissionFactor", 0}}}}),
+                       "a volume of what lets no light in"));
+  EXPECT_EQ(warnings_with({{"KHR_materials_transmission", {{"transmissionFactor", 1}}}}), "");
+}
+
+TEST(GltfMaterials, ImagesMayBeWebPButNotKtx) {
+  TestFile file = textured({{"pbrMetallicRoughness", {{"baseColorTexture", texture(3)}}}});
+  file.add("images", {{"uri", "a.webp"}});
+  file.add("images", {{"uri", "a.ktx2"}});
+  file.add("textures", {{"extensions", {{"EXT_texture_webp", {{"source", 3}}}}}});
+  const desc::SceneDesc scene = scene_of(file);
+  EXPECT_EQ(texture_at(scene, node_of(scene).texture("base_color")).text("file"), "/scene/a.webp");
+  Json& used = file.json["textures"][3];
+  used = {{"extensions", {{"KHR_texture_basisu", {{"source", 4}}}}}};
+  const std::string warnings = warnings_of(file);
+  EXPECT_TRUE(contains(warnings, "KHR_texture_basisu is not read")) << warnings;
+  EXPECT_TRUE(contains(warnings, "#/textures/3: this texture has no image that can be read"));
+  used["source"] = 0;
+  EXPECT_FALSE(contains(warnings_of(file), "no image that can be read"))
+      << "the other image stands in";
 }
 
 TEST(GltfMaterials, ClearcoatIsACoat) {

@@ -12,6 +12,9 @@ namespace {
 
 constexpr WarningKind kUnknownMember{Effect::Slight, "members are unknown and ignored"};
 
+constexpr WarningKind kMisplaced{Effect::Slight,
+                                 "extensions stand where they mean nothing: ignored"};
+
 /// Of an object, or in an array of that name, objects of a kind; without a kind nothing that has
 /// members, or what is not read.
 struct Member {
@@ -70,8 +73,8 @@ const Kinds& kinds() {
       {"a material",
        {{"name"},
         {"pbrMetallicRoughness", "pbrMetallicRoughness"},
-        {"normalTexture", "a use of a texture"},
-        {"occlusionTexture", "a use of a texture"},
+        {"normalTexture", "a normal map"},
+        {"occlusionTexture", "an occlusion map"},
         {"emissiveTexture", "a use of a texture"},
         {"emissiveFactor"},
         {"alphaMode"},
@@ -83,7 +86,9 @@ const Kinds& kinds() {
         {"metallicFactor"},
         {"roughnessFactor"},
         {"metallicRoughnessTexture", "a use of a texture"}}},
-      {"a use of a texture", {{"index"}, {"texCoord"}, {"scale"}, {"strength"}}},
+      {"a use of a texture", {{"index"}, {"texCoord"}}},
+      {"a normal map", {{"index"}, {"texCoord"}, {"scale"}}},
+      {"an occlusion map", {{"index"}, {"texCoord"}, {"strength"}}},
       {"a mesh", {{"primitives", "a primitive"}, {"weights"}, {"name"}}},
       {"a primitive",
        {{"attributes", "attributes"},
@@ -124,7 +129,7 @@ const Kinds& extension_kinds() {
         {"clearcoatTexture", "a use of a texture"},
         {"clearcoatRoughnessFactor"},
         {"clearcoatRoughnessTexture", "a use of a texture"},
-        {"clearcoatNormalTexture", "a use of a texture"}}},
+        {"clearcoatNormalTexture", "a normal map"}}},
       {"KHR_materials_diffuse_transmission",
        {{"diffuseTransmissionFactor"},
         {"diffuseTransmissionTexture", "a use of a texture"},
@@ -161,6 +166,20 @@ const Kinds& extension_kinds() {
   return kKinds;
 }
 
+/// The kinds of objects that an extension with members may stand in.
+bool may_stand_in(std::string_view extension, std::string_view kind) {
+  using Places = std::vector<std::string_view>;
+  static const std::map<std::string_view, Places> kPlaces = {
+      {"EXT_mesh_gpu_instancing", {"a node"}},
+      {"EXT_texture_webp", {"a texture"}},
+      {"KHR_lights_punctual", {"a file", "a node"}},
+      {"KHR_node_visibility", {"a node"}},
+      {"KHR_texture_transform", {"a use of a texture", "a normal map", "an occlusion map"}}};
+  if (extension.starts_with("KHR_materials_")) return kind == "a material";
+  const Places& places = kPlaces.at(extension);
+  return std::find(places.begin(), places.end(), kind) != places.end();
+}
+
 /// Attributes that may come in several sets, and those of an application.
 bool is_numbered_attribute(std::string_view name) {
   constexpr std::string_view kSets[] = {"_", "TEXCOORD_", "COLOR_", "JOINTS_", "WEIGHTS_"};
@@ -178,7 +197,7 @@ class MemberCheck {
     for (const std::string& name : object.names()) {
       if (name == "extras") continue;
       if (name == "extensions") {
-        check_extensions(object.at(name));
+        check_extensions(object.at(name), kind);
         continue;
       }
       const auto known = std::find_if(members.begin(), members.end(),
@@ -198,11 +217,14 @@ class MemberCheck {
     for (std::size_t i = 0; i < value.size(); ++i) check(value[i], kind, members);
   }
 
-  void check_extensions(const Element& extensions) {
+  void check_extensions(const Element& extensions, std::string_view kind) {
     for (const std::string& name : extensions.names()) {
       const Element extension = extensions.at(name);
       const auto read = extension_kinds().find(name);
-      if (read != extension_kinds().end()) {
+      if (read != extension_kinds().end() && !may_stand_in(name, kind)) {
+        warnings_.add(kMisplaced, extension.where(),
+                      name + " means nothing on " + std::string(kind) + ": ignored", name);
+      } else if (read != extension_kinds().end()) {
         check(extension, read->first, read->second);
       } else if (told_.insert(name).second) {
         warn_of_extension(name, extension.where(), warnings_);

@@ -47,6 +47,44 @@ TEST(GltfMembers, OfExtensionsAreKnown) {
   EXPECT_FALSE(contains(warnings, "/materials/1/")) << "told once: " << warnings;
 }
 
+TEST(GltfMembers, OfTexturesAreThoseOfTheirUse) {
+  for (const auto& [place, member, is_known] : {std::tuple("emissiveTexture", "scale", false),
+                                                {"emissiveTexture", "strength", false},
+                                                {"normalTexture", "strength", false},
+                                                {"normalTexture", "scale", true},
+                                                {"occlusionTexture", "strength", true},
+                                                {"occlusionTexture", "scale", false}}) {
+    TestFile file;
+    file.add_triangle({{place, {{"index", 0}, {member, 0.5}}}});
+    file.add("images", {{"uri", "a.png"}});
+    file.add("textures", {{"source", 0}});
+    EXPECT_EQ(contains(warnings_of(file), std::string("has no member \"") + member), !is_known)
+        << place << " " << member;
+  }
+}
+
+TEST(GltfMembers, OfExtensionsHaveTheirPlace) {
+  const Json transform = {{"KHR_texture_transform", {{"scale", {2, 2}}}}};
+  const auto warnings_with = [&](const char* place, const Json& extensions) {
+    TestFile file;
+    file.add_triangle({{"emissiveTexture", {{"index", 0}}}});
+    file.add("images", {{"uri", "a.png"}});
+    file.add("textures", {{"source", 0}});
+    file.json[Json::json_pointer(place)]["extensions"] = extensions;
+    return warnings_of(file);
+  };
+  EXPECT_TRUE(contains(warnings_with("/textures/0", transform),
+                       "test.gltf#/textures/0/extensions/KHR_texture_transform: "
+                       "KHR_texture_transform means nothing on a texture: ignored"));
+  EXPECT_EQ(warnings_with("/materials/0/emissiveTexture", transform), "");
+  EXPECT_TRUE(contains(warnings_with("/nodes/0", {{"KHR_materials_unlit", Json::object()}}),
+                       "KHR_materials_unlit means nothing on a node"));
+  EXPECT_TRUE(contains(warnings_with("/materials/0", {{"KHR_lights_punctual", {{"light", 0}}}}),
+                       "KHR_lights_punctual means nothing on a material"));
+  EXPECT_TRUE(contains(warnings_with("/meshes/0", {{"KHR_node_visibility", {{"visible", false}}}}),
+                       "KHR_node_visibility means nothing on a mesh"));
+}
+
 TEST(GltfMembers, OfUnknownExtensionsHaveTheEffectThatTheirNameSays) {
   for (const auto& [name, effect] : {std::pair("EXT_lights_image_based", Effect::Light),
                                      std::pair("KHR_materials_volume_scatter", Effect::Surface),

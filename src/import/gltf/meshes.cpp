@@ -25,7 +25,6 @@ constexpr WarningKind kVertexAlpha{Effect::Surface,
 
 /// Values of `mode` (glTF 2.0, section 5.24.4).
 constexpr std::uint64_t kTriangles = 4;
-constexpr std::uint64_t kStrip = 5;
 constexpr std::uint64_t kFan = 6;
 
 /// The triangles of a mode (glTF 2.0, section 3.7.2.1), counterclockwise seen from the front.

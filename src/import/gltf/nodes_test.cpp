@@ -43,14 +43,17 @@ TEST(GltfNodes, OfTheShownSceneAloneArePlaced) {
   TestFile file = with_node(Json::object());
   file.add("scenes", {{"nodes", Json::array()}});
   file.add("scenes", {{"nodes", {0}}});
-  const auto meshes = [](const desc::SceneDesc& scene) {
+  const auto meshes = [&] {
+    Warnings warnings;
+    const desc::SceneDesc scene = import_with(file.text(), warnings);
+    EXPECT_EQ(warnings.count(), 1U) << "of the other scene";
     std::size_t count = 0;
     for (const desc::Shape& shape : scene.shapes) count += shape.node.is("mesh") ? 1 : 0;
     return count;
   };
-  EXPECT_EQ(meshes(scene_of(file)), 0U);
+  EXPECT_EQ(meshes(), 0U);
   file.json["scene"] = 1;
-  EXPECT_EQ(meshes(scene_of(file)), 1U);
+  EXPECT_EQ(meshes(), 1U);
   file.json["scene"] = 2;
   EXPECT_TRUE(contains(error_of(file.text()), "#/scene: this refers to number 2"));
 }
@@ -80,7 +83,7 @@ TEST(GltfNodes, MeshesUsedTwiceAreInstances) {
   EXPECT_EQ(scene.objects[0].shapes.size(), 1U);
   ASSERT_EQ(scene.instances.size(), 2U);
   expect_near(placed(scene.instances[1].to_world, Vec3(0.F)), {2, 0, 0});
-  EXPECT_EQ(*scene.instances[1].where.file, "test.gltf#/nodes/1");
+  EXPECT_EQ(without_places(scene.instances[1].where.to_string()), "test.gltf#/nodes/1");
 }
 
 TEST(GltfNodes, WhatShinesIsRepeatedInsteadOfInstanced) {
@@ -243,6 +246,12 @@ TEST(GltfLights, SpotsShineAlongMinusZ) {
   EXPECT_TRUE(
       contains(error_of(with_light({{"type", "spot"}, {"spot", {{"innerConeAngle", 2}}}}).text()),
                "/lights/0/spot: its cone angles must be"));
+}
+
+TEST(GltfLights, RangesAreWarnings) {
+  EXPECT_EQ(warnings_of(with_light({{"type", "point"}, {"range", 4}})),
+            "test.gltf#/extensions/KHR_lights_punctual/lights/0: the range of this light is "
+            "ignored\n");
 }
 
 TEST(GltfLights, NegativeStrengthsAndUnknownTypesAreLocatedErrors) {

@@ -13,8 +13,11 @@ namespace {
 constexpr WarningKind kFactorRange{Effect::Surface,
                                    "factors of materials are out of range: clamped"};
 constexpr WarningKind kCoatNormals{Effect::Slight, "clear coats have normal maps: ignored"};
-constexpr WarningKind kNoCoat{Effect::Surface,
-                              "clear coats of glass and of old or unlit materials: left out"};
+constexpr WarningKind kNoLayer{Effect::Surface,
+                               "extensions of glass and of old or unlit materials: left out"};
+constexpr WarningKind kNoAbsorption{
+    Effect::Surface, "volumes are only supported behind transmission: no absorption"};
+constexpr WarningKind kClosedVolume{Effect::None, "volumes are of opaque materials: not seen"};
 constexpr WarningKind kUnlit{Effect::Light,
                              "materials are unlit: they shine, also onto their surroundings"};
 constexpr WarningKind kSpecular{Effect::Surface, "materials have a hue of their gloss: ignored"};
@@ -24,6 +27,39 @@ constexpr WarningKind kSheen{Effect::Slight, "materials have a sheen: another on
 constexpr WarningKind kDiffuseTransmission{
     Effect::Surface, "materials let light shine through diffusely: in their base colour"};
 constexpr WarningKind kInfiniteIndex{Effect::Slight, "materials have an index of refraction of 0"};
+
+/// What an extension adds to a material, unless the member is 0, and what is said where it cannot.
+struct Layer {
+  std::string_view extension;
+  std::string_view member;
+  std::string_view message;
+};
+constexpr Layer kCoatLayer{"KHR_materials_clearcoat", "clearcoatFactor",
+                           "a clear coat is only supported on metals and opaque dielectrics: left "
+                           "out elsewhere"};
+constexpr Layer kSheenLayer{"KHR_materials_sheen", "sheenColorFactor",
+                            "a sheen is only supported on metals and opaque dielectrics: left out "
+                            "elsewhere"};
+constexpr Layer kTransmissionLayer{
+    "KHR_materials_transmission", "transmissionFactor",
+    "transmission is only supported in metallic-roughness materials: left out"};
+constexpr Layer kDiffuseTransmissionLayer{
+    "KHR_materials_diffuse_transmission", "diffuseTransmissionFactor",
+    "diffuse transmission is only supported in metallic-roughness materials: left out"};
+
+/// Whether a member, a number or a colour, is there and not 0.
+bool is_some(const Element& holder, std::string_view name) {
+  const std::optional<Element> member = holder.find(name);
+  if (!member) return false;
+  if (!member->is_array()) return member->number() != 0.0;
+  return holder.vector_or(name, Vec3(0.F)) != Vec3(0.F);
+}
+
+void warn_of_layer(const Element& material, const Layer& layer, Warnings& warnings) {
+  const auto extension = material.extension(layer.extension);
+  if (!extension || !is_some(*extension, layer.member)) return;
+  warnings.add(kNoLayer, extension->where(), std::string(layer.message));
+}
 
 /// A share in place of a lane of a colour: `principled` has no coloured gloss of a dielectric.
 float brightness(const Vec3& color) {
@@ -44,21 +80,22 @@ Surface SurfaceReader::read() {
 
 desc::MaterialId SurfaceReader::read_base() {
   static const Json kNothing = Json::object();
-  const Element nothing(kNothing, context_.document.name,
+  const Element nothing(kNothing, context_.document.origin,
                         material_.pointer() + "/pbrMetallicRoughness");
   const Element pbr = material_.find("pbrMetallicRoughness").value_or(nothing);
   if (material_.extension("KHR_materials_unlit")) {
-    warn_of_coat();
+    warn_of_layers();
     return unlit(pbr);
   }
   if (const auto glossiness = material_.extension("KHR_materials_pbrSpecularGlossiness")) {
-    warn_of_coat();
+    warn_of_layers();
     return specular_glossiness(*glossiness);
   }
   const desc::MaterialId opaque = metallic_roughness(pbr);
   const auto transmission = material_.extension("KHR_materials_transmission");
-  if (transmission) warn_of_coat();
-  return transmission ? with_transmission(opaque, *transmission, pbr) : opaque;
+  if (transmission) return with_transmission(opaque, *transmission, pbr);
+  warn_of_volume();
+  return opaque;
 }
 
 desc::MaterialId SurfaceReader::metallic_roughness(const Element& pbr) {
@@ -114,7 +151,13 @@ desc::MaterialId SurfaceReader::with_transmission(desc::MaterialId opaque,
   const desc::Value color = base.get("base_color");
   const desc::Value roughness = base.get("roughness");
   const desc::Value amount = textures_.product(share, textures_.complement(metallic));
-  if (amount == desc::Value(0.F)) return opaque;
+  if (amount == desc::Value(0.F)) {
+    warn_of_volume();
+    return opaque;
+  }
+  for (const Layer& layer : {kCoatLayer, kSheenLayer}) {
+    warn_of_layer(material_, layer, context_.warnings);
+  }
   const auto volume = material_.extension("KHR_materials_volume");
   const bool is_thin = !volume || !(volume->number_or("thicknessFactor", 0.0) > 0.F);
   if (!is_thin) surface_.inside = read_medium(*volume);
@@ -165,12 +208,27 @@ desc::MaterialId SurfaceReader::with_opacity(desc::MaterialId visible) {
   return partly.material;
 }
 
-void SurfaceReader::warn_of_coat() {
-  const auto coat = material_.extension("KHR_materials_clearcoat");
-  if (!coat || coat->number_or("clearcoatFactor", 0.0) == 0.F) return;
-  context_.warnings.add(kNoCoat, coat->where(),
-                        "a clear coat is only supported on metals and opaque dielectrics: left out "
-                        "elsewhere");
+void SurfaceReader::warn_of_layers() {
+  for (const Layer& layer :
+       {kCoatLayer, kSheenLayer, kTransmissionLayer, kDiffuseTransmissionLayer}) {
+    warn_of_layer(material_, layer, context_.warnings);
+  }
+}
+
+void SurfaceReader::warn_of_volume() {
+  const auto volume = material_.extension("KHR_materials_volume");
+  if (!volume || !is_some(*volume, "thicknessFactor") || !volume->has("attenuationDistance")) {
+    return;
+  }
+  const auto diffuse = material_.extension(kDiffuseTransmissionLayer.extension);
+  if (diffuse && is_some(*diffuse, kDiffuseTransmissionLayer.member)) {
+    context_.warnings.add(kNoAbsorption, volume->where(),
+                          "a volume is only supported behind KHR_materials_transmission: nothing "
+                          "is absorbed here");
+  } else {
+    context_.warnings.add(kClosedVolume, volume->where(),
+                          "a volume of what lets no light in is not seen: ignored");
+  }
 }
 
 void SurfaceReader::set_clearcoat(desc::Node& node) {

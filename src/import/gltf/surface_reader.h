@@ -24,8 +24,10 @@ class SurfaceReader {
   desc::MaterialId with_opacity(desc::MaterialId visible);
 
   void set_clearcoat(desc::Node& node);
-  /// Tells of a clear coat on what has none here.
-  void warn_of_coat();
+  /// Tells of extensions on a material that has none of them here.
+  void warn_of_layers();
+  /// Tells of a volume on what has none here.
+  void warn_of_volume();
   void set_sheen(desc::Node& node);
   void set_diffuse_transmission(desc::Node& node);
   float index_of_refraction() const;
