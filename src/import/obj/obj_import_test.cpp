@@ -166,6 +166,37 @@ TEST(Obj, GlassRefracts) {
   EXPECT_FALSE(material_of("Kd 1 1 1\nd 1\nillum 4\n").is("dielectric"));
 }
 
+TEST(Obj, WhatAMaterialHasNoPlaceForIsAWarning) {
+  const auto warnings_with = [](const std::string& description) {
+    return warnings_of(kTexturedFace,
+                       {{"/scene/a.mtl", "newmtl m\n" + description}, {"/scene/a.png", ""}});
+  };
+  EXPECT_EQ(warnings_with("Kd .1 .5 .1\nmap_Kd a.png\nKs .5 .5 .5\nmap_Ks a.png\nNs 90\n"
+                          "map_d a.png\nPr .5\nPm .5\nillum 7\n"),
+            "a.mtl:1:1: glass is smooth and has the colour of \"Tf\", without \"Kd\", \"map_Kd\", "
+            "\"Ks\", "
+            "\"map_Ks\", \"Ns\", \"map_d\", \"Pr\", \"Pm\"\n");
+  EXPECT_EQ(warnings_with("Kd 1 1 1\nKs 1 1 1\nTf .2 .3 .4\nNi 1.4\nillum 7\n"), "");
+  EXPECT_EQ(warnings_with("Kd 1 1 1\nKs .5 .5 .5\nNs 90\nPr .3\nillum 2\n"),
+            "a.mtl:1:1: the gloss is that of \"Pr\" and \"Pm\", without \"Ks\", \"Ns\"\n");
+  EXPECT_EQ(warnings_with("Kd 1 1 1\nKs .5 .5 .5\nPr .3\nillum 1\n"), "");
+  for (const char* word : {"Tf", "Kt"}) {
+    EXPECT_EQ(warnings_with(std::string(word) + " .5 .5 .5\nillum 2\n"),
+              "a.mtl:1:1: \"Tf\" is only supported in glass, of \"illum\" 6 and 7: ignored\n");
+    EXPECT_EQ(warnings_with(std::string(word) + " 1 1 1\nillum 2\n"), "");
+  }
+}
+
+TEST(Obj, NormalMapsTiltAsMuchAsTheySay) {
+  const auto strength = [](const std::string& line) {
+    const desc::SceneDesc scene = with_material("norm " + line + "\n");
+    return scene.materials.at(static_cast<std::size_t>(scene.shapes[0].material))
+        .normal_map.strength;
+  };
+  EXPECT_EQ(strength("a.png"), 1.F);
+  EXPECT_EQ(strength("-bm 0.25 a.png"), 0.25F);
+}
+
 TEST(Obj, DissolveLetsLightPass) {
   for (const char* line : {"d .25\n", "Tr .75\n"}) {
     const desc::Node node = material_of(std::string("Kd 1 1 1\nillum 2\n") + line);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
+#include <utility>
 
 #include "core/error.h"
 #include "core/printable_text.h"
@@ -13,6 +15,11 @@ namespace {
 
 constexpr WarningKind kBump{Effect::Surface, "materials have bump maps: ignored"};
 constexpr WarningKind kModel{Effect::Surface, "materials have an unknown \"illum\""};
+constexpr WarningKind kGlassWords{Effect::Surface,
+                                  "glass has colours, images or gloss of its own: ignored"};
+constexpr WarningKind kOldGloss{Effect::Slight,
+                                "materials have a gloss beside \"Pr\" or \"Pm\": ignored"};
+constexpr WarningKind kFilter{Effect::Surface, "opaque materials have a filter: ignored"};
 constexpr WarningKind kNoImage{Effect::Surface, "images cannot be found: left out"};
 
 desc::Rgb reflectance_of(const tinyobj::real_t (&rgb)[3]) {
@@ -28,6 +35,15 @@ float share_of(float value) { return std::isfinite(value) ? std::clamp(value, 0.
 /// Facets as wide as the lobe of Blinn's exponent `ns` (Walter et al. 2007, section 6).
 float alpha_of(float ns) {
   return std::isfinite(ns) ? std::sqrt(2.F / (std::max(ns, 0.F) + 2.F)) : 0.F;
+}
+
+/// The words of those that are there, in quotes.
+std::string listed(std::initializer_list<std::pair<const char*, bool>> words) {
+  std::string text;
+  for (const auto& [word, is_there] : words) {
+    if (is_there) text += (text.empty() ? "\"" : ", \"") + std::string(word) + "\"";
+  }
+  return text;
 }
 
 /// Values of `illum`.
@@ -53,7 +69,11 @@ Surface SurfaceReader::read() {
   if (const auto normals =
           add_image(values_.normal_texname, values_.normal_texopt, "color", false, 1.F)) {
     scene_.materials.back().normal_map.texture = *normals;
+    scene_.materials.back().normal_map.strength =
+        std::isfinite(values_.normal_texopt.bump_multiplier) ? values_.normal_texopt.bump_multiplier
+                                                             : 1.F;
   }
+  warn_of_unused();
   if (!is_glass()) set_opacity(surface);
   set_emission(surface);
   if (!values_.bump_texname.empty()) {
@@ -73,6 +93,43 @@ bool SurfaceReader::is_glass() const {
 bool SurfaceReader::is_physically_based() const {
   return values_.roughness > 0.F || values_.metallic > 0.F || !values_.roughness_texname.empty() ||
          !values_.metallic_texname.empty();
+}
+
+void SurfaceReader::warn_of_unused() {
+  constexpr float kUnset = 1.F;
+  const desc::Rgb gloss = reflectance_of(values_.specular);
+  const desc::Rgb diffuse = reflectance_of(values_.diffuse);
+  const desc::Rgb filter = reflectance_of(values_.transmittance);
+  const bool has_gloss_image = !values_.specular_texname.empty();
+  const bool has_width = (gloss != Vec3(0.F) || has_gloss_image) && values_.shininess != kUnset;
+  const std::string name = printable_line(values_.name);
+  if (is_glass()) {
+    const std::string words =
+        listed({{"Kd", diffuse != Vec3(diffuse.x)},
+                {"map_Kd", !values_.diffuse_texname.empty()},
+                {"Ks", gloss != Vec3(0.F) && gloss != Vec3(1.F)},
+                {"map_Ks", has_gloss_image},
+                {"Ns", has_width},
+                {"map_d", !values_.alpha_texname.empty()},
+                {"Pr", values_.roughness > 0.F || !values_.roughness_texname.empty()},
+                {"Pm", values_.metallic > 0.F || !values_.metallic_texname.empty()}});
+    if (words.empty()) return;
+    warnings_.add(kGlassWords, where_,
+                  "glass is smooth and has the colour of \"Tf\", without " + words, name);
+    return;
+  }
+  if (is_physically_based() && values_.illum > kNoGloss) {
+    const std::string words =
+        listed({{"Ks", gloss != Vec3(0.F)}, {"map_Ks", has_gloss_image}, {"Ns", has_width}});
+    if (!words.empty()) {
+      warnings_.add(kOldGloss, where_, "the gloss is that of \"Pr\" and \"Pm\", without " + words,
+                    name);
+    }
+  }
+  if (filter != Vec3(0.F) && filter != Vec3(1.F)) {
+    warnings_.add(kFilter, where_,
+                  "\"Tf\" is only supported in glass, of \"illum\" 6 and 7: ignored", name);
+  }
 }
 
 desc::Node SurfaceReader::glass() const {

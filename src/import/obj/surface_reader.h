@@ -22,6 +22,8 @@ class SurfaceReader {
   desc::Node glass() const;
   bool is_glass() const;
   bool is_physically_based() const;
+  /// Tells of what the material has, and its kind has no place for.
+  void warn_of_unused();
   void set_opacity(Surface& surface);
   void set_emission(Surface& surface);
 

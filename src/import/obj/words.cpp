@@ -25,7 +25,8 @@ const std::vector<std::string> kRead = {
 /// Words with a meaning that is not supported. A number of 0 has none.
 const std::vector<std::string> kNotSupported = {
     "Ps", "Pc", "Pcr", "aniso", "anisor", "map_Ps", "map_Ns", "disp", "decal", "refl", "map_refl"};
-/// Options of images, with those that are ignored without a loss.
+/// Options of images, with those that are ignored without a loss: how much an image tilts has no
+/// meaning for one of colours, and a bump is told of as a whole.
 constexpr std::array<std::string_view, 8> kOptions = {"-s",      "-o",      "-clamp", "-blendu",
                                                       "-blendv", "-texres", "-cc",    "-bm"};
 
