@@ -207,6 +207,19 @@ TEST_F(Gltf, PicturesAreNotMirrored) {
   expect_color(seen.mean(0.3F, 0.7F, 0.1F, 0.4F), {0, 0, 1});
 }
 
+TEST_F(Gltf, BothSidesReflectWhateverDoubleSidedSays) {
+  // Light along −z, with the irradiance 2π, from the side of the camera.
+  add_light({{"type", "directional"}, {"intensity", 2.0 * M_PI}});
+  add_square(matt({0.25, 0.5, 0.125, 1}));
+  const Vec3 front = picture(16).mean();
+  json_["nodes"].back()["rotation"] = {0, 1, 0, 0};
+  for (const bool double_sided : {false, true}) {
+    json_["materials"][0]["doubleSided"] = double_sided;
+    expect_color(picture(16).mean(), front);
+  }
+  EXPECT_GT(front.x, 0.3F);
+}
+
 TEST_F(Gltf, ColorsOfImagesAreDecodedAndFactorsAreLinear) {
   const test::CodedGray image(188);
   Json material = shining({0.5, 0.25, 1});

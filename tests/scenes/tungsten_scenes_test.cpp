@@ -197,6 +197,20 @@ TEST(TungstenScenes, PicturesAreNotMirrored) {
   EXPECT_LT(picture.mean(0.F, 1.F, 0.55F, 1.F).z, 1e-6F);
 }
 
+TEST(TungstenScenes, ColorsOfImagesAreDecodedByAPowerUnlessTheySayNo) {
+  const test::CodedGray image(188);
+  const auto mean_with = [&](const std::string& member) {
+    return picture_of("{" + camera_at(5.F, 2.F) + ", 'primitives': [" +
+                          wall(4.F, "'bsdf': {'type': 'null'}, 'emission': {'type': 'bitmap', " +
+                                        member + "'scale': 2, 'file': '" + image.path() + "'}") +
+                          "]}",
+                      1)
+        .mean();
+  };
+  expect_color(mean_with(""), Vec3(2.F * std::pow(image.undecoded(), 2.2F)));
+  expect_color(mean_with("'gamma_correct': false, "), Vec3(2.F * image.undecoded()));
+}
+
 TEST(TungstenScenes, ImagesOnSquaresRiseAlongZ) {
   const FourColors image;
   const TinyPicture picture = picture_of(
