@@ -43,6 +43,7 @@ const TextureType* texture_type(std::string_view name) {
 
 std::vector<std::string> names_of_texture_types() {
   std::vector<std::string> names;
+  names.reserve(kTextureTypes.size());
   for (const TextureType& type : kTextureTypes) names.emplace_back(type.name);
   return names;
 }

@@ -52,6 +52,7 @@ void check_transmittance(const Context& context, const LocatedJson& json) {
   if (const LocatedJson* name = json.find("type");
       type == nullptr && name != nullptr && name->is(LocatedJson::Kind::String)) {
     std::vector<std::string> names;
+    names.reserve(kTransmittances.size());
     for (const TransmittanceType& known : kTransmittances) names.emplace_back(known.name);
     message = unknown_name_message("transmittance", shown(name->text()), names) +
               ". An exponential one stands in";
