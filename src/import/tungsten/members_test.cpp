@@ -26,8 +26,11 @@ void expect_one_more(const std::string& scene, const std::string& object) {
 std::vector<std::string> objects_of(const std::vector<std::string>& types,
                                     const std::string& members = "") {
   std::vector<std::string> objects;
-  for (const std::string& type : types)
-    objects.push_back("{'type': '" + type + "'" + members + "}");
+  objects.reserve(types.size());
+  for (const std::string& type : types) {
+    std::string& object = objects.emplace_back("{'type': '");
+    object.append(type).append("'").append(members).append("}");
+  }
   return objects;
 }
 
