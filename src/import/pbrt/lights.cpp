@@ -18,6 +18,9 @@ constexpr WarningKind kDecoded{
     Effect::Light, "lights have images of integers, which are decoded as sRGB: pbrt-v3 does not"};
 constexpr WarningKind kUnknownLight{Effect::Light, "lights are unknown and left out"};
 constexpr WarningKind kNoPortal{Effect::Slight, "lights have portals, which are ignored"};
+constexpr WarningKind kNegativeScale{Effect::Light, "lights have a negative \"scale\": dark"};
+constexpr WarningKind kTwoSources{Effect::Light,
+                                  "lights have both a colour and an image, which pbrt-v4 refuses"};
 constexpr WarningKind kNoPower{
     Effect::Light, "lights on surfaces have both an image and \"power\", which is ignored"};
 
@@ -53,11 +56,31 @@ float target_scale(const ParameterList& p, desc::Node& node) {
   return solid_angle > 0.F ? *power / solid_angle : 1.F;
 }
 
+/// pbrt-v4's "scale".
+float number_scale(Context& context, const ParameterList& parameters) {
+  const Parameter* scale = parameters.find_one("scale", ParameterKind::Float);
+  const float value = scale == nullptr ? 1.F : scale->numbers.front();
+  if (value < 0.F) {
+    context.warnings.add(kNegativeScale, scale->where,
+                         "\"scale\" of a light is negative: taken as 0, which is dark");
+  }
+  return std::max(value, 0.F);
+}
+
+/// pbrt-v4 refuses lights with a colour and an image.
+void warn_of_two_sources(Context& context, const ParameterList& parameters,
+                         const char* what_is_done) {
+  const Parameter* color = parameters.find("L", kSpectrumKinds);
+  if (color == nullptr) return;
+  context.warnings.add(kTwoSources, color->where,
+                       std::string("pbrt-v4 refuses \"L\" beside an image: here ") + what_is_done);
+}
+
 /// A colour times the parameter "scale" and a factor.
 desc::Rgb scaled(Context& context, const SourceLocation& where, const ParameterList& parameters,
                  const desc::Rgb& color, float target_scale) {
   const desc::Rgb scale = context.is_v4()
-                              ? desc::Rgb(std::max(parameters.get_float("scale", 1.F), 0.F))
+                              ? desc::Rgb(number_scale(context, parameters))
                               : context.spectra.get_positive(parameters, "scale", desc::Rgb(1.F));
   const desc::Rgb result = color * scale * target_scale;
   if (!is_finite(result))
@@ -122,6 +145,9 @@ std::optional<desc::Light> make_light(Context& context, TextureTable& textures,
                    .read(*model, find_theirs(table, type));
   if (light.node.is("spot")) set_falloff(light.node, p);
   if (!context.is_v4()) check_codes(context, where, light.node);
+  if (context.is_v4() && light.node.is("environment") && !light.node.text("image").empty()) {
+    warn_of_two_sources(context, p, "it is a factor of the image");
+  }
   const float factor = context.is_v4() ? target_scale(p, light.node) : 1.F;
   for (const ParameterSpec& spec : model->parameters) {
     if (spec.type != ParameterType::Color) continue;
@@ -175,6 +201,7 @@ std::optional<AreaEmission> make_emission(Context& context, TextureTable& textur
     result.power = target(p, "power");
     if (const auto image = emission_image(context, textures, where, p)) {
       node.set("radiance", *image);
+      warn_of_two_sources(context, p, "the image counts");
       if (result.power) {
         context.warnings.add(kNoPower, where,
                              "\"power\" of a light with an image is not supported: ignored");

@@ -20,6 +20,10 @@ constexpr WarningKind kMaterialNotMade{
     Effect::Surface, "materials are named that were not made: matte ones stand in"};
 constexpr WarningKind kNoMediumInCoat{
     Effect::Surface, "coated materials have an \"albedo\" in their coat, which is not supported"};
+constexpr WarningKind kTwoMetals{
+    Effect::Surface, "metals have both an index and a reflectance, which pbrt-v4 refuses"};
+constexpr WarningKind kBouncesOnMetal{Effect::Slight,
+                                      "coated metals have \"maxdepth\", which is not supported"};
 constexpr WarningKind kNoDisneySubsurface{
     Effect::Surface, "disney materials have subsurface scattering, which is not supported"};
 
@@ -55,9 +59,20 @@ void smooth_if_nearly_so(desc::Node& node) {
 
 /// Metals are copper unless they say otherwise, and copper has the colours of this dialect's
 /// spectra.
-void set_default_metal(const TextureParameters& p, desc::Node& node, const std::string& prefix) {
-  if (!p.find_spectrum(prefix + "eta")) node.set("eta", Vec3(*named_metal("metal-Cu-eta")));
-  if (!p.find_spectrum(prefix + "k")) node.set("k", Vec3(*named_metal("metal-Cu-k")));
+void finish_metal(const SourceLocation& where, const TextureParameters& p, desc::Node& node,
+                  const std::string& prefix) {
+  bool has_index = false;
+  for (const char* index : {"eta", "k"}) {
+    if (p.find_spectrum(prefix + index)) {
+      has_index = true;
+    } else {
+      node.set(index, Vec3(*named_metal(std::string("metal-Cu-") + index)));
+    }
+  }
+  if (!has_index || std::holds_alternative<std::monostate>(node.get("reflectance"))) return;
+  p.context().warnings.add(kTwoMetals, where,
+                           "pbrt-v4 refuses \"eta\" and \"k\" beside \"reflectance\": here the "
+                           "reflectance counts");
 }
 
 /// Indices are no reflectances: an image of them may be above 1.
@@ -75,8 +90,8 @@ void unclamp(const SourceLocation& where, TextureTable& textures, Context& conte
 void finish_v4(const SourceLocation& where, const std::string& type, const TextureParameters& p,
                TextureTable& textures, desc::Node& node) {
   smooth_if_nearly_so(node);
-  if (type == "conductor") set_default_metal(p, node, "");
-  if (type == "coatedconductor") set_default_metal(p, node, "conductor.");
+  if (type == "conductor") finish_metal(where, p, node, "");
+  if (type == "coatedconductor") finish_metal(where, p, node, "conductor.");
   if (node.is("conductor") || node.is("coated_conductor")) {
     for (const char* index : {"eta", "k"}) unclamp(where, textures, p.context(), index, node);
   }
@@ -97,8 +112,15 @@ void finish_v4(const SourceLocation& where, const std::string& type, const Textu
     const float* number = std::get_if<float>(&depth);
     if (number != nullptr) depth = Vec3(*number);
     node.set("coat_depth", depth);
-    const int ways = p.integer("maxdepth").value_or(10);
-    if (node.is("coated_diffuse")) node.set("bounces", std::clamp(ways / 2, 1, 1000));
+    const std::optional<int> ways = p.integer("maxdepth");
+    if (node.is("coated_diffuse")) {
+      node.set("bounces", std::clamp(ways.value_or(10) / 2, 1, 1000));
+    } else if (ways.value_or(10) < 10) {
+      p.context().warnings.add(kBouncesOnMetal, where,
+                               type +
+                                   ": \"maxdepth\" is not supported: light meets the metal any "
+                                   "number of times");
+    }
     p.accept({"g", "nsamples", "twosided"});
   }
 }

@@ -192,6 +192,40 @@ TEST(PbrtMaterials, UnsupportedOnesHaveStandIns) {
   EXPECT_TRUE(contains(error_of(world("Material \"composite\"")), "unknown material"));
 }
 
+TEST(PbrtMaterials, BelowTheSurfaceLightIsTintedWhereItEnters) {
+  const auto stand_in = [](const std::string& type_and_parameters) {
+    Warnings warnings;
+    const desc::SceneDesc s = import_with(
+        world("Texture \"t\" \"spectrum\" \"uv\" Material " + type_and_parameters), warnings);
+    EXPECT_EQ(warnings.count(), 1U) << warnings.messages().back();
+    return s;
+  };
+  const std::string tints = "\"rgb Kr\" [.5 .6 .7] \"rgb Kt\" [.1 .2 .3] ";
+  const desc::SceneDesc tinted =
+      stand_in("\"kdsubsurface\" \"rgb Kd\" [.8 .8 .8] \"rgb mfp\" [1 1 1] " + tints);
+  const desc::Node& node = tinted.materials[0].node;
+  EXPECT_EQ(node.color("coat_reflectance"), desc::Rgb(0.5F, 0.6F, 0.7F));
+  expect_rgb(node.color("diffuse_reflectance"), {0.08F, 0.16F, 0.24F});
+  EXPECT_EQ(stand_in("\"kdsubsurface\"").materials[0].node.color("diffuse_reflectance"),
+            desc::Rgb(0.5F));
+  const desc::SceneDesc textured =
+      stand_in("\"kdsubsurface\" \"texture Kd\" \"t\" \"rgb Kt\" [.1 .2 .3]");
+  const desc::Node& product =
+      textured.textures
+          .at(static_cast<std::size_t>(textured.materials[0].node.texture("diffuse_reflectance")))
+          .node;
+  EXPECT_EQ(product.texture("first"), 0);
+  EXPECT_EQ(product.color("second"), desc::Rgb(0.1F, 0.2F, 0.3F));
+  // A preset has what no coefficient says.
+  const auto color = [&](const std::string& parameters) {
+    return stand_in("\"subsurface\" \"string name\" \"Ketchup\" " + parameters)
+        .materials[0]
+        .node.color("diffuse_reflectance");
+  };
+  EXPECT_EQ(color("\"rgb sigma_s\" [0 0 0]"), desc::Rgb(0.F));
+  EXPECT_LT(color("\"rgb sigma_a\" [99 99 99]").x, color("").x);
+}
+
 TEST(PbrtMaterials, SubsurfaceScatteringIsNotSupported) {
   EXPECT_TRUE(contains(warnings_of(world("Material \"disney\" \"rgb scatterdistance\" [0 0 .1]")),
                        "\"scatterdistance\" (subsurface scattering) is not supported"));

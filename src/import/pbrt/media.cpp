@@ -4,36 +4,20 @@
 
 #include "import/common/density.h"
 #include "import/common/printable.h"
-#include "import/common/scattering_presets.h"
 #include "import/common/transforms.h"
 #include "import/pbrt/lexer.h"
 #include "import/pbrt/nanovdb_file.h"
+#include "import/pbrt/presets.h"
 
 namespace ajar::pbrt {
 namespace {
 
-constexpr WarningKind kUnknownPreset{Effect::Surface,
-                                     "media have unknown presets: Wholemilk stands in"};
 constexpr WarningKind kUnreadable{Effect::Surface,
                                   "grids of media cannot be read: they count as empty"};
 constexpr WarningKind kUnknownMedium{Effect::Surface, "media are unknown: clear ones stand in"};
 constexpr WarningKind kNoEmission{Effect::Light, "media emit light, which is not supported"};
-
-/// What pbrt-v3 takes if nothing is said.
-constexpr const char* kDefaultPreset = "Wholemilk";
-
-std::optional<ScatteringPreset> preset_of(Context& context, const SourceLocation& where,
-                                          const ParameterList& parameters) {
-  const std::optional<std::string> name = parameters.get_string("preset");
-  if (!name || name->empty()) return std::nullopt;
-  if (const std::optional<ScatteringPreset> preset = find_scattering_preset(*name)) return preset;
-  context.warnings.add(
-      kUnknownPreset, where,
-      unknown_name_message("medium preset", printable(*name), scattering_preset_names()) + ". " +
-          kDefaultPreset + " stands in",
-      printable(*name));
-  return find_scattering_preset(kDefaultPreset);
-}
+constexpr WarningKind kBesidePreset{Effect::Surface,
+                                    "media have a preset and coefficients, which are ignored"};
 
 /// Whether the coefficient `name` is a grid of colours.
 const Parameter* color_grid(const ParameterList& parameters, std::string_view name) {
@@ -137,6 +121,14 @@ void warn_of_parameters_that_emit(Context& context, const SourceLocation& where,
   if (glows) warn_of_emission(context, where, name);
 }
 
+/// pbrt-v3 takes from a preset what no parameter says, pbrt-v4 takes all of it.
+void warn_beside_preset(Context& context, const Parameter* coefficient) {
+  if (coefficient == nullptr) return;
+  context.warnings.add(kBesidePreset, coefficient->where,
+                       "\"" + coefficient->name + "\" is ignored: \"preset\" says it",
+                       coefficient->name);
+}
+
 }  // namespace
 
 desc::Medium make_medium(Context& context, const SourceLocation& where, const std::string& name,
@@ -155,14 +147,18 @@ desc::Medium make_medium(Context& context, const SourceLocation& where, const st
     report_unknown(context, where, "medium", *type, types, kUnknownMedium, "A clear one stands in");
     return medium;
   }
-  const std::optional<ScatteringPreset> preset = preset_of(context, where, parameters);
+  const std::optional<std::string> preset_name = parameters.get_string("preset");
+  const std::optional<ScatteringPreset> preset = preset_named(context, where, preset_name);
+  const bool says_all = context.is_v4() && preset && find_scattering_preset(*preset_name);
   // pbrt-v3 always starts from a preset; pbrt-v4 has 1 without one, and with one nothing else.
-  const ScatteringPreset defaults =
-      preset.value_or(context.is_v4() ? ScatteringPreset{desc::Rgb(1.F), desc::Rgb(1.F)}
-                                      : *find_scattering_preset(kDefaultPreset));
+  const ScatteringPreset defaults = preset.value_or(
+      context.is_v4() ? ScatteringPreset{desc::Rgb(1.F), desc::Rgb(1.F)} : default_preset());
   const auto coefficient = [&](std::string_view parameter, const desc::Rgb& fallback) {
-    const desc::Rgb given = context.spectra.get_positive(parameters, parameter, fallback);
-    return context.is_v4() && preset ? fallback : given;
+    if (says_all) {
+      warn_beside_preset(context, parameters.find(parameter, kSpectrumKinds));
+      return fallback;
+    }
+    return context.spectra.get_positive(parameters, parameter, fallback);
   };
   float scale = parameters.get_float("scale", 1.F);
   if (*type == "heterogeneous" || *type == "uniformgrid" || *type == "rgbgrid") {

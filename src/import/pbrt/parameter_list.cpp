@@ -39,6 +39,18 @@ constexpr std::array<KindName, 18> kKindNames = {{{"integer", ParameterKind::Int
                                                   {"blackbody", ParameterKind::Blackbody},
                                                   {"spectrum", ParameterKind::Spectrum}}};
 
+void warn_unused(const Parameter& p, const std::vector<std::string>& asked, Warnings& warnings) {
+  const std::string declaration =
+      "\"" + std::string(kind_name(p.kind)) + " " + printable(p.name) + "\"";
+  std::string message = "unused parameter " + declaration;
+  if (std::find(asked.begin(), asked.end(), p.name) != asked.end()) {
+    message += ": it must be of another type here";
+  } else if (const std::string near = nearest_name(p.name, asked); !near.empty()) {
+    message += "; did you mean \"" + near + "\"?";
+  }
+  warnings.add(kUnused, p.where, message, declaration);
+}
+
 }  // namespace
 
 std::string_view kind_name(ParameterKind kind) {
@@ -91,18 +103,25 @@ void ParameterList::add(Parameter parameter, Warnings& warnings) {
                  parameter.name);
     same->parameter = std::make_shared<const Parameter>(std::move(parameter));
   } else {
-    entries_.push_back({std::make_shared<const Parameter>(std::move(parameter)), false});
+    entries_.push_back({std::make_shared<const Parameter>(std::move(parameter))});
   }
 }
 
-void ParameterList::add_defaults(std::span<const ParameterPointer> defaults, Warnings& warnings) {
+void ParameterList::add_defaults(std::span<const AttributePointer> defaults, Warnings& warnings) {
   warnings_ = &warnings;
-  for (const ParameterPointer& parameter : defaults) {
+  for (const AttributePointer& attribute : defaults) {
     const bool is_given = std::any_of(entries_.begin(), entries_.end(), [&](const Entry& entry) {
-      return entry.parameter->name == parameter->name;
+      return entry.parameter->name == attribute->parameter->name;
     });
-    if (!is_given) entries_.push_back({parameter, true});
+    if (is_given) continue;
+    attribute->was_offered = true;
+    entries_.push_back({attribute->parameter, attribute, true});
   }
+}
+
+void ParameterList::Entry::use() const {
+  used = true;
+  if (attribute) attribute->was_used = true;
 }
 
 std::vector<ParameterPointer> ParameterList::parameters() const {
@@ -118,7 +137,7 @@ const Parameter* ParameterList::find(std::string_view name,
     const Parameter& p = *entry.parameter;
     if (p.name != name) continue;
     if (std::find(kinds.begin(), kinds.end(), p.kind) == kinds.end()) continue;
-    entry.used = true;
+    entry.use();
     return &p;
   }
   return nullptr;
@@ -215,7 +234,7 @@ void ParameterList::accept(std::initializer_list<std::string_view> names) const 
   for (const std::string_view name : names) {
     asked_.emplace_back(name);
     for (const Entry& entry : entries_) {
-      if (entry.parameter->name == name) entry.used = true;
+      if (entry.parameter->name == name) entry.use();
     }
   }
 }
@@ -227,17 +246,16 @@ std::size_t ParameterList::used_count() const {
 
 void ParameterList::report_unused(Warnings& warnings) const {
   for (const Entry& entry : entries_) {
-    if (entry.used) continue;
-    const Parameter& p = *entry.parameter;
-    const std::string declaration =
-        "\"" + std::string(kind_name(p.kind)) + " " + printable(p.name) + "\"";
-    std::string message = "unused parameter " + declaration;
-    if (std::find(asked_.begin(), asked_.end(), p.name) != asked_.end()) {
-      message += ": it must be of another type here";
-    } else if (const std::string near = nearest_name(p.name, asked_); !near.empty()) {
-      message += "; did you mean \"" + near + "\"?";
-    }
-    warnings.add(kUnused, p.where, message, declaration);
+    if (!entry.used) warn_unused(*entry.parameter, asked_, warnings);
+    if (!entry.attribute || entry.attribute->was_used) continue;
+    if (entry.attribute->asked.empty()) entry.attribute->asked = asked_;
+  }
+}
+
+void report_unused(std::span<const AttributePointer> attributes, Warnings& warnings) {
+  for (const AttributePointer& attribute : attributes) {
+    if (!attribute->was_offered || attribute->was_used) continue;
+    warn_unused(*attribute->parameter, attribute->asked, warnings);
   }
 }
 

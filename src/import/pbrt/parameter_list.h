@@ -54,6 +54,17 @@ struct Parameter {
 /// Shared, because one may belong to many directives and be large.
 using ParameterPointer = std::shared_ptr<const Parameter>;
 
+/// One that an `Attribute` directive gives those after it, and what became of it.
+struct AttributeParameter {
+  ParameterPointer parameter;
+  bool was_offered = false;
+  bool was_used = false;
+  std::vector<std::string> asked;  ///< of the first directive that had no use for it
+};
+using AttributePointer = std::shared_ptr<AttributeParameter>;
+/// Warns of those that were offered, and that no directive ever asked for.
+void report_unused(std::span<const AttributePointer> attributes, Warnings& warnings);
+
 /// The parameters of one directive. Every lookup remembers its name: what was never asked for is
 /// reported by `report_unused`, with the nearest name that was.
 class ParameterList {
@@ -61,7 +72,7 @@ class ParameterList {
   void add(Parameter parameter, Warnings& warnings);
   /// Parameters that `Attribute` directives have set: they count where this list has none of their
   /// name, and may stay unused.
-  void add_defaults(std::span<const ParameterPointer> defaults, Warnings& warnings);
+  void add_defaults(std::span<const AttributePointer> defaults, Warnings& warnings);
   std::vector<ParameterPointer> parameters() const;
 
   /// The parameter, if it was given with one of these kinds. A different kind is a warning and
@@ -105,7 +116,9 @@ class ParameterList {
  private:
   struct Entry {
     ParameterPointer parameter;
+    AttributePointer attribute = nullptr;  ///< that it comes from
     mutable bool used = false;
+    void use() const;
   };
   std::vector<Vec3> get_triples(std::string_view name, ParameterKind kind) const;
 

@@ -134,18 +134,24 @@ void SceneBuilder::attribute(const SourceLocation& where, const std::string& tar
                    "It is ignored");
     return;
   }
-  std::vector<ParameterPointer> all = parameters.parameters();
-  for (const ParameterPointer& earlier : attributes(target)) {
+  std::vector<AttributePointer> all;
+  for (const ParameterPointer& parameter : parameters.parameters()) {
+    all.push_back(std::make_shared<AttributeParameter>(
+        AttributeParameter{.parameter = parameter, .asked = {}}));
+  }
+  all_attributes_.insert(all_attributes_.end(), all.begin(), all.end());
+  for (const AttributePointer& earlier : attributes(target)) {
     const bool is_replaced =
-        std::any_of(all.begin(), all.end(),
-                    [&](const ParameterPointer& later) { return later->name == earlier->name; });
+        std::any_of(all.begin(), all.end(), [&](const AttributePointer& later) {
+          return later->parameter->name == earlier->parameter->name;
+        });
     if (!is_replaced) all.push_back(earlier);
   }
   if (all.size() > kMostAttributes) throw SceneError(where, "too many attributes");
-  state_.attributes[target] = std::make_shared<const std::vector<ParameterPointer>>(std::move(all));
+  state_.attributes[target] = std::make_shared<const std::vector<AttributePointer>>(std::move(all));
 }
 
-std::span<const ParameterPointer> SceneBuilder::attributes(std::string_view target) const {
+std::span<const AttributePointer> SceneBuilder::attributes(std::string_view target) const {
   const auto found = state_.attributes.find(std::string(target));
   if (found == state_.attributes.end()) return {};
   return *found->second;
@@ -506,6 +512,7 @@ desc::SceneDesc SceneBuilder::finish(const SourceLocation& end) {
     }
     world_end(end);
   }
+  report_unused(all_attributes_, warnings_);
   if (camera_) {
     scene_.camera = camera_->camera;
     scene_.film.scale *= camera_->exposure_time;

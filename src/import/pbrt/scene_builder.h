@@ -50,7 +50,7 @@ class SceneBuilder {
   void attribute(const SourceLocation& where, const std::string& target,
                  const ParameterList& parameters);
   /// Those that count now; `target` is one of `attribute_targets`.
-  std::span<const ParameterPointer> attributes(std::string_view target) const;
+  std::span<const AttributePointer> attributes(std::string_view target) const;
   static const std::vector<std::string>& attribute_targets();
   void color_space(const SourceLocation& where, const std::string& name);
   /// That of colours written now; null in pbrt-v3, which has none.
@@ -99,7 +99,7 @@ class SceneBuilder {
  private:
   enum class Stage { Options, World, Done };
   enum class Scope { Attribute, Transform, Object, Import };
-  using Attributes = std::map<std::string, std::shared_ptr<const std::vector<ParameterPointer>>>;
+  using Attributes = std::map<std::string, std::shared_ptr<const std::vector<AttributePointer>>>;
   struct GraphicsState {
     MaterialPointer material;
     std::shared_ptr<const AreaEmission> emission;
@@ -154,6 +154,7 @@ class SceneBuilder {
   std::vector<OpenScope> scopes_;
   std::map<std::string, desc::MediumId> media_;
   std::set<std::string> unknown_media_;  ///< that were warned of
+  std::vector<AttributePointer> all_attributes_;
   std::map<std::string, desc::ObjectId> objects_;
   desc::ObjectId open_object_ = desc::kNone;
   std::optional<CameraOptions> camera_;

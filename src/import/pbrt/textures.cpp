@@ -331,6 +331,15 @@ std::optional<std::string> TextureParameters::text(std::string_view name) const 
   return first_of([&](const ParameterList& list) { return list.get_string(name); });
 }
 
+desc::Value TextureParameters::product(const SourceLocation& where, const desc::Value& a,
+                                       const desc::Value& b) const {
+  const Vec3* first = std::get_if<Vec3>(&a);
+  const Vec3* second = std::get_if<Vec3>(&b);
+  if (first != nullptr && second != nullptr) return *first * *second;
+  return desc::TextureRef{
+      table_.add(where, desc::texture_node("product", {{"first", a}, {"second", b}}))};
+}
+
 void TextureParameters::accept(std::initializer_list<std::string_view> names) const {
   for (const ParameterList* list : lists_) {
     if (list != nullptr) list->accept(names);

@@ -74,6 +74,9 @@ class TextureParameters {
   void accept(std::initializer_list<std::string_view> names) const;
 
   Context& context() const { return context_; }
+  /// Colours, or textures of colours, multiplied: by a new texture if one of them is a texture.
+  desc::Value product(const SourceLocation& where, const desc::Value& a,
+                      const desc::Value& b) const;
 
  private:
   std::optional<float> mean_of_spectrum(const ParameterList& list, std::string_view name) const;

@@ -108,6 +108,19 @@ TEST(Pbrt4Attribute, GivesDefaultsWithinItsBlock) {
                        "unknown target of Attribute \"shapes\"; did you mean \"shape\"?"));
 }
 
+TEST(Pbrt4Attribute, IsAWarningWhereNothingAsksForIt) {
+  EXPECT_TRUE(
+      contains(v4_warnings("Attribute \"shape\" \"float alhpa\" .5"),
+               "test.pbrt:2:19: unused parameter \"float alhpa\"; did you mean \"alpha\"?"));
+  EXPECT_TRUE(contains(v4_warnings("Attribute \"shape\" \"integer radius\" 5"),
+                       "unused parameter \"integer radius\": it must be of another type here"));
+  // One that some ask for is of use, and one that none could ask for may be.
+  EXPECT_EQ(v4_warnings("Attribute \"shape\" \"float height\" 2 Shape \"disk\""), "");
+  EXPECT_EQ(v4_warnings("Shape \"sphere\" AttributeBegin Attribute \"shape\" \"float alhpa\" .5 "
+                        "AttributeEnd"),
+            "");
+}
+
 TEST(Pbrt4Import, KeepsItsStateToItself) {
   const std::map<std::string, std::string> files = {
       {"part.pbrt", "Scale 2 2 2 Material \"dielectric\" Shape \"disk\""}};
@@ -204,10 +217,12 @@ TEST(Pbrt4Media, HaveDefaultsAndPresets) {
     return v4_scene("MakeNamedMedium \"m\" " + parameters).media.at(0);
   };
   EXPECT_EQ(medium("\"string type\" \"homogeneous\"").sigma_a, desc::Rgb(1.F));
-  const desc::Medium coke = medium(
-      "\"string type\" \"homogeneous\" \"string preset\" \"Coke\" \"rgb sigma_a\" [9 9 9] \"float "
-      "scale\" 10");
-  expect_rgb(coke.sigma_a, {1.0014F, 1.6503F, 2.468F}, 1e-4F);
+  const std::string coke = "\"string type\" \"homogeneous\" \"string preset\" \"Coke\" ";
+  const desc::Rgb absorption(1.0014F, 1.6503F, 2.468F);
+  expect_rgb(medium(coke + "\"float scale\" 10").sigma_a, absorption, 1e-4F);
+  const std::string both = "MakeNamedMedium \"m\" " + coke + "\"rgb sigma_a\" [9 9 9]";
+  EXPECT_EQ(v4_warnings(both), "test.pbrt:2:72: \"sigma_a\" is ignored: \"preset\" says it\n");
+  expect_rgb(v4_scene_with_warnings(both).media.at(0).sigma_a, absorption * 0.1F, 1e-5F);
   const desc::SceneDesc grid = v4_scene(
       "MakeNamedMedium \"m\" \"string type\" \"uniformgrid\" \"integer nx\" 2 \"float density\" [1 "
       "3] \"rgb sigma_s\" [1 2 3]");

@@ -127,6 +127,21 @@ TEST(Pbrt4AreaLights, ImagesShineAsTextures) {
   EXPECT_EQ(node.color("scale"), desc::Rgb(3.F));
 }
 
+TEST(Pbrt4Lights, HaveAColorOrAnImage) {
+  const Files files = {{"sky.exr", ""}};
+  const std::string both = "\"rgb L\" [2 2 2] \"string filename\" \"sky.exr\" ";
+  EXPECT_TRUE(contains(v4_warnings("LightSource \"infinite\" " + both, files),
+                       "2:24: pbrt-v4 refuses \"L\" beside an image: here it is a factor"));
+  EXPECT_TRUE(contains(v4_warnings("AreaLightSource \"diffuse\" " + both, files),
+                       "2:27: pbrt-v4 refuses \"L\" beside an image: here the image counts"));
+}
+
+TEST(Pbrt4Lights, AreDarkWhereTheirScaleIsNegative) {
+  const std::string point = "LightSource \"point\" \"float scale\" -2";
+  EXPECT_TRUE(contains(v4_warnings(point), "2:21: \"scale\" of a light is negative"));
+  EXPECT_EQ(v4_scene_with_warnings(point).lights.at(0).node.color("intensity"), desc::Rgb(0.F));
+}
+
 TEST(Pbrt4Lights, UnknownOnesAreLeftOut) {
   EXPECT_TRUE(contains(v4_warnings("LightSource \"poitn\""),
                        "test.pbrt:2:1: unknown light \"poitn\"; did you mean \"point\"?"));

@@ -117,6 +117,78 @@ TEST(Pbrt4Materials, ThatWeLackHaveStandInsThatLookLikeThem) {
                        "material \"measured\" is not supported"));
 }
 
+TEST(Pbrt4Materials, HairHasTheColorThatItReflects) {
+  const auto hair = [](const std::string& parameters) {
+    const desc::SceneDesc s = v4_scene_with_warnings("Material \"hair\" " + parameters);
+    return material_node_of(s, s.shapes.back()).color("reflectance");
+  };
+  const desc::Rgb red(0.9F, 0.1F, 0.1F);
+  EXPECT_EQ(hair("\"rgb reflectance\" [.9 .1 .1]"), red);
+  EXPECT_EQ(hair("\"rgb reflectance\" [.9 .1 .1] \"float eumelanin\" 8"), red);
+  // Absorption comes before it: without any, hair is white.
+  expect_rgb(hair("\"rgb reflectance\" [.9 .1 .1] \"rgb sigma_a\" [0 0 0]"), desc::Rgb(1.F));
+  EXPECT_TRUE(contains(
+      v4_warnings("Material \"hair\" \"rgb reflectance\" [.9 .1 .1] \"rgb sigma_a\" [0 0 0]"),
+      "unused parameter \"rgb reflectance\""));
+}
+
+TEST(Pbrt4Materials, StandInsLookTheirTexturesUp) {
+  for (const char* parameter : {"\"hair\" \"texture sigma_a\"", "\"hair\" \"texture eumelanin\"",
+                                "\"hair\" \"texture beta_m\"", "\"subsurface\" \"texture sigma_s\"",
+                                "\"subsurface\" \"texture mfp\""}) {
+    EXPECT_TRUE(contains(v4_warnings("Material " + std::string(parameter) + " \"nope\""),
+                         "texture \"nope\""))
+        << parameter;
+  }
+  const std::string noise = "Texture \"n\" \"float\" \"fbm\" ";
+  EXPECT_TRUE(
+      contains(v4_warnings(noise + "Material \"hair\" \"texture eumelanin\" \"n\""),
+               "\"eumelanin\" is a texture, which the stand-in cannot follow: its default counts"));
+  const auto eumelanin = [](const std::string& texture) {
+    const desc::SceneDesc s = v4_scene_with_warnings(
+        "Texture \"n\" \"float\" \"constant\" \"float value\" 0 Material \"hair\" " + texture);
+    return material_node_of(s, s.shapes.back()).color("reflectance");
+  };
+  expect_rgb(eumelanin("\"texture eumelanin\" \"n\""), desc::Rgb(1.F));
+}
+
+TEST(Pbrt4Materials, BelowTheSurfaceOneOfThreeCounts) {
+  const auto color = [](const std::string& parameters) {
+    const desc::SceneDesc s = v4_scene_with_warnings("Material \"subsurface\" " + parameters);
+    return material_node_of(s, s.shapes.back()).color("diffuse_reflectance");
+  };
+  const std::string reflectance = "\"rgb reflectance\" [.1 .2 .3] ";
+  EXPECT_EQ(color(reflectance), desc::Rgb(0.1F, 0.2F, 0.3F));
+  EXPECT_EQ(color(reflectance + "\"string name\" \"Ketchup\""),
+            color("\"string name\" \"Ketchup\""));
+  EXPECT_EQ(color(reflectance + "\"rgb sigma_s\" [0 0 0] \"rgb sigma_a\" [1 1 1]"), desc::Rgb(0.F));
+  // Forward scattering counts for coefficients and not for presets, whose scattering is reduced.
+  const std::string forward = "\"float g\" .9 ";
+  const std::string coefficients = "\"rgb sigma_s\" [1 1 1] \"rgb sigma_a\" [1 1 1] ";
+  EXPECT_LT(color(coefficients + forward).x, 0.5F * color(coefficients).x);
+  EXPECT_EQ(color("\"string name\" \"Ketchup\" " + forward), color("\"string name\" \"Ketchup\""));
+  EXPECT_TRUE(contains(v4_warnings("Material \"subsurface\" \"string name\" \"Ketchap\""),
+                       "unknown medium preset \"Ketchap\"; did you mean \"Ketchup\"?"));
+  EXPECT_TRUE(contains(v4_warnings("Material \"subsurface\" \"rgb Kt\" [1 0 0]"),
+                       "unused parameter \"rgb Kt\""));
+}
+
+TEST(Pbrt4Materials, MetalsHaveAnIndexOrAReflectance) {
+  const std::string both = "\"rgb reflectance\" [.5 .5 .5] ";
+  EXPECT_TRUE(contains(v4_warnings("Material \"conductor\" \"rgb k\" [1 1 1] " + both),
+                       "2:1: pbrt-v4 refuses \"eta\" and \"k\" beside \"reflectance\""));
+  EXPECT_TRUE(
+      contains(v4_warnings("Material \"coatedconductor\" \"rgb conductor.eta\" [1 1 1] " + both),
+               "here the reflectance counts"));
+  EXPECT_EQ(v4_warnings("Material \"conductor\" " + both), "");
+}
+
+TEST(Pbrt4Materials, CoatedMetalsIgnoreAFewBounces) {
+  const std::string metal = "Material \"coatedconductor\" \"integer maxdepth\" ";
+  EXPECT_TRUE(contains(v4_warnings(metal + "2"), "coatedconductor: \"maxdepth\""));
+  EXPECT_EQ(v4_warnings(metal + "10"), "");
+}
+
 TEST(Pbrt4Materials, WhatCannotBeDoneIsSaidWithItsPlace) {
   EXPECT_TRUE(contains(v4_warnings("Material \"difuse\""),
                        "test.pbrt:2:1: unknown material \"difuse\"; did you mean \"diffuse\"?"));
