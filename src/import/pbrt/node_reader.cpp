@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "import/pbrt/own_words.h"
+
 namespace ajar::pbrt {
 namespace {
 
@@ -44,6 +46,12 @@ desc::Node NodeReader::read(const desc::Model& model, const ModelName* names) co
 }
 
 desc::Value NodeReader::value(const ParameterSpec& spec, const ParameterName& name) const {
+  // References of mixes are found by pbrt's words.
+  const bool may_be_own = has_own_words_ && spec.type != ParameterType::Material;
+  if (may_be_own) {
+    const std::string own = own_word(spec.name);
+    if (const std::optional<desc::Value> given = find(spec, own)) return allowed(spec, own, *given);
+  }
   for (const std::string_view theirs : name.theirs) {
     std::optional<desc::Value> given;
     if (name.words[0].empty()) {
@@ -52,10 +60,7 @@ desc::Value NodeReader::value(const ParameterSpec& spec, const ParameterName& na
       given = std::string(name.words[*flag ? 1 : 0]);
     }
     if (!given) continue;
-    if (const std::optional<std::string> reason = desc::complaint(spec, *given)) {
-      throw SceneError(where_, "\"" + std::string(theirs) + "\" " + *reason);
-    }
-    return *given;
+    return allowed(spec, theirs, *given);
   }
   // Where theirs is a flag, ours may have more to choose from.
   if (!name.words[0].empty()) {
@@ -65,6 +70,14 @@ desc::Value NodeReader::value(const ParameterSpec& spec, const ParameterName& na
   ParameterSpec with_fallback = spec;
   with_fallback.default_value = name.fallback;
   return desc::default_value(with_fallback);
+}
+
+desc::Value NodeReader::allowed(const ParameterSpec& spec, std::string_view name,
+                                const desc::Value& given) const {
+  if (const std::optional<std::string> reason = desc::complaint(spec, given)) {
+    throw SceneError(where_, "\"" + std::string(name) + "\" " + *reason);
+  }
+  return given;
 }
 
 std::optional<desc::Value> NodeReader::find(const ParameterSpec& spec,

@@ -24,7 +24,9 @@ class NodeReader {
 
   /// `where` is the directive.
   NodeReader(const SourceLocation& where, const TextureParameters& parameters)
-      : where_(where), parameters_(parameters) {}
+      : where_(where),
+        parameters_(parameters),
+        has_own_words_(!parameters.context().is_v4() && parameters.has_own_words()) {}
 
   /// For models that refer to materials.
   NodeReader& with_materials(FindMaterial find_material) {
@@ -43,6 +45,9 @@ class NodeReader {
 
  private:
   desc::Value value(const ParameterSpec& spec, const ParameterName& name) const;
+  /// Raises SceneError if it is not.
+  desc::Value allowed(const ParameterSpec& spec, std::string_view name,
+                      const desc::Value& given) const;
   std::optional<desc::Value> find(const ParameterSpec& spec, std::string_view name) const;
   std::optional<desc::Value> find_color(const ParameterSpec& spec, std::string_view name) const;
   std::optional<desc::Value> find_file(std::string_view name) const;
@@ -51,6 +56,7 @@ class NodeReader {
 
   const SourceLocation& where_;
   const TextureParameters& parameters_;
+  bool has_own_words_;
   FindMaterial find_material_;
   bool numbers_for_colors_ = false;
 };

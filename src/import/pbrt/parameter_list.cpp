@@ -6,6 +6,7 @@
 
 #include "import/common/printable.h"
 #include "import/pbrt/lexer.h"
+#include "import/pbrt/own_words.h"
 
 namespace ajar::pbrt {
 namespace {
@@ -244,9 +245,16 @@ std::size_t ParameterList::used_count() const {
                                                 [](const Entry& entry) { return entry.used; }));
 }
 
+bool ParameterList::has_own_words() const {
+  return std::any_of(entries_.begin(), entries_.end(),
+                     [](const Entry& entry) { return has_own_prefix(entry.parameter->name); });
+}
+
 void ParameterList::report_unused(Warnings& warnings) const {
+  const bool has_own = has_own_words();
   for (const Entry& entry : entries_) {
-    if (!entry.used) warn_unused(*entry.parameter, asked_, warnings);
+    const bool is_for_pbrt = has_own && !has_own_prefix(entry.parameter->name);
+    if (!entry.used && !is_for_pbrt) warn_unused(*entry.parameter, asked_, warnings);
     if (!entry.attribute || entry.attribute->was_used) continue;
     if (entry.attribute->asked.empty()) entry.attribute->asked = asked_;
   }

@@ -112,6 +112,9 @@ class ParameterList {
   bool all_used() const { return used_count() == entries_.size(); }
   void report_unused(Warnings& warnings) const;
   bool empty() const { return entries_.empty(); }
+  /// Whether any has the prefix of our own words (own_words.h). Those of pbrt's that count for
+  /// nothing are for pbrt alone then, and not reported as unused.
+  bool has_own_words() const;
 
  private:
   struct Entry {

@@ -6,11 +6,13 @@
 
 #include "core/atomic_file.h"
 #include "core/error.h"
+#include "core/file_extension.h"
 #include "import/common/transforms.h"
 #include "import/mesh/ply.h"
 #include "import/pbrt/light_names.h"
 #include "import/pbrt/shape_names.h"
 #include "import/pbrt/writer_context.h"
+#include "import/pbrt/writer_curves.h"
 #include "scene/desc/models.h"
 
 namespace ajar {
@@ -76,9 +78,18 @@ class Writer {
         .parameter("integer yresolution", film.resolution.y);
     out_.parameter("float cropwindow", film.crop[0], film.crop[1], film.crop[2], film.crop[3]);
     out_.parameter("float scale", film.scale);
-    if (!film.filename.empty()) out_.parameter("string filename", film.filename);
+    if (!film.filename.empty()) out_.parameter("string filename", picture_name(film.filename));
     write_camera();
     for (std::size_t i = 0; i < scene_.media.size(); ++i) write_medium(i);
+  }
+
+  /// With a suffix that pbrt-v3 writes.
+  static std::string picture_name(const std::string& name) {
+    const std::string extension = file_extension(name);
+    for (const char* known : {".exr", ".png", ".tga", ".pfm"}) {
+      if (extension == known) return name;
+    }
+    return fs::path(name).replace_extension(".exr").string();
   }
 
   void write_medium(std::size_t i) {
@@ -193,6 +204,9 @@ class Writer {
     out_.parameter("integer maxdepth",
                    hints.max_depth.value_or(desc::RenderHints::kDefaultMaxDepth) - 1);
     if (name == kNames.end()) return;
+    if (name->second == "sppm" && hints.samples_per_pixel) {
+      out_.parameter("integer iterations", *hints.samples_per_pixel);
+    }
     for (const auto& [parameter, value] : hints.parameters) {
       const bool is_float =
           parameter == "largestepprobability" || parameter == "sigma" || parameter == "radius";
@@ -320,38 +334,13 @@ class Writer {
     begin_shape(shape, "loopsubdiv").parameter("integer levels", shape.node.integer("levels"));
     out_.vectors("integer indices", control.indices).vectors("point P", control.positions);
   }
-  /// True if every segment begins where the one before ends, which is what one pbrt curve can say.
-  static bool is_chain(const desc::Curves& curves) {
-    for (std::size_t i = 4; i < curves.control_points.size(); i += 4) {
-      if (curves.control_points[i] != curves.control_points[i - 1]) return false;
-      if (!curves.normals.empty() && curves.normals[i] != curves.normals[i - 1]) return false;
-    }
-    return true;
-  }
-
   void write_curves(const desc::Shape& shape) {
-    const desc::Curves& curves = *shape.node.curves("curves");
-    const std::size_t segments = curves.control_points.size() / 4;
-    if (is_chain(curves)) {
-      write_segments(shape, curves, 0, segments);
-    } else {
-      for (std::size_t i = 0; i < segments; ++i) write_segments(shape, curves, i, i + 1);
+    for (const pbrt::CurveChain& chain : pbrt::curve_chains(*shape.node.curves("curves"))) {
+      begin_shape(shape, "curve").parameter("string type", shape.node.text("type"));
+      out_.parameter("float width0", chain.width0).parameter("float width1", chain.width1);
+      out_.vectors("point P", chain.points);
+      if (!chain.normals.empty()) out_.vectors("normal N", chain.normals);
     }
-  }
-  void write_segments(const desc::Shape& shape, const desc::Curves& curves, std::size_t begin,
-                      std::size_t end) {
-    // Segments share their ends: each but the first is written without its first point.
-    std::vector<Vec3> points, normals;
-    for (std::size_t i = 4 * begin; i < 4 * end; ++i) {
-      if (i % 4 != 0 || i == 4 * begin) points.push_back(curves.control_points[i]);
-      if (!curves.normals.empty() && (i == 4 * begin || i % 4 == 3))
-        normals.push_back(curves.normals[i]);
-    }
-    begin_shape(shape, "curve").parameter("string type", shape.node.text("type"));
-    out_.parameter("float width0", curves.widths[4 * begin])
-        .parameter("float width1", curves.widths[4 * end - 1]);
-    out_.vectors("point P", points);
-    if (!normals.empty()) out_.vectors("normal N", normals);
   }
 
   pbrt::WriterContext context_;

@@ -140,7 +140,7 @@ TEST(PbrtWriter, WritesColorsOfMediaWhateverTheirGrid) {
   using Grid = desc::DensityGrid;
   for (const auto points : {Grid::Points::Centers, Grid::Points::Corners}) {
     for (const auto border : {Grid::Border::Zero, Grid::Border::Clamp}) {
-      for (const std::string& given : {"both", "absorption", "scattering"}) {
+      for (const std::string given : {"both", "absorption", "scattering"}) {
         for (const desc::Rgb& sigma : {desc::Rgb(0.7F), desc::Rgb(1.F, 0.5F, 0.F)}) {
           SCOPED_TRACE(given);
           desc::Medium medium;

@@ -26,7 +26,7 @@ const std::vector<ModelName>& texture_names(Dialect dialect) {
       {"mix", "mix", {kFirst, kSecond}},
       {"bilerp", "bilinear", mapped({})},
       {"imagemap", "image",
-       mapped({{"file", {"filename"}}, {"decode_srgb", {"gamma"}}, {"filter", {}}})},
+       mapped({{"file", {"filename"}}, {"decode_srgb", {"gamma"}}, {"filter", {"ajar:filter"}}})},
       {"uv", "uv", mapped({})},
       {"checkerboard", "checkerboard", mapped({kFirst, kSecond})},
       // With "integer dimension" 3.

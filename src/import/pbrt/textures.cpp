@@ -1,7 +1,9 @@
 #include "import/pbrt/textures.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "core/file_extension.h"
@@ -329,6 +331,12 @@ std::vector<std::string> TextureParameters::texts(std::string_view name) const {
 
 std::optional<std::string> TextureParameters::text(std::string_view name) const {
   return first_of([&](const ParameterList& list) { return list.get_string(name); });
+}
+
+bool TextureParameters::has_own_words() const {
+  return std::any_of(std::begin(lists_), std::end(lists_), [](const ParameterList* list) {
+    return list != nullptr && list->has_own_words();
+  });
 }
 
 desc::Value TextureParameters::product(const SourceLocation& where, const desc::Value& a,

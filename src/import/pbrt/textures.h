@@ -72,6 +72,7 @@ class TextureParameters {
   std::optional<std::string> text(std::string_view name) const;
   std::vector<std::string> texts(std::string_view name) const;
   void accept(std::initializer_list<std::string_view> names) const;
+  bool has_own_words() const;
 
   Context& context() const { return context_; }
   /// Colours, or textures of colours, multiplied: by a new texture if one of them is a texture.

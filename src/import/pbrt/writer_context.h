@@ -1,11 +1,13 @@
 #pragma once
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
 #include "import/common/name_table.h"
 #include "import/pbrt/text_writer.h"
 #include "import/pbrt/writer_names.h"
+#include "import/pbrt/writer_substitutes.h"
 #include "scene/desc/scene_desc.h"
 
 namespace ajar::pbrt {
@@ -17,6 +19,8 @@ struct WriterContext {
   std::vector<TextureUse> texture_uses;
   std::vector<std::string> texture_names, material_names, medium_names, object_names;
   TextWriter out;
+  /// How often each of our words was written that pbrt does not know.
+  std::map<std::string, int> unknown_parameters, unknown_models;
 
   WriterContext(const desc::SceneDesc& described, const std::string& out_path);
 
@@ -33,8 +37,9 @@ struct WriterContext {
 
 /// The parameters of a node by the names that pbrt has for them; without `names`, by ours.
 /// `numbers_for_colors`: as a texture of numbers has them.
+/// `substitutes`: what pbrt is told instead.
 void write_parameters(WriterContext& context, const desc::Node& node, const ModelName* names,
-                      bool numbers_for_colors = false);
+                      bool numbers_for_colors = false, const Substitutes& substitutes = {});
 /// Every texture, as float, as spectrum, as both or not at all, as it is used.
 void write_textures(WriterContext& context);
 /// Every material, as a named one.

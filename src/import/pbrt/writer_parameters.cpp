@@ -1,3 +1,4 @@
+#include "import/pbrt/own_words.h"
 #include "import/pbrt/writer_context.h"
 
 namespace ajar::pbrt {
@@ -11,7 +12,11 @@ struct ValueWriter {
   bool numbers_for_colors;
 
   void operator()(std::monostate) const {}
-  void operator()(bool value) const { context.out.flag(name, value); }
+  void operator()(bool value) const {
+    // pbrt's defaults are ours, but for "gamma", which depends on the file there: it is what this
+    // says of files of integers, and must not be said of others.
+    if (desc::Value(value) != desc::default_value(spec)) context.out.flag(name, value);
+  }
   void operator()(int value) const { context.out.parameter("integer " + name, value); }
   void operator()(float value) const { context.out.parameter("float " + name, value); }
   void operator()(const std::string& value) const {
@@ -42,34 +47,74 @@ struct ValueWriter {
   void operator()(const desc::CurvesPointer&) const {}
 };
 
+struct ParameterWriter {
+  WriterContext& context;
+  const desc::Node& node;
+  const ModelName* names;
+  bool numbers_for_colors;
+  const Substitutes& substitutes;
+
+  void write(const ParameterSpec& spec, const std::string& word, const desc::Value& value) const {
+    std::visit(ValueWriter{context, spec, word, numbers_for_colors}, value);
+  }
+
+  /// By our name, as pbrt has none that we know.
+  void write_untranslated(const ParameterSpec& spec, const desc::Value& value) const {
+    if (names != nullptr && !is_unknown_to_v3(node.model(), spec.name)) {
+      return write(spec, spec.name, value);
+    }
+    if (value == desc::default_value(spec)) return;
+    // The index of a metal says what its reflectance does.
+    const bool is_told = spec.name == "reflectance" && substitutes.contains("k");
+    if (names != nullptr && !is_told) ++context.unknown_parameters[spec.name];
+    write(spec, substitutes.empty() ? spec.name : own_word(spec.name), value);
+  }
+
+  void write_translated(const ParameterSpec& spec, const ParameterName& translated,
+                        const desc::Value& value) const {
+    if (translated.theirs.empty()) return;
+    const std::string word(translated.theirs.front());
+    if (has_own_prefix(word)) {
+      if (value == desc::default_value(spec)) return;
+      ++context.unknown_parameters[spec.name];
+    }
+    if (translated.words[0].empty()) return write(spec, word, value);
+    const std::string& choice = std::get<std::string>(value);
+    if (choice == translated.words[0] || choice == translated.words[1]) {
+      context.out.flag(word, choice == translated.words[1]);
+    } else {  // more than pbrt's flag can say
+      ++context.unknown_parameters[spec.name];
+      write(spec, spec.name, value);
+    }
+  }
+
+  void write(const ParameterSpec& spec, const desc::Value& value) const {
+    const ParameterName* translated = names == nullptr ? nullptr : names->find(spec.name);
+    // pbrt has a default where ours is absent.
+    const bool is_absent = std::holds_alternative<std::monostate>(value) && translated != nullptr &&
+                           !translated->if_absent.empty();
+    const desc::Value& meant = is_absent ? node.get(translated->if_absent) : value;
+    const auto substitute = substitutes.find(spec.name);
+    const bool is_substituted = substitute != substitutes.end();
+    if (!is_substituted && !node.matters(spec)) return;
+    const desc::Value& told = is_substituted ? substitute->second : meant;
+    if (translated == nullptr) {
+      write_untranslated(spec, told);
+    } else {
+      write_translated(spec, *translated, told);
+    }
+    if (is_substituted && node.matters(spec)) write(spec, own_word(spec.name), meant);
+  }
+};
+
 }  // namespace
 
 void write_parameters(WriterContext& context, const desc::Node& node, const ModelName* names,
-                      bool numbers_for_colors) {
+                      bool numbers_for_colors, const Substitutes& substitutes) {
+  if (names == nullptr) ++context.unknown_models[node.model().name];
+  const ParameterWriter writer{context, node, names, numbers_for_colors, substitutes};
   for (std::size_t i = 0; i < node.values().size(); ++i) {
-    const ParameterSpec& spec = node.model().parameters[i];
-    if (!node.matters(spec)) continue;
-    const desc::Value& value = node.values()[i];
-    const ParameterName* translated = names == nullptr ? nullptr : names->find(spec.name);
-    if (translated == nullptr) {
-      std::visit(ValueWriter{context, spec, spec.name, numbers_for_colors}, value);
-      continue;
-    }
-    if (translated->theirs.empty()) continue;
-    const std::string name(translated->theirs.front());
-    if (!translated->words[0].empty()) {
-      const std::string& choice = std::get<std::string>(value);
-      if (choice == translated->words[0] || choice == translated->words[1]) {
-        context.out.flag(name, choice == translated->words[1]);
-      } else {  // more than pbrt's flag can say
-        std::visit(ValueWriter{context, spec, spec.name, numbers_for_colors}, value);
-      }
-    } else if (std::holds_alternative<std::monostate>(value) && !translated->if_absent.empty()) {
-      std::visit(ValueWriter{context, spec, name, numbers_for_colors},
-                 node.get(translated->if_absent));
-    } else {
-      std::visit(ValueWriter{context, spec, name, numbers_for_colors}, value);
-    }
+    writer.write(node.model().parameters[i], node.values()[i]);
   }
 }
 

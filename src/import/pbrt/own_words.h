@@ -1,0 +1,22 @@
+#pragma once
+#include <string>
+#include <string_view>
+
+#include "scene/desc/node.h"
+
+/// Ajar's own words in files of pbrt-v3. What pbrt has no word for goes by the name that it has
+/// here. Where pbrt has a word that says less, its word has what comes nearest, for pbrt, and ours,
+/// with a prefix, what is meant: it counts.
+namespace ajar::pbrt {
+
+inline constexpr std::string_view kOwnPrefix = "ajar:";
+inline std::string own_word(std::string_view parameter) {
+  return std::string(kOwnPrefix) + std::string(parameter);
+}
+inline bool has_own_prefix(std::string_view word) { return word.starts_with(kOwnPrefix); }
+
+/// Whether pbrt-v3 has nothing of this name, for a model that it has; of parameters that the tables
+/// of names do not translate.
+bool is_unknown_to_v3(const desc::Model& model, std::string_view parameter);
+
+}  // namespace ajar::pbrt
