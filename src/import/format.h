@@ -28,8 +28,9 @@ struct Format {
                                   const SceneDefinitions& definitions) = nullptr;
   /// Writes a scene such that reading it gives a description of equal `desc::hash` (embedded files
   /// become files, and have another name then). Each file is written as a whole or not at all,
-  /// `path` last. Raises IoError. Null: the format is only read.
-  void (*write)(const desc::SceneDesc& scene, const std::string& path) = nullptr;
+  /// `path` last. Returns what other programs that read the format do not know of it, as people are
+  /// told; empty if they know all. Raises IoError. Null: the format is only read.
+  std::string (*write)(const desc::SceneDesc& scene, const std::string& path) = nullptr;
 };
 
 /// Every format there is, sorted by folder.

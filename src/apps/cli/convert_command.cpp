@@ -18,8 +18,9 @@ int convert(const ConvertArguments& arguments) {
                                            parse_assignments("-D", arguments.scene.definitions));
   check_spares({arguments.output}, scene.files);
   print_warnings(warnings, arguments.scene.scene);
-  format.write(scene, arguments.output);
+  const std::string unknown = format.write(scene, arguments.output);
   print_path(arguments.output);
+  if (!unknown.empty()) print_note(unknown);
   return 0;
 }
 

@@ -144,7 +144,8 @@ std::optional<desc::Light> make_light(Context& context, TextureTable& textures,
   light.node = NodeReader(where, TextureParameters::of_light(context, textures, p))
                    .read(*model, find_theirs(table, type));
   if (light.node.is("spot")) set_falloff(light.node, p);
-  if (!context.is_v4()) check_codes(context, where, light.node);
+  // Where we wrote the image, pbrt has another file, without codes.
+  if (!context.is_v4() && !p.has_own_words()) check_codes(context, where, light.node);
   if (context.is_v4() && light.node.is("environment") && !light.node.text("image").empty()) {
     warn_of_two_sources(context, p, "it is a factor of the image");
   }

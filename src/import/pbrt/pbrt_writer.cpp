@@ -10,6 +10,7 @@
 #include "import/common/transforms.h"
 #include "import/mesh/ply.h"
 #include "import/pbrt/light_names.h"
+#include "import/pbrt/mean_color.h"
 #include "import/pbrt/shape_names.h"
 #include "import/pbrt/writer_context.h"
 #include "import/pbrt/writer_curves.h"
@@ -38,7 +39,8 @@ class Writer {
         mesh_folder_(path_.stem().string() + "_meshes"),
         out_(context_.out) {}
 
-  void run() {
+  /// What pbrt does not know of it.
+  std::string run() {
     write_options();
     out_.line("WorldBegin");
     context_.medium_outside(scene_.camera.medium);
@@ -59,6 +61,7 @@ class Writer {
     for (const desc::Shape& shape : scene_.shapes) write_shape(shape);
     out_.line("WorldEnd").line("");
     write_file_atomically(path_, out_.text());
+    return context_.unknown_to_pbrt();
   }
 
  private:
@@ -103,6 +106,7 @@ class Writer {
                                                    : "homogeneous")
         .parameter("float g", medium.g);
     if (is_colored) {
+      ++context_.unknown_models["rgbgrid"];
       write_colors(medium);
       return;
     }
@@ -280,7 +284,12 @@ class Writer {
   void write_emission(const desc::Node& node) {
     const ModelName* names = find_ours(pbrt::emission_names(), node.model().name);
     out_.line("AreaLightSource").quoted(names == nullptr ? node.model().name : names->theirs);
-    write_parameters(context_, node, names);
+    pbrt::Substitutes substitutes;
+    if (const auto* texture = std::get_if<desc::TextureRef>(&node.get("radiance"))) {
+      substitutes["radiance"] = pbrt::mean_color(scene_, context_.images, texture->id);
+      ++context_.unknown_parameters["textures of lamps"];
+    }
+    write_parameters(context_, node, names, false, substitutes);
   }
 
   TextWriter& begin_shape(const desc::Shape& shape, std::string_view shape_type) {
@@ -353,8 +362,8 @@ class Writer {
 
 }  // namespace
 
-void write_pbrt(const desc::SceneDesc& scene, const std::string& out_path) {
-  Writer(scene, out_path).run();
+std::string write_pbrt(const desc::SceneDesc& scene, const std::string& out_path) {
+  return Writer(scene, out_path).run();
 }
 
 }  // namespace ajar

@@ -1,9 +1,5 @@
 #include "import/pbrt/writer_context.h"
 
-#include "core/atomic_file.h"
-#include "core/error.h"
-#include "core/file_extension.h"
-
 namespace ajar::pbrt {
 
 WriterContext::WriterContext(const desc::SceneDesc& described, const std::string& out_path)
@@ -13,7 +9,8 @@ WriterContext::WriterContext(const desc::SceneDesc& described, const std::string
       texture_names(unique_names(scene.textures, "texture")),
       material_names(unique_names(scene.materials, "material")),
       medium_names(unique_names(scene.media, "medium")),
-      object_names(unique_names(scene.objects, "object")) {}
+      object_names(unique_names(scene.objects, "object")),
+      images(scene, path) {}
 
 void WriterContext::reference(std::string_view name, desc::TextureId id) {
   if (id >= 0)
@@ -28,24 +25,27 @@ void WriterContext::medium_outside(desc::MediumId outside) {
   if (!scene.media.empty()) out.line("MediumInterface").quoted("").quoted(medium_name(outside));
 }
 
-std::string WriterContext::image_path(const std::string& image) const {
-  const auto embedded = scene.embedded_files.find(image);
-  if (embedded != scene.embedded_files.end()) {
-    const auto number = std::distance(scene.embedded_files.begin(), embedded);
-    const std::filesystem::path name =
-        path.stem().string() + "_images/image_" + std::to_string(number) + file_extension(image);
-    const std::filesystem::path folder = (path.parent_path() / name).parent_path();
-    std::error_code error;
-    std::filesystem::create_directories(folder, error);
-    if (error) {
-      throw IoError("cannot make the folder \"" + folder.string() + "\": " + error.message());
-    }
-    write_file_atomically(path.parent_path() / name, *embedded->second);
-    return name.generic_string();
+namespace {
+
+/// "channel (12 times), thin".
+std::string list_of(const std::map<std::string, int>& counts) {
+  std::string text;
+  for (const auto& [name, count] : counts) {
+    text += (text.empty() ? "" : ", ") + name;
+    if (count > 1) text += " (" + std::to_string(count) + " times)";
   }
-  const std::filesystem::path relative =
-      std::filesystem::path(image).lexically_relative(path.parent_path());
-  return relative.empty() ? image : relative.generic_string();
+  return text;
+}
+
+}  // namespace
+
+std::string WriterContext::unknown_to_pbrt() const {
+  std::string text;
+  if (!unknown_models.empty()) text = "models: " + list_of(unknown_models);
+  if (!unknown_parameters.empty()) {
+    text += (text.empty() ? "" : "; ") + ("parameters: " + list_of(unknown_parameters));
+  }
+  return text.empty() ? text : "pbrt-v3 does not know, and shows otherwise, these " + text;
 }
 
 }  // namespace ajar::pbrt

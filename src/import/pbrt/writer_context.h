@@ -6,6 +6,7 @@
 
 #include "import/common/name_table.h"
 #include "import/pbrt/text_writer.h"
+#include "import/pbrt/writer_images.h"
 #include "import/pbrt/writer_names.h"
 #include "import/pbrt/writer_substitutes.h"
 #include "scene/desc/scene_desc.h"
@@ -18,6 +19,7 @@ struct WriterContext {
   std::filesystem::path path;  ///< of the pbrt file
   std::vector<TextureUse> texture_uses;
   std::vector<std::string> texture_names, material_names, medium_names, object_names;
+  ImageWriter images;
   TextWriter out;
   /// How often each of our words was written that pbrt does not know.
   std::map<std::string, int> unknown_parameters, unknown_models;
@@ -30,9 +32,8 @@ struct WriterContext {
   std::string medium_name(desc::MediumId id) const;
   /// The interface of lights and the camera, which know only the outside.
   void medium_outside(desc::MediumId outside);
-  /// Relative to the pbrt file where possible. An embedded file is written, into a folder beside
-  /// it. Raises IoError.
-  std::string image_path(const std::string& image) const;
+  /// What pbrt-v3 does not know of all that was written, as people are told; empty if it knows all.
+  std::string unknown_to_pbrt() const;
 };
 
 /// The parameters of a node by the names that pbrt has for them; without `names`, by ours.

@@ -5,22 +5,28 @@
 #include <fstream>
 #include <sstream>
 
+#include "core/image_encoder.h"
+#include "core/image_input.h"
+#include "core/srgb.h"
 #include "import/pbrt/import_test_support.h"
 #include "import/pbrt/pbrt_writer.h"
 #include "scene/desc/models.h"
+#include "scene/testing/another_value.h"
 
 namespace ajar {
 namespace {
 
-/// A written file, and what Ajar reads of it.
+namespace fs = std::filesystem;
+
+/// A written file, what Ajar reads of it, and what the writer tells.
 struct Written {
   std::string text;
   desc::SceneDesc back;
+  std::string unknown;
 };
-Written written(const desc::SceneDesc& scene) {
-  const TemporaryFolder folder;
+Written written(const desc::SceneDesc& scene, const TemporaryFolder& folder = TemporaryFolder()) {
   const std::string file = (folder.path() / "scene.pbrt").string();
-  write_pbrt(scene, file);
+  std::string unknown = write_pbrt(scene, file);
   std::stringstream text;
   text << std::ifstream(file).rdbuf();
   Warnings warnings;
@@ -28,7 +34,7 @@ Written written(const desc::SceneDesc& scene) {
   for (const std::string& message : warnings.messages()) {
     EXPECT_NE(message.find("there are no shapes"), std::string::npos) << message;
   }
-  return {text.str(), std::move(back)};
+  return {text.str(), std::move(back), std::move(unknown)};
 }
 
 Written written_material(const desc::Node& node) {
@@ -180,6 +186,209 @@ TEST(WriterForPbrt, SaysHowManyIterationsThereAre) {
   const Written result = written(scene);
   EXPECT_TRUE(contains(result.text, "\"integer iterations\" [ 7 ]"));
   EXPECT_EQ(result.back.hints.samples_per_pixel, 7);
+}
+
+/// A file in `folder` of four texels, their codes 0, 51, 102, 153 in red, 255 less in green, and a
+/// blue of 255.
+std::string picture(const TemporaryFolder& folder, const std::string& name) {
+  ImageLayout layout;
+  layout.width = layout.height = 2;
+  layout.names = {"R", "G", "B"};
+  layout.resolution = {2, 2};
+  const auto row = [](int y, auto* out) {
+    for (int x = 0; x < 2; ++x) {
+      const int code = 51 * (2 * y + x);
+      for (const int value : {code, 255 - code, 255}) {
+        using Value = std::remove_reference_t<decltype(*out)>;
+        *out++ = std::is_same_v<Value, float> ? static_cast<Value>(value) / Value(255)
+                                              : static_cast<Value>(value);
+      }
+    }
+  };
+  const std::vector<unsigned char> bytes =
+      name.ends_with(".hdr") ? encode_hdr(layout, [&](int y, float* out) { row(y, out); })
+      : name.ends_with(".exr")
+          ? encode_exr(layout, [&](int y, float* out) { row(y, out); })
+          : encode_png(layout, [&](int y, unsigned char* out) { row(y, out); });
+  const fs::path path = folder.path() / name;
+  std::ofstream(path, std::ios::binary)
+      .write(reinterpret_cast<const char*>(bytes.data()),
+             static_cast<std::streamsize>(bytes.size()));
+  return path.string();
+}
+
+/// What pbrt reads of the file that a parameter names: three channels of each texel.
+std::vector<float> seen_by_pbrt(const Written& result, const TemporaryFolder& folder,
+                                const std::string& parameter) {
+  const std::string begin = "\"string " + parameter + "\" \"";
+  const std::size_t at = result.text.find(begin) + begin.size();
+  const std::string name = result.text.substr(at, result.text.find('"', at) - at);
+  EXPECT_TRUE(name.ends_with(".png") || name.ends_with(".exr")) << name;
+  return ImageInput((folder.path() / name).string(), true).read<float>(3);
+}
+
+Written written_image(const TemporaryFolder& folder, const desc::Node& node) {
+  desc::SceneDesc scene;
+  scene.textures.emplace_back().node = node;
+  scene.materials.emplace_back().node =
+      desc::material_node("diffuse", {{"reflectance", desc::TextureRef{0}}});
+  Written result = written(scene, folder);
+  EXPECT_EQ(result.back.textures.at(0).node, node);
+  EXPECT_EQ(result.unknown, "");
+  return result;
+}
+
+TEST(WriterForPbrt, WritesImagesThatPbrtCannotOpenAsOnesThatItCan) {
+  const TemporaryFolder folder;
+  const std::string file = picture(folder, "a.hdr");
+  const Written result = written_image(folder, desc::texture_node("image", {{"file", file}}));
+  const std::vector<float> seen = seen_by_pbrt(result, folder, "filename");
+  ASSERT_EQ(seen.size(), 12U);
+  EXPECT_NEAR(seen[3], 0.2F, 0.01F);
+  EXPECT_NEAR(seen[4], 0.8F, 0.01F);
+  // Integers stay the codes that they are. The suffix alone is none of pbrt's here.
+  fs::copy_file(picture(folder, "b.png"), folder.path() / "b.tif");
+  const std::vector<float> codes = seen_by_pbrt(
+      written_image(folder,
+                    desc::texture_node("image", {{"file", (folder.path() / "b.tif").string()}})),
+      folder, "filename");
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_NEAR(codes.at(3 * i), static_cast<float>(i) * 0.2F, 1e-6F);
+  }
+}
+
+TEST(WriterForPbrt, WritesImagesWithWhatPbrtHasNoWordsFor) {
+  const TemporaryFolder folder;
+  const std::string file = picture(folder, "a.png");
+  const auto seen = [&](desc::Node node) {
+    node.set("file", file);
+    return seen_by_pbrt(written_image(folder, node), folder, "filename");
+  };
+  const std::vector<float> green =
+      seen(desc::texture_node("image", {{"channel", "green"}, {"decode_srgb", false}}));
+  for (std::size_t i = 3; i < 6; ++i) EXPECT_NEAR(green.at(i), 0.8F, 1e-6F);
+  // With a scale of 0.5, which pbrt applies, too: 0.5 · seen = 1 − 0.5 · 0.2.
+  const std::vector<float> inverted = seen(desc::texture_node(
+      "image", {{"channel", "red"}, {"decode_srgb", false}, {"invert", true}, {"scale", 0.5F}}));
+  EXPECT_NEAR(inverted[3], 1.8F, 1e-5F);
+  const std::vector<float> squared =
+      seen(desc::texture_node("image", {{"decoding_exponent", 2.F}, {"decode_srgb", false}}));
+  EXPECT_NEAR(squared[3], 0.04F, 0.5F / 255.F);
+}
+
+TEST(WriterForPbrt, WritesImagesOfLightsDecoded) {
+  const TemporaryFolder folder;
+  desc::SceneDesc scene;
+  scene.lights.emplace_back().node =
+      desc::light_node("goniometric", {{"image", picture(folder, "a.png")}, {"gray", true}});
+  const Written result = written(scene, folder);
+  EXPECT_EQ(result.back.lights.at(0).node, scene.lights[0].node);
+  EXPECT_EQ(result.unknown, "");
+  const std::vector<float> seen = seen_by_pbrt(result, folder, "mapname");
+  const float mean = (linear_from_srgb(0.2F) + linear_from_srgb(0.8F) + 1.F) / 3.F;
+  for (std::size_t i = 3; i < 6; ++i) EXPECT_NEAR(seen[i], mean, 1e-5F);
+}
+
+/// A square sky whose upper half is white, and its lower half black.
+desc::Node half_sky(const TemporaryFolder& folder) {
+  constexpr int kSide = 32;
+  ImageLayout layout;
+  layout.width = layout.height = kSide;
+  layout.names = {"R", "G", "B"};
+  layout.resolution = {kSide, kSide};
+  const std::vector<unsigned char> bytes = encode_exr(layout, [](int y, float* out) {
+    for (int x = 0; x < kSide; ++x) {
+      const float u = std::abs(static_cast<float>(2 * x + 1) / kSide - 1.F);
+      const float v = std::abs(static_cast<float>(2 * y + 1) / kSide - 1.F);
+      for (int i = 0; i < 3; ++i) *out++ = u + v < 1.F ? 1.F : 0.F;
+    }
+  });
+  const fs::path path = folder.path() / "square.exr";
+  std::ofstream(path, std::ios::binary)
+      .write(reinterpret_cast<const char*>(bytes.data()),
+             static_cast<std::streamsize>(bytes.size()));
+  return desc::light_node("environment", {{"image", path.string()},
+                                          {"projection", "equal_area"},
+                                          {"radiance", Vec3(2.F)},
+                                          {"irradiance", 6.F * 3.14159265F}});
+}
+
+TEST(WriterForPbrt, UnfoldsSquareSkies) {
+  const TemporaryFolder folder;
+  desc::SceneDesc scene;
+  scene.lights.emplace_back().node = half_sky(folder);
+  const Written result = written(scene, folder);
+  EXPECT_EQ(result.back.lights.at(0).node, scene.lights[0].node);
+  EXPECT_EQ(result.unknown, "");
+  const std::vector<float> seen = seen_by_pbrt(result, folder, "mapname");
+  ASSERT_EQ(seen.size(), 64U * 32U * 3U);
+  for (std::size_t y = 0; y < 32; ++y) {
+    if (y >= 13 && y <= 18) continue;  // texels of the horizon
+    for (std::size_t x = 0; x < 64; ++x) {
+      ASSERT_EQ(seen[3 * (64 * y + x)], y < 16 ? 1.F : 0.F) << x << ' ' << y;
+    }
+  }
+  // A white half alone would light what faces it by π, times the radiance.
+  const std::size_t at = result.text.find("\"rgb L\" [ ");
+  ASSERT_NE(at, std::string::npos);
+  EXPECT_NEAR(std::stof(result.text.substr(at + 10)), 2.F * 6.F, 0.2F);
+}
+
+TEST(WriterForPbrt, SaysHowBrightASkyIsThatIsScaled) {
+  desc::SceneDesc scene;
+  scene.lights.emplace_back().node =
+      desc::light_node("environment", {{"radiance", Vec3(2.F)}, {"irradiance", 3.14159265F}});
+  const Written result = written(scene);
+  EXPECT_EQ(result.back.lights.at(0).node, scene.lights[0].node);
+  EXPECT_TRUE(contains(result.text, "\"rgb L\" [ 2 2 2 ]")) << result.text;
+}
+
+TEST(WriterForPbrt, GivesLampsTheMeanOfTheirTextures) {
+  const TemporaryFolder folder;
+  desc::SceneDesc scene;
+  scene.textures.emplace_back().node =
+      desc::texture_node("image", {{"file", picture(folder, "a.exr")}, {"scale", 2.F}});
+  scene.textures.emplace_back().node = desc::texture_node(
+      "product", {{"first", desc::TextureRef{0}}, {"second", Vec3(10.F, 10.F, 0.F)}});
+  scene.materials.emplace_back().node = desc::material_node("diffuse");
+  scene.shapes.emplace_back().node = desc::shape_node("sphere");
+  scene.shapes.back().material = 0;
+  scene.shapes.back().emission =
+      desc::Emission{{}, desc::emission_node("area", {{"radiance", desc::TextureRef{1}}})};
+  const Written result = written(scene, folder);
+  EXPECT_EQ(result.back.shapes.at(0).emission->node, scene.shapes[0].emission->node);
+  const std::size_t at = result.text.find("\"rgb L\" [ ");
+  ASSERT_NE(at, std::string::npos);
+  std::istringstream numbers(result.text.substr(at + 10));
+  Vec3 mean;
+  numbers >> mean.x >> mean.y >> mean.z;
+  expect_rgb(mean, {6.F, 14.F, 0.F}, 1e-4F);
+  EXPECT_TRUE(contains(result.unknown, "textures of lamps")) << result.unknown;
+}
+
+TEST(WriterForPbrt, TellsWhatPbrtDoesNotKnow) {
+  desc::SceneDesc scene;
+  for (int i = 0; i < 2; ++i) {
+    scene.materials.emplace_back().node = desc::material_node("dielectric", {{"thin", true}});
+  }
+  scene.materials.emplace_back().node = desc::material_node("coated_conductor");
+  scene.lights.emplace_back().node = desc::light_node("sky");
+  EXPECT_EQ(written(scene).unknown,
+            "pbrt-v3 does not know, and shows otherwise, these models: coated_conductor, sky; "
+            "parameters: thin (2 times)");
+  // What it has by the same or another name, it knows.
+  desc::SceneDesc known;
+  for (const char* name : {"mirror", "plastic", "translucent", "composite", "diffuse"}) {
+    desc::Node node = desc::material_node(name);
+    for (const ParameterSpec& spec : node.model().parameters) {
+      if (spec.name != "roughness_scale" && spec.name != "between_facets") {
+        node.set(spec.name, testing::another_value(spec));
+      }
+    }
+    known.materials.emplace_back().node = node;
+  }
+  known.lights.emplace_back().node = desc::light_node("spot", {{"falloff_start", 3.F}});
+  EXPECT_EQ(written(known).unknown, "");
 }
 
 }  // namespace

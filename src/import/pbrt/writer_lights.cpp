@@ -24,13 +24,36 @@ float cone_delta(const desc::Node& spot) {
   return delta;
 }
 
+/// Images as pbrt shows them, and the strength of a sky without any.
+Substitutes substitutes_of_light(WriterContext& context, const desc::Node& light) {
+  Substitutes result;
+  if (!light.has("image")) return result;
+  const ImageWriter::LightImage image = context.images.for_light(light);
+  if (image.file) {
+    result["image"] = *image.file;
+    result["gray"] = result["decoding_exponent"] = result["projection"] = desc::Value();
+  }
+  if (image.factor) {
+    const char* strength = light.has("radiance") ? "radiance" : "intensity";
+    result[strength] = light.color(strength) * *image.factor;
+    result["irradiance"] = result["power"] = desc::Value();
+  }
+  if (light.is("environment") && light.text("image").empty()) {
+    if (const float* irradiance = std::get_if<float>(&light.get("irradiance"))) {
+      result["radiance"] = light.color("radiance") * (*irradiance / kPi);
+      result["irradiance"] = desc::Value();
+    }
+  }
+  return result;
+}
+
 void write_light(WriterContext& context, const desc::Light& light) {
   const desc::Node& node = light.node;
   const ModelName* names = find_ours(light_names(), node.model().name);
   context.out.line("AttributeBegin").line("Transform").matrix(light.to_world);
   context.medium_outside(light.medium);
   context.out.line("LightSource").quoted(names == nullptr ? node.model().name : names->theirs);
-  write_parameters(context, node, names);
+  write_parameters(context, node, names, false, substitutes_of_light(context, node));
   if (node.is("spot")) context.out.parameter("float conedeltaangle", cone_delta(node));
   if (node.is("distant")) {
     context.out.point("from", {0.F, 0.F, 1.F}).point("to", {0.F, 0.F, 0.F});

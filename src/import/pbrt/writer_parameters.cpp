@@ -22,7 +22,7 @@ struct ValueWriter {
   void operator()(const std::string& value) const {
     const bool is_file = spec.type == ParameterType::File;
     if (is_file && value.empty()) return;
-    context.out.parameter("string " + name, is_file ? context.image_path(value) : value);
+    context.out.parameter("string " + name, is_file ? context.images.name(value) : value);
   }
   void operator()(const Vec3& value) const {
     if (spec.type == ParameterType::Color && numbers_for_colors) {
@@ -64,9 +64,7 @@ struct ParameterWriter {
       return write(spec, spec.name, value);
     }
     if (value == desc::default_value(spec)) return;
-    // The index of a metal says what its reflectance does.
-    const bool is_told = spec.name == "reflectance" && substitutes.contains("k");
-    if (names != nullptr && !is_told) ++context.unknown_parameters[spec.name];
+    if (names != nullptr) ++context.unknown_parameters[spec.name];
     write(spec, substitutes.empty() ? spec.name : own_word(spec.name), value);
   }
 
@@ -76,6 +74,11 @@ struct ParameterWriter {
     const std::string word(translated.theirs.front());
     if (has_own_prefix(word)) {
       if (value == desc::default_value(spec)) return;
+      ++context.unknown_parameters[spec.name];
+    }
+    // Ours of another default.
+    const bool is_own = word == spec.name && is_unknown_to_v3(node.model(), spec.name);
+    if (is_own && value != desc::Value(std::string(translated.fallback))) {
       ++context.unknown_parameters[spec.name];
     }
     if (translated.words[0].empty()) return write(spec, word, value);
@@ -98,6 +101,10 @@ struct ParameterWriter {
     const bool is_substituted = substitute != substitutes.end();
     if (!is_substituted && !node.matters(spec)) return;
     const desc::Value& told = is_substituted ? substitute->second : meant;
+    if (is_substituted && std::holds_alternative<std::monostate>(told)) {  // by others
+      if (meant != desc::default_value(spec)) write(spec, own_word(spec.name), meant);
+      return;
+    }
     if (translated == nullptr) {
       write_untranslated(spec, told);
     } else {

@@ -13,6 +13,7 @@ void add_gloss(const desc::Node& coated, Substitutes& result) {
   const float index = eta == nullptr ? kEtaOfVarnish : std::max(*eta, 1.F);
   const float ratio = (index - 1.F) / (index + 1.F);
   const Vec3* tint = std::get_if<Vec3>(&coated.get("coat_reflectance"));
+  result["coat"] = result["coat_reflectance"] = result["eta"] = desc::Value();
   result["glossy_reflectance"] = (tint == nullptr ? Vec3(1.F) : *tint) * (ratio * ratio);
 }
 
@@ -25,6 +26,7 @@ void add_index(const Vec3& reflectance, Substitutes& result) {
   }
   result["eta"] = Vec3(1.F);
   result["k"] = k;
+  result["reflectance"] = desc::Value();
 }
 
 /// Where pbrt would map the roughness, its maps are others than squares: what they lead to.

@@ -7,7 +7,8 @@
 
 namespace ajar::pbrt {
 
-/// What pbrt-v3 is told in place of a node's own values, by the names of our parameters.
+/// What pbrt-v3 is told in place of a node's own values, by the names of our parameters; nothing,
+/// if the others say it.
 using Substitutes = std::map<std::string_view, desc::Value, std::less<>>;
 
 /// What comes nearest to a material that pbrt-v3 has no words for: the gloss of a coat by its

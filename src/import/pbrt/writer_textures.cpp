@@ -16,11 +16,24 @@ std::optional<Mat4> place_of(const desc::Node& node) {
   return inverse(node.transform(kPlace));
 }
 
+/// An image that is written for pbrt has in it what pbrt has no words for.
+Substitutes substitutes_of(WriterContext& context, const desc::Node& node) {
+  if (!node.is("image")) return {};
+  const std::optional<std::string> file = context.images.for_texture(node);
+  if (!file) return {};
+  Substitutes result{{"file", *file}};
+  for (const char* said : {"channel", "decoding_exponent", "invert", "clamp"}) {
+    result[said] = desc::Value();
+  }
+  return result;
+}
+
 void write_texture(WriterContext& context, std::size_t i) {
   const desc::Node& node = context.scene.textures[i].node;
   const ModelName* names = find_ours(texture_names(), node.model().name);
   const std::optional<Mat4> place = place_of(node);
   if (place) context.out.line("TransformBegin").line("Transform").matrix(*place);
+  const Substitutes substitutes = substitutes_of(context, node);
   for (const bool as_float : {true, false}) {
     const TextureUse& use = context.texture_uses[i];
     if (!(as_float ? use.as_float : use.as_spectrum)) continue;
@@ -28,7 +41,7 @@ void write_texture(WriterContext& context, std::size_t i) {
     context.out.quoted(as_float ? "float" : "spectrum")
         .quoted(names == nullptr ? node.model().name : names->theirs);
     if (node.is("solid_checkerboard")) context.out.parameter("integer dimension", 3);
-    write_parameters(context, node, names, as_float);
+    write_parameters(context, node, names, as_float, substitutes);
   }
   if (place) context.out.line("TransformEnd");
 }

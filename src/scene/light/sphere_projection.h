@@ -1,27 +1,13 @@
 #pragma once
-#include <cmath>
 #include <string_view>
 
 #include "core/parameters.h"
+#include "core/sphere_mapping.h"
 #include "core/vector.h"
 #include "scene/light/map.h"
 
-/// How maps are spread over all directions.
+/// How maps are spread over all directions (core/sphere_mapping.h).
 namespace ajar {
-
-/// Latitude and longitude as in pbrt-v3: v = θ/π from +z, u = φ/2π from +x toward +y.
-namespace lat_long {
-Vec2 to_uv(const Vec3& w);
-Vec3 to_direction(const Vec2& uv);
-}  // namespace lat_long
-
-/// A square of which every part covers as much solid angle as any other of its size, as in pbrt-v4:
-/// +z in the middle, −z at the corners, u along x and v along y. Source: Clarberg 2008, "Fast
-/// equal-area mapping of the (hemi)sphere using SIMD".
-namespace equal_area {
-Vec2 to_uv(const Vec3& w);
-Vec3 to_direction(const Vec2& uv);
-}  // namespace equal_area
 
 /// One of them.
 struct SphereProjection {

@@ -1,0 +1,256 @@
+#include "import/pbrt/writer_images.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "core/atomic_file.h"
+#include "core/error.h"
+#include "core/file_extension.h"
+#include "core/image_encoder.h"
+#include "core/image_input.h"
+#include "core/memory_file.h"
+#include "core/spectrum.h"
+#include "core/srgb.h"
+
+namespace ajar::pbrt {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool opens_in_pbrt(const std::string& image) {
+  const std::string extension = file_extension(image);
+  return extension == ".exr" || extension == ".png" || extension == ".tga" || extension == ".pfm";
+}
+
+/// What makes linear values of those in a file.
+struct Decoding {
+  bool is_integer;
+  bool is_srgb;
+  std::optional<float> exponent;
+
+  float operator()(float value) const {
+    if (!std::isfinite(value)) return 0.F;
+    if (!is_integer) return value;
+    if (exponent) return std::pow(value, *exponent);
+    return is_srgb ? linear_from_srgb(value) : value;
+  }
+};
+
+std::optional<float> number_if_given(const desc::Node& node, const char* name) {
+  if (!node.has(name)) return std::nullopt;
+  const float* value = std::get_if<float>(&node.get(name));
+  return value == nullptr ? std::nullopt : std::optional(*value);
+}
+
+float mean_of(const Vec3& c) { return (c.x + c.y + c.z) / 3.F; }
+
+/// What is taken of the channels of a texel, as `channel` of an image texture says.
+struct Choice {
+  std::string channel;
+  int channels;
+  int alpha;
+
+  Vec3 operator()(const float* texel, const Decoding& decode) const {
+    const auto at = [&](int i) { return decode(texel[channels < 3 ? 0 : i]); };
+    const auto alone = [](float value) { return Vec3(value); };
+    if (channel == "red") return alone(at(0));
+    if (channel == "green") return alone(at(1));
+    if (channel == "blue") return alone(at(2));
+    if (channel == "alpha") return alone(alpha < 0 ? 1.F : decode(texel[alpha]));
+    const Vec3 color(at(0), at(1), at(2));
+    if (channel == "mean") return alone(mean_of(color));
+    if (channel == "luminance") return alone(luminance(Spectrum(color.x, color.y, color.z)));
+    return color;
+  }
+};
+
+/// `channel` of a texture, with what depends on the image settled.
+std::string settled_channel(const std::string& channel, const ImageHeader& header,
+                            const std::vector<float>& values) {
+  const bool has_alpha = header.alpha_channel >= 0;
+  if (channel == "alpha_or_mean") return has_alpha ? "alpha" : "mean";
+  if (channel != "varying_alpha_or_mean") return channel;
+  if (!has_alpha || header.channels < 4) return "mean";
+  for (auto i = static_cast<std::size_t>(header.alpha_channel); i < values.size();
+       i += static_cast<std::size_t>(header.channels)) {
+    if (values[i] != 1.F) return "alpha";
+  }
+  return "mean";
+}
+
+}  // namespace
+
+std::optional<LinearImage> ImageWriter::read_linear(const desc::Node& node,
+                                                    const std::string& image) const {
+  try {
+    std::optional<MemoryFile> memory;
+    const auto embedded = scene_.embedded_files.find(image);
+    if (embedded != scene_.embedded_files.end()) memory.emplace(*embedded->second);
+    ImageInput input(memory ? memory->path() : image, true);
+    const ImageHeader& header = input.header();
+    const std::vector<float> values = input.read<float>(header.channels);
+    const bool is_integer = header.type == SampleType::UInt8 || header.type == SampleType::UInt16;
+    const Decoding decode{is_integer, !node.has("decode_srgb") || node.flag("decode_srgb"),
+                          number_if_given(node, "decoding_exponent")};
+    const bool is_gray = node.has("gray") && node.flag("gray");
+    const std::string channel = node.has("channel") ? node.text("channel") : "color";
+    const Choice choice{is_gray ? "mean" : settled_channel(channel, header, values),
+                        header.channels, header.alpha_channel};
+    LinearImage result{header.width, header.height, header.type == SampleType::UInt8, {}};
+    result.texels.reserve(header.pixels());
+    for (std::size_t i = 0; i < values.size(); i += static_cast<std::size_t>(header.channels)) {
+      result.texels.push_back(choice(&values[i], decode));
+    }
+    return result;
+  } catch (const std::exception&) {
+    return std::nullopt;  // whoever renders it is told
+  }
+}
+
+void ImageWriter::make_folder() const {
+  const fs::path folder = path_.parent_path() / (path_.stem().string() + "_images");
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) {
+    throw IoError("cannot make the folder \"" + folder.string() + "\": " + error.message());
+  }
+}
+
+std::string ImageWriter::path_of(std::size_t number, const std::string& extension) const {
+  return (path_.parent_path() / (path_.stem().string() + "_images") /
+          ("image_" + std::to_string(number) + extension))
+      .string();
+}
+
+std::string ImageWriter::write(std::string_view bytes, const std::string& extension) {
+  std::string path = path_of(next_++, extension);
+  while (scene_.files.contains(path)) path = path_of(next_++, extension);
+  make_folder();
+  write_file_atomically(path, bytes);
+  return path;
+}
+
+std::string ImageWriter::name(const std::string& image) {
+  std::string path = image;
+  const auto embedded = scene_.embedded_files.find(image);
+  if (embedded != scene_.embedded_files.end()) {
+    const auto number = std::distance(scene_.embedded_files.begin(), embedded);
+    path = path_of(static_cast<std::size_t>(number), file_extension(image));
+    if (written_.emplace(image, path).second) {
+      make_folder();
+      write_file_atomically(path, *embedded->second);
+    }
+  }
+  const fs::path relative = fs::path(path).lexically_relative(path_.parent_path());
+  return relative.empty() ? path : relative.generic_string();
+}
+
+/// `is_decoded`: pbrt takes the integers of a PNG file for sRGB.
+std::optional<std::string> ImageWriter::written(const std::string& key, const LinearImage& image,
+                                                bool is_decoded, bool may_be_png) {
+  ImageLayout layout;
+  layout.width = image.width;
+  layout.height = image.height;
+  layout.names = {"R", "G", "B"};
+  layout.resolution = {image.width, image.height};
+  const auto row = [&](int y) {
+    return &image.texels[static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width)];
+  };
+  const auto fits = [](const Vec3& c) {
+    return std::min({c.x, c.y, c.z}) >= 0.F && std::max({c.x, c.y, c.z}) <= 1.F;
+  };
+  const bool is_png =
+      may_be_png && image.is_8_bit && std::all_of(image.texels.begin(), image.texels.end(), fits);
+  const auto code = [&](float value) {
+    const float coded = is_decoded ? srgb_from_linear(value) : value;
+    return static_cast<unsigned char>(std::clamp(coded * 255.F + 0.5F, 0.F, 255.F));
+  };
+  const auto width = static_cast<std::size_t>(image.width);
+  const std::vector<unsigned char> bytes =
+      is_png ? encode_png(layout,
+                          [&](int y, unsigned char* out) {
+                            for (std::size_t i = 0; i < 3 * width; ++i)
+                              out[i] = code(row(y)[i / 3][static_cast<int>(i % 3)]);
+                          })
+             : encode_exr(layout, [&](int y, float* out) {
+                 for (std::size_t i = 0; i < 3 * width; ++i)
+                   out[i] = row(y)[i / 3][static_cast<int>(i % 3)];
+               });
+  const std::string path =
+      write({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, is_png ? ".png" : ".exr");
+  written_.emplace(key, path);
+  return path;
+}
+
+std::optional<std::string> ImageWriter::for_texture(const desc::Node& texture) {
+  const std::string& image = texture.text("file");
+  const float scale = texture.number("scale");
+  const std::optional<float> exponent = number_if_given(texture, "decoding_exponent");
+  const bool is_inverted = texture.flag("invert");
+  const bool is_clamped = texture.flag("clamp");
+  const std::string& channel = texture.text("channel");
+  const bool is_plain = channel == "color" && !is_inverted && !is_clamped && !exponent;
+  if (image.empty() || scale == 0.F || (is_plain && opens_in_pbrt(image))) return std::nullopt;
+  const bool is_decoded = texture.flag("decode_srgb");
+  const std::string key = "texture " + channel + " " + std::to_string(is_inverted) +
+                          std::to_string(is_clamped) + std::to_string(is_decoded) + " " +
+                          std::to_string(exponent.value_or(0.F)) + " " + std::to_string(scale) +
+                          " " + image;
+  const auto known = written_.find(key);
+  if (known != written_.end()) return known->second;
+  std::optional<LinearImage> linear = read_linear(texture, image);
+  if (!linear) return std::nullopt;
+  for (Vec3& texel : linear->texels) {
+    for (int i = 0; i < 3; ++i) {
+      float value = texel[i] * scale;
+      if (is_inverted) value = std::max(1.F - value, 0.F);
+      if (is_clamped) value = std::clamp(value, 0.F, 1.F);
+      texel[i] = value / scale;  // pbrt has the scale, too
+    }
+  }
+  return written(key, *linear, is_decoded, true);
+}
+
+ImageWriter::LightImage ImageWriter::for_light(const desc::Node& light) {
+  const std::string& image = light.text("image");
+  const std::string extension = file_extension(image);
+  const bool is_gray = light.has("gray") && light.flag("gray");
+  const bool is_square = light.has("projection") && light.text("projection") == "equal_area";
+  const bool is_plain = extension == ".exr" || extension == ".pfm";
+  const bool is_from_above = light.has("irradiance");
+  // The strength of a slide depends on its field of view, too.
+  const std::optional<float> target =
+      light.is("projection") ? std::nullopt
+                             : number_if_given(light, is_from_above ? "irradiance" : "power");
+  const bool is_seen = is_plain && !is_gray && !is_square;
+  LightImage result;
+  if (image.empty() || (is_seen && !target)) return result;
+  const std::string key =
+      "light " + std::to_string(is_gray) + std::to_string(is_square) + " " +
+      std::to_string(number_if_given(light, "decoding_exponent").value_or(0.F)) + " " + image;
+  std::optional<LinearImage> linear = read_linear(light, image);
+  if (!linear || linear->texels.empty()) return result;
+  if (is_square) linear = rows_of_latitude(*linear);
+  const auto known = written_.find(key);
+  if (known != written_.end()) {
+    result.file = known->second;
+  } else if (!is_seen) {
+    result.file = written(key, *linear, false, false);
+  }
+  if (!target) return result;
+  const double actual =
+      is_from_above ? luminance_from_above(*linear) : luminance_all_around(*linear);
+  if (actual > 0.0) result.factor = static_cast<float>(*target / actual);
+  return result;
+}
+
+std::optional<Vec3> ImageWriter::mean(const desc::Node& texture) const {
+  const std::optional<LinearImage> linear = read_linear(texture, texture.text("file"));
+  if (!linear || linear->texels.empty()) return std::nullopt;
+  Imath::V3d sum(0.0);
+  for (const Vec3& texel : linear->texels) sum += Imath::V3d(texel);
+  return Vec3(sum / static_cast<double>(linear->texels.size())) * texture.number("scale");
+}
+
+}  // namespace ajar::pbrt

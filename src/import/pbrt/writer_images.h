@@ -1,0 +1,52 @@
+#pragma once
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "import/pbrt/sky_image.h"
+#include "scene/desc/scene_desc.h"
+
+namespace ajar::pbrt {
+
+/// The images of a scene for pbrt-v3: it opens EXR, PNG, TGA and PFM files, takes the colours of
+/// all of them, and decodes none in lights. What it would not see as it is meant is written again,
+/// into the folder "<stem>_images" beside the scene: PNG where 8 bits hold it, else EXR. All
+/// functions raise IoError for files that cannot be written.
+class ImageWriter {
+ public:
+  /// `path`: of the pbrt file, absolute.
+  ImageWriter(const desc::SceneDesc& scene, std::filesystem::path path)
+      : scene_(scene), path_(std::move(path)), next_(scene.embedded_files.size()) {}
+
+  /// Path of an image, relative to the pbrt file where possible. One that is inside of another file
+  /// is written.
+  std::string name(const std::string& image);
+
+  /// Absolute path of what is written for pbrt in place of the image of a texture; nothing if pbrt
+  /// sees it as it is, or it cannot be read.
+  std::optional<std::string> for_texture(const desc::Node& texture);
+  struct LightImage {
+    std::optional<std::string> file;  ///< as for a texture
+    std::optional<float> factor;      ///< of the light, where it is scaled to a given strength
+  };
+  LightImage for_light(const desc::Node& light);
+  /// Mean colour of an image texture; nothing if it cannot be read.
+  std::optional<Vec3> mean(const desc::Node& texture) const;
+
+ private:
+  /// Writes a file of these bytes that replaces none of the scene.
+  std::string write(std::string_view bytes, const std::string& extension);
+  std::string path_of(std::size_t number, const std::string& extension) const;
+  void make_folder() const;
+  std::optional<LinearImage> read_linear(const desc::Node& node, const std::string& image) const;
+  std::optional<std::string> written(const std::string& key, const LinearImage& image,
+                                     bool is_decoded, bool may_be_png);
+
+  const desc::SceneDesc& scene_;
+  std::filesystem::path path_;
+  std::size_t next_;  ///< number of the next file
+  std::map<std::string, std::string> written_;
+};
+
+}  // namespace ajar::pbrt
