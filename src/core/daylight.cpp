@@ -108,4 +108,15 @@ Vec3d sun_illuminance(double turbidity, double zenith) {
   return sampled_to_xyz(wavelengths, values) * (kLumensPerEvenWatt * 1e-3);
 }
 
+SunnySky::SunnySky(double turbidity, double elevation)
+    : sun_zenith_((90.0 - elevation) * M_PI / 180.0), sky_(turbidity, sun_zenith_) {}
+
+Vec3d SunnySky::color(const Vec3d& w) const {
+  if (w.z <= 0.0) return Vec3d(0.0);
+  const Vec3d sun(std::sin(sun_zenith_), 0.0, std::cos(sun_zenith_));
+  const Vec3d rgb = xyz_to_rgb(
+      sky_.luminance(std::acos(std::min(w.z, 1.0)), std::acos(std::clamp(w.dot(sun), -1.0, 1.0))));
+  return {std::max(rgb.x, 0.0), std::max(rgb.y, 0.0), std::max(rgb.z, 0.0)};
+}
+
 }  // namespace ajar

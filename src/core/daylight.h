@@ -30,6 +30,19 @@ class ClearSky {
   double scales_[3];
 };
 
+/// The clear sky over z, with the sun over x, as linear RGB.
+class SunnySky {
+ public:
+  /// `elevation` of the sun over the horizon, degrees, from 0 to 90.
+  SunnySky(double turbidity, double elevation);
+  /// Colour of 1 for 1 kcd/m², in a unit direction; black below the horizon.
+  Vec3d color(const Vec3d& w) const;
+
+ private:
+  double sun_zenith_;
+  ClearSky sky_;
+};
+
 /// Illuminance by the sun as XYZ, klx, on a surface that faces it; `zenith` as above, smaller than
 /// π/2. Appendix A.1, of which the oxygen and the water vapour, which absorb beyond 680 nm, are
 /// left out; the sun above the atmosphere is a black body of 5778 K.

@@ -7,6 +7,7 @@
 #include "import/common/transforms.h"
 #include "import/pbrt/light_names.h"
 #include "import/pbrt/node_reader.h"
+#include "import/pbrt/own_words.h"
 #include "scene/desc/models.h"
 
 namespace ajar::pbrt {
@@ -129,7 +130,9 @@ std::optional<desc::Light> make_light(Context& context, TextureTable& textures,
                                       const SourceLocation& where, const std::string& type,
                                       const ParameterList& p, const Mat4& ctm) {
   const std::vector<ModelName>& table = light_names(context.choice.dialect);
-  const desc::Model* model = model_of_type(desc::ModelKind::Light, table, type);
+  const desc::Model* own = own_model(context, desc::ModelKind::Light, p.get_string(kOwnModel));
+  const desc::Model* model =
+      own == nullptr ? model_of_type(desc::ModelKind::Light, table, type) : own;
   if (model == nullptr) {
     report_unknown(context, where, "light", type, types_of(desc::ModelKind::Light, table),
                    kUnknownLight, "It is left out");
@@ -142,7 +145,7 @@ std::optional<desc::Light> make_light(Context& context, TextureTable& textures,
   desc::Light light;
   light.where = where;
   light.node = NodeReader(where, TextureParameters::of_light(context, textures, p))
-                   .read(*model, find_theirs(table, type));
+                   .read(*model, own == nullptr ? find_theirs(table, type) : nullptr);
   if (light.node.is("spot")) set_falloff(light.node, p);
   // Where we wrote the image, pbrt has another file, without codes.
   if (!context.is_v4() && !p.has_own_words()) check_codes(context, where, light.node);

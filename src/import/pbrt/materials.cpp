@@ -8,6 +8,7 @@
 #include "import/pbrt/material_names.h"
 #include "import/pbrt/named_spectra.h"
 #include "import/pbrt/node_reader.h"
+#include "import/pbrt/own_words.h"
 #include "import/pbrt/stand_ins.h"
 #include "scene/desc/models.h"
 
@@ -184,6 +185,10 @@ desc::Node MaterialTable::make_node(const SourceLocation& where, const std::stri
   const Dialect dialect = context_.choice.dialect;
   const std::vector<ModelName>& table = material_names(dialect);
   if (std::optional<desc::Node> stand_in = make_stand_in(where, type, parameters)) return *stand_in;
+  if (const desc::Model* own =
+          own_model(context_, desc::ModelKind::Material, parameters.text(kOwnModel))) {
+    return NodeReader(where, parameters).read(*own, nullptr);
+  }
   const desc::Model* model = model_of_type(desc::ModelKind::Material, table, type);
   if (model == nullptr) {
     std::vector<std::string> types = types_of(desc::ModelKind::Material, table);

@@ -18,6 +18,11 @@ const desc::Model* model_of_type(desc::ModelKind kind, std::span<const ModelName
   return find_ours(table, type) == nullptr ? desc::find_model(kind, type) : nullptr;
 }
 
+const desc::Model* own_model(const Context& context, desc::ModelKind kind,
+                             const std::optional<std::string>& own) {
+  return context.is_v4() || !own ? nullptr : desc::find_model(kind, *own);
+}
+
 std::vector<std::string> types_of(desc::ModelKind kind, std::span<const ModelName> table) {
   std::vector<std::string> types;
   const auto add = [&](std::string_view type) {

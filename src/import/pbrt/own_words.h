@@ -15,6 +15,10 @@ inline std::string own_word(std::string_view parameter) {
 }
 inline bool has_own_prefix(std::string_view word) { return word.starts_with(kOwnPrefix); }
 
+/// A model that pbrt does not have goes by one that looks like it, and this says which it is. All
+/// of its parameters are words with the prefix then.
+inline constexpr std::string_view kOwnModel = "ajar:model";
+
 /// Whether pbrt-v3 has nothing of this name, for a model that it has; of parameters that the tables
 /// of names do not translate.
 bool is_unknown_to_v3(const desc::Model& model, std::string_view parameter);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/daylight.h"
 #include "core/spectrum.h"
 #include "core/sphere_mapping.h"
 
@@ -53,6 +54,19 @@ LinearImage rows_of_latitude(const LinearImage& equal_area) {
         sum += seen(along(x, i % kPlaces, result.width), along(y, i / kPlaces, result.height));
       }
       result.texels.push_back(sum / static_cast<float>(kPlaces * kPlaces));
+    }
+  }
+  return result;
+}
+
+LinearImage clear_sky(float turbidity, float elevation, float scale) {
+  LinearImage result{512, 256, false, {}};
+  const SunnySky sky(turbidity, elevation);
+  for (int y = 0; y < result.height; ++y) {
+    for (int x = 0; x < result.width; ++x) {
+      const Vec2 place((static_cast<float>(x) + 0.5F) / static_cast<float>(result.width),
+                       (static_cast<float>(y) + 0.5F) / static_cast<float>(result.height));
+      result.texels.push_back(Vec3(sky.color(Vec3d(lat_long::to_direction(place)))) * scale);
     }
   }
   return result;

@@ -20,6 +20,9 @@ struct LinearImage {
 /// A square of equal areas (core/sphere_mapping.h) as rows of one latitude, twice as wide.
 LinearImage rows_of_latitude(const LinearImage& equal_area);
 
+/// Radiance of the clear sky of the model "sky", 512 × 256.
+LinearImage clear_sky(float turbidity, float elevation, float scale);
+
 /// Luminance of a map of latitudes: of all directions together, and on a surface that faces z.
 double luminance_all_around(const LinearImage& latitudes);
 double luminance_from_above(const LinearImage& latitudes);

@@ -11,6 +11,7 @@
 #include "import/common/transforms.h"
 #include "import/pbrt/lexer.h"
 #include "import/pbrt/node_reader.h"
+#include "import/pbrt/own_words.h"
 #include "import/pbrt/texture_names.h"
 
 namespace ajar::pbrt {
@@ -163,10 +164,14 @@ void TextureTable::define(const SourceLocation& where, const std::string& name,
     fail_unknown(where, "texture class", texture_class, {"float", "spectrum", "color"});
   }
   const std::vector<ModelName>& table = texture_names(context_.choice.dialect);
-  const ModelName* names = names_of(context_, where, type, parameters);
-  const desc::Model* model = names == nullptr
-                                 ? model_of_type(desc::ModelKind::Texture, table, type)
-                                 : desc::find_model(desc::ModelKind::Texture, names->ours);
+  const desc::Model* model =
+      own_model(context_, desc::ModelKind::Texture, parameters.get_string(kOwnModel));
+  const ModelName* names = nullptr;
+  if (model == nullptr) {
+    names = names_of(context_, where, type, parameters);
+    model = names == nullptr ? model_of_type(desc::ModelKind::Texture, table, type)
+                             : desc::find_model(desc::ModelKind::Texture, names->ours);
+  }
   const auto define_as = [&](desc::Node node) {
     ScopedNames<desc::TextureId>& names_of_class = is_float ? floats_ : spectra_;
     if (names_of_class.is_from_here(name)) warn_of_same_name(context_, where, "texture", name);

@@ -41,6 +41,8 @@ struct WriterContext {
 /// `substitutes`: what pbrt is told instead.
 void write_parameters(WriterContext& context, const desc::Node& node, const ModelName* names,
                       bool numbers_for_colors = false, const Substitutes& substitutes = {});
+/// All parameters of a node by words of ours alone, for a model that pbrt does not have.
+void write_own_words(WriterContext& context, const desc::Node& node);
 /// Every texture, as float, as spectrum, as both or not at all, as it is used.
 void write_textures(WriterContext& context);
 /// Every material, as a named one.

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "core/daylight.h"
 #include "core/image_encoder.h"
 #include "core/image_input.h"
 #include "core/srgb.h"
@@ -366,16 +367,71 @@ TEST(WriterForPbrt, GivesLampsTheMeanOfTheirTextures) {
   EXPECT_TRUE(contains(result.unknown, "textures of lamps")) << result.unknown;
 }
 
+TEST(WriterForPbrt, CutsOutWhereImagesReachAThreshold) {
+  const TemporaryFolder folder;
+  desc::SceneDesc scene;
+  scene.textures.emplace_back().node =
+      desc::texture_node("image", {{"file", picture(folder, "a.png")},
+                                   {"channel", "red"},
+                                   {"decode_srgb", false},
+                                   {"scale_u", 3.F}});
+  scene.textures.emplace_back().node =
+      desc::texture_node("product", {{"first", desc::TextureRef{0}}, {"second", Vec3(2.F)}});
+  scene.textures.emplace_back().node =
+      desc::texture_node("threshold", {{"value", desc::TextureRef{1}}, {"edge", 0.6F}});
+  scene.materials.emplace_back().node = desc::material_node("diffuse");
+  scene.shapes.emplace_back().node = desc::shape_node("sphere");
+  scene.shapes.back().material = 0;
+  scene.shapes.back().alpha = 2;
+  const Written result = written(scene, folder);
+  EXPECT_EQ(result.back.textures.at(2).node, scene.textures[2].node);
+  EXPECT_EQ(result.back.shapes.at(0).alpha, 2);
+  EXPECT_EQ(result.unknown, "");
+  Written of_threshold = result;
+  of_threshold.text = result.text.substr(result.text.find("\"texture2\" \"float\" \"imagemap\""));
+  EXPECT_TRUE(contains(of_threshold.text, "\"float uscale\" [ 3 ]"));
+  const std::vector<float> seen = seen_by_pbrt(of_threshold, folder, "filename");
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(seen.at(3 * i), i < 2 ? 0.F : 1.F) << i;
+}
+
+TEST(WriterForPbrt, ShowsCoatedMetalWithoutItsCoat) {
+  const Written result = written_material(desc::material_node(
+      "coated_conductor",
+      {{"reflectance", Vec3(0.5F)}, {"roughness", 0.25F}, {"roughness_scale", "square"}}));
+  EXPECT_TRUE(contains(result.text, "\"string type\" \"metal\"")) << result.text;
+  EXPECT_TRUE(contains(result.text, "\"rgb k\" [ 2 2 2 ]")) << result.text;
+  EXPECT_TRUE(contains(result.text, "\"float uroughness\" [ 0.5 ]")) << result.text;
+}
+
+TEST(WriterForPbrt, PaintsTheSky) {
+  const TemporaryFolder folder;
+  desc::SceneDesc scene;
+  scene.lights.emplace_back().node =
+      desc::light_node("sky", {{"elevation", 30.F}, {"turbidity", 4.F}, {"scale", 2.F}});
+  const Written result = written(scene, folder);
+  EXPECT_EQ(result.back.lights.at(0).node, scene.lights[0].node);
+  EXPECT_EQ(result.unknown, "");
+  EXPECT_TRUE(contains(result.text, "LightSource \"infinite\""));
+  const std::vector<float> seen = seen_by_pbrt(result, folder, "mapname");
+  ASSERT_EQ(seen.size(), 512U * 256U * 3U);
+  const Vec3d zenith = SunnySky(4.0, 30.0).color({0.0, 0.0, 1.0});
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_NEAR(seen[i], 2.0 * zenith[static_cast<int>(i)], 0.02 * zenith.y);
+    EXPECT_EQ(seen[seen.size() - 1 - i], 0.F);
+  }
+}
+
 TEST(WriterForPbrt, TellsWhatPbrtDoesNotKnow) {
   desc::SceneDesc scene;
   for (int i = 0; i < 2; ++i) {
     scene.materials.emplace_back().node = desc::material_node("dielectric", {{"thin", true}});
   }
   scene.materials.emplace_back().node = desc::material_node("coated_conductor");
-  scene.lights.emplace_back().node = desc::light_node("sky");
+  scene.textures.emplace_back().node = desc::texture_node("threshold");
+  scene.materials.back().bump = 0;
   EXPECT_EQ(written(scene).unknown,
-            "pbrt-v3 does not know, and shows otherwise, these models: coated_conductor, sky; "
-            "parameters: thin (2 times)");
+            "pbrt-v3 does not know, and shows otherwise, these models: coated_conductor, "
+            "threshold; parameters: thin (2 times)");
   // What it has by the same or another name, it knows.
   desc::SceneDesc known;
   for (const char* name : {"mirror", "plastic", "translucent", "composite", "diffuse"}) {

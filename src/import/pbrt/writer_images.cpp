@@ -12,6 +12,7 @@
 #include "core/memory_file.h"
 #include "core/spectrum.h"
 #include "core/srgb.h"
+#include "scene/desc/models.h"
 
 namespace ajar::pbrt {
 namespace {
@@ -146,7 +147,8 @@ std::string ImageWriter::name(const std::string& image) {
   return relative.empty() ? path : relative.generic_string();
 }
 
-/// `is_decoded`: pbrt takes the integers of a PNG file for sRGB.
+/// `key`: by which it is found again; may be empty. `is_decoded`: pbrt takes the integers of a PNG
+/// file for sRGB.
 std::optional<std::string> ImageWriter::written(const std::string& key, const LinearImage& image,
                                                 bool is_decoded, bool may_be_png) {
   ImageLayout layout;
@@ -179,7 +181,7 @@ std::optional<std::string> ImageWriter::written(const std::string& key, const Li
                });
   const std::string path =
       write({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, is_png ? ".png" : ".exr");
-  written_.emplace(key, path);
+  if (!key.empty()) written_.emplace(key, path);
   return path;
 }
 
@@ -199,17 +201,51 @@ std::optional<std::string> ImageWriter::for_texture(const desc::Node& texture) {
                           " " + image;
   const auto known = written_.find(key);
   if (known != written_.end()) return known->second;
-  std::optional<LinearImage> linear = read_linear(texture, image);
+  std::optional<LinearImage> linear = read_finished(texture);
+  if (!linear) return std::nullopt;
+  for (Vec3& texel : linear->texels) texel /= scale;  // pbrt has the scale, too
+  return written(key, *linear, is_decoded, true);
+}
+
+/// Texels as the texture has them.
+std::optional<LinearImage> ImageWriter::read_finished(const desc::Node& texture) const {
+  std::optional<LinearImage> linear = read_linear(texture, texture.text("file"));
   if (!linear) return std::nullopt;
   for (Vec3& texel : linear->texels) {
     for (int i = 0; i < 3; ++i) {
-      float value = texel[i] * scale;
-      if (is_inverted) value = std::max(1.F - value, 0.F);
-      if (is_clamped) value = std::clamp(value, 0.F, 1.F);
-      texel[i] = value / scale;  // pbrt has the scale, too
+      float value = texel[i] * texture.number("scale");
+      if (texture.flag("invert")) value = std::max(1.F - value, 0.F);
+      if (texture.flag("clamp")) value = std::clamp(value, 0.F, 1.F);
+      texel[i] = value;
     }
   }
-  return written(key, *linear, is_decoded, true);
+  return linear;
+}
+
+std::optional<desc::Node> ImageWriter::cut_out(const desc::Node& texture, float edge) {
+  if (texture.text("mapping") != "uv" && texture.text("mapping") != "planar") return std::nullopt;
+  std::optional<LinearImage> image = read_finished(texture);
+  if (!image) return std::nullopt;
+  for (Vec3& texel : image->texels) {
+    const float value = texture.text("channel") == "color"
+                            ? luminance(Spectrum(texel.x, texel.y, texel.z))
+                            : texel.x;
+    texel = Vec3(value >= edge ? 1.F : 0.F);
+  }
+  image->is_8_bit = true;
+  const std::optional<std::string> file = written("", *image, false, true);
+  desc::Node result = desc::texture_node("image", {{"file", *file}, {"decode_srgb", false}});
+  for (const char* name : {"wrap", "mapping", "scale_u", "scale_v", "rotation", "offset_u",
+                           "offset_v", "axis_u", "axis_v"}) {
+    result.set(name, texture.get(name));
+  }
+  return result;
+}
+
+std::string ImageWriter::sky(const desc::Node& light) {
+  return *written(
+      "", clear_sky(light.number("turbidity"), light.number("elevation"), light.number("scale")),
+      false, false);
 }
 
 ImageWriter::LightImage ImageWriter::for_light(const desc::Node& light) {
@@ -246,11 +282,11 @@ ImageWriter::LightImage ImageWriter::for_light(const desc::Node& light) {
 }
 
 std::optional<Vec3> ImageWriter::mean(const desc::Node& texture) const {
-  const std::optional<LinearImage> linear = read_linear(texture, texture.text("file"));
-  if (!linear || linear->texels.empty()) return std::nullopt;
-  Imath::V3d sum(0.0);
-  for (const Vec3& texel : linear->texels) sum += Imath::V3d(texel);
-  return Vec3(sum / static_cast<double>(linear->texels.size())) * texture.number("scale");
+  const std::optional<LinearImage> image = read_finished(texture);
+  if (!image || image->texels.empty()) return std::nullopt;
+  Vec3d sum(0.0);
+  for (const Vec3& texel : image->texels) sum += Vec3d(texel);
+  return Vec3(sum / static_cast<double>(image->texels.size()));
 }
 
 }  // namespace ajar::pbrt

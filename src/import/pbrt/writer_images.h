@@ -26,6 +26,11 @@ class ImageWriter {
   /// Absolute path of what is written for pbrt in place of the image of a texture; nothing if pbrt
   /// sees it as it is, or it cannot be read.
   std::optional<std::string> for_texture(const desc::Node& texture);
+  /// An image of 1 where that of a texture is at least `edge`, else 0; nothing if it cannot be
+  /// read, or is not mapped by coordinates of the surface.
+  std::optional<desc::Node> cut_out(const desc::Node& texture, float edge);
+  /// Absolute path of an image of a clear sky, as the light of this model.
+  std::string sky(const desc::Node& light);
   struct LightImage {
     std::optional<std::string> file;  ///< as for a texture
     std::optional<float> factor;      ///< of the light, where it is scaled to a given strength
@@ -39,6 +44,7 @@ class ImageWriter {
   std::string write(std::string_view bytes, const std::string& extension);
   std::string path_of(std::size_t number, const std::string& extension) const;
   void make_folder() const;
+  std::optional<LinearImage> read_finished(const desc::Node& texture) const;
   std::optional<LinearImage> read_linear(const desc::Node& node, const std::string& image) const;
   std::optional<std::string> written(const std::string& key, const LinearImage& image,
                                      bool is_decoded, bool may_be_png);

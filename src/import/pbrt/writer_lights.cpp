@@ -3,6 +3,7 @@
 
 #include "import/pbrt/light_names.h"
 #include "import/pbrt/writer_context.h"
+#include "scene/desc/models.h"
 
 namespace ajar::pbrt {
 namespace {
@@ -47,13 +48,20 @@ Substitutes substitutes_of_light(WriterContext& context, const desc::Node& light
   return result;
 }
 
+/// The light that pbrt has for one that it does not have: of a clear sky, its image.
+desc::Node in_pbrt(WriterContext& context, const desc::Node& light) {
+  if (!light.is("sky")) return light;
+  return desc::light_node("environment", {{"image", context.images.sky(light)}});
+}
+
 void write_light(WriterContext& context, const desc::Light& light) {
-  const desc::Node& node = light.node;
+  const desc::Node node = in_pbrt(context, light.node);
   const ModelName* names = find_ours(light_names(), node.model().name);
   context.out.line("AttributeBegin").line("Transform").matrix(light.to_world);
   context.medium_outside(light.medium);
   context.out.line("LightSource").quoted(names == nullptr ? node.model().name : names->theirs);
   write_parameters(context, node, names, false, substitutes_of_light(context, node));
+  if (!(node == light.node)) write_own_words(context, light.node);
   if (node.is("spot")) context.out.parameter("float conedeltaangle", cone_delta(node));
   if (node.is("distant")) {
     context.out.point("from", {0.F, 0.F, 1.F}).point("to", {0.F, 0.F, 0.F});

@@ -125,4 +125,13 @@ void write_parameters(WriterContext& context, const desc::Node& node, const Mode
   }
 }
 
+void write_own_words(WriterContext& context, const desc::Node& node) {
+  context.out.parameter("string " + std::string(kOwnModel), node.model().name);
+  for (std::size_t i = 0; i < node.values().size(); ++i) {
+    const ParameterSpec& spec = node.model().parameters[i];
+    const std::string word = own_word(spec.name);
+    std::visit(ValueWriter{context, spec, word, false}, node.values()[i]);
+  }
+}
+
 }  // namespace ajar::pbrt

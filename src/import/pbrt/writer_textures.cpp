@@ -28,8 +28,30 @@ Substitutes substitutes_of(WriterContext& context, const desc::Node& node) {
   return result;
 }
 
+/// The image that shows where a threshold of an image is reached; nothing for other textures.
+std::optional<desc::Node> cut_out_in_pbrt(WriterContext& context, const desc::Node& node) {
+  if (!node.is("threshold")) return std::nullopt;
+  float edge = node.number("edge");
+  const desc::Value* compared = &node.get("value");
+  // Down through factors.
+  for (;;) {
+    const auto* texture = std::get_if<desc::TextureRef>(compared);
+    if (texture == nullptr) return std::nullopt;
+    const desc::Node& of = context.scene.textures[static_cast<std::size_t>(texture->id)].node;
+    if (of.is("image")) return context.images.cut_out(of, edge);
+    if (!of.is("product")) return std::nullopt;
+    const bool is_second = std::holds_alternative<Vec3>(of.get("first"));
+    const Vec3* factor = std::get_if<Vec3>(&of.get(is_second ? "first" : "second"));
+    if (factor == nullptr || !(factor->x > 0.F)) return std::nullopt;
+    edge /= factor->x;
+    compared = &of.get(is_second ? "second" : "first");
+  }
+}
+
 void write_texture(WriterContext& context, std::size_t i) {
-  const desc::Node& node = context.scene.textures[i].node;
+  const desc::Node& own = context.scene.textures[i].node;
+  const std::optional<desc::Node> cut_out = cut_out_in_pbrt(context, own);
+  const desc::Node& node = cut_out ? *cut_out : own;
   const ModelName* names = find_ours(texture_names(), node.model().name);
   const std::optional<Mat4> place = place_of(node);
   if (place) context.out.line("TransformBegin").line("Transform").matrix(*place);
@@ -42,6 +64,7 @@ void write_texture(WriterContext& context, std::size_t i) {
         .quoted(names == nullptr ? node.model().name : names->theirs);
     if (node.is("solid_checkerboard")) context.out.parameter("integer dimension", 3);
     write_parameters(context, node, names, as_float, substitutes);
+    if (cut_out) write_own_words(context, own);
   }
   if (place) context.out.line("TransformEnd");
 }

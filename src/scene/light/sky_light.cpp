@@ -1,10 +1,7 @@
 // The clear sky as a map of all directions: a sky has no detail that a texel of 0.7 degrees lacks,
 // and a map can be sampled.
-#include <algorithm>
-#include <cmath>
 #include <utility>
 
-#include "core/color.h"
 #include "core/daylight.h"
 #include "scene/light/models.h"
 
@@ -16,20 +13,15 @@ constexpr int kHeight = 256;
 
 /// Radiance 1 for 1 kcd/m²; black below the horizon.
 Map sky_map(double turbidity, double elevation, const SphereProjection& projection) {
-  const double sun_zenith = (90.0 - elevation) * M_PI / 180.0;
-  const ClearSky sky(turbidity, sun_zenith);
-  const Vec3d sun(std::sin(sun_zenith), 0.0, std::cos(sun_zenith));
+  const SunnySky sky(turbidity, elevation);
   std::vector<Spectrum> texels(static_cast<std::size_t>(kWidth) * kHeight, Spectrum(0.F));
   for (int y = 0; y < kHeight; ++y) {
     for (int x = 0; x < kWidth; ++x) {
       const Vec3d w(projection.to_direction(
           Vec2((static_cast<float>(x) + 0.5F) / kWidth, (static_cast<float>(y) + 0.5F) / kHeight)));
-      if (w.z <= 0.0) continue;
-      const Vec3d rgb = xyz_to_rgb(sky.luminance(std::acos(std::min(w.z, 1.0)),
-                                                 std::acos(std::clamp(w.dot(sun), -1.0, 1.0))));
-      const auto lane = [](double value) { return static_cast<float>(std::max(value, 0.0)); };
+      const Vec3 color(sky.color(w));
       texels[static_cast<std::size_t>(y) * kWidth + static_cast<std::size_t>(x)] =
-          Spectrum(lane(rgb.x), lane(rgb.y), lane(rgb.z));
+          Spectrum(color.x, color.y, color.z);
     }
   }
   return {kWidth, kHeight, std::move(texels), projection.edge, projection.filter};
