@@ -8,7 +8,9 @@
 #include "core/daylight.h"
 #include "core/image_encoder.h"
 #include "core/image_input.h"
+#include "core/regular_file.h"
 #include "core/srgb.h"
+#include "import/import.h"
 #include "import/pbrt/import_test_support.h"
 #include "import/pbrt/pbrt_writer.h"
 #include "scene/desc/models.h"
@@ -418,6 +420,47 @@ TEST(WriterForPbrt, PaintsTheSky) {
   for (std::size_t i = 0; i < 3; ++i) {
     EXPECT_NEAR(seen[i], 2.0 * zenith[static_cast<int>(i)], 0.02 * zenith.y);
     EXPECT_EQ(seen[seen.size() - 1 - i], 0.F);
+  }
+}
+
+/// The scene with its camera and its image files as `back` has them, whose contents must be the
+/// same.
+desc::SceneDesc with_files_of(const desc::SceneDesc& back, desc::SceneDesc scene) {
+  EXPECT_EQ(back.textures.size(), scene.textures.size());
+  for (std::size_t i = 0; i < std::min(back.textures.size(), scene.textures.size()); ++i) {
+    desc::Node& node = scene.textures[i].node;
+    if (!node.is("image")) continue;
+    const std::string file = back.textures[i].node.text("file");
+    EXPECT_EQ(read_file(file).view(), *scene.embedded_files.at(node.text("file")));
+    node.set("file", file);
+  }
+  // The file has the inverse of its place, which is rounded.
+  EXPECT_TRUE(back.camera.to_world.equalWithAbsError(scene.camera.to_world, 1e-9));
+  scene.camera.to_world = back.camera.to_world;
+  return scene;
+}
+
+TEST(WriterForPbrt, KeepsBareMeshesAndTheirColors) {
+  const std::vector<std::pair<std::string, std::string>> files = {
+      {"a.obj", "v 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 0 1 0 0 0 1\nf 1 2 3\n"},
+      {"a.ply",
+       "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty "
+       "float z\nproperty uchar red\nproperty uchar green\nproperty uchar blue\nelement face "
+       "1\nproperty list uchar int vertex_indices\nend_header\n0 0 0 255 0 0\n1 0 0 0 255 0\n0 1 "
+       "0 0 0 255\n3 0 1 2\n"},
+      {"a.stl",
+       "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 "
+       "0\nendloop\nendfacet\nendsolid a\n"}};
+  for (const auto& [name, text] : files) {
+    SCOPED_TRACE(name);
+    const TemporaryFolder folder;
+    const std::string path = (folder.path() / name).string();
+    std::ofstream(path) << text;
+    Warnings warnings;
+    const desc::SceneDesc scene = import_scene(path, warnings);
+    const Written result = written(scene, folder);
+    EXPECT_EQ(scene.embedded_files.empty(), name == "a.stl");
+    EXPECT_EQ(desc::hash(with_files_of(result.back, scene)), desc::hash(result.back));
   }
 }
 
