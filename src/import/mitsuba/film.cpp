@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "import/common/printable.h"
+#include "import/common/resolution.h"
 #include "import/mitsuba/sensor.h"
 
 namespace ajar::mitsuba {
@@ -11,8 +12,6 @@ constexpr WarningKind kLuminance{Effect::Surface, "pictures of luminance are not
 constexpr WarningKind kSpectralFilm{Effect::Slight, "pictures of wavelengths are not supported"};
 constexpr WarningKind kToneMap{Effect::Light, "tone maps are not supported: pictures are linear"};
 constexpr WarningKind kFilter{Effect::Slight, "filters are unknown: gaussian ones stand in"};
-
-constexpr int kLargestResolution = 65536;
 
 int read_size(Arguments& arguments, std::string_view name, int fallback) {
   const long long size = arguments.integer(name).value_or(fallback);

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "import/common/degree.h"
 #include "import/common/printable.h"
 #include "import/common/studio.h"
 #include "import/common/transforms.h"
@@ -19,9 +20,6 @@ const std::vector<std::string> kKnownSensors = {"perspective", "thinlens", "orth
                                                 "telecentric", "spherical"};
 const std::vector<std::string> kAxes = {"x", "y", "diagonal", "smaller", "larger"};
 
-double to_degrees(double radians) { return radians * 180.0 / M_PI; }
-double to_radians(double degrees) { return degrees * M_PI / 180.0; }
-
 /// Tangent of half the field of view along the width of the film.
 double half_width(Arguments& arguments, double aspect) {
   std::string axis = arguments.word("fov_axis", "x");
@@ -34,14 +32,14 @@ double half_width(Arguments& arguments, double aspect) {
     if (!focal_length || !(*focal_length > 0.0)) {
       throw SceneError(arguments.where(), "\"focal_length\" must be a length as in \"50mm\"");
     }
-    fov = to_degrees(2.0 * std::atan(0.5 * std::hypot(36.0, 24.0) / *focal_length));
+    fov = 2.0 * std::atan(0.5 * std::hypot(36.0, 24.0) / *focal_length) / kDegree;
     axis = "diagonal";
   }
   arguments.accept({"focal_length"});
   if (!(*fov > 0.0 && *fov < 180.0)) {
     throw SceneError(arguments.where(), "\"fov\" must be between 0 and 180 degrees");
   }
-  const double tangent = std::tan(0.5 * to_radians(*fov));
+  const double tangent = std::tan(0.5 * *fov * kDegree);
   if (axis == "smaller") axis = aspect > 1.0 ? "y" : "x";
   if (axis == "larger") axis = aspect > 1.0 ? "x" : "y";
   if (axis == "y") return tangent * aspect;
@@ -58,7 +56,7 @@ desc::PerspectiveCamera perspective(Arguments& arguments, double aspect) {
   desc::PerspectiveCamera camera;
   const double width = half_width(arguments, aspect);
   const double shorter = aspect > 1.0 ? width / aspect : width;
-  camera.fov = static_cast<float>(to_degrees(2.0 * std::atan(shorter)));
+  camera.fov = static_cast<float>(2.0 * std::atan(shorter) / kDegree);
   const float x = arguments.number("principal_point_offset_x", 0.F);
   const float y = arguments.number("principal_point_offset_y", 0.F);
   if (x != 0.F || y != 0.F) {
@@ -112,9 +110,9 @@ void look_at_everything(Context& context) {
   desc::SceneDesc& scene = context.scene;
   scene.film = default_film(context.document.end);
   const Vec2i size = scene.film.resolution;
-  const double half = std::tan(0.5 * to_radians(kFov));
+  const double half = std::tan(0.5 * kFov * kDegree);
   desc::PerspectiveCamera camera;
-  camera.fov = static_cast<float>(to_degrees(2.0 * std::atan(half * size.y / size.x)));
+  camera.fov = static_cast<float>(2.0 * std::atan(half * size.y / size.x) / kDegree);
   scene.camera.node = camera;
   scene.camera.where = context.document.end;
   const Imath::Box3d box = bounds_of_shapes(scene);

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "import/common/degree.h"
+
 namespace ajar::mitsuba {
 namespace {
-
-constexpr double kDegree = M_PI / 180.0;
 
 /// Hours of universal time.
 double universal_hours(const SunTime& t) {

@@ -4,10 +4,11 @@
 
 #include <cmath>
 
+#include "import/common/degree.h"
+
 namespace ajar::mitsuba {
 namespace {
 
-constexpr double kDegree = M_PI / 180.0;
 constexpr double kTilt = 23.44;
 
 SunTime noon_of(int month, int day, double latitude) {

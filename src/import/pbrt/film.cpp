@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "import/common/printable.h"
+#include "import/common/resolution.h"
 #include "import/pbrt/lexer.h"
 
 namespace ajar::pbrt {
@@ -18,8 +19,6 @@ constexpr WarningKind kSensor{
     "films have the sensor of a camera, which is not supported: an ideal one "
     "stands in"};
 constexpr WarningKind kBounds{Effect::Slight, "films have \"pixelbounds\" that do not fit"};
-
-constexpr int kLargestResolution = 65536;
 
 void set_crop(const SourceLocation& where, desc::Film& film, std::size_t side, float from,
               float to) {

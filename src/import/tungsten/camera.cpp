@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "import/common/resolution.h"
 #include "import/tungsten/textures.h"
 #include "import/tungsten/transforms.h"
 
@@ -22,7 +23,6 @@ constexpr WarningKind kUnknownFocus{Effect::Surface,
                                     "cameras focus on primitives that are unknown"};
 constexpr WarningKind kTonemap{Effect::None, "tone maps of the scene are not used"};
 
-constexpr int kLargestResolution = 65536;
 const std::vector<std::string> kCameraTypes = {"pinhole", "thinlens", "equirectangular", "cubemap"};
 const std::vector<std::string> kFilters = {
     "dirac", "box", "tent", "gaussian", "mitchell_netravali", "catmull_rom", "lanczos"};
