@@ -1,6 +1,7 @@
 #include "import/mitsuba/arguments.h"
 
 #include <algorithm>
+#include <exception>
 #include <map>
 
 #include "import/common/printable.h"
@@ -14,6 +15,11 @@ constexpr WarningKind kOtherKind{Effect::Surface,
                                  "properties are of another kind than expected and ignored"};
 constexpr WarningKind kSameProperty{Effect::Surface, "properties are there twice: the last counts"};
 constexpr WarningKind kUnknownProperty{Effect::Slight, "properties are unknown and ignored"};
+constexpr WarningKind kOneTooMany{Effect::Surface,
+                                  "elements have more elements in them than they may: ignored"};
+
+/// By references any depth could be written, and stacks end.
+constexpr std::size_t kDeepestReferences = 200;
 
 }  // namespace
 
@@ -21,10 +27,35 @@ Arguments::Arguments(Context& context, const Element& element)
     : context_(context),
       element_(element),
       used_properties_(element.properties.size()),
-      used_children_(element.children.size()) {}
+      used_children_(element.children.size()),
+      exceptions_(std::uncaught_exceptions()) {
+  for (const Child& child : element.children) {
+    children_.push_back(&context.document.resolve(child));
+  }
+  if (context.open.size() >= kDeepestReferences) {
+    throw SceneError(element.where, "elements are nested too deeply");
+  }
+  if (!context.open.insert(&element).second) {
+    throw SceneError(element.where, "this <" + element.tag + "> refers to itself");
+  }
+}
+
+Arguments::~Arguments() {
+  context_.open.erase(&element_);
+  if (std::uncaught_exceptions() > exceptions_) return;
+  if (context_.reported.insert(&element_).second) report_unused();
+}
+
+void Arguments::ask(std::string_view name) {
+  if (!was_asked(name)) asked_.emplace_back(name);
+}
+
+bool Arguments::was_asked(std::string_view name) const {
+  return std::find(asked_.begin(), asked_.end(), name) != asked_.end();
+}
 
 const Property* Arguments::find(std::string_view name) {
-  if (std::find(asked_.begin(), asked_.end(), name) == asked_.end()) asked_.emplace_back(name);
+  ask(name);
   const Property* found = nullptr;
   for (std::size_t i = 0; i < element_.properties.size(); ++i) {
     if (element_.properties[i].name != name) continue;
@@ -113,79 +144,115 @@ bool Arguments::has_text(std::string_view name) const {
 }
 
 const Element* Arguments::child(std::string_view name, std::string_view tag) {
-  for (std::size_t i = 0; i < element_.children.size(); ++i) {
-    const Child& child = element_.children[i];
-    if (child.name != name) continue;
-    const Element& element = context_.document.resolve(child);
-    if (element.tag != tag) continue;
-    used_children_[i] = true;
-    return &element;
+  ask(name);
+  for (std::size_t i = 0; i < children_.size(); ++i) {
+    if (element_.children[i].name != name || children_[i]->tag != tag) continue;
+    used_children_[i] = Use::Used;
+    return children_[i];
   }
   return nullptr;
 }
 
-std::vector<const Element*> Arguments::children(std::string_view tag) {
+std::vector<const Element*> Arguments::children(std::string_view tag, std::size_t most) {
   std::vector<const Element*> found;
-  for (std::size_t i = 0; i < element_.children.size(); ++i) {
-    const Element& element = context_.document.resolve(element_.children[i]);
-    if (element.tag != tag) continue;
-    used_children_[i] = true;
-    found.push_back(&element);
+  for (std::size_t i = 0; i < children_.size(); ++i) {
+    if (children_[i]->tag != tag) continue;
+    used_children_[i] = found.size() < most ? Use::Used : Use::OneTooMany;
+    if (found.size() < most) found.push_back(children_[i]);
   }
   return found;
+}
+
+const Element* Arguments::only_child(std::string_view tag) {
+  const std::vector<const Element*> found = children(tag, 1);
+  return found.empty() ? nullptr : found.front();
 }
 
 void Arguments::accept(std::initializer_list<std::string_view> names) {
   for (const std::string_view name : names) {
     find(name);
     for (std::size_t i = 0; i < element_.children.size(); ++i) {
-      if (element_.children[i].name == name) used_children_[i] = true;
+      if (element_.children[i].name == name) used_children_[i] = Use::Used;
     }
   }
 }
 
 void Arguments::accept_all() {
   std::fill(used_properties_.begin(), used_properties_.end(), true);
-  std::fill(used_children_.begin(), used_children_.end(), true);
+  std::replace(used_children_.begin(), used_children_.end(), Use::None, Use::Used);
 }
 
 std::string Arguments::spelled(std::string_view name) const {
   return context_.document.major_version == 0 ? camel_case(name) : std::string(name);
 }
 
+std::string Arguments::owner() const {
+  return "<" + element_.tag +
+         (element_.type.empty() ? "" : " type=\"" + printable(element_.type) + "\"") + ">";
+}
+
 void Arguments::report_unused() const {
-  std::vector<std::string> valid;
-  for (const std::string& name : asked_) valid.push_back(spelled(name));
-  const std::string owner =
-      "<" + element_.tag +
-      (element_.type.empty() ? "" : " type=\"" + printable(element_.type) + "\"") + ">";
-  const auto report = [&](const SourceLocation& where, const std::string& name) {
-    const std::string shown = printable(spelled(name));
-    const std::string nearest = nearest_name(spelled(name), valid);
-    context_.warnings.add(kUnknownProperty, where,
-                          owner + " has no property \"" + shown + "\"" +
-                              (nearest.empty() ? "" : "; did you mean \"" + nearest + "\"?") +
-                              ": ignored",
-                          shown);
-  };
   std::map<std::string_view, std::size_t> last;
   for (std::size_t i = 0; i < used_properties_.size(); ++i) last[element_.properties[i].name] = i;
   for (std::size_t i = 0; i < used_properties_.size(); ++i) {
     const Property& property = element_.properties[i];
     if (!used_properties_[i]) {
-      report(property.where, property.name);
+      report(property.where, property.name, "a property");
     } else if (last[property.name] != i) {
-      const std::string shown = printable(spelled(property.name));
-      context_.warnings.add(kSameProperty, property.where,
-                            owner + " has another \"" + shown + "\", which counts instead of this",
-                            shown);
+      report_twice(property.where, property.name);
     }
   }
   for (std::size_t i = 0; i < used_children_.size(); ++i) {
-    const Child& child = element_.children[i];
-    if (used_children_[i]) continue;
-    report(child.where, child.name.empty() ? context_.document.resolve(child).tag : child.name);
+    const SourceLocation& where = element_.children[i].where;
+    const std::string& name = element_.children[i].name;
+    const std::string tag = "<" + children_[i]->tag + ">";
+    if (used_children_[i] == Use::OneTooMany) {
+      context_.warnings.add(kOneTooMany, where,
+                            owner() + " has more of " + tag + " than it can use: this is ignored",
+                            printable(children_[i]->type));
+    } else if (used_children_[i] == Use::None) {
+      report(where, name.empty() ? children_[i]->tag : name, tag);
+    }
   }
+}
+
+bool Arguments::is_used(std::string_view name) const {
+  for (std::size_t i = 0; i < used_properties_.size(); ++i) {
+    if (used_properties_[i] && element_.properties[i].name == name) return true;
+  }
+  for (std::size_t i = 0; i < used_children_.size(); ++i) {
+    if (used_children_[i] == Use::Used && element_.children[i].name == name) return true;
+  }
+  return false;
+}
+
+void Arguments::report(const SourceLocation& where, const std::string& name,
+                       const std::string& kind) const {
+  if (!was_asked(name)) return report_unknown(where, name);
+  if (is_used(name)) return report_twice(where, name);
+  const std::string shown = printable(spelled(name));
+  context_.warnings.add(kOtherKind, where,
+                        "\"" + shown + "\" of " + owner() + " cannot be " + kind + ": ignored",
+                        shown);
+}
+
+void Arguments::report_twice(const SourceLocation& where, const std::string& name) const {
+  const std::string shown = printable(spelled(name));
+  context_.warnings.add(kSameProperty, where,
+                        owner() + " has another \"" + shown + "\", which counts instead of this",
+                        shown);
+}
+
+void Arguments::report_unknown(const SourceLocation& where, const std::string& name) const {
+  std::vector<std::string> valid;
+  for (const std::string& asked : asked_) valid.push_back(spelled(asked));
+  const std::string shown = printable(spelled(name));
+  const std::string nearest = nearest_name(spelled(name), valid);
+  context_.warnings.add(kUnknownProperty, where,
+                        owner() + " has no property \"" + shown + "\"" +
+                            (nearest.empty() ? "" : "; did you mean \"" + nearest + "\"?") +
+                            ": ignored",
+                        shown);
 }
 
 }  // namespace ajar::mitsuba

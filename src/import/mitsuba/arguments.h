@@ -9,12 +9,19 @@
 
 namespace ajar::mitsuba {
 
-/// The properties and children of one plugin, looked up by name; remembers what was looked up, so
-/// that the rest can be reported. A property of another kind than is asked for counts as not given,
-/// with a warning.
+/// The properties and children of one plugin, looked up by name. Remembers what was looked up, and
+/// at its end warns of the rest, with the nearest name that was, once for each element. A property
+/// of another kind than is asked for counts as not given, with a warning.
 class Arguments {
  public:
+  static constexpr std::size_t kAll = static_cast<std::size_t>(-1);
+
+  /// Raises SceneError for elements that are within themselves by reference or too deep within
+  /// others, and for references to nothing.
   Arguments(Context& context, const Element& element);
+  ~Arguments();
+  Arguments(const Arguments&) = delete;
+  Arguments& operator=(const Arguments&) = delete;
 
   const Element& element() const { return element_; }
   const SourceLocation& where() const { return element_.where; }
@@ -47,28 +54,42 @@ class Arguments {
   bool has_text(std::string_view name) const;
   /// The child that is `name` to this plugin; null if there is none.
   const Element* child(std::string_view name, std::string_view tag);
-  /// All children of this tag, in their order.
-  std::vector<const Element*> children(std::string_view tag);
+  /// All children of this tag, in their order; of more than `most` only the first, with a warning.
+  std::vector<const Element*> children(std::string_view tag, std::size_t most = kAll);
+  /// The first child of this tag, with a warning if there are more; null if there is none.
+  const Element* only_child(std::string_view tag);
 
   /// Marks what is known and has no meaning for us.
   void accept(std::initializer_list<std::string_view> names);
   void accept_all();
-  /// Warns of all that nothing asked for, with the nearest name that was.
-  void report_unused() const;
 
  private:
+  enum class Use { None, Used, OneTooMany };
+
+  void ask(std::string_view name);
+  bool was_asked(std::string_view name) const;
   const Property* find(std::string_view name);
   /// The property as `T`; a warning if it is something else.
   template <typename T>
   std::optional<T> get(std::string_view name, const char* expected);
   void warn_kind(const Property& property, const char* expected) const;
   std::string spelled(std::string_view name) const;
+  /// The element as messages call it.
+  std::string owner() const;
+  void report_unused() const;
+  bool is_used(std::string_view name) const;
+  /// Of a property or a child, which is `kind`, that nothing has taken.
+  void report(const SourceLocation& where, const std::string& name, const std::string& kind) const;
+  void report_twice(const SourceLocation& where, const std::string& name) const;
+  void report_unknown(const SourceLocation& where, const std::string& name) const;
 
   Context& context_;
   const Element& element_;
   std::vector<bool> used_properties_;
-  std::vector<bool> used_children_;
+  std::vector<const Element*> children_;  ///< what they are, or refer to
+  std::vector<Use> used_children_;
   std::vector<std::string> asked_;
+  int exceptions_;  ///< at the beginning
 };
 
 }  // namespace ajar::mitsuba

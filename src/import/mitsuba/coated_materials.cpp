@@ -19,6 +19,8 @@ constexpr WarningKind kSmoothBelow{Effect::Slight,
                                    "rough diffuse bases below coats are shown as smooth ones"};
 constexpr WarningKind kOldGloss{
     Effect::Surface, "materials are phong or ward, which are not supported: coated ones stand in"};
+constexpr WarningKind kExponent{Effect::Surface,
+                                "exponents of phong vary, which is not supported: 30 stands in"};
 
 bool is_constant(const desc::Node& node, const char* name) {
   return std::holds_alternative<Vec3>(node.get(name));
@@ -77,9 +79,9 @@ desc::Node metal_below(const MaterialInputs& in, float eta, const desc::Node& me
 }
 
 Surface coating(const MaterialInputs& in, bool is_rough) {
-  const std::vector<const Element*> nested = in.arguments.children("bsdf");
-  if (nested.empty()) throw SceneError(in.where(), "a coating needs a bsdf in it");
-  const Surface inner = in.materials.make(*nested.front());
+  const Element* nested = in.arguments.only_child("bsdf");
+  if (nested == nullptr) throw SceneError(in.where(), "a coating needs a bsdf in it");
+  const Surface inner = in.materials.make(*nested);
   const desc::Material base = in.materials.get(inner.material);
   const desc::Rgb depth = in.arguments.color("sigma_a").value_or(desc::Rgb(0.F)) *
                           in.arguments.number("thickness", 1.F);
@@ -137,11 +139,15 @@ Surface make_coating(const MaterialInputs& in) { return coating(in, false); }
 Surface make_rough_coating(const MaterialInputs& in) { return coating(in, true); }
 
 Surface make_phong(const MaterialInputs& in) {
+  constexpr float kUsualExponent = 30.F;
   desc::Node node = glossy(in);
+  if (in.arguments.child("exponent", "texture") != nullptr) {
+    in.context().warnings.add(kExponent, in.where(),
+                              "an \"exponent\" that varies is not supported: 30 stands in");
+  }
   // Walter et al. 2007, section 5.1: facets that make a highlight of about that exponent.
-  const desc::Value exponent = in.textures.number(in.arguments, "exponent", 30.F);
-  const float* number = std::get_if<float>(&exponent);
-  node.set("roughness", std::sqrt(2.F / (std::max(number == nullptr ? 30.F : *number, 0.F) + 2.F)));
+  const float exponent = in.arguments.number("exponent", kUsualExponent);
+  node.set("roughness", std::sqrt(2.F / (std::max(exponent, 0.F) + 2.F)));
   return {in.materials.add(in.arguments.element(), std::move(node)), desc::kNone, true};
 }
 

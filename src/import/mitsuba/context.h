@@ -1,4 +1,6 @@
 #pragma once
+#include <set>
+
 #include "core/warnings.h"
 #include "import/mitsuba/document.h"
 #include "import/mitsuba/search_path.h"
@@ -12,6 +14,9 @@ struct Context {
   const Document& document;
   SearchPath& files;
   Warnings& warnings;
+  /// Those whose `Arguments` are in use now, and those whose arguments were reported.
+  std::set<const Element*> open = {};
+  std::set<const Element*> reported = {};
 };
 
 }  // namespace ajar::mitsuba

@@ -3,6 +3,7 @@
 
 #include "import/common/printable.h"
 #include "import/common/resolution.h"
+#include "import/mitsuba/plugin_types.h"
 #include "import/mitsuba/sensor.h"
 
 namespace ajar::mitsuba {
@@ -11,6 +12,7 @@ namespace {
 constexpr WarningKind kLuminance{Effect::Surface, "pictures of luminance are not supported"};
 constexpr WarningKind kSpectralFilm{Effect::Slight, "pictures of wavelengths are not supported"};
 constexpr WarningKind kToneMap{Effect::Light, "tone maps are not supported: pictures are linear"};
+constexpr WarningKind kUnknownFilm{Effect::Slight, "films are unknown: that of hdrfilm stands in"};
 constexpr WarningKind kFilter{Effect::Slight, "filters are unknown: gaussian ones stand in"};
 
 int read_size(Arguments& arguments, std::string_view name, int fallback) {
@@ -43,8 +45,6 @@ desc::Filter gaussian(float deviation) {
 }
 
 desc::Filter make_filter(Arguments& arguments) {
-  static const std::vector<std::string> kKnown = {"box",      "tent",       "gaussian",
-                                                  "mitchell", "catmullrom", "lanczos"};
   constexpr float kDeviation = 0.5F;
   const std::string& type = arguments.element().type;
   desc::Filter filter;
@@ -64,11 +64,12 @@ desc::Filter make_filter(Arguments& arguments) {
     radius = static_cast<float>(arguments.integer("lobes").value_or(3));
     filter.node = desc::SincFilter{radius};
   } else {
-    if (type != "gaussian") {
+    if (!is_known(arguments.element())) {
       arguments.context().warnings.add(
           kFilter, arguments.where(),
-          unknown_name_message("rfilter", printable(type), kKnown) + ". A gaussian one stands in",
+          unknown_type_message(arguments.element()) + ". A gaussian one stands in",
           printable(type));
+      arguments.accept_all();
     }
     const float deviation = arguments.number("stddev", kDeviation);
     filter = gaussian(deviation > 0.F ? deviation : kDeviation);
@@ -116,17 +117,23 @@ desc::Film default_film(const SourceLocation& where) {
 void read_film(Context& context, const Element& element) {
   Arguments arguments(context, element);
   desc::Film film = default_film(element.where);
+  // The film for matrices begins with a single number, of the luminance.
+  const bool is_matrix = element.type == "mfilm";
+  if (is_matrix) {
+    film.resolution = Vec2i(1);
+    film.filter.node = desc::BoxFilter{};
+    film.filter.radius = Vec2(0.5F);
+  }
   film.resolution = Vec2i(read_size(arguments, "width", film.resolution.x),
                           read_size(arguments, "height", film.resolution.y));
   read_crop(arguments, "crop_offset_x", "crop_width", film.resolution.x, &film.crop[0]);
   read_crop(arguments, "crop_offset_y", "crop_height", film.resolution.y, &film.crop[2]);
   film.filename = arguments.text("filename", "");
-  for (const Element* rfilter : arguments.children("rfilter")) {
+  if (const Element* rfilter = arguments.only_child("rfilter")) {
     Arguments of_filter(context, *rfilter);
     film.filter = make_filter(of_filter);
-    of_filter.report_unused();
   }
-  if (arguments.word("pixel_format", "rgb").starts_with("luminance")) {
+  if (arguments.word("pixel_format", is_matrix ? "luminance" : "rgb").starts_with("luminance")) {
     context.warnings.add(kLuminance, element.where,
                          "pictures of luminance are not supported: this one has colours");
   }
@@ -134,11 +141,17 @@ void read_film(Context& context, const Element& element) {
   if (element.type == "specfilm") {
     context.warnings.add(kSpectralFilm, element.where,
                          "pictures of wavelengths are not supported: this one has colours");
+    arguments.children("spectrum");  // the responses of its channels
+  }
+  if (!is_known(element)) {
+    context.warnings.add(kUnknownFilm, element.where,
+                         unknown_type_message(element) + ". That of hdrfilm stands in",
+                         printable(element.type));
+    arguments.accept_all();
   }
   // How the finished picture is written is for whoever asks for it.
   arguments.accept({"file_format", "component_format", "gamma", "banner", "high_quality_edges",
                     "attach_log", "sample_border", "compensate", "variable", "digits"});
-  arguments.report_unused();
   context.scene.film = film;
 }
 

@@ -5,6 +5,7 @@
 
 #include "import/common/printable.h"
 #include "import/common/transforms.h"
+#include "import/mitsuba/plugin_types.h"
 
 namespace ajar::mitsuba {
 namespace {
@@ -101,10 +102,7 @@ std::optional<Geometry> make_geometry(Arguments& arguments, MeshLoader& meshes) 
   if (type == "disk") return disk();
   if (type == "cylinder") return cylinder(arguments);
   arguments.accept_all();
-  static const std::vector<std::string> kKnown = {
-      "obj",      "ply",  "serialized",  "rectangle",    "cube",     "sphere",     "disk",
-      "cylinder", "hair", "linearcurve", "bsplinecurve", "instance", "shapegroup", "merge"};
-  return skip(arguments, unknown_name_message("shape", printable(type), kKnown));
+  return skip(arguments, unknown_type_message(arguments.element()));
 }
 
 }  // namespace ajar::mitsuba

@@ -2,22 +2,19 @@
 #include <array>
 
 #include "import/common/printable.h"
+#include "import/mitsuba/plugin_types.h"
 #include "import/mitsuba/sensor.h"
 
 namespace ajar::mitsuba {
 namespace {
 
 constexpr WarningKind kIntegrator{Effect::None, "integrators are not supported: others stand in"};
+constexpr WarningKind kSampler{Effect::None, "samplers are unknown: another stands in"};
 constexpr WarningKind kSampleCount{Effect::Slight, "numbers of samples are below 1 and ignored"};
 constexpr WarningKind kDepth{Effect::Slight, "depths make no sense and are ignored"};
 constexpr WarningKind kHideEmitters{Effect::Surface,
                                     "lights are hidden from the camera, which is not supported"};
 
-struct IntegratorName {
-  std::string_view theirs;
-  std::string_view ours;
-};
-/// Those that estimate in the same way. Others are left to the renderer's choice.
 constexpr std::array<IntegratorName, 10> kIntegrators = {{{"path", "pt"},
                                                           {"volpath", "pt"},
                                                           {"volpath_simple", "pt"},
@@ -29,12 +26,39 @@ constexpr std::array<IntegratorName, 10> kIntegrators = {{{"path", "pt"},
                                                           {"mlt", "mmlt"},
                                                           {"erpt", "mmlt"}}};
 
+const IntegratorName* find_integrator(std::string_view type) {
+  const auto found = std::find_if(kIntegrators.begin(), kIntegrators.end(),
+                                  [&](const IntegratorName& name) { return name.theirs == type; });
+  return found == kIntegrators.end() ? nullptr : &*found;
+}
+
+/// Says what stands in for one that is unknown, and reads the one in it, which it watches over.
+const Element& read_unknown(Arguments& arguments) {
+  Context& context = arguments.context();
+  const Element& element = arguments.element();
+  const Element* nested = arguments.only_child("integrator");
+  context.warnings.add(kIntegrator, element.where,
+                       nested != nullptr ? "integrator \"" + printable(element.type) +
+                                               "\" is not supported: only that in it is used"
+                                         : unknown_type_message(element) + ". Another stands in",
+                       printable(element.type));
+  arguments.accept_all();
+  return nested != nullptr ? read_integrator(context, *nested) : element;
+}
+
 }  // namespace
+
+std::span<const IntegratorName> integrator_names() { return kIntegrators; }
 
 void read_sampler(Context& context, const Element& element) {
   Arguments arguments(context, element);
   desc::RenderHints& hints = context.scene.hints;
   hints.sampler = element.type == "independent" ? "independent" : "sobol";
+  if (!is_known(element)) {
+    context.warnings.add(kSampler, element.where,
+                         unknown_type_message(element) + ". That of Sobol stands in",
+                         printable(element.type));
+  }
   if (const std::optional<long long> count = arguments.integer("sample_count")) {
     constexpr long long kMost = 1'000'000'000;
     if (*count >= 1) {
@@ -46,28 +70,14 @@ void read_sampler(Context& context, const Element& element) {
   }
   // How a sampler of another kind distributes its numbers has no meaning for ours.
   arguments.accept({"seed", "scramble", "dimension", "jitter", "strength", "sample_shuffle"});
-  arguments.report_unused();
+  if (!is_known(element)) arguments.accept_all();
 }
 
-void read_integrator(Context& context, const Element& element) {
+const Element& read_integrator(Context& context, const Element& element) {
   Arguments arguments(context, element);
-  // Some integrators only watch over another.
-  const std::vector<const Element*> nested = arguments.children("integrator");
-  if (!nested.empty()) return read_integrator(context, *nested.front());
   desc::RenderHints& hints = context.scene.hints;
-  const auto known =
-      std::find_if(kIntegrators.begin(), kIntegrators.end(),
-                   [&](const IntegratorName& name) { return name.theirs == element.type; });
-  if (known != kIntegrators.end()) {
-    hints.integrator = known->ours;
-  } else {
-    std::vector<std::string> valid;
-    for (const IntegratorName& name : kIntegrators) valid.emplace_back(name.theirs);
-    context.warnings.add(
-        kIntegrator, element.where,
-        unknown_name_message("integrator", printable(element.type), valid) + ". Another stands in",
-        printable(element.type));
-  }
+  const IntegratorName* known = find_integrator(element.type);
+  if (known != nullptr) hints.integrator = known->ours;
   // Both count edges; -1 is no limit.
   const std::optional<long long> depth = arguments.integer("max_depth");
   if (element.type == "direct") hints.max_depth = 2;
@@ -111,8 +121,7 @@ void read_integrator(Context& context, const Element& element) {
                     "chain_length",
                     "granularity",
                     "brute_force"});
-  if (known == kIntegrators.end()) arguments.accept_all();
-  arguments.report_unused();
+  return known != nullptr ? element : read_unknown(arguments);
 }
 
 }  // namespace ajar::mitsuba

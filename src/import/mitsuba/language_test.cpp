@@ -122,16 +122,6 @@ TEST(MitsubaLanguage, AliasesAndIdsAreFound) {
             "test.xml:3:1: unknown id \"wal\"; did you mean \"wall\"? Valid: wall");
 }
 
-TEST(MitsubaLanguage, WhatRefersToItselfIsRefused) {
-  EXPECT_TRUE(contains(
-      error_of(world(sphere_of("<bsdf type=\"twosided\" id=\"a\"><ref id=\"a\"/></bsdf>"))),
-      "refers to itself"));
-  EXPECT_TRUE(contains(error_of(world(sphere_of(
-                           "<bsdf type=\"diffuse\"><texture type=\"scale\" name=\"reflectance\" "
-                           "id=\"t\"><ref id=\"t\"/></texture></bsdf>"))),
-                       "refers to itself"));
-}
-
 TEST(MitsubaLanguage, MalformedXmlIsAnErrorWithLineAndColumn) {
   EXPECT_EQ(error_of("<scene version=\"3.0.0\">\n  <shape type=\"sphere\">\n</scene>"),
             "test.xml:3:3: this is not well-formed XML: Start-end tags mismatch");

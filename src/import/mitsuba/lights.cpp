@@ -6,6 +6,7 @@
 #include "import/common/printable.h"
 #include "import/common/transforms.h"
 #include "import/mitsuba/node_maker.h"
+#include "import/mitsuba/plugin_types.h"
 
 namespace ajar::mitsuba {
 namespace {
@@ -18,12 +19,11 @@ constexpr WarningKind kGamma{Effect::Slight, "environment maps have a gamma: not
 constexpr WarningKind kProjector{
     Effect::Surface,
     "projectors are of even intensity here, not of even irradiance on their image"};
+constexpr WarningKind kSlide{
+    Effect::Surface, "images of projectors are not read as they should be: as their format says"};
+constexpr WarningKind kNoSlide{Effect::Light, "projectors have no image: white light stands in"};
 constexpr WarningKind kBeam{Effect::Light,
                             "collimated beams are not supported: narrow spots stand in"};
-
-const std::vector<std::string> kKnownLights = {"area", "constant",    "envmap",    "point",
-                                               "spot", "directional", "projector", "collimated",
-                                               "sky",  "sun",         "sunsky"};
 
 struct Source {
   Context& context;
@@ -106,13 +106,39 @@ std::optional<desc::Light> directional(const Source& in) {
   return in.light(in.node("distant", {{"irradiance", in.color("irradiance", 1.F)}}), *turn);
 }
 
+/// The image file that a projector shows; nothing, after a warning, if it is something else.
+std::optional<std::string> slide(Context& context, const Element& texture) {
+  Arguments image(context, texture);
+  const std::optional<std::string> name =
+      texture.type == "bitmap" ? image.text("filename") : std::nullopt;
+  if (!name || name->empty()) {
+    image.accept_all();
+    context.warnings.add(kNoSlide, texture.where,
+                         "projectors show files of bitmaps only: white light stands in",
+                         printable(texture.type));
+    return std::nullopt;
+  }
+  for (const char* ignored :
+       {"raw", "gamma", "channel", "to_uv", "uscale", "vscale", "uoffset", "voffset"}) {
+    if (!image.has(ignored)) continue;
+    context.warnings.add(kSlide, texture.where,
+                         "\"" + std::string(ignored) +
+                             "\" of the image of a projector is not supported: the image is whole, "
+                             "and decoded as its format says",
+                         ignored);
+    image.accept({ignored});
+  }
+  image.accept({"filter_type", "wrap_mode", "wrap_mode_u", "wrap_mode_v", "cache", "max_anisotropy",
+                "format", "accel"});
+  return context.files.files().resolve(context.files.find(*name));
+}
+
 std::optional<desc::Light> projector(const Source& in) {
   const float scale = in.arguments.number("scale", 1.F);
   desc::Node node = in.node("projection", {{"fov", in.arguments.number("fov", 45.F)}});
   if (const Element* texture = in.arguments.child("irradiance", "texture")) {
-    Arguments image(in.context, *texture);
-    if (const std::optional<std::string> name = image.text("filename")) {
-      node.set("image", in.context.files.files().resolve(in.context.files.find(*name)));
+    if (const std::optional<std::string> file = slide(in.context, *texture)) {
+      node.set("image", *file);
     }
     node.set("intensity", Vec3(scale));
   } else {
@@ -153,7 +179,7 @@ std::optional<desc::Light> make_light(const Source& in) {
   if (type == "collimated") return collimated(in);
   in.arguments.accept_all();
   if (type == "area") return in.skip(kLightsLeftOut, "an area light must be in a shape");
-  return in.skip(kLightsLeftOut, unknown_name_message("emitter", printable(type), kKnownLights));
+  return in.skip(kLightsLeftOut, unknown_type_message(in.arguments.element()));
 }
 
 }  // namespace
@@ -161,17 +187,14 @@ std::optional<desc::Light> make_light(const Source& in) {
 void add_lights(Context& context, MediumTable& media, const Element& emitter) {
   Arguments arguments(context, emitter);
   if (emitter.type == "sun" || emitter.type == "sky" || emitter.type == "sunsky") {
-    add_sun_and_sky(context, arguments);
-    arguments.report_unused();
-    return;
+    return add_sun_and_sky(context, arguments);
   }
   const Source source{context, arguments};
   std::optional<desc::Light> light = make_light(source);
-  const std::vector<const Element*> around = arguments.children("medium");
+  const Element* around = arguments.only_child("medium");
   arguments.accept({"sampling_weight", "to_world"});
-  arguments.report_unused();
   if (!light) return;
-  if (!around.empty()) light->medium = media.make(*around.front());
+  if (around != nullptr) light->medium = media.make(*around);
   if (!inverse(light->to_world)) {
     source.skip(kLightsLeftOut, "the transform of this light cannot be inverted");
     return;

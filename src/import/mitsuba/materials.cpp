@@ -2,6 +2,7 @@
 
 #include "import/common/printable.h"
 #include "import/mitsuba/material_plugins.h"
+#include "import/mitsuba/plugin_types.h"
 
 namespace ajar::mitsuba {
 namespace {
@@ -11,37 +12,39 @@ constexpr WarningKind kMaterialStandIn{Effect::Surface,
 
 /// Diffuse, with the nearest thing to a colour.
 Surface stand_in(const MaterialInputs& in) {
-  const std::string& type = in.arguments.element().type;
-  std::vector<std::string> known;
-  for (const MaterialPlugin& plugin : material_plugins()) known.emplace_back(plugin.type);
-  in.arguments.context().warnings.add(
-      kMaterialStandIn, in.arguments.where(),
-      unknown_name_message("bsdf", printable(type), known) + ". A diffuse one stands in",
-      printable(type));
+  const Element& element = in.arguments.element();
+  in.context().warnings.add(kMaterialStandIn, element.where,
+                            unknown_type_message(element) + ". A diffuse one stands in",
+                            printable(element.type));
   desc::Value color = Vec3(0.5F);
   for (const char* name : {"reflectance", "diffuse_reflectance", "base_color"}) {
     if (const auto found = in.materials.textures().find_color(in.arguments, name)) color = *found;
   }
   in.arguments.accept_all();
-  return {in.materials.add(in.arguments.element(),
-                           desc::material_node("diffuse", {{"reflectance", color}}))};
+  return {in.materials.add(element, desc::material_node("diffuse", {{"reflectance", color}}))};
+}
+
+/// By references any number could be within each other, all of which a relief has to pass.
+void check_depth(const desc::SceneDesc& scene, desc::MaterialId id, const SourceLocation& where) {
+  constexpr int kDeepestMixes = 100;
+  for (int depth = 0;; ++depth) {
+    const desc::Node& node = scene.materials[static_cast<std::size_t>(id)].node;
+    if (!node.is("mix")) return;
+    if (depth >= kDeepestMixes) throw SceneError(where, "bsdfs are nested too deeply");
+    id = node.material("first");
+  }
 }
 
 }  // namespace
 
 Surface MaterialTable::make(const Element& bsdf) {
-  const auto [place, is_new] = made_.try_emplace(&bsdf, std::nullopt);
-  if (!is_new) {
-    if (!place->second) throw SceneError(bsdf.where, "this bsdf refers to itself");
-    return *place->second;
-  }
+  if (const auto known = made_.find(&bsdf); known != made_.end()) return known->second;
   Arguments arguments(context_, bsdf);
   const MaterialInputs in{arguments, *this, textures_};
   const MaterialPlugin* plugin = find_material_plugin(bsdf.type);
   const Surface surface = plugin == nullptr ? stand_in(in) : plugin->make(in);
-  arguments.report_unused();
-  made_[&bsdf] = surface;
-  return surface;
+  check_depth(context_.scene, surface.material, bsdf.where);
+  return made_[&bsdf] = surface;
 }
 
 desc::MaterialId MaterialTable::add(const Element& element, desc::Node node) {

@@ -39,7 +39,7 @@ class MaterialTable {
 
   Context& context_;
   TextureTable& textures_;
-  std::map<const Element*, std::optional<Surface>> made_;
+  std::map<const Element*, Surface> made_;
   std::map<float, desc::MaterialId> diffuse_;
   desc::MaterialId interface_ = desc::kNone;
 };

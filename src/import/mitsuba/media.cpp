@@ -5,6 +5,7 @@
 #include "import/common/printable.h"
 #include "import/common/scattering_presets.h"
 #include "import/mitsuba/names.h"
+#include "import/mitsuba/plugin_types.h"
 #include "import/mitsuba/volumes.h"
 
 namespace ajar::mitsuba {
@@ -13,6 +14,9 @@ namespace {
 constexpr WarningKind kUnknownMedium{Effect::Surface,
                                      "media are unknown: homogeneous ones stand in"};
 constexpr WarningKind kPreset{Effect::Surface, "media are unknown presets: skin stands in"};
+constexpr WarningKind kTwoKinds{
+    Effect::Surface,
+    "media say their coefficients twice, which Mitsuba refuses: one of them counts"};
 constexpr WarningKind kPresetAnisotropy{
     Effect::Surface, "media have a \"g\" beside that of their preset: they scatter too little"};
 constexpr WarningKind kPhase{
@@ -58,7 +62,20 @@ bool has_presets(const Arguments& arguments) {
          arguments.element().type != "heterogeneous";
 }
 
-/// Sets absorption and scattering from whichever two coefficients are given.
+/// Mitsuba 0.x refuses such media, and later versions do not know "sigma_a" and "sigma_s".
+void check_coefficients(Arguments& arguments, bool has_parts, bool has_sum) {
+  const auto warn = [&](const std::string& reason) {
+    arguments.context().warnings.add(kTwoKinds, arguments.where(), reason);
+  };
+  if (has_parts && has_sum) {
+    warn("\"sigma_a\" and \"sigma_s\" are left out beside \"sigma_t\" or \"albedo\"");
+  }
+  if ((has_parts || has_sum) && has_presets(arguments) && arguments.has("material")) {
+    warn("beside coefficients a preset is only what they leave open");
+  }
+}
+
+/// Sets absorption and scattering from the two themselves, or from their sum and the albedo.
 void set_coefficients(Arguments& arguments, desc::Medium& medium) {
   std::optional<ScatteringPreset> preset;
   if (has_presets(arguments)) preset = preset_of(arguments);
@@ -67,6 +84,7 @@ void set_coefficients(Arguments& arguments, desc::Medium& medium) {
   std::optional<VolumeValue> sigma_t = find_density(arguments, "sigma_t");
   const std::optional<VolumeValue> albedo = find_albedo(arguments, "albedo");
   if (!sigma_t && arguments.has("density")) sigma_t = find_density(arguments, "density");
+  check_coefficients(arguments, sigma_a || sigma_s, sigma_t || albedo);
   const desc::Rgb sum = preset ? preset->sigma_s + preset->sigma_a : desc::Rgb(kDefaultExtinction);
   const VolumeValue usual_extinction{sum};
   const VolumeValue usual_albedo{preset ? preset->sigma_s / sum : desc::Rgb(kDefaultAlbedo)};
@@ -102,21 +120,20 @@ void reduce_scattering(Arguments& arguments, desc::Medium& medium) {
 }
 
 float read_phase(Arguments& arguments) {
-  const std::vector<const Element*> phases = arguments.children("phase");
-  if (phases.empty()) {
+  const Element* element = arguments.only_child("phase");
+  if (element == nullptr) {
     return arguments.context().document.major_version == 0 ? 0.F : arguments.number("g", 0.F);
   }
-  Arguments phase(arguments.context(), *phases.front());
-  const std::string& type = phase.element().type;
+  Arguments phase(arguments.context(), *element);
+  const std::string& type = element->type;
   const float g = type == "hg" ? phase.number("g", 0.8F) : 0.F;
-  if (type != "hg" && type != "isotropic") {
+  if (!is_known(*element)) {
     arguments.context().warnings.add(
         kPhase, phase.where(),
         "phase function \"" + printable(type) + "\" is not supported: an isotropic one stands in",
         printable(type));
     phase.accept_all();
   }
-  phase.report_unused();
   return g;
 }
 
@@ -128,12 +145,9 @@ desc::MediumId MediumTable::make(const Element& element) {
   desc::Medium medium;
   medium.name = element.id;
   medium.where = element.where;
-  const bool is_known = element.type == "homogeneous" || element.type == "heterogeneous";
-  if (!is_known) {
-    static const std::vector<std::string> kTypes = {"homogeneous", "heterogeneous"};
+  if (!is_known(element)) {
     context_.warnings.add(kUnknownMedium, element.where,
-                          unknown_name_message("medium", printable(element.type), kTypes) +
-                              ". A homogeneous one stands in",
+                          unknown_type_message(element) + ". A homogeneous one stands in",
                           printable(element.type));
   }
   set_coefficients(arguments, medium);
@@ -154,8 +168,7 @@ desc::MediumId MediumTable::make(const Element& element) {
     throw SceneError(element.where, "\"g\" must be between -1 and 1");
   }
   arguments.accept({"has_spectral_extinction", "sample_emitters", "method", "strategy"});
-  if (!is_known) arguments.accept_all();
-  arguments.report_unused();
+  if (!is_known(element)) arguments.accept_all();
   context_.scene.media.push_back(std::move(medium));
   return made_[&element] = static_cast<desc::MediumId>(context_.scene.media.size()) - 1;
 }

@@ -15,14 +15,15 @@ constexpr WarningKind kTwoReliefs{
 constexpr WarningKind kNoRelief{Effect::Surface,
                                 "bump or normal maps have no texture: surfaces are smooth"};
 
-/// The materials in this one, `count` or more of them.
-std::vector<Surface> parts_of(const MaterialInputs& in, std::size_t count) {
+/// The materials in this one, from `least` to `most` of them.
+std::vector<Surface> parts_of(const MaterialInputs& in, std::size_t least, std::size_t most) {
   std::vector<Surface> parts;
-  for (const Element* bsdf : in.arguments.children("bsdf"))
+  for (const Element* bsdf : in.arguments.children("bsdf", most)) {
     parts.push_back(in.materials.make(*bsdf));
-  if (parts.size() < count) {
+  }
+  if (parts.size() < least) {
     throw SceneError(in.where(), "bsdf \"" + in.arguments.element().type + "\" needs " +
-                                     std::to_string(count) + " bsdf in it, not " +
+                                     std::to_string(least) + " bsdf in it, not " +
                                      std::to_string(parts.size()));
   }
   return parts;
@@ -56,41 +57,44 @@ desc::Value as_color(const desc::Value& value) {
 /// that tilted.
 desc::MaterialId tilted(const MaterialInputs& in, desc::MaterialId id, desc::TextureId bump,
                         const desc::NormalMap& normal_map) {
-  desc::Node node = in.materials.get(id).node;
-  if (node.is("mix")) {
-    node.set("first", desc::MaterialRef{tilted(in, node.material("first"), bump, normal_map)});
-    return in.materials.add(in.arguments.element(), std::move(node));
+  std::vector<desc::Node> mixes;
+  while (in.materials.get(id).node.is("mix")) {
+    mixes.push_back(in.materials.get(id).node);
+    id = mixes.back().material("first");
   }
   if (in.materials.get(id).has_relief()) {
     in.context().warnings.add(kTwoReliefs, in.where(),
                               "the bump or normal map in this one is not supported: left out");
   }
-  const desc::MaterialId made = in.materials.add(in.arguments.element(), std::move(node));
+  desc::MaterialId made = in.materials.add(in.arguments.element(), in.materials.get(id).node);
   in.context().scene.materials.back().bump = bump;
   in.context().scene.materials.back().normal_map = normal_map;
+  for (; !mixes.empty(); mixes.pop_back()) {
+    mixes.back().set("first", desc::MaterialRef{made});
+    made = in.materials.add(in.arguments.element(), std::move(mixes.back()));
+  }
   return made;
 }
 
 /// The texture in this one, or, as in the renderer of Zeltner et al. 2020, its file; nothing, after
 /// a warning, if there is none.
 std::optional<desc::TextureId> texture_of_relief(const MaterialInputs& in, bool is_height) {
-  const std::vector<const Element*> textures = in.arguments.children("texture");
-  const std::optional<std::string> file = in.arguments.text("filename");
-  if (textures.empty() && file) return in.textures.add_vectors(in.where(), *file);
-  if (textures.empty()) {
+  const Element* texture = in.arguments.only_child("texture");
+  if (texture == nullptr) {
+    const std::optional<std::string> file = in.arguments.text("filename");
+    if (file) return in.textures.add_vectors(in.where(), *file);
     in.context().warnings.add(
         kNoRelief, in.where(),
         "bsdf \"" + in.arguments.element().type + "\" has no texture in it: the surface is smooth");
     return std::nullopt;
   }
-  return is_height ? in.textures.make_height(*textures.front())
-                   : in.textures.make(*textures.front());
+  return is_height ? in.textures.make_height(*texture) : in.textures.make(*texture);
 }
 
 /// The material in this one with this relief.
 Surface with_relief(const MaterialInputs& in, desc::TextureId bump,
                     const desc::NormalMap& normal_map) {
-  Surface result = parts_of(in, 1).front();
+  Surface result = parts_of(in, 1, 1).front();
   const bool is_none = bump == desc::kNone && normal_map.texture == desc::kNone;
   if (is_none || in.materials.get(result.material).node.is("interface")) return result;
   result.material = tilted(in, result.material, bump, normal_map);
@@ -102,7 +106,7 @@ Surface with_relief(const MaterialInputs& in, desc::TextureId bump,
 Surface make_null(const MaterialInputs& in) { return in.materials.interface(); }
 
 Surface make_two_sided(const MaterialInputs& in) {
-  const std::vector<Surface> parts = parts_of(in, 1);
+  const std::vector<Surface> parts = parts_of(in, 1, 2);
   if (parts.size() > 1 && parts[1].material != parts[0].material) {
     in.context().warnings.add(kTwoMaterials, in.where(),
                               "another material behind is not supported: the one in front is used "
@@ -114,7 +118,7 @@ Surface make_two_sided(const MaterialInputs& in) {
 }
 
 Surface make_mask(const MaterialInputs& in) {
-  Surface result = parts_of(in, 1).front();
+  Surface result = parts_of(in, 1, 1).front();
   // A number since Mitsuba 2.
   const desc::Value opacity = in.context().document.major_version == 0
                                   ? in.textures.color(in.arguments, "opacity", desc::Rgb(0.5F))
@@ -143,7 +147,7 @@ Surface make_normal_map(const MaterialInputs& in) {
 }
 
 Surface make_blend(const MaterialInputs& in) {
-  const std::vector<Surface> parts = parts_of(in, 2);
+  const std::vector<Surface> parts = parts_of(in, 2, 2);
   check_relief(in, parts[1], parts[0]);
   const desc::Value weight = as_color(in.textures.number(in.arguments, "weight", 0.5F));
   return {mix(in, weight, part_of(in, parts[1]), part_of(in, parts[0])), desc::kNone,
@@ -151,7 +155,7 @@ Surface make_blend(const MaterialInputs& in) {
 }
 
 Surface make_mixture(const MaterialInputs& in) {
-  const std::vector<Surface> parts = parts_of(in, 1);
+  const std::vector<Surface> parts = parts_of(in, 1, Arguments::kAll);
   std::optional<std::vector<double>> weights = parse_numbers(in.arguments.text("weights", ""));
   if (!weights || weights->size() != parts.size()) {
     throw SceneError(in.where(), "a mixture needs as many numbers in \"weights\" as it has bsdfs");

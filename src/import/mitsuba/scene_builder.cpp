@@ -28,9 +28,7 @@ void read_sensors(Context& context, MediumTable& media, Arguments& scene) {
 }
 
 /// Warns if the integrator, in Mitsuba, leaves out media that the scene has.
-void check_media(Context& context, const std::vector<const Element*>& integrators) {
-  if (integrators.empty()) return;
-  const Element& integrator = *integrators.front();
+void check_media(Context& context, const Element& integrator) {
   if (integrator.type != "path" && integrator.type != "direct") return;
   warn_of_left_out_media(context.scene, integrator.where, integrator.type, "Mitsuba",
                          context.warnings);
@@ -50,12 +48,13 @@ desc::SceneDesc build_scene(const Document& document, SearchPath& files, Warning
 
   read_sensors(context, media, arguments);
   const std::vector<const Element*> integrators = arguments.children("integrator");
-  for (std::size_t i = 0; i < integrators.size(); ++i) {
-    if (i > 0) {
-      warnings.add(kMoreIntegrators, integrators[i]->where,
+  const Element* integrator = nullptr;
+  for (const Element* element : integrators) {
+    if (integrator != nullptr) {
+      warnings.add(kMoreIntegrators, element->where,
                    "there is more than one integrator: this one is ignored");
     } else {
-      read_integrator(context, *integrators[i]);
+      integrator = &read_integrator(context, *element);
     }
   }
   for (const Element* shape : arguments.children("shape")) shapes.add(*shape);
@@ -73,12 +72,11 @@ desc::SceneDesc build_scene(const Document& document, SearchPath& files, Warning
           printable(element->type));
     }
   }
-  arguments.report_unused();
 
   meshes.load_all();
   remove_empty_meshes(scene);
   if (arguments.children("sensor").empty()) look_at_everything(context);
-  check_media(context, integrators);
+  if (integrator != nullptr) check_media(context, *integrator);
   if (scene.shapes.empty() && scene.instances.empty()) {
     warnings.add(kNoShapes, document.end, "there are no shapes in this scene");
   }

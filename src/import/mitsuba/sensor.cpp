@@ -7,6 +7,7 @@
 #include "import/common/studio.h"
 #include "import/common/transforms.h"
 #include "import/mitsuba/numbers.h"
+#include "import/mitsuba/plugin_types.h"
 
 namespace ajar::mitsuba {
 namespace {
@@ -14,10 +15,12 @@ namespace {
 constexpr WarningKind kUnknownSensor{Effect::Light,
                                      "sensors are not supported: perspective ones stand in"};
 constexpr WarningKind kClipped{Effect::Slight, "cameras have clip planes: not supported"};
+constexpr WarningKind kResponse{Effect::Surface,
+                                "sensors have a response to wavelengths, which is not supported"};
+constexpr WarningKind kTwoAngles{
+    Effect::None, "sensors have a field of view and a focal length: the former counts"};
 constexpr WarningKind kAxis{Effect::Light, "fov axes are unknown: that of x stands in"};
 
-const std::vector<std::string> kKnownSensors = {"perspective", "thinlens", "orthographic",
-                                                "telecentric", "spherical"};
 const std::vector<std::string> kAxes = {"x", "y", "diagonal", "smaller", "larger"};
 
 /// Tangent of half the field of view along the width of the film.
@@ -34,8 +37,12 @@ double half_width(Arguments& arguments, double aspect) {
     }
     fov = 2.0 * std::atan(0.5 * std::hypot(36.0, 24.0) / *focal_length) / kDegree;
     axis = "diagonal";
+  } else if (arguments.has("focal_length")) {
+    arguments.accept({"focal_length"});
+    arguments.context().warnings.add(
+        kTwoAngles, arguments.where(),
+        "this sensor has a field of view and a focal length: the former counts");
   }
-  arguments.accept({"focal_length"});
   if (!(*fov > 0.0 && *fov < 180.0)) {
     throw SceneError(arguments.where(), "\"fov\" must be between 0 and 180 degrees");
   }
@@ -128,8 +135,8 @@ void look_at_everything(Context& context) {
 void read_sensor(Context& context, MediumTable& media, const Element& element) {
   Arguments arguments(context, element);
   context.scene.film = default_film(element.where);
-  for (const Element* film : arguments.children("film")) read_film(context, *film);
-  for (const Element* sampler : arguments.children("sampler")) read_sampler(context, *sampler);
+  if (const Element* film = arguments.only_child("film")) read_film(context, *film);
+  if (const Element* sampler = arguments.only_child("sampler")) read_sampler(context, *sampler);
   const Vec2i size = context.scene.film.resolution;
   const double aspect = static_cast<double>(size.x) / size.y;
 
@@ -142,11 +149,11 @@ void read_sensor(Context& context, MediumTable& media, const Element& element) {
   } else if (element.type == "spherical") {
     camera.node = desc::EnvironmentCamera{};
   } else {
-    if (element.type != "perspective" && element.type != "thinlens") {
+    if (!is_known(element)) {
       context.warnings.add(kUnknownSensor, element.where,
-                           unknown_name_message("sensor", printable(element.type), kKnownSensors) +
-                               ". A perspective one stands in",
+                           unknown_type_message(element) + ". A perspective one stands in",
                            printable(element.type));
+      arguments.accept_all();
     }
     desc::PerspectiveCamera node = perspective(arguments, aspect);
     if (element.type == "thinlens") set_lens(arguments, node);
@@ -160,7 +167,7 @@ void read_sensor(Context& context, MediumTable& media, const Element& element) {
   }
   // Rounded, so that other formats, which say the inverse, can say the same.
   camera.to_world = rounded_inverse(*from_world).value_or(to_world);
-  for (const Element* medium : arguments.children("medium")) camera.medium = media.make(*medium);
+  if (const Element* medium = arguments.only_child("medium")) camera.medium = media.make(*medium);
   // What Mitsuba takes if nothing is said cuts nothing off that is usual.
   const float near_clip = arguments.number("near_clip", kNear);
   const float far_clip = arguments.number("far_clip", kFar);
@@ -172,9 +179,12 @@ void read_sensor(Context& context, MediumTable& media, const Element& element) {
                                                             : "near_clip\" and \"far_clip") +
             "\" are not supported: what is nearer or farther is seen, too");
   }
-  arguments.accept(
-      {"shutter_open", "shutter_close", "aperture_radius", "focus_distance", "kc", "srf"});
-  arguments.report_unused();
+  if (arguments.has("srf")) {
+    arguments.accept({"srf"});
+    context.warnings.add(kResponse, element.where,
+                         "\"srf\" is not supported: the picture has the colours that eyes see");
+  }
+  arguments.accept({"shutter_open", "shutter_close", "focus_distance"});
   context.scene.camera = camera;
 }
 

@@ -1,4 +1,7 @@
 #pragma once
+#include <span>
+#include <string_view>
+
 #include "import/mitsuba/media.h"
 
 namespace ajar::mitsuba {
@@ -17,6 +20,13 @@ void read_film(Context& context, const Element& film);
 
 // In hints.cpp:
 void read_sampler(Context& context, const Element& sampler);
-void read_integrator(Context& context, const Element& integrator);
+/// Integrators that estimate in the same way. Others are left to the renderer's choice.
+struct IntegratorName {
+  std::string_view theirs;
+  std::string_view ours;
+};
+std::span<const IntegratorName> integrator_names();
+/// The one whose settings were read: of one that only watches over another, that other.
+const Element& read_integrator(Context& context, const Element& integrator);
 
 }  // namespace ajar::mitsuba

@@ -24,28 +24,46 @@ constexpr WarningKind kBack{
 
 constexpr WarningKind kSensor{Effect::None, "sensors on shapes are not supported and left out"};
 
-constexpr int kDeepestGroups = 100;
+/// A few kilobytes of merges of merges multiply to any number of shapes.
+constexpr std::size_t kMostParts = 1'000'000;
+
+bool is_of_shapes(const Element& element) {
+  return element.type == "merge" || element.type == "shapegroup";
+}
 
 }  // namespace
 
-void ShapeBuilder::add(const Element& shape) { add_to(shape, context_.scene.shapes, false, 0); }
+void ShapeBuilder::add(const Element& element) {
+  if (element.type == "shapegroup") return;  // only its instances are seen
+  if (element.type == "instance") return add_instance(element);
+  if (element.type == "merge") return add_parts(element, context_.scene.shapes, false);
+  if (std::optional<desc::Shape> shape = make(element, false)) {
+    context_.scene.shapes.push_back(std::move(*shape));
+  }
+}
 
-void ShapeBuilder::add_to(const Element& element, std::vector<desc::Shape>& shapes,
-                          bool is_in_group, int depth) {
-  if (depth > kDeepestGroups) throw SceneError(element.where, "shapes are nested too deeply");
-  if (element.type == "shapegroup" && !is_in_group) return;  // only its instances are seen
-  Arguments arguments(context_, element);
-  if (element.type == "instance") {
-    if (is_in_group) throw SceneError(element.where, "a shapegroup cannot have instances in it");
-    return add_instance(arguments);
-  }
-  if (element.type == "merge" || element.type == "shapegroup") {
-    for (const Element* part : arguments.children("shape")) {
-      add_to(*part, shapes, is_in_group, depth + 1);
+void ShapeBuilder::add_parts(const Element& whole, std::vector<desc::Shape>& shapes,
+                             bool is_in_group) {
+  Arguments arguments(context_, whole);
+  for (const Element* part : arguments.children("shape")) {
+    if (++part_count_ > kMostParts) {
+      throw SceneError(part->where, "shapes of shapes are more than " + std::to_string(kMostParts));
     }
-    arguments.report_unused();
-    return;
+    if (part->type == "instance") {
+      if (is_in_group) throw SceneError(part->where, "a shapegroup cannot have instances in it");
+      add_instance(*part);
+    } else if (!is_of_shapes(*part)) {
+      const auto [place, is_new] = parts_.try_emplace({part, is_in_group});
+      if (is_new) place->second = make(*part, is_in_group);
+      if (place->second) shapes.push_back(*place->second);
+    } else if (part->type == "merge" || is_in_group) {
+      add_parts(*part, shapes, is_in_group);
+    }
   }
+}
+
+std::optional<desc::Shape> ShapeBuilder::make(const Element& element, bool is_in_group) {
+  Arguments arguments(context_, element);
   std::optional<Geometry> geometry = make_geometry(arguments, meshes_);
   desc::Shape shape;
   shape.where = element.where;
@@ -54,8 +72,7 @@ void ShapeBuilder::add_to(const Element& element, std::vector<desc::Shape>& shap
   set_material(arguments, shape, geometry && geometry->is_closed);
   set_emission(arguments, shape, is_in_group);
   arguments.accept({"silhouette_sampling_weight"});
-  arguments.report_unused();
-  if (!geometry) return;
+  if (!geometry) return std::nullopt;
   shape.name = element.id.empty() ? geometry->name : element.id;
   shape.node = std::move(geometry->node);
   if (shape.emission && shape.node.is("curves")) {
@@ -68,9 +85,9 @@ void ShapeBuilder::add_to(const Element& element, std::vector<desc::Shape>& shap
     context_.warnings.add(kFlat, element.where,
                           "the transform of this shape cannot be inverted: shape left out",
                           printable(shape.name));
-    return;
+    return std::nullopt;
   }
-  shapes.push_back(std::move(shape));
+  return shape;
 }
 
 void ShapeBuilder::set_material(Arguments& arguments, desc::Shape& shape, bool is_closed) {
@@ -133,6 +150,7 @@ void ShapeBuilder::set_emission(Arguments& arguments, desc::Shape& shape, bool i
                                 "\" of a shape is not supported: " +
                                 (has_radiance ? "an area light stands in" : "left out"),
                             printable(element->type));
+      emitter.accept_all();
       if (!has_radiance) continue;
     }
     const desc::Value radiance = textures_.color(emitter, "radiance", desc::Rgb(1.F));
@@ -140,7 +158,6 @@ void ShapeBuilder::set_emission(Arguments& arguments, desc::Shape& shape, bool i
         element->where, make_node(context_, element->where, desc::ModelKind::Emission, "area",
                                   {{"radiance", radiance}})};
     emitter.accept({"sampling_weight"});
-    emitter.report_unused();
   }
 }
 
@@ -150,18 +167,18 @@ desc::ObjectId ShapeBuilder::object_of(const Element& group) {
   if (!is_new) return place->second;
   desc::Object object{group.id, group.where, {}};
   context_.scene.objects.push_back(object);
-  add_to(group, object.shapes, true, 0);
+  add_parts(group, object.shapes, true);
   context_.scene.objects[static_cast<std::size_t>(place->second)] = std::move(object);
   return place->second;
 }
 
-void ShapeBuilder::add_instance(Arguments& arguments) {
+void ShapeBuilder::add_instance(const Element& element) {
+  Arguments arguments(context_, element);
   const std::vector<const Element*> groups = arguments.children("shape");
   if (groups.size() != 1 || groups.front()->type != "shapegroup") {
     throw SceneError(arguments.where(), "an instance needs a reference to one shapegroup");
   }
   const Mat4 to_world = arguments.transform("to_world").value_or(Mat4());
-  arguments.report_unused();
   if (!inverse(to_world)) {
     context_.warnings.add(kFlat, arguments.where(),
                           "the transform of this instance cannot be inverted: left out",

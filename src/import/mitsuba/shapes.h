@@ -1,6 +1,8 @@
 #pragma once
 #include <map>
+#include <optional>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include "import/mesh/mesh_loader.h"
@@ -24,8 +26,11 @@ class ShapeBuilder {
   void add(const Element& shape);
 
  private:
-  void add_to(const Element& shape, std::vector<desc::Shape>& shapes, bool is_in_group, int depth);
-  void add_instance(Arguments& arguments);
+  /// Of a single shape; nothing, after a warning, if there is none to see.
+  std::optional<desc::Shape> make(const Element& shape, bool is_in_group);
+  /// The shapes in a merge or a group.
+  void add_parts(const Element& whole, std::vector<desc::Shape>& shapes, bool is_in_group);
+  void add_instance(const Element& instance);
   desc::ObjectId object_of(const Element& group);
   void set_material(Arguments& arguments, desc::Shape& shape, bool is_closed);
   void set_emission(Arguments& arguments, desc::Shape& shape, bool is_in_group);
@@ -37,6 +42,9 @@ class ShapeBuilder {
   MediumTable& media_;
   MeshLoader& meshes_;
   std::map<const Element*, desc::ObjectId> objects_;
+  /// Those of merges and groups, which refer to one more than once; with and without emission.
+  std::map<std::pair<const Element*, bool>, std::optional<desc::Shape>> parts_;
+  std::size_t part_count_ = 0;  ///< each as often as it is referred to
   std::set<const Element*> warned_of_back_;
 };
 

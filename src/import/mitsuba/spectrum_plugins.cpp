@@ -4,6 +4,7 @@
 #include "import/common/printable.h"
 #include "import/mitsuba/arguments.h"
 #include "import/mitsuba/numbers.h"
+#include "import/mitsuba/plugin_types.h"
 #include "import/mitsuba/spectra.h"
 
 namespace ajar::mitsuba {
@@ -59,19 +60,14 @@ desc::Rgb evaluate_spectrum(Context& context, const Element& element) {
     if (element.type == "irregular" || element.type == "regular") return sampled(arguments);
     const desc::Rgb value = arguments.color("value").value_or(desc::Rgb(1.F));
     if (element.type == "rawconstant") return value;
-    static const std::vector<std::string> kKnown = {
-        "uniform", "d65", "srgb", "blackbody", "irregular", "regular", "rawconstant"};
     context.warnings.add(kUnknownSpectrum, element.where,
-                         unknown_name_message("spectrum", printable(element.type), kKnown) +
-                             ". Its \"value\", or 1, stands in",
+                         unknown_type_message(element) + ". Its \"value\", or 1, stands in",
                          printable(element.type));
     arguments.accept_all();
     return value;
   };
-  const desc::Rgb color = evaluate();
   arguments.accept({"unbounded", "wavelength_min", "wavelength_max"});
-  arguments.report_unused();
-  return color;
+  return evaluate();
 }
 
 }  // namespace ajar::mitsuba

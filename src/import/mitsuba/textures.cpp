@@ -3,6 +3,7 @@
 #include "core/spectrum.h"
 #include "import/common/printable.h"
 #include "import/mitsuba/node_maker.h"
+#include "import/mitsuba/plugin_types.h"
 #include "import/mitsuba/uv_transform.h"
 
 namespace ajar::mitsuba {
@@ -16,9 +17,6 @@ constexpr WarningKind kWrap{
 constexpr WarningKind kImageFilter{Effect::Slight, "textures have an unknown filter: bilinear"};
 constexpr WarningKind kChannel{Effect::Surface,
                                "textures use a channel of an image that is not supported: all"};
-
-const std::vector<std::string> kKnownTextures = {"bitmap",  "checkerboard", "scale",
-                                                 "uniform", "srgb",         "rawconstant"};
 
 desc::Node constant(const desc::Rgb& value) {
   return desc::texture_node("constant", {{"value", Vec3(value)}});
@@ -93,13 +91,7 @@ desc::Value TextureTable::scaled(const SourceLocation& where, const desc::Value&
 }
 
 desc::TextureId TextureTable::make(const Element& element, Role role) {
-  const auto [place, is_new] = made_.try_emplace({&element, role}, desc::kNone);
-  if (!is_new) {
-    if (place->second == desc::kNone) {
-      throw SceneError(element.where, "this texture refers to itself");
-    }
-    return place->second;
-  }
+  if (const auto known = made_.find({&element, role}); known != made_.end()) return known->second;
   desc::Node node = read(element, role);
   if (role != Role::Color) {
     for (const char* name : {"value", "first", "second"}) {
@@ -117,18 +109,12 @@ desc::TextureId TextureTable::make(const Element& element, Role role) {
 
 desc::Node TextureTable::read(const Element& element, Role role) {
   Arguments arguments(context_, element);
-  desc::Node node = [&] {
-    if (element.type == "bitmap") return bitmap(arguments, role);
-    if (element.type == "checkerboard") return checkerboard(arguments, role);
-    if (element.type == "scale") return scale(arguments, role);
-    if (element.type == "uniform" || element.type == "srgb" || element.type == "rawconstant") {
-      return constant(
-          arguments.color(element.type == "srgb" ? "color" : "value").value_or(desc::Rgb(1.F)));
-    }
-    return stand_in(arguments);
-  }();
-  arguments.report_unused();
-  return node;
+  if (!is_known(element)) return stand_in(arguments);
+  if (element.type == "bitmap") return bitmap(arguments, role);
+  if (element.type == "checkerboard") return checkerboard(arguments, role);
+  if (element.type == "scale") return scale(arguments, role);
+  return constant(
+      arguments.color(element.type == "srgb" ? "color" : "value").value_or(desc::Rgb(1.F)));
 }
 
 desc::TextureId TextureTable::add_vectors(const SourceLocation& where, const std::string& file) {
@@ -214,20 +200,20 @@ desc::Node TextureTable::checkerboard(Arguments& arguments, Role role) {
 }
 
 desc::Node TextureTable::scale(Arguments& arguments, Role role) {
-  const std::vector<const Element*> nested = arguments.children("texture");
-  desc::Value value = Vec3(arguments.color("value").value_or(desc::Rgb(1.F)));
-  if (!nested.empty()) value = desc::TextureRef{make(*nested.front(), role)};
+  const Element* nested = arguments.only_child("texture");
+  const desc::Value value =
+      nested != nullptr ? desc::Value(desc::TextureRef{make(*nested, role)})
+                        : desc::Value(Vec3(arguments.color("value").value_or(desc::Rgb(1.F))));
   return desc::texture_node(
       "product",
       {{"first", value}, {"second", Vec3(arguments.color("scale").value_or(desc::Rgb(1.F)))}});
 }
 
 desc::Node TextureTable::stand_in(Arguments& arguments) {
-  const std::string& type = arguments.element().type;
-  context_.warnings.add(
-      kTextureStandIn, arguments.where(),
-      unknown_name_message("texture", printable(type), kKnownTextures) + ". Grey stands in",
-      printable(type));
+  const Element& element = arguments.element();
+  context_.warnings.add(kTextureStandIn, element.where,
+                        unknown_type_message(element) + ". Grey stands in",
+                        printable(element.type));
   // A grid and the like have colours: their mean is nearer than any grey.
   const std::optional<desc::Rgb> first = arguments.color("color0");
   const std::optional<desc::Rgb> second = arguments.color("color1");

@@ -7,6 +7,7 @@
 #include "import/common/density.h"
 #include "import/common/printable.h"
 #include "import/common/transforms.h"
+#include "import/mitsuba/plugin_types.h"
 #include "import/mitsuba/volume_file.h"
 
 namespace ajar::mitsuba {
@@ -23,19 +24,17 @@ constexpr WarningKind kLattice{
 constexpr WarningKind kLookup{Effect::Slight,
                               "grids of media are not looked up as they should be: trilinearly"};
 
-const std::vector<std::string> kTypes = {"gridvolume", "constvolume"};
+/// What is in the caches around a volume; null if there is nothing.
+const Element* without_caches(Context& context, const Element* volume) {
+  if (volume == nullptr || volume->type != "volcache") return volume;
+  Arguments cache(context, *volume);
+  cache.accept({"voxel_width", "memory_limit"});
+  return without_caches(context, cache.only_child("volume"));
+}
 
 /// The volume that is `name` to the medium, without the caches around it; null if there is none.
 const Element* find_volume(Arguments& medium, std::string_view name) {
-  const Element* volume = medium.child(name, "volume");
-  while (volume != nullptr && volume->type == "volcache") {
-    Arguments cache(medium.context(), *volume);
-    const std::vector<const Element*> cached = cache.children("volume");
-    cache.accept({"voxel_width", "memory_limit"});
-    cache.report_unused();
-    volume = cached.empty() ? nullptr : cached.front();
-  }
-  return volume;
+  return without_caches(medium.context(), medium.child(name, "volume"));
 }
 
 bool is_grid(const Element& volume) { return volume.type == "gridvolume" || volume.type == "grid"; }
@@ -44,14 +43,13 @@ bool is_grid(const Element& volume) { return volume.type == "gridvolume" || volu
 std::optional<desc::Rgb> constant(Arguments& volume, const char* fallback) {
   const std::string& type = volume.element().type;
   const std::optional<desc::Rgb> value = volume.color(type == "srgb" ? "color" : "value");
-  if (type != "constvolume" && type != "uniform" && type != "srgb") {
+  if (!is_known(volume.element())) {
     volume.context().warnings.add(kUnknownVolume, volume.where(),
-                                  unknown_name_message("volume", printable(type), kTypes) + ". " +
+                                  unknown_type_message(volume.element()) + ". " +
                                       (value ? "Its \"value\"" : fallback) + " stands in",
                                   printable(type));
     volume.accept_all();
   }
-  volume.report_unused();
   return value;
 }
 
@@ -126,7 +124,6 @@ VolumeValue read_grid(Arguments& grid) {
   const bool is_version_0 = grid.context().document.major_version == 0;
   read_lookup(grid, !is_version_0);
   const Mat4 to_world = place_of(grid, file.value_or(VolumeFile()));
-  grid.report_unused();
   if (!file) return {};
 
   VolumeGrid result;
