@@ -1,7 +1,9 @@
 #include "import/mitsuba/attributes.h"
 
 #include <algorithm>
+#include <initializer_list>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -12,6 +14,10 @@ namespace ajar::mitsuba {
 namespace {
 
 constexpr WarningKind kUnknownAttribute{Effect::Slight, "attributes are unknown and ignored"};
+constexpr WarningKind kTwoValues{Effect::Surface,
+                                 "values are given in two ways: one of them is ignored"};
+constexpr WarningKind kMisplaced{Effect::Slight,
+                                 "elements are in others that have none in them: ignored"};
 
 using Names = std::vector<std::string>;
 
@@ -66,21 +72,71 @@ const std::map<std::string_view, Names>& attributes() {
   return kAttributes;
 }
 
-void check(const XmlFile& file, const pugi::xml_node& node, Warnings& warnings) {
-  const auto known = attributes().find(node.name());
-  if (known == attributes().end()) return;
+bool has(const Names& names, std::string_view name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+void check_names(const XmlFile& file, const pugi::xml_node& node, const Names& names,
+                 Warnings& warnings) {
   for (const pugi::xml_attribute& attribute : node.attributes()) {
     const std::string name = attribute.name();
-    if (std::find(known->second.begin(), known->second.end(), name) != known->second.end()) {
-      continue;
-    }
-    const std::string nearest = nearest_name(name, known->second);
+    if (has(names, name)) continue;
+    const std::string nearest = nearest_name(name, names);
     warnings.add(kUnknownAttribute, file.where(node),
-                 "<" + std::string(known->first) + "> has no attribute \"" + printable(name) +
-                     "\"" + (nearest.empty() ? "" : "; did you mean \"" + nearest + "\"?") +
-                     ": ignored",
+                 "<" + std::string(node.name()) + "> has no attribute \"" + printable(name) + "\"" +
+                     (nearest.empty() ? "" : "; did you mean \"" + nearest + "\"?") + ": ignored",
                  printable(name));
   }
+}
+
+/// Warns of attributes that say what another one says, which counts.
+void check_rivals(const XmlFile& file, const pugi::xml_node& node, const Names& names,
+                  Warnings& warnings) {
+  const auto check = [&](const char* counts, std::initializer_list<const char*> others) {
+    if (!node.attribute(counts)) return false;
+    for (const char* other : others) {
+      if (!node.attribute(other)) continue;
+      warnings.add(kTwoValues, file.where(node),
+                   "<" + std::string(node.name()) + "> has \"" + counts + "\" and \"" + other +
+                       "\": the latter is ignored",
+                   other);
+    }
+    return true;
+  };
+  if (has(names, "x")) check("value", {"x", "y", "z"});
+  if (has(names, "filename") && !check("type", {"filename", "value"})) {
+    check("filename", {"value"});
+  }
+}
+
+/// Whether an element means something in that around it.
+bool is_in_place(const pugi::xml_node& node) {
+  static const std::set<std::string_view> kWithoutElements = {
+      "boolean", "integer",   "float",  "string", "vector",    "point",  "rgb",    "srgb",
+      "xyz",     "blackbody", "color",  "ref",    "default",   "alias",  "path",   "include",
+      "matrix",  "lookat",    "lookAt", "scale",  "translate", "rotate", "look_at"};
+  const pugi::xml_node parent = node.parent();
+  const std::string_view name = parent.name();
+  if (name == "animation") return node.name() == std::string_view("transform");
+  if (name == "spectrum") return static_cast<bool>(parent.attribute("type"));
+  return kWithoutElements.count(name) == 0;
+}
+
+/// Whether what is in the element is to be looked at, too.
+bool check(const XmlFile& file, const pugi::xml_node& node, Warnings& warnings) {
+  if (node.type() != pugi::node_element) return false;
+  if (!is_in_place(node)) {
+    warnings.add(kMisplaced, file.where(node),
+                 "<" + printable(node.parent().name()) + "> has no <" + printable(node.name()) +
+                     "> in it: ignored",
+                 printable(node.name()));
+    return false;
+  }
+  const auto known = attributes().find(node.name());
+  if (known == attributes().end()) return true;
+  check_names(file, node, known->second, warnings);
+  check_rivals(file, node, known->second, warnings);
+  return true;
 }
 
 }  // namespace
@@ -89,8 +145,7 @@ void check_attributes(const XmlFile& file, Warnings& warnings) {
   // Without calls within calls: nesting has no limit yet.
   const pugi::xml_node root = file.root();
   for (pugi::xml_node node = root; node;) {
-    check(file, node, warnings);
-    if (node.first_child()) {
+    if (check(file, node, warnings) && node.first_child()) {
       node = node.first_child();
       continue;
     }

@@ -5,7 +5,8 @@
 namespace ajar::mitsuba {
 
 /// Warns of attributes that elements of Mitsuba's scenes do not have, with the nearest name that
-/// they have. Values are not looked at, and neither are elements of other names.
+/// they have, of attributes that say the same twice, and of elements in others that have none in
+/// them. Values are not looked at, and neither are elements of other names.
 void check_attributes(const XmlFile& file, Warnings& warnings);
 
 }  // namespace ajar::mitsuba
