@@ -13,6 +13,21 @@ constexpr std::string_view kGrid =
     "\0\0\x80?"
     "\0\0\x80?"sv;
 
+/// Two strands of two points.
+constexpr std::string_view kHair =
+    "BINARY_HAIR\4\0\0\0"
+    "\0\0\0\0\0\0\0\0\0\0\0\0\0\0\x80?\0\0\0\0\0\0\0\0"
+    "\0\0\x80\x7f\0\0\0\0\0\0\x80?\0\0\0\0\0\0\x80?\0\0\x80?\0\0\0\0"sv;
+
+/// So that a target of XML has curves, too, which are no XML.
+std::string_view last_comment(std::string_view text) {
+  constexpr std::string_view kBegin = "<!--";
+  const std::size_t begin = text.rfind(kBegin);
+  if (begin == text.npos) return {};
+  text.remove_prefix(begin + kBegin.size());
+  return text.substr(0, text.find("-->"));
+}
+
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view text(reinterpret_cast<const char*>(data), size);
   ajar::Warnings warnings;
@@ -25,6 +40,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
                                     if (path == "/nonexistent/self.xml") return text;
                                     if (path == "/nonexistent/self.obj") return text;
                                     if (path == "/nonexistent/self.serialized") return text;
+                                    if (path == "/nonexistent/comment.txt")
+                                      return last_comment(text);
+                                    if (path == "/nonexistent/a.hair") return kHair;
+                                    if (path == "/nonexistent/a.txt")
+                                      return "0 0 0 1\n1 0 0 1\n2 1 0 .5\n3 0 0 .1\n";
                                     if (path == "/nonexistent/a.vol") return kGrid;
                                     if (path == "/nonexistent/a.spd") return "400 0.5\n700 1\n";
                                     return std::nullopt;
