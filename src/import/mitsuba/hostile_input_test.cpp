@@ -77,12 +77,14 @@ TEST(MitsubaHostileInput, LongChainsOfReferencesAreRefused) {
 
 /// Each is made before the next one, so that none is in the midst of another.
 TEST(MitsubaHostileInput, MixesOfMixesAreRefusedBeforeTheyTakeLong) {
-  const std::string mixes = repeated(
-      "<bsdf type='blendbsdf' id='a#'><bsdf type='null'/><ref id='a@'/></bsdf>"
-      "<shape type='sphere'><ref id='a#'/></shape>",
-      1, 2000);
-  const std::string error = error_of(world("<bsdf type='diffuse' id='a0'/>" + mixes));
-  EXPECT_TRUE(contains(error, "bsdfs are nested too deeply")) << error;
+  for (const std::string parts :
+       {"<bsdf type='null'/><ref id='a@'/>", "<ref id='a@'/><bsdf type='null'/>"}) {
+    const std::string mixes = repeated("<bsdf type='blendbsdf' id='a#'>" + parts +
+                                           "</bsdf><shape type='sphere'><ref id='a#'/></shape>",
+                                       1, 2000);
+    const std::string error = error_of(world("<bsdf type='diffuse' id='a0'/>" + mixes));
+    EXPECT_TRUE(contains(error, "bsdfs are nested too deeply")) << error;
+  }
 }
 
 TEST(MitsubaHostileInput, DoublingsOfShapesHaveAnEnd) {

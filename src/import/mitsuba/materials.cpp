@@ -1,5 +1,7 @@
 #include "import/mitsuba/materials.h"
 
+#include <algorithm>
+
 #include "import/common/printable.h"
 #include "import/mitsuba/material_plugins.h"
 #include "import/mitsuba/plugin_types.h"
@@ -24,17 +26,6 @@ Surface stand_in(const MaterialInputs& in) {
   return {in.materials.add(element, desc::material_node("diffuse", {{"reflectance", color}}))};
 }
 
-/// By references any number could be within each other, all of which a relief has to pass.
-void check_depth(const desc::SceneDesc& scene, desc::MaterialId id, const SourceLocation& where) {
-  constexpr int kDeepestMixes = 100;
-  for (int depth = 0;; ++depth) {
-    const desc::Node& node = scene.materials[static_cast<std::size_t>(id)].node;
-    if (!node.is("mix")) return;
-    if (depth >= kDeepestMixes) throw SceneError(where, "bsdfs are nested too deeply");
-    id = node.material("first");
-  }
-}
-
 }  // namespace
 
 Surface MaterialTable::make(const Element& bsdf) {
@@ -43,8 +34,23 @@ Surface MaterialTable::make(const Element& bsdf) {
   const MaterialInputs in{arguments, *this, textures_};
   const MaterialPlugin* plugin = find_material_plugin(bsdf.type);
   const Surface surface = plugin == nullptr ? stand_in(in) : plugin->make(in);
-  check_depth(context_.scene, surface.material, bsdf.where);
+  check_depth(surface.material, bsdf.where);
   return made_[&bsdf] = surface;
+}
+
+void MaterialTable::check_depth(desc::MaterialId id, const SourceLocation& where) {
+  constexpr int kDeepestMixes = 100;
+  const auto depth_of = [&](desc::MaterialId part) {
+    return depths_.at(static_cast<std::size_t>(part));
+  };
+  // Parts are made before what they are parts of.
+  while (depths_.size() < context_.scene.materials.size()) {
+    const desc::Node& node = context_.scene.materials[depths_.size()].node;
+    depths_.push_back(node.is("mix") ? 1 + std::max(depth_of(node.material("first")),
+                                                    depth_of(node.material("second")))
+                                     : 0);
+  }
+  if (depth_of(id) > kDeepestMixes) throw SceneError(where, "bsdfs are nested too deeply");
 }
 
 desc::MaterialId MaterialTable::add(const Element& element, desc::Node node) {

@@ -1,5 +1,6 @@
 #pragma once
 #include <map>
+#include <vector>
 
 #include "import/mitsuba/textures.h"
 
@@ -36,10 +37,14 @@ class MaterialTable {
 
  private:
   desc::MaterialId add_shared(desc::MaterialId& id, desc::Node node);
+  /// Raises SceneError for mixes that are too deep within each other: by references they could be
+  /// of any depth, which all that follows parts of mixes has to pass.
+  void check_depth(desc::MaterialId id, const SourceLocation& where);
 
   Context& context_;
   TextureTable& textures_;
   std::map<const Element*, Surface> made_;
+  std::vector<int> depths_;  ///< of mixes within each material of the scene
   std::map<float, desc::MaterialId> diffuse_;
   desc::MaterialId interface_ = desc::kNone;
 };
