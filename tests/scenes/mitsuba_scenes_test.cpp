@@ -117,6 +117,27 @@ TEST_P(Mitsuba, EmissionIsRadianceToTheSideOfTheNormal) {
   }
 }
 
+TEST_P(Mitsuba, SurfacesWithOneSideAreTheSameFromBehind) {
+  // In Mitsuba they are black there, which a warning says.
+  const std::string one_sided =
+      wall("<bsdf type='diffuse'><rgb name='reflectance' value='0.5, 0.25, 0.125'/></bsdf>");
+  for (const char* eye : {"0, 0, 5", "0, 0, -5"}) {
+    const TinyPicture seen =
+        picture(view(0.2F, eye, "0, 0, 0") + one_sided + kEvenLight, 64, MayWarn::Yes);
+    expect_color(seen.mean(), {0.5F, 0.25F, 0.125F}, 0.01F);
+  }
+}
+
+TEST_P(Mitsuba, ConstantLightIsItsRadianceInAllDirections) {
+  for (const char* place : {"0, 0, 1", "1, -2, 3", "-1, 0, -1"}) {
+    const TinyPicture seen =
+        picture(towards(place) +
+                    "<emitter type='constant'><rgb name='radiance' value='1, 2, 3'/></emitter>",
+                1, MayWarn::Yes);
+    expect_color(seen.mean(), {1, 2, 3}, 1e-4F);
+  }
+}
+
 TEST_P(Mitsuba, PicturesAreNotMirrored) {
   // Space is right-handed: seen along −z with +y up, +x is to the right.
   const auto at = [&](const char* place, const char* color) {
