@@ -38,6 +38,8 @@ class ManifoldWalk {
   std::span<const InnerVertex> vertices() const { return vertices_; }
   /// By how much these may miss what leads to `target` exactly, by the tolerance of walks.
   double uncertainty() const { return uncertainty_; }
+  /// See `SpecularChain`: of where the walk came to.
+  bool is_mirrored() const { return linear_.is_mirrored(); }
 
   const RayCounts& ray_counts() const { return rays_; }
 

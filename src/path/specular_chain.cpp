@@ -74,12 +74,6 @@ Vec3d normal_change(const SurfaceDerivatives& surface, const Vec3d& along) {
          surface.dndv * (surface.dpdu.cross(along).dot(area) / squared);
 }
 
-/// Whether a vertex is one that chains may have.
-bool can_hold(const InnerVertex& vertex, bool has_offset) {
-  if (vertex.in_medium || vertex.hit.material->index_varies) return false;
-  return vertex.event.specular() ? vertex.hit.material->relief.is_flat() : has_offset;
-}
-
 /// The normal that a vertex holds, and how it turns with the shading normal.
 class HeldNormal {
  public:
@@ -110,6 +104,11 @@ class HeldNormal {
 
 }  // namespace
 
+bool can_hold(const InnerVertex& vertex) {
+  if (vertex.in_medium || vertex.hit.material->index_varies) return false;
+  return !vertex.event.specular() || vertex.hit.material->relief.is_flat();
+}
+
 ChainEnd chain_end(const Scene& scene, const Path& path, int x) {
   if (x == 0 && path.light->at_infinity())
     return {Vec3d(0.0), Vec3d(path.light_point.toward), true};
@@ -123,9 +122,11 @@ bool SpecularChain::set(const ChainEnd& start, std::span<const InnerVertex> vert
                         const ChainEnd& end, std::span<const OffsetNormal> offsets) {
   const std::size_t count = vertices.size();
   links_.resize(count);
+  mirrored_ = false;
   std::vector<SurfaceDerivatives> surfaces;
   for (std::size_t i = 0; i < count; ++i) {
-    if (!can_hold(vertices[i], !offsets.empty())) return false;
+    const bool lacks_offset = !vertices[i].event.specular() && offsets.empty();
+    if (lacks_offset || !can_hold(vertices[i])) return false;
     const auto surface = scene_.derivatives(vertices[i].hit);
     if (!surface) return false;
     surfaces.push_back(*surface);
@@ -147,7 +148,10 @@ bool SpecularChain::set(const ChainEnd& start, std::span<const InnerVertex> vert
                                 ? HeldNormal(surface.n, OffsetNormal())
                                 : HeldNormal(normal_before_bumps(vertices[i]), offsets[i]);
     const Vec3d normal = held.unit();
-    const TangentPlane plane = plane_across(optics->straight ? a.w : normal);
+    const Vec3d& pole = optics->straight ? a.w : normal;
+    const TangentPlane plane = plane_across(pole);
+    // Both pairs of tangents are right-handed, each around a normal of its own.
+    if (link.x.cross(link.y).dot(pole) < 0.0) mirrored_ = !mirrored_;
     const auto change = [&](const Ray3& ray, const Vec3d& move) {
       return part_across(move, ray.w) * (ray.eta * ray.per_move);
     };
@@ -185,6 +189,7 @@ bool SpecularChain::set(const ChainEnd& start, std::span<const InnerVertex> vert
     }
     const auto inverted = inverse(pivot);
     if (!inverted) return false;
+    if (determinant(pivot) < 0.0) mirrored_ = !mirrored_;
     pivot_inverse = *inverted;
     links_[i].by_end = negative(product(pivot_inverse, links_[i].after));
   }

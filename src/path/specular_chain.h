@@ -17,6 +17,10 @@ struct ChainEnd {
 /// Of vertex `x` of a path.
 ChainEnd chain_end(const Scene& scene, const Path& path, int x);
 
+/// Whether a vertex may be one of a chain: not if it is in a medium, has a texture as its index of
+/// refraction, or is specular with a bump or a normal map.
+bool can_hold(const InnerVertex& vertex);
+
 /// A specular chain a, s₁ … sₙ, b, to first order: how its vertices move with its end b while a
 /// stays. Each vertex holds the constraint that its generalised half vector η_a ω_a + η_b ω_b has
 /// no part across the shading normal (events that go straight on: that it vanishes); of the
@@ -29,9 +33,9 @@ class SpecularChain {
   explicit SpecularChain(const Scene& scene) : scene_(scene) {}
 
   /// `vertices` in the order from `start`, with the offset normals of those that are rough; none if
-  /// all are specular. False if some vertex is not smooth (`Scene::derivatives`; specular ones with
-  /// a bump or a normal map), has a texture as its index of refraction, has no such event, or if
-  /// the chain is singular: at the borders of caustics.
+  /// all are specular. False if some vertex cannot hold its constraint (`can_hold`), is not smooth
+  /// (`Scene::derivatives`), has no such event, or if the chain is singular: at the borders of
+  /// caustics.
   bool set(const ChainEnd& start, std::span<const InnerVertex> vertices, const ChainEnd& end,
            std::span<const OffsetNormal> offsets = {});
 
@@ -40,6 +44,10 @@ class SpecularChain {
   Vec3d moved(std::size_t i, const Vec3d& by) const;
   /// The most by which any vertex moves, over that by which the end does.
   double largest_move() const;
+  /// Whether the constraints turn over as the vertices move: of two chains between the same ends
+  /// that become one at the border of a caustic, one is mirrored and the other is not, as the
+  /// determinant of their derivatives is 0 in between.
+  bool is_mirrored() const { return mirrored_; }
   /// |dω_a / dA_b|, the chain's generalised geometric term without the cosines at its ends: the
   /// solid angle at a (of a direction at infinity: area across it) over the area at b across the
   /// last ray (of a direction at infinity: solid angle).
@@ -59,6 +67,7 @@ class SpecularChain {
   Vec3d end_x_{0.0}, end_y_{0.0};  ///< across the last ray
   Vec3d away_{0.0};                ///< from a to s₁
   double distance_ = 1.0;          ///< from a to s₁; 1 from infinity
+  bool mirrored_ = false;
 };
 
 }  // namespace ajar

@@ -193,6 +193,46 @@ TEST(SpecularChain, SpreadAndMovesAreThoseOfRaysBeside) {
   }
 }
 
+/// Beyond a focus rays beside have crossed, and beyond two again: with the constraints turns what a
+/// bundle of rays looks like.
+TEST(SpecularChain, IsMirroredWhereRaysBesideHaveCrossed) {
+  int once = 0;
+  int not_or_twice = 0;
+  for (const Case& c : cases()) {
+    SCOPED_TRACE(c.name);
+    const auto scene = scene_of(c);
+    std::optional<bool> known;
+    for (const Vec3d& by : {Vec3d(0.0), Vec3d(0.02, 0.01, 0.0), Vec3d(-0.03, 0.05, 0.0)}) {
+      const Vec3d w = (Vec3d(c.direction).normalized() + by).normalized();
+      const auto middle = trace(*scene, c, w);
+      ASSERT_TRUE(middle);
+      const Turned sides = around(w);
+      for (const double distance : {0.1, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0}) {
+        const Vec3d end = middle->last + middle->w * distance;
+        Vec3d moved[2];
+        int side = 0;
+        for (const Vec3d& by_turn : {sides.x, sides.y}) {
+          const auto beside = trace(*scene, c, w + by_turn * 1e-3);
+          ASSERT_TRUE(beside);
+          const double way = (end - beside->last).dot(middle->w) / beside->w.dot(middle->w);
+          moved[side++] = beside->last + beside->w * way - end;
+        }
+        const double area = moved[0].cross(moved[1]).dot(middle->w);
+        // Near a focus it cannot be told.
+        if (std::abs(area) < 0.05 * moved[0].length() * moved[1].length()) continue;
+        SpecularChain chain(*scene);
+        ASSERT_TRUE(chain.set({Vec3d(c.start)}, middle->vertices, {end}, c.offsets));
+        ++(area < 0.0 ? once : not_or_twice);
+        const bool differs = chain.is_mirrored() != (area < 0.0);
+        if (!known) known = differs;
+        EXPECT_EQ(differs, *known) << "at " << distance << ", turned by " << by;
+      }
+    }
+  }
+  EXPECT_GT(once, 10);
+  EXPECT_GT(not_or_twice, 10);
+}
+
 /// Its derivatives would have to know how the index goes on.
 TEST(SpecularChain, IsNoneWhereTheIndexOfRefractionIsATexture) {
   const Case c = cases().front();

@@ -24,6 +24,14 @@ double squared_distance(const Path& path, int x, int y) {
   return d.dot(d);
 }
 
+/// Of a chain, of all that there are; none if it is specular.
+std::span<const OffsetNormal> offsets_of(std::span<const InnerVertex> chain,
+                                         std::span<const OffsetNormal> all) {
+  const bool is_specular =
+      std::ranges::all_of(chain, [](const InnerVertex& vertex) { return vertex.event.specular(); });
+  return is_specular ? std::span<const OffsetNormal>() : all.first(chain.size());
+}
+
 bool is_rough(const Path& path, int vertex) { return !path.vertex(vertex).event.specular(); }
 
 }  // namespace
@@ -33,7 +41,13 @@ ConstraintPerturbation::ConstraintPerturbation(const Scene& scene, const RasterA
       area_(area),
       raster_(raster_law(scene.camera().resolution())),
       growing_(scene, area),
-      walk_(scene) {}
+      walk_(scene),
+      old_chain_(scene) {}
+
+bool ConstraintPerturbation::suitable(const Path& path) const {
+  const auto span = span_of(path);
+  return span && std::ranges::all_of(chain_from_light(path, span->fixed, span->moved), &can_hold);
+}
 
 std::optional<OffsetNormal> ConstraintPerturbation::offset_of(const Path& path, int vertex) const {
   return offset_normal(path.vertex(vertex), Vec3d(path.toward_camera(scene_, vertex)),
@@ -91,38 +105,47 @@ bool ConstraintPerturbation::look(const Path& x, int moved, const Vec2& raster,
   return camera.arrive(source) && camera.vertices.back().connectible();
 }
 
-bool ConstraintPerturbation::leads_back(const Path& x, const Span& span, double uncertainty) {
+bool ConstraintPerturbation::leads_back(const Path& x, const Span& span, const InnerVertex& target,
+                                        double uncertainty) {
   const auto old = chain_from_light(x, span.fixed, span.moved);
   const auto back = walk_.vertices();
   double step = 0.0;
   double shortest = std::numeric_limits<double>::infinity();
   double missed = 0.0;
   for (std::size_t i = 0; i < old.size(); ++i) {
+    const bool is_last = i + 1 == old.size();
     const Vec3d p(old[i].p());
-    step = std::max(step, (Vec3d(chain_[i].p()) - p).length());
+    const Vec3d q(chain_[i].p());
+    const Vec3d after_p(x.position(span.fixed + static_cast<int>(i) + 2));
+    const Vec3d after_q(is_last ? target.p() : chain_[i + 1].p());
+    step = std::max(step, (q - p).length());
     missed = std::max(missed, (Vec3d(back[i].p()) - p).length());
-    shortest =
-        std::min(shortest, std::sqrt(squared_distance(x, span.fixed + static_cast<int>(i) + 1,
-                                                      span.fixed + static_cast<int>(i) + 2)));
+    shortest = std::min({shortest, (after_p - p).length(), (after_q - q).length()});
   }
-  return missed <= PathSpaceHeuristics::kWayBack * std::min(step, shortest) + 2.0 * uncertainty;
+  const double room = std::min(step, shortest);
+  const double vague = 2.0 * uncertainty;
+  if (!(vague <= PathSpaceHeuristics::kVaguest * room) ||
+      !(missed <= PathSpaceHeuristics::kWayBack * room + vague)) {
+    return false;
+  }
+  // At the border of a caustic the other chain is as near as one likes.
+  return old_chain_.set(chain_end(scene_, x, span.fixed), old, chain_end(scene_, x, span.moved),
+                        offsets_of(old, old_offsets_)) &&
+         old_chain_.is_mirrored() == walk_.is_mirrored();
 }
 
 bool ConstraintPerturbation::walk(const Path& x, const Span& span, const InnerVertex& target) {
   const auto old = chain_from_light(x, span.fixed, span.moved);
   chain_.clear();
   if (old.empty()) return true;
-  const bool all_specular =
-      std::ranges::all_of(old, [](const InnerVertex& vertex) { return vertex.event.specular(); });
-  const auto offsets = [&](const Offsets& of) {
-    return all_specular ? std::span<const OffsetNormal>() : std::span(of).first(old.size());
-  };
   const ChainStart start = chain_start(scene_, x, span.fixed);
   walk_end_ = WalkEnd::Lost;
-  if (!walk_.walk(start, old, target.p(), offsets(new_offsets_))) return false;
+  if (!walk_.walk(start, old, target.p(), offsets_of(old, new_offsets_))) return false;
   chain_.assign(walk_.vertices().begin(), walk_.vertices().end());
-  const bool back = walk_.walk(start, chain_, x.position(span.moved), offsets(old_offsets_)) &&
-                    leads_back(x, span, walk_.uncertainty());
+  const double uncertainty = walk_.uncertainty();
+  const bool back =
+      walk_.walk(start, chain_, x.position(span.moved), offsets_of(old, old_offsets_)) &&
+      leads_back(x, span, target, std::max(uncertainty, walk_.uncertainty()));
   walk_end_ = back ? WalkEnd::None : WalkEnd::OneWay;
   return back;
 }

@@ -16,7 +16,7 @@ class ConstraintPerturbation : public PathMutation {
   /// `scene` and `area` must outlive it.
   ConstraintPerturbation(const Scene& scene, const RasterArea& area);
 
-  bool suitable(const Path& path) const override { return span_of(path).has_value(); }
+  bool suitable(const Path& path) const override;
   std::optional<Kept> propose(const Path& x, std::uint64_t key, Path& y) override;
   double log_density(const Path& x, const Path& y, const Kept& kept) const override;
   WalkEnd walk_end() const override { return walk_end_; }
@@ -31,7 +31,7 @@ class ConstraintPerturbation : public PathMutation {
   };
 
  private:
-  /// Empty if the path is not of the kind.
+  /// Empty if the path is not of the kind. Whether vertices can hold constraints is not asked.
   virtual std::optional<Span> span_of(const Path& path) const = 0;
 
   /// By vertex of a path; those that are not rough have none.
@@ -47,13 +47,17 @@ class ConstraintPerturbation : public PathMutation {
   bool look(const Path& x, int moved, const Vec2& raster, SampleSource& source);
   /// From the chain of `x` to one that leads from its fixed end to `target`, and back again.
   bool walk(const Path& x, const Span& span, const InnerVertex& target);
-  bool leads_back(const Path& x, const Span& span, double uncertainty);
+  /// Whether the walk back, which arrived, came to the chain of `x` and to no other between the
+  /// same ends. Asks the same of both chains, as a walk from the other one is to have the same
+  /// answer. `uncertainty`: of both.
+  bool leads_back(const Path& x, const Span& span, const InnerVertex& target, double uncertainty);
 
   const Scene& scene_;
   const RasterArea& area_;
   PerturbationLaw raster_;
   GrowingPath growing_;
   ManifoldWalk walk_;
+  SpecularChain old_chain_;
   Offsets old_offsets_;
   Offsets new_offsets_;
   std::vector<InnerVertex> chain_;

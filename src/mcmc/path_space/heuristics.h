@@ -3,7 +3,9 @@
 namespace ajar {
 
 /// The numbers of moves in path space that say how often they do what, beside parameters, which
-/// tell their own ranges. No picture's expectation hangs on them.
+/// tell their own ranges. No picture's expectation hangs on them, but for those of the way back,
+/// `kWayBack` and `kVaguest`: too large, they take one chain for another, and detailed balance
+/// fails where they do.
 struct PathSpaceHeuristics {
   /// How often a bidirectional mutation takes the whole path.
   /// Unit: probability. Range: (0, 1). Source: Veach 1997, 11.4.2.1 has a quarter at least for what
@@ -54,9 +56,14 @@ struct PathSpaceHeuristics {
   /// A manifold walk leads back if it misses no vertex by more than this, beside what the tolerance
   /// of walks makes of it.
   /// Unit: share of the longest move of a vertex, or of the shortest edge if that is less. Range:
-  /// (0, 1). Source: set by hand, no study; two solutions are about as far from each other as the
-  /// move.
+  /// (0, 1). Source: set by hand, no study; other solutions are about as far as the move, but at
+  /// the borders of caustics, where the sign of a determinant tells them apart.
   static constexpr double kWayBack = 0.001;
+  /// Nor does one if that tolerance makes more than this of it: then it cannot be told. At the
+  /// borders of caustics it grows without bound.
+  /// Unit: the same share. Range: (0, 1). Source: set by hand, no study; in pictures of 2000 pixels
+  /// it is about this of the smallest moves.
+  static constexpr double kVaguest = 0.5;
 };
 
 }  // namespace ajar
