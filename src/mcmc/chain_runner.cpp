@@ -23,7 +23,8 @@ struct ChainRunner::Run {
   }
   void count(const Proposal& proposal, bool independent, double acceptance, double cap) {
     ++statistics.steps;
-    statistics.moves[proposal.move].count(proposal, acceptance);
+    if (!proposal.move) return;
+    statistics.moves[*proposal.move].count(proposal, acceptance);
     for (const Candidate& candidate : proposal.candidates) {
       statistics.count(candidate, {chain.seed, chain.step});
       if (independent) statistics.large_steps.add(std::min(candidate.scalar, cap));
@@ -36,7 +37,7 @@ void ChainRunner::make_step(Run& run) {
   const std::uint64_t key = hash_numbers(chain.seed, chain.step);
   const Proposal proposal = kernel_.propose(key);
   const std::span<const Candidate> candidates = proposal.candidates;
-  const bool independent = moves_[proposal.move].independent;
+  const bool independent = proposal.move && moves_[*proposal.move].independent;
 
   const double u = to_unit_double(counter_bits(key, 2));
   double moves = 0.0;

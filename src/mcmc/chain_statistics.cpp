@@ -14,6 +14,7 @@ void MoveRecord::count(const Proposal& proposal, double acceptance) {
   }
   if (proposal.walk == WalkEnd::Lost) ++lost_walks;
   if (proposal.walk == WalkEnd::OneWay) ++one_way_walks;
+  if (proposal.without_density) ++without_density;
 }
 
 MoveRecord& MoveRecord::operator+=(const MoveRecord& other) {
@@ -22,6 +23,7 @@ MoveRecord& MoveRecord::operator+=(const MoveRecord& other) {
   rays += other.rays;
   lost_walks += other.lost_walks;
   one_way_walks += other.one_way_walks;
+  without_density += other.without_density;
   return *this;
 }
 
@@ -41,6 +43,12 @@ void ChainStatistics::count(const Candidate& candidate, const ChainPlace& place)
       break;
   }
   if (!first_discarded) first_discarded = place;
+}
+
+std::uint64_t ChainStatistics::idle_steps() const {
+  std::uint64_t idle = steps;
+  for (const MoveRecord& move : moves) idle -= std::min(idle, move.proposals);
+  return idle;
 }
 
 ChainStatistics& ChainStatistics::operator+=(const ChainStatistics& other) {

@@ -35,13 +35,14 @@ struct MoveRecord : MoveCount {
   std::uint64_t rays = 0;  ///< 0 where kernels do not know
   std::uint64_t lost_walks = 0;
   std::uint64_t one_way_walks = 0;
+  std::uint64_t without_density = 0;  ///< see `Proposal`
 
   /// Counts a proposal, which is accepted with this probability.
   void count(const Proposal& proposal, double acceptance);
   MoveRecord& operator+=(const MoveRecord& other);
   template <typename Archive>
   void serialize(Archive& archive) {
-    archive(proposals, acceptances, dark, rays, lost_walks, one_way_walks);
+    archive(proposals, acceptances, dark, rays, lost_walks, one_way_walks, without_density);
   }
 };
 
@@ -77,6 +78,8 @@ struct ChainStatistics {
 
   /// A candidate of the step at `place`.
   void count(const Candidate& candidate, const ChainPlace& place);
+  /// Those for which there was no move.
+  std::uint64_t idle_steps() const;
   ChainStatistics& operator+=(const ChainStatistics& other);
 
   /// Writes or reads all of it, see core/archive.h.

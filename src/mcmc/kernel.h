@@ -1,6 +1,7 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -40,10 +41,13 @@ enum class WalkEnd : std::uint8_t {
 
 /// What one step proposes: one state, or several of which one at most becomes the next.
 struct Proposal {
-  std::size_t move;  ///< in `Kernel::moves`
+  std::optional<std::size_t> move;  ///< in `Kernel::moves`; empty if none was for the state
   std::span<const Candidate> candidates;
   std::uint64_t rays = 0;  ///< that it took; 0 where kernels do not know
   WalkEnd walk = WalkEnd::None;
+  /// Whether it is refused as the density with which it was made is 0 or no number, or as that of
+  /// the way back is no number: a mistake, or a rounding at the ends of a reach.
+  bool without_density = false;
 };
 
 /// A transition of Markov chains that keeps the density I / b: proposes from the state that it is

@@ -3,6 +3,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "path/heuristics.h"
 #include "path/measure.h"
 
 namespace ajar {
@@ -11,6 +12,9 @@ namespace {
 /// What single precision makes of positions, seen through a few sharp lobes.
 constexpr float kDirection = 2e-3F;
 constexpr double kRelative = 0.02;
+
+/// Of positions, in units of the film's longer side. Beside it are roundings of positions.
+constexpr float kOnFilm = 1e-4F;
 
 /// Relative error of the squares of lengths: positions are rounded in their last digits, and events
 /// of a medium may be close together.
@@ -41,25 +45,76 @@ double rounding_of_cosines(const Scene& scene, const Path& path) {
   return sum;
 }
 
-[[noreturn]] void fail(const std::string& what, Technique technique) {
-  throw std::logic_error("bug: a recorded path of technique (" + std::to_string(technique.s) + "," +
-                         std::to_string(technique.t) + ") " + what);
+[[noreturn]] void fail(const std::string& what, std::string_view of) {
+  throw std::logic_error("bug: a path of " + std::string(of) + " " + what);
+}
+
+/// Between a direction that an event gives and the one of the path.
+double difference(const Scene& scene, const Path& path, int x, std::string_view of) {
+  const InnerVertex& vertex = path.vertex(x);
+  const auto sample =
+      vertex.bsdf.specular(path.toward_camera(scene, x), vertex.event, TransportMode::Radiance);
+  if (!sample) fail("scatters by no specular lobe at vertex " + std::to_string(x), of);
+  return double{length(sample->wi - path.toward_light(scene, x))};
+}
+
+bool has_length(const Scene& scene, const Path& path, int edge) {
+  return !(edge == 0 && path.light->at_infinity()) &&
+         !(edge == path.depth() - 1 && scene.camera().at_infinity());
+}
+double length_of(const Path& path, int edge) {
+  return double{length(path.position(edge + 1) - path.position(edge))};
+}
+
+/// By which an edge may be turned: its ends are rounded, and walks miss theirs by as much.
+double turned(const Scene& scene, const Path& path, int edge) {
+  if (!has_length(scene, path, edge)) return 0.0;
+  double way = 0.0;
+  for (int other = 0; other < path.depth(); ++other) {
+    if (has_length(scene, path, other)) way += length_of(path, other);
+  }
+  const double size =
+      double{std::max(length(path.position(edge)), length(path.position(edge + 1)))};
+  return (PathHeuristics::kWalkTolerance * way + 0x1p-22 * size) /
+         std::max(length_of(path, edge), 1e-18);
 }
 }  // namespace
+
+void verify(const Scene& scene, const Path& path, std::string_view made_by) {
+  const int k = path.depth();
+  if (path.segments.size() != path.vertices.size() + 1) fail("lacks a segment", made_by);
+  for (int x = 1; x < k; ++x) {
+    if (!path.vertex(x).event.specular()) continue;
+    // Where light leaves at a grazing angle, its direction hangs on the other one the more.
+    const double grazing =
+        std::max(double{path.vertex(x).cosine(path.toward_light(scene, x))}, 1e-3);
+    const double tolerance =
+        double{kDirection} + 4.0 * (turned(scene, path, x - 1) + turned(scene, path, x)) / grazing;
+    if (!(difference(scene, path, x, made_by) < tolerance)) {
+      fail("goes elsewhere at specular vertex " + std::to_string(x), made_by);
+    }
+  }
+  const auto raster = scene.camera().raster(path.camera_point, path.toward_light(scene, k));
+  if (!raster) return;  // beyond the image, where wide filters look
+  const Vec2i pixels = scene.camera().resolution();
+  const double tolerance = (double{kOnFilm} + 4.0 * turned(scene, path, k - 1)) *
+                           static_cast<double>(std::max(pixels.x, pixels.y));
+  if (!(static_cast<double>((*raster - path.raster).length()) < tolerance)) {
+    fail("is not seen where it lands on the film", made_by);
+  }
+}
 
 void verify(const Scene& scene, const PathSamplerSettings& settings, const Path& path,
             const Contribution& contribution) {
   const Technique technique = contribution.technique;
-  if (path.depth() != technique.depth()) fail("has another depth", technique);
-  if (path.segments.size() != path.vertices.size() + 1) fail("lacks a segment", technique);
+  const std::string made_by = "technique (" + std::to_string(technique.s) + "," +
+                              std::to_string(technique.t) + "), as recorded,";
+  if (path.depth() != technique.depth()) fail("has another depth", made_by);
+  if (path.segments.size() != path.vertices.size() + 1) fail("lacks a segment", made_by);
   for (int x = 1; x < path.depth(); ++x) {
-    const InnerVertex& vertex = path.vertex(x);
-    if (!vertex.event.specular()) continue;
-    const auto sample =
-        vertex.bsdf.specular(path.toward_camera(scene, x), vertex.event, TransportMode::Radiance);
-    if (!sample) fail("scatters by no specular lobe at vertex " + std::to_string(x), technique);
-    if (!(length(sample->wi - path.toward_light(scene, x)) < kDirection)) {
-      fail("goes elsewhere at specular vertex " + std::to_string(x), technique);
+    if (!path.vertex(x).event.specular()) continue;
+    if (!(difference(scene, path, x, made_by) < double{kDirection})) {
+      fail("goes elsewhere at specular vertex " + std::to_string(x), made_by);
     }
   }
   const Spectrum expected = throughput(scene, path, technique);
@@ -73,7 +128,7 @@ void verify(const Scene& scene, const PathSamplerSettings& settings, const Path&
     if (!(std::abs(value - double{expected[lane]}) <= tolerance * largest + 1e-30)) {
       fail("is worth " + std::to_string(expected[lane]) + ", not " + std::to_string(value) +
                " in lane " + std::to_string(lane),
-           technique);
+           made_by);
     }
   }
 }

@@ -23,6 +23,7 @@ MethodReport report_of(const MoveRecord& move, std::string_view name) {
     report["lost_walks"] = move.lost_walks;
     report["one_way_walks"] = move.one_way_walks;
   }
+  if (move.without_density > 0) report["without_density"] = move.without_density;
   return report;
 }
 
@@ -54,6 +55,7 @@ MethodReport ChainReporter::report() const {
   MethodReport b = MethodReport::array();
   std::uint64_t chains = 0;
   std::uint64_t longest_streak = 0;
+  std::uint64_t idle = 0;
   // Groups may have different ones.
   std::vector<std::pair<const Move*, MoveRecord>> moves;
   const auto record_of = [&](const Move& move) -> MoveRecord& {
@@ -88,6 +90,7 @@ MethodReport ChainReporter::report() const {
                               {"acceptance", count.acceptance()}});
     }
     chains += group.chains_;
+    idle += own.idle_steps();
     longest_streak = std::max(longest_streak, own.longest_streak);
   }
   MoveCount small;
@@ -97,13 +100,12 @@ MethodReport ChainReporter::report() const {
     by_move.push_back(report_of(record, move->name));
     (move->independent ? large : small) += record;
   }
-  return {{"acceptance",
-           {{"small", small.acceptance()},
-            {"large", large.acceptance()},
-            {"by_move", by_move},
-            {"by_depth", by_depth},
-            {"by_technique", by_technique},
-            {"longest_rejection_streak", longest_streak}}},
+  MethodReport acceptance{
+      {"small", small.acceptance()},  {"large", large.acceptance()},
+      {"by_move", by_move},           {"by_depth", by_depth},
+      {"by_technique", by_technique}, {"longest_rejection_streak", longest_streak}};
+  if (idle > 0) acceptance["idle"] = idle;
+  return {{"acceptance", acceptance},
           {"b", b},
           {"chains", chains},
           {"bootstrap_samples", bootstrap_samples_}};

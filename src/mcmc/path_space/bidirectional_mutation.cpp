@@ -183,6 +183,8 @@ double BidirectionalMutation::log_joint(const Path& y, const Kept& kept, int s) 
       break;
     }
     sum += std::log(light_step_pdf(scene_, y, x));
+    // Where there is no such event, there is no spread either.
+    if (sum == kNever) return kNever;
     if (x >= 2 && y.vertex(x - 1).event.specular()) {
       sum -= std::log(specular_spread(scene_, y, x - 1));
     }
@@ -209,6 +211,8 @@ double BidirectionalMutation::log_density(const Path& x, const Path& y, const Ke
   std::vector<double> ways;
   for (int s = all.first; s <= all.last; ++s) {
     ways.push_back(log_joint(y, kept, s));
+    // What one way comes to is not known, so the sum is not.
+    if (std::isnan(ways.back())) return ways.back();
     largest = std::max(largest, ways.back());
   }
   if (!std::isfinite(largest)) return largest;

@@ -8,6 +8,7 @@
 #include "core/random_use.h"
 #include "mcmc/counter_random.h"
 #include "path/measure.h"
+#include "path/verify.h"
 
 namespace ajar {
 
@@ -62,11 +63,16 @@ Proposal PathKernel::propose(std::uint64_t key) {
   candidate_.splats.clear();
   candidate_.take(0.0);
   candidate_.probability = 0.0;
+  without_density_ = false;
   PathMutation* const mutation = choose(key);
   if (mutation == nullptr) return {move_, {&candidate_, 1}};
   const std::uint64_t rays_before = mutation->ray_counts().rays;
   consider(*mutation, key);
-  return {move_, {&candidate_, 1}, mutation->ray_counts().rays - rays_before, mutation->walk_end()};
+  return {move_,
+          {&candidate_, 1},
+          mutation->ray_counts().rays - rays_before,
+          mutation->walk_end(),
+          without_density_};
 }
 
 PathMutation* PathKernel::choose(std::uint64_t key) {
@@ -74,7 +80,7 @@ PathMutation* PathKernel::choose(std::uint64_t key) {
   double left =
       to_unit_double(counter_bits(hash_numbers(key, RandomUse::PathMutation), 0)) * current_.weight;
   PathMutation* chosen = nullptr;
-  move_ = 0;
+  move_.reset();
   for (std::size_t i = 0; i < mutations_.size(); ++i) {
     const MixedMutation& mixed = mutations_[i];
     if (!(mixed.weight > 0.0) || !mixed.mutation->suitable(x)) continue;
@@ -90,6 +96,9 @@ void PathKernel::consider(PathMutation& mutation, std::uint64_t key) {
   const Path& x = chain_->path;
   const auto kept = mutation.propose(x, hash_numbers(key, RandomUse::PathNumbers), path_);
   if (!kept) return;
+#ifndef NDEBUG
+  verify(scene_, path_, mutation.name());
+#endif
   proposed_.log_light =
       light_on(scene_, path_, area_, layer_(path_.depth()), candidate_.splats, weight_);
   if (!std::isfinite(proposed_.log_light)) {
@@ -99,14 +108,17 @@ void PathKernel::consider(PathMutation& mutation, std::uint64_t key) {
     }
     return;
   }
+  candidate_.take(1.0);
   if (!mutation.suitable(path_)) return;
   proposed_.weight = suitable_weight(path_);
   const double forth = mutation.log_density(x, path_, *kept);
   const double back = mutation.log_density(path_, x, *kept);
+  // Asked from the other path it is the same pair, so both ways are refused.
+  without_density_ = !std::isfinite(forth) || !(back < std::numeric_limits<double>::infinity());
+  if (without_density_) return;
   const double log_ratio = proposed_.log_light - current_.log_light + back - forth +
                            std::log(current_.weight / proposed_.weight);
-  candidate_.take(1.0);
-  if (std::isfinite(forth)) candidate_.probability = metropolis_hastings(1.0, 1.0, log_ratio);
+  candidate_.probability = metropolis_hastings(1.0, 1.0, log_ratio);
 }
 
 void PathKernel::accept(std::size_t /*candidate*/) {

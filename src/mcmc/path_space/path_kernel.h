@@ -1,5 +1,6 @@
 #pragma once
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "mcmc/kernel.h"
@@ -61,7 +62,9 @@ class PathKernel final : public Kernel {
   State proposed_;
   SplatBuffer splats_;  ///< of the current one
   Path path_;           ///< that is proposed
-  std::size_t move_ = 0;
+  /// The one that was chosen last, in `moves_`.
+  std::optional<std::size_t> move_;
+  bool without_density_ = false;
   Candidate candidate_;
 };
 
