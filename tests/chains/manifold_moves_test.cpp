@@ -177,15 +177,16 @@ Suited suited(const std::string& text, int depth) {
   const ManifoldPerturbation manifold(*scene, bounds.area);
   const HalfVectorPerturbation half_vector(*scene, bounds.area);
   Suited result;
-  test::for_samples(*scene, 20000, [&](std::uint32_t, const std::vector<test::WeightedPath>& paths) {
-    for (const test::WeightedPath& weighted : paths) {
-      const Path& path = weighted.path;
-      if (path.depth() != depth || !path.vertex(1).event.specular()) continue;
-      ++result.in_form;
-      if (manifold.suitable(path)) ++result.manifold;
-      if (half_vector.suitable(path)) ++result.half_vector;
-    }
-  });
+  test::for_samples(*scene, 20000,
+                    [&](std::uint32_t, const std::vector<test::WeightedPath>& paths) {
+                      for (const test::WeightedPath& weighted : paths) {
+                        const Path& path = weighted.path;
+                        if (path.depth() != depth || !path.vertex(1).event.specular()) continue;
+                        ++result.in_form;
+                        if (manifold.suitable(path)) ++result.manifold;
+                        if (half_vector.suitable(path)) ++result.half_vector;
+                      }
+                    });
   return result;
 }
 

@@ -112,7 +112,7 @@ const std::multimap<std::string, Unfitted>& unfitted() {
       {"transport/technique_set.h", {"marks a rule", {"kAny"}}},
       {"transport/technique_set.h", {"limit of a parameter", {"kMaxNextEventCount"}}},
       {"path/edges.cpp", {"rounding", {"kShort"}}},
-      {"path/verify.cpp", {"rounding", {"kDirection", "kRelative"}}},
+      {"path/verify.cpp", {"rounding", {"kDirection", "kOnFilm", "kRelative"}}},
       {"session/checkpoint.cpp", {"number of a format", {"kCheckpointFormat"}}},
       {"session/checkpoint_check.cpp",
        {"limit of a parameter, of a type", {"kMostEdges", "kMaxShares", "kLargestMagnitude"}}},
