@@ -288,6 +288,24 @@ TEST(ChainAgreementInARangeOfDepths, HoldsForPathsOfFourAndFiveEdges) {
       const test::Render render = test::render(*scene, options);
       expect_same(replicates_of(render), truth, *render.film, 0.25, small.name + ", " + integrator);
     }
+    options.samples = 128;
+    options.parameters["bootstrap"] = "64000";
+    for (const char* integrator : {"mlt", "erpt"}) {
+      options.integrator = integrator;
+      const test::Render render = test::render(*scene, options);
+      expect_same(replicates_of(render), truth, *render.film, 0.5, small.name + ", " + integrator);
+    }
+  }
+}
+
+/// Of which no method has the numbers by default.
+TEST(ChainAgreementOfEnergyRedistribution, HoldsForChainsOfNumbers) {
+  for (const char* name : {"GlassAndMetal", "CroppedMitchell"}) {
+    test::KnownPicture known = test::known_picture(name, 160);
+    known.options.integrator = "erpt";
+    known.options.parameters = {{"chain", "pssmlt"}, {"bootstrap", "30000"}};
+    const test::Render render = test::render(*known.scene, known.options);
+    expect_same(replicates_of(render), replicates_of(known.truth), *render.film, 0.4, name);
   }
 }
 

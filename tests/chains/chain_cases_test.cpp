@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,8 @@ using test::replicates_of;
 using test::scene_from;
 
 constexpr const char* kChains[] = {"mmlt+", "pssmlt+"};
+/// Of explicit paths: they make all light, and share none with ordinary Monte Carlo.
+constexpr const char* kPathChains[] = {"mlt", "erpt"};
 const std::string kCamera =
     "LookAt 0 1 -4  0 0.8 0  0 1 0\nCamera \"perspective\" \"float fov\" [45]";
 const std::string kFloor =
@@ -55,8 +58,10 @@ class Dark : public ::testing::TestWithParam<DarkCase> {};
 
 TEST_P(Dark, IsBlackWithAWarning) {
   const auto scene = scene_from(pbrt_scene(kCamera, 12, 8, GetParam().world), true);
-  for (const char* integrator : kChains) {
-    const test::Render render = test::render(*scene, options_of(integrator));
+  for (const char* integrator : {kChains[0], kChains[1], kPathChains[0], kPathChains[1]}) {
+    test::RenderOptions options = options_of(integrator);
+    options.min_depth = 3;  // indirect light
+    const test::Render render = test::render(*scene, options);
     EXPECT_EQ(brightest(render.layer("indirect")), 0.0) << integrator;
     const std::vector<Warning> concerns = render.integrator->findings().concerns;
     ASSERT_EQ(concerns.size(), 1U) << integrator;
@@ -111,6 +116,15 @@ TEST_P(Lit, IsAsBrightAsMonteCarloSays) {
     options.integrator = integrator;
     const test::Render render = test::render(*scene, options);
     expect_same(replicates_of(render, "indirect"), truth, *render.film, lit.power, integrator);
+    EXPECT_TRUE(render.integrator->findings().concerns.empty()) << integrator;
+  }
+  options.samples = lit.samples / 4;
+  options.min_depth = std::max(3, lit.min_depth);
+  for (const char* integrator : kPathChains) {
+    options.integrator = integrator;
+    const test::Render render = test::render(*scene, options);
+    expect_same(replicates_of(render, "indirect"), truth, *render.film, 3.0 * lit.power,
+                integrator);
     EXPECT_TRUE(render.integrator->findings().concerns.empty()) << integrator;
   }
 }
@@ -209,6 +223,25 @@ TEST(Sizes, FromASinglePixelOnKeepTheBrightness) {
   }
 }
 
+TEST(Sizes, FromASinglePixelOnKeepTheBrightnessOfPaths) {
+  for (const Vec2i& size : {Vec2i(1, 1), Vec2i(3, 2)}) {
+    const auto scene = scene_from(pbrt_scene(kCamera, size.x, size.y, kPoints + kFloor));
+    test::RenderOptions options;
+    options.max_depth = 8;
+    options.samples = 4096;
+    options.replicates = 16;
+    const Replicates truth = replicates_of(test::render(*scene, options));
+    options.seed = 2;
+    options.samples = 2048;
+    options.parameters = {{"bootstrap", "16000"}};
+    for (const char* integrator : kPathChains) {
+      options.integrator = integrator;
+      const test::Render render = test::render(*scene, options);
+      expect_same(replicates_of(render), truth, *render.film, 0.35, integrator);
+    }
+  }
+}
+
 TEST(OneSample, OfOneReplicateIsRightOnAverage) {
   const auto scene = scene_from(pbrt_scene(kCamera, 3, 2, kPoints + kFloor));
   test::RenderOptions truth_options;
@@ -234,6 +267,29 @@ TEST(OneSample, OfOneReplicateIsRightOnAverage) {
       EXPECT_NEAR(means.mean(), truth.value, 5.0 * error) << integrator << ", chains " << chains;
       EXPECT_LT(5.0 * error, 0.2 * truth.value) << "too noisy to notice what it should";
     }
+  }
+}
+
+TEST(OneSample, OfPathsOfOneReplicateIsRightOnAverage) {
+  const auto scene = scene_from(pbrt_scene(kCamera, 3, 2, kPoints + kFloor));
+  test::RenderOptions truth_options;
+  truth_options.max_depth = 8;
+  truth_options.samples = 16384;
+  truth_options.replicates = 16;
+  const Estimate truth = image_mean(replicates_of(test::render(*scene, truth_options)));
+  for (const char* integrator : kPathChains) {
+    Moments means;
+    for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+      test::RenderOptions options = options_of(integrator);
+      options.samples = 1;
+      options.replicates = 1;
+      options.seed = seed;
+      options.parameters = {{"bootstrap", "1000"}};
+      means.add(test::render(*scene, options).mean());
+    }
+    const double error = std::hypot(means.standard_error(), truth.standard_error);
+    EXPECT_NEAR(means.mean(), truth.value, 5.0 * error) << integrator;
+    EXPECT_LT(5.0 * error, 0.4 * truth.value) << "too noisy to notice what it should";
   }
 }
 
@@ -354,6 +410,76 @@ TEST(ChainReports, SayWhatMovesCost) {
   EXPECT_EQ(proposals, longer.counters.mutations);
 }
 
+std::set<std::string> tried_moves(const MethodReport& report) {
+  std::set<std::string> names;
+  for (const auto& move : report.at("acceptance").at("by_move")) {
+    names.insert(move.at("move").get<std::string>());
+  }
+  return names;
+}
+
+/// A ball of glass that is seen, under lamps, on a floor: each mutation finds paths that are for
+/// it.
+TEST(MutationsOfPaths, AreNeverTriedWithAWeightOfZero) {
+  const auto scene = scene_from(pbrt_scene(
+      kCamera, 24, 16,
+      kPoints + kFloor +
+          "Material \"glass\"\nTranslate 0 0.8 0\nShape \"sphere\" \"float radius\" [0.4]\n"));
+  for (const char* integrator : kPathChains) {
+    test::RenderOptions options = options_of(integrator);
+    options.max_depth = 6;
+    options.samples = 8;
+    options.parameters["bidirectional"] = "1";
+    const std::set<std::string> all =
+        tried_moves(test::render(*scene, options).integrator->report());
+    for (const char* off : {"bidirectional", "lens-subpath", "lens", "caustic", "manifold"}) {
+      EXPECT_TRUE(all.count(off) > 0) << integrator << ", " << off;
+      test::RenderOptions without = options;
+      without.parameters[off] = "0";
+      const test::Render render = test::render(*scene, without);
+      const std::set<std::string> tried = tried_moves(render.integrator->report());
+      EXPECT_EQ(tried.count(off), 0U) << integrator << ", " << off;
+      EXPECT_GE(tried.size(), 3U) << integrator << ", " << off;
+    }
+  }
+}
+
+/// Steps for which no mutation is are none of the first mutation.
+TEST(MutationsOfPaths, ThatAreForNoPathLeaveStepsIdle) {
+  const auto scene = scene_from(pbrt_scene(kCamera, 12, 8, kPoints + kFloor));
+  test::RenderOptions options = options_of("mlt");
+  options.samples = 8;
+  for (const char* off :
+       {"bidirectional", "lens-subpath", "lens", "caustic", "multi-chain", "half-vector"}) {
+    options.parameters[off] = "0";
+  }
+  const test::Render render = test::render(*scene, options);
+  const MethodReport report = render.integrator->report();
+  EXPECT_TRUE(tried_moves(report).empty()) << "without glass no path is for manifold alone";
+  EXPECT_EQ(report.at("acceptance").at("idle"), render.counters.mutations);
+  EXPECT_GT(render.mean(), 0.0);
+}
+
+TEST(MutationsOfPaths, AreRefusedIfAllAreSwitchedOff) {
+  const auto scene = scene_from(pbrt_scene(kCamera, 4, 4, kPoints + kFloor));
+  for (const char* integrator : kPathChains) {
+    test::RenderOptions options = options_of(integrator);
+    for (const char* off : {"bidirectional", "lens-subpath", "lens", "caustic", "multi-chain",
+                            "manifold", "half-vector"}) {
+      options.parameters[off] = "0";
+    }
+    try {
+      test::render(*scene, options);
+      ADD_FAILURE() << integrator;
+    } catch (const UsageError& error) {
+      EXPECT_EQ(std::string(error.what()),
+                "bidirectional: chains need a mutation that is not switched off");
+    }
+    options.parameters["caustic"] = "0.001";
+    EXPECT_NO_THROW(test::render(*scene, options)) << integrator;
+  }
+}
+
 TEST(ChainReports, SayWhatChainsDid) {
   const auto scene = scene_from(pbrt_scene(kCamera, 24, 16, kPoints + kFloor));
   test::RenderOptions options = options_of("mmlt+");
@@ -427,6 +553,28 @@ TEST(ChainReports, GiveBAnErrorBarThatCoversIt) {
     EXPECT_LT(std::abs(0.5 * std::log(ratio)), 5.0 * std::sqrt(0.5 / (kSeeds - 1)))
         << integrator << ": variance ratio " << ratio;
   }
+}
+
+TEST(ChainReports, GiveTheBOfPathsAnErrorBarThatCoversIt) {
+  const auto scene = scene_from(pbrt_scene(kCamera, 12, 8, kPoints + kFloor));
+  constexpr int kSeeds = 60;
+  Moments b;
+  double error_variance = 0.0;
+  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+    test::RenderOptions options = options_of("mlt");
+    options.max_depth = 4;
+    options.samples = 2;
+    options.seed = seed;
+    options.parameters["bootstrap"] = "2000";
+    const MethodReport report = test::render(*scene, options).integrator->report();
+    const MethodReport& only = report.at("b")[0];
+    b.add(only.at("b").get<double>());
+    error_variance += std::pow(only.at("standard_error").get<double>(), 2) / kSeeds;
+  }
+  // As above: an error bar wrong by a factor of 1.6 is noticed.
+  const double ratio = std::pow(b.standard_error(), 2) * kSeeds / error_variance;
+  EXPECT_LT(std::abs(0.5 * std::log(ratio)), 5.0 * std::sqrt(0.5 / (kSeeds - 1)))
+      << "variance ratio " << ratio;
 }
 
 TEST(Techniques, WithCountsAreRefusedByChains) {
