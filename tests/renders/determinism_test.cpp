@@ -88,6 +88,19 @@ TEST_P(SameBits, OfChainsOfExplicitPathsOnAnyNumberOfThreads) {
   }
 }
 
+TEST_P(SameBits, OfEnergyRedistributionByNumbersOnAnyNumberOfThreads) {
+  const std::string& name = GetParam().name;
+  if (name != "Room" && name != "CroppedMitchell" && name != "Fog") return;
+  const auto scene = test::scene_from(GetParam().text);
+  const IntegratorInfo& info = find_integrator("erpt");
+  const std::map<std::string, std::string> parameters = {{"chain", "pssmlt"},
+                                                         {"bootstrap", "3000"}};
+  const std::vector<std::int64_t> one = sums(*scene, info, 1, {"density"}, parameters);
+  for (const int threads : {2, 5}) {
+    EXPECT_EQ(sums(*scene, info, threads, {"density"}, parameters), one) << threads << " threads";
+  }
+}
+
 TEST_P(SameBits, OfChainsThatFollowTheImagePlaneOnAnyNumberOfThreads) {
   const std::string& name = GetParam().name;
   if (name != "Room" && name != "CroppedMitchell" && name != "Fog") return;
