@@ -79,6 +79,14 @@ TEST_P(Importance, LeavesTheExpectationAsItIs) {
                   std::string(integrator) + ", importance " + map);
     }
   }
+  // Chains of explicit paths weigh by the map what they share with ordinary Monte Carlo, too.
+  options.integrator = "selective";
+  for (const char* chain : {"mlt", "erpt"}) {
+    options.parameters = {{"chain", chain}, {"split", "0.5"}, {"importance", noise.path()}};
+    const test::Render render = test::render(*scene, options);
+    expect_same(replicates_of(render, "indirect"), truth, *render.film, 0.4,
+                std::string("selective, chain ") + chain);
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, Importance,

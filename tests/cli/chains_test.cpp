@@ -42,7 +42,7 @@ TEST_F(Cli, EveryMethodSaysThatItsPictureIsBlack) {
 
 TEST_F(Cli, ChainsWithoutLightSayWhatToDoAndRenderBlack) {
   const fs::path scene = file("dark.pbrt", kWalledLamp);
-  for (const char* integrator : {"mmlt+", "pssmlt+"}) {
+  for (const char* integrator : {"mmlt+", "pssmlt+", "mlt", "erpt"}) {
     const Outcome outcome =
         run({"render", scene.string(), "--integrator", integrator, "--resolution", "8x8", "--spp",
              "8", "--set", "bootstrap=2000", "--stats", "stats.json", "-o", "a.pfm"});

@@ -53,10 +53,15 @@ TEST_F(CheckpointCli, ResumedRenderHasTheBitsOfOneLeftAlone) {
 // A checkpoint must tell what the user has set from what follows from it.
 TEST_F(CheckpointCli, ResumedRenderHasTheSettingsOfTheOneBefore) {
   const std::vector<std::vector<std::string>> settings = {
-      {"selective", "preset=published"},       {"selective", "preset=lambertian-out", "omc=lt"},
-      {"selective", "mutation=kelemen"},       {"selective", "step=adaptive"},
-      {"selective", "chain=pssmlt", "omc=lt"}, {"mmlt+", "mutation=fusion"},
-      {"pssmlt+", "mutation=kelemen"}};
+      {"selective", "preset=published"},
+      {"selective", "preset=lambertian-out", "omc=lt"},
+      {"selective", "mutation=kelemen"},
+      {"selective", "step=adaptive"},
+      {"selective", "chain=pssmlt", "omc=lt"},
+      {"mmlt+", "mutation=fusion"},
+      {"pssmlt+", "mutation=kelemen"},
+      {"mlt", "manifold=0.5"},
+      {"erpt", "chain=pssmlt"}};
   for (const std::vector<std::string>& setting : settings) {
     std::vector<std::string> arguments{"--integrator", setting.front()};
     for (std::size_t i = 1; i < setting.size(); ++i) {

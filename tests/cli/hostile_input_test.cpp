@@ -156,7 +156,8 @@ TEST_F(HostileInput, LightThatUnderflowsIsRenderedByEveryMethod) {
   scene("",
         "AttributeBegin\nAreaLightSource \"diffuse\" \"rgb L\" [1e-38 1e-38 1e-38]\n"
         "Translate 0 2 0\nShape \"sphere\" \"float radius\" 0.4\nAttributeEnd");
-  for (const char* method : {"pt", "lt", "ibpt", "bdpt", "pssmlt", "mmlt", "mmlt+", "selective"}) {
+  for (const char* method :
+       {"pt", "lt", "ibpt", "bdpt", "pssmlt", "mmlt", "mlt", "erpt", "mmlt+", "selective"}) {
     const Outcome outcome = render_scene({"--integrator", method});
     EXPECT_EQ(outcome.exit_code, 0) << method << ": " << outcome.err;
     EXPECT_TRUE(contains(outcome.err, "so dim that floats lose its digits"))

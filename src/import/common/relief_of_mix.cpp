@@ -7,10 +7,14 @@ constexpr WarningKind kTwoReliefs{
     Effect::Surface,
     "mixes have parts with different bump or normal maps: those of one part count for both"};
 
+/// Mixes this deep have more lobes than surfaces can have, of which scenes warn.
+constexpr int kDeepestMix = 100;
+
 /// Whose relief a mix shows where this is its first part.
 const desc::Material& relief_of(const desc::SceneDesc& scene, desc::MaterialId id) {
   const desc::Material* material = &scene.materials[static_cast<std::size_t>(id)];
-  while (material->node.is("mix") && !material->has_relief()) {
+  for (int depth = 0; depth < kDeepestMix; ++depth) {
+    if (!material->node.is("mix") || material->has_relief()) break;
     material = &scene.materials[static_cast<std::size_t>(material->node.material("first"))];
   }
   return *material;
