@@ -21,7 +21,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   for (const char* name : {"fuzz.fiber", "fuzz.hair"}) {
     try {
-      ajar::tungsten::curves_of(ajar::tungsten::read_strands(bytes, name), {.tapers = true});
+      ajar::tungsten::curves_of(ajar::tungsten::read_strands(bytes, name),
+                                {.radius = {}, .tapers = true});
     } catch (const ajar::SceneError&) {
     }
   }

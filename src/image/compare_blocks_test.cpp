@@ -12,7 +12,7 @@ namespace ajar {
 namespace {
 
 /// Not a multiple of the block in either direction: 4 × 3 blocks.
-constexpr BlockGrid kGrid{60, 40, 3, 16};
+constexpr BlockGrid kBlocks{60, 40, 3, 16};
 constexpr std::size_t kValues = 60 * 40 * 3;
 
 std::vector<float> picture() {
@@ -52,7 +52,7 @@ TEST(CompareBlocks, EqualImagesPassAtTheStatedRate) {
   constexpr int kTrials = 300;
   for (unsigned trial = 0; trial < kTrials; ++trial) {
     const auto result = compare_blocks(render(truth, 0.5, 6, 2 * trial),
-                                       render(truth, 0.5, 6, 2 * trial + 1), kGrid);
+                                       render(truth, 0.5, 6, 2 * trial + 1), kBlocks);
     EXPECT_EQ(result.tests, 4 * 3 * 3);
     EXPECT_TRUE(result.equal()) << trial;
     below += result.family_p < 0.1 ? 1 : 0;
@@ -72,7 +72,7 @@ TEST(CompareBlocks, FindsOnePercentInTheWholeImage) {
   double sum = 0.0;
   for (unsigned trial = 0; trial < 20; ++trial) {
     const auto result = compare_blocks(render(bright, 0.5, 16, 1000 + trial),
-                                       render(truth, 0.5, 16, 2000 + trial), kGrid);
+                                       render(truth, 0.5, 16, 2000 + trial), kBlocks);
     EXPECT_GT(result.mean_z, 1.5);
     EXPECT_NEAR(result.mean_relative_difference, 0.01, 5 * 0.0021);
     sum += result.mean_z / 20;
@@ -87,7 +87,7 @@ TEST(CompareBlocks, FindsAWrongBlockAndSaysWhere) {
   for (std::size_t y = 16; y < 32; ++y) {
     for (std::size_t x = 32; x < 48; ++x) wrong[(y * 60 + x) * 3 + 1] *= 1.05F;
   }
-  const auto result = compare_blocks(render(wrong, 0.2, 16, 5), render(truth, 0.2, 16, 6), kGrid);
+  const auto result = compare_blocks(render(wrong, 0.2, 16, 5), render(truth, 0.2, 16, 6), kBlocks);
   EXPECT_FALSE(result.equal());
   EXPECT_EQ(result.worst_block, Box2i({32, 16}, {47, 31}));
   EXPECT_EQ(result.worst_channel, 1);
@@ -110,7 +110,8 @@ TEST(CompareBlocks, CorrelatedPixelsAreNotIndependentEvidence) {
     return replicates;
   };
   for (unsigned trial = 0; trial < 100; ++trial) {
-    EXPECT_TRUE(compare_blocks(correlated(trial), correlated(trial + 500), kGrid).equal()) << trial;
+    EXPECT_TRUE(compare_blocks(correlated(trial), correlated(trial + 500), kBlocks).equal())
+        << trial;
   }
 }
 
@@ -118,20 +119,20 @@ TEST(CompareBlocks, BlocksWithoutNoiseMustAgreeButForRounding) {
   const std::vector<float> truth = picture();
   std::vector<float> rounded = truth;
   for (float& v : rounded) v = std::nextafter(v, 10.F);
-  EXPECT_TRUE(compare_blocks(Replicates(4, truth), Replicates(4, rounded), kGrid).equal());
+  EXPECT_TRUE(compare_blocks(Replicates(4, truth), Replicates(4, rounded), kBlocks).equal());
   std::vector<float> wrong = truth;
   for (float& v : wrong) v *= 1.0001F;
-  EXPECT_FALSE(compare_blocks(Replicates(4, truth), Replicates(4, wrong), kGrid).equal());
+  EXPECT_FALSE(compare_blocks(Replicates(4, truth), Replicates(4, wrong), kBlocks).equal());
   const std::vector<float> black(kValues);
-  EXPECT_TRUE(compare_blocks(Replicates(4, black), Replicates(4, black), kGrid).equal());
-  EXPECT_FALSE(compare_blocks(Replicates(4, black), Replicates(4, truth), kGrid).equal());
+  EXPECT_TRUE(compare_blocks(Replicates(4, black), Replicates(4, black), kBlocks).equal());
+  EXPECT_FALSE(compare_blocks(Replicates(4, black), Replicates(4, truth), kBlocks).equal());
 }
 
 TEST(CompareBlocks, NanIsADifference) {
   const std::vector<float> truth = picture();
   Replicates broken = render(truth, 0.1, 4, 1);
   broken[3][100] = std::nanf("");
-  EXPECT_FALSE(compare_blocks(broken, render(truth, 0.1, 4, 2), kGrid).equal());
+  EXPECT_FALSE(compare_blocks(broken, render(truth, 0.1, 4, 2), kBlocks).equal());
 }
 
 TEST(CompareBlocksToReference, CountsTheNoiseOfTheReference) {
@@ -141,9 +142,9 @@ TEST(CompareBlocksToReference, CountsTheNoiseOfTheReference) {
   std::vector<float> variance = truth;
   for (float& v : variance) v *= 0.09F * v;
   const Replicates image = render(truth, 0.3, 64, 78);
-  EXPECT_TRUE(compare_blocks_to_reference(image, reference, variance, kGrid).equal());
-  EXPECT_FALSE(compare_blocks_to_reference(image, reference, {}, kGrid).equal(1e-3));
-  EXPECT_TRUE(compare_blocks_to_reference(image, truth, {}, kGrid).equal());
+  EXPECT_TRUE(compare_blocks_to_reference(image, reference, variance, kBlocks).equal());
+  EXPECT_FALSE(compare_blocks_to_reference(image, reference, {}, kBlocks).equal(1e-3));
+  EXPECT_TRUE(compare_blocks_to_reference(image, truth, {}, kBlocks).equal());
 }
 
 TEST(CompareBlocksToReference, FindsOnePercentWithEnoughReplicates) {
@@ -151,7 +152,7 @@ TEST(CompareBlocksToReference, FindsOnePercentWithEnoughReplicates) {
   const std::vector<float> truth = picture();
   std::vector<float> dark = truth;
   for (float& v : dark) v *= 0.99F;
-  const auto result = compare_blocks_to_reference(render(dark, 0.3, 64, 5), truth, {}, kGrid);
+  const auto result = compare_blocks_to_reference(render(dark, 0.3, 64, 5), truth, {}, kBlocks);
   EXPECT_LT(result.mean_z, -10.0);
   EXPECT_FALSE(result.equal());
 }
@@ -169,7 +170,7 @@ TEST(CompareBlocksByVariance, KeepsItsRateAndFindsAWrongBlock) {
   for (unsigned trial = 0; trial < 100; ++trial) {
     const auto a = rendered(truth, 2 * trial);
     const auto b = rendered(truth, 2 * trial + 1);
-    const auto result = compare_blocks_by_variance(a.first, a.second, b.first, b.second, kGrid);
+    const auto result = compare_blocks_by_variance(a.first, a.second, b.first, b.second, kBlocks);
     below += result.family_p < 0.1 ? 1 : 0;
   }
   // Binomial(100, 0.1): mean 10, σ 3; small variances go with small values, which costs a little.
@@ -181,13 +182,13 @@ TEST(CompareBlocksByVariance, KeepsItsRateAndFindsAWrongBlock) {
   }
   const auto a = rendered(wrong, 500);
   const auto b = rendered(truth, 501);
-  const auto result = compare_blocks_by_variance(a.first, a.second, b.first, b.second, kGrid);
+  const auto result = compare_blocks_by_variance(a.first, a.second, b.first, b.second, kBlocks);
   EXPECT_FALSE(result.equal(1e-3));
   EXPECT_EQ(result.worst_block, Box2i({32, 16}, {47, 31}));
   EXPECT_NEAR(result.typical_error, 0.013, 0.006);
   // Channels count as correlated: 2400 pixels, not 7200 values.
   EXPECT_NEAR(result.mean_error, 0.15 * std::sqrt(2.0 / 2400), 0.001);
-  EXPECT_FALSE(compare_blocks_by_variance(a.first, a.second, truth, {}, kGrid).equal(1e-3));
+  EXPECT_FALSE(compare_blocks_by_variance(a.first, a.second, truth, {}, kBlocks).equal(1e-3));
 }
 
 TEST(DetectableDifference, MatchesTables) {
@@ -198,8 +199,8 @@ TEST(DetectableDifference, MatchesTables) {
 
 TEST(CompareBlocks, RefusesImagesThatDoNotFit) {
   const std::vector<float> truth = picture();
-  EXPECT_THROW(compare_blocks({truth}, {truth, truth}, kGrid), std::invalid_argument);
-  EXPECT_THROW(compare_blocks({truth, truth}, {truth, {1.F}}, kGrid), std::invalid_argument);
+  EXPECT_THROW(compare_blocks({truth}, {truth, truth}, kBlocks), std::invalid_argument);
+  EXPECT_THROW(compare_blocks({truth, truth}, {truth, {1.F}}, kBlocks), std::invalid_argument);
 }
 
 }  // namespace

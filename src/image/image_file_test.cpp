@@ -42,14 +42,14 @@ class ImageFile : public ::testing::Test {
 };
 
 /// A crop of 70 × 66 (more than one strip) in an image of 100 × 80.
-constexpr int kWidth = 70;
-constexpr int kHeight = 66;
+constexpr int kFileWidth = 70;
+constexpr int kFileHeight = 66;
 Picture cropped(std::vector<Picture::Layer> layers) {
   return {{100, 80}, Box2i({20, 5}, {89, 70}), std::move(layers), {}, {}};
 }
 
 std::vector<float> numbers(int channels, float scale = 1.F) {
-  std::vector<float> values(static_cast<std::size_t>(kWidth * kHeight * channels));
+  std::vector<float> values(static_cast<std::size_t>(kFileWidth * kFileHeight * channels));
   for (std::size_t i = 0; i < values.size(); ++i)
     values[i] = scale * std::exp(std::sin(static_cast<float>(i)) * 20.F);
   return values;
@@ -74,8 +74,8 @@ TEST_F(ImageFile, ExrKeepsEveryLayerPlaceAndBit) {
   const Image read = read_image(path("a.exr"));
   EXPECT_EQ(read.origin, Vec2i(20, 5));
   EXPECT_EQ(read.resolution, Vec2i(100, 80));
-  EXPECT_EQ(read.width, kWidth);
-  EXPECT_EQ(read.height, kHeight);
+  EXPECT_EQ(read.width, kFileWidth);
+  EXPECT_EQ(read.height, kFileHeight);
   EXPECT_EQ(read.channels, 7);
   EXPECT_FALSE(read.is_display_encoded);
   expect_same_bits(read.rgb(), beauty);
@@ -96,8 +96,8 @@ TEST_F(ImageFile, PfmKeepsEveryBit) {
   const auto values = numbers(3);
   write_image(path("a.pfm"), cropped({{"", 3, values}}));
   const Image read = read_image(path("a.pfm"));
-  EXPECT_EQ(read.width, kWidth);
-  EXPECT_EQ(read.height, kHeight);
+  EXPECT_EQ(read.width, kFileWidth);
+  EXPECT_EQ(read.height, kFileHeight);
   expect_same_bits(read.data, values);
 }
 
@@ -122,7 +122,7 @@ TEST_F(ImageFile, HdrKeepsWhatItsFormatCan) {
 }
 
 TEST_F(ImageFile, PngAndJpegHoldValuesAsTheyAreShown) {
-  std::vector<float> values(static_cast<std::size_t>(kWidth * kHeight * 3), 0.5F);
+  std::vector<float> values(static_cast<std::size_t>(kFileWidth * kFileHeight * 3), 0.5F);
   for (const char* name : {"a.png", "a.JPG", "a.jpeg"}) {
     write_image(path(name), cropped({{"", 3, values}}));
     const Image read = read_image(path(name));

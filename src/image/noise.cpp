@@ -41,7 +41,7 @@ struct Channel {
 double deviation(const Channel& channel, int x, int y, int radius) {
   const float value = channel.at(x, y);
   if (!std::isfinite(value)) return 0.0;
-  WindowValues values;
+  WindowValues values{};
   std::size_t count = 0;
   for (int j = std::max(0, y - radius); j <= std::min(channel.size.y - 1, y + radius); ++j) {
     for (int i = std::max(0, x - radius); i <= std::min(channel.size.x - 1, x + radius); ++i) {

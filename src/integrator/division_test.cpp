@@ -11,13 +11,16 @@ Contribution contribution(float value, Technique technique, float chance = 1.F) 
   return {.value = Spectrum(value), .technique = technique, .mis_weight = 1.0, .chance = chance};
 }
 
+/// Where the map has no say.
+const Vec2 kAnywhere(0.5F, 0.5F);
+
 TEST(Division, LeavesDirectLightToOrdinaryMonteCarlo) {
   const ImportanceMap importance;
   const Division division(1.0, importance);
   for (const Technique technique :
        {Technique{0, 2}, Technique{0, 3}, Technique{1, 2}, Technique{2, 1}}) {
     EXPECT_FALSE(Division::divides(technique));
-    EXPECT_EQ(division.chain_share(contribution(1e6F, technique), {}), 0.F);
+    EXPECT_EQ(division.chain_share(contribution(1e6F, technique), kAnywhere), 0.F);
   }
   EXPECT_TRUE(Division::divides({2, 2}));
 }
@@ -25,9 +28,9 @@ TEST(Division, LeavesDirectLightToOrdinaryMonteCarlo) {
 TEST(Division, DividesEvenlyAtTheThreshold) {
   const ImportanceMap importance;
   const Division division(3.0, importance);
-  EXPECT_NEAR(division.chain_share(contribution(3.F, {2, 2}), {}), 0.5F, 1e-6);
-  EXPECT_NEAR(division.chain_share(contribution(27.F, {2, 2}), {}), 0.9F, 1e-6);
-  EXPECT_EQ(division.chain_share(contribution(0.F, {2, 2}), {}), 0.F);
+  EXPECT_NEAR(division.chain_share(contribution(3.F, {2, 2}), kAnywhere), 0.5F, 1e-6);
+  EXPECT_NEAR(division.chain_share(contribution(27.F, {2, 2}), kAnywhere), 0.9F, 1e-6);
+  EXPECT_EQ(division.chain_share(contribution(0.F, {2, 2}), kAnywhere), 0.F);
 }
 
 TEST(Division, SharesAddUpToOneAndOrdinaryMonteCarloStaysBelowTheThreshold) {
@@ -48,8 +51,8 @@ TEST(Division, SharesAddUpToOneAndOrdinaryMonteCarloStaysBelowTheThreshold) {
 TEST(Division, DoesNotLookAtWhatChanceHasMadeOfThePath) {
   const ImportanceMap importance;
   const Division division(5.0, importance);
-  const float sure = division.chain_share(contribution(2.F, {3, 2}), {});
-  EXPECT_FLOAT_EQ(division.chain_share(contribution(16.F, {3, 2}, 8.F), {}), sure)
+  const float sure = division.chain_share(contribution(2.F, {3, 2}), kAnywhere);
+  EXPECT_FLOAT_EQ(division.chain_share(contribution(16.F, {3, 2}, 8.F), kAnywhere), sure)
       << "a survivor of Russian roulette is the same path";
 }
 
@@ -57,9 +60,9 @@ TEST(Division, KeepsWhatCannotBeAddedForTheOneWhoCounts) {
   const ImportanceMap importance;
   const Division division(5.0, importance);
   const float nan = std::numeric_limits<float>::quiet_NaN();
-  EXPECT_EQ(division.chain_share(contribution(nan, {3, 2}), {}), 0.F);
+  EXPECT_EQ(division.chain_share(contribution(nan, {3, 2}), kAnywhere), 0.F);
   const float infinity = std::numeric_limits<float>::infinity();
-  EXPECT_EQ(division.chain_share(contribution(infinity, {3, 2}), {}), 1.F);
+  EXPECT_EQ(division.chain_share(contribution(infinity, {3, 2}), kAnywhere), 1.F);
 }
 
 TEST(Division, SharesAddUpToOneWhateverTheMapAndWhereverThePath) {

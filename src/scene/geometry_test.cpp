@@ -74,7 +74,7 @@ TEST(Geometry, KnowsTheBoxOfWhatEmitsNothing) {
   object.shapes = {mesh_shape(cube())};
   object.shapes.front().emission = sun.emission;
   scene.objects.push_back(object);
-  scene.instances.push_back({.object = 0, .to_world = translation(0, 7, 0)});
+  scene.instances.push_back({.object = 0, .to_world = translation(0, 7, 0), .where = {}});
   expect_box(World(std::move(scene)).geometry->receivers(), Vec3(-1.F), {1, 8, 1});
 }
 

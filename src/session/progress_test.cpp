@@ -83,7 +83,8 @@ TEST(Progress, NothingIsPromisedOnceTheTimeIsOver) {
 TEST(Progress, NothingIsPromisedOnceTheErrorIsNearItsTarget) {
   RenderSnapshot s = half_way();
   s.total_samples = 0;
-  s.budget = {.target_error = 0.02};
+  s.budget = {};
+  s.budget.target_error = 0.02;
   s.relative_error = {.value = 0.01};
   s.error_samples = 1;
   EXPECT_TRUE(plain_line(s).ends_with("checking the error")) << plain_line(s);

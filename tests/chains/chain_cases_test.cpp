@@ -24,7 +24,7 @@ using test::pbrt_scene;
 using test::replicates_of;
 using test::scene_from;
 
-constexpr const char* kChains[] = {"mmlt+", "pssmlt+"};
+constexpr const char* kNumberChains[] = {"mmlt+", "pssmlt+"};
 /// Of explicit paths: they make all light, and share none with ordinary Monte Carlo.
 constexpr const char* kPathChains[] = {"mlt", "erpt"};
 const std::string kCamera =
@@ -58,7 +58,8 @@ class Dark : public ::testing::TestWithParam<DarkCase> {};
 
 TEST_P(Dark, IsBlackWithAWarning) {
   const auto scene = scene_from(pbrt_scene(kCamera, 12, 8, GetParam().world), true);
-  for (const char* integrator : {kChains[0], kChains[1], kPathChains[0], kPathChains[1]}) {
+  for (const char* integrator :
+       {kNumberChains[0], kNumberChains[1], kPathChains[0], kPathChains[1]}) {
     test::RenderOptions options = options_of(integrator);
     options.min_depth = 3;  // indirect light
     const test::Render render = test::render(*scene, options);
@@ -112,7 +113,7 @@ TEST_P(Lit, IsAsBrightAsMonteCarloSays) {
   const Replicates truth = replicates_of(test::render(*scene, options), "indirect");
   options.parameters = {{"bootstrap", "30000"}};
   options.seed = 2;
-  for (const char* integrator : kChains) {
+  for (const char* integrator : kNumberChains) {
     options.integrator = integrator;
     const test::Render render = test::render(*scene, options);
     expect_same(replicates_of(render, "indirect"), truth, *render.film, lit.power, integrator);
@@ -203,7 +204,7 @@ TEST(Depths, WithoutTechniquesOrLightAreLeftOutOrReportedAsDark) {
 }
 
 TEST(Sizes, FromASinglePixelOnKeepTheBrightness) {
-  for (const char* integrator : kChains) {
+  for (const char* integrator : kNumberChains) {
     for (const Vec2i& size : {Vec2i(1, 1), Vec2i(3, 2)}) {
       const auto scene = scene_from(pbrt_scene(kCamera, size.x, size.y, kPoints + kFloor));
       test::RenderOptions options;
@@ -249,7 +250,7 @@ TEST(OneSample, OfOneReplicateIsRightOnAverage) {
   truth_options.samples = 16384;
   truth_options.replicates = 16;
   const Estimate truth = image_mean(replicates_of(test::render(*scene, truth_options), "indirect"));
-  for (const char* integrator : kChains) {
+  for (const char* integrator : kNumberChains) {
     for (const char* chains : {"0", "64"}) {
       Moments means;
       for (std::uint64_t seed = 1; seed <= 200; ++seed) {
@@ -296,7 +297,7 @@ TEST(OneSample, OfPathsOfOneReplicateIsRightOnAverage) {
 TEST(DirectLight, IsNobodysMonteCarlosOrTheChains) {
   const auto scenes = test::small_scenes();
   const auto scene = scene_from(scenes.front().text);
-  for (const char* integrator : kChains) {
+  for (const char* integrator : kNumberChains) {
     test::RenderOptions options = options_of(integrator);
     options.replicates = 16;
     options.samples = 320;
@@ -315,7 +316,7 @@ TEST(DirectLight, IsNobodysMonteCarlosOrTheChains) {
 
 TEST(ChainLayers, DensityCountsVisitsAndAcceptanceIsAProbability) {
   const auto scene = scene_from(pbrt_scene(kCamera, 24, 16, kPoints + kFloor));
-  for (const char* integrator : kChains) {
+  for (const char* integrator : kNumberChains) {
     test::RenderOptions options = options_of(integrator);
     options.samples = 64;
     options.replicates = 4;
@@ -534,7 +535,7 @@ TEST(ChainReports, EffortIsSharedByErrorsUnlessItIsFixed) {
 
 TEST(ChainReports, GiveBAnErrorBarThatCoversIt) {
   const auto scene = scene_from(pbrt_scene(kCamera, 12, 8, kPoints + kFloor));
-  for (const char* integrator : kChains) {
+  for (const char* integrator : kNumberChains) {
     constexpr int kSeeds = 100;
     Moments b;
     double error_variance = 0.0;
@@ -579,7 +580,7 @@ TEST(ChainReports, GiveTheBOfPathsAnErrorBarThatCoversIt) {
 
 TEST(Techniques, WithCountsAreRefusedByChains) {
   const auto scene = scene_from(pbrt_scene(kCamera, 4, 4, kPoints + kFloor));
-  for (const char* integrator : kChains) {
+  for (const char* integrator : kNumberChains) {
     for (const char* techniques : {"implicit,explicit*2", "pt,light*0.5", "bdpt,(2,2)*0.3"}) {
       test::RenderOptions options = options_of(integrator);
       options.parameters["techniques"] = techniques;

@@ -93,7 +93,7 @@ TEST(SeedsOfUnequalWeight, WalkEquallyFarFromWhatIsFound) {
   options.parameters["split"] = "0.1";
   options.parameters["techniques"] = "pt";
   options.parameters["chains"] = "2000";
-  expect_none(excess_of_dark_stripes(*scene, options, 400), 0.2);
+  expect_none(excess_of_dark_stripes(*scene, options, 220), 0.28);
 }
 
 }  // namespace

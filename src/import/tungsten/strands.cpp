@@ -135,7 +135,7 @@ Strands read_fiber(std::string_view bytes, const std::string& name) {
 // ---------------------------------------------------------------- .hair
 
 Strands read_hair(std::string_view bytes, const std::string& name) {
-  enum Bits : std::uint32_t { kSegments = 1, kPoints = 2, kThickness = 4 };
+  enum Bits : std::uint32_t { kSegments = 1, kPoints = 2, kRadii = 4 };
   constexpr std::size_t kHeaderSize = 128;
   StrandCursor cursor(bytes, name);
   if (cursor.take(kHairMagic.size()) != kHairMagic) cursor.fail("this is no .hair file");
@@ -158,8 +158,8 @@ Strands read_hair(std::string_view bytes, const std::string& name) {
     // More than there are is refused with the sum of all.
     strands.counts.assign(curve_count, std::min(usual_segments, node_count) + 1);
   }
-  strands.radii = (has & kThickness) != 0 ? cursor.array<float>(node_count)
-                                          : std::vector<float>(node_count, usual_thickness);
+  strands.radii = (has & kRadii) != 0 ? cursor.array<float>(node_count)
+                                      : std::vector<float>(node_count, usual_thickness);
   return strands;
 }
 

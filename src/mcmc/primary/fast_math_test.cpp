@@ -9,11 +9,11 @@
 namespace ajar {
 namespace {
 
-constexpr int kSteps = 200000;
+constexpr int kNumbers = 200000;
 
 TEST(FastMath, MatchesTheStandardLibraryToTheSeventhDigit) {
-  for (int i = 0; i <= kSteps; ++i) {
-    const float u = static_cast<float>(i) / kSteps;
+  for (int i = 0; i <= kNumbers; ++i) {
+    const float u = static_cast<float>(i) / kNumbers;
     const float x = 200.F * u - 100.F;
     EXPECT_NEAR(fast_exp2(x) / std::exp2(double{x}), 1.0, 4e-7) << x;
     const float angle = (u - 0.5F) * (0.5F * kPi);

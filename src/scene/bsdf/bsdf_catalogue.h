@@ -86,7 +86,7 @@ inline std::vector<NamedBsdf> catalogue(float tilt_degrees) {
   begin("diffuse under a rough coat").add(CoatedDiffuse(tint, {1.8F, 0.4F}));
   begin("metal under a smooth coat").add(CoatedConductor{ggx(0.2F, 0.2F), gold, {1.5F, 0.F}});
   begin("metal under a rough coat").add(CoatedConductor{ggx(0.1F, 0.3F), gold, {1.3F, 0.3F}});
-  begin("smooth metal under a smooth coat").add(SmoothCoatedConductor{{gold, 1.5F}});
+  begin("smooth metal under a smooth coat").add(SmoothCoatedConductor{{gold, 1.5F, {}}});
 
   begin("diffuse under an amber coat")
       .add(CoatedDiffuse(tint, {1.5F, 0.F}, {Spectrum(0.1F, 0.3F, 1.F), 2}));

@@ -243,7 +243,7 @@ Lobe random_lobe(Rng& rng) {
     case 26:
       return SheetSpecular{facets, {{a, rng.next(), eta, rng.next()}}};
     default:
-      return SmoothCoatedConductor{{metal, coat_eta}};
+      return SmoothCoatedConductor{{metal, coat_eta, {}}};
   }
 }
 

@@ -143,7 +143,7 @@ TEST(UnderVarnish, IsSeenThroughTheCoatWhereItIs) {
 TEST(CoatedConductor, SmoothLayersReflectAsPlanesDo) {
   // F + T R T + T R F R T + … = F + T² R / (1 − R F).
   const ConductorFresnel metal(Spectrum(0.2F), Spectrum(2.F));
-  const CoatedConductorFresnel both{metal, 1.5F};
+  const CoatedConductorFresnel both{metal, 1.5F, {}};
   const float cosine = 0.6F;
   const DielectricBoundary boundary = fresnel_dielectric(cosine, 1.5F);
   const float f = boundary.reflectance;

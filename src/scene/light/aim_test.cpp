@@ -107,7 +107,9 @@ TEST(Aim, LeavesLampsAmongTheReceiversAsTheyAre) {
       const auto a = aimed[i].light->sample_emission(u);
       const auto b = plain[i].light->sample_emission(u);
       ASSERT_EQ(a.has_value(), b.has_value());
-      if (a) EXPECT_EQ(a->w, b->w);
+      if (a) {
+        EXPECT_EQ(a->w, b->w);
+      }
     }
   }
 }
