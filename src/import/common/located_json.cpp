@@ -2,23 +2,12 @@
 
 #include <algorithm>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <utility>
 
-#include "core/counting_iterator.h"
-#include "core/printable_text.h"
-#include "import/common/place_finder.h"
+#include "import/common/json_handler.h"
 
 namespace ajar {
 namespace {
-
-/// The part of the parser's message that says what is wrong; its own place is less exact than ours.
-std::string reason_of(const std::string& message) {
-  constexpr std::string_view kPlace = "column ";
-  std::size_t begin = message.find(kPlace);
-  begin = begin == std::string::npos ? message.find("] ") : message.find(": ", begin);
-  return printable_line(begin == std::string::npos ? message : message.substr(begin + 2));
-}
 
 /// Where the string ends that begins at `i`.
 std::size_t end_of_string(std::string_view text, std::size_t i) {
@@ -60,26 +49,16 @@ std::string without_extras(std::string_view text) {
   return result;
 }
 
-constexpr int kNumberOutOfRange = 406;  // of the parser's documentation
-
 }  // namespace
 
-/// Makes the tree of what the parser finds. A token begins where the one before it ended, but for
-/// what lies between tokens; of a number the parser has read one character more.
-class LocatedJson::Builder {
+/// Makes the tree of what the parser finds.
+class LocatedJson::Builder : public JsonHandler {
  public:
-  using number_integer_t = nlohmann::json::number_integer_t;
-  using number_unsigned_t = nlohmann::json::number_unsigned_t;
-  using number_float_t = nlohmann::json::number_float_t;
-  using string_t = nlohmann::json::string_t;
-  using binary_t = nlohmann::json::binary_t;
-
   Builder(std::string_view text, const std::string& name)
-      : places_(text, std::make_shared<const std::string>(name)) {}
+      : JsonHandler(text, std::make_shared<const std::string>(name)) {}
 
-  LocatedJson build(std::string_view text) {
-    nlohmann::json::sax_parse(CountingIterator(text.data(), &read_),
-                              CountingIterator(text.data() + text.size(), &read_), this);
+  LocatedJson build() {
+    parse(this);
     return std::move(root_);
   }
 
@@ -98,7 +77,6 @@ class LocatedJson::Builder {
     add(Kind::String).text_ = std::move(value);
     return true;
   }
-  bool binary(binary_t& /*value*/) { return false; }  // JSON has none
   bool key(string_t& name) {
     Member member{std::move(name), token_place(), {}};
     open_.back()->members_.push_back(std::move(member));
@@ -108,23 +86,8 @@ class LocatedJson::Builder {
   bool start_array(std::size_t /*size*/) { return open(Kind::Array); }
   bool end_object() { return close(); }
   bool end_array() { return close(); }
-  bool parse_error(std::size_t position, const std::string& token,
-                   const nlohmann::detail::exception& error) {
-    if (error.id == kNumberOutOfRange) {
-      throw SceneError(token_place(), "the number " + printable_line(token.substr(0, 32)) +
-                                          " is beyond the range of numbers");
-    }
-    throw SceneError(places_.at(position == 0 ? 0 : position - 1),
-                     "this is no JSON: " + reason_of(error.what()));
-  }
 
  private:
-  /// Where the token begins that was just read.
-  SourceLocation token_place() {
-    const SourceLocation place = places_.at(places_.next_token(token_end_));
-    token_end_ = read_;
-    return place;
-  }
   /// A value at its place in the tree.
   LocatedJson& add(Kind kind) {
     LocatedJson* value = &root_;
@@ -152,13 +115,10 @@ class LocatedJson::Builder {
   }
   bool close() {
     open_.pop_back();
-    token_end_ = read_;
+    pass_token();
     return true;
   }
 
-  PlaceFinder places_;
-  std::size_t read_ = 0;       ///< bytes that the parser has read
-  std::size_t token_end_ = 0;  ///< bytes up to the end of the last token, or one more
   LocatedJson root_;
   std::vector<LocatedJson*> open_;  ///< arrays and objects around the next value
 };
@@ -167,7 +127,7 @@ LocatedJson LocatedJson::parse(std::string_view text, const std::string& name, J
   if (extras == JsonExtras::CommentsAndTrailingCommas) {
     return parse(without_extras(text), name);
   }
-  return Builder(text, name).build(text);
+  return Builder(text, name).build();
 }
 
 std::string_view LocatedJson::kind_name() const {

@@ -27,6 +27,10 @@ void warn_of_repeated_members(const gltf::Document& document, Warnings& warnings
     warnings.add(kRepeated, holder.where(),
                  "\"" + name + "\" stands twice in this object: the last counts", name);
   }
+  if (const std::size_t more = document.origin->places.more_repeated(); more > 0) {
+    warnings.add(kRepeated, document.root().where(),
+                 std::to_string(more) + " more members stand twice: the last of each counts");
+  }
 }
 
 void warn_of_the_whole(const gltf::Element& root, Warnings& warnings) {

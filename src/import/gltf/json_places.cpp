@@ -3,26 +3,13 @@
 #include <charconv>
 #include <limits>
 
-#include "core/counting_iterator.h"
-#include "core/error.h"
 #include "core/printable_text.h"
-#include "import/common/place_finder.h"
+#include "import/common/json_handler.h"
 
 namespace ajar::gltf {
 namespace {
 
 constexpr std::uint32_t kNoValue = std::numeric_limits<std::uint32_t>::max();
-
-/// The library's message without its own code and place: "[json…] parse error at line 1, column 2:
-/// reason".
-std::string reason_of(const nlohmann::json::exception& error) {
-  std::string_view text = error.what();
-  if (const std::size_t end = text.find("] "); end != text.npos) text.remove_prefix(end + 2);
-  if (text.starts_with("parse error")) {
-    if (const std::size_t end = text.find(": "); end != text.npos) text.remove_prefix(end + 2);
-  }
-  return printable_line(text);
-}
 
 std::string unescaped(std::string_view part) {
   std::string name;
@@ -72,24 +59,16 @@ JsonPlaces::Place JsonPlaces::at(std::string_view pointer) const {
   return value->place;
 }
 
-/// Makes the values that the parser finds, and notes where they are. A token begins where the one
-/// before it ended, but for what lies between tokens; of a number the parser has read one character
-/// more.
-class JsonReader {
+/// Makes the values that the parser finds, and notes where they are.
+class JsonReader : public JsonHandler {
  public:
   using Json = nlohmann::json;
-  using number_integer_t = Json::number_integer_t;
-  using number_unsigned_t = Json::number_unsigned_t;
-  using number_float_t = Json::number_float_t;
-  using string_t = Json::string_t;
-  using binary_t = Json::binary_t;
 
   JsonReader(std::string_view text, const std::shared_ptr<const std::string>& name)
-      : text_(text), finder_(text, name) {}
+      : JsonHandler(text, name) {}
 
   PlacedJson read() {
-    Json::sax_parse(CountingIterator(text_.data(), &read_),
-                    CountingIterator(text_.data() + text_.size(), &read_), this);
+    parse(this);
     return {std::move(root_), std::move(places_)};
   }
 
@@ -99,21 +78,15 @@ class JsonReader {
   bool number_unsigned(number_unsigned_t value) { return add(value); }
   bool number_float(number_float_t value, const string_t& /*spelling*/) { return add(value); }
   bool string(string_t& value) { return add(std::move(value)); }
-  bool binary(binary_t& /*value*/) { return false; }  // JSON has none
   bool key(string_t& name) {
     open_.back().name = std::move(name);
-    token_end_ = read_;
+    pass_token();
     return true;
   }
   bool start_object(std::size_t /*size*/) { return open(Json::object()); }
   bool start_array(std::size_t /*size*/) { return open(Json::array()); }
   bool end_object() { return close(); }
   bool end_array() { return close(); }
-  bool parse_error(std::size_t position, const std::string& /*token*/,
-                   const Json::exception& error) {
-    throw SceneError(finder_.at(position > 0 ? position - 1 : 0),
-                     "this is not valid JSON: " + reason_of(error));
-  }
 
  private:
   /// An array or object around the next value.
@@ -134,7 +107,7 @@ class JsonReader {
   }
   bool close() {
     open_.pop_back();
-    token_end_ = read_;
+    pass_token();
     return true;
   }
 
@@ -156,8 +129,7 @@ class JsonReader {
 
   /// The number of the place of the value that comes next.
   std::uint32_t note(bool is_number) {
-    const SourceLocation where = finder_.at(finder_.next_token(token_end_));
-    token_end_ = read_;
+    const SourceLocation where = token_place();
     const bool is_item = !open_.empty() && open_.back().is_array();
     if (is_item && is_number) return kNoValue;
     const auto added = static_cast<std::uint32_t>(places_.values_.size());
@@ -169,9 +141,19 @@ class JsonReader {
       children->items.resize(open_.back().json->size() + 1, kNoValue);
       children->items.back() = added;
     } else if (!children->members.insert_or_assign(open_.back().name, added).second) {
-      places_.repeated_.push_back({pointer_of_open(), open_.back().name});
+      note_repeated();
     }
     return added;
+  }
+
+  void note_repeated() {
+    // A pointer may be as long as the text.
+    constexpr std::size_t kMostRepeated = 100;
+    if (places_.repeated_.size() < kMostRepeated) {
+      places_.repeated_.push_back({pointer_of_open(), open_.back().name});
+    } else {
+      ++places_.more_repeated_;
+    }
   }
 
   /// Of the innermost object that is open.
@@ -184,13 +166,9 @@ class JsonReader {
     return pointer;
   }
 
-  std::string_view text_;
-  PlaceFinder finder_;
   Json root_;
   JsonPlaces places_;
   std::vector<Open> open_;
-  std::size_t read_ = 0;       ///< bytes that the parser has read
-  std::size_t token_end_ = 0;  ///< bytes up to the end of the last token, or one more
 };
 
 PlacedJson parse_placed_json(std::string_view text,

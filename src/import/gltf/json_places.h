@@ -26,7 +26,9 @@ class JsonPlaces {
   /// Where the value at a JSON pointer (RFC 6901) begins; for numbers in arrays, where the array
   /// does; for what is not there, what is nearest around it.
   Place at(std::string_view pointer) const;
+  /// The first hundred or fewer.
   const std::vector<Repeated>& repeated() const { return repeated_; }
+  std::size_t more_repeated() const { return more_repeated_; }
 
  private:
   friend class JsonReader;
@@ -42,6 +44,7 @@ class JsonPlaces {
   /// What is in an array or object may be as deep as the text is long, so that none owns another.
   std::vector<Value> values_;
   std::vector<Repeated> repeated_;
+  std::size_t more_repeated_ = 0;
 };
 
 /// A JSON text, and where its values are.
