@@ -15,6 +15,7 @@
 #include "mcmc/path_space/manifold_perturbation.h"
 #include "path/manifold_walk.h"
 #include "support/path_samples.h"
+#include "support/path_scenes.h"
 #include "support/render.h"
 #include "support/small_scenes.h"
 
@@ -148,16 +149,9 @@ TEST(ManifoldPerturbation, RejectsWalksThatComeBackToAnotherChain) {
 std::string pool_of(const std::string& water) {
   return test::pbrt_scene(
       "LookAt 0 1.6 -3  0 0.4 0.3  0 1 0\nCamera \"perspective\" \"float fov\" [45]", 24, 16,
-      R"(
-AttributeBegin
-  AreaLightSource "diffuse" "rgb L" [8 7 6]
-  Shape "trianglemesh" "point P" [-0.4 1.9 -0.4  0.4 1.9 -0.4  0.4 1.9 0.4  -0.4 1.9 0.4]
-    "integer indices" [0 1 2 0 2 3] "normal N" [0 -1 0  0 -1 0  0 -1 0  0 -1 0]
-AttributeEnd
+      test::lamp_over_floor() + R"(
 Texture "waves" "float" "wrinkled" "float roughness" [0.5]
 Texture "patches" "float" "checkerboard" "float tex1" [1.33] "float tex2" [1.5]
-Material "matte" "rgb Kd" [0.7 0.6 0.5]
-Shape "trianglemesh" "point P" [-2 0 -2  2 0 -2  2 0 2  -2 0 2] "integer indices" [0 2 1 0 3 2]
 Material "glass" )" +
           water +
           R"(
