@@ -323,6 +323,9 @@ void add_others(CLI::App& app, Request& request) {
       ->add_option("OUT", request.convert.output,
                    "File to write, in the format of its extension: " + writable_formats())
       ->required();
+  convert->footer(
+      "Meshes, and images that the format needs in another form, go into folders beside OUT "
+      "(…_meshes, …_images).");
 
   CLI::App* list = app.add_subcommand("list", "List what there is to choose from");
   list->add_option("KIND", request.list.kind,

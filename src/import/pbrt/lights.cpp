@@ -130,7 +130,8 @@ std::optional<desc::Light> make_light(Context& context, TextureTable& textures,
                                       const SourceLocation& where, const std::string& type,
                                       const ParameterList& p, const Mat4& ctm) {
   const std::vector<ModelName>& table = light_names(context.choice.dialect);
-  const desc::Model* own = own_model(context, desc::ModelKind::Light, p.get_string(kOwnModel));
+  const desc::Model* own =
+      own_model(context, where, desc::ModelKind::Light, p.get_string(kOwnModel));
   const desc::Model* model =
       own == nullptr ? model_of_type(desc::ModelKind::Light, table, type) : own;
   if (model == nullptr) {

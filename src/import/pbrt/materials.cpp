@@ -186,7 +186,7 @@ desc::Node MaterialTable::make_node(const SourceLocation& where, const std::stri
   const std::vector<ModelName>& table = material_names(dialect);
   if (std::optional<desc::Node> stand_in = make_stand_in(where, type, parameters)) return *stand_in;
   if (const desc::Model* own =
-          own_model(context_, desc::ModelKind::Material, parameters.text(kOwnModel))) {
+          own_model(context_, where, desc::ModelKind::Material, parameters.text(kOwnModel))) {
     return NodeReader(where, parameters).read(*own, nullptr);
   }
   const desc::Model* model = model_of_type(desc::ModelKind::Material, table, type);

@@ -8,7 +8,7 @@ namespace {
 constexpr Vec3 kUnknownMean(0.5F);
 
 struct Means {
-  const ImageWriter& images;
+  ImageWriter& images;
   std::vector<Vec3> of_texture;
 
   Vec3 of(const desc::Value& value) const {
@@ -34,7 +34,7 @@ struct Means {
 
 }  // namespace
 
-Vec3 mean_color(const desc::SceneDesc& scene, const ImageWriter& images, desc::TextureId id) {
+Vec3 mean_color(const desc::SceneDesc& scene, ImageWriter& images, desc::TextureId id) {
   const std::size_t count = static_cast<std::size_t>(id) + 1;
   // Textures refer to earlier ones only: backwards, what is needed; forwards, its means.
   std::vector<bool> is_needed(count);

@@ -18,9 +18,12 @@ const desc::Model* model_of_type(desc::ModelKind kind, std::span<const ModelName
   return find_ours(table, type) == nullptr ? desc::find_model(kind, type) : nullptr;
 }
 
-const desc::Model* own_model(const Context& context, desc::ModelKind kind,
-                             const std::optional<std::string>& own) {
-  return context.is_v4() || !own ? nullptr : desc::find_model(kind, *own);
+const desc::Model* own_model(const Context& context, const SourceLocation& where,
+                             desc::ModelKind kind, const std::optional<std::string>& own) {
+  if (context.is_v4() || !own || own->empty()) return nullptr;
+  const desc::Model* model = desc::find_model(kind, *own);
+  if (model == nullptr) fail_unknown(where, "model of Ajar", *own, types_of(kind, {}));
+  return model;
 }
 
 std::vector<std::string> types_of(desc::ModelKind kind, std::span<const ModelName> table) {

@@ -12,9 +12,10 @@ namespace ajar::pbrt {
 const desc::Model* model_of_type(desc::ModelKind kind, std::span<const ModelName> table,
                                  std::string_view type);
 
-/// Our model that is meant by one of pbrt's (`kOwnModel`); null if `own` is not given or none.
-const desc::Model* own_model(const Context& context, desc::ModelKind kind,
-                             const std::optional<std::string>& own);
+/// Our model that is meant by one of pbrt's (`kOwnModel`); null if `own` is not given. Raises
+/// SceneError if there is none of this name.
+const desc::Model* own_model(const Context& context, const SourceLocation& where,
+                             desc::ModelKind kind, const std::optional<std::string>& own);
 
 /// All that directives can name: what `table` has, and ours that pbrt does not have.
 std::vector<std::string> types_of(desc::ModelKind kind, std::span<const ModelName> table);

@@ -14,6 +14,7 @@
 #include "import/pbrt/shape_names.h"
 #include "import/pbrt/writer_context.h"
 #include "import/pbrt/writer_curves.h"
+#include "import/pbrt/writer_files.h"
 #include "scene/desc/models.h"
 
 namespace ajar {
@@ -22,21 +23,13 @@ namespace {
 using pbrt::TextWriter;
 namespace fs = std::filesystem;
 
-/// Hash of a mesh alone, for the name of its file.
-std::uint64_t hash_of(const desc::MeshPointer& mesh) {
-  desc::SceneDesc scene;
-  scene.shapes.emplace_back();
-  scene.shapes.back().node = desc::mesh_node(mesh);
-  return desc::hash(scene);
-}
-
 class Writer {
  public:
   Writer(const desc::SceneDesc& scene, const std::string& out_path)
       : context_(scene, out_path),
         scene_(scene),
         path_(context_.path),
-        mesh_folder_(path_.stem().string() + "_meshes"),
+        meshes_(path_, "meshes"),
         out_(context_.out) {}
 
   /// What pbrt does not know of it.
@@ -326,16 +319,8 @@ class Writer {
   std::string mesh_file(const desc::MeshPointer& mesh) {
     const auto known = mesh_files_.find(mesh.get());
     if (known != mesh_files_.end()) return known->second;
-    const fs::path folder = path_.parent_path() / mesh_folder_;
-    std::error_code error;
-    fs::create_directories(folder, error);
-    if (error)
-      throw IoError("cannot make the folder \"" + folder.string() + "\": " + error.message());
-    char digits[17] = {};
-    const auto end = std::to_chars(digits, digits + 16, hash_of(mesh), 16).ptr;
-    const std::string name = "mesh_" + std::string(digits, end) + ".ply";
-    write_file_atomically(folder / name, write_ply(*mesh));
-    return mesh_files_[mesh.get()] = mesh_folder_ + "/" + name;
+    const fs::path file = meshes_.write("mesh", write_ply(*mesh), ".ply");
+    return mesh_files_[mesh.get()] = file.lexically_relative(path_.parent_path()).generic_string();
   }
 
   void write_subdivision(const desc::Shape& shape) {
@@ -355,7 +340,7 @@ class Writer {
   pbrt::WriterContext context_;
   const desc::SceneDesc& scene_;
   const fs::path& path_;
-  std::string mesh_folder_;
+  pbrt::WriterFiles meshes_;
   TextWriter& out_;
   std::map<const desc::Mesh*, std::string> mesh_files_;
 };

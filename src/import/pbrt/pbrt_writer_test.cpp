@@ -240,8 +240,18 @@ TEST(PbrtWriter, WritesEmbeddedFilesBeside) {
   const desc::SceneDesc back = import_pbrt(out.string(), warnings);
   ASSERT_EQ(back.textures.size(), 1U);
   const std::string& file = back.textures[0].node.text("file");
-  EXPECT_EQ(file, (folder.path() / "room_images/image_0.png").string());
+  EXPECT_EQ(fs::path(file).parent_path(), folder.path() / "room_images");
+  EXPECT_EQ(fs::path(file).extension(), ".png");
   EXPECT_EQ(read_file(file).view(), "the bytes");
+  // Others stay as they are, whatever the scene is now.
+  scene.embedded_files["room.abc/oak.png"] = std::make_shared<const std::string>("other bytes");
+  write_pbrt(scene, out.string());
+  EXPECT_EQ(read_file(file).view(), "the bytes");
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder.path() / "room_images"), {}), 2);
+  std::ofstream(file) << "something else";
+  scene.embedded_files["room.abc/oak.png"] = std::make_shared<const std::string>("the bytes");
+  EXPECT_THROW(write_pbrt(scene, out.string()), IoError);
+  EXPECT_EQ(read_file(file).view(), "something else");
 }
 
 }  // namespace

@@ -165,7 +165,7 @@ void TextureTable::define(const SourceLocation& where, const std::string& name,
   }
   const std::vector<ModelName>& table = texture_names(context_.choice.dialect);
   const desc::Model* model =
-      own_model(context_, desc::ModelKind::Texture, parameters.get_string(kOwnModel));
+      own_model(context_, where, desc::ModelKind::Texture, parameters.get_string(kOwnModel));
   const ModelName* names = nullptr;
   if (model == nullptr) {
     names = names_of(context_, where, type, parameters);

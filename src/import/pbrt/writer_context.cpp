@@ -1,5 +1,7 @@
 #include "import/pbrt/writer_context.h"
 
+#include "core/printable_text.h"
+
 namespace ajar::pbrt {
 
 WriterContext::WriterContext(const desc::SceneDesc& described, const std::string& out_path)
@@ -45,7 +47,15 @@ std::string WriterContext::unknown_to_pbrt() const {
   if (!unknown_parameters.empty()) {
     text += (text.empty() ? "" : "; ") + ("parameters: " + list_of(unknown_parameters));
   }
-  return text.empty() ? text : "pbrt-v3 does not know, and shows otherwise, these " + text;
+  if (!text.empty()) text = "pbrt-v3 does not know, and shows otherwise, these " + text;
+  const std::set<std::string>& unreadable = images.unreadable();
+  if (!unreadable.empty()) {
+    text +=
+        (text.empty() ? "" : "; ") +
+        ("images that cannot be read, and are named as they are: " +
+         std::to_string(unreadable.size()) + ", the first " + printable_line(*unreadable.begin()));
+  }
+  return text;
 }
 
 }  // namespace ajar::pbrt

@@ -193,14 +193,16 @@ TEST(WriterForPbrt, SaysHowManyIterationsThereAre) {
 
 /// A file in `folder` of four texels, their codes 0, 51, 102, 153 in red, 255 less in green, and a
 /// blue of 255.
-std::string picture(const TemporaryFolder& folder, const std::string& name) {
+std::string picture(const TemporaryFolder& folder, const std::string& name,
+                    const Vec2i& size = {2, 2}) {
   ImageLayout layout;
-  layout.width = layout.height = 2;
+  layout.width = size.x;
+  layout.height = size.y;
   layout.names = {"R", "G", "B"};
-  layout.resolution = {2, 2};
-  const auto row = [](int y, auto* out) {
-    for (int x = 0; x < 2; ++x) {
-      const int code = 51 * (2 * y + x);
+  layout.resolution = {size.x, size.y};
+  const auto row = [&](int y, auto* out) {
+    for (int x = 0; x < size.x; ++x) {
+      const int code = 51 * ((2 * y + x) % 4);
       for (const int value : {code, 255 - code, 255}) {
         using Value = std::remove_reference_t<decltype(*out)>;
         *out++ = std::is_same_v<Value, float> ? static_cast<Value>(value) / Value(255)
@@ -335,6 +337,39 @@ TEST(WriterForPbrt, UnfoldsSquareSkies) {
   const std::size_t at = result.text.find("\"rgb L\" [ ");
   ASSERT_NE(at, std::string::npos);
   EXPECT_NEAR(std::stof(result.text.substr(at + 10)), 2.F * 6.F, 0.2F);
+}
+
+TEST(WriterForPbrt, LeavesSkiesThatAreNoSquaresTheirRows) {
+  const TemporaryFolder folder;
+  desc::SceneDesc scene;
+  desc::Node sky = desc::light_node("environment", {{"image", picture(folder, "wide.exr", {4, 2})},
+                                                    {"projection", std::string("equal_area")}});
+  scene.lights.emplace_back().node = sky;
+  const Written result = written(scene, folder);
+  EXPECT_TRUE(contains(result.text, "\"string mapname\" \"wide.exr\"")) << result.text;
+  EXPECT_EQ(result.back.lights.at(0).node, sky);
+  EXPECT_EQ(result.unknown, "");
+}
+
+TEST(WriterForPbrt, TellsOfImagesThatCannotBeRead) {
+  const TemporaryFolder folder;
+  desc::SceneDesc scene;
+  scene.textures.emplace_back().node =
+      desc::texture_node("image", {{"file", (folder.path() / "none.jpg").string()}});
+  scene.materials.emplace_back().node =
+      desc::material_node("diffuse", {{"reflectance", desc::TextureRef{0}}});
+  const Written result = written(scene, folder);
+  EXPECT_TRUE(contains(result.unknown, "images that cannot be read")) << result.unknown;
+  EXPECT_TRUE(contains(result.unknown, "none.jpg")) << result.unknown;
+}
+
+TEST(WriterForPbrt, WritesNoImageOfWhatIsNotUsed) {
+  const TemporaryFolder folder;
+  desc::SceneDesc scene;
+  scene.textures.emplace_back().node =
+      desc::texture_node("image", {{"file", picture(folder, "a.hdr")}});
+  written(scene, folder);
+  EXPECT_FALSE(fs::exists(folder.path() / "scene_images"));
 }
 
 TEST(WriterForPbrt, SaysHowBrightASkyIsThatIsScaled) {

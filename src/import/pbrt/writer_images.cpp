@@ -1,10 +1,11 @@
 #include "import/pbrt/writer_images.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
-#include "core/atomic_file.h"
 #include "core/error.h"
 #include "core/file_extension.h"
 #include "core/image_encoder.h"
@@ -66,6 +67,14 @@ struct Choice {
   }
 };
 
+/// All that the texels of an image texture follow from.
+std::string key_of(const desc::Node& texture) {
+  return fmt::format("{} {} {} {} {} {} {}", texture.text("channel"), texture.flag("invert"),
+                     texture.flag("clamp"), texture.flag("decode_srgb"), texture.number("scale"),
+                     number_if_given(texture, "decoding_exponent").value_or(0.F),
+                     texture.text("file"));
+}
+
 /// `channel` of a texture, with what depends on the image settled.
 std::string settled_channel(const std::string& channel, const ImageHeader& header,
                             const std::vector<float>& values) {
@@ -83,14 +92,16 @@ std::string settled_channel(const std::string& channel, const ImageHeader& heade
 }  // namespace
 
 std::optional<LinearImage> ImageWriter::read_linear(const desc::Node& node,
-                                                    const std::string& image) const {
+                                                    const std::string& image) {
   try {
     std::optional<MemoryFile> memory;
     const auto embedded = scene_.embedded_files.find(image);
     if (embedded != scene_.embedded_files.end()) memory.emplace(*embedded->second);
     ImageInput input(memory ? memory->path() : image, true);
     const ImageHeader& header = input.header();
-    const std::vector<float> values = input.read<float>(header.channels);
+    // The texels themselves, and what is made of them.
+    const std::vector<float> values =
+        input.read<float>(header.channels, 3 * header.pixels() * sizeof(Vec3));
     const bool is_integer = header.type == SampleType::UInt8 || header.type == SampleType::UInt16;
     const Decoding decode{is_integer, !node.has("decode_srgb") || node.flag("decode_srgb"),
                           number_if_given(node, "decoding_exponent")};
@@ -104,53 +115,24 @@ std::optional<LinearImage> ImageWriter::read_linear(const desc::Node& node,
       result.texels.push_back(choice(&values[i], decode));
     }
     return result;
-  } catch (const std::exception&) {
-    return std::nullopt;  // whoever renders it is told
+  } catch (const Error&) {
+    unreadable_.insert(image);
+    return std::nullopt;
   }
-}
-
-void ImageWriter::make_folder() const {
-  const fs::path folder = path_.parent_path() / (path_.stem().string() + "_images");
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) {
-    throw IoError("cannot make the folder \"" + folder.string() + "\": " + error.message());
-  }
-}
-
-std::string ImageWriter::path_of(std::size_t number, const std::string& extension) const {
-  return (path_.parent_path() / (path_.stem().string() + "_images") /
-          ("image_" + std::to_string(number) + extension))
-      .string();
-}
-
-std::string ImageWriter::write(std::string_view bytes, const std::string& extension) {
-  std::string path = path_of(next_++, extension);
-  while (scene_.files.contains(path)) path = path_of(next_++, extension);
-  make_folder();
-  write_file_atomically(path, bytes);
-  return path;
 }
 
 std::string ImageWriter::name(const std::string& image) {
   std::string path = image;
   const auto embedded = scene_.embedded_files.find(image);
   if (embedded != scene_.embedded_files.end()) {
-    const auto number = std::distance(scene_.embedded_files.begin(), embedded);
-    path = path_of(static_cast<std::size_t>(number), file_extension(image));
-    if (written_.emplace(image, path).second) {
-      make_folder();
-      write_file_atomically(path, *embedded->second);
-    }
+    path = files_.write("image", *embedded->second, file_extension(image));
   }
   const fs::path relative = fs::path(path).lexically_relative(path_.parent_path());
   return relative.empty() ? path : relative.generic_string();
 }
 
-/// `key`: by which it is found again; may be empty. `is_decoded`: pbrt takes the integers of a PNG
-/// file for sRGB.
-std::optional<std::string> ImageWriter::written(const std::string& key, const LinearImage& image,
-                                                bool is_decoded, bool may_be_png) {
+/// `is_decoded`: pbrt takes the integers of a PNG file for sRGB.
+std::string ImageWriter::write(const LinearImage& image, bool is_decoded, bool may_be_png) const {
   ImageLayout layout;
   layout.width = image.width;
   layout.height = image.height;
@@ -179,10 +161,8 @@ std::optional<std::string> ImageWriter::written(const std::string& key, const Li
                  for (std::size_t i = 0; i < 3 * width; ++i)
                    out[i] = row(y)[i / 3][static_cast<int>(i % 3)];
                });
-  const std::string path =
-      write({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, is_png ? ".png" : ".exr");
-  if (!key.empty()) written_.emplace(key, path);
-  return path;
+  return files_.write("image", {reinterpret_cast<const char*>(bytes.data()), bytes.size()},
+                      is_png ? ".png" : ".exr");
 }
 
 std::optional<std::string> ImageWriter::for_texture(const desc::Node& texture) {
@@ -194,21 +174,19 @@ std::optional<std::string> ImageWriter::for_texture(const desc::Node& texture) {
   const std::string& channel = texture.text("channel");
   const bool is_plain = channel == "color" && !is_inverted && !is_clamped && !exponent;
   if (image.empty() || scale == 0.F || (is_plain && opens_in_pbrt(image))) return std::nullopt;
-  const bool is_decoded = texture.flag("decode_srgb");
-  const std::string key = "texture " + channel + " " + std::to_string(is_inverted) +
-                          std::to_string(is_clamped) + std::to_string(is_decoded) + " " +
-                          std::to_string(exponent.value_or(0.F)) + " " + std::to_string(scale) +
-                          " " + image;
-  const auto known = written_.find(key);
-  if (known != written_.end()) return known->second;
-  std::optional<LinearImage> linear = read_finished(texture);
-  if (!linear) return std::nullopt;
-  for (Vec3& texel : linear->texels) texel /= scale;  // pbrt has the scale, too
-  return written(key, *linear, is_decoded, true);
+  const std::string key = key_of(texture);
+  const auto known = textures_.find(key);
+  if (known != textures_.end()) return known->second;
+  std::optional<std::string>& file = textures_[key];
+  if (std::optional<LinearImage> linear = read_finished(texture)) {
+    for (Vec3& texel : linear->texels) texel /= scale;  // pbrt has the scale, too
+    file = write(*linear, texture.flag("decode_srgb"), true);
+  }
+  return file;
 }
 
 /// Texels as the texture has them.
-std::optional<LinearImage> ImageWriter::read_finished(const desc::Node& texture) const {
+std::optional<LinearImage> ImageWriter::read_finished(const desc::Node& texture) {
   std::optional<LinearImage> linear = read_linear(texture, texture.text("file"));
   if (!linear) return std::nullopt;
   for (Vec3& texel : linear->texels) {
@@ -233,8 +211,8 @@ std::optional<desc::Node> ImageWriter::cut_out(const desc::Node& texture, float 
     texel = Vec3(value >= edge ? 1.F : 0.F);
   }
   image->is_8_bit = true;
-  const std::optional<std::string> file = written("", *image, false, true);
-  desc::Node result = desc::texture_node("image", {{"file", *file}, {"decode_srgb", false}});
+  desc::Node result =
+      desc::texture_node("image", {{"file", write(*image, false, true)}, {"decode_srgb", false}});
   for (const char* name : {"wrap", "mapping", "scale_u", "scale_v", "rotation", "offset_u",
                            "offset_v", "axis_u", "axis_v"}) {
     result.set(name, texture.get(name));
@@ -243,36 +221,48 @@ std::optional<desc::Node> ImageWriter::cut_out(const desc::Node& texture, float 
 }
 
 std::string ImageWriter::sky(const desc::Node& light) {
-  return *written(
-      "", clear_sky(light.number("turbidity"), light.number("elevation"), light.number("scale")),
-      false, false);
+  return write(
+      clear_sky(light.number("turbidity"), light.number("elevation"), light.number("scale")), false,
+      false);
 }
 
 ImageWriter::LightImage ImageWriter::for_light(const desc::Node& light) {
+  std::string key(light.model().name);
+  for (const char* said : {"projection", "gray", "irradiance", "power", "decoding_exponent"}) {
+    if (!light.has(said)) continue;
+    const desc::Value& value = light.get(said);
+    key += ' ';
+    if (const float* number = std::get_if<float>(&value)) key += fmt::format("{}", *number);
+    if (const bool* flag = std::get_if<bool>(&value)) key += fmt::format("{}", *flag);
+    if (const auto* text = std::get_if<std::string>(&value)) key += *text;
+  }
+  key += " " + light.text("image");
+  const auto known = lights_.find(key);
+  return known != lights_.end() ? known->second : lights_[key] = make_for_light(light);
+}
+
+ImageWriter::LightImage ImageWriter::make_for_light(const desc::Node& light) {
   const std::string& image = light.text("image");
   const std::string extension = file_extension(image);
   const bool is_gray = light.has("gray") && light.flag("gray");
-  const bool is_square = light.has("projection") && light.text("projection") == "equal_area";
-  const bool is_plain = extension == ".exr" || extension == ".pfm";
+  const bool may_be_square = light.has("projection") && light.text("projection") == "equal_area";
+  const bool is_seen = (extension == ".exr" || extension == ".pfm") && !is_gray;
   const bool is_from_above = light.has("irradiance");
   // The strength of a slide depends on its field of view, too.
   const std::optional<float> target =
       light.is("projection") ? std::nullopt
                              : number_if_given(light, is_from_above ? "irradiance" : "power");
-  const bool is_seen = is_plain && !is_gray && !is_square;
   LightImage result;
-  if (image.empty() || (is_seen && !target)) return result;
-  const std::string key =
-      "light " + std::to_string(is_gray) + std::to_string(is_square) + " " +
-      std::to_string(number_if_given(light, "decoding_exponent").value_or(0.F)) + " " + image;
+  if (image.empty() || (is_seen && !may_be_square && !target)) return result;
   std::optional<LinearImage> linear = read_linear(light, image);
   if (!linear || linear->texels.empty()) return result;
+  // Others have rows of latitude in spite of the word.
+  const bool is_square = may_be_square && linear->width == linear->height;
   if (is_square) linear = rows_of_latitude(*linear);
-  const auto known = written_.find(key);
-  if (known != written_.end()) {
-    result.file = known->second;
-  } else if (!is_seen) {
-    result.file = written(key, *linear, false, false);
+  if (!is_seen || is_square) {
+    result.file = write(*linear, false, false);
+  } else if (may_be_square) {
+    result.file = image;
   }
   if (!target) return result;
   const double actual =
@@ -281,12 +271,17 @@ ImageWriter::LightImage ImageWriter::for_light(const desc::Node& light) {
   return result;
 }
 
-std::optional<Vec3> ImageWriter::mean(const desc::Node& texture) const {
+std::optional<Vec3> ImageWriter::mean(const desc::Node& texture) {
+  const std::string key = key_of(texture);
+  const auto known = means_.find(key);
+  if (known != means_.end()) return known->second;
+  std::optional<Vec3>& mean = means_[key];
   const std::optional<LinearImage> image = read_finished(texture);
-  if (!image || image->texels.empty()) return std::nullopt;
+  if (!image || image->texels.empty()) return mean;
   Vec3d sum(0.0);
   for (const Vec3& texel : image->texels) sum += Vec3d(texel);
-  return Vec3(sum / static_cast<double>(image->texels.size()));
+  mean = Vec3(sum / static_cast<double>(image->texels.size()));
+  return mean;
 }
 
 }  // namespace ajar::pbrt

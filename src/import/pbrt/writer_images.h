@@ -2,9 +2,11 @@
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 
 #include "import/pbrt/sky_image.h"
+#include "import/pbrt/writer_files.h"
 #include "scene/desc/scene_desc.h"
 
 namespace ajar::pbrt {
@@ -12,12 +14,12 @@ namespace ajar::pbrt {
 /// The images of a scene for pbrt-v3: it opens EXR, PNG, TGA and PFM files, takes the colours of
 /// all of them, and decodes none in lights. What it would not see as it is meant is written again,
 /// into the folder "<stem>_images" beside the scene: PNG where 8 bits hold it, else EXR. All
-/// functions raise IoError for files that cannot be written.
+/// functions raise IoError for files that cannot be written (`WriterFiles`).
 class ImageWriter {
  public:
   /// `path`: of the pbrt file, absolute.
   ImageWriter(const desc::SceneDesc& scene, std::filesystem::path path)
-      : scene_(scene), path_(std::move(path)), next_(scene.embedded_files.size()) {}
+      : scene_(scene), path_(std::move(path)), files_(path_, "images") {}
 
   /// Path of an image, relative to the pbrt file where possible. One that is inside of another file
   /// is written.
@@ -32,27 +34,30 @@ class ImageWriter {
   /// Absolute path of an image of a clear sky, as the light of this model.
   std::string sky(const desc::Node& light);
   struct LightImage {
-    std::optional<std::string> file;  ///< as for a texture
+    std::optional<std::string> file;  ///< of what pbrt is to see; nothing as for a texture
     std::optional<float> factor;      ///< of the light, where it is scaled to a given strength
   };
   LightImage for_light(const desc::Node& light);
   /// Mean colour of an image texture; nothing if it cannot be read.
-  std::optional<Vec3> mean(const desc::Node& texture) const;
+  std::optional<Vec3> mean(const desc::Node& texture);
+
+  /// Images that could not be read, though pbrt would not see them as they are.
+  const std::set<std::string>& unreadable() const { return unreadable_; }
 
  private:
-  /// Writes a file of these bytes that replaces none of the scene.
-  std::string write(std::string_view bytes, const std::string& extension);
-  std::string path_of(std::size_t number, const std::string& extension) const;
-  void make_folder() const;
-  std::optional<LinearImage> read_finished(const desc::Node& texture) const;
-  std::optional<LinearImage> read_linear(const desc::Node& node, const std::string& image) const;
-  std::optional<std::string> written(const std::string& key, const LinearImage& image,
-                                     bool is_decoded, bool may_be_png);
+  std::optional<LinearImage> read_finished(const desc::Node& texture);
+  std::optional<LinearImage> read_linear(const desc::Node& node, const std::string& image);
+  std::string write(const LinearImage& image, bool is_decoded, bool may_be_png) const;
+  LightImage make_for_light(const desc::Node& light);
 
   const desc::SceneDesc& scene_;
   std::filesystem::path path_;
-  std::size_t next_;  ///< number of the next file
-  std::map<std::string, std::string> written_;
+  WriterFiles files_;
+  // What is known already, by all that it follows from.
+  std::map<std::string, std::optional<std::string>> textures_;
+  std::map<std::string, LightImage> lights_;
+  std::map<std::string, std::optional<Vec3>> means_;
+  std::set<std::string> unreadable_;
 };
 
 }  // namespace ajar::pbrt

@@ -49,6 +49,7 @@ std::optional<desc::Node> cut_out_in_pbrt(WriterContext& context, const desc::No
 }
 
 void write_texture(WriterContext& context, std::size_t i) {
+  if (!context.texture_uses[i].as_float && !context.texture_uses[i].as_spectrum) return;
   const desc::Node& own = context.scene.textures[i].node;
   const std::optional<desc::Node> cut_out = cut_out_in_pbrt(context, own);
   const desc::Node& node = cut_out ? *cut_out : own;

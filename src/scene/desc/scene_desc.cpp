@@ -2,34 +2,17 @@
 
 #include <bit>
 #include <cstdint>
-#include <cstring>
 #include <map>
 #include <type_traits>
+
+#include "core/content_hash.h"
 
 namespace ajar::desc {
 namespace {
 
-/// Accumulates a 64-bit hash of values, eight bytes at a time.
-class Hasher {
+/// Accumulates a hash of values.
+class Hasher : public ContentHash {
  public:
-  void word(std::uint64_t value) {
-    // Multiply-xorshift in the manner of MurmurHash3's finaliser.
-    state_ = (state_ ^ value) * 0xff51afd7ed558ccdULL;
-    state_ ^= state_ >> 32U;
-  }
-  void bytes(const void* data, std::size_t size) {
-    word(size);
-    const char* place = static_cast<const char*>(data);
-    for (; size >= 8; place += 8, size -= 8) {
-      std::uint64_t value = 0;
-      std::memcpy(&value, place, 8);
-      word(value);
-    }
-    std::uint64_t rest = 0;
-    if (size > 0) std::memcpy(&rest, place, size);
-    word(rest);
-  }
-
   // -0 and 0 describe the same scene.
   void add(float value) { word(std::bit_cast<std::uint32_t>(value + 0.F)); }
   void add(double value) { word(std::bit_cast<std::uint64_t>(value + 0.0)); }
@@ -70,11 +53,6 @@ class Hasher {
     add(first);
     add(rest...);
   }
-
-  std::uint64_t result() const { return state_; }
-
- private:
-  std::uint64_t state_ = 0x9e3779b97f4a7c15ULL;
 };
 
 /// Hashes a scene. Things that are referred to count by their contents, not by their index.
