@@ -9,27 +9,8 @@
 
 namespace ajar {
 
-namespace {
-
-/// The light, if paths run into it.
-std::optional<int> light_of(const Path& path) {
+std::optional<int> CameraPerturbation::end_at_light(const Path& path) {
   return path.light->discrete_position() ? std::nullopt : std::optional(0);
-}
-
-}  // namespace
-
-std::optional<int> LensPerturbation::end_of(const Path& path) const {
-  const int rough = first_rough_from_camera(path);
-  if (rough == 0) return light_of(path);
-  return can_join(path, rough) ? std::optional(rough) : std::nullopt;
-}
-
-std::optional<int> MultiChainPerturbation::end_of(const Path& path) const {
-  const int first = first_rough_from_camera(path);
-  if (first == 0 || can_join(path, first)) return std::nullopt;
-  int x = first - 1;
-  while (x > 0 && !can_join(path, x)) --x;
-  return x > 0 ? x : light_of(path);
 }
 
 CameraPerturbation::CameraPerturbation(const Scene& scene, const RasterArea& area)

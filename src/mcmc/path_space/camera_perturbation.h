@@ -22,6 +22,8 @@ class CameraPerturbation : public PathMutation {
  protected:
   /// The vertex that is the last to move; empty if the path is not of the kind.
   virtual std::optional<int> end_of(const Path& path) const = 0;
+  /// The light, if paths run into it.
+  static std::optional<int> end_at_light(const Path& path);
 
  private:
   bool grow(const Path& x, int end, const Vec2& raster, SampleSource& source);
@@ -32,29 +34,6 @@ class CameraPerturbation : public PathMutation {
   PerturbationLaw direction_;
   GrowingPath growing_;
   RayCounts rays_;
-};
-
-/// Up to the first vertex that is not specular: for paths (L|D) D S* E, and L S* E. Source: Veach
-/// 1997, section 11.4.3.1; lights that are seen directly, or in mirrors, are ours.
-class LensPerturbation final : public CameraPerturbation {
- public:
-  using CameraPerturbation::CameraPerturbation;
-  std::string_view name() const override { return "lens"; }
-
- private:
-  std::optional<int> end_of(const Path& path) const override;
-};
-
-/// Through more than one specular chain, up to the first vertex that is joined to another that is
-/// not specular, or to the light: for paths (L|D) D S+ … D S* E, and L S+ D … S* E. Source: Veach
-/// 1997, section 11.4.3.3; chains that end on a light are ours.
-class MultiChainPerturbation final : public CameraPerturbation {
- public:
-  using CameraPerturbation::CameraPerturbation;
-  std::string_view name() const override { return "multi-chain"; }
-
- private:
-  std::optional<int> end_of(const Path& path) const override;
 };
 
 }  // namespace ajar

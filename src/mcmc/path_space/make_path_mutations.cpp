@@ -3,11 +3,12 @@
 #include <utility>
 
 #include "mcmc/path_space/bidirectional_mutation.h"
-#include "mcmc/path_space/camera_perturbation.h"
 #include "mcmc/path_space/caustic_perturbation.h"
 #include "mcmc/path_space/half_vector_perturbation.h"
+#include "mcmc/path_space/lens_perturbation.h"
 #include "mcmc/path_space/lens_subpath_mutation.h"
 #include "mcmc/path_space/manifold_perturbation.h"
+#include "mcmc/path_space/multi_chain_perturbation.h"
 
 namespace ajar {
 
