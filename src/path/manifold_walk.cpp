@@ -18,13 +18,11 @@ class Unscattered final : public SampleSource {
 
 }  // namespace
 
-ChainStart chain_start(const Scene& scene, const Path& path, int x) {
-  ChainStart start{chain_end(scene, path, x), nullptr, Vec3(0.F), nullptr};
+ChainStart chain_start(const Path& path, int x) {
+  ChainStart start{chain_end(path, x), nullptr, Vec3(0.F), nullptr};
   if (x == 0) {
     start.ng = path.light_point.surface.ng;
     start.medium = path.light->medium;
-  } else if (x == path.depth()) {
-    start.medium = scene.camera().medium;
   } else {
     start.vertex = &path.vertex(x);
   }

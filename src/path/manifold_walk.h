@@ -14,8 +14,8 @@ struct ChainStart {
   Vec3 ng{0.F};                         ///< of an endpoint; 0 without a surface
   const Medium* medium = nullptr;       ///< around an endpoint
 };
-/// Vertex `x` of `path`, which must outlive it.
-ChainStart chain_start(const Scene& scene, const Path& path, int x);
+/// Vertex `x` < k of `path`, which must outlive it.
+ChainStart chain_start(const Path& path, int x);
 
 /// Moves the end b of a specular chain a, s₁ … sₙ, b to another place while a stays, by Newton's
 /// method: steps in the tangent plane of s₁, from which the chain is traced again from a, by the

@@ -13,11 +13,6 @@ double endpoint_cosine(const EndpointPoint& point, const Vec3& w) {
   return length_squared(point.surface.ng) > 0.F ? double{abs_dot(point.surface.ng, w)} : 1.0;
 }
 
-double squared_distance(const Path& path, int x, int y) {
-  const Vec3d d = Vec3d(path.position(y)) - Vec3d(path.position(x));
-  return d.dot(d);
-}
-
 /// What turns a density of the direction from `x` (for endpoints at infinity: of the place where
 /// the ray crosses a plane) into one of vertex `y`, in its own measure.
 double spread(const Scene& scene, const Path& path, int x, int y) {
@@ -39,7 +34,7 @@ double spread(const Scene& scene, const Path& path, int x, int y) {
   }
   if (from != nullptr && from->at_infinity()) return cosine;
   // Scattering events of a medium can fall on the very coordinates of the vertex before.
-  return cosine / std::max(squared_distance(path, x, y), 1e-36);
+  return cosine / std::max(path.squared_distance(x, y), 1e-36);
 }
 
 MediumPoint scattered_in(const Path& path, int x) {

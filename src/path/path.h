@@ -69,6 +69,11 @@ struct Path {
   Vec3 toward_camera(const Scene& scene, int x) const;
   /// Of the vertex, where it has a place: not at infinity.
   const Vec3& position(int x) const;
+  /// Between two vertices that have a place.
+  double squared_distance(int x, int y) const {
+    const Vec3d d = Vec3d(position(y)) - Vec3d(position(x));
+    return d.dot(d);
+  }
 };
 
 /// Sets `event.transmission` of the vertices that scatter by rough lobes: what no one has sampled

@@ -109,11 +109,9 @@ bool can_hold(const InnerVertex& vertex) {
   return !vertex.event.specular() || vertex.hit.material->relief.is_flat();
 }
 
-ChainEnd chain_end(const Scene& scene, const Path& path, int x) {
-  if (x == 0 && path.light->at_infinity())
+ChainEnd chain_end(const Path& path, int x) {
+  if (x == 0 && path.light->at_infinity()) {
     return {Vec3d(0.0), Vec3d(path.light_point.toward), true};
-  if (x == path.depth() && scene.camera().at_infinity()) {
-    return {Vec3d(0.0), Vec3d(path.camera_point.toward), true};
   }
   return {Vec3d(path.position(x)), Vec3d(0.0), false};
 }

@@ -14,8 +14,8 @@ struct ChainEnd {
   Vec3d toward{0.0};  ///< at infinity: unit, from the scene
   bool at_infinity = false;
 };
-/// Of vertex `x` of a path.
-ChainEnd chain_end(const Scene& scene, const Path& path, int x);
+/// Of vertex `x` < k of a path.
+ChainEnd chain_end(const Path& path, int x);
 
 /// Whether a vertex may be one of a chain: not if it is in a medium, has a texture as its index of
 /// refraction, or is specular with a bump or a normal map.

@@ -127,7 +127,7 @@ TEST(ManifoldPerturbation, RejectsWalksThatComeBackToAnotherChain) {
             }
             ++made;
             if (is_near) ++near_border;
-            ASSERT_TRUE(back.walk(chain_start(*scene, y, 0), std::span(y.vertices).first(2), end));
+            ASSERT_TRUE(back.walk(chain_start(y, 0), std::span(y.vertices).first(2), end));
             const auto came_to = back.vertices();
             if (branch_of(came_to[0], end, fold) != branch) ++elsewhere;
             float missed = 0.F;

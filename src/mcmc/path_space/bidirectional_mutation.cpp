@@ -6,6 +6,7 @@
 #include "core/random_use.h"
 #include "mcmc/counter_random.h"
 #include "mcmc/path_space/heuristics.h"
+#include "mcmc/path_space/path_form.h"
 #include "mcmc/primary/bootstrap_source.h"
 #include "path/measure.h"
 
@@ -189,17 +190,13 @@ double BidirectionalMutation::log_joint(const Path& y, const Kept& kept, int s) 
       sum -= std::log(specular_spread(scene_, y, x - 1));
     }
   }
-  const Vec2i pixels = scene_.camera().resolution();
   for (int x = k - kept.camera; x >= s; --x) {
     sum += std::log(camera_step_pdf(scene_, y, x));
     if (x == k - 1) {
-      sum += std::log(static_cast<double>(pixels.x) * static_cast<double>(pixels.y) / area_.area());
+      sum += std::log(image_area(scene_.camera().resolution()) / area_.area());
     }
   }
-  if (s == 0 && y.light->at_infinity()) {
-    sum -= std::log(static_cast<double>(scene_.infinite_lights().size()));
-  }
-  return sum;
+  return s == 0 ? sum + log_choice_of_hit_light(scene_, y) : sum;
 }
 
 double BidirectionalMutation::log_density(const Path& x, const Path& y, const Kept& kept) const {

@@ -54,9 +54,8 @@ double CameraPerturbation::log_density(const Path& x, const Path& y, const Kept&
   const int k = y.depth();
   const int end = kept.light;
   if (end > 0 && !can_join(y, end)) return kNever;
-  const Vec2i pixels = scene_.camera().resolution();
   double sum = raster_.log_density_in_plane(static_cast<double>((y.raster - x.raster).length())) +
-               std::log(static_cast<double>(pixels.x) * static_cast<double>(pixels.y)) +
+               std::log(image_area(scene_.camera().resolution())) +
                std::log(camera_step_pdf(scene_, y, k - 1));
   for (int vertex = k - 1; vertex > end; --vertex) {
     const ScatterEvent& event = x.vertex(vertex).event;
@@ -68,10 +67,7 @@ double CameraPerturbation::log_density(const Path& x, const Path& y, const Kept&
     }
     sum += std::log(arrival_pdf(scene_, y, vertex, vertex - 1));
   }
-  if (end == 0 && y.light->at_infinity()) {
-    sum -= std::log(static_cast<double>(scene_.infinite_lights().size()));
-  }
-  return sum;
+  return end == 0 ? sum + log_choice_of_hit_light(scene_, y) : sum;
 }
 
 }  // namespace ajar

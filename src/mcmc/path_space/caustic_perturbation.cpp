@@ -12,9 +12,7 @@ namespace ajar {
 
 namespace {
 
-double distance(const Path& path, int x) {
-  return (Vec3d(path.position(x + 1)) - Vec3d(path.position(x))).length();
-}
+double distance(const Path& path, int x) { return std::sqrt(path.squared_distance(x, x + 1)); }
 
 /// The vertex before the specular chain that leads to the last vertex, or the light.
 int start_of_chain(const Path& path) {
@@ -37,12 +35,11 @@ bool CausticPerturbation::suitable(const Path& path) const {
 
 PerturbationLaw CausticPerturbation::law(const Path& path, int from) const {
   const int k = path.depth();
-  const Vec2i pixels = scene_.camera().resolution();
   const EmissionPdf start =
       scene_.camera().emission_pdf(path.camera_point, path.toward_light(scene_, k));
   // Of a pixel, at the last vertex, perpendicular to the view.
   double size = std::sqrt(1.0 / (static_cast<double>(start.departure.value()) *
-                                 static_cast<double>(pixels.x) * static_cast<double>(pixels.y)));
+                                 image_area(scene_.camera().resolution())));
   if (!scene_.camera().at_infinity()) size *= distance(path, k - 1);
   double unit = size;
   if (!moves_place(path, from)) {

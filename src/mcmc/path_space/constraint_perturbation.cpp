@@ -19,11 +19,6 @@ std::span<const InnerVertex> chain_from_light(const Path& path, int light_end, i
                static_cast<std::size_t>(camera_end - light_end - 1));
 }
 
-double squared_distance(const Path& path, int x, int y) {
-  const Vec3d d = Vec3d(path.position(y)) - Vec3d(path.position(x));
-  return d.dot(d);
-}
-
 /// Of a chain, of all that there are; none if it is specular.
 std::span<const OffsetNormal> offsets_of(std::span<const InnerVertex> chain,
                                          std::span<const OffsetNormal> all) {
@@ -129,7 +124,7 @@ bool ConstraintPerturbation::leads_back(const Path& x, const Span& span, const I
     return false;
   }
   // At the border of a caustic the other chain is as near as one likes.
-  return old_chain_.set(chain_end(scene_, x, span.fixed), old, chain_end(scene_, x, span.moved),
+  return old_chain_.set(chain_end(x, span.fixed), old, chain_end(x, span.moved),
                         offsets_of(old, old_offsets_)) &&
          old_chain_.is_mirrored() == walk_.is_mirrored();
 }
@@ -138,7 +133,7 @@ bool ConstraintPerturbation::walk(const Path& x, const Span& span, const InnerVe
   const auto old = chain_from_light(x, span.fixed, span.moved);
   chain_.clear();
   if (old.empty()) return true;
-  const ChainStart start = chain_start(scene_, x, span.fixed);
+  const ChainStart start = chain_start(x, span.fixed);
   walk_end_ = WalkEnd::Lost;
   if (!walk_.walk(start, old, target.p(), offsets_of(old, new_offsets_))) return false;
   chain_.assign(walk_.vertices().begin(), walk_.vertices().end());
@@ -194,8 +189,7 @@ double ConstraintPerturbation::log_chain_density(const Path& path, const Span& s
     offsets.push_back(*offset);
   }
   SpecularChain linear(scene_);
-  if (!linear.set(chain_end(scene_, path, span.moved), chain, chain_end(scene_, path, span.fixed),
-                  offsets)) {
+  if (!linear.set(chain_end(path, span.moved), chain, chain_end(path, span.fixed), offsets)) {
     return kNever;
   }
   const double spread = linear.spread();
@@ -203,11 +197,11 @@ double ConstraintPerturbation::log_chain_density(const Path& path, const Span& s
   sum -= std::log(spread);
   for (int x = span.moved; x > span.fixed + 1; --x) {
     const Vec3 w = path.toward_light(scene_, x);
-    sum += std::log(double{path.vertex(x - 1).cosine(w)} / squared_distance(path, x, x - 1));
+    sum += std::log(double{path.vertex(x - 1).cosine(w)} / path.squared_distance(x, x - 1));
   }
   // The cosine there is in both, or in none.
-  if (!chain_end(scene_, path, span.fixed).at_infinity) {
-    sum -= std::log(squared_distance(path, span.fixed + 1, span.fixed));
+  if (!chain_end(path, span.fixed).at_infinity) {
+    sum -= std::log(path.squared_distance(span.fixed + 1, span.fixed));
   }
   return sum;
 }
@@ -220,9 +214,8 @@ double ConstraintPerturbation::log_density(const Path& x, const Path& y, const K
       other->fixed != span->fixed || other->moved != span->moved) {
     return kNever;
   }
-  const Vec2i pixels = scene_.camera().resolution();
   double sum = raster_.log_density_in_plane(static_cast<double>((y.raster - x.raster).length())) +
-               std::log(static_cast<double>(pixels.x) * static_cast<double>(pixels.y)) +
+               std::log(image_area(scene_.camera().resolution())) +
                std::log(camera_step_pdf(scene_, y, k - 1));
   for (int vertex = k - 1; vertex > span->fixed; --vertex) {
     if (vertex == span->moved) continue;

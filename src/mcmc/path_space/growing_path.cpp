@@ -101,18 +101,21 @@ void GrowingPath::assemble(Path& path) const {
   path.segments.insert(path.segments.end(), camera.segments.rbegin(), camera.segments.rend());
 }
 
+bool GrowingPath::stop_ends() {
+  for (GrowingEnd* end : {&light, &camera}) {
+    if (end->vertices.empty()) continue;
+    if (!end->vertices.back().connectible()) return false;
+    end->vertices.back().event = {};
+  }
+  return true;
+}
+
 bool GrowingPath::finish(Path& path) {
   const bool joined = !into_light_;
   const bool from_lens = joined && camera.vertices.empty();
   if (from_lens && !look_at_light_end()) return false;
   const int s = joined ? light.size() : 0;
-  if (joined) {
-    for (GrowingEnd* end : {&light, &camera}) {
-      if (end->vertices.empty()) continue;
-      if (!end->vertices.back().connectible()) return false;
-      end->vertices.back().event = {};
-    }
-  }
+  if (joined && !stop_ends()) return false;
   assemble(path);
   if (from_lens) {
     const auto raster =
@@ -130,11 +133,7 @@ bool GrowingPath::finish(Path& path) {
 }
 
 bool GrowingPath::finish_through(std::span<const InnerVertex> chain, Path& path) {
-  for (GrowingEnd* end : {&light, &camera}) {
-    if (end->vertices.empty()) continue;
-    if (!end->vertices.back().connectible()) return false;
-    end->vertices.back().event = {};
-  }
+  if (!stop_ends()) return false;
   assemble(path);
   const auto light_vertices = static_cast<std::ptrdiff_t>(light.vertices.size());
   path.vertices.insert(path.vertices.begin() + light_vertices, chain.begin(), chain.end());

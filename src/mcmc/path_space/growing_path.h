@@ -49,6 +49,8 @@ class GrowingPath {
  private:
   /// Where on the camera it is seen from; the light end has vertices.
   bool look_at_light_end();
+  /// What they scatter by at their last vertices is open; false if one cannot be joined there.
+  bool stop_ends();
   void assemble(Path& path) const;
 
   const Scene& scene_;

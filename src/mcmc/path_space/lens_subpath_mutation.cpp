@@ -104,10 +104,9 @@ double LensSubpathMutation::log_density(const Path& /*x*/, const Path& y, const 
   const int k = y.depth();
   const int rough = kept.light;
   if (first_rough_from_camera(y) != rough || !can_join(y, rough)) return kNever;
-  const Vec2i pixels = scene_.camera().resolution();
-  double sum =
-      std::log(camera_step_pdf(scene_, y, k)) + std::log(camera_step_pdf(scene_, y, k - 1)) +
-      std::log(static_cast<double>(pixels.x) * static_cast<double>(pixels.y) / area_.area());
+  double sum = std::log(camera_step_pdf(scene_, y, k)) +
+               std::log(camera_step_pdf(scene_, y, k - 1)) +
+               std::log(image_area(scene_.camera().resolution()) / area_.area());
   for (int vertex = k - 1; vertex >= rough; --vertex) {
     const SpecularEvents events(y.vertex(vertex), y.toward_camera(scene_, vertex));
     if (vertex == rough) return sum + std::log(events.probability_to_stop());

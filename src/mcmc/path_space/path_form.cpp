@@ -1,5 +1,7 @@
 #include "mcmc/path_space/path_form.h"
 
+#include <cmath>
+
 namespace ajar {
 
 int first_rough_from_camera(const Path& path) {
@@ -20,6 +22,11 @@ bool is_hit_only(const Path& path) {
     if (can_join(path, x)) return false;
   }
   return true;
+}
+
+double log_choice_of_hit_light(const Scene& scene, const Path& path) {
+  const auto lights = static_cast<double>(scene.infinite_lights().size());
+  return path.light->at_infinity() ? -std::log(lights) : 0.0;
 }
 
 bool same_events(const Path& a, const Path& b, int first, int last) {

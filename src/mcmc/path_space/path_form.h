@@ -1,5 +1,6 @@
 #pragma once
 #include "path/path.h"
+#include "scene/scene.h"
 
 namespace ajar {
 
@@ -9,6 +10,9 @@ int first_rough_from_camera(const Path& path);
 bool can_join(const Path& path, int x);
 /// Whether none could: only light that is hit by chance finds the path.
 bool is_hit_only(const Path& path);
+/// Log of the probability with which a path that runs into its light takes that, and no other, for
+/// it: of lights at infinity it chooses one.
+double log_choice_of_hit_light(const Scene& scene, const Path& path);
 /// Whether both scatter by the same specular events at the vertices `first` to `last`.
 bool same_events(const Path& a, const Path& b, int first, int last);
 
