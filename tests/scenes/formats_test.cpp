@@ -90,6 +90,20 @@ TEST_F(Formats, AreConvertedToTheSameScene) {
   }
 }
 
+/// pbrt opens no JPEG: it is written as PNG, with the same bits.
+TEST_F(Formats, AreConvertedWithTheImagesInside) {
+  Warnings warnings;
+  const std::string room = test::write_glb_room(folder_.path());
+  const desc::SceneDesc scene = import_scene(room, warnings);
+  ASSERT_EQ(scene.embedded_files.size(), 1U);
+  const fs::path copy = folder_.path() / "copy.pbrt";
+  write_pbrt(scene, copy.string());
+  EXPECT_EQ(warnings.count(), 0U);
+  const std::vector<float> picture = render(room, 1, 16).image();
+  fs::remove(room);
+  EXPECT_EQ(render(copy.string(), 1, 16).image(), picture);
+}
+
 /// Scenes that others made, in more than one format.
 struct SharedPair {
   const char* first;

@@ -8,6 +8,9 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "core/image_encoder.h"
+#include "core/regular_file.h"
+#include "core/srgb.h"
 #include "core/vector.h"
 
 namespace ajar::test {
@@ -55,10 +58,32 @@ std::string write(const fs::path& path, const std::string& text) {
 }
 
 /// Four colours, none like another: the lowest row first.
+constexpr std::array<float, 12> kTexels = {0.2F, 0.2F, 0.8F, 0.8F, 0.8F, 0.7F,
+                                           0.8F, 0.3F, 0.2F, 0.2F, 0.7F, 0.3F};
+
 void write_image(const fs::path& folder) {
-  const float texels[] = {0.2F, 0.2F, 0.8F, 0.8F, 0.8F, 0.7F, 0.8F, 0.3F, 0.2F, 0.2F, 0.7F, 0.3F};
   write(folder / kImage,
-        "PF\n2 2\n-1.0\n" + std::string(reinterpret_cast<const char*>(texels), sizeof(texels)));
+        "PF\n2 2\n-1.0\n" +
+            std::string(reinterpret_cast<const char*>(kTexels.data()), sizeof(kTexels)));
+}
+
+/// Each texel over the 16×16 pixels of two blocks, that no color bleeds into another.
+std::string jpeg_image() {
+  constexpr int kSize = 64;
+  ImageLayout layout;
+  layout.width = kSize;
+  layout.height = kSize;
+  layout.names = {"R", "G", "B"};
+  const std::vector<unsigned char> bytes = encode_jpeg(layout, [](int y, unsigned char* row) {
+    for (int x = 0; x < kSize; ++x) {
+      for (int c = 0; c < 3; ++c) {
+        const int texel = (y < kSize / 2 ? 2 : 0) + (x < kSize / 2 ? 0 : 1);
+        const float value = kTexels[static_cast<std::size_t>(3 * texel + c)];
+        row[3 * x + c] = static_cast<unsigned char>(std::lround(255.F * srgb_from_linear(value)));
+      }
+    }
+  });
+  return {bytes.begin(), bytes.end()};
 }
 
 std::string numbers(const Vec3& v) { return fmt::format("{} {} {}", v.x, v.y, v.z); }
@@ -279,6 +304,28 @@ std::string write_gltf_room(const fs::path& folder) {
   }
   write(folder / "room.bin", bytes);
   return write(folder / "room.gltf", scene.dump());
+}
+
+std::string write_glb_room(const fs::path& folder) {
+  Json scene = Json::parse(read_file(write_gltf_room(folder)).view());
+  std::string binary(read_file((folder / "room.bin").string()).view());
+  const std::string image = jpeg_image();
+  scene["bufferViews"].push_back(
+      {{"buffer", 0}, {"byteOffset", binary.size()}, {"byteLength", image.size()}});
+  scene["images"][0] = {{"bufferView", scene["bufferViews"].size() - 1},
+                        {"mimeType", "image/jpeg"}};
+  binary += image;
+  scene["buffers"][0] = {{"byteLength", binary.size()}};
+  const auto number = [](std::size_t value) {
+    const auto bits = static_cast<std::uint32_t>(value);
+    return std::string(reinterpret_cast<const char*>(&bits), sizeof(bits));
+  };
+  const auto chunk = [&number](std::string bytes, const char* kind, char filler) {
+    while (bytes.size() % 4 != 0) bytes += filler;
+    return number(bytes.size()) + std::string(kind, 4) + bytes;
+  };
+  const std::string chunks = chunk(scene.dump(), "JSON", ' ') + chunk(binary, "BIN\0", '\0');
+  return write(folder / "room.glb", "glTF" + number(2) + number(12 + chunks.size()) + chunks);
 }
 
 }  // namespace ajar::test
