@@ -280,6 +280,7 @@ std::vector<Vec3d> search(const Scene& scene, const Case& c, const Vec3d& target
   };
   constexpr int kSide = 60;
   constexpr double kCell = 0.01;
+  constexpr int kSteps = 28;  // until a cell is 1e-8 wide
   std::vector<Vec3d> found;
   for (int j = -kSide; j <= kSide; ++j) {
     for (int i = -kSide; i <= kSide; ++i) {
@@ -287,7 +288,8 @@ std::vector<Vec3d> search(const Scene& scene, const Case& c, const Vec3d& target
       double y = j * kCell;
       double least = missed(x, y);
       if (least > 0.2) continue;
-      for (double cell = kCell; cell > 1e-8; cell *= 0.6) {
+      double cell = kCell;
+      for (int step = 0; step < kSteps; ++step, cell *= 0.6) {
         const double middle_x = x;
         const double middle_y = y;
         for (int b = -2; b <= 2; ++b) {
