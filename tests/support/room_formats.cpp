@@ -67,7 +67,7 @@ void write_image(const fs::path& folder) {
             std::string(reinterpret_cast<const char*>(kTexels.data()), sizeof(kTexels)));
 }
 
-/// Each texel over the 16×16 pixels of two blocks, that no color bleeds into another.
+/// Each texel over whole blocks of pixels, so that no color bleeds into another.
 std::string jpeg_image() {
   constexpr int kSize = 64;
   ImageLayout layout;

@@ -363,6 +363,15 @@ TEST(WriterForPbrt, TellsOfImagesThatCannotBeRead) {
   EXPECT_TRUE(contains(result.unknown, "none.jpg")) << result.unknown;
 }
 
+TEST(WriterForPbrt, UnknownModelsOfOursAreErrors) {
+  for (const std::string line : {"Material \"matte\" ", "LightSource \"point\" ",
+                                 "Texture \"a\" \"spectrum\" \"constant\" "}) {
+    const std::string error =
+        error_of("WorldBegin\n" + line + "\"string ajar:model\" \"difuse\"\nWorldEnd");
+    EXPECT_TRUE(contains(error, "test.pbrt:2:1: unknown model of Ajar \"difuse\"")) << error;
+  }
+}
+
 TEST(WriterForPbrt, WritesNoImageOfWhatIsNotUsed) {
   const TemporaryFolder folder;
   desc::SceneDesc scene;
