@@ -26,6 +26,8 @@ enum class RandomUse : std::uint64_t {
   PathNumbers = 0x9a7b2,   ///< by which it makes another
   EnergySamples = 0xe59,
   PathSeed = 0x9a7b3,  ///< which path of a bootstrap sample
+  ManifoldSeed = 0x3a9f01d,
+  SpecularPhotons = 0x9405,
   // The preparation of divided light.
   BrightnessPilot = 0x91107,
   DivisionPilot = 0x9e9107,

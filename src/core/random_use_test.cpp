@@ -28,6 +28,8 @@ bool is_named(RandomUse use) {
     case RandomUse::PathNumbers:
     case RandomUse::EnergySamples:
     case RandomUse::PathSeed:
+    case RandomUse::ManifoldSeed:
+    case RandomUse::SpecularPhotons:
     case RandomUse::BrightnessPilot:
     case RandomUse::DivisionPilot:
     case RandomUse::SurfacePilot:

@@ -18,15 +18,16 @@ class Unscattered final : public SampleSource {
 
 }  // namespace
 
-ChainStart chain_start(const Path& path, int x) {
-  ChainStart start{chain_end(path, x), nullptr, Vec3(0.F), nullptr};
-  if (x == 0) {
-    start.ng = path.light_point.surface.ng;
-    start.medium = path.light->medium;
-  } else {
-    start.vertex = &path.vertex(x);
+ChainStart chain_start(const Light& light, const EndpointPoint& point) {
+  if (light.at_infinity()) {
+    return {{Vec3d(0.0), Vec3d(point.toward), true}, nullptr, point.surface.ng, light.medium};
   }
-  return start;
+  return {{Vec3d(point.surface.p), Vec3d(0.0), false}, nullptr, point.surface.ng, light.medium};
+}
+
+ChainStart chain_start(const Path& path, int x) {
+  if (x == 0) return chain_start(*path.light, path.light_point);
+  return {chain_end(path, x), &path.vertex(x), Vec3(0.F), nullptr};
 }
 
 std::optional<Vec3d> ManifoldWalk::onward(const InnerVertex& vertex, std::size_t i,
@@ -39,44 +40,81 @@ std::optional<Vec3d> ManifoldWalk::onward(const InnerVertex& vertex, std::size_t
   return sample ? std::optional(Vec3d(sample->wi)) : std::nullopt;
 }
 
-bool ManifoldWalk::trace(const ChainStart& start, const Vec3d& through,
-                         std::span<const InnerVertex> events) {
-  Ray ray;
-  const Medium* medium = start.medium;
+void ManifoldWalk::leave(const ChainStart& start, const Vec3d& through) {
+  traced_.clear();
+  medium_ = start.medium;
   if (start.end.at_infinity) {
     const BoundingSphere& sphere = scene_.bounding_sphere();
     const Vec3d toward = start.end.toward;
     // From outside of the scene.
     const double way = (Vec3d(sphere.center) - through).dot(toward) + 1.001 * double{sphere.radius};
-    ray = {Vec3(through + toward * std::max(way, 0.0)), Vec3(-toward)};
-  } else {
-    const Vec3 w((through - start.end.p).normalized());
-    if (start.vertex != nullptr) {
-      ray = {start.vertex->ray_origin(w), w};
-      medium = start.vertex->medium_toward(w);
-    } else {
-      ray = {offset_ray_origin(Vec3(start.end.p), start.ng, w), w};
-    }
+    ray_ = {Vec3(through + toward * std::max(way, 0.0)), Vec3(-toward)};
+    return;
   }
+  const Vec3 w((through - start.end.p).normalized());
+  ray_.origin = start.vertex != nullptr ? start.vertex->ray_origin(w)
+                                        : offset_ray_origin(Vec3(start.end.p), start.ng, w);
+  if (start.vertex != nullptr) medium_ = start.vertex->medium_toward(w);
+  // Rays set off beside the start: parallel ones would miss the place by as much, at every step.
+  ray_.direction = Vec3((through - Vec3d(ray_.origin)).normalized());
+}
+
+void ManifoldWalk::leave(const Vec3& direction) {
+  const InnerVertex& vertex = traced_.back();
+  ray_ = {vertex.ray_origin(direction), direction};
+  medium_ = vertex.medium_toward(direction);
+}
+
+InnerVertex* ManifoldWalk::arrive() {
   Unscattered numbers;
-  traced_.clear();
+  const SegmentEnd end =
+      trace_segment(scene_, ray_, medium_, {numbers, Stream::Light, 0, 0}, rays_);
+  if (!end.hit) return nullptr;
+  InnerVertex& vertex = traced_.emplace_back();
+  vertex.hit = *end.hit;
+  vertex.medium = end.medium;
+  vertex.hit.material->bsdf(vertex.hit.point, vertex.bsdf);
+  return &vertex;
+}
+
+bool ManifoldWalk::trace(const ChainStart& start, const Vec3d& through,
+                         std::span<const InnerVertex> events) {
+  leave(start, through);
   for (std::size_t i = 0; i < events.size(); ++i) {
-    const SegmentEnd end =
-        trace_segment(scene_, ray, medium, {numbers, Stream::Light, 0, 0}, rays_);
-    if (!end.hit) return false;
-    InnerVertex& vertex = traced_.emplace_back();
-    vertex.hit = *end.hit;
-    vertex.medium = end.medium;
-    vertex.event = events[i].event;
-    vertex.hit.material->bsdf(vertex.hit.point, vertex.bsdf);
+    InnerVertex* const vertex = arrive();
+    if (vertex == nullptr) return false;
+    vertex->event = events[i].event;
     if (i + 1 == events.size()) break;
-    const auto way = onward(vertex, i, Vec3d(-ray.direction));
+    const auto way = onward(*vertex, i, Vec3d(-ray_.direction));
     if (!way) return false;
-    const Vec3 w(*way);
-    ray = {vertex.ray_origin(w), w};
-    medium = vertex.medium_toward(w);
+    leave(Vec3(*way));
   }
   return true;
+}
+
+bool ManifoldWalk::set_off(const ChainStart& start, const Vec3d& through, int most,
+                           SampleSource& source) {
+  leave(start, through);
+  vertices_.clear();
+  landing_.reset();
+  for (int i = 0; i <= most; ++i) {
+    InnerVertex* const vertex = arrive();
+    if (vertex == nullptr) break;
+    const auto address = [&](Slot slot) { return SampleAddress(Stream::Light, i + 1, slot); };
+    const auto sample = vertex->bsdf.sample(
+        -ray_.direction,
+        {source.get(address(Slot::BsdfLobe)), source.get_pair(address(Slot::BsdfDirectionX))},
+        TransportMode::Importance, Reverse::Skip);
+    if (!sample || !sample->event().specular()) {
+      landing_ = vertex->p();
+      break;
+    }
+    if (i == most) break;
+    vertex->event = sample->event();
+    vertices_.push_back(*vertex);
+    leave(sample->wi);
+  }
+  return !vertices_.empty();
 }
 
 bool ManifoldWalk::measure(const ChainStart& start, std::span<const InnerVertex> vertices,

@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -16,6 +17,8 @@ struct ChainStart {
 };
 /// Vertex `x` < k of `path`, which must outlive it.
 ChainStart chain_start(const Path& path, int x);
+/// A point of a light.
+ChainStart chain_start(const Light& light, const EndpointPoint& point);
 
 /// Moves the end b of a specular chain a, s₁ … sₙ, b to another place while a stays, by Newton's
 /// method: steps in the tangent plane of s₁, from which the chain is traced again from a, by the
@@ -34,7 +37,13 @@ class ManifoldWalk {
   /// all are specular.
   bool walk(const ChainStart& start, std::span<const InnerVertex> vertices, const Vec3& target,
             std::span<const OffsetNormal> offsets = {});
-  /// Where the walk came to, in the order from the start.
+  /// Follows the ray from `start` through a place by specular events as the surfaces choose them,
+  /// up to the first that scatters otherwise, `most` at most: false if there are none. Such chains
+  /// are what walks begin with where no path is known.
+  bool set_off(const ChainStart& start, const Vec3d& through, int most, SampleSource& source);
+  /// The place of the first vertex that scatters otherwise; empty if it was not reached.
+  const std::optional<Vec3>& landing() const { return landing_; }
+  /// Where the walk came to, or what it set off by, in the order from the start.
   std::span<const InnerVertex> vertices() const { return vertices_; }
   /// By how much these may miss what leads to `target` exactly, by the tolerance of walks.
   double uncertainty() const { return uncertainty_; }
@@ -44,6 +53,12 @@ class ManifoldWalk {
   const RayCounts& ray_counts() const { return rays_; }
 
  private:
+  /// The next ray, from `start`.
+  void leave(const ChainStart& start, const Vec3d& through);
+  /// The next ray, from the vertex traced last.
+  void leave(const Vec3& direction);
+  /// To the next surface: null if there is none.
+  InnerVertex* arrive();
   bool trace(const ChainStart& start, const Vec3d& through, std::span<const InnerVertex> events);
   bool measure(const ChainStart& start, std::span<const InnerVertex> vertices, const Vec3d& target);
   /// Where vertex `i` of a chain sends what comes from the direction `back`.
@@ -53,6 +68,9 @@ class ManifoldWalk {
   SpecularChain linear_;
   std::vector<InnerVertex> vertices_;
   std::vector<InnerVertex> traced_;
+  Ray ray_;  ///< from the last of these
+  const Medium* medium_ = nullptr;
+  std::optional<Vec3> landing_;
   std::span<const OffsetNormal> offsets_;  ///< of the walk that is on
   Vec3d miss_{0.0};      ///< from where a chain ends to the target, across the last ray
   double length_ = 0.0;  ///< of the edges, from s₁ on, or from a if it is a point

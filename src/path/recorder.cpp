@@ -31,6 +31,7 @@ void PathRecorder::scattered(Stream stream, const PathVertex& /*vertex*/, const 
 }
 
 void PathRecorder::add(const Contribution& contribution) {
+  if (!wants(contribution)) return;
   assemble(contribution);
   if (!look_along_all(scene_, path_, rays_)) {
     ++lost_;

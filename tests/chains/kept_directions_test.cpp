@@ -52,7 +52,7 @@ PathVertex vertex_with(const Vec3& normal, int edges) {
   return vertex;
 }
 
-using Light = double (*)(const Vec3& direction, const Vec3& lamp);
+using LightToward = double (*)(const Vec3& direction, const Vec3& lamp);
 /// ∫ over a hemisphere with normal n, cosine-weighted, is 1 + kContrast · ⅔ n·lamp.
 double soft(const Vec3& direction, const Vec3& lamp) {
   return 1.0 + double{kContrast} * double{dot(direction, lamp)};
@@ -62,7 +62,7 @@ double small_lamp(const Vec3& direction, const Vec3& lamp) {
   return 1e-6 + std::exp((double{dot(direction, lamp)} - 1.0) / 0.003);
 }
 
-ToyValue look(SampleSource& numbers, KeptDirections* directions, Light light) {
+ToyValue look(SampleSource& numbers, KeptDirections* directions, LightToward light) {
   WalkSettings walk{TransportMode::Radiance, Stream::Camera, Heuristic::Balance, 100, false};
   walk.directions = directions;
   const float x = numbers.get(testing::kCameraX);
@@ -90,7 +90,7 @@ ToyValue look(SampleSource& numbers, KeptDirections* directions, Light light) {
 
 class CurvedTarget final : public Target {
  public:
-  CurvedTarget(Light light, bool follow) : light_(light), follow_(follow) {}
+  CurvedTarget(LightToward light, bool follow) : light_(light), follow_(follow) {}
   double evaluate(SampleSource& numbers, const Change& change, SplatBuffer& splats) override {
     directions_.begin();
     directions_.trace(follow_ && change.raster);
@@ -101,7 +101,7 @@ class CurvedTarget final : public Target {
   void accepted() override { directions_.accept(); }
 
  private:
-  Light light_;
+  LightToward light_;
   bool follow_;
   KeptDirections directions_{3};
 };

@@ -315,7 +315,7 @@ std::unique_ptr<Integrator> make_erpt_integrator(const Scene& scene, const Rende
                                                  const Parameters& parameters) {
   ChainOrder order = chain_order(settings, parameters, {{"techniques", "bdpt"}});
   const bool of_paths = parameters.get_text("chain") == "mlt";
-  order.groups = make_path_groups(of_paths ? ChainKind::SpreadPath : ChainKind::WholePath,
+  order.groups = make_path_groups(scene, of_paths ? ChainKind::SpreadPath : ChainKind::WholePath,
                                   order.sampler, parameters.get_int("roulette-start"));
   if (of_paths) {
     return std::make_unique<EnergyRedistribution<PathSpace>>(scene, settings, std::move(order),

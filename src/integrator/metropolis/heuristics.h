@@ -10,6 +10,11 @@ struct MetropolisHeuristics {
   /// Of the bootstrap of each population, however little light its paths are expected to carry.
   /// Unit: paths. Range: >= 1. Source: a1480d1; set by hand, no study.
   static constexpr double kFewestBootstrapPaths = 64.0;
+  /// How many of the samples that chains of explicit paths start from try manifold connections.
+  /// Unit: probability. Range: (0, 1]. Source: set by hand: in water-caustic, where each costs as
+  /// much as 70 others, 100 000 samples then take four seconds of one processor, and find 2700
+  /// paths.
+  static constexpr float kManifoldTries = 0.0625F;
   /// Parts of the samples of a replicate of `erpt`, which threads share.
   /// Unit: items. Range: >= 1. Source: set by hand, for machines of up to 256 processors; no study.
   static constexpr double kMostItems = 64.0;

@@ -28,8 +28,9 @@ std::unique_ptr<Integrator> make_metropolis_integrator(ChainKind kind, const Sce
   ChainOrder order = chain_order(settings, parameters,
                                  {{"techniques", parameters.get_text("techniques")},
                                   {"heuristic", parameters.get_text("heuristic")}});
-  order.groups = make_path_groups(
-      kind, order.sampler, kind == ChainKind::WholePath ? parameters.get_int("roulette-start") : 0);
+  order.groups =
+      make_path_groups(scene, kind, order.sampler,
+                       kind == ChainKind::WholePath ? parameters.get_int("roulette-start") : 0);
   const auto chains = static_cast<std::size_t>(parameters.get_int("chains"));
   return std::make_unique<ChainIntegrator<PrimarySpace>>(scene, settings, std::move(order), chains,
                                                          PrimarySpace(parameters));

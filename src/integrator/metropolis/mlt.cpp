@@ -20,7 +20,7 @@ std::vector<ParameterSpec> mlt_parameters() {
 std::unique_ptr<Integrator> make_mlt_integrator(const Scene& scene, const RenderSettings& settings,
                                                 const Parameters& parameters) {
   ChainOrder order = chain_order(settings, parameters, {{"techniques", "bdpt"}});
-  order.groups = make_path_groups(ChainKind::ExplicitPath, order.sampler,
+  order.groups = make_path_groups(scene, ChainKind::ExplicitPath, order.sampler,
                                   parameters.get_int("roulette-start"));
   const auto chains = static_cast<std::size_t>(parameters.get_int("chains"));
   return std::make_unique<ChainIntegrator<PathSpace>>(scene, settings, std::move(order), chains,

@@ -5,20 +5,22 @@
 #include "core/error.h"
 #include "integrator/make_filter.h"
 #include "integrator/metropolis/heuristics.h"
+#include "integrator/metropolis/path_seeds.h"
 
 namespace ajar {
 
 namespace {
 
-PathGroup group_of_all_depths(ChainKind kind, PathClass paths, PathSamplerSettings sampler,
-                              int roulette_start) {
+PathGroup group_of_all_depths(const Scene& scene, ChainKind kind, PathClass paths,
+                              PathSamplerSettings sampler, int roulette_start) {
   sampler.roulette_start = roulette_start;
   return {kind,
           paths,
           0,
           sampler,
           TechniqueChoice(sampler.techniques, 0),
-          {sampler.max_depth + 1, sampler.max_depth + 1}};
+          {sampler.max_depth + 1, sampler.max_depth + 1},
+          std::make_shared<SpecularPhotons>(scene)};
 }
 
 std::vector<PathGroup> groups_by_depth(PathClass paths, PathSamplerSettings sampler) {
@@ -30,26 +32,27 @@ std::vector<PathGroup> groups_by_depth(PathClass paths, PathSamplerSettings samp
     PathSamplerSettings own = sampler;
     own.min_depth = depth;
     own.max_depth = depth;
-    groups.push_back({ChainKind::OnePath, paths, depth, own, choice, {depth + 1, depth + 1}});
+    groups.push_back(
+        {ChainKind::OnePath, paths, depth, own, choice, {depth + 1, depth + 1}, nullptr});
   }
   return groups;
 }
 
 }  // namespace
 
-std::vector<PathGroup> make_path_groups(ChainKind kind, const PathSamplerSettings& sampler,
-                                        int roulette_start) {
+std::vector<PathGroup> make_path_groups(const Scene& scene, ChainKind kind,
+                                        const PathSamplerSettings& sampler, int roulette_start) {
   if (sampler.min_depth > sampler.max_depth) return {};
   if (kind == ChainKind::OnePath) return groups_by_depth(PathClass::All, sampler);
   if (kind != ChainKind::ByPath) {
-    return {group_of_all_depths(kind, PathClass::All, sampler, roulette_start)};
+    return {group_of_all_depths(scene, kind, PathClass::All, sampler, roulette_start)};
   }
   if (!sampler.techniques.any(TechniqueClass::Implicit)) {
     return groups_by_depth(PathClass::All, sampler);
   }
   std::vector<PathGroup> groups = groups_by_depth(PathClass::Connectible, sampler);
-  groups.push_back(
-      group_of_all_depths(ChainKind::ExplicitPath, PathClass::HitOnly, sampler, roulette_start));
+  groups.push_back(group_of_all_depths(scene, ChainKind::ExplicitPath, PathClass::HitOnly, sampler,
+                                       roulette_start));
   return groups;
 }
 
@@ -72,6 +75,9 @@ ChainView view_of(const Scene& scene, const RenderSettings& settings) {
 
 std::unique_ptr<PathTarget> make_path_target(const Scene& scene, const PathGroup& group,
                                              const ChainView& view, const PathPart* part) {
+  if (is_explicit(group.kind)) {
+    return std::make_unique<PathSeeds>(scene, group, view, part);
+  }
   if (group.depth == 0) {
     return std::make_unique<WholePathTarget>(scene, group.sampler, view, part, group.paths);
   }

@@ -8,6 +8,7 @@
 #include "core/parameters.h"
 #include "integrator/integrator.h"
 #include "integrator/metropolis/path_target.h"
+#include "mcmc/path_space/specular_photons.h"
 #include "mcmc/primary/chain_numbers.h"
 
 namespace ajar {
@@ -40,14 +41,17 @@ struct PathGroup {
   PathSamplerSettings sampler;
   TechniqueChoice choice;  ///< if there is one depth
   PrimaryShape shape;
+  /// Of explicit paths: what manifold connections are guessed by.
+  std::shared_ptr<const SpecularPhotons> photons;
 };
 
 /// Groups for the paths of a sampler, which has everything but the start of Russian roulette:
 /// `roulette_start` unless it is OnePath; paths of a given depth gain nothing from ending early.
 /// Explicit paths start from connections of two subpaths. Of ByPath, the last group is of explicit
-/// paths, if the sampler hits lights at all. Empty if there are no such paths.
-std::vector<PathGroup> make_path_groups(ChainKind kind, const PathSamplerSettings& sampler,
-                                        int roulette_start);
+/// paths, if the sampler hits lights at all. Empty if there are no such paths. `scene` must outlive
+/// them.
+std::vector<PathGroup> make_path_groups(const Scene& scene, ChainKind kind,
+                                        const PathSamplerSettings& sampler, int roulette_start);
 /// The share of all bootstrap samples that a group gets: long paths carry little light and cost
 /// much.
 double bootstrap_share(std::span<const PathGroup> groups, std::size_t group);
@@ -55,8 +59,8 @@ double bootstrap_share(std::span<const PathGroup> groups, std::size_t group);
 /// Of a scene's film, as far as its filter reaches beyond the crop.
 ChainView view_of(const Scene& scene, const RenderSettings& settings);
 
-/// A target of one thread. What is referred to must outlive it; `part`, over whose share of the
-/// light it is, may be null.
+/// A target of one thread; of explicit paths, what these start from (`PathSeeds`). What is referred
+/// to must outlive it; `part`, over whose share of the light it is, may be null.
 std::unique_ptr<PathTarget> make_path_target(const Scene& scene, const PathGroup& group,
                                              const ChainView& view, const PathPart* part = nullptr);
 

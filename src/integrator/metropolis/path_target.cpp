@@ -80,13 +80,17 @@ double contribution(std::span<const Splat> splats, const ImportanceMap& importan
   return sum;
 }
 
+bool traces_light_alone(const PathSamplerSettings& settings) {
+  return settings.techniques.any(TechniqueClass::Light) &&
+         !settings.techniques.any(TechniqueClass::Inner);
+}
+
 WholePathTarget::WholePathTarget(const Scene& scene, const PathSamplerSettings& settings,
                                  const ChainView& view, const PathPart* part, PathClass paths)
     : view_(view),
       part_(part),
       paths_(paths),
-      light_alone_(settings.techniques.any(TechniqueClass::Light) &&
-                   !settings.techniques.any(TechniqueClass::Inner)),
+      light_alone_(traces_light_alone(settings)),
       sampler_(scene, settings),
       directions_(settings.max_depth + 1) {
   sampler_.keep_directions(&directions_);

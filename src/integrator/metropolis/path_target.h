@@ -32,6 +32,10 @@ constexpr std::int32_t splat_layer(int depth) { return depth <= 2 ? kDirectSplat
 /// Σ luminance · importance over splats: the contribution function I.
 double contribution(std::span<const Splat> splats, const ImportanceMap& importance);
 
+/// Whether light subpaths end on the lens and are joined to nothing else: then a sample has one
+/// that no camera subpath asks for.
+bool traces_light_alone(const PathSamplerSettings& settings);
+
 /// The number of `Stream::Connection`, vertex 0, that chooses the technique of a state.
 inline constexpr Slot kTechniqueChoice = Slot::BsdfDirectionX;
 

@@ -196,9 +196,9 @@ void ChainPlan::make_groups() {
       sampler.light_subpaths * static_cast<double>(pixels()) /
       (static_cast<double>(settings.resolution.x) * settings.resolution.y);
   const int roulette_start = kind == ChainKind::OnePath ? 0 : parameters.get_int("roulette-start");
-  groups = make_path_groups(kind, sampler, roulette_start);
+  groups = make_path_groups(scene, kind, sampler, roulette_start);
   if (is_explicit(kind)) {
-    depth_groups_ = make_path_groups(ChainKind::OnePath, sampler, 0);
+    depth_groups_ = make_path_groups(scene, ChainKind::OnePath, sampler, 0);
   }
 }
 

@@ -29,10 +29,9 @@ std::optional<PathChain> seed_path(const ChainPlan& plan, const ChainPopulation&
                                    const SampleOfChains& sample, std::uint64_t number) {
   const double which =
       to_unit_double(hash_numbers(sample.seed, RandomUse::PathSeed, sample.index, number));
-  PathShare share = path_share_of(plan, plan.groups[population.group], population.replicate);
   std::optional<Path> path =
       choose_path(plan.scene, plan.groups[population.group], plan.view, sample.seed, sample.index,
-                  which, plan.part_of(population.replicate), &share);
+                  which, plan.part_of(population.replicate));
   if (!path) return std::nullopt;
   return chain_at(std::move(*path), sample.chain_seed(number), sample.index);
 }

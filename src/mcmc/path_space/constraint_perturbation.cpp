@@ -5,19 +5,15 @@
 #include <limits>
 #include <numbers>
 
+#include "mcmc/path_space/chain_density.h"
 #include "mcmc/path_space/heuristics.h"
+#include "mcmc/path_space/path_form.h"
 #include "mcmc/primary/bootstrap_source.h"
 #include "path/measure.h"
 
 namespace ajar {
 
 namespace {
-
-std::span<const InnerVertex> chain_from_light(const Path& path, int light_end, int camera_end) {
-  return std::span(path.vertices)
-      .subspan(static_cast<std::size_t>(light_end),
-               static_cast<std::size_t>(camera_end - light_end - 1));
-}
 
 /// Of a chain, of all that there are; none if it is specular.
 std::span<const OffsetNormal> offsets_of(std::span<const InnerVertex> chain,
@@ -174,36 +170,15 @@ double ConstraintPerturbation::log_offset_density(const Path& x, const Path& y, 
                                 Vec3d(y.toward_light(scene_, vertex))));
 }
 
-/// ln of the density with which the chain between two vertices, which are given, is what it is,
-/// given the offset normals of rough vertices: Π |cos θ| / d² of its edges over the chain's
-/// generalised geometric term (docs/methods/mlt.md).
-double ConstraintPerturbation::log_chain_density(const Path& path, const Span& span) const {
+double ConstraintPerturbation::log_walk_density(const Path& path, const Span& span) const {
   if (span.moved == span.fixed + 1) return 0.0;
-  std::vector<InnerVertex> chain;
   Offsets offsets;
-  double sum = 0.0;
   for (int x = span.moved - 1; x > span.fixed; --x) {
-    chain.push_back(path.vertex(x));
     const auto offset = is_rough(path, x) ? offset_of(path, x) : OffsetNormal();
     if (!offset) return kNever;
     offsets.push_back(*offset);
   }
-  SpecularChain linear(scene_);
-  if (!linear.set(chain_end(path, span.moved), chain, chain_end(path, span.fixed), offsets)) {
-    return kNever;
-  }
-  const double spread = linear.spread();
-  if (!(spread > 0.0) || !std::isfinite(spread)) return kNever;
-  sum -= std::log(spread);
-  for (int x = span.moved; x > span.fixed + 1; --x) {
-    const Vec3 w = path.toward_light(scene_, x);
-    sum += std::log(double{path.vertex(x - 1).cosine(w)} / path.squared_distance(x, x - 1));
-  }
-  // The cosine there is in both, or in none.
-  if (!chain_end(path, span.fixed).at_infinity) {
-    sum -= std::log(path.squared_distance(span.fixed + 1, span.fixed));
-  }
-  return sum;
+  return log_chain_density(scene_, path, span.fixed, span.moved, offsets);
 }
 
 double ConstraintPerturbation::log_density(const Path& x, const Path& y, const Kept& kept) const {
@@ -223,7 +198,7 @@ double ConstraintPerturbation::log_density(const Path& x, const Path& y, const K
     if (is_rough(y, vertex)) sum += log_offset_density(x, y, vertex);
     if (vertex > span->moved) sum += std::log(arrival_pdf(scene_, y, vertex, vertex - 1));
   }
-  return sum + log_chain_density(y, *span);
+  return sum + log_walk_density(y, *span);
 }
 
 }  // namespace ajar

@@ -43,7 +43,8 @@ class ConstraintPerturbation : public PathMutation {
   /// How far that of a vertex is moved; empty if it cannot be.
   std::optional<PerturbationLaw> offset_law(const Path& path, int vertex) const;
   double log_offset_density(const Path& x, const Path& y, int vertex) const;
-  double log_chain_density(const Path& path, const Span& span) const;
+  /// Of where the walk of a proposal came to.
+  double log_walk_density(const Path& path, const Span& span) const;
   bool look(const Path& x, int moved, const Vec2& raster, SampleSource& source);
   /// From the chain of `x` to one that leads from its fixed end to `target`, and back again.
   bool walk(const Path& x, const Span& span, const InnerVertex& target);

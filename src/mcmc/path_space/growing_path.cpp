@@ -149,11 +149,11 @@ bool GrowingPath::finish_through(std::span<const InnerVertex> chain, Path& path)
   return true;
 }
 
-const RayCounts& GrowingPath::ray_counts() {
-  all_ = joints_;
-  all_.add_rays(light.ray_counts());
-  all_.add_rays(camera.ray_counts());
-  return all_;
+RayCounts GrowingPath::ray_counts() const {
+  RayCounts all = joints_;
+  all.add_rays(light.ray_counts());
+  all.add_rays(camera.ray_counts());
+  return all;
 }
 
 }  // namespace ajar

@@ -41,7 +41,7 @@ class GrowingPath {
   /// of the scene, or an endpoint at the light. All edges of the chain have to be open.
   bool finish_through(std::span<const InnerVertex> chain, Path& path);
 
-  const RayCounts& ray_counts();
+  RayCounts ray_counts() const;
 
   GrowingEnd light;
   GrowingEnd camera;
@@ -59,7 +59,6 @@ class GrowingPath {
   Vec2 raster_{0.F, 0.F};
   std::optional<Segment> into_light_;  ///< the last one of a path without a joint
   RayCounts joints_;
-  RayCounts all_;
 };
 
 }  // namespace ajar

@@ -1,11 +1,12 @@
 #pragma once
+#include <cstdint>
 
 namespace ajar {
 
 /// The numbers of moves in path space that say how often they do what, beside parameters, which
-/// tell their own ranges. No picture's expectation hangs on them, but for those of the way back,
-/// `kWayBack` and `kVaguest`: too large, they take one chain for another, and detailed balance
-/// fails where they do.
+/// tell their own ranges. No picture's expectation hangs on them, but for `kWayBack`, `kVaguest`
+/// and `kClear`: too large, they take one chain for another, and detailed balance, or the weight of
+/// a seed, fails where they do.
 struct PathSpaceHeuristics {
   /// How often a bidirectional mutation takes the whole path.
   /// Unit: probability. Range: (0, 1). Source: Veach 1997, 11.4.2.1 has a quarter at least for what
@@ -64,6 +65,34 @@ struct PathSpaceHeuristics {
   /// Unit: the same share. Range: (0, 1). Source: set by hand, no study; in pictures of 2000 pixels
   /// it is about this of the smallest moves.
   static constexpr double kVaguest = 0.5;
+  /// A manifold connection takes a chain if what the tolerance of walks makes of it is no more than
+  /// this: it has to be known when it is found again. Others are left to light hit by chance.
+  /// Unit: share of the shortest edge after the first. Range: (0, 1). Source: set by hand: in
+  /// water-caustic walks come to a chain again within 1e-4, and to no other within 6e-3.
+  static constexpr double kClear = 0.001;
+  /// Its guesses pass beside the straight way, or where a photon passed, by no less than this, each
+  /// order of magnitude as often as any other.
+  /// Unit: radians; from infinity, share of π of the scene's diameter. Range: (0, π). Source:
+  /// docs/notebook/mutations.md, "Seeds of what no connection makes": a tenth and ten times make no
+  /// difference that a seed shows.
+  static constexpr double kSmallestGuess = 1e-4;
+  /// How many of them follow photons.
+  /// Unit: probability. Range: [0, 1). Source: as above: with none the error is half as large again
+  /// at equal time; half as many make no difference.
+  static constexpr float kGuessesByPhotons = 0.9F;
+  /// Photons that are traced for that, of all lights.
+  /// Unit: photons. Range: >= 0. Source: as above: half and double make no difference.
+  static constexpr std::uint64_t kPhotons = 1 << 17;
+  /// They are chosen among those in the smallest cell that has so many.
+  /// Unit: photons. Range: >= 1. Source: as above: half and double make no difference.
+  static constexpr int kFewestPhotons = 8;
+  /// Photons do not follow longer chains.
+  /// Unit: vertices. Range: >= 1. Source: set by hand, no study.
+  static constexpr int kLongestOfPhotons = 16;
+  /// No one waits longer for a chain to be found again: then it is dark.
+  /// Unit: guesses. Range: >= 1. Source: set by hand: half a minute. Of chains whose chance is 1e-5
+  /// it leaves out all but 1e-18.
+  static constexpr std::uint64_t kMostGuesses = 1 << 22;
 };
 
 }  // namespace ajar

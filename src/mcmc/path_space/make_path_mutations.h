@@ -5,16 +5,10 @@
 #include <string_view>
 #include <vector>
 
+#include "mcmc/path_space/path_bounds.h"
 #include "mcmc/path_space/path_kernel.h"
 
 namespace ajar {
-
-/// What paths may be made.
-struct PathBounds {
-  RasterArea area;
-  int min_depth = 1;  ///< edges, at least 1
-  int max_depth = 1;
-};
 
 /// An entry of the list of mutations.
 struct PathMutationInfo {

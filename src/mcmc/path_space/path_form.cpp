@@ -10,6 +10,18 @@ int first_rough_from_camera(const Path& path) {
   return x;
 }
 
+int first_rough_from_light(const Path& path) {
+  int x = 1;
+  while (x < path.depth() && path.vertex(x).event.specular()) ++x;
+  return x;
+}
+
+std::span<const InnerVertex> chain_from_light(const Path& path, int light_end, int camera_end) {
+  return std::span(path.vertices)
+      .subspan(static_cast<std::size_t>(light_end),
+               static_cast<std::size_t>(camera_end - light_end - 1));
+}
+
 bool can_join(const Path& path, int x) {
   const auto is_rough = [&](int vertex) {
     return vertex == 0 || vertex == path.depth() || !path.vertex(vertex).event.specular();

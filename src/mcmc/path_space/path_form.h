@@ -1,4 +1,6 @@
 #pragma once
+#include <span>
+
 #include "path/path.h"
 #include "scene/scene.h"
 
@@ -6,6 +8,10 @@ namespace ajar {
 
 /// The first vertex in the scene, from the camera, that is not specular; 0 if there is none.
 int first_rough_from_camera(const Path& path);
+/// The same from the light; k if there is none.
+int first_rough_from_light(const Path& path);
+/// The vertices between two others.
+std::span<const InnerVertex> chain_from_light(const Path& path, int light_end, int camera_end);
 /// Whether an edge between x − 1 and x could have been made by joining two subpaths.
 bool can_join(const Path& path, int x);
 /// Whether none could: only light that is hit by chance finds the path.

@@ -1,0 +1,114 @@
+#include "mcmc/path_space/manifold_connection.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "core/frame.h"
+#include "mcmc/path_space/heuristics.h"
+#include "mcmc/path_space/path_form.h"
+#include "mcmc/path_space/perturbation_law.h"
+#include "mcmc/primary/bootstrap_source.h"
+#include "path/heuristics.h"
+
+namespace ajar {
+
+namespace {
+
+/// A clear chain, and what tells it from others between the same ends.
+class KnownChain {
+ public:
+  KnownChain(const Scene& scene, const ChainEnd& light, std::span<const InnerVertex> chain,
+             const Vec3& end)
+      : chain_(chain) {
+    SpecularChain linear(scene);
+    if (!linear.set(light, chain, {Vec3d(end), Vec3d(0.0), false})) return;
+    is_mirrored_ = linear.is_mirrored();
+    double length = light.at_infinity ? 0.0 : (Vec3d(chain.front().p()) - light.p).length();
+    shortest_ = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < chain.size(); ++i) {
+      const Vec3& next = i + 1 < chain.size() ? chain[i + 1].p() : end;
+      const double edge = (Vec3d(next) - Vec3d(chain[i].p())).length();
+      length += edge;
+      shortest_ = std::min(shortest_, edge);
+    }
+    uncertainty_ = PathHeuristics::kWalkTolerance * length * linear.largest_move();
+  }
+
+  bool is_clear() const {
+    return shortest_ > 0.0 && 2.0 * uncertainty_ <= PathSpaceHeuristics::kClear * shortest_;
+  }
+  /// Whether a walk came to it.
+  bool is(const ManifoldWalk& walk) const {
+    const auto other = walk.vertices();
+    if (other.size() != chain_.size() || walk.is_mirrored() != is_mirrored_) return false;
+    const double reach = PathSpaceHeuristics::kClear * shortest_;
+    for (std::size_t i = 0; i < chain_.size(); ++i) {
+      if (other[i].event != chain_[i].event ||
+          (Vec3d(other[i].p()) - Vec3d(chain_[i].p())).length() > reach) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+ private:
+  std::span<const InnerVertex> chain_;
+  bool is_mirrored_ = false;
+  double shortest_ = 0.0;  ///< edge after the first
+  double uncertainty_ = 0.0;
+};
+
+}  // namespace
+
+Vec3d ManifoldConnection::choose_place(const Ends& ends, SampleSource& source) const {
+  const auto number = [&](Slot slot) { return source.get({Stream::Light, 0, slot}); };
+  const Vec2 u = source.get_pair({Stream::Light, 0, kEmissionDirection});
+  Vec3 center = ends.seen.p();
+  if (number(Slot::LightChoice) < PathSpaceHeuristics::kGuessesByPhotons) {
+    const auto first = photons_.near(ends.light, center, number(Slot::LightPrimitive));
+    center = first.value_or(center);
+  }
+  constexpr PerturbationLaw kLaw{PathSpaceHeuristics::kSmallestGuess, std::numbers::pi};
+  if (!ends.light.at_infinity()) {
+    const Vec3d from(ends.point.surface.p);
+    return from + Vec3d(kLaw.around(Vec3((Vec3d(center) - from).normalized()), u));
+  }
+  const float scale = 2.F * scene_.bounding_sphere().radius / std::numbers::pi_v<float>;
+  const Vec2 beside = kLaw.in_plane(u) * scale;
+  return Vec3d(center + Frame::around(ends.point.toward).to_world({beside.x, beside.y, 0.F}));
+}
+
+bool ManifoldConnection::find(const Ends& ends, std::uint64_t key) {
+  BootstrapSource source(key, 0);
+  const ChainStart start = chain_start(ends.light, ends.point);
+  if (!walk_.set_off(start, choose_place(ends, source), ends.most, source)) return false;
+  auto guess = walk_.vertices();
+  if (ends.seen.in_medium) {
+    // It may be between any two of them.
+    const float u = source.get({Stream::Light, 0, Slot::Roulette});
+    guess = guess.first(1 + static_cast<std::size_t>(u * static_cast<float>(guess.size())));
+  }
+  guessed_.assign(guess.begin(), guess.end());
+  return walk_.walk(start, guessed_, ends.seen.p());
+}
+
+double ManifoldConnection::inverse_chance(const Ends& ends, std::span<const InnerVertex> chain,
+                                          std::uint64_t key) {
+  const KnownChain known(scene_, chain_start(ends.light, ends.point).end, chain, ends.seen.p());
+  for (std::uint64_t guesses = 1; guesses <= PathSpaceHeuristics::kMostGuesses; ++guesses) {
+    if (find(ends, hash_numbers(key, guesses)) && known.is(walk_)) {
+      return static_cast<double>(guesses);
+    }
+  }
+  return 0.0;
+}
+
+bool ManifoldConnection::is_clear(const Scene& scene, const Path& path, int seen) {
+  return KnownChain(scene, chain_end(path, 0), chain_from_light(path, 0, seen),
+                    path.vertex(seen).p())
+      .is_clear();
+}
+
+}  // namespace ajar

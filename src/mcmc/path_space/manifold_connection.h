@@ -1,0 +1,58 @@
+#pragma once
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "mcmc/path_space/specular_photons.h"
+#include "path/manifold_walk.h"
+
+namespace ajar {
+
+/// Joins a point of a light to a vertex by a specular chain. A guess of it, a ray from the light
+/// that follows events as they come, walks to the vertex. To which of the chains between the two it
+/// comes is owed to chance, with a probability that no one knows; how many guesses it takes to come
+/// there again is one over that on average. Holds the scratch memory of one thread. Source:
+/// Zeltner, Georgiev & Jakob 2020, "Specular manifold sampling for rendering high-frequency
+/// caustics and glints", section 4.2; that guesses are rays from the light is ours.
+class ManifoldConnection {
+ public:
+  /// Both must outlive it.
+  ManifoldConnection(const Scene& scene, const SpecularPhotons& photons)
+      : scene_(scene), photons_(photons), walk_(scene) {}
+
+  /// What is to be joined, by `most` specular vertices at most.
+  struct Ends {
+    const Light& light;
+    const EndpointPoint& point;  ///< of the light
+    const InnerVertex& seen;
+    int most;
+  };
+
+  /// Guesses once, by the randomness that `key` names: false if no chain came of it. Whether its
+  /// edges are open, and whether any light takes them, has not been asked.
+  bool find(const Ends& ends, std::uint64_t key);
+  /// What was found, in the order from the light, until it is asked again.
+  std::span<const InnerVertex> chain() const { return walk_.vertices(); }
+  /// How many guesses find `chain`, which must be clear: 1 over the probability on average. By
+  /// other randomness of `key` than `find`. 0 if it has not been found for so long that no one
+  /// waits.
+  double inverse_chance(const Ends& ends, std::span<const InnerVertex> chain, std::uint64_t key);
+
+  /// Whether the chain from the light of a path to vertex `seen` is clear of others: whether walks
+  /// could tell it from one that is near. At the borders of caustics, where two become one, it is
+  /// not.
+  static bool is_clear(const Scene& scene, const Path& path, int seen);
+
+  const RayCounts& ray_counts() const { return walk_.ray_counts(); }
+
+ private:
+  /// A place for the ray of a guess to pass through.
+  Vec3d choose_place(const Ends& ends, SampleSource& source) const;
+
+  const Scene& scene_;
+  const SpecularPhotons& photons_;
+  ManifoldWalk walk_;
+  std::vector<InnerVertex> guessed_;
+};
+
+}  // namespace ajar

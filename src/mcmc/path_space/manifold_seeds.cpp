@@ -1,0 +1,106 @@
+#include "mcmc/path_space/manifold_seeds.h"
+
+#include <cmath>
+
+#include "core/random.h"
+#include "mcmc/path_space/chain_density.h"
+#include "mcmc/path_space/path_form.h"
+#include "mcmc/path_space/path_mutation.h"
+#include "path/measure.h"
+
+namespace ajar {
+
+namespace {
+
+/// ln of the density with which the vertices from `seen` to the light are joined, were the chain
+/// certain to be found.
+double log_join_pdf(const Scene& scene, const Path& path, int seen) {
+  if (path.light->discrete_position() || !ManifoldConnection::is_clear(scene, path, seen)) {
+    return kNever;
+  }
+  const Vec3& reference = path.vertex(seen).p();
+  return std::log(double{path.light->connection_pdf(reference, path.light_point).value()}) +
+         std::log(double{scene.light_sampler().probability(reference, *path.light).value()}) +
+         log_chain_density(scene, path, 0, seen);
+}
+
+double log_hit_pdf(const Scene& scene, const Path& path, int seen) {
+  double sum = 0.0;
+  for (int x = seen - 1; x >= 0; --x) sum += std::log(camera_step_pdf(scene, path, x));
+  return sum;
+}
+
+/// The balance heuristic's weight of the first of two.
+double balance(double log_first, double log_other) {
+  return 1.0 / (1.0 + std::exp(log_other - log_first));
+}
+
+}  // namespace
+
+double ManifoldSeeds::hit_share(const Scene& scene, const Path& path) {
+  const int seen = first_rough_from_light(path);
+  if (seen == path.depth() || seen == 1) return 1.0;
+  const double join = log_join_pdf(scene, path, seen);
+  return join > kNever ? balance(log_hit_pdf(scene, path, seen), join) : 1.0;
+}
+
+std::span<const ManifoldSeeds::Seed> ManifoldSeeds::sample(SampleSource& source, const Vec2& raster,
+                                                           std::uint64_t key) {
+  seeds_.clear();
+  if (scene_.light_sampler().empty()) return seeds_;
+  GrowingEnd& camera = growing_.camera;
+  growing_.choose_lens(source);
+  if (!growing_.look(raster)) return seeds_;
+  bool after_specular = false;
+  // With a vertex of the chain, and the light.
+  while (camera.size() + 2 <= bounds_.max_depth && camera.arrive(source)) {
+    if (after_specular && camera.vertices.back().connectible()) {
+      join(source, hash_numbers(key, static_cast<std::uint64_t>(camera.size())));
+    }
+    if (!camera.scatter(source)) break;
+    const bool specular = camera.vertices.back().event.specular();
+    // Such an edge a connection could make.
+    if (!specular && !after_specular) break;
+    after_specular = specular;
+  }
+  return seeds_;
+}
+
+void ManifoldSeeds::join(SampleSource& source, std::uint64_t key) {
+  if (!growing_.choose_light(source)) return;
+  const auto& light = static_cast<const Light&>(*growing_.light.endpoint);
+  if (light.discrete_position()) return;
+  if (!connection_.find({light, growing_.light.point, growing_.camera.vertices.back(),
+                         bounds_.max_depth - growing_.camera.size()},
+                        key)) {
+    return;
+  }
+  Path path;
+  if (!growing_.finish_through(connection_.chain(), path) || path.depth() < bounds_.min_depth)
+    return;
+  const int vertex = first_rough_from_light(path);
+  const double joined = log_join_pdf(scene_, path, vertex);
+  if (!std::isfinite(joined)) return;
+  const double hit = log_hit_pdf(scene_, path, vertex);
+  double log_factor = std::log(balance(joined, hit)) - joined;
+  for (int x = path.depth(); x >= vertex; --x)
+    log_factor -= std::log(camera_step_pdf(scene_, path, x));
+  seeds_.push_back({std::move(path), log_factor, key});
+}
+
+double ManifoldSeeds::inverse_chance(const Seed& seed) {
+  const Path& path = seed.path;
+  const int vertex = first_rough_from_light(path);
+  const int camera_vertices = path.depth() + 1 - vertex;
+  return connection_.inverse_chance(
+      {*path.light, path.light_point, path.vertex(vertex), bounds_.max_depth - camera_vertices},
+      chain_from_light(path, 0, vertex), seed.key);
+}
+
+RayCounts ManifoldSeeds::ray_counts() const {
+  RayCounts rays = growing_.ray_counts();
+  rays.add_rays(connection_.ray_counts());
+  return rays;
+}
+
+}  // namespace ajar

@@ -1,0 +1,53 @@
+#pragma once
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "mcmc/path_space/growing_path.h"
+#include "mcmc/path_space/manifold_connection.h"
+#include "mcmc/path_space/path_bounds.h"
+
+namespace ajar {
+
+/// Paths that only light finds that is hit by chance (`is_hit_only`), for chains to start from: a
+/// subpath from the camera, whose first vertex that is not specular, and each that follows upon a
+/// specular chain, are joined to a light by a manifold connection. Holds the scratch memory of one
+/// thread.
+class ManifoldSeeds {
+ public:
+  /// All must outlive it.
+  ManifoldSeeds(const Scene& scene, const SpecularPhotons& photons, const PathBounds& bounds)
+      : scene_(scene), bounds_(bounds), growing_(scene, bounds.area), connection_(scene, photons) {}
+
+  /// A path, and ln of what its f is to be multiplied by, so that the sum over all that one try
+  /// makes, each times what `inverse_chance` says, has the mean ∫ f · (1 − w) at this place of the
+  /// film: w is `hit_share`. `key` names the randomness that is left for that.
+  struct Seed {
+    Path path;
+    double log_factor;
+    std::uint64_t key;
+  };
+  /// All that a try at this place makes; valid until the next one.
+  std::span<const Seed> sample(SampleSource& source, const Vec2& raster, std::uint64_t key);
+  /// 1 over the probability with which the chain at the light of a seed is found between its ends:
+  /// on average.
+  double inverse_chance(const Seed& seed);
+
+  /// The MIS weight, by the balance heuristic, of running into the light as against this: a
+  /// function of the path alone, of which the chance to find the chain is no part. 1 for paths that
+  /// are not of the kind.
+  static double hit_share(const Scene& scene, const Path& path);
+
+  RayCounts ray_counts() const;
+
+ private:
+  void join(SampleSource& source, std::uint64_t key);
+
+  const Scene& scene_;
+  const PathBounds& bounds_;
+  GrowingPath growing_;
+  ManifoldConnection connection_;
+  std::vector<Seed> seeds_;
+};
+
+}  // namespace ajar

@@ -1,0 +1,13 @@
+#pragma once
+#include "path/raster_area.h"
+
+namespace ajar {
+
+/// What paths may be made.
+struct PathBounds {
+  RasterArea area;
+  int min_depth = 1;  ///< edges, at least 1
+  int max_depth = 1;
+};
+
+}  // namespace ajar

@@ -1,0 +1,216 @@
+#include "mcmc/path_space/manifold_seeds.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/random.h"
+#include "mcmc/moments.h"
+#include "mcmc/path_space/path_form.h"
+#include "path/measure.h"
+#include "support/path_samples.h"
+#include "support/path_scenes.h"
+#include "support/render.h"
+#include "support/small_scenes.h"
+
+/// Paths that no connection makes, for chains to start from: joined by manifold connections, they
+/// bring as much light as those that run into the light by chance, in every part of the picture.
+namespace ajar {
+namespace {
+
+const std::string kPoolFloor = R"(Material "matte" "rgb Kd" [0.7 0.6 0.5]
+Shape "trianglemesh" "point P" [-2 0 -2  2 0 -2  2 0 2  -2 0 2] "integer indices" [0 2 1 0 3 2]
+)";
+const std::string kWater = R"(Material "glass" "float index" [1.33]
+Shape "trianglemesh" "point P" [-2 0.5 -2  2 0.5 -2  2 0.6 2  -2 0.4 2] "integer indices" [0 2 1 0 3 2]
+  "normal N" [0.2 1 0  -0.2 1 0.1  0.1 1 -0.2  0 1 0.1]
+)";
+const std::string kSky = "LightSource \"infinite\" \"rgb L\" [1 1.2 1.5]\n";
+/// Water whose surface waves, so that several chains lead to a place.
+std::string waves() {
+  constexpr int kRows = 48;
+  std::string points;
+  std::string normals;
+  std::string indices;
+  for (int y = 0; y <= kRows; ++y) {
+    for (int x = 0; x <= kRows; ++x) {
+      const double px = 4.0 * x / kRows - 2.0;
+      const double pz = 4.0 * y / kRows - 2.0;
+      const double a = 9.0 * px + 4.0 * pz;
+      const double b = 6.0 * px - 10.0 * pz;
+      const double dx = 0.06 * (9.0 * std::cos(a) + 6.0 * std::cos(b));
+      const double dz = 0.06 * (4.0 * std::cos(a) - 10.0 * std::cos(b));
+      points += std::to_string(px) + " " +
+                std::to_string(0.7 + 0.06 * (std::sin(a) + std::sin(b))) + " " +
+                std::to_string(pz) + "\n";
+      normals += std::to_string(-dx) + " 1 " + std::to_string(-dz) + "\n";
+      if (x == kRows || y == kRows) continue;
+      const int at = y * (kRows + 1) + x;
+      for (const int i : {at, at + kRows + 2, at + 1, at, at + kRows + 1, at + kRows + 2}) {
+        indices += std::to_string(i) + " ";
+      }
+    }
+  }
+  return "Material \"glass\" \"float index\" [1.33]\nShape \"trianglemesh\" \"point P\" [" +
+         points + "] \"normal N\" [" + normals + "] \"integer indices\" [" + indices + "]\n";
+}
+
+std::string over_water(const std::string& world) {
+  return test::pbrt_scene(
+      "LookAt 0 2.4 -2.2  0 0 0.1  0 1 0\nCamera \"perspective\" \"float fov\" [40]", 24, 16,
+      world);
+}
+std::string foggy_water() {
+  return over_water(R"(MakeNamedMedium "fog" "string type" "homogeneous"
+  "rgb sigma_a" [0.05 0.1 0.1] "rgb sigma_s" [0.6 0.4 0.8] "float g" [0.4]
+)" + test::lamp_over_floor() +
+                    "MediumInterface \"fog\" \"\"\n" + kWater);
+}
+
+struct SeedsCase {
+  const char* name;
+  std::string text;
+};
+void PrintTo(const SeedsCase& c, std::ostream* out) { *out << c.name; }
+
+class ManifoldSeedsOf : public ::testing::TestWithParam<SeedsCase> {};
+
+constexpr int kTiles = 3;
+
+/// What samples bring to each part of the picture, and, last, to all of it.
+class Tiles {
+ public:
+  explicit Tiles(const Scene& scene) : size_(scene.camera().resolution()) {}
+  void add(const Path& path, double brings) {
+    const auto along = [](float share) {
+      return std::clamp(static_cast<int>(share * kTiles), 0, kTiles - 1);
+    };
+    const int tile = along(path.raster.y / size_.y) * kTiles + along(path.raster.x / size_.x);
+    of_sample_[static_cast<std::size_t>(tile)] += brings;
+    of_sample_.back() += brings;
+  }
+  void end_sample() {
+    for (std::size_t i = 0; i < moments_.size(); ++i) moments_[i].add(of_sample_[i]);
+    of_sample_.fill(0.0);
+  }
+  std::span<const Moments> moments() const { return moments_; }
+
+ private:
+  static constexpr int kTiles = 3;
+  Vec2 size_;
+  std::array<double, kTiles * kTiles + 1> of_sample_{};
+  std::array<Moments, kTiles * kTiles + 1> moments_;
+};
+
+double error_of_difference(const Moments& a, const Moments& b) {
+  return std::hypot(a.standard_error(), b.standard_error());
+}
+
+TEST_P(ManifoldSeedsOf, BringWhatRunningIntoTheLightLeaves) {
+  const auto scene = test::scene_from(GetParam().text);
+  Tiles hits(*scene);
+  test::for_samples(*scene, 150000,
+                    [&](std::uint32_t /*sample*/, const std::vector<test::WeightedPath>& paths) {
+                      for (const test::WeightedPath& weighted : paths) {
+                        if (!is_hit_only(weighted.path)) continue;
+                        const double share = ManifoldSeeds::hit_share(*scene, weighted.path);
+                        hits.add(weighted.path, weighted.weight * (1.0 - share));
+                      }
+                      hits.end_sample();
+                    });
+  const SpecularPhotons photons(*scene);
+  const PathBounds bounds = test::path_sample_bounds(*scene);
+  ManifoldSeeds seeds(*scene, photons, bounds);
+  Tiles joined(*scene);
+  for (std::uint32_t i = 0; i < 60000; ++i) {
+    IndependentSource source({8, i, 8, i});
+    const Vec2 raster =
+        bounds.area.raster(source.get_pair({Stream::Camera, 0, kEmissionDirection}));
+    const auto key = hash_numbers(77, i);
+    for (const ManifoldSeeds::Seed& seed : seeds.sample(source, raster, key)) {
+      ASSERT_TRUE(is_hit_only(seed.path));
+      const double light = contribution(*scene, seed.path).log_luminance() + seed.log_factor;
+      joined.add(seed.path, std::exp(light) * seeds.inverse_chance(seed));
+    }
+    joined.end_sample();
+  }
+  for (std::size_t i = 0; i < hits.moments().size(); ++i) {
+    const Moments& a = hits.moments()[i];
+    const Moments& b = joined.moments()[i];
+    EXPECT_LT(std::abs(a.mean() - b.mean()), 5.0 * error_of_difference(a, b)) << "tile " << i;
+  }
+  const Moments& all = hits.moments().back();
+  EXPECT_LT(5.0 * error_of_difference(all, joined.moments().back()), 0.2 * all.mean())
+      << "too noisy to notice what it is for";
+}
+
+/// A chain of waves is found as often as it takes guesses to find it again: of each place on the
+/// floor, all that come in one of fifty guesses.
+TEST(ManifoldConnection, CountsGuessesByTheChanceToFindAChain) {
+  const auto scene = test::scene_from(over_water(test::lamp_over_floor() + waves()));
+  const SpecularPhotons photons(*scene);
+  ManifoldConnection connection(*scene, photons);
+  const Light& light = *scene->lights().front();
+  const auto lit = light.sample_emission({0.5F, {0.4F, 0.3F}, {0.2F, 0.3F}});
+  ASSERT_TRUE(lit);
+  int chains = 0;
+  for (const float x : {-0.8F, -0.1F, 0.7F}) {
+    const auto hit = scene->intersect({Vec3(x, 0.3F, 0.2F), Vec3(0.F, -1.F, 0.F)});
+    ASSERT_TRUE(hit);
+    InnerVertex seen;
+    seen.hit = *hit;
+    seen.hit.material->bsdf(seen.hit.point, seen.bsdf);
+    const ManifoldConnection::Ends ends{light, lit->point, seen, 3};
+    constexpr std::uint64_t kGuesses = 20000;
+    struct Found {
+      std::vector<InnerVertex> chain;
+      double times = 0.0;
+    };
+    std::vector<Found> all;
+    for (std::uint64_t i = 0; i < kGuesses; ++i) {
+      if (!connection.find(ends, hash_numbers(5, i))) continue;
+      const auto chain = connection.chain();
+      const auto same = std::find_if(all.begin(), all.end(), [&](const Found& known) {
+        return known.chain.size() == chain.size() &&
+               length(known.chain.front().p() - chain.front().p()) < 1e-3F;
+      });
+      if (same == all.end()) {
+        all.push_back({{chain.begin(), chain.end()}, 1.0});
+      } else {
+        same->times += 1.0;
+      }
+    }
+    for (const Found& found : all) {
+      const double chance = found.times / kGuesses;
+      if (chance < 0.02) continue;
+      ++chains;
+      Moments guesses;
+      for (std::uint64_t i = 0; i < 400; ++i) {
+        guesses.add(connection.inverse_chance(ends, found.chain, hash_numbers(6, i)));
+      }
+      const double error =
+          std::hypot(guesses.standard_error() * chance, 1.0 / std::sqrt(found.times));
+      EXPECT_NEAR(guesses.mean() * chance, 1.0, 5.0 * error);
+    }
+  }
+  EXPECT_GT(chains, 3) << "one at each place says little";
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Scenes, ManifoldSeedsOf,
+    ::testing::Values(SeedsCase{"Lenses", test::path_scene("Lenses")},
+                      SeedsCase{"Instances", test::path_scene("Instances")},
+                      SeedsCase{"Water", over_water(test::lamp_over_floor() + kWater)},
+                      SeedsCase{"WaterUnderASky", over_water(kSky + kPoolFloor + kWater)},
+                      SeedsCase{"Waves", over_water(test::lamp_over_floor() + waves())},
+                      SeedsCase{"FoggyWater", foggy_water()}),
+    [](const auto& scene_info) { return std::string(scene_info.param.name); });
+
+}  // namespace
+}  // namespace ajar
