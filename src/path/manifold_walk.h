@@ -24,9 +24,9 @@ ChainStart chain_start(const Light& light, const EndpointPoint& point);
 /// method: steps in the tangent plane of s₁, from which the chain is traced again from a, by the
 /// same specular events (lobe and side), and by facets of the same offset normals at rough
 /// vertices, at whatever surfaces rays meet; a step that does not bring the end nearer is halved.
-/// What comes of it depends on nothing else: no number is random. Source: Jakob & Marschner 2012,
-/// "Manifold exploration", section 4.2; that the end need not be on a surface is ours. Holds the
-/// scratch memory of one thread.
+/// What comes of a walk depends on nothing else: no number is random. Source: Jakob & Marschner
+/// 2012, "Manifold exploration", section 4.2; that the end need not be on a surface is ours. Holds
+/// the scratch memory of one thread.
 class ManifoldWalk {
  public:
   explicit ManifoldWalk(const Scene& scene) : scene_(scene), linear_(scene) {}

@@ -73,6 +73,18 @@ std::string foggy_water() {
                     "MediumInterface \"fog\" \"\"\n" + kWater);
 }
 
+/// A lamp that shines to the right, on a mirror, which throws its light on water behind the lamp.
+std::string lamp_by_a_mirror() {
+  return over_water(R"(AttributeBegin
+  AreaLightSource "diffuse" "rgb L" [8 7 6]
+  Shape "trianglemesh" "point P" [0.4 0.9 -0.4  0.4 1.7 -0.4  0.4 1.7 0.4  0.4 0.9 0.4]
+    "integer indices" [0 1 2 0 2 3] "normal N" [1 0 0  1 0 0  1 0 0  1 0 0]
+AttributeEnd
+Material "mirror"
+Shape "trianglemesh" "point P" [1 -1 -2  1 3 -2  1 3 2  1 -1 2] "integer indices" [0 1 2 0 2 3]
+)" + kPoolFloor + kWater);
+}
+
 struct SeedsCase {
   const char* name;
   std::string text;
@@ -80,8 +92,6 @@ struct SeedsCase {
 void PrintTo(const SeedsCase& c, std::ostream* out) { *out << c.name; }
 
 class ManifoldSeedsOf : public ::testing::TestWithParam<SeedsCase> {};
-
-constexpr int kTiles = 3;
 
 /// What samples bring to each part of the picture, and, last, to all of it.
 class Tiles {
@@ -108,6 +118,9 @@ class Tiles {
   std::array<Moments, kTiles * kTiles + 1> moments_;
 };
 
+/// For each that may run into the light, of a render; here each is tried as often.
+constexpr double kTries = 0.5;
+
 double error_of_difference(const Moments& a, const Moments& b) {
   return std::hypot(a.standard_error(), b.standard_error());
 }
@@ -115,18 +128,18 @@ double error_of_difference(const Moments& a, const Moments& b) {
 TEST_P(ManifoldSeedsOf, BringWhatRunningIntoTheLightLeaves) {
   const auto scene = test::scene_from(GetParam().text);
   Tiles hits(*scene);
-  test::for_samples(*scene, 150000,
-                    [&](std::uint32_t /*sample*/, const std::vector<test::WeightedPath>& paths) {
-                      for (const test::WeightedPath& weighted : paths) {
-                        if (!is_hit_only(weighted.path)) continue;
-                        const double share = ManifoldSeeds::hit_share(*scene, weighted.path);
-                        hits.add(weighted.path, weighted.weight * (1.0 - share));
-                      }
-                      hits.end_sample();
-                    });
+  test::for_samples(
+      *scene, 150000, [&](std::uint32_t /*sample*/, const std::vector<test::WeightedPath>& paths) {
+        for (const test::WeightedPath& weighted : paths) {
+          if (!is_hit_only(weighted.path)) continue;
+          const double share = ManifoldSeeds::hit_share(*scene, weighted.path, kTries);
+          hits.add(weighted.path, weighted.weight * (1.0 - share));
+        }
+        hits.end_sample();
+      });
   const SpecularPhotons photons(*scene);
   const PathBounds bounds = test::path_sample_bounds(*scene);
-  ManifoldSeeds seeds(*scene, photons, bounds);
+  ManifoldSeeds seeds(*scene, photons, bounds, kTries);
   Tiles joined(*scene);
   for (std::uint32_t i = 0; i < 60000; ++i) {
     IndependentSource source({8, i, 8, i});
@@ -209,7 +222,8 @@ INSTANTIATE_TEST_SUITE_P(
                       SeedsCase{"Water", over_water(test::lamp_over_floor() + kWater)},
                       SeedsCase{"WaterUnderASky", over_water(kSky + kPoolFloor + kWater)},
                       SeedsCase{"Waves", over_water(test::lamp_over_floor() + waves())},
-                      SeedsCase{"FoggyWater", foggy_water()}),
+                      SeedsCase{"FoggyWater", foggy_water()},
+                      SeedsCase{"LampByAMirror", lamp_by_a_mirror()}),
     [](const auto& scene_info) { return std::string(scene_info.param.name); });
 
 }  // namespace

@@ -107,7 +107,7 @@ template <typename Space>
 void ChainIntegrator<Space>::prepare_item(int /*round*/, std::uint64_t item, Counters& counters) {
   MeasuredPopulation& population = populations_[blocks_[item].owner];
   sample_bootstrap(population, blocks_[item],
-                   *make_path_target(scene(), groups()[population.group], view()), counters);
+                   *make_seed_target(scene(), groups()[population.group], view()), counters);
 }
 
 template <typename Space>

@@ -117,7 +117,7 @@ void EnergyRedistribution<Space>::prepare_item(int /*round*/, std::uint64_t item
                                                Counters& counters) {
   Measured& population = populations_[blocks_[item].owner];
   sample_bootstrap(population, blocks_[item],
-                   *make_path_target(scene(), groups()[population.group], view()), counters);
+                   *make_seed_target(scene(), groups()[population.group], view()), counters);
 }
 
 template <typename Space>
@@ -175,7 +175,7 @@ void EnergyRedistribution<Space>::run_item(std::uint64_t item, std::uint64_t fir
   }
   Item& own = items_[item];
   const PathGroup& group = groups().front();
-  const auto target = make_path_target(scene(), group, view());
+  const auto target = make_seed_target(scene(), group, view());
   typename Space::Walker walker(space_, scene(), group, view());
   ChainFilmSink sink(film, own.replicate, view().importance, walker.target(), counters);
   SplatBuffer splats;

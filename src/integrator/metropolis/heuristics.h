@@ -14,7 +14,7 @@ struct MetropolisHeuristics {
   /// Unit: probability. Range: (0, 1]. Source: set by hand: in water-caustic, where each costs as
   /// much as 70 others, 100 000 samples then take four seconds of one processor, and find 2700
   /// paths.
-  static constexpr float kManifoldTries = 0.0625F;
+  static constexpr double kManifoldTries = 0.0625;
   /// Parts of the samples of a replicate of `erpt`, which threads share.
   /// Unit: items. Range: >= 1. Source: set by hand, for machines of up to 256 processors; no study.
   static constexpr double kMostItems = 64.0;

@@ -20,7 +20,7 @@ PathGroup group_of_all_depths(const Scene& scene, ChainKind kind, PathClass path
           sampler,
           TechniqueChoice(sampler.techniques, 0),
           {sampler.max_depth + 1, sampler.max_depth + 1},
-          std::make_shared<SpecularPhotons>(scene)};
+          is_explicit(kind) ? std::make_shared<SpecularPhotons>(scene) : nullptr};
 }
 
 std::vector<PathGroup> groups_by_depth(PathClass paths, PathSamplerSettings sampler) {
@@ -75,14 +75,17 @@ ChainView view_of(const Scene& scene, const RenderSettings& settings) {
 
 std::unique_ptr<PathTarget> make_path_target(const Scene& scene, const PathGroup& group,
                                              const ChainView& view, const PathPart* part) {
-  if (is_explicit(group.kind)) {
-    return std::make_unique<PathSeeds>(scene, group, view, part);
-  }
   if (group.depth == 0) {
     return std::make_unique<WholePathTarget>(scene, group.sampler, view, part, group.paths);
   }
   return std::make_unique<OnePathTarget>(scene, group.sampler, group.choice, view, part,
                                          group.paths);
+}
+
+std::unique_ptr<PathTarget> make_seed_target(const Scene& scene, const PathGroup& group,
+                                             const ChainView& view, const PathPart* part) {
+  if (!is_explicit(group.kind)) return make_path_target(scene, group, view, part);
+  return std::make_unique<PathSeeds>(scene, group, view, part);
 }
 
 TechniqueSet techniques_of_chains(const Parameters& parameters) {

@@ -59,9 +59,14 @@ double bootstrap_share(std::span<const PathGroup> groups, std::size_t group);
 /// Of a scene's film, as far as its filter reaches beyond the crop.
 ChainView view_of(const Scene& scene, const RenderSettings& settings);
 
-/// A target of one thread; of explicit paths, what these start from (`PathSeeds`). What is referred
-/// to must outlive it; `part`, over whose share of the light it is, may be null.
+/// A target of one thread; of explicit paths, connections of two subpaths. What is referred to must
+/// outlive it; `part`, over whose share of the light it is, may be null.
 std::unique_ptr<PathTarget> make_path_target(const Scene& scene, const PathGroup& group,
+                                             const ChainView& view, const PathPart* part = nullptr);
+
+/// The same for bootstraps: of explicit paths, what these start from (`PathSeeds`). It never
+/// splats.
+std::unique_ptr<PathTarget> make_seed_target(const Scene& scene, const PathGroup& group,
                                              const ChainView& view, const PathPart* part = nullptr);
 
 /// The parameter of that name. Raises UsageError for techniques that are tried several times:

@@ -2,9 +2,9 @@
 
 #include <bit>
 #include <cmath>
+#include <limits>
 
 #include "core/random_use.h"
-#include "integrator/metropolis/heuristics.h"
 #include "mcmc/path_space/path_form.h"
 #include "mcmc/path_space/path_kernel.h"
 #include "mcmc/primary/bootstrap_source.h"
@@ -13,11 +13,11 @@ namespace ajar {
 
 // ---------------------------------------------------------------- Lot
 
-void PathSeeds::Lot::begin_sample(const Vec2& raster, std::optional<double> u) {
+void PathSeeds::Lot::begin_sample(const Vec2& raster, std::optional<double> place) {
   begin(raster);
   total = 0.0;
   chosen.reset();
-  u_ = u;
+  place_ = place;
 }
 
 bool PathSeeds::Lot::reaches(const Vec2& raster) const { return seeds_.view_.contains(raster); }
@@ -35,7 +35,10 @@ double PathSeeds::Lot::brings(const Contribution& contribution) const {
 
 bool PathSeeds::Lot::wants(const Contribution& contribution) {
   if (!has_paths(seeds_.group_.paths, contribution.hit_only)) return false;
-  if (u_ || (contribution.hit_only && seeds_.by_manifolds_)) return true;
+  if (chooses()) return !has_chosen();
+  // One lane below zero must not hide behind the others.
+  if (contribution.value.min() < 0.F) total = std::numeric_limits<double>::quiet_NaN();
+  if (contribution.hit_only && seeds_.by_manifolds_) return true;
   total += brings(contribution);
   return false;
 }
@@ -43,40 +46,34 @@ bool PathSeeds::Lot::wants(const Contribution& contribution) {
 void PathSeeds::Lot::record(const Path& path, const Contribution& contribution) {
   double brought = brings(contribution);
   if (contribution.hit_only && seeds_.by_manifolds_) {
-    brought *= ManifoldSeeds::hit_share(scene(), path);
+    brought *= ManifoldSeeds::hit_share(scene(), path, seeds_.manifold_tries_);
   }
   add_path(path, brought);
 }
 
 void PathSeeds::Lot::add_path(const Path& path, double brings) {
-  if (!(brings > 0.0) || !std::isfinite(brings)) return;
-  if (u_ && !std::isfinite(seeds_.log_light(path))) return;
-  total += brings;
-  if (!u_) return;
-  // The number that is left of u is uniform again, whichever way this goes.
-  const double share = brings / total;
-  if (*u_ < share) {
+  if (has_chosen() || !(brings > 0.0) || !std::isfinite(brings)) return;
+  if (chooses()) {
+    if (!std::isfinite(seeds_.log_light(path))) return;
     chosen = path;
-    *u_ /= share;
-  } else {
-    *u_ = (*u_ - share) / (1.0 - share);
   }
+  total += brings;
 }
 
 // ---------------------------------------------------------------- PathSeeds
 
 PathSeeds::PathSeeds(const Scene& scene, const PathGroup& group, const ChainView& view,
-                     const PathPart* part)
+                     const PathPart* part, double manifold_tries)
     : scene_(scene),
       group_(group),
       view_(view),
       part_(part),
+      manifold_tries_(manifold_tries),
       share_(scene, group.sampler, view.importance, part, group.paths),
       sampler_(scene, group.sampler),
       bounds_{view, group.sampler.min_depth, group.sampler.max_depth},
-      manifolds_(scene, *group.photons, bounds_),
-      by_manifolds_(has_paths(group.paths, true) &&
-                    group.sampler.techniques.any(TechniqueClass::Implicit)),
+      manifolds_(scene, *group.photons, bounds_, manifold_tries),
+      by_manifolds_(has_manifolds(group)),
       lot_(*this) {}
 
 double PathSeeds::log_light(const Path& path) {
@@ -84,29 +81,53 @@ double PathSeeds::log_light(const Path& path) {
   return light_on(scene_, path, view_, 0, splats_, &share_);
 }
 
-void PathSeeds::sample(SampleSource& numbers, std::optional<double> u) {
+void PathSeeds::sample(SampleSource& numbers, std::optional<double> place) {
   const Vec2 raster = view_.raster(numbers.get_pair({Stream::Camera, 0, kEmissionDirection}));
-  lot_.begin_sample(raster, u);
+  lot_.begin_sample(raster, place);
   if (traces_light_alone(group_.sampler)) sampler_.sample_light(numbers, lot_);
   sampler_.sample(numbers, raster, lot_);
   const float lot = numbers.get({Stream::Connection, 0, Slot::Roulette});
-  if (by_manifolds_ && lot < MetropolisHeuristics::kManifoldTries) {
+  if (by_manifolds_ && !lot_.has_chosen() && double{lot} < manifold_tries_) {
     const Vec2 bits = numbers.get_pair({Stream::Connection, 0, Slot::LightPositionX});
-    join_by_manifolds(hash_numbers(std::bit_cast<std::uint32_t>(bits.x), RandomUse::ManifoldSeed,
-                                   std::bit_cast<std::uint32_t>(bits.y)));
+    add_manifolds(hash_numbers(std::bit_cast<std::uint32_t>(bits.x), RandomUse::ManifoldSeed,
+                               std::bit_cast<std::uint32_t>(bits.y)));
   }
+  count_rays();
+}
+
+void PathSeeds::count_rays() {
   rays_ = sampler_.ray_counts();
   rays_.add_rays(manifolds_.ray_counts());
 }
 
-void PathSeeds::join_by_manifolds(std::uint64_t key) {
+std::span<const ManifoldSeeds::Seed> PathSeeds::try_manifolds(std::uint64_t key) {
   BootstrapSource numbers(key, 0);
   const Vec2 raster = view_.raster(numbers.get_pair({Stream::Camera, 0, kEmissionDirection}));
-  for (const ManifoldSeeds::Seed& seed : manifolds_.sample(numbers, raster, key)) {
-    const double brings = std::exp(log_light(seed.path) + seed.log_factor) /
-                          double{MetropolisHeuristics::kManifoldTries};
-    if (brings > 0.0) lot_.add_path(seed.path, brings * manifolds_.inverse_chance(seed));
+  return manifolds_.sample(numbers, raster, key);
+}
+
+void PathSeeds::add_manifolds(std::uint64_t key) {
+  const auto seeds = try_manifolds(key);
+  for (const ManifoldSeeds::Seed& seed : seeds) {
+    double brings = std::exp(log_light(seed.path) + seed.log_factor) / manifold_tries_;
+    if (!(brings > 0.0)) continue;
+    // The last one is chosen if none was before, whatever it brings: to find that out anew may take
+    // long.
+    const bool is_last = &seed == &seeds.back();
+    if (!lot_.chooses() || !is_last) brings *= manifolds_.inverse_chance(seed);
+    lot_.add_path(seed.path, brings);
   }
+}
+
+std::vector<PathSeeds::Joined> PathSeeds::join_by_manifolds(std::uint64_t key) {
+  std::vector<Joined> joined;
+  for (const ManifoldSeeds::Seed& seed : try_manifolds(key)) {
+    double brings = std::exp(log_light(seed.path) + seed.log_factor);
+    if (brings > 0.0) brings *= manifolds_.inverse_chance(seed);
+    if (brings > 0.0 && std::isfinite(brings)) joined.push_back({seed.path, brings});
+  }
+  count_rays();
+  return joined;
 }
 
 double PathSeeds::evaluate(SampleSource& numbers, const Change& /*change*/,
@@ -115,16 +136,18 @@ double PathSeeds::evaluate(SampleSource& numbers, const Change& /*change*/,
   return lot_.total;
 }
 
-std::optional<Path> PathSeeds::choose(SampleSource& numbers, double u) {
-  sample(numbers, u);
+std::optional<Path> PathSeeds::choose(SampleSource& numbers, double total, double u) {
+  sample(numbers, u * total);
   return std::move(lot_.chosen);
 }
 
 std::optional<Path> choose_path(const Scene& scene, const PathGroup& group, const ChainView& view,
-                                std::uint64_t seed, std::uint64_t index, double u,
+                                const SampleOfChains& sample, std::uint64_t number,
                                 const PathPart* part) {
-  BootstrapSource numbers(seed, index);
-  return PathSeeds(scene, group, view, part).choose(numbers, u);
+  BootstrapSource numbers(sample.seed, sample.index);
+  const double u =
+      to_unit_double(hash_numbers(sample.seed, RandomUse::PathSeed, sample.index, number));
+  return PathSeeds(scene, group, view, part).choose(numbers, sample.weight, u);
 }
 
 }  // namespace ajar

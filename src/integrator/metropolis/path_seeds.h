@@ -1,8 +1,10 @@
 #pragma once
 #include <optional>
 
+#include "integrator/metropolis/heuristics.h"
 #include "integrator/metropolis/path_group.h"
 #include "integrator/metropolis/path_share.h"
+#include "integrator/metropolis/sample_of_chains.h"
 #include "mcmc/path_space/manifold_seeds.h"
 #include "path/recorder.h"
 
@@ -16,26 +18,45 @@ namespace ajar {
 class PathSeeds final : public PathTarget {
  public:
   /// What is referred to must outlive it. `part`: of what techniques bring, if chains do not make
-  /// all light; else null.
+  /// all light; else null. `manifold_tries`: of manifold connections, for each sample.
   PathSeeds(const Scene& scene, const PathGroup& group, const ChainView& view,
-            const PathPart* part = nullptr);
+            const PathPart* part = nullptr,
+            double manifold_tries = MetropolisHeuristics::kManifoldTries);
+  PathSeeds(const PathSeeds&) = delete;
+  PathSeeds& operator=(const PathSeeds&) = delete;
 
   double evaluate(SampleSource& numbers, const Change& change, SplatBuffer& splats) override;
-  /// One of the paths of a sample; `u` in [0, 1) is uniform. Empty if none of them can be a state
-  /// of a chain (edges that rounding interrupts when traced again).
-  std::optional<Path> choose(SampleSource& numbers, double u);
+  /// One of the paths of a sample, whose I is `total`; `u` in [0, 1) is uniform. Empty if none of
+  /// them can be a state of a chain (edges that rounding interrupts when traced again).
+  std::optional<Path> choose(SampleSource& numbers, double total, double u);
+
+  /// Whether chains of a group make what manifold connections find.
+  static bool has_manifolds(const PathGroup& group) {
+    return is_explicit(group.kind) && has_paths(group.paths, true) &&
+           group.sampler.techniques.any(TechniqueClass::Implicit);
+  }
+  struct Joined {
+    Path path;
+    double brings;
+  };
+  /// What a try of manifold connections brings, which the group must have, by the randomness that
+  /// `key` names; in the mean, what running into the light leaves of such paths.
+  std::vector<Joined> join_by_manifolds(std::uint64_t key);
 
   const RayCounts& ray_counts() const override { return rays_; }
 
  private:
-  /// Of the paths of a sample that it is told of, the sum of what they bring, and one of them.
+  /// Of the paths of a sample that it is told of, the sum of what they bring, and that path by
+  /// which the sum comes to a place; the last one, should it not.
   class Lot final : public PathRecorder {
    public:
     explicit Lot(PathSeeds& seeds)
         : PathRecorder(seeds.scene_, seeds.group_.sampler), seeds_(seeds) {}
-    /// A sample begins. `u`: by which a path is chosen; empty if none is to be.
-    void begin_sample(const Vec2& raster, std::optional<double> u);
+    /// A sample begins. `place`: of the sum; empty if no path is to be chosen.
+    void begin_sample(const Vec2& raster, std::optional<double> place);
     void add_path(const Path& path, double brings);
+    bool chooses() const { return place_.has_value(); }
+    bool has_chosen() const { return place_ && total > *place_; }
     bool reaches(const Vec2& raster) const override;
 
     double total = 0.0;
@@ -47,12 +68,13 @@ class PathSeeds final : public PathTarget {
     double brings(const Contribution& contribution) const;
 
     PathSeeds& seeds_;
-    std::optional<double> u_;
-    SplatBuffer splats_;
+    std::optional<double> place_;
   };
 
-  void sample(SampleSource& numbers, std::optional<double> u);
-  void join_by_manifolds(std::uint64_t key);
+  void sample(SampleSource& numbers, std::optional<double> place);
+  void add_manifolds(std::uint64_t key);
+  std::span<const ManifoldSeeds::Seed> try_manifolds(std::uint64_t key);
+  void count_rays();
   /// ln f* of a path with all weights.
   double log_light(const Path& path);
 
@@ -60,6 +82,7 @@ class PathSeeds final : public PathTarget {
   const PathGroup& group_;
   const ChainView& view_;
   const PathPart* part_;
+  double manifold_tries_;
   PathShare share_;
   PathSampler sampler_;
   PathBounds bounds_;
@@ -70,9 +93,10 @@ class PathSeeds final : public PathTarget {
   RayCounts rays_;
 };
 
-/// Sample `index` of a bootstrap with this seed once more, for one of its paths.
+/// One of the paths of a sample, which is traced once more; `number`: of the chain that starts from
+/// it.
 std::optional<Path> choose_path(const Scene& scene, const PathGroup& group, const ChainView& view,
-                                std::uint64_t seed, std::uint64_t index, double u,
+                                const SampleOfChains& sample, std::uint64_t number,
                                 const PathPart* part = nullptr);
 
 }  // namespace ajar

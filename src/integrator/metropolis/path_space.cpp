@@ -46,9 +46,7 @@ std::vector<double> path_mutation_weights(const Parameters& parameters) {
 std::optional<PathMember> PathSpace::start(const Scene& scene, const PathGroup& group,
                                            const ChainView& view, const SampleOfChains& sample,
                                            std::uint64_t number) {
-  const double which =
-      to_unit_double(hash_numbers(sample.seed, RandomUse::PathSeed, sample.index, number));
-  std::optional<Path> path = choose_path(scene, group, view, sample.seed, sample.index, which);
+  std::optional<Path> path = choose_path(scene, group, view, sample, number);
   if (!path) return std::nullopt;
   PathMember member;
   member.chain.seed = sample.chain_seed(number);

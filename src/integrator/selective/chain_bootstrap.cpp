@@ -23,7 +23,7 @@ std::uint64_t ChainBootstrap::begin() {
 
 void ChainBootstrap::run(std::uint64_t item, Counters& counters) {
   ChainPopulation& population = populations_[blocks_[item].owner];
-  const auto target = plan_.make_target(plan_.groups[population.group], population.replicate);
+  const auto target = plan_.make_seed_target(plan_.groups[population.group], population.replicate);
   sample_bootstrap(population, blocks_[item], *target, counters);
 }
 

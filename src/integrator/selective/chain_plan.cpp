@@ -217,6 +217,11 @@ std::unique_ptr<PathTarget> ChainPlan::make_target(const PathGroup& group, int r
   return make_path_target(scene, group, view, part_of(replicate));
 }
 
+std::unique_ptr<PathTarget> ChainPlan::make_seed_target(const PathGroup& group,
+                                                        int replicate) const {
+  return ajar::make_seed_target(scene, group, view, part_of(replicate));
+}
+
 void ChainPlan::leave_to_omc(Shortage shortage, std::uint64_t kept) {
   unprepared = shortage;
   ray_price.reset();

@@ -32,6 +32,8 @@ struct ChainPlan {
 
   /// A target of one thread, for chains of a replicate; the plan must outlive it.
   std::unique_ptr<PathTarget> make_target(const PathGroup& group, int replicate) const;
+  /// The same for bootstraps.
+  std::unique_ptr<PathTarget> make_seed_target(const PathGroup& group, int replicate) const;
   /// For paths of one depth as ordinary Monte Carlo finds them, technique by technique.
   const PathGroup& group_of(int depth) const;
   /// The division of a replicate; null if there is none.

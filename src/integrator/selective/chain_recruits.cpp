@@ -11,6 +11,7 @@
 #include "core/parallel_for.h"
 #include "core/random.h"
 #include "core/random_use.h"
+#include "integrator/metropolis/path_seeds.h"
 #include "integrator/montecarlo/path_family.h"
 #include "integrator/selective/chain_archive.h"
 #include "integrator/selective/chain_starts.h"
@@ -47,9 +48,12 @@ class ChainRecruits::Sink final : public StrongPathSink {
   double grain() const override { return recruits_.grain_; }
   bool spread(SampleSource& numbers, StrongPath& path) override {
     Recruit recruit{path, PathNumbers(numbers, path), {}};
-    recruit.scalar = recruits_.evaluate(recruit, counters_);
+    const auto chain =
+        start_chain_of(recruits_.plan_, recruit.numbers, path, std::nullopt, counters_);
+    recruit.scalar = chain ? chain->chain().scalar : 0.0;
     // Rounding may have moved the path off an edge.
     if (!(*recruit.scalar > 0.0 && std::isfinite(*recruit.scalar))) return false;
+    recruits_.share_with_manifolds(recruit, *chain);
     recruits_.keep(std::move(recruit));
     return true;
   }
@@ -62,6 +66,41 @@ class ChainRecruits::Sink final : public StrongPathSink {
 double ChainRecruits::evaluate(const Recruit& recruit, RayCounts& rays) const {
   const auto chain = start_chain_of(plan_, recruit.numbers, recruit.path, std::nullopt, rays);
   return chain ? chain->chain().scalar : 0.0;
+}
+
+void ChainRecruits::share_with_manifolds(Recruit& recruit, const SelectiveChain& chain) const {
+  if (!recruit.path.hit_only || !PathSeeds::has_manifolds(plan_.group_of(recruit.path))) return;
+  const Path& path = std::get<PathChain>(chain.state).path;
+  recruit.path.energy *=
+      ManifoldSeeds::hit_share(plan_.scene, path, SelectiveHeuristics::kManifoldTries);
+}
+
+std::vector<ChainRecruits::JoinedPath> ChainRecruits::join_by_manifolds(
+    const ChainPopulation& population, const Stretch& stretch) const {
+  const PathGroup& group = plan_.groups[population.group];
+  if (!PathSeeds::has_manifolds(group)) return {};
+  const double tries = std::ceil(stretch.samples * SelectiveHeuristics::kManifoldTries);
+  const double energy = stretch.samples / tries * plan_.view.area_per_pixel();
+  const std::uint64_t seed = hash_numbers(population.seed, RandomUse::ManifoldSeed, stretch.number);
+  constexpr std::size_t kBlock = 64;
+  const auto count = static_cast<std::size_t>(tries);
+  std::vector<std::vector<JoinedPath>> blocks((count + kBlock - 1) / kBlock);
+  parallel_for(blocks.size(), [&](std::size_t block) {
+    PathSeeds seeds(plan_.scene, group, plan_.view, plan_.part_of(population.replicate),
+                    SelectiveHeuristics::kManifoldTries);
+    for (std::size_t i = block * kBlock; i < std::min(count, (block + 1) * kBlock); ++i) {
+      const std::uint64_t key = hash_numbers(seed, i);
+      for (PathSeeds::Joined& joined : seeds.join_by_manifolds(key)) {
+        blocks[block].push_back({std::move(joined.path), joined.brings * energy,
+                                 hash_numbers(key, RandomUse::Chain, blocks[block].size())});
+      }
+    }
+  });
+  std::vector<JoinedPath> all;
+  for (std::vector<JoinedPath>& block : blocks) {
+    std::move(block.begin(), block.end(), std::back_inserter(all));
+  }
+  return all;
 }
 
 std::unique_ptr<StrongPathSink> ChainRecruits::make(Film& /*film*/, Counters& counters) const {
@@ -174,7 +213,7 @@ void ChainRecruits::divide_anew(const Divisions& before) {
   std::erase_if(recruits_, [](const Recruit& recruit) { return recruit.path.energy == 0.0; });
 }
 
-std::vector<std::vector<const ChainRecruits::Recruit*>> ChainRecruits::sorted_recruits(
+std::vector<ChainRecruits::Found> ChainRecruits::sorted_recruits(
     const std::vector<ChainPopulation>& populations) {
   std::move(shared_.begin(), shared_.end(), std::back_inserter(recruits_));
   shared_.clear();
@@ -184,21 +223,23 @@ std::vector<std::vector<const ChainRecruits::Recruit*>> ChainRecruits::sorted_re
   for (std::size_t p = 0; p < populations.size(); ++p) {
     by_replicate_and_group[{populations[p].replicate, &plan_.groups[populations[p].group]}] = p;
   }
-  std::vector<std::vector<const Recruit*>> found(populations.size());
+  std::vector<Found> found(populations.size());
   for (const Recruit& recruit : recruits_) {
     const StrongPath& path = recruit.path;
-    found[by_replicate_and_group.at({path.replicate, &plan_.group_of(path)})].push_back(&recruit);
+    found[by_replicate_and_group.at({path.replicate, &plan_.group_of(path)})].recruits.push_back(
+        &recruit);
   }
   return found;
 }
 
 void ChainRecruits::join(std::vector<ChainPopulation>& populations, std::uint64_t first,
                          std::uint64_t last) {
-  const auto found = sorted_recruits(populations);
+  auto found = sorted_recruits(populations);
   const auto replicates = static_cast<std::uint64_t>(plan_.settings.replicates);
   for (std::uint64_t replicate = 0; replicate < replicates; ++replicate) {
     const std::uint64_t samples = samples_of(replicate, replicates, first, last) * plan_.pixels();
-    join_replicate(populations, found, static_cast<int>(replicate), static_cast<double>(samples));
+    join_replicate(populations, found, static_cast<int>(replicate),
+                   {static_cast<double>(samples), last});
   }
   recruits_.clear();
 }
@@ -211,29 +252,30 @@ void ChainRecruits::join_scattered(std::vector<ChainPopulation>& populations,
         static_cast<int>(hash_numbers(recruit.path.key(), RandomUse::RecruitReplicate) %
                          static_cast<std::uint64_t>(replicates));
   }
-  const auto found = sorted_recruits(populations);
+  auto found = sorted_recruits(populations);
   for (int replicate = 0; replicate < replicates; ++replicate) {
-    join_replicate(populations, found, replicate, camera_samples / replicates);
+    join_replicate(populations, found, replicate, {camera_samples / replicates, 0});
   }
   recruits_.clear();
 }
 
 void ChainRecruits::join_replicate(std::vector<ChainPopulation>& populations,
-                                   const std::vector<std::vector<const Recruit*>>& found,
-                                   int replicate, double samples) const {
-  if (samples == 0.0) return;
+                                   std::vector<Found>& found, int replicate,
+                                   const Stretch& stretch) const {
+  if (stretch.samples == 0.0) return;
   std::vector<std::size_t> own;
   std::vector<double> b;
   for (std::size_t p = 0; p < populations.size(); ++p) {
     if (populations[p].replicate != replicate) continue;
     own.push_back(p);
+    found[p].joined = join_by_manifolds(populations[p], stretch);
     if (plan_.kind == ChainKind::SpreadPath) end_chains(populations[p]);
-    merge(populations[p], found[p], samples);
+    merge(populations[p], found[p], stretch.samples);
     b.push_back(populations[p].joined->b);
   }
   const std::vector<std::size_t> shares = apportion(b, plan_.chains_per_replicate());
   for (std::size_t i = 0; i < own.size(); ++i) {
-    resample(populations[own[i]], found[own[i]], shares[i]);
+    resample(populations[own[i]], found[own[i]], shares[i], stretch.number);
   }
 }
 
@@ -245,17 +287,18 @@ void ChainRecruits::end_chains(ChainPopulation& population) {
   population.samples_behind = 0.0;
 }
 
-void ChainRecruits::merge(ChainPopulation& population, const std::vector<const Recruit*>& recruits,
-                          double samples) const {
+void ChainRecruits::merge(ChainPopulation& population, const Found& found, double samples) const {
   const double before = population.samples_behind;
   const double share = samples / (before + samples);
   const double scale = share / samples / plan_.view.area_per_pixel();
   ChainPopulation::Joined joined{0.0, 0.0, scale, 0.0};
-  for (const Recruit* recruit : recruits) {
-    const double mass = std::abs(recruit->path.energy) * scale;
+  const auto add = [&](double energy) {
+    const double mass = std::abs(energy) * scale;
     joined.b += mass;
     joined.variance += mass * mass;
-  }
+  };
+  for (const Recruit* recruit : found.recruits) add(recruit->path.energy);
+  for (const JoinedPath& path : found.joined) add(path.energy);
   if (population.joined) {
     joined.of_chains = (1.0 - share) * population.joined->b;
     joined.b += joined.of_chains;
@@ -265,24 +308,25 @@ void ChainRecruits::merge(ChainPopulation& population, const std::vector<const R
   population.samples_behind = before + samples;
 }
 
-void ChainRecruits::resample(ChainPopulation& population,
-                             const std::vector<const Recruit*>& recruits,
-                             std::size_t chains) const {
+void ChainRecruits::resample(ChainPopulation& population, const Found& found, std::size_t chains,
+                             std::uint64_t stretch) const {
   const ChainPopulation::Joined& joined = *population.joined;
   std::vector<SelectiveChain> old = std::move(population.chains);
   population.chains.clear();
   std::vector<double> masses;
-  masses.reserve(old.size() + recruits.size());
+  masses.reserve(old.size() + found.recruits.size() + found.joined.size());
   double of_old = 0.0;
   for (const SelectiveChain& member : old) of_old += std::abs(member.weight);
   for (const SelectiveChain& member : old) {
     masses.push_back(joined.of_chains * std::abs(member.weight) / of_old);
   }
-  for (const Recruit* recruit : recruits) {
+  for (const Recruit* recruit : found.recruits) {
     masses.push_back(std::abs(recruit->path.energy) * joined.of_recruits);
   }
-  const std::uint64_t seed = hash_numbers(population.seed, RandomUse::RecruitSeeds,
-                                          static_cast<std::uint64_t>(population.samples_behind));
+  for (const JoinedPath& path : found.joined) {
+    masses.push_back(path.energy * joined.of_recruits);
+  }
+  const std::uint64_t seed = hash_numbers(population.seed, RandomUse::RecruitSeeds, stretch);
   const double u = to_unit_double(hash_numbers(seed, RandomUse::Seeds));
   std::size_t last = masses.size();
   std::uint64_t twins = 0;
@@ -302,8 +346,13 @@ void ChainRecruits::resample(ChainPopulation& population,
       SelectiveChain& member = population.chains.emplace_back(std::move(old[index]));
       member.weight = std::copysign(1.0, member.weight);
     } else {
-      const Recruit& recruit = *recruits[index - old.size()];
-      auto chain = start_chain_of(plan_, recruit.numbers, recruit.path, recruit.scalar, rays);
+      const std::size_t number = index - old.size();
+      auto chain =
+          number < found.recruits.size()
+              ? start_chain_of(plan_, found.recruits[number]->numbers, found.recruits[number]->path,
+                               found.recruits[number]->scalar, rays)
+              : start_chain_at(found.joined[number - found.recruits.size()].path,
+                               found.joined[number - found.recruits.size()].key);
       if (chain) {
         population.chains.push_back(std::move(*chain));
       } else {

@@ -62,20 +62,39 @@ class ChainRecruits final : public StrongPathSinks {
     }
   };
 
+  /// A path that no connection makes, found by manifold connections when chains are joined.
+  struct JoinedPath {
+    Path path;
+    double energy;  ///< as of a `StrongPath`
+    std::uint64_t key;
+  };
+  /// What chains of a population may start from.
+  struct Found {
+    std::vector<const Recruit*> recruits;
+    std::vector<JoinedPath> joined;
+  };
+
+  /// Camera samples of a replicate that what is joined stands for; numbers tell stretches apart.
+  struct Stretch {
+    double samples;
+    std::uint64_t number;
+  };
+
   /// I of a chain that starts there; 0 if none can.
   double evaluate(const Recruit& recruit, RayCounts& rays) const;
+  /// A recruit's energy without what manifold connections find of its path.
+  void share_with_manifolds(Recruit& recruit, const SelectiveChain& chain) const;
+  std::vector<JoinedPath> join_by_manifolds(const ChainPopulation& population,
+                                            const Stretch& stretch) const;
   void set_grain(double per_sample, double camera_samples);
-  void join_replicate(std::vector<ChainPopulation>& populations,
-                      const std::vector<std::vector<const Recruit*>>& found, int replicate,
-                      double samples) const;
+  void join_replicate(std::vector<ChainPopulation>& populations, std::vector<Found>& found,
+                      int replicate, const Stretch& stretch) const;
   /// Of each population, in an order that does not depend on threads.
-  std::vector<std::vector<const Recruit*>> sorted_recruits(
-      const std::vector<ChainPopulation>& populations);
+  std::vector<Found> sorted_recruits(const std::vector<ChainPopulation>& populations);
   static void end_chains(ChainPopulation& population);
-  void merge(ChainPopulation& population, const std::vector<const Recruit*>& recruits,
-             double samples) const;
-  void resample(ChainPopulation& population, const std::vector<const Recruit*>& recruits,
-                std::size_t chains) const;
+  void merge(ChainPopulation& population, const Found& found, double samples) const;
+  void resample(ChainPopulation& population, const Found& found, std::size_t chains,
+                std::uint64_t stretch) const;
   void keep(Recruit recruit) const;
   /// Appends the recruits of an archive to `recruits`.
   void load_recruits(InputArchive& archive, std::vector<Recruit>& recruits) const;

@@ -27,11 +27,8 @@ PathChain chain_at(Path path, std::uint64_t seed, std::uint64_t origin) {
 
 std::optional<PathChain> seed_path(const ChainPlan& plan, const ChainPopulation& population,
                                    const SampleOfChains& sample, std::uint64_t number) {
-  const double which =
-      to_unit_double(hash_numbers(sample.seed, RandomUse::PathSeed, sample.index, number));
-  std::optional<Path> path =
-      choose_path(plan.scene, plan.groups[population.group], plan.view, sample.seed, sample.index,
-                  which, plan.part_of(population.replicate));
+  std::optional<Path> path = choose_path(plan.scene, plan.groups[population.group], plan.view,
+                                         sample, number, plan.part_of(population.replicate));
   if (!path) return std::nullopt;
   return chain_at(std::move(*path), sample.chain_seed(number), sample.index);
 }
@@ -121,6 +118,13 @@ std::optional<SelectiveChain> start_chain_of(const ChainPlan& plan, const PathNu
   }
   start.record.by_technique.resize(group.choice.size());
   start.state = std::move(chain);
+  return start;
+}
+
+SelectiveChain start_chain_at(const Path& path, std::uint64_t seed) {
+  SelectiveChain start;
+  start.weight = 1.0;
+  start.state = chain_at(path, seed, seed);
   return start;
 }
 

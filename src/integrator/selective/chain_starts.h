@@ -21,6 +21,9 @@ std::optional<SelectiveChain> start_chain_of(const ChainPlan& plan, const PathNu
                                              const StrongPath& found, std::optional<double> known,
                                              RayCounts& rays);
 
+/// A chain of explicit paths, which starts from this one.
+SelectiveChain start_chain_at(const Path& path, std::uint64_t seed);
+
 /// Raises std::runtime_error unless a chain of a population can be as it is: after at most
 /// `most_steps` steps, at a state that its target knows, too.
 void check_chain(const ChainPlan& plan, const ChainPopulation& population,

@@ -73,15 +73,15 @@ struct PathSpaceHeuristics {
   /// Its guesses pass beside the straight way, or where a photon passed, by no less than this, each
   /// order of magnitude as often as any other.
   /// Unit: radians; from infinity, share of π of the scene's diameter. Range: (0, π). Source:
-  /// docs/notebook/mutations.md, "Seeds of what no connection makes": a tenth and ten times make no
-  /// difference that a seed shows.
+  /// docs/notebook/mutations.md, "Seeds of what no connection makes": ten times are worse, if one
+  /// seed can be trusted; of less, no study.
   static constexpr double kSmallestGuess = 1e-4;
   /// How many of them follow photons.
-  /// Unit: probability. Range: [0, 1). Source: as above: with none the error is half as large again
-  /// at equal time; half as many make no difference.
+  /// Unit: probability. Range: [0, 1). Source: as above: without them the same error takes nine
+  /// times as long; half as many make no difference that one seed shows, nearly all are worse.
   static constexpr float kGuessesByPhotons = 0.9F;
   /// Photons that are traced for that, of all lights.
-  /// Unit: photons. Range: >= 0. Source: as above: half and double make no difference.
+  /// Unit: photons. Range: >= 0. Source: as above: half makes no difference; of double, no study.
   static constexpr std::uint64_t kPhotons = 1 << 17;
   /// They are chosen among those in the smallest cell that has so many.
   /// Unit: photons. Range: >= 1. Source: as above: half and double make no difference.
@@ -90,9 +90,9 @@ struct PathSpaceHeuristics {
   /// Unit: vertices. Range: >= 1. Source: set by hand, no study.
   static constexpr int kLongestOfPhotons = 16;
   /// No one waits longer for a chain to be found again: then it is dark.
-  /// Unit: guesses. Range: >= 1. Source: set by hand: half a minute. Of chains whose chance is 1e-5
-  /// it leaves out all but 1e-18.
-  static constexpr std::uint64_t kMostGuesses = 1 << 22;
+  /// Unit: guesses. Range: >= 1. Source: set by hand: a minute. Of chains whose chance is 1e-5 it
+  /// leaves out 3e-5, of those whose chance is 1e-6 a third.
+  static constexpr std::uint64_t kMostGuesses = 1 << 20;
 };
 
 }  // namespace ajar

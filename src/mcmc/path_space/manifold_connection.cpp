@@ -16,6 +16,19 @@ namespace ajar {
 
 namespace {
 
+/// By how much a ray from a light may miss where it is meant to pass: far from the origin, and from
+/// where those come that come from infinity, this is more than the tolerance of walks.
+double rounding_of_rays(const Scene& scene, const ChainEnd& light, const Vec3& end) {
+  constexpr double kRounding = 1e-6;  // as `offset_ray_origin` has it, of coordinates
+  const auto size = [](const Vec3d& p) {
+    return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+  };
+  const BoundingSphere& sphere = scene.bounding_sphere();
+  const double start =
+      light.at_infinity ? size(Vec3d(sphere.center)) + 2.0 * double{sphere.radius} : size(light.p);
+  return kRounding * std::max(start, size(Vec3d(end)));
+}
+
 /// A clear chain, and what tells it from others between the same ends.
 class KnownChain {
  public:
@@ -33,7 +46,8 @@ class KnownChain {
       length += edge;
       shortest_ = std::min(shortest_, edge);
     }
-    uncertainty_ = PathHeuristics::kWalkTolerance * length * linear.largest_move();
+    uncertainty_ = (PathHeuristics::kWalkTolerance * length + rounding_of_rays(scene, light, end)) *
+                   linear.largest_move();
   }
 
   bool is_clear() const {

@@ -15,12 +15,17 @@ namespace {
 /// ln of the density with which the vertices from `seen` to the light are joined, were the chain
 /// certain to be found.
 double log_join_pdf(const Scene& scene, const Path& path, int seen) {
-  if (path.light->discrete_position() || !ManifoldConnection::is_clear(scene, path, seen)) {
+  const Light& light = *path.light;
+  const Vec3& place = path.vertex(seen).p();
+  // A side of a lamp that is turned away is never sampled from there, whatever the density says.
+  const bool turns_away =
+      !light.at_infinity() &&
+      light.emitted(path.light_point, normalize(place - path.light_point.surface.p)).is_black();
+  if (light.discrete_position() || turns_away || !ManifoldConnection::is_clear(scene, path, seen)) {
     return kNever;
   }
-  const Vec3& reference = path.vertex(seen).p();
-  return std::log(double{path.light->connection_pdf(reference, path.light_point).value()}) +
-         std::log(double{scene.light_sampler().probability(reference, *path.light).value()}) +
+  return std::log(double{light.connection_pdf(place, path.light_point).value()}) +
+         std::log(double{scene.light_sampler().probability(place, light).value()}) +
          log_chain_density(scene, path, 0, seen);
 }
 
@@ -37,11 +42,11 @@ double balance(double log_first, double log_other) {
 
 }  // namespace
 
-double ManifoldSeeds::hit_share(const Scene& scene, const Path& path) {
+double ManifoldSeeds::hit_share(const Scene& scene, const Path& path, double tries) {
   const int seen = first_rough_from_light(path);
   if (seen == path.depth() || seen == 1) return 1.0;
   const double join = log_join_pdf(scene, path, seen);
-  return join > kNever ? balance(log_hit_pdf(scene, path, seen), join) : 1.0;
+  return join > kNever ? balance(log_hit_pdf(scene, path, seen), join + std::log(tries)) : 1.0;
 }
 
 std::span<const ManifoldSeeds::Seed> ManifoldSeeds::sample(SampleSource& source, const Vec2& raster,
@@ -82,7 +87,7 @@ void ManifoldSeeds::join(SampleSource& source, std::uint64_t key) {
   const double joined = log_join_pdf(scene_, path, vertex);
   if (!std::isfinite(joined)) return;
   const double hit = log_hit_pdf(scene_, path, vertex);
-  double log_factor = std::log(balance(joined, hit)) - joined;
+  double log_factor = std::log(balance(joined + std::log(tries_), hit)) - joined;
   for (int x = path.depth(); x >= vertex; --x)
     log_factor -= std::log(camera_step_pdf(scene_, path, x));
   seeds_.push_back({std::move(path), log_factor, key});

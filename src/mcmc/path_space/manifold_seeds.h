@@ -9,15 +9,20 @@
 
 namespace ajar {
 
-/// Paths that only light finds that is hit by chance (`is_hit_only`), for chains to start from: a
-/// subpath from the camera, whose first vertex that is not specular, and each that follows upon a
-/// specular chain, are joined to a light by a manifold connection. Holds the scratch memory of one
-/// thread.
+/// Paths that only light finds that is hit by chance (`is_hit_only`), for chains to start from: the
+/// vertices of a subpath from the camera that are not specular, but follow upon one that is, are
+/// joined to a light by a manifold connection. Holds the scratch memory of one thread.
 class ManifoldSeeds {
  public:
-  /// All must outlive it.
-  ManifoldSeeds(const Scene& scene, const SpecularPhotons& photons, const PathBounds& bounds)
-      : scene_(scene), bounds_(bounds), growing_(scene, bounds.area), connection_(scene, photons) {}
+  /// All must outlive it. `tries`: how often it is tried for each subpath from the camera that may
+  /// run into a light.
+  ManifoldSeeds(const Scene& scene, const SpecularPhotons& photons, const PathBounds& bounds,
+                double tries)
+      : scene_(scene),
+        bounds_(bounds),
+        tries_(tries),
+        growing_(scene, bounds.area),
+        connection_(scene, photons) {}
 
   /// A path, and ln of what its f is to be multiplied by, so that the sum over all that one try
   /// makes, each times what `inverse_chance` says, has the mean ∫ f · (1 − w) at this place of the
@@ -33,10 +38,10 @@ class ManifoldSeeds {
   /// on average.
   double inverse_chance(const Seed& seed);
 
-  /// The MIS weight, by the balance heuristic, of running into the light as against this: a
-  /// function of the path alone, of which the chance to find the chain is no part. 1 for paths that
-  /// are not of the kind.
-  static double hit_share(const Scene& scene, const Path& path);
+  /// The MIS weight, by the balance heuristic, of running into the light as against `tries` of
+  /// this: a function of the path alone, of which the chance to find the chain is no part. 1 for
+  /// paths that are not of the kind.
+  static double hit_share(const Scene& scene, const Path& path, double tries);
 
   RayCounts ray_counts() const;
 
@@ -45,6 +50,7 @@ class ManifoldSeeds {
 
   const Scene& scene_;
   const PathBounds& bounds_;
+  double tries_;
   GrowingPath growing_;
   ManifoldConnection connection_;
   std::vector<Seed> seeds_;

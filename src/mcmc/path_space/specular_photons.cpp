@@ -1,6 +1,7 @@
 #include "mcmc/path_space/specular_photons.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/random_use.h"
 #include "mcmc/path_space/heuristics.h"
@@ -24,14 +25,15 @@ std::uint64_t spread_bits(std::uint32_t bits) {
 }  // namespace
 
 void SpecularPhotons::trace() const {
-  by_light_.resize(scene_.lights().size());
-  if (scene_.light_sampler().empty()) return;
+  std::vector<std::vector<Photon>> by_light(scene_.lights().size());
   ManifoldWalk walk(scene_);
-  for (std::uint64_t i = 0; i < PathSpaceHeuristics::kPhotons; ++i) {
+  const std::uint64_t count = scene_.light_sampler().empty() ? 0 : PathSpaceHeuristics::kPhotons;
+  for (std::uint64_t i = 0; i < count; ++i) {
     BootstrapSource source(static_cast<std::uint64_t>(RandomUse::SpecularPhotons), i);
     const auto address = [](Slot slot) { return SampleAddress(Stream::Light, 0, slot); };
     const Light& light =
         *scene_.light_sampler().choose_emitter(source.get(address(kEmitterChoice))).light;
+    if (light.discrete_position()) continue;
     const auto emission = light.sample_emission({source.get(address(kEmissionPrimitive)),
                                                  source.get_pair(address(kEmissionPosition)),
                                                  source.get_pair(address(kEmissionDirection))});
@@ -40,13 +42,14 @@ void SpecularPhotons::trace() const {
     const ChainStart start = chain_start(light, emission->point);
     if (walk.set_off(start, through, PathSpaceHeuristics::kLongestOfPhotons, source) &&
         walk.landing()) {
-      by_light_[light.index].push_back({code(*walk.landing()), walk.vertices().front().p()});
+      by_light[light.index].push_back({code(*walk.landing()), walk.vertices().front().p()});
     }
   }
-  for (std::vector<Photon>& photons : by_light_) {
+  for (std::vector<Photon>& photons : by_light) {
     std::stable_sort(photons.begin(), photons.end(),
                      [](const Photon& a, const Photon& b) { return a.place < b.place; });
   }
+  by_light_ = std::move(by_light);
 }
 
 std::uint64_t SpecularPhotons::code(const Vec3& p) const {
@@ -54,7 +57,9 @@ std::uint64_t SpecularPhotons::code(const Vec3& p) const {
   const BoundingSphere& bounds = scene_.bounding_sphere();
   const auto along = [&](float x, float center) {
     const float share = 0.5F + 0.5F * (x - center) / bounds.radius;
-    return spread_bits(static_cast<std::uint32_t>(std::clamp(share * kCells, 0.F, kCells - 1.F)));
+    // What is no number is at the border.
+    return spread_bits(
+        share > 0.F ? static_cast<std::uint32_t>(std::min(share * kCells, kCells - 1.F)) : 0U);
   };
   return along(p.x, bounds.center.x) | along(p.y, bounds.center.y) << 1U |
          along(p.z, bounds.center.z) << 2U;

@@ -9,8 +9,8 @@
 namespace ajar {
 
 /// Where light falls that came through specular chains, and by what first vertices: guesses for
-/// manifold connections. The same for the same scene. Traced when it is first asked for; safe to be
-/// asked by several threads.
+/// manifold connections. The same for the same scene. Traced when it is first asked for, by rays
+/// that no one counts; safe to be asked by several threads.
 class SpecularPhotons {
  public:
   /// `scene` must outlive it.
