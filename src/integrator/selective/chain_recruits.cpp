@@ -308,6 +308,16 @@ void ChainRecruits::merge(ChainPopulation& population, const Found& found, doubl
   population.samples_behind = before + samples;
 }
 
+std::optional<SelectiveChain> ChainRecruits::start(const Found& found, std::size_t number,
+                                                   RayCounts& rays) const {
+  if (number < found.recruits.size()) {
+    const Recruit& recruit = *found.recruits[number];
+    return start_chain_of(plan_, recruit.numbers, recruit.path, recruit.scalar, rays);
+  }
+  const JoinedPath& joined = found.joined[number - found.recruits.size()];
+  return start_chain_at(joined.path, joined.key);
+}
+
 void ChainRecruits::resample(ChainPopulation& population, const Found& found, std::size_t chains,
                              std::uint64_t stretch) const {
   const ChainPopulation::Joined& joined = *population.joined;
@@ -346,13 +356,7 @@ void ChainRecruits::resample(ChainPopulation& population, const Found& found, st
       SelectiveChain& member = population.chains.emplace_back(std::move(old[index]));
       member.weight = std::copysign(1.0, member.weight);
     } else {
-      const std::size_t number = index - old.size();
-      auto chain =
-          number < found.recruits.size()
-              ? start_chain_of(plan_, found.recruits[number]->numbers, found.recruits[number]->path,
-                               found.recruits[number]->scalar, rays)
-              : start_chain_at(found.joined[number - found.recruits.size()].path,
-                               found.joined[number - found.recruits.size()].key);
+      auto chain = start(found, index - old.size(), rays);
       if (chain) {
         population.chains.push_back(std::move(*chain));
       } else {

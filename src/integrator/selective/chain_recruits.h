@@ -14,7 +14,8 @@ namespace ajar {
 /// camera sample of bidirectional path tracing tries every technique of every depth, so it finds
 /// many times as many of them as the bootstrap and the large steps of chains in the same time;
 /// light that a bootstrap misses, such as the islands of a caustic seen through water, has chains
-/// all over it after a while.
+/// all over it after a while. What no connection makes is found by manifold connections, too,
+/// whenever chains are joined.
 ///
 /// Found paths with weights (what they carry per sample) are a sample of the chains' target, as the
 /// states of a population of chains are, with the weight b shared among them; both are right on
@@ -65,8 +66,8 @@ class ChainRecruits final : public StrongPathSinks {
   /// A path that no connection makes, found by manifold connections when chains are joined.
   struct JoinedPath {
     Path path;
-    double energy;  ///< as of a `StrongPath`
-    std::uint64_t key;
+    double energy;      ///< as of a `StrongPath`
+    std::uint64_t key;  ///< names the randomness of a chain that starts there
   };
   /// What chains of a population may start from.
   struct Found {
@@ -93,6 +94,9 @@ class ChainRecruits final : public StrongPathSinks {
   std::vector<Found> sorted_recruits(const std::vector<ChainPopulation>& populations);
   static void end_chains(ChainPopulation& population);
   void merge(ChainPopulation& population, const Found& found, double samples) const;
+  /// A chain at one of what was found, recruits first; empty if it cannot be there.
+  std::optional<SelectiveChain> start(const Found& found, std::size_t number,
+                                      RayCounts& rays) const;
   void resample(ChainPopulation& population, const Found& found, std::size_t chains,
                 std::uint64_t stretch) const;
   void keep(Recruit recruit) const;
