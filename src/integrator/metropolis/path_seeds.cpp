@@ -71,7 +71,8 @@ PathSeeds::PathSeeds(const Scene& scene, const PathGroup& group, const ChainView
       manifold_tries_(manifold_tries),
       share_(scene, group.sampler, view.importance, part, group.paths),
       sampler_(scene, group.sampler),
-      bounds_{view, group.sampler.min_depth, group.sampler.max_depth},
+      bounds_{static_cast<const RasterArea&>(view), group.sampler.min_depth,
+              group.sampler.max_depth},
       manifolds_(scene, *group.photons, bounds_, manifold_tries),
       by_manifolds_(has_manifolds(group)),
       lot_(*this) {}
