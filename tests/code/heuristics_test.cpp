@@ -155,7 +155,6 @@ const std::multimap<std::string, Unfitted>& unfitted() {
       {"integrator/selective/chain_check.cpp", {"limit of a type", {"kMostSamples"}}},
       {"integrator/selective/chain_effort.cpp", {"rounding", {"kRounding"}}},
       {"integrator/selective/chain_plan.cpp", {"rounding", {"kRounding"}}},
-      {"integrator/selective/chain_recruits.cpp", {"size of an item", {"kBlock"}}},
       {"integrator/selective/pilot_use.h", {"number of replicates", {"kTwoHalves"}}},
       {"integrator/selective/division_pilot.cpp", {"number of replicates", {"kReplicates"}}},
       {"integrator/selective/technique_pilot.cpp", {"index", {"kUsual"}}},

@@ -13,6 +13,7 @@
 #include "core/random_use.h"
 #include "integrator/metropolis/path_seeds.h"
 #include "integrator/montecarlo/path_family.h"
+#include "integrator/sample_block.h"
 #include "integrator/selective/chain_archive.h"
 #include "integrator/selective/chain_starts.h"
 #include "integrator/selective/heuristics.h"
@@ -82,23 +83,23 @@ std::vector<ChainRecruits::JoinedPath> ChainRecruits::join_by_manifolds(
   const double tries = std::ceil(stretch.samples * SelectiveHeuristics::kManifoldTries);
   const double energy = stretch.samples / tries * plan_.view.area_per_pixel();
   const std::uint64_t seed = hash_numbers(population.seed, RandomUse::ManifoldSeed, stretch.number);
-  constexpr std::size_t kBlock = 64;
-  const auto count = static_cast<std::size_t>(tries);
-  std::vector<std::vector<JoinedPath>> blocks((count + kBlock - 1) / kBlock);
+  std::vector<SampleBlock> blocks;
+  add_blocks(blocks, population.group, static_cast<std::uint64_t>(tries));
+  std::vector<std::vector<JoinedPath>> found(blocks.size());
   parallel_for(blocks.size(), [&](std::size_t block) {
     PathSeeds seeds(plan_.scene, group, plan_.view, plan_.part_of(population.replicate),
                     SelectiveHeuristics::kManifoldTries);
-    for (std::size_t i = block * kBlock; i < std::min(count, (block + 1) * kBlock); ++i) {
-      const std::uint64_t key = hash_numbers(seed, i);
+    for (std::uint64_t i = blocks[block].first; i < blocks[block].last; ++i) {
+      std::uint64_t key = hash_numbers(seed, i);
       for (PathSeeds::Joined& joined : seeds.join_by_manifolds(key)) {
-        blocks[block].push_back({std::move(joined.path), joined.brings * energy,
-                                 hash_numbers(key, RandomUse::Chain, blocks[block].size())});
+        key = hash_numbers(key, RandomUse::Chain);
+        found[block].push_back({std::move(joined.path), joined.brings * energy, key});
       }
     }
   });
   std::vector<JoinedPath> all;
-  for (std::vector<JoinedPath>& block : blocks) {
-    std::move(block.begin(), block.end(), std::back_inserter(all));
+  for (std::vector<JoinedPath>& of_block : found) {
+    std::move(of_block.begin(), of_block.end(), std::back_inserter(all));
   }
   return all;
 }
