@@ -321,7 +321,9 @@ TEST_F(CheckpointCli, VanishedFolderIsReportedAndNothingIsLost) {
   fs::create_directories(folder_ / "out");
   const pid_t child = start_endless({"--checkpoint", "out/c", "--checkpoint-every", "0.1s", "-o",
                                      "out/b.pfm", "--output-every", "0.1s"});
-  fs::remove_all(folder_ / "out");
+  // All at once: the child may write a file into a folder that is being emptied.
+  fs::rename(folder_ / "out", folder_ / "gone");
+  fs::remove_all(folder_ / "gone");
   EXPECT_TRUE(wait_for(folder_ / ".stderr", "the checkpoint will be tried again"));
   EXPECT_TRUE(wait_for(folder_ / ".stderr", "the picture will be tried again"));
   kill(child, SIGINT);
