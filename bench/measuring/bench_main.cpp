@@ -41,6 +41,9 @@ void add_measure_options(CLI::App& app, std::vector<std::string>& scenes, Measur
   app.add_option("--references", options.folder, "Folder of references");
   app.add_option("--reference-seconds", options.reference_seconds,
                  "CPU-seconds of a reference that is made");
+  app.add_option("--reference-methods", options.reference_methods,
+                 "Methods that references are made by, such as bdpt")
+      ->delimiter(',');
 }
 
 }  // namespace ajar::bench

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <span>
 
 #include "measuring/reference_store.h"
 #include "measuring/timed_render.h"
@@ -16,16 +17,15 @@ constexpr Vec2i kSize(160, 120);
 constexpr int kDefaultDepth = 16;
 /// Far from those of the renders that are compared with it.
 constexpr std::uint64_t kReferenceSeed = 2'000'000;
-constexpr std::array<const char*, 2> kMethods = {"bdpt", "mmlt+"};
 
 /// The next part of a reference by one of the methods. False if interrupted.
-bool render_part(const MeasuredScene& scene, std::size_t which, double cpu_seconds,
-                 const ReferenceStore& store) {
-  const char* method = kMethods[which];
+bool render_part(const MeasuredScene& scene, std::span<const std::string> methods,
+                 std::size_t which, double cpu_seconds, const ReferenceStore& store) {
+  const std::string& method = methods[which];
   fmt::print(stderr, "{}: reference by {}, {:.0f} CPU-seconds\n", scene.name, method, cpu_seconds);
   RenderSettings settings = scene.settings;
-  // Both make some of the light alike: with one seed, they would have the same noise in it.
-  settings.seed = kReferenceSeed + which + kMethods.size() * store.count();
+  // They make some of the light alike: with one seed, they would have the same noise in it.
+  settings.seed = kReferenceSeed + which + methods.size() * store.count();
   TimedRender render =
       render_for({cpu_seconds}, *scene.scene, parse_variant(method), settings, interrupt_count());
   if (interrupt_count() > 0) return false;
@@ -52,14 +52,15 @@ std::optional<MeasuredScene> measure_scene(const BenchScene& bench_scene,
   scene.settings = settings_for(*scene.scene);
   scene.settings.max_depth = max_depth;
   std::vector<std::array<std::vector<float>, 2>> by_method;
-  for (std::size_t which = 0; which < kMethods.size(); ++which) {
+  const std::vector<std::string>& methods = measure.reference_methods;
+  for (std::size_t which = 0; which < methods.size(); ++which) {
     const ReferenceStore store(measure.folder, {scene.name, size, scene.settings.max_depth,
                                                 measure.box_filter ? "box" : "scene",
-                                                kMethods[which], scene.scene->hash()});
+                                                methods[which], scene.scene->hash()});
     constexpr std::size_t kHalves = 2;
-    const double part_seconds = measure.reference_seconds / (kHalves * kMethods.size());
+    const double part_seconds = measure.reference_seconds / (kHalves * methods.size());
     while (store.count() < kHalves) {
-      if (!render_part(scene, which, part_seconds, store)) return std::nullopt;
+      if (!render_part(scene, methods, which, part_seconds, store)) return std::nullopt;
     }
     std::array<std::vector<ReferencePart>, kHalves> parts;
     for (ReferencePart& part : store.load()) {

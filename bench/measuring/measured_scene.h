@@ -16,6 +16,8 @@ struct MeasureOptions {
   bool box_filter = false;  ///< one pixel wide, instead of the scene's own
   std::string folder = "build/measured-scenes";  ///< where references are kept
   double reference_seconds = 400.0;              ///< of CPU, of all that is rendered
+  /// Of references: these two fail in different places.
+  std::vector<std::string> reference_methods = {"bdpt", "mmlt+"};
 };
 
 /// A scene, and what a picture of it should be.
@@ -24,7 +26,7 @@ struct MeasuredScene {
   desc::SceneDesc description;
   std::unique_ptr<Scene> scene;  ///< built of it
   RenderSettings settings;
-  ReferencePair references;  ///< of bdpt and mmlt+, which fail in different places
+  ReferencePair references;
 };
 
 /// References are loaded from the folder, or rendered and kept there: two pictures by each method,
