@@ -4,8 +4,11 @@
 #include <string>
 #include <vector>
 
+#include "integrator/selective/chain_bootstrap.h"
 #include "integrator/selective/chain_plan.h"
+#include "integrator/selective/chain_recruits.h"
 #include "integrator/selective/path_numbers.h"
+#include "mcmc/moments.h"
 #include "mcmc/primary/chain_source.h"
 #include "support/render.h"
 #include "support/small_scenes.h"
@@ -93,6 +96,73 @@ TEST(Recruits, AreStatesOfChainsThatAreWorthWhatWasFound) {
       EXPECT_EQ(comparison.found_by_later_subpaths > 100, setting.light_paths == "4") << what;
     }
   }
+}
+
+/// A lamp so small, over water, that running into it finds about as much of what is seen through
+/// the water as a few manifold connections do.
+std::string small_lamp_over_water() {
+  return test::pbrt_scene(
+      "LookAt 0 2.4 -2.2  0 0 0.1  0 1 0\nCamera \"perspective\" \"float fov\" [40]", 48, 32,
+      R"(AttributeBegin
+  AreaLightSource "diffuse" "rgb L" [80 70 60]
+  Shape "trianglemesh" "point P" [-0.08 1.9 -0.08  0.08 1.9 -0.08  0.08 1.9 0.08  -0.08 1.9 0.08]
+    "integer indices" [0 1 2 0 2 3] "normal N" [0 -1 0  0 -1 0  0 -1 0  0 -1 0]
+AttributeEnd
+Material "matte" "rgb Kd" [0.7 0.6 0.5]
+Shape "trianglemesh" "point P" [-2 0 -2  2 0 -2  2 0 2  -2 0 2] "integer indices" [0 2 1 0 3 2]
+Material "glass" "float index" [1.33]
+Shape "trianglemesh" "point P" [-2 0.5 -2  2 0.5 -2  2 0.6 2  -2 0.4 2] "integer indices" [0 2 1 0 3 2]
+)");
+}
+
+/// What camera samples and manifold connections find is together worth what the bootstrap of `mlt`
+/// says, which tries connections 32 times as often: hits that were counted whole, or tries by
+/// another number, would show.
+TEST(Recruits, ShareWhatNoConnectionMakesWithManifoldConnections) {
+  const auto scene = test::scene_from(small_lamp_over_water());
+  Moments all;
+  Moments hits;
+  Moments expected;
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+    ChainPlan plan(
+        ChainKind::ExplicitPath, *scene,
+        test::settings_of(*scene, {.replicates = 1, .seed = seed, .min_depth = 4, .max_depth = 4}),
+        Parameters(chain_parameters(ChainKind::ExplicitPath), {{"split", "0.1"}}));
+    plan.brightness = 0.03;  // of the picture, as it is
+    plan.divisions.emplace(Division(plan.lowest_threshold(), plan.view.importance));
+    constexpr std::uint64_t kSamples = 128;
+    const double camera_samples = static_cast<double>(kSamples * plan.pixels());
+    ChainRecruits recruits(plan);
+    recruits.expect_unknown(static_cast<double>(kSamples));
+    const auto omc = plan.make_omc(plan.settings, plan.omc_depths(),
+                                   {.divisions = &*plan.divisions, .strong = &recruits});
+    Film film(plan.settings.resolution, plan.settings.crop, Filter::box(), 1, omc->layers());
+    Counters counters;
+    for (std::uint64_t item = 0; item < omc->items_in_round(); ++item) {
+      omc->run_item(item, 0, kSamples, film, counters);
+    }
+    hits.add(recruits.energy() / camera_samples / plan.view.area_per_pixel());
+    std::vector<ChainPopulation> populations = make_populations(plan);
+    recruits.join(populations, 0, kSamples);
+    double b = 0.0;
+    double by_bootstrap = 0.0;
+    for (ChainPopulation& population : populations) {
+      b += population.b(0.0);
+      const auto target = plan.make_seed_target(plan.groups[population.group], 0);
+      Moments weights;
+      std::vector<double> of_samples(4096);
+      sample_bootstrap(*target, population.seed, 0, of_samples.size(), of_samples);
+      for (const double weight : of_samples) weights.add(weight);
+      by_bootstrap += weights.mean();
+    }
+    all.add(b);
+    expected.add(by_bootstrap);
+  }
+  const double error = std::hypot(all.standard_error(), expected.standard_error());
+  EXPECT_NEAR(all.mean(), expected.mean(), 5.0 * error);
+  // What the test is for: that neither part is missing, or there twice.
+  const double joined = all.mean() - hits.mean();
+  EXPECT_LT(5.0 * error, std::min(hits.mean(), joined)) << "too noisy to notice";
 }
 
 /// Few chains leave what there is to explore to luck, whatever the first guess of their effort.
