@@ -130,20 +130,20 @@ TEST(Recruits, ShareWhatNoConnectionMakesWithManifoldConnections) {
         Parameters(chain_parameters(ChainKind::ExplicitPath), {{"split", "0.1"}}));
     plan.brightness = 0.03;  // of the picture, as it is
     plan.divisions.emplace(Division(plan.lowest_threshold(), plan.view.importance));
-    constexpr std::uint64_t kSamples = 128;
-    const double camera_samples = static_cast<double>(kSamples * plan.pixels());
+    constexpr std::uint64_t kPerPixel = 128;
+    const double camera_samples = static_cast<double>(kPerPixel * plan.pixels());
     ChainRecruits recruits(plan);
-    recruits.expect_unknown(static_cast<double>(kSamples));
+    recruits.expect_unknown(static_cast<double>(kPerPixel));
     const auto omc = plan.make_omc(plan.settings, plan.omc_depths(),
                                    {.divisions = &*plan.divisions, .strong = &recruits});
     Film film(plan.settings.resolution, plan.settings.crop, Filter::box(), 1, omc->layers());
     Counters counters;
     for (std::uint64_t item = 0; item < omc->items_in_round(); ++item) {
-      omc->run_item(item, 0, kSamples, film, counters);
+      omc->run_item(item, 0, kPerPixel, film, counters);
     }
     hits.add(recruits.energy() / camera_samples / plan.view.area_per_pixel());
     std::vector<ChainPopulation> populations = make_populations(plan);
-    recruits.join(populations, 0, kSamples);
+    recruits.join(populations, 0, kPerPixel);
     double b = 0.0;
     double by_bootstrap = 0.0;
     for (ChainPopulation& population : populations) {

@@ -89,10 +89,15 @@ struct PathSpaceHeuristics {
   /// Photons do not follow longer chains.
   /// Unit: vertices. Range: >= 1. Source: set by hand, no study.
   static constexpr int kLongestOfPhotons = 16;
-  /// No one waits longer for a chain to be found again: then it is dark.
-  /// Unit: guesses. Range: >= 1. Source: set by hand: a minute. Of chains whose chance is 1e-5 it
-  /// leaves out 3e-5, of those whose chance is 1e-6 a third.
-  static constexpr std::uint64_t kMostGuesses = 1 << 20;
+  /// So many guesses are made before Russian roulette asks whether to go on looking for a chain
+  /// that is to be found again, and from then on at each doubling.
+  /// Unit: guesses, a power of 2. Range: >= 1. Source: set by hand: a second, which one of 20 000
+  /// counts takes in water-caustic.
+  static constexpr std::uint64_t kSureGuesses = 1 << 16;
+  /// How often it does go on.
+  /// Unit: probability. Range: (0, 1/2): at half, chains that are hardly ever found would take
+  /// without end. Source: set by hand: twice that time on average, whatever the chain.
+  static constexpr double kGuessesGoOn = 0.25;
 };
 
 }  // namespace ajar

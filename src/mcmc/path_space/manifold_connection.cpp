@@ -7,6 +7,7 @@
 
 #include "core/frame.h"
 #include "mcmc/path_space/heuristics.h"
+#include "mcmc/path_space/inverse_probability.h"
 #include "mcmc/path_space/path_form.h"
 #include "mcmc/path_space/perturbation_law.h"
 #include "mcmc/primary/bootstrap_source.h"
@@ -111,12 +112,12 @@ bool ManifoldConnection::find(const Ends& ends, std::uint64_t key) {
 double ManifoldConnection::inverse_chance(const Ends& ends, std::span<const InnerVertex> chain,
                                           std::uint64_t key) {
   const KnownChain known(scene_, chain_start(ends.light, ends.point).end, chain, ends.seen.p());
-  for (std::uint64_t guesses = 1; guesses <= PathSpaceHeuristics::kMostGuesses; ++guesses) {
-    if (find(ends, hash_numbers(key, guesses)) && known.is(walk_)) {
-      return static_cast<double>(guesses);
-    }
-  }
-  return 0.0;
+  const auto finds_it = [&](std::uint64_t guess) {
+    return find(ends, hash_numbers(key, guess)) && known.is(walk_);
+  };
+  return inverse_probability(finds_it,
+                             {PathSpaceHeuristics::kSureGuesses, PathSpaceHeuristics::kGuessesGoOn},
+                             hash_numbers(key, 0));
 }
 
 bool ManifoldConnection::is_clear(const Scene& scene, const Path& path, int seen) {

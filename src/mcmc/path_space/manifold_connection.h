@@ -34,8 +34,8 @@ class ManifoldConnection {
   /// What was found, in the order from the light, until it is asked again.
   std::span<const InnerVertex> chain() const { return walk_.vertices(); }
   /// How many guesses find `chain`, which must be clear: 1 over the probability on average. By
-  /// other randomness of `key` than `find`. 0 if it has not been found for so long that no one
-  /// waits.
+  /// other randomness of `key` than `find`. Long counts are up to Russian roulette: 0 if it ends
+  /// one, and more than the guesses if it does not.
   double inverse_chance(const Ends& ends, std::span<const InnerVertex> chain, std::uint64_t key);
 
   /// Whether the chain from the light of a path to vertex `seen` is clear of others: whether walks

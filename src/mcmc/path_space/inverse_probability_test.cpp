@@ -1,0 +1,41 @@
+#include "mcmc/path_space/inverse_probability.h"
+
+#include <gtest/gtest.h>
+
+#include "mcmc/moments.h"
+
+namespace ajar {
+namespace {
+
+constexpr CountingRoulette kEarlyRoulette{16, 0.25};
+
+/// One of ten counts is up to roulette at 0.14, six of ten at 0.03.
+TEST(InverseProbability, IsTheMeanOfTriesWithRouletteOrWithout) {
+  for (const double probability : {1.0, 0.14, 0.05, 0.03}) {
+    Moments counted;
+    for (std::uint64_t i = 0; i < 1000000; ++i) {
+      const auto succeeds = [&](std::uint64_t number) {
+        return to_unit_double(hash_numbers(1, i, number)) < probability;
+      };
+      counted.add(inverse_probability(succeeds, kEarlyRoulette, hash_numbers(2, i)));
+    }
+    EXPECT_NEAR(counted.mean(), 1.0 / probability, 5.0 * counted.standard_error()) << probability;
+    EXPECT_LT(5.0 * counted.standard_error(), 0.1 / probability) << "too noisy to notice";
+  }
+}
+
+TEST(InverseProbability, OfWhatNeverSucceedsEndsSoonAndIsZero) {
+  constexpr std::uint64_t kCounts = 10000;
+  std::uint64_t all = 0;
+  for (std::uint64_t i = 0; i < kCounts; ++i) {
+    const auto never = [&](std::uint64_t /*number*/) {
+      ++all;
+      return false;
+    };
+    EXPECT_EQ(inverse_probability(never, kEarlyRoulette, hash_numbers(3, i)), 0.0);
+  }
+  EXPECT_NEAR(static_cast<double>(all) / kCounts, 24.0, 5.0) << "16 · (1 + ¼ + 2·¼² + …)";
+}
+
+}  // namespace
+}  // namespace ajar
