@@ -23,8 +23,8 @@ constexpr std::array<IntegratorName, 10> kIntegrators = {{{"path", "pt"},
                                                           {"ptracer", "lt"},
                                                           {"bdpt", "bdpt"},
                                                           {"pssmlt", "pssmlt"},
-                                                          {"mlt", "mmlt"},
-                                                          {"erpt", "mmlt"}}};
+                                                          {"mlt", "mlt"},
+                                                          {"erpt", "erpt"}}};
 
 const IntegratorName* find_integrator(std::string_view type) {
   const auto found = std::find_if(kIntegrators.begin(), kIntegrators.end(),

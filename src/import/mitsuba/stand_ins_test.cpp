@@ -51,6 +51,14 @@ TEST(MitsubaStandIns, AreWarnedOfAtTheirPlace) {
   }
 }
 
+TEST(MitsubaStandIns, IntegratorsOfExplicitPathsAreOurs) {
+  for (const char* type : {"mlt", "erpt", "pssmlt"}) {
+    const Imported imported(world("<integrator type='" + std::string(type) + "'/>"));
+    EXPECT_EQ(imported.scene.hints.integrator, type);
+    EXPECT_EQ(imported.warnings, "");
+  }
+}
+
 TEST(MitsubaStandIns, IntegratorsThatWatchOverAnotherAreThatOne) {
   const std::string path =
       "<integrator type='bdpt'><integer name='max_depth' value='7'/></integrator>";
