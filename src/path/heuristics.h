@@ -7,7 +7,8 @@ namespace ajar {
 struct PathHeuristics {
   /// A walk has arrived when the end of its chain is as near to its target as this.
   /// Unit: share of the length of the chain. Range: > 1e-6, where roundings of rays are. Source:
-  /// set by hand, no study.
+  /// docs/notebook/mutations.md, "When a walk back counts": half and double are each better in one
+  /// scene and worse in another.
   static constexpr double kWalkTolerance = 1e-5;
   /// It gives up after so many steps, those that are halved among them.
   /// Unit: steps. Range: >= 1. Source: set by hand, no study.
