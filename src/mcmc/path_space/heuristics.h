@@ -98,7 +98,8 @@ struct PathSpaceHeuristics {
   static constexpr std::uint64_t kSureGuesses = 1 << 16;
   /// How often it does go on.
   /// Unit: probability. Range: (0, 1/2): at half, chains that are hardly ever found would take
-  /// without end. Source: set by hand: twice that time on average, whatever the chain.
+  /// without end. Source: set by hand: a chain that is never found takes half as long again on
+  /// average.
   static constexpr double kGuessesGoOn = 0.25;
 };
 
