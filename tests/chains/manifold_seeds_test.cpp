@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <numbers>
 #include <span>
 #include <string>
 #include <vector>
@@ -125,6 +126,24 @@ double error_of_difference(const Moments& a, const Moments& b) {
   return std::hypot(a.standard_error(), b.standard_error());
 }
 
+void join_by_manifolds(const Scene& scene, std::uint32_t tries, Tiles& joined) {
+  const SpecularPhotons photons(scene);
+  const PathBounds bounds = test::path_sample_bounds(scene);
+  ManifoldSeeds seeds(scene, photons, bounds, kTries);
+  for (std::uint32_t i = 0; i < tries; ++i) {
+    IndependentSource source({8, i, 8, i});
+    const Vec2 raster =
+        bounds.area.raster(source.get_pair({Stream::Camera, 0, kEmissionDirection}));
+    const auto key = hash_numbers(77, i);
+    for (const ManifoldSeeds::Seed& seed : seeds.sample(source, raster, key)) {
+      ASSERT_TRUE(is_hit_only(seed.path));
+      const double light = contribution(scene, seed.path).log_luminance() + seed.log_factor;
+      joined.add(seed.path, std::exp(light) * seeds.inverse_chance(seed));
+    }
+    joined.end_sample();
+  }
+}
+
 TEST_P(ManifoldSeedsOf, BringWhatRunningIntoTheLightLeaves) {
   const auto scene = test::scene_from(GetParam().text);
   Tiles hits(*scene);
@@ -137,22 +156,8 @@ TEST_P(ManifoldSeedsOf, BringWhatRunningIntoTheLightLeaves) {
         }
         hits.end_sample();
       });
-  const SpecularPhotons photons(*scene);
-  const PathBounds bounds = test::path_sample_bounds(*scene);
-  ManifoldSeeds seeds(*scene, photons, bounds, kTries);
   Tiles joined(*scene);
-  for (std::uint32_t i = 0; i < 60000; ++i) {
-    IndependentSource source({8, i, 8, i});
-    const Vec2 raster =
-        bounds.area.raster(source.get_pair({Stream::Camera, 0, kEmissionDirection}));
-    const auto key = hash_numbers(77, i);
-    for (const ManifoldSeeds::Seed& seed : seeds.sample(source, raster, key)) {
-      ASSERT_TRUE(is_hit_only(seed.path));
-      const double light = contribution(*scene, seed.path).log_luminance() + seed.log_factor;
-      joined.add(seed.path, std::exp(light) * seeds.inverse_chance(seed));
-    }
-    joined.end_sample();
-  }
+  join_by_manifolds(*scene, 60000, joined);
   for (std::size_t i = 0; i < hits.moments().size(); ++i) {
     const Moments& a = hits.moments()[i];
     const Moments& b = joined.moments()[i];
@@ -160,6 +165,44 @@ TEST_P(ManifoldSeedsOf, BringWhatRunningIntoTheLightLeaves) {
   }
   const Moments& all = hits.moments().back();
   EXPECT_LT(5.0 * error_of_difference(all, joined.moments().back()), 0.2 * all.mean())
+      << "too noisy to notice what it is for";
+}
+
+/// A lamp without extent, and one that is as good as the same.
+struct PointCase {
+  const char* name;
+  std::string point;
+  std::string small;
+  std::string world;
+  std::uint32_t tries;
+};
+void PrintTo(const PointCase& c, std::ostream* out) { *out << c.name; }
+
+/// A sphere that shines as a point does.
+std::string small_sphere(const char* at, double radius, double intensity = 1.0) {
+  const std::string r = std::to_string(radius);
+  const std::string radiance = std::to_string(intensity / (std::numbers::pi * radius * radius));
+  return "AttributeBegin\nTranslate " + std::string(at) +
+         "\nAreaLightSource \"diffuse\" \"rgb L\" [" + radiance + " " + radiance + " " + radiance +
+         "]\nShape \"sphere\" \"float radius\" [" + r + "]\nAttributeEnd\n";
+}
+
+class ManifoldSeedsOfPoints : public ::testing::TestWithParam<PointCase> {};
+
+TEST_P(ManifoldSeedsOfPoints, BringWhatSmallLampsBring) {
+  const auto point = test::scene_from(over_water(GetParam().point + GetParam().world));
+  const auto small = test::scene_from(over_water(GetParam().small + GetParam().world));
+  Tiles a(*point);
+  Tiles b(*small);
+  join_by_manifolds(*point, GetParam().tries, a);
+  join_by_manifolds(*small, GetParam().tries, b);
+  for (std::size_t i = 0; i < a.moments().size(); ++i) {
+    EXPECT_LT(std::abs(a.moments()[i].mean() - b.moments()[i].mean()),
+              5.0 * error_of_difference(a.moments()[i], b.moments()[i]))
+        << "tile " << i;
+  }
+  const Moments& all = b.moments().back();
+  EXPECT_LT(5.0 * error_of_difference(a.moments().back(), all), 0.2 * all.mean())
       << "too noisy to notice what it is for";
 }
 
@@ -225,6 +268,37 @@ INSTANTIATE_TEST_SUITE_P(
                       SeedsCase{"FoggyWater", foggy_water()},
                       SeedsCase{"LampByAMirror", lamp_by_a_mirror()}),
     [](const auto& scene_info) { return std::string(scene_info.param.name); });
+
+/// Lit by a mirror alone: what would come straight from the lamp is held up.
+std::string lit_by_a_mirror() {
+  return R"(Material "mirror"
+Shape "trianglemesh" "point P" [1 -1 -2  1 3 -2  1 3 2  1 -1 2] "integer indices" [0 1 2 0 2 3]
+Material "matte" "rgb Kd" [0 0 0]
+Shape "trianglemesh" "point P" [-0.03 1.4 -0.1  0.42 1.4 -0.1  0.42 1.4 0.5  -0.03 1.4 0.5]
+  "integer indices" [0 1 2 0 2 3]
+)" + kPoolFloor +
+         kWater;
+}
+
+const std::string kPoint = "LightSource \"point\" \"point from\" [0.3 1.6 0.2] \"rgb I\" [1 1 1]\n";
+/// Toward the mirror; most of the floor lies outside of its cone.
+const std::string kSpot = R"(LightSource "spot" "point from" [0.3 1.6 0.2] "point to" [1.3 1.6 0.2]
+  "float coneangle" [80] "float conedeltaangle" [0.001] "rgb I" [1 1 1]
+)";
+const std::string kDistant = R"(LightSource "distant" "point from" [0.3 0.9 0.316227766]
+  "point to" [0 0 0] "rgb L" [1 1 1]
+)";
+const std::string kSphere = small_sphere("0.3 1.6 0.2", 0.02);
+const std::string kFar = R"(LightSource "point" "point from" [30 90 31.6227766]
+  "rgb I" [10000 10000 10000]
+)";
+INSTANTIATE_TEST_SUITE_P(
+    Lamps, ManifoldSeedsOfPoints,
+    ::testing::Values(PointCase{"Point", kPoint, kSphere, kPoolFloor + kWater, 20000},
+                      PointCase{"PointOverWaves", kPoint, kSphere, kPoolFloor + waves(), 120000},
+                      PointCase{"Spot", kSpot, kPoint, lit_by_a_mirror(), 20000},
+                      PointCase{"Distant", kDistant, kFar, kPoolFloor + kWater, 20000}),
+    [](const auto& lamps) { return std::string(lamps.param.name); });
 
 }  // namespace
 }  // namespace ajar

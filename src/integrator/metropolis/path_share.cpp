@@ -3,12 +3,16 @@
 #include <algorithm>
 #include <limits>
 
+#include "mcmc/path_space/manifold_seeds.h"
 #include "mcmc/path_space/path_form.h"
 
 namespace ajar {
 
 double PathShare::part(const Path& path, double log_light) {
   if (!has_paths(paths_, is_hit_only(path))) return 0.0;
+  if (no_technique_makes(path)) {
+    return makes_hits_ && ManifoldSeeds::finds(scene_, path) ? 1.0 : 0.0;
+  }
   constexpr auto kMost = static_cast<double>(std::numeric_limits<float>::max());
   double sum = 0.0;
   int s = 0;

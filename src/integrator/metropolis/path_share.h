@@ -18,15 +18,24 @@ namespace ajar {
 class PathShare final : public PathWeight {
  public:
   /// What is referred to must outlive it; `part` is null if techniques leave all they find: then W
-  /// is 1 on paths that any of them makes, and 0 elsewhere. Outside of `paths` it is 0, too.
+  /// is 1 on paths that any of them makes, and 0 elsewhere. Chains of a sampler that runs into
+  /// lights start from manifold connections, too; what these find that no technique can make is all
+  /// theirs: W is 1. Outside of `paths` it is 0.
   PathShare(const Scene& scene, PathSamplerSettings settings, const ImportanceMap& importance,
             const PathPart* part, PathClass paths = PathClass::All)
-      : parts_(scene, std::move(settings)), importance_(importance), part_(part), paths_(paths) {}
+      : scene_(scene),
+        makes_hits_(settings.techniques.any(TechniqueClass::Implicit)),
+        parts_(scene, std::move(settings)),
+        importance_(importance),
+        part_(part),
+        paths_(paths) {}
 
   double part(const Path& path, double log_light) override;
   float importance(const Vec2& raster) const override { return importance_(raster); }
 
  private:
+  const Scene& scene_;
+  bool makes_hits_;
   TechniqueParts parts_;
   const ImportanceMap& importance_;
   const PathPart* part_;

@@ -43,6 +43,11 @@ bool GrowingPath::choose_light(SampleSource& source) {
   };
   const Light& chosen =
       *scene_.light_sampler().choose(reference, source.get(address(Slot::LightChoice))).light;
+  // Where it does not shine straight to the camera end it may do so by a chain.
+  if (chosen.discrete_position()) {
+    light.start(chosen, chosen.only_point());
+    return true;
+  }
   const auto sample = chosen.sample_connection(
       reference,
       {source.get(address(Slot::LightPrimitive)), source.get_pair(address(Slot::LightPositionX))});

@@ -51,14 +51,14 @@ class KnownChain {
                    linear.largest_move();
   }
 
-  bool is_clear() const {
-    return shortest_ > 0.0 && 2.0 * uncertainty_ <= PathSpaceHeuristics::kClear * shortest_;
+  bool is_clear(double share) const {
+    return shortest_ > 0.0 && 2.0 * uncertainty_ <= share * shortest_;
   }
   /// Whether a walk came to it.
   bool is(const ManifoldWalk& walk) const {
     const auto other = walk.vertices();
     if (other.size() != chain_.size() || walk.is_mirrored() != is_mirrored_) return false;
-    const double reach = PathSpaceHeuristics::kClear * shortest_;
+    const double reach = std::max(PathSpaceHeuristics::kClear * shortest_, 2.0 * uncertainty_);
     for (std::size_t i = 0; i < chain_.size(); ++i) {
       if (other[i].event != chain_[i].event ||
           (Vec3d(other[i].p()) - Vec3d(chain_[i].p())).length() > reach) {
@@ -123,7 +123,8 @@ double ManifoldConnection::inverse_chance(const Ends& ends, std::span<const Inne
 bool ManifoldConnection::is_clear(const Scene& scene, const Path& path, int seen) {
   return KnownChain(scene, chain_end(path, 0), chain_from_light(path, 0, seen),
                     path.vertex(seen).p())
-      .is_clear();
+      .is_clear(path.light->discrete_position() ? PathSpaceHeuristics::kClearOfPoints
+                                                : PathSpaceHeuristics::kClear);
 }
 
 }  // namespace ajar

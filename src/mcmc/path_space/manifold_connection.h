@@ -40,7 +40,7 @@ class ManifoldConnection {
 
   /// Whether the chain from the light of a path to vertex `seen` is clear of others: whether walks
   /// could tell it from one that is near. At the borders of caustics, where two become one, it is
-  /// not.
+  /// not. With a point light more has to pass for clear, as nothing else finds its light.
   static bool is_clear(const Scene& scene, const Path& path, int seen);
 
   const RayCounts& ray_counts() const { return walk_.ray_counts(); }

@@ -19,17 +19,16 @@ double log_join_pdf(const Scene& scene, const Path& path, int seen) {
   const Vec3& place = path.vertex(seen).p();
   // A side of a lamp that is turned away is never sampled from there, whatever the density says.
   const bool turns_away =
-      !light.at_infinity() &&
+      !light.discrete_position() && !light.at_infinity() &&
       light.emitted(path.light_point, normalize(place - path.light_point.surface.p)).is_black();
-  if (light.discrete_position() || turns_away || !ManifoldConnection::is_clear(scene, path, seen)) {
-    return kNever;
-  }
+  if (turns_away || !ManifoldConnection::is_clear(scene, path, seen)) return kNever;
   return std::log(double{light.connection_pdf(place, path.light_point).value()}) +
          std::log(double{scene.light_sampler().probability(place, light).value()}) +
          log_chain_density(scene, path, 0, seen);
 }
 
 double log_hit_pdf(const Scene& scene, const Path& path, int seen) {
+  if (path.light->discrete_position()) return kNever;
   double sum = 0.0;
   for (int x = seen - 1; x >= 0; --x) sum += std::log(camera_step_pdf(scene, path, x));
   return sum;
@@ -47,6 +46,10 @@ double ManifoldSeeds::hit_share(const Scene& scene, const Path& path, double tri
   if (seen == path.depth() || seen == 1) return 1.0;
   const double join = log_join_pdf(scene, path, seen);
   return join > kNever ? balance(log_hit_pdf(scene, path, seen), join + std::log(tries)) : 1.0;
+}
+
+bool ManifoldSeeds::finds(const Scene& scene, const Path& path) {
+  return is_hit_only(path) && hit_share(scene, path, 1.0) < 1.0;
 }
 
 std::span<const ManifoldSeeds::Seed> ManifoldSeeds::sample(SampleSource& source, const Vec2& raster,
@@ -74,7 +77,6 @@ std::span<const ManifoldSeeds::Seed> ManifoldSeeds::sample(SampleSource& source,
 void ManifoldSeeds::join(SampleSource& source, std::uint64_t key) {
   if (!growing_.choose_light(source)) return;
   const auto& light = static_cast<const Light&>(*growing_.light.endpoint);
-  if (light.discrete_position()) return;
   if (!connection_.find({light, growing_.light.point, growing_.camera.vertices.back(),
                          bounds_.max_depth - growing_.camera.size()},
                         key)) {

@@ -42,6 +42,8 @@ class ManifoldSeeds {
   /// this: a function of the path alone, of which the chance to find the chain is no part. 1 for
   /// paths that are not of the kind.
   static double hit_share(const Scene& scene, const Path& path, double tries);
+  /// Whether this can find the path.
+  static bool finds(const Scene& scene, const Path& path);
 
   RayCounts ray_counts() const;
 

@@ -36,6 +36,10 @@ bool is_hit_only(const Path& path) {
   return true;
 }
 
+bool no_technique_makes(const Path& path) {
+  return path.light->discrete_position() && is_hit_only(path);
+}
+
 double log_choice_of_hit_light(const Scene& scene, const Path& path) {
   const auto lights = static_cast<double>(scene.infinite_lights().size());
   return path.light->at_infinity() ? -std::log(lights) : 0.0;

@@ -16,6 +16,9 @@ std::span<const InnerVertex> chain_from_light(const Path& path, int light_end, i
 bool can_join(const Path& path, int x);
 /// Whether none could: only light that is hit by chance finds the path.
 bool is_hit_only(const Path& path);
+/// Whether none could, and none of the light can be hit either, as its lamp is a point, or shines
+/// from one direction: no technique of a path sampler makes the path.
+bool no_technique_makes(const Path& path);
 /// Log of the probability with which a path that runs into its light takes that, and no other, for
 /// it: of lights at infinity it chooses one.
 double log_choice_of_hit_light(const Scene& scene, const Path& path);

@@ -33,7 +33,6 @@ void SpecularPhotons::trace() const {
     const auto address = [](Slot slot) { return SampleAddress(Stream::Light, 0, slot); };
     const Light& light =
         *scene_.light_sampler().choose_emitter(source.get(address(kEmitterChoice))).light;
-    if (light.discrete_position()) continue;
     const auto emission = light.sample_emission({source.get(address(kEmissionPrimitive)),
                                                  source.get_pair(address(kEmissionPosition)),
                                                  source.get_pair(address(kEmissionDirection))});

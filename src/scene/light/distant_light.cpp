@@ -15,6 +15,7 @@ class DistantLight final : public Light {
 
   bool at_infinity() const override { return true; }
   bool discrete_position() const override { return true; }
+  EndpointPoint only_point() const override { return EndpointPoint::at_infinity(toward_); }
   Spectrum power() const override { return irradiance_ * disk_.area(); }
 
   std::optional<EmissionSample> sample_emission(const EmissionUniforms& u) const override {

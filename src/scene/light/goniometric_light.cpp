@@ -17,6 +17,7 @@ class GoniometricLight final : public Light {
 
   bool at_infinity() const override { return false; }
   bool discrete_position() const override { return true; }
+  EndpointPoint only_point() const override { return EndpointPoint::at(at_.position); }
   Spectrum power() const override { return intensity_ * map_.integral(); }
   std::optional<LightBounds> bounds() const override {
     return point_bounds(at_.position, luminance(power()) * (0.25F * kInvPi));

@@ -1,6 +1,7 @@
 #include "scene/light/light.h"
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "scene/coordinate_limit.h"
 #include "scene/light/inputs.h"
@@ -9,6 +10,10 @@
 namespace ajar {
 
 EndpointPoint Light::at_direction(const Vec3& w) const { return EndpointPoint::at_infinity(w); }
+
+EndpointPoint Light::only_point() const {
+  throw std::logic_error("bug: this light has more than one point");
+}
 
 std::unique_ptr<Light> make_light(const desc::Light& light, const BoundingSphere& bounds,
                                   Warnings& warnings) {

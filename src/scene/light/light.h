@@ -28,6 +28,8 @@ class Light : public Endpoint {
   /// For lights at infinity that are not discrete: the vertex that a ray leaving the scene along
   /// unit `w` runs into.
   virtual EndpointPoint at_direction(const Vec3& w) const;
+  /// For discrete lights: the vertex that all their light comes from.
+  virtual EndpointPoint only_point() const;
 
   std::uint32_t index = 0;  ///< position in the scene's list
   /// Medium that rays leaving the light start in (points, infinity).

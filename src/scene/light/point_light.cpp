@@ -14,6 +14,7 @@ class PointLight final : public Light {
 
   bool at_infinity() const override { return false; }
   bool discrete_position() const override { return true; }
+  EndpointPoint only_point() const override { return EndpointPoint::at(position_); }
   Spectrum power() const override { return intensity_ * (4.F * kPi); }
   std::optional<LightBounds> bounds() const override {
     return point_bounds(position_, luminance(intensity_));

@@ -32,6 +32,7 @@ class ProjectionLight final : public Light {
 
   bool at_infinity() const override { return false; }
   bool discrete_position() const override { return true; }
+  EndpointPoint only_point() const override { return EndpointPoint::at(at_.position); }
   Spectrum power() const override { return power_; }
   std::optional<LightBounds> bounds() const override {
     const Vec3 axis = at_.directions.to_world({0.F, 0.F, 1.F});
