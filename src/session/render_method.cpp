@@ -78,7 +78,10 @@ void tell_of_method(RenderState& state) {
   }
   const Findings found = state.integrator->findings();
   for (const Warning& concern : found.concerns) state.warn(concern);
-  for (const std::string& note : found.notes) state.events.note(note);
+  // How it would be rendered is of no use to who has stopped it.
+  if (state.has_begun) {
+    for (const std::string& note : found.notes) state.events.note(note);
+  }
   const Budget& budget = setup.budget;
   if (budget.target_error && !budget.seconds && !budget.samples_per_pixel && found.misses_light) {
     state.events.note(

@@ -270,6 +270,7 @@ TEST(Render, OfFewSamplesDoesWithoutALongPreparation) {
     const RenderOutcome& outcome = render.run();
     EXPECT_TRUE(has_note(listener, kFewSamples));
     EXPECT_FALSE(outcome.statistics.prepared);
+    EXPECT_EQ(outcome.picture->metadata.at("ajar:prepared"), "false");
     EXPECT_EQ(outcome.statistics.preparation.rays, 0U);
     pictures.push_back(pixels_of(*outcome.picture));
   }
@@ -279,7 +280,9 @@ TEST(Render, OfFewSamplesDoesWithoutALongPreparation) {
 TEST(Render, OfFewSamplesIsPreparedIfThatIsShort) {
   Listener listener;
   Render render(selective_order(), listener);
-  EXPECT_TRUE(render.run().statistics.prepared);
+  const RenderOutcome& outcome = render.run();
+  EXPECT_TRUE(outcome.statistics.prepared);
+  EXPECT_EQ(outcome.picture->metadata.at("ajar:prepared"), "true");
   EXPECT_FALSE(has_note(listener, kFewSamples));
 }
 

@@ -171,6 +171,8 @@ std::map<std::string, std::string> to_metadata(const RenderStatistics& s) {
       {"ajar:interruptions", std::to_string(s.interruptions)},
       {"ajar:stopped_by", to_string(r.stopped_by)},
       {"ajar:complete", r.complete ? "true" : "false"},
+      // If not, plain Monte Carlo stood in for the integrator.
+      {"ajar:prepared", s.prepared ? "true" : "false"},
   };
   if (!s.resumed_from.empty()) metadata["ajar:resumed_from"] = s.resumed_from;
   if (s.share.count > 1) {

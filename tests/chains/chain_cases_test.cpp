@@ -473,11 +473,31 @@ TEST(MutationsOfPaths, AreRefusedIfAllAreSwitchedOff) {
       test::render(*scene, options);
       ADD_FAILURE() << integrator;
     } catch (const UsageError& error) {
-      EXPECT_EQ(std::string(error.what()),
-                "bidirectional: chains need a mutation that is not switched off");
+      EXPECT_EQ(
+          std::string(error.what()),
+          "all of bidirectional, lens-subpath, lens, caustic, multi-chain, manifold, half-vector "
+          "are 0: chains need a mutation that is not");
     }
     options.parameters["caustic"] = "0.001";
     EXPECT_NO_THROW(test::render(*scene, options)) << integrator;
+  }
+}
+
+TEST(MutationsOfPaths, AreRefusedWithChainsOfNumbers) {
+  const auto scene = scene_from(pbrt_scene(kCamera, 4, 4, kPoints + kFloor));
+  const std::map<std::string, std::map<std::string, std::string>> cases = {
+      {"manifold: only with chain=mlt, not chain=pssmlt",
+       {{"chain", "pssmlt"}, {"manifold", "0.5"}}},
+      {"sigma: only with chain=pssmlt, not chain=mlt", {{"chain", "mlt"}, {"sigma", "0.02"}}}};
+  for (const auto& [message, parameters] : cases) {
+    test::RenderOptions options = options_of("erpt");
+    for (const auto& [name, value] : parameters) options.parameters[name] = value;
+    try {
+      test::render(*scene, options);
+      ADD_FAILURE() << message;
+    } catch (const UsageError& error) {
+      EXPECT_EQ(std::string(error.what()), message);
+    }
   }
 }
 

@@ -280,24 +280,27 @@ Shape "trianglemesh" "point P" [-0.03 1.4 -0.1  0.42 1.4 -0.1  0.42 1.4 0.5  -0.
          kWater;
 }
 
-const std::string kPoint = "LightSource \"point\" \"point from\" [0.3 1.6 0.2] \"rgb I\" [1 1 1]\n";
+const std::string kPointLamp =
+    "LightSource \"point\" \"point from\" [0.3 1.6 0.2] \"rgb I\" [1 1 1]\n";
 /// Toward the mirror; most of the floor lies outside of its cone.
-const std::string kSpot = R"(LightSource "spot" "point from" [0.3 1.6 0.2] "point to" [1.3 1.6 0.2]
+const std::string kSpotLamp =
+    R"(LightSource "spot" "point from" [0.3 1.6 0.2] "point to" [1.3 1.6 0.2]
   "float coneangle" [80] "float conedeltaangle" [0.001] "rgb I" [1 1 1]
 )";
-const std::string kDistant = R"(LightSource "distant" "point from" [0.3 0.9 0.316227766]
+const std::string kDistantLamp = R"(LightSource "distant" "point from" [0.3 0.9 0.316227766]
   "point to" [0 0 0] "rgb L" [1 1 1]
 )";
-const std::string kSphere = small_sphere("0.3 1.6 0.2", 0.02);
-const std::string kFar = R"(LightSource "point" "point from" [30 90 31.6227766]
+const std::string kSphereLamp = small_sphere("0.3 1.6 0.2", 0.02);
+const std::string kFarLamp = R"(LightSource "point" "point from" [30 90 31.6227766]
   "rgb I" [10000 10000 10000]
 )";
 INSTANTIATE_TEST_SUITE_P(
     Lamps, ManifoldSeedsOfPoints,
-    ::testing::Values(PointCase{"Point", kPoint, kSphere, kPoolFloor + kWater, 20000},
-                      PointCase{"PointOverWaves", kPoint, kSphere, kPoolFloor + waves(), 120000},
-                      PointCase{"Spot", kSpot, kPoint, lit_by_a_mirror(), 20000},
-                      PointCase{"Distant", kDistant, kFar, kPoolFloor + kWater, 20000}),
+    ::testing::Values(PointCase{"Point", kPointLamp, kSphereLamp, kPoolFloor + kWater, 20000},
+                      PointCase{"PointOverWaves", kPointLamp, kSphereLamp, kPoolFloor + waves(),
+                                120000},
+                      PointCase{"Spot", kSpotLamp, kPointLamp, lit_by_a_mirror(), 20000},
+                      PointCase{"Distant", kDistantLamp, kFarLamp, kPoolFloor + kWater, 20000}),
     [](const auto& lamps) { return std::string(lamps.param.name); });
 
 }  // namespace

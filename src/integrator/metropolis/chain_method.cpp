@@ -7,6 +7,7 @@
 #include "integrator/make_filter.h"
 #include "integrator/metropolis/chain_film_sink.h"
 #include "integrator/metropolis/heuristics.h"
+#include "integrator/metropolis/path_seeds.h"
 #include "integrator/montecarlo/blind_spots.h"
 #include "integrator/montecarlo/path_family.h"
 #include "integrator/montecarlo/path_parameters.h"
@@ -54,7 +55,9 @@ ChainMethod::ChainMethod(const Scene& scene, const RenderSettings& settings, Cha
       settings_(settings),
       view_(view_of(scene, settings)),
       order_(std::move(order)),
-      concerns_(blind_spots(scene, settings, order_.sampler)) {}
+      concerns_(blind_spots(
+          scene, settings, order_.sampler,
+          std::any_of(order_.groups.begin(), order_.groups.end(), PathSeeds::has_manifolds))) {}
 
 /// Without a bootstrap there is neither a seed nor b: ordinary Monte Carlo with the same techniques
 /// makes the same picture.
@@ -67,14 +70,17 @@ void ChainMethod::skip_preparation(Shortage /*of*/) {
 
 Findings ChainMethod::findings() const {
   Findings found;
-  found.concerns = concerns_;
-  found.misses_light = misses_light_;
   if (unprepared_) {
+    found = unprepared_->findings();
     found.notes = {
         "too little time to look for light that chains start from: rendered by plain Monte Carlo "
         "(" +
         order_.monte_carlo.get_text("techniques") + "); for chains, begin anew with more time"};
-  } else if (has_chains()) {
+    return found;
+  }
+  found.concerns = concerns_;
+  found.misses_light = misses_light_;
+  if (has_chains()) {
     found.notes = {"Markov chains make all light"};
   }
   return found;

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/archive.h"
+#include "core/meaningless_parameters.h"
 #include "core/random_use.h"
 #include "integrator/metropolis/chain_film_sink.h"
 #include "integrator/metropolis/chain_method.h"
@@ -270,6 +271,13 @@ void EnergyRedistribution<Space>::take_news(InputArchive& archive, const WorkSha
 /// Chains as short as that need no fresh paths.
 const ChainMoves::Defaults kMoves{.large_step = "0.001"};
 
+/// Of chains of one kind.
+ParameterSpec only_with(const char* chain, ParameterSpec spec) {
+  spec.depends_on = "chain";
+  spec.matters_for = {chain};
+  return spec;
+}
+
 }  // namespace
 
 std::vector<ParameterSpec> erpt_parameters() {
@@ -300,10 +308,12 @@ std::vector<ParameterSpec> erpt_parameters() {
                    .maximum = 1000000});
   specs.back().expert = true;
   for (ParameterSpec& spec : path_mutation_parameters("bidirectional")) {
-    specs.push_back(std::move(spec));
+    specs.push_back(only_with("mlt", std::move(spec)));
   }
   for (ParameterSpec& spec : ChainMoves::parameters(kMoves)) {
-    if (spec.name == "mutation" || spec.name == "sigma") specs.push_back(std::move(spec));
+    if (spec.name == "mutation" || spec.name == "sigma") {
+      specs.push_back(only_with("pssmlt", std::move(spec)));
+    }
   }
   specs.push_back(bootstrap_parameter());
   specs.push_back(roulette_start_parameter("3"));
@@ -313,6 +323,7 @@ std::vector<ParameterSpec> erpt_parameters() {
 
 std::unique_ptr<Integrator> make_erpt_integrator(const Scene& scene, const RenderSettings& settings,
                                                  const Parameters& parameters) {
+  refuse_meaningless(erpt_parameters(), parameters);
   ChainOrder order = chain_order(settings, parameters, {{"techniques", "bdpt"}});
   const bool of_paths = parameters.get_text("chain") == "mlt";
   order.groups = make_path_groups(scene, of_paths ? ChainKind::SpreadPath : ChainKind::WholePath,

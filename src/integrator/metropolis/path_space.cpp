@@ -38,7 +38,11 @@ std::vector<double> path_mutation_weights(const Parameters& parameters) {
     weights.push_back(parameters.get_float(std::string(mutation.name)));
   }
   if (*std::max_element(weights.begin(), weights.end()) == 0.0) {
-    throw UsageError("bidirectional: chains need a mutation that is not switched off");
+    std::string names;
+    for (const PathMutationInfo& mutation : path_mutations()) {
+      names += (names.empty() ? "" : ", ") + std::string(mutation.name);
+    }
+    throw UsageError("all of " + names + " are 0: chains need a mutation that is not");
   }
   return weights;
 }

@@ -15,6 +15,8 @@ namespace {
 constexpr WarningKind kUnseenMirrors{Effect::Light, "methods do not see mirrors and clear glass"};
 constexpr WarningKind kMissingDepths{Effect::Light, "methods do not make paths of all lengths"};
 constexpr WarningKind kUnseenLamps{Effect::Light, "methods do not see point lamps behind glass"};
+constexpr WarningKind kUnseenThrough{
+    Effect::Light, "methods do not see, through glass, what point lamps light through glass"};
 
 constexpr std::uint32_t kSamples = MonteCarloHeuristics::kLookingAround;
 
@@ -30,27 +32,32 @@ class ClearSink final : public PathSink {
  public:
   void add(const Contribution& /*contribution*/) override {}
   bool reaches(const Vec2& /*raster*/) const override { return false; }
-  void first_vertex(const PathVertex& vertex, const Hit* /*hit*/, float /*distance*/) override {
-    if (is_clear(vertex)) ++seen;
-  }
   void started(Stream stream, const Endpoint& endpoint, const EndpointPoint& /*point*/) override {
-    if (stream != Stream::Light) return;
-    is_first_ = true;
-    is_discrete_ = endpoint.discrete_position();
-    ++light_paths;
+    vertices_ = 0;
+    all_clear_ = true;
+    is_discrete_ = stream == Stream::Light && endpoint.discrete_position();
+    if (stream == Stream::Light) ++light_paths;
   }
   void vertex(Stream stream, const PathVertex& vertex, const Hit* /*hit*/) override {
-    if (stream != Stream::Light || !is_first_) return;
-    is_first_ = false;
-    if (is_discrete_ && is_clear(vertex)) ++lit;
+    ++vertices_;
+    const bool was_clear = all_clear_ && vertices_ > 1;
+    all_clear_ = all_clear_ && is_clear(vertex);
+    if (stream == Stream::Light) {
+      if (vertices_ == 1 && is_discrete_ && all_clear_) ++lit;
+    } else {
+      if (vertices_ == 1 && all_clear_) ++seen;
+      if (was_clear && vertex.connectible()) ++seen_through;
+    }
   }
 
   int seen = 0;
+  int seen_through = 0;  ///< something else, after vertices that were all clear
   int light_paths = 0;
   int lit = 0;
 
  private:
-  bool is_first_ = false;
+  int vertices_ = 0;  ///< of the subpath that is on
+  bool all_clear_ = true;
   bool is_discrete_ = false;
 };
 
@@ -87,16 +94,17 @@ std::string missing_depths(const PathSamplerSettings& sampler) {
 }  // namespace
 
 std::vector<Warning> blind_spots(const Scene& scene, const RenderSettings& settings,
-                                 const PathSamplerSettings& sampler) {
+                                 const PathSamplerSettings& sampler, bool joins_by_manifolds) {
   if (const std::string depths = missing_depths(sampler); !depths.empty()) {
     return {{kMissingDepths,
              {},
              "none of the techniques makes paths of " + depths + " edges: their light is missing"}};
   }
   const TechniqueSet& set = sampler.techniques;
-  // Mirror and lamp; glass, what it lights, and the lens.
+  // Mirror and lamp; glass, what it lights, and the lens; the same with glass before the lens.
   constexpr int kSeenMirror = 2;
   constexpr int kCaustic = 3;
+  constexpr int kSeenCaustic = 4;
   const bool to_lens_only = sampler.max_depth >= kSeenMirror && set.any(TechniqueClass::Light) &&
                             !set.any(TechniqueClass::Implicit) &&
                             !set.any(TechniqueClass::NextEvent) && !set.any(TechniqueClass::Inner);
@@ -104,7 +112,8 @@ std::vector<Warning> blind_spots(const Scene& scene, const RenderSettings& setti
                                       [](const auto& light) { return light->discrete_position(); });
   const bool from_points = sampler.max_depth >= kCaustic && has_points &&
                            !set.any(TechniqueClass::Light) && !set.any(TechniqueClass::Inner);
-  if (!to_lens_only && !from_points) return {};
+  const bool through = sampler.max_depth >= kSeenCaustic && has_points && !joins_by_manifolds;
+  if (!to_lens_only && !from_points && !through) return {};
   const ClearSink found = look_around(scene, settings, sampler);
   std::vector<Warning> spots;
   if (to_lens_only && found.seen > 0) {
@@ -116,6 +125,18 @@ std::vector<Warning> blind_spots(const Scene& scene, const RenderSettings& setti
                      "them",
                      100.0 * found.seen / kSamples)});
   }
+  const double lit = 100.0 * found.lit / std::max(found.light_paths, 1);
+  if (through && found.lit > 0 && found.seen_through > 0) {
+    spots.push_back(
+        {kUnseenThrough,
+         {},
+         fmt::format(
+             "{:.2g} % of the light goes from a point or distant lamp straight to mirrors or clear "
+             "glass, and {:.2g} % of the picture looks through them: what is lit in this way and "
+             "seen in this way is too dark, since no technique makes such paths; selective, mlt "
+             "and erpt find them",
+             lit, 100.0 * found.seen_through / kSamples)});
+  }
   if (from_points && found.lit > 0) {
     spots.push_back(
         {kUnseenLamps,
@@ -124,7 +145,7 @@ std::vector<Warning> blind_spots(const Scene& scene, const RenderSettings& setti
              "{:.2g} % of the light goes from a point or distant lamp straight to mirrors or clear "
              "glass: what they throw on other things is missing, since no camera path runs into "
              "such a lamp; bdpt and ibpt see it",
-             100.0 * found.lit / found.light_paths)});
+             lit)});
   }
   return spots;
 }

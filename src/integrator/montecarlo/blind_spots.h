@@ -9,8 +9,10 @@ namespace ajar {
 
 /// What the techniques of a method cannot see in a scene, however long it renders: paths of depths
 /// that none of them makes, and what a few thousand samples meet that is out of their reach. Empty
-/// if there is nothing of the kind.
+/// if there is nothing of the kind. `joins_by_manifolds`: whoever asks has chains that start from
+/// manifold connections (`PathSeeds`), which make what no technique does.
 std::vector<Warning> blind_spots(const Scene& scene, const RenderSettings& settings,
-                                 const PathSamplerSettings& sampler);
+                                 const PathSamplerSettings& sampler,
+                                 bool joins_by_manifolds = false);
 
 }  // namespace ajar

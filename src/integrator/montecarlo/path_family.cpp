@@ -30,6 +30,7 @@ class PathIntegrator final : public Integrator {
         strong_(context.strong),
         rates_(context.rates),
         price_(context.price),
+        joins_by_manifolds_(context.joins_by_manifolds),
         sampler_settings_(sampler_settings(settings, parameters)),
         sobol_(parameters.get_text("sampler") == "sobol"),
         light_alone_(light_alone(sampler_settings_.techniques)),
@@ -221,6 +222,7 @@ class PathIntegrator final : public Integrator {
   const StrongPathSinks* strong_;
   const SampleRates* rates_;
   const RayPrice* price_;
+  bool joins_by_manifolds_;
   PathSamplerSettings sampler_settings_;
   bool sobol_;
   bool light_alone_;
@@ -232,8 +234,9 @@ class PathIntegrator final : public Integrator {
 };
 
 Findings PathIntegrator::findings() const {
-  std::call_once(looked_around_,
-                 [this] { concerns_ = blind_spots(scene_, settings_, sampler_settings_); });
+  std::call_once(looked_around_, [this] {
+    concerns_ = blind_spots(scene_, settings_, sampler_settings_, joins_by_manifolds_);
+  });
   Findings found;
   found.concerns = concerns_;
   found.misses_light = !concerns_.empty();

@@ -45,6 +45,7 @@ struct PathIntegratorContext {
   const SampleRates* rates = nullptr;       ///< of camera samples; one per pixel without
   const RayPrice* price = nullptr;          ///< saves rays by Russian roulette
   std::optional<PictureScale> scale{};      ///< measured unless it is known
+  bool joins_by_manifolds = false;          ///< see `blind_spots`
 };
 
 /// Ordinary Monte Carlo with one set of techniques (docs/methods/bidirectional.md): `pt`, `lt`,

@@ -8,6 +8,7 @@
 #include "core/milestones.h"
 #include "integrator/make_filter.h"
 #include "integrator/metropolis/chain_film_sink.h"
+#include "integrator/metropolis/path_seeds.h"
 #include "integrator/montecarlo/path_family.h"
 #include "integrator/selective/chain_archive.h"
 #include "integrator/selective/chain_bootstrap.h"
@@ -217,8 +218,12 @@ void ChainIntegrator::make_omc() {
   if (depths.first > depths.second) return;
   const RenderSettings settings = plan_.omc_settings();
   adaptation_ = std::make_unique<OmcAdaptation>(plan_, settings);
-  PathIntegratorContext context{.divisions = plan_.divisions ? &*plan_.divisions : nullptr,
-                                .strong = recruits_.get()};
+  PathIntegratorContext context{
+      .divisions = plan_.divisions ? &*plan_.divisions : nullptr,
+      .strong = recruits_.get(),
+      .joins_by_manifolds =
+          (recruits_ || !populations_.empty()) &&
+          std::any_of(plan_.groups.begin(), plan_.groups.end(), PathSeeds::has_manifolds)};
   adaptation_->tell(context);
   omc_ = plan_.make_omc(settings, depths, context);
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/error.h"
+#include "core/meaningless_parameters.h"
 #include "integrator/metropolis/path_space.h"
 #include "integrator/montecarlo/path_family.h"
 #include "integrator/selective/chain_family.h"
@@ -68,17 +69,6 @@ bool divides_regions(const Parameters& parameters) {
   return parameters.get_text("division") == "regions";
 }
 
-/// What is given but would mean nothing.
-void check_division(const Parameters& parameters) {
-  for (const ParameterSpec& spec : selective_parameters()) {
-    if (parameters.matters(spec) || !parameters.given().contains(spec.name)) continue;
-    std::string values = spec.matters_for.front();
-    for (std::size_t i = 1; i < spec.matters_for.size(); ++i)
-      values += " or " + spec.matters_for[i];
-    throw UsageError(spec.name + ": only with " + spec.depends_on + "=" + values);
-  }
-}
-
 }  // namespace
 
 std::vector<ParameterSpec> selective_parameters() {
@@ -104,7 +94,7 @@ std::vector<ParameterSpec> selective_parameters() {
 std::unique_ptr<Integrator> make_selective_integrator(const Scene& scene,
                                                       const RenderSettings& settings,
                                                       const Parameters& parameters) {
-  check_division(parameters);
+  refuse_meaningless(selective_parameters(), parameters);
   const ChainKind kind = chain_kind(parameters);
   const bool has_light_paths = parameters.get_text(kLightPathsPerPixel) != SelectiveSettings::kOpen;
   if (has_light_paths && kind == ChainKind::WholePath) {
