@@ -29,6 +29,9 @@ TEST(NearestName, FindsSmallSlips) {
   EXPECT_EQ(nearest_name("bpdt", names), "bdpt");
   EXPECT_EQ(nearest_name("selctive", names), "selective");
   EXPECT_EQ(nearest_name("pt", names), "pt");
+  const std::vector<std::string> chains{"lt", "mlt", "mmlt"};
+  EXPECT_EQ(nearest_name("mtl", chains), "mlt");
+  EXPECT_EQ(nearest_name("MLT", chains), "mlt");
 }
 
 TEST(NearestName, SaysNothingWhenNothingIsNear) {

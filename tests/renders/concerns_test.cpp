@@ -72,6 +72,7 @@ TEST(Concerns, NameTheLightOfPointLampsThroughGlassOnBothSides) {
     EXPECT_FALSE(has_it(concerns_of(lamp_behind("glass"), integrator))) << integrator;
   }
   EXPECT_TRUE(has_it(concerns_of(lamp_behind("glass"), "selective", {{"chain", "mmlt"}})));
+  EXPECT_TRUE(has_it(concerns_of(lamp_behind("glass"), "mmlt+", {{"split", "0"}})));
   EXPECT_TRUE(has_it(concerns_of(lamp_behind("glass"), "erpt", {{"chain", "pssmlt"}})));
 }
 

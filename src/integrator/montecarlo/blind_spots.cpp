@@ -144,7 +144,7 @@ std::vector<Warning> blind_spots(const Scene& scene, const RenderSettings& setti
          fmt::format(
              "{:.2g} % of the light goes from a point or distant lamp straight to mirrors or clear "
              "glass: what they throw on other things is missing, since no camera path runs into "
-             "such a lamp; bdpt and ibpt see it",
+             "such a lamp; bdpt and ibpt see it, unless through mirrors or clear glass again",
              lit)});
   }
   return spots;

@@ -9,6 +9,7 @@
 #include "integrator/make_filter.h"
 #include "integrator/metropolis/chain_film_sink.h"
 #include "integrator/metropolis/path_seeds.h"
+#include "integrator/montecarlo/blind_spots.h"
 #include "integrator/montecarlo/path_family.h"
 #include "integrator/selective/chain_archive.h"
 #include "integrator/selective/chain_bootstrap.h"
@@ -73,6 +74,9 @@ class ChainIntegrator final : public Integrator {
   /// Does without chains.
   void leave_to_omc(Shortage shortage);
   void make_omc();
+  /// Whether chains start from manifold connections, too.
+  bool joins_by_manifolds() const;
+  void look_for_blind_spots();
   /// Whether ordinary Monte Carlo does, as the render goes on.
   bool learns() const { return adaptation_ && adaptation_->learns(); }
   /// By the errors that replicates show after `samples` samples: how much effort which half
@@ -96,6 +100,7 @@ class ChainIntegrator final : public Integrator {
   std::unique_ptr<OmcAdaptation> adaptation_;  ///< null if the next is
   std::unique_ptr<Integrator> omc_;            ///< null if it has nothing to render
   std::vector<Warning> concerns_;
+  std::vector<Warning> blind_spots_;         ///< of chains
   std::unique_ptr<PlaneMaps> maps_;          ///< null if steps do not follow the image plane
   std::uint64_t doubled_at_ = 0;             ///< samples per pixel
   std::unique_ptr<ChainRecruits> recruits_;  ///< null unless ordinary Monte Carlo finds seeds
@@ -192,6 +197,7 @@ void ChainIntegrator::end_preparation() {
   items_.list(recruits_ == nullptr);
   if (recruits_) begin_stretch();
   concerns_ = concerns_about(plan_, populations_);
+  look_for_blind_spots();
   if (plan_.moves.plane.active()) {
     maps_ = std::make_unique<PlaneMaps>(plan_.moves.plane, plan_.view, plan_.settings.replicates,
                                         bootstrap_b(), *plan_.moves.mutation);
@@ -201,6 +207,8 @@ void ChainIntegrator::end_preparation() {
 Findings ChainIntegrator::findings() const {
   Findings found = omc_ ? omc_->findings() : Findings{};
   found.concerns.insert(found.concerns.begin(), concerns_.begin(), concerns_.end());
+  found.concerns.insert(found.concerns.end(), blind_spots_.begin(), blind_spots_.end());
+  found.misses_light = found.misses_light || !blind_spots_.empty();
   const bool might_have_chains = plan_.unprepared.has_value() || !plan_.groups.empty();
   if (might_have_chains && concerns_.empty()) {
     found.notes = notes_on(plan_, pilot_ != nullptr ? pilot_->share_of_chains() : std::nullopt,
@@ -218,14 +226,24 @@ void ChainIntegrator::make_omc() {
   if (depths.first > depths.second) return;
   const RenderSettings settings = plan_.omc_settings();
   adaptation_ = std::make_unique<OmcAdaptation>(plan_, settings);
-  PathIntegratorContext context{
-      .divisions = plan_.divisions ? &*plan_.divisions : nullptr,
-      .strong = recruits_.get(),
-      .joins_by_manifolds =
-          (recruits_ || !populations_.empty()) &&
-          std::any_of(plan_.groups.begin(), plan_.groups.end(), PathSeeds::has_manifolds)};
+  PathIntegratorContext context{.divisions = plan_.divisions ? &*plan_.divisions : nullptr,
+                                .strong = recruits_.get(),
+                                .joins_by_manifolds = joins_by_manifolds()};
   adaptation_->tell(context);
   omc_ = plan_.make_omc(settings, depths, context);
+}
+
+bool ChainIntegrator::joins_by_manifolds() const {
+  return (recruits_ || !populations_.empty()) &&
+         std::any_of(plan_.groups.begin(), plan_.groups.end(), PathSeeds::has_manifolds);
+}
+
+/// Where the light is not divided path by path, ordinary Monte Carlo knows of short paths alone.
+void ChainIntegrator::look_for_blind_spots() {
+  if (plan_.divisions || populations_.empty()) return;
+  PathSamplerSettings sampler = plan_.groups.front().sampler;
+  sampler.max_depth = plan_.settings.max_depth;
+  blind_spots_ = blind_spots(plan_.scene, plan_.settings, sampler, joins_by_manifolds());
 }
 
 MethodReport ChainIntegrator::report() const {
