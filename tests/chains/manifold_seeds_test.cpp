@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <map>
 #include <numbers>
 #include <span>
 #include <string>
@@ -126,9 +127,11 @@ double error_of_difference(const Moments& a, const Moments& b) {
   return std::hypot(a.standard_error(), b.standard_error());
 }
 
-void join_by_manifolds(const Scene& scene, std::uint32_t tries, Tiles& joined) {
+void join_by_manifolds(const Scene& scene, std::uint32_t tries, Tiles& joined,
+                       int longest = test::kPathSampleDepth) {
   const SpecularPhotons photons(scene);
-  const PathBounds bounds = test::path_sample_bounds(scene);
+  PathBounds bounds = test::path_sample_bounds(scene);
+  bounds.max_depth = longest;
   ManifoldSeeds seeds(scene, photons, bounds, kTries);
   for (std::uint32_t i = 0; i < tries; ++i) {
     IndependentSource source({8, i, 8, i});
@@ -302,6 +305,50 @@ INSTANTIATE_TEST_SUITE_P(
                       PointCase{"Spot", kSpotLamp, kPointLamp, lit_by_a_mirror(), 20000},
                       PointCase{"Distant", kDistantLamp, kFarLamp, kPoolFloor + kWater, 20000}),
     [](const auto& lamps) { return std::string(lamps.param.name); });
+
+/// What no technique makes is in the pictures of those that find it, beside what `bdpt` makes: of
+/// four edges, over a floor that is the only thing to scatter light.
+TEST(PointLampsThroughWater, AreInThePictures) {
+  constexpr int kEdges = 4;
+  const auto scene = test::scene_from(over_water(
+      kPointLamp + "LightSource \"infinite\" \"rgb L\" [0.02 0.02 0.02]\n" + kPoolFloor + kWater));
+  test::RenderOptions options;
+  options.min_depth = kEdges;
+  options.max_depth = kEdges;
+  const auto means_of = [&](const char* integrator, int samples,
+                            const std::map<std::string, std::string>& parameters) {
+    options.integrator = integrator;
+    options.samples = samples;
+    options.parameters = parameters;
+    Moments means;
+    for (options.seed = 1; options.seed <= 6; ++options.seed) {
+      means.add(test::render(*scene, options).mean());
+    }
+    return means;
+  };
+  const Moments others = means_of("bdpt", 64, {});
+  Tiles joined(*scene);
+  join_by_manifolds(*scene, 20000, joined, kEdges);
+  const Spectrum floor(0.7F, 0.6F, 0.5F);  // 0.6 on average
+  const double of_luminance = 0.6 / static_cast<double>(luminance(floor));
+  const Moments& all = joined.moments().back();
+  const double missing = all.mean() * of_luminance;
+  ASSERT_GT(missing, others.mean()) << "there is too little of it to be missed";
+  struct Case {
+    const char* integrator;
+    int samples;
+    std::map<std::string, std::string> parameters;
+  };
+  for (const Case& c : {Case{"mlt", 16, {{"bootstrap", "20000"}}},
+                        Case{"erpt", 64, {{"bootstrap", "2000"}}}, Case{"selective", 64, {}}}) {
+    const Moments means = means_of(c.integrator, c.samples, c.parameters);
+    const double error = std::hypot(means.standard_error(), others.standard_error(),
+                                    all.standard_error() * of_luminance);
+    EXPECT_NEAR(means.mean(), others.mean() + missing, 5.0 * error) << c.integrator;
+    EXPECT_LT(5.0 * error, 0.6 * missing)
+        << c.integrator << ": too noisy to notice what is missing";
+  }
+}
 
 }  // namespace
 }  // namespace ajar
