@@ -75,7 +75,7 @@ struct PathSpaceHeuristics {
   /// The same where no ray can run into the light: other chains are left out. Two that become one
   /// at the border of a caustic are told apart by the sign of a determinant in any case.
   /// Unit: the same share. Range: [kClear, 1). Source: docs/notebook/mutations.md, "Seeds of what
-  /// no connection makes": in waves, 0.2 % of the light are left out; with kClear it would be 2 %.
+  /// no connection makes": in waves, 0.3 % of the light are left out; with kClear it would be 3 %.
   /// With ten times as much there is ten times less, but single seeds come to bring all light there
   /// is.
   static constexpr double kClearOfPoints = 0.01;
