@@ -76,8 +76,7 @@ struct PathSpaceHeuristics {
   /// at the border of a caustic are told apart by the sign of a determinant in any case.
   /// Unit: the same share. Range: [kClear, 1). Source: docs/notebook/mutations.md, "Seeds of what
   /// no connection makes": in waves, 0.3 % of the light are left out; with kClear it would be 3 %.
-  /// With ten times as much there is ten times less, but single seeds come to bring all light there
-  /// is.
+  /// With ten times as much it is less than can be told, but single seeds bring a seventh of all.
   static constexpr double kClearOfPoints = 0.01;
   /// Its guesses pass beside the straight way, or where a photon passed, by no less than this, each
   /// order of magnitude as often as any other.
