@@ -483,24 +483,6 @@ TEST(MutationsOfPaths, AreRefusedIfAllAreSwitchedOff) {
   }
 }
 
-TEST(MutationsOfPaths, AreRefusedWithChainsOfNumbers) {
-  const auto scene = scene_from(pbrt_scene(kCamera, 4, 4, kPoints + kFloor));
-  const std::map<std::string, std::map<std::string, std::string>> cases = {
-      {"manifold: only with chain=mlt, not chain=pssmlt",
-       {{"chain", "pssmlt"}, {"manifold", "0.5"}}},
-      {"sigma: only with chain=pssmlt, not chain=mlt", {{"chain", "mlt"}, {"sigma", "0.02"}}}};
-  for (const auto& [message, parameters] : cases) {
-    test::RenderOptions options = options_of("erpt");
-    for (const auto& [name, value] : parameters) options.parameters[name] = value;
-    try {
-      test::render(*scene, options);
-      ADD_FAILURE() << message;
-    } catch (const UsageError& error) {
-      EXPECT_EQ(std::string(error.what()), message);
-    }
-  }
-}
-
 TEST(ChainReports, SayWhatChainsDid) {
   const auto scene = scene_from(pbrt_scene(kCamera, 24, 16, kPoints + kFloor));
   test::RenderOptions options = options_of("mmlt+");

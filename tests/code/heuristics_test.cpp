@@ -147,7 +147,7 @@ const std::multimap<std::string, Unfitted>& unfitted() {
       {"integrator/sample_block.h", {"size of an item", {"kSamplesPerBlock"}}},
       {"integrator/technique_shares.h", {"size of an array", {"kMaxVertices"}}},
       {"integrator/montecarlo/blind_spots.cpp",
-       {"edges of paths that are named", {"kSeenMirror", "kCaustic", "kSeenCaustic"}}},
+       {"edges of paths that are named", {"kSeenMirror", "kCaustic"}}},
       {"integrator/montecarlo/path_family.cpp", {"size of an item", {"kTileSize"}}},
       {"integrator/montecarlo/path_family.cpp", {"limit of a type", {"kMaxPathEdges"}}},
       {"integrator/montecarlo/technique_layers.h", {"names of layers", {"kMaxDepth"}}},

@@ -55,9 +55,8 @@ ChainMethod::ChainMethod(const Scene& scene, const RenderSettings& settings, Cha
       settings_(settings),
       view_(view_of(scene, settings)),
       order_(std::move(order)),
-      concerns_(blind_spots(
-          scene, settings, order_.sampler,
-          std::any_of(order_.groups.begin(), order_.groups.end(), PathSeeds::has_manifolds))) {}
+      concerns_(blind_spots(scene, settings, order_.sampler,
+                            PathSeeds::any_has_manifolds(order_.groups))) {}
 
 /// Without a bootstrap there is neither a seed nor b: ordinary Monte Carlo with the same techniques
 /// makes the same picture.

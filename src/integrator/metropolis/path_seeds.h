@@ -1,5 +1,8 @@
 #pragma once
+#include <algorithm>
 #include <optional>
+#include <span>
+#include <vector>
 
 #include "integrator/metropolis/heuristics.h"
 #include "integrator/metropolis/path_group.h"
@@ -34,6 +37,10 @@ class PathSeeds final : public PathTarget {
   static bool has_manifolds(const PathGroup& group) {
     return is_explicit(group.kind) && has_paths(group.paths, true) &&
            group.sampler.techniques.any(TechniqueClass::Implicit);
+  }
+  /// Whether those of any of them do.
+  static bool any_has_manifolds(std::span<const PathGroup> groups) {
+    return std::any_of(groups.begin(), groups.end(), has_manifolds);
   }
   struct Joined {
     Path path;

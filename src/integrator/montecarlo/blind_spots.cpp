@@ -101,10 +101,9 @@ std::vector<Warning> blind_spots(const Scene& scene, const RenderSettings& setti
              "none of the techniques makes paths of " + depths + " edges: their light is missing"}};
   }
   const TechniqueSet& set = sampler.techniques;
-  // Mirror and lamp; glass, what it lights, and the lens; the same with glass before the lens.
+  // Mirror and lamp; glass, what it lights, and the lens.
   constexpr int kSeenMirror = 2;
   constexpr int kCaustic = 3;
-  constexpr int kSeenCaustic = 4;
   const bool to_lens_only = sampler.max_depth >= kSeenMirror && set.any(TechniqueClass::Light) &&
                             !set.any(TechniqueClass::Implicit) &&
                             !set.any(TechniqueClass::NextEvent) && !set.any(TechniqueClass::Inner);
@@ -112,7 +111,8 @@ std::vector<Warning> blind_spots(const Scene& scene, const RenderSettings& setti
                                       [](const auto& light) { return light->discrete_position(); });
   const bool from_points = sampler.max_depth >= kCaustic && has_points &&
                            !set.any(TechniqueClass::Light) && !set.any(TechniqueClass::Inner);
-  const bool through = sampler.max_depth >= kSeenCaustic && has_points && !joins_by_manifolds;
+  // With one more edge there is glass before the lens, too.
+  const bool through = sampler.max_depth > kCaustic && has_points && !joins_by_manifolds;
   if (!to_lens_only && !from_points && !through) return {};
   const ClearSink found = look_around(scene, settings, sampler);
   std::vector<Warning> spots;
@@ -133,8 +133,8 @@ std::vector<Warning> blind_spots(const Scene& scene, const RenderSettings& setti
          fmt::format(
              "{:.2g} % of the light goes from a point or distant lamp straight to mirrors or clear "
              "glass, and {:.2g} % of the picture looks through them: what is lit in this way and "
-             "seen in this way is too dark, since no technique makes such paths; selective, mlt "
-             "and erpt find them",
+             "seen in this way is too dark, since no technique makes such paths; mlt and erpt "
+             "find them, and selective where there is other light, too",
              lit, 100.0 * found.seen_through / kSamples)});
   }
   if (from_points && found.lit > 0) {

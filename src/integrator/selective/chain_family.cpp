@@ -234,8 +234,7 @@ void ChainIntegrator::make_omc() {
 }
 
 bool ChainIntegrator::joins_by_manifolds() const {
-  return (recruits_ || !populations_.empty()) &&
-         std::any_of(plan_.groups.begin(), plan_.groups.end(), PathSeeds::has_manifolds);
+  return (recruits_ || !populations_.empty()) && PathSeeds::any_has_manifolds(plan_.groups);
 }
 
 /// Where the light is not divided path by path, ordinary Monte Carlo knows of short paths alone.
