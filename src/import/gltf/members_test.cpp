@@ -17,7 +17,7 @@ TEST(GltfMembers, OfNoMeaningAreWarnings) {
         << warnings;
   };
   expect_warning("", {{"sceens", Json::array()}},
-                 "a file has no member \"sceens\"; did you mean \"scene\"?: ignored");
+                 "a file has no member \"sceens\"; did you mean \"scenes\"?: ignored");
   expect_warning("/asset", {{"auther", "x"}}, "an asset has no member \"auther\"");
   expect_warning("/materials/0", {{"alphaCutof", 0.5}},
                  "a material has no member \"alphaCutof\"; did you mean \"alphaCutoff\"");
