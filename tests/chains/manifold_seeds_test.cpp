@@ -306,29 +306,33 @@ INSTANTIATE_TEST_SUITE_P(
                       PointCase{"Distant", kDistantLamp, kFarLamp, kPoolFloor + kWater, 20000}),
     [](const auto& lamps) { return std::string(lamps.param.name); });
 
-/// What no technique makes is in the pictures of those that find it, beside what `bdpt` makes: of
-/// four edges, over a floor that is the only thing to scatter light.
+/// What no technique makes is in the pictures of those that find it, beside what `bdpt` makes of
+/// the light of a sky, and where there is nothing else: of four edges, over a floor that is the
+/// only thing to scatter light.
 TEST(PointLampsThroughWater, AreInThePictures) {
   constexpr int kEdges = 4;
-  const auto scene = test::scene_from(over_water(
-      kPointLamp + "LightSource \"infinite\" \"rgb L\" [0.02 0.02 0.02]\n" + kPoolFloor + kWater));
+  const std::string pool = kPointLamp + kPoolFloor + kWater;
+  const auto scene =
+      test::scene_from(over_water(pool + "LightSource \"infinite\" \"rgb L\" [0.02 0.02 0.02]\n"));
+  const auto by_night = test::scene_from(over_water(pool));
   test::RenderOptions options;
   options.min_depth = kEdges;
   options.max_depth = kEdges;
-  const auto means_of = [&](const char* integrator, int samples,
+  const auto means_of = [&](const Scene& lit, const char* integrator, int samples,
                             const std::map<std::string, std::string>& parameters) {
     options.integrator = integrator;
     options.samples = samples;
     options.parameters = parameters;
     Moments means;
     for (options.seed = 1; options.seed <= 6; ++options.seed) {
-      means.add(test::render(*scene, options).mean());
+      means.add(test::render(lit, options).mean());
     }
     return means;
   };
-  const Moments others = means_of("bdpt", 64, {});
-  Tiles joined(*scene);
-  join_by_manifolds(*scene, 20000, joined, kEdges);
+  const Moments others = means_of(*scene, "bdpt", 64, {});
+  // By night, since they find some of the light of a sky, too, which others make.
+  Tiles joined(*by_night);
+  join_by_manifolds(*by_night, 20000, joined, kEdges);
   const Spectrum floor(0.7F, 0.6F, 0.5F);  // 0.6 on average
   const double of_luminance = 0.6 / static_cast<double>(luminance(floor));
   const Moments& all = joined.moments().back();
@@ -341,13 +345,18 @@ TEST(PointLampsThroughWater, AreInThePictures) {
   };
   for (const Case& c : {Case{"mlt", 16, {{"bootstrap", "20000"}}},
                         Case{"erpt", 64, {{"bootstrap", "2000"}}}, Case{"selective", 64, {}}}) {
-    const Moments means = means_of(c.integrator, c.samples, c.parameters);
+    const Moments means = means_of(*scene, c.integrator, c.samples, c.parameters);
     const double error = std::hypot(means.standard_error(), others.standard_error(),
                                     all.standard_error() * of_luminance);
     EXPECT_NEAR(means.mean(), others.mean() + missing, 5.0 * error) << c.integrator;
     EXPECT_LT(5.0 * error, 0.6 * missing)
         << c.integrator << ": too noisy to notice what is missing";
   }
+  // Its pilot is black then.
+  const Moments alone = means_of(*by_night, "selective", 64, {});
+  const double error = std::hypot(alone.standard_error(), all.standard_error() * of_luminance);
+  EXPECT_NEAR(alone.mean(), missing, 5.0 * error);
+  EXPECT_LT(5.0 * error, 0.6 * missing) << "too noisy to notice what is missing";
 }
 
 }  // namespace

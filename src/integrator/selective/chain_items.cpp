@@ -32,9 +32,13 @@ void ChainItems::list(bool plain) {
     const ChainPopulation& population = populations_[p];
     chain_counts_[static_cast<std::size_t>(population.replicate)] += population.chains.size();
     for (std::size_t c = 0; c < population.chains.size(); ++c) items_.push_back({p, c});
-    if (population.chains.empty() && plain) items_.push_back({p, 0});
+    if (plain && lacks_seed(population)) items_.push_back({p, 0});
   }
   share_mutations();
+}
+
+bool ChainItems::lacks_seed(const ChainPopulation& population) const {
+  return population.chains.empty() && !is_explicit(plan_.groups[population.group].kind);
 }
 
 /// N mutations on light b leave the error C·b²/N, so N/b is the same everywhere where the sum of
@@ -134,7 +138,7 @@ void ChainItems::run_plain(ChainPopulation& population, PlaneMaps* maps, Film& f
   constexpr std::uint64_t kSteps = SelectiveHeuristics::kStepsWithoutSeed;
   std::size_t seedless = 0;
   for (const ChainPopulation& other : populations_) {
-    if (other.replicate == population.replicate && other.chains.empty()) ++seedless;
+    if (other.replicate == population.replicate && lacks_seed(other)) ++seedless;
   }
   const double mutations = plan_.mutations * static_cast<double>(plan_.pixels()) /
                            plan_.settings.replicates / static_cast<double>(seedless);

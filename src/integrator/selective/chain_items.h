@@ -21,8 +21,8 @@ class ChainItems {
              const ChainStretch& stretch)
       : plan_(plan), effort_(effort), populations_(populations), stretch_(stretch) {}
 
-  /// To be called whenever the populations have got other chains. `plain`: whether those without
-  /// any take plain samples.
+  /// To be called whenever the populations have got other chains. `plain`: whether those that
+  /// lack a seed take plain samples.
   void list(bool plain);
   std::size_t count() const { return items_.size(); }
 
@@ -66,6 +66,9 @@ class ChainItems {
                ? &plan_.divisions->of(replicate)
                : nullptr;
   }
+  /// Whether nothing has its light though samples like those of a bootstrap would find it. Chains
+  /// of explicit paths make no such samples, so a bootstrap of theirs that finds none is the last.
+  bool lacks_seed(const ChainPopulation& population) const;
   void share_mutations();
   double share_of(int replicate) const {
     return shares_[static_cast<std::size_t>(replicate) % shares_.size()];

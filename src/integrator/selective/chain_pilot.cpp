@@ -79,7 +79,6 @@ void ChainPilot::end() {
   if (plan_.brightness > 0.0) {
     plan_.moves.settings.large_step_cap = SelectiveHeuristics::kWhite * plan_.brightness;
   }
-  if (!(plan_.brightness > 0.0)) plan_.share_no_paths();
   if (!plan_.thresholds.empty() && plan_.brightness > 0.0) {
     plan_.divisions.emplace(Division(plan_.lowest_threshold(), plan_.view.importance));
   }

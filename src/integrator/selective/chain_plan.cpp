@@ -107,12 +107,6 @@ void ChainPlan::read_omc() {
                 kind != ChainKind::WholePath && !tells_light_paths;
 }
 
-void ChainPlan::share_no_paths() {
-  if (kind != ChainKind::ByPath) return;
-  kind = ChainKind::OnePath;
-  make_groups();
-}
-
 void ChainPlan::set_omc(const PathFamilyDefaults& choice) {
   omc = choice;
   techniques = TechniqueSet::parse(omc.techniques);

@@ -64,9 +64,6 @@ struct ChainPlan {
     constexpr double kOfLight = SelectiveHeuristics::kEffortOfLight;
     return (1.0 - kOfLight) + kOfLight * std::stod(light_paths_per_pixel);
   }
-  /// Where nothing is found, nothing starts chains that share paths by what these are like: they
-  /// are of one path then (`OnePath`).
-  void share_no_paths();
   /// Does without chains, and without what a preparation would find out. `kept`: camera samples
   /// per pixel that a pilot has rendered.
   void leave_to_omc(Shortage shortage, std::uint64_t kept);
