@@ -18,6 +18,14 @@ class Unscattered final : public SampleSource {
 
 }  // namespace
 
+double way_in(const Scene& scene, const ChainEnd& start, const Vec3d& place) {
+  const Vec3d toward = start.at_infinity ? start.toward : (start.p - place).normalized();
+  const BoundingSphere& sphere = scene.bounding_sphere();
+  const double beyond_all =
+      (Vec3d(sphere.center) - place).dot(toward) + 1.001 * double{sphere.radius};
+  return start.at_infinity ? beyond_all : std::min(beyond_all, (start.p - place).length());
+}
+
 ChainStart chain_start(const Light& light, const EndpointPoint& point) {
   if (light.at_infinity()) {
     return {{Vec3d(0.0), Vec3d(point.toward), true}, nullptr, point.surface.ng, light.medium};
@@ -43,17 +51,16 @@ std::optional<Vec3d> ManifoldWalk::onward(const InnerVertex& vertex, std::size_t
 void ManifoldWalk::leave(const ChainStart& start, const Vec3d& through) {
   traced_.clear();
   medium_ = start.medium;
-  if (start.end.at_infinity) {
-    const BoundingSphere& sphere = scene_.bounding_sphere();
-    const Vec3d toward = start.end.toward;
-    // From outside of the scene.
-    const double way = (Vec3d(sphere.center) - through).dot(toward) + 1.001 * double{sphere.radius};
-    ray_ = {Vec3(through + toward * std::max(way, 0.0)), Vec3(-toward)};
+  const ChainEnd& end = start.end;
+  const Vec3d toward = end.at_infinity ? end.toward : (end.p - through).normalized();
+  const double way = way_in(scene_, end, through);
+  if (end.at_infinity || way < (end.p - through).length()) {
+    ray_ = {Vec3(through + toward * way), Vec3(-toward)};
     return;
   }
-  const Vec3 w((through - start.end.p).normalized());
+  const Vec3 w(-toward);
   ray_.origin = start.vertex != nullptr ? start.vertex->ray_origin(w)
-                                        : offset_ray_origin(Vec3(start.end.p), start.ng, w);
+                                        : offset_ray_origin(Vec3(end.p), start.ng, w);
   if (start.vertex != nullptr) medium_ = start.vertex->medium_toward(w);
   // Rays set off beside the start: parallel ones would miss the place by as much, at every step.
   ray_.direction = Vec3((through - Vec3d(ray_.origin)).normalized());
@@ -137,7 +144,7 @@ bool ManifoldWalk::measure(const ChainStart& start, std::span<const InnerVertex>
   for (std::size_t i = 1; i < vertices.size(); ++i) {
     length_ += (Vec3d(vertices[i].p()) - Vec3d(vertices[i - 1].p())).length();
   }
-  if (!start.end.at_infinity) length_ += (Vec3d(vertices.front().p()) - start.end.p).length();
+  if (!start.end.at_infinity) length_ += way_in(scene_, start.end, Vec3d(vertices.front().p()));
   return true;
 }
 

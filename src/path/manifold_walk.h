@@ -20,6 +20,11 @@ ChainStart chain_start(const Path& path, int x);
 /// A point of a light.
 ChainStart chain_start(const Light& light, const EndpointPoint& point);
 
+/// How far from `place` rays toward it set off: at the start of a chain, or where the scene begins
+/// if that is nearer, as rays are as inexact as they are long. Negative for a place that lies yet
+/// farther from the scene.
+double way_in(const Scene& scene, const ChainEnd& start, const Vec3d& place);
+
 /// Moves the end b of a specular chain a, s₁ … sₙ, b to another place while a stays, by Newton's
 /// method: steps in the tangent plane of s₁, from which the chain is traced again from a, by the
 /// same specular events (lobe and side), and by facets of the same offset normals at rough
@@ -72,8 +77,9 @@ class ManifoldWalk {
   const Medium* medium_ = nullptr;
   std::optional<Vec3> landing_;
   std::span<const OffsetNormal> offsets_;  ///< of the walk that is on
-  Vec3d miss_{0.0};      ///< from where a chain ends to the target, across the last ray
-  double length_ = 0.0;  ///< of the edges, from s₁ on, or from a if it is a point
+  Vec3d miss_{0.0};  ///< from where a chain ends to the target, across the last ray
+  /// Of the edges from s₁ on, and of what rays cross before it if a is a point.
+  double length_ = 0.0;
   double uncertainty_ = 0.0;
   RayCounts rays_;
 };

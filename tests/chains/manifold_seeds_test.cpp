@@ -294,8 +294,8 @@ const std::string kDistantLamp = R"(LightSource "distant" "point from" [0.3 0.9 
   "point to" [0 0 0] "rgb L" [1 1 1]
 )";
 const std::string kSphereLamp = small_sphere("0.3 1.6 0.2", 0.02);
-const std::string kFarLamp = R"(LightSource "point" "point from" [30 90 31.6227766]
-  "rgb I" [10000 10000 10000]
+const std::string kFarLamp = R"(LightSource "point" "point from" [3000 9000 3162.27766]
+  "rgb I" [1e8 1e8 1e8]
 )";
 INSTANTIATE_TEST_SUITE_P(
     Lamps, ManifoldSeedsOfPoints,

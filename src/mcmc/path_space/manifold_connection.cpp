@@ -18,16 +18,25 @@ namespace ajar {
 namespace {
 
 /// By how much a ray from a light may miss where it is meant to pass: far from the origin, and from
-/// where those come that come from infinity, this is more than the tolerance of walks.
+/// where those come that come from beyond the scene, this is more than the tolerance of walks.
 double rounding_of_rays(const Scene& scene, const ChainEnd& light, const Vec3& end) {
   constexpr double kRounding = 1e-6;  // as `offset_ray_origin` has it, of coordinates
   const auto size = [](const Vec3d& p) {
     return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
   };
   const BoundingSphere& sphere = scene.bounding_sphere();
-  const double start =
-      light.at_infinity ? size(Vec3d(sphere.center)) + 2.0 * double{sphere.radius} : size(light.p);
+  const double border = size(Vec3d(sphere.center)) + 2.0 * double{sphere.radius};
+  const double start = light.at_infinity ? border : std::min(border, size(light.p));
   return kRounding * std::max(start, size(Vec3d(end)));
+}
+
+/// Angles by which rays from a place may miss another: from outside of the scene, all that lead
+/// into it.
+PerturbationLaw guesses_from(const Vec3d& place, const BoundingSphere& sphere) {
+  const double distance = (place - Vec3d(sphere.center)).length();
+  const double radius = sphere.radius;
+  const double largest = distance > radius ? 2.0 * std::asin(radius / distance) : std::numbers::pi;
+  return {PathSpaceHeuristics::kSmallestGuess * largest / std::numbers::pi, largest};
 }
 
 /// A clear chain, and what tells it from others between the same ends.
@@ -39,7 +48,7 @@ class KnownChain {
     SpecularChain linear(scene);
     if (!linear.set(light, chain, {Vec3d(end), Vec3d(0.0), false})) return;
     is_mirrored_ = linear.is_mirrored();
-    double length = light.at_infinity ? 0.0 : (Vec3d(chain.front().p()) - light.p).length();
+    double length = light.at_infinity ? 0.0 : way_in(scene, light, Vec3d(chain.front().p()));
     shortest_ = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < chain.size(); ++i) {
       const Vec3& next = i + 1 < chain.size() ? chain[i + 1].p() : end;
@@ -85,13 +94,16 @@ Vec3d ManifoldConnection::choose_place(const Ends& ends, SampleSource& source) c
     const auto first = photons_.near(ends.light, center, number(Slot::LightPrimitive));
     center = first.value_or(center);
   }
-  constexpr PerturbationLaw kLaw{PathSpaceHeuristics::kSmallestGuess, std::numbers::pi};
+  const BoundingSphere& sphere = scene_.bounding_sphere();
   if (!ends.light.at_infinity()) {
     const Vec3d from(ends.point.surface.p);
-    return from + Vec3d(kLaw.around(Vec3((Vec3d(center) - from).normalized()), u));
+    const Vec3 toward((Vec3d(center) - from).normalized());
+    return from + Vec3d(guesses_from(from, sphere).around(toward, u));
   }
-  const float scale = 2.F * scene_.bounding_sphere().radius / std::numbers::pi_v<float>;
-  const Vec2 beside = kLaw.in_plane(u) * scale;
+  const double diameter = 2.0 * double{sphere.radius};
+  const PerturbationLaw law{PathSpaceHeuristics::kSmallestGuess * diameter / std::numbers::pi,
+                            diameter};
+  const Vec2 beside = law.in_plane(u);
   return Vec3d(center + Frame::around(ends.point.toward).to_world({beside.x, beside.y, 0.F}));
 }
 
