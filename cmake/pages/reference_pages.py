@@ -32,7 +32,7 @@ def table(head, rows):
 
 
 def shortest(number):
-    return f"{number:g}"
+    return f"{number:.0f}" if number == int(number) else f"{number:g}"
 
 
 def values_of(parameter):

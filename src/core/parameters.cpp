@@ -4,11 +4,11 @@
 #include <charconv>
 #include <cmath>
 #include <optional>
-#include <sstream>
 #include <stdexcept>
 #include <utility>
 
 #include "core/error.h"
+#include "core/number_text.h"
 
 namespace ajar {
 
@@ -26,13 +26,6 @@ std::optional<bool> parse_bool(std::string_view text) {
   if (text == "true" || text == "on" || text == "yes" || text == "1") return true;
   if (text == "false" || text == "off" || text == "no" || text == "0") return false;
   return std::nullopt;
-}
-
-/// Short form of a bound for messages: 5 rather than 5.000000.
-std::string number_text(double value) {
-  std::ostringstream stream;
-  stream << value;
-  return stream.str();
 }
 
 [[noreturn]] void reject(const ParameterSpec& spec, const std::string& given,

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/error.h"
+#include "core/number_text.h"
 #include "import/format.h"
 #include "integrator/integrator.h"
 #include "scene/desc/models.h"
@@ -165,18 +166,34 @@ std::vector<CatalogEntry> entries(const std::string& kind) {
   return layers;
 }
 
+/// "0 to 1", "1 or more", or empty; "above 0" where a bound itself is not allowed.
+std::string bounds_text(const ParameterSpec& spec) {
+  const bool has_minimum = spec.minimum > -1e300;
+  const bool has_maximum = spec.maximum < 1e300;
+  const std::string minimum = number_text(spec.minimum);
+  const std::string maximum = number_text(spec.maximum);
+  if (spec.open_range && has_minimum) {
+    return "above " + minimum + (has_maximum ? ", below " + maximum : "");
+  }
+  if (has_minimum && has_maximum) return minimum + " to " + maximum;
+  if (has_minimum) return minimum + " or more";
+  if (has_maximum) return (spec.open_range ? "below " : "up to ") + maximum;
+  return {};
+}
+
 /// "with mapping=uv|planar", or empty.
 std::string condition_text(const ParameterSpec& spec) {
   if (spec.depends_on.empty()) return {};
   return fmt::format("  with {}={}", spec.depends_on, fmt::join(spec.matters_for, "|"));
 }
 
-/// What follows the name of a parameter: "=0.5 degrees  [number]".
+/// What follows the name of a parameter: "=0.5 degrees  [number, 0 to 90]".
 std::string value_text(const ParameterSpec& spec) {
   const bool has_default = !spec.default_value.empty() || spec.type == ParameterType::Text;
   const std::string value = has_default ? "=" + spec.default_value : "";
-  return fmt::format("{}{}  [{}]{}", value, spec.unit.empty() ? "" : " " + spec.unit,
-                     type_text(spec), condition_text(spec));
+  const std::string bounds = bounds_text(spec);
+  return fmt::format("{}{}  [{}{}]{}", value, spec.unit.empty() ? "" : " " + spec.unit,
+                     type_text(spec), bounds.empty() ? "" : ", " + bounds, condition_text(spec));
 }
 
 std::string parameters_text(std::span<const ParameterSpec> parameters, bool expert) {
@@ -231,6 +248,18 @@ const std::vector<std::string>& catalog_kinds() {
     return all;
   }();
   return kinds;
+}
+
+std::vector<std::string> kinds_with(const std::string& name) {
+  std::vector<std::string> found;
+  for (const std::string& kind : catalog_kinds()) {
+    const std::vector<Parametrised> list = parametrised(kind);
+    if (std::any_of(list.begin(), list.end(),
+                    [&](const Parametrised& entry) { return entry.name == name; })) {
+      found.push_back(kind);
+    }
+  }
+  return found;
 }
 
 std::string catalog_text(const std::string& kind) {

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/number_text.h"
 #include "session/heuristics.h"
 
 namespace ajar {
@@ -122,10 +123,7 @@ std::string short_number(double value) {
 }
 
 std::string error_text(const RelativeError& error) {
-  const double percent = 100.0 * error.value;
-  const std::string number =
-      percent < 99.5 ? fmt::format("{:.2g}", percent) : fmt::format("{:.0f}", percent);
-  return (error.is_lower_bound() ? "≥ " : "") + number + " %";
+  return (error.is_lower_bound() ? "≥ " : "") + percent_text(error.value);
 }
 
 std::string bar_line(const RenderSnapshot& snapshot, int columns) {

@@ -54,6 +54,14 @@ TEST_F(Cli, HelpAndVersionSucceed) {
   }
 }
 
+TEST_F(Cli, HelpIsACommandToo) {
+  EXPECT_EQ(run({"help"}).out, run({"--help"}).out);
+  EXPECT_EQ(run({"help", "render"}).out, run({"render", "--help"}).out);
+  const Outcome unknown = run({"help", "rendr"});
+  EXPECT_EQ(unknown.exit_code, 2);
+  EXPECT_TRUE(contains(unknown.err, "did you mean \"render\"")) << unknown.err;
+}
+
 TEST_F(Cli, HelpSaysWhatNumbersMeanAndWhatWorksWithoutAViewer) {
   const Outcome help = run({"render", "--help"});
   const std::size_t preview = help.out.find("--preview HOST:PORT");
@@ -418,7 +426,7 @@ TEST_F(Cli, ListNamesWhatThereIs) {
 
 TEST_F(Cli, ListShowsParametersOfOneMaterial) {
   const std::string text = run({"list", "materials", "dielectric"}).out;
-  EXPECT_TRUE(contains(text, "  eta=1.5  [number|texture]")) << text;
+  EXPECT_TRUE(contains(text, "  eta=1.5  [number|texture, 0 to 20]")) << text;
   const json material =
       json::parse(run({"list", "materials", "dielectric", "--json"}).out).at("materials").at(0);
   const json& parameters = material.at("parameters");
@@ -427,6 +435,21 @@ TEST_F(Cli, ListShowsParametersOfOneMaterial) {
   ASSERT_NE(eta, parameters.end()) << material;
   EXPECT_EQ(eta->at("maximum"), 20.0);
   EXPECT_EQ(eta->at("textured"), true);
+}
+
+TEST_F(Cli, ListTakesANameAloneIfOneKindHasIt) {
+  EXPECT_EQ(run({"list", "mlt"}).out, run({"list", "integrators", "mlt"}).out);
+  EXPECT_EQ(run({"list", "dielectric", "--json"}).out,
+            run({"list", "materials", "dielectric", "--json"}).out);
+  const Outcome several = run({"list", "mix"});
+  EXPECT_EQ(several.exit_code, 2);
+  EXPECT_TRUE(contains(several.err, "ajar list materials mix")) << several.err;
+}
+
+TEST_F(Cli, ListShowsBoundsInFull) {
+  const std::string text = run({"list", "integrators", "mlt"}).out;
+  EXPECT_TRUE(contains(text, "bootstrap=100000 samples  [whole number, 1000 to 100000000]"))
+      << text;
 }
 
 TEST_F(Cli, ListSaysWhenAParameterOfATextureMatters) {

@@ -11,6 +11,7 @@
 #include <memory>
 #include <sstream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "apps/cli/commands.h"
@@ -451,6 +452,11 @@ void check_leftovers(const CLI::App& app) {
 }  // namespace
 
 int run(int argc, const char* const* argv, Ranks* ranks) {
+  // "help render" asks for what "render --help" says.
+  if (argc > 1 && std::string_view(argv[1]) == "help") {
+    const char* const of_command[] = {argv[0], argc > 2 ? argv[2] : "--help", "--help"};
+    return run(argc > 2 ? 3 : 2, of_command, ranks);
+  }
   Request request;
   CLI::App app("Ajar renders the light that other renderers miss.", "ajar");
   app.set_version_flag("--version", "ajar " + version(), "Print the version");

@@ -8,7 +8,27 @@
 
 namespace ajar::cli {
 
-int list(const ListArguments& arguments) {
+namespace {
+
+/// Whoever asks for `mlt` alone means the integrator: `list mlt` is `list integrators mlt`, if one
+/// kind has the name.
+ListArguments with_kind(ListArguments arguments) {
+  const std::vector<std::string> kinds = catalog_kinds();
+  const bool is_kind = std::find(kinds.begin(), kinds.end(), arguments.kind) != kinds.end();
+  if (is_kind || !arguments.name.empty()) return arguments;
+  const std::vector<std::string> with_name = kinds_with(arguments.kind);
+  if (with_name.size() > 1) {
+    throw UsageError("\"" + arguments.kind + "\" is of several kinds; try: ajar list " +
+                     with_name.front() + " " + arguments.kind + ", or " + with_name.back());
+  }
+  if (with_name.empty()) return arguments;
+  return {.kind = with_name.front(), .name = arguments.kind, .json = arguments.json};
+}
+
+}  // namespace
+
+int list(const ListArguments& given) {
+  const ListArguments arguments = with_kind(given);
   std::vector<std::string> kinds = catalog_kinds();
   if (!arguments.kind.empty()) {
     if (std::find(kinds.begin(), kinds.end(), arguments.kind) == kinds.end()) {

@@ -1,10 +1,9 @@
 #include "integrator/montecarlo/blind_spots.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <string>
 
+#include "core/number_text.h"
 #include "integrator/montecarlo/heuristics.h"
 #include "transport/sources.h"
 
@@ -120,32 +119,28 @@ std::vector<Warning> blind_spots(const Scene& scene, const RenderSettings& setti
     spots.push_back(
         {kUnseenMirrors,
          {},
-         fmt::format("{:.2g} % of the picture shows mirrors or clear glass, which light "
-                     "tracing cannot see: its light is missing there; bdpt and ibpt see "
-                     "them",
-                     100.0 * found.seen / kSamples)});
+         percent_text(static_cast<double>(found.seen) / kSamples) +
+             " of the picture shows mirrors or clear glass, which light tracing cannot see: its "
+             "light is missing there; bdpt and ibpt see them"});
   }
-  const double lit = 100.0 * found.lit / std::max(found.light_paths, 1);
+  const std::string lit =
+      percent_text(static_cast<double>(found.lit) / std::max(found.light_paths, 1)) +
+      " of the light goes from a point or distant lamp straight to mirrors or clear glass";
   if (through && found.lit > 0 && found.seen_through > 0) {
     spots.push_back(
         {kUnseenThrough,
          {},
-         fmt::format(
-             "{:.2g} % of the light goes from a point or distant lamp straight to mirrors or clear "
-             "glass, and {:.2g} % of the picture looks through them: what is lit in this way and "
-             "seen in this way is too dark, since no technique makes such paths; mlt and erpt "
-             "find them, and selective where there is other light, too",
-             lit, 100.0 * found.seen_through / kSamples)});
+         lit + ", and " + percent_text(static_cast<double>(found.seen_through) / kSamples) +
+             " of the picture looks through them: what is lit in this way and seen in this way is "
+             "too dark, since no technique makes such paths; selective, mlt and erpt find them"});
   }
   if (from_points && found.lit > 0) {
     spots.push_back(
         {kUnseenLamps,
          {},
-         fmt::format(
-             "{:.2g} % of the light goes from a point or distant lamp straight to mirrors or clear "
-             "glass: what they throw on other things is missing, since no camera path runs into "
-             "such a lamp; bdpt and ibpt see it, unless through mirrors or clear glass again",
-             lit)});
+         lit +
+             ": what they throw on other things is missing, since no camera path runs into such a "
+             "lamp; bdpt and ibpt see it, unless through mirrors or clear glass again"});
   }
   return spots;
 }
