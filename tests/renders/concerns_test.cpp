@@ -92,6 +92,23 @@ TEST(Concerns, AreNoneWhereOtherTechniquesSee) {
   EXPECT_EQ(concerns_of(glass_and_metal(), "bdpt", {{"techniques", "light"}}).size(), 1U);
 }
 
+TEST(Notes, SayWhatChainsOfPathsDoNotReach) {
+  const auto scene = test::scene_from(glass_and_metal());
+  test::RenderOptions options;
+  options.integrator = "mlt";
+  options.samples = 2;
+  const auto say = [&](std::map<std::string, std::string> parameters) {
+    options.parameters = std::move(parameters);
+    std::string all;
+    for (const std::string& note : test::render(*scene, options).integrator->findings().notes) {
+      all += note + "\n";
+    }
+    return all.find("without bidirectional mutations") != std::string::npos;
+  };
+  EXPECT_FALSE(say({{"bootstrap", "2000"}}));
+  EXPECT_TRUE(say({{"bootstrap", "2000"}, {"bidirectional", "0"}}));
+}
+
 TEST(Concerns, NameDepthsThatNoTechniqueMakes) {
   const std::string room = test::small_scene("Room").text;
   const auto of = [&](const char* integrator, const char* name, const char* techniques) {

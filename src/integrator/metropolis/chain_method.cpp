@@ -81,6 +81,7 @@ Findings ChainMethod::findings() const {
   found.misses_light = misses_light_;
   if (has_chains()) {
     found.notes = {"Markov chains make all light"};
+    found.notes.insert(found.notes.end(), order_.notes.begin(), order_.notes.end());
   }
   return found;
 }

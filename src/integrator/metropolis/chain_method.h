@@ -14,8 +14,9 @@ namespace ajar {
 struct ChainOrder {
   PathSamplerSettings sampler;  ///< of the bootstrap
   std::vector<PathGroup> groups;
-  std::uint64_t bootstrap = 0;  ///< samples, over all groups and replicates
-  Parameters monte_carlo;       ///< of what renders if there was no time for a bootstrap
+  std::uint64_t bootstrap = 0;          ///< samples, over all groups and replicates
+  Parameters monte_carlo;               ///< of what renders if there was no time for a bootstrap
+  std::vector<std::string> notes = {};  ///< what the user may like to know of the chains
 };
 
 /// All but the groups, by the parameter `bootstrap` and those of the family of path sampling.

@@ -22,6 +22,12 @@ std::unique_ptr<Integrator> make_mlt_integrator(const Scene& scene, const Render
   ChainOrder order = chain_order(settings, parameters, {{"techniques", "bdpt"}});
   order.groups = make_path_groups(scene, ChainKind::ExplicitPath, order.sampler,
                                   parameters.get_int("roulette-start"));
+  if (parameters.get_float("bidirectional") == 0.0) {
+    order.notes = {
+        "without bidirectional mutations chains stay at paths of one length, and at mirrors and "
+        "clear glass that seeds have found: how much light each of these has is what the bootstrap "
+        "says, however long chains run"};
+  }
   const auto chains = static_cast<std::size_t>(parameters.get_int("chains"));
   return std::make_unique<ChainIntegrator<PathSpace>>(scene, settings, std::move(order), chains,
                                                       PathSpace(parameters));
