@@ -34,6 +34,8 @@ add_executable(ajar_crossing_test ${crossing_tests})
 ajar_compile_by_folder(ajar_crossing_test ${crossing_tests})
 target_link_libraries(ajar_crossing_test PRIVATE ajar_test_support GTest::gtest_main)
 target_compile_definitions(ajar_crossing_test PRIVATE AJAR_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
+# What tests compute is mostly in the libraries, as for the tests of rooms.
+target_compile_options(ajar_crossing_test PRIVATE -O1)
 # The longest of all: begun first, and in two parts, one for each processor of a small machine.
 foreach(part 0 1)
   add_test(NAME crossing_${part} COMMAND ajar_crossing_test)
