@@ -32,7 +32,9 @@ def table(head, rows):
 
 
 def shortest(number):
-    return f"{number:.0f}" if number == int(number) else f"{number:g}"
+    """As `number_text` of the program has it."""
+    is_whole = number == int(number) and abs(number) < 2**53
+    return f"{number:.0f}" if is_whole else f"{number:g}"
 
 
 def values_of(parameter):

@@ -50,18 +50,17 @@ std::optional<Vec3d> ManifoldWalk::onward(const InnerVertex& vertex, std::size_t
 
 void ManifoldWalk::leave(const ChainStart& start, const Vec3d& through) {
   traced_.clear();
-  medium_ = start.medium;
   const ChainEnd& end = start.end;
   const Vec3d toward = end.at_infinity ? end.toward : (end.p - through).normalized();
+  const Vec3 w(-toward);
+  medium_ = start.vertex != nullptr ? start.vertex->medium_toward(w) : start.medium;
   const double way = way_in(scene_, end, through);
   if (end.at_infinity || way < (end.p - through).length()) {
-    ray_ = {Vec3(through + toward * way), Vec3(-toward)};
+    ray_ = {Vec3(through + toward * way), w};
     return;
   }
-  const Vec3 w(-toward);
   ray_.origin = start.vertex != nullptr ? start.vertex->ray_origin(w)
                                         : offset_ray_origin(Vec3(end.p), start.ng, w);
-  if (start.vertex != nullptr) medium_ = start.vertex->medium_toward(w);
   // Rays set off beside the start: parallel ones would miss the place by as much, at every step.
   ray_.direction = Vec3((through - Vec3d(ray_.origin)).normalized());
 }

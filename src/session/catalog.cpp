@@ -7,7 +7,6 @@
 #include <nlohmann/json.hpp>
 
 #include "core/error.h"
-#include "core/number_text.h"
 #include "import/format.h"
 #include "integrator/integrator.h"
 #include "scene/desc/models.h"
@@ -166,32 +165,17 @@ std::vector<CatalogEntry> entries(const std::string& kind) {
   return layers;
 }
 
-/// "0 to 1", "1 or more", or empty; "above 0" where a bound itself is not allowed.
-std::string bounds_text(const ParameterSpec& spec) {
-  const bool has_minimum = spec.minimum > -1e300;
-  const bool has_maximum = spec.maximum < 1e300;
-  const std::string minimum = number_text(spec.minimum);
-  const std::string maximum = number_text(spec.maximum);
-  if (spec.open_range && has_minimum) {
-    return "above " + minimum + (has_maximum ? ", below " + maximum : "");
-  }
-  if (has_minimum && has_maximum) return minimum + " to " + maximum;
-  if (has_minimum) return minimum + " or more";
-  if (has_maximum) return (spec.open_range ? "below " : "up to ") + maximum;
-  return {};
-}
-
 /// "with mapping=uv|planar", or empty.
 std::string condition_text(const ParameterSpec& spec) {
   if (spec.depends_on.empty()) return {};
   return fmt::format("  with {}={}", spec.depends_on, fmt::join(spec.matters_for, "|"));
 }
 
-/// What follows the name of a parameter: "=0.5 degrees  [number, 0 to 90]".
+/// What follows the name of a parameter: "=0.5 degrees  [number, between 0 and 90]".
 std::string value_text(const ParameterSpec& spec) {
   const bool has_default = !spec.default_value.empty() || spec.type == ParameterType::Text;
   const std::string value = has_default ? "=" + spec.default_value : "";
-  const std::string bounds = bounds_text(spec);
+  const std::string bounds = range_text(spec);
   return fmt::format("{}{}  [{}{}]{}", value, spec.unit.empty() ? "" : " " + spec.unit,
                      type_text(spec), bounds.empty() ? "" : ", " + bounds, condition_text(spec));
 }
@@ -248,6 +232,14 @@ const std::vector<std::string>& catalog_kinds() {
     return all;
   }();
   return kinds;
+}
+
+std::vector<std::string> names_with_parameters() {
+  std::vector<std::string> names;
+  for (const std::string& kind : catalog_kinds()) {
+    for (const Parametrised& entry : parametrised(kind)) names.push_back(entry.name);
+  }
+  return names;
 }
 
 std::vector<std::string> kinds_with(const std::string& name) {

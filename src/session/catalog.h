@@ -21,7 +21,9 @@ std::vector<std::string> checked_aovs(const std::vector<std::string>& names);
 
 /// What `ajar list` can list: integrators, materials, textures …
 const std::vector<std::string>& catalog_kinds();
-/// Of these the ones with an entry of that name that has parameters.
+/// Of all entries that have parameters.
+std::vector<std::string> names_with_parameters();
+/// The kinds with an entry of that name that has parameters.
 std::vector<std::string> kinds_with(const std::string& name);
 /// One catalogue for people (a line per entry), and for programs (array of objects with name,
 /// summary; what has parameters also has source and parameters).

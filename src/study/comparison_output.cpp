@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "core/number_text.h"
 #include "core/printable_text.h"
 #include "image/metrics.h"
 
@@ -72,10 +73,10 @@ std::string bias_text(const ComparedPicture& compared) {
       r.worst_block.min.y, r.worst_block.max.x, r.worst_block.max.y, "RGB"[r.worst_channel],
       r.family_p);
   text += fmt::format(
-      "  power: a difference of {:.2g} % of the mean, or of {:.2g} % of it in a typical block, "
+      "  power: a difference of {} of the mean, or of {} of it in a typical block, "
       "would be found in {:.0f} % of cases (level {:g})\n",
-      100 * bias.detectable_mean, 100 * bias.detectable_block, 100 * BiasTest::kPower,
-      BiasTest::kLevel);
+      percent_text(bias.detectable_mean), percent_text(bias.detectable_block),
+      100 * BiasTest::kPower, BiasTest::kLevel);
   text += fmt::format(
       "  errors: picture from {}, reference {}{}\n", to_string(bias.picture),
       bias.reference == ErrorSource::None ? "taken as exact"

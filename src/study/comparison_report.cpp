@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <sstream>
 
+#include "core/number_text.h"
 #include "study/comparison_output.h"
 #include "study/report_image.h"
 
@@ -41,7 +42,7 @@ std::vector<std::string> bias_row(const std::string& name, const std::optional<B
           fmt::format("{:+.3g} %", 100 * r.mean_relative_difference),
           fmt::format("{:+.2f}", r.mean_z),
           fmt::format("{:.2g}", r.family_p),
-          fmt::format("{:.2g} %", 100 * bias->detectable_mean)};
+          percent_text(bias->detectable_mean)};
 }
 
 std::vector<std::string> lines(const std::string& text) {

@@ -14,6 +14,7 @@
 #include "mcmc/path_space/make_path_mutations.h"
 #include "mcmc/path_space/manifold_perturbation.h"
 #include "mcmc/path_space/path_form.h"
+#include "mcmc/primary/bootstrap_source.h"
 #include "path/manifold_walk.h"
 #include "support/path_samples.h"
 #include "support/path_scenes.h"
@@ -254,6 +255,35 @@ Shape "trianglemesh" "point P" [-2 0.5 -2  2 0.5 -2  2 0.6 2  -2 0.4 2] "integer
                     });
   EXPECT_GT(walks, 500);
   EXPECT_GT(arrived, 0.99 * walks);
+}
+
+/// Fog is where vertices of paths can lie outside of all surfaces, from where rays of walks set off
+/// nearer: through the same fog.
+TEST(ManifoldWalk, KnowsTheMediumThatItComesFrom) {
+  const auto scene = test::scene_from(test::pbrt_scene(
+      "LookAt 0 1 -3  0 0 0  0 1 0\nCamera \"perspective\" \"float fov\" [40]", 8, 8, R"(
+MakeNamedMedium "fog" "string type" "homogeneous" "rgb sigma_s" [0.1 0.1 0.1]
+MediumInterface "" "fog"
+LightSource "point" "point from" [0 2 0] "rgb I" [8 7 6]
+MediumInterface "fog" "fog"
+Material "matte" "rgb Kd" [0.7 0.6 0.5]
+Shape "trianglemesh" "point P" [-2 0 -2  2 0 -2  2 0 2  -2 0 2] "integer indices" [0 2 1 0 3 2]
+Material "glass" "float index" [1.33]
+Shape "trianglemesh" "point P" [-2 0.5 -2  2 0.5 -2  2 0.5 2  -2 0.5 2] "integer indices" [0 2 1 0 3 2]
+)"));
+  const Medium* const fog = scene->lights().front()->medium;
+  ASSERT_NE(fog, nullptr);
+  ManifoldWalk walk(*scene);
+  BootstrapSource numbers(1, 0);
+  for (const float height : {1.F, 100.F}) {
+    InnerVertex vertex;
+    vertex.hit.point.p = Vec3(0.1F, height, 0.3F);
+    vertex.in_medium = true;
+    vertex.medium = fog;
+    const ChainStart start{{Vec3d(vertex.p()), Vec3d(0.0), false}, &vertex, Vec3(0.F), nullptr};
+    ASSERT_TRUE(walk.set_off(start, Vec3d(0.2, 0.5, 0.3), 4, numbers));
+    EXPECT_EQ(walk.vertices().front().medium, fog) << "from a height of " << height;
+  }
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <numbers>
 #include <span>
 #include <string>
@@ -305,6 +306,55 @@ INSTANTIATE_TEST_SUITE_P(
                       PointCase{"Spot", kSpotLamp, kPointLamp, lit_by_a_mirror(), 20000},
                       PointCase{"Distant", kDistantLamp, kFarLamp, kPoolFloor + kWater, 20000}),
     [](const auto& lamps) { return std::string(lamps.param.name); });
+
+/// Guesses from far away are much as those from infinity, though fewer photons tell where to.
+TEST(ManifoldConnection, FindsChainsFromAfarAsFromInfinity) {
+  const auto finds = [](const std::string& lamp) {
+    const auto scene = test::scene_from(over_water(lamp + kPoolFloor + waves()));
+    const SpecularPhotons photons(*scene);
+    ManifoldConnection connection(*scene, photons);
+    const Light& light = *scene->lights().front();
+    double found = 0.0;
+    for (const float x : {-0.8F, -0.1F, 0.7F}) {
+      const auto hit = scene->intersect({Vec3(x, 0.3F, 0.2F), Vec3(0.F, -1.F, 0.F)});
+      InnerVertex seen;
+      seen.hit = hit.value();
+      seen.hit.material->bsdf(seen.hit.point, seen.bsdf);
+      for (std::uint64_t i = 0; i < 4000; ++i) {
+        found +=
+            connection.find({light, light.only_point(), seen, 3}, hash_numbers(9, i)) ? 1.0 : 0.0;
+      }
+    }
+    return found;
+  };
+  const double from_infinity = finds(kDistantLamp);
+  ASSERT_GT(from_infinity, 2000.0);
+  // At a thousand, and a million times the size of the scene.
+  for (const char* lamp :
+       {"LightSource \"point\" \"point from\" [3e3 9e3 3.16227766e3] \"rgb I\" [1e8 1e8 1e8]\n",
+        "LightSource \"point\" \"point from\" [3e6 9e6 3.16227766e6] \"rgb I\" [1e14 1e14 "
+        "1e14]\n"}) {
+    EXPECT_GT(finds(lamp), 0.5 * from_infinity) << lamp;
+  }
+}
+
+/// Nor do bidirectional mutations make it, so chains of it do without them.
+TEST(PointLampsThroughWater, AreNotForBidirectionalMutations) {
+  const auto scene = test::scene_from(over_water(kPointLamp + kPoolFloor + kWater));
+  test::RenderOptions options;
+  options.min_depth = options.max_depth = 4;
+  options.integrator = "mlt";
+  options.parameters = {{"bootstrap", "5000"}};
+  options.samples = 4;
+  const MethodReport report = test::render(*scene, options).integrator->report();
+  for (const auto& move : report["acceptance"]["by_move"]) {
+    const bool walks = move["move"] == "manifold";
+    EXPECT_EQ(move["proposals"].get<std::uint64_t>() > 0, walks) << move;
+    if (walks) {
+      EXPECT_GT(move["acceptance"].get<double>(), 0.5);
+    }
+  }
+}
 
 /// What no technique makes is in the pictures of those that find it, beside what `bdpt` makes of
 /// the light of a sky, and where there is nothing else: of four edges, over a floor that is the

@@ -426,7 +426,7 @@ TEST_F(Cli, ListNamesWhatThereIs) {
 
 TEST_F(Cli, ListShowsParametersOfOneMaterial) {
   const std::string text = run({"list", "materials", "dielectric"}).out;
-  EXPECT_TRUE(contains(text, "  eta=1.5  [number|texture, 0 to 20]")) << text;
+  EXPECT_TRUE(contains(text, "  eta=1.5  [number|texture, between 0 and 20]")) << text;
   const json material =
       json::parse(run({"list", "materials", "dielectric", "--json"}).out).at("materials").at(0);
   const json& parameters = material.at("parameters");
@@ -444,11 +444,14 @@ TEST_F(Cli, ListTakesANameAloneIfOneKindHasIt) {
   const Outcome several = run({"list", "mix"});
   EXPECT_EQ(several.exit_code, 2);
   EXPECT_TRUE(contains(several.err, "ajar list materials mix")) << several.err;
+  EXPECT_TRUE(contains(run({"list", "mtl"}).err, "did you mean \"mlt\""));
+  EXPECT_EQ(run({"help", "list", "mlt"}).exit_code, 2);
 }
 
 TEST_F(Cli, ListShowsBoundsInFull) {
   const std::string text = run({"list", "integrators", "mlt"}).out;
-  EXPECT_TRUE(contains(text, "bootstrap=100000 samples  [whole number, 1000 to 100000000]"))
+  EXPECT_TRUE(
+      contains(text, "bootstrap=100000 samples  [whole number, between 1000 and 100000000]"))
       << text;
 }
 

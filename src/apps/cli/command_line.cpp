@@ -329,8 +329,9 @@ void add_others(CLI::App& app, Request& request) {
       "(…_meshes, …_images).");
 
   CLI::App* list = app.add_subcommand("list", "List what there is to choose from");
-  list->add_option("KIND", request.list.kind,
-                   fmt::format("{}; default: all", fmt::join(catalog_kinds(), ", ")));
+  list->add_option(
+      "KIND", request.list.kind,
+      fmt::format("{}; or the name of one thing; default: all", fmt::join(catalog_kinds(), ", ")));
   list->add_option("NAME", request.list.name, "An integrator, a material …, to see its parameters");
   list->add_flag("--json", request.list.json, "Print JSON");
 }
@@ -454,6 +455,7 @@ void check_leftovers(const CLI::App& app) {
 int run(int argc, const char* const* argv, Ranks* ranks) {
   // "help render" asks for what "render --help" says.
   if (argc > 1 && std::string_view(argv[1]) == "help") {
+    if (argc > 3) throw UsageError("unexpected argument \"" + std::string(argv[3]) + "\"");
     const char* const of_command[] = {argv[0], argc > 2 ? argv[2] : "--help", "--help"};
     return run(argc > 2 ? 3 : 2, of_command, ranks);
   }

@@ -15,13 +15,21 @@ namespace {
 ListArguments with_kind(ListArguments arguments) {
   const std::vector<std::string> kinds = catalog_kinds();
   const bool is_kind = std::find(kinds.begin(), kinds.end(), arguments.kind) != kinds.end();
-  if (is_kind || !arguments.name.empty()) return arguments;
+  if (is_kind || arguments.kind.empty() || !arguments.name.empty()) return arguments;
   const std::vector<std::string> with_name = kinds_with(arguments.kind);
   if (with_name.size() > 1) {
     throw UsageError("\"" + arguments.kind + "\" is of several kinds; try: ajar list " +
                      with_name.front() + " " + arguments.kind + ", or " + with_name.back());
   }
-  if (with_name.empty()) return arguments;
+  if (with_name.empty()) {
+    const std::string near = nearest_name(arguments.kind, names_with_parameters());
+    const bool is_near_kind = !nearest_name(arguments.kind, kinds).empty();
+    if (!near.empty() && !is_near_kind) {
+      throw UsageError("nothing is called \"" + arguments.kind + "\"; did you mean \"" + near +
+                       "\"?");
+    }
+    return arguments;
+  }
   return {.kind = with_name.front(), .name = arguments.kind, .json = arguments.json};
 }
 

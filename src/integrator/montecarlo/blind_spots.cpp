@@ -132,7 +132,8 @@ std::vector<Warning> blind_spots(const Scene& scene, const RenderSettings& setti
          {},
          lit + ", and " + percent_text(static_cast<double>(found.seen_through) / kSamples) +
              " of the picture looks through them: what is lit in this way and seen in this way is "
-             "too dark, since no technique makes such paths; selective, mlt and erpt find them"});
+             "too dark, since no technique makes such paths; mlt finds them, and selective and "
+             "erpt unless they are told otherwise"});
   }
   if (from_points && found.lit > 0) {
     spots.push_back(

@@ -8,7 +8,8 @@
 namespace ajar {
 
 double ChainBootstrap::effort() const {
-  if (plan_.has_recruits()) return 0.0;
+  // Else what the pilots find starts them.
+  if (plan_.has_recruits() && !plan_.is_black) return 0.0;
   return SelectiveHeuristics::kEffortOfOnePath * static_cast<double>(plan_.bootstrap) /
          static_cast<double>(plan_.pixels());
 }

@@ -186,10 +186,14 @@ void ChainIntegrator::end_preparation() {
   const bool is_lit =
       std::any_of(populations_.begin(), populations_.end(),
                   [](const ChainPopulation& population) { return !population.chains.empty(); });
+  const bool looks_on = plan_.divisions || std::any_of(plan_.groups.begin(), plan_.groups.end(),
+                                                       [](const PathGroup& group) {
+                                                         return !is_explicit(group.kind);
+                                                       });
   // Its machinery goes on all the same: that nothing was found yet counts in b, which is right on
   // average over what is found and what is not.
   plan_.unlit = plan_.selective && !plan_.standby && plan_.mutations > 0.0 &&
-                !populations_.empty() && !is_lit;
+                !populations_.empty() && !is_lit && looks_on;
   // With a black pilot there is nothing to divide by.
   if (!plan_.divisions || plan_.mutations == 0.0) recruits_.reset();
   if (plan_.mutations == 0.0) populations_.clear();

@@ -32,12 +32,12 @@ void ChainItems::list(bool plain) {
     const ChainPopulation& population = populations_[p];
     chain_counts_[static_cast<std::size_t>(population.replicate)] += population.chains.size();
     for (std::size_t c = 0; c < population.chains.size(); ++c) items_.push_back({p, c});
-    if (plain && lacks_seed(population)) items_.push_back({p, 0});
+    if (plain && takes_plain_samples(population)) items_.push_back({p, 0});
   }
   share_mutations();
 }
 
-bool ChainItems::lacks_seed(const ChainPopulation& population) const {
+bool ChainItems::takes_plain_samples(const ChainPopulation& population) const {
   return population.chains.empty() && !is_explicit(plan_.groups[population.group].kind);
 }
 
@@ -126,19 +126,19 @@ void ChainItems::run_chain(const Item& item, std::uint64_t first_sample, std::ui
   count_steps(member.origin(), statistics, rays, counters);
 }
 
-/// A population whose bootstrap found no light has no chain to run. Its paths are sampled
-/// independently instead. They stand for the large steps that its chains would have made, and have
-/// their weight: see `refine_b`. What one of them carries is spread over a short chain that
-/// starts from it (Cline et al. 2005), since light so hard to find would be a firefly: the chain
-/// leaves the distribution of its start as it is, so each of its states stands for the sample as
-/// well.
+/// A population whose bootstrap found no light has no chain to run. Its paths, if they are of
+/// numbers, are sampled independently instead. They stand for the large steps that its chains would
+/// have made, and have their weight: see `refine_b`. What one of them carries is spread over a
+/// short chain that starts from it (Cline et al. 2005), since light so hard to find would be a
+/// firefly: the chain leaves the distribution of its start as it is, so each of its states stands
+/// for the sample as well.
 void ChainItems::run_plain(ChainPopulation& population, PlaneMaps* maps, Film& film,
                            Counters& counters) {
   if (later_weight_ == 0.0) return;
   constexpr std::uint64_t kSteps = SelectiveHeuristics::kStepsWithoutSeed;
   std::size_t seedless = 0;
   for (const ChainPopulation& other : populations_) {
-    if (other.replicate == population.replicate && lacks_seed(other)) ++seedless;
+    if (other.replicate == population.replicate && takes_plain_samples(other)) ++seedless;
   }
   const double mutations = plan_.mutations * static_cast<double>(plan_.pixels()) /
                            plan_.settings.replicates / static_cast<double>(seedless);

@@ -13,7 +13,7 @@
 namespace ajar {
 
 /// What chains do in a pass: an item is a chain, or the plain samples of a population without
-/// seeds. And b, the brightness of what they deposit.
+/// seeds (`takes_plain_samples`). And b, the brightness of what they deposit.
 class ChainItems {
  public:
   /// What these refer to must outlive it.
@@ -21,8 +21,8 @@ class ChainItems {
              const ChainStretch& stretch)
       : plan_(plan), effort_(effort), populations_(populations), stretch_(stretch) {}
 
-  /// To be called whenever the populations have got other chains. `plain`: whether those that
-  /// lack a seed take plain samples.
+  /// To be called whenever the populations have got other chains. `plain`: whether those without
+  /// a seed take plain samples at all.
   void list(bool plain);
   std::size_t count() const { return items_.size(); }
 
@@ -66,9 +66,9 @@ class ChainItems {
                ? &plan_.divisions->of(replicate)
                : nullptr;
   }
-  /// Whether nothing has its light though samples like those of a bootstrap would find it. Chains
-  /// of explicit paths make no such samples, so a bootstrap of theirs that finds none is the last.
-  bool lacks_seed(const ChainPopulation& population) const;
+  /// Whether plain samples stand for its chains: where the bootstrap has found no seed, but not
+  /// for chains of explicit paths, whose b knows of the bootstrap alone.
+  bool takes_plain_samples(const ChainPopulation& population) const;
   void share_mutations();
   double share_of(int replicate) const {
     return shares_[static_cast<std::size_t>(replicate) % shares_.size()];

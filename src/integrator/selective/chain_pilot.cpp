@@ -76,10 +76,11 @@ void ChainPilot::end() {
     plan_.view.importance = ImportanceMap::relative(crop, picture);
   }
   plan_.brightness = mean_strength(picture, crop, plan_.view.importance);
-  if (plan_.brightness > 0.0) {
+  plan_.is_black = !(plan_.brightness > 0.0);
+  if (!plan_.is_black) {
     plan_.moves.settings.large_step_cap = SelectiveHeuristics::kWhite * plan_.brightness;
   }
-  if (!plan_.thresholds.empty() && plan_.brightness > 0.0) {
+  if (!plan_.thresholds.empty() && !plan_.is_black) {
     plan_.divisions.emplace(Division(plan_.lowest_threshold(), plan_.view.importance));
   }
   film_.reset();

@@ -116,6 +116,7 @@ struct ChainPlan {
   std::uint64_t pilot_kept = 0;  ///< camera samples per pixel that the preparation has rendered
   /// Of the pilot: mean luminance · importance of its pixels.
   double brightness = 0.0;
+  bool is_black = false;  ///< the pilot has found no light
   /// What that pilot has seen, for users to look at: RGB, row by row of the crop; empty once it was
   /// taken.
   std::vector<float> first_look;

@@ -2,6 +2,7 @@
 #include <vector>
 
 #include "mcmc/path_space/growing_path.h"
+#include "mcmc/path_space/path_form.h"
 #include "mcmc/path_space/path_mutation.h"
 
 namespace ajar {
@@ -19,7 +20,8 @@ class BidirectionalMutation final : public PathMutation {
   BidirectionalMutation(const Scene& scene, const RasterArea& area, const Depths& depths);
 
   std::string_view name() const override { return "bidirectional"; }
-  bool suitable(const Path& /*path*/) const override { return true; }
+  /// It makes nothing that no technique does.
+  bool suitable(const Path& path) const override { return !no_technique_makes(path); }
   std::optional<Kept> propose(const Path& x, std::uint64_t key, Path& y) override;
   double log_density(const Path& x, const Path& y, const Kept& kept) const override;
   const RayCounts& ray_counts() const override { return growing_ray_counts_; }

@@ -80,8 +80,8 @@ struct PathSpaceHeuristics {
   static constexpr double kClearOfPoints = 0.01;
   /// Its guesses pass beside the straight way, or where a photon passed, by no less than this, each
   /// order of magnitude as often as any other.
-  /// Unit: radians; from beyond the scene, share of π of the angle, or the diameter, that it has
-  /// from there. Range: (0, π). Source:
+  /// Unit: radians; from outside of the scene, over π, times twice the angle of its radius from
+  /// there; from infinity, over π, times its diameter. Range: (0, π). Source:
   /// docs/notebook/mutations.md, "Seeds of what no connection makes": ten times are worse, if one
   /// seed can be trusted; of less, no study.
   static constexpr double kSmallestGuess = 1e-4;

@@ -30,13 +30,22 @@ double rounding_of_rays(const Scene& scene, const ChainEnd& light, const Vec3& e
   return kRounding * std::max(start, size(Vec3d(end)));
 }
 
-/// Angles by which rays from a place may miss another: from outside of the scene, all that lead
-/// into it.
-PerturbationLaw guesses_from(const Vec3d& place, const BoundingSphere& sphere) {
-  const double distance = (place - Vec3d(sphere.center)).length();
+/// A place beside `center` as it is seen from another, which misses it by angles up to what the
+/// scene has from there. In double precision, since from afar a float tells no place in the scene.
+Vec3d guess_beside(const Vec3d& center, const Vec3d& from, const BoundingSphere& sphere,
+                   const Vec2& u) {
+  const double away = (from - Vec3d(sphere.center)).length();
   const double radius = sphere.radius;
-  const double largest = distance > radius ? 2.0 * std::asin(radius / distance) : std::numbers::pi;
-  return {PathSpaceHeuristics::kSmallestGuess * largest / std::numbers::pi, largest};
+  const double largest = away > radius ? 2.0 * std::asin(radius / away) : std::numbers::pi;
+  const PerturbationLaw law{PathSpaceHeuristics::kSmallestGuess * largest / std::numbers::pi,
+                            largest};
+  const double angle = law.size(static_cast<double>(u.x));
+  const double around = 2.0 * std::numbers::pi * static_cast<double>(u.y);
+  const Vec3d toward = center - from;
+  const Vec3 across = Frame::around(Vec3(toward.normalized()))
+                          .to_world({static_cast<float>(std::cos(around)),
+                                     static_cast<float>(std::sin(around)), 0.F});
+  return from + toward * std::cos(angle) + Vec3d(across) * (toward.length() * std::sin(angle));
 }
 
 /// A clear chain, and what tells it from others between the same ends.
@@ -96,9 +105,7 @@ Vec3d ManifoldConnection::choose_place(const Ends& ends, SampleSource& source) c
   }
   const BoundingSphere& sphere = scene_.bounding_sphere();
   if (!ends.light.at_infinity()) {
-    const Vec3d from(ends.point.surface.p);
-    const Vec3 toward((Vec3d(center) - from).normalized());
-    return from + Vec3d(guesses_from(from, sphere).around(toward, u));
+    return guess_beside(Vec3d(center), Vec3d(ends.point.surface.p), sphere, u);
   }
   const double diameter = 2.0 * double{sphere.radius};
   const PerturbationLaw law{PathSpaceHeuristics::kSmallestGuess * diameter / std::numbers::pi,
