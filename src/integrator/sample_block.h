@@ -12,11 +12,12 @@ struct SampleBlock {
   std::uint64_t last;
 };
 
-/// Cuts `samples` of one owner into blocks.
-inline void add_blocks(std::vector<SampleBlock>& blocks, std::size_t owner, std::uint64_t samples) {
+/// Cuts the samples `first` to `last` of one owner into blocks.
+inline void add_blocks(std::vector<SampleBlock>& blocks, std::size_t owner, std::uint64_t first,
+                       std::uint64_t last) {
   constexpr std::uint64_t kSamplesPerBlock = 512;
-  for (std::uint64_t first = 0; first < samples; first += kSamplesPerBlock) {
-    blocks.push_back({owner, first, std::min(samples, first + kSamplesPerBlock)});
+  for (; first < last; first += kSamplesPerBlock) {
+    blocks.push_back({owner, first, std::min(last, first + kSamplesPerBlock)});
   }
 }
 

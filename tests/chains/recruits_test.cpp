@@ -104,8 +104,8 @@ std::string small_lamp_over_water() {
   return test::pbrt_scene(
       "LookAt 0 2.4 -2.2  0 0 0.1  0 1 0\nCamera \"perspective\" \"float fov\" [40]", 48, 32,
       R"(AttributeBegin
-  AreaLightSource "diffuse" "rgb L" [80 70 60]
-  Shape "trianglemesh" "point P" [-0.08 1.9 -0.08  0.08 1.9 -0.08  0.08 1.9 0.08  -0.08 1.9 0.08]
+  AreaLightSource "diffuse" "rgb L" [20 17.5 15]
+  Shape "trianglemesh" "point P" [-0.16 1.9 -0.16  0.16 1.9 -0.16  0.16 1.9 0.16  -0.16 1.9 0.16]
     "integer indices" [0 1 2 0 2 3] "normal N" [0 -1 0  0 -1 0  0 -1 0  0 -1 0]
 AttributeEnd
 Material "matte" "rgb Kd" [0.7 0.6 0.5]
@@ -116,7 +116,7 @@ Shape "trianglemesh" "point P" [-2 0.5 -2  2 0.5 -2  2 0.6 2  -2 0.4 2] "integer
 }
 
 /// What camera samples and manifold connections find is together worth what the bootstrap of `mlt`
-/// says, which tries connections 32 times as often: hits that were counted whole, or tries by
+/// says, which tries connections eight times as often: hits that were counted whole, or tries by
 /// another number, would show.
 TEST(Recruits, ShareWhatNoConnectionMakesWithManifoldConnections) {
   const auto scene = test::scene_from(small_lamp_over_water());

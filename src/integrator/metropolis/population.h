@@ -54,7 +54,7 @@ std::vector<SampleBlock> share_bootstrap(std::vector<P>& populations,
     weights.resize(static_cast<std::size_t>(
         std::max(MetropolisHeuristics::kFewestBootstrapPaths,
                  per_replicate * bootstrap_share(groups, populations[p].group))));
-    add_blocks(blocks, p, weights.size());
+    add_blocks(blocks, p, 0, weights.size());
   }
   return blocks;
 }

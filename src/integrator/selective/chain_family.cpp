@@ -343,7 +343,11 @@ void ChainIntegrator::begin_pass(std::uint64_t first_sample, std::uint64_t sampl
     items_.refine_b(0);
     for (const auto& stage : stages_) stage->hand_over(film);
   }
-  if (recruits_ && first_sample >= stretch_.end()) join_recruits(film);
+  if (recruits_) {
+    recruits_->look_on(populations_, effort_.omc_samples(stretch_.begin()),
+                       effort_.omc_samples(first_sample), effort_.omc_samples(stretch_.end()));
+    if (first_sample >= stretch_.end()) join_recruits(film);
+  }
   if (recruits_ && first_sample + samples > stretch_.end()) {
     throw std::logic_error("bug: a pass crosses a milestone");
   }

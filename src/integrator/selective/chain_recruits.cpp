@@ -13,7 +13,6 @@
 #include "core/random_use.h"
 #include "integrator/metropolis/path_seeds.h"
 #include "integrator/montecarlo/path_family.h"
-#include "integrator/sample_block.h"
 #include "integrator/selective/chain_archive.h"
 #include "integrator/selective/chain_starts.h"
 #include "integrator/selective/heuristics.h"
@@ -76,34 +75,6 @@ void ChainRecruits::share_with_manifolds(Recruit& recruit, const SelectiveChain&
       ManifoldSeeds::hit_share(plan_.scene, path, SelectiveHeuristics::kManifoldTries);
 }
 
-std::vector<ChainRecruits::JoinedPath> ChainRecruits::join_by_manifolds(
-    const ChainPopulation& population, const Stretch& stretch) const {
-  const PathGroup& group = plan_.groups[population.group];
-  if (!PathSeeds::has_manifolds(group)) return {};
-  const double tries = std::ceil(stretch.samples * SelectiveHeuristics::kManifoldTries);
-  const double energy = stretch.samples / tries * plan_.view.area_per_pixel();
-  const std::uint64_t seed = hash_numbers(population.seed, RandomUse::ManifoldSeed, stretch.number);
-  std::vector<SampleBlock> blocks;
-  add_blocks(blocks, population.group, static_cast<std::uint64_t>(tries));
-  std::vector<std::vector<JoinedPath>> found(blocks.size());
-  parallel_for(blocks.size(), [&](std::size_t block) {
-    PathSeeds seeds(plan_.scene, group, plan_.view, plan_.part_of(population.replicate),
-                    SelectiveHeuristics::kManifoldTries);
-    for (std::uint64_t i = blocks[block].first; i < blocks[block].last; ++i) {
-      std::uint64_t key = hash_numbers(seed, i);
-      for (PathSeeds::Joined& joined : seeds.join_by_manifolds(key)) {
-        key = hash_numbers(key, RandomUse::Chain);
-        found[block].push_back({std::move(joined.path), joined.brings * energy, key});
-      }
-    }
-  });
-  std::vector<JoinedPath> all;
-  for (std::vector<JoinedPath>& of_block : found) {
-    std::move(of_block.begin(), of_block.end(), std::back_inserter(all));
-  }
-  return all;
-}
-
 std::unique_ptr<StrongPathSink> ChainRecruits::make(Film& /*film*/, Counters& counters) const {
   return std::make_unique<Sink>(*this, counters);
 }
@@ -150,6 +121,7 @@ void ChainRecruits::save_state(OutputArchive& archive) const {
 }
 
 void ChainRecruits::load_state(InputArchive& archive) {
+  manifolds_.clear();
   recruits_.clear();
   shared_.clear();
   archive(grain_);
@@ -233,16 +205,27 @@ std::vector<ChainRecruits::Found> ChainRecruits::sorted_recruits(
   return found;
 }
 
-void ChainRecruits::join(std::vector<ChainPopulation>& populations, std::uint64_t first,
-                         std::uint64_t last) {
-  auto found = sorted_recruits(populations);
+std::vector<RecruitStretch> ChainRecruits::stretches(std::uint64_t first,
+                                                     std::uint64_t last) const {
   const auto replicates = static_cast<std::uint64_t>(plan_.settings.replicates);
+  std::vector<RecruitStretch> all;
   for (std::uint64_t replicate = 0; replicate < replicates; ++replicate) {
     const std::uint64_t samples = samples_of(replicate, replicates, first, last) * plan_.pixels();
-    join_replicate(populations, found, static_cast<int>(replicate),
-                   {static_cast<double>(samples), last});
+    all.push_back({static_cast<double>(samples), last});
   }
-  recruits_.clear();
+  return all;
+}
+
+void ChainRecruits::look_on(const std::vector<ChainPopulation>& populations, std::uint64_t first,
+                            std::uint64_t now, std::uint64_t last) {
+  if (now <= first) return;
+  manifolds_.go_on(populations, stretches(first, last),
+                   static_cast<double>(now - first) / static_cast<double>(last - first));
+}
+
+void ChainRecruits::join(std::vector<ChainPopulation>& populations, std::uint64_t first,
+                         std::uint64_t last) {
+  join_all(populations, stretches(first, last));
 }
 
 void ChainRecruits::join_scattered(std::vector<ChainPopulation>& populations,
@@ -253,23 +236,31 @@ void ChainRecruits::join_scattered(std::vector<ChainPopulation>& populations,
         static_cast<int>(hash_numbers(recruit.path.key(), RandomUse::RecruitReplicate) %
                          static_cast<std::uint64_t>(replicates));
   }
+  join_all(populations, std::vector<RecruitStretch>(static_cast<std::size_t>(replicates),
+                                                    {camera_samples / replicates, 0}));
+}
+
+void ChainRecruits::join_all(std::vector<ChainPopulation>& populations,
+                             const std::vector<RecruitStretch>& stretches) {
   auto found = sorted_recruits(populations);
-  for (int replicate = 0; replicate < replicates; ++replicate) {
-    join_replicate(populations, found, replicate, {camera_samples / replicates, 0});
+  manifolds_.go_on(populations, stretches, 1.0);
+  for (std::size_t p = 0; p < populations.size(); ++p) found[p].joined = manifolds_.take(p);
+  manifolds_.clear();
+  for (std::size_t replicate = 0; replicate < stretches.size(); ++replicate) {
+    join_replicate(populations, found, static_cast<int>(replicate), stretches[replicate]);
   }
   recruits_.clear();
 }
 
 void ChainRecruits::join_replicate(std::vector<ChainPopulation>& populations,
-                                   std::vector<Found>& found, int replicate,
-                                   const Stretch& stretch) const {
+                                   const std::vector<Found>& found, int replicate,
+                                   const RecruitStretch& stretch) const {
   if (stretch.samples == 0.0) return;
   std::vector<std::size_t> own;
   std::vector<double> b;
   for (std::size_t p = 0; p < populations.size(); ++p) {
     if (populations[p].replicate != replicate) continue;
     own.push_back(p);
-    found[p].joined = join_by_manifolds(populations[p], stretch);
     if (plan_.kind == ChainKind::SpreadPath) end_chains(populations[p]);
     merge(populations[p], found[p], stretch.samples);
     b.push_back(populations[p].joined->b);
@@ -299,7 +290,7 @@ void ChainRecruits::merge(ChainPopulation& population, const Found& found, doubl
     joined.variance += mass * mass;
   };
   for (const Recruit* recruit : found.recruits) add(recruit->path.energy);
-  for (const JoinedPath& path : found.joined) add(path.energy);
+  for (const ManifoldRecruit& path : found.joined) add(path.energy);
   if (population.joined) {
     joined.of_chains = (1.0 - share) * population.joined->b;
     joined.b += joined.of_chains;
@@ -315,7 +306,7 @@ std::optional<SelectiveChain> ChainRecruits::start(const Found& found, std::size
     const Recruit& recruit = *found.recruits[number];
     return start_chain_of(plan_, recruit.numbers, recruit.path, recruit.scalar, rays);
   }
-  const JoinedPath& joined = found.joined[number - found.recruits.size()];
+  const ManifoldRecruit& joined = found.joined[number - found.recruits.size()];
   return start_chain_at(joined.path, joined.key);
 }
 
@@ -334,7 +325,7 @@ void ChainRecruits::resample(ChainPopulation& population, const Found& found, st
   for (const Recruit* recruit : found.recruits) {
     masses.push_back(std::abs(recruit->path.energy) * joined.of_recruits);
   }
-  for (const JoinedPath& path : found.joined) {
+  for (const ManifoldRecruit& path : found.joined) {
     masses.push_back(path.energy * joined.of_recruits);
   }
   const std::uint64_t seed = hash_numbers(population.seed, RandomUse::RecruitSeeds, stretch);

@@ -6,6 +6,7 @@
 #include "core/archive_forward.h"
 #include "integrator/selective/chain_plan.h"
 #include "integrator/selective/chain_population.h"
+#include "integrator/selective/manifold_recruits.h"
 #include "integrator/selective/path_numbers.h"
 
 namespace ajar {
@@ -14,8 +15,7 @@ namespace ajar {
 /// camera sample of bidirectional path tracing tries every technique of every depth, so it finds
 /// many times as many of them as the bootstrap and the large steps of chains in the same time;
 /// light that a bootstrap misses, such as the islands of a caustic seen through water, has chains
-/// all over it after a while. What no connection makes is found by manifold connections, too,
-/// whenever chains are joined.
+/// all over it after a while. What no connection makes is found by manifold connections, too.
 ///
 /// Found paths with weights (what they carry per sample) are a sample of the chains' target, as the
 /// states of a population of chains are, with the weight b shared among them; both are right on
@@ -25,7 +25,7 @@ namespace ajar {
 /// total: exact on average, not only in the limit.
 class ChainRecruits final : public StrongPathSinks {
  public:
-  explicit ChainRecruits(const ChainPlan& plan) : plan_(plan) {}
+  explicit ChainRecruits(const ChainPlan& plan) : plan_(plan), manifolds_(plan) {}
 
   /// Prepares for a stretch of the render: of the paths found in so many camera samples per pixel,
   /// it keeps one per chain, on average.
@@ -36,6 +36,10 @@ class ChainRecruits final : public StrongPathSinks {
   double energy() const;
   /// After the division has changed, from `before` to that of the plan.
   void divide_anew(const Divisions& before);
+  /// Between passes: tries manifold connections as far as camera sample `now` of a stretch from
+  /// `first` to `last` per pixel.
+  void look_on(const std::vector<ChainPopulation>& populations, std::uint64_t first,
+               std::uint64_t now, std::uint64_t last);
   /// Merges what was found in camera samples `first` to `last` per pixel into the populations.
   void join(std::vector<ChainPopulation>& populations, std::uint64_t first, std::uint64_t last);
   /// The same for so many camera samples of no replicate, which are scattered over all.
@@ -63,33 +67,23 @@ class ChainRecruits final : public StrongPathSinks {
     }
   };
 
-  /// A path that no connection makes, found by manifold connections when chains are joined.
-  struct JoinedPath {
-    Path path;
-    double energy;      ///< as of a `StrongPath`
-    std::uint64_t key;  ///< names the randomness of a chain that starts there
-  };
   /// What chains of a population may start from.
   struct Found {
     std::vector<const Recruit*> recruits;
-    std::vector<JoinedPath> joined;
-  };
-
-  /// Camera samples of a replicate that what is joined stands for; numbers tell stretches apart.
-  struct Stretch {
-    double samples;
-    std::uint64_t number;
+    std::vector<ManifoldRecruit> joined;
   };
 
   /// I of a chain that starts there; 0 if none can.
   double evaluate(const Recruit& recruit, RayCounts& rays) const;
   /// A recruit's energy without what manifold connections find of its path.
   void share_with_manifolds(Recruit& recruit, const SelectiveChain& chain) const;
-  std::vector<JoinedPath> join_by_manifolds(const ChainPopulation& population,
-                                            const Stretch& stretch) const;
   void set_grain(double per_sample, double camera_samples);
-  void join_replicate(std::vector<ChainPopulation>& populations, std::vector<Found>& found,
-                      int replicate, const Stretch& stretch) const;
+  /// By replicate, for camera samples `first` to `last` per pixel.
+  std::vector<RecruitStretch> stretches(std::uint64_t first, std::uint64_t last) const;
+  void join_all(std::vector<ChainPopulation>& populations,
+                const std::vector<RecruitStretch>& stretches);
+  void join_replicate(std::vector<ChainPopulation>& populations, const std::vector<Found>& found,
+                      int replicate, const RecruitStretch& stretch) const;
   /// Of each population, in an order that does not depend on threads.
   std::vector<Found> sorted_recruits(const std::vector<ChainPopulation>& populations);
   static void end_chains(ChainPopulation& population);
@@ -106,6 +100,7 @@ class ChainRecruits final : public StrongPathSinks {
   void check_recruit(const Recruit& recruit) const;
 
   const ChainPlan& plan_;
+  ManifoldRecruits manifolds_;
   double grain_ = 0.0;  ///< luminance · importance; paths that carry less are kept now and then
   mutable std::mutex mutex_;
   mutable std::vector<Recruit> recruits_;  ///< in the order in which threads found them

@@ -178,10 +178,10 @@ struct SelectiveHeuristics {
   /// bootstrap.
   /// Unit: camera samples. Range: > 0. Source: an estimate, for the time of a preparation only.
   static constexpr double kEffortOfOnePath = 0.5;
-  /// Tries of manifold connections, by which chains of explicit paths are found when they are
-  /// joined. Unit: per camera sample behind them. Range: > 0. Source: set by hand: in water-caustic
-  /// a try takes as long as some hundred camera samples.
-  static constexpr double kManifoldTries = 1.0 / 512.0;
+  /// Tries of manifold connections, by which chains of explicit paths are found.
+  /// Unit: per camera sample. Range: > 0. Source: docs/notebook/mutations.md, "How many manifold
+  /// connections are tried".
+  static constexpr double kManifoldTries = 1.0 / 128.0;
   /// The part of a camera sample's rays that one light subpath has.
   /// Unit: share. Range: (0, 1). Source: an estimate, for the time of a preparation only.
   static constexpr double kEffortOfLight = 0.5;
