@@ -11,7 +11,8 @@ struct PathHeuristics {
   /// scene and worse in another.
   static constexpr double kWalkTolerance = 1e-5;
   /// It gives up after so many steps, those that are halved among them.
-  /// Unit: steps. Range: >= 1. Source: set by hand, no study.
+  /// Unit: steps. Range: >= 1. Source: docs/notebook/mutations.md, "Half and double of other
+  /// numbers": half and double make no difference.
   static constexpr int kMostWalkSteps = 20;
 };
 
