@@ -12,6 +12,7 @@
 #include "image/blur.h"
 #include "image/channels.h"
 #include "image/heuristics.h"
+#include "image/plane.h"
 #include "image/truth_guess.h"
 
 namespace ajar {
@@ -46,8 +47,26 @@ std::vector<double> errors_of_pixels(std::span<const float> errors, std::span<co
   return of_pixels;
 }
 
+/// The guess, but nowhere less than the picture itself around a pixel: what rare paths bring is in
+/// no median, and a pixel of which one replicate has a firefly would count as black but for it.
+std::vector<float> bright_guess(std::vector<float> truth, std::span<const float> picture,
+                                Vec2i size) {
+  std::vector<Plane> around = planes_of(size, picture);
+  const SeparableKernel kernel = box_kernel(ImageHeuristics::kAroundFirefly);
+  for (Plane& channel : around) channel = filter_plane(channel, kernel);
+  const std::vector<float> least = interleaved(around);
+  std::transform(truth.begin(), truth.end(), least.begin(), truth.begin(),
+                 [](float a, float b) { return std::max(a, b); });
+  return truth;
+}
+
 double sum_of(std::span<const double> values) {
   return std::accumulate(values.begin(), values.end(), 0.0);
+}
+
+/// Of the squared relative errors of pixels, summed over channels.
+double root_mean(std::span<const double> of_pixels) {
+  return std::sqrt(sum_of(of_pixels) / static_cast<double>(kChannels * of_pixels.size()));
 }
 
 /// (Σ e)² / Σ e².
@@ -97,21 +116,25 @@ std::optional<double> relative_error(std::span<const float> picture, std::span<c
 
 std::optional<RelativeError> estimate_relative_error(Replicates replicates, Vec2i size) {
   const std::vector<float> errors = standard_error(replicates);
-  const std::vector<float> truth = guess_truth(std::move(replicates), size);
+  const std::vector<float> picture = replicate_mean(replicates);
+  std::vector<float> truth = guess_truth(std::move(replicates), size);
   const std::vector<double> of_pixels = errors_of_pixels(errors, truth);
   if (of_pixels.empty()) return std::nullopt;
-  const std::vector<double> of_places = sums_of_places(of_pixels, size);
   RelativeError found{};
-  const double sum = sum_of(of_pixels);
-  found.value = std::sqrt(sum / static_cast<double>(truth.size()));
+  found.value = root_mean(of_pixels);
   if (!std::isfinite(found.value)) return std::nullopt;
-  if (sum == 0.0) return found;
+  if (found.value == 0.0) return found;
+  const std::vector<double> of_places = sums_of_places(of_pixels, size);
   found.places = effective_number(of_places);
   const double fewest =
       std::min(ImageHeuristics::kFewestPlaces,
                ImageHeuristics::kFewestOfPlaces * static_cast<double>(of_places.size()));
   found.has_fireflies = found.places < fewest;
   found.half_of_it = share_that_makes_half(of_pixels);
+  if (found.has_fireflies) {
+    found.value =
+        root_mean(errors_of_pixels(errors, bright_guess(std::move(truth), picture, size)));
+  }
   return found;
 }
 
@@ -122,7 +145,7 @@ std::vector<ErrorAtScale> estimate_errors_by_scale(const Replicates& replicates,
     const std::vector<double> of_pixels = errors_of_pixels(
         standard_error(blurred(replicates, size, sigma)), blurred(truth, size, sigma));
     if (of_pixels.empty()) return {};
-    found.push_back({sigma, std::sqrt(sum_of(of_pixels) / static_cast<double>(truth.size()))});
+    found.push_back({sigma, root_mean(of_pixels)});
   }
   return found;
 }

@@ -80,7 +80,8 @@ TEST(RelativeError, IsTrueForSmallAndLargeNoise) {
     const Ratios found = ratios(room(), [&](std::mt19937& generator) {
       return std::lognormal_distribution<double>(-0.5 * sigma * sigma, sigma)(generator);
     });
-    EXPECT_EQ(found.known, 24) << noise;
+    // A lognormal of 150 % has tails in which a few places may decide.
+    EXPECT_GE(found.known, noise < 1.0 ? 24 : 20) << noise;
     EXPECT_NEAR(found.mean, 1.0, 0.1) << noise;
     EXPECT_GT(found.least, 0.7) << noise;
     EXPECT_LT(found.most, 1.4) << noise;
@@ -96,10 +97,33 @@ TEST(RelativeError, IsTrueWithFireflies) {
              std::uniform_real_distribution<double>(-0.1, 0.1)(generator);
     };
   };
-  // Per pixel and replicate: 0.1 %, some 28 in a picture, each 125 times too bright.
-  const Ratios found = ratios(room(), fireflies(0.001));
+  // Per pixel and replicate: 0.2 %, some 55 in a picture, each 60 times too bright.
+  const Ratios found = ratios(room(), fireflies(0.002));
   EXPECT_GT(found.known, 12);
   EXPECT_NEAR(found.mean, 1.0, 0.2) << "half of the light is in fireflies, which most pixels lack";
+}
+
+/// Light that is in one replicate of a few pixels is nearly missing in a median: the estimate was
+/// up to twenty times too large, and called a lower bound.
+TEST(RelativeError, OfFewFirefliesIsABound) {
+  int bounds = 0;
+  int too_high = 0;
+  for (const double probability : {1e-4, 3e-4}) {
+    for (unsigned seed = 0; seed < 40; ++seed) {
+      std::mt19937 generator(seed);
+      const Replicates replicates = noisy(room(), [&] {
+        const bool hit = std::bernoulli_distribution(probability)(generator);
+        return 0.05 + (hit ? 0.95 / probability : 0.0);
+      });
+      const auto estimate = estimate_relative_error(replicates, kSize).value();
+      if (!estimate.is_lower_bound()) continue;
+      ++bounds;
+      const double truth = relative_error(replicate_mean(replicates), room()).value();
+      if (estimate.value > 1.1 * truth) ++too_high;
+    }
+  }
+  EXPECT_GT(bounds, 70);
+  EXPECT_LE(too_high, bounds / 20);
 }
 
 TEST(RelativeError, SaysWhenFewPlacesDecide) {
@@ -115,8 +139,9 @@ TEST(RelativeError, SaysWhenFewPlacesDecide) {
   EXPECT_TRUE(after.is_lower_bound());
   EXPECT_LT(after.places, 2.0);
   EXPECT_LE(after.half_of_it, 1.0 / (kSize.x * kSize.y));
-  // The other pixels are as they were: (300 / 4)² in one value.
-  EXPECT_GT(after.value, 0.4);
+  // (300 / 4)² in one value, whose truth is no more than the mean of 7×7 pixels around.
+  EXPECT_GT(after.value, 0.1);
+  EXPECT_LT(after.value, std::sqrt(75.0 * 75.0 / static_cast<double>(room().size())));
 }
 
 TEST(RelativeError, IgnoresUnitsAndLamps) {
