@@ -83,7 +83,6 @@ struct SquaredError {
   Plane bias;     ///< of a replicate
   Plane missing;  ///< of that, what it had before the filter
 
-  float of_replicates(std::size_t i) const { return noise.values[i] + bias.values[i]; }
   float of_whole(std::size_t i) const {
     return noise.values[i] + missing.values[i] + (bias.values[i] - missing.values[i]) / kParts;
   }
@@ -148,7 +147,7 @@ MixedEstimate mix_estimates(Vec2i size, const std::vector<BiasedEstimate>& estim
     for (std::size_t e = 0; e < estimates.size(); ++e) {
       float& share = mixed.shares[e][i];
       share /= whole;
-      error += share * errors[e].of_replicates(i);
+      error += share * errors[e].of_whole(i);
       for (std::size_t v = 3 * i; v < 3 * i + 3; ++v) {
         mixed.pixels[v] += share * estimates[e].pixels[v];
       }

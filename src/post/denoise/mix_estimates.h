@@ -38,7 +38,7 @@ struct MixedEstimate {
 /// averaged over all orders of four replicates and
 /// over a patch, relative to the estimates, so that bright pixels do not decide; the spread of the
 /// replicates of D is added to it. Errors of the mixture are at most the mean of those of its
-/// parts, weighted by their shares, which is what `error` says, with all of a replicate's bias.
+/// parts, weighted by their shares, which is what `error` says.
 ///
 /// `unbiased`: as many replicates as the estimates have. Raises std::invalid_argument if there are
 /// no estimates, too few replicates, or sizes that do not fit.
