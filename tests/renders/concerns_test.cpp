@@ -76,6 +76,41 @@ TEST(Concerns, NameTheLightOfPointLampsThroughGlassOnBothSides) {
   EXPECT_TRUE(has_it(concerns_of(lamp_behind("glass"), "erpt", {{"chain", "pssmlt"}})));
 }
 
+/// The same with a lamp that has an extent.
+std::string ball_behind(const std::string& material, const std::string& radius) {
+  return test::pbrt_scene(
+      "LookAt 0 0 -5  0 0 0  0 1 0 Camera \"perspective\"", 16, 16,
+      "AttributeBegin AreaLightSource \"diffuse\" Translate 0 3 0 Shape \"sphere\" \"float "
+      "radius\" " +
+          radius + " AttributeEnd Material \"" + material +
+          "\" Shape \"sphere\" Material \"matte\" Translate 0 0 5 Shape \"sphere\" \"float "
+          "radius\" 3");
+}
+
+/// Rays run into a small lamp so seldom that replicates agree on a picture without its light.
+TEST(Concerns, NameTheLightOfSmallLampsThroughGlass) {
+  const auto has = [](const std::vector<Warning>& concerns, const char* text) {
+    return std::any_of(concerns.begin(), concerns.end(), [&](const Warning& warning) {
+      return warning.message.find(text) != std::string::npos;
+    });
+  };
+  const char* through = "seen in this way is found by chance";
+  for (const char* integrator : {"pt", "lt", "ibpt", "bdpt", "mmlt", "pssmlt"}) {
+    EXPECT_TRUE(has(concerns_of(ball_behind("glass", "0.01"), integrator), through)) << integrator;
+    EXPECT_FALSE(has(concerns_of(ball_behind("glass", "0.01"), integrator, {}, 3), through))
+        << integrator;
+    EXPECT_FALSE(has(concerns_of(ball_behind("glass", "1"), integrator), through)) << integrator;
+    EXPECT_FALSE(has(concerns_of(ball_behind("matte", "0.01"), integrator), through)) << integrator;
+  }
+  for (const char* integrator : {"mlt", "erpt", "selective"}) {
+    EXPECT_FALSE(has(concerns_of(ball_behind("glass", "0.01"), integrator), through)) << integrator;
+  }
+  const char* on_others = "what they throw on other things is found by chance";
+  EXPECT_TRUE(has(concerns_of(ball_behind("glass", "0.01"), "pt"), on_others));
+  EXPECT_FALSE(has(concerns_of(ball_behind("glass", "1"), "pt"), on_others));
+  EXPECT_FALSE(has(concerns_of(ball_behind("glass", "0.01"), "bdpt"), on_others));
+}
+
 TEST(Concerns, AreOfOrdinaryMonteCarloBesideChainsAsWell) {
   EXPECT_EQ(concerns_of(glass_and_metal(), "selective", {{"omc", "lt"}}).size(), 1U);
   EXPECT_TRUE(concerns_of(glass_and_metal(), "selective").empty());

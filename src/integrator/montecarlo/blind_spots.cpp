@@ -4,7 +4,9 @@
 #include <string>
 
 #include "core/number_text.h"
+#include "integrator/montecarlo/clear_vertex.h"
 #include "integrator/montecarlo/heuristics.h"
+#include "integrator/montecarlo/small_lamps.h"
 #include "transport/sources.h"
 
 namespace ajar {
@@ -16,17 +18,16 @@ constexpr WarningKind kMissingDepths{Effect::Light, "methods do not make paths o
 constexpr WarningKind kUnseenLamps{Effect::Light, "methods do not see point lamps behind glass"};
 constexpr WarningKind kUnseenThrough{
     Effect::Light, "methods do not see, through glass, what point lamps light through glass"};
+constexpr WarningKind kRareLamps{Effect::Light,
+                                 "methods find small lamps behind glass by chance alone"};
+constexpr WarningKind kRareThrough{
+    Effect::Light, "methods find by chance, through glass, what small lamps light through glass"};
 
 constexpr std::uint32_t kSamples = MonteCarloHeuristics::kLookingAround;
 
-/// Clear glass and mirrors: nothing can be connected to them. Lamps that scatter nothing are seen
-/// well.
-bool is_clear(const PathVertex& vertex) {
-  return !vertex.in_medium && !vertex.bsdf.connectible() && !vertex.bsdf.empty();
-}
-
-/// Counts subpaths of either end, and those of which the first vertex is clear. Of light subpaths
-/// only those of lamps that no ray runs into.
+/// Counts subpaths of either end, and those of which the first vertex is clear; of light subpaths
+/// only those of lamps that no ray runs into. Of other lamps it keeps where their light leaves what
+/// is clear.
 class ClearSink final : public PathSink {
  public:
   void add(const Contribution& /*contribution*/) override {}
@@ -34,15 +35,20 @@ class ClearSink final : public PathSink {
   void started(Stream stream, const Endpoint& endpoint, const EndpointPoint& /*point*/) override {
     vertices_ = 0;
     all_clear_ = true;
-    is_discrete_ = stream == Stream::Light && endpoint.discrete_position();
-    if (stream == Stream::Light) ++light_paths;
+    if (stream != Stream::Light) return;
+    lamp_ = &endpoint;
+    ++light_paths;
   }
   void vertex(Stream stream, const PathVertex& vertex, const Hit* /*hit*/) override {
     ++vertices_;
     const bool was_clear = all_clear_ && vertices_ > 1;
     all_clear_ = all_clear_ && is_clear(vertex);
     if (stream == Stream::Light) {
-      if (vertices_ == 1 && is_discrete_ && all_clear_) ++lit;
+      if (lamp_->discrete_position()) {
+        if (vertices_ == 1 && all_clear_) ++lit;
+      } else if (was_clear && vertex.connectible()) {
+        landings.push_back({lamp_, vertex});
+      }
     } else {
       if (vertices_ == 1 && all_clear_) ++seen;
       if (was_clear && vertex.connectible()) ++seen_through;
@@ -52,12 +58,13 @@ class ClearSink final : public PathSink {
   int seen = 0;
   int seen_through = 0;  ///< something else, after vertices that were all clear
   int light_paths = 0;
-  int lit = 0;
+  std::size_t lit = 0;
+  std::vector<Landing> landings;
 
  private:
   int vertices_ = 0;  ///< of the subpath that is on
   bool all_clear_ = true;
-  bool is_discrete_ = false;
+  const Endpoint* lamp_ = nullptr;
 };
 
 ClearSink look_around(const Scene& scene, const RenderSettings& settings,
@@ -106,13 +113,12 @@ std::vector<Warning> blind_spots(const Scene& scene, const RenderSettings& setti
   const bool to_lens_only = sampler.max_depth >= kSeenMirror && set.any(TechniqueClass::Light) &&
                             !set.any(TechniqueClass::Implicit) &&
                             !set.any(TechniqueClass::NextEvent) && !set.any(TechniqueClass::Inner);
-  const bool has_points = std::any_of(scene.lights().begin(), scene.lights().end(),
-                                      [](const auto& light) { return light->discrete_position(); });
-  const bool from_points = sampler.max_depth >= kCaustic && has_points &&
-                           !set.any(TechniqueClass::Light) && !set.any(TechniqueClass::Inner);
+  const bool has_caustics = sampler.max_depth >= kCaustic && !scene.light_sampler().empty();
+  const bool from_camera_only =
+      has_caustics && !set.any(TechniqueClass::Light) && !set.any(TechniqueClass::Inner);
   // With one more edge there is glass before the lens, too.
-  const bool through = sampler.max_depth > kCaustic && has_points && !joins_by_manifolds;
-  if (!to_lens_only && !from_points && !through) return {};
+  const bool through = has_caustics && sampler.max_depth > kCaustic && !joins_by_manifolds;
+  if (!to_lens_only && !from_camera_only && !through) return {};
   const ClearSink found = look_around(scene, settings, sampler);
   std::vector<Warning> spots;
   if (to_lens_only && found.seen > 0) {
@@ -123,25 +129,57 @@ std::vector<Warning> blind_spots(const Scene& scene, const RenderSettings& setti
              " of the picture shows mirrors or clear glass, which light tracing cannot see: its "
              "light is missing there; bdpt and ibpt see them"});
   }
-  const std::string lit =
-      percent_text(static_cast<double>(found.lit) / std::max(found.light_paths, 1)) +
-      " of the light goes from a point or distant lamp straight to mirrors or clear glass";
-  if (through && found.lit > 0 && found.seen_through > 0) {
-    spots.push_back(
-        {kUnseenThrough,
-         {},
-         lit + ", and " + percent_text(static_cast<double>(found.seen_through) / kSamples) +
-             " of the picture looks through them: what is lit in this way and seen in this way is "
-             "too dark, since no technique makes such paths; mlt finds them, and selective and "
-             "erpt unless they are told otherwise"});
+  const bool sees_through = through && found.seen_through > 0;
+  if (!from_camera_only && !sees_through) return spots;
+  const auto of_light = [&](std::size_t paths) {
+    return percent_text(static_cast<double>(paths) / std::max(found.light_paths, 1)) +
+           " of the light goes from ";
+  };
+  const std::string seen_through =
+      ", and " + percent_text(static_cast<double>(found.seen_through) / kSamples) +
+      " of the picture looks through them: what is lit in this way and seen in this way is ";
+  constexpr const char* kWhoSees =
+      "; mlt finds it, and selective and erpt unless they are told otherwise";
+  if (found.lit > 0) {
+    const std::string lit =
+        of_light(found.lit) + "a point or distant lamp straight to mirrors or clear glass";
+    if (sees_through) {
+      spots.push_back(
+          {kUnseenThrough,
+           {},
+           lit + seen_through + "too dark, since no technique makes such paths" + kWhoSees});
+    }
+    if (from_camera_only) {
+      spots.push_back(
+          {kUnseenLamps,
+           {},
+           lit +
+               ": what they throw on other things is missing, since no camera path runs into such "
+               "a lamp; bdpt and ibpt see it, unless through mirrors or clear glass again"});
+    }
   }
-  if (from_points && found.lit > 0) {
-    spots.push_back(
-        {kUnseenLamps,
-         {},
-         lit +
-             ": what they throw on other things is missing, since no camera path runs into such a "
-             "lamp; bdpt and ibpt see it, unless through mirrors or clear glass again"});
+  const std::size_t small = landings_of_small_lamps(scene, found.landings, found.light_paths,
+                                                    sampler.max_depth, settings.seed);
+  if (small > 0) {
+    const std::string lit =
+        of_light(small) +
+        "lamps so small that hardly a ray runs into them through mirrors or clear glass";
+    if (sees_through) {
+      spots.push_back({kRareThrough,
+                       {},
+                       lit + seen_through +
+                           "found by chance, and may be missing where the error "
+                           "is small" +
+                           kWhoSees});
+    }
+    if (from_camera_only) {
+      spots.push_back({kRareLamps,
+                       {},
+                       lit +
+                           ": what they throw on other things is found by chance, and may be "
+                           "missing where the error is small; bdpt and ibpt see it, unless through "
+                           "mirrors or clear glass again"});
+    }
   }
   return spots;
 }

@@ -38,6 +38,16 @@ struct MonteCarloHeuristics {
   /// the picture may go unnoticed.
   /// Unit: samples. Range: >= 1. Source: set by hand, no study.
   static constexpr std::uint32_t kLookingAround = 4096;
+  /// Rays that look for lamps from where their light lands behind glass.
+  /// Unit: rays. Range: >= 1 / kRarelyMet. Source: set by hand, no study.
+  static constexpr std::size_t kRaysBack = 16384;
+  /// Lamps that fewer rays than this run into are found by chance.
+  /// Unit: share. Range: (0, 1). Source: docs/notebook/equal-time-errors.md, "Small lamps behind
+  /// glass"; half and double name the same lamps in eighteen scenes.
+  static constexpr double kRarelyMet = 5e-4;
+  /// What a lamp sends through glass is named if it is at least so much of all light.
+  /// Unit: share. Range: (0, 1). Source: as above, half and double, too.
+  static constexpr double kLightOfSmallLamps = 0.01;
   /// Depths that are looked at one by one. Longer paths are as these are, unless many pairs are
   /// named one by one.
   /// Unit: edges. Range: >= 1. Source: set by hand, no study.
