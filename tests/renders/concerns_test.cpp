@@ -80,7 +80,7 @@ TEST(Concerns, NameTheLightOfPointLampsThroughGlassOnBothSides) {
 std::string ball_behind(const std::string& material, const std::string& radius) {
   return test::pbrt_scene(
       "LookAt 0 0 -5  0 0 0  0 1 0 Camera \"perspective\"", 16, 16,
-      "AttributeBegin AreaLightSource \"diffuse\" Translate 0 3 0 Shape \"sphere\" \"float "
+      "AttributeBegin AreaLightSource \"diffuse\" Translate 0 1 -3 Shape \"sphere\" \"float "
       "radius\" " +
           radius + " AttributeEnd Material \"" + material +
           "\" Shape \"sphere\" Material \"matte\" Translate 0 0 5 Shape \"sphere\" \"float "
