@@ -23,8 +23,9 @@ struct ShapeRecord {
   TextureSlot alpha{Spectrum(1.F)};
   TextureSlot shadow_alpha{Spectrum(1.F)};
   bool reversed = false;
-  bool derivatives = true;   ///< of hits are wanted
-  bool check_plane = false;  ///< hits of the triangle that a ray leaves must be told from real ones
+  bool derivatives = true;  ///< of hits are wanted
+  /// Hits of the triangles at the ends of a ray must be told from real ones.
+  bool check_plane = false;
 
   bool present() const { return mesh || curve || quadric; }
   bool has_alpha() const { return !alpha.is_constant(); }
@@ -60,8 +61,9 @@ inline LocalRay to_instance(const Ray& ray, const Placement* instance) {
 inline LocalRay to_shape(const LocalRay& ray, const Placement& shape) {
   return {shape.point_to_object(ray.origin), shape.vector_to_object(ray.direction)};
 }
-/// Brings a point of an instanced object into the world, with its derivatives or without.
-void place_point(const Placement& instance, bool derivatives, SurfacePoint& point);
+/// Brings a point of an instanced object into the world, with its derivatives or without; `p` is
+/// its place there before it was rounded, which may be by much of what is left in the world.
+void place_point(const Placement& instance, const Vec3d& p, bool derivatives, SurfacePoint& point);
 
 /// Box of a quadric in its final place.
 void placed_bounds(const Quadric& quadric, const Placement& placement, Vec3d& low, Vec3d& high);
