@@ -154,7 +154,7 @@ void Scene::build_lights(const desc::SceneDesc& description, Warnings& warnings)
   for (std::size_t i = 0; i < description.shapes.size(); ++i) {
     const desc::Shape& shape = description.shapes[i];
     if (!shape.emission || !geometry_->has_shape(i)) continue;
-    if (surfaces_[i].material->is_interface()) {
+    if (surfaces_[i].material->max_lobes() == 0) {
       warnings.add(kNoMaterial, shape.emission->where,
                    "a surface without material cannot emit: give it a black matte one");
       continue;
@@ -207,6 +207,8 @@ std::optional<Hit> Scene::recall(const GeometryHit& hit) const {
   complete(*result);
   return result;
 }
+
+bool Hit::is_interface() const { return light == nullptr && material->is_interface(); }
 
 std::optional<SurfaceDerivatives> Scene::derivatives(const Hit& hit) const {
   return geometry_->derivatives(hit);

@@ -7,6 +7,9 @@ constexpr WarningKind kSmoothThinGlass{
     Effect::Surface,
     "materials are thin glass, which is always smooth: their roughness is ignored"};
 
+/// Indices that are quotients of equal ones are 1 but for roundings.
+bool is_no_boundary(float eta) { return std::abs(eta - 1.F) <= 0x1p-21F; }
+
 /// Dielectric boundary: smooth, rough (if either roughness is not zero), or a thin smooth pane.
 class Dielectric final : public Material {
  public:
@@ -40,6 +43,12 @@ class Dielectric final : public Material {
     }
   }
   int max_lobes() const override { return 1; }
+  /// Nothing is reflected or bent; what also tints nothing is not there.
+  bool is_interface() const override {
+    const SurfacePoint anywhere{};
+    return eta_.is_constant() && is_no_boundary(index_of_refraction(eta_, anywhere)) &&
+           transmittance_.is_constant() && reflectance(transmittance_, anywhere) == Spectrum(1.F);
+  }
 
  private:
   TextureSlot reflectance_;
@@ -63,7 +72,11 @@ MaterialModel dielectric_material() {
                declare::joined(
                    {declare::reflectance("reflectance", "1", "tint of what is reflected"),
                     declare::reflectance("transmittance", "1", "tint of what is refracted"),
-                    index_input(),
+                    declare::textured_number(
+                        "eta", "1.5",
+                        "index of refraction inside, relative to outside; 1, where nothing is "
+                        "tinted: no surface, as `interface`",
+                        20.0),
                     declare::flag("thin", "a pane without thickness: transmits straight on"),
                     declare::flag(
                         "polarised",
