@@ -41,7 +41,7 @@ struct RecordFilling {
 
   void operator()(std::monostate) const {}
   void operator()(std::unique_ptr<const TriangleMesh>& mesh) const {
-    record.check_plane = mesh->needs_plane_check();
+    record.check_plane = mesh->plane_error() > 0.F;
     record.mesh = std::move(mesh);
   }
   void operator()(std::unique_ptr<const CurveShape>& curve) const {

@@ -26,6 +26,15 @@ bool has_cutouts(const ShapeRecord& record, Purpose purpose) {
   return record.has_alpha() || (purpose == Purpose::Occlude && record.has_shadow_alpha());
 }
 
+/// Whether a hit in the world is farther from both ends of its ray than the test of triangles errs.
+bool is_clear_of_ends(const TriangleMesh& mesh, const RTCRay& ray, const RTCHit& hit, float t_max) {
+  const Vec3 n(hit.Ng_x, hit.Ng_y, hit.Ng_z);
+  const float slope = dot(n, {ray.dir_x, ray.dir_y, ray.dir_z});
+  const float height = std::min(ray.tfar, t_max - ray.tfar) * slope;
+  const float error = mesh.plane_error();
+  return height * height > error * error * length_squared(n);
+}
+
 template <Purpose kPurpose>
 void filter_triangle(const RTCFilterFunctionNArguments* args) {
   if (args->valid[0] == 0) return;
@@ -33,7 +42,9 @@ void filter_triangle(const RTCFilterFunctionNArguments* args) {
   const auto& hit = *reinterpret_cast<const RTCHit*>(args->hit);
   const QueryContext& context = query(args->context);
   const Placement* instance = instance_of(context, hit.instID[0]);
-  if (record.check_plane) {
+  const auto& traced = *reinterpret_cast<const RTCRay*>(args->ray);
+  if (record.check_plane &&
+      (instance != nullptr || !is_clear_of_ends(*record.mesh, traced, hit, context.ray->t_max))) {
     // A ray leaves this very triangle if, without rounding, its plane lies behind, and ends at it
     // if it lies beyond.
     const LocalRay ray = to_instance(*context.ray, instance);

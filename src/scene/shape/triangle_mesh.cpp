@@ -84,14 +84,14 @@ Vec3 unit_normal(const Vec3& p0, const Vec3& p1, const Vec3& p2) {
   return Frame::around(Vec3((e1.length() >= e2.length() ? e1 : e2) / along)).x;
 }
 
-/// Whether Embree's plane test of a triangle can be off by more than the roundings that
-/// `offset_ray_origin` leaves for it.
-bool plane_test_is_too_rough(const Vec3& p0, const Vec3& p1, const Vec3& p2) {
+/// How far Embree's plane test of a triangle can be off; 0 if that is no more than the roundings
+/// that `offset_ray_origin` leaves for it.
+float plane_error_of(const Vec3& p0, const Vec3& p1, const Vec3& p2) {
   const Vec3d e1 = Vec3d(p1) - Vec3d(p0);
   const Vec3d e2 = Vec3d(p2) - Vec3d(p0);
   const Vec3d n = e1.cross(e2);
   const double size = n.length();
-  if (!(size > 0.0)) return false;
+  if (!(size > 0.0)) return 0.F;
   double error = 0.0;  // both in half ulps
   double left = 0.0;
   for (int i = 0; i < 3; ++i) {
@@ -101,11 +101,11 @@ bool plane_test_is_too_rough(const Vec3& p0, const Vec3& p1, const Vec3& p2) {
     const double high = std::max({p0[i], p1[i], p2[i]});
     const double nearest = std::max({0.0, low, -high});
     const double cancelled = std::abs(e1[j] * e2[k]) + std::abs(e1[k] * e2[j]);
-    error += (high - low) * (3.0 * std::abs(n[i]) + 2.0 * cancelled);
+    error += 2.0 * (high - low) * (3.0 * std::abs(n[i]) + 2.0 * cancelled) / size;
     // Two of its roundings are spent on the point.
-    left += (double{kOffsetRoundings} - 2.0) * std::abs(n[i]) * nearest;
+    left += (double{kOffsetRoundings} - 2.0) * std::abs(n[i]) / size * nearest;
   }
-  return 2.0 * error > left;
+  return error > left ? static_cast<float>(error * double{kHalfUlp}) : 0.F;
 }
 
 /// Meshes within this need no closer look: products of any three lengths in them, which Embree's
@@ -249,11 +249,18 @@ void TriangleMesh::validate(const SourceLocation& where) {
                                   "scale the scene down, or use a disk, which may be larger");
     }
   }
-  needs_plane_check_ =
-      first_bad(triangle_count_, [this](std::size_t i) {
-        const Triangle& t = triangles_[i];
-        return plane_test_is_too_rough(position(t.x), position(t.y), position(t.z));
-      }) != kNowhere;
+  ForkJoin loop;
+  plane_error_ = tbb::parallel_reduce(
+      tbb::blocked_range<std::size_t>(0, triangle_count_, kGrain), 0.F,
+      [&](const tbb::blocked_range<std::size_t>& range, float largest) {
+        const ForkJoin::Task task(loop);
+        for (std::size_t i = range.begin(); i < range.end(); ++i) {
+          const Triangle& t = triangles_[i];
+          largest = std::max(largest, plane_error_of(position(t.x), position(t.y), position(t.z)));
+        }
+        return largest;
+      },
+      [](float a, float b) { return std::max(a, b); });
 }
 
 void TriangleMesh::texture_point(std::uint32_t triangle, float b1, float b2,

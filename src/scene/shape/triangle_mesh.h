@@ -50,10 +50,10 @@ class TriangleMesh {
   double triangle_area(std::uint32_t triangle) const;
   /// (b1, b2) of a point in the plane of a triangle that has an area.
   Vec2 barycentric(std::uint32_t triangle, const Vec3& p) const;
-  /// True if a single-precision plane test of some triangle can err by more than
-  /// `offset_ray_origin` moves points: triangles that are not parallel to an axis and whose plane
-  /// passes the origin within some of their own size.
-  bool needs_plane_check() const { return needs_plane_check_; }
+  /// The most by which a single-precision plane test errs for triangles where `offset_ray_origin`
+  /// moves points by less: those that are not parallel to an axis and whose plane passes the origin
+  /// within some of their own size. 0 if there are none.
+  float plane_error() const { return plane_error_; }
   /// Ray parameter of the plane of a triangle in double precision; 0 for rays that start in the
   /// plane as far as can be told, infinite if parallel.
   double plane_distance(std::uint32_t triangle, const Vec3d& origin, const Vec3d& direction) const;
@@ -92,7 +92,7 @@ class TriangleMesh {
   bool has_uvs_ = false;
   bool flip_winding_ = false;  ///< the geometric normal is against the winding
   bool reversed_ = false;
-  bool needs_plane_check_ = false;
+  float plane_error_ = 0.F;
 };
 
 }  // namespace ajar
