@@ -145,5 +145,18 @@ TEST(ScaledScenes, AreTheSameWhateverStandsInThem) {
   }
 }
 
+TEST(ScaledScenes, ThatAreTooSmallForTrianglesGetAWarning) {
+  const auto warnings_of = [](double size) {
+    Warnings warnings;
+    const Scene scene(import_pbrt_text(table(size, 0.0, ""), "test.pbrt", ".", warnings), {},
+                      warnings);
+    return warnings.messages();
+  };
+  EXPECT_TRUE(warnings_of(1e-8).empty());
+  ASSERT_EQ(warnings_of(1e-9).size(), 1U);
+  EXPECT_NE(warnings_of(1e-9).front().find("triangles lose digits; scale it up"),
+            std::string::npos);
+}
+
 }  // namespace
 }  // namespace ajar::test

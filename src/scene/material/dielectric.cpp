@@ -24,6 +24,10 @@ class Dielectric final : public Material {
         polarised_(in.node().flag("polarised")),
         along_normal_(in.node().flag("along_normal")) {
     index_varies = !eta_.is_constant();
+    const SurfacePoint anywhere{};
+    is_nothing_ = eta_.is_constant() && is_no_boundary(index_of_refraction(eta_, anywhere)) &&
+                  transmittance_.is_constant() &&
+                  reflectance(transmittance_, anywhere) == Spectrum(1.F);
     needs_tangent = rough_ && !thin_ && !roughness_.isotropic();
     if (thin_ && rough_) {
       in.warn(kSmoothThinGlass, "thin glass is always smooth: its roughness is ignored");
@@ -43,12 +47,7 @@ class Dielectric final : public Material {
     }
   }
   int max_lobes() const override { return 1; }
-  /// Nothing is reflected or bent; what also tints nothing is not there.
-  bool is_interface() const override {
-    const SurfacePoint anywhere{};
-    return eta_.is_constant() && is_no_boundary(index_of_refraction(eta_, anywhere)) &&
-           transmittance_.is_constant() && reflectance(transmittance_, anywhere) == Spectrum(1.F);
-  }
+  bool is_interface() const override { return is_nothing_; }
 
  private:
   TextureSlot reflectance_;
@@ -60,6 +59,8 @@ class Dielectric final : public Material {
   bool thin_;
   bool polarised_;
   bool along_normal_;
+  /// Nothing is reflected or bent; what also tints nothing is not there.
+  bool is_nothing_ = false;
 };
 
 }  // namespace
