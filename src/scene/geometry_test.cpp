@@ -164,7 +164,7 @@ TEST(SelfIntersection, StretchedSphere) {
 }
 
 TEST(SelfIntersection, TiltedSquaresOfAllSizesAndPlaces) {
-  for (const float size : {1e-10F, 0.1F, 10.F, 1e5F}) {
+  for (const float size : {1e-8F, 0.1F, 10.F, 1e5F}) {
     for (const float from : {0.F, 1e-3F, 2.F, 1e5F}) {
       const float away = size < 1e-3F ? from * size : from;
       const Mat4 m = rotation({0.3, 1, 0.2}, 0.9) * translation(away, -0.3 * away, 0.7 * away);
@@ -194,21 +194,18 @@ TEST(SelfIntersection, InstancesFarAway) {
 
 /// What is far from its own origin is rounded there, by more than where its instance brings it.
 TEST(SelfIntersection, InstancesOfWhatIsFarFromItsOwnOrigin) {
+  const Mat4 far = rotation({3, 1, 2}, 0.4) * translation(5000, 4000, 3000);
+  desc::Mesh triangle = square(1.F);
+  triangle.indices.pop_back();
   for (const double size : {1e-6, 1.0, 1e6}) {
-    desc::SceneDesc scene;
-    scene.objects.push_back({"box", {}, {}});
-    scene.objects[0].shapes.push_back(
-        mesh_shape(cube(), rotation({3, 1, 2}, 0.4) * translation(5000, 4000, 3000)));
-    scene.objects.push_back({"ball", {}, {}});
-    scene.objects[1].shapes.push_back(shape(testing::sphere_node(), translation(5000, 4000, 3000)));
-    for (const int object : {0, 1}) {
+    for (const desc::Shape& shape :
+         {mesh_shape(triangle, far), testing::shape(testing::sphere_node(), far)}) {
+      desc::SceneDesc scene;
+      scene.objects.push_back({"far", {}, {shape}});
       scene.instances.push_back(
-          {object, translation(-5000 + 8 * object, -4000, -3000) * scaling(size, size, size), {}});
+          {0, translation(-5000, -4000, -3000) * scaling(size, size, size), {}});
+      expect_no_self_hits(World(std::move(scene)), Vec3(0.F), static_cast<float>(size));
     }
-    const World world(std::move(scene));
-    expect_no_self_hits(world, Vec3(0.F), static_cast<float>(size));
-    expect_no_self_hits(world, Vec3(static_cast<float>(8 * size), 0.F, 0.F),
-                        static_cast<float>(size));
   }
 }
 
@@ -283,7 +280,7 @@ TEST(ClosedBox, NeverLeaksWhenTurnedAndFar) {
   expect_no_leaks(scaling(7, 3, 5) * rotation({1, 2, 3}, 0.7) * translation(300, -20, 100));
 }
 TEST(ClosedBox, NeverLeaksWhenTiny) {
-  expect_no_leaks(scaling(1e-10, 2e-10, 1e-10) * rotation({3, 2, 1}, 0.4));
+  expect_no_leaks(scaling(1e-8, 2e-8, 1e-8) * rotation({3, 2, 1}, 0.4));
 }
 TEST(ClosedBox, NeverLeaksWhenHuge) {
   expect_no_leaks(scaling(1e5, 2e5, 1e5) * rotation({3, 2, 1}, 0.4));
