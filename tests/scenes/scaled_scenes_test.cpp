@@ -121,11 +121,11 @@ std::vector<std::pair<std::string, std::string>> standing() {
       {"subdivision",
        ball + "\"loopsubdiv\" \"integer levels\" 3 \"point P\" [.9 .9 .9 -.9 -.9 .9 -.9 "
               ".9 -.9 .9 -.9 -.9] \"integer indices\" [0 2 1 0 1 3 0 3 2 1 2 3]"},
-      {"small instance", "ObjectBegin \"a\" Scale 1000 1000 1000 " + ball +
+      {"small instance", "ObjectBegin \"a\" Identity Scale 1000 1000 1000 " + ball +
                              "\"sphere\" \"float radius\" .7 ObjectEnd Scale .001 .001 .001 "
                              "ObjectInstance \"a\""},
       {"large instance of what is far from its own origin",
-       "ObjectBegin \"a\" Scale .001 .001 .001 Translate 5000 4000 3000 " + ball +
+       "ObjectBegin \"a\" Identity Scale .001 .001 .001 Translate 5000 4000 3000 " + ball +
            "\"loopsubdiv\" \"integer levels\" 2 \"point P\" [.9 .9 .9 -.9 -.9 .9 -.9 .9 -.9 .9 -.9 "
            "-.9] \"integer indices\" [0 2 1 0 1 3 0 3 2 1 2 3] ObjectEnd Scale 1000 1000 1000 "
            "Translate -5 -4 -3 ObjectInstance \"a\""},
