@@ -75,8 +75,8 @@ MaterialModel dielectric_material() {
                     declare::reflectance("transmittance", "1", "tint of what is refracted"),
                     declare::textured_number(
                         "eta", "1.5",
-                        "index of refraction inside, relative to outside; 1, where nothing is "
-                        "tinted: no surface, as `interface`",
+                        "index of refraction inside, relative to outside; 1 without a tint: no "
+                        "surface at all",
                         20.0),
                     declare::flag("thin", "a pane without thickness: transmits straight on"),
                     declare::flag(
