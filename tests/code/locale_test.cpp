@@ -25,7 +25,7 @@ const std::map<std::string, std::string>& excused() {
   return kExcused;
 }
 
-bool is_for_tests(const std::string& file) {
+bool only_tests_use(const std::string& file) {
   return file.ends_with("_test.cpp") || file.find("test_support") != std::string::npos ||
          file.find("/testing/") != std::string::npos;
 }
@@ -41,7 +41,7 @@ TEST(Locale, IsFollowedByNothing) {
     const std::string extension = entry.path().extension().string();
     if (extension != ".h" && extension != ".cpp") continue;
     const std::string file = fs::relative(entry.path(), src).generic_string();
-    if (is_for_tests(file)) continue;
+    if (only_tests_use(file)) continue;
     ++files;
     std::ifstream text(entry.path());
     int number = 0;
