@@ -82,9 +82,9 @@ bool Geometry::intersect(const Ray& ray, GeometryHit& hit) const {
   const ShapeRecord& record = shapes_[hit.shape];
   Vec3d p;
   if (record.mesh) {
-    p = record.derivatives
-            ? record.mesh->surface_point(rayhit.hit.primID, rayhit.hit.u, rayhit.hit.v, hit.point)
-            : record.mesh->plain_point(rayhit.hit.primID, rayhit.hit.u, rayhit.hit.v, hit.point);
+    const Vec2 b = barycentric_of(*record.mesh, rayhit.hit, ray, instance);
+    p = record.derivatives ? record.mesh->surface_point(rayhit.hit.primID, b.x, b.y, hit.point)
+                           : record.mesh->plain_point(rayhit.hit.primID, b.x, b.y, hit.point);
   } else if (record.quadric) {
     p = quadric_hit_point(record, to_instance(ray, instance), hit.t, hit.point);
   } else {

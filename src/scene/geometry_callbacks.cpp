@@ -56,7 +56,8 @@ void filter_triangle(const RTCFilterFunctionNArguments* args) {
   }
   if (!has_cutouts(record, kPurpose)) return;
   SurfacePoint point{};
-  record.mesh->texture_point(hit.primID, hit.u, hit.v, point);
+  const Vec2 b = barycentric_of(*record.mesh, hit, *context.ray, instance);
+  record.mesh->texture_point(hit.primID, b.x, b.y, point);
   if (instance != nullptr) point.p = Vec3(instance->point(Vec3d(point.p)));
   if (is_cut_away(record, point, kPurpose)) args->valid[0] = 0;
 }

@@ -392,12 +392,12 @@ double TriangleMesh::triangle_area(std::uint32_t triangle) const {
   return 0.5 * (Vec3d(position(t.y)) - p0).cross(Vec3d(position(t.z)) - p0).length();
 }
 
-Vec2 TriangleMesh::barycentric(std::uint32_t triangle, const Vec3& p) const {
+Vec2 TriangleMesh::barycentric(std::uint32_t triangle, const Vec3d& p) const {
   const Triangle& t = triangles_[triangle];
   const Vec3d p0(position(t.x));
   const Vec3d a = Vec3d(position(t.y)) - p0;
   const Vec3d b = Vec3d(position(t.z)) - p0;
-  const Vec3d d = Vec3d(p) - p0;
+  const Vec3d d = p - p0;
   const Vec3d n = a.cross(b);
   const double squared = n.dot(n);
   return {static_cast<float>(d.cross(b).dot(n) / squared),

@@ -49,7 +49,10 @@ class TriangleMesh {
   SurfaceDerivatives derivatives(std::uint32_t triangle, const Vec3d& p) const;
   double triangle_area(std::uint32_t triangle) const;
   /// (b1, b2) of a point in the plane of a triangle that has an area.
-  Vec2 barycentric(std::uint32_t triangle, const Vec3& p) const;
+  Vec2 barycentric(std::uint32_t triangle, const Vec3d& p) const;
+  Vec2 barycentric(std::uint32_t triangle, const Vec3& p) const {
+    return barycentric(triangle, Vec3d(p));
+  }
   /// The most by which a single-precision plane test errs for triangles where `offset_ray_origin`
   /// moves points by less: those that are not parallel to an axis and whose plane passes the origin
   /// within some of their own size. 0 if there are none.
