@@ -29,7 +29,7 @@ using RowSource = std::function<void(int y, T* row)>;
 std::vector<unsigned char> encode_exr(const ImageLayout& layout, const RowSource<float>& row);
 /// Channels R, G, B from 0 to 1e38.
 std::vector<unsigned char> encode_hdr(const ImageLayout& layout, const RowSource<float>& row);
-/// Channels R, G, B as they are shown.
+/// Channels R, G, B as they are shown, and A if there are four.
 std::vector<unsigned char> encode_png(const ImageLayout& layout,
                                       const RowSource<unsigned char>& row);
 /// Likewise, quality 95.

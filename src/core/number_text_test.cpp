@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 namespace ajar {
 namespace {
 
@@ -11,6 +13,32 @@ TEST(NumberText, HasNoExponentForWholeNumbers) {
   EXPECT_EQ(number_text(0.05), "0.05");
   EXPECT_EQ(number_text(1e-9), "1e-09");
   EXPECT_EQ(number_text(1e30), "1e+30");
+}
+
+TEST(NumberOf, IsThatOfAWholeText) {
+  EXPECT_EQ(number_of("-0.33"), -0.33);
+  EXPECT_EQ(number_of("+2e3"), 2000.0);
+  for (const char* const none : {"", "+", "0,5", "1 ", " 1", "1x", "+-1", "0x1p3"}) {
+    EXPECT_EQ(number_of(none), std::nullopt) << none;
+  }
+}
+
+TEST(NumberOf, TellsTooLargeFromTooSmall) {
+  const double infinity = std::numeric_limits<double>::infinity();
+  for (const char* const large : {"1.5e400", "1e+400", "123456.5e305", "1e99999999999999999999"}) {
+    EXPECT_EQ(number_of(large), infinity) << large;
+    EXPECT_EQ(number_of("-" + std::string(large)), -infinity) << large;
+  }
+  EXPECT_EQ(number_of("0." + std::string(100, '0') + "1e500"), infinity);
+  for (const char* const small : {"1.5e-400", "0.0001e-330", "1e-99999999999999999999"}) {
+    EXPECT_EQ(number_of(small), 0.0) << small;
+  }
+  EXPECT_EQ(number_of("1" + std::string(100, '0') + "e-500"), 0.0);
+}
+
+TEST(DecimalOf, IsThatWhichPeopleWrite) {
+  EXPECT_EQ(decimal_of(0.1F), 0.1);
+  EXPECT_EQ(decimal_of(-3e20F), -3e20);
 }
 
 TEST(PercentText, HasTwoDigitsOrAllBeforeThePoint) {

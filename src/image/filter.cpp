@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/error.h"
+#include "core/number_text.h"
 
 namespace ajar {
 
@@ -66,7 +67,7 @@ Filter Filter::sinc(const Vec2& radius, float tau) { return {Shape::Sinc, radius
 
 Filter::Axis Filter::make_axis(float radius) const {
   if (!(radius > 0.F && radius <= kMaxRadius)) {
-    throw SceneError("filter radius " + std::to_string(radius) + " is not in (0, " +
+    throw SceneError("filter radius " + number_text(double{radius}) + " is not in (0, " +
                      std::to_string(static_cast<int>(kMaxRadius)) + "] pixels");
   }
   Axis axis;

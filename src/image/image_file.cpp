@@ -87,15 +87,24 @@ std::vector<unsigned char> hdr_bytes(const Picture& picture) {
 }
 
 std::vector<unsigned char> display_bytes(const Picture& picture, const std::string& extension) {
-  const ImageLayout layout = layout_of(picture, std::span(picture.layers).first(1));
-  const std::size_t row = static_cast<std::size_t>(layout.width) * 3;
-  const auto encode = extension == ".png" ? encode_png : encode_jpeg;
+  ImageLayout layout = layout_of(picture, std::span(picture.layers).first(1));
+  const auto width = static_cast<std::size_t>(layout.width);
+  const bool is_png = extension == ".png";
+  const Picture::Layer* const alpha = is_png ? layer_named(picture, kAlphaLayer) : nullptr;
+  if (alpha != nullptr) layout.names.emplace_back(kAlphaLayer);
+  const std::size_t channels = layout.names.size();
+  const auto encode = is_png ? encode_png : encode_jpeg;
   return encode(layout, [&](int y, unsigned char* out) {
-    const float* in = picture.layers[0].pixels.data() + static_cast<std::size_t>(y) * row;
-    // Written so that NaN becomes zero.
-    std::transform(in, in + row, out, [](float v) {
+    const auto byte_of = [](float v) {
+      // Written so that NaN becomes zero.
       return static_cast<unsigned char>(v > 0.F ? std::lround(std::min(v, 1.F) * 255.F) : 0);
-    });
+    };
+    const std::size_t first = static_cast<std::size_t>(y) * width;
+    for (std::size_t x = 0; x < width; ++x) {
+      const float* in = picture.layers[0].pixels.data() + 3 * (first + x);
+      std::transform(in, in + 3, out + channels * x, byte_of);
+      if (alpha != nullptr) out[channels * x + 3] = byte_of(alpha->pixels[first + x]);
+    }
   });
 }
 

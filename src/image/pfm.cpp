@@ -5,9 +5,11 @@
 #include <cctype>
 #include <cstdint>
 #include <cstring>
+#include <optional>
 #include <string_view>
 
 #include "core/error.h"
+#include "core/number_text.h"
 #include "core/regular_file.h"
 
 namespace ajar {
@@ -46,11 +48,9 @@ Image read_pfm(const std::string& path) {
     return text;
   };
   const auto number = [&]() {
-    const std::string text = word();
-    char* end = nullptr;
-    const double value = std::strtod(text.c_str(), &end);
-    if (text.empty() || *end != '\0') throw broken("bad header");
-    return value;
+    const std::optional<double> value = number_of(word());
+    if (!value) throw broken("bad header");
+    return *value;
   };
   const std::string magic = word();
   if (magic != "PF" && magic != "Pf") throw broken("it does not start with PF");

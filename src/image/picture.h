@@ -30,16 +30,24 @@ struct Picture {
   std::optional<Plane> antialias_mask{};
 };
 
+/// The layer of one channel that programs which show pictures take for how opaque they are.
+inline constexpr const char* kAlphaLayer = "A";
+
 /// The layer without noise, where there is one.
 inline constexpr const char* kDenoisedLayer = "denoised";
+
+/// The layer of this name; null if there is none.
+inline const Picture::Layer* layer_named(const Picture& picture, const std::string& name) {
+  const auto found = std::find_if(picture.layers.begin(), picture.layers.end(),
+                                  [&](const Picture::Layer& layer) { return layer.name == name; });
+  return found == picture.layers.end() ? nullptr : &*found;
+}
 
 /// What the eye is to see of a picture: its layer without noise or, if there is none, the picture
 /// itself.
 inline const Picture::Layer& shown_layer(const Picture& picture) {
-  const auto found =
-      std::find_if(picture.layers.begin(), picture.layers.end(),
-                   [](const Picture::Layer& layer) { return layer.name == kDenoisedLayer; });
-  return found == picture.layers.end() ? picture.layers.front() : *found;
+  const Picture::Layer* const denoised = layer_named(picture, kDenoisedLayer);
+  return denoised == nullptr ? picture.layers.front() : *denoised;
 }
 
 }  // namespace ajar

@@ -53,7 +53,7 @@ Picture read_picture(const std::string& path) {
     if (is_colour && has(image, before + "R") && has(image, before + "G") &&
         has(image, before + "B")) {
       if (done.insert(layer).second) picture.layers.push_back({layer, 3, image.rgb(layer)});
-    } else if (channel != "Y" && channel != "A" && done.insert(channel).second) {
+    } else if (channel != "Y" && done.insert(channel).second) {
       picture.layers.push_back({channel, 1, channel_of(image, i)});
     }
   }

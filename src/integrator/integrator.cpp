@@ -5,13 +5,8 @@
 namespace ajar {
 
 Counters& Counters::operator+=(const Counters& other) {
-  add_rays(other);
-  samples += other.samples;
-  mutations += other.mutations;
+  for (const auto number : kEventCounts) this->*number += other.*number;
   techniques += other.techniques;
-  discarded_nan += other.discarded_nan;
-  discarded_infinite += other.discarded_infinite;
-  discarded_negative += other.discarded_negative;
   if (first_discarded.empty()) first_discarded = other.first_discarded;
   return *this;
 }

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -36,14 +37,29 @@ struct RenderSettings {
   bool for_filters = false;
 };
 
-/// Numbers every integrator counts; summed over threads by the job.
-struct Counters : RayCounts {
+/// Numbers of events, which add up.
+struct EventCounts : RayCounts {
   std::uint64_t samples = 0;  ///< camera samples
   std::uint64_t mutations = 0;
-  TechniqueShares techniques;  ///< what each technique brought
   std::uint64_t discarded_nan = 0;
   std::uint64_t discarded_infinite = 0;
   std::uint64_t discarded_negative = 0;
+};
+
+/// Each of them, for all that must not forget one: sums over threads and ranks, checkpoints.
+inline constexpr std::array<std::uint64_t EventCounts::*, 7> kEventCounts = {
+    &EventCounts::rays,
+    &EventCounts::rays_out_of_range,
+    &EventCounts::samples,
+    &EventCounts::mutations,
+    &EventCounts::discarded_nan,
+    &EventCounts::discarded_infinite,
+    &EventCounts::discarded_negative};
+static_assert(sizeof(EventCounts) == kEventCounts.size() * sizeof(std::uint64_t));
+
+/// What every integrator counts; summed over threads by the job.
+struct Counters : EventCounts {
+  TechniqueShares techniques;  ///< what each technique brought
   /// What to say about the first discarded contribution of an item: enough to replay it.
   std::string first_discarded;
   Counters& operator+=(const Counters& other);

@@ -142,6 +142,15 @@ const std::vector<AovInfo>& aovs() {
       {"depth", "distance from the camera to the first surface, scene units"},
       {"position", "place of the first surface, world space"},
       {"coverage", "share of the pixel's samples that hit a surface"},
+      {"alpha",
+       "share of the pixel's samples that meet anything but the sky, fog included: channel A of "
+       "the "
+       "picture, which is multiplied by it where there is no sky",
+       false},
+      {"divided",
+       "beside each of the layers of surfaces its mean over what is there alone, not multiplied by "
+       "the share of it in pixels at edges: depth.divided and so on",
+       false},
       {"object-id",
        "number of the shape that most of the first nine samples hit, from 1; 0 for none"},
       {"instance-id",

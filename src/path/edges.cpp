@@ -3,22 +3,12 @@
 namespace ajar {
 
 namespace {
-/// Rays stop a few roundings short of what they aim at.
-constexpr float kShort = 0.999999F;
-
-Ray ray_to(const Vec3& origin, const Vec3& target) {
-  const Vec3 difference = target - origin;
-  const float distance = length(difference);
-  return {origin, difference / distance, distance * kShort};
-}
-
 /// From `origin` to an endpoint in direction `w`.
 Ray ray_to_endpoint(const Vec3& origin, const Endpoint& endpoint, const EndpointPoint& point,
                     const Vec3& w) {
-  if (!endpoint.at_infinity()) {
-    return ray_to(origin, offset_ray_origin(point.surface.p, point.surface.ng, -w));
-  }
-  return {origin, w};
+  if (endpoint.at_infinity()) return {origin, w};
+  const SurfacePoint& end = point.surface;
+  return ray_between(origin, offset_ray_end(end.p, end.ng, -w, length(end.p - origin)));
 }
 }  // namespace
 
@@ -42,8 +32,9 @@ std::optional<Segment> look_along(const Scene& scene, const Path& path, int edge
   const Vec3 w = path.toward_camera(scene, edge);
   const Vec3 origin = from.ray_origin(w);
   if (edge < k - 1) {
-    const Vec3 target = path.vertex(edge + 1).ray_origin(-w);
-    return connect(scene, ray_to(origin, target), from.medium_toward(w), rays);
+    const InnerVertex& to = path.vertex(edge + 1);
+    const Vec3 target = to.ray_end(-w, length(to.p() - from.p()));
+    return connect(scene, ray_between(origin, target), from.medium_toward(w), rays);
   }
   Ray ray = ray_to_endpoint(origin, camera, path.camera_point, w);
   // Orthographic views begin at the film plane.

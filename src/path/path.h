@@ -40,6 +40,10 @@ struct InnerVertex {
   Vec3 ray_origin(const Vec3& w) const {
     return in_medium ? p() : offset_ray_origin(p(), hit.point.ng, w);
   }
+  /// Where a ray ends that comes from `distance` away along −`w`.
+  Vec3 ray_end(const Vec3& w, float distance) const {
+    return in_medium ? p() : offset_ray_end(p(), hit.point.ng, w, distance);
+  }
   bool connectible() const { return in_medium || bsdf.connectible(); }
 };
 

@@ -114,7 +114,7 @@ void load_vertex(const Reader& from, const Scene& scene, InnerVertex& vertex) {
   from.archive(hit.shape, hit.instance_id);
   from.point(hit.point);
   const std::optional<Hit> recalled = scene.recall(hit);
-  refuse(!recalled || recalled->material->is_interface(), "a path hits a shape that is not there");
+  refuse(!recalled || recalled->is_interface(), "a path hits a shape that is not there");
   vertex.hit = *recalled;
   vertex.hit.material->bsdf(vertex.hit.point, vertex.bsdf);
 }

@@ -3,6 +3,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "core/number_text.h"
 #include "path/heuristics.h"
 #include "path/measure.h"
 
@@ -126,7 +127,7 @@ void verify(const Scene& scene, const PathSamplerSettings& settings, const Path&
     const double value = double{contribution.value[lane]} * recorded;
     const double largest = std::max(value, double{expected[lane]});
     if (!(std::abs(value - double{expected[lane]}) <= tolerance * largest + 1e-30)) {
-      fail("is worth " + std::to_string(expected[lane]) + ", not " + std::to_string(value) +
+      fail("is worth " + number_text(double{expected[lane]}) + ", not " + number_text(value) +
                " in lane " + std::to_string(lane),
            made_by);
     }

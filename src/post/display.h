@@ -12,7 +12,8 @@ struct DisplayOptions {
 
 /// The picture for the eye: the first layer of a scene-linear one, of 3 channels, as values in
 /// [0, 1] that are encoded as they are shown; edges are smoothed where its mask allows it
-/// (post/antialias.h). Crop and metadata stay. Values that are not numbers become 0.
+/// (post/antialias.h). Crop, metadata and alpha stay, by which colours are then divided. Values
+/// that are not numbers become 0.
 Picture displayed(const Picture& picture, const DisplayOptions& options);
 
 }  // namespace ajar

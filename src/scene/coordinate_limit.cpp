@@ -1,17 +1,17 @@
 #include "scene/coordinate_limit.h"
 
 #include <algorithm>
-#include <sstream>
+
+#include "core/number_text.h"
 
 namespace ajar {
 
 void check_reach(const SourceLocation& where, const std::string& what, double reach) {
   if (reach <= static_cast<double>(kMaxCoordinate)) return;
   if (!std::isfinite(reach)) throw SceneError(where, what + " is not finite");
-  std::ostringstream message;
-  message << what << " has coordinates of " << reach << ", but no more than " << kMaxCoordinate
-          << " can be rendered: scale the scene down";
-  throw SceneError(where, message.str());
+  throw SceneError(where, what + " has coordinates of " + number_text(reach) +
+                              ", but no more than " + number_text(double{kMaxCoordinate}) +
+                              " can be rendered: scale the scene down");
 }
 
 double reach_of(const Vec3d& low, const Vec3d& high) {

@@ -16,6 +16,11 @@ inline constexpr float kMaxRayCoordinate = 1.84e18F;
 /// starts on disks around the sphere around the scene: up to 3.002 times as far out.
 inline constexpr float kMaxCoordinate = 6e17F;
 
+/// Smallest radius of a scene. Embree's test of triangles multiplies three lengths; of triangles a
+/// thousand times smaller than the scene the product still has all its digits. A scene below it
+/// gets a warning.
+inline constexpr float kMinRadius = 1e-8F;
+
 /// Raises SceneError, located at `where`, if `reach`, the largest coordinate of what is described
 /// there, is more than `kMaxCoordinate` or not a number.
 void check_reach(const SourceLocation& where, const std::string& what, double reach);

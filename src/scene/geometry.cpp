@@ -16,7 +16,8 @@ RTCRay embree_ray(const Ray& ray) {
   result.org_x = ray.origin.x;
   result.org_y = ray.origin.y;
   result.org_z = ray.origin.z;
-  result.tnear = 0.F;
+  // Beyond 0: rays may start in the plane of a triangle.
+  result.tnear = std::numeric_limits<float>::min();
   result.dir_x = ray.direction.x;
   result.dir_y = ray.direction.y;
   result.dir_z = ray.direction.z;
@@ -29,9 +30,9 @@ RTCRay embree_ray(const Ray& ray) {
 }
 
 /// Embree reported only that and roughly where the quadric is met; this repeats it in double
-/// precision.
-void quadric_hit_point(const ShapeRecord& record, const LocalRay& world, float t,
-                       SurfacePoint& point) {
+/// precision. Returns the place before it is rounded.
+Vec3d quadric_hit_point(const ShapeRecord& record, const LocalRay& world, float t,
+                        SurfacePoint& point) {
   const LocalRay ray = to_shape(world, *record.placement);
   const Quadric::Roots roots = record.quadric->intersect(ray.origin, ray.direction);
   double exact = t;
@@ -46,10 +47,11 @@ void quadric_hit_point(const ShapeRecord& record, const LocalRay& world, float t
   const Vec3d p = record.quadric->project(ray.origin + ray.direction * exact);
   if (!record.derivatives && record.quadric->is_sphere()) {
     point = sphere_plain_point(*record.quadric, *record.placement, record.reversed, p);
-    return;
+  } else {
+    point = quadric_surface_point(*record.quadric, *record.placement, record.reversed,
+                                  record.quadric->parameters(p));
   }
-  point = quadric_surface_point(*record.quadric, *record.placement, record.reversed,
-                                record.quadric->parameters(p));
+  return record.placement->point(p);
 }
 
 }  // namespace
@@ -78,21 +80,21 @@ bool Geometry::intersect(const Ray& ray, GeometryHit& hit) const {
     hit.shape += static_cast<std::uint32_t>(object_base_[instances_[index].object]);
   }
   const ShapeRecord& record = shapes_[hit.shape];
+  Vec3d p;
   if (record.mesh) {
-    if (record.derivatives) {
-      record.mesh->surface_point(rayhit.hit.primID, rayhit.hit.u, rayhit.hit.v, hit.point);
-    } else {
-      record.mesh->plain_point(rayhit.hit.primID, rayhit.hit.u, rayhit.hit.v, hit.point);
-    }
+    const Vec2 b = barycentric_of(*record.mesh, rayhit.hit, ray, instance);
+    p = record.derivatives ? record.mesh->surface_point(rayhit.hit.primID, b.x, b.y, hit.point)
+                           : record.mesh->plain_point(rayhit.hit.primID, b.x, b.y, hit.point);
   } else if (record.quadric) {
-    quadric_hit_point(record, to_instance(ray, instance), hit.t, hit.point);
+    p = quadric_hit_point(record, to_instance(ray, instance), hit.t, hit.point);
   } else {
     const LocalRay local = to_instance(ray, instance);
     hit.point = record.curve->surface_point(rayhit.hit.primID, rayhit.hit.u, Vec3(local.origin),
                                             Vec3(local.direction), hit.t,
                                             {rayhit.hit.Ng_x, rayhit.hit.Ng_y, rayhit.hit.Ng_z});
+    p = Vec3d(hit.point.p);
   }
-  if (instance != nullptr) place_point(*instance, record.derivatives, hit.point);
+  if (instance != nullptr) place_point(*instance, p, record.derivatives, hit.point);
   return true;
 }
 

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
+#include "core/number_text.h"
 #include "core/parallel_for.h"
 #include "scene/geometry.h"
 #include "scene/geometry_records.h"
@@ -41,7 +41,7 @@ struct RecordFilling {
 
   void operator()(std::monostate) const {}
   void operator()(std::unique_ptr<const TriangleMesh>& mesh) const {
-    record.check_plane = mesh->needs_plane_check();
+    record.check_plane = mesh->plane_error() > 0.F;
     record.mesh = std::move(mesh);
   }
   void operator()(std::unique_ptr<const CurveShape>& curve) const {
@@ -88,14 +88,6 @@ Mat4 rounded(const Mat4& m) {
     for (int j = 0; j < 4; ++j) result[i][j] = static_cast<float>(m[i][j]);
   }
   return result;
-}
-
-/// Embree brings rays into an instance in single precision. The error is some half ulps of the
-/// translation, which the offset of ray origins covers only where the instance is near the origin.
-bool placed_far_away(const Placement& placement) {
-  const Mat4& m = placement.to_world();
-  const double away = std::max({std::abs(m[3][0]), std::abs(m[3][1]), std::abs(m[3][2])});
-  return away * 8.0 * 0x1p-24 > 0x1p-20;
 }
 
 RTCGeometry make_triangles(RTCDevice device, const TriangleMesh& mesh) {
@@ -226,11 +218,8 @@ void Geometry::prepare_instances(const desc::SceneDesc& description, Warnings& w
 void Geometry::prepare_shapes(desc::SceneDesc& description, const TextureList& textures,
                               Warnings& warnings) {
   std::vector<char> is_used(description.objects.size(), 0);
-  std::vector<char> is_far(description.objects.size(), 0);
   for (const InstanceRecord& instance : instances_) {
-    if (!instance.placement) continue;
-    is_used[instance.object] = 1;
-    if (placed_far_away(*instance.placement)) is_far[instance.object] = 1;
+    if (instance.placement) is_used[instance.object] = 1;
   }
   std::vector<desc::Shape*> todo;
   for (desc::Shape& shape : description.shapes) todo.push_back(&shape);
@@ -251,10 +240,9 @@ void Geometry::prepare_shapes(desc::SceneDesc& description, const TextureList& t
   for (const auto& own : of_shapes) {
     if (own) warnings.add_all(*own);
   }
-  for (std::size_t i = 0; i < description.objects.size(); ++i) {
-    for (std::size_t k = object_base_[i]; k < object_base_[i + 1]; ++k) {
-      shapes_[k].check_plane = shapes_[k].mesh && (shapes_[k].check_plane || is_far[i] != 0);
-    }
+  // Embree brings rays into an instance in single precision, which errs by roundings of its place.
+  for (std::size_t k = object_base_.front(); k < shapes_.size(); ++k) {
+    shapes_[k].check_plane = shapes_[k].mesh != nullptr;
   }
 }
 
@@ -334,16 +322,13 @@ void Geometry::require_reach(double reach, const desc::SceneDesc& description) c
     if (!instances_[i].placement) continue;
     const double limit = *max_ray_coordinate(*instances_[i].placement);
     if (reach < limit) continue;
-    std::ostringstream message;
-    message << "the instance is scaled too much: ";
-    if (limit > 0.0) {
-      message << "its scene has rays that start at coordinates of " << reach << ", but only from "
-              << limit << " can they be brought into its space";
-    } else {
-      message << "its transform cannot be inverted in single precision";
-    }
-    message << "; scale its shapes instead";
-    throw SceneError(description.instances[i].where, message.str());
+    const std::string why = limit > 0.0
+                                ? "its scene has rays that start at coordinates of " +
+                                      number_text(reach) + ", but only from " + number_text(limit) +
+                                      " can they be brought into its space"
+                                : "its transform cannot be inverted in single precision";
+    throw SceneError(description.instances[i].where,
+                     "the instance is scaled too much: " + why + "; scale its shapes instead");
   }
 }
 

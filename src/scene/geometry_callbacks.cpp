@@ -26,6 +26,15 @@ bool has_cutouts(const ShapeRecord& record, Purpose purpose) {
   return record.has_alpha() || (purpose == Purpose::Occlude && record.has_shadow_alpha());
 }
 
+/// Whether a hit in the world is farther from both ends of its ray than the test of triangles errs.
+bool is_clear_of_ends(const TriangleMesh& mesh, const RTCRay& ray, const RTCHit& hit, float t_max) {
+  const Vec3 n(hit.Ng_x, hit.Ng_y, hit.Ng_z);
+  const float slope = dot(n, {ray.dir_x, ray.dir_y, ray.dir_z});
+  const float height = std::min(ray.tfar, t_max - ray.tfar) * slope;
+  const float error = mesh.plane_error();
+  return height * height > error * error * length_squared(n);
+}
+
 template <Purpose kPurpose>
 void filter_triangle(const RTCFilterFunctionNArguments* args) {
   if (args->valid[0] == 0) return;
@@ -33,17 +42,22 @@ void filter_triangle(const RTCFilterFunctionNArguments* args) {
   const auto& hit = *reinterpret_cast<const RTCHit*>(args->hit);
   const QueryContext& context = query(args->context);
   const Placement* instance = instance_of(context, hit.instID[0]);
-  if (record.check_plane) {
-    // A ray leaves this very triangle if, without rounding, its plane lies behind.
+  const auto& traced = *reinterpret_cast<const RTCRay*>(args->ray);
+  if (record.check_plane &&
+      (instance != nullptr || !is_clear_of_ends(*record.mesh, traced, hit, context.ray->t_max))) {
+    // A ray leaves this very triangle if, without rounding, its plane lies behind, and ends at it
+    // if it lies beyond.
     const LocalRay ray = to_instance(*context.ray, instance);
-    if (record.mesh->plane_distance(hit.primID, ray.origin, ray.direction) <= 0.0) {
+    const double t = record.mesh->plane_distance(hit.primID, ray.origin, ray.direction);
+    if (t <= 0.0 || t > double{context.ray->t_max}) {
       args->valid[0] = 0;
       return;
     }
   }
   if (!has_cutouts(record, kPurpose)) return;
   SurfacePoint point{};
-  record.mesh->texture_point(hit.primID, hit.u, hit.v, point);
+  const Vec2 b = barycentric_of(*record.mesh, hit, *context.ray, instance);
+  record.mesh->texture_point(hit.primID, b.x, b.y, point);
   if (instance != nullptr) point.p = Vec3(instance->point(Vec3d(point.p)));
   if (is_cut_away(record, point, kPurpose)) args->valid[0] = 0;
 }
@@ -64,7 +78,7 @@ void filter_curve(const RTCFilterFunctionNArguments* args) {
       record.curve->surface_point(hit.primID, hit.u, {ray.org_x, ray.org_y, ray.org_z}, direction,
                                   ray.tfar, {hit.Ng_x, hit.Ng_y, hit.Ng_z});
   const Placement* instance = instance_of(query(args->context), hit.instID[0]);
-  if (instance != nullptr) place_point(*instance, true, point);
+  if (instance != nullptr) place_point(*instance, Vec3d(point.p), true, point);
   if (is_cut_away(record, point, kPurpose)) args->valid[0] = 0;
 }
 
@@ -83,6 +97,19 @@ void quadric_bounds(const RTCBoundsFunctionArguments* args) {
   }
 }
 
+/// Whether a root is the very point that a ray starts at, as far as double precision can tell from
+/// the size of the shape: all that is left of a large sphere where it touches the origin of the
+/// world.
+bool is_own_start(const ShapeRecord& record, const LocalRay& ray, double t) {
+  constexpr double kNear = 0x1p-20;
+  constexpr double kRounding = 0x1p-46;
+  const double size = ray.origin.length();
+  if (!(std::abs(t) * ray.direction.length() < kNear * size)) return false;
+  const Vec3d p = record.quadric->project(ray.origin + ray.direction * t);
+  const Vec3d n = record.quadric->at(record.quadric->parameters(p)).n;
+  return std::abs(t * n.dot(ray.direction)) <= kRounding * size;
+}
+
 /// First root in (near, far] that is not cut away; NaN if there is none.
 template <Purpose kPurpose>
 float first_root(const ShapeRecord& record, const QueryContext& context, unsigned instance_id,
@@ -92,12 +119,12 @@ float first_root(const ShapeRecord& record, const QueryContext& context, unsigne
   const Quadric::Roots roots = record.quadric->intersect(ray.origin, ray.direction);
   for (int i = 0; i < roots.count; ++i) {
     const auto t = static_cast<float>(roots.t[i]);
-    if (!(t > near && t <= far)) continue;
+    if (!(t > near && t <= far) || is_own_start(record, ray, roots.t[i])) continue;
     if (has_cutouts(record, kPurpose)) {
       const Vec3d p = record.quadric->project(ray.origin + ray.direction * roots.t[i]);
       SurfacePoint point = quadric_surface_point(*record.quadric, *record.placement,
                                                  record.reversed, record.quadric->parameters(p));
-      if (instance != nullptr) place_point(*instance, true, point);
+      if (instance != nullptr) place_point(*instance, Vec3d(point.p), true, point);
       if (is_cut_away(record, point, kPurpose)) continue;
     }
     return t;
@@ -159,11 +186,11 @@ void placed_bounds(const Quadric& quadric, const Placement& placement, Vec3d& lo
   }
 }
 
-void place_point(const Placement& instance, bool derivatives, SurfacePoint& point) {
+void place_point(const Placement& instance, const Vec3d& p, bool derivatives, SurfacePoint& point) {
   const Vec3d n = instance.normal(Vec3d(point.ns));
   const double size = n.length();
   const Vec3d ns = n / size;
-  point.p = Vec3(instance.point(Vec3d(point.p)));
+  point.p = Vec3(instance.point(p));
   point.ns = Vec3(ns);
   point.ng = face_forward(Vec3(instance.normal(Vec3d(point.ng)).normalized()), point.ns);
   if (!derivatives) return;

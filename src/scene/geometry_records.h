@@ -23,8 +23,9 @@ struct ShapeRecord {
   TextureSlot alpha{Spectrum(1.F)};
   TextureSlot shadow_alpha{Spectrum(1.F)};
   bool reversed = false;
-  bool derivatives = true;   ///< of hits are wanted
-  bool check_plane = false;  ///< hits of the triangle that a ray leaves must be told from real ones
+  bool derivatives = true;  ///< of hits are wanted
+  /// Hits of the triangles at the ends of a ray must be told from real ones.
+  bool check_plane = false;
 
   bool present() const { return mesh || curve || quadric; }
   bool has_alpha() const { return !alpha.is_constant(); }
@@ -60,8 +61,22 @@ inline LocalRay to_instance(const Ray& ray, const Placement* instance) {
 inline LocalRay to_shape(const LocalRay& ray, const Placement& shape) {
   return {shape.point_to_object(ray.origin), shape.vector_to_object(ray.direction)};
 }
-/// Brings a point of an instanced object into the world, with its derivatives or without.
-void place_point(const Placement& instance, bool derivatives, SurfacePoint& point);
+/// (b1, b2) where a ray, in the space of the object, meets a triangle. Embree has those of the
+/// corner where products of two lengths are below 1e-18, which those of tiny triangles are.
+inline Vec2 barycentric_of(const TriangleMesh& mesh, const RTCHit& hit, const Ray& world,
+                           const Placement* instance) {
+  const LocalRay ray = to_instance(world, instance);
+  const Vec3d n(hit.Ng_x, hit.Ng_y, hit.Ng_z);
+  constexpr double kSmall = 1e-16;
+  if (std::abs(n.dot(ray.direction)) > kSmall) return {hit.u, hit.v};
+  const double t = mesh.plane_distance(hit.primID, ray.origin, ray.direction);
+  const Vec2 b = mesh.barycentric(hit.primID, ray.origin + ray.direction * t);
+  return std::isfinite(b.x) && std::isfinite(b.y) ? b : Vec2(hit.u, hit.v);
+}
+
+/// Brings a point of an instanced object into the world, with its derivatives or without; `p` is
+/// its place there before it was rounded, which may be by much of what is left in the world.
+void place_point(const Placement& instance, const Vec3d& p, bool derivatives, SurfacePoint& point);
 
 /// Box of a quadric in its final place.
 void placed_bounds(const Quadric& quadric, const Placement& placement, Vec3d& low, Vec3d& high);

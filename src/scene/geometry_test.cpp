@@ -148,7 +148,7 @@ void expect_no_self_hits(const World& world, const Vec3& center, float radius, i
 }
 
 TEST(SelfIntersection, SpheresOfAllScales) {
-  for (const double size : {1e-2, 1.0, 1e4}) {
+  for (const double size : {1e-12, 1e-2, 1.0, 1e4}) {
     for (const double away : {0.0, 3.0, 1e3}) {
       const Mat4 m =
           scaling(size, size, size) * translation(away * size, -2 * away * size, 0.5 * away * size);
@@ -164,8 +164,9 @@ TEST(SelfIntersection, StretchedSphere) {
 }
 
 TEST(SelfIntersection, TiltedSquaresOfAllSizesAndPlaces) {
-  for (const float size : {0.1F, 10.F, 1e5F}) {
-    for (const float away : {0.F, 2.F, 1e5F}) {
+  for (const float size : {1e-8F, 0.1F, 10.F, 1e5F}) {
+    for (const float from : {0.F, 1e-3F, 2.F, 1e5F}) {
+      const float away = size < 1e-3F ? from * size : from;
       const Mat4 m = rotation({0.3, 1, 0.2}, 0.9) * translation(away, -0.3 * away, 0.7 * away);
       expect_no_self_hits(world_of({mesh_shape(square(size), m)}),
                           {away, -0.3F * away, 0.7F * away}, size);
@@ -191,6 +192,72 @@ TEST(SelfIntersection, InstancesFarAway) {
   expect_no_self_hits(world, {-2000, 0.5F, -1000}, 1.F);
 }
 
+/// What is far from its own origin is rounded there, by more than where its instance brings it.
+TEST(SelfIntersection, InstancesOfWhatIsFarFromItsOwnOrigin) {
+  const Mat4 far = rotation({3, 1, 2}, 0.4) * translation(5000, 4000, 3000);
+  desc::Mesh triangle = square(1.F);
+  triangle.indices.pop_back();
+  for (const double size : {1e-6, 1.0, 1e6}) {
+    for (const desc::Shape& shape :
+         {mesh_shape(triangle, far), testing::shape(testing::sphere_node(), far)}) {
+      desc::SceneDesc scene;
+      scene.objects.push_back({"far", {}, {shape}});
+      scene.instances.push_back(
+          {0, translation(-5000, -4000, -3000) * scaling(size, size, size), {}});
+      expect_no_self_hits(World(std::move(scene)), Vec3(0.F), static_cast<float>(size));
+    }
+  }
+}
+
+/// As the ground of many scenes is a sphere as large as the earth.
+TEST(SelfIntersection, WhereAHugeSphereTouchesTheOrigin) {
+  const double radius = 6.4e6;
+  const World world = world_of(
+      {shape(testing::sphere_node(6.4e6F, -6.4e6F, 6.4e6F, 360), translation(0, -radius, 0))});
+  Rng rng(6);
+  for (int i = 0; i < 20000; ++i) {
+    const float near = std::pow(10.F, -6.F * rng.next());
+    const Vec3 at(near * (2.F * rng.next() - 1.F), 0.F, near * (2.F * rng.next() - 1.F));
+    const auto found = world.hit(at + Vec3(0.3F, 1.F, 0.2F), Vec3(-0.3F, -1.F, -0.2F));
+    ASSERT_TRUE(found);
+    const Vec3 d = direction_on_side(rng, found->point.ng, 0.3F);
+    ASSERT_FALSE(world.occluded(offset_ray_origin(found->point.p, found->point.ng, d), d)) << i;
+  }
+}
+
+/// Two points of one convex shape's outside, or of a plane and anywhere above it, see each other.
+TEST(SelfIntersection, RaysEndBeforeTheSurfaceTheyAimAt) {
+  for (const float size : {1e-8F, 1.F, 1e4F}) {
+    for (const float away : {0.F, 1.F, 300.F}) {
+      const Vec3 center = Vec3(away, -0.3F * away, 0.7F * away) * size;
+      const Mat4 turned = rotation({0.3, 1, 0.2}, 0.9) * translation(center);
+      const World world = world_of({mesh_shape(square(size), turned)});
+      Rng rng(7);
+      int tested = 0;
+      for (int i = 0; i < 20000; ++i) {
+        const Vec3 start = center + warp::uniform_sphere({rng.next(), rng.next()}) *
+                                        (size * std::pow(10.F, 4.F * rng.next()));
+        const Vec3 aim = center + warp::uniform_sphere({rng.next(), rng.next()}) * (0.5F * size);
+        const auto found = world.hit(start, aim - start);
+        if (!found) continue;
+        ++tested;
+        // Back to where it came from, or along the surface to as far away.
+        Vec3 w = normalize(start - found->point.p);
+        if (rng.next() < 0.5F) {
+          const Vec3 n = face_forward(found->point.ng, w);
+          w = normalize(w - n * (0.999F * dot(w, n)));
+        }
+        const float distance = length(start - found->point.p);
+        const Vec3 from = found->point.p + w * distance;
+        const Ray ray =
+            ray_between(from, offset_ray_end(found->point.p, found->point.ng, w, distance));
+        ASSERT_FALSE(world.geometry->occluded(ray)) << size << " " << away << " " << i;
+      }
+      EXPECT_GT(tested, 500);
+    }
+  }
+}
+
 /// Light bouncing inside a closed box never gets out. (Rays nearly parallel to an edge and within
 /// 10⁻⁶ of it can slip between Embree's roundings of its two faces; no offset prevents that, so
 /// they are not provoked here.)
@@ -211,6 +278,9 @@ void expect_no_leaks(const Mat4& m) {
 TEST(ClosedBox, NeverLeaks) { expect_no_leaks(Mat4()); }
 TEST(ClosedBox, NeverLeaksWhenTurnedAndFar) {
   expect_no_leaks(scaling(7, 3, 5) * rotation({1, 2, 3}, 0.7) * translation(300, -20, 100));
+}
+TEST(ClosedBox, NeverLeaksWhenTiny) {
+  expect_no_leaks(scaling(1e-8, 2e-8, 1e-8) * rotation({3, 2, 1}, 0.4));
 }
 TEST(ClosedBox, NeverLeaksWhenHuge) {
   expect_no_leaks(scaling(1e5, 2e5, 1e5) * rotation({3, 2, 1}, 0.4));

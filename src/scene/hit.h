@@ -31,6 +31,10 @@ struct Hit : GeometryHit {
   const MediumInterface* media;  ///< never null
   std::uint32_t object_id;       ///< number of the shape in the description, objects' shapes last
   std::uint32_t material_id;
+
+  /// Whether a ray passes straight through, and only its medium changes. What shines is a surface
+  /// in any case.
+  bool is_interface() const;
 };
 
 }  // namespace ajar

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/number_text.h"
 #include "scene/build/validate.h"
 #include "scene/coordinate_limit.h"
 #include "scene/emission/emission.h"
@@ -16,6 +17,8 @@ namespace {
 
 constexpr WarningKind kInstanced{
     Effect::Light, "surfaces that are instanced cannot be lights: their emission is left out"};
+constexpr WarningKind kTiny{Effect::Geometry,
+                            "scenes are so small that triangles lose digits: scale them up"};
 constexpr WarningKind kNoLight{Effect::Light, "scenes have no light"};
 constexpr WarningKind kNoMaterial{
     Effect::Light, "surfaces without material cannot be lights: give them a black matte one"};
@@ -65,6 +68,12 @@ Scene::Scene(desc::SceneDesc&& given, const BuildOptions& options, Warnings& war
   geometry_ = std::make_unique<Geometry>(description, textures_, warnings);
   bounds_ = geometry_->bounds();
   bounding_sphere_ = sphere_around(bounds_);
+  if (bounding_sphere_.radius < kMinRadius && geometry_->counts().triangles > 0) {
+    warnings.add(kTiny, {std::make_shared<const std::string>(source_), 0, 0},
+                 "the scene has a radius of " + number_text(double{bounding_sphere_.radius}) +
+                     ": below " + number_text(double{kMinRadius}) +
+                     " triangles lose digits; scale it up");
+  }
   build_surfaces(description, warnings);
   name_things(description);
   build_lights(description, warnings);
@@ -154,7 +163,7 @@ void Scene::build_lights(const desc::SceneDesc& description, Warnings& warnings)
   for (std::size_t i = 0; i < description.shapes.size(); ++i) {
     const desc::Shape& shape = description.shapes[i];
     if (!shape.emission || !geometry_->has_shape(i)) continue;
-    if (surfaces_[i].material->is_interface()) {
+    if (surfaces_[i].material->max_lobes() == 0) {
       warnings.add(kNoMaterial, shape.emission->where,
                    "a surface without material cannot emit: give it a black matte one");
       continue;
@@ -207,6 +216,8 @@ std::optional<Hit> Scene::recall(const GeometryHit& hit) const {
   complete(*result);
   return result;
 }
+
+bool Hit::is_interface() const { return light == nullptr && material->is_interface(); }
 
 std::optional<SurfaceDerivatives> Scene::derivatives(const Hit& hit) const {
   return geometry_->derivatives(hit);

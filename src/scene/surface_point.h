@@ -1,4 +1,5 @@
 #pragma once
+#include <cmath>
 #include <cstdint>
 
 #include "core/vector.h"
@@ -20,26 +21,37 @@ struct SurfacePoint {
   std::uint32_t primitive = 0;  ///< triangle within its mesh; 0 for other shapes
 };
 
+/// Half an ulp, relative: the error of rounding one number.
+inline constexpr float kHalfUlp = 0x1p-24F;
+
+/// Roundings of the coordinates of a point by which the origins of rays are moved off a surface.
+/// Two are needed: the point is rounded once when it is found and once more when it is moved. The
+/// rest is for what is unsure of the tests for triangles (`TriangleMesh::plane_error`).
+inline constexpr float kOffsetRoundings = 4.F;
+
+/// Distance along the unit normal `ng` by which rounding the coordinates of `p` can displace it.
+inline float rounding_along(const Vec3& p, const Vec3& ng) {
+  return kHalfUlp * (std::abs(ng.x * p.x) + std::abs(ng.y * p.y) + std::abs(ng.z * p.z));
+}
+
 /// `p` moved off the surface with geometric normal `ng` to the side that `w` points to, by as
-/// little as float rounding of `p` demands: neither leaks nor self-shadows. Source: Wächter &
-/// Binder 2019, "A fast and robust method for avoiding self-intersection".
+/// little as float rounding of `p` demands: neither leaks nor self-shadows. There is no length in
+/// it, so scenes of any size are alike. Source: Wächter & Binder 2019, "A fast and robust method
+/// for avoiding self-intersection".
 inline Vec3 offset_ray_origin(const Vec3& p, const Vec3& ng, const Vec3& w) {
-  // Half an ulp, relative: the error of rounding one coordinate.
-  constexpr float kHalfUlp = 0x1p-24F;
-  // Points are rounded once when found and once more after the offset, and Embree's plane test errs
-  // by a few roundings of the size of a triangle; 16 covers all of that while it stays near 10⁻⁶ of
-  // the coordinates.
-  constexpr float kSafety = 16.F;
-  // Near the origin rounding vanishes but the intersection's error does not: it scales with the
-  // triangle.
-  constexpr float kAtOrigin = 0x1p-20F;
   // Wächter & Binder step each coordinate by its own ulps, which is too little along slanted
-  // normals when one coordinate is large. The distance along the normal by which rounding can
-  // displace p is Σ |n_i| · ½ulp(p_i); going a multiple of that along the normal keeps their
+  // normals when one coordinate is large. A multiple of the rounding along the normal keeps their
   // locality and is enough for every direction.
-  const float rounding = std::abs(ng.x * p.x) + std::abs(ng.y * p.y) + std::abs(ng.z * p.z);
-  const float distance = kSafety * kHalfUlp * rounding + kAtOrigin;
+  const float distance = kOffsetRoundings * rounding_along(p, ng);
   return p + ng * (dot(ng, w) < 0.F ? -distance : distance);
+}
+
+/// Likewise the end at `p` of a ray that comes from `distance` away; `w` points back to where it
+/// comes from. Directions are rounded, and Embree's tests err, by some roundings of that distance.
+inline Vec3 offset_ray_end(const Vec3& p, const Vec3& ng, const Vec3& w, float distance) {
+  constexpr float kRoundings = 16.F;
+  const float moved = kOffsetRoundings * rounding_along(p, ng) + kRoundings * kHalfUlp * distance;
+  return p + ng * (dot(ng, w) < 0.F ? -moved : moved);
 }
 
 }  // namespace ajar

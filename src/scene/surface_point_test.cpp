@@ -24,12 +24,12 @@ void expect_offset_clears_plane(double scale) {
     const Vec3 below = offset_ray_origin(p, n, -n);
     ASSERT_GT(height(above, exact, Vec3d(n)), 0.0);
     ASSERT_LT(height(below, exact, Vec3d(n)), 0.0);
-    // Small: a few millionths of the coordinates.
-    ASSERT_LT(height(above, exact, Vec3d(n)), 4e-6 * scale + 2e-6);
+    // Small: less than a millionth of the coordinates.
+    ASSERT_LT(height(above, exact, Vec3d(n)), 1e-6 * scale);
   }
 }
 
-TEST(OffsetRayOrigin, ClearsThePlaneNearTheOrigin) { expect_offset_clears_plane(1e-6); }
+TEST(OffsetRayOrigin, ClearsThePlaneNearTheOrigin) { expect_offset_clears_plane(1e-12); }
 TEST(OffsetRayOrigin, ClearsThePlaneAtUnitScale) { expect_offset_clears_plane(1.0); }
 TEST(OffsetRayOrigin, ClearsThePlaneAtAHundredThousand) { expect_offset_clears_plane(1e5); }
 
@@ -45,6 +45,15 @@ TEST(OffsetRayOrigin, LeavesCoordinatesAlongThePlaneAlone) {
   EXPECT_EQ(moved.x, 1e5F);
   EXPECT_EQ(moved.z, -3e4F);
   EXPECT_LT(moved.y, 1e-5F);
+}
+
+TEST(OffsetRayOrigin, HasNoLengthOfItsOwn) {
+  const Vec3 p(1.F, -2.F, 3.F);
+  const Vec3 n = normalize(Vec3(0.3F, 0.1F, -0.7F));
+  for (const float size : {0x1p-40F, 0x1p-3F, 0x1p30F}) {
+    EXPECT_EQ(offset_ray_origin(p * size, n, n), offset_ray_origin(p, n, n) * size);
+    EXPECT_EQ(offset_ray_end(p * size, n, n, 5.F * size), offset_ray_end(p, n, n, 5.F) * size);
+  }
 }
 
 }  // namespace

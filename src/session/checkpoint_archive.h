@@ -75,9 +75,8 @@ void serialize(A& archive, Development& development) {
 
 template <Archive A>
 void serialize(A& archive, Counters& counters) {
-  archive(counters.rays, counters.rays_out_of_range, counters.samples, counters.mutations,
-          counters.discarded_nan, counters.discarded_infinite, counters.discarded_negative,
-          counters.first_discarded);
+  for (const auto number : kEventCounts) archive(counters.*number);
+  archive(counters.first_discarded);
   std::vector<double> sums = counters.techniques.sums();
   archive(sums);
   if constexpr (A::is_loading::value) {

@@ -36,6 +36,7 @@ std::uint64_t film_bytes(const Box2i& crop, int replicates, const std::vector<La
 
 std::uint64_t picture_bytes(const Box2i& crop, int replicates, const std::vector<LayerSpec>& layers,
                             const std::vector<std::string>& aovs) {
+  constexpr std::uint64_t kDividedLayers = 5;
   std::uint64_t shown = 1;  // their sum
   bool has_boxes = false;
   for (const LayerSpec& layer : layers) {
@@ -46,6 +47,7 @@ std::uint64_t picture_bytes(const Box2i& crop, int replicates, const std::vector
   for (const std::string& name : aovs) {
     if (name == "replicates") shown += static_cast<std::uint64_t>(replicates);
     if (name == "samples" || name == "standard-error") ++shown;
+    if (name == "divided") shown += kDividedLayers;
     if (name == "standard-error-by-scale") shown += kErrorScales.size();
   }
   const std::uint64_t shown_bytes = kChannels * sizeof(float) * kPictureCopies * shown;

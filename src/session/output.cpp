@@ -92,7 +92,8 @@ bool has_replicates(const Film& film, std::uint64_t samples) {
 
 /// Layers whose three channels are one number.
 bool is_single_number(const std::string& name) {
-  return name == "depth" || name == "coverage" || name == "density" || name == "acceptance";
+  return name == "depth" || name == "coverage" || name == "alpha" || name == "density" ||
+         name == "acceptance";
 }
 
 Picture::Layer one_channel(const Picture::Layer& layer) {
@@ -104,6 +105,33 @@ Picture::Layer one_channel(const Picture::Layer& layer) {
     if (layer.name == "acceptance") single.pixels[i] /= events > 0.F ? events : 1.F;
   }
   return single;
+}
+
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// Adds what of the layers of surfaces is left when it is divided by how much of the pixel they
+/// fill: `alpha` with what is in fog, `coverage` without. 0 where there is nothing.
+void add_divided(Picture& picture, const Picture::Layer& alpha, const Picture::Layer& coverage) {
+  const std::pair<const char*, const Picture::Layer*> parts[] = {{"albedo", &coverage},
+                                                                 {"normal", &coverage},
+                                                                 {"geometric-normal", &coverage},
+                                                                 {"depth", &alpha},
+                                                                 {"position", &alpha}};
+  for (const auto& [name, share] : parts) {
+    const auto whole =
+        std::find_if(picture.layers.begin(), picture.layers.end(),
+                     [&](const Picture::Layer& layer) { return layer.name == name; });
+    if (whole == picture.layers.end()) continue;
+    Picture::Layer divided{whole->name + ".divided", whole->channels, whole->pixels};
+    const auto channels = static_cast<std::size_t>(divided.channels);
+    for (std::size_t i = 0; i < divided.pixels.size(); ++i) {
+      const float filled = share->pixels[i / channels];
+      divided.pixels[i] = filled > 0.F ? divided.pixels[i] / filled : 0.F;
+    }
+    picture.layers.push_back(std::move(divided));
+  }
 }
 
 /// Adds the pixels of a part to the layer it belongs to, which comes first.
@@ -177,6 +205,8 @@ Picture develop(const Film& film, const Development& scales, std::uint64_t sampl
   picture.resolution = film.resolution();
   picture.crop = film.crop();
   picture.layers.push_back({"", 3, {}});
+  Picture::Layer alpha;
+  Picture::Layer coverage;
   for (std::size_t i = 0; i < film.layers().size(); ++i) {
     const LayerSpec& spec = film.layers()[i];
     if (!spec.instead_of.empty() || !spec.box_of.empty()) continue;
@@ -191,10 +221,18 @@ Picture develop(const Film& film, const Development& scales, std::uint64_t sampl
     Picture::Layer layer{spec.name, 3, film.develop(static_cast<int>(i), scale)};
     if (!spec.part_of.empty()) {
       add_to_part(picture, spec.part_of, layer.pixels);
-    } else {
-      picture.layers.push_back(is_single_number(spec.name) ? one_channel(layer) : layer);
+      continue;
     }
+    if (is_single_number(spec.name)) layer = one_channel(layer);
+    if (spec.name == "alpha") alpha = layer;
+    if (spec.name == "coverage") coverage = layer;
+    const bool divides =
+        contains(aovs, "divided") && (spec.name == "alpha" || spec.name == "coverage");
+    if (divides && !contains(aovs, spec.name)) continue;
+    if (spec.name == "alpha") layer.name = kAlphaLayer;
+    picture.layers.push_back(std::move(layer));
   }
+  if (contains(aovs, "divided")) add_divided(picture, alpha, coverage);
   for (const auto& [name, plane] : scales.maps) picture.layers.push_back({name, 1, plane.values});
   picture.antialias_mask = scales.antialias_mask;
   // Of the layers as they are shown, so that they add up to the picture to the bit.

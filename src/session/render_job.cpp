@@ -33,30 +33,27 @@ struct ThreadTally {
 
 /// Puts at the root what all ranks counted. Of the discarded the root's own is the one described.
 void sum_counters(Ranks& ranks, JobState& state) {
+  constexpr std::array<double JobState::*, 2> kSeconds = {&JobState::chain_seconds,
+                                                          &JobState::cpu_seconds};
   Counters& counters = state.counters;
-  const std::array places = {&counters.rays,
-                             &counters.rays_out_of_range,
-                             &counters.samples,
-                             &counters.mutations,
-                             &counters.discarded_nan,
-                             &counters.discarded_infinite,
-                             &counters.discarded_negative};
-  std::array<std::int64_t, std::tuple_size_v<decltype(places)>> numbers{};
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    numbers[i] = static_cast<std::int64_t>(*places[i]);
+  std::vector<std::int64_t> numbers;
+  for (const auto number : kEventCounts) {
+    numbers.push_back(static_cast<std::int64_t>(counters.*number));
   }
   std::vector<double> sums = counters.techniques.sums();
   sums.resize(2 * TechniqueShares::kSlots);
-  sums.push_back(state.chain_seconds);
-  sums.push_back(state.cpu_seconds);
-  auto whole = numbers;
+  for (const auto seconds : kSeconds) sums.push_back(state.*seconds);
+  std::vector<std::int64_t> whole = numbers;
   std::vector<double> whole_sums = sums;
   ranks.sum_to_root(std::span<const std::int64_t>(numbers), whole);
   ranks.sum_to_root(std::span<const double>(sums), whole_sums);
   if (!ranks.is_root()) return;
-  for (std::size_t i = 0; i < places.size(); ++i) *places[i] = static_cast<std::uint64_t>(whole[i]);
-  state.cpu_seconds = whole_sums.back();
-  state.chain_seconds = whole_sums[whole_sums.size() - 2];
+  for (std::size_t i = 0; i < whole.size(); ++i) {
+    counters.*kEventCounts[i] = static_cast<std::uint64_t>(whole[i]);
+  }
+  for (std::size_t i = 0; i < kSeconds.size(); ++i) {
+    state.*kSeconds[i] = whole_sums[2 * TechniqueShares::kSlots + i];
+  }
   counters.techniques = {};
   counters.techniques.add_sums(std::span(whole_sums).first(2 * TechniqueShares::kSlots));
 }

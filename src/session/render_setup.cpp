@@ -229,9 +229,10 @@ Film film_for(const Scene& scene, const RenderSettings& settings, const Integrat
 
 void check_layers(const RenderSetup& setup, const std::vector<LayerSpec>& layers) {
   for (const std::string& name : setup.settings.aovs) {
-    // An AOV is a layer, or a group of layers whose names begin with it.
+    // An AOV is a layer, or a group of layers whose names begin with it, or made with another.
+    const std::string sought = name == "divided" ? "alpha" : name;
     const bool made = std::any_of(layers.begin(), layers.end(), [&](const LayerSpec& layer) {
-      return layer.name == name || layer.name.starts_with(name + ".");
+      return layer.name == sought || layer.name.starts_with(sought + ".");
     });
     if (!made) {
       throw UsageError(setup.integrator->name + " does not make the AOV \"" + name +

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/atomic_file.h"
+#include "core/number_text.h"
 #include "session/version.h"
 
 namespace ajar {
@@ -68,7 +69,7 @@ Json parameters_json(const RenderStatistics& s) {
 
 /// Stops are decimal for those who read them, not what a float makes of them.
 Json exposure_json(const Exposure& exposure) {
-  return {{"stops", std::stod(fmt::format("{}", exposure.stops))}, {"auto", exposure.automatic}};
+  return {{"stops", decimal_of(exposure.stops)}, {"auto", exposure.automatic}};
 }
 
 Json discarded_json(const Counters& counters, const Counters& preparation) {

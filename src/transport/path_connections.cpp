@@ -21,21 +21,13 @@ double endpoint_geometry(const Endpoint& endpoint, const EndpointPoint& point, c
   return static_cast<double>(abs_dot(point.surface.ng, w)) / (distance * distance);
 }
 
-/// The ray between two points that were already moved off their surfaces; it stops a few roundings
-/// short.
-Ray ray_between(const Vec3& from, const Vec3& to) {
-  const Vec3 difference = to - from;
-  const float distance = length(difference);
-  return {from, difference / distance, distance * (1.F - 0x1p-20F)};
-}
-
 /// From `vertex` to the endpoint that lies in direction `w`.
 Ray ray_to_endpoint(const PathVertex& vertex, const Endpoint& endpoint,
                     const ConnectionSample& sample) {
   const Vec3 origin = vertex.ray_origin(sample.w);
   if (endpoint.at_infinity()) return {origin, sample.w, sample.distance};
-  return ray_between(origin,
-                     offset_ray_origin(sample.point.surface.p, sample.point.surface.ng, -sample.w));
+  const SurfacePoint& end = sample.point.surface;
+  return ray_between(origin, offset_ray_end(end.p, end.ng, -sample.w, sample.distance));
 }
 }  // namespace
 
@@ -265,7 +257,7 @@ void PathSampler::connect_inner(const PathVertex& camera_vertex, const PathVerte
     return 1.0 / (1.0 + others / h(heuristic, own_count));
   };
   const std::optional<Joined> joined =
-      join(ray_between(camera_vertex.ray_origin(w), light_vertex.ray_origin(-w)),
+      join(ray_between(camera_vertex.ray_origin(w), light_vertex.ray_end(-w, distance)),
            camera_vertex.medium_toward(w), unoccluded, worth_, pair, source, weight_of);
   if (!joined) return;
   sink.add({.value = joined->value,

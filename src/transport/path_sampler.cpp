@@ -4,10 +4,6 @@
 
 namespace ajar {
 
-namespace {
-constexpr std::size_t index_of(TechniqueClass kind) { return static_cast<std::size_t>(kind); }
-}  // namespace
-
 PathSampler::PathSampler(const Scene& scene, const PathSamplerSettings& settings)
     : scene_(scene),
       settings_(settings),

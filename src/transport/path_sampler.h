@@ -203,7 +203,7 @@ class PathSampler {
   /// Depth of all paths, if it is one: coefficients of single techniques are then known at once.
   int only_depth_;
   /// h(count) of the techniques of each class, if they are all alike.
-  std::array<double, 4> class_h_count_;
+  ByTechniqueClass<double> class_h_count_;
   bool light_tracing_reaches_ = false;  ///< the current camera path's place on the film
   float worth_ = std::numeric_limits<float>::infinity();  ///< of light there
   std::vector<PathVertex> light_vertices_;

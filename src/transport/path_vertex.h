@@ -49,6 +49,10 @@ struct PathVertex {
   Vec3 ray_origin(const Vec3& w) const {
     return in_medium ? p : offset_ray_origin(p, bsdf.ng(), w);
   }
+  /// Where a ray ends that comes from `distance` away along −`w`.
+  Vec3 ray_end(const Vec3& w, float distance) const {
+    return in_medium ? p : offset_ray_end(p, bsdf.ng(), w, distance);
+  }
 };
 
 }  // namespace ajar

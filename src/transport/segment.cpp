@@ -115,7 +115,7 @@ SegmentEnd trace_segment(const Scene& scene, Ray ray, const Medium* medium,
       cross_medium(medium, ray, distance, end.segment);
     }
     travelled += distance;
-    if (!found || !hit.material->is_interface()) break;
+    if (!found || !hit.is_interface()) break;
     medium = medium_beyond(hit, ray.direction, medium);
     ray.origin = offset_ray_origin(hit.point.p, hit.point.ng, ray.direction);
     found = false;
@@ -157,7 +157,7 @@ std::optional<Segment> connect(const Scene& scene, Ray ray, const Medium* medium
       cross_medium(medium, ray, ray.t_max, segment);
       return segment;
     }
-    if (!hit->material->is_interface()) return std::nullopt;
+    if (!hit->is_interface()) return std::nullopt;
     cross_medium(medium, ray, hit->t, segment);
     medium = medium_beyond(*hit, ray.direction, medium);
     const Vec3 next = offset_ray_origin(hit->point.p, hit->point.ng, ray.direction);

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <optional>
 
 #include "core/error.h"
+#include "core/number_text.h"
 
 namespace ajar {
 
@@ -35,11 +35,8 @@ std::vector<std::string> split_items(const std::string& text) {
 }
 
 std::optional<double> number(const std::string& text) {
-  if (text.empty()) return std::nullopt;
-  char* end = nullptr;
-  const double value = std::strtod(text.c_str(), &end);
-  if (end != text.c_str() + text.size() || !std::isfinite(value)) return std::nullopt;
-  return value;
+  const std::optional<double> value = number_of(text);
+  return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
 /// Cuts a trailing "*n" off, which "(2,*)" does not have.
@@ -125,19 +122,19 @@ const std::vector<Named>& named_sets() {
 }  // namespace
 
 std::string_view name_of(TechniqueClass kind) {
-  constexpr std::array<std::string_view, 4> kNames = {"implicit", "explicit", "light", "inner"};
-  return kNames[static_cast<std::size_t>(kind)];
+  constexpr ByTechniqueClass<std::string_view> kNames = {"implicit", "explicit", "light", "inner"};
+  static_assert(!kNames.back().empty());
+  return kNames[index_of(kind)];
 }
 
-TechniqueSet::TechniqueSet(const Counts& counts, std::vector<Rule> rules)
-    : counts_{counts.implicit, counts.next_event, counts.light, counts.inner},
-      rules_(std::move(rules)) {
+TechniqueSet::TechniqueSet(const ByTechniqueClass<double>& counts, std::vector<Rule> rules)
+    : counts_(counts), rules_(std::move(rules)) {
   // Exact pairs say more than pairs with a wildcard, whatever their order.
   std::stable_partition(rules_.begin(), rules_.end(),
                         [](const Rule& rule) { return rule.s != kAny && rule.t != kAny; });
   for (std::size_t i = 0; i < any_.size(); ++i) any_[i] = counts_[i] > 0.0;
   for (const Rule& rule : rules_) {
-    for (const TechniqueClass kind : classes_of(rule)) any_[static_cast<std::size_t>(kind)] = true;
+    for (const TechniqueClass kind : classes_of(rule)) any_[index_of(kind)] = true;
   }
 }
 
@@ -149,7 +146,7 @@ bool TechniqueSet::tries_once() const {
 }
 
 TechniqueSet TechniqueSet::parse(const std::string& text) {
-  std::array<double, 4> counts{};
+  ByTechniqueClass<double> counts{};
   std::vector<Rule> rules;
   for (const std::string& item : split_items(text)) {
     std::string name;
@@ -171,10 +168,10 @@ TechniqueSet TechniqueSet::parse(const std::string& text) {
     }
     for (const TechniqueClass kind : found->classes) {
       check_count(item, kind, count);
-      counts[static_cast<std::size_t>(kind)] = count;
+      counts[index_of(kind)] = count;
     }
   }
-  return TechniqueSet({counts[0], counts[1], counts[2], counts[3]}, std::move(rules));
+  return TechniqueSet(counts, std::move(rules));
 }
 
 }  // namespace ajar

@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,13 +17,18 @@ struct Technique {
   constexpr bool operator==(const Technique&) const = default;
 };
 
-/// The four kinds of techniques.
+/// The kinds of techniques.
 enum class TechniqueClass {
   Implicit,   ///< (0, k+1): camera path runs into an emitter
   NextEvent,  ///< (1, k), called "explicit" by users
   Light,      ///< (k, 1): light path connected to the lens
-  Inner       ///< (s ≥ 2, t ≥ 2)
+  Inner,      ///< (s ≥ 2, t ≥ 2)
+  Count       ///< of them, not one itself
 };
+constexpr std::size_t index_of(TechniqueClass kind) { return static_cast<std::size_t>(kind); }
+/// One of each, by `index_of`.
+template <typename Value>
+using ByTechniqueClass = std::array<Value, index_of(TechniqueClass::Count)>;
 /// Of a technique that exists.
 constexpr TechniqueClass class_of(Technique technique) {
   if (technique.s == 0) return TechniqueClass::Implicit;
@@ -41,12 +47,6 @@ std::string_view name_of(TechniqueClass kind);
 /// tries at every other one, at random; 0 leaves the technique out.
 class TechniqueSet {
  public:
-  struct Counts {
-    double implicit = 0.0;
-    double next_event = 0.0;
-    double light = 0.0;
-    double inner = 0.0;
-  };
   static constexpr int kAny = -1;
   /// Count of the single technique (s, t); either may be `kAny`.
   struct Rule {
@@ -57,7 +57,6 @@ class TechniqueSet {
   };
   static constexpr double kMaxNextEventCount = 32.0;
 
-  explicit TechniqueSet(const Counts& counts, std::vector<Rule> rules = {});
   /// Reads what users write: names of sets (pt, lt, ibpt, bdpt) and of classes (implicit, explicit,
   /// light, inner) and pairs `(s,t)` or `(s,*)`, separated by commas, each with an optional count
   /// `*n`. Raises UsageError.
@@ -66,12 +65,9 @@ class TechniqueSet {
   /// Whether both are written alike; sets written differently may still be the same.
   bool operator==(const TechniqueSet&) const = default;
 
-  static TechniqueSet pt() { return TechniqueSet({.implicit = 1, .next_event = 1}); }
-  static TechniqueSet lt() { return TechniqueSet({.light = 1}); }
-  static TechniqueSet ibpt() { return TechniqueSet({.implicit = 1, .next_event = 1, .light = 1}); }
-  static TechniqueSet bdpt() {
-    return TechniqueSet({.implicit = 1, .next_event = 1, .light = 1, .inner = 1});
-  }
+  static TechniqueSet pt() { return parse("pt"); }
+  static TechniqueSet ibpt() { return parse("ibpt"); }
+  static TechniqueSet bdpt() { return parse("bdpt"); }
 
   /// 0 if the technique does not belong to the set.
   double count(Technique technique) const {
@@ -85,21 +81,23 @@ class TechniqueSet {
   }
   bool enabled(Technique technique) const { return count(technique) > 0.0; }
   /// Count of those techniques of a class that no rule names.
-  double count(TechniqueClass kind) const { return counts_[static_cast<std::size_t>(kind)]; }
+  double count(TechniqueClass kind) const { return counts_[index_of(kind)]; }
   /// True if every technique is tried once at each opportunity, or not at all.
   bool tries_once() const;
   /// True if all techniques of a class have the same count.
   bool uniform() const { return rules_.empty(); }
   /// Whether any technique of the class belongs to the set ((0, 2) aside).
-  bool any(TechniqueClass kind) const { return any_[static_cast<std::size_t>(kind)]; }
+  bool any(TechniqueClass kind) const { return any_[index_of(kind)]; }
   bool needs_light_subpath() const {
     return any(TechniqueClass::Light) || any(TechniqueClass::Inner);
   }
 
  private:
-  std::array<double, 4> counts_;
+  TechniqueSet(const ByTechniqueClass<double>& counts, std::vector<Rule> rules);
+
+  ByTechniqueClass<double> counts_;
   std::vector<Rule> rules_;
-  std::array<bool, 4> any_;
+  ByTechniqueClass<bool> any_;
 };
 
 }  // namespace ajar

@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <stdexcept>
 
 #include "core/error.h"
 #include "core/exr_header.h"
@@ -328,6 +329,45 @@ TEST_F(ImageFormats, RefuseWhatIsCutOff) {
           << name << " cut to " << size;
     }
   }
+}
+
+/// Their errors leave them by long jumps, ours never pass through them.
+TEST_F(ImageFormats, TurnErrorsOfTheLibrariesIntoExceptions) {
+  const auto message_of = [](const auto& action) -> std::string {
+    try {
+      action();
+    } catch (const std::exception& error) {
+      return error.what();
+    }
+    return {};
+  };
+  ImageLayout layout = layout_of({"R", "G", "B"});
+  const auto noise = [](int y, unsigned char* row) {
+    for (int x = 0; x < 3 * kWidth; ++x) row[x] = static_cast<unsigned char>(x * x * 31 + y * 77);
+  };
+  const auto is_full = [](int y, unsigned char* row) {
+    std::fill_n(row, 3 * kWidth, std::uint8_t{0});
+    if (y == 3) throw std::runtime_error("out of rows");
+  };
+  EXPECT_EQ(message_of([&] { encode_png(layout, is_full); }), "out of rows");
+  EXPECT_EQ(message_of([&] { encode_jpeg(layout, is_full); }), "out of rows");
+  std::vector<unsigned char> png = encode_png(layout, noise);
+  png[png.size() / 2] ^= 0x55U;
+  EXPECT_EQ(message_of([&] {
+              pixels_of(image_formats::open_own(written("a.png", png), true));
+            }).find("the image is damaged ("),
+            0U);
+  std::vector<unsigned char> jpeg = encode_jpeg(layout, noise);
+  jpeg.resize(jpeg.size() / 2);
+  EXPECT_EQ(message_of([&] {
+              pixels_of(image_formats::open_own(written("a.jpg", jpeg), true));
+            }).find("the image is damaged ("),
+            0U);
+  layout.width = 0;
+  EXPECT_EQ(message_of([&] { encode_png(layout, noise); }).find("the image cannot be written ("),
+            0U);
+  EXPECT_EQ(message_of([&] { encode_jpeg(layout, noise); }).find("the image cannot be written ("),
+            0U);
 }
 
 TEST_F(ImageFormats, LeaveToOthersWhatOnlyTheyRead) {

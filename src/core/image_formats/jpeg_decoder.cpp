@@ -9,8 +9,7 @@ namespace {
 class JpegReader {
  public:
   explicit JpegReader(const std::string& path) : file_(open_file(path)) {
-    codec_.err = raise_errors(errors_);
-    jpeg_create_decompress(&codec_);
+    codec_.err = &calls_;
     // Until this is whole, the destructor does not run.
     try {
       begin();
@@ -29,15 +28,20 @@ class JpegReader {
   bool has_several_scans() { return jpeg_has_multiple_scans(&codec_) != 0; }
 
   void read_row(unsigned char* to) {
-    if (!is_started_) jpeg_start_decompress(&codec_);
-    is_started_ = true;
-    jpeg_read_scanlines(&codec_, &to, 1);
+    calls_.run([&] {
+      if (!is_started_) jpeg_start_decompress(&codec_);
+      is_started_ = true;
+      jpeg_read_scanlines(&codec_, &to, 1);
+    });
   }
 
  private:
   void begin() {
-    jpeg_stdio_src(&codec_, file_.get());
-    jpeg_read_header(&codec_, TRUE);
+    calls_.run([&] {
+      jpeg_create_decompress(&codec_);
+      jpeg_stdio_src(&codec_, file_.get());
+      jpeg_read_header(&codec_, TRUE);
+    });
     if (codec_.jpeg_color_space == JCS_CMYK || codec_.jpeg_color_space == JCS_YCCK) {
       throw ForeignImage("a JPEG in CMYK");
     }
@@ -45,14 +49,14 @@ class JpegReader {
     progress_.progress_monitor = [](j_common_ptr codec) {
       constexpr int kMostScans = 500;
       if (reinterpret_cast<j_decompress_ptr>(codec)->input_scan_number > kMostScans) {
-        throw IoError("the image is damaged (it has more than 500 scans)");
+        JpegCalls::of(codec).fail("it has more than 500 scans");
       }
     };
     codec_.progress = &progress_;
   }
 
   File file_;
-  jpeg_error_mgr errors_{};
+  JpegCalls calls_{"the image is damaged"};
   jpeg_progress_mgr progress_{};
   jpeg_decompress_struct codec_{};
   bool is_started_ = false;

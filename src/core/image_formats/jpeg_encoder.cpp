@@ -1,9 +1,13 @@
 #include <array>
 
 #include "core/image_encoder.h"
+#include "core/image_formats/appended.h"
 #include "core/image_formats/jpeg_library.h"
 
 namespace ajar {
+
+using image_formats::appended;
+using image_formats::JpegCalls;
 
 namespace {
 
@@ -13,13 +17,11 @@ class MemoryTarget : public jpeg_destination_mgr {
   explicit MemoryTarget(std::vector<unsigned char>& bytes) : jpeg_destination_mgr{}, bytes_(bytes) {
     init_destination = [](j_compress_ptr codec) { of(codec).begin(); };
     empty_output_buffer = [](j_compress_ptr codec) -> boolean {
-      of(codec).take(kPiece);
+      take(codec, kPiece);
       of(codec).begin();
       return TRUE;
     };
-    term_destination = [](j_compress_ptr codec) {
-      of(codec).take(kPiece - of(codec).free_in_buffer);
-    };
+    term_destination = [](j_compress_ptr codec) { take(codec, kPiece - of(codec).free_in_buffer); };
   }
 
  private:
@@ -29,9 +31,11 @@ class MemoryTarget : public jpeg_destination_mgr {
     next_output_byte = piece_.data();
     free_in_buffer = kPiece;
   }
-  void take(std::size_t count) {
-    bytes_.insert(bytes_.end(), piece_.begin(),
-                  piece_.begin() + static_cast<std::ptrdiff_t>(count));
+  static void take(j_compress_ptr codec, std::size_t count) {
+    MemoryTarget& target = of(codec);
+    if (!appended(target.bytes_, target.piece_.data(), count)) {
+      JpegCalls::of(codec).fail("it does not fit into memory");
+    }
   }
 
   std::vector<unsigned char>& bytes_;
@@ -40,10 +44,7 @@ class MemoryTarget : public jpeg_destination_mgr {
 
 /// Gone with all that it holds, however it is left.
 struct Compressor : jpeg_compress_struct {
-  explicit Compressor(jpeg_error_mgr& errors) : jpeg_compress_struct{} {
-    err = image_formats::raise_errors(errors);
-    jpeg_create_compress(this);
-  }
+  explicit Compressor(JpegCalls& calls) : jpeg_compress_struct{} { err = &calls; }
   ~Compressor() { jpeg_destroy_compress(this); }
   Compressor(const Compressor&) = delete;
   Compressor& operator=(const Compressor&) = delete;
@@ -54,25 +55,28 @@ struct Compressor : jpeg_compress_struct {
 std::vector<unsigned char> encode_jpeg(const ImageLayout& layout,
                                        const RowSource<unsigned char>& row) {
   std::vector<unsigned char> bytes;
-  jpeg_error_mgr errors{};
+  JpegCalls calls("the image cannot be written");
   MemoryTarget target(bytes);
-  Compressor codec(errors);
-  codec.dest = &target;
-  codec.image_width = static_cast<JDIMENSION>(layout.width);
-  codec.image_height = static_cast<JDIMENSION>(layout.height);
-  codec.input_components = 3;
-  codec.in_color_space = JCS_RGB;
-  jpeg_set_defaults(&codec);
-  constexpr int kQuality = 95;
-  jpeg_set_quality(&codec, kQuality, TRUE);
-  jpeg_start_compress(&codec, TRUE);
+  Compressor codec(calls);
+  calls.run([&] {
+    jpeg_create_compress(&codec);
+    codec.dest = &target;
+    codec.image_width = static_cast<JDIMENSION>(layout.width);
+    codec.image_height = static_cast<JDIMENSION>(layout.height);
+    codec.input_components = 3;
+    codec.in_color_space = JCS_RGB;
+    jpeg_set_defaults(&codec);
+    constexpr int kQuality = 95;
+    jpeg_set_quality(&codec, kQuality, TRUE);
+    jpeg_start_compress(&codec, TRUE);
+  });
   std::vector<unsigned char> values(3 * static_cast<std::size_t>(layout.width));
   for (int y = 0; y < layout.height; ++y) {
     row(y, values.data());
     unsigned char* line = values.data();
-    jpeg_write_scanlines(&codec, &line, 1);
+    calls.run([&] { jpeg_write_scanlines(&codec, &line, 1); });
   }
-  jpeg_finish_compress(&codec);
+  calls.run([&] { jpeg_finish_compress(&codec); });
   return bytes;
 }
 

@@ -6,27 +6,29 @@
 #include <jpeglib.h>
 // clang-format on
 
-#include <string>
-
-#include "core/error.h"
+#include "core/image_formats/library_calls.h"
 
 namespace ajar::image_formats {
 
-/// What libjpeg says, as exceptions: on x86-64 they pass through its functions, which all have
-/// unwind tables. Warnings mean lost data, of which it would make grey.
-inline jpeg_error_mgr* raise_errors(jpeg_error_mgr& manager) {
-  jpeg_std_error(&manager);
-  const auto raise = [](j_common_ptr codec) {
-    char text[JMSG_LENGTH_MAX] = {};
-    codec->err->format_message(codec, text);
-    throw IoError("the image is damaged (" + std::string(text) + ")");
-  };
-  manager.error_exit = raise;
-  manager.emit_message = [](j_common_ptr codec, int level) {
-    if (level < 0) codec->err->error_exit(codec);
-  };
-  manager.output_message = [](j_common_ptr) {};
-  return &manager;
-}
+/// Its calls, and what it does about errors: it ends them. Warnings mean lost data, of which it
+/// would make grey; they are errors.
+struct JpegCalls : jpeg_error_mgr, LibraryCalls {
+  explicit JpegCalls(const char* failure) : jpeg_error_mgr{}, LibraryCalls(failure) {
+    jpeg_std_error(this);
+    error_exit = [](j_common_ptr codec) {
+      char text[JMSG_LENGTH_MAX] = {};
+      codec->err->format_message(codec, text);
+      of(codec).fail(text);
+    };
+    emit_message = [](j_common_ptr codec, int level) {
+      if (level < 0) codec->err->error_exit(codec);
+    };
+    output_message = [](j_common_ptr) {};
+  }
+  template <typename Codec>
+  static JpegCalls& of(Codec* codec) {
+    return static_cast<JpegCalls&>(*codec->err);
+  }
+};
 
 }  // namespace ajar::image_formats

@@ -4,21 +4,17 @@
 
 #include "core/error.h"
 #include "core/image_formats/image_formats.h"
+#include "core/image_formats/library_calls.h"
 #include "core/image_packing.h"
 
 namespace ajar::image_formats {
 
 namespace {
 
-/// The library's own structures of a file that is read, and errors as exceptions: on x86-64 they
-/// pass through its functions, which all have unwind tables.
+/// The library's own structures of a file that is read.
 class PngReader {
  public:
-  explicit PngReader(const std::string& path)
-      : file_(open_file(path)),
-        png_(png_create_read_struct(PNG_LIBPNG_VER_STRING, nullptr, on_error, on_warning)),
-        info_(png_ == nullptr ? nullptr : png_create_info_struct(png_)) {
-    if (info_ == nullptr) throw IoError("the image does not fit into memory");
+  explicit PngReader(const std::string& path) : file_(open_file(path)) {
     // Until this is whole, the destructor does not run.
     try {
       begin();
@@ -37,27 +33,39 @@ class PngReader {
   bool has_16_bits() const { return png_get_bit_depth(png_, info_) == 16; }
   bool is_interlaced() const { return png_get_interlace_type(png_, info_) != PNG_INTERLACE_NONE; }
   std::size_t row_bytes() const { return png_get_rowbytes(png_, info_); }
-  void read_row(unsigned char* to) { png_read_row(png_, to, nullptr); }
-  void read_all(unsigned char** rows) { png_read_image(png_, rows); }
+  void read_row(unsigned char* to) {
+    calls_.run([&] { png_read_row(png_, to, nullptr); });
+  }
+  void read_all(unsigned char** rows) {
+    calls_.run([&] { png_read_image(png_, rows); });
+  }
 
  private:
   void begin() {
-    png_init_io(png_, file_.get());
-    png_read_info(png_, info_);
-    png_set_expand(png_);
-    png_set_swap(png_);  // x86-64 is little-endian
-    png_set_interlace_handling(png_);
-    png_read_update_info(png_, info_);
+    calls_.run([&] {
+      png_ = png_create_read_struct(PNG_LIBPNG_VER_STRING, this, on_error, on_warning);
+      if (png_ != nullptr) info_ = png_create_info_struct(png_);
+    });
+    if (info_ == nullptr) throw IoError("the image does not fit into memory");
+    calls_.run([&] {
+      png_init_io(png_, file_.get());
+      png_read_info(png_, info_);
+      png_set_expand(png_);
+      png_set_swap(png_);  // x86-64 is little-endian
+      png_set_interlace_handling(png_);
+      png_read_update_info(png_, info_);
+    });
   }
   void destroy() { png_destroy_read_struct(&png_, &info_, nullptr); }
-  [[noreturn]] static void on_error(png_structp, png_const_charp what) {
-    throw IoError("the image is damaged (" + std::string(what) + ")");
+  [[noreturn]] static void on_error(png_structp png, png_const_charp what) {
+    static_cast<PngReader*>(png_get_error_ptr(png))->calls_.fail(what);
   }
   static void on_warning(png_structp, png_const_charp) {}
 
   File file_;
-  png_structp png_;
-  png_infop info_;
+  LibraryCalls calls_{"the image is damaged"};
+  png_structp png_ = nullptr;
+  png_infop info_ = nullptr;
 };
 
 template <typename T>

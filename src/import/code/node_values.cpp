@@ -1,10 +1,9 @@
 #include "import/code/node_values.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
 #include <limits>
 
+#include "core/number_text.h"
 #include "import/common/transforms.h"
 
 namespace ajar::code {
@@ -114,17 +113,14 @@ class ValueReader {
   const References& references_;
 };
 
-/// As people write it: 0.1F as 0.1.
-double written(float value) {
-  return std::isfinite(value) ? std::stod(fmt::format("{}", value)) : value;
-}
-
 struct ValueWriter {
   Json operator()(std::monostate) const { return nullptr; }
   Json operator()(bool value) const { return value; }
   Json operator()(int value) const { return value; }
-  Json operator()(float value) const { return written(value); }
-  Json operator()(const Vec3& v) const { return {written(v.x), written(v.y), written(v.z)}; }
+  Json operator()(float value) const { return decimal_of(value); }
+  Json operator()(const Vec3& v) const {
+    return {decimal_of(v.x), decimal_of(v.y), decimal_of(v.z)};
+  }
   Json operator()(const std::string& value) const { return value; }
   Json operator()(desc::TextureRef ref) const { return {{"texture", ref.id}}; }
   Json operator()(desc::MaterialRef ref) const { return {{"material", ref.id}}; }

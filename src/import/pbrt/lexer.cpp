@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/number_text.h"
 #include "import/common/printable.h"
 
 namespace ajar::pbrt {
@@ -127,8 +128,7 @@ double Lexer::double_value(const Token& token) const {
       token.kind == TokenKind::Word ? parse(token.text, value) : std::errc::invalid_argument;
   if (error == std::errc()) return value;
   if (error == std::errc::result_out_of_range) {
-    // The number is well-formed; strtod tells too large from too small.
-    value = std::strtod(std::string(token.text).c_str(), nullptr);
+    value = number_of(token.text).value_or(0.0);
     if (std::isfinite(value)) return value;
     fail(token, "the number " + printable(token.text) + " is too large");
   }

@@ -316,7 +316,7 @@ std::vector<ParameterSpec> erpt_parameters() {
     }
   }
   specs.push_back(bootstrap_parameter());
-  specs.push_back(roulette_start_parameter("3"));
+  specs.push_back(roulette_start_parameter(3));
   specs.back().expert = true;
   return specs;
 }

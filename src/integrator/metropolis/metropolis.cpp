@@ -16,7 +16,7 @@ std::vector<ParameterSpec> metropolis_parameters(ChainKind kind) {
   specs.push_back(bootstrap_parameter());
   specs.push_back(chains_parameter());
   if (kind == ChainKind::WholePath) {
-    specs.push_back(roulette_start_parameter("3"));
+    specs.push_back(roulette_start_parameter(3));
     specs.back().expert = true;
   }
   return specs;

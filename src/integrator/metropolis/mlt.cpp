@@ -12,7 +12,7 @@ std::vector<ParameterSpec> mlt_parameters() {
   std::vector<ParameterSpec> specs = path_mutation_parameters();
   specs.push_back(bootstrap_parameter());
   specs.push_back(chains_parameter());
-  specs.push_back(roulette_start_parameter("3"));
+  specs.push_back(roulette_start_parameter(3));
   specs.back().expert = true;
   return specs;
 }

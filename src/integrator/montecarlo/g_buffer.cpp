@@ -1,6 +1,7 @@
 #include "integrator/montecarlo/g_buffer.h"
 
 #include <algorithm>
+#include <string_view>
 
 namespace ajar {
 
@@ -14,9 +15,9 @@ constexpr const char* kMaterialIds = "material-id";
 
 std::span<const std::string> GBuffer::names() {
   // The first ones in the order of `Layer`.
-  static const std::vector<std::string> kNames = {"albedo",   "normal",     "geometric-normal",
-                                                  "depth",    "position",   "coverage",
-                                                  kObjectIds, kInstanceIds, kMaterialIds};
+  static const std::vector<std::string> kNames = {
+      "albedo",   "normal", "geometric-normal", "depth",      "position",
+      "coverage", "alpha",  kObjectIds,         kInstanceIds, kMaterialIds};
   return kNames;
 }
 
@@ -24,7 +25,11 @@ std::vector<LayerSpec> GBuffer::layers(std::span<const std::string> asked_for, f
   std::vector<LayerSpec> specs;
   for (std::size_t i = 0; i < names().size(); ++i) {
     const std::string& name = names()[i];
-    if (std::find(asked_for.begin(), asked_for.end(), name) == asked_for.end()) continue;
+    const auto is_asked_for = [&](std::string_view wanted) {
+      return std::find(asked_for.begin(), asked_for.end(), wanted) != asked_for.end();
+    };
+    const bool divides = (i == kCoverage || i == kAlpha) && is_asked_for("divided");
+    if (!divides && !is_asked_for(name)) continue;
     if (i >= kCount) {
       for (LayerSpec& spec : IdentityLayers::specs(name)) specs.push_back(std::move(spec));
       continue;
@@ -53,6 +58,7 @@ void GBuffer::add(Film& film, Vec2i pixel, float weight, std::uint64_t sample, f
     const int index = index_[layer];
     if (index >= 0) film.add(index, 0, pixel, value);
   };
+  put(kAlpha, Spectrum(weight));
   put(kDepth, Spectrum(weight * distance));
   put(kPosition, weight * to_spectrum(vertex.p));
   // 0 is "nothing there".

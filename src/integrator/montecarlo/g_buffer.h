@@ -17,7 +17,8 @@ class GBuffer {
  public:
   /// Names of all its layers.
   static std::span<const std::string> names();
-  /// Specs of those layers that are asked for; `scene_size` is a typical distance.
+  /// Specs of those layers that are asked for, and of what divides them if that is asked for;
+  /// `scene_size` is a typical distance.
   static std::vector<LayerSpec> layers(std::span<const std::string> asked_for, float scene_size);
 
   explicit GBuffer(const Film& film);
@@ -31,7 +32,7 @@ class GBuffer {
   void add_nothing(Film& film, Vec2i pixel, std::uint64_t sample) const;
 
  private:
-  enum Layer { kAlbedo, kNormal, kGeometricNormal, kDepth, kPosition, kCoverage, kCount };
+  enum Layer { kAlbedo, kNormal, kGeometricNormal, kDepth, kPosition, kCoverage, kAlpha, kCount };
   std::array<int, kCount> index_;
   IdentityLayers object_ids_;
   IdentityLayers instance_ids_;

@@ -14,8 +14,8 @@ namespace ajar {
 /// What the members of the family differ in: the defaults of their parameters.
 struct PathFamilyDefaults {
   std::string techniques;
-  std::string light_paths_per_pixel = "1";
-  std::string roulette_start = "5";
+  double light_paths_per_pixel = 1.0;
+  int roulette_start = 5;
 };
 /// Those of the member with these techniques, or suitable ones if none has them.
 PathFamilyDefaults path_family_defaults(const std::string& techniques);

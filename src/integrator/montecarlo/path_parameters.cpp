@@ -1,5 +1,7 @@
 #include "integrator/montecarlo/path_parameters.h"
 
+#include <fmt/format.h>
+
 #include <utility>
 
 namespace ajar {
@@ -16,10 +18,10 @@ ParameterSpec techniques_parameter(std::string default_value, std::string more_h
           .choices = {}};
 }
 
-ParameterSpec light_paths_parameter(std::string default_value, std::string help) {
+ParameterSpec light_paths_parameter(double default_value, std::string help) {
   return {.name = kLightPathsPerPixel,
           .type = ParameterType::Float,
-          .default_value = std::move(default_value),
+          .default_value = fmt::format("{}", default_value),
           .unit = "",
           .help = std::move(help),
           .choices = {},
@@ -32,10 +34,10 @@ ParameterSpec heuristic_parameter() {
                           "how techniques that find the same path share it (Veach & Guibas 1995)");
 }
 
-ParameterSpec roulette_start_parameter(std::string default_value) {
+ParameterSpec roulette_start_parameter(int default_value) {
   return {.name = "roulette-start",
           .type = ParameterType::Int,
-          .default_value = std::move(default_value),
+          .default_value = fmt::format("{}", default_value),
           .unit = "edges",
           .help = "path length from which Russian roulette may end a dim path",
           .choices = {},

@@ -288,7 +288,7 @@ MethodReport ChainIntegrator::report_regions() const {
            {{"ray_share", known.chain_rays}, {"squared_error_share", or_null(known.chain_error)}}},
           {"omc",
            {{"techniques", plan_.omc.techniques},
-            {"light_paths_per_sample", std::stod(plan_.omc.light_paths_per_pixel)},
+            {"light_paths_per_sample", plan_.omc.light_paths_per_pixel},
             {"ray_price", ray_price},
             {"path_rest", path_rest},
             {"ray_share", 1.0 - known.chain_rays},

@@ -92,11 +92,11 @@ std::vector<ParameterSpec> chain_parameters(ChainKind kind) {
   }
   if (kind != ChainKind::WholePath) {
     specs.push_back(light_paths_parameter(
-        "1",
+        1.0,
         "light subpaths of ordinary Monte Carlo per camera sample, if the techniques have any"));
   }
   if (kind != ChainKind::OnePath) {
-    specs.push_back(roulette_start_parameter("3"));
+    specs.push_back(roulette_start_parameter(3));
     specs.back().expert = true;
   }
   return specs;

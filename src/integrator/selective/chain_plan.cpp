@@ -99,10 +99,10 @@ void ChainPlan::read_split() {
 }
 
 void ChainPlan::read_omc() {
-  omc = {.techniques = parameters.get_text("techniques"), .roulette_start = "3"};
+  omc = {.techniques = parameters.get_text("techniques"), .roulette_start = 3};
   if (selective && thresholds.empty()) omc = path_family_defaults(selective->omc);
   const bool tells_light_paths = parameters.given().contains(kLightPathsPerPixel);
-  if (tells_light_paths) omc.light_paths_per_pixel = parameters.get_text(kLightPathsPerPixel);
+  if (tells_light_paths) omc.light_paths_per_pixel = parameters.get_float(kLightPathsPerPixel);
   chooses_omc = selective && selective->chooses_omc && !thresholds.empty() &&
                 kind != ChainKind::WholePath && !tells_light_paths;
 }
@@ -185,7 +185,7 @@ void ChainPlan::make_groups() {
                           : std::max(settings.min_depth, Division::kDirectDepth + 1);
   sampler.max_depth = settings.max_depth;
   // As ordinary Monte Carlo counts them, so that both agree about what a path brings.
-  if (has_recruits()) sampler.light_subpaths = std::stod(omc.light_paths_per_pixel);
+  if (has_recruits()) sampler.light_subpaths = omc.light_paths_per_pixel;
   sampler.light_paths_per_pixel =
       sampler.light_subpaths * static_cast<double>(pixels()) /
       (static_cast<double>(settings.resolution.x) * settings.resolution.y);

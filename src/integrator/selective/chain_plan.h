@@ -60,9 +60,9 @@ struct ChainPlan {
   /// is part of what a path brings.
   void set_omc(const PathFamilyDefaults& choice);
   /// Of a camera sample with so many light subpaths, relative to one with a single one.
-  static double effort_with(const std::string& light_paths_per_pixel) {
+  static double effort_with(double light_paths_per_pixel) {
     constexpr double kOfLight = SelectiveHeuristics::kEffortOfLight;
-    return (1.0 - kOfLight) + kOfLight * std::stod(light_paths_per_pixel);
+    return (1.0 - kOfLight) + kOfLight * light_paths_per_pixel;
   }
   /// Does without chains, and without what a preparation would find out. `kept`: camera samples
   /// per pixel that a pilot has rendered.

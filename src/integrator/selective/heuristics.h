@@ -108,10 +108,10 @@ struct SelectiveHeuristics {
   /// Unit: pixels. Range: >= kFewestTrialPixels. Source: the same.
   static constexpr double kMostTrialPixels = 4096.0;
   /// Light subpaths per camera sample where one is better than few.
-  /// Unit: subpaths, as a parameter has them. Range: > 1. Source: docs/notebook/selective.md,
+  /// Unit: subpaths. Range: > 1. Source: docs/notebook/selective.md,
   /// "Which techniques": error on floor-lamps 0.74 with 2, 0.69 with 4; on veach-bidir 0.95, 1.0
   /// and (8) 1.1.
-  static constexpr const char* kManyLightSubpaths = "4";
+  static constexpr double kManyLightSubpaths = 4.0;
 
   // -------------------------------------------------------- pilot of roulette
   /// Places on the film with two camera samples each are kRouletteItems times kPairsOfItem: 4096

@@ -20,7 +20,7 @@ namespace {
 /// By how much a ray from a light may miss where it is meant to pass: far from the origin, and from
 /// where those come that come from beyond the scene, this is more than the tolerance of walks.
 double rounding_of_rays(const Scene& scene, const ChainEnd& light, const Vec3& end) {
-  constexpr double kRounding = 1e-6;  // as `offset_ray_origin` has it, of coordinates
+  constexpr double kRounding = 1e-6;  // of coordinates: 16 times half an ulp
   const auto size = [](const Vec3d& p) {
     return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
   };

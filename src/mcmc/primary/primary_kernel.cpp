@@ -1,6 +1,7 @@
 #include "mcmc/primary/primary_kernel.h"
 
-#include <sstream>
+#include <fmt/format.h>
+
 #include <stdexcept>
 #include <utility>
 
@@ -15,13 +16,13 @@ constexpr auto kLength =
     static_cast<std::uint64_t>(RandomUse::StepLength);  // names randomness, beyond those of tries
 
 [[noreturn]] void refuse(const PrimaryChain& chain, double replayed) {
-  std::ostringstream message;
-  message << std::hexfloat << "bug: the current state of a Markov chain has I = " << chain.scalar
-          << ", but its replay gives " << replayed
-          << ": the target is not a function of its primary numbers. To replay: PrimaryChain(shape,"
-          << " seed " << chain.seed << ", origin " << chain.origin << "), " << chain.step
-          << " steps";
-  throw std::logic_error(message.str());
+  throw std::logic_error(
+      fmt::format("bug: the current state of a Markov chain has I = {:a}, but its replay gives "
+                  "{:a}: the target "
+                  "is not a function of its primary numbers. To replay: PrimaryChain(shape, seed "
+                  "{}, origin {}), "
+                  "{} steps",
+                  chain.scalar, replayed, chain.seed, chain.origin, chain.step));
 }
 
 }  // namespace

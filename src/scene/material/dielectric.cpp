@@ -7,6 +7,9 @@ constexpr WarningKind kSmoothThinGlass{
     Effect::Surface,
     "materials are thin glass, which is always smooth: their roughness is ignored"};
 
+/// Indices that are quotients of equal ones are 1 but for roundings.
+bool is_no_boundary(float eta) { return std::abs(eta - 1.F) <= 0x1p-21F; }
+
 /// Dielectric boundary: smooth, rough (if either roughness is not zero), or a thin smooth pane.
 class Dielectric final : public Material {
  public:
@@ -21,6 +24,10 @@ class Dielectric final : public Material {
         polarised_(in.node().flag("polarised")),
         along_normal_(in.node().flag("along_normal")) {
     index_varies = !eta_.is_constant();
+    const SurfacePoint anywhere{};
+    is_nothing_ = eta_.is_constant() && is_no_boundary(index_of_refraction(eta_, anywhere)) &&
+                  transmittance_.is_constant() &&
+                  reflectance(transmittance_, anywhere) == Spectrum(1.F);
     needs_tangent = rough_ && !thin_ && !roughness_.isotropic();
     if (thin_ && rough_) {
       in.warn(kSmoothThinGlass, "thin glass is always smooth: its roughness is ignored");
@@ -40,6 +47,7 @@ class Dielectric final : public Material {
     }
   }
   int max_lobes() const override { return 1; }
+  bool is_interface() const override { return is_nothing_; }
 
  private:
   TextureSlot reflectance_;
@@ -51,6 +59,8 @@ class Dielectric final : public Material {
   bool thin_;
   bool polarised_;
   bool along_normal_;
+  /// Nothing is reflected or bent; what also tints nothing is not there.
+  bool is_nothing_ = false;
 };
 
 }  // namespace
@@ -63,7 +73,11 @@ MaterialModel dielectric_material() {
                declare::joined(
                    {declare::reflectance("reflectance", "1", "tint of what is reflected"),
                     declare::reflectance("transmittance", "1", "tint of what is refracted"),
-                    index_input(),
+                    declare::textured_number(
+                        "eta", "1.5",
+                        "index of refraction inside, relative to outside; 1 without a tint: no "
+                        "surface at all",
+                        20.0),
                     declare::flag("thin", "a pane without thickness: transmits straight on"),
                     declare::flag(
                         "polarised",

@@ -306,6 +306,28 @@ TEST(Interface, HasNoLobes) {
   EXPECT_TRUE(f.materials[id]->is_interface());
 }
 
+TEST(Dielectric, OfIndexOneIsAnInterfaceUnlessItTints) {
+  Fixture f;
+  const auto is_interface = [&](const desc::Node& node) {
+    const auto id = f.add(node);
+    EXPECT_FALSE(f.bsdf(id).empty()) << "a light on it still shows it";
+    return f.materials[id]->is_interface();
+  };
+  // 1.000277, that of air, over itself may be rounded.
+  for (const float eta : {1.F, 1.F + 0x1p-23F, 1.F - 0x1p-24F}) {
+    for (const bool thin : {false, true}) {
+      EXPECT_TRUE(is_interface(desc::material_node("dielectric", {{"eta", eta}, {"thin", thin}})));
+    }
+    EXPECT_TRUE(is_interface(
+        desc::material_node("dielectric", {{"eta", eta}, {"reflectance", Vec3(0.3F)}})));
+    EXPECT_TRUE(
+        is_interface(desc::material_node("dielectric", {{"eta", eta}, {"roughness", 0.3F}})));
+    EXPECT_FALSE(is_interface(
+        desc::material_node("dielectric", {{"eta", eta}, {"transmittance", Vec3(1, 1, 0.9F)}})));
+  }
+  EXPECT_FALSE(is_interface(desc::material_node("dielectric", {{"eta", 1.0003F}})));
+}
+
 TEST(Materials, AllSurviveNonsenseTextures) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   const float inf = std::numeric_limits<float>::infinity();

@@ -61,61 +61,51 @@ Vec3 interpolate(const Vec3& a, const Vec3& b, const Vec3& c, float b0, float b1
   return a * b0 + b * b1 + c * b2;
 }
 
-/// The point in double precision, rounded once: then its distance to the plane of the triangle is
-/// known to be half an ulp of the point itself, however large the triangle is.
-Vec3 exact_point(const Vec3& p0, const Vec3& p1, const Vec3& p2, float b1, float b2) {
+/// The point in double precision. Rounded once, its distance to the plane of the triangle is known
+/// to be half an ulp of the point itself, however large the triangle is.
+Vec3d exact_point(const Vec3& p0, const Vec3& p1, const Vec3& p2, float b1, float b2) {
   const double u = b1;
   const double v = b2;
   const double w = 1.0 - u - v;
-  return {static_cast<float>(w * p0.x + u * p1.x + v * p2.x),
-          static_cast<float>(w * p0.y + u * p1.y + v * p2.y),
-          static_cast<float>(w * p0.z + u * p1.z + v * p2.z)};
+  return {w * p0.x + u * p1.x + v * p2.x, w * p0.y + u * p1.y + v * p2.y,
+          w * p0.z + u * p1.z + v * p2.z};
 }
 
-/// Unit normal by the winding; triangles without area (or with edges whose product leaves the range
-/// of floats) are worked out in double precision, and any direction serves if nothing is left.
-Vec3 careful_normal(const Vec3& p0, const Vec3& p1, const Vec3& p2) {
+/// Unit normal by the winding. In double precision, since squares of areas leave the range of
+/// floats; any direction serves triangles without area.
+Vec3 unit_normal(const Vec3& p0, const Vec3& p1, const Vec3& p2) {
   const Vec3d e1 = Vec3d(p1) - Vec3d(p0);
   const Vec3d e2 = Vec3d(p2) - Vec3d(p0);
   const Vec3d n = e1.cross(e2);
-  const double size = n.length();
-  if (size > 0.0 && std::isfinite(size)) return Vec3(n / size);
+  const double squared = n.dot(n);
+  if (squared > 0.0) return Vec3(n * (1.0 / std::sqrt(squared)));
   const double along = std::max(e1.length(), e2.length());
   if (!(along > 0.0) || !std::isfinite(along)) return {0.F, 0.F, 1.F};
   return Frame::around(Vec3((e1.length() >= e2.length() ? e1 : e2) / along)).x;
 }
 
-/// How far Embree's plane test can be off for a triangle, compared with how far offset_ray_origin
-/// moves.
-bool plane_test_is_too_rough(const Vec3& p0, const Vec3& p1, const Vec3& p2) {
-  constexpr float kHalfUlp = 0x1p-24F;
-  constexpr float kFloor = 0x1p-20F;
-  const Vec3 e1 = p1 - p0;
-  const Vec3 e2 = p2 - p0;
-  float extent[3];
-  float nearest[3];
-  float largest = 0.F;
-  for (int i = 0; i < 3; ++i) {
-    const float low = std::min({p0[i], p1[i], p2[i]});
-    const float high = std::max({p0[i], p1[i], p2[i]});
-    extent[i] = high - low;
-    nearest[i] = low > 0.F ? low : (high < 0.F ? -high : 0.F);
-    largest = std::max(largest, extent[i]);
-  }
-  if (largest * (32.F * kHalfUlp) < kFloor) return false;
-  const Vec3 n = cross(e1, e2);
-  const float size = length(n);
-  if (!(size > 0.F)) return false;
-  float error = 0.F;
-  float offset = kFloor;
+/// How far Embree's plane test of a triangle can be off; 0 if that is no more than the roundings
+/// that `offset_ray_origin` leaves for it.
+float plane_error_of(const Vec3& p0, const Vec3& p1, const Vec3& p2) {
+  const Vec3d e1 = Vec3d(p1) - Vec3d(p0);
+  const Vec3d e2 = Vec3d(p2) - Vec3d(p0);
+  const Vec3d n = e1.cross(e2);
+  const double size = n.length();
+  if (!(size > 0.0)) return 0.F;
+  double error = 0.0;  // both in half ulps
+  double left = 0.0;
   for (int i = 0; i < 3; ++i) {
     const int j = (i + 1) % 3;
     const int k = (i + 2) % 3;
-    const float cancelled = (std::abs(e1[j] * e2[k]) + std::abs(e1[k] * e2[j])) / size;
-    error += kHalfUlp * extent[i] * (3.F * std::abs(n[i]) / size + 2.F * cancelled);
-    offset += 16.F * kHalfUlp * std::abs(n[i]) / size * nearest[i];
+    const double low = std::min({p0[i], p1[i], p2[i]});
+    const double high = std::max({p0[i], p1[i], p2[i]});
+    const double nearest = std::max({0.0, low, -high});
+    const double cancelled = std::abs(e1[j] * e2[k]) + std::abs(e1[k] * e2[j]);
+    error += 2.0 * (high - low) * (3.0 * std::abs(n[i]) + 2.0 * cancelled) / size;
+    // Two of its roundings are spent on the point.
+    left += (double{kOffsetRoundings} - 2.0) * std::abs(n[i]) / size * nearest;
   }
-  return 2.F * error > offset;
+  return error > left ? static_cast<float>(error * double{kHalfUlp}) : 0.F;
 }
 
 /// Meshes within this need no closer look: products of any three lengths in them, which Embree's
@@ -259,17 +249,24 @@ void TriangleMesh::validate(const SourceLocation& where) {
                                   "scale the scene down, or use a disk, which may be larger");
     }
   }
-  needs_plane_check_ =
-      first_bad(triangle_count_, [this](std::size_t i) {
-        const Triangle& t = triangles_[i];
-        return plane_test_is_too_rough(position(t.x), position(t.y), position(t.z));
-      }) != kNowhere;
+  ForkJoin loop;
+  plane_error_ = tbb::parallel_reduce(
+      tbb::blocked_range<std::size_t>(0, triangle_count_, kGrain), 0.F,
+      [&](const tbb::blocked_range<std::size_t>& range, float largest) {
+        const ForkJoin::Task task(loop);
+        for (std::size_t i = range.begin(); i < range.end(); ++i) {
+          const Triangle& t = triangles_[i];
+          largest = std::max(largest, plane_error_of(position(t.x), position(t.y), position(t.z)));
+        }
+        return largest;
+      },
+      [](float a, float b) { return std::max(a, b); });
 }
 
 void TriangleMesh::texture_point(std::uint32_t triangle, float b1, float b2,
                                  SurfacePoint& point) const {
   const Triangle& t = triangles_[triangle];
-  point.p = exact_point(position(t.x), position(t.y), position(t.z), b1, b2);
+  point.p = Vec3(exact_point(position(t.x), position(t.y), position(t.z), b1, b2));
   const float b0 = 1.F - b1 - b2;
   point.uv = has_uvs_ ? vertices_[t.x].uv * b0 + vertices_[t.y].uv * b1 + vertices_[t.z].uv * b2
                       : Vec2(b1 + b2, b2);
@@ -277,8 +274,8 @@ void TriangleMesh::texture_point(std::uint32_t triangle, float b1, float b2,
 }
 
 template <bool kDerivatives>
-void TriangleMesh::find_point(std::uint32_t triangle, float b1, float b2,
-                              SurfacePoint& point) const {
+Vec3d TriangleMesh::find_point(std::uint32_t triangle, float b1, float b2,
+                               SurfacePoint& point) const {
   const Triangle t = triangles_[triangle];
   // Large meshes are not in the cache. All that is needed is asked for at once, because the
   // processor does not look far enough ahead to overlap these misses by itself.
@@ -287,16 +284,11 @@ void TriangleMesh::find_point(std::uint32_t triangle, float b1, float b2,
   const Vec3& p1 = position(t.y);
   const Vec3& p2 = position(t.z);
   const float b0 = 1.F - b1 - b2;
-  const Vec3 e1 = p1 - p0;
-  const Vec3 e2 = p2 - p0;
-  point.p = exact_point(p0, p1, p2, b1, b2);
+  const Vec3d exact = exact_point(p0, p1, p2, b1, b2);
+  point.p = Vec3(exact);
   point.primitive = triangle;
 
-  Vec3 ng = cross(e1, e2);
-  const float area_squared = length_squared(ng);
-  // Outside of this range squares have lost digits or overflowed.
-  const bool plain = area_squared > 1e-30F && area_squared < 1e30F;
-  ng = plain ? ng * (1.F / std::sqrt(area_squared)) : careful_normal(p0, p1, p2);
+  Vec3 ng = unit_normal(p0, p1, p2);
   if (flip_winding_) ng = -ng;
 
   // Without coordinates pbrt takes (0,0), (1,0), (1,1).
@@ -315,11 +307,13 @@ void TriangleMesh::find_point(std::uint32_t triangle, float b1, float b2,
   bool has_derivatives = false;
   float scale = 0.F;
   if constexpr (kDerivatives) {
+    const Vec3 e1 = p1 - p0;
+    const Vec3 e2 = p2 - p0;
     scale = 1.F / (d1.x * d2.y - d1.y * d2.x);
     point.dpdu = (e1 * d2.y - e2 * d1.y) * scale;
     point.dpdv = (e2 * d1.x - e1 * d2.x) * scale;
-    const float size = length_squared(cross(point.dpdu, point.dpdv));
-    has_derivatives = size > 0.F && size < std::numeric_limits<float>::infinity();
+    const Vec3 area = cross(point.dpdu, point.dpdv);
+    has_derivatives = area != Vec3(0.F) && is_finite(area);
     if (!has_derivatives) {
       const Frame frame = Frame::around(ng);
       point.dpdu = frame.x;
@@ -361,10 +355,11 @@ void TriangleMesh::find_point(std::uint32_t triangle, float b1, float b2,
       point.dpdv = y * length(point.dpdv);
     }
   }
+  return exact;
 }
 
-template void TriangleMesh::find_point<true>(std::uint32_t, float, float, SurfacePoint&) const;
-template void TriangleMesh::find_point<false>(std::uint32_t, float, float, SurfacePoint&) const;
+template Vec3d TriangleMesh::find_point<true>(std::uint32_t, float, float, SurfacePoint&) const;
+template Vec3d TriangleMesh::find_point<false>(std::uint32_t, float, float, SurfacePoint&) const;
 
 SurfaceDerivatives TriangleMesh::derivatives(std::uint32_t triangle, const Vec3d& p) const {
   const Triangle& t = triangles_[triangle];
@@ -397,12 +392,12 @@ double TriangleMesh::triangle_area(std::uint32_t triangle) const {
   return 0.5 * (Vec3d(position(t.y)) - p0).cross(Vec3d(position(t.z)) - p0).length();
 }
 
-Vec2 TriangleMesh::barycentric(std::uint32_t triangle, const Vec3& p) const {
+Vec2 TriangleMesh::barycentric(std::uint32_t triangle, const Vec3d& p) const {
   const Triangle& t = triangles_[triangle];
   const Vec3d p0(position(t.x));
   const Vec3d a = Vec3d(position(t.y)) - p0;
   const Vec3d b = Vec3d(position(t.z)) - p0;
-  const Vec3d d = Vec3d(p) - p0;
+  const Vec3d d = p - p0;
   const Vec3d n = a.cross(b);
   const double squared = n.dot(n);
   return {static_cast<float>(d.cross(b).dot(n) / squared),
@@ -413,8 +408,15 @@ double TriangleMesh::plane_distance(std::uint32_t triangle, const Vec3d& origin,
                                     const Vec3d& direction) const {
   const Triangle& t = triangles_[triangle];
   const Vec3d p0(position(t.x));
-  const Vec3d n = (Vec3d(position(t.y)) - p0).cross(Vec3d(position(t.z)) - p0);
-  return n.dot(p0 - origin) / n.dot(direction);
+  const Vec3d e1 = Vec3d(position(t.y)) - p0;
+  const Vec3d e2 = Vec3d(position(t.z)) - p0;
+  const Vec3d n = e1.cross(e2);
+  const Vec3d away = p0 - origin;
+  const double height = n.dot(away);
+  const auto size = [](const Vec3d& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); };
+  // Where the roundings of double precision are all that is left: ulps of the products.
+  if (std::abs(height) <= 0x1p-50 * size(e1) * size(e2) * size(away)) return 0.0;
+  return height / n.dot(direction);
 }
 
 }  // namespace ajar

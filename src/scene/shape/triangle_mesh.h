@@ -33,13 +33,14 @@ class TriangleMesh {
   const Triangle* triangles() const { return triangles_; }
 
   /// Point with barycentric coordinates (1 − b1 − b2, b1, b2). Normals as in pbrt-v3: authored
-  /// normals decide on which side `ng` lies, the winding only where there are none.
-  void surface_point(std::uint32_t triangle, float b1, float b2, SurfacePoint& point) const {
-    find_point<true>(triangle, b1, b2, point);
+  /// normals decide on which side `ng` lies, the winding only where there are none. Returns the
+  /// place before it is rounded.
+  Vec3d surface_point(std::uint32_t triangle, float b1, float b2, SurfacePoint& point) const {
+    return find_point<true>(triangle, b1, b2, point);
   }
   /// The same with all derivatives zero.
-  void plain_point(std::uint32_t triangle, float b1, float b2, SurfacePoint& point) const {
-    find_point<false>(triangle, b1, b2, point);
+  Vec3d plain_point(std::uint32_t triangle, float b1, float b2, SurfacePoint& point) const {
+    return find_point<false>(triangle, b1, b2, point);
   }
   /// Only position and texture coordinates.
   void texture_point(std::uint32_t triangle, float b1, float b2, SurfacePoint& point) const;
@@ -48,12 +49,16 @@ class TriangleMesh {
   SurfaceDerivatives derivatives(std::uint32_t triangle, const Vec3d& p) const;
   double triangle_area(std::uint32_t triangle) const;
   /// (b1, b2) of a point in the plane of a triangle that has an area.
-  Vec2 barycentric(std::uint32_t triangle, const Vec3& p) const;
-  /// True if a single-precision plane test of some triangle can err by more than
-  /// `offset_ray_origin` moves points: large triangles that are not parallel to an axis, reaching
-  /// near the origin.
-  bool needs_plane_check() const { return needs_plane_check_; }
-  /// Ray parameter of the plane of a triangle in double precision; infinite if parallel.
+  Vec2 barycentric(std::uint32_t triangle, const Vec3d& p) const;
+  Vec2 barycentric(std::uint32_t triangle, const Vec3& p) const {
+    return barycentric(triangle, Vec3d(p));
+  }
+  /// The most by which a single-precision plane test errs for triangles where `offset_ray_origin`
+  /// moves points by less: those that are not parallel to an axis and whose plane passes the origin
+  /// within some of their own size. 0 if there are none.
+  float plane_error() const { return plane_error_; }
+  /// Ray parameter of the plane of a triangle in double precision; 0 for rays that start in the
+  /// plane as far as can be told, infinite if parallel.
   double plane_distance(std::uint32_t triangle, const Vec3d& origin, const Vec3d& direction) const;
 
  private:
@@ -72,7 +77,7 @@ class TriangleMesh {
                                           vertex * stride_);
   }
   template <bool kDerivatives>
-  void find_point(std::uint32_t triangle, float b1, float b2, SurfacePoint& point) const;
+  Vec3d find_point(std::uint32_t triangle, float b1, float b2, SurfacePoint& point) const;
   void validate(const SourceLocation& where);
 
   std::shared_ptr<const desc::Mesh> source_;
@@ -90,7 +95,7 @@ class TriangleMesh {
   bool has_uvs_ = false;
   bool flip_winding_ = false;  ///< the geometric normal is against the winding
   bool reversed_ = false;
-  bool needs_plane_check_ = false;
+  float plane_error_ = 0.F;
 };
 
 }  // namespace ajar
