@@ -85,7 +85,7 @@ const std::multimap<std::string, Unfitted>& unfitted() {
       {"post/denoise/mix_estimates.cpp", {"replicates in a product", {"kParts"}}},
       {"post/denoise/oidn_denoiser.cpp",
        {"default of the library, and what it takes",
-        {"kMostMemory", "kBytesPerPixel"}}},
+        {"kMostMemory", "kBytesPerPixel", "kBrightest", "kDimmest", "kMost"}}},
       {"post/denoise/oidn_library.h",
        {"enumerations of the library", {"kCpu", "kFloat3", "kFast", "kNoError", "kCancelled"}}},
       {"scene/emission/area.cpp", {"precision of an estimate", {"kPoints", "kLeast"}}},
