@@ -134,52 +134,58 @@ std::vector<std::pair<std::string, std::string>> liars() {
         .zeros(30)
         .result();
   };
-  return {{"gray.png", png(8, 0, 0)},
-          {"bits.png", png(1, 0, 0)},
-          {"interlaced.png", png(16, 2, 1)},
-          {"canvas.gif", gif("GIF89a")},
-          {"odd-version.gif", gif("GIF???")},
-          {"smaller-canvas.gif", gif("GIF89a", 20000) + std::string(450, '\0')},
-          {"plain.bmp", bmp(24, 0)},
-          {"runs.bmp", bmp(8, 1)},
-          {"plain.tga", tga(2)},
-          {"runs.tga", tga(10)},
-          {"a.hdr", Bytes()
-                        .text("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 65535 +X 65535\n")
-                        .zeros(30)
-                        .result()},
-          {"a.pgm", Bytes().text("P5\n65535 65535\n255\n").zeros(30).result()},
-          {"a.psd", Bytes()
-                        .text("8BPS")
-                        .big({1}, 2)
-                        .zeros(6)
-                        .big({3}, 2)
-                        .big({30000, 30000}, 4)
-                        .big({8, 3}, 2)
-                        .zeros(12)
-                        .big({0}, 2)
-                        .zeros(30)
-                        .result()},
-          {"a.sgi",
-           Bytes().big({474}, 2).big({0, 1}, 1).big({3, kSide, kSide, 3}, 2).zeros(600).result()},
-          {"plain.tif", tiff(1)},
-          {"fax.tif", tiff(4)},
-          {"lzw.tif", tiff(5)},
-          {"zip.tif", tiff(8)},
-          {"runs.tif", tiff(32773)},
-          {"long-rows.exr", exr(1U << 24U, 4)},
-          {"a.webp", Bytes()
-                         .text("RIFF")
-                         .little({40}, 4)
-                         .text("WEBPVP8L")
-                         .little({20}, 4)
-                         .text("\x2f")
-                         .little({0x0fffffff}, 4)
-                         .zeros(20)
-                         .result()},
-          {"lossless-stream.webp", Bytes().text("\x2f").little({0x0fffffff}, 4).zeros(20).result()},
-          {"lossy-stream.webp",
-           Bytes().zeros(3).text("\x9d\x01\x2a").little({0x3fff, 0x3fff}, 2).zeros(20).result()}};
+  return {
+      {"gray.png", png(8, 0, 0)},
+      {"bits.png", png(1, 0, 0)},
+      {"interlaced.png", png(16, 2, 1)},
+      {"canvas.gif", gif("GIF89a")},
+      {"odd-version.gif", gif("GIF???")},
+      {"smaller-canvas.gif", gif("GIF89a", 20000) + std::string(450, '\0')},
+      {"plain.bmp", bmp(24, 0)},
+      {"runs.bmp", bmp(8, 1)},
+      {"plain.tga", tga(2)},
+      {"runs.tga", tga(10)},
+      {"a.hdr", Bytes()
+                    .text("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 65535 +X 65535\n")
+                    .zeros(30)
+                    .result()},
+      {"a.pgm", Bytes().text("P5\n65535 65535\n255\n").zeros(30).result()},
+      {"a.psd", Bytes()
+                    .text("8BPS")
+                    .big({1}, 2)
+                    .zeros(6)
+                    .big({3}, 2)
+                    .big({30000, 30000}, 4)
+                    .big({8, 3}, 2)
+                    .zeros(12)
+                    .big({0}, 2)
+                    .zeros(30)
+                    .result()},
+      {"a.sgi",
+       Bytes().big({474}, 2).big({0, 1}, 1).big({3, kSide, kSide, 3}, 2).zeros(600).result()},
+      {"plain.tif", tiff(1)},
+      {"fax.tif", tiff(4)},
+      {"lzw.tif", tiff(5)},
+      {"zip.tif", tiff(8)},
+      {"runs.tif", tiff(32773)},
+      {"long-rows.exr", exr(1U << 24U, 4)},
+      {"a.webp", Bytes()
+                     .text("RIFF")
+                     .little({40}, 4)
+                     .text("WEBPVP8L")
+                     .little({20}, 4)
+                     .text("\x2f")
+                     .little({0x0fffffff}, 4)
+                     .zeros(20)
+                     .result()},
+      {"lossless-stream.webp", Bytes().text("\x2f").little({0x0fffffff}, 4).zeros(20).result()},
+      // 13874 x 10281 pixels, which the decoder would make of it.
+      {"colour-alone.webp",
+       Bytes().text("\x2f").little({0x1a0a3631}, 4).zeros(2).text(std::string(126, 'K')).result()},
+      {"lossy-stream.webp",
+       Bytes().zeros(3).text("\x9d\x01\x2a").little({0x3fff, 0x3fff}, 2).zeros(20).result()},
+      {"longer-lossy-stream.webp",
+       Bytes().zeros(3).text("\x9d\x01\x2a").little({0x3fff, 0x3fff}, 2).zeros(5000).result()}};
 }
 
 /// A folder of its own that is gone after the test.
