@@ -179,9 +179,19 @@ std::vector<std::pair<std::string, std::string>> liars() {
                      .zeros(20)
                      .result()},
       {"lossless-stream.webp", Bytes().text("\x2f").little({0x0fffffff}, 4).zeros(20).result()},
+      {"a.dds", Bytes()
+                    .text("DDS ")
+                    .little({124, 0x1007, 11000, 11000, 0, 0, 1}, 4)
+                    .zeros(44)
+                    .little({32, 4}, 4)
+                    .text("DXT1")
+                    .zeros(20)
+                    .little({0x1000}, 4)
+                    .zeros(30)
+                    .result()},
       // 13874 x 10281 pixels, which the decoder would make of it.
       {"colour-alone.webp",
-       Bytes().text("\x2f").little({0x1a0a3631}, 4).zeros(2).text(std::string(126, 'K')).result()},
+       Bytes().text("\x2f").little({0x1a0a3631}, 4).zeros(2).text(std::string(131, 'K')).result()},
       {"lossy-stream.webp",
        Bytes().zeros(3).text("\x9d\x01\x2a").little({0x3fff, 0x3fff}, 2).zeros(20).result()},
       {"longer-lossy-stream.webp",
@@ -218,6 +228,18 @@ TEST_F(ImageInputTest, FilesCannotClaimMorePixelsThanTheyHold) {
               std::string::npos)
         << name << ": " << error;
   }
+}
+
+TEST_F(ImageInputTest, FormatsWhoseDecoderBreaksAreRefused) {
+  const std::string header = Bytes()
+                                 .big({0x5380f634, 0x406ccccd}, 4)
+                                 .text(std::string(80, 'x') + "PICT")
+                                 .big({64, 64}, 2)
+                                 .big({0x3f800000}, 4)
+                                 .big({3, 0}, 2)
+                                 .result();
+  const std::string content = Bytes().text(header).big({0, 8, 2, 0xe0}, 1).zeros(30).result();
+  EXPECT_NE(error_of(write("a.pic", content)).find("Softimage"), std::string::npos);
 }
 
 TEST_F(ImageInputTest, ChunksOfPngCannotClaimMoreThanTheFile) {
