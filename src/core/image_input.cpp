@@ -22,6 +22,7 @@
 #include "core/image_packing.h"
 #include "core/png_chunks.h"
 #include "core/regular_file.h"
+#include "core/unsafe_formats.h"
 
 namespace ajar {
 
@@ -133,7 +134,7 @@ ImageInput::ImageInput(const std::string& path, bool has_unassociated_alpha) {
     if (pixels > kSmall) check_claim(claim->size, claim->pixels_per_byte, file_bytes);
     check_memory(kDecodedBytes * pixels);
   }
-  for (const auto complain : {exr_header_complaint, png_chunk_complaint}) {
+  for (const auto complain : {exr_header_complaint, png_chunk_complaint, unsafe_format_complaint}) {
     if (const std::string complaint = complain(path, file_bytes); !complaint.empty()) {
       throw IoError(complaint);
     }

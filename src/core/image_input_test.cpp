@@ -230,16 +230,36 @@ TEST_F(ImageInputTest, FilesCannotClaimMorePixelsThanTheyHold) {
   }
 }
 
-TEST_F(ImageInputTest, FormatsWhoseDecoderBreaksAreRefused) {
-  const std::string header = Bytes()
-                                 .big({0x5380f634, 0x406ccccd}, 4)
-                                 .text(std::string(80, 'x') + "PICT")
-                                 .big({64, 64}, 2)
-                                 .big({0x3f800000}, 4)
-                                 .big({3, 0}, 2)
-                                 .result();
-  const std::string content = Bytes().text(header).big({0, 8, 2, 0xe0}, 1).zeros(30).result();
-  EXPECT_NE(error_of(write("a.pic", content)).find("Softimage"), std::string::npos);
+TEST_F(ImageInputTest, FormatsWhoseDecodersBreakAreRefused) {
+  for (const auto& [name, start] :
+       {std::pair("a.dpx", Bytes().text("SDPX")), std::pair("b.dpx", Bytes().text("XPDS")),
+        std::pair("a.iff", Bytes().text("FOR4")), std::pair("a.ico", Bytes().little({0, 1}, 2)),
+        std::pair("a.pic", Bytes().big({0x5380f634}, 4)),
+        std::pair("a.png", Bytes().big({0x5380f634}, 4))}) {
+    Bytes content = start;
+    const std::string error = error_of(write(name, content.zeros(3000).result()));
+    EXPECT_NE(error.find("which is not read: damaged ones would end the program"),
+              std::string::npos)
+        << name << ": " << error;
+  }
+}
+
+TEST_F(ImageInputTest, DamagedSgiIsNoticedBeforeItIsDecoded) {
+  const auto sgi = [](std::uint32_t storage, std::uint32_t bytes, std::uint32_t dimensions) {
+    return Bytes().big({474}, 2).big({storage, bytes}, 1).big({dimensions, 4, 4, 1}, 2).zeros(500);
+  };
+  const auto expect_error = [&](Bytes bytes, const char* part) {
+    const std::string error = error_of(write("a.sgi", bytes.result()));
+    EXPECT_NE(error.find(part), std::string::npos) << error;
+  };
+  expect_error(sgi(16, 0, 2).zeros(600), "damaged");
+  expect_error(sgi(0, 0, 2).zeros(600), "damaged");
+  expect_error(sgi(0, 3, 2).zeros(600), "damaged");
+  expect_error(sgi(0, 1, 4).zeros(600), "damaged");
+  expect_error(sgi(0, 2, 2).zeros(31), "it claims 4x4 pixels");
+  expect_error(sgi(1, 1, 2).zeros(31), "cut short");
+  expect_error(sgi(1, 1, 2).big({2000, 0, 0, 0, 1, 1, 1, 1}, 4), "cut short");
+  EXPECT_EQ(error_of(write("a.sgi", sgi(0, 1, 2).zeros(16).result())), "no error");
 }
 
 TEST_F(ImageInputTest, ChunksOfPngCannotClaimMoreThanTheFile) {

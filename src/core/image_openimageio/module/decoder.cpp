@@ -69,10 +69,6 @@ class OpenImageIoDecoder final : public ImageDecoder {
  public:
   explicit OpenImageIoDecoder(std::unique_ptr<OIIO::ImageInput> input) : input_(std::move(input)) {
     if (spec().depth > 1) throw IoError("it is not a flat image with pixels");
-    // OpenImageIO 2.4 reads beyond the end of those that are cut short.
-    if (input_->format_name() == std::string_view("softimage")) {
-      throw IoError("pictures of Softimage are not read");
-    }
     ImageHeader& to = header_;
     to.width = spec().width;
     to.height = spec().height;
