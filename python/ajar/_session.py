@@ -122,10 +122,9 @@ def _started(scene, settings):
 
 def checked_seconds(value, name):
     """A number of seconds from 0 on."""
-    try:
-        seconds = float(value)
-    except (TypeError, ValueError):
-        raise TypeError(f"{name}: seconds, not {shown(value)}") from None
+    if isinstance(value, bool) or not isinstance(value, (int, float, numpy.integer, numpy.floating)):
+        raise TypeError(f"{name}: seconds, not {shown(value)}")
+    seconds = float(value)
     if not seconds >= 0:
         raise UsageError(f"{name}: seconds from 0 on, not {seconds}")
     return seconds
