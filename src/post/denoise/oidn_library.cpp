@@ -208,8 +208,8 @@ std::shared_ptr<const OidnLibrary> find_oidn(std::string* trouble) {
       found = load(place, troubles);
       if (found) return;
     }
-    const fs::path given = from_environment("AJAR_OIDN");
-    if (troubles.empty() && !given.empty()) troubles = given.string() + ": it is not there";
+    if (!troubles.empty() || from_environment("AJAR_OIDN").empty()) return;
+    troubles = oidn_places().front().string() + ": it is not there";
   });
   if (trouble != nullptr) *trouble = troubles;
   return found;
