@@ -243,7 +243,7 @@ std::string nested(const std::string& open, const std::string& close, int depth)
 
 TEST(CFaceRefuses, JsonOfAnyDepth) {
   const SceneHandle scene = cornell();
-  constexpr int kDepth = 1000000;
+  constexpr int kDepth = 200000;
   ajar_scene* new_scene = nullptr;
   char* text = nullptr;
   for (const std::string& deep : {nested("[", "]", kDepth), nested("{\"a\":[", "]}", kDepth),
