@@ -13,6 +13,6 @@ inline constexpr double kLzw = 8.0 * 2560.0;      ///< 12-bit codes of a full ta
 inline constexpr double kVp8 = 2048.0;
 /// A colour alone takes no bits; but its own encoder makes at most 26 000 pixels of a byte.
 inline constexpr double kVp8Lossless = 65536.0;
-inline constexpr double kUnknown = 1 << 20;       ///< fax code spends a bit on a white row
+inline constexpr double kUnknown = 1 << 20;  ///< fax code spends a bit on a white row
 
 }  // namespace ajar::packing
