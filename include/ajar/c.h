@@ -24,7 +24,8 @@ The library for other languages: C, opaque handles, and JSON for all that has na
 
 All functions may be called from any thread, with the same handles, too, but for what frees a
 handle: that comes last. Texts are UTF-8 and end with a zero. What is given out with `char**` is
-freed with `ajar_text_free`. Freeing NULL does nothing.
+freed with `ajar_text_free`. Freeing NULL does nothing; elsewhere NULL is an error, AJAR_USAGE,
+unless it is said what it stands for.
 */
 #ifdef __cplusplus
 extern "C" {
@@ -50,7 +51,7 @@ typedef struct ajar_render ajar_render;
 typedef struct ajar_picture ajar_picture;
 
 /* Grows with every function or member of JSON that is added. */
-#define AJAR_C_VERSION 1
+#define AJAR_C_VERSION 2
 AJAR_API int ajar_c_version(void);
 /* Of the library, such as "0.2.0". */
 AJAR_API const char* ajar_version(void);
@@ -78,7 +79,8 @@ typedef struct ajar_array {
 } ajar_array;
 enum { AJAR_FLOAT32 = 0, AJAR_UINT32 = 1, AJAR_UINT8 = 2 };
 
-/* A new scene that is `base` (NULL: an empty one) with changes: docs/c-interface.md. */
+/* A new scene that is `base` (NULL: an empty one) with changes: docs/c-interface.md. Without arrays
+   `arrays` may be NULL. */
 AJAR_API int ajar_scene_change(const ajar_scene* base, const char* changes,
                                const ajar_array* arrays, size_t count, ajar_scene** scene);
 /* Name, width, height, and what is unusual in its files. */
@@ -106,13 +108,15 @@ AJAR_API int ajar_render_progress(ajar_render* render, char** json);
 /* All that is known, with the keys of `ajar render --stats`; waits as `ajar_render_picture` does.
  */
 AJAR_API int ajar_render_statistics(ajar_render* render, char** json);
-/* Warnings and notes so far: {"warnings": […], "notes": […]}. */
+/* What was said so far: {"warnings": […], "troubles": […], "notes": […]}. Troubles are files that
+   could not be written, such as the checkpoint, and where they are instead. */
 AJAR_API int ajar_render_messages(ajar_render* render, char** json);
 /* Stops it, and waits until it has. */
 AJAR_API void ajar_render_free(ajar_render* render);
 
 /* ---- Pictures: they never change. */
 
+/* Pixels; 0 for NULL. */
 AJAR_API int ajar_picture_width(const ajar_picture* picture);
 AJAR_API int ajar_picture_height(const ajar_picture* picture);
 /* Names of the layers; "" is the picture itself, always the first. */

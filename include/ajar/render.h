@@ -22,7 +22,7 @@
 ///     ajar::render(ajar::Scene::load("builtin:cornell"), settings).save("cornell.png");
 namespace ajar::AJAR_INTERFACE {
 /// What is to be rendered, and how. What is empty is as the scene wants it, or else as
-/// `ajar render` has it by default.
+/// `ajar render` has it by default. Numbers have its bounds, too.
 struct Settings {
   std::string integrator;                         ///< a name of `integrators()`
   std::map<std::string, std::string> parameters;  ///< of the integrator
@@ -67,9 +67,12 @@ struct Callbacks {
   std::function<void(const Progress&)> progress;  ///< after each pass
   /// As it is; at first, a rough look of 0 samples per pixel, which has no other layers.
   std::function<void(const Picture&)> picture;
-  double picture_every = 1.0;  ///< seconds, at least
+  double picture_every = 1.0;  ///< seconds, at least; from 0 on
   std::function<void(const std::string&)> warning;
   std::function<void(const std::string&)> note;
+  /// A file that could not be written, and where it is instead, or that it will be tried again.
+  /// Where this is empty, `warning` is told.
+  std::function<void(const std::string&)> trouble;
 };
 
 /// One render. `run` takes its time; meanwhile other threads may call all else.

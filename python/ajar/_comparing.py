@@ -10,7 +10,7 @@ import numpy
 
 from ._errors import UsageError
 from ._library import call_for_json
-from ._nodes import plain_value
+from ._nodes import plain_value, shown
 from ._picture import Picture
 from ._tables import Rows
 
@@ -58,7 +58,9 @@ def _file_of(picture, folder, number):
         path = folder / f"{number}.pfm"
         _write_pfm(path, picture)
         return str(path)
-    return os.fspath(picture)
+    if not isinstance(picture, (str, os.PathLike)):
+        raise TypeError(f"a picture is an ajar.Picture, an array or the name of a file, not {shown(picture)}")
+    return plain_value(os.fsdecode(picture), "picture")
 
 
 def compare(reference, *pictures, metrics=(), pixels_per_degree=None):
@@ -78,8 +80,8 @@ def compare(reference, *pictures, metrics=(), pixels_per_degree=None):
         request = {
             "reference": _file_of(reference, folder, 0),
             "pictures": [_file_of(picture, folder, n) for n, picture in enumerate(named.values(), 1)],
-            "metrics": list(metrics),
+            "metrics": plain_value(metrics, "metrics"),
         }
         if pixels_per_degree is not None:
-            request["pixels_per_degree"] = plain_value(pixels_per_degree)
+            request["pixels_per_degree"] = plain_value(pixels_per_degree, "pixels_per_degree")
         return Comparison(list(named), call_for_json("ajar_compare", json.dumps(request).encode()))

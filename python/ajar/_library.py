@@ -5,10 +5,11 @@ import ctypes
 import json
 import os
 import pathlib
+import reprlib
 
 from ._errors import UsageError, error_of
 
-_C_VERSION = 1
+_C_VERSION = 2
 
 
 class Array(ctypes.Structure):
@@ -87,9 +88,14 @@ def _open():
 library = _open()
 
 
-def encoded(text):
+def encoded(text, what="the name of a file"):
     """Text for the library; what is no text of UTF-8, as names of files may be, goes through as it is."""
-    made = os.fsencode(text) if isinstance(text, os.PathLike) else text.encode("utf-8", "surrogateescape")
+    if not isinstance(text, (str, os.PathLike)):
+        raise TypeError(f"{what} is text or a path, not {reprlib.repr(text)}")
+    try:
+        made = os.fsencode(text) if isinstance(text, os.PathLike) else text.encode("utf-8", "surrogateescape")
+    except UnicodeEncodeError:
+        raise UsageError(f"{what} cannot be {text!r}: this is no text of UTF-8") from None
     if b"\0" in made:
         raise UsageError(f"{text!r} has a zero in it")
     return made

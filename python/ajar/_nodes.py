@@ -4,6 +4,7 @@ import inspect
 import json
 import math
 import os
+import reprlib
 import sys
 
 import numpy
@@ -45,7 +46,7 @@ class Node:
         self.where = calling_place()
 
     def __repr__(self):
-        given = ", ".join(f"{name}={_short(value)}" for name, value in self.parameters.items())
+        given = ", ".join(f"{name}={shown(value)}" for name, value in self.parameters.items())
         return f"ajar.{self.kind}s.{self.model}({given})"
 
 
@@ -63,10 +64,11 @@ class Medium:
         self.where = calling_place()
 
 
-def _short(value):
+def shown(value):
+    """A value for a message, however large it is."""
     if isinstance(value, numpy.ndarray) and value.size > 16:
         return f"<array {value.shape}>"
-    return repr(value)
+    return reprlib.repr(value)
 
 
 def is_image(spec, value):
@@ -82,21 +84,35 @@ def spec_of(kind, model, name):
     return None
 
 
-def plain_value(value):
-    """A value as JSON has it; raises TypeError for what is none."""
+_DEEPEST = 8
+"""Lists in one another: no value has so many."""
+
+
+def plain_value(value, name, depth=0):
+    """A value as JSON has it; raises TypeError or UsageError, with its name, for what is none."""
     if isinstance(value, (numpy.bool_, numpy.integer, numpy.floating)):
         value = value.item()
     if isinstance(value, numpy.ndarray):
-        value = value.astype(float).ravel().tolist() if value.ndim else value.item()
+        if value.dtype.kind not in "biuf":
+            raise TypeError(f"{name}: an array of numbers, not of {value.dtype}")
+        value = value.astype(float) if value.dtype.kind == "f" else value
+        value = value.ravel().tolist() if value.ndim else value.item()
     if isinstance(value, (tuple, list)):
-        return [plain_value(item) for item in value]
+        if depth == _DEEPEST:
+            raise UsageError(f"{name}: lists in lists, more than {_DEEPEST} deep")
+        return [plain_value(item, name, depth + 1) for item in value]
     if isinstance(value, os.PathLike):
-        return os.fspath(value)
+        value = os.fsdecode(value)
     if isinstance(value, float) and not math.isfinite(value):
-        raise UsageError(f"values are finite, not {value}")
+        raise UsageError(f"{name}: values are finite, not {value}")
+    if isinstance(value, str):
+        try:
+            value.encode()
+        except UnicodeEncodeError:
+            raise UsageError(f"{name}: text that can be written as UTF-8, not {value!r}") from None
     if value is None or isinstance(value, (bool, int, float, str)):
         return value
-    raise TypeError(f"{type(value).__name__} is no value of a parameter: {value!r}")
+    raise TypeError(f"{name}: {type(value).__name__} is no value of a parameter: {shown(value)}")
 
 
 def _check(kind, model, parameters, specs):
@@ -115,7 +131,7 @@ def _check(kind, model, parameters, specs):
             # Of unknown names the library says what there is.
             checked[name] = None
         else:
-            checked[name] = plain_value(value)
+            checked[name] = plain_value(value, name)
     call("ajar_node_check", kind.encode(), json.dumps({"model": model, "parameters": checked}).encode())
 
 

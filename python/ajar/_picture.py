@@ -3,7 +3,6 @@
 import collections.abc
 import ctypes
 import json
-import os
 import pathlib
 import tempfile
 
@@ -11,6 +10,7 @@ import numpy
 
 from ._errors import UsageError
 from ._library import Handle, call, call_for_handle, call_for_json, encoded, library
+from ._nodes import plain_value
 
 
 class _Memory:
@@ -117,8 +117,8 @@ class Picture:
     def save(self, path, exposure=0.0, tone_map="srgb"):
         """Writes `.exr` (all layers), `.pfm`, `.hdr` (scene-linear), `.png` or `.jpg` (for the eye; without noise, if the
         picture was denoised; `exposure` in stops; `tone_map` is srgb or filmic)."""
-        display = json.dumps({"exposure": float(exposure), "tone_map": tone_map})
-        call("ajar_picture_save", self._handle.pointer, encoded(path), display.encode())
+        display = {"exposure": plain_value(exposure, "exposure"), "tone_map": plain_value(tone_map, "tone_map")}
+        call("ajar_picture_save", self._handle.pointer, encoded(path), json.dumps(display).encode())
 
     def _repr_png_(self):
         with tempfile.TemporaryDirectory() as folder:
@@ -140,6 +140,7 @@ class Picture:
 
 def open_picture(path):
     """A picture of a file: scene-linear, `.exr` with its layers, `.hdr` or `.pfm`."""
-    if not os.fspath(path):
+    name = encoded(path)
+    if not name:
         raise UsageError("open_picture needs the name of a file")
-    return Picture(call_for_handle("ajar_picture_load", encoded(path)))
+    return Picture(call_for_handle("ajar_picture_load", name))

@@ -8,8 +8,8 @@ import numpy
 
 from ._errors import SceneError, UsageError
 from ._library import Array, Handle, call_for_handle, call_for_json, encoded
-from ._nodes import GEOMETRY, Medium, Node, calling_place, is_image, plain_value, spec_of
-from ._session import Session
+from ._nodes import GEOMETRY, Medium, Node, calling_place, is_image, plain_value, shown, spec_of
+from ._session import Session, checked_seconds
 from ._transforms import look_at
 
 _TYPES = {numpy.dtype(numpy.float32): 0, numpy.dtype(numpy.uint32): 1, numpy.dtype(numpy.uint8): 2}
@@ -34,20 +34,32 @@ class Camera:
         self.where = calling_place()
 
     def description(self):
-        settings = {name: plain_value(value) for name, value in self.settings.items()}
-        return {"model": self.model, "to_world": plain_value(_matrix(self.to_world)), "where": self.where, **settings}
+        settings = {name: plain_value(value, name) for name, value in self.settings.items()}
+        settings["model"] = plain_value(self.model, "model")
+        settings["to_world"] = _matrix(self.to_world)
+        return {**settings, "where": self.where}
 
 
 def _matrix(value):
-    matrix = numpy.asarray(value, float)
+    try:
+        matrix = numpy.asarray(value, float)
+    except (TypeError, ValueError):
+        raise SceneError(f"a transform is a matrix of 4 x 4 numbers, not {shown(value)}") from None
     if matrix.shape != (4, 4):
         raise SceneError(f"a transform is a matrix of 4 x 4, not of {' x '.join(map(str, matrix.shape)) or 'nothing'}")
-    return matrix
+    return plain_value(matrix, "to_world")
 
 
 def _numbers(name, value):
     """An array as the library takes it."""
-    array = numpy.asarray(value)
+    try:
+        array = numpy.asarray(value)
+    except ValueError as error:
+        raise SceneError(f"{name}: {error}") from None
+    if array.dtype.kind not in "biuf":
+        raise SceneError(f"{name} are numbers, not {array.dtype}")
+    if not 1 <= array.ndim <= 3:
+        raise SceneError(f"{name} are an array of one to three dimensions, not {array.ndim}")
     if name in _INTEGERS:
         if array.dtype.kind not in "iu":
             raise SceneError(f"{name} are whole numbers, not {array.dtype}")
@@ -87,7 +99,7 @@ class _Changes:
         if isinstance(node, str):
             return node
         if not isinstance(node, Node) or node.kind not in ("texture", "material"):
-            raise SceneError(f"this is no texture or material, nor the name of one: {node!r}")
+            raise SceneError(f"this is no texture or material, nor the name of one: {shown(node)}")
         if id(node) not in self._known:
             made = self.node(node)
             if node.name:
@@ -102,8 +114,10 @@ class _Changes:
     def medium(self, medium):
         if isinstance(medium, str):
             return medium
+        if not isinstance(medium, Medium):
+            raise TypeError(f"what is inside or outside is an ajar.Medium or the name of one, not {shown(medium)}")
         if id(medium) not in self._known:
-            made = {name: plain_value(getattr(medium, name)) for name in ("name", "sigma_a", "sigma_s", "g")}
+            made = {name: plain_value(getattr(medium, name), name) for name in ("name", "sigma_a", "sigma_s", "g")}
             self.json["media"].append({**made, "where": medium.where})
             self._known[id(medium)] = (len(self.json["media"]) - 1, medium)
         return self._known[id(medium)][0]
@@ -130,7 +144,7 @@ class _Changes:
                 is_file = spec and spec["type"] == "file"
                 parameters[name] = image if is_file else {"texture": self.reference(self._texture_of(value))}
             else:
-                parameters[name] = plain_value(value)
+                parameters[name] = plain_value(value, name)
         return parameters
 
     @staticmethod
@@ -171,7 +185,7 @@ class Scene:
         self._lock = threading.RLock()
         self._handle = None
         self._pending = _Changes()
-        self._pending.json["source"] = name
+        self._pending.json["source"] = plain_value(name, "name")
         self._has_pending = True
         if camera is not None:
             self.camera = camera
@@ -229,8 +243,12 @@ class Scene:
 
     @resolution.setter
     def resolution(self, size):
+        try:
+            size = tuple(size)
+        except TypeError:
+            raise TypeError(f"resolution: width and height, not {shown(size)}") from None
         with self._lock:
-            self._change().json["film"] = {"resolution": plain_value(tuple(size)), "where": calling_place()}
+            self._change().json["film"] = {"resolution": plain_value(size, "resolution"), "where": calling_place()}
 
     @property
     def warnings(self):
@@ -261,7 +279,7 @@ class Scene:
 
     def _set_camera(self, camera):
         if not isinstance(camera, Camera):
-            raise TypeError(f"a camera is an ajar.Camera, not {camera!r}")
+            raise TypeError(f"a camera is an ajar.Camera, not {shown(camera)}")
         with self._lock:
             self._change().json["camera"] = camera.description()
 
@@ -284,16 +302,16 @@ class Scene:
         """Adds a shape or a light, or a material or a texture for later. `material`: one of `ajar.materials`, or the name of one
         that is there; `emission`: one of `ajar.emissions`. Materials that are shared are added once. Returns the node."""
         if not isinstance(node, Node):
-            raise TypeError(f"what is added is made by ajar.shapes, lights, materials or textures, not {node!r}")
+            raise TypeError(f"what is added is made by ajar.shapes, lights, materials or textures, not {shown(node)}")
         with self._lock:
             changes = self._change()
             if node.kind in ("material", "texture"):
                 changes.reference(node)
                 return node
             made = changes.node(node)
-            made["name"] = name or node.name
+            made["name"] = plain_value(name, "name") or node.name
             if to_world is not None:
-                made["to_world"] = plain_value(_matrix(to_world))
+                made["to_world"] = _matrix(to_world)
             if node.kind == "light":
                 if inside is not None:
                     made["medium"] = changes.medium(inside)
@@ -308,6 +326,8 @@ class Scene:
                 if texture is not None:
                     made[key] = changes.reference(texture)
             if emission is not None:
+                if not isinstance(emission, Node) or emission.kind != "emission":
+                    raise TypeError(f"emission: what ajar.emissions make, not {shown(emission)}")
                 made["emission"] = changes.node(emission)
             for key, medium in (("inside", inside), ("outside", outside)):
                 if medium is not None:
@@ -330,19 +350,22 @@ class Scene:
         with self._lock:
             current = self._current()
             changes = _Changes()
+            which = plain_value(which, kind)
             model = self._model_of(kind, which)
             node_kind = kind
-            change = {"kind": kind, "which": plain_value(which), "where": calling_place()}
+            change = {"kind": kind, "which": which, "where": calling_place()}
             change["parameters"] = changes.parameters(node_kind, model, parameters)
             if shape is not None and material is not None:
                 change["material"] = changes.reference(material)
             if to_world is not None:
-                change["to_world"] = plain_value(_matrix(to_world))
+                change["to_world"] = _matrix(to_world)
             changes.json["edits"].append(change)
             self._handle = Handle(changes.apply(current.pointer), "ajar_scene_free")
 
     def _model_of(self, kind, which):
         """The model of what is edited; empty where the library will say that there is no such thing."""
+        if isinstance(which, bool) or not isinstance(which, (str, int)):
+            raise TypeError(f"{kind}: a name, or a number from 0 on, not {shown(which)}")
         things = self._parts()["shapes" if kind == "emission" else kind + "s"]
         if isinstance(which, str):
             found = [thing for thing in things if thing["name"] == which][-1:]
@@ -369,7 +392,10 @@ class Scene:
         checkpoint=FILE, checkpoint_every (seconds), resume.
         progress: called now and then with a `Progress`.
 
-        Other threads of Python go on meanwhile; Ctrl-C ends it."""
+        Other threads of Python go on meanwhile; Ctrl-C ends it. A file that cannot be written, such as the checkpoint, is a
+        `RuntimeWarning` that says where it is instead."""
+        if progress is not None and not callable(progress):
+            raise TypeError(f"progress: a function, not {shown(progress)}")
         with self.start(**settings) as session:
             while not session.wait(0.2 if progress else None):
                 progress(session.progress())
@@ -378,6 +404,7 @@ class Scene:
     def render_iter(self, *, every=1.0, **settings):
         """Renders, and gives the picture as it is every so many seconds, the finished one last. To leave the loop ends the
         render. Settings as of `render`."""
+        every = checked_seconds(every, "every")
         with self.start(**settings) as session:
             while not session.wait(every):
                 picture = session.picture()
@@ -393,5 +420,5 @@ class Scene:
 def load(path):
     """Reads a scene: a file in any format that `ajar render` takes, or `builtin:NAME`."""
     if not isinstance(path, (str, os.PathLike)):
-        raise TypeError(f"a scene is the name of a file, or builtin:NAME, not {path!r}")
+        raise TypeError(f"a scene is the name of a file, or builtin:NAME, not {shown(path)}")
     return Scene.load(path)

@@ -1,15 +1,20 @@
 """Renders that go on while Python does something else."""
 
 import atexit
+import collections.abc
 import ctypes
 import dataclasses
 import json
+import os
 import typing
+import warnings
 import weakref
+
+import numpy
 
 from ._errors import UsageError
 from ._library import Handle, call, call_for_handle, call_for_json
-from ._nodes import plain_value
+from ._nodes import calling_place, plain_value, shown
 from ._picture import Picture
 
 # How long it takes at most until Ctrl-C is noticed, seconds.
@@ -17,6 +22,7 @@ _PATIENCE = 0.1
 
 # What is called otherwise here than in the library.
 _NAMES = {"time": "seconds", "spp": "samples_per_pixel"}
+_OUR_NAMES = {"seconds": "time", "samples_per_pixel": "spp", "min_depth": "depth", "max_depth": "depth"}
 _SETTINGS = (
     "integrator",
     "target_error",
@@ -54,12 +60,26 @@ class Progress:
     done: bool
 
 
-def _text_of(value):
+def _text_of(value, name):
     """A value of an integrator's parameter, as the command line has it."""
-    value = plain_value(value)
+    value = plain_value(value, name)
     if isinstance(value, bool):
         return "true" if value else "false"
     return repr(value) if isinstance(value, float) else str(value)
+
+
+def _checkpoint(value):
+    if not isinstance(value, (str, os.PathLike)):
+        raise TypeError(f"checkpoint: the name of a file, not {shown(value)}")
+    return plain_value(os.fsdecode(value), "checkpoint")
+
+
+def _denoiser(value):
+    if isinstance(value, (bool, numpy.bool_)):
+        return "auto" if value else "none"
+    if not isinstance(value, str):
+        raise TypeError(f"denoise: True, False, or the name of a filter, not {shown(value)}")
+    return plain_value(value, "denoise")
 
 
 def settings_json(given):
@@ -69,23 +89,45 @@ def settings_json(given):
         if value is None:
             continue
         if name in _NAMES:
-            settings[_NAMES[name]] = plain_value(value)
+            settings[_NAMES[name]] = plain_value(value, name)
         elif name in _SETTINGS:
-            settings[name] = plain_value(value)
+            settings[name] = plain_value(value, name)
         elif name == "checkpoint":
-            settings[name] = str(value)
+            settings[name] = _checkpoint(value)
         elif name == "depth":
-            least, most = value if isinstance(value, (tuple, list)) else (None, value)
-            settings["min_depth"], settings["max_depth"] = plain_value(least), plain_value(most)
+            depths = plain_value(value, name)
+            least, most = depths if isinstance(depths, list) and len(depths) == 2 else (None, depths)
+            settings["min_depth"], settings["max_depth"] = least, most
         elif name == "denoise":
-            settings["denoise"] = value if isinstance(value, str) else "auto" if value else "none"
+            settings["denoise"] = _denoiser(value)
         elif name == "parameters":
-            settings["parameters"].update({key: _text_of(item) for key, item in value.items()})
+            if not isinstance(value, collections.abc.Mapping):
+                raise TypeError(f"parameters: names and values of the integrator's, not {shown(value)}")
+            for key, item in value.items():
+                settings["parameters"][plain_value(key, name)] = _text_of(item, str(key))
         else:
-            settings["parameters"][name] = _text_of(value)
+            settings["parameters"][name] = _text_of(value, name)
     if isinstance(settings.get("layers"), str):
         raise UsageError(f"layers is a list of names, not \"{settings['layers']}\"")
     return json.dumps(settings)
+
+
+def _started(scene, settings):
+    try:
+        return call_for_handle("ajar_render_start", scene.pointer, settings.encode())
+    except UsageError as error:
+        name, colon, rest = str(error).partition(": ")
+        raise UsageError(_OUR_NAMES.get(name, name) + colon + rest) from None
+
+
+def checked_seconds(value, name):
+    """A number of seconds from 0 on."""
+    if isinstance(value, bool) or not isinstance(value, (int, float, numpy.integer, numpy.floating)):
+        raise TypeError(f"{name}: seconds, not {shown(value)}")
+    seconds = float(value)
+    if not seconds >= 0:
+        raise UsageError(f"{name}: seconds from 0 on, not {seconds}")
+    return seconds
 
 
 class Session:
@@ -94,17 +136,21 @@ class Session:
     def __init__(self, scene, given):
         self._handle = None
         settings = settings_json(given)
-        self._handle = Handle(call_for_handle("ajar_render_start", scene.pointer, settings.encode()), "ajar_render_free")
+        self._handle = Handle(_started(scene, settings), "ajar_render_free")
+        self._troubles_said = 0
         _running.add(self)
 
     def wait(self, seconds=None):
         """Waits for the end, at most so many seconds, and says whether it came. Raises what the render raised."""
         done = ctypes.c_int()
-        left = seconds
+        left = None if seconds is None else checked_seconds(seconds, "wait")
         while True:
             # In pieces, so that Ctrl-C is noticed.
             piece = _PATIENCE if left is None else min(left, _PATIENCE)
-            call("ajar_render_wait", self._handle.pointer, piece, ctypes.byref(done))
+            try:
+                call("ajar_render_wait", self._handle.pointer, piece, ctypes.byref(done))
+            finally:
+                self._say_troubles()
             if done.value:
                 return True
             if left is not None:
@@ -120,6 +166,7 @@ class Session:
         """The picture as it is. Waits for the end of the pass that runs. Before the first pass, a rough look of 0 samples
         per pixel if the method has one, without other layers; else None."""
         done = self.done
+        self._say_troubles()
         pointer = call_for_handle("ajar_render_picture", self._handle.pointer)
         if pointer is None:
             return None
@@ -133,15 +180,30 @@ class Session:
         """All that is known, as `ajar render --stats` writes it."""
         return call_for_json("ajar_render_statistics", self._handle.pointer)
 
+    def _messages(self):
+        return call_for_json("ajar_render_messages", self._handle.pointer)
+
+    def _say_troubles(self):
+        """Warns of what would be found out too late."""
+        troubles = self.troubles
+        said, self._troubles_said = self._troubles_said, len(troubles)
+        for text in troubles[said:]:
+            warnings.warn_explicit(text, RuntimeWarning, *calling_place())
+
     @property
     def warnings(self):
         """What was unusual, one sentence each."""
-        return call_for_json("ajar_render_messages", self._handle.pointer)["warnings"]
+        return self._messages()["warnings"]
+
+    @property
+    def troubles(self):
+        """Files that could not be written, such as the checkpoint, and where they are instead, one sentence each."""
+        return self._messages()["troubles"]
 
     @property
     def notes(self):
         """Choices that were made, one sentence each."""
-        return call_for_json("ajar_render_messages", self._handle.pointer)["notes"]
+        return self._messages()["notes"]
 
     def stop(self):
         """Ends it after the pass that runs; called twice, within it. Does not wait."""

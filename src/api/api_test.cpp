@@ -183,6 +183,75 @@ TEST(Interface, GoesOnFromACheckpoint) {
   std::filesystem::remove(path);
 }
 
+TEST(Interface, RefusesNumbersThatTheCommandLineRefuses) {
+  const ajar::Scene scene = ajar::Scene::load("builtin:cornell");
+  const auto expect_refused = [&](const std::function<void(ajar::Settings&)>& change) {
+    ajar::Settings settings = small_settings();
+    change(settings);
+    EXPECT_EQ(raised([&] { ajar::Render render(scene, settings); }), ajar::Error::Kind::Usage);
+  };
+  using Settings = ajar::Settings;
+  for (const int threads : {-1, 4097, 1000000}) {
+    expect_refused([=](Settings& settings) { settings.threads = threads; });
+  }
+  for (const std::uint64_t samples : {std::uint64_t{0}, std::uint64_t{1} << 32U}) {
+    expect_refused([=](Settings& settings) { settings.samples_per_pixel = samples; });
+  }
+  for (const double number : {std::nan(""), -1.0, 0.0, 1e300, HUGE_VAL}) {
+    expect_refused([=](Settings& settings) { settings.seconds = number; });
+    expect_refused([=](Settings& settings) { settings.target_error = number; });
+    expect_refused([=](Settings& settings) { settings.checkpoint_every = number; });
+    expect_refused([=](Settings& settings) {
+      settings.resolution.reset();
+      settings.scale = number;
+    });
+  }
+  for (const std::array<int, 2>& size : {std::array{0, 1}, {1, 65537}, {-1, 1}}) {
+    expect_refused([=](Settings& settings) { settings.resolution = size; });
+  }
+  for (const int depth : {0, -1, 1001}) {
+    expect_refused([=](Settings& settings) { settings.min_depth = depth; });
+    expect_refused([=](Settings& settings) { settings.max_depth = depth; });
+  }
+  expect_refused([](Settings& settings) {
+    settings.min_depth = 4;
+    settings.max_depth = 3;
+  });
+  const ajar::Picture picture = ajar::render(scene, small_settings());
+  for (const float exposure : {65.F, -65.F, std::nanf(""), HUGE_VALF}) {
+    EXPECT_EQ(raised([&] { picture.save("never-written.png", {.exposure = exposure}); }),
+              ajar::Error::Kind::Usage);
+  }
+}
+
+TEST(Interface, TellsWhereACheckpointWentThatCouldNotBeWritten) {
+  namespace fs = std::filesystem;
+  if (!fs::exists("/dev/full")) GTEST_SKIP() << "no device that is full";
+  const fs::path folder =
+      fs::temp_directory_path() / ("ajar-interface-full-" + std::to_string(getpid()));
+  fs::create_directories(folder);
+  const fs::path before = fs::current_path();
+  fs::current_path(folder);  // where it is rescued
+  fs::create_symlink("/dev/full", "room.checkpoint");
+  ajar::Settings settings = small_settings();
+  settings.checkpoint = "room.checkpoint";
+  std::vector<std::string> troubles;
+  std::vector<std::string> warnings;
+  ajar::Callbacks callbacks;
+  callbacks.warning = [&](const std::string& text) { warnings.push_back(text); };
+  const ajar::Scene scene = ajar::Scene::load("builtin:cornell");
+  ajar::Render(scene, settings, callbacks).run();
+  ASSERT_EQ(warnings.size(), 1U) << "who asks for warnings alone is told, too";
+  callbacks.trouble = [&](const std::string& text) { troubles.push_back(text); };
+  fs::remove(folder / ("room-rescued-" + std::to_string(getpid()) + ".checkpoint"));
+  ajar::Render(scene, settings, callbacks).run();
+  EXPECT_EQ(warnings.size(), 1U);
+  ASSERT_EQ(troubles.size(), 1U);
+  EXPECT_NE(troubles[0].find(folder.string() + "/room-rescued-"), std::string::npos) << troubles[0];
+  fs::current_path(before);
+  fs::remove_all(folder);
+}
+
 TEST(Interface, TellsWhatIsWrong) {
   EXPECT_EQ(raised([] { ajar::Scene::load("/no/such/scene.pbrt"); }), ajar::Error::Kind::File);
   EXPECT_EQ(raised([] { ajar::Scene::load("builtin:none"); }), ajar::Error::Kind::Usage);

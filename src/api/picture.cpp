@@ -5,6 +5,7 @@
 
 #include "api/contents.h"
 #include "image/image_file.h"
+#include "session/limits.h"
 #include "session/write_picture.h"
 
 namespace ajar::v0 {
@@ -48,6 +49,7 @@ const std::map<std::string, std::string>& Picture::metadata() const {
 void Picture::save(const std::string& path, const Display& display) const {
   with_public_errors([&] {
     check_image_extension(path);
+    check_within(limits::kStops, display.exposure, "exposure");
     write_picture(path, *content_->picture, {tone_map_by_name(display.tone_map), display.exposure});
   });
 }

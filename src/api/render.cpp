@@ -1,6 +1,9 @@
 #include "ajar/render.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -8,6 +11,7 @@
 #include "core/error.h"
 #include "session/catalog.h"
 #include "session/filter_option.h"
+#include "session/limits.h"
 #include "session/progress.h"
 #include "session/render.h"
 
@@ -15,8 +19,44 @@ namespace ajar::v0 {
 
 namespace {
 
+template <typename Number>
+void check_given(const Limits<Number>& limits, const std::optional<Number>& value,
+                 const std::string& name) {
+  if (value) check_within(limits, *value, name);
+}
+
+/// What the command line refuses; names are those of `Settings`.
+void check_numbers(const Settings& settings) {
+  check_given(limits::kSamples, settings.samples_per_pixel, "samples_per_pixel");
+  check_given(limits::kSeconds, settings.seconds, "seconds");
+  check_given(limits::kRelativeError, settings.target_error, "target_error");
+  check_given(limits::kScale, settings.scale, "scale");
+  check_given(limits::kDepth, settings.min_depth, "min_depth");
+  check_given(limits::kDepth, settings.max_depth, "max_depth");
+  if (settings.min_depth && settings.max_depth && *settings.min_depth > *settings.max_depth) {
+    throw UsageError(fmt::format("min_depth: must be at most max_depth, {}, not {}",
+                                 *settings.max_depth, *settings.min_depth));
+  }
+  if (settings.resolution) {
+    for (const int side : *settings.resolution) {
+      check_within(limits::kResolution, side, "resolution");
+    }
+  }
+  if (settings.crop) {
+    for (const int edge : *settings.crop) check_within(limits::kCropEdge, edge, "crop");
+    const auto [x0, y0, x1, y1] = *settings.crop;
+    if (x1 <= x0 || y1 <= y0) {
+      throw UsageError(
+          "crop: x0, y0, x1, y1 are pixels from the top left corner, with x0 < x1 and y0 < y1");
+    }
+  }
+  check_within(limits::kThreads, settings.threads, "threads");
+  check_within(limits::kSeconds, settings.checkpoint_every, "checkpoint_every");
+}
+
 RenderOrder order_of(const Scene::Content& scene, const Settings& settings, bool shows_pictures,
                      double picture_every) {
+  check_numbers(settings);
   RenderOrder order;
   order.scene = scene.name;
   order.loaded = scene.loaded;
@@ -31,12 +71,6 @@ RenderOrder order_of(const Scene::Content& scene, const Settings& settings, bool
   }
   request.scale = settings.scale;
   if (settings.crop) {
-    const auto [x0, y0, x1, y1] = *settings.crop;
-    if (x0 < 0 || y0 < 0 || x1 <= x0 || y1 <= y0) {
-      throw UsageError(
-          "crop: x0, y0, x1, y1 are pixels from the top left corner, with 0 <= x0 < x1 and "
-          "0 <= y0 < y1");
-    }
     request.crop = {.fractions = false};
     std::copy(settings.crop->begin(), settings.crop->end(), request.crop->values.begin());
   }
@@ -49,12 +83,12 @@ RenderOrder order_of(const Scene::Content& scene, const Settings& settings, bool
   request.seed = settings.seed;
   order.size_from_scene = !settings.resolution && !settings.scale;
   order.threads = settings.threads;
-  if (shows_pictures) order.show_every = picture_every;
+  if (shows_pictures) {
+    if (!(picture_every >= 0.0)) throw UsageError("picture_every: must be seconds from 0 on");
+    order.show_every = picture_every;
+  }
   if (settings.resume && settings.checkpoint.empty()) {
     throw UsageError("resume needs a checkpoint: the name of the file to go on with");
-  }
-  if (!(settings.checkpoint_every > 0.0)) {
-    throw UsageError("checkpoint_every: seconds above 0");
   }
   if (!settings.checkpoint.empty()) {
     order.files.checkpoint = settings.checkpoint;
@@ -92,9 +126,24 @@ class Caller final : public RenderEvents {
     for (const std::string& text : warnings.messages()) warn(text);
   }
   void warning(const Warning& warning) override { warn(warning.text()); }
-  void trouble(const std::string& text) override { warn(text); }
+  void trouble(const std::string& text) override {
+    if (callbacks_.trouble) {
+      callbacks_.trouble(text);
+    } else {
+      warn(text);
+    }
+  }
   void note(const std::string& text) override {
     if (callbacks_.note) callbacks_.note(text);
+  }
+  void finished(const RenderOutcome& outcome) override {
+    for (const WrittenFile& file : outcome.files) {
+      if (file.error.empty()) continue;
+      trouble(file.path.empty() ? fmt::format("{}; {} is lost: it could be written nowhere",
+                                              file.error, file.what)
+                                : fmt::format("{}; {} is in {} instead", file.error, file.what,
+                                              std::filesystem::absolute(file.path).string()));
+    }
   }
 
  private:

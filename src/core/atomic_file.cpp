@@ -25,10 +25,13 @@ namespace fs = std::filesystem;
 /// Links in a row, as many as the kernel follows.
 constexpr int kMostLinks = 40;
 
+[[noreturn]] void fail(const fs::path& path, const std::string& reason) {
+  throw IoError("cannot write \"" + path.string() + "\": " + reason);
+}
+
 /// `reason` is an errno.
 [[noreturn]] void fail(const fs::path& path, int reason) {
-  std::string text =
-      "cannot write \"" + path.string() + "\": " + std::system_category().message(reason);
+  std::string text = std::system_category().message(reason);
   const fs::path folder = path.parent_path();
   std::error_code ignored;
   if (reason == ENOENT && !folder.empty() && !fs::exists(folder, ignored)) {
@@ -39,7 +42,7 @@ constexpr int kMostLinks = 40;
     text += " (it has " + std::to_string(length) + " bytes, of at most " +
             std::to_string(NAME_MAX) + ")";
   }
-  throw IoError(text);
+  fail(path, text);
 }
 
 class File {
@@ -121,6 +124,13 @@ struct Target {
   bool is_file = true;
 };
 
+/// Whether it has a name on a disk, by which it is opened once more. Those that this process was
+/// given (/dev/stdout, the shell's >(…)) have none.
+bool is_named_pipe(const fs::path& path) {
+  std::error_code error;
+  return fs::is_fifo(fs::symlink_status(behind_links(path), error));
+}
+
 /// Raises IoError for what is known before anything is written.
 Target examine(const fs::path& path) {
   Target target;
@@ -129,6 +139,9 @@ Target examine(const fs::path& path) {
   target.is_file = !target.exists || S_ISREG(target.status.st_mode);
   // Through a symbolic link the file it points to is replaced, not the link.
   target.path = target.is_file ? behind_links(path) : path;
+  if (!target.is_file && is_named_pipe(path)) {
+    fail(path, "it is a named pipe, at which a program waits until another reads");
+  }
   if (target.path.filename().empty()) fail(path, path.empty() ? ENOENT : EISDIR);
   if (target.exists && S_ISDIR(target.status.st_mode)) fail(path, EISDIR);
   // Renaming would replace a file that its owner has protected.

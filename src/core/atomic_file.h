@@ -10,8 +10,9 @@ namespace ajar {
 /// renames it. Whatever happens (disk full, kill −9, power), the path holds either the old content
 /// or the new, whole. The file keeps its mode, and the links that lead to it stay. Raises IoError
 /// with the reason, which may be that the file is write-protected; the temporary file is then gone
-/// and the old file untouched. Paths that exist but are not regular files (/dev/stdout, pipes) are
-/// written directly. Nothing else in the program writes files.
+/// and the old file untouched. Paths that exist but are not regular files (/dev/stdout, >(…) of a
+/// shell) are written directly, but for named pipes: to open one may take for ever. Nothing else in
+/// the program writes files.
 void write_file_atomically(const std::filesystem::path& path, std::span<const std::byte> content);
 /// The same for a file of several pieces, one after the other.
 void write_file_atomically(const std::filesystem::path& path,

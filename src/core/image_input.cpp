@@ -22,6 +22,7 @@
 #include "core/image_packing.h"
 #include "core/png_chunks.h"
 #include "core/regular_file.h"
+#include "core/unsafe_formats.h"
 
 namespace ajar {
 
@@ -58,21 +59,22 @@ std::uint64_t number_at(std::string_view bytes, std::size_t place, std::size_t c
 
 /// Of WebP, or of one of its two bitstreams without a container, which the decoder takes, too.
 /// Source: RFC 9649, sections 2.5 to 2.7 and 3.4; RFC 6386, section 9.1.
-std::optional<Size> size_of_webp(std::string_view bytes) {
+std::optional<Claim> claim_of_webp(std::string_view bytes) {
   if (bytes.starts_with("RIFF")) {
     if (bytes.size() < 30 || !bytes.substr(8).starts_with("WEBP")) return std::nullopt;
     if (bytes.substr(12).starts_with("VP8X")) {
-      return Size{number_at(bytes, 24, 3) + 1, number_at(bytes, 27, 3) + 1};
+      return Claim{{number_at(bytes, 24, 3) + 1, number_at(bytes, 27, 3) + 1},
+                   packing::kVp8Lossless};
     }
     bytes.remove_prefix(20);
   }
   if (bytes.size() < 10) return std::nullopt;
   if (bytes.starts_with("\x2f")) {
     const std::uint64_t sides = number_at(bytes, 1, 4);
-    return Size{(sides & 0x3fffU) + 1, (sides >> 14U & 0x3fffU) + 1};
+    return Claim{{(sides & 0x3fffU) + 1, (sides >> 14U & 0x3fffU) + 1}, packing::kVp8Lossless};
   }
   if (!bytes.substr(3).starts_with("\x9d\x01\x2a")) return std::nullopt;
-  return Size{number_at(bytes, 6, 2) & 0x3fffU, number_at(bytes, 8, 2) & 0x3fffU};
+  return Claim{{number_at(bytes, 6, 2) & 0x3fffU, number_at(bytes, 8, 2) & 0x3fffU}, packing::kVp8};
 }
 
 /// What formats claim whose decoders make the whole picture when they are opened: those have to be
@@ -91,8 +93,7 @@ std::optional<Claim> early_claim(std::string_view bytes) {
     constexpr double kSkips = 255.0 * 255.0 / 4.0;  // rows and columns that four bytes leave out
     return Claim{{side(18), side(22)}, kSkips};
   }
-  if (const std::optional<Size> size = size_of_webp(bytes)) return Claim{*size, packing::kUnknown};
-  return std::nullopt;
+  return claim_of_webp(bytes);
 }
 
 void check_claim(Size size, double pixels_per_byte, std::uint64_t file_bytes) {
@@ -133,7 +134,7 @@ ImageInput::ImageInput(const std::string& path, bool has_unassociated_alpha) {
     if (pixels > kSmall) check_claim(claim->size, claim->pixels_per_byte, file_bytes);
     check_memory(kDecodedBytes * pixels);
   }
-  for (const auto complain : {exr_header_complaint, png_chunk_complaint}) {
+  for (const auto complain : {exr_header_complaint, png_chunk_complaint, unsafe_format_complaint}) {
     if (const std::string complaint = complain(path, file_bytes); !complaint.empty()) {
       throw IoError(complaint);
     }

@@ -134,52 +134,68 @@ std::vector<std::pair<std::string, std::string>> liars() {
         .zeros(30)
         .result();
   };
-  return {{"gray.png", png(8, 0, 0)},
-          {"bits.png", png(1, 0, 0)},
-          {"interlaced.png", png(16, 2, 1)},
-          {"canvas.gif", gif("GIF89a")},
-          {"odd-version.gif", gif("GIF???")},
-          {"smaller-canvas.gif", gif("GIF89a", 20000) + std::string(450, '\0')},
-          {"plain.bmp", bmp(24, 0)},
-          {"runs.bmp", bmp(8, 1)},
-          {"plain.tga", tga(2)},
-          {"runs.tga", tga(10)},
-          {"a.hdr", Bytes()
-                        .text("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 65535 +X 65535\n")
-                        .zeros(30)
-                        .result()},
-          {"a.pgm", Bytes().text("P5\n65535 65535\n255\n").zeros(30).result()},
-          {"a.psd", Bytes()
-                        .text("8BPS")
-                        .big({1}, 2)
-                        .zeros(6)
-                        .big({3}, 2)
-                        .big({30000, 30000}, 4)
-                        .big({8, 3}, 2)
-                        .zeros(12)
-                        .big({0}, 2)
-                        .zeros(30)
-                        .result()},
-          {"a.sgi",
-           Bytes().big({474}, 2).big({0, 1}, 1).big({3, kSide, kSide, 3}, 2).zeros(600).result()},
-          {"plain.tif", tiff(1)},
-          {"fax.tif", tiff(4)},
-          {"lzw.tif", tiff(5)},
-          {"zip.tif", tiff(8)},
-          {"runs.tif", tiff(32773)},
-          {"long-rows.exr", exr(1U << 24U, 4)},
-          {"a.webp", Bytes()
-                         .text("RIFF")
-                         .little({40}, 4)
-                         .text("WEBPVP8L")
-                         .little({20}, 4)
-                         .text("\x2f")
-                         .little({0x0fffffff}, 4)
-                         .zeros(20)
-                         .result()},
-          {"lossless-stream.webp", Bytes().text("\x2f").little({0x0fffffff}, 4).zeros(20).result()},
-          {"lossy-stream.webp",
-           Bytes().zeros(3).text("\x9d\x01\x2a").little({0x3fff, 0x3fff}, 2).zeros(20).result()}};
+  return {
+      {"gray.png", png(8, 0, 0)},
+      {"bits.png", png(1, 0, 0)},
+      {"interlaced.png", png(16, 2, 1)},
+      {"canvas.gif", gif("GIF89a")},
+      {"odd-version.gif", gif("GIF???")},
+      {"smaller-canvas.gif", gif("GIF89a", 20000) + std::string(450, '\0')},
+      {"plain.bmp", bmp(24, 0)},
+      {"runs.bmp", bmp(8, 1)},
+      {"plain.tga", tga(2)},
+      {"runs.tga", tga(10)},
+      {"a.hdr", Bytes()
+                    .text("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 65535 +X 65535\n")
+                    .zeros(30)
+                    .result()},
+      {"a.pgm", Bytes().text("P5\n65535 65535\n255\n").zeros(30).result()},
+      {"a.psd", Bytes()
+                    .text("8BPS")
+                    .big({1}, 2)
+                    .zeros(6)
+                    .big({3}, 2)
+                    .big({30000, 30000}, 4)
+                    .big({8, 3}, 2)
+                    .zeros(12)
+                    .big({0}, 2)
+                    .zeros(30)
+                    .result()},
+      {"a.sgi",
+       Bytes().big({474}, 2).big({0, 1}, 1).big({3, kSide, kSide, 3}, 2).zeros(600).result()},
+      {"plain.tif", tiff(1)},
+      {"fax.tif", tiff(4)},
+      {"lzw.tif", tiff(5)},
+      {"zip.tif", tiff(8)},
+      {"runs.tif", tiff(32773)},
+      {"long-rows.exr", exr(1U << 24U, 4)},
+      {"a.webp", Bytes()
+                     .text("RIFF")
+                     .little({40}, 4)
+                     .text("WEBPVP8L")
+                     .little({20}, 4)
+                     .text("\x2f")
+                     .little({0x0fffffff}, 4)
+                     .zeros(20)
+                     .result()},
+      {"lossless-stream.webp", Bytes().text("\x2f").little({0x0fffffff}, 4).zeros(20).result()},
+      {"a.dds", Bytes()
+                    .text("DDS ")
+                    .little({124, 0x1007, 11000, 11000, 0, 0, 1}, 4)
+                    .zeros(44)
+                    .little({32, 4}, 4)
+                    .text("DXT1")
+                    .zeros(20)
+                    .little({0x1000}, 4)
+                    .zeros(30)
+                    .result()},
+      // 13874 x 10281 pixels, which the decoder would make of it.
+      {"colour-alone.webp",
+       Bytes().text("\x2f").little({0x1a0a3631}, 4).zeros(2).text(std::string(131, 'K')).result()},
+      {"lossy-stream.webp",
+       Bytes().zeros(3).text("\x9d\x01\x2a").little({0x3fff, 0x3fff}, 2).zeros(20).result()},
+      {"longer-lossy-stream.webp",
+       Bytes().zeros(3).text("\x9d\x01\x2a").little({0x3fff, 0x3fff}, 2).zeros(5000).result()}};
 }
 
 /// A folder of its own that is gone after the test.
@@ -212,6 +228,38 @@ TEST_F(ImageInputTest, FilesCannotClaimMorePixelsThanTheyHold) {
               std::string::npos)
         << name << ": " << error;
   }
+}
+
+TEST_F(ImageInputTest, FormatsWhoseDecodersBreakAreRefused) {
+  for (const auto& [name, start] :
+       {std::pair("a.dpx", Bytes().text("SDPX")), std::pair("b.dpx", Bytes().text("XPDS")),
+        std::pair("a.iff", Bytes().text("FOR4")), std::pair("a.ico", Bytes().little({0, 1}, 2)),
+        std::pair("a.pic", Bytes().big({0x5380f634}, 4)),
+        std::pair("a.png", Bytes().big({0x5380f634}, 4))}) {
+    Bytes content = start;
+    const std::string error = error_of(write(name, content.zeros(3000).result()));
+    EXPECT_NE(error.find("which is not read: damaged ones would end the program"),
+              std::string::npos)
+        << name << ": " << error;
+  }
+}
+
+TEST_F(ImageInputTest, DamagedSgiIsNoticedBeforeItIsDecoded) {
+  const auto sgi = [](std::uint32_t storage, std::uint32_t bytes, std::uint32_t dimensions) {
+    return Bytes().big({474}, 2).big({storage, bytes}, 1).big({dimensions, 4, 4, 1}, 2).zeros(500);
+  };
+  const auto expect_error = [&](Bytes bytes, const char* part) {
+    const std::string error = error_of(write("a.sgi", bytes.result()));
+    EXPECT_NE(error.find(part), std::string::npos) << error;
+  };
+  expect_error(sgi(16, 0, 2).zeros(600), "damaged");
+  expect_error(sgi(0, 0, 2).zeros(600), "damaged");
+  expect_error(sgi(0, 3, 2).zeros(600), "damaged");
+  expect_error(sgi(0, 1, 4).zeros(600), "damaged");
+  expect_error(sgi(0, 2, 2).zeros(31), "it claims 4x4 pixels");
+  expect_error(sgi(1, 1, 2).zeros(31), "cut short");
+  expect_error(sgi(1, 1, 2).big({2000, 0, 0, 0, 1, 1, 1, 1}, 4), "cut short");
+  EXPECT_EQ(error_of(write("a.sgi", sgi(0, 1, 2).zeros(16).result())), "no error");
 }
 
 TEST_F(ImageInputTest, ChunksOfPngCannotClaimMoreThanTheFile) {

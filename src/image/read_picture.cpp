@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "core/available_memory.h"
 #include "core/error.h"
 #include "image/image_file.h"
 
@@ -34,6 +35,11 @@ Picture read_picture(const std::string& path) {
   if (image.is_display_encoded) {
     throw IoError("cannot use \"" + path +
                   "\": it holds display values; scene-linear ones are needed");
+  }
+  // Its layers, beside it.
+  if (const std::string shortage = memory_shortage(image.data.size() * sizeof(float));
+      !shortage.empty()) {
+    throw IoError("cannot use \"" + path + "\": the picture " + shortage);
   }
   Picture picture;
   picture.resolution = image.resolution;

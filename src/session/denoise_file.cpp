@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/available_memory.h"
+#include "core/error.h"
 #include "session/picture_filter.h"
 
 namespace ajar {
@@ -40,6 +42,47 @@ Replicates replicates_in(const Picture& picture) {
 }  // namespace
 
 bool has_features(const Picture& picture) { return !features_in(picture).empty(); }
+
+std::uint64_t denoising_bytes(const Picture& picture, const Denoiser& denoiser) {
+  const std::size_t values = picture.layers.front().pixels.size();
+  std::size_t replicates = 0;
+  while (find_layer(picture, fmt::format("replicates.{}", replicates)) != nullptr) ++replicates;
+  std::uint64_t filtering = 0;
+  if (!PictureFilter::mixes(replicates)) {
+    // What the filter is given and makes; features as they are, prepared and in the picture.
+    const std::size_t pictures = replicates + 2 + (has_features(picture) ? 8 : 0);
+    filtering = denoiser.memory_bytes(values / 3) + pictures * values * sizeof(float);
+  } else {
+    filtering =
+        PictureFilter::memory_bytes(denoiser, values / 3) + replicates * values * sizeof(float);
+  }
+  // Afterwards the file, gathered and in its format.
+  std::uint64_t writing = 0;
+  for (const Picture::Layer& layer : picture.layers) {
+    writing += 2 * layer.pixels.size() * sizeof(float);
+  }
+  return std::max(filtering, writing);
+}
+
+std::shared_ptr<const Denoiser> fitting_denoiser(const Picture& picture,
+                                                 std::shared_ptr<const Denoiser> wanted,
+                                                 bool may_be_another, std::uint64_t available,
+                                                 std::string& note) {
+  const std::uint64_t needed = denoising_bytes(picture, *wanted);
+  if (fits_into_memory(needed, available)) return wanted;
+  const std::string complaint =
+      fmt::format("to denoise {}x{} pixels by {} needs {} of memory, and {} are free here",
+                  picture.crop.size().x + 1, picture.crop.size().y + 1, wanted->name(),
+                  bytes_text(needed), bytes_text(available));
+  std::shared_ptr<const Denoiser> other = find_denoiser("builtin");
+  const std::uint64_t least = denoising_bytes(picture, *other);
+  if (!fits_into_memory(least, available)) throw UsageError(complaint);
+  if (!may_be_another) {
+    throw UsageError(complaint + "; --denoise builtin needs " + bytes_text(least));
+  }
+  note = complaint + ": the built-in filter takes its place, which leaves more noise";
+  return other;
+}
 
 bool denoise_picture(Picture& picture, std::shared_ptr<const Denoiser> denoiser,
                      const Denoiser::Progress& progress) {

@@ -20,8 +20,7 @@ desc::Filter parse_filter(const std::string& option, std::string_view text) {
                                               {"gaussian", 2.F, desc::GaussianFilter{}},
                                               {"mitchell", 2.F, desc::MitchellFilter{}},
                                               {"sinc", 4.F, desc::SincFilter{}}}};
-  constexpr double kSmallest = 1e-3;
-  constexpr double kLargest = 64.0;
+  constexpr Limits<double> kRadius{1e-3, 64.0};
   const std::size_t colon = text.find(':');
   const std::string_view name = text.substr(0, colon);
   const auto* const found = std::find_if(kKinds.begin(), kKinds.end(),
@@ -34,10 +33,10 @@ desc::Filter parse_filter(const std::string& option, std::string_view text) {
   }
   desc::Filter filter;
   filter.node = found->node;
-  const float radius = colon == std::string_view::npos
-                           ? found->radius
-                           : static_cast<float>(parse_number(option, text.substr(colon + 1),
-                                                             "pixels", kSmallest, kLargest));
+  const float radius =
+      colon == std::string_view::npos
+          ? found->radius
+          : static_cast<float>(parse_number(option, text.substr(colon + 1), "pixels", kRadius));
   filter.radius = Vec2(radius, radius);
   return filter;
 }

@@ -8,14 +8,11 @@
 #include <limits>
 
 #include "core/error.h"
-#include "post/exposure.h"
 #include "session/limits.h"
 
 namespace ajar {
 
 namespace {
-
-constexpr int kMaxDepth = 1000;
 
 [[noreturn]] void reject(const std::string& option, std::string_view text,
                          const std::string& expected) {
@@ -48,6 +45,13 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
   }
 }
 
+template <typename Whole>
+Whole whole_within(const std::string& option, std::string_view text, const Limits<Whole>& limits) {
+  const auto value = whole_text_number<Whole>(text);
+  if (!value || !limits.contain(*value)) reject(option, text, "a whole number " + limits.text());
+  return *value;
+}
+
 double seconds_per_unit(char unit) {
   switch (unit) {
     case 's':
@@ -66,7 +70,8 @@ double seconds_per_unit(char unit) {
 }  // namespace
 
 double parse_duration(const std::string& option, std::string_view text) {
-  const std::string expected = "a time above zero such as 60, 60s, 2m or 1h30m";
+  const std::string expected =
+      "a time above zero, at most thirty years, such as 60, 60s, 2m or 1h30m";
   double seconds = 0.0;
   std::string_view rest = text;
   if (rest.empty()) reject(option, text, expected);
@@ -84,43 +89,42 @@ double parse_duration(const std::string& option, std::string_view text) {
     rest.remove_prefix(1);
     seconds += *value * unit;
   }
-  if (!(seconds > 0.0)) reject(option, text, expected);
+  if (!limits::kSeconds.contain(seconds)) reject(option, text, expected);
   return seconds;
 }
 
-std::uint64_t parse_whole(const std::string& option, std::string_view text, std::uint64_t minimum,
-                          std::uint64_t maximum) {
-  const auto value = whole_text_number<std::uint64_t>(text);
-  if (!value || *value < minimum || *value > maximum) {
-    reject(option, text, fmt::format("a whole number from {} to {}", minimum, maximum));
-  }
-  return *value;
+int parse_whole(const std::string& option, std::string_view text, const Limits<int>& limits) {
+  return whole_within(option, text, limits);
+}
+
+std::uint64_t parse_whole(const std::string& option, std::string_view text,
+                          const Limits<std::uint64_t>& limits) {
+  return whole_within(option, text, limits);
 }
 
 double parse_number(const std::string& option, std::string_view text, const std::string& what,
-                    double minimum, double maximum) {
+                    const Limits<double>& limits) {
   const auto value = whole_text_number<double>(text);
-  if (!value || !(*value >= minimum && *value <= maximum)) {
-    reject(option, text, fmt::format("a number of {} from {} to {}", what, minimum, maximum));
+  if (!value || !limits.contain(*value)) {
+    reject(option, text, fmt::format("a number of {} {}", what, limits.text()));
   }
   return *value;
 }
 
 Exposure parse_exposure(const std::string& option, std::string_view text) {
   if (text == "auto") return {.automatic = true};
-  const auto stops = whole_text_number<double>(text);
-  if (!stops || !(std::abs(*stops) <= kMostStops)) {
-    reject(option, text,
-           fmt::format("a number of stops from {} to {}, or auto", -kMostStops, kMostStops));
+  const auto stops = whole_text_number<float>(text);
+  if (!stops || !limits::kStops.contain(*stops)) {
+    reject(option, text, fmt::format("a number of stops {}, or auto", limits::kStops.text()));
   }
-  return {.stops = static_cast<float>(*stops)};
+  return {.stops = *stops};
 }
 
 double parse_relative_error(const std::string& option, std::string_view text) {
   const bool is_percent = text.ends_with('%');
   const auto value = whole_text_number<double>(is_percent ? text.substr(0, text.size() - 1) : text);
   const double error = value.value_or(0.0) * (is_percent ? 0.01 : 1.0);
-  if (error > 0.0 && error <= 1.0) return error;
+  if (limits::kRelativeError.contain(error)) return error;
   std::string expected = "a relative error above 0 and at most 1, such as 0.05 or 5%";
   if (!is_percent && error > 1.0 && error <= 100.0) {
     expected += fmt::format(" (did you mean {:g}, or {:g}%?)", 0.01 * error, error);
@@ -144,8 +148,8 @@ Vec2i parse_resolution(const std::string& option, std::string_view text) {
   if (parts.size() != 2) reject(option, text, expected);
   const auto width = whole_text_number<int>(parts[0]);
   const auto height = whole_text_number<int>(parts[1]);
-  if (!width || !height || *width < 1 || *height < 1 || *width > kMaxResolution ||
-      *height > kMaxResolution) {
+  if (!width || !height || !limits::kResolution.contain(*width) ||
+      !limits::kResolution.contain(*height)) {
     reject(option, text, expected);
   }
   return {*width, *height};
@@ -159,7 +163,7 @@ DepthRange parse_depth(const std::string& option, std::string_view text) {
   const auto edges = [&](std::string_view part) -> std::optional<int> {
     if (part.empty()) return std::nullopt;
     const auto value = whole_text_number<int>(part);
-    if (!value || *value < 1 || *value > kMaxDepth) reject(option, text, expected);
+    if (!value || !limits::kDepth.contain(*value)) reject(option, text, expected);
     return value;
   };
   DepthRange range;

@@ -11,20 +11,22 @@
 #include "core/vector.h"
 #include "session/display.h"
 #include "session/job_state.h"
+#include "session/limits.h"
 
 /// Values of command-line options. Each function raises UsageError that names the option and shows
 /// how to write it.
 namespace ajar {
 
-/// `60`, `60s`, `2m`, `1.5h`, `1h30m` → seconds, > 0.
+/// `60`, `60s`, `2m`, `1.5h`, `1h30m` → seconds, within `limits::kSeconds`.
 double parse_duration(const std::string& option, std::string_view text);
 
-/// A whole number from `minimum` to `maximum`.
-std::uint64_t parse_whole(const std::string& option, std::string_view text, std::uint64_t minimum,
-                          std::uint64_t maximum);
-/// A number from `minimum` to `maximum`; `what` says of what, such as "stops".
+/// A whole number.
+int parse_whole(const std::string& option, std::string_view text, const Limits<int>& limits);
+std::uint64_t parse_whole(const std::string& option, std::string_view text,
+                          const Limits<std::uint64_t>& limits);
+/// A number; `what` says of what, such as "stops".
 double parse_number(const std::string& option, std::string_view text, const std::string& what,
-                    double minimum, double maximum);
+                    const Limits<double>& limits);
 /// A number of stops, or `auto`.
 Exposure parse_exposure(const std::string& option, std::string_view text);
 /// `0.05` or `5%` → 0.05, above 0 and at most 1.

@@ -13,6 +13,7 @@ TEST(Duration, UnderstandsUnits) {
   EXPECT_DOUBLE_EQ(parse_duration("--time", "2m"), 120.0);
   EXPECT_DOUBLE_EQ(parse_duration("--time", "1h"), 3600.0);
   EXPECT_DOUBLE_EQ(parse_duration("--time", "1.5h"), 5400.0);
+  EXPECT_THROW(parse_duration("--time", "1e300d"), UsageError) << "no infinite seconds";
   EXPECT_DOUBLE_EQ(parse_duration("--time", "1h30m"), 5400.0);
   EXPECT_DOUBLE_EQ(parse_duration("--time", "0.25"), 0.25);
 }
@@ -99,13 +100,15 @@ TEST(List, DropsEmptyAndRepeatedNames) {
 }
 
 TEST(OptionValues, NumbersAreToldInWords) {
-  EXPECT_EQ(parse_whole("--spp", "64", 1, 100), 64U);
-  EXPECT_EQ(parse_number("--scale", "-2.5", "times", -64.0, 64.0), -2.5);
+  constexpr Limits<int> kWhole{1, 100};
+  constexpr Limits<double> kNumber{-64.0, 64.0};
+  EXPECT_EQ(parse_whole("--spp", "64", kWhole), 64);
+  EXPECT_EQ(parse_number("--scale", "-2.5", "times", kNumber), -2.5);
   for (const char* text : {"", "0", "101", "1.5", "-1", "many", "1e1", "99999999999999999999"}) {
-    EXPECT_THROW(parse_whole("--spp", text, 1, 100), UsageError) << text;
+    EXPECT_THROW(parse_whole("--spp", text, kWhole), UsageError) << text;
   }
   for (const char* text : {"", "lots", "nan", "inf", "-65", "1 stop"}) {
-    EXPECT_THROW(parse_number("--scale", text, "times", -64.0, 64.0), UsageError) << text;
+    EXPECT_THROW(parse_number("--scale", text, "times", kNumber), UsageError) << text;
   }
 }
 

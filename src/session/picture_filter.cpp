@@ -67,11 +67,11 @@ std::optional<double> denoised_error(const Picture& picture) {
 PictureFilter::PictureFilter(std::shared_ptr<const Denoiser> denoiser, Look look)
     : denoiser_(std::move(denoiser)), look_(std::move(look)) {}
 
-std::uint64_t PictureFilter::memory_bytes(std::uint64_t pixels) const {
+std::uint64_t PictureFilter::memory_bytes(const Denoiser& denoiser, std::uint64_t pixels) {
   // Of two estimates: four replicates each as they are, and filtered; means, features and the
   // mixture.
   constexpr std::uint64_t kPictures = 28;
-  return denoiser_->memory_bytes(pixels) + pixels * 3 * sizeof(float) * kPictures;
+  return denoiser.memory_bytes(pixels) + pixels * 3 * sizeof(float) * kPictures;
 }
 
 bool PictureFilter::know_features(Vec2i size, const Denoiser::Progress& progress) {
@@ -112,7 +112,7 @@ bool PictureFilter::add_layers(Picture& picture, const Denoiser::Progress& progr
 
 bool PictureFilter::add_best_layers(Picture& picture, const PictureEstimates& estimates,
                                     const Denoiser::Progress& progress) {
-  if (estimates.replicates.size() < 4) return add_layers(picture, progress);
+  if (!mixes(estimates.replicates.size())) return add_layers(picture, progress);
   const Vec2i size = size_of(picture);
   const Replicates replicates = finite_replicates(estimates.replicates);
   const Replicates others = finite_replicates(estimates.others);

@@ -29,8 +29,13 @@ class PictureFilter {
 
   /// Of the filter, with its version.
   std::string name() const { return denoiser_->name(); }
-  /// Memory that a picture of so many pixels takes, bytes; an estimate.
-  std::uint64_t memory_bytes(std::uint64_t pixels) const;
+  /// Memory that a picture of so many pixels takes, bytes; an estimate, of `add_best_layers`.
+  std::uint64_t memory_bytes(std::uint64_t pixels) const {
+    return memory_bytes(*denoiser_, pixels);
+  }
+  static std::uint64_t memory_bytes(const Denoiser& denoiser, std::uint64_t pixels);
+  /// Whether so many are enough for `add_best_layers` to be more than `add_layers`.
+  static bool mixes(std::size_t replicates) { return replicates >= 4; }
   /// Finds the features of pictures of that size out now. False if `progress` ended it.
   bool know_features(Vec2i size, const Denoiser::Progress& progress);
   /// Of the scene, as they were seen; empty if nobody has looked yet.
@@ -42,8 +47,8 @@ class PictureFilter {
   bool add_layers(Picture& picture, const Denoiser::Progress& progress = {});
   /// The same of a picture that is finished, for three to six times the time: the unfiltered
   /// picture and the filtered pictures of its estimates are mixed as their replicates tell
-  /// (`mix_estimates`), and "denoised-error" says how wrong that still is. With less than four
-  /// replicates as above.
+  /// (`mix_estimates`), and "denoised-error" says how wrong that still is. With too few replicates
+  /// (`mixes`) as above.
   bool add_best_layers(Picture& picture, const PictureEstimates& estimates,
                        const Denoiser::Progress& progress = {});
 

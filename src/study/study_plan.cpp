@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 constexpr std::int64_t kMostSeeds = 10000;
 constexpr std::size_t kMostMethods = 10000;
-constexpr std::int64_t kMostSamples = std::int64_t{1} << 31;
+constexpr auto kMostSamples = static_cast<std::int64_t>(limits::kSamples.most);
 /// A seed of its own, so that no run of the study repeats the reference's random numbers.
 constexpr std::uint64_t kReferenceSeed = 1'000'003;
 
@@ -416,7 +416,10 @@ StudyPlan read_study(const std::string& path) {
   check_method_budgets(study.at("integrators"), names);
   read_metrics(study, plan);
   read_baseline(study, plan);
-  if (study.has("threads")) plan.threads = static_cast<int>(study.at("threads").whole(0, 4096));
+  if (study.has("threads")) {
+    plan.threads =
+        static_cast<int>(study.at("threads").whole(limits::kThreads.least, limits::kThreads.most));
+  }
   return plan;
 }
 

@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -114,6 +115,28 @@ TEST_F(DenoiseCli, RefusesWhatMakesNoSense) {
     const Outcome outcome = run(wrong.arguments);
     EXPECT_EQ(outcome.exit_code, wrong.exit_code) << wrong.text << ": " << outcome.err;
     EXPECT_NE(outcome.err.find(wrong.text), std::string::npos) << outcome.err;
+  }
+}
+
+TEST_F(DenoiseCli, AsksForMemoryBeforeItIsTaken) {
+  Picture picture;
+  picture.resolution = {2000, 2000};
+  picture.crop = Box2i(Vec2i(0, 0), Vec2i(1999, 1999));
+  picture.layers.push_back({"", 3, std::vector<float>(std::size_t{3} * 2000 * 2000, 1.F)});
+  write_image(file("large.exr").string(), picture);
+  const auto denoised = [&](const char* how) {
+    return finish(
+        start({"denoise", "large.exr", "-o", "b.exr", "--denoise", how}, AJAR_PROGRAM, [] {
+          constexpr rlim_t kLimit = 850'000'000;
+          const rlimit limit{kLimit, kLimit};
+          ::setrlimit(RLIMIT_AS, &limit);
+        }));
+  };
+  for (const char* how : {"auto", "builtin"}) {
+    const Outcome outcome = denoised(how);
+    EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
+    EXPECT_TRUE(contains(outcome.err, "to denoise 2000x2000 pixels by ")) << outcome.err;
+    EXPECT_TRUE(contains(outcome.err, " are free here")) << outcome.err;
   }
 }
 

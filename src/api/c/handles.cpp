@@ -1,11 +1,12 @@
 #include "api/c/handles.h"
 
 #include <chrono>
+#include <cmath>
 #include <cstring>
 #include <new>
+#include <stdexcept>
 #include <string>
 
-#include "core/error.h"
 #include "core/printable_text.h"
 
 namespace ajar::c {
@@ -33,22 +34,22 @@ int code_of(v0::Error::Kind kind) {
 
 }  // namespace
 
+v0::Callbacks BackgroundRender::listeners() {
+  const auto keep = [this](std::vector<std::string> Messages::*kind) {
+    return [this, kind](const std::string& text) {
+      const std::lock_guard lock(mutex_);
+      (messages_.*kind).push_back(text);
+    };
+  };
+  v0::Callbacks callbacks;
+  callbacks.warning = keep(&Messages::warnings);
+  callbacks.trouble = keep(&Messages::troubles);
+  callbacks.note = keep(&Messages::notes);
+  return callbacks;
+}
+
 BackgroundRender::BackgroundRender(const v0::Scene& scene, const v0::Settings& settings)
-    : render_(scene, settings,
-              {.progress = {},
-               .picture = {},
-               .picture_every = 1.0,
-               .warning =
-                   [this](const std::string& text) {
-                     const std::lock_guard lock(mutex_);
-                     messages_.warnings.push_back(text);
-                   },
-               .note =
-                   [this](const std::string& text) {
-                     const std::lock_guard lock(mutex_);
-                     messages_.notes.push_back(text);
-                   }}),
-      thread_([this] { run(); }) {}
+    : render_(scene, settings, listeners()), thread_([this] { run(); }) {}
 
 BackgroundRender::~BackgroundRender() {
   // Twice: at once, whatever comes of it.
@@ -73,6 +74,7 @@ void BackgroundRender::run() {
 }
 
 bool BackgroundRender::wait(double seconds) {
+  if (std::isnan(seconds)) throw UsageError("seconds: must be a number, not nan");
   std::unique_lock lock(mutex_);
   const auto ended = [this] { return is_done_; };
   // A year is more than the clock can be asked for without overflow.
@@ -126,6 +128,8 @@ int guarded(const std::function<void()>& work) {
     return fail(AJAR_FILE, error.what());
   } catch (const std::bad_alloc&) {
     return fail(AJAR_MEMORY, "there is not enough memory");
+  } catch (const std::length_error&) {
+    return fail(AJAR_MEMORY, "there is not enough memory");
   } catch (const std::exception& error) {
     return fail(AJAR_OTHER, error.what());
   } catch (...) {
@@ -133,10 +137,11 @@ int guarded(const std::function<void()>& work) {
   }
 }
 
-char* text_for_caller(const std::string& text) {
+void give_text(const std::string& text, char** out) {
+  char*& place = given(out, "json");
   auto copy = std::make_unique<char[]>(text.size() + 1);
   std::memcpy(copy.get(), text.c_str(), text.size() + 1);
-  return copy.release();
+  place = copy.release();
 }
 
 }  // namespace ajar::c

@@ -10,6 +10,7 @@
 
 #include "ajar/ajar.h"
 #include "ajar/c.h"
+#include "core/error.h"
 
 /// What the handles of ajar/c.h point to, and how errors leave it.
 struct ajar_scene {
@@ -40,12 +41,14 @@ class BackgroundRender {
   v0::Progress progress() const { return render_.progress(); }
   std::string statistics() const { return render_.statistics(); }
   struct Messages {
-    std::vector<std::string> warnings, notes;
+    std::vector<std::string> warnings, troubles, notes;
   };
   Messages messages() const;
 
  private:
   void run();
+  /// Who keep its messages.
+  v0::Callbacks listeners();
 
   mutable std::mutex mutex_;
   std::condition_variable ended_;
@@ -60,8 +63,15 @@ class BackgroundRender {
 /// Calls `work`, and makes a code and `ajar_last_error` of what it raises.
 int guarded(const std::function<void()>& work);
 
-/// A text for the caller to free.
-char* text_for_caller(const std::string& text);
+/// What a caller gave a pointer to. Raises UsageError that names the argument if that is none.
+template <typename T>
+T& given(T* pointer, const char* argument) {
+  if (pointer == nullptr) throw UsageError(std::string(argument) + " is NULL");
+  return *pointer;
+}
+
+/// Gives a text out, for the caller to free.
+void give_text(const std::string& text, char** out);
 
 }  // namespace ajar::c
 

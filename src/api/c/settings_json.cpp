@@ -1,7 +1,6 @@
 #include "api/c/settings_json.h"
 
 #include <functional>
-#include <nlohmann/json.hpp>
 
 #include "api/c/json_text.h"
 #include "core/error.h"
@@ -36,10 +35,10 @@ const std::vector<Member>& members() {
       {"integrator", to(&Settings::integrator)},
       {"parameters",
        [](Settings& settings, const Json& json) {
-         if (!json.is_object()) throw UsageError("must be an object, not " + json_text(json));
+         if (!json.is_object()) throw UsageError("must be an object, not " + code::shown(json));
          for (const auto& [name, value] : json.items()) {
            settings.parameters[name] =
-               value.is_string() ? value.get<std::string>() : json_text(value);
+               value.is_string() ? value_of<std::string>(value) : json_text(value);
          }
        }},
       {"samples_per_pixel", to(&Settings::samples_per_pixel)},
@@ -68,16 +67,9 @@ v0::Settings settings_from_json(std::string_view json) {
   v0::Settings settings;
   std::vector<std::string> names;
   for (const Member& member : members()) names.emplace_back(member.name);
-  const Json object = parsed_object(json);
-  for (const auto& [name, value] : object.items()) {
-    const auto found = std::find(names.begin(), names.end(), name);
-    if (found == names.end()) throw UsageError(unknown_name_message("setting", name, names));
-    if (value.is_null()) continue;
-    try {
-      members()[static_cast<std::size_t>(found - names.begin())].read(settings, value);
-    } catch (const UsageError& error) {
-      throw UsageError(name + ": " + error.what());
-    }
+  const Json object = parsed_object(json, "setting", names);
+  for (const Member& member : members()) {
+    read_member(object, member.name, [&](const Json& value) { member.read(settings, value); });
   }
   return settings;
 }

@@ -59,19 +59,19 @@ CLI::Option* add_value(CLI::App* command, const std::string& name, Value& value,
 }
 
 std::uint64_t read_samples(const std::string& option, const std::string& text) {
-  return parse_whole(option, text, 1, std::uint64_t{1} << 31U);
+  return parse_whole(option, text, limits::kSamples);
 }
 
 int read_threads(const std::string& option, const std::string& text) {
-  return static_cast<int>(parse_whole(option, text, 0, 4096));
+  return parse_whole(option, text, limits::kThreads);
 }
 
 double read_scale(const std::string& option, const std::string& text) {
-  return parse_number(option, text, "times the scene's own size", 1e-5, 65536.0);
+  return parse_number(option, text, "times the scene's own size", limits::kScale);
 }
 
 double read_pixels_per_degree(const std::string& option, const std::string& text) {
-  return parse_number(option, text, "pixels per degree", 1.0, 1000.0);
+  return parse_number(option, text, "pixels per degree", limits::kPixelsPerDegree);
 }
 
 constexpr const char* kPictures = "Pictures";

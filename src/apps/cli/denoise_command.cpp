@@ -3,6 +3,7 @@
 #include "apps/cli/exit_codes.h"
 #include "apps/cli/messages.h"
 #include "apps/cli/render_report.h"
+#include "core/available_memory.h"
 #include "core/error.h"
 #include "image/read_picture.h"
 #include "session/denoise_file.h"
@@ -23,6 +24,10 @@ int denoise(const DenoiseArguments& a) {
   check_distinct(a.outputs);
   check_spares(a.outputs, {a.picture});
   Picture picture = read_picture(a.picture);
+  std::string why_another;
+  denoiser = fitting_denoiser(picture, std::move(denoiser), a.denoiser == "auto",
+                              available_memory_bytes(), why_another);
+  if (!why_another.empty()) print_note(why_another);
   if (!has_features(picture)) {
     print_note(a.picture +
                " does not know the surfaces of its scene, so edges may blur; ajar render "

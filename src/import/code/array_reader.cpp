@@ -52,9 +52,17 @@ RowSource<T> rows_of(const NumberArray& array) {
 
 }  // namespace
 
+int ArrayReader::array_number(const JsonPlace& part, const char* name) const {
+  const Json* number = part.find(name);
+  if (arrays_.empty() && number != nullptr && number->is_number_unsigned()) {
+    part.fail(fmt::format("\"{}\" is array {}, but no arrays are given", name, shown(*number)));
+  }
+  return part.index(name, arrays_.size());
+}
+
 const NumberArray& ArrayReader::array(const JsonPlace& part, const char* name,
                                       NumberArray::Type type, std::size_t columns) const {
-  const int index = part.index(name, arrays_.size());
+  const int index = array_number(part, name);
   static const NumberArray kNone{NumberArray::Type::Float32, {0, 0}, nullptr};
   if (index < 0) return kNone;
   const NumberArray& array = arrays_[static_cast<std::size_t>(index)];
@@ -95,6 +103,13 @@ desc::MeshPointer ArrayReader::mesh(const Json& json, const JsonPlace& place) co
   check("normals", mesh.normals.size());
   check("tangents", mesh.tangents.size());
   check("uvs", mesh.uvs.size());
+  for (std::size_t i = 0; i < mesh.indices.size(); ++i) {
+    const Imath::Vec3<unsigned>& t = mesh.indices[i];
+    const unsigned last = std::max({t.x, t.y, t.z});
+    if (last < vertices) continue;
+    mesh_place.fail(
+        fmt::format("\"indices\": triangle {} refers to vertex {} of {}", i, last, vertices));
+  }
   std::vector<Warning> remarks;
   validate_mesh(mesh, mesh_place.where(), remarks);
   for (Warning& remark : remarks) warnings_.add(std::move(remark));
@@ -130,7 +145,7 @@ desc::CurvesPointer ArrayReader::curves(const Json& json, const JsonPlace& place
 
 std::string ArrayReader::image(const Json& json, const JsonPlace& place) const {
   const JsonPlace part(json, place.what(), {"image"});
-  const int index = part.index("image", arrays_.size());
+  const int index = array_number(part, "image");
   if (index < 0) place.fail("an image needs the number of its array");
   const NumberArray& array = arrays_[static_cast<std::size_t>(index)];
   constexpr std::size_t kMostSide = std::size_t{1} << 20U;

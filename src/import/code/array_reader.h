@@ -26,6 +26,8 @@ class ArrayReader {
   std::string image(const Json& json, const JsonPlace& place) const;
 
  private:
+  /// Which array a member means; -1 without the member.
+  int array_number(const JsonPlace& part, const char* name) const;
   const NumberArray& array(const JsonPlace& part, const char* name, NumberArray::Type type,
                            std::size_t columns) const;
 

@@ -22,7 +22,26 @@ SourceLocation location_of(const Json& json) {
           where->at(1).get<int>(), 0};
 }
 
+/// The library's message without its own name and its idea of the place.
+std::string reason_of(const Json::exception& error) {
+  const std::string message = error.what();
+  const std::size_t colon = message.find(": ");
+  return printable_line(colon == std::string::npos ? message : message.substr(colon + 2));
+}
+
 }  // namespace
+
+Json parse_json(std::string_view text) {
+  constexpr int kDeepest = 64;
+  try {
+    return Json::parse(text, [](int depth, Json::parse_event_t /*event*/, Json& /*parsed*/) {
+      if (depth > kDeepest) throw UsageError("JSON is nested more than 64 deep");
+      return true;
+    });
+  } catch (const Json::exception& error) {
+    throw UsageError("this is no JSON: " + reason_of(error));
+  }
+}
 
 std::string shown(const Json& value) {
   if (value.is_object()) return "an object";

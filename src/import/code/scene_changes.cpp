@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <numeric>
 
@@ -116,7 +117,8 @@ class Changer {
     if (json == nullptr) return Vec3(0.F);
     const bool fits = json->is_array() && json->size() == 3 &&
                       std::all_of(json->begin(), json->end(), [](const Json& number) {
-                        return number.is_number() && number.get<double>() >= 0.0;
+                        return number.is_number() && number.get<float>() >= 0.F &&
+                               std::isfinite(number.get<float>());
                       });
     if (!fits) {
       place.fail("\"" + std::string(name) + "\" must be three numbers from 0 on, not " +
@@ -228,11 +230,16 @@ class Changer {
     if (!inverse(camera.to_world)) place.fail("its transform cannot be inverted");
     const auto positive = [&](const char* name, double otherwise) {
       const double value = place.number(name, otherwise);
-      if (!(value > 0.0)) place.fail(fmt::format("\"{}\" must be above 0, not {}", name, value));
-      return static_cast<float>(value);
+      const auto used = static_cast<float>(value);
+      if (!(used > 0.F)) place.fail(fmt::format("\"{}\" must be above 0, not {}", name, value));
+      if (!std::isfinite(used)) place.fail(fmt::format("\"{}\" is too large: {}", name, value));
+      return used;
     };
     const double lens = place.number("lens_radius", 0.0);
     if (lens < 0.0) place.fail(fmt::format("\"lens_radius\" must be at least 0, not {}", lens));
+    if (!std::isfinite(static_cast<float>(lens))) {
+      place.fail(fmt::format("\"lens_radius\" is too large: {}", lens));
+    }
     const float focus = positive("focal_distance", 1e6);
     if (model == models[0]) {
       const float fov = positive("fov", 90.0);
@@ -295,9 +302,10 @@ class Changer {
   }
 
   std::size_t light_edited(const JsonPlace& place) {
-    const int index = place.index("which", scene_.lights.size());
-    if (index < 0) place.fail("an edit says \"which\"");
-    return static_cast<std::size_t>(index);
+    const Json* which = place.find("which");
+    if (which == nullptr) place.fail("an edit says \"which\"");
+    if (scene_.lights.empty()) place.fail("there is no light " + code::shown(*which));
+    return static_cast<std::size_t>(place.index("which", scene_.lights.size()));
   }
 
   void set(ModelKind kind, desc::Node& node, const JsonPlace& place) {
@@ -325,9 +333,9 @@ class Changer {
 
 Json parsed(std::string_view text) {
   try {
-    return Json::parse(text);
-  } catch (const Json::exception& error) {
-    throw SceneError("the description is no JSON: " + std::string(error.what()));
+    return code::parse_json(text);
+  } catch (const UsageError& error) {
+    throw SceneError("the description: " + std::string(error.what()));
   }
 }
 

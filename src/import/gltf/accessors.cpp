@@ -37,6 +37,17 @@ std::size_t size_of(ComponentType type) {
   return with_type(type, [](auto value) { return sizeof(value); });
 }
 
+/// Elements of an accessor.
+std::size_t count_of(const Element& accessor) {
+  const Element count = accessor.at("count");
+  constexpr std::uint64_t kMost = std::numeric_limits<std::uint32_t>::max();
+  if (count.whole() > kMost) {
+    count.fail("these are " + std::to_string(count.whole()) + " elements, of which at most " +
+               std::to_string(kMost) + " can be read");
+  }
+  return static_cast<std::size_t>(count.whole());
+}
+
 ComponentType component_type_of(const Element& element) {
   const Element type = element.at("componentType");
   switch (type.whole()) {
@@ -107,14 +118,7 @@ void read_element(const char* bytes, int components, bool normalized, Value& val
 Accessors::Accessors(const Context& context, Buffers& buffers)
     : buffers_(buffers), all_(context.document.root().elements("accessors")) {}
 
-std::size_t Accessors::count(std::size_t accessor) const {
-  const Element count = all_[accessor].at("count");
-  constexpr std::uint64_t kMost = std::numeric_limits<std::uint32_t>::max();
-  if (count.whole() > kMost) {
-    count.fail("at most " + std::to_string(kMost) + " elements can be read");
-  }
-  return static_cast<std::size_t>(count.whole());
-}
+std::size_t Accessors::count(std::size_t accessor) const { return count_of(all_[accessor]); }
 
 std::vector<Vec3> Accessors::read_vec3(std::size_t accessor) { return read<Vec3>(accessor, 3); }
 std::vector<Vec2> Accessors::read_vec2(std::size_t accessor) { return read<Vec2>(accessor, 2); }
@@ -210,7 +214,7 @@ Accessors::Layout Accessors::layout_of(const Element& accessor, int components) 
   check_type(accessor, components);
   const ComponentType type = component_type_of(accessor);
   const std::size_t size = static_cast<std::size_t>(components) * size_of(type);
-  const std::size_t elements = accessor.at("count").index(std::size_t{1} << 32U);
+  const std::size_t elements = count_of(accessor);
   Layout layout = elements_of(accessor, elements, size);
   // Zeros need no bytes in the file; but what is drawn has at least an index each.
   if (layout.bytes == nullptr && elements > buffers_.total_bytes()) {

@@ -239,9 +239,9 @@ class Writer {
   void write_camera() {
     const desc::Camera& camera = scene_.camera;
     const std::optional<Mat4> from_world = inverse(camera.to_world);
-    if (!from_world)
-      throw IoError("cannot write \"" + path_.string() +
-                    "\": the camera's transform cannot be inverted");
+    if (!from_world) {
+      throw SceneError(camera.where, "the transform of the camera cannot be inverted");
+    }
     out_.line("Transform").matrix(*from_world);
     if (const auto* perspective = std::get_if<desc::PerspectiveCamera>(&camera.node)) {
       out_.line("Camera").quoted("perspective").parameter("float fov", perspective->fov);

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -46,7 +48,11 @@ class OidnDevice {
  public:
   explicit OidnDevice(const OidnLibrary& oidn)
       : oidn_(oidn), device_(oidn.new_device(OidnLibrary::kCpu), oidn.release_device) {
-    if (device_.get() == nullptr) check(oidn, nullptr);
+    if (device_.get() == nullptr) {
+      check(oidn, nullptr);
+      throw std::runtime_error(
+          fmt::format("Open Image Denoise ({}): it has no device for processors", oidn.path));
+    }
     // Threads are TBB's, which are not its own to pin.
     oidn.set_device_bool(device_.get(), "setAffinity", false);
     oidn.commit_device(device_.get());
@@ -104,10 +110,44 @@ class OidnDevice {
   Owned<OidnLibrary::Device> device_;
 };
 
+/// How often a picture has to be halved (below 0: doubled) for the library, which finds its
+/// exposure in floats and takes what is below 1e-8 as black: 0 where that does it no harm, so that
+/// all pictures that one meets are what the library makes of them. Of 1e37 everywhere it makes 0,
+/// of 1e-8 blots that are 400 times as bright (2.5.1).
+int halvings_for_library(const std::vector<float>& colour) {
+  constexpr int kBrightest = 40;
+  constexpr int kDimmest = -20;
+  std::int64_t sum = 0;
+  std::int64_t count = 0;
+  for (const float value : colour) {
+    if (value == 0.F) continue;
+    sum += std::ilogb(value);
+    ++count;
+  }
+  const int level = count == 0 ? 0 : static_cast<int>(sum / count);
+  return level > kBrightest || level < kDimmest ? level : 0;
+}
+
+/// By a power of two; what is too large for a float is as large as one can be.
+void multiply(std::vector<float>& values, int exponent) {
+  constexpr float kMost = std::numeric_limits<float>::max();
+  for (float& value : values) value = std::clamp(std::ldexp(value, exponent), -kMost, kMost);
+}
+
+/// No value so large that a sum of a few is infinite.
+void limit(std::vector<float>& values) {
+  constexpr float kMost = 1e30F;
+  for (float& value : values) value = std::clamp(value, -kMost, kMost);
+}
+
 }  // namespace
 
 OidnDenoiser::OidnDenoiser(std::shared_ptr<const OidnLibrary> library)
-    : library_(std::move(library)), name_("oidn " + OidnDevice(*library_).version()) {}
+    : library_(std::move(library)), name_("oidn " + OidnDevice(*library_).version()) {
+  if (name_.starts_with("oidn 2.")) return;
+  throw std::runtime_error(
+      fmt::format("{}: it says that it is {}, not version 2", library_->path, name_));
+}
 
 std::uint64_t OidnDenoiser::memory_bytes(std::uint64_t pixels) const {
   return std::min(pixels * kBytesPerPixel, std::uint64_t{kMostMemory} << 20U);
@@ -129,13 +169,18 @@ std::optional<std::vector<float>> OidnDenoiser::filter(const NoisyPicture& pictu
                                                        const Features& features,
                                                        const Progress& progress) const {
   const OidnDevice device(*library_);
-  const std::vector<float> colour = finite_values(picture.colour);
+  std::vector<float> colour = finite_values(picture.colour);
+  const int halvings = halvings_for_library(colour);
+  if (halvings != 0) multiply(colour, -halvings);
+  limit(colour);
   std::vector<OidnDevice::Input> inputs = {{"color", &colour}};
   if (!features.empty()) {
     inputs.push_back({"albedo", &features.albedo});
     inputs.push_back({"normal", &features.normal});
   }
-  return device.run(picture.size, inputs, true, picture.roughly, progress);
+  auto pixels = device.run(picture.size, inputs, true, picture.roughly, progress);
+  if (pixels && halvings != 0) multiply(*pixels, halvings);
+  return pixels;
 }
 
 }  // namespace ajar

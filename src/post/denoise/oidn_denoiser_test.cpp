@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <random>
@@ -84,6 +85,25 @@ TEST_F(OidnDenoiserTest, TakesValuesThatAreNoNumbersAsBlack) {
   const auto clean = denoiser_->filter({kSize, noisy}, {}, {});
   ASSERT_TRUE(clean);
   EXPECT_TRUE(std::all_of(clean->begin(), clean->end(), [](float v) { return std::isfinite(v); }));
+}
+
+TEST_F(OidnDenoiserTest, KeepsLightHoweverBrightOrDim) {
+  std::vector<float> at_the_end(3 * kPixels, 3e38F);
+  const auto clean_end = denoiser_->filter({kSize, at_the_end}, {}, {});
+  ASSERT_TRUE(clean_end);
+  for (const float value : *clean_end) {
+    ASSERT_TRUE(std::isfinite(value));
+    ASSERT_NEAR(value, 3e38F, 0.15e38F);
+  }
+  for (const float scale : {1e37F, 1e30F, 1e15F, 1e-7F, 1e-10F, 1e-20F, 1e-30F}) {
+    std::vector<float> noisy = noisy_ramp();
+    for (float& value : noisy) value *= scale;
+    const auto clean = denoiser_->filter({kSize, noisy}, {}, {});
+    ASSERT_TRUE(clean);
+    const double before = std::accumulate(noisy.begin(), noisy.end(), 0.0);
+    EXPECT_NEAR(std::accumulate(clean->begin(), clean->end(), 0.0) / before, 1.0, 0.01) << scale;
+    EXPECT_LT(*std::max_element(clean->begin(), clean->end()), 4.F * scale);
+  }
 }
 
 TEST_F(OidnDenoiserTest, EndsWhenItIsTold) {

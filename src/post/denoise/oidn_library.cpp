@@ -4,9 +4,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdlib>
 #include <mutex>
 #include <system_error>
+
+#include "post/denoise/library_file.h"
 
 namespace ajar {
 
@@ -98,23 +101,71 @@ bool take_all(void* library, OidnLibrary& oidn) {
          take(library, "oidnReleaseFilter", oidn.release_filter);
 }
 
+/// Folders in which the system's loader looks, but for those that only its cache knows.
+std::vector<fs::path> loader_folders() {
+  std::vector<fs::path> folders;
+  void* program = dlopen(nullptr, RTLD_LAZY);
+  Dl_serinfo size{};
+  if (program != nullptr && dlinfo(program, RTLD_DI_SERINFOSIZE, &size) == 0) {
+    std::vector<std::max_align_t> memory(size.dls_size / sizeof(std::max_align_t) + 1);
+    auto* list = reinterpret_cast<Dl_serinfo*>(memory.data());  // NOLINT: it grows beyond its end
+    *list = size;
+    if (dlinfo(program, RTLD_DI_SERINFO, list) == 0) {
+      for (unsigned i = 0; i < list->dls_cnt; ++i) {
+        folders.emplace_back(list->dls_serpath[i].dls_name);  // NOLINT
+      }
+    }
+  }
+  folders.emplace_back("/usr/local/lib");
+  return folders;
+}
+
+/// Why the library, or one of its parts beside it, cannot be loaded, one sentence; empty if nothing
+/// speaks against it.
+std::string complaint_about(const fs::path& place) {
+  if (const std::string complaint = library_complaint(place); !complaint.empty()) {
+    return place.string() + ": " + complaint;
+  }
+  std::error_code error;
+  for (fs::directory_iterator entry(place.parent_path(), error), end; !error && entry != end;
+       entry.increment(error)) {
+    const std::string name = entry->path().filename().string();
+    const bool is_part = name.starts_with("libOpenImageDenoise_core.so") ||
+                         name.starts_with("libOpenImageDenoise_device_cpu.so");
+    std::error_code ignored;
+    if (!is_part || !fs::exists(entry->path(), ignored)) continue;
+    const std::string complaint = library_complaint(entry->path());
+    if (!complaint.empty()) return entry->path().string() + ": " + complaint;
+  }
+  return {};
+}
+
 /// Null, and more `trouble` if there is a file, if it is of no use.
 std::shared_ptr<const OidnLibrary> load(const fs::path& place, std::string& trouble) {
-  // Never closed: its threads may outlive whoever used it.
-  void* library = dlopen(place.c_str(), RTLD_NOW | RTLD_LOCAL);
   const auto fail = [&](const std::string& why) {
-    trouble += (trouble.empty() ? "" : "; ") + place.string() + ": " + why;
+    trouble += (trouble.empty() ? "" : "; ") + why;
     return nullptr;
   };
+  const bool has_folder = place.has_parent_path();
+  std::error_code error;
+  if (has_folder && !fs::exists(fs::symlink_status(place, error))) return nullptr;
+  if (has_folder) {
+    if (const std::string complaint = complaint_about(place); !complaint.empty()) {
+      return fail(complaint);
+    }
+  }
+  // Never closed: its threads may outlive whoever used it.
+  void* library = dlopen(place.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (library == nullptr) {
     const char* why = dlerror();  // NOLINT(concurrency-mt-unsafe): once per process
-    std::error_code error;
-    if (place.is_relative() || !fs::exists(place, error)) return nullptr;
-    return fail(why == nullptr ? "cannot be loaded" : why);
+    if (!has_folder) return nullptr;
+    return fail(place.string() + ": " + (why == nullptr ? "cannot be loaded" : why));
   }
   auto oidn = std::make_shared<OidnLibrary>();
   oidn->path = place.string();
-  if (!take_all(library, *oidn)) return fail("has not the functions of version 2");
+  if (!take_all(library, *oidn)) {
+    return fail(place.string() + ": has not the functions of version 2");
+  }
   return oidn;
 }
 
@@ -130,7 +181,13 @@ std::vector<fs::path> oidn_places() {
   if (const fs::path cache = cache_folder(); !cache.empty()) {
     places.push_back(cache / "ajar" / "oidn" / "lib" / kName);
   }
-  places.emplace_back(kName);
+  const std::size_t before = places.size();
+  for (const fs::path& folder : loader_folders()) {
+    std::error_code error;
+    if (fs::exists(fs::symlink_status(folder / kName, error))) places.push_back(folder / kName);
+  }
+  // By its name alone nobody has looked at it before it is loaded.
+  if (places.size() == before) places.emplace_back(kName);
   for (const char* variable : {"VIRTUAL_ENV", "CONDA_PREFIX"}) {
     add_python_packages(from_environment(variable), places);
   }
@@ -151,6 +208,8 @@ std::shared_ptr<const OidnLibrary> find_oidn(std::string* trouble) {
       found = load(place, troubles);
       if (found) return;
     }
+    if (!troubles.empty() || from_environment("AJAR_OIDN").empty()) return;
+    troubles = oidn_places().front().string() + ": it is not there";
   });
   if (trouble != nullptr) *trouble = troubles;
   return found;

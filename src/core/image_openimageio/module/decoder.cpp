@@ -27,7 +27,8 @@ double packing_of(std::string_view format, std::string_view compression) {
     std::string_view format;
     double pixels;
   };
-  constexpr std::array<Bound, 12> kBounds = {{{"png", kDeflate},
+  constexpr std::array<Bound, 13> kBounds = {{{"png", kDeflate},
+                                              {"dds", kUnpacked},
                                               {"zfile", kDeflate},
                                               {"pnm", kUnpacked},
                                               {"cineon", kUnpacked},
