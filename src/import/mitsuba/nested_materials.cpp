@@ -81,6 +81,9 @@ desc::MaterialId tilted(const MaterialInputs& in, desc::MaterialId id, desc::Tex
 std::optional<desc::TextureId> texture_of_relief(const MaterialInputs& in, bool is_height) {
   const Element* texture = in.arguments.only_child("texture");
   if (texture == nullptr) {
+    if (const auto color = in.arguments.color(is_height ? "bumpmap" : "normalmap")) {
+      return in.textures.add_constant(in.where(), *color);
+    }
     const std::optional<std::string> file = in.arguments.text("filename");
     if (file) return in.textures.add_vectors(in.where(), *file);
     in.context().warnings.add(

@@ -21,20 +21,26 @@ constexpr int kDeepestElements = 100;
 constexpr int kMostFiles = 1000;
 
 /// Elements that are plugins.
-constexpr std::array<std::string_view, 15> kPluginTags = {
-    "bsdf",  "emitter", "film",  "integrator", "medium",     "phase",   "rfilter", "sampler",
-    "scene", "sensor",  "shape", "spectrum",   "subsurface", "texture", "volume"};
+constexpr std::array<std::string_view, 14> kPluginTags = {
+    "bsdf",    "emitter", "film",   "integrator", "medium",     "phase",   "rfilter",
+    "sampler", "scene",   "sensor", "shape",      "subsurface", "texture", "volume"};
+
+/// Whether a number or a colour names a plugin: it is then what that makes, a texture or the same
+/// everywhere.
+bool is_typed_value(const pugi::xml_node& node) {
+  return node.attribute("type") && is_value_tag(node.name());
+}
 
 /// Today's name of a tag that older versions called otherwise.
-std::string plugin_tag(const std::string& tag) {
+std::string plugin_tag(const pugi::xml_node& node) {
+  const std::string tag = node.name();
   if (tag == "luminaire") return "emitter";
   if (tag == "camera") return "sensor";
-  return tag;
+  return is_typed_value(node) ? "texture" : tag;
 }
 
 bool is_plugin(const pugi::xml_node& node) {
-  const std::string tag = plugin_tag(node.name());
-  if (tag == "spectrum") return node.attribute("type");
+  const std::string tag = plugin_tag(node);
   return std::find(kPluginTags.begin(), kPluginTags.end(), tag) != kPluginTags.end();
 }
 
@@ -117,7 +123,7 @@ void Parser::read_one(const Source& source, Element& parent, int depth) {
 
 ElementPointer Parser::read_element(const Source& source, int depth) {
   auto element = std::make_shared<Element>();
-  element->tag = plugin_tag(source.node.name());
+  element->tag = plugin_tag(source.node);
   element->type = attribute(source, "type");
   element->id = attribute(source, "id");
   element->where = source.file.where(source.node);

@@ -25,6 +25,12 @@ bool is_property_tag(std::string_view tag) {
   return std::find(kPropertyTags.begin(), kPropertyTags.end(), tag) != kPropertyTags.end();
 }
 
+bool is_value_tag(std::string_view tag) {
+  constexpr std::array<std::string_view, 7> kValueTags = {"float", "rgb",       "srgb",    "xyz",
+                                                          "color", "blackbody", "spectrum"};
+  return std::find(kValueTags.begin(), kValueTags.end(), tag) != kValueTags.end();
+}
+
 std::optional<PropertyValue> PropertyReader::read(const pugi::xml_node& node) const {
   const std::string_view tag = node.name();
   const auto checked = [&](auto value, const char* expected) -> PropertyValue {

@@ -1,16 +1,18 @@
 #include "import/mitsuba/spectrum_plugins.h"
 
+#include <algorithm>
+#include <array>
+
 #include "core/color.h"
-#include "import/common/printable.h"
 #include "import/mitsuba/arguments.h"
 #include "import/mitsuba/numbers.h"
-#include "import/mitsuba/plugin_types.h"
 #include "import/mitsuba/spectra.h"
 
 namespace ajar::mitsuba {
 namespace {
 
-constexpr WarningKind kUnknownSpectrum{Effect::Surface, "spectra are unknown: others stand in"};
+constexpr std::array<std::string_view, 8> kTypes = {
+    "uniform", "d65", "srgb", "rgb", "blackbody", "irregular", "regular", "rawconstant"};
 
 /// Wavelengths and values, written side by side or, at even steps, from one to another.
 desc::Rgb sampled(Arguments& arguments) {
@@ -43,28 +45,25 @@ desc::Rgb sampled(Arguments& arguments) {
 
 }  // namespace
 
+std::span<const std::string_view> spectrum_types() { return kTypes; }
+
+bool is_spectrum(const Element& element) {
+  return element.tag == "texture" &&
+         std::find(kTypes.begin(), kTypes.end(), element.type) != kTypes.end();
+}
+
 desc::Rgb evaluate_spectrum(Context& context, const Element& element) {
   Arguments arguments(context, element);
+  const std::string& type = element.type;
   const auto evaluate = [&]() -> desc::Rgb {
-    if (element.type == "uniform") return arguments.color("value").value_or(desc::Rgb(1.F));
-    if (element.type == "d65") {
-      return arguments.color("color").value_or(desc::Rgb(1.F)) * arguments.number("scale", 1.F);
-    }
-    if (element.type == "srgb" || element.type == "rgb") {
-      return arguments.color("color").value_or(desc::Rgb(1.F));
-    }
-    if (element.type == "blackbody") {
+    if (type == "blackbody") {
       return desc::Rgb(blackbody(arguments.number("temperature", 5000.F))) *
              arguments.number("scale", 1.F);
     }
-    if (element.type == "irregular" || element.type == "regular") return sampled(arguments);
-    const desc::Rgb value = arguments.color("value").value_or(desc::Rgb(1.F));
-    if (element.type == "rawconstant") return value;
-    context.warnings.add(kUnknownSpectrum, element.where,
-                         unknown_type_message(element) + ". Its \"value\", or 1, stands in",
-                         printable(element.type));
-    arguments.accept_all();
-    return value;
+    if (type == "irregular" || type == "regular") return sampled(arguments);
+    const bool has_value = type == "uniform" || type == "rawconstant";
+    const desc::Rgb color = arguments.color(has_value ? "value" : "color").value_or(desc::Rgb(1.F));
+    return type == "d65" ? color * arguments.number("scale", 1.F) : color;
   };
   arguments.accept({"unbounded", "wavelength_min", "wavelength_max"});
   return evaluate();

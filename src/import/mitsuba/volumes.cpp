@@ -164,10 +164,21 @@ std::optional<VolumeValue> find_density(Arguments& medium, std::string_view name
   if (const Element* volume = find_volume(medium, name)) {
     Arguments of_volume(medium.context(), *volume);
     if (is_grid(*volume)) return read_grid(of_volume);
-    return VolumeValue{constant(of_volume, "A density of 1").value_or(desc::Rgb(1.F))};
+    const desc::Rgb color = constant(of_volume, "A density of 1").value_or(desc::Rgb(1.F));
+    return constant_density(medium, color, of_volume.transform("to_world").value_or(Mat4()));
   }
   const std::optional<desc::Rgb> color = find_coefficient(medium, name);
-  return color ? std::optional(VolumeValue{*color}) : std::nullopt;
+  return color ? std::optional(constant_density(medium, *color)) : std::nullopt;
+}
+
+VolumeValue constant_density(const Arguments& medium, const desc::Rgb& color, const Mat4& cube) {
+  const bool has_cube =
+      medium.context().document.major_version != 0 && medium.element().type == "heterogeneous";
+  if (!has_cube) return VolumeValue{color};
+  VolumeGrid one;
+  one.to_world = cube;
+  one.values = {1.F};
+  return {color, std::move(one)};
 }
 
 std::optional<VolumeValue> find_albedo(Arguments& medium, std::string_view name) {
@@ -181,17 +192,25 @@ std::optional<VolumeValue> find_albedo(Arguments& medium, std::string_view name)
 
 std::optional<desc::Rgb> find_coefficient(Arguments& medium, std::string_view name) {
   const Element* volume = find_volume(medium, name);
-  if (volume == nullptr) volume = medium.child(name, "texture");
   if (volume == nullptr) return medium.color(name);
   Arguments of_volume(medium.context(), *volume);
   if (is_grid(*volume)) return mean_of(of_volume, read_grid(of_volume), "coefficients");
   return constant(of_volume, "The default");
 }
 
-void set_extinction(Arguments& arguments, desc::Medium& medium, const VolumeValue& sigma_t,
+void set_extinction(Arguments& arguments, desc::Medium& medium, VolumeValue sigma_t,
                     const VolumeValue& albedo) {
   Warnings& warnings = arguments.context().warnings;
   const std::string& name = medium.name;
+  if (sigma_t.grid && albedo.grid && sigma_t.grid->point_count() == 1) {
+    // The same everywhere: it can have the points of the albedo.
+    VolumeGrid& grid = *sigma_t.grid;
+    sigma_t.color *= grid.at(0);
+    grid.resolution = albedo.grid->resolution;
+    grid.points = albedo.grid->points;
+    grid.channels = 1;
+    grid.values.assign(albedo.grid->point_count(), 1.F);
+  }
   if (sigma_t.grid && (sigma_t.grid->is_colored() || albedo.grid)) {
     const VolumeGrid* albedos = albedo.grid ? &*albedo.grid : nullptr;
     if (albedos != nullptr && !albedos->has_lattice_of(*sigma_t.grid)) {
