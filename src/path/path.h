@@ -41,6 +41,8 @@ struct InnerVertex {
     return in_medium ? p() : offset_ray_origin(p(), hit.point.ng, w);
   }
   bool connectible() const { return in_medium || bsdf.connectible(); }
+  /// Whether it adds nothing to the depth that counts.
+  bool is_uncounted() const { return !in_medium && bsdf.is_uncounted(event); }
 };
 
 /// A whole path x_0 … x_k, x_0 on a light, x_k on the camera: nothing in it is random, and nothing
@@ -58,6 +60,8 @@ struct Path {
 
   /// Edges, k.
   int depth() const { return static_cast<int>(vertices.size()) + 1; }
+  /// Edges, less those of events that do not count, and as many more as interfaces that do.
+  int counted_depth() const;
   const InnerVertex& vertex(int x) const { return vertices[static_cast<std::size_t>(x - 1)]; }
   const Segment& segment(int edge) const { return segments[static_cast<std::size_t>(edge)]; }
 
@@ -75,6 +79,12 @@ struct Path {
     return d.dot(d);
   }
 };
+
+/// Whether a camera that hides lights sees this edge: all between the two are events that do not
+/// count, and interfaces.
+bool is_seen_past_lights(const Scene& scene, const Path& path, int edge);
+/// Whether the light of the path is hidden from the camera.
+bool is_hidden(const Scene& scene, const Path& path);
 
 /// Sets `event.transmission` of the vertices that scatter by rough lobes: what no one has sampled
 /// says nothing of it.

@@ -211,6 +211,7 @@ class SceneHasher {
     h.add(scene_.camera.to_world);
     variant(h, scene_.camera.node);
     medium(h, scene_.camera.medium);
+    if (scene_.camera.hides_lights) h.word(1);
   }
   void hash_film(Hasher& h) {
     const Film& film = scene_.film;
