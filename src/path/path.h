@@ -9,7 +9,7 @@ namespace ajar {
 
 /// A hit that has a place and nothing else.
 inline Hit bare_hit(const Vec3& p) {
-  return {{0.F, 0, 0, EndpointPoint::at(p).surface}, nullptr, nullptr, nullptr, 0, 0};
+  return {{0.F, 0, 0, EndpointPoint::at(p).surface, false}, nullptr, nullptr, nullptr, 0, 0};
 }
 
 /// A vertex of a path between its ends: x_1 … x_{k-1}, on a surface or in a medium. Whatever is

@@ -93,6 +93,7 @@ bool Geometry::intersect(const Ray& ray, GeometryHit& hit) const {
                                             {rayhit.hit.Ng_x, rayhit.hit.Ng_y, rayhit.hit.Ng_z});
   }
   if (instance != nullptr) place_point(*instance, record.derivatives, hit.point);
+  hit.cut_away = record.has_counted_alpha() && record.alpha.eval_float(hit.point) == 0.F;
   return true;
 }
 

@@ -102,7 +102,9 @@ void Scene::build_surfaces(const desc::SceneDesc& description, Warnings& warning
     if (geometry_->has_shape(surfaces_.size())) {
       has_interfaces_ = has_interfaces_ || material.is_interface();
       has_uncounted_ = has_uncounted_ || material.passes_uncounted;
-      has_counted_interfaces_ = has_counted_interfaces_ || material.adds_edge;
+      const bool has_counted_cuts = shape.alpha != desc::kNone && shape.alpha_counted;
+      has_interfaces_ = has_interfaces_ || has_counted_cuts;
+      has_counted_interfaces_ = has_counted_interfaces_ || material.adds_edge || has_counted_cuts;
     }
     if (!material.needs_derivatives()) geometry_->leave_out_derivatives(surfaces_.size());
     surfaces_.push_back({&material, nullptr, shared_interface(media),

@@ -62,7 +62,8 @@ class Scene {
   /// See Geometry. Not for renders.
   void log_rays(RayLog* log);
   void replay(const RayLog& log) const;
-  /// True if some material is an interface: then `occluded` alone does not decide about visibility.
+  /// True if some material is an interface, or some cut-out is a hit: then `occluded` alone does
+  /// not decide about visibility.
   bool has_interfaces() const { return has_interfaces_; }
   /// True if light passes some surface straight on without adding to the depth of its path.
   bool has_uncounted() const { return has_uncounted_; }

@@ -16,8 +16,11 @@ const Medium* medium_beyond(const Hit& hit, const Vec3& direction, const Medium*
 
 /// Whether nothing scatters a ray at this hit.
 bool is_passed(const Hit& hit, const Ray& ray) {
-  return hit.material->is_interface() || (ray.passes_lights && hit.light != nullptr);
+  return hit.cut_away || hit.material->is_interface() ||
+         (ray.passes_lights && hit.light != nullptr);
 }
+
+bool adds_edge(const Hit& hit) { return hit.cut_away || hit.material->adds_edge; }
 
 /// `depth` of what is crossed (Beer–Lambert).
 void cross_depth(const Medium& medium, const Spectrum& depth, Segment& segment) {
@@ -121,7 +124,7 @@ SegmentEnd trace_segment(const Scene& scene, Ray ray, const Medium* medium,
     }
     travelled += distance;
     if (!found || !is_passed(hit, ray)) break;
-    if (hit.material->adds_edge) {
+    if (adds_edge(hit)) {
       ++end.segment.counted_interfaces;
       // The camera sees lights beyond what is a vertex of its path.
       ray.passes_lights = false;
@@ -169,8 +172,8 @@ std::optional<Segment> connect(const Scene& scene, Ray ray, const Medium* medium
       return segment;
     }
     if (!is_passed(*hit, ray)) return std::nullopt;
-    passed_light = passed_light || !hit->material->is_interface();
-    if (hit->material->adds_edge) {
+    passed_light = passed_light || !(hit->cut_away || hit->material->is_interface());
+    if (adds_edge(*hit)) {
       // Toward the camera, so that the light is beyond a vertex of its path.
       if (passed_light) return std::nullopt;
       ++segment.counted_interfaces;

@@ -29,8 +29,12 @@ std::vector<Surface> parts_of(const MaterialInputs& in, std::size_t least, std::
   return parts;
 }
 
+Passing passing_of(const MaterialInputs& in) {
+  return in.context().counts_straight ? Passing::Counted : Passing::Uncounted;
+}
+
 desc::MaterialRef part_of(const MaterialInputs& in, const Surface& surface) {
-  return {part_of_mix(in.context().scene, surface.material)};
+  return {part_of_mix(in.context().scene, surface.material, passing_of(in))};
 }
 
 /// `amount` of the first material, the rest of the second.
@@ -130,7 +134,7 @@ Surface make_mask(const MaterialInputs& in) {
   if (opacity == desc::Value(Vec3(0.F))) return in.materials.interface();
   const PartlyClear partly =
       with_opacity(in.context().scene, {.name = in.arguments.element().id, .where = in.where()},
-                   result.material, opacity);
+                   result.material, opacity, passing_of(in));
   result.material = partly.material;
   if (partly.alpha != desc::kNone) result.alpha = partly.alpha;
   return result;

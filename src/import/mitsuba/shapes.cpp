@@ -114,6 +114,7 @@ void ShapeBuilder::set_material(Arguments& arguments, desc::Shape& shape, bool i
   }
   shape.material = surface.material;
   shape.alpha = surface.alpha;
+  shape.alpha_counted = surface.alpha != desc::kNone && context_.counts_boundaries;
   if (!arguments.children("subsurface").empty()) {
     context_.warnings.add(kSubsurface, shape.where,
                           "subsurface scattering is not supported: this shape is opaque");
