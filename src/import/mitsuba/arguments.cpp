@@ -6,6 +6,7 @@
 
 #include "import/common/printable.h"
 #include "import/mitsuba/names.h"
+#include "import/mitsuba/plugin_types.h"
 #include "import/mitsuba/spectrum_plugins.h"
 
 namespace ajar::mitsuba {
@@ -114,7 +115,10 @@ std::optional<double> Arguments::number(std::string_view name) {
 }
 
 std::optional<desc::Rgb> Arguments::color(std::string_view name, const char* expected) {
-  if (const Element* spectrum = find_child(name, is_spectrum)) {
+  const auto is_even = [](const Element& element) {
+    return is_spectrum(element) || (element.tag == "texture" && !is_known(element));
+  };
+  if (const Element* spectrum = find_child(name, is_even)) {
     return evaluate_spectrum(context_, *spectrum);
   }
   const Property* property = find(name);

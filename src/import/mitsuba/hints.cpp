@@ -89,7 +89,7 @@ const Element& read_integrator(Context& context, const Element& element) {
     // "null" events, by which light passes thin dielectrics, masks and boundaries of media. Source:
     // Mitsuba 3, volpath.cpp, volpathmis.cpp; others count every interaction.
     const bool counts_null =
-        context.document.major_version == 0 || !element.type.starts_with("volpath");
+        context.document.major_version == 0 || element.type.find("volpath") == std::string::npos;
     context.counts_boundaries = counts_null;
     context.counts_straight = counts_null;
   }

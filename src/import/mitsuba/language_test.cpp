@@ -181,6 +181,48 @@ TEST(MitsubaLanguage, ColorsHaveManySpellings) {
       Vec3(sampled_to_rgb_in_daylight(wavelengths, values)));
 }
 
+TEST(MitsubaLanguage, TexturesSpectraAndNumbersNameTheSamePlugins) {
+  const Files files = {{"a.png", ""}};
+  const auto material = [&](const std::string& bsdf, const std::string& tag,
+                            const std::string& name) {
+    return MaterialOf("<bsdf type=\"" + bsdf + "\"><" + tag + " name=\"" + name +
+                          "\" type=\"bitmap\"><string name=\"filename\" value=\"a.png\"/></" + tag +
+                          "><bsdf type=\"diffuse\"/><bsdf type=\"diffuse\"/></bsdf>",
+                      files);
+  };
+  for (const std::string tag : {"texture", "spectrum", "float", "rgb"}) {
+    const MaterialOf color("<bsdf type=\"diffuse\"><" + tag +
+                               " name=\"reflectance\" type=\"bitmap\"><string name=\"filename\" "
+                               "value=\"a.png\"/></" +
+                               tag + "></bsdf>",
+                           files);
+    EXPECT_EQ(color.warnings, "") << tag;
+    EXPECT_TRUE(color.texture("reflectance").is("image")) << tag;
+    const MaterialOf weight = material("blendbsdf", tag, "weight");
+    EXPECT_EQ(weight.warnings, "") << tag;
+    EXPECT_TRUE(weight.texture("amount").is("image")) << tag;
+    EXPECT_EQ(color_of("<" + tag +
+                       " name=\"reflectance\" type=\"srgb\"><rgb name=\"color\" "
+                       "value=\"0.1 0.2 0.3\"/></" +
+                       tag + ">"),
+              Vec3(0.1F, 0.2F, 0.3F))
+        << tag;
+  }
+  // By reference, and in another.
+  const MaterialOf scaled(
+      "<bsdf type=\"diffuse\"><spectrum name=\"reflectance\" type=\"scale\"><spectrum "
+      "type=\"checkerboard\"><spectrum name=\"color0\" type=\"uniform\"><float name=\"value\" "
+      "value=\"0.25\"/></spectrum></spectrum><float name=\"scale\" "
+      "value=\"2\"/></spectrum></bsdf>");
+  EXPECT_EQ(scaled.warnings, "");
+  EXPECT_TRUE(scaled.texture("reflectance").is("product"));
+  const desc::SceneDesc shared = scene_of(
+      "<spectrum type=\"bitmap\" id=\"t\"><string name=\"filename\" value=\"a.png\"/></spectrum>" +
+          sphere_of("<bsdf type=\"diffuse\"><ref id=\"t\" name=\"reflectance\"/></bsdf>"),
+      files);
+  EXPECT_TRUE(shared.textures.at(0).node.is("image"));
+}
+
 TEST(MitsubaLanguage, TheLastStepOfATransformIsAppliedLast) {
   expect_near(transform_point(placed("<scale x=\"2\"/><translate x=\"3\"/>"), {1, 1, 1}),
               {5, 1, 1});
@@ -247,7 +289,7 @@ TEST(MitsubaLanguage, SpectraThatAreUnknownHaveAStandIn) {
   expect_none(none);
   Warnings warnings;
   radiance("<spectrum name=\"radiance\" type=\"rainbow\"/>", warnings);
-  EXPECT_TRUE(contains(lines_of(warnings), "unknown spectrum \"rainbow\""));
+  EXPECT_TRUE(contains(lines_of(warnings), "unknown texture \"rainbow\""));
 }
 
 }  // namespace

@@ -4,12 +4,16 @@
 #include <array>
 
 #include "core/color.h"
+#include "import/common/printable.h"
 #include "import/mitsuba/arguments.h"
 #include "import/mitsuba/numbers.h"
+#include "import/mitsuba/plugin_types.h"
 #include "import/mitsuba/spectra.h"
 
 namespace ajar::mitsuba {
 namespace {
+
+constexpr WarningKind kUnknownSpectrum{Effect::Surface, "spectra are unknown: others stand in"};
 
 constexpr std::array<std::string_view, 8> kTypes = {
     "uniform", "d65", "srgb", "rgb", "blackbody", "irregular", "regular", "rawconstant"};
@@ -61,9 +65,17 @@ desc::Rgb evaluate_spectrum(Context& context, const Element& element) {
              arguments.number("scale", 1.F);
     }
     if (type == "irregular" || type == "regular") return sampled(arguments);
-    const bool has_value = type == "uniform" || type == "rawconstant";
-    const desc::Rgb color = arguments.color(has_value ? "value" : "color").value_or(desc::Rgb(1.F));
-    return type == "d65" ? color * arguments.number("scale", 1.F) : color;
+    if (type == "d65" || type == "srgb" || type == "rgb") {
+      const desc::Rgb color = arguments.color("color").value_or(desc::Rgb(1.F));
+      return type == "d65" ? color * arguments.number("scale", 1.F) : color;
+    }
+    const desc::Rgb value = arguments.color("value").value_or(desc::Rgb(1.F));
+    if (is_spectrum(element)) return value;
+    context.warnings.add(kUnknownSpectrum, element.where,
+                         unknown_type_message(element) + ". Its \"value\", or 1, stands in",
+                         printable(type));
+    arguments.accept_all();
+    return value;
   };
   arguments.accept({"unbounded", "wavelength_min", "wavelength_max"});
   return evaluate();

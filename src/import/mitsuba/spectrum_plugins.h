@@ -11,7 +11,8 @@ namespace ajar::mitsuba {
 std::span<const std::string_view> spectrum_types();
 bool is_spectrum(const Element& element);
 
-/// The colour of a texture of one of these types. Raises SceneError if it lacks what it needs.
+/// The colour of a texture of one of these types; of others, with a warning, its "value". Raises
+/// SceneError if it lacks what it needs.
 desc::Rgb evaluate_spectrum(Context& context, const Element& element);
 
 }  // namespace ajar::mitsuba
