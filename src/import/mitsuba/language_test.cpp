@@ -275,6 +275,23 @@ TEST(MitsubaLanguage, WhatIsThereTwiceIsAWarning) {
                        "there is more than one integrator: this one is ignored"));
 }
 
+/// Numbers of Mitsuba 3.9.
+TEST(MitsubaLanguage, EmittedSpectraOfOneNumberAreEvenSinceVersion2) {
+  const auto radiance = [](const std::string& version, const std::string& value) {
+    Warnings warnings;
+    return import_with("<scene version=\"" + version + "\"><emitter type=\"constant\">" + value +
+                           "</emitter><sensor type=\"perspective\"/></scene>",
+                       warnings)
+        .lights.at(0)
+        .node.color("radiance");
+  };
+  const std::string spectrum = "<spectrum name=\"radiance\" value=\"3\"/>";
+  expect_near(radiance("3.0.0", spectrum), {3.6147F, 2.8447F, 2.7278F}, 1e-3F);
+  expect_near(radiance("2.1.0", spectrum), {3.6147F, 2.8447F, 2.7278F}, 1e-3F);
+  expect_near(radiance("0.6.0", spectrum), Vec3(3.F));
+  expect_near(radiance("3.0.0", "<float name=\"radiance\" value=\"3\"/>"), Vec3(3.F));
+}
+
 TEST(MitsubaLanguage, SpectraThatAreUnknownHaveAStandIn) {
   const auto radiance = [](const std::string& spectrum, Warnings& warnings) {
     const desc::SceneDesc scene =

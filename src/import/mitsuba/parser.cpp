@@ -108,9 +108,10 @@ void Parser::read_one(const Source& source, Element& parent, int depth) {
   } else if (tag == "path") {
     add_path(source);
   } else if (is_property_tag(tag)) {
-    const bool is_as_light = document_.major_version < 3 || parent.tag == "emitter";
+    const bool is_emitted = document_.major_version >= 2 && parent.tag == "emitter";
+    const Seen of_surfaces = document_.major_version < 3 ? Seen::AsLight : Seen::InDaylight;
     const PropertyReader reader(source.file, definitions_, files_, warnings_,
-                                is_as_light ? Seen::AsLight : Seen::InDaylight);
+                                is_emitted ? Seen::Emitted : of_surfaces);
     if (std::optional<PropertyValue> value = reader.read(source.node)) {
       parent.properties.push_back({snake_case(required(source, "name")), where, std::move(*value)});
     }

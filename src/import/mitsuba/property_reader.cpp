@@ -74,7 +74,8 @@ std::optional<desc::Rgb> PropertyReader::read_color(const pugi::xml_node& node) 
 
 std::optional<desc::Rgb> PropertyReader::read_spectrum(const pugi::xml_node& node) const {
   if (node.attribute("filename")) return read_spectrum_file(node);
-  const std::string value = text(node, "value");
+  std::string value = text(node, "value");
+  if (seen_ == Seen::Emitted && parse_number(value)) value = "300:" + value + ", 900:" + value;
   const std::optional<Vec3d> color =
       value.find(':') == std::string::npos ? parse_triple(value) : parse_spectrum(value, seen_);
   if (!color)

@@ -58,6 +58,28 @@ TEST(MitsubaShapes, MirrorsTurnNormalsThatNoFileHasSinceVersion3) {
   }
 }
 
+/// Mitsuba 3.9 shows nothing of one that shines and is mirrored.
+TEST(MitsubaShapes, MirrorsTurnSpheresInsideOutSinceVersion2) {
+  const auto is_turned = [](const std::string& version, const std::string& type,
+                            const std::string& more) {
+    Warnings warnings;
+    return import_with("<scene version=\"" + version +
+                           "\"><sensor type=\"perspective\"/><shape type=\"" + type +
+                           "\"><transform name=\"toWorld\"><scale x=\"-1\"/></transform>" + more +
+                           "<bsdf type=\"dielectric\"/></shape></scene>",
+                       warnings)
+        .shapes.front()
+        .reverse_orientation;
+  };
+  EXPECT_TRUE(is_turned("3.0.0", "sphere", ""));
+  EXPECT_FALSE(is_turned("3.0.0", "sphere", "<boolean name=\"flip_normals\" value=\"true\"/>"));
+  EXPECT_FALSE(is_turned("0.6.0", "sphere", ""));
+  EXPECT_FALSE(is_turned("3.0.0", "cylinder", ""));
+  EXPECT_TRUE(contains(warnings_of("<shape type=\"sphere\"><transform name=\"to_world\"><scale "
+                                   "y=\"2\"/></transform><bsdf type=\"dielectric\"/></shape>"),
+                       "test.xml:2:1: this sphere is stretched"));
+}
+
 TEST(MitsubaShapes, ObjFilesCountVFromTheBottomRow) {
   EXPECT_EQ(mesh_of("")->uvs[3], Vec2(0.F, 0.75F));
   EXPECT_EQ(mesh_of("<boolean name=\"flipTexCoords\" value=\"false\"/>")->uvs[3], Vec2(0.F, 0.25F));
