@@ -82,7 +82,7 @@ class PathKernelStep : public ::testing::Test {
           SplatBuffer splats;
           for (const test::WeightedPath& weighted : paths) {
             const bool is_lit =
-                std::isfinite(light_on(*scene_, weighted.path, bounds_.area, 0, splats));
+                std::isfinite(light_on(*scene_, weighted.path, bounds_, 0, splats));
             if (is_lit && found_.size() < 2) found_.push_back(weighted.path);
           }
         });
