@@ -21,6 +21,8 @@ constexpr WarningKind kVaries{Effect::Surface,
                               "media vary in what is not supported to: the mean stands in"};
 constexpr WarningKind kLattice{
     Effect::Slight, "albedos of media vary in another grid than their density: in that of it"};
+constexpr WarningKind kTurned{
+    Effect::Slight, "grids of media are turned: Mitsuba goes on with their border around them"};
 constexpr WarningKind kLookup{Effect::Slight,
                               "grids of media are not looked up as they should be: trilinearly"};
 
@@ -119,6 +121,46 @@ void read_lookup(Arguments& grid, bool has_border) {
                                   "\": such a one stands in");
 }
 
+/// The box around the image of the unit cube, parallel to the axes.
+Imath::Box3d box_of(const Mat4& cube) {
+  Imath::Box3d box;
+  for (int corner = 0; corner < 8; ++corner) {
+    const Vec3d at((corner & 1) != 0 ? 1.0 : 0.0, (corner & 2) != 0 ? 1.0 : 0.0,
+                   (corner & 4) != 0 ? 1.0 : 0.0);
+    Vec3d placed;
+    cube.multVecMatrix(at, placed);
+    box.extendBy(placed);
+  }
+  return box;
+}
+
+/// Whether that box is larger.
+bool is_turned(const Mat4& cube) {
+  const Vec3d size = box_of(cube).size();
+  const double whole = size.x * size.y * size.z;
+  const Vec3d x(cube[0][0], cube[0][1], cube[0][2]);
+  const Vec3d y(cube[1][0], cube[1][1], cube[1][2]);
+  const Vec3d z(cube[2][0], cube[2][1], cube[2][2]);
+  return whole - std::abs(x.cross(y).dot(z)) > 1e-4 * whole;
+}
+
+bool has_border(const VolumeGrid& grid) {
+  const Vec3d size(grid.resolution);
+  for (std::size_t i = 0; i < grid.point_count(); ++i) {
+    const auto nx = static_cast<std::size_t>(grid.resolution.x);
+    const auto ny = static_cast<std::size_t>(grid.resolution.y);
+    const Vec3d at(static_cast<double>(i % nx), static_cast<double>(i / nx % ny),
+                   static_cast<double>(i / nx / ny));
+    const auto is_outmost = [&](int axis) {
+      return at[axis] == 0.0 || at[axis] == size[axis] - 1.0;
+    };
+    if ((is_outmost(0) || is_outmost(1) || is_outmost(2)) && grid.at(i) != desc::Rgb(0.F)) {
+      return true;
+    }
+  }
+  return false;
+}
+
 VolumeValue read_grid(Arguments& grid) {
   const std::optional<VolumeFile> file = load(grid);
   const bool is_version_0 = grid.context().document.major_version == 0;
@@ -141,6 +183,12 @@ VolumeValue read_grid(Arguments& grid) {
   using Points = desc::DensityGrid::Points;
   result.points = is_version_0 ? Points::Corners : Points::Centers;
   result.to_world = to_world;
+  if (!is_version_0 && is_turned(to_world) && has_border(result)) {
+    grid.context().warnings.add(
+        kTurned, grid.where(),
+        "this grid is turned, and not 0 at its border: Mitsuba goes on with "
+        "that to the box around it, here is nothing");
+  }
   // Also of albedos, whose points decide no places: damaged ones are errors here.
   desc::DensityGrid lattice = lattice_of(result);
   lattice.values.resize(result.point_count());
@@ -175,8 +223,9 @@ VolumeValue constant_density(const Arguments& medium, const desc::Rgb& color, co
   const bool has_cube =
       medium.context().document.major_version != 0 && medium.element().type == "heterogeneous";
   if (!has_cube) return VolumeValue{color};
+  const Imath::Box3d box = box_of(cube);
   VolumeGrid one;
-  one.to_world = cube;
+  one.to_world = scaling(box.size()) * translation(box.min);
   one.values = {1.F};
   return {color, std::move(one)};
 }

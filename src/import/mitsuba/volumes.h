@@ -19,8 +19,8 @@ struct VolumeValue {
 std::optional<VolumeValue> find_density(Arguments& medium, std::string_view name);
 
 /// A density that is the same everywhere in the medium; of a heterogeneous one of Mitsuba 2 and 3,
-/// everywhere in the image of the unit cube, and 0 beyond. Source: Mitsuba 3, heterogeneous.cpp,
-/// whose bounds are those of the volume.
+/// everywhere in the box around the image of the unit cube, and 0 beyond. Source: Mitsuba 3,
+/// heterogeneous.cpp, whose bounds are those of the volume.
 VolumeValue constant_density(const Arguments& medium, const desc::Rgb& color,
                              const Mat4& cube = Mat4());
 
