@@ -13,6 +13,9 @@ constexpr WarningKind kSampler{Effect::None, "samplers are unknown: another stan
 constexpr WarningKind kSampleCount{Effect::Slight, "numbers of samples are below 1 and ignored"};
 constexpr WarningKind kDepth{Effect::Slight, "depths make no sense and are ignored"};
 
+constexpr WarningKind kHideEmitters{
+    Effect::Slight, "lights are hidden from the camera as in Mitsuba 3: not black, but not there"};
+
 constexpr std::array<IntegratorName, 10> kIntegrators = {{{"path", "pt"},
                                                           {"volpath", "pt"},
                                                           {"volpath_simple", "pt"},
@@ -93,7 +96,14 @@ const Element& read_integrator(Context& context, const Element& element) {
     context.counts_boundaries = counts_null;
     context.counts_straight = counts_null;
   }
-  context.scene.camera.hides_lights = arguments.flag("hide_emitters", false);
+  desc::Camera& camera = context.scene.camera;
+  camera.hides_lights = arguments.flag("hide_emitters", false);
+  if (camera.hides_lights && context.document.major_version < 3) {
+    context.warnings.add(
+        kHideEmitters, element.where,
+        "\"hide_emitters\" of this version leaves the shapes of lights black: here "
+        "it is what is behind them that is seen");
+  }
   // What only the methods themselves know.
   arguments.accept({"rr_depth",
                     "strict_normals",
