@@ -6,6 +6,10 @@ namespace ajar {
 /// Whether light that passes what is not there adds an edge to the depth of its path.
 enum class Passing { Counted, Uncounted };
 
+/// Whether it matters that cut-outs are counted, which costs time, where paths have no more than
+/// this many edges: those that are longer than 32 bring next to nothing.
+inline bool must_count_cut_outs(int max_depth) { return max_depth <= 32; }
+
 /// Lets all light pass straight on: what is no surface, where it is a part of a mix.
 desc::Node clear_material(Passing passing = Passing::Counted);
 

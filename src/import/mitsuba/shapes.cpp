@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "import/common/opacity.h"
 #include "import/common/printable.h"
 #include "import/common/transforms.h"
 #include "import/mitsuba/geometry.h"
@@ -124,7 +125,8 @@ void ShapeBuilder::set_material(Arguments& arguments, desc::Shape& shape, bool i
   }
   shape.material = surface.material;
   shape.alpha = surface.alpha;
-  shape.alpha_counted = surface.alpha != desc::kNone && context_.counts_boundaries;
+  shape.alpha_counted = surface.alpha != desc::kNone && context_.counts_boundaries &&
+                        must_count_cut_outs(*context_.scene.hints.max_depth);
   if (!arguments.children("subsurface").empty()) {
     context_.warnings.add(kSubsurface, shape.where,
                           "subsurface scattering is not supported: this shape is opaque");
