@@ -25,7 +25,7 @@ constexpr WarningKind kBack{
     Effect::Slight,
     "materials are black from behind in Mitsuba, unless they are twosided: alike from both sides"};
 
-constexpr WarningKind kStretched{
+constexpr WarningKind kStretchedSphere{
     Effect::Slight,
     "spheres are stretched: Mitsuba shows round ones, of the radius along their x axis"};
 constexpr WarningKind kSensor{Effect::None, "sensors on shapes are not supported and left out"};
@@ -145,7 +145,7 @@ void ShapeBuilder::warn_of_stretched(const Element& sphere, const Mat4& to_world
     return std::abs(length(axis) - length(0)) <= kTolerance * length(0);
   };
   if (is_like_x(1) && is_like_x(2)) return;
-  context_.warnings.add(kStretched, sphere.where,
+  context_.warnings.add(kStretchedSphere, sphere.where,
                         "this sphere is stretched, which Mitsuba does not support: it shows a "
                         "round one",
                         printable(sphere.id));

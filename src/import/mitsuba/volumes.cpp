@@ -21,7 +21,7 @@ constexpr WarningKind kVaries{Effect::Surface,
                               "media vary in what is not supported to: the mean stands in"};
 constexpr WarningKind kLattice{
     Effect::Slight, "albedos of media vary in another grid than their density: in that of it"};
-constexpr WarningKind kTurned{
+constexpr WarningKind kTurnedGrid{
     Effect::Slight, "grids of media are turned: Mitsuba goes on with their border around them"};
 constexpr WarningKind kLookup{Effect::Slight,
                               "grids of media are not looked up as they should be: trilinearly"};
@@ -185,7 +185,7 @@ VolumeValue read_grid(Arguments& grid) {
   result.to_world = to_world;
   if (!is_version_0 && is_turned(to_world) && has_border(result)) {
     grid.context().warnings.add(
-        kTurned, grid.where(),
+        kTurnedGrid, grid.where(),
         "this grid is turned, and not 0 at its border: Mitsuba goes on with "
         "that to the box around it, here is nothing");
   }
