@@ -78,7 +78,7 @@ TEST(MitsubaMedia, HeterogeneousOnesThatAreTheSameEverywhereFillACubeSinceVersio
   const auto volume = [](const std::string& content) {
     return "<volume name=\"sigma_t\" type=\"constvolume\">" + content + "</volume>";
   };
-  for (const std::string parts :
+  for (const std::string& parts :
        {volume(half), std::string("<float name=\"sigma_t\" value=\"0.5\"/>")}) {
     const desc::Medium medium =
         imported("3.0.0", parts + "<float name=\"albedo\" value=\"0.25\"/>", "");
