@@ -11,15 +11,12 @@ Vec3 color_of(const std::string& property) {
   return MaterialOf("<bsdf type=\"diffuse\">" + property + "</bsdf>").node().color("reflectance");
 }
 
-/// The place of a sphere with this transform.
+/// The place of a cube with this transform.
 Mat4 placed(const std::string& steps, const std::string& name = "to_world") {
-  // Our sphere is mirrored along z, which a second scaling undoes.
-  Mat4 mirror;
-  mirror[2][2] = -1.0;
-  return mirror * scene_of("<shape type=\"sphere\"><transform name=\"" + name + "\">" + steps +
-                           "</transform></shape>")
-                      .shapes.front()
-                      .to_world;
+  return scene_of("<shape type=\"cube\"><transform name=\"" + name + "\">" + steps +
+                  "</transform></shape>")
+      .shapes.front()
+      .to_world;
 }
 
 TEST(MitsubaLanguage, NamesOfAllVersionsMeanTheSame) {

@@ -193,7 +193,9 @@ TEST(MitsubaMedia, WhatVariesBesideAConstantDensityIsItsMeanWithAWarning) {
       {"a.vol", grid_file(1, {2, 1, 1}, 3, floats({0, 0, 0.25F, 0.5F, 0.5F, 0.25F}))}};
   Warnings warnings;
   const desc::Medium medium =
-      import_with(world(medium_of("<float name=\"sigma_t\" value=\"2\"/>" + grid_named("albedo"))),
+      import_with(world("<shape type=\"cube\"><medium type=\"homogeneous\" name=\"interior\">"
+                        "<float name=\"sigma_t\" value=\"2\"/>" +
+                        grid_named("albedo") + "</medium></shape>"),
                   warnings, files)
           .media.at(0);
   EXPECT_FALSE(medium.density);

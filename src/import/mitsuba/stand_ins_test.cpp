@@ -119,12 +119,12 @@ TEST(MitsubaStandIns, ProjectorsHaveTheirIrradianceOnAPlane) {
       "<texture name='irradiance' type='checkerboard'><float name='bogus' value='1'/></texture>");
   EXPECT_TRUE(contains(board.warnings, "white light stands in")) << board.warnings;
   EXPECT_EQ(std::count(board.warnings.begin(), board.warnings.end(), '\n'), 1) << board.warnings;
-  const desc::Node& even = projector(
-                               "<rgb name='irradiance' value='1 2 3'/><string "
-                               "name='focal_length' value='50mm'/><transform "
-                               "name='to_world'><scale z='5'/></transform>")
-                               .scene.lights.at(0)
-                               .node;
+  const desc::Node even = projector(
+                              "<rgb name='irradiance' value='1 2 3'/><string "
+                              "name='focal_length' value='50mm'/><transform "
+                              "name='to_world'><scale z='5'/></transform>")
+                              .scene.lights.at(0)
+                              .node;
   expect_near(even.color("intensity"), Vec3(10, 20, 30) * kPi);
   EXPECT_EQ(even.text("fov_axis"), "diagonal");
   EXPECT_NEAR(even.number("fov"), 46.79F, 0.01F);

@@ -220,9 +220,14 @@ desc::Node TextureTable::scale(Arguments& arguments, Role role) {
 desc::Node TextureTable::stand_in(Arguments& arguments) {
   const Element& element = arguments.element();
   context_.warnings.add(kTextureStandIn, element.where,
-                        unknown_type_message(element) + ". Grey stands in",
+                        unknown_type_message(element) + ". Its mean, or grey, stands in",
                         printable(element.type));
-  // A grid and the like have colours: their mean is nearer than any grey.
+  // Its own value, or the mean of the colours that a grid and the like have, is nearer than any
+  // grey.
+  if (const std::optional<desc::Rgb> value = arguments.color("value")) {
+    arguments.accept_all();
+    return constant(*value);
+  }
   const std::optional<desc::Rgb> first = arguments.color("color0");
   const std::optional<desc::Rgb> second = arguments.color("color1");
   arguments.accept_all();
