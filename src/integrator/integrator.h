@@ -19,6 +19,7 @@
 #include "integrator/technique_shares.h"
 #include "scene/ray_counts.h"
 #include "scene/scene.h"
+#include "transport/counted_depth.h"
 
 namespace ajar {
 
@@ -28,6 +29,7 @@ struct RenderSettings {
   Box2i crop;              ///< pixels to render, min and max inclusive
   int min_depth = 1;       ///< path edges (docs/methods/notation.md)
   int max_depth = 100;
+  CountedDepth counted{};  ///< in addition, of depths that are not those of edges
   std::uint64_t seed = 0;
   int replicates = 4;
   std::vector<std::string> aovs;  ///< extra layers asked for
@@ -36,6 +38,11 @@ struct RenderSettings {
   /// pixel's box has them, too (`LayerSpec::box_of`).
   bool for_filters = false;
 };
+
+/// `settings`, whose depths are those that count, with limits of edges that are wide enough for
+/// them in this scene: no path passes more than `kMostUncounted` surfaces uncounted.
+RenderSettings in_edges(RenderSettings settings, const Scene& scene);
+inline constexpr int kMostUncounted = 32;
 
 /// Numbers of events, which add up.
 struct EventCounts : RayCounts {

@@ -31,14 +31,16 @@ std::optional<Segment> look_along(const Scene& scene, const Path& path, int edge
   const InnerVertex& from = path.vertex(edge);
   const Vec3 w = path.toward_camera(scene, edge);
   const Vec3 origin = from.ray_origin(w);
-  if (edge < k - 1) {
-    const InnerVertex& to = path.vertex(edge + 1);
-    const Vec3 target = to.ray_end(-w, length(to.p() - from.p()));
-    return connect(scene, ray_between(origin, target), from.medium_toward(w), rays);
-  }
-  Ray ray = ray_to_endpoint(origin, camera, path.camera_point, w);
+  const auto ray_to_vertex = [&](const InnerVertex& to) {
+    return ray_between(origin, to.ray_end(-w, length(to.p() - from.p())));
+  };
+  Ray ray = edge < k - 1 ? ray_to_vertex(path.vertex(edge + 1))
+                         : ray_to_endpoint(origin, camera, path.camera_point, w);
   // Orthographic views begin at the film plane.
-  if (camera.at_infinity()) ray.t_max = length(path.camera_point.surface.p - from.p());
+  if (edge == k - 1 && camera.at_infinity()) {
+    ray.t_max = length(path.camera_point.surface.p - from.p());
+  }
+  ray.passes_lights = is_seen_past_lights(scene, path, edge);
   return connect(scene, ray, from.medium_toward(w), rays);
 }
 

@@ -21,6 +21,13 @@ const Medium* InnerVertex::medium_toward(const Vec3& w) const {
   return dot(w, hit.point.ng) > 0.F ? hit.media->outside : hit.media->inside;
 }
 
+int Path::counted_depth() const {
+  int depth = this->depth();
+  for (const InnerVertex& vertex : vertices) depth -= vertex.is_uncounted() ? 1 : 0;
+  for (const Segment& segment : segments) depth += segment.counted_interfaces;
+  return depth;
+}
+
 const Vec3& Path::position(int x) const {
   if (x == 0) return light_point.surface.p;
   return x == depth() ? camera_point.surface.p : vertex(x).p();
@@ -34,6 +41,18 @@ Vec3 Path::toward_light(const Scene& scene, int x) const {
 
 Vec3 Path::toward_camera(const Scene& scene, int x) const {
   return x == 0 && light->at_infinity() ? -light_point.toward : -toward_light(scene, x + 1);
+}
+
+bool is_seen_past_lights(const Scene& scene, const Path& path, int edge) {
+  if (!scene.hides_lights()) return false;
+  for (int x = path.depth() - 1; x > edge; --x) {
+    if (!path.vertex(x).is_uncounted()) return false;
+  }
+  return true;
+}
+
+bool is_hidden(const Scene& scene, const Path& path) {
+  return path.segment(0).counted_interfaces == 0 && is_seen_past_lights(scene, path, 0);
 }
 
 void mark_sides(const Scene& scene, Path& path) {

@@ -9,7 +9,7 @@ namespace ajar {
 
 /// A hit that has a place and nothing else.
 inline Hit bare_hit(const Vec3& p) {
-  return {{0.F, 0, 0, EndpointPoint::at(p).surface}, nullptr, nullptr, nullptr, 0, 0};
+  return {{0.F, 0, 0, EndpointPoint::at(p).surface, false}, nullptr, nullptr, nullptr, 0, 0};
 }
 
 /// A vertex of a path between its ends: x_1 … x_{k-1}, on a surface or in a medium. Whatever is
@@ -45,6 +45,8 @@ struct InnerVertex {
     return in_medium ? p() : offset_ray_end(p(), hit.point.ng, w, distance);
   }
   bool connectible() const { return in_medium || bsdf.connectible(); }
+  /// Whether it adds nothing to the depth that counts.
+  bool is_uncounted() const { return !in_medium && bsdf.is_uncounted(event); }
 };
 
 /// A whole path x_0 … x_k, x_0 on a light, x_k on the camera: nothing in it is random, and nothing
@@ -62,6 +64,8 @@ struct Path {
 
   /// Edges, k.
   int depth() const { return static_cast<int>(vertices.size()) + 1; }
+  /// Edges, less those of events that do not count, and as many more as interfaces that do.
+  int counted_depth() const;
   const InnerVertex& vertex(int x) const { return vertices[static_cast<std::size_t>(x - 1)]; }
   const Segment& segment(int edge) const { return segments[static_cast<std::size_t>(edge)]; }
 
@@ -79,6 +83,12 @@ struct Path {
     return d.dot(d);
   }
 };
+
+/// Whether a camera that hides lights sees this edge: all between the two are events that do not
+/// count, and interfaces.
+bool is_seen_past_lights(const Scene& scene, const Path& path, int edge);
+/// Whether the light of the path is hidden from the camera.
+bool is_hidden(const Scene& scene, const Path& path);
 
 /// Sets `event.transmission` of the vertices that scatter by rough lobes: what no one has sampled
 /// says nothing of it.

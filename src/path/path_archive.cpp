@@ -131,6 +131,7 @@ void save_path(OutputArchive& archive, const Scene& scene, const Path& path) {
   for (const Segment& segment : path.segments) {
     to.floats(segment.transmittance);
     to.floats(segment.scattering_depth);
+    archive(segment.counted_interfaces);
   }
 }
 
@@ -155,6 +156,7 @@ Path load_path(InputArchive& archive, const Scene& scene) {
     Segment& segment = path.segments.emplace_back();
     from.floats(segment.transmittance);
     from.floats(segment.scattering_depth);
+    archive(segment.counted_interfaces);
   }
   return path;
 }

@@ -95,6 +95,7 @@ bool Geometry::intersect(const Ray& ray, GeometryHit& hit) const {
     p = Vec3d(hit.point.p);
   }
   if (instance != nullptr) place_point(*instance, p, record.derivatives, hit.point);
+  hit.cut_away = record.has_counted_alpha() && record.alpha.eval_float(hit.point) == 0.F;
   return true;
 }
 

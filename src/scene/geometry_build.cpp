@@ -65,6 +65,7 @@ void prepare(desc::Shape& shape, const TextureList& textures, Warnings& warnings
              ShapeRecord& record) {
   record.alpha = alpha_slot(shape.alpha, textures);
   record.shadow_alpha = alpha_slot(shape.shadow_alpha, textures);
+  record.alpha_counted = shape.alpha_counted;
   record.reversed = shape.reverse_orientation;
   if (record.alpha.is_constant() && record.alpha.eval_float(SurfacePoint{}) == 0.F) {
     warnings.add(kCutAway, shape.where, "alpha is zero everywhere; the shape is left out");

@@ -18,7 +18,7 @@ const Placement* instance_of(const QueryContext& context, unsigned id) {
 enum class Purpose { Intersect, Occlude };
 
 bool is_cut_away(const ShapeRecord& record, const SurfacePoint& point, Purpose purpose) {
-  if (record.alpha.eval_float(point) == 0.F) return true;
+  if (record.has_alpha() && record.alpha.eval_float(point) == 0.F) return true;
   return purpose == Purpose::Occlude && record.shadow_alpha.eval_float(point) == 0.F;
 }
 

@@ -22,13 +22,16 @@ struct ShapeRecord {
   std::optional<Placement> placement;
   TextureSlot alpha{Spectrum(1.F)};
   TextureSlot shadow_alpha{Spectrum(1.F)};
+  bool alpha_counted = false;  ///< hits where it is 0 are told instead of left out
   bool reversed = false;
   bool derivatives = true;  ///< of hits are wanted
   /// Hits of the triangles at the ends of a ray must be told from real ones.
   bool check_plane = false;
 
   bool present() const { return mesh || curve || quadric; }
-  bool has_alpha() const { return !alpha.is_constant(); }
+  /// Whether rays go on where it is 0 as if there were nothing.
+  bool has_alpha() const { return !alpha.is_constant() && !alpha_counted; }
+  bool has_counted_alpha() const { return !alpha.is_constant() && alpha_counted; }
   bool has_shadow_alpha() const { return !shadow_alpha.is_constant() || shadow_alpha.is_black(); }
 };
 

@@ -9,6 +9,9 @@ struct Ray {
   Vec3 origin;
   Vec3 direction;  ///< unit
   float t_max = std::numeric_limits<float>::infinity();
+  /// Goes through surfaces that emit as if they were interfaces: seen by a camera that hides
+  /// lights.
+  bool passes_lights = false;
 };
 
 /// The ray between two points that were already moved off their surfaces; it stops a few roundings

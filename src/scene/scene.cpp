@@ -81,6 +81,7 @@ Scene::Scene(desc::SceneDesc&& given, const BuildOptions& options, Warnings& war
   camera_ = make_camera(description.camera, film_.resolution, bounding_sphere_.center,
                         bounding_sphere_.radius);
   camera_->medium = medium(description.camera.medium);
+  hides_lights_ = description.camera.hides_lights;
   geometry_->require_reach(reach_of_rays(), description);
 
   SceneCounts counted = geometry_->counts();
@@ -107,8 +108,13 @@ void Scene::build_surfaces(const desc::SceneDesc& description, Warnings& warning
     const MediumInterface media{medium(shape.inside), medium(shape.outside),
                                 shape.has_medium_interface};
     const Material& material = *materials_[static_cast<std::size_t>(shape.material)];
-    has_interfaces_ =
-        has_interfaces_ || (material.is_interface() && geometry_->has_shape(surfaces_.size()));
+    if (geometry_->has_shape(surfaces_.size())) {
+      has_interfaces_ = has_interfaces_ || material.is_interface();
+      has_uncounted_ = has_uncounted_ || material.passes_uncounted;
+      const bool has_counted_cuts = shape.alpha != desc::kNone && shape.alpha_counted;
+      has_interfaces_ = has_interfaces_ || has_counted_cuts;
+      has_counted_interfaces_ = has_counted_interfaces_ || material.adds_edge || has_counted_cuts;
+    }
     if (!material.needs_derivatives()) geometry_->leave_out_derivatives(surfaces_.size());
     surfaces_.push_back({&material, nullptr, shared_interface(media),
                          static_cast<std::uint32_t>(surfaces_.size()),

@@ -62,8 +62,15 @@ class Scene {
   /// See Geometry. Not for renders.
   void log_rays(RayLog* log);
   void replay(const RayLog& log) const;
-  /// True if some material is an interface: then `occluded` alone does not decide about visibility.
+  /// True if some material is an interface, or some cut-out is a hit: then `occluded` alone does
+  /// not decide about visibility.
   bool has_interfaces() const { return has_interfaces_; }
+  /// True if light passes some surface straight on without adding to the depth of its path.
+  bool has_uncounted() const { return has_uncounted_; }
+  /// True if some interface adds to the depth of paths that cross it.
+  bool has_counted_interfaces() const { return has_counted_interfaces_; }
+  /// True if the camera looks past lights, into what is behind them.
+  bool hides_lights() const { return hides_lights_; }
 
   const Camera& camera() const { return *camera_; }
   const LightSampler& light_sampler() const { return *light_sampler_; }
@@ -128,6 +135,9 @@ class Scene {
   desc::Film film_;
   std::string source_;
   bool has_interfaces_ = false;
+  bool has_uncounted_ = false;
+  bool has_counted_interfaces_ = false;
+  bool hides_lights_ = false;
 };
 
 }  // namespace ajar

@@ -48,7 +48,8 @@ PreparationLimits preparation_limits(const RenderState& state) {
 
 void prepare(RenderState& state) {
   const RenderSetup& setup = state.plan->setup;
-  state.integrator = setup.integrator->make(*state.scene, setup.settings, state.plan->parameters);
+  state.integrator = setup.integrator->make(*state.scene, in_edges(setup.settings, *state.scene),
+                                            state.plan->parameters);
   open_preview(state);
   Preparation::Show show;
   // A render that goes on has had better pictures.

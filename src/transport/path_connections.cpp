@@ -47,7 +47,9 @@ std::optional<PathSampler::Joined> PathSampler::join(const Ray& ray, const Mediu
                                                      const Spectrum& unoccluded, float worth,
                                                      const Pair& pair, SampleSource& source,
                                                      const WeightOf& weight_of) {
+  const Technique technique{pair.light_edges + 1, pair.camera_edges + 1};
   if (const std::optional<Segment> segment = unobstructed(scene_, ray, medium)) {
+    if (!counts(technique, pair.surplus)) return std::nullopt;
     const double mis_weight = weight_of(*segment);
     const Spectrum value = unoccluded * segment->transmittance * static_cast<float>(mis_weight);
     if (value.is_black()) return std::nullopt;
@@ -59,7 +61,9 @@ std::optional<PathSampler::Joined> PathSampler::join(const Ray& ray, const Mediu
   const float survivor = cull(unoccluded, worth, pair, source);
   if (survivor == 0.F) return std::nullopt;
   const std::optional<Segment> segment = connect(scene_, ray, medium, rays_);
-  if (!segment) return std::nullopt;
+  if (!segment || !counts(technique, pair.surplus + segment->counted_interfaces)) {
+    return std::nullopt;
+  }
   const double mis_weight = weight_of(*segment);
   return Joined{unoccluded * segment->transmittance * (survivor * static_cast<float>(mis_weight)),
                 mis_weight, survivor};
@@ -67,9 +71,10 @@ std::optional<PathSampler::Joined> PathSampler::join(const Ray& ray, const Mediu
 
 void PathSampler::hit_light(const Flight& flight, const SegmentEnd& end, const MisState& mis,
                             const Light& light, const EndpointPoint& point, PathSink& sink) const {
+  const int edges = flight.edges + 1;
+  if (!counts({0, edges + 1}, flight.surplus + end.segment.counted_interfaces)) return;
   const Spectrum emitted = light.emitted(point, -flight.ray.direction);
   if (emitted.is_black()) return;
-  const int edges = flight.edges + 1;
   double others = 0.0;
   if (edges > 1) {
     // Technique (1, k) samples the light as seen from z_{i-1}; all with s ≥ 2 as it emits.
@@ -108,7 +113,7 @@ void PathSampler::connect_to_lights(const PathVertex& vertex, SampleSource& sour
   const double whole = std::floor(count);
   int tries = static_cast<int>(whole);
   if (count > whole) {
-    const Pair pair{0, vertex.edges, 0};
+    const Pair pair{0, vertex.edges, 0, vertex.surplus};
     const auto u = static_cast<double>(source.get(pair.address(kConnectionTry)));
     if (u < count - whole) ++tries;
   }
@@ -117,7 +122,7 @@ void PathSampler::connect_to_lights(const PathVertex& vertex, SampleSource& sour
 
 void PathSampler::connect_to_light(const PathVertex& vertex, SampleSource& source, int repeat,
                                    PathSink& sink) {
-  const Pair pair{0, vertex.edges, repeat};
+  const Pair pair{0, vertex.edges, repeat, vertex.surplus};
   const auto address = [&](Slot slot) {
     return repeat == 0 ? SampleAddress(Stream::Camera, vertex.edges, slot) : pair.address(slot);
   };
@@ -177,7 +182,7 @@ void PathSampler::connect_to_light(const PathVertex& vertex, SampleSource& sourc
 
 void PathSampler::connect_to_camera(const PathVertex& vertex, SampleSource& source,
                                     PathSink& sink) {
-  const Pair pair{vertex.edges, 0, vertex.repeat};
+  const Pair pair{vertex.edges, 0, vertex.repeat, vertex.surplus};
   const Technique technique{vertex.edges + 1, 1};
   if (!is_tried(settings_.techniques.count(technique), pair, source)) return;
   const Camera& camera = scene_.camera();
@@ -204,9 +209,10 @@ void PathSampler::connect_to_camera(const PathVertex& vertex, SampleSource& sour
             .sum(settings_.heuristic, arrival, vertex.pdf(sample->w, vertex.wo).value());
     return 1.0 / (1.0 + others / h(settings_.heuristic, own_count));
   };
-  const std::optional<Joined> joined =
-      join(ray_to_endpoint(vertex, camera, *sample), vertex.medium_toward(sample->w), unoccluded,
-           sink.worth(*raster), pair, source, weight_of);
+  Ray ray = ray_to_endpoint(vertex, camera, *sample);
+  ray.passes_lights = scene_.hides_lights();
+  const std::optional<Joined> joined = join(ray, vertex.medium_toward(sample->w), unoccluded,
+                                            sink.worth(*raster), pair, source, weight_of);
   if (!joined) return;
   sink.add({.value = joined->value,
             .technique = technique,
@@ -221,7 +227,8 @@ void PathSampler::connect_inner(const PathVertex& camera_vertex, const PathVerte
                                 SampleSource& source, PathSink& sink) {
   const Technique technique{light_vertex.edges + 1, camera_vertex.edges + 1};
   if (!wants(technique)) return;
-  const Pair pair{light_vertex.edges, camera_vertex.edges, light_vertex.repeat};
+  const Pair pair{light_vertex.edges, camera_vertex.edges, light_vertex.repeat,
+                  light_vertex.surplus + camera_vertex.surplus};
   if (!is_tried(settings_.techniques.count(technique), pair, source)) return;
   const Vec3 difference = light_vertex.p - camera_vertex.p;
   const float distance_squared = length_squared(difference);

@@ -175,6 +175,7 @@ void PathSampler::trace_light(SampleSource& source, PathSink& sink, int repeat) 
       if (has(TechniqueClass::Inner)) light_vertices_[light_vertex_count_++] = vertex;
     }
     if (!scatter(light_walk_, vertex, source, flight)) return;
+    if (flight.edges + flight.surplus + 2 > settings_.counted.maximum) return;
     sink.scattered(Stream::Light, vertex, flight);
   }
 }
@@ -194,6 +195,7 @@ bool PathSampler::start_camera(SampleSource& source, const Vec2& raster, PathSin
   worth_ = sink.worth(raster);
 
   flight.ray = {emission->origin, emission->w};
+  flight.ray.passes_lights = scene_.hides_lights();
   flight.medium = camera.medium;
   flight.reference = emission->point.surface.p;
   flight.throughput = emission->weight;
@@ -208,8 +210,12 @@ bool PathSampler::start_camera(SampleSource& source, const Vec2& raster, PathSin
   return true;
 }
 
+bool PathSampler::hides(const Flight& flight, const SegmentEnd& end) {
+  return flight.ray.passes_lights && end.segment.counted_interfaces == 0;
+}
+
 void PathSampler::leave_scene(const Flight& flight, const SegmentEnd& end, PathSink& sink) const {
-  if (end.lost) return;
+  if (end.lost || hides(flight, end)) return;
   const int edges = flight.edges + 1;
   const MisStep step =
       mis_step(flight, end.segment, end.distance, 1.F, {}, true, camera_side_coefficient(edges));
@@ -254,6 +260,7 @@ void PathSampler::trace_camera(SampleSource& source, const Vec2& raster, PathSin
       }
     }
     if (!scatter(camera_walk_, vertex, source, flight)) return;
+    if (flight.edges + flight.surplus >= settings_.counted.maximum) return;
     sink.scattered(Stream::Camera, vertex, flight);
   }
 }

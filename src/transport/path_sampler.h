@@ -4,6 +4,7 @@
 #include <limits>
 #include <vector>
 
+#include "transport/counted_depth.h"
 #include "transport/sample_source.h"
 #include "transport/subpath.h"
 #include "transport/technique_set.h"
@@ -63,6 +64,7 @@ struct PathSamplerSettings {
   Heuristic heuristic = Heuristic::Power;
   int min_depth = 1;
   int max_depth = 100;     ///< edges
+  CountedDepth counted{};  ///< in addition to the limits of edges
   int roulette_start = 5;  ///< edges from which Russian roulette may end a subpath
   /// Light subpaths that `sample` traces and connects, on average; no more than
   /// `kMaxLightSubpaths`.
@@ -133,6 +135,13 @@ class PathSampler {
   bool next_light_vertex(LightStart& start, SampleSource& source, PathSink& sink,
                          PathVertex& vertex);
   bool start_camera(SampleSource& source, const Vec2& raster, PathSink& sink, Flight& flight);
+  /// Whether the camera looks past lights where this flight ended.
+  static bool hides(const Flight& flight, const SegmentEnd& end);
+  /// Whether the depth that counts of a path with this technique, whose parts have this surplus, is
+  /// one that is wanted.
+  bool counts(Technique technique, int surplus) const {
+    return settings_.counted.holds(technique.depth() + surplus);
+  }
   /// A camera path that runs into the lights at infinity.
   void leave_scene(const Flight& flight, const SegmentEnd& end, PathSink& sink) const;
   // Halves, in path_halves.cpp. `told` is of the class itself that is told, so that nobody costs
@@ -161,6 +170,7 @@ class PathSampler {
     int light_edges;
     int camera_edges;
     int repeat;
+    int surplus;  ///< of both
     SampleAddress address(Slot slot) const {
       return {Stream::Connection, light_edges % 256 * 256 + camera_edges % 256, slot, repeat};
     }

@@ -20,7 +20,10 @@ struct PathVertex {
   const MisTrailEntry* trail = nullptr;
   const Medium* medium;          ///< that the subpath arrived through
   const MediumInterface* media;  ///< of the surface; null inside a medium
-  int edges;       ///< of the subpath: the endpoint is vertex 0, this one is vertex `edges`
+  int edges;  ///< of the subpath: the endpoint is vertex 0, this one is vertex `edges`
+  /// By which the depth that counts is more than `edges`: interfaces that add to it, less the
+  /// events that do not.
+  int surplus;
   int repeat = 0;  ///< which light subpath of the sample this one belongs to
   bool in_medium;  ///< scatters in `medium` instead of at a surface
   Bsdf bsdf;       ///< undefined inside a medium

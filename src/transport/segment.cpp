@@ -14,6 +14,13 @@ const Medium* medium_beyond(const Hit& hit, const Vec3& direction, const Medium*
   return dot(direction, hit.point.ng) > 0.F ? hit.media->outside : hit.media->inside;
 }
 
+/// Whether nothing scatters a ray at this hit.
+bool is_passed(const Hit& hit, const Ray& ray) {
+  return hit.cut_away || hit.is_interface() || (ray.passes_lights && hit.light != nullptr);
+}
+
+bool adds_edge(const Hit& hit) { return hit.cut_away || hit.material->adds_edge; }
+
 /// `depth` of what is crossed (Beer–Lambert).
 void cross_depth(const Medium& medium, const Spectrum& depth, Segment& segment) {
   segment.transmittance *= exp(depth * -1.F);
@@ -69,7 +76,7 @@ SegmentEnd trace_segment(const Scene& scene, Ray ray, const Medium* medium,
                          const DistanceSource& numbers, RayCounts& rays) {
   SegmentEnd end;
   Hit& hit = end.hit.emplace();
-  if (medium == nullptr && !scene.has_interfaces()) {
+  if (medium == nullptr && !scene.has_interfaces() && !ray.passes_lights) {
     ++rays.rays;
     const bool found = scene.intersect(ray, hit);
     end.medium = nullptr;
@@ -115,7 +122,12 @@ SegmentEnd trace_segment(const Scene& scene, Ray ray, const Medium* medium,
       cross_medium(medium, ray, distance, end.segment);
     }
     travelled += distance;
-    if (!found || !hit.is_interface()) break;
+    if (!found || !is_passed(hit, ray)) break;
+    if (adds_edge(hit)) {
+      ++end.segment.counted_interfaces;
+      // The camera sees lights beyond what is a vertex of its path.
+      ray.passes_lights = false;
+    }
     medium = medium_beyond(hit, ray.direction, medium);
     ray.origin = offset_ray_origin(hit.point.p, hit.point.ng, ray.direction);
     found = false;
@@ -128,7 +140,7 @@ SegmentEnd trace_segment(const Scene& scene, Ray ray, const Medium* medium,
 }
 
 std::optional<Segment> unobstructed(const Scene& scene, const Ray& ray, const Medium* medium) {
-  if (scene.has_interfaces()) return std::nullopt;
+  if (scene.has_interfaces() || ray.passes_lights) return std::nullopt;
   Segment segment;
   cross_medium(medium, ray, ray.t_max, segment);
   return segment;
@@ -142,11 +154,12 @@ bool is_blocked(const Scene& scene, const Ray& ray, RayCounts& rays) {
 }
 
 std::optional<Segment> connect(const Scene& scene, Ray ray, const Medium* medium, RayCounts& rays) {
-  if (!scene.has_interfaces()) {
+  if (!scene.has_interfaces() && !ray.passes_lights) {
     if (is_blocked(scene, ray, rays)) return std::nullopt;
     return unobstructed(scene, ray, medium);
   }
   Segment segment;
+  bool passed_light = false;
   const bool bounded = std::isfinite(ray.t_max);
   const Vec3 target = bounded ? ray.origin + ray.direction * ray.t_max : Vec3(0.F);
   for (int i = 0; i < kMaxInterfaces; ++i) {
@@ -157,7 +170,13 @@ std::optional<Segment> connect(const Scene& scene, Ray ray, const Medium* medium
       cross_medium(medium, ray, ray.t_max, segment);
       return segment;
     }
-    if (!hit->is_interface()) return std::nullopt;
+    if (!is_passed(*hit, ray)) return std::nullopt;
+    passed_light = passed_light || !(hit->cut_away || hit->is_interface());
+    if (adds_edge(*hit)) {
+      // Toward the camera, so that the light is beyond a vertex of its path.
+      if (passed_light) return std::nullopt;
+      ++segment.counted_interfaces;
+    }
     cross_medium(medium, ray, hit->t, segment);
     medium = medium_beyond(*hit, ray.direction, medium);
     const Vec3 next = offset_ray_origin(hit->point.p, hit->point.ng, ray.direction);
@@ -167,7 +186,7 @@ std::optional<Segment> connect(const Scene& scene, Ray ray, const Medium* medium
       const Vec3 left = target - next;
       const float distance = length(left);
       if (dot(left, ray.direction) <= 0.F || distance == 0.F) return segment;
-      ray = {next, left / distance, distance};
+      ray = {next, left / distance, distance, ray.passes_lights};
     } else {
       ray.origin = next;
     }

@@ -13,6 +13,8 @@ struct Segment {
   /// Optical depth per lane of the scattering media only: distances are sampled from these, while
   /// media that merely absorb just attenuate.
   Spectrum scattering_depth;
+  /// Interfaces along it that add to the depth of its path.
+  int counted_interfaces = 0;
 
   /// Density of `sample_distance` ending at `end`, at the end of this segment: 1/(scene unit) in a
   /// medium, else a probability.

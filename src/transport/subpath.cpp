@@ -45,6 +45,7 @@ void arrive(const WalkSettings& settings, const Flight& flight, const SegmentEnd
   vertex.roulette = flight.roulette;
   vertex.medium = end.medium;
   vertex.edges = flight.edges + 1;
+  vertex.surplus = flight.surplus + end.segment.counted_interfaces;
   vertex.repeat = settings.repeat;
   vertex.in_medium = end.scattered;
   if (end.scattered) {
@@ -97,7 +98,13 @@ bool scatter(const WalkSettings& settings, const PathVertex& vertex, SampleSourc
     }
   }
   if (flight.throughput.is_black()) return false;
+  const bool uncounted =
+      sample->transmission && sample->pdf.discrete() && vertex.bsdf.is_uncounted(sample->event());
+  flight.surplus = vertex.surplus - (uncounted ? 1 : 0);
+  // What is no vertex to the depth is none to a camera that looks past lights.
+  const bool passes_lights = flight.ray.passes_lights && uncounted;
   flight.ray = {vertex.ray_origin(sample->wi), sample->wi};
+  flight.ray.passes_lights = passes_lights;
   flight.medium = vertex.medium_toward(sample->wi);
   flight.reference = vertex.p;
   flight.edges = vertex.edges;

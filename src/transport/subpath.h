@@ -14,6 +14,7 @@ struct Flight {
   Spectrum throughput{1.F};
   Vec3 reference{0.F, 0.F, 0.F};  ///< z_i itself; the ray starts a little off it
   int edges = 0;                  ///< index i of the vertex it left
+  int surplus = 0;                ///< see PathVertex, with the event at z_i
   /// What Russian roulette multiplies the throughput by: squared index ratios undo the scaling of
   /// radiance, and the throughput that light starts with says nothing of how much is left of it.
   /// If it is efficiency-aware, so does what the rest of the path may be worth.

@@ -82,7 +82,7 @@ class PathKernelStep : public ::testing::Test {
           SplatBuffer splats;
           for (const test::WeightedPath& weighted : paths) {
             const bool is_lit =
-                std::isfinite(light_on(*scene_, weighted.path, bounds_.area, 0, splats));
+                std::isfinite(light_on(*scene_, weighted.path, bounds_, 0, splats));
             if (is_lit && found_.size() < 2) found_.push_back(weighted.path);
           }
         });
@@ -97,7 +97,7 @@ class PathKernelStep : public ::testing::Test {
     weight.of_new = weight_of_new;
     std::vector<MixedMutation> mutations;
     mutations.push_back({std::make_unique<OnePathMutation>(found_.at(1), claims), 1.0});
-    PathKernel kernel(*scene_, bounds_.area, std::move(mutations), same_layer, &weight);
+    PathKernel kernel(*scene_, bounds_, std::move(mutations), same_layer, &weight);
     PathChain chain;
     chain.path = found_.at(0);
     chain.scalar = 1.0;

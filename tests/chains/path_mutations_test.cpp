@@ -78,7 +78,7 @@ Flow flow_of(const Scene& scene, std::size_t mutation, std::uint32_t samples) {
       chain.path = paths[i].path;
       chain.scalar = 1.0;
       SplatBuffer splats;
-      if (!std::isfinite(light_on(scene, chain.path, bounds.area, 0, splats))) continue;
+      if (!std::isfinite(light_on(scene, chain.path, bounds, 0, splats))) continue;
       flow.light += paths[i].weight;
       kernel.start(chain);
       const Proposal proposal = kernel.propose(hash_numbers(99, sample, i));

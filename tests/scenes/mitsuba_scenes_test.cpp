@@ -359,6 +359,48 @@ TEST_P(Mitsuba, FieldOfViewIsThatOfTheWidth) {
               0.5F * std::sqrt(0.75F) + kPi / 6.F, 0.005F);
 }
 
+TEST_P(Mitsuba, ProjectorsLightAPlaneEvenly) {
+  // A white plane at the distance 5 in the light of 10 π / 5².
+  for (const float fov : {30.F, 60.F, 100.F}) {
+    const auto seen = [&](const std::string& place) {
+      return picture(towards("0, 0, 5") +
+                         fmt::format("<emitter type='projector'>{}<float name='fov' "
+                                     "value='{}'/><rgb name='irradiance' value='10'/></emitter>"
+                                     "<shape type='rectangle'>{}<bsdf type='diffuse'><rgb "
+                                     "name='reflectance' value='1'/></bsdf></shape>",
+                                     placed(place), fov,
+                                     placed("<scale value='9'/><rotate x='1' angle='180'/>"
+                                            "<translate z='5'/>")),
+                     16, MayWarn::Yes)
+          .mean();
+    };
+    expect_color(seen("<translate x='0'/>"), Vec3(0.4F), 2e-3F);
+    const float tangent = std::tan(fov * kPi / 360.F);
+    expect_color(seen(fmt::format("<translate x='{}'/>", 0.95F * 5.F * tangent)), Vec3(0.4F),
+                 2e-3F);
+    expect_color(seen(fmt::format("<translate y='{}'/>", 1.05F * 5.F * tangent)), Vec3(0.F));
+    expect_color(seen("<scale value='3'/>"), Vec3(1.2F), 2e-3F);
+  }
+}
+
+TEST_P(Mitsuba, NormalMapsOfOneColorTilt) {
+  // Numbers of Mitsuba 3.9: 0.8 / π · 3 · cosine, of a light that comes from (1, 0.3, 1).
+  const auto lit = [&](const std::string& map) {
+    return picture(camera(5, 0.02F) +
+                       wall("<bsdf type='normalmap'>" + map +
+                            "<bsdf type='diffuse'><rgb name='reflectance' value='0.8'/></bsdf>"
+                            "</bsdf>") +
+                       "<emitter type='directional'><vector name='direction' x='-1' y='-0.3' "
+                       "z='-1'/><rgb name='irradiance' value='3'/></emitter>",
+                   16, MayWarn::Yes)
+        .mean();
+  };
+  expect_color(lit("<rgb name='normalmap' value='0.5, 0.5, 1'/>"), Vec3(0.5284F), 3e-3F);
+  expect_color(lit("<rgb name='normalmap' value='0.9, 0.5, 0.8'/>"), Vec3(0.6997F), 3e-3F);
+  expect_color(lit("<rgb name='normalmap' value='0.5, 0.9, 0.8'/>"), Vec3(0.4198F), 3e-3F);
+  expect_color(lit("<float name='normalmap' value='0.7'/>"), Vec3(0.6595F), 3e-3F);
+}
+
 TEST_P(Mitsuba, GridsAbsorbByTheIntegralOfTheirDensity) {
   // From 1 to 3 along z in a box of depth 2, half as wide as the cube around it.
   const test::TemporaryFile file("density.vol");

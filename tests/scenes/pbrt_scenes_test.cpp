@@ -465,6 +465,29 @@ TEST(PbrtV4Scenes, LampsThatShouldNotBeSeenShineAndLetLightPass) {
   expect_color(seen.mean(), {3, 3, 3}, 1e-4F);
 }
 
+/// What is not there is no intersection; thin glass is one.
+TEST(Pbrt4, AlphaAndInterfacesAddNothingToTheDepth) {
+  const auto seen = [](const std::string& material, const std::string& alpha, int depth) {
+    std::string text = camera(5, 0.5F) +
+                       " Film 'rgb' 'integer xresolution' [16] 'integer yresolution' [16]\n"
+                       "PixelFilter 'box' Integrator 'volpath' 'integer maxdepth' " +
+                       std::to_string(depth) +
+                       "\nWorldBegin LightSource 'infinite' 'rgb L' [1 1 1]\n" + material;
+    for (int i = 0; i < 3; ++i) text += " Translate 0 0 0.1 " + std::string(kWall4) + alpha + "\n";
+    return test::picture_of(
+               [&](Warnings& warnings) {
+                 return import_pbrt_text(test::with_quotes(text), "test.pbrt", ".", warnings);
+               },
+               256)
+        .mean()
+        .x;
+  };
+  const std::string black = "Material 'diffuse' 'rgb reflectance' [0 0 0]";
+  EXPECT_NEAR(seen(black, "'float alpha' 0.5", 0), 0.125F, 0.008F);
+  EXPECT_NEAR(seen("Material 'interface'", "", 0), 1.F, 1e-4F);
+  EXPECT_NEAR(seen("Material 'thindielectric'", "", 0), 0.F, 1e-6F);
+}
+
 TEST(Pbrt4, AlphaIsTheShareThatIsThere) {
   // A quarter of what the wall shines, and three quarters of what is behind it.
   for (const std::string alpha : {"'float alpha' 0.25", "'texture alpha' 'quarter'"}) {

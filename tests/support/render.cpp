@@ -96,7 +96,7 @@ RenderSettings settings_of(const Scene& scene, const RenderOptions& options) {
   settings.replicates = options.replicates;
   settings.aovs = options.aovs;
   settings.for_filters = options.for_filters;
-  return settings;
+  return in_edges(settings, scene);
 }
 
 Render render(const Scene& scene, const RenderOptions& options) {

@@ -33,11 +33,12 @@ TinyPicture picture_of(const Import& import, int samples, MayWarn may_warn) {
   Warnings warnings;
   desc::SceneDesc description = import(warnings);
   const float exposure = description.film.scale;
+  RenderOptions options;
+  options.max_depth = description.hints.max_depth.value_or(options.max_depth);
   const Scene scene(std::move(description), BuildOptions{}, warnings);
   if (may_warn == MayWarn::No) {
     for (const std::string& message : warnings.messages()) ADD_FAILURE() << message;
   }
-  RenderOptions options;
   options.samples = samples;
   TinyPicture picture{render(scene, options).image(), scene.camera().resolution()};
   for (float& value : picture.pixels) value *= exposure;

@@ -16,26 +16,27 @@ desc::MaterialId add(desc::SceneDesc& scene, const desc::Material& like, desc::N
 
 }  // namespace
 
-desc::Node clear_material() {
+desc::Node clear_material(Passing passing) {
   return desc::material_node("composite", {{"diffuse_reflectance", Vec3(0.F)},
                                            {"glossy_reflectance", Vec3(0.F)},
-                                           {"opacity", Vec3(0.F)}});
+                                           {"opacity", Vec3(0.F)},
+                                           {"uncounted", passing == Passing::Uncounted}});
 }
 
-desc::MaterialId part_of_mix(desc::SceneDesc& scene, desc::MaterialId id) {
+desc::MaterialId part_of_mix(desc::SceneDesc& scene, desc::MaterialId id, Passing passing) {
   const desc::Material& part = scene.materials[static_cast<std::size_t>(id)];
-  return part.node.is("interface") ? add(scene, part, clear_material()) : id;
+  return part.node.is("interface") ? add(scene, part, clear_material(passing)) : id;
 }
 
 PartlyClear with_opacity(desc::SceneDesc& scene, const desc::Material& like,
-                         desc::MaterialId visible, const desc::Value& opacity) {
+                         desc::MaterialId visible, const desc::Value& opacity, Passing passing) {
   desc::Value amount = opacity;
   if (const float* number = std::get_if<float>(&opacity)) {
     amount = Vec3(std::clamp(*number, 0.F, 1.F));
   }
   PartlyClear result;
   if (const auto* texture = std::get_if<desc::TextureRef>(&opacity)) result.alpha = texture->id;
-  const desc::MaterialId clear = add(scene, like, clear_material());
+  const desc::MaterialId clear = add(scene, like, clear_material(passing));
   result.material = add(scene, like,
                         desc::material_node("mix", {{"amount", amount},
                                                     {"first", desc::MaterialRef{visible}},

@@ -3,12 +3,20 @@
 
 namespace ajar {
 
+/// Whether light that passes what is not there adds an edge to the depth of its path.
+enum class Passing { Counted, Uncounted };
+
+/// Whether it matters that cut-outs are counted, which costs time, where paths have no more than
+/// this many edges: those that are longer than 32 bring next to nothing.
+inline bool must_count_cut_outs(int max_depth) { return max_depth <= 32; }
+
 /// Lets all light pass straight on: what is no surface, where it is a part of a mix.
-desc::Node clear_material();
+desc::Node clear_material(Passing passing = Passing::Counted);
 
 /// The material `id` as a part of a mix: what is nothing but a boundary between media would let no
 /// light pass there, and is a clear material instead.
-desc::MaterialId part_of_mix(desc::SceneDesc& scene, desc::MaterialId id);
+desc::MaterialId part_of_mix(desc::SceneDesc& scene, desc::MaterialId id,
+                             Passing passing = Passing::Counted);
 
 /// A surface of which not all is there.
 struct PartlyClear {
@@ -19,6 +27,7 @@ struct PartlyClear {
 /// materials that it takes are called and placed as `like`. Where a texture is 0, the mix alone
 /// would let light pass, too, but not shadow rays.
 PartlyClear with_opacity(desc::SceneDesc& scene, const desc::Material& like,
-                         desc::MaterialId visible, const desc::Value& opacity);
+                         desc::MaterialId visible, const desc::Value& opacity,
+                         Passing passing = Passing::Counted);
 
 }  // namespace ajar

@@ -6,6 +6,7 @@
 
 #include "import/common/printable.h"
 #include "import/mitsuba/names.h"
+#include "import/mitsuba/plugin_types.h"
 #include "import/mitsuba/spectrum_plugins.h"
 
 namespace ajar::mitsuba {
@@ -114,7 +115,10 @@ std::optional<double> Arguments::number(std::string_view name) {
 }
 
 std::optional<desc::Rgb> Arguments::color(std::string_view name, const char* expected) {
-  if (const Element* spectrum = child(name, "spectrum")) {
+  const auto is_even = [](const Element& element) {
+    return is_spectrum(element) || (element.tag == "texture" && !is_known(element));
+  };
+  if (const Element* spectrum = find_child(name, is_even)) {
     return evaluate_spectrum(context_, *spectrum);
   }
   const Property* property = find(name);
@@ -144,9 +148,20 @@ bool Arguments::has_text(std::string_view name) const {
 }
 
 const Element* Arguments::child(std::string_view name, std::string_view tag) {
+  return find_child(name, [&](const Element& element) { return element.tag == tag; });
+}
+
+const Element* Arguments::texture(std::string_view name) {
+  return find_child(name, [](const Element& element) {
+    return element.tag == "texture" && !is_spectrum(element);
+  });
+}
+
+const Element* Arguments::find_child(std::string_view name,
+                                     const std::function<bool(const Element&)>& is_meant) {
   ask(name);
   for (std::size_t i = 0; i < children_.size(); ++i) {
-    if (element_.children[i].name != name || children_[i]->tag != tag) continue;
+    if (element_.children[i].name != name || !is_meant(*children_[i])) continue;
     used_children_[i] = Use::Used;
     return children_[i];
   }

@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <initializer_list>
 #include <optional>
 #include <string>
@@ -32,7 +33,7 @@ class Arguments {
   std::optional<double> number(std::string_view name);
   std::optional<long long> integer(std::string_view name);
   std::optional<std::string> text(std::string_view name);
-  /// A colour or a number, which is grey; or a child <spectrum>.
+  /// A colour or a number, which is grey; or a texture that is the same everywhere.
   /// `expected` is what a warning calls it.
   std::optional<desc::Rgb> color(std::string_view name, const char* expected = "a colour");
   std::optional<Vec3d> vector(std::string_view name);
@@ -54,6 +55,9 @@ class Arguments {
   bool has_text(std::string_view name) const;
   /// The child that is `name` to this plugin; null if there is none.
   const Element* child(std::string_view name, std::string_view tag);
+  /// The texture that is `name` to this plugin, unless it is the same everywhere, as `color` has
+  /// it; null if there is none.
+  const Element* texture(std::string_view name);
   /// All children of this tag, in their order; of more than `most` only the first, with a warning.
   std::vector<const Element*> children(std::string_view tag, std::size_t most = kAll);
   /// The first child of this tag, with a warning if there are more; null if there is none.
@@ -69,6 +73,8 @@ class Arguments {
   void ask(std::string_view name);
   bool was_asked(std::string_view name) const;
   const Property* find(std::string_view name);
+  const Element* find_child(std::string_view name,
+                            const std::function<bool(const Element&)>& is_meant);
   /// The property as `T`; a warning if it is something else.
   template <typename T>
   std::optional<T> get(std::string_view name, const char* expected);

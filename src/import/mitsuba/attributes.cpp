@@ -9,6 +9,7 @@
 
 #include "core/error.h"
 #include "import/common/printable.h"
+#include "import/mitsuba/property_reader.h"
 
 namespace ajar::mitsuba {
 namespace {
@@ -43,7 +44,7 @@ const std::map<std::string_view, Names>& attributes() {
       {"subsurface", kPlugin},
       {"texture", kPlugin},
       {"volume", kPlugin},
-      {"spectrum", {"type", "id", "name", "value", "filename", "intent"}},
+      {"spectrum", {"name", "value", "filename", "intent"}},
       {"boolean", kValue},
       {"integer", kValue},
       {"float", kValue},
@@ -78,9 +79,10 @@ bool has(const Names& names, std::string_view name) {
 
 void check_names(const XmlFile& file, const pugi::xml_node& node, const Names& names,
                  Warnings& warnings) {
+  const bool is_typed = is_value_tag(node.name());
   for (const pugi::xml_attribute& attribute : node.attributes()) {
     const std::string name = attribute.name();
-    if (has(names, name)) continue;
+    if (has(names, name) || (is_typed && (name == "type" || name == "id"))) continue;
     const std::string nearest = nearest_name(name, names);
     warnings.add(kUnknownAttribute, file.where(node),
                  "<" + std::string(node.name()) + "> has no attribute \"" + printable(name) + "\"" +
@@ -104,21 +106,20 @@ void check_rivals(const XmlFile& file, const pugi::xml_node& node, const Names& 
     return true;
   };
   if (has(names, "x")) check("value", {"x", "y", "z"});
-  if (has(names, "filename") && !check("type", {"filename", "value"})) {
-    check("filename", {"value"});
-  }
+  if (is_value_tag(node.name()) && check("type", {"filename", "value"})) return;
+  if (has(names, "filename")) check("filename", {"value"});
 }
 
 /// Whether an element means something in that around it.
 bool is_in_place(const pugi::xml_node& node) {
   static const std::set<std::string_view> kWithoutElements = {
-      "boolean", "integer",   "float",  "string", "vector",    "point",  "rgb",    "srgb",
-      "xyz",     "blackbody", "color",  "ref",    "default",   "alias",  "path",   "include",
-      "matrix",  "lookat",    "lookAt", "scale",  "translate", "rotate", "look_at"};
+      "boolean", "integer", "float",    "string", "vector",  "point",     "rgb",     "srgb",
+      "xyz",     "color",   "spectrum", "ref",    "default", "alias",     "path",    "include",
+      "matrix",  "lookat",  "lookAt",   "scale",  "rotate",  "translate", "look_at", "blackbody"};
   const pugi::xml_node parent = node.parent();
   const std::string_view name = parent.name();
   if (name == "animation") return node.name() == std::string_view("transform");
-  if (name == "spectrum") return static_cast<bool>(parent.attribute("type"));
+  if (is_value_tag(name) && parent.attribute("type")) return true;
   return kWithoutElements.count(name) == 0;
 }
 

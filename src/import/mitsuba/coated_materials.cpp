@@ -141,7 +141,7 @@ Surface make_rough_coating(const MaterialInputs& in) { return coating(in, true);
 Surface make_phong(const MaterialInputs& in) {
   constexpr float kUsualExponent = 30.F;
   desc::Node node = glossy(in);
-  if (in.arguments.child("exponent", "texture") != nullptr) {
+  if (in.arguments.texture("exponent") != nullptr) {
     in.context().warnings.add(kExponent, in.where(),
                               "an \"exponent\" that varies is not supported: 30 stands in");
   }

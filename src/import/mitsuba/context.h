@@ -14,6 +14,10 @@ struct Context {
   const Document& document;
   SearchPath& files;
   Warnings& warnings;
+  /// What goes straight on through a surface adds to the depth of a path or not: as the integrator
+  /// has it where that is limited, else as in ours, by which only boundaries of media do not.
+  bool counts_boundaries = false;
+  bool counts_straight = true;
   /// Those whose `Arguments` are in use now, and those whose arguments were reported.
   std::set<const Element*> open = {};
   std::set<const Element*> reported = {};

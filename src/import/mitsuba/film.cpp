@@ -141,7 +141,7 @@ void read_film(Context& context, const Element& element) {
   if (element.type == "specfilm") {
     context.warnings.add(kSpectralFilm, element.where,
                          "pictures of wavelengths are not supported: this one has colours");
-    arguments.children("spectrum");  // the responses of its channels
+    arguments.children("texture");  // the responses of its channels
   }
   if (!is_known(element)) {
     context.warnings.add(kUnknownFilm, element.where,

@@ -12,8 +12,9 @@ constexpr WarningKind kIntegrator{Effect::None, "integrators are not supported: 
 constexpr WarningKind kSampler{Effect::None, "samplers are unknown: another stands in"};
 constexpr WarningKind kSampleCount{Effect::Slight, "numbers of samples are below 1 and ignored"};
 constexpr WarningKind kDepth{Effect::Slight, "depths make no sense and are ignored"};
-constexpr WarningKind kHideEmitters{Effect::Surface,
-                                    "lights are hidden from the camera, which is not supported"};
+
+constexpr WarningKind kHideEmitters{
+    Effect::Slight, "lights are hidden from the camera as in Mitsuba 3: not black, but not there"};
 
 constexpr std::array<IntegratorName, 10> kIntegrators = {{{"path", "pt"},
                                                           {"volpath", "pt"},
@@ -87,9 +88,21 @@ const Element& read_integrator(Context& context, const Element& element) {
     context.warnings.add(kDepth, element.where,
                          "\"max_depth\" of " + std::to_string(*depth) + " makes no sense: ignored");
   }
-  if (arguments.flag("hide_emitters", false)) {
-    context.warnings.add(kHideEmitters, element.where,
-                         "\"hide_emitters\" is not supported: lights can be seen");
+  if (hints.max_depth) {
+    // "null" events, by which light passes thin dielectrics, masks and boundaries of media. Source:
+    // Mitsuba 3, volpath.cpp, volpathmis.cpp; others count every interaction.
+    const bool counts_null =
+        context.document.major_version == 0 || element.type.find("volpath") == std::string::npos;
+    context.counts_boundaries = counts_null;
+    context.counts_straight = counts_null;
+  }
+  desc::Camera& camera = context.scene.camera;
+  camera.hides_lights = arguments.flag("hide_emitters", false);
+  if (camera.hides_lights && context.document.major_version < 3) {
+    context.warnings.add(
+        kHideEmitters, element.where,
+        "\"hide_emitters\" of this version leaves the shapes of lights black: here "
+        "it is what is behind them that is seen");
   }
   // What only the methods themselves know.
   arguments.accept({"rr_depth",

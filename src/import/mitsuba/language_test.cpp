@@ -11,15 +11,12 @@ Vec3 color_of(const std::string& property) {
   return MaterialOf("<bsdf type=\"diffuse\">" + property + "</bsdf>").node().color("reflectance");
 }
 
-/// The place of a sphere with this transform.
+/// The place of a cube with this transform.
 Mat4 placed(const std::string& steps, const std::string& name = "to_world") {
-  // Our sphere is mirrored along z, which a second scaling undoes.
-  Mat4 mirror;
-  mirror[2][2] = -1.0;
-  return mirror * scene_of("<shape type=\"sphere\"><transform name=\"" + name + "\">" + steps +
-                           "</transform></shape>")
-                      .shapes.front()
-                      .to_world;
+  return scene_of("<shape type=\"cube\"><transform name=\"" + name + "\">" + steps +
+                  "</transform></shape>")
+      .shapes.front()
+      .to_world;
 }
 
 TEST(MitsubaLanguage, NamesOfAllVersionsMeanTheSame) {
@@ -181,6 +178,48 @@ TEST(MitsubaLanguage, ColorsHaveManySpellings) {
       Vec3(sampled_to_rgb_in_daylight(wavelengths, values)));
 }
 
+TEST(MitsubaLanguage, TexturesSpectraAndNumbersNameTheSamePlugins) {
+  const Files files = {{"a.png", ""}};
+  const auto material = [&](const std::string& bsdf, const std::string& tag,
+                            const std::string& name) {
+    return MaterialOf("<bsdf type=\"" + bsdf + "\"><" + tag + " name=\"" + name +
+                          "\" type=\"bitmap\"><string name=\"filename\" value=\"a.png\"/></" + tag +
+                          "><bsdf type=\"diffuse\"/><bsdf type=\"diffuse\"/></bsdf>",
+                      files);
+  };
+  for (const std::string tag : {"texture", "spectrum", "float", "rgb"}) {
+    const MaterialOf color("<bsdf type=\"diffuse\"><" + tag +
+                               " name=\"reflectance\" type=\"bitmap\"><string name=\"filename\" "
+                               "value=\"a.png\"/></" +
+                               tag + "></bsdf>",
+                           files);
+    EXPECT_EQ(color.warnings, "") << tag;
+    EXPECT_TRUE(color.texture("reflectance").is("image")) << tag;
+    const MaterialOf weight = material("blendbsdf", tag, "weight");
+    EXPECT_EQ(weight.warnings, "") << tag;
+    EXPECT_TRUE(weight.texture("amount").is("image")) << tag;
+    EXPECT_EQ(color_of("<" + tag +
+                       " name=\"reflectance\" type=\"srgb\"><rgb name=\"color\" "
+                       "value=\"0.1 0.2 0.3\"/></" +
+                       tag + ">"),
+              Vec3(0.1F, 0.2F, 0.3F))
+        << tag;
+  }
+  // By reference, and in another.
+  const MaterialOf scaled(
+      "<bsdf type=\"diffuse\"><spectrum name=\"reflectance\" type=\"scale\"><spectrum "
+      "type=\"checkerboard\"><spectrum name=\"color0\" type=\"uniform\"><float name=\"value\" "
+      "value=\"0.25\"/></spectrum></spectrum><float name=\"scale\" "
+      "value=\"2\"/></spectrum></bsdf>");
+  EXPECT_EQ(scaled.warnings, "");
+  EXPECT_TRUE(scaled.texture("reflectance").is("product"));
+  const desc::SceneDesc shared = scene_of(
+      "<spectrum type=\"bitmap\" id=\"t\"><string name=\"filename\" value=\"a.png\"/></spectrum>" +
+          sphere_of("<bsdf type=\"diffuse\"><ref id=\"t\" name=\"reflectance\"/></bsdf>"),
+      files);
+  EXPECT_TRUE(shared.textures.at(0).node.is("image"));
+}
+
 TEST(MitsubaLanguage, TheLastStepOfATransformIsAppliedLast) {
   expect_near(transform_point(placed("<scale x=\"2\"/><translate x=\"3\"/>"), {1, 1, 1}),
               {5, 1, 1});
@@ -233,6 +272,23 @@ TEST(MitsubaLanguage, WhatIsThereTwiceIsAWarning) {
                        "there is more than one integrator: this one is ignored"));
 }
 
+/// Numbers of Mitsuba 3.9.
+TEST(MitsubaLanguage, EmittedSpectraOfOneNumberAreEvenSinceVersion2) {
+  const auto radiance = [](const std::string& version, const std::string& value) {
+    Warnings warnings;
+    return import_with("<scene version=\"" + version + "\"><emitter type=\"constant\">" + value +
+                           "</emitter><sensor type=\"perspective\"/></scene>",
+                       warnings)
+        .lights.at(0)
+        .node.color("radiance");
+  };
+  const std::string spectrum = "<spectrum name=\"radiance\" value=\"3\"/>";
+  expect_near(radiance("3.0.0", spectrum), {3.6147F, 2.8447F, 2.7278F}, 1e-3F);
+  expect_near(radiance("2.1.0", spectrum), {3.6147F, 2.8447F, 2.7278F}, 1e-3F);
+  expect_near(radiance("0.6.0", spectrum), Vec3(3.F));
+  expect_near(radiance("3.0.0", "<float name=\"radiance\" value=\"3\"/>"), Vec3(3.F));
+}
+
 TEST(MitsubaLanguage, SpectraThatAreUnknownHaveAStandIn) {
   const auto radiance = [](const std::string& spectrum, Warnings& warnings) {
     const desc::SceneDesc scene =
@@ -247,7 +303,7 @@ TEST(MitsubaLanguage, SpectraThatAreUnknownHaveAStandIn) {
   expect_none(none);
   Warnings warnings;
   radiance("<spectrum name=\"radiance\" type=\"rainbow\"/>", warnings);
-  EXPECT_TRUE(contains(lines_of(warnings), "unknown spectrum \"rainbow\""));
+  EXPECT_TRUE(contains(lines_of(warnings), "unknown texture \"rainbow\""));
 }
 
 }  // namespace

@@ -7,6 +7,8 @@
 #include "import/common/transforms.h"
 #include "import/mitsuba/node_maker.h"
 #include "import/mitsuba/plugin_types.h"
+#include "import/mitsuba/textures.h"
+#include "import/mitsuba/view.h"
 
 namespace ajar::mitsuba {
 namespace {
@@ -16,11 +18,8 @@ constexpr WarningKind kNoMapFile{Effect::Light, "environment maps have no \"file
 constexpr WarningKind kSpotTexture{Effect::Surface,
                                    "spot lights have a texture, which is not supported"};
 constexpr WarningKind kGamma{Effect::Slight, "environment maps have a gamma: not supported"};
-constexpr WarningKind kProjector{
-    Effect::Surface,
-    "projectors are of even intensity here, not of even irradiance on their image"};
-constexpr WarningKind kSlide{
-    Effect::Surface, "images of projectors are not read as they should be: as their format says"};
+constexpr WarningKind kSlide{Effect::Surface,
+                             "images of projectors are changed, which is not supported"};
 constexpr WarningKind kNoSlide{Effect::Light, "projectors have no image: white light stands in"};
 constexpr WarningKind kBeam{Effect::Light,
                             "collimated beams are not supported: narrow spots stand in"};
@@ -106,8 +105,8 @@ std::optional<desc::Light> directional(const Source& in) {
   return in.light(in.node("distant", {{"irradiance", in.color("irradiance", 1.F)}}), *turn);
 }
 
-/// The image file that a projector shows; nothing, after a warning, if it is something else.
-std::optional<std::string> slide(Context& context, const Element& texture) {
+/// Sets the image that a projector shows; white, after a warning, if it is not one of a file.
+void set_slide(Context& context, const Element& texture, desc::Node& projector) {
   Arguments image(context, texture);
   const std::optional<std::string> name =
       texture.type == "bitmap" ? image.text("filename") : std::nullopt;
@@ -116,44 +115,44 @@ std::optional<std::string> slide(Context& context, const Element& texture) {
     context.warnings.add(kNoSlide, texture.where,
                          "projectors show files of bitmaps only: white light stands in",
                          printable(texture.type));
-    return std::nullopt;
+    return;
   }
-  for (const char* ignored :
-       {"raw", "gamma", "channel", "to_uv", "uscale", "vscale", "uoffset", "voffset"}) {
+  projector.set("image", context.files.files().resolve(context.files.find(*name)));
+  if (const std::optional<float> exponent = decoding_exponent(image)) {
+    projector.set("decoding_exponent", *exponent);
+  }
+  for (const char* ignored : {"channel", "to_uv", "uscale", "vscale", "uoffset", "voffset"}) {
     if (!image.has(ignored)) continue;
     context.warnings.add(kSlide, texture.where,
                          "\"" + std::string(ignored) +
-                             "\" of the image of a projector is not supported: the image is whole, "
-                             "and decoded as its format says",
+                             "\" of the image of a projector is not supported: the image is whole",
                          ignored);
     image.accept({ignored});
   }
   image.accept({"filter_type", "wrap_mode", "wrap_mode_u", "wrap_mode_v", "cache", "max_anisotropy",
                 "format", "accel"});
-  return context.files.files().resolve(context.files.find(*name));
 }
 
 std::optional<desc::Light> projector(const Source& in) {
-  const float scale = in.arguments.number("scale", 1.F);
-  desc::Node node = in.node("projection", {{"fov", in.arguments.number("fov", 45.F)}});
-  if (const Element* texture = in.arguments.child("irradiance", "texture")) {
-    if (const std::optional<std::string> file = slide(in.context, *texture)) {
-      node.set("image", *file);
-    }
-    node.set("intensity", Vec3(scale));
+  const GivenView view = read_view(in.arguments);
+  desc::Node node = in.node("projection", {{"fov", static_cast<float>(view.fov)},
+                                           {"fov_axis", view.axis},
+                                           {"image_is", std::string("irradiance")}});
+  // What reaches a plane at z = 1 is π times the irradiance, which a scale of the space moves.
+  // Source: Mitsuba 3, projector.cpp.
+  const Mat4 to_world = in.to_world();
+  Vec3d axis;
+  to_world.multDirMatrix(Vec3d(0.0, 0.0, 1.0), axis);
+  const float factor = kPi * in.arguments.number("scale", 1.F) * static_cast<float>(axis.length());
+  if (const Element* texture = in.arguments.texture("irradiance")) {
+    set_slide(in.context, *texture, node);
+    node.set("intensity", Vec3(factor));
   } else {
-    node.set("intensity", in.color("irradiance", 1.F) * scale);
+    node.set("intensity", in.color("irradiance", 1.F) * factor);
   }
-  if (in.arguments.has("focal_length")) {
-    in.context.warnings.add(kProjector, in.arguments.where(),
-                            "\"focal_length\" of projectors is not supported, only \"fov\"");
-  }
-  in.arguments.accept({"fov_axis", "near_clip", "far_clip", "focal_length"});
-  in.context.warnings.add(kProjector, in.arguments.where(),
-                          "this projector is of even intensity, not of even irradiance on its "
-                          "image, and \"fov\" is that of the shorter side");
+  in.arguments.accept({"near_clip", "far_clip"});
   // The image begins at +x and +y in Mitsuba, at -x and -y here.
-  return in.light(std::move(node), scaling({-1.0, -1.0, 1.0}) * in.to_world());
+  return in.light(std::move(node), scaling({-1.0, -1.0, 1.0}) * to_world);
 }
 
 std::optional<desc::Light> collimated(const Source& in) {

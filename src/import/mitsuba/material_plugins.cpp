@@ -6,7 +6,7 @@
 namespace ajar::mitsuba {
 namespace {
 
-constexpr std::array<MaterialPlugin, 25> kPlugins = {{{"diffuse", make_diffuse},
+constexpr std::array<MaterialPlugin, 26> kPlugins = {{{"diffuse", make_diffuse},
                                                       {"roughdiffuse", make_rough_diffuse},
                                                       {"difftrans", make_diffuse_transmitter},
                                                       {"principled", make_principled},
@@ -16,6 +16,7 @@ constexpr std::array<MaterialPlugin, 25> kPlugins = {{{"diffuse", make_diffuse},
                                                       {"roughdielectric", make_rough_dielectric},
                                                       {"conductor", make_conductor},
                                                       {"roughconductor", make_rough_conductor},
+                                                      {"roughconductorGGX", make_ggx_conductor},
                                                       {"plastic", make_plastic},
                                                       {"roughplastic", make_rough_plastic},
                                                       {"coating", make_coating},

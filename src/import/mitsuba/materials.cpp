@@ -76,7 +76,8 @@ Surface MaterialTable::diffuse(float reflectance) {
 }
 
 Surface MaterialTable::interface() {
-  return {add_shared(interface_, desc::material_node("interface"))};
+  return {add_shared(interface_,
+                     desc::material_node("interface", {{"counted", context_.counts_boundaries}}))};
 }
 
 desc::MaterialId MaterialTable::black() { return diffuse(0.F).material; }

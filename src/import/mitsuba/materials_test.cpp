@@ -231,6 +231,33 @@ const std::string kNormalMap =
     "<texture type=\"bitmap\"><string name=\"filename\" value=\"n.png\"/><boolean name=\"raw\" "
     "value=\"true\"/></texture>";
 
+TEST(MitsubaMaterials, NormalMapsMayBeTheSameEverywhere) {
+  for (const std::string map :
+       {"<rgb name=\"normalmap\" value=\"0.9 0.5 0.8\"/>",
+        "<texture name=\"normalmap\" type=\"srgb\"><rgb name=\"color\" value=\"0.9 0.5 "
+        "0.8\"/></texture>"}) {
+    const MaterialOf tilted("<bsdf type=\"normalmap\">" + map + "<bsdf type=\"diffuse\"/></bsdf>");
+    EXPECT_EQ(tilted.warnings, "");
+    const desc::TextureId id =
+        tilted.material(tilted.scene.shapes.front().material).normal_map.texture;
+    ASSERT_GE(id, 0) << map;
+    const desc::Node& texture = tilted.scene.textures.at(static_cast<std::size_t>(id)).node;
+    ASSERT_TRUE(texture.is("constant"));
+    EXPECT_EQ(texture.color("value"), Vec3(0.9F, 0.5F, 0.8F));
+  }
+}
+
+TEST(MitsubaMaterials, MetalsOfVersionsForGlintsHaveTheirReflectance) {
+  const MaterialOf metal(
+      "<bsdf type=\"roughconductorGGX\"><float name=\"alpha\" value=\"0.3\"/><rgb name=\"R0\" "
+      "value=\"0.9 0.6 0.3\"/></bsdf>");
+  ASSERT_TRUE(metal.node().is("conductor"));
+  EXPECT_EQ(metal.node().color("reflectance"), Vec3(0.9F, 0.6F, 0.3F));
+  EXPECT_EQ(metal.node().number("roughness"), 0.3F);
+  EXPECT_EQ(metal.node().text("distribution"), "ggx");
+  EXPECT_TRUE(contains(metal.warnings, "a metal of that reflectance stands in")) << metal.warnings;
+}
+
 TEST(MitsubaMaterials, NormalMapsTiltWhatIsInThem) {
   const MaterialOf tilted("<bsdf type=\"normalmap\">" + kNormalMap +
                           "<bsdf type=\"diffuse\"/></bsdf>");

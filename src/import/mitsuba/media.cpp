@@ -86,7 +86,7 @@ void set_coefficients(Arguments& arguments, desc::Medium& medium) {
   if (!sigma_t && arguments.has("density")) sigma_t = find_density(arguments, "density");
   check_coefficients(arguments, sigma_a || sigma_s, sigma_t || albedo);
   const desc::Rgb sum = preset ? preset->sigma_s + preset->sigma_a : desc::Rgb(kDefaultExtinction);
-  const VolumeValue usual_extinction{sum};
+  const VolumeValue usual_extinction = constant_density(arguments, sum);
   const VolumeValue usual_albedo{preset ? preset->sigma_s / sum : desc::Rgb(kDefaultAlbedo)};
   if (sigma_t || albedo) {
     set_extinction(arguments, medium, sigma_t.value_or(usual_extinction),

@@ -71,6 +71,40 @@ TEST(MitsubaMedia, GridsOfVersion0HaveTheirCornersWhereTheFileSays) {
   expect_near(medium.sigma_a, Vec3(10.F), 1e-4F);
 }
 
+/// Its bounds are those of the volume: Mitsuba 3.9 shows a sphere of 1.5 with such a medium in one
+/// of its eight parts alone.
+TEST(MitsubaMedia, HeterogeneousOnesThatAreTheSameEverywhereFillACubeSinceVersion2) {
+  const std::string half = "<float name=\"value\" value=\"0.5\"/>";
+  const auto volume = [](const std::string& content) {
+    return "<volume name=\"sigma_t\" type=\"constvolume\">" + content + "</volume>";
+  };
+  for (const std::string& parts :
+       {volume(half), std::string("<float name=\"sigma_t\" value=\"0.5\"/>")}) {
+    const desc::Medium medium =
+        imported("3.0.0", parts + "<float name=\"albedo\" value=\"0.25\"/>", "");
+    ASSERT_TRUE(medium.density) << parts;
+    EXPECT_EQ(medium.density->grid->values, std::vector<float>{1.F});
+    expect_near(transform_point(medium.density->to_world, {1, 1, 1}), {1, 1, 1});
+    expect_near(medium.sigma_s, Vec3(0.125F));
+    expect_near(medium.sigma_a, Vec3(0.375F));
+  }
+  const desc::Medium moved =
+      imported("2.0.0",
+               volume(half + "<transform name=\"to_world\"><scale value=\"3\"/><translate "
+                             "x=\"1\"/></transform>"),
+               "");
+  expect_near(transform_point(moved.density->to_world, {1, 1, 1}), {4, 3, 3});
+  EXPECT_FALSE(
+      imported("0.6.0", "<volume name=\"density\" type=\"constvolume\">" + half + "</volume>", "")
+          .density);
+  // An albedo that varies in it is looked up at points of its own.
+  const desc::Medium varied = imported("3.0.0", volume(half) + grid_named("albedo"),
+                                       grid_file(1, {2, 1, 1}, 1, floats({0, 1})));
+  ASSERT_TRUE(varied.density && varied.density->grid->is_colored());
+  EXPECT_EQ(varied.density->grid->scattering,
+            (std::vector<desc::Rgb>{desc::Rgb(0.F), desc::Rgb(0.5F)}));
+}
+
 TEST(MitsubaMedia, ScenesOfVersion0PlaceGridsInABoxOfTheirOwn) {
   const desc::Medium medium =
       imported("0.5.0",
@@ -159,7 +193,9 @@ TEST(MitsubaMedia, WhatVariesBesideAConstantDensityIsItsMeanWithAWarning) {
       {"a.vol", grid_file(1, {2, 1, 1}, 3, floats({0, 0, 0.25F, 0.5F, 0.5F, 0.25F}))}};
   Warnings warnings;
   const desc::Medium medium =
-      import_with(world(medium_of("<float name=\"sigma_t\" value=\"2\"/>" + grid_named("albedo"))),
+      import_with(world("<shape type=\"cube\"><medium type=\"homogeneous\" name=\"interior\">"
+                        "<float name=\"sigma_t\" value=\"2\"/>" +
+                        grid_named("albedo") + "</medium></shape>"),
                   warnings, files)
           .media.at(0);
   EXPECT_FALSE(medium.density);

@@ -15,6 +15,9 @@ namespace {
 constexpr WarningKind kNoMeshFile{Effect::Geometry, "meshes have no \"filename\": left out"};
 constexpr WarningKind kMaterials{Effect::Surface,
                                  "materials of OBJ files are not read: grey stands in"};
+constexpr WarningKind kMirrored{
+    Effect::Slight,
+    "meshes are mirrored: their front is that of Mitsuba 3.10, not of those before"};
 constexpr WarningKind kSmoothAngle{
     Effect::Slight, "meshes have sharp edges by an angle, which is not supported: smooth"};
 
@@ -90,16 +93,22 @@ std::optional<Geometry> make_mesh_geometry(Arguments& arguments, MeshLoader& mes
   }
 
   const bool is_mirrored = swaps_handedness(arguments.transform("to_world").value_or(Mat4()));
+  const bool turns_back = is_mirrored && context.document.major_version < 3;
   MeshRecipe recipe;
   recipe.read = reader_of(arguments, index);
-  recipe.finish = [face_normals, turns_v, is_mirrored](desc::Mesh& mesh) {
+  recipe.finish = [=, &warnings = context.warnings, where = arguments.where()](desc::Mesh& mesh) {
     if (turns_v) turn_texture_coordinates(mesh);
     if (face_normals) mesh.normals.clear();
     if (!mesh.normals.empty()) return;
-    // Mitsuba makes normals by the winding that vertices have in the world; ours are turned with
-    // the transform, which a mirror makes the opposite.
-    if (is_mirrored) {
+    // Mitsuba before 3.10 makes normals by the winding that vertices have in the world; ours are
+    // turned with the transform, which a mirror makes the opposite. Source: PackedMesh of 3.10.
+    if (turns_back) {
       for (auto& triangle : mesh.indices) std::swap(triangle.y, triangle.z);
+    } else if (is_mirrored) {
+      warnings.add(
+          kMirrored, where,
+          "this mesh is mirrored: its front is where the mirror shows that of the file, as "
+          "in Mitsuba 3.10; in versions before, it is the other side");
     }
     if (!face_normals) make_smooth_normals(mesh);
   };

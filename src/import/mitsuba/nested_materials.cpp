@@ -29,8 +29,12 @@ std::vector<Surface> parts_of(const MaterialInputs& in, std::size_t least, std::
   return parts;
 }
 
+Passing passing_of(const MaterialInputs& in) {
+  return in.context().counts_straight ? Passing::Counted : Passing::Uncounted;
+}
+
 desc::MaterialRef part_of(const MaterialInputs& in, const Surface& surface) {
-  return {part_of_mix(in.context().scene, surface.material)};
+  return {part_of_mix(in.context().scene, surface.material, passing_of(in))};
 }
 
 /// `amount` of the first material, the rest of the second.
@@ -81,6 +85,9 @@ desc::MaterialId tilted(const MaterialInputs& in, desc::MaterialId id, desc::Tex
 std::optional<desc::TextureId> texture_of_relief(const MaterialInputs& in, bool is_height) {
   const Element* texture = in.arguments.only_child("texture");
   if (texture == nullptr) {
+    if (const auto color = in.arguments.color(is_height ? "bumpmap" : "normalmap")) {
+      return in.textures.add_constant(in.where(), *color);
+    }
     const std::optional<std::string> file = in.arguments.text("filename");
     if (file) return in.textures.add_vectors(in.where(), *file);
     in.context().warnings.add(
@@ -127,7 +134,7 @@ Surface make_mask(const MaterialInputs& in) {
   if (opacity == desc::Value(Vec3(0.F))) return in.materials.interface();
   const PartlyClear partly =
       with_opacity(in.context().scene, {.name = in.arguments.element().id, .where = in.where()},
-                   result.material, opacity);
+                   result.material, opacity, passing_of(in));
   result.material = partly.material;
   if (partly.alpha != desc::kNone) result.alpha = partly.alpha;
   return result;

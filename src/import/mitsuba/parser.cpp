@@ -21,20 +21,26 @@ constexpr int kDeepestElements = 100;
 constexpr int kMostFiles = 1000;
 
 /// Elements that are plugins.
-constexpr std::array<std::string_view, 15> kPluginTags = {
-    "bsdf",  "emitter", "film",  "integrator", "medium",     "phase",   "rfilter", "sampler",
-    "scene", "sensor",  "shape", "spectrum",   "subsurface", "texture", "volume"};
+constexpr std::array<std::string_view, 14> kPluginTags = {
+    "bsdf",    "emitter", "film",   "integrator", "medium",     "phase",   "rfilter",
+    "sampler", "scene",   "sensor", "shape",      "subsurface", "texture", "volume"};
+
+/// Whether a number or a colour names a plugin: it is then what that makes, a texture or the same
+/// everywhere.
+bool is_typed_value(const pugi::xml_node& node) {
+  return node.attribute("type") && is_value_tag(node.name());
+}
 
 /// Today's name of a tag that older versions called otherwise.
-std::string plugin_tag(const std::string& tag) {
+std::string plugin_tag(const pugi::xml_node& node) {
+  const std::string tag = node.name();
   if (tag == "luminaire") return "emitter";
   if (tag == "camera") return "sensor";
-  return tag;
+  return is_typed_value(node) ? "texture" : tag;
 }
 
 bool is_plugin(const pugi::xml_node& node) {
-  const std::string tag = plugin_tag(node.name());
-  if (tag == "spectrum") return node.attribute("type");
+  const std::string tag = plugin_tag(node);
   return std::find(kPluginTags.begin(), kPluginTags.end(), tag) != kPluginTags.end();
 }
 
@@ -102,9 +108,10 @@ void Parser::read_one(const Source& source, Element& parent, int depth) {
   } else if (tag == "path") {
     add_path(source);
   } else if (is_property_tag(tag)) {
-    const bool is_as_light = document_.major_version < 3 || parent.tag == "emitter";
+    const bool is_emitted = document_.major_version >= 2 && parent.tag == "emitter";
+    const Seen of_surfaces = document_.major_version < 3 ? Seen::AsLight : Seen::InDaylight;
     const PropertyReader reader(source.file, definitions_, files_, warnings_,
-                                is_as_light ? Seen::AsLight : Seen::InDaylight);
+                                is_emitted ? Seen::Emitted : of_surfaces);
     if (std::optional<PropertyValue> value = reader.read(source.node)) {
       parent.properties.push_back({snake_case(required(source, "name")), where, std::move(*value)});
     }
@@ -117,7 +124,7 @@ void Parser::read_one(const Source& source, Element& parent, int depth) {
 
 ElementPointer Parser::read_element(const Source& source, int depth) {
   auto element = std::make_shared<Element>();
-  element->tag = plugin_tag(source.node.name());
+  element->tag = plugin_tag(source.node);
   element->type = attribute(source, "type");
   element->id = attribute(source, "id");
   element->where = source.file.where(source.node);

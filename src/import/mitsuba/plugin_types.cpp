@@ -6,6 +6,7 @@
 #include "import/common/printable.h"
 #include "import/mitsuba/material_plugins.h"
 #include "import/mitsuba/sensor.h"
+#include "import/mitsuba/spectrum_plugins.h"
 
 namespace ajar::mitsuba {
 namespace {
@@ -28,10 +29,9 @@ std::map<std::string_view, Types> all_types() {
       {"shape",
        {"obj", "ply", "serialized", "rectangle", "cube", "sphere", "disk", "cylinder", "hair",
         "linearcurve", "bsplinecurve", "instance", "shapegroup", "merge"}},
-      {"spectrum",
-       {"uniform", "d65", "srgb", "rgb", "blackbody", "irregular", "regular", "rawconstant"}},
-      {"texture", {"bitmap", "checkerboard", "scale", "uniform", "srgb", "rawconstant"}},
+      {"texture", {"bitmap", "checkerboard", "scale"}},
       {"volume", {"gridvolume", "grid", "constvolume", "uniform", "srgb", "volcache"}}};
+  for (const std::string_view type : spectrum_types()) types["texture"].emplace_back(type);
   for (const MaterialPlugin& plugin : material_plugins()) types["bsdf"].emplace_back(plugin.type);
   for (const IntegratorName& name : integrator_names())
     types["integrator"].emplace_back(name.theirs);

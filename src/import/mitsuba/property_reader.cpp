@@ -25,6 +25,12 @@ bool is_property_tag(std::string_view tag) {
   return std::find(kPropertyTags.begin(), kPropertyTags.end(), tag) != kPropertyTags.end();
 }
 
+bool is_value_tag(std::string_view tag) {
+  constexpr std::array<std::string_view, 7> kValueTags = {"float", "rgb",       "srgb",    "xyz",
+                                                          "color", "blackbody", "spectrum"};
+  return std::find(kValueTags.begin(), kValueTags.end(), tag) != kValueTags.end();
+}
+
 std::optional<PropertyValue> PropertyReader::read(const pugi::xml_node& node) const {
   const std::string_view tag = node.name();
   const auto checked = [&](auto value, const char* expected) -> PropertyValue {
@@ -68,7 +74,8 @@ std::optional<desc::Rgb> PropertyReader::read_color(const pugi::xml_node& node) 
 
 std::optional<desc::Rgb> PropertyReader::read_spectrum(const pugi::xml_node& node) const {
   if (node.attribute("filename")) return read_spectrum_file(node);
-  const std::string value = text(node, "value");
+  std::string value = text(node, "value");
+  if (seen_ == Seen::Emitted && parse_number(value)) value = "300:" + value + ", 900:" + value;
   const std::optional<Vec3d> color =
       value.find(':') == std::string::npos ? parse_triple(value) : parse_spectrum(value, seen_);
   if (!color)

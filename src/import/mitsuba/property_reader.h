@@ -14,6 +14,8 @@ namespace ajar::mitsuba {
 
 /// Whether elements of this tag are properties, such as "float" and "transform".
 bool is_property_tag(std::string_view tag);
+/// Whether they are numbers or colours, which a plugin can be instead.
+bool is_value_tag(std::string_view tag);
 
 /// Reads the value of properties: numbers, colours in all their spellings, transforms.
 class PropertyReader {

@@ -62,8 +62,8 @@ desc::SceneDesc build_scene(const Document& document, SearchPath& files, Warning
     add_lights(context, media, *emitter);
   }
   // Things that are only referred to are read where they are used.
-  for (const char* tag : {"bsdf", "texture", "medium", "spectrum", "volume", "phase", "film",
-                          "sampler", "rfilter", "subsurface"}) {
+  for (const char* tag : {"bsdf", "texture", "medium", "volume", "phase", "film", "sampler",
+                          "rfilter", "subsurface"}) {
     for (const Element* element : arguments.children(tag)) {
       if (!element->id.empty()) continue;
       warnings.add(

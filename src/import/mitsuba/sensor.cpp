@@ -6,8 +6,8 @@
 #include "import/common/printable.h"
 #include "import/common/studio.h"
 #include "import/common/transforms.h"
-#include "import/mitsuba/numbers.h"
 #include "import/mitsuba/plugin_types.h"
+#include "import/mitsuba/view.h"
 
 namespace ajar::mitsuba {
 namespace {
@@ -17,45 +17,14 @@ constexpr WarningKind kUnknownSensor{Effect::Light,
 constexpr WarningKind kClipped{Effect::Slight, "cameras have clip planes: not supported"};
 constexpr WarningKind kResponse{Effect::Surface,
                                 "sensors have a response to wavelengths, which is not supported"};
-constexpr WarningKind kTwoAngles{
-    Effect::None, "sensors have a field of view and a focal length: the former counts"};
-constexpr WarningKind kAxis{Effect::Light, "fov axes are unknown: that of x stands in"};
-
-const std::vector<std::string> kAxes = {"x", "y", "diagonal", "smaller", "larger"};
-
 /// Tangent of half the field of view along the width of the film.
 double half_width(Arguments& arguments, double aspect) {
-  std::string axis = arguments.word("fov_axis", "x");
-  std::optional<double> fov = arguments.number("fov");
-  if (!fov) {
-    // Of a film of 36 mm × 24 mm, along its diagonal.
-    std::string text = arguments.text("focal_length", "50mm");
-    if (text.ends_with("mm")) text.resize(text.size() - 2);
-    const std::optional<double> focal_length = parse_number(text);
-    if (!focal_length || !(*focal_length > 0.0)) {
-      throw SceneError(arguments.where(), "\"focal_length\" must be a length as in \"50mm\"");
-    }
-    fov = 2.0 * std::atan(0.5 * std::hypot(36.0, 24.0) / *focal_length) / kDegree;
-    axis = "diagonal";
-  } else if (arguments.has("focal_length")) {
-    arguments.accept({"focal_length"});
-    arguments.context().warnings.add(
-        kTwoAngles, arguments.where(),
-        "this sensor has a field of view and a focal length: the former counts");
-  }
-  if (!(*fov > 0.0 && *fov < 180.0)) {
-    throw SceneError(arguments.where(), "\"fov\" must be between 0 and 180 degrees");
-  }
-  const double tangent = std::tan(0.5 * *fov * kDegree);
-  if (axis == "smaller") axis = aspect > 1.0 ? "y" : "x";
-  if (axis == "larger") axis = aspect > 1.0 ? "x" : "y";
-  if (axis == "y") return tangent * aspect;
-  if (axis == "diagonal") return tangent / std::sqrt(1.0 + 1.0 / (aspect * aspect));
-  if (axis != "x") {
-    arguments.context().warnings.add(
-        kAxis, arguments.where(),
-        unknown_name_message("fov axis", printable(axis), kAxes) + ". x stands in");
-  }
+  GivenView view = read_view(arguments);
+  const double tangent = std::tan(0.5 * view.fov * kDegree);
+  if (view.axis == "shorter") view.axis = aspect > 1.0 ? "y" : "x";
+  if (view.axis == "longer") view.axis = aspect > 1.0 ? "x" : "y";
+  if (view.axis == "y") return tangent * aspect;
+  if (view.axis == "diagonal") return tangent / std::sqrt(1.0 + 1.0 / (aspect * aspect));
   return tangent;
 }
 

@@ -1,5 +1,8 @@
 #include "import/mitsuba/shapes.h"
 
+#include <cmath>
+
+#include "import/common/opacity.h"
 #include "import/common/printable.h"
 #include "import/common/transforms.h"
 #include "import/mitsuba/geometry.h"
@@ -22,6 +25,9 @@ constexpr WarningKind kBack{
     Effect::Slight,
     "materials are black from behind in Mitsuba, unless they are twosided: alike from both sides"};
 
+constexpr WarningKind kStretchedSphere{
+    Effect::Slight,
+    "spheres are stretched: Mitsuba shows round ones, of the radius along their x axis"};
 constexpr WarningKind kSensor{Effect::None, "sensors on shapes are not supported and left out"};
 
 /// A few kilobytes of merges of merges multiply to any number of shapes.
@@ -69,6 +75,11 @@ std::optional<desc::Shape> ShapeBuilder::make(const Element& element, bool is_in
   shape.where = element.where;
   shape.reverse_orientation = arguments.flag("flip_normals", false);
   const Mat4 to_world = arguments.transform("to_world").value_or(Mat4());
+  if (element.type == "sphere" && context_.document.major_version >= 2) {
+    // Mirrors turn the normals of spheres, and of them alone. Source: Mitsuba 3, sphere.cpp.
+    if (swaps_handedness(to_world)) shape.reverse_orientation = !shape.reverse_orientation;
+    warn_of_stretched(element, to_world);
+  }
   set_material(arguments, shape, geometry && geometry->is_closed);
   set_emission(arguments, shape, is_in_group);
   arguments.accept({"silhouette_sampling_weight"});
@@ -114,6 +125,8 @@ void ShapeBuilder::set_material(Arguments& arguments, desc::Shape& shape, bool i
   }
   shape.material = surface.material;
   shape.alpha = surface.alpha;
+  shape.alpha_counted = surface.alpha != desc::kNone && context_.counts_boundaries &&
+                        must_count_cut_outs(*context_.scene.hints.max_depth);
   if (!arguments.children("subsurface").empty()) {
     context_.warnings.add(kSubsurface, shape.where,
                           "subsurface scattering is not supported: this shape is opaque");
@@ -121,6 +134,21 @@ void ShapeBuilder::set_material(Arguments& arguments, desc::Shape& shape, bool i
   for (const Element* sensor : arguments.children("sensor")) {
     context_.warnings.add(kSensor, sensor->where, "sensors on shapes are not supported: left out");
   }
+}
+
+void ShapeBuilder::warn_of_stretched(const Element& sphere, const Mat4& to_world) {
+  const auto length = [&](int axis) {
+    return Vec3d(to_world[axis][0], to_world[axis][1], to_world[axis][2]).length();
+  };
+  constexpr double kTolerance = 1e-4;
+  const auto is_like_x = [&](int axis) {
+    return std::abs(length(axis) - length(0)) <= kTolerance * length(0);
+  };
+  if (is_like_x(1) && is_like_x(2)) return;
+  context_.warnings.add(kStretchedSphere, sphere.where,
+                        "this sphere is stretched, which Mitsuba does not support: it shows a "
+                        "round one",
+                        printable(sphere.id));
 }
 
 void ShapeBuilder::warn_of_back(const Element& bsdf) {

@@ -34,6 +34,7 @@ class ShapeBuilder {
   desc::ObjectId object_of(const Element& group);
   void set_material(Arguments& arguments, desc::Shape& shape, bool is_closed);
   void set_emission(Arguments& arguments, desc::Shape& shape, bool is_in_group);
+  void warn_of_stretched(const Element& sphere, const Mat4& to_world);
   void warn_of_back(const Element& bsdf);
 
   Context& context_;

@@ -25,15 +25,59 @@ TEST(MitsubaShapes, MeshesAreSmoothUnlessTheyAskForFaces) {
   EXPECT_TRUE(mesh_of("<boolean name=\"faceNormals\" value=\"true\"/>")->normals.empty());
 }
 
-TEST(MitsubaShapes, MirrorsDoNotTurnNormalsThatNoFileHas) {
-  // Mitsuba takes them of the vertices in the world: a mirror across z leaves this quad as it is.
-  const auto mirrored = [](const std::string& properties) {
-    return mesh_of("<transform name=\"to_world\"><scale z=\"-1\"/></transform>" + properties);
+TEST(MitsubaShapes, MirrorsTurnNormalsThatNoFileHasSinceVersion3) {
+  struct Read {
+    desc::MeshPointer mesh;
+    std::string warnings;
   };
-  EXPECT_EQ(mirrored("")->normals.front(), Vec3(0.F, 0.F, -1.F)) << "the mirror turns it back";
-  const auto flat = mirrored("<boolean name=\"faceNormals\" value=\"true\"/>");
-  const auto plain = mesh_of("<boolean name=\"faceNormals\" value=\"true\"/>");
-  EXPECT_EQ(flat->indices.front().y, plain->indices.front().z);
+  const auto read = [](const std::string& version, const std::string& scale,
+                       const std::string& properties) {
+    Warnings warnings;
+    const desc::SceneDesc scene = import_with(
+        "<scene version=\"" + version +
+            "\"><sensor type=\"perspective\"/><shape type=\"obj\"><string name=\"filename\" "
+            "value=\"q.obj\"/><transform name=\"to_world\"><scale z=\"" +
+            scale + "\"/></transform>" + properties + "<bsdf type=\"dielectric\"/></shape></scene>",
+        warnings, {{"q.obj", kQuad}});
+    return Read{scene.shapes.front().node.mesh("mesh"), lines_of(warnings)};
+  };
+  const std::string faces = "<boolean name=\"faceNormals\" value=\"true\"/>";
+  for (const std::string version : {"0.6.0", "3.0.0"}) {
+    const bool is_old = version == "0.6.0";
+    const Read smooth = read(version, "-1", "");
+    const Read flat = read(version, "-1", faces);
+    const Read plain = read(version, "1", faces);
+    EXPECT_EQ(plain.warnings, "");
+    // Before, it takes them of the vertices in the world: a mirror across z leaves this quad as it
+    // is, and the transform turns the normal back.
+    EXPECT_EQ(smooth.mesh->normals.front(), Vec3(0.F, 0.F, is_old ? -1.F : 1.F));
+    EXPECT_EQ(flat.mesh->indices.front().y == plain.mesh->indices.front().z, is_old);
+    for (const Read* mirrored : {&smooth, &flat}) {
+      EXPECT_EQ(contains(mirrored->warnings, "as in Mitsuba 3.10"), !is_old) << mirrored->warnings;
+    }
+  }
+}
+
+/// Mitsuba 3.9 shows nothing of one that shines and is mirrored.
+TEST(MitsubaShapes, MirrorsTurnSpheresInsideOutSinceVersion2) {
+  const auto is_turned = [](const std::string& version, const std::string& type,
+                            const std::string& more) {
+    Warnings warnings;
+    return import_with("<scene version=\"" + version +
+                           "\"><sensor type=\"perspective\"/><shape type=\"" + type +
+                           "\"><transform name=\"toWorld\"><scale x=\"-1\"/></transform>" + more +
+                           "<bsdf type=\"dielectric\"/></shape></scene>",
+                       warnings)
+        .shapes.front()
+        .reverse_orientation;
+  };
+  EXPECT_TRUE(is_turned("3.0.0", "sphere", ""));
+  EXPECT_FALSE(is_turned("3.0.0", "sphere", "<boolean name=\"flip_normals\" value=\"true\"/>"));
+  EXPECT_FALSE(is_turned("0.6.0", "sphere", ""));
+  EXPECT_FALSE(is_turned("3.0.0", "cylinder", ""));
+  EXPECT_TRUE(contains(warnings_of("<shape type=\"sphere\"><transform name=\"to_world\"><scale "
+                                   "y=\"2\"/></transform><bsdf type=\"dielectric\"/></shape>"),
+                       "test.xml:2:1: this sphere is stretched"));
 }
 
 TEST(MitsubaShapes, ObjFilesCountVFromTheBottomRow) {

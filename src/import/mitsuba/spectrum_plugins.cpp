@@ -1,5 +1,8 @@
 #include "import/mitsuba/spectrum_plugins.h"
 
+#include <algorithm>
+#include <array>
+
 #include "core/color.h"
 #include "import/common/printable.h"
 #include "import/mitsuba/arguments.h"
@@ -11,6 +14,9 @@ namespace ajar::mitsuba {
 namespace {
 
 constexpr WarningKind kUnknownSpectrum{Effect::Surface, "spectra are unknown: others stand in"};
+
+constexpr std::array<std::string_view, 8> kTypes = {
+    "uniform", "d65", "srgb", "rgb", "blackbody", "irregular", "regular", "rawconstant"};
 
 /// Wavelengths and values, written side by side or, at even steps, from one to another.
 desc::Rgb sampled(Arguments& arguments) {
@@ -43,26 +49,31 @@ desc::Rgb sampled(Arguments& arguments) {
 
 }  // namespace
 
+std::span<const std::string_view> spectrum_types() { return kTypes; }
+
+bool is_spectrum(const Element& element) {
+  return element.tag == "texture" &&
+         std::find(kTypes.begin(), kTypes.end(), element.type) != kTypes.end();
+}
+
 desc::Rgb evaluate_spectrum(Context& context, const Element& element) {
   Arguments arguments(context, element);
+  const std::string& type = element.type;
   const auto evaluate = [&]() -> desc::Rgb {
-    if (element.type == "uniform") return arguments.color("value").value_or(desc::Rgb(1.F));
-    if (element.type == "d65") {
-      return arguments.color("color").value_or(desc::Rgb(1.F)) * arguments.number("scale", 1.F);
-    }
-    if (element.type == "srgb" || element.type == "rgb") {
-      return arguments.color("color").value_or(desc::Rgb(1.F));
-    }
-    if (element.type == "blackbody") {
+    if (type == "blackbody") {
       return desc::Rgb(blackbody(arguments.number("temperature", 5000.F))) *
              arguments.number("scale", 1.F);
     }
-    if (element.type == "irregular" || element.type == "regular") return sampled(arguments);
+    if (type == "irregular" || type == "regular") return sampled(arguments);
+    if (type == "d65" || type == "srgb" || type == "rgb") {
+      const desc::Rgb color = arguments.color("color").value_or(desc::Rgb(1.F));
+      return type == "d65" ? color * arguments.number("scale", 1.F) : color;
+    }
     const desc::Rgb value = arguments.color("value").value_or(desc::Rgb(1.F));
-    if (element.type == "rawconstant") return value;
+    if (is_spectrum(element)) return value;
     context.warnings.add(kUnknownSpectrum, element.where,
                          unknown_type_message(element) + ". Its \"value\", or 1, stands in",
-                         printable(element.type));
+                         printable(type));
     arguments.accept_all();
     return value;
   };

@@ -10,8 +10,12 @@ namespace {
 constexpr WarningKind kUnknownConductor{Effect::Surface,
                                         "conductors have unknown names: copper stands in"};
 
+constexpr WarningKind kGgxConductor{
+    Effect::Slight, "metals have the Fresnel term of Schlick, which is not supported: the nearest"};
+
 desc::Node dielectric(const MaterialInputs& in, bool thin) {
-  desc::Node node = desc::material_node("dielectric", {{"thin", thin}});
+  desc::Node node = desc::material_node(
+      "dielectric", {{"thin", thin}, {"uncounted", thin && !in.context().counts_straight}});
   node.set("eta", relative_index(in.arguments, "bk7"));
   node.set("reflectance", in.textures.color(in.arguments, "specular_reflectance", desc::Rgb(1.F)));
   node.set("transmittance",
@@ -106,6 +110,23 @@ Surface make_rough_conductor(const MaterialInputs& in) {
   desc::Node node = desc::material_node("conductor");
   read_roughness(in).set(node);
   set_index(in, given_index(in), node);
+  return tinted(in, std::move(node));
+}
+
+Surface make_ggx_conductor(const MaterialInputs& in) {
+  desc::Node node = desc::material_node("conductor");
+  Roughness roughness = read_roughness(in);
+  roughness.distribution = "ggx";
+  roughness.set(node);
+  const std::optional<desc::Value> reflectance = in.textures.find_color(in.arguments, "r0");
+  if (!reflectance) {
+    set_index(in, given_index(in), node);
+    return tinted(in, std::move(node));
+  }
+  in.context().warnings.add(kGgxConductor, in.where(),
+                            "the term of Schlick for \"R0\" is not supported: a metal of that "
+                            "reflectance stands in, which differs at grazing angles");
+  node.set("reflectance", *reflectance);
   return tinted(in, std::move(node));
 }
 

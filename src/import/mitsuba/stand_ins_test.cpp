@@ -1,5 +1,6 @@
 // What stands in for plugins that there are no others like (docs/reference/formats-mitsuba.md).
 #include <algorithm>
+#include <map>
 
 #include "import/mitsuba/import_test_support.h"
 
@@ -33,13 +34,10 @@ TEST(MitsubaStandIns, AreWarnedOfAtTheirPlace) {
            {"<shape type='sphere'><animation name='to_world'><transform time='0'/></animation>"
             "</shape>",
             "motion is not supported"},
-           {"<integrator type='path'><boolean name='hide_emitters' value='true'/></integrator>",
-            "\"hide_emitters\" is not supported"},
            {"<shape type='obj'><string name='filename' value='m.obj'/>" + matt +
                 "<float name='max_smooth_angle' value='30'/></shape>",
             "\"max_smooth_angle\" is not supported"},
            {"<emitter type='collimated'/>", "a collimated beam is not supported"},
-           {"<emitter type='projector'/>", "not of even irradiance on its image"},
            {sphere_of("<bsdf type='phong'/>"), "bsdf \"phong\" is not supported"},
            {sphere_of("<bsdf type='phong'><texture name='exponent' type='checkerboard'/></bsdf>"),
             "an \"exponent\" that varies is not supported: 30 stands in"},
@@ -68,7 +66,8 @@ TEST(MitsubaStandIns, IntegratorsThatWatchOverAnotherAreThatOne) {
       path + "<integrator type='path'/></integrator>"));
   EXPECT_EQ(watched.scene.hints.integrator, "bdpt");
   EXPECT_EQ(watched.scene.hints.max_depth, 7);
-  for (const char* part : {"integrator \"foo\" is not supported", "\"hide_emitters\"",
+  EXPECT_FALSE(watched.scene.camera.hides_lights);
+  for (const char* part : {"integrator \"foo\" is not supported",
                            "<integrator type=\"foo\"> has more of <integrator> than it can use"}) {
     EXPECT_TRUE(contains(watched.warnings, part)) << part << watched.warnings;
   }
@@ -83,47 +82,52 @@ TEST(MitsubaStandIns, IntegratorsThatWatchOverAnotherAreThatOne) {
                "\"path\" of Mitsuba leaves out media"));
 }
 
-TEST(MitsubaStandIns, ProjectorsShowBitmapsAsTheirFormatsSay) {
+TEST(MitsubaStandIns, ProjectorsHaveTheirIrradianceOnAPlane) {
   const auto projector = [](const std::string& content) {
-    return Imported(
-        world("<emitter type='projector'><float name='fov' value='30'/><float "
-              "name='scale' value='2'/>" +
-              content + "</emitter>"));
+    return Imported(world("<emitter type='projector'><float name='scale' value='2'/>" + content +
+                          "</emitter>"));
   };
   const auto bitmap = [&](const std::string& more) {
     return projector(
-        "<texture name='irradiance' type='bitmap'><string name='filename' value='a.png'/>" + more +
-        "</texture>");
+        "<float name='fov' value='30'/><texture name='irradiance' type='bitmap'><string "
+        "name='filename' value='a.png'/>" +
+        more + "</texture>");
   };
-  const std::size_t usual = 1;  // that of even intensity
-  const auto lines = [](const Imported& imported) {
-    return std::count(imported.warnings.begin(), imported.warnings.end(), '\n');
-  };
-  const desc::Light light = bitmap("").scene.lights.at(0);
+  const Imported plain = bitmap("");
+  EXPECT_EQ(plain.warnings, "");
+  const desc::Light light = plain.scene.lights.at(0);
   ASSERT_TRUE(light.node.is("projection"));
   EXPECT_EQ(light.node.number("fov"), 30.F);
-  EXPECT_EQ(light.node.color("intensity"), Vec3(2.F));
+  EXPECT_EQ(light.node.text("fov_axis"), "x");
+  EXPECT_EQ(light.node.text("image_is"), "irradiance");
+  EXPECT_EQ(light.node.color("intensity"), Vec3(2.F * kPi));
   EXPECT_TRUE(light.node.text("image").ends_with("a.png"));
   // The image begins at +x and +y in Mitsuba, at -x and -y here.
   expect_near(transform_vector(light.to_world, {1, 2, 3}), {-1, -2, 3});
-  EXPECT_EQ(lines(bitmap("")), usual);
-  for (const std::string more :
-       {"<boolean name='raw' value='true'/>", "<float name='gamma' value='1'/>",
-        "<transform name='to_uv'><scale x='2'/></transform>"}) {
-    const Imported ignored = bitmap(more);
-    EXPECT_EQ(lines(ignored), usual + 1) << ignored.warnings;
-    EXPECT_TRUE(contains(ignored.warnings, "of the image of a projector is not supported"));
+  for (const auto& [said, exponent] :
+       std::map<std::string, float>{{"<boolean name='raw' value='true'/>", 1.F},
+                                    {"<float name='gamma' value='2.2'/>", 2.2F}}) {
+    const Imported decoded = bitmap(said);
+    EXPECT_EQ(decoded.warnings, "");
+    EXPECT_EQ(decoded.scene.lights.at(0).node.number("decoding_exponent"), exponent);
   }
+  const Imported moved = bitmap("<transform name='to_uv'><scale x='2'/></transform>");
+  EXPECT_TRUE(contains(moved.warnings, "of the image of a projector is not supported"));
   EXPECT_TRUE(
       contains(bitmap("<float name='bogus' value='1'/>").warnings, "has no property \"bogus\""));
   const Imported board = projector(
       "<texture name='irradiance' type='checkerboard'><float name='bogus' value='1'/></texture>");
   EXPECT_TRUE(contains(board.warnings, "white light stands in")) << board.warnings;
-  EXPECT_EQ(lines(board), usual + 1) << board.warnings;
-  EXPECT_EQ(projector("<rgb name='irradiance' value='1 2 3'/>")
-                .scene.lights.at(0)
-                .node.color("intensity"),
-            Vec3(2, 4, 6));
+  EXPECT_EQ(std::count(board.warnings.begin(), board.warnings.end(), '\n'), 1) << board.warnings;
+  const desc::Node even = projector(
+                              "<rgb name='irradiance' value='1 2 3'/><string "
+                              "name='focal_length' value='50mm'/><transform "
+                              "name='to_world'><scale z='5'/></transform>")
+                              .scene.lights.at(0)
+                              .node;
+  expect_near(even.color("intensity"), Vec3(10, 20, 30) * kPi);
+  EXPECT_EQ(even.text("fov_axis"), "diagonal");
+  EXPECT_NEAR(even.number("fov"), 46.79F, 0.01F);
 }
 
 TEST(MitsubaStandIns, CollimatedBeamsHaveTheirPower) {

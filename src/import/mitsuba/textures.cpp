@@ -4,6 +4,7 @@
 #include "import/common/printable.h"
 #include "import/mitsuba/node_maker.h"
 #include "import/mitsuba/plugin_types.h"
+#include "import/mitsuba/spectrum_plugins.h"
 #include "import/mitsuba/uv_transform.h"
 
 namespace ajar::mitsuba {
@@ -45,12 +46,19 @@ float number_of(const desc::Rgb& color, bool mean) {
 
 }  // namespace
 
+std::optional<float> decoding_exponent(Arguments& bitmap) {
+  const std::optional<double> gamma = bitmap.number("gamma");
+  if (bitmap.flag("raw", false)) return 1.F;
+  // Mitsuba 0.x takes -1 for the curve of sRGB, and 0 for what the file says.
+  return gamma && *gamma > 0.0 ? std::optional(static_cast<float>(*gamma)) : std::nullopt;
+}
+
 TextureTable::Role TextureTable::number_role() const {
   return context_.document.major_version == 0 ? Role::Mean : Role::Luminance;
 }
 
 std::optional<desc::Value> TextureTable::find_color(Arguments& arguments, std::string_view name) {
-  if (const Element* texture = arguments.child(name, "texture")) {
+  if (const Element* texture = arguments.texture(name)) {
     return desc::TextureRef{make(*texture)};
   }
   const std::optional<desc::Rgb> color = arguments.color(name);
@@ -63,7 +71,7 @@ desc::Value TextureTable::color(Arguments& arguments, std::string_view name,
 }
 
 std::optional<desc::Value> TextureTable::find_number(Arguments& arguments, std::string_view name) {
-  if (const Element* texture = arguments.child(name, "texture")) {
+  if (const Element* texture = arguments.texture(name)) {
     return desc::TextureRef{make(*texture, number_role())};
   }
   const std::optional<desc::Rgb> color = arguments.color(name, "a number");
@@ -108,13 +116,17 @@ desc::TextureId TextureTable::make(const Element& element, Role role) {
 }
 
 desc::Node TextureTable::read(const Element& element, Role role) {
+  if (is_spectrum(element)) return constant(evaluate_spectrum(context_, element));
   Arguments arguments(context_, element);
-  if (!is_known(element)) return stand_in(arguments);
   if (element.type == "bitmap") return bitmap(arguments, role);
   if (element.type == "checkerboard") return checkerboard(arguments, role);
   if (element.type == "scale") return scale(arguments, role);
-  return constant(
-      arguments.color(element.type == "srgb" ? "color" : "value").value_or(desc::Rgb(1.F)));
+  return stand_in(arguments);
+}
+
+desc::TextureId TextureTable::add_constant(const SourceLocation& where, const desc::Rgb& color) {
+  context_.scene.textures.push_back({"", where, constant(color)});
+  return static_cast<desc::TextureId>(context_.scene.textures.size()) - 1;
 }
 
 desc::TextureId TextureTable::add_vectors(const SourceLocation& where, const std::string& file) {
@@ -135,13 +147,9 @@ desc::Node TextureTable::bitmap(Arguments& arguments, Role role) {
     context_.warnings.add(kNoImageFile, arguments.where(), "this bitmap has no \"filename\"");
   }
 
-  const std::optional<double> gamma = arguments.number("gamma");
-  const bool is_linear = arguments.flag("raw", false) || (gamma && *gamma == 1.0);
-  node.set("decode_srgb", !is_linear);
-  // Mitsuba 0.x takes -1 for the curve of sRGB, and 0 for what the file says.
-  if (!is_linear && gamma && *gamma > 0.0) {
-    node.set("decoding_exponent", static_cast<float>(*gamma));
-  }
+  const std::optional<float> exponent = decoding_exponent(arguments);
+  node.set("decode_srgb", exponent != 1.F);
+  if (exponent && *exponent != 1.F) node.set("decoding_exponent", *exponent);
 
   const std::string mode =
       arguments.word("wrap_mode", arguments.word("wrap_mode_u", std::string("repeat")));
@@ -212,9 +220,14 @@ desc::Node TextureTable::scale(Arguments& arguments, Role role) {
 desc::Node TextureTable::stand_in(Arguments& arguments) {
   const Element& element = arguments.element();
   context_.warnings.add(kTextureStandIn, element.where,
-                        unknown_type_message(element) + ". Grey stands in",
+                        unknown_type_message(element) + ". Its mean, or grey, stands in",
                         printable(element.type));
-  // A grid and the like have colours: their mean is nearer than any grey.
+  // Its own value, or the mean of the colours that a grid and the like have, is nearer than any
+  // grey.
+  if (const std::optional<desc::Rgb> value = arguments.color("value")) {
+    arguments.accept_all();
+    return constant(*value);
+  }
   const std::optional<desc::Rgb> first = arguments.color("color0");
   const std::optional<desc::Rgb> second = arguments.color("color1");
   arguments.accept_all();

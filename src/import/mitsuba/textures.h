@@ -9,6 +9,10 @@
 
 namespace ajar::mitsuba {
 
+/// The exponent that decodes the integers of a bitmap: 1 if they are linear, nothing if they are as
+/// their file says.
+std::optional<float> decoding_exponent(Arguments& bitmap);
+
 /// The textures of the scene, each made once however often it is referred to.
 class TextureTable {
  public:
@@ -28,6 +32,8 @@ class TextureTable {
   /// `factor` times a number or a texture.
   desc::Value scaled(const SourceLocation& where, const desc::Value& value, float factor);
 
+  /// The same everywhere.
+  desc::TextureId add_constant(const SourceLocation& where, const desc::Rgb& color);
   /// An image file as it is, without decoding.
   desc::TextureId add_vectors(const SourceLocation& where, const std::string& file);
 

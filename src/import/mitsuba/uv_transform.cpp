@@ -23,10 +23,8 @@ UvTransform read_uv_transform(Arguments& arguments) {
   if (const std::optional<Mat4> to_uv = arguments.transform("to_uv")) {
     const Mat4& m = *to_uv;
     result.scale = Vec2(static_cast<float>(m[0][0]), static_cast<float>(m[1][1]));
-    // The third row of a matrix for two coordinates, the fourth of one for three.
-    const bool is_planar = m[3][0] == 0.0 && m[3][1] == 0.0;
-    const auto& last = is_planar ? m[2] : m[3];
-    result.offset = Vec2(static_cast<float>(last[0]), static_cast<float>(last[1]));
+    // Mitsuba 3 takes 9 numbers for a matrix in space, too, whose third column moves no plane.
+    result.offset = Vec2(static_cast<float>(m[3][0]), static_cast<float>(m[3][1]));
     constexpr double kNothing = 1e-6;
     if (std::abs(m[0][1]) > kNothing || std::abs(m[1][0]) > kNothing) {
       arguments.context().warnings.add(

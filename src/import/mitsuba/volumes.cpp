@@ -21,6 +21,8 @@ constexpr WarningKind kVaries{Effect::Surface,
                               "media vary in what is not supported to: the mean stands in"};
 constexpr WarningKind kLattice{
     Effect::Slight, "albedos of media vary in another grid than their density: in that of it"};
+constexpr WarningKind kTurnedGrid{
+    Effect::Slight, "grids of media are turned: Mitsuba goes on with their border around them"};
 constexpr WarningKind kLookup{Effect::Slight,
                               "grids of media are not looked up as they should be: trilinearly"};
 
@@ -119,6 +121,46 @@ void read_lookup(Arguments& grid, bool has_border) {
                                   "\": such a one stands in");
 }
 
+/// The box around the image of the unit cube, parallel to the axes.
+Imath::Box3d box_of(const Mat4& cube) {
+  Imath::Box3d box;
+  for (int corner = 0; corner < 8; ++corner) {
+    const Vec3d at((corner & 1) != 0 ? 1.0 : 0.0, (corner & 2) != 0 ? 1.0 : 0.0,
+                   (corner & 4) != 0 ? 1.0 : 0.0);
+    Vec3d placed;
+    cube.multVecMatrix(at, placed);
+    box.extendBy(placed);
+  }
+  return box;
+}
+
+/// Whether that box is larger.
+bool is_turned(const Mat4& cube) {
+  const Vec3d size = box_of(cube).size();
+  const double whole = size.x * size.y * size.z;
+  const Vec3d x(cube[0][0], cube[0][1], cube[0][2]);
+  const Vec3d y(cube[1][0], cube[1][1], cube[1][2]);
+  const Vec3d z(cube[2][0], cube[2][1], cube[2][2]);
+  return whole - std::abs(x.cross(y).dot(z)) > 1e-4 * whole;
+}
+
+bool has_border(const VolumeGrid& grid) {
+  const Vec3d size(grid.resolution);
+  for (std::size_t i = 0; i < grid.point_count(); ++i) {
+    const auto nx = static_cast<std::size_t>(grid.resolution.x);
+    const auto ny = static_cast<std::size_t>(grid.resolution.y);
+    const Vec3d at(static_cast<double>(i % nx), static_cast<double>(i / nx % ny),
+                   static_cast<double>(i / nx / ny));
+    const auto is_outmost = [&](int axis) {
+      return at[axis] == 0.0 || at[axis] == size[axis] - 1.0;
+    };
+    if ((is_outmost(0) || is_outmost(1) || is_outmost(2)) && grid.at(i) != desc::Rgb(0.F)) {
+      return true;
+    }
+  }
+  return false;
+}
+
 VolumeValue read_grid(Arguments& grid) {
   const std::optional<VolumeFile> file = load(grid);
   const bool is_version_0 = grid.context().document.major_version == 0;
@@ -141,6 +183,12 @@ VolumeValue read_grid(Arguments& grid) {
   using Points = desc::DensityGrid::Points;
   result.points = is_version_0 ? Points::Corners : Points::Centers;
   result.to_world = to_world;
+  if (!is_version_0 && is_turned(to_world) && has_border(result)) {
+    grid.context().warnings.add(
+        kTurnedGrid, grid.where(),
+        "this grid is turned, and not 0 at its border: Mitsuba goes on with "
+        "that to the box around it, here is nothing");
+  }
   // Also of albedos, whose points decide no places: damaged ones are errors here.
   desc::DensityGrid lattice = lattice_of(result);
   lattice.values.resize(result.point_count());
@@ -164,10 +212,22 @@ std::optional<VolumeValue> find_density(Arguments& medium, std::string_view name
   if (const Element* volume = find_volume(medium, name)) {
     Arguments of_volume(medium.context(), *volume);
     if (is_grid(*volume)) return read_grid(of_volume);
-    return VolumeValue{constant(of_volume, "A density of 1").value_or(desc::Rgb(1.F))};
+    const desc::Rgb color = constant(of_volume, "A density of 1").value_or(desc::Rgb(1.F));
+    return constant_density(medium, color, of_volume.transform("to_world").value_or(Mat4()));
   }
   const std::optional<desc::Rgb> color = find_coefficient(medium, name);
-  return color ? std::optional(VolumeValue{*color}) : std::nullopt;
+  return color ? std::optional(constant_density(medium, *color)) : std::nullopt;
+}
+
+VolumeValue constant_density(const Arguments& medium, const desc::Rgb& color, const Mat4& cube) {
+  const bool has_cube =
+      medium.context().document.major_version != 0 && medium.element().type == "heterogeneous";
+  if (!has_cube) return VolumeValue{color};
+  const Imath::Box3d box = box_of(cube);
+  VolumeGrid one;
+  one.to_world = scaling(box.size()) * translation(box.min);
+  one.values = {1.F};
+  return {color, std::move(one)};
 }
 
 std::optional<VolumeValue> find_albedo(Arguments& medium, std::string_view name) {
@@ -181,17 +241,25 @@ std::optional<VolumeValue> find_albedo(Arguments& medium, std::string_view name)
 
 std::optional<desc::Rgb> find_coefficient(Arguments& medium, std::string_view name) {
   const Element* volume = find_volume(medium, name);
-  if (volume == nullptr) volume = medium.child(name, "texture");
   if (volume == nullptr) return medium.color(name);
   Arguments of_volume(medium.context(), *volume);
   if (is_grid(*volume)) return mean_of(of_volume, read_grid(of_volume), "coefficients");
   return constant(of_volume, "The default");
 }
 
-void set_extinction(Arguments& arguments, desc::Medium& medium, const VolumeValue& sigma_t,
+void set_extinction(Arguments& arguments, desc::Medium& medium, VolumeValue sigma_t,
                     const VolumeValue& albedo) {
   Warnings& warnings = arguments.context().warnings;
   const std::string& name = medium.name;
+  if (sigma_t.grid && albedo.grid && sigma_t.grid->point_count() == 1) {
+    // The same everywhere: it can have the points of the albedo.
+    VolumeGrid& grid = *sigma_t.grid;
+    sigma_t.color *= grid.at(0);
+    grid.resolution = albedo.grid->resolution;
+    grid.points = albedo.grid->points;
+    grid.channels = 1;
+    grid.values.assign(albedo.grid->point_count(), 1.F);
+  }
   if (sigma_t.grid && (sigma_t.grid->is_colored() || albedo.grid)) {
     const VolumeGrid* albedos = albedo.grid ? &*albedo.grid : nullptr;
     if (albedos != nullptr && !albedos->has_lattice_of(*sigma_t.grid)) {

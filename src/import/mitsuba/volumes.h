@@ -18,6 +18,12 @@ struct VolumeValue {
 /// Nothing if the medium does not say it.
 std::optional<VolumeValue> find_density(Arguments& medium, std::string_view name);
 
+/// A density that is the same everywhere in the medium; of a heterogeneous one of Mitsuba 2 and 3,
+/// everywhere in the box around the image of the unit cube, and 0 beyond. Source: Mitsuba 3,
+/// heterogeneous.cpp, whose bounds are those of the volume.
+VolumeValue constant_density(const Arguments& medium, const desc::Rgb& color,
+                             const Mat4& cube = Mat4());
+
 /// The albedo of a medium, in the same way. The default stands in for what is not supported.
 std::optional<VolumeValue> find_albedo(Arguments& medium, std::string_view name);
 
@@ -27,7 +33,7 @@ std::optional<desc::Rgb> find_coefficient(Arguments& medium, std::string_view na
 
 /// Gives a medium the extinction and the albedo, as densities or colours if they vary. That of an
 /// albedo which varies where the extinction does not is its mean, with a warning.
-void set_extinction(Arguments& arguments, desc::Medium& medium, const VolumeValue& sigma_t,
+void set_extinction(Arguments& arguments, desc::Medium& medium, VolumeValue sigma_t,
                     const VolumeValue& albedo);
 
 }  // namespace ajar::mitsuba

@@ -175,7 +175,9 @@ desc::Node MaterialTable::make_mix(const SourceLocation& where,
   return NodeReader(where, parameters)
       .with_numbers_for_colors(true)
       .with_materials([&](std::string_view parameter) {
-        return part_of_mix(context_.scene, parameter == "first" ? first : second);
+        // One of them is chosen at each hit: none is no intersection.
+        return part_of_mix(context_.scene, parameter == "first" ? first : second,
+                           Passing::Uncounted);
       })
       .read(mix, find_theirs(material_names(Dialect::V4), "mix"));
 }

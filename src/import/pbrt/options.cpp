@@ -139,6 +139,7 @@ CameraOptions make_camera(Context& context, const SourceLocation& where, const s
       throw SceneError(where, "the shutter closes before it opens: the picture would be black");
     }
   }
+  if (!is_v4) camera.hides_lights = p.get_bool("hides_lights", false);
   p.accept({"shutteropen", "shutterclose"});
   p.report_unused(context.warnings);
   return result;

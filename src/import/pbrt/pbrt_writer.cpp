@@ -252,6 +252,7 @@ class Writer {
     } else {
       out_.line("Camera").quoted("environment");
     }
+    if (camera.hides_lights) out_.flag("hides_lights", true);
   }
 
   // -------------------------------------------------------------- shapes
@@ -289,6 +290,7 @@ class Writer {
     out_.line("Shape").quoted(shape_type);
     context_.reference("alpha", shape.alpha);
     context_.reference("shadowalpha", shape.shadow_alpha);
+    if (shape.alpha_counted) out_.flag("alpha_counted", true);
     return out_;
   }
 

@@ -422,7 +422,8 @@ void SceneBuilder::make_partly_clear(const ParameterList& parameters, desc::Shap
   if (is_new) {
     const desc::Material like{.name = scene_.materials[material].name,
                               .where = scene_.materials[material].where};
-    made->second = with_opacity(scene_, like, shape.material, opacity).material;
+    // What "alpha" leaves out is no intersection.
+    made->second = with_opacity(scene_, like, shape.material, opacity, Passing::Uncounted).material;
   }
   shape.material = made->second;
 }
@@ -434,7 +435,7 @@ void SceneBuilder::show_hidden_lamp(desc::Shape& shape) {
   // What is nothing but a boundary between media cannot shine.
   desc::Material& clear = scene_.materials.emplace_back();
   clear.where = shape.where;
-  clear.node = clear_material();
+  clear.node = clear_material(Passing::Uncounted);
   shape.material = static_cast<desc::MaterialId>(scene_.materials.size()) - 1;
 }
 
@@ -463,6 +464,7 @@ void SceneBuilder::shape(const SourceLocation& where, const std::string& type,
   shape.reverse_orientation = state_.reverse_orientation;
   shape.alpha = alpha(parameters, "alpha");
   shape.shadow_alpha = alpha(parameters, "shadowalpha");
+  if (!context_.is_v4()) shape.alpha_counted = parameters.get_bool("alpha_counted", false);
   shape.material = materials_.for_shape(where, state_.material, parameters);
   shape.inside = medium_id(state_.inside);
   shape.outside = medium_id(state_.outside);

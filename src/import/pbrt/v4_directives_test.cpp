@@ -309,7 +309,7 @@ TEST(Pbrt4Lamps, ThatShouldNotBeSeenAreSeenInsteadOfLeftOut) {
   EXPECT_TRUE(lamp.emission);
   EXPECT_EQ(lamp.alpha, desc::kNone);
   // What is nothing but a boundary between media would not shine.
-  EXPECT_EQ(material_node_of(scene, lamp), clear_material());
+  EXPECT_EQ(material_node_of(scene, lamp), clear_material(Passing::Uncounted));
 }
 
 TEST(Pbrt4Media, ThatGlowAreDarkWithAWarning) {

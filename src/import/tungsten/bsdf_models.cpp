@@ -46,7 +46,8 @@ desc::Node null_bsdf(const BsdfInputs& in) {
 
 desc::Node forward(const BsdfInputs& in) {
   in.object.accept({"albedo", "color"});
-  return desc::material_node("interface");
+  // All surfaces are bounces.
+  return desc::material_node("interface", {{"counted", true}});
 }
 
 desc::Node oren_nayar(const BsdfInputs& in) {

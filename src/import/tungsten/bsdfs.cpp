@@ -21,7 +21,7 @@ Surface with_opacity(const BsdfInputs& in, Surface base, const desc::Value& opac
   const float* share = std::get_if<float>(&opacity);
   if (share != nullptr && *share >= 1.F) return base;
   if (share != nullptr && *share <= 0.F) {
-    base.material = in.add(desc::material_node("interface"));
+    base.material = in.add(desc::material_node("interface", {{"counted", true}}));
     return base;
   }
   const PartlyClear partly = ajar::with_opacity(

@@ -4,6 +4,7 @@
 #include <set>
 #include <utility>
 
+#include "import/common/opacity.h"
 #include "import/tungsten/instances.h"
 #include "import/tungsten/strands.h"
 #include "import/tungsten/transforms.h"
@@ -306,6 +307,9 @@ void PrimitiveReader::read(const LocatedJson& json, std::vector<desc::Shape>& sh
     shape.reverse_orientation = part.reverse_orientation;
     shape.material = surface.material;
     shape.alpha = surface.alpha;
+    shape.alpha_counted =
+        surface.alpha != desc::kNone && must_count_cut_outs(context_.scene.hints.max_depth.value_or(
+                                            desc::RenderHints::kDefaultMaxDepth));
     shape.emission = emission;
     set_media(object, surface, shape);
     if (part.has_turned_winding) {

@@ -41,6 +41,7 @@ ChainOrder chain_order(const RenderSettings& settings, const Parameters& paramet
   sampler.heuristic = heuristic_of(monte_carlo);
   sampler.min_depth = settings.min_depth;
   sampler.max_depth = std::min(settings.max_depth, MetropolisHeuristics::kMostEdges);
+  sampler.counted = settings.counted;
   sampler.light_paths_per_pixel =
       static_cast<double>(size.x) * size.y /
       (static_cast<double>(settings.resolution.x) * settings.resolution.y);

@@ -8,6 +8,7 @@
 #include "core/parameters.h"
 #include "integrator/integrator.h"
 #include "integrator/metropolis/path_target.h"
+#include "mcmc/path_space/path_bounds.h"
 #include "mcmc/path_space/specular_photons.h"
 #include "mcmc/primary/chain_numbers.h"
 
@@ -58,6 +59,11 @@ double bootstrap_share(std::span<const PathGroup> groups, std::size_t group);
 
 /// Of a scene's film, as far as its filter reaches beyond the crop.
 ChainView view_of(const Scene& scene, const RenderSettings& settings);
+
+/// What explicit paths chains of the group may make.
+inline PathBounds bounds_of(const PathGroup& group, const ChainView& view) {
+  return {view, group.sampler.min_depth, group.sampler.max_depth, group.sampler.counted};
+}
 
 /// A target of one thread; of explicit paths, connections of two subpaths. What is referred to must
 /// outlive it; `part`, over whose share of the light it is, may be null.

@@ -71,15 +71,14 @@ PathSeeds::PathSeeds(const Scene& scene, const PathGroup& group, const ChainView
       manifold_tries_(manifold_tries),
       share_(scene, group.sampler, view.importance, part, group.paths),
       sampler_(scene, group.sampler),
-      bounds_{static_cast<const RasterArea&>(view), group.sampler.min_depth,
-              group.sampler.max_depth},
+      bounds_(bounds_of(group, view)),
       manifolds_(scene, *group.photons, bounds_, manifold_tries),
       by_manifolds_(has_manifolds(group)),
       lot_(*this) {}
 
 double PathSeeds::log_light(const Path& path) {
   splats_.clear();
-  return light_on(scene_, path, view_, 0, splats_, &share_);
+  return light_on(scene_, path, bounds_, 0, splats_, &share_);
 }
 
 void PathSeeds::sample(SampleSource& numbers, std::optional<double> place) {

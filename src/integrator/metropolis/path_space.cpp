@@ -96,10 +96,10 @@ void PathSpace::check(const PathMember& member, const PathGroup& group, double m
   }
 }
 
-void PathSpace::check_state(const Scene& scene, const PathGroup& /*group*/, const ChainView& view,
+void PathSpace::check_state(const Scene& scene, const PathGroup& group, const ChainView& view,
                             const PathMember& member) {
   SplatBuffer splats;
-  if (!std::isfinite(light_on(scene, member.chain.path, view, 0, splats))) {
+  if (!std::isfinite(light_on(scene, member.chain.path, bounds_of(group, view), 0, splats))) {
     throw std::runtime_error("a chain is in the dark");
   }
 }

@@ -53,7 +53,7 @@ class PathSpace {
    public:
     Walker(const PathSpace& space, const Scene& scene, const PathGroup& group,
            const ChainView& view)
-        : bounds_{view, group.sampler.min_depth, group.sampler.max_depth},
+        : bounds_(bounds_of(group, view)),
           kernel_(make_path_kernel(scene, bounds_, space.weights_, splat_layer)),
           runner_(kernel_) {}
     Walker(const Walker&) = delete;

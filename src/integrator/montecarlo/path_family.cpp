@@ -299,6 +299,7 @@ PathSamplerSettings sampler_settings(const RenderSettings& settings, const Param
   result.heuristic = heuristic_of(parameters);
   result.min_depth = settings.min_depth;
   result.max_depth = std::min(settings.max_depth, kMaxPathEdges);
+  result.counted = settings.counted;
   result.roulette_start = parameters.get_int("roulette-start");
   result.light_subpaths = parameters.get_float(kLightPathsPerPixel);
   result.light_paths_per_pixel =

@@ -52,6 +52,7 @@ Sight look(const Scene& scene, SampleSource& source, const Vec2& raster, int max
   if (!emission) return {};
   Flight flight;
   flight.ray = {emission->origin, emission->w};
+  flight.ray.passes_lights = scene.hides_lights();
   flight.medium = camera.medium;
   flight.reference = emission->point.surface.p;
   flight.from_infinity = camera.at_infinity();

@@ -184,6 +184,7 @@ void ChainPlan::make_groups() {
                           ? settings.min_depth
                           : std::max(settings.min_depth, Division::kDirectDepth + 1);
   sampler.max_depth = settings.max_depth;
+  sampler.counted = settings.counted;
   // As ordinary Monte Carlo counts them, so that both agree about what a path brings.
   if (has_recruits()) sampler.light_subpaths = omc.light_paths_per_pixel;
   sampler.light_paths_per_pixel =

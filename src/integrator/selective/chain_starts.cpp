@@ -53,7 +53,7 @@ std::vector<SelectiveChain> seed_paths(const ChainPlan& plan, const ChainPopulat
 bool is_lit(const ChainPlan& plan, const PathGroup& group, int replicate, const Path& path) {
   PathShare share = path_share_of(plan, group, replicate);
   SplatBuffer splats;
-  return std::isfinite(light_on(plan.scene, path, plan.view, 0, splats, &share));
+  return std::isfinite(light_on(plan.scene, path, bounds_of(group, plan.view), 0, splats, &share));
 }
 
 std::optional<PathChain> path_chain_at(const ChainPlan& plan, const PathNumbers& numbers,

@@ -38,7 +38,7 @@ class PathWalker final : public ChainWalker {
  public:
   PathWalker(const ChainPlan& plan, const PathGroup& group, int replicate)
       : share_(path_share_of(plan, group, replicate)),
-        bounds_{plan.view, group.sampler.min_depth, group.sampler.max_depth},
+        bounds_(bounds_of(group, plan.view)),
         kernel_(make_path_kernel(plan.scene, bounds_, plan.path_mutations, splat_layer, &share_)),
         runner_(kernel_) {}
   void start(SelectiveChain& chain) override { kernel_.start(std::get<PathChain>(chain.state)); }

@@ -1,5 +1,7 @@
 #include "mcmc/path_space/growing_end.h"
 
+#include <algorithm>
+
 #include "scene/medium/phase.h"
 
 namespace ajar {
@@ -32,6 +34,7 @@ void GrowingEnd::start(const Endpoint& at, const EndpointPoint& where, const Ray
                        const Medium* medium) {
   start(at, where);
   ray_ = ray;
+  ray_.passes_lights = stream_ == Stream::Camera && scene_.hides_lights();
   medium_ = medium;
 }
 
@@ -81,6 +84,9 @@ void GrowingEnd::go(const Vec3& direction) {
 void GrowingEnd::leave(const Vec3& direction) {
   const InnerVertex& vertex = vertices.back();
   ray_ = {vertex.ray_origin(direction), direction};
+  ray_.passes_lights = stream_ == Stream::Camera && scene_.hides_lights() &&
+                       std::all_of(vertices.begin(), vertices.end(),
+                                   [](const InnerVertex& passed) { return passed.is_uncounted(); });
   medium_ = vertex.medium_toward(direction);
 }
 

@@ -87,7 +87,7 @@ PathKernel make_path_kernel(const Scene& scene, const PathBounds& bounds,
   for (std::size_t i = 0; i < kMutations.size(); ++i) {
     mutations.push_back({kMutations[i].make(scene, bounds), weights[i]});
   }
-  return {scene, bounds.area, std::move(mutations), layer, weight};
+  return {scene, bounds, std::move(mutations), layer, weight};
 }
 
 }  // namespace ajar

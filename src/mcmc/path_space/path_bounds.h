@@ -1,5 +1,6 @@
 #pragma once
 #include "path/raster_area.h"
+#include "transport/counted_depth.h"
 
 namespace ajar {
 
@@ -8,6 +9,7 @@ struct PathBounds {
   RasterArea area;
   int min_depth = 1;  ///< edges, at least 1
   int max_depth = 1;
+  CountedDepth counted{};  ///< in addition
 };
 
 }  // namespace ajar

@@ -12,10 +12,11 @@
 
 namespace ajar {
 
-double light_on(const Scene& scene, const Path& path, const RasterArea& area, std::int32_t layer,
+double light_on(const Scene& scene, const Path& path, const PathBounds& bounds, std::int32_t layer,
                 SplatBuffer& splats, PathWeight* weight) {
   constexpr double kDark = -std::numeric_limits<double>::infinity();
-  if (!area.contains(path.raster)) return kDark;
+  if (!bounds.area.contains(path.raster)) return kDark;
+  if (!bounds.counted.holds(path.counted_depth()) || is_hidden(scene, path)) return kDark;
   const ScaledSpectrum f = contribution(scene, path);
   if (f.spectrum.min() < 0.F) return std::numeric_limits<double>::quiet_NaN();
   double light = f.log_luminance();
@@ -31,10 +32,14 @@ double light_on(const Scene& scene, const Path& path, const RasterArea& area, st
   return light;
 }
 
-PathKernel::PathKernel(const Scene& scene, const RasterArea& area,
+PathKernel::PathKernel(const Scene& scene, const PathBounds& bounds,
                        std::vector<MixedMutation> mutations, std::int32_t (*layer)(int depth),
                        PathWeight* weight)
-    : scene_(scene), area_(area), mutations_(std::move(mutations)), layer_(layer), weight_(weight) {
+    : scene_(scene),
+      bounds_(bounds),
+      mutations_(std::move(mutations)),
+      layer_(layer),
+      weight_(weight) {
   for (const MixedMutation& mixed : mutations_) moves_.push_back({mixed.mutation->name(), false});
 }
 
@@ -50,7 +55,7 @@ void PathKernel::start(PathChain& chain) {
   chain_ = &chain;
   splats_.clear();
   const Path& path = chain.path;
-  current_.log_light = light_on(scene_, path, area_, layer_(path.depth()), splats_, weight_);
+  current_.log_light = light_on(scene_, path, bounds_, layer_(path.depth()), splats_, weight_);
   current_.weight = suitable_weight(path);
   if (!std::isfinite(current_.log_light)) {
     throw std::logic_error("bug: the path of a Markov chain is dark. To replay: seed " +
@@ -100,7 +105,7 @@ void PathKernel::consider(PathMutation& mutation, std::uint64_t key) {
   verify(scene_, path_, mutation.name());
 #endif
   proposed_.log_light =
-      light_on(scene_, path_, area_, layer_(path_.depth()), candidate_.splats, weight_);
+      light_on(scene_, path_, bounds_, layer_(path_.depth()), candidate_.splats, weight_);
   if (!std::isfinite(proposed_.log_light)) {
     // Of what is no number chains keep count.
     if (proposed_.log_light != -std::numeric_limits<double>::infinity()) {

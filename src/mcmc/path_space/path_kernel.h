@@ -4,10 +4,10 @@
 #include <vector>
 
 #include "mcmc/kernel.h"
+#include "mcmc/path_space/path_bounds.h"
 #include "mcmc/path_space/path_chain.h"
 #include "mcmc/path_space/path_mutation.h"
 #include "mcmc/path_space/path_weight.h"
-#include "path/raster_area.h"
 
 namespace ajar {
 
@@ -25,7 +25,7 @@ class PathKernel final : public Kernel {
  public:
   /// `scene` must outlive it; at least one mutation. `layer`: of the film, by the number of edges.
   /// `weight`, which must outlive it as well, multiplies the light: null for 1.
-  PathKernel(const Scene& scene, const RasterArea& area, std::vector<MixedMutation> mutations,
+  PathKernel(const Scene& scene, const PathBounds& bounds, std::vector<MixedMutation> mutations,
              std::int32_t (*layer)(int depth), PathWeight* weight = nullptr);
 
   /// Goes on with a chain, which must stay where it is meanwhile. Raises std::logic_error if there
@@ -52,7 +52,7 @@ class PathKernel final : public Kernel {
   void consider(PathMutation& mutation, std::uint64_t key);
 
   const Scene& scene_;
-  RasterArea area_;
+  PathBounds bounds_;
   std::vector<MixedMutation> mutations_;
   std::vector<Move> moves_;
   std::int32_t (*layer_)(int depth);
@@ -69,8 +69,9 @@ class PathKernel final : public Kernel {
 };
 
 /// ln f* of a path, times `weight` if that is not null, and what it splats at I = 1: nothing, and
-/// −∞, if no light is on it; NaN if what is on it is no number, or negative.
-double light_on(const Scene& scene, const Path& path, const RasterArea& area, std::int32_t layer,
+/// −∞, if no light is on it, or if its place or the depth that counts is not within bounds; NaN if
+/// what is on it is no number, or negative.
+double light_on(const Scene& scene, const Path& path, const PathBounds& bounds, std::int32_t layer,
                 SplatBuffer& splats, PathWeight* weight = nullptr);
 
 }  // namespace ajar

@@ -255,6 +255,17 @@ std::optional<BsdfUniforms> Bsdf::invert(const Vec3& wo, const Vec3& wi, Scatter
   return u;
 }
 
+bool Bsdf::is_uncounted(ScatterEvent event) const {
+  if (!event.specular() || !event.transmission || event.lobe >= count_) return false;
+  return visit_lobe(entry(event.lobe).lobe, [](const auto& lobe) {
+    if constexpr (requires { lobe.uncounted; }) {
+      return lobe.uncounted;
+    } else {
+      return false;
+    }
+  });
+}
+
 std::optional<BsdfSample> Bsdf::specular(const Vec3& wo, ScatterEvent event,
                                          TransportMode mode) const {
   const auto u = invert(wo, Vec3(0.F), event, {0.5F, {0.5F, 0.5F}});

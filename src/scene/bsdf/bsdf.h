@@ -111,6 +111,9 @@ class Bsdf {
   /// What `sample` makes of `wo` by this specular event; empty if it never does.
   std::optional<BsdfSample> specular(const Vec3& wo, ScatterEvent event, TransportMode mode) const;
 
+  /// Whether this event of going straight on adds nothing to the depth of a path.
+  bool is_uncounted(ScatterEvent event) const;
+
   /// False if all lobes are specular (or there are none): connecting to this point is pointless.
   bool connectible() const { return connectible_; }
   bool empty() const { return count_ == 0; }

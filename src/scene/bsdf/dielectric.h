@@ -68,6 +68,7 @@ struct ThinDielectric {
   float eta = 1.5F;  ///< index of the pane over that around it
   bool polarised = false;
   bool along_normal = false;  ///< `transmit` is that along the normal, of what absorbs on the way
+  bool uncounted = false;     ///< see Bsdf::is_uncounted
 
   std::optional<LobeSample> sample(const Vec3& wo, const BsdfUniforms& u, const Vec3&,
                                    TransportMode) const {

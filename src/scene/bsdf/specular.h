@@ -58,6 +58,7 @@ struct SpecularTransmission {
 /// Straight on, as if there were no surface: partial opacity.
 struct PassThrough {
   static constexpr bool kSpecular = true;
+  bool uncounted = false;  ///< see Bsdf::is_uncounted
   std::optional<LobeSample> sample(const Vec3& wo, const BsdfUniforms&, const Vec3&,
                                    TransportMode) const {
     return LobeSample{-wo, Spectrum(1.F), 1.F, 1.F, true};

@@ -194,6 +194,7 @@ class SceneHasher {
     h.add(shape.to_world, shape.reverse_orientation);
     material(h, shape.material);
     textures(h, shape.alpha, shape.shadow_alpha);
+    if (shape.alpha_counted) h.word(1);
     h.add(shape.emission.has_value());
     if (shape.emission) node(h, shape.emission->node);
     h.add(shape.has_medium_interface);
@@ -211,6 +212,7 @@ class SceneHasher {
     h.add(scene_.camera.to_world);
     variant(h, scene_.camera.node);
     medium(h, scene_.camera.medium);
+    if (scene_.camera.hides_lights) h.word(1);
   }
   void hash_film(Hasher& h) {
     const Film& film = scene_.film;

@@ -74,6 +74,7 @@ struct Shape {
   MaterialId material = kNone;
   TextureId alpha = kNone;         ///< surface is cut away where this is 0
   TextureId shadow_alpha = kNone;  ///< the same for shadow rays only
+  bool alpha_counted = false;      ///< where it is cut away, it adds an edge to paths
   std::optional<Emission> emission;
   MediumId inside = kNone, outside = kNone;
   bool has_medium_interface = false;  ///< false: the shape does not change the medium of a ray
@@ -126,6 +127,8 @@ struct Camera {
   Mat4 to_world;  ///< camera looks along +z, +y is up, +x right (left-handed)
   std::variant<PerspectiveCamera, OrthographicCamera, EnvironmentCamera> node;
   MediumId medium = kNone;
+  /// Looks past lights, into what is behind them; they shine all the same.
+  bool hides_lights = false;
 };
 
 struct BoxFilter {};

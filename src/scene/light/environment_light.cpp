@@ -7,10 +7,8 @@ namespace {
 
 std::unique_ptr<Light> make_environment(const LightInputs& in) {
   const Spectrum radiance = in.color("radiance");
-  TexelTreatment texels{.nearest = in.node().flag("nearest")};
-  if (const float* exponent = std::get_if<float>(&in.node().get("decoding_exponent"))) {
-    texels.decoding_exponent = *exponent;
-  }
+  const TexelTreatment texels{.nearest = in.node().flag("nearest"),
+                              .decoding_exponent = in.decoding_exponent()};
   if (std::optional<SphereMap> map = in.sphere_map(texels)) {
     const float scale = in.scale_to("irradiance", luminance(map->irradiance()));
     return make_environment_map(radiance * scale, std::move(*map), in.at(), in.bounds());
@@ -21,16 +19,13 @@ std::unique_ptr<Light> make_environment(const LightInputs& in) {
 }  // namespace
 
 LightModel environment_light() {
-  ParameterSpec exponent = declare::number(
-      "decoding_exponent", "", "exponent that decodes integers of the image; without it, sRGB");
-  exponent.minimum = 0.0;
   return {{.name = "environment",
            .summary = "light from all around, the same or by an image",
            .source = "",
            .parameters = {declare::emission("radiance", "W/(m2 sr)",
                                             "radiance, or factor of the image"),
                           declare::file("image", "all directions, with the pole at z, from above"),
-                          sphere_projection_input(), std::move(exponent),
+                          sphere_projection_input(), declare::decoding(),
                           declare::flag("nearest",
                                         "take the nearest texel of the image, as of all that are "
                                         "equal_area, and do not interpolate"),

@@ -63,6 +63,11 @@ std::optional<SphereMap> LightInputs::sphere_map(const TexelTreatment& texels) c
   return SphereMap(*load(latitudes), latitudes);
 }
 
+std::optional<float> LightInputs::decoding_exponent() const {
+  const float* exponent = std::get_if<float>(&node().get("decoding_exponent"));
+  return exponent == nullptr ? std::nullopt : std::optional(*exponent);
+}
+
 float LightInputs::scale_to(std::string_view name, float actual) const {
   const float* wanted = std::get_if<float>(&node().get(name));
   if (wanted == nullptr) return 1.F;
@@ -77,6 +82,13 @@ namespace declare {
 
 ParameterSpec target(std::string name, std::string unit, std::string help) {
   ParameterSpec spec = number(std::move(name), "", std::move(help), std::move(unit));
+  spec.minimum = 0.0;
+  return spec;
+}
+
+ParameterSpec decoding() {
+  ParameterSpec spec = number("decoding_exponent", "",
+                              "exponent that decodes integers of the image; without it, sRGB");
   spec.minimum = 0.0;
   return spec;
 }

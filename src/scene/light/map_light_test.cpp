@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <fstream>
+#include <map>
 
 #include "core/color.h"
 #include "core/daylight.h"
@@ -401,8 +402,10 @@ TEST(GoniometricLight, WithoutImageIsAPointLight) {
 TEST(ProjectionLight, WeightsDensitiesAndFlux) {
   const ImageFile file(12, 6, random_pixels(72, 4));
   const Mat4 place = aimed({0.2F, 0.1F, 2.F}, {0, 0, 0});
-  for (const Mat4& shape : {Mat4(), scaling(-1, 1, 1), scaling(1, 2, 0.5)}) {
-    const auto light = light_of(projection_node({1, 2, 3}, 60, file.path()), shape * place);
+  for (const Mat4& shape : {Mat4(), scaling(-1, 1, 1), scaling(1, 2, 0.5), scaling(2, 2, 2)}) {
+    desc::Node node = projection_node({1, 2, 3}, 60, file.path());
+    if (shape == scaling(2, 2, 2)) node.set("image_is", std::string("irradiance"));
+    const auto light = light_of(std::move(node), shape * place);
     check_emission(*light, 20000, 20);
     check_connection(*light, {{0, 0, 0}, {0.4F, 0.2F, 0.5F}, {-0.3F, 0, 0}});
     // Flux by quadrature of the intensity over all directions.
@@ -439,6 +442,42 @@ TEST(ProjectionLight, WeightsDensitiesAndFlux) {
                     static_cast<float>((w.y / w.z / tangent + 1) / 2));
       }};
   check_departures(*light, window, 24, 12, 12);
+}
+
+TEST(ProjectionLight, MayHaveItsIrradianceOnAPlane) {
+  desc::Node node = projection_node({1, 2, 3}, 100);
+  node.set("image_is", std::string("irradiance"));
+  const auto light = light_of(std::move(node), scaling(1, 3, 2));
+  for (const Vec3& at : {Vec3(0, 0, 1), Vec3(0.5F, 0.2F, 1), Vec3(-0.4F, 0.7F, 1)}) {
+    const Vec3 w = normalize(at);
+    // Intensity · cos³ θ, of a plane at the distance 1.
+    EXPECT_NEAR(light->emitted(EndpointPoint::at(Vec3(0.F)), w)[1] * w.z * w.z * w.z, 2.F, 1e-4F);
+  }
+  node = projection_node({1, 2, 3}, 60);
+  node.set("image_is", std::string("irradiance"));
+  const auto plain = light_of(std::move(node), Mat4());
+  expect_mean(emitted_power(*plain), plain->power().average(), 0.02, 0.01);
+}
+
+TEST(ProjectionLight, FieldOfViewIsThatOfOneSideOfTheImage) {
+  const ImageFile file(12, 6, random_pixels(72, 4));
+  const float half = std::tan(25.F * kPi / 180.F);
+  for (const auto& [axis, across] :
+       std::map<std::string, float>{{"shorter", 2.F},
+                                    {"longer", 1.F},
+                                    {"x", 1.F},
+                                    {"y", 2.F},
+                                    {"diagonal", 2.F / std::sqrt(5.F)}}) {
+    desc::Node node = projection_node({1, 1, 1}, 50, file.path());
+    node.set("fov_axis", axis);
+    const auto light = light_of(std::move(node), Mat4());
+    const auto lit = [&](float x, float y) {
+      const Vec3 w = normalize(Vec3(x * across * half, y * 0.5F * across * half, 1.F));
+      return !light->emitted(EndpointPoint::at(Vec3(0.F)), w).is_black();
+    };
+    EXPECT_TRUE(lit(0.99F, 0.F) && lit(0.F, -0.99F)) << axis;
+    EXPECT_FALSE(lit(1.01F, 0.F) || lit(0.F, -1.01F)) << axis;
+  }
 }
 
 TEST(ProjectionLight, RowZeroIsAtMinusYAndColumnZeroAtMinusX) {

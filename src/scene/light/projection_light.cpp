@@ -9,23 +9,25 @@ namespace ajar {
 
 namespace {
 
-/// A slide projector along +z: the map spans the field of view, which belongs to its shorter side;
-/// row 0 is at the −y edge, column 0 at −x. Source: pbrt-v3, section 12.3.2. Emission is sampled by
-/// the map.
+/// A slide projector along +z: the map spans the field of view, row 0 is at the −y edge, column 0
+/// at −x. It is of the intensity, or of the irradiance at z = 1, 1/cos³ θ times as much. Source:
+/// pbrt-v3, section 12.3.2. Emission is sampled by the map.
 class ProjectionLight final : public Light {
  public:
   ProjectionLight(const LightInputs& in, Map map)
       : intensity_(in.color("intensity")),
         map_(std::move(map)),
         at_(in.at()),
-        half_size_(half_size(in.node().number("fov"), map_)) {
+        axis_(at_.directions.to_world({0.F, 0.F, 1.F})),
+        is_of_irradiance_(in.node().text("image_is") == "irradiance"),
+        half_size_(half_size(in.node(), map_)) {
     // Solid angle per area of the window, which lies at z = 1: cos³ θ.
-    const auto cos_cubed = [&](const Vec2& uv) {
+    const auto weight = [&](const Vec2& uv) {
       const float z = to_local(uv).z;
-      return z * z * z;
+      return is_of_irradiance_ ? 1.F : z * z * z;
     };
-    distribution_ = make_map_distribution(map_, cos_cubed);
-    const Spectrum integral = integrate_map(map_, cos_cubed) * window_area();
+    distribution_ = make_map_distribution(map_, weight);
+    const Spectrum integral = integrate_map(map_, weight) * window_area();
     intensity_ *= in.scale_to("power", luminance(integral));
     power_ = intensity_ * integral;
   }
@@ -35,17 +37,16 @@ class ProjectionLight final : public Light {
   EndpointPoint only_point() const override { return EndpointPoint::at(at_.position); }
   Spectrum power() const override { return power_; }
   std::optional<LightBounds> bounds() const override {
-    const Vec3 axis = at_.directions.to_world({0.F, 0.F, 1.F});
     float widest = 0.F;
     for (const Vec2& corner : {Vec2(0.F, 0.F), Vec2(1.F, 0.F), Vec2(0.F, 1.F), Vec2(1.F, 1.F)}) {
-      widest = std::max(widest, angle_between(axis, at_.directions.to_world(to_local(corner))));
+      widest = std::max(widest, angle_between(axis_, at_.directions.to_world(to_local(corner))));
     }
     const Vec2& half = half_size_;
     const float solid_angle =
         4.F *
         std::asin(half.x * half.y / std::sqrt((1.F + half.x * half.x) * (1.F + half.y * half.y)));
     return LightBounds{Box3(at_.position),
-                       {axis, std::min(widest + 1e-3F, kPi)},
+                       {axis_, std::min(widest + 1e-3F, kPi)},
                        0.F,
                        luminance(power_) / solid_angle,
                        false};
@@ -53,10 +54,10 @@ class ProjectionLight final : public Light {
 
   std::optional<EmissionSample> sample_emission(const EmissionUniforms& u) const override {
     const Distribution2D::Sample chosen = distribution_.sample(u.direction);
-    const Spectrum intensity = intensity_ * map_.lookup(chosen.uv);
-    if (intensity.is_black()) return std::nullopt;
     const Vec3 local = to_local(chosen.uv);
     const Vec3 w = at_.directions.to_world(local);
+    const Spectrum intensity = intensity_at(chosen.uv, w);
+    if (intensity.is_black()) return std::nullopt;
     const float pdf = density(chosen.pdf, local.z) * at_.directions.to_local(w).stretch;
     if (!(pdf > 0.F)) return std::nullopt;
     return EmissionSample{EndpointPoint::at(at_.position), at_.position,       w, intensity / pdf,
@@ -94,10 +95,15 @@ class ProjectionLight final : public Light {
   }
 
  private:
-  static Vec2 half_size(float fov, const Map& map) {
-    const float tangent = std::tan(std::clamp(fov, 1e-3F, 179.9F) * (kPi / 360.F));
+  static Vec2 half_size(const desc::Node& node, const Map& map) {
+    const std::string& axis = node.text("fov_axis");
     const float aspect = static_cast<float>(map.width()) / static_cast<float>(map.height());
-    return Vec2(std::max(aspect, 1.F), std::max(1.F / aspect, 1.F)) * tangent;
+    // With the side that the field of view belongs to as 1.
+    Vec2 size(std::max(aspect, 1.F), std::max(1.F / aspect, 1.F));
+    if (axis == "x" || (axis == "longer" && aspect > 1.F)) size /= size.x;
+    if (axis == "y" || (axis == "longer" && aspect <= 1.F)) size /= size.y;
+    if (axis == "diagonal") size /= size.length();
+    return size * std::tan(std::clamp(node.number("fov"), 1e-3F, 179.9F) * (kPi / 360.F));
   }
   float window_area() const { return 4.F * half_size_.x * half_size_.y; }
   float density(float pdf_uv, float cosine) const {
@@ -116,19 +122,29 @@ class ProjectionLight final : public Light {
   }
   Spectrum intensity_towards(const Vec3& w) const {
     const std::optional<Vec2> uv = to_uv(at_.directions.vector_to_local(w));
-    return uv ? intensity_ * map_.lookup(*uv) : Spectrum();
+    return uv ? intensity_at(*uv, w) : Spectrum();
+  }
+  /// Of the direction `w` in the world, which goes through the window at `uv`.
+  Spectrum intensity_at(const Vec2& uv, const Vec3& w) const {
+    const Spectrum intensity = intensity_ * map_.lookup(uv);
+    if (!is_of_irradiance_) return intensity;
+    const float cosine = dot(axis_, w);
+    return intensity / (cosine * cosine * cosine);
   }
 
   Spectrum intensity_;
   Map map_;
   LightPlacement at_;
+  Vec3 axis_;  ///< in the world
+  bool is_of_irradiance_;
   Vec2 half_size_;  ///< of the window at z = 1
   Distribution2D distribution_;
   Spectrum power_;
 };
 
 std::unique_ptr<Light> make_projection(const LightInputs& in) {
-  std::optional<Map> map = in.map("image", MapEdge::Clamp);
+  std::optional<Map> map =
+      in.map("image", MapEdge::Clamp, MapFilter::Bilinear, in.decoding_exponent());
   if (!map) map = Map(1, 1, {Spectrum(1.F)}, MapEdge::Clamp);
   return std::make_unique<ProjectionLight>(in, std::move(*map));
 }
@@ -136,18 +152,22 @@ std::unique_ptr<Light> make_projection(const LightInputs& in) {
 }  // namespace
 
 LightModel projection_light() {
-  return {{.name = "projection",
-           .summary = "a slide projector along z",
-           .source = "Pharr et al. 2016, section 12.3.2",
-           .parameters = {declare::emission("intensity", "W/sr", "factor of the image"),
-                          declare::number_between("fov", "45", "degrees",
-                                                  "field of view along the image's shorter side",
-                                                  0.0, 180.0),
-                          declare::file("image", "the slide; white, unless given"),
-                          declare::target("power", "W",
-                                          "if given, the luminance of all that a light of "
-                                          "intensity 1 is scaled to emit")}},
-          make_projection};
+  return {
+      {.name = "projection",
+       .summary = "a slide projector along z",
+       .source = "Pharr et al. 2016, section 12.3.2",
+       .parameters = {declare::emission("intensity", "W/sr", "factor of the image"),
+                      declare::number_between("fov", "45", "degrees", "field of view", 0.0, 180.0),
+                      choice_parameter("fov_axis", {"shorter", "longer", "x", "y", "diagonal"},
+                                       "side of the image that `fov` belongs to"),
+                      declare::file("image", "the slide; white, unless given"),
+                      choice_parameter("image_is", {"intensity", "irradiance"},
+                                       "the intensity, or the irradiance of a plane at z = 1"),
+                      declare::decoding(),
+                      declare::target("power", "W",
+                                      "if given, the luminance of all that a light of "
+                                      "intensity 1 is scaled to emit")}},
+      make_projection};
 }
 
 }  // namespace ajar

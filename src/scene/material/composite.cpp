@@ -14,13 +14,15 @@ class Composite final : public Material {
         transmittance_(in.slot("transmittance")),
         roughness_(in),
         eta_(in.slot("eta")),
-        opacity_(in.slot("opacity")) {
+        opacity_(in.slot("opacity")),
+        uncounted_(in.node().flag("uncounted")) {
+    passes_uncounted = uncounted_;
     index_varies = !eta_.is_constant();
     needs_tangent = !roughness_.isotropic();
   }
   void add_lobes(const SurfacePoint& at, const Spectrum& scale, Bsdf& bsdf) const override {
     const Spectrum opacity = reflectance(opacity_, at);
-    bsdf.add(PassThrough{}, scale * (Spectrum(1.F) - opacity));
+    bsdf.add(PassThrough{uncounted_}, scale * (Spectrum(1.F) - opacity));
     const Spectrum opaque = scale * opacity;
     const float eta = index_of_refraction(eta_, at);
     bsdf.add(Lambert{}, opaque * reflectance(diffuse_, at));
@@ -46,6 +48,7 @@ class Composite final : public Material {
   RoughnessSlot roughness_;
   TextureSlot eta_;
   TextureSlot opacity_;
+  bool uncounted_;
 };
 
 }  // namespace
@@ -61,7 +64,9 @@ MaterialModel composite_material() {
                                  "tint of the rough dielectric gloss"),
             declare::reflectance("mirror_reflectance", "0", "tint of the smooth dielectric gloss"),
             declare::reflectance("transmittance", "0", "tint of what is refracted"), index_input(),
-            declare::reflectance("opacity", "1", "share of light that does not pass straight on")},
+            declare::reflectance("opacity", "1", "share of light that does not pass straight on"),
+            declare::flag("uncounted",
+                          "what passes straight on adds nothing to the depth of a path")},
            roughness_inputs("0.1"))},
       make<Composite>};
 }

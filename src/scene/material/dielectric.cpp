@@ -22,7 +22,9 @@ class Dielectric final : public Material {
         rough_(!roughness_.is_smooth()),
         thin_(in.node().flag("thin")),
         polarised_(in.node().flag("polarised")),
-        along_normal_(in.node().flag("along_normal")) {
+        along_normal_(in.node().flag("along_normal")),
+        uncounted_(in.node().flag("uncounted")) {
+    passes_uncounted = thin_ && uncounted_;
     index_varies = !eta_.is_constant();
     const SurfacePoint anywhere{};
     is_nothing_ = eta_.is_constant() && is_no_boundary(index_of_refraction(eta_, anywhere)) &&
@@ -39,7 +41,7 @@ class Dielectric final : public Material {
     if (kr.average() == 0.F && kt.average() == 0.F) return;
     const float eta = index_of_refraction(eta_, at);
     if (thin_) {
-      bsdf.add(ThinDielectric{kr, kt, eta, polarised_, along_normal_}, scale);
+      bsdf.add(ThinDielectric{kr, kt, eta, polarised_, along_normal_, uncounted_}, scale);
     } else if (rough_ && !index_matched(eta)) {
       bsdf.add(RoughDielectric{roughness_.facets(model_, at), kr, kt, eta}, scale);
     } else {
@@ -61,6 +63,7 @@ class Dielectric final : public Material {
   bool along_normal_;
   /// Nothing is reflected or bent; what also tints nothing is not there.
   bool is_nothing_ = false;
+  bool uncounted_;
 };
 
 }  // namespace
@@ -86,7 +89,10 @@ MaterialModel dielectric_material() {
                     declare::flag(
                         "along_normal",
                         "of thin ones: transmittance is that along the normal, and less on longer "
-                        "ways")},
+                        "ways"),
+                    declare::flag("uncounted",
+                                  "of thin ones: what they transmit adds nothing to the depth of a "
+                                  "path")},
                    facet_inputs()),
                roughness_inputs("0"))},
           make<Dielectric>};

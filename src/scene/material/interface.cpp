@@ -1,4 +1,5 @@
 
+#include "scene/material/inputs.h"
 #include "scene/material/registry.h"
 
 namespace ajar {
@@ -7,6 +8,7 @@ namespace {
 /// No surface at all, only a change of medium.
 class Interface final : public Material {
  public:
+  explicit Interface(bool counted) { adds_edge = counted; }
   void add_lobes(const SurfacePoint&, const Spectrum&, Bsdf&) const override {}
   int max_lobes() const override { return 0; }
   bool is_interface() const override { return true; }
@@ -18,9 +20,9 @@ MaterialModel interface_material() {
   return {{.name = "interface",
            .summary = "no surface: only separates media",
            .source = "",
-           .parameters = {}},
-          [](const MaterialInputs&) -> std::unique_ptr<Material> {
-            return std::make_unique<Interface>();
+           .parameters = {declare::flag("counted", "adds an edge to paths that cross it")}},
+          [](const MaterialInputs& in) -> std::unique_ptr<Material> {
+            return std::make_unique<Interface>(in.node().flag("counted"));
           }};
 }
 

@@ -41,6 +41,10 @@ class Material {
   bool needs_tangent = false;
   /// True if its index of refraction is not the same everywhere.
   bool index_varies = false;
+  /// True if some light passes straight on without adding to the depth of its path.
+  bool passes_uncounted = false;
+  /// Of an interface: true if crossing it adds an edge to the depth of a path.
+  bool adds_edge = false;
 };
 
 using MaterialList = std::vector<std::unique_ptr<const Material>>;

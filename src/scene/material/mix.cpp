@@ -19,6 +19,7 @@ class Mix final : public Material {
     relief = a.relief;
     needs_tangent = a.needs_tangent || b.needs_tangent;
     index_varies = a.index_varies || b.index_varies;
+    passes_uncounted = a.passes_uncounted || b.passes_uncounted;
   }
   void add_lobes(const SurfacePoint& at, const Spectrum& scale, Bsdf& bsdf) const override {
     const Spectrum amount = reflectance(amount_, at);
@@ -44,6 +45,7 @@ class FirstOfMix final : public Material {
     relief = first.relief;
     needs_tangent = first.needs_tangent;
     index_varies = first.index_varies;
+    passes_uncounted = first.passes_uncounted;
   }
   void add_lobes(const SurfacePoint& at, const Spectrum& scale, Bsdf& bsdf) const override {
     first_.add_lobes(at, scale, bsdf);

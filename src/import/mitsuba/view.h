@@ -1,0 +1,17 @@
+#pragma once
+#include <string>
+
+#include "import/mitsuba/arguments.h"
+
+namespace ajar::mitsuba {
+
+/// The angle that a sensor or a projector sees.
+struct GivenView {
+  double fov;        ///< degrees
+  std::string axis;  ///< it belongs to: "x", "y", "diagonal", "shorter" or "longer"
+};
+
+/// From "fov" and "fov_axis", or from "focal_length". Raises SceneError for what is no angle.
+GivenView read_view(Arguments& arguments);
+
+}  // namespace ajar::mitsuba
