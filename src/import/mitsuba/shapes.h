@@ -34,7 +34,7 @@ class ShapeBuilder {
   desc::ObjectId object_of(const Element& group);
   void set_material(Arguments& arguments, desc::Shape& shape, bool is_closed);
   void set_emission(Arguments& arguments, desc::Shape& shape, bool is_in_group);
-  void warn_of_back(const Element& bsdf);
+  void warn_of_back(const Element& bsdf, desc::MaterialId material);
 
   Context& context_;
   TextureTable& textures_;
