@@ -11,6 +11,7 @@
 #include "import/mesh/ply.h"
 #include "import/pbrt/light_names.h"
 #include "import/pbrt/mean_color.h"
+#include "import/pbrt/own_words.h"
 #include "import/pbrt/shape_names.h"
 #include "import/pbrt/writer_context.h"
 #include "import/pbrt/writer_curves.h"
@@ -312,6 +313,10 @@ class Writer {
         .vectors("integer indices", mesh->indices)
         .vectors("point P", mesh->positions);
     out_.vectors("vector S", mesh->tangents);
+    if (!mesh->handedness.empty()) {
+      out_.integers("integer " + pbrt::own_word("handedness"), mesh->handedness);
+      ++context_.unknown_parameters["handedness"];
+    }
     if (!mesh->normals.empty()) out_.vectors("normal N", mesh->normals);
     if (!mesh->uvs.empty()) out_.vectors("float uv", mesh->uvs);
   }

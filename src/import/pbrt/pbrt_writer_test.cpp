@@ -60,7 +60,7 @@ AttributeBegin Material "none" MediumInterface "smoke" "dye" Shape "sphere" Attr
 Material "uber" "texture Kr" "bilerp" Shape "paraboloid" "float shadowalpha" 0
 Material "disney" "texture color" "marble" "texture roughness" "wrinkled" Shape "hyperboloid"
 Material "plastic" Shape "trianglemesh" "integer indices" [0 1 2] "point P" [0 0 0 1 .1 0 0 1 .3] "rgb Kd" [.3 .2 .1]
-Material "substrate" Shape "trianglemesh" "integer indices" [0 1 2] "point P" [0 0 0 1 .1 0 0 1 .3] "vector S" [1 0 0 1 0 0 1 0 0] "normal N" [0 0 1 0 0 1 0 0 1] "float uv" [0 0 1 0 0 .3]
+Material "substrate" Shape "trianglemesh" "integer indices" [0 1 2] "point P" [0 0 0 1 .1 0 0 1 .3] "vector S" [1 0 0 1 0 0 1 0 0] "integer ajar:handedness" [1 -1 0] "normal N" [0 0 1 0 0 1 0 0 1] "float uv" [0 0 1 0 0 .3]
 Material "translucent" Shape "loopsubdiv" "integer levels" 2 "integer indices" [0 1 2] "point P" [0 0 0 1 .1 0 0 1 .3]
 Material "mirror" Shape "curve" "string basis" "bspline" "string type" "ribbon" "float width0" .1 "float width1" .7
   "point P" [0 0 0 1 .1 0 0 1 .3 2 1 .7 3.3 1 1] "normal N" [0 1 0 0 .6 .8 1 0 0]
