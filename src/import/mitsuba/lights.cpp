@@ -61,7 +61,8 @@ std::optional<desc::Light> environment(const Source& in) {
   if (!name || name->empty()) return in.skip(kNoMapFile, "this envmap has no \"filename\"");
   const Vec3 scale(in.arguments.number("scale", 1.F));
   desc::Node node = in.node("environment", {{"radiance", scale}});
-  node.set("image", in.context.files.files().resolve(in.context.files.find(*name)));
+  node.set("image",
+           in.context.files.files().resolve(in.context.files.find(*name), in.arguments.where()));
   // Mitsuba's map has its pole at +y and begins at -z toward +x; ours has its pole at +z and begins
   // at +x toward +y.
   const Mat4 to_mitsuba(0.0, 0.0, -1.0, 0.0,  //
@@ -130,7 +131,7 @@ std::optional<std::string> slide(Context& context, const Element& texture) {
   }
   image.accept({"filter_type", "wrap_mode", "wrap_mode_u", "wrap_mode_v", "cache", "max_anisotropy",
                 "format", "accel"});
-  return context.files.files().resolve(context.files.find(*name));
+  return context.files.files().resolve(context.files.find(*name), texture.where);
 }
 
 std::optional<desc::Light> projector(const Source& in) {

@@ -151,7 +151,7 @@ std::vector<Part> PrimitiveReader::curve_parts(const ObjectReader& object, const
   if (file == nullptr) return leave_out("they name no \"file\"");
   desc::Curves curves;
   try {
-    const std::string path = context_.files.resolve(text_of(*file));
+    const std::string path = context_.files.resolve(text_of(*file), file->where());
     curves = curves_of(read_strands(context_.files.load(path).view(), path), treatment);
   } catch (const Error& error) {
     return leave_out(error.what());

@@ -61,12 +61,13 @@ void read_scene(Context& context, const LocatedJson& root) {
 desc::SceneDesc import_tungsten_text(std::string_view text, const std::string& name,
                                      const std::string& base_folder, Warnings& warnings,
                                      FileProvider provider) {
-  FileAccess files(base_folder, std::move(provider));
+  FileAccess files(base_folder, std::move(provider), warnings);
+  const FileBytes in_text = in_utf8(FileBytes(text));
   desc::SceneDesc scene;
   scene.source = name;
   tungsten::Context context{scene, warnings, files};
-  tungsten::read_scene(context,
-                       LocatedJson::parse(text, name, JsonExtras::CommentsAndTrailingCommas));
+  tungsten::read_scene(
+      context, LocatedJson::parse(in_text.view(), name, JsonExtras::CommentsAndTrailingCommas));
   scene.files = files.named();
   return scene;
 }
