@@ -384,6 +384,10 @@ void PrimitiveReader::read_instances(const ObjectReader& object, const Mat4& tra
   }
 }
 
+bool is_primitive_type(std::string_view name) {
+  return std::find(kPrimitiveTypes.begin(), kPrimitiveTypes.end(), name) != kPrimitiveTypes.end();
+}
+
 void PrimitiveReader::read_all(const LocatedJson& list) {
   if (!list.is(Kind::Array)) throw SceneError(list.where(), "\"primitives\" must be an array");
   for (const LocatedJson& json : list.items()) {
