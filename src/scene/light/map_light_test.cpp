@@ -96,14 +96,6 @@ TEST(Map, SpreadsOneChannelOverAllLanes) {
             Spectrum(0.25F));
 }
 
-TEST(Map, OfGreyWithAlphaTheGreyShines) {
-  // OpenImageIO calls two channels Y and A, and has colours multiplied by alpha.
-  const ImageFile file(1, 1, {0.25F, 0.75F}, ".exr", OIIO::TypeDesc::FLOAT, 2);
-  Warnings warnings;
-  EXPECT_EQ(load_map(file.path(), MapEdge::Clamp, {}, warnings).lookup({0.5F, 0.5F}),
-            Spectrum(0.25F));
-}
-
 TEST(Map, UnreadableFilesAreMagentaAndNamedInAWarning) {
   Warnings warnings;
   const SourceLocation where{std::make_shared<std::string>("scene.pbrt"), 3, 1};

@@ -191,6 +191,11 @@ TEST_F(ImageTextureTest, OfLayersAndAlphaThePictureIsShown) {
     return Vec3(c[0], c[1], c[2]);
   };
   EXPECT_EQ(color({"A", "Y"}, {0.75F, 0.25F}), Vec3(0.25F));
+  Warnings warnings;
+  EXPECT_EQ(load_map(node.text("file"), MapEdge::Clamp, {}, warnings).lookup({0.5F, 0.5F}),
+            Spectrum(0.25F))
+      << "of a light";
+  EXPECT_EQ(warnings.count(), 0U);
   EXPECT_EQ(color({"Y", "Z"}, {0.25F, 9.F}), Vec3(0.25F));
   EXPECT_EQ(color({"Z", "diffuse.R", "diffuse.G", "diffuse.B"}, {9.F, 0.25F, 0.5F, 0.75F}),
             Vec3(0.25F, 0.5F, 0.75F));
