@@ -379,7 +379,8 @@ struct TestPart {
 void write_parts(const std::string& path, const std::vector<TestPart>& parts) {
   std::vector<Imf::Header> headers;
   for (const TestPart& part : parts) {
-    Imf::Header& header = headers.emplace_back(part.width, 2);
+    Imf::Header& header = headers.emplace_back(Imath::Box2i({0, 0}, {2, 1}),
+                                               Imath::Box2i({0, 0}, {part.width - 1, 1}));
     header.setName(part.name);
     header.setType(Imf::SCANLINEIMAGE);
     for (const auto& [name, value] : part.channels) {

@@ -16,18 +16,19 @@ struct Form {
   Values values;
   std::size_t most;
   std::string_view otherwise;  ///< for numbers that are left out
+  bool is_taken = true;        ///< whether tinyobjloader has it, and something comes of it here
 };
 constexpr std::array<Form, 13> kForms = {{{"-o", Values::Numbers, 3, "0"},
                                           {"-s", Values::Numbers, 3, "1"},
-                                          {"-t", Values::Numbers, 3, "0"},
+                                          {"-t", Values::Numbers, 3, "0", false},
                                           {"-mm", Values::Numbers, 2, "1"},
                                           {"-bm", Values::Numbers, 1, "1"},
-                                          {"-boost", Values::Numbers, 1, "0"},
-                                          {"-texres", Values::Numbers, 1, "0"},
+                                          {"-boost", Values::Numbers, 1, "0", false},
+                                          {"-texres", Values::Numbers, 1, "0", false},
                                           {"-clamp", Values::Switch, 1, ""},
-                                          {"-blendu", Values::Switch, 1, ""},
-                                          {"-blendv", Values::Switch, 1, ""},
-                                          {"-cc", Values::Switch, 1, ""},
+                                          {"-blendu", Values::Switch, 1, "", false},
+                                          {"-blendv", Values::Switch, 1, "", false},
+                                          {"-cc", Values::Switch, 1, "", false},
                                           {"-imfchan", Values::Word, 1, ""},
                                           {"-colorspace", Values::Word, 1, ""}}};
 
@@ -119,7 +120,7 @@ std::string in_full(const ImageWords& words) {
   std::string text;
   for (const ImageOption& option : words.options) {
     const Form* form = form_of(option.name);
-    if (form == nullptr || option.values.empty()) continue;
+    if (form == nullptr || !form->is_taken || option.values.empty()) continue;
     if (option.name == "-imfchan") {
       // "m" is what tinyobjloader has where nothing is said, too.
       const std::string& channel = option.values.front();

@@ -20,8 +20,8 @@ struct ImageWords {
 };
 ImageWords image_words(std::string_view text);
 
-/// The same as tinyobjloader takes it: with three numbers for `-o`, `-s` and `-t`, without options
-/// that nobody knows; the channel of alpha, "m", is "a".
+/// The same as tinyobjloader takes it: with three numbers for `-o` and `-s`, without options of
+/// which nothing comes; the channel of alpha, "m", is "a".
 std::string in_full(const ImageWords& words);
 
 /// Whether an image follows such a word.
