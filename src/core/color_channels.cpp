@@ -43,7 +43,7 @@ bool is_depth(const std::string& channel) {
   return index_in(kDepths, last_part(channel)) < kDepths.size();
 }
 
-/// What a channel, with those after it in its layer, may be taken for, the likeliest first.
+/// Meanings of a channel, with those after it in its layer, the likeliest first.
 enum class Kind { Colors, Luminance, Coordinates, Other, Depth, Alpha };
 
 struct Candidate {

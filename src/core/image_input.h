@@ -22,7 +22,7 @@ class ImageInput {
   explicit ImageInput(const std::string& path, bool has_unassociated_alpha = false);
 
   const ImageHeader& header() const { return decoder_->header(); }
-  /// Those of its channels that are the picture.
+  /// The channels that are the picture.
   const ColorChannels& colors() const { return colors_; }
   /// Memory of the first `channels` channels, and of what the decoder needs for them, bytes.
   std::uint64_t bytes(int channels, std::uint64_t channel_bytes) const;

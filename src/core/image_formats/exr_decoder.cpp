@@ -66,7 +66,7 @@ int part_of_picture(const Imf::MultiPartInputFile& file) {
   return best;
 }
 
-/// What all decoders say of a part, but for its channels.
+/// Fills in all of a header but the channels.
 void describe(const Imf::Header& from, ImageHeader& to) {
   const Imath::Box2i data = from.dataWindow();
   const Imath::Box2i display = from.displayWindow();
@@ -150,7 +150,7 @@ class ExrDecoder final : public ImageDecoder {
 
   const Imf::Header& from() const { return file_->header(picture_); }
 
-  /// What a part calls "R" is its layer's, unless it is the picture.
+  /// Channels of the picture keep their names; "R" of another part belongs to a layer.
   void add_part(int number) {
     const Imf::Header& part = file_->header(number);
     for (const std::string& channel : full_channels(part)) {

@@ -9,7 +9,7 @@
 namespace ajar::obj {
 namespace {
 
-/// What follows an option.
+/// Values of an option.
 enum class Values { Numbers, Switch, Word };
 struct Form {
   std::string_view name;
@@ -69,7 +69,7 @@ std::optional<ImageOption> take_option(const std::vector<Word>& words, std::size
   const Form* form = form_of(name);
   if (!is_option || (form == nullptr && !is_before_name)) return std::nullopt;
   ImageOption option{std::string(name), {}};
-  // Of an unknown option, numbers are values, and a word if it is one of a kind that others have.
+  // An unknown option takes numbers, and a word that others have for their values.
   const std::size_t most = form == nullptr ? 3 : form->most;
   std::size_t next = i + 1;
   const auto fits = [&](std::string_view word) {

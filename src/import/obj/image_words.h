@@ -11,7 +11,7 @@ struct ImageOption {
   std::vector<std::string> values;
 };
 
-/// What follows a word as `map_Kd`: options and the name of a file, which may have spaces in it.
+/// Words behind one as `map_Kd`: options and the name of a file, which may have spaces in it.
 /// Source: Wavefront, Advanced Visualizer manual, appendix B1. Options behind the name, as some
 /// programs write them, count, too.
 struct ImageWords {

@@ -46,7 +46,7 @@ std::string listed(std::initializer_list<std::pair<const char*, bool>> words) {
   return text;
 }
 
-/// What `-imfchan` takes of an image that becomes a number.
+/// The channel that `-imfchan` takes of an image that becomes a number.
 std::string channel_of(const tinyobj::texture_option_t& options, const std::string& otherwise) {
   switch (options.imfchan) {
     case 'r':

@@ -78,7 +78,7 @@ std::optional<std::string_view> program_of(const LocatedJson& root) {
   return std::nullopt;
 }
 
-/// What a file says that it was made by; null if it does not.
+/// The maker that a file names; null if it names none.
 const LocatedJson* maker_in(const LocatedJson& root) {
   for (const char* path : {"generator", "asset.generator", "metadata.generator", "exporter",
                            "metadata.exporter", "producer.name", "software", "tool"}) {
@@ -123,7 +123,7 @@ bool is_primitive(const LocatedJson& json) {
   return has_any(json, kWords) || (is_known && json.members().size() == plain);
 }
 
-/// What is wrong with it as a scene of Tungsten; empty if nothing is.
+/// The reason why it is no scene of Tungsten; empty if it is one.
 std::string complaint(const LocatedJson& root) {
   constexpr std::array<std::string_view, 3> kParts = {"primitives", "bsdfs", "camera"};
   constexpr std::array<std::string_view, 5> kOfCameras = {"type", "transform", "resolution", "fov",
