@@ -243,6 +243,8 @@ TEST(GltfMeshes, HaveTangentsWhereANormalMapNeedsThem) {
     Json triangle = file.triangle();
     triangle["attributes"]["TANGENT"] =
         file.add_accessor(bytes_of<float>({0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, -1}), 5126, "VEC4", 3);
+    triangle["attributes"]["NORMAL"] =
+        file.add_accessor(bytes_of<float>({0, 0, 1, 0, 0, 1, 0, 0, 1}), 5126, "VEC3", 3);
     triangle["material"] = file.add("materials", material);
     file.add("images", {{"uri", "a.png"}});
     file.add("textures", {{"source", 0}});
