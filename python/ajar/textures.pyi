@@ -84,6 +84,7 @@ def image(
     decode_srgb: bool = True,
     decoding_exponent: Number | None = None,
     scale: Number = 1.0,
+    offset: Number = 0.0,
     invert: bool = False,
     clamp: bool = False,
     filter: Literal["bilinear", "nearest"] = 'bilinear',

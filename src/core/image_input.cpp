@@ -146,6 +146,8 @@ ImageInput::ImageInput(const std::string& path, bool has_unassociated_alpha) {
   check_claim(
       {static_cast<std::uint64_t>(header().width), static_cast<std::uint64_t>(header().height)},
       decoder_->most_pixels_per_byte(), file_bytes);
+  colors_ = color_channels(header().names);
+  if (colors_.alpha < 0) colors_.alpha = header().alpha_channel;
   // Libraries count them with int.
   if (static_cast<std::uint64_t>(header().width) * decoder_->pixel_bytes() >
       static_cast<std::uint64_t>(std::numeric_limits<int>::max())) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/color_channels.h"
 #include "core/image_decoder.h"
 
 /// Image files as all rooms open them: with what a header claims held against the size of the file
@@ -12,7 +13,8 @@
 /// is the reason alone, for the caller to name the file and its place.
 namespace ajar {
 
-/// An open image. Only its first subimage is read.
+/// An open image. Of several in a file it is the first; of the parts of an EXR, the picture, with
+/// the others as its layers.
 class ImageInput {
  public:
   /// `has_unassociated_alpha`: colours are not to be multiplied with alpha. Raises IoError if this
@@ -20,6 +22,8 @@ class ImageInput {
   explicit ImageInput(const std::string& path, bool has_unassociated_alpha = false);
 
   const ImageHeader& header() const { return decoder_->header(); }
+  /// The channels that are the picture.
+  const ColorChannels& colors() const { return colors_; }
   /// Memory of the first `channels` channels, and of what the decoder needs for them, bytes.
   std::uint64_t bytes(int channels, std::uint64_t channel_bytes) const;
 
@@ -55,6 +59,7 @@ class ImageInput {
                   void* values);
 
   std::unique_ptr<ImageDecoder> decoder_;
+  ColorChannels colors_;
 };
 
 }  // namespace ajar

@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "core/atomic_file.h"
+#include "core/color_channels.h"
 #include "core/error.h"
 #include "core/file_extension.h"
 #include "core/image_encoder.h"
@@ -149,10 +150,15 @@ std::vector<float> Image::rgb(const std::string& layer) const {
   const std::array<std::ptrdiff_t, 3> colour = {find(prefix + "R"), find(prefix + "G"),
                                                 find(prefix + "B")};
   if (colour[0] >= 0 && colour[1] >= 0 && colour[2] >= 0) return gather(*this, colour);
+  if (layer.empty()) {
+    const ColorChannels picture = color_channels(names);
+    if (!picture.remark.empty()) return {};
+    const std::ptrdiff_t step = picture.count == 3 ? 1 : 0;
+    return gather(*this, {picture.first, picture.first + step, picture.first + 2 * step});
+  }
   for (const std::string& name : {layer, prefix + "Y", prefix + "Z"}) {
     if (const std::ptrdiff_t grey = find(name); grey >= 0) return gather(*this, {grey, grey, grey});
   }
-  if (layer.empty() && channels == 1) return gather(*this, {0, 0, 0});
   return {};
 }
 

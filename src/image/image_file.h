@@ -24,8 +24,8 @@ struct Image {
 
   float at(int x, int y, int channel) const;
   /// The channels `R, G, B` (layer "") or `layer.R, layer.G, layer.B`, interleaved; or the only
-  /// channel `layer` (or `layer.Y`, `layer.Z`), three times. A grey image gives its grey. Empty if
-  /// there is no such layer.
+  /// channel `layer` (or `layer.Y`, `layer.Z`), three times. An image without R, G and B gives what
+  /// else is its picture (`ColorChannels`). Empty if there is no such layer, or no telling which.
   std::vector<float> rgb(const std::string& layer = "") const;
 };
 

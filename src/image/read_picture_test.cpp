@@ -50,6 +50,23 @@ TEST(ReadPicture, GivesBackWhatWasWritten) {
   }
 }
 
+TEST(ReadPicture, TakesTheLayerThatIsThePicture) {
+  const std::string path = path_of(".exr");
+  Picture picture = small_picture();
+  picture.layers = {{"AO", 3, {9, 9, 9, 9, 9, 9}},
+                    {"View.Combined", 3, {1, 2, 3, 4, 5, 6}},
+                    {"View.Depth.Z", 1, {7, 8}}};
+  write_image(path, picture);
+  EXPECT_EQ(read_picture(path).layers.front().pixels, (std::vector<float>{1, 2, 3, 4, 5, 6}));
+  picture.layers = {{"AO", 3, {9, 9, 9, 9, 9, 9}}, {"diffuse", 3, {1, 2, 3, 4, 5, 6}}};
+  write_image(path, picture);
+  EXPECT_THROW(read_picture(path), IoError) << "no telling which";
+  picture.layers = {{"A", 1, {1, 1}}, {"Y", 1, {3, 4}}};
+  write_image(path, picture);
+  EXPECT_EQ(read_picture(path).layers.front().pixels, (std::vector<float>{3, 3, 3, 4, 4, 4}));
+  std::filesystem::remove(path);
+}
+
 TEST(ReadPicture, RefusesDisplayValues) {
   const std::string path = path_of(".png");
   write_image(path, small_picture());

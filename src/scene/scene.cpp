@@ -9,6 +9,7 @@
 #include "scene/emission/emission.h"
 #include "scene/geometry.h"
 #include "scene/light/make_light.h"
+#include "scene/seen_warnings.h"
 #include "scene/surface_derivatives.h"
 
 namespace ajar {
@@ -88,6 +89,7 @@ Scene::Scene(desc::SceneDesc&& given, const BuildOptions& options, Warnings& war
   counted.materials = counts_.materials;
   counted.lights = lights_.size();
   counts_ = counted;
+  add_seen_warnings(*this, description.camera, description.warnings_if_seen, warnings);
 }
 
 Scene::~Scene() = default;

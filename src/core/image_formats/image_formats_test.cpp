@@ -1,5 +1,12 @@
 #include "core/image_formats/image_formats.h"
 
+#include <ImfChannelList.h>
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfMultiPartOutputFile.h>
+#include <ImfOutputPart.h>
+#include <ImfPartType.h>
+#include <ImfRgbaFile.h>
 #include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
 #include <png.h>
@@ -16,6 +23,7 @@
 #include "core/error.h"
 #include "core/exr_header.h"
 #include "core/image_encoder.h"
+#include "core/image_input.h"
 #include "core/image_openimageio/openimageio_module.h"
 #include "core/png_chunks.h"
 
@@ -399,6 +407,89 @@ TEST_F(ImageFormats, LeaveToOthersWhatOnlyTheyRead) {
   ASSERT_TRUE(output && output->open(tiff, OIIO::ImageSpec(2, 1, 3, OIIO::TypeDesc::UINT8)) &&
               output->write_image(OIIO::TypeDesc::UINT8, pixels.data()) && output->close());
   EXPECT_EQ(pixels_of(open_image(tiff, true)).stored, pixels);
+}
+
+/// A part of an EXR file, each channel of one value.
+struct TestPart {
+  std::string name;
+  std::vector<std::pair<std::string, float>> channels;
+  int width = 3;
+};
+
+void write_parts(const std::string& path, const std::vector<TestPart>& parts) {
+  std::vector<Imf::Header> headers;
+  for (const TestPart& part : parts) {
+    Imf::Header& header = headers.emplace_back(Imath::Box2i({0, 0}, {2, 1}),
+                                               Imath::Box2i({0, 0}, {part.width - 1, 1}));
+    header.setName(part.name);
+    header.setType(Imf::SCANLINEIMAGE);
+    for (const auto& [name, value] : part.channels) {
+      header.channels().insert(name, Imf::Channel(Imf::FLOAT));
+    }
+  }
+  Imf::MultiPartOutputFile file(path.c_str(), headers.data(), static_cast<int>(headers.size()));
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    Imf::OutputPart output(file, static_cast<int>(i));
+    Imf::FrameBuffer buffer;
+    std::vector<float> values;
+    for (const auto& [name, value] : parts[i].channels) values.push_back(value);
+    for (std::size_t c = 0; c < values.size(); ++c) {
+      buffer.insert(parts[i].channels[c].first,
+                    Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(&values[c]), 0, 0));
+    }
+    output.setFrameBuffer(buffer);
+    output.writePixels(2);
+  }
+}
+
+TEST_F(ImageFormats, ThePartOfAnExrThatIsThePictureIsShownWhereverItIs) {
+  const TestPart depth{"depth", {{"Z", 9.F}}};
+  const TestPart beauty{"rgba", {{"R", 1.F}, {"G", 2.F}, {"B", 3.F}, {"A", 0.5F}}};
+  const TestPart diffuse{"diffuse", {{"R", 4.F}, {"G", 5.F}, {"B", 6.F}}};
+  const TestPart small{"thumbnail", {{"R", 7.F}, {"G", 7.F}, {"B", 7.F}}, 1};
+  write_parts(path("parts.exr"), {depth, diffuse, small, beauty});
+  ImageInput input(path("parts.exr"));
+  EXPECT_EQ(input.header().names,
+            (std::vector<std::string>{"R", "G", "B", "A", "depth.Z", "diffuse.R", "diffuse.G",
+                                      "diffuse.B"}));
+  EXPECT_EQ(input.header().width, 3);
+  EXPECT_EQ(input.header().alpha_channel, 3);
+  EXPECT_EQ(input.colors().count, 3);
+  EXPECT_EQ(input.colors().remark, "");
+  const std::vector<float> values = input.read<float>(input.header().channels);
+  EXPECT_EQ(std::vector<float>(values.begin(), values.begin() + 8),
+            (std::vector<float>{1, 2, 3, 0.5F, 9, 4, 5, 6}));
+  EXPECT_EQ(input.read_from<float>(5, 3), (std::vector<float>{4, 5, 6, 4, 5, 6, 4, 5, 6,  //
+                                                              4, 5, 6, 4, 5, 6, 4, 5, 6}));
+
+  write_parts(path("layers.exr"),
+              {depth, {"colour", {{"main.R", 1.F}, {"main.G", 2.F}, {"main.B", 3.F}}}});
+  ImageInput layers(path("layers.exr"));
+  EXPECT_EQ(layers.read_from<float>(layers.colors().first, 3)[1], 2.F);
+}
+
+TEST_F(ImageFormats, LuminanceAndChromaAreColours) {
+  for (const bool has_alpha : {false, true}) {
+    const std::string file = path(has_alpha ? "yca.exr" : "yc.exr");
+    std::vector<Imf::Rgba> pixels(16 * 12, Imf::Rgba(0.5F, 0.25F, 0.125F, 0.75F));
+    {
+      Imf::RgbaOutputFile output(file.c_str(), 16, 12, has_alpha ? Imf::WRITE_YCA : Imf::WRITE_YC);
+      output.setFrameBuffer(pixels.data(), 1, 16);
+      output.writePixels(12);
+    }
+    ImageInput input(file);
+    ASSERT_EQ(input.header().names.size(), has_alpha ? 4U : 3U);
+    EXPECT_EQ(input.colors().count, 3);
+    EXPECT_EQ(input.colors().alpha, has_alpha ? 3 : -1);
+    const std::vector<float> values = input.read<float>(3);
+    for (std::size_t i = 0; i < values.size(); i += 3) {
+      ASSERT_NEAR(values[i], 0.5F, 0.01F) << i;
+      ASSERT_NEAR(values[i + 1], 0.25F, 0.01F) << i;
+      ASSERT_NEAR(values[i + 2], 0.125F, 0.01F) << i;
+    }
+    EXPECT_EQ(input.read<Imath::half>(input.header().channels).size(),
+              pixels.size() * input.header().names.size());
+  }
 }
 
 }  // namespace

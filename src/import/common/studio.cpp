@@ -249,7 +249,8 @@ void add_studio(desc::SceneDesc& scene, const SceneParts& parts, UpAxis up) {
   Studio studio(scene, up);
   const bool is_bare = !parts.has_camera && !parts.has_lights;
   if (!parts.has_camera) studio.add_camera();
-  if (is_bare || (!parts.has_lights && !surfaces_shine(scene))) studio.add_lights();
+  if (is_bare || (!parts.has_lights && !(parts.has_lamps && surfaces_shine(scene))))
+    studio.add_lights();
   if (is_bare) studio.add_table();
 }
 

@@ -12,10 +12,12 @@ enum class UpAxis { Y, Z };
 struct SceneParts {
   bool has_camera = false;
   bool has_lights = false;  ///< those that shine from no surface
+  /// Whether its surfaces that shine are known to be lamps, not just parts of a picture of them.
+  bool has_lamps = true;
 };
 
 /// Adds what is missing. With neither camera nor lights, all of it: surfaces that shine do not make
-/// a studio. With a camera alone, lights, unless a surface shines. With lights alone, a camera.
+/// a studio. With a camera alone, lights, unless a surface is a lamp. With lights alone, a camera.
 void add_studio(desc::SceneDesc& scene, const SceneParts& parts, UpAxis up);
 
 /// Adds a light grey material with a soft gloss, for surfaces that have none.

@@ -74,6 +74,7 @@ PaintedMesh painted(const desc::Mesh& mesh, std::span<const Vec3> colors) {
       result.mesh.positions.push_back(mesh.positions[vertex]);
       if (!mesh.normals.empty()) result.mesh.normals.push_back(mesh.normals[vertex]);
       if (!mesh.tangents.empty()) result.mesh.tangents.push_back(mesh.tangents[vertex]);
+      if (!mesh.handedness.empty()) result.mesh.handedness.push_back(mesh.handedness[vertex]);
     }
     for (const Vec2& at : {squares.uv(x, y), squares.uv(x + 1, y), squares.uv(x, y + 1)}) {
       result.mesh.uvs.push_back(at);

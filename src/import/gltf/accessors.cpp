@@ -140,10 +140,11 @@ std::vector<Imath::V4f> Accessors::read_colors(std::size_t accessor) {
   return colors;
 }
 
-std::vector<Vec3> Accessors::read_tangents(std::size_t accessor) {
-  std::vector<Vec3> tangents;
-  for (const Imath::V4f& t : read<Imath::V4f>(accessor, 4)) tangents.emplace_back(t.x, t.y, t.z);
-  return tangents;
+void Accessors::read_tangents(std::size_t accessor, desc::Mesh& mesh) {
+  for (const Imath::V4f& t : read<Imath::V4f>(accessor, 4)) {
+    mesh.tangents.emplace_back(t.x, t.y, t.z);
+    mesh.handedness.push_back(static_cast<std::int8_t>(t.w > 0.F ? 1 : t.w < 0.F ? -1 : 0));
+  }
 }
 
 std::vector<unsigned> Accessors::read_indices(std::size_t accessor) {

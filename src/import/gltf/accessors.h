@@ -26,9 +26,8 @@ class Accessors {
   std::vector<Imath::M44f> read_matrices(std::size_t accessor);
   /// Of three components or four; the fourth is 1 if there is none.
   std::vector<Imath::V4f> read_colors(std::size_t accessor);
-  /// The first three of four components: the fourth tells on which side of the normal × tangent v
-  /// grows, which texture coordinates say, too.
-  std::vector<Vec3> read_tangents(std::size_t accessor);
+  /// Tangents of four components, the last of which becomes the handedness of the mesh.
+  void read_tangents(std::size_t accessor, desc::Mesh& mesh);
   /// Scalars of an unsigned type. Raises as the others.
   std::vector<unsigned> read_indices(std::size_t accessor);
 

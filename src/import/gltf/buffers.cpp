@@ -75,7 +75,7 @@ std::string_view Buffers::load(const Element& buffer) {
       decoded_.push_back(std::make_unique<const std::string>(std::move(*target.data)));
       return *decoded_.back();
     }
-    const std::string path = context_.files.resolve_inside(target.file);
+    const std::string path = context_.files.resolve_inside(target.file, uri->where());
     auto file = files_.find(path);
     if (file == files_.end()) file = files_.emplace(path, context_.files.load(path)).first;
     return file->second.view();

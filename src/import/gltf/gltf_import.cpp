@@ -1,5 +1,6 @@
 #include "import/gltf/gltf_import.h"
 
+#include <algorithm>
 #include <filesystem>
 
 #include "import/common/printable.h"
@@ -18,6 +19,8 @@ constexpr WarningKind kAnimations{Effect::Geometry,
                                   "animations are not played: all is shown as it is placed"};
 constexpr WarningKind kOtherScenes{Effect::None, "files have several scenes: one is shown"};
 constexpr WarningKind kRepeated{Effect::Slight, "members stand twice: the last counts"};
+constexpr WarningKind kStudioLight{Effect::Light,
+                                   "scenes without lights have the light of a studio"};
 constexpr WarningKind kVariants{Effect::None, "variants of materials are not shown"};
 
 void warn_of_repeated_members(const gltf::Document& document, Warnings& warnings) {
@@ -50,6 +53,34 @@ void warn_of_the_whole(const gltf::Element& root, Warnings& warnings) {
   }
 }
 
+/// Images of what shines are mostly dark but for a few pixels: they are no lamps, unless the file
+/// makes them brighter than an image can be. Unlit surfaces are, which are black by themselves.
+bool is_lamp(const desc::SceneDesc& scene, const desc::Shape& shape) {
+  const desc::Node& emission = shape.emission->node;
+  const Vec3& scale = emission.color("scale");
+  const desc::Node& material = scene.materials[static_cast<std::size_t>(shape.material)].node;
+  const bool is_unlit =
+      material.is("diffuse") && material.get("reflectance") == desc::Value(Vec3(0.F));
+  return !std::holds_alternative<desc::TextureRef>(emission.get("radiance")) || is_unlit ||
+         std::max({scale.x, scale.y, scale.z}) > 1.F;
+}
+
+bool has_lamps(const desc::SceneDesc& scene) {
+  return std::any_of(scene.shapes.begin(), scene.shapes.end(), [&](const desc::Shape& shape) {
+    return shape.emission && is_lamp(scene, shape);
+  });
+}
+
+/// Before the studio has come to the scene.
+void warn_of_dark_lamps(const gltf::Element& root, const desc::SceneDesc& scene,
+                        Warnings& warnings) {
+  const auto shines = [](const desc::Shape& shape) { return shape.emission.has_value(); };
+  if (std::none_of(scene.shapes.begin(), scene.shapes.end(), shines)) return;
+  warnings.add(kStudioLight, root.where(),
+               "there are no lights, and what shines has images of it, which may be dark: the "
+               "light of a studio is added");
+}
+
 desc::SceneDesc import_bytes(const SceneFile& file, Warnings& warnings, FileAccess& files) {
   const gltf::Document document = gltf::parse_document(file.bytes, file.name);
   const gltf::Element root = document.root();
@@ -64,7 +95,10 @@ desc::SceneDesc import_bytes(const SceneFile& file, Warnings& warnings, FileAcce
   gltf::MeshPlacer(context).place(nodes);
   gltf::add_lights(context, nodes);
   const SceneParts parts{.has_camera = gltf::set_camera(context, nodes),
-                         .has_lights = !scene.lights.empty()};
+                         .has_lights = !scene.lights.empty(),
+                         .has_lamps = has_lamps(scene)};
+  if (parts.has_camera && !parts.has_lights && !parts.has_lamps)
+    warn_of_dark_lamps(root, scene, warnings);
   add_studio(scene, parts, UpAxis::Y);
   return scene;
 }

@@ -104,6 +104,51 @@ TEST(GltfImport, ModelsWithoutCameraAndLightsAreInAStudio) {
   EXPECT_EQ(scene.shapes.size(), 4U) << "with two softboxes and the table";
 }
 
+/// With a camera.
+desc::SceneDesc seen(const Json& material, Warnings& warnings, bool has_dark_light = false) {
+  TestFile file;
+  file.add_triangle(material);
+  file.add("images", {{"uri", "a.png"}});
+  file.add("textures", {{"source", 0}});
+  file.add("cameras", {{"type", "perspective"}, {"perspective", {{"yfov", 1.0}, {"znear", 0.1}}}});
+  file.add("nodes", {{"camera", 0}});
+  if (has_dark_light) {
+    file.json["extensions"]["KHR_lights_punctual"]["lights"] =
+        Json::array({{{"type", "point"}, {"intensity", 0}}});
+    file.add("nodes", {{"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}});
+  }
+  return import_with(file.text(), warnings, {{"a.png", ""}});
+}
+
+TEST(GltfImport, ImagesOfLightAreNoLampsWhereThereIsNone) {
+  const Json texture = {{"index", 0}};
+  const auto has_studio = [&](const Json& material, bool has_dark_light = false) {
+    Warnings warnings;
+    const bool result = !seen(material, warnings, has_dark_light).lights.empty();
+    const bool is_told = contains(lines_of(warnings), "the light of a studio is added");
+    EXPECT_EQ(is_told, result && material.contains("emissiveTexture")) << material;
+    return result;
+  };
+  const Json ones = Json::array({1, 1, 1});
+  const auto with_strength = [&](double strength) {
+    return Json{
+        {"emissiveFactor", ones},
+        {"emissiveTexture", texture},
+        {"extensions", {{"KHR_materials_emissive_strength", {{"emissiveStrength", strength}}}}}};
+  };
+  EXPECT_TRUE(has_studio({{"emissiveFactor", ones}, {"emissiveTexture", texture}}));
+  EXPECT_FALSE(has_studio({{"emissiveFactor", ones}}));
+  EXPECT_FALSE(has_studio(with_strength(20.0))) << "brighter than an image can be";
+  EXPECT_TRUE(has_studio(Json::object())) << "only a camera";
+  EXPECT_TRUE(has_studio(Json::object(), true)) << "a light of no intensity";
+  EXPECT_TRUE(has_studio({{"emissiveFactor", Json::array({0, 0, 0})}}));
+  EXPECT_TRUE(has_studio(
+      {{"emissiveFactor", ones},
+       {"extensions", {{"KHR_materials_emissive_strength", {{"emissiveStrength", 0.0}}}}}}));
+  EXPECT_FALSE(has_studio({{"pbrMetallicRoughness", {{"baseColorTexture", texture}}},
+                           {"extensions", {{"KHR_materials_unlit", Json::object()}}}}));
+}
+
 TEST(GltfImport, PrimitivesWithoutMaterialHaveThatOfTheSpecification) {
   TestFile file;
   file.add_triangle();

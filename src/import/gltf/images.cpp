@@ -31,7 +31,7 @@ std::optional<std::string> Images::find(const Element& image) {
   const Element uri = image.at("uri");
   try {
     UriTarget target = target_of(uri);
-    if (!target.data) return context_.files.resolve_inside(target.file);
+    if (!target.data) return context_.files.resolve_inside(target.file, uri.where());
     return embed(image, std::move(*target.data),
                  media_type.empty() ? target.media_type : media_type);
   } catch (const IoError& error) {

@@ -1,6 +1,7 @@
 #include "import/gltf/lights.h"
 
 #include <cmath>
+#include <utility>
 
 #include "core/printable_text.h"
 #include "scene/desc/models.h"
@@ -34,11 +35,15 @@ desc::Node spot_node(Context& context, const Element& light, const Vec3& intensi
                                    {"falloff", std::string("quadratic")}});
 }
 
+Vec3 strength_of(const Element& light) {
+  return light.vector_or("color", Vec3(1.F)) * light.number_or("intensity", 1.0);
+}
+
 desc::Node node_of(Context& context, const Element& light) {
   static const std::vector<std::string> kTypes = {"directional", "point", "spot"};
   const Element type = light.at("type");
   const std::string name = type.text();
-  const Vec3 strength = light.vector_or("color", Vec3(1.F)) * light.number_or("intensity", 1.0);
+  const Vec3 strength = strength_of(light);
   if (name == "directional") return desc::light_node("distant", {{"irradiance", strength}});
   if (name == "point") return desc::light_node("point", {{"intensity", strength}});
   if (name == "spot") return spot_node(context, light, strength);
@@ -55,9 +60,11 @@ void add_lights(Context& context, const std::vector<PlacedNode>& nodes) {
     const std::optional<Element> reference = placed.node.extension(kExtension);
     if (!reference || !placed.is_visible) continue;
     const Element& light = lights[reference->at("light").index(lights.size())];
+    desc::Node node = light.located([&] { return node_of(context, light); });
+    if (strength_of(light) == Vec3(0.F)) continue;
     desc::Light& added = context.scene.lights.emplace_back();
     added.where = light.where();
-    added.node = light.located([&] { return node_of(context, light); });
+    added.node = std::move(node);
     // Spots shine along −z here and along +z there; a `distant` light comes from +z in both.
     added.to_world = added.node.is("spot") ? turned_around(placed.to_world) : placed.to_world;
     if (light.has("range")) {

@@ -1,6 +1,7 @@
 #include "import/gltf/meshes.h"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 
 #include "import/common/vertex_colors.h"
@@ -52,6 +53,28 @@ std::vector<Triangle> assembled(const std::vector<unsigned>& indices, std::uint6
 /// Of a pose at a primitive; empty if there is none.
 std::string key_of(const Pose& pose, const Element& primitive) {
   return pose.name.empty() ? "" : primitive.pointer() + pose.name;
+}
+
+/// Whether across is on the side where the texture coordinates have it, as it mostly is: there is
+/// nothing to be remembered then, and what other programs know of the mesh is all.
+bool agrees_with_uvs(const desc::Mesh& mesh) {
+  const std::size_t vertices = mesh.positions.size();
+  if (mesh.uvs.size() != vertices || mesh.normals.size() != vertices ||
+      mesh.tangents.size() != vertices || mesh.handedness.size() != vertices) {
+    return false;
+  }
+  return std::all_of(mesh.indices.begin(), mesh.indices.end(), [&](const Triangle& t) {
+    if (std::max({t.x, t.y, t.z}) >= vertices) return true;  // an error, soon
+    const Vec2 d1 = mesh.uvs[t.y] - mesh.uvs[t.x];
+    const Vec2 d2 = mesh.uvs[t.z] - mesh.uvs[t.x];
+    const Vec3 e1 = mesh.positions[t.y] - mesh.positions[t.x];
+    const Vec3 e2 = mesh.positions[t.z] - mesh.positions[t.x];
+    const Vec3 up = (e2 * d1.x - e1 * d2.x) * (d1.x * d2.y - d1.y * d2.x < 0.F ? -1.F : 1.F);
+    return std::ranges::all_of(std::array{t.x, t.y, t.z}, [&](unsigned i) {
+      const float side = dot(cross(mesh.normals[i], mesh.tangents[i]), up);
+      return side * static_cast<float>(mesh.handedness[i]) > 0.F;
+    });
+  });
 }
 
 std::string uv_name(std::size_t set) { return "TEXCOORD_" + std::to_string(set); }
@@ -119,16 +142,17 @@ desc::MeshPointer Meshes::read(const Element& primitive, const Pose& pose, const
     return nullptr;
   }
   const Element attributes = primitive.at("attributes");
+  // Tangents of a surface without normals do not count (glTF 2.0, section 3.7.2.1).
+  const bool has_tangents = surface.has_normal_map && attributes.has("NORMAL");
   const bool is_painted = colors != nullptr && colors->is_image();
-  const Key key{
-      .positions = accessor_of(attributes.at("POSITION")),
-      .normals = accessor_of(attributes.find("NORMAL")),
-      .tangents = surface.has_normal_map ? accessor_of(attributes.find("TANGENT")) : kNoAccessor,
-      .uvs = accessor_of(attributes.find(uv_name(surface.uv_set.value_or(0)))),
-      .colors = is_painted ? accessor_of(attributes.find("COLOR_0")) : kNoAccessor,
-      .indices = accessor_of(primitive.find("indices")),
-      .mode = mode,
-      .pose = key_of(pose, primitive)};
+  const Key key{.positions = accessor_of(attributes.at("POSITION")),
+                .normals = accessor_of(attributes.find("NORMAL")),
+                .tangents = has_tangents ? accessor_of(attributes.find("TANGENT")) : kNoAccessor,
+                .uvs = accessor_of(attributes.find(uv_name(surface.uv_set.value_or(0)))),
+                .colors = is_painted ? accessor_of(attributes.find("COLOR_0")) : kNoAccessor,
+                .indices = accessor_of(primitive.find("indices")),
+                .mode = mode,
+                .pose = key_of(pose, primitive)};
   if (surface.uv_set && key.uvs == kNoAccessor) {
     context_.warnings.add(kNoUvs, primitive.where(),
                           "this primitive has no " + uv_name(*surface.uv_set) +
@@ -145,7 +169,7 @@ desc::MeshPointer Meshes::make(const Element& primitive, const Pose& pose, const
   auto mesh = std::make_shared<desc::Mesh>();
   mesh->positions = accessors_.read_vec3(key.positions);
   if (key.normals != kNoAccessor) mesh->normals = accessors_.read_vec3(key.normals);
-  if (key.tangents != kNoAccessor) mesh->tangents = accessors_.read_tangents(key.tangents);
+  if (key.tangents != kNoAccessor) accessors_.read_tangents(key.tangents, *mesh);
   if (key.uvs != kNoAccessor) {
     mesh->uvs = accessors_.read_vec2(key.uvs);
     for (Vec2& uv : mesh->uvs) uv.y = 1.F - uv.y;
@@ -158,6 +182,7 @@ desc::MeshPointer Meshes::make(const Element& primitive, const Pose& pose, const
     mesh->indices = assembled(all, key.mode);
   }
   apply(pose, primitive, context_, accessors_, *mesh);
+  if (agrees_with_uvs(*mesh)) mesh->handedness.clear();
   std::vector<Warning> remarks;
   validate_mesh(*mesh, primitive.where(), remarks);
   for (Warning& remark : remarks) context_.warnings.add(std::move(remark));

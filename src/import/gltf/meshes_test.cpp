@@ -246,6 +246,8 @@ TEST(GltfMeshes, HaveTangentsWhereANormalMapNeedsThem) {
     Json triangle = file.triangle();
     triangle["attributes"]["TANGENT"] =
         file.add_accessor(bytes_of<float>({0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, -1}), 5126, "VEC4", 3);
+    triangle["attributes"]["NORMAL"] =
+        file.add_accessor(bytes_of<float>({0, 0, 1, 0, 0, 1, 0, 0, 1}), 5126, "VEC3", 3);
     triangle["material"] = file.add("materials", material);
     file.add("images", {{"uri", "a.png"}});
     file.add("textures", {{"source", 0}});
@@ -258,6 +260,46 @@ TEST(GltfMeshes, HaveTangentsWhereANormalMapNeedsThem) {
   };
   EXPECT_EQ(tangents_of({{"normalTexture", {{"index", 0}}}}), std::vector<Vec3>(3, {0, 1, 0}));
   EXPECT_TRUE(tangents_of(Json::object()).empty());
+}
+
+/// A triangle in the plane of x and y that faces +z, with tangents along x of this fourth part.
+desc::Mesh with_signs(std::vector<float> signs, bool has_normals, const std::vector<float>& uvs) {
+  TestFile file;
+  Json triangle = file.triangle();
+  std::vector<float> tangents;
+  for (const float sign : signs) tangents.insert(tangents.end(), {1, 0, 0, sign});
+  Json& attributes = triangle["attributes"];
+  attributes["TANGENT"] = file.add_accessor(bytes_of<float>(tangents), 5126, "VEC4", 3);
+  attributes["TEXCOORD_0"] = file.add_accessor(bytes_of<float>(uvs), 5126, "VEC2", 3);
+  attributes.erase("NORMAL");
+  if (has_normals) {
+    attributes["NORMAL"] =
+        file.add_accessor(bytes_of<float>({0, 0, 1, 0, 0, 1, 0, 0, 1}), 5126, "VEC3", 3);
+  }
+  triangle["material"] = file.add("materials", {{"normalTexture", {{"index", 0}}}});
+  file.add("images", {{"uri", "a.png"}});
+  file.add("textures", {{"source", 0}});
+  file.add("meshes", {{"primitives", Json::array({triangle})}});
+  file.add("nodes", {{"mesh", 0}});
+  Warnings warnings;
+  return mesh_of(import_with(file.text(), warnings, {{"a.png", ""}}));
+}
+
+TEST(GltfMeshes, KeepTheSignOfTangentsWhereTextureCoordinatesSayAnother) {
+  using Signs = std::vector<std::int8_t>;
+  // v down in the file is up here; the second triangle is the mirror image of the first.
+  const std::vector<float> up = {0, 1, 1, 1, 0, 0};
+  const std::vector<float> down = {0, 0, 1, 0, 0, 1};
+  EXPECT_EQ(with_signs({1, 1, 1}, true, up).handedness, Signs());
+  EXPECT_EQ(with_signs({-1, -1, -1}, true, down).handedness, Signs());
+  EXPECT_EQ(with_signs({-1, -1, -1}, true, up).handedness, Signs({-1, -1, -1}));
+  EXPECT_EQ(with_signs({1, 1, 1}, true, down).handedness, Signs({1, 1, 1}));
+  EXPECT_EQ(with_signs({1, -1, 0}, true, up).handedness, Signs({1, -1, 0}));
+}
+
+TEST(GltfMeshes, TangentsWithoutNormalsDoNotCount) {
+  EXPECT_TRUE(with_signs({1, 1, 1}, false, {0, 1, 1, 1, 0, 0}).tangents.empty());
+  EXPECT_EQ(with_signs({1, 1, 1}, true, {0, 1, 1, 1, 0, 0}).tangents.size(), 3U);
 }
 
 }  // namespace

@@ -318,15 +318,15 @@ desc::MediumId SurfaceReader::read_medium(const Element& volume) {
 }
 
 void SurfaceReader::read_emission() {
-  const Vec3 color = material_.vector_or("emissiveFactor", Vec3(0.F));
-  if (color == Vec3(0.F) || surface_.emission) return;
   const auto extension = material_.extension("KHR_materials_emissive_strength");
   const float strength = extension ? extension->number_or("emissiveStrength", 1.0) : 1.F;
+  const Vec3 scale = material_.vector_or("emissiveFactor", Vec3(0.F)) * strength;
+  if (scale == Vec3(0.F) || surface_.emission) return;
   surface_.emission = desc::Emission{
       material_.where(), material_.located([&] {
         return desc::emission_node(
             "area", {{"radiance", textures_.color(material_, "emissiveTexture", Vec3(1.F))},
-                     {"scale", color * strength},
+                     {"scale", scale},
                      {"two_sided", material_.flag_or("doubleSided", false)}});
       })};
 }

@@ -17,7 +17,7 @@ std::shared_ptr<const desc::Mesh> MeshLoader::request(const SourceLocation& wher
                                                       const std::string& name, MeshRecipe recipe) {
   std::string path;
   try {
-    path = files_.resolve(name);
+    path = files_.resolve(name, where);
   } catch (const IoError& error) {
     throw SceneError(where, error.what());
   }
@@ -30,7 +30,7 @@ std::shared_ptr<const desc::Mesh> MeshLoader::request(const SourceLocation& wher
 
 void MeshLoader::load(Job& job) const {
   try {
-    const FileBytes bytes = files_.load(job.path);
+    const FileBytes bytes = files_.load_text(job.path);
     *job.mesh = job.recipe.read(bytes.view(), job.name);
     validate_mesh(*job.mesh, {std::make_shared<const std::string>(job.name), 0, 0}, job.remarks);
     if (job.recipe.finish) job.recipe.finish(*job.mesh);

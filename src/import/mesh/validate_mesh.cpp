@@ -21,6 +21,8 @@ bool all_finite(const std::vector<Vec2>& vectors) {
                      [](const Vec2& v) { return std::isfinite(v.x) && std::isfinite(v.y); });
 }
 
+bool all_finite(const std::vector<std::int8_t>& /*signs*/) { return true; }
+
 template <typename Vector>
 void check_attribute(std::vector<Vector>& attribute, std::size_t vertices, const std::string& name,
                      const SourceLocation& where, std::vector<Warning>& remarks) {
@@ -64,6 +66,7 @@ void validate_mesh(desc::Mesh& mesh, const SourceLocation& where, std::vector<Wa
   }
   check_attribute(mesh.normals, vertices, "normals", where, remarks);
   check_attribute(mesh.tangents, vertices, "tangents", where, remarks);
+  check_attribute(mesh.handedness, vertices, "signs of tangents", where, remarks);
   check_attribute(mesh.uvs, vertices, "texture coordinates", where, remarks);
 
   std::size_t kept = 0;

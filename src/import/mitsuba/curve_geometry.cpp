@@ -43,8 +43,8 @@ std::optional<Geometry> make_curve_geometry(Arguments& arguments) {
   desc::Curves curves;
   try {
     FileAccess& files = context.files.files();
-    const std::string path = files.resolve(context.files.find(name));
-    CurveFile file = read_curve_file(files.load(path).view(), name, !is_hair);
+    const std::string path = files.resolve(context.files.find(name), arguments.where());
+    CurveFile file = read_curve_file(files.load_text(path).view(), name, !is_hair);
     for (std::vector<CurvePoint>& curve : file) {
       for (CurvePoint& point : curve) {
         point.radius = (is_hair ? hair_radius * hair_scale : std::abs(point.radius)) / scale;

@@ -32,9 +32,14 @@ inline std::string error_of(std::string_view text, const Files& files = {}) {
   return error_in([&](Warnings& warnings) { import_with(text, warnings, files); });
 }
 
-/// All warnings of importing such a scene, one per line.
+/// All warnings of importing such a scene, one per line, those too that the camera may leave out.
 inline std::string warnings_of(const std::string& body, const Files& files = {}) {
-  return warnings_in([&](Warnings& warnings) { import_with(world(body), warnings, files); });
+  return warnings_in([&](Warnings& warnings) {
+    const desc::SceneDesc scene = import_with(world(body), warnings, files);
+    for (const desc::WarningIfSeen& candidate : scene.warnings_if_seen) {
+      warnings.add(candidate.warning);
+    }
+  });
 }
 
 /// A sphere of this material. It is closed, so that its back does not matter.

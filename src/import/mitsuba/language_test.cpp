@@ -252,7 +252,7 @@ TEST(MitsubaLanguage, AttributesAndPropertiesThatMeanNothingAreWarnings) {
       "name=\"pixel_format\" value=\"luminance\"/></film></sensor>",
       "pictures of luminance are not supported");
   expect_warning("<sensor type=\"perspective\"><float name=\"near_clip\" value=\"1\"/></sensor>",
-                 "what is nearer or farther is seen, too");
+                 "\"near_clip\" is not supported: what is nearer is seen, too");
   EXPECT_FALSE(contains(warnings_of("<sensor type=\"perspective\"><float name=\"near_clip\" "
                                     "value=\"1\"/><float name=\"far_clip\" value=\"2\"/></sensor>"),
                         "has no property"));

@@ -60,7 +60,8 @@ std::optional<desc::Light> environment(const Source& in) {
   if (!name || name->empty()) return in.skip(kNoMapFile, "this envmap has no \"filename\"");
   const Vec3 scale(in.arguments.number("scale", 1.F));
   desc::Node node = in.node("environment", {{"radiance", scale}});
-  node.set("image", in.context.files.files().resolve(in.context.files.find(*name)));
+  node.set("image",
+           in.context.files.files().resolve(in.context.files.find(*name), in.arguments.where()));
   // Mitsuba's map has its pole at +y and begins at -z toward +x; ours has its pole at +z and begins
   // at +x toward +y.
   const Mat4 to_mitsuba(0.0, 0.0, -1.0, 0.0,  //
@@ -117,7 +118,7 @@ void set_slide(Context& context, const Element& texture, desc::Node& projector) 
                          printable(texture.type));
     return;
   }
-  projector.set("image", context.files.files().resolve(context.files.find(*name)));
+  projector.set("image", context.files.files().resolve(context.files.find(*name), texture.where));
   if (const std::optional<float> exponent = decoding_exponent(image)) {
     projector.set("decoding_exponent", *exponent);
   }

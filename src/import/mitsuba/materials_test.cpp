@@ -298,6 +298,23 @@ TEST(MitsubaMaterials, NormalMapsTiltWhatIsInThem) {
                "bsdf \"normalmap\" has no texture in it"));
 }
 
+TEST(MitsubaMaterials, NumbersThatAreInNoPairOfASpectrumAreIgnoredWithAWarning) {
+  const auto read = [](const std::string& file) {
+    const MaterialOf material(
+        "<bsdf type=\"diffuse\"><spectrum name=\"reflectance\" filename=\"a.spd\"/></bsdf>",
+        {{"a.spd", file}});
+    return std::pair(material.node().color("reflectance"), material.warnings);
+  };
+  const auto [even, nothing] = read("300 .5\n500 .25\n800 .5\n");
+  EXPECT_EQ(nothing, "");
+  for (const char* file : {"300 .5\n500 .25\n800 .5\n900\n", "300 .5\n500 .25 7\n800 .5\n"}) {
+    const auto [odd, warning] = read(file);
+    EXPECT_EQ(odd, even) << file;
+    EXPECT_TRUE(contains(warning, "numbers that are in no pair")) << warning;
+  }
+  EXPECT_TRUE(contains(read("300\n500 .25\n").second, "a wavelength and a value are expected"));
+}
+
 TEST(MitsubaMaterials, OnlyOpenShapesWithoutTwoSidesAreRemarked) {
   const auto remarks = [](const std::string& shape, const std::string& bsdf) {
     return contains(warnings_of("<shape type=\"" + shape + "\">" + bsdf + "</shape>"),

@@ -12,7 +12,7 @@ namespace {
 desc::SceneDesc import_text(std::string_view text, const std::string& name, const std::string& path,
                             const std::string& base_folder, Warnings& warnings,
                             FileProvider provider, const SceneDefinitions& definitions) {
-  FileAccess files(base_folder, std::move(provider));
+  FileAccess files(base_folder, std::move(provider), warnings);
   mitsuba::SearchPath search(files);
   const mitsuba::Document document =
       mitsuba::Parser(search, warnings, definitions).parse(text, name, path);

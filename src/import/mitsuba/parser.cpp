@@ -149,20 +149,22 @@ void Parser::add_id(const std::string& id, ElementPointer element) {
 void Parser::include(const Source& source, Element& parent, int depth) {
   const SourceLocation where = source.file.where(source.node);
   const std::string name = files_.find(required(source, "filename"));
-  const std::string path = files_.files().resolve(name);
+  const std::string path = files_.files().resolve(name, where);
   if (std::find(open_files_.begin(), open_files_.end(), path) != open_files_.end()) {
     throw SceneError(where, "\"" + printable(name) + "\" includes itself");
   }
   if (++files_read_ > kMostFiles) throw SceneError(where, "too many files are included");
   std::optional<FileBytes> bytes;
   try {
-    bytes = files_.files().load(path);
+    bytes = files_.files().load_text(path);
   } catch (const IoError& error) {
     throw SceneError(where, std::string("cannot include this file: ") + error.what());
   }
   const XmlFile file(bytes->view(), name);
   check_attributes(file, warnings_);
-  files_.add(std::filesystem::path(name).parent_path().string());
+  std::string portable = name;
+  std::replace(portable.begin(), portable.end(), '\\', '/');
+  files_.add(std::filesystem::path(portable).parent_path().string());
   open_files_.push_back(path);
   const Source root{file, file.root()};
   if (root.node.name() == std::string_view("scene")) {

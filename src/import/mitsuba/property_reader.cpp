@@ -86,7 +86,7 @@ std::optional<desc::Rgb> PropertyReader::read_spectrum(const pugi::xml_node& nod
 std::optional<desc::Rgb> PropertyReader::read_spectrum_file(const pugi::xml_node& node) const {
   const std::string name = text(node, "filename");
   try {
-    return desc::Rgb(read_spectrum_of(files_, name, seen_));
+    return desc::Rgb(read_spectrum_of(files_, name, seen_, file_.where(node), warnings_));
   } catch (const Error& error) {
     warnings_.add(kUnusableSpectrum, file_.where(node),
                   "spectrum \"" + printable(name) + "\" cannot be used (" + error.what() + "): \"" +

@@ -140,13 +140,21 @@ void read_sensor(Context& context, MediumTable& media, const Element& element) {
   // What Mitsuba takes if nothing is said cuts nothing off that is usual.
   const float near_clip = arguments.number("near_clip", kNear);
   const float far_clip = arguments.number("far_clip", kFar);
-  if (near_clip > kNear || far_clip < kFar) {
-    context.warnings.add(
-        kClipped, element.where,
-        "\"" +
-            std::string(context.document.major_version == 0 ? "nearClip\" and \"farClip"
-                                                            : "near_clip\" and \"far_clip") +
-            "\" are not supported: what is nearer or farther is seen, too");
+  const auto warn_if_seen = [&](desc::WarningIfSeen::If condition, float depth,
+                                const std::string& message) {
+    context.scene.warnings_if_seen.push_back(
+        {condition, desc::kNone, depth, {kClipped, element.where, message}});
+  };
+  const bool is_old = context.document.major_version == 0;
+  if (near_clip > kNear) {
+    warn_if_seen(desc::WarningIfSeen::If::Nearer, near_clip,
+                 std::string(is_old ? "\"nearClip\"" : "\"near_clip\"") +
+                     " is not supported: what is nearer is seen, too");
+  }
+  if (far_clip < kFar) {
+    warn_if_seen(desc::WarningIfSeen::If::Farther, far_clip,
+                 std::string(is_old ? "\"farClip\"" : "\"far_clip\"") +
+                     " is not supported: what is farther is seen, too");
   }
   if (arguments.has("srf")) {
     arguments.accept({"srf"});

@@ -115,7 +115,7 @@ void ShapeBuilder::set_material(Arguments& arguments, desc::Shape& shape, bool i
   }
   if (!bsdfs.empty()) {
     surface = materials_.make(*bsdfs.back());
-    if (surface.is_one_sided && !is_closed) warn_of_back(*bsdfs.back());
+    if (surface.is_one_sided && !is_closed) warn_of_back(*bsdfs.back(), surface.material);
   } else if (emits) {
     surface = materials_.diffuse(0.F);
   } else if (has_media && context_.document.major_version == 0) {
@@ -151,12 +151,16 @@ void ShapeBuilder::warn_of_stretched(const Element& sphere, const Mat4& to_world
                         printable(sphere.id));
 }
 
-void ShapeBuilder::warn_of_back(const Element& bsdf) {
+void ShapeBuilder::warn_of_back(const Element& bsdf, desc::MaterialId material) {
   if (!warned_of_back_.insert(&bsdf).second) return;
-  context_.warnings.add(kBack, bsdf.where,
-                        "this material is black from behind in Mitsuba, as it is not twosided: "
-                        "here it is the same from both sides",
-                        printable(bsdf.id));
+  context_.scene.warnings_if_seen.push_back(
+      {desc::WarningIfSeen::If::FromBehind,
+       material,
+       0.F,
+       {kBack, bsdf.where,
+        "this material is black from behind in Mitsuba, as it is not twosided: here it is the same "
+        "from both sides",
+        printable(bsdf.id)}});
 }
 
 void ShapeBuilder::set_emission(Arguments& arguments, desc::Shape& shape, bool is_in_group) {

@@ -35,7 +35,7 @@ class ShapeBuilder {
   void set_material(Arguments& arguments, desc::Shape& shape, bool is_closed);
   void set_emission(Arguments& arguments, desc::Shape& shape, bool is_in_group);
   void warn_of_stretched(const Element& sphere, const Mat4& to_world);
-  void warn_of_back(const Element& bsdf);
+  void warn_of_back(const Element& bsdf, desc::MaterialId material);
 
   Context& context_;
   TextureTable& textures_;

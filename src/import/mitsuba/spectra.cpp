@@ -5,11 +5,15 @@
 #include "core/color.h"
 #include "core/error.h"
 #include "import/common/metals.h"
+#include "import/common/printable.h"
 #include "import/mitsuba/numbers.h"
 
 namespace ajar::mitsuba {
 
 namespace {
+
+constexpr WarningKind kOddNumbers{Effect::Slight,
+                                  "spectra have numbers that are in no pair, which are ignored"};
 
 Vec3d color_of(const std::vector<double>& wavelengths, const std::vector<double>& values,
                Seen seen) {
@@ -47,33 +51,48 @@ Vec3d blackbody(double kelvin) {
   return {std::max(rgb.x, 0.0), std::max(rgb.y, 0.0), std::max(rgb.z, 0.0)};
 }
 
-Vec3d read_spectrum_of(const SearchPath& files, const std::string& name, Seen seen) {
-  const std::string path = files.files().resolve(files.find(name));
+Vec3d read_spectrum_of(const SearchPath& files, const std::string& name, Seen seen,
+                       const SourceLocation& where, Warnings& warnings) {
+  const std::string path = files.files().resolve(files.find(name), where);
   if (!files.files().exists(path)) {
     if (const std::optional<Vec3d> metal = metal_rgb_by_file_name(name)) return *metal;
   }
-  const FileBytes bytes = files.files().load(path);
+  const FileBytes bytes = files.files().load_text(path);
   std::string_view text = bytes.view();
   std::vector<double> wavelengths;
   std::vector<double> values;
+  std::vector<SourceLocation> odd;      // lines with numbers that are in no pair
+  std::optional<SourceLocation> alone;  // one with a single number, which must be the last
   for (int line = 1; !text.empty(); ++line) {
     const std::size_t end = text.find('\n');
     const std::string_view whole = text.substr(0, end);
     const std::vector<std::string_view> words = words_of(whole.substr(0, whole.find('#')));
     text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
     if (words.empty()) continue;
+    const SourceLocation here{std::make_shared<const std::string>(name), line, 0};
+    const auto fail = [](const SourceLocation& at) {
+      throw SceneError(at, "a wavelength and a value are expected");
+    };
     const std::optional<double> wavelength = parse_number(words[0]);
-    const std::optional<double> value = words.size() == 2 ? parse_number(words[1]) : std::nullopt;
-    if (!wavelength || !value) {
-      throw SceneError({std::make_shared<const std::string>(name), line, 0},
-                       "a wavelength and a value are expected");
+    if (alone || !wavelength) fail(alone.value_or(here));
+    if (words.size() != 2) odd.push_back(here);
+    if (words.size() == 1) {
+      alone = here;
+      continue;
     }
+    const std::optional<double> value = parse_number(words[1]);
+    if (!value) fail(here);
     wavelengths.push_back(*wavelength);
     values.push_back(*value);
   }
   if (wavelengths.empty()) {
     throw SceneError({std::make_shared<const std::string>(name), 0, 0},
                      "there is no spectrum in this file");
+  }
+  for (const SourceLocation& line : odd) {
+    warnings.add(kOddNumbers, line,
+                 "numbers that are in no pair of a wavelength and a value are ignored",
+                 printable(name));
   }
   return color_of(wavelengths, values, seen);
 }

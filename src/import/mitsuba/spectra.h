@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "core/vector.h"
+#include "core/warnings.h"
 #include "import/mitsuba/search_path.h"
 
 /// Colours of spectra as linear RGB.
@@ -20,7 +21,9 @@ std::optional<Vec3d> parse_spectrum(std::string_view pairs, Seen seen);
 /// Of a black body, W·sr⁻¹·m⁻² per nm, which are Mitsuba's units.
 Vec3d blackbody(double kelvin);
 /// Of a file of lines with a wavelength and a value each; a file that is missing but has the name
-/// of a metal we know is that metal. Raises SceneError and IoError.
-Vec3d read_spectrum_of(const SearchPath& files, const std::string& name, Seen seen);
+/// of a metal we know is that metal. Numbers behind them, and one that is alone at the end, are
+/// ignored, with a warning. `where` names the file. Raises SceneError and IoError.
+Vec3d read_spectrum_of(const SearchPath& files, const std::string& name, Seen seen,
+                       const SourceLocation& where, Warnings& warnings);
 
 }  // namespace ajar::mitsuba

@@ -131,7 +131,7 @@ desc::TextureId TextureTable::add_constant(const SourceLocation& where, const de
 
 desc::TextureId TextureTable::add_vectors(const SourceLocation& where, const std::string& file) {
   desc::Node node = desc::texture_node(
-      "image", {{"file", context_.files.files().resolve(context_.files.find(file))},
+      "image", {{"file", context_.files.files().resolve(context_.files.find(file), where)},
                 {"decode_srgb", false}});
   set_image_uv(node, {});
   context_.scene.textures.push_back({"", where, std::move(node)});
@@ -142,7 +142,7 @@ desc::Node TextureTable::bitmap(Arguments& arguments, Role role) {
   desc::Node node = desc::texture_node("image");
   const std::optional<std::string> name = arguments.text("filename");
   if (name && !name->empty()) {
-    node.set("file", context_.files.files().resolve(context_.files.find(*name)));
+    node.set("file", context_.files.files().resolve(context_.files.find(*name), arguments.where()));
   } else {
     context_.warnings.add(kNoImageFile, arguments.where(), "this bitmap has no \"filename\"");
   }

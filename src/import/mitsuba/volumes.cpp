@@ -64,7 +64,7 @@ std::optional<VolumeFile> load(Arguments& grid) {
     const SourceLocation in_file{std::make_shared<const std::string>(printable(name)), 0, 0};
     try {
       FileAccess& files = context.files.files();
-      const std::string path = files.resolve(context.files.find(name));
+      const std::string path = files.resolve(context.files.find(name), grid.where());
       return read_volume_file(files.load(path).view(), in_file);
     } catch (const Error& error) {
       reason = error.what();

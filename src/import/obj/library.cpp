@@ -1,6 +1,5 @@
 #include "import/obj/library.h"
 
-#include <algorithm>
 #include <sstream>
 
 #include "core/error.h"
@@ -34,7 +33,7 @@ void Library::load(const SourceLocation& where, std::string_view names) {
   std::string reason;
   const auto load = [&](const std::string& file) {
     if (loaded_.contains(file)) return true;
-    if (!load_if_there(file, reason)) return false;
+    if (!load_if_there(where, file, reason)) return false;
     loaded_.insert(file);
     return true;
   };
@@ -49,9 +48,10 @@ void Library::load(const SourceLocation& where, std::string_view names) {
   }
 }
 
-bool Library::load_if_there(const std::string& file, std::string& reason) {
+bool Library::load_if_there(const SourceLocation& where, const std::string& file,
+                            std::string& reason) {
   try {
-    const FileBytes bytes = files_.load(files_.resolve_inside(portable_path(file)));
+    const FileBytes bytes = files_.load_text(files_.resolve_inside(file, where));
     std::istringstream stream{understood_materials(bytes.view(), file, warnings_)};
     std::map<std::string, int> numbers;
     std::vector<tinyobj::material_t> materials;
@@ -91,11 +91,6 @@ std::string trimmed(std::string_view name) {
   const std::size_t begin = name.find_first_not_of(kSpace);
   if (begin == name.npos) return {};
   return std::string(name.substr(begin, name.find_last_not_of(kSpace) - begin + 1));
-}
-
-std::string portable_path(std::string path) {
-  std::replace(path.begin(), path.end(), '\\', '/');
-  return path;
 }
 
 }  // namespace ajar::obj

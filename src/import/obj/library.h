@@ -32,7 +32,7 @@ class Library {
 
  private:
   /// Whether there is such a file; its materials are known then.
-  bool load_if_there(const std::string& file, std::string& reason);
+  bool load_if_there(const SourceLocation& where, const std::string& file, std::string& reason);
 
   FileAccess& files_;
   Warnings& warnings_;
@@ -42,7 +42,5 @@ class Library {
 
 /// A name without the spaces around it.
 std::string trimmed(std::string_view name);
-/// A path with the separators of this system.
-std::string portable_path(std::string path);
 
 }  // namespace ajar::obj

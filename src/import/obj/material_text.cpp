@@ -7,6 +7,7 @@
 
 #include "core/printable_text.h"
 #include "import/mesh/text_lines.h"
+#include "import/obj/image_words.h"
 
 namespace ajar::obj {
 namespace {
@@ -40,6 +41,9 @@ class Text {
       return add_color(keyword, words.rest(), line);
     } else if (contains(kNumbers, keyword) && !has_number(keyword, words.rest())) {
       return;
+    } else if (names_image(keyword)) {
+      words_.insert(keyword);
+      return append(keyword + " " + in_full(image_words(words.rest())));
     }
     if (!keyword.empty()) words_.insert(keyword);
     append(line);

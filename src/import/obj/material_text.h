@@ -10,6 +10,7 @@ namespace ajar::obj {
 ///
 /// - one number for a colour is a grey, not a red,
 /// - an image without its factor has the factor 1,
+/// - `-o`, `-s` and `-t` of an image may have one or two numbers, and options may follow its name,
 /// - a colour of gloss without `illum` is a material with gloss.
 ///
 /// Lines whose value is no number, as `Kd spectral` and `d -halo`, are left out, with a warning.

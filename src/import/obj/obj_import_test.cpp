@@ -207,7 +207,7 @@ TEST(Obj, DissolveLetsLightPass) {
 
 TEST(Obj, ImagesAreMultipliedAndPlaced) {
   const desc::SceneDesc scene =
-      with_material("Kd 1 .5 1\nmap_Kd -s 2 3 1 -o .1 .2 0 maps\\oak.png\n");
+      with_material("Kd 1 .5 1\nmap_Kd -s 2 3 1 -o .1 .2 0 maps/oak.png\n");
   const desc::Node& product =
       texture_at(scene, scene.materials.at(static_cast<std::size_t>(scene.shapes[0].material))
                             .node.texture("reflectance"));
@@ -217,6 +217,80 @@ TEST(Obj, ImagesAreMultipliedAndPlaced) {
   EXPECT_TRUE(image.flag("decode_srgb"));
   EXPECT_EQ(image.number("scale_v"), 3.F);
   EXPECT_EQ(image.number("offset_u"), 0.1F);
+}
+
+/// The image of the colour of a material with this line.
+desc::Node image_of(const std::string& line) {
+  const desc::SceneDesc scene = with_material(line + "\n");
+  return texture_at(scene, scene.materials.at(static_cast<std::size_t>(scene.shapes[0].material))
+                               .node.texture("reflectance"));
+}
+
+TEST(Obj, OptionsOfImagesMayLeaveNumbersOut) {
+  for (const char* line :
+       {"map_Kd -s 2 2 1 oak.png", "map_Kd -s 2 2 oak.png", "map_Kd  -s\t2 2\toak.png  "}) {
+    const desc::Node image = image_of(line);
+    EXPECT_EQ(image.text("file"), "/scene/oak.png") << line;
+    EXPECT_EQ(image.number("scale_u"), 2.F) << line;
+    EXPECT_EQ(image.number("scale_v"), 2.F) << line;
+  }
+  EXPECT_EQ(image_of("map_Kd -s 2 oak.png").number("scale_v"), 1.F);
+  EXPECT_EQ(image_of("map_Kd -o .5 -s 3 oak.png").number("offset_u"), 0.5F);
+  EXPECT_EQ(image_of("map_Kd -o .5 -s 3 oak.png").number("offset_v"), 0.F);
+  EXPECT_EQ(image_of("map_Kd -t 0 0 oak.png").text("file"), "/scene/oak.png");
+  EXPECT_EQ(image_of("map_Kd -s 2 2 2.png").text("file"), "/scene/2.png");
+  EXPECT_EQ(image_of("map_Kd -s 2 2").text("file"), "/scene/2") << "a file must be there";
+}
+
+TEST(Obj, NamesOfImagesMayHaveSpacesAndOptionsBehindThem) {
+  EXPECT_EQ(image_of("map_Kd -s 2 2 my old oak.png").text("file"), "/scene/my old oak.png");
+  EXPECT_EQ(image_of("map_Kd my  oak -s.png").text("file"), "/scene/my  oak -s.png");
+  EXPECT_EQ(image_of("map_Kd a -s oak.png").text("file"), "/scene/a -s oak.png");
+  const desc::Node behind = image_of("map_Kd my oak.png -s 2 3 -clamp on");
+  EXPECT_EQ(behind.text("file"), "/scene/my oak.png");
+  EXPECT_EQ(behind.number("scale_v"), 3.F);
+  EXPECT_EQ(behind.text("wrap"), "clamp");
+}
+
+TEST(Obj, OptionsOfImagesAreRead) {
+  EXPECT_EQ(image_of("map_Kd -clamp on oak.png").text("wrap"), "clamp");
+  EXPECT_EQ(image_of("map_Kd -clamp off -blendu off -blendv on -cc off -texres 512 -boost 2 "
+                     "oak.png")
+                .text("wrap"),
+            "repeat");
+  const desc::Node stretched = image_of("map_Kd -mm .25 .5 oak.png");
+  EXPECT_EQ(stretched.number("offset"), 0.25F);
+  EXPECT_EQ(stretched.number("scale"), 0.5F);
+  EXPECT_TRUE(stretched.flag("clamp"));
+  EXPECT_EQ(image_of("map_Kd -mm .25 oak.png").number("scale"), 1.F);
+  EXPECT_FALSE(image_of("map_Kd -colorspace linear oak.png").flag("decode_srgb"));
+  for (const auto& [letter, channel] :
+       {std::pair("r", "red"), {"g", "green"}, {"b", "blue"}, {"m", "alpha"}, {"l", "luminance"}}) {
+    const desc::SceneDesc scene =
+        with_material("Pr 1\nmap_Pr -imfchan " + std::string(letter) + " rough.png\n");
+    const desc::Node& node =
+        scene.materials.at(static_cast<std::size_t>(scene.shapes[0].material)).node;
+    EXPECT_EQ(texture_at(scene, node.texture("roughness")).text("channel"), channel);
+  }
+  EXPECT_TRUE(contains(
+      warnings_of(kTexturedFace, {{"/scene/a.mtl", "newmtl m\nmap_Kd -imfchan z a.png\n"}}),
+      "the option \"-imfchan\""));
+  EXPECT_TRUE(contains(warnings_of(kTexturedFace, {{"/scene/a.mtl", "newmtl m\nmap_Kd\n"}}),
+                       "a.mtl:2:1: \"map_Kd\" names no file"));
+}
+
+TEST(Obj, FilesMayBeInUtf16) {
+  const auto wide = [](const std::string& text) {
+    std::string bytes = "\xFF\xFE";
+    for (const char c : text) bytes += std::string{c, '\0'};
+    return bytes;
+  };
+  const desc::SceneDesc scene =
+      scene_of(wide(kFace), {{"/scene/a.mtl", wide("newmtl m\r\nKd .1 .2 .3\r\n")}});
+  EXPECT_EQ(mesh_of(scene).positions.size(), 3U);
+  EXPECT_EQ(scene.materials.at(static_cast<std::size_t>(scene.shapes[0].material))
+                .node.color("reflectance"),
+            Vec3(0.1F, 0.2F, 0.3F));
 }
 
 TEST(Obj, OpacityMapsCutAndMix) {
@@ -273,18 +347,20 @@ TEST(Obj, ColorsOfVerticesAreThoseOfWhatHasNoMaterial) {
 
 TEST(Obj, WordsOfMaterialsThatMeanNothingHereAreWarnings) {
   const std::string text = warnings_of(
-      kTexturedFace, {{"/scene/a.mtl",
-                       "newmtl m\nKa 1 1 1\nPs 0.0\nPc 0.5\naniso 0\nmap_Ns a.png\nkd 1 1 1\n"
-                       "map_Kd -s 2 2 2 -mm 0 2 -bm 1 a.png\nillum 12\nrefl -type sphere a.png\n"},
-                      {"/scene/a.png", ""}});
+      kTexturedFace,
+      {{"/scene/a.mtl",
+        "newmtl m\nKa 1 1 1\nPs 0.0\nPc 0.5\naniso 0\nmap_Ns a.png\nkd 1 1 1\n"
+        "map_Kd -s 2 2 2 -t 1 -bm 1 -boost 2 a.png\nillum 12\nrefl -type sphere a.png\n"},
+       {"/scene/a.png", ""}});
   for (const char* part :
        {"a.mtl:4:1: \"Pc\" is not supported", "a.mtl:6:1: \"map_Ns\" is not supported",
         "a.mtl:7:1: \"kd\" is no word of material files; did you mean \"Kd\"?",
-        "a.mtl:8:1: the option \"-mm\"", "a.mtl:10:1: \"refl\" is not supported",
+        "a.mtl:8:1: the option \"-t\"", "a.mtl:10:1: \"refl\" is not supported",
         "\"illum\" is from 0 to 10, not 12"}) {
     EXPECT_TRUE(contains(text, part)) << part << "\n" << text;
   }
-  EXPECT_FALSE(contains(text, "\"Ps\"") || contains(text, "aniso") || contains(text, "-bm"))
+  EXPECT_FALSE(contains(text, "\"Ps\"") || contains(text, "aniso") || contains(text, "-bm") ||
+               contains(text, "-boost"))
       << text;
 }
 

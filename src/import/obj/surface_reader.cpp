@@ -46,6 +46,29 @@ std::string listed(std::initializer_list<std::pair<const char*, bool>> words) {
   return text;
 }
 
+/// The channel that `-imfchan` takes of an image that becomes a number.
+std::string channel_of(const tinyobj::texture_option_t& options, const std::string& otherwise) {
+  switch (options.imfchan) {
+    case 'r':
+      return "red";
+    case 'g':
+      return "green";
+    case 'b':
+      return "blue";
+    case 'l':
+      return "luminance";
+    case 'a':
+      return "alpha";
+    default:
+      return otherwise;
+  }
+}
+
+bool is_srgb(const tinyobj::texture_option_t& options, bool otherwise) {
+  if (options.colorspace == "linear") return false;
+  return otherwise || options.colorspace == "sRGB" || options.colorspace == "srgb";
+}
+
 /// Values of `illum`.
 constexpr int kNoGloss = 1;  // and below
 constexpr int kMirror = 3;
@@ -203,22 +226,26 @@ desc::Value SurfaceReader::color(const desc::Rgb& factor, const std::string& ima
 
 desc::Value SurfaceReader::number(float factor, const std::string& image,
                                   const tinyobj::texture_option_t& options, const char* channel) {
-  const std::optional<desc::TextureId> texture = add_image(image, options, channel, false, factor);
+  const std::optional<desc::TextureId> texture =
+      add_image(image, options, channel_of(options, channel), false, factor);
   return texture ? desc::Value(desc::TextureRef{*texture}) : desc::Value(factor);
 }
 
 std::optional<desc::TextureId> SurfaceReader::add_image(const std::string& image,
                                                         const tinyobj::texture_option_t& options,
-                                                        const char* channel, bool is_coded,
+                                                        const std::string& channel, bool is_coded,
                                                         float scale) {
   if (image.empty()) return std::nullopt;
+  const bool is_stretched = options.brightness != 0.F || options.contrast != 1.F;
   try {
-    const std::string path = files_.resolve_inside(portable_path(image));
+    const std::string path = files_.resolve_inside(image, where_);
     return add_texture(
         desc::texture_node("image", {{"file", path},
-                                     {"channel", std::string(channel)},
-                                     {"decode_srgb", is_coded},
-                                     {"scale", scale},
+                                     {"channel", channel},
+                                     {"decode_srgb", is_srgb(options, is_coded)},
+                                     {"scale", scale * options.contrast},
+                                     {"offset", scale * options.brightness},
+                                     {"clamp", is_stretched},
                                      {"wrap", std::string(options.clamp ? "clamp" : "repeat")},
                                      {"scale_u", options.scale[0]},
                                      {"scale_v", options.scale[1]},

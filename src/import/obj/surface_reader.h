@@ -34,7 +34,7 @@ class SurfaceReader {
                      const tinyobj::texture_option_t& options, const char* channel);
   std::optional<desc::TextureId> add_image(const std::string& image,
                                            const tinyobj::texture_option_t& options,
-                                           const char* channel, bool is_coded, float scale);
+                                           const std::string& channel, bool is_coded, float scale);
   desc::TextureId add_texture(desc::Node node);
   desc::MaterialId add_material(desc::Node node);
 

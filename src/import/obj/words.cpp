@@ -8,12 +8,14 @@
 
 #include "core/printable_text.h"
 #include "import/mesh/text_lines.h"
+#include "import/obj/image_words.h"
 
 namespace ajar::obj {
 namespace {
 
 constexpr WarningKind kUnused{Effect::Surface, "words of materials are not supported: ignored"};
 constexpr WarningKind kUnknownWord{Effect::Slight, "words of materials are unknown and ignored"};
+constexpr WarningKind kNoFile{Effect::Surface, "images of materials have no file: ignored"};
 constexpr WarningKind kOption{Effect::Surface,
                               "options of images are not supported: the images are as they are"};
 
@@ -25,10 +27,11 @@ const std::vector<std::string> kRead = {
 /// Words with a meaning that is not supported. A number of 0 has none.
 const std::vector<std::string> kNotSupported = {
     "Ps", "Pc", "Pcr", "aniso", "anisor", "map_Ps", "map_Ns", "disp", "decal", "refl", "map_refl"};
-/// Options of images, with those that are ignored without a loss: how much an image tilts has no
-/// meaning for one of colours, and a bump is told of as a whole.
-constexpr std::array<std::string_view, 8> kOptions = {"-s",      "-o",      "-clamp", "-blendu",
-                                                      "-blendv", "-texres", "-cc",    "-bm"};
+/// Options of images that are read, and those that change nothing here: images are sharp, filtered
+/// and as large as they are, and a bump is told of as a whole.
+constexpr std::array<std::string_view, 11> kOptions = {
+    "-s",  "-o",  "-clamp", "-blendu", "-blendv",    "-texres",
+    "-cc", "-bm", "-mm",    "-boost",  "-colorspace"};
 
 bool contains(const std::vector<std::string>& names, std::string_view name) {
   return std::find(names.begin(), names.end(), name) != names.end();
@@ -40,8 +43,22 @@ std::vector<std::string> all_words() {
   return all;
 }
 
-bool is_image(std::string_view keyword) {
-  return keyword.starts_with("map_") || keyword == "bump" || keyword == "norm";
+/// Whether an image of this word becomes a number, of which `-imfchan` says the channel.
+bool is_of_numbers(std::string_view keyword) {
+  return keyword == "map_d" || keyword == "map_Pr" || keyword == "map_Pm";
+}
+
+/// Whether an option changes nothing, or what it says is done.
+bool is_read(std::string_view keyword, const ImageOption& option) {
+  if (option.name == "-imfchan") {
+    const std::string_view channel = option.values.empty() ? "" : option.values.front();
+    return is_of_numbers(keyword) && channel.size() == 1 && channel != "z";
+  }
+  if (option.name == "-t") {
+    return std::all_of(option.values.begin(), option.values.end(),
+                       [](const std::string& value) { return number_in(value) == 0.F; });
+  }
+  return std::find(kOptions.begin(), kOptions.end(), option.name) != kOptions.end();
 }
 
 class Check {
@@ -66,20 +83,22 @@ class Check {
            "\"" + shown + "\" is no word of material files" +
                (nearest.empty() ? "" : "; did you mean \"" + nearest + "\"?") + ": ignored",
            shown);
-    } else if (is_image(keyword)) {
-      options(where, words);
+    } else if (names_image(keyword)) {
+      options(where, keyword, words.rest());
     }
   }
 
  private:
-  void options(const SourceLocation& where, LineWords& words) {
-    for (std::string_view word = words.word(); !word.empty(); word = words.word()) {
-      const bool is_option = word.size() > 1 && word[0] == '-' && word[1] >= 'a' && word[1] <= 'z';
-      if (!is_option || std::find(kOptions.begin(), kOptions.end(), word) != kOptions.end()) {
-        continue;
-      }
-      const std::string shown = printable_line(word);
-      tell(std::string(word), kOption, where,
+  void options(const SourceLocation& where, std::string_view keyword, std::string_view rest) {
+    const ImageWords words = image_words(rest);
+    if (words.file.empty()) {
+      tell("file of " + std::string(keyword), kNoFile, where,
+           "\"" + std::string(keyword) + "\" names no file: ignored", std::string(keyword));
+    }
+    for (const ImageOption& option : words.options) {
+      if (is_read(keyword, option)) continue;
+      const std::string shown = printable_line(option.name);
+      tell(option.name, kOption, where,
            "the option \"" + shown + "\" of this image is not supported: ignored", shown);
     }
   }

@@ -56,7 +56,7 @@ void warn_of_unknown_name(const Context& context, const WarningKind& kind,
 
 std::string resolve_file(Context& context, const SourceLocation& where, const std::string& name) {
   try {
-    return context.files.resolve(name);
+    return context.files.resolve(name, where);
   } catch (const IoError& error) {
     throw SceneError(where, error.what());
   }

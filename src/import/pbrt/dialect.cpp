@@ -109,7 +109,7 @@ class Scan {
       if (i >= kMostIncludes) break;
       try {
         const std::string path = files_.resolve(included_[i]);
-        const FileBytes bytes = files_.load(path);
+        const FileBytes bytes = files_.load_text(path);
         scan(bytes.view(), included_[i]);
       } catch (const Error&) {  // is told when the file is read in earnest
       }

@@ -6,11 +6,15 @@ namespace ajar::pbrt {
 namespace {
 
 DialectChoice told(std::string_view text, const std::map<std::string, std::string>& files = {}) {
-  FileAccess access("", [&](const std::string& path) -> std::optional<std::string_view> {
-    const auto found = files.find(path);
-    if (found == files.end()) return std::nullopt;
-    return found->second;
-  });
+  Warnings warnings;
+  FileAccess access(
+      "",
+      [&](const std::string& path) -> std::optional<std::string_view> {
+        const auto found = files.find(path);
+        if (found == files.end()) return std::nullopt;
+        return found->second;
+      },
+      warnings);
   return tell_dialect(text, "test.pbrt", access);
 }
 

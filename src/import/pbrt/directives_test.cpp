@@ -206,6 +206,31 @@ TEST(PbrtInclude, OfMissingFilesIsAWarning) {
   EXPECT_EQ(warnings.count(), 1U);
 }
 
+TEST(PbrtInclude, WhatBeginsInAFileMayGoOnBehindItsInclude) {
+  const Files files = {{"matte.pbrt", "Material \"matte\" # its colour follows"},
+                       {"none.pbrt", "# nothing\n"},
+                       {"nested.pbrt", "Include \"matte.pbrt\""},
+                       {"array.pbrt", "Material \"matte\" \"rgb Kd\" [.1"},
+                       {"color.pbrt", "\"rgb Kd\" [.1 .2 .3]"}};
+  for (const char* text :
+       {"Include \"matte.pbrt\" \"rgb Kd\" [.1 .2 .3] \"float sigma\" 20",
+        "Include \"nested.pbrt\" \"rgb Kd\" [.1 .2 .3] \"float sigma\" 20",
+        "Include \"array.pbrt\" .2 .3] \"float sigma\" 20",
+        "Include \"matte.pbrt\" Include \"color.pbrt\" \"float sigma\" 20",
+        "Material \"matte\" Include \"none.pbrt\" \"rgb Kd\" [.1 .2 .3] \"float sigma\" 20"}) {
+    SCOPED_TRACE(text);
+    const desc::SceneDesc scene = scene_of(text, files);
+    const desc::Node& node = material_node_of(scene, scene.shapes.back());
+    expect_rgb(node.color("reflectance"), {0.1F, 0.2F, 0.3F});
+    EXPECT_EQ(node.number("sigma"), 20.F);
+  }
+  EXPECT_EQ(warnings_of(world("Material \"matte\" Include \"gone.pbrt\" \"float sigma\" 20")),
+            "test.pbrt:2:18: \"gone.pbrt\" is not there: what it should include is left out\n");
+  EXPECT_EQ(error_of(world("Include \"matte.pbrt\" \"rgb Kd\" [.1 x]"), files).substr(0, 12),
+            "test.pbrt:2:")
+      << "places are those of the file that goes on";
+}
+
 TEST(PbrtInclude, CirclesAndBadFilesAreErrors) {
   EXPECT_EQ(error_of("Include \"a\"", {{"a", "Include \"b\""}, {"b", "\nInclude \"a\""}}),
             "b:2:1: \"a\" includes itself");

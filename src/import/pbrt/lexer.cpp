@@ -27,16 +27,23 @@ std::errc parse(std::string_view text, T& value) {
 
 }  // namespace
 
-Lexer::Lexer(std::shared_ptr<const std::string> file, std::string_view text)
+Lexer::Lexer(std::shared_ptr<const std::string> file, std::string_view text, Lexer* after)
     : file_(std::move(file)),
       position_(text.data()),
       end_(text.data() + text.size()),
-      line_start_(text.data()) {
+      line_start_(text.data()),
+      after_(after) {
   constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
   if (text.substr(0, 3) == kByteOrderMark) {
     position_ += 3;
     line_start_ += 3;
   }
+}
+
+SourceLocation Lexer::where(const Token& token) const {
+  const bool is_own = token.file == nullptr || token.file == file_.get() || after_ == nullptr;
+  if (!is_own) return after_->where(token);
+  return {file_, static_cast<int>(token.line), static_cast<int>(token.column)};
 }
 
 Token Lexer::scan() {
@@ -55,6 +62,7 @@ Token Lexer::scan() {
     }
   }
   Token token;
+  token.file = file_.get();
   token.line = line_;
   token.column = static_cast<std::uint32_t>(position_ - line_start_) + 1;
   if (position_ == end_) return token;
@@ -114,7 +122,8 @@ std::string Lexer::string_value(const Token& token) const {
         case '"':
           break;
         default:
-          fail(token, "unknown escape in \"" + printable(token.text) + "\"");
+          value += '\\';
+          if (i == token.text.size()) return value;
       }
     }
     value += c;

@@ -17,34 +17,43 @@ struct Token {
   std::string_view text;
   std::uint32_t line = 0;
   std::uint32_t column = 0;
+  const std::string* file = nullptr;  ///< its name; null: that of the lexer
 };
 
-/// Cuts a pbrt file into words, quoted strings and brackets; skips white space and # comments.
+/// Cuts a pbrt file into words, quoted strings and brackets; skips white space and # comments. An
+/// included file is followed by the rest of the one that includes it, as pbrt has it: what begins
+/// in one may end in the other.
 class Lexer {
  public:
-  /// `text` must outlive the lexer.
-  Lexer(std::shared_ptr<const std::string> file, std::string_view text);
+  /// `text` must outlive the lexer, and so must `after`, which goes on where it ends.
+  Lexer(std::shared_ptr<const std::string> file, std::string_view text, Lexer* after = nullptr);
 
   /// Raises SceneError for strings without an end.
   Token next() {
-    if (!has_peeked_) return scan();
+    const Token token = has_peeked_ ? peeked_ : scan();
     has_peeked_ = false;
-    return peeked_;
+    return token.kind == TokenKind::End && after_ != nullptr ? after_->next() : token;
   }
   const Token& peek() {
-    if (!has_peeked_) peeked_ = scan();
-    has_peeked_ = true;
-    return peeked_;
+    Lexer& source = current();
+    source.look_ahead();
+    return source.peeked_;
   }
+  /// Whether nothing is left of its own text.
+  bool is_at_own_end() {
+    look_ahead();
+    return peeked_.kind == TokenKind::End;
+  }
+  /// Whose text the next token is from.
+  Lexer& current() { return after_ != nullptr && is_at_own_end() ? after_->current() : *this; }
 
-  SourceLocation where(const Token& token) const {
-    return {file_, static_cast<int>(token.line), static_cast<int>(token.column)};
-  }
+  SourceLocation where(const Token& token) const;
   [[noreturn]] void fail(const Token& token, const std::string& message) const {
     throw SceneError(where(token), message);
   }
 
-  /// Value of a string with escapes decoded. Raises SceneError for unknown escapes.
+  /// Value of a string with escapes decoded. A backslash that begins none stands for itself: names
+  /// of files on Windows have them.
   std::string string_value(const Token& token) const;
   /// Values of a number. Raise SceneError if the token is none, is not finite, or does not fit.
   double double_value(const Token& token) const;
@@ -52,6 +61,10 @@ class Lexer {
   int int_value(const Token& token) const;
 
  private:
+  void look_ahead() {
+    if (!has_peeked_) peeked_ = scan();
+    has_peeked_ = true;
+  }
   Token scan();
   Token scan_string(Token token);
 
@@ -60,6 +73,7 @@ class Lexer {
   const char* end_;
   const char* line_start_;
   std::uint32_t line_ = 1;
+  Lexer* after_;
   Token peeked_;
   bool has_peeked_ = false;
 };

@@ -57,8 +57,8 @@ TEST(Lexer, SkipsAByteOrderMarkAndCarriageReturns) {
 TEST(Lexer, DecodesEscapes) {
   Lexer lexer = lexer_of(R"("a\"b\\c\n\t")");
   EXPECT_EQ(lexer.string_value(lexer.next()), "a\"b\\c\n\t");
-  Lexer bad = lexer_of(R"( "a\q")");
-  EXPECT_EQ(error_in([&] { bad.string_value(bad.next()); }), "f:1:2: unknown escape in \"a\\q\"");
+  Lexer other = lexer_of(R"("a\wood\q.png")");
+  EXPECT_EQ(other.string_value(other.next()), "a\\wood\\q.png") << "as names on Windows are";
 }
 
 TEST(Lexer, LocatesStringsWithoutAnEnd) {

@@ -117,6 +117,21 @@ TEST(PbrtMaterials, MetalsAreKnownByNameUnlessTheFileExists) {
   EXPECT_NEAR(luminance({mine.x, mine.y, mine.z}), 2.F, 1e-3F);
 }
 
+TEST(PbrtMaterials, ANumberMoreThanPairsInASpectrumIsIgnoredWithAWarning) {
+  const std::string body = "Material \"matte\" \"spectrum Kd\" \"a.spd\"";
+  const auto color = [&](const std::string& file) {
+    Warnings warnings;
+    const desc::SceneDesc scene = import_with(world(body), warnings, {{"a.spd", file}});
+    return std::pair(material_node_of(scene, scene.shapes.back()).color("reflectance"),
+                     lines_of(warnings));
+  };
+  const auto [even, nothing] = color("300 .5 500 .25 800 .5");
+  EXPECT_EQ(nothing, "");
+  const auto [odd, warning] = color("300 .5 500 .25\n800 .5 900");
+  expect_rgb(odd, even);
+  EXPECT_TRUE(contains(warning, "a.spd:2:8: this spectrum has a number more")) << warning;
+}
+
 TEST(PbrtMaterials, MissingSpectraAreWarningsWithTheDefault) {
   const std::string warning =
       warnings_of(world("Material \"matte\" \"spectrum Kd\" \"nothing.spd\""));

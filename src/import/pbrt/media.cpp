@@ -1,12 +1,15 @@
 #include "import/pbrt/media.h"
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 
 #include "import/common/density.h"
 #include "import/common/printable.h"
 #include "import/common/transforms.h"
 #include "import/pbrt/lexer.h"
 #include "import/pbrt/nanovdb_file.h"
+#include "import/pbrt/own_words.h"
 #include "import/pbrt/presets.h"
 
 namespace ajar::pbrt {
@@ -42,11 +45,84 @@ void read_colors(Context& context, const SourceLocation& where, const ParameterL
   }
 }
 
+/// Values without the points that were added at each side.
+template <typename Value>
+void take_inner(std::vector<Value>& values, const desc::Vec3i& resolution, int beyond) {
+  if (values.empty() || beyond == 0) return;
+  std::vector<Value> inner;
+  const desc::Vec3i& n = resolution;
+  for (int z = beyond; z < n.z - beyond; ++z) {
+    for (int y = beyond; y < n.y - beyond; ++y) {
+      for (int x = beyond; x < n.x - beyond; ++x) {
+        inner.push_back(values[static_cast<std::size_t>(x) +
+                               static_cast<std::size_t>(n.x) *
+                                   (static_cast<std::size_t>(y) +
+                                    static_cast<std::size_t>(n.y) * static_cast<std::size_t>(z))]);
+      }
+    }
+  }
+  values = std::move(inner);
+}
+
+/// A coefficient that is the same at all points, which is constant up to the faces of the cube.
+std::optional<desc::Rgb> constant_in(const std::vector<desc::Rgb>& factors) {
+  const bool is_constant =
+      !factors.empty() && std::all_of(factors.begin(), factors.end(),
+                                      [&](const desc::Rgb& f) { return f == factors.front(); });
+  return is_constant ? std::optional(factors.front()) : std::nullopt;
+}
+
+/// A grid, and where it is; of one of colours, what a coefficient is that does not vary.
+struct PlacedGrid {
+  desc::DensityGrid grid;
+  Mat4 to_box;
+  desc::Rgb sigma_a{1.F}, sigma_s{1.F};
+};
+
+/// Makes of the grid that pbrt is told of, which is larger than its box, what it is in it
+/// (`write_box` in pbrt_writer.cpp).
+void read_own_bounds(const SourceLocation& where, const ParameterList& p, PlacedGrid& placed) {
+  const std::optional<std::string> points = p.get_string(own_word("points"));
+  const std::string border = p.get_string(own_word("border"), "zero");
+  const int beyond = p.get_int(own_word("beyond"), 0);
+  if (!points) return;
+  desc::DensityGrid& grid = placed.grid;
+  const desc::Vec3i n = grid.resolution;
+  const auto size = static_cast<std::size_t>(std::max(n.x, 0)) *
+                    static_cast<std::size_t>(std::max(n.y, 0)) *
+                    static_cast<std::size_t>(std::max(n.z, 0));
+  for (const std::size_t count :
+       {grid.values.size(), grid.absorption.size(), grid.scattering.size()}) {
+    const bool fits =
+        beyond >= 0 && beyond < std::min({n.x, n.y, n.z}) && (count == 0 || count == size);
+    if (!fits) throw SceneError(where, "the medium does not have as many points as it says");
+  }
+  grid.points = *points == "corners" ? desc::DensityGrid::Points::Corners
+                                     : desc::DensityGrid::Points::Centers;
+  grid.border =
+      border == "clamp" ? desc::DensityGrid::Border::Clamp : desc::DensityGrid::Border::Zero;
+  const std::optional<desc::Rgb> sigma_a = constant_in(grid.absorption);
+  const std::optional<desc::Rgb> sigma_s = constant_in(grid.scattering);
+  if (sigma_a && !grid.scattering.empty() && !sigma_s) {
+    placed.sigma_a = *sigma_a;
+    grid.absorption.clear();
+  } else if (sigma_s && !grid.absorption.empty() && !sigma_a) {
+    placed.sigma_s = *sigma_s;
+    grid.scattering.clear();
+  }
+  take_inner(grid.values, n, beyond);
+  take_inner(grid.absorption, n, beyond);
+  take_inner(grid.scattering, n, beyond);
+  grid.resolution -= desc::Vec3i(2 * beyond);
+  placed.to_box = Mat4();
+}
+
 /// Values at the middles of the cells of a box; 0 beyond. Source: pbrt-v3, media/grid.cpp, and
 /// pbrt-v4, media.h and util/containers.h (SampledGrid).
-desc::Density read_grid(Context& context, const SourceLocation& where, const std::string& type,
-                        const std::string& name, const ParameterList& p, const Mat4& to_world) {
-  desc::DensityGrid grid;
+PlacedGrid read_grid(Context& context, const SourceLocation& where, const std::string& type,
+                     const ParameterList& p) {
+  PlacedGrid placed;
+  desc::DensityGrid& grid = placed.grid;
   grid.resolution = {p.get_int("nx", 1), p.get_int("ny", 1), p.get_int("nz", 1)};
   if (type == "rgbgrid") {
     read_colors(context, where, p, grid);
@@ -55,8 +131,9 @@ desc::Density read_grid(Context& context, const SourceLocation& where, const std
   }
   const Vec3d low(p.get_point("p0", Vec3(0.F)));
   const Vec3d high(p.get_point("p1", Vec3(1.F)));
-  return make_density(std::move(grid), scaling(high - low) * translation(low) * to_world, where,
-                      name, context.warnings);
+  placed.to_box = scaling(high - low) * translation(low);
+  read_own_bounds(where, p, placed);
+  return placed;
 }
 
 void warn_of_emission(Context& context, const SourceLocation& where, const std::string& name) {
@@ -74,7 +151,7 @@ std::optional<desc::Density> read_voxels(Context& context, const SourceLocation&
   if (!file.empty()) {
     const SourceLocation in_file{std::make_shared<const std::string>(printable(file)), 0, 0};
     try {
-      const FileBytes bytes = context.files.load(context.files.resolve(file));
+      const FileBytes bytes = context.files.load(context.files.resolve(file, where));
       const float emitted = p.get_float("LeScale", p.get_float("Lescale", 1.F));
       if (emitted > 0.F && has_nanovdb_grid(bytes.view(), "temperature", in_file)) {
         warn_of_emission(context, where, name);
@@ -161,8 +238,14 @@ desc::Medium make_medium(Context& context, const SourceLocation& where, const st
     return context.spectra.get_positive(parameters, parameter, fallback);
   };
   float scale = parameters.get_float("scale", 1.F);
+  desc::Rgb constant_a(1.F);  // beside factors of a grid
+  desc::Rgb constant_s(1.F);
   if (*type == "heterogeneous" || *type == "uniformgrid" || *type == "rgbgrid") {
-    medium.density = read_grid(context, where, *type, name, parameters, to_world);
+    PlacedGrid placed = read_grid(context, where, *type, parameters);
+    constant_a = placed.sigma_a;
+    constant_s = placed.sigma_s;
+    medium.density = make_density(std::move(placed.grid), placed.to_box * to_world, where, name,
+                                  context.warnings);
   } else if (*type == "nanovdb") {
     medium.density = read_voxels(context, where, name, parameters, to_world);
     if (!medium.density) scale = 0.F;
@@ -174,8 +257,10 @@ desc::Medium make_medium(Context& context, const SourceLocation& where, const st
   if (!(medium.g > -1.F && medium.g < 1.F))
     throw SceneError(where, "\"g\" must be between -1 and 1");
   const bool is_colored = medium.density && medium.density->grid->is_colored();
-  medium.sigma_a = is_colored ? desc::Rgb(scale) : coefficient("sigma_a", defaults.sigma_a) * scale;
-  medium.sigma_s = is_colored ? desc::Rgb(scale) : coefficient("sigma_s", defaults.sigma_s) * scale;
+  medium.sigma_a =
+      is_colored ? constant_a * scale : coefficient("sigma_a", defaults.sigma_a) * scale;
+  medium.sigma_s =
+      is_colored ? constant_s * scale : coefficient("sigma_s", defaults.sigma_s) * scale;
   if (!is_finite(medium.sigma_a) || !is_finite(medium.sigma_s))
     throw SceneError(where, "the medium is too dense");
   if (context.is_v4()) warn_of_parameters_that_emit(context, where, name, parameters);

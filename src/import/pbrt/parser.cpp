@@ -93,14 +93,13 @@ bool starts_directive(const Token& token) {
 }  // namespace
 
 SourceLocation Parser::parse(std::string_view text, const std::string& name,
-                             const std::string& path) {
+                             const std::string& path, Lexer* after) {
   const auto file = std::make_shared<const std::string>(name);
   refuse_binary(text, file);
   open_files_.push_back(path);
-  Lexer lexer(file, text);
-  while (!builder_.world_ended() && lexer.peek().kind != TokenKind::End)
-    directive(lexer, lexer.next());
-  if (builder_.world_ended() && lexer.peek().kind != TokenKind::End) {
+  Lexer lexer(file, text, after);
+  while (!builder_.world_ended() && !lexer.is_at_own_end()) directive(lexer, lexer.next());
+  if (builder_.world_ended() && !lexer.is_at_own_end()) {
     warnings_.add(kAfterEnd, lexer.where(lexer.peek()), "everything after WorldEnd is ignored");
   }
   open_files_.pop_back();
@@ -160,7 +159,7 @@ bool Parser::directive_of_v4(Lexer& lexer, const Token& token, const SourceLocat
     option(lexer, where);
   } else if (directive == "Import") {
     builder_.import_begin(where);
-    include(lexer, where);
+    include(lexer, where, false);
     builder_.import_end();
   } else {
     return false;
@@ -234,7 +233,7 @@ bool Parser::block_directive(Lexer& lexer, const Token& token, const SourceLocat
   } else if (directive == "WorldEnd") {
     builder_.world_end(where);
   } else if (directive == "Include") {
-    include(lexer, where);
+    include(lexer, where, true);
   } else {
     return false;
   }
@@ -322,7 +321,7 @@ Parser::OpenFile Parser::open(const std::string& included, const SourceLocation&
   if (open_files_.size() >= kDeepestInclude)
     throw SceneError(where, "files include each other too deeply");
   try {
-    const std::string path = files_.resolve(included);
+    const std::string path = files_.resolve(included, where);
     if (std::find(open_files_.begin(), open_files_.end(), path) != open_files_.end()) {
       throw SceneError(where, "\"" + printable(included) + "\" includes itself");
     }
@@ -332,7 +331,7 @@ Parser::OpenFile Parser::open(const std::string& included, const SourceLocation&
       return file;
     }
     if (++files_parsed_ > kMostFiles) throw SceneError(where, "too many files are included");
-    OpenFile file{included, path, files_.load(path), {}};
+    OpenFile file{included, path, files_.load_text(path), {}};
     if (is_gzip(file.bytes.view())) {
       std::optional<std::string> text = gunzip(file.bytes.view(), kMostBytes);
       if (!text) throw IoError("\"" + printable(included) + "\" is a damaged gzip file");
@@ -344,17 +343,20 @@ Parser::OpenFile Parser::open(const std::string& included, const SourceLocation&
   }
 }
 
-void Parser::include(Lexer& lexer, const SourceLocation& where) {
+void Parser::include(Lexer& lexer, const SourceLocation& where, bool goes_on) {
   const std::string included = name(lexer, {TokenKind::Word, "Include", 0, 0});
   if (is_missing(included)) {
-    warnings_.add(
-        kNoInclude, where,
-        "\"" + printable(included) + "\" is not there: what it should include is left out",
-        printable(included));
+    warn_of_missing(included, where);
     return;
   }
   const OpenFile file = open(included, where);
-  parse(file.text(), file.name, file.path);
+  parse(file.text(), file.name, file.path, goes_on ? &lexer : nullptr);
+}
+
+void Parser::warn_of_missing(const std::string& included, const SourceLocation& where) {
+  warnings_.add(kNoInclude, where,
+                "\"" + printable(included) + "\" is not there: what it should include is left out",
+                printable(included));
 }
 
 // ---------------------------------------------------------------- pieces of directives
@@ -401,18 +403,27 @@ void Parser::read_parameters(Lexer& lexer, ParameterList& list, std::size_t& cou
 
 bool Parser::read_included_parameters(Lexer& lexer, ParameterList& list, std::size_t& count) {
   if (lexer.peek().kind != TokenKind::Word || lexer.peek().text != "Include") return false;
-  Lexer ahead = lexer;
+  Lexer& source = lexer.current();
+  Lexer ahead = source;
   const SourceLocation where = ahead.where(ahead.next());
-  if (ahead.peek().kind != TokenKind::String) return false;
+  if (ahead.is_at_own_end() || ahead.peek().kind != TokenKind::String) return false;
   const std::string included = ahead.string_value(ahead.next());
-  if (is_missing(included)) return false;  // directives: for the Include itself
+  const bool goes_on = ahead.peek().kind == TokenKind::String;
+  if (is_missing(included)) {
+    if (!goes_on) return false;  // maybe of directives: for the Include itself
+    warn_of_missing(included, where);
+    source = ahead;
+    return true;
+  }
   OpenFile file = open(included, where);
   Lexer inner(std::make_shared<const std::string>(file.name), file.text());
-  if (inner.peek().kind != TokenKind::String) {
+  const bool is_among_parameters =
+      inner.peek().kind == TokenKind::String || (inner.is_at_own_end() && goes_on);
+  if (!is_among_parameters) {
     peeked_ = std::move(file);  // directives: for the Include itself
     return false;
   }
-  lexer = ahead;
+  source = ahead;
   open_files_.push_back(file.path);
   read_parameters(inner, list, count);
   open_files_.pop_back();

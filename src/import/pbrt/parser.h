@@ -13,7 +13,8 @@
 namespace ajar::pbrt {
 
 /// Reads directives and hands them to a builder; follows `Include` and `Import`. The parameters of
-/// a directive may go on in a file that is included behind them.
+/// a directive may go on in a file that is included behind them, and behind the `Include` of the
+/// file that it is in.
 class Parser {
  public:
   Parser(FileAccess& files, SceneBuilder& builder, Warnings& warnings)
@@ -24,16 +25,22 @@ class Parser {
 
   /// Parses one file and everything it includes; stops at WorldEnd. Returns where the file ends.
   /// `path` tells files apart to find circles.
-  SourceLocation parse(std::string_view text, const std::string& name, const std::string& path);
+  SourceLocation parse(std::string_view text, const std::string& name, const std::string& path) {
+    return parse(text, name, path, nullptr);
+  }
 
  private:
+  /// `after`: the file that goes on where this one ends, if one does.
+  SourceLocation parse(std::string_view text, const std::string& name, const std::string& path,
+                       Lexer* after);
   void directive(Lexer& lexer, const Token& token);
   bool transform_directive(Lexer& lexer, const Token& token, const SourceLocation& where);
   bool block_directive(Lexer& lexer, const Token& token, const SourceLocation& where);
   bool thing_directive(Lexer& lexer, const Token& token, const SourceLocation& where);
   /// Those that only pbrt-v4 has.
   bool directive_of_v4(Lexer& lexer, const Token& token, const SourceLocation& where);
-  void include(Lexer& lexer, const SourceLocation& where);
+  /// Another file, and what it is named by. `goes_on`: whether a directive of its may end here.
+  void include(Lexer& lexer, const SourceLocation& where, bool goes_on);
   /// A file that another one names, with its circles and limits checked. Raises SceneError.
   struct OpenFile {
     std::string name, path;
@@ -41,6 +48,7 @@ class Parser {
     std::string decompressed;  ///< of a gzip file; else empty
     std::string_view text() const { return decompressed.empty() ? bytes.view() : decompressed; }
   };
+  void warn_of_missing(const std::string& included, const SourceLocation& where);
   OpenFile open(const std::string& included, const SourceLocation& where);
   bool is_missing(const std::string& included) const;
   /// Skips what belongs to a directive that pbrt-v4 does not have.
@@ -51,7 +59,7 @@ class Parser {
   /// `target`: whose attributes count, too; see SceneBuilder::attributes.
   ParameterList parameters(Lexer& lexer, std::string_view target = {});
   void read_parameters(Lexer& lexer, ParameterList& list, std::size_t& count);
-  /// True if an `Include` follows whose file goes on with parameters, which are read then.
+  /// True if an `Include` follows that is among parameters: those of its file are read then.
   bool read_included_parameters(Lexer& lexer, ParameterList& list, std::size_t& count);
   /// Empty, after a warning, for types that pbrt-v4 does not have.
   std::optional<Parameter> parameter(Lexer& lexer);

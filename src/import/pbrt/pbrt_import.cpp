@@ -10,10 +10,12 @@ namespace {
 desc::SceneDesc import_text(std::string_view text, const std::string& name, const std::string& path,
                             const std::string& base_folder, Warnings& warnings,
                             FileProvider provider) {
-  FileAccess files(base_folder, std::move(provider));
-  const pbrt::DialectChoice choice = pbrt::tell_dialect(text, name, files);
+  FileAccess files(base_folder, std::move(provider), warnings);
+  const FileBytes in_text = in_utf8(FileBytes(text));
+  const pbrt::DialectChoice choice = pbrt::tell_dialect(in_text.view(), name, files);
   pbrt::SceneBuilder builder(files, name, choice, warnings);
-  const SourceLocation end = pbrt::Parser(files, builder, warnings).parse(text, name, path);
+  const SourceLocation end =
+      pbrt::Parser(files, builder, warnings).parse(in_text.view(), name, path);
   desc::SceneDesc scene = builder.finish(end);
   scene.files = files.named();
   return scene;

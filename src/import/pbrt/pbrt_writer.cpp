@@ -11,6 +11,7 @@
 #include "import/mesh/ply.h"
 #include "import/pbrt/light_names.h"
 #include "import/pbrt/mean_color.h"
+#include "import/pbrt/own_words.h"
 #include "import/pbrt/shape_names.h"
 #include "import/pbrt/writer_context.h"
 #include "import/pbrt/writer_curves.h"
@@ -143,9 +144,9 @@ class Writer {
   }
 
   /// pbrt has values at the middles of cells, and 0 beyond them. What other grids have in their
-  /// box is the same with a larger one; beyond it there is some of the medium, too, unless a
-  /// surface bounds it, as those formats ask for. Returns how many points are added at each side,
-  /// which is 1 if points in the middle of cells go on to the faces.
+  /// box is the same with a larger one; beyond it pbrt has some of the medium, too, unless a
+  /// surface bounds it, as those formats ask for. Our words say where it ends. Returns how many
+  /// points are added at each side, which is 1 if points in the middle of cells go on to the faces.
   int write_box(const desc::DensityGrid& grid, bool goes_on) {
     const bool at_corners = grid.points == desc::DensityGrid::Points::Corners;
     const bool is_extended = !at_corners && goes_on;
@@ -158,6 +159,10 @@ class Writer {
       // Half a cell, of a grid of corners or of centres, or a whole one.
       const Vec3 beyond = at_corners ? Vec3(0.5F) / Vec3(n - desc::Vec3i(1)) : Vec3(1.F) / Vec3(n);
       out_.point("p0", Vec3(0.F) - beyond).point("p1", Vec3(1.F) + beyond);
+      out_.parameter("string " + pbrt::own_word("points"), at_corners ? "corners" : "centers")
+          .parameter("string " + pbrt::own_word("border"), is_clamped(grid) ? "clamp" : "zero")
+          .parameter("integer " + pbrt::own_word("beyond"), more);
+      ++context_.unknown_parameters["ends of grids in larger shapes"];
     }
     return more;
   }
@@ -314,6 +319,10 @@ class Writer {
         .vectors("integer indices", mesh->indices)
         .vectors("point P", mesh->positions);
     out_.vectors("vector S", mesh->tangents);
+    if (!mesh->handedness.empty()) {
+      out_.integers("integer " + pbrt::own_word("handedness"), mesh->handedness);
+      ++context_.unknown_parameters["handedness"];
+    }
     if (!mesh->normals.empty()) out_.vectors("normal N", mesh->normals);
     if (!mesh->uvs.empty()) out_.vectors("float uv", mesh->uvs);
   }

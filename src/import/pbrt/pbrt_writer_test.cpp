@@ -60,7 +60,7 @@ AttributeBegin Material "none" MediumInterface "smoke" "dye" Shape "sphere" Attr
 Material "uber" "texture Kr" "bilerp" Shape "paraboloid" "float shadowalpha" 0
 Material "disney" "texture color" "marble" "texture roughness" "wrinkled" Shape "hyperboloid"
 Material "plastic" Shape "trianglemesh" "integer indices" [0 1 2] "point P" [0 0 0 1 .1 0 0 1 .3] "rgb Kd" [.3 .2 .1]
-Material "substrate" Shape "trianglemesh" "integer indices" [0 1 2] "point P" [0 0 0 1 .1 0 0 1 .3] "vector S" [1 0 0 1 0 0 1 0 0] "normal N" [0 0 1 0 0 1 0 0 1] "float uv" [0 0 1 0 0 .3]
+Material "substrate" Shape "trianglemesh" "integer indices" [0 1 2] "point P" [0 0 0 1 .1 0 0 1 .3] "vector S" [1 0 0 1 0 0 1 0 0] "integer ajar:handedness" [1 -1 0] "normal N" [0 0 1 0 0 1 0 0 1] "float uv" [0 0 1 0 0 .3]
 Material "translucent" Shape "loopsubdiv" "integer levels" 2 "integer indices" [0 1 2] "point P" [0 0 0 1 .1 0 0 1 .3]
 Material "mirror" Shape "curve" "string basis" "bspline" "string type" "ribbon" "float width0" .1 "float width1" .7
   "point P" [0 0 0 1 .1 0 0 1 .3 2 1 .7 3.3 1 1] "normal N" [0 1 0 0 .6 .8 1 0 0]
@@ -134,6 +134,10 @@ void expect_same_colors(const desc::Medium& a, const desc::Medium& b) {
       ASSERT_NEAR(first.sigma_s(p)[lane], second.sigma_s(p)[lane], 1e-5F) << in_cube;
     }
   }
+  for (const float at : {-0.01F, 1.01F}) {
+    const Vec3 p = transform_point(a.density->to_world, Vec3(0.4F, at, 0.6F));
+    EXPECT_EQ(second.sigma_t(p)[0], 0.F) << "beyond the box";
+  }
 }
 
 TEST(PbrtWriter, WritesColorsOfMediaWhateverTheirGrid) {
@@ -160,6 +164,26 @@ TEST(PbrtWriter, WritesColorsOfMediaWhateverTheirGrid) {
           expect_same_colors(medium, back);
         }
       }
+    }
+  }
+}
+
+TEST(PbrtWriter, GridsEndWhereTheyDidInShapesThatAreLarger) {
+  using Grid = desc::DensityGrid;
+  for (const auto points : {Grid::Points::Centers, Grid::Points::Corners}) {
+    for (const auto border : {Grid::Border::Zero, Grid::Border::Clamp}) {
+      desc::SceneDesc scene;
+      scene.shapes.emplace_back().node = desc::shape_node("sphere");
+      desc::Medium& medium = scene.media.emplace_back();
+      Grid grid{{2, 3, 2}, {}, points, border};
+      for (int i = 0; i < 12; ++i) grid.values.push_back(static_cast<float>(i));
+      medium.density = {std::make_shared<const Grid>(std::move(grid)), Mat4()};
+      const desc::Density back = *written_and_read(medium).density;
+      EXPECT_EQ(back.to_world, Mat4());
+      EXPECT_EQ(back.grid->resolution, medium.density->grid->resolution);
+      EXPECT_EQ(back.grid->values, medium.density->grid->values);
+      EXPECT_EQ(back.grid->points, points);
+      EXPECT_EQ(back.grid->border, border);
     }
   }
 }

@@ -9,6 +9,7 @@
 #include "import/mesh/validate_mesh.h"
 #include "import/pbrt/bilinear_mesh.h"
 #include "import/pbrt/node_reader.h"
+#include "import/pbrt/own_words.h"
 #include "import/pbrt/shape_names.h"
 
 namespace ajar::pbrt {
@@ -76,6 +77,11 @@ std::optional<desc::Node> triangle_mesh(const Source& source) {
   mesh.indices = indices_of(source);
   mesh.normals = p.get_normals("N");
   mesh.tangents = p.get_vectors("S");
+  if (const Parameter* signs = p.find(own_word("handedness"), ParameterKind::Integer)) {
+    for (const int sign : signs->integers) {
+      mesh.handedness.push_back(static_cast<std::int8_t>(std::clamp(sign, -1, 1)));
+    }
+  }
   mesh.uvs = p.get_point2s("uv");
   if (mesh.uvs.empty()) mesh.uvs = p.get_point2s("st");
   p.accept({"faceIndices", "discarddegenerateUVs"});

@@ -14,6 +14,8 @@ namespace {
 
 constexpr WarningKind kUnusable{Effect::Surface,
                                 "spectra cannot be used: what they are of has its default"};
+constexpr WarningKind kOddNumbers{Effect::Slight,
+                                  "spectra have numbers that are in no pair, which are ignored"};
 constexpr WarningKind kNegative{Effect::Slight, "colours are negative: taken as 0"};
 constexpr WarningKind kOutOfGamut{Effect::Slight,
                                   "colours are more saturated than sRGB can show: clipped"};
@@ -41,12 +43,21 @@ SpectrumReader::Samples SpectrumReader::samples_of(const std::vector<float>& pai
   return samples;
 }
 
-/// An .spd file: pairs of numbers, # comments.
-SpectrumReader::Samples SpectrumReader::parse_file(std::string_view text, const std::string& name) {
+/// An .spd file: pairs of numbers, # comments. Of an odd number of them pbrt leaves out the last.
+SpectrumReader::Samples SpectrumReader::parse_file(std::string_view text,
+                                                   const std::string& name) const {
   Lexer lexer(std::make_shared<const std::string>(name), text);
   Samples samples;
   for (Token token = lexer.next(); token.kind != TokenKind::End; token = lexer.next()) {
-    samples.wavelengths.push_back(lexer.double_value(token));
+    const double wavelength = lexer.double_value(token);
+    if (lexer.peek().kind == TokenKind::End && !samples.wavelengths.empty()) {
+      warnings_.add(kOddNumbers, lexer.where(token),
+                    "this spectrum has a number more than pairs of a wavelength and a value: "
+                    "ignored",
+                    printable(name));
+      break;
+    }
+    samples.wavelengths.push_back(wavelength);
     samples.values.push_back(lexer.double_value(lexer.next()));
   }
   if (samples.wavelengths.empty())
@@ -102,7 +113,7 @@ std::optional<desc::Rgb> SpectrumReader::from_file(const Parameter& parameter, C
   const std::string& name = parameter.strings.front();
   if (const std::optional<desc::Rgb> named = from_name(parameter, role)) return named;
   try {
-    const std::string path = files_.resolve(name);
+    const std::string path = files_.resolve(name, parameter.where);
     const auto known = files_read_.find(path);
     if (known != files_read_.end()) return from_samples(known->second, role);
     if (!files_.exists(path)) {
@@ -114,7 +125,7 @@ std::optional<desc::Rgb> SpectrumReader::from_file(const Parameter& parameter, C
                       near + "\"?");
       }
     }
-    const FileBytes bytes = files_.load(path);
+    const FileBytes bytes = files_.load_text(path);
     return from_samples(files_read_.emplace(path, parse_file(bytes.view(), path)).first->second,
                         role);
   } catch (const Error& error) {

@@ -52,7 +52,7 @@ class SpectrumReader {
     std::vector<double> wavelengths, values;
   };
   static Samples samples_of(const std::vector<float>& pairs);
-  static Samples parse_file(std::string_view text, const std::string& name);
+  Samples parse_file(std::string_view text, const std::string& name) const;
 
   std::optional<desc::Rgb> unchecked_value(const Parameter& parameter, ColorRole role);
   std::optional<desc::Rgb> from_file(const Parameter& parameter, ColorRole role);

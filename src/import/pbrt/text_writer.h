@@ -1,5 +1,6 @@
 #pragma once
 #include <charconv>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -68,6 +69,14 @@ class TextWriter {
     for (const Vector& v : values) {
       for (unsigned i = 0; i < Vector::dimensions(); ++i) number(v[static_cast<int>(i)]);
     }
+    text_ += " ]";
+    return *this;
+  }
+
+  TextWriter& integers(std::string_view declaration, const std::vector<std::int8_t>& values) {
+    quoted(declaration);
+    text_ += " [";
+    for (const std::int8_t value : values) number(static_cast<int>(value));
     text_ += " ]";
     return *this;
   }

@@ -50,16 +50,15 @@ float mean_of(const Vec3& c) { return (c.x + c.y + c.z) / 3.F; }
 /// What is taken of the channels of a texel, as `channel` of an image texture says.
 struct Choice {
   std::string channel;
-  int channels;
-  int alpha;
+  const ColorChannels& from;
 
   Vec3 operator()(const float* texel, const Decoding& decode) const {
-    const auto at = [&](int i) { return decode(texel[channels < 3 ? 0 : i]); };
+    const auto at = [&](int i) { return decode(texel[from.first + (from.count < 3 ? 0 : i)]); };
     const auto alone = [](float value) { return Vec3(value); };
     if (channel == "red") return alone(at(0));
     if (channel == "green") return alone(at(1));
     if (channel == "blue") return alone(at(2));
-    if (channel == "alpha") return alone(alpha < 0 ? 1.F : decode(texel[alpha]));
+    if (channel == "alpha") return alone(from.alpha < 0 ? 1.F : decode(texel[from.alpha]));
     const Vec3 color(at(0), at(1), at(2));
     if (channel == "mean") return alone(mean_of(color));
     if (channel == "luminance") return alone(luminance(Spectrum(color.x, color.y, color.z)));
@@ -69,21 +68,23 @@ struct Choice {
 
 /// All that the texels of an image texture follow from.
 std::string key_of(const desc::Node& texture) {
-  return fmt::format("{} {} {} {} {} {} {}", texture.text("channel"), texture.flag("invert"),
+  return fmt::format("{} {} {} {} {} {} {} {}", texture.text("channel"), texture.flag("invert"),
                      texture.flag("clamp"), texture.flag("decode_srgb"), texture.number("scale"),
+                     texture.number("offset"),
                      number_if_given(texture, "decoding_exponent").value_or(0.F),
                      texture.text("file"));
 }
 
 /// `channel` of a texture, with what depends on the image settled.
-std::string settled_channel(const std::string& channel, const ImageHeader& header,
+std::string settled_channel(const std::string& channel, const ImageInput& input,
                             const std::vector<float>& values) {
-  const bool has_alpha = header.alpha_channel >= 0;
+  const ColorChannels& colors = input.colors();
+  const bool has_alpha = colors.alpha >= 0;
   if (channel == "alpha_or_mean") return has_alpha ? "alpha" : "mean";
   if (channel != "varying_alpha_or_mean") return channel;
-  if (!has_alpha || header.channels < 4) return "mean";
-  for (auto i = static_cast<std::size_t>(header.alpha_channel); i < values.size();
-       i += static_cast<std::size_t>(header.channels)) {
+  if (!has_alpha || colors.count < 3) return "mean";
+  for (auto i = static_cast<std::size_t>(colors.alpha); i < values.size();
+       i += static_cast<std::size_t>(input.header().channels)) {
     if (values[i] != 1.F) return "alpha";
   }
   return "mean";
@@ -107,8 +108,7 @@ std::optional<LinearImage> ImageWriter::read_linear(const desc::Node& node,
                           number_if_given(node, "decoding_exponent")};
     const bool is_gray = node.has("gray") && node.flag("gray");
     const std::string channel = node.has("channel") ? node.text("channel") : "color";
-    const Choice choice{is_gray ? "mean" : settled_channel(channel, header, values),
-                        header.channels, header.alpha_channel};
+    const Choice choice{is_gray ? "mean" : settled_channel(channel, input, values), input.colors()};
     LinearImage result{header.width, header.height, header.type == SampleType::UInt8, {}};
     result.texels.reserve(header.pixels());
     for (std::size_t i = 0; i < values.size(); i += static_cast<std::size_t>(header.channels)) {
@@ -172,7 +172,8 @@ std::optional<std::string> ImageWriter::for_texture(const desc::Node& texture) {
   const bool is_inverted = texture.flag("invert");
   const bool is_clamped = texture.flag("clamp");
   const std::string& channel = texture.text("channel");
-  const bool is_plain = channel == "color" && !is_inverted && !is_clamped && !exponent;
+  const bool is_plain = channel == "color" && !is_inverted && !is_clamped && !exponent &&
+                        texture.number("offset") == 0.F;
   if (image.empty() || scale == 0.F || (is_plain && opens_in_pbrt(image))) return std::nullopt;
   const std::string key = key_of(texture);
   const auto known = textures_.find(key);
@@ -191,7 +192,7 @@ std::optional<LinearImage> ImageWriter::read_finished(const desc::Node& texture)
   if (!linear) return std::nullopt;
   for (Vec3& texel : linear->texels) {
     for (int i = 0; i < 3; ++i) {
-      float value = texel[i] * texture.number("scale");
+      float value = texel[i] * texture.number("scale") + texture.number("offset");
       if (texture.flag("invert")) value = std::max(1.F - value, 0.F);
       if (texture.flag("clamp")) value = std::clamp(value, 0.F, 1.F);
       texel[i] = value;

@@ -22,7 +22,7 @@ Substitutes substitutes_of(WriterContext& context, const desc::Node& node) {
   const std::optional<std::string> file = context.images.for_texture(node);
   if (!file) return {};
   Substitutes result{{"file", *file}};
-  for (const char* said : {"channel", "decoding_exponent", "invert", "clamp"}) {
+  for (const char* said : {"channel", "decoding_exponent", "offset", "invert", "clamp"}) {
     result[said] = desc::Value();
   }
   return result;

@@ -41,7 +41,7 @@ std::string image_of(const PlyContents& contents, const SceneFile& file, Warning
   }
   if (contents.mesh.uvs.empty()) return leave_out("the vertices have no texture coordinates");
   try {
-    std::string path = files.resolve_inside(image.file);
+    std::string path = files.resolve_inside(image.file, where);
     if (!files.exists(path)) return leave_out("there is no \"" + printable(image.file) + "\"");
     if (!contents.colors.empty()) {
       warnings.add(kColors, where, "the image counts: the colours of the vertices are not shown");

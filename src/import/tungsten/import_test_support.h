@@ -19,9 +19,14 @@ inline std::string error_of(std::string_view text, const Files& files = {}) {
   return error_in([&](Warnings& warnings) { import_with(text, warnings, files); });
 }
 
-/// All warnings of importing, one per line.
+/// All warnings of importing, one per line, those too that the camera may leave out.
 inline std::string warnings_of(std::string_view text, const Files& files = {}) {
-  return warnings_in([&](Warnings& warnings) { import_with(text, warnings, files); });
+  return warnings_in([&](Warnings& warnings) {
+    const desc::SceneDesc scene = import_with(text, warnings, files);
+    for (const desc::WarningIfSeen& candidate : scene.warnings_if_seen) {
+      warnings.add(candidate.warning);
+    }
+  });
 }
 
 /// A scene with these members of "bsdfs" and "primitives", written with ' in place of ".

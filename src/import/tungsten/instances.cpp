@@ -99,7 +99,7 @@ std::vector<Placed> read_placed(const Context& context, const LocatedJson& json)
   if (json.is(LocatedJson::Kind::String)) {
     std::string reason = "it ends too early";
     try {
-      const FileBytes bytes = context.files.load(context.files.resolve(json.text()));
+      const FileBytes bytes = context.files.load(context.files.resolve(json.text(), json.where()));
       if (std::optional<std::vector<Placed>> placed = read_instance_file(bytes.view())) {
         return std::move(*placed);
       }

@@ -87,7 +87,7 @@ std::vector<MeshPart> MeshFiles::read(const LocatedJson& name, const std::string
                           subject);
   };
   try {
-    Wo3Mesh source = read_mesh(context_.files.load(path).view(), path);
+    Wo3Mesh source = read_mesh(context_.files.load_text(path).view(), path);
     // Split first: triangles that are left out later have materials, too.
     std::vector<MeshPart> parts;
     for (MeshPart& part : split(std::move(source), count)) {
@@ -116,7 +116,7 @@ const std::vector<MeshPart>& MeshFiles::load(const LocatedJson& name,
                                              const MeshTreatment& treatment, int count) {
   std::string path;
   try {
-    path = context_.files.resolve(text_of(name));
+    path = context_.files.resolve(text_of(name), name.where());
   } catch (const IoError& error) {
     throw SceneError(name.where(), error.what());
   }

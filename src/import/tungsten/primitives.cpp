@@ -152,7 +152,7 @@ std::vector<Part> PrimitiveReader::curve_parts(const ObjectReader& object, const
   if (file == nullptr) return leave_out("they name no \"file\"");
   desc::Curves curves;
   try {
-    const std::string path = context_.files.resolve(text_of(*file));
+    const std::string path = context_.files.resolve(text_of(*file), file->where());
     curves = curves_of(read_strands(context_.files.load(path).view(), path), treatment);
   } catch (const Error& error) {
     return leave_out(error.what());
@@ -386,6 +386,10 @@ void PrimitiveReader::read_instances(const ObjectReader& object, const Mat4& tra
     context_.warnings.add(kNoMaster, list->where(),
                           std::to_string(lost) + " instances have nothing to copy: left out");
   }
+}
+
+bool is_primitive_type(std::string_view name) {
+  return std::find(kPrimitiveTypes.begin(), kPrimitiveTypes.end(), name) != kPrimitiveTypes.end();
 }
 
 void PrimitiveReader::read_all(const LocatedJson& list) {

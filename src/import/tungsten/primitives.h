@@ -1,6 +1,7 @@
 #pragma once
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "import/tungsten/bsdfs.h"
@@ -10,6 +11,9 @@
 #include "import/tungsten/mesh_files.h"
 
 namespace ajar::tungsten {
+
+/// Whether primitives have such a "type".
+bool is_primitive_type(std::string_view name);
 
 /// Reads the primitives of a scene: its shapes and lights.
 class PrimitiveReader {

@@ -63,10 +63,12 @@ void read_integrator(Context& context, const LocatedJson& json) {
                          "\"min_bounces\" is not supported: all paths are there. Use --depth");
   }
   if (!object.flag("enable_two_sided_shading").value_or(true)) {
-    context.warnings.add(
-        kOneSided, json.where(),
-        "\"enable_two_sided_shading\" cannot be false: surfaces look the same from "
-        "behind");
+    context.scene.warnings_if_seen.push_back(
+        {desc::WarningIfSeen::If::FromBehind,
+         desc::kNone,
+         0.F,
+         {kOneSided, json.where(),
+          "\"enable_two_sided_shading\" cannot be false: surfaces look the same from behind"}});
   }
   for (const char* name : {"low_order_scattering", "include_surfaces"}) {
     if (object.flag(name).value_or(true)) continue;

@@ -95,7 +95,7 @@ desc::TextureRef TextureReader::add(const SourceLocation& where, desc::Node node
 
 std::string TextureReader::resolve(const LocatedJson& name) {
   try {
-    return context_.files.resolve(text_of(name));
+    return context_.files.resolve(text_of(name), name.where());
   } catch (const IoError& error) {
     throw SceneError(name.where(), error.what());
   }

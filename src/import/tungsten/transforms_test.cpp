@@ -12,7 +12,7 @@ Mat4 transform_in(const std::string& text) {
   for (char& c : json) c = c == '\'' ? '"' : c;
   desc::SceneDesc scene;
   Warnings warnings;
-  FileAccess files("", {});
+  FileAccess files("", {}, warnings);
   const Context context{scene, warnings, files};
   const Mat4 result = transform_of(context, LocatedJson::parse(json, "t.json"));
   for (const std::string& message : warnings.messages()) ADD_FAILURE() << message;

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "import/tungsten/camera.h"
+#include "import/tungsten/other_dialects.h"
 #include "import/tungsten/primitives.h"
 #include "import/tungsten/settings.h"
 
@@ -13,18 +14,6 @@ namespace {
 
 constexpr WarningKind kNoCamera{Effect::Light, "scenes have no camera"};
 constexpr WarningKind kNoShapes{Effect::Geometry, "scenes have no shapes"};
-
-/// JSON is much else, too: studies, statistics, other programs' scenes.
-void require_scene(const LocatedJson& root) {
-  if (root.is(LocatedJson::Kind::Object)) {
-    for (const char* key : {"primitives", "bsdfs", "camera"}) {
-      if (root.find(key) != nullptr) return;
-    }
-  }
-  throw SceneError(root.where(),
-                   "this is no scene of Tungsten: it has none of \"primitives\", \"bsdfs\" and "
-                   "\"camera\"");
-}
 
 void read_scene(Context& context, const LocatedJson& root) {
   require_scene(root);
@@ -61,12 +50,13 @@ void read_scene(Context& context, const LocatedJson& root) {
 desc::SceneDesc import_tungsten_text(std::string_view text, const std::string& name,
                                      const std::string& base_folder, Warnings& warnings,
                                      FileProvider provider) {
-  FileAccess files(base_folder, std::move(provider));
+  FileAccess files(base_folder, std::move(provider), warnings);
+  const FileBytes in_text = in_utf8(FileBytes(text));
   desc::SceneDesc scene;
   scene.source = name;
   tungsten::Context context{scene, warnings, files};
-  tungsten::read_scene(context,
-                       LocatedJson::parse(text, name, JsonExtras::CommentsAndTrailingCommas));
+  tungsten::read_scene(
+      context, LocatedJson::parse(in_text.view(), name, JsonExtras::CommentsAndTrailingCommas));
   scene.files = files.named();
   return scene;
 }

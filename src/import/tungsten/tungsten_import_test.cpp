@@ -34,6 +34,49 @@ TEST(TungstenImport, RefusesWhatIsNoSceneOfTungsten) {
             "test.json:1:12: expected a camera, which is an object, not a number");
 }
 
+TEST(TungstenImport, RefusesScenesOfOtherPrograms) {
+  for (
+      const auto& [text, says] :
+      {std::pair(R"({"asset": {"generator": "Yocto/GL - https://github.com/xelatihy/yocto-gl"},
+                      "cameras": [{"name": "c"}], "instances": [{"shape": 0}]})",
+                 "one of Yocto/GL"),
+       {R"({"asset": {"version": "2.0"}, "nodes": [], "camera": {}})", "one of glTF"},
+       {R"({"metadata": {"type": "App"}, "camera": {"object": {}}, "scene": {}})", "three.js"},
+       {R"({"camera": {"transform": {"o": [0, 0, 5]}, "vfov": 45}, "surfaces": [],
+             "materials": []})",
+        "one of Darts or DIRT"},
+       {R"({"camera": {"type": "thin_lens", "param": {}}, "shapes": [], "materials": []})",
+        "one of Vision"},
+       {R"({"version": 2, "active_camera": "c", "camera": {}, "models": [{"file": "a"}]})",
+        "one of Falcor"},
+       {R"({"camera": {"eye": [0, 0, 5]}, "lights": [], "objects": [{"type": "sphere"}]})",
+        "it has no \"bsdfs\", but \"lights\", \"objects\""},
+       {R"({"camera": {"fov": 45}, "integrator": {"type": "path"}, "meshes": [{"file": "a.obj"}]})",
+        "one of Nori"},
+       {R"({"primitives": [{"type": "sphere", "center": [0, 0, 0], "radius": 1}]})",
+        "none of its \"primitives\" has what those of Tungsten have"},
+       {R"({"camera": {"eye": [0, 0, 5], "target": [0, 0, 0]}})", "its \"camera\" has nothing"},
+       {R"({"generator": "My exporter 2", "camera": {}, "entities": []})",
+        "it was made by \"My exporter 2\""}}) {
+    const std::string error = error_of(text);
+    EXPECT_TRUE(contains(error, "test.json:1:1: this is no scene of Tungsten: ")) << error;
+    EXPECT_TRUE(contains(error, says)) << error;
+  }
+  Warnings warnings;
+  EXPECT_NO_THROW(import_with(R"({"version": "1", "comment": "mine", "camera": {"fov": 30},
+                                  "primitives": [{"type": "quad", "bsdf": {"type": "lambert"}}]})",
+                              warnings));
+}
+
+TEST(TungstenImport, ReadsTextInUtf16) {
+  const std::string text = R"({"camera": {}, "bsdfs": [], "primitives": [{"type": "quad"}]})";
+  std::string wide = "\xFE\xFF";
+  for (const char c : text) wide += std::string{'\0', c};
+  Warnings warnings;
+  EXPECT_EQ(import_with(wide, warnings).shapes.size(), 1U);
+  EXPECT_EQ(import_with("\xEF\xBB\xBF" + text, warnings).shapes.size(), 1U);
+}
+
 TEST(TungstenImport, FilesMayHaveCommentsAndTrailingCommas) {
   Warnings warnings;
   const desc::SceneDesc scene = import_with(

@@ -184,6 +184,7 @@ class SceneHasher {
     h.array(mesh.positions);
     h.array(mesh.normals);
     h.array(mesh.tangents);
+    h.array(mesh.handedness);
     h.array(mesh.uvs);
     h.array(mesh.indices);
     return meshes_[&mesh] = h.result();

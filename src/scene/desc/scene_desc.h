@@ -9,6 +9,7 @@
 
 #include "core/error.h"
 #include "core/vector.h"
+#include "core/warnings.h"
 #include "scene/desc/density_grid.h"
 #include "scene/desc/node.h"
 #include "scene/desc/shape_data.h"
@@ -173,6 +174,16 @@ struct RenderHints {
 /// Contents of files that are inside of others, by the names that nodes have for them.
 using EmbeddedFiles = std::map<std::string, std::shared_ptr<const std::string>>;
 
+/// A warning of something that only matters where the camera sees it: `Scene` looks whether it
+/// does.
+struct WarningIfSeen {
+  enum class If { FromBehind, Nearer, Farther };
+  If condition;
+  MaterialId material = kNone;  ///< that is seen from behind; kNone: any
+  float depth = 0.F;            ///< nearer or farther than which it is, along the camera's axis
+  Warning warning;
+};
+
 struct SceneDesc {
   std::string source;           ///< the file it came from
   std::set<std::string> files;  ///< on the disk that it names, itself too; nothing may replace them
@@ -187,6 +198,7 @@ struct SceneDesc {
   Camera camera;
   Film film;
   RenderHints hints;
+  std::vector<WarningIfSeen> warnings_if_seen;
 };
 
 /// Hash of everything that decides the picture (not of names, hints or locations): the same scene

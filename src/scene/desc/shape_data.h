@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <vector>
 
 #include "core/vector.h"
@@ -10,8 +11,11 @@ namespace ajar::desc {
 
 struct Mesh {
   std::vector<Vec3> positions;
-  std::vector<Vec3> normals;                   ///< per vertex, or empty
-  std::vector<Vec3> tangents;                  ///< per vertex, or empty
+  std::vector<Vec3> normals;   ///< per vertex, or empty
+  std::vector<Vec3> tangents;  ///< per vertex, or empty
+  /// Beside tangents: across is this (1 or −1) times the normal × tangent; per vertex, or empty:
+  /// across is where the texture coordinates have it.
+  std::vector<std::int8_t> handedness;
   std::vector<Vec2> uvs;                       ///< per vertex, or empty
   std::vector<Imath::Vec3<unsigned>> indices;  ///< one per triangle, each < positions.size()
 };

@@ -20,19 +20,25 @@ constexpr WarningKind kOtherPrimaries{
     Effect::Light,
     "light maps are files with a red, green and blue of their own, which is not supported"};
 
+constexpr WarningKind kChannels{Effect::Light,
+                                "light maps are files of several layers, of which one is shown"};
+
 /// Raises IoError with the reason if the file cannot be read.
 Map read_map(const std::string& path, MapEdge edge, MapFilter filter,
-             std::optional<float> decoding_exponent, bool* has_other_primaries) {
+             std::optional<float> decoding_exponent, bool* has_other_primaries,
+             std::string* remark) {
   ImageInput input(path, true);
   const ImageHeader& header = input.header();
   constexpr int kMaxSide = 1 << 16;
   if (header.width > kMaxSide || header.height > kMaxSide) {
     throw IoError("it has more than 65536 pixels in a row or column");
   }
-  const int channels = std::min(header.channels, 3);
+  const int channels = input.colors().count;
+  *remark = input.colors().remark;
   *has_other_primaries = channels == 3 && header.has_other_primaries;
   const auto count = static_cast<std::size_t>(header.pixels());
-  std::vector<float> values = input.read<float>(channels, count * sizeof(Spectrum));
+  std::vector<float> values =
+      input.read_from<float>(input.colors().first, channels, count * sizeof(Spectrum));
   if (header.is_integer) {
     for (float& v : values) {
       v = decoding_exponent ? std::pow(v, *decoding_exponent) : linear_from_srgb(v);
@@ -67,12 +73,17 @@ Map load_map(const std::string& path, MapEdge edge, const SourceLocation& where,
   std::string reason;
   try {
     bool has_other_primaries = false;
+    std::string remark;
     Map map = read_map(NamedFile(path, embedded).path(), edge, filter, decoding_exponent,
-                       &has_other_primaries);
+                       &has_other_primaries, &remark);
     if (has_other_primaries) {
       warnings.add(kOtherPrimaries, where,
                    "light map \"" + path + "\" has red, green and blue of its own " +
                        "(\"chromaticities\"): they are taken for those of Rec. 709",
+                   std::filesystem::path(path).filename().string());
+    }
+    if (!remark.empty()) {
+      warnings.add(kChannels, where, "light map \"" + path + "\": " + remark,
                    std::filesystem::path(path).filename().string());
     }
     return map;

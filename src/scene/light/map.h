@@ -76,8 +76,8 @@ class Map {
 };
 
 /// Reads `path`, which may be one of `embedded`, as linear RGB: integer formats are decoded by
-/// `decoding_exponent`, without one from sRGB; one or two channels are grey, alpha is ignored. A
-/// file that cannot be read gives one magenta texel and a warning naming it.
+/// `decoding_exponent`, without one from sRGB; of channels those are taken that are the picture
+/// (`ColorChannels`). A file that cannot be read gives one magenta texel and a warning naming it.
 Map load_map(const std::string& path, MapEdge edge, const SourceLocation& where, Warnings& warnings,
              MapFilter filter = MapFilter::Bilinear, const desc::EmbeddedFiles& embedded = {},
              std::optional<float> decoding_exponent = std::nullopt);

@@ -132,7 +132,8 @@ TriangleMesh::TriangleMesh(std::shared_ptr<const desc::Mesh> source, const Place
     : source_(std::move(source)),
       triangle_count_(source_->indices.size()),
       flip_winding_(reversed != placement.mirrors()),
-      reversed_(reversed) {
+      reversed_(reversed),
+      mirrors_(placement.mirrors()) {
   const std::size_t vertices = source_->positions.size();
   const auto usable = [&](const auto& attribute, const char* name) {
     if (attribute.empty() || attribute.size() == vertices) return !attribute.empty();
@@ -147,6 +148,9 @@ TriangleMesh::TriangleMesh(std::shared_ptr<const desc::Mesh> source, const Place
   vertex_count_ = vertices;
   place(placement, source_.use_count() == 1);
   if (!has_tangents) tangents_ = nullptr;
+  if (has_tangents && usable(source_->handedness, "signs of tangents")) {
+    handedness_ = source_->handedness.data();
+  }
   triangles_ = source_->indices.data();
   validate(where);
 }
@@ -350,7 +354,9 @@ Vec3d TriangleMesh::find_point(std::uint32_t triangle, float b1, float b2,
     const float along_squared = length_squared(along);
     if (along_squared > 1e-12F * length_squared(tangent) && std::isfinite(along_squared)) {
       const Vec3 x = along / std::sqrt(along_squared);
-      const Vec3 y = face_forward(cross(point.ns, x), point.dpdv);
+      const Vec3 across = cross(point.ns, x);
+      const float sign = handedness_ == nullptr ? 0.F : handedness(t, b0, b1, b2);
+      const Vec3 y = sign == 0.F ? face_forward(across, point.dpdv) : across * sign;
       point.dpdu = x * length(point.dpdu);
       point.dpdv = y * length(point.dpdv);
     }
@@ -358,8 +364,19 @@ Vec3d TriangleMesh::find_point(std::uint32_t triangle, float b1, float b2,
   return exact;
 }
 
+float TriangleMesh::handedness(const Triangle& t, float b0, float b1, float b2) const {
+  const float sum = b0 * static_cast<float>(handedness_[t.x]) +
+                    b1 * static_cast<float>(handedness_[t.y]) +
+                    b2 * static_cast<float>(handedness_[t.z]);
+  // A mirrored object is its mirror image, in which cross products have the other sign; and they
+  // follow the normal, which a reversed shape has turned around.
+  const bool is_turned = reversed_ != mirrors_;
+  return sum == 0.F ? 0.F : (sum > 0.F) == is_turned ? -1.F : 1.F;
+}
+
 template Vec3d TriangleMesh::find_point<true>(std::uint32_t, float, float, SurfacePoint&) const;
 template Vec3d TriangleMesh::find_point<false>(std::uint32_t, float, float, SurfacePoint&) const;
+
 
 SurfaceDerivatives TriangleMesh::derivatives(std::uint32_t triangle, const Vec3d& p) const {
   const Triangle& t = triangles_[triangle];

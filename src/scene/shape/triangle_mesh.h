@@ -88,6 +88,10 @@ class TriangleMesh {
   const Vec3* positions_ = nullptr;
   std::size_t stride_ = sizeof(Vec3);
   const Vec3* tangents_ = nullptr;
+  /// 1 or −1, in the world; 0: as the texture coordinates have it.
+  float handedness(const Triangle& t, float b0, float b1, float b2) const;
+
+  const std::int8_t* handedness_ = nullptr;
   const Triangle* triangles_ = nullptr;
   std::size_t vertex_count_ = 0;
   std::size_t triangle_count_ = 0;
@@ -96,6 +100,7 @@ class TriangleMesh {
   bool flip_winding_ = false;  ///< the geometric normal is against the winding
   bool reversed_ = false;
   float plane_error_ = 0.F;
+  bool mirrors_ = false;  ///< its placement does
 };
 
 }  // namespace ajar

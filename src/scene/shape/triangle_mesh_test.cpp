@@ -131,6 +131,25 @@ TEST_F(TriangleMeshTest, TangentsTurnTheDerivatives) {
   EXPECT_NEAR(dot(p.dpdu, p.ng), 0.F, 1e-5F);
 }
 
+TEST_F(TriangleMeshTest, TheSignOfTangentsSaysWhereAcrossIsInMirrorImagesToo) {
+  Mat4 mirror;
+  mirror.setScale(Vec3d(-1, 1, 1));
+  for (const bool reversed : {false, true}) {
+    for (const int sign : {1, -1}) {
+      auto mesh = triangle();
+      mesh->normals = points({0, -0.4472136F, 0.8944272F, 0, -0.4472136F, 0.8944272F,  //
+                              0, -0.4472136F, 0.8944272F});
+      mesh->tangents = points({1, 0, 0, 1, 0, 0, 1, 0, 0});
+      mesh->handedness.assign(3, static_cast<std::int8_t>(sign));
+      const Vec3 plain = at(make(mesh, {}, reversed), 0.2F, 0.3F).dpdv;
+      const Vec3 mirrored = at(make(mesh, mirror, reversed), 0.2F, 0.3F).dpdv;
+      // The normal x tangent, as the file has the normal.
+      EXPECT_GT(static_cast<float>(sign) * dot(plain, Vec3(0.F, 2.F, 1.F)), 0.F) << sign;
+      EXPECT_LT(length(normalize(mirrored) - normalize(Vec3(-plain.x, plain.y, plain.z))), 1e-5F);
+    }
+  }
+}
+
 TEST_F(TriangleMeshTest, TrianglesWithoutAreaGiveFiniteFrames) {
   for (const Vec3& last : {Vec3(4, 0, 0), Vec3(0, 0, 0), Vec3(1e-25F, 2e-25F, 0)}) {
     auto mesh = triangle();

@@ -22,33 +22,33 @@ struct ChannelRange {
 };
 
 /// Nothing for alpha that an image does not have.
-std::optional<ChannelRange> kept_channels(const ImageHeader& header, ImageChannel channel) {
-  const bool is_gray = header.channels < 3;
-  const ChannelRange color{0, is_gray ? 1 : 3};
+std::optional<ChannelRange> kept_channels(const ColorChannels& colors, ImageChannel channel) {
+  const bool is_gray = colors.count < 3;
+  const ChannelRange color{colors.first, colors.count};
   switch (channel) {
     case ImageChannel::Color:
       return color;
     case ImageChannel::Red:
-      return ChannelRange{0};
+      return ChannelRange{colors.first};
     case ImageChannel::Green:
-      return ChannelRange{is_gray ? 0 : 1};
+      return ChannelRange{colors.first + (is_gray ? 0 : 1)};
     case ImageChannel::Blue:
-      return ChannelRange{is_gray ? 0 : 2};
+      return ChannelRange{colors.first + (is_gray ? 0 : 2)};
     case ImageChannel::AlphaOrColor:
-      if (header.alpha_channel < 0) return color;
+      if (colors.alpha < 0) return color;
       break;
     case ImageChannel::VaryingAlphaOrColor:
-      if (header.alpha_channel < 0 || is_gray) return color;
+      if (colors.alpha < 0 || is_gray) return color;
       break;
     case ImageChannel::Alpha:
       break;
   }
-  if (header.alpha_channel < 0) return std::nullopt;
-  return ChannelRange{header.alpha_channel};
+  if (colors.alpha < 0) return std::nullopt;
+  return ChannelRange{colors.alpha};
 }
 
 /// One texel of 1.
-TexelImage opaque_image() { return {1, 1, 1, false, std::vector<std::uint8_t>{255}}; }
+TexelImage opaque_image() { return {1, 1, 1, false, {}, std::vector<std::uint8_t>{255}}; }
 
 /// Whether each texel is 1.
 bool is_opaque(const TexelImage& image) {
@@ -67,13 +67,14 @@ TexelImage read_texel_image(const ImageRequest& request, const desc::EmbeddedFil
   const NamedFile file(request.path, embedded);
   ImageInput input(file.path(), true);
   const ImageHeader& header = input.header();
-  const std::optional<ChannelRange> channels = kept_channels(header, request.channel);
+  const std::optional<ChannelRange> channels = kept_channels(input.colors(), request.channel);
   if (!channels) return opaque_image();
   TexelImage image;
   image.width = header.width;
   image.height = header.height;
   image.channels = channels->count;
   image.has_other_primaries = image.channels == 3 && header.has_other_primaries;
+  image.remark = input.colors().remark;
   const auto read = [&]<typename T>(T) {
     image.texels = input.read_from<T>(channels->first, channels->count);
   };
@@ -91,7 +92,7 @@ TexelImage read_texel_image(const ImageRequest& request, const desc::EmbeddedFil
       read(float{});
   }
   if (request.channel == ImageChannel::VaryingAlphaOrColor &&
-      channels->first == header.alpha_channel && is_opaque(image)) {
+      channels->first == input.colors().alpha && is_opaque(image)) {
     return read_texel_image({request.path, ImageChannel::Color}, embedded);
   }
   return image;
@@ -102,7 +103,7 @@ ImageSize image_size(const ImageRequest& request, const desc::EmbeddedFiles& emb
     const NamedFile file(request.path, embedded);
     const ImageInput input(file.path());
     const ImageHeader& header = input.header();
-    const std::optional<ChannelRange> kept = kept_channels(header, request.channel);
+    const std::optional<ChannelRange> kept = kept_channels(input.colors(), request.channel);
     if (!kept) return {1, 1};
     const std::uint64_t channel_bytes = size_of(header.type);
     if (!memory_shortage(input.bytes(kept->count, channel_bytes)).empty()) return {};

@@ -21,6 +21,7 @@ struct TexelImage {
   int height = 0;
   int channels = 1;                  ///< 1 (gray) or 3
   bool has_other_primaries = false;  ///< than those that its colours are taken for
+  std::string remark;                ///< on its channels (`ColorChannels`)
   std::variant<std::vector<std::uint8_t>, std::vector<std::uint16_t>, std::vector<Imath::half>,
                std::vector<float>>
       texels;

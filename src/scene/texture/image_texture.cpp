@@ -91,6 +91,7 @@ class ImageTexture final : public Texture {
         reduction_(reduction_of(node)),
         nearest_(node.text("filter") == "nearest"),
         scale_(node.number("scale")),
+        offset_(node.number("offset")),
         image_(std::move(image)),
         texels_(std::get<std::vector<T>>(image_->texels).data()),
         decode_(node),
@@ -162,11 +163,12 @@ class ImageTexture final : public Texture {
   }
 
   float finished(float value) const {
-    const float scaled = invert_ ? std::max(1.F - value * scale_, 0.F) : value * scale_;
-    return clamp_ ? std::clamp(scaled, 0.F, 1.F) : scaled;
+    const float scaled = value * scale_ + offset_;
+    const float result = invert_ ? std::max(1.F - scaled, 0.F) : scaled;
+    return clamp_ ? std::clamp(result, 0.F, 1.F) : result;
   }
   Spectrum finished(const Spectrum& value) const {
-    if (!invert_ && !clamp_) return value * scale_;
+    if (!invert_ && !clamp_ && offset_ == 0.F) return value * scale_;
     return map_lanes(value, [this](float lane) { return finished(lane); });
   }
 
@@ -175,6 +177,7 @@ class ImageTexture final : public Texture {
   Reduction reduction_;
   bool nearest_;
   float scale_;
+  float offset_;
   std::shared_ptr<const TexelImage> image_;
   const T* texels_;
   Decoder<T> decode_;
@@ -224,7 +227,8 @@ TextureModel image_texture() {
                                  "what is beyond the edge of the image"),
                 std::move(decode), std::move(gamma),
                 declare::number("scale", "1", "factor of all values"),
-                declare::flag("invert", "1 − value, after the scale; never below 0"),
+                declare::number("offset", "0", "added to all values, after the scale"),
+                declare::flag("invert", "1 − value, after the offset; never below 0"),
                 declare::flag("clamp", "to 0 and 1, after all this"),
                 choice_parameter("filter", {"bilinear", "nearest"}, "between texels")},
                mapping_parameters())},

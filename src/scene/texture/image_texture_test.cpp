@@ -1,9 +1,11 @@
 #include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 
+#include "core/image_encoder.h"
 #include "scene/desc/models.h"
 #include "scene/light/map.h"
 #include "scene/material/relief.h"
@@ -132,6 +134,16 @@ TEST_F(ImageTextureTest, InvertedOnesAreOneMinusTheScaledValue) {
   EXPECT_EQ(inverted[2], 1.F);
 }
 
+TEST_F(ImageTextureTest, AnOffsetIsAddedAfterTheScale) {
+  desc::Node node =
+      desc::texture_node("image", {{"decode_srgb", false}, {"scale", 2.F}, {"offset", -0.25F}});
+  node.set("file", write<float>("o.exr", 1, 1, 3, {0.25F, 0.5F, 1.F}));
+  const Spectrum value = make(node)->eval(at_uv(0.5F, 0.5F));
+  EXPECT_EQ(Vec3(value[0], value[1], value[2]), Vec3(0.25F, 0.75F, 1.75F));
+  node.set("channel", std::string("red"));
+  EXPECT_EQ(make(node)->eval_float(at_uv(0.5F, 0.5F)), 0.25F);
+}
+
 TEST_F(ImageTextureTest, MayBeClampedAfterTheScale) {
   desc::Node node = desc::texture_node("image");
   node.set("scale", 2.F);
@@ -154,6 +166,64 @@ TEST_F(ImageTextureTest, GrayImagesAreGrayAndAlphaIsIgnored) {
   const Spectrum rgba = make(node)->eval(at_uv(0.5F, 0.5F));
   EXPECT_NEAR(rgba[0], 0.2F, 1e-6F);
   EXPECT_NEAR(rgba[2], 0.6F, 1e-6F);
+}
+
+/// An EXR file of one pixel.
+std::string written_exr(const std::string& path, const std::vector<std::string>& names,
+                        const std::vector<float>& values) {
+  ImageLayout layout;
+  layout.width = layout.height = 1;
+  layout.names = names;
+  layout.resolution = {1, 1};
+  const auto bytes =
+      encode_exr(layout, [&](int, float* row) { std::copy(values.begin(), values.end(), row); });
+  std::ofstream(path, std::ios::binary)
+      .write(reinterpret_cast<const char*>(bytes.data()),
+             static_cast<std::streamsize>(bytes.size()));
+  return path;
+}
+
+TEST_F(ImageTextureTest, OfLayersAndAlphaThePictureIsShown) {
+  desc::Node node = desc::texture_node("image");
+  const auto color = [&](const std::vector<std::string>& names, const std::vector<float>& values) {
+    node.set("file", written_exr((folder_ / "layers.exr").string(), names, values));
+    const Spectrum c = make(node)->eval(at_uv(0.5F, 0.5F));
+    return Vec3(c[0], c[1], c[2]);
+  };
+  EXPECT_EQ(color({"A", "Y"}, {0.75F, 0.25F}), Vec3(0.25F));
+  Warnings warnings;
+  EXPECT_EQ(load_map(node.text("file"), MapEdge::Clamp, {}, warnings).lookup({0.5F, 0.5F}),
+            Spectrum(0.25F))
+      << "of a light";
+  EXPECT_EQ(warnings.count(), 0U);
+  EXPECT_EQ(color({"Y", "Z"}, {0.25F, 9.F}), Vec3(0.25F));
+  EXPECT_EQ(color({"Z", "diffuse.R", "diffuse.G", "diffuse.B"}, {9.F, 0.25F, 0.5F, 0.75F}),
+            Vec3(0.25F, 0.5F, 0.75F));
+  EXPECT_EQ(color({"depth"}, {0.5F}), Vec3(0.5F));
+  node.set("channel", std::string("alpha"));
+  EXPECT_EQ(color({"A", "Y"}, {0.75F, 0.25F}), Vec3(0.75F));
+  EXPECT_EQ(color({"beauty.A", "beauty.R", "beauty.G", "beauty.B"}, {0.75F, 0.1F, 0.1F, 0.1F}),
+            Vec3(0.75F));
+}
+
+TEST_F(ImageTextureTest, LayersOfWhichAnyMayBeMeantAreAWarning) {
+  desc::SceneDesc scene;
+  scene.textures.push_back(
+      {"",
+       {},
+       desc::texture_node("image", {{"file", written_exr((folder_ / "two.exr").string(),
+                                                         {"a.Y", "b.Y"}, {0.25F, 0.5F})}})});
+  Warnings warnings;
+  const TextureList textures = build_textures(scene, warnings);
+  ASSERT_EQ(warnings.count(), 1U);
+  EXPECT_NE(warnings.messages().front().find("of its channels \"a.Y\", \"b.Y\", \"a.Y\" is shown"),
+            std::string::npos);
+  EXPECT_EQ(textures.front()->eval_float(at_uv(0.5F, 0.5F)), 0.25F);
+  Warnings of_light;
+  EXPECT_EQ(load_map(scene.textures.front().node.text("file"), MapEdge::Clamp, {}, of_light)
+                .lookup({0.5F, 0.5F}),
+            Spectrum(0.25F));
+  EXPECT_EQ(of_light.count(), 1U);
 }
 
 TEST_F(ImageTextureTest, AChannelAloneIsANumber) {

@@ -13,6 +13,9 @@ constexpr WarningKind kOtherPrimaries{
     "textures are files with a red, green and blue of their own, which is not "
     "supported"};
 
+constexpr WarningKind kChannels{Effect::Surface,
+                                "textures are files of several layers, of which one is shown"};
+
 ImageChannel channel_of(const desc::Node& node) {
   if (!node.has("channel")) return ImageChannel::Color;
   const std::string& name = node.text("channel");
@@ -51,6 +54,10 @@ std::shared_ptr<const TexelImage> TextureInputs::image(std::string_view name) co
     warnings_.add(is_color ? kUnreadable : kUnreadableNumbers, description_.where,
                   "cannot read image \"" + path + "\" (" + cached.error + "); it is replaced by " +
                       (is_color ? "magenta, or left out if it says normals" : "1"),
+                  file);
+  }
+  if (cached.image && !cached.image->remark.empty()) {
+    warnings_.add(kChannels, description_.where, "image \"" + path + "\": " + cached.image->remark,
                   file);
   }
   // Vectors and numbers have no primaries.
