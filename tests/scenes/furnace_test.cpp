@@ -65,12 +65,13 @@ desc::PerspectiveCamera lens(float fov) {
   return camera;
 }
 
-constexpr int kFurnacePixels = 10;
+constexpr int kFurnacePixels = 16;
 constexpr float kBallDistance = 5.F;
 
-test::Render render_furnace(desc::SceneDesc scene, int samples, const std::string& what) {
+test::Render render_furnace(desc::SceneDesc scene, int pixels, int samples,
+                            const std::string& what) {
   Warnings warnings;
-  const Scene built(std::move(scene), BuildOptions{Vec2i(kFurnacePixels)}, warnings);
+  const Scene built(std::move(scene), BuildOptions{Vec2i(pixels)}, warnings);
   test::RenderOptions options;
   options.samples = samples;
   test::Render result = test::render(built, options);
@@ -81,17 +82,17 @@ test::Render render_furnace(desc::SceneDesc scene, int samples, const std::strin
 /// A ball that fills the picture, in an environment of radiance 1: its middle, the ring around it,
 /// and its edge.
 using Zones = std::array<FurnaceMean, 3>;
-Zones ball(const desc::SceneDesc& imported, bool from_behind, const std::string& what) {
+Zones ball(const desc::SceneDesc& imported, bool from_behind, const std::string& what,
+           int samples = 32) {
   desc::SceneDesc scene = ball_of(imported, from_behind);
   scene.lights.emplace_back().node = desc::light_node("environment", {{"radiance", Vec3(1.F)}});
   scene.camera.to_world = Mat4();
   scene.camera.to_world[3][2] = -kBallDistance;
   const float fov = 2.F * std::asin(1.F / kBallDistance) * 180.F / std::numbers::pi_v<float>;
   scene.camera.node = lens(fov);
-  const test::Render picture = render_furnace(std::move(scene), 64, what);
+  const test::Render picture = render_furnace(std::move(scene), kFurnacePixels, samples, what);
   Zones zones;
-  constexpr std::array<std::pair<double, double>, 3> kRadii{
-      {{0.0, 0.55}, {0.55, 0.85}, {0.85, 0.98}}};
+  constexpr std::array<std::pair<double, double>, 3> kRadii{{{0.0, 0.5}, {0.5, 0.8}, {0.8, 0.91}}};
   for (std::size_t zone = 0; zone < zones.size(); ++zone) {
     const auto [inner, outer] = kRadii[zone];
     std::vector<double> parts;
@@ -126,7 +127,7 @@ FurnaceMean room(const desc::SceneDesc& imported, bool from_behind, const std::s
       {}, desc::emission_node("area", {{"radiance", Vec3(0.01F)}, {"two_sided", true}})};
   scene.camera.to_world = Mat4();
   scene.camera.node = lens(90.F);
-  const test::Render picture = render_furnace(std::move(scene), 8, what);
+  const test::Render picture = render_furnace(std::move(scene), 8, 8, what);
   std::vector<double> parts;
   for (int r = 0; r < picture.film->replicates(); ++r) {
     double sum = 0.0;
@@ -137,12 +138,21 @@ FurnaceMean room(const desc::SceneDesc& imported, bool from_behind, const std::s
   return mean_of_parts(parts);
 }
 
-constexpr double kPower = 0.02;  ///< a gain of this much is noticed
+constexpr double kPower = 0.25;  ///< a gain of this much is noticed
+/// For what is compared with a number: a hundredth is noticed.
+constexpr int kManySamples = 512;
 
 void expect_same(const FurnaceMean& seen, const FurnaceMean& expected, const std::string& what) {
   EXPECT_NEAR(seen.mean, expected.mean,
               5.0 * std::hypot(seen.error, expected.error) + 0.004 * expected.mean)
       << what;
+}
+
+void expect_at_most(const Zones& zones, double most, const std::string& what) {
+  for (const FurnaceMean& zone : zones) {
+    EXPECT_LE(zone.mean, most + 5.0 * zone.error + 0.004) << what;
+    EXPECT_LE(5.0 * zone.error, kPower * most) << what << ": too noisy";
+  }
 }
 
 void expect_no_gain(const desc::SceneDesc& imported, const FurnaceRow& row) {
@@ -151,10 +161,7 @@ void expect_no_gain(const desc::SceneDesc& imported, const FurnaceRow& row) {
   for (const bool from_behind : {false, true}) {
     const std::string what = row.material + (from_behind ? ", from behind" : ", from the front");
     balls[from_behind] = ball(imported, from_behind, what);
-    for (const FurnaceMean& zone : balls[from_behind]) {
-      EXPECT_LE(zone.mean, row.most + 5.0 * zone.error + 0.004) << what;
-      EXPECT_LE(5.0 * zone.error, kPower * row.most) << what << ": too noisy";
-    }
+    expect_at_most(balls[from_behind], row.most, what);
     if (row.most > 1.0) continue;
     rooms[from_behind] = room(imported, from_behind, what);
     EXPECT_LE(rooms[from_behind].mean, 1.0 + 5.0 * rooms[from_behind].error + 0.004)
@@ -197,6 +204,7 @@ std::vector<std::pair<std::string, desc::Node>> nodes_of(const desc::Model& mode
     spec.default_value = value;
     desc::Node node = plain;
     node.set(spec.name, desc::default_value(spec));
+    if (node.get(spec.name) == plain.get(spec.name)) return;
     nodes.emplace_back(model.name + ", " + spec.name + " " + value, node);
   };
   for (const ParameterSpec& spec : model.parameters) {
@@ -223,7 +231,11 @@ TEST(MaterialFurnace, ModelsOfTheRegistry) {
       desc::SceneDesc scene;
       scene.materials.emplace_back().node = node;
       scene.shapes.emplace_back().material = 0;
-      expect_no_gain(scene, {name});
+      // Burley's diffuse light is beside the gloss, whatever that reflects.
+      const double most = name == "principled, eta 20.000000" ? 1.3 : 1.0;
+      for (const bool from_behind : {false, true}) {
+        expect_at_most(ball(scene, from_behind, name), most, name);
+      }
     }
   }
 }
@@ -350,19 +362,20 @@ TEST(MaterialFurnace, PrincipledIsThatOfMitsuba) {
     std::array<double, 3> zones;
   };
   const std::vector<Known> known{
-      {"0.8", {{"spec_trans", "0.5"}, {"roughness", "0.3"}}, {0.6217, 0.6241, 0.6701}},
-      {"0.8", {{"spec_trans", "0.1"}, {"roughness", "0.2"}}, {0.7564, 0.7708, 0.8598}},
-      {"0.8", {{"spec_trans", "0.5"}, {"metallic", "0.5"}}, {0.6173, 0.6160, 0.6382}},
-      {"0.8", {{"spec_trans", "0.5"}, {"spec_tint", "1"}}, {0.6012, 0.5775, 0.5984}},
-      {"1", {{"roughness", "1"}}, {1.0475, 1.0527, 1.1356}},
-      {"1", {{"roughness", "0.5"}}, {1.0380, 1.0598, 1.0980}}};
+      {"0.8", {{"spec_trans", "0.5"}, {"roughness", "0.3"}}, {0.6229, 0.6211, 0.6221}},
+      {"0.8", {{"spec_trans", "0.1"}, {"roughness", "0.2"}}, {0.7591, 0.7675, 0.8002}},
+      {"0.8", {{"spec_trans", "0.5"}, {"metallic", "0.5"}}, {0.6238, 0.6133, 0.6023}},
+      {"0.8", {{"spec_trans", "0.5"}, {"spec_tint", "1"}}, {0.6019, 0.5794, 0.5584}},
+      {"1", {{"roughness", "1"}}, {1.0487, 1.0502, 1.0783}},
+      {"1", {{"roughness", "0.5"}}, {1.0416, 1.0497, 1.0715}}};
   for (const Known& row : known) {
     std::string material =
         "<bsdf type='principled'><rgb name='base_color' value='" + std::string(row.base) + "'/>";
     for (const auto& [name, value] : row.numbers) {
       material += "<float name='" + std::string(name) + "' value='" + value + "'/>";
     }
-    const Zones zones = ball(imported(material + "</bsdf>", write_mitsuba_ball), false, material);
+    const Zones zones =
+        ball(imported(material + "</bsdf>", write_mitsuba_ball), false, material, kManySamples);
     for (std::size_t zone = 0; zone < zones.size(); ++zone) {
       EXPECT_NEAR(zones[zone].mean, row.zones[zone], 5.0 * zones[zone].error + 0.004)
           << material << ' ' << zone;
@@ -469,8 +482,9 @@ TEST(MaterialFurnace, GltfIsThatOfAppendixB) {
   // Closed integrals of its formulas for a roughness of 1, and what a room of that shines.
   for (const auto& [base, seen] : {std::pair("1", 0.973), {"0.8", 0.783}}) {
     const desc::SceneDesc scene = imported(gltf_surface(base, "1"), write_gltf_ball);
-    for (const FurnaceMean& zone : ball(scene, false, base)) {
-      EXPECT_NEAR(zone.mean, seen, 0.006) << base;
+    for (const FurnaceMean& zone : ball(scene, false, base, kManySamples)) {
+      EXPECT_NEAR(zone.mean, seen, 5.0 * zone.error + 0.004) << base;
+      EXPECT_LE(5.0 * zone.error, 0.01) << "too noisy";
     }
   }
   const desc::SceneDesc scene = imported(gltf_surface("0.8", "1"), write_gltf_ball);
