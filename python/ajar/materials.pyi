@@ -147,6 +147,7 @@ def plastic(
 def principled(
     *,
     base_color: TexturedColor = 0.5,
+    blend: Literal["once", "twice", "layered"] = 'once',
     metallic: TexturedNumber = 0.0,
     eta: TexturedNumber = 1.5,
     roughness: TexturedNumber = 0.5,
@@ -163,8 +164,6 @@ def principled(
     flatness: TexturedNumber = 0.0,
     diffuse_transmission: TexturedNumber = 1.0,
     thin: bool = False,
-    sheet: Literal["glossy", "split"] = 'glossy',
-    blend: Literal["once", "twice"] = 'once',
     name: str = '',
     bump: Node | None = None,
     normal_map: Node | None = None,

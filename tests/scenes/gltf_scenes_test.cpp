@@ -160,8 +160,7 @@ TEST_F(Gltf, WallsGoWhereWeightsAndJointsMoveThem) {
 }
 
 TEST_F(Gltf, PointLightLightsAWallByTheInverseSquare) {
-  // E = I / d² of I candela; the diffuse part of Burley 2012 is a share 1 / π where light comes
-  // back.
+  // E = I / d² of I candela; a base without gloss is even.
   look_from(5.F, 0.05F);
   add_square(matt({0.5, 0.5, 0.5, 1}));
   add_light({{"type", "point"}, {"intensity", 10}, {"color", {1, 0.5, 0.25}}},
@@ -294,7 +293,7 @@ TEST_F(Gltf, ColorsOfVerticesRunLinearlyOverTriangles) {
       const std::size_t pixel = 3 * static_cast<std::size_t>(16 * y + x);
       const float fx = (static_cast<float>(x) + 0.5F) / 16.F;
       const float fy = 1.F - (static_cast<float>(y) + 0.5F) / 16.F;
-      // Two standard errors of where in the pixel it was looked, and the term of grazing angles.
+      // Two standard errors of where in the pixel it was looked.
       EXPECT_NEAR(seen.pixels[pixel], fx, 0.03F);
       EXPECT_NEAR(seen.pixels[pixel + 1], 0.5F * fy, 0.02F);
       EXPECT_NEAR(seen.pixels[pixel + 2], 0.5F, 0.01F);

@@ -6,8 +6,8 @@
 /// lamp that shines downward, a point light, and a camera that sees a picture of 4 to 3.
 namespace ajar::test {
 
-/// What its surfaces are made of: some formats have no diffuse reflection, others no principled
-/// one. Their parameters are such that all formats mean the same by them.
+/// What its surfaces are made of: some formats have no principled reflection. Its parameters are
+/// such that all others mean the same by them.
 enum class RoomSurface { Diffuse, Principled };
 
 /// Each writes the room into `folder` and returns the path of the scene.
@@ -19,7 +19,7 @@ std::string write_mitsuba_room(const std::filesystem::path& folder, const std::s
                                RoomSurface surface);
 /// Diffuse.
 std::string write_tungsten_room(const std::filesystem::path& folder);
-/// Principled.
+/// Diffuse: without gloss.
 std::string write_gltf_room(const std::filesystem::path& folder);
 /// The same in one file, with the image inside as a JPEG, whose colors are not quite the same.
 std::string write_glb_room(const std::filesystem::path& folder);

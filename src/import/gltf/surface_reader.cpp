@@ -100,8 +100,8 @@ desc::MaterialId SurfaceReader::read_base() {
 
 desc::MaterialId SurfaceReader::metallic_roughness(const Element& pbr) {
   const desc::Value base_color = read_color(pbr, "baseColorFactor", "baseColorTexture");
-  desc::Node node = make(pbr, "principled", {});
-  node.set("base_color", base_color);
+  desc::Node node =
+      make(pbr, "principled", {{"base_color", base_color}, {"blend", std::string("layered")}});
   node.set("metallic", textures_.number(pbr, "metallicRoughnessTexture",
                                         clamped_number(pbr, "metallicFactor", 1.0), Channel::Blue));
   node.set("roughness",

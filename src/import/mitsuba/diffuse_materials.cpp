@@ -1,14 +1,10 @@
 #include <cmath>
 
 #include "import/common/name_table.h"
-#include "import/common/printable.h"
 #include "import/mitsuba/material_plugins.h"
 
 namespace ajar::mitsuba {
 namespace {
-
-constexpr WarningKind kInside{
-    Effect::Slight, "materials are mere glass from within in Mitsuba: alike from both sides"};
 
 Surface diffuse(const MaterialInputs& in, const desc::Value& sigma) {
   // Mitsuba 0.x takes either name.
@@ -34,7 +30,6 @@ ModelName principled_names(bool thin) {
                    {"specular_transmission", {"spec_trans"}},
                    {"sheen_tint", {"sheen_tint"}, "0"},
                    {"blend", {}},
-                   {"sheet", {}},
                    {"coat", {}},
                    {"coat_roughness", {}},
                    {"eta", {"eta"}},
@@ -51,34 +46,13 @@ ModelName principled_names(bool thin) {
   return names;
 }
 
-/// Whether a value is a number for all points, and which.
-bool is_number(const desc::Value& value, float number) {
-  const float* given = std::get_if<float>(&value);
-  return given != nullptr && *given == number;
-}
-
-/// From behind, Mitsuba's has the gloss and the refraction of glass, in their share, and nothing
-/// else.
-bool is_dark_from_behind(const MaterialInputs& in, const desc::Node& node) {
-  const desc::Value& transmission = node.get("specular_transmission");
-  if (is_number(transmission, 0.F) || is_number(node.get("metallic"), 1.F)) return true;
-  if (!is_number(transmission, 1.F) || !is_number(node.get("metallic"), 0.F)) {
-    in.context().warnings.add(kInside, in.where(),
-                              "from within, this material reflects what it reflects from outside; "
-                              "in Mitsuba it is mere glass there",
-                              printable(in.arguments.element().id));
-  }
-  return false;
-}
-
 /// Index of refraction of Burley's "specular" from 0 to 1. Source: Burley 2015.
 float index_of_specular(float specular) { return 2.F / (1.F - std::sqrt(0.08F * specular)) - 1.F; }
 
 Surface principled(const MaterialInputs& in, bool thin) {
   static const ModelName kSolidNames = principled_names(false);
   static const ModelName kThinNames = principled_names(true);
-  desc::Node node = desc::material_node(
-      "principled", {{"thin", thin}, {"sheet", std::string(thin ? "split" : "glossy")}});
+  desc::Node node = desc::material_node("principled", {{"thin", thin}});
   for (const ParameterSpec& spec : node.model().parameters) {
     const ParameterName* names = (thin ? kThinNames : kSolidNames).find(spec.name);
     const std::string_view theirs = names == nullptr        ? std::string_view(spec.name)
@@ -106,7 +80,7 @@ Surface principled(const MaterialInputs& in, bool thin) {
     in.arguments.accept({"diffuse_reflectance_sampling_rate", "main_specular_sampling_rate",
                          "clearcoat_sampling_rate", "specular_sampling_rate"});
   }
-  const bool is_one_sided = !thin && is_dark_from_behind(in, node);
+  const bool is_one_sided = !thin && node.get("specular_transmission") == desc::Value(0.F);
   return {in.materials.add(in.arguments.element(), std::move(node)), desc::kNone, is_one_sided};
 }
 

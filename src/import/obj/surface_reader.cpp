@@ -172,6 +172,7 @@ desc::Node SurfaceReader::base() {
     return desc::material_node(
         "principled",
         {{"base_color", diffuse},
+         {"blend", std::string("layered")},
          {"metallic", number(values_.metallic_texname.empty() ? share_of(values_.metallic) : 1.F,
                              values_.metallic_texname, values_.metallic_texopt, "color")},
          {"roughness", number(values_.roughness_texname.empty() ? share_of(values_.roughness) : 1.F,

@@ -63,9 +63,9 @@ inline std::vector<NamedBsdf> catalogue(float tilt_degrees) {
   all.back().conserves_energy = false;
   begin("disney specular")
       .add(DisneySpecular{{FacetModel::GgxSeparable, 0.2F, 0.4F}, {PackedSpectrum(tint), 0.5F}});
-  begin("gloss of a sheet")
-      .add(SheetSpecular{{FacetModel::GgxSeparable, 0.2F, 0.4F},
-                         {{PackedSpectrum(tint), 0.5F, 1.5F, 0.5F}}});
+  begin("disney specular of glass")
+      .add(DisneyGlassSpecular{{FacetModel::GgxSeparable, 0.2F, 0.4F},
+                               {{PackedSpectrum(tint), 0.5F, 1.5F, 0.5F}, 0.4F}});
   begin("sheet 0.3 × 0.1")
       .add(SheetTransmission{{FacetModel::GgxSeparable, 0.3F, 0.1F}, 1.5F}, tint);
   begin("sheet of air").add(SheetTransmission{ggx(0.4F, 0.4F), 0.75F});
@@ -102,15 +102,24 @@ inline std::vector<NamedBsdf> catalogue(float tilt_degrees) {
     varnished.add(UnderVarnish<DisneySpecular>{
         {{FacetModel::GgxSeparable, 0.2F, 0.4F}, {white, 1.F}}, alpha, 0.7F});
   }
-  Bsdf& lampshade = begin("varnished lampshade");
-  lampshade.add(SmoothCoat{{kVarnishIndex}}, Spectrum(0.8F));
-  lampshade.add(UnderVarnish<LambertTransmission>{{}, 0.F, 0.8F});
-  Bsdf& car_paint = begin("car paint");
-  car_paint.add(SmoothCoat{{kVarnishIndex}}, Spectrum(0.8F));
-  car_paint.add(UnderVarnish<DisneyDiffuse>{{PackedSpectrum(tint), {}, {}, 0.4F}, 0.F, 0.8F});
-  // As the diffuse lobe by itself.
-  all.back().conserves_energy = false;
-
+  for (const auto& [alpha, base] :
+       {std::pair(0.1F, white), {0.25F, PackedSpectrum(tint)}, {1.F, white}}) {
+    const Gloss gloss{1.5F, alpha, 0.9F};
+    const DisneySpecular above{{FacetModel::GgxSeparable, alpha, alpha},
+                               {PackedSpectrum(), 0.F, 1.5F, 0.9F}};
+    const std::string name = std::to_string(alpha);
+    Bsdf& layers = begin("base under gloss " + name);
+    layers.add(UnderVarnish<UnderGloss<SheenOverLambert>>{
+        {{base.unpack(), Spectrum(0.F)}, gloss}, 0.F, 0.F});
+    layers.add(above);
+    Bsdf& sheet = begin("varnished lampshade " + name);
+    sheet.add(SmoothCoat{{kVarnishIndex}}, Spectrum(0.8F));
+    sheet.add(UnderVarnish<DisneySpecular>{above, 0.F, 0.8F});
+    sheet.add(UnderVarnish<UnderGloss<SheenOverLambert>>{
+        {{base.unpack() * 0.5F, Spectrum(0.7F)}, gloss}, 0.F, 0.8F});
+    sheet.add(UnderVarnish<UnderGloss<LambertTransmission>>{{{}, gloss}, 0.F, 0.8F},
+              Spectrum(0.5F));
+  }
   for (const float alpha : {0.15F, 0.6F}) {
     Bsdf& white_wall = begin("white under a coat of " + std::to_string(alpha));
     white_wall.add(RoughCoat{ggx(alpha, alpha), {1.5F}});
@@ -150,6 +159,13 @@ inline std::vector<NamedBsdf> catalogue(float tilt_degrees) {
   disney.add(LambertTransmission{}, tint * 0.1F);
   // Disney's model adds its parts without coupling them.
   all.back().conserves_energy = false;
+  Bsdf& milky = begin("disney, with an inside");
+  milky.add(DisneyDiffuse{PackedSpectrum(tint * 0.5F), {}, {}, 0.4F, true});
+  milky.add(DisneyGlassSpecular{{FacetModel::GgxSeparable, 0.16F, 0.16F},
+                                {{PackedSpectrum(), 0.F, 1.5F, 1.F}, 0.4F}});
+  milky.add(DisneyClearcoat{0.1F, true}, Spectrum(0.1F));
+  milky.add(RoughDielectric{{FacetModel::GgxSeparable, 0.16F, 0.16F}, {}, white, 1.5F},
+            Spectrum(0.4F));
   return all;
 }
 

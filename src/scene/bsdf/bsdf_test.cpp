@@ -214,11 +214,12 @@ Lobe random_lobe(Rng& rng) {
     case 12:
       return SpecularTransmission{eta};
     case 13:
-      return DisneyDiffuse{a, b, {rng.next(), rng.next(), rng.next()}, rng.next()};
+      return DisneyDiffuse{
+          a, b, {rng.next(), rng.next(), rng.next()}, rng.next(), rng.next() < 0.5F};
     case 14:
       return DisneySpecular{facets, {a, rng.next(), eta, rng.next()}};
     case 15:
-      return DisneyClearcoat{extreme(rng, 0.001F, 0.1F)};
+      return DisneyClearcoat{extreme(rng, 0.001F, 0.1F), rng.next() < 0.5F};
     case 16:
       return SmoothConductor{metal};
     case 17:
@@ -230,18 +231,21 @@ Lobe random_lobe(Rng& rng) {
     case 20:
       return CoatedConductor{facets, metal, coat};
     case 21:
-      return UnderVarnish<DisneyDiffuse>{
-          {a, b, {rng.next(), rng.next(), rng.next()}, rng.next()}, coat.alpha, rng.next()};
+      return UnderVarnish<UnderGloss<SheenOverLambert>>{
+          {{a.unpack(), b.unpack()}, {std::max(eta, 1.F), alpha, rng.next()}},
+          coat.alpha,
+          rng.next()};
     case 22:
       return UnderVarnish<DisneySpecular>{{facets, {a, rng.next(), eta}}, coat.alpha, rng.next()};
     case 23:
-      return UnderVarnish<LambertTransmission>{{}, coat.alpha, rng.next()};
+      return UnderVarnish<UnderGloss<LambertTransmission>>{
+          {{}, {std::max(eta, 1.F), alpha, rng.next()}}, coat.alpha, rng.next()};
     case 24:
       return FullOrenNayar(a.unpack(), extreme(rng, 1e-4F, kPi / 2.F));
     case 25:
       return SheetTransmission{facets, eta};
     case 26:
-      return SheetSpecular{facets, {{a, rng.next(), eta, rng.next()}}};
+      return DisneyGlassSpecular{facets, {{a, rng.next(), eta, rng.next()}, rng.next()}};
     default:
       return SmoothCoatedConductor{{metal, coat_eta, {}}};
   }

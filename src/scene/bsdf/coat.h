@@ -188,7 +188,7 @@ struct UnderVarnish {
   static_assert(!Base::kSpecular);
   Base base;
   float alpha = 0.F;  ///< of the varnish; 0 for a smooth one
-  float share = 1.F;
+  float share = 1.F;  ///< may be 0
 
   LobeValue evaluate(const Vec3& wo, const Vec3& wi, bool transmission, TransportMode mode) const {
     LobeValue v = base.evaluate(wo, wi, transmission, mode);
@@ -208,6 +208,7 @@ struct UnderVarnish {
     return base.is_diffuse(wo, u_lobe);
   }
   Spectrum albedo(const Vec3& wo) const {
+    if (share == 0.F) return base.albedo(wo);
     const Coat coat = varnish();
     return base.albedo(wo) *
            covered(std::min(coat.transmittance(std::abs(wo.z)), coat.mean_transmittance()));
@@ -217,6 +218,7 @@ struct UnderVarnish {
   Coat varnish() const { return {kVarnishIndex, alpha}; }
   float covered(float through) const { return 1.F + share * (through - 1.F); }
   float left(const Vec3& wo, const Vec3& wi) const {
+    if (share == 0.F) return 1.F;
     // What the varnish lets through grows with the cosine.
     return covered(varnish().transmittance(std::min(std::abs(wo.z), std::abs(wi.z))));
   }

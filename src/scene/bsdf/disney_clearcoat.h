@@ -8,16 +8,18 @@ namespace ajar {
 /// 2015.
 struct DisneyClearcoat {
   static constexpr bool kSpecular = false;
-  float alpha = 0.1F;  ///< in (0, 1)
+  float alpha = 0.1F;         ///< in (0, 1)
+  bool is_one_sided = false;  ///< black from behind
 
   LobeValue evaluate(const Vec3& wo, const Vec3& wi, bool transmission, TransportMode) const {
-    if (transmission || !same_hemisphere(wo, wi)) return {};
+    if (transmission || !same_hemisphere(wo, wi) || is_hidden(wo)) return {};
     const HalfVector half = half_vector(wo, wi);
     return value(wo, wi, half.h, half.cosine);
   }
 
   std::optional<LobeSample> sample(const Vec3& wo, const BsdfUniforms& u, const Vec3&,
                                    TransportMode) const {
+    if (is_hidden(wo)) return std::nullopt;
     const bool front = wo.z > 0.F;
     const Vec3 o = front ? wo : -wo;
     const float alpha2 = alpha * alpha;
@@ -36,7 +38,7 @@ struct DisneyClearcoat {
   }
 
   LobeInverse inverse(const Vec3& wo, const Vec3& wi, float, const Vec3&) const {
-    if (!same_hemisphere(wo, wi)) return {};
+    if (!same_hemisphere(wo, wi) || is_hidden(wo)) return {};
     const bool front = wo.z > 0.F;
     const HalfVector half = half_vector(front ? wo : -wo, front ? wi : -wi);
     const Vec3& h = half.h;
@@ -48,10 +50,12 @@ struct DisneyClearcoat {
   }
 
   Spectrum albedo(const Vec3& wo) const {
+    if (is_hidden(wo)) return {};
     return Spectrum(0.25F * (0.04F + 0.96F * schlick_weight(std::abs(wo.z))));
   }
 
  private:
+  bool is_hidden(const Vec3& wo) const { return is_one_sided && wo.z < 0.F; }
   /// Smith's G1 for GGX over 2 |cos θ|.
   static float masking(float cosine) {
     constexpr float kAlpha2 = 0.25F * 0.25F;

@@ -12,6 +12,7 @@ struct DisneyDiffuse : CosineSampled<DisneyDiffuse> {
   float fake_subsurface = 0.F;  ///< share of the flattened part, over that of the plain one
   float retro = 1.F;            ///< share of the retro-reflection, over that of the plain part
   float roughness = 0.5F;
+  bool is_one_sided = false;  ///< black from behind
 
   /// Shares of the three parts that have the colour.
   struct Shares {
@@ -22,8 +23,8 @@ struct DisneyDiffuse : CosineSampled<DisneyDiffuse> {
 
   DisneyDiffuse() = default;
   DisneyDiffuse(const PackedSpectrum& its_color, const PackedSpectrum& its_sheen,
-                const Shares& shares, float its_roughness = 0.5F)
-      : sheen(its_sheen), roughness(its_roughness) {
+                const Shares& shares, float its_roughness = 0.5F, bool one_sided = false)
+      : sheen(its_sheen), roughness(its_roughness), is_one_sided(one_sided) {
     // Three shares and a colour have one number more than the lobe has room for.
     constexpr float kLeast = 1e-6F;
     const float plain = std::max(shares.plain, kLeast);
@@ -33,6 +34,7 @@ struct DisneyDiffuse : CosineSampled<DisneyDiffuse> {
   }
 
   Spectrum albedo(const Vec3& wo) const {
+    if (is_one_sided && wo.z < 0.F) return {};
     const float grazing = schlick_weight(std::abs(wo.z));
     const float base = (1.F + fake_subsurface) * (1.F - 0.5F * grazing) +
                        retro * roughness * (0.05F + 0.95F * grazing);
@@ -41,6 +43,7 @@ struct DisneyDiffuse : CosineSampled<DisneyDiffuse> {
   }
   /// π f(wo, wi).
   Spectrum times_pi(const Vec3& wo, const Vec3& wi) const {
+    if (is_one_sided && (wo.z < 0.F || wi.z < 0.F)) return {};
     const float cos_o = std::abs(wo.z);
     const float cos_i = std::abs(wi.z);
     const float fo = schlick_weight(cos_o);

@@ -4,30 +4,34 @@
 namespace ajar {
 
 /// Fresnel term of Disney's specular lobe: between the exact dielectric one and Schlick's, which
-/// starts at `r0`, each with its share. Source: Burley 2015, as in pbrt-v3.
+/// starts at `r0`, each with its share. Seen from behind, it is the same: what is there is opaque,
+/// or air. Source: Burley 2015, as in pbrt-v3.
 struct DisneyFresnel {
   PackedSpectrum r0;
   float metallic = 0.F;
   float eta = 1.5F;
   float dielectric_share = 1.F - metallic;
 
-  Spectrum operator()(float cos_i, bool front) const {
-    const Spectrum dielectric = DielectricFresnel{eta}(cos_i, front);
+  Spectrum operator()(float cos_i, bool /*front*/) const {
+    const Spectrum dielectric = DielectricFresnel{eta}(cos_i, true);
     const Spectrum base = r0.unpack();
     const Spectrum metal = base + schlick_weight(cos_i) * (Spectrum(1.F) - base);
     return dielectric * dielectric_share + metal * metallic;
   }
 };
 
-/// The same of a sheet without thickness, with the same medium on both sides.
-struct DisneySheetFresnel : DisneyFresnel {
-  Spectrum operator()(float cos_i, bool /*front*/) const {
-    return DisneyFresnel::operator()(cos_i, true);
+/// The same where light goes in: from within, there is only the share that is glass.
+struct DisneyGlassFresnel : DisneyFresnel {
+  float glass = 1.F;
+
+  Spectrum operator()(float cos_i, bool front) const {
+    if (front) return DisneyFresnel::operator()(cos_i, true);
+    return DielectricFresnel{eta}(cos_i, false) * glass;
   }
 };
 
 /// Main highlight of Disney's model.
 using DisneySpecular = MicrofacetReflection<DisneyFresnel>;
-using SheetSpecular = MicrofacetReflection<DisneySheetFresnel>;
+using DisneyGlassSpecular = MicrofacetReflection<DisneyGlassFresnel>;
 
 }  // namespace ajar

@@ -81,7 +81,8 @@ struct FresnelBlend {
     const float rs = specular.average();
     const float coat = rs + schlick_weight(cosine) * (1.F - rs);
     const float base = diffuse.average() * (1.F - rs);
-    return std::clamp(coat / (coat + base), 0.1F, 0.9F);
+    // Both are 0 where nothing is reflected.
+    return std::clamp(coat / std::max(coat + base, 1e-30F), 0.1F, 0.9F);
   }
 };
 

@@ -17,6 +17,7 @@
 #include "scene/bsdf/rough_dielectric.h"
 #include "scene/bsdf/sheet_transmission.h"
 #include "scene/bsdf/specular.h"
+#include "scene/bsdf/under_gloss.h"
 
 namespace ajar {
 
@@ -25,10 +26,10 @@ using Lobe =
     std::variant<Lambert, SmoothDielectric, Conductor, DielectricReflection, FresnelBlend,
                  RoughDielectric, Mirror, PassThrough, OrenNayar, LambertTransmission,
                  ThinDielectric, SpecularReflection, SpecularTransmission, DisneyDiffuse,
-                 DisneySpecular, DisneyClearcoat, SmoothConductor, SmoothCoat, RoughCoat,
-                 CoatedDiffuse, CoatedConductor, SmoothCoatedConductor, UnderVarnish<DisneyDiffuse>,
-                 UnderVarnish<DisneySpecular>, UnderVarnish<LambertTransmission>, FullOrenNayar,
-                 SheetTransmission, SheetSpecular>;
+                 DisneySpecular, DisneyGlassSpecular, DisneyClearcoat, SmoothConductor, SmoothCoat,
+                 RoughCoat, CoatedDiffuse, CoatedConductor, SmoothCoatedConductor,
+                 UnderVarnish<DisneySpecular>, UnderVarnish<UnderGloss<SheenOverLambert>>,
+                 UnderVarnish<UnderGloss<LambertTransmission>>, FullOrenNayar, SheetTransmission>;
 
 static_assert(std::is_trivially_copyable_v<Lobe>);
 static_assert(sizeof(Lobe) <= 48);

@@ -299,11 +299,22 @@ TEST(SheetTransmission, IsTheReflectionOfItsFacetsOnTheOtherSide) {
   EXPECT_EQ(s->eta, 1.F);
 }
 
-TEST(DisneySheetFresnel, IsTheSameFromBehind) {
-  const DisneySheetFresnel sheet{{PackedSpectrum(), 0.F, 1.5F}};
-  EXPECT_EQ(sheet(0.4F, true), sheet(0.4F, false));
-  const DisneyFresnel solid{PackedSpectrum(), 0.F, 1.5F};
-  EXPECT_EQ(solid(0.4F, false)[0], 1.F) << "beyond the critical angle";
+TEST(DisneyFresnel, IsTheSameFromBehindUnlessThereIsGlass) {
+  const DisneyFresnel opaque{PackedSpectrum(Spectrum(0.5F)), 0.5F, 1.5F};
+  EXPECT_EQ(opaque(0.4F, true), opaque(0.4F, false));
+  const DisneyGlassFresnel glass{opaque, 0.3F};
+  EXPECT_EQ(glass(0.4F, true), opaque(0.4F, true));
+  EXPECT_EQ(glass(0.4F, false)[0], 0.3F) << "beyond the critical angle";
+  EXPECT_NEAR(glass(1.F, false)[0], 0.3F * 0.04F, 1e-6F);
+}
+
+TEST(DisneyDiffuse, OfGlassIsBlackFromWithin) {
+  const DisneyDiffuse lobe{PackedSpectrum(Spectrum(0.8F)), {}, {}, 0.5F, true};
+  const Vec3 wo = direction(50.F, 200.F);
+  const Vec3 wi = direction(35.F, 60.F);
+  EXPECT_GT(lobe.evaluate(wo, wi, false, kRadiance).value[0], 0.F);
+  EXPECT_TRUE(lobe.evaluate(-wo, -wi, false, kRadiance).value.is_black());
+  EXPECT_TRUE(lobe.albedo(-wo).is_black());
 }
 
 TEST(VisitLobe, ReachesEveryAlternative) {

@@ -12,8 +12,10 @@ Microfacets stretched_facets(FacetModel model, float roughness, float aspect) {
   return {model, alpha / aspect, alpha * aspect};
 }
 
-/// Disney's "principled" model. Sources: Burley 2012 and 2015, combined as Mitsuba 3 or pbrt-v3 do.
-/// (From behind, where pbrt's Schlick term is 1 at any angle, ours is the same as from the front.)
+/// Disney's "principled" model. Sources: Burley 2012 and 2015, combined as Mitsuba 3 or pbrt-v3 do;
+/// or in layers, as in appendix B of glTF 2.0. What transmits has an inside, where it is mere
+/// glass, as in Mitsuba: pbrt's has diffuse light there beside total reflection, which grows
+/// without end. All else is the same from both sides.
 class Principled final : public Material {
  public:
   explicit Principled(const MaterialInputs& in);
@@ -21,21 +23,10 @@ class Principled final : public Material {
   int max_lobes() const override;
 
  private:
-  /// The varnish, and how much of the surface has it.
-  struct Varnish {
-    float share = 0.F;
-    float alpha = 0.F;
-
-    template <typename Base>
-    void add_below(const Base& base, const Spectrum& scale, Bsdf& bsdf) const {
-      if (share > 0.F) {
-        bsdf.add(UnderVarnish<Base>{base, alpha, share}, scale);
-      } else {
-        bsdf.add(base, scale);
-      }
-    }
-  };
-  Varnish add_varnish(const SurfacePoint& at, const Spectrum& scale, float most, Bsdf& bsdf) const;
+  enum class Blend : std::uint8_t { Once, Twice, Layered };
+  static Blend blend_of(const std::string& name) {
+    return name == "layered" ? Blend::Layered : name == "twice" ? Blend::Twice : Blend::Once;
+  }
   /// What is known of a point before its lobes are.
   struct Point {
     const SurfacePoint& at;
@@ -43,18 +34,33 @@ class Principled final : public Material {
     Spectrum tint;  ///< hue and saturation of the colour alone
     float metallic, transmission, eta, roughness, aspect;
     float behind;  ///< share of the diffuse light that leaves on the other side
+
+    float opaque_dielectric() const { return (1.F - metallic) * (1.F - transmission); }
+    Microfacets facets() const {
+      return stretched_facets(FacetModel::GgxSeparable, roughness, aspect);
+    }
   };
   Point point(const SurfacePoint& at) const;
+  /// Share that is glass.
+  float glass(const Point& p) const {
+    return is_twice() ? p.transmission : p.transmission * (1.F - p.metallic);
+  }
+  Spectrum sheen(const Point& p) const;
   DisneyFresnel fresnel(const Point& p) const;
-  void add_diffuse(const Point& p, const Spectrum& scale, const Varnish& varnish, Bsdf& bsdf) const;
+  void add_layers(const Point& p, const Spectrum& scale, Bsdf& bsdf) const;
+  void add_diffuse(const Point& p, const Spectrum& scale, Bsdf& bsdf) const;
   void add_transmission(const Point& p, const Spectrum& scale, Bsdf& bsdf) const;
+
+  bool is_twice() const { return blend_ == Blend::Twice; }
+  /// A sheet of which a share is clear and glossy, without bending, and the rest is diffuse.
+  bool is_split() const { return thin_ && blend_ == Blend::Once; }
 
   TextureSlot color_, metallic_, eta_, roughness_, specular_strength_, specular_tint_, anisotropic_,
       sheen_, sheen_tint_, clearcoat_, clearcoat_gloss_, coat_, coat_roughness_, spec_trans_,
       flatness_, diff_trans_;
+  Blend blend_;
   bool thin_;
-  bool is_split_;  ///< thin, and either clear or diffuse
-  bool colors_twice_;
+  bool has_inside_;
 };
 
 Principled::Principled(const MaterialInputs& in)
@@ -74,9 +80,9 @@ Principled::Principled(const MaterialInputs& in)
       spec_trans_(in.slot("specular_transmission")),
       flatness_(in.slot("flatness")),
       diff_trans_(in.slot("diffuse_transmission")),
+      blend_(blend_of(in.node().text("blend"))),
       thin_(in.node().flag("thin")),
-      is_split_(thin_ && in.node().text("sheet") == "split"),
-      colors_twice_(in.node().text("blend") == "twice") {
+      has_inside_(!thin_ && blend_ != Blend::Layered && !spec_trans_.is_black()) {
   needs_tangent = !anisotropic_.is_black();
 }
 
@@ -96,49 +102,64 @@ Principled::Point Principled::point(const SurfacePoint& at) const {
 
 void Principled::add_lobes(const SurfacePoint& at, const Spectrum& scale, Bsdf& bsdf) const {
   const Point p = point(at);
-  const Varnish varnish = add_varnish(at, scale, 1.F - p.transmission, bsdf);
-  add_diffuse(p, scale, varnish, bsdf);
-
-  const Microfacets facets = stretched_facets(FacetModel::GgxSeparable, p.roughness, p.aspect);
-  if (is_split_) {
-    bsdf.add(SheetSpecular{facets, {fresnel(p)}}, scale * p.transmission);
-  } else {
-    varnish.add_below(DisneySpecular{facets, fresnel(p)}, scale, bsdf);
+  if (blend_ == Blend::Layered) {
+    add_layers(p, scale, bsdf);
+    return;
   }
-
+  add_diffuse(p, scale, bsdf);
+  if (has_inside_) {
+    bsdf.add(DisneyGlassSpecular{p.facets(), {fresnel(p), glass(p)}}, scale);
+  } else {
+    bsdf.add(DisneySpecular{p.facets(), fresnel(p)}, is_split() ? scale * p.transmission : scale);
+  }
   const float clearcoat = weight(clearcoat_, at);
   if (clearcoat > 0.F) {
     const float alpha = mix(0.1F, 0.001F, weight(clearcoat_gloss_, at));
-    bsdf.add(DisneyClearcoat{alpha}, scale * clearcoat);
+    bsdf.add(DisneyClearcoat{alpha, has_inside_}, scale * clearcoat);
   }
   if (p.transmission > 0.F) add_transmission(p, scale, bsdf);
   if (thin_) {
-    // Metal and what is clear let no diffuse light through; all of a sheet does that is glossy and
-    // blended twice.
-    const bool is_whole = colors_twice_ && !is_split_;
-    const float share = is_whole ? 1.F : (1.F - p.metallic) * (1.F - p.transmission);
-    varnish.add_below(LambertTransmission{}, scale * p.color * (p.behind * share), bsdf);
+    bsdf.add(LambertTransmission{}, scale * p.color * (p.behind * p.opaque_dielectric()));
   }
 }
 
+/// Varnish, gloss and base, each of which gets what those above it leave.
+void Principled::add_layers(const Point& p, const Spectrum& scale, Bsdf& bsdf) const {
+  const float share = weight(coat_, p.at);
+  // Source of the limit: Pharr et al. 2023, section 9.6.2.
+  const float rough = square(weight(coat_roughness_, p.at));
+  const float alpha = rough < 1e-3F ? 0.F : rough;
+  if (alpha > 0.F) {
+    bsdf.add(RoughCoat{{FacetModel::Ggx, alpha, alpha}, {kVarnishIndex}}, scale * share);
+  } else {
+    bsdf.add(SmoothCoat{{kVarnishIndex}}, scale * share);
+  }
+  bsdf.add(UnderVarnish<DisneySpecular>{{p.facets(), fresnel(p)}, alpha, share}, scale);
+
+  const Gloss gloss{p.eta, square(p.roughness), weight(specular_strength_, p.at)};
+  const Spectrum base = scale * (1.F - p.metallic);
+  const SheenOverLambert reflected(p.color * (1.F - p.behind), sheen(p));
+  bsdf.add(UnderVarnish<UnderGloss<SheenOverLambert>>{{reflected, gloss}, alpha, share}, base);
+  bsdf.add(UnderVarnish<UnderGloss<LambertTransmission>>{{{}, gloss}, alpha, share},
+           base * p.color * p.behind);
+}
+
 void Principled::add_transmission(const Point& p, const Spectrum& scale, Bsdf& bsdf) const {
-  const float share = colors_twice_ ? p.transmission : p.transmission * (1.F - p.metallic);
   // Thin sheets blur less than a solid of that roughness (Burley 2015, figure 15).
   const float thin_roughness = (0.65F * p.eta - 0.35F) * p.roughness;
-  if (is_split_) {
+  if (is_split()) {
     const Microfacets facets = stretched_facets(FacetModel::GgxSeparable, thin_roughness, p.aspect);
-    bsdf.add(SheetTransmission{facets, p.eta}, scale * p.color * share);
+    bsdf.add(SheetTransmission{facets, p.eta}, scale * p.color * glass(p));
     return;
   }
   // The square root, so that light that enters and leaves has the colour once.
-  const Spectrum through = sqrt(p.color) * share;
+  const Spectrum through = sqrt(p.color) * glass(p);
   if (index_matched(p.eta)) {
     bsdf.add(SpecularTransmission{p.eta}, scale * through);
     return;
   }
   const Microfacets facets =
-      thin_ ? stretched_facets(FacetModel::Ggx, thin_roughness, p.aspect)
-            : stretched_facets(FacetModel::GgxSeparable, p.roughness, p.aspect);
+      thin_ ? stretched_facets(FacetModel::Ggx, thin_roughness, p.aspect) : p.facets();
   bsdf.add(RoughDielectric{facets, PackedSpectrum(), PackedSpectrum(through), p.eta}, scale);
 }
 
@@ -149,7 +170,7 @@ DisneyFresnel Principled::fresnel(const Point& p) const {
   const float dielectric_r0 = square((p.eta - 1.F) / (p.eta + 1.F));
   const float tinted = weight(specular_tint_, p.at);
   const float share = (1.F - p.metallic) * weight(specular_strength_, p.at);
-  if (colors_twice_) {
+  if (is_twice()) {
     const Spectrum white_r0 = dielectric_r0 * (Spectrum(1.F) + (p.tint - Spectrum(1.F)) * tinted);
     return {PackedSpectrum(white_r0 * share + p.color * p.metallic), p.metallic, p.eta, share};
   }
@@ -160,42 +181,41 @@ DisneyFresnel Principled::fresnel(const Point& p) const {
   return {PackedSpectrum(r0), by_schlick, p.eta, share - tinted_share};
 }
 
-Principled::Varnish Principled::add_varnish(const SurfacePoint& at, const Spectrum& scale,
-                                            float most, Bsdf& bsdf) const {
-  const float share = is_split_ ? 0.F : weight(coat_, at) * most;
-  if (!(share > 0.F)) return {};
-  const float alpha = square(weight(coat_roughness_, at));
-  // Source of the limit: Pharr et al. 2023, section 9.6.2.
-  if (alpha < 1e-3F) {
-    bsdf.add(SmoothCoat{{kVarnishIndex}}, scale * share);
-    return {share, 0.F};
-  }
-  bsdf.add(RoughCoat{{FacetModel::Ggx, alpha, alpha}, {kVarnishIndex}}, scale * share);
-  return {share, alpha};
+Spectrum Principled::sheen(const Point& p) const {
+  const float tint = weight(sheen_tint_, p.at);
+  return (Spectrum(1.F) + (p.tint - Spectrum(1.F)) * tint) * weight(sheen_, p.at);
 }
 
-void Principled::add_diffuse(const Point& p, const Spectrum& scale, const Varnish& varnish,
-                             Bsdf& bsdf) const {
+void Principled::add_diffuse(const Point& p, const Spectrum& scale, Bsdf& bsdf) const {
   const float opaque = 1.F - p.transmission;
-  const float sheen = weight(sheen_, p.at);
-  const float sheen_tint = weight(sheen_tint_, p.at);
-  const Spectrum sheen_color = (Spectrum(1.F) + (p.tint - Spectrum(1.F)) * sheen_tint) * sheen;
-  const float flatness = thin_ || !colors_twice_ ? weight(flatness_, p.at) : 0.F;
+  const float flatness = thin_ || !is_twice() ? weight(flatness_, p.at) : 0.F;
   const float ahead = 1.F - p.behind;
   DisneyDiffuse::Shares shares{(1.F - flatness) * ahead, flatness * ahead, 1.F};
-  if (!colors_twice_) shares.retro = shares.plain;
+  if (!is_twice()) shares.retro = shares.plain;
   float share_of_sheen = 1.F;
-  if (is_split_) share_of_sheen = opaque * ahead;
-  if (colors_twice_) share_of_sheen = opaque;
-  const DisneyDiffuse lobe{PackedSpectrum(p.color * opaque),
-                           PackedSpectrum(sheen_color * share_of_sheen), shares, p.roughness};
-  if ((opaque == 0.F || p.color.is_black()) && (sheen == 0.F || share_of_sheen == 0.F)) return;
-  varnish.add_below(lobe, scale * (1.F - p.metallic), bsdf);
+  if (is_split()) share_of_sheen = opaque * ahead;
+  if (is_twice()) share_of_sheen = opaque;
+  const Spectrum its_sheen = sheen(p) * share_of_sheen;
+  if ((opaque == 0.F || p.color.is_black()) && its_sheen.is_black()) return;
+  const DisneyDiffuse lobe{PackedSpectrum(p.color * opaque), PackedSpectrum(its_sheen), shares,
+                           p.roughness, has_inside_};
+  bsdf.add(lobe, scale * (1.F - p.metallic));
 }
 
 int Principled::max_lobes() const {
-  return 2 + (clearcoat_.is_black() ? 0 : 1) + (coat_.is_black() ? 0 : 1) +
-         (spec_trans_.is_black() ? 0 : 1) + (thin_ ? 1 : 0);
+  const int sheet = thin_ ? 1 : 0;
+  if (blend_ == Blend::Layered) return 2 + (coat_.is_black() ? 0 : 1) + sheet;
+  return 2 + (clearcoat_.is_black() ? 0 : 1) + (spec_trans_.is_black() ? 0 : 1) + sheet;
+}
+
+ParameterSpec layered(std::string name, std::string help) {
+  return declare::only_for("blend", {"layered"},
+                           declare::textured_number(std::move(name), "0", std::move(help), 1.0));
+}
+ParameterSpec not_layered(std::string name, std::string value, std::string help) {
+  return declare::only_for(
+      "blend", {"once", "twice"},
+      declare::textured_number(std::move(name), std::move(value), std::move(help), 1.0));
 }
 
 }  // namespace
@@ -207,6 +227,14 @@ MaterialModel principled_material() {
        .source = "Burley 2012 and 2015",
        .parameters =
            {declare::reflectance("base_color", "0.5", "colour of the surface"),
+            choice_parameter(
+                "blend", {"once", "twice", "layered"},
+                "shares of metal and dielectric: once, where a share of a thin sheet, "
+                "specular_transmission, is clear and glossy, without bending, and the rest is "
+                "diffuse; or twice, for the metal's colour, where flatness is for thin sheets only "
+                "and spares retro-reflection, sheen is on what is opaque, metal refracts, and all "
+                "of a sheet is glossy; or in layers that take their light from those below, with "
+                "an even base"),
             declare::textured_number("metallic", "0", "from dielectric to metal", 1.0),
             index_input(),
             declare::textured_number("roughness", "0.5", "root of the facets' alpha", 1.0),
@@ -220,27 +248,15 @@ MaterialModel principled_material() {
                                      1.0),
             declare::textured_number("sheen_tint", "0.5", "share of the base colour in the sheen",
                                      1.0),
-            declare::textured_number("clearcoat", "0", "a second gloss above all", 1.0),
-            declare::textured_number("clearcoat_gloss", "1", "how smooth the clearcoat is", 1.0),
-            declare::textured_number("coat", "0",
-                                     "share that is under a varnish of index 1.5; glass and split "
-                                     "sheets never are",
-                                     1.0),
-            declare::textured_number("coat_roughness", "0", "root of the alpha of its facets", 1.0),
-            declare::textured_number("specular_transmission", "0",
-                                     "share of light that is refracted", 1.0),
-            declare::textured_number("flatness", "0", "share of flat diffuse reflection", 1.0),
+            not_layered("clearcoat", "0", "a second gloss above all"),
+            not_layered("clearcoat_gloss", "1", "how smooth the clearcoat is"),
+            layered("coat", "share that is under a varnish of index 1.5"),
+            layered("coat_roughness", "root of the alpha of its facets"),
+            not_layered("specular_transmission", "0", "share of light that is refracted"),
+            not_layered("flatness", "0", "share of flat diffuse reflection"),
             declare::textured_number("diffuse_transmission", "1",
                                      "of thin ones: diffuse transmission; 2 is all of it", 2.0),
-            declare::flag("thin", "a sheet without thickness"),
-            choice_parameter("sheet", {"glossy", "split"},
-                             "of thin ones: gloss all over, over what is refracted; or a share, "
-                             "specular_transmission, that is clear and glossy, without bending, "
-                             "and a diffuse rest"),
-            choice_parameter("blend", {"once", "twice"},
-                             "shares of metal and dielectric: once; or twice, for the metal's "
-                             "colour. Then flatness is for thin sheets only and spares "
-                             "retro-reflection, sheen is on what is opaque, and metal refracts")}},
+            declare::flag("thin", "a sheet without thickness")}},
       make<Principled>};
 }
 

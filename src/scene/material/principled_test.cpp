@@ -65,12 +65,68 @@ TEST(Principled, SpecularStrengthIsAFactorOfTheDielectricAtAllAngles) {
       << "the metal keeps its own";
 }
 
-TEST(Principled, VarnishIsNotOnGlass) {
-  const auto mirror_of = [](float transmission) {
+/// f |cos θ_i| of a principled material.
+Spectrum principled_value(desc::Node::Given given, const Vec3& wo, const Vec3& wi) {
+  Fixture f;
+  const desc::MaterialId id = f.add("principled", given);
+  return f.bsdf(id).eval(wo, wi, kRadiance);
+}
+const Vec3 kBelow(kWi.x, kWi.y, -kWi.z);
+
+TEST(Principled, IsTheSameFromBehindUnlessItHasAnInside) {
+  const Vec3 wo = direction(60.F, 0.F);
+  const Vec3 across = direction(70.F, 170.F);  // beyond the critical angle of glass
+  for (const char* blend : {"once", "twice", "layered"}) {
+    for (const float metallic : {0.F, 0.5F}) {
+      for (const bool thin : {false, true}) {
+        const auto value = [&](const Vec3& o, const Vec3& i) {
+          return principled_value({{"base_color", Vec3(0.3F)},
+                                   {"metallic", metallic},
+                                   {"thin", thin},
+                                   {"clearcoat", 1.F},
+                                   {"coat", 0.5F},
+                                   {"coat_roughness", 0.5F},
+                                   {"sheen", 1.F},
+                                   {"blend", blend}},
+                                  o, i)[0];
+        };
+        EXPECT_FLOAT_EQ(value(-wo, -across), value(wo, across)) << blend << metallic << thin;
+        EXPECT_FLOAT_EQ(value(-wo, across), value(wo, -across)) << blend << metallic << thin;
+      }
+    }
+  }
+}
+
+TEST(Principled, IsMereGlassFromWithinInItsShare) {
+  for (const char* blend : {"once", "twice"}) {
+    const auto value = [&](const Vec3& o, const Vec3& i, float share, float metallic,
+                           const Vec3& color) {
+      return principled_value({{"base_color", color},
+                               {"metallic", metallic},
+                               {"specular_transmission", share},
+                               {"clearcoat", 1.F},
+                               {"sheen", 1.F},
+                               {"blend", blend}},
+                              o, i);
+    };
+    const Vec3 wo = direction(60.F, 180.F);
+    const Vec3 wi = direction(50.F, 10.F);
+    const Vec3 white(1.F);
+    const float whole = value(-wo, -wi, 1.F, 0.F, white)[0];
+    ASSERT_GT(whole, 0.F);
+    EXPECT_NEAR(value(-wo, -wi, 0.25F, 0.F, white)[0], 0.25F * whole, 1e-5F * whole) << blend;
+    EXPECT_NEAR(value(-wo, -wi, 0.25F, 0.F, Vec3(0.1F))[0], 0.25F * whole, 1e-5F * whole);
+    // Metal of Mitsuba lets nothing in, that of pbrt does.
+    const float with_metal = value(-wo, -wi, 0.5F, 0.5F, white)[0];
+    EXPECT_NEAR(with_metal, (*blend == 'o' ? 0.25F : 0.5F) * whole, 1e-5F * whole) << blend;
+  }
+}
+
+TEST(Principled, LayersHaveAVarnishWhereItIs) {
+  const auto mirror_of = [](const char* blend) {
     Fixture f;
     const desc::MaterialId id =
-        f.add("principled",
-              {{"base_color", Vec3(0.F)}, {"coat", 1.F}, {"specular_transmission", transmission}});
+        f.add("principled", {{"base_color", Vec3(0.F)}, {"coat", 0.5F}, {"blend", blend}});
     float sum = 0.F;
     for (int i = 0; i < 1000; ++i) {
       const auto s = f.bsdf(id).sample(kWo, {(static_cast<float>(i) + 0.5F) / 1000.F, {0.3F, 0.3F}},
@@ -79,8 +135,25 @@ TEST(Principled, VarnishIsNotOnGlass) {
     }
     return sum;
   };
-  EXPECT_NEAR(mirror_of(0.F), fresnel_dielectric(kWo.z, 1.5F).reflectance, 5e-3F);
-  EXPECT_EQ(mirror_of(1.F), 0.F);
+  EXPECT_NEAR(mirror_of("layered"), 0.5F * fresnel_dielectric(kWo.z, 1.5F).reflectance, 5e-3F);
+  EXPECT_EQ(mirror_of("once"), 0.F);
+}
+
+TEST(Principled, LayersAreMetalOrGlossOverAnEvenBase) {
+  const auto value = [](float metallic, float strength, const Vec3& wo, const Vec3& wi) {
+    return principled_value({{"base_color", Vec3(0.6F)},
+                             {"metallic", metallic},
+                             {"roughness", 0.7F},
+                             {"specular_strength", strength},
+                             {"blend", "layered"}},
+                            wo, wi)[0];
+  };
+  EXPECT_NEAR(value(0.F, 0.F, kWo, kWi), 0.6F * kInvPi * kWi.z, 1e-6F);
+  const float metal = value(1.F, 1.F, kWo, kWi);
+  EXPECT_NEAR(value(0.25F, 1.F, kWo, kWi), 0.25F * metal + 0.75F * value(0.F, 1.F, kWo, kWi),
+              1e-6F);
+  EXPECT_EQ(principled_value({{"specular_transmission", 1.F}, {"blend", "layered"}}, kWo, kBelow),
+            Spectrum(0.F));
 }
 
 TEST(Principled, ThinSheetsTransmitDiffusely) {
@@ -91,14 +164,6 @@ TEST(Principled, ThinSheetsTransmitDiffusely) {
   const Vec3 below(kWi.x, kWi.y, -kWi.z);
   EXPECT_NEAR(f.bsdf(id).eval(kWo, below, kRadiance)[0], 0.6F * 0.7F * kInvPi * kWi.z, 1e-5F);
 }
-
-/// f |cos θ_i| of a principled material.
-Spectrum principled_value(desc::Node::Given given, const Vec3& wo, const Vec3& wi) {
-  Fixture f;
-  const desc::MaterialId id = f.add("principled", given);
-  return f.bsdf(id).eval(wo, wi, kRadiance);
-}
-const Vec3 kBelow(kWi.x, kWi.y, -kWi.z);
 
 TEST(Principled, MetalRefractsNothingUnlessItIsBlendedTwice) {
   const auto through = [](float metallic, const char* blend) {
@@ -113,14 +178,15 @@ TEST(Principled, MetalRefractsNothingUnlessItIsBlendedTwice) {
   EXPECT_NEAR(through(0.75F, "twice"), through(0.F, "once"), 1e-6F);
 }
 
-TEST(Principled, MetalTransmitsNothingUnlessItIsBlendedTwice) {
+TEST(Principled, MetalAndGlassTransmitNothingDiffusely) {
   const auto through = [](const char* blend) {
     return principled_value(
         {{"base_color", Vec3(0.5F)}, {"thin", true}, {"metallic", 0.75F}, {"blend", blend}}, kWo,
         kBelow)[0];
   };
-  EXPECT_NEAR(through("once"), 0.25F * 0.5F * 0.5F * kInvPi * kWi.z, 1e-6F);
-  EXPECT_NEAR(through("twice"), 0.5F * 0.5F * kInvPi * kWi.z, 1e-6F);
+  for (const char* blend : {"once", "twice"}) {
+    EXPECT_NEAR(through(blend), 0.25F * 0.5F * 0.5F * kInvPi * kWi.z, 1e-6F);
+  }
 }
 
 TEST(Principled, SheenIsOnGlassToo) {
@@ -147,6 +213,7 @@ TEST(Principled, FlatnessSparesRetroReflectionIfItIsBlendedTwice) {
     return principled_value({{"base_color", Vec3(0.5F)},
                              {"roughness", 0.7F},
                              {"flatness", flatness},
+                             {"specular_strength", 0.F},
                              {"thin", true},
                              {"diffuse_transmission", 0.F},
                              {"blend", blend}},
@@ -166,7 +233,6 @@ TEST(Principled, FlatnessSparesRetroReflectionIfItIsBlendedTwice) {
 TEST(Principled, SplitSheetsAreClearAndGlossyOrDiffuse) {
   const auto value = [](float clear, const Vec3& color, const Vec3& wo, const Vec3& wi) {
     return principled_value({{"thin", true},
-                             {"sheet", "split"},
                              {"base_color", color},
                              {"specular_transmission", clear},
                              {"diffuse_transmission", 0.5F},
