@@ -77,10 +77,13 @@ class Inverter {
         result_{PathPrimaries(technique, fresh), 0.0} {}
 
   std::optional<Inversion> run() {
-    const double pdf = technique_pdf(scene_, path_, technique_);
+    const ByLane pdf = technique_pdf_by_lane(scene_, path_, technique_);
     const double count = settings_.techniques.count(technique_);
-    if (!(pdf > 0.0) || !(count > 0.0)) return std::nullopt;
-    result_.log_density = std::log(pdf);
+    if (!(mean(pdf) > 0.0) || !(count > 0.0)) return std::nullopt;
+    result_.log_density = std::log(mean(pdf));
+    const auto lane = invert_lane(pdf, result_.numbers.get(kLaneChoice));
+    if (!lane) return std::nullopt;
+    result_.numbers.set(kLaneChoice, *lane);
     const auto [s, t] = technique_;
     if (s >= 2 && !light_subpath()) return std::nullopt;
     if (t >= 2 && !camera_subpath()) return std::nullopt;
@@ -104,6 +107,7 @@ class Inverter {
     int edges = 0;
     Spectrum throughput;
     float roulette_scale;
+    ByLane lanes = kAnyLane;
   };
 
   SampleAddress address(Stream stream, int vertex, Slot slot) const {
@@ -174,15 +178,14 @@ class Inverter {
   /// All of the `edges` edges of a subpath.
   bool follow(Walk& walk, int edges) {
     while (true) {
-      if (!fly(walk)) return false;
+      fly(walk);
       if (walk.edges == edges) return true;
       if (!scatter(walk)) return false;
     }
   }
 
-  bool fly(Walk& walk) {
+  void fly(Walk& walk) {
     PathPrimaries& numbers = result_.numbers;
-    const SampleAddress channel = address(walk.stream, walk.edges, Slot::MediumChannel);
     const SampleAddress distance = address(walk.stream, walk.edges, Slot::MediumDistance);
     const Segment& segment = path_.segment(walk.step > 0 ? walk.x : walk.x - 1);
     walk.x += walk.step;
@@ -190,14 +193,12 @@ class Inverter {
     const bool is_inner = walk.x > 0 && walk.x < path_.depth();
     const MediumPoint end = is_inner ? path_.vertex(walk.x).scattered_in() : MediumPoint{};
     if (!segment.scattering_depth.is_black()) {
-      const auto u = invert_distance(segment, end, {numbers.get(channel), numbers.get(distance)});
-      if (!u) return false;
-      numbers.set(channel, u->channel);
-      numbers.set(distance, u->distance);
+      const int lane = lane_of(numbers.get(kLaneChoice));
+      numbers.set(distance, invert_distance(segment, end, lane, numbers.get(distance)));
     }
-    walk.throughput *= segment.transmittance / segment.distance_pdf(end);
-    if (end.medium != nullptr) walk.throughput *= end.sigma_s();
-    return true;
+    const FreeFlight flight(segment, walk.lanes, end);
+    walk.throughput *= flight.weight;
+    walk.lanes = flight.lanes;
   }
 
   bool scatter(Walk& walk) {

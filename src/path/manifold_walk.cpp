@@ -74,7 +74,7 @@ void ManifoldWalk::leave(const Vec3& direction) {
 InnerVertex* ManifoldWalk::arrive() {
   Unscattered numbers;
   const SegmentEnd end =
-      trace_segment(scene_, ray_, medium_, {numbers, Stream::Light, 0, 0}, rays_);
+      trace_segment(scene_, ray_, medium_, kAnyLane, {numbers, Stream::Light, 0, 0}, rays_);
   if (!end.hit) return nullptr;
   InnerVertex& vertex = traced_.emplace_back();
   vertex.hit = *end.hit;

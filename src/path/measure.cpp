@@ -57,16 +57,16 @@ EmissionPdf camera_start(const Scene& scene, const Path& path) {
   return ray ? EmissionPdf{ray->position_pdf, ray->departure_pdf} : pdf;
 }
 
-/// Density with which a subpath of `count` ≥ 2 vertices from the light is sampled.
-double light_side(const Scene& scene, const Path& path, int count) {
-  double pdf = 1.0;
+/// Density with which a subpath of `count` ≥ 2 vertices from the light is sampled, by lane.
+ByLane light_side(const Scene& scene, const Path& path, int count) {
+  ByLane pdf(1.0);
   for (int x = 0; x < count; ++x) pdf *= light_step_pdf(scene, path, x);
   return pdf;
 }
 
 /// The same from the camera, for `count` ≥ 1.
-double camera_side(const Scene& scene, const Path& path, int count) {
-  double pdf = 1.0;
+ByLane camera_side(const Scene& scene, const Path& path, int count) {
+  ByLane pdf(1.0);
   for (int x = path.depth(); x > path.depth() - count; --x) {
     pdf *= camera_step_pdf(scene, path, x);
   }
@@ -113,33 +113,33 @@ bool inside_image(const Scene& scene, const Vec2& raster) {
   return raster.x >= 0.F && raster.y >= 0.F && raster.x < size.x && raster.y < size.y;
 }
 
-double arrival_pdf(const Scene& scene, const Path& path, int from, int to) {
+ByLane arrival_pdf(const Scene& scene, const Path& path, int from, int to) {
   const int edge = std::min(from, to);
-  return spread(scene, path, from, to) *
-         double{path.segment(edge).distance_pdf(scattered_in(path, to))};
+  return by_lane(path.segment(edge).distance_pdf(scattered_in(path, to))) *
+         spread(scene, path, from, to);
 }
 
-double light_step_pdf(const Scene& scene, const Path& path, int x) {
+ByLane light_step_pdf(const Scene& scene, const Path& path, int x) {
   if (x <= 1) {
     const Light& light = *path.light;
     const EmissionPdf emission = light.emission_pdf(path.light_point, path.toward_camera(scene, 0));
-    if (x == 1) return double{emission.departure.value()} * arrival_pdf(scene, path, 0, 1);
-    return double{emission.position.value()} *
-           double{scene.light_sampler().emitter_probability(light).value()};
+    if (x == 1) return arrival_pdf(scene, path, 0, 1) * double{emission.departure.value()};
+    return ByLane(double{emission.position.value()} *
+                  double{scene.light_sampler().emitter_probability(light).value()});
   }
-  return path.vertex(x - 1).pdf(path.toward_light(scene, x - 1), path.toward_camera(scene, x - 1)) *
-         arrival_pdf(scene, path, x - 1, x);
+  return arrival_pdf(scene, path, x - 1, x) *
+         path.vertex(x - 1).pdf(path.toward_light(scene, x - 1), path.toward_camera(scene, x - 1));
 }
 
-double camera_step_pdf(const Scene& scene, const Path& path, int x) {
+ByLane camera_step_pdf(const Scene& scene, const Path& path, int x) {
   const int k = path.depth();
   if (x >= k - 1) {
     const EmissionPdf emission = camera_start(scene, path);
-    if (x == k) return double{emission.position.value()};
-    return double{emission.departure.value()} * arrival_pdf(scene, path, k, x);
+    if (x == k) return ByLane(double{emission.position.value()});
+    return arrival_pdf(scene, path, k, x) * double{emission.departure.value()};
   }
-  return path.vertex(x + 1).pdf(path.toward_camera(scene, x + 1), path.toward_light(scene, x + 1)) *
-         arrival_pdf(scene, path, x + 1, x);
+  return arrival_pdf(scene, path, x + 1, x) *
+         path.vertex(x + 1).pdf(path.toward_camera(scene, x + 1), path.toward_light(scene, x + 1));
 }
 
 double next_event_pdf(const Scene& scene, const Path& path) {
@@ -177,18 +177,22 @@ ScaledSpectrum contribution(const Scene& scene, const Path& path) {
   return f;
 }
 
-double technique_pdf(const Scene& scene, const Path& path, Technique technique) {
+ByLane technique_pdf_by_lane(const Scene& scene, const Path& path, Technique technique) {
   const auto [s, t] = technique;
   const int k = path.depth();
-  if (s + t != k + 1 || t < 1) return 0.0;
-  if (s == 0) return path.light->discrete_position() ? 0.0 : camera_side(scene, path, t);
-  if (k == 1) return 0.0;
+  if (s + t != k + 1 || t < 1) return ByLane(0.0);
+  if (s == 0) return path.light->discrete_position() ? ByLane(0.0) : camera_side(scene, path, t);
+  if (k == 1) return ByLane(0.0);
   // Those that the connection touches must scatter into more than single directions.
   for (const int x : {s - 1, s}) {
-    if (x >= 1 && x < k && path.vertex(x).event.specular()) return 0.0;
+    if (x >= 1 && x < k && path.vertex(x).event.specular()) return ByLane(0.0);
   }
   if (s > 1) return light_side(scene, path, s) * camera_side(scene, path, t);
-  return next_event_pdf(scene, path) * camera_side(scene, path, t);
+  return camera_side(scene, path, t) * next_event_pdf(scene, path);
+}
+
+double technique_pdf(const Scene& scene, const Path& path, Technique technique) {
+  return mean(technique_pdf_by_lane(scene, path, technique));
 }
 
 double specular_spread(const Scene& scene, const Path& path, int x) {
@@ -217,7 +221,8 @@ double mis_weight(const Scene& scene, const PathSamplerSettings& settings, const
   const bool inside = inside_image(scene, path.raster);
   const auto share = [&](Technique other) {
     if (!settings.techniques.enabled(other) || (other.t == 1 && !inside)) return 0.0;
-    return h(settings.heuristic, tries(settings, other) * technique_pdf(scene, path, other));
+    return mean(
+        h(settings.heuristic, technique_pdf_by_lane(scene, path, other) * tries(settings, other)));
   };
   double sum = 0.0;
   for (int s = 0; s <= path.depth(); ++s) sum += share({s, path.depth() + 1 - s});

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 
+#include "core/by_lane.h"
 #include "path/path.h"
 #include "transport/path_sampler.h"
 
@@ -39,23 +40,28 @@ ScaledSpectrum contribution(const Scene& scene, const Path& path);
 bool inside_image(const Scene& scene, const Vec2& raster);
 
 // Densities of single vertices, of which those of techniques are products. Vertices are what they
-// are to the side that is sampled from: those before are given.
+// are to the side that is sampled from: those before are given. All are by the lane that distances
+// in media are sampled by, which is one for all vertices of a path, any: the density of several is
+// the mean over lanes of the product (`LogDensity`).
 
 /// What turns the density of the direction in which `from` is left (of endpoints at infinity: of
 /// the place where the ray crosses a plane) into that of its neighbour `to`, in the measure of that
 /// vertex: |cos θ| / d², and the probability to get there through what lies between.
-double arrival_pdf(const Scene& scene, const Path& path, int from, int to);
+ByLane arrival_pdf(const Scene& scene, const Path& path, int from, int to);
 /// With which a subpath from the light goes on to vertex `x`; of x_0: with which it starts there.
-double light_step_pdf(const Scene& scene, const Path& path, int x);
+ByLane light_step_pdf(const Scene& scene, const Path& path, int x);
 /// The same from the camera, whose x_k is where it starts. Raster positions are uniform over the
 /// full image.
-double camera_step_pdf(const Scene& scene, const Path& path, int x);
+ByLane camera_step_pdf(const Scene& scene, const Path& path, int x);
 /// With which x_0 is chosen to light x_1.
 double next_event_pdf(const Scene& scene, const Path& path);
 
 /// Density, in the same measure as `contribution`, with which technique (s, t) makes this path in
-/// one try; 0 if it cannot. At specular vertices it has the probability of the event, whichever end
-/// they are sampled from: the deltas are left out, as in MIS weights. Roulette is not in it.
+/// one try by each lane; 0 if it cannot. At specular vertices it has the probability of the event,
+/// whichever end they are sampled from: the deltas are left out, as in MIS weights. Roulette is not
+/// in it.
+ByLane technique_pdf_by_lane(const Scene& scene, const Path& path, Technique technique);
+/// By whichever lane.
 double technique_pdf(const Scene& scene, const Path& path, Technique technique);
 
 /// What the delta over the direction toward the light is of that over the direction toward the
@@ -72,7 +78,8 @@ Spectrum throughput(const Scene& scene, const Path& path, Technique technique);
 /// of the full image).
 double tries(const PathSamplerSettings& settings, Technique technique);
 
-/// MIS weight of a technique over the settings' set, counts and heuristic included.
+/// MIS weight of a technique over the settings' set, counts and heuristic included. By each lane it
+/// counts as a technique of its own.
 double mis_weight(const Scene& scene, const PathSamplerSettings& settings, const Path& path,
                   Technique technique);
 

@@ -2,6 +2,7 @@
 #include <span>
 #include <vector>
 
+#include "path/log_density.h"
 #include "path/path.h"
 #include "transport/path_sampler.h"
 
@@ -31,8 +32,8 @@ class TechniqueParts {
   const Scene& scene_;
   PathSamplerSettings settings_;
   // By s, logarithms: no double holds the densities of long paths.
-  std::vector<double> densities_;  ///< tries · density, as MIS weights have it
-  std::vector<double> spreads_;    ///< what deltas that are sampled from the light multiply f by
+  std::vector<LogDensity> densities_;  ///< tries · density, as MIS weights have it
+  std::vector<double> spreads_;  ///< what deltas that are sampled from the light multiply f by
   std::vector<Part> parts_;
 };
 

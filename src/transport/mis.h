@@ -1,4 +1,5 @@
 #pragma once
+#include "core/by_lane.h"
 
 namespace ajar {
 
@@ -20,59 +21,71 @@ enum class Heuristic { Balance, Power };
 ///     S_i = h(R_i) (c_i M_i + h(r_{i-1}) V_i),    V_{i+1} = h(g_i / F_{i+1}) (c_i M_i + h(r_{i-1})
 ///     V_i).
 /// At specular vertices F and r are probabilities: the Dirac deltas cancel in each ratio.
+///
+/// Densities of distances in media differ by the lane of a spectrum that they are sampled by, and a
+/// path has one lane, any: h of a technique is the mean over lanes of h of its density by each. F_i
+/// is that by all lanes, given z_0 … z_{i-1}; L_i is the density of the subpath by each lane over
+/// that by all; R_i is by each lane. Then M_i has the factor h(L_{i-1}), V_i and S_i are by lane,
+/// and S_i is relative to h of the subpath by all lanes.
+///
 /// Source: the recursion of van Antwerpen 2011 and Georgiev 2012 (technical report), with
 /// coefficients for arbitrary sets of technique classes; the restriction to the set is ours.
 struct MisState {
-  double inverse_forward = 0.0;  ///< M_i
-  double partial = 0.0;          ///< V_i
-  double coefficient = 0.0;      ///< c_i, as if z_i were not specular
+  ByLane inverse_forward{0.0};  ///< M_i
+  ByLane partial{0.0};          ///< V_i
+  double coefficient = 0.0;     ///< c_i, as if z_i were not specular
 
   /// S_i. `reverse`: R_i; `reverse_previous`: r_{i-1}, the density of the direction z_i → z_{i-1}
   /// given the connection.
-  double sum(Heuristic heuristic, double reverse, double reverse_previous) const;
+  ByLane sum(Heuristic heuristic, const ByLane& reverse, double reverse_previous) const;
 };
 
-inline double h(Heuristic heuristic, double x) { return heuristic == Heuristic::Power ? x * x : x; }
+template <typename Number>
+Number h(Heuristic heuristic, const Number& x) {
+  return heuristic == Heuristic::Power ? x * x : x;
+}
 
 /// What the recursion needs to know of one step from z_i to z_{i+1}.
 struct MisStep {
   bool specular;             ///< the scattering event at z_i
   double reverse_previous;   ///< r_{i-1}
-  double backward_geometry;  ///< g_i: |cos θ_i| / d² (1 if z_i is at infinity) · reverse distance
+  ByLane backward_geometry;  ///< g_i: |cos θ_i| / d² (1 if z_i is at infinity) · reverse distance
                              ///< density
   double forward;            ///< F_{i+1}
+  ByLane lanes;              ///< L_i
   double class_coefficient;  ///< of the technique with i + 1 vertices on this side
 };
 
 /// State at the endpoint z_0, whose position was sampled with density `forward`; c_0 =
 /// `coefficient`.
 inline MisState mis_start(Heuristic heuristic, double forward, double coefficient) {
-  return {h(heuristic, 1.0 / forward), 0.0, coefficient};
+  return {ByLane(h(heuristic, 1.0 / forward)), ByLane(0.0), coefficient};
 }
 
 inline MisState mis_extend(Heuristic heuristic, const MisState& at, const MisStep& step) {
   const double coefficient = step.specular ? 0.0 : at.coefficient;
   MisState next;
-  next.inverse_forward = h(heuristic, 1.0 / step.forward);
+  next.inverse_forward = h(heuristic, step.lanes / step.forward);
   next.partial =
       h(heuristic, step.backward_geometry / step.forward) *
-      (coefficient * at.inverse_forward + h(heuristic, step.reverse_previous) * at.partial);
+      (at.inverse_forward * coefficient + at.partial * h(heuristic, step.reverse_previous));
   next.coefficient = step.specular ? 0.0 : step.class_coefficient;
   return next;
 }
 
-inline double MisState::sum(Heuristic heuristic, double reverse, double reverse_previous) const {
+inline ByLane MisState::sum(Heuristic heuristic, const ByLane& reverse,
+                            double reverse_previous) const {
   return h(heuristic, reverse) *
-         (coefficient * inverse_forward + h(heuristic, reverse_previous) * partial);
+         (inverse_forward * coefficient + partial * h(heuristic, reverse_previous));
 }
 
 /// What the recursion did at one vertex, kept where c_i depends on the depth of the whole path:
 /// sets that name single techniques. V_i is then only known at a connection, by walking the
 /// subpath.
 struct MisTrailEntry {
-  double inverse_forward = 0.0;   ///< M_i
+  ByLane inverse_forward{0.0};    ///< M_i
   double coefficient = 0.0;       ///< c_i without h(count of the technique)
-  double transfer = 0.0;          ///< h(g_{i-1} / F_i)
+  ByLane transfer{0.0};           ///< h(g_{i-1} / F_i)
   double reverse_previous = 0.0;  ///< h(r_{i-2})
   bool after_specular = false;    ///< z_{i-1} is specular
 };
@@ -87,12 +100,12 @@ inline MisTrailEntry mis_trail_entry(Heuristic heuristic, const MisState& at, co
 /// j vertices.
 template <typename CountOf>
 MisState mis_along(const MisTrailEntry* trail, int i, const CountOf& h_count) {
-  MisState state{trail[0].inverse_forward, 0.0, trail[0].coefficient * h_count(0)};
+  MisState state{trail[0].inverse_forward, ByLane(0.0), trail[0].coefficient * h_count(0)};
   for (int j = 1; j <= i; ++j) {
     const MisTrailEntry& entry = trail[j];
     const double coefficient = entry.after_specular ? 0.0 : state.coefficient;
     state.partial = entry.transfer *
-                    (coefficient * state.inverse_forward + entry.reverse_previous * state.partial);
+                    (state.inverse_forward * coefficient + state.partial * entry.reverse_previous);
     state.inverse_forward = entry.inverse_forward;
     state.coefficient = entry.coefficient * h_count(j);
   }

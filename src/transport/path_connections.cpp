@@ -85,18 +85,19 @@ void PathSampler::hit_light(const Flight& flight, const SegmentEnd& end, const M
       const double connection =
           static_cast<double>(light.connection_pdf(reference, point).value()) *
           static_cast<double>(scene_.light_sampler().probability(reference, light).value());
-      others += next_event * h(heuristic, connection) * mis.inverse_forward;
+      others += next_event * h(heuristic, connection) * mean(mis.inverse_forward);
     }
-    if (mis.partial > 0.0) {
+    const double partial = mean(mis.partial);
+    if (partial > 0.0) {
       const EmissionPdf emission = light.emission_pdf(point, -flight.ray.direction);
       const double position =
           static_cast<double>(emission.position.value()) *
           static_cast<double>(scene_.light_sampler().emitter_probability(light).value());
       others += h(heuristic, position) *
-                h(heuristic, static_cast<double>(emission.departure.value())) * mis.partial;
+                h(heuristic, static_cast<double>(emission.departure.value())) * partial;
     }
   }
-  const double mis_weight = 1.0 / (1.0 + others);
+  const double mis_weight = 1.0 / (1.0 + others / mean(h(settings_.heuristic, end.lanes)));
   sink.add({.value = flight.throughput * end.weight * emitted * static_cast<float>(mis_weight),
             .technique = {0, edges + 1},
             .mis_weight = mis_weight,
@@ -151,22 +152,22 @@ void PathSampler::connect_to_light(const PathVertex& vertex, SampleSource& sourc
     const double implicit = h_count({0, technique.t + 1});
     if (implicit > 0.0 && !light.discrete_position()) {
       const double reverse = static_cast<double>(scattered.pdf.value()) *
-                             endpoint_geometry(light, sample->point, sample->w, distance) *
-                             static_cast<double>(segment.distance_pdf());
-      others += implicit * h(heuristic, reverse / connection_density);
+                             endpoint_geometry(light, sample->point, sample->w, distance);
+      const ByLane hits = vertex.lanes * by_lane(segment.distance_pdf()) * reverse;
+      others += implicit * mean(h(heuristic, hits / connection_density));
     }
     if (settings_.techniques.needs_light_subpath()) {
       const EmissionPdf emission = light.emission_pdf(sample->point, -sample->w);
       const double position = static_cast<double>(emission.position.value()) *
                               static_cast<double>(lights.emitter_probability(light).value());
-      const double arrival = arrival_density(emission.departure, light.at_infinity(), distance,
-                                             vertex.cosine(sample->w)) *
-                             static_cast<double>(segment.distance_pdf(vertex.scattered_in()));
+      const ByLane arrival = by_lane(segment.distance_pdf(vertex.scattered_in())) *
+                             arrival_density(emission.departure, light.at_infinity(), distance,
+                                             vertex.cosine(sample->w));
       others += h(heuristic, position / connection_density) *
-                camera_mis(vertex, technique.depth())
-                    .sum(heuristic, arrival, vertex.pdf(sample->w, vertex.wo).value());
+                mean(camera_mis(vertex, technique.depth())
+                         .sum(heuristic, arrival, vertex.pdf(sample->w, vertex.wo).value()));
     }
-    return 1.0 / (1.0 + others / h(heuristic, own_count));
+    return 1.0 / (1.0 + others / (h(heuristic, own_count) * mean(h(heuristic, vertex.lanes))));
   };
   const std::optional<Joined> joined =
       join(ray_to_endpoint(vertex, light, *sample), vertex.medium_toward(sample->w), unoccluded,
@@ -200,14 +201,15 @@ void PathSampler::connect_to_camera(const PathVertex& vertex, SampleSource& sour
 
   const auto weight_of = [&](const Segment& segment) {
     const EmissionPdf emission = camera.emission_pdf(sample->point, -sample->w);
-    const double arrival =
+    const Heuristic heuristic = settings_.heuristic;
+    const ByLane arrival =
+        by_lane(segment.distance_pdf(vertex.scattered_in())) *
         arrival_density(emission.departure, camera.at_infinity(),
-                        static_cast<double>(sample->distance), vertex.cosine(sample->w)) *
-        static_cast<double>(segment.distance_pdf(vertex.scattered_in()));
+                        static_cast<double>(sample->distance), vertex.cosine(sample->w));
     const double others =
-        light_mis(vertex, technique.depth())
-            .sum(settings_.heuristic, arrival, vertex.pdf(sample->w, vertex.wo).value());
-    return 1.0 / (1.0 + others / h(settings_.heuristic, own_count));
+        mean(light_mis(vertex, technique.depth())
+                 .sum(heuristic, arrival, vertex.pdf(sample->w, vertex.wo).value()));
+    return 1.0 / (1.0 + others / (h(heuristic, own_count) * mean(h(heuristic, vertex.lanes))));
   };
   Ray ray = ray_to_endpoint(vertex, camera, *sample);
   ray.passes_lights = scene_.hides_lights();
@@ -239,29 +241,33 @@ void PathSampler::connect_inner(const PathVertex& camera_vertex, const PathVerte
   if (at_camera_vertex.value.is_black()) return;
   const BsdfValue at_light_vertex = light_vertex.evaluate(-w, TransportMode::Importance);
   const double own_count = count(technique);
+  // Density of both subpaths by one lane, over what it were if each had its own.
+  const auto together = static_cast<float>(mean(camera_vertex.lanes * light_vertex.lanes));
+  if (together == 0.F) return;
   const Spectrum unoccluded = camera_vertex.throughput * light_vertex.throughput *
                               at_camera_vertex.value * at_light_vertex.value /
-                              (distance_squared * static_cast<float>(own_count));
+                              (distance_squared * static_cast<float>(own_count) * together);
   if (unoccluded.is_black()) return;
 
   const auto weight_of = [&](const Segment& segment) {
     const Heuristic heuristic = settings_.heuristic;
     const double inverse_square = 1.0 / static_cast<double>(distance_squared);
-    const double to_camera_vertex =
-        static_cast<double>(at_light_vertex.pdf.value()) *
-        static_cast<double>(camera_vertex.cosine(w)) * inverse_square *
-        static_cast<double>(segment.distance_pdf(camera_vertex.scattered_in()));
-    const double to_light_vertex =
-        static_cast<double>(at_camera_vertex.pdf.value()) *
-        static_cast<double>(light_vertex.cosine(w)) * inverse_square *
-        static_cast<double>(segment.distance_pdf(light_vertex.scattered_in()));
+    const ByLane to_camera_vertex = by_lane(segment.distance_pdf(camera_vertex.scattered_in())) *
+                                    (static_cast<double>(at_light_vertex.pdf.value()) *
+                                     static_cast<double>(camera_vertex.cosine(w)) * inverse_square);
+    const ByLane to_light_vertex = by_lane(segment.distance_pdf(light_vertex.scattered_in())) *
+                                   (static_cast<double>(at_camera_vertex.pdf.value()) *
+                                    static_cast<double>(light_vertex.cosine(w)) * inverse_square);
     const int depth = technique.depth();
-    const double others =
-        camera_mis(camera_vertex, depth)
-            .sum(heuristic, to_camera_vertex, camera_vertex.pdf(w, camera_vertex.wo).value()) +
-        light_mis(light_vertex, depth)
-            .sum(heuristic, to_light_vertex, light_vertex.pdf(-w, light_vertex.wo).value());
-    return 1.0 / (1.0 + others / h(heuristic, own_count));
+    const ByLane others =
+        h(heuristic, light_vertex.lanes) *
+            camera_mis(camera_vertex, depth)
+                .sum(heuristic, to_camera_vertex, camera_vertex.pdf(w, camera_vertex.wo).value()) +
+        h(heuristic, camera_vertex.lanes) *
+            light_mis(light_vertex, depth)
+                .sum(heuristic, to_light_vertex, light_vertex.pdf(-w, light_vertex.wo).value());
+    const double own = mean(h(heuristic, camera_vertex.lanes * light_vertex.lanes));
+    return 1.0 / (1.0 + mean(others) / (h(heuristic, own_count) * own));
   };
   const std::optional<Joined> joined =
       join(ray_between(camera_vertex.ray_origin(w), light_vertex.ray_end(-w, distance)),

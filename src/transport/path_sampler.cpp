@@ -73,7 +73,7 @@ MisState PathSampler::camera_mis(const PathVertex& vertex, int depth) const {
 
 SegmentEnd PathSampler::trace(const WalkSettings& walk, const Flight& flight,
                               SampleSource& source) {
-  return trace_segment(scene_, flight.ray, flight.medium,
+  return trace_segment(scene_, flight.ray, flight.medium, flight.lanes,
                        {source, walk.stream, flight.edges, walk.repeat}, rays_);
 }
 

@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "core/by_lane.h"
 #include "scene/scene.h"
 #include "transport/mis.h"
 
@@ -14,6 +15,7 @@ struct PathVertex {
   Vec3 p;
   Vec3 wo;              ///< unit, toward the previous vertex
   Spectrum throughput;  ///< f / p of the subpath up to here, scattering here not included
+  ByLane lanes;         ///< as in `FreeFlight`
   float roulette;       ///< the factor in it that comes from Russian roulette
   MisState mis;
   /// Of the whole subpath, indexed by `edges`; null unless the set names single techniques.

@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <cstdint>
 #include <stdexcept>
 
@@ -20,7 +21,7 @@ enum class Slot : std::uint8_t {
   LightChoice,
   LightPrimitive,
   Roulette,
-  MediumChannel,
+  MediumLane,  ///< at `kLaneChoice` only
   MediumDistance,
   kCount
 };
@@ -53,6 +54,11 @@ class SampleAddress {
  private:
   std::uint32_t bits_;
 };
+
+/// The lane that a path samples its distances by is one number for all of its edges, from whichever
+/// end (docs/methods/bidirectional.md, "Media").
+inline constexpr SampleAddress kLaneChoice{Stream::Camera, 0, Slot::MediumLane};
+inline int lane_of(float u) { return std::min(static_cast<int>(u * 3.F), 2); }
 
 /// The primary vector (docs/methods/pssmlt.md): all randomness of a path comes from here. Numbers
 /// are in [0, 1).

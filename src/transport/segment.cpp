@@ -39,40 +39,41 @@ bool was_lost(const Scene& scene, const Ray& ray, RayCounts& rays) {
 }
 }  // namespace
 
-float Segment::distance_pdf_in_medium(const MediumPoint& end) const {
+Spectrum Segment::distance_pdf_in_medium(const MediumPoint& end) const {
   const Spectrum survival = exp(scattering_depth * -1.F);
-  return end.medium == nullptr ? survival.average() : (survival * end.sigma_t()).average();
+  return end.medium == nullptr ? survival : survival * end.sigma_t();
 }
 
-std::optional<DistanceUniforms> invert_distance(const Segment& segment, const MediumPoint& end,
-                                                const DistanceUniforms& fresh) {
-  // Any lane can have been the one that the distance was sampled by.
-  double survival[3];
-  double shares[3];
-  double sum = 0.0;
-  const bool is_inside = end.medium != nullptr;
-  const Spectrum per_distance = is_inside ? end.medium->sigma_t_of_lanes(end.p) : Spectrum(1.F);
-  for (int lane = 0; lane < 3; ++lane) {
-    survival[lane] = std::exp(-static_cast<double>(segment.scattering_depth[lane]));
-    shares[lane] = survival[lane] * static_cast<double>(per_distance[lane]);
-    sum += shares[lane];
-  }
+FreeFlight::FreeFlight(const Segment& segment, const ByLane& before, const MediumPoint& end) {
+  const ByLane pdfs = before * by_lane(segment.distance_pdf(end));
+  const double pdf = mean(pdfs);
+  lanes = pdfs / pdf;
+  weight = segment.transmittance;
+  if (end.medium != nullptr) weight *= end.sigma_s();
+  weight /= static_cast<float>(pdf);
+}
+
+std::optional<float> invert_lane(const ByLane& pdf, float fresh) {
+  if (pdf.x == pdf.y && pdf.x == pdf.z) return pdf.x > 0.0 ? std::optional(fresh) : std::nullopt;
+  double sum = pdf.x + pdf.y + pdf.z;
   if (!(sum > 0.0)) return std::nullopt;
-  DistanceUniforms u = fresh;
   int lane = 0;
   for (; lane < 2; ++lane) {
-    if (came_first(shares[lane], sum - shares[lane], u.channel)) break;
-    sum -= shares[lane];
+    if (came_first(pdf[lane], sum - pdf[lane], fresh)) break;
+    sum -= pdf[lane];
   }
-  if (!(shares[lane] > 0.0)) return std::nullopt;
-  u.channel = UnitInterval{lane / 3.0, 1.0 / 3.0}.at(u.channel);
-  // On surfaces all distances beyond are one.
-  u.distance = is_inside ? std::min(static_cast<float>(1.0 - survival[lane]), kOneMinusEpsilon)
-                         : UnitInterval{1.0 - survival[lane], survival[lane]}.at(u.distance);
-  return u;
+  if (!(pdf[lane] > 0.0)) return std::nullopt;
+  return UnitInterval{lane / 3.0, 1.0 / 3.0}.at(fresh);
 }
 
-SegmentEnd trace_segment(const Scene& scene, Ray ray, const Medium* medium,
+float invert_distance(const Segment& segment, const MediumPoint& end, int lane, float fresh) {
+  const double survival = std::exp(-static_cast<double>(segment.scattering_depth[lane]));
+  // On surfaces all distances beyond are one.
+  return end.medium != nullptr ? std::min(static_cast<float>(1.0 - survival), kOneMinusEpsilon)
+                               : UnitInterval{1.0 - survival, survival}.at(fresh);
+}
+
+SegmentEnd trace_segment(const Scene& scene, Ray ray, const Medium* medium, const ByLane& lanes,
                          const DistanceSource& numbers, RayCounts& rays) {
   SegmentEnd end;
   Hit& hit = end.hit.emplace();
@@ -80,6 +81,7 @@ SegmentEnd trace_segment(const Scene& scene, Ray ray, const Medium* medium,
     ++rays.rays;
     const bool found = scene.intersect(ray, hit);
     end.medium = nullptr;
+    end.lanes = lanes;
     end.distance = found ? hit.t : std::numeric_limits<float>::infinity();
     if (!found) {
       end.lost = was_lost(scene, ray, rays);
@@ -88,10 +90,14 @@ SegmentEnd trace_segment(const Scene& scene, Ray ray, const Medium* medium,
     return end;
   }
   const Vec3 origin = ray.origin;
-  int lane = -1;           // to sample distances by; chosen when the first scattering medium is met
+  int lane = -1;           // asked for when the first scattering medium is met
   float depth_left = 0.F;  // optical depth in `lane` until the next event
   float travelled = 0.F;
   bool found = false;
+  const auto fly = [&](const FreeFlight& flight) {
+    end.weight = flight.weight;
+    end.lanes = flight.lanes;
+  };
   for (int i = 0; i < kMaxInterfaces; ++i) {
     ++rays.rays;
     found = scene.intersect(ray, hit);
@@ -102,9 +108,8 @@ SegmentEnd trace_segment(const Scene& scene, Ray ray, const Medium* medium,
     const float distance = found ? hit.t : std::numeric_limits<float>::infinity();
     if (medium != nullptr && medium->scatters()) {
       if (lane < 0) {
-        const DistanceUniforms u = numbers.get();
-        lane = std::min(static_cast<int>(u.channel * 3.F), 2);
-        depth_left = -std::log(1.F - u.distance);
+        lane = numbers.lane();
+        depth_left = -std::log(1.F - numbers.distance());
       }
       const Crossing crossing = medium->along(ray, distance, lane, depth_left);
       cross_depth(*medium, crossing.depth, end.segment);
@@ -113,8 +118,8 @@ SegmentEnd trace_segment(const Scene& scene, Ray ray, const Medium* medium,
         end.distance = travelled + crossing.distance;
         end.scattered = true;
         end.hit.reset();
-        const MediumPoint here{medium, origin + ray.direction * end.distance};
-        end.weight = end.segment.transmittance * here.sigma_s() / end.segment.distance_pdf(here);
+        const Vec3 here = origin + ray.direction * end.distance;
+        fly({end.segment, lanes, {medium, here}});
         return end;
       }
       depth_left -= crossing.depth[lane];
@@ -135,7 +140,7 @@ SegmentEnd trace_segment(const Scene& scene, Ray ray, const Medium* medium,
   if (!found) end.hit.reset();
   end.medium = medium;
   end.distance = found ? travelled : std::numeric_limits<float>::infinity();
-  end.weight = end.segment.transmittance / end.segment.distance_pdf();
+  fly({end.segment, lanes});
   return end;
 }
 

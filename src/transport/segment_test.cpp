@@ -33,7 +33,7 @@ TEST(Segments, RaysThatCannotBeTracedAreLostAndCounted) {
     SobolSource source({1, 0, 2, 0});
     const DistanceSource numbers(source, Stream::Camera, 0, 0);
     for (const Medium* medium : {static_cast<const Medium*>(nullptr), &fog}) {
-      const SegmentEnd end = trace_segment(*scene, far_away, medium, numbers, rays);
+      const SegmentEnd end = trace_segment(*scene, far_away, medium, kAnyLane, numbers, rays);
       EXPECT_TRUE(end.lost);
       EXPECT_FALSE(end.hit);
       EXPECT_FALSE(end.scattered);
@@ -44,11 +44,11 @@ TEST(Segments, RaysThatCannotBeTracedAreLostAndCounted) {
     EXPECT_EQ(rays.rays_out_of_range, 4U);
 
     const SegmentEnd hit =
-        trace_segment(*scene, {{0, 0, 1e10F}, {0, 0, -1}}, nullptr, numbers, rays);
+        trace_segment(*scene, {{0, 0, 1e10F}, {0, 0, -1}}, nullptr, kAnyLane, numbers, rays);
     EXPECT_TRUE(hit.hit);
     EXPECT_FALSE(hit.lost);
     const SegmentEnd miss =
-        trace_segment(*scene, {{0, 0, 1e10F}, {0, 0, 1}}, nullptr, numbers, rays);
+        trace_segment(*scene, {{0, 0, 1e10F}, {0, 0, 1}}, nullptr, kAnyLane, numbers, rays);
     EXPECT_FALSE(miss.hit);
     EXPECT_FALSE(miss.lost);
     EXPECT_FALSE(is_blocked(*scene, {{0, 0, 0.5F}, {0, 0, 1}, -1.F}, rays)) << "of no length";
@@ -60,7 +60,7 @@ TEST(Segments, RaysThatCannotBeTracedAreLostAndCounted) {
 struct TwoNumbers final : SampleSource {
   explicit TwoNumbers(const Vec2& n) : numbers(n) {}
   float get(SampleAddress address) override {
-    return address.slot() == Slot::MediumChannel ? numbers.x : numbers.y;
+    return address == kLaneChoice ? numbers.x : numbers.y;
   }
   Vec2 get_pair(SampleAddress) override { return numbers; }
   Vec2 numbers;
@@ -86,6 +86,49 @@ desc::Density colored_smoke() {
   }
   grid.values.clear();
   return {std::make_shared<const desc::DensityGrid>(std::move(grid)), plain.to_world};
+}
+
+/// Of distances that each is sampled by whichever lane the products would grow without bound.
+TEST(FreeFlights, AreWorthTransmittanceOverTheMeanOfTheDensitiesByLane) {
+  const Medium medium("m", Spectrum(0.1F, 0.F, 0.3F), Spectrum(1.F, 2.F, 4.F), 0.F);
+  IndependentSource numbers({1, 2, 3, 4});
+  ByLane lanes = kAnyLane;
+  Spectrum worth(1.F);
+  ByLane f(1.0);
+  ByLane pdf(1.0);
+  for (int i = 0; i < 30; ++i) {
+    SCOPED_TRACE(i);
+    const float distance = 2.F * numbers.get({Stream::Camera, i, Slot::MediumDistance});
+    Segment segment;
+    segment.scattering_depth = medium.sigma_t(Vec3(0.F)) * distance;
+    segment.transmittance = exp(segment.scattering_depth * -1.F);
+    const bool scatters = i % 3 != 2;
+    const FreeFlight flight(segment, lanes, {scatters ? &medium : nullptr, Vec3(0.F)});
+    worth *= flight.weight;
+    lanes = flight.lanes;
+    f *= by_lane(segment.transmittance);
+    pdf *= by_lane(segment.transmittance);
+    if (scatters) {
+      f *= by_lane(medium.sigma_s(Vec3(0.F)));
+      pdf *= by_lane(medium.sigma_t(Vec3(0.F)));
+    }
+    EXPECT_NEAR(mean(lanes), 1.0, 1e-5);
+    for (int lane = 0; lane < 3; ++lane) {
+      const double expected = f[lane] / mean(pdf);
+      EXPECT_NEAR(double{worth[lane]}, expected, 1e-4 * expected + 1e-30);
+      EXPECT_LE(worth[lane], 3.001F);
+    }
+  }
+}
+
+TEST(FreeFlights, OfGreyMediaKnowNoLane) {
+  const Medium medium("m", Spectrum(0.1F), Spectrum(0.3F), 0.F);
+  Segment segment;
+  segment.scattering_depth = Spectrum(0.7F);
+  segment.transmittance = exp(segment.scattering_depth * -1.F);
+  const FreeFlight flight(segment, kAnyLane, {&medium, Vec3(0.F)});
+  EXPECT_EQ(flight.lanes, kAnyLane);
+  EXPECT_NEAR(flight.weight[0], 0.75F, 1e-6F);
 }
 
 class SegmentsThrough : public ::testing::TestWithParam<const char*> {};
@@ -115,7 +158,8 @@ TEST_P(SegmentsThrough, DistancesAreInverted) {
     const auto trace = [&](const Vec2& u) {
       TwoNumbers source(u);
       RayCounts rays;
-      return trace_segment(scene, ray, scene.medium(0), {source, Stream::Camera, 0, 0}, rays);
+      return trace_segment(scene, ray, scene.medium(0), kAnyLane, {source, Stream::Camera, 0, 0},
+                           rays);
     };
     testing::check_inverse(
         {hits ? "to a ball" : "to infinity", 2, 1e-4,
@@ -124,14 +168,15 @@ TEST_P(SegmentsThrough, DistancesAreInverted) {
            const SegmentEnd end = trace({u[0], u[1]});
            const MediumPoint place{end.scattered ? end.medium : nullptr,
                                    ray.origin + ray.direction * end.distance};
-           const auto n = invert_distance(end.segment, place, {v[0], v[1]});
-           if (!n) return testing::RoundTrip{};
-           const SegmentEnd again = trace({n->channel, n->distance});
+           const auto lane = invert_lane(by_lane(end.segment.distance_pdf(place)), v[0]);
+           if (!lane) return testing::RoundTrip{};
+           const float distance = invert_distance(end.segment, place, lane_of(*lane), v[1]);
+           const SegmentEnd again = trace({*lane, distance});
            const bool same = again.scattered == end.scattered && again.medium == end.medium;
            const bool finite = std::isfinite(end.distance);
            return testing::RoundTrip{
                same,
-               {n->channel, n->distance},
+               {*lane, distance},
                same && finite ? std::abs(double{again.distance} - double{end.distance}) : 0.0};
          }});
   }

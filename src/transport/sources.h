@@ -69,7 +69,7 @@ class SobolSource final : public SampleSource {
 
  private:
   /// Slots 2k and 2k + 1 share pad k; these are made at once.
-  static_assert(static_cast<std::size_t>(Slot::MediumChannel) == 2 * kSobolPads);
+  static_assert(static_cast<std::size_t>(Slot::MediumLane) == 2 * kSobolPads);
   struct Block {
     std::uint64_t key = ~std::uint64_t{0};
     SobolPads pads;

@@ -19,12 +19,13 @@ MisStep mis_step(const Flight& flight, const Segment& segment, float distance, f
   step.reverse_previous = flight.reverse_previous;
   step.forward = static_cast<double>(flight.departure) * forward_geometry *
                  (at_infinity ? 1.0 : static_cast<double>(cosine_at_end)) *
-                 static_cast<double>(segment.distance_pdf(end));
+                 mean(flight.lanes * by_lane(segment.distance_pdf(end)));
+  step.lanes = flight.lanes;
   step.backward_geometry =
       flight.from_infinity
-          ? static_cast<double>(segment.distance_pdf())
-          : static_cast<double>(flight.cosine) * inverse_square *
-                static_cast<double>(segment.distance_pdf({flight.scattered_in, flight.reference}));
+          ? by_lane(segment.distance_pdf())
+          : by_lane(segment.distance_pdf({flight.scattered_in, flight.reference})) *
+                (static_cast<double>(flight.cosine) * inverse_square);
   step.class_coefficient = class_coefficient;
   return step;
 }
@@ -42,6 +43,7 @@ void arrive(const WalkSettings& settings, const Flight& flight, const SegmentEnd
             double class_coefficient, PathVertex& vertex) {
   vertex.wo = -flight.ray.direction;
   vertex.throughput = flight.throughput * end.weight;
+  vertex.lanes = end.lanes;
   vertex.roulette = flight.roulette;
   vertex.medium = end.medium;
   vertex.edges = flight.edges + 1;
@@ -85,6 +87,7 @@ bool scatter(const WalkSettings& settings, const PathVertex& vertex, SampleSourc
   if (!sample) return false;
   if (settings.directions != nullptr) settings.directions->note(vertex, u.lobe, sample->wi);
   flight.throughput = vertex.throughput * sample->weight;
+  flight.lanes = vertex.lanes;
   if (settings.mode == TransportMode::Radiance) flight.roulette_scale *= sample->eta * sample->eta;
   const bool is_long = vertex.edges >= settings.roulette_start;
   if (is_long || (settings.efficient_roulette &&

@@ -12,6 +12,7 @@ struct Flight {
   Ray ray;
   const Medium* medium = nullptr;
   Spectrum throughput{1.F};
+  ByLane lanes = kAnyLane;        ///< as in `FreeFlight`
   Vec3 reference{0.F, 0.F, 0.F};  ///< z_i itself; the ray starts a little off it
   int edges = 0;                  ///< index i of the vertex it left
   int surplus = 0;                ///< see PathVertex, with the event at z_i

@@ -128,6 +128,9 @@ TEST_P(Paths, AreRecordedHalfByHalf) {
     const auto raster_of = [&](std::uint32_t camera) {
       return source_of(camera, 0).get_pair({Stream::Camera, 0, kEmissionDirection}) * size;
     };
+    const auto lane_of_half = [&](const Half& camera) {
+      return lane_of(source_of(camera.number, 0).get(kLaneChoice));
+    };
     const auto trace_camera = [&](std::uint32_t number) {
       Half half{number, true, {}, {}};
       IndependentSource source = source_of(number, 0);
@@ -141,7 +144,7 @@ TEST_P(Paths, AreRecordedHalfByHalf) {
     };
     const auto trace_light = [&](std::uint32_t number, const Half& camera) {
       Half half{number, true, {}, {}};
-      IndependentSource source = source_of(0, number);
+      IndependentSource source = source_of(camera.number, number);
       recorder.begin(raster_of(camera.number));
       if (s >= 2) half.complete = sampler.trace_light_half(source, s, half.end, &recorder);
       half.recorded = recorder.light_half();
@@ -154,6 +157,10 @@ TEST_P(Paths, AreRecordedHalfByHalf) {
       const Half light_before = light;
       if (step % 2 == 0) {
         camera = trace_camera(step);
+        // Halves of a path have one lane.
+        if (lane_of_half(camera) != lane_of_half(camera_before)) {
+          light = trace_light(light.number, camera);
+        }
       } else {
         light = trace_light(step, camera);
       }

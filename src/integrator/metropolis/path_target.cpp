@@ -125,6 +125,8 @@ OnePathTarget::OnePathTarget(const Scene& scene, const PathSamplerSettings& sett
       part_(part),
       paths_(paths),
       light_subpaths_(settings.light_subpaths),
+      uses_lane_(std::ranges::any_of(scene.media(),
+                                     [](const auto& medium) { return medium->scatters(); })),
       sampler_(scene, settings),
       choice_(choice),
       directions_(settings.max_depth + 1) {
@@ -132,14 +134,15 @@ OnePathTarget::OnePathTarget(const Scene& scene, const PathSamplerSettings& sett
 }
 
 template <typename Trace>
-const PathVertex* OnePathTarget::half(Halves& halves, int vertices, bool moved,
+const PathVertex* OnePathTarget::half(Halves& halves, int vertices, int lane, bool moved,
                                       const Trace& trace) {
   const Half& current = halves.current();
-  if (!moved && current.vertices == vertices) {
+  if (!moved && current.vertices == vertices && current.lane == lane) {
     return current.complete ? &current.end : nullptr;
   }
   Half& proposal = halves.proposal();
   proposal.vertices = vertices;
+  proposal.lane = lane;
   proposal.complete = trace(proposal.end);
   return proposal.complete ? &proposal.end : nullptr;
 }
@@ -159,17 +162,18 @@ double OnePathTarget::evaluate(SampleSource& numbers, const Change& change, Spla
     sampler_.sample_implicit(numbers, raster, t, sink, nullptr);
   } else {
     static const PathVertex kEndpointAlone{};
+    const int lane = uses_lane_ ? lane_of(numbers.get(kLaneChoice)) : 0;
     const PathVertex* camera_end = &kEndpointAlone;
     const PathVertex* light_end = &kEndpointAlone;
     if (t >= 2) {
-      camera_end = half(camera_, t, change.moves_camera_half(), [&](PathVertex& end) {
+      camera_end = half(camera_, t, lane, change.moves_camera_half(), [&](PathVertex& end) {
         directions_.trace(change.raster);
         return sampler_.trace_camera_half(numbers, raster, t, end, nullptr);
       });
       if (camera_end == nullptr) return 0.0;
     }
     if (s >= 2) {
-      light_end = half(light_, s, change.light, [&](PathVertex& end) {
+      light_end = half(light_, s, lane, change.light, [&](PathVertex& end) {
         return sampler_.trace_light_half(numbers, s, end, nullptr);
       });
       if (light_end == nullptr) return 0.0;

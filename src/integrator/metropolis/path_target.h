@@ -114,6 +114,7 @@ class OnePathTarget final : public PathTarget {
   /// One half of a path: the vertex it ends with, if it gets there.
   struct Half {
     int vertices = 0;  ///< that it was traced for; 0: not known
+    int lane = 0;      ///< by which it was traced
     bool complete = false;
     PathVertex end;
   };
@@ -125,15 +126,17 @@ class OnePathTarget final : public PathTarget {
     std::array<Half, 2> both;
     std::size_t now = 0;
   };
-  /// Traces a half for the proposal, or takes the current one; null if it is not complete.
+  /// Traces a half for the proposal by `lane`, or takes the current one; null if it is not
+  /// complete.
   template <typename Trace>
-  const PathVertex* half(Halves& halves, int vertices, bool moved, const Trace& trace);
+  const PathVertex* half(Halves& halves, int vertices, int lane, bool moved, const Trace& trace);
   static void keep(Halves& halves, bool moved);
 
   const ChainView& view_;
   const PathPart* part_;
   PathClass paths_;
   double light_subpaths_;
+  bool uses_lane_;
   PathSampler sampler_;
   const TechniqueChoice& choice_;
   TechniqueChoice::Chosen chosen_{0, {0, 2}, 1.F};

@@ -59,7 +59,8 @@ Sight look(const Scene& scene, SampleSource& source, const Vec2& raster, int max
   RayCounts rays;
   while (true) {
     const DistanceSource numbers(source, Stream::Camera, flight.edges + 1, 0);
-    const SegmentEnd end = trace_segment(scene, flight.ray, flight.medium, numbers, rays);
+    const SegmentEnd end =
+        trace_segment(scene, flight.ray, flight.medium, flight.lanes, numbers, rays);
     if (end.lost) return {};
     if (!end.hit && !end.scattered) {
       return {at_most_one(flight.throughput * sky(scene, flight.ray.direction)), Vec3(0.F)};

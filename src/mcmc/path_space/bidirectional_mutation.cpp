@@ -8,6 +8,7 @@
 #include "mcmc/path_space/heuristics.h"
 #include "mcmc/path_space/path_form.h"
 #include "mcmc/primary/bootstrap_source.h"
+#include "path/log_density.h"
 #include "path/measure.h"
 
 namespace ajar {
@@ -177,26 +178,26 @@ double BidirectionalMutation::log_joint(const Path& y, const Kept& kept, int s) 
   if (s == 0 && y.light->discrete_position()) return kNever;
   // Seen from a place on the lens.
   if (s == k && kept.camera <= 1 && !inside_image(scene_, y.raster)) return kNever;
-  double sum = 0.0;
+  LogDensity density;
   for (int x = kept.light; x < s; ++x) {
     if (s == 1) {
-      sum += std::log(next_event_pdf(scene_, y));
+      density *= next_event_pdf(scene_, y);
       break;
     }
-    sum += std::log(light_step_pdf(scene_, y, x));
+    density *= light_step_pdf(scene_, y, x);
     // Where there is no such event, there is no spread either.
-    if (sum == kNever) return kNever;
+    if (density.value() == kNever) return kNever;
     if (x >= 2 && y.vertex(x - 1).event.specular()) {
-      sum -= std::log(specular_spread(scene_, y, x - 1));
+      density /= specular_spread(scene_, y, x - 1);
     }
   }
   for (int x = k - kept.camera; x >= s; --x) {
-    sum += std::log(camera_step_pdf(scene_, y, x));
+    density *= camera_step_pdf(scene_, y, x);
     if (x == k - 1) {
-      sum += std::log(image_area(scene_.camera().resolution()) / area_.area());
+      density *= image_area(scene_.camera().resolution()) / area_.area();
     }
   }
-  return s == 0 ? sum + log_choice_of_hit_light(scene_, y) : sum;
+  return s == 0 ? density.value() + log_choice_of_hit_light(scene_, y) : density.value();
 }
 
 double BidirectionalMutation::log_density(const Path& x, const Path& y, const Kept& kept) const {

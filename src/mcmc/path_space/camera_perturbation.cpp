@@ -5,6 +5,7 @@
 #include "mcmc/path_space/heuristics.h"
 #include "mcmc/path_space/path_form.h"
 #include "mcmc/primary/bootstrap_source.h"
+#include "path/log_density.h"
 #include "path/measure.h"
 
 namespace ajar {
@@ -54,20 +55,21 @@ double CameraPerturbation::log_density(const Path& x, const Path& y, const Kept&
   const int k = y.depth();
   const int end = kept.light;
   if (end > 0 && !can_join(y, end)) return kNever;
-  double sum = raster_.log_density_in_plane(static_cast<double>((y.raster - x.raster).length())) +
-               std::log(image_area(scene_.camera().resolution())) +
-               std::log(camera_step_pdf(scene_, y, k - 1));
+  LogDensity density;
+  density += raster_.log_density_in_plane(static_cast<double>((y.raster - x.raster).length()));
+  density *= image_area(scene_.camera().resolution());
+  density *= camera_step_pdf(scene_, y, k - 1);
   for (int vertex = k - 1; vertex > end; --vertex) {
     const ScatterEvent& event = x.vertex(vertex).event;
     const ScatterEvent& other = y.vertex(vertex).event;
     if (event.specular() ? event != other : other.specular()) return kNever;
     if (!event.specular()) {
-      sum += direction_.log_density_around(
+      density += direction_.log_density_around(
           small_angle(x.toward_light(scene_, vertex), y.toward_light(scene_, vertex)));
     }
-    sum += std::log(arrival_pdf(scene_, y, vertex, vertex - 1));
+    density *= arrival_pdf(scene_, y, vertex, vertex - 1);
   }
-  return end == 0 ? sum + log_choice_of_hit_light(scene_, y) : sum;
+  return end == 0 ? density.value() + log_choice_of_hit_light(scene_, y) : density.value();
 }
 
 }  // namespace ajar

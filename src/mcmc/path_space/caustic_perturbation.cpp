@@ -6,6 +6,7 @@
 #include "mcmc/path_space/heuristics.h"
 #include "mcmc/path_space/path_form.h"
 #include "mcmc/primary/bootstrap_source.h"
+#include "path/log_density.h"
 #include "path/measure.h"
 
 namespace ajar {
@@ -108,23 +109,23 @@ double CausticPerturbation::log_density(const Path& x, const Path& y, const Kept
     return kNever;
   }
   const PerturbationLaw steps = law(x, from);
-  double sum = 0.0;
+  LogDensity density;
   if (moves_place(x, from)) {
     const Vec3d w(x.light_point.toward);
     const Vec3d shift = Vec3d(y.position(1)) - Vec3d(x.position(1));
     const double size = (shift - w * shift.dot(w)).length();
     if (!steps.reaches(size)) return kNever;
-    sum = steps.log_density_in_plane(size);
+    density += steps.log_density_in_plane(size);
   } else {
     const double size = small_angle(x.toward_camera(scene_, from), y.toward_camera(scene_, from));
     if (!steps.reaches(size)) return kNever;
-    sum = steps.log_density_around(size);
+    density += steps.log_density_around(size);
   }
   for (int vertex = from; vertex < k - 1; ++vertex) {
-    sum += std::log(arrival_pdf(scene_, y, vertex, vertex + 1));
-    if (vertex > from) sum -= std::log(specular_spread(scene_, y, vertex));
+    density *= arrival_pdf(scene_, y, vertex, vertex + 1);
+    if (vertex > from) density /= specular_spread(scene_, y, vertex);
   }
-  return sum;
+  return density.value();
 }
 
 }  // namespace ajar

@@ -9,6 +9,7 @@
 #include "mcmc/path_space/heuristics.h"
 #include "mcmc/path_space/path_form.h"
 #include "mcmc/primary/bootstrap_source.h"
+#include "path/log_density.h"
 #include "path/measure.h"
 
 namespace ajar {
@@ -189,16 +190,17 @@ double ConstraintPerturbation::log_density(const Path& x, const Path& y, const K
       other->fixed != span->fixed || other->moved != span->moved) {
     return kNever;
   }
-  double sum = raster_.log_density_in_plane(static_cast<double>((y.raster - x.raster).length())) +
-               std::log(image_area(scene_.camera().resolution())) +
-               std::log(camera_step_pdf(scene_, y, k - 1));
+  LogDensity density;
+  density += raster_.log_density_in_plane(static_cast<double>((y.raster - x.raster).length()));
+  density *= image_area(scene_.camera().resolution());
+  density *= camera_step_pdf(scene_, y, k - 1);
   for (int vertex = k - 1; vertex > span->fixed; --vertex) {
     if (vertex == span->moved) continue;
     if (x.vertex(vertex).event != y.vertex(vertex).event) return kNever;
-    if (is_rough(y, vertex)) sum += log_offset_density(x, y, vertex);
-    if (vertex > span->moved) sum += std::log(arrival_pdf(scene_, y, vertex, vertex - 1));
+    if (is_rough(y, vertex)) density += log_offset_density(x, y, vertex);
+    if (vertex > span->moved) density *= arrival_pdf(scene_, y, vertex, vertex - 1);
   }
-  return sum + log_walk_density(y, *span);
+  return density.value() + log_walk_density(y, *span);
 }
 
 }  // namespace ajar

@@ -91,7 +91,7 @@ void GrowingEnd::leave(const Vec3& direction) {
 }
 
 SegmentEnd GrowingEnd::trace(SampleSource& source) {
-  return trace_segment(scene_, ray_, medium_,
+  return trace_segment(scene_, ray_, medium_, kAnyLane,
                        {source, stream_, static_cast<int>(vertices.size()), 0}, rays_);
 }
 

@@ -5,6 +5,7 @@
 
 #include "mcmc/path_space/path_form.h"
 #include "mcmc/primary/bootstrap_source.h"
+#include "path/log_density.h"
 #include "path/measure.h"
 
 namespace ajar {
@@ -104,14 +105,15 @@ double LensSubpathMutation::log_density(const Path& /*x*/, const Path& y, const 
   const int k = y.depth();
   const int rough = kept.light;
   if (first_rough_from_camera(y) != rough || !can_join(y, rough)) return kNever;
-  double sum = std::log(camera_step_pdf(scene_, y, k)) +
-               std::log(camera_step_pdf(scene_, y, k - 1)) +
-               std::log(image_area(scene_.camera().resolution()) / area_.area());
+  LogDensity density;
+  density *= camera_step_pdf(scene_, y, k);
+  density *= camera_step_pdf(scene_, y, k - 1);
+  density *= image_area(scene_.camera().resolution()) / area_.area();
   for (int vertex = k - 1; vertex >= rough; --vertex) {
     const SpecularEvents events(y.vertex(vertex), y.toward_camera(scene_, vertex));
-    if (vertex == rough) return sum + std::log(events.probability_to_stop());
-    sum += std::log(events.probability(y.vertex(vertex).event)) +
-           std::log(arrival_pdf(scene_, y, vertex, vertex - 1));
+    if (vertex == rough) return density.value() + std::log(events.probability_to_stop());
+    density *= events.probability(y.vertex(vertex).event);
+    density *= arrival_pdf(scene_, y, vertex, vertex - 1);
   }
   return kNever;
 }

@@ -6,6 +6,7 @@
 #include "mcmc/path_space/chain_density.h"
 #include "mcmc/path_space/path_form.h"
 #include "mcmc/path_space/path_mutation.h"
+#include "path/log_density.h"
 #include "path/measure.h"
 
 namespace ajar {
@@ -27,11 +28,17 @@ double log_join_pdf(const Scene& scene, const Path& path, int seen) {
          log_chain_density(scene, path, 0, seen);
 }
 
+/// ln of the density of a camera subpath as far as vertex `last`.
+double log_camera_pdf(const Scene& scene, const Path& path, int last) {
+  LogDensity density;
+  for (int x = path.depth(); x >= last; --x) density *= camera_step_pdf(scene, path, x);
+  return density.value();
+}
+
+/// The same as `log_join_pdf`, of a subpath that runs into the light.
 double log_hit_pdf(const Scene& scene, const Path& path, int seen) {
   if (path.light->discrete_position()) return kNever;
-  double sum = 0.0;
-  for (int x = seen - 1; x >= 0; --x) sum += std::log(camera_step_pdf(scene, path, x));
-  return sum;
+  return log_camera_pdf(scene, path, 0) - log_camera_pdf(scene, path, seen);
 }
 
 /// The balance heuristic's weight of the first of two.
@@ -89,9 +96,8 @@ void ManifoldSeeds::join(SampleSource& source, std::uint64_t key) {
   const double joined = log_join_pdf(scene_, path, vertex);
   if (!std::isfinite(joined)) return;
   const double hit = log_hit_pdf(scene_, path, vertex);
-  double log_factor = std::log(balance(joined + std::log(tries_), hit)) - joined;
-  for (int x = path.depth(); x >= vertex; --x)
-    log_factor -= std::log(camera_step_pdf(scene_, path, x));
+  const double log_factor = std::log(balance(joined + std::log(tries_), hit)) - joined -
+                            log_camera_pdf(scene_, path, vertex);
   seeds_.push_back({std::move(path), log_factor, key});
 }
 

@@ -53,10 +53,6 @@ class Medium {
       return colors_->sigma_s(p);
     return sigma_s_ * density(p);
   }
-  /// Proportional to `sigma_t(p)`, without looking up a density that lanes share.
-  Spectrum sigma_t_of_lanes(const Vec3& p) const {
-    return colors_ != nullptr ? colors_->sigma_t(p) : sigma_t_;
-  }
   float g() const { return g_; }
   const std::string& name() const { return name_; }
 
