@@ -6,7 +6,7 @@
 namespace ajar::mitsuba {
 namespace {
 
-constexpr std::array<MaterialPlugin, 25> kPlugins = {{{"diffuse", make_diffuse},
+constexpr std::array<MaterialPlugin, 26> kPlugins = {{{"diffuse", make_diffuse},
                                                       {"roughdiffuse", make_rough_diffuse},
                                                       {"difftrans", make_diffuse_transmitter},
                                                       {"principled", make_principled},
@@ -18,6 +18,7 @@ constexpr std::array<MaterialPlugin, 25> kPlugins = {{{"diffuse", make_diffuse},
                                                       {"roughconductor", make_rough_conductor},
                                                       {"plastic", make_plastic},
                                                       {"roughplastic", make_rough_plastic},
+                                                      {"pplastic", make_polarized_plastic},
                                                       {"coating", make_coating},
                                                       {"roughcoating", make_rough_coating},
                                                       {"phong", make_phong},

@@ -70,6 +70,7 @@ inline std::vector<NamedBsdf> catalogue(float tilt_degrees) {
       .add(SheetTransmission{{FacetModel::GgxSeparable, 0.3F, 0.1F}, 1.5F}, tint);
   begin("sheet of air").add(SheetTransmission{ggx(0.4F, 0.4F), 0.75F});
   begin("disney clearcoat").add(DisneyClearcoat{0.1F});
+  begin("flat clearcoat").add(DisneyClearcoat{0.05F, true});
   begin("mirror").add(Mirror{}, tint);
   begin("smooth glass").add(SmoothDielectric{white, white, 1.5F});
   begin("tinted smooth glass").add(SmoothDielectric{white, PackedSpectrum(tint), 0.7F});
@@ -86,10 +87,13 @@ inline std::vector<NamedBsdf> catalogue(float tilt_degrees) {
   begin("diffuse under a rough coat").add(CoatedDiffuse(tint, {1.8F, 0.4F}));
   begin("metal under a smooth coat").add(CoatedConductor{ggx(0.2F, 0.2F), gold, {1.5F, 0.F}});
   begin("metal under a rough coat").add(CoatedConductor{ggx(0.1F, 0.3F), gold, {1.3F, 0.3F}});
-  begin("smooth metal under a smooth coat").add(SmoothCoatedConductor{{gold, 1.5F, {}}});
+  begin("smooth metal under a smooth coat").add(SmoothCoatedConductor{{gold, {1.5F, 0.F}, {}}});
 
   begin("diffuse under an amber coat")
-      .add(CoatedDiffuse(tint, {1.5F, 0.F}, {Spectrum(0.1F, 0.3F, 1.F), 2}));
+      .add(CoatedDiffuse(tint, Coat(1.5F, 0.F, FacetModel::Ggx, CoatPass::Whole, 2),
+                         {Spectrum(0.1F, 0.3F, 1.F)}));
+  begin("diffuse under straight amber")
+      .add(CoatedDiffuse(tint, {1.5F, 0.F}, {Spectrum(0.1F, 0.3F, 1.F), true}));
   begin("full oren-nayar").add(FullOrenNayar(tint, 0.5F));
   for (const float alpha : {0.F, 0.3F}) {
     // White: what the varnish reflects must be missing below.
@@ -119,6 +123,19 @@ inline std::vector<NamedBsdf> catalogue(float tilt_degrees) {
     const ConductorFresnel ideal(Spectrum(1e-4F), Spectrum(1e4F));
     silver.add(RoughCoat{ggx(alpha, alpha), {1.5F}});
     silver.add(CoatedConductor{ggx(0.2F, 0.2F), ideal, {1.5F, alpha}});
+    for (const CoatPass pass :
+         {CoatPass::Smooth, CoatPass::Single, CoatPass::Lossy, CoatPass::LossySum}) {
+      const std::string name =
+          std::to_string(alpha) + ", " + std::to_string(static_cast<int>(pass));
+      const auto model = pass == CoatPass::Lossy ? FacetModel::Ggx : FacetModel::BeckmannSeparable;
+      const Coat coat(1.45F, alpha, model, pass);
+      Bsdf& white_paint = begin("white under a coat of " + name);
+      white_paint.add(RoughCoat{{model, alpha, alpha}, {1.45F}});
+      white_paint.add(CoatedDiffuse(Spectrum(1.F), coat));
+      Bsdf& lacquered_silver = begin("silver under a coat of " + name);
+      lacquered_silver.add(RoughCoat{{model, alpha, alpha}, {1.45F}});
+      lacquered_silver.add(CoatedConductor{{model, 0.2F, 0.2F}, ideal, coat});
+    }
   }
   Bsdf& varnish = begin("varnish");
   varnish.add(SmoothCoat{{1.5F}});

@@ -109,7 +109,7 @@ void Principled::add_lobes(const SurfacePoint& at, const Spectrum& scale, Bsdf& 
   const float clearcoat = weight(clearcoat_, at);
   if (clearcoat > 0.F) {
     const float alpha = mix(0.1F, 0.001F, weight(clearcoat_gloss_, at));
-    bsdf.add(DisneyClearcoat{alpha}, scale * clearcoat);
+    bsdf.add(DisneyClearcoat{alpha, !colors_twice_}, scale * clearcoat);
   }
   if (p.transmission > 0.F) add_transmission(p, scale, bsdf);
   if (thin_) {
@@ -240,7 +240,8 @@ MaterialModel principled_material() {
             choice_parameter("blend", {"once", "twice"},
                              "shares of metal and dielectric: once; or twice, for the metal's "
                              "colour. Then flatness is for thin sheets only and spares "
-                             "retro-reflection, sheen is on what is opaque, and metal refracts")}},
+                             "retro-reflection, sheen is on what is opaque, metal refracts, and "
+                             "the clearcoat is Burley's, not the flat one of Mitsuba 3")}},
       make<Principled>};
 }
 
