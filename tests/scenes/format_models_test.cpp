@@ -235,7 +235,7 @@ const std::vector<ModelCase>& model_cases() {
       {kPbrt4, "coatedconductor, coat smooth, metal α 0.3",
        "Material 'coatedconductor' 'rgb conductor.eta' [.2 .2 .2] 'rgb conductor.k' [3.9 "
        "3.9 3.9] 'float interface.roughness' 0 'float conductor.roughness' 0.09",
-       -1.0, 0.6284, 0.21},
+       -1.0, 0.6284, 0.06},
       {kPbrt4, "coatedconductor, coat α 0.3, metal α 0.3",
        "Material 'coatedconductor' 'rgb conductor.eta' [.2 .2 .2] 'rgb conductor.k' [3.9 "
        "3.9 3.9] 'float interface.roughness' 0.09 'float conductor.roughness' 0.09",

@@ -187,7 +187,7 @@ Lobe random_lobe(Rng& rng) {
   const float coat_alpha = rng.next() < 0.5F ? 0.F : alpha;
   const Coat coat(coat_eta, coat_alpha, model, pass, static_cast<int>(rng.next() * 3.F));
   constexpr std::size_t kLobes = std::variant_size_v<Lobe>;
-  static_assert(kLobes == 28, "each lobe has a case here");
+  static_assert(kLobes == 29, "each lobe has a case here");
   switch (static_cast<int>(rng.next() * static_cast<float>(kLobes))) {
     case 0:
       return Lambert{};
@@ -244,6 +244,8 @@ Lobe random_lobe(Rng& rng) {
       return SheetTransmission{facets, eta};
     case 26:
       return SheetSpecular{facets, {{a, rng.next(), eta, rng.next()}}};
+    case 27:
+      return CoatedConductorEcho(CoatedConductor{facets, metal, coat});
     default:
       return SmoothCoatedConductor{{metal, {coat_eta, 0.F}, {}}};
   }

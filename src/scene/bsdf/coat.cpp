@@ -72,4 +72,17 @@ CoatedDiffuse::CoatedDiffuse(const Spectrum& reflectance, const Coat& above,
       {lane(reflectance[0], d[0]), lane(reflectance[1], d[1]), lane(reflectance[2], d[2])});
 }
 
+CoatedConductorEcho::CoatedConductorEcho(const CoatedConductor& first)
+    : below{first.facets.model(), first.coat.eta(),
+            std::sqrt(first.facets.alpha_x() * first.facets.alpha_y())} {
+  const float mean = coat_table::mean_returned(below);
+  if (!(mean > 1e-4F)) return;
+  const coat_table::DiffuseBelow diffuse = coat_table::diffuse_below(below);
+  // Two thirds are the mean cosine of diffuse light.
+  const Spectrum metal = first.fresnel(2.F / 3.F, true);
+  share = PackedSpectrum(map_lanes(metal, [&](float r) {
+    return r * r * diffuse.leaves * first.coat.series(r * diffuse.returns) / mean;
+  }));
+}
+
 }  // namespace ajar

@@ -68,8 +68,9 @@ class Coat {
   }
   /// 1 + x + x² + …, as many terms as there are bounces.
   float series(float x) const {
+    x = std::min(x, 1.F - 1e-6F);
     const float terms = bounces_ > 0 ? 1.F - std::pow(x, static_cast<float>(bounces_)) : 1.F;
-    return terms / std::max(1.F - x, 1e-6F);
+    return terms / (1.F - x);
   }
 
  private:
@@ -132,11 +133,15 @@ struct CoatedDiffuse {
   }
 
  private:
-  /// What the coat leaves on a way at this cosine.
+  /// What the coat leaves on a way at this cosine. Never nothing, so that no product of such is too
+  /// small for a float.
   Spectrum left(float cosine) const {
     const Spectrum thickness = depth.unpack();
     if (thickness.is_black()) return Spectrum(1.F);
-    return map_lanes(thickness, [=](float x) { return std::exp(-x / std::max(cosine, kGrazing)); });
+    constexpr float kBlack = 20.F;
+    return map_lanes(thickness, [=](float x) {
+      return std::exp(-std::min(x / std::max(cosine, kGrazing), kBlack));
+    });
   }
   Spectrum passed(const Vec3& w) const {
     const float cosine = std::abs(straight ? w.z : coat.inside(w).z);
@@ -221,6 +226,45 @@ struct CoatedConductor {
   Spectrum weight(const Vec3& wo, const Vec3& wi, float cos_h) const {
     return coated_reflectance(fresnel(cos_h, true), coat, std::abs(wo.z), std::abs(wi.z));
   }
+};
+
+/// What `CoatedConductor` lacks under a smooth coat: light that a rough metal reflects to where the
+/// coat turns it back, most of it totally, and that comes out later. By then it is diffuse:
+/// X(θ_o) X(θ_i) c / π, where X is the share that is turned back at first, and c such that on
+/// average as much comes out as metal and coat leave of it. No direction gets more than the other
+/// lobe lacks. Source of the form: Kulla & Conty 2017, "Revisiting physically based shading at
+/// Imageworks".
+struct CoatedConductorEcho {
+  static constexpr bool kSpecular = false;
+  PackedSpectrum share;  ///< c
+  RoughBoundary below;   ///< the index of the coat and the facets of the metal
+
+  CoatedConductorEcho() = default;
+  /// The roughness of the metal is the mean of both.
+  explicit CoatedConductorEcho(const CoatedConductor& first);
+
+  LobeValue evaluate(const Vec3& wo, const Vec3& wi, bool transmission, TransportMode) const {
+    if (transmission) return {};
+    return {share.unpack() * (returned(wo) * returned(wi) * cosine_pdf(wi)), cosine_pdf(wi),
+            cosine_pdf(wo)};
+  }
+  std::optional<LobeSample> sample(const Vec3& wo, const BsdfUniforms& u, const Vec3& ng,
+                                   TransportMode mode) const {
+    const Vec3 wi = cosine_around(u.direction, ng);
+    const LobeValue v = evaluate(wo, wi, false, mode);
+    if (!(v.pdf > 0.F)) return std::nullopt;
+    return LobeSample{wi, v.value / v.pdf, v.pdf, v.reverse_pdf};
+  }
+  LobeInverse inverse(const Vec3&, const Vec3& wi, float, const Vec3& ng) const {
+    return cosine_inverse(wi, ng);
+  }
+  bool is_diffuse(const Vec3&, float) const { return true; }
+  Spectrum albedo(const Vec3& wo) const {
+    return share.unpack() * (returned(wo) * coat_table::mean_returned(below));
+  }
+
+ private:
+  float returned(const Vec3& w) const { return coat_table::returned(below, std::abs(w.z)); }
 };
 
 /// Index of refraction of varnish. Source: KHR_materials_clearcoat.

@@ -12,8 +12,8 @@ namespace {
 // Nodes of the table; between them everything is linear.
 constexpr std::array kIndices = {1.F, 1.05F, 1.15F, 1.3F, 1.4F, 1.5F, 1.6F, 1.75F,
                                  2.F, 2.5F,  3.F,   4.F,  6.F,  10.F, 20.F};
-constexpr std::array kAlphas = {0.F,   0.025F, 0.05F, 0.075F, 0.1F, 0.15F, 0.2F, 0.25F, 0.3F,
-                                0.35F, 0.4F,   0.5F,  0.6F,   0.7F, 0.8F,  0.9F, 1.F};
+constexpr std::array kAlphas = {0.F,  0.0125F, 0.025F, 0.05F, 0.075F, 0.1F, 0.15F, 0.2F, 0.25F,
+                                0.3F, 0.35F,   0.4F,   0.5F,  0.6F,   0.7F, 0.8F,  0.9F, 1.F};
 constexpr int kCosines =
     33;  ///< squares of evenly spaced numbers: grazing angles are the steep ones
 constexpr int kCosinesInside = 64;  ///< evenly spaced
@@ -34,17 +34,16 @@ struct Facet {
 
 /// Midpoints of the distribution D cos θ, over half a turn: what is seen is mirrored in the other.
 /// The cumulative distribution is 1 − v², so that the long tails of GGX have enough of them.
-std::vector<Facet> facets_of(FacetModel model, float alpha, int points) {
+std::vector<Facet> facets_of(FacetModel model, float alpha, int rings, int turns) {
   const bool is_beckmann = model == FacetModel::Beckmann || model == FacetModel::BeckmannSeparable;
   std::vector<Facet> facets;
-  const double step = 1.0 / points;
-  for (int y = 0; y < points; ++y) {
-    const double v = (y + 0.5) * step;
+  for (int y = 0; y < rings; ++y) {
+    const double v = (y + 0.5) / rings;
     const double slope = static_cast<double>(alpha) *
                          std::sqrt(is_beckmann ? -2.0 * std::log(v) : (1.0 - v * v) / (v * v));
     const double z = 1.0 / std::sqrt(1.0 + slope * slope);
-    for (int x = 0; x < points; ++x) {
-      const double phi = M_PI * (x + 0.5) * step;
+    for (int x = 0; x < turns; ++x) {
+      const double phi = M_PI * (x + 0.5) / turns;
       const Vec3 normal(static_cast<float>(slope * z * std::cos(phi)),
                         static_cast<float>(slope * z * std::sin(phi)), static_cast<float>(z));
       facets.push_back({normal, static_cast<float>(v / z)});
@@ -91,6 +90,24 @@ class VisibleFacets {
     return static_cast<float>(sum * share_);
   }
 
+  /// Share that facets reflect all in all, and to where a smooth boundary of this index above them
+  /// turns it back.
+  float mirrored() const {
+    double sum = 0.0;
+    for (const Visible& facet : visible_) sum += static_cast<double>(facet.area * facet.mirrored);
+    return static_cast<float>(sum * share_);
+  }
+  float turned_back(float eta) const {
+    double sum = 0.0;
+    for (const Visible& facet : visible_) {
+      const float cosine = facet.normal.z * 2.F * facet.cosine - wo_.z;
+      if (!(facet.mirrored > 0.F)) continue;
+      const float reflectance = fresnel_dielectric(std::min(cosine, 1.F), 1.F / eta).reflectance;
+      sum += static_cast<double>(facet.area * facet.mirrored * reflectance);
+    }
+    return static_cast<float>(sum * share_);
+  }
+
  private:
   /// G2 / G1 of what leaves a facet this way, 0 on the wrong side.
   float left(const Vec3& wi, float side) const {
@@ -128,10 +145,46 @@ Place place_of(const std::array<float, Size>& nodes, float value) {
 
 float lerp(float a, float b, float t) { return a + (b - a) * t; }
 
-/// All of one model of facets.
-class Table {
+using Row = std::array<float, kCosines>;
+template <typename Value>
+using Grid = std::array<std::array<Value, kAlphas.size()>, kIndices.size()>;
+
+float at_root(const Row& row, float root) {
+  const float x = root * (kCosines - 1);
+  const auto node = std::min(static_cast<std::size_t>(x), row.size() - 2);
+  return lerp(row[node], row[node + 1], x - static_cast<float>(node));
+}
+/// ∫ row 2μ dμ with μ = t², dμ = 2t dt, by midpoints.
+float mean(const Row& row) {
+  constexpr int kPoints = 256;
+  double sum = 0.0;
+  for (int i = 0; i < kPoints; ++i) {
+    const float t = (static_cast<float>(i) + 0.5F) / kPoints;
+    sum += static_cast<double>(at_root(row, t) * 4.F * t * t * t);
+  }
+  return static_cast<float>(sum / kPoints);
+}
+
+template <typename Value>
+float interpolate(const RoughBoundary& b, const Value& value) {
+  const Place e = place_of(kIndices, b.eta);
+  const Place a = place_of(kAlphas, b.alpha);
+  return lerp(lerp(value(e.node, a.node), value(e.node, a.node + 1), a.fraction),
+              lerp(value(e.node + 1, a.node), value(e.node + 1, a.node + 1), a.fraction),
+              e.fraction);
+}
+float at(const Grid<float>& grid, const RoughBoundary& b) {
+  return interpolate(b, [&](std::size_t e, std::size_t a) { return grid[e][a]; });
+}
+float at(const Grid<Row>& grid, const RoughBoundary& b, float cosine) {
+  const float root = std::sqrt(std::min(cosine, 1.F));
+  return interpolate(b, [&](std::size_t e, std::size_t a) { return at_root(grid[e][a], root); });
+}
+
+/// A rough boundary of one model of facets.
+class BoundaryTable {
  public:
-  explicit Table(FacetModel model) {
+  explicit BoundaryTable(FacetModel model) {
     for (std::size_t a = 0; a < kAlphas.size(); ++a) {
       fill_outside(model, a);
       fill_inside(model, a);
@@ -146,12 +199,8 @@ class Table {
   float sum_inside(const RoughBoundary& b) const { return at(sum_inside_, b); }
 
  private:
-  using Row = std::array<float, kCosines>;
-  template <typename Value>
-  using Grid = std::array<std::array<Value, kAlphas.size()>, kIndices.size()>;
-
   void fill_outside(FacetModel model, std::size_t a) {
-    const std::vector<Facet> all = facets_of(model, kAlphas[a], 24);
+    const std::vector<Facet> all = facets_of(model, kAlphas[a], 24, 24);
     for (int c = 0; c < kCosines; ++c) {
       const auto node = static_cast<std::size_t>(c);
       const VisibleFacets facets(model, kAlphas[a], cosine_of(c), all);
@@ -169,7 +218,7 @@ class Table {
   }
 
   void fill_inside(FacetModel model, std::size_t a) {
-    const std::vector<Facet> all = facets_of(model, kAlphas[a], 16);
+    const std::vector<Facet> all = facets_of(model, kAlphas[a], 16, 16);
     std::array<double, kIndices.size()> sums{};
     std::array<double, kIndices.size()> along_normal{};
     for (int c = 0; c < kCosinesInside; ++c) {
@@ -191,38 +240,6 @@ class Table {
     }
   }
 
-  /// ∫ row 2μ dμ with μ = t², dμ = 2t dt, by midpoints.
-  static float mean(const Row& row) {
-    constexpr int kPoints = 256;
-    double sum = 0.0;
-    for (int i = 0; i < kPoints; ++i) {
-      const float t = (static_cast<float>(i) + 0.5F) / kPoints;
-      sum += static_cast<double>(at_root(row, t) * 4.F * t * t * t);
-    }
-    return static_cast<float>(sum / kPoints);
-  }
-
-  static float at_root(const Row& row, float root) {
-    const float x = root * (kCosines - 1);
-    const auto node = std::min(static_cast<std::size_t>(x), row.size() - 2);
-    return lerp(row[node], row[node + 1], x - static_cast<float>(node));
-  }
-  template <typename Value>
-  static float interpolate(const RoughBoundary& b, const Value& value) {
-    const Place e = place_of(kIndices, b.eta);
-    const Place a = place_of(kAlphas, b.alpha);
-    return lerp(lerp(value(e.node, a.node), value(e.node, a.node + 1), a.fraction),
-                lerp(value(e.node + 1, a.node), value(e.node + 1, a.node + 1), a.fraction),
-                e.fraction);
-  }
-  static float at(const Grid<float>& grid, const RoughBoundary& b) {
-    return interpolate(b, [&](std::size_t e, std::size_t a) { return grid[e][a]; });
-  }
-  static float at(const Grid<Row>& grid, const RoughBoundary& b, float cosine) {
-    const float root = std::sqrt(std::min(cosine, 1.F));
-    return interpolate(b, [&](std::size_t e, std::size_t a) { return at_root(grid[e][a], root); });
-  }
-
   Grid<Row> reflected_{};
   Grid<Row> refracted_{};
   Grid<float> mean_reflected_{};
@@ -231,45 +248,103 @@ class Table {
   Grid<float> sum_inside_{};
 };
 
-template <FacetModel model>
-const Table& table_of_model() {
-  static const Table kTable(model);
+/// Rough mirrors of one model of facets below a smooth boundary.
+class MirrorTable {
+ public:
+  explicit MirrorTable(FacetModel model) {
+    for (std::size_t a = 0; a < kAlphas.size(); ++a) {
+      const std::vector<Facet> all = facets_of(model, std::max(kAlphas[a], 1e-3F), 48, 8);
+      for (std::size_t e = 0; e < kIndices.size(); ++e) {
+        const float eta = kIndices[e];
+        for (int c = 0; c < kCosines; ++c) {
+          const DielectricBoundary boundary = fresnel_dielectric(cosine_of(c), eta);
+          const VisibleFacets facets(model, std::max(kAlphas[a], 1e-3F),
+                                     std::max(boundary.cos_t, 1e-4F), all);
+          const float by_smooth_ones = facets.mirrored() * boundary.reflectance;
+          returned_[e][a][static_cast<std::size_t>(c)] =
+              (1.F - boundary.reflectance) *
+              std::max(facets.turned_back(eta) - by_smooth_ones, 0.F);
+        }
+        mean_[e][a] = mean(returned_[e][a]);
+      }
+      fill_diffuse(model, a, all);
+    }
+  }
+
+  float returned(const RoughBoundary& b, float cosine) const { return at(returned_, b, cosine); }
+  float mean_returned(const RoughBoundary& b) const { return at(mean_, b); }
+  DiffuseBelow diffuse(const RoughBoundary& b) const { return {at(leaves_, b), at(returns_, b)}; }
+
+ private:
+  void fill_diffuse(FacetModel model, std::size_t a, const std::vector<Facet>& all) {
+    for (int c = 0; c < kCosinesInside; ++c) {
+      // Midpoints of the cosine's square.
+      const float cosine = std::sqrt((static_cast<float>(c) + 0.5F) / kCosinesInside);
+      const VisibleFacets facets(model, std::max(kAlphas[a], 1e-3F), cosine, all);
+      for (std::size_t e = 0; e < kIndices.size(); ++e) {
+        const float returns = facets.turned_back(kIndices[e]);
+        returns_[e][a] += returns / kCosinesInside;
+        leaves_[e][a] += (facets.mirrored() - returns) / kCosinesInside;
+      }
+    }
+  }
+
+  Grid<Row> returned_{};
+  Grid<float> mean_{};
+  Grid<float> leaves_{};
+  Grid<float> returns_{};
+};
+
+template <typename Kind, FacetModel model>
+const Kind& table_of_model() {
+  static const Kind kTable(model);
   return kTable;
 }
 /// Made where it is first looked at.
-const Table& table(const RoughBoundary& boundary) {
+template <typename Kind>
+const Kind& table(const RoughBoundary& boundary) {
   switch (boundary.model) {
     case FacetModel::GgxSeparable:
-      return table_of_model<FacetModel::GgxSeparable>();
+      return table_of_model<Kind, FacetModel::GgxSeparable>();
     case FacetModel::Beckmann:
-      return table_of_model<FacetModel::Beckmann>();
+      return table_of_model<Kind, FacetModel::Beckmann>();
     case FacetModel::BeckmannSeparable:
-      return table_of_model<FacetModel::BeckmannSeparable>();
+      return table_of_model<Kind, FacetModel::BeckmannSeparable>();
     case FacetModel::Ggx:
       break;
   }
-  return table_of_model<FacetModel::Ggx>();
+  return table_of_model<Kind, FacetModel::Ggx>();
 }
 
 }  // namespace
 
 float reflected(const RoughBoundary& boundary, float cosine) {
-  return table(boundary).reflected(boundary, cosine);
+  return table<BoundaryTable>(boundary).reflected(boundary, cosine);
 }
 float refracted(const RoughBoundary& boundary, float cosine) {
-  return table(boundary).refracted(boundary, cosine);
+  return table<BoundaryTable>(boundary).refracted(boundary, cosine);
 }
 float mean_reflected(const RoughBoundary& boundary) {
-  return table(boundary).mean_reflected(boundary);
+  return table<BoundaryTable>(boundary).mean_reflected(boundary);
 }
 float mean_refracted(const RoughBoundary& boundary) {
-  return table(boundary).mean_refracted(boundary);
+  return table<BoundaryTable>(boundary).mean_refracted(boundary);
 }
 float mean_reflected_inside(const RoughBoundary& boundary) {
-  return table(boundary).mean_inside(boundary);
+  return table<BoundaryTable>(boundary).mean_inside(boundary);
 }
 float sum_reflected_inside(const RoughBoundary& boundary) {
-  return table(boundary).sum_inside(boundary);
+  return table<BoundaryTable>(boundary).sum_inside(boundary);
+}
+
+float returned(const RoughBoundary& below, float cosine) {
+  return table<MirrorTable>(below).returned(below, cosine);
+}
+float mean_returned(const RoughBoundary& below) {
+  return table<MirrorTable>(below).mean_returned(below);
+}
+DiffuseBelow diffuse_below(const RoughBoundary& below) {
+  return table<MirrorTable>(below).diffuse(below);
 }
 
 }  // namespace ajar::coat_table

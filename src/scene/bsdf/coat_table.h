@@ -30,5 +30,19 @@ float mean_reflected_inside(const RoughBoundary& boundary);
 /// Mitsuba 3 has it (roughplastic); 1.6 % less.
 float sum_reflected_inside(const RoughBoundary& boundary);
 
+/// A smooth boundary, with rough mirrors inside that reflect all light: of light from this cosine
+/// outside, the share that comes in, is reflected once, and is turned back to the mirrors. Without
+/// what is turned back even by smooth ones. `below` has the index of the boundary and the facets of
+/// the mirrors.
+float returned(const RoughBoundary& below, float cosine);
+/// Its mean over a hemisphere of directions outside, weighted by their cosines.
+float mean_returned(const RoughBoundary& below);
+/// The same mirrors in diffuse light from inside: the share that they reflect to where the boundary
+/// lets it out, and to where it turns it back.
+struct DiffuseBelow {
+  float leaves, returns;
+};
+DiffuseBelow diffuse_below(const RoughBoundary& below);
+
 }  // namespace coat_table
 }  // namespace ajar

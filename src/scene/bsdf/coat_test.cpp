@@ -42,6 +42,24 @@ TEST(Coat, LetsMoreThroughNearerToTheNormal) {
   }
 }
 
+TEST(Coat, LetsNoMoreThroughThanItDoesNotReflect) {
+  for (const FacetModel model : {FacetModel::Ggx, FacetModel::BeckmannSeparable}) {
+    for (const CoatPass pass : {CoatPass::Smooth, CoatPass::Single, CoatPass::Lossy}) {
+      for (const float alpha : {0.05F, 0.33F, 1.F}) {
+        for (const float eta : {1.1F, 1.55F, 3.F}) {
+          const Coat coat(eta, alpha, model, pass);
+          for (int i = 1; i <= 50; ++i) {
+            const float cosine = static_cast<float>(i) / 50.F;
+            EXPECT_LE(coat.transmittance(cosine), 1.F - coat.reflectance(cosine) + 1e-4F)
+                << static_cast<int>(pass) << " " << alpha << " " << eta << " " << cosine;
+          }
+          EXPECT_LE(coat.turned_back(), 1.F - coat.mean_transmittance() / (eta * eta) + 2e-3F);
+        }
+      }
+    }
+  }
+}
+
 TEST(CoatedDiffuse, WithoutACoatIsLambert) {
   const CoatedDiffuse lobe(Spectrum(0.7F), {1.F, 0.F});
   const Vec3 wo = direction(40.F, 10.F);
@@ -208,6 +226,59 @@ TEST(CoatedConductor, MeetsTheMetalAsOftenAsItSays) {
   };
   EXPECT_NEAR(value(1), f + (1.F - f) * (1.F - f) * r, 1e-5F);
   EXPECT_NEAR(value(2), f + (1.F - f) * (1.F - f) * r * (1.F + r * f), 1e-5F);
+}
+
+/// Share of light from all around that a rough metal under a smooth coat reflects, all in all, by
+/// following it between the two.
+double reflected_by_layers(const Microfacets& facets, const ConductorFresnel& metal, float eta) {
+  const Conductor lobe{facets, metal};
+  const Coat coat(eta, 0.F);
+  const Vec3 up(0.F, 0.F, 1.F);
+  Rng rng(3);
+  double sum = 0.0;
+  constexpr int kPaths = 60000;
+  for (int i = 0; i < kPaths; ++i) {
+    const float x = rng.next();
+    const Vec3 outside = warp::cosine_hemisphere({x, rng.next()});
+    const float through = coat.transmittance(outside.z);
+    sum += 1.0 - static_cast<double>(through);
+    double left = static_cast<double>(through);
+    Vec3 w = coat.inside(outside);
+    for (int bounce = 0; bounce < 50; ++bounce) {
+      const auto s = lobe.sample(w, testing::random_uniforms(rng), up, TransportMode::Radiance);
+      if (!s) break;
+      left *= static_cast<double>(s->weight[0]);
+      const auto back = static_cast<double>(fresnel_dielectric(s->wi.z, 1.F / eta).reflectance);
+      sum += left * (1.0 - back);
+      left *= back;
+      w = {-s->wi.x, -s->wi.y, s->wi.z};
+    }
+  }
+  return sum / kPaths;
+}
+
+TEST(CoatedConductorEcho, MakesUpForWhatTheCoatTurnsBack) {
+  const ConductorFresnel metal(Spectrum(0.2F), Spectrum(2.6F));
+  const Vec3 up(0.F, 0.F, 1.F);
+  for (const float alpha : {0.05F, 0.2F, 0.5F, 0.9F}) {
+    const Microfacets facets(FacetModel::Ggx, alpha, alpha);
+    Bsdf both(Frame(), up);
+    both.add(SmoothCoat{{1.5F}});
+    const CoatedConductor first{facets, metal, {1.5F, 0.F}};
+    both.add(first);
+    both.add(CoatedConductorEcho(first));
+    Rng rng(4);
+    double sum = 0.0;
+    constexpr int kSamples = 60000;
+    for (int i = 0; i < kSamples; ++i) {
+      const float x = rng.next();
+      const Vec3 wo = warp::cosine_hemisphere({x, rng.next()});
+      const auto s = both.sample(wo, testing::random_uniforms(rng), TransportMode::Radiance);
+      if (s) sum += static_cast<double>(s->weight[0]);
+    }
+    const double expected = reflected_by_layers(facets, metal, 1.5F);
+    EXPECT_NEAR(sum / kSamples, expected, 0.05 * expected) << alpha;
+  }
 }
 
 TEST(CoatedConductor, IsTheMetalWithoutACoat) {

@@ -21,14 +21,13 @@
 namespace ajar {
 
 /// The closed set of lobes, common ones first.
-using Lobe =
-    std::variant<Lambert, SmoothDielectric, Conductor, DielectricReflection, FresnelBlend,
-                 RoughDielectric, Mirror, PassThrough, OrenNayar, LambertTransmission,
-                 ThinDielectric, SpecularReflection, SpecularTransmission, DisneyDiffuse,
-                 DisneySpecular, DisneyClearcoat, SmoothConductor, SmoothCoat, RoughCoat,
-                 CoatedDiffuse, CoatedConductor, SmoothCoatedConductor, UnderVarnish<DisneyDiffuse>,
-                 UnderVarnish<DisneySpecular>, UnderVarnish<LambertTransmission>, FullOrenNayar,
-                 SheetTransmission, SheetSpecular>;
+using Lobe = std::variant<
+    Lambert, SmoothDielectric, Conductor, DielectricReflection, FresnelBlend, RoughDielectric,
+    Mirror, PassThrough, OrenNayar, LambertTransmission, ThinDielectric, SpecularReflection,
+    SpecularTransmission, DisneyDiffuse, DisneySpecular, DisneyClearcoat, SmoothConductor,
+    SmoothCoat, RoughCoat, CoatedDiffuse, CoatedConductor, CoatedConductorEcho,
+    SmoothCoatedConductor, UnderVarnish<DisneyDiffuse>, UnderVarnish<DisneySpecular>,
+    UnderVarnish<LambertTransmission>, FullOrenNayar, SheetTransmission, SheetSpecular>;
 
 static_assert(std::is_trivially_copyable_v<Lobe>);
 static_assert(sizeof(Lobe) <= 48);

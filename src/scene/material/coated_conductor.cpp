@@ -49,12 +49,15 @@ class CoatedConductorSurface final : public Material {
     const bool blurs = !smooth_coat && pass_ != CoatPass::Smooth && pass_ != CoatPass::Single;
     const float blurred_u = blurred(u, blurs ? coat_u : 0.F, eta);
     const float blurred_v = blurred(v, blurs ? coat_v : 0.F, eta);
-    bsdf.add(CoatedConductor{{facets_, blurred_u, blurred_v},
-                             metal,
-                             Coat(eta, coat_alpha, coat_facets_, pass_, bounces_)},
-             scale * map_lanes(depth, [&](float x) { return std::exp(-2.F * x * mean_way(eta)); }));
+    const CoatedConductor once{{facets_, blurred_u, blurred_v},
+                               metal,
+                               Coat(eta, coat_alpha, coat_facets_, pass_, bounces_)};
+    const Spectrum left =
+        scale * map_lanes(depth, [&](float x) { return std::exp(-2.F * x * mean_way(eta)); });
+    bsdf.add(once, left);
+    if (smooth_coat && bounces_ != 1) bsdf.add(CoatedConductorEcho(once), left);
   }
-  int max_lobes() const override { return 2; }
+  int max_lobes() const override { return bounces_ == 1 ? 2 : 3; }
 
  private:
   /// 1 / cos θ' on average over the cosine-weighted directions outside, θ' being the angle inside:
